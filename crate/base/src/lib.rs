@@ -1,0 +1,73 @@
+//! Foundations shared by every crate: deterministic maths, curves and seeded noise.
+//!
+//! Does: the `glam` types in double precision, trigonometry through `libm` so
+//! that native and wasm agree bit for bit, motion curves, hash-based noise.
+//! Does not: know anything of stories, bodies or time-keeping.
+//!
+//! Frames: right-handed, metres, radians, seconds; +x is the character's left,
+//! +y up, +z front (glTF's own frame).
+
+pub mod curve;
+pub mod noise;
+pub mod ops;
+
+pub use glam;
+pub use glam::{DAffine3, DMat3, DMat4, DQuat, DVec2, DVec3};
+
+/// Metres in one inch; the unit of GEVH's skeleton table is inch-like
+/// (standing height about 77). Exact by definition.
+pub const METRES_PER_INCH: f64 = 0.0254;
+
+/// Which half of the body. "Left" is always the character's left.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Side {
+    /// The character's left, at positive x.
+    Left,
+    /// The character's right, at negative x.
+    Right,
+}
+
+impl Side {
+    /// Both sides, left first.
+    pub const BOTH: [Self; 2] = [Self::Left, Self::Right];
+
+    /// The other side.
+    #[must_use]
+    pub fn opposite(self) -> Self {
+        match self {
+            Self::Left => Self::Right,
+            Self::Right => Self::Left,
+        }
+    }
+
+    /// +1 for left and −1 for right: the sign of x on that side.
+    #[must_use]
+    pub fn sign(self) -> f64 {
+        match self {
+            Self::Left => 1.0,
+            Self::Right => -1.0,
+        }
+    }
+
+    /// 0 for left and 1 for right, for arrays of two.
+    #[must_use]
+    pub fn index(self) -> usize {
+        match self {
+            Self::Left => 0,
+            Self::Right => 1,
+        }
+    }
+}
+
+/// Mirrors a vector on the sagittal plane.
+#[must_use]
+pub fn mirror_vector(v: DVec3) -> DVec3 {
+    DVec3::new(-v.x, v.y, v.z)
+}
+
+/// Mirrors a rotation, given in world axes, on the sagittal plane: the axis is a
+/// pseudo-vector, so its x component keeps its sign and the others change it.
+#[must_use]
+pub fn mirror_rotation(q: DQuat) -> DQuat {
+    DQuat::from_xyzw(q.x, -q.y, -q.z, q.w)
+}

@@ -1,0 +1,126 @@
+//! A figure as it is at run time: skeleton, meshes and morphs.
+
+use raconteur_base::DAffine3;
+
+use crate::skeleton::Skeleton;
+
+/// How a surface is shaded. The renderer's own models replace glTF's for these.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum MaterialKind {
+    /// Skin; vertex colour carries the tone, its alpha the occlusion.
+    Skin,
+    /// Sclera, iris and pupil on one ball; uv is the position on the front hemisphere,
+    /// (0.5, 0.5) at the corneal apex, radius 0.5 at the equator.
+    Eye,
+    /// Transparent wet layer over the eye (cornea, tear line).
+    Cornea,
+    /// Teeth.
+    Teeth,
+    /// Gums, tongue, mouth bag.
+    Mouth,
+    /// Strand cards: u across the card, v from root (0) to tip (1).
+    Hair,
+    /// Lashes and brows: as hair, thinner.
+    Lash,
+    /// Woven or knitted cloth; uv in metres on the cloth.
+    Cloth,
+    /// Shoes, belts.
+    Leather,
+    /// Finger and toe nails.
+    Nail,
+    /// Anything else: plain metallic-roughness.
+    Plain,
+}
+
+impl MaterialKind {
+    /// Every kind with its name in glTF (`extras.kind`).
+    pub const NAMES: [(Self, &'static str); 11] = [
+        (Self::Skin, "skin"),
+        (Self::Eye, "eye"),
+        (Self::Cornea, "cornea"),
+        (Self::Teeth, "teeth"),
+        (Self::Mouth, "mouth"),
+        (Self::Hair, "hair"),
+        (Self::Lash, "lash"),
+        (Self::Cloth, "cloth"),
+        (Self::Leather, "leather"),
+        (Self::Nail, "nail"),
+        (Self::Plain, "plain"),
+    ];
+}
+
+/// Surface of a mesh.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Material {
+    /// Shading model.
+    pub kind: MaterialKind,
+    /// Linear RGB and alpha, each 0..1; multiplies the vertex colour.
+    pub base_color: [f32; 4],
+    /// Perceptual roughness, 0..1.
+    pub roughness: f32,
+    /// Whether both sides are drawn.
+    pub double_sided: bool,
+}
+
+/// One morph target's part in one mesh, sparse.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Morph {
+    /// Index into [`Figure::morph_names`].
+    pub target: usize,
+    /// Vertices it moves.
+    pub vertices: Vec<u32>,
+    /// Displacement of each at weight 1, bind pose, metres.
+    pub position_deltas: Vec<[f32; 3]>,
+    /// Change of each normal at weight 1.
+    pub normal_deltas: Vec<[f32; 3]>,
+}
+
+/// One drawable part, in the bind pose, world frame.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mesh {
+    /// Name, for example `head`.
+    pub name: String,
+    /// Surface.
+    pub material: Material,
+    /// Positions, metres.
+    pub positions: Vec<[f32; 3]>,
+    /// Unit normals.
+    pub normals: Vec<[f32; 3]>,
+    /// Texture coordinates; meaning by [`MaterialKind`].
+    pub uvs: Vec<[f32; 2]>,
+    /// Linear RGB and occlusion, 0..255.
+    pub colors: Vec<[u8; 4]>,
+    /// Up to four joints a vertex, indices into the skeleton's joints.
+    pub joints: Vec<[u16; 4]>,
+    /// Their weights, summing to 1.
+    pub weights: Vec<[f32; 4]>,
+    /// Triangles, counter-clockwise from outside.
+    pub indices: Vec<u32>,
+    /// Morph targets that touch this mesh.
+    pub morphs: Vec<Morph>,
+}
+
+/// A figure ready to be posed and drawn.
+#[derive(Clone, Debug)]
+pub struct Figure {
+    /// Name, for example `sofia`.
+    pub name: String,
+    /// Joints.
+    pub skeleton: Skeleton,
+    /// Joint from world in the bind pose, one for each joint of the skeleton.
+    pub inverse_bind: Vec<DAffine3>,
+    /// Parts.
+    pub meshes: Vec<Mesh>,
+    /// Names of the morph targets: ARKit's where one fits (`mouthPucker`, `browInnerUp` …).
+    pub morph_names: Vec<String>,
+    /// Upper-lid rotation that closes the eye, radians, left and right.
+    pub lid_closure_rad: [f64; 2],
+}
+
+impl Figure {
+    /// Index of a morph target by name.
+    #[must_use]
+    pub fn morph_index(&self, name: &str) -> Option<usize> {
+        self.morph_names.iter().position(|n| n == name)
+    }
+}

@@ -1,0 +1,526 @@
+//! Hand shapes: the angles of the 20 finger joints by number, and the local rotations of
+//! the 15 finger bones that follow from them.
+//!
+//! The numbers are those of the gesture dictionary of Portuguese sign language (LGP) that
+//! GEVH uses for its hands (section 3.5, figures 3.13 and C.4). Of these only shape 7, the
+//! "open-like claw" of the greeting, is described there; **all other numbers and all
+//! angles are designed** (chosen by eye and solved for contacts), after
+//! - letters and digits: the SignWriting symbols of the LGP fingerspelling alphabet
+//!   (github.com/sign-language-processing/signwriting, `fingerspelling/data/psr.json`);
+//! - proportions of bends: `HamNoSys` shapes of github.com/upf-gti/performs,
+//!   `js/sigml/HandShape.js`;
+//! - limits of every joint: F&H table 6.4.
+//!
+//! Conventions. Angle zero is a flat hand whose fingers run parallel to the forearm, with
+//! the thumb as in the zero pose of GEVH table A.1 (40° radial, 26° palmar). Flexion bends
+//! towards the palm; abduction of a finger is positive towards the thumb, so that a spread
+//! hand has +18° at the index and −18° at the little finger. A knuckle turns by abduction
+//! about the dorsal axis, then by flexion. The thumb's saddle joint turns by flexion about
+//! the hand's dorsal axis (positive across the palm), abduction away from the palm, and
+//! rotation about itself (negative: pronation, as in opposition).
+
+use std::sync::OnceLock;
+
+use raconteur_base::{DQuat, DVec3, Side};
+
+use crate::pose::Pose;
+use crate::skeleton::{Bone, zero_frames};
+
+/// The finger bones of the left hand: index, middle, ring, little finger, thumb, each
+/// from the hand outwards.
+pub const LEFT_FINGER_BONES: [Bone; 15] = [
+    Bone::LIndex0,
+    Bone::LIndex1,
+    Bone::LIndex2,
+    Bone::LMiddle0,
+    Bone::LMiddle1,
+    Bone::LMiddle2,
+    Bone::LRing0,
+    Bone::LRing1,
+    Bone::LRing2,
+    Bone::LPinky0,
+    Bone::LPinky1,
+    Bone::LPinky2,
+    Bone::LThumb0,
+    Bone::LThumb1,
+    Bone::LThumb2,
+];
+
+/// The finger bones of the right hand, in the order of [`LEFT_FINGER_BONES`].
+pub const RIGHT_FINGER_BONES: [Bone; 15] = [
+    Bone::RIndex0,
+    Bone::RIndex1,
+    Bone::RIndex2,
+    Bone::RMiddle0,
+    Bone::RMiddle1,
+    Bone::RMiddle2,
+    Bone::RRing0,
+    Bone::RRing1,
+    Bone::RRing2,
+    Bone::RPinky0,
+    Bone::RPinky1,
+    Bone::RPinky2,
+    Bone::RThumb0,
+    Bone::RThumb1,
+    Bone::RThumb2,
+];
+
+/// The finger bones of a hand, in the order of [`LEFT_FINGER_BONES`].
+#[must_use]
+pub fn finger_bones(side: Side) -> &'static [Bone; 15] {
+    match side {
+        Side::Left => &LEFT_FINGER_BONES,
+        Side::Right => &RIGHT_FINGER_BONES,
+    }
+}
+
+/// Turn of each finger's flexion axis about the finger, left hand, index to little finger,
+/// radians. Fingers whose axes were parallel would fan out in a fist; real ones converge
+/// on the scaphoid. Chosen by eye, inside the rotations of F&H table 6.4.
+pub const FINGER_ROLL_RAD: [f64; 4] = [
+    3.0_f64.to_radians(),
+    1.0_f64.to_radians(),
+    (-2.0_f64).to_radians(),
+    (-5.0_f64).to_radians(),
+];
+
+/// Turn of the thumb's flexion axis about the thumb from the y axis of table A.1, left
+/// hand, radians: its nail looks partly towards the back of the hand. Chosen by eye.
+pub const THUMB_ROLL_RAD: f64 = (-22.0_f64).to_radians();
+
+/// Angles of one finger, radians.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct FingerAngles {
+    /// Knuckle, towards the palm.
+    pub mcp_flexion: f64,
+    /// Knuckle, towards the thumb.
+    pub mcp_abduction: f64,
+    /// Middle joint.
+    pub pip_flexion: f64,
+    /// Last joint.
+    pub dip_flexion: f64,
+}
+
+/// Angles of the thumb, radians.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct ThumbAngles {
+    /// Saddle joint, across the palm; negative out to the side.
+    pub cmc_flexion: f64,
+    /// Saddle joint, away from the palm.
+    pub cmc_abduction: f64,
+    /// Saddle joint, about the thumb; negative is pronation.
+    pub cmc_rotation: f64,
+    /// Knuckle.
+    pub mcp_flexion: f64,
+    /// Last joint.
+    pub ip_flexion: f64,
+}
+
+/// Angles of all joints of a hand, radians. Linear blends of these stay inside the joint
+/// limits and bend every joint in its own plane.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct HandAngles {
+    /// Index, middle, ring and little finger.
+    pub fingers: [FingerAngles; 4],
+    /// The thumb.
+    pub thumb: ThumbAngles,
+}
+
+impl HandAngles {
+    /// From degrees: a finger is `[mcp flexion, mcp abduction, pip, dip]`, the thumb
+    /// `[cmc flexion, cmc abduction, cmc rotation, mcp, ip]`.
+    #[must_use]
+    pub const fn from_degrees(fingers: [[f64; 4]; 4], thumb: [f64; 5]) -> Self {
+        const fn finger(deg: [f64; 4]) -> FingerAngles {
+            FingerAngles {
+                mcp_flexion: deg[0].to_radians(),
+                mcp_abduction: deg[1].to_radians(),
+                pip_flexion: deg[2].to_radians(),
+                dip_flexion: deg[3].to_radians(),
+            }
+        }
+        let [index, middle, ring, little] = fingers;
+        Self {
+            fingers: [finger(index), finger(middle), finger(ring), finger(little)],
+            thumb: ThumbAngles {
+                cmc_flexion: thumb[0].to_radians(),
+                cmc_abduction: thumb[1].to_radians(),
+                cmc_rotation: thumb[2].to_radians(),
+                mcp_flexion: thumb[3].to_radians(),
+                ip_flexion: thumb[4].to_radians(),
+            },
+        }
+    }
+
+    /// The blend `self` · (1 − weight) + `other` · weight of every angle.
+    #[must_use]
+    pub fn lerp(&self, other: &Self, weight: f64) -> Self {
+        let mix = |a: f64, b: f64| a + (b - a) * weight;
+        let finger = |i: usize| {
+            let (a, b) = (&self.fingers[i], &other.fingers[i]);
+            FingerAngles {
+                mcp_flexion: mix(a.mcp_flexion, b.mcp_flexion),
+                mcp_abduction: mix(a.mcp_abduction, b.mcp_abduction),
+                pip_flexion: mix(a.pip_flexion, b.pip_flexion),
+                dip_flexion: mix(a.dip_flexion, b.dip_flexion),
+            }
+        };
+        let (a, b) = (&self.thumb, &other.thumb);
+        Self {
+            fingers: core::array::from_fn(finger),
+            thumb: ThumbAngles {
+                cmc_flexion: mix(a.cmc_flexion, b.cmc_flexion),
+                cmc_abduction: mix(a.cmc_abduction, b.cmc_abduction),
+                cmc_rotation: mix(a.cmc_rotation, b.cmc_rotation),
+                mcp_flexion: mix(a.mcp_flexion, b.mcp_flexion),
+                ip_flexion: mix(a.ip_flexion, b.ip_flexion),
+            },
+        }
+    }
+
+    /// Local rotations of the finger bones relative to the zero pose, as [`Pose`] keeps
+    /// them, in the order of [`finger_bones`].
+    #[must_use]
+    pub fn rotations(&self, side: Side) -> [(Bone, DQuat); 15] {
+        let world = self.left_world();
+        let zero = left_zero_frames();
+        let bones = finger_bones(side);
+        core::array::from_fn(|i| {
+            let local = if i % 3 == 0 {
+                zero[i].inverse() * world[i]
+            } else {
+                let zero_in_parent = zero[i - 1].inverse() * zero[i];
+                zero_in_parent.inverse() * (world[i - 1].inverse() * world[i])
+            };
+            let q = local.normalize();
+            let mirrored = match side {
+                Side::Left => q,
+                Side::Right => DQuat::from_xyzw(-q.x, -q.y, q.z, q.w),
+            };
+            (bones[i], mirrored)
+        })
+    }
+
+    /// Orientation of the left hand's finger bones, world from bone, while the wrist is
+    /// in the zero pose (fingers along +x, back of the hand up, thumb to the front).
+    #[must_use]
+    pub(crate) fn left_world(&self) -> [DQuat; 15] {
+        let mut world = [DQuat::IDENTITY; 15];
+        for (i, angles) in self.fingers.iter().enumerate() {
+            let mut q = DQuat::from_rotation_y(-angles.mcp_abduction)
+                * DQuat::from_rotation_x(FINGER_ROLL_RAD[i]);
+            let bends = [angles.mcp_flexion, angles.pip_flexion, angles.dip_flexion];
+            for (k, bend) in bends.into_iter().enumerate() {
+                q *= DQuat::from_rotation_z(-bend);
+                world[3 * i + k] = q;
+            }
+        }
+        let t = &self.thumb;
+        let at_rest = left_zero_frames()[12];
+        let flexed = DQuat::from_rotation_y(t.cmc_flexion);
+        let along = flexed * at_rest * DVec3::X;
+        // Abduction tips the thumb out of the palm's plane, about the horizontal axis
+        // square to it.
+        let axis = DVec3::new(along.x, 0.0, along.z).cross(DVec3::NEG_Y);
+        let abducted =
+            DQuat::from_axis_angle(axis.try_normalize().unwrap_or(DVec3::Z), t.cmc_abduction);
+        let along = abducted * along;
+        let rolled = DQuat::from_axis_angle(along, -t.cmc_rotation);
+        let roll = DQuat::from_rotation_x(THUMB_ROLL_RAD);
+        let mut q = rolled * abducted * flexed * at_rest;
+        world[12] = q;
+        for (k, bend) in [t.mcp_flexion, t.ip_flexion].into_iter().enumerate() {
+            q *= roll * DQuat::from_rotation_y(bend) * roll.inverse();
+            world[13 + k] = q;
+        }
+        world
+    }
+}
+
+/// Zero frames of the left finger bones, world from bone. They never change, and a frame
+/// of the story needs them for both hands.
+fn left_zero_frames() -> &'static [DQuat; 15] {
+    static FRAMES: OnceLock<[DQuat; 15]> = OnceLock::new();
+    FRAMES.get_or_init(|| {
+        let frames = zero_frames();
+        LEFT_FINGER_BONES.map(|bone| frames[bone.index()])
+    })
+}
+
+/// Slerp between two hands' rotations: `a` at weight 0, `b` at 1. Both must be of the same
+/// side; the bones of `a` are kept.
+#[must_use]
+pub fn blend_rotations(
+    a: &[(Bone, DQuat); 15],
+    b: &[(Bone, DQuat); 15],
+    weight: f64,
+) -> [(Bone, DQuat); 15] {
+    core::array::from_fn(|i| (a[i].0, a[i].1.slerp(b[i].1, weight)))
+}
+
+/// A hand shape by its number.
+#[derive(Clone, Debug, PartialEq)]
+pub struct HandShape {
+    id: u8,
+    name: &'static str,
+    angles: HandAngles,
+}
+
+impl HandShape {
+    /// Every shape; the index is the number.
+    pub const ALL: &'static [Self; 61] = &SHAPES;
+
+    /// The hanging hand, number 0: what a hand returns to.
+    pub const RELAXED: &'static Self = &SHAPES[0];
+
+    /// The shape of a number, 0 to 60.
+    #[must_use]
+    pub fn get(id: u8) -> Option<&'static Self> {
+        SHAPES.get(usize::from(id))
+    }
+
+    /// Its number.
+    #[must_use]
+    pub fn id(&self) -> u8 {
+        self.id
+    }
+
+    /// Its English name.
+    #[must_use]
+    pub fn name(&self) -> &'static str {
+        self.name
+    }
+
+    /// Its angles.
+    #[must_use]
+    pub fn angles(&self) -> &HandAngles {
+        &self.angles
+    }
+
+    /// Local rotations of the finger bones; see [`HandAngles::rotations`].
+    #[must_use]
+    pub fn rotations(&self, side: Side) -> [(Bone, DQuat); 15] {
+        self.angles.rotations(side)
+    }
+
+    /// Sets the finger bones of one hand of a pose.
+    pub fn apply(&self, side: Side, pose: &mut Pose) {
+        for (bone, rotation) in self.rotations(side) {
+            pose.set(bone, rotation);
+        }
+    }
+}
+
+const fn shape(id: u8, name: &'static str, fingers: [[f64; 4]; 4], thumb: [f64; 5]) -> HandShape {
+    HandShape {
+        id,
+        name,
+        angles: HandAngles::from_degrees(fingers, thumb),
+    }
+}
+
+/// Degrees, as [`HandAngles::from_degrees`] takes them.
+#[rustfmt::skip]
+static SHAPES: [HandShape; 61] = [
+    shape(0, "relaxed hand", [[15.0, 4.0, 20.0, 10.0], [18.0, 0.0, 25.0, 14.0], [22.0, 0.0, 28.0, 16.0], [25.0, -6.0, 30.0, 18.0]], [0.0, 0.0, 0.0, 10.0, 10.0]),
+    shape(1, "flat hand", [[0.0, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 0.0]], [30.0, -25.0, 0.0, 5.0, 0.0]),
+    shape(2, "flat hand, thumb out", [[0.0, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 0.0]], [-30.0, -25.0, 0.0, -5.0, -10.0]),
+    shape(3, "flat hand, thumb folded", [[0.0, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 0.0]], [20.0, -37.0, -10.0, 61.0, 61.0]),
+    shape(4, "open hand, spread", [[0.0, 18.0, 0.0, 0.0], [0.0, 2.0, 0.0, 0.0], [0.0, -8.0, 0.0, 0.0], [0.0, -18.0, 0.0, 0.0]], [-30.0, -25.0, 0.0, -5.0, -10.0]),
+    shape(5, "four fingers spread, thumb folded", [[0.0, 18.0, 0.0, 0.0], [0.0, 2.0, 0.0, 0.0], [0.0, -8.0, 0.0, 0.0], [0.0, -18.0, 0.0, 0.0]], [20.0, -37.0, -10.0, 61.0, 61.0]),
+    shape(6, "bent flat hand", [[80.0, 0.0, 0.0, 0.0], [82.0, 0.0, 0.0, 0.0], [84.0, 0.0, 0.0, 0.0], [85.0, 0.0, 0.0, 0.0]], [30.0, -25.0, 0.0, 5.0, 0.0]),
+    shape(7, "open claw", [[5.0, 18.0, 45.0, 28.0], [8.0, 2.0, 48.0, 30.0], [8.0, -8.0, 48.0, 30.0], [5.0, -18.0, 42.0, 26.0]], [-10.0, 15.0, -4.0, 15.0, 35.0]),
+    shape(8, "closed claw", [[25.0, 12.0, 80.0, 52.0], [28.0, 2.0, 82.0, 54.0], [30.0, -6.0, 82.0, 54.0], [28.0, -12.0, 76.0, 50.0]], [10.0, 35.0, -10.0, 20.0, 35.0]),
+    shape(9, "C hand", [[50.0, 0.0, 43.0, 20.0], [50.0, 0.0, 43.0, 20.0], [50.0, 0.0, 43.0, 20.0], [50.0, 0.0, 43.0, 20.0]], [10.0, 35.0, -10.0, 20.0, 35.0]),
+    shape(10, "wide cup", [[30.0, 5.0, 35.0, 18.0], [30.0, 0.0, 35.0, 18.0], [30.0, 0.0, 35.0, 18.0], [30.0, -6.0, 35.0, 18.0]], [0.0, 35.0, -8.0, 5.0, 10.0]),
+    shape(11, "O hand", [[62.0, 0.0, 48.0, 24.0], [63.0, 0.0, 46.0, 24.0], [64.0, 0.0, 44.0, 22.0], [66.0, 0.0, 42.0, 20.0]], [23.0, 29.0, -10.0, 14.0, 21.0]),
+    shape(12, "closed beak", [[76.0, -6.0, 18.0, 10.0], [78.0, 0.0, 18.0, 10.0], [80.0, 6.0, 18.0, 10.0], [84.0, 12.0, 18.0, 10.0]], [33.0, 32.0, -8.0, 20.0, 1.0]),
+    shape(13, "open beak", [[45.0, 0.0, 8.0, 4.0], [47.0, 0.0, 8.0, 4.0], [49.0, 0.0, 8.0, 4.0], [51.0, 0.0, 8.0, 4.0]], [18.0, 35.0, -10.0, 10.0, 0.0]),
+    shape(14, "fist", [[85.0, 0.0, 105.0, 70.0], [90.0, 0.0, 105.0, 70.0], [95.0, 0.0, 105.0, 70.0], [95.0, 0.0, 100.0, 65.0]], [-7.0, 26.0, -4.0, 56.0, 90.0]),
+    shape(15, "fist, thumb alongside", [[85.0, 0.0, 105.0, 70.0], [90.0, 0.0, 105.0, 70.0], [95.0, 0.0, 105.0, 70.0], [95.0, 0.0, 100.0, 65.0]], [-28.0, -7.0, 0.0, 53.0, 59.0]),
+    shape(16, "thumb up", [[85.0, 0.0, 105.0, 70.0], [90.0, 0.0, 105.0, 70.0], [95.0, 0.0, 105.0, 70.0], [95.0, 0.0, 100.0, 65.0]], [-25.0, -15.0, 0.0, -10.0, -20.0]),
+    shape(17, "tucked fingertips", [[30.0, 0.0, 108.0, 70.0], [32.0, 0.0, 108.0, 70.0], [34.0, 0.0, 108.0, 70.0], [34.0, 0.0, 104.0, 68.0]], [20.0, -37.0, -10.0, 61.0, 61.0]),
+    shape(18, "thumb between index and middle", [[75.0, 0.0, 100.0, 66.0], [90.0, 0.0, 105.0, 70.0], [95.0, 0.0, 105.0, 70.0], [95.0, 0.0, 100.0, 65.0]], [7.0, 2.0, -9.0, 44.0, 49.0]),
+    shape(19, "pointing index", [[0.0, 0.0, 0.0, 0.0], [90.0, 0.0, 105.0, 70.0], [95.0, 0.0, 105.0, 70.0], [95.0, 0.0, 100.0, 65.0]], [6.0, 29.0, -10.0, 58.0, 81.0]),
+    shape(20, "hooked index", [[5.0, 0.0, 95.0, 62.0], [90.0, 0.0, 105.0, 70.0], [95.0, 0.0, 105.0, 70.0], [95.0, 0.0, 100.0, 65.0]], [6.0, 29.0, -10.0, 58.0, 81.0]),
+    shape(21, "index bent at base", [[75.0, 0.0, 0.0, 0.0], [90.0, 0.0, 105.0, 70.0], [95.0, 0.0, 105.0, 70.0], [95.0, 0.0, 100.0, 65.0]], [6.0, 29.0, -10.0, 58.0, 81.0]),
+    shape(22, "curved index", [[35.0, 0.0, 45.0, 28.0], [90.0, 0.0, 105.0, 70.0], [95.0, 0.0, 105.0, 70.0], [95.0, 0.0, 100.0, 65.0]], [6.0, 29.0, -10.0, 58.0, 81.0]),
+    shape(23, "index on circle", [[0.0, 0.0, 0.0, 0.0], [62.0, 0.0, 50.0, 26.0], [64.0, 0.0, 48.0, 26.0], [66.0, 0.0, 46.0, 24.0]], [38.0, 30.0, -10.0, 28.0, 31.0]),
+    shape(24, "index-thumb pinch", [[60.0, 0.0, 45.0, 22.0], [90.0, 0.0, 105.0, 70.0], [95.0, 0.0, 105.0, 70.0], [95.0, 0.0, 100.0, 65.0]], [23.0, 30.0, -10.0, 16.0, 28.0]),
+    shape(25, "open pinch", [[45.0, 0.0, 8.0, 4.0], [90.0, 0.0, 105.0, 70.0], [95.0, 0.0, 105.0, 70.0], [95.0, 0.0, 100.0, 65.0]], [18.0, 35.0, -10.0, 10.0, 0.0]),
+    shape(26, "small C", [[50.0, 0.0, 43.0, 20.0], [90.0, 0.0, 105.0, 70.0], [95.0, 0.0, 105.0, 70.0], [95.0, 0.0, 100.0, 65.0]], [10.0, 35.0, -10.0, 20.0, 35.0]),
+    shape(27, "ring, others open", [[62.0, 6.0, 48.0, 24.0], [15.0, 0.0, 8.0, 4.0], [6.0, -8.0, 5.0, 3.0], [0.0, -18.0, 3.0, 2.0]], [21.0, 32.0, -10.0, 13.0, 28.0]),
+    shape(28, "F hand LGP", [[40.0, 0.0, 70.0, 40.0], [0.0, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 0.0]], [5.0, 30.0, -8.0, 15.0, 40.0]),
+    shape(29, "H hand LGP", [[20.0, 0.0, 85.0, 55.0], [0.0, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 0.0]], [-10.0, 15.0, -4.0, 15.0, 35.0]),
+    shape(30, "P hand LGP", [[55.0, 0.0, 75.0, 45.0], [0.0, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 0.0]], [-14.0, 35.0, -7.0, 36.0, 88.0]),
+    shape(31, "three ulnar fingers half bent", [[85.0, 0.0, 105.0, 70.0], [10.0, 6.0, 55.0, 35.0], [10.0, -4.0, 55.0, 35.0], [10.0, -14.0, 50.0, 32.0]], [-28.0, 35.0, -9.0, 58.0, 90.0]),
+    shape(32, "L hand", [[0.0, 0.0, 0.0, 0.0], [90.0, 0.0, 105.0, 70.0], [95.0, 0.0, 105.0, 70.0], [95.0, 0.0, 100.0, 65.0]], [-30.0, -25.0, 0.0, -5.0, -10.0]),
+    shape(33, "L with hooked index", [[5.0, 0.0, 90.0, 60.0], [90.0, 0.0, 105.0, 70.0], [95.0, 0.0, 105.0, 70.0], [95.0, 0.0, 100.0, 65.0]], [-30.0, -25.0, 0.0, -5.0, -10.0]),
+    shape(34, "E hand LGP", [[40.0, 0.0, 95.0, 60.0], [90.0, 0.0, 105.0, 70.0], [95.0, 0.0, 105.0, 70.0], [95.0, 0.0, 100.0, 65.0]], [-1.0, 15.0, -10.0, 51.0, 86.0]),
+    shape(35, "A hand LGP", [[50.0, -12.0, 30.0, 15.0], [58.0, 8.0, 35.0, 18.0], [95.0, 0.0, 105.0, 70.0], [95.0, 0.0, 100.0, 65.0]], [44.0, 20.0, -10.0, 13.0, -2.0]),
+    shape(36, "K hand", [[0.0, 6.0, 0.0, 0.0], [72.0, -4.0, 8.0, 4.0], [95.0, 0.0, 105.0, 70.0], [95.0, 0.0, 100.0, 65.0]], [33.0, 14.0, -10.0, 22.0, 5.0]),
+    shape(37, "U hand", [[0.0, -2.0, 0.0, 0.0], [0.0, 2.0, 0.0, 0.0], [95.0, 0.0, 105.0, 70.0], [95.0, 0.0, 100.0, 65.0]], [40.0, 16.0, -10.0, 55.0, 53.0]),
+    shape(38, "V hand", [[0.0, 13.0, 0.0, 0.0], [0.0, -10.0, 0.0, 0.0], [95.0, 0.0, 105.0, 70.0], [95.0, 0.0, 100.0, 65.0]], [40.0, 16.0, -10.0, 55.0, 53.0]),
+    shape(39, "hooked V", [[10.0, 12.0, 90.0, 58.0], [10.0, -9.0, 90.0, 58.0], [95.0, 0.0, 105.0, 70.0], [95.0, 0.0, 100.0, 65.0]], [40.0, 16.0, -10.0, 55.0, 53.0]),
+    shape(40, "N hand", [[78.0, 0.0, 0.0, 0.0], [80.0, 0.0, 0.0, 0.0], [95.0, 0.0, 105.0, 70.0], [95.0, 0.0, 100.0, 65.0]], [40.0, 16.0, -10.0, 55.0, 53.0]),
+    shape(41, "R hand", [[15.0, 0.0, 85.0, 55.0], [0.0, 0.0, 0.0, 0.0], [95.0, 0.0, 105.0, 70.0], [95.0, 0.0, 100.0, 65.0]], [40.0, 16.0, -10.0, 55.0, 53.0]),
+    shape(42, "crossed fingers", [[5.0, -12.0, 5.0, 3.0], [18.0, 12.0, 12.0, 6.0], [95.0, 0.0, 105.0, 70.0], [95.0, 0.0, 100.0, 65.0]], [40.0, 16.0, -10.0, 55.0, 53.0]),
+    shape(43, "thumb index middle spread", [[0.0, 14.0, 0.0, 0.0], [0.0, -8.0, 0.0, 0.0], [95.0, 0.0, 105.0, 70.0], [95.0, 0.0, 100.0, 65.0]], [-30.0, -25.0, 0.0, -5.0, -10.0]),
+    shape(44, "triple pinch", [[60.0, -2.0, 42.0, 20.0], [62.0, 2.0, 42.0, 20.0], [95.0, 0.0, 105.0, 70.0], [95.0, 0.0, 100.0, 65.0]], [25.0, 35.0, -7.0, 12.0, 20.0]),
+    shape(45, "triple claw", [[15.0, 12.0, 70.0, 45.0], [15.0, -8.0, 72.0, 46.0], [95.0, 0.0, 105.0, 70.0], [95.0, 0.0, 100.0, 65.0]], [10.0, 35.0, -10.0, 20.0, 35.0]),
+    shape(46, "W hand (unit)", [[0.0, -2.0, 0.0, 0.0], [0.0, 0.0, 0.0, 0.0], [0.0, 2.0, 3.0, 2.0], [95.0, 0.0, 100.0, 65.0]], [55.0, -3.0, -4.0, 58.0, 15.0]),
+    shape(47, "three fingers spread", [[0.0, 15.0, 0.0, 0.0], [0.0, 0.0, 0.0, 0.0], [0.0, -13.0, 3.0, 2.0], [95.0, 0.0, 100.0, 65.0]], [55.0, -3.0, -4.0, 58.0, 15.0]),
+    shape(48, "M hand", [[78.0, 0.0, 0.0, 0.0], [80.0, 0.0, 0.0, 0.0], [82.0, 0.0, 0.0, 0.0], [95.0, 0.0, 100.0, 65.0]], [55.0, -3.0, -4.0, 58.0, 15.0]),
+    shape(49, "little finger", [[85.0, 0.0, 105.0, 70.0], [90.0, 0.0, 105.0, 70.0], [95.0, 0.0, 105.0, 70.0], [0.0, -8.0, 0.0, 0.0]], [-7.0, 26.0, -4.0, 56.0, 90.0]),
+    shape(50, "thumb and little finger", [[85.0, 0.0, 105.0, 70.0], [90.0, 0.0, 105.0, 70.0], [95.0, 0.0, 105.0, 70.0], [0.0, -20.0, 0.0, 0.0]], [-25.0, -15.0, 0.0, -10.0, -20.0]),
+    shape(51, "horns", [[0.0, 5.0, 0.0, 0.0], [90.0, 0.0, 105.0, 70.0], [95.0, 0.0, 105.0, 70.0], [0.0, -12.0, 0.0, 0.0]], [6.0, 29.0, -10.0, 58.0, 81.0]),
+    shape(52, "thumb index little", [[0.0, 8.0, 0.0, 0.0], [90.0, 0.0, 105.0, 70.0], [95.0, 0.0, 105.0, 70.0], [0.0, -15.0, 0.0, 0.0]], [-30.0, -25.0, 0.0, -5.0, -10.0]),
+    shape(53, "middle-thumb hook", [[85.0, 0.0, 105.0, 70.0], [25.0, 0.0, 70.0, 42.0], [95.0, 0.0, 105.0, 70.0], [95.0, 0.0, 100.0, 65.0]], [10.0, 35.0, -10.0, 20.0, 35.0]),
+    shape(54, "bent middle finger, others open", [[0.0, 18.0, 0.0, 0.0], [60.0, 2.0, 5.0, 3.0], [0.0, -8.0, 0.0, 0.0], [0.0, -18.0, 0.0, 0.0]], [-30.0, -25.0, 0.0, -5.0, -10.0]),
+    shape(55, "middle-thumb ring, others open", [[0.0, 18.0, 5.0, 3.0], [65.0, 0.0, 48.0, 24.0], [5.0, -8.0, 5.0, 3.0], [0.0, -18.0, 3.0, 2.0]], [38.0, 30.0, -10.0, 28.0, 30.0]),
+    shape(56, "snap", [[10.0, 0.0, 20.0, 10.0], [64.0, 0.0, 44.0, 24.0], [95.0, 0.0, 105.0, 70.0], [95.0, 0.0, 100.0, 65.0]], [38.0, 30.0, -9.0, 27.0, 30.0]),
+    shape(57, "shallow bowl", [[20.0, 0.0, 22.0, 12.0], [20.0, 0.0, 22.0, 12.0], [20.0, 0.0, 22.0, 12.0], [20.0, 0.0, 22.0, 12.0]], [30.0, -25.0, 0.0, 5.0, 0.0]),
+    shape(58, "cylinder grip", [[50.0, 0.0, 65.0, 35.0], [55.0, 0.0, 68.0, 38.0], [58.0, 0.0, 68.0, 38.0], [60.0, 0.0, 65.0, 35.0]], [20.0, 35.0, -10.0, 15.0, 20.0]),
+    shape(59, "sphere grip", [[35.0, 18.0, 40.0, 22.0], [38.0, 2.0, 42.0, 24.0], [38.0, -8.0, 42.0, 24.0], [35.0, -18.0, 38.0, 20.0]], [0.0, 35.0, -8.0, 5.0, 10.0]),
+    shape(60, "soft fist", [[55.0, 0.0, 80.0, 50.0], [60.0, 0.0, 85.0, 55.0], [65.0, 0.0, 85.0, 55.0], [65.0, 0.0, 80.0, 50.0]], [30.0, -25.0, 0.0, 5.0, 0.0]),
+];
+
+#[cfg(test)]
+mod tests {
+    use raconteur_base::mirror_vector;
+
+    use super::*;
+    use crate::skeleton::{FacePlaces, Skeleton};
+
+    fn example() -> Skeleton {
+        let positions = Bone::ALL.map(Bone::example_position_m);
+        let eyes = [
+            DVec3::new(0.031, 1.80, 0.08),
+            DVec3::new(-0.031, 1.80, 0.08),
+        ];
+        Skeleton::from_bind(
+            &positions,
+            &zero_frames(),
+            FacePlaces { eye_centres: eyes },
+            1.956,
+        )
+    }
+
+    /// Tips of the five fingers, world, the soft tip an inch beyond the last joint.
+    fn tips(id: u8, side: Side) -> [DVec3; 5] {
+        let mut pose = Pose::zero();
+        HandShape::get(id).unwrap().apply(side, &mut pose);
+        let mut world = Vec::new();
+        example().solve(&pose, &mut world);
+        core::array::from_fn(|f| {
+            let joint = world[finger_bones(side)[3 * f + 2].index()];
+            joint.transform_point3(DVec3::X * raconteur_base::METRES_PER_INCH)
+        })
+    }
+
+    #[test]
+    fn every_shape_stays_inside_the_joint_limits() {
+        // F&H table 6.4: flexion and abduction of the knuckles, fingers two to five.
+        let mcp = [
+            [-25.0, 90.0, -20.0, 30.0],
+            [-25.0, 100.0, -15.0, 15.0],
+            [-25.0, 115.0, -15.0, 15.0],
+            [-25.0, 115.0, -25.0, 15.0],
+        ];
+        let within = |rad: f64, low: f64, high: f64, what: &str| {
+            let deg = rad.to_degrees();
+            assert!(
+                deg >= low - 1e-9 && deg <= high + 1e-9,
+                "{what}: {deg} not in {low}..{high}"
+            );
+        };
+        for shape in HandShape::ALL {
+            for (finger, [f0, f1, a0, a1]) in shape.angles().fingers.iter().zip(mcp) {
+                within(finger.mcp_flexion, f0, f1, shape.name());
+                within(finger.mcp_abduction, a0, a1, shape.name());
+                within(finger.pip_flexion, -5.0, 110.0, shape.name());
+                within(finger.dip_flexion, -15.0, 90.0, shape.name());
+            }
+            let thumb = &shape.angles().thumb;
+            within(thumb.cmc_flexion, -35.0, 55.0, shape.name());
+            within(thumb.cmc_abduction, -40.0, 35.0, shape.name());
+            within(thumb.cmc_rotation, -10.0, 0.0, shape.name());
+            within(thumb.mcp_flexion, -30.0, 85.0, shape.name());
+            within(thumb.ip_flexion, -60.0, 90.0, shape.name());
+        }
+    }
+
+    #[test]
+    fn the_index_is_the_number() {
+        for (i, shape) in HandShape::ALL.iter().enumerate() {
+            assert_eq!(usize::from(shape.id()), i);
+        }
+        assert!(HandShape::get(61).is_none());
+    }
+
+    #[test]
+    fn left_and_right_mirror_each_other() {
+        for shape in HandShape::ALL {
+            let (l, r) = (tips(shape.id(), Side::Left), tips(shape.id(), Side::Right));
+            for (l, r) in l.into_iter().zip(r) {
+                assert!(
+                    (mirror_vector(l) - r).length() < 1e-9,
+                    "{} {l} {r}",
+                    shape.name()
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn a_flat_hand_has_parallel_fingers() {
+        let mut pose = Pose::zero();
+        HandShape::get(1).unwrap().apply(Side::Left, &mut pose);
+        let mut world = Vec::new();
+        example().solve(&pose, &mut world);
+        for bone in &LEFT_FINGER_BONES[..12] {
+            let along = world[bone.index()].transform_vector3(DVec3::X);
+            assert!(along.x > 1.0 - 1e-9, "{} {along}", bone.name());
+        }
+    }
+
+    #[test]
+    fn a_fist_brings_the_fingertips_to_the_palm() {
+        let wrist = Bone::LWrist.example_position_m();
+        let knuckle = Bone::LMiddle0.example_position_m();
+        let palm = wrist.lerp(knuckle, 0.6) - DVec3::Y * 0.01;
+        for tip in &tips(14, Side::Left)[..4] {
+            assert!((*tip - palm).length() < 0.045, "{tip} {palm}");
+        }
+        for tip in &tips(1, Side::Left)[..4] {
+            assert!((*tip - palm).length() > 0.09, "{tip} {palm}");
+        }
+    }
+
+    #[test]
+    fn seven_is_an_open_claw() {
+        let shape = HandShape::get(7).unwrap();
+        assert_eq!(shape.name(), "open claw");
+        let spread =
+            shape.angles().fingers[0].mcp_abduction - shape.angles().fingers[3].mcp_abduction;
+        assert!(spread.to_degrees() > 30.0);
+        // Open: far from the fist's tips; claw: the tips are well below the knuckles.
+        let knuckle = Bone::LMiddle0.example_position_m();
+        for (claw, fist) in tips(7, Side::Left).iter().zip(tips(14, Side::Left)).take(4) {
+            assert!(claw.x > knuckle.x + 0.03 && (*claw - fist).length() > 0.05);
+            assert!(claw.y < knuckle.y - 0.02);
+        }
+    }
+
+    #[test]
+    fn a_pinch_brings_thumb_and_index_together_and_opposite_ends_blend() {
+        let [index, .., thumb] = tips(24, Side::Right);
+        assert!((index - thumb).length() < 0.03, "{index} {thumb}");
+        let (a, b) = (HandShape::RELAXED, HandShape::get(14).unwrap());
+        let (ra, rb) = (a.rotations(Side::Left), b.rotations(Side::Left));
+        assert_eq!(a.angles().lerp(b.angles(), 0.0), *a.angles());
+        for (blended, end) in blend_rotations(&ra, &rb, 1.0).iter().zip(rb) {
+            assert!(blended.1.angle_between(end.1) < 1e-6);
+        }
+    }
+}

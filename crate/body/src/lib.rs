@@ -1,0 +1,21 @@
+//! Who performs: the figure's skeleton, skin, face and hands, read from glTF.
+//!
+//! Does: the 54 bones of GEVH appendix A with their frames, forward kinematics with
+//! helper joints, hand shapes, the figure's meshes and morphs, reading them from
+//! glTF binary; with the feature `generator`, making them from anthropometry.
+//! Does not: decide how the figure moves (`actor`) or draw it (`render`).
+//!
+//! Frames: right-handed, metres, radians; +x is the character's left, +y up, +z front.
+
+pub mod figure;
+#[cfg(feature = "generator")]
+pub mod generator;
+pub mod hand_shape;
+pub mod pose;
+pub mod read;
+pub mod skeleton;
+
+pub use figure::{Figure, Material, MaterialKind, Mesh, Morph};
+pub use hand_shape::HandShape;
+pub use pose::Pose;
+pub use skeleton::{Bone, Drive, Joint, Skeleton};

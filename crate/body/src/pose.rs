@@ -1,0 +1,106 @@
+//! What turns each joint at one moment.
+
+use raconteur_base::{DQuat, DVec3};
+
+use crate::skeleton::{Bone, Drive};
+
+/// Local rotations of the 54 bones relative to the zero pose (arms stretched out
+/// sideways, palms down), the root's placement, and the face's rigid parts.
+///
+/// World from joint is parent · translation · `zero_rotation` · rotation.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Pose {
+    /// Displacement of the whole figure, world, metres.
+    pub root_offset_in_world: DVec3,
+    /// Rotation of the whole figure about the world's origin.
+    pub root_rotation: DQuat,
+    /// One local rotation a bone, in [`Bone::ALL`]'s order.
+    pub rotations: [DQuat; Bone::COUNT],
+    /// Gaze of the left and right eye in the skull's zero axes (x left, y up, z front);
+    /// identity looks straight ahead.
+    pub eyes: [DQuat; 2],
+    /// Rotation of the upper lids about the globe's x axis, radians, left and right.
+    /// Zero is the rest position; positive closes.
+    pub upper_lid_rad: [f64; 2],
+    /// Rotation of the lower lids about the globe's x axis, radians. Positive raises.
+    pub lower_lid_rad: [f64; 2],
+}
+
+impl Pose {
+    /// The zero pose: arms stretched out sideways, palms down, eyes ahead.
+    #[must_use]
+    pub fn zero() -> Self {
+        Self {
+            root_offset_in_world: DVec3::ZERO,
+            root_rotation: DQuat::IDENTITY,
+            rotations: [DQuat::IDENTITY; Bone::COUNT],
+            eyes: [DQuat::IDENTITY; 2],
+            upper_lid_rad: [0.0; 2],
+            lower_lid_rad: [0.0; 2],
+        }
+    }
+
+    /// The local rotation of a bone.
+    #[must_use]
+    pub fn rotation(&self, bone: Bone) -> DQuat {
+        self.rotations[bone.index()]
+    }
+
+    /// Sets the local rotation of a bone.
+    pub fn set(&mut self, bone: Bone, rotation: DQuat) {
+        self.rotations[bone.index()] = rotation;
+    }
+
+    /// The local rotation of a joint with this drive.
+    #[must_use]
+    pub fn joint_rotation(&self, drive: Drive) -> DQuat {
+        match drive {
+            Drive::Bone(bone) => self.rotation(bone),
+            Drive::Share(bone, share) => DQuat::IDENTITY.slerp(self.rotation(bone), share),
+            Drive::Twist(bone, share) => {
+                DQuat::IDENTITY.slerp(twist_about_x(self.rotation(bone)), share)
+            }
+            Drive::Eye(side) => self.eyes[side.index()],
+            // Closing turns the upper lid down: y towards z is a positive turn about x
+            // (left); seen from the front the front of the globe moves down.
+            Drive::UpperLid(side) => DQuat::from_rotation_x(self.upper_lid_rad[side.index()]),
+            Drive::LowerLid(side) => DQuat::from_rotation_x(-self.lower_lid_rad[side.index()]),
+            Drive::Fixed => DQuat::IDENTITY,
+        }
+    }
+}
+
+/// The part of a rotation that turns about its own x axis (swing–twist decomposition).
+#[must_use]
+pub fn twist_about_x(q: DQuat) -> DQuat {
+    let norm = raconteur_base::ops::hypot(q.x, q.w);
+    if norm < 1e-12 {
+        return DQuat::IDENTITY;
+    }
+    // The sign of w picks the short way round.
+    let sign = if q.w < 0.0 { -1.0 } else { 1.0 };
+    DQuat::from_xyzw(sign * q.x / norm, 0.0, 0.0, sign * q.w / norm)
+}
+
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn twist_and_swing_recompose() {
+        let q = DQuat::from_rotation_z(0.7) * DQuat::from_rotation_x(1.1);
+        let twist = twist_about_x(q);
+        assert!(twist.angle_between(DQuat::from_rotation_x(1.1)) < 1e-9);
+        let swing = q * twist.inverse();
+        assert!(swing.x.abs() < 1e-12);
+    }
+
+    #[test]
+    fn closing_an_upper_lid_moves_its_front_down() {
+        let mut pose = Pose::zero();
+        pose.upper_lid_rad = [0.5; 2];
+        let q = pose.joint_rotation(Drive::UpperLid(raconteur_base::Side::Left));
+        assert!((q * DVec3::Z).y < 0.0);
+    }
+}

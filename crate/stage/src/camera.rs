@@ -1,0 +1,113 @@
+//! The camera, and shots that frame the speaker.
+
+use raconteur_base::{DVec3, ops};
+
+/// A pinhole camera.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Camera {
+    /// Optical centre, world, metres.
+    pub eye_in_world: DVec3,
+    /// The point in the middle of the picture.
+    pub target_in_world: DVec3,
+    /// Vertical field of view, radians.
+    pub fov_y_rad: f64,
+    /// Near plane, metres.
+    pub near_m: f64,
+    /// Far plane, metres.
+    pub far_m: f64,
+}
+
+impl Default for Camera {
+    fn default() -> Self {
+        Self {
+            eye_in_world: DVec3::new(0.0, 1.35, 3.2),
+            target_in_world: DVec3::new(0.0, 1.25, 0.0),
+            fov_y_rad: 0.45,
+            near_m: 0.1,
+            far_m: 40.0,
+        }
+    }
+}
+
+/// How much of the speaker is in the picture; film terms.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shot {
+    /// Head to feet.
+    Full,
+    /// Head to mid thigh; gestures stay in the picture.
+    Medium,
+    /// Head and shoulders.
+    Close,
+}
+
+/// What must be in the picture, as shares of stature from the floor, and half the
+/// width that gestures need.
+struct Extent {
+    bottom: f64,
+    top: f64,
+    half_width: f64,
+}
+
+impl Shot {
+    fn extent(self) -> Extent {
+        match self {
+            Self::Full => Extent { bottom: -0.03, top: 1.08, half_width: 0.50 },
+            Self::Medium => Extent { bottom: 0.47, top: 1.10, half_width: 0.38 },
+            Self::Close => Extent { bottom: 0.77, top: 1.05, half_width: 0.15 },
+        }
+    }
+
+    /// The camera that holds this shot of a figure of the given stature standing at
+    /// `feet_in_world` and facing +z, in a picture of `aspect` (width over height).
+    /// A tall picture moves back until the width fits.
+    #[must_use]
+    pub fn frame(self, feet_in_world: DVec3, stature_m: f64, aspect: f64) -> Camera {
+        let extent = self.extent();
+        // A long lens flatters a face: 0.36 rad is about 66 mm on full frame.
+        let fov_y_rad = 0.36;
+        let half_height = 0.5 * (extent.top - extent.bottom) * stature_m;
+        let half_width = extent.half_width * stature_m;
+        let tangent = ops::tan(0.5 * fov_y_rad);
+        let aspect = aspect.clamp(0.2, 5.0);
+        let distance = (half_height / tangent).max(half_width / (tangent * aspect));
+        let middle = feet_in_world
+            + DVec3::Y * (0.5 * (extent.top + extent.bottom) * stature_m);
+        // The lens stands at chest to eye height and looks slightly down or up as needed.
+        let eye_height = feet_in_world.y + (0.80 * stature_m).max(middle.y - feet_in_world.y);
+        Camera {
+            eye_in_world: DVec3::new(middle.x, eye_height, middle.z + distance),
+            target_in_world: middle,
+            fov_y_rad,
+            ..Camera::default()
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_narrow_picture_stands_further_back() {
+        let wide = Shot::Medium.frame(DVec3::ZERO, 1.7, 16.0 / 9.0);
+        let tall = Shot::Medium.frame(DVec3::ZERO, 1.7, 390.0 / 844.0);
+        assert!(tall.eye_in_world.z > wide.eye_in_world.z);
+        for c in [wide, tall] {
+            assert!(c.eye_in_world.z > c.near_m && c.eye_in_world.z < c.far_m);
+        }
+    }
+
+    #[test]
+    fn the_crown_and_the_gesture_space_are_in_the_picture() {
+        for shot in [Shot::Full, Shot::Medium, Shot::Close] {
+            for aspect in [0.46, 1.0, 1.78] {
+                let c = shot.frame(DVec3::ZERO, 1.66, aspect);
+                let forward = (c.target_in_world - c.eye_in_world).normalize();
+                let up = (DVec3::Y - forward * forward.y).normalize();
+                let to_crown = DVec3::new(0.0, 1.66, 0.0) - c.eye_in_world;
+                let y = to_crown.dot(up) / to_crown.dot(forward);
+                assert!(y < ops::tan(c.fov_y_rad / 2.0), "{shot:?} {aspect}: {y}");
+            }
+        }
+    }
+}

@@ -1,0 +1,51 @@
+//! One moment of the performance.
+
+use raconteur_base::DAffine3;
+
+use crate::{Camera, Lighting, Set};
+
+/// All that is seen and heard at one time.
+#[derive(Clone, Debug)]
+pub struct Frame {
+    /// Story time, seconds.
+    pub time_secs: f64,
+    /// World from joint, one for each joint of the figure's skeleton.
+    pub world_from_joint: Vec<DAffine3>,
+    /// Weight of each of the figure's morph targets, usually 0..1.
+    pub morph_weights: Vec<f32>,
+    /// Where the picture is taken from.
+    pub camera: Camera,
+    /// What lights it.
+    pub lighting: Lighting,
+    /// Floor and backdrop.
+    pub set: Set,
+    /// The utterance being spoken, if any.
+    pub speech: Option<SpeechNow>,
+}
+
+impl Frame {
+    /// An empty frame with room for a figure of this size.
+    #[must_use]
+    pub fn with_capacity(joints: usize, morphs: usize) -> Self {
+        Self {
+            time_secs: 0.0,
+            world_from_joint: Vec::with_capacity(joints),
+            morph_weights: vec![0.0; morphs],
+            camera: Camera::default(),
+            lighting: Lighting::default(),
+            set: Set::default(),
+            speech: None,
+        }
+    }
+}
+
+/// Which sound is heard, and how far into it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SpeechNow {
+    /// Index of the utterance in the story's performance.
+    pub utterance: usize,
+    /// Seconds since its start.
+    pub offset_secs: f64,
+    /// Index of the word being spoken, if one is.
+    pub word: Option<usize>,
+}

@@ -1,0 +1,17 @@
+//! Everything that is seen and heard at one time, as plain data.
+//!
+//! Does: the [`Frame`] that a renderer draws, the camera and its framing of the
+//! speaker, lights, floor and backdrop.
+//! Does not: know where a frame came from (`player`) or how it is drawn (`render`).
+//!
+//! Frames: right-handed, metres, radians; +x is the character's left, +y up, +z front.
+
+pub mod camera;
+pub mod frame;
+pub mod light;
+pub mod set;
+
+pub use camera::{Camera, Shot};
+pub use frame::{Frame, SpeechNow};
+pub use light::{DirectedLight, Lighting};
+pub use set::Set;
