@@ -1,1 +1,29 @@
-//! stub
+//! How the figure moves: everything here is a function of absolute time over plain plans.
+//!
+//! Does: arm inverse kinematics, palm orientation, gesture plans with preparation, hold
+//! and retraction, idle life (breath, sway, gaze, blinks), lip synchronisation, and the
+//! face's morph weights; [`Actor`] evaluates them all into a pose.
+//! Does not: know EML, draw, play sound, or keep state between evaluations: seeking to a
+//! time and playing to it give the same pose.
+//!
+//! Frames: right-handed, metres, radians, seconds; +x is the character's left, +y up,
+//! +z front. A *hand rotation* turns the hand of the zero pose (arms stretched out
+//! sideways, palms down) into its place, in world axes; see [`palm`].
+
+pub mod arm_ik;
+pub mod face;
+pub mod gesture;
+pub mod idle;
+pub mod kinematics;
+pub mod lips;
+pub mod palm;
+pub mod performance;
+#[cfg(test)]
+mod test_body;
+pub mod wrist;
+
+pub use arm_ik::{ArmGoal, ArmRig, ArmSolution};
+pub use face::FaceRig;
+pub use gesture::{ArmScript, GestureStroke, HandKey, Span};
+pub use lips::{LipTrack, MouthTargets};
+pub use performance::{Accent, Actor, Performance, SpokenUtterance};

@@ -190,7 +190,7 @@ fn solve_nodes(root: &Root) -> Result<Vec<DAffine3>, ReadError> {
         done += 1;
         let local = local_of(&root.nodes[i])?;
         world[i] = parents[i].map_or(local, |p| world[p] * local);
-        order.extend(root.nodes[i].children.iter().flatten().map(|c| c.value()));
+        order.extend(root.nodes[i].children.iter().flatten().map(gltf::json::Index::value));
     }
     if done == count { Ok(world) } else { Err(ReadError::Cycle) }
 }
@@ -316,7 +316,7 @@ fn read_primitive(
     binding: &Binding,
     figure: &Figure,
 ) -> Result<Mesh, ReadError> {
-    let find = |s: Semantic| primitive.attributes.get(&Checked::Valid(s)).map(|a| a.value());
+    let find = |s: Semantic| primitive.attributes.get(&Checked::Valid(s)).map(gltf::json::Index::value);
     let need = |s: Semantic, what| find(s).ok_or(ReadError::OutOfRange { what });
     let to_world = binding.world_from_mesh;
     // Normals turn with the inverse transpose; the scale drops out.

@@ -36,7 +36,7 @@ fn dot(a: &[DVec3], b: &[DVec3]) -> f64 {
 
 /// The positions of a mesh as a shape vector.
 #[must_use]
-pub fn shape_of(mesh: &Mesh) -> Vec<DVec3> {
+fn shape_of(mesh: &Mesh) -> Vec<DVec3> {
     mesh.positions
         .iter()
         .map(|p| DVec3::new(f64::from(p[0]), f64::from(p[1]), f64::from(p[2])))

@@ -1,1 +1,40 @@
-//! stub
+//! From a story's text to frames.
+//!
+//! Does: reads a script with its speech bundle ([`Script`]), lowers the timeline to plans of
+//! the actor, and evaluates the [`stage::Frame`] of any time ([`Player`]); captions, cues and
+//! digests.
+//! Does not: draw, play sound, read files or keep a clock: time is an argument.
+//!
+//! With `eml`, this is the only crate that knows EML. It hands its neighbours on, so that
+//! the browser bindings and the command line need no further edge.
+
+mod cues;
+mod gestures;
+mod performer;
+mod script;
+mod units;
+mod voice;
+
+pub use cues::{Cue, CueKind, UtteranceCue, WordCue};
+pub use performer::{Loaded, Manipulator, Options, Player, StoryInput};
+pub use raconteur_body as body;
+pub use raconteur_eml as eml;
+pub use raconteur_speech as speech;
+pub use raconteur_stage as stage;
+pub use script::Script;
+pub use units::Units;
+pub use voice::content_of;
+
+#[cfg(test)]
+mod tests {
+    use raconteur_body::skeleton::{FacePlaces, zero_frames};
+    use raconteur_body::{Bone, Skeleton};
+
+    /// The units of GEVH's example skeleton.
+    pub(crate) fn example_units() -> crate::Units {
+        let positions = Bone::ALL.map(Bone::example_position_m);
+        let face = FacePlaces { eye_centres: [raconteur_base::DVec3::Y; 2] };
+        let stature_m = 77.0 * raconteur_base::METRES_PER_INCH;
+        crate::Units::of(&Skeleton::from_bind(&positions, &zero_frames(), face, stature_m))
+    }
+}

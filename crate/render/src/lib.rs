@@ -1,1 +1,36 @@
-//! stub
+//! Draws a frame with wgpu: native and headless, WebGPU, and WebGL2, from one source.
+//!
+//! Does: the figure with its materials, skinned on the GPU; the theatre around it; one
+//! shadow from the key light; tone curve and encoding; read-back; canvases.
+//! Does not: decide what is seen (`stage`), or move anything.
+//!
+//! The picture is formed in linear light in one `Rgba16Float` target, four samples a
+//! pixel where the device can, and encoded in a last pass. What a device cannot do is
+//! replaced and told in [`RenderInfo`], never silently.
+//!
+//! Frames: right-handed, metres, radians; +x is the character's left, +y up, +z front.
+
+pub mod error;
+pub mod options;
+pub mod renderer;
+
+mod figure;
+mod morph;
+mod pipeline;
+mod shadow;
+mod target;
+mod uniform;
+
+#[cfg(all(feature = "native", not(target_arch = "wasm32")))]
+pub mod headless;
+#[cfg(all(any(feature = "webgpu", feature = "webgl"), target_arch = "wasm32"))]
+pub mod surface;
+
+pub use error::RenderError;
+#[cfg(all(feature = "native", not(target_arch = "wasm32")))]
+pub use headless::Headless;
+pub use options::{Quality, RenderInfo, RenderOptions};
+pub use renderer::Renderer;
+#[cfg(all(any(feature = "webgpu", feature = "webgl"), target_arch = "wasm32"))]
+pub use surface::{Backend, CanvasTarget, RenderStatus};
+pub use wgpu;

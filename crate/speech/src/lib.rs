@@ -7,6 +7,7 @@
 
 pub mod bundle;
 pub mod content;
+pub mod phones;
 
 pub use bundle::{AudioFile, Bundle, BundleError, Phone, Utterance, Word};
 pub use content::{Content, Segment};

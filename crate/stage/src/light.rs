@@ -35,18 +35,18 @@ impl Default for Lighting {
             // Key 40° to the character's right and 38° up, warm; chosen by eye.
             key: DirectedLight {
                 towards_light_in_world: towards(-0.62, 0.78, 0.86),
-                irradiance: [2.35, 2.12, 1.84],
+                irradiance: [1.02, 0.90, 0.76],
             },
             fill: DirectedLight {
                 towards_light_in_world: towards(0.85, 0.25, 0.75),
-                irradiance: [0.42, 0.50, 0.62],
+                irradiance: [0.13, 0.155, 0.195],
             },
             rim: DirectedLight {
                 towards_light_in_world: towards(0.55, 0.75, -0.95),
-                irradiance: [1.3, 1.25, 1.2],
+                irradiance: [0.85, 0.78, 0.70],
             },
-            sky: [0.42, 0.44, 0.50],
-            ground: [0.22, 0.17, 0.13],
+            sky: [0.17, 0.18, 0.21],
+            ground: [0.105, 0.078, 0.058],
             exposure: 1.0,
         }
     }

@@ -17,10 +17,10 @@ impl Default for Set {
     fn default() -> Self {
         // A warm evening stage: plum above, amber pool behind the speaker. Chosen by eye.
         Self {
-            floor: [0.15, 0.085, 0.055],
-            backdrop_low: [0.115, 0.060, 0.062],
-            backdrop_high: [0.022, 0.018, 0.035],
-            glow: [0.26, 0.135, 0.065],
+            floor: [0.17, 0.088, 0.050],
+            backdrop_low: [0.036, 0.0065, 0.0105],
+            backdrop_high: [0.011, 0.0045, 0.011],
+            glow: [0.150, 0.050, 0.021],
         }
     }
 }

@@ -1,1 +1,21 @@
-//! stub
+//! The browser's door to a storyteller: one opaque class, plain objects in and out.
+//!
+//! Does: read a story, show any moment of it on a canvas, tell the cues passed on the way,
+//! and digest poses for comparison with the native program.
+//! Does not: fetch, play sound or keep time; `web/element` does. Nothing is called back
+//! into JavaScript, and an error is a value or an exception, never a trap.
+//!
+//! A page makes one wasm instance for each player, so a trap would end that player alone.
+
+#![deny(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing)]
+#![cfg_attr(
+    test,
+    allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "a test may stop at what is not there")
+)]
+
+pub mod message;
+
+#[cfg(target_arch = "wasm32")]
+mod player;
+#[cfg(target_arch = "wasm32")]
+pub use player::{Player, pose_digests};

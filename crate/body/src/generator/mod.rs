@@ -3,5 +3,15 @@
 //! Each region (head, hands, body, clothes, hair) yields [`part::Part`]s in metres, engine
 //! frame, bind pose; [`assemble`] joins them on one skeleton and [`write`] stores glTF.
 
+pub mod assemble;
+pub mod cloth;
+pub mod hair;
+pub mod hand;
+pub mod head;
 pub mod part;
+pub mod people;
 pub mod subdivide;
+pub mod torso;
+pub mod write;
+
+pub use people::{FigureParams, build};

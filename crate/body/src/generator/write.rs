@@ -23,12 +23,15 @@ impl Grid {
     /// The finest grid of 16 bits that holds all meshes. A figure up to 2 m gets steps of
     /// 1/32768 m (0.03 mm).
     fn around(meshes: &[Mesh]) -> Self {
-        let origin = DVec3::new(0.0, 1.0, 0.0);
-        let reach = meshes
-            .iter()
-            .flat_map(|m| &m.positions)
-            .map(|p| (vec(*p) - origin).abs().max_element())
-            .fold(0.0, f64::max);
+        let points = || meshes.iter().flat_map(|m| &m.positions).map(|p| vec(*p));
+        let low = points().fold(DVec3::MAX, DVec3::min);
+        let high = points().fold(DVec3::MIN, DVec3::max);
+        if low.cmpgt(high).any() {
+            return Self { origin: DVec3::ZERO, step: 1.0 / 32768.0 };
+        }
+        // A sixteenth of a metre is exact and hardly changes when a figure is written again.
+        let origin = ((low + high) * 0.5 * 16.0).round() / 16.0;
+        let reach = (high - origin).max(origin - low).max_element();
         let mut step = 1.0 / 32768.0;
         while step * 32767.0 < reach {
             step *= 2.0;
@@ -145,16 +148,18 @@ impl Buffer {
     }
 
     fn uvs(&mut self, mesh: &Mesh) -> usize {
-        if mesh.uvs.iter().flatten().all(|x| (0.0..=1.0).contains(x)) {
-            let bytes: Vec<u8> = mesh
-                .uvs
-                .iter()
-                .flatten()
-                .flat_map(|x| ((x * 65535.0).round() as u16).to_le_bytes())
-                .collect();
+        let within = |low: f32| mesh.uvs.iter().flatten().all(|x| (low..=1.0).contains(x));
+        let flat = || mesh.uvs.iter().flatten();
+        if within(0.0) {
+            let bytes: Vec<u8> =
+                flat().flat_map(|x| ((x * 65535.0).round() as u16).to_le_bytes()).collect();
             self.attribute(&bytes, 4, UNSIGNED_SHORT, true, "VEC2")
+        } else if within(-1.0) {
+            let bytes: Vec<u8> =
+                flat().flat_map(|x| ((x * 32767.0).round() as i16).to_le_bytes()).collect();
+            self.attribute(&bytes, 4, SHORT, true, "VEC2")
         } else {
-            let bytes: Vec<u8> = mesh.uvs.iter().flatten().flat_map(|x| x.to_le_bytes()).collect();
+            let bytes: Vec<u8> = flat().flat_map(|x| x.to_le_bytes()).collect();
             self.attribute(&bytes, 8, FLOAT, false, "VEC2")
         }
     }
@@ -211,7 +216,13 @@ impl Buffer {
         let mut with_zero = deltas.clone();
         with_zero.push([0; 3]);
         let index_view = self.view(&index_bytes, None, None);
-        let delta_bytes: Vec<u8> = deltas.iter().flatten().flat_map(|x| x.to_le_bytes()).collect();
+        // Small movements fit a byte on the same grid.
+        let fine = deltas.iter().flatten().all(|x| (-127..=127).contains(x));
+        let delta_bytes: Vec<u8> = if fine {
+            deltas.iter().flatten().map(|x| *x as i8 as u8).collect()
+        } else {
+            deltas.iter().flatten().flat_map(|x| x.to_le_bytes()).collect()
+        };
         let delta_view = self.view(&delta_bytes, None, None);
         let normal_view = self.view(&normals, None, None);
         let index_type = if small { UNSIGNED_SHORT } else { UNSIGNED_INT };
@@ -223,7 +234,8 @@ impl Buffer {
             })
         };
         let position = self.accessor(json!({
-            "componentType": SHORT, "count": count, "type": "VEC3", "sparse": sparse(delta_view),
+            "componentType": if fine { BYTE } else { SHORT }, "count": count, "type": "VEC3",
+            "sparse": sparse(delta_view),
         }));
         bounds(&mut self.accessors[position], &with_zero);
         let normal = self.accessor(json!({
@@ -234,9 +246,9 @@ impl Buffer {
     }
 }
 
-/// Surfaces whose highlights would show the steps of 8-bit normals.
+/// Surfaces whose sharp highlights would show the steps of 8-bit normals.
 fn is_smooth(kind: MaterialKind) -> bool {
-    !matches!(kind, MaterialKind::Cloth | MaterialKind::Hair | MaterialKind::Lash)
+    matches!(kind, MaterialKind::Eye | MaterialKind::Cornea)
 }
 
 fn padded_i16(q: &[[i16; 3]]) -> Vec<u8> {
@@ -275,7 +287,6 @@ fn mesh(buffer: &mut Buffer, grid: &Grid, figure: &Figure, mesh: &Mesh, material
         "attributes": {
             "POSITION": buffer.positions(grid, mesh),
             "NORMAL": buffer.normals(mesh),
-            "TEXCOORD_0": buffer.uvs(mesh),
             "COLOR_0": buffer.attribute(&colors, 4, UNSIGNED_BYTE, true, "VEC4"),
             "JOINTS_0": buffer.joints(mesh),
             "WEIGHTS_0": buffer.attribute(&weights, 4, UNSIGNED_BYTE, true, "VEC4"),
@@ -283,6 +294,10 @@ fn mesh(buffer: &mut Buffer, grid: &Grid, figure: &Figure, mesh: &Mesh, material
         "indices": buffer.indices(mesh),
         "material": material,
     });
+    // The reader takes absent coordinates for zeros.
+    if mesh.uvs.iter().flatten().any(|x| *x != 0.0) {
+        primitive["attributes"]["TEXCOORD_0"] = json!(buffer.uvs(mesh));
+    }
     let mut value = json!({ "name": mesh.name });
     if !mesh.morphs.is_empty() {
         let targets: Vec<Value> =

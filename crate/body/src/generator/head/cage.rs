@@ -73,8 +73,16 @@ const MOUTH_BORDER: [(u8, u8); 13] = [
     (1, 20),
     (0, 20),
 ];
-const NOSTRIL_BORDER: [(u8, u8); 8] =
-    [(1, 13), (1, 12), (2, 12), (3, 12), (3, 13), (3, 14), (2, 14), (1, 14)];
+const NOSTRIL_BORDER: [(u8, u8); 8] = [
+    (1, 13),
+    (1, 12),
+    (2, 12),
+    (3, 12),
+    (3, 13),
+    (3, 14),
+    (2, 14),
+    (1, 14),
+];
 const EAR_BORDER: [(u8, u8); 18] = [
     (12, 9),
     (12, 8),
@@ -100,25 +108,41 @@ impl Key {
     /// An eye vertex; ring 0 lies on the grid, positions wrap.
     pub(crate) fn eye(ring: u8, k: usize) -> Self {
         let (c, r) = EYE_BORDER[k % 16];
-        if ring == 0 { Self::Grid(c, r) } else { Self::Eye(ring, (k % 16) as u8) }
+        if ring == 0 {
+            Self::Grid(c, r)
+        } else {
+            Self::Eye(ring, (k % 16) as u8)
+        }
     }
 
     /// A mouth vertex; ring 0 lies on the grid.
     pub(crate) fn mouth(ring: u8, k: usize) -> Self {
         let (c, r) = MOUTH_BORDER[k];
-        if ring == 0 { Self::Grid(c, r) } else { Self::Mouth(ring, k as u8) }
+        if ring == 0 {
+            Self::Grid(c, r)
+        } else {
+            Self::Mouth(ring, k as u8)
+        }
     }
 
     /// A nostril vertex; ring 0 lies on the grid, positions wrap.
     pub(crate) fn nostril(ring: u8, k: usize) -> Self {
         let (c, r) = NOSTRIL_BORDER[k % 8];
-        if ring == 0 { Self::Grid(c, r) } else { Self::Nostril(ring, (k % 8) as u8) }
+        if ring == 0 {
+            Self::Grid(c, r)
+        } else {
+            Self::Nostril(ring, (k % 8) as u8)
+        }
     }
 
     /// An ear vertex; ring 0 lies on the grid, positions wrap.
     pub(crate) fn ear(ring: u8, k: usize) -> Self {
         let (c, r) = EAR_BORDER[k % 18];
-        if ring == 0 { Self::Grid(c, r) } else { Self::Ear(ring, (k % 18) as u8) }
+        if ring == 0 {
+            Self::Grid(c, r)
+        } else {
+            Self::Ear(ring, (k % 18) as u8)
+        }
     }
 
     /// A crown vertex; three of the patch's sides lie on row 0.
@@ -148,7 +172,10 @@ impl Key {
     pub(crate) fn mouth_position(self) -> Option<(u8, usize)> {
         match self {
             Self::Mouth(r, k) => Some((r, usize::from(k))),
-            Self::Grid(c, r) => MOUTH_BORDER.iter().position(|&b| b == (c, r)).map(|k| (0, k)),
+            Self::Grid(c, r) => MOUTH_BORDER
+                .iter()
+                .position(|&b| b == (c, r))
+                .map(|k| (0, k)),
             _ => None,
         }
     }
@@ -175,7 +202,7 @@ pub(crate) enum Zone {
     Grid(u8, u8),
     /// Between two rings of an eye.
     Eye(u8),
-    /// Between two rings of the mouth.
+    /// Between two rings of the mouth; 8 is the bag's back.
     Mouth(u8),
     /// Between two rings of a nostril; 3 is its end.
     Nostril(u8),
@@ -238,8 +265,14 @@ fn half_faces() -> Vec<(Vec<Key>, Zone)> {
         }
     }
     let (canal, end) = (RINGS[3] - 1, RINGS[2] - 1);
-    faces.push(((0..18).map(|k| Key::ear(canal, k)).collect(), Zone::Ear(canal)));
-    faces.push(((0..8).map(|k| Key::nostril(end, k)).collect(), Zone::Nostril(end)));
+    faces.push((
+        (0..18).map(|k| Key::ear(canal, k)).collect(),
+        Zone::Ear(canal),
+    ));
+    faces.push((
+        (0..8).map(|k| Key::nostril(end, k)).collect(),
+        Zone::Nostril(end),
+    ));
     faces
 }
 
@@ -262,6 +295,16 @@ impl Cage {
                 cage.zones.push(zone);
             }
         }
+        // The back of the mouth bag spans both halves.
+        let bag = RINGS[1] - 1;
+        let left = (0..13).map(|k| (k, Side::Left));
+        let right = (1..12).rev().map(|k| (k, Side::Right));
+        let back = left
+            .chain(right)
+            .map(|(k, s)| cage.intern(Key::mouth(bag, k), s))
+            .collect();
+        cage.faces.push(back);
+        cage.zones.push(Zone::Mouth(bag));
         cage
     }
 
@@ -282,7 +325,10 @@ impl Cage {
     ///
     /// # Panics
     /// When the key names no vertex; keys come from code.
-    #[allow(clippy::expect_used, reason = "keys come from code and the topology is fixed")]
+    #[allow(
+        clippy::expect_used,
+        reason = "keys come from code and the topology is fixed"
+    )]
     pub(crate) fn at(&self, key: Key, side: Side) -> usize {
         let side = if key.on_midline() { Side::Left } else { side };
         *self.index.get(&(key, side)).expect("a vertex of the cage") as usize
@@ -295,7 +341,7 @@ mod tests {
     use crate::generator::subdivide::edge_faces;
 
     #[test]
-    fn the_cage_is_manifold_with_the_neck_as_its_only_opening() {
+    fn the_cage_is_manifold_and_open_at_the_neck_and_behind_the_lids_only() {
         let cage = Cage::new();
         let edges = edge_faces(&cage.faces);
         assert!(edges.values().all(|f| f.len() <= 2));
@@ -303,9 +349,8 @@ mod tests {
             if f.len() == 1 {
                 for v in [a, b] {
                     let key = cage.keys[v as usize].0;
-                    // The bag's innermost ring is left open at the back of the mouth.
                     assert!(
-                        matches!(key, Key::Grid(_, LAST_ROW) | Key::Mouth(8, _)),
+                        matches!(key, Key::Grid(_, LAST_ROW) | Key::Eye(8, _)),
                         "{key:?}"
                     );
                 }

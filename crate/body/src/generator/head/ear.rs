@@ -68,7 +68,10 @@ fn bump(k: f64, at: f64, width: f64) -> f64 {
 /// free, so that it flows into the cheek.
 pub(crate) fn ear_points(shape: &EarShape) -> Points {
     let mut points = Points::new();
-    let (lean, out) = (shape.tilt_deg.to_radians(), shape.protrusion_deg.to_radians());
+    let (lean, out) = (
+        shape.tilt_deg.to_radians(),
+        shape.protrusion_deg.to_radians(),
+    );
     for ring in 1..=10usize {
         let [rear_scale, rear_out, front_scale, front_out] = PROFILE[ring - 1];
         for k in 0..18 {
@@ -82,20 +85,23 @@ pub(crate) fn ear_points(shape: &EarShape) -> Points {
             let rear = REAR[k];
             let mut s = rear * rear_scale + (1.0 - rear) * front_scale;
             let mut w = rear * rear_out + (1.0 - rear) * front_out;
-            // The lobe is flat: every ring of it lies in one plane, the rim rolled a little.
+            // The lobe is a flat pad with a round edge as thick as a pencil.
             match ring {
                 3 => {
-                    w += lobe * (3.4 - w);
-                    s *= 1.0 - 0.02 * lobe;
+                    w += lobe * (2.6 - w);
+                    s += lobe * (0.99 - s);
                 }
-                4 => w += lobe * (6.0 - w),
+                4 => {
+                    w += lobe * (5.4 - w);
+                    s += lobe * (1.03 - s);
+                }
                 5 => {
-                    w += lobe * (7.9 - w);
-                    s *= 1.0 - 0.03 * lobe;
+                    w += lobe * (8.2 - w);
+                    s += lobe * (0.99 - s);
                 }
                 6 => {
-                    w += lobe * (8.4 - w);
-                    s *= 1.0 - 0.18 * lobe;
+                    w += lobe * (9.2 - w);
+                    s += lobe * (0.84 - s);
                 }
                 7 => {
                     w += lobe * (8.6 - w) + 2.2 * tragus - 1.6 * fossa;
@@ -115,8 +121,10 @@ pub(crate) fn ear_points(shape: &EarShape) -> Points {
             if (k == 1 || k == 2) && (6..=9).contains(&ring) {
                 w += [0.2, 0.6, -0.5, 3.0][ring - 6] * if k == 1 { 1.0 } else { 0.4 };
             }
-            let [mut a, mut b] =
-                [11.0 + s * (OUTLINE[k][0] - 11.0), -3.0 + s * (OUTLINE[k][1] + 3.0)];
+            let [mut a, mut b] = [
+                11.0 + s * (OUTLINE[k][0] - 11.0),
+                -3.0 + s * (OUTLINE[k][1] + 3.0),
+            ];
             if b < -12.0 {
                 b -= shape.lobe_drop * ((-12.0 - b) / 14.0).min(1.3);
             }

@@ -7,6 +7,7 @@ use raconteur_base::{DVec3, ops};
 
 use super::cage::Key;
 use super::ear::{EarShape, ear_points};
+use super::surface::nearest;
 
 /// Millimetres; the left half.
 pub(crate) type Points = BTreeMap<Key, DVec3>;
@@ -31,7 +32,11 @@ pub(crate) struct Pull {
 
 impl Pull {
     pub(crate) const fn new(at: [f64; 3], radius: f64, shift: [f64; 3]) -> Self {
-        Self { at: DVec3::from_array(at), radius, shift: DVec3::from_array(shift) }
+        Self {
+            at: DVec3::from_array(at),
+            radius,
+            shift: DVec3::from_array(shift),
+        }
     }
 
     /// Its share at a place.
@@ -49,8 +54,8 @@ pub(crate) struct Individual {
     pub(crate) globe_shift: DVec3,
     /// Further pulls.
     pub(crate) pulls: &'static [Pull],
-    /// Further shifts of single mouth points, both halves.
-    pub(crate) mouth: &'static [(u8, u8, [f64; 3])],
+    /// Further shifts of single points, mm.
+    pub(crate) shifts: &'static [(Key, [f64; 3])],
     /// Ear.
     pub(crate) ear: EarShape,
 }
@@ -69,7 +74,10 @@ struct Row {
     on_globe: bool,
 }
 
-#[allow(clippy::expect_used, reason = "the table is part of the program and tested")]
+#[allow(
+    clippy::expect_used,
+    reason = "the table is part of the program and tested"
+)]
 fn rows(individual: &Individual) -> Vec<Row> {
     TABLE
         .lines()
@@ -77,7 +85,11 @@ fn rows(individual: &Individual) -> Vec<Row> {
         .map(|line| {
             let mut f = line.split('\t');
             let ring = f.next().expect("a ring");
-            let mut number = || f.next().and_then(|s| s.parse::<f64>().ok()).expect("a number");
+            let mut number = || {
+                f.next()
+                    .and_then(|s| s.parse::<f64>().ok())
+                    .expect("a number")
+            };
             let (a, b) = (number() as u8, number() as u8);
             let key = match ring {
                 "grid" => Key::Grid(a, b),
@@ -99,15 +111,20 @@ fn rows(individual: &Individual) -> Vec<Row> {
                 };
                 own += pull.shift * pull.share(base) * hold;
             }
-            for &(ring, k, shift) in individual.mouth {
-                if key == Key::mouth(ring, usize::from(k)) {
+            for &(at, shift) in individual.shifts {
+                if at == key {
                     own += DVec3::from_array(shift);
                 }
             }
             if key.on_midline() {
                 own.x = 0.0;
             }
-            Row { key, base, own, on_globe }
+            Row {
+                key,
+                base,
+                own,
+                on_globe,
+            }
         })
         .collect()
 }
@@ -128,8 +145,9 @@ pub(crate) fn points(individual: &Individual) -> Points {
 }
 
 /// Share of each position that belongs to a canthus and leaves the globe.
-const CANTHUS: [f64; 16] =
-    [1.0, 0.55, 0.1, 0.0, 0.0, 0.0, 0.0, 0.1, 0.5, 0.1, 0.0, 0.0, 0.0, 0.0, 0.1, 0.55];
+const CANTHUS: [f64; 16] = [
+    1.0, 0.55, 0.1, 0.0, 0.0, 0.0, 0.0, 0.1, 0.5, 0.1, 0.0, 0.0, 0.0, 0.0, 0.1, 0.55,
+];
 
 fn eye(all: &mut Points, rows: &[Row], centre: DVec3) {
     // Lashes root on a sphere a little outside the globe: the thickness of the lid.
@@ -150,9 +168,10 @@ fn eye(all: &mut Points, rows: &[Row], centre: DVec3) {
         all.insert(Key::eye(6, k), inner);
         let out = (inner - centre).normalize();
         let radial = DVec3::new(inner.x - opening.x, inner.y - opening.y, 0.0).normalize();
-        for (r, turn, radius) in
-            [(7, 0.35, GLOBE_RADIUS_MM + 0.35), (8, 0.8, GLOBE_RADIUS_MM + 0.5)]
-        {
+        for (r, turn, radius) in [
+            (7, 0.35, GLOBE_RADIUS_MM + 0.35),
+            (8, 0.8, GLOBE_RADIUS_MM + 0.5),
+        ] {
             let d = out * ops::cos(turn) + radial * ops::sin(turn);
             all.insert(Key::eye(r, k), centre + d.normalize() * radius);
         }
@@ -171,8 +190,7 @@ fn mouth(all: &mut Points, rows: &[Row]) {
     let border: [DVec3; 13] = ring(all, |k| Key::mouth(1, k));
     let full: [DVec3; 13] = ring(all, |k| Key::mouth(3, k));
     let roll: [DVec3; 13] = ring(all, |k| Key::mouth(4, k));
-    let moved: [f64; 13] =
-        core::array::from_fn(|k| roll[k].y - fixed[&Key::mouth(4, k)].y);
+    let moved: [f64; 13] = core::array::from_fn(|k| roll[k].y - fixed[&Key::mouth(4, k)].y);
     for k in 0..13 {
         let low = ((k as f64 - 6.0) / 2.0).clamp(0.0, 1.0);
         let inset = border[k].lerp(full[k], 0.22 + 0.16 * low)
@@ -190,8 +208,11 @@ fn mouth(all: &mut Points, rows: &[Row]) {
         p.z -= 2.6;
         p.x *= 0.985;
         all.insert(Key::mouth(5, k), p);
-        for (r, step, widen) in [(6, [3.0, -4.0], 1.0), (7, [7.0, -8.0], 1.15), (8, [2.0, -30.0], 1.0)]
-        {
+        for (r, step, widen) in [
+            (6, [6.5, -2.8], 1.0),
+            (7, [5.5, -8.0], 1.16),
+            (8, [2.0, -32.0], 1.0),
+        ] {
             p += DVec3::new(0.0, step[0] * up, step[1]);
             p.x *= widen;
             all.insert(Key::mouth(r, k), p);
@@ -204,7 +225,11 @@ fn nostril(all: &mut Points) {
     let rim: [DVec3; 8] = ring(all, |k| Key::nostril(0, k));
     let centre = rim.iter().sum::<DVec3>() / 8.0;
     // Axes of the rim: the long one by power iteration on the covariance.
-    let spread = |v: DVec3| rim.iter().map(|&p| (p - centre) * (p - centre).dot(v)).sum::<DVec3>();
+    let spread = |v: DVec3| {
+        rim.iter()
+            .map(|&p| (p - centre) * (p - centre).dot(v))
+            .sum::<DVec3>()
+    };
     let mut long = DVec3::new(0.3, 0.0, 1.0);
     for _ in 0..60 {
         long = spread(long).normalize();
@@ -225,9 +250,30 @@ fn nostril(all: &mut Points) {
             + across * (ops::sin(turn) * b * 0.5)
             + normal * d.dot(normal);
         all.insert(Key::nostril(0, k), centre + d * 0.5 + round * 0.5);
-        all.insert(Key::nostril(1, k), centre + (d * 0.2 + round * 0.8) * 0.78 + up * 1.6);
+        all.insert(
+            Key::nostril(1, k),
+            centre + (d * 0.2 + round * 0.8) * 0.78 + up * 1.6,
+        );
         all.insert(Key::nostril(2, k), centre + round * 0.7 + up * 5.0);
         let deep = round * 0.45 + up * 10.0 + DVec3::new(-1.0, 0.0, -2.0);
         all.insert(Key::nostril(3, k), centre + deep);
+    }
+}
+
+/// Carries a place on the unshifted head to this person's: the mean shift of the nearest
+/// points of the table.
+pub(crate) fn warp(individual: &Individual) -> impl Fn(DVec3) -> DVec3 + use<> {
+    let rows: Vec<(DVec3, DVec3)> = rows(individual)
+        .into_iter()
+        .filter(|r| !r.on_globe)
+        .map(|r| (r.base, r.own - r.base))
+        .collect();
+    let places: Vec<DVec3> = rows.iter().map(|r| r.0).collect();
+    move |p| {
+        let near = nearest(&places, p, 6, 2.0);
+        p + near
+            .iter()
+            .map(|&(i, w)| rows[i as usize].1 * w)
+            .sum::<DVec3>()
     }
 }

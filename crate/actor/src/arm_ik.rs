@@ -1,0 +1,571 @@
+//! The arm's inverse kinematics: wrist position and hand rotation to joint rotations, in
+//! closed form (GEVH section 3.3.2.1: two links and a spherical wrist; targets outside the
+//! workspace are projected onto it).
+//!
+//! Three freedoms are left to comfort and are smooth functions of the target:
+//! - the girdle rises and reaches with the arm (a share of scapulohumeral rhythm);
+//! - the elbow's swivel: the elbow direction that is natural for a hand held in front,
+//!   carried along to the target's direction by the smallest rotation, so that it points
+//!   back when the arm hangs and forward when it is raised; its only singularity lies
+//!   behind the back. Pronation the forearm lacks lifts the elbow, as people do;
+//! - a hand rotation that the wrist cannot reach is brought back to its limits.
+
+use raconteur_base::curve::smooth;
+use raconteur_base::{DAffine3, DQuat, DVec3, Side, ops};
+use raconteur_body::{Bone, Pose, Skeleton};
+
+use crate::kinematics::{TwoBone, rotation_of, world_from_bone};
+use crate::wrist::{self, WristAngles};
+
+/// Largest flexion of the elbow (GEVH table B.1), degrees.
+const ELBOW_MAX_DEG: f64 = 159.0;
+/// The last share of the reach, in which the elbow eases out instead of snapping: a wrist
+/// there stays short of its goal by up to 0.4 of this share (2 mm). Designed.
+const SOFT_SHARE: f64 = 0.01;
+
+/// Direction, in body axes of the left side (x outwards), of a hand held in front at
+/// ease, where [`ELBOW_AT_EASE`] applies; the swivel field is singular opposite to it.
+const HAND_AT_EASE: DVec3 = DVec3::new(0.22, 0.12, 1.0);
+/// Direction of the elbow from the line between shoulder and wrist there. Designed.
+const ELBOW_AT_EASE: DVec3 = DVec3::new(0.42, -1.0, 0.0);
+
+/// Half width and half depth of the trunk for a stature of 1.7 m, metres; measured at
+/// the chest of an average adult, clothed.
+pub const TRUNK_HALF_AXES_M: [f64; 2] = [0.17, 0.13];
+
+/// What an arm is asked for.
+#[derive(Clone, Copy, Debug)]
+pub struct ArmGoal {
+    /// Place of the wrist, world, metres.
+    pub wrist_in_world: DVec3,
+    /// Hand rotation ([`crate::palm`]); `None` leaves the wrist relaxed.
+    pub hand_in_world: Option<DQuat>,
+    /// Extra rise of the shoulder, radians: breath and shrugs.
+    pub shrug_rad: f64,
+}
+
+/// Local rotations of one arm's bones and how well they meet the goal.
+#[derive(Clone, Copy, Debug)]
+pub struct ArmSolution {
+    /// Rotation of the scapula bone.
+    pub scapula: DQuat,
+    /// Rotation of the shoulder.
+    pub shoulder: DQuat,
+    /// Rotation of the elbow: flexion only.
+    pub elbow: DQuat,
+    /// Rotation of the wrist; its twist about x is the forearm's pronation.
+    pub wrist: DQuat,
+    /// Elbow, world, metres.
+    pub elbow_in_world: DVec3,
+    /// Distance between the wrist and its goal, metres.
+    pub error_m: f64,
+    /// Angle between the hand and its goal, radians; 0 without a wanted rotation.
+    pub hand_error_rad: f64,
+    /// Whether the wrist position lies in the workspace: the error is then below 1e-9 m, or
+    /// up to 2 mm in the last hundredth of the reach, where the elbow eases out.
+    pub reached: bool,
+}
+
+impl ArmSolution {
+    /// Writes the rotations into a pose.
+    pub fn apply(&self, side: Side, pose: &mut Pose) {
+        let [scapula, shoulder, elbow, wrist] = ARM_BONES[side.index()];
+        pose.set(scapula, self.scapula);
+        pose.set(shoulder, self.shoulder);
+        pose.set(elbow, self.elbow);
+        pose.set(wrist, self.wrist);
+    }
+}
+
+/// Scapula, shoulder, elbow and wrist of the left and right side.
+pub const ARM_BONES: [[Bone; 4]; 2] = [
+    [Bone::LScapula, Bone::LShoulder, Bone::LElbow, Bone::LWrist],
+    [Bone::RScapula, Bone::RShoulder, Bone::RElbow, Bone::RWrist],
+];
+
+/// One arm of a figure: everything about it that does not change with the pose.
+#[derive(Clone, Debug)]
+pub struct ArmRig {
+    side: Side,
+    chain: TwoBone,
+    scapula_in_thorax: DVec3,
+    shoulder_in_scapula: DVec3,
+    thorax_zero: DQuat,
+    scapula_zero: DQuat,
+    shoulder_zero: DQuat,
+    elbow_zero: DQuat,
+    wrist_zero: DQuat,
+    /// World from wrist in the zero pose.
+    wrist_zero_in_world: DQuat,
+    thorax_zero_in_world: DAffine3,
+    /// Shoulder in the zero pose, world, metres.
+    shoulder_in_world: DVec3,
+    trunk_half_axes_m: [f64; 2],
+}
+
+impl ArmRig {
+    /// Measures one arm of a skeleton.
+    #[must_use]
+    pub fn new(skeleton: &Skeleton, side: Side) -> Self {
+        let [scapula, shoulder, elbow, wrist] = ARM_BONES[side.index()].map(Bone::index);
+        let joints = skeleton.joints();
+        let zero = Pose::zero();
+        let scale = skeleton.stature_m() / 1.7;
+        Self {
+            side,
+            chain: TwoBone::new(
+                joints[elbow].translation_in_parent,
+                joints[wrist].translation_in_parent,
+                joints[elbow].zero_rotation,
+                DVec3::Z,
+                ELBOW_MAX_DEG.to_radians(),
+            ),
+            scapula_in_thorax: joints[scapula].translation_in_parent,
+            shoulder_in_scapula: joints[shoulder].translation_in_parent,
+            thorax_zero: rotation_of(&world_from_bone(skeleton, &zero, Bone::Thoracic)),
+            scapula_zero: joints[scapula].zero_rotation,
+            shoulder_zero: joints[shoulder].zero_rotation,
+            elbow_zero: joints[elbow].zero_rotation,
+            wrist_zero: joints[wrist].zero_rotation,
+            wrist_zero_in_world: rotation_of(&world_from_bone(skeleton, &zero, Bone::ALL[wrist])),
+            thorax_zero_in_world: world_from_bone(skeleton, &zero, Bone::Thoracic),
+            shoulder_in_world: world_from_bone(skeleton, &zero, Bone::ALL[shoulder]).translation,
+            trunk_half_axes_m: TRUNK_HALF_AXES_M.map(|a| a * scale),
+        }
+    }
+
+    /// Upper arm and forearm stretched, metres.
+    #[must_use]
+    pub fn reach_m(&self) -> f64 {
+        self.chain.reach_m()
+    }
+
+    /// Shoulder joint of the zero pose, world, metres.
+    #[must_use]
+    pub fn shoulder_in_world(&self) -> DVec3 {
+        self.shoulder_in_world
+    }
+
+    /// World from thorax in the zero pose.
+    #[must_use]
+    pub fn world_from_thorax_zero(&self) -> DAffine3 {
+        self.thorax_zero_in_world
+    }
+
+    /// Solves for a goal with the thorax where it is.
+    #[must_use]
+    pub fn solve(&self, world_from_thorax: &DAffine3, goal: &ArmGoal) -> ArmSolution {
+        let thorax = rotation_of(world_from_thorax);
+        let world_from_body = thorax * self.thorax_zero.inverse();
+
+        let scapula = self.scapula_for(world_from_thorax, world_from_body, goal);
+        let scapula_in_world = thorax * self.scapula_zero * scapula;
+        let shoulder_at = world_from_thorax.transform_point3(self.scapula_in_thorax)
+            + scapula_in_world * self.shoulder_in_scapula;
+
+        let wanted = goal.wrist_in_world - shoulder_at;
+        let distance = wanted.length();
+        let direction = wanted
+            .try_normalize()
+            .unwrap_or(world_from_body * DVec3::NEG_Y);
+        let flexion = self.chain.flexion_for(self.softened(distance));
+        let error_m = (self.chain.distance_m(flexion) - distance).abs();
+
+        let arm = Posture {
+            rig: self,
+            shoulder_at,
+            world_from_body,
+            direction,
+            flexion,
+        };
+        let swivel = self.swivel_for(&arm, goal.hand_in_world);
+        let shoulder_in_world = arm.shoulder_in_world(swivel);
+        let elbow = self.chain.flexed(flexion);
+        let before_wrist = shoulder_in_world * self.elbow_zero * elbow * self.wrist_zero;
+        let (wrist, hand_error_rad) = match goal.hand_in_world {
+            None => (DQuat::IDENTITY, 0.0),
+            Some(hand) => {
+                let local = before_wrist.inverse() * (hand * self.wrist_zero_in_world);
+                let limited = wrist::limited(self.side, local);
+                (limited, limited.angle_between(local))
+            }
+        };
+        ArmSolution {
+            scapula,
+            shoulder: ((scapula_in_world * self.shoulder_zero).inverse() * shoulder_in_world)
+                .normalize(),
+            elbow,
+            wrist,
+            elbow_in_world: arm.elbow_in_world(swivel),
+            error_m,
+            hand_error_rad,
+            reached: distance <= self.reach_m() && error_m < SOFT_SHARE * self.reach_m(),
+        }
+    }
+
+    /// `wrist_in_world`, or, where that is far out of reach, the nearest place that is only
+    /// a little out of reach (3 %, more than the trunk sways) with the thorax of the zero
+    /// pose: hands then slow down for it instead of running into the end of the arm.
+    #[must_use]
+    pub fn within_reach(&self, wrist_in_world: DVec3) -> DVec3 {
+        let goal = ArmGoal {
+            wrist_in_world,
+            hand_in_world: None,
+            shrug_rad: 0.0,
+        };
+        let thorax = self.thorax_zero_in_world;
+        let world_from_body = DQuat::IDENTITY;
+        let scapula = self.scapula_for(&thorax, world_from_body, &goal);
+        let shoulder_at = thorax.transform_point3(self.scapula_in_thorax)
+            + rotation_of(&thorax) * (self.scapula_zero * (scapula * self.shoulder_in_scapula));
+        let to = wrist_in_world - shoulder_at;
+        let most = 1.03 * self.reach_m();
+        if to.length() <= most {
+            wrist_in_world
+        } else {
+            shoulder_at + to.clamp_length_max(most)
+        }
+    }
+
+    /// A distance eased towards the reach: a stretching elbow would otherwise snap, since
+    /// its angle changes ever faster up to the end of the reach.
+    fn softened(&self, distance_m: f64) -> f64 {
+        let rest = SOFT_SHARE * self.reach_m();
+        let over = distance_m - (self.reach_m() - rest);
+        if over <= 0.0 {
+            distance_m
+        } else {
+            distance_m - over + rest * (1.0 - ops::exp(-over / rest))
+        }
+    }
+
+    /// Hand rotation of a relaxed wrist at this place, with the thorax of the zero pose:
+    /// what a keyframe without a palm gets.
+    #[must_use]
+    pub fn relaxed_hand(&self, wrist_in_world: DVec3) -> DQuat {
+        self.hand_from_angles(wrist_in_world, &WristAngles::relaxed(self.side))
+    }
+
+    /// A hand rotation at a place as wrist angles of a natural arm, thorax in the zero pose.
+    #[must_use]
+    pub fn angles_of_hand(&self, wrist_in_world: DVec3, hand_in_world: DQuat) -> WristAngles {
+        let forearm = self.natural_forearm(wrist_in_world);
+        let local = forearm.inverse() * (hand_in_world * self.wrist_zero_in_world);
+        WristAngles::of(self.side, local)
+    }
+
+    /// The inverse of [`ArmRig::angles_of_hand`].
+    #[must_use]
+    pub fn hand_from_angles(&self, wrist_in_world: DVec3, angles: &WristAngles) -> DQuat {
+        let local = angles.rotation(self.side);
+        let forearm = self.natural_forearm(wrist_in_world);
+        (forearm * local * self.wrist_zero_in_world.inverse()).normalize()
+    }
+
+    /// World from wrist with an unturned wrist and the natural swivel.
+    fn natural_forearm(&self, wrist_in_world: DVec3) -> DQuat {
+        let goal = ArmGoal {
+            wrist_in_world,
+            hand_in_world: None,
+            shrug_rad: 0.0,
+        };
+        let thorax = self.thorax_zero_in_world;
+        let s = self.solve(&thorax, &goal);
+        let scapula = rotation_of(&thorax) * self.scapula_zero * s.scapula;
+        scapula * self.shoulder_zero * s.shoulder * self.elbow_zero * s.elbow * self.wrist_zero
+    }
+
+    /// Rise and protraction of the girdle for a target.
+    fn scapula_for(
+        &self,
+        world_from_thorax: &DAffine3,
+        world_from_body: DQuat,
+        goal: &ArmGoal,
+    ) -> DQuat {
+        let base = world_from_thorax.transform_point3(self.scapula_in_thorax)
+            + rotation_of(world_from_thorax) * (self.scapula_zero * self.shoulder_in_scapula);
+        let to = world_from_body.inverse() * (goal.wrist_in_world - base) / self.reach_m();
+        let length = to.length();
+        let direction = to / length.max(1e-9);
+        let sign = self.side.sign();
+        let stretched = smooth((length - 0.35) / 0.6);
+        // The clavicle rises by up to 20° of the arm's 180° (Inman et al. 1944 found 30°
+        // at the sternal end) and protracts by up to 12°. Designed within that.
+        let rise = 0.34 * smooth((direction.y + 0.3) / 1.25) * stretched;
+        let ahead = 0.7 * direction.z - 0.5 * sign * direction.x;
+        let protract = 0.2 * ahead * smooth((length - 0.5) / 0.5);
+        // Local y points to the front and z down (left) or up (right); see the frames of
+        // `raconteur_body::skeleton`.
+        DQuat::from_rotation_z(protract) * DQuat::from_rotation_y(sign * (rise + goal.shrug_rad))
+    }
+
+    /// Angle by which the elbow is lifted from its natural direction: some steps down
+    /// [`Posture::strain`] from the natural swivel. A fixed number of smooth steps from a
+    /// fixed start is a smooth function of the goal, where the exact minimum could jump.
+    fn swivel_for(&self, arm: &Posture<'_>, hand_in_world: Option<DQuat>) -> f64 {
+        const STEPS: usize = 8;
+        const PROBE_RAD: f64 = 0.05;
+        // Half the inverse of the greatest curvature of the strain: steps never overshoot.
+        const GAIN: f64 = 0.11;
+        let mut swivel = 0.0;
+        if let Some(hand) = hand_in_world {
+            for _ in 0..STEPS {
+                let [low, high] = [-PROBE_RAD, PROBE_RAD].map(|d| arm.strain(swivel + d, hand));
+                swivel -= GAIN * (high - low) / (2.0 * PROBE_RAD);
+            }
+        }
+        // An elbow inside the trunk is lifted out; two passes settle it.
+        for _ in 0..2 {
+            swivel += 2.2 * self.elbow_depth(arm.elbow_in_body(swivel));
+        }
+        swivel
+    }
+
+    /// How deep an elbow (body axes from the thorax's zero place, metres) lies in the
+    /// trunk, as a share of its half axes; 0 outside.
+    fn elbow_depth(&self, elbow: DVec3) -> f64 {
+        let [half_width, half_depth] = self.trunk_half_axes_m;
+        // The elbow is 4 cm thick around its joint.
+        let x = elbow.x / (half_width + 0.04);
+        let z = elbow.z / (half_depth + 0.04);
+        (1.0 - ops::hypot(x, z)).max(0.0)
+    }
+}
+
+/// An arm with its target direction and flexion; only the swivel is open.
+struct Posture<'a> {
+    rig: &'a ArmRig,
+    shoulder_at: DVec3,
+    world_from_body: DQuat,
+    direction: DVec3,
+    flexion: f64,
+}
+
+impl Posture<'_> {
+    /// Direction of the elbow from the line between shoulder and wrist, world.
+    fn pole(&self, swivel_rad: f64) -> DVec3 {
+        let sign = self.rig.side.sign();
+        let mirrored = |v: DVec3| DVec3::new(v.x * sign, v.y, v.z);
+        let ease = mirrored(HAND_AT_EASE).normalize();
+        let direction_in_body = self.world_from_body.inverse() * self.direction;
+        let carried = DQuat::from_rotation_arc(ease, direction_in_body) * mirrored(ELBOW_AT_EASE);
+        let lifted = DQuat::from_axis_angle(direction_in_body, sign * swivel_rad) * carried;
+        self.world_from_body * lifted
+    }
+
+    fn shoulder_in_world(&self, swivel_rad: f64) -> DQuat {
+        self.rig
+            .chain
+            .aim(self.flexion, self.direction, self.pole(swivel_rad))
+    }
+
+    fn elbow_in_world(&self, swivel_rad: f64) -> DVec3 {
+        self.shoulder_at + self.shoulder_in_world(swivel_rad) * self.rig.chain.hinge()
+    }
+
+    /// What a swivel costs: strain of the wrist, and distance from the natural elbow.
+    fn strain(&self, swivel_rad: f64, hand_in_world: DQuat) -> f64 {
+        let rig = self.rig;
+        let before = self.shoulder_in_world(swivel_rad)
+            * rig.elbow_zero
+            * rig.chain.flexed(self.flexion)
+            * rig.wrist_zero;
+        let wrist = wrist::strain(
+            rig.side,
+            before.inverse() * (hand_in_world * rig.wrist_zero_in_world),
+        );
+        // Far lifts are worth less and less: a stop, rounded.
+        let stop = ((swivel_rad - 0.25).abs() - 0.85).max(0.0);
+        wrist + 0.16 * swivel_rad * swivel_rad + 2.0 * stop * stop
+    }
+
+    /// Elbow relative to the trunk's axis, in body axes.
+    fn elbow_in_body(&self, swivel_rad: f64) -> DVec3 {
+        let from_shoulder = self.elbow_in_world(swivel_rad) - self.shoulder_at;
+        // The trunk's axis runs through the shoulders' midpoint.
+        self.world_from_body.inverse() * from_shoulder
+            + DVec3::new(self.rig.shoulder_in_world.x, 0.0, 0.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::palm;
+    use crate::test_body::example;
+    use raconteur_base::{mirror_rotation, mirror_vector, noise};
+
+    /// A random reachable wrist position around a shoulder.
+    fn random_target(rig: &ArmRig, i: i64) -> DVec3 {
+        let r = |k| noise::signed(11, k, i);
+        let d = DVec3::new(r(0), r(1), r(2))
+            .try_normalize()
+            .unwrap_or(DVec3::Z);
+        rig.shoulder_in_world() + d * rig.reach_m() * (0.3 + 0.55 * noise::unit(11, 3, i))
+    }
+
+    fn random_rotation(seed: u64, i: i64) -> DQuat {
+        let r = |k| noise::signed(seed, k, i);
+        DQuat::from_xyzw(r(0), r(1), r(2), r(3)).normalize()
+    }
+
+    fn posed(s: &ArmSolution, side: Side) -> (DVec3, DQuat) {
+        let mut pose = Pose::zero();
+        s.apply(side, &mut pose);
+        let w = world_from_bone(&example(), &pose, ARM_BONES[side.index()][3]);
+        (w.translation, rotation_of(&w))
+    }
+
+    #[test]
+    fn ten_thousand_reachable_targets_are_met() {
+        let skeleton = example();
+        let mut worst: f64 = 0.0;
+        for side in Side::BOTH {
+            let rig = ArmRig::new(&skeleton, side);
+            for i in 0..5_000 {
+                let wrist_in_world = random_target(&rig, i);
+                let goal = ArmGoal {
+                    wrist_in_world,
+                    hand_in_world: (i % 2 == 0).then(|| random_rotation(3, i)),
+                    shrug_rad: 0.02,
+                };
+                let s = rig.solve(&rig.world_from_thorax_zero(), &goal);
+                let (at, _) = posed(&s, side);
+                worst = worst.max(at.distance(wrist_in_world));
+                assert!(s.reached, "{i} {}", s.error_m);
+                for q in [s.scapula, s.shoulder, s.elbow, s.wrist] {
+                    assert!(q.is_finite() && q.is_normalized());
+                }
+            }
+        }
+        assert!(worst < 1e-5, "{worst} m");
+    }
+
+    #[test]
+    fn targets_out_of_reach_are_projected_and_reported() {
+        let skeleton = example();
+        let rig = ArmRig::new(&skeleton, Side::Left);
+        for far in [1.3, 5.0] {
+            let d = DVec3::new(0.5, 0.3, 0.8).normalize();
+            let goal = ArmGoal {
+                wrist_in_world: rig.shoulder_in_world() + d * rig.reach_m() * far,
+                hand_in_world: None,
+                shrug_rad: 0.0,
+            };
+            let s = rig.solve(&rig.world_from_thorax_zero(), &goal);
+            let (at, _) = posed(&s, Side::Left);
+            assert!(!s.reached);
+            assert!((at.distance(goal.wrist_in_world) - s.error_m).abs() < 1e-9);
+        }
+        let goal = ArmGoal {
+            wrist_in_world: rig.shoulder_in_world(),
+            hand_in_world: None,
+            shrug_rad: 0.0,
+        };
+        let s = rig.solve(&rig.world_from_thorax_zero(), &goal);
+        assert!(s.elbow.is_finite() && s.shoulder.is_finite());
+    }
+
+    #[test]
+    fn comfortable_hand_rotations_are_met() {
+        let skeleton = example();
+        let rig = ArmRig::new(&skeleton, Side::Right);
+        let s = skeleton.metres_per_eml_unit();
+        // Handshake, palm up, palm to the chest, greeting.
+        let front = DVec3::Z;
+        for (at, fingers, normal) in [
+            (DVec3::new(-8.0, 48.0, 13.0), front, DVec3::X),
+            (DVec3::new(-8.0, 48.0, 13.0), front, DVec3::Y),
+            (DVec3::new(-8.0, 48.0, 13.0), front, DVec3::NEG_Y),
+            (
+                DVec3::new(-5.0, 52.0, 12.0),
+                DVec3::new(1.0, 0.2, 0.3),
+                DVec3::NEG_Z,
+            ),
+            (DVec3::new(-13.0, 68.0, 8.0), DVec3::Y, front),
+        ] {
+            let goal = ArmGoal {
+                wrist_in_world: at * s,
+                hand_in_world: palm::from_directions(Side::Right, fingers, normal),
+                shrug_rad: 0.0,
+            };
+            let solution = rig.solve(&rig.world_from_thorax_zero(), &goal);
+            assert!(
+                solution.hand_error_rad < 0.15,
+                "{at} {normal}: {}",
+                solution.hand_error_rad
+            );
+            assert!(solution.reached);
+        }
+    }
+
+    #[test]
+    fn wrist_angles_and_hand_rotations_convert_both_ways() {
+        for side in Side::BOTH {
+            let rig = ArmRig::new(&example(), side);
+            for i in 0..500 {
+                let (at, hand) = (random_target(&rig, i), random_rotation(21, i));
+                let back = rig.hand_from_angles(at, &rig.angles_of_hand(at, hand));
+                assert!(back.angle_between(hand) < 1e-6, "{i}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_arms_mirror_each_other() {
+        let skeleton = example();
+        let rigs = Side::BOTH.map(|side| ArmRig::new(&skeleton, side));
+        for i in 0..500 {
+            let wrist_in_world = random_target(&rigs[0], i);
+            let hand = random_rotation(9, i);
+            let left = rigs[0].solve(
+                &rigs[0].world_from_thorax_zero(),
+                &ArmGoal {
+                    wrist_in_world,
+                    hand_in_world: Some(hand),
+                    shrug_rad: 0.0,
+                },
+            );
+            let right = rigs[1].solve(
+                &rigs[1].world_from_thorax_zero(),
+                &ArmGoal {
+                    wrist_in_world: mirror_vector(wrist_in_world),
+                    hand_in_world: Some(mirror_rotation(hand)),
+                    shrug_rad: 0.0,
+                },
+            );
+            let d = mirror_vector(left.elbow_in_world) - right.elbow_in_world;
+            assert!(d.length() < 1e-7, "{i} {d}");
+            let (l, r) = (posed(&left, Side::Left).1, posed(&right, Side::Right).1);
+            let zero = rigs.each_ref().map(|r| r.wrist_zero_in_world);
+            let (l, r) = (l * zero[0].inverse(), r * zero[1].inverse());
+            assert!(mirror_rotation(l).angle_between(r) < 1e-6, "{i}");
+        }
+    }
+
+    #[test]
+    fn the_elbow_moves_steadily_with_the_hand() {
+        let skeleton = example();
+        let rig = ArmRig::new(&skeleton, Side::Left);
+        // In front of the frontal plane, where hands live, the swivel field is tame. The
+        // elbow outruns the wrist most where the hand is near the shoulder (0.3 of the
+        // reach: three times the angle) and the elbow leaves the trunk's side.
+        let mut worst: f64 = 0.0;
+        for i in 0..4_000 {
+            let mut a = random_target(&rig, i);
+            a.z = rig.shoulder_in_world().z + (a.z - rig.shoulder_in_world().z).abs();
+            let b = a + DVec3::new(1e-4, -0.5e-4, 0.8e-4);
+            let at = |wrist_in_world| {
+                let goal = ArmGoal {
+                    wrist_in_world,
+                    hand_in_world: None,
+                    shrug_rad: 0.0,
+                };
+                rig.solve(&rig.world_from_thorax_zero(), &goal)
+                    .elbow_in_world
+            };
+            worst = worst.max(at(a).distance(at(b)) / a.distance(b));
+        }
+        assert!(worst < 7.0, "{worst}");
+    }
+}

@@ -1,0 +1,139 @@
+//! Where the hands are when they have nothing to say.
+//!
+//! Two postures: arms hanging at the sides, and hands held loosely in front of the
+//! belly. Both arms follow one seeded schedule, so that they change together; a place at
+//! rest is therefore a function of time.
+
+use raconteur_base::curve::minimum_jerk;
+use raconteur_base::{DQuat, DVec3, Side, noise};
+use raconteur_body::hand_shape::HandAngles;
+use raconteur_body::{HandShape, Skeleton};
+
+use crate::gesture::space::BodySpace;
+use crate::{ArmRig, palm};
+
+/// Shortest time that a posture of rest is kept, seconds. Designed.
+const KEEP_SECS: f64 = 13.0;
+/// Time for changing from one posture to the other, seconds. Designed.
+const CHANGE_SECS: f64 = 1.5;
+/// How many of the stretches are spent with the arms hanging.
+const HANGING_SHARE: f64 = 0.4;
+const RANDOM_POSTURE: u64 = 0x5e57;
+const RANDOM_DRIFT: u64 = 0xd21f7;
+
+/// A hand at rest, relative to the zero pose of the trunk.
+#[derive(Clone, Copy, Debug)]
+pub struct RestHand {
+    /// Wrist, metres.
+    pub wrist: DVec3,
+    /// Hand rotation.
+    pub hand: DQuat,
+}
+
+/// The postures of rest of one arm of a figure.
+#[derive(Clone, Debug)]
+pub struct Rest {
+    hanging: RestHand,
+    in_front: RestHand,
+    ready: DVec3,
+    seed: u64,
+    side: Side,
+}
+
+impl Rest {
+    /// Places the postures on a figure.
+    #[must_use]
+    pub fn new(
+        skeleton: &Skeleton,
+        rig: &ArmRig,
+        space: &BodySpace,
+        side: Side,
+        seed: u64,
+    ) -> Self {
+        let scale = skeleton.stature_m() / 1.7;
+        let sign = side.sign();
+        let out = |x: f64, y: f64, z: f64| DVec3::new(x * sign, y, z);
+        let shoulder = rig.shoulder_in_world();
+        // Hanging: the elbow bent by some 25°, the hand a little before the thigh.
+        let outwards = (shoulder.x.abs() + 0.035 * scale).max(space.half_width_m() + 0.03 * scale);
+        let drop = rig.reach_m() * 0.955;
+        let hanging = DVec3::new(
+            sign * outwards,
+            shoulder.y - drop,
+            shoulder.z + 0.075 * scale,
+        );
+        let front = space.front_m();
+        let waist = space.waist_m();
+        // In front: the right hand lies before the left.
+        let nearer = if side == Side::Right { 0.028 } else { 0.0 };
+        let in_front = DVec3::new(
+            sign * 0.095 * scale,
+            waist - nearer * 0.3 * scale,
+            front + (0.055 + nearer) * scale,
+        );
+        let turn = |fingers, normal| {
+            palm::from_directions(side, fingers, normal).unwrap_or(DQuat::IDENTITY)
+        };
+        Self {
+            hanging: RestHand {
+                wrist: hanging,
+                hand: turn(out(-0.04, -1.0, 0.16), out(-1.0, 0.0, -0.42)),
+            },
+            in_front: RestHand {
+                wrist: in_front,
+                hand: turn(out(-1.0, -0.22, 0.20), out(0.05, 0.35, -1.0)),
+            },
+            ready: DVec3::new(
+                sign * 0.16 * scale,
+                waist + 0.06 * scale,
+                front + 0.14 * scale,
+            ),
+            seed,
+            side,
+        }
+    }
+
+    /// The hand at rest at a time, relative to the trunk of the zero pose.
+    #[must_use]
+    pub fn at(&self, time_secs: f64) -> RestHand {
+        let s = self.front_share(time_secs);
+        let drift = |id| 0.004 * noise::perlin(self.seed ^ RANDOM_DRIFT, id, 0.23 * time_secs);
+        let k = 3 * self.side.index() as u64;
+        let drift = DVec3::new(drift(k), drift(k + 1), drift(k + 2));
+        RestHand {
+            wrist: self.hanging.wrist.lerp(self.in_front.wrist, s) + drift,
+            hand: self.hanging.hand.slerp(self.in_front.hand, s),
+        }
+    }
+
+    /// A place in front of the body from which gestures start and to which hands sink
+    /// back between them, relative to the trunk of the zero pose, metres.
+    #[must_use]
+    pub fn ready(&self) -> DVec3 {
+        self.ready
+    }
+
+    /// Fingers at rest.
+    #[must_use]
+    pub fn shape() -> HandAngles {
+        *HandShape::RELAXED.angles()
+    }
+
+    /// 0 hanging, 1 in front.
+    fn front_share(&self, time_secs: f64) -> f64 {
+        let posture = |bucket: i64| {
+            let u = noise::unit(self.seed, RANDOM_POSTURE, bucket);
+            if u < HANGING_SHARE { 0.0 } else { 1.0 }
+        };
+        // A story does not begin with a change.
+        let time_secs = time_secs + 0.4 * KEEP_SECS;
+        let bucket = (time_secs / KEEP_SECS).floor();
+        let since = time_secs - bucket * KEEP_SECS;
+        let bucket = bucket as i64;
+        // One arm follows the other by a tenth of a second.
+        let lag = if self.side == Side::Left { 0.1 } else { 0.0 };
+        let s = minimum_jerk((since - lag) / CHANGE_SECS);
+        let before = posture(bucket.wrapping_sub(1));
+        before + (posture(bucket) - before) * s
+    }
+}

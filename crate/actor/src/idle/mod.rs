@@ -1,0 +1,19 @@
+//! Life that nobody scripts: sway, breath, gaze, blinks, nods.
+
+pub mod blink;
+pub mod gaze;
+pub mod stance;
+pub mod trunk;
+
+/// Random streams, so that no two motions share their noise.
+pub(crate) mod stream {
+    pub(crate) const SPINE: u64 = 0x100;
+    pub(crate) const HEAD: u64 = 0x110;
+    pub(crate) const STANCE: u64 = 0x120;
+    pub(crate) const SACCADE: u64 = 0x130;
+    pub(crate) const GLANCE: u64 = 0x140;
+    pub(crate) const BLINK: u64 = 0x150;
+    pub(crate) const NOD: u64 = 0x160;
+    pub(crate) const BREATH: u64 = 0x170;
+    pub(crate) const FACE: u64 = 0x180;
+}

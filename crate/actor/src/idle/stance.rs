@@ -1,0 +1,219 @@
+//! Standing: the weight moves slowly from foot to foot while the feet stay where they are.
+//!
+//! The pelvis sways, tilts a little and sinks as far as the legs need to bend; both legs
+//! follow in closed form.
+
+use raconteur_base::curve::minimum_jerk;
+use raconteur_base::{DAffine3, DQuat, DVec3, Side, noise};
+use raconteur_body::{Bone, Pose, Skeleton};
+
+use super::stream;
+use crate::kinematics::{TwoBone, rotation_of, world_from_bone};
+
+/// How long the weight stays on one foot, seconds on average. Designed.
+const SHIFT_SECS: f64 = 9.0;
+/// Time that a shift takes, seconds. Designed.
+const SHIFT_LENGTH_SECS: f64 = 1.8;
+/// Sideways travel of the pelvis to either side, for a stature of 1.7 m, metres. Designed.
+const SWAY_M: f64 = 0.022;
+/// Tilt of the pelvis with it, radians: the side without weight sinks. Designed.
+const TILT_RAD: f64 = 0.022;
+/// Room for the knees: the pelvis stands this much lower than with straight legs, metres.
+/// A knee bends by some 15° for 9 mm, so little is enough.
+const SINK_M: f64 = 0.0008;
+/// Largest flexion of the knee (GEVH table B.1), degrees.
+const KNEE_MAX_DEG: f64 = 145.6;
+
+/// The legs of a figure.
+#[derive(Clone, Debug)]
+pub struct Stance {
+    legs: [Leg; 2],
+    scale: f64,
+    seed: u64,
+}
+
+#[derive(Clone, Debug)]
+struct Leg {
+    chain: TwoBone,
+    hip_in_pelvis: DVec3,
+    hip_zero: DQuat,
+    knee_zero: DQuat,
+    ankle_zero: DQuat,
+    /// World from ankle in the zero pose.
+    ankle_in_world: DAffine3,
+}
+
+/// Hip, knee and ankle of the left and right side.
+const LEG_BONES: [[Bone; 3]; 2] = [
+    [Bone::LHip, Bone::LKnee, Bone::LSubtalar],
+    [Bone::RHip, Bone::RKnee, Bone::RSubtalar],
+];
+
+impl Stance {
+    /// Measures the legs of a skeleton.
+    #[must_use]
+    pub fn new(skeleton: &Skeleton, seed: u64) -> Self {
+        let zero = Pose::zero();
+        let joints = skeleton.joints();
+        let legs = Side::BOTH.map(|side| {
+            let [hip, knee, ankle] = LEG_BONES[side.index()];
+            let knee_in_world = rotation_of(&world_from_bone(skeleton, &zero, knee));
+            Leg {
+                // A positive turn about the figure's left carries the shank backwards.
+                chain: TwoBone::new(
+                    joints[knee.index()].translation_in_parent,
+                    joints[ankle.index()].translation_in_parent,
+                    joints[knee.index()].zero_rotation,
+                    knee_in_world.inverse() * DVec3::X,
+                    KNEE_MAX_DEG.to_radians(),
+                ),
+                hip_in_pelvis: joints[hip.index()].translation_in_parent,
+                hip_zero: joints[hip.index()].zero_rotation,
+                knee_zero: joints[knee.index()].zero_rotation,
+                ankle_zero: joints[ankle.index()].zero_rotation,
+                ankle_in_world: world_from_bone(skeleton, &zero, ankle),
+            }
+        });
+        Self {
+            legs,
+            scale: skeleton.stature_m() / 1.7,
+            seed,
+        }
+    }
+
+    /// Where the weight is at a time: −1 on the right foot, 1 on the left.
+    #[must_use]
+    pub fn weight_at(&self, time_secs: f64) -> f64 {
+        let side = |bucket: i64| {
+            let size = 0.45 + 0.55 * noise::unit(self.seed, stream::STANCE + 1, bucket);
+            // Mostly to the other side, sometimes only less or more on the same.
+            let flip = if noise::unit(self.seed, stream::STANCE + 2, bucket) < 0.2 {
+                -1.0
+            } else {
+                1.0
+            };
+            if bucket.rem_euclid(2) == 0 {
+                size * flip
+            } else {
+                -size * flip
+            }
+        };
+        let bucket = (time_secs / SHIFT_SECS).floor();
+        let delay = 5.0 * noise::unit(self.seed, stream::STANCE, bucket as i64);
+        let s = minimum_jerk((time_secs - bucket * SHIFT_SECS - delay) / SHIFT_LENGTH_SECS);
+        let before = side((bucket as i64).wrapping_sub(1));
+        let shift = before + (side(bucket as i64) - before) * s;
+        0.8 * shift + 0.2 * noise::perlin(self.seed, stream::STANCE + 3, 0.19 * time_secs)
+    }
+
+    /// Sways the pelvis and plants the feet. `amount` 0..1 scales the motion.
+    pub fn apply(&self, skeleton: &Skeleton, time_secs: f64, amount: f64, pose: &mut Pose) {
+        let weight = amount * self.weight_at(time_secs);
+        let forth = amount * noise::perlin(self.seed, stream::STANCE + 4, 0.13 * time_secs);
+        let tilt = DQuat::from_rotation_z(TILT_RAD * weight);
+        let turn = DQuat::from_rotation_y(0.02 * weight);
+        let pelvis = Bone::Sacroiliac;
+        let zero = skeleton.joints()[pelvis.index()].zero_rotation;
+        pose.root_offset_in_world += DVec3::new(SWAY_M * weight, 0.0, 0.006 * forth) * self.scale
+            - DVec3::Y * (SINK_M * amount * self.scale);
+        pose.set(pelvis, (zero.inverse() * turn * tilt * zero).normalize());
+
+        // Sink until both legs reach their feet.
+        let pelvis_in_world = world_from_bone(skeleton, pose, pelvis);
+        let short = self
+            .legs
+            .iter()
+            .map(|leg| leg.shortage_m(&pelvis_in_world))
+            .fold(0.0, f64::max);
+        pose.root_offset_in_world.y -= short;
+        let pelvis_in_world = DAffine3 {
+            translation: pelvis_in_world.translation - DVec3::Y * short,
+            ..pelvis_in_world
+        };
+        for (leg, [hip, knee, ankle]) in self.legs.iter().zip(LEG_BONES) {
+            let [h, k, a] = leg.solve(&pelvis_in_world);
+            pose.set(hip, h);
+            pose.set(knee, k);
+            pose.set(ankle, a);
+        }
+    }
+}
+
+impl Leg {
+    /// How far the pelvis must sink for the leg to reach its foot, metres.
+    fn shortage_m(&self, world_from_pelvis: &DAffine3) -> f64 {
+        let to = self.ankle_in_world.translation
+            - world_from_pelvis.transform_point3(self.hip_in_pelvis);
+        let sideways = to.x * to.x + to.z * to.z;
+        let reach = self.chain.reach_m();
+        let most = (reach * reach - sideways).max(0.0).sqrt();
+        // A straight knee is a stiff one: keep a hair's breadth of flexion.
+        (-to.y - most + 1e-4).max(0.0)
+    }
+
+    /// Local rotations of hip, knee and ankle that leave the foot as in the zero pose.
+    fn solve(&self, world_from_pelvis: &DAffine3) -> [DQuat; 3] {
+        let pelvis = rotation_of(world_from_pelvis);
+        let to = self.ankle_in_world.translation
+            - world_from_pelvis.transform_point3(self.hip_in_pelvis);
+        let flexion = self.chain.flexion_for(to.length());
+        let direction = to.try_normalize().unwrap_or(DVec3::NEG_Y);
+        // The knee keeps looking forward.
+        let hip_in_world = self.chain.aim(flexion, direction, DVec3::Z);
+        let knee = self.chain.flexed(flexion);
+        let shank = hip_in_world * self.knee_zero * knee;
+        let hip = (pelvis * self.hip_zero).inverse() * hip_in_world;
+        let ankle = (shank * self.ankle_zero).inverse() * rotation_of(&self.ankle_in_world);
+        [hip.normalize(), knee, ankle.normalize()]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::test_body::example;
+
+    #[test]
+    fn feet_stay_planted_while_the_pelvis_sways() {
+        let skeleton = example();
+        let stance = Stance::new(&skeleton, 42);
+        let zero = Pose::zero();
+        let (mut least, mut most, mut worst) = (f64::MAX, f64::MIN, 0.0_f64);
+        for i in 0..1_200 {
+            let mut pose = Pose::zero();
+            stance.apply(&skeleton, f64::from(i) * 0.1, 1.0, &mut pose);
+            for bone in [
+                Bone::LSubtalar,
+                Bone::RSubtalar,
+                Bone::LMetatarsal,
+                Bone::RMetatarsal,
+            ] {
+                let a = world_from_bone(&skeleton, &zero, bone);
+                let b = world_from_bone(&skeleton, &pose, bone);
+                worst = worst.max(a.translation.distance(b.translation));
+            }
+            least = least.min(pose.root_offset_in_world.x);
+            most = most.max(pose.root_offset_in_world.x);
+            assert!(
+                pose.rotations
+                    .iter()
+                    .all(|q| q.is_finite() && q.is_normalized())
+            );
+        }
+        assert!(worst < 1e-6, "{worst} m");
+        assert!(most - least > 0.015, "{least} {most}");
+    }
+
+    #[test]
+    fn knees_bend_forward() {
+        let skeleton = example();
+        let stance = Stance::new(&skeleton, 1);
+        let mut pose = Pose::zero();
+        pose.root_offset_in_world = DVec3::new(0.0, -0.15, 0.0);
+        stance.apply(&skeleton, 3.0, 1.0, &mut pose);
+        for bone in [Bone::LKnee, Bone::RKnee] {
+            let z = world_from_bone(&skeleton, &pose, bone).translation.z;
+            assert!(z > bone.example_position_m().z + 0.05, "{z}");
+        }
+    }
+}

@@ -1,0 +1,224 @@
+//! Spine, neck and shoulders: posture, noise, breath and the head's part in speech.
+
+use raconteur_base::curve::last_at_or_before;
+use raconteur_base::{DQuat, DVec3, noise, ops};
+use raconteur_body::{Bone, Pose};
+
+use super::stream;
+
+/// Breaths at rest, Hz (12 to 18 a minute is the adult norm).
+const BREATH_HZ: f64 = 0.25;
+/// How many more while speaking, Hz. Designed.
+const BREATH_SPEAKING_HZ: f64 = 0.07;
+/// Nod of the head on a full accent, radians; F&H section 4.2.1 keeps to 3°.
+const NOD_RAD: f64 = 0.052;
+/// Half length of a nod, seconds. Designed.
+const NOD_SECS: f64 = 0.34;
+
+/// A moment of prominence in what is said.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Beat {
+    /// Story time, seconds.
+    pub time_secs: f64,
+    /// 0..2; 1 is an ordinary accent.
+    pub strength: f64,
+}
+
+/// What the trunk needs of the speech: when there is any, and where its accents are.
+#[derive(Clone, Debug, Default)]
+pub struct SpeechRhythm {
+    /// Beginning of each utterance, ascending, seconds.
+    starts: Vec<f64>,
+    ends: Vec<f64>,
+    /// Seconds of speech before each utterance.
+    spoken: Vec<f64>,
+    beats: Vec<Beat>,
+}
+
+impl SpeechRhythm {
+    /// From spans of speech (seconds, any order) and beats.
+    #[must_use]
+    pub fn new(spans: &[(f64, f64)], beats: &[Beat]) -> Self {
+        let mut spans = spans.to_vec();
+        spans.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let mut rhythm = Self::default();
+        let mut total = 0.0;
+        for (start, end) in spans {
+            rhythm.starts.push(start);
+            rhythm.ends.push(end);
+            rhythm.spoken.push(total);
+            total += (end - start).max(0.0);
+        }
+        rhythm.beats = beats.to_vec();
+        rhythm
+            .beats
+            .sort_by(|a, b| a.time_secs.total_cmp(&b.time_secs));
+        rhythm
+    }
+
+    /// Seconds spoken before a time.
+    fn spoken_before(&self, time_secs: f64) -> f64 {
+        last_at_or_before(&self.starts, time_secs).map_or(0.0, |i| {
+            self.spoken[i] + (time_secs.min(self.ends[i]) - self.starts[i]).max(0.0)
+        })
+    }
+
+    /// 1 during speech, 0 far from it, with half a second to either side.
+    #[must_use]
+    pub fn speaking(&self, time_secs: f64) -> f64 {
+        let near = |i: usize| {
+            let outside = (self.starts[i] - time_secs)
+                .max(time_secs - self.ends[i])
+                .max(0.0);
+            1.0 - raconteur_base::curve::smooth(outside / 0.5)
+        };
+        let i = self.starts.partition_point(|s| *s <= time_secs);
+        let before = i.checked_sub(1).map_or(0.0, near);
+        let after = if i < self.starts.len() { near(i) } else { 0.0 };
+        before.max(after)
+    }
+
+    /// Sum over the beats near a time of strength × `kernel(seconds since the beat, hash id)`.
+    pub fn sum_beats(&self, time_secs: f64, kernel: impl Fn(f64, i64) -> f64) -> f64 {
+        let first = self
+            .beats
+            .partition_point(|b| b.time_secs < time_secs - 1.5);
+        self.beats[first..]
+            .iter()
+            .take_while(|b| b.time_secs <= time_secs + 1.5)
+            .enumerate()
+            .map(|(k, b)| {
+                b.strength.clamp(0.0, 2.0) * kernel(time_secs - b.time_secs, (first + k) as i64)
+            })
+            .sum()
+    }
+}
+
+/// A smooth bump of height 1, 0 from `half` before to `half` after.
+#[must_use]
+pub fn bump(since_secs: f64, half_secs: f64) -> f64 {
+    let u = 1.0 - (since_secs / half_secs) * (since_secs / half_secs);
+    if u <= 0.0 { 0.0 } else { u * u * u }
+}
+
+/// The trunk's own motion.
+#[derive(Clone, Copy, Debug)]
+pub struct Trunk {
+    /// Seed of the performance.
+    pub seed: u64,
+}
+
+impl Trunk {
+    /// Depth of breath at a time, −1 out to 1 in.
+    #[must_use]
+    pub fn breath(&self, rhythm: &SpeechRhythm, time_secs: f64) -> f64 {
+        let turns = BREATH_HZ * time_secs
+            + BREATH_SPEAKING_HZ * rhythm.spoken_before(time_secs)
+            + 0.12 * noise::perlin(self.seed, stream::BREATH, 0.21 * time_secs);
+        // In faster than out.
+        let phase = core::f64::consts::TAU * turns;
+        ops::sin(phase + 0.35 * ops::sin(phase))
+    }
+
+    /// Turns spine and neck; the head's gaze comes later. `weight` is the stance's,
+    /// `amount` scales everything.
+    pub fn apply(
+        &self,
+        rhythm: &SpeechRhythm,
+        time_secs: f64,
+        weight: f64,
+        amount: f64,
+        pose: &mut Pose,
+    ) {
+        let n = |id: u64, hz: f64| noise::perlin(self.seed, stream::SPINE + id, hz * time_secs);
+        let breath = self.breath(rhythm, time_secs);
+        let lively = 0.6 + 0.4 * rhythm.speaking(time_secs);
+        // The spine rights what the pelvis tilts, so that the head stays over the feet.
+        let lean = amount * (0.012 * n(0, 0.23) * lively) + 0.012;
+        let roll = amount * (0.010 * n(1, 0.17) - 0.016 * weight);
+        let yaw = amount * (0.022 * n(2, 0.15) * lively - 0.01 * weight);
+        pose.set(Bone::Lumbar, spine(lean, roll, yaw));
+        let lean = amount * (0.010 * n(3, 0.29) * lively - 0.007 * breath) - 0.008;
+        let roll = amount * (0.007 * n(4, 0.31) - 0.016 * weight);
+        let yaw = amount * 0.016 * n(5, 0.21) * lively;
+        pose.set(Bone::Thoracic, spine(lean, roll, yaw));
+    }
+
+    /// Rise of one shoulder, radians; `side_id` 0 or 1.
+    #[must_use]
+    pub fn shrug(&self, rhythm: &SpeechRhythm, time_secs: f64, side_id: u64, amount: f64) -> f64 {
+        let slow = noise::perlin(self.seed, stream::SPINE + 8 + side_id, 0.14 * time_secs);
+        amount * (0.011 * self.breath(rhythm, time_secs) + 0.014 * slow)
+    }
+
+    /// The head's rotation against the chest from noise and accents: pitch (positive
+    /// down), roll and yaw, radians.
+    #[must_use]
+    pub fn head_motion(&self, rhythm: &SpeechRhythm, time_secs: f64, amount: f64) -> DVec3 {
+        let n = |id: u64, hz: f64| noise::perlin(self.seed, stream::HEAD + id, hz * time_secs);
+        let lively = 0.5 + 0.9 * rhythm.speaking(time_secs);
+        let pitch = 0.022 * n(0, 0.37) + 0.009 * n(1, 1.1);
+        let roll = 0.024 * n(2, 0.27) + 0.006 * n(3, 0.9);
+        let yaw = 0.034 * n(4, 0.31) + 0.010 * n(5, 0.8);
+        // A little up before the accent, down on it.
+        let nod = rhythm.sum_beats(time_secs, |since, id| {
+            let size = 0.45 + 0.55 * noise::unit(self.seed, stream::NOD, id);
+            size * (bump(since - 0.05, NOD_SECS) - 0.45 * bump(since + 0.30, NOD_SECS))
+        });
+        let tilt = rhythm.sum_beats(time_secs, |since, id| {
+            let r = noise::signed(self.seed, stream::NOD + 1, id);
+            r * r * r * bump(since - 0.1, 0.6)
+        });
+        DVec3::new(
+            pitch * lively + NOD_RAD * nod.clamp(-1.0, 1.5),
+            roll * lively + 0.045 * tilt.clamp(-1.0, 1.0),
+            yaw * lively + 0.03 * tilt.clamp(-1.0, 1.0),
+        ) * amount
+    }
+}
+
+/// Local rotation of a bone of the spine, neck or skull: lean (positive forward), roll
+/// (positive to the left) and yaw (positive to the left), radians. Local x is up, y
+/// front, z left.
+#[must_use]
+pub fn spine(lean_rad: f64, roll_rad: f64, yaw_rad: f64) -> DQuat {
+    DQuat::from_rotation_x(yaw_rad)
+        * DQuat::from_rotation_z(lean_rad)
+        * DQuat::from_rotation_y(-roll_rad)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn spine_angles_turn_the_way_they_say() {
+        // In the local frame x is up, y front, z left.
+        let up = DVec3::X;
+        assert!((spine(0.3, 0.0, 0.0) * up).y > 0.2);
+        assert!((spine(0.0, 0.3, 0.0) * up).z > 0.2);
+        assert!((spine(0.0, 0.0, 0.3) * DVec3::Y).z > 0.2);
+    }
+
+    #[test]
+    fn breath_is_faster_in_speech() {
+        let count = |rhythm: &SpeechRhythm| {
+            let trunk = Trunk { seed: 3 };
+            let at = |i: i32| trunk.breath(rhythm, f64::from(i) * 0.01) > 0.0;
+            (1..24_000).filter(|i| at(*i) && !at(i - 1)).count()
+        };
+        let silent = count(&SpeechRhythm::default());
+        let talking = count(&SpeechRhythm::new(&[(0.0, 240.0)], &[]));
+        assert!((55..=66).contains(&silent), "{silent}");
+        assert!(talking > silent + 12, "{talking}");
+    }
+
+    #[test]
+    fn speech_fades_in_and_out() {
+        let r = SpeechRhythm::new(&[(1.0, 2.0), (5.0, 6.0)], &[]);
+        assert_eq!(r.speaking(1.5), 1.0);
+        assert_eq!(r.speaking(3.5), 0.0);
+        assert!(r.speaking(2.25) > 0.4 && r.speaking(4.75) > 0.4);
+        assert!((r.spoken_before(5.5) - 1.5).abs() < 1e-12);
+    }
+}

@@ -1,0 +1,138 @@
+//! Frames of single bones and the closed-form two-bone solver that arms and legs share.
+
+use raconteur_base::{DAffine3, DMat3, DQuat, DVec3, ops};
+use raconteur_body::{Bone, Pose, Skeleton};
+
+/// World from one bone in a pose, without solving the whole skeleton.
+#[must_use]
+pub fn world_from_bone(skeleton: &Skeleton, pose: &Pose, bone: Bone) -> DAffine3 {
+    let mut world = DAffine3::IDENTITY;
+    let mut at = Some(bone.index());
+    while let Some(i) = at {
+        let joint = &skeleton.joints()[i];
+        let local = DAffine3::from_rotation_translation(
+            joint.zero_rotation * pose.joint_rotation(joint.drive),
+            joint.translation_in_parent,
+        );
+        world = local * world;
+        at = joint.parent;
+    }
+    DAffine3::from_rotation_translation(pose.root_rotation, pose.root_offset_in_world) * world
+}
+
+/// The rotation of a rigid transform.
+#[must_use]
+pub fn rotation_of(affine: &DAffine3) -> DQuat {
+    DQuat::from_mat3(&affine.matrix3).normalize()
+}
+
+/// A chain of two bones with a hinge between them: all lengths and directions that do not
+/// change with the pose.
+#[derive(Clone, Copy, Debug)]
+pub struct TwoBone {
+    /// Hinge in the upper bone's frame, metres.
+    upper: DVec3,
+    /// End in the lower bone's frame, metres.
+    lower: DVec3,
+    /// Upper from lower in the zero pose.
+    zero: DQuat,
+    /// Hinge axis in the lower bone's frame, unit.
+    axis: DVec3,
+    /// Largest flexion, radians.
+    max_flexion_rad: f64,
+    /// cos, sin and constant parts of `upper · end(flexion)`.
+    parts: DVec3,
+}
+
+impl TwoBone {
+    /// A chain whose lower bone turns about `axis` (lower frame) from 0 to
+    /// `max_flexion_rad`.
+    #[must_use]
+    pub fn new(upper: DVec3, lower: DVec3, zero: DQuat, axis: DVec3, max_flexion_rad: f64) -> Self {
+        let along = axis * axis.dot(lower);
+        let upper_in_lower = zero.inverse() * upper;
+        let parts = DVec3::new(
+            upper_in_lower.dot(lower - along),
+            upper_in_lower.dot(axis.cross(lower)),
+            upper_in_lower.dot(along),
+        );
+        Self {
+            upper,
+            lower,
+            zero,
+            axis,
+            max_flexion_rad,
+            parts,
+        }
+    }
+
+    /// Distance from the chain's base to its end at a flexion, metres.
+    #[must_use]
+    pub fn distance_m(&self, flexion_rad: f64) -> f64 {
+        let (s, c) = ops::sincos(flexion_rad);
+        let dot = self.parts.x * c + self.parts.y * s + self.parts.z;
+        (self.upper.length_squared() + self.lower.length_squared() + 2.0 * dot)
+            .max(0.0)
+            .sqrt()
+    }
+
+    /// The hinge in the upper bone's frame, metres.
+    #[must_use]
+    pub fn hinge(&self) -> DVec3 {
+        self.upper
+    }
+
+    /// Longest distance within the limits: stretched.
+    #[must_use]
+    pub fn reach_m(&self) -> f64 {
+        self.distance_m(0.0)
+    }
+
+    /// Flexion that puts the end at a distance from the base. Clamped to the limits.
+    #[must_use]
+    pub fn flexion_for(&self, distance_m: f64) -> f64 {
+        let amplitude = ops::hypot(self.parts.x, self.parts.y);
+        let wanted = 0.5
+            * (distance_m * distance_m - self.upper.length_squared() - self.lower.length_squared())
+            - self.parts.z;
+        let ratio = if amplitude > 0.0 {
+            wanted / amplitude
+        } else {
+            0.0
+        };
+        let angle = ops::atan2(self.parts.y, self.parts.x) + ops::acos_clamped(ratio);
+        angle.clamp(0.0, self.max_flexion_rad)
+    }
+
+    /// Place of the end in the upper bone's frame at a flexion.
+    #[must_use]
+    pub fn end_in_upper(&self, flexion_rad: f64) -> DVec3 {
+        self.upper + self.zero * (self.flexed(flexion_rad) * self.lower)
+    }
+
+    /// Local rotation of the lower bone at a flexion.
+    #[must_use]
+    pub fn flexed(&self, flexion_rad: f64) -> DQuat {
+        DQuat::from_axis_angle(self.axis, flexion_rad)
+    }
+
+    /// World rotation of the upper bone that points the end along `direction` with the
+    /// hinge on the side of `pole` (both world; `direction` unit, `pole` of any length).
+    #[must_use]
+    pub fn aim(&self, flexion_rad: f64, direction: DVec3, pole: DVec3) -> DQuat {
+        let end = self.end_in_upper(flexion_rad);
+        let own = frame(end, (self.zero * self.axis).cross(end));
+        // The end swings towards axis × end, so the hinge stands on the other side.
+        let world = frame(direction, -pole);
+        DQuat::from_mat3(&(world * own.transpose())).normalize()
+    }
+}
+
+/// Orthonormal columns: x along `along`, y in the half-plane of `towards`.
+fn frame(along: DVec3, towards: DVec3) -> DMat3 {
+    let x = along.try_normalize().unwrap_or(DVec3::X);
+    let y = (towards - x * x.dot(towards))
+        .try_normalize()
+        .unwrap_or_else(|| x.any_orthonormal_vector());
+    DMat3::from_cols(x, y, x.cross(y))
+}

@@ -1,0 +1,376 @@
+//! Everything that one figure does in a story, evaluated at one time.
+
+use raconteur_base::{DAffine3, DQuat, DVec3, Side, noise};
+use raconteur_body::{Bone, Pose, Skeleton};
+use raconteur_speech::phones::{self, Class};
+use raconteur_speech::{Phone, Word};
+
+use crate::arm_ik::{ArmGoal, ArmRig, ArmSolution};
+use crate::face::{Expression, FaceRig};
+use crate::gesture::{ArmPlan, ArmScript, BodySpace, HandTarget, part_hands};
+use crate::idle::blink::Blinks;
+use crate::idle::gaze::{Gaze, HEAD_SHARE, angles_of, eye_towards};
+use crate::idle::stance::Stance;
+use crate::idle::stream;
+use crate::idle::trunk::{Beat, SpeechRhythm, Trunk, bump, spine};
+use crate::kinematics::{rotation_of, world_from_bone};
+use crate::lips::{LipTrack, MouthTargets};
+
+/// A pause in speech at least this long may blink, seconds.
+const PAUSE_SECS: f64 = 0.15;
+/// Smile of a figure that has nothing else to show. Designed: friendly, not grinning.
+const RESTING_SMILE: f64 = 0.14;
+/// Brow raise on a full accent. Designed.
+const BROW_ACCENT: f64 = 0.32;
+
+/// A moment of prominence in an utterance.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Accent {
+    /// Seconds from the start of the utterance.
+    pub offset_secs: f64,
+    /// 0..2; 1 is an ordinary accent.
+    pub strength: f64,
+}
+
+/// An utterance at its place in the story.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct SpokenUtterance {
+    /// Story time of its first sample, seconds.
+    pub start_secs: f64,
+    /// Length, seconds.
+    pub duration_secs: f64,
+    /// Name of the phone set, for example `radio`.
+    pub phone_set: String,
+    /// Phones, seconds from the start of the utterance.
+    pub phones: Vec<Phone>,
+    /// Words, seconds from the start of the utterance.
+    pub words: Vec<Word>,
+    /// Accents; empty where they are not known: nods then fall on some of the words.
+    pub accents: Vec<Accent>,
+}
+
+/// What one figure is asked for over a whole story.
+#[derive(Clone, Debug)]
+pub struct Performance {
+    /// Left and right arm.
+    pub arms: [ArmScript; 2],
+    /// What is said, in any order.
+    pub speech: Vec<SpokenUtterance>,
+    /// Seed of everything that nobody scripted.
+    pub seed: u64,
+    /// How lively the idle motion is, 0 (still) to 1.
+    pub motion_amount: f64,
+    /// Whom the figure speaks to, world, metres: usually the camera.
+    pub listener_in_world: DVec3,
+}
+
+impl Default for Performance {
+    fn default() -> Self {
+        Self {
+            arms: [ArmScript::default(), ArmScript::default()],
+            speech: Vec::new(),
+            seed: 0,
+            motion_amount: 1.0,
+            listener_in_world: DVec3::new(0.0, 1.6, 2.5),
+        }
+    }
+}
+
+/// What an evaluation reports besides the pose.
+#[derive(Clone, Copy, Debug)]
+pub struct Report {
+    /// Solutions of the left and right arm.
+    pub arms: [ArmSolution; 2],
+    /// Where the left and right wrist were asked to be, world, metres.
+    pub wrist_goals_in_world: [DVec3; 2],
+    /// The mouth.
+    pub mouth: MouthTargets,
+}
+
+/// A performance made ready for one figure. Evaluation is a function of time: it keeps
+/// nothing, and allocates nothing.
+#[derive(Clone, Debug)]
+pub struct Actor {
+    plans: [ArmPlan; 2],
+    rigs: [ArmRig; 2],
+    space: BodySpace,
+    stance: Stance,
+    trunk: Trunk,
+    rhythm: SpeechRhythm,
+    gaze: Gaze,
+    blinks: Blinks,
+    /// Start of each utterance, ascending, and its lips.
+    lips: Vec<(f64, LipTrack)>,
+    skull_zero: DQuat,
+    seed: u64,
+    amount: f64,
+    listener_in_world: DVec3,
+}
+
+impl Actor {
+    /// Makes a performance ready: plans the arms, resolves phones, places blinks and glances.
+    #[must_use]
+    pub fn new(performance: &Performance, skeleton: &Skeleton) -> Self {
+        let seed = performance.seed;
+        let mut speech: Vec<&SpokenUtterance> = performance.speech.iter().collect();
+        speech.sort_by(|a, b| a.start_secs.total_cmp(&b.start_secs));
+        let spans: Vec<(f64, f64)> = speech
+            .iter()
+            .map(|u| (u.start_secs, u.start_secs + u.duration_secs))
+            .collect();
+        let beats: Vec<Beat> = speech
+            .iter()
+            .enumerate()
+            .flat_map(|(i, u)| beats_of(u, seed, i as u64))
+            .collect();
+        let pauses: Vec<f64> = speech.iter().flat_map(|u| pauses_of(u)).collect();
+        let clauses: Vec<f64> = speech.iter().flat_map(|u| clause_starts_of(u)).collect();
+        let amount = if performance.motion_amount.is_finite() {
+            performance.motion_amount.clamp(0.0, 1.0)
+        } else {
+            1.0
+        };
+        Self {
+            plans: Side::BOTH
+                .map(|side| ArmPlan::new(&performance.arms[side.index()], skeleton, side, seed)),
+            rigs: Side::BOTH.map(|side| ArmRig::new(skeleton, side)),
+            space: BodySpace::new(skeleton),
+            stance: Stance::new(skeleton, seed),
+            trunk: Trunk { seed },
+            rhythm: SpeechRhythm::new(&spans, &beats),
+            gaze: Gaze::new(&clauses, seed),
+            blinks: Blinks::new(&pauses, seed),
+            lips: speech
+                .iter()
+                .map(|u| (u.start_secs, LipTrack::new(&u.phones, &u.phone_set)))
+                .collect(),
+            skull_zero: rotation_of(&world_from_bone(skeleton, &Pose::zero(), Bone::Skull)),
+            seed,
+            amount,
+            listener_in_world: performance.listener_in_world,
+        }
+    }
+
+    /// Moves the listener, for example with the camera; holds for evaluations to come.
+    pub fn look_at(&mut self, listener_in_world: DVec3) {
+        self.listener_in_world = listener_in_world;
+    }
+
+    /// The plan of one arm.
+    #[must_use]
+    pub fn plan(&self, side: Side) -> &ArmPlan {
+        &self.plans[side.index()]
+    }
+
+    /// Evaluates the figure at a story time into a pose and morph weights (in the order of
+    /// the figure's morph names). The pose is overwritten; weights of morphs that the
+    /// actor does not use keep their values.
+    pub fn evaluate(
+        &self,
+        skeleton: &Skeleton,
+        face: &FaceRig,
+        time_secs: f64,
+        pose: &mut Pose,
+        morph_weights: &mut [f32],
+    ) -> Report {
+        // The order matters: each step stands on the joints that the steps before it set.
+        let t = if time_secs.is_finite() {
+            time_secs
+        } else {
+            0.0
+        };
+        *pose = Pose::zero();
+        self.stance.apply(skeleton, t, self.amount, pose);
+        self.trunk
+            .apply(&self.rhythm, t, self.stance.weight_at(t), self.amount, pose);
+        let (arms, wrist_goals_in_world) = self.arms(skeleton, t, pose);
+        self.head(skeleton, t, pose);
+        let eye_pitch_rad = self.eyes(skeleton, face, t, pose);
+        let mouth = self.mouth(t);
+        let expression = self.expression(t);
+        let closure = self.blinks.closure(t);
+        face.write(
+            &mouth,
+            &expression,
+            closure,
+            eye_pitch_rad,
+            pose,
+            morph_weights,
+        );
+        Report {
+            arms,
+            wrist_goals_in_world,
+            mouth,
+        }
+    }
+
+    fn arms(&self, skeleton: &Skeleton, t: f64, pose: &mut Pose) -> ([ArmSolution; 2], [DVec3; 2]) {
+        let thorax = world_from_bone(skeleton, pose, Bone::Thoracic);
+        let targets = self.plans.each_ref().map(|plan| plan.at(t));
+        // What rests goes with the trunk; what gestures is in the world.
+        let moved = thorax * self.rigs[0].world_from_thorax_zero().inverse();
+        let turned = rotation_of(&moved);
+        let placed = targets.map(|target| self.place(&target, &moved, turned));
+        let wrists = part_hands(placed.map(|p| p.0));
+        let arms = Side::BOTH.map(|side| {
+            let i = side.index();
+            let goal = ArmGoal {
+                wrist_in_world: wrists[i],
+                hand_in_world: Some(placed[i].1),
+                shrug_rad: self.trunk.shrug(&self.rhythm, t, i as u64, self.amount),
+            };
+            let solution = self.rigs[i].solve(&thorax, &goal);
+            solution.apply(side, pose);
+            for (bone, rotation) in targets[i].shape.rotations(side) {
+                pose.set(bone, rotation);
+            }
+            solution
+        });
+        (arms, wrists)
+    }
+
+    /// Wrist and hand rotation of a target in the world.
+    fn place(&self, target: &HandTarget, moved: &DAffine3, turned: DQuat) -> (DVec3, DQuat) {
+        let carried = target
+            .wrist
+            .lerp(moved.transform_point3(target.wrist), target.rest_share);
+        let in_body = moved.inverse().transform_point3(carried);
+        let clear = carried + turned * (self.space.keep_out(in_body) - in_body);
+        let hand = DQuat::IDENTITY.slerp(turned, target.rest_share) * target.hand;
+        (clear, hand.normalize())
+    }
+
+    fn head(&self, skeleton: &Skeleton, t: f64, pose: &mut Pose) {
+        let head = world_from_bone(skeleton, pose, Bone::Skull);
+        let axes = rotation_of(&head) * self.skull_zero.inverse();
+        // The middle of the eyes is some 7 cm above the skull bone's joint.
+        let eyes = head.translation + axes * DVec3::new(0.0, 0.07, 0.08);
+        let [yaw, pitch] = angles_of(axes.inverse() * (self.listener_in_world - eyes));
+        let motion = self.trunk.head_motion(&self.rhythm, t, self.amount);
+        let aside = self.gaze.head_away(t, self.amount);
+        let pitch = (HEAD_SHARE * pitch).clamp(-0.4, 0.4) + motion.x + aside[1];
+        let yaw = (HEAD_SHARE * yaw).clamp(-0.7, 0.7) + motion.z + aside[0];
+        // Neck and skull share the turn.
+        pose.set(
+            Bone::Cervical,
+            spine(0.4 * pitch, 0.4 * motion.y, 0.4 * yaw),
+        );
+        pose.set(Bone::Skull, spine(0.6 * pitch, 0.6 * motion.y, 0.6 * yaw));
+    }
+
+    fn eyes(&self, skeleton: &Skeleton, face: &FaceRig, t: f64, pose: &mut Pose) -> [f64; 2] {
+        let skull = world_from_bone(skeleton, pose, Bone::Skull);
+        let axes = DAffine3::from_rotation_translation(
+            rotation_of(&skull) * self.skull_zero.inverse(),
+            skull.translation,
+        );
+        let away = self.gaze.away(t, self.rhythm.speaking(t), self.amount);
+        let mut pitch = [0.0; 2];
+        for (i, eye) in face.eyes_in_skull().into_iter().enumerate() {
+            let eye_in_world = skull.transform_point3(eye);
+            (pose.eyes[i], pitch[i]) =
+                eye_towards(&axes, eye_in_world, self.listener_in_world, away);
+        }
+        pitch
+    }
+
+    fn mouth(&self, t: f64) -> MouthTargets {
+        let i = self.lips.partition_point(|(start, _)| *start <= t);
+        let track = |i: usize| self.lips.get(i).map(|(start, track)| (t - start, track));
+        // The one that has begun, else the one about to.
+        let begun = i
+            .checked_sub(1)
+            .and_then(track)
+            .filter(|(at, track)| track.covers(*at));
+        match begun.or_else(|| track(i).filter(|(at, track)| track.covers(*at))) {
+            Some((at, track)) => track.at(at),
+            None => MouthTargets::default(),
+        }
+    }
+
+    fn expression(&self, t: f64) -> Expression {
+        let n =
+            |id: u64, hz: f64| noise::perlin(self.seed, stream::FACE + id, hz * t) * self.amount;
+        // The left brow moves with the strength of the accent, the right by the same amount
+        // each time (Cavé et al. 1996 in F&H section 4.2.1).
+        let raise = |by_strength: bool| {
+            let sum = self.rhythm.sum_beats(t, |since, id| {
+                let chosen = noise::unit(self.seed, stream::FACE + 8, id) < 0.55;
+                let size = if by_strength { 1.0 } else { 0.8 };
+                if chosen {
+                    size * bump(since - 0.03, 0.42)
+                } else {
+                    0.0
+                }
+            });
+            BROW_ACCENT * sum.clamp(0.0, 1.5) * self.amount
+        };
+        let (left, right) = (raise(true), raise(false));
+        let speaking = self.rhythm.speaking(t);
+        let smile = RESTING_SMILE + 0.05 * n(0, 0.11) - 0.03 * speaking;
+        Expression {
+            smile: [smile + 0.012 * n(1, 0.2), smile - 0.012 * n(1, 0.2)],
+            brow_inner: 0.6 * left + 0.05 * n(2, 0.3).max(0.0) + 0.03 * speaking,
+            brow_outer: [0.8 * left, 0.8 * right],
+            brow_down: 0.05 * (-n(2, 0.3)).max(0.0),
+            squint: 0.04 + 0.03 * n(3, 0.17),
+        }
+    }
+}
+
+/// Beats of an utterance: its accents, or else some of its longer words.
+fn beats_of(u: &SpokenUtterance, seed: u64, id: u64) -> Vec<Beat> {
+    if u.accents.is_empty() {
+        return u
+            .words
+            .iter()
+            .enumerate()
+            .filter(|(i, w)| {
+                let chance = if w.end_secs - w.start_secs > 0.3 {
+                    0.5
+                } else {
+                    0.1
+                };
+                noise::unit(seed ^ id, stream::NOD + 4, *i as i64) < chance
+            })
+            .map(|(_, w)| Beat {
+                time_secs: u.start_secs + w.start_secs + 0.1,
+                strength: 0.6,
+            })
+            .collect();
+    }
+    u.accents
+        .iter()
+        .filter(|a| a.offset_secs.is_finite() && a.strength.is_finite())
+        .map(|a| Beat {
+            time_secs: u.start_secs + a.offset_secs,
+            strength: a.strength,
+        })
+        .collect()
+}
+
+/// Beginnings of the pauses of an utterance, its end among them, story time.
+fn pauses_of(u: &SpokenUtterance) -> impl Iterator<Item = f64> + '_ {
+    let silent = |p: &&Phone| {
+        let class = phones::find(&u.phone_set, &p.symbol).map(|t| t.class);
+        class == Some(Class::Silence) && p.end_secs - p.start_secs >= PAUSE_SECS
+    };
+    let inner = u
+        .phones
+        .iter()
+        .filter(silent)
+        .filter(|p| p.start_secs > 0.0);
+    inner
+        .map(|p| u.start_secs + p.start_secs)
+        .chain([u.start_secs + u.duration_secs])
+}
+
+/// Beginnings of its clauses: of itself, and after each pause, story time.
+fn clause_starts_of(u: &SpokenUtterance) -> impl Iterator<Item = f64> + '_ {
+    let last = u.phones.len().saturating_sub(1);
+    let after = u.phones.iter().enumerate().filter(move |(i, p)| {
+        let class = phones::find(&u.phone_set, &p.symbol).map(|t| t.class);
+        *i < last && class == Some(Class::Silence) && p.end_secs - p.start_secs >= PAUSE_SECS
+    });
+    core::iter::once(u.start_secs).chain(after.map(|(_, p)| u.start_secs + p.end_secs))
+}

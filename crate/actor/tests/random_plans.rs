@@ -1,0 +1,344 @@
+//! Properties of whole performances over many random plans.
+
+use raconteur_actor::gesture::{ArmScript, GestureStroke, HandKey, Span};
+use raconteur_actor::kinematics::world_from_bone;
+use raconteur_actor::{Accent, Actor, ArmRig, FaceRig, Performance, SpokenUtterance, palm};
+use raconteur_base::{DVec3, Side, noise};
+use raconteur_body::hand_shape::HandShape;
+use raconteur_body::skeleton::{FacePlaces, zero_frames};
+use raconteur_body::{Bone, Pose, Skeleton};
+use raconteur_speech::Phone;
+
+/// The male example of GEVH table A.1.
+fn example() -> Skeleton {
+    let positions = Bone::ALL.map(Bone::example_position_m);
+    let eyes = [
+        DVec3::new(0.031, 1.80, 0.08),
+        DVec3::new(-0.031, 1.80, 0.08),
+    ];
+    Skeleton::from_bind(
+        &positions,
+        &zero_frames(),
+        FacePlaces { eye_centres: eyes },
+        1.956,
+    )
+}
+
+fn morph_names() -> Vec<String> {
+    ["mouthClose", "mouthPucker", "browInnerUp", "mouthSmileLeft"]
+        .map(str::to_owned)
+        .to_vec()
+}
+
+/// Random strokes of one arm within comfortable reach in front of the body.
+fn random_arm(seed: u64, side: Side) -> ArmScript {
+    let id = 10 * side.index() as u64;
+    let mut t = 0.8;
+    let strokes = (0..12)
+        .map(|i| {
+            let u = |k| noise::unit(seed, id + k, i);
+            t += 0.3 + 4.0 * u(0) * u(0);
+            let start_secs = t;
+            let keys = (0..1 + (3.0 * u(1)) as i64)
+                .map(|k| {
+                    let v = |c| noise::signed(seed, 100 + id + c, 10 * i + k);
+                    if k > 0 {
+                        t += 0.35 + 0.4 * (v(9) + 1.0);
+                    }
+                    let wrist = DVec3::new(
+                        side.sign() * (0.26 + 0.16 * v(0)),
+                        1.35 + 0.25 * v(1),
+                        0.36 + 0.10 * v(2),
+                    );
+                    let normal = DVec3::new(-side.sign(), 0.6 * v(3), 0.6 * v(4));
+                    HandKey {
+                        time_secs: t,
+                        wrist_in_world: Some(wrist),
+                        hand_in_world: (v(5) > -0.5)
+                            .then(|| {
+                                palm::hand_rotation(side, normal, -side.sign() * (1.6 + 0.5 * v(6)))
+                            })
+                            .flatten(),
+                        shape: HandShape::get((30.0 * (v(7) + 1.0)) as u8).map(|s| *s.angles()),
+                    }
+                })
+                .collect();
+            t += 0.2 * u(2);
+            GestureStroke {
+                start_secs,
+                end_secs: t,
+                keys,
+            }
+        })
+        .collect();
+    ArmScript {
+        strokes,
+        on: Vec::new(),
+    }
+}
+
+fn random_speech(seed: u64) -> Vec<SpokenUtterance> {
+    let symbols = [
+        "hh", "ax", "l", "ow", "pau", "b", "iy", "m", "ay", "s", "uw",
+    ];
+    (0..4)
+        .map(|i| {
+            let mut t = 0.0;
+            let phones: Vec<Phone> = (0..40)
+                .map(|k| {
+                    let start_secs = t;
+                    t += 0.05 + 0.1 * noise::unit(seed, 50 + i, k);
+                    let symbol = symbols[(k as usize * 7 + i as usize) % symbols.len()].to_owned();
+                    Phone {
+                        symbol,
+                        start_secs,
+                        end_secs: t,
+                        word: None,
+                    }
+                })
+                .collect();
+            SpokenUtterance {
+                start_secs: 1.0 + 8.0 * i as f64,
+                duration_secs: t,
+                phone_set: "radio".to_owned(),
+                phones,
+                words: Vec::new(),
+                accents: (0..6)
+                    .map(|k| Accent {
+                        offset_secs: 0.5 * f64::from(k),
+                        strength: 1.0,
+                    })
+                    .collect(),
+            }
+        })
+        .collect()
+}
+
+fn random_performance(seed: u64) -> Performance {
+    Performance {
+        arms: Side::BOTH.map(|side| random_arm(seed, side)),
+        speech: random_speech(seed),
+        seed,
+        ..Performance::default()
+    }
+}
+
+struct Stage {
+    skeleton: Skeleton,
+    face: FaceRig,
+    pose: Pose,
+    morphs: Vec<f32>,
+}
+
+impl Stage {
+    fn new() -> Self {
+        let skeleton = example();
+        let face = FaceRig::from_parts(&skeleton, &morph_names(), [0.7; 2]);
+        Self {
+            skeleton,
+            face,
+            pose: Pose::zero(),
+            morphs: vec![0.0; 4],
+        }
+    }
+
+    fn evaluate(&mut self, actor: &Actor, t: f64) {
+        actor.evaluate(
+            &self.skeleton,
+            &self.face,
+            t,
+            &mut self.pose,
+            &mut self.morphs,
+        );
+    }
+
+    fn wrist(&self, side: Side) -> DVec3 {
+        let bone = if side == Side::Left {
+            Bone::LWrist
+        } else {
+            Bone::RWrist
+        };
+        world_from_bone(&self.skeleton, &self.pose, bone).translation
+    }
+}
+
+#[test]
+fn wrists_are_at_their_keys_at_the_time_of_the_key() {
+    let mut stage = Stage::new();
+    let (mut worst, mut count) = (0.0_f64, 0);
+    let reach = ArmRig::new(&stage.skeleton, Side::Left).reach_m();
+    for seed in 0..40 {
+        let performance = random_performance(seed);
+        let actor = Actor::new(&performance, &stage.skeleton);
+        for side in Side::BOTH {
+            for key in performance.arms[side.index()]
+                .strokes
+                .iter()
+                .flat_map(|s| &s.keys)
+            {
+                stage.evaluate(&actor, key.time_secs);
+                let wanted = key.wrist_in_world.unwrap_or_default();
+                let shoulder = if side == Side::Left {
+                    Bone::LShoulder
+                } else {
+                    Bone::RShoulder
+                };
+                let shoulder = world_from_bone(&stage.skeleton, &stage.pose, shoulder).translation;
+                if wanted.distance(shoulder) > 0.985 * reach {
+                    continue;
+                }
+                worst = worst.max(stage.wrist(side).distance(wanted));
+                count += 1;
+            }
+        }
+    }
+    assert!(count > 500);
+    assert!(worst < 1e-3, "{worst} m");
+}
+
+#[test]
+fn poses_are_rotations_and_weights_are_shares_at_every_time() {
+    let mut stage = Stage::new();
+    for seed in 0..20 {
+        let actor = Actor::new(&random_performance(seed), &stage.skeleton);
+        for i in -20..400 {
+            stage.evaluate(&actor, f64::from(i) * 0.1013);
+            for (q, bone) in stage.pose.rotations.iter().zip(Bone::ALL) {
+                assert!(
+                    q.is_finite() && (q.length() - 1.0).abs() < 1e-6,
+                    "{}",
+                    bone.name()
+                );
+            }
+            assert!(
+                stage
+                    .pose
+                    .eyes
+                    .iter()
+                    .all(|q| q.is_finite() && q.is_normalized())
+            );
+            assert!(stage.morphs.iter().all(|w| (0.0..=1.0).contains(w)));
+        }
+    }
+}
+
+#[test]
+fn nothing_jumps_at_120_hz() {
+    let mut stage = Stage::new();
+    let (mut wrist_speed, mut bone_speed) = ((0.0_f64, 0.0), (0.0_f64, 0.0, ""));
+    let dt = 1.0 / 120.0;
+    for seed in 0..12 {
+        let actor = Actor::new(&random_performance(seed), &stage.skeleton);
+        let mut last: Option<([DVec3; 2], Pose)> = None;
+        for i in 0..4_800 {
+            let t = f64::from(i) * dt;
+            stage.evaluate(&actor, t);
+            let now = Side::BOTH.map(|side| stage.wrist(side));
+            if let Some((wrists, pose)) = &last {
+                for k in 0..2 {
+                    let v = now[k].distance(wrists[k]) / dt;
+                    if v > wrist_speed.0 {
+                        wrist_speed = (v, t);
+                    }
+                }
+                for bone in Bone::ALL {
+                    let w = pose.rotation(bone).angle_between(stage.pose.rotation(bone)) / dt;
+                    if w > bone_speed.0 {
+                        bone_speed = (w, t, bone.name());
+                    }
+                }
+            }
+            last = Some((now, stage.pose.clone()));
+        }
+    }
+    // Fast strokes of the random plans cover 0.7 m in 0.35 s at a peak of 1.9 times the mean.
+    assert!(wrist_speed.0 < 4.0, "{wrist_speed:?} m/s");
+    assert!(bone_speed.0 < 40.0, "{bone_speed:?} rad/s");
+}
+
+#[test]
+fn seeking_in_any_order_equals_playing() {
+    let mut stage = Stage::new();
+    let performance = random_performance(5);
+    let actor = Actor::new(&performance, &stage.skeleton);
+    let times: Vec<f64> = (0..300).map(|i| f64::from(i) * 0.117).collect();
+    let played: Vec<(Pose, Vec<f32>)> = times
+        .iter()
+        .map(|t| {
+            stage.evaluate(&actor, *t);
+            (stage.pose.clone(), stage.morphs.clone())
+        })
+        .collect();
+    let again = Actor::new(&performance, &stage.skeleton);
+    for i in 0..600_i64 {
+        let k = (noise::unit(1, 1, i) * times.len() as f64) as usize;
+        stage.evaluate(&again, times[k]);
+        assert!(
+            played[k] == (stage.pose.clone(), stage.morphs.clone()),
+            "at {}",
+            times[k]
+        );
+    }
+}
+
+#[test]
+fn switched_off_arms_ignore_their_keys_and_switching_off_releases_them() {
+    let mut stage = Stage::new();
+    let mut performance = random_performance(7);
+    let rest = Actor::new(
+        &Performance {
+            seed: 7,
+            ..Performance::default()
+        },
+        &stage.skeleton,
+    );
+    for arm in &mut performance.arms {
+        arm.on = vec![Span {
+            start_secs: -1.0,
+            end_secs: 6.0,
+        }];
+    }
+    let actor = Actor::new(&performance, &stage.skeleton);
+    for t in [8.0, 15.0, 30.0] {
+        let at = Side::BOTH.map(|side| actor.plan(side).at(t).wrist);
+        let resting = Side::BOTH.map(|side| rest.plan(side).at(t).wrist);
+        assert_eq!(at, resting, "at {t}");
+        stage.evaluate(&actor, t);
+    }
+}
+
+#[test]
+fn impossible_scripts_neither_panic_nor_spread() {
+    let mut stage = Stage::new();
+    let mut performance = random_performance(9);
+    let bad = |time_secs: f64, p: f64| HandKey {
+        time_secs,
+        wrist_in_world: Some(DVec3::splat(p)),
+        hand_in_world: None,
+        shape: None,
+    };
+    performance.arms[0].strokes.push(GestureStroke {
+        start_secs: f64::NAN,
+        end_secs: f64::INFINITY,
+        keys: vec![
+            bad(f64::NAN, 1.0),
+            bad(2.0, f64::INFINITY),
+            bad(2.1, 50.0),
+            bad(2.1, 1.0),
+            bad(-9.0, 0.0),
+        ],
+    });
+    performance.speech.push(SpokenUtterance {
+        start_secs: f64::NAN,
+        ..SpokenUtterance::default()
+    });
+    performance.listener_in_world = DVec3::new(0.0, 1.75, 0.05);
+    let actor = Actor::new(&performance, &stage.skeleton);
+    for i in 0..400 {
+        stage.evaluate(&actor, f64::from(i) * 0.1);
+        assert!(stage.pose.rotations.iter().all(|q| q.is_finite()));
+    }
+    stage.evaluate(&actor, f64::NAN);
+    stage.evaluate(&actor, 1e12);
+    assert!(stage.pose.rotations.iter().all(|q| q.is_finite()));
+}

@@ -1,0 +1,274 @@
+//! The hand: skin with the end of the forearm, five nails, weights and colours.
+//!
+//! The coarse quad cage gives the topology only; an analytic field gives the shape. The
+//! cage is subdivided once and projected onto the field, relief follows along the normal.
+//! A hand of the mean adult is built in millimetres and scaled to length and breadth.
+//!
+//! # For the assembly
+//!
+//! **Hand frame.** Positions are metres from the wrist joint. The axes are the world's
+//! while the wrist is in the zero pose: y up from the back of the hand, z to the thumb's
+//! side (front), x to the character's left; so the left fingers run along +x and the right
+//! ones along −x. For a wrist bone with bind orientation `b` (world from bone), place the
+//! hand by the rotation `b * zero_frames()[wrist].inverse()` and the translation to the
+//! wrist's bind position.
+//!
+//! **Bind pose.** The fingers lie straight and splayed, the thumb as in table A.1:
+//! [`BIND_ANGLES`]. `BIND_ANGLES.rotations(side)` are the local rotations of the finger
+//! bones, for a [`crate::Pose`]; [`Hand::bind_in_wrist`] gives the same orientations as
+//! wrist bone from finger bone, so that `bind_rotations[bone] = b * bind_in_wrist`.
+//!
+//! **Rim.** The skin is open on the forearm: [`Hand::wrist_rim`] lists the vertices of the
+//! first part in order around it. They lie in a plane square to [`Hand::forearm_direction`].
+
+mod anatomy;
+mod cage;
+mod color;
+mod field;
+mod nail;
+mod surface;
+mod weights;
+
+use raconteur_base::{DQuat, DVec3, Side, mirror_rotation};
+
+use self::anatomy::Anatomy;
+use self::field::Field;
+use self::surface::Skin;
+use self::weights::Influence;
+use super::part::{Part, PartVertex};
+use crate::figure::{Material, MaterialKind};
+use crate::hand_shape::HandAngles;
+use crate::skeleton::{Bone, zero_frames};
+
+/// The angles of the hand's bind pose.
+pub const BIND_ANGLES: HandAngles = anatomy::BIND_ANGLES;
+
+/// Measures of a hand.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HandParams {
+    /// From the wrist's crease to the tip of the middle finger, metres.
+    pub length_m: f64,
+    /// Across the knuckles without the thumb, metres.
+    pub breadth_m: f64,
+    /// From elbow to wrist, metres: sets how the rim follows the wrist's twist.
+    pub forearm_length_m: f64,
+    /// Linear RGB of the skin on the back of the hand.
+    pub skin_color: [f64; 3],
+}
+
+impl HandParams {
+    /// A woman of a stature in metres, after ANSUR's means (hand 181.1 × 78.2 mm, radiale
+    /// to stylion 239 mm, at a stature of 1.63 m).
+    #[must_use]
+    pub fn woman(stature_m: f64, skin_color: [f64; 3]) -> Self {
+        let s = stature_m / 1.63;
+        Self {
+            length_m: 0.1811 * s,
+            breadth_m: 0.0782 * s,
+            forearm_length_m: 0.239 * s,
+            skin_color,
+        }
+    }
+
+    /// A man of a stature in metres, after ANSUR's means (hand 193.3 × 88.3 mm, radiale to
+    /// stylion 268 mm, at a stature of 1.756 m).
+    #[must_use]
+    pub fn man(stature_m: f64, skin_color: [f64; 3]) -> Self {
+        let s = stature_m / 1.756;
+        Self {
+            length_m: 0.1933 * s,
+            breadth_m: 0.0883 * s,
+            forearm_length_m: 0.268 * s,
+            skin_color,
+        }
+    }
+}
+
+/// A hand in the hand frame (see the [module](self)).
+#[derive(Clone, Debug)]
+pub struct Hand {
+    /// Skin and nails.
+    pub parts: Vec<Part>,
+    /// Bind positions of the finger bones in the order of
+    /// [`crate::hand_shape::finger_bones`], metres.
+    pub joints: [(Bone, DVec3); 15],
+    /// Wrist bone from finger bone in the bind pose, in the same order.
+    pub bind_in_wrist: [(Bone, DQuat); 15],
+    /// Vertices of `parts[0]` around the open end, in order.
+    pub wrist_rim: Vec<u32>,
+    /// Unit vector from the wrist towards the elbow.
+    pub forearm_direction: DVec3,
+}
+
+/// From the frame of [`anatomy`] (right hand: radial, distal, palmar; mm) to the hand
+/// frame of one side, with the scales of breadth and length.
+struct Placement {
+    side: Side,
+    length_scale: f64,
+    breadth_scale: f64,
+}
+
+impl Placement {
+    fn new(params: &HandParams, side: Side, skin: &Skin) -> Self {
+        let (length, breadth) = measure(skin);
+        Self {
+            side,
+            length_scale: params.length_m / length,
+            breadth_scale: params.breadth_m / breadth,
+        }
+    }
+
+    fn position(&self, p: DVec3) -> DVec3 {
+        DVec3::new(
+            self.side.sign() * p.y * self.length_scale,
+            -p.z * self.breadth_scale,
+            p.x * self.breadth_scale,
+        )
+    }
+
+    /// The left hand is a mirror image, which turns its faces round.
+    fn faces(&self, faces: &[Vec<u32>]) -> Vec<Vec<u32>> {
+        let turned = |f: &Vec<u32>| match self.side {
+            Side::Right => f.clone(),
+            Side::Left => f.iter().rev().copied().collect(),
+        };
+        faces.iter().map(turned).collect()
+    }
+}
+
+/// From the wrist joint back to the crease that hand length is measured from, mm.
+const CREASE_MM: f64 = 8.0;
+
+/// Breadth is measured from here to the webs, beyond the web of the thumb, mm.
+const KNUCKLES_FROM_MM: f64 = 72.0;
+
+/// Length and breadth of the unscaled skin, mm.
+fn measure(skin: &Skin) -> (f64, f64) {
+    let tip = skin
+        .positions
+        .iter()
+        .zip(&skin.ownership)
+        .filter(|(_, owned)| owned[2] > 0.5)
+        .map(|(p, _)| p.y)
+        .fold(f64::NEG_INFINITY, f64::max);
+    let (mut ulnar, mut radial) = (f64::INFINITY, f64::NEG_INFINITY);
+    for (p, owned) in skin.positions.iter().zip(&skin.ownership) {
+        if p.y > KNUCKLES_FROM_MM && p.y < 95.0 && owned[0] < 0.1 {
+            ulnar = ulnar.min(p.x);
+            radial = radial.max(p.x);
+        }
+    }
+    (tip + CREASE_MM, radial - ulnar)
+}
+
+/// Builds one hand.
+#[must_use]
+pub fn build(params: &HandParams, side: Side) -> Hand {
+    let anatomy = Anatomy::mean_adult();
+    let field = Field::new(&anatomy);
+    let cage = cage::build(&anatomy, &field);
+    let skin = surface::build(&anatomy, &field, &cage);
+    let place = Placement::new(params, side, &skin);
+
+    let base = DVec3::from_array(params.skin_color);
+    let colors = color::skin_colors(&anatomy, &field, &skin, base);
+    let weights = weights::weights(
+        &anatomy,
+        &skin,
+        params.forearm_length_m / place.length_scale,
+    );
+    let joints_of =
+        |row: &[(Influence, f64)]| row.iter().map(|(i, w)| (i.joint(side), *w)).collect();
+    let vertices = (0..skin.positions.len())
+        .map(|i| PartVertex {
+            position: place.position(skin.positions[i]),
+            uv: [0.0; 2],
+            color: colors[i],
+            weights: joints_of(&weights[i]),
+        })
+        .collect();
+    let letter = if side == Side::Left { "l" } else { "r" };
+    let skin_part = Part {
+        name: format!("{letter}_hand"),
+        material: Material {
+            kind: MaterialKind::Skin,
+            base_color: [1.0; 4],
+            roughness: 0.5,
+            double_sided: false,
+        },
+        vertices,
+        faces: place.faces(&skin.faces),
+        morphs: Vec::new(),
+    };
+
+    let world = BIND_ANGLES.left_world();
+    let wrist = if side == Side::Left {
+        Bone::LWrist
+    } else {
+        Bone::RWrist
+    };
+    let bone_from_hand = zero_frames()[wrist.index()].inverse();
+    let joints = core::array::from_fn(|i| {
+        // `hand_shape` counts the thumb last.
+        let (f, k) = ((i / 3 + 1) % 5, i % 3);
+        let finger = &anatomy.fingers[f];
+        let p = finger.point(DVec3::new(0.0, finger.joints()[k], 0.0));
+        (weights::finger_bone(side, f, k), place.position(p))
+    });
+    let bind_in_wrist = core::array::from_fn(|i| {
+        let in_hand = match side {
+            Side::Left => world[i],
+            // The mirrored frame's z axis is negated, as in the skeleton's zero frames.
+            Side::Right => mirror_rotation(world[i]) * DQuat::from_xyzw(0.0, 1.0, 0.0, 0.0),
+        };
+        let bone: (Bone, DVec3) = joints[i];
+        (bone.0, bone_from_hand * in_hand)
+    });
+    Hand {
+        parts: vec![skin_part, nails(&anatomy, &place, base, letter)],
+        joints,
+        bind_in_wrist,
+        wrist_rim: skin.rim,
+        forearm_direction: DVec3::new(-side.sign(), 0.0, 0.0),
+    }
+}
+
+/// The five plates as one part.
+fn nails(anatomy: &Anatomy, place: &Placement, base: DVec3, letter: &str) -> Part {
+    let mut vertices = Vec::new();
+    let mut faces = Vec::new();
+    for (f, finger) in anatomy.fingers.iter().enumerate() {
+        let plate = nail::plate(finger, f);
+        let first = vertices.len() as u32;
+        let joint = Influence::Finger(f, 2).joint(place.side);
+        for (p, &(across, along)) in plate.positions.iter().zip(&plate.parameters) {
+            let c = color::nail_color(base, f, across, along);
+            vertices.push(PartVertex {
+                position: place.position(*p),
+                uv: [0.5 + 0.5 * across, along],
+                color: [c.x, c.y, c.z, 1.0],
+                weights: vec![(joint, 1.0)],
+            });
+        }
+        let moved = plate
+            .faces
+            .iter()
+            .map(|q| q.iter().map(|v| v + first).collect());
+        faces.extend(moved);
+    }
+    Part {
+        name: format!("{letter}_nails"),
+        material: Material {
+            kind: MaterialKind::Nail,
+            base_color: [1.0; 4],
+            roughness: 0.27,
+            double_sided: false,
+        },
+        vertices,
+        faces: place.faces(&faces),
+        morphs: Vec::new(),
+    }
+}
+
+#[cfg(test)]
+mod tests;

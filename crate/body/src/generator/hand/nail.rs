@@ -1,0 +1,145 @@
+//! Finger nails: the outline on the skin, and the plate, a shell of its own that is rigid
+//! to the last bone.
+
+use raconteur_base::{DVec3, curve, ops};
+
+use super::anatomy::Finger;
+
+/// Where a nail lies on its finger.
+#[derive(Clone, Copy)]
+pub(super) struct Nail {
+    /// Joint coordinate of the root.
+    pub(super) root: f64,
+    /// Joint coordinate where plate and skin part.
+    pub(super) end: f64,
+    /// Half width of the plate as a fraction of the finger's.
+    pub(super) width: f64,
+}
+
+impl Nail {
+    /// The nail of a finger, thumb 0 to little finger 4.
+    pub(super) fn of(f: usize) -> Self {
+        let (root, end, width) = match f {
+            0 => (2.37, 2.86, 0.82),
+            4 => (2.39, 2.87, 0.78),
+            _ => (2.39, 2.87, 0.79),
+        };
+        Self { root, end, width }
+    }
+
+    /// Signed distance to the outline of the nail, negative on the plate, mm; and the
+    /// position along it, −1 at the root to 1 at the end.
+    pub(super) fn outline(self, finger: &Finger, local: DVec3) -> (f64, f64) {
+        let (root, end) = (finger.along(self.root), finger.along(self.end));
+        let (middle, half) = ((root + end) / 2.0, (end - root) / 2.0);
+        let width = finger.section(middle).half_width * self.width;
+        let v = (local.y - middle) / half;
+        // The root is rounder than the free edge.
+        let n = if v < 0.0 { 2.9 } else { 3.6 };
+        let k = ops::pow(
+            ops::pow((local.x / width).abs(), n) + ops::pow(v.abs(), n) + 1e-9,
+            1.0 / n,
+        );
+        ((k - 1.0) * width.min(half), v)
+    }
+
+    /// The plate's surface over a point of the finger: palmar coordinate (negative), half
+    /// width there, and position along the plate, 0 at the buried root to 1 at the free edge.
+    ///
+    /// The plate follows the finger's section, its sides tucked in, and runs straight on
+    /// where the pulp rounds off.
+    pub(super) fn plate(self, finger: &Finger, lateral: f64, along: f64) -> (f64, f64, f64) {
+        let (root, end) = (finger.along(self.root), finger.along(self.end));
+        let width = finger.section((root + end) / 2.0).half_width * self.width * 1.04;
+        let straight_from = finger.along(2.5);
+        let section = finger.section(along.min(straight_from));
+        let slope = (finger.section(straight_from).dorsal
+            - finger.section(straight_from - 3.0).dorsal)
+            / 3.0;
+        let beyond = (along - straight_from).max(0.0);
+        let dorsal = section.dorsal + 0.7 * slope * beyond - 0.008 * beyond * beyond;
+        let u = (lateral.abs() / width).min(1.1);
+        let v = (along - root + 1.3) / (end - root + 3.0);
+        let x = (lateral / section.half_width).abs().min(0.98);
+        let curve = ops::pow(1.0 - ops::pow(x, 2.25), 1.0 / 2.25);
+        let tuck = 0.5 * u * u * u * u * u;
+        let root_dip = 0.75 * ((0.13 - v) / 0.13).max(0.0);
+        (-dorsal * curve + 0.02 + tuck + root_dip, width, v)
+    }
+}
+
+/// A nail plate in the bind pose.
+pub(super) struct Plate {
+    pub(super) positions: Vec<DVec3>,
+    pub(super) faces: Vec<Vec<u32>>,
+    /// Across −1..1 and along 0 (root) to 1 (free edge).
+    pub(super) parameters: Vec<(f64, f64)>,
+}
+
+const ACROSS: usize = 8;
+const ALONG: usize = 9;
+const THICKNESS: f64 = 0.5;
+
+/// Builds the plate of a finger: a closed shell.
+pub(super) fn plate(finger: &Finger, f: usize) -> Plate {
+    let nail = Nail::of(f);
+    let (root, end) = (finger.along(nail.root) - 1.3, finger.along(nail.end) + 1.7);
+    let length = end - root;
+    let mut upper = Vec::new();
+    let mut parameters = Vec::new();
+    for j in 0..=ALONG {
+        // Rows crowd at the free edge, whose outline is seen.
+        let v = 1.0 - ops::pow(1.0 - j as f64 / ALONG as f64, 1.25);
+        for i in 0..=ACROSS {
+            // Columns crowd at the sides, where the section curves most.
+            let u = ops::sin((i as f64 / ACROSS as f64 - 0.5) * core::f64::consts::PI * 0.86)
+                / ops::sin(0.43 * core::f64::consts::PI);
+            let width = nail.plate(finger, 0.0, root + length * v).1;
+            let rounded_root = 1.0 - 0.55 * ops::pow(((0.30 - v) / 0.30).max(0.0), 2.6);
+            let rounded_end = 1.0 - 0.20 * ops::pow(((v - 0.75) / 0.25).max(0.0), 2.2);
+            let x = u * width * rounded_root * rounded_end;
+            let bow = ops::pow(u.abs(), 2.4);
+            let along = root + length * v - 0.115 * length * bow * curve::smooth((v - 0.6) / 0.4)
+                + bow * (1.0 - v) * (1.0 - v) * (1.0 - v) * 1.5;
+            upper.push(DVec3::new(x, along, nail.plate(finger, x, along).0));
+            parameters.push((u, v));
+        }
+    }
+    let n = upper.len() as u32;
+    let index = |i: usize, j: usize| (j * (ACROSS + 1) + i) as u32;
+    let mut faces = Vec::new();
+    for j in 0..ALONG {
+        for i in 0..ACROSS {
+            let [a, b, c, d] = [
+                index(i, j),
+                index(i + 1, j),
+                index(i + 1, j + 1),
+                index(i, j + 1),
+            ];
+            // Lateral × along is palmar, so the dorsal side runs the other way round.
+            faces.push(vec![a, d, c, b]);
+            faces.push(vec![n + a, n + b, n + c, n + d]);
+        }
+    }
+    let mut rim: Vec<u32> = (0..ACROSS).map(|i| index(i, 0)).collect();
+    rim.extend((0..ALONG).map(|j| index(ACROSS, j)));
+    rim.extend((0..ACROSS).map(|i| index(ACROSS - i, ALONG)));
+    rim.extend((0..ALONG).map(|j| index(0, ALONG - j)));
+    for k in 0..rim.len() {
+        let (a, b) = (rim[k], rim[(k + 1) % rim.len()]);
+        faces.push(vec![a, b, n + b, n + a]);
+    }
+    let lower = upper.iter().map(|p| *p + DVec3::Z * THICKNESS);
+    let positions = upper
+        .iter()
+        .copied()
+        .chain(lower)
+        .map(|p| finger.point(p))
+        .collect();
+    let parameters = parameters.iter().chain(&parameters).copied().collect();
+    Plate {
+        positions,
+        faces,
+        parameters,
+    }
+}

@@ -1,0 +1,211 @@
+//! Tests of the built hand, both sides.
+
+use raconteur_base::{DAffine3, mirror_vector};
+
+use super::*;
+use crate::generator::subdivide::edge_faces;
+use crate::hand_shape::{HandShape, finger_bones};
+use crate::pose::Pose;
+use crate::skeleton::{Drive, FacePlaces, Skeleton};
+
+fn sofia(side: Side) -> Hand {
+    build(&HandParams::woman(1.66, [0.5, 0.285, 0.205]), side)
+}
+
+#[test]
+fn the_skin_is_a_manifold_open_at_the_wrist_only() {
+    let hand = sofia(Side::Left);
+    let edges = edge_faces(&hand.parts[0].faces);
+    let open = edges.values().filter(|f| f.len() == 1).count();
+    assert_eq!(open, hand.wrist_rim.len());
+    assert!(edges.values().all(|f| f.len() <= 2));
+    let rim = |i: usize| hand.parts[0].vertices[hand.wrist_rim[i] as usize].position;
+    for i in 0..hand.wrist_rim.len() {
+        assert!((rim(i).x - rim(0).x).abs() < 1e-9);
+        assert!((rim(i) - rim((i + 1) % hand.wrist_rim.len())).length() < 0.01);
+    }
+    assert!(
+        edge_faces(&hand.parts[1].faces)
+            .values()
+            .all(|f| f.len() == 2)
+    );
+}
+
+#[test]
+fn faces_look_outwards() {
+    for side in Side::BOTH {
+        for part in sofia(side).parts {
+            let volume: f64 = part
+                .faces
+                .iter()
+                .flat_map(|f| (1..f.len() - 1).map(|i| [f[0], f[i], f[i + 1]]))
+                .map(|t| {
+                    let [a, b, c] = t.map(|i| part.vertices[i as usize].position);
+                    a.dot(b.cross(c)) / 6.0
+                })
+                .sum();
+            assert!(volume > 1e-7, "{} {volume}", part.name);
+        }
+    }
+}
+
+#[test]
+fn left_and_right_mirror_each_other() {
+    let (l, r) = (sofia(Side::Left), sofia(Side::Right));
+    for (l, r) in l.parts.iter().zip(&r.parts) {
+        for (l, r) in l.vertices.iter().zip(&r.vertices) {
+            assert!((mirror_vector(l.position) - r.position).length() < 1e-12);
+            assert_eq!(l.color, r.color);
+            assert_eq!(l.weights.len(), r.weights.len());
+        }
+    }
+    for (l, r) in l.joints.iter().zip(&r.joints) {
+        assert_eq!(l.0.mirrored(), r.0);
+        assert!((mirror_vector(l.1) - r.1).length() < 1e-12);
+    }
+}
+
+#[test]
+fn weights_sum_to_one_over_at_most_four_joints_of_the_skeleton() {
+    let known: Vec<Drive> = crate::skeleton::standard_helpers()
+        .into_iter()
+        .map(|h| h.1)
+        .collect();
+    for part in sofia(Side::Right).parts {
+        for v in &part.vertices {
+            assert!(!v.weights.is_empty() && v.weights.len() <= 4);
+            assert!((v.weights.iter().map(|w| w.1).sum::<f64>() - 1.0).abs() < 1e-9);
+            for (joint, _) in &v.weights {
+                assert!(
+                    matches!(joint.0, Drive::Bone(_)) || known.contains(&joint.0),
+                    "{joint:?}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn length_breadth_and_detail_are_as_asked() {
+    let params = HandParams::man(1.756, [0.45, 0.25, 0.18]);
+    let hand = build(&params, Side::Left);
+    let skin = &hand.parts[0];
+    let tip = skin
+        .vertices
+        .iter()
+        .map(|v| v.position.x)
+        .fold(0.0, f64::max);
+    // The wrist's crease lies 8 of 189 parts of the hand behind the joint.
+    assert!(
+        (tip * (1.0 + 8.0 / 181.0) / params.length_m - 1.0).abs() < 0.02,
+        "{tip}"
+    );
+    let thumb: Vec<Drive> = hand.joints[12..].iter().map(|j| Drive::Bone(j.0)).collect();
+    let knuckles = skin.vertices.iter().filter(|v| {
+        let way = v.position.x / params.length_m;
+        way > 72.0 / 189.0 && way < 0.50 && v.weights.iter().all(|w| !thumb.contains(&w.0.0))
+    });
+    let z: Vec<f64> = knuckles.map(|v| v.position.z).collect();
+    let breadth =
+        z.iter().copied().fold(f64::MIN, f64::max) - z.iter().copied().fold(f64::MAX, f64::min);
+    assert!((breadth / params.breadth_m - 1.0).abs() < 0.02, "{breadth}");
+    assert!(skin.vertices.len() >= 1500);
+    let triangles: usize = hand
+        .parts
+        .iter()
+        .flat_map(|p| &p.faces)
+        .map(|f| f.len() - 2)
+        .sum();
+    assert!(triangles <= 12_000, "{triangles}");
+}
+
+#[test]
+fn building_twice_gives_the_same_bits() {
+    let (a, b) = (sofia(Side::Left), sofia(Side::Left));
+    for (a, b) in a.parts.iter().zip(&b.parts) {
+        for (a, b) in a.vertices.iter().zip(&b.vertices) {
+            assert_eq!(
+                a.position.to_array().map(f64::to_bits),
+                b.position.to_array().map(f64::to_bits)
+            );
+        }
+    }
+}
+
+/// A skeleton whose left hand is this one, the rest the example's; in the bind pose the
+/// arm is that of the zero pose.
+fn skeleton_with(hand: &Hand, side: Side) -> Skeleton {
+    let mut positions = Bone::ALL.map(Bone::example_position_m);
+    let mut rotations = zero_frames();
+    let wrist = if side == Side::Left {
+        Bone::LWrist
+    } else {
+        Bone::RWrist
+    };
+    for ((bone, p), (_, q)) in hand.joints.iter().zip(&hand.bind_in_wrist) {
+        positions[bone.index()] = positions[wrist.index()] + *p;
+        rotations[bone.index()] = zero_frames()[wrist.index()] * *q;
+    }
+    let eyes = [DVec3::new(0.03, 1.7, 0.08), DVec3::new(-0.03, 1.7, 0.08)];
+    Skeleton::from_bind(
+        &positions,
+        &rotations,
+        FacePlaces { eye_centres: eyes },
+        1.956,
+    )
+}
+
+fn solved(skeleton: &Skeleton, side: Side, angles: &HandAngles) -> Vec<DAffine3> {
+    let mut pose = Pose::zero();
+    for (bone, q) in angles.rotations(side) {
+        pose.set(bone, q);
+    }
+    let mut world = Vec::new();
+    skeleton.solve(&pose, &mut world);
+    world
+}
+
+#[test]
+fn the_bind_angles_pose_the_skeleton_as_the_hand_was_built() {
+    for side in Side::BOTH {
+        let hand = sofia(side);
+        let skeleton = skeleton_with(&hand, side);
+        let world = solved(&skeleton, side, &BIND_ANGLES);
+        let wrist = if side == Side::Left {
+            Bone::LWrist
+        } else {
+            Bone::RWrist
+        };
+        for ((bone, p), (_, q)) in hand.joints.iter().zip(&hand.bind_in_wrist) {
+            let at = world[bone.index()];
+            let asked = wrist.example_position_m() + *p;
+            assert!((at.translation - asked).length() < 1e-9, "{}", bone.name());
+            let along = at.transform_vector3(DVec3::X);
+            let asked = zero_frames()[wrist.index()] * (*q * DVec3::X);
+            assert!((along - asked).length() < 1e-9, "{}", bone.name());
+        }
+    }
+}
+
+#[test]
+fn a_fist_closes_and_a_pinch_meets() {
+    for side in Side::BOTH {
+        let hand = sofia(side);
+        let skeleton = skeleton_with(&hand, side);
+        let last = finger_bones(side);
+        let tip = |world: &[DAffine3], f: usize, soft_m: f64| {
+            world[last[3 * f + 2].index()].transform_point3(DVec3::X * soft_m)
+        };
+        let fist = solved(&skeleton, side, HandShape::ALL[14].angles());
+        let wrist = if side == Side::Left {
+            Bone::LWrist
+        } else {
+            Bone::RWrist
+        };
+        for f in 0..4 {
+            assert!((tip(&fist, f, 0.019) - fist[wrist.index()].translation).length() < 0.085);
+        }
+        let pinch = solved(&skeleton, side, HandShape::ALL[24].angles());
+        assert!((tip(&pinch, 0, 0.019) - tip(&pinch, 4, 0.026)).length() < 0.03);
+    }
+}

@@ -1,0 +1,404 @@
+//! The head: skin, eyes, mouth, brows and lashes of one person, with face morphs.
+//!
+//! A ring-structured cage is solved so that its limit surface passes through named points;
+//! weights, colours and morphs are given on the cage and follow to the drawn surface.
+//!
+//! Frame of the head: origin between the tragions, x left, y up, z front; metres outside
+//! this module, millimetres inside it.
+
+mod cage;
+mod ear;
+mod eye;
+mod morph;
+mod mouth;
+mod occlusion;
+mod paint;
+mod points;
+mod rig;
+mod scalp;
+mod sofia;
+mod solve;
+mod strands;
+mod surface;
+#[cfg(test)]
+mod tests;
+
+use raconteur_base::{DVec3, Side, mirror_vector};
+
+use self::cage::{Cage, Key, LAST_ROW, Zone};
+use self::paint::{Coordinates, Painter};
+use self::points::Individual;
+use self::scalp::hairline;
+pub use self::scalp::{Scalp, ScalpPoint};
+use self::sofia::{ASYMMETRY, SOFIA};
+use self::strands::{BrowLine, Skin};
+use self::surface::{Surface, triangles};
+use super::part::{Part, PartMorph, PartVertex};
+use crate::figure::{Material, MaterialKind};
+use crate::generator::subdivide::vertex_normals;
+
+/// Colours of a head, linear RGB.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HeadColours {
+    /// Skin of the cheek's side.
+    pub skin: [f64; 3],
+    /// Red of the lips at full strength.
+    pub lip: [f64; 3],
+    /// Share of the lips' own colour over the skin's, 0..1.
+    pub lip_strength: f64,
+    /// Hair.
+    pub hair: [f64; 3],
+    /// Brows; lashes are darker.
+    pub brow: [f64; 3],
+    /// Iris.
+    pub iris: [f64; 3],
+    /// Strength of the red and brown zones, 1 = usual.
+    pub flush: f64,
+    /// Strength of freckles, 0..1.
+    pub freckles: f64,
+    /// Darkness of the lash line, 0..1.
+    pub lash_line: f64,
+}
+
+/// What to build.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HeadParams {
+    /// Colours.
+    pub colours: HeadColours,
+    /// Strength of the natural differences between the two halves; 0 is mirror-symmetric,
+    /// 1 usual.
+    pub asymmetry: f64,
+    /// Seed of everything scattered.
+    pub seed: u64,
+}
+
+impl HeadParams {
+    /// A woman of about 35, warm and friendly.
+    #[must_use]
+    pub fn sofia() -> Self {
+        Self {
+            colours: HeadColours {
+                skin: [0.60, 0.345, 0.245],
+                lip: [0.50, 0.155, 0.15],
+                lip_strength: 0.78,
+                hair: [0.085, 0.038, 0.018],
+                brow: [0.11, 0.062, 0.038],
+                iris: [0.15, 0.085, 0.042],
+                flush: 1.1,
+                freckles: 0.5,
+                lash_line: 0.8,
+            },
+            asymmetry: 1.0,
+            seed: 3,
+        }
+    }
+}
+
+/// A built head. Everything is in metres in the frame of the head: origin between the
+/// tragions, x left, y up, z front.
+#[derive(Clone, Debug)]
+pub struct Head {
+    /// Drawable parts in the bind pose: lids open, jaw closed.
+    pub parts: Vec<Part>,
+    /// Centres of the left and the right eyeball.
+    pub eye_centres: [DVec3; 2],
+    /// Where `bone_chin` belongs. A positive turn about its local z opens the jaw: 0.30 rad
+    /// is fully open.
+    pub jaw_hinge: DVec3,
+    /// Where `bone_skull` belongs.
+    pub skull_origin: DVec3,
+    /// The neck's open rim, counter-clockwise from above, closed implicitly.
+    pub neck_rim: Vec<DVec3>,
+    /// Upper-lid rotation that closes the eye with the lower lid at rest, left and right.
+    pub lid_closure_rad: [f64; 2],
+    /// Heights of the chin's lowest point and of the vertex.
+    pub extent: [f64; 2],
+    /// Where hair grows.
+    pub scalp: Scalp,
+}
+
+/// The shape of a head before it is painted, millimetres.
+struct Shape {
+    cage: Cage,
+    solved: solve::Solved,
+    rig: rig::Rig,
+    surface: Surface,
+    positions: Vec<DVec3>,
+    coordinates: Vec<Coordinates>,
+    shares: Vec<rig::Shares>,
+}
+
+impl Shape {
+    fn new(individual: &Individual, asymmetry: f64) -> Self {
+        let cage = Cage::new();
+        let mut solved = solve::solve(&cage, &points::points(individual));
+        for p in &mut solved.cage_points {
+            let symmetric = *p;
+            for pull in &ASYMMETRY {
+                *p += pull.shift * pull.share(symmetric) * asymmetry;
+            }
+        }
+        let rig = rig::rig(&cage, &solved, individual.globe_centre());
+        let surface = Surface::new(&cage);
+        let positions = surface.apply(&solved.cage_points);
+        let coordinates = coordinates(&cage, &surface, &positions);
+        let shares = surface.apply(&rig.shares);
+        Self {
+            cage,
+            solved,
+            rig,
+            surface,
+            positions,
+            coordinates,
+            shares,
+        }
+    }
+
+    fn limit(&self, key: Key, side: Side) -> DVec3 {
+        self.solved
+            .limit_of(self.cage.at(key, side), &self.solved.cage_points)
+    }
+}
+
+/// Builds a head.
+#[must_use]
+pub fn build(params: &HeadParams) -> Head {
+    let individual = &SOFIA;
+    let shape = Shape::new(individual, params.asymmetry);
+    let Shape {
+        cage,
+        solved,
+        rig,
+        surface,
+        positions,
+        coordinates,
+        shares,
+    } = &shape;
+    let globe = individual.globe_centre();
+    let normals = vertex_normals(positions, &surface.faces);
+    let warp = points::warp(individual);
+    let painter = Painter::new(&params.colours, &warp);
+    let hair: Vec<f64> = positions
+        .iter()
+        .zip(coordinates)
+        .map(|(&p, c)| if c.ear > 0.02 { 0.0 } else { hairline(p) })
+        .collect();
+
+    let all_triangles: Vec<[u32; 3]> = triangles(&surface.faces).collect();
+    let receivers: Vec<(DVec3, DVec3)> = positions
+        .iter()
+        .copied()
+        .zip(normals.iter().copied())
+        .collect();
+    let open = occlusion::openness(positions, &all_triangles, &receivers, 0.8);
+
+    let cage_morphs = morph::morphs(cage, solved, &rig.shares, &warp);
+    let moved: Vec<(&'static str, Vec<DVec3>)> = cage_morphs
+        .iter()
+        .map(|m| (m.name, surface.apply(&m.deltas)))
+        .collect();
+
+    let line = BrowLine::new(&warp);
+    let vertices: Vec<PartVertex> = (0..surface.len())
+        .map(|v| {
+            let c = &coordinates[v];
+            let [r, g, b] = painter.colour(c, hair[v], line.stain(positions[v]));
+            let side = if positions[v].x < 0.0 {
+                Side::Right
+            } else {
+                Side::Left
+            };
+            // What is dark only because lips and lids touch at rest must not stay so.
+            let least = 0.55 * rig::smooth(2.8, 3.6, c.mouth).max(rig::smooth(4.6, 5.2, c.eye));
+            let deep = 1.0 - 0.8 * rig::smooth(5.0, 7.5, c.mouth);
+            PartVertex {
+                position: positions[v] * 1e-3,
+                uv: [0.5 + positions[v].x * 4e-3, 0.5 + positions[v].y * 4e-3],
+                color: [r, g, b, open[v].max(least) * deep],
+                weights: rig::joints(shares[v], side),
+            }
+        })
+        .collect();
+    let skin = Skin {
+        positions,
+        normals: &normals,
+        weights: vertices.iter().map(|v| v.weights.clone()).collect(),
+        morphs: &moved,
+    };
+    let bag = |z: Zone| matches!(z, Zone::Mouth(5..));
+    let cut = |name: &str, kind, roughness, keep: &dyn Fn(Zone) -> bool| {
+        cut_part(name, kind, roughness, surface, &vertices, &moved, keep)
+    };
+    let mut parts = vec![
+        cut("head", MaterialKind::Skin, 0.48, &|z| !bag(z)),
+        cut("mouth_bag", MaterialKind::Mouth, 0.4, &bag),
+    ];
+    let contact = |k| shape.limit(Key::mouth(5, k), Side::Left);
+    parts.extend(mouth::mouth((contact(0) + contact(12)) / 2.0));
+    let eye_centres = [globe, mirror_vector(globe)];
+    for side in Side::BOTH {
+        let flesh = DVec3::new(19.8, 20.1, 80.1) + individual.globe_shift;
+        let flesh = if side == Side::Left {
+            flesh
+        } else {
+            mirror_vector(flesh)
+        };
+        parts.extend(eye::eye(
+            side,
+            eye_centres[side.index()],
+            flesh,
+            params.colours.iris,
+        ));
+        let edge = |k: usize| shape.limit(Key::eye(5, k), side);
+        let edges = [
+            (0..=8).map(edge).collect(),
+            (8..=16).rev().map(edge).collect(),
+        ];
+        let globe = eye_centres[side.index()];
+        let brow = params.colours.brow;
+        parts.extend(strands::hairs(
+            &skin,
+            &line,
+            &edges,
+            globe,
+            side,
+            params.seed,
+            brow,
+        ));
+    }
+
+    let menton = positions
+        .iter()
+        .zip(shares)
+        .filter(|(_, s)| s.jaw > 0.9)
+        .map(|(p, _)| p.y)
+        .fold(f64::MAX, f64::min);
+    let vertex = positions.iter().map(|p| p.y).fold(f64::MIN, f64::max);
+    Head {
+        parts,
+        eye_centres: eye_centres.map(|p| p * 1e-3),
+        jaw_hinge: rig::JAW_HINGE_MM * 1e-3,
+        skull_origin: rig::SKULL_ORIGIN_MM * 1e-3,
+        neck_rim: neck_rim(&shape),
+        lid_closure_rad: rig.closure_rad,
+        extent: [menton * 1e-3, vertex * 1e-3],
+        scalp: scalp::scalp(positions, &normals, &hair, &all_triangles),
+    }
+}
+
+/// The faces of some zones as a part of their own.
+fn cut_part(
+    name: &str,
+    kind: MaterialKind,
+    roughness: f32,
+    surface: &Surface,
+    vertices: &[PartVertex],
+    moved: &[(&'static str, Vec<DVec3>)],
+    keep: &dyn Fn(Zone) -> bool,
+) -> Part {
+    let mut index = vec![u32::MAX; vertices.len()];
+    let mut used: Vec<usize> = Vec::new();
+    let kept = surface
+        .faces
+        .iter()
+        .zip(&surface.zones)
+        .filter(|&(_, &z)| keep(z));
+    let faces = kept
+        .map(|(face, _)| {
+            let slot = |&v: &u32| {
+                let slot = &mut index[v as usize];
+                if *slot == u32::MAX {
+                    *slot = used.len() as u32;
+                    used.push(v as usize);
+                }
+                *slot
+            };
+            face.iter().map(slot).collect()
+        })
+        .collect();
+    let morphs = moved
+        .iter()
+        .map(|(name, d)| part_morph(name, &used.iter().map(|&v| d[v]).collect::<Vec<_>>()))
+        .filter(|m| !m.deltas.is_empty())
+        .collect();
+    Part {
+        name: name.to_owned(),
+        material: Material {
+            kind,
+            base_color: [1.0; 4],
+            roughness,
+            double_sided: false,
+        },
+        vertices: used.iter().map(|&v| vertices[v].clone()).collect(),
+        faces,
+        morphs,
+    }
+}
+
+/// Movements below 20 µm are left out.
+fn part_morph(name: &str, deltas_mm: &[DVec3]) -> PartMorph {
+    let kept = |(_, d): &(usize, &DVec3)| d.length_squared() > 4e-4;
+    PartMorph {
+        name: name.to_owned(),
+        deltas: deltas_mm
+            .iter()
+            .enumerate()
+            .filter(kept)
+            .map(|(i, &d)| (i as u32, d * 1e-3))
+            .collect(),
+    }
+}
+
+fn neck_rim(shape: &Shape) -> Vec<DVec3> {
+    let at = |i: u8, side| shape.limit(Key::Grid(i, LAST_ROW), side) * 1e-3;
+    let left = (0..=cage::LAST_COLUMN).map(|i| at(i, Side::Left));
+    let right = (1..cage::LAST_COLUMN).rev().map(|i| at(i, Side::Right));
+    left.chain(right).collect()
+}
+
+fn coordinates(cage: &Cage, surface: &Surface, positions: &[DVec3]) -> Vec<Coordinates> {
+    let ring = |f: fn(Key) -> f64| surface.apply_by(cage, |v| f(cage.keys[v].0));
+    let mouth = ring(|k| {
+        if let Key::Mouth(r, _) = k {
+            f64::from(r)
+        } else {
+            0.0
+        }
+    });
+    let eye = ring(|k| {
+        if let Key::Eye(r, _) = k {
+            f64::from(r)
+        } else {
+            0.0
+        }
+    });
+    let upper = ring(|k| match k {
+        Key::Eye(_, k) if (1..8).contains(&k) => 1.0,
+        Key::Eye(_, k) if k > 8 => -1.0,
+        _ => 0.0,
+    });
+    let nostril = ring(|k| {
+        if let Key::Nostril(r, _) = k {
+            f64::from(r)
+        } else {
+            0.0
+        }
+    });
+    let ear = ring(|k| {
+        if let Key::Ear(r, _) = k {
+            f64::from(r)
+        } else {
+            0.0
+        }
+    });
+    (0..surface.len())
+        .map(|v| Coordinates {
+            at: positions[v],
+            mouth: mouth[v],
+            eye: eye[v],
+            eye_upper: upper[v],
+            nostril: nostril[v],
+            ear: ear[v],
+        })
+        .collect()
+}

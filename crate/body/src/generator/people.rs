@@ -1,0 +1,413 @@
+//! Named figures and how their parts come together.
+
+use std::collections::BTreeMap;
+
+use raconteur_base::curve::smooth;
+use raconteur_base::{DAffine3, DQuat, DVec3, Side};
+
+use super::assemble::{Blueprint, Piece, assemble};
+use super::cloth::finish::{dyed, openness};
+use super::cloth::{shoe, sweater, trousers};
+use super::hair::{self, BobParams};
+use super::hand::{self, HandParams};
+use super::head::{self, Head, HeadParams};
+use super::part::{Part, PartVertex};
+use super::torso::cage::Tag;
+use super::torso::{BodyParams, CM, Cage, Field, Joints, Regions, Shell};
+use crate::figure::{Figure, Material, MaterialKind};
+use crate::skeleton::{Bone, FacePlaces, zero_frames};
+
+/// Colours of the clothes, linear RGB.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Wardrobe {
+    /// Sweater.
+    pub sweater: [f64; 3],
+    /// Trousers.
+    pub trousers: [f64; 3],
+    /// Uppers of the shoes.
+    pub shoe: [f64; 3],
+    /// Soles.
+    pub sole: [f64; 3],
+    /// Socks.
+    pub sock: [f64; 3],
+}
+
+/// Everything that tells one figure from another.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FigureParams {
+    /// Name, for example `sofia`.
+    pub name: String,
+    /// Trunk and limbs.
+    pub body: BodyParams,
+    /// Face.
+    pub head: HeadParams,
+    /// Hands.
+    pub hand: HandParams,
+    /// Hair.
+    pub hair: BobParams,
+    /// Clothes.
+    pub wardrobe: Wardrobe,
+}
+
+/// The parameters of a named figure; `None` for an unknown name. Known: `sofia`.
+#[must_use]
+pub fn preset(name: &str) -> Option<FigureParams> {
+    match name {
+        "sofia" => Some(sofia()),
+        _ => None,
+    }
+}
+
+/// A woman of about 35, 1.66 m tall.
+fn sofia() -> FigureParams {
+    let stature_m = 1.66;
+    let head = HeadParams::sofia();
+    FigureParams {
+        name: "sofia".to_owned(),
+        body: BodyParams { sex: 1.0, stature_m, build: 0.0, bust: 0.95 },
+        hand: HandParams::woman(stature_m, head.colours.skin),
+        hair: BobParams {
+            colour: [0.150, 0.067, 0.032],
+            parting_x: 0.016,
+            hem_y: -0.086,
+            wave: 0.0025,
+            seed: 11,
+        },
+        head,
+        wardrobe: Wardrobe {
+            sweater: [0.045, 0.145, 0.165],
+            trousers: [0.030, 0.032, 0.045],
+            shoe: [0.085, 0.036, 0.017],
+            sole: [0.030, 0.022, 0.017],
+            sock: [0.020, 0.020, 0.026],
+        },
+    }
+}
+
+/// Builds a figure. The same parameters give the same figure to the bit.
+#[must_use]
+pub fn build(params: &FigureParams) -> Figure {
+    let stature = params.body.stature_m;
+    let mut joints = Joints::place(&params.body);
+    let head = head::build(&params.head);
+    let world_from_head = place_head(&mut joints, &head, stature);
+    let field = Field::new(&params.body, &joints);
+    let cage = Cage::new(&field, &joints);
+
+    let clothes = &params.wardrobe;
+    let knit = dyed(MaterialKind::Cloth, clothes.sweater, 0.85);
+    let top = sweater::sweater(&field, &cage, &joints, &knit);
+    let wool = dyed(MaterialKind::Cloth, clothes.trousers, 0.9);
+    let leather = dyed(MaterialKind::Leather, clothes.shoe, 0.38);
+    let rubber = dyed(MaterialKind::Leather, clothes.sole, 0.6);
+
+    let mut hair = hair::bob(&head, &params.hair);
+    for v in &mut hair.part.vertices {
+        v.position = world_from_head.transform_point3(v.position);
+    }
+
+    let mut pieces: Vec<Piece> = Vec::new();
+    pieces.extend(head_parts(&head, world_from_head, &field).into_iter().map(Piece::from));
+    for side in Side::BOTH {
+        pieces.extend(place_hand(&params.hand, side, &mut joints).into_iter().map(Piece::from));
+    }
+    pieces.push(neck(&field, &cage, &head, world_from_head).into());
+    pieces.extend(top.parts.into_iter().map(Piece::from));
+    pieces.extend(trousers::trousers(&field, &cage, &joints, &wool).into_iter().map(Piece::from));
+    pieces.push(socks(&field, &cage, &dyed(MaterialKind::Cloth, clothes.sock, 0.9)).into());
+    pieces.extend(shoe::shoes(&joints, stature, &leather, &rubber).into_iter().map(Piece::from));
+    pieces.push(hair);
+
+    assemble(&Blueprint {
+        name: params.name.clone(),
+        positions_in_world: joints.positions,
+        bind_rotations: joints.rotations,
+        face: FacePlaces {
+            eye_centres: head.eye_centres.map(|p| world_from_head.transform_point3(p)),
+        },
+        stature_m: stature,
+        lid_closure_rad: head.lid_closure_rad,
+        pieces,
+    })
+}
+
+/// Puts the head's vertex at the stature and its joints on the skeleton.
+fn place_head(joints: &mut Joints, head: &Head, stature_m: f64) -> DAffine3 {
+    let origin = DVec3::new(0.0, stature_m - head.extent[1], 1.2 * CM);
+    let place = DAffine3::from_translation(origin);
+    joints.positions[Bone::Skull.index()] = place.transform_point3(head.skull_origin);
+    joints.positions[Bone::Chin.index()] = place.transform_point3(head.jaw_hinge);
+    place
+}
+
+/// The head's parts in the world; the lower neck is drawn onto the body's own neck.
+fn head_parts(head: &Head, place: DAffine3, field: &Field) -> Vec<Part> {
+    let mut parts = head.parts.clone();
+    shade_scalp(&mut parts[0], head);
+    for part in &mut parts {
+        let is_skin = part.material.kind == MaterialKind::Skin;
+        for v in &mut part.vertices {
+            let below = smooth((-v.position.y - 0.088) / 0.047);
+            v.position = place.transform_point3(v.position);
+            if is_skin && below > 0.0 {
+                for _ in 0..4 {
+                    let (d, n) = field.value_and_normal(v.position, Regions::ALL, 1.0);
+                    v.position -= n * d.clamp(-3.0 * CM, 3.0 * CM) * below;
+                }
+            }
+        }
+    }
+    parts
+}
+
+/// Skin under hair gets little light, or it would shine through the parting.
+fn shade_scalp(skin: &mut Part, head: &Head) {
+    let key = |p: DVec3| p.to_array().map(|x| (x * 1e6).round() as i64);
+    let density: BTreeMap<[i64; 3], f64> =
+        head.scalp.points.iter().map(|s| (key(s.position), s.density)).collect();
+    for v in &mut skin.vertices {
+        if let Some(d) = density.get(&key(v.position)) {
+            v.color[3] *= 1.0 - 0.75 * d;
+        }
+    }
+}
+
+/// A hand in the world; its finger joints replace the skeleton's.
+fn place_hand(params: &HandParams, side: Side, joints: &mut Joints) -> Vec<Part> {
+    let built = hand::build(params, side);
+    let wrist = Bone::on(side, "wrist");
+    let bind = joints.rotations[wrist.index()];
+    let turn: DQuat = bind * zero_frames()[wrist.index()].inverse();
+    let place = DAffine3::from_rotation_translation(turn, joints.at(wrist));
+    for (bone, p) in built.joints {
+        joints.positions[bone.index()] = place.transform_point3(p);
+    }
+    for (bone, q) in built.bind_in_wrist {
+        joints.rotations[bone.index()] = bind * q;
+    }
+    let mut parts = built.parts;
+    for part in &mut parts {
+        for v in &mut part.vertices {
+            // The end of the forearm draws in, so that it stays inside the cuff.
+            let up = v.position.dot(built.forearm_direction);
+            let axis = built.forearm_direction * up;
+            v.position = axis + (v.position - axis) * (1.0 - 0.28 * smooth((up - 0.015) / 0.025));
+            v.position = place.transform_point3(v.position);
+        }
+    }
+    parts
+}
+
+/// The body's own neck, just below the head's skin and inside the collar.
+fn neck(field: &Field, cage: &Cage, head: &Head, place: DAffine3) -> Part {
+    let (mut shell, _) = cage.part(|t| matches!(t, Tag::Trunk(13..))).subdivided(1);
+    let rim = head.neck_rim.iter().map(|p| place.transform_point3(*p).y).fold(f64::MIN, f64::max);
+    let normals = shell.normals();
+    for (p, n) in shell.points.iter_mut().zip(&normals) {
+        // Two sheets at one place would flicker.
+        *p -= *n * 0.08 * CM;
+    }
+    let shell = shell.select(|f| {
+        shell.faces[f].iter().any(|&v| shell.points[v as usize].y < rim + 1.0 * CM)
+    });
+    let material =
+        Material { kind: MaterialKind::Skin, base_color: [1.0; 4], roughness: 0.48, double_sided: false };
+    let mut part = plain_part("neck", &shell, field, &material, [1.0; 3]);
+    // Colours go on from the head's lower edge, darker inside the collar.
+    let edge: Vec<&PartVertex> =
+        head.parts[0].vertices.iter().filter(|v| v.position.y < -0.095).collect();
+    for v in &mut part.vertices {
+        let local = place.inverse().transform_point3(v.position);
+        let near = edge.iter().min_by(|a, b| {
+            a.position.distance_squared(local).total_cmp(&b.position.distance_squared(local))
+        });
+        if let Some(near) = near {
+            v.color = near.color;
+            v.color[3] *= 0.75;
+        }
+    }
+    part
+}
+
+/// Ankles between shoe and trousers.
+fn socks(field: &Field, cage: &Cage, material: &Material) -> Part {
+    let shell = cage.part(|t| matches!(t, Tag::Leg(13..)));
+    plain_part("socks", &shell, field, material, [1.0; 3])
+}
+
+fn plain_part(name: &str, shell: &Shell, field: &Field, material: &Material, rgb: [f64; 3]) -> Part {
+    let normals = shell.normals();
+    let [r, g, b] = rgb;
+    Part {
+        name: name.to_owned(),
+        material: material.clone(),
+        vertices: shell
+            .points
+            .iter()
+            .zip(&shell.weights)
+            .zip(&normals)
+            .map(|((p, w), n)| PartVertex {
+                position: *p,
+                uv: [p.x, p.y],
+                color: [r, g, b, openness(field, *p, *n)],
+                weights: w.refs(),
+            })
+            .collect(),
+        faces: shell.faces.clone(),
+        morphs: Vec::new(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::OnceLock;
+
+    use super::*;
+    use crate::generator::write::to_glb;
+    use crate::pose::Pose;
+    use crate::read::read_figure;
+
+    /// Sofia and her file, made once for all tests.
+    fn sofia() -> &'static (Figure, Vec<u8>) {
+        static MADE: OnceLock<(Figure, Vec<u8>)> = OnceLock::new();
+        MADE.get_or_init(|| {
+            let figure = build(&preset("sofia").unwrap());
+            let bytes = to_glb(&figure);
+            (figure, bytes)
+        })
+    }
+
+    /// The pose in which the figure was made.
+    fn bind_pose(figure: &Figure) -> Pose {
+        let mut pose = Pose::zero();
+        let world = |b: Bone| figure.inverse_bind[b.index()].inverse().to_scale_rotation_translation().1;
+        for bone in Bone::ALL {
+            let local = bone.parent().map_or(world(bone), |p| world(p).inverse() * world(bone));
+            let zero = figure.skeleton.joints()[bone.index()].zero_rotation;
+            pose.set(bone, zero.inverse() * local);
+        }
+        pose
+    }
+
+    /// Adds a rotation given in world axes of the bind pose.
+    fn turn(pose: &mut Pose, figure: &Figure, bone: Bone, world: DQuat) {
+        let b = figure.inverse_bind[bone.index()].inverse().to_scale_rotation_translation().1;
+        pose.set(bone, pose.rotation(bone) * (b.inverse() * world * b));
+    }
+
+    fn skinned(figure: &Figure, pose: &Pose, mesh: &crate::Mesh) -> Vec<DVec3> {
+        let mut world = Vec::new();
+        figure.skeleton.solve(pose, &mut world);
+        let skin: Vec<DAffine3> =
+            world.iter().zip(&figure.inverse_bind).map(|(w, b)| *w * *b).collect();
+        mesh.positions
+            .iter()
+            .enumerate()
+            .map(|(v, p)| {
+                let p = DVec3::from_array(p.map(f64::from));
+                (0..4)
+                    .map(|k| {
+                        let m = skin[usize::from(mesh.joints[v][k])];
+                        m.transform_point3(p) * f64::from(mesh.weights[v][k])
+                    })
+                    .sum()
+            })
+            .collect()
+    }
+
+    #[test]
+    fn every_vertex_is_sound() {
+        let (figure, _) = sofia();
+        for mesh in &figure.meshes {
+            let n = mesh.positions.len();
+            assert!(mesh.indices.iter().all(|&i| (i as usize) < n), "{}", mesh.name);
+            for v in 0..n {
+                let sum: f32 = mesh.weights[v].iter().sum();
+                assert!((sum - 1.0).abs() < 1e-5, "{} {v} {sum}", mesh.name);
+                assert!(mesh.joints[v].iter().all(|&j| usize::from(j) < figure.skeleton.joints().len()));
+                assert!(mesh.positions[v].iter().chain(&mesh.uvs[v]).all(|x| x.is_finite()));
+                let length: f32 = mesh.normals[v].iter().map(|x| x * x).sum();
+                assert!((length - 1.0).abs() < 1e-3, "{} {v}", mesh.name);
+            }
+        }
+    }
+
+    #[test]
+    fn the_budgets_hold() {
+        let (figure, bytes) = sofia();
+        let triangles: usize = figure.meshes.iter().map(|m| m.indices.len() / 3).sum();
+        assert!(triangles <= 110_000, "{triangles} triangles");
+        assert!(bytes.len() <= 3_000_000, "{} bytes", bytes.len());
+        assert!(figure.meshes.len() <= 20, "{} meshes", figure.meshes.len());
+    }
+
+    #[test]
+    fn she_is_as_tall_as_asked_and_stands_on_the_floor() {
+        let (figure, _) = sofia();
+        let heights = || {
+            let solid = figure.meshes.iter().filter(|m| m.material.kind != MaterialKind::Hair);
+            solid.flat_map(|m| &m.positions).map(|p| f64::from(p[1]))
+        };
+        let (low, high) = (heights().fold(f64::MAX, f64::min), heights().fold(f64::MIN, f64::max));
+        assert!((high - 1.66).abs() < 0.005, "{high}");
+        // Shoes reach to the floor within their sole's pattern.
+        assert!(low.abs() < 0.005, "{low}");
+    }
+
+    #[test]
+    fn the_file_gives_the_figure_back() {
+        let (figure, bytes) = sofia();
+        let back = read_figure("sofia", bytes).unwrap();
+        assert_eq!(back.morph_names, figure.morph_names);
+        assert_eq!(back.meshes.len(), figure.meshes.len());
+        for (a, b) in back.meshes.iter().zip(&figure.meshes) {
+            assert_eq!((&a.name, &a.indices, &a.colors), (&b.name, &b.indices, &b.colors));
+            assert_eq!(a.joints, b.joints);
+            for (p, q) in a.positions.iter().flatten().zip(b.positions.iter().flatten()) {
+                // Half a step of the file's grid.
+                assert!((p - q).abs() < 1.7e-5, "{} {p} {q}", a.name);
+            }
+        }
+        assert!(read_figure("sofia", &bytes[..bytes.len() / 2]).is_err());
+    }
+
+    #[test]
+    fn the_bind_pose_leaves_every_vertex_in_place() {
+        let (figure, _) = sofia();
+        let pose = bind_pose(figure);
+        for mesh in &figure.meshes {
+            for (p, q) in skinned(figure, &pose, mesh).iter().zip(&mesh.positions) {
+                let q = DVec3::from_array(q.map(f64::from));
+                assert!(p.distance(q) < 1e-6, "{} {p} {q}", mesh.name);
+            }
+        }
+    }
+
+    #[test]
+    fn raised_arms_and_bent_elbows_stretch_the_sweater_little() {
+        let (figure, _) = sofia();
+        let mesh = figure.meshes.iter().find(|m| m.name == "sweater").unwrap();
+        let mut pose = bind_pose(figure);
+        for side in Side::BOTH {
+            let up = |a: f64| DQuat::from_rotation_z(side.sign() * a);
+            // To 70° above the horizontal; the scapula takes 0.42 of it.
+            turn(&mut pose, figure, Bone::on(side, "scapula"), up(2.06 * 0.42));
+            turn(&mut pose, figure, Bone::on(side, "shoulder"), up(2.06 * 0.58));
+            let axis = Joints::arm_axis().cross(DVec3::Z) * DVec3::new(1.0, side.sign(), 1.0);
+            turn(&mut pose, figure, Bone::on(side, "elbow"), DQuat::from_axis_angle(axis, side.sign() * 2.44));
+        }
+        let posed = skinned(figure, &pose, mesh);
+        let rest = |i: u32| DVec3::from_array(mesh.positions[i as usize].map(f64::from));
+        let mut stretch: Vec<f64> = mesh
+            .indices
+            .chunks_exact(3)
+            .flat_map(|t| [(t[0], t[1]), (t[1], t[2]), (t[2], t[0])])
+            .map(|(a, b)| posed[a as usize].distance(posed[b as usize]) / rest(a).distance(rest(b)).max(1e-4))
+            .collect();
+        stretch.sort_by(f64::total_cmp);
+        let at = |share: f64| stretch[(stretch.len() as f64 * share) as usize];
+        // The prototype's armpit reached 2.2 at the 99th percentile.
+        assert!(at(0.99) < 2.8, "{}", at(0.99));
+        assert!(at(0.01) > 0.15, "{}", at(0.01));
+    }
+}

@@ -1,0 +1,163 @@
+//! Section tables of trunk, arm and leg and their smooth lookup.
+//!
+//! Breadths and depths: designed, from common anthropometric knowledge, checked by girth.
+
+use raconteur_base::curve::lerp;
+
+/// Rows of a table: a parameter and five values.
+type Table<const N: usize> = [[f64; 6]; N];
+
+/// Trunk of a man of 175 cm: height / stature, half breadth, depth to the front, depth to
+/// the back, centre z (cm), exponent of the superellipse.
+#[rustfmt::skip]
+const TRUNK_MALE: Table<15> = [
+    [0.455, 5.0, 4.0, 5.0, 0.0, 2.0], [0.475, 13.0, 8.5, 9.5, 0.0, 2.1],
+    [0.50, 16.2, 10.0, 11.2, 0.0, 2.3], [0.53, 16.7, 10.6, 11.2, 0.0, 2.3],
+    [0.56, 16.0, 10.8, 9.8, 0.0, 2.3], [0.60, 14.9, 10.8, 8.3, 0.2, 2.3],
+    [0.63, 14.5, 10.6, 8.0, 0.2, 2.3], [0.67, 15.1, 10.8, 8.8, 0.0, 2.3],
+    [0.71, 16.0, 11.2, 10.0, -0.3, 2.4], [0.745, 16.6, 11.0, 10.6, -0.8, 2.4],
+    [0.775, 16.0, 9.4, 10.3, -1.6, 2.3], [0.80, 14.2, 7.0, 9.0, -2.2, 2.2],
+    [0.82, 10.8, 5.0, 7.3, -2.6, 2.1], [0.84, 7.2, 4.6, 5.6, -2.6, 2.0],
+    [0.86, 5.0, 4.0, 4.0, -2.4, 2.0],
+];
+
+/// Trunk of a woman of 165 cm.
+#[rustfmt::skip]
+const TRUNK_FEMALE: Table<15> = [
+    [0.455, 5.0, 4.0, 5.0, 0.0, 2.0], [0.475, 13.4, 8.5, 10.0, 0.0, 2.1],
+    [0.50, 17.0, 9.8, 11.5, 0.0, 2.3], [0.53, 17.2, 10.0, 11.0, 0.0, 2.3],
+    [0.56, 15.9, 10.0, 9.2, 0.0, 2.2], [0.60, 13.6, 9.4, 7.4, 0.3, 2.2],
+    [0.63, 12.7, 9.0, 6.9, 0.3, 2.2], [0.67, 13.0, 9.0, 7.6, 0.0, 2.2],
+    [0.71, 13.7, 9.0, 8.6, -0.4, 2.3], [0.745, 14.1, 9.0, 9.0, -0.9, 2.3],
+    [0.775, 13.6, 8.2, 8.7, -1.6, 2.2], [0.80, 12.2, 6.2, 7.7, -2.1, 2.1],
+    [0.82, 9.2, 4.4, 6.2, -2.4, 2.0], [0.84, 6.0, 4.0, 4.8, -2.4, 2.0],
+    [0.86, 4.4, 3.4, 3.6, -2.2, 2.0],
+];
+
+/// Arm: 0 shoulder, 1 elbow, 2 wrist; radii upwards, downwards, front, back (cm), unused.
+#[rustfmt::skip]
+const ARM: Table<14> = [
+    [-0.22, 2.6, 2.6, 2.6, 2.6, 0.0], [-0.1, 4.6, 4.6, 4.7, 4.7, 0.0],
+    [0.0, 5.1, 5.2, 5.3, 5.4, 0.0], [0.18, 5.1, 5.2, 5.4, 5.4, 0.0],
+    [0.38, 4.6, 4.8, 5.2, 5.1, 0.0], [0.62, 4.2, 4.4, 4.9, 4.7, 0.0],
+    [0.85, 3.9, 4.0, 4.1, 4.2, 0.0], [1.0, 3.9, 4.0, 4.1, 4.4, 0.0],
+    [1.15, 4.2, 4.2, 4.5, 4.3, 0.0], [1.35, 3.9, 3.9, 4.3, 4.0, 0.0],
+    [1.6, 3.2, 3.2, 3.7, 3.5, 0.0], [1.85, 2.4, 2.4, 3.0, 2.9, 0.0],
+    [2.0, 2.05, 2.05, 2.9, 2.8, 0.0], [2.12, 1.9, 1.9, 3.1, 3.0, 0.0],
+];
+
+/// Leg: 0 hip, 1 knee, 2 ankle; radii lateral, medial, front, back (cm), unused.
+#[rustfmt::skip]
+const LEG: Table<13> = [
+    [-0.12, 7.5, 5.0, 7.0, 7.5, 0.0], [0.0, 9.2, 7.6, 8.4, 9.0, 0.0],
+    [0.15, 9.2, 8.3, 8.8, 9.2, 0.0], [0.4, 8.1, 7.9, 8.6, 8.3, 0.0],
+    [0.7, 6.7, 6.8, 7.3, 6.7, 0.0], [0.9, 5.8, 6.0, 6.3, 5.5, 0.0],
+    [1.0, 5.6, 5.8, 6.2, 5.2, 0.0], [1.1, 5.3, 5.5, 5.5, 5.5, 0.0],
+    [1.3, 5.4, 5.7, 4.8, 7.2, 0.0], [1.5, 4.7, 5.0, 4.3, 6.3, 0.0],
+    [1.75, 3.5, 3.6, 3.7, 4.3, 0.0], [1.92, 3.3, 3.3, 3.6, 4.0, 0.0],
+    [2.05, 3.5, 3.5, 4.0, 4.2, 0.0],
+];
+
+/// A table resampled at equal steps.
+#[derive(Clone, Debug)]
+pub(super) struct Sections {
+    first: f64,
+    last: f64,
+    rows: Vec<[f64; 5]>,
+}
+
+impl Sections {
+    /// Parameter of the first row.
+    pub(super) fn first(&self) -> f64 {
+        self.first
+    }
+
+    /// Parameter of the last row.
+    pub(super) fn last(&self) -> f64 {
+        self.last
+    }
+
+    /// The five values at a parameter, held at both ends.
+    pub(super) fn at(&self, x: f64) -> [f64; 5] {
+        let n = self.rows.len();
+        let t = ((x - self.first) / (self.last - self.first) * (n - 1) as f64)
+            .clamp(0.0, n as f64 - 1.001);
+        let i = t as usize;
+        let f = t - i as f64;
+        core::array::from_fn(|k| lerp(self.rows[i][k], self.rows[i + 1][k], f))
+    }
+
+    /// Monotone cubic resampling (Fritsch and Carlson 1980, doi:10.1137/0717021).
+    fn resample(table: &[[f64; 6]]) -> Self {
+        const ROWS: usize = 96;
+        let (first, last) = (table[0][0], table[table.len() - 1][0]);
+        let rows = (0..ROWS)
+            .map(|r| {
+                let x = lerp(first, last, r as f64 / (ROWS - 1) as f64);
+                core::array::from_fn(|k| monotone(table, k + 1, x))
+            })
+            .collect();
+        Self { first, last, rows }
+    }
+
+    pub(super) fn trunk(sex: f64, radius_scale: f64, build: f64) -> Self {
+        let mut table = TRUNK_FEMALE;
+        for (row, male) in table.iter_mut().zip(TRUNK_MALE) {
+            for (v, m) in row.iter_mut().zip(male) {
+                *v = lerp(m, *v, sex);
+            }
+            for v in &mut row[1..5] {
+                *v *= radius_scale;
+            }
+            let wide = 1.0 + 0.10 * build;
+            // Weight gathers at the waist first.
+            let waist = raconteur_base::ops::exp(-((row[0] - 0.60) / 0.06) * ((row[0] - 0.60) / 0.06));
+            row[1] *= wide * (1.0 + 0.05 * build * waist);
+            row[2] *= wide;
+            row[3] *= wide;
+        }
+        Self::resample(&table)
+    }
+
+    pub(super) fn arm(radius_scale: f64) -> Self {
+        Self::resample(&scaled(&ARM, radius_scale))
+    }
+
+    pub(super) fn leg(radius_scale: f64) -> Self {
+        Self::resample(&scaled(&LEG, radius_scale))
+    }
+}
+
+fn scaled<const N: usize>(table: &Table<N>, s: f64) -> Table<N> {
+    table.map(|mut row| {
+        for v in &mut row[1..5] {
+            *v *= s;
+        }
+        row
+    })
+}
+
+/// Slope of a column at a row: harmonic mean of its neighbours' secants, zero at turns.
+fn slope(table: &[[f64; 6]], column: usize, row: usize) -> f64 {
+    let secant = |i: usize| (table[i + 1][column] - table[i][column]) / (table[i + 1][0] - table[i][0]);
+    if row == 0 {
+        return secant(0);
+    }
+    if row + 1 == table.len() {
+        return secant(row - 1);
+    }
+    let (a, b) = (secant(row - 1), secant(row));
+    if a * b <= 0.0 { 0.0 } else { 2.0 * a * b / (a + b) }
+}
+
+fn monotone(table: &[[f64; 6]], column: usize, x: f64) -> f64 {
+    let i = table.partition_point(|row| row[0] <= x).clamp(1, table.len() - 1) - 1;
+    let h = table[i + 1][0] - table[i][0];
+    raconteur_base::curve::hermite(
+        table[i][column],
+        slope(table, column, i) * h,
+        table[i + 1][column],
+        slope(table, column, i + 1) * h,
+        ((x - table[i][0]) / h).clamp(0.0, 1.0),
+    )
+}

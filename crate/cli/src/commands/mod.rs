@@ -1,0 +1,8 @@
+//! One file for each command.
+
+pub(crate) mod bake;
+pub(crate) mod check;
+pub(crate) mod figure;
+pub(crate) mod pose;
+pub(crate) mod render;
+pub(crate) mod timeline;

@@ -1,0 +1,147 @@
+//! `raconteur render`.
+
+use std::fs;
+use std::io::BufWriter;
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context as _, Result, bail};
+use clap::{ArgGroup, Args, ValueEnum};
+use indicatif::{ProgressBar, ProgressStyle};
+use raconteur_player::Player;
+use raconteur_player::stage::Shot;
+use raconteur_render::RenderOptions;
+use raconteur_render::headless::Headless;
+
+use crate::film;
+use crate::report;
+use crate::story::StoryFiles;
+use crate::Outcome;
+
+/// How much of the speaker is in the picture.
+#[derive(Clone, Copy, ValueEnum)]
+enum ShotName {
+    Full,
+    Medium,
+    Close,
+}
+
+/// Draw a picture or film of a story.
+#[derive(Args)]
+#[command(group(ArgGroup::new("what").required(true).args(["output", "video"])))]
+pub(crate) struct Render {
+    /// A script, or a folder that holds a story.eml.
+    file: PathBuf,
+    /// Time of the picture, seconds.
+    #[arg(long, default_value_t = 0.0)]
+    at: f64,
+    /// Where to write the picture (PNG).
+    #[arg(short, long)]
+    output: Option<PathBuf>,
+    /// Where to write a film with sound; ffmpeg decides by the name. Without ffmpeg, numbered
+    /// pictures are written into a folder of that name.
+    #[arg(long)]
+    video: Option<PathBuf>,
+    /// Frames a second of the film.
+    #[arg(long, default_value_t = 25)]
+    fps: u32,
+    /// Length of the film, seconds; all of the story from --at if not given.
+    #[arg(long)]
+    length: Option<f64>,
+    /// Width and height in pixels.
+    #[arg(long, default_value = "1280x720", value_parser = parse_size)]
+    size: (u32, u32),
+    /// How much of the speaker is in the picture.
+    #[arg(long, value_enum, default_value = "medium")]
+    shot: ShotName,
+    /// A figure's name, or the path of a .glb file.
+    #[arg(long, default_value = "sofia")]
+    figure: String,
+}
+
+/// Largest side of a picture, pixels; what every adapter can draw.
+const LARGEST_SIDE: u32 = 8192;
+
+fn parse_size(text: &str) -> Result<(u32, u32), String> {
+    let (w, h) = text.split_once('x').ok_or("write WIDTHxHEIGHT, for example 1280x720")?;
+    let side = |s: &str| match s.parse::<u32>() {
+        Ok(n) if (1..=LARGEST_SIDE).contains(&n) => Ok(n),
+        _ => Err(format!("{s} is not a number of pixels from 1 to {LARGEST_SIDE}")),
+    };
+    Ok((side(w)?, side(h)?))
+}
+
+impl Render {
+    pub(crate) fn run(&self) -> Result<Outcome> {
+        if !(self.at.is_finite() && self.at >= 0.0) {
+            bail!("--at takes a time of 0 s or later, not {}", self.at);
+        }
+        if self.fps == 0 || self.fps > 240 {
+            bail!("--fps takes 1 to 240, not {}", self.fps);
+        }
+        let files = StoryFiles::read(&self.file)?;
+        let shot = match self.shot {
+            ShotName::Full => Shot::Full,
+            ShotName::Medium => Shot::Medium,
+            ShotName::Close => Shot::Close,
+        };
+        let mut loaded = files.player(&self.figure, shot)?;
+        report::print(&files.script.display().to_string(), &files.text, &loaded.diagnostics)?;
+        let mut headless = Headless::new_blocking(RenderOptions::default())
+            .context("no graphics adapter (on Debian: apt install mesa-vulkan-drivers libvulkan1)")?;
+        headless.set_figure(loaded.player.figure())?;
+        if let Some(path) = &self.output {
+            let pixels = self.draw(&mut loaded.player, &mut headless, self.at)?;
+            write_png(path, self.size, &pixels)?;
+        }
+        if let Some(path) = &self.video {
+            self.film(path, &files, &mut loaded.player, &mut headless)?;
+        }
+        Ok(report::outcome(&loaded.diagnostics))
+    }
+
+    fn draw(&self, player: &mut Player, headless: &mut Headless, time: f64) -> Result<Vec<u8>> {
+        let (w, h) = self.size;
+        let frame = player.frame(time, f64::from(w) / f64::from(h));
+        Ok(headless.render_rgba(frame, w, h)?)
+    }
+
+    fn film(
+        &self,
+        path: &Path,
+        files: &StoryFiles,
+        player: &mut Player,
+        headless: &mut Headless,
+    ) -> Result<()> {
+        let rest = (player.duration_secs() - self.at).max(0.0);
+        let length = self.length.filter(|l| l.is_finite() && *l > 0.0).unwrap_or(rest).min(rest);
+        let count = (length * f64::from(self.fps)).ceil().max(1.0) as u64;
+        let bar = ProgressBar::new(count)
+            .with_style(ProgressStyle::with_template("{bar:30} {pos}/{len} frames, {eta} left")?);
+        let sounds = film::sounds(player, &files.voice(), self.at);
+        let mut sink = film::Sink::open(path, self.size, self.fps, length, &sounds)?;
+        for n in 0..count {
+            let time = self.at + n as f64 / f64::from(self.fps);
+            sink.push(&self.draw(player, headless, time)?)?;
+            bar.inc(1);
+        }
+        bar.finish_and_clear();
+        sink.close()
+    }
+}
+
+/// Writes an RGBA picture; the old file stays whole if that fails.
+pub(crate) fn write_png(path: &Path, (width, height): (u32, u32), rgba: &[u8]) -> Result<()> {
+    let part = path.with_extension("png.part");
+    let write = || -> Result<()> {
+        let file = BufWriter::new(fs::File::create(&part)?);
+        let mut encoder = png::Encoder::new(file, width, height);
+        encoder.set_color(png::ColorType::Rgba);
+        encoder.set_depth(png::BitDepth::Eight);
+        let mut writer = encoder.write_header()?;
+        writer.write_image_data(rgba)?;
+        writer.finish()?;
+        fs::rename(&part, path)?;
+        Ok(())
+    };
+    write().with_context(|| format!("cannot write {}", path.display()))
+}

@@ -1,0 +1,97 @@
+//! `raconteur timeline`.
+
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+
+use anyhow::Result;
+use clap::Args;
+use raconteur_player::eml::LineIndex;
+use serde::Serialize;
+
+use crate::report;
+use crate::story::StoryFiles;
+use crate::{Format, Outcome};
+
+/// Print the resolved clauses of a story in time order.
+#[derive(Args)]
+pub(crate) struct Timeline {
+    /// A script, or a folder that holds a story.eml.
+    file: PathBuf,
+    /// How to report.
+    #[arg(long, value_enum, default_value = "text")]
+    format: Format,
+}
+
+#[derive(Serialize)]
+struct Entry {
+    element: &'static str,
+    line: u32,
+    /// Seconds.
+    start: f64,
+    /// Seconds.
+    end: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    id: Option<String>,
+    /// Index of the enclosing seq or par in this list.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    container: Option<usize>,
+    /// Which repetition of its container, from 0.
+    #[serde(skip_serializing_if = "is_first")]
+    iteration: u32,
+}
+
+#[allow(clippy::trivially_copy_pass_by_ref, reason = "serde passes a reference")]
+fn is_first(iteration: &u32) -> bool {
+    *iteration == 0
+}
+
+#[derive(Serialize)]
+struct Whole<'a> {
+    duration: f64,
+    lead_in: f64,
+    clauses: Vec<Entry>,
+    marks: &'a BTreeMap<String, f64>,
+}
+
+impl Timeline {
+    pub(crate) fn run(&self) -> Result<Outcome> {
+        let files = StoryFiles::read(&self.file)?;
+        let script = files.script();
+        report::print(&files.script.display().to_string(), &files.text, &script.diagnostics)?;
+        let index = LineIndex::new(&files.text);
+        let timeline = &script.timeline;
+        let whole = Whole {
+            duration: timeline.duration_secs,
+            lead_in: timeline.lead_in_secs,
+            clauses: timeline
+                .clauses
+                .iter()
+                .map(|c| Entry {
+                    element: c.element,
+                    line: index.position(c.span.start).line,
+                    start: c.start_secs,
+                    end: c.end_secs,
+                    id: c.id.clone(),
+                    container: c.container,
+                    iteration: c.iteration,
+                })
+                .collect(),
+            marks: &timeline.marks,
+        };
+        match self.format {
+            Format::Json => println!("{}", serde_json::to_string_pretty(&whole)?),
+            Format::Text => {
+                println!("{:>9} {:>9}  {:<16} {:>5}  name", "start", "end", "element", "line");
+                for c in &whole.clauses {
+                    let id = c.id.as_deref().unwrap_or("");
+                    println!("{:9.3} {:9.3}  {:<16} {:>5}  {id}", c.start, c.end, c.element, c.line);
+                }
+                for (name, at) in whole.marks {
+                    println!("{at:9.3} {:>9}  {:<16} {:>5}  {name}", "", "mark", "");
+                }
+                println!("duration {:.3} s", whole.duration);
+            }
+        }
+        Ok(report::outcome(&script.diagnostics))
+    }
+}

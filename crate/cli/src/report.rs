@@ -1,0 +1,105 @@
+//! Diagnostics for people and programs.
+
+use std::io::{self, Write as _};
+
+use anyhow::Result;
+use codespan_reporting::diagnostic::{Diagnostic as Shown, Label, LabelStyle, Severity as Level};
+use codespan_reporting::files::{Files as _, SimpleFile};
+use codespan_reporting::term::{self, Config};
+use raconteur_player::eml::{Diagnostic, LineIndex, Severity};
+use serde::Serialize;
+
+use crate::Outcome;
+
+/// A place in a file. Lines and columns count from 1, columns in characters.
+#[derive(Serialize)]
+pub(crate) struct Place {
+    line: u32,
+    column: u32,
+    offset: u32,
+}
+
+/// One diagnostic as JSON.
+#[derive(Serialize)]
+pub(crate) struct Entry<'a> {
+    file: &'a str,
+    code: &'a str,
+    severity: &'static str,
+    message: &'a str,
+    start: Place,
+    end: Place,
+    hints: &'a [String],
+}
+
+fn severity_name(severity: Severity) -> &'static str {
+    match severity {
+        Severity::Error => "error",
+        Severity::Warning => "warning",
+    }
+}
+
+/// The diagnostics of one file as JSON values.
+pub(crate) fn entries<'a>(
+    file: &'a str,
+    source: &'a str,
+    diagnostics: &'a [Diagnostic],
+) -> Vec<Entry<'a>> {
+    let index = LineIndex::new(source);
+    let place = |offset: u32| {
+        let at = index.position(offset);
+        Place { line: at.line, column: at.column, offset }
+    };
+    diagnostics
+        .iter()
+        .map(|d| Entry {
+            file,
+            code: d.code,
+            severity: severity_name(d.severity),
+            message: &d.message,
+            start: place(d.span.start),
+            end: place(d.span.end),
+            hints: &d.hints,
+        })
+        .collect()
+}
+
+/// Whether any of them is an error.
+pub(crate) fn outcome(diagnostics: &[Diagnostic]) -> Outcome {
+    if diagnostics.iter().any(|d| d.severity == Severity::Error) {
+        Outcome::Errors
+    } else {
+        Outcome::Fine
+    }
+}
+
+/// Writes diagnostics to standard error: `file:line:column: severity[code]: message`, the
+/// excerpt with carets, and hints.
+pub(crate) fn print(file: &str, source: &str, diagnostics: &[Diagnostic]) -> Result<()> {
+    let source_file = SimpleFile::new(file, source);
+    let config = Config::default();
+    let mut stderr = io::stderr().lock();
+    for diagnostic in diagnostics {
+        let range = |span: raconteur_player::eml::Span| {
+            // An empty span still gets one caret.
+            let end = (span.end as usize).min(source.len());
+            (span.start as usize).min(end)..end
+        };
+        let mut labels = vec![Label::new(LabelStyle::Primary, (), range(diagnostic.span))];
+        for (span, message) in &diagnostic.related {
+            labels.push(Label::new(LabelStyle::Secondary, (), range(*span)).with_message(message));
+        }
+        let level = match diagnostic.severity {
+            Severity::Error => Level::Error,
+            Severity::Warning => Level::Warning,
+        };
+        let shown = Shown::new(level)
+            .with_code(diagnostic.code)
+            .with_message(&diagnostic.message)
+            .with_labels(labels)
+            .with_notes(diagnostic.hints.iter().map(|h| format!("hint: {h}")).collect());
+        let text = term::emit_into_string(&config, &source_file, &shown)?;
+        let at = source_file.location((), range(diagnostic.span).start)?;
+        write!(stderr, "{file}:{}:{}: {text}", at.line_number, at.column_number)?;
+    }
+    Ok(())
+}

@@ -1,0 +1,86 @@
+//! Finding and reading a story and what it needs.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context as _, Result, bail};
+use raconteur_player::body::{Figure, read::read_figure};
+use raconteur_player::stage::Shot;
+use raconteur_player::{Loaded, Options, Player, StoryInput};
+
+/// The largest story file that is read, bytes; the parser's own limit is lower.
+const LARGEST_STORY: u64 = 64 << 20;
+
+/// A story's files, found from a path that names the script or its folder.
+pub(crate) struct StoryFiles {
+    /// The script.
+    pub(crate) script: PathBuf,
+    /// Its text.
+    pub(crate) text: String,
+}
+
+impl StoryFiles {
+    /// Reads the script at `path`, or `story.eml` in the folder `path`.
+    pub(crate) fn read(path: &Path) -> Result<Self> {
+        let script = if path.is_dir() { path.join("story.eml") } else { path.to_owned() };
+        let size = fs::metadata(&script)
+            .with_context(|| format!("cannot read the story {}", script.display()))?
+            .len();
+        if size > LARGEST_STORY {
+            bail!("the story {} is {size} bytes long; the limit is {LARGEST_STORY}", script.display());
+        }
+        let bytes = fs::read(&script)
+            .with_context(|| format!("cannot read the story {}", script.display()))?;
+        // What is not UTF-8 is replaced, so that the parser can still say where it stands.
+        let text = String::from_utf8(bytes)
+            .unwrap_or_else(|e| String::from_utf8_lossy(e.as_bytes()).into_owned());
+        Ok(Self { script, text })
+    }
+
+    /// The folder of the speech bundle.
+    pub(crate) fn voice(&self) -> PathBuf {
+        self.script.parent().unwrap_or(Path::new("")).join("voice")
+    }
+
+    /// The bundle's description, if the story has one.
+    pub(crate) fn bundle(&self) -> Option<Vec<u8>> {
+        fs::read(self.voice().join("speech.json")).ok()
+    }
+
+    /// The story with its voice, without a figure: enough for times and diagnostics.
+    pub(crate) fn script(&self) -> raconteur_player::Script {
+        raconteur_player::Script::read(&self.text, self.bundle().as_deref())
+    }
+
+    /// The story ready to be performed by a figure.
+    pub(crate) fn player(&self, figure: &str, shot: Shot) -> Result<Loaded> {
+        let figure = find_figure(figure, &self.script)?;
+        Ok(Player::load(StoryInput {
+            eml: &self.text,
+            bundle: self.bundle().as_deref(),
+            figure: figure.into(),
+            options: Options { shot, ..Options::default() },
+        }))
+    }
+}
+
+/// A figure by name, from `assets/figures` of the folders above the story or the working
+/// folder, or by the path of a `.glb` file.
+pub(crate) fn find_figure(name: &str, near: &Path) -> Result<Figure> {
+    let by_path = Path::new(name);
+    let path = if by_path.extension().is_some_and(|e| e == "glb") {
+        by_path.to_owned()
+    } else {
+        let near = near.canonicalize().unwrap_or_else(|_| near.to_owned());
+        let here = std::env::current_dir().unwrap_or_default();
+        near.ancestors()
+            .chain(here.ancestors())
+            .map(|folder| folder.join("assets/figures").join(format!("{name}.glb")))
+            .find(|p| p.is_file())
+            .with_context(|| format!("no figure named {name} in an assets/figures folder"))?
+    };
+    let bytes =
+        fs::read(&path).with_context(|| format!("cannot read the figure {}", path.display()))?;
+    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+    read_figure(&stem, &bytes).with_context(|| format!("the figure {}", path.display()))
+}

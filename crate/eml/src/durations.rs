@@ -1,0 +1,144 @@
+//! How long speech takes: asked of whoever knows.
+
+use crate::voice::Item;
+use crate::{Piece, VoiceText};
+
+/// Knows how long spoken texts take. The player answers from a speech bundle.
+pub trait Durations {
+    /// The times of one utterance.
+    fn voice(&self, text: &VoiceText) -> VoiceTiming;
+}
+
+/// The times of one utterance, in seconds from its start.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct VoiceTiming {
+    /// Its length.
+    pub duration_secs: f64,
+    /// One entry for each of [`VoiceText::words`].
+    pub words: Vec<WordTime>,
+    /// The phones in order; may be empty when they are not known.
+    pub phones: Vec<PhoneTime>,
+    /// Whether the times are guessed from the text rather than measured.
+    pub estimated: bool,
+}
+
+/// When a word sounds.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WordTime {
+    /// Its start in seconds from the start of the utterance.
+    pub start_secs: f64,
+    /// Its end in seconds from the start of the utterance.
+    pub end_secs: f64,
+}
+
+/// When a phone sounds.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PhoneTime {
+    /// Its symbol in Festival's radio phone set.
+    pub symbol: String,
+    /// Its start in seconds from the start of the utterance.
+    pub start_secs: f64,
+    /// Its end in seconds from the start of the utterance.
+    pub end_secs: f64,
+    /// Index of its word.
+    pub word: usize,
+}
+
+/// Guesses durations from the text: for stories without a bundle and for tests.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct EstimatedDurations;
+
+/// A word of the average 4.7 letters takes 1/2.7 s, the pace of a storyteller;
+/// split so that short words are not too short: *designed*.
+const SECS_PER_WORD: f64 = 0.12;
+/// See [`SECS_PER_WORD`].
+const SECS_PER_LETTER: f64 = 0.0533;
+/// The pause after a comma, a semicolon or a colon: *designed*.
+const COMMA_SECS: f64 = 0.2;
+/// The pause after the end of a sentence: *designed*.
+const SENTENCE_SECS: f64 = 0.45;
+
+impl Durations for EstimatedDurations {
+    fn voice(&self, text: &VoiceText) -> VoiceTiming {
+        let mut timing = VoiceTiming {
+            estimated: true,
+            ..VoiceTiming::default()
+        };
+        let mut breaks = text.pieces.iter().filter_map(|piece| match piece {
+            Piece::Break { msec, span } => Some((span.start, f64::from(*msec) / 1000.0)),
+            _ => None,
+        });
+        let mut next_break = breaks.next();
+        let mut now = 0.0_f64;
+        // Where silence after the last word ends; the utterance ends with the word.
+        let mut resume = 0.0_f64;
+        text.scan(|item| {
+            let Item::Word(word) = item else { return };
+            while let Some((_, secs)) = next_break.filter(|&(at, _)| at < word.span.start) {
+                resume += secs;
+                next_break = breaks.next();
+            }
+            let letters = word.text.chars().filter(|c| c.is_alphanumeric()).count();
+            let start_secs = resume;
+            now = start_secs + SECS_PER_WORD + SECS_PER_LETTER * letters as f64;
+            timing.words.push(WordTime {
+                start_secs,
+                end_secs: now,
+            });
+            let mark = word
+                .text
+                .trim_end_matches(['"', '\'', ')', '”', '’', '»'])
+                .chars()
+                .last();
+            resume = now
+                + match mark {
+                    Some('.' | '!' | '?' | '…') => SENTENCE_SECS,
+                    Some(',' | ';' | ':') => COMMA_SECS,
+                    _ => 0.0,
+                };
+        });
+        let trailing: f64 = next_break
+            .iter()
+            .copied()
+            .chain(breaks)
+            .map(|(_, secs)| secs)
+            .sum();
+        timing.duration_secs = if trailing > 0.0 {
+            resume + trailing
+        } else {
+            now
+        };
+        timing
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{ClauseKind, parse};
+
+    fn timing(inner: &str) -> VoiceTiming {
+        let source = format!("<eml><body><voice-text time='0'>{inner}</voice-text></body></eml>");
+        match &parse(&source).document.clauses[0].kind {
+            ClauseKind::VoiceText(text) => EstimatedDurations.voice(text),
+            other => panic!("{other:?}"),
+        }
+    }
+
+    #[test]
+    fn the_pace_is_that_of_a_storyteller() {
+        let text = "the small white rabbit went home and could not open her own front door again";
+        let timing = timing(text);
+        let pace = timing.words.len() as f64 / timing.duration_secs;
+        assert!((2.4..3.0).contains(&pace), "{pace}");
+    }
+
+    #[test]
+    fn punctuation_and_breaks_pause() {
+        let timing = timing("One, two. <break msec='100'/>Three<break msec='50'/>");
+        let gap = |i: usize| timing.words[i + 1].start_secs - timing.words[i].end_secs;
+        assert!((gap(0) - COMMA_SECS).abs() < 1e-12);
+        assert!((gap(1) - SENTENCE_SECS - 0.1).abs() < 1e-12);
+        assert!((timing.duration_secs - timing.words[2].end_secs - 0.05).abs() < 1e-12);
+    }
+}

@@ -1,0 +1,340 @@
+//! From text to document.
+
+use crate::diagnostic::Sink;
+use crate::schema::{self, Content, Context, Element, Fields, Role};
+use crate::suggest::quoted;
+use crate::syntax::{self, NodeKind};
+use crate::{Clause, ClauseId, ClauseKind, Diagnostic, Document, Span, TimeExpr};
+
+/// Bounds on what a document may cost.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Limits {
+    /// Length of the source in bytes; longer ones are refused. Default 16 MiB.
+    pub bytes: usize,
+    /// Nesting of elements; deeper ones are dropped. Default 64, at most 256.
+    pub depth: usize,
+    /// Clauses in the document; later ones are dropped. Default 200 000.
+    pub clauses: usize,
+    /// Attributes an element; later ones are ignored. Default 64.
+    pub attributes: usize,
+    /// Diagnostics; the rest is counted. Default 200.
+    pub diagnostics: usize,
+}
+
+impl Default for Limits {
+    fn default() -> Self {
+        Self {
+            bytes: 16 << 20,
+            depth: 64,
+            clauses: 200_000,
+            attributes: 64,
+            diagnostics: 200,
+        }
+    }
+}
+
+/// A document and what was wrong with its text.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Parsed {
+    /// What could be read.
+    pub document: Document,
+    /// What could not, in the order of the text.
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+/// Reads a script with the default limits. Never fails: what is wrong is reported and
+/// the rest is kept.
+#[must_use]
+pub fn parse(source: &str) -> Parsed {
+    parse_with(source, &Limits::default())
+}
+
+/// Reads a script.
+#[must_use]
+pub fn parse_with(source: &str, limits: &Limits) -> Parsed {
+    read(source, limits, false)
+}
+
+/// Reads what a mind sends during a performance: a list of clauses, or a whole
+/// script.
+#[must_use]
+pub fn parse_fragment(source: &str) -> Parsed {
+    read(source, &Limits::default(), true)
+}
+
+/// Reads a script from bytes that should be UTF-8. The spans count in those bytes.
+#[must_use]
+pub fn parse_bytes(bytes: &[u8], limits: &Limits) -> Parsed {
+    match std::str::from_utf8(bytes) {
+        Ok(source) => parse_with(source, limits),
+        Err(error) => {
+            let at = error.valid_up_to();
+            let hint = match bytes {
+                [0xff, 0xfe, ..] | [0xfe, 0xff, ..] => "this looks like UTF-16; save it as UTF-8",
+                _ => "save the file as UTF-8",
+            };
+            let diagnostic = Diagnostic::error(
+                "eml::not-utf8",
+                Span::of(at, at + 1),
+                "this is not UTF-8 text",
+            );
+            Parsed {
+                document: Document::default(),
+                diagnostics: vec![diagnostic.hint(hint)],
+            }
+        }
+    }
+}
+
+fn read(source: &str, limits: &Limits, fragment: bool) -> Parsed {
+    let mut sink = Sink::new(limits.diagnostics);
+    let mut document = Document::default();
+    if source.len() > limits.bytes.min(u32::MAX as usize) {
+        let message = format!(
+            "{} bytes are more than the limit of {}",
+            source.len(),
+            limits.bytes
+        );
+        sink.push(Diagnostic::error(
+            "eml::too-large",
+            Span::new(0, 0),
+            message,
+        ));
+        return Parsed {
+            document,
+            diagnostics: sink.finish(),
+        };
+    }
+    report_controls(source, &mut sink);
+    let tree = syntax::build(source, limits, &mut sink);
+    document
+        .clauses
+        .reserve((tree.nodes.len() / 8).min(limits.clauses));
+    let mut cx = Context {
+        tree: &tree,
+        sink: &mut sink,
+        document: &mut document,
+        limits,
+        told_clauses: false,
+    };
+    cx.root(fragment);
+    Parsed {
+        document,
+        diagnostics: sink.finish(),
+    }
+}
+
+/// Reports the first control character that XML does not allow: a sign of a file
+/// that is no text.
+fn report_controls(source: &str, sink: &mut Sink) {
+    let control = |b: u8| b < 0x20 && !matches!(b, b'\t' | b'\n' | b'\r');
+    // A pass without branches over everything is much faster than a search.
+    if source.bytes().fold(false, |any, b| any | control(b)) {
+        let at = source.bytes().position(control).unwrap_or(0);
+        let message = format!(
+            "control character {:#04x} in the text",
+            source.as_bytes()[at]
+        );
+        let span = Span::of(at, at + 1);
+        sink.push(Diagnostic::error("eml::control-character", span, message));
+    }
+}
+
+impl Context<'_> {
+    /// Reads from the top of the tree.
+    fn root(&mut self, fragment: bool) {
+        let tree = self.tree;
+        let mut root: Option<Span> = None;
+        let mut bare: Option<Span> = None;
+        let mut elements = 0_u32;
+        let mut node = 0;
+        while node < tree.nodes.len() {
+            let next = tree.nodes[node].subtree_end as usize;
+            let NodeKind::Element(found) = tree.nodes[node].kind else {
+                elements += u32::from(matches!(tree.nodes[node].kind, NodeKind::Malformed));
+                node = next;
+                continue;
+            };
+            elements += 1;
+            let span = self.name_span(node);
+            match found {
+                Some(element) if element.name == "eml" && root.is_none() => {
+                    root = Some(span);
+                    self.script(node, element);
+                }
+                Some(element) if element.name == "eml" => {
+                    self.sink.push(
+                        Diagnostic::error("eml::surplus-element", span, "a second root element")
+                            .related(root.unwrap_or(span), "the first one"),
+                    );
+                }
+                Some(element) if element.is_clause() => {
+                    bare.get_or_insert(span);
+                    if let Some(id) = self.clause(node, element, None) {
+                        self.document.roots.push(id);
+                    }
+                }
+                Some(element) if element.name == "body" => {
+                    bare.get_or_insert(span);
+                    self.body(node, element);
+                }
+                _ => {
+                    let name = quoted(tree.nodes[node].text);
+                    let message = format!("expected `eml` as the root, found {name}");
+                    self.sink
+                        .push(Diagnostic::error("eml::wrong-root", span, message));
+                }
+            }
+            node = next;
+        }
+        self.top_text();
+        if elements == 0 {
+            self.sink.push(
+                Diagnostic::error(
+                    "eml::not-xml",
+                    Span::new(0, 0),
+                    "this is not an EML document",
+                )
+                .hint("a story starts with <eml><body> and ends with </body></eml>"),
+            );
+        } else if let (Some(span), None, false) = (bare, root, fragment) {
+            self.sink.push(Diagnostic::warning(
+                "eml::no-root",
+                span,
+                "a script starts with `eml` and `body`; these clauses are read as one",
+            ));
+        }
+    }
+
+    /// Reports text outside the root element, unless all is text.
+    fn top_text(&mut self) {
+        let tree = self.tree;
+        let Some(eml) = schema::find("eml") else {
+            return;
+        };
+        let mut node = 0;
+        let any_element = tree
+            .nodes
+            .iter()
+            .any(|n| matches!(n.kind, NodeKind::Element(_)));
+        while any_element && node < tree.nodes.len() {
+            if matches!(
+                tree.nodes[node].kind,
+                NodeKind::Text | NodeKind::Reference(_)
+            ) {
+                self.stray_text(node, "outside `eml`", eml);
+            }
+            node = tree.nodes[node].subtree_end as usize;
+        }
+    }
+
+    fn script(&mut self, node: usize, element: &'static Element) {
+        self.report_spelling(
+            self.tree.nodes[node].text,
+            element.name,
+            self.name_span(node),
+        );
+        let fields = self.fields(node, element);
+        self.document.name = self.text(&fields, "name");
+        self.children(node, element, |cx, child, entry| match entry.name {
+            "body" => cx.body(child, entry),
+            _ => {
+                cx.fields(child, entry);
+                cx.children(child, entry, |_, _, _| {});
+            }
+        });
+    }
+
+    fn body(&mut self, node: usize, element: &'static Element) {
+        self.fields(node, element);
+        self.children(node, element, |cx, child, entry| {
+            if let Some(id) = cx.clause(child, entry, None) {
+                cx.document.roots.push(id);
+            }
+        });
+        // White space is not in the tree.
+        if self.tree.nodes[node].subtree_end as usize == node + 1 {
+            let span = self.name_span(node);
+            self.sink.push(Diagnostic::warning(
+                "eml::empty-body",
+                span,
+                "the body is empty",
+            ));
+        }
+    }
+
+    /// Reads a clause and what is inside it. Groups recurse; the tree's depth is
+    /// limited.
+    fn clause(
+        &mut self,
+        node: usize,
+        element: &'static Element,
+        parent: Option<ClauseId>,
+    ) -> Option<ClauseId> {
+        if self.document.clauses.len() >= self.limits.clauses {
+            if !std::mem::replace(&mut self.told_clauses, true) {
+                let message = format!(
+                    "more than {} clauses; the rest is dropped",
+                    self.limits.clauses
+                );
+                let span = self.name_span(node);
+                self.sink
+                    .push(Diagnostic::error("eml::too-many-clauses", span, message));
+            }
+            return None;
+        }
+        let fields = self.fields(node, element);
+        let start = self.time(&fields);
+        let time_id = self.name(&fields, "timeId");
+        self.warn_of_missing_time(&fields, parent);
+        let mut clause = Clause {
+            span: self.full_span(node),
+            tag_span: fields.tag,
+            start: TimeExpr::default(),
+            time_id,
+            parent,
+            kind: ClauseKind::Null,
+        };
+        let id = ClauseId(u32::try_from(self.document.clauses.len()).unwrap_or(u32::MAX));
+        match element.role {
+            Role::Clause(build) => {
+                if element.content == Content::Empty {
+                    self.children(node, element, |_, _, _| {});
+                }
+                let kind = build(self, node, &fields);
+                clause.start = start.ok()?;
+                if !fields.is_complete() {
+                    return None;
+                }
+                clause.kind = kind?;
+                self.document.clauses.push(clause);
+            }
+            Role::Group(wrap) => {
+                let mut group = schema::read_group(self, &fields);
+                // A group without a time takes its clauses with it.
+                clause.start = start.ok()?;
+                self.document.clauses.push(clause);
+                self.children(node, element, |cx, child, entry| {
+                    group.children.extend(cx.clause(child, entry, Some(id)));
+                });
+                self.document.clauses[id.index()].kind = wrap(group);
+            }
+            _ => return None,
+        }
+        Some(id)
+    }
+
+    /// A clause right in the body without a time starts at 0, which is seldom meant;
+    /// the example of GEVH D.1.4 shows that events may do so.
+    fn warn_of_missing_time(&mut self, fields: &Fields<'_>, parent: Option<ClauseId>) {
+        let exempt = fields.element.name == "event";
+        if parent.is_none() && !exempt && !fields.has("time") {
+            let message = format!("`{}` has no `time`; it starts at 0", fields.element.name);
+            self.sink.push(Diagnostic::warning(
+                "eml::missing-time",
+                fields.tag,
+                message,
+            ));
+        }
+    }
+}

@@ -1,0 +1,28 @@
+//! `body`: the clauses of a script.
+
+use super::{Content, Element, Role};
+
+pub(super) static ELEMENT: Element = Element {
+    name: "body",
+    aliases: &[],
+    doc: "Holds the clauses of a script. Their times count from its start.",
+    source: "GEVH D.1.3",
+    parents: &["eml"],
+    content: Content::Elements,
+    attributes: &[],
+    required_children: &[],
+    most_per_parent: Some(1),
+    role: Role::Structure,
+};
+
+#[cfg(test)]
+mod tests {
+    use crate::schema::testing::codes;
+
+    #[test]
+    fn an_empty_body_and_a_second_one_are_reported() {
+        assert_eq!(codes("<eml><body/></eml>"), ["eml::empty-body"]);
+        let text = "<eml><body><null time='1'/></body><body/></eml>";
+        assert_eq!(codes(text), ["eml::surplus-element"]);
+    }
+}

@@ -1,0 +1,335 @@
+//! Walks the tree by the table: which elements may stand where, which attributes
+//! they have.
+
+use super::{Attribute, Element, Presence, find, variant_in};
+use crate::diagnostic::Sink;
+use crate::suggest::{nearest, quoted};
+use crate::syntax::{self, NodeKind, Tree};
+use crate::{Diagnostic, Document, Limits, Span};
+
+/// More attributes than any element has.
+pub(super) const MOST_ATTRIBUTES: usize = 24;
+
+/// More kinds of children than any element requires.
+pub(super) const MOST_REQUIRED: usize = 4;
+
+const ABSENT: u16 = u16::MAX;
+
+/// What the elements' readers work with.
+pub(crate) struct Context<'t> {
+    pub(crate) tree: &'t Tree<'t>,
+    pub(crate) sink: &'t mut Sink,
+    pub(crate) document: &'t mut Document,
+    pub(crate) limits: &'t Limits,
+    /// Whether the limit of clauses has been reported.
+    pub(crate) told_clauses: bool,
+}
+
+/// The attributes of one element, found in the table. Values are read on demand
+/// (`values.rs`).
+pub(crate) struct Fields<'t> {
+    pub(crate) element: &'static Element,
+    /// The start tag.
+    pub(crate) tag: Span,
+    /// The name in the start tag.
+    pub(crate) name: Span,
+    pub(super) attributes: &'t [syntax::Attribute<'t>],
+    /// For each attribute of the table its index in `attributes`.
+    slots: [u16; MOST_ATTRIBUTES],
+    complete: bool,
+}
+
+impl<'t> Fields<'t> {
+    /// Whether every required attribute is there.
+    pub(crate) fn is_complete(&self) -> bool {
+        self.complete
+    }
+
+    /// Whether an attribute is written.
+    pub(crate) fn has(&self, name: &str) -> bool {
+        self.get(name).is_some_and(|(_, written)| written.is_some())
+    }
+
+    /// The entry of an attribute and how it is written, when it is.
+    pub(super) fn get(
+        &self,
+        name: &str,
+    ) -> Option<(&'static Attribute, Option<&'t syntax::Attribute<'t>>)> {
+        let (slot, attribute) = self
+            .element
+            .all_attributes()
+            .enumerate()
+            .find(|(_, a)| a.name == name)?;
+        Some((
+            attribute,
+            self.attributes.get(usize::from(self.slots[slot])),
+        ))
+    }
+
+    /// Where the value of an attribute is, or else the start tag.
+    pub(crate) fn span_of(&self, name: &str) -> Span {
+        self.get(name)
+            .and_then(|(_, written)| written)
+            .map_or(self.tag, syntax::Attribute::value_span)
+    }
+}
+
+impl<'t> Context<'t> {
+    /// The whole span of a node, end tag included.
+    pub(crate) fn full_span(&self, node: usize) -> Span {
+        let node = &self.tree.nodes[node];
+        Span::new(node.span.start, node.end)
+    }
+
+    /// The name in the start tag of a node.
+    pub(crate) fn name_span(&self, node: usize) -> Span {
+        let node = &self.tree.nodes[node];
+        let start = node.span.start as usize + 1;
+        Span::of(start, start + node.text.len())
+    }
+
+    /// Calls `visit` with every legal child element of a node, and reports the others,
+    /// surplus ones, missing ones and stray text.
+    pub(crate) fn children(
+        &mut self,
+        node: usize,
+        element: &'static Element,
+        mut visit: impl FnMut(&mut Self, usize, &'static Element),
+    ) {
+        let tree = self.tree;
+        let mut counts: Vec<(&'static Element, u32)> = Vec::new();
+        let mut missing = element.required_children.len();
+        let mut seen = [false; MOST_REQUIRED];
+        let end = tree.nodes[node].subtree_end as usize;
+        let mut child = node + 1;
+        while child < end {
+            let next = tree.nodes[child].subtree_end as usize;
+            match tree.nodes[child].kind {
+                NodeKind::Element(found) => {
+                    if let Some(entry) = self.admit(child, found, element) {
+                        let required = element.required_children.iter();
+                        if let Some(i) = required.clone().position(|&name| name == entry.name) {
+                            missing -= usize::from(!std::mem::replace(&mut seen[i], true));
+                        }
+                        let most = entry.most_per_parent.unwrap_or(u32::MAX);
+                        if most < u32::MAX && count(&mut counts, entry) > most {
+                            self.surplus(child, entry, element);
+                        } else {
+                            visit(self, child, entry);
+                        }
+                    }
+                }
+                NodeKind::Malformed => {}
+                NodeKind::Text | NodeKind::Reference(_) => {
+                    self.stray_text(child, &format!("in `{}`", element.name), element);
+                }
+            }
+            child = next;
+        }
+        if missing == 0 {
+            return;
+        }
+        for (&required, seen) in element.required_children.iter().zip(seen) {
+            if !seen {
+                let message = format!("`{}` needs at least one `{required}` in it", element.name);
+                let span = tree.nodes[node].span;
+                self.sink
+                    .push(Diagnostic::error("eml::missing-child", span, message));
+            }
+        }
+    }
+
+    /// The table's entry of a child of `parent`, when it may stand there.
+    pub(crate) fn admit(
+        &mut self,
+        child: usize,
+        found: Option<&'static Element>,
+        parent: &'static Element,
+    ) -> Option<&'static Element> {
+        let written = self.tree.nodes[child].text;
+        let span = self.name_span(child);
+        let Some(found) = found else {
+            let fitting = super::ELEMENTS
+                .iter()
+                .filter(|e| e.may_stand_in(parent.name));
+            let all = super::ELEMENTS.iter();
+            let hint = nearest(written, fitting.map(|e| e.name))
+                .or_else(|| nearest(written, all.map(|e| e.name)));
+            let message = format!("unknown element {}; it is dropped", quoted(written));
+            self.push_with_hint(
+                Diagnostic::error("eml::unknown-element", span, message),
+                hint.map(|h| format!("did you mean `{h}`?")),
+            );
+            return None;
+        };
+        let Some(entry) = variant_in(found, parent.name) else {
+            let message = format!(
+                "`{}` may not stand in `{}`; it is dropped",
+                found.name, parent.name
+            );
+            let hint = match found.parents {
+                [] => "it is the root of the document".to_owned(),
+                parents => format!("it belongs in {}", list(parents)),
+            };
+            self.sink
+                .push(Diagnostic::error("eml::wrong-parent", span, message).hint(hint));
+            return None;
+        };
+        self.report_spelling(written, entry.name, span);
+        Some(entry)
+    }
+
+    /// Warns of an alias or another case.
+    pub(crate) fn report_spelling(&mut self, written: &str, name: &str, span: Span) {
+        if written == name {
+            return;
+        }
+        let (code, what) = if written.eq_ignore_ascii_case(name) {
+            ("eml::letter-case", "case matters in EML")
+        } else {
+            ("eml::alias", "this is another spelling")
+        };
+        let message = format!("{} is read as `{name}`", quoted(written));
+        self.sink
+            .push(Diagnostic::warning(code, span, message).hint(what));
+    }
+
+    /// Finds the attributes of an element in the table and reports unknown and missing
+    /// ones.
+    pub(crate) fn fields(&mut self, node: usize, element: &'static Element) -> Fields<'t> {
+        let tree = self.tree;
+        let mut fields = Fields {
+            element,
+            tag: tree.nodes[node].span,
+            name: self.name_span(node),
+            attributes: tree.attributes_of(node),
+            slots: [ABSENT; MOST_ATTRIBUTES],
+            complete: true,
+        };
+        for (index, attribute) in fields.attributes.iter().enumerate() {
+            let exact = element
+                .all_attributes()
+                .position(|a| a.name == attribute.name);
+            let Some(slot) = exact.or_else(|| self.slot_by_spelling(element, attribute)) else {
+                continue;
+            };
+            if fields.slots[slot] == ABSENT {
+                fields.slots[slot] = u16::try_from(index).unwrap_or(ABSENT);
+            } else {
+                let message = format!("{} is given twice", quoted(attribute.name));
+                let span = attribute.name_span();
+                self.sink
+                    .push(Diagnostic::error("eml::duplicate-attribute", span, message));
+            }
+        }
+        for (slot, attribute) in element.all_attributes().enumerate() {
+            if attribute.default == Presence::Required && fields.slots[slot] == ABSENT {
+                fields.complete = false;
+                let message = format!(
+                    "`{}` lacks `{}`; it is dropped",
+                    element.name, attribute.name
+                );
+                let diagnostic = Diagnostic::error("eml::missing-attribute", fields.tag, message);
+                self.sink.push(diagnostic.hint(attribute.doc));
+            }
+        }
+        fields
+    }
+
+    /// The slot of an attribute that is written with another case or as an alias.
+    fn slot_by_spelling(
+        &mut self,
+        element: &'static Element,
+        attribute: &syntax::Attribute<'_>,
+    ) -> Option<usize> {
+        let written = attribute.name;
+        if ["xmlns", "xml:lang", "xml:space", "xml:id"].contains(&written)
+            || written.starts_with("xmlns:")
+        {
+            return None;
+        }
+        let slot = element.all_attributes().position(|a| {
+            a.name.eq_ignore_ascii_case(written)
+                || a.aliases
+                    .iter()
+                    .any(|alias| alias.eq_ignore_ascii_case(written))
+        });
+        if let Some(entry) = slot.and_then(|slot| element.all_attributes().nth(slot)) {
+            self.report_spelling(written, entry.name, attribute.name_span());
+            return slot;
+        }
+        let message = format!("`{}` has no attribute {}", element.name, quoted(written));
+        let hint = nearest(written, element.all_attributes().map(|a| a.name));
+        self.push_with_hint(
+            Diagnostic::warning("eml::unknown-attribute", attribute.name_span(), message),
+            hint.map(|h| format!("did you mean `{h}`?")),
+        );
+        None
+    }
+
+    pub(crate) fn push_with_hint(&mut self, diagnostic: Diagnostic, hint: Option<String>) {
+        self.sink.push(match hint {
+            Some(hint) => diagnostic.hint(hint),
+            None => diagnostic,
+        });
+    }
+
+    fn surplus(&mut self, child: usize, entry: &Element, parent: &Element) {
+        let most = entry.most_per_parent.unwrap_or(0);
+        let message = format!(
+            "more than {most} `{}` in one `{}`; this one is dropped",
+            entry.name, parent.name
+        );
+        let span = self.name_span(child);
+        self.sink
+            .push(Diagnostic::error("eml::surplus-element", span, message));
+    }
+
+    /// Reports text where none is allowed: at `place`, in `parent`.
+    pub(crate) fn stray_text(&mut self, node: usize, place: &str, parent: &Element) {
+        let node = &self.tree.nodes[node];
+        let text = node.text.trim();
+        if text.is_empty() {
+            return;
+        }
+        let start = node.span.start as usize + (node.text.len() - node.text.trim_start().len());
+        let message = format!("text {place} means nothing: {}", quoted(text));
+        let diagnostic = Diagnostic::warning(
+            "eml::stray-text",
+            Span::of(start, start + text.len()),
+            message,
+        );
+        let hint = find("voice-text")
+            .filter(|voice| voice.may_stand_in(parent.name))
+            .map(|_| "spoken text goes into `voice-text`".to_owned());
+        self.push_with_hint(diagnostic, hint);
+    }
+}
+
+/// Counts one more of an element.
+fn count(counts: &mut Vec<(&'static Element, u32)>, entry: &'static Element) -> u32 {
+    match counts.iter_mut().find(|(e, _)| std::ptr::eq(*e, entry)) {
+        Some((_, count)) => {
+            *count += 1;
+            *count
+        }
+        None => {
+            counts.push((entry, 1));
+            1
+        }
+    }
+}
+
+/// `a`, `b` or `c`.
+pub(super) fn list(words: &[&str]) -> String {
+    let mut out = String::new();
+    for (i, word) in words.iter().enumerate() {
+        if i > 0 {
+            out.push_str(if i + 1 == words.len() { " or " } else { ", " });
+        }
+        out.push('`');
+        out.push_str(word);
+        out.push('`');
+    }
+    out
+}

@@ -1,0 +1,53 @@
+//! `gesture-is-on`: the master switch of gestures.
+
+use super::{Attribute, CLAUSE_PARENTS, Content, Context, Element, Fields, Kind, Presence, Role};
+use crate::ClauseKind;
+
+pub(super) static ELEMENT: Element = Element {
+    name: "gesture-is-on",
+    aliases: &[],
+    doc: "Turns the gesture model on or off. Off releases the arms.",
+    source: "GEVH D.5.1",
+    parents: CLAUSE_PARENTS,
+    content: Content::Empty,
+    attributes: &[Attribute {
+        name: "isOn",
+        // So it is printed in GEVH D.5.1, with a zero.
+        aliases: &["is0n"],
+        kind: Kind::Bool,
+        default: Presence::Required,
+        doc: "Whether gestures move the arms and hands.",
+    }],
+    required_children: &[],
+    most_per_parent: None,
+    role: Role::Clause(build),
+};
+
+fn build(cx: &mut Context<'_>, _: usize, fields: &Fields<'_>) -> Option<ClauseKind> {
+    cx.boolean(fields, "isOn").map(ClauseKind::GestureIsOn)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::ClauseKind;
+    use crate::schema::testing::{codes, one};
+
+    #[test]
+    fn booleans_have_four_spellings_in_any_case() {
+        for (text, on) in [("true", true), ("1", true), ("FALSE", false), ("0", false)] {
+            let kind = one(&format!("<gesture-is-on time='0' isOn='{text}'/>"));
+            assert_eq!(kind, ClauseKind::GestureIsOn(on));
+        }
+    }
+
+    #[test]
+    fn other_values_and_spellings_are_reported() {
+        let body = |x: &str| {
+            format!("<eml><body><null time='1'/><gesture-is-on time='0' {x}/></body></eml>")
+        };
+        assert_eq!(codes(&body("isOn='yes'")), ["eml::bad-value"]);
+        assert_eq!(codes(&body("")), ["eml::missing-attribute"]);
+        assert_eq!(codes(&body("is0n='true'")), ["eml::alias"]);
+        assert_eq!(codes(&body("ison='true'")), ["eml::letter-case"]);
+    }
+}

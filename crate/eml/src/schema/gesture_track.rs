@@ -1,0 +1,274 @@
+//! What hand-shapes, palms and motion have in common: a hand and timed keys.
+
+use super::values::KeyTime;
+use super::{Attribute, Context, Element, Fields, Kind, Presence};
+use crate::{Diagnostic, Handedness, Key, Span, Track};
+use raconteur_base::Side;
+
+/// The hand of a track.
+pub(super) const HAND: Attribute = Attribute {
+    name: "hand",
+    aliases: &[],
+    kind: Kind::Choice(&["left", "right"]),
+    default: Presence::Optional,
+    doc: "The hand it is for. Every hand that takes part when left out; palms and motion are then \
+          mirrored for the other hand.",
+};
+
+/// The time of a key.
+pub(super) const KEY_TIME: Attribute = Attribute {
+    name: "time",
+    aliases: &[],
+    kind: Kind::KeyTime,
+    default: Presence::Optional,
+    doc: "When to reach the value: seconds after the start of the gesture, or percent of its \
+          duration. Keys without a time are spread evenly.",
+};
+
+/// Where one track may stand and how often: once a hand.
+pub(super) const PARENTS: &[&str] = &["gesture-key"];
+
+/// Reads a track: its hand, and its keys with `value`. None when no key is left.
+pub(super) fn read<'t, K>(
+    cx: &mut Context<'t>,
+    node: usize,
+    element: &'static Element,
+    fields: &Fields<'t>,
+    duration_secs: f64,
+    mut value: impl FnMut(&mut Context<'t>, &Fields<'t>) -> Option<K>,
+) -> Option<Track<K>> {
+    let hand = match cx.choice(fields, "hand") {
+        Some("left") => Some(Side::Left),
+        Some("right") => Some(Side::Right),
+        _ => None,
+    };
+    let mut keys: Vec<(Option<f64>, Option<K>, Span)> = Vec::new();
+    cx.children(node, element, |cx, child, key| {
+        let fields = cx.fields(child, key);
+        let span = cx.full_span(child);
+        cx.children(child, key, |_, _, _| {});
+        // A bad time still takes a place among the keys without one.
+        let time = cx.key_time(&fields);
+        let secs = time.unwrap_or(None).map(|time| match time {
+            KeyTime::Secs(secs) => secs,
+            KeyTime::Fraction(fraction) => fraction * duration_secs,
+        });
+        if let Some(secs) = secs.filter(|&s| s > duration_secs) {
+            let message = format!(
+                "the key at {secs} s lies after the end of the gesture at {duration_secs} s"
+            );
+            let span = fields.span_of("time");
+            cx.sink
+                .push(Diagnostic::warning("eml::late-key", span, message));
+        }
+        let read = if fields.is_complete() {
+            value(cx, &fields)
+        } else {
+            None
+        };
+        keys.push((secs, read.filter(|_| time.is_ok()), span));
+    });
+    spread(&mut keys, duration_secs);
+    let mut keys: Vec<Key<K>> = keys
+        .into_iter()
+        .filter_map(|(time, value, span)| {
+            Some(Key {
+                offset_secs: time.unwrap_or(0.0),
+                value: value?,
+                span,
+            })
+        })
+        .collect();
+    if !keys.is_sorted_by_key(|k| k.offset_secs) {
+        let message = format!(
+            "the keys of `{}` are not in the order of their times",
+            element.name
+        );
+        cx.sink
+            .push(Diagnostic::warning("eml::key-order", fields.name, message));
+        keys.sort_by(|a, b| a.offset_secs.total_cmp(&b.offset_secs));
+    }
+    (!keys.is_empty()).then(|| Track {
+        hand,
+        keys,
+        span: cx.full_span(node),
+    })
+}
+
+/// Adds a track, unless it is for a hand that does not take part or has one already.
+pub(super) fn add<K>(
+    cx: &mut Context<'_>,
+    tracks: &mut Vec<Track<K>>,
+    track: Option<Track<K>>,
+    handedness: Handedness,
+) {
+    let Some(track) = track else { return };
+    let covers = |track: &Track<K>, side: Side| {
+        handedness.includes(side) && track.hand.is_none_or(|hand| hand == side)
+    };
+    if !Side::BOTH.iter().any(|&side| covers(&track, side)) {
+        cx.sink.push(Diagnostic::warning(
+            "eml::handedness",
+            track.span,
+            "this hand takes no part in the gesture; the track is ignored",
+        ));
+        return;
+    }
+    let taken = tracks.iter().find(|t| {
+        Side::BOTH
+            .iter()
+            .any(|&side| covers(t, side) && covers(&track, side))
+    });
+    if let Some(first) = taken {
+        cx.sink.push(
+            Diagnostic::warning(
+                "eml::duplicate-track",
+                track.span,
+                "a hand has this feature already; the track is ignored",
+            )
+            .related(first.span, "given here"),
+        );
+        return;
+    }
+    tracks.push(track);
+}
+
+/// Gives times to the keys that have none: evenly between their timed neighbours, the
+/// ends counting as 0 and the duration (GEVH 3.5.2).
+fn spread<V>(keys: &mut [(Option<f64>, V, Span)], duration_secs: f64) {
+    let last = keys.len().saturating_sub(1);
+    if let Some((time @ None, ..)) = keys.first_mut() {
+        *time = Some(0.0);
+    }
+    let latest = keys
+        .iter()
+        .filter_map(|(time, ..)| *time)
+        .fold(duration_secs, f64::max);
+    if let Some((time @ None, ..)) = keys.last_mut() {
+        *time = Some(latest);
+    }
+    let mut from = 0;
+    for to in 1..=last {
+        let (Some(start), Some(end)) = (keys[from].0, keys[to].0) else {
+            continue;
+        };
+        let steps = (to - from) as f64;
+        for (step, (time, ..)) in keys[from + 1..to].iter_mut().enumerate() {
+            *time = Some(start + (end - start) * (step + 1) as f64 / steps);
+        }
+        from = to;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::schema::testing::{codes, one};
+    use crate::{ClauseKind, GestureKey};
+
+    fn gesture(inner: &str) -> GestureKey {
+        let text = format!("<gesture-key time='1' duration='2'>{inner}</gesture-key>");
+        let ClauseKind::GestureKey(gesture) = one(&text) else {
+            panic!()
+        };
+        gesture
+    }
+
+    fn offsets(keys: &str) -> Vec<f64> {
+        let gesture = gesture(&format!("<hand-shapes>{keys}</hand-shapes>"));
+        gesture.hand_shapes[0]
+            .keys
+            .iter()
+            .map(|k| k.offset_secs)
+            .collect()
+    }
+
+    #[test]
+    fn keys_without_times_are_spread_evenly() {
+        assert_eq!(offsets("<key id='1'/>"), [0.0]);
+        assert_eq!(
+            offsets("<key id='1'/><key id='2'/><key id='3'/>"),
+            [0.0, 1.0, 2.0]
+        );
+        let mixed = "<key id='1'/><key id='2' time='0.5'/><key id='3'/><key id='4' time='75%'/>";
+        assert_eq!(offsets(mixed), [0.0, 0.5, 1.0, 1.5]);
+        assert_eq!(
+            offsets("<key id='1'/><key id='2' time='0.2s'/>"),
+            [0.0, 0.2]
+        );
+    }
+
+    #[test]
+    fn a_dropped_key_does_not_move_the_others() {
+        assert_eq!(spread_of(&[None, None, None]), [0.0, 1.0, 2.0]);
+        let text = "<eml><body><gesture-key time='1' duration='2'><hand-shapes><key id='1'/>\
+                    <key id='99'/><key id='3'/></hand-shapes></gesture-key></body></eml>";
+        let parsed = crate::parse(text);
+        let ClauseKind::GestureKey(gesture) = &parsed.document.clauses[0].kind else {
+            panic!()
+        };
+        let keys = &gesture.hand_shapes[0].keys;
+        assert_eq!((keys[0].offset_secs, keys[1].offset_secs), (0.0, 2.0));
+    }
+
+    fn spread_of(times: &[Option<f64>]) -> Vec<f64> {
+        let mut keys: Vec<_> = times
+            .iter()
+            .map(|&time| (time, (), Span::default()))
+            .collect();
+        spread(&mut keys, 2.0);
+        keys.into_iter().filter_map(|(time, ..)| time).collect()
+    }
+
+    #[test]
+    fn a_track_for_a_hand_that_rests_or_is_taken_is_ignored() {
+        let body = |handedness: &str, inner: &str| {
+            format!(
+                "<eml><body><gesture-key time='1' duration='2' handedness='{handedness}'>{inner}\
+                 </gesture-key></body></eml>"
+            )
+        };
+        let left = "<hand-shapes hand='left'><key id='1'/></hand-shapes>";
+        let both = "<hand-shapes><key id='1'/></hand-shapes>";
+        assert_eq!(codes(&body("right", left)), ["eml::handedness"]);
+        assert_eq!(
+            codes(&body("both", &(both.to_owned() + left))),
+            ["eml::duplicate-track"]
+        );
+        assert_eq!(codes(&body("left", left)), [""; 0]);
+    }
+
+    #[test]
+    fn times_out_of_order_or_range_are_reported() {
+        let body = |keys: &str| {
+            format!(
+                "<eml><body><gesture-key time='1' duration='2'><hand-shapes>{keys}</hand-shapes>\
+                 </gesture-key></body></eml>"
+            )
+        };
+        let swapped = "<key time='1' id='1'/><key time='0' id='2'/>";
+        assert_eq!(codes(&body(swapped)), ["eml::key-order"]);
+        assert_eq!(offsets_of(&body(swapped)), [0.0, 1.0]);
+        assert_eq!(codes(&body("<key time='3' id='1'/>")), ["eml::late-key"]);
+        assert_eq!(
+            codes(&body("<key id='1'/><key time='-1' id='1'/>")),
+            ["eml::bad-value"]
+        );
+        assert_eq!(
+            codes(&body("<key id='1'/><key time='t1' id='1'/>")),
+            ["eml::bad-time"]
+        );
+    }
+
+    fn offsets_of(text: &str) -> Vec<f64> {
+        let parsed = crate::parse(text);
+        let ClauseKind::GestureKey(gesture) = &parsed.document.clauses[0].kind else {
+            panic!()
+        };
+        gesture.hand_shapes[0]
+            .keys
+            .iter()
+            .map(|k| k.offset_secs)
+            .collect()
+    }
+}

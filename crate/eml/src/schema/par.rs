@@ -1,0 +1,40 @@
+//! `par`: clauses together.
+
+use super::group::REPETITION;
+use super::{CLAUSE_PARENTS, Content, Element, Role};
+use crate::ClauseKind;
+
+pub(super) static ELEMENT: Element = Element {
+    name: "par",
+    aliases: &[],
+    doc: "Plays its clauses together. A plain time counts from the start of the par.",
+    source: "GEVH D.2.5, D.2.6",
+    parents: CLAUSE_PARENTS,
+    content: Content::Elements,
+    attributes: REPETITION,
+    required_children: &[],
+    most_per_parent: None,
+    role: Role::Group(ClauseKind::Par),
+};
+
+#[cfg(test)]
+mod tests {
+    use crate::schema::testing::{codes, one};
+
+    #[test]
+    fn children_and_repetition_are_kept() {
+        let kind = one("<par time='1' repetitionCount='3' duration='2s'><null/><null/></par>");
+        let group = kind.group().unwrap();
+        assert_eq!((kind.name(), group.children.len()), ("par", 2));
+        assert_eq!(
+            (group.repetition_count, group.iteration_secs),
+            (3, Some(2.0))
+        );
+    }
+
+    #[test]
+    fn a_count_below_one_is_an_error() {
+        let text = "<eml><body><par time='1' repetitionCount='0'><null/></par></body></eml>";
+        assert_eq!(codes(text), ["eml::bad-value"]);
+    }
+}

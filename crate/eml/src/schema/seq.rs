@@ -1,0 +1,40 @@
+//! `seq`: clauses one after another.
+
+use super::group::REPETITION;
+use super::{CLAUSE_PARENTS, Content, Element, Role};
+use crate::ClauseKind;
+
+pub(super) static ELEMENT: Element = Element {
+    name: "seq",
+    aliases: &[],
+    doc: "Plays its clauses one after another. A plain time is the delay after the end of the clause before, or after the start of the seq.",
+    source: "GEVH D.2.4, D.2.6",
+    parents: CLAUSE_PARENTS,
+    content: Content::Elements,
+    attributes: REPETITION,
+    required_children: &[],
+    most_per_parent: None,
+    role: Role::Group(ClauseKind::Seq),
+};
+
+#[cfg(test)]
+mod tests {
+    use crate::schema::testing::{codes, one};
+
+    #[test]
+    fn children_and_repetition_are_kept() {
+        let kind = one("<seq time='1' repetitionCount='3' duration='2s'><null/><null/></seq>");
+        let group = kind.group().unwrap();
+        assert_eq!((kind.name(), group.children.len()), ("seq", 2));
+        assert_eq!(
+            (group.repetition_count, group.iteration_secs),
+            (3, Some(2.0))
+        );
+    }
+
+    #[test]
+    fn a_count_below_one_is_an_error() {
+        let text = "<eml><body><seq time='1' repetitionCount='0'><null/></seq></body></eml>";
+        assert_eq!(codes(text), ["eml::bad-value"]);
+    }
+}

@@ -1,0 +1,117 @@
+//! `tm`: names a moment of a word.
+
+use super::{
+    Attribute, Content, Context, Element, Fields, Kind, Presence, Role, VOICE_PARENTS, VoiceBuilder,
+};
+use crate::{Diagnostic, MarkEvent, Piece};
+
+pub(super) static ELEMENT: Element = Element {
+    name: "tm",
+    aliases: &[],
+    doc: "Names a moment of the next word, or the end of the speech when no word follows.",
+    source: "GEVH D.4.3",
+    parents: VOICE_PARENTS,
+    content: Content::Empty,
+    attributes: &[
+        Attribute {
+            name: "name",
+            aliases: &[],
+            kind: Kind::Name,
+            default: Presence::Required,
+            doc: "The name, to be used in time expressions.",
+        },
+        Attribute {
+            name: "event",
+            aliases: &[],
+            kind: Kind::Choice(&["onStart", "onEnd", "onPhone"]),
+            default: Presence::Default("onStart"),
+            doc: "Which moment: the start or the end of the word, or the start of a phone in it.",
+        },
+        Attribute {
+            name: "phone",
+            aliases: &[],
+            kind: Kind::Text,
+            default: Presence::Optional,
+            doc: "The phone for onPhone, as Festival writes it, such as hh or ow.",
+        },
+    ],
+    required_children: &[],
+    most_per_parent: None,
+    role: Role::Voice(read),
+};
+
+fn read(cx: &mut Context<'_>, node: usize, fields: &Fields<'_>, voice: &mut VoiceBuilder) {
+    cx.children(node, &ELEMENT, |_, _, _| {});
+    let Some(name) = cx.name(fields, "name") else {
+        return;
+    };
+    let phone = cx.text(fields, "phone");
+    let event = match (cx.choice(fields, "event"), phone) {
+        (Some("onEnd"), None) => MarkEvent::OnEnd,
+        (Some("onPhone"), Some(phone)) => MarkEvent::OnPhone(phone.trim().to_lowercase()),
+        (Some("onPhone"), None) => {
+            let message = "onPhone needs `phone`; the start of the word is used";
+            cx.sink
+                .push(Diagnostic::warning("eml::phone", fields.tag, message));
+            MarkEvent::OnStart
+        }
+        (event, None) if event != Some("onEnd") => MarkEvent::OnStart,
+        (event, _) => {
+            let message = "`phone` only counts with event='onPhone'";
+            cx.sink.push(Diagnostic::warning(
+                "eml::phone",
+                fields.span_of("phone"),
+                message,
+            ));
+            if event == Some("onEnd") {
+                MarkEvent::OnEnd
+            } else {
+                MarkEvent::OnStart
+            }
+        }
+    };
+    voice.pieces.push(Piece::Mark {
+        name,
+        event,
+        span: cx.full_span(node),
+    });
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::schema::testing::{codes, one};
+    use crate::{ClauseKind, MarkEvent};
+
+    #[test]
+    fn marks_belong_to_the_next_word() {
+        let kind = one(
+            "<voice-text time='0'><tm name='a'/>Hello <tm name='b' event='onPhone' \
+             phone='W'/>world<tm name='c' event='onend'/>!</voice-text>",
+        );
+        let ClauseKind::VoiceText(text) = kind else {
+            panic!()
+        };
+        let marks: Vec<_> = text
+            .marks()
+            .into_iter()
+            .map(|m| (m.name, m.event, m.word))
+            .collect();
+        assert_eq!(marks[0], ("a".into(), MarkEvent::OnStart, 0));
+        assert_eq!(marks[1], ("b".into(), MarkEvent::OnPhone("w".into()), 1));
+        assert_eq!(marks[2], ("c".into(), MarkEvent::OnEnd, 2));
+    }
+
+    #[test]
+    fn names_and_phones_are_checked() {
+        let with = |tm: &str| {
+            codes(&format!(
+                "<eml><body><voice-text time='0'>{tm}a</voice-text></body></eml>"
+            ))
+        };
+        assert_eq!(with("<tm/>"), ["eml::missing-attribute"]);
+        assert_eq!(with("<tm name='t-1'/>"), ["eml::bad-name"]);
+        assert_eq!(with("<tm name='t' event='onPhone'/>"), ["eml::phone"]);
+        assert_eq!(with("<tm name='t' phone='hh'/>"), ["eml::phone"]);
+        assert_eq!(with("<tm name='t' event='onWord'/>"), ["eml::bad-value"]);
+    }
+}

@@ -1,0 +1,166 @@
+//! Byte spans and their translation to lines and columns.
+
+/// A range of bytes in the source text, `start` included and `end` excluded.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Span {
+    /// Offset of the first byte.
+    pub start: u32,
+    /// Offset after the last byte, never before `start`.
+    pub end: u32,
+}
+
+impl Span {
+    /// The span from `start` to `end`.
+    #[must_use]
+    pub fn new(start: u32, end: u32) -> Self {
+        Self { start, end }
+    }
+
+    /// The span from byte `start` to byte `end` of a source. Sources are limited to
+    /// less than 4 GiB; what lies beyond is clamped.
+    pub(crate) fn of(start: usize, end: usize) -> Self {
+        let clamp = |x: usize| u32::try_from(x).unwrap_or(u32::MAX);
+        Self {
+            start: clamp(start),
+            end: clamp(end),
+        }
+    }
+
+    /// The smallest span that holds both.
+    #[must_use]
+    pub fn to(self, other: Self) -> Self {
+        Self {
+            start: self.start.min(other.start),
+            end: self.end.max(other.end),
+        }
+    }
+
+    /// The spanned part of `source`, empty when it does not fit.
+    #[must_use]
+    pub fn slice(self, source: &str) -> &str {
+        source
+            .get(self.start as usize..self.end as usize)
+            .unwrap_or("")
+    }
+}
+
+/// A place in a text as people count it: both parts start at 1.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Position {
+    /// The line, from 1.
+    pub line: u32,
+    /// The column, from 1, in the unit of the method that gave it.
+    pub column: u32,
+}
+
+/// Finds lines and columns of byte offsets: O(n) to build, O(log lines + line
+/// length) a question.
+#[derive(Clone, Debug)]
+pub struct LineIndex<'a> {
+    source: &'a str,
+    line_starts: Vec<u32>,
+}
+
+impl<'a> LineIndex<'a> {
+    /// Indexes `source`. Lines end with `\n`; a `\r` before it belongs to the line.
+    #[must_use]
+    pub fn new(source: &'a str) -> Self {
+        let mut line_starts = vec![0];
+        line_starts.extend(
+            source
+                .bytes()
+                .enumerate()
+                .filter(|&(_, b)| b == b'\n')
+                .filter_map(|(i, _)| u32::try_from(i + 1).ok()),
+        );
+        Self {
+            source,
+            line_starts,
+        }
+    }
+
+    /// Line and column in characters (Unicode scalar values). An offset past the
+    /// end counts as the end, one inside a character as the start of it.
+    #[must_use]
+    pub fn position(&self, offset: u32) -> Position {
+        let (line, before) = self.split(offset);
+        Position {
+            line,
+            column: 1 + count(before.chars().count()),
+        }
+    }
+
+    /// Line and column in UTF-16 code units, as browsers and editors count.
+    #[must_use]
+    pub fn position_utf16(&self, offset: u32) -> Position {
+        let (line, before) = self.split(offset);
+        Position {
+            line,
+            column: 1 + count(before.chars().map(char::len_utf16).sum()),
+        }
+    }
+
+    /// The text of a line, from 1, without its line end.
+    #[must_use]
+    pub fn line_text(&self, line: u32) -> &'a str {
+        let index = line.saturating_sub(1) as usize;
+        let Some(&start) = self.line_starts.get(index) else {
+            return "";
+        };
+        let end = self
+            .line_starts
+            .get(index + 1)
+            .map_or(self.source.len(), |&e| e as usize);
+        self.source[start as usize..end].trim_end_matches(['\n', '\r'])
+    }
+
+    fn split(&self, offset: u32) -> (u32, &'a str) {
+        let mut end = (offset as usize).min(self.source.len());
+        while !self.source.is_char_boundary(end) {
+            end -= 1;
+        }
+        let line = self.line_starts.partition_point(|&s| s as usize <= end);
+        let start = self.line_starts[line - 1] as usize;
+        (count(line), &self.source[start..end])
+    }
+}
+
+fn count(n: usize) -> u32 {
+    u32::try_from(n).unwrap_or(u32::MAX)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn columns_count_characters_or_utf16_units() {
+        let text = "a\n<x y='😀é' z";
+        let lines = LineIndex::new(text);
+        let z = u32::try_from(text.find('z').unwrap()).unwrap();
+        assert_eq!(
+            lines.position(z),
+            Position {
+                line: 2,
+                column: 11
+            }
+        );
+        assert_eq!(
+            lines.position_utf16(z),
+            Position {
+                line: 2,
+                column: 12
+            }
+        );
+    }
+
+    #[test]
+    fn offsets_outside_characters_are_clamped() {
+        let lines = LineIndex::new("é\r\nb");
+        assert_eq!(lines.position(1), Position { line: 1, column: 1 });
+        assert_eq!(lines.position(999), Position { line: 2, column: 2 });
+        assert_eq!(lines.line_text(1), "é");
+        assert_eq!(lines.line_text(2), "b");
+        assert_eq!(lines.line_text(3), "");
+    }
+}

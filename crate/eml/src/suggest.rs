@@ -1,0 +1,80 @@
+//! The nearest of some known names, for hints.
+
+/// Names longer than this are never near anything; it bounds the work.
+const LONGEST: usize = 48;
+
+/// The candidate nearest to `name` by edit distance without regard to case, when
+/// it is near enough to be what was meant: one edit in three characters.
+pub(crate) fn nearest<'c>(
+    name: &str,
+    candidates: impl IntoIterator<Item = &'c str>,
+) -> Option<&'c str> {
+    if name.len() > LONGEST {
+        return None;
+    }
+    candidates
+        .into_iter()
+        .map(|c| (distance(name, c), c))
+        .filter(|&(d, c)| {
+            let longer = name.len().max(c.len());
+            d < longer && d <= (longer / 3).max(1)
+        })
+        .min_by_key(|&(d, _)| d)
+        .map(|(_, c)| c)
+}
+
+/// Edit distance with neighbouring swaps as one edit (optimal string alignment), over
+/// bytes in lower case.
+fn distance(a: &str, b: &str) -> usize {
+    let a = a.to_ascii_lowercase().into_bytes();
+    let b = b.to_ascii_lowercase().into_bytes();
+    let mut before = vec![0; b.len() + 1];
+    let mut last: Vec<usize> = (0..=b.len()).collect();
+    for i in 1..=a.len() {
+        let mut row = vec![i; b.len() + 1];
+        for j in 1..=b.len() {
+            let changed = usize::from(a[i - 1] != b[j - 1]);
+            row[j] = (last[j] + 1).min(row[j - 1] + 1).min(last[j - 1] + changed);
+            if i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
+                row[j] = row[j].min(before[j - 2] + 1);
+            }
+        }
+        before = std::mem::replace(&mut last, row);
+    }
+    last[b.len()]
+}
+
+/// A name in backticks for a message: shortened when it is very long, and with control
+/// characters made visible, so that a file cannot write to a terminal.
+pub(crate) fn quoted(name: &str) -> String {
+    let (shown, more) = match name.char_indices().nth(40) {
+        Some((cut, _)) => (&name[..cut], "…"),
+        None => (name, ""),
+    };
+    if shown.contains(char::is_control) {
+        return format!("`{}{more}`", shown.escape_debug());
+    }
+    format!("`{shown}{more}`")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn slips_are_near_and_other_words_are_not() {
+        let names = ["gesture-key", "hand-shapes", "event"];
+        assert_eq!(nearest("gesture-kye", names), Some("gesture-key"));
+        assert_eq!(nearest("handshapes", names), Some("hand-shapes"));
+        assert_eq!(nearest("smile", names), None);
+        assert_eq!(nearest(";", ["?", "!"]), None);
+        assert_eq!(nearest(&"x".repeat(10_000), names), None);
+    }
+
+    #[test]
+    fn long_and_hostile_names_are_made_harmless() {
+        assert_eq!(quoted("a\u{1b}[2J"), r"`a\u{1b}[2J`");
+        assert_eq!(quoted("tm"), "`tm`");
+        assert_eq!(quoted(&"é".repeat(99)), format!("`{}…`", "é".repeat(40)));
+    }
+}

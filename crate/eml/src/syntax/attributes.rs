@@ -1,0 +1,249 @@
+//! Reads the attributes of a start tag. `quick-xml` finds the tag; its attribute
+//! iterator gives no positions and stops at the first slip, and a live editor
+//! needs both.
+
+use super::tree::Attribute;
+use crate::diagnostic::Sink;
+use crate::suggest::quoted;
+use crate::{Diagnostic, Span};
+
+/// What became of a start tag.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Outcome {
+    /// It ends where it seemed to; every slip was mended.
+    Whole,
+    /// A quote or the `>` is missing: the next markup starts at this offset of the
+    /// source, or nowhere.
+    Broken(Option<usize>),
+}
+
+/// Reads the attributes of the element `element` in `raw`, which starts at byte `start`
+/// of the source and ends before the tag's `>`, and appends them to `out`.
+pub(super) fn scan<'a>(
+    element: &str,
+    raw: &'a str,
+    start: usize,
+    limit: usize,
+    out: &mut Vec<Attribute<'a>>,
+    sink: &mut Sink,
+) -> Outcome {
+    let bytes = raw.as_bytes();
+    let first = out.len();
+    let mut i = 0;
+    let mut over_limit = false;
+    loop {
+        i = skip_space(bytes, i);
+        if i >= bytes.len() {
+            return Outcome::Whole;
+        }
+        let name_start = i;
+        while i < bytes.len() && !ends_name(bytes[i]) {
+            i += 1;
+        }
+        if bytes.get(i) == Some(&b'<') {
+            sink.push(
+                Diagnostic::error(
+                    "eml::malformed-tag",
+                    Span::of(start + i, start + i + 1),
+                    format!(
+                        "`<` inside the tag of {}, which is dropped",
+                        quoted(element)
+                    ),
+                )
+                .hint("is a `>` or `/>` missing before it?"),
+            );
+            return Outcome::Broken(Some(start + i));
+        }
+        let name = &raw[name_start..i];
+        let name_span = Span::of(start + name_start, start + i);
+        i = skip_space(bytes, i);
+        if name.is_empty() || bytes.get(i) != Some(&b'=') {
+            if name.is_empty() {
+                let ends = |&b: &u8| b.is_ascii_whitespace() || b == b'<';
+                i = bytes[i..]
+                    .iter()
+                    .position(ends)
+                    .map_or(bytes.len(), |n| i + n);
+            }
+            let what = &raw[name_start..i];
+            sink.push(
+                Diagnostic::error(
+                    "eml::malformed-attribute",
+                    Span::of(start + name_start, start + i),
+                    format!("expected an attribute, found {}", quoted(what.trim_end())),
+                )
+                .hint("an attribute is written name='value'"),
+            );
+            continue;
+        }
+        i = skip_space(bytes, i + 1);
+        let quote = bytes.get(i).copied();
+        let (value_start, value_end) = match quote {
+            Some(q @ (b'\'' | b'"' | b'`')) => {
+                let length = bytes[i + 1..].iter().position(|&b| b == q);
+                let Some(length) = length else {
+                    let next = raw[i..].find('<').map(|at| i + at);
+                    return unclosed(element, start, i, next, sink);
+                };
+                if let Some(lt) = bytes[i + 1..i + 1 + length].iter().position(|&b| b == b'<') {
+                    return unclosed(element, start, i, Some(i + 1 + lt), sink);
+                }
+                if q == b'`' {
+                    unquoted(Span::of(start + i, start + i + length + 2), sink);
+                }
+                (i + 1, i + 1 + length)
+            }
+            _ => {
+                let end = bytes[i..]
+                    .iter()
+                    .position(|&b| b.is_ascii_whitespace() || b == b'<')
+                    .map_or(bytes.len(), |at| i + at);
+                unquoted(name_span.to(Span::of(start + i, start + end)), sink);
+                (i, end)
+            }
+        };
+        i = match quote {
+            Some(b'\'' | b'"' | b'`') => value_end + 1,
+            _ => value_end,
+        };
+        let attribute = Attribute {
+            name,
+            value: &raw[value_start..value_end],
+            name_start: name_span.start,
+            value_start: Span::of(start + value_start, 0).start,
+        };
+        if out.len() - first >= limit {
+            if !over_limit {
+                over_limit = true;
+                sink.push(Diagnostic::error(
+                    "eml::too-many-attributes",
+                    name_span,
+                    format!("more than {limit} attributes; the rest is ignored"),
+                ));
+            }
+        } else if let Some(before) = out[first..].iter().find(|a| a.name == name) {
+            let diagnostic = Diagnostic::error(
+                "eml::duplicate-attribute",
+                name_span,
+                format!("{} is given twice; the first one counts", quoted(name)),
+            );
+            sink.push(diagnostic.related(before.name_span(), "first given here"));
+        } else {
+            out.push(attribute);
+        }
+    }
+}
+
+fn skip_space(bytes: &[u8], mut i: usize) -> usize {
+    while i < bytes.len() && bytes[i].is_ascii_whitespace() {
+        i += 1;
+    }
+    i
+}
+
+fn ends_name(b: u8) -> bool {
+    b.is_ascii_whitespace() || matches!(b, b'=' | b'\'' | b'"' | b'`' | b'<' | b'>' | b'/')
+}
+
+fn unclosed(
+    element: &str,
+    start: usize,
+    quote: usize,
+    next: Option<usize>,
+    sink: &mut Sink,
+) -> Outcome {
+    sink.push(
+        Diagnostic::error(
+            "eml::malformed-tag",
+            Span::of(start + quote, start + quote + 1),
+            format!(
+                "the quote that opens here is not closed before the next `<`; {} is dropped",
+                quoted(element)
+            ),
+        )
+        .hint("write `&lt;` for `<` inside a value"),
+    );
+    Outcome::Broken(next.map(|at| start + at))
+}
+
+fn unquoted(span: Span, sink: &mut Sink) {
+    sink.push(
+        Diagnostic::error(
+            "eml::malformed-attribute",
+            span,
+            "the value is not in quotes",
+        )
+        .hint("quotes are ' or \""),
+    );
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn scanned(raw: &str) -> (Vec<(&str, &str)>, Outcome, Vec<&'static str>) {
+        let mut sink = Sink::new(20);
+        let mut out = Vec::new();
+        let outcome = scan("x", raw, 100, 3, &mut out, &mut sink);
+        let pairs = out.iter().map(|a| (a.name, a.value)).collect();
+        (
+            pairs,
+            outcome,
+            sink.finish().iter().map(|d| d.code).collect(),
+        )
+    }
+
+    #[test]
+    fn well_formed_attributes_keep_their_order_and_places() {
+        let mut out = Vec::new();
+        scan(
+            "x",
+            " a='1' b = \"2>\"",
+            100,
+            3,
+            &mut out,
+            &mut Sink::new(1),
+        );
+        assert_eq!((out[0].name, out[0].value), ("a", "1"));
+        assert_eq!((out[1].name, out[1].value), ("b", "2>"));
+        assert_eq!((out[1].name_start, out[1].value_start), (107, 112));
+    }
+
+    #[test]
+    fn slips_are_mended_where_the_meaning_is_plain() {
+        let bad = "eml::malformed-attribute";
+        assert_eq!(
+            scanned("a=1 b='2'"),
+            (vec![("a", "1"), ("b", "2")], Outcome::Whole, vec![bad])
+        );
+        assert_eq!(
+            scanned("a=`1`"),
+            (vec![("a", "1")], Outcome::Whole, vec![bad])
+        );
+        assert_eq!(
+            scanned("a b='2'"),
+            (vec![("b", "2")], Outcome::Whole, vec![bad])
+        );
+        assert_eq!(scanned("a= "), (vec![("a", "")], Outcome::Whole, vec![bad]));
+        assert_eq!(scanned("=é '\"/"), (vec![], Outcome::Whole, vec![bad, bad]));
+    }
+
+    #[test]
+    fn an_open_quote_breaks_the_tag_at_the_next_markup() {
+        let (pairs, outcome, codes) = scanned("a='1 b=2>\n<x c='3'");
+        assert_eq!((pairs, outcome), (vec![], Outcome::Broken(Some(110))));
+        assert_eq!(codes, ["eml::malformed-tag"]);
+        assert_eq!(scanned("a='1").1, Outcome::Broken(None));
+        assert_eq!(scanned("a='1' <x").1, Outcome::Broken(Some(106)));
+    }
+
+    #[test]
+    fn twice_given_and_surplus_attributes_are_reported_once_each() {
+        let (pairs, _, codes) = scanned("a='1' a='2' b='' c='' d='' e=''");
+        assert_eq!(pairs, [("a", "1"), ("b", ""), ("c", "")]);
+        assert_eq!(
+            codes,
+            ["eml::duplicate-attribute", "eml::too-many-attributes"]
+        );
+    }
+}

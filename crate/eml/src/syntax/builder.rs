@@ -1,0 +1,410 @@
+//! Builds the tree from `quick-xml`'s events with a stack of its own, so that deep
+//! nesting costs a diagnostic instead of the call stack, and starts the reader
+//! again behind markup that it cannot read.
+
+use super::attributes::{self, Outcome};
+use super::references;
+use super::tree::{Node, NodeKind, Tree};
+use crate::diagnostic::Sink;
+use crate::schema::{self, Content, Role};
+use crate::suggest::quoted;
+use crate::{Diagnostic, Limits, Span};
+use quick_xml::Reader;
+use quick_xml::errors::{Error, SyntaxError};
+use quick_xml::events::Event;
+
+/// Bounds the memory of the tree: about 120 MB at worst.
+const MOST_NODES: usize = 2_000_000;
+
+/// How deep recursion over the tree may go, whatever the limits say.
+const DEEPEST: usize = 256;
+
+/// Reads `source` into a tree.
+pub(crate) fn build<'a>(source: &'a str, limits: &Limits, sink: &mut Sink) -> Tree<'a> {
+    let mut builder = Builder {
+        source,
+        limits,
+        sink,
+        // About as many as in a script of gestures; too few only costs a copy.
+        tree: Tree {
+            nodes: Vec::with_capacity(source.len() / 32),
+            attributes: Vec::with_capacity(source.len() / 48),
+        },
+        stack: Vec::new(),
+        skipped_depth: 0,
+        told_depth: false,
+        // Reading the same bytes again after a slip must stay linear in all.
+        reread_budget: 4 * source.len() + (64 << 10),
+    };
+    builder.run();
+    builder.tree
+}
+
+struct Builder<'a, 's> {
+    source: &'a str,
+    limits: &'s Limits,
+    sink: &'s mut Sink,
+    tree: Tree<'a>,
+    /// Indices of the open elements.
+    stack: Vec<u32>,
+    /// How many elements are open below the depth limit.
+    skipped_depth: usize,
+    told_depth: bool,
+    reread_budget: usize,
+}
+
+/// Why the reader stopped, short of the end of the source.
+struct Restart {
+    /// Where to go on.
+    at: usize,
+    /// How far the bytes have been looked at already.
+    reached: usize,
+}
+
+impl<'a> Builder<'a, '_> {
+    fn run(&mut self) {
+        let mut start = if self.source.starts_with('\u{feff}') {
+            3
+        } else {
+            0
+        };
+        while let Some(restart) = self.read_from(start) {
+            let again = restart.reached.saturating_sub(restart.at);
+            if again > self.reread_budget {
+                let span = Span::of(restart.at, restart.at + 1);
+                self.error(
+                    "eml::malformed",
+                    span,
+                    "too much is malformed; reading stops here",
+                );
+                break;
+            }
+            self.reread_budget -= again;
+            start = restart.at;
+        }
+        while let Some(open) = self.stack.pop() {
+            self.close(open, self.source.len(), None);
+        }
+    }
+
+    fn read_from(&mut self, base: usize) -> Option<Restart> {
+        let source = self.source;
+        let mut reader = Reader::from_str(&source[base..]);
+        let config = reader.config_mut();
+        config.check_end_names = false;
+        config.allow_unmatched_ends = true;
+        config.allow_dangling_amp = true;
+        let position = |offset: u64| base + usize::try_from(offset).unwrap_or(usize::MAX);
+        loop {
+            let start = position(reader.buffer_position());
+            let event = reader.read_event();
+            let end = position(reader.buffer_position());
+            if self.tree.nodes.len() >= MOST_NODES {
+                self.error(
+                    "eml::too-large",
+                    Span::of(start, start + 1),
+                    "too many elements; reading stops here",
+                );
+                return None;
+            }
+            match event {
+                Ok(Event::Start(tag)) => {
+                    let raw = &source[start + 1..end - 1];
+                    if let Some(at) = self.open(raw, tag.name().as_ref().len(), start, end, false) {
+                        return Some(Restart { at, reached: end });
+                    }
+                }
+                Ok(Event::Empty(tag)) => {
+                    let raw = &source[start + 1..end - 2];
+                    if let Some(at) = self.open(raw, tag.name().as_ref().len(), start, end, true) {
+                        return Some(Restart { at, reached: end });
+                    }
+                }
+                Ok(Event::End(_)) => self.end_tag(start, end),
+                Ok(Event::Text(_)) => self.text(&source[start..end], start),
+                Ok(Event::CData(_)) => self.text(&source[start + 9..end - 3], start + 9),
+                Ok(Event::GeneralRef(_)) => {
+                    let span = Span::of(start, end);
+                    let name = &source[start + 1..end - 1];
+                    if let Some(c) = references::character(name, span, self.sink) {
+                        self.push(NodeKind::Reference(c), &source[start..end], span);
+                    }
+                }
+                Ok(Event::DocType(_)) => self.doctype(start, end),
+                Ok(Event::Comment(_) | Event::PI(_) | Event::Decl(_)) => {}
+                Ok(Event::Eof) => return None,
+                Err(Error::IllFormed(_)) => self.doctype(start, end),
+                Err(error) => {
+                    let at = position(reader.error_position());
+                    return self.recover(&error, at);
+                }
+            }
+        }
+    }
+
+    /// Goes on behind markup at byte `at` that has no end.
+    fn recover(&mut self, error: &Error, at: usize) -> Option<Restart> {
+        let rest = self.source.get(at + 1..)?;
+        let next = rest.find('<').map(|i| at + 1 + i);
+        let stop = next.unwrap_or(self.source.len());
+        let restart = next.map(|at| Restart {
+            at,
+            reached: self.source.len(),
+        });
+        let span = Span::of(at, at + 1);
+        match error {
+            Error::Syntax(SyntaxError::UnclosedComment) => {
+                self.error(
+                    "eml::malformed",
+                    span,
+                    "the comment that opens here is not closed",
+                );
+                return None;
+            }
+            Error::Syntax(SyntaxError::UnclosedCData) => {
+                self.error(
+                    "eml::malformed",
+                    span,
+                    "the CDATA section that opens here is not closed",
+                );
+                return None;
+            }
+            Error::Syntax(SyntaxError::UnclosedDoctype) => self.doctype(at, stop),
+            Error::Syntax(
+                SyntaxError::UnclosedTag
+                | SyntaxError::UnclosedSingleQuotedAttributeValue
+                | SyntaxError::UnclosedDoubleQuotedAttributeValue,
+            ) if rest.starts_with(is_name_start) => {
+                let raw = &self.source[at + 1..stop];
+                let name_len = raw
+                    .find(|c: char| c.is_ascii_whitespace())
+                    .unwrap_or(raw.len());
+                let name = &raw[..name_len];
+                // An open quote swallows the `>`; its place says more than the tag's.
+                let mut slips = Sink::new(self.limits.attributes);
+                let after_name = &raw[name_len..];
+                let start = at + 1 + name_len;
+                let outcome =
+                    attributes::scan(name, after_name, start, 0, &mut Vec::new(), &mut slips);
+                match (outcome, slips.finish().pop()) {
+                    (Outcome::Broken(_), Some(quote)) => self.sink.push(quote),
+                    _ => self.not_closed(name, at),
+                }
+                self.open_broken(name, raw, at);
+            }
+            _ => self.error("eml::malformed", span, "`<` does not start any markup here"),
+        }
+        restart
+    }
+
+    /// Opens an element whose tag holds `raw` between `<` and `>`. Returns where to
+    /// read on when the tag is broken.
+    fn open(
+        &mut self,
+        raw: &'a str,
+        name_len: usize,
+        start: usize,
+        end: usize,
+        empty: bool,
+    ) -> Option<usize> {
+        if self.skipped_depth > 0 {
+            self.skipped_depth += usize::from(!empty);
+            return None;
+        }
+        let name = &raw[..name_len];
+        if !name.starts_with(is_name_start) {
+            let span = Span::of(start, start + 1);
+            self.error(
+                "eml::malformed",
+                span,
+                "`<` does not start a tag here; write `&lt;`",
+            );
+            return raw.find('<').map(|at| start + 1 + at);
+        }
+        if let Some(at) = name.find('<') {
+            self.not_closed(&name[..at], start);
+            self.open_broken(&name[..at], &raw[..at], start);
+            return Some(start + 1 + at);
+        }
+        if self.stack.len() >= self.limits.depth.min(DEEPEST) {
+            if !std::mem::replace(&mut self.told_depth, true) {
+                let depth = self.stack.len();
+                self.error(
+                    "eml::too-deep",
+                    Span::of(start, end),
+                    format!("nested deeper than {depth} elements; what is deeper is dropped"),
+                );
+            }
+            self.skipped_depth = usize::from(!empty);
+            return None;
+        }
+        let first_attribute = self.tree.attributes.len();
+        let outcome = attributes::scan(
+            name,
+            &raw[name_len..],
+            start + 1 + name_len,
+            self.limits.attributes.min(usize::from(u16::MAX)),
+            &mut self.tree.attributes,
+            self.sink,
+        );
+        match outcome {
+            Outcome::Whole => {
+                let kind = NodeKind::Element(schema::find(name));
+                let index = self.push(kind, name, Span::of(start, end));
+                let count = self.tree.attributes.len() - first_attribute;
+                let node = &mut self.tree.nodes[index as usize];
+                node.first_attribute = Span::of(first_attribute, 0).start;
+                node.attribute_count = u16::try_from(count).unwrap_or(u16::MAX);
+                if !empty {
+                    self.stack.push(index);
+                }
+                None
+            }
+            Outcome::Broken(next) => {
+                self.tree.attributes.truncate(first_attribute);
+                let stop = next.unwrap_or(end);
+                self.open_broken(name, &self.source[start + 1..stop], start);
+                next
+            }
+        }
+    }
+
+    /// Opens an element whose tag is broken off; `raw` is all there is of it. What
+    /// holds the document together is kept without attributes, the rest is marked.
+    fn open_broken(&mut self, name: &'a str, raw: &str, start: usize) {
+        let name = name.trim_end_matches(['/', '>']);
+        let entry = schema::find(name);
+        let kind = match entry {
+            Some(element) if element.role == Role::Structure => NodeKind::Element(entry),
+            _ => NodeKind::Malformed,
+        };
+        let index = self.push(
+            kind,
+            name,
+            Span::of(start, start + 1 + raw.trim_end().len()),
+        );
+        let raw = raw.trim_end();
+        let closed = raw.ends_with("/>")
+            || (!raw.ends_with('>') && entry.is_none_or(|e| e.content == Content::Empty));
+        if !closed {
+            self.stack.push(index);
+        }
+    }
+
+    fn end_tag(&mut self, start: usize, end: usize) {
+        if self.skipped_depth > 0 {
+            self.skipped_depth -= 1;
+            return;
+        }
+        let name = self.source[start + 2..end - 1].trim_end();
+        let nodes = &self.tree.nodes;
+        let same = |open: &&u32| nodes[**open as usize].text == name;
+        let alike = |open: &&u32| nodes[**open as usize].text.eq_ignore_ascii_case(name);
+        let open = self.stack.iter().rev();
+        let Some(&open) = open.clone().find(same).or_else(|| open.clone().find(alike)) else {
+            self.error(
+                "eml::stray-end",
+                Span::of(start, end),
+                format!("{} closes nothing", quoted(&self.source[start..end])),
+            );
+            return;
+        };
+        if self.tree.nodes[open as usize].text != name {
+            let opened = quoted(self.tree.nodes[open as usize].text);
+            self.error(
+                "eml::mismatched-end",
+                Span::of(start, end),
+                format!("{} is closed as {}", opened, quoted(name)),
+            );
+        }
+        while let Some(top) = self.stack.pop() {
+            if top == open {
+                break;
+            }
+            self.close(top, start, Some(Span::of(start, end)));
+        }
+        let subtree_end = Span::of(self.tree.nodes.len(), 0).start;
+        let node = &mut self.tree.nodes[open as usize];
+        node.end = Span::of(end, end).end;
+        node.subtree_end = subtree_end;
+    }
+
+    /// Closes an element that has no end tag of its own at byte `end`.
+    fn close(&mut self, open: u32, end: usize, by: Option<Span>) {
+        let subtree_end = Span::of(self.tree.nodes.len(), 0).start;
+        let node = &mut self.tree.nodes[open as usize];
+        node.end = Span::of(end, end).end;
+        node.subtree_end = subtree_end;
+        if matches!(node.kind, NodeKind::Malformed) {
+            return;
+        }
+        let message = format!("{} is not closed", quoted(node.text));
+        let mut diagnostic = Diagnostic::error("eml::unclosed", node.span, message);
+        if let Some(by) = by {
+            diagnostic = diagnostic.related(by, "its parent ends here");
+        }
+        self.sink.push(diagnostic);
+    }
+
+    fn text(&mut self, text: &'a str, start: usize) {
+        if self.skipped_depth > 0 {
+            return;
+        }
+        if let Some(after) = text.strip_prefix('&') {
+            // The reader hands a reference without its `;` over as text.
+            let span = Span::of(start, start + text.len() - after.len());
+            references::bare_ampersand(span, self.sink);
+        }
+        let keeps_space =
+            self.stack
+                .last()
+                .is_some_and(|&open| match self.tree.nodes[open as usize].kind {
+                    NodeKind::Element(Some(element)) => element.content.has_text(),
+                    NodeKind::Element(None) => true,
+                    _ => false,
+                });
+        if keeps_space || !text.bytes().all(|b| b.is_ascii_whitespace()) {
+            self.push(NodeKind::Text, text, Span::of(start, start + text.len()));
+        }
+    }
+
+    fn push(&mut self, kind: NodeKind, text: &'a str, span: Span) -> u32 {
+        let index = Span::of(self.tree.nodes.len(), 0).start;
+        self.tree.nodes.push(Node {
+            kind,
+            text,
+            span,
+            end: span.end,
+            subtree_end: index + 1,
+            first_attribute: 0,
+            attribute_count: 0,
+        });
+        index
+    }
+
+    /// Reports a tag without its `>` at byte `start`.
+    fn not_closed(&mut self, name: &str, start: usize) {
+        let span = Span::of(start, start + 1 + name.len());
+        let message = format!("the tag of {} is not closed; it is dropped", quoted(name));
+        self.error("eml::malformed-tag", span, message);
+    }
+
+    fn doctype(&mut self, start: usize, end: usize) {
+        self.sink.push(
+            Diagnostic::error(
+                "eml::doctype",
+                Span::of(start, end),
+                "EML has no document type; the declaration is ignored",
+            )
+            .hint("nothing outside the story is read, so entities cannot be declared"),
+        );
+    }
+
+    fn error(&mut self, code: &'static str, span: Span, message: impl Into<String>) {
+        self.sink.push(Diagnostic::error(code, span, message));
+    }
+}
+
+fn is_name_start(c: char) -> bool {
+    c.is_alphabetic() || c == '_'
+}

@@ -1,0 +1,85 @@
+//! The flat tree: nodes in document order, each knowing where its subtree ends.
+
+use crate::Span;
+use crate::schema::Element;
+
+/// A document's markup.
+#[derive(Debug, Default)]
+pub(crate) struct Tree<'a> {
+    /// Every node before its descendants.
+    pub(crate) nodes: Vec<Node<'a>>,
+    /// The attributes of all elements, those of one element together.
+    pub(crate) attributes: Vec<Attribute<'a>>,
+}
+
+impl<'a> Tree<'a> {
+    /// The attributes of a node.
+    pub(crate) fn attributes_of(&self, node: usize) -> &[Attribute<'a>] {
+        let node = &self.nodes[node];
+        let start = node.first_attribute as usize;
+        &self.attributes[start..start + usize::from(node.attribute_count)]
+    }
+}
+
+/// An element or a run of text.
+#[derive(Debug)]
+pub(crate) struct Node<'a> {
+    /// What it is.
+    pub(crate) kind: NodeKind,
+    /// The name as written, or the text.
+    pub(crate) text: &'a str,
+    /// The start tag, or the text.
+    pub(crate) span: Span,
+    /// Offset after the end tag, or after the text.
+    pub(crate) end: u32,
+    /// Index of the first node after its descendants.
+    pub(crate) subtree_end: u32,
+    /// Index of its first attribute.
+    pub(crate) first_attribute: u32,
+    /// How many attributes it has.
+    pub(crate) attribute_count: u16,
+}
+
+/// What a node is.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum NodeKind {
+    /// An element, with its entry in the schema when it has one.
+    Element(Option<&'static Element>),
+    /// An element whose start tag is malformed: already reported, to be dropped.
+    Malformed,
+    /// Characters as they stand in the source.
+    Text,
+    /// One resolved character reference.
+    Reference(char),
+}
+
+/// An attribute as written.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Attribute<'a> {
+    /// Its name.
+    pub(crate) name: &'a str,
+    /// Its value between the quotes, references unresolved.
+    pub(crate) value: &'a str,
+    /// Offset of the name.
+    pub(crate) name_start: u32,
+    /// Offset of the value.
+    pub(crate) value_start: u32,
+}
+
+impl Attribute<'_> {
+    /// Where the name is.
+    pub(crate) fn name_span(&self) -> Span {
+        Span::of(
+            self.name_start as usize,
+            self.name_start as usize + self.name.len(),
+        )
+    }
+
+    /// Where the value is, without its quotes.
+    pub(crate) fn value_span(&self) -> Span {
+        Span::of(
+            self.value_start as usize,
+            self.value_start as usize + self.value.len(),
+        )
+    }
+}

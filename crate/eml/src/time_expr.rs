@@ -1,0 +1,305 @@
+//! Time expressions: `t1+2.5s-1m` (GEVH D.2.1 to D.2.3).
+
+use crate::Span;
+
+/// A sum of seconds and named moments.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct TimeExpr {
+    /// The sum of its numbers in seconds.
+    pub offset_secs: f64,
+    /// Its names in the order of the text; empty for a plain number.
+    pub names: Vec<NameTerm>,
+    /// Where it is written; the start tag when it is left out.
+    pub span: Span,
+}
+
+/// A named moment in a [`TimeExpr`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct NameTerm {
+    /// The name that a `timeId` or a `tm` gives.
+    pub name: String,
+    /// Whether it is subtracted.
+    pub negative: bool,
+    /// Where it is written.
+    pub span: Span,
+}
+
+impl TimeExpr {
+    /// Whether it names a moment and so counts from the start of the script, also
+    /// inside a group.
+    #[must_use]
+    pub fn is_absolute(&self) -> bool {
+        !self.names.is_empty()
+    }
+}
+
+/// The largest number of seconds that a document may write, about 11 days. It keeps
+/// sums and repetitions finite.
+pub(crate) const MAX_SECS: f64 = 1e6;
+
+/// What is wrong with an expression.
+#[derive(Debug, PartialEq)]
+pub(crate) struct Problem {
+    pub(crate) code: &'static str,
+    /// Bytes within the expression.
+    pub(crate) start: usize,
+    pub(crate) end: usize,
+    pub(crate) message: String,
+    pub(crate) hint: &'static str,
+}
+
+/// Whether a `timeId` or a `tm` may use this name: a letter or `_`, then letters,
+/// digits, `_` and `.`, and not a number in disguise. A `-` would be a minus.
+pub(crate) fn is_name(text: &str) -> bool {
+    let mut chars = text.chars();
+    chars.next().is_some_and(starts_name) && chars.all(continues_name) && !is_non_finite(text)
+}
+
+/// Parses `term (('+'|'-') term)*` where a term is a number with an optional unit or
+/// a name, and a sign may lead. `start` is the offset of `text` in the source.
+pub(crate) fn parse(text: &str, start: u32) -> Result<TimeExpr, Problem> {
+    // Nearly every expression is a plain number.
+    let plain = !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit() || b == b'.');
+    if let (true, Ok(offset_secs)) = (plain, text.parse())
+        && offset_secs <= MAX_SECS
+    {
+        let span = Span::of(start as usize, start as usize + text.len());
+        return Ok(TimeExpr {
+            offset_secs,
+            names: Vec::new(),
+            span,
+        });
+    }
+    let at = |offset: usize| start.saturating_add(u32::try_from(offset).unwrap_or(u32::MAX));
+    let mut lexer = Lexer { text, position: 0 };
+    let mut expr = TimeExpr {
+        span: Span::new(at(0), at(text.len())),
+        ..TimeExpr::default()
+    };
+    let mut first = true;
+    loop {
+        lexer.skip_space();
+        let sign = lexer.take(|c| matches!(c, '+' | '-'));
+        lexer.skip_space();
+        if sign.is_empty() && !first {
+            return if lexer.rest().is_empty() {
+                Ok(expr)
+            } else {
+                Err(lexer.unexpected("`+` or `-`"))
+            };
+        }
+        if sign.len() > 1 {
+            lexer.position -= sign.len();
+            return Err(lexer.unexpected("one sign"));
+        }
+        first = false;
+        let negative = sign == "-";
+        let term_start = lexer.position;
+        if lexer
+            .rest()
+            .starts_with(|c: char| c.is_ascii_digit() || c == '.')
+        {
+            let secs = lexer.seconds()?;
+            expr.offset_secs += if negative { -secs } else { secs };
+        } else {
+            let name = lexer.take(continues_name);
+            if is_non_finite(name) {
+                return Err(Problem {
+                    code: "eml::bad-number",
+                    start: term_start,
+                    end: lexer.position,
+                    message: format!("`{name}` is not a finite number"),
+                    hint: "",
+                });
+            }
+            if !is_name(name) {
+                lexer.position = term_start;
+                return Err(lexer.unexpected("a number or a name"));
+            }
+            expr.names.push(NameTerm {
+                name: name.to_owned(),
+                negative,
+                span: Span::new(at(term_start), at(lexer.position)),
+            });
+        }
+    }
+}
+
+/// Reads a length: one number with an optional unit.
+pub(crate) fn parse_secs(text: &str) -> Result<f64, Problem> {
+    let expr = parse(text, 0)?;
+    if expr.is_absolute() {
+        return Err(Problem {
+            code: "eml::bad-time",
+            start: 0,
+            end: text.len(),
+            message: format!(
+                "expected a length in seconds, found {}",
+                crate::suggest::quoted(text)
+            ),
+            hint: "write seconds, such as 1.5 or 1.5s",
+        });
+    }
+    Ok(expr.offset_secs)
+}
+
+fn starts_name(c: char) -> bool {
+    c.is_alphabetic() || c == '_'
+}
+
+fn continues_name(c: char) -> bool {
+    c.is_alphanumeric() || matches!(c, '_' | '.')
+}
+
+pub(crate) fn is_non_finite(text: &str) -> bool {
+    ["nan", "inf", "infinity"]
+        .iter()
+        .any(|n| text.eq_ignore_ascii_case(n))
+}
+
+struct Lexer<'a> {
+    text: &'a str,
+    position: usize,
+}
+
+impl<'a> Lexer<'a> {
+    fn rest(&self) -> &'a str {
+        &self.text[self.position..]
+    }
+
+    fn take(&mut self, wanted: impl Fn(char) -> bool) -> &'a str {
+        let rest = self.rest();
+        let length = rest.find(|c| !wanted(c)).unwrap_or(rest.len());
+        self.position += length;
+        &rest[..length]
+    }
+
+    fn skip_space(&mut self) {
+        self.take(char::is_whitespace);
+    }
+
+    /// A number and its unit, in seconds.
+    fn seconds(&mut self) -> Result<f64, Problem> {
+        let start = self.position;
+        self.take(|c| c.is_ascii_digit() || c == '.');
+        let exponent = self.rest();
+        let after = exponent.strip_prefix(['e', 'E']);
+        let digits = after.map(|r| r.strip_prefix(['+', '-']).unwrap_or(r));
+        if digits.is_some_and(|d| d.starts_with(|c: char| c.is_ascii_digit())) {
+            self.position += exponent.len() - digits.unwrap_or("").len();
+            self.take(|c| c.is_ascii_digit());
+        }
+        let number = &self.text[start..self.position];
+        let problem = |code, end, message: String, hint| {
+            Err(Problem {
+                code,
+                start,
+                end,
+                message,
+                hint,
+            })
+        };
+        let value: f64 = match number.parse() {
+            Ok(value) => value,
+            Err(_) => {
+                let message = format!("{} is not a number", crate::suggest::quoted(number));
+                return problem("eml::bad-number", self.position, message, "");
+            }
+        };
+        self.skip_space();
+        let unit = self.take(char::is_alphanumeric);
+        let factor = match unit {
+            "" | "s" => 1.0,
+            "m" => 60.0,
+            "h" => 3600.0,
+            _ => {
+                let message = format!("{} is not a unit of time", crate::suggest::quoted(unit));
+                let hint = "units are s (seconds, when left out), m (minutes) and h (hours)";
+                return problem("eml::bad-time", self.position, message, hint);
+            }
+        };
+        let secs = value * factor;
+        if secs > MAX_SECS {
+            let message = "times are limited to 1000000 seconds".to_owned();
+            return problem("eml::bad-number", self.position, message, "");
+        }
+        Ok(secs)
+    }
+
+    fn unexpected(&self, wanted: &str) -> Problem {
+        let next = self.rest().chars().next();
+        let found = match next {
+            Some(c) => format!("`{c}`"),
+            None => "the end".to_owned(),
+        };
+        Problem {
+            code: "eml::bad-time",
+            start: self.position,
+            end: self.position + next.map_or(0, char::len_utf8),
+            message: format!("expected {wanted} in the time expression, found {found}"),
+            hint: match next {
+                Some(',') => "decimals are written with a point",
+                _ => "times look like 2.5, t1, t1-0.1s or 5+t1",
+            },
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn flat(text: &str) -> Result<(f64, String), &'static str> {
+        let expr = parse(text, 0).map_err(|p| p.code)?;
+        let sign = |n: &NameTerm| if n.negative { "-" } else { "+" };
+        Ok((
+            expr.offset_secs,
+            expr.names
+                .iter()
+                .map(|n| sign(n).to_owned() + &n.name)
+                .collect(),
+        ))
+    }
+
+    #[test]
+    fn terms_come_in_any_order_with_units() {
+        assert_eq!(flat("5.0"), Ok((5.0, "".into())));
+        assert_eq!(flat("t1+4s-1s"), Ok((3.0, "+t1".into())));
+        assert_eq!(flat("5+t1"), Ok((5.0, "+t1".into())));
+        assert_eq!(flat(" -1m + 2 h - t_2 "), Ok((7140.0, "-t_2".into())));
+        assert_eq!(flat("1e-3"), Ok((0.001, "".into())));
+        assert_eq!(flat(".5"), Ok((0.5, "".into())));
+        assert_eq!(flat("5+m"), Ok((5.0, "+m".into())));
+    }
+
+    #[test]
+    fn what_is_no_time_says_why() {
+        for bad in [
+            "", "+", "5,0", "t1 t2", "5 +", "--5", "3 min", "5x", "t1**2",
+        ] {
+            assert_eq!(flat(bad), Err("eml::bad-time"), "{bad}");
+        }
+        for bad in ["NaN", "inf", "-Infinity", "1e999", "1.2.3", ".", "1000001"] {
+            assert_eq!(flat(bad), Err("eml::bad-number"), "{bad}");
+        }
+    }
+
+    #[test]
+    fn spans_point_into_the_source() {
+        let expr = parse("1+ab", 100).unwrap();
+        assert_eq!(expr.names[0].span, Span::new(102, 104));
+        assert_eq!(expr.span, Span::new(100, 104));
+    }
+
+    #[test]
+    fn names_have_no_minus_and_are_no_numbers() {
+        assert!(is_name("t1") && is_name("_x.y") && is_name("é"));
+        assert!(!is_name("t-1") && !is_name("1t") && !is_name("") && !is_name("nan"));
+    }
+
+    #[test]
+    fn a_length_names_no_moment() {
+        assert_eq!(parse_secs("0.2s"), Ok(0.2));
+        assert_eq!(parse_secs("t1").unwrap_err().code, "eml::bad-time");
+    }
+}

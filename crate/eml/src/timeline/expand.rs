@@ -1,0 +1,160 @@
+//! Plays out repetitions and puts everything in order.
+
+use super::index::EndIndex;
+use super::solve::Times;
+use super::{TimedClause, Timeline};
+use crate::diagnostic::Sink;
+use crate::{ClauseId, Diagnostic, Document, Limits};
+
+/// How often each clause's content plays, bounded so that the timeline has no more
+/// clauses than a document may have: groups whose repetition goes beyond play once.
+pub(super) fn bounded_counts(document: &Document, sink: &mut Sink) -> Vec<u32> {
+    let most = (Limits::default().clauses as u64).max(document.clauses.len() as u64);
+    let mut used = document.clauses.len() as u64;
+    let mut counts = vec![1_u32; document.clauses.len()];
+    // The entries that a clause makes each time it plays.
+    let mut entries = vec![1_u64; document.clauses.len()];
+    // Children come after their group, so backwards they are ready when it comes.
+    for index in (0..document.clauses.len()).rev() {
+        let Some(group) = document.clauses[index].kind.group() else {
+            continue;
+        };
+        let inside: u64 = group.children.iter().map(|c| entries[c.index()]).sum();
+        let more = inside.saturating_mul(u64::from(group.repetition_count) - 1);
+        let count = if more > most - used {
+            let message = format!(
+                "{} repetitions of {inside} clauses are more than the {most} that a script may \
+                 have; they play once",
+                group.repetition_count
+            );
+            sink.push(Diagnostic::error(
+                "eml::too-many-repetitions",
+                group.repetition_span,
+                message,
+            ));
+            1
+        } else {
+            used += more;
+            group.repetition_count
+        };
+        counts[index] = count;
+        entries[index] = 1 + inside * u64::from(count);
+    }
+    counts
+}
+
+/// Lists every clause at its time, each iteration of a group by itself.
+pub(super) fn expand(document: &Document, times: &Times, counts: &[u32]) -> Timeline {
+    let mut list = List {
+        document,
+        times,
+        counts,
+        clauses: Vec::new(),
+    };
+    for &root in &document.roots {
+        list.add(
+            root,
+            &Place {
+                shift: 0.0,
+                cut: f64::INFINITY,
+                container: None,
+                iteration: 0,
+            },
+        );
+    }
+    let mut clauses = list.clauses;
+    let earliest = clauses.iter().map(|c| c.start_secs).fold(0.0, f64::min);
+    // Not `-earliest`, which is −0 when nothing is early.
+    let lead_in_secs = 0.0 - earliest;
+    let mut order: Vec<usize> = (0..clauses.len()).collect();
+    order.sort_by(|&a, &b| clauses[a].start_secs.total_cmp(&clauses[b].start_secs));
+    let mut place_of = vec![0; order.len()];
+    for (place, &index) in order.iter().enumerate() {
+        place_of[index] = place;
+    }
+    let mut duration_secs: f64 = 0.0;
+    for clause in &mut clauses {
+        clause.start_secs += lead_in_secs;
+        clause.end_secs += lead_in_secs;
+        clause.container = clause.container.map(|index| place_of[index]);
+        duration_secs = duration_secs.max(clause.end_secs);
+    }
+    let mut placed: Vec<Option<TimedClause>> = clauses.into_iter().map(Some).collect();
+    let clauses: Vec<TimedClause> = order.iter().filter_map(|&i| placed[i].take()).collect();
+    let ends = EndIndex::new(clauses.iter().map(|c| c.end_secs));
+    Timeline {
+        duration_secs,
+        lead_in_secs,
+        clauses,
+        ends,
+        ..Timeline::default()
+    }
+}
+
+struct List<'d> {
+    document: &'d Document,
+    times: &'d Times,
+    counts: &'d [u32],
+    clauses: Vec<TimedClause>,
+}
+
+/// Where in the repetitions a clause plays.
+struct Place {
+    /// Seconds after the first iteration.
+    shift: f64,
+    /// When the iteration is cut off.
+    cut: f64,
+    container: Option<usize>,
+    iteration: u32,
+}
+
+impl List<'_> {
+    /// Adds a clause and what is inside it. Groups recurse; parsing limits the depth.
+    fn add(&mut self, id: ClauseId, place: &Place) {
+        let Some(start) = self.times.start(id) else {
+            return;
+        };
+        let start_secs = start + place.shift;
+        if start_secs >= place.cut {
+            return;
+        }
+        let clause = self.document.clause(id);
+        let end = self.times.end(id);
+        let index = self.clauses.len();
+        self.clauses.push(TimedClause {
+            start_secs,
+            end_secs: (end + place.shift).min(place.cut),
+            clause: id,
+            element: clause.kind.name(),
+            id: clause.time_id.clone(),
+            container: place.container,
+            iteration: place.iteration,
+            span: clause.span,
+        });
+        let Some(group) = clause.kind.group() else {
+            return;
+        };
+        let count = self.counts[id.index()];
+        let length = (end - start) / f64::from(count);
+        for iteration in 0..count {
+            let later = length * f64::from(iteration);
+            if start_secs + later >= place.cut {
+                break;
+            }
+            let cut = match group.iteration_secs {
+                Some(secs) => place.cut.min(start_secs + later + secs),
+                None => place.cut,
+            };
+            let shift = place.shift + later;
+            let inner = Place {
+                shift,
+                cut,
+                container: Some(index),
+                iteration,
+            };
+            for &child in &group.children {
+                self.add(child, &inner);
+            }
+        }
+    }
+}

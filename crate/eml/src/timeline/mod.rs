@@ -1,0 +1,108 @@
+//! The timeline: every clause at absolute seconds.
+
+mod expand;
+mod index;
+mod names;
+mod solve;
+
+use crate::diagnostic::Sink;
+use crate::{ClauseId, Diagnostic, Document, Durations, Limits, Span, VoiceTiming};
+use index::EndIndex;
+use std::collections::BTreeMap;
+
+/// A timeline and what was wrong with the times.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Resolved {
+    /// What plays when; clauses without a time are left out.
+    pub timeline: Timeline,
+    /// What was wrong.
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+/// When everything in a document happens, in seconds from the start of the script.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Timeline {
+    /// Length of the script.
+    pub duration_secs: f64,
+    /// By how much everything was delayed so that nothing starts before 0.
+    pub lead_in_secs: f64,
+    /// The clauses by start, ties in document order.
+    pub clauses: Vec<TimedClause>,
+    /// The named moments; those inside a repetition mean its first iteration.
+    pub marks: BTreeMap<String, f64>,
+    /// The times of each voice-text, counted from its start.
+    pub voices: BTreeMap<ClauseId, VoiceTiming>,
+    ends: EndIndex,
+}
+
+/// A clause at its time. A clause in a repetition appears once an iteration.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TimedClause {
+    /// When it starts, at least 0.
+    pub start_secs: f64,
+    /// When it ends, at least its start.
+    pub end_secs: f64,
+    /// The clause in the document.
+    pub clause: ClauseId,
+    /// The name of its element.
+    pub element: &'static str,
+    /// Its `timeId`.
+    pub id: Option<String>,
+    /// Index in [`Timeline::clauses`] of the seq or par it plays in.
+    pub container: Option<usize>,
+    /// Which iteration of that group, from 0.
+    pub iteration: u32,
+    /// The whole element in the source.
+    pub span: Span,
+}
+
+impl Timeline {
+    /// Resolves every time of a document. Clauses whose time cannot be resolved are
+    /// reported and left out with everything in them.
+    ///
+    /// A plain number counts from the start of the script, in a par from its start, and
+    /// in a seq from the end of the clause before. An expression that names a moment
+    /// counts from the start of the script wherever it stands. Each repetition of a
+    /// group is the first one moved in time. When something would start before 0,
+    /// everything is delayed (GEVH D.2, fig. 3.13).
+    #[must_use]
+    pub fn resolve(document: &Document, durations: &dyn Durations) -> Resolved {
+        let mut sink = Sink::new(Limits::default().diagnostics);
+        let voices = names::voice_timings(document, durations);
+        let names = names::collect(document, &voices, &mut sink);
+        let counts = expand::bounded_counts(document, &mut sink);
+        let times = solve::solve(document, &voices, &names, &counts, &mut sink);
+        let mut timeline = expand::expand(document, &times, &counts);
+        let lead_in_secs = timeline.lead_in_secs;
+        timeline.marks = names
+            .into_iter()
+            .filter_map(|(name, moment)| {
+                let start = times.start(moment.clause)?;
+                Some((name, start + moment.offset_secs + lead_in_secs))
+            })
+            .collect();
+        timeline.voices = voices;
+        Resolved {
+            timeline,
+            diagnostics: sink.finish(),
+        }
+    }
+
+    /// The clauses that play at a time, with their indices, by start: those with
+    /// `start <= t < end`. Clauses without a length never do. O(log n) for each, without
+    /// allocation.
+    pub fn active_at(&self, t_secs: f64) -> impl Iterator<Item = (usize, &TimedClause)> {
+        let started = self.clauses.partition_point(|c| c.start_secs <= t_secs);
+        self.ends
+            .after(started, t_secs)
+            .map(|i| (i, &self.clauses[i]))
+    }
+
+    /// The clauses that start from `from_secs` on and before `to_secs`. O(log n).
+    #[must_use]
+    pub fn between(&self, from_secs: f64, to_secs: f64) -> &[TimedClause] {
+        let from = self.clauses.partition_point(|c| c.start_secs < from_secs);
+        let to = self.clauses.partition_point(|c| c.start_secs < to_secs);
+        &self.clauses[from..to.max(from)]
+    }
+}

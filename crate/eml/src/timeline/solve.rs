@@ -1,0 +1,349 @@
+//! Solves the equations between the starts and ends of clauses.
+//!
+//! Every clause has two unknowns, its start and its end. They are found depth first
+//! with a stack of its own, so that a chain of a hundred thousand names is no problem,
+//! and meeting an unknown that is being worked on is a cycle.
+
+use super::names::Moment;
+use crate::diagnostic::Sink;
+use crate::suggest::{nearest, quoted};
+use crate::{Clause, ClauseId, ClauseKind, Diagnostic, Document, VoiceTiming};
+use std::collections::BTreeMap;
+
+/// Times beyond this, about 31 years, come from sums that have run away.
+const LATEST_SECS: f64 = 1e9;
+
+/// The solution: each clause's first iteration, not yet delayed.
+pub(super) struct Times {
+    /// Start and end of clause `i` at `2i` and `2i + 1`; NaN when there is none.
+    values: Vec<f64>,
+}
+
+impl Times {
+    /// When a clause starts.
+    pub(super) fn start(&self, clause: ClauseId) -> Option<f64> {
+        Some(self.values[2 * clause.index()]).filter(|t| !t.is_nan())
+    }
+
+    /// When a clause that starts ends.
+    pub(super) fn end(&self, clause: ClauseId) -> f64 {
+        self.values[2 * clause.index() + 1]
+    }
+}
+
+/// Solves for all clauses.
+pub(super) fn solve(
+    document: &Document,
+    voices: &BTreeMap<ClauseId, VoiceTiming>,
+    names: &BTreeMap<String, Moment>,
+    counts: &[u32],
+    sink: &mut Sink,
+) -> Times {
+    let n = document.clauses.len();
+    let mut solver = Solver {
+        document,
+        voices,
+        counts,
+        sink,
+        terms: Vec::new(),
+        term_ends: Vec::with_capacity(n),
+        before: vec![None; n],
+        state: vec![State::New; 2 * n],
+        values: vec![f64::NAN; 2 * n],
+        refused: vec![false; n],
+        depth: vec![0; 2 * n],
+        suspects: Vec::new(),
+    };
+    solver.look_up_names(names);
+    solver.link_sequences();
+    for unknown in 0..2 * n {
+        solver.find(unknown);
+    }
+    Times {
+        values: solver.values,
+    }
+}
+
+#[derive(Clone, Copy, PartialEq)]
+enum State {
+    New,
+    Open,
+    Done,
+}
+
+/// A named moment in an expression, found.
+struct Term {
+    clause: ClauseId,
+    offset_secs: f64,
+    sign: f64,
+}
+
+struct Solver<'d, 's> {
+    document: &'d Document,
+    voices: &'d BTreeMap<ClauseId, VoiceTiming>,
+    counts: &'d [u32],
+    sink: &'s mut Sink,
+    /// The terms of all clauses, those of one clause together.
+    terms: Vec<Term>,
+    term_ends: Vec<usize>,
+    /// In a seq, the clause before.
+    before: Vec<Option<ClauseId>>,
+    state: Vec<State>,
+    values: Vec<f64>,
+    /// Clauses whose expression has been found faulty and reported.
+    refused: Vec<bool>,
+    /// Where on the stack an open unknown lies.
+    depth: Vec<usize>,
+    /// The clauses on the stack whose start names moments, and where on it they lie.
+    suspects: Vec<(ClauseId, usize)>,
+}
+
+impl Solver<'_, '_> {
+    fn look_up_names(&mut self, names: &BTreeMap<String, Moment>) {
+        for (id, clause) in self.document.iter() {
+            for term in &clause.start.names {
+                match names.get(term.name.as_str()) {
+                    Some(moment) => self.terms.push(Term {
+                        clause: moment.clause,
+                        offset_secs: moment.offset_secs,
+                        sign: if term.negative { -1.0 } else { 1.0 },
+                    }),
+                    None => {
+                        self.refused[id.index()] = true;
+                        let message = format!(
+                            "{} names no moment; this `{}` is left out",
+                            quoted(&term.name),
+                            clause.kind.name()
+                        );
+                        let hint = match nearest(&term.name, names.keys().map(String::as_str)) {
+                            Some(near) => format!("did you mean `{near}`?"),
+                            None => "moments are named by `timeId` and `tm`".to_owned(),
+                        };
+                        self.sink.push(
+                            Diagnostic::error("eml::unknown-name", term.span, message).hint(hint),
+                        );
+                    }
+                }
+            }
+            self.term_ends.push(self.terms.len());
+        }
+    }
+
+    fn link_sequences(&mut self) {
+        for clause in &self.document.clauses {
+            if let ClauseKind::Seq(group) = &clause.kind {
+                for pair in group.children.windows(2) {
+                    self.before[pair[1].index()] = Some(pair[0]);
+                }
+            }
+        }
+    }
+
+    fn find(&mut self, unknown: usize) {
+        if self.state[unknown] != State::New {
+            return;
+        }
+        let mut stack = Vec::new();
+        self.open(unknown, &mut stack);
+        while let Some((current, next)) = stack.last_mut() {
+            let current = *current;
+            let Some(needed) = self.needs(current, *next) else {
+                self.values[current] = self.value(current);
+                self.state[current] = State::Done;
+                stack.pop();
+                let left = stack.len();
+                self.suspects.pop_if(|&mut (_, depth)| depth == left);
+                continue;
+            };
+            *next += 1;
+            match self.state[needed] {
+                State::New => self.open(needed, &mut stack),
+                State::Open => self.refuse_cycle(self.depth[needed]),
+                State::Done => {}
+            }
+        }
+    }
+
+    /// Puts an unknown and the first thing it needs on the stack.
+    fn open(&mut self, unknown: usize, stack: &mut Vec<(usize, usize)>) {
+        self.state[unknown] = State::Open;
+        self.depth[unknown] = stack.len();
+        let (id, clause) = self.clause_of(unknown);
+        if unknown.is_multiple_of(2) && clause.start.is_absolute() {
+            self.suspects.push((id, stack.len()));
+        }
+        stack.push((unknown, 0));
+    }
+
+    /// The `i`th unknown that must be found before `unknown`.
+    fn needs(&self, unknown: usize, i: usize) -> Option<usize> {
+        let (id, clause) = self.clause_of(unknown);
+        let is_start = unknown.is_multiple_of(2);
+        if is_start {
+            if self.refused[id.index()] {
+                return None;
+            }
+            if clause.start.is_absolute() {
+                return self.terms_of(id).get(i).map(|term| start_of(term.clause));
+            }
+            return if i == 0 { self.base(id, clause) } else { None };
+        }
+        if i == 0 {
+            return Some(start_of(id));
+        }
+        if self.values[start_of(id)].is_nan() {
+            let in_seq = i == 1 && self.in_seq(clause);
+            return if in_seq { self.base(id, clause) } else { None };
+        }
+        match clause.kind.group() {
+            Some(group) if group.iteration_secs.is_none() => {
+                group.children.get(i - 1).map(|&child| end_of(child))
+            }
+            _ => None,
+        }
+    }
+
+    /// What a plain number counts from; none in the body.
+    fn base(&self, id: ClauseId, clause: &Clause) -> Option<usize> {
+        match (self.before[id.index()], clause.parent) {
+            (Some(before), _) => Some(end_of(before)),
+            (None, parent) => parent.map(start_of),
+        }
+    }
+
+    /// The value of an unknown once all that it needs is known.
+    fn value(&mut self, unknown: usize) -> f64 {
+        let (id, clause) = self.clause_of(unknown);
+        if !unknown.is_multiple_of(2) {
+            return self.end_value(id, clause);
+        }
+        if self.refused[id.index()] {
+            return f64::NAN;
+        }
+        let mut secs = clause.start.offset_secs;
+        if clause.start.is_absolute() {
+            for term in self.terms_of(id) {
+                secs += term.sign * (self.values[start_of(term.clause)] + term.offset_secs);
+            }
+        } else if let Some(base) = self.base(id, clause) {
+            secs += self.values[base];
+        }
+        if secs.is_nan() {
+            // A clause in a group without a time goes with the group, unmentioned.
+            if clause.start.is_absolute() {
+                let message = format!(
+                    "this `{}` is left out because a moment that it counts from has no time",
+                    clause.kind.name()
+                );
+                self.sink.push(Diagnostic::error(
+                    "eml::no-time",
+                    clause.start.span,
+                    message,
+                ));
+            }
+        } else if secs.abs() > LATEST_SECS {
+            let message = format!("the time comes to {secs:e} s; the clause is left out");
+            self.sink.push(Diagnostic::error(
+                "eml::bad-time",
+                clause.start.span,
+                message,
+            ));
+            return f64::NAN;
+        }
+        secs
+    }
+
+    fn end_value(&self, id: ClauseId, clause: &Clause) -> f64 {
+        let start = self.values[start_of(id)];
+        if start.is_nan() {
+            // In a seq, what follows goes on as if this clause were not there.
+            let base = self.base(id, clause).filter(|_| self.in_seq(clause));
+            return base.map_or(f64::NAN, |base| self.values[base]);
+        }
+        let length = match &clause.kind {
+            ClauseKind::VoiceText(_) => self.voices.get(&id).map_or(0.0, |v| v.duration_secs),
+            ClauseKind::GestureKey(gesture) => gesture.duration_secs,
+            ClauseKind::GestureIsOn(_) | ClauseKind::Event { .. } | ClauseKind::Null => 0.0,
+            ClauseKind::Seq(group) | ClauseKind::Par(group) => {
+                let one = group.iteration_secs.unwrap_or_else(|| {
+                    let ends = group.children.iter().map(|&c| self.values[end_of(c)]);
+                    // `max` passes over the NaN of a child that is left out.
+                    ends.fold(start, f64::max) - start
+                });
+                one * f64::from(self.counts[id.index()])
+            }
+        };
+        start + length
+    }
+
+    /// Reports the cycle of the unknowns on the stack from `depth` on, and refuses the
+    /// expressions that close it. Plain numbers are never at fault: what they count
+    /// from forms a tree. Each suspect is refused once, so that all cycles together
+    /// cost linear time.
+    fn refuse_cycle(&mut self, depth: usize) {
+        let from = self.suspects.partition_point(|&(_, d)| d < depth);
+        let faulty: Vec<ClauseId> = self.suspects.drain(from..).map(|(id, _)| id).collect();
+        let Some(&first) = faulty.first() else { return };
+        let label = |&id: &ClauseId| {
+            let clause = self.document.clause(id);
+            match &clause.time_id {
+                Some(name) => quoted(name),
+                None => format!("`{}`", clause.kind.name()),
+            }
+        };
+        // A cycle of thousands of names is told by its beginning.
+        let mut chain: Vec<String> = faulty.iter().take(8).map(label).collect();
+        if faulty.len() > chain.len() {
+            chain.push("…".to_owned());
+        }
+        chain.push(label(&first));
+        let clause = self.document.clause(first);
+        let names: Vec<String> = clause.start.names.iter().map(|n| quoted(&n.name)).collect();
+        let message = if faulty.len() == 1 {
+            let (element, names) = (clause.kind.name(), names.join(", "));
+            format!("the time of this `{element}` waits for itself through {names}")
+        } else {
+            format!("these times wait for each other: {}", chain.join(" -> "))
+        };
+        let mut diagnostic = Diagnostic::error("eml::time-cycle", clause.start.span, message);
+        for &other in faulty.iter().skip(1).take(8) {
+            let clause = self.document.clause(other);
+            diagnostic = diagnostic.related(clause.start.span, format!("{} waits", label(&other)));
+        }
+        self.sink
+            .push(diagnostic.hint("the clauses named here are left out"));
+        for id in faulty {
+            self.refused[id.index()] = true;
+        }
+    }
+
+    fn in_seq(&self, clause: &Clause) -> bool {
+        clause
+            .parent
+            .is_some_and(|p| matches!(self.document.clause(p).kind, ClauseKind::Seq(_)))
+    }
+
+    fn clause_of(&self, unknown: usize) -> (ClauseId, &'_ Clause) {
+        let index = unknown / 2;
+        (
+            ClauseId(u32::try_from(index).unwrap_or(u32::MAX)),
+            &self.document.clauses[index],
+        )
+    }
+
+    fn terms_of(&self, id: ClauseId) -> &[Term] {
+        let start = id
+            .index()
+            .checked_sub(1)
+            .map_or(0, |before| self.term_ends[before]);
+        &self.terms[start..self.term_ends[id.index()]]
+    }
+}
+
+fn start_of(clause: ClauseId) -> usize {
+    2 * clause.index()
+}
+
+fn end_of(clause: ClauseId) -> usize {
+    2 * clause.index() + 1
+}

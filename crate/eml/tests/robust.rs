@@ -1,0 +1,314 @@
+//! Whatever the input: no panic, no hang, bounded memory, and times that hold together.
+
+use proptest::prelude::*;
+use raconteur_eml::{
+    Diagnostic, EstimatedDurations, Limits, LineIndex, Severity, Timeline, parse, parse_bytes,
+};
+use std::fs;
+use std::path::Path;
+use std::sync::LazyLock;
+
+/// The sources of the suite, as a base for mutations.
+static SUITE: LazyLock<Vec<Vec<u8>>> = LazyLock::new(|| {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/suite/eml");
+    let mut cases: Vec<_> = fs::read_dir(folder)
+        .expect("the folder of the suite")
+        .map(|entry| entry.expect("an entry of the suite").path())
+        .filter(|path| path.extension().is_some_and(|e| e == "eml"))
+        .collect();
+    cases.sort();
+    cases
+        .iter()
+        .map(|path| fs::read(path).expect("a case"))
+        .collect()
+});
+
+/// Parses and resolves, and checks what must hold for any input.
+fn check(source: &[u8]) {
+    let parsed = parse_bytes(source, &Limits::default());
+    let resolved = Timeline::resolve(&parsed.document, &EstimatedDurations);
+    let text = String::from_utf8_lossy(source);
+    let lines = LineIndex::new(&text);
+    for Diagnostic { span, related, .. } in parsed.diagnostics.iter().chain(&resolved.diagnostics) {
+        for span in related.iter().map(|(span, _)| span).chain([span]) {
+            assert!(
+                span.start <= span.end && span.end as usize <= source.len() + 1,
+                "{span:?}"
+            );
+            assert!(lines.position(span.start).line >= 1);
+        }
+    }
+    let timeline = &resolved.timeline;
+    assert!(timeline.clauses.is_sorted_by_key(|c| c.start_secs));
+    assert!(timeline.lead_in_secs >= 0.0);
+    for clause in &timeline.clauses {
+        assert!(clause.start_secs >= 0.0 && clause.end_secs >= clause.start_secs);
+        assert!(clause.end_secs <= timeline.duration_secs && clause.end_secs.is_finite());
+        assert_eq!(clause.span, parsed.document.clause(clause.clause).span);
+        if let Some(container) = clause.container {
+            let group = parsed.document.clause(timeline.clauses[container].clause);
+            assert!(
+                group
+                    .kind
+                    .group()
+                    .is_some_and(|g| g.children.contains(&clause.clause))
+            );
+        }
+    }
+    for t in [0.0, 0.5, 1.0, timeline.duration_secs] {
+        let active: Vec<usize> = timeline.active_at(t).map(|(i, _)| i).collect();
+        let scanned: Vec<usize> = (0..timeline.clauses.len())
+            .filter(|&i| timeline.clauses[i].start_secs <= t && timeline.clauses[i].end_secs > t)
+            .collect();
+        assert_eq!(active, scanned);
+    }
+}
+
+#[derive(Clone, Debug)]
+enum Edit {
+    Delete(usize, usize),
+    Insert(usize, &'static str),
+    Copy(usize, usize, usize),
+    Byte(usize, u8),
+}
+
+fn edit() -> impl Strategy<Value = Edit> {
+    let markup = [
+        "<",
+        ">",
+        "/>",
+        "</",
+        "'",
+        "\"",
+        "&",
+        "&#x0;",
+        "&xxe;",
+        "<![CDATA[",
+        "]]>",
+        "<!--",
+        "-->",
+        "<?",
+        "?>",
+        "<!DOCTYPE x [",
+        "<seq time='0'>",
+        "</seq>",
+        "<par time='t1'",
+        "time='t2'",
+        " timeId='t1'",
+        " repetitionCount='9999'",
+        "1e309",
+        "NaN",
+        "-",
+        "é😀",
+        "\0",
+        "<key ",
+        "<tm name='t1'/>",
+        "duration='0'",
+    ];
+    let at = any::<usize>();
+    prop_oneof![
+        (at, 0_usize..30).prop_map(|(i, n)| Edit::Delete(i, n)),
+        (at, prop::sample::select(markup.to_vec())).prop_map(|(i, s)| Edit::Insert(i, s)),
+        (at, 0_usize..80, at).prop_map(|(i, n, to)| Edit::Copy(i, n, to)),
+        (at, any::<u8>()).prop_map(|(i, b)| Edit::Byte(i, b)),
+    ]
+}
+
+fn apply(source: &mut Vec<u8>, edit: &Edit) {
+    let at = |i: usize| i % (source.len() + 1);
+    match *edit {
+        Edit::Delete(i, n) => {
+            let start = at(i);
+            let end = (start + n).min(source.len());
+            source.drain(start..end);
+        }
+        Edit::Insert(i, text) => {
+            let start = at(i);
+            source.splice(start..start, text.bytes());
+        }
+        Edit::Copy(i, n, to) => {
+            let (start, to) = (at(i), at(to));
+            let end = (start + n).min(source.len());
+            let part = source[start..end].to_vec();
+            source.splice(to..to, part);
+        }
+        Edit::Byte(i, b) => {
+            let start = at(i);
+            if let Some(byte) = source.get_mut(start) {
+                *byte = b;
+            }
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(2000))]
+
+    #[test]
+    fn mutated_scripts_never_panic(
+        case in any::<prop::sample::Index>(),
+        edits in prop::collection::vec(edit(), 1..12),
+    ) {
+        let mut source = case.get(&SUITE).clone();
+        edits.iter().for_each(|edit| apply(&mut source, edit));
+        check(&source);
+    }
+
+    #[test]
+    fn arbitrary_text_never_panics(text in "\\PC*") {
+        check(text.as_bytes());
+    }
+
+    /// Moving every clause of the body by the same time moves the whole timeline: by that
+    /// time where nothing starts early, and never backwards.
+    #[test]
+    fn a_later_script_plays_the_same_but_later(
+        clauses in prop::collection::vec((0_u8..6, 0.0..20.0_f64, 0_usize..8), 1..20),
+        shift in 0.0..50.0_f64,
+    ) {
+        let script = |shift: f64| {
+            let body: String = clauses
+                .iter()
+                .enumerate()
+                .map(|(i, &(kind, time, other))| {
+                    // Only references backwards, so that there are no cycles.
+                    let time = match i.checked_sub(other + 1) {
+                        Some(earlier) if other < 4 => format!("n{earlier}+{time}"),
+                        _ => format!("{}", time + shift),
+                    };
+                    let head = format!("time='{time}' timeId='n{i}'");
+                    match kind {
+                        0 => format!("<voice-text {head}>a word or two</voice-text>"),
+                        1 => format!("<gesture-key {head} duration='1.5'/>"),
+                        2 => format!("<seq {head} repetitionCount='2'><null time='1'/></seq>"),
+                        3 => format!("<par {head} duration='2'><null time='1'/></par>"),
+                        4 => format!("<event {head}/>"),
+                        _ => format!("<null {head}/>"),
+                    }
+                })
+                .collect();
+            let parsed = parse(&format!("<eml><body>{body}</body></eml>"));
+            prop_assert!(parsed.diagnostics.is_empty(), "{:?}", parsed.diagnostics);
+            let resolved = Timeline::resolve(&parsed.document, &EstimatedDurations);
+            prop_assert!(resolved.diagnostics.is_empty(), "{:?}", resolved.diagnostics);
+            Ok(resolved.timeline)
+        };
+        let (now, later) = (script(0.0)?, script(shift)?);
+        prop_assert_eq!(now.clauses.len(), later.clauses.len());
+        for (name, secs) in &now.marks {
+            prop_assert!((later.marks[name] - secs - shift).abs() < 1e-9);
+        }
+        prop_assert!((later.duration_secs - now.duration_secs - shift).abs() < 1e-9);
+    }
+}
+
+fn codes(diagnostics: &[Diagnostic]) -> Vec<&'static str> {
+    diagnostics.iter().map(|d| d.code).collect()
+}
+
+#[test]
+fn ten_megabytes_are_read() {
+    let clause = "  <gesture-key time='1.5' duration='0.4'><motion><key x='1' y='2' z='3'/></motion></gesture-key>\n";
+    let count = 10_000_000 / clause.len();
+    let source = format!("<eml>\n <body>\n{}</body>\n</eml>\n", clause.repeat(count));
+    let parsed = parse(&source);
+    assert!(parsed.diagnostics.is_empty());
+    assert_eq!(parsed.document.clauses.len(), count);
+    let resolved = Timeline::resolve(&parsed.document, &EstimatedDurations);
+    assert_eq!(resolved.timeline.clauses.len(), count);
+}
+
+#[test]
+fn what_exceeds_a_limit_is_refused_with_one_diagnostic() {
+    let limits = Limits {
+        bytes: 1000,
+        clauses: 3,
+        ..Limits::default()
+    };
+    let body = |inner: &str| format!("<eml><body>{inner}</body></eml>");
+    let parsed = parse_bytes(body(&" ".repeat(1000)).as_bytes(), &limits);
+    assert_eq!(codes(&parsed.diagnostics), ["eml::too-large"]);
+    let parsed = parse_bytes(body(&"<null time='1'/>".repeat(9)).as_bytes(), &limits);
+    assert_eq!(codes(&parsed.diagnostics), ["eml::too-many-clauses"]);
+    assert_eq!(parsed.document.clauses.len(), 3);
+}
+
+#[test]
+fn ten_thousand_deep_nesting_is_one_diagnostic() {
+    let source = format!(
+        "<eml><body>{}<null time='1'/>{}<null time='2'/></body></eml>",
+        "<seq time='0'>".repeat(10_000),
+        "</seq>".repeat(10_000)
+    );
+    let parsed = parse(&source);
+    assert_eq!(codes(&parsed.diagnostics), ["eml::too-deep"]);
+    let resolved = Timeline::resolve(&parsed.document, &EstimatedDurations);
+    assert_eq!(resolved.timeline.duration_secs, 2.0);
+    check(
+        format!(
+            "<eml><body>{}",
+            "<voice-text time='0'><emph>".repeat(10_000)
+        )
+        .as_bytes(),
+    );
+}
+
+#[test]
+fn diagnostics_are_capped() {
+    let source = format!("<eml><body>{}</body></eml>", "<oops/>".repeat(1000));
+    let parsed = parse(&source);
+    assert_eq!(parsed.diagnostics.len(), 201);
+    let last = parsed.diagnostics.last().expect("a last diagnostic");
+    assert_eq!(
+        (last.code, last.message.as_str()),
+        ("eml::more", "and 800 more")
+    );
+}
+
+#[test]
+fn long_chains_of_names_resolve_without_recursion() {
+    let n = 100_000;
+    let clauses: String = (0..n)
+        .map(|i| format!("<null time='n{}+1' timeId='n{i}'/>", i + 1))
+        .collect();
+    let source = format!("<eml><body>{clauses}<null time='0' timeId='n{n}'/></body></eml>");
+    let parsed = parse(&source);
+    let resolved = Timeline::resolve(&parsed.document, &EstimatedDurations);
+    assert_eq!(resolved.diagnostics, []);
+    assert_eq!(resolved.timeline.duration_secs, f64::from(n));
+}
+
+/// Inputs whose naive treatment takes quadratic time or memory; at these sizes that
+/// would be minutes.
+#[test]
+fn hostile_shapes_stay_linear() {
+    let n = 100_000;
+    let knot: String = (0..n).map(|_| "<null time='last'/>").collect();
+    let shapes = [
+        "<a '".repeat(n),
+        "<a b=\"<".repeat(n),
+        "<a ".repeat(n) + ">",
+        "</a>".repeat(n),
+        "<".repeat(n),
+        "<!--".repeat(n),
+        "<![CDATA[".repeat(n),
+        "&".repeat(n),
+        "<eml><body>".to_owned() + &"<body/>".repeat(n),
+        "<eml><body><voice-text>".to_owned() + &"<tm name='a'/>".repeat(n),
+        "<eml><body><voice-text>".to_owned() + &"&#65;".repeat(n),
+        format!(
+            "<eml><body><seq time='0'><par time='0'>{knot}</par>{}<null time='0' timeId='last'/>\
+             </seq></body></eml>",
+            "<null time='0'/>".repeat(n)
+        ),
+        format!("<eml><body><null time='{}'/></body></eml>", "+1".repeat(n)),
+        format!("<eml><body><null {}/></body></eml>", "a='1' ".repeat(n)),
+    ];
+    for shape in shapes {
+        let parsed = parse(&shape);
+        let resolved = Timeline::resolve(&parsed.document, &EstimatedDurations);
+        let all = parsed.diagnostics.iter().chain(&resolved.diagnostics);
+        assert!(all.clone().count() <= 402);
+        assert!(all.clone().any(|d| d.severity == Severity::Error) || shape.contains("+1"));
+    }
+}

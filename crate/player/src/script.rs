@@ -1,0 +1,131 @@
+//! A story read: its document, its times and its voice, before anyone performs it.
+
+use raconteur_eml::{
+    ClauseId, ClauseKind, Diagnostic, Document, Span, Timeline, VoiceText, parse,
+};
+use raconteur_speech::{Bundle, Content, Utterance};
+
+use crate::voice::{BundleDurations, content_of, find_utterance};
+
+/// A script with everything resolved that needs no figure.
+#[derive(Clone, Debug)]
+pub struct Script {
+    /// What the text says.
+    pub document: Document,
+    /// When it happens.
+    pub timeline: Timeline,
+    /// What is wrong with it.
+    pub diagnostics: Vec<Diagnostic>,
+    /// The speech, where it was baked.
+    pub(crate) bundle: Option<Bundle>,
+}
+
+impl Script {
+    /// Reads a script and, if there is one, the JSON of its speech bundle. Never fails:
+    /// what is wrong is in [`Script::diagnostics`], and the rest plays.
+    #[must_use]
+    pub fn read(eml: &str, bundle_json: Option<&[u8]>) -> Self {
+        let parsed = parse(eml);
+        let mut diagnostics = parsed.diagnostics;
+        let document = parsed.document;
+        let bundle = bundle_json.and_then(|json| match Bundle::from_json(json) {
+            Ok(bundle) => Some(bundle),
+            Err(error) => {
+                diagnostics.push(
+                    Diagnostic::error("player::bad-bundle", first_voice(&document), error.to_string())
+                        .hint("bake the story again: raconteur bake"),
+                );
+                None
+            }
+        });
+        let durations = BundleDurations { bundle: bundle.as_ref() };
+        let resolved = Timeline::resolve(&document, &durations);
+        diagnostics.extend(resolved.diagnostics);
+        let timeline = with_run_up(resolved.timeline);
+        diagnostics.extend(missing_speech(&document, bundle.as_ref(), bundle_json.is_some()));
+        diagnostics.sort_by_key(|d| d.span.start);
+        Self { document, timeline, diagnostics, bundle }
+    }
+
+    /// What the story says, in document order: what a baker has to synthesise.
+    #[must_use]
+    pub fn contents(&self) -> Vec<Content> {
+        voices(&self.document).map(|(_, _, v)| content_of(v)).collect()
+    }
+
+    /// The baked utterance of a text, if there is one.
+    pub(crate) fn utterance(&self, voice: &VoiceText) -> Option<&Utterance> {
+        find_utterance(self.bundle.as_ref()?, voice)
+    }
+
+    /// The phone set of the story's speech; Festival's where nothing was baked.
+    pub(crate) fn phone_set(&self) -> &str {
+        self.bundle.as_ref().map_or("radio", |b| &b.phone_set)
+    }
+}
+
+/// The time that an arm needs to come from rest to any first stroke, seconds. Longest
+/// preparation of the gesture planner, rounded up.
+const RUN_UP_SECS: f64 = 0.9;
+
+/// Delays a script whose first gesture would come before the arm can be there, so that the
+/// storyteller raises a hand instead of starting with it raised.
+fn with_run_up(mut timeline: Timeline) -> Timeline {
+    let first = timeline.clauses.iter().find(|c| c.element == "gesture-key");
+    let delay = first.map_or(0.0, |c| (RUN_UP_SECS - c.start_secs).max(0.0));
+    for clause in &mut timeline.clauses {
+        clause.start_secs += delay;
+        clause.end_secs += delay;
+    }
+    timeline.marks.values_mut().for_each(|at| *at += delay);
+    timeline.lead_in_secs += delay;
+    timeline.duration_secs += delay;
+    timeline
+}
+
+/// Every voice-text of a document with its tag.
+fn voices(document: &Document) -> impl Iterator<Item = (ClauseId, Span, &VoiceText)> {
+    document.iter().filter_map(|(id, c)| match &c.kind {
+        ClauseKind::VoiceText(v) => Some((id, c.tag_span, v)),
+        _ => None,
+    })
+}
+
+fn first_voice(document: &Document) -> Span {
+    voices(document).next().map_or(Span::new(0, 0), |(_, span, _)| span)
+}
+
+/// One warning when nothing was baked, else one for each utterance that is not.
+fn missing_speech(
+    document: &Document,
+    bundle: Option<&Bundle>,
+    bundle_was_given: bool,
+) -> Vec<Diagnostic> {
+    let speaks = |v: &VoiceText| !v.words().is_empty();
+    if !bundle_was_given {
+        return voices(document)
+            .find(|(_, _, v)| speaks(v))
+            .map(|(_, span, _)| {
+                Diagnostic::warning(
+                    "player::no-bundle",
+                    span,
+                    "this story has no speech bundle; it plays silently with captions and guessed times",
+                )
+                .hint("make one with: raconteur bake")
+            })
+            .into_iter()
+            .collect();
+    }
+    let Some(bundle) = bundle else { return Vec::new() };
+    voices(document)
+        .filter(|(_, _, v)| speaks(v) && find_utterance(bundle, v).is_none())
+        .map(|(_, span, _)| {
+            Diagnostic::warning(
+                "player::not-baked",
+                span,
+                "the speech bundle does not hold this text; it plays silently with captions",
+            )
+            .hint("bake the story again: raconteur bake")
+        })
+        .collect()
+}

@@ -1,0 +1,81 @@
+//! From EML's units and axes to the engine's.
+//!
+//! EML keeps the axes of GEVH's skeleton: x to the character's left, y up, z *back*,
+//! lengths in skeleton units of which the figure stands 77 high. The engine is
+//! right-handed with z to the front, in metres. This is the only place that knows both.
+
+use raconteur_base::DVec3;
+use raconteur_body::{Bone, Skeleton};
+
+/// Height of the shoulders above, and their setback behind, the speaker's origin (the
+/// sacroiliac) in GEVH table A.1, skeleton units: 62.52 − 37.82 and 1.46.
+const SHOULDERS_ABOVE_ORIGIN: f64 = 24.70;
+const SHOULDERS_BEHIND_ORIGIN: f64 = 1.46;
+
+/// Where EML's coordinates lie for one figure in its place.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Units {
+    metres_per_unit: f64,
+    speaker_origin_in_world: DVec3,
+}
+
+impl Units {
+    /// The units of a figure that stands at the world's origin.
+    ///
+    /// The speaker's origin is hung from the shoulders rather than read from the pelvis:
+    /// the example skeleton's hips are higher than anatomy's, and what a script means by a
+    /// place is its relation to the arms.
+    #[must_use]
+    pub fn of(skeleton: &Skeleton) -> Self {
+        let mut world = Vec::new();
+        skeleton.solve(&raconteur_body::Pose::zero(), &mut world);
+        let metres_per_unit = skeleton.metres_per_eml_unit();
+        let at = |bone: Bone| world[bone.index()].translation;
+        let shoulders = (at(Bone::LShoulder) + at(Bone::RShoulder)) * 0.5;
+        let offset = DVec3::new(0.0, SHOULDERS_ABOVE_ORIGIN, -SHOULDERS_BEHIND_ORIGIN);
+        Self { metres_per_unit, speaker_origin_in_world: shoulders - offset * metres_per_unit }
+    }
+
+    /// A direction or displacement in EML axes, in engine axes; not scaled.
+    #[must_use]
+    pub fn axis(eml: [f64; 3]) -> DVec3 {
+        DVec3::new(eml[0], eml[1], -eml[2])
+    }
+
+    /// A point in the speaker's coordinates (origin: sacroiliac), in world metres.
+    #[must_use]
+    pub fn speaker_point(&self, eml: [f64; 3]) -> DVec3 {
+        self.speaker_origin_in_world + Self::axis(eml) * self.metres_per_unit
+    }
+
+    /// A point in EML's world coordinates (origin: the floor under the figure), in metres.
+    #[must_use]
+    pub fn world_point(&self, eml: [f64; 3]) -> DVec3 {
+        Self::axis(eml) * self.metres_per_unit
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use raconteur_body::skeleton::{FacePlaces, zero_frames};
+
+    #[test]
+    fn on_the_example_skeleton_the_origin_is_its_sacroiliac() {
+        let positions = Bone::ALL.map(Bone::example_position_m);
+        let skeleton = Skeleton::from_bind(
+            &positions,
+            &zero_frames(),
+            FacePlaces { eye_centres: [DVec3::Y; 2] },
+            77.0 * raconteur_base::METRES_PER_INCH,
+        );
+        let units = Units::of(&skeleton);
+        let d = units.speaker_point([0.0; 3]) - DVec3::new(0.0, 37.82, 0.0) * 0.0254;
+        assert!(d.length() < 1e-4, "{d}");
+        // GEVH 3.6.1: the greeting hand is above the head and within reach of the arm.
+        let hand = units.speaker_point([-7.0, 45.0, 3.0]);
+        let shoulder = Bone::RShoulder.example_position_m();
+        assert!((hand - shoulder).length() < 22.86 * 0.0254);
+        assert!(hand.z < shoulder.z);
+    }
+}

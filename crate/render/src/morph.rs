@@ -1,0 +1,96 @@
+//! Morph targets, applied on the CPU to the few vertices they move.
+//!
+//! WebGL2 has no storage buffers, and a face's morphs touch few vertices; so they are
+//! summed here and only the touched stretch of the vertex buffer is sent again.
+
+use raconteur_body::Mesh;
+
+/// Position and normal of one vertex: the stream that morphs change.
+pub(crate) type ShapeVertex = [f32; 6];
+
+/// The morphs of one mesh.
+pub(crate) struct MorphedMesh {
+    /// First vertex of the touched stretch, in the figure's vertex buffer.
+    pub(crate) first_vertex: usize,
+    /// The touched stretch at rest.
+    rest: Vec<ShapeVertex>,
+    /// The touched stretch as drawn.
+    pub(crate) current: Vec<ShapeVertex>,
+    parts: Vec<Part>,
+    /// Weights that `current` was made with, one a part.
+    weights: Vec<f32>,
+}
+
+struct Part {
+    target: usize,
+    /// Vertices within the stretch.
+    vertices: Vec<u32>,
+    deltas: Vec<ShapeVertex>,
+}
+
+impl MorphedMesh {
+    /// The morphs of a mesh whose vertices begin at `base` in the figure's buffer; `None`
+    /// when it has none. The mesh's indices and lengths have been checked.
+    pub(crate) fn new(mesh: &Mesh, base: usize) -> Option<Self> {
+        let touched = || mesh.morphs.iter().flat_map(|m| m.vertices.iter().copied());
+        let (low, high) = (touched().min()? as usize, touched().max()? as usize);
+        let rest: Vec<ShapeVertex> = (low..=high)
+            .map(|i| shape_vertex(mesh.positions[i], mesh.normals[i]))
+            .collect();
+        let parts: Vec<Part> = mesh
+            .morphs
+            .iter()
+            .map(|m| Part {
+                target: m.target,
+                vertices: m.vertices.iter().map(|v| v - low as u32).collect(),
+                deltas: m
+                    .position_deltas
+                    .iter()
+                    .zip(&m.normal_deltas)
+                    .map(|(p, n)| shape_vertex(*p, *n))
+                    .collect(),
+            })
+            .collect();
+        Some(Self {
+            first_vertex: base + low,
+            current: rest.clone(),
+            rest,
+            weights: vec![0.0; parts.len()],
+            parts,
+        })
+    }
+
+    /// Brings `current` to these weights of the figure's targets; missing ones are zero.
+    /// Returns whether anything changed. Allocates nothing.
+    pub(crate) fn apply(&mut self, weights: &[f32]) -> bool {
+        let mut changed = false;
+        for (part, old) in self.parts.iter().zip(&mut self.weights) {
+            let new = weights
+                .get(part.target)
+                .copied()
+                .filter(|w| w.is_finite())
+                .unwrap_or(0.0);
+            changed |= new != *old;
+            *old = new;
+        }
+        if !changed {
+            return false;
+        }
+        self.current.copy_from_slice(&self.rest);
+        for (part, &weight) in self.parts.iter().zip(&self.weights) {
+            if weight == 0.0 {
+                continue;
+            }
+            for (&v, delta) in part.vertices.iter().zip(&part.deltas) {
+                for (c, d) in self.current[v as usize].iter_mut().zip(delta) {
+                    *c += weight * d;
+                }
+            }
+        }
+        true
+    }
+}
+
+pub(crate) fn shape_vertex(p: [f32; 3], n: [f32; 3]) -> ShapeVertex {
+    [p[0], p[1], p[2], n[0], n[1], n[2]]
+}

@@ -1,0 +1,425 @@
+//! Shader modules, layouts and pipelines.
+
+use raconteur_body::MaterialKind;
+use wgpu::{
+    BindGroupLayout, BlendState, CompareFunction, Device, Face, RenderPipeline, ShaderModule,
+    ShaderStages, TextureFormat, VertexAttribute, VertexBufferLayout, VertexFormat,
+};
+
+use crate::figure::{FixedVertex, draw_order};
+use crate::morph::ShapeVertex;
+use crate::target::{DEPTH_FORMAT, TargetKind};
+use crate::{Quality, uniform::FrameUniform};
+
+const FRAME: &str = include_str!("shader/frame.wgsl");
+
+/// The shaders of everything on the stage, one module.
+const STAGE: [&str; 9] = [
+    FRAME,
+    include_str!("shader/light.wgsl"),
+    include_str!("shader/figure.wgsl"),
+    include_str!("shader/skin.wgsl"),
+    include_str!("shader/eye.wgsl"),
+    include_str!("shader/mouth.wgsl"),
+    include_str!("shader/hair.wgsl"),
+    include_str!("shader/cloth.wgsl"),
+    include_str!("shader/theatre.wgsl"),
+];
+
+const LAST: [&str; 2] = [FRAME, include_str!("shader/last.wgsl")];
+
+/// Bind group layouts, named by what they hold.
+pub(crate) struct Layouts {
+    /// The frame alone.
+    pub(crate) frame: BindGroupLayout,
+    /// The frame, the shadow map and its sampler.
+    pub(crate) lit: BindGroupLayout,
+    /// Joints and one material.
+    pub(crate) figure: BindGroupLayout,
+    /// The frame, the finished picture and its sampler.
+    pub(crate) last: BindGroupLayout,
+}
+
+impl Layouts {
+    fn new(device: &Device) -> Self {
+        let layout = |label, entries: &[wgpu::BindGroupLayoutEntry]| {
+            device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
+                label: Some(label),
+                entries,
+            })
+        };
+        let both = ShaderStages::VERTEX_FRAGMENT;
+        let frame = uniform(0, both, false, size_of::<FrameUniform>() as u64);
+        Self {
+            frame: layout("frame", &[frame]),
+            lit: layout(
+                "lit",
+                &[
+                    frame,
+                    entry(
+                        1,
+                        ShaderStages::FRAGMENT,
+                        wgpu::BindingType::Texture {
+                            sample_type: wgpu::TextureSampleType::Depth,
+                            view_dimension: wgpu::TextureViewDimension::D2,
+                            multisampled: false,
+                        },
+                    ),
+                    entry(
+                        2,
+                        ShaderStages::FRAGMENT,
+                        wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Comparison),
+                    ),
+                ],
+            ),
+            figure: layout(
+                "figure",
+                &[
+                    uniform(0, ShaderStages::VERTEX, false, 384 * 16),
+                    uniform(1, both, true, 32),
+                ],
+            ),
+            last: layout(
+                "last",
+                &[
+                    frame,
+                    entry(
+                        1,
+                        ShaderStages::FRAGMENT,
+                        wgpu::BindingType::Texture {
+                            sample_type: wgpu::TextureSampleType::Float { filterable: true },
+                            view_dimension: wgpu::TextureViewDimension::D2,
+                            multisampled: false,
+                        },
+                    ),
+                    entry(
+                        2,
+                        ShaderStages::FRAGMENT,
+                        wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering),
+                    ),
+                ],
+            ),
+        }
+    }
+}
+
+fn entry(
+    binding: u32,
+    visibility: ShaderStages,
+    ty: wgpu::BindingType,
+) -> wgpu::BindGroupLayoutEntry {
+    wgpu::BindGroupLayoutEntry {
+        binding,
+        visibility,
+        ty,
+        count: None,
+    }
+}
+
+fn uniform(
+    binding: u32,
+    stages: ShaderStages,
+    dynamic: bool,
+    size: u64,
+) -> wgpu::BindGroupLayoutEntry {
+    entry(
+        binding,
+        stages,
+        wgpu::BindingType::Buffer {
+            ty: wgpu::BufferBindingType::Uniform,
+            has_dynamic_offset: dynamic,
+            min_binding_size: std::num::NonZeroU64::new(size),
+        },
+    )
+}
+
+/// Everything compiled.
+pub(crate) struct Pipelines {
+    pub(crate) layouts: Layouts,
+    pub(crate) theatre: RenderPipeline,
+    pub(crate) last: RenderPipeline,
+    pub(crate) shadow: RenderPipeline,
+    pub(crate) shadow_cut: RenderPipeline,
+    stage: ShaderModule,
+    figure_layout: wgpu::PipelineLayout,
+    target: TargetKind,
+    constants: Vec<(&'static str, f64)>,
+    /// One for each kind and sidedness that a figure has used.
+    materials: [Option<RenderPipeline>; 2 * MaterialKind::NAMES.len()],
+}
+
+const SHAPE_ATTRIBUTES: [VertexAttribute; 2] =
+    wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3];
+const FIXED_ATTRIBUTES: [VertexAttribute; 5] = [
+    attribute(VertexFormat::Float32x2, 0, 2),
+    attribute(VertexFormat::Unorm8x4, 8, 3),
+    attribute(VertexFormat::Uint8x4, 12, 4),
+    attribute(VertexFormat::Unorm16x4, 16, 5),
+    attribute(VertexFormat::Snorm8x4, 24, 6),
+];
+
+const fn attribute(format: VertexFormat, offset: u64, shader_location: u32) -> VertexAttribute {
+    VertexAttribute {
+        format,
+        offset,
+        shader_location,
+    }
+}
+
+fn vertex_buffers() -> [Option<VertexBufferLayout<'static>>; 2] {
+    let buffer = |stride: usize, attributes| {
+        Some(VertexBufferLayout {
+            array_stride: stride as u64,
+            step_mode: wgpu::VertexStepMode::Vertex,
+            attributes,
+        })
+    };
+    [
+        buffer(size_of::<ShapeVertex>(), &SHAPE_ATTRIBUTES),
+        buffer(size_of::<FixedVertex>(), &FIXED_ATTRIBUTES),
+    ]
+}
+
+/// What differs between pipelines.
+struct Recipe<'a> {
+    label: &'a str,
+    module: &'a ShaderModule,
+    layout: &'a wgpu::PipelineLayout,
+    constants: &'a [(&'a str, f64)],
+    vertex: &'a str,
+    buffers: &'a [Option<VertexBufferLayout<'static>>],
+    fragment: Option<&'a str>,
+    target: Option<TextureFormat>,
+    blend: Option<BlendState>,
+    samples: u32,
+    coverage: bool,
+    cull: Option<Face>,
+    /// Compare and write, when there is a depth buffer.
+    depth: Option<(CompareFunction, bool)>,
+    bias: wgpu::DepthBiasState,
+}
+
+impl Recipe<'_> {
+    fn build(&self, device: &Device) -> RenderPipeline {
+        let options = wgpu::PipelineCompilationOptions {
+            constants: self.constants,
+            ..Default::default()
+        };
+        let targets = [self.target.map(|format| wgpu::ColorTargetState {
+            format,
+            blend: self.blend,
+            write_mask: wgpu::ColorWrites::ALL,
+        })];
+        device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+            label: Some(self.label),
+            layout: Some(self.layout),
+            vertex: wgpu::VertexState {
+                module: self.module,
+                entry_point: Some(self.vertex),
+                compilation_options: options.clone(),
+                buffers: self.buffers,
+            },
+            primitive: wgpu::PrimitiveState {
+                cull_mode: self.cull,
+                ..Default::default()
+            },
+            depth_stencil: self.depth.map(|(compare, write)| wgpu::DepthStencilState {
+                format: DEPTH_FORMAT,
+                depth_write_enabled: Some(write),
+                depth_compare: Some(compare),
+                stencil: wgpu::StencilState::default(),
+                bias: self.bias,
+            }),
+            multisample: wgpu::MultisampleState {
+                count: self.samples,
+                mask: !0,
+                alpha_to_coverage_enabled: self.coverage,
+            },
+            fragment: self.fragment.map(|entry_point| wgpu::FragmentState {
+                module: self.module,
+                entry_point: Some(entry_point),
+                compilation_options: options,
+                targets: if self.target.is_some() { &targets } else { &[] },
+            }),
+            multiview_mask: None,
+            cache: None,
+        })
+    }
+}
+
+impl Pipelines {
+    pub(crate) fn new(
+        device: &Device,
+        target: TargetKind,
+        output: TextureFormat,
+        quality: Quality,
+    ) -> Self {
+        let layouts = Layouts::new(device);
+        let module = |label, parts: &[&str]| {
+            device.create_shader_module(wgpu::ShaderModuleDescriptor {
+                label: Some(label),
+                source: wgpu::ShaderSource::Wgsl(parts.concat().into()),
+            })
+        };
+        let stage = module("stage", &STAGE);
+        let last_module = module("last", &LAST);
+        let pipeline_layout = |label, groups: &[Option<&BindGroupLayout>]| {
+            device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+                label: Some(label),
+                bind_group_layouts: groups,
+                immediate_size: 0,
+            })
+        };
+        let flag = |b: bool| f64::from(u8::from(b));
+        let early = ("EARLY_ENCODE", flag(!target.is_float()));
+        let constants = vec![
+            early,
+            ("FINE_DETAIL", flag(quality.fine_detail())),
+            ("SHADOW_REACH", f64::from(quality.shadow_reach())),
+            ("COVERAGE", flag(target.samples > 1)),
+        ];
+        let shadow_layout =
+            pipeline_layout("shadow", &[Some(&layouts.frame), Some(&layouts.figure)]);
+        let buffers = vertex_buffers();
+        let shadow = |fragment| {
+            Recipe {
+                label: "shadow",
+                module: &stage,
+                layout: &shadow_layout,
+                constants: &[],
+                vertex: "vs_shadow",
+                buffers: &buffers,
+                fragment,
+                target: None,
+                blend: None,
+                samples: 1,
+                coverage: false,
+                cull: None,
+                depth: Some((CompareFunction::Less, true)),
+                // Steep surfaces are pushed back by their slope within a texel.
+                bias: wgpu::DepthBiasState {
+                    constant: 0,
+                    slope_scale: 1.5,
+                    clamp: 0.0,
+                },
+            }
+            .build(device)
+        };
+        let full_screen =
+            |label, module, layout, constants: &[_], vertex, fragment, format, samples, depth| {
+                Recipe {
+                    label,
+                    module,
+                    layout,
+                    constants,
+                    vertex,
+                    buffers: &[],
+                    fragment: Some(fragment),
+                    target: Some(format),
+                    blend: None,
+                    samples,
+                    coverage: false,
+                    cull: None,
+                    depth,
+                    bias: wgpu::DepthBiasState::default(),
+                }
+                .build(device)
+            };
+        let theatre_layout = pipeline_layout("theatre", &[Some(&layouts.lit)]);
+        let last_layout = pipeline_layout("last", &[Some(&layouts.last)]);
+        let theatre = full_screen(
+            "theatre",
+            &stage,
+            &theatre_layout,
+            &constants,
+            "vs_theatre",
+            "fs_theatre",
+            target.format,
+            target.samples,
+            Some((CompareFunction::LessEqual, false)),
+        );
+        let last_constants = [
+            early,
+            ("SMOOTH_EDGES", flag(target.samples == 1)),
+            ("TARGET_ENCODES", flag(output.is_srgb())),
+        ];
+        let last = full_screen(
+            "last",
+            &last_module,
+            &last_layout,
+            &last_constants,
+            "vs_last",
+            "fs_last",
+            output,
+            1,
+            None,
+        );
+        Self {
+            theatre,
+            last,
+            shadow: shadow(None),
+            shadow_cut: shadow(Some("fs_hair_shadow")),
+            figure_layout: pipeline_layout("figure", &[Some(&layouts.lit), Some(&layouts.figure)]),
+            layouts,
+            stage,
+            target,
+            constants,
+            materials: Default::default(),
+        }
+    }
+
+    fn slot(kind: MaterialKind, double_sided: bool) -> usize {
+        2 * kind as usize + usize::from(double_sided)
+    }
+
+    /// Compiles the pipeline of a material if no figure has used it yet.
+    pub(crate) fn prepare(&mut self, device: &Device, kind: MaterialKind, double_sided: bool) {
+        let slot = Self::slot(kind, double_sided);
+        if self.materials[slot].is_some() {
+            return;
+        }
+        let order = draw_order(kind);
+        let recipe = Recipe {
+            label: "material",
+            module: &self.stage,
+            layout: &self.figure_layout,
+            constants: &self.constants,
+            vertex: "vs_figure",
+            buffers: &vertex_buffers(),
+            fragment: Some(fragment_entry(kind)),
+            target: Some(self.target.format),
+            blend: (order == 2).then_some(BlendState::PREMULTIPLIED_ALPHA_BLENDING),
+            samples: self.target.samples,
+            coverage: order == 1 && self.target.samples > 1,
+            cull: (!double_sided).then_some(Face::Back),
+            depth: Some((CompareFunction::Less, order != 2)),
+            bias: wgpu::DepthBiasState::default(),
+        };
+        self.materials[slot] = Some(recipe.build(device));
+    }
+
+    /// The pipeline of a material; `None` before [`Self::prepare`].
+    pub(crate) fn material(
+        &self,
+        kind: MaterialKind,
+        double_sided: bool,
+    ) -> Option<&RenderPipeline> {
+        self.materials[Self::slot(kind, double_sided)].as_ref()
+    }
+}
+
+fn fragment_entry(kind: MaterialKind) -> &'static str {
+    match kind {
+        MaterialKind::Skin => "fs_skin",
+        MaterialKind::Eye => "fs_eye",
+        MaterialKind::Cornea => "fs_cornea",
+        MaterialKind::Teeth => "fs_teeth",
+        MaterialKind::Mouth => "fs_mouth",
+        MaterialKind::Hair => "fs_hair",
+        MaterialKind::Lash => "fs_lash",
+        MaterialKind::Cloth => "fs_cloth",
+        MaterialKind::Leather => "fs_leather",
+        MaterialKind::Nail => "fs_nail",
+        MaterialKind::Plain => "fs_plain",
+    }
+}

@@ -1,0 +1,99 @@
+// The figure's vertices: four joints a vertex, rows of world from bind.
+
+struct Joints {
+    rows: array<vec4<f32>, 384>,
+};
+
+struct Material {
+    base: vec4<f32>,     // linear RGB, alpha
+    params: vec4<f32>,   // x: roughness, y: 1 when a cornea mesh carries the eye's lights
+};
+
+@group(1) @binding(0) var<uniform> joints: Joints;
+@group(1) @binding(1) var<uniform> material: Material;
+
+struct VertexIn {
+    @location(0) position: vec3<f32>,
+    @location(1) normal: vec3<f32>,
+    @location(2) uv: vec2<f32>,
+    @location(3) color: vec4<f32>,
+    @location(4) joint: vec4<u32>,
+    @location(5) weight: vec4<f32>,
+    @location(6) along: vec4<f32>,
+};
+
+struct VertexOut {
+    @builtin(position) clip: vec4<f32>,
+    @location(0) world: vec3<f32>,
+    @location(1) normal: vec3<f32>,
+    @location(2) along: vec3<f32>,   // direction of growing v, world
+    @location(3) bind: vec3<f32>,    // position in the bind pose; noise sticks to it
+    @location(4) uv: vec2<f32>,
+    @location(5) color: vec4<f32>,
+};
+
+struct Blend {
+    x: vec4<f32>,
+    y: vec4<f32>,
+    z: vec4<f32>,
+};
+
+fn blend(joint: vec4<u32>, weight: vec4<f32>) -> Blend {
+    let a = joint * 3u;
+    // Quantised weights need not sum to one exactly.
+    let w = weight / max(dot(weight, vec4<f32>(1.0)), 1e-6);
+    var m: Blend;
+    m.x = joints.rows[a.x] * w.x + joints.rows[a.y] * w.y + joints.rows[a.z] * w.z + joints.rows[a.w] * w.w;
+    m.y = joints.rows[a.x + 1u] * w.x + joints.rows[a.y + 1u] * w.y + joints.rows[a.z + 1u] * w.z + joints.rows[a.w + 1u] * w.w;
+    m.z = joints.rows[a.x + 2u] * w.x + joints.rows[a.y + 2u] * w.y + joints.rows[a.z + 2u] * w.z + joints.rows[a.w + 2u] * w.w;
+    return m;
+}
+
+fn place(m: Blend, p: vec4<f32>) -> vec3<f32> {
+    return vec3<f32>(dot(m.x, p), dot(m.y, p), dot(m.z, p));
+}
+
+@vertex
+fn vs_figure(v: VertexIn) -> VertexOut {
+    let m = blend(v.joint, v.weight);
+    var o: VertexOut;
+    o.world = place(m, vec4<f32>(v.position, 1.0));
+    o.normal = place(m, vec4<f32>(v.normal, 0.0));
+    o.along = place(m, vec4<f32>(v.along.xyz, 0.0));
+    o.bind = v.position;
+    o.uv = v.uv;
+    o.color = v.color;
+    o.clip = frame.clip_from_world * vec4<f32>(o.world, 1.0);
+    return o;
+}
+
+struct ShadowOut {
+    @builtin(position) clip: vec4<f32>,
+    @location(0) uv: vec2<f32>,
+    @location(1) bind: vec3<f32>,
+};
+
+@vertex
+fn vs_shadow(v: VertexIn) -> ShadowOut {
+    let m = blend(v.joint, v.weight);
+    var o: ShadowOut;
+    o.clip = frame.shadow_from_world * vec4<f32>(place(m, vec4<f32>(v.position, 1.0)), 1.0);
+    o.uv = v.uv;
+    o.bind = v.position;
+    return o;
+}
+
+fn to_eye(world: vec3<f32>) -> vec3<f32> {
+    return normalize(frame.eye_in_world.xyz - world);
+}
+
+// Normal towards the viewer: cards and open cloth are seen from both sides.
+fn facing_normal(normal: vec3<f32>, front: bool) -> vec3<f32> {
+    let n = normalize(normal);
+    return select(-n, n, front);
+}
+
+// Tilts a normal against the slope of a height field given in space.
+fn bumped(n: vec3<f32>, slope: vec3<f32>) -> vec3<f32> {
+    return normalize(n - (slope - n * dot(slope, n)));
+}

@@ -1,0 +1,119 @@
+// The little theatre: a board floor in a pool of light, and a curtain hung in a wide
+// curve behind the speaker. Found by casting the pixel's ray, so it has no triangles.
+
+const CURTAIN_RADIUS = 3.1;
+
+struct TheatreOut {
+    @builtin(position) clip: vec4<f32>,
+    @location(0) ray: vec3<f32>,
+};
+
+@vertex
+fn vs_theatre(@builtin(vertex_index) i: u32) -> TheatreOut {
+    // One triangle over the whole picture, at the far plane.
+    let q = vec2<f32>(f32(i & 1u) * 4.0 - 1.0, f32(i >> 1u) * 4.0 - 1.0);
+    var o: TheatreOut;
+    o.clip = vec4<f32>(q, 1.0, 1.0);
+    o.ray = frame.ray_forward.xyz + frame.ray_right.xyz * q.x + frame.ray_up.xyz * q.y;
+    return o;
+}
+
+// Where the curtain bends: depth of the fold in z (0..1) and slope along the arc in x.
+fn folds(arc: f32, height: f32) -> vec2<f32> {
+    // Folds swing a little as they fall, and no two are the same.
+    let sway = 0.30 * sin(arc * 1.7 + 0.8 + 0.35 * height) + 0.16 * sin(arc * 4.1 - 0.5 * height + 2.0);
+    let phase = arc * 15.0 + sway * 2.6;
+    let big = sin(phase);
+    let small = sin(phase * 2.0 + 1.3 + sway * 4.0);
+    let slope = cos(phase) + 0.45 * cos(phase * 2.0 + 1.3 + sway * 4.0);
+    return vec2<f32>(slope, 0.5 + 0.36 * big + 0.14 * small);
+}
+
+fn curtain(p: vec3<f32>, ray: vec3<f32>) -> vec3<f32> {
+    let angle = atan2(p.x, -p.z);
+    let arc = angle * CURTAIN_RADIUS;
+    let fold = folds(arc, p.y);
+    let inwards = normalize(vec3<f32>(-p.x, 0.0, -p.z));
+    let aside = vec3<f32>(cos(angle), 0.0, sin(angle));
+    let n = normalize(inwards - aside * (fold.x * 0.42));
+    let high = smoothstep(0.2, 3.4, p.y);
+    let tone = mix(frame.backdrop_low.xyz, frame.backdrop_high.xyz, high);
+    // The pool behind the speaker: wide, low, and softer upwards.
+    let q = vec2<f32>(arc * 0.72, (p.y - 1.30) * 0.72);
+    let pool = exp(-dot(q, q) * 1.35);
+    let cavity = mix(0.30, 1.15, smoothstep(0.0, 1.0, fold.y));
+    let from_key = saturate1(0.45 + 0.55 * dot(n, normalize(frame.key_dir.xyz * vec3<f32>(1.0, 0.4, 1.0))));
+    // Velvet brightens where the pile is seen from the side.
+    let pile = 1.0 - abs(dot(n, normalize(ray)));
+    var light = tone * (0.55 + 0.75 * from_key) + frame.glow.xyz * (pool * (0.55 + 0.6 * from_key));
+    light += (tone + frame.glow.xyz * pool) * (0.35 * pile * pile);
+    // The foot of the curtain darkens to the floor.
+    return light * cavity * mix(0.55, 1.0, smoothstep(0.0, 0.5, p.y));
+}
+
+fn boards(p: vec3<f32>, ray: vec3<f32>, distance: f32, at: vec2<f32>) -> vec3<f32> {
+    let from_stand = p.xz - frame.stand.xz;
+    let width = 0.14;
+    let x = p.x / width;
+    let plank = floor(x);
+    let shift = hash_unit(vec3<i32>(i32(plank), 1, 1));
+    let z = p.z / 1.9 + shift * 3.0;
+    let tint = hash_unit(vec3<i32>(i32(plank), i32(floor(z)), 2));
+    let grain = noise(vec3<f32>(p.x * 70.0, p.z * 3.5, tint * 31.0)) - 0.5;
+    let px = distance * frame.viewport.w * 1.2;
+    let seen = 1.0 - smoothstep(0.25, 1.0, px / 0.02);
+    let edge = min(fract(x), 1.0 - fract(x)) * width;
+    let butt = min(fract(z), 1.0 - fract(z)) * 1.9;
+    let groove = min(smoothstep(0.0, 0.004 + px, edge), smoothstep(0.0, 0.004 + px, butt));
+    var tone = frame.floor.xyz * (0.86 + 0.28 * tint + 0.30 * grain * seen);
+    tone *= mix(0.72, 1.0, groove);
+
+    let pool = exp(-dot(from_stand, from_stand) * 0.55);
+    let n = vec3<f32>(0.0, 1.0, 0.0);
+    let share = key_share(p, n, at);
+    let key = frame.key.xyz * (frame.key_dir.y * share * (0.10 + 0.95 * pool));
+    // Soles darken the boards right under them.
+    var contact = 1.0;
+    for (var i = 0; i < 2; i++) {
+        let d = (p - frame.feet[i].xyz) * vec3<f32>(1.0, 1.0, 0.55);
+        contact *= 1.0 - 0.62 * exp(-dot(d, d) / 0.0075);
+    }
+    let body = 1.0 - 0.35 * exp(-dot(from_stand, from_stand) / 0.10);
+    var light = tone * (key + (frame.sky.xyz * (0.25 + 0.45 * pool) + frame.glow.xyz) * (contact * body));
+
+    // Waxed boards mirror the curtain faintly.
+    let view = -normalize(ray);
+    let f = fresnel(0.03, view.y);
+    let r = vec3<f32>(ray.x, -ray.y, ray.z);
+    let s = saturate1(1.0 - dot(p.xz, p.xz) / (CURTAIN_RADIUS * CURTAIN_RADIUS));
+    let mirror_pool = exp(-p.x * p.x * 0.35) * (0.4 + 0.6 * s);
+    let soft = mix(frame.backdrop_low.xyz, frame.backdrop_high.xyz, saturate1(r.y / max(length(r), 1e-3)))
+        + frame.glow.xyz * mirror_pool;
+    light += soft * (f * 1.4 * groove * contact);
+    return light;
+}
+
+@fragment
+fn fs_theatre(v: TheatreOut) -> @location(0) vec4<f32> {
+    let eye = frame.eye_in_world.xyz;
+    // Curtain: a cylinder around the place where the figure stands at rest.
+    let o = eye.xz;
+    let d = v.ray.xz;
+    let a = max(dot(d, d), 1e-8);
+    let b = dot(o, d);
+    let c = dot(o, o) - CURTAIN_RADIUS * CURTAIN_RADIUS;
+    let root = sqrt(max(b * b - a * c, 0.0));
+    let t_curtain = (-b + root) / a;
+    let t_floor = select(1e9, -eye.y / v.ray.y, v.ray.y < -1e-6 && eye.y > 0.0);
+    var light: vec3<f32>;
+    // Floor outside the curtain, on the camera's side, is the front of the stage.
+    if t_floor < t_curtain {
+        let p = eye + v.ray * t_floor;
+        light = boards(p, v.ray, t_floor * length(v.ray), v.clip.xy);
+        // The boards sink into the dark towards the curtain's foot and the audience.
+        light *= mix(1.0, 0.55, smoothstep(2.0, CURTAIN_RADIUS, length(p.xz)));
+    } else {
+        light = curtain(eye + v.ray * t_curtain, v.ray);
+    }
+    return written(light, 1.0, v.clip.xy);
+}

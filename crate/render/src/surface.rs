@@ -1,0 +1,203 @@
+//! A canvas of a page as the target.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use raconteur_body::Figure;
+use raconteur_stage::Frame;
+use wgpu::CurrentSurfaceTexture;
+
+use crate::{RenderError, RenderInfo, RenderOptions, Renderer};
+
+/// Which of the browser's interfaces draws.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Backend {
+    /// WebGPU; needs the feature `webgpu`.
+    WebGpu,
+    /// WebGL2; needs the feature `webgl`.
+    WebGl,
+}
+
+/// What became of a frame.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum RenderStatus {
+    /// It is on the canvas.
+    Drawn,
+    /// The canvas had no room for it (hidden, or the browser is late); the next may do.
+    Skipped,
+    /// The device or context is gone: make a new canvas target.
+    DeviceLost,
+}
+
+/// A renderer that draws to one canvas.
+pub struct CanvasTarget {
+    device: wgpu::Device,
+    surface: wgpu::Surface<'static>,
+    configuration: wgpu::SurfaceConfiguration,
+    renderer: Renderer,
+    lost: Arc<AtomicBool>,
+    /// WebGL's context: wgpu does not tell when it is lost.
+    #[cfg(feature = "webgl")]
+    context: Option<web_sys::WebGl2RenderingContext>,
+}
+
+impl CanvasTarget {
+    /// Opens a device for a canvas; its `width` and `height` in pixels are the size drawn.
+    ///
+    /// # Errors
+    /// When the back end is not built in or not there, or the canvas already serves
+    /// another kind of context.
+    pub async fn new(
+        canvas: web_sys::HtmlCanvasElement,
+        backend: Backend,
+        options: RenderOptions,
+    ) -> Result<Self, RenderError> {
+        let wanted = match backend {
+            Backend::WebGpu => wgpu::Backends::BROWSER_WEBGPU,
+            Backend::WebGl => wgpu::Backends::GL,
+        };
+        if !wgpu::Instance::enabled_backend_features().contains(wanted) {
+            return Err(RenderError::NoAdapter(format!(
+                "{backend:?} is not in this build"
+            )));
+        }
+        let instance = wgpu::Instance::new(wgpu::InstanceDescriptor {
+            backends: wanted,
+            ..wgpu::InstanceDescriptor::new_without_display_handle()
+        });
+        let (width, height) = (canvas.width().max(1), canvas.height().max(1));
+        let surface = instance
+            .create_surface(wgpu::SurfaceTarget::Canvas(canvas.clone()))
+            .map_err(|e| RenderError::Surface(e.to_string()))?;
+        let adapter = instance
+            .request_adapter(&wgpu::RequestAdapterOptions {
+                compatible_surface: Some(&surface),
+                ..Default::default()
+            })
+            .await
+            .map_err(|e| RenderError::NoAdapter(e.to_string()))?;
+        let (device, queue) = adapter
+            .request_device(&wgpu::DeviceDescriptor {
+                required_limits: wgpu::Limits::downlevel_webgl2_defaults()
+                    .using_resolution(adapter.limits()),
+                ..Default::default()
+            })
+            .await
+            .map_err(|e| RenderError::NoDevice(e.to_string()))?;
+        let lost = Arc::new(AtomicBool::new(false));
+        let flag = Arc::clone(&lost);
+        device.set_device_lost_callback(move |_, _| flag.store(true, Ordering::Relaxed));
+
+        let mut configuration = surface
+            .get_default_config(&adapter, width, height)
+            .ok_or_else(|| RenderError::Surface("no format that the adapter draws".to_owned()))?;
+        // The last pass encodes; an sRGB view would only undo and redo it.
+        let formats = surface.get_capabilities(&adapter).formats;
+        if let Some(plain) = formats.into_iter().find(|f| {
+            matches!(
+                f,
+                wgpu::TextureFormat::Rgba8Unorm | wgpu::TextureFormat::Bgra8Unorm
+            )
+        }) {
+            configuration.format = plain;
+        }
+        surface.configure(&device, &configuration);
+        let renderer = Renderer::new(
+            &adapter,
+            device.clone(),
+            queue,
+            configuration.format,
+            options,
+        );
+        Ok(Self {
+            device,
+            surface,
+            configuration,
+            renderer,
+            lost,
+            #[cfg(feature = "webgl")]
+            context: (backend == Backend::WebGl)
+                .then(|| webgl_context(&canvas))
+                .flatten(),
+        })
+    }
+
+    /// What was opened, with the counts of the last picture.
+    #[must_use]
+    pub fn info(&self) -> &RenderInfo {
+        self.renderer.info()
+    }
+
+    /// Sends a figure; it is drawn until the next one.
+    ///
+    /// # Errors
+    /// As [`Renderer::set_figure`].
+    pub fn set_figure(&mut self, figure: &Figure) -> Result<(), RenderError> {
+        self.renderer.set_figure(figure)
+    }
+
+    /// Sets the size drawn, pixels, within 1 and the device's limit on either side. The
+    /// canvas's own `width` and `height` follow.
+    pub fn resize(&mut self, width: u32, height: u32) {
+        let limit = self.device.limits().max_texture_dimension_2d;
+        let size = (width.clamp(1, limit), height.clamp(1, limit));
+        if size != (self.configuration.width, self.configuration.height) {
+            (self.configuration.width, self.configuration.height) = size;
+            self.surface.configure(&self.device, &self.configuration);
+        }
+    }
+
+    /// Draws a frame to the canvas.
+    ///
+    /// # Errors
+    /// When the driver refuses the renderer or its calls.
+    pub fn render(&mut self, frame: &Frame) -> Result<RenderStatus, RenderError> {
+        if self.is_lost() {
+            return Ok(RenderStatus::DeviceLost);
+        }
+        let texture = match self.surface.get_current_texture() {
+            CurrentSurfaceTexture::Success(t) | CurrentSurfaceTexture::Suboptimal(t) => t,
+            CurrentSurfaceTexture::Timeout | CurrentSurfaceTexture::Occluded => {
+                return Ok(RenderStatus::Skipped);
+            }
+            CurrentSurfaceTexture::Outdated | CurrentSurfaceTexture::Lost => {
+                self.surface.configure(&self.device, &self.configuration);
+                match self.surface.get_current_texture() {
+                    CurrentSurfaceTexture::Success(t) | CurrentSurfaceTexture::Suboptimal(t) => t,
+                    _ => return Ok(RenderStatus::Skipped),
+                }
+            }
+            CurrentSurfaceTexture::Validation => {
+                return Err(RenderError::Surface(
+                    "the browser gave no picture to draw to".to_owned(),
+                ));
+            }
+        };
+        let view = texture
+            .texture
+            .create_view(&wgpu::TextureViewDescriptor::default());
+        let size = (self.configuration.width, self.configuration.height);
+        self.renderer.render(frame, &view, size)?;
+        self.renderer.present(texture);
+        Ok(RenderStatus::Drawn)
+    }
+
+    fn is_lost(&self) -> bool {
+        #[cfg(feature = "webgl")]
+        if self
+            .context
+            .as_ref()
+            .is_some_and(web_sys::WebGl2RenderingContext::is_context_lost)
+        {
+            return true;
+        }
+        self.lost.load(Ordering::Relaxed)
+    }
+}
+
+/// The context that wgpu made for the canvas: asking again returns the same one.
+#[cfg(feature = "webgl")]
+fn webgl_context(canvas: &web_sys::HtmlCanvasElement) -> Option<web_sys::WebGl2RenderingContext> {
+    use wasm_bindgen::JsCast;
+    canvas.get_context("webgl2").ok()??.dyn_into().ok()
+}

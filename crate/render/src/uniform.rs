@@ -1,0 +1,150 @@
+//! The uniform block that all passes share: `Frame` of `shader/frame.wgsl`.
+
+use bytemuck::{Pod, Zeroable};
+use glam::dcamera::rh::{proj::directx::perspective, view::look_to_mat4};
+use raconteur_base::{DMat4, DVec3, ops};
+use raconteur_body::Bone;
+use raconteur_stage::{Camera, Frame};
+
+use crate::shadow::ShadowView;
+
+/// `Frame` of the shaders, field by field.
+#[repr(C)]
+#[derive(Clone, Copy, Pod, Zeroable)]
+pub(crate) struct FrameUniform {
+    clip_from_world: [f32; 16],
+    shadow_from_world: [f32; 16],
+    ray_forward: [f32; 4],
+    ray_right: [f32; 4],
+    ray_up: [f32; 4],
+    eye_in_world: [f32; 4],
+    key_dir: [f32; 4],
+    key: [f32; 4],
+    fill_dir: [f32; 4],
+    fill: [f32; 4],
+    rim_dir: [f32; 4],
+    rim: [f32; 4],
+    sky: [f32; 4],
+    ground: [f32; 4],
+    floor: [f32; 4],
+    backdrop_low: [f32; 4],
+    backdrop_high: [f32; 4],
+    glow: [f32; 4],
+    stand: [f32; 4],
+    feet: [[f32; 4]; 2],
+    shadow: [f32; 4],
+    viewport: [f32; 4],
+}
+
+/// The camera as the shaders need it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct View {
+    pub(crate) clip_from_world: DMat4,
+    pub(crate) forward: DVec3,
+    /// To the right edge of the picture at distance 1.
+    pub(crate) right: DVec3,
+    /// To the upper edge of the picture at distance 1.
+    pub(crate) up: DVec3,
+    /// Half the height of the picture at distance 1, metres.
+    pub(crate) half_height: f64,
+}
+
+impl View {
+    /// The view of a camera in a picture of `aspect` (width over height). A camera that
+    /// looks nowhere looks to the back; one that looks straight up or down keeps the
+    /// picture's top towards the back of the stage.
+    pub(crate) fn new(camera: &Camera, aspect: f64) -> Self {
+        let forward = (camera.target_in_world - camera.eye_in_world)
+            .try_normalize()
+            .unwrap_or(DVec3::NEG_Z);
+        let right = forward.cross(DVec3::Y).try_normalize().unwrap_or(DVec3::X);
+        let up = right.cross(forward);
+        let half_height = ops::tan(0.5 * camera.fov_y_rad);
+        let clip_from_view = perspective(camera.fov_y_rad, aspect, camera.near_m, camera.far_m);
+        let view_from_world = look_to_mat4(camera.eye_in_world, forward, up);
+        Self {
+            clip_from_world: clip_from_view * view_from_world,
+            forward,
+            right: right * (half_height * aspect),
+            up: up * half_height,
+            half_height,
+        }
+    }
+}
+
+/// Where the figure stands, from its joints; the stage's middle without joints.
+pub(crate) fn stand_in_world(frame: &Frame) -> DVec3 {
+    frame.world_from_joint.first().map_or(DVec3::ZERO, |root| {
+        DVec3::new(root.translation.x, 0.0, root.translation.z)
+    })
+}
+
+impl FrameUniform {
+    pub(crate) fn new(
+        frame: &Frame,
+        view: &View,
+        shadow: &ShadowView,
+        stature_m: f64,
+        size: (u32, u32),
+    ) -> Self {
+        let light = &frame.lighting;
+        let sole = |bone: Bone| {
+            frame
+                .world_from_joint
+                .get(bone.index())
+                .map_or([0.0, -9.0, 0.0, 0.0], |j| {
+                    // The contact lies under the instep, on the floor.
+                    point(
+                        DVec3::new(
+                            j.translation.x,
+                            0.0_f64.max(j.translation.y - 0.09),
+                            j.translation.z,
+                        ),
+                        0.0,
+                    )
+                })
+        };
+        let (w, h) = (size.0 as f32, size.1 as f32);
+        Self {
+            clip_from_world: view.clip_from_world.as_mat4().to_cols_array(),
+            shadow_from_world: shadow.clip_from_world.as_mat4().to_cols_array(),
+            ray_forward: point(view.forward, 0.0),
+            ray_right: point(view.right, 0.0),
+            ray_up: point(view.up, 0.0),
+            eye_in_world: point(frame.camera.eye_in_world, frame.time_secs as f32),
+            key_dir: direction(light.key.towards_light_in_world),
+            key: color(light.key.irradiance, 0.0),
+            fill_dir: direction(light.fill.towards_light_in_world),
+            fill: color(light.fill.irradiance, 0.0),
+            rim_dir: direction(light.rim.towards_light_in_world),
+            rim: color(light.rim.irradiance, 0.0),
+            sky: color(light.sky, 0.0),
+            ground: color(light.ground, light.exposure),
+            floor: color(frame.set.floor, 0.0),
+            backdrop_low: color(frame.set.backdrop_low, 0.0),
+            backdrop_high: color(frame.set.backdrop_high, 0.0),
+            glow: color(frame.set.glow, 0.0),
+            stand: point(stand_in_world(frame), stature_m as f32),
+            feet: [sole(Bone::LMidtarsal), sole(Bone::RMidtarsal)],
+            shadow: [
+                shadow.tap_uv,
+                shadow.normal_offset_m,
+                shadow.depth_bias,
+                0.0,
+            ],
+            viewport: [w, h, 1.0 / w, 1.0 / h],
+        }
+    }
+}
+
+fn point(p: DVec3, w: f32) -> [f32; 4] {
+    [p.x as f32, p.y as f32, p.z as f32, w]
+}
+
+fn direction(d: DVec3) -> [f32; 4] {
+    point(d.try_normalize().unwrap_or(DVec3::Y), 0.0)
+}
+
+fn color(c: [f32; 3], w: f32) -> [f32; 4] {
+    [c[0], c[1], c[2], w]
+}

@@ -1,0 +1,228 @@
+//! The bundles that are shipped with the stories: whole, consistent with their stories, and
+//! with sound that lasts as long as they say. Needs no speech engine.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use quick_xml::Reader;
+use quick_xml::events::Event;
+use raconteur_speech::{Bundle, Utterance};
+
+/// Lengths may differ by the rounding of the file's own clock.
+const LENGTH_TOLERANCE_SECS: f64 = 0.002;
+
+fn stories() -> Vec<PathBuf> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../assets/stories");
+    let mut stories: Vec<PathBuf> = fs::read_dir(folder)
+        .unwrap()
+        .map(|e| e.unwrap().path())
+        .filter(|p| p.join("story.eml").is_file())
+        .collect();
+    stories.sort();
+    assert!(stories.len() >= 2, "{stories:?}");
+    stories
+}
+
+fn bundle(story: &Path) -> Bundle {
+    let path = story.join("voice/speech.json");
+    Bundle::from_json(&fs::read(&path).unwrap())
+        .unwrap_or_else(|e| panic!("{}: {e}", path.display()))
+}
+
+/// The words of each voice-text, as a reader of the story sees them.
+fn said(story: &Path) -> Vec<Vec<String>> {
+    let source = fs::read_to_string(story.join("story.eml")).unwrap();
+    let mut reader = Reader::from_str(&source);
+    let (mut texts, mut open) = (Vec::new(), None::<String>);
+    loop {
+        match reader.read_event().unwrap() {
+            Event::Eof => return texts,
+            Event::Start(e) if e.name().as_ref() == "voice-text" => open = Some(String::new()),
+            Event::End(e) if e.name().as_ref() == "voice-text" => {
+                let text = open.take().unwrap();
+                texts.push(
+                    text.split_whitespace()
+                        .filter(|w| w.chars().any(char::is_alphanumeric))
+                        .map(str::to_owned)
+                        .collect(),
+                );
+            }
+            // Sentences and breaks part words; marks and emphasis do not.
+            Event::Start(e) if e.name().as_ref() == "div" => {
+                open.iter_mut().for_each(|t| t.push(' '));
+            }
+            Event::Empty(e) if e.name().as_ref() == "break" => {
+                open.iter_mut().for_each(|t| t.push(' '));
+            }
+            Event::Text(e) => open.iter_mut().for_each(|t| t.push_str(&e)),
+            _ => {}
+        }
+    }
+}
+
+fn words(utterance: &Utterance) -> Vec<String> {
+    utterance.words.iter().map(|w| w.text.clone()).collect()
+}
+
+/// Length of an Ogg Opus file: the position of the last page, less what a player skips
+/// (RFC 7845, sections 4 and 5.1), at 48 kHz.
+fn opus_secs(bytes: &[u8]) -> f64 {
+    let (mut at, mut last, mut skip) = (0, 0_u64, None);
+    while at + 27 <= bytes.len() {
+        assert_eq!(&bytes[at..at + 4], b"OggS");
+        last = u64::from_le_bytes(bytes[at + 6..at + 14].try_into().unwrap());
+        let lacing = usize::from(bytes[at + 26]);
+        let body = at + 27 + lacing;
+        if skip.is_none() {
+            assert_eq!(&bytes[body..body + 8], b"OpusHead");
+            assert_eq!(bytes[body + 9], 1, "one channel");
+            skip = Some(u64::from(u16::from_le_bytes([
+                bytes[body + 10],
+                bytes[body + 11],
+            ])));
+        }
+        at = body
+            + bytes[at + 27..body]
+                .iter()
+                .map(|l| usize::from(*l))
+                .sum::<usize>();
+    }
+    assert_eq!(at, bytes.len(), "the file ends inside a page");
+    (last - skip.unwrap()) as f64 / 48_000.0
+}
+
+/// Length of a mono MPEG-1 layer III file from its Xing or Info header: frames, less the
+/// delay and padding that the LAME extension tells players to drop. A file without them
+/// would sound late.
+fn mp3_secs(bytes: &[u8]) -> f64 {
+    assert_eq!(bytes[0], 0xff);
+    assert_eq!(bytes[1] & 0xfe, 0xfa, "MPEG-1 layer III");
+    let rate = [44_100.0, 48_000.0, 32_000.0][usize::from(bytes[2] >> 2 & 3)];
+    assert_eq!(bytes[3] >> 6, 3, "one channel");
+    // Mono: 4 bytes of header and 17 of side information come before it.
+    let info = &bytes[21..];
+    assert!(&info[..4] == b"Xing" || &info[..4] == b"Info");
+    assert_eq!(info[7], 0x0f, "frames, bytes, table and quality are there");
+    let frames = u32::from_be_bytes(info[8..12].try_into().unwrap());
+    let lame = &info[120..];
+    assert!(&lame[..4] == b"LAME" || &lame[..4] == b"Lavf" || &lame[..4] == b"Lavc");
+    let delay = u32::from(lame[21]) << 4 | u32::from(lame[22]) >> 4;
+    let padding = u32::from(lame[22] & 15) << 8 | u32::from(lame[23]);
+    assert!(delay > 0, "a gapless header");
+    f64::from(frames * 1152 - delay - padding) / rate
+}
+
+#[test]
+fn every_voice_text_has_its_utterance_and_none_is_left_over() {
+    for story in stories() {
+        let said = said(&story);
+        let bundle = bundle(&story);
+        for text in &said {
+            assert!(
+                bundle.utterances.iter().any(|u| words(u) == *text),
+                "{story:?}: {text:?}"
+            );
+        }
+        for utterance in &bundle.utterances {
+            assert!(
+                said.contains(&words(utterance)),
+                "{story:?}: {}",
+                utterance.text
+            );
+        }
+        let keys: BTreeSet<_> = bundle.utterances.iter().map(|u| &u.key).collect();
+        assert_eq!(
+            keys.len(),
+            bundle.utterances.len(),
+            "{story:?}: a key twice"
+        );
+    }
+}
+
+#[test]
+fn phones_tile_the_utterance_and_words_are_made_of_phones() {
+    for story in stories() {
+        for utterance in bundle(&story).utterances {
+            let text = &utterance.text;
+            let mut end_secs = 0.0;
+            for phone in &utterance.phones {
+                assert_eq!(phone.start_secs, end_secs, "{text}");
+                assert!(
+                    phone.end_secs > phone.start_secs,
+                    "{text}: an empty {}",
+                    phone.symbol
+                );
+                assert_eq!(phone.word.is_none(), phone.symbol == "pau", "{text}");
+                end_secs = phone.end_secs;
+            }
+            assert_eq!(end_secs, utterance.duration_secs, "{text}");
+            for edge in [utterance.phones.first(), utterance.phones.last()] {
+                assert_eq!(
+                    edge.unwrap().symbol,
+                    "pau",
+                    "{text} begins or ends in speech"
+                );
+            }
+            for (i, word) in utterance.words.iter().enumerate() {
+                let mut of_word = utterance.phones.iter().filter(|p| p.word == Some(i));
+                let first = of_word.next().unwrap();
+                let last = of_word.next_back().unwrap_or(first);
+                assert_eq!(
+                    (word.start_secs, word.end_secs),
+                    (first.start_secs, last.end_secs),
+                    "{text}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn sound_files_are_there_last_as_long_as_they_should_and_no_other_is() {
+    for story in stories() {
+        let bundle = bundle(&story);
+        let mut files = BTreeSet::from(["speech.json".to_owned()]);
+        for utterance in &bundle.utterances {
+            let mimes: Vec<&str> = utterance.audio.iter().map(|a| a.mime.as_str()).collect();
+            assert_eq!(
+                mimes,
+                ["audio/ogg; codecs=opus", "audio/mpeg"],
+                "{}",
+                utterance.text
+            );
+            for (audio, measure) in utterance.audio.iter().zip([opus_secs, mp3_secs]) {
+                let secs = measure(&fs::read(story.join("voice").join(&audio.file)).unwrap());
+                assert!(
+                    (secs - utterance.duration_secs).abs() < LENGTH_TOLERANCE_SECS,
+                    "{} lasts {secs} s, not {} s",
+                    audio.file,
+                    utterance.duration_secs
+                );
+                files.insert(audio.file.clone());
+            }
+        }
+        let found: BTreeSet<String> = fs::read_dir(story.join("voice"))
+            .unwrap()
+            .map(|e| e.unwrap().file_name().into_string().unwrap())
+            .collect();
+        assert_eq!(found, files);
+    }
+}
+
+#[test]
+fn a_story_is_told_at_a_storytellers_pace() {
+    for story in stories() {
+        let bundle = bundle(&story);
+        let words: usize = bundle.utterances.iter().map(|u| u.words.len()).sum();
+        let secs: f64 = bundle.utterances.iter().map(|u| u.duration_secs).sum();
+        // Two words are no measure of pace.
+        if words > 20 {
+            let a_minute = words as f64 / secs * 60.0;
+            assert!(
+                (130.0..185.0).contains(&a_minute),
+                "{story:?}: {a_minute:.0} words a minute"
+            );
+        }
+    }
+}

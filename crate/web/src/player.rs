@@ -1,0 +1,184 @@
+//! The class that JavaScript holds.
+
+use std::sync::Arc;
+
+use raconteur_player::body::read::read_figure;
+use raconteur_player::{Options, Player as Performer, StoryInput};
+use raconteur_render::{Backend, CanvasTarget, Quality, RenderOptions, RenderStatus};
+use serde::Serialize;
+use serde_wasm_bindgen::Serializer;
+use wasm_bindgen::prelude::*;
+use web_sys::HtmlCanvasElement;
+
+use crate::message::{Event, Story};
+
+#[cfg(not(any(feature = "webgpu", feature = "webgl")))]
+compile_error!("a build for the browser needs the feature `webgpu` or `webgl`");
+
+/// Largest side of the canvas, device pixels: 8K, and no more memory than that.
+const MOST_PIXELS: f64 = 8192.0;
+
+/// What became of a tick; `TickStatus` in `web/element/types.ts`.
+#[derive(Clone, Copy)]
+#[repr(u32)]
+enum TickStatus {
+    Shown = 0,
+    Skipped = 1,
+    Lost = 2,
+    NoPicture = 3,
+}
+
+#[wasm_bindgen]
+extern "C" {
+    #[wasm_bindgen(js_namespace = console, js_name = error)]
+    fn console_error(message: &str);
+}
+
+/// Says why, where a trap alone would say `unreachable`.
+#[wasm_bindgen(start)]
+fn start() {
+    std::panic::set_hook(Box::new(|info| console_error(&info.to_string())));
+}
+
+/// A storyteller: a story, a figure, and a canvas if there is one.
+#[wasm_bindgen]
+pub struct Player {
+    performer: Option<Performer>,
+    picture: Option<CanvasTarget>,
+    /// Width over height.
+    aspect: f64,
+    sized: bool,
+    /// Cues up to this time have been told.
+    told_secs: f64,
+    events: Vec<Event>,
+}
+
+#[wasm_bindgen]
+impl Player {
+    /// Opens a device for `canvas`; without one, a storyteller who is only heard.
+    pub async fn create(canvas: Option<HtmlCanvasElement>) -> Result<Player, JsError> {
+        let backend = if cfg!(feature = "webgpu") { Backend::WebGpu } else { Backend::WebGl };
+        let options = RenderOptions { quality: Quality::Medium };
+        let picture = match canvas {
+            Some(canvas) => Some(CanvasTarget::new(canvas, backend, options).await?),
+            None => None,
+        };
+        Ok(Self {
+            performer: None,
+            picture,
+            aspect: 1.0,
+            sized: false,
+            told_secs: -1.0,
+            events: Vec::new(),
+        })
+    }
+
+    /// Reads a story: `bundle` is the text of `speech.json`, `glb` the figure, `motion` the
+    /// amount of idle life from 0 to 1. Problems of the text are in the object returned.
+    pub fn load(
+        &mut self,
+        eml: &str,
+        bundle: Option<Vec<u8>>,
+        figure: &str,
+        glb: &[u8],
+        motion: f64,
+    ) -> Result<JsValue, JsError> {
+        let (performer, story) = read(eml, bundle.as_deref(), figure, glb, motion)?;
+        if let Some(picture) = &mut self.picture {
+            picture.set_figure(performer.figure())?;
+        }
+        self.performer = Some(performer);
+        self.told_secs = -1.0;
+        self.events.clear();
+        plain(&story)
+    }
+
+    /// Shows a moment; a `TickStatus`.
+    pub fn tick(&mut self, time_secs: f64) -> Result<u32, JsError> {
+        let Some(performer) = &mut self.performer else { return Ok(TickStatus::Skipped as u32) };
+        if time_secs > self.told_secs {
+            self.events.extend(performer.cues_between(self.told_secs, time_secs).iter().map(Event::from));
+            self.told_secs = time_secs;
+        }
+        let Some(picture) = &mut self.picture else { return Ok(TickStatus::NoPicture as u32) };
+        if !self.sized {
+            return Ok(TickStatus::Skipped as u32);
+        }
+        let status = match picture.render(performer.frame(time_secs, self.aspect))? {
+            RenderStatus::Drawn => TickStatus::Shown,
+            RenderStatus::Skipped => TickStatus::Skipped,
+            RenderStatus::DeviceLost => TickStatus::Lost,
+        };
+        Ok(status as u32)
+    }
+
+    /// Moves without passing the cues between; those at `time_secs` itself are still to come.
+    pub fn seek(&mut self, time_secs: f64) {
+        self.told_secs = if time_secs.is_finite() { time_secs.next_down() } else { -1.0 };
+        self.events.clear();
+    }
+
+    /// Size of the canvas in CSS pixels, and device pixels for each of them.
+    pub fn resize(&mut self, width: f64, height: f64, dpr: f64) {
+        let pixels = |css: f64| {
+            let wanted = (css * dpr).round();
+            // A size that is not a number becomes the smallest.
+            if wanted >= 1.0 { wanted.min(MOST_PIXELS) } else { 1.0 }
+        };
+        let (width, height) = (pixels(width), pixels(height));
+        self.aspect = width / height;
+        self.sized = true;
+        if let Some(picture) = &mut self.picture {
+            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "1 to 8192")]
+            picture.resize(width as u32, height as u32);
+        }
+    }
+
+    /// The cues passed since the last call.
+    #[wasm_bindgen(js_name = drainEvents)]
+    pub fn drain_events(&mut self) -> Result<JsValue, JsError> {
+        let events = plain(&self.events);
+        self.events.clear();
+        events
+    }
+}
+
+/// Digests of a story's poses at some times, in hexadecimal: equal ones mean that native
+/// and wasm agree to the last bit.
+#[wasm_bindgen(js_name = poseDigests)]
+pub fn pose_digests(
+    eml: &str,
+    bundle: Option<Vec<u8>>,
+    figure: &str,
+    glb: &[u8],
+    times_secs: &[f64],
+) -> Result<Vec<String>, JsError> {
+    let (mut performer, _) = read(eml, bundle.as_deref(), figure, glb, Options::default().motion_amount)?;
+    Ok(times_secs.iter().map(|&t| format!("{:016x}", performer.digest(t))).collect())
+}
+
+fn read(
+    eml: &str,
+    bundle: Option<&[u8]>,
+    figure: &str,
+    glb: &[u8],
+    motion: f64,
+) -> Result<(Performer, Story), JsError> {
+    let figure = read_figure(figure, glb)?;
+    let motion_amount = if motion.is_nan() { 1.0 } else { motion.clamp(0.0, 1.0) };
+    let loaded = Performer::load(StoryInput {
+        eml,
+        bundle,
+        figure: Arc::new(figure),
+        options: Options { motion_amount, ..Options::default() },
+    });
+    let performer = loaded.player;
+    let story =
+        Story::new(eml, performer.duration_secs(), performer.utterances(), loaded.diagnostics);
+    Ok((performer, story))
+}
+
+/// An object of plain JavaScript values, as `JSON.parse` would give.
+fn plain(value: &impl Serialize) -> Result<JsValue, JsError> {
+    Ok(value.serialize(&Serializer::json_compatible())?)
+}

@@ -1,0 +1,195 @@
+/** Playing, as a media element does. */
+
+import type { RaconteurPlayer } from '../../web/element/element.js';
+import { bundle, expect, test } from './stage.js';
+
+/** A picture drawn in software takes this long at worst; captions change with pictures. */
+const PICTURE_SECS = 0.3;
+
+test('plays with sound, captions and a moving picture', async ({ stage, page }) => {
+  await stage.load('white-rabbit');
+  expect(await stage.player.evaluate((p: RaconteurPlayer) => p.activeBackend)).toBe(stage.backend);
+  expect(await stage.player.evaluate((p: RaconteurPlayer) => p.duration)).toBeGreaterThan(75);
+  const before = await stage.picture();
+  expect(before.spread).toBeGreaterThan(8);
+
+  await stage.play();
+  await stage.until(1.5);
+  expect(await page.evaluate(() => window.record.contexts.map((c) => c.state))).toEqual(['running']);
+  const during = await stage.picture();
+  expect(await stage.difference(before.png, during.png)).toBeGreaterThan(0.5);
+
+  // The sound that was planned is the one that the story's time asks for.
+  const [now, context, starts] = await stage.player.evaluate((p: RaconteurPlayer) => {
+    const audio = window.record.contexts[0];
+    return [p.currentTime, (audio?.currentTime ?? 0) - (audio?.outputLatency ?? 0), window.record.starts] as const;
+  });
+  const first = starts[0];
+  expect(first).toBeDefined();
+  const clause = await page.evaluate(() => window.record.events.find((e) => e.type === 'clause' && (e.detail as { element: string }).element === 'voice-text'));
+  const heard = context - (first?.when ?? 0) + (first?.offset ?? 0);
+  const spoken = now - (clause?.detail as { timeSecs: number }).timeSecs;
+  expect(Math.abs(heard - spoken)).toBeLessThan(0.06);
+  expect(await stage.events()).toEqual(expect.arrayContaining(['loadedmetadata', 'play', 'playing', 'timeupdate', 'word', 'clause']));
+});
+
+test('the caption marks the word being spoken', async ({ stage, page }) => {
+  const [first] = bundle('white-rabbit');
+  if (first === undefined) throw new Error('the story says nothing');
+  await stage.load('white-rabbit', 'captions controls');
+  await stage.play();
+  await page.waitForFunction(() => window.record.events.some((e) => e.type === 'clause' && (e.detail as { element: string }).element === 'voice-text'));
+  const start = await page.evaluate(() => {
+    const clause = window.record.events.find((e) => e.type === 'clause' && (e.detail as { element: string }).element === 'voice-text');
+    return (clause?.detail as { timeSecs: number }).timeSecs;
+  });
+  // Playing: each word is marked when it is heard, or with the next picture.
+  const words = first.words;
+  const marked = await stage.player.evaluate(async (p: RaconteurPlayer) => {
+    const seen: { text: string; at: number }[] = [];
+    const look = () => {
+      const text = p.shadowRoot?.querySelector('mark')?.textContent ?? '';
+      if (text !== '' && text !== seen.at(-1)?.text) seen.push({ text, at: p.currentTime });
+    };
+    const observer = new MutationObserver(look);
+    if (p.shadowRoot) observer.observe(p.shadowRoot, { subtree: true, childList: true, characterData: true });
+    while (seen.length < 5 && !p.ended) await new Promise((done) => setTimeout(done, 50));
+    return seen;
+  });
+  for (const { text, at } of marked.slice(1)) {
+    const word = words.find((w) => w.text === text && at - start > w.start_secs - 0.02 && at - start < w.end_secs + PICTURE_SECS);
+    expect(word, `${text} at ${at} s`).toBeDefined();
+  }
+  expect(marked.length).toBeGreaterThanOrEqual(4);
+  // At rest: exactly.
+  await stage.pause();
+  for (const index of [0, Math.floor(words.length / 2), words.length - 1]) {
+    const word = words[index];
+    if (word === undefined) continue;
+    await stage.seek(start + (word.start_secs + word.end_secs) / 2);
+    await expect(stage.captionWord).toHaveText(word.text);
+  }
+});
+
+test('seeks forwards and back, at rest and while playing', async ({ stage, page }) => {
+  await stage.load('white-rabbit');
+  await stage.seek(20);
+  const at20 = await stage.picture();
+  await stage.seek(6);
+  const at6 = await stage.picture();
+  expect(await stage.difference(at20.png, at6.png)).toBeGreaterThan(0.3);
+  await stage.seek(20);
+  const again = await stage.picture();
+  expect(await stage.difference(at20.png, again.png)).toBeLessThan(0.05);
+
+  await stage.play();
+  await stage.until(20.3);
+  await stage.seek(40);
+  expect(await stage.time()).toBeGreaterThanOrEqual(40);
+  await stage.until(40.5);
+  await stage.seek(10);
+  expect(await stage.time()).toBeLessThan(12);
+  await stage.until(10.4);
+  expect(await stage.events()).toEqual(expect.arrayContaining(['seeking', 'seeked']));
+  // Words between the places were not spoken.
+  const words = await page.evaluate(() => window.record.events.filter((e) => e.type === 'word').map((e) => (e.detail as { word: { startSecs: number } }).word.startSecs));
+  expect(words.filter((t) => t > 24 && t < 39.9)).toEqual([]);
+});
+
+test('pausing stops the time, and playing goes on from there', async ({ stage, page }) => {
+  await stage.load('white-rabbit');
+  await stage.play();
+  await stage.until(1);
+  await stage.pause();
+  const at = await stage.time();
+  await page.waitForTimeout(600);
+  expect(await stage.time()).toBe(at);
+  await stage.play();
+  await stage.until(at + 0.3);
+  expect((await stage.events()).filter((e) => e === 'play' || e === 'pause')).toEqual(['play', 'pause', 'play']);
+});
+
+test('plays faster, with sound of the right length', async ({ stage, page }) => {
+  await stage.load('white-rabbit');
+  await stage.player.evaluate((p: RaconteurPlayer) => void (p.playbackRate = 2));
+  await stage.play();
+  await stage.until(1);
+  const [begin, wall] = await stage.player.evaluate((p: RaconteurPlayer) => [p.currentTime, performance.now()] as const);
+  await page.waitForTimeout(1500);
+  const [end, later] = await stage.player.evaluate((p: RaconteurPlayer) => [p.currentTime, performance.now()] as const);
+  expect((end - begin) / ((later - wall) / 1000)).toBeGreaterThan(1.8);
+  expect((end - begin) / ((later - wall) / 1000)).toBeLessThan(2.2);
+  const length = bundle('white-rabbit')[0]?.duration_secs ?? 0;
+  const sound = await page.evaluate(() => window.record.starts[0]?.secs ?? 0);
+  expect(Math.abs(sound - length / 2)).toBeLessThan(0.05);
+});
+
+test('ends, and plays again from the start', async ({ stage }) => {
+  await stage.load('hello-world');
+  await stage.seek(await stage.player.evaluate((p: RaconteurPlayer) => p.duration - 0.3));
+  await stage.play();
+  await expect.poll(() => stage.player.evaluate((p: RaconteurPlayer) => p.ended)).toBe(true);
+  expect(await stage.player.evaluate((p: RaconteurPlayer) => p.paused)).toBe(true);
+  await stage.player.getByRole('button', { name: 'Play the story again' }).click();
+  await expect.poll(() => stage.player.evaluate((p: RaconteurPlayer) => p.paused)).toBe(false);
+  expect(await stage.time()).toBeLessThan(2);
+});
+
+test('two players on one page keep their own time', async ({ stage, page }) => {
+  const one = (id: string, story: string) => `<raconteur-player id="${id}" loading="eager" src="/assets/stories/${story}/story.eml" captions></raconteur-player>`;
+  await stage.open(one('a', 'white-rabbit') + one('b', 'hello-world'));
+  const [a, b] = [page.locator('#a'), page.locator('#b')];
+  await stage.ready(a);
+  await stage.ready(b);
+  await stage.seek(8, a);
+  await stage.play(a);
+  await stage.play(b);
+  await stage.until(8.5, a);
+  await stage.until(0.4, b);
+  await stage.pause(a);
+  const at = await stage.time(a);
+  const other = await stage.time(b);
+  await stage.until(other + 0.3, b);
+  expect(await stage.time(a)).toBe(at);
+  for (const player of [a, b]) expect((await stage.picture(player)).spread).toBeGreaterThan(8);
+});
+
+test('the controls and the keys do what they say', async ({ stage, page }) => {
+  await stage.load('white-rabbit');
+  const state = () =>
+    stage.player.evaluate((p: RaconteurPlayer) => ({ paused: p.paused, muted: p.muted, captions: p.captions, volume: p.volume, time: p.currentTime }));
+  await stage.player.focus();
+  await page.keyboard.press('Space');
+  await expect.poll(async () => (await state()).paused).toBe(false);
+  await page.keyboard.press('Space');
+  await expect.poll(async () => (await state()).paused).toBe(true);
+  const at = (await state()).time;
+  await page.keyboard.press('ArrowRight');
+  expect((await state()).time).toBeCloseTo(at + 5, 5);
+  await page.keyboard.press('ArrowLeft');
+  expect((await state()).time).toBeCloseTo(at, 5);
+  await page.keyboard.press('ArrowDown');
+  expect((await state()).volume).toBeCloseTo(0.9, 5);
+  await page.keyboard.press('m');
+  expect((await state()).muted).toBe(true);
+  await page.keyboard.press('c');
+  expect((await state()).captions).toBe(false);
+  await page.keyboard.press('f');
+  await expect.poll(() => page.evaluate(() => document.fullscreenElement?.localName)).toBe('raconteur-player');
+  await page.keyboard.press('Escape');
+  await expect.poll(() => page.evaluate(() => document.fullscreenElement)).toBeNull();
+
+  // By name, as a screen reader does.
+  const seek = stage.player.getByRole('slider', { name: 'Seek' });
+  await seek.focus();
+  await page.keyboard.press('Home');
+  expect((await state()).time).toBe(0);
+  await expect(seek).toHaveAttribute('aria-valuetext', /^0 seconds of \d+ minutes? /);
+  await stage.player.getByRole('button', { name: 'Mute' }).click();
+  expect((await state()).muted).toBe(false);
+  await stage.player.getByRole('combobox', { name: 'Speed' }).selectOption('1.5');
+  expect(await stage.player.evaluate((p: RaconteurPlayer) => p.playbackRate)).toBe(1.5);
+  await expect(stage.player).toHaveAttribute('playback-rate', '1.5');
+  await stage.player.getByRole('button', { name: 'Play', exact: true }).click();
+  await expect(stage.player.getByRole('status')).toHaveText('Playing');
+});

@@ -1,0 +1,50 @@
+import { existsSync } from 'node:fs';
+import { join } from 'node:path';
+import { defineConfig } from '@playwright/test';
+
+const root = join(import.meta.dirname, '../..');
+const system = process.env['CHROMIUM'] ?? '/usr/bin/chromium';
+
+/** Software drawing gives both WebGPU (SwiftShader) and WebGL2 (Mesa) on a machine without a graphics card. */
+const args = [
+  '--no-sandbox',
+  '--disable-quic',
+  '--no-first-run',
+  '--disable-background-networking',
+  '--disable-component-update',
+  '--disable-sync',
+  '--enable-unsafe-webgpu',
+  '--use-angle=gl-egl',
+  '--ignore-gpu-blocklist',
+  '--autoplay-policy=no-user-gesture-required',
+];
+
+const port = 4173 + 100;
+
+export default defineConfig({
+  testDir: '.',
+  outputDir: join(root, 'test-results'),
+  reporter: [['list']],
+  // A picture takes a tenth of a second in software, and two cores are shared with the browser.
+  timeout: 120_000,
+  expect: { timeout: 30_000 },
+  workers: 1,
+  forbidOnly: true,
+  use: {
+    baseURL: `http://localhost:${port}`,
+    viewport: { width: 480, height: 360 },
+    launchOptions: { args, ...(existsSync(system) ? { executablePath: system } : {}) },
+    trace: 'retain-on-failure',
+  },
+  projects: [
+    { name: 'webgpu', testIgnore: /page\.spec/ },
+    { name: 'webgl', testIgnore: /page\.spec/ },
+    { name: 'page', testMatch: /page\.spec/ },
+  ],
+  webServer: {
+    command: `node node_modules/vite/bin/vite.js preview --port ${port} --strictPort`,
+    cwd: root,
+    url: `http://localhost:${port}/`,
+    reuseExistingServer: false,
+  },
+});

@@ -1,0 +1,201 @@
+/** A bare page with players for the tests, and eyes and ears to check them with. */
+
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { test as base, expect, type Locator, type Page } from '@playwright/test';
+import type { RaconteurPlayer } from '../../web/element/element.js';
+
+export { expect };
+
+/** The words of a story as its speech bundle has them; times from the start of their utterance. */
+export interface BundleUtterance {
+  text: string;
+  duration_secs: number;
+  words: { text: string; start_secs: number; end_secs: number }[];
+}
+
+/** The speech bundle of a story of the library. */
+export function bundle(story: string): BundleUtterance[] {
+  const path = join(import.meta.dirname, '../../assets/stories', story, 'voice/speech.json');
+  return (JSON.parse(readFileSync(path, 'utf8')) as { utterances: BundleUtterance[] }).utterances;
+}
+
+/** What the page records for the tests. */
+interface Record {
+  contexts: AudioContext[];
+  /** Each start of a sound: source time, offset in the sound, its length. */
+  starts: { when: number; offset: number; secs: number }[];
+  violations: string[];
+  devices: { destroy(): void }[];
+  events: { type: string; at: number; detail: unknown }[];
+}
+
+declare global {
+  interface Window {
+    record: Record;
+  }
+}
+
+/** Runs before the page's own scripts: notes what Web Audio is asked for and what the policy refuses. */
+function listen(): void {
+  const record: Record = { contexts: [], starts: [], violations: [], devices: [], events: [] };
+  window.record = record;
+  const Context = window.AudioContext;
+  window.AudioContext = class extends Context {
+    constructor(options?: AudioContextOptions) {
+      super(options);
+      record.contexts.push(this);
+    }
+  };
+  const start = AudioBufferSourceNode.prototype.start;
+  AudioBufferSourceNode.prototype.start = function (when = 0, offset = 0, ...rest: []) {
+    record.starts.push({ when, offset, secs: this.buffer?.duration ?? 0 });
+    start.call(this, when, offset, ...rest);
+  };
+  document.addEventListener('securitypolicyviolation', (event) => {
+    record.violations.push(`${event.violatedDirective} ${event.blockedURI}`);
+  });
+  const adapter = (window as { GPUAdapter?: { prototype: { requestDevice(...args: unknown[]): Promise<{ destroy(): void }> } } }).GPUAdapter;
+  if (adapter !== undefined) {
+    const request = adapter.prototype.requestDevice;
+    adapter.prototype.requestDevice = async function (...args) {
+      const device = await request.apply(this, args);
+      record.devices.push(device);
+      return device;
+    };
+  }
+  const types = ['play', 'playing', 'pause', 'waiting', 'seeking', 'seeked', 'ended', 'error', 'ratechange', 'volumechange', 'timeupdate', 'loadedmetadata', 'word', 'clause', 'storyevent', 'diagnostic'];
+  for (const type of types) {
+    document.addEventListener(
+      type,
+      (event) => {
+        const player = event.target;
+        if (!(player instanceof HTMLElement) || player.localName !== 'raconteur-player') return;
+        record.events.push({ type, at: (player as RaconteurPlayer).currentTime, detail: (event as CustomEvent).detail });
+      },
+      // Media events do not bubble, but they are captured.
+      true,
+    );
+  }
+}
+
+/** Files that exist for one test only, by path. */
+type Files = { [path: string]: string | Buffer };
+
+export class Stage {
+  constructor(
+    readonly page: Page,
+    readonly backend: string,
+  ) {}
+
+  get player(): Locator {
+    return this.page.locator('raconteur-player').first();
+  }
+
+  get captionWord(): Locator {
+    return this.player.locator('mark');
+  }
+
+  /** Opens a page whose body is `body`, with the policy of the real one. */
+  async open(body: string, files: Files = {}): Promise<void> {
+    const policy = (await this.page.request.get('/')).headers()['content-security-policy'] ?? '';
+    const html = `<!doctype html><html lang="en"><meta charset="utf-8"><title>Test</title>
+      <link rel="stylesheet" href="test.css"><script type="module" src="/raconteur-player.js"></script>
+      <body>${body.replaceAll('<raconteur-player', `<raconteur-player backend="${this.backend}" assets="/assets/"`)}</body></html>`;
+    const all: Files = { 'test.css': 'raconteur-player { width: 320px; height: 240px; aspect-ratio: auto } body { margin: 0 }', ...files };
+    await this.page.route('**/test/**', (route) => {
+      const path = new URL(route.request().url()).pathname.replace(/^\/test\//, '');
+      if (path === '') return route.fulfill({ body: html, contentType: 'text/html', headers: { 'Content-Security-Policy': policy } });
+      const file = all[path];
+      if (file === undefined) return route.fulfill({ status: 404, body: 'not here' });
+      return route.fulfill({ body: file, contentType: path.endsWith('.css') ? 'text/css' : 'application/octet-stream' });
+    });
+    await this.page.goto('/test/');
+  }
+
+  /** Opens one player on a story of the library and waits until it is loaded. */
+  async load(story: string, attributes = 'controls captions'): Promise<void> {
+    await this.open(`<raconteur-player src="/assets/stories/${story}/story.eml" ${attributes}></raconteur-player>`);
+    await this.ready();
+  }
+
+  async ready(player = this.player): Promise<void> {
+    await expect.poll(() => player.evaluate((p: RaconteurPlayer) => p.error?.message ?? p.readyState), { timeout: 60_000 }).toBe(4);
+  }
+
+  play(player = this.player): Promise<void> {
+    return player.evaluate((p: RaconteurPlayer) => p.play());
+  }
+
+  pause(player = this.player): Promise<void> {
+    return player.evaluate((p: RaconteurPlayer) => p.pause());
+  }
+
+  seek(secs: number, player = this.player): Promise<void> {
+    return player.evaluate((p: RaconteurPlayer, t) => void (p.currentTime = t), secs);
+  }
+
+  time(player = this.player): Promise<number> {
+    return player.evaluate((p: RaconteurPlayer) => p.currentTime);
+  }
+
+  /** Waits until the story has come to a time. */
+  async until(secs: number, player = this.player): Promise<void> {
+    await expect.poll(() => this.time(player), { timeout: 60_000 }).toBeGreaterThanOrEqual(secs);
+  }
+
+  /** Names of the recorded events, each once in a row. */
+  async events(): Promise<string[]> {
+    return await this.page.evaluate(() => window.record.events.map((e) => e.type).filter((t, i, all) => t !== all[i - 1]));
+  }
+
+  /** The picture without what lies over it: mean and spread of brightness, and the bytes for comparing. */
+  async picture(player = this.player): Promise<{ spread: number; png: Buffer }> {
+    // The fade-in of a new picture would look like movement.
+    await this.page.waitForTimeout(700);
+    const png = await player.locator('canvas').screenshot({ animations: 'disabled' });
+    const spread = await difference(this.page, png, undefined);
+    return { spread, png };
+  }
+
+  /** Mean absolute difference of two pictures, 0 to 255. */
+  difference(a: Buffer, b: Buffer): Promise<number> {
+    return difference(this.page, a, b);
+  }
+}
+
+/** Mean absolute difference of a picture from another, or from its own mean. */
+async function difference(page: Page, a: Buffer, b: Buffer | undefined): Promise<number> {
+  const urls = [a, ...(b ? [b] : [])].map((png) => `data:image/png;base64,${png.toString('base64')}`);
+  return await page.evaluate(async (sources) => {
+    const grey = await Promise.all(
+      sources.map(async (src) => {
+        const image = new Image();
+        image.src = src;
+        await image.decode();
+        const canvas = new OffscreenCanvas(image.width, image.height);
+        const context = canvas.getContext('2d');
+        if (context === null) throw new Error('no 2d context');
+        context.drawImage(image, 0, 0);
+        const { data } = context.getImageData(0, 0, image.width, image.height);
+        return Float64Array.from({ length: data.length / 4 }, (_, i) => ((data[4 * i] ?? 0) + (data[4 * i + 1] ?? 0) + (data[4 * i + 2] ?? 0)) / 3);
+      }),
+    );
+    const [first, second] = grey;
+    if (first === undefined) throw new Error('no picture');
+    const mean = first.reduce((s, x) => s + x, 0) / first.length;
+    return first.reduce((s, x, i) => s + Math.abs(x - (second?.[i] ?? mean)), 0) / first.length;
+  }, urls);
+}
+
+/** A test with a stage on the project's back end. */
+export const test = base.extend<{ stage: Stage }>({
+  stage: async ({ page }, use, info) => {
+    await page.addInitScript(listen);
+    const problems: string[] = [];
+    page.on('pageerror', (error) => problems.push(error.message));
+    await use(new Stage(page, info.project.name));
+    expect(problems).toEqual([]);
+    expect(await page.evaluate(() => window.record.violations)).toEqual([]);
+  },
+});

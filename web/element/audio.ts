@@ -1,0 +1,284 @@
+/** The voice: the utterances' recordings, played through Web Audio at their places in the story. */
+
+import { stretch } from './stretch.js';
+import type { Utterance } from './types.js';
+
+/** What keeps the time of a performance and lets it be heard. Source time is in seconds. */
+export interface Voice {
+  /** The moment of the source that would be played now. */
+  now(): number;
+  /** The moment of the source that the listener hears now. */
+  heard(): number;
+  /** Makes the source run; false where the browser wants a gesture of the user first. */
+  unlock(): Promise<boolean>;
+  /** Plays from story time `position` at `rate`, beginning at the source's moment `at`. */
+  start(position: number, rate: number, at: number): void;
+  /** Silence. */
+  stop(): void;
+  /** Fetches, decodes and plans what comes soon after `position`; called a few times a second. */
+  prepare(position: number): void;
+  /** Whether the sound at `position` is there, or known to be missing. */
+  ready(position: number): boolean;
+  setVolume(volume: number): void;
+  close(): void;
+}
+
+/** Recordings this far ahead are fetched and planned; a hidden page's timers may be a second late. */
+const AHEAD_SECS = 20;
+/** Decoded recordings further away than this are dropped: a minute of sound is 11 MB. */
+const KEEP_SECS = 60;
+/** A recording that has not come after this long is given up, and the story goes on in captions. */
+const PATIENCE_MS = 20_000;
+/** A start or stop inside a sound fades over this, so that it does not click. */
+const FADE_SECS = 0.006;
+
+let shared: AudioContext | undefined;
+
+/** One context for all players of a page: browsers allow only a few. */
+function context(): AudioContext {
+  shared ??= new AudioContext({ latencyHint: 'interactive' });
+  return shared;
+}
+
+/** Starts the page's sound; call it straight from a click or key, before waiting for anything. */
+export function wakeAudio(): void {
+  if (hasAudio()) void context().resume();
+}
+
+/** Whether there is Web Audio at all. */
+export function hasAudio(): boolean {
+  return typeof AudioContext !== 'undefined';
+}
+
+interface Playing {
+  readonly source: AudioBufferSourceNode;
+  readonly gain: GainNode;
+}
+
+interface Run {
+  readonly position: number;
+  readonly rate: number;
+  readonly at: number;
+}
+
+/** Speaks a story's utterances. */
+export class RecordedVoice implements Voice {
+  readonly #utterances: readonly Utterance[];
+  readonly #folder: URL;
+  readonly #onMissing: (utterance: number, message: string) => void;
+  readonly #abort = new AbortController();
+  /** Decoded sounds; null for one that cannot be had. */
+  readonly #sounds = new Map<number, AudioBuffer | null | 'pending'>();
+  /** Stretched copies for the present rate. */
+  readonly #stretched = new Map<number, AudioBuffer>();
+  #stretchedRate = 1;
+  readonly #playing = new Map<number, Playing>();
+  #run: Run | undefined;
+  #master: GainNode | undefined;
+  #volume = 1;
+
+  /** `folder` is where the recordings lie; `onMissing` hears of each that cannot be played. */
+  constructor(utterances: readonly Utterance[], folder: URL, onMissing: (utterance: number, message: string) => void) {
+    this.#utterances = utterances;
+    this.#folder = folder;
+    this.#onMissing = onMissing;
+  }
+
+  now(): number {
+    return context().currentTime;
+  }
+
+  heard(): number {
+    const audio = context();
+    const coarse = audio.currentTime - (audio.outputLatency || audio.baseLatency || 0);
+    // The time stamp is finer than currentTime, which moves in the device's steps; but some
+    // browsers leave it at zero or far off, and then the coarse value stands.
+    const stamp = audio.getOutputTimestamp();
+    if (!stamp.contextTime || !stamp.performanceTime) return coarse;
+    const fine = stamp.contextTime + (performance.now() - stamp.performanceTime) / 1000;
+    return Math.abs(fine - coarse) < 0.06 ? fine : coarse;
+  }
+
+  async unlock(): Promise<boolean> {
+    const audio = context();
+    if (this.#master === undefined) {
+      this.#master = audio.createGain();
+      this.#master.gain.value = this.#volume;
+      this.#master.connect(audio.destination);
+    }
+    if (audio.state === 'running') return true;
+    // resume() stays pending until the user does something, so a refusal is a matter of time.
+    const patience = navigator.userActivation?.hasBeenActive ? 3000 : 400;
+    await Promise.race([audio.resume(), new Promise((done) => setTimeout(done, patience))]);
+    return (audio.state as AudioContextState) === 'running';
+  }
+
+  setVolume(volume: number): void {
+    this.#volume = volume;
+    this.#master?.gain.setTargetAtTime(volume, context().currentTime, 0.015);
+  }
+
+  start(position: number, rate: number, at: number): void {
+    this.stop();
+    this.#run = { position, rate, at };
+    if (rate !== this.#stretchedRate) {
+      this.#stretched.clear();
+      this.#stretchedRate = rate;
+    }
+    this.prepare(position);
+  }
+
+  stop(): void {
+    this.#run = undefined;
+    for (const [, { source, gain }] of this.#playing) {
+      const now = context().currentTime;
+      gain.gain.cancelScheduledValues(now);
+      gain.gain.setTargetAtTime(0, now, FADE_SECS / 3);
+      source.stop(now + FADE_SECS * 2);
+    }
+    this.#playing.clear();
+  }
+
+  prepare(position: number): void {
+    this.#utterances.forEach((utterance, i) => {
+      const end = utterance.startSecs + utterance.durationSecs;
+      const rate = this.#run?.rate ?? 1;
+      if (end >= position && utterance.startSecs <= position + AHEAD_SECS * rate) {
+        const sound = this.#sounds.get(i);
+        if (sound === undefined) void this.#fetch(i, utterance);
+        else if (sound !== null && sound !== 'pending') this.#plan(i, utterance, sound);
+      } else if (end < position - KEEP_SECS || utterance.startSecs > position + KEEP_SECS * rate) {
+        if (this.#sounds.get(i) instanceof AudioBuffer) this.#sounds.delete(i);
+        this.#stretched.delete(i);
+      }
+    });
+  }
+
+  ready(position: number): boolean {
+    return this.#utterances.every((utterance, i) => {
+      const offset = position - utterance.startSecs;
+      if (offset < 0 || offset >= utterance.durationSecs) return true;
+      const sound = this.#sounds.get(i);
+      return sound !== undefined && sound !== 'pending';
+    });
+  }
+
+  close(): void {
+    this.#abort.abort();
+    this.stop();
+    this.#sounds.clear();
+    this.#stretched.clear();
+    // The fade of stop() is let out before the voice is unplugged.
+    const master = this.#master;
+    setTimeout(() => master?.disconnect(), 100);
+    this.#master = undefined;
+  }
+
+  /** Fetches and decodes the first recording of an utterance that the browser can play. */
+  async #fetch(i: number, utterance: Utterance): Promise<void> {
+    if (utterance.audio.length === 0) {
+      this.#sounds.set(i, null);
+      return;
+    }
+    this.#sounds.set(i, 'pending');
+    const probe = document.createElement('audio');
+    // What the browser says it cannot play is tried last: decodeAudioData knows more than it.
+    const ranked = [...utterance.audio].sort(
+      (a, b) => Number(probe.canPlayType(b.mime) !== '') - Number(probe.canPlayType(a.mime) !== ''),
+    );
+    let reason = '';
+    for (const { file } of ranked) {
+      const url = new URL(file, this.#folder);
+      if (!url.href.startsWith(this.#folder.href)) {
+        reason = `${file} lies outside the story's folder`;
+        continue;
+      }
+      try {
+        const signal = AbortSignal.any([this.#abort.signal, AbortSignal.timeout(PATIENCE_MS)]);
+        const response = await fetch(url, { signal });
+        if (!response.ok) throw new Error(`the server answers ${response.status}`);
+        const sound = await context().decodeAudioData(await response.arrayBuffer());
+        if (this.#abort.signal.aborted) return;
+        this.#sounds.set(i, sound);
+        if (this.#run) this.#plan(i, utterance, sound);
+        return;
+      } catch (error) {
+        if (this.#abort.signal.aborted) return;
+        reason = `${file}: ${error instanceof Error ? error.message : String(error)}`;
+      }
+    }
+    this.#sounds.set(i, null);
+    this.#onMissing(i, reason);
+  }
+
+  /** Plans a decoded sound on the audio clock, once for each run. */
+  #plan(i: number, utterance: Utterance, sound: AudioBuffer): void {
+    const run = this.#run;
+    if (run === undefined || this.#master === undefined || this.#playing.has(i)) return;
+    const audio = context();
+    let when = run.at + (utterance.startSecs - run.position) / run.rate;
+    let offset = 0;
+    // A little room, so that the browser has the start before it is due.
+    const earliest = Math.max(run.at, audio.currentTime + 0.005);
+    if (when < earliest) {
+      offset = earliest - when;
+      when = earliest;
+    }
+    const buffer = run.rate === 1 ? sound : this.#stretch(i, sound, run.rate);
+    if (offset >= buffer.duration) return;
+    const gain = audio.createGain();
+    gain.connect(this.#master);
+    if (offset > 0) {
+      gain.gain.setValueAtTime(0, when);
+      gain.gain.linearRampToValueAtTime(1, when + FADE_SECS);
+    }
+    const source = audio.createBufferSource();
+    source.buffer = buffer;
+    source.connect(gain);
+    source.onended = () => gain.disconnect();
+    source.start(when, offset);
+    this.#playing.set(i, { source, gain });
+  }
+
+  #stretch(i: number, sound: AudioBuffer, rate: number): AudioBuffer {
+    const known = this.#stretched.get(i);
+    if (known !== undefined) return known;
+    const channels = Array.from({ length: sound.numberOfChannels }, (_, c) =>
+      stretch(sound.getChannelData(c), sound.sampleRate, rate),
+    );
+    const buffer = new AudioBuffer({
+      length: channels[0]?.length ?? 1,
+      numberOfChannels: Math.max(1, channels.length),
+      sampleRate: sound.sampleRate,
+    });
+    channels.forEach((samples, c) => buffer.copyToChannel(samples, c));
+    this.#stretched.set(i, buffer);
+    return buffer;
+  }
+}
+
+/** Keeps the time where there is no Web Audio: the captions and the picture play on. */
+export class SilentVoice implements Voice {
+  now(): number {
+    return performance.now() / 1000;
+  }
+
+  heard(): number {
+    return this.now();
+  }
+
+  unlock(): Promise<boolean> {
+    return Promise.resolve(true);
+  }
+
+  start(): void {}
+  stop(): void {}
+  prepare(): void {}
+
+  ready(): boolean {
+    return true;
+  }
+
+  setVolume(): void {}
+  close(): void {}
+}

@@ -1,0 +1,73 @@
+/** The story's clock: a straight line from the time of a source (the sound's) to story time. */
+
+/** Slowest and fastest speed of playing. */
+export const RATES = { min: 0.5, max: 2 } as const;
+
+/**
+ * Maps source time to story time. While it runs, story time is
+ * `position + rate × (source − anchor)`; before the anchor, and while it rests, it is `position`.
+ */
+export class StoryClock {
+  #position = 0;
+  #anchor = 0;
+  #rate = 1;
+  #running = false;
+
+  get running(): boolean {
+    return this.#running;
+  }
+
+  get rate(): number {
+    return this.#rate;
+  }
+
+  /** Story time at a moment of the source. */
+  at(source: number): number {
+    if (!this.#running) return this.#position;
+    return this.#position + this.#rate * Math.max(0, source - this.#anchor);
+  }
+
+  /** The moment of the source at which a story time comes. */
+  sourceAt(story: number): number {
+    return this.#anchor + (story - this.#position) / this.#rate;
+  }
+
+  /** Runs from `position` at the source's moment `anchor`. */
+  start(position: number, anchor: number, rate: number): void {
+    this.#position = position;
+    this.#anchor = anchor;
+    this.#rate = clampRate(rate);
+    this.#running = true;
+  }
+
+  /** Rests at `position`. */
+  rest(position: number): void {
+    this.#position = position;
+    this.#running = false;
+  }
+}
+
+/** The nearest speed that can be played; 1 for what is not a number. */
+export function clampRate(rate: number): number {
+  return Number.isFinite(rate) ? Math.min(RATES.max, Math.max(RATES.min, rate)) : 1;
+}
+
+/** `1:05`, or `1:02:05` from an hour on. */
+export function formatTime(secs: number): string {
+  const whole = Number.isFinite(secs) ? Math.max(0, Math.floor(secs)) : 0;
+  const two = (n: number) => String(n).padStart(2, '0');
+  const [h, m, s] = [Math.floor(whole / 3600), Math.floor(whole / 60) % 60, whole % 60];
+  return h > 0 ? `${h}:${two(m)}:${two(s)}` : `${m}:${two(s)}`;
+}
+
+/** `1 minute 5 seconds`, as it is read aloud. */
+export function spokenTime(secs: number): string {
+  const whole = Number.isFinite(secs) ? Math.max(0, Math.floor(secs)) : 0;
+  const unit = (n: number, name: string) => (n === 0 ? [] : [`${n} ${name}${n === 1 ? '' : 's'}`]);
+  const parts = [
+    ...unit(Math.floor(whole / 3600), 'hour'),
+    ...unit(Math.floor(whole / 60) % 60, 'minute'),
+    ...unit(whole % 60, 'second'),
+  ];
+  return parts.length === 0 ? '0 seconds' : parts.join(' ');
+}

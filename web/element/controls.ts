@@ -1,0 +1,193 @@
+/** What lies over the picture: captions, controls and messages, as templates of the element's state. */
+
+import { html, nothing, type TemplateResult } from 'lit';
+import { Directive, directive, type ElementPart } from 'lit/directive.js';
+import { classMap } from 'lit/directives/class-map.js';
+import type { captionAt } from './captions.js';
+import { formatTime, spokenTime } from './clock.js';
+import { icons } from './icons.js';
+import type { Diagnostic, Place } from './types.js';
+
+/** Speeds offered in the menu. */
+const SPEEDS = [0.5, 0.75, 1, 1.25, 1.5, 2];
+
+/** What the bar shows. */
+export interface BarState {
+  readonly paused: boolean;
+  readonly ended: boolean;
+  readonly position: number;
+  readonly duration: number;
+  readonly volume: number;
+  readonly muted: boolean;
+  readonly rate: number;
+  readonly captions: boolean;
+  readonly fullscreen: boolean;
+  readonly canFullscreen: boolean;
+  readonly gone: boolean;
+}
+
+/** What the bar does. */
+export interface BarActions {
+  toggle(): void;
+  seekTo(secs: number): void;
+  setVolume(volume: number): void;
+  setRate(rate: number): void;
+  toggleMuted(): void;
+  toggleCaptions(): void;
+  toggleFullscreen(): void;
+}
+
+const number = (event: Event): number => Number((event.target as HTMLInputElement | HTMLSelectElement).value);
+
+/** How much of a slider is filled, percent. Lit's styleMap writes an inline style first, which a strict CSP refuses. */
+const filled = directive(
+  class extends Directive {
+    override update(part: ElementPart, [percent]: [number]): void {
+      (part.element as HTMLElement).style.setProperty('--_done', `${percent}%`);
+    }
+
+    render(_percent: number): void {}
+  },
+);
+
+/** The bar of controls. */
+export function bar(state: BarState, actions: BarActions): TemplateResult {
+  const { position, duration } = state;
+  const share = duration > 0 ? (100 * position) / duration : 0;
+  const silent = state.muted || state.volume === 0;
+  const playLabel = state.ended ? 'Play again' : state.paused ? 'Play' : 'Pause';
+  const playIcon = state.ended ? icons.replay : state.paused ? icons.play : icons.pause;
+  const speeds = SPEEDS.includes(state.rate) ? SPEEDS : [...SPEEDS, state.rate].sort((a, b) => a - b);
+  return html`<div class=${classMap({ bar: true, gone: state.gone })} part="controls">
+    <input
+      class="seek"
+      part="seek"
+      type="range"
+      min="0"
+      max=${duration}
+      step="0.01"
+      .value=${String(position)}
+      ${filled(share)}
+      aria-label="Seek"
+      aria-valuetext="${spokenTime(position)} of ${spokenTime(duration)}"
+      @input=${(event: Event) => actions.seekTo(number(event))}
+    />
+    <button part="button play" aria-label=${playLabel} title="${playLabel} (space)" @click=${actions.toggle}>${playIcon}</button>
+    <span class="time" part="time">${formatTime(position)} / ${formatTime(duration)}</span>
+    <span></span>
+    <button
+      part="button mute"
+      aria-label="Mute"
+      aria-pressed=${state.muted ? 'true' : 'false'}
+      title="${silent ? 'Sound on' : 'Mute'} (M)"
+      @click=${actions.toggleMuted}
+    >
+      ${silent ? icons.silent : icons.loud}
+    </button>
+    <input
+      class="volume"
+      part="volume"
+      type="range"
+      min="0"
+      max="1"
+      step="0.05"
+      .value=${String(silent ? 0 : state.volume)}
+      ${filled(silent ? 0 : state.volume * 100)}
+      aria-label="Volume"
+      aria-valuetext="${Math.round(silent ? 0 : state.volume * 100)} percent"
+      @input=${(event: Event) => actions.setVolume(number(event))}
+    />
+    <select class="speed" part="speed" aria-label="Speed" title="Speed" @change=${(event: Event) => actions.setRate(number(event))}>
+      ${speeds.map((s) => html`<option value=${s} .selected=${s === state.rate}>${s}×</option>`)}
+    </select>
+    <button
+      part="button captions-button"
+      aria-label="Captions"
+      aria-pressed=${state.captions ? 'true' : 'false'}
+      title="Captions (C)"
+      @click=${actions.toggleCaptions}
+    >
+      ${icons.captions}
+    </button>
+    ${state.canFullscreen
+      ? html`<button
+          part="button fullscreen"
+          aria-label=${state.fullscreen ? 'Leave full screen' : 'Full screen'}
+          title="${state.fullscreen ? 'Leave full screen' : 'Full screen'} (F)"
+          @click=${actions.toggleFullscreen}
+        >
+          ${state.fullscreen ? icons.leave : icons.enter}
+        </button>`
+      : html`<span></span>`}
+  </div>`;
+}
+
+/** The caption with the word being spoken marked. */
+export function caption(now: ReturnType<typeof captionAt>): TemplateResult | typeof nothing {
+  if (now === undefined) return nothing;
+  // A space between words, inside the line: `mark` alone would glue them.
+  const words = now.caption.words.map((w, i) => html`${i > 0 ? ' ' : ''}${i === now.word ? html`<mark part="caption-word">${w.text}</mark>` : w.text}`);
+  return html`<div class="captions" part="captions"><span>${words}</span></div>`;
+}
+
+/** The list of what is wrong with a story, folded. */
+export function diagnosticList(diagnostics: readonly Diagnostic[]): TemplateResult | typeof nothing {
+  if (diagnostics.length === 0) return nothing;
+  const errors = diagnostics.filter((d) => d.severity === 'error').length;
+  const plural = (n: number, name: string) => `${n} ${name}${n === 1 ? '' : 's'}`;
+  const title = [...(errors > 0 ? [plural(errors, 'error')] : []), ...(diagnostics.length > errors ? [plural(diagnostics.length - errors, 'warning')] : [])];
+  // Thousands of lines would freeze the page and help nobody.
+  const most = 50;
+  return html`<details class="note" part="diagnostics">
+    <summary>${title.join(' and ')} in this story</summary>
+    <ol>
+      ${diagnostics.slice(0, most).map(
+        (d) => html`<li>
+          ${d.start ? html`<span class="where">${where(d.start)}</span> ` : nothing}${d.message}
+          ${d.hints.map((hint) => html`<span class="hint">${hint}</span>`)}
+        </li>`,
+      )}
+      ${diagnostics.length > most ? html`<li>… and ${diagnostics.length - most} more.</li>` : nothing}
+    </ol>
+  </details>`;
+}
+
+const where = (place: Place): string => `Line ${place.line}, column ${place.column}:`;
+
+/** A story that cannot be played at all. */
+export function failure(message: string, retry: () => void): TemplateResult {
+  return html`<div class="failure" part="error" role="alert">
+    <p><strong>The story cannot be told</strong>${message}</p>
+    <button part="button retry" @click=${retry}>Try again</button>
+  </div>`;
+}
+
+/** The picture is lost, the story is not. */
+export function pictureLost(recovering: boolean, retry: () => void): TemplateResult {
+  return html`<div class="note" part="picture-lost">
+    The picture is lost; the story goes on in sound and captions.
+    ${recovering ? 'Bringing it back…' : html`<button part="button retry" @click=${retry}>Bring it back</button>`}
+  </div>`;
+}
+
+/** The big button before a story begins and after it ends. */
+export function bigButton(ended: boolean, play: () => void): TemplateResult {
+  return html`<div class="overlay">
+    <button part="big-play" aria-label=${ended ? 'Play the story again' : 'Play the story'} @click=${play}>
+      <span class="disc">${ended ? icons.replay : icons.play}</span>
+    </button>
+  </div>`;
+}
+
+/** How far loading is. */
+export function loadingProgress(share: number): TemplateResult {
+  return html`<div class="progress">
+    <progress max="1" .value=${share} aria-label="Loading the story"></progress>
+    <span>The storyteller is getting ready…</span>
+  </div>`;
+}
+
+/** The sound is not there yet. */
+export function waitingRing(): TemplateResult {
+  return html`<div class="progress"><span class="ring"></span></div>`;
+}

@@ -1,0 +1,544 @@
+/** `<raconteur-player>`: a storyteller on a page, used like a media element. */
+
+import { html, LitElement, nothing, type PropertyValues } from 'lit';
+import { classMap } from 'lit/directives/class-map.js';
+import { hasAudio, RecordedVoice, SilentVoice, wakeAudio, type Voice } from './audio.js';
+import { chooseBackend, warmUp } from './backend.js';
+import { captionAt, captionsOf, type Caption } from './captions.js';
+import * as parts from './controls.js';
+import { handleKey, type KeyActions } from './keyboard.js';
+import { fetchStory } from './loader.js';
+import { Picture } from './picture.js';
+import { styles } from './styles.js';
+import { Transport, type TransportEvent } from './transport.js';
+import { PlayerError, type Backend, type Cue, type Diagnostic, type PlayerEventMap, type Story } from './types.js';
+
+/** The controls hide after this long without a pointer or key, while playing. */
+const HIDE_CONTROLS_MS = 2600;
+/** `timeupdate`, and everything while the page is hidden, comes this often; media elements do about the same. */
+const BEAT_MS = 250;
+
+/** What is loaded and playing. */
+interface Show {
+  readonly story: Story;
+  readonly captions: readonly Caption[];
+  readonly picture: Picture;
+  readonly voice: Voice;
+  readonly transport: Transport;
+}
+
+/** The custom element. Attributes mirror properties; events follow `HTMLMediaElement`. */
+export class RaconteurPlayer extends LitElement {
+  static override styles = styles;
+  static override properties = {
+    src: { reflect: true },
+    figure: { reflect: true },
+    assets: { reflect: true },
+    poster: { reflect: true },
+    label: { reflect: true },
+    backend: { reflect: true },
+    loading: { reflect: true },
+    controls: { type: Boolean, reflect: true },
+    captions: { type: Boolean, reflect: true },
+    autoplay: { type: Boolean, reflect: true },
+    muted: { type: Boolean, reflect: true },
+    loop: { type: Boolean, reflect: true },
+    volume: { type: Number, reflect: true },
+    playbackRate: { type: Number, reflect: true, attribute: 'playback-rate' },
+  };
+
+  /** Address of the story's EML file; its voice lies in `voice/` beside it. */
+  declare src: string | undefined;
+  /** Name of a figure of the library, or the address of a glTF binary. */
+  declare figure: string;
+  /** Address of the asset library, which holds `figures/`. */
+  declare assets: string;
+  /** A picture to show before the story is loaded. */
+  declare poster: string | undefined;
+  /** What the player is called by screen readers; say which story it tells. */
+  declare label: string;
+  /** Forces a back end; by default WebGPU where the browser has it. */
+  declare backend: Backend | undefined;
+  /** `lazy` loads when the player comes near the window, `eager` at once. */
+  declare loading: 'lazy' | 'eager';
+  declare controls: boolean;
+  declare captions: boolean;
+  /** Plays once loaded, where the browser allows sound and the user has not asked for reduced motion. */
+  declare autoplay: boolean;
+  declare muted: boolean;
+  declare loop: boolean;
+  /** 0 to 1. */
+  declare volume: number;
+  /** 0.5 to 2; the pitch stays. */
+  declare playbackRate: number;
+
+  #show: Show | undefined;
+  #loading: { readonly abort: AbortController; readonly done: Promise<void>; share: number } | undefined;
+  #error: PlayerError | undefined;
+  #diagnostics: readonly Diagnostic[] = [];
+  #lost: 'no' | 'recovering' | 'yes' = 'no';
+  #started = false;
+  #announcement = '';
+  #canvas: HTMLCanvasElement | undefined;
+  #onScreen = false;
+  #animation = 0;
+  #beat: ReturnType<typeof setInterval> | undefined;
+  #idle = false;
+  #tapWoke = false;
+  #idleTimer: ReturnType<typeof setTimeout> | undefined;
+  #caption: ReturnType<typeof captionAt>;
+  readonly #resized = new ResizeObserver(() => this.#resize());
+  readonly #seen = new IntersectionObserver((entries) => this.#appeared(entries), { rootMargin: '200px' });
+
+  constructor() {
+    super();
+    this.figure = 'sofia';
+    this.assets = 'assets/';
+    this.label = 'Story';
+    this.loading = 'lazy';
+    this.controls = this.captions = this.autoplay = this.muted = this.loop = false;
+    this.volume = 1;
+    this.playbackRate = 1;
+    this.addEventListener('keydown', (event) => this.#onKey(event));
+    for (const type of ['pointermove', 'pointerup', 'focusin']) this.addEventListener(type, () => this.#wake());
+    this.addEventListener('fullscreenchange', () => this.requestUpdate());
+  }
+
+  // --- as HTMLMediaElement ---
+
+  /** Story time that is heard now, seconds; setting it seeks. */
+  get currentTime(): number {
+    return this.#show?.transport.position ?? 0;
+  }
+
+  set currentTime(secs: number) {
+    const show = this.#show;
+    if (show === undefined) return;
+    this.#started = true;
+    show.transport.seek(secs);
+  }
+
+  /** Length of the story, seconds; NaN until it is loaded. */
+  get duration(): number {
+    return this.#show?.story.durationSecs ?? NaN;
+  }
+
+  get paused(): boolean {
+    return this.#show?.transport.paused ?? true;
+  }
+
+  get ended(): boolean {
+    return this.#show?.transport.ended ?? false;
+  }
+
+  /** Why the story cannot be played, or null. */
+  get error(): PlayerError | null {
+    return this.#error ?? null;
+  }
+
+  /** 0 nothing, 1 the story is known, 2 waiting for sound, 4 playing can go on: as for media elements. */
+  get readyState(): number {
+    if (this.#show === undefined) return this.#loading === undefined ? 0 : 1;
+    return this.#show.transport.waiting ? 2 : 4;
+  }
+
+  /** What is wrong with the story; the rest of it plays. */
+  get diagnostics(): readonly Diagnostic[] {
+    return this.#diagnostics;
+  }
+
+  /** The build in use, once loaded. */
+  get activeBackend(): Backend | undefined {
+    return this.#show?.picture.backend;
+  }
+
+  /** Begins or goes on; rejects with `NotAllowedError` where the browser wants a gesture of the user first. */
+  async play(): Promise<void> {
+    // Within the click: some browsers start sound only from there.
+    wakeAudio();
+    // A new src takes effect with the next update.
+    await this.updateComplete;
+    await this.load();
+    const show = this.#show;
+    if (show === undefined) throw this.#error ?? new DOMException('The story was replaced.', 'AbortError');
+    if (!(await show.transport.play())) {
+      throw new DOMException('The browser allows sound only after the user has done something.', 'NotAllowedError');
+    }
+  }
+
+  pause(): void {
+    this.#show?.transport.pause();
+  }
+
+  /** Loads the story if it is not loaded; a lazy player does it by itself when it comes near the window. */
+  load(): Promise<void> {
+    if (this.#show !== undefined || this.#error !== undefined) return Promise.resolve();
+    if (this.#loading === undefined) {
+      const abort = new AbortController();
+      this.#loading = { abort, share: 0, done: this.#load(abort.signal) };
+    }
+    return this.#loading.done;
+  }
+
+  // --- life ---
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    if (!this.hasAttribute('tabindex')) this.tabIndex = 0;
+    if (!this.hasAttribute('role')) this.setAttribute('role', 'region');
+    this.#resized.observe(this);
+    this.#seen.observe(this);
+    this.#keepTime();
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.#resized.disconnect();
+    this.#seen.disconnect();
+    // Moving an element disconnects it for a moment.
+    setTimeout(() => {
+      if (!this.isConnected) this.#close();
+    });
+  }
+
+  protected override willUpdate(changed: PropertyValues<this>): void {
+    if (changed.has('label')) this.setAttribute('aria-label', this.label);
+    const replaced = (['src', 'figure', 'backend', 'assets'] as const).some((name) => changed.has(name));
+    if (replaced && this.hasUpdated) {
+      this.#close();
+      if (this.#onScreen || this.loading === 'eager') void this.load();
+    } else if (changed.has('loading') && this.loading === 'eager') {
+      void this.load();
+    }
+    const clamped = Number.isFinite(this.volume) ? Math.min(1, Math.max(0, this.volume)) : 1;
+    if (clamped !== this.volume) this.volume = clamped;
+    this.#show?.voice.setVolume(this.muted ? 0 : this.volume);
+    if ((changed.has('volume') || changed.has('muted')) && this.hasUpdated) this.dispatchEvent(new Event('volumechange'));
+    if (this.#show !== undefined) {
+      this.#show.transport.loop = this.loop;
+      this.#show.transport.setRate(this.playbackRate);
+    }
+  }
+
+  #appeared(entries: readonly IntersectionObserverEntry[]): void {
+    this.#onScreen = entries.at(-1)?.isIntersecting ?? false;
+    if (this.#onScreen && this.src !== undefined) void this.load();
+    this.#keepTime();
+  }
+
+  /** Fetches and opens the story; what goes wrong ends as `error`, never as a rejection. */
+  async #load(signal: AbortSignal): Promise<void> {
+    this.dispatchEvent(new Event('loadstart'));
+    const progress = (share: number) => {
+      if (this.#loading && !signal.aborted) this.#loading.share = share;
+      this.requestUpdate();
+    };
+    let picture: Picture | undefined;
+    try {
+      if (this.src === undefined || this.src === '') throw new PlayerError('No story is given: set the attribute src.');
+      const library = new URL(this.assets.endsWith('/') ? this.assets : `${this.assets}/`, document.baseURI);
+      const [files, backend] = await Promise.all([
+        fetchStory(this.src, this.figure, library, signal, progress),
+        Promise.resolve(this.backend ?? chooseBackend()).then((chosen) => {
+          warmUp(chosen);
+          return chosen;
+        }),
+      ]);
+      signal.throwIfAborted();
+      // An adapter is no promise of a device; WebGL2 may still have one.
+      const backends: [Backend, ...Backend[]] = this.backend || backend === 'webgl' ? [backend] : [backend, 'webgl'];
+      const opened = await Picture.open(backends, files, {
+        canvas: (canvas) => this.#setCanvas(canvas, signal),
+        lost: (recovering) => this.#setLost(recovering ? 'recovering' : 'yes', signal),
+        back: () => this.#setLost('no', signal),
+      });
+      picture = opened.picture;
+      signal.throwIfAborted();
+      this.#open(opened.story, opened.picture, files.voiceFolder, files.bundle !== undefined);
+    } catch (error) {
+      picture?.close();
+      if (signal.aborted) return;
+      this.#fail(error);
+    } finally {
+      if (!signal.aborted) this.#loading = undefined;
+      this.requestUpdate();
+    }
+  }
+
+  #open(story: Story, picture: Picture, voiceFolder: URL, recorded: boolean): void {
+    const voice = hasAudio()
+      ? new RecordedVoice(story.utterances, voiceFolder, (i, why) =>
+          this.#report({ code: 'sound-missing', severity: 'warning', message: `The recording of utterance ${i + 1} cannot be played (${why}); its captions are shown.`, hints: [] }),
+        )
+      : new SilentVoice();
+    const transport = new Transport(voice, story.durationSecs, (event) => this.#onTransport(event));
+    this.#show = { story, picture, voice, transport, captions: captionsOf(story.utterances) };
+    this.#started = false;
+    this.#resize();
+    for (const diagnostic of story.diagnostics) this.#report(diagnostic);
+    if (!recorded && story.utterances.length > 0) {
+      this.#report({ code: 'voice-missing', severity: 'warning', message: 'This story has no recorded voice; it is told in captions.', hints: ['Run “raconteur bake” on the story to make one.'] });
+    }
+    this.requestUpdate();
+    this.dispatchEvent(new Event('durationchange'));
+    this.dispatchEvent(new Event('loadedmetadata'));
+    this.dispatchEvent(new Event('canplay'));
+    this.#keepTime();
+    this.#advance();
+    if (this.autoplay && !matchMedia('(prefers-reduced-motion: reduce)').matches) {
+      this.play().catch(() => this.#say('Press play to begin'));
+    }
+  }
+
+  #close(): void {
+    this.#loading?.abort.abort();
+    this.#loading = undefined;
+    this.#show?.voice.close();
+    this.#show?.picture.close();
+    this.#show = undefined;
+    this.#error = undefined;
+    this.#diagnostics = [];
+    this.#lost = 'no';
+    this.#caption = undefined;
+    this.#canvas = undefined;
+    this.#keepTime();
+    this.requestUpdate();
+  }
+
+  #fail(error: unknown): void {
+    this.#error =
+      error instanceof PlayerError
+        ? error
+        : new PlayerError(error instanceof Error ? error.message : String(error), { cause: error });
+    this.dispatchEvent(new ErrorEvent('error', { message: this.#error.message, error: this.#error }));
+  }
+
+  #report(diagnostic: Diagnostic): void {
+    this.#diagnostics = [...this.#diagnostics, diagnostic];
+    this.#fire('diagnostic', diagnostic);
+    this.requestUpdate();
+  }
+
+  #setCanvas(canvas: HTMLCanvasElement, signal: AbortSignal): void {
+    if (signal.aborted) return;
+    this.#canvas = canvas;
+    this.requestUpdate();
+  }
+
+  #setLost(lost: 'no' | 'recovering' | 'yes', signal: AbortSignal): void {
+    if (signal.aborted) return;
+    this.#lost = lost;
+    if (lost !== 'no') this.#say('The picture is lost; the story goes on in sound and captions');
+    this.requestUpdate();
+    this.#advance();
+  }
+
+  // --- time ---
+
+  /** Runs the loops that are needed now, and no others. */
+  #keepTime(): void {
+    const playing = this.isConnected && this.#show !== undefined && !this.paused;
+    if (playing && this.#beat === undefined) {
+      this.#beat = setInterval(() => {
+        // Without pictures (a hidden page, a player scrolled away) the beat alone carries the story.
+        if (this.#animation === 0 || document.hidden) this.#advance();
+        if (!this.paused) this.dispatchEvent(new Event('timeupdate'));
+        this.requestUpdate();
+      }, BEAT_MS);
+    } else if (!playing) {
+      clearInterval(this.#beat);
+      this.#beat = undefined;
+    }
+    const animate = playing && this.#onScreen;
+    if (animate && this.#animation === 0) {
+      const frame = () => {
+        this.#animation = requestAnimationFrame(frame);
+        this.#advance();
+      };
+      this.#animation = requestAnimationFrame(frame);
+    } else if (!animate) {
+      cancelAnimationFrame(this.#animation);
+      this.#animation = 0;
+    }
+  }
+
+  /** Shows what is heard now. */
+  #advance(): void {
+    const show = this.#show;
+    if (show === undefined) return;
+    const secs = show.transport.update();
+    for (const cue of show.picture.show(secs, this.paused && !this.ended, this.#animation !== 0 && !document.hidden)) this.#pass(cue, show);
+    const now = captionAt(show.captions, secs);
+    if (now?.caption !== this.#caption?.caption || now?.word !== this.#caption?.word) {
+      this.#caption = now;
+      this.requestUpdate();
+    }
+  }
+
+  #pass(cue: Cue, show: Show): void {
+    if (cue.kind === 'word') {
+      const word = show.story.utterances[cue.utterance]?.words[cue.word];
+      if (word !== undefined) this.#fire('word', { word, utterance: cue.utterance, index: cue.word });
+    } else if (cue.kind === 'clause') {
+      this.#fire('clause', cue);
+    } else {
+      this.#fire('storyevent', cue);
+    }
+  }
+
+  #onTransport(event: TransportEvent): void {
+    if (event === 'seeking') {
+      this.dispatchEvent(new Event('seeking'));
+      return;
+    }
+    if (event === 'play') this.#started = true;
+    if (event === 'play' || event === 'pause') this.#wake();
+    if (event === 'play') this.#say('Playing');
+    if (event === 'pause') this.#say(this.ended ? 'The story has ended' : 'Paused');
+    if (event === 'seeked') {
+      this.#show?.picture.seek(this.currentTime);
+      this.#advance();
+    }
+    this.dispatchEvent(new Event(event));
+    if (event === 'seeked' || event === 'pause') this.dispatchEvent(new Event('timeupdate'));
+    this.#keepTime();
+    this.requestUpdate();
+  }
+
+  #fire<K extends keyof PlayerEventMap>(type: K, detail: PlayerEventMap[K]['detail']): void {
+    this.dispatchEvent(new CustomEvent(type, { detail, bubbles: true, composed: true }));
+  }
+
+  #resize(): void {
+    const { clientWidth, clientHeight } = this;
+    if (clientWidth === 0 || clientHeight === 0) return;
+    this.#show?.picture.resize(clientWidth, clientHeight);
+    // While it plays the next frame comes by itself.
+    if (this.paused) this.#advance();
+  }
+
+  // --- the user ---
+
+  readonly #actions: KeyActions & parts.BarActions = {
+    toggle: () => {
+      if (this.paused) this.play().catch(() => this.#say('The story could not be started'));
+      else this.pause();
+    },
+    seekTo: (secs) => (this.currentTime = secs),
+    seekBy: (secs) => (this.currentTime += secs),
+    seekToShare: (share) => {
+      if (Number.isFinite(this.duration)) this.currentTime = this.duration * share;
+    },
+    setVolume: (volume) => {
+      this.volume = volume;
+      this.muted = false;
+    },
+    volumeBy: (step) => this.#actions.setVolume(Math.min(1, Math.max(0, Math.round((this.volume + step) * 20) / 20))),
+    setRate: (rate) => (this.playbackRate = rate),
+    toggleMuted: () => (this.muted = !this.muted),
+    toggleCaptions: () => {
+      this.captions = !this.captions;
+      this.#say(this.captions ? 'Captions on' : 'Captions off');
+    },
+    toggleFullscreen: () => {
+      const change = this.#isFullscreen ? document.exitFullscreen() : this.requestFullscreen();
+      // A browser may refuse; the player stays as it is.
+      change.catch(() => undefined);
+    },
+    dismiss: () => {
+      const open = this.renderRoot.querySelector('details[open]');
+      if (open instanceof HTMLDetailsElement) open.open = false;
+      else if (this.#isFullscreen) this.#actions.toggleFullscreen();
+      else return false;
+      return true;
+    },
+  };
+
+  get #isFullscreen(): boolean {
+    return document.fullscreenElement === this;
+  }
+
+  #onKey(event: KeyboardEvent): void {
+    this.#wake();
+    if (event.defaultPrevented || !this.controls) return;
+    if (handleKey(event, event.composedPath()[0], this.#actions)) event.preventDefault();
+  }
+
+  #wake(): void {
+    clearTimeout(this.#idleTimer);
+    if (this.#idle) {
+      this.#idle = false;
+      this.requestUpdate();
+    }
+    this.#idleTimer = setTimeout(() => {
+      // Controls that hold the keyboard's focus stay.
+      if (this.paused || this.renderRoot.querySelector('.bar :focus-visible')) return;
+      this.#idle = true;
+      this.requestUpdate();
+    }, HIDE_CONTROLS_MS);
+  }
+
+  /** A finger's first tap on hidden controls only shows them. */
+  #onTap(event: PointerEvent): void {
+    this.#tapWoke = event.pointerType === 'touch' && this.#idle && !this.paused;
+  }
+
+  #say(text: string): void {
+    this.#announcement = text;
+    this.requestUpdate();
+  }
+
+  #retry(): void {
+    this.#close();
+    void this.load();
+  }
+
+  protected override render() {
+    const show = this.#show;
+    const before = show !== undefined && this.paused && (!this.#started || this.ended);
+    return html`
+      <div class=${classMap({ stage: true, shown: show !== undefined && this.#lost === 'no', 'hide-cursor': this.#idle })} part="stage" @pointerdown=${(event: PointerEvent) => this.#onTap(event)} @click=${() => show && !this.#tapWoke && this.#actions.toggle()}>
+        ${this.#canvas}
+      </div>
+      ${this.poster && !this.#started ? html`<img class="poster" part="poster" src=${this.poster} alt="" />` : nothing}
+      ${this.#loading ? parts.loadingProgress(this.#loading.share) : nothing}
+      ${show?.transport.waiting ? parts.waitingRing() : nothing}
+      ${before ? parts.bigButton(this.ended, this.#actions.toggle) : nothing}
+      <div class="lower">
+        ${this.captions && !before ? parts.caption(this.#caption) : nothing}
+        ${show && this.controls ? this.#bar(show) : nothing}
+      </div>
+      <div class="notes">
+        ${this.#lost !== 'no' ? parts.pictureLost(this.#lost === 'recovering', () => void show?.picture.recover(true)) : nothing}
+        ${this.controls && (this.paused || !this.#idle) ? parts.diagnosticList(this.#diagnostics) : nothing}
+      </div>
+      ${this.#error ? parts.failure(this.#error.message, () => this.#retry()) : nothing}
+      <div class="unseen" role="status">${this.#announcement}</div>
+    `;
+  }
+
+  #bar(show: Show) {
+    return parts.bar(
+      {
+        paused: this.paused,
+        ended: this.ended,
+        position: this.currentTime,
+        duration: show.story.durationSecs,
+        volume: this.volume,
+        muted: this.muted,
+        rate: show.transport.rate,
+        captions: this.captions,
+        fullscreen: this.#isFullscreen,
+        canFullscreen: document.fullscreenEnabled,
+        gone: this.#idle && !this.paused,
+      },
+      this.#actions,
+    );
+  }
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    'raconteur-player': RaconteurPlayer;
+  }
+}

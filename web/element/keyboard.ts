@@ -1,0 +1,76 @@
+/** The keys of a video player. */
+
+/** What keys do. */
+export interface KeyActions {
+  toggle(): void;
+  seekBy(secs: number): void;
+  seekToShare(share: number): void;
+  volumeBy(step: number): void;
+  toggleMuted(): void;
+  toggleCaptions(): void;
+  toggleFullscreen(): void;
+  /** Closes what is open; false when nothing was. */
+  dismiss(): boolean;
+}
+
+/** How far an arrow key goes. */
+export const SEEK_STEP_SECS = 5;
+const VOLUME_STEP = 0.1;
+
+/** Does what a key asks for; true when the key was used. `target` is the innermost element that has the focus. */
+export function handleKey(event: KeyboardEvent, target: EventTarget | undefined, actions: KeyActions): boolean {
+  if (event.ctrlKey || event.metaKey || event.altKey || event.isComposing) return false;
+  const { key } = event;
+  // A control that has a use of its own for a key keeps it.
+  if (target instanceof HTMLElement) {
+    const presses = target.matches('button, summary, a');
+    if (presses && (key === ' ' || key === 'Enter')) return false;
+    if (target.matches('select, textarea, [contenteditable]') && key !== 'Escape') return false;
+    if (target.matches('input.volume') && /^(Arrow|Home|End|Page)/.test(key)) return false;
+  }
+  switch (key) {
+    case ' ':
+    case 'k':
+    case 'K':
+      if (!event.repeat) actions.toggle();
+      return true;
+    case 'ArrowLeft':
+      actions.seekBy(-SEEK_STEP_SECS);
+      return true;
+    case 'ArrowRight':
+      actions.seekBy(SEEK_STEP_SECS);
+      return true;
+    case 'ArrowUp':
+      actions.volumeBy(VOLUME_STEP);
+      return true;
+    case 'ArrowDown':
+      actions.volumeBy(-VOLUME_STEP);
+      return true;
+    case 'Home':
+      actions.seekToShare(0);
+      return true;
+    case 'End':
+      actions.seekToShare(1);
+      return true;
+    case 'm':
+    case 'M':
+      actions.toggleMuted();
+      return true;
+    case 'c':
+    case 'C':
+      actions.toggleCaptions();
+      return true;
+    case 'f':
+    case 'F':
+      actions.toggleFullscreen();
+      return true;
+    case 'Escape':
+      return actions.dismiss();
+    default:
+      if (/^[0-9]$/.test(key)) {
+        actions.seekToShare(Number(key) / 10);
+        return true;
+      }
+      return false;
+  }
+}

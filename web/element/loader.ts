@@ -1,0 +1,125 @@
+/** Fetches what a story needs, with errors that say in a sentence what is wrong. */
+
+import { PlayerError } from './types.js';
+
+/** Beyond this a story is not a story, and the page would freeze; the white rabbit has 20 KB. */
+const MOST_STORY_BYTES = 16e6;
+/** Figures have a budget of 3 MB; a user's own avatar may be larger. */
+const MOST_FIGURE_BYTES = 100e6;
+
+/** Everything that a story needs, as it came. */
+export interface StoryFiles {
+  readonly eml: string;
+  /** The text of `voice/speech.json`; undefined when the story has no recorded voice. */
+  readonly bundle: Uint8Array | undefined;
+  readonly figureName: string;
+  readonly glb: Uint8Array;
+  /** Where the recordings lie. */
+  readonly voiceFolder: URL;
+}
+
+/** Receives how much of the work is done, 0 to 1. */
+export type Progress = (share: number) => void;
+
+/** A story's folder is where its file is; its voice lies in `voice/` beside it. */
+export async function fetchStory(
+  src: string,
+  figure: string,
+  library: URL,
+  signal: AbortSignal,
+  progress: Progress,
+): Promise<StoryFiles> {
+  const story = new URL(src, document.baseURI);
+  const voiceFolder = new URL('voice/', story);
+  const figureUrl = urlOfFigure(figure, library);
+  const shares = [0, 0, 0];
+  const weights = [0.1, 0.15, 0.75];
+  const part = (i: number) => (share: number) => {
+    shares[i] = share;
+    progress(shares.reduce((sum, s, k) => sum + s * (weights[k] ?? 0), 0));
+  };
+  const [text, bundle, glb] = await Promise.all([
+    fetchBytes(story, 'The story', MOST_STORY_BYTES, signal, part(0)),
+    fetchBytes(new URL('speech.json', voiceFolder), 'The voice', MOST_STORY_BYTES, signal, part(1)).catch((error: unknown) => {
+      // A story without a recorded voice is told in captions.
+      if (error instanceof PlayerError) return undefined;
+      throw error;
+    }),
+    fetchFigure(figureUrl, part(2)),
+  ]);
+  signal.throwIfAborted();
+  const eml = new TextDecoder().decode(text);
+  return { eml, bundle, figureName: figure, glb, voiceFolder };
+}
+
+/** A bare name is a figure of the library; anything else is an address. */
+function urlOfFigure(figure: string, library: URL): URL {
+  return /^[\w-]+$/.test(figure) ? new URL(`figures/${figure}.glb`, library) : new URL(figure, document.baseURI);
+}
+
+/** Figures are the largest files and are shared by the players of a page. */
+const figures = new Map<string, Promise<Uint8Array>>();
+
+function fetchFigure(url: URL, progress: Progress): Promise<Uint8Array> {
+  let bytes = figures.get(url.href);
+  if (bytes === undefined) {
+    // Not tied to one player's signal: another may be waiting for it.
+    bytes = fetchBytes(url, 'The figure', MOST_FIGURE_BYTES, undefined, progress);
+    figures.set(url.href, bytes);
+    bytes.catch(() => figures.delete(url.href));
+  }
+  return bytes.then((done) => {
+    progress(1);
+    return done;
+  });
+}
+
+async function fetchBytes(
+  url: URL,
+  what: string,
+  most: number,
+  signal: AbortSignal | undefined,
+  progress: Progress,
+): Promise<Uint8Array> {
+  const where = url.origin === location.origin ? url.pathname : url.href;
+  let response: Response;
+  try {
+    response = await fetch(url, signal ? { signal } : {});
+  } catch (error) {
+    signal?.throwIfAborted();
+    throw new PlayerError(`${what} could not be fetched from ${where}: is the network there?`, { cause: error });
+  }
+  if (response.status === 404) throw new PlayerError(`${what} was not found at ${where}.`);
+  if (!response.ok) throw new PlayerError(`${what} could not be fetched from ${where}: the server answered ${response.status}.`);
+  return await readAll(response, what, most, progress);
+}
+
+async function readAll(response: Response, what: string, most: number, progress: Progress): Promise<Uint8Array> {
+  const tooLarge = () => new PlayerError(`${what} is larger than ${Math.round(most / 1e6)} MB and was not read.`);
+  const expected = Number(response.headers.get('content-length')) || 0;
+  if (expected > most) throw tooLarge();
+  if (response.body === null) return new Uint8Array(await response.arrayBuffer());
+  const chunks: Uint8Array[] = [];
+  let length = 0;
+  const reader = response.body.getReader();
+  for (;;) {
+    const { done, value } = await reader.read();
+    if (done) break;
+    chunks.push(value);
+    length += value.length;
+    if (length > most) {
+      void reader.cancel();
+      throw tooLarge();
+    }
+    // The length counts compressed bytes, so it may be passed.
+    if (expected > 0) progress(Math.min(1, length / expected));
+  }
+  const all = new Uint8Array(length);
+  let at = 0;
+  for (const chunk of chunks) {
+    all.set(chunk, at);
+    at += chunk.length;
+  }
+  progress(1);
+  return all;
+}

@@ -1,0 +1,235 @@
+/** The picture: an engine on a canvas, its size, and what happens when the graphics card goes away. */
+
+import { createEngine } from './backend.js';
+import type { StoryFiles } from './loader.js';
+import { TickStatus, type Backend, type Cue, type Engine, type Story } from './types.js';
+
+/** More device pixels than this for a CSS pixel cost time and are not seen. */
+const MOST_DPR = 2;
+/** Pictures slower than this on the average get fewer pixels: lips that stutter are worse than soft edges. */
+const SLOW_MS = 42;
+/** Looked at for so many pictures before the pixels are changed. */
+const PICTURES_TO_JUDGE = 24;
+/** Pixels are taken away by this factor on each side, down to the least share. */
+const FEWER = 0.8;
+const LEAST_SHARE = 0.5;
+/** Idle life for people who ask for less motion; gestures and lips stay, they carry the story. */
+const REDUCED_MOTION = 0.25;
+/** A lost picture is brought back by itself this often; then the user is asked. */
+const MOST_RECOVERIES = 2;
+/** A graphics card that was reset is not back at once. */
+const RECOVERY_DELAY_MS = 600;
+
+/** What a picture tells its element. */
+export interface PictureEvents {
+  /** A canvas to show in place of the last one. */
+  canvas(canvas: HTMLCanvasElement): void;
+  /** The picture went away; sound and captions go on. `recovering`: it is being brought back. */
+  lost(recovering: boolean): void;
+  /** The picture is back. */
+  back(): void;
+}
+
+/** Owns the engine of one player. A trap in it costs the picture, not the story. */
+export class Picture {
+  #backend: Backend;
+  readonly #files: StoryFiles;
+  readonly #events: PictureEvents;
+  #engine: Engine | undefined;
+  #canvas: HTMLCanvasElement | undefined;
+  #size = { width: 0, height: 0 };
+  /** Share of the device's pixels that is drawn. */
+  #share = 1;
+  /** When the last picture of a running sequence was asked for, and the mean time between them. */
+  #pace = { last: 0, mean: 0, pictures: 0 };
+  #recoveries = 0;
+  #lost = false;
+  #closed = false;
+  /** The moment shown last: a new engine goes on from there, so that no cue comes twice. */
+  #lastShown = 0;
+
+  private constructor(backend: Backend, files: StoryFiles, events: PictureEvents) {
+    this.#backend = backend;
+    this.#files = files;
+    this.#events = events;
+  }
+
+  /**
+   * Opens a picture with the first back end that gives one, and reads the story; the story is
+   * read even where none does.
+   */
+  static async open(
+    backends: readonly [Backend, ...Backend[]],
+    files: StoryFiles,
+    events: PictureEvents,
+  ): Promise<{ picture: Picture; story: Story }> {
+    const picture = new Picture(backends[0], files, events);
+    for (const backend of backends) {
+      picture.#backend = backend;
+      try {
+        return { picture, story: await picture.#create() };
+      } catch (error) {
+        console.warn(`raconteur: no picture from ${backend}`, error);
+      }
+    }
+    const engine = await createEngine(picture.#backend, undefined);
+    const story = picture.#read(engine);
+    picture.#engine = engine;
+    picture.#lost = true;
+    events.lost(false);
+    return { picture, story };
+  }
+
+  /** The build in use. */
+  get backend(): Backend {
+    return this.#backend;
+  }
+
+  get lost(): boolean {
+    return this.#lost;
+  }
+
+  /** Size of the canvas in CSS pixels. */
+  resize(width: number, height: number): void {
+    this.#size = { width, height };
+    this.#guard((engine) => this.#fit(engine));
+  }
+
+  #fit(engine: Engine): void {
+    const { width, height } = this.#size;
+    if (width > 0) engine.resize(width, height, this.#share * Math.min(MOST_DPR, window.devicePixelRatio || 1));
+  }
+
+  /** Judges how fast pictures come while the story plays on screen, and draws fewer pixels if it is too slow. */
+  #keepPace(engine: Engine, running: boolean): void {
+    const now = performance.now();
+    const pace = this.#pace;
+    if (running && pace.last > 0) {
+      pace.mean += (now - pace.last - pace.mean) / (pace.pictures += 1);
+      if (pace.pictures >= PICTURES_TO_JUDGE) {
+        if (pace.mean > SLOW_MS && this.#share > LEAST_SHARE) {
+          this.#share = Math.max(LEAST_SHARE, this.#share * FEWER);
+          this.#fit(engine);
+        }
+        this.#pace = { last: now, mean: 0, pictures: 0 };
+        return;
+      }
+    }
+    pace.last = running ? now : 0;
+  }
+
+  /** Moves without passing the cues between. */
+  seek(secs: number): void {
+    this.#lastShown = secs;
+    this.#guard((engine) => engine.seek(secs));
+  }
+
+  /**
+   * Shows a moment and gives the cues passed on the way to it; while the story rests they are
+   * kept for later. `running`: pictures follow each other on screen.
+   */
+  show(secs: number, resting: boolean, running: boolean): Cue[] {
+    this.#lastShown = secs;
+    return (
+      this.#guard((engine) => {
+        this.#keepPace(engine, running);
+        if (engine.tick(secs) === TickStatus.Lost && !this.#lost) void this.recover();
+        return resting ? [] : engine.drainEvents();
+      }) ?? []
+    );
+  }
+
+  /** Tries to bring the picture back; by itself only so often. */
+  async recover(asked = false): Promise<void> {
+    if (this.#closed || (this.#lost && !asked)) return;
+    this.#lost = true;
+    if (asked) this.#recoveries = 0;
+    const again = this.#recoveries < MOST_RECOVERIES;
+    this.#recoveries += 1;
+    this.#events.lost(again);
+    if (!again) return await this.#withoutPicture();
+    await new Promise((done) => setTimeout(done, RECOVERY_DELAY_MS));
+    if (this.#closed) return;
+    try {
+      const old = this.#engine;
+      await this.#create();
+      if (old !== undefined) release(old);
+      if (this.#closed) return this.close();
+      this.seek(this.#lastShown);
+      this.#lost = false;
+      this.#events.back();
+    } catch (error) {
+      console.warn('raconteur: the picture did not come back', error);
+      this.#events.lost(false);
+      await this.#withoutPicture();
+    }
+  }
+
+  /** Where the last engine died of its trap, one without a picture still tells the cues. */
+  async #withoutPicture(): Promise<void> {
+    if (this.#engine !== undefined) return;
+    try {
+      const engine = await createEngine(this.#backend, undefined);
+      this.#read(engine);
+      engine.seek(this.#lastShown);
+      if (this.#closed) release(engine);
+      else this.#engine = engine;
+    } catch (error) {
+      console.warn('raconteur: no cues', error);
+    }
+  }
+
+  close(): void {
+    this.#closed = true;
+    if (this.#engine !== undefined) release(this.#engine);
+    this.#engine = undefined;
+    this.#canvas?.remove();
+    this.#canvas = undefined;
+  }
+
+  /** A lost canvas keeps its dead context, so each try has a canvas of its own. */
+  async #create(): Promise<Story> {
+    const canvas = document.createElement('canvas');
+    canvas.setAttribute('aria-hidden', 'true');
+    canvas.addEventListener('webglcontextlost', (event) => {
+      event.preventDefault();
+      if (canvas === this.#canvas) void this.recover();
+    });
+    this.#events.canvas(canvas);
+    const engine = await createEngine(this.#backend, canvas);
+    const story = this.#read(engine);
+    this.#engine = engine;
+    this.#canvas = canvas;
+    this.#fit(engine);
+    return story;
+  }
+
+  #read(engine: Engine): Story {
+    const { eml, bundle, figureName, glb } = this.#files;
+    const motion = matchMedia('(prefers-reduced-motion: reduce)').matches ? REDUCED_MOTION : 1;
+    return engine.load(eml, bundle, figureName, glb, motion);
+  }
+
+  /** Uses the engine; a trap leaves its memory suspect, so it is never used again. */
+  #guard<T>(use: (engine: Engine) => T): T | undefined {
+    const engine = this.#engine;
+    if (engine === undefined) return undefined;
+    try {
+      return use(engine);
+    } catch (error) {
+      console.error('raconteur: the engine failed', error);
+      this.#engine = undefined;
+      void this.recover();
+      return undefined;
+    }
+  }
+}
+
+/** Gives an engine's memory back; one that trapped may refuse. */
+function release(engine: Engine): void {
+  try {
+    engine.free();
+  } catch {
+    // Its instance is garbage either way.
+  }
+}

@@ -1,0 +1,159 @@
+/** Play, pause, seek and speed, as a media element understands them, on the voice's clock. */
+
+import type { Voice } from './audio.js';
+import { clampRate, StoryClock } from './clock.js';
+
+/** From a command to the first sample, so that the browser has time to plan it. */
+const LEAD_SECS = 0.03;
+
+/** What a transport tells its element; the names of media events. */
+export type TransportEvent = 'play' | 'playing' | 'pause' | 'waiting' | 'seeking' | 'seeked' | 'ratechange' | 'ended';
+
+/** Where a performance is, and whether it moves. */
+export class Transport {
+  readonly #clock = new StoryClock();
+  readonly #voice: Voice;
+  readonly #durationSecs: number;
+  readonly #emit: (event: TransportEvent) => void;
+  /** What is heard never steps back while playing, though clocks wobble. */
+  #latest = 0;
+  #paused = true;
+  #waiting = false;
+  #ended = false;
+  #rate = 1;
+  loop = false;
+
+  constructor(voice: Voice, durationSecs: number, emit: (event: TransportEvent) => void) {
+    this.#voice = voice;
+    this.#durationSecs = durationSecs;
+    this.#emit = emit;
+  }
+
+  get paused(): boolean {
+    return this.#paused;
+  }
+
+  get ended(): boolean {
+    return this.#ended;
+  }
+
+  /** Playing was asked for, but the sound is not there yet. */
+  get waiting(): boolean {
+    return this.#waiting;
+  }
+
+  get rate(): number {
+    return this.#rate;
+  }
+
+  /** The story time that the listener hears. */
+  get position(): number {
+    if (this.#clock.running) {
+      this.#latest = Math.max(this.#latest, this.#clock.at(this.#voice.heard()));
+    }
+    return Math.min(this.#latest, this.#durationSecs);
+  }
+
+  /** Plays; false where the browser does not allow sound before the user acts. */
+  async play(): Promise<boolean> {
+    if (!this.#paused) return true;
+    if (!(await this.#voice.unlock())) return false;
+    if (!this.#paused) return true;
+    if (this.#ended) this.#moveTo(0);
+    this.#paused = false;
+    this.#ended = false;
+    this.#emit('play');
+    this.#run();
+    return true;
+  }
+
+  pause(): void {
+    if (this.#paused) return;
+    this.#rest();
+    this.#paused = true;
+    this.#waiting = false;
+    this.#emit('pause');
+  }
+
+  seek(secs: number): void {
+    const wasRunning = !this.#paused;
+    const target = Number.isFinite(secs) ? Math.min(this.#durationSecs, Math.max(0, secs)) : 0;
+    this.#emit('seeking');
+    this.#moveTo(target);
+    this.#ended = false;
+    if (wasRunning) this.#run();
+    else this.#voice.prepare(target);
+    this.#emit('seeked');
+  }
+
+  setRate(rate: number): void {
+    const clamped = clampRate(rate);
+    if (clamped === this.#rate) return;
+    this.#rate = clamped;
+    if (this.#clock.running) {
+      this.#rest();
+      this.#run();
+    }
+    this.#emit('ratechange');
+  }
+
+  /** Called for each picture and a few times a second when there is none; the story time heard. */
+  update(): number {
+    const position = this.position;
+    if (this.#paused) return position;
+    this.#voice.prepare(position);
+    if (this.#waiting) {
+      if (this.#voice.ready(position)) this.#run();
+    } else if (position >= this.#durationSecs) {
+      this.#finish();
+    } else if (!this.#voice.ready(position)) {
+      // Better a pause than sound and lips that drift apart.
+      this.#rest();
+      this.#waiting = true;
+      this.#emit('waiting');
+    }
+    return position;
+  }
+
+  #run(): void {
+    const position = this.#latest;
+    this.#voice.prepare(position);
+    if (!this.#voice.ready(position)) {
+      if (!this.#waiting) this.#emit('waiting');
+      this.#waiting = true;
+      return;
+    }
+    this.#waiting = false;
+    const at = this.#voice.now() + LEAD_SECS;
+    this.#voice.start(position, this.#rate, at);
+    this.#clock.start(position, at, this.#rate);
+    this.#emit('playing');
+  }
+
+  #rest(): void {
+    const position = this.position;
+    this.#voice.stop();
+    this.#clock.rest(position);
+  }
+
+  #moveTo(secs: number): void {
+    this.#voice.stop();
+    this.#latest = secs;
+    this.#clock.rest(secs);
+  }
+
+  #finish(): void {
+    if (this.loop) {
+      this.#emit('seeking');
+      this.#moveTo(0);
+      this.#run();
+      this.#emit('seeked');
+      return;
+    }
+    this.#rest();
+    this.#paused = true;
+    this.#ended = true;
+    this.#emit('pause');
+    this.#emit('ended');
+  }
+}

@@ -1,0 +1,121 @@
+/** What the element, the engine and a page tell each other. All times are seconds. */
+
+/** Something wrong with a story, its voice or its figure. The rest of the story plays. */
+export interface Diagnostic {
+  /** A stable short name, for example `unknown-hand-shape`. */
+  readonly code: string;
+  readonly severity: 'error' | 'warning';
+  readonly message: string;
+  /** What to do about it, each a sentence. */
+  readonly hints: readonly string[];
+  /** Where in the story; absent when it is not about the story's text. */
+  readonly start?: Place;
+  /** The end of the span, exclusive. */
+  readonly end?: Place;
+}
+
+/** A place in the story's text. */
+export interface Place {
+  /** From 1. */
+  readonly line: number;
+  /** From 1, in characters, as people count. */
+  readonly column: number;
+  /** From 1, in UTF-16 units, as JavaScript and editors count. */
+  readonly columnUtf16: number;
+}
+
+/** One spoken word; times are of the story. */
+export interface Word {
+  /** As written, punctuation attached. */
+  readonly text: string;
+  readonly startSecs: number;
+  readonly endSecs: number;
+  /** The story emphasises it. */
+  readonly emphasized: boolean;
+}
+
+/** One encoding of an utterance's sound. */
+export interface AudioFile {
+  /** Plain name in the story's `voice` folder. */
+  readonly file: string;
+  /** MIME type with codecs. */
+  readonly mime: string;
+}
+
+/** Something said, at its place in the story. */
+export interface Utterance {
+  readonly startSecs: number;
+  readonly durationSecs: number;
+  /** In order of preference; empty when there is no recording. */
+  readonly audio: readonly AudioFile[];
+  readonly words: readonly Word[];
+  /** The times were guessed because no recording was found. */
+  readonly estimated: boolean;
+}
+
+/** A story that was read. */
+export interface Story {
+  readonly durationSecs: number;
+  readonly utterances: readonly Utterance[];
+  readonly diagnostics: readonly Diagnostic[];
+}
+
+/** Something that happens at a moment of the story. */
+export type Cue =
+  | { readonly kind: 'word'; readonly timeSecs: number; readonly utterance: number; readonly word: number }
+  | {
+      readonly kind: 'clause';
+      readonly timeSecs: number;
+      readonly phase: 'start' | 'end';
+      /** The EML element, for example `gesture-key`. */
+      readonly element: string;
+      /** Its `timeId`. */
+      readonly id?: string;
+    }
+  | { readonly kind: 'storyevent'; readonly timeSecs: number; readonly type?: string; readonly payload: string };
+
+/** What became of a tick; the numbers are `TickStatus` in `crate/web`. */
+export const TickStatus = {
+  /** A picture was shown. */
+  Shown: 0,
+  /** Nothing was drawn this time: no size yet, or the surface was busy. */
+  Skipped: 1,
+  /** The picture is lost; a fresh engine with a fresh canvas can bring it back. */
+  Lost: 2,
+  /** This engine was made without a canvas. */
+  NoPicture: 3,
+} as const;
+
+/** One storyteller: the class `Player` of `crate/web`. */
+export interface Engine {
+  /**
+   * Reads a story; `bundle` is the text of `speech.json`, `glb` the figure, `motion` the amount of
+   * idle life from 0 to 1. Throws a readable `Error` when the figure cannot be read.
+   */
+  load(eml: string, bundle: Uint8Array | undefined, figure: string, glb: Uint8Array, motion: number): Story;
+  /** Shows the moment `timeSecs`; a `TickStatus`. Cues passed since the last tick or seek are kept for `drainEvents`. */
+  tick(timeSecs: number): number;
+  /** Moves without passing what lies between. */
+  seek(timeSecs: number): void;
+  /** Size of the canvas in CSS pixels, and device pixels for each of them. */
+  resize(width: number, height: number, dpr: number): void;
+  /** The cues passed since the last call. */
+  drainEvents(): Cue[];
+  free(): void;
+}
+
+/** The two builds. */
+export type Backend = 'webgpu' | 'webgl';
+
+/** The events of the element besides those of a media element. */
+export interface PlayerEventMap {
+  word: CustomEvent<{ word: Word; utterance: number; index: number }>;
+  clause: CustomEvent<Extract<Cue, { kind: 'clause' }>>;
+  storyevent: CustomEvent<Extract<Cue, { kind: 'storyevent' }>>;
+  diagnostic: CustomEvent<Diagnostic>;
+}
+
+/** Why a story cannot be played, as one sentence for people. */
+export class PlayerError extends Error {
+  override readonly name = 'PlayerError';
+}

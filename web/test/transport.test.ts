@@ -1,0 +1,130 @@
+import { beforeEach, expect, test } from 'vitest';
+import type { Voice } from '../element/audio.js';
+import { Transport } from '../element/transport.js';
+
+/** A voice with a hand-wound clock that is heard 0.1 s late. */
+class FakeVoice implements Voice {
+  time = 100;
+  allowed = true;
+  missingFrom = Infinity;
+  starts: { position: number; rate: number; at: number }[] = [];
+  stops = 0;
+
+  now = () => this.time;
+  heard = () => this.time - 0.1;
+  unlock = () => Promise.resolve(this.allowed);
+  start = (position: number, rate: number, at: number) => void this.starts.push({ position, rate, at });
+  stop = () => void (this.stops += 1);
+  prepare = () => undefined;
+  ready = (position: number) => position < this.missingFrom;
+  setVolume = () => undefined;
+  close = () => undefined;
+}
+
+let voice: FakeVoice;
+let events: string[];
+let transport: Transport;
+
+beforeEach(() => {
+  voice = new FakeVoice();
+  events = [];
+  transport = new Transport(voice, 10, (event) => events.push(event));
+});
+
+test('plays on the voice\'s clock, as it is heard', async () => {
+  expect(await transport.play()).toBe(true);
+  expect(events).toEqual(['play', 'playing']);
+  expect(transport.position).toBe(0);
+  voice.time += 2.13;
+  // 0.03 s of lead and 0.1 s of latency.
+  expect(transport.update()).toBeCloseTo(2, 9);
+});
+
+test('pausing keeps what was heard, and playing goes on from there', async () => {
+  await transport.play();
+  voice.time += 1.13;
+  transport.pause();
+  voice.time += 50;
+  expect(transport.position).toBeCloseTo(1, 9);
+  await transport.play();
+  expect(voice.starts.at(-1)?.position).toBeCloseTo(1, 9);
+});
+
+test('seeking while playing starts the sound in the middle of a word', async () => {
+  await transport.play();
+  transport.seek(4.321);
+  expect(voice.starts.at(-1)?.position).toBe(4.321);
+  expect(transport.position).toBe(4.321);
+  expect(events.slice(-3)).toEqual(['seeking', 'playing', 'seeked']);
+});
+
+test('seeking outside the story goes to its ends', () => {
+  transport.seek(99);
+  expect(transport.position).toBe(10);
+  transport.seek(-1);
+  expect(transport.position).toBe(0);
+  transport.seek(NaN);
+  expect(transport.position).toBe(0);
+});
+
+test('a new speed goes on from the same place', async () => {
+  await transport.play();
+  voice.time += 3.13;
+  transport.setRate(2);
+  expect(voice.starts.at(-1)).toMatchObject({ rate: 2 });
+  voice.time += 1.13;
+  expect(transport.position).toBeCloseTo(5, 9);
+});
+
+test('a clock that steps back does not move the story back', async () => {
+  await transport.play();
+  voice.time += 2;
+  const before = transport.position;
+  voice.time -= 0.02;
+  expect(transport.position).toBe(before);
+});
+
+test('waits for sound that is not there, rather than drift', async () => {
+  voice.missingFrom = 2;
+  await transport.play();
+  voice.time += 2.2;
+  transport.update();
+  expect(transport.waiting).toBe(true);
+  const held = transport.position;
+  voice.time += 5;
+  expect(transport.update()).toBe(held);
+  voice.missingFrom = Infinity;
+  transport.update();
+  expect(transport.waiting).toBe(false);
+  voice.time += 1.13;
+  expect(transport.position).toBeCloseTo(held + 1, 9);
+  expect(events.filter((e) => e === 'waiting' || e === 'playing')).toEqual(['playing', 'waiting', 'playing']);
+});
+
+test('ends once, and plays again from the start', async () => {
+  await transport.play();
+  voice.time += 20;
+  expect(transport.update()).toBe(10);
+  transport.update();
+  expect(events.filter((e) => e === 'ended')).toHaveLength(1);
+  expect([transport.ended, transport.paused]).toEqual([true, true]);
+  await transport.play();
+  expect(voice.starts.at(-1)?.position).toBe(0);
+});
+
+test('a loop begins again by itself', async () => {
+  transport.loop = true;
+  await transport.play();
+  voice.time += 20;
+  transport.update();
+  expect(transport.paused).toBe(false);
+  expect(voice.starts.at(-1)?.position).toBe(0);
+  expect(events).not.toContain('ended');
+});
+
+test('a browser that forbids sound leaves the story paused', async () => {
+  voice.allowed = false;
+  expect(await transport.play()).toBe(false);
+  expect(transport.paused).toBe(true);
+  expect(events).toEqual([]);
+});

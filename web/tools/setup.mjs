@@ -1,0 +1,110 @@
+// Prepares a bare clone. `node web/tools/setup.mjs [page|test]`; what is done is skipped.
+//   page: packages, Rust's wasm target, both wasm builds, the built page in dist/
+//   test: all of that, and a browser with software rendering
+// Only Node's own modules: this installs the others.
+
+import { existsSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { ask, main, once, root, run, Stop } from './steps.mjs';
+import { buildWasm } from './wasm.mjs';
+
+/** npm packages, exactly as locked. */
+export async function packages() {
+  await once(
+    'packages',
+    { inputs: ['package.json', 'package-lock.json'], extra: process.version, outputs: ['node_modules/.package-lock.json'] },
+    () => run(process.platform === 'win32' ? 'npm.cmd' : 'npm', ['ci', '--no-audit', '--no-fund'], {
+      shell: process.platform === 'win32',
+      why: 'Installing the npm packages',
+    }),
+  );
+}
+
+/** The pinned Rust toolchain with the wasm target. */
+export async function rust() {
+  const channel = /channel\s*=\s*"([^"]+)"/.exec(readFileSync(join(root, 'rust-toolchain.toml'), 'utf8'))?.[1];
+  if (channel === undefined) throw new Stop('rust-toolchain.toml names no channel.');
+  if (ask('rustup', ['--version']) === undefined) {
+    // A distribution's own Rust may carry the target without rustup.
+    if (ask('cargo', ['--version']) !== undefined && hasWasmTarget()) return;
+    throw new Stop(`Rust is not installed: install rustup (https://rustup.rs), then run this again; Rust ${channel} is fetched by itself.`);
+  }
+  const installed = ask('rustup', ['toolchain', 'list']) ?? '';
+  if (!installed.split('\n').some((line) => line.startsWith(`${channel}-`) || line.startsWith(`${channel} `))) {
+    run('rustup', ['toolchain', 'install', channel, '--profile', 'minimal', '--component', 'clippy', '--component', 'rustfmt'], {
+      why: `Installing Rust ${channel}`,
+    });
+  }
+  const targets = ask('rustup', ['target', 'list', '--installed', '--toolchain', channel]) ?? '';
+  if (!targets.includes('wasm32-unknown-unknown')) {
+    run('rustup', ['target', 'add', 'wasm32-unknown-unknown', '--toolchain', channel], {
+      why: 'Adding the wasm target to Rust',
+    });
+  }
+}
+
+function hasWasmTarget() {
+  const folder = ask('rustc', ['--print', 'target-libdir', '--target', 'wasm32-unknown-unknown'])?.trim();
+  return folder !== undefined && existsSync(folder);
+}
+
+/** The page, built into dist/. */
+export async function page() {
+  await packages();
+  await rust();
+  await buildWasm();
+  await once(
+    'page',
+    {
+      inputs: ['index.html', 'vite.config.ts', 'package-lock.json', 'web/element', 'web/pages', 'web/tools/docs.ts', 'assets',
+        'README.md', 'ARCHITECTURE.md', 'CONTRIBUTING.md', 'CHANGELOG.md', '.setup/wasm-webgpu', '.setup/wasm-webgl'],
+      outputs: ['dist/index.html'],
+    },
+    async () => {
+      const { build } = await import('vite');
+      await build({ root, logLevel: 'warn' });
+    },
+  );
+}
+
+/** A Chromium that draws without a graphics card, and a Vulkan that does. */
+export async function browser() {
+  const missing = [];
+  if (!chromium()) missing.push('chromium');
+  const drivers = ['/usr/share/vulkan/icd.d', '/etc/vulkan/icd.d'];
+  const icd = process.env['VK_DRIVER_FILES'] ?? process.env['VK_ICD_FILENAMES'];
+  if (process.platform === 'linux' && icd === undefined && !drivers.some((d) => existsSync(d))) {
+    missing.push('mesa-vulkan-drivers', 'libvulkan1');
+  }
+  if (missing.length === 0) return;
+  const debian = existsSync('/etc/debian_version') && ask('apt-get', ['--version']) !== undefined;
+  if (debian && process.getuid?.() === 0) {
+    const wanted = ['chromium', 'mesa-vulkan-drivers', 'libvulkan1', 'libegl1', 'libgl1-mesa-dri'];
+    const env = { ...process.env, DEBIAN_FRONTEND: 'noninteractive' };
+    run('apt-get', ['update', '-qq'], { env, why: 'Updating the package lists' });
+    run('apt-get', ['install', '-y', '-qq', '--no-install-recommends', ...wanted], { env, why: `Installing ${wanted.join(', ')}` });
+    return;
+  }
+  throw new Stop(
+    `The tests need ${missing.join(', ')}: install ${missing.length > 1 ? 'them' : 'it'} with your system's packages` +
+      (missing.includes('chromium') ? ' (or run "npx playwright install chromium")' : '') +
+      ', then run this again.',
+  );
+}
+
+/** The browser for the tests: the system's, or Playwright's own download. */
+export function chromium() {
+  if (process.env['CHROMIUM'] !== undefined) return process.env['CHROMIUM'];
+  if (existsSync('/usr/bin/chromium')) return '/usr/bin/chromium';
+  const ask1 = ask(process.execPath, ['-e', "import('@playwright/test').then(p=>process.stdout.write(p.chromium.executablePath()))"]);
+  return ask1 !== undefined && existsSync(ask1) ? ask1 : undefined;
+}
+
+if (import.meta.url === pathToFileURL(process.argv[1] ?? '').href) {
+  await main(async () => {
+    await page();
+    if (process.argv[2] !== 'page') await browser();
+    console.log('Everything is in place.');
+  });
+}

@@ -1,0 +1,28 @@
+// What a page downloads for one player, per back end, against the budget; compressed as servers do.
+
+import { existsSync, readFileSync, readdirSync } from 'node:fs';
+import { join } from 'node:path';
+import { brotliCompressSync, gzipSync } from 'node:zlib';
+import { main, root, Stop } from './steps.mjs';
+
+/** KB of 1,000 bytes, gzip. */
+const budgets = { webgpu: 290, webgl: 900 };
+
+await main(async () => {
+  const folder = join(root, 'dist/app');
+  if (!existsSync(folder)) throw new Stop('There is no dist/: run "npm run build" first.');
+  const files = readdirSync(folder).map((name) => join(folder, name));
+  const entry = join(root, 'dist/raconteur-player.js');
+  const over = [];
+  for (const [backend, budget] of Object.entries(budgets)) {
+    const other = backend === 'webgpu' ? 'webgl' : 'webgpu';
+    // The page's own script and style are not the player's.
+    const mine = files.filter((path) => /\.(js|wasm)$/.test(path) && !path.includes(`${other}-`) && !/\/(index|docs)-/.test(path));
+    const parts = [entry, ...mine].map((path) => readFileSync(path));
+    const sum = (compress) => parts.reduce((total, part) => total + compress(part).length, 0) / 1000;
+    const [gzip, brotli] = [sum(gzipSync), sum(brotliCompressSync)];
+    console.log(`${backend}: ${gzip.toFixed(1)} KB gzip, ${brotli.toFixed(1)} KB brotli; budget ${budget} KB gzip`);
+    if (gzip > budget) over.push(backend);
+  }
+  if (over.length > 0) throw new Stop(`The ${over.join(' and ')} build is over its budget.`);
+});

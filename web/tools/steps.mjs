@@ -1,0 +1,75 @@
+// What every set-up step needs: running programs, and knowing what is already done.
+// Only Node's own modules: this runs before any package is installed.
+
+import { spawnSync } from 'node:child_process';
+import { createHash } from 'node:crypto';
+import { existsSync, mkdirSync, readFileSync, readdirSync, rmSync, statSync, writeFileSync } from 'node:fs';
+import { dirname, join, relative } from 'node:path';
+import { fileURLToPath } from 'node:url';
+
+/** The repository's root. */
+export const root = join(dirname(fileURLToPath(import.meta.url)), '..', '..');
+
+/** A reason to stop that is said as one sentence, without a stack. */
+export class Stop extends Error {}
+
+/** Runs a program in the root, showing its output; stops when it fails. */
+export function run(command, args, options = {}) {
+  const { why = `${command} ${args.join(' ')}`, ...rest } = options;
+  const result = spawnSync(command, args, { cwd: root, stdio: 'inherit', ...rest });
+  if (result.error?.code === 'ENOENT') throw new Stop(`${command} is not installed.`);
+  if (result.status !== 0) throw new Stop(`${why} failed (exit ${result.status ?? result.signal}).`);
+}
+
+/** What a program prints, or undefined when it is missing or fails. */
+export function ask(command, args) {
+  const result = spawnSync(command, args, { cwd: root, encoding: 'utf8' });
+  return result.status === 0 ? result.stdout : undefined;
+}
+
+/** A digest of the contents of files and folders, given from the root; missing ones count as empty. */
+export function digest(paths, extra = '') {
+  const hash = createHash('sha256').update(extra);
+  const visit = (path) => {
+    if (!existsSync(path)) return;
+    if (statSync(path).isDirectory()) {
+      for (const name of readdirSync(path).sort()) {
+        if (name !== 'node_modules' && name !== 'pkg' && name !== 'target') visit(join(path, name));
+      }
+    } else {
+      hash.update(`${relative(root, path)}\0`).update(readFileSync(path)).update('\0');
+    }
+  };
+  for (const path of paths) visit(join(root, path));
+  return hash.digest('hex');
+}
+
+/**
+ * Does `work` unless it was done before with the same inputs and its outputs are still there.
+ * The stamp is removed first, so that work broken off half-way is done again.
+ */
+export async function once(name, { inputs, extra, outputs }, work) {
+  const stamp = join(root, '.setup', name);
+  const now = digest(inputs, extra);
+  const done = existsSync(stamp) && readFileSync(stamp, 'utf8') === now;
+  if (done && outputs.every((path) => existsSync(join(root, path)))) return;
+  rmSync(stamp, { force: true });
+  console.log(`\n› ${name}`);
+  const start = Date.now();
+  await work();
+  // Installing may rewrite an input (a lock file), so the digest is taken again.
+  mkdirSync(dirname(stamp), { recursive: true });
+  writeFileSync(stamp, digest(inputs, extra));
+  console.log(`  ${name}: ${((Date.now() - start) / 1000).toFixed(1)} s`);
+}
+
+/** Runs a program's main function; a `Stop` is printed as a sentence. */
+export async function main(work) {
+  try {
+    await work();
+  } catch (error) {
+    if (!(error instanceof Stop)) throw error;
+    console.error(`\nraconteur: ${error.message}`);
+    process.exit(1);
+  }
+}

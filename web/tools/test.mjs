@@ -1,0 +1,57 @@
+// `npm test`: prepares everything, then checks everything, the quick checks first.
+// `npm test -- NAME…` runs only the named checks.
+
+import { main, run, Stop } from './steps.mjs';
+import { browser, packages, page, rust } from './setup.mjs';
+import { backends, buildWasm } from './wasm.mjs';
+
+const cargo = (...args) => run('cargo', args);
+const node = (file, ...args) => run(process.execPath, [file, ...args]);
+
+/** Name, and what it does. */
+const checks = {
+  format: () => cargo('fmt', '--all', '--check'),
+  clippy: () => cargo('clippy', '--locked', '--workspace', '--all-targets', '--', '--deny', 'warnings'),
+  'clippy-wasm': () => {
+    for (const backend of backends) {
+      cargo('clippy', '--locked', '--package', 'raconteur-web', '--target', 'wasm32-unknown-unknown',
+        '--features', backend, '--', '--deny', 'warnings');
+    }
+  },
+  rust: () => cargo('test', '--locked', '--workspace'),
+  wasm: () => buildWasm(),
+  types: () => node('node_modules/typescript/bin/tsc', '--noEmit'),
+  unit: () => {
+    // The poses of the wasm builds are compared with the command line's.
+    cargo('build', '--locked', '--package', 'raconteur-cli');
+    node('node_modules/vitest/vitest.mjs', 'run');
+  },
+  size: async () => {
+    await page();
+    node('web/tools/size.mjs');
+  },
+  browser: async () => {
+    await page();
+    await browser();
+    node('node_modules/@playwright/test/cli.js', 'test', '--config', 'tests/browser/playwright.config.ts');
+  },
+};
+
+await main(async () => {
+  const wanted = process.argv.slice(2);
+  const unknown = wanted.find((name) => !(name in checks));
+  if (unknown !== undefined) throw new Stop(`There is no check ${unknown}; there are ${Object.keys(checks).join(', ')}.`);
+  await packages();
+  await rust();
+  // Rust's own tests draw a picture, so the software Vulkan comes before them.
+  if (wanted.length === 0) await browser();
+  const times = [];
+  for (const [name, check] of Object.entries(checks)) {
+    if (wanted.length > 0 && !wanted.includes(name)) continue;
+    console.log(`\n=== ${name}`);
+    const start = Date.now();
+    await check();
+    times.push(`${name} ${((Date.now() - start) / 1000).toFixed(0)} s`);
+  }
+  console.log(`\nAll is well: ${times.join(', ')}.`);
+});

@@ -1,0 +1,49 @@
+// Builds the player twice from one source: for WebGPU (small) and for WebGL2.
+// Only Node's own modules.
+
+import { copyFileSync, existsSync, mkdirSync, rmSync } from 'node:fs';
+import { homedir } from 'node:os';
+import { isAbsolute, join } from 'node:path';
+import { once, root, run, Stop } from './steps.mjs';
+
+/** The back ends, each with a build of its own. */
+export const backends = ['webgpu', 'webgl'];
+
+/** Builds both variants into web/pkg/. */
+export async function buildWasm() {
+  for (const backend of backends) {
+    const folder = `web/pkg/${backend}`;
+    const inputs = ['crate', 'Cargo.toml', 'Cargo.lock', 'rust-toolchain.toml', 'web/tools/bindgen', 'web/tools/wasm.mjs'];
+    const outputs = [`${folder}/raconteur.js`, `${folder}/raconteur_bg.wasm`];
+    await once(`wasm-${backend}`, { inputs, outputs }, () => build(backend, folder));
+  }
+}
+
+function build(backend, folder) {
+  const target = process.env['CARGO_TARGET_DIR'] ?? 'target';
+  // Panic messages name source files; the builder's own folders are nobody's business.
+  const cargoHome = process.env['CARGO_HOME'] ?? join(homedir(), '.cargo');
+  const flags = `${process.env['RUSTFLAGS'] ?? ''} --remap-path-prefix=${cargoHome}=cargo --remap-path-prefix=${root}=.`.trim();
+  run('cargo', [
+    'build', '--locked', '--package', 'raconteur-web', '--target', 'wasm32-unknown-unknown',
+    '--profile', 'wasm', '--no-default-features', '--features', backend,
+  ], { why: `Compiling the ${backend} build`, env: { ...process.env, RUSTFLAGS: flags } });
+  const compiled = join(isAbsolute(target) ? target : join(root, target), 'wasm32-unknown-unknown/wasm/raconteur_web.wasm');
+  if (!existsSync(compiled)) throw new Stop(`cargo left no ${compiled}.`);
+  rmSync(join(root, folder), { recursive: true, force: true });
+  mkdirSync(join(root, folder), { recursive: true });
+  // The next variant overwrites cargo's file, so this one is taken away first.
+  const taken = join(root, folder, 'compiled.wasm');
+  copyFileSync(compiled, taken);
+  run('cargo', ['run', '--locked', '--quiet', '--package', 'raconteur-bindgen', '--', taken, join(root, folder)], {
+    why: 'Writing the JavaScript side',
+  });
+  rmSync(taken);
+  const module = join(root, folder, 'raconteur_bg.wasm');
+  // binaryen from npm: distributions carry versions old enough to break reference types.
+  run(process.execPath, [
+    join(root, 'node_modules/binaryen/bin/wasm-opt'), module, '-o', module, '-Oz',
+    '--enable-bulk-memory', '--enable-reference-types', '--enable-nontrapping-float-to-int',
+    '--enable-sign-ext', '--enable-mutable-globals', '--enable-multivalue',
+  ], { why: 'Shrinking the wasm file' });
+}
