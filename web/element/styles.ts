@@ -181,6 +181,11 @@ export const styles = css`
     text-align: center;
     text-wrap: balance;
     pointer-events: none;
+    transition: translate 0.2s;
+  }
+  /* Captions take the place of controls that are hidden: hands gesture where they were. */
+  .captions:has(+ .bar.gone) {
+    translate: 0 60px;
   }
   /* The ground hugs each line, as on television. */
   .captions > span {
@@ -383,6 +388,7 @@ export const styles = css`
   }
   @media (prefers-reduced-motion: reduce) {
     .stage canvas,
+    .captions,
     .bar,
     .overlay .disc {
       transition: none;

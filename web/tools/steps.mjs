@@ -57,9 +57,8 @@ export async function once(name, { inputs, extra, outputs }, work) {
   console.log(`\n› ${name}`);
   const start = Date.now();
   await work();
-  // Installing may rewrite an input (a lock file), so the digest is taken again.
   mkdirSync(dirname(stamp), { recursive: true });
-  writeFileSync(stamp, digest(inputs, extra));
+  writeFileSync(stamp, now);
   console.log(`  ${name}: ${((Date.now() - start) / 1000).toFixed(1)} s`);
 }
 

@@ -113,7 +113,7 @@ impl Actor {
     pub fn new(performance: &Performance, skeleton: &Skeleton) -> Self {
         let seed = performance.seed;
         let mut speech: Vec<&SpokenUtterance> = performance.speech.iter().collect();
-        speech.sort_by(|a, b| a.start_secs.total_cmp(&b.start_secs));
+        raconteur_base::order::sort_by_number(&mut speech, |u| u.start_secs);
         let spans: Vec<(f64, f64)> = speech
             .iter()
             .map(|u| (u.start_secs, u.start_secs + u.duration_secs))

@@ -342,3 +342,80 @@ fn impossible_scripts_neither_panic_nor_spread() {
     stage.evaluate(&actor, 1e12);
     assert!(stage.pose.rotations.iter().all(|q| q.is_finite()));
 }
+
+#[test]
+fn fingers_that_move_do_not_stop_the_arm() {
+    let mut stage = Stage::new();
+    let key = |time_secs: f64, wrist_in_world, shape| HandKey {
+        time_secs,
+        wrist_in_world,
+        hand_in_world: None,
+        shape: HandShape::get(shape).map(|s| *s.angles()),
+    };
+    let from = DVec3::new(-0.22, 1.05, 0.30);
+    let to = DVec3::new(-0.16, 1.40, 0.32);
+    let ends = [key(2.0, Some(from), 44), key(3.0, Some(to), 44)];
+    let mut drumming = ends.to_vec();
+    drumming.extend([2.25, 2.5, 2.75].map(|t| key(t, None, 45)));
+    let actor_of = |keys: Vec<HandKey>| {
+        let stroke = GestureStroke {
+            start_secs: 2.0,
+            end_secs: 3.0,
+            keys,
+        };
+        let performance = Performance {
+            arms: [
+                ArmScript::default(),
+                ArmScript {
+                    strokes: vec![stroke],
+                    on: Vec::new(),
+                },
+            ],
+            ..Performance::default()
+        };
+        Actor::new(&performance, &example())
+    };
+    let (plain, drumming) = (actor_of(ends.to_vec()), actor_of(drumming));
+    for i in 0..300 {
+        let t = 0.02 * f64::from(i);
+        stage.evaluate(&plain, t);
+        let expected = stage.wrist(Side::Right);
+        stage.evaluate(&drumming, t);
+        assert!(stage.wrist(Side::Right).distance(expected) < 1e-9, "{t} s");
+    }
+}
+
+#[test]
+fn a_wrist_passes_keys_that_only_turn_the_hand() {
+    let mut stage = Stage::new();
+    let (from, to) = (DVec3::new(-0.10, 1.15, 0.35), DVec3::new(-0.34, 1.15, 0.30));
+    let key = |time_secs, wrist_in_world, turn: f64| HandKey {
+        time_secs,
+        wrist_in_world,
+        hand_in_world: palm::hand_rotation(Side::Right, DVec3::NEG_Y, turn),
+        shape: None,
+    };
+    let stroke = GestureStroke {
+        start_secs: 2.0,
+        end_secs: 2.8,
+        keys: vec![
+            key(2.0, Some(from), 1.6),
+            key(2.3, None, 1.2),
+            key(2.8, Some(to), 0.9),
+        ],
+    };
+    let performance = Performance {
+        arms: [
+            ArmScript::default(),
+            ArmScript {
+                strokes: vec![stroke],
+                on: Vec::new(),
+            },
+        ],
+        ..Performance::default()
+    };
+    let actor = Actor::new(&performance, &example());
+    stage.evaluate(&actor, 2.3);
+    let way = stage.wrist(Side::Right).distance(from) / to.distance(from);
+    assert!((0.3..0.45).contains(&way), "{way}");
+}

@@ -108,7 +108,7 @@ impl Sink {
 
     /// The diagnostics in the order of the text, then the count of those left out.
     pub(crate) fn finish(mut self) -> Vec<Diagnostic> {
-        self.list.sort_by_key(|d| d.span.start);
+        raconteur_base::order::sort_by_number(&mut self.list, |d| f64::from(d.span.start));
         if self.left_out > 0 {
             self.list.push(Diagnostic::warning(
                 "eml::more",

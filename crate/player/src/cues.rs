@@ -1,5 +1,6 @@
 //! What a page is told while a story plays: words, clauses and the story's own events.
 
+use raconteur_base::order::sort_by_number;
 use raconteur_eml::{ClauseId, ClauseKind};
 use raconteur_speech::AudioFile;
 
@@ -136,8 +137,8 @@ pub(crate) fn cues(script: &Script, utterances: &[UtteranceCue]) -> Vec<Cue> {
             push(2, w.start_secs, CueKind::Word { utterance, word });
         }
     }
-    ranked.sort_by(|(a_rank, a), (b_rank, b)| {
-        a.time_secs.total_cmp(&b.time_secs).then(a_rank.cmp(b_rank))
-    });
+    // Stable sorts, the least important first.
+    sort_by_number(&mut ranked, |(rank, _)| f64::from(*rank));
+    sort_by_number(&mut ranked, |(_, cue)| cue.time_secs);
     ranked.into_iter().map(|(_, cue)| cue).collect()
 }

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use raconteur_actor::performance::Report;
 use raconteur_actor::{Accent, Actor, FaceRig, Performance, SpokenUtterance};
+use raconteur_base::order::sort_by_number;
 use raconteur_base::{DVec3, Side};
 use raconteur_body::{Bone, Figure, Pose};
 use raconteur_eml::{ClauseKind, Diagnostic, Timeline};
@@ -102,7 +103,7 @@ impl Player {
             [at(Bone::LShoulder), at(Bone::RShoulder)],
             reach_m,
         ));
-        diagnostics.sort_by_key(|d| d.span.start);
+        sort_by_number(&mut diagnostics, |d| f64::from(d.span.start));
 
         let camera = input.options.shot.frame(DVec3::ZERO, figure.skeleton.stature_m(), 16.0 / 9.0);
         let performance = Performance {

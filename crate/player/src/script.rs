@@ -43,7 +43,7 @@ impl Script {
         diagnostics.extend(resolved.diagnostics);
         let timeline = with_run_up(resolved.timeline);
         diagnostics.extend(missing_speech(&document, bundle.as_ref(), bundle_json.is_some()));
-        diagnostics.sort_by_key(|d| d.span.start);
+        raconteur_base::order::sort_by_number(&mut diagnostics, |d| f64::from(d.span.start));
         Self { document, timeline, diagnostics, bundle }
     }
 

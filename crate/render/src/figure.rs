@@ -3,6 +3,7 @@
 use bytemuck::{Pod, Zeroable};
 use glam::{Vec2, Vec3};
 use raconteur_base::DAffine3;
+use raconteur_base::order::sort_by_number;
 use raconteur_body::{Figure, MaterialKind, Mesh};
 
 use crate::RenderError;
@@ -84,8 +85,11 @@ impl FigureData {
             }
         }
         // Opaque kinds first, by material, then cards, then what only adds light.
-        data.meshes
-            .sort_by_key(|m| (draw_order(m.kind), m.kind, m.double_sided));
+        sort_by_number(&mut data.meshes, |m| {
+            f64::from(draw_order(m.kind)) * 100.0
+                + f64::from(m.kind as u8) * 2.0
+                + f64::from(u8::from(m.double_sided))
+        });
         Ok(data)
     }
 

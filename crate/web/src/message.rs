@@ -66,7 +66,11 @@ struct Word {
 
 /// Something that happens while the story plays.
 #[derive(Debug, PartialEq, Serialize)]
-#[serde(tag = "kind", rename_all = "lowercase", rename_all_fields = "camelCase")]
+#[serde(
+    tag = "kind",
+    rename_all = "lowercase",
+    rename_all_fields = "camelCase"
+)]
 pub enum Event {
     /// A word begins.
     Word {
@@ -114,7 +118,10 @@ impl Story {
         Self {
             duration_secs,
             utterances: utterances.iter().map(Utterance::new).collect(),
-            diagnostics: diagnostics.into_iter().map(|d| Diagnostic::new(d, &lines)).collect(),
+            diagnostics: diagnostics
+                .into_iter()
+                .map(|d| Diagnostic::new(d, &lines))
+                .collect(),
         }
     }
 }
@@ -172,12 +179,18 @@ impl From<&Cue> for Event {
             id: id.clone(),
         };
         match &cue.kind {
-            &CueKind::Word { utterance, word } => Self::Word { time_secs, utterance, word },
+            &CueKind::Word { utterance, word } => Self::Word {
+                time_secs,
+                utterance,
+                word,
+            },
             CueKind::ClauseStart { element, id } => clause("start", element, id),
             CueKind::ClauseEnd { element, id } => clause("end", element, id),
-            CueKind::StoryEvent { kind, payload } => {
-                Self::StoryEvent { time_secs, kind: kind.clone(), payload: payload.clone() }
-            }
+            CueKind::StoryEvent { kind, payload } => Self::StoryEvent {
+                time_secs,
+                kind: kind.clone(),
+                payload: payload.clone(),
+            },
         }
     }
 }
@@ -212,17 +225,32 @@ mod tests {
 
     #[test]
     fn cues_become_events_as_the_element_names_them() {
-        let event = |kind| serde_json::to_value(Event::from(&Cue { time_secs: 2.0, kind })).unwrap();
+        let event = |kind| {
+            serde_json::to_value(Event::from(&Cue {
+                time_secs: 2.0,
+                kind,
+            }))
+            .unwrap()
+        };
         assert_eq!(
-            event(CueKind::Word { utterance: 1, word: 3 }),
+            event(CueKind::Word {
+                utterance: 1,
+                word: 3
+            }),
             json!({ "kind": "word", "timeSecs": 2.0, "utterance": 1, "word": 3 })
         );
         assert_eq!(
-            event(CueKind::ClauseEnd { element: "gesture-key", id: Some("a".to_owned()) }),
+            event(CueKind::ClauseEnd {
+                element: "gesture-key",
+                id: Some("a".to_owned())
+            }),
             json!({ "kind": "clause", "timeSecs": 2.0, "phase": "end", "element": "gesture-key", "id": "a" })
         );
         assert_eq!(
-            event(CueKind::StoryEvent { kind: None, payload: "<b>".to_owned() }),
+            event(CueKind::StoryEvent {
+                kind: None,
+                payload: "<b>".to_owned()
+            }),
             json!({ "kind": "storyevent", "timeSecs": 2.0, "payload": "<b>" })
         );
     }

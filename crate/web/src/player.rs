@@ -57,8 +57,14 @@ pub struct Player {
 impl Player {
     /// Opens a device for `canvas`; without one, a storyteller who is only heard.
     pub async fn create(canvas: Option<HtmlCanvasElement>) -> Result<Player, JsError> {
-        let backend = if cfg!(feature = "webgpu") { Backend::WebGpu } else { Backend::WebGl };
-        let options = RenderOptions { quality: Quality::Medium };
+        let backend = if cfg!(feature = "webgpu") {
+            Backend::WebGpu
+        } else {
+            Backend::WebGl
+        };
+        let options = RenderOptions {
+            quality: Quality::Medium,
+        };
         let picture = match canvas {
             Some(canvas) => Some(CanvasTarget::new(canvas, backend, options).await?),
             None => None,
@@ -95,12 +101,21 @@ impl Player {
 
     /// Shows a moment; a `TickStatus`.
     pub fn tick(&mut self, time_secs: f64) -> Result<u32, JsError> {
-        let Some(performer) = &mut self.performer else { return Ok(TickStatus::Skipped as u32) };
+        let Some(performer) = &mut self.performer else {
+            return Ok(TickStatus::Skipped as u32);
+        };
         if time_secs > self.told_secs {
-            self.events.extend(performer.cues_between(self.told_secs, time_secs).iter().map(Event::from));
+            self.events.extend(
+                performer
+                    .cues_between(self.told_secs, time_secs)
+                    .iter()
+                    .map(Event::from),
+            );
             self.told_secs = time_secs;
         }
-        let Some(picture) = &mut self.picture else { return Ok(TickStatus::NoPicture as u32) };
+        let Some(picture) = &mut self.picture else {
+            return Ok(TickStatus::NoPicture as u32);
+        };
         if !self.sized {
             return Ok(TickStatus::Skipped as u32);
         }
@@ -114,7 +129,11 @@ impl Player {
 
     /// Moves without passing the cues between; those at `time_secs` itself are still to come.
     pub fn seek(&mut self, time_secs: f64) {
-        self.told_secs = if time_secs.is_finite() { time_secs.next_down() } else { -1.0 };
+        self.told_secs = if time_secs.is_finite() {
+            time_secs.next_down()
+        } else {
+            -1.0
+        };
         self.events.clear();
     }
 
@@ -123,13 +142,21 @@ impl Player {
         let pixels = |css: f64| {
             let wanted = (css * dpr).round();
             // A size that is not a number becomes the smallest.
-            if wanted >= 1.0 { wanted.min(MOST_PIXELS) } else { 1.0 }
+            if wanted >= 1.0 {
+                wanted.min(MOST_PIXELS)
+            } else {
+                1.0
+            }
         };
         let (width, height) = (pixels(width), pixels(height));
         self.aspect = width / height;
         self.sized = true;
         if let Some(picture) = &mut self.picture {
-            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "1 to 8192")]
+            #[expect(
+                clippy::cast_possible_truncation,
+                clippy::cast_sign_loss,
+                reason = "1 to 8192"
+            )]
             picture.resize(width as u32, height as u32);
         }
     }
@@ -153,8 +180,17 @@ pub fn pose_digests(
     glb: &[u8],
     times_secs: &[f64],
 ) -> Result<Vec<String>, JsError> {
-    let (mut performer, _) = read(eml, bundle.as_deref(), figure, glb, Options::default().motion_amount)?;
-    Ok(times_secs.iter().map(|&t| format!("{:016x}", performer.digest(t))).collect())
+    let (mut performer, _) = read(
+        eml,
+        bundle.as_deref(),
+        figure,
+        glb,
+        Options::default().motion_amount,
+    )?;
+    Ok(times_secs
+        .iter()
+        .map(|&t| format!("{:016x}", performer.digest(t)))
+        .collect())
 }
 
 fn read(
@@ -165,16 +201,27 @@ fn read(
     motion: f64,
 ) -> Result<(Performer, Story), JsError> {
     let figure = read_figure(figure, glb)?;
-    let motion_amount = if motion.is_nan() { 1.0 } else { motion.clamp(0.0, 1.0) };
+    let motion_amount = if motion.is_nan() {
+        1.0
+    } else {
+        motion.clamp(0.0, 1.0)
+    };
     let loaded = Performer::load(StoryInput {
         eml,
         bundle,
         figure: Arc::new(figure),
-        options: Options { motion_amount, ..Options::default() },
+        options: Options {
+            motion_amount,
+            ..Options::default()
+        },
     });
     let performer = loaded.player;
-    let story =
-        Story::new(eml, performer.duration_secs(), performer.utterances(), loaded.diagnostics);
+    let story = Story::new(
+        eml,
+        performer.duration_secs(),
+        performer.utterances(),
+        loaded.diagnostics,
+    );
     Ok((performer, story))
 }
 

@@ -5,6 +5,7 @@
 //! preparation, holds, flowing from one stroke into the next, partial and full
 //! retraction, and rest.
 
+mod fingers;
 mod plan;
 mod rest;
 mod space;

@@ -5,6 +5,7 @@ use raconteur_base::{DQuat, DVec3, Side, ops};
 use raconteur_body::Skeleton;
 use raconteur_body::hand_shape::HandAngles;
 
+use super::fingers::FingerTrack;
 use super::{ArmScript, HandKey, Rest, Span};
 use crate::ArmRig;
 use crate::gesture::space::BodySpace;
@@ -17,6 +18,8 @@ const SINK_SECS: f64 = 2.3;
 const HOLD_SECS: f64 = 0.55;
 /// How far a held hand sinks, metres: nobody holds quite still.
 const HOLD_DRIFT_M: f64 = 0.007;
+/// Share by which the fingers of a held hand give way to their relaxed shape. Designed.
+const HOLD_SOFTENING: f64 = 0.16;
 /// Time for returning to rest, as a multiple of reaching the same distance: retractions
 /// are slower than preparations.
 const RETRACT_SLOWNESS: f64 = 1.25;
@@ -56,6 +59,7 @@ pub enum HandState {
 pub struct ArmPlan {
     times: Vec<f64>,
     nodes: Vec<Node>,
+    fingers: FingerTrack,
     rest: Rest,
     rig: ArmRig,
 }
@@ -65,7 +69,6 @@ pub struct ArmPlan {
 struct Node {
     /// `None` is rest, which moves.
     place: Option<Placed>,
-    shape: HandAngles,
     velocity: DVec3,
     /// Bulge of the piece that starts here, metres.
     arch: DVec3,
@@ -90,6 +93,7 @@ impl ArmPlan {
             rest: &rest,
             side,
             out: Vec::new(),
+            fingers: FingerTrack::default(),
         };
         for phrase in phrases(script) {
             planner.add(&phrase);
@@ -99,6 +103,7 @@ impl ArmPlan {
         Self {
             times,
             nodes,
+            fingers: planner.fingers,
             rest,
             rig,
         }
@@ -115,7 +120,7 @@ impl ArmPlan {
         let resting = HandTarget {
             wrist: rest.wrist,
             hand: rest.hand,
-            shape: Rest::shape(),
+            shape: self.fingers.at(time_secs),
             rest_share: 1.0,
         };
         let Some(i) = last_at_or_before(&self.times, time_secs) else {
@@ -138,36 +143,12 @@ impl ArmPlan {
             + b.velocity * (length * end_slope(s))
             + a.arch * arch(s);
         let share = |p: Option<Placed>| if p.is_none() { 1.0 } else { 0.0 };
-        // Fingers form a little before the hand arrives.
-        let fingers = minimum_jerk((s * 1.2).min(1.0));
         HandTarget {
             wrist,
-            hand: self.turned(&from, &to, wrist, m),
-            shape: a.shape.lerp(&b.shape, fingers),
+            hand: turned(&self.rig, &from, &to, wrist, m),
+            shape: resting.shape,
             rest_share: share(a.place) + (share(b.place) - share(a.place)) * m,
         }
-    }
-
-    /// Hand rotation on the way from one place to another. Small turns take the short way
-    /// in the world, so that a palm kept down stays down; large ones turn as a wrist does,
-    /// by the angles that the forearm sees: the short way in the world might lead through
-    /// what no arm can do.
-    fn turned(&self, from: &Placed, to: &Placed, wrist: DVec3, m: f64) -> DQuat {
-        if m <= 0.0 {
-            return from.hand;
-        }
-        if m >= 1.0 {
-            return to.hand;
-        }
-        let straight = from.hand.slerp(to.hand, m);
-        let by_wrist = smooth((from.hand.angle_between(to.hand) - 0.6) / 0.9);
-        if by_wrist <= 0.0 {
-            return straight;
-        }
-        let a = self.rig.angles_of_hand(from.wrist, from.hand);
-        let b = self.rig.angles_of_hand(to.wrist, to.hand);
-        let bent = self.rig.hand_from_angles(wrist, &a.lerp(&b, m));
-        straight.slerp(bent, by_wrist)
     }
 
     /// Whether the arm is busy at a time.
@@ -180,6 +161,27 @@ impl ArmPlan {
             _ => HandState::Rest,
         }
     }
+}
+
+/// Hand rotation on the way from one place to another. Small turns take the short way in the
+/// world, so that a palm kept down stays down; large ones turn as a wrist does, by the angles
+/// that the forearm sees: the short way in the world might lead through what no arm can do.
+fn turned(rig: &ArmRig, from: &Placed, to: &Placed, wrist: DVec3, m: f64) -> DQuat {
+    if m <= 0.0 {
+        return from.hand;
+    }
+    if m >= 1.0 {
+        return to.hand;
+    }
+    let straight = from.hand.slerp(to.hand, m);
+    let by_wrist = smooth((from.hand.angle_between(to.hand) - 0.6) / 0.9);
+    if by_wrist <= 0.0 {
+        return straight;
+    }
+    let a = rig.angles_of_hand(from.wrist, from.hand);
+    let b = rig.angles_of_hand(to.wrist, to.hand);
+    let bent = rig.hand_from_angles(wrist, &a.lerp(&b, m));
+    straight.slerp(bent, by_wrist)
 }
 
 /// Zero displacement with slope 1 at the start, slope 0 at the end, no acceleration at
@@ -247,7 +249,7 @@ fn phrases(script: &ArmScript) -> Vec<Phrase> {
                 })
                 .copied()
                 .collect();
-            keys.sort_by(|a, b| a.time_secs.total_cmp(&b.time_secs));
+            raconteur_base::order::sort_by_number(&mut keys, |k| k.time_secs);
             let last = keys.last()?.time_secs;
             let end = if stroke.end_secs.is_finite() {
                 stroke.end_secs
@@ -261,7 +263,7 @@ fn phrases(script: &ArmScript) -> Vec<Phrase> {
             })
         })
         .collect();
-    out.sort_by(|a, b| a.keys[0].time_secs.total_cmp(&b.keys[0].time_secs));
+    raconteur_base::order::sort_by_number(&mut out, |p| p.keys[0].time_secs);
     // Where strokes overlap, the later one wins from its first key on.
     for i in 1..out.len() {
         let next = out[i].keys[0].time_secs;
@@ -279,6 +281,7 @@ struct Planner<'a> {
     rest: &'a Rest,
     side: Side,
     out: Vec<(f64, Node)>,
+    fingers: FingerTrack,
 }
 
 impl Planner<'_> {
@@ -293,6 +296,8 @@ impl Planner<'_> {
                 .is_some_and(|(t, n)| n.place.is_none() && *t > first - 0.35)
         {
             self.out.pop();
+            let last = self.out.last().map_or(f64::NEG_INFINITY, |n| n.0);
+            self.fingers.forget_after(last);
         }
         let hold = match self.out.last().copied() {
             None => None,
@@ -302,18 +307,22 @@ impl Planner<'_> {
         if hold.is_none() {
             // From rest: set out in time to be there.
             let from = self.rest.at(first - 0.6).wrist;
-            let to = nodes[0].1.place.map_or(from, |p| p.wrist);
+            let to = nodes[0].1.map_or(from, |p| p.wrist);
             let earliest = self.out.last().map_or(f64::NEG_INFINITY, |n| n.0);
             let start = (first - reach_secs(from.distance(to))).max(earliest);
-            self.push(start, rest_node());
+            self.push(start, Node::at(None));
+            self.fingers.push(start, self.fingers.last());
         }
-        for (time, node) in nodes {
-            self.push(time, node);
+        for (time, place) in nodes {
+            self.push(time, Node::at(place));
         }
-        if let Some((last, node)) = self.out.last().copied()
-            && phrase.hold_until > last
-        {
-            self.push(phrase.hold_until, sunk(&node, phrase.hold_until - last));
+        for key in &phrase.keys {
+            if let Some(shape) = key.shape {
+                self.fingers.push(key.time_secs, shape);
+            }
+        }
+        if let Some((last, node)) = self.out.last().copied() {
+            self.hold(last, &node, phrase.hold_until);
         }
         if phrase.must_end.is_finite()
             && let Some((t, node)) = self.out.last().copied()
@@ -325,80 +334,111 @@ impl Planner<'_> {
 
     /// Leaves the place held since `held_until` towards a stroke at `next`. Returns the
     /// node that the stroke flows from, or `None` after a return to rest.
-    fn leave(&mut self, held_until: f64, node: Node, next: f64) -> Option<Node> {
-        let place = node.place?;
+    fn leave(&mut self, held_until: f64, node: Node, next: f64) -> Option<Placed> {
         let gap = next - held_until;
+        let place = match node.place {
+            Some(place) => place,
+            None if gap <= FLOW_SECS => return None,
+            None => {
+                self.retract(held_until, &node, HOLD_SECS);
+                return None;
+            }
+        };
         if gap <= FLOW_SECS {
             // Hold until it is time to go.
             let depart = (next - 0.85).max(held_until + 0.35 * gap);
-            let held = sunk(&node, depart - held_until);
             if depart > held_until + 0.05 {
-                self.push(depart, held);
+                self.hold(held_until, &node, depart);
             }
-            return Some(held);
+            return self.out.last().and_then(|n| n.1.place);
         }
         if gap <= SINK_SECS {
             let hold = (0.25 * gap).min(0.4);
-            self.push(held_until + hold, sunk(&node, hold));
+            self.hold(held_until, &node, held_until + hold);
             let wrist = place.wrist.lerp(self.rest.ready(), 0.5);
-            let halfway = Node {
-                place: Some(Placed {
-                    wrist: self.space.keep_out(wrist),
-                    hand: place.hand.slerp(self.rig.relaxed_hand(wrist), 0.4),
-                }),
-                shape: node.shape.lerp(&Rest::shape(), 0.5),
-                velocity: DVec3::ZERO,
-                arch: DVec3::ZERO,
+            let halfway = Placed {
+                wrist: self.space.keep_out(wrist),
+                hand: place.hand.slerp(self.rig.relaxed_hand(wrist), 0.4),
             };
-            self.push(held_until + hold + 0.42 * gap, halfway);
+            let there = held_until + hold + 0.42 * gap;
+            self.push(there, Node::at(Some(halfway)));
+            let fingers = self.fingers.last().lerp(&Rest::shape(), 0.5);
+            self.fingers.push(there, fingers);
             return Some(halfway);
         }
         self.retract(held_until, &node, HOLD_SECS);
         None
     }
 
-    /// Holds for a while, then returns to rest.
-    fn retract(&mut self, from: f64, node: &Node, hold: f64) {
-        let Some(place) = node.place else { return };
-        if hold > 0.0 {
-            self.push(from + hold, sunk(node, hold));
+    /// Holds what is reached at `from` until a later time: it sinks a little, and the
+    /// fingers ease.
+    fn hold(&mut self, from: f64, node: &Node, until: f64) {
+        if until <= from {
+            return;
         }
-        let start = from + hold;
-        let distance = place.wrist.distance(self.rest.at(start + 1.0).wrist);
-        let length = (reach_secs(distance) * RETRACT_SLOWNESS).min(1.15);
-        self.push(start + length, rest_node());
+        let share = ((until - from) / HOLD_SECS).min(1.0);
+        let sunk = node.place.map(|p| Placed {
+            wrist: p.wrist - DVec3::Y * (HOLD_DRIFT_M * share),
+            hand: p.hand,
+        });
+        self.push(until, Node::at(sunk));
+        // Fingers that have keys of their own to the end of a stroke begin to ease there.
+        let shape = self.fingers.last();
+        self.fingers.push(from, shape);
+        self.fingers
+            .push(until, shape.lerp(&Rest::shape(), HOLD_SOFTENING * share));
     }
 
-    /// Fills in what keys keep from before them.
-    fn resolve(&self, keys: &[HandKey], before: Option<Node>) -> Vec<(f64, Node)> {
-        let mut place = before.and_then(|n| n.place);
-        let mut shape = before.map_or_else(Rest::shape, |n| n.shape);
-        let mut relaxed = place.is_none();
-        let mut nodes: Vec<(f64, Node)> = Vec::with_capacity(keys.len());
-        for key in keys {
-            shape = key.shape.unwrap_or(shape);
-            let wrist = key.wrist_in_world.or(place.map(|p| p.wrist));
-            let wrist = wrist.or_else(|| key.hand_in_world.map(|_| self.rest.ready()));
-            if let Some(wrist) = wrist {
-                let wrist = self.rig.within_reach(self.space.keep_out(wrist));
-                relaxed &= key.hand_in_world.is_none();
-                let kept = place.map(|p| p.hand).filter(|_| !relaxed);
-                let hand = key
-                    .hand_in_world
-                    .or(kept)
-                    .unwrap_or_else(|| self.rig.relaxed_hand(wrist));
-                place = Some(Placed { wrist, hand });
+    /// Holds for a while, then returns to rest.
+    fn retract(&mut self, from: f64, node: &Node, hold: f64) {
+        let start = from + hold;
+        self.hold(from, node, start);
+        let rest = self.rest.at(start + 1.0).wrist;
+        let distance = node.place.map_or(0.0, |p| p.wrist.distance(rest));
+        let length = (reach_secs(distance) * RETRACT_SLOWNESS).min(1.15);
+        self.push(start + length, Node::at(None));
+        self.fingers.push(start + length, Rest::shape());
+    }
+
+    /// The place at each key's time. Wrist and hand keep their own clocks: a key that says
+    /// nothing of one lies on its way to the next key that does.
+    fn resolve(&self, keys: &[HandKey], before: Option<Placed>) -> Vec<(f64, Option<Placed>)> {
+        let times: Vec<f64> = keys.iter().map(|k| k.time_secs).collect();
+        let reachable = |w: DVec3| self.rig.within_reach(self.space.keep_out(w));
+        let mut wrists: Vec<Option<DVec3>> = keys
+            .iter()
+            .map(|k| k.wrist_in_world.map(reachable))
+            .collect();
+        let mut hands: Vec<Option<DQuat>> = keys.iter().map(|k| k.hand_in_world).collect();
+        wrists[0] = wrists[0]
+            .or(before.map(|p| p.wrist))
+            .or_else(|| hands[0].map(|_| self.rest.ready()));
+        hands[0] = hands[0].or(before.map(|p| p.hand));
+        fill(&times, &mut wrists, |a, b, s| a.1.lerp(b.1, s));
+        let at = wrists.clone();
+        fill(&times, &mut hands, |a, b, s| {
+            let placed = |i: usize, hand| at[i].map(|wrist| Placed { wrist, hand });
+            match (placed(a.0, a.1), placed(b.0, b.1)) {
+                (Some(from), Some(to)) => {
+                    turned(self.rig, &from, &to, from.wrist.lerp(to.wrist, s), s)
+                }
+                _ => a.1.slerp(b.1, s),
             }
-            let node = Node {
-                place,
-                shape,
-                velocity: DVec3::ZERO,
-                arch: DVec3::ZERO,
-            };
+        });
+        let mut nodes: Vec<(f64, Option<Placed>)> = Vec::with_capacity(keys.len());
+        for (i, key) in keys.iter().enumerate() {
+            let place = wrists[i].map(|wrist| Placed {
+                wrist,
+                hand: hands[i].unwrap_or_else(|| self.rig.relaxed_hand(wrist)),
+            });
+            let only_fingers = key.wrist_in_world.is_none() && key.hand_in_world.is_none();
+            if i > 0 && only_fingers {
+                continue;
+            }
             match nodes.last_mut() {
                 // Two keys at one time: the later word counts.
-                Some(last) if key.time_secs - last.0 < 1e-6 => last.1 = node,
-                _ => nodes.push((key.time_secs, node)),
+                Some(last) if key.time_secs - last.0 < 1e-6 => last.1 = place,
+                _ => nodes.push((key.time_secs, place)),
             }
         }
         nodes
@@ -484,26 +524,43 @@ impl Planner<'_> {
     }
 }
 
-fn rest_node() -> Node {
-    Node {
-        place: None,
-        shape: Rest::shape(),
-        velocity: DVec3::ZERO,
-        arch: DVec3::ZERO,
+impl Node {
+    /// A node at which the hand stops.
+    fn at(place: Option<Placed>) -> Self {
+        Self {
+            place,
+            velocity: DVec3::ZERO,
+            arch: DVec3::ZERO,
+        }
     }
 }
 
-/// A node after a hold of some seconds.
-fn sunk(node: &Node, held_secs: f64) -> Node {
-    let drop = HOLD_DRIFT_M * (held_secs / HOLD_SECS).clamp(0.0, 1.0);
-    let place = node.place.map(|p| Placed {
-        wrist: p.wrist - DVec3::Y * drop,
-        hand: p.hand,
-    });
-    Node {
-        place,
-        velocity: DVec3::ZERO,
-        arch: DVec3::ZERO,
-        ..*node
+/// Gives values without one what lies, by time, between the values around them, or else
+/// the last value before. `blend` takes two values with their places in the list.
+fn fill<T: Copy>(
+    times: &[f64],
+    values: &mut [Option<T>],
+    blend: impl Fn((usize, T), (usize, T), f64) -> T,
+) {
+    let mut before: Option<(usize, T)> = None;
+    for i in 0..values.len() {
+        if let Some(value) = values[i] {
+            before = Some((i, value));
+            continue;
+        }
+        let Some(a) = before else { continue };
+        let next = (i + 1..values.len()).find_map(|k| values[k].map(|v| (k, v)));
+        values[i] = Some(match next {
+            Some(b) => {
+                let length = times[b.0] - times[a.0];
+                let s = if length > 0.0 {
+                    (times[i] - times[a.0]) / length
+                } else {
+                    1.0
+                };
+                blend(a, b, s)
+            }
+            None => a.1,
+        });
     }
 }

@@ -40,7 +40,7 @@ impl Blinks {
             .filter(|(i, t)| t.is_finite() && noise::unit(seed, stream::BLINK, *i as i64) < 0.7)
             .map(|(_, t)| *t)
             .collect();
-        prompted.sort_by(f64::total_cmp);
+        raconteur_base::order::sort_by_number(&mut prompted, |t| *t);
         prompted.dedup_by(|later, earlier| *later - *earlier < 0.6);
         Self { prompted, seed }
     }

@@ -44,7 +44,7 @@ impl Gaze {
             .copied()
             .filter(|t| t.is_finite())
             .collect();
-        starts.sort_by(f64::total_cmp);
+        raconteur_base::order::sort_by_number(&mut starts, |t| *t);
         let mut prompted: Vec<Glance> = Vec::new();
         for (i, start) in starts.into_iter().enumerate() {
             let r = |k| noise::unit(seed, stream::GLANCE + k, i as i64);

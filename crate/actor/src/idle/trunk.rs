@@ -1,5 +1,6 @@
 //! Spine, neck and shoulders: posture, noise, breath and the head's part in speech.
 
+use raconteur_base::order::sort_by_number;
 use raconteur_base::curve::last_at_or_before;
 use raconteur_base::{DQuat, DVec3, noise, ops};
 use raconteur_body::{Bone, Pose};
@@ -40,7 +41,7 @@ impl SpeechRhythm {
     #[must_use]
     pub fn new(spans: &[(f64, f64)], beats: &[Beat]) -> Self {
         let mut spans = spans.to_vec();
-        spans.sort_by(|a, b| a.0.total_cmp(&b.0));
+        sort_by_number(&mut spans, |s| s.0);
         let mut rhythm = Self::default();
         let mut total = 0.0;
         for (start, end) in spans {
@@ -50,9 +51,7 @@ impl SpeechRhythm {
             total += (end - start).max(0.0);
         }
         rhythm.beats = beats.to_vec();
-        rhythm
-            .beats
-            .sort_by(|a, b| a.time_secs.total_cmp(&b.time_secs));
+        sort_by_number(&mut rhythm.beats, |b| b.time_secs);
         rhythm
     }
 

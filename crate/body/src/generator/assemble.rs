@@ -22,7 +22,10 @@ pub struct Piece {
 
 impl From<Part> for Piece {
     fn from(part: Part) -> Self {
-        Self { part, normals: None }
+        Self {
+            part,
+            normals: None,
+        }
     }
 }
 
@@ -65,7 +68,9 @@ pub fn assemble(blueprint: &Blueprint) -> Figure {
 
     let mut meshes: Vec<Mesh> = Vec::new();
     for piece in &blueprint.pieces {
-        let slot = meshes.iter().position(|m| m.material == piece.part.material);
+        let slot = meshes
+            .iter()
+            .position(|m| m.material == piece.part.material);
         let mesh = match slot {
             Some(i) => &mut meshes[i],
             None => {
@@ -77,7 +82,10 @@ pub fn assemble(blueprint: &Blueprint) -> Figure {
         append(mesh, piece, &skeleton, &morph_names);
     }
     meshes.retain(|m| !m.indices.is_empty());
-    let inverse_bind = bind_frames(blueprint, &skeleton).iter().map(DAffine3::inverse).collect();
+    let inverse_bind = bind_frames(blueprint, &skeleton)
+        .iter()
+        .map(DAffine3::inverse)
+        .collect();
     Figure {
         name: blueprint.name.clone(),
         skeleton,
@@ -153,37 +161,60 @@ fn append(mesh: &mut Mesh, piece: &Piece, skeleton: &Skeleton, morph_names: &[St
     let base = mesh.positions.len() as u32;
     let positions: Vec<DVec3> = part.vertices.iter().map(|v| v.position).collect();
     let seams = Seams::of(part, &positions);
-    let normals = piece.normals.clone().unwrap_or_else(|| seams.normals(&positions, &part.faces));
+    let normals = piece
+        .normals
+        .clone()
+        .unwrap_or_else(|| seams.normals(&positions, &part.faces));
     for (vertex, normal) in part.vertices.iter().zip(&normals) {
         mesh.positions.push(narrow(vertex.position));
-        mesh.normals.push(narrow(normal.try_normalize().unwrap_or(DVec3::Y)));
-        let uv = if has_coordinates(part.material.kind) { vertex.uv } else { [0.0; 2] };
+        mesh.normals
+            .push(narrow(normal.try_normalize().unwrap_or(DVec3::Y)));
+        let uv = if has_coordinates(part.material.kind) {
+            vertex.uv
+        } else {
+            [0.0; 2]
+        };
         mesh.uvs.push(uv.map(|x| x as f32));
-        mesh.colors.push(vertex.color.map(|x| (x * 255.0).round().clamp(0.0, 255.0) as u8));
+        mesh.colors.push(
+            vertex
+                .color
+                .map(|x| (x * 255.0).round().clamp(0.0, 255.0) as u8),
+        );
         let (joints, weights) = four_weights(vertex, skeleton);
         mesh.joints.push(joints);
         mesh.weights.push(weights);
     }
     for face in &part.faces {
-        mesh.indices.extend(triangles(face, &positions).into_iter().flatten().map(|i| i + base));
+        mesh.indices.extend(
+            triangles(face, &positions)
+                .into_iter()
+                .flatten()
+                .map(|i| i + base),
+        );
     }
     for morph in &part.morphs {
-        let Ok(target) = morph_names.binary_search(&morph.name) else { continue };
+        let Ok(target) = morph_names.binary_search(&morph.name) else {
+            continue;
+        };
         let mut moved = positions.clone();
         for &(v, d) in &morph.deltas {
             moved[v as usize] += d;
         }
         let turned = seams.normals(&moved, &part.faces);
         let rest = seams.normals(&positions, &part.faces);
-        let slot = mesh.morphs.iter().position(|m| m.target == target).unwrap_or_else(|| {
-            mesh.morphs.push(Morph {
-                target,
-                vertices: Vec::new(),
-                position_deltas: Vec::new(),
-                normal_deltas: Vec::new(),
+        let slot = mesh
+            .morphs
+            .iter()
+            .position(|m| m.target == target)
+            .unwrap_or_else(|| {
+                mesh.morphs.push(Morph {
+                    target,
+                    vertices: Vec::new(),
+                    position_deltas: Vec::new(),
+                    normal_deltas: Vec::new(),
+                });
+                mesh.morphs.len() - 1
             });
-            mesh.morphs.len() - 1
-        });
         let out = &mut mesh.morphs[slot];
         for v in 0..positions.len() {
             let d = moved[v] - positions[v];
@@ -233,8 +264,10 @@ impl Seams {
     }
 
     fn normals(&self, positions: &[DVec3], faces: &[Vec<u32>]) -> Vec<DVec3> {
-        let joined: Vec<Vec<u32>> =
-            faces.iter().map(|f| f.iter().map(|&v| self.first[v as usize]).collect()).collect();
+        let joined: Vec<Vec<u32>> = faces
+            .iter()
+            .map(|f| f.iter().map(|&v| self.first[v as usize]).collect())
+            .collect();
         let normals = vertex_normals(positions, &joined);
         self.first.iter().map(|&i| normals[i as usize]).collect()
     }
@@ -316,8 +349,14 @@ mod tests {
                 ],
             }
         };
-        let faces =
-            [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+        let faces = [
+            [0, 2, 3, 1],
+            [4, 5, 7, 6],
+            [0, 1, 5, 4],
+            [2, 6, 7, 3],
+            [0, 4, 6, 2],
+            [1, 3, 7, 5],
+        ];
         let part = Part {
             name: "box".to_owned(),
             material: Material {
@@ -330,14 +369,19 @@ mod tests {
             faces: faces.iter().map(|f| f.to_vec()).collect(),
             morphs: vec![PartMorph {
                 name: "jawOpen".to_owned(),
-                deltas: vec![(7, DVec3::new(0.0, 0.0, 0.02)), (2, DVec3::new(0.01, 0.0, 0.0))],
+                deltas: vec![
+                    (7, DVec3::new(0.0, 0.0, 0.02)),
+                    (2, DVec3::new(0.01, 0.0, 0.0)),
+                ],
             }],
         };
         assemble(&Blueprint {
             name: "box".to_owned(),
             positions_in_world: Bone::ALL.map(Bone::example_position_m),
             bind_rotations: zero_frames(),
-            face: FacePlaces { eye_centres: [DVec3::new(0.03, 1.8, 0.08), DVec3::new(-0.03, 1.8, 0.08)] },
+            face: FacePlaces {
+                eye_centres: [DVec3::new(0.03, 1.8, 0.08), DVec3::new(-0.03, 1.8, 0.08)],
+            },
             stature_m: 1.956,
             lid_closure_rad: [0.6, 0.6],
             pieces: vec![part.into()],
@@ -354,23 +398,41 @@ mod tests {
         assert!((back.skeleton.stature_m() - 1.956).abs() < 1e-6);
         for (a, b) in back.skeleton.joints().iter().zip(figure.skeleton.joints()) {
             assert_eq!((&a.name, a.drive, a.parent), (&b.name, b.drive, b.parent));
-            assert!(a.translation_in_parent.distance(b.translation_in_parent) < 1e-5, "{}", a.name);
+            assert!(
+                a.translation_in_parent.distance(b.translation_in_parent) < 1e-5,
+                "{}",
+                a.name
+            );
         }
         for (a, b) in back.inverse_bind.iter().zip(&figure.inverse_bind) {
             assert!(a.abs_diff_eq(*b, 1e-5));
         }
         let (a, b) = (&back.meshes[0], &figure.meshes[0]);
-        assert_eq!((&a.material, &a.indices, &a.joints), (&b.material, &b.indices, &b.joints));
+        assert_eq!(
+            (&a.material, &a.indices, &a.joints),
+            (&b.material, &b.indices, &b.joints)
+        );
         assert_eq!((&a.colors, &a.morphs.len()), (&b.colors, &b.morphs.len()));
         assert_eq!(a.morphs[0].vertices, b.morphs[0].vertices);
         let near = |p: &[[f32; 3]], q: &[[f32; 3]], tolerance: f32| {
-            p.iter().flatten().zip(q.iter().flatten()).all(|(x, y)| (x - y).abs() < tolerance)
+            p.iter()
+                .flatten()
+                .zip(q.iter().flatten())
+                .all(|(x, y)| (x - y).abs() < tolerance)
         };
         // Half a step of 1/32768 m; a step of 8-bit normals.
         assert!(near(&a.positions, &b.positions, 1.6e-5));
-        assert!(near(&a.morphs[0].position_deltas, &b.morphs[0].position_deltas, 1.6e-5));
+        assert!(near(
+            &a.morphs[0].position_deltas,
+            &b.morphs[0].position_deltas,
+            1.6e-5
+        ));
         assert!(near(&a.normals, &b.normals, 0.005));
-        assert!(near(&a.morphs[0].normal_deltas, &b.morphs[0].normal_deltas, 0.005));
+        assert!(near(
+            &a.morphs[0].normal_deltas,
+            &b.morphs[0].normal_deltas,
+            0.005
+        ));
         for (x, y) in a.weights.iter().flatten().zip(b.weights.iter().flatten()) {
             assert!((x - y).abs() < 1e-6);
         }
@@ -405,12 +467,20 @@ mod tests {
         let swap = |from: &str, to: &str| {
             assert_eq!(from.len(), to.len());
             let mut b = bytes.clone();
-            let at = b.windows(from.len()).position(|w| w == from.as_bytes()).unwrap();
+            let at = b
+                .windows(from.len())
+                .position(|w| w == from.as_bytes())
+                .unwrap();
             b[at..at + to.len()].copy_from_slice(to.as_bytes());
             read_figure("x", &b).unwrap_err()
         };
-        assert!(matches!(swap("bone_chin", "bone_nose"), ReadError::NoSkeleton { missing: "bone_chin" }));
-assert!(matches!(
+        assert!(matches!(
+            swap("bone_chin", "bone_nose"),
+            ReadError::NoSkeleton {
+                missing: "bone_chin"
+            }
+        ));
+        assert!(matches!(
             swap("KHR_mesh_quantization", "KHR_mesh_compression_"),
             ReadError::Extension(_)
         ));

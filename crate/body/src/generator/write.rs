@@ -27,7 +27,10 @@ impl Grid {
         let low = points().fold(DVec3::MAX, DVec3::min);
         let high = points().fold(DVec3::MIN, DVec3::max);
         if low.cmpgt(high).any() {
-            return Self { origin: DVec3::ZERO, step: 1.0 / 32768.0 };
+            return Self {
+                origin: DVec3::ZERO,
+                step: 1.0 / 32768.0,
+            };
         }
         // A sixteenth of a metre is exact and hardly changes when a figure is written again.
         let origin = ((low + high) * 0.5 * 16.0).round() / 16.0;
@@ -40,7 +43,9 @@ impl Grid {
     }
 
     fn quantise(&self, p: DVec3) -> [i16; 3] {
-        ((p - self.origin) / self.step).to_array().map(|x| x.round() as i16)
+        ((p - self.origin) / self.step)
+            .to_array()
+            .map(|x| x.round() as i16)
     }
 
     /// World from grid.
@@ -113,7 +118,14 @@ impl Buffer {
     }
 
     /// A vertex attribute; `stride` is a multiple of four as glTF asks.
-    fn attribute(&mut self, bytes: &[u8], stride: usize, component: u32, normalized: bool, ty: &str) -> usize {
+    fn attribute(
+        &mut self,
+        bytes: &[u8],
+        stride: usize,
+        component: u32,
+        normalized: bool,
+        ty: &str,
+    ) -> usize {
         let count = bytes.len() / stride;
         let view = self.view(bytes, Some(stride), Some(ARRAY_BUFFER));
         self.accessor(json!({
@@ -123,7 +135,11 @@ impl Buffer {
     }
 
     fn positions(&mut self, grid: &Grid, mesh: &Mesh) -> usize {
-        let q: Vec<[i16; 3]> = mesh.positions.iter().map(|p| grid.quantise(vec(*p))).collect();
+        let q: Vec<[i16; 3]> = mesh
+            .positions
+            .iter()
+            .map(|p| grid.quantise(vec(*p)))
+            .collect();
         let index = self.attribute(&padded_i16(&q), 8, SHORT, false, "VEC3");
         bounds(&mut self.accessors[index], &q);
         index
@@ -131,8 +147,11 @@ impl Buffer {
 
     fn normals(&mut self, mesh: &Mesh) -> usize {
         if is_smooth(mesh.material.kind) {
-            let q: Vec<[i16; 3]> =
-                mesh.normals.iter().map(|n| n.map(|x| (x * 32767.0).round() as i16)).collect();
+            let q: Vec<[i16; 3]> = mesh
+                .normals
+                .iter()
+                .map(|n| n.map(|x| (x * 32767.0).round() as i16))
+                .collect();
             self.attribute(&padded_i16(&q), 8, SHORT, true, "VEC3")
         } else {
             let bytes: Vec<u8> = mesh
@@ -151,12 +170,14 @@ impl Buffer {
         let within = |low: f32| mesh.uvs.iter().flatten().all(|x| (low..=1.0).contains(x));
         let flat = || mesh.uvs.iter().flatten();
         if within(0.0) {
-            let bytes: Vec<u8> =
-                flat().flat_map(|x| ((x * 65535.0).round() as u16).to_le_bytes()).collect();
+            let bytes: Vec<u8> = flat()
+                .flat_map(|x| ((x * 65535.0).round() as u16).to_le_bytes())
+                .collect();
             self.attribute(&bytes, 4, UNSIGNED_SHORT, true, "VEC2")
         } else if within(-1.0) {
-            let bytes: Vec<u8> =
-                flat().flat_map(|x| ((x * 32767.0).round() as i16).to_le_bytes()).collect();
+            let bytes: Vec<u8> = flat()
+                .flat_map(|x| ((x * 32767.0).round() as i16).to_le_bytes())
+                .collect();
             self.attribute(&bytes, 4, SHORT, true, "VEC2")
         } else {
             let bytes: Vec<u8> = flat().flat_map(|x| x.to_le_bytes()).collect();
@@ -169,7 +190,12 @@ impl Buffer {
             let bytes: Vec<u8> = mesh.joints.iter().flatten().map(|&j| j as u8).collect();
             self.attribute(&bytes, 4, UNSIGNED_BYTE, false, "VEC4")
         } else {
-            let bytes: Vec<u8> = mesh.joints.iter().flatten().flat_map(|j| j.to_le_bytes()).collect();
+            let bytes: Vec<u8> = mesh
+                .joints
+                .iter()
+                .flatten()
+                .flat_map(|j| j.to_le_bytes())
+                .collect();
             self.attribute(&bytes, 8, UNSIGNED_SHORT, false, "VEC4")
         }
     }
@@ -177,7 +203,10 @@ impl Buffer {
     fn indices(&mut self, mesh: &Mesh) -> usize {
         let small = mesh.positions.len() <= usize::from(u16::MAX);
         let bytes: Vec<u8> = if small {
-            mesh.indices.iter().flat_map(|&i| (i as u16).to_le_bytes()).collect()
+            mesh.indices
+                .iter()
+                .flat_map(|&i| (i as u16).to_le_bytes())
+                .collect()
         } else {
             mesh.indices.iter().flat_map(|i| i.to_le_bytes()).collect()
         };
@@ -200,7 +229,11 @@ impl Buffer {
             .iter()
             .flat_map(|&i| {
                 let v = morph.vertices[i];
-                if small { (v as u16).to_le_bytes().to_vec() } else { v.to_le_bytes().to_vec() }
+                if small {
+                    (v as u16).to_le_bytes().to_vec()
+                } else {
+                    v.to_le_bytes().to_vec()
+                }
             })
             .collect();
         let deltas: Vec<[i16; 3]> = order
@@ -221,7 +254,11 @@ impl Buffer {
         let delta_bytes: Vec<u8> = if fine {
             deltas.iter().flatten().map(|x| *x as i8 as u8).collect()
         } else {
-            deltas.iter().flatten().flat_map(|x| x.to_le_bytes()).collect()
+            deltas
+                .iter()
+                .flatten()
+                .flat_map(|x| x.to_le_bytes())
+                .collect()
         };
         let delta_view = self.view(&delta_bytes, None, None);
         let normal_view = self.view(&normals, None, None);
@@ -252,20 +289,27 @@ fn is_smooth(kind: MaterialKind) -> bool {
 }
 
 fn padded_i16(q: &[[i16; 3]]) -> Vec<u8> {
-    q.iter().flat_map(|&[x, y, z]| [x, y, z, 0]).flat_map(i16::to_le_bytes).collect()
+    q.iter()
+        .flat_map(|&[x, y, z]| [x, y, z, 0])
+        .flat_map(i16::to_le_bytes)
+        .collect()
 }
 
 /// Adds the bounds that glTF asks of positions.
 fn bounds(accessor: &mut Value, q: &[[i16; 3]]) {
     let fold = |start: i16, pick: fn(i16, i16) -> i16| {
-        q.iter().fold([start; 3], |a, b| [0, 1, 2].map(|i| pick(a[i], b[i])))
+        q.iter()
+            .fold([start; 3], |a, b| [0, 1, 2].map(|i| pick(a[i], b[i])))
     };
     accessor["min"] = json!(fold(i16::MAX, i16::min));
     accessor["max"] = json!(fold(i16::MIN, i16::max));
 }
 
 fn material(m: &Material) -> Value {
-    let kind = MaterialKind::NAMES.iter().find(|n| n.0 == m.kind).map_or("plain", |n| n.1);
+    let kind = MaterialKind::NAMES
+        .iter()
+        .find(|n| n.0 == m.kind)
+        .map_or("plain", |n| n.1);
     let color: Vec<f64> = m.base_color.iter().map(|&c| f64::from(c)).collect();
     json!({
         "name": kind,
@@ -282,7 +326,11 @@ fn material(m: &Material) -> Value {
 
 fn mesh(buffer: &mut Buffer, grid: &Grid, figure: &Figure, mesh: &Mesh, material: usize) -> Value {
     let colors: Vec<u8> = mesh.colors.iter().flatten().copied().collect();
-    let weights: Vec<u8> = mesh.weights.iter().flat_map(|w| weights_in_255ths(*w)).collect();
+    let weights: Vec<u8> = mesh
+        .weights
+        .iter()
+        .flat_map(|w| weights_in_255ths(*w))
+        .collect();
     let mut primitive = json!({
         "attributes": {
             "POSITION": buffer.positions(grid, mesh),
@@ -300,10 +348,16 @@ fn mesh(buffer: &mut Buffer, grid: &Grid, figure: &Figure, mesh: &Mesh, material
     }
     let mut value = json!({ "name": mesh.name });
     if !mesh.morphs.is_empty() {
-        let targets: Vec<Value> =
-            mesh.morphs.iter().map(|m| buffer.morph(grid, mesh, m)).collect();
-        let names: Vec<&String> =
-            mesh.morphs.iter().map(|m| &figure.morph_names[m.target]).collect();
+        let targets: Vec<Value> = mesh
+            .morphs
+            .iter()
+            .map(|m| buffer.morph(grid, mesh, m))
+            .collect();
+        let names: Vec<&String> = mesh
+            .morphs
+            .iter()
+            .map(|m| &figure.morph_names[m.target])
+            .collect();
         primitive["targets"] = json!(targets);
         value["extras"] = json!({ "targetNames": names });
         value["weights"] = json!(vec![0.0; names.len()]);
@@ -333,14 +387,18 @@ fn joint_nodes(figure: &Figure) -> Vec<Value> {
         .iter()
         .enumerate()
         .map(|(i, joint)| {
-            let local = joint.parent.map_or(world[i], |p| world[p].inverse() * world[i]);
+            let local = joint
+                .parent
+                .map_or(world[i], |p| world[p].inverse() * world[i]);
             let (_, rotation, translation) = local.to_scale_rotation_translation();
             let mut node = json!({
                 "name": joint.name,
                 "translation": numbers(&translation.to_array()),
                 "rotation": numbers(&rotation.normalize().to_array()),
             });
-            let children: Vec<usize> = (0..joints.len()).filter(|&c| joints[c].parent == Some(i)).collect();
+            let children: Vec<usize> = (0..joints.len())
+                .filter(|&c| joints[c].parent == Some(i))
+                .collect();
             if !children.is_empty() {
                 node["children"] = json!(children);
             }
@@ -373,10 +431,13 @@ pub fn to_glb(figure: &Figure) -> Vec<u8> {
     let mut meshes = Vec::new();
     let mut nodes = joint_nodes(figure);
     for (i, m) in figure.meshes.iter().enumerate() {
-        let slot = materials.iter().position(|x| **x == m.material).unwrap_or_else(|| {
-            materials.push(&m.material);
-            materials.len() - 1
-        });
+        let slot = materials
+            .iter()
+            .position(|x| **x == m.material)
+            .unwrap_or_else(|| {
+                materials.push(&m.material);
+                materials.len() - 1
+            });
         meshes.push(mesh(&mut buffer, &grid, figure, m, slot));
         nodes.push(json!({ "name": m.name, "mesh": i, "skin": 0 }));
     }

@@ -1,11 +1,8 @@
 //! Checked access to the numbers of a glTF binary: nothing here trusts a length, an
 //! offset or an index of the file.
 
-use gltf::json::accessor::{Accessor, ComponentType, Type};
-use gltf::json::validation::Checked;
-use gltf::json::{Index, Root, buffer};
-
 use super::ReadError;
+use super::document::{Accessor, Component, Document};
 
 /// No file may make us hold more numbers than this: a figure has about two million, and
 /// views may be referenced many times.
@@ -13,8 +10,7 @@ const MOST_NUMBERS: usize = 1 << 26;
 
 /// A document with its binary chunk.
 pub(super) struct Source<'a> {
-    pub(super) root: &'a Root,
-    bin: &'a [u8],
+    pub(super) root: &'a Document<'a>,
     numbers_left: usize,
 }
 
@@ -23,7 +19,7 @@ struct Layout<'a> {
     bytes: &'a [u8],
     stride: usize,
     count: usize,
-    component: ComponentType,
+    component: Component,
     normalized: bool,
 }
 
@@ -31,114 +27,115 @@ fn size(x: u64, what: &'static str) -> Result<usize, ReadError> {
     usize::try_from(x).map_err(|_| ReadError::Truncated { what })
 }
 
-fn component_bytes(c: ComponentType) -> usize {
-    match c {
-        ComponentType::I8 | ComponentType::U8 => 1,
-        ComponentType::I16 | ComponentType::U16 => 2,
-        ComponentType::U32 | ComponentType::F32 => 4,
-    }
-}
-
-fn components(t: Type) -> usize {
-    match t {
-        Type::Scalar => 1,
-        Type::Vec2 => 2,
-        Type::Vec3 => 3,
-        Type::Vec4 | Type::Mat2 => 4,
-        Type::Mat3 => 9,
-        Type::Mat4 => 16,
-    }
-}
-
 /// One component as a number. `b` holds at least its bytes.
-fn component(b: &[u8], c: ComponentType, normalized: bool) -> f32 {
+fn component(b: &[u8], c: Component, normalized: bool) -> f32 {
     let (value, scale) = match c {
-        ComponentType::I8 => (f32::from(b[0] as i8), 127.0),
-        ComponentType::U8 => (f32::from(b[0]), 255.0),
-        ComponentType::I16 => (f32::from(i16::from_le_bytes([b[0], b[1]])), 32767.0),
-        ComponentType::U16 => (f32::from(u16::from_le_bytes([b[0], b[1]])), 65535.0),
-        ComponentType::U32 => (u32::from_le_bytes([b[0], b[1], b[2], b[3]]) as f32, 1.0),
-        ComponentType::F32 => (f32::from_le_bytes([b[0], b[1], b[2], b[3]]), 1.0),
+        Component::I8 => (f32::from(b[0] as i8), 127.0),
+        Component::U8 => (f32::from(b[0]), 255.0),
+        Component::I16 => (f32::from(i16::from_le_bytes([b[0], b[1]])), 32767.0),
+        Component::U16 => (f32::from(u16::from_le_bytes([b[0], b[1]])), 65535.0),
+        Component::U32 => (u32::from_le_bytes([b[0], b[1], b[2], b[3]]) as f32, 1.0),
+        Component::F32 => (f32::from_le_bytes([b[0], b[1], b[2], b[3]]), 1.0),
     };
-    if normalized { (value / scale).max(-1.0) } else { value }
+    if normalized {
+        (value / scale).max(-1.0)
+    } else {
+        value
+    }
 }
 
 /// One unsigned component; signed and floating ones are refused by the caller.
-fn whole(b: &[u8], c: ComponentType) -> u32 {
+fn whole(b: &[u8], c: Component) -> u32 {
     match c {
-        ComponentType::U16 => u32::from(u16::from_le_bytes([b[0], b[1]])),
-        ComponentType::U32 => u32::from_le_bytes([b[0], b[1], b[2], b[3]]),
+        Component::U16 => u32::from(u16::from_le_bytes([b[0], b[1]])),
+        Component::U32 => u32::from_le_bytes([b[0], b[1], b[2], b[3]]),
         _ => u32::from(b[0]),
     }
 }
 
 impl<'a> Source<'a> {
-    pub(super) fn new(root: &'a Root, bin: &'a [u8]) -> Self {
-        Self { root, bin, numbers_left: MOST_NUMBERS }
+    pub(super) fn new(root: &'a Document<'a>) -> Self {
+        Self {
+            root,
+            numbers_left: MOST_NUMBERS,
+        }
     }
 
     fn spend(&mut self, count: usize) -> Result<(), ReadError> {
-        self.numbers_left = self.numbers_left.checked_sub(count).ok_or(ReadError::TooLarge)?;
+        self.numbers_left = self
+            .numbers_left
+            .checked_sub(count)
+            .ok_or(ReadError::TooLarge)?;
         Ok(())
     }
 
     /// Bytes of a view from an offset on, and its stride.
     fn view(
         &self,
-        index: Index<buffer::View>,
+        index: usize,
         offset: usize,
         what: &'static str,
     ) -> Result<(&'a [u8], Option<usize>), ReadError> {
         let view = self
             .root
-            .buffer_views
-            .get(index.value())
+            .views
+            .get(index)
             .ok_or(ReadError::OutOfRange { what })?;
-        if view.buffer.value() != 0 {
+        if view.buffer != 0 {
             return Err(ReadError::OutOfRange { what });
         }
-        let start = size(view.byte_offset.unwrap_or_default().0, what)?;
-        let length = size(view.byte_length.0, what)?;
+        let start = size(view.byte_offset, what)?;
+        let length = size(view.byte_length, what)?;
         let truncated = ReadError::Truncated { what };
         let bytes = start
             .checked_add(length)
-            .and_then(|end| self.bin.get(start..end))
+            .and_then(|end| self.root.bin.get(start..end))
             .and_then(|b| b.get(offset..));
-        Ok((bytes.ok_or(truncated)?, view.byte_stride.map(|s| s.0)))
+        Ok((bytes.ok_or(truncated)?, view.byte_stride))
     }
 
     fn accessor(&self, index: usize, what: &'static str) -> Result<&'a Accessor, ReadError> {
-        self.root.accessors.get(index).ok_or(ReadError::OutOfRange { what })
+        self.root
+            .accessors
+            .get(index)
+            .ok_or(ReadError::OutOfRange { what })
     }
 
     fn shape(
         accessor: &Accessor,
         width: usize,
         what: &'static str,
-    ) -> Result<ComponentType, ReadError> {
-        let (Checked::Valid(t), Checked::Valid(c)) = (&accessor.type_, &accessor.component_type)
-        else {
-            return Err(ReadError::Type { what });
-        };
-        if components(*t) == width { Ok(c.0) } else { Err(ReadError::Type { what }) }
+    ) -> Result<Component, ReadError> {
+        accessor.component.filter(|_| accessor.width == width).ok_or(ReadError::Type { what })
     }
 
-    fn layout(&self, index: usize, width: usize, what: &'static str) -> Result<Layout<'a>, ReadError> {
+    fn layout(
+        &self,
+        index: usize,
+        width: usize,
+        what: &'static str,
+    ) -> Result<Layout<'a>, ReadError> {
         let accessor = self.accessor(index, what)?;
         let component = Self::shape(accessor, width, what)?;
         let view = accessor.buffer_view.ok_or(ReadError::Type { what })?;
-        let offset = size(accessor.byte_offset.unwrap_or_default().0, what)?;
+        let offset = size(accessor.byte_offset, what)?;
         let (bytes, stride) = self.view(view, offset, what)?;
-        let element = width * component_bytes(component);
+        let element = width * component.bytes();
         let stride = stride.unwrap_or(element);
-        let count = size(accessor.count.0, what)?;
-        let needed = count
-            .checked_sub(1)
-            .map_or(Some(0), |n| n.checked_mul(stride).and_then(|x| x.checked_add(element)));
+        let count = size(accessor.count, what)?;
+        let needed = count.checked_sub(1).map_or(Some(0), |n| {
+            n.checked_mul(stride).and_then(|x| x.checked_add(element))
+        });
         if stride < element || needed.is_none_or(|n| n > bytes.len()) {
             return Err(ReadError::Truncated { what });
         }
-        Ok(Layout { bytes, stride, count, component, normalized: accessor.normalized })
+        Ok(Layout {
+            bytes,
+            stride,
+            count,
+            component,
+            normalized: accessor.normalized,
+        })
     }
 
     /// An accessor as finite numbers; quantised ones are scaled when they are normalised.
@@ -172,36 +169,50 @@ impl<'a> Source<'a> {
         what: &'static str,
     ) -> Result<(Vec<u32>, Vec<[f32; 3]>), ReadError> {
         let accessor = self.accessor(index, what)?;
-        if accessor.count.0 != expected_count as u64 {
+        if accessor.count != expected_count as u64 {
             return Err(ReadError::Count { what });
         }
         let Some(sparse) = &accessor.sparse else {
             let dense: Vec<[f32; 3]> = self.floats(index, what)?;
-            return Ok((0u32..)
-                .zip(dense)
-                .filter(|(_, v)| *v != [0.0; 3])
-                .unzip());
+            return Ok((0u32..).zip(dense).filter(|(_, v)| *v != [0.0; 3]).unzip());
         };
         if accessor.buffer_view.is_some() {
             return Err(ReadError::Type { what });
         }
         let component = Self::shape(accessor, 3, what)?;
-        let count = size(sparse.count.0, what)?;
+        let count = size(sparse.count, what)?;
         self.spend(count.checked_mul(4).ok_or(ReadError::TooLarge)?)?;
-        let Checked::Valid(index_type) = &sparse.indices.component_type else {
-            return Err(ReadError::Type { what });
-        };
-        let part = |view, offset: u64, component, width| {
+        let index_component = sparse.index_component.ok_or(ReadError::Type { what })?;
+        let part = |view, offset: u64, component: Component, width| {
             let (bytes, _) = self.view(view, size(offset, what)?, what)?;
-            let stride = width * component_bytes(component);
+            let stride = width * component.bytes();
             if count.checked_mul(stride).is_none_or(|n| n > bytes.len()) {
                 return Err(ReadError::Truncated { what });
             }
-            Ok(Layout { bytes, stride, count, component, normalized: accessor.normalized })
+            Ok(Layout {
+                bytes,
+                stride,
+                count,
+                component,
+                normalized: accessor.normalized,
+            })
         };
-        let places = part(sparse.indices.buffer_view, sparse.indices.byte_offset.0, index_type.0, 1)?;
-        let values = part(sparse.values.buffer_view, sparse.values.byte_offset.0, component, 3)?;
-        let places: Vec<u32> = read_integers::<1>(&places, what)?.into_iter().map(|[i]| i).collect();
+        let places = part(
+            sparse.index_view,
+            sparse.index_offset,
+            index_component,
+            1,
+        )?;
+        let values = part(
+            sparse.value_view,
+            sparse.value_offset,
+            component,
+            3,
+        )?;
+        let places: Vec<u32> = read_integers::<1>(&places, what)?
+            .into_iter()
+            .map(|[i]| i)
+            .collect();
         let ascending = places.windows(2).all(|w| w[0] < w[1]);
         if !ascending || places.last().is_some_and(|&i| i as usize >= expected_count) {
             return Err(ReadError::OutOfRange { what });
@@ -210,12 +221,19 @@ impl<'a> Source<'a> {
     }
 }
 
-fn read_floats<const N: usize>(l: &Layout<'_>, what: &'static str) -> Result<Vec<[f32; N]>, ReadError> {
-    let width = component_bytes(l.component);
+fn read_floats<const N: usize>(
+    l: &Layout<'_>,
+    what: &'static str,
+) -> Result<Vec<[f32; N]>, ReadError> {
+    let width = l.component.bytes();
     (0..l.count)
         .map(|i| {
             let element: [f32; N] = core::array::from_fn(|k| {
-                component(&l.bytes[i * l.stride + k * width..], l.component, l.normalized)
+                component(
+                    &l.bytes[i * l.stride + k * width..],
+                    l.component,
+                    l.normalized,
+                )
             });
             if element.iter().all(|x| x.is_finite()) {
                 Ok(element)
@@ -226,14 +244,18 @@ fn read_floats<const N: usize>(l: &Layout<'_>, what: &'static str) -> Result<Vec
         .collect()
 }
 
-fn read_integers<const N: usize>(l: &Layout<'_>, what: &'static str) -> Result<Vec<[u32; N]>, ReadError> {
-    if !matches!(l.component, ComponentType::U8 | ComponentType::U16 | ComponentType::U32) {
+fn read_integers<const N: usize>(
+    l: &Layout<'_>,
+    what: &'static str,
+) -> Result<Vec<[u32; N]>, ReadError> {
+    if !matches!(
+        l.component,
+        Component::U8 | Component::U16 | Component::U32
+    ) {
         return Err(ReadError::Type { what });
     }
-    let width = component_bytes(l.component);
+    let width = l.component.bytes();
     Ok((0..l.count)
-        .map(|i| {
-            core::array::from_fn(|k| whole(&l.bytes[i * l.stride + k * width..], l.component))
-        })
+        .map(|i| core::array::from_fn(|k| whole(&l.bytes[i * l.stride + k * width..], l.component)))
         .collect())
 }

@@ -86,7 +86,7 @@ pub(super) fn read<'t, K>(
         );
         cx.sink
             .push(Diagnostic::warning("eml::key-order", fields.name, message));
-        keys.sort_by(|a, b| a.offset_secs.total_cmp(&b.offset_secs));
+        raconteur_base::order::sort_by_number(&mut keys, |k| k.offset_secs);
     }
     (!keys.is_empty()).then(|| Track {
         hand,

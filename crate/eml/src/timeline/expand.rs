@@ -67,7 +67,7 @@ pub(super) fn expand(document: &Document, times: &Times, counts: &[u32]) -> Time
     // Not `-earliest`, which is −0 when nothing is early.
     let lead_in_secs = 0.0 - earliest;
     let mut order: Vec<usize> = (0..clauses.len()).collect();
-    order.sort_by(|&a, &b| clauses[a].start_secs.total_cmp(&clauses[b].start_secs));
+    raconteur_base::order::sort_by_number(&mut order, |&i| clauses[i].start_secs);
     let mut place_of = vec![0; order.len()];
     for (place, &index) in order.iter().enumerate() {
         place_of[index] = place;

@@ -35,7 +35,10 @@ pub(super) fn voice_timings(
             }
             _ => None,
         });
-    voices.collect()
+    // Not `collect`, which sorts: one more sort in the wasm file.
+    let mut timings = BTreeMap::new();
+    timings.extend(voices);
+    timings
 }
 
 /// Collects every name. Of several moments with one name the first counts.

@@ -15,8 +15,7 @@ const NAME: &str = "raconteur";
 
 fn main() -> Result<()> {
     let mut arguments = env::args().skip(1);
-    let (Some(input), Some(output), None) =
-        (arguments.next(), arguments.next(), arguments.next())
+    let (Some(input), Some(output), None) = (arguments.next(), arguments.next(), arguments.next())
     else {
         bail!("usage: raconteur-bindgen IN.wasm OUT_FOLDER");
     };

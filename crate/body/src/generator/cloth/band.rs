@@ -29,8 +29,15 @@ pub struct Band {
 
 /// Share of the width and height in thicknesses of the profile's points, from under the
 /// cloth's edge over the outside to the inside.
-const PROFILE: [(f64, f64); 7] =
-    [(-0.10, -0.4), (-0.06, 0.9), (0.05, 1.1), (0.5, 1.15), (0.93, 1.1), (1.0, 0.55), (0.9, -0.2)];
+const PROFILE: [(f64, f64); 7] = [
+    (-0.10, -0.4),
+    (-0.06, 0.9),
+    (0.05, 1.1),
+    (0.5, 1.15),
+    (0.93, 1.1),
+    (1.0, 0.55),
+    (0.9, -0.2),
+];
 /// The points that ribs raise and lower.
 const RIBBED: core::ops::RangeInclusive<usize> = 2..=4;
 
@@ -58,7 +65,11 @@ pub fn along_edge(cloth: &Shell, ring: &[u32], band: &Band, field: &Field) -> Sh
         })
         .collect();
     let length: f64 = (0..stations.len())
-        .map(|i| stations[i].place.distance(stations[(i + 1) % stations.len()].place))
+        .map(|i| {
+            stations[i]
+                .place
+                .distance(stations[(i + 1) % stations.len()].place)
+        })
         .sum();
     // A whole number of ribs.
     let rib = band.ribs.max(1);
@@ -82,7 +93,11 @@ fn resample(ring: &[Station], length: f64, count: usize) -> Vec<Station> {
             i += 1;
         }
         let (a, b, span) = (&ring[i % n], &ring[(i + 1) % n], span_at(i));
-        let t = if span > 0.0 { ((want - start) / span).clamp(0.0, 1.0) } else { 0.0 };
+        let t = if span > 0.0 {
+            ((want - start) / span).clamp(0.0, 1.0)
+        } else {
+            0.0
+        };
         out.push(Station {
             place: a.place.lerp(b.place, t),
             off: lerp(a.off, b.off, t),
@@ -99,7 +114,11 @@ fn smooth_ring(path: &mut [Station]) {
         let (a, b) = (&before[(i + n - 1) % n], &before[(i + 1) % n]);
         s.place = s.place * 0.5 + (a.place + b.place) * 0.25;
         s.off = s.off * 0.5 + (a.off + b.off) * 0.25;
-        let near = [(&before[i].weights, 0.5), (&a.weights, 0.25), (&b.weights, 0.25)];
+        let near = [
+            (&before[i].weights, 0.5),
+            (&a.weights, 0.25),
+            (&b.weights, 0.25),
+        ];
         s.weights = Weights::mix(near.into_iter());
     }
 }
@@ -113,7 +132,11 @@ fn sweep(path: &[Station], band: &Band, field: &Field) -> Shell {
             0.0
         };
         for (k, &(along, up)) in PROFILE.iter().enumerate() {
-            let rib = if RIBBED.contains(&k) { 0.07 * CM * wave } else { 0.0 };
+            let rib = if RIBBED.contains(&k) {
+                0.07 * CM * wave
+            } else {
+                0.0
+            };
             let off = lerp(s.off, band.ease, smooth(along / 0.5)) + up * band.thickness + rib;
             let mut p = s.place + band.direction * (along * band.width);
             for _ in 0..4 {
@@ -130,7 +153,8 @@ fn sweep(path: &[Station], band: &Band, field: &Field) -> Shell {
     for i in 0..n {
         for k in 0..m - 1 {
             let at = |i: usize, k: usize| ((i % n) * m + k) as u32;
-            out.faces.push(vec![at(i, k), at(i + 1, k), at(i + 1, k + 1), at(i, k + 1)]);
+            out.faces
+                .push(vec![at(i, k), at(i + 1, k), at(i + 1, k + 1), at(i, k + 1)]);
         }
     }
     face_outwards(&mut out, band, field);

@@ -25,7 +25,13 @@ pub struct DrapeParams {
 
 impl Default for DrapeParams {
     fn default() -> Self {
-        Self { steps: [60, 24], sweeps: 12, gravity: 8e-5, regions: Regions::ALL, seed: 1 }
+        Self {
+            steps: [60, 24],
+            sweeps: 12,
+            gravity: 8e-5,
+            regions: Regions::ALL,
+            seed: 1,
+        }
     }
 }
 
@@ -56,29 +62,48 @@ fn links(cloth: &Draping, seed: u64) -> Vec<Link> {
     let mut out = Vec::new();
     let edges = edge_faces(faces);
     for &(a, b) in edges.keys() {
-        out.push(Link { a, b, rest: span(a, b), stiffness: 0.9, one_sided: false });
+        out.push(Link {
+            a,
+            b,
+            rest: span(a, b),
+            stiffness: 0.9,
+            one_sided: false,
+        });
     }
     for f in faces {
         for (a, b) in [(f[0], f[2]), (f[1], f[3])] {
-            out.push(Link { a, b, rest: span(a, b), stiffness: 0.35, one_sided: false });
+            out.push(Link {
+                a,
+                b,
+                rest: span(a, b),
+                stiffness: 0.35,
+                one_sided: false,
+            });
         }
     }
     for (a, b) in bends(faces, &edges) {
-        out.push(Link { a, b, rest: span(a, b) * 0.97, stiffness: 0.25, one_sided: true });
+        out.push(Link {
+            a,
+            b,
+            rest: span(a, b) * 0.97,
+            stiffness: 0.25,
+            one_sided: true,
+        });
     }
     // An order without direction keeps the sweeps from drifting.
-    let mut order: Vec<(u64, usize)> =
-        (0..out.len()).map(|i| (noise::hash(seed, 1, i as i64), i)).collect();
+    let mut order: Vec<(u64, usize)> = (0..out.len())
+        .map(|i| (noise::hash(seed, 1, i as i64), i))
+        .collect();
     order.sort_unstable();
     let mut shuffled: Vec<Option<Link>> = out.into_iter().map(Some).collect();
-    order.into_iter().filter_map(|(_, i)| shuffled[i].take()).collect()
+    order
+        .into_iter()
+        .filter_map(|(_, i)| shuffled[i].take())
+        .collect()
 }
 
 /// Points two apart across each edge.
-fn bends(
-    faces: &[Vec<u32>],
-    edges: &BTreeMap<(u32, u32), Vec<u32>>,
-) -> BTreeSet<(u32, u32)> {
+fn bends(faces: &[Vec<u32>], edges: &BTreeMap<(u32, u32), Vec<u32>>) -> BTreeSet<(u32, u32)> {
     let mut out = BTreeSet::new();
     // The neighbour of `v` in face `f` that is not `other`.
     let beyond = |f: u32, v: u32, other: u32| {
@@ -187,11 +212,19 @@ pub fn drape(
         return cloth;
     }
     let (shell, stencils) = cloth.shell.subdivided(1);
-    let sum_of = |column: &[f64], s: &[(u32, f64)]| s.iter().map(|&(i, w)| column[i as usize] * w).sum::<f64>();
+    let sum_of = |column: &[f64], s: &[(u32, f64)]| {
+        s.iter().map(|&(i, w)| column[i as usize] * w).sum::<f64>()
+    };
     let mut fine = Draping {
         shell,
-        rest: stencils.iter().map(|s| s.iter().map(|&(i, w)| cloth.rest[i as usize] * w).sum()).collect(),
-        pin: stencils.iter().map(|s| sum_of(&cloth.pin, s).clamp(0.0, 1.0)).collect(),
+        rest: stencils
+            .iter()
+            .map(|s| s.iter().map(|&(i, w)| cloth.rest[i as usize] * w).sum())
+            .collect(),
+        pin: stencils
+            .iter()
+            .map(|s| sum_of(&cloth.pin, s).clamp(0.0, 1.0))
+            .collect(),
     };
     run(&mut fine, p.steps[1], p, field, thickness);
     fine

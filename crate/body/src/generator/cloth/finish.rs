@@ -69,7 +69,9 @@ fn fold_openness(shell: &Shell, normals: &[DVec3]) -> Vec<f64> {
             *x = 0.5 * *x + 0.5 * sum / around[v].len().max(1) as f64;
         }
     }
-    out.into_iter().map(|rise| (1.0 - 2.2 * rise.max(0.0)).clamp(0.45, 1.0)).collect()
+    out.into_iter()
+        .map(|rise| (1.0 - 2.2 * rise.max(0.0)).clamp(0.45, 1.0))
+        .collect()
 }
 
 /// Makes a part of a shell; `chart_of` gives the index of each face's chart.
@@ -99,8 +101,11 @@ pub fn cloth_part(
     for (f, face) in shell.faces.iter().enumerate() {
         let index = chart_of(f);
         let chart = &charts[index];
-        let centre: DVec3 =
-            face.iter().map(|&v| shell.points[v as usize]).sum::<DVec3>() / face.len() as f64;
+        let centre: DVec3 = face
+            .iter()
+            .map(|&v| shell.points[v as usize])
+            .sum::<DVec3>()
+            / face.len() as f64;
         let middle = chart.angle(centre);
         let corners = face
             .iter()
@@ -108,7 +113,10 @@ pub fn cloth_part(
                 let p = shell.points[v as usize];
                 let raw = chart.angle(p);
                 let turn = ((middle - raw) / core::f64::consts::TAU).round();
-                let uv = [(raw + turn * core::f64::consts::TAU) * chart.radius, chart.along(p)];
+                let uv = [
+                    (raw + turn * core::f64::consts::TAU) * chart.radius,
+                    chart.along(p),
+                ];
                 *made.entry((v, index, turn as i32)).or_insert_with(|| {
                     part.vertices.push(PartVertex {
                         position: p,
@@ -129,5 +137,10 @@ pub fn cloth_part(
 #[must_use]
 pub fn dyed(kind: MaterialKind, rgb: [f64; 3], roughness: f32) -> Material {
     let [r, g, b] = rgb.map(|x| x as f32);
-    Material { kind, base_color: [r, g, b, 1.0], roughness, double_sided: kind == MaterialKind::Cloth }
+    Material {
+        kind,
+        base_color: [r, g, b, 1.0],
+        roughness,
+        double_sided: kind == MaterialKind::Cloth,
+    }
 }

@@ -36,7 +36,10 @@ fn stations() -> Vec<[f64; 4]> {
     out.push(1.0);
     out.into_iter()
         .map(|t| {
-            let i = PROFILE.partition_point(|r| r[0] <= t).clamp(1, PROFILE.len() - 1) - 1;
+            let i = PROFILE
+                .partition_point(|r| r[0] <= t)
+                .clamp(1, PROFILE.len() - 1)
+                - 1;
             let (a, b) = (PROFILE[i], PROFILE[i + 1]);
             let s = (t - a[0]) / (b[0] - a[0]);
             // Catmull–Rom through the neighbours keeps the last round.
@@ -45,7 +48,11 @@ fn stations() -> Vec<[f64; 4]> {
             let value = |k: usize| {
                 let slope = |p: [f64; 4], q: [f64; 4]| {
                     let dx = q[0] - p[0];
-                    if dx > 0.0 { (q[k] - p[k]) / dx * (b[0] - a[0]) } else { 0.0 }
+                    if dx > 0.0 {
+                        (q[k] - p[k]) / dx * (b[0] - a[0])
+                    } else {
+                        0.0
+                    }
                 };
                 raconteur_base::curve::hermite(a[k], slope(before, b), b[k], slope(a, after), s)
             };
@@ -67,7 +74,11 @@ impl Foot {
     fn upper(&self, [t, w, h, shift]: [f64; 4]) -> Vec<DVec3> {
         let (w, h) = (w * self.half_width, h * self.length);
         ring(|c, s| {
-            let rise = if s > 0.0 { ops::pow(s, 0.8) * (h - self.sole) } else { 0.12 * CM * s };
+            let rise = if s > 0.0 {
+                ops::pow(s, 0.8) * (h - self.sole)
+            } else {
+                0.12 * CM * s
+            };
             let narrow = 1.0 - 0.22 * s.max(0.0);
             let x = c.signum() * ops::pow(c.abs(), 0.62) * w * narrow;
             self.place(t, x + shift * w, rise + self.sole, 0.0)
@@ -104,7 +115,8 @@ impl Foot {
 fn ring(point: impl Fn(f64, f64) -> DVec3) -> Vec<DVec3> {
     (0..AROUND)
         .map(|i| {
-            let a = core::f64::consts::TAU * i as f64 / AROUND as f64 - core::f64::consts::FRAC_PI_2;
+            let a =
+                core::f64::consts::TAU * i as f64 / AROUND as f64 - core::f64::consts::FRAC_PI_2;
             let (s, c) = ops::sincos(a);
             point(c, s)
         })
@@ -124,7 +136,8 @@ fn loft(rings: &[Vec<DVec3>], weights: impl Fn(DVec3) -> Weights) -> Shell {
     for i in 0..rings.len() + 1 {
         for k in 0..AROUND {
             let at = |i: usize, k: usize| (i * AROUND + k % AROUND) as u32;
-            out.faces.push(vec![at(i, k), at(i, k + 1), at(i + 1, k + 1), at(i + 1, k)]);
+            out.faces
+                .push(vec![at(i, k), at(i, k + 1), at(i + 1, k + 1), at(i + 1, k)]);
         }
     }
     // The volume's sign tells which way the rings run.
@@ -156,7 +169,10 @@ pub fn shoes(joints: &Joints, stature_m: f64, upper: &Material, sole: &Material)
         half_width: 0.188 * length * 1.02,
         sole: 0.055 * length,
     };
-    let (mid, front) = (joints.at(Bone::LMidtarsal).z, joints.at(Bone::LMetatarsal).z);
+    let (mid, front) = (
+        joints.at(Bone::LMidtarsal).z,
+        joints.at(Bone::LMetatarsal).z,
+    );
     let weights = |p: DVec3| {
         Weights::bone(Bone::LSubtalar).lerp(&Weights::bone(Bone::LMidtarsal), fade(p.z, mid, front))
     };
@@ -167,7 +183,11 @@ pub fn shoes(joints: &Joints, stature_m: f64, upper: &Material, sole: &Material)
     for (name, rings, material) in [("shoe", upper_rings, upper), ("sole", sole_rings, sole)] {
         let left = loft(&rings, weights);
         for side in Side::BOTH {
-            let shell = if side == Side::Left { left.clone() } else { left.mirrored() };
+            let shell = if side == Side::Left {
+                left.clone()
+            } else {
+                left.mirrored()
+            };
             parts.push(part(name, &shell, material, foot.sole));
         }
     }

@@ -66,9 +66,16 @@ fn edges(shell: &Shell) -> Edges {
     let mean = |ring: &[u32], f: &dyn Fn(usize) -> f64| {
         ring.iter().map(|&v| f(v as usize)).sum::<f64>() / ring.len() as f64
     };
-    let on_arm = |v: usize| Side::BOTH.iter().map(|s| shell.weights[v].arm(*s)).sum::<f64>();
-    let (cuffs, mut trunk): (Vec<_>, Vec<_>) =
-        shell.loops().into_iter().partition(|ring| mean(ring, &on_arm) > 0.5);
+    let on_arm = |v: usize| {
+        Side::BOTH
+            .iter()
+            .map(|s| shell.weights[v].arm(*s))
+            .sum::<f64>()
+    };
+    let (cuffs, mut trunk): (Vec<_>, Vec<_>) = shell
+        .loops()
+        .into_iter()
+        .partition(|ring| mean(ring, &on_arm) > 0.5);
     trunk.sort_by(|a, b| {
         mean(a, &|v| shell.points[v].y).total_cmp(&mean(b, &|v| shell.points[v].y))
     });
@@ -82,13 +89,22 @@ fn edges(shell: &Shell) -> Edges {
 /// Pins, rest lengths and the tightened cuffs and hem.
 fn prepare(mut shell: Shell, field: &Field, joints: &Joints) -> Draping {
     let Edges { neck, hem, cuffs } = edges(&shell);
-    let on_arm: Vec<f64> =
-        shell.weights.iter().map(|w| Side::BOTH.iter().map(|s| w.arm(*s)).sum()).collect();
+    let on_arm: Vec<f64> = shell
+        .weights
+        .iter()
+        .map(|w| Side::BOTH.iter().map(|s| w.arm(*s)).sum())
+        .collect();
     let along: Vec<f64> = shell
         .points
         .iter()
         .zip(&on_arm)
-        .map(|(p, arm)| if *arm > 0.5 { along_arm(joints, *p) } else { 0.0 })
+        .map(|(p, arm)| {
+            if *arm > 0.5 {
+                along_arm(joints, *p)
+            } else {
+                0.0
+            }
+        })
         .collect();
     let shoulder = joints.at(Bone::LShoulder);
     let upper_arm = joints.at(Bone::LElbow).distance(shoulder);
@@ -114,7 +130,9 @@ fn prepare(mut shell: Shell, field: &Field, joints: &Joints) -> Draping {
         } else {
             fade(p.y, yoke - 4.0 * CM, yoke + 3.0 * CM)
         };
-        pin[v] = near_neck.max(fade(along[v], start + CM, end)).max(0.985 * hold);
+        pin[v] = near_neck
+            .max(fade(along[v], start + CM, end))
+            .max(0.985 * hold);
     }
     for &v in neck.iter().chain(cuffs.iter().flatten()) {
         pin[v as usize] = 1.0;
@@ -153,13 +171,15 @@ fn stretched(shell: &Shell, along: &[f64], joints: &Joints, upper_arm: f64) -> V
 fn hold_hem_in(shell: &mut Shell, rest: &mut [DVec3], hem: &[u32], on_arm: &[f64]) {
     let centre: DVec3 =
         hem.iter().map(|&v| shell.points[v as usize]).sum::<DVec3>() / hem.len().max(1) as f64;
-    let top = hem.iter().map(|&v| shell.points[v as usize].y).fold(f64::MIN, f64::max);
+    let top = hem
+        .iter()
+        .map(|&v| shell.points[v as usize].y)
+        .fold(f64::MIN, f64::max);
     for v in 0..rest.len() {
         if on_arm[v] < 0.3 {
             let k = fade(shell.points[v].y, top + 5.0 * CM, top) * 0.06;
-            let pull = |p: DVec3, k: f64| {
-                DVec3::new(lerp(p.x, centre.x, k), p.y, lerp(p.z, centre.z, k))
-            };
+            let pull =
+                |p: DVec3, k: f64| DVec3::new(lerp(p.x, centre.x, k), p.y, lerp(p.z, centre.z, k));
             shell.points[v] = pull(shell.points[v], k * 0.6);
             rest[v] = pull(rest[v], k);
         }
@@ -169,7 +189,13 @@ fn hold_hem_in(shell: &mut Shell, rest: &mut [DVec3], hem: &[u32], on_arm: &[f64
 /// Charts of trunk, left sleeve and right sleeve.
 fn charts(joints: &Joints) -> [Chart; 3] {
     let sleeve = |side: Side| {
-        let mirror = |v: DVec3| if side == Side::Left { v } else { mirror_vector(v) };
+        let mirror = |v: DVec3| {
+            if side == Side::Left {
+                v
+            } else {
+                mirror_vector(v)
+            }
+        };
         Chart {
             origin: mirror(joints.at(Bone::LShoulder)),
             axis: -mirror(Joints::arm_axis()),
@@ -196,7 +222,12 @@ pub fn sweater(field: &Field, cage: &Cage, joints: &Joints, material: &Material)
     // Another garment lies below from the waist down.
     let thickness = |p: DVec3| {
         let hip = p.x.abs() < 0.25;
-        CM * (0.55 + if hip { fade(p.y, waist, waist - 10.0 * CM) } else { 0.0 })
+        CM * (0.55
+            + if hip {
+                fade(p.y, waist, waist - 10.0 * CM)
+            } else {
+                0.0
+            })
     };
     let mut draped = drape(cloth, &DrapeParams::default(), field, &thickness).shell;
     draped.relax(1);
@@ -206,11 +237,16 @@ pub fn sweater(field: &Field, cage: &Cage, joints: &Joints, material: &Material)
     let chart_of = |f: usize| match tags[f / 16] {
         Tag::Trunk(_) => 0,
         Tag::Arm(_) | Tag::Leg(_) => {
-            let x: f64 = draped.faces[f].iter().map(|&v| draped.points[v as usize].x).sum();
+            let x: f64 = draped.faces[f]
+                .iter()
+                .map(|&v| draped.points[v as usize].x)
+                .sum();
             if x > 0.0 { 1 } else { 2 }
         }
     };
-    let mut parts = vec![cloth_part("sweater", &draped, field, material, &charts, chart_of)];
+    let mut parts = vec![cloth_part(
+        "sweater", &draped, field, material, &charts, chart_of,
+    )];
     let edges = edges(&draped);
     let rib = |direction: DVec3, width_cm: f64, ease_cm: f64, regions: Regions| Band {
         direction,
@@ -223,7 +259,7 @@ pub fn sweater(field: &Field, cage: &Cage, joints: &Joints, material: &Material)
     };
     let up_the_neck = DVec3::new(0.0, 1.0, 0.25).normalize();
     let neckband = rib(up_the_neck, 2.6, 0.35, Regions::ALL);
-    let hem = rib(DVec3::NEG_Y, 4.5, 1.15, Regions::LOWER);
+    let hem = rib(DVec3::NEG_Y, 4.5, 1.4, Regions::LOWER);
     let mut bands: Vec<(Shell, usize)> = vec![
         (along_edge(&draped, &edges.neck, &neckband, field), 0),
         (along_edge(&draped, &edges.hem, &hem, field), 0),
@@ -233,11 +269,21 @@ pub fn sweater(field: &Field, cage: &Cage, joints: &Joints, material: &Material)
         let axis = Joints::arm_axis();
         let axis = if right { mirror_vector(axis) } else { axis };
         let band = rib(axis, 5.5, 0.55, Regions::UPPER);
-        bands.push((along_edge(&draped, cuff, &band, field), 1 + usize::from(right)));
+        bands.push((
+            along_edge(&draped, cuff, &band, field),
+            1 + usize::from(right),
+        ));
     }
     let mut shell = draped.clone();
     for (band, chart) in bands {
-        parts.push(cloth_part("sweater", &band, field, material, &charts, |_| chart));
+        parts.push(cloth_part(
+            "sweater",
+            &band,
+            field,
+            material,
+            &charts,
+            |_| chart,
+        ));
         shell.append(band);
     }
     Sweater { parts, shell }

@@ -51,8 +51,11 @@ fn offset_shell(field: &Field, cage: &Cage, joints: &Joints) -> (Shell, Vec<Tag>
 pub fn trousers(field: &Field, cage: &Cage, joints: &Joints, material: &Material) -> Vec<Part> {
     let (shell, tags) = offset_shell(field, cage, joints);
     let top = shell.points.iter().map(|p| p.y).fold(f64::MIN, f64::max);
-    let mut pin: Vec<f64> =
-        shell.points.iter().map(|p| fade(p.y, top - 6.0 * CM, top)).collect();
+    let mut pin: Vec<f64> = shell
+        .points
+        .iter()
+        .map(|p| fade(p.y, top - 6.0 * CM, top))
+        .collect();
     for ring in shell.loops() {
         for v in ring {
             if shell.points[v as usize].y < 0.3 {
@@ -76,9 +79,13 @@ pub fn trousers(field: &Field, cage: &Cage, joints: &Joints, material: &Material
             q
         })
         .collect();
-    let params = DrapeParams { regions: Regions::LOWER, steps: [70, 0], seed: 2, ..DrapeParams::default() };
-    let mut draped =
-        drape(Draping { shell, rest, pin }, &params, field, &|_| 0.45 * CM).shell;
+    let params = DrapeParams {
+        regions: Regions::LOWER,
+        steps: [70, 0],
+        seed: 2,
+        ..DrapeParams::default()
+    };
+    let mut draped = drape(Draping { shell, rest, pin }, &params, field, &|_| 0.45 * CM).shell;
     draped.relax(1);
 
     let chart = |x: f64, radius: f64| Chart {
@@ -87,14 +94,28 @@ pub fn trousers(field: &Field, cage: &Cage, joints: &Joints, material: &Material
         front: DVec3::Z,
         radius,
     };
-    let charts = [chart(0.0, 15.0 * CM), chart(hip.x, 8.0 * CM), chart(-hip.x, 8.0 * CM)];
+    let charts = [
+        chart(0.0, 15.0 * CM),
+        chart(hip.x, 8.0 * CM),
+        chart(-hip.x, 8.0 * CM),
+    ];
     let leg_chart = |x: f64| if x > 0.0 { 1 } else { 2 };
-    let mut parts = vec![cloth_part("trousers", &draped, field, material, &charts, |f| match tags[f / 4] {
-        Tag::Trunk(_) => 0,
-        Tag::Arm(_) | Tag::Leg(_) => {
-            leg_chart(draped.faces[f].iter().map(|&v| draped.points[v as usize].x).sum())
-        }
-    })];
+    let mut parts = vec![cloth_part(
+        "trousers",
+        &draped,
+        field,
+        material,
+        &charts,
+        |f| match tags[f / 4] {
+            Tag::Trunk(_) => 0,
+            Tag::Arm(_) | Tag::Leg(_) => leg_chart(
+                draped.faces[f]
+                    .iter()
+                    .map(|&v| draped.points[v as usize].x)
+                    .sum(),
+            ),
+        },
+    )];
     for ring in draped.loops() {
         let first = draped.points[ring[0] as usize];
         if first.y < 0.3 {
@@ -108,7 +129,14 @@ pub fn trousers(field: &Field, cage: &Cage, joints: &Joints, material: &Material
                 ribs: 0,
             };
             let band = along_edge(&draped, &ring, &hem, field);
-            parts.push(cloth_part("trousers", &band, field, material, &charts, |_| leg_chart(first.x)));
+            parts.push(cloth_part(
+                "trousers",
+                &band,
+                field,
+                material,
+                &charts,
+                |_| leg_chart(first.x),
+            ));
         }
     }
     parts

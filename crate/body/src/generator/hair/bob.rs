@@ -80,7 +80,16 @@ const LAYERS: [Layer; 6] = [
 ];
 
 const fn layer(cards: usize, height: f64, width: f64, open: [f64; 2], length: f64) -> Layer {
-    Layer { cards, spans: 10, height, width, open, length, longest: 0.5, roots: Roots::All }
+    Layer {
+        cards,
+        spans: 10,
+        height,
+        width,
+        open,
+        length,
+        longest: 0.5,
+        roots: Roots::All,
+    }
 }
 
 const MM: f64 = 1e-3;
@@ -111,11 +120,19 @@ fn skin_of(head: &Head) -> Skin {
     let positions: Vec<DVec3> = part.vertices.iter().map(|v| v.position).collect();
     let normals = vertex_normals(&positions, &part.faces);
     let smooth_part = |p: DVec3| {
-        let ear = p.x.abs() > 66.0 * MM && p.y.abs() < 40.0 * MM && (-45.0 * MM..15.0 * MM).contains(&p.z);
+        let ear = p.x.abs() > 66.0 * MM
+            && p.y.abs() < 40.0 * MM
+            && (-45.0 * MM..15.0 * MM).contains(&p.z);
         // Below the skull's base the neck is the body's.
         p.y > -0.10 && !ear
     };
-    Skin::new(positions.into_iter().zip(normals).filter(|(p, _)| smooth_part(*p)).collect())
+    Skin::new(
+        positions
+            .into_iter()
+            .zip(normals)
+            .filter(|(p, _)| smooth_part(*p))
+            .collect(),
+    )
 }
 
 /// How far hair stands off the head to pass over an ear: a smooth bump in its place.
@@ -135,11 +152,17 @@ fn roots(head: &Head, p: &BobParams, layer: &Layer, number: u64) -> Vec<ScalpPoi
         .iter()
         .map(|t| {
             let [a, b, c] = corner(t);
-            let area = (b.position - a.position).cross(c.position - a.position).length();
+            let area = (b.position - a.position)
+                .cross(c.position - a.position)
+                .length();
             let middle = (a.position + b.position + c.position) / 3.0;
             let off = (middle.x - p.parting_x) / (9.0 * MM);
             let on_top = middle.y > 60.0 * MM && middle.z > -60.0 * MM;
-            let parting = if on_top { 3.0 * ops::exp(-off * off) } else { 0.0 };
+            let parting = if on_top {
+                3.0 * ops::exp(-off * off)
+            } else {
+                0.0
+            };
             let density = (a.density + b.density + c.density) / 3.0;
             let wanted = match layer.roots {
                 Roots::All => density * (1.0 + parting),
@@ -158,8 +181,10 @@ fn roots(head: &Head, p: &BobParams, layer: &Layer, number: u64) -> Vec<ScalpPoi
             let want = (i as f64 + jitter) / count as f64 * total;
             let t = scalp.triangles.get(sums.partition_point(|s| *s < want))?;
             let [a, b, c] = corner(t);
-            let (mut u, mut v) =
-                (noise::unit(p.seed, id(2), i as i64), noise::unit(p.seed, id(3), i as i64));
+            let (mut u, mut v) = (
+                noise::unit(p.seed, id(2), i as i64),
+                noise::unit(p.seed, id(3), i as i64),
+            );
             if u + v > 1.0 {
                 (u, v) = (1.0 - u, 1.0 - v);
             }
@@ -198,8 +223,8 @@ fn strand(skin: &Skin, p: &BobParams, layer: &Layer, root: ScalpPoint, id: i64) 
     let top = ramp(55.0 * MM, 100.0 * MM, q.y);
     let random = |k: u64| noise::signed(p.seed, 100 + k, id);
     let fall = (q.y - p.hem_y).clamp(0.05, 0.6);
-    let length = ((fall + 0.008 + 0.045 * top) * layer.length).min(layer.longest)
-        * (1.0 + 0.02 * random(1));
+    let length =
+        ((fall + 0.008 + 0.045 * top) * layer.length).min(layer.longest) * (1.0 + 0.02 * random(1));
     let step = length / layer.spans as f64;
     let mut at = q - root.normal * 0.5 * MM;
     let mut direction = comb(&root, p).normalize();
@@ -231,7 +256,10 @@ fn strand(skin: &Skin, p: &BobParams, layer: &Layer, root: ScalpPoint, id: i64) 
         *c = skin.settle(*c, 1.5 * MM + 0.8 * over_ear(*c), 0.0).0;
     }
     let strays = |c: &DVec3| {
-        c.y > -30.0 * MM && skin.height(*c).is_none_or(|(h, _)| h > layer.height + over_ear(*c) + 16.0 * MM)
+        c.y > -30.0 * MM
+            && skin
+                .height(*c)
+                .is_none_or(|(h, _)| h > layer.height + over_ear(*c) + 16.0 * MM)
     };
     if curve.iter().any(strays) {
         return None;

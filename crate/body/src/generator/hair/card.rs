@@ -3,9 +3,9 @@
 use raconteur_base::DVec3;
 use raconteur_base::curve::{lerp, ramp};
 
+use crate::figure::Material;
 use crate::generator::assemble::Piece;
 use crate::generator::part::{JointRef, Part, PartVertex};
-use crate::figure::Material;
 use crate::skeleton::{Bone, Drive};
 
 /// A strand's path with what its card needs.
@@ -42,7 +42,10 @@ pub(super) fn cards(name: &str, material: &Material, strands: &[Strand]) -> Piec
             let along = (s.curve[(i + 1).min(n - 1)] - s.curve[i.saturating_sub(1)])
                 .try_normalize()
                 .unwrap_or(DVec3::NEG_Y);
-            let side = along.cross(s.normals[i]).try_normalize().unwrap_or(DVec3::X);
+            let side = along
+                .cross(s.normals[i])
+                .try_normalize()
+                .unwrap_or(DVec3::X);
             let face = side.cross(along);
             let t = i as f64 / (n - 1) as f64;
             let narrow = if t < 0.2 {
@@ -56,7 +59,12 @@ pub(super) fn cards(name: &str, material: &Material, strands: &[Strand]) -> Piec
                 part.vertices.push(PartVertex {
                     position: s.curve[i] + side * (sign * 0.5 * s.width * narrow) + bend,
                     uv: [u, t * s.end],
-                    color: [s.tint, s.tint, s.tint, lerp(s.open[0], s.open[1], ramp(0.0, 0.45, t))],
+                    color: [
+                        s.tint,
+                        s.tint,
+                        s.tint,
+                        lerp(s.open[0], s.open[1], ramp(0.0, 0.45, t)),
+                    ],
                     weights: vec![(JointRef(Drive::Bone(Bone::Skull)), 1.0)],
                 });
                 // Normals between the card's and the head's round the whole volume.
@@ -68,5 +76,8 @@ pub(super) fn cards(name: &str, material: &Material, strands: &[Strand]) -> Piec
             }
         }
     }
-    Piece { part, normals: Some(normals) }
+    Piece {
+        part,
+        normals: Some(normals),
+    }
 }

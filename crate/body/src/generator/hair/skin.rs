@@ -36,8 +36,13 @@ impl Skin {
             for x in cx - reach..=cx + reach {
                 for y in cy - reach..=cy + reach {
                     for z in cz - reach..=cz + reach {
-                        let Some(cell) = self.cells.get(&[x, y, z]) else { continue };
-                        near.extend(cell.iter().map(|&i| (self.points[i as usize].0.distance(p), i)));
+                        let Some(cell) = self.cells.get(&[x, y, z]) else {
+                            continue;
+                        };
+                        near.extend(
+                            cell.iter()
+                                .map(|&i| (self.points[i as usize].0.distance(p), i)),
+                        );
                     }
                 }
             }

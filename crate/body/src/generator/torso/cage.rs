@@ -26,8 +26,9 @@ const HOLE: (usize, usize) = (9, 13);
 /// Points of a limb's ring.
 const RING: usize = 16;
 /// Rings of the arm: 0 shoulder, 1 elbow, 2 wrist.
-const ARM_RINGS: [f64; 15] =
-    [0.10, 0.22, 0.36, 0.52, 0.68, 0.82, 0.92, 1.0, 1.08, 1.18, 1.32, 1.5, 1.7, 1.88, 2.0];
+const ARM_RINGS: [f64; 15] = [
+    0.10, 0.22, 0.36, 0.52, 0.68, 0.82, 0.92, 1.0, 1.08, 1.18, 1.32, 1.5, 1.7, 1.88, 2.0,
+];
 /// Rings of the leg: 0 hip, 1 knee, 2 ankle.
 const LEG_RINGS: [f64; 16] = [
     0.10, 0.22, 0.36, 0.52, 0.68, 0.82, 0.92, 1.0, 1.08, 1.18, 1.32, 1.48, 1.65, 1.82, 1.96, 2.04,
@@ -126,8 +127,22 @@ impl Template {
 fn armhole() -> [(usize, usize); RING] {
     let (low, high) = HOLE;
     [
-        (high, 6), (high, 5), (high, 4), (high - 1, 4), (high - 2, 4), (high - 3, 4), (low, 4), (low, 5),
-        (low, 6), (low, 7), (low, 8), (low + 1, 8), (low + 2, 8), (low + 3, 8), (high, 8), (high, 7),
+        (high, 6),
+        (high, 5),
+        (high, 4),
+        (high - 1, 4),
+        (high - 2, 4),
+        (high - 3, 4),
+        (low, 4),
+        (low, 5),
+        (low, 6),
+        (low, 7),
+        (low, 8),
+        (low + 1, 8),
+        (low + 2, 8),
+        (low + 3, 8),
+        (high, 8),
+        (high, 7),
     ]
 }
 
@@ -140,8 +155,7 @@ impl Cage {
         trunk(&mut template, field, &hole);
         arms(&mut template, field);
         legs(&mut template, field);
-        let index: BTreeMap<Key, u32> =
-            template.keys.iter().copied().zip(0u32..).collect();
+        let index: BTreeMap<Key, u32> = template.keys.iter().copied().zip(0u32..).collect();
         let (faces, tags) = faces(&index);
         let mut shell = Shell {
             weights: vec![Weights::default(); template.points.len()],
@@ -239,7 +253,10 @@ fn trunk(out: &mut Template, field: &Field, hole: &BTreeMap<(usize, usize), DVec
     }
     for (k, z) in [4.5, 0.0, -4.5f64].into_iter().enumerate() {
         let y = 0.468 * field.stature_m + 0.08 * z.abs() * CM;
-        out.put(Key::Crotch(k), DVec3::new(0.0, y, z * CM * field.stature_m / 1.75 * 0.9));
+        out.put(
+            Key::Crotch(k),
+            DVec3::new(0.0, y, z * CM * field.stature_m / 1.75 * 0.9),
+        );
     }
 }
 
@@ -295,19 +312,35 @@ fn faces(index: &BTreeMap<Key, u32>) -> (Vec<Vec<u32>>, Vec<Tag>) {
             if (low..high).contains(&r) && (4..8).contains(&from_front) {
                 continue;
             }
-            faces.push(vec![trunk(r, q), trunk(r, q + 1), trunk(r + 1, q + 1), trunk(r + 1, q)]);
+            faces.push(vec![
+                trunk(r, q),
+                trunk(r, q + 1),
+                trunk(r + 1, q + 1),
+                trunk(r + 1, q),
+            ]);
             tags.push(Tag::Trunk(r));
         }
     }
     let hole = armhole();
     for side in Side::BOTH {
-        let on_side = |q: usize| if side == Side::Left { q } else { (COLUMNS - q) % COLUMNS };
-        let mut arm: Vec<Vec<u32>> = vec![hole.iter().map(|&(r, q)| trunk(r, on_side(q))).collect()];
-        arm.extend((0..ARM_RINGS.len()).map(|j| (0..RING).map(|k| index[&Key::Arm(side, j, k)]).collect()));
+        let on_side = |q: usize| {
+            if side == Side::Left {
+                q
+            } else {
+                (COLUMNS - q) % COLUMNS
+            }
+        };
+        let mut arm: Vec<Vec<u32>> =
+            vec![hole.iter().map(|&(r, q)| trunk(r, on_side(q))).collect()];
+        arm.extend(
+            (0..ARM_RINGS.len()).map(|j| (0..RING).map(|k| index[&Key::Arm(side, j, k)]).collect()),
+        );
         let mut first_leg: Vec<u32> = (0..13).map(|q| trunk(0, on_side(q))).collect();
         first_leg.extend([2, 1, 0].map(|k| index[&Key::Crotch(k)]));
         let mut leg = vec![first_leg];
-        leg.extend((0..LEG_RINGS.len()).map(|j| (0..RING).map(|k| index[&Key::Leg(side, j, k)]).collect()));
+        leg.extend(
+            (0..LEG_RINGS.len()).map(|j| (0..RING).map(|k| index[&Key::Leg(side, j, k)]).collect()),
+        );
         for (rings, is_arm) in [(arm, true), (leg, false)] {
             for (j, pair) in rings.windows(2).enumerate() {
                 for k in 0..RING {
@@ -366,7 +399,11 @@ fn wind(shell: &mut Shell, field: &Field) {
         let p = |i: usize| points[face[i] as usize];
         let area = (p(2) - p(0)).cross(p(3) - p(1));
         let centre = (p(0) + p(1) + p(2) + p(3)) / 4.0;
-        let regions = if centre.y < 0.49 * field.stature_m { Regions::LOWER } else { Regions::UPPER };
+        let regions = if centre.y < 0.49 * field.stature_m {
+            Regions::LOWER
+        } else {
+            Regions::UPPER
+        };
         if area.dot(field.value_and_normal(centre, regions, 1.0).1) < 0.0 {
             face.reverse();
         }
@@ -377,10 +414,10 @@ fn wind(shell: &mut Shell, field: &Field) {
 fn weights(shell: &Shell, keys: &[Key], field: &Field, joints: &Joints) -> Vec<Weights> {
     let mut w: Vec<Weights> = keys.iter().map(|k| label(*k, field, joints)).collect();
     let (around, _) = shell.neighbours();
-    for round in 0..11 {
+    for round in 0..20 {
         let before = w.clone();
         for (v, key) in keys.iter().enumerate() {
-            let on_limb = matches!(key, Key::Arm(_, j, _) | Key::Leg(_, j, _) if *j > 3);
+            let on_limb = matches!(key, Key::Arm(_, j, _) | Key::Leg(_, j, _) if *j > 4);
             if on_limb && round >= 2 {
                 continue;
             }
@@ -449,8 +486,6 @@ pub fn arm_label(side: Side, t: f64) -> Weights {
     match (i.checked_sub(1).map(|b| stops[b]), stops.get(i)) {
         (None, _) => Weights::one(stops[0].1),
         (Some(last), None) => Weights::one(last.1),
-        (Some(a), Some(b)) => {
-            Weights::one(a.1).lerp(&Weights::one(b.1), (t - a.0) / (b.0 - a.0))
-        }
+        (Some(a), Some(b)) => Weights::one(a.1).lerp(&Weights::one(b.1), (t - a.0) / (b.0 - a.0)),
     }
 }

@@ -61,7 +61,14 @@ impl Limb {
         if side.z < 0.0 {
             side = -side;
         }
-        Self { origin, axis, up, side, lengths, sections }
+        Self {
+            origin,
+            axis,
+            up,
+            side,
+            lengths,
+            sections,
+        }
     }
 
     /// Parameter (0 root, 1 middle joint, 2 end) of a distance along the axis.
@@ -75,7 +82,11 @@ impl Limb {
 
     /// Distance along the axis of a parameter.
     pub(super) fn along(&self, t: f64) -> f64 {
-        if t < 1.0 { t * self.lengths[0] } else { self.lengths[0] + (t - 1.0) * self.lengths[1] }
+        if t < 1.0 {
+            t * self.lengths[0]
+        } else {
+            self.lengths[0] + (t - 1.0) * self.lengths[1]
+        }
     }
 
     fn distance(&self, p: DVec3) -> f64 {
@@ -161,7 +172,10 @@ impl Field {
             shoulder,
             Joints::arm_axis(),
             Joints::arm_up(),
-            [span(Bone::LShoulder, Bone::LElbow), span(Bone::LElbow, Bone::LWrist)],
+            [
+                span(Bone::LShoulder, Bone::LElbow),
+                span(Bone::LElbow, Bone::LWrist),
+            ],
             Sections::arm(k * lerp(1.0, 0.87, p.sex) * wide),
         );
         let hip = joints.at(Bone::LHip);
@@ -171,7 +185,10 @@ impl Field {
             hip,
             leg_axis,
             leg_out,
-            [span(Bone::LHip, Bone::LKnee), span(Bone::LKnee, Bone::LSubtalar)],
+            [
+                span(Bone::LHip, Bone::LKnee),
+                span(Bone::LKnee, Bone::LSubtalar),
+            ],
             Sections::leg(k * wide),
         );
         let radius = lerp(6.0 * k, 4.95 * s / 1.65, p.sex) * CM;
@@ -183,7 +200,14 @@ impl Field {
             radius,
         };
         let pads = pads(p, shoulder, trunk.at(0.713)[1]);
-        Self { stature_m: s, trunk, neck, arm, leg, pads }
+        Self {
+            stature_m: s,
+            trunk,
+            neck,
+            arm,
+            leg,
+            pads,
+        }
     }
 
     /// Approximate signed distance, metres.
@@ -220,7 +244,10 @@ impl Field {
         let rho = q.length() + 1e-11;
         let depth = if q.y > 0.0 { front } else { back } * CM;
         let d = (rho - superellipse(q.x / rho / (half * CM), q.y / rho / depth, n)) * 0.9;
-        let (low, high) = (self.trunk.first() * self.stature_m, self.trunk.last() * self.stature_m);
+        let (low, high) = (
+            self.trunk.first() * self.stature_m,
+            self.trunk.last() * self.stature_m,
+        );
         let beyond = (low - p.y).max(p.y - high);
         if beyond > 0.0 {
             let outside = d.max(0.0);
@@ -271,13 +298,39 @@ fn pads(p: &BodyParams, shoulder: DVec3, chest_front_cm: f64) -> Vec<Pad> {
     let trunk = Regions::TRUNK;
     // Deltoid, pectoral, scapula, trapezius, clavicle, gluteus.
     let deltoid = v(5.6, 6.6, 6.0) * k * lerp(1.0, 0.79, f);
-    add(shoulder + v(1.2, -1.0, 0.0) * k * CM, deltoid, 4.0 * k, trunk | Regions::ARM, -25.0);
-    let chest = v(shoulder.x * 0.52, s * 0.742, (chest_front_cm - 3.2 * k) * CM);
+    add(
+        shoulder + v(1.2, -1.0, 0.0) * k * CM,
+        deltoid,
+        4.0 * k,
+        trunk | Regions::ARM,
+        -25.0,
+    );
+    let chest = v(
+        shoulder.x * 0.52,
+        s * 0.742,
+        (chest_front_cm - 3.2 * k) * CM,
+    );
     add(chest, v(8.0, 5.2, 3.6) * k * m, 3.0 * k, trunk, 15.0);
-    let blade = v(shoulder.x * 0.55, s * 0.755, -9.2 * k * lerp(1.0, 0.85, f) * CM);
+    let blade = v(
+        shoulder.x * 0.55,
+        s * 0.755,
+        -9.2 * k * lerp(1.0, 0.85, f) * CM,
+    );
     add(blade, v(6.0, 8.0, 2.9) * k * m, 4.0 * k, trunk, 12.0);
-    add(v(shoulder.x * 0.42, s * 0.822, -3.6 * k * CM), v(7.5, 2.6, 3.6) * k * m, 4.0 * k, trunk, -22.0);
-    add(v(shoulder.x * 0.5, s * 0.808, 2.2 * k * CM), v(8.5, 1.0, 1.2) * k, 2.4 * k, trunk, -4.0);
+    add(
+        v(shoulder.x * 0.42, s * 0.822, -3.6 * k * CM),
+        v(7.5, 2.6, 3.6) * k * m,
+        4.0 * k,
+        trunk,
+        -22.0,
+    );
+    add(
+        v(shoulder.x * 0.5, s * 0.808, 2.2 * k * CM),
+        v(8.5, 1.0, 1.2) * k,
+        2.4 * k,
+        trunk,
+        -4.0,
+    );
     let seat = lerp(1.0, 1.06, f);
     add(
         v(7.4 * k * seat * CM, s * 0.500, -6.6 * k * seat * CM),
@@ -288,8 +341,20 @@ fn pads(p: &BodyParams, shoulder: DVec3, chest_front_cm: f64) -> Vec<Pad> {
     );
     if f > 0.3 {
         let r = 6.8 * k * p.bust * f;
-        add(v(7.6 * k * CM, s * 0.722, 5.4 * k * CM), v(r * 0.98, r, r), 3.0 * k, trunk, 0.0);
-        add(v(7.0 * k * CM, s * 0.748, 4.6 * k * CM), v(r * 0.9, r * 0.9, r * 0.75), 4.0 * k, trunk, 0.0);
+        add(
+            v(7.6 * k * CM, s * 0.722, 5.4 * k * CM),
+            v(r * 0.98, r, r),
+            3.0 * k,
+            trunk,
+            0.0,
+        );
+        add(
+            v(7.0 * k * CM, s * 0.748, 4.6 * k * CM),
+            v(r * 0.9, r * 0.9, r * 0.75),
+            4.0 * k,
+            trunk,
+            0.0,
+        );
     }
     out
 }

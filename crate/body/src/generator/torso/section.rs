@@ -111,7 +111,8 @@ impl Sections {
             }
             let wide = 1.0 + 0.10 * build;
             // Weight gathers at the waist first.
-            let waist = raconteur_base::ops::exp(-((row[0] - 0.60) / 0.06) * ((row[0] - 0.60) / 0.06));
+            let waist =
+                raconteur_base::ops::exp(-((row[0] - 0.60) / 0.06) * ((row[0] - 0.60) / 0.06));
             row[1] *= wide * (1.0 + 0.05 * build * waist);
             row[2] *= wide;
             row[3] *= wide;
@@ -139,7 +140,8 @@ fn scaled<const N: usize>(table: &Table<N>, s: f64) -> Table<N> {
 
 /// Slope of a column at a row: harmonic mean of its neighbours' secants, zero at turns.
 fn slope(table: &[[f64; 6]], column: usize, row: usize) -> f64 {
-    let secant = |i: usize| (table[i + 1][column] - table[i][column]) / (table[i + 1][0] - table[i][0]);
+    let secant =
+        |i: usize| (table[i + 1][column] - table[i][column]) / (table[i + 1][0] - table[i][0]);
     if row == 0 {
         return secant(0);
     }
@@ -147,11 +149,18 @@ fn slope(table: &[[f64; 6]], column: usize, row: usize) -> f64 {
         return secant(row - 1);
     }
     let (a, b) = (secant(row - 1), secant(row));
-    if a * b <= 0.0 { 0.0 } else { 2.0 * a * b / (a + b) }
+    if a * b <= 0.0 {
+        0.0
+    } else {
+        2.0 * a * b / (a + b)
+    }
 }
 
 fn monotone(table: &[[f64; 6]], column: usize, x: f64) -> f64 {
-    let i = table.partition_point(|row| row[0] <= x).clamp(1, table.len() - 1) - 1;
+    let i = table
+        .partition_point(|row| row[0] <= x)
+        .clamp(1, table.len() - 1)
+        - 1;
     let h = table[i + 1][0] - table[i][0];
     raconteur_base::curve::hermite(
         table[i][column],

@@ -87,7 +87,10 @@ impl Joints {
         put(Bone::LKnee, v(hip_x * 0.98, 0.282 * s, 0.5 * CM));
         put(Bone::LSubtalar, v(hip_x * 0.95, 0.046 * s, -2.5 * CM));
         put(Bone::LMidtarsal, v(hip_x, 0.030 * s, 4.0 * CM));
-        put(Bone::LMetatarsal, v(hip_x * 1.08, 0.014 * s, 11.0 * CM * p.scale()));
+        put(
+            Bone::LMetatarsal,
+            v(hip_x * 1.08, 0.014 * s, 11.0 * CM * p.scale()),
+        );
         put(Bone::LScapula, v(0.018 * s, 0.815 * s, -2.0 * CM));
         let shoulder = v(shoulder_x, 0.794 * s, -2.0 * CM);
         let elbow = shoulder + Self::arm_axis() * 0.168 * s;
@@ -98,13 +101,17 @@ impl Joints {
         let down = DQuat::from_rotation_z(-ARMS_DOWN_RAD);
         let hand_scale = s / 1.956;
         for bone in Bone::ALL {
-            let is_finger = bone.index() > Bone::LWrist.index() && bone.index() <= Bone::LThumb2.index();
+            let is_finger =
+                bone.index() > Bone::LWrist.index() && bone.index() <= Bone::LThumb2.index();
             if is_finger {
                 let from_wrist = bone.example_position_m() - Bone::LWrist.example_position_m();
                 put(bone, wrist + down * from_wrist * hand_scale);
             }
         }
-        Self { positions: at, rotations: rest_rotations() }
+        Self {
+            positions: at,
+            rotations: rest_rotations(),
+        }
     }
 }
 
@@ -121,7 +128,11 @@ pub fn rest_rotations() -> [DQuat; Bone::COUNT] {
         if !(first..=last).contains(&bone.index()) {
             return zero[bone.index()];
         }
-        let sign = if bone.side() == Some(Side::Left) { -1.0 } else { 1.0 };
+        let sign = if bone.side() == Some(Side::Left) {
+            -1.0
+        } else {
+            1.0
+        };
         DQuat::from_rotation_z(sign * ARMS_DOWN_RAD) * zero[bone.index()]
     })
 }

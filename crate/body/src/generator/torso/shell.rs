@@ -129,17 +129,29 @@ impl Shell {
         let base = self.points.len() as u32;
         self.points.extend(other.points);
         self.weights.extend(other.weights);
-        self.faces
-            .extend(other.faces.into_iter().map(|f| f.into_iter().map(|v| v + base).collect()));
+        self.faces.extend(
+            other
+                .faces
+                .into_iter()
+                .map(|f| f.into_iter().map(|v| v + base).collect()),
+        );
     }
 
     /// The mirror image on the sagittal plane.
     #[must_use]
     pub fn mirrored(&self) -> Self {
         Self {
-            points: self.points.iter().map(|p| raconteur_base::mirror_vector(*p)).collect(),
+            points: self
+                .points
+                .iter()
+                .map(|p| raconteur_base::mirror_vector(*p))
+                .collect(),
             weights: self.weights.iter().map(Weights::mirrored).collect(),
-            faces: self.faces.iter().map(|f| f.iter().rev().copied().collect()).collect(),
+            faces: self
+                .faces
+                .iter()
+                .map(|f| f.iter().rev().copied().collect())
+                .collect(),
         }
     }
 }

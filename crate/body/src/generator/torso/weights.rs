@@ -62,8 +62,9 @@ impl Weights {
     /// A weighted sum.
     #[must_use]
     pub fn mix<'a>(terms: impl Iterator<Item = (&'a Self, f64)>) -> Self {
-        let mut all: Vec<(Rig, f64)> =
-            terms.flat_map(|(w, s)| w.0.iter().map(move |&(r, x)| (r, x * s))).collect();
+        let mut all: Vec<(Rig, f64)> = terms
+            .flat_map(|(w, s)| w.0.iter().map(move |&(r, x)| (r, x * s)))
+            .collect();
         all.sort_by_key(|t| t.0);
         let mut out: Vec<(Rig, f64)> = Vec::with_capacity(6);
         for (rig, w) in all {
@@ -110,7 +111,11 @@ impl Weights {
     }
 
     fn sum(&self, keep: impl Fn(Bone) -> bool) -> f64 {
-        self.0.iter().filter(|t| keep(t.0.bone())).map(|t| t.1).sum()
+        self.0
+            .iter()
+            .filter(|t| keep(t.0.bone()))
+            .map(|t| t.1)
+            .sum()
     }
 
     /// The same on the other side.

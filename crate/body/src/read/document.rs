@@ -1,0 +1,343 @@
+//! The parts of a glTF document that make a figure, taken from its JSON by hand.
+//!
+//! A page downloads this reader with the player. Typed deserialisers for all of glTF weigh
+//! 60 KB compressed there, a fifth of the budget; a figure needs a few dozen fields.
+//! Fields of a wrong type count as absent; what must be there is asked for by the reader.
+
+use serde_json::Value;
+
+use super::ReadError;
+
+const MAGIC: &[u8; 4] = b"glTF";
+const CHUNK_JSON: u32 = 0x4E4F_534A;
+const CHUNK_BIN: u32 = 0x004E_4942;
+
+/// A node's own placement and what hangs on it.
+pub(super) struct Node {
+    pub(super) name: String,
+    pub(super) children: Vec<usize>,
+    pub(super) matrix: Option<[f64; 16]>,
+    pub(super) translation: Option<[f64; 3]>,
+    pub(super) rotation: Option<[f64; 4]>,
+    pub(super) scale: Option<[f64; 3]>,
+    pub(super) mesh: Option<usize>,
+    pub(super) skin: Option<usize>,
+}
+
+pub(super) struct Skin {
+    pub(super) joints: Vec<usize>,
+    pub(super) inverse_bind_matrices: Option<usize>,
+}
+
+pub(super) struct Mesh {
+    pub(super) name: String,
+    pub(super) target_names: Vec<String>,
+    pub(super) primitives: Vec<Primitive>,
+}
+
+pub(super) struct Primitive {
+    attributes: Vec<(String, usize)>,
+    pub(super) indices: Option<usize>,
+    /// glTF's drawing mode; 4 is triangles.
+    pub(super) mode: u64,
+    pub(super) material: Option<usize>,
+    pub(super) targets: Vec<Target>,
+}
+
+impl Primitive {
+    /// The accessor of an attribute.
+    pub(super) fn attribute(&self, name: &str) -> Option<usize> {
+        self.attributes.iter().find(|(n, _)| n == name).map(|(_, a)| *a)
+    }
+}
+
+pub(super) struct Target {
+    pub(super) positions: Option<usize>,
+    pub(super) normals: Option<usize>,
+}
+
+pub(super) struct Material {
+    pub(super) kind: String,
+    pub(super) base_color: [f64; 4],
+    pub(super) roughness: f64,
+    pub(super) double_sided: bool,
+}
+
+/// Type of one number in a buffer.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Component {
+    I8,
+    U8,
+    I16,
+    U16,
+    U32,
+    F32,
+}
+
+impl Component {
+    fn from_code(code: u64) -> Option<Self> {
+        Some(match code {
+            5120 => Self::I8,
+            5121 => Self::U8,
+            5122 => Self::I16,
+            5123 => Self::U16,
+            5125 => Self::U32,
+            5126 => Self::F32,
+            _ => return None,
+        })
+    }
+
+    pub(super) fn bytes(self) -> usize {
+        match self {
+            Self::I8 | Self::U8 => 1,
+            Self::I16 | Self::U16 => 2,
+            Self::U32 | Self::F32 => 4,
+        }
+    }
+}
+
+pub(super) struct Accessor {
+    pub(super) buffer_view: Option<usize>,
+    pub(super) byte_offset: u64,
+    pub(super) count: u64,
+    pub(super) component: Option<Component>,
+    /// Numbers an element; 0 for an unknown type.
+    pub(super) width: usize,
+    pub(super) normalized: bool,
+    pub(super) sparse: Option<Sparse>,
+}
+
+pub(super) struct Sparse {
+    pub(super) count: u64,
+    pub(super) index_component: Option<Component>,
+    pub(super) index_view: usize,
+    pub(super) index_offset: u64,
+    pub(super) value_view: usize,
+    pub(super) value_offset: u64,
+}
+
+pub(super) struct View {
+    pub(super) buffer: usize,
+    pub(super) byte_offset: u64,
+    pub(super) byte_length: u64,
+    pub(super) byte_stride: Option<usize>,
+}
+
+/// A document and its binary chunk.
+pub(super) struct Document<'a> {
+    pub(super) extensions_required: Vec<String>,
+    pub(super) stature_m: Option<f64>,
+    pub(super) lid_closure_rad: Option<[f64; 2]>,
+    pub(super) nodes: Vec<Node>,
+    pub(super) skins: Vec<Skin>,
+    pub(super) meshes: Vec<Mesh>,
+    pub(super) materials: Vec<Material>,
+    pub(super) accessors: Vec<Accessor>,
+    pub(super) views: Vec<View>,
+    pub(super) bin: &'a [u8],
+}
+
+fn items<'v>(value: &'v Value, key: &str) -> &'v [Value] {
+    value[key].as_array().map_or(&[], Vec::as_slice)
+}
+
+fn index(value: &Value, key: &str) -> Option<usize> {
+    value[key].as_u64().and_then(|n| usize::try_from(n).ok())
+}
+
+/// An index that must be there; one that is not points nowhere.
+fn needed_index(value: &Value, key: &str) -> usize {
+    index(value, key).unwrap_or(usize::MAX)
+}
+
+fn indices(value: &Value, key: &str) -> Vec<usize> {
+    items(value, key)
+        .iter()
+        .map(|v| v.as_u64().and_then(|n| usize::try_from(n).ok()).unwrap_or(usize::MAX))
+        .collect()
+}
+
+fn whole(value: &Value, key: &str) -> u64 {
+    value[key].as_u64().unwrap_or(0)
+}
+
+fn text(value: &Value, key: &str) -> String {
+    value[key].as_str().unwrap_or_default().to_owned()
+}
+
+fn texts(value: &Value, key: &str) -> Vec<String> {
+    items(value, key).iter().filter_map(Value::as_str).map(str::to_owned).collect()
+}
+
+fn numbers<const N: usize>(value: &Value, key: &str) -> Option<[f64; N]> {
+    let list = items(value, key);
+    if list.len() != N {
+        return None;
+    }
+    let mut out = [0.0; N];
+    for (o, v) in out.iter_mut().zip(list) {
+        *o = v.as_f64()?;
+    }
+    Some(out)
+}
+
+fn component(value: &Value) -> Option<Component> {
+    Component::from_code(whole(value, "componentType"))
+}
+
+fn node(v: &Value) -> Node {
+    Node {
+        name: text(v, "name"),
+        children: indices(v, "children"),
+        matrix: numbers(v, "matrix"),
+        translation: numbers(v, "translation"),
+        rotation: numbers(v, "rotation"),
+        scale: numbers(v, "scale"),
+        mesh: index(v, "mesh"),
+        skin: index(v, "skin"),
+    }
+}
+
+fn skin(v: &Value) -> Skin {
+    Skin {
+        joints: indices(v, "joints"),
+        inverse_bind_matrices: index(v, "inverseBindMatrices"),
+    }
+}
+
+fn primitive(v: &Value) -> Primitive {
+    let attributes = v["attributes"].as_object().into_iter().flatten();
+    Primitive {
+        attributes: attributes
+            .map(|(k, a)| {
+                let accessor = a.as_u64().and_then(|n| usize::try_from(n).ok());
+                (k.clone(), accessor.unwrap_or(usize::MAX))
+            })
+            .collect(),
+        indices: index(v, "indices"),
+        mode: v["mode"].as_u64().unwrap_or(4),
+        material: index(v, "material"),
+        targets: items(v, "targets")
+            .iter()
+            .map(|t| Target { positions: index(t, "POSITION"), normals: index(t, "NORMAL") })
+            .collect(),
+    }
+}
+
+fn mesh(v: &Value) -> Mesh {
+    Mesh {
+        name: text(v, "name"),
+        target_names: texts(&v["extras"], "targetNames"),
+        primitives: items(v, "primitives").iter().map(primitive).collect(),
+    }
+}
+
+fn material(v: &Value) -> Material {
+    let pbr = &v["pbrMetallicRoughness"];
+    Material {
+        kind: text(&v["extras"], "kind"),
+        base_color: numbers(pbr, "baseColorFactor").unwrap_or([1.0; 4]),
+        roughness: pbr["roughnessFactor"].as_f64().unwrap_or(1.0),
+        double_sided: v["doubleSided"].as_bool().unwrap_or(false),
+    }
+}
+
+fn accessor(v: &Value) -> Accessor {
+    let sparse = &v["sparse"];
+    Accessor {
+        buffer_view: index(v, "bufferView"),
+        byte_offset: whole(v, "byteOffset"),
+        count: whole(v, "count"),
+        component: component(v),
+        width: match v["type"].as_str() {
+            Some("SCALAR") => 1,
+            Some("VEC2") => 2,
+            Some("VEC3") => 3,
+            Some("VEC4" | "MAT2") => 4,
+            Some("MAT3") => 9,
+            Some("MAT4") => 16,
+            _ => 0,
+        },
+        normalized: v["normalized"].as_bool().unwrap_or(false),
+        sparse: sparse.is_object().then(|| Sparse {
+            count: whole(sparse, "count"),
+            index_component: component(&sparse["indices"]),
+            index_view: needed_index(&sparse["indices"], "bufferView"),
+            index_offset: whole(&sparse["indices"], "byteOffset"),
+            value_view: needed_index(&sparse["values"], "bufferView"),
+            value_offset: whole(&sparse["values"], "byteOffset"),
+        }),
+    }
+}
+
+fn view(v: &Value) -> View {
+    View {
+        buffer: needed_index(v, "buffer"),
+        byte_offset: whole(v, "byteOffset"),
+        byte_length: whole(v, "byteLength"),
+        byte_stride: index(v, "byteStride"),
+    }
+}
+
+fn word(bytes: &[u8], at: usize) -> Option<u32> {
+    let b = bytes.get(at..at.checked_add(4)?)?;
+    Some(u32::from_le_bytes([b[0], b[1], b[2], b[3]]))
+}
+
+/// The JSON and binary chunks of a container.
+fn chunks(glb: &[u8]) -> Result<(&[u8], &[u8]), ReadError> {
+    let bad = |what: &str| ReadError::NotGlb(what.to_owned());
+    if glb.get(..4) != Some(MAGIC) {
+        return Err(bad("it does not begin with glTF"));
+    }
+    if word(glb, 4) != Some(2) {
+        return Err(bad("its version is not 2"));
+    }
+    let claimed = word(glb, 8).ok_or_else(|| bad("the header is incomplete"))? as usize;
+    let file = glb.get(..claimed).ok_or_else(|| bad("it is shorter than it claims"))?;
+    let (mut json, mut bin) = (None, None);
+    let mut at = 12;
+    while at < file.len() {
+        let header = word(file, at).zip(word(file, at + 4));
+        let (length, kind) = header.ok_or_else(|| bad("a chunk has no whole header"))?;
+        let from = at + 8;
+        let end = from.checked_add(length as usize).filter(|end| *end <= file.len());
+        let end = end.ok_or_else(|| bad("a chunk is shorter than it claims"))?;
+        match kind {
+            CHUNK_JSON if json.is_none() => json = Some(&file[from..end]),
+            CHUNK_BIN if bin.is_none() => bin = Some(&file[from..end]),
+            _ => {}
+        }
+        // Chunks begin at multiples of four.
+        at = end.next_multiple_of(4);
+    }
+    Ok((json.ok_or_else(|| bad("it has no JSON chunk"))?, bin.unwrap_or_default()))
+}
+
+impl<'a> Document<'a> {
+    /// Takes a container apart.
+    pub(super) fn read(glb: &'a [u8]) -> Result<Self, ReadError> {
+        let (json, bin) = chunks(glb)?;
+        // serde_json refuses nesting beyond 128 levels, so this cannot exhaust the stack.
+        let root: Value =
+            serde_json::from_slice(json).map_err(|e| ReadError::NotGlb(e.to_string()))?;
+        if root["asset"]["version"].as_str().is_none_or(|v| !v.starts_with("2.")) {
+            return Err(ReadError::NotGlb("its asset version is not 2".to_owned()));
+        }
+        let scene = index(&root, "scene").and_then(|i| items(&root, "scenes").get(i));
+        let extras = scene.map_or(&Value::Null, |s| &s["extras"]);
+        let all = |key: &str| items(&root, key).iter();
+        Ok(Self {
+            extensions_required: texts(&root, "extensionsRequired"),
+            stature_m: extras["statureMetres"].as_f64(),
+            lid_closure_rad: numbers(extras, "lidClosureRadians"),
+            nodes: all("nodes").map(node).collect(),
+            skins: all("skins").map(skin).collect(),
+            meshes: all("meshes").map(mesh).collect(),
+            materials: all("materials").map(material).collect(),
+            accessors: all("accessors").map(accessor).collect(),
+            views: all("bufferViews").map(view).collect(),
+            bin,
+        })
+    }
+}

@@ -1,0 +1,130 @@
+//! The reader against hostile files, and the shipped figure against a reader that nobody
+//! here wrote.
+
+use std::fs;
+use std::path::PathBuf;
+
+use raconteur_base::noise;
+use raconteur_body::read::{ReadError, read_figure};
+use raconteur_body::{Bone, MaterialKind};
+
+fn shipped() -> Vec<u8> {
+    let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../assets/figures/sofia.glb");
+    fs::read(&path).unwrap_or_else(|e| panic!("{}: {e}", path.display()))
+}
+
+/// A container of this JSON without binary chunk.
+fn container(json: &str) -> Vec<u8> {
+    let mut json = json.as_bytes().to_vec();
+    json.resize(json.len().next_multiple_of(4), b' ');
+    let mut glb = b"glTF".to_vec();
+    glb.extend(2u32.to_le_bytes());
+    glb.extend((20 + json.len() as u32).to_le_bytes());
+    glb.extend((json.len() as u32).to_le_bytes());
+    glb.extend(b"JSON");
+    glb.extend(json);
+    glb
+}
+
+/// Replaces a piece of the shipped figure's JSON chunk by one of the same length.
+fn tampered(from: &str, to: &str) -> Vec<u8> {
+    assert!(to.len() <= from.len());
+    let mut glb = shipped();
+    let at = glb.windows(from.len()).position(|w| w == from.as_bytes());
+    let at = at.unwrap_or_else(|| panic!("the figure's JSON holds no {from}"));
+    glb[at..at + from.len()].fill(b' ');
+    glb[at..at + to.len()].copy_from_slice(to.as_bytes());
+    glb
+}
+
+#[test]
+fn another_reader_finds_the_same_figure() {
+    let bytes = shipped();
+    let ours = read_figure("sofia", &bytes).expect("a figure");
+    // The gltf crate refuses files that require KHR_mesh_quantization, though it reads them.
+    let theirs = gltf::Gltf::from_slice_without_validation(&bytes).expect("glTF");
+    let primitives: Vec<_> = theirs.meshes().flat_map(|m| m.primitives()).collect();
+    assert_eq!(ours.meshes.len(), primitives.len());
+    let blob = theirs.blob.as_deref();
+    for (mesh, primitive) in ours.meshes.iter().zip(&primitives) {
+        let count = |s| primitive.get(&s).map_or(0, |a| a.count());
+        assert_eq!(mesh.positions.len(), count(gltf::Semantic::Positions));
+        assert_eq!(mesh.weights.len(), count(gltf::Semantic::Weights(0)));
+        assert_eq!(mesh.morphs.len(), primitive.morph_targets().count());
+        let reader = primitive.reader(|_| blob);
+        let indices: Vec<u32> =
+            reader.read_indices().map(|i| i.into_u32().collect()).unwrap_or_default();
+        assert_eq!(mesh.indices, indices, "{}", mesh.name);
+    }
+    let skin = theirs.skins().next().expect("a skin");
+    assert_eq!(skin.joints().count(), ours.skeleton.joints().len());
+}
+
+#[test]
+fn the_shipped_figure_is_whole() {
+    let figure = read_figure("sofia", &shipped()).expect("a figure");
+    for kind in [MaterialKind::Skin, MaterialKind::Eye, MaterialKind::Hair, MaterialKind::Cloth] {
+        assert!(figure.meshes.iter().any(|m| m.material.kind == kind), "no {kind:?}");
+    }
+    for name in ["mouthClose", "mouthPucker", "browInnerUp"] {
+        assert!(figure.morph_index(name).is_some(), "no {name}");
+    }
+    assert!(figure.lid_closure_rad.iter().all(|r| *r > 0.1));
+    for mesh in &figure.meshes {
+        for (w, j) in mesh.weights.iter().zip(&mesh.joints) {
+            assert!((w.iter().sum::<f32>() - 1.0).abs() < 1e-5);
+            assert!(j.iter().all(|j| usize::from(*j) < figure.skeleton.joints().len()));
+        }
+    }
+    let bytes = shipped().len();
+    assert!(bytes <= 3_000_000, "{bytes} bytes");
+}
+
+#[test]
+fn faults_are_named() {
+    let fault = |glb: &[u8]| read_figure("x", glb).expect_err("a fault");
+    let whole = shipped();
+    assert!(matches!(fault(b""), ReadError::NotGlb(_)));
+    assert!(matches!(fault(b"PK\x03\x04 a zip file"), ReadError::NotGlb(_)));
+    assert!(matches!(fault(&whole[..whole.len() / 2]), ReadError::NotGlb(_)));
+    assert!(matches!(fault(&container("{not json")), ReadError::NotGlb(_)));
+    assert!(matches!(fault(&container("{}")), ReadError::NotGlb(_)));
+    let draco = r#"{"asset":{"version":"2.0"},"extensionsRequired":["KHR_draco_mesh_compression"]}"#;
+    assert!(matches!(fault(&container(draco)), ReadError::Extension(e) if e.contains("draco")));
+    let cycle = r#"{"asset":{"version":"2.0"},"nodes":[{"children":[1]},{"children":[0]}]}"#;
+    assert!(matches!(fault(&container(cycle)), ReadError::Cycle));
+    let nobody = r#"{"asset":{"version":"2.0"},"nodes":[{"name":"Hips"}]}"#;
+    assert!(matches!(fault(&container(nobody)), ReadError::NoSkeleton { .. }));
+    let deep = format!("{}{}", "[".repeat(100_000), "]".repeat(100_000));
+    assert!(matches!(fault(&container(&deep)), ReadError::NotGlb(_)));
+    let bone = Bone::LWrist.name();
+    let renamed = tampered(&format!("\"{bone}\""), "\"bone_of_none\"");
+    assert!(matches!(fault(&renamed), ReadError::NoSkeleton { missing } if missing == bone));
+}
+
+#[test]
+fn no_tampering_panics() {
+    // One byte or one stretch at a time, at places that a hash chooses; the JSON chunk and
+    // the header get most of it, because there lie counts, offsets and indices.
+    let whole = shipped();
+    let json = u32::from_le_bytes([whole[12], whole[13], whole[14], whole[15]]) as usize;
+    let mut refused = 0;
+    for round in 0..400 {
+        let mut glb = whole.clone();
+        for k in 0..4 {
+            let span = if k == 3 { glb.len() } else { 20 + json };
+            let at = noise::hash(round, k, 1) as usize % span;
+            // Digits stay digits half of the time, so that the JSON often remains JSON.
+            glb[at] = if glb[at].is_ascii_digit() && noise::hash(round, k, 2).is_multiple_of(2) {
+                b'0' + (noise::hash(round, k, 3) % 10) as u8
+            } else {
+                noise::hash(round, k, 4) as u8
+            };
+        }
+        if round % 7 == 0 {
+            glb.truncate(noise::hash(round, 9, 5) as usize % whole.len());
+        }
+        refused += usize::from(read_figure("x", &glb).is_err());
+    }
+    assert!(refused > 50, "only {refused} of 400 were refused");
+}
