@@ -1,15 +1,15 @@
 /** `<raconteur-player>`: a storyteller on a page, used like a media element. */
 
-import { html, LitElement, nothing, type PropertyValues } from 'lit';
+import { html, LitElement, nothing, unsafeCSS, type PropertyValues } from 'lit';
 import { classMap } from 'lit/directives/class-map.js';
 import { hasAudio, RecordedVoice, SilentVoice, wakeAudio, type Voice } from './audio.js';
 import { chooseBackend, warmUp } from './backend.js';
 import { captionAt, captionsOf, type Caption } from './captions.js';
 import * as parts from './controls.js';
+import look from './element.css?inline';
 import { handleKey, type KeyActions } from './keyboard.js';
 import { fetchStory } from './loader.js';
 import { Picture } from './picture.js';
-import { styles } from './styles.js';
 import { Transport, type TransportEvent } from './transport.js';
 import { PlayerError, type Backend, type Cue, type Diagnostic, type PlayerEventMap, type Story } from './types.js';
 
@@ -29,7 +29,7 @@ interface Show {
 
 /** The custom element. Attributes mirror properties; events follow `HTMLMediaElement`. */
 export class RaconteurPlayer extends LitElement {
-  static override styles = styles;
+  static override styles = unsafeCSS(look);
   static override properties = {
     src: { reflect: true },
     figure: { reflect: true },

@@ -43,6 +43,8 @@ function build(backend, folder) {
   // binaryen from npm: distributions carry versions old enough to break reference types.
   run(process.execPath, [
     join(root, 'node_modules/binaryen/bin/wasm-opt'), module, '-o', module, '-Oz',
+    // Nothing lives below 1024 (the end of the stack is there), so offsets fold into loads.
+    '--low-memory-unused',
     '--enable-bulk-memory', '--enable-reference-types', '--enable-nontrapping-float-to-int',
     '--enable-sign-ext', '--enable-mutable-globals', '--enable-multivalue',
   ], { why: 'Shrinking the wasm file' });

@@ -11,8 +11,9 @@ use raconteur_speech::phones::Channel;
 use crate::lips::MouthTargets;
 
 /// Rotation of the jaw at a channel value of 1, radians. Speech opens the mouth less than
-/// it can (F&H's jaw channel is the whole range): the widest vowel turns it by 8°.
-const JAW_RAD: f64 = 0.215;
+/// it can (F&H's jaw channel is the whole range): the widest vowel turns it by 9°, as one
+/// who speaks to a room does.
+const JAW_RAD: f64 = 0.245;
 /// Jaw angle at which the whole of `mouthClose` just closes the lips, radians; a contract
 /// with the figures.
 const CLOSE_RAD: f64 = 0.2;
@@ -220,7 +221,7 @@ impl FaceRig {
         set(M::Close, (1.0 - kept) * jaw_rad / CLOSE_RAD);
         set(
             M::Pucker,
-            0.95 * round * (1.0 - 0.5 * open) + 0.12 * value(Channel::OoContract),
+            1.15 * round * (1.0 - 0.4 * open) + 0.12 * value(Channel::OoContract),
         );
         set(M::Funnel, 0.9 * round * open);
         for (m, corner) in [(M::StretchL, 0), (M::StretchR, 1)] {

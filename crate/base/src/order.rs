@@ -11,8 +11,11 @@ fn sort_pairs(pairs: &mut [(f64, usize)]) {
 
 /// Sorts by a number, stably: equal items keep their order. O(n log n).
 pub fn sort_by_number<T>(items: &mut [T], number: impl Fn(&T) -> f64) {
-    let mut order: Vec<(f64, usize)> =
-        items.iter().enumerate().map(|(i, item)| (number(item), i)).collect();
+    let mut order: Vec<(f64, usize)> = items
+        .iter()
+        .enumerate()
+        .map(|(i, item)| (number(item), i))
+        .collect();
     sort_pairs(&mut order);
     // Item `order[i].1` belongs at `i`. Earlier swaps may have moved it; follow them.
     for i in 0..items.len() {
@@ -34,8 +37,9 @@ mod tests {
     fn it_sorts_as_the_standard_library_does() {
         for n in 0..60 {
             for seed in 0..20 {
-                let items: Vec<(f64, i64)> =
-                    (0..n).map(|i| ((noise::unit(seed, 1, i) * 8.0).floor(), i)).collect();
+                let items: Vec<(f64, i64)> = (0..n)
+                    .map(|i| ((noise::unit(seed, 1, i) * 8.0).floor(), i))
+                    .collect();
                 let mut ours = items.clone();
                 let mut theirs = items;
                 sort_by_number(&mut ours, |x| x.0);

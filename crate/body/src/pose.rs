@@ -82,7 +82,6 @@ pub fn twist_about_x(q: DQuat) -> DQuat {
     DQuat::from_xyzw(sign * q.x / norm, 0.0, 0.0, sign * q.w / norm)
 }
 
-
 #[cfg(test)]
 mod tests {
     use super::*;

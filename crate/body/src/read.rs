@@ -79,7 +79,11 @@ pub enum ReadError {
 /// A [`ReadError`] that names the first fault found.
 pub fn read_figure(name: &str, glb: &[u8]) -> Result<Figure, ReadError> {
     let root = Document::read(glb)?;
-    if let Some(e) = root.extensions_required.iter().find(|e| *e != "KHR_mesh_quantization") {
+    if let Some(e) = root
+        .extensions_required
+        .iter()
+        .find(|e| *e != "KHR_mesh_quantization")
+    {
         return Err(ReadError::Extension(e.clone()));
     }
     let mut source = Source::new(&root);
@@ -96,12 +100,7 @@ pub fn read_figure(name: &str, glb: &[u8]) -> Result<Figure, ReadError> {
     };
     for node in &root.nodes {
         if let (Some(mesh), Some(skin)) = (node.mesh, node.skin) {
-            let binding = read_skin(
-                &mut source,
-                skin,
-                &world_from_node,
-                &figure.skeleton,
-            )?;
+            let binding = read_skin(&mut source, skin, &world_from_node, &figure.skeleton)?;
             let mesh = root.meshes.get(mesh).ok_or(ReadError::OutOfRange {
                 what: "a node's mesh",
             })?;
@@ -133,11 +132,9 @@ fn solve_nodes(root: &Document<'_>) -> Result<Vec<DAffine3>, ReadError> {
     let mut parents: Vec<Option<usize>> = vec![None; count];
     for (i, node) in root.nodes.iter().enumerate() {
         for &child in &node.children {
-            let slot = parents
-                .get_mut(child)
-                .ok_or(ReadError::OutOfRange {
-                    what: "a node's child",
-                })?;
+            let slot = parents.get_mut(child).ok_or(ReadError::OutOfRange {
+                what: "a node's child",
+            })?;
             if slot.replace(i).is_some() {
                 return Err(ReadError::Cycle);
             }
@@ -163,9 +160,7 @@ fn local_of(node: &document::Node) -> Result<DAffine3, ReadError> {
     let local = if let Some(m) = node.matrix {
         DAffine3::from_mat4(DMat4::from_cols_array(&m))
     } else {
-        let rotation = node
-            .rotation
-            .map_or(DQuat::IDENTITY, DQuat::from_array);
+        let rotation = node.rotation.map_or(DQuat::IDENTITY, DQuat::from_array);
         DAffine3::from_scale_rotation_translation(
             node.scale.map_or(DVec3::ONE, DVec3::from_array),
             if rotation.length_squared() > 0.0 {
@@ -187,15 +182,10 @@ fn local_of(node: &document::Node) -> Result<DAffine3, ReadError> {
 
 /// Nodes by name; the first of a name counts.
 fn node_named(root: &Document<'_>, name: &str) -> Option<usize> {
-    root.nodes
-        .iter()
-        .position(|n| n.name == name)
+    root.nodes.iter().position(|n| n.name == name)
 }
 
-fn skeleton(
-    root: &Document<'_>,
-    world: &[DAffine3],
-) -> Result<Skeleton, ReadError> {
+fn skeleton(root: &Document<'_>, world: &[DAffine3]) -> Result<Skeleton, ReadError> {
     let mut positions = [DVec3::ZERO; Bone::COUNT];
     let mut rotations = [DQuat::IDENTITY; Bone::COUNT];
     for bone in Bone::ALL {
@@ -283,8 +273,7 @@ fn read_skin(
     let world_from_mesh = match skin.inverse_bind_matrices {
         None => world_from_node[first],
         Some(accessor) => {
-            let matrices: Vec<[f32; 16]> =
-                source.floats(accessor, "inverse bind matrices")?;
+            let matrices: Vec<[f32; 16]> = source.floats(accessor, "inverse bind matrices")?;
             if matrices.len() < joints.len() {
                 return Err(ReadError::Count {
                     what: "inverse bind matrices",
@@ -409,9 +398,7 @@ fn read_primitive(
             .collect(),
         None => (0..count as u32).collect(),
     };
-    if primitive.mode != TRIANGLES
-        || !indices.len().is_multiple_of(3)
-    {
+    if primitive.mode != TRIANGLES || !indices.len().is_multiple_of(3) {
         return Err(ReadError::Type { what: "triangles" });
     }
     if indices.iter().any(|&i| i as usize >= count) {
@@ -488,12 +475,9 @@ fn read_material(
             double_sided: false,
         });
     };
-    let m = root
-        .materials
-        .get(index)
-        .ok_or(ReadError::OutOfRange {
-            what: "a mesh's material",
-        })?;
+    let m = root.materials.get(index).ok_or(ReadError::OutOfRange {
+        what: "a mesh's material",
+    })?;
     Ok(Material {
         kind: MaterialKind::NAMES
             .into_iter()

@@ -21,7 +21,10 @@ use raconteur_base::{DAffine3, DMat3, DQuat, DVec3, Side, mirror_vector};
 use crate::pose::Pose;
 
 /// A bone of GEVH appendix A, in the order of its tree (A.2).
-#[allow(missing_docs, reason = "the names are anatomical and listed in GEVH appendix A")]
+#[allow(
+    missing_docs,
+    reason = "the names are anatomical and listed in GEVH appendix A"
+)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[repr(u8)]
 pub enum Bone {
@@ -78,7 +81,8 @@ pub enum Bone {
     LThumb2,
     Cervical,
     Skull,
-    Chin,}
+    Chin,
+}
 
 /// One row of GEVH table A.1, as printed.
 struct Row {
@@ -99,7 +103,13 @@ const fn row(
     euler_zyz_deg: [f64; 3],
     position_units: [f64; 3],
 ) -> Row {
-    Row { name, parent, flip_z, euler_zyz_deg, position_units }
+    Row {
+        name,
+        parent,
+        flip_z,
+        euler_zyz_deg,
+        position_units,
+    }
 }
 
 /// GEVH tables A.1 and A.2. `bone_chin` has no row in A.1 and takes its parent's
@@ -284,7 +294,11 @@ impl Bone {
     /// (one unit is 25.4 mm), symmetrised from the left side.
     #[must_use]
     pub fn example_position_m(self) -> DVec3 {
-        let source = if self.side() == Some(Side::Right) { self.mirrored() } else { self };
+        let source = if self.side() == Some(Side::Right) {
+            self.mirrored()
+        } else {
+            self
+        };
         let [x, y, z] = ROWS[source.index()].position_units;
         let p = DVec3::new(x, y, -z) * raconteur_base::METRES_PER_INCH;
         match self.side() {
@@ -313,7 +327,11 @@ fn source_axes(row: &Row) -> DMat3 {
 #[must_use]
 pub fn zero_frames() -> [DQuat; Bone::COUNT] {
     Bone::ALL.map(|bone| {
-        let left = if bone.side() == Some(Side::Right) { bone.mirrored() } else { bone };
+        let left = if bone.side() == Some(Side::Right) {
+            bone.mirrored()
+        } else {
+            bone
+        };
         let axes = match bone.side() {
             None => DMat3::from_cols(DVec3::Y, DVec3::Z, DVec3::X),
             Some(side) => {
@@ -386,7 +404,10 @@ pub fn standard_helpers() -> Vec<(String, Drive)> {
     for side in Side::BOTH {
         let s = if side == Side::Left { "l" } else { "r" };
         for part in ["shoulder", "elbow", "wrist", "hip", "knee"] {
-            helpers.push((format!("helper_{s}_{part}_half"), Drive::Share(Bone::on(side, part), 0.5)));
+            helpers.push((
+                format!("helper_{s}_{part}_half"),
+                Drive::Share(Bone::on(side, part), 0.5),
+            ));
         }
         for finger in ["index", "middle", "ring", "pinky", "thumb"] {
             for i in 0..3 {
@@ -408,8 +429,14 @@ pub fn standard_helpers() -> Vec<(String, Drive)> {
         helpers.push((format!("helper_{s}_upper_lid"), Drive::UpperLid(side)));
         helpers.push((format!("helper_{s}_lower_lid"), Drive::LowerLid(side)));
     }
-    helpers.push(("helper_cervical_half".to_owned(), Drive::Share(Bone::Cervical, 0.5)));
-    helpers.push(("helper_skull_half".to_owned(), Drive::Share(Bone::Skull, 0.5)));
+    helpers.push((
+        "helper_cervical_half".to_owned(),
+        Drive::Share(Bone::Cervical, 0.5),
+    ));
+    helpers.push((
+        "helper_skull_half".to_owned(),
+        Drive::Share(Bone::Skull, 0.5),
+    ));
     helpers
 }
 
@@ -454,7 +481,11 @@ impl Skeleton {
                 }
                 Drive::Twist(bone, share) => {
                     let own = &joints[bone.index()];
-                    (own.parent, own.translation_in_parent * share, own.zero_rotation)
+                    (
+                        own.parent,
+                        own.translation_in_parent * share,
+                        own.zero_rotation,
+                    )
                 }
                 Drive::Eye(side) | Drive::UpperLid(side) | Drive::LowerLid(side) => (
                     Some(skull),
@@ -465,7 +496,13 @@ impl Skeleton {
                 ),
                 Drive::Bone(_) | Drive::Fixed => continue,
             };
-            joints.push(Joint { name, parent, translation_in_parent, zero_rotation, drive });
+            joints.push(Joint {
+                name,
+                parent,
+                translation_in_parent,
+                zero_rotation,
+                drive,
+            });
         }
         Self { joints, stature_m }
     }
@@ -474,9 +511,14 @@ impl Skeleton {
     /// `None` when that does not hold.
     #[must_use]
     pub fn from_joints(joints: Vec<Joint>, stature_m: f64) -> Option<Self> {
-        let ordered = joints.iter().enumerate().all(|(i, j)| j.parent.is_none_or(|p| p < i));
+        let ordered = joints
+            .iter()
+            .enumerate()
+            .all(|(i, j)| j.parent.is_none_or(|p| p < i));
         let bones = joints.len() >= Bone::COUNT
-            && Bone::ALL.iter().all(|b| joints[b.index()].drive == Drive::Bone(*b));
+            && Bone::ALL
+                .iter()
+                .all(|b| joints[b.index()].drive == Drive::Bone(*b));
         (ordered && bones).then_some(Self { joints, stature_m })
     }
 
@@ -515,8 +557,10 @@ impl Skeleton {
             );
             let world = match joint.parent {
                 None => {
-                    DAffine3::from_rotation_translation(pose.root_rotation, pose.root_offset_in_world)
-                        * local
+                    DAffine3::from_rotation_translation(
+                        pose.root_rotation,
+                        pose.root_offset_in_world,
+                    ) * local
                 }
                 Some(p) => out[p] * local,
             };
@@ -531,8 +575,16 @@ mod tests {
 
     fn example() -> Skeleton {
         let positions = Bone::ALL.map(Bone::example_position_m);
-        let eyes = [DVec3::new(0.031, 1.80, 0.08), DVec3::new(-0.031, 1.80, 0.08)];
-        Skeleton::from_bind(&positions, &zero_frames(), FacePlaces { eye_centres: eyes }, 1.956)
+        let eyes = [
+            DVec3::new(0.031, 1.80, 0.08),
+            DVec3::new(-0.031, 1.80, 0.08),
+        ];
+        Skeleton::from_bind(
+            &positions,
+            &zero_frames(),
+            FacePlaces { eye_centres: eyes },
+            1.956,
+        )
     }
 
     #[test]
@@ -593,7 +645,10 @@ mod tests {
         skeleton.solve(&pose, &mut world);
         let l = world[Bone::LWrist.index()].translation;
         let r = world[Bone::RWrist.index()].translation;
-        assert!(l.z > 0.15 && (mirror_vector(l) - r).length() < 1e-9, "{l} {r}");
+        assert!(
+            l.z > 0.15 && (mirror_vector(l) - r).length() < 1e-9,
+            "{l} {r}"
+        );
     }
 
     #[test]

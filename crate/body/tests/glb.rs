@@ -52,8 +52,10 @@ fn another_reader_finds_the_same_figure() {
         assert_eq!(mesh.weights.len(), count(gltf::Semantic::Weights(0)));
         assert_eq!(mesh.morphs.len(), primitive.morph_targets().count());
         let reader = primitive.reader(|_| blob);
-        let indices: Vec<u32> =
-            reader.read_indices().map(|i| i.into_u32().collect()).unwrap_or_default();
+        let indices: Vec<u32> = reader
+            .read_indices()
+            .map(|i| i.into_u32().collect())
+            .unwrap_or_default();
         assert_eq!(mesh.indices, indices, "{}", mesh.name);
     }
     let skin = theirs.skins().next().expect("a skin");
@@ -63,8 +65,16 @@ fn another_reader_finds_the_same_figure() {
 #[test]
 fn the_shipped_figure_is_whole() {
     let figure = read_figure("sofia", &shipped()).expect("a figure");
-    for kind in [MaterialKind::Skin, MaterialKind::Eye, MaterialKind::Hair, MaterialKind::Cloth] {
-        assert!(figure.meshes.iter().any(|m| m.material.kind == kind), "no {kind:?}");
+    for kind in [
+        MaterialKind::Skin,
+        MaterialKind::Eye,
+        MaterialKind::Hair,
+        MaterialKind::Cloth,
+    ] {
+        assert!(
+            figure.meshes.iter().any(|m| m.material.kind == kind),
+            "no {kind:?}"
+        );
     }
     for name in ["mouthClose", "mouthPucker", "browInnerUp"] {
         assert!(figure.morph_index(name).is_some(), "no {name}");
@@ -73,7 +83,10 @@ fn the_shipped_figure_is_whole() {
     for mesh in &figure.meshes {
         for (w, j) in mesh.weights.iter().zip(&mesh.joints) {
             assert!((w.iter().sum::<f32>() - 1.0).abs() < 1e-5);
-            assert!(j.iter().all(|j| usize::from(*j) < figure.skeleton.joints().len()));
+            assert!(
+                j.iter()
+                    .all(|j| usize::from(*j) < figure.skeleton.joints().len())
+            );
         }
     }
     let bytes = shipped().len();
@@ -85,16 +98,29 @@ fn faults_are_named() {
     let fault = |glb: &[u8]| read_figure("x", glb).expect_err("a fault");
     let whole = shipped();
     assert!(matches!(fault(b""), ReadError::NotGlb(_)));
-    assert!(matches!(fault(b"PK\x03\x04 a zip file"), ReadError::NotGlb(_)));
-    assert!(matches!(fault(&whole[..whole.len() / 2]), ReadError::NotGlb(_)));
-    assert!(matches!(fault(&container("{not json")), ReadError::NotGlb(_)));
+    assert!(matches!(
+        fault(b"PK\x03\x04 a zip file"),
+        ReadError::NotGlb(_)
+    ));
+    assert!(matches!(
+        fault(&whole[..whole.len() / 2]),
+        ReadError::NotGlb(_)
+    ));
+    assert!(matches!(
+        fault(&container("{not json")),
+        ReadError::NotGlb(_)
+    ));
     assert!(matches!(fault(&container("{}")), ReadError::NotGlb(_)));
-    let draco = r#"{"asset":{"version":"2.0"},"extensionsRequired":["KHR_draco_mesh_compression"]}"#;
+    let draco =
+        r#"{"asset":{"version":"2.0"},"extensionsRequired":["KHR_draco_mesh_compression"]}"#;
     assert!(matches!(fault(&container(draco)), ReadError::Extension(e) if e.contains("draco")));
     let cycle = r#"{"asset":{"version":"2.0"},"nodes":[{"children":[1]},{"children":[0]}]}"#;
     assert!(matches!(fault(&container(cycle)), ReadError::Cycle));
     let nobody = r#"{"asset":{"version":"2.0"},"nodes":[{"name":"Hips"}]}"#;
-    assert!(matches!(fault(&container(nobody)), ReadError::NoSkeleton { .. }));
+    assert!(matches!(
+        fault(&container(nobody)),
+        ReadError::NoSkeleton { .. }
+    ));
     let deep = format!("{}{}", "[".repeat(100_000), "]".repeat(100_000));
     assert!(matches!(fault(&container(&deep)), ReadError::NotGlb(_)));
     let bone = Bone::LWrist.name();

@@ -37,10 +37,7 @@ pub(crate) fn sounds(player: &Player, voice: &Path, from_secs: f64) -> Vec<Sound
 /// Where frames go.
 pub(crate) enum Sink {
     /// A running ffmpeg.
-    Ffmpeg {
-        child: Child,
-        frames: ChildStdin,
-    },
+    Ffmpeg { child: Child, frames: ChildStdin },
     /// A folder of numbered pictures.
     Folder {
         folder: PathBuf,
@@ -59,18 +56,47 @@ impl Sink {
         sounds: &[Sound],
     ) -> Result<Self> {
         let mut command = Command::new("ffmpeg");
-        command.args(["-y", "-loglevel", "error", "-f", "rawvideo", "-pix_fmt", "rgba"]);
-        command.args(["-s", &format!("{}x{}", size.0, size.1), "-r", &fps.to_string(), "-i", "-"]);
+        command.args([
+            "-y",
+            "-loglevel",
+            "error",
+            "-f",
+            "rawvideo",
+            "-pix_fmt",
+            "rgba",
+        ]);
+        command.args([
+            "-s",
+            &format!("{}x{}", size.0, size.1),
+            "-r",
+            &fps.to_string(),
+            "-i",
+            "-",
+        ]);
         for sound in sounds {
             // A sound that has already begun is entered in its middle.
             let skip = (-sound.start_secs).max(0.0);
-            command.args(["-ss", &format!("{skip:.6}"), "-i"]).arg(&sound.file);
+            command
+                .args(["-ss", &format!("{skip:.6}"), "-i"])
+                .arg(&sound.file);
         }
         if !sounds.is_empty() {
-            command.args(["-filter_complex", &mix(sounds), "-map", "0:v", "-map", "[mix]"]);
+            command.args([
+                "-filter_complex",
+                &mix(sounds),
+                "-map",
+                "0:v",
+                "-map",
+                "[mix]",
+            ]);
         }
         // Encoders of this format want even sides.
-        command.args(["-vf", "crop=trunc(iw/2)*2:trunc(ih/2)*2", "-pix_fmt", "yuv420p"]);
+        command.args([
+            "-vf",
+            "crop=trunc(iw/2)*2:trunc(ih/2)*2",
+            "-pix_fmt",
+            "yuv420p",
+        ]);
         command.args(["-t", &format!("{length_secs:.6}")]).arg(path);
         match command.stdin(Stdio::piped()).spawn() {
             Ok(mut child) => {
@@ -85,7 +111,11 @@ impl Sink {
                 );
                 fs::create_dir_all(&folder)
                     .with_context(|| format!("cannot make {}", folder.display()))?;
-                Ok(Self::Folder { folder, size, next: 0 })
+                Ok(Self::Folder {
+                    folder,
+                    size,
+                    next: 0,
+                })
             }
             Err(error) => Err(error).context("cannot start ffmpeg"),
         }
@@ -125,5 +155,9 @@ fn mix(sounds: &[Sound]) -> String {
     for i in 0..sounds.len() {
         filter += &format!("[s{i}]");
     }
-    filter + &format!("amix=inputs={}:normalize=0:dropout_transition=0[mix]", sounds.len())
+    filter
+        + &format!(
+            "amix=inputs={}:normalize=0:dropout_transition=0[mix]",
+            sounds.len()
+        )
 }

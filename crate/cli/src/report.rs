@@ -47,7 +47,11 @@ pub(crate) fn entries<'a>(
     let index = LineIndex::new(source);
     let place = |offset: u32| {
         let at = index.position(offset);
-        Place { line: at.line, column: at.column, offset }
+        Place {
+            line: at.line,
+            column: at.column,
+            offset,
+        }
     };
     diagnostics
         .iter()
@@ -96,10 +100,20 @@ pub(crate) fn print(file: &str, source: &str, diagnostics: &[Diagnostic]) -> Res
             .with_code(diagnostic.code)
             .with_message(&diagnostic.message)
             .with_labels(labels)
-            .with_notes(diagnostic.hints.iter().map(|h| format!("hint: {h}")).collect());
+            .with_notes(
+                diagnostic
+                    .hints
+                    .iter()
+                    .map(|h| format!("hint: {h}"))
+                    .collect(),
+            );
         let text = term::emit_into_string(&config, &source_file, &shown)?;
         let at = source_file.location((), range(diagnostic.span).start)?;
-        write!(stderr, "{file}:{}:{}: {text}", at.line_number, at.column_number)?;
+        write!(
+            stderr,
+            "{file}:{}:{}: {text}",
+            at.line_number, at.column_number
+        )?;
     }
     Ok(())
 }

@@ -22,12 +22,19 @@ pub(crate) struct StoryFiles {
 impl StoryFiles {
     /// Reads the script at `path`, or `story.eml` in the folder `path`.
     pub(crate) fn read(path: &Path) -> Result<Self> {
-        let script = if path.is_dir() { path.join("story.eml") } else { path.to_owned() };
+        let script = if path.is_dir() {
+            path.join("story.eml")
+        } else {
+            path.to_owned()
+        };
         let size = fs::metadata(&script)
             .with_context(|| format!("cannot read the story {}", script.display()))?
             .len();
         if size > LARGEST_STORY {
-            bail!("the story {} is {size} bytes long; the limit is {LARGEST_STORY}", script.display());
+            bail!(
+                "the story {} is {size} bytes long; the limit is {LARGEST_STORY}",
+                script.display()
+            );
         }
         let bytes = fs::read(&script)
             .with_context(|| format!("cannot read the story {}", script.display()))?;
@@ -59,7 +66,10 @@ impl StoryFiles {
             eml: &self.text,
             bundle: self.bundle().as_deref(),
             figure: figure.into(),
-            options: Options { shot, ..Options::default() },
+            options: Options {
+                shot,
+                ..Options::default()
+            },
         }))
     }
 }

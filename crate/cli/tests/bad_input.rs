@@ -68,7 +68,15 @@ fn wrapped(line: &str) -> String {
 
 #[test]
 fn each_kind_of_bad_input_is_reported_where_it_stands() {
-    assert_eq!(expect("not-xml", "Once upon a time there was a rabbit.", "eml::not-xml", 1), 1);
+    assert_eq!(
+        expect(
+            "not-xml",
+            "Once upon a time there was a rabbit.",
+            "eml::not-xml",
+            1
+        ),
+        1
+    );
     let shape = "<gesture-key time='0' duration='1'><hand-shapes><key id='99'/></hand-shapes></gesture-key>";
     expect("hand-shape", wrapped(shape), "eml::unknown-hand-shape", 3);
     let nan = "<gesture-key time='0' duration='1'><motion><key x='NaN' y='0' z='0'/></motion></gesture-key>";
@@ -85,7 +93,9 @@ fn each_kind_of_bad_input_is_reported_where_it_stands() {
 #[test]
 fn the_rest_of_a_broken_story_still_plays() {
     let scratch = Scratch::new("rest");
-    let text = wrapped("<gesture-key time='oops' duration='1'/>\n<voice-text time='0.5'>Still here</voice-text>");
+    let text = wrapped(
+        "<gesture-key time='oops' duration='1'/>\n<voice-text time='0.5'>Still here</voice-text>",
+    );
     let file = scratch.story(text);
     let out = raconteur(&["timeline", "--format", "json"], &file);
     assert_eq!(out.status.code(), Some(1));
@@ -102,9 +112,16 @@ fn the_rest_of_a_broken_story_still_plays() {
 #[test]
 fn ten_megabytes_and_ten_thousand_levels_come_to_an_end() {
     let scratch = Scratch::new("deep");
-    let deep = format!("<eml><body>{}{}</body></eml>", "<seq time='0'>".repeat(10_000), "</seq>".repeat(10_000));
+    let deep = format!(
+        "<eml><body>{}{}</body></eml>",
+        "<seq time='0'>".repeat(10_000),
+        "</seq>".repeat(10_000)
+    );
     let (list, code) = diagnostics(&scratch.story(deep));
-    assert!(list.iter().any(|d| d["code"] == "eml::too-deep"), "{list:#?}");
+    assert!(
+        list.iter().any(|d| d["code"] == "eml::too-deep"),
+        "{list:#?}"
+    );
     assert_eq!(code, 1);
 
     let scratch = Scratch::new("large");

@@ -13,19 +13,30 @@ const MEAN: f64 = 1.5;
 const BAD_SHARE: f64 = 0.01;
 
 fn golden(name: &str) -> PathBuf {
-    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../tests/golden").join(name)
+    PathBuf::from(env!("CARGO_MANIFEST_DIR"))
+        .join("../../tests/golden")
+        .join(name)
 }
 
 fn read(path: &Path) -> (Vec<u8>, u32, u32) {
     let file = File::open(path).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
-    let mut reader = png::Decoder::new(BufReader::new(file)).read_info().expect("a PNG");
-    let mut pixels = vec![0; reader.output_buffer_size().expect("a size that fits in memory")];
+    let mut reader = png::Decoder::new(BufReader::new(file))
+        .read_info()
+        .expect("a PNG");
+    let mut pixels = vec![
+        0;
+        reader
+            .output_buffer_size()
+            .expect("a size that fits in memory")
+    ];
     let info = reader.next_frame(&mut pixels).expect("pixels");
     (pixels, info.width, info.height)
 }
 
 fn compare(story: &str, at: &str, shot: &str, name: &str) {
-    let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../assets/stories").join(story);
+    let script = Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("../../assets/stories")
+        .join(story);
     let drawn = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
     let out = Command::new(env!("CARGO_BIN_EXE_raconteur"))
         .arg("render")
@@ -34,16 +45,27 @@ fn compare(story: &str, at: &str, shot: &str, name: &str) {
         .arg(&drawn)
         .output()
         .expect("the program runs");
-    assert!(out.status.success(), "{}", String::from_utf8_lossy(&out.stderr));
+    assert!(
+        out.status.success(),
+        "{}",
+        String::from_utf8_lossy(&out.stderr)
+    );
     if std::env::var_os("UPDATE").is_some() {
         std::fs::copy(&drawn, golden(name)).expect("the golden is written");
         return;
     }
     let ((a, aw, ah), (b, bw, bh)) = (read(&drawn), read(&golden(name)));
-    assert_eq!((aw, ah, a.len()), (bw, bh, b.len()), "{name} has another size");
+    assert_eq!(
+        (aw, ah, a.len()),
+        (bw, bh, b.len()),
+        "{name} has another size"
+    );
     let differences: Vec<u8> = a.iter().zip(&b).map(|(x, y)| x.abs_diff(*y)).collect();
     let mean = differences.iter().map(|d| f64::from(*d)).sum::<f64>() / differences.len() as f64;
-    let bad = differences.chunks(4).filter(|p| p.iter().any(|d| *d > 24)).count();
+    let bad = differences
+        .chunks(4)
+        .filter(|p| p.iter().any(|d| *d > 24))
+        .count();
     let share = bad as f64 / (differences.len() / 4) as f64;
     assert!(
         mean <= MEAN && share <= BAD_SHARE,

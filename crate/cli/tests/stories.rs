@@ -6,7 +6,10 @@ use std::process::Command;
 use serde_json::Value;
 
 fn story(name: &str) -> PathBuf {
-    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../assets/stories").join(name).join("story.eml")
+    PathBuf::from(env!("CARGO_MANIFEST_DIR"))
+        .join("../../assets/stories")
+        .join(name)
+        .join("story.eml")
 }
 
 fn timeline(name: &str) -> Value {
@@ -15,7 +18,11 @@ fn timeline(name: &str) -> Value {
         .arg(story(name))
         .output()
         .expect("the program runs");
-    assert!(out.stderr.is_empty(), "{}", String::from_utf8_lossy(&out.stderr));
+    assert!(
+        out.stderr.is_empty(),
+        "{}",
+        String::from_utf8_lossy(&out.stderr)
+    );
     serde_json::from_slice(&out.stdout).expect("JSON")
 }
 
@@ -57,6 +64,10 @@ fn shipped_stories_are_silent_under_check() {
             .arg(story(name))
             .output()
             .expect("the program runs");
-        assert!(out.status.success() && out.stderr.is_empty(), "{}", String::from_utf8_lossy(&out.stderr));
+        assert!(
+            out.status.success() && out.stderr.is_empty(),
+            "{}",
+            String::from_utf8_lossy(&out.stderr)
+        );
     }
 }

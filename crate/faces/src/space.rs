@@ -60,10 +60,16 @@ impl FaceSpace {
     /// When there is no example or the examples do not correspond.
     pub fn from_shapes(examples: &[Vec<DVec3>]) -> Result<Self, FaceSpaceError> {
         let expected = examples.first().ok_or(FaceSpaceError::Empty)?.len();
-        if let Some((example, shape)) =
-            examples.iter().enumerate().find(|(_, e)| e.len() != expected)
+        if let Some((example, shape)) = examples
+            .iter()
+            .enumerate()
+            .find(|(_, e)| e.len() != expected)
         {
-            return Err(FaceSpaceError::Correspondence { example, found: shape.len(), expected });
+            return Err(FaceSpaceError::Correspondence {
+                example,
+                found: shape.len(),
+                expected,
+            });
         }
         let count = examples.len() as f64;
         let mean: Vec<DVec3> = (0..expected)
@@ -75,7 +81,9 @@ impl FaceSpace {
             let mut rest: Vec<DVec3> = example.iter().zip(&mean).map(|(e, m)| *e - *m).collect();
             for mode in &modes {
                 let share = dot(&rest, mode);
-                rest.iter_mut().zip(mode).for_each(|(r, m)| *r -= *m * share);
+                rest.iter_mut()
+                    .zip(mode)
+                    .for_each(|(r, m)| *r -= *m * share);
             }
             let length = dot(&rest, &rest).sqrt();
             if length > smallest {
@@ -152,7 +160,11 @@ mod tests {
         assert_eq!(space.dimensions(), 5);
         for shape in &shapes {
             let again = space.shape(&space.project(shape).expect("corresponding"));
-            let worst = again.iter().zip(shape).map(|(a, b)| (*a - *b).length()).fold(0.0, f64::max);
+            let worst = again
+                .iter()
+                .zip(shape)
+                .map(|(a, b)| (*a - *b).length())
+                .fold(0.0, f64::max);
             assert!(worst < 1e-12, "{worst}");
         }
     }
@@ -169,12 +181,19 @@ mod tests {
 
     #[test]
     fn strangers_are_refused() {
-        assert_eq!(FaceSpace::from_shapes(&[]).err(), Some(FaceSpaceError::Empty));
+        assert_eq!(
+            FaceSpace::from_shapes(&[]).err(),
+            Some(FaceSpaceError::Empty)
+        );
         let mut shapes = examples(2);
         shapes[1].pop();
         assert!(matches!(
             FaceSpace::from_shapes(&shapes),
-            Err(FaceSpaceError::Correspondence { example: 1, found: 49, expected: 50 })
+            Err(FaceSpaceError::Correspondence {
+                example: 1,
+                found: 49,
+                expected: 50
+            })
         ));
     }
 }

@@ -105,7 +105,10 @@ pub(crate) fn utterances(script: &Script) -> Vec<UtteranceCue> {
             Some(UtteranceCue {
                 start_secs: timed.start_secs,
                 duration_secs: timing.duration_secs,
-                audio: script.utterance(voice).map(|u| u.audio.clone()).unwrap_or_default(),
+                audio: script
+                    .utterance(voice)
+                    .map(|u| u.audio.clone())
+                    .unwrap_or_default(),
                 words,
                 estimated: timing.estimated,
                 clause: timed.clause,
@@ -124,12 +127,26 @@ pub(crate) fn cues(script: &Script, utterances: &[UtteranceCue]) -> Vec<Cue> {
     };
     for timed in &script.timeline.clauses {
         let (element, id) = (timed.element, timed.id.clone());
-        push(1, timed.start_secs, CueKind::ClauseStart { element, id: id.clone() });
+        push(
+            1,
+            timed.start_secs,
+            CueKind::ClauseStart {
+                element,
+                id: id.clone(),
+            },
+        );
         if let ClauseKind::Event { kind, payload } = &script.document.clause(timed.clause).kind {
-            let event = CueKind::StoryEvent { kind: kind.clone(), payload: payload.clone() };
+            let event = CueKind::StoryEvent {
+                kind: kind.clone(),
+                payload: payload.clone(),
+            };
             push(2, timed.start_secs, event);
         }
-        let end_rank = if timed.end_secs > timed.start_secs { 0 } else { 3 };
+        let end_rank = if timed.end_secs > timed.start_secs {
+            0
+        } else {
+            3
+        };
         push(end_rank, timed.end_secs, CueKind::ClauseEnd { element, id });
     }
     for (utterance, cue) in utterances.iter().enumerate() {

@@ -21,7 +21,11 @@ fn moment(offset_secs: f64) -> u64 {
 /// The track that moves this hand: its own, else the common one. True when the common
 /// one's values are meant for the other hand and must be mirrored (GEVH D.5.4: the
 /// dominant hand is the right).
-fn track_for<K>(tracks: &[Track<K>], side: Side, handedness: Handedness) -> Option<(&Track<K>, bool)> {
+fn track_for<K>(
+    tracks: &[Track<K>],
+    side: Side,
+    handedness: Handedness,
+) -> Option<(&Track<K>, bool)> {
     if let Some(own) = tracks.iter().find(|t| t.hand == Some(side)) {
         return Some((own, false));
     }
@@ -52,22 +56,28 @@ fn hand_rotation(key: &PalmKey, side: Side, mirrored: bool) -> Option<raconteur_
 fn keys(gesture: &GestureKey, side: Side, start_secs: f64, units: &Units) -> Vec<HandKey> {
     let mut by_time: BTreeMap<u64, HandKey> = BTreeMap::new();
     let mut at = |offset_secs: f64, set: &mut dyn FnMut(&mut HandKey)| {
-        let key = by_time.entry(moment(offset_secs)).or_insert_with(|| HandKey {
-            time_secs: start_secs + offset_secs,
-            wrist_in_world: None,
-            hand_in_world: None,
-            shape: None,
-        });
+        let key = by_time
+            .entry(moment(offset_secs))
+            .or_insert_with(|| HandKey {
+                time_secs: start_secs + offset_secs,
+                wrist_in_world: None,
+                hand_in_world: None,
+                shape: None,
+            });
         set(key);
     };
     if let Some((track, _)) = track_for(&gesture.hand_shapes, side, gesture.handedness) {
         for key in &track.keys {
-            at(key.offset_secs, &mut |k| k.shape = HandShape::get(key.value.id).map(|s| *s.angles()));
+            at(key.offset_secs, &mut |k| {
+                k.shape = HandShape::get(key.value.id).map(|s| *s.angles());
+            });
         }
     }
     if let Some((track, mirrored)) = track_for(&gesture.palms, side, gesture.handedness) {
         for key in &track.keys {
-            at(key.offset_secs, &mut |k| k.hand_in_world = hand_rotation(&key.value, side, mirrored));
+            at(key.offset_secs, &mut |k| {
+                k.hand_in_world = hand_rotation(&key.value, side, mirrored);
+            });
         }
     }
     if let Some((track, mirrored)) = track_for(&gesture.motions, side, gesture.handedness) {
@@ -84,25 +94,38 @@ fn on_spans(document: &Document, timeline: &Timeline) -> Vec<TimeSpan> {
     let mut spans = Vec::new();
     let mut on_since = Some(0.0);
     for timed in &timeline.clauses {
-        let ClauseKind::GestureIsOn(is_on) = document.clause(timed.clause).kind else { continue };
+        let ClauseKind::GestureIsOn(is_on) = document.clause(timed.clause).kind else {
+            continue;
+        };
         match (on_since, is_on) {
             (None, true) => on_since = Some(timed.start_secs),
             (Some(start_secs), false) => {
-                spans.push(TimeSpan { start_secs, end_secs: timed.start_secs });
+                spans.push(TimeSpan {
+                    start_secs,
+                    end_secs: timed.start_secs,
+                });
                 on_since = None;
             }
             _ => {}
         }
     }
     if let Some(start_secs) = on_since {
-        spans.push(TimeSpan { start_secs, end_secs: f64::INFINITY });
+        spans.push(TimeSpan {
+            start_secs,
+            end_secs: f64::INFINITY,
+        });
     }
     spans
 }
 
 /// What one arm does in a story.
 #[must_use]
-pub(crate) fn arm_script(document: &Document, timeline: &Timeline, side: Side, units: &Units) -> ArmScript {
+pub(crate) fn arm_script(
+    document: &Document,
+    timeline: &Timeline,
+    side: Side,
+    units: &Units,
+) -> ArmScript {
     let strokes = timeline
         .clauses
         .iter()
@@ -121,7 +144,10 @@ pub(crate) fn arm_script(document: &Document, timeline: &Timeline, side: Side, u
             })
         })
         .collect();
-    ArmScript { strokes, on: on_spans(document, timeline) }
+    ArmScript {
+        strokes,
+        on: on_spans(document, timeline),
+    }
 }
 
 /// A warning for every position that the arm cannot reach; the hand goes as far towards it
@@ -135,8 +161,13 @@ pub(crate) fn out_of_reach(
 ) -> Vec<Diagnostic> {
     let mut found = Vec::new();
     for (_, clause) in document.iter() {
-        let ClauseKind::GestureKey(gesture) = &clause.kind else { continue };
-        for side in Side::BOTH.into_iter().filter(|s| gesture.handedness.includes(*s)) {
+        let ClauseKind::GestureKey(gesture) = &clause.kind else {
+            continue;
+        };
+        for side in Side::BOTH
+            .into_iter()
+            .filter(|s| gesture.handedness.includes(*s))
+        {
             let Some((track, mirrored)) = track_for(&gesture.motions, side, gesture.handedness)
             else {
                 continue;
@@ -179,7 +210,7 @@ mod tests {
         let source = format!("<eml><body>{body}</body></eml>");
         let parsed = parse(&source);
         assert!(parsed.diagnostics.is_empty(), "{:?}", parsed.diagnostics);
-        let resolved = Timeline::resolve(&parsed.document, &EstimatedDurations::default());
+        let resolved = Timeline::resolve(&parsed.document, &EstimatedDurations);
         let units = crate::tests::example_units();
         arm_script(&parsed.document, &resolved.timeline, side, &units)
     }
@@ -213,8 +244,15 @@ mod tests {
 
     #[test]
     fn gestures_are_on_until_they_are_turned_off() {
-        let on = script("<gesture-is-on time='2' isOn='false'/><gesture-is-on time='5' isOn='true'/>", Side::Left).on;
+        let on = script(
+            "<gesture-is-on time='2' isOn='false'/><gesture-is-on time='5' isOn='true'/>",
+            Side::Left,
+        )
+        .on;
         assert_eq!(on.len(), 2);
-        assert_eq!((on[0].start_secs, on[0].end_secs, on[1].start_secs), (0.0, 2.0, 5.0));
+        assert_eq!(
+            (on[0].start_secs, on[0].end_secs, on[1].start_secs),
+            (0.0, 2.0, 5.0)
+        );
     }
 }

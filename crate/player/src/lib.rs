@@ -33,8 +33,15 @@ mod tests {
     /// The units of GEVH's example skeleton.
     pub(crate) fn example_units() -> crate::Units {
         let positions = Bone::ALL.map(Bone::example_position_m);
-        let face = FacePlaces { eye_centres: [raconteur_base::DVec3::Y; 2] };
+        let face = FacePlaces {
+            eye_centres: [raconteur_base::DVec3::Y; 2],
+        };
         let stature_m = 77.0 * raconteur_base::METRES_PER_INCH;
-        crate::Units::of(&Skeleton::from_bind(&positions, &zero_frames(), face, stature_m))
+        crate::Units::of(&Skeleton::from_bind(
+            &positions,
+            &zero_frames(),
+            face,
+            stature_m,
+        ))
     }
 }

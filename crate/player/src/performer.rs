@@ -29,7 +29,11 @@ pub struct Options {
 
 impl Default for Options {
     fn default() -> Self {
-        Self { seed: 1, motion_amount: 1.0, shot: Shot::Medium }
+        Self {
+            seed: 1,
+            motion_amount: 1.0,
+            shot: Shot::Medium,
+        }
     }
 }
 
@@ -105,7 +109,10 @@ impl Player {
         ));
         sort_by_number(&mut diagnostics, |d| f64::from(d.span.start));
 
-        let camera = input.options.shot.frame(DVec3::ZERO, figure.skeleton.stature_m(), 16.0 / 9.0);
+        let camera = input
+            .options
+            .shot
+            .frame(DVec3::ZERO, figure.skeleton.stature_m(), 16.0 / 9.0);
         let performance = Performance {
             arms: Side::BOTH
                 .map(|side| gestures::arm_script(&script.document, &script.timeline, side, &units)),
@@ -116,8 +123,7 @@ impl Player {
         };
         let face = FaceRig::new(&figure);
         let actor = Actor::new(&performance, &figure.skeleton);
-        let frame =
-            Frame::with_capacity(figure.skeleton.joints().len(), figure.morph_names.len());
+        let frame = Frame::with_capacity(figure.skeleton.joints().len(), figure.morph_names.len());
         let player = Self {
             figure,
             actor,
@@ -129,7 +135,10 @@ impl Player {
             pose: Pose::zero(),
             frame,
         };
-        Loaded { player, diagnostics }
+        Loaded {
+            player,
+            diagnostics,
+        }
     }
 
     /// Length of the story, seconds.
@@ -175,14 +184,19 @@ impl Player {
     /// the story show its first or last moment; a time that is not a number, the first.
     pub fn frame(&mut self, time_secs: f64, aspect: f64) -> &Frame {
         self.evaluate(time_secs);
-        self.frame.camera =
-            self.shot.frame(DVec3::ZERO, self.figure.skeleton.stature_m(), aspect);
+        self.frame.camera = self
+            .shot
+            .frame(DVec3::ZERO, self.figure.skeleton.stature_m(), aspect);
         &self.frame
     }
 
     /// The order of evaluation: time, body and face, joints, sound.
     fn evaluate(&mut self, time_secs: f64) -> Report {
-        let t = if time_secs.is_nan() { 0.0 } else { time_secs.clamp(0.0, self.duration_secs()) };
+        let t = if time_secs.is_nan() {
+            0.0
+        } else {
+            time_secs.clamp(0.0, self.duration_secs())
+        };
         self.frame.time_secs = t;
         let report = self.actor.evaluate(
             &self.figure.skeleton,
@@ -191,7 +205,9 @@ impl Player {
             &mut self.pose,
             &mut self.frame.morph_weights,
         );
-        self.figure.skeleton.solve(&self.pose, &mut self.frame.world_from_joint);
+        self.figure
+            .skeleton
+            .solve(&self.pose, &mut self.frame.world_from_joint);
         self.frame.speech = self.speech_at(t);
         report
     }
@@ -199,7 +215,9 @@ impl Player {
     /// What is being said at a time.
     #[must_use]
     pub fn speech_at(&self, time_secs: f64) -> Option<SpeechNow> {
-        let begun = self.utterances.partition_point(|u| u.start_secs <= time_secs);
+        let begun = self
+            .utterances
+            .partition_point(|u| u.start_secs <= time_secs);
         let index = begun.checked_sub(1)?;
         let utterance = &self.utterances[index];
         let offset_secs = time_secs - utterance.start_secs;
@@ -211,7 +229,11 @@ impl Player {
             .partition_point(|w| w.start_secs <= time_secs)
             .checked_sub(1)
             .filter(|&w| time_secs < utterance.words[w].end_secs);
-        Some(SpeechNow { utterance: index, offset_secs, word })
+        Some(SpeechNow {
+            utterance: index,
+            offset_secs,
+            word,
+        })
     }
 
     /// Where the hands are sent at a time, and how near they come.
@@ -274,7 +296,10 @@ fn spoken(script: &Script, cue: &UtteranceCue) -> SpokenUtterance {
             .words
             .iter()
             .filter(|w| w.emphasized)
-            .map(|w| Accent { offset_secs: w.start_secs - cue.start_secs, strength: EMPHASIS_ACCENT })
+            .map(|w| Accent {
+                offset_secs: w.start_secs - cue.start_secs,
+                strength: EMPHASIS_ACCENT,
+            })
             .collect(),
     }
 }
@@ -287,12 +312,20 @@ fn murmured(cue: &UtteranceCue) -> Vec<Phone> {
     let mut phones = Vec::new();
     let mut push = |symbol: &str, start_secs: f64, end_secs: f64, word: Option<usize>| {
         if end_secs > start_secs {
-            phones.push(Phone { symbol: symbol.to_owned(), start_secs, end_secs, word });
+            phones.push(Phone {
+                symbol: symbol.to_owned(),
+                start_secs,
+                end_secs,
+                word,
+            });
         }
     };
     let mut now = 0.0;
     for (index, word) in cue.words.iter().enumerate() {
-        let (start, end) = (word.start_secs - cue.start_secs, word.end_secs - cue.start_secs);
+        let (start, end) = (
+            word.start_secs - cue.start_secs,
+            word.end_secs - cue.start_secs,
+        );
         push("pau", now, start, None);
         let letters = word.text.chars().filter(|c| c.is_alphanumeric()).count();
         let syllables = letters.div_ceil(3).clamp(1, 8);

@@ -1,8 +1,6 @@
 //! A story read: its document, its times and its voice, before anyone performs it.
 
-use raconteur_eml::{
-    ClauseId, ClauseKind, Diagnostic, Document, Span, Timeline, VoiceText, parse,
-};
+use raconteur_eml::{ClauseId, ClauseKind, Diagnostic, Document, Span, Timeline, VoiceText, parse};
 use raconteur_speech::{Bundle, Content, Utterance};
 
 use crate::voice::{BundleDurations, content_of, find_utterance};
@@ -32,25 +30,42 @@ impl Script {
             Ok(bundle) => Some(bundle),
             Err(error) => {
                 diagnostics.push(
-                    Diagnostic::error("player::bad-bundle", first_voice(&document), error.to_string())
-                        .hint("bake the story again: raconteur bake"),
+                    Diagnostic::error(
+                        "player::bad-bundle",
+                        first_voice(&document),
+                        error.to_string(),
+                    )
+                    .hint("bake the story again: raconteur bake"),
                 );
                 None
             }
         });
-        let durations = BundleDurations { bundle: bundle.as_ref() };
+        let durations = BundleDurations {
+            bundle: bundle.as_ref(),
+        };
         let resolved = Timeline::resolve(&document, &durations);
         diagnostics.extend(resolved.diagnostics);
         let timeline = with_run_up(resolved.timeline);
-        diagnostics.extend(missing_speech(&document, bundle.as_ref(), bundle_json.is_some()));
+        diagnostics.extend(missing_speech(
+            &document,
+            bundle.as_ref(),
+            bundle_json.is_some(),
+        ));
         raconteur_base::order::sort_by_number(&mut diagnostics, |d| f64::from(d.span.start));
-        Self { document, timeline, diagnostics, bundle }
+        Self {
+            document,
+            timeline,
+            diagnostics,
+            bundle,
+        }
     }
 
     /// What the story says, in document order: what a baker has to synthesise.
     #[must_use]
     pub fn contents(&self) -> Vec<Content> {
-        voices(&self.document).map(|(_, _, v)| content_of(v)).collect()
+        voices(&self.document)
+            .map(|(_, _, v)| content_of(v))
+            .collect()
     }
 
     /// The baked utterance of a text, if there is one.
@@ -92,7 +107,9 @@ fn voices(document: &Document) -> impl Iterator<Item = (ClauseId, Span, &VoiceTe
 }
 
 fn first_voice(document: &Document) -> Span {
-    voices(document).next().map_or(Span::new(0, 0), |(_, span, _)| span)
+    voices(document)
+        .next()
+        .map_or(Span::new(0, 0), |(_, span, _)| span)
 }
 
 /// One warning when nothing was baked, else one for each utterance that is not.
@@ -116,7 +133,9 @@ fn missing_speech(
             .into_iter()
             .collect();
     }
-    let Some(bundle) = bundle else { return Vec::new() };
+    let Some(bundle) = bundle else {
+        return Vec::new();
+    };
     voices(document)
         .filter(|(_, _, v)| speaks(v) && find_utterance(bundle, v).is_none())
         .map(|(_, span, _)| {

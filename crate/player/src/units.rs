@@ -33,7 +33,10 @@ impl Units {
         let at = |bone: Bone| world[bone.index()].translation;
         let shoulders = (at(Bone::LShoulder) + at(Bone::RShoulder)) * 0.5;
         let offset = DVec3::new(0.0, SHOULDERS_ABOVE_ORIGIN, -SHOULDERS_BEHIND_ORIGIN);
-        Self { metres_per_unit, speaker_origin_in_world: shoulders - offset * metres_per_unit }
+        Self {
+            metres_per_unit,
+            speaker_origin_in_world: shoulders - offset * metres_per_unit,
+        }
     }
 
     /// A direction or displacement in EML axes, in engine axes; not scaled.
@@ -66,7 +69,9 @@ mod tests {
         let skeleton = Skeleton::from_bind(
             &positions,
             &zero_frames(),
-            FacePlaces { eye_centres: [DVec3::Y; 2] },
+            FacePlaces {
+                eye_centres: [DVec3::Y; 2],
+            },
             77.0 * raconteur_base::METRES_PER_INCH,
         );
         let units = Units::of(&skeleton);

@@ -1,12 +1,19 @@
 //! What a script says, and when each word and phone of it is heard.
 
-use raconteur_eml::{Durations, EstimatedDurations, PhoneTime, Piece, VoiceText, VoiceTiming, WordTime};
+use raconteur_eml::{
+    Durations, EstimatedDurations, PhoneTime, Piece, VoiceText, VoiceTiming, WordTime,
+};
 use raconteur_speech::{Bundle, Content, Segment, Utterance};
 
 /// SABLE's emphasis (0 reduced, 0.5 none, 1 moderate, 2 strong) as a level around 1:
 /// 0.5 reduced, 1 plain, 1.5 moderate, 2 strong.
 fn emphasis_level(sable: f64) -> f64 {
-    if sable <= 1.0 { 0.5 + sable } else { 1.5 + 0.5 * (sable - 1.0) }.clamp(0.5, 2.0)
+    if sable <= 1.0 {
+        0.5 + sable
+    } else {
+        1.5 + 0.5 * (sable - 1.0)
+    }
+    .clamp(0.5, 2.0)
 }
 
 /// What is to be said, free of EML. Characters of one word that stand on both sides of a
@@ -63,14 +70,17 @@ pub(crate) fn find_utterance<'a>(bundle: &'a Bundle, voice: &VoiceText) -> Optio
 impl Durations for BundleDurations<'_> {
     fn voice(&self, text: &VoiceText) -> VoiceTiming {
         let Some(utterance) = self.bundle.and_then(|b| find_utterance(b, text)) else {
-            return EstimatedDurations::default().voice(text);
+            return EstimatedDurations.voice(text);
         };
         VoiceTiming {
             duration_secs: utterance.duration_secs,
             words: utterance
                 .words
                 .iter()
-                .map(|w| WordTime { start_secs: w.start_secs, end_secs: w.end_secs })
+                .map(|w| WordTime {
+                    start_secs: w.start_secs,
+                    end_secs: w.end_secs,
+                })
                 .collect(),
             phones: utterance
                 .phones

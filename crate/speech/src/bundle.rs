@@ -82,7 +82,9 @@ pub enum BundleError {
     #[error("the speech bundle cannot be read: {0}")]
     Json(#[from] serde_json::Error),
     /// Another format or a later version.
-    #[error("the speech bundle is {format} version {version}; this program reads raconteur-speech version 1")]
+    #[error(
+        "the speech bundle is {format} version {version}; this program reads raconteur-speech version 1"
+    )]
     Version {
         /// What the file says it is.
         format: String,
@@ -108,10 +110,15 @@ impl Bundle {
     pub fn from_json(json: &[u8]) -> Result<Self, BundleError> {
         let bundle: Self = serde_json::from_slice(json)?;
         if bundle.format != "raconteur-speech" || bundle.version != VERSION {
-            return Err(BundleError::Version { format: bundle.format, version: bundle.version });
+            return Err(BundleError::Version {
+                format: bundle.format,
+                version: bundle.version,
+            });
         }
         for (i, utterance) in bundle.utterances.iter().enumerate() {
-            utterance.check().map_err(|what| BundleError::Invalid { utterance: i, what })?;
+            utterance
+                .check()
+                .map_err(|what| BundleError::Invalid { utterance: i, what })?;
         }
         Ok(bundle)
     }
@@ -119,7 +126,10 @@ impl Bundle {
     /// The utterance with this key.
     #[must_use]
     pub fn find(&self, key: &str) -> Option<(usize, &Utterance)> {
-        self.utterances.iter().enumerate().find(|(_, u)| u.key == key)
+        self.utterances
+            .iter()
+            .enumerate()
+            .find(|(_, u)| u.key == key)
     }
 }
 
@@ -141,15 +151,27 @@ impl Utterance {
         if !(self.duration_secs.is_finite() && self.duration_secs >= 0.0) {
             return Err("the duration is not a length of time".to_owned());
         }
-        in_order("words", &mut self.words.iter().map(|w| (w.start_secs, w.end_secs)))?;
-        in_order("phones", &mut self.phones.iter().map(|p| (p.start_secs, p.end_secs)))?;
-        if self.phones.iter().any(|p| p.word.is_some_and(|w| w >= self.words.len())) {
+        in_order(
+            "words",
+            &mut self.words.iter().map(|w| (w.start_secs, w.end_secs)),
+        )?;
+        in_order(
+            "phones",
+            &mut self.phones.iter().map(|p| (p.start_secs, p.end_secs)),
+        )?;
+        if self
+            .phones
+            .iter()
+            .any(|p| p.word.is_some_and(|w| w >= self.words.len()))
+        {
             return Err("a phone belongs to a word that is not there".to_owned());
         }
         let plain = |name: &str| {
             !name.is_empty()
                 && !name.starts_with('.')
-                && name.chars().all(|c| c.is_ascii_alphanumeric() || "._-".contains(c))
+                && name
+                    .chars()
+                    .all(|c| c.is_ascii_alphanumeric() || "._-".contains(c))
         };
         match self.audio.iter().find(|a| !plain(&a.file)) {
             Some(bad) => Err(format!("{:?} is not a plain file name", bad.file)),
@@ -161,14 +183,20 @@ impl Utterance {
     /// has begun, until it ends. O(log n).
     #[must_use]
     pub fn word_at(&self, offset_secs: f64) -> Option<usize> {
-        let i = self.words.partition_point(|w| w.start_secs <= offset_secs).checked_sub(1)?;
+        let i = self
+            .words
+            .partition_point(|w| w.start_secs <= offset_secs)
+            .checked_sub(1)?;
         (offset_secs < self.words[i].end_secs).then_some(i)
     }
 
     /// Index of the phone heard `offset_secs` into the utterance. O(log n).
     #[must_use]
     pub fn phone_at(&self, offset_secs: f64) -> Option<usize> {
-        let i = self.phones.partition_point(|p| p.start_secs <= offset_secs).checked_sub(1)?;
+        let i = self
+            .phones
+            .partition_point(|p| p.start_secs <= offset_secs)
+            .checked_sub(1)?;
         (offset_secs < self.phones[i].end_secs).then_some(i)
     }
 }
@@ -178,8 +206,17 @@ mod tests {
     use super::*;
 
     fn sample() -> Bundle {
-        let word = |t: &str, a, b| Word { text: t.to_owned(), start_secs: a, end_secs: b };
-        let phone = |s: &str, a, b, w| Phone { symbol: s.to_owned(), start_secs: a, end_secs: b, word: w };
+        let word = |t: &str, a, b| Word {
+            text: t.to_owned(),
+            start_secs: a,
+            end_secs: b,
+        };
+        let phone = |s: &str, a, b, w| Phone {
+            symbol: s.to_owned(),
+            start_secs: a,
+            end_secs: b,
+            word: w,
+        };
         Bundle {
             format: "raconteur-speech".to_owned(),
             version: VERSION,
@@ -191,7 +228,10 @@ mod tests {
                 key: "0".to_owned(),
                 text: "Hi you".to_owned(),
                 duration_secs: 1.0,
-                audio: vec![AudioFile { file: "u0.opus".to_owned(), mime: "audio/ogg".to_owned() }],
+                audio: vec![AudioFile {
+                    file: "u0.opus".to_owned(),
+                    mime: "audio/ogg".to_owned(),
+                }],
                 words: vec![word("Hi", 0.1, 0.4), word("you", 0.5, 0.9)],
                 phones: vec![
                     phone("pau", 0.0, 0.1, None),
@@ -228,7 +268,10 @@ mod tests {
         for bad in ["../u.opus", "/etc/passwd", "a/b.opus", "", ".hidden"] {
             let mut b = sample();
             bad.clone_into(&mut b.utterances[0].audio[0].file);
-            assert!(matches!(round_trip(&b), Err(BundleError::Invalid { .. })), "{bad}");
+            assert!(
+                matches!(round_trip(&b), Err(BundleError::Invalid { .. })),
+                "{bad}"
+            );
         }
         let mut b = sample();
         b.utterances[0].words[1].start_secs = 0.2;
@@ -239,6 +282,9 @@ mod tests {
         let mut b = sample();
         b.version = 2;
         assert!(matches!(round_trip(&b), Err(BundleError::Version { .. })));
-        assert!(matches!(Bundle::from_json(b"not json"), Err(BundleError::Json(_))));
+        assert!(matches!(
+            Bundle::from_json(b"not json"),
+            Err(BundleError::Json(_))
+        ));
     }
 }

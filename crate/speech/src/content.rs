@@ -93,14 +93,23 @@ mod tests {
     use super::*;
 
     fn text(t: &str, emphasis: f64) -> Segment {
-        Segment::Text { text: t.to_owned(), emphasis }
+        Segment::Text {
+            text: t.to_owned(),
+            emphasis,
+        }
     }
 
     #[test]
     fn white_space_does_not_change_the_key_but_emphasis_does() {
-        let a = Content { segments: vec![text(" Hello\n  world! ", 1.0)] };
-        let b = Content { segments: vec![text("Hello", 1.0), text("world!", 1.0), Segment::Boundary] };
-        let c = Content { segments: vec![text("Hello", 1.0), text("world!", 1.5)] };
+        let a = Content {
+            segments: vec![text(" Hello\n  world! ", 1.0)],
+        };
+        let b = Content {
+            segments: vec![text("Hello", 1.0), text("world!", 1.0), Segment::Boundary],
+        };
+        let c = Content {
+            segments: vec![text("Hello", 1.0), text("world!", 1.5)],
+        };
         assert_eq!(a.key(), b.key());
         assert_ne!(a.key(), c.key());
         assert_eq!(b.words(), ["Hello", "world!"]);

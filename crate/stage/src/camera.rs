@@ -51,9 +51,21 @@ struct Extent {
 impl Shot {
     fn extent(self) -> Extent {
         match self {
-            Self::Full => Extent { bottom: -0.03, top: 1.08, half_width: 0.50 },
-            Self::Medium => Extent { bottom: 0.47, top: 1.10, half_width: 0.38 },
-            Self::Close => Extent { bottom: 0.77, top: 1.05, half_width: 0.15 },
+            Self::Full => Extent {
+                bottom: -0.03,
+                top: 1.08,
+                half_width: 0.50,
+            },
+            Self::Medium => Extent {
+                bottom: 0.47,
+                top: 1.10,
+                half_width: 0.38,
+            },
+            Self::Close => Extent {
+                bottom: 0.77,
+                top: 1.05,
+                half_width: 0.15,
+            },
         }
     }
 
@@ -70,8 +82,7 @@ impl Shot {
         let tangent = ops::tan(0.5 * fov_y_rad);
         let aspect = aspect.clamp(0.2, 5.0);
         let distance = (half_height / tangent).max(half_width / (tangent * aspect));
-        let middle = feet_in_world
-            + DVec3::Y * (0.5 * (extent.top + extent.bottom) * stature_m);
+        let middle = feet_in_world + DVec3::Y * (0.5 * (extent.top + extent.bottom) * stature_m);
         // The lens stands at chest to eye height and looks slightly down or up as needed.
         let eye_height = feet_in_world.y + (0.80 * stature_m).max(middle.y - feet_in_world.y);
         Camera {

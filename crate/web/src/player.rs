@@ -54,6 +54,10 @@ pub struct Player {
 }
 
 #[wasm_bindgen]
+#[allow(
+    clippy::needless_pass_by_value,
+    reason = "optional bytes arrive as owned only"
+)]
 impl Player {
     /// Opens a device for `canvas`; without one, a storyteller who is only heard.
     pub async fn create(canvas: Option<HtmlCanvasElement>) -> Result<Player, JsError> {
@@ -173,6 +177,10 @@ impl Player {
 /// Digests of a story's poses at some times, in hexadecimal: equal ones mean that native
 /// and wasm agree to the last bit.
 #[wasm_bindgen(js_name = poseDigests)]
+#[allow(
+    clippy::needless_pass_by_value,
+    reason = "optional bytes arrive as owned only"
+)]
 pub fn pose_digests(
     eml: &str,
     bundle: Option<Vec<u8>>,

@@ -16,7 +16,10 @@ const ALLOWED: [(&str, &[&str]); 11] = [
     ("actor", &["base", "speech", "body"]),
     ("stage", &["base", "body"]),
     ("render", &["stage", "body", "base"]),
-    ("player", &["base", "eml", "speech", "body", "faces", "actor", "stage"]),
+    (
+        "player",
+        &["base", "eml", "speech", "body", "faces", "actor", "stage"],
+    ),
     ("web", &["player", "faces", "render"]),
     ("cli", &["player", "faces", "render"]),
 ];
@@ -38,18 +41,26 @@ fn root() -> PathBuf {
 fn dependencies(name: &str) -> BTreeMap<String, Vec<String>> {
     let path = root().join("crate").join(name).join("Cargo.toml");
     let text = fs::read_to_string(&path).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
-    let manifest: Table = text.parse().unwrap_or_else(|e| panic!("{}: {e}", path.display()));
+    let manifest: Table = text
+        .parse()
+        .unwrap_or_else(|e| panic!("{}: {e}", path.display()));
     let mut found: BTreeMap<String, Vec<String>> = BTreeMap::new();
     let mut visit = |table: &Table| {
         for section in ["dependencies", "build-dependencies", "dev-dependencies"] {
             if let Some(d) = table.get(section).and_then(|d| d.as_table()) {
-                found.entry(section.to_owned()).or_default().extend(d.keys().cloned());
+                found
+                    .entry(section.to_owned())
+                    .or_default()
+                    .extend(d.keys().cloned());
             }
         }
     };
     visit(&manifest);
     if let Some(targets) = manifest.get("target").and_then(|t| t.as_table()) {
-        targets.values().filter_map(|t| t.as_table()).for_each(&mut visit);
+        targets
+            .values()
+            .filter_map(|t| t.as_table())
+            .for_each(&mut visit);
     }
     found
 }

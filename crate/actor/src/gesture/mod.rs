@@ -22,11 +22,13 @@ pub use space::{BodySpace, part_hands};
 pub struct HandKey {
     /// Story time, seconds.
     pub time_secs: f64,
-    /// Place of the wrist, world, metres. `None` keeps it.
+    /// Place of the wrist, world, metres. `None` leaves it on its way to the next key that
+    /// has one, or keeps it when there is none.
     pub wrist_in_world: Option<DVec3>,
-    /// Hand rotation ([`crate::palm`]). `None` keeps it, or relaxes it when there is none.
+    /// Hand rotation ([`crate::palm`]). `None` likewise; the hand is relaxed when no key
+    /// has turned it.
     pub hand_in_world: Option<DQuat>,
-    /// Finger angles. `None` keeps them.
+    /// Finger angles. `None` likewise.
     pub shape: Option<HandAngles>,
 }
 

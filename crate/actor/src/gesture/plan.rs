@@ -27,7 +27,7 @@ const RETRACT_SLOWNESS: f64 = 1.25;
 /// Designed; people's unconstrained reaches are slightly curved, and long ones swing out
 /// around the body.
 const ARCH_SHARE: f64 = 0.08;
-const ARCH_PER_M: f64 = 0.14;
+const ARCH_PER_M: f64 = 0.09;
 /// A key that repeats the place of the one before within this distance keeps it, metres.
 const SAME_PLACE_M: f64 = 1e-6;
 
@@ -303,7 +303,8 @@ impl Planner<'_> {
             None => None,
             Some((held_until, node)) => self.leave(held_until, node, first),
         };
-        let nodes = self.resolve(&phrase.keys, hold);
+        let left = self.out.last().map_or(first, |n| n.0);
+        let nodes = self.resolve(&phrase.keys, hold.map(|place| (left, place)));
         if hold.is_none() {
             // From rest: set out in time to be there.
             let from = self.rest.at(first - 0.6).wrist;
@@ -401,19 +402,24 @@ impl Planner<'_> {
     }
 
     /// The place at each key's time. Wrist and hand keep their own clocks: a key that says
-    /// nothing of one lies on its way to the next key that does.
-    fn resolve(&self, keys: &[HandKey], before: Option<Placed>) -> Vec<(f64, Option<Placed>)> {
-        let times: Vec<f64> = keys.iter().map(|k| k.time_secs).collect();
+    /// nothing of one lies on its way, from `before` or a key, to the next key that does.
+    fn resolve(
+        &self,
+        keys: &[HandKey],
+        before: Option<(f64, Placed)>,
+    ) -> Vec<(f64, Option<Placed>)> {
+        // What flows in from an earlier stroke is a key before the first.
+        let left = before.map_or(f64::NEG_INFINITY, |b| b.0);
+        let mut times = vec![left.min(keys[0].time_secs)];
+        times.extend(keys.iter().map(|k| k.time_secs));
         let reachable = |w: DVec3| self.rig.within_reach(self.space.keep_out(w));
-        let mut wrists: Vec<Option<DVec3>> = keys
-            .iter()
-            .map(|k| k.wrist_in_world.map(reachable))
-            .collect();
-        let mut hands: Vec<Option<DQuat>> = keys.iter().map(|k| k.hand_in_world).collect();
-        wrists[0] = wrists[0]
-            .or(before.map(|p| p.wrist))
-            .or_else(|| hands[0].map(|_| self.rest.ready()));
-        hands[0] = hands[0].or(before.map(|p| p.hand));
+        let mut wrists = vec![before.map(|b| b.1.wrist)];
+        wrists.extend(keys.iter().map(|k| k.wrist_in_world.map(reachable)));
+        let mut hands = vec![before.map(|b| b.1.hand)];
+        hands.extend(keys.iter().map(|k| k.hand_in_world));
+        if before.is_none() && wrists[1].is_none() && hands[1].is_some() {
+            wrists[1] = Some(self.rest.ready());
+        }
         fill(&times, &mut wrists, |a, b, s| a.1.lerp(b.1, s));
         let at = wrists.clone();
         fill(&times, &mut hands, |a, b, s| {
@@ -425,6 +431,7 @@ impl Planner<'_> {
                 _ => a.1.slerp(b.1, s),
             }
         });
+        let (wrists, hands) = (&wrists[1..], &hands[1..]);
         let mut nodes: Vec<(f64, Option<Placed>)> = Vec::with_capacity(keys.len());
         for (i, key) in keys.iter().enumerate() {
             let place = wrists[i].map(|wrist| Placed {

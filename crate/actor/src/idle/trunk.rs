@@ -1,7 +1,7 @@
 //! Spine, neck and shoulders: posture, noise, breath and the head's part in speech.
 
-use raconteur_base::order::sort_by_number;
 use raconteur_base::curve::last_at_or_before;
+use raconteur_base::order::sort_by_number;
 use raconteur_base::{DQuat, DVec3, noise, ops};
 use raconteur_body::{Bone, Pose};
 

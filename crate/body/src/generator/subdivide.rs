@@ -82,7 +82,9 @@ fn step(faces: &[Vec<u32>], vertex_count: usize) -> Subdivided {
     let identity: Vec<Stencil> = (0..vertex_count as u32).map(|v| vec![(v, 1.0)]).collect();
     let face_stencil = |f: u32, weight: f64| -> Vec<(u32, f64)> {
         let face = &faces[f as usize];
-        face.iter().map(|&v| (v, weight / face.len() as f64)).collect()
+        face.iter()
+            .map(|&v| (v, weight / face.len() as f64))
+            .collect()
     };
 
     let mut stencils: Vec<Stencil> = Vec::with_capacity(vertex_count + edges.len() + faces.len());
@@ -144,7 +146,10 @@ fn step(faces: &[Vec<u32>], vertex_count: usize) -> Subdivided {
             ]);
         }
     }
-    Subdivided { faces: quads, stencils }
+    Subdivided {
+        faces: quads,
+        stencils,
+    }
 }
 
 /// Subdivides `levels` times. Cage vertices keep their indices.
@@ -156,8 +161,15 @@ pub fn subdivide(faces: &[Vec<u32>], vertex_count: usize, levels: usize) -> Subd
     };
     for _ in 0..levels {
         let next = step(&current.faces, current.stencils.len());
-        let stencils = next.stencils.iter().map(|s| combine(s, &current.stencils)).collect();
-        current = Subdivided { faces: next.faces, stencils };
+        let stencils = next
+            .stencils
+            .iter()
+            .map(|s| combine(s, &current.stencils))
+            .collect();
+        current = Subdivided {
+            faces: next.faces,
+            stencils,
+        };
     }
     current
 }
@@ -189,7 +201,11 @@ pub fn limit_stencils(faces: &[Vec<u32>], vertex_count: usize) -> Vec<Stencil> {
         .map(|v| {
             let own = v as u32;
             if rim[v].len() == 2 {
-                return vec![(own, 4.0 / 6.0), (rim[v][0], 1.0 / 6.0), (rim[v][1], 1.0 / 6.0)];
+                return vec![
+                    (own, 4.0 / 6.0),
+                    (rim[v][0], 1.0 / 6.0),
+                    (rim[v][1], 1.0 / 6.0),
+                ];
             }
             let n = neighbours[v].len() as f64;
             if !rim[v].is_empty() || opposite[v].len() != neighbours[v].len() || n == 0.0 {
@@ -219,7 +235,10 @@ pub fn vertex_normals(positions: &[DVec3], faces: &[Vec<u32>]) -> Vec<DVec3> {
             normals[v as usize] += area;
         }
     }
-    normals.into_iter().map(|n| n.try_normalize().unwrap_or(DVec3::Y)).collect()
+    normals
+        .into_iter()
+        .map(|n| n.try_normalize().unwrap_or(DVec3::Y))
+        .collect()
 }
 
 #[cfg(test)]
@@ -233,7 +252,14 @@ mod tests {
                 DVec3::new(s(1), s(2), s(4))
             })
             .collect();
-        let f = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+        let f = [
+            [0, 2, 3, 1],
+            [4, 5, 7, 6],
+            [0, 1, 5, 4],
+            [2, 6, 7, 3],
+            [0, 4, 6, 2],
+            [1, 3, 7, 5],
+        ];
         (f.iter().map(|q| q.to_vec()).collect(), p)
     }
 

@@ -106,7 +106,10 @@ impl<'a> Source<'a> {
         width: usize,
         what: &'static str,
     ) -> Result<Component, ReadError> {
-        accessor.component.filter(|_| accessor.width == width).ok_or(ReadError::Type { what })
+        accessor
+            .component
+            .filter(|_| accessor.width == width)
+            .ok_or(ReadError::Type { what })
     }
 
     fn layout(
@@ -197,18 +200,8 @@ impl<'a> Source<'a> {
                 normalized: accessor.normalized,
             })
         };
-        let places = part(
-            sparse.index_view,
-            sparse.index_offset,
-            index_component,
-            1,
-        )?;
-        let values = part(
-            sparse.value_view,
-            sparse.value_offset,
-            component,
-            3,
-        )?;
+        let places = part(sparse.index_view, sparse.index_offset, index_component, 1)?;
+        let values = part(sparse.value_view, sparse.value_offset, component, 3)?;
         let places: Vec<u32> = read_integers::<1>(&places, what)?
             .into_iter()
             .map(|[i]| i)
@@ -248,10 +241,7 @@ fn read_integers<const N: usize>(
     l: &Layout<'_>,
     what: &'static str,
 ) -> Result<Vec<[u32; N]>, ReadError> {
-    if !matches!(
-        l.component,
-        Component::U8 | Component::U16 | Component::U32
-    ) {
+    if !matches!(l.component, Component::U8 | Component::U16 | Component::U32) {
         return Err(ReadError::Type { what });
     }
     let width = l.component.bytes();

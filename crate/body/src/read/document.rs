@@ -47,7 +47,10 @@ pub(super) struct Primitive {
 impl Primitive {
     /// The accessor of an attribute.
     pub(super) fn attribute(&self, name: &str) -> Option<usize> {
-        self.attributes.iter().find(|(n, _)| n == name).map(|(_, a)| *a)
+        self.attributes
+            .iter()
+            .find(|(n, _)| n == name)
+            .map(|(_, a)| *a)
     }
 }
 
@@ -153,7 +156,11 @@ fn needed_index(value: &Value, key: &str) -> usize {
 fn indices(value: &Value, key: &str) -> Vec<usize> {
     items(value, key)
         .iter()
-        .map(|v| v.as_u64().and_then(|n| usize::try_from(n).ok()).unwrap_or(usize::MAX))
+        .map(|v| {
+            v.as_u64()
+                .and_then(|n| usize::try_from(n).ok())
+                .unwrap_or(usize::MAX)
+        })
         .collect()
 }
 
@@ -166,7 +173,11 @@ fn text(value: &Value, key: &str) -> String {
 }
 
 fn texts(value: &Value, key: &str) -> Vec<String> {
-    items(value, key).iter().filter_map(Value::as_str).map(str::to_owned).collect()
+    items(value, key)
+        .iter()
+        .filter_map(Value::as_str)
+        .map(str::to_owned)
+        .collect()
 }
 
 fn numbers<const N: usize>(value: &Value, key: &str) -> Option<[f64; N]> {
@@ -219,7 +230,10 @@ fn primitive(v: &Value) -> Primitive {
         material: index(v, "material"),
         targets: items(v, "targets")
             .iter()
-            .map(|t| Target { positions: index(t, "POSITION"), normals: index(t, "NORMAL") })
+            .map(|t| Target {
+                positions: index(t, "POSITION"),
+                normals: index(t, "NORMAL"),
+            })
             .collect(),
     }
 }
@@ -294,14 +308,18 @@ fn chunks(glb: &[u8]) -> Result<(&[u8], &[u8]), ReadError> {
         return Err(bad("its version is not 2"));
     }
     let claimed = word(glb, 8).ok_or_else(|| bad("the header is incomplete"))? as usize;
-    let file = glb.get(..claimed).ok_or_else(|| bad("it is shorter than it claims"))?;
+    let file = glb
+        .get(..claimed)
+        .ok_or_else(|| bad("it is shorter than it claims"))?;
     let (mut json, mut bin) = (None, None);
     let mut at = 12;
     while at < file.len() {
         let header = word(file, at).zip(word(file, at + 4));
         let (length, kind) = header.ok_or_else(|| bad("a chunk has no whole header"))?;
         let from = at + 8;
-        let end = from.checked_add(length as usize).filter(|end| *end <= file.len());
+        let end = from
+            .checked_add(length as usize)
+            .filter(|end| *end <= file.len());
         let end = end.ok_or_else(|| bad("a chunk is shorter than it claims"))?;
         match kind {
             CHUNK_JSON if json.is_none() => json = Some(&file[from..end]),
@@ -311,7 +329,10 @@ fn chunks(glb: &[u8]) -> Result<(&[u8], &[u8]), ReadError> {
         // Chunks begin at multiples of four.
         at = end.next_multiple_of(4);
     }
-    Ok((json.ok_or_else(|| bad("it has no JSON chunk"))?, bin.unwrap_or_default()))
+    Ok((
+        json.ok_or_else(|| bad("it has no JSON chunk"))?,
+        bin.unwrap_or_default(),
+    ))
 }
 
 impl<'a> Document<'a> {
@@ -321,7 +342,10 @@ impl<'a> Document<'a> {
         // serde_json refuses nesting beyond 128 levels, so this cannot exhaust the stack.
         let root: Value =
             serde_json::from_slice(json).map_err(|e| ReadError::NotGlb(e.to_string()))?;
-        if root["asset"]["version"].as_str().is_none_or(|v| !v.starts_with("2.")) {
+        if root["asset"]["version"]
+            .as_str()
+            .is_none_or(|v| !v.starts_with("2."))
+        {
             return Err(ReadError::NotGlb("its asset version is not 2".to_owned()));
         }
         let scene = index(&root, "scene").and_then(|i| items(&root, "scenes").get(i));

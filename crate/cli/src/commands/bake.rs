@@ -6,10 +6,10 @@ use anyhow::{Context as _, Result};
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 
+use crate::Outcome;
 use crate::bake::{self, BakeOptions};
 use crate::report;
 use crate::story::StoryFiles;
-use crate::Outcome;
 
 /// Make or refresh the speech bundles of stories.
 #[derive(Args)]
@@ -40,9 +40,13 @@ impl Bake {
                 worst = Outcome::Errors;
             }
             let contents = script.contents();
-            let bar = ProgressBar::new(contents.len() as u64)
-                .with_style(ProgressStyle::with_template("{bar:30} {pos}/{len} {wide_msg}")?);
-            let options = BakeOptions { voice: self.voice.clone(), ..BakeOptions::default() };
+            let bar = ProgressBar::new(contents.len() as u64).with_style(
+                ProgressStyle::with_template("{bar:30} {pos}/{len} {wide_msg}")?,
+            );
+            let options = BakeOptions {
+                voice: self.voice.clone(),
+                ..BakeOptions::default()
+            };
             let report = bake::bake(&contents, &files.voice(), &options, &|done, _, text| {
                 bar.set_position(done as u64);
                 bar.set_message(text.to_owned());

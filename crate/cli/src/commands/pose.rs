@@ -65,15 +65,28 @@ impl Pose {
         }
         let files = StoryFiles::read(&self.file)?;
         let mut loaded = files.player(&self.figure, Shot::Medium)?;
-        report::print(&files.script.display().to_string(), &files.text, &loaded.diagnostics)?;
+        report::print(
+            &files.script.display().to_string(),
+            &files.text,
+            &loaded.diagnostics,
+        )?;
         let player = &mut loaded.player;
-        let names: Vec<String> =
-            player.figure().skeleton.joints().iter().map(|j| j.name.clone()).collect();
+        let names: Vec<String> = player
+            .figure()
+            .skeleton
+            .joints()
+            .iter()
+            .map(|j| j.name.clone())
+            .collect();
         let mut entries = Vec::new();
         for &time in &self.at {
             let digest = format!("{:016x}", player.digest(time));
-            let mut entry =
-                Entry { time, digest, joints: Vec::new(), manipulators: Vec::new() };
+            let mut entry = Entry {
+                time,
+                digest,
+                joints: Vec::new(),
+                manipulators: Vec::new(),
+            };
             if !self.digest {
                 let frame = player.frame(time, 16.0 / 9.0);
                 for (name, world) in names.iter().zip(&frame.world_from_joint) {
@@ -109,10 +122,17 @@ fn print_entry(entry: &Entry) {
     for j in &entry.joints {
         let [x, y, z] = j.position_in_world;
         let [qx, qy, qz, qw] = j.rotation;
-        println!("  {:<28} {x:8.4} {y:8.4} {z:8.4}   {qx:7.4} {qy:7.4} {qz:7.4} {qw:7.4}", j.name);
+        println!(
+            "  {:<28} {x:8.4} {y:8.4} {z:8.4}   {qx:7.4} {qy:7.4} {qz:7.4} {qw:7.4}",
+            j.name
+        );
     }
     for m in &entry.manipulators {
         let [x, y, z] = m.target_in_world;
-        println!("  {:<28} {x:8.4} {y:8.4} {z:8.4}   error {:.2} mm", m.name, m.error_m * 1e3);
+        println!(
+            "  {:<28} {x:8.4} {y:8.4} {z:8.4}   error {:.2} mm",
+            m.name,
+            m.error_m * 1e3
+        );
     }
 }

@@ -12,10 +12,10 @@ use raconteur_player::stage::Shot;
 use raconteur_render::RenderOptions;
 use raconteur_render::headless::Headless;
 
+use crate::Outcome;
 use crate::film;
 use crate::report;
 use crate::story::StoryFiles;
-use crate::Outcome;
 
 /// How much of the speaker is in the picture.
 #[derive(Clone, Copy, ValueEnum)]
@@ -62,10 +62,14 @@ pub(crate) struct Render {
 const LARGEST_SIDE: u32 = 8192;
 
 fn parse_size(text: &str) -> Result<(u32, u32), String> {
-    let (w, h) = text.split_once('x').ok_or("write WIDTHxHEIGHT, for example 1280x720")?;
+    let (w, h) = text
+        .split_once('x')
+        .ok_or("write WIDTHxHEIGHT, for example 1280x720")?;
     let side = |s: &str| match s.parse::<u32>() {
         Ok(n) if (1..=LARGEST_SIDE).contains(&n) => Ok(n),
-        _ => Err(format!("{s} is not a number of pixels from 1 to {LARGEST_SIDE}")),
+        _ => Err(format!(
+            "{s} is not a number of pixels from 1 to {LARGEST_SIDE}"
+        )),
     };
     Ok((side(w)?, side(h)?))
 }
@@ -85,9 +89,14 @@ impl Render {
             ShotName::Close => Shot::Close,
         };
         let mut loaded = files.player(&self.figure, shot)?;
-        report::print(&files.script.display().to_string(), &files.text, &loaded.diagnostics)?;
-        let mut headless = Headless::new_blocking(RenderOptions::default())
-            .context("no graphics adapter (on Debian: apt install mesa-vulkan-drivers libvulkan1)")?;
+        report::print(
+            &files.script.display().to_string(),
+            &files.text,
+            &loaded.diagnostics,
+        )?;
+        let mut headless = Headless::new_blocking(RenderOptions::default()).context(
+            "no graphics adapter (on Debian: apt install mesa-vulkan-drivers libvulkan1)",
+        )?;
         headless.set_figure(loaded.player.figure())?;
         if let Some(path) = &self.output {
             let pixels = self.draw(&mut loaded.player, &mut headless, self.at)?;
@@ -113,10 +122,15 @@ impl Render {
         headless: &mut Headless,
     ) -> Result<()> {
         let rest = (player.duration_secs() - self.at).max(0.0);
-        let length = self.length.filter(|l| l.is_finite() && *l > 0.0).unwrap_or(rest).min(rest);
+        let length = self
+            .length
+            .filter(|l| l.is_finite() && *l > 0.0)
+            .unwrap_or(rest)
+            .min(rest);
         let count = (length * f64::from(self.fps)).ceil().max(1.0) as u64;
-        let bar = ProgressBar::new(count)
-            .with_style(ProgressStyle::with_template("{bar:30} {pos}/{len} frames, {eta} left")?);
+        let bar = ProgressBar::new(count).with_style(ProgressStyle::with_template(
+            "{bar:30} {pos}/{len} frames, {eta} left",
+        )?);
         let sounds = film::sounds(player, &files.voice(), self.at);
         let mut sink = film::Sink::open(path, self.size, self.fps, length, &sounds)?;
         for n in 0..count {

@@ -40,7 +40,10 @@ struct Entry {
     iteration: u32,
 }
 
-#[allow(clippy::trivially_copy_pass_by_ref, reason = "serde passes a reference")]
+#[allow(
+    clippy::trivially_copy_pass_by_ref,
+    reason = "serde passes a reference"
+)]
 fn is_first(iteration: &u32) -> bool {
     *iteration == 0
 }
@@ -57,7 +60,11 @@ impl Timeline {
     pub(crate) fn run(&self) -> Result<Outcome> {
         let files = StoryFiles::read(&self.file)?;
         let script = files.script();
-        report::print(&files.script.display().to_string(), &files.text, &script.diagnostics)?;
+        report::print(
+            &files.script.display().to_string(),
+            &files.text,
+            &script.diagnostics,
+        )?;
         let index = LineIndex::new(&files.text);
         let timeline = &script.timeline;
         let whole = Whole {
@@ -81,10 +88,16 @@ impl Timeline {
         match self.format {
             Format::Json => println!("{}", serde_json::to_string_pretty(&whole)?),
             Format::Text => {
-                println!("{:>9} {:>9}  {:<16} {:>5}  name", "start", "end", "element", "line");
+                println!(
+                    "{:>9} {:>9}  {:<16} {:>5}  name",
+                    "start", "end", "element", "line"
+                );
                 for c in &whole.clauses {
                     let id = c.id.as_deref().unwrap_or("");
-                    println!("{:9.3} {:9.3}  {:<16} {:>5}  {id}", c.start, c.end, c.element, c.line);
+                    println!(
+                        "{:9.3} {:9.3}  {:<16} {:>5}  {id}",
+                        c.start, c.end, c.element, c.line
+                    );
                 }
                 for (name, at) in whole.marks {
                     println!("{at:9.3} {:>9}  {:<16} {:>5}  {name}", "", "mark", "");

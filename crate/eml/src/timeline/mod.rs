@@ -74,9 +74,9 @@ impl Timeline {
         let times = solve::solve(document, &voices, &names, &counts, &mut sink);
         let mut timeline = expand::expand(document, &times, &counts);
         let lead_in_secs = timeline.lead_in_secs;
-        timeline.marks.extend(names
-            .into_iter()
-            .filter_map(|(name, moment)| {
+        timeline
+            .marks
+            .extend(names.into_iter().filter_map(|(name, moment)| {
                 let start = times.start(moment.clause)?;
                 Some((name, start + moment.offset_secs + lead_in_secs))
             }));

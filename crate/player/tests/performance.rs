@@ -1,0 +1,176 @@
+//! Properties of whole performances: the shipped stories, played by the shipped figure.
+
+use std::fs;
+use std::path::PathBuf;
+use std::sync::{Arc, OnceLock};
+
+use raconteur_base::noise;
+use raconteur_player::body::read::read_figure;
+use raconteur_player::body::{Bone, Figure};
+use raconteur_player::{CueKind, Loaded, Options, Player, StoryInput};
+
+fn asset(path: &str) -> Vec<u8> {
+    let path = PathBuf::from(env!("CARGO_MANIFEST_DIR"))
+        .join("../../assets")
+        .join(path);
+    fs::read(&path).unwrap_or_else(|e| panic!("{}: {e}", path.display()))
+}
+
+fn figure() -> Arc<Figure> {
+    static FIGURE: OnceLock<Arc<Figure>> = OnceLock::new();
+    let read = || Arc::new(read_figure("sofia", &asset("figures/sofia.glb")).expect("a figure"));
+    Arc::clone(FIGURE.get_or_init(read))
+}
+
+fn load(name: &str) -> Loaded {
+    let eml = String::from_utf8(asset(&format!("stories/{name}/story.eml"))).expect("UTF-8");
+    let bundle = asset(&format!("stories/{name}/voice/speech.json"));
+    Player::load(StoryInput {
+        eml: &eml,
+        bundle: Some(&bundle),
+        figure: figure(),
+        options: Options::default(),
+    })
+}
+
+#[test]
+fn seeking_to_a_time_shows_what_playing_to_it_shows() {
+    for name in ["hello-world", "white-rabbit"] {
+        let mut played = load(name).player;
+        let mut sought = load(name).player;
+        let end = played.duration_secs();
+        let times: Vec<f64> = (0..40).map(|i| end * f64::from(i) / 39.0).collect();
+        let digests: Vec<u64> = times.iter().map(|t| played.digest(*t)).collect();
+        // The other player jumps about.
+        for i in 0..200 {
+            let k = noise::hash(3, 1, i) as usize % times.len();
+            assert_eq!(
+                sought.digest(times[k]),
+                digests[k],
+                "{name} at {}",
+                times[k]
+            );
+        }
+    }
+}
+
+#[test]
+fn everything_stays_finite_and_bones_keep_their_length() {
+    let mut player = load("white-rabbit").player;
+    let skeleton = figure().skeleton.clone();
+    for i in 0..600 {
+        let t = player.duration_secs() * f64::from(i) / 599.0;
+        let frame = player.frame(t, 1.6);
+        assert!(
+            frame
+                .morph_weights
+                .iter()
+                .all(|w| w.is_finite() && *w >= 0.0),
+            "at {t}"
+        );
+        for bone in Bone::ALL {
+            let world = frame.world_from_joint[bone.index()];
+            assert!(world.is_finite(), "{} at {t}", bone.name());
+            if let Some(parent) = bone.parent() {
+                let from = frame.world_from_joint[parent.index()].translation;
+                let length = (world.translation - from).length();
+                // Rounding over a chain of ten joints of a metre or so.
+                assert!(
+                    (length - skeleton.offset_length_m(bone)).abs() < 1e-9,
+                    "{}",
+                    bone.name()
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn times_outside_the_story_show_its_ends() {
+    let mut player = load("hello-world").player;
+    let end = player.duration_secs();
+    let (first, last) = (player.digest(0.0), player.digest(end));
+    for t in [-1.0, f64::NEG_INFINITY, f64::NAN] {
+        assert_eq!(player.digest(t), first);
+    }
+    for t in [end + 1.0, f64::INFINITY] {
+        assert_eq!(player.digest(t), last);
+    }
+}
+
+#[test]
+fn the_spoken_word_is_the_one_whose_time_it_is() {
+    let player = load("white-rabbit").player;
+    for (index, utterance) in player.utterances().iter().enumerate() {
+        assert!(!utterance.estimated && !utterance.audio.is_empty());
+        for (w, word) in utterance.words.iter().enumerate() {
+            let middle = 0.5 * (word.start_secs + word.end_secs);
+            let now = player.speech_at(middle).expect("speech");
+            assert_eq!((now.utterance, now.word), (index, Some(w)), "{}", word.text);
+        }
+    }
+}
+
+#[test]
+fn cues_come_in_order_and_each_exactly_once() {
+    let player = load("white-rabbit").player;
+    let all = player.cues();
+    assert!(all.windows(2).all(|w| w[0].time_secs <= w[1].time_secs));
+    let mut heard = 0;
+    let mut now = -1.0;
+    while now < player.duration_secs() {
+        heard += player.cues_between(now, now + 0.05).len();
+        now += 0.05;
+    }
+    assert_eq!(heard, all.len());
+    let words = all
+        .iter()
+        .filter(|c| matches!(c.kind, CueKind::Word { .. }))
+        .count();
+    let written: usize = player.utterances().iter().map(|u| u.words.len()).sum();
+    assert_eq!(words, written);
+}
+
+#[test]
+fn the_greeting_hand_is_above_the_head_when_she_says_hello() {
+    let mut player = load("hello-world").player;
+    let hello = player.utterances()[0].words[0].start_secs;
+    let frame = player.frame(hello, 1.6);
+    let hand = frame.world_from_joint[Bone::RWrist.index()].translation;
+    let skull = frame.world_from_joint[Bone::Skull.index()].translation;
+    assert!(hand.y > skull.y && hand.x < 0.0, "{hand} {skull}");
+    // And she begins with her hands down.
+    let start = player.frame(0.0, 1.6);
+    let hand = start.world_from_joint[Bone::RWrist.index()].translation;
+    let shoulder = start.world_from_joint[Bone::RShoulder.index()].translation;
+    assert!(hand.y < shoulder.y - 0.2, "{hand}");
+}
+
+#[test]
+fn a_story_without_voice_still_moves_its_lips() {
+    let eml = "<eml><body><voice-text time='0'>Once upon a time</voice-text></body></eml>";
+    let mut loaded = Player::load(StoryInput {
+        eml,
+        bundle: None,
+        figure: figure(),
+        options: Options::default(),
+    });
+    assert!(
+        loaded
+            .diagnostics
+            .iter()
+            .any(|d| d.code == "player::no-bundle")
+    );
+    let jaw = Bone::Chin.index();
+    let closed = loaded.player.frame(0.0, 1.6).world_from_joint[jaw];
+    let end = loaded.player.duration_secs();
+    let moved = (0..60).any(|i| {
+        let now = loaded
+            .player
+            .frame(end * f64::from(i) / 60.0, 1.6)
+            .world_from_joint[jaw];
+        let turn = closed.matrix3.inverse() * now.matrix3;
+        (turn.col(0).x - 1.0).abs() > 1e-4
+    });
+    assert!(moved);
+}
