@@ -10,6 +10,8 @@ use raconteur_eml::{
     Timeline, Track,
 };
 
+use raconteur_stage::Room;
+
 use crate::units::Units;
 
 /// Rounds a time to the microsecond, so that keys of different tracks that mean one moment
@@ -148,6 +150,16 @@ pub(crate) fn arm_script(
         strokes,
         on: on_spans(document, timeline),
     }
+}
+
+/// The room that the strokes of both arms need in the picture.
+pub(crate) fn room(arms: &[ArmScript; 2], hand_length_m: f64) -> Room {
+    let keys = arms.iter().flat_map(|a| &a.strokes).flat_map(|s| &s.keys);
+    keys.filter_map(|k| k.wrist_in_world)
+        .fold(Room::default(), |room, wrist| Room {
+            top_m: room.top_m.max(wrist.y + hand_length_m),
+            half_width_m: room.half_width_m.max(wrist.x.abs() + hand_length_m),
+        })
 }
 
 /// A warning for every position that the arm cannot reach; the hand goes as far towards it

@@ -9,7 +9,7 @@ use raconteur_base::{DVec3, Side};
 use raconteur_body::{Bone, Figure, Pose};
 use raconteur_eml::{ClauseKind, Diagnostic, Timeline};
 use raconteur_speech::{Phone, Word};
-use raconteur_stage::{Frame, Shot, SpeechNow};
+use raconteur_stage::{Camera, Frame, Room, Shot, SpeechNow};
 
 use crate::cues::{self, Cue, UtteranceCue};
 use crate::gestures;
@@ -78,9 +78,13 @@ pub struct Player {
     utterances: Vec<UtteranceCue>,
     cues: Vec<Cue>,
     shot: Shot,
+    room: Room,
     pose: Pose,
     frame: Frame,
 }
+
+/// Length of a hand with a margin, share of stature (0.108 in adults, ANSUR).
+const HAND_LENGTH: f64 = 0.12;
 
 /// How strongly the actor marks an emphasised word, 0..1. Designed.
 const EMPHASIS_ACCENT: f64 = 1.0;
@@ -109,10 +113,12 @@ impl Player {
         ));
         sort_by_number(&mut diagnostics, |d| f64::from(d.span.start));
 
-        let camera = input
-            .options
-            .shot
-            .frame(DVec3::ZERO, figure.skeleton.stature_m(), 16.0 / 9.0);
+        let arms = Side::BOTH
+            .map(|side| gestures::arm_script(&script.document, &script.timeline, side, &units));
+        let stature_m = figure.skeleton.stature_m();
+        let room = gestures::room(&arms, HAND_LENGTH * stature_m);
+        let shot = input.options.shot;
+        let camera = shot.frame(DVec3::ZERO, stature_m, 16.0 / 9.0, room);
         let performance = Performance {
             arms: Side::BOTH
                 .map(|side| gestures::arm_script(&script.document, &script.timeline, side, &units)),
@@ -131,7 +137,8 @@ impl Player {
             timeline: script.timeline,
             utterances,
             cues,
-            shot: input.options.shot,
+            shot,
+            room,
             pose: Pose::zero(),
             frame,
         };
@@ -184,10 +191,13 @@ impl Player {
     /// the story show its first or last moment; a time that is not a number, the first.
     pub fn frame(&mut self, time_secs: f64, aspect: f64) -> &Frame {
         self.evaluate(time_secs);
-        self.frame.camera = self
-            .shot
-            .frame(DVec3::ZERO, self.figure.skeleton.stature_m(), aspect);
+        self.frame.camera = self.camera(aspect);
         &self.frame
+    }
+
+    fn camera(&self, aspect: f64) -> Camera {
+        let stature_m = self.figure.skeleton.stature_m();
+        self.shot.frame(DVec3::ZERO, stature_m, aspect, self.room)
     }
 
     /// The order of evaluation: time, body and face, joints, sound.

@@ -40,6 +40,16 @@ pub enum Shot {
     Close,
 }
 
+/// Room that gestures need in the picture, beyond what the shot holds anyway. Close shots
+/// do not make room for hands.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Room {
+    /// Height of the highest fingertip above the floor, metres.
+    pub top_m: f64,
+    /// Distance of the outermost fingertip from the middle, metres.
+    pub half_width_m: f64,
+}
+
 /// What must be in the picture, as shares of stature from the floor, and half the
 /// width that gestures need.
 struct Extent {
@@ -59,7 +69,7 @@ impl Shot {
             Self::Medium => Extent {
                 bottom: 0.47,
                 top: 1.10,
-                half_width: 0.38,
+                half_width: 0.31,
             },
             Self::Close => Extent {
                 bottom: 0.77,
@@ -71,18 +81,32 @@ impl Shot {
 
     /// The camera that holds this shot of a figure of the given stature standing at
     /// `feet_in_world` and facing +z, in a picture of `aspect` (width over height).
-    /// A tall picture moves back until the width fits.
+    /// A tall picture moves back until the width fits; any picture, until the gestures do.
     #[must_use]
-    pub fn frame(self, feet_in_world: DVec3, stature_m: f64, aspect: f64) -> Camera {
-        let extent = self.extent();
+    pub fn frame(self, feet_in_world: DVec3, stature_m: f64, aspect: f64, room: Room) -> Camera {
+        let mut extent = self.extent();
+        if self != Self::Close {
+            // Even a hand stretched straight up is within 1.35 of stature.
+            extent.top = extent.top.max(room.top_m / stature_m).min(1.35);
+            extent.half_width = extent
+                .half_width
+                .max(room.half_width_m / stature_m)
+                .min(0.55);
+        }
         // A long lens flatters a face: 0.36 rad is about 66 mm on full frame.
         let fov_y_rad = 0.36;
         let half_height = 0.5 * (extent.top - extent.bottom) * stature_m;
         let half_width = extent.half_width * stature_m;
         let tangent = ops::tan(0.5 * fov_y_rad);
         let aspect = aspect.clamp(0.2, 5.0);
-        let distance = (half_height / tangent).max(half_width / (tangent * aspect));
-        let middle = feet_in_world + DVec3::Y * (0.5 * (extent.top + extent.bottom) * stature_m);
+        // The lens looks down a little, which brings the upper corners nearer to it: 3 %.
+        let distance = 1.03 * (half_height / tangent).max(half_width / (tangent * aspect));
+        // What a tall picture shows beyond the shot it shows below, down to the feet: room
+        // above a head is empty.
+        let spare = distance * tangent - half_height;
+        let below = (extent.bottom - Self::Full.extent().bottom).max(0.0) * stature_m;
+        let height = 0.5 * (extent.top + extent.bottom) * stature_m - spare.min(0.5 * below);
+        let middle = feet_in_world + DVec3::Y * height;
         // The lens stands at chest to eye height and looks slightly down or up as needed.
         let eye_height = feet_in_world.y + (0.80 * stature_m).max(middle.y - feet_in_world.y);
         Camera {
@@ -100,8 +124,8 @@ mod tests {
 
     #[test]
     fn a_narrow_picture_stands_further_back() {
-        let wide = Shot::Medium.frame(DVec3::ZERO, 1.7, 16.0 / 9.0);
-        let tall = Shot::Medium.frame(DVec3::ZERO, 1.7, 390.0 / 844.0);
+        let wide = Shot::Medium.frame(DVec3::ZERO, 1.7, 16.0 / 9.0, Room::default());
+        let tall = Shot::Medium.frame(DVec3::ZERO, 1.7, 390.0 / 844.0, Room::default());
         assert!(tall.eye_in_world.z > wide.eye_in_world.z);
         for c in [wide, tall] {
             assert!(c.eye_in_world.z > c.near_m && c.eye_in_world.z < c.far_m);
@@ -109,10 +133,30 @@ mod tests {
     }
 
     #[test]
+    fn a_raised_hand_is_in_the_picture() {
+        let room = Room {
+            top_m: 2.05,
+            half_width_m: 0.7,
+        };
+        for aspect in [0.46, 1.0, 1.78] {
+            let c = Shot::Medium.frame(DVec3::ZERO, 1.66, aspect, room);
+            let forward = (c.target_in_world - c.eye_in_world).normalize();
+            let up = (DVec3::Y - forward * forward.y).normalize();
+            for x in [-0.7, 0.7] {
+                let to_hand = DVec3::new(x, 2.05, 0.0) - c.eye_in_world;
+                let depth = to_hand.dot(forward);
+                let limit = ops::tan(c.fov_y_rad / 2.0);
+                assert!(to_hand.dot(up) / depth < limit * 1.001, "{aspect}");
+                assert!(to_hand.x.abs() / depth < limit * aspect * 1.001, "{aspect}");
+            }
+        }
+    }
+
+    #[test]
     fn the_crown_and_the_gesture_space_are_in_the_picture() {
         for shot in [Shot::Full, Shot::Medium, Shot::Close] {
             for aspect in [0.46, 1.0, 1.78] {
-                let c = shot.frame(DVec3::ZERO, 1.66, aspect);
+                let c = shot.frame(DVec3::ZERO, 1.66, aspect, Room::default());
                 let forward = (c.target_in_world - c.eye_in_world).normalize();
                 let up = (DVec3::Y - forward * forward.y).normalize();
                 let to_crown = DVec3::new(0.0, 1.66, 0.0) - c.eye_in_world;

@@ -11,7 +11,7 @@ pub mod frame;
 pub mod light;
 pub mod set;
 
-pub use camera::{Camera, Shot};
+pub use camera::{Camera, Room, Shot};
 pub use frame::{Frame, SpeechNow};
 pub use light::{DirectedLight, Lighting};
 pub use set::Set;

@@ -1,5 +1,6 @@
 //! `raconteur bake`.
 
+use std::io::{self, Write as _};
 use std::path::PathBuf;
 
 use anyhow::{Context as _, Result};
@@ -24,6 +25,7 @@ pub(crate) struct Bake {
 
 impl Bake {
     pub(crate) fn run(&self) -> Result<Outcome> {
+        let mut out = io::stdout().lock();
         let mut worst = Outcome::Fine;
         for path in &self.files {
             let files = StoryFiles::read(path)?;
@@ -53,7 +55,8 @@ impl Bake {
             })
             .with_context(|| format!("baking {}", files.script.display()))?;
             bar.finish_and_clear();
-            println!(
+            writeln!(
+                out,
                 "{}: {} utterances, {:.1} s of speech, {} spoken anew, {} old files removed; \
                  Ogg Opus {} bytes, MP3 {} bytes",
                 files.script.display(),
@@ -63,7 +66,7 @@ impl Bake {
                 report.removed,
                 report.opus_bytes,
                 report.mp3_bytes,
-            );
+            )?;
         }
         Ok(worst)
     }

@@ -1,5 +1,6 @@
 //! `raconteur check`.
 
+use std::io::{self, Write as _};
 use std::path::PathBuf;
 
 use anyhow::Result;
@@ -22,6 +23,7 @@ pub(crate) struct Check {
 
 impl Check {
     pub(crate) fn run(&self) -> Result<Outcome> {
+        let mut out = io::stdout().lock();
         let mut worst = Outcome::Fine;
         let mut json = Vec::new();
         for path in &self.files {
@@ -41,7 +43,7 @@ impl Check {
             }
         }
         if self.format == Format::Json {
-            println!("{}", serde_json::to_string_pretty(&json)?);
+            writeln!(out, "{}", serde_json::to_string_pretty(&json)?)?;
         }
         Ok(worst)
     }

@@ -1,6 +1,7 @@
 //! `raconteur figure`.
 
 use std::fs;
+use std::io::{self, Write as _};
 use std::path::PathBuf;
 
 use anyhow::{Context as _, Result};
@@ -30,6 +31,7 @@ enum Action {
 
 impl Figure {
     pub(crate) fn run(&self) -> Result<Outcome> {
+        let mut out = io::stdout().lock();
         match &self.action {
             Action::Build { name, output } => {
                 let params = people::preset(name)
@@ -42,14 +44,15 @@ impl Figure {
                     .and_then(|()| fs::rename(&part, output))
                     .with_context(|| format!("cannot write {}", output.display()))?;
                 let triangles: usize = figure.meshes.iter().map(|m| m.indices.len() / 3).sum();
-                println!(
+                writeln!(
+                    out,
                     "{}: {} bytes, {} meshes, {triangles} triangles, {} joints, {} morphs",
                     output.display(),
                     glb.len(),
                     figure.meshes.len(),
                     figure.skeleton.joints().len(),
                     figure.morph_names.len(),
-                );
+                )?;
                 Ok(Outcome::Fine)
             }
         }

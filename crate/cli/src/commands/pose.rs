@@ -1,5 +1,6 @@
 //! `raconteur pose`.
 
+use std::io::{self, Write as _};
 use std::path::PathBuf;
 
 use anyhow::{Result, bail};
@@ -60,6 +61,7 @@ struct Entry {
 
 impl Pose {
     pub(crate) fn run(&self) -> Result<Outcome> {
+        let mut out = io::stdout().lock();
         if let Some(bad) = self.at.iter().find(|t| !t.is_finite() || **t < 0.0) {
             bail!("--at takes times of 0 s or later, not {bad}");
         }
@@ -110,29 +112,36 @@ impl Pose {
             entries.push(entry);
         }
         match self.format {
-            Format::Json => println!("{}", serde_json::to_string_pretty(&entries)?),
-            Format::Text => entries.iter().for_each(print_entry),
+            Format::Json => writeln!(out, "{}", serde_json::to_string_pretty(&entries)?)?,
+            Format::Text => {
+                for entry in &entries {
+                    print_entry(&mut out, entry)?;
+                }
+            }
         }
         Ok(report::outcome(&loaded.diagnostics))
     }
 }
 
-fn print_entry(entry: &Entry) {
-    println!("at {:.3} s  digest {}", entry.time, entry.digest);
+fn print_entry(out: &mut impl io::Write, entry: &Entry) -> io::Result<()> {
+    writeln!(out, "at {:.3} s  digest {}", entry.time, entry.digest)?;
     for j in &entry.joints {
         let [x, y, z] = j.position_in_world;
         let [qx, qy, qz, qw] = j.rotation;
-        println!(
+        writeln!(
+            out,
             "  {:<28} {x:8.4} {y:8.4} {z:8.4}   {qx:7.4} {qy:7.4} {qz:7.4} {qw:7.4}",
             j.name
-        );
+        )?;
     }
     for m in &entry.manipulators {
         let [x, y, z] = m.target_in_world;
-        println!(
+        writeln!(
+            out,
             "  {:<28} {x:8.4} {y:8.4} {z:8.4}   error {:.2} mm",
             m.name,
             m.error_m * 1e3
-        );
+        )?;
     }
+    Ok(())
 }

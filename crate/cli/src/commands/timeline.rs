@@ -1,6 +1,7 @@
 //! `raconteur timeline`.
 
 use std::collections::BTreeMap;
+use std::io::{self, Write as _};
 use std::path::PathBuf;
 
 use anyhow::Result;
@@ -58,6 +59,7 @@ struct Whole<'a> {
 
 impl Timeline {
     pub(crate) fn run(&self) -> Result<Outcome> {
+        let mut out = io::stdout().lock();
         let files = StoryFiles::read(&self.file)?;
         let script = files.script();
         report::print(
@@ -86,23 +88,25 @@ impl Timeline {
             marks: &timeline.marks,
         };
         match self.format {
-            Format::Json => println!("{}", serde_json::to_string_pretty(&whole)?),
+            Format::Json => writeln!(out, "{}", serde_json::to_string_pretty(&whole)?)?,
             Format::Text => {
-                println!(
+                writeln!(
+                    out,
                     "{:>9} {:>9}  {:<16} {:>5}  name",
                     "start", "end", "element", "line"
-                );
+                )?;
                 for c in &whole.clauses {
                     let id = c.id.as_deref().unwrap_or("");
-                    println!(
+                    writeln!(
+                        out,
                         "{:9.3} {:9.3}  {:<16} {:>5}  {id}",
                         c.start, c.end, c.element, c.line
-                    );
+                    )?;
                 }
                 for (name, at) in whole.marks {
-                    println!("{at:9.3} {:>9}  {:<16} {:>5}  {name}", "", "mark", "");
+                    writeln!(out, "{at:9.3} {:>9}  {:<16} {:>5}  {name}", "", "mark", "")?;
                 }
-                println!("duration {:.3} s", whole.duration);
+                writeln!(out, "duration {:.3} s", whole.duration)?;
             }
         }
         Ok(report::outcome(&script.diagnostics))

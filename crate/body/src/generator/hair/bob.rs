@@ -51,10 +51,10 @@ enum Roots {
 }
 
 const LAYERS: [Layer; 6] = [
-    layer(60, 0.0040, 0.030, [0.40, 0.50], 1.0),
-    layer(110, 0.0085, 0.024, [0.55, 0.70], 0.99),
-    layer(125, 0.0130, 0.020, [0.70, 0.95], 0.97),
-    layer(70, 0.0160, 0.015, [0.80, 1.0], 0.95),
+    layer(60, 0.0035, 0.030, [0.40, 0.50], 1.0),
+    layer(100, 0.0070, 0.022, [0.55, 0.70], 0.99),
+    layer(135, 0.0105, 0.017, [0.70, 0.95], 0.97),
+    layer(75, 0.0130, 0.012, [0.80, 1.0], 0.95),
     // Fine hair along the hairline hides where the others begin.
     Layer {
         cards: 130,
@@ -68,10 +68,10 @@ const LAYERS: [Layer; 6] = [
     },
     // And fine hair along the parting.
     Layer {
-        cards: 90,
-        spans: 7,
-        height: 0.0110,
-        width: 0.009,
+        cards: 110,
+        spans: 6,
+        height: 0.0090,
+        width: 0.006,
         open: [0.8, 1.0],
         length: 0.8,
         longest: 0.11,
@@ -137,8 +137,8 @@ fn skin_of(head: &Head) -> Skin {
 
 /// How far hair stands off the head to pass over an ear: a smooth bump in its place.
 fn over_ear(p: DVec3) -> f64 {
-    let (y, z) = (p.y / (40.0 * MM), (p.z + 12.0 * MM) / (38.0 * MM));
-    15.0 * MM * ramp(45.0 * MM, 65.0 * MM, p.x.abs()) * ops::exp(-y * y - z * z)
+    let (y, z) = (p.y / (46.0 * MM), (p.z + 14.0 * MM) / (40.0 * MM));
+    21.0 * MM * ramp(45.0 * MM, 65.0 * MM, p.x.abs()) * ops::exp(-y * y - z * z)
 }
 
 /// Roots spread over the scalp by area and density, denser along the parting.
@@ -214,7 +214,7 @@ fn comb(root: &ScalpPoint, p: &BobParams) -> DVec3 {
     let n = root.normal;
     let tangent = (d - n * d.dot(n)).try_normalize().unwrap_or(DVec3::NEG_Y);
     // Hair stands up a little at the parting before it falls.
-    tangent + n * (0.12 + 0.14 * top * ops::exp(-off.abs() / (30.0 * MM)))
+    tangent + n * (0.10 + 0.06 * top * ops::exp(-off.abs() / (30.0 * MM)))
 }
 
 /// Grows one strand; `None` when it would stray from the head.
@@ -237,7 +237,7 @@ fn strand(skin: &Skin, p: &BobParams, layer: &Layer, root: ScalpPoint, id: i64) 
         direction = (direction * (1.0 - gravity) + DVec3::NEG_Y * gravity).normalize();
         // What hangs in front of the ears is combed back.
         let below_crown = ((95.0 * MM - at.y) / (55.0 * MM)).clamp(0.0, 1.0);
-        let before_ear = ramp(5.0 * MM, 40.0 * MM, at.z) * below_crown;
+        let before_ear = ramp(14.0 * MM, 44.0 * MM, at.z) * below_crown;
         direction = (direction + DVec3::NEG_Z * 0.55 * before_ear).normalize();
         let height = 1.0 * MM + layer.height * (t * 6.0).min(1.0) + over_ear(at);
         // It clings to the head down to the ears and hangs free below.

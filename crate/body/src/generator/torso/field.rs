@@ -176,7 +176,7 @@ impl Field {
                 span(Bone::LShoulder, Bone::LElbow),
                 span(Bone::LElbow, Bone::LWrist),
             ],
-            Sections::arm(k * lerp(1.0, 0.87, p.sex) * wide),
+            Sections::arm(k * lerp(1.0, 0.84, p.sex) * wide),
         );
         let hip = joints.at(Bone::LHip);
         let leg_axis = (joints.at(Bone::LSubtalar) - hip).normalize();
@@ -297,9 +297,9 @@ fn pads(p: &BodyParams, shoulder: DVec3, chest_front_cm: f64) -> Vec<Pad> {
     let v = DVec3::new;
     let trunk = Regions::TRUNK;
     // Deltoid, pectoral, scapula, trapezius, clavicle, gluteus.
-    let deltoid = v(5.6, 6.6, 6.0) * k * lerp(1.0, 0.79, f);
+    let deltoid = v(5.6, 6.6, 6.0) * k * lerp(1.0, 0.71, f);
     add(
-        shoulder + v(1.2, -1.0, 0.0) * k * CM,
+        shoulder + v(lerp(1.2, 0.7, f), lerp(-1.0, -1.5, f), 0.0) * k * CM,
         deltoid,
         4.0 * k,
         trunk | Regions::ARM,
