@@ -392,7 +392,6 @@ impl Posture<'_> {
 mod tests {
     use super::*;
     use crate::palm;
-    use crate::test_body::example;
     use raconteur_base::{mirror_rotation, mirror_vector, noise};
 
     /// A random reachable wrist position around a shoulder.
@@ -412,13 +411,13 @@ mod tests {
     fn posed(s: &ArmSolution, side: Side) -> (DVec3, DQuat) {
         let mut pose = Pose::zero();
         s.apply(side, &mut pose);
-        let w = world_from_bone(&example(), &pose, ARM_BONES[side.index()][3]);
+        let w = world_from_bone(&Skeleton::example(), &pose, ARM_BONES[side.index()][3]);
         (w.translation, rotation_of(&w))
     }
 
     #[test]
     fn ten_thousand_reachable_targets_are_met() {
-        let skeleton = example();
+        let skeleton = Skeleton::example();
         let mut worst: f64 = 0.0;
         for side in Side::BOTH {
             let rig = ArmRig::new(&skeleton, side);
@@ -443,7 +442,7 @@ mod tests {
 
     #[test]
     fn targets_out_of_reach_are_projected_and_reported() {
-        let skeleton = example();
+        let skeleton = Skeleton::example();
         let rig = ArmRig::new(&skeleton, Side::Left);
         for far in [1.3, 5.0] {
             let d = DVec3::new(0.5, 0.3, 0.8).normalize();
@@ -468,7 +467,7 @@ mod tests {
 
     #[test]
     fn comfortable_hand_rotations_are_met() {
-        let skeleton = example();
+        let skeleton = Skeleton::example();
         let rig = ArmRig::new(&skeleton, Side::Right);
         let s = skeleton.metres_per_eml_unit();
         // Handshake, palm up, palm to the chest, greeting.
@@ -502,7 +501,7 @@ mod tests {
     #[test]
     fn wrist_angles_and_hand_rotations_convert_both_ways() {
         for side in Side::BOTH {
-            let rig = ArmRig::new(&example(), side);
+            let rig = ArmRig::new(&Skeleton::example(), side);
             for i in 0..500 {
                 let (at, hand) = (random_target(&rig, i), random_rotation(21, i));
                 let back = rig.hand_from_angles(at, &rig.angles_of_hand(at, hand));
@@ -513,7 +512,7 @@ mod tests {
 
     #[test]
     fn the_arms_mirror_each_other() {
-        let skeleton = example();
+        let skeleton = Skeleton::example();
         let rigs = Side::BOTH.map(|side| ArmRig::new(&skeleton, side));
         for i in 0..500 {
             let wrist_in_world = random_target(&rigs[0], i);
@@ -545,7 +544,7 @@ mod tests {
 
     #[test]
     fn the_elbow_moves_steadily_with_the_hand() {
-        let skeleton = example();
+        let skeleton = Skeleton::example();
         let rig = ArmRig::new(&skeleton, Side::Left);
         // In front of the frontal plane, where hands live, the swivel field is tame. The
         // elbow outruns the wrist most where the hand is near the shoulder (0.3 of the

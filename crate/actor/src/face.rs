@@ -276,12 +276,11 @@ impl FaceRig {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::test_body::example;
     use raconteur_speech::phones::CHANNELS;
 
     fn rig(names: &[&str]) -> FaceRig {
         let names: Vec<String> = names.iter().map(|n| (*n).to_owned()).collect();
-        FaceRig::from_parts(&example(), &names, [0.8, 0.7])
+        FaceRig::from_parts(&Skeleton::example(), &names, [0.8, 0.7])
     }
 
     fn mouth(set: &[(Channel, f64)]) -> MouthTargets {
@@ -316,7 +315,7 @@ mod tests {
     #[test]
     fn the_jaw_drops_the_chin() {
         let (mut pose, mut w) = (Pose::zero(), []);
-        let skeleton = example();
+        let skeleton = Skeleton::example();
         let chin = |pose: &Pose| {
             crate::kinematics::world_from_bone(&skeleton, pose, Bone::Chin)
                 .transform_point3(DVec3::Y * 0.1)

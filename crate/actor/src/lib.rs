@@ -18,8 +18,6 @@ pub mod kinematics;
 pub mod lips;
 pub mod palm;
 pub mod performance;
-#[cfg(test)]
-mod test_body;
 pub mod wrist;
 
 pub use arm_ik::{ArmGoal, ArmRig, ArmSolution};

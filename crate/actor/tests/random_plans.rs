@@ -5,24 +5,8 @@ use raconteur_actor::kinematics::world_from_bone;
 use raconteur_actor::{Accent, Actor, ArmRig, FaceRig, Performance, SpokenUtterance, palm};
 use raconteur_base::{DVec3, Side, noise};
 use raconteur_body::hand_shape::HandShape;
-use raconteur_body::skeleton::{FacePlaces, zero_frames};
 use raconteur_body::{Bone, Pose, Skeleton};
 use raconteur_speech::Phone;
-
-/// The male example of GEVH table A.1.
-fn example() -> Skeleton {
-    let positions = Bone::ALL.map(Bone::example_position_m);
-    let eyes = [
-        DVec3::new(0.031, 1.80, 0.08),
-        DVec3::new(-0.031, 1.80, 0.08),
-    ];
-    Skeleton::from_bind(
-        &positions,
-        &zero_frames(),
-        FacePlaces { eye_centres: eyes },
-        1.956,
-    )
-}
 
 fn morph_names() -> Vec<String> {
     ["mouthClose", "mouthPucker", "browInnerUp", "mouthSmileLeft"]
@@ -132,7 +116,7 @@ struct Stage {
 
 impl Stage {
     fn new() -> Self {
-        let skeleton = example();
+        let skeleton = Skeleton::example();
         let face = FaceRig::from_parts(&skeleton, &morph_names(), [0.7; 2]);
         Self {
             skeleton,
@@ -373,7 +357,7 @@ fn fingers_that_move_do_not_stop_the_arm() {
             ],
             ..Performance::default()
         };
-        Actor::new(&performance, &example())
+        Actor::new(&performance, &Skeleton::example())
     };
     let (plain, drumming) = (actor_of(ends.to_vec()), actor_of(drumming));
     for i in 0..300 {
@@ -414,7 +398,7 @@ fn a_wrist_passes_keys_that_only_turn_the_hand() {
         ],
         ..Performance::default()
     };
-    let actor = Actor::new(&performance, &example());
+    let actor = Actor::new(&performance, &Skeleton::example());
     stage.evaluate(&actor, 2.3);
     let way = stage.wrist(Side::Right).distance(from) / to.distance(from);
     assert!((0.3..0.45).contains(&way), "{way}");

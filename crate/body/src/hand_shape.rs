@@ -397,28 +397,14 @@ mod tests {
     use raconteur_base::mirror_vector;
 
     use super::*;
-    use crate::skeleton::{FacePlaces, Skeleton};
-
-    fn example() -> Skeleton {
-        let positions = Bone::ALL.map(Bone::example_position_m);
-        let eyes = [
-            DVec3::new(0.031, 1.80, 0.08),
-            DVec3::new(-0.031, 1.80, 0.08),
-        ];
-        Skeleton::from_bind(
-            &positions,
-            &zero_frames(),
-            FacePlaces { eye_centres: eyes },
-            1.956,
-        )
-    }
+    use crate::skeleton::Skeleton;
 
     /// Tips of the five fingers, world, the soft tip an inch beyond the last joint.
     fn tips(id: u8, side: Side) -> [DVec3; 5] {
         let mut pose = Pose::zero();
         HandShape::get(id).unwrap().apply(side, &mut pose);
         let mut world = Vec::new();
-        example().solve(&pose, &mut world);
+        Skeleton::example().solve(&pose, &mut world);
         core::array::from_fn(|f| {
             let joint = world[finger_bones(side)[3 * f + 2].index()];
             joint.transform_point3(DVec3::X * raconteur_base::METRES_PER_INCH)
@@ -485,7 +471,7 @@ mod tests {
         let mut pose = Pose::zero();
         HandShape::get(1).unwrap().apply(Side::Left, &mut pose);
         let mut world = Vec::new();
-        example().solve(&pose, &mut world);
+        Skeleton::example().solve(&pose, &mut world);
         for bone in &LEFT_FINGER_BONES[..12] {
             let along = world[bone.index()].transform_vector3(DVec3::X);
             assert!(along.x > 1.0 - 1e-9, "{} {along}", bone.name());

@@ -507,6 +507,21 @@ impl Skeleton {
         Self { joints, stature_m }
     }
 
+    /// The male example of GEVH table A.1, 77 units tall, in its zero pose. The table has no
+    /// eyes; theirs are set at the skull's usual place.
+    #[must_use]
+    pub fn example() -> Self {
+        let face = FacePlaces {
+            eye_centres: [
+                DVec3::new(0.031, 1.80, 0.08),
+                DVec3::new(-0.031, 1.80, 0.08),
+            ],
+        };
+        let positions = Bone::ALL.map(Bone::example_position_m);
+        let stature_m = 77.0 * raconteur_base::METRES_PER_INCH;
+        Self::from_bind(&positions, &zero_frames(), face, stature_m)
+    }
+
     /// A skeleton from joints already in order, parents first, the first 54 being the bones.
     /// `None` when that does not hold.
     #[must_use]
@@ -573,20 +588,6 @@ impl Skeleton {
 mod tests {
     use super::*;
 
-    fn example() -> Skeleton {
-        let positions = Bone::ALL.map(Bone::example_position_m);
-        let eyes = [
-            DVec3::new(0.031, 1.80, 0.08),
-            DVec3::new(-0.031, 1.80, 0.08),
-        ];
-        Skeleton::from_bind(
-            &positions,
-            &zero_frames(),
-            FacePlaces { eye_centres: eyes },
-            1.956,
-        )
-    }
-
     #[test]
     fn local_x_runs_along_the_bone() {
         let frames = zero_frames();
@@ -626,7 +627,7 @@ mod tests {
 
     #[test]
     fn the_zero_pose_of_the_example_reproduces_its_positions() {
-        let skeleton = example();
+        let skeleton = Skeleton::example();
         let mut world = Vec::new();
         skeleton.solve(&Pose::zero(), &mut world);
         for bone in Bone::ALL {
@@ -637,7 +638,7 @@ mod tests {
 
     #[test]
     fn flexing_both_elbows_alike_brings_both_hands_forward() {
-        let skeleton = example();
+        let skeleton = Skeleton::example();
         let mut pose = Pose::zero();
         pose.rotations[Bone::LElbow.index()] = DQuat::from_rotation_z(1.0);
         pose.rotations[Bone::RElbow.index()] = DQuat::from_rotation_z(1.0);

@@ -223,7 +223,7 @@ mod tests {
         let parsed = parse(&source);
         assert!(parsed.diagnostics.is_empty(), "{:?}", parsed.diagnostics);
         let resolved = Timeline::resolve(&parsed.document, &EstimatedDurations);
-        let units = crate::tests::example_units();
+        let units = Units::of(&raconteur_body::Skeleton::example());
         arm_script(&parsed.document, &resolved.timeline, side, &units)
     }
 

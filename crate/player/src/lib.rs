@@ -24,24 +24,3 @@ pub use raconteur_stage as stage;
 pub use script::Script;
 pub use units::Units;
 pub use voice::content_of;
-
-#[cfg(test)]
-mod tests {
-    use raconteur_body::skeleton::{FacePlaces, zero_frames};
-    use raconteur_body::{Bone, Skeleton};
-
-    /// The units of GEVH's example skeleton.
-    pub(crate) fn example_units() -> crate::Units {
-        let positions = Bone::ALL.map(Bone::example_position_m);
-        let face = FacePlaces {
-            eye_centres: [raconteur_base::DVec3::Y; 2],
-        };
-        let stature_m = 77.0 * raconteur_base::METRES_PER_INCH;
-        crate::Units::of(&Skeleton::from_bind(
-            &positions,
-            &zero_frames(),
-            face,
-            stature_m,
-        ))
-    }
-}

@@ -61,19 +61,10 @@ impl Units {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use raconteur_body::skeleton::{FacePlaces, zero_frames};
 
     #[test]
     fn on_the_example_skeleton_the_origin_is_its_sacroiliac() {
-        let positions = Bone::ALL.map(Bone::example_position_m);
-        let skeleton = Skeleton::from_bind(
-            &positions,
-            &zero_frames(),
-            FacePlaces {
-                eye_centres: [DVec3::Y; 2],
-            },
-            77.0 * raconteur_base::METRES_PER_INCH,
-        );
+        let skeleton = Skeleton::example();
         let units = Units::of(&skeleton);
         let d = units.speaker_point([0.0; 3]) - DVec3::new(0.0, 37.82, 0.0) * 0.0254;
         assert!(d.length() < 1e-4, "{d}");

@@ -11,22 +11,22 @@ use crate::morph::ShapeVertex;
 use crate::target::{DEPTH_FORMAT, TargetKind};
 use crate::{Quality, uniform::FrameUniform};
 
-const FRAME: &str = include_str!("shader/frame.wgsl");
+const FRAME: &str = include_str!(concat!(env!("OUT_DIR"), "/frame.wgsl"));
 
 /// The shaders of everything on the stage, one module.
 const STAGE: [&str; 9] = [
     FRAME,
-    include_str!("shader/light.wgsl"),
-    include_str!("shader/figure.wgsl"),
-    include_str!("shader/skin.wgsl"),
-    include_str!("shader/eye.wgsl"),
-    include_str!("shader/mouth.wgsl"),
-    include_str!("shader/hair.wgsl"),
-    include_str!("shader/cloth.wgsl"),
-    include_str!("shader/theatre.wgsl"),
+    include_str!(concat!(env!("OUT_DIR"), "/light.wgsl")),
+    include_str!(concat!(env!("OUT_DIR"), "/figure.wgsl")),
+    include_str!(concat!(env!("OUT_DIR"), "/skin.wgsl")),
+    include_str!(concat!(env!("OUT_DIR"), "/eye.wgsl")),
+    include_str!(concat!(env!("OUT_DIR"), "/mouth.wgsl")),
+    include_str!(concat!(env!("OUT_DIR"), "/hair.wgsl")),
+    include_str!(concat!(env!("OUT_DIR"), "/cloth.wgsl")),
+    include_str!(concat!(env!("OUT_DIR"), "/theatre.wgsl")),
 ];
 
-const LAST: [&str; 2] = [FRAME, include_str!("shader/last.wgsl")];
+const LAST: [&str; 2] = [FRAME, include_str!(concat!(env!("OUT_DIR"), "/last.wgsl"))];
 
 /// Bind group layouts, named by what they hold.
 pub(crate) struct Layouts {

@@ -67,7 +67,7 @@ impl Shot {
                 half_width: 0.50,
             },
             Self::Medium => Extent {
-                bottom: 0.47,
+                bottom: 0.42,
                 top: 1.10,
                 half_width: 0.31,
             },

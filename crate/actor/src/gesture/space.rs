@@ -154,12 +154,11 @@ pub fn part_hands(wrists: [DVec3; 2]) -> [DVec3; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::test_body::example;
     use raconteur_base::noise;
 
     #[test]
     fn nothing_stays_inside_and_the_outside_is_left_alone() {
-        let space = BodySpace::new(&example());
+        let space = BodySpace::new(&Skeleton::example());
         let mut moved = 0;
         for i in 0..5_000 {
             let r = |k| noise::signed(2, k, i);
@@ -178,7 +177,7 @@ mod tests {
 
     #[test]
     fn keeping_out_is_continuous() {
-        let space = BodySpace::new(&example());
+        let space = BodySpace::new(&Skeleton::example());
         for i in 0..5_000 {
             let r = |k| noise::signed(3, k, i);
             let p = DVec3::new(0.35 * r(0), 1.3 + 0.6 * r(1), 0.05 + 0.3 * r(2).abs());

@@ -171,11 +171,10 @@ impl Leg {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::test_body::example;
 
     #[test]
     fn feet_stay_planted_while_the_pelvis_sways() {
-        let skeleton = example();
+        let skeleton = Skeleton::example();
         let stance = Stance::new(&skeleton, 42);
         let zero = Pose::zero();
         let (mut least, mut most, mut worst) = (f64::MAX, f64::MIN, 0.0_f64);
@@ -206,7 +205,7 @@ mod tests {
 
     #[test]
     fn knees_bend_forward() {
-        let skeleton = example();
+        let skeleton = Skeleton::example();
         let stance = Stance::new(&skeleton, 1);
         let mut pose = Pose::zero();
         pose.root_offset_in_world = DVec3::new(0.0, -0.15, 0.0);

@@ -3,24 +3,15 @@
 
 use glam::{Vec2, Vec3};
 use raconteur_base::{DAffine3, DVec3};
-use raconteur_body::skeleton::{Drive, FacePlaces, zero_frames};
+use raconteur_body::skeleton::Drive;
 use raconteur_body::{Bone, Figure, Material, MaterialKind, Mesh, Morph, Pose, Skeleton};
-use raconteur_stage::{Frame, Shot};
+use raconteur_stage::{Frame, Room, Shot};
 
+/// Where the balls of the eyes stand, in front of the skeleton's own.
 const EYES: [DVec3; 2] = [
     DVec3::new(0.032, 1.80, 0.085),
     DVec3::new(-0.032, 1.80, 0.085),
 ];
-
-fn skeleton() -> Skeleton {
-    let positions = Bone::ALL.map(Bone::example_position_m);
-    Skeleton::from_bind(
-        &positions,
-        &zero_frames(),
-        FacePlaces { eye_centres: EYES },
-        1.956,
-    )
-}
 
 /// An ellipsoid whose pole points to +z; uv as on an eye.
 fn ball(kind: MaterialKind, color: [u8; 4], joint: u16, centre: Vec3, radii: Vec3) -> Mesh {
@@ -109,7 +100,7 @@ fn hair(joint: u16) -> Mesh {
 
 /// The test figure.
 pub(crate) fn figure() -> Figure {
-    let skeleton = skeleton();
+    let skeleton = Skeleton::example();
     let mut bind = Vec::new();
     skeleton.solve(&Pose::zero(), &mut bind);
     let at = |bone: Bone| bind[bone.index()].translation.as_vec3();
@@ -255,6 +246,11 @@ pub(crate) fn figure() -> Figure {
 pub(crate) fn frame(figure: &Figure, pose: &Pose, shot: Shot, aspect: f64) -> Frame {
     let mut frame = Frame::with_capacity(figure.skeleton.joints().len(), figure.morph_names.len());
     figure.skeleton.solve(pose, &mut frame.world_from_joint);
-    frame.camera = shot.frame(DVec3::ZERO, figure.skeleton.stature_m(), aspect);
+    frame.camera = shot.frame(
+        DVec3::ZERO,
+        figure.skeleton.stature_m(),
+        aspect,
+        Room::default(),
+    );
     frame
 }

@@ -68,10 +68,10 @@ const LAYERS: [Layer; 6] = [
     },
     // And fine hair along the parting.
     Layer {
-        cards: 110,
+        cards: 170,
         spans: 6,
-        height: 0.0090,
-        width: 0.006,
+        height: 0.0080,
+        width: 0.008,
         open: [0.8, 1.0],
         length: 0.8,
         longest: 0.11,
@@ -93,6 +93,8 @@ const fn layer(cards: usize, height: f64, width: f64, open: [f64; 2], length: f6
 }
 
 const MM: f64 = 1e-3;
+/// Steps of growth for one span of a card.
+const FINER: usize = 4;
 
 /// Makes the hair of a head, in the head's frame.
 #[must_use]
@@ -137,8 +139,11 @@ fn skin_of(head: &Head) -> Skin {
 
 /// How far hair stands off the head to pass over an ear: a smooth bump in its place.
 fn over_ear(p: DVec3) -> f64 {
-    let (y, z) = (p.y / (46.0 * MM), (p.z + 14.0 * MM) / (40.0 * MM));
-    21.0 * MM * ramp(45.0 * MM, 65.0 * MM, p.x.abs()) * ops::exp(-y * y - z * z)
+    let (y, z) = (
+        (p.y - 8.0 * MM) / (46.0 * MM),
+        (p.z + 16.0 * MM) / (40.0 * MM),
+    );
+    24.0 * MM * ramp(45.0 * MM, 65.0 * MM, p.x.abs()) * ops::exp(-y * y - z * z)
 }
 
 /// Roots spread over the scalp by area and density, denser along the parting.
@@ -219,31 +224,40 @@ fn comb(root: &ScalpPoint, p: &BobParams) -> DVec3 {
 
 /// Grows one strand; `None` when it would stray from the head.
 fn strand(skin: &Skin, p: &BobParams, layer: &Layer, root: ScalpPoint, id: i64) -> Option<Strand> {
-    let q = root.position;
+    let q = match layer.roots {
+        // Fine hair stands in a line where the hair divides.
+        Roots::Parting => {
+            let q = root.position;
+            let x = p.parting_x + 0.3 * (q.x - p.parting_x);
+            skin.settle(q.with_x(x), 0.0, 1.0).0
+        }
+        Roots::All | Roots::Hairline => root.position,
+    };
     let top = ramp(55.0 * MM, 100.0 * MM, q.y);
     let random = |k: u64| noise::signed(p.seed, 100 + k, id);
     let fall = (q.y - p.hem_y).clamp(0.05, 0.6);
     let length =
         ((fall + 0.008 + 0.045 * top) * layer.length).min(layer.longest) * (1.0 + 0.02 * random(1));
-    let step = length / layer.spans as f64;
+    let steps = layer.spans * FINER;
+    let step = length / steps as f64;
     let mut at = q - root.normal * 0.5 * MM;
     let mut direction = comb(&root, p).normalize();
     let mut normal = root.normal;
     let mut curve = vec![at];
     let mut normals = vec![normal];
-    for i in 1..=layer.spans {
-        let t = i as f64 / layer.spans as f64;
-        let gravity = 0.34 * (0.35 + 0.65 * t);
+    for i in 1..=steps {
+        let t = i as f64 / steps as f64;
+        let gravity = 0.34 * (0.35 + 0.65 * t) / FINER as f64;
         direction = (direction * (1.0 - gravity) + DVec3::NEG_Y * gravity).normalize();
         // What hangs in front of the ears is combed back.
         let below_crown = ((95.0 * MM - at.y) / (55.0 * MM)).clamp(0.0, 1.0);
         let before_ear = ramp(14.0 * MM, 44.0 * MM, at.z) * below_crown;
-        direction = (direction + DVec3::NEG_Z * 0.55 * before_ear).normalize();
-        let height = 1.0 * MM + layer.height * (t * 6.0).min(1.0) + over_ear(at);
+        direction = (direction + DVec3::NEG_Z * (0.55 / FINER as f64) * before_ear).normalize();
+        let height = 1.0 * MM + layer.height * ramp(-0.012, 0.04, i as f64 * step) + over_ear(at);
         // It clings to the head down to the ears and hangs free below.
-        let cling = 0.35 * ramp(-40.0 * MM, 20.0 * MM, at.y);
+        let cling = 0.16 * ramp(-40.0 * MM, 20.0 * MM, at.y);
         let (pushed, _) = skin.settle(at + direction * step, height, cling);
-        direction = (direction * 0.35 + (pushed - at).try_normalize().unwrap_or(direction) * 0.65)
+        direction = (direction * 0.7 + (pushed - at).try_normalize().unwrap_or(direction) * 0.3)
             .normalize();
         let (pushed, found) = skin.settle(at + direction * step, height, cling);
         at = pushed;
@@ -255,13 +269,20 @@ fn strand(skin: &Skin, p: &BobParams, layer: &Layer, root: ScalpPoint, id: i64) 
     for c in curve.iter_mut().skip(1) {
         *c = skin.settle(*c, 1.5 * MM + 0.8 * over_ear(*c), 0.0).0;
     }
+    let (curve, normals) = thinned(&curve, &normals, layer.spans);
     let strays = |c: &DVec3| {
         c.y > -30.0 * MM
             && skin
                 .height(*c)
                 .is_none_or(|(h, _)| h > layer.height + over_ear(*c) + 16.0 * MM)
     };
-    if curve.iter().any(strays) {
+    // Nor may it grow through an ear or hang before it.
+    let pierces = |c: &DVec3| {
+        (62.0 * MM..87.0 * MM).contains(&c.x.abs())
+            && (-30.0 * MM..26.0 * MM).contains(&c.y)
+            && (-26.0 * MM..28.0 * MM).contains(&c.z)
+    };
+    if curve.iter().any(|c| strays(c) || pierces(c)) {
         return None;
     }
     Some(Strand {
@@ -274,6 +295,33 @@ fn strand(skin: &Skin, p: &BobParams, layer: &Layer, root: ScalpPoint, id: i64) 
         tint: 0.62 * (1.0 + 0.14 * random(4)),
         open: layer.open,
     })
+}
+
+/// The path without its corners, at the card's own points: closer together near the root,
+/// where hair bends over the crown.
+fn thinned(curve: &[DVec3], normals: &[DVec3], spans: usize) -> (Vec<DVec3>, Vec<DVec3>) {
+    let mut smooth = curve.to_vec();
+    for _ in 0..4 {
+        let before = smooth.clone();
+        for i in 1..before.len() - 1 {
+            smooth[i] = before[i] * 0.5 + (before[i - 1] + before[i + 1]) * 0.25;
+        }
+    }
+    let last = curve.len() - 1;
+    (0..=spans)
+        .map(|i| {
+            let t = ops::pow(i as f64 / spans as f64, 1.3) * last as f64;
+            let k = (t as usize).min(last - 1);
+            let f = t - k as f64;
+            (
+                smooth[k].lerp(smooth[k + 1], f),
+                normals[k]
+                    .lerp(normals[k + 1], f)
+                    .try_normalize()
+                    .unwrap_or(normals[k]),
+            )
+        })
+        .unzip()
 }
 
 /// Gentle waves, in step between neighbours, and ends that turn in.

@@ -49,7 +49,7 @@ pub(super) fn cards(name: &str, material: &Material, strands: &[Strand]) -> Piec
             let face = side.cross(along);
             let t = i as f64 / (n - 1) as f64;
             let narrow = if t < 0.2 {
-                lerp(0.25, 1.0, t / 0.2)
+                lerp((0.0025 / s.width).min(0.25), 1.0, t / 0.2)
             } else {
                 lerp(1.0, s.tip, ramp(0.7, 1.0, t))
             };

@@ -414,7 +414,7 @@ fn wind(shell: &mut Shell, field: &Field) {
 fn weights(shell: &Shell, keys: &[Key], field: &Field, joints: &Joints) -> Vec<Weights> {
     let mut w: Vec<Weights> = keys.iter().map(|k| label(*k, field, joints)).collect();
     let (around, _) = shell.neighbours();
-    for round in 0..20 {
+    for round in 0..28 {
         let before = w.clone();
         for (v, key) in keys.iter().enumerate() {
             let on_limb = matches!(key, Key::Arm(_, j, _) | Key::Leg(_, j, _) if *j > 4);
@@ -469,10 +469,12 @@ fn label(key: Key, field: &Field, joints: &Joints) -> Weights {
 /// Weights along the arm: half joints at shoulder and elbow, the wrist's twist by thirds.
 #[must_use]
 pub fn arm_label(side: Side, t: f64) -> Weights {
-    let [shoulder, elbow, wrist] = ["shoulder", "elbow", "wrist"].map(|n| Bone::on(side, n));
+    let [scapula, shoulder, elbow, wrist] =
+        ["scapula", "shoulder", "elbow", "wrist"].map(|n| Bone::on(side, n));
     let stops = [
-        (0.10, Rig::Half(shoulder)),
-        (0.30, Rig::Bone(shoulder)),
+        (0.02, Rig::Bone(scapula)),
+        (0.20, Rig::Half(shoulder)),
+        (0.44, Rig::Bone(shoulder)),
         (0.82, Rig::Bone(shoulder)),
         (1.0, Rig::Half(elbow)),
         (1.17, Rig::Bone(elbow)),
