@@ -155,7 +155,7 @@ fn stretched(shell: &Shell, along: &[f64], joints: &Joints, upper_arm: f64) -> V
             let mut q = *p;
             for side in Side::BOTH {
                 let axis = Joints::arm_axis() * DVec3::new(side.sign(), 1.0, 1.0);
-                let excess = (a - 0.45 * upper_arm).max(0.0) * 0.10;
+                let excess = (a - 0.45 * upper_arm).max(0.0) * 0.07;
                 q += axis * excess * fade(w.arm(side), 0.3, 0.9);
             }
             let is_trunk = Side::BOTH.iter().all(|s| w.arm(*s) < 0.01);

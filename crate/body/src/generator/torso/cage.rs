@@ -452,7 +452,13 @@ fn label(key: Key, field: &Field, joints: &Joints) -> Weights {
                 Bone::Sacroiliac
             })
         }
-        Key::Arm(side, j, _) => arm_label(side, ARM_RINGS[j]),
+        Key::Arm(side, j, k) => {
+            // Over the shoulder the girdle reaches farther out, or a raised arm would fold
+            // the cloth into the trunk; the armpit's cloth goes with the arm.
+            let top = ops::cos(core::f64::consts::TAU * k as f64 / RING as f64).max(0.0);
+            let near = 1.0 - smooth((ARM_RINGS[j] - 0.10) / 0.5);
+            arm_label(side, ARM_RINGS[j] - 0.09 * top * near)
+        }
         Key::Leg(side, j, _) => {
             let [hip, knee, foot] = ["hip", "knee", "subtalar"].map(|n| Bone::on(side, n));
             match LEG_RINGS[j] {
@@ -472,9 +478,9 @@ pub fn arm_label(side: Side, t: f64) -> Weights {
     let [scapula, shoulder, elbow, wrist] =
         ["scapula", "shoulder", "elbow", "wrist"].map(|n| Bone::on(side, n));
     let stops = [
-        (0.02, Rig::Bone(scapula)),
-        (0.20, Rig::Half(shoulder)),
-        (0.44, Rig::Bone(shoulder)),
+        (-0.04, Rig::Bone(scapula)),
+        (0.14, Rig::Half(shoulder)),
+        (0.40, Rig::Bone(shoulder)),
         (0.82, Rig::Bone(shoulder)),
         (1.0, Rig::Half(elbow)),
         (1.17, Rig::Bone(elbow)),
