@@ -86,6 +86,8 @@ fn each_kind_of_bad_input_is_reported_where_it_stands() {
                   <voice-text time='0'>&xxe;</voice-text></body></eml>";
     expect("doctype", entity, "eml::doctype", 1);
     expect("entity", entity, "eml::unknown-entity", 3);
+    let far = "<gesture-key time='0' duration='1'><motion><key x='0' y='90' z='0'/></motion></gesture-key>";
+    expect("reach", wrapped(far), "player::out-of-reach", 3);
     let speech = "<voice-text time='0'>Hello</voice-text>";
     expect("no-bundle", wrapped(speech), "player::no-bundle", 3);
 }

@@ -5,6 +5,8 @@ use std::path::PathBuf;
 
 use anyhow::Result;
 use clap::Args;
+use raconteur_player::eml::Diagnostic;
+use raconteur_player::stage::Shot;
 
 use crate::report;
 use crate::story::StoryFiles;
@@ -16,6 +18,10 @@ pub(crate) struct Check {
     /// Scripts, or folders that hold a story.eml.
     #[arg(required = true)]
     files: Vec<PathBuf>,
+    /// The figure whose reach is checked: a name, or the path of a .glb file. Without this,
+    /// sofia where she is found.
+    #[arg(long)]
+    figure: Option<String>,
     /// How to report.
     #[arg(long, value_enum, default_value = "text")]
     format: Format,
@@ -28,15 +34,15 @@ impl Check {
         let mut json = Vec::new();
         for path in &self.files {
             let files = StoryFiles::read(path)?;
-            let script = files.script();
+            let diagnostics = self.diagnostics(&files)?;
             let name = files.script.display().to_string();
-            if report::outcome(&script.diagnostics) == Outcome::Errors {
+            if report::outcome(&diagnostics) == Outcome::Errors {
                 worst = Outcome::Errors;
             }
             match self.format {
-                Format::Text => report::print(&name, &files.text, &script.diagnostics)?,
+                Format::Text => report::print(&name, &files.text, &diagnostics)?,
                 Format::Json => {
-                    for entry in report::entries(&name, &files.text, &script.diagnostics) {
+                    for entry in report::entries(&name, &files.text, &diagnostics) {
                         json.push(serde_json::to_value(entry)?);
                     }
                 }
@@ -46,5 +52,19 @@ impl Check {
             writeln!(out, "{}", serde_json::to_string_pretty(&json)?)?;
         }
         Ok(worst)
+    }
+
+    fn diagnostics(&self, files: &StoryFiles) -> Result<Vec<Diagnostic>> {
+        let name = self.figure.as_deref().unwrap_or("sofia");
+        match files.player(name, Shot::Medium) {
+            Ok(loaded) => Ok(loaded.diagnostics),
+            Err(error) if self.figure.is_some() => Err(error),
+            Err(_) => {
+                eprintln!(
+                    "raconteur: no figure at hand, so nobody's reach is checked; name one with --figure"
+                );
+                Ok(files.script().diagnostics)
+            }
+        }
     }
 }
