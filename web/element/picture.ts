@@ -38,8 +38,10 @@ export class Picture {
   #engine: Engine | undefined;
   #canvas: HTMLCanvasElement | undefined;
   #size = { width: 0, height: 0 };
-  /** Share of the device's pixels that is drawn. */
+  /** Share of the device's pixels that is drawn while the story moves. */
   #share = 1;
+  /** A still picture has all the time it needs, so it is drawn with every pixel. */
+  #still = true;
   /** When the last picture of a running sequence was asked for, and the mean time between them. */
   #pace = { last: 0, mean: 0, pictures: 0 };
   #recoveries = 0;
@@ -97,7 +99,8 @@ export class Picture {
 
   #fit(engine: Engine): void {
     const { width, height } = this.#size;
-    if (width > 0) engine.resize(width, height, this.#share * Math.min(MOST_DPR, window.devicePixelRatio || 1));
+    const share = this.#still ? 1 : this.#share;
+    if (width > 0) engine.resize(width, height, share * Math.min(MOST_DPR, window.devicePixelRatio || 1));
   }
 
   /** Judges how fast pictures come while the story plays on screen, and draws fewer pixels if it is too slow. */
@@ -133,6 +136,10 @@ export class Picture {
     return (
       this.#guard((engine) => {
         this.#keepPace(engine, running);
+        if (resting !== this.#still) {
+          this.#still = resting;
+          if (this.#share < 1) this.#fit(engine);
+        }
         if (engine.tick(secs) === TickStatus.Lost && !this.#lost) void this.recover();
         return resting ? [] : engine.drainEvents();
       }) ?? []
