@@ -29,8 +29,6 @@ export default defineConfig({
   timeout: 120_000,
   expect: { timeout: 30_000 },
   workers: 1,
-  // A browser that draws in software on a shared machine may stall once; what needed this is named as flaky.
-  retries: 1,
   forbidOnly: true,
   use: {
     baseURL: `http://localhost:${port}`,
