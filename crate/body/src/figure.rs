@@ -49,6 +49,25 @@ impl MaterialKind {
     ];
 }
 
+/// Pictures that a surface is drawn with, as indices into [`Figure::images`].
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Maps {
+    /// sRGB colour and alpha; multiplies the vertex colour and the base colour.
+    pub base_color: Option<usize>,
+    /// Normals in tangent space as glTF has them: +y along growing −v.
+    pub normal: Option<usize>,
+}
+
+/// A compressed picture that came with a figure. Whoever draws has it decoded: a browser
+/// does that better than we could.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Image {
+    /// `image/png` or `image/jpeg`.
+    pub mime_type: String,
+    /// The file's bytes.
+    pub bytes: Vec<u8>,
+}
+
 /// Surface of a mesh.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Material {
@@ -60,6 +79,8 @@ pub struct Material {
     pub roughness: f32,
     /// Whether both sides are drawn.
     pub double_sided: bool,
+    /// Its pictures.
+    pub maps: Maps,
 }
 
 /// One morph target's part in one mesh, sparse.
@@ -115,6 +136,8 @@ pub struct Figure {
     pub morph_names: Vec<String>,
     /// Upper-lid rotation that closes the eye, radians, left and right.
     pub lid_closure_rad: [f64; 2],
+    /// Pictures of the materials.
+    pub images: Vec<Image>,
 }
 
 impl Figure {

@@ -8,7 +8,7 @@ mod document;
 
 use raconteur_base::{DAffine3, DMat4, DQuat, DVec3, Side};
 
-use crate::figure::{Figure, Material, MaterialKind, Mesh, Morph};
+use crate::figure::{Figure, Image, Maps, Material, MaterialKind, Mesh, Morph};
 use crate::skeleton::{Bone, FacePlaces, Skeleton};
 use accessor::Source;
 use document::Document;
@@ -97,6 +97,7 @@ pub fn read_figure(name: &str, glb: &[u8]) -> Result<Figure, ReadError> {
         meshes: Vec::new(),
         morph_names: morph_names(&root),
         lid_closure_rad: root.lid_closure_rad.unwrap_or([0.0; 2]),
+        images: read_images(&mut source)?,
     };
     for node in &root.nodes {
         if let (Some(mesh), Some(skin)) = (node.mesh, node.skin) {
@@ -463,6 +464,31 @@ fn read_morphs(
     Ok(morphs)
 }
 
+fn read_images(source: &mut Source<'_>) -> Result<Vec<Image>, ReadError> {
+    let mut images = Vec::new();
+    for i in &source.root.images {
+        images.push(Image {
+            mime_type: i.mime_type.clone(),
+            bytes: source.view_bytes(i.view, "a picture")?.to_vec(),
+        });
+    }
+    Ok(images)
+}
+
+/// The image behind a texture.
+fn map_of(root: &Document<'_>, texture: Option<usize>) -> Result<Option<usize>, ReadError> {
+    let Some(texture) = texture else {
+        return Ok(None);
+    };
+    let image = root.texture_images.get(texture).copied();
+    image
+        .filter(|&i| i < root.images.len())
+        .map(Some)
+        .ok_or(ReadError::OutOfRange {
+            what: "a material's texture",
+        })
+}
+
 fn read_material(
     root: &Document<'_>,
     primitive: &document::Primitive,
@@ -473,6 +499,7 @@ fn read_material(
             base_color: [1.0; 4],
             roughness: 1.0,
             double_sided: false,
+            maps: Maps::default(),
         });
     };
     let m = root.materials.get(index).ok_or(ReadError::OutOfRange {
@@ -486,5 +513,9 @@ fn read_material(
         base_color: m.base_color.map(|x| x as f32),
         roughness: m.roughness as f32,
         double_sided: m.double_sided,
+        maps: Maps {
+            base_color: map_of(root, m.base_color_texture)?,
+            normal: map_of(root, m.normal_texture)?,
+        },
     })
 }

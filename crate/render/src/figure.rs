@@ -265,6 +265,7 @@ mod tests {
                 base_color: [1.0; 4],
                 roughness: 0.5,
                 double_sided: true,
+                maps: Maps::default(),
             },
             positions: vec![
                 [0.0, 1.0, 0.0],

@@ -7,7 +7,7 @@ use raconteur_base::{DAffine3, DQuat, DVec3};
 use super::part::{Part, PartVertex};
 use super::subdivide::vertex_normals;
 use super::write::weights_in_255ths;
-use crate::figure::{Figure, Material, MaterialKind, Mesh, Morph};
+use crate::figure::{Figure, Image, Maps, Material, MaterialKind, Mesh, Morph};
 use crate::skeleton::{Bone, FacePlaces, Skeleton};
 
 /// A part with its normals where they are not those of its own faces.
@@ -46,6 +46,8 @@ pub struct Blueprint {
     pub lid_closure_rad: [f64; 2],
     /// Parts, in drawing order.
     pub pieces: Vec<Piece>,
+    /// Pictures that materials point at.
+    pub images: Vec<Image>,
 }
 
 /// Joins the parts: one mesh for each surface, four weights a vertex, triangles, normals
@@ -93,6 +95,7 @@ pub fn assemble(blueprint: &Blueprint) -> Figure {
         meshes,
         morph_names,
         lid_closure_rad: blueprint.lid_closure_rad,
+        images: blueprint.images.clone(),
     }
 }
 
@@ -169,7 +172,7 @@ fn append(mesh: &mut Mesh, piece: &Piece, skeleton: &Skeleton, morph_names: &[St
         mesh.positions.push(narrow(vertex.position));
         mesh.normals
             .push(narrow(normal.try_normalize().unwrap_or(DVec3::Y)));
-        let uv = if has_coordinates(part.material.kind) {
+        let uv = if has_coordinates(&part.material) {
             vertex.uv
         } else {
             [0.0; 2]
@@ -232,9 +235,10 @@ fn append(mesh: &mut Mesh, piece: &Piece, skeleton: &Skeleton, morph_names: &[St
 }
 
 /// Kinds whose shading reads texture coordinates; for the others they would only take room.
-fn has_coordinates(kind: MaterialKind) -> bool {
+fn has_coordinates(material: &Material) -> bool {
     use MaterialKind::{Cloth, Cornea, Eye, Hair, Lash};
-    matches!(kind, Eye | Cornea | Hair | Lash | Cloth)
+    let textured = material.maps != Maps::default();
+    textured || matches!(material.kind, Eye | Cornea | Hair | Lash | Cloth)
 }
 
 /// Vertices of a part that share a place (seams of texture coordinates): their normals
@@ -364,6 +368,7 @@ mod tests {
                 base_color: [1.0; 4],
                 roughness: 0.5,
                 double_sided: false,
+                maps: Maps::default(),
             },
             vertices: (0..8).map(corner).collect(),
             faces: faces.iter().map(|f| f.to_vec()).collect(),
@@ -385,6 +390,10 @@ mod tests {
             stature_m: 1.956,
             lid_closure_rad: [0.6, 0.6],
             pieces: vec![part.into()],
+            images: vec![Image {
+                mime_type: "image/png".to_owned(),
+                bytes: vec![1, 2, 3, 4, 5],
+            }],
         })
     }
 

@@ -3,7 +3,9 @@
 //! Each region (head, hands, body, clothes, hair) yields [`part::Part`]s in metres, engine
 //! frame, bind pose; [`assemble`] joins them on one skeleton and [`write`] stores glTF.
 
+pub mod annotation;
 pub mod assemble;
+mod build;
 pub mod cloth;
 pub mod hair;
 pub mod hand;
@@ -14,4 +16,5 @@ pub mod subdivide;
 pub mod torso;
 pub mod write;
 
-pub use people::{FigureParams, build};
+pub use build::{Built, build};
+pub use people::{FigureParams, Person};

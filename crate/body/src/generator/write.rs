@@ -311,7 +311,7 @@ fn material(m: &Material) -> Value {
         .find(|n| n.0 == m.kind)
         .map_or("plain", |n| n.1);
     let color: Vec<f64> = m.base_color.iter().map(|&c| f64::from(c)).collect();
-    json!({
+    let mut value = json!({
         "name": kind,
         "doubleSided": m.double_sided,
         "alphaMode": if m.base_color[3] < 1.0 { "BLEND" } else { "OPAQUE" },
@@ -321,7 +321,15 @@ fn material(m: &Material) -> Value {
             "roughnessFactor": number(f64::from(m.roughness)),
         },
         "extras": { "kind": kind },
-    })
+    });
+    // Texture i shows image i.
+    if let Some(i) = m.maps.base_color {
+        value["pbrMetallicRoughness"]["baseColorTexture"] = json!({ "index": i });
+    }
+    if let Some(i) = m.maps.normal {
+        value["normalTexture"] = json!({ "index": i });
+    }
+    value
 }
 
 fn mesh(buffer: &mut Buffer, grid: &Grid, figure: &Figure, mesh: &Mesh, material: usize) -> Value {
@@ -445,7 +453,16 @@ pub fn to_glb(figure: &Figure) -> Vec<u8> {
     roots.extend(joint_count..nodes.len());
     debug_assert!(figure.skeleton.joints()[0].drive == Drive::Bone(Bone::Sacroiliac));
 
-    let document = json!({
+    let images: Vec<Value> = figure
+        .images
+        .iter()
+        .map(
+            |i| json!({ "mimeType": i.mime_type, "bufferView": buffer.view(&i.bytes, None, None) }),
+        )
+        .collect();
+    let textures: Vec<Value> = (0..images.len()).map(|i| json!({ "source": i })).collect();
+
+    let mut document = json!({
         "asset": { "version": "2.0", "generator": "raconteur" },
         "extensionsUsed": ["KHR_mesh_quantization"],
         "extensionsRequired": ["KHR_mesh_quantization"],
@@ -470,6 +487,11 @@ pub fn to_glb(figure: &Figure) -> Vec<u8> {
         "bufferViews": buffer.views,
         "buffers": [{ "byteLength": buffer.bytes.len() }],
     });
+    // glTF allows no empty lists.
+    if !images.is_empty() {
+        document["images"] = json!(images);
+        document["textures"] = json!(textures);
+    }
     glb(document.to_string().into_bytes(), buffer.bytes)
 }
 

@@ -94,6 +94,17 @@ impl<'a> Source<'a> {
         Ok((bytes.ok_or(truncated)?, view.byte_stride))
     }
 
+    /// All bytes of a view; they count as numbers, since many may show one view.
+    pub(super) fn view_bytes(
+        &mut self,
+        index: usize,
+        what: &'static str,
+    ) -> Result<&'a [u8], ReadError> {
+        let (bytes, _) = self.view(index, 0, what)?;
+        self.spend(bytes.len())?;
+        Ok(bytes)
+    }
+
     fn accessor(&self, index: usize, what: &'static str) -> Result<&'a Accessor, ReadError> {
         self.root
             .accessors

@@ -64,6 +64,14 @@ pub(super) struct Material {
     pub(super) base_color: [f64; 4],
     pub(super) roughness: f64,
     pub(super) double_sided: bool,
+    pub(super) base_color_texture: Option<usize>,
+    pub(super) normal_texture: Option<usize>,
+}
+
+/// A picture in the binary chunk.
+pub(super) struct Image {
+    pub(super) mime_type: String,
+    pub(super) view: usize,
 }
 
 /// Type of one number in a buffer.
@@ -135,6 +143,9 @@ pub(super) struct Document<'a> {
     pub(super) skins: Vec<Skin>,
     pub(super) meshes: Vec<Mesh>,
     pub(super) materials: Vec<Material>,
+    pub(super) images: Vec<Image>,
+    /// The image of each texture.
+    pub(super) texture_images: Vec<usize>,
     pub(super) accessors: Vec<Accessor>,
     pub(super) views: Vec<View>,
     pub(super) bin: &'a [u8],
@@ -253,6 +264,8 @@ fn material(v: &Value) -> Material {
         base_color: numbers(pbr, "baseColorFactor").unwrap_or([1.0; 4]),
         roughness: pbr["roughnessFactor"].as_f64().unwrap_or(1.0),
         double_sided: v["doubleSided"].as_bool().unwrap_or(false),
+        base_color_texture: index(&pbr["baseColorTexture"], "index"),
+        normal_texture: index(&v["normalTexture"], "index"),
     }
 }
 
@@ -359,6 +372,13 @@ impl<'a> Document<'a> {
             skins: all("skins").map(skin).collect(),
             meshes: all("meshes").map(mesh).collect(),
             materials: all("materials").map(material).collect(),
+            images: all("images")
+                .map(|v| Image {
+                    mime_type: text(v, "mimeType"),
+                    view: needed_index(v, "bufferView"),
+                })
+                .collect(),
+            texture_images: all("textures").map(|v| needed_index(v, "source")).collect(),
             accessors: all("accessors").map(accessor).collect(),
             views: all("bufferViews").map(view).collect(),
             bin,

@@ -36,7 +36,7 @@ impl Figure {
             Action::Build { name, output } => {
                 let params = people::preset(name)
                     .with_context(|| format!("there is no figure named {name}"))?;
-                let figure = generator::build(&params);
+                let figure = generator::build(&params).figure;
                 let glb = write::to_glb(&figure);
                 // Written beside and renamed, so that a failure leaves the old file whole.
                 let part = output.with_extension("glb.part");

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use raconteur_base::{DVec3, ops};
 
-use crate::figure::{Material, MaterialKind};
+use crate::figure::{Maps, Material, MaterialKind};
 use crate::generator::part::{Part, PartVertex};
 use crate::generator::torso::{Field, Regions, Shell};
 
@@ -142,5 +142,6 @@ pub fn dyed(kind: MaterialKind, rgb: [f64; 3], roughness: f32) -> Material {
         base_color: [r, g, b, 1.0],
         roughness,
         double_sided: kind == MaterialKind::Cloth,
+        maps: Maps::default(),
     }
 }

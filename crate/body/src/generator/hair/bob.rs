@@ -5,7 +5,7 @@ use raconteur_base::{DVec3, noise, ops};
 
 use super::card::{Strand, cards};
 use super::skin::Skin;
-use crate::figure::{Material, MaterialKind};
+use crate::figure::{Maps, Material, MaterialKind};
 use crate::generator::assemble::Piece;
 use crate::generator::head::{Head, ScalpPoint};
 use crate::generator::subdivide::vertex_normals;
@@ -113,6 +113,7 @@ pub fn bob(head: &Head, p: &BobParams) -> Piece {
         base_color: [r, g, b, 1.0],
         roughness: 0.45,
         double_sided: true,
+        maps: Maps::default(),
     };
     cards("hair", &material, &strands)
 }

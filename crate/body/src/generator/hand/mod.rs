@@ -36,7 +36,7 @@ use self::field::Field;
 use self::surface::Skin;
 use self::weights::Influence;
 use super::part::{Part, PartVertex};
-use crate::figure::{Material, MaterialKind};
+use crate::figure::{Maps, Material, MaterialKind};
 use crate::hand_shape::HandAngles;
 use crate::skeleton::{Bone, zero_frames};
 
@@ -195,6 +195,7 @@ pub fn build(params: &HandParams, side: Side) -> Hand {
             base_color: [1.0; 4],
             roughness: 0.5,
             double_sided: false,
+            maps: Maps::default(),
         },
         vertices,
         faces: place.faces(&skin.faces),
@@ -263,6 +264,7 @@ fn nails(anatomy: &Anatomy, place: &Placement, base: DVec3, letter: &str) -> Par
             base_color: [1.0; 4],
             roughness: 0.27,
             double_sided: false,
+            maps: Maps::default(),
         },
         vertices,
         faces: place.faces(&faces),

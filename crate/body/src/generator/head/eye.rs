@@ -5,7 +5,7 @@ use core::f64::consts::TAU;
 use raconteur_base::{DVec3, Side, ops};
 
 use super::points::GLOBE_RADIUS_MM;
-use crate::figure::{Material, MaterialKind};
+use crate::figure::{Maps, Material, MaterialKind};
 use crate::generator::part::{JointRef, Part, PartVertex};
 use crate::skeleton::{Bone, Drive};
 
@@ -89,6 +89,7 @@ fn part(
             base_color: [1.0; 4],
             roughness,
             double_sided: false,
+            maps: Maps::default(),
         },
         vertices,
         faces: dome.faces,

@@ -34,7 +34,7 @@ use self::sofia::{ASYMMETRY, SOFIA};
 use self::strands::{BrowLine, Skin};
 use self::surface::{Surface, triangles};
 use super::part::{Part, PartMorph, PartVertex};
-use crate::figure::{Material, MaterialKind};
+use crate::figure::{Maps, Material, MaterialKind};
 use crate::generator::subdivide::vertex_normals;
 
 /// Colours of a head, linear RGB.
@@ -328,6 +328,7 @@ fn cut_part(
             base_color: [1.0; 4],
             roughness,
             double_sided: false,
+            maps: Maps::default(),
         },
         vertices: used.iter().map(|&v| vertices[v].clone()).collect(),
         faces,

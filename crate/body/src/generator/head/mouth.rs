@@ -8,7 +8,7 @@ use core::f64::consts::TAU;
 use raconteur_base::{DVec3, ops};
 
 use super::rig::smooth;
-use crate::figure::{Material, MaterialKind};
+use crate::figure::{Maps, Material, MaterialKind};
 use crate::generator::part::{JointRef, Part, PartMorph, PartVertex};
 use crate::skeleton::{Bone, Drive};
 
@@ -76,6 +76,7 @@ fn empty(name: &str, kind: MaterialKind, roughness: f32) -> Part {
             base_color: [1.0; 4],
             roughness,
             double_sided: false,
+            maps: Maps::default(),
         },
         vertices: Vec::new(),
         faces: Vec::new(),

@@ -4,7 +4,7 @@ use raconteur_base::{DVec3, Side, mirror_vector, noise, ops};
 
 use super::rig::smooth;
 use super::surface::nearest;
-use crate::figure::{Material, MaterialKind};
+use crate::figure::{Maps, Material, MaterialKind};
 use crate::generator::part::{JointRef, Part, PartMorph, PartVertex};
 
 /// The skin that hairs are rooted in; millimetres.
@@ -239,6 +239,7 @@ fn part(name: String, cards: &[Card], skin: &Skin<'_>, near: usize, color: [f64;
             base_color: [1.0; 4],
             roughness: 0.55,
             double_sided: true,
+            maps: Maps::default(),
         },
         vertices: Vec::new(),
         faces: Vec::new(),

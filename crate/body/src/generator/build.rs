@@ -1,97 +1,36 @@
-//! Named figures and how their parts come together.
+//! How the parts of a figure come together.
 
 use std::collections::BTreeMap;
 
 use raconteur_base::curve::smooth;
 use raconteur_base::{DAffine3, DQuat, DVec3, Side};
 
+use super::annotation::Annotations;
 use super::assemble::{Blueprint, Piece, assemble};
 use super::cloth::finish::{dyed, openness};
 use super::cloth::{shoe, sweater, trousers};
-use super::hair::{self, BobParams};
+use super::hair;
 use super::hand::{self, HandParams};
-use super::head::{self, Head, HeadParams};
+use super::head::{self, Head};
 use super::part::{Part, PartVertex};
+use super::people::FigureParams;
 use super::torso::cage::Tag;
-use super::torso::{BodyParams, CM, Cage, Field, Joints, Regions, Shell};
-use crate::figure::{Figure, Material, MaterialKind};
+use super::torso::{CM, Cage, Field, Joints, Regions, Shell};
+use crate::figure::{Figure, Maps, Material, MaterialKind};
 use crate::skeleton::{Bone, FacePlaces, zero_frames};
 
-/// Colours of the clothes, linear RGB.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Wardrobe {
-    /// Sweater.
-    pub sweater: [f64; 3],
-    /// Trousers.
-    pub trousers: [f64; 3],
-    /// Uppers of the shoes.
-    pub shoe: [f64; 3],
-    /// Soles.
-    pub sole: [f64; 3],
-    /// Socks.
-    pub sock: [f64; 3],
-}
-
-/// Everything that tells one figure from another.
-#[derive(Clone, Debug, PartialEq)]
-pub struct FigureParams {
-    /// Name, for example `sofia`.
-    pub name: String,
-    /// Trunk and limbs.
-    pub body: BodyParams,
-    /// Face.
-    pub head: HeadParams,
-    /// Hands.
-    pub hand: HandParams,
-    /// Hair.
-    pub hair: BobParams,
-    /// Clothes.
-    pub wardrobe: Wardrobe,
-}
-
-/// The parameters of a named figure; `None` for an unknown name. Known: `sofia`.
-#[must_use]
-pub fn preset(name: &str) -> Option<FigureParams> {
-    match name {
-        "sofia" => Some(sofia()),
-        _ => None,
-    }
-}
-
-/// A woman of about 35, 1.66 m tall.
-fn sofia() -> FigureParams {
-    let stature_m = 1.66;
-    let head = HeadParams::sofia();
-    FigureParams {
-        name: "sofia".to_owned(),
-        body: BodyParams {
-            sex: 1.0,
-            stature_m,
-            build: 0.0,
-            bust: 0.95,
-        },
-        hand: HandParams::woman(stature_m, head.colours.skin),
-        hair: BobParams {
-            colour: [0.150, 0.067, 0.032],
-            parting_x: 0.016,
-            hem_y: -0.086,
-            wave: 0.0025,
-            seed: 11,
-        },
-        head,
-        wardrobe: Wardrobe {
-            sweater: [0.045, 0.145, 0.165],
-            trousers: [0.030, 0.032, 0.045],
-            shoe: [0.085, 0.036, 0.017],
-            sole: [0.030, 0.022, 0.017],
-            sock: [0.020, 0.020, 0.026],
-        },
-    }
+/// A figure with what is known of its surface.
+#[derive(Clone, Debug)]
+pub struct Built {
+    /// What is posed and drawn.
+    pub figure: Figure,
+    /// Names on its meshes.
+    pub annotations: Annotations,
 }
 
 /// Builds a figure. The same parameters give the same figure to the bit.
 #[must_use]
-pub fn build(params: &FigureParams) -> Figure {
+pub fn build(params: &FigureParams) -> Built {
     let stature = params.body.stature_m;
     let mut joints = Joints::place(&params.body);
     let head = head::build(&params.head);
@@ -139,7 +78,7 @@ pub fn build(params: &FigureParams) -> Figure {
     );
     pieces.push(hair);
 
-    assemble(&Blueprint {
+    let figure = assemble(&Blueprint {
         name: params.name.clone(),
         positions_in_world: joints.positions,
         bind_rotations: joints.rotations,
@@ -151,7 +90,12 @@ pub fn build(params: &FigureParams) -> Figure {
         stature_m: stature,
         lid_closure_rad: head.lid_closure_rad,
         pieces,
-    })
+        images: Vec::new(),
+    });
+    Built {
+        figure,
+        annotations: Annotations::default(),
+    }
 }
 
 /// Puts the head's vertex at the stature and its joints on the skeleton.
@@ -262,6 +206,7 @@ fn neck(field: &Field, cage: &Cage, head: &Head, place: DAffine3) -> Part {
         base_color: [1.0; 4],
         roughness: 0.48,
         double_sided: false,
+        maps: Maps::default(),
     };
     let mut part = plain_part("neck", &shell, field, &material, [1.0; 3]);
     // Colours go on from the head's lower edge, darker inside the collar.
@@ -325,6 +270,7 @@ mod tests {
     use std::sync::OnceLock;
 
     use super::*;
+    use crate::generator::people::preset;
     use crate::generator::write::to_glb;
     use crate::pose::Pose;
     use crate::read::read_figure;
@@ -333,7 +279,7 @@ mod tests {
     fn sofia() -> &'static (Figure, Vec<u8>) {
         static MADE: OnceLock<(Figure, Vec<u8>)> = OnceLock::new();
         MADE.get_or_init(|| {
-            let figure = build(&preset("sofia").unwrap());
+            let figure = build(&preset("sofia").unwrap()).figure;
             let bytes = to_glb(&figure);
             (figure, bytes)
         })

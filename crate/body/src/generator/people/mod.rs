@@ -1,0 +1,72 @@
+//! Named figures: who they are and what they wear.
+
+mod nuno;
+mod papous;
+mod sofia;
+
+use super::hair::BobParams;
+use super::hand::HandParams;
+use super::head::HeadParams;
+use super::torso::BodyParams;
+
+/// Colours of the clothes, linear RGB.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Wardrobe {
+    /// Sweater.
+    pub sweater: [f64; 3],
+    /// Trousers.
+    pub trousers: [f64; 3],
+    /// Uppers of the shoes.
+    pub shoe: [f64; 3],
+    /// Soles.
+    pub sole: [f64; 3],
+    /// Socks.
+    pub sock: [f64; 3],
+}
+
+/// What is known of a person before any measure of the face: survey means are looked up
+/// by it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Person {
+    /// 0 male to 1 female.
+    pub sex: f64,
+    /// Years, 8 to 80.
+    pub age_years: f64,
+    /// Standing height without shoes, metres.
+    pub stature_m: f64,
+    /// −1 lean to +1 heavy.
+    pub build: f64,
+}
+
+/// Everything that tells one figure from another.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FigureParams {
+    /// Name, for example `sofia`.
+    pub name: String,
+    /// Sex, age, stature and build.
+    pub person: Person,
+    /// Trunk and limbs.
+    pub body: BodyParams,
+    /// Face.
+    pub head: HeadParams,
+    /// Hands.
+    pub hand: HandParams,
+    /// Hair.
+    pub hair: BobParams,
+    /// Clothes.
+    pub wardrobe: Wardrobe,
+}
+
+/// The figures that come with the project.
+pub const NAMES: [&str; 3] = ["sofia", "papous", "nuno"];
+
+/// The parameters of a named figure; `None` for an unknown name. Known: [`NAMES`].
+#[must_use]
+pub fn preset(name: &str) -> Option<FigureParams> {
+    match name {
+        "sofia" => Some(sofia::params()),
+        "papous" => Some(papous::params()),
+        "nuno" => Some(nuno::params()),
+        _ => None,
+    }
+}

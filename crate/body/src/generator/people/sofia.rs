@@ -1,0 +1,64 @@
+//! Sofia, a woman of about 35.
+
+use super::{FigureParams, Person, Wardrobe};
+use crate::generator::hair::BobParams;
+use crate::generator::hand::HandParams;
+use crate::generator::head::HeadParams;
+use crate::generator::torso::BodyParams;
+
+const PERSON: Person = Person {
+    sex: 1.0,
+    age_years: 35.0,
+    stature_m: 1.66,
+    build: 0.0,
+};
+
+pub(super) fn params() -> FigureParams {
+    let head = head();
+    FigureParams {
+        name: "sofia".to_owned(),
+        person: PERSON,
+        body: body(),
+        hand: hand(&head),
+        hair: hair(),
+        wardrobe: wardrobe(),
+        head,
+    }
+}
+
+fn head() -> HeadParams {
+    HeadParams::sofia()
+}
+
+fn body() -> BodyParams {
+    BodyParams {
+        sex: PERSON.sex,
+        stature_m: PERSON.stature_m,
+        build: PERSON.build,
+        bust: 0.95,
+    }
+}
+
+fn hand(head: &HeadParams) -> HandParams {
+    HandParams::woman(PERSON.stature_m, head.colours.skin)
+}
+
+fn hair() -> BobParams {
+    BobParams {
+        colour: [0.150, 0.067, 0.032],
+        parting_x: 0.016,
+        hem_y: -0.086,
+        wave: 0.0025,
+        seed: 11,
+    }
+}
+
+fn wardrobe() -> Wardrobe {
+    Wardrobe {
+        sweater: [0.045, 0.145, 0.165],
+        trousers: [0.030, 0.032, 0.045],
+        shoe: [0.085, 0.036, 0.017],
+        sole: [0.030, 0.022, 0.017],
+        sock: [0.020, 0.020, 0.026],
+    }
+}
