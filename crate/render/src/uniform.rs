@@ -121,7 +121,10 @@ impl FrameUniform {
             sky: color(light.sky, 0.0),
             ground: color(light.ground, light.exposure),
             floor: color(frame.set.floor, 0.0),
-            backdrop_low: color(frame.set.backdrop_low, 0.0),
+            backdrop_low: color(
+                frame.set.backdrop_low,
+                f32::from(u8::from(frame.set.curtain)),
+            ),
             backdrop_high: color(frame.set.backdrop_high, 0.0),
             glow: color(frame.set.glow, 0.0),
             stand: point(stand_in_world(frame), stature_m as f32),

@@ -17,7 +17,7 @@ struct Frame {
     sky: vec4<f32>,
     ground: vec4<f32>,         // w: exposure
     floor: vec4<f32>,
-    backdrop_low: vec4<f32>,
+    backdrop_low: vec4<f32>,   // w: 1 with curtain and boards, 0 in a studio
     backdrop_high: vec4<f32>,
     glow: vec4<f32>,
     stand: vec4<f32>,          // where the figure stands, w: stature, metres
