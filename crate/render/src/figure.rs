@@ -127,7 +127,7 @@ impl FigureData {
             params: [
                 mesh.material.roughness.clamp(0.05, 1.0),
                 f32::from(u8::from(has_cornea)),
-                0.0,
+                f32::from(mesh.material.kind.weave().unwrap_or(0)),
                 0.0,
             ],
         };

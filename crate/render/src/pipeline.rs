@@ -369,6 +369,8 @@ impl Pipelines {
     }
 
     fn slot(kind: MaterialKind, double_sided: bool) -> usize {
+        // All weaves share one shader.
+        let kind = kind.weave().map_or(kind, |_| MaterialKind::Cloth);
         2 * kind as usize + usize::from(double_sided)
     }
 
@@ -421,5 +423,10 @@ fn fragment_entry(kind: MaterialKind) -> &'static str {
         MaterialKind::Leather => "fs_leather",
         MaterialKind::Nail => "fs_nail",
         MaterialKind::Plain => "fs_plain",
+        MaterialKind::Rib
+        | MaterialKind::Woven
+        | MaterialKind::Denim
+        | MaterialKind::Corduroy
+        | MaterialKind::Fleece => "fs_cloth",
     }
 }

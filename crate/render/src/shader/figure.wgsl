@@ -6,7 +6,7 @@ struct Joints {
 
 struct Material {
     base: vec4<f32>,     // linear RGB, alpha
-    params: vec4<f32>,   // x: roughness, y: 1 when a cornea mesh carries the eye's lights
+    params: vec4<f32>,   // x: roughness, y: 1 when a cornea mesh carries the eye's lights, z: weave of cloth
 };
 
 @group(1) @binding(0) var<uniform> joints: Joints;
