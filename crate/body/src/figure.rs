@@ -22,7 +22,7 @@ pub enum MaterialKind {
     Hair,
     /// Lashes and brows: as hair, thinner.
     Lash,
-    /// Woven or knitted cloth; uv in metres on the cloth.
+    /// Plain knitted cloth; uv in metres on the cloth, as for all cloth.
     Cloth,
     /// Shoes, belts.
     Leather,
@@ -30,11 +30,21 @@ pub enum MaterialKind {
     Nail,
     /// Anything else: plain metallic-roughness.
     Plain,
+    /// Ribbed knit: cuffs, hems, socks.
+    Rib,
+    /// Plain weave: shirts, trousers, canvas.
+    Woven,
+    /// Twill with white weft: jeans.
+    Denim,
+    /// Cut pile in wales.
+    Corduroy,
+    /// Soft jersey: sweatshirts.
+    Fleece,
 }
 
 impl MaterialKind {
     /// Every kind with its name in glTF (`extras.kind`).
-    pub const NAMES: [(Self, &'static str); 11] = [
+    pub const NAMES: [(Self, &'static str); 16] = [
         (Self::Skin, "skin"),
         (Self::Eye, "eye"),
         (Self::Cornea, "cornea"),
@@ -46,7 +56,27 @@ impl MaterialKind {
         (Self::Leather, "leather"),
         (Self::Nail, "nail"),
         (Self::Plain, "plain"),
+        (Self::Rib, "rib"),
+        (Self::Woven, "woven"),
+        (Self::Denim, "denim"),
+        (Self::Corduroy, "corduroy"),
+        (Self::Fleece, "fleece"),
     ];
+
+    /// Which weave a kind of cloth has, counted as the shader for cloth does; `None` for
+    /// all that is not cloth.
+    #[must_use]
+    pub fn weave(self) -> Option<u8> {
+        match self {
+            Self::Cloth => Some(0),
+            Self::Rib => Some(1),
+            Self::Woven => Some(2),
+            Self::Denim => Some(3),
+            Self::Corduroy => Some(4),
+            Self::Fleece => Some(5),
+            _ => None,
+        }
+    }
 }
 
 /// Pictures that a surface is drawn with, as indices into [`Figure::images`].
