@@ -178,7 +178,8 @@ impl FaceRig {
                 })
             })
         };
-        let mut forget = |targets: &[M]| targets.iter().for_each(|m| rig.indices[*m as usize] = None);
+        let mut forget =
+            |targets: &[M]| targets.iter().for_each(|m| rig.indices[*m as usize] = None);
         if carries(|d| d == Drive::Bone(Bone::Chin)) {
             forget(&M::JAW);
         }
@@ -401,7 +402,12 @@ mod tests {
 
     #[test]
     fn targets_stand_in_for_joints() {
-        let names = ["jawOpen", "eyeBlinkLeft", "eyeLookDownRight", "eyeLookOutLeft"];
+        let names = [
+            "jawOpen",
+            "eyeBlinkLeft",
+            "eyeLookDownRight",
+            "eyeLookOutLeft",
+        ];
         let (mut pose, mut w) = (Pose::zero(), [0.0; 4]);
         pose.eyes = [DQuat::from_rotation_y(0.25) * DQuat::from_rotation_x(0.25); 2];
         rig(&names).write(
@@ -414,7 +420,10 @@ mod tests {
         );
         assert!((f64::from(w[0]) - JAW_RAD / JAW_OPEN_RAD).abs() < 1e-6);
         assert!(w[1] > 0.1 && w[1] < 0.3, "the lid follows: {}", w[1]);
-        assert!((w[2] - 0.5).abs() < 0.03 && (w[3] - 0.5).abs() < 0.03, "{w:?}");
+        assert!(
+            (w[2] - 0.5).abs() < 0.03 && (w[3] - 0.5).abs() < 0.03,
+            "{w:?}"
+        );
         rig(&names).write(
             &mouth(&[]),
             &Expression::default(),

@@ -124,7 +124,9 @@ impl Stance {
             (high.y - hips.y) / (1.0 - HIPS_SHARE)
         };
         if !(height.is_finite() && height > 1e-9) {
-            return Err(ImportError::NotHumanoid("the figure has no height".to_owned()));
+            return Err(ImportError::NotHumanoid(
+                "the figure has no height".to_owned(),
+            ));
         }
         let scale = if BELIEVED_M.contains(&height) {
             1.0
@@ -168,7 +170,11 @@ fn facing(across: DVec3) -> DQuat {
     // A figure that faces nearly along an axis is meant to; symmetry is kept exact.
     let quarter = core::f64::consts::FRAC_PI_2;
     let nearest = (yaw / quarter).round() * quarter;
-    let yaw = if (yaw - nearest).abs() < 0.06 { nearest } else { yaw };
+    let yaw = if (yaw - nearest).abs() < 0.06 {
+        nearest
+    } else {
+        yaw
+    };
     let half = -0.5 * yaw;
     DQuat::from_xyzw(0.0, ops::sin(half), 0.0, ops::cos(half))
 }

@@ -49,7 +49,11 @@ impl Binding {
         }
         for bone in Bone::ALL {
             if let Some(node) = humanoid.get(bone) {
-                let bone = if bone == Bone::Chin && !jaw_moves { Bone::Skull } else { bone };
+                let bone = if bone == Bone::Chin && !jaw_moves {
+                    Bone::Skull
+                } else {
+                    bone
+                };
                 own[node] = Some(bone.index() as u16);
             }
         }
@@ -96,11 +100,9 @@ impl Binding {
         rigid: bool,
     ) -> ([u16; 4], [f32; 4]) {
         let mut sums: Vec<(u16, f64)> = Vec::with_capacity(2 * INFLUENCES);
-        let mut add = |joint: u16, share: f64| {
-            match sums.iter_mut().find(|s| s.0 == joint) {
-                Some(sum) => sum.1 += share,
-                None => sums.push((joint, share)),
-            }
+        let mut add = |joint: u16, share: f64| match sums.iter_mut().find(|s| s.0 == joint) {
+            Some(sum) => sum.1 += share,
+            None => sums.push((joint, share)),
         };
         for (&node, &share) in nodes.iter().zip(shares).filter(|(_, s)| **s > 0.0) {
             let joint = self.joint_of_node[node as usize];
@@ -129,7 +131,11 @@ impl Binding {
         let to_ours = alignment.ours_from_theirs;
         let (scale, turn, _) = to_ours.to_scale_rotation_translation();
         let narrow = |v: DVec3| v.to_array().map(|x| x as f32);
-        let positions: Vec<DVec3> = g.positions.iter().map(|p| to_ours.transform_point3(*p)).collect();
+        let positions: Vec<DVec3> = g
+            .positions
+            .iter()
+            .map(|p| to_ours.transform_point3(*p))
+            .collect();
         let bound: Vec<_> = positions
             .iter()
             .zip(g.nodes.iter().zip(&g.shares))
@@ -139,12 +145,17 @@ impl Binding {
             .shapes
             .into_iter()
             .filter_map(|shape| {
-                let rows = shape.vertices.iter().zip(shape.positions.iter().zip(&shape.normals));
+                let rows = shape
+                    .vertices
+                    .iter()
+                    .zip(shape.positions.iter().zip(&shape.normals));
                 let rows: Vec<_> = rows
                     .map(|(v, (p, n))| (*v, turn * *p * scale.x, turn * *n))
                     .filter(|(_, p, n)| p.length() > STILL_M || n.length() > 0.01)
                     .collect();
-                let target = morph_names.binary_search_by(|n| n.as_str().cmp(shape.name)).ok()?;
+                let target = morph_names
+                    .binary_search_by(|n| n.as_str().cmp(shape.name))
+                    .ok()?;
                 (!rows.is_empty()).then(|| Morph {
                     target,
                     vertices: rows.iter().map(|r| r.0).collect(),

@@ -89,7 +89,9 @@ impl<'a> Container<'a> {
     fn join_buffers(&mut self, bin: &[u8]) -> Result<(), ImportError> {
         let mut bases: Vec<(u64, u64)> = Vec::new();
         let mut joined: Option<Vec<u8>> = None;
-        let buffers = self.root["buffers"].as_array().map_or(&[][..], Vec::as_slice);
+        let buffers = self.root["buffers"]
+            .as_array()
+            .map_or(&[][..], Vec::as_slice);
         for (i, buffer) in buffers.iter().enumerate() {
             let claimed = buffer["byteLength"].as_u64().unwrap_or(0);
             let truncated = ReadError::Truncated { what: "a buffer" };
@@ -116,7 +118,9 @@ impl<'a> Container<'a> {
         let views = self.root["bufferViews"].as_array_mut();
         for view in views.into_iter().flatten() {
             let what = "a view";
-            let slot = view["buffer"].as_u64().and_then(|i| usize::try_from(i).ok());
+            let slot = view["buffer"]
+                .as_u64()
+                .and_then(|i| usize::try_from(i).ok());
             let (base, length) = *slot
                 .and_then(|i| bases.get(i))
                 .ok_or(ReadError::OutOfRange { what })?;

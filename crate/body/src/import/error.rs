@@ -55,7 +55,12 @@ pub struct Diagnostic {
 pub(super) struct Notes(Vec<Diagnostic>);
 
 impl Notes {
-    pub(super) fn add(&mut self, code: &'static str, message: impl Into<String>, hint: &'static str) {
+    pub(super) fn add(
+        &mut self,
+        code: &'static str,
+        message: impl Into<String>,
+        hint: &'static str,
+    ) {
         if self.0.iter().all(|d| d.code != code) {
             self.0.push(Diagnostic {
                 code,

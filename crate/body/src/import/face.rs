@@ -52,17 +52,39 @@ type Sources = BTreeMap<&'static str, Vec<Part>>;
 /// Sources beside ARKit's: Oculus' visemes, and expressions. Names that files use for each,
 /// letters only, lower case.
 const OTHERS: [(&str, &[&str]); 15] = [
-    ("aa", &["visemeaa", "vrcvaa", "vaa", "aa", "a", "あ", "fclmtha"]),
+    (
+        "aa",
+        &["visemeaa", "vrcvaa", "vaa", "aa", "a", "あ", "fclmtha"],
+    ),
     ("E", &["visemee", "vrcve", "ee", "e", "え", "fclmthe"]),
-    ("I", &["visemei", "visemeih", "vrcvih", "ih", "i", "い", "fclmthi"]),
-    ("O", &["visemeo", "visemeoh", "vrcvoh", "oh", "o", "お", "fclmtho"]),
-    ("U", &["visemeu", "visemeou", "vrcvou", "ou", "u", "う", "fclmthu"]),
+    (
+        "I",
+        &["visemei", "visemeih", "vrcvih", "ih", "i", "い", "fclmthi"],
+    ),
+    (
+        "O",
+        &["visemeo", "visemeoh", "vrcvoh", "oh", "o", "お", "fclmtho"],
+    ),
+    (
+        "U",
+        &["visemeu", "visemeou", "vrcvou", "ou", "u", "う", "fclmthu"],
+    ),
     ("PP", &["visemepp", "vrcvpp"]),
     ("FF", &["visemeff", "vrcvff"]),
     ("TH", &["visemeth", "vrcvth"]),
     ("mouthOpen", &["mouthopen"]),
     ("mouthSmile", &["mouthsmile", "smile"]),
-    ("blink", &["blink", "eyesclosed", "eyesclose", "eyeblink", "まばたき", "fcleyeclose"]),
+    (
+        "blink",
+        &[
+            "blink",
+            "eyesclosed",
+            "eyesclose",
+            "eyeblink",
+            "まばたき",
+            "fcleyeclose",
+        ],
+    ),
     ("happy", &["happy", "joy", "fun"]),
     ("surprised", &["surprised"]),
     ("angry", &["angry"]),
@@ -85,16 +107,40 @@ const OVER_JAW: f64 = MOUTH_CLOSE_RAD / JAW_OPEN_RAD;
 /// viseme holds the opening of its vowel, which the jaw channel adds already and which is
 /// taken off again.
 const RECIPES: [(&str, &[Sum], Region); 37] = [
-    ("jawOpen", &[&[("aa", WIDEST)], &[("mouthOpen", WIDEST)]], Region::Everywhere),
     (
-        "mouthClose",
-        &[&[("jawOpen", -OVER_JAW)], &[("aa", UNWIDEN)], &[("mouthOpen", UNWIDEN)]],
+        "jawOpen",
+        &[&[("aa", WIDEST)], &[("mouthOpen", WIDEST)]],
         Region::Everywhere,
     ),
-    ("mouthPucker", &[&[("U", 0.9), ("aa", -0.2)]], Region::Everywhere),
-    ("mouthFunnel", &[&[("O", 0.9), ("aa", -0.35)]], Region::Everywhere),
-    ("mouthStretchLeft", &[&[("I", 0.8), ("aa", -0.15)], &[("E", 0.8), ("aa", -0.15)]], Region::Everywhere),
-    ("mouthStretchRight", &[&[("I", 0.8), ("aa", -0.15)], &[("E", 0.8), ("aa", -0.15)]], Region::Everywhere),
+    (
+        "mouthClose",
+        &[
+            &[("jawOpen", -OVER_JAW)],
+            &[("aa", UNWIDEN)],
+            &[("mouthOpen", UNWIDEN)],
+        ],
+        Region::Everywhere,
+    ),
+    (
+        "mouthPucker",
+        &[&[("U", 0.9), ("aa", -0.2)]],
+        Region::Everywhere,
+    ),
+    (
+        "mouthFunnel",
+        &[&[("O", 0.9), ("aa", -0.35)]],
+        Region::Everywhere,
+    ),
+    (
+        "mouthStretchLeft",
+        &[&[("I", 0.8), ("aa", -0.15)], &[("E", 0.8), ("aa", -0.15)]],
+        Region::Everywhere,
+    ),
+    (
+        "mouthStretchRight",
+        &[&[("I", 0.8), ("aa", -0.15)], &[("E", 0.8), ("aa", -0.15)]],
+        Region::Everywhere,
+    ),
     ("mouthPressLeft", &[&[("PP", 1.2)]], Region::Everywhere),
     ("mouthPressRight", &[&[("PP", 1.2)]], Region::Everywhere),
     ("mouthRollLower", &[&[("FF", 1.2)]], Region::Everywhere),
@@ -104,8 +150,16 @@ const RECIPES: [(&str, &[Sum], Region); 37] = [
     ("mouthLowerDownRight", &[], Region::Everywhere),
     ("mouthUpperUpLeft", &[], Region::Everywhere),
     ("mouthUpperUpRight", &[], Region::Everywhere),
-    ("mouthSmileLeft", &[&[("mouthSmile", 0.5)], &[("happy", 0.35)]], Region::Mouth),
-    ("mouthSmileRight", &[&[("mouthSmile", 0.5)], &[("happy", 0.35)]], Region::Mouth),
+    (
+        "mouthSmileLeft",
+        &[&[("mouthSmile", 0.5)], &[("happy", 0.35)]],
+        Region::Mouth,
+    ),
+    (
+        "mouthSmileRight",
+        &[&[("mouthSmile", 0.5)], &[("happy", 0.35)]],
+        Region::Mouth,
+    ),
     ("tongueOut", &[&[("TH", 0.6)]], Region::Everywhere),
     ("browInnerUp", &[&[("surprised", 0.6)]], Region::Brows),
     ("browOuterUpLeft", &[], Region::Everywhere),
@@ -141,7 +195,11 @@ fn recognise(name: &str) -> Option<&'static str> {
     let name: String = name.chars().take(120).collect();
     let spelled = match name.char_indices().next_back() {
         Some((i, side @ ('L' | 'R' | 'l' | 'r'))) if name[..i].ends_with(['_', '.', '-', ' ']) => {
-            let side = if side.eq_ignore_ascii_case(&'l') { "left" } else { "right" };
+            let side = if side.eq_ignore_ascii_case(&'l') {
+                "left"
+            } else {
+                "right"
+            };
             format!("{}{side}", &name[..i])
         }
         _ => name,
@@ -154,7 +212,8 @@ fn recognise(name: &str) -> Option<&'static str> {
         "blinkright" => "eyeblinkright",
         other => other,
     };
-    RECIPES.into_iter()
+    RECIPES
+        .into_iter()
         .map(|r| r.0)
         .find(|canonical| {
             let canonical = canonical.to_lowercase();
@@ -163,7 +222,9 @@ fn recognise(name: &str) -> Option<&'static str> {
         .or_else(|| {
             OTHERS
                 .iter()
-                .find(|(_, names)| names.contains(&last.as_str()) || names.contains(&whole.as_str()))
+                .find(|(_, names)| {
+                    names.contains(&last.as_str()) || names.contains(&whole.as_str())
+                })
                 .map(|(key, _)| *key)
         })
 }
@@ -211,7 +272,16 @@ impl Face {
         let has = |name: &str| channels.iter().any(|c| c.name == name);
         let face = Self {
             opens_by_morph: has("jawOpen"),
-            mouth: parts_of(&["jawOpen", "aa", "E", "I", "O", "U", "mouthOpen", "mouthSmile"]),
+            mouth: parts_of(&[
+                "jawOpen",
+                "aa",
+                "E",
+                "I",
+                "O",
+                "U",
+                "mouthOpen",
+                "mouthSmile",
+            ]),
             lids: parts_of(&["eyeBlinkLeft", "eyeBlinkRight", "blink"]),
             channels,
         };
@@ -224,7 +294,11 @@ impl Face {
         if !self.opens_by_morph {
             let hint = "add ARKit's or Oculus' morph targets, or VRM expressions";
             if has_jaw {
-                notes.add("mouth-by-jaw", "speech opens the jaw only; the lips do not move", hint);
+                notes.add(
+                    "mouth-by-jaw",
+                    "speech opens the jaw only; the lips do not move",
+                    hint,
+                );
             } else {
                 notes.add("mouth-still", "the face does not move when it speaks", hint);
             }
@@ -236,20 +310,23 @@ impl Face {
             );
         }
         if !has("eyeBlinkLeft") {
-            notes.add("lids-still", "the eyes do not blink", "add eyeBlinkLeft and eyeBlinkRight");
+            notes.add(
+                "lids-still",
+                "the eyes do not blink",
+                "add eyeBlinkLeft and eyeBlinkRight",
+            );
         }
         if !has_eyes && !has("eyeLookUpLeft") && !has("eyeLookOutLeft") {
-            notes.add("eyes-still", "the eyes do not turn", "give the eyes bones of their own");
+            notes.add(
+                "eyes-still",
+                "the eyes do not turn",
+                "give the eyes bones of their own",
+            );
         }
     }
 }
 
-fn channel(
-    sources: &Sources,
-    name: &'static str,
-    sums: &[Sum],
-    region: Region,
-) -> Option<Channel> {
+fn channel(sources: &Sources, name: &'static str, sums: &[Sum], region: Region) -> Option<Channel> {
     let scaled = |key: &str, factor: f64| -> Option<Vec<Part>> {
         let parts = sources.get(key)?.iter();
         Some(
@@ -271,13 +348,23 @@ fn channel(
         });
     }
     // The first term must be there; what is taken off may be missing.
-    let sum = sums.iter().find(|sum| sum.first().is_some_and(|(k, _)| sources.contains_key(k)))?;
-    let parts = sum.iter().filter_map(|(k, f)| scaled(k, *f)).flatten().collect();
+    let sum = sums
+        .iter()
+        .find(|sum| sum.first().is_some_and(|(k, _)| sources.contains_key(k)))?;
+    let parts = sum
+        .iter()
+        .filter_map(|(k, f)| scaled(k, *f))
+        .flatten()
+        .collect();
     let whole_face = !matches!(sum[0].0, "happy" | "surprised" | "angry");
     Some(Channel {
         name,
         parts,
-        region: if whole_face { Region::Everywhere } else { region },
+        region: if whole_face {
+            Region::Everywhere
+        } else {
+            region
+        },
     })
 }
 
@@ -321,7 +408,10 @@ fn expressions(json: &Value, root: &Document<'_>) -> Sources {
         } else {
             preset
         };
-        add(name, list(&group["binds"]).iter().filter_map(bind).collect());
+        add(
+            name,
+            list(&group["binds"]).iter().filter_map(bind).collect(),
+        );
     }
     sources
 }

@@ -23,11 +23,19 @@ pub(super) struct Rest {
 
 /// Finds the skeleton.
 pub(super) fn rest(tree: &Tree<'_>, humanoid: &Humanoid, alignment: &Alignment) -> Rest {
-    let place_of = |node: usize| alignment.ours_from_theirs.transform_point3(tree.place(node));
+    let place_of = |node: usize| {
+        alignment
+            .ours_from_theirs
+            .transform_point3(tree.place(node))
+    };
     let mut found = Finder {
         places: [None; Bone::COUNT],
         turns: [DQuat::IDENTITY; Bone::COUNT],
-        tips: humanoid.tips.iter().map(|(b, n)| (*b, place_of(*n))).collect(),
+        tips: humanoid
+            .tips
+            .iter()
+            .map(|(b, n)| (*b, place_of(*n)))
+            .collect(),
         zero: zero_frames(),
         stature_m: alignment.stature_m,
     };
@@ -126,12 +134,16 @@ impl Finder {
         let hips = self.or(Bone::Sacroiliac, DVec3::ZERO);
         let skull = self.or(Bone::Skull, hips + DVec3::Y * (0.37 * self.stature_m));
         let shoulders = 0.5
-            * (self.at(Bone::LShoulder).unwrap_or(skull) + self.at(Bone::RShoulder).unwrap_or(skull));
+            * (self.at(Bone::LShoulder).unwrap_or(skull)
+                + self.at(Bone::RShoulder).unwrap_or(skull));
         let neck = self.or(Bone::Cervical, shoulders.lerp(skull, 0.3));
         let chest = self.or(Bone::Thoracic, hips.lerp(neck, 0.55));
         // With one joint in the spine, both bones turn about it.
         self.or(Bone::Lumbar, chest);
-        self.or(Bone::Chin, skull + self.share(Side::Left, 0.0, 0.0097, 0.0096));
+        self.or(
+            Bone::Chin,
+            skull + self.share(Side::Left, 0.0, 0.0097, 0.0096),
+        );
         let spine = (neck - hips).normalize_or(DVec3::Y);
         // 25°: less is posture.
         if spine.y < 0.906 {
@@ -151,14 +163,14 @@ impl Finder {
     /// The turn that follows `before` and brings the bone's x axis onto `direction`.
     fn along(&self, before: DQuat, bone: Bone, direction: DVec3) -> DQuat {
         let from = before * (self.zero[bone.index()] * DVec3::X);
-        direction
-            .try_normalize()
-            .map_or(before, |d| DQuat::from_rotation_arc(from.normalize(), d) * before)
+        direction.try_normalize().map_or(before, |d| {
+            DQuat::from_rotation_arc(from.normalize(), d) * before
+        })
     }
 
     fn leg(&mut self, side: Side) {
-        let [hip, knee, ankle, mid, toe] = ["hip", "knee", "subtalar", "midtarsal", "metatarsal"]
-            .map(|part| Bone::on(side, part));
+        let [hip, knee, ankle, mid, toe] =
+            ["hip", "knee", "subtalar", "midtarsal", "metatarsal"].map(|part| Bone::on(side, part));
         let pelvis = self.at(Bone::Sacroiliac).unwrap_or_default();
         let hip_at = self.or(hip, pelvis + self.share(side, 0.0525, -0.023, 0.012));
         let knee_at = self.or(knee, hip_at + self.share(side, 0.0, -0.24, 0.0));
@@ -234,7 +246,9 @@ impl Finder {
         // Basis of the line to the knuckles and of the knuckles' row.
         let basis = |wrist_at: DVec3, first: DVec3, last: DVec3| {
             let along = (0.5 * (first + last) - wrist_at).try_normalize()?;
-            let row = (first - last).reject_from_normalized(along).try_normalize()?;
+            let row = (first - last)
+                .reject_from_normalized(along)
+                .try_normalize()?;
             Some(DMat3::from_cols(along, row, along.cross(row)))
         };
         let ours = basis(

@@ -186,11 +186,14 @@ impl<'a, 's> Reader<'a, 's> {
         rigid: bool,
     ) -> Result<Option<Geometry>, ImportError> {
         if p.mode < 4 {
-            self.notes.add("lines-left-out", "points or lines are not drawn", "");
+            self.notes
+                .add("lines-left-out", "points or lines are not drawn", "");
             return Ok(None);
         }
         let what = "positions";
-        let accessor = p.attribute("POSITION").ok_or(ReadError::OutOfRange { what })?;
+        let accessor = p
+            .attribute("POSITION")
+            .ok_or(ReadError::OutOfRange { what })?;
         self.refuse_draco(accessor)?;
         let claimed = self.source.claimed_count(accessor, what)?;
         self.vertices_left = usize::try_from(claimed)
@@ -391,11 +394,7 @@ impl<'a, 's> Reader<'a, 's> {
             .collect())
     }
 
-    fn colors(
-        &mut self,
-        p: &document::Primitive,
-        count: usize,
-    ) -> Result<Vec<[u8; 4]>, ReadError> {
+    fn colors(&mut self, p: &document::Primitive, count: usize) -> Result<Vec<[u8; 4]>, ReadError> {
         let what = "colours";
         let Some(a) = p.attribute("COLOR_0") else {
             return Ok(vec![[255; 4]; count]);
@@ -430,7 +429,10 @@ impl<'a, 's> Reader<'a, 's> {
         let all = face.channels.iter().flat_map(|c| &c.parts);
         for part in all.chain(&face.mouth).chain(&face.lids).filter(here) {
             let what = "a morph target";
-            let target = p.targets.get(part.target).ok_or(ReadError::OutOfRange { what })?;
+            let target = p
+                .targets
+                .get(part.target)
+                .ok_or(ReadError::OutOfRange { what })?;
             let slot = &mut targets[part.target];
             if slot.is_none() {
                 let mut read = |a: Option<usize>, what| match a {
@@ -461,8 +463,13 @@ impl<'a, 's> Reader<'a, 's> {
             let mut positions = vec![DVec3::ZERO; count];
             let mut normals = vec![DVec3::ZERO; count];
             for part in channel.parts.iter().filter(here) {
-                let Some(target) = &targets[part.target] else { continue };
-                for (to, from) in [(&mut positions, &target.positions), (&mut normals, &target.normals)] {
+                let Some(target) = &targets[part.target] else {
+                    continue;
+                };
+                for (to, from) in [
+                    (&mut positions, &target.positions),
+                    (&mut normals, &target.normals),
+                ] {
                     for (&v, delta) in from.0.iter().zip(&from.1) {
                         to[v as usize] += wide(*delta) * part.factor;
                     }
@@ -481,7 +488,9 @@ impl<'a, 's> Reader<'a, 's> {
                 }
             };
             let vertices: Vec<u32> = (0..count)
-                .filter(|&v| allowed(v) && (positions[v] != DVec3::ZERO || normals[v] != DVec3::ZERO))
+                .filter(|&v| {
+                    allowed(v) && (positions[v] != DVec3::ZERO || normals[v] != DVec3::ZERO)
+                })
                 .map(|v| v as u32)
                 .collect();
             if vertices.is_empty() {
@@ -490,14 +499,24 @@ impl<'a, 's> Reader<'a, 's> {
             let at = |list: &[DVec3], unit: bool| -> Vec<DVec3> {
                 let each = vertices.iter().map(|&v| {
                     let m = linear(v as usize);
-                    let scale = if unit { ops::cbrt(m.determinant().abs()).max(1e-12) } else { 1.0 };
+                    let scale = if unit {
+                        ops::cbrt(m.determinant().abs()).max(1e-12)
+                    } else {
+                        1.0
+                    };
                     m * list[v as usize] / scale
                 });
                 each.collect()
             };
             let (positions, normals) = (at(&positions, false), at(&normals, true));
-            if positions.iter().chain(&normals).any(|d| d.abs().max_element() > 1e9) {
-                return Err(ReadError::NotFinite { what: "a morph target" });
+            if positions
+                .iter()
+                .chain(&normals)
+                .any(|d| d.abs().max_element() > 1e9)
+            {
+                return Err(ReadError::NotFinite {
+                    what: "a morph target",
+                });
             }
             shapes.push(Shape {
                 name: channel.name,

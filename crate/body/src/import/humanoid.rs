@@ -27,7 +27,9 @@ impl<'a> Tree<'a> {
                 parents[child] = Some(i);
             }
         }
-        let mut order: Vec<usize> = (0..parents.len()).filter(|&i| parents[i].is_none()).collect();
+        let mut order: Vec<usize> = (0..parents.len())
+            .filter(|&i| parents[i].is_none())
+            .collect();
         let mut done = 0;
         while let Some(&i) = order.get(done) {
             done += 1;
@@ -185,7 +187,11 @@ impl Humanoid {
             return;
         };
         let arms = [Bone::LShoulder, Bone::RShoulder].map(|b| self.get(b));
-        let mut between: Vec<usize> = tree.upwards(head).skip(1).take_while(|&n| n != hips).collect();
+        let mut between: Vec<usize> = tree
+            .upwards(head)
+            .skip(1)
+            .take_while(|&n| n != hips)
+            .collect();
         between.reverse();
         let mut neck: Vec<usize> = Vec::new();
         if tree.is_above(hips, head) {
@@ -239,7 +245,8 @@ impl Humanoid {
         }
         if let Some(&first) = neck.first() {
             self.bones[Bone::Cervical.index()] = Some(first);
-            self.further.extend(neck.iter().map(|&n| (n, Bone::Cervical)));
+            self.further
+                .extend(neck.iter().map(|&n| (n, Bone::Cervical)));
         }
     }
 
@@ -252,7 +259,9 @@ impl Humanoid {
             };
             for finger in ["index", "middle", "ring", "pinky"] {
                 let first = Bone::on(side, &format!("{finger}0"));
-                let Some(root) = self.get(first) else { continue };
+                let Some(root) = self.get(first) else {
+                    continue;
+                };
                 if !tree.is_above(forearm, root) {
                     continue;
                 }
@@ -282,15 +291,31 @@ impl Humanoid {
             );
         }
         if lacks(&["wrist"]) {
-            notes.add("hands-missing", "there are no bones for the hands; their place is guessed", "");
+            notes.add(
+                "hands-missing",
+                "there are no bones for the hands; their place is guessed",
+                "",
+            );
         }
         if lacks(&["index0", "middle0", "thumb0"]) {
-            notes.add("fingers-missing", "some fingers have no bones; hand shapes do not show", "");
+            notes.add(
+                "fingers-missing",
+                "some fingers have no bones; hand shapes do not show",
+                "",
+            );
         } else if lacks(&["index2", "middle2", "ring0", "pinky0", "thumb2"]) {
-            notes.add("fingers-short", "some joints of fingers are missing; hand shapes are coarse", "");
+            notes.add(
+                "fingers-short",
+                "some joints of fingers are missing; hand shapes are coarse",
+                "",
+            );
         }
         if self.get(Bone::Thoracic).is_none() {
-            notes.add("spine-missing", "the spine has no joints; the trunk is stiff", "");
+            notes.add(
+                "spine-missing",
+                "the spine has no joints; the trunk is stiff",
+                "",
+            );
         }
     }
 

@@ -52,9 +52,8 @@ impl Pictures {
     ) -> Result<Self, ImportError> {
         let (mut images, mut places) = (Vec::new(), Vec::new());
         for image in items(json, "images") {
-            let view = index(&image["bufferView"]).ok_or(ReadError::OutOfRange {
-                what: "a picture",
-            })?;
+            let view =
+                index(&image["bufferView"]).ok_or(ReadError::OutOfRange { what: "a picture" })?;
             let bytes = source.view_bytes(view, "a picture")?;
             let mime_type = if bytes.starts_with(b"\x89PNG\r\n\x1a\n") {
                 "image/png"
@@ -91,12 +90,18 @@ impl Pictures {
         let Some(image) = index(&texture["source"]) else {
             return Ok(None);
         };
-        let place = self.places.get(image).ok_or(ReadError::OutOfRange { what })?;
+        let place = self
+            .places
+            .get(image)
+            .ok_or(ReadError::OutOfRange { what })?;
         Ok(*place)
     }
 
     /// Leaves out pictures that no mesh shows, and renumbers the others.
-    pub(super) fn keep_used<'m>(self, materials: impl Iterator<Item = &'m mut Material>) -> Vec<Image> {
+    pub(super) fn keep_used<'m>(
+        self,
+        materials: impl Iterator<Item = &'m mut Material>,
+    ) -> Vec<Image> {
         let mut places: Vec<Option<usize>> = vec![None; self.images.len()];
         let mut order = Vec::new();
         for material in materials {
@@ -110,7 +115,10 @@ impl Pictures {
             }
         }
         let mut images: Vec<Option<Image>> = self.images.into_iter().map(Some).collect();
-        order.into_iter().filter_map(|old| images[old].take()).collect()
+        order
+            .into_iter()
+            .filter_map(|old| images[old].take())
+            .collect()
     }
 }
 
@@ -135,7 +143,9 @@ fn transform(reference: &Value) -> Result<[[f64; 3]; 2], ReadError> {
 
 fn uv_set(reference: &Value) -> usize {
     let moved = &reference["extensions"]["KHR_texture_transform"]["texCoord"];
-    index(moved).or_else(|| index(&reference["texCoord"])).unwrap_or(0)
+    index(moved)
+        .or_else(|| index(&reference["texCoord"]))
+        .unwrap_or(0)
 }
 
 /// The surface of a primitive.

@@ -27,8 +27,8 @@ use crate::read::document::Document;
 use crate::read::{ReadError, read_figure, solve_nodes};
 use crate::skeleton::Bone;
 use crate::write::to_glb;
-pub use error::{Diagnostic, ImportError};
 use error::Notes;
+pub use error::{Diagnostic, ImportError};
 
 /// Numbers that a file may make us read; several views may show one stretch of bytes.
 const MOST_NUMBERS: usize = 1 << 25;
@@ -85,11 +85,15 @@ pub fn import_figure(name: &str, bytes: &[u8]) -> Result<Imported, ImportError> 
     let face = face::Face::find(json, &root, has_jaw, has_eyes, &mut notes);
     let mut source = Source::with_budget(&root, MOST_NUMBERS);
     let pictures = material::Pictures::read(json, &mut source, &mut notes)?;
-    let reader =
-        geometry::Reader::new(json, &tree, &mut source, &pictures, &face, &mut notes);
+    let reader = geometry::Reader::new(json, &tree, &mut source, &pictures, &face, &mut notes);
     let geometries = reader.read()?;
 
-    let points = || geometries.iter().flat_map(|g| &g.positions).map(|p| stance.turn * *p);
+    let points = || {
+        geometries
+            .iter()
+            .flat_map(|g| &g.positions)
+            .map(|p| stance.turn * *p)
+    };
     let low = points().fold(DVec3::MAX, DVec3::min);
     let high = points().fold(DVec3::MIN, DVec3::max);
     let alignment = stance.align(&tree, &humanoid, low, high, &mut notes)?;
@@ -135,7 +139,9 @@ pub fn convert(name: &str, bytes: &[u8]) -> Result<(Vec<u8>, Vec<Diagnostic>), I
 /// Says what the file has and a figure does not.
 fn report_lost(json: &serde_json::Value, notes: &mut Notes) {
     let vrm = &json["extensions"];
-    let springs = vrm["VRMC_springBone"]["springs"].as_array().is_some_and(|l| !l.is_empty())
+    let springs = vrm["VRMC_springBone"]["springs"]
+        .as_array()
+        .is_some_and(|l| !l.is_empty())
         || vrm["VRM"]["secondaryAnimation"]["boneGroups"]
             .as_array()
             .is_some_and(|l| !l.is_empty());

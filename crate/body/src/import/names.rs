@@ -23,9 +23,33 @@ pub(super) enum Slot {
 
 /// Words that say nothing about the part.
 const NOISE: [&str; 27] = [
-    "mixamorig", "armature", "skeleton", "character", "j", "c", "b", "bip", "biped", "valve",
-    "def", "org", "cc", "base", "rig", "bone", "jnt", "bind", "skin", "human", "humanoid",
-    "avatar", "sk", "genesis", "root", "jt", "fk",
+    "mixamorig",
+    "armature",
+    "skeleton",
+    "character",
+    "j",
+    "c",
+    "b",
+    "bip",
+    "biped",
+    "valve",
+    "def",
+    "org",
+    "cc",
+    "base",
+    "rig",
+    "bone",
+    "jnt",
+    "bind",
+    "skin",
+    "human",
+    "humanoid",
+    "avatar",
+    "sk",
+    "genesis",
+    "root",
+    "jt",
+    "fk",
 ];
 
 /// Parts with a side: words without the side, and the bone on the left.
@@ -39,7 +63,14 @@ const SIDED: [(&[&str], Bone); 8] = [
         Bone::LShoulder,
     ),
     (
-        &["forearm", "lowerarm", "elbow", "lowarm", "armlower", "forearmbend"],
+        &[
+            "forearm",
+            "lowerarm",
+            "elbow",
+            "lowarm",
+            "armlower",
+            "forearmbend",
+        ],
         Bone::LElbow,
     ),
     (&["hand", "wrist"], Bone::LWrist),
@@ -48,7 +79,9 @@ const SIDED: [(&[&str], Bone); 8] = [
         Bone::LHip,
     ),
     (
-        &["leg", "lowerleg", "calf", "shin", "knee", "lowleg", "leglower"],
+        &[
+            "leg", "lowerleg", "calf", "shin", "knee", "lowleg", "leglower",
+        ],
         Bone::LKnee,
     ),
     (&["foot", "ankle"], Bone::LSubtalar),
@@ -83,7 +116,11 @@ const NUMBERED: [(&str, u32, Option<Side>, Bone); 13] = [
 ];
 
 fn on(side: Side, left: Bone) -> Bone {
-    if side == Side::Left { left } else { left.mirrored() }
+    if side == Side::Left {
+        left
+    } else {
+        left.mirrored()
+    }
 }
 
 /// Lower-case words of a name: cut at signs, between letters and digits, and where a
@@ -133,14 +170,19 @@ struct Parsed {
 
 fn parse(mut words: Vec<String>) -> Parsed {
     // A biped's number belongs to its name: "Bip001".
-    if let Some(i) = words.iter().position(|w| w == "bip" || w == "biped") {
-        if words.get(i + 1).is_some_and(|w| w.bytes().all(|b| b.is_ascii_digit())) {
-            words.remove(i + 1);
-        }
+    let is_number = |w: &String| w.bytes().all(|b| b.is_ascii_digit());
+    if let Some(i) = words
+        .windows(2)
+        .position(|w| matches!(w[0].as_str(), "bip" | "biped") && is_number(&w[1]))
+    {
+        words.remove(i + 1);
     }
     // "Leftarm" in one word.
     for (prefix, letter) in [("left", "l"), ("right", "r")] {
-        if let Some(w) = words.iter_mut().find(|w| w.len() > prefix.len() && w.starts_with(prefix)) {
+        if let Some(w) = words
+            .iter_mut()
+            .find(|w| w.len() > prefix.len() && w.starts_with(prefix))
+        {
             *w = w[prefix.len()..].to_owned();
             words.insert(0, letter.to_owned());
         }
@@ -148,7 +190,6 @@ fn parse(mut words: Vec<String>) -> Parsed {
     let side_at = words.iter().position(|w| side_of(w).is_some());
     let side = side_at.and_then(|i| side_of(&words.remove(i)));
     words.retain(|w| !NOISE.contains(&w.as_str()));
-    let is_number = |w: &String| w.bytes().all(|b| b.is_ascii_digit());
     let digits = if words.last().is_some_and(is_number) {
         words.pop()
     } else {
@@ -196,7 +237,10 @@ fn numbered(p: &Parsed) -> Option<Slot> {
     let number = p.digits.as_deref().map_or(Some(0), |d| d.parse().ok())?;
     let stem = p.stem.as_str();
     let (_, _, _, bone) = NUMBERED.iter().find(|(s, n, side, bone)| {
-        let legs = matches!(bone, Bone::LHip | Bone::LKnee | Bone::LSubtalar | Bone::LMetatarsal);
+        let legs = matches!(
+            bone,
+            Bone::LHip | Bone::LKnee | Bone::LSubtalar | Bone::LMetatarsal
+        );
         *s == stem && *n == number && (*side == p.side || (legs && p.side.is_some()))
     })?;
     Some(Slot::Bone(on(p.side.unwrap_or(Side::Left), *bone)))
@@ -312,8 +356,18 @@ mod tests {
     #[test]
     fn what_is_no_part_stays_unknown() {
         for name in [
-            "", "LeftForeArmTwist", "earring.L", "HeadTop_End", "hair_01", "skirt_L_2",
-            "index_metacarpal_l", "Camera", "Ÿ•", "L", "tail3", "thigh_twist_01_l",
+            "",
+            "LeftForeArmTwist",
+            "earring.L",
+            "HeadTop_End",
+            "hair_01",
+            "skirt_L_2",
+            "index_metacarpal_l",
+            "Camera",
+            "Ÿ•",
+            "L",
+            "tail3",
+            "thigh_twist_01_l",
         ] {
             assert_eq!(slot_of(name), None, "{name}");
         }

@@ -254,11 +254,7 @@ impl<'a> Source<'a> {
     }
 
     /// How many elements an accessor claims; nothing is allocated for the claim.
-    pub(crate) fn claimed_count(
-        &self,
-        index: usize,
-        what: &'static str,
-    ) -> Result<u64, ReadError> {
+    pub(crate) fn claimed_count(&self, index: usize, what: &'static str) -> Result<u64, ReadError> {
         Ok(self.accessor(index, what)?.count)
     }
 
