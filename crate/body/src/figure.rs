@@ -4,6 +4,14 @@ use raconteur_base::DAffine3;
 
 use crate::skeleton::Skeleton;
 
+/// Jaw angle at which the whole of the morph target `mouthClose` just closes the lips,
+/// radians; a contract between figures and those who move them. Designed.
+pub const MOUTH_CLOSE_RAD: f64 = 0.2;
+
+/// Jaw angle that the whole of the morph target `jawOpen` stands for, radians. ARKit gives
+/// no angle; its full opening looks like 20° on a face of usual build. Designed.
+pub const JAW_OPEN_RAD: f64 = 0.35;
+
 /// How a surface is shaded. The renderer's own models replace glTF's for these.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum MaterialKind {
