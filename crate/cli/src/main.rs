@@ -8,6 +8,7 @@ mod commands;
 mod film;
 mod report;
 mod sheet;
+mod skinning;
 mod story;
 
 use std::io;
