@@ -6,6 +6,7 @@
 mod bake;
 mod commands;
 mod film;
+mod picture;
 mod report;
 mod sheet;
 mod skinning;

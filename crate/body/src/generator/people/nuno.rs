@@ -27,7 +27,12 @@ pub(super) fn params() -> FigureParams {
 }
 
 fn head() -> HeadParams {
-    HeadParams::sofia()
+    HeadParams {
+        person: PERSON,
+        smile: 0.7,
+        seed: 8,
+        ..HeadParams::sofia()
+    }
 }
 
 fn body() -> BodyParams {

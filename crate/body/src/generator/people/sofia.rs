@@ -27,7 +27,11 @@ pub(super) fn params() -> FigureParams {
 }
 
 fn head() -> HeadParams {
-    HeadParams::sofia()
+    HeadParams {
+        person: PERSON,
+
+        ..HeadParams::sofia()
+    }
 }
 
 fn body() -> BodyParams {
