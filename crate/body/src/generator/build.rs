@@ -45,14 +45,18 @@ pub fn build(params: &FigureParams) -> Built {
     let leather = dyed(MaterialKind::Leather, clothes.shoe, 0.38);
     let rubber = dyed(MaterialKind::Leather, clothes.sole, 0.6);
 
-    let mut hair = hair::bob(&head, &params.hair);
-    for v in &mut hair.part.vertices {
+    let body = |p: DVec3| {
+        field.value_and_normal(world_from_head.transform_point3(p), Regions::ALL, 1.0)
+    };
+    let mut hairs = hair::hair(&head, &params.hair, &body);
+    for v in hairs.iter_mut().flat_map(|h| &mut h.part.vertices) {
         v.position = world_from_head.transform_point3(v.position);
     }
+    let cover = hair::cover(&head, &params.hair);
 
     let mut pieces: Vec<Piece> = Vec::new();
     pieces.extend(
-        head_parts(&head, world_from_head, &field, &cage)
+        head_parts(&head, &cover, world_from_head, &field, &cage)
             .into_iter()
             .map(Piece::from),
     );
@@ -76,7 +80,7 @@ pub fn build(params: &FigureParams) -> Built {
             .into_iter()
             .map(Piece::from),
     );
-    pieces.push(hair);
+    pieces.extend(hairs);
 
     let figure = assemble(&Blueprint {
         name: params.name.clone(),
@@ -109,10 +113,16 @@ fn place_head(joints: &mut Joints, head: &Head, stature_m: f64) -> DAffine3 {
 
 /// The head's parts in the world; the lower neck is drawn onto the body's own neck and
 /// moves with it, or it would come through the collar when the head turns.
-fn head_parts(head: &Head, place: DAffine3, field: &Field, cage: &Cage) -> Vec<Part> {
+fn head_parts(
+    head: &Head,
+    cover: &[f64],
+    place: DAffine3,
+    field: &Field,
+    cage: &Cage,
+) -> Vec<Part> {
     let (throat, _) = cage.part(|t| matches!(t, Tag::Trunk(12..))).subdivided(1);
     let mut parts = head.parts.clone();
-    shade_scalp(&mut parts[0], head);
+    shade_scalp(&mut parts[0], head, cover);
     for part in &mut parts {
         let is_skin = part.material.kind == MaterialKind::Skin;
         for v in &mut part.vertices {
@@ -142,13 +152,14 @@ fn head_parts(head: &Head, place: DAffine3, field: &Field, cage: &Cage) -> Vec<P
 }
 
 /// Skin under hair gets little light, or it would shine through the parting.
-fn shade_scalp(skin: &mut Part, head: &Head) {
+fn shade_scalp(skin: &mut Part, head: &Head, cover: &[f64]) {
     let key = |p: DVec3| p.to_array().map(|x| (x * 1e6).round() as i64);
     let density: BTreeMap<[i64; 3], f64> = head
         .scalp
         .points
         .iter()
-        .map(|s| (key(s.position), s.density))
+        .zip(cover)
+        .map(|(s, c)| (key(s.position), *c))
         .collect();
     for v in &mut skin.vertices {
         if let Some(d) = density.get(&key(v.position)) {

@@ -4,7 +4,7 @@ mod nuno;
 mod papous;
 mod sofia;
 
-use super::hair::BobParams;
+use super::hair::HairParams;
 use super::hand::HandParams;
 use super::head::HeadParams;
 use super::torso::BodyParams;
@@ -52,7 +52,7 @@ pub struct FigureParams {
     /// Hands.
     pub hand: HandParams,
     /// Hair.
-    pub hair: BobParams,
+    pub hair: HairParams,
     /// Clothes.
     pub wardrobe: Wardrobe,
 }

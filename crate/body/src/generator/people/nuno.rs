@@ -1,7 +1,7 @@
 //! Nuno, a boy of about 9.
 
 use super::{FigureParams, Person, Wardrobe};
-use crate::generator::hair::BobParams;
+use crate::generator::hair::{HairColour, HairParams, HairStyle};
 use crate::generator::hand::HandParams;
 use crate::generator::head::HeadParams;
 use crate::generator::torso::BodyParams;
@@ -43,13 +43,17 @@ fn hand(head: &HeadParams) -> HandParams {
     HandParams::woman(PERSON.stature_m, head.colours.skin)
 }
 
-fn hair() -> BobParams {
-    BobParams {
-        colour: [0.150, 0.067, 0.032],
-        parting_x: 0.016,
-        hem_y: -0.086,
-        wave: 0.0025,
-        seed: 11,
+fn hair() -> HairParams {
+    HairParams {
+        style: HairStyle::Tousled,
+        colour: HairColour {
+            eumelanin: 0.22,
+            pheomelanin: 0.10,
+            grey: 0.0,
+        },
+        wave: 0.001,
+        seed: 31,
+        ..HairParams::default()
     }
 }
 

@@ -1,7 +1,7 @@
 //! Papous, a man of about 70 with white hair.
 
 use super::{FigureParams, Person, Wardrobe};
-use crate::generator::hair::BobParams;
+use crate::generator::hair::{BeardParams, HairColour, HairParams, HairStyle};
 use crate::generator::hand::HandParams;
 use crate::generator::head::HeadParams;
 use crate::generator::torso::BodyParams;
@@ -43,13 +43,22 @@ fn hand(head: &HeadParams) -> HandParams {
     HandParams::woman(PERSON.stature_m, head.colours.skin)
 }
 
-fn hair() -> BobParams {
-    BobParams {
-        colour: [0.150, 0.067, 0.032],
-        parting_x: 0.016,
-        hem_y: -0.086,
-        wave: 0.0025,
-        seed: 11,
+fn hair() -> HairParams {
+    HairParams {
+        style: HairStyle::Swept,
+        colour: HairColour {
+            eumelanin: 0.5,
+            pheomelanin: 0.0,
+            grey: 0.94,
+        },
+        recession: 0.75,
+        thinning: 0.6,
+        beard: Some(BeardParams {
+            length_m: 0.018,
+            moustache: true,
+        }),
+        seed: 23,
+        ..HairParams::default()
     }
 }
 

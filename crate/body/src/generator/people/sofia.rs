@@ -1,7 +1,7 @@
 //! Sofia, a woman of about 35.
 
 use super::{FigureParams, Person, Wardrobe};
-use crate::generator::hair::BobParams;
+use crate::generator::hair::{HairColour, HairParams, HairStyle};
 use crate::generator::hand::HandParams;
 use crate::generator::head::HeadParams;
 use crate::generator::torso::BodyParams;
@@ -43,13 +43,16 @@ fn hand(head: &HeadParams) -> HandParams {
     HandParams::woman(PERSON.stature_m, head.colours.skin)
 }
 
-fn hair() -> BobParams {
-    BobParams {
-        colour: [0.150, 0.067, 0.032],
-        parting_x: 0.016,
-        hem_y: -0.086,
-        wave: 0.0025,
-        seed: 11,
+fn hair() -> HairParams {
+    HairParams {
+        style: HairStyle::Bob,
+        colour: HairColour {
+            eumelanin: 0.44,
+            pheomelanin: 0.06,
+            grey: 0.0,
+        },
+        wave: 0.003,
+        ..HairParams::default()
     }
 }
 
