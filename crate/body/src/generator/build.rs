@@ -1,7 +1,5 @@
 //! How the parts of a figure come together.
 
-use std::collections::BTreeMap;
-
 use raconteur_base::curve::smooth;
 use raconteur_base::{DAffine3, DQuat, DVec3, Side};
 
@@ -9,7 +7,7 @@ use super::annotation::Annotations;
 use super::assemble::{Blueprint, Piece, assemble};
 use super::cloth::finish::{dyed, openness};
 use super::cloth::{shoe, sweater, trousers};
-use super::hair;
+use super::hair::{self, HairParams};
 use super::hand::{self, HandParams};
 use super::head::{self, Head};
 use super::part::{Part, PartVertex};
@@ -52,11 +50,10 @@ pub fn build(params: &FigureParams) -> Built {
     for v in hairs.iter_mut().flat_map(|h| &mut h.part.vertices) {
         v.position = world_from_head.transform_point3(v.position);
     }
-    let cover = hair::cover(&head, &params.hair);
 
     let mut pieces: Vec<Piece> = Vec::new();
     pieces.extend(
-        head_parts(&head, &cover, world_from_head, &field, &cage)
+        head_parts(&head, &params.hair, world_from_head, &field, &cage)
             .into_iter()
             .map(Piece::from),
     );
@@ -115,14 +112,14 @@ fn place_head(joints: &mut Joints, head: &Head, stature_m: f64) -> DAffine3 {
 /// moves with it, or it would come through the collar when the head turns.
 fn head_parts(
     head: &Head,
-    cover: &[f64],
+    hair: &HairParams,
     place: DAffine3,
     field: &Field,
     cage: &Cage,
 ) -> Vec<Part> {
     let (throat, _) = cage.part(|t| matches!(t, Tag::Trunk(12..))).subdivided(1);
     let mut parts = head.parts.clone();
-    shade_scalp(&mut parts[0], head, cover);
+    hair::shade_skin(&mut parts[0], head, hair);
     for part in &mut parts {
         let is_skin = part.material.kind == MaterialKind::Skin;
         for v in &mut part.vertices {
@@ -149,23 +146,6 @@ fn head_parts(
         }
     }
     parts
-}
-
-/// Skin under hair gets little light, or it would shine through the parting.
-fn shade_scalp(skin: &mut Part, head: &Head, cover: &[f64]) {
-    let key = |p: DVec3| p.to_array().map(|x| (x * 1e6).round() as i64);
-    let density: BTreeMap<[i64; 3], f64> = head
-        .scalp
-        .points
-        .iter()
-        .zip(cover)
-        .map(|(s, c)| (key(s.position), *c))
-        .collect();
-    for v in &mut skin.vertices {
-        if let Some(d) = density.get(&key(v.position)) {
-            v.color[3] *= 1.0 - 0.75 * d;
-        }
-    }
 }
 
 /// A hand in the world; its finger joints replace the skeleton's.

@@ -77,7 +77,8 @@ fn stubble(share: f32, bind: vec3<f32>) -> Strand {
     let q = vec3<f32>(bind.x, bind.y * 0.45, bind.z * 0.7) * 1400.0;
     let n = noise(q) * 0.6 + noise(q * 0.31) * 0.4;
     var s: Strand;
-    s.cover = saturate1((n - 1.0 + 1.15 * share) / 0.35 + 0.35) * smoothstep(0.02, 0.3, share);
+    let full = share * share * (1.6 - 0.6 * share);
+    s.cover = saturate1((n - 1.0 + 1.15 * full) / 0.35 + 0.35) * smoothstep(0.02, 0.3, full);
     s.id = n;
     s.round = 0.0;
     return s;
@@ -103,7 +104,7 @@ fn hair_lobes(t: vec3<f32>, n: vec3<f32>, view: vec3<f32>, l: vec3<f32>, tone: v
     let h = normalize(l + view);
     let white = along_strand(normalize(t + n * (-0.10 + wobble)), h, 80.0);
     let tinted = along_strand(normalize(t + n * (0.18 + wobble)), h, 16.0);
-    return vec3<f32>(0.034 * white) + sqrt(tone) * (0.12 * tinted);
+    return vec3<f32>(0.030 * white) + pow(tone, vec3<f32>(0.75)) * (0.20 * tinted);
 }
 
 // Light that comes through hair from behind, most where hair is pale and thin.

@@ -8,7 +8,7 @@ use super::colour::Palette;
 use super::cut::{Weave, slope};
 use crate::figure::Material;
 use crate::generator::assemble::Piece;
-use crate::generator::head::{Head, Holds, Ride};
+use crate::generator::head::{Ear, Head, Holds, Ride};
 use crate::generator::part::PartVertex;
 
 /// A beard.
@@ -20,13 +20,14 @@ pub struct BeardParams {
     pub moustache: bool,
 }
 
-/// Tufts: short ones near the skin, then those that show.
-const TUFTS: [(usize, f64, f64); 2] = [(230, 0.62, 0.0125), (380, 1.0, 0.0085)];
+/// Tufts, their share of the full length and their width in metres: short ones near the
+/// skin, then those that show.
+const TUFTS: [(usize, f64, f64); 2] = [(300, 0.62, 0.0105), (560, 1.0, 0.0062)];
 /// Upper edge of a beard by distance from the middle, on the common head, mm: under the
 /// nose, the mouth's corner, the cheek, before the ear. Chosen by eye.
 const EDGE: [[f64; 2]; 7] = [
-    [0.0, -29.0],
-    [20.0, -30.0],
+    [0.0, -26.0],
+    [16.0, -26.0],
     [30.0, -40.0],
     [38.0, -46.0],
     [52.0, -34.0],
@@ -35,8 +36,8 @@ const EDGE: [[f64; 2]; 7] = [
 ];
 /// Height of the lips' middle on the common head, mm.
 const LIPS_Y: f64 = -46.0;
-/// Rows of a tuft from root to tip.
-const ROWS: [f64; 3] = [0.0, 0.5, 1.0];
+/// Rows of a tuft from root to tip; short ones are straight.
+const ROWS: [&[f64]; 2] = [&[0.0, 1.0], &[0.0, 0.5, 1.0]];
 /// A tuft moved less than this by a morph stays, metres: its neighbours hide the rest.
 const STILL: f64 = 4e-4;
 
@@ -48,7 +49,26 @@ struct Field<'a> {
     moustache: bool,
 }
 
-impl Field<'_> {
+impl<'a> Field<'a> {
+    fn new(head: &'a Head, p: &BeardParams) -> Self {
+        let scalp = &head.scalp;
+        let (low, high) = scalp
+            .lips
+            .iter()
+            .map(|l| scalp.proportions.common(*l).y * 1e3)
+            .fold((f64::MAX, f64::MIN), |(a, b), y| (a.min(y), b.max(y)));
+        Self {
+            head,
+            lips: scalp.lips.iter().step_by(3).copied().collect(),
+            lips_y: if low < high {
+                0.5 * (low + high)
+            } else {
+                LIPS_Y
+            },
+            moustache: p.moustache,
+        }
+    }
+
     /// A place on the common head with the lips at their common height, mm.
     fn place(&self, p: DVec3) -> DVec3 {
         let q = self.head.scalp.proportions.common(p) * 1e3;
@@ -65,7 +85,11 @@ impl Field<'_> {
         let next = EDGE.iter().position(|e| e[0] >= x).unwrap_or(6).max(1);
         let ([a, low], [b, high]) = (EDGE[next - 1], EDGE[next]);
         let edge = lerp(low, high, ((x - a) / (b - a)).clamp(0.0, 1.0));
-        if !self.moustache && self.on_lip(q) {
+        let in_ear = |e: &Ear| {
+            let reach = e.radii + DVec3::splat(0.003);
+            e.radii.x > 0.0 && ((p - e.centre) / reach).length_squared() < 1.0
+        };
+        if (!self.moustache && self.on_lip(q)) || self.head.scalp.ears.iter().any(in_ear) {
             return 0.0;
         }
         let lip = self
@@ -81,6 +105,16 @@ impl Field<'_> {
     }
 }
 
+/// Share of each vertex of the head's skin that a beard covers, 0..1.
+pub(super) fn cover(head: &Head, p: &BeardParams) -> Vec<f64> {
+    let field = Field::new(head, p);
+    head.parts[0]
+        .vertices
+        .iter()
+        .map(|v| field.density(v.position))
+        .collect()
+}
+
 /// Makes a beard, in the head's frame.
 pub(super) fn beard(
     head: &Head,
@@ -91,19 +125,7 @@ pub(super) fn beard(
 ) -> Piece {
     let skin = &head.parts[0];
     let ride = Ride::new(skin);
-    let common = |l: &DVec3| head.scalp.proportions.common(*l).y * 1e3;
-    let (low, high) = head
-        .scalp
-        .lips
-        .iter()
-        .map(common)
-        .fold((f64::MAX, f64::MIN), |(a, b), y| (a.min(y), b.max(y)));
-    let field = Field {
-        head,
-        lips: head.scalp.lips.iter().step_by(3).copied().collect(),
-        lips_y: if low < high { 0.5 * (low + high) } else { LIPS_Y },
-        moustache: p.moustache,
-    };
+    let field = Field::new(head, p);
     let density: Vec<f64> = ride.positions.iter().map(|q| field.density(*q)).collect();
     let triangles: Vec<[u32; 3]> = skin
         .faces
@@ -117,7 +139,12 @@ pub(super) fn beard(
         .map(|t| {
             let [a, b, c] = t.map(|v| ride.positions[v as usize]);
             let share: f64 = t.iter().map(|&v| density[v as usize]).sum();
-            total += (b - a).cross(c - a).length() * share;
+            let thick = if field.on_lip(field.place((a + b + c) / 3.0)) {
+                4.0
+            } else {
+                1.0
+            };
+            total += thick * (b - a).cross(c - a).length() * share;
             total
         })
         .collect();
@@ -151,13 +178,13 @@ pub(super) fn beard(
                 // Towards the point of the chin, and down.
                 DVec3::new(-0.1 * side * slope(20.0, 50.0, q.x.abs()), -1.0, 0.10)
             };
-            let d = d + DVec3::new(0.22 * signed(4), 0.10 * signed(5), 0.10 * signed(6));
+            let d = d + DVec3::new(0.30 * signed(4), 0.10 * signed(5), 0.22 * signed(6));
             let lift = if on_lip { 0.12 } else { 0.34 } * (0.7 + 0.6 * dice(7)) * share;
             let along = (d - n * d.dot(n)).try_normalize().unwrap_or(DVec3::NEG_Y);
             let direction = (along + n * lift).normalize();
             let chin = slope(62.0, 15.0, q.x.abs());
             let length = if on_lip {
-                0.0095 * (0.7 + 0.3 * slope(4.0, 20.0, q.x.abs()))
+                0.0105 * (0.75 + 0.35 * slope(4.0, 20.0, q.x.abs()))
             } else {
                 p.length_m * lerp(0.55, 1.0, chin)
             } * (0.75 + 0.4 * dice(8))
@@ -166,16 +193,21 @@ pub(super) fn beard(
                 * head.scalp.proportions.size();
             let hold = ride.holds(root, 3);
             let weights = ride.weights(&hold);
-            let weave = if layer == 0 { Weave::Dense } else { Weave::Loose };
+            let weave = if layer == 0 || on_lip {
+                Weave::Dense
+            } else {
+                Weave::Loose
+            };
             let [r, g, b] = palette.lock(seed ^ 5, id, 0.14);
             let base = part.vertices.len() as u32;
             let across_it = direction.cross(n).normalize_or_zero();
-            for t in ROWS {
+            let rows = ROWS[usize::from(layer == 1 && chin > 0.4 && !on_lip)];
+            for &t in rows {
                 // The tips hang.
                 let middle = root - n * 0.0006
                     + direction * (length * t)
                     + (DVec3::NEG_Y - n * 0.15) * (0.18 * length * t * t);
-                let half = 0.5 * width * lerp(0.8, if on_lip { 0.5 } else { 0.7 }, t);
+                let half = 0.5 * width * lerp(0.9, if layer == 0 { 0.6 } else { 0.35 }, t);
                 for (u, sign) in [(0.0, -1.0), (1.0, 1.0)] {
                     part.vertices.push(PartVertex {
                         position: middle + across_it * (sign * half),
@@ -188,8 +220,9 @@ pub(super) fn beard(
                     holds.push(hold.clone());
                 }
             }
-            part.faces.push(vec![base, base + 1, base + 3, base + 2]);
-            part.faces.push(vec![base + 2, base + 3, base + 5, base + 4]);
+            for a in (base..).step_by(2).take(rows.len() - 1) {
+                part.faces.push(vec![a, a + 1, a + 3, a + 2]);
+            }
         }
     }
     part.morphs = ride.morphs(&holds, STILL);

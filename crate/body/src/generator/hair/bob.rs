@@ -31,15 +31,15 @@ const LAYERS: [Layer; 7] = [
     },
     // Fine hair along the hairline hides where the others begin.
     Layer {
-        cards: 110,
+        cards: 120,
         spans: 3,
         height: 0.0022,
-        width: 0.008,
-        open: [0.7, 0.9],
+        width: 0.010,
+        open: [0.85, 0.95],
         length: 0.5,
-        longest: 0.045,
+        longest: 0.050,
         roots: Where::Hairline,
-        weave: Weave::Wisp,
+        weave: Weave::Loose,
     },
     // And fine hair along the parting.
     Layer {
@@ -110,7 +110,10 @@ impl Cut for Bob {
 
     fn parting(&self, at: DVec3) -> f64 {
         let off = (at.x - self.parting_x) / 0.009;
-        ops::exp(-off * off) * slope(0.055, 0.07, at.y) * slope(-0.06, -0.02, at.z)
+        let line = ops::exp(-off * off) * slope(-0.06, -0.02, at.z);
+        // Hair parts to all sides at the crown.
+        let crown = at.distance(DVec3::new(0.5 * self.parting_x, 0.11, -0.055)) / 0.028;
+        line.max(0.6 * ops::exp(-crown * crown)) * slope(0.055, 0.07, at.y)
     }
 
     fn comb(&self, at: DVec3) -> DVec3 {
@@ -151,7 +154,7 @@ impl Cut for Bob {
             }
         } else {
             // Beside the face, never before it.
-            let limit = lerp(0.050, 0.028, slope(0.07, -0.02, at.y));
+            let limit = lerp(0.050, 0.038, slope(0.07, -0.02, at.y));
             let before = slope(0.0, 0.025, at.z - limit) * slope(0.105, 0.075, at.y);
             let out = self.side(root);
             d += DVec3::new(0.55 * out, 0.10, -0.75) * before;
@@ -159,9 +162,9 @@ impl Cut for Bob {
         }
         // The ends turn in to the neck.
         if !self.long {
-            let turn = slope(-0.045, -0.09, at.y);
+            let turn = 0.25 * slope(0.0, -0.05, at.y) + 0.4 * slope(-0.05, -0.09, at.y);
             let out = DVec3::new(at.x, 0.0, at.z + 0.012).normalize_or_zero();
-            d -= out * (0.55 * turn);
+            d -= out * turn;
         }
         d
     }
@@ -191,7 +194,7 @@ impl Cut for Bob {
 
     fn volume(&self, at: DVec3) -> f64 {
         let crown = ops::exp(-((at.z + 0.05) / 0.06) * ((at.z + 0.05) / 0.06)) * slope(0.02, 0.09, at.y);
-        1.0 + 0.3 * crown + 0.15 * slope(0.06, 0.11, at.y) + 0.25 * slope(0.03, -0.03, at.y)
+        1.0 + 0.3 * crown + 0.15 * slope(0.06, 0.11, at.y)
     }
 
     fn cling(&self, at: DVec3) -> f64 {

@@ -128,10 +128,11 @@ pub(super) fn cap(material: &Material, head: &Head, cover: &[f64], palette: &Pal
             if *slot == u32::MAX {
                 *slot = part.vertices.len() as u32;
                 let s = &scalp.points[v as usize];
+                let share = cover[v as usize];
                 part.vertices.push(PartVertex {
                     position: s.position + s.normal * CAP_HEIGHT,
-                    uv: [(COLUMNS - 0.5) / COLUMNS, cover[v as usize]],
-                    color: [grey[0], grey[1], grey[2], 0.55],
+                    uv: [(COLUMNS - 0.5) / COLUMNS, share],
+                    color: [grey[0], grey[1], grey[2], lerp(1.0, 0.65, share)],
                     weights: vec![(JointRef(Drive::Bone(Bone::Skull)), 1.0)],
                 });
                 normals.push(s.normal);

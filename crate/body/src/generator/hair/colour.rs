@@ -11,9 +11,9 @@ use raconteur_base::{noise, ops};
 /// eq. 9 at azimuthal roughness 0.3).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HairColour {
-    /// Eumelanin: 0.1 blond, 0.4 brown, 1.5 black.
+    /// Eumelanin: 0.05 blond, 0.25 brown, 1.5 black.
     pub eumelanin: f64,
-    /// Pheomelanin: 0 none, 0.4 red.
+    /// Pheomelanin: 0.2 blond, 0.4 brown, 0.9 red.
     pub pheomelanin: f64,
     /// Share of hairs without pigment, 0..1.
     pub grey: f64,
@@ -22,8 +22,8 @@ pub struct HairColour {
 impl Default for HairColour {
     fn default() -> Self {
         Self {
-            eumelanin: 0.4,
-            pheomelanin: 0.05,
+            eumelanin: 0.25,
+            pheomelanin: 0.4,
             grey: 0.0,
         }
     }
@@ -36,6 +36,9 @@ const PHEOMELANIN: [f64; 3] = [0.187, 0.400, 1.05];
 const REACH: f64 = 5.888;
 /// Hair without pigment, linear RGB: white paper would glow beside skin. Chosen by eye.
 const WHITE: [f64; 3] = [0.47, 0.455, 0.43];
+/// What the hairs' surface sends back before any pigment: 4.6 % at normal incidence for
+/// keratin (index 1.55), of which diffuse light sees a part. Chosen by eye.
+const SURFACE: f64 = 0.009;
 /// Headroom of the vertex colours over the mean colour.
 const HEADROOM: f64 = 1.45;
 
@@ -55,7 +58,7 @@ impl HairColour {
             let sigma = self.eumelanin.max(0.0) * EUMELANIN[i]
                 + self.pheomelanin.max(0.0) * PHEOMELANIN[i];
             // Hair with next to no pigment is not whiter than white hair.
-            ops::exp(-sigma.sqrt() * REACH).min(WHITE[i])
+            (SURFACE + ops::exp(-sigma.sqrt() * REACH)).min(WHITE[i])
         })
     }
 

@@ -62,10 +62,13 @@ impl<'a> Ground<'a> {
         if ear.radii.x <= 0.0 {
             return 0.0;
         }
-        let reach = ear.centre.x.abs() + ear.radii.x - self.proportions.half_breadth + 0.006;
+        let reach = ear.centre.x.abs() + ear.radii.x - self.proportions.half_breadth + 0.003;
+        // Above the ear the bump runs out slowly, or hair would show a step.
+        let up = if p.y > ear.centre.y { 2.5 } else { 1.7 };
+        let along = if p.z > ear.centre.z { 2.4 } else { 3.6 };
         let (y, z) = (
-            (p.y - ear.centre.y) / (1.75 * ear.radii.y),
-            (p.z - ear.centre.z) / (3.0 * ear.radii.z),
+            (p.y - ear.centre.y) / (up * ear.radii.y),
+            (p.z - ear.centre.z) / (along * ear.radii.z),
         );
         let side = 0.62 * self.proportions.half_breadth;
         reach.max(0.0) * slope(side, 1.4 * side, p.x.abs()) * ops::exp(-y * y - z * z)

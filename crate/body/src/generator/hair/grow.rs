@@ -6,7 +6,7 @@ use raconteur_base::{DVec3, noise, ops};
 use super::HairParams;
 use super::card::Strand;
 use super::colour::Palette;
-use super::cut::{Cut, Layer, Where};
+use super::cut::{Cut, Layer, Where, slope};
 use super::ground::Ground;
 use super::roots::roots;
 use crate::generator::head::{Head, ScalpPoint};
@@ -186,7 +186,8 @@ fn strand(
     let random = |k: u64| noise::signed(p.seed, 100 + k, id);
     if layer.roots == Where::Parting {
         // Fine hair stands in a line where the hair divides.
-        let x = lerp(p.parting_x, root.position.x, 0.35);
+        let off = slope(-0.05, -0.03, ground.common(root.position).z);
+        let x = lerp(root.position.x, p.parting_x, 0.65 * off);
         let (q, n) = ground.settle(root.position.with_x(x), 0.0, 1.0);
         root.position = q;
         root.normal = n.unwrap_or(root.normal);

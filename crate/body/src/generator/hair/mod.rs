@@ -22,6 +22,8 @@ mod skin;
 #[cfg(test)]
 mod tests;
 
+use std::collections::BTreeMap;
+
 use raconteur_base::DVec3;
 
 pub use beard::BeardParams;
@@ -32,6 +34,7 @@ use self::ground::Ground;
 use crate::figure::{Maps, Material, MaterialKind};
 use crate::generator::assemble::Piece;
 use crate::generator::head::Head;
+use crate::generator::part::Part;
 
 /// How hair is cut and combed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -125,8 +128,7 @@ fn cut_of(p: &HairParams) -> Option<Box<dyn Cut>> {
 }
 
 /// Share of each point of the scalp that hair covers, 0..1.
-#[must_use]
-pub fn cover(head: &Head, p: &HairParams) -> Vec<f64> {
+fn cover(head: &Head, p: &HairParams) -> Vec<f64> {
     let cut = cut_of(p);
     let common = |at: DVec3| head.scalp.proportions.common(at);
     head.scalp
@@ -138,6 +140,33 @@ pub fn cover(head: &Head, p: &HairParams) -> Vec<f64> {
             })
         })
         .collect()
+}
+
+/// Tints the skin under hair and beard: it gets little light, and the roots of a beard
+/// show in its gaps. Call it on the head's skin before [`hair`] is laid on it.
+pub fn shade_skin(skin: &mut Part, head: &Head, p: &HairParams) {
+    let key = |p: DVec3| p.to_array().map(|x| (x * 1e6).round() as i64);
+    let covered: BTreeMap<[i64; 3], f64> = head
+        .scalp
+        .points
+        .iter()
+        .zip(cover(head, p))
+        .map(|(s, c)| (key(s.position), c))
+        .collect();
+    for v in &mut skin.vertices {
+        if let Some(c) = covered.get(&key(v.position)) {
+            v.color[3] *= 1.0 - 0.6 * c * c;
+        }
+    }
+    let Some(beard) = &p.beard else {
+        return;
+    };
+    let roots = p.colour.linear_rgb();
+    for (v, share) in skin.vertices.iter_mut().zip(beard::cover(head, beard)) {
+        for (c, root) in v.color.iter_mut().zip(roots) {
+            *c += (0.8 * root - *c) * 0.65 * share;
+        }
+    }
 }
 
 /// Makes the hair of a head, in the head's frame.

@@ -28,7 +28,8 @@ pub(super) fn roots(
             let parting = 3.0 * cut.parting(middle);
             let d = share(t);
             let wanted = match layer.roots {
-                Where::All => d * (1.0 + parting),
+                // Denser where it begins to thin, so that the line is not bare.
+                Where::All => d.sqrt() * (1.0 + parting),
                 Where::Hairline if middle.z > -0.012 => 4.0 * d * (1.0 - d),
                 Where::Hairline => 0.0,
                 Where::Parting => d * parting,

@@ -27,7 +27,7 @@ const fn fine(cards: usize, width: f64, longest: f64) -> Layer {
         length: 0.7,
         longest,
         roots: Where::Hairline,
-        weave: Weave::Wisp,
+        weave: Weave::Loose,
     }
 }
 
@@ -128,7 +128,7 @@ impl Cut for Short {
     fn locks(&self) -> Locks {
         let (count, gather, unruly) = match self.style {
             HairStyle::Swept => (70, 0.35, 0.22),
-            HairStyle::Tousled => (85, 0.62, 0.55),
+            HairStyle::Tousled => (70, 0.62, 0.62),
             HairStyle::Buzz => (40, 0.0, 0.2),
             _ => (90, 0.35, 0.28),
         };
@@ -207,8 +207,10 @@ impl Cut for Short {
 
     fn hem(&self, root: DVec3, at: DVec3) -> Option<f64> {
         // A fringe ends over the brows.
-        let lock = 0.007 * ops::sin(root.x * 330.0 + root.y * 90.0);
-        (at.z > 0.05).then_some(0.056 + lock)
+        let lock = 0.10 * root.x
+            + 0.007 * ops::sin(root.x * 210.0 + 1.0)
+            + 0.006 * ops::sin(root.x * 520.0 + root.y * 390.0);
+        (at.z > 0.05).then_some(0.053 + lock)
     }
 
     fn volume(&self, at: DVec3) -> f64 {

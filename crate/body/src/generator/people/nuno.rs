@@ -3,7 +3,7 @@
 use super::{FigureParams, Person, Wardrobe};
 use crate::generator::hair::{HairColour, HairParams, HairStyle};
 use crate::generator::hand::HandParams;
-use crate::generator::head::HeadParams;
+use crate::generator::head::{BrowParams, HeadParams};
 use crate::generator::torso::BodyParams;
 
 const PERSON: Person = Person {
@@ -14,7 +14,9 @@ const PERSON: Person = Person {
 };
 
 pub(super) fn params() -> FigureParams {
-    let head = head();
+    let mut head = head();
+    head.brow = brow();
+    head.colours.brow = [0.15, 0.075, 0.036];
     FigureParams {
         name: "nuno".to_owned(),
         person: PERSON,
@@ -47,13 +49,25 @@ fn hair() -> HairParams {
     HairParams {
         style: HairStyle::Tousled,
         colour: HairColour {
-            eumelanin: 0.22,
-            pheomelanin: 0.10,
+            eumelanin: 0.17,
+            pheomelanin: 0.24,
             grey: 0.0,
         },
         wave: 0.001,
         seed: 31,
         ..HairParams::default()
+    }
+}
+
+fn brow() -> BrowParams {
+    BrowParams {
+        density: 0.85,
+        length: 0.8,
+        height: 0.85,
+        unruly: 0.25,
+        asymmetry: 0.3,
+        lash_length: 0.95,
+        lash_tone: 0.4,
     }
 }
 

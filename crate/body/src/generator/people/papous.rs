@@ -3,7 +3,7 @@
 use super::{FigureParams, Person, Wardrobe};
 use crate::generator::hair::{BeardParams, HairColour, HairParams, HairStyle};
 use crate::generator::hand::HandParams;
-use crate::generator::head::HeadParams;
+use crate::generator::head::{BrowParams, HeadParams};
 use crate::generator::torso::BodyParams;
 
 const PERSON: Person = Person {
@@ -14,7 +14,9 @@ const PERSON: Person = Person {
 };
 
 pub(super) fn params() -> FigureParams {
-    let head = head();
+    let mut head = head();
+    head.brow = brow();
+    head.colours.brow = [0.34, 0.33, 0.31];
     FigureParams {
         name: "papous".to_owned(),
         person: PERSON,
@@ -59,6 +61,18 @@ fn hair() -> HairParams {
         }),
         seed: 23,
         ..HairParams::default()
+    }
+}
+
+fn brow() -> BrowParams {
+    BrowParams {
+        density: 1.25,
+        length: 1.55,
+        height: 1.25,
+        unruly: 0.9,
+        asymmetry: 0.8,
+        lash_length: 0.7,
+        lash_tone: 0.6,
     }
 }
 

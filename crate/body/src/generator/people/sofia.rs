@@ -3,7 +3,7 @@
 use super::{FigureParams, Person, Wardrobe};
 use crate::generator::hair::{HairColour, HairParams, HairStyle};
 use crate::generator::hand::HandParams;
-use crate::generator::head::HeadParams;
+use crate::generator::head::{BrowParams, HeadParams};
 use crate::generator::torso::BodyParams;
 
 const PERSON: Person = Person {
@@ -14,7 +14,8 @@ const PERSON: Person = Person {
 };
 
 pub(super) fn params() -> FigureParams {
-    let head = head();
+    let mut head = head();
+    head.brow = brow();
     FigureParams {
         name: "sofia".to_owned(),
         person: PERSON,
@@ -47,12 +48,19 @@ fn hair() -> HairParams {
     HairParams {
         style: HairStyle::Bob,
         colour: HairColour {
-            eumelanin: 0.44,
-            pheomelanin: 0.06,
+            eumelanin: 0.22,
+            pheomelanin: 0.46,
             grey: 0.0,
         },
         wave: 0.003,
         ..HairParams::default()
+    }
+}
+
+fn brow() -> BrowParams {
+    BrowParams {
+        lash_length: 1.05,
+        ..BrowParams::default()
     }
 }
 
