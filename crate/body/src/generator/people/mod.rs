@@ -5,7 +5,7 @@ mod papous;
 mod sofia;
 
 use super::cloth::Outfit;
-use super::hair::BobParams;
+use super::hair::HairParams;
 use super::hand::HandParams;
 use super::head::HeadParams;
 use super::torso::BodyParams;
@@ -38,7 +38,7 @@ pub struct FigureParams {
     /// Hands.
     pub hand: HandParams,
     /// Hair.
-    pub hair: BobParams,
+    pub hair: HairParams,
     /// Clothes.
     pub wardrobe: Outfit,
 }
