@@ -49,7 +49,12 @@ fn body() -> BodyParams {
 }
 
 fn hand(head: &HeadParams) -> HandParams {
-    HandParams::woman(PERSON.stature_m, head.colours.skin)
+    HandParams::of(
+        PERSON.sex,
+        PERSON.age_years,
+        PERSON.stature_m,
+        head.colours.skin,
+    )
 }
 
 fn hair() -> HairParams {
