@@ -7,6 +7,7 @@ mod sofia;
 use super::hair::BobParams;
 use super::hand::HandParams;
 use super::head::HeadParams;
+use super::skin::SkinParams;
 use super::torso::BodyParams;
 
 /// Colours of the clothes, linear RGB.
@@ -49,6 +50,8 @@ pub struct FigureParams {
     pub body: BodyParams,
     /// Face.
     pub head: HeadParams,
+    /// Skin of head and hands.
+    pub skin: SkinParams,
     /// Hands.
     pub hand: HandParams,
     /// Hair.

@@ -4,6 +4,7 @@ use super::{FigureParams, Person, Wardrobe};
 use crate::generator::hair::BobParams;
 use crate::generator::hand::HandParams;
 use crate::generator::head::HeadParams;
+use crate::generator::skin::SkinParams;
 use crate::generator::torso::BodyParams;
 
 const PERSON: Person = Person {
@@ -14,20 +15,38 @@ const PERSON: Person = Person {
 };
 
 pub(super) fn params() -> FigureParams {
-    let head = head();
     FigureParams {
         name: "nuno".to_owned(),
         person: PERSON,
         body: body(),
-        hand: hand(&head),
+        hand: hand(),
         hair: hair(),
         wardrobe: wardrobe(),
-        head,
+        head: head(),
+        skin: skin(),
     }
 }
 
 fn head() -> HeadParams {
     HeadParams::sofia()
+}
+
+fn skin() -> SkinParams {
+    SkinParams {
+        melanin: 0.24,
+        blood: 0.5,
+        contrast: 1.0,
+        age_years: PERSON.age_years,
+        freckles: 0.5,
+        moles: 3,
+        sun: 0.1,
+        vessels: 0.0,
+        beard: 0.0,
+        lips: 0.6,
+        lash_line: 0.35,
+        seed: 11,
+        ..SkinParams::plain()
+    }
 }
 
 fn body() -> BodyParams {
@@ -39,8 +58,8 @@ fn body() -> BodyParams {
     }
 }
 
-fn hand(head: &HeadParams) -> HandParams {
-    HandParams::woman(PERSON.stature_m, head.colours.skin)
+fn hand() -> HandParams {
+    HandParams::woman(PERSON.stature_m, skin().base_colour())
 }
 
 fn hair() -> BobParams {
