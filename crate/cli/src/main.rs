@@ -6,7 +6,9 @@
 mod bake;
 mod commands;
 mod film;
+mod picture;
 mod report;
+mod sheet;
 mod story;
 
 use std::io;
@@ -43,7 +45,7 @@ enum Command {
     Render(commands::render::Render),
     /// Make or refresh the speech bundles of stories.
     Bake(commands::bake::Bake),
-    /// Make figures.
+    /// Make figures and look at them.
     Figure(commands::figure::Figure),
 }
 

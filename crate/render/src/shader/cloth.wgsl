@@ -1,4 +1,4 @@
-// Cloth, leather and plain surfaces.
+// Cloth and leather, and what polished surfaces share.
 
 // Height of a knitted jersey: columns of V stitches; x and y in stitches. Slope in xy,
 // height 0..1 in z.
@@ -84,11 +84,5 @@ fn fs_leather(v: VertexOut, @builtin(front_facing) front: bool) -> @location(0) 
     if FINE_DETAIL == 1u && fade > 0.0 {
         n = bumped(n, noise_gradient(v.bind * 500.0).xyz * (0.12 * fade));
     }
-    return written(polished(v, n, v.color.rgb * material.base.rgb, material.params.x), 1.0, v.clip.xy);
-}
-
-@fragment
-fn fs_plain(v: VertexOut, @builtin(front_facing) front: bool) -> @location(0) vec4<f32> {
-    let n = facing_normal(v.normal, front);
     return written(polished(v, n, v.color.rgb * material.base.rgb, material.params.x), 1.0, v.clip.xy);
 }

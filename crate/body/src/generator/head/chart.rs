@@ -12,7 +12,6 @@ use std::sync::OnceLock;
 use raconteur_base::{DVec2, DVec3, Side};
 
 use super::cage::{Cage, Key, LAST_COLUMN, LAST_ROW, Zone};
-use super::ear::EarShape;
 use super::points::{self, Individual};
 use super::solve;
 use super::surface::Surface;
@@ -47,21 +46,6 @@ const EAR_RINGS: [f64; 11] = [
 
 /// Where the crown's midline stops being cut: positions on the patch from the front.
 const CUT_FROM: u8 = 2;
-
-/// The mean of all heads.
-const MEAN: Individual = Individual {
-    shift_share: 0.0,
-    globe_shift: DVec3::ZERO,
-    pulls: &[],
-    shifts: &[],
-    ear: EarShape {
-        scale: 1.0,
-        lobe_drop: 0.0,
-        protrusion_deg: 18.0,
-        tilt_deg: 10.0,
-        shift: DVec3::ZERO,
-    },
-};
 
 /// What all heads share.
 pub(crate) struct Chart {
@@ -159,7 +143,7 @@ fn is_cut(key: Key) -> bool {
 
 fn make() -> Chart {
     let cage = Cage::new();
-    let solved = solve::solve(&cage, &points::points(&MEAN));
+    let solved = solve::solve(&cage, &points::points(&Individual::default()));
     let surface = Surface::new(&cage);
 
     // Vertices on the cut stand once for each half.

@@ -6,10 +6,13 @@
 //! Frame of the head: origin between the tragions, x left, y up, z front; metres outside
 //! this module, millimetres inside it.
 
+mod asymmetry;
 mod cage;
 mod chart;
 mod ear;
 mod eye;
+mod form;
+mod individual;
 mod morph;
 mod mouth;
 mod occlusion;
@@ -17,7 +20,6 @@ mod paint;
 mod points;
 mod rig;
 mod scalp;
-mod sofia;
 pub(crate) mod solve;
 mod strands;
 mod surface;
@@ -34,10 +36,10 @@ use self::paint::coordinates;
 use self::points::Individual;
 use self::scalp::hairline;
 pub use self::scalp::{Scalp, ScalpPoint};
-use self::sofia::{ASYMMETRY, SOFIA};
 use self::strands::{BrowLine, Skin};
 use self::surface::{Surface, triangles};
 use super::part::{Part, PartMorph, PartVertex};
+use super::people::Person;
 use super::skin::HeadSheet;
 use crate::figure::{Maps, Material, MaterialKind};
 use crate::generator::subdivide::vertex_normals;
@@ -56,6 +58,10 @@ pub struct HeadColours {
 /// What to build.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HeadParams {
+    /// Sex and age.
+    pub person: Person,
+    /// Friendliness of the face at rest, 0 neutral to 1 a light smile.
+    pub smile: f64,
     /// Colours.
     pub colours: HeadColours,
     /// Strength of the natural differences between the two halves; 0 is mirror-symmetric,
@@ -70,6 +76,13 @@ impl HeadParams {
     #[must_use]
     pub fn sofia() -> Self {
         Self {
+            person: Person {
+                sex: 1.0,
+                age_years: 35.0,
+                stature_m: 1.66,
+                build: 0.0,
+            },
+            smile: 0.6,
             colours: HeadColours {
                 hair: [0.085, 0.038, 0.018],
                 brow: [0.11, 0.062, 0.038],
@@ -118,13 +131,14 @@ struct Shape {
 }
 
 impl Shape {
-    fn new(individual: &Individual, asymmetry: f64) -> Self {
+    fn new(individual: &Individual, asymmetry: f64, seed: u64) -> Self {
         let cage = Cage::new();
         let mut solved = solve::solve(&cage, &points::points(individual));
+        let pulls = asymmetry::pulls(seed, asymmetry, &points::warp(individual));
         for p in &mut solved.cage_points {
             let symmetric = *p;
-            for pull in &ASYMMETRY {
-                *p += pull.shift * pull.share(symmetric) * asymmetry;
+            for pull in &pulls {
+                *p += pull.shift * pull.share(symmetric);
             }
         }
         let rig = rig::rig(&cage, &solved, individual.globe_centre());
@@ -152,8 +166,8 @@ impl Shape {
 /// Builds a head.
 #[must_use]
 pub fn build(params: &HeadParams) -> Head {
-    let individual = &SOFIA;
-    let shape = Shape::new(individual, params.asymmetry);
+    let individual = &individual::untuned(params);
+    let shape = Shape::new(individual, params.asymmetry, params.seed);
     let Shape {
         cage,
         solved,
@@ -256,7 +270,7 @@ pub fn build(params: &HeadParams) -> Head {
     parts.extend(mouth::mouth((contact(0) + contact(12)) / 2.0));
     let eye_centres = [globe, mirror_vector(globe)];
     for side in Side::BOTH {
-        let flesh = DVec3::new(19.8, 20.1, 80.1) + individual.globe_shift;
+        let flesh = DVec3::new(19.8, 20.1, 80.1) + points::shift(individual, Key::eye(5, 0));
         let flesh = if side == Side::Left {
             flesh
         } else {

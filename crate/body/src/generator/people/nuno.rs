@@ -28,7 +28,12 @@ pub(super) fn params() -> FigureParams {
 }
 
 fn head() -> HeadParams {
-    HeadParams::sofia()
+    HeadParams {
+        person: PERSON,
+        smile: 0.7,
+        seed: 8,
+        ..HeadParams::sofia()
+    }
 }
 
 fn skin() -> SkinParams {

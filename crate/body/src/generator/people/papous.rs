@@ -28,7 +28,12 @@ pub(super) fn params() -> FigureParams {
 }
 
 fn head() -> HeadParams {
-    HeadParams::sofia()
+    HeadParams {
+        person: PERSON,
+        smile: 0.5,
+        seed: 5,
+        ..HeadParams::sofia()
+    }
 }
 
 fn skin() -> SkinParams {

@@ -28,7 +28,11 @@ pub(super) fn params() -> FigureParams {
 }
 
 fn head() -> HeadParams {
-    HeadParams::sofia()
+    HeadParams {
+        person: PERSON,
+
+        ..HeadParams::sofia()
+    }
 }
 
 fn skin() -> SkinParams {

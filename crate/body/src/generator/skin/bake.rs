@@ -103,7 +103,7 @@ pub(crate) fn bake(skin: &SkinParams, head: &HeadSheet, hand: &HandSheet) -> Ski
         .normal
         .iter()
         .flatten()
-        .map(|&x| (127.5 * (x + 1.0)).round().clamp(0.0, 255.0) as u8)
+        .map(|&x| (127.0 * x + 128.0).round().clamp(0.0, 255.0) as u8)
         .collect();
     SkinMaps {
         colour: jpeg(&colour, COLOUR_QUALITY, SamplingFactor::R_4_2_0),

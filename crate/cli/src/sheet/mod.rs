@@ -1,0 +1,81 @@
+//! Contact sheets: one figure in many views, side by side.
+
+mod caption;
+pub(crate) mod light;
+mod picture;
+mod posture;
+mod tile;
+mod view;
+
+use anyhow::Result;
+use clap::ValueEnum;
+use raconteur_player::body::Figure;
+use raconteur_player::stage::{Frame, Lighting};
+use raconteur_render::headless::Headless;
+
+use picture::{Layout, Picture};
+pub(crate) use tile::Tile;
+
+/// What a sheet shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Part {
+    /// Everything.
+    All,
+    /// Front, three-quarter, profile.
+    Face,
+    /// Eyes from near, open and closed.
+    Eyes,
+    /// Front, side, back.
+    Body,
+    /// Palm and back of both hands; fist, point, pinch.
+    Hands,
+    /// Head turned, arm bent, arms raised.
+    Poses,
+    /// Teeth, jaw open, smile.
+    Mouth,
+    /// The face in three lights.
+    Lights,
+}
+
+/// Tiles that fit in a row.
+const COLUMNS: u32 = 5;
+
+/// The tiles of the parts asked for, in the order of [`Part`].
+pub(crate) fn tiles(figure: &Figure, parts: &[Part], light: Lighting) -> Vec<Tile> {
+    let wanted = |part: Part| parts.contains(&Part::All) || parts.contains(&part);
+    Part::value_variants()
+        .iter()
+        .filter(|&&part| part != Part::All && wanted(part))
+        .flat_map(|&part| tile::of(figure, part, light))
+        .collect()
+}
+
+/// Draws tiles and lays them out; `drawn` is called after each.
+pub(crate) fn draw(
+    figure: &Figure,
+    tiles: &[Tile],
+    height: u32,
+    headless: &mut Headless,
+    drawn: impl Fn(),
+) -> Result<Picture> {
+    let widths: Vec<u32> = tiles
+        .iter()
+        .map(|t| ((f64::from(height) * t.aspect).round() as u32).max(1))
+        .collect();
+    let layout = Layout::new(&widths, height, COLUMNS * height + 64);
+    let mut picture = Picture::new(&layout);
+    let mut frame = Frame::with_capacity(figure.skeleton.joints().len(), figure.morph_names.len());
+    frame.set = light::room();
+    for ((tile, &width), &place) in tiles.iter().zip(&widths).zip(&layout.places) {
+        frame
+            .world_from_joint
+            .clone_from(&tile.posed.world_from_joint);
+        frame.morph_weights.clone_from(&tile.posed.morph_weights);
+        frame.camera = tile.camera;
+        frame.lighting = tile.lighting;
+        let pixels = headless.render_rgba(&frame, width, height)?;
+        picture.lay(place, (width, height), &pixels, &tile.caption);
+        drawn();
+    }
+    Ok(picture)
+}
