@@ -12,6 +12,7 @@ use super::hand::{self, HandParams};
 use super::head::{self, Head};
 use super::part::{Part, PartVertex};
 use super::people::FigureParams;
+use super::skin::{self, HandSheet};
 use super::torso::{CM, Cage, Field, Joints, Regions, Shell};
 use crate::figure::{Figure, Maps, Material, MaterialKind};
 use crate::skeleton::{Bone, FacePlaces, zero_frames};
@@ -24,6 +25,12 @@ pub struct Built {
     /// Names on its meshes.
     pub annotations: Annotations,
 }
+
+/// The skin's pictures among a figure's images.
+const SKIN_MAPS: Maps = Maps {
+    base_color: Some(0),
+    normal: Some(1),
+};
 
 /// Builds a figure. The same parameters give the same figure to the bit.
 #[must_use]
@@ -47,21 +54,24 @@ pub fn build(params: &FigureParams) -> Built {
     }
 
     let mut pieces: Vec<Piece> = Vec::new();
+    let hands = Side::BOTH.map(|side| place_hand(&params.hand, side, &mut joints));
+    let maps = skin::bake(&params.skin, &head.sheet, &hands[0].1);
     pieces.extend(
         head_parts(&head, &params.hair, world_from_head, &field, &cage)
             .into_iter()
             .map(Piece::from),
     );
-    for side in Side::BOTH {
-        pieces.extend(
-            place_hand(&params.hand, side, &mut joints)
-                .into_iter()
-                .map(Piece::from),
-        );
-    }
+    pieces.extend(hands.into_iter().flat_map(|(parts, _)| parts).map(Piece::from));
     pieces.push(neck(&field, &cage, &head, world_from_head).into());
     pieces.extend(clothes.parts.into_iter().map(Piece::from));
     pieces.extend(hairs);
+
+    for piece in &mut pieces {
+        let material = &mut piece.part.material;
+        if material.kind == MaterialKind::Skin {
+            material.maps = SKIN_MAPS;
+        }
+    }
 
     let figure = assemble(&Blueprint {
         name: params.name.clone(),
@@ -75,7 +85,7 @@ pub fn build(params: &FigureParams) -> Built {
         stature_m: stature,
         lid_closure_rad: head.lid_closure_rad,
         pieces,
-        images: Vec::new(),
+        images: vec![maps.colour, maps.normal],
     });
     Built {
         figure,
@@ -133,8 +143,8 @@ fn head_parts(
     parts
 }
 
-/// A hand in the world; its finger joints replace the skeleton's.
-fn place_hand(params: &HandParams, side: Side, joints: &mut Joints) -> Vec<Part> {
+/// A hand in the world and its skin for the maps; its finger joints replace the skeleton's.
+fn place_hand(params: &HandParams, side: Side, joints: &mut Joints) -> (Vec<Part>, HandSheet) {
     let built = hand::build(params, side);
     let wrist = Bone::on(side, "wrist");
     let bind = joints.rotations[wrist.index()];
@@ -156,7 +166,7 @@ fn place_hand(params: &HandParams, side: Side, joints: &mut Joints) -> Vec<Part>
             v.position = place.transform_point3(v.position);
         }
     }
-    parts
+    (parts, built.sheet)
 }
 
 /// The body's own neck, just below the head's skin and inside the collar.
@@ -199,6 +209,7 @@ fn neck(field: &Field, cage: &Cage, head: &Head, place: DAffine3) -> Part {
                 .total_cmp(&b.position.distance_squared(local))
         });
         if let Some(near) = near {
+            v.uv = near.uv;
             v.color = near.color;
             v.color[3] *= 0.75;
         }

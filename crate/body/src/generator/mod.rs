@@ -15,6 +15,7 @@ pub mod hand;
 pub mod head;
 pub mod part;
 pub mod people;
+pub mod skin;
 pub mod subdivide;
 pub mod torso;
 pub use crate::write;

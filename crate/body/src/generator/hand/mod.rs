@@ -24,9 +24,11 @@
 
 mod anatomy;
 mod cage;
+mod chart;
 mod color;
 mod field;
 mod nail;
+mod sheet;
 pub mod skeleton;
 mod surface;
 mod weights;
@@ -38,6 +40,7 @@ use self::field::Field;
 use self::surface::Skin;
 use self::weights::Influence;
 use super::part::{Part, PartVertex};
+use super::skin::HandSheet;
 use crate::figure::{Maps, Material, MaterialKind};
 use crate::hand_shape::HandAngles;
 use crate::skeleton::{Bone, zero_frames};
@@ -58,7 +61,7 @@ pub struct HandParams {
     pub breadth_m: f64,
     /// From elbow to wrist, metres: sets how the rim follows the wrist's twist.
     pub forearm_length_m: f64,
-    /// Linear RGB of the skin on the back of the hand.
+    /// Linear RGB of the skin, which shines through the nails.
     pub skin_color: [f64; 3],
 }
 
@@ -113,6 +116,8 @@ pub struct Hand {
     pub joints: [(Bone, DVec3); 15],
     /// Wrist bone from finger bone in the bind pose, in the same order.
     pub bind_in_wrist: [(Bone, DQuat); 15],
+    /// The skin for the baking of its maps.
+    pub(crate) sheet: HandSheet,
     /// Vertices of `parts[0]` around the open end, in order.
     pub wrist_rim: Vec<u32>,
     /// Unit vector from the wrist towards the elbow.
@@ -190,7 +195,8 @@ pub fn build(params: &HandParams, side: Side) -> Hand {
     let place = Placement::new(params, side, &skin);
 
     let base = DVec3::from_array(params.skin_color);
-    let colors = color::skin_colors(&anatomy, &field, &skin, base);
+    let open = color::openness(&field, &skin);
+    let chart = chart::chart(&anatomy, &skin);
     let weights = weights::weights(
         &anatomy,
         &skin,
@@ -198,12 +204,19 @@ pub fn build(params: &HandParams, side: Side) -> Hand {
     );
     let joints_of =
         |row: &[(Influence, f64)]| row.iter().map(|(i, w)| (i.joint(side), *w)).collect();
-    let vertices = (0..skin.positions.len())
-        .map(|i| PartVertex {
-            position: place.position(skin.positions[i]),
-            uv: [0.0; 2],
-            color: colors[i],
-            weights: joints_of(&weights[i]),
+    let vertices = chart
+        .source
+        .iter()
+        .zip(&chart.uv)
+        .map(|(&i, &uv)| {
+            let i = i as usize;
+            PartVertex {
+                position: place.position(skin.positions[i]),
+                uv,
+                // The map has the colour.
+                color: [1.0, 1.0, 1.0, open[i]],
+                weights: joints_of(&weights[i]),
+            }
         })
         .collect();
     let letter = if side == Side::Left { "l" } else { "r" };
@@ -212,12 +225,12 @@ pub fn build(params: &HandParams, side: Side) -> Hand {
         material: Material {
             kind: MaterialKind::Skin,
             base_color: [1.0; 4],
-            roughness: 0.5,
+            roughness: 0.48,
             double_sided: false,
             maps: Maps::default(),
         },
         vertices,
-        faces: place.faces(&skin.faces),
+        faces: place.faces(&chart.faces),
         morphs: Vec::new(),
     };
 
@@ -248,6 +261,7 @@ pub fn build(params: &HandParams, side: Side) -> Hand {
         parts: vec![skin_part, nails(&anatomy, &place, base, letter)],
         joints,
         bind_in_wrist,
+        sheet: sheet::sheet(&anatomy, &skin, &chart),
         wrist_rim: skin.rim,
         forearm_direction: DVec3::new(-side.sign(), 0.0, 0.0),
     }

@@ -25,22 +25,6 @@ pub(super) fn bell(x: f64) -> f64 {
     ops::exp(-x * x)
 }
 
-/// A smooth irregular pattern within about ±1; `scale` is its spatial frequency in rad/mm.
-pub(super) fn blotches(p: DVec3, scale: f64) -> f64 {
-    const WAVES: [([f64; 3], f64); 5] = [
-        ([0.83, 0.41, -0.37], 0.3),
-        ([-0.52, 0.88, 0.61], 1.9),
-        ([0.27, -0.71, 0.94], 4.1),
-        ([1.21, 0.33, 0.48], 2.7),
-        ([-0.64, -0.95, 0.22], 5.2),
-    ];
-    let sum: f64 = WAVES
-        .iter()
-        .map(|(k, phase)| ops::sin(p.dot(DVec3::from_array(*k)) * scale + phase))
-        .sum();
-    sum / WAVES.len() as f64 * 1.6
-}
-
 /// The largest share of any of the four fingers.
 pub(super) fn finger_share(ownership: &[f64; FINGER_COUNT]) -> f64 {
     ownership[1..].iter().copied().fold(0.0, f64::max)

@@ -3,7 +3,7 @@
 use raconteur_base::{DAffine3, mirror_vector};
 
 use super::*;
-use crate::generator::subdivide::edge_faces;
+use crate::generator::subdivide::{edge_faces, welded};
 use crate::hand_shape::{HandShape, finger_bones};
 use crate::pose::Pose;
 use crate::skeleton::{Drive, FacePlaces, Skeleton};
@@ -15,7 +15,8 @@ fn sofia(side: Side) -> Hand {
 #[test]
 fn the_skin_is_a_manifold_open_at_the_wrist_only() {
     let hand = sofia(Side::Left);
-    let edges = edge_faces(&hand.parts[0].faces);
+    let positions: Vec<DVec3> = hand.parts[0].vertices.iter().map(|v| v.position).collect();
+    let edges = edge_faces(&welded(&positions, &hand.parts[0].faces));
     let open = edges.values().filter(|f| f.len() == 1).count();
     assert_eq!(open, hand.wrist_rim.len());
     assert!(edges.values().all(|f| f.len() <= 2));

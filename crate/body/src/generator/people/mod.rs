@@ -8,6 +8,7 @@ use super::cloth::Outfit;
 use super::hair::HairParams;
 use super::hand::HandParams;
 use super::head::HeadParams;
+use super::skin::SkinParams;
 use super::torso::BodyParams;
 
 /// What is known of a person before any measure of the face: survey means are looked up
@@ -35,6 +36,8 @@ pub struct FigureParams {
     pub body: BodyParams,
     /// Face.
     pub head: HeadParams,
+    /// Skin of head and hands.
+    pub skin: SkinParams,
     /// Hands.
     pub hand: HandParams,
     /// Hair.

@@ -5,6 +5,7 @@ use crate::generator::cloth::{Hoodie, Outfit};
 use crate::generator::hair::{HairColour, HairParams, HairStyle};
 use crate::generator::hand::HandParams;
 use crate::generator::head::{BrowParams, HeadParams};
+use crate::generator::skin::SkinParams;
 use crate::generator::torso::BodyParams;
 
 const PERSON: Person = Person {
@@ -22,10 +23,11 @@ pub(super) fn params() -> FigureParams {
         name: "nuno".to_owned(),
         person: PERSON,
         body: body(),
-        hand: hand(&head),
+        hand: hand(),
         hair: hair(),
         wardrobe: wardrobe(),
         head,
+        skin: skin(),
     }
 }
 
@@ -35,6 +37,24 @@ fn head() -> HeadParams {
         smile: 0.7,
         seed: 8,
         ..HeadParams::sofia()
+    }
+}
+
+fn skin() -> SkinParams {
+    SkinParams {
+        melanin: 0.24,
+        blood: 0.5,
+        contrast: 1.0,
+        age_years: PERSON.age_years,
+        freckles: 0.5,
+        moles: 3,
+        sun: 0.1,
+        vessels: 0.0,
+        beard: 0.0,
+        lips: 0.6,
+        lash_line: 0.35,
+        seed: 11,
+        ..SkinParams::plain()
     }
 }
 
@@ -48,12 +68,12 @@ fn body() -> BodyParams {
     }
 }
 
-fn hand(head: &HeadParams) -> HandParams {
+fn hand() -> HandParams {
     HandParams::of(
         PERSON.sex,
         PERSON.age_years,
         PERSON.stature_m,
-        head.colours.skin,
+        skin().base_colour(),
     )
 }
 

@@ -5,6 +5,7 @@ use crate::generator::cloth::{Cardigan, Outfit};
 use crate::generator::hair::{BeardParams, HairColour, HairParams, HairStyle};
 use crate::generator::hand::HandParams;
 use crate::generator::head::{BrowParams, HeadParams};
+use crate::generator::skin::SkinParams;
 use crate::generator::torso::BodyParams;
 
 const PERSON: Person = Person {
@@ -22,10 +23,11 @@ pub(super) fn params() -> FigureParams {
         name: "papous".to_owned(),
         person: PERSON,
         body: body(),
-        hand: hand(&head),
+        hand: hand(),
         hair: hair(),
         wardrobe: wardrobe(),
         head,
+        skin: skin(),
     }
 }
 
@@ -35,6 +37,24 @@ fn head() -> HeadParams {
         smile: 0.5,
         seed: 5,
         ..HeadParams::sofia()
+    }
+}
+
+fn skin() -> SkinParams {
+    SkinParams {
+        melanin: 0.27,
+        blood: 0.62,
+        contrast: 1.15,
+        age_years: PERSON.age_years,
+        freckles: 0.1,
+        moles: 9,
+        sun: 0.75,
+        vessels: 0.55,
+        beard: 0.35,
+        beard_colour: [0.34, 0.33, 0.32],
+        lips: 0.35,
+        lash_line: 0.2,
+        seed: 7,
     }
 }
 
@@ -48,12 +68,12 @@ fn body() -> BodyParams {
     }
 }
 
-fn hand(head: &HeadParams) -> HandParams {
+fn hand() -> HandParams {
     HandParams::of(
         PERSON.sex,
         PERSON.age_years,
         PERSON.stature_m,
-        head.colours.skin,
+        skin().base_colour(),
     )
 }
 

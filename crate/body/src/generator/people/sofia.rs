@@ -5,6 +5,7 @@ use crate::generator::cloth::{Outfit, Sweater};
 use crate::generator::hair::{HairColour, HairParams, HairStyle};
 use crate::generator::hand::HandParams;
 use crate::generator::head::{BrowParams, HeadParams};
+use crate::generator::skin::SkinParams;
 use crate::generator::torso::BodyParams;
 
 const PERSON: Person = Person {
@@ -21,10 +22,11 @@ pub(super) fn params() -> FigureParams {
         name: "sofia".to_owned(),
         person: PERSON,
         body: body(),
-        hand: hand(&head),
+        hand: hand(),
         hair: hair(),
         wardrobe: wardrobe(),
         head,
+        skin: skin(),
     }
 }
 
@@ -33,6 +35,24 @@ fn head() -> HeadParams {
         person: PERSON,
 
         ..HeadParams::sofia()
+    }
+}
+
+fn skin() -> SkinParams {
+    SkinParams {
+        melanin: 0.17,
+        blood: 0.52,
+        contrast: 1.05,
+        age_years: PERSON.age_years,
+        freckles: 0.35,
+        moles: 5,
+        sun: 0.2,
+        vessels: 0.0,
+        beard: 0.0,
+        lips: 0.62,
+        lash_line: 0.75,
+        seed: 3,
+        ..SkinParams::plain()
     }
 }
 
@@ -46,12 +66,12 @@ fn body() -> BodyParams {
     }
 }
 
-fn hand(head: &HeadParams) -> HandParams {
+fn hand() -> HandParams {
     HandParams::of(
         PERSON.sex,
         PERSON.age_years,
         PERSON.stature_m,
-        head.colours.skin,
+        skin().base_colour(),
     )
 }
 
