@@ -12,6 +12,7 @@ pub mod hand;
 pub mod head;
 pub mod part;
 pub mod people;
+pub mod statistics;
 pub mod subdivide;
 pub mod torso;
 pub mod write;

@@ -12,6 +12,7 @@ mod ear;
 mod eye;
 mod form;
 mod individual;
+mod measure;
 mod morph;
 mod mouth;
 mod occlusion;
@@ -28,6 +29,7 @@ mod tests;
 use raconteur_base::{DVec3, Side, mirror_vector};
 
 use self::cage::{Cage, Key, LAST_ROW, Zone};
+pub use self::measure::{Measure, Measures};
 use self::paint::{Coordinates, Painter};
 use self::points::Individual;
 use self::scalp::hairline;
@@ -69,6 +71,8 @@ pub struct HeadParams {
     pub person: Person,
     /// Friendliness of the face at rest, 0 neutral to 1 a light smile.
     pub smile: f64,
+    /// Measures of head and face against the mean for sex and age.
+    pub measures: Measures,
     /// Colours.
     pub colours: HeadColours,
     /// Strength of the natural differences between the two halves; 0 is mirror-symmetric,
@@ -90,6 +94,7 @@ impl HeadParams {
                 build: 0.0,
             },
             smile: 0.6,
+            measures: Measures::default(),
             colours: HeadColours {
                 skin: [0.60, 0.345, 0.245],
                 lip: [0.50, 0.155, 0.15],
@@ -139,13 +144,21 @@ struct Shape {
     positions: Vec<DVec3>,
     coordinates: Vec<Coordinates>,
     shares: Vec<rig::Shares>,
+    /// Centre of the left eyeball.
+    globe: DVec3,
+    individual: Individual,
 }
 
 impl Shape {
-    fn new(individual: &Individual, asymmetry: f64, seed: u64) -> Self {
+    fn of(params: &HeadParams) -> Self {
         let cage = Cage::new();
-        let mut solved = solve::solve(&cage, &points::points(individual));
-        let pulls = asymmetry::pulls(seed, asymmetry, &points::warp(individual));
+        let individual = individual::individual(params, &cage);
+        Self::new(cage, individual, params.asymmetry, params.seed)
+    }
+
+    fn new(cage: Cage, individual: Individual, asymmetry: f64, seed: u64) -> Self {
+        let mut solved = solve::solve(&cage, &points::points(&individual));
+        let pulls = asymmetry::pulls(seed, asymmetry, &points::warp(&individual));
         for p in &mut solved.cage_points {
             let symmetric = *p;
             for pull in &pulls {
@@ -165,6 +178,8 @@ impl Shape {
             positions,
             coordinates,
             shares,
+            globe: individual.globe_centre(),
+            individual,
         }
     }
 
@@ -177,8 +192,7 @@ impl Shape {
 /// Builds a head.
 #[must_use]
 pub fn build(params: &HeadParams) -> Head {
-    let individual = &individual::untuned(params);
-    let shape = Shape::new(individual, params.asymmetry, params.seed);
+    let shape = Shape::of(params);
     let Shape {
         cage,
         solved,
@@ -187,8 +201,10 @@ pub fn build(params: &HeadParams) -> Head {
         positions,
         coordinates,
         shares,
+        globe,
+        individual,
     } = &shape;
-    let globe = individual.globe_centre();
+    let globe = *globe;
     let normals = vertex_normals(positions, &surface.faces);
     let warp = points::warp(individual);
     let painter = Painter::new(&params.colours, &warp);
