@@ -15,7 +15,7 @@ pub mod people;
 pub mod statistics;
 pub mod subdivide;
 pub mod torso;
-pub mod write;
+pub use crate::write;
 
 pub use build::{Built, build};
 pub use people::{FigureParams, Person};
