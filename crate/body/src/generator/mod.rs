@@ -16,6 +16,7 @@ pub mod head;
 pub mod part;
 pub mod people;
 pub mod skin;
+pub mod statistics;
 pub mod subdivide;
 pub mod torso;
 pub use crate::write;

@@ -13,6 +13,7 @@ mod ear;
 mod eye;
 mod form;
 mod individual;
+mod measure;
 mod morph;
 mod mouth;
 mod occlusion;
@@ -34,6 +35,7 @@ pub(crate) use self::chart::Places;
 pub(crate) use self::paint::Coordinates;
 use self::chart::{Chart, chart};
 use self::paint::coordinates;
+pub use self::measure::{Measure, Measures};
 use self::points::Individual;
 pub(crate) use self::ride::{Holds, Ride};
 use self::scalp::hairline;
@@ -65,6 +67,8 @@ pub struct HeadParams {
     pub person: Person,
     /// Friendliness of the face at rest, 0 neutral to 1 a light smile.
     pub smile: f64,
+    /// Measures of head and face against the mean for sex and age.
+    pub measures: Measures,
     /// Colours.
     pub colours: HeadColours,
     /// Hairs of brows and lashes.
@@ -88,6 +92,7 @@ impl HeadParams {
                 build: 0.0,
             },
             smile: 0.6,
+            measures: Measures::default(),
             colours: HeadColours {
                 hair: [0.085, 0.038, 0.018],
                 brow: [0.11, 0.062, 0.038],
@@ -134,13 +139,21 @@ struct Shape {
     positions: Vec<DVec3>,
     coordinates: Vec<Coordinates>,
     shares: Vec<rig::Shares>,
+    /// Centre of the left eyeball.
+    globe: DVec3,
+    individual: Individual,
 }
 
 impl Shape {
-    fn new(individual: &Individual, asymmetry: f64, seed: u64) -> Self {
+    fn of(params: &HeadParams) -> Self {
         let cage = Cage::new();
-        let mut solved = solve::solve(&cage, &points::points(individual));
-        let pulls = asymmetry::pulls(seed, asymmetry, &points::warp(individual));
+        let individual = individual::individual(params, &cage);
+        Self::new(cage, individual, params.asymmetry, params.seed)
+    }
+
+    fn new(cage: Cage, individual: Individual, asymmetry: f64, seed: u64) -> Self {
+        let mut solved = solve::solve(&cage, &points::points(&individual));
+        let pulls = asymmetry::pulls(seed, asymmetry, &points::warp(&individual));
         for p in &mut solved.cage_points {
             let symmetric = *p;
             for pull in &pulls {
@@ -160,6 +173,8 @@ impl Shape {
             positions,
             coordinates,
             shares,
+            globe: individual.globe_centre(),
+            individual,
         }
     }
 
@@ -172,8 +187,7 @@ impl Shape {
 /// Builds a head.
 #[must_use]
 pub fn build(params: &HeadParams) -> Head {
-    let individual = &individual::untuned(params);
-    let shape = Shape::new(individual, params.asymmetry, params.seed);
+    let shape = Shape::of(params);
     let Shape {
         cage,
         solved,
@@ -182,8 +196,10 @@ pub fn build(params: &HeadParams) -> Head {
         positions,
         coordinates,
         shares,
+        globe,
+        individual,
     } = &shape;
-    let globe = individual.globe_centre();
+    let globe = *globe;
     let normals = vertex_normals(positions, &surface.faces);
     let warp = points::warp(individual);
     let proportions = Proportions::of(positions, coordinates);
