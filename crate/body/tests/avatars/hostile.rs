@@ -4,7 +4,7 @@ use std::fs;
 use std::path::PathBuf;
 
 use crate::made::{Avatar, Dialect, make, pack};
-use raconteur_base::noise;
+use raconteur_base::{DAffine3, noise};
 use raconteur_body::import::{ImportError, import_figure, open_figure};
 
 /// A real file, or `None` with a printed reason where the shared folder is absent.
@@ -154,7 +154,7 @@ fn tamper(glb: &[u8], rounds: u64) -> usize {
             Ok(imported) => {
                 let figure = imported.figure;
                 assert!(
-                    figure.inverse_bind.iter().all(|m| m.is_finite()),
+                    figure.inverse_bind.iter().all(DAffine3::is_finite),
                     "round {round}"
                 );
                 for mesh in &figure.meshes {

@@ -87,6 +87,11 @@ fn variants() -> Vec<Avatar> {
                 },
                 arms_down_rad,
                 elbow_rad,
+                // VRM's nodes must stand in the pose of the skin.
+                posed_rad: match dialect {
+                    Dialect::Vrm0 | Dialect::Vrm1 => 0.0,
+                    _ => 0.3 * (k % 2) as f64,
+                },
                 ..Avatar::new(dialect)
             });
         }
