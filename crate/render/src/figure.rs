@@ -93,7 +93,8 @@ impl Look {
             _ => Layer::Solid,
         };
         Self {
-            kind,
+            // All weaves share one shader.
+            kind: kind.weave().map_or(kind, |_| MaterialKind::Cloth),
             double_sided: material.double_sided,
             layer,
         }
@@ -173,7 +174,7 @@ impl FigureData {
                     mesh.material.roughness.clamp(0.05, 1.0),
                     f32::from(u8::from(has_cornea)),
                     f32::from(u8::from(look.layer == Layer::Clear)),
-                    0.0,
+                    f32::from(mesh.material.kind.weave().unwrap_or(0)),
                 ],
                 face,
             };
