@@ -1,6 +1,7 @@
 //! A bob to the jaw with a side parting, combed clear of the face.
 
 use raconteur_base::curve::ramp;
+use serde::{Deserialize, Serialize};
 use raconteur_base::{DVec3, noise, ops};
 
 use super::card::{Strand, cards};
@@ -11,7 +12,7 @@ use crate::generator::head::{Head, ScalpPoint};
 use crate::generator::subdivide::vertex_normals;
 
 /// A bob's measures; frame of the head, metres.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct BobParams {
     /// Colour, linear RGB.
     pub colour: [f64; 3],

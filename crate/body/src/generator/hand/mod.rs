@@ -30,6 +30,7 @@ mod surface;
 mod weights;
 
 use raconteur_base::{DQuat, DVec3, Side, mirror_rotation};
+use serde::{Deserialize, Serialize};
 
 use self::anatomy::Anatomy;
 use self::field::Field;
@@ -44,7 +45,7 @@ use crate::skeleton::{Bone, zero_frames};
 pub const BIND_ANGLES: HandAngles = anatomy::BIND_ANGLES;
 
 /// Measures of a hand.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct HandParams {
     /// From the wrist's crease to the tip of the middle finger, metres.
     pub length_m: f64,

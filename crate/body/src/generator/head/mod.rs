@@ -26,6 +26,7 @@ mod surface;
 mod tests;
 
 use raconteur_base::{DVec3, Side, mirror_vector};
+use serde::{Deserialize, Serialize};
 
 use self::cage::{Cage, Key, LAST_ROW, Zone};
 use self::paint::{Coordinates, Painter};
@@ -40,7 +41,7 @@ use crate::figure::{Maps, Material, MaterialKind};
 use crate::generator::subdivide::vertex_normals;
 
 /// Colours of a head, linear RGB.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct HeadColours {
     /// Skin of the cheek's side.
     pub skin: [f64; 3],
@@ -63,7 +64,7 @@ pub struct HeadColours {
 }
 
 /// What to build.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct HeadParams {
     /// Sex and age.
     pub person: Person,
