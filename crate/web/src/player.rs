@@ -5,9 +5,7 @@ use std::sync::Arc;
 use raconteur_player::body::figure::Image;
 use raconteur_player::body::read::read_figure;
 use raconteur_player::{Options, Player as Performer, StoryInput};
-use raconteur_render::{
-    Backend, CanvasTarget, Quality, RenderInfo, RenderOptions, RenderStatus,
-};
+use raconteur_render::{Backend, CanvasTarget, Quality, RenderInfo, RenderOptions, RenderStatus};
 use serde::Serialize;
 use serde_wasm_bindgen::Serializer;
 use wasm_bindgen::prelude::*;

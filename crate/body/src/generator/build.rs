@@ -1,7 +1,5 @@
 //! How the parts of a figure come together.
 
-use std::collections::BTreeMap;
-
 use raconteur_base::curve::smooth;
 use raconteur_base::{DAffine3, DQuat, DVec3, Side};
 
@@ -9,7 +7,7 @@ use super::annotation::Annotations;
 use super::assemble::{Blueprint, Piece, assemble};
 use super::cloth::finish::openness;
 use super::cloth::{Wearer, dress};
-use super::hair;
+use super::hair::{self, HairParams};
 use super::hand::{self, HandParams};
 use super::head::{self, Head};
 use super::part::{Part, PartVertex};
@@ -40,14 +38,16 @@ pub fn build(params: &FigureParams) -> Built {
     let wearer = Wearer::new(&params.body, &field, &cage, &joints);
     let clothes = dress(&wearer, &params.wardrobe);
 
-    let mut hair = hair::bob(&head, &params.hair);
-    for v in &mut hair.part.vertices {
+    let body =
+        |p: DVec3| field.value_and_normal(world_from_head.transform_point3(p), Regions::ALL, 1.0);
+    let mut hairs = hair::hair(&head, &params.hair, &body);
+    for v in hairs.iter_mut().flat_map(|h| &mut h.part.vertices) {
         v.position = world_from_head.transform_point3(v.position);
     }
 
     let mut pieces: Vec<Piece> = Vec::new();
     pieces.extend(
-        head_parts(&head, world_from_head, &field, &cage)
+        head_parts(&head, &params.hair, world_from_head, &field, &cage)
             .into_iter()
             .map(Piece::from),
     );
@@ -60,7 +60,7 @@ pub fn build(params: &FigureParams) -> Built {
     }
     pieces.push(neck(&field, &cage, &head, world_from_head).into());
     pieces.extend(clothes.parts.into_iter().map(Piece::from));
-    pieces.push(hair);
+    pieces.extend(hairs);
 
     let figure = assemble(&Blueprint {
         name: params.name.clone(),
@@ -94,10 +94,16 @@ fn place_head(joints: &mut Joints, head: &Head, stature_m: f64) -> DAffine3 {
 
 /// The head's parts in the world; the lower neck is drawn onto the body's own neck and
 /// moves with it, or it would come through the collar when the head turns.
-fn head_parts(head: &Head, place: DAffine3, field: &Field, cage: &Cage) -> Vec<Part> {
+fn head_parts(
+    head: &Head,
+    hair: &HairParams,
+    place: DAffine3,
+    field: &Field,
+    cage: &Cage,
+) -> Vec<Part> {
     let (throat, _) = cage.part(|t| Cage::is_above(t, 0.798)).subdivided(1);
     let mut parts = head.parts.clone();
-    shade_scalp(&mut parts[0], head);
+    hair::shade_skin(&mut parts[0], head, hair);
     for part in &mut parts {
         let is_skin = part.material.kind == MaterialKind::Skin;
         for v in &mut part.vertices {
@@ -124,22 +130,6 @@ fn head_parts(head: &Head, place: DAffine3, field: &Field, cage: &Cage) -> Vec<P
         }
     }
     parts
-}
-
-/// Skin under hair gets little light, or it would shine through the parting.
-fn shade_scalp(skin: &mut Part, head: &Head) {
-    let key = |p: DVec3| p.to_array().map(|x| (x * 1e6).round() as i64);
-    let density: BTreeMap<[i64; 3], f64> = head
-        .scalp
-        .points
-        .iter()
-        .map(|s| (key(s.position), s.density))
-        .collect();
-    for v in &mut skin.vertices {
-        if let Some(d) = density.get(&key(v.position)) {
-            v.color[3] *= 1.0 - 0.75 * d;
-        }
-    }
 }
 
 /// A hand in the world; its finger joints replace the skeleton's.

@@ -5,8 +5,11 @@
 
 pub mod annotation;
 pub mod assemble;
+pub mod bones;
 mod build;
 pub mod cloth;
+#[cfg(test)]
+mod deform;
 pub mod hair;
 pub mod hand;
 pub mod head;

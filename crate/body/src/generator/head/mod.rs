@@ -17,6 +17,7 @@ mod mouth;
 mod occlusion;
 mod paint;
 mod points;
+mod ride;
 mod rig;
 mod scalp;
 mod solve;
@@ -31,9 +32,11 @@ use serde::{Deserialize, Serialize};
 use self::cage::{Cage, Key, LAST_ROW, Zone};
 use self::paint::{Coordinates, Painter};
 use self::points::Individual;
+pub(crate) use self::ride::{Holds, Ride};
 use self::scalp::hairline;
-pub use self::scalp::{Scalp, ScalpPoint};
-use self::strands::{BrowLine, Skin};
+pub use self::scalp::{Ear, Proportions, Scalp, ScalpPoint};
+use self::strands::BrowLine;
+pub use self::strands::BrowParams;
 use self::surface::{Surface, triangles};
 use super::part::{Part, PartMorph, PartVertex};
 use super::people::Person;
@@ -72,6 +75,8 @@ pub struct HeadParams {
     pub smile: f64,
     /// Colours.
     pub colours: HeadColours,
+    /// Hairs of brows and lashes.
+    pub brow: BrowParams,
     /// Strength of the natural differences between the two halves; 0 is mirror-symmetric,
     /// 1 usual.
     pub asymmetry: f64,
@@ -102,6 +107,7 @@ impl HeadParams {
                 freckles: 0.5,
                 lash_line: 0.8,
             },
+            brow: BrowParams::default(),
             asymmetry: 1.0,
             seed: 3,
         }
@@ -193,10 +199,17 @@ pub fn build(params: &HeadParams) -> Head {
     let normals = vertex_normals(positions, &surface.faces);
     let warp = points::warp(individual);
     let painter = Painter::new(&params.colours, &warp);
+    let proportions = Proportions::of(positions, coordinates);
     let hair: Vec<f64> = positions
         .iter()
         .zip(coordinates)
-        .map(|(&p, c)| if c.ear > 0.02 { 0.0 } else { hairline(p) })
+        .map(|(&p, c)| {
+            if c.ear > 0.02 {
+                0.0
+            } else {
+                hairline(proportions.common(p * 1e-3))
+            }
+        })
         .collect();
 
     let all_triangles: Vec<[u32; 3]> = triangles(&surface.faces).collect();
@@ -217,7 +230,7 @@ pub fn build(params: &HeadParams) -> Head {
     let vertices: Vec<PartVertex> = (0..surface.len())
         .map(|v| {
             let c = &coordinates[v];
-            let [r, g, b] = painter.colour(c, hair[v], line.stain(positions[v]));
+            let [r, g, b] = painter.colour(c, line.stain(positions[v]));
             let side = if positions[v].x < 0.0 {
                 Side::Right
             } else {
@@ -234,12 +247,6 @@ pub fn build(params: &HeadParams) -> Head {
             }
         })
         .collect();
-    let skin = Skin {
-        positions,
-        normals: &normals,
-        weights: vertices.iter().map(|v| v.weights.clone()).collect(),
-        morphs: &moved,
-    };
     let bag = |z: Zone| matches!(z, Zone::Mouth(5..));
     let cut = |name: &str, kind, roughness, keep: &dyn Fn(Zone) -> bool| {
         cut_part(name, kind, roughness, surface, &vertices, &moved, keep)
@@ -248,6 +255,7 @@ pub fn build(params: &HeadParams) -> Head {
         cut("head", MaterialKind::Skin, 0.48, &|z| !bag(z)),
         cut("mouth_bag", MaterialKind::Mouth, 0.4, &bag),
     ];
+    let ride = Ride::new(&parts[0]);
     let contact = |k| shape.limit(Key::mouth(5, k), Side::Left);
     parts.extend(mouth::mouth((contact(0) + contact(12)) / 2.0));
     let eye_centres = [globe, mirror_vector(globe)];
@@ -270,15 +278,16 @@ pub fn build(params: &HeadParams) -> Head {
             (8..=16).rev().map(edge).collect(),
         ];
         let globe = eye_centres[side.index()];
-        let brow = params.colours.brow;
+        let colour = params.colours.brow;
         parts.extend(strands::hairs(
-            &skin,
+            &ride,
             &line,
             &edges,
             globe,
             side,
             params.seed,
-            brow,
+            colour,
+            &params.brow,
         ));
     }
 
@@ -297,7 +306,14 @@ pub fn build(params: &HeadParams) -> Head {
         neck_rim: neck_rim(&shape),
         lid_closure_rad: rig.closure_rad,
         extent: [menton * 1e-3, vertex * 1e-3],
-        scalp: scalp::scalp(positions, &normals, &hair, &all_triangles),
+        scalp: scalp::scalp(
+            positions,
+            &normals,
+            coordinates,
+            &hair,
+            &all_triangles,
+            proportions,
+        ),
     }
 }
 

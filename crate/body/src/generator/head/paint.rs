@@ -1,5 +1,4 @@
-//! Colour of the skin: base tone, redder and browner zones, lips, lids, and the cap of
-//! hair colour under the hair. All colours are linear RGB; zones chosen by eye after the
+//! Colour of the skin: base tone, redder and browner zones, lips and lids. All colours are linear RGB; zones chosen by eye after the
 //! distribution of haemoglobin and melanin in the face.
 
 use raconteur_base::{DVec3, noise, ops};
@@ -114,8 +113,8 @@ impl<'a> Painter<'a> {
         }
     }
 
-    /// `hair` and `brow` are the shares that hair and brow cover, 0..1.
-    pub(crate) fn colour(&self, c: &Coordinates, hair: f64, brow: f64) -> [f64; 3] {
+    /// `brow` is the share that the brow covers, 0..1.
+    pub(crate) fn colour(&self, c: &Coordinates, brow: f64) -> [f64; 3] {
         let own = self.colours;
         let p = DVec3::new(c.at.x.abs(), c.at.y, c.at.z);
         let mut rgb = own.skin;
@@ -146,8 +145,7 @@ impl<'a> Painter<'a> {
         rgb = mix(rgb, [0.42, 0.17, 0.14], smooth(5.3, 6.0, c.eye));
         rgb = mix(rgb, [0.14, 0.05, 0.04], smooth(0.7, 2.2, c.nostril));
         rgb = tint(rgb, [0.86, 0.72, 0.70], smooth(7.0, 9.0, c.ear));
-        let cap = own.hair.map(|x| x * 0.8);
-        mix(rgb, cap, hair).map(|x| x.clamp(0.004, 0.95))
+        rgb.map(|x| x.clamp(0.004, 0.95))
     }
 
     fn lip(&self, rgb: [f64; 3], c: &Coordinates, p: DVec3) -> [f64; 3] {

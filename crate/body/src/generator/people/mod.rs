@@ -7,7 +7,7 @@ mod sofia;
 use serde::{Deserialize, Serialize};
 
 use super::cloth::Outfit;
-use super::hair::BobParams;
+use super::hair::HairParams;
 use super::hand::HandParams;
 use super::head::HeadParams;
 use super::torso::BodyParams;
@@ -40,7 +40,7 @@ pub struct FigureParams {
     /// Hands.
     pub hand: HandParams,
     /// Hair.
-    pub hair: BobParams,
+    pub hair: HairParams,
     /// Clothes.
     pub wardrobe: Outfit,
 }

@@ -2,9 +2,9 @@
 
 use super::{FigureParams, Person};
 use crate::generator::cloth::{Hoodie, Outfit};
-use crate::generator::hair::BobParams;
+use crate::generator::hair::{HairColour, HairParams, HairStyle};
 use crate::generator::hand::HandParams;
-use crate::generator::head::HeadParams;
+use crate::generator::head::{BrowParams, HeadParams};
 use crate::generator::torso::BodyParams;
 
 const PERSON: Person = Person {
@@ -15,7 +15,9 @@ const PERSON: Person = Person {
 };
 
 pub(super) fn params() -> FigureParams {
-    let head = head();
+    let mut head = head();
+    head.brow = brow();
+    head.colours.brow = [0.15, 0.075, 0.036];
     FigureParams {
         name: "nuno".to_owned(),
         person: PERSON,
@@ -47,16 +49,37 @@ fn body() -> BodyParams {
 }
 
 fn hand(head: &HeadParams) -> HandParams {
-    HandParams::woman(PERSON.stature_m, head.colours.skin)
+    HandParams::of(
+        PERSON.sex,
+        PERSON.age_years,
+        PERSON.stature_m,
+        head.colours.skin,
+    )
 }
 
-fn hair() -> BobParams {
-    BobParams {
-        colour: [0.150, 0.067, 0.032],
-        parting_x: 0.016,
-        hem_y: -0.086,
-        wave: 0.0025,
-        seed: 11,
+fn hair() -> HairParams {
+    HairParams {
+        style: HairStyle::Tousled,
+        colour: HairColour {
+            eumelanin: 0.17,
+            pheomelanin: 0.24,
+            grey: 0.0,
+        },
+        wave: 0.001,
+        seed: 31,
+        ..HairParams::default()
+    }
+}
+
+fn brow() -> BrowParams {
+    BrowParams {
+        density: 0.85,
+        length: 0.8,
+        height: 0.85,
+        unruly: 0.25,
+        asymmetry: 0.3,
+        lash_length: 0.95,
+        lash_tone: 0.4,
     }
 }
 

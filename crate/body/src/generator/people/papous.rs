@@ -2,9 +2,9 @@
 
 use super::{FigureParams, Person};
 use crate::generator::cloth::{Cardigan, Outfit};
-use crate::generator::hair::BobParams;
+use crate::generator::hair::{BeardParams, HairColour, HairParams, HairStyle};
 use crate::generator::hand::HandParams;
-use crate::generator::head::HeadParams;
+use crate::generator::head::{BrowParams, HeadParams};
 use crate::generator::torso::BodyParams;
 
 const PERSON: Person = Person {
@@ -15,7 +15,9 @@ const PERSON: Person = Person {
 };
 
 pub(super) fn params() -> FigureParams {
-    let head = head();
+    let mut head = head();
+    head.brow = brow();
+    head.colours.brow = [0.34, 0.33, 0.31];
     FigureParams {
         name: "papous".to_owned(),
         person: PERSON,
@@ -47,16 +49,42 @@ fn body() -> BodyParams {
 }
 
 fn hand(head: &HeadParams) -> HandParams {
-    HandParams::woman(PERSON.stature_m, head.colours.skin)
+    HandParams::of(
+        PERSON.sex,
+        PERSON.age_years,
+        PERSON.stature_m,
+        head.colours.skin,
+    )
 }
 
-fn hair() -> BobParams {
-    BobParams {
-        colour: [0.150, 0.067, 0.032],
-        parting_x: 0.016,
-        hem_y: -0.086,
-        wave: 0.0025,
-        seed: 11,
+fn hair() -> HairParams {
+    HairParams {
+        style: HairStyle::Swept,
+        colour: HairColour {
+            eumelanin: 0.5,
+            pheomelanin: 0.0,
+            grey: 0.94,
+        },
+        recession: 0.75,
+        thinning: 0.6,
+        beard: Some(BeardParams {
+            length_m: 0.018,
+            moustache: true,
+        }),
+        seed: 23,
+        ..HairParams::default()
+    }
+}
+
+fn brow() -> BrowParams {
+    BrowParams {
+        density: 1.25,
+        length: 1.55,
+        height: 1.25,
+        unruly: 0.9,
+        asymmetry: 0.8,
+        lash_length: 0.7,
+        lash_tone: 0.6,
     }
 }
 

@@ -2,9 +2,9 @@
 
 use super::{FigureParams, Person};
 use crate::generator::cloth::{Outfit, Sweater};
-use crate::generator::hair::BobParams;
+use crate::generator::hair::{HairColour, HairParams, HairStyle};
 use crate::generator::hand::HandParams;
-use crate::generator::head::HeadParams;
+use crate::generator::head::{BrowParams, HeadParams};
 use crate::generator::torso::BodyParams;
 
 const PERSON: Person = Person {
@@ -15,7 +15,8 @@ const PERSON: Person = Person {
 };
 
 pub(super) fn params() -> FigureParams {
-    let head = head();
+    let mut head = head();
+    head.brow = brow();
     FigureParams {
         name: "sofia".to_owned(),
         person: PERSON,
@@ -46,16 +47,31 @@ fn body() -> BodyParams {
 }
 
 fn hand(head: &HeadParams) -> HandParams {
-    HandParams::woman(PERSON.stature_m, head.colours.skin)
+    HandParams::of(
+        PERSON.sex,
+        PERSON.age_years,
+        PERSON.stature_m,
+        head.colours.skin,
+    )
 }
 
-fn hair() -> BobParams {
-    BobParams {
-        colour: [0.150, 0.067, 0.032],
-        parting_x: 0.016,
-        hem_y: -0.086,
-        wave: 0.0025,
-        seed: 11,
+fn hair() -> HairParams {
+    HairParams {
+        style: HairStyle::Bob,
+        colour: HairColour {
+            eumelanin: 0.22,
+            pheomelanin: 0.46,
+            grey: 0.0,
+        },
+        wave: 0.003,
+        ..HairParams::default()
+    }
+}
+
+fn brow() -> BrowParams {
+    BrowParams {
+        lash_length: 1.05,
+        ..BrowParams::default()
     }
 }
 

@@ -5,8 +5,8 @@
 //! 0.577 of stature, anatomy at 0.52.
 
 use raconteur_base::curve::{lerp, ramp, smooth};
-use serde::{Deserialize, Serialize};
 use raconteur_base::{DQuat, DVec3, Side, mirror_vector, ops};
+use serde::{Deserialize, Serialize};
 
 use crate::skeleton::{Bone, zero_frames};
 

@@ -7,7 +7,7 @@ use std::time::Duration;
 use anyhow::{Result, bail};
 use clap::Args;
 use indicatif::ProgressBar;
-use raconteur_player::body::generator::{self, write};
+use raconteur_player::body::{generator, write};
 
 use super::file::replace;
 use super::params;

@@ -96,7 +96,9 @@ fn is_variant(value: &Value) -> bool {
 fn overlay(place: &str, there: &mut Value, given: Value) -> Result<()> {
     let name = place.trim_end_matches('.');
     match (&mut *there, given) {
-        (Value::Object(fields), Value::Object(given)) if !is_variant(&Value::Object(fields.clone())) => {
+        (Value::Object(fields), Value::Object(given))
+            if !is_variant(&Value::Object(fields.clone())) =>
+        {
             for (key, value) in given {
                 let Some(field) = fields.get_mut(&key) else {
                     let known: Vec<&str> = fields.keys().map(String::as_str).collect();
@@ -107,7 +109,11 @@ fn overlay(place: &str, there: &mut Value, given: Value) -> Result<()> {
         }
         (Value::Array(items), Value::Array(given)) => {
             if items.len() != given.len() {
-                bail!("{name}: {} values are wanted, not {}", items.len(), given.len());
+                bail!(
+                    "{name}: {} values are wanted, not {}",
+                    items.len(),
+                    given.len()
+                );
             }
             for (i, (item, value)) in items.iter_mut().zip(given).enumerate() {
                 overlay(&format!("{place}{i}."), item, value)?;
