@@ -103,7 +103,7 @@ export class Picture {
   setQuality(quality: Quality): void {
     if (quality === this.#quality) return;
     this.#quality = quality;
-    this.#guard((engine) => engine.setQuality(quality));
+    this.#guard((engine) => engine.setQuality?.(quality));
   }
 
   /** What the last picture took; undefined without one. */
@@ -163,7 +163,7 @@ export class Picture {
     const now = performance.now();
     const pace = this.#pace;
     if (running && pace.last > 0) {
-      engine.reportFrame(now - pace.last);
+      engine.reportFrame?.(now - pace.last);
       pace.mean += (now - pace.last - pace.mean) / (pace.pictures += 1);
       if (pace.pictures >= PICTURES_TO_JUDGE) {
         if (pace.mean > SLOW_MS && this.#share > LEAST_SHARE) {
@@ -264,7 +264,7 @@ export class Picture {
     this.#events.canvas(canvas);
     const engine = await createEngine(this.#backend, canvas);
     const story = this.#read(engine);
-    engine.setQuality(this.#quality);
+    engine.setQuality?.(this.#quality);
     const missing = await this.#decode(engine);
     this.#engine = engine;
     this.#canvas = canvas;

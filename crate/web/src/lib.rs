@@ -31,6 +31,8 @@ mod avatar;
 #[cfg(all(target_arch = "wasm32", feature = "avatar"))]
 pub use avatar::{Converted, convert};
 #[cfg(all(target_arch = "wasm32", not(feature = "avatar")))]
+mod measure;
+#[cfg(all(target_arch = "wasm32", not(feature = "avatar")))]
 mod player;
 #[cfg(all(target_arch = "wasm32", not(feature = "avatar")))]
 pub use player::{Player, pose_digests};

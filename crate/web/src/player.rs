@@ -5,7 +5,7 @@ use std::sync::Arc;
 use raconteur_player::body::figure::Image;
 use raconteur_player::body::read::read_figure;
 use raconteur_player::{Options, Player as Performer, StoryInput};
-use raconteur_render::{Backend, CanvasTarget, Quality, RenderOptions, RenderStatus};
+use raconteur_render::{Backend, CanvasTarget, Quality, RenderInfo, RenderOptions, RenderStatus};
 use serde::Serialize;
 use serde_wasm_bindgen::Serializer;
 use wasm_bindgen::prelude::*;
@@ -212,6 +212,11 @@ impl Player {
 }
 
 impl Player {
+    /// What the canvas draws with, and what its last picture took.
+    pub(crate) fn picture_info(&self) -> Option<&RenderInfo> {
+        self.picture.as_ref().map(CanvasTarget::info)
+    }
+
     fn image(&self, index: usize) -> Option<&Image> {
         self.performer.as_ref()?.figure().images.get(index)
     }
@@ -277,6 +282,6 @@ fn read(
 }
 
 /// An object of plain JavaScript values, as `JSON.parse` would give.
-fn plain(value: &impl Serialize) -> Result<JsValue, JsError> {
+pub(crate) fn plain(value: &impl Serialize) -> Result<JsValue, JsError> {
     Ok(value.serialize(&Serializer::json_compatible())?)
 }

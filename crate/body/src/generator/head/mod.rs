@@ -29,6 +29,7 @@ mod surface;
 mod tests;
 
 use raconteur_base::{DVec3, Side, mirror_vector};
+use serde::{Deserialize, Serialize};
 
 use self::cage::{Cage, Key, LAST_ROW, Zone};
 pub(crate) use self::chart::Places;
@@ -50,7 +51,7 @@ use crate::figure::{Maps, Material, MaterialKind};
 use crate::generator::subdivide::vertex_normals;
 
 /// Colours of a head beside its skin, linear RGB.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct HeadColours {
     /// Hair.
     pub hair: [f64; 3],
@@ -61,7 +62,7 @@ pub struct HeadColours {
 }
 
 /// What to build.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct HeadParams {
     /// Sex and age.
     pub person: Person,
