@@ -212,11 +212,6 @@ impl Player {
 }
 
 impl Player {
-    /// What the canvas draws with, and what its last picture took.
-    pub(crate) fn picture_info(&self) -> Option<&RenderInfo> {
-        self.picture.as_ref().map(CanvasTarget::info)
-    }
-
     fn image(&self, index: usize) -> Option<&Image> {
         self.performer.as_ref()?.figure().images.get(index)
     }
@@ -279,6 +274,13 @@ fn read(
         loaded.diagnostics,
     );
     Ok((performer, story))
+}
+
+impl Player {
+    /// What the canvas draws with, and what its last picture took.
+    pub(crate) fn picture_info(&self) -> Option<&raconteur_render::RenderInfo> {
+        self.picture.as_ref().map(CanvasTarget::info)
+    }
 }
 
 /// An object of plain JavaScript values, as `JSON.parse` would give.
