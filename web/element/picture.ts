@@ -34,6 +34,7 @@ export class Picture {
   #size = { width: 0, height: 0 };
   /** When the last picture of a running sequence was asked for. */
   #lastAsked = 0;
+  #resting = true;
   #recoveries = 0;
   #lost = false;
   #closed = false;
@@ -168,6 +169,7 @@ export class Picture {
     return (
       this.#guard((engine) => {
         if (this.#holding) return [];
+        if (resting !== this.#resting) engine.setResting((this.#resting = resting));
         this.#keepPace(engine, running);
         const status = engine.tick(secs);
         if (status === TickStatus.Lost && !this.#lost) void this.recover();
@@ -237,6 +239,7 @@ export class Picture {
     const engine = await createEngine(this.#backend, canvas);
     const story = this.#read(engine);
     engine.setQuality(this.#quality);
+    engine.setResting(this.#resting);
     const missing = await this.#decode(engine);
     this.#engine = engine;
     this.#canvas = canvas;
