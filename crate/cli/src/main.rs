@@ -9,6 +9,7 @@ mod film;
 mod picture;
 mod report;
 mod sheet;
+mod skinning;
 mod story;
 
 use std::io;

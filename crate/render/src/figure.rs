@@ -94,7 +94,8 @@ impl Look {
             _ => Layer::Solid,
         };
         Self {
-            kind,
+            // All weaves share one shader.
+            kind: kind.weave().map_or(kind, |_| MaterialKind::Cloth),
             double_sided: material.double_sided,
             layer,
         }
@@ -174,7 +175,11 @@ impl FigureData {
                     mesh.material.roughness.clamp(0.05, 1.0),
                     f32::from(u8::from(has_cornea)),
                     f32::from(u8::from(look.layer == Layer::Clear)),
-                    f32::from(u8::from(mesh.material.maps.normal.is_some())),
+                    // Cloth tells its weave, all else whether it has a picture of normals.
+                    mesh.material.kind.weave().map_or(
+                        f32::from(u8::from(mesh.material.maps.normal.is_some())),
+                        f32::from,
+                    ),
                 ],
                 face,
             };
@@ -276,6 +281,10 @@ fn face_place(figure: &Figure) -> [f32; 4] {
     }
 }
 
+/// What of a lid is nearer to the middle of the eye lines it or lies within the globe: its
+/// radius is 12 mm.
+const LINING_M: f64 = 0.0121;
+
 /// The edge of a lid: it lies in a plane through the middle of the eye and the corners.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct LidEdge {
@@ -321,8 +330,8 @@ impl LidEdge {
                     .map(|(_, w)| w)
                     .sum();
                 let d = Vec3::from(*p).as_dvec3() - centre;
-                // Within 3 mm of the middle, and not what lies deep behind the lid.
-                if held < 0.9 || d.x.abs() > 0.003 || d.z < 0.003 {
+                // Within 3 mm of the middle, and not the lining behind the lid.
+                if held < 0.9 || d.x.abs() > 0.003 || d.z < 0.003 || d.length() < LINING_M {
                     continue;
                 }
                 let height = sign * d.y / d.z;
@@ -336,8 +345,8 @@ impl LidEdge {
         Some(Self { joint, covered })
     }
 
-    /// The plane's normal in the world, towards what the lid covers; `w` is 0 where there
-    /// is no such lid.
+    /// The plane in the world: its unit normal towards what the lid covers, then its distance
+    /// from the origin, negative, metres. All 0 where there is no such lid.
     pub(crate) fn plane(
         edge: Option<Self>,
         world_from_joint: &[DAffine3],
@@ -346,8 +355,11 @@ impl LidEdge {
         let found = edge.and_then(|e| {
             let world_from_bind =
                 *world_from_joint.get(e.joint)? * *joint_from_bind.get(e.joint)?;
-            let n = world_from_bind.transform_vector3(e.covered);
-            Some(n.try_normalize()?.as_vec3().extend(1.0).into())
+            let n = world_from_bind
+                .transform_vector3(e.covered)
+                .try_normalize()?;
+            let distance = -n.dot(world_from_joint.get(e.joint)?.translation);
+            Some(n.as_vec3().extend(distance as f32).into())
         });
         found.unwrap_or([0.0; 4])
     }

@@ -499,5 +499,10 @@ fn fragment_entry(kind: MaterialKind) -> &'static str {
         MaterialKind::Leather => "fs_leather",
         MaterialKind::Nail => "fs_nail",
         MaterialKind::Plain => "fs_plain",
+        MaterialKind::Rib
+        | MaterialKind::Woven
+        | MaterialKind::Denim
+        | MaterialKind::Corduroy
+        | MaterialKind::Fleece => "fs_cloth",
     }
 }

@@ -5,16 +5,21 @@
 
 pub mod annotation;
 pub mod assemble;
+pub mod bones;
 mod build;
 pub mod cloth;
+#[cfg(test)]
+mod deform;
 pub mod hair;
 pub mod hand;
 pub mod head;
 pub mod part;
 pub mod people;
+pub mod skin;
+pub mod statistics;
 pub mod subdivide;
 pub mod torso;
-pub mod write;
+pub use crate::write;
 
 pub use build::{Built, build};
 pub use people::{FigureParams, Person};

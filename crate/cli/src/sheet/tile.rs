@@ -2,13 +2,31 @@
 
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
-use raconteur_player::base::{DQuat, DVec3, Side, ops};
-use raconteur_player::body::{Bone, Figure, HandShape};
+use raconteur_player::base::{DVec3, Side};
+use raconteur_player::body::{Figure, HandShape};
 use raconteur_player::stage::{Camera, Lighting};
 
+use super::pose::{FIST, PoseName};
 use super::posture::{Posed, Posture};
 use super::view::{Places, before};
 use super::{Part, light};
+
+/// Hand shapes by number.
+const RELAXED: u8 = 0;
+const OPEN: u8 = 4;
+const POINT: u8 = 19;
+const PINCH: u8 = 27;
+
+/// How a view is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Style {
+    /// By the renderer, lit.
+    Lit,
+    /// Edges of triangles.
+    Wire,
+    /// White before black.
+    Silhouette,
+}
 
 /// One view.
 pub(crate) struct Tile {
@@ -22,6 +40,8 @@ pub(crate) struct Tile {
     pub(crate) camera: Camera,
     /// What lights it.
     pub(crate) lighting: Lighting,
+    /// How it is drawn.
+    pub(crate) style: Style,
 }
 
 /// Makes tiles of one figure in one light.
@@ -42,6 +62,8 @@ pub(super) fn of(figure: &Figure, part: Part, lighting: Lighting) -> Vec<Tile> {
         Part::Poses => maker.poses(),
         Part::Mouth => maker.mouth(),
         Part::Lights => maker.lights(),
+        Part::Wireframe => maker.wireframe(),
+        Part::Silhouette => maker.silhouette(),
     }
 }
 
@@ -65,6 +87,7 @@ impl<'a> Maker<'a> {
             posed,
             camera,
             lighting: self.lighting,
+            style: Style::Lit,
         }
     }
 
@@ -72,7 +95,7 @@ impl<'a> Maker<'a> {
     fn head(&self, caption: &str, posture: Posture<'_>) -> Tile {
         self.tile(caption, 1.0, posture, |at| {
             let d = at.pupils_m();
-            before(middle_of_head(at), 2.6 * d, 0.0, 0.0)
+            before(middle_of_head(at), 2.45 * d, 0.0, 0.0)
         })
     }
 
@@ -146,16 +169,11 @@ impl<'a> Maker<'a> {
             posture.shape(side, shape);
         }
         self.tile(caption, 1.0, posture, |at| {
-            before(at.hand(side), 1.45 * at.palm_m(side), yaw, 0.0)
+            before(at.hand(side), 1.3 * at.palm_m(side), yaw, 0.0)
         })
     }
 
     fn hands(&self) -> Vec<Tile> {
-        const OPEN: u8 = 4;
-        const RELAXED: u8 = 0;
-        const FIST: u8 = 14;
-        const POINT: u8 = 19;
-        const PINCH: u8 = 27;
         let (to_us, away, inwards) = ([0.0, 0.0, 1.0], [0.0, 0.0, -1.0], [-1.0, 0.0, 0.15]);
         let (l, r) = (Side::Left, Side::Right);
         vec![
@@ -173,74 +191,64 @@ impl<'a> Maker<'a> {
     }
 
     fn poses(&self) -> Vec<Tile> {
-        let mut turned = self.standing();
-        let yaw = DQuat::from_rotation_y;
-        turned.turn(Bone::Cervical, yaw(25_f64.to_radians()));
-        turned.turn(Bone::Skull, yaw(35_f64.to_radians()));
-
-        let mut bent = self.standing();
-        let fold = 40_f64.to_radians();
-        // The upper arm hangs a little forward; the forearm comes up to 140° from it.
-        bent.arm(
-            Side::Left,
-            [0.12, -0.97, 0.20],
-            [0.06, ops::cos(fold), ops::sin(fold)],
-        );
-        bent.hand(Side::Left, [0.06, 0.80, 0.60], [-0.9, 0.3, -0.4]);
-
+        let pose = |name: PoseName| name.posture(self.figure);
         let mut tiles = vec![
-            self.tile("head turned 60°", 1.0, turned, |at| {
-                before(
-                    middle_of_head(at) - DVec3::Y * (0.9 * at.pupils_m()),
-                    3.4 * at.pupils_m(),
-                    0.0,
-                    0.0,
-                )
+            self.tile("head turned 60°", 1.0, pose(PoseName::HeadTurned), |at| {
+                let d = at.pupils_m();
+                before(middle_of_head(at) - DVec3::Y * (0.7 * d), 3.2 * d, 0.0, 0.0)
             }),
-            self.tile("arm bent 140°", 1.0, bent, |at| {
-                before(
-                    at.elbow(Side::Left) + DVec3::Y * (0.06 * at.stature_m()),
-                    0.17 * at.stature_m(),
-                    FRAC_PI_4,
-                    0.0,
-                )
+            self.tile("arm bent 140°", 1.0, pose(PoseName::ArmBent), |at| {
+                let s = at.stature_m();
+                let target = at.elbow(Side::Left) + DVec3::Y * (0.06 * s);
+                before(target, 0.15 * s, FRAC_PI_4, 0.0)
             }),
         ];
         for (caption, yaw) in [("arms raised", 0.0), ("arms raised, back", PI)] {
-            let mut raised = self.standing();
-            for side in Side::BOTH {
-                // A third of the rise is the girdle's (Inman, Saunders & Abbott 1944).
-                raised.turn(
-                    Bone::on(side, "scapula"),
-                    DQuat::from_rotation_z(side.sign() * 24_f64.to_radians()),
-                );
-                raised.arm(side, [0.36, 0.93, 0.05], [0.20, 0.97, 0.12]);
-                raised.hand(side, [0.08, 0.99, 0.10], [-0.9, 0.0, 0.45]);
-            }
+            let mut raised = pose(PoseName::ArmsRaised);
             raised.facing(yaw);
             tiles.push(self.tile(caption, 1.0, raised, |at| {
-                before(
-                    DVec3::Y * (0.93 * at.stature_m()),
-                    0.36 * at.stature_m(),
-                    0.0,
-                    0.0,
-                )
+                let s = at.stature_m();
+                before(DVec3::Y * (0.93 * s), 0.36 * s, 0.0, 0.0)
             }));
         }
-        let mut out = self.standing();
-        for side in Side::BOTH {
-            out.arm(side, [1.0, 0.0, 0.05], [1.0, 0.02, 0.12]);
-            out.hand(side, [1.0, 0.0, 0.1], [0.0, -1.0, 0.1]);
-        }
-        tiles.push(self.tile("arms out", 1.0, out, |at| {
-            before(
-                DVec3::Y * (0.78 * at.stature_m()),
-                0.54 * at.stature_m(),
-                0.0,
-                0.0,
-            )
+        tiles.push(self.tile("arms out", 1.0, pose(PoseName::ArmsOut), |at| {
+            let s = at.stature_m();
+            before(DVec3::Y * (0.78 * s), 0.54 * s, 0.0, 0.0)
         }));
         tiles
+    }
+
+    fn wireframe(&self) -> Vec<Tile> {
+        let turned = |yaw| {
+            let mut posture = self.standing();
+            posture.facing(yaw);
+            posture
+        };
+        let mut tiles = vec![
+            self.head("wireframe", self.standing()),
+            self.head("profile", turned(FRAC_PI_2)),
+            self.raised("hand, back", Side::Left, OPEN, [0.0, 0.0, -1.0], 0.0),
+            self.whole("body", 0.5, self.standing(), 1.02),
+            self.whole("side", 0.5, turned(FRAC_PI_2), 1.02),
+        ];
+        for tile in &mut tiles {
+            tile.style = Style::Wire;
+        }
+        tiles
+    }
+
+    fn silhouette(&self) -> Vec<Tile> {
+        let posed = PoseName::Bind.posed(self.figure);
+        let middle = 0.5 * self.figure.skeleton.stature_m();
+        vec![Tile {
+            caption: String::new(),
+            aspect: 1.0,
+            posed,
+            // Known to whoever compares: level, at half stature, 8 % of room.
+            camera: before(DVec3::Y * middle, 1.08 * middle, 0.0, 0.0),
+            lighting: self.lighting,
+            style: Style::Silhouette,
+        }]
     }
 
     fn mouth(&self) -> Vec<Tile> {

@@ -1,8 +1,15 @@
-//! From parameters to forms and their amounts.
+//! From parameters to forms and their amounts: the forms of sex and age, then as much of
+//! each measure's own form as brings its distance to what was asked for.
+
+use raconteur_base::{DVec3, Side};
 
 use super::HeadParams;
-use super::form::{CHILD, MAN, OLD, SMILE, WOMAN};
-use super::points::Individual;
+use super::cage::{Cage, Key};
+use super::form::{CHILD, Form, MAN, OLD, SMILE, WOMAN};
+use super::measure::{DEFINITIONS, Definition, Take};
+use super::points::{Individual, points};
+use super::solve;
+use crate::generator::statistics::Row;
 
 /// How much of a child of nine there is at an age: growth of the face ends at about 18.
 fn childhood(age_years: f64) -> f64 {
@@ -14,20 +21,191 @@ fn ageing(age_years: f64) -> f64 {
     ((age_years - 30.0) / 40.0).clamp(0.0, 1.25)
 }
 
-/// The person's forms; the measured distances are not yet set.
-pub(crate) fn untuned(params: &HeadParams) -> Individual {
+/// The person's forms with the measures that are given in millimetres; the others are not
+/// yet set.
+fn untuned(params: &HeadParams) -> Individual {
     let person = params.person;
     let child = childhood(person.age_years);
     // Girls and boys differ little before puberty.
     let sex = (2.0 * person.sex - 1.0).clamp(-1.0, 1.0) * (1.0 - 0.8 * child.min(1.0));
-    let all = [
+    let mut terms: Vec<(&'static Form, f64)> = vec![
         (&WOMAN, sex.max(0.0)),
         (&MAN, (-sex).max(0.0)),
         (&CHILD, child),
         (&OLD, ageing(person.age_years)),
         (&SMILE, params.smile),
     ];
-    Individual {
-        terms: all.into_iter().filter(|t| t.1 != 0.0).collect(),
+    for d in &DEFINITIONS {
+        if d.norm.is_none() {
+            terms.push((&d.form, params.measures.get(d.measure)));
+        }
     }
+    terms.retain(|t| t.1 != 0.0);
+    Individual { terms }
+}
+
+/// The measures with statistics.
+fn known() -> impl Iterator<Item = (&'static Definition, &'static Row, Take)> {
+    DEFINITIONS
+        .iter()
+        .filter_map(|d| d.norm.as_ref().map(|(row, take)| (d, row, *take)))
+}
+
+/// Share of the difference between the mean head and the surveys' means that is kept.
+///
+/// Landmarks are found on skin here, by spreading callipers with pressure there, and the
+/// surveys differ among themselves by up to a deviation, while the mean head as a whole
+/// agrees with the yardstick: its own distances count as one more survey of equal weight.
+const OWN_MEAN_SHARE: f64 = 0.5;
+/// Adult age for which the table of points holds.
+const TABLE_AGE_YEARS: f64 = 28.0;
+
+/// What each known measure shall be, mm.
+fn targets(params: &HeadParams) -> Vec<f64> {
+    let mean_head = |key: Key| mean_points_at(key);
+    known()
+        .map(|(d, row, take)| {
+            let norm = row.at(params.person.sex, params.person.age_years);
+            let own = take(&mean_head) - row.at(0.5, TABLE_AGE_YEARS).mean;
+            norm.mean + own * OWN_MEAN_SHARE + params.measures.get(d.measure) * norm.sd
+        })
+        .collect()
+}
+
+fn mean_points_at(key: Key) -> DVec3 {
+    use std::sync::OnceLock;
+    static MEAN: OnceLock<super::points::Points> = OnceLock::new();
+    MEAN.get_or_init(|| points(&Individual::default()))
+        .get(&key)
+        .copied()
+        .unwrap_or(DVec3::ZERO)
+}
+
+fn distances(individual: &Individual) -> Vec<f64> {
+    let all = points(individual);
+    let at = |key: Key| all.get(&key).copied().unwrap_or(DVec3::ZERO);
+    known().map(|(_, _, take)| take(&at)).collect()
+}
+
+/// Rounds of Newton's method on the named points; the distances are nearly linear.
+const ROUNDS: usize = 4;
+/// Rounds against the solved surface, which passes near the named points only.
+const SURFACE_ROUNDS: usize = 1;
+/// Weight of an amount against a millimetre of error: keeps forms from fighting each other.
+const DAMPING: f64 = 0.02;
+
+/// Amounts that bring the named points' distances to the targets.
+fn tune(base: &Individual, targets: &[f64], amounts: &mut [f64]) {
+    let forms: Vec<&'static Form> = known().map(|(d, _, _)| &d.form).collect();
+    let with = |amounts: &[f64]| {
+        let mut individual = base.clone();
+        individual
+            .terms
+            .extend(forms.iter().copied().zip(amounts.iter().copied()));
+        individual
+    };
+    let n = targets.len();
+    for round in 0..ROUNDS {
+        let now = distances(&with(amounts));
+        let error: Vec<f64> = targets.iter().zip(&now).map(|(t, d)| t - d).collect();
+        if round > 0 && error.iter().all(|e| e.abs() < 1e-3) {
+            break;
+        }
+        // Columns of the Jacobian.
+        let columns: Vec<Vec<f64>> = (0..n)
+            .map(|j| {
+                let mut moved = amounts.to_vec();
+                moved[j] += 1.0;
+                let there = distances(&with(&moved));
+                there.iter().zip(&now).map(|(a, b)| a - b).collect()
+            })
+            .collect();
+        let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(x, y)| x * y).sum::<f64>();
+        let mut normal: Vec<Vec<f64>> = (0..n)
+            .map(|i| (0..n).map(|j| dot(&columns[i], &columns[j])).collect())
+            .collect();
+        for (i, row) in normal.iter_mut().enumerate() {
+            row[i] += DAMPING * DAMPING;
+        }
+        let right: Vec<f64> = columns.iter().map(|c| dot(c, &error)).collect();
+        for (a, step) in amounts.iter_mut().zip(solve_dense(normal, right)) {
+            *a += step.clamp(-12.0, 12.0);
+        }
+    }
+}
+
+/// Solves a symmetric positive definite system by elimination without pivots.
+fn solve_dense(mut a: Vec<Vec<f64>>, mut b: Vec<f64>) -> Vec<f64> {
+    let n = b.len();
+    for i in 0..n {
+        for j in i + 1..n {
+            let f = a[j][i] / a[i][i];
+            for k in i..n {
+                let x = a[i][k];
+                a[j][k] -= f * x;
+            }
+            b[j] -= f * b[i];
+        }
+    }
+    for i in (0..n).rev() {
+        let known: f64 = (i + 1..n).map(|k| a[i][k] * b[k]).sum();
+        b[i] = (b[i] - known) / a[i][i];
+    }
+    b
+}
+
+/// The person with all measures set.
+pub(crate) fn individual(params: &HeadParams, cage: &Cage) -> Individual {
+    let base = untuned(params);
+    let wanted = targets(params);
+    let mut aims = wanted.clone();
+    let mut amounts = vec![0.0; wanted.len()];
+    tune(&base, &aims, &mut amounts);
+    for _ in 0..SURFACE_ROUNDS {
+        let solved = solve::solve(cage, &points(&complete(&base, &amounts)));
+        let at = |key: Key| solved.limit_of(cage.at(key, Side::Left), &solved.cage_points);
+        for ((aim, want), (_, _, take)) in aims.iter_mut().zip(&wanted).zip(known()) {
+            *aim += (want - take(&at)).clamp(-3.0, 3.0);
+        }
+        tune(&base, &aims, &mut amounts);
+    }
+    complete(&base, &amounts)
+}
+
+fn complete(base: &Individual, amounts: &[f64]) -> Individual {
+    let mut all = base.clone();
+    for ((d, _, _), &amount) in known().zip(amounts) {
+        all.terms.push((&d.form, amount));
+    }
+    all
+}
+
+/// Named points that the table must hold for the measures to be taken.
+#[cfg(test)]
+pub(crate) fn measured_on_the_table() -> bool {
+    let all = points(&Individual::default());
+    known().all(|(_, _, take)| {
+        let missing = std::cell::Cell::new(false);
+        take(&|key| {
+            all.get(&key).copied().unwrap_or_else(|| {
+                missing.set(true);
+                DVec3::ONE
+            })
+        });
+        !missing.get()
+    })
+}
+
+/// Name, mean, own distance and deviation of each known measure.
+pub(crate) fn report(
+    params: &HeadParams,
+    at: &dyn Fn(Key) -> DVec3,
+) -> Vec<(&'static str, f64, f64, f64)> {
+    known()
+        .map(|(d, row, take)| {
+            let norm = row.at(params.person.sex, params.person.age_years);
+            let own = take(at);
+            (d.name, norm.mean, own, (own - norm.mean) / norm.sd)
+        })
+        .collect()
 }

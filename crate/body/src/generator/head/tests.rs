@@ -6,7 +6,7 @@ use std::sync::OnceLock;
 use raconteur_base::{DQuat, DVec3, Side, mirror_vector};
 
 use super::*;
-use crate::generator::subdivide::edge_faces;
+use crate::generator::subdivide::{edge_faces, welded};
 use crate::skeleton::{Bone, Drive};
 
 fn sofia() -> &'static Head {
@@ -16,7 +16,12 @@ fn sofia() -> &'static Head {
 
 fn symmetric() -> &'static Shape {
     static SHAPE: OnceLock<Shape> = OnceLock::new();
-    SHAPE.get_or_init(|| Shape::new(&individual::untuned(&HeadParams::sofia()), 0.0, 0))
+    SHAPE.get_or_init(|| {
+        Shape::of(&HeadParams {
+            asymmetry: 0.0,
+            ..HeadParams::sofia()
+        })
+    })
 }
 
 fn part(name: &str) -> &'static Part {
@@ -54,7 +59,8 @@ fn no_edge_has_three_faces_and_only_neck_lips_and_lid_linings_are_open() {
         );
     }
     let skin = part("head");
-    for (&(a, b), faces) in &edge_faces(&skin.faces) {
+    let positions: Vec<DVec3> = skin.vertices.iter().map(|v| v.position).collect();
+    for (&(a, b), faces) in &edge_faces(&welded(&positions, &skin.faces)) {
         if faces.len() == 1 {
             for v in [a, b] {
                 let p = skin.vertices[v as usize].position;
@@ -93,7 +99,7 @@ fn without_asymmetry_the_halves_mirror_each_other() {
 #[test]
 fn closed_lids_leave_no_slit() {
     let shape = symmetric();
-    let centre = individual::untuned(&HeadParams::sofia()).globe_centre();
+    let centre = shape.globe;
     let q = DQuat::from_rotation_x(shape.rig.closure_rad[0]);
     // The lash edge: x, angle above the globe's equator, distance from the lids' axis.
     let mut edges: [Vec<(f64, f64, f64)>; 2] = [Vec::new(), Vec::new()];
@@ -221,7 +227,10 @@ fn the_upper_lid_turned_by_its_closure_covers_the_pupil() {
 fn the_same_parameters_give_the_same_head() {
     let (a, b) = (
         symmetric(),
-        Shape::new(&individual::untuned(&HeadParams::sofia()), 0.0, 0),
+        Shape::of(&HeadParams {
+            asymmetry: 0.0,
+            ..HeadParams::sofia()
+        }),
     );
     assert_eq!(a.positions, b.positions);
     assert_eq!(a.rig.closure_rad, b.rig.closure_rad);
@@ -237,4 +246,37 @@ fn the_head_measures_like_a_womans() {
     assert!((eyes - 0.0617).abs() < 0.004, "{eyes}");
     assert!(sofia().scalp.triangles.len() > 1000);
     assert_eq!(sofia().neck_rim.len(), 40);
+}
+
+#[test]
+fn zz_print() {
+    for (name, params) in [("mean", mean_adult()), ("sofia", HeadParams::sofia())] {
+        let shape = Shape::of(&params);
+        println!("{name}");
+        for (m, n, d, z) in individual::report(&params, &|k| shape.limit(k, Side::Left)) {
+            println!("{m:24} {n:7.2} {d:7.2} z {z:5.2}");
+        }
+        println!(
+            "{:?}",
+            shape
+                .individual
+                .terms
+                .iter()
+                .map(|t| t.1)
+                .collect::<Vec<_>>()
+        );
+    }
+}
+
+fn mean_adult() -> HeadParams {
+    HeadParams {
+        person: Person {
+            sex: 0.5,
+            age_years: 28.0,
+            ..HeadParams::sofia().person
+        },
+        smile: 0.0,
+        asymmetry: 0.0,
+        ..HeadParams::sofia()
+    }
 }

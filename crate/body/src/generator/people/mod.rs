@@ -4,25 +4,12 @@ mod nuno;
 mod papous;
 mod sofia;
 
-use super::hair::BobParams;
+use super::cloth::Outfit;
+use super::hair::HairParams;
 use super::hand::HandParams;
 use super::head::HeadParams;
+use super::skin::SkinParams;
 use super::torso::BodyParams;
-
-/// Colours of the clothes, linear RGB.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Wardrobe {
-    /// Sweater.
-    pub sweater: [f64; 3],
-    /// Trousers.
-    pub trousers: [f64; 3],
-    /// Uppers of the shoes.
-    pub shoe: [f64; 3],
-    /// Soles.
-    pub sole: [f64; 3],
-    /// Socks.
-    pub sock: [f64; 3],
-}
 
 /// What is known of a person before any measure of the face: survey means are looked up
 /// by it.
@@ -49,12 +36,14 @@ pub struct FigureParams {
     pub body: BodyParams,
     /// Face.
     pub head: HeadParams,
+    /// Skin of head and hands.
+    pub skin: SkinParams,
     /// Hands.
     pub hand: HandParams,
     /// Hair.
-    pub hair: BobParams,
+    pub hair: HairParams,
     /// Clothes.
-    pub wardrobe: Wardrobe,
+    pub wardrobe: Outfit,
 }
 
 /// The figures that come with the project.

@@ -1,9 +1,11 @@
 //! Nuno, a boy of about 9.
 
-use super::{FigureParams, Person, Wardrobe};
-use crate::generator::hair::BobParams;
+use super::{FigureParams, Person};
+use crate::generator::cloth::{Hoodie, Outfit};
+use crate::generator::hair::{HairColour, HairParams, HairStyle};
 use crate::generator::hand::HandParams;
-use crate::generator::head::HeadParams;
+use crate::generator::head::{BrowParams, HeadParams};
+use crate::generator::skin::SkinParams;
 use crate::generator::torso::BodyParams;
 
 const PERSON: Person = Person {
@@ -14,15 +16,18 @@ const PERSON: Person = Person {
 };
 
 pub(super) fn params() -> FigureParams {
-    let head = head();
+    let mut head = head();
+    head.brow = brow();
+    head.colours.brow = [0.15, 0.075, 0.036];
     FigureParams {
         name: "nuno".to_owned(),
         person: PERSON,
         body: body(),
-        hand: hand(&head),
+        hand: hand(),
         hair: hair(),
         wardrobe: wardrobe(),
         head,
+        skin: skin(),
     }
 }
 
@@ -35,35 +40,78 @@ fn head() -> HeadParams {
     }
 }
 
+fn skin() -> SkinParams {
+    SkinParams {
+        melanin: 0.24,
+        blood: 0.5,
+        contrast: 1.0,
+        age_years: PERSON.age_years,
+        freckles: 0.5,
+        moles: 3,
+        sun: 0.1,
+        vessels: 0.0,
+        beard: 0.0,
+        lips: 0.6,
+        lash_line: 0.35,
+        seed: 11,
+        ..SkinParams::plain()
+    }
+}
+
 fn body() -> BodyParams {
     BodyParams {
         sex: PERSON.sex,
+        age_years: PERSON.age_years,
         stature_m: PERSON.stature_m,
         build: PERSON.build,
         bust: 0.0,
     }
 }
 
-fn hand(head: &HeadParams) -> HandParams {
-    HandParams::woman(PERSON.stature_m, head.colours.skin)
+fn hand() -> HandParams {
+    HandParams::of(
+        PERSON.sex,
+        PERSON.age_years,
+        PERSON.stature_m,
+        skin().base_colour(),
+    )
 }
 
-fn hair() -> BobParams {
-    BobParams {
-        colour: [0.150, 0.067, 0.032],
-        parting_x: 0.016,
-        hem_y: -0.086,
-        wave: 0.0025,
-        seed: 11,
+fn hair() -> HairParams {
+    HairParams {
+        style: HairStyle::Tousled,
+        colour: HairColour {
+            eumelanin: 0.17,
+            pheomelanin: 0.24,
+            grey: 0.0,
+        },
+        wave: 0.001,
+        seed: 31,
+        ..HairParams::default()
     }
 }
 
-fn wardrobe() -> Wardrobe {
-    Wardrobe {
-        sweater: [0.045, 0.145, 0.165],
-        trousers: [0.030, 0.032, 0.045],
-        shoe: [0.085, 0.036, 0.017],
-        sole: [0.030, 0.022, 0.017],
-        sock: [0.020, 0.020, 0.026],
+fn brow() -> BrowParams {
+    BrowParams {
+        density: 0.85,
+        length: 0.8,
+        height: 0.85,
+        unruly: 0.25,
+        asymmetry: 0.3,
+        lash_length: 0.95,
+        lash_tone: 0.4,
     }
+}
+
+fn wardrobe() -> Outfit {
+    Outfit::Hoodie(Hoodie {
+        fleece: [0.36, 0.135, 0.022],
+        shirt: [0.52, 0.52, 0.50],
+        cord: [0.58, 0.56, 0.51],
+        denim: [0.034, 0.060, 0.115],
+        shoe: [0.050, 0.075, 0.135],
+        sole: [0.60, 0.59, 0.55],
+        lace: [0.62, 0.61, 0.58],
+        sock: [0.50, 0.49, 0.46],
+    })
 }

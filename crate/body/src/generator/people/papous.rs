@@ -1,9 +1,11 @@
 //! Papous, a man of about 70 with white hair.
 
-use super::{FigureParams, Person, Wardrobe};
-use crate::generator::hair::BobParams;
+use super::{FigureParams, Person};
+use crate::generator::cloth::{Cardigan, Outfit};
+use crate::generator::hair::{BeardParams, HairColour, HairParams, HairStyle};
 use crate::generator::hand::HandParams;
-use crate::generator::head::HeadParams;
+use crate::generator::head::{BrowParams, HeadParams};
+use crate::generator::skin::SkinParams;
 use crate::generator::torso::BodyParams;
 
 const PERSON: Person = Person {
@@ -14,15 +16,18 @@ const PERSON: Person = Person {
 };
 
 pub(super) fn params() -> FigureParams {
-    let head = head();
+    let mut head = head();
+    head.brow = brow();
+    head.colours.brow = [0.34, 0.33, 0.31];
     FigureParams {
         name: "papous".to_owned(),
         person: PERSON,
         body: body(),
-        hand: hand(&head),
+        hand: hand(),
         hair: hair(),
         wardrobe: wardrobe(),
         head,
+        skin: skin(),
     }
 }
 
@@ -35,35 +40,82 @@ fn head() -> HeadParams {
     }
 }
 
+fn skin() -> SkinParams {
+    SkinParams {
+        melanin: 0.27,
+        blood: 0.62,
+        contrast: 1.15,
+        age_years: PERSON.age_years,
+        freckles: 0.1,
+        moles: 9,
+        sun: 0.75,
+        vessels: 0.55,
+        beard: 0.35,
+        beard_colour: [0.34, 0.33, 0.32],
+        lips: 0.35,
+        lash_line: 0.2,
+        seed: 7,
+    }
+}
+
 fn body() -> BodyParams {
     BodyParams {
         sex: PERSON.sex,
+        age_years: PERSON.age_years,
         stature_m: PERSON.stature_m,
         build: PERSON.build,
         bust: 0.0,
     }
 }
 
-fn hand(head: &HeadParams) -> HandParams {
-    HandParams::woman(PERSON.stature_m, head.colours.skin)
+fn hand() -> HandParams {
+    HandParams::of(
+        PERSON.sex,
+        PERSON.age_years,
+        PERSON.stature_m,
+        skin().base_colour(),
+    )
 }
 
-fn hair() -> BobParams {
-    BobParams {
-        colour: [0.150, 0.067, 0.032],
-        parting_x: 0.016,
-        hem_y: -0.086,
-        wave: 0.0025,
-        seed: 11,
+fn hair() -> HairParams {
+    HairParams {
+        style: HairStyle::Swept,
+        colour: HairColour {
+            eumelanin: 0.5,
+            pheomelanin: 0.0,
+            grey: 0.94,
+        },
+        recession: 0.75,
+        thinning: 0.6,
+        beard: Some(BeardParams {
+            length_m: 0.018,
+            moustache: true,
+        }),
+        seed: 23,
+        ..HairParams::default()
     }
 }
 
-fn wardrobe() -> Wardrobe {
-    Wardrobe {
-        sweater: [0.045, 0.145, 0.165],
-        trousers: [0.030, 0.032, 0.045],
-        shoe: [0.085, 0.036, 0.017],
-        sole: [0.030, 0.022, 0.017],
-        sock: [0.020, 0.020, 0.026],
+fn brow() -> BrowParams {
+    BrowParams {
+        density: 1.25,
+        length: 1.55,
+        height: 1.25,
+        unruly: 0.9,
+        asymmetry: 0.8,
+        lash_length: 0.7,
+        lash_tone: 0.6,
     }
+}
+
+fn wardrobe() -> Outfit {
+    Outfit::Cardigan(Cardigan {
+        knit: [0.150, 0.030, 0.032],
+        shirt: [0.46, 0.53, 0.62],
+        button: [0.060, 0.034, 0.020],
+        trousers: [0.082, 0.066, 0.048],
+        shoe: [0.072, 0.030, 0.013],
+        sole: [0.024, 0.017, 0.013],
+        sock: [0.045, 0.040, 0.034],
+    })
 }

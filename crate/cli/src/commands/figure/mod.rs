@@ -1,7 +1,9 @@
 //! `raconteur figure`.
 
 mod build;
+mod export;
 mod file;
+mod obj;
 mod sheet;
 
 use anyhow::Result;
@@ -20,6 +22,7 @@ pub(crate) struct Figure {
 enum Action {
     Build(build::Build),
     Sheet(sheet::Sheet),
+    Export(export::Export),
 }
 
 impl Figure {
@@ -27,6 +30,7 @@ impl Figure {
         match &self.action {
             Action::Build(c) => c.run(),
             Action::Sheet(c) => c.run(),
+            Action::Export(c) => c.run(),
         }
     }
 }

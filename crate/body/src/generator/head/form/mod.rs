@@ -8,6 +8,7 @@
 mod age;
 mod child;
 mod expression;
+pub(crate) mod handle;
 mod sex;
 
 pub(crate) use self::age::OLD;
