@@ -17,9 +17,7 @@ fn room(d: DVec3, light: &Lighting, set: &Set) -> [f64; 3] {
     let key = 0.16 * ramp(0.55, 0.95, d.dot(unit(light.key.towards_light_in_world)));
     let fill = 0.35 * ramp(0.50, 0.95, d.dot(unit(light.fill.towards_light_in_world)));
     // The floor before the feet gives back what the key sends down.
-    let bounce = 0.5
-        * ramp(0.2, 0.9, -d.y)
-        * unit(light.key.towards_light_in_world).y.max(0.0);
+    let bounce = 0.5 * ramp(0.2, 0.9, -d.y) * unit(light.key.towards_light_in_world).y.max(0.0);
     std::array::from_fn(|c| {
         let key_light = f64::from(light.key.irradiance[c]);
         f64::from(light.ground[c]) * (1.0 - upwards)

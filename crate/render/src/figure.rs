@@ -6,8 +6,8 @@ use bytemuck::{Pod, Zeroable};
 use glam::{Vec2, Vec3};
 use raconteur_base::order::sort_by_number;
 use raconteur_base::{DAffine3, DVec3, Side};
-use raconteur_body::skeleton::Drive;
 use raconteur_body::figure::{Figure, Maps, Material, MaterialKind, Mesh};
+use raconteur_body::skeleton::Drive;
 
 use crate::RenderError;
 use crate::morph::{MorphedMesh, ShapeVertex, shape_vertex};
@@ -538,11 +538,7 @@ mod tests {
     #[test]
     fn joints_that_are_not_given_stay_in_the_bind_pose() {
         let mut rows = vec![[9.0; 4]];
-        joint_rows(
-            &[],
-            &[DAffine3::from_scale(raconteur_base::DVec3::splat(3.0))],
-            &mut rows,
-        );
+        joint_rows(&[], &[DAffine3::from_scale(DVec3::splat(3.0))], &mut rows);
         assert_eq!(
             rows,
             [

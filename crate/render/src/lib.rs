@@ -22,9 +22,9 @@ mod morph;
 mod pipeline;
 mod sent;
 mod shadow;
-mod tier;
 mod target;
 mod texture;
+mod tier;
 mod uniform;
 
 #[cfg(all(feature = "native", not(target_arch = "wasm32")))]
@@ -35,8 +35,8 @@ pub mod surface;
 pub use error::RenderError;
 #[cfg(all(feature = "native", not(target_arch = "wasm32")))]
 pub use headless::Headless;
-pub use pace::Pace;
 pub use options::{Quality, RenderInfo, RenderOptions};
+pub use pace::Pace;
 pub use renderer::Renderer;
 #[cfg(all(any(feature = "webgpu", feature = "webgl"), target_arch = "wasm32"))]
 pub use surface::{Backend, CanvasTarget, RenderStatus};

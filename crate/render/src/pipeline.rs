@@ -73,8 +73,13 @@ impl Layouts {
         };
         let picture =
             |binding| texture(binding, wgpu::TextureSampleType::Float { filterable: true });
-        let sampler =
-            |binding, kind| entry(binding, ShaderStages::FRAGMENT, wgpu::BindingType::Sampler(kind));
+        let sampler = |binding, kind| {
+            entry(
+                binding,
+                ShaderStages::FRAGMENT,
+                wgpu::BindingType::Sampler(kind),
+            )
+        };
         let filtering = wgpu::SamplerBindingType::Filtering;
         Self {
             frame: layout("frame", &[frame]),
@@ -144,7 +149,18 @@ impl Kit {
             device.create_shader_module(wgpu::ShaderModuleDescriptor {
                 label: Some(label),
                 source: wgpu::ShaderSource::Wgsl(match std::env::var("LOOK_WGSL") {
-                    Ok(dir) => (if parts.len() > 3 { vec!["frame", "light", "figure", "surface", "skin", "eye", "mouth", "hair", "cloth", "theatre"] } else { vec!["frame", "last"] }).iter().map(|n| std::fs::read_to_string(format!("{dir}/{n}.wgsl")).unwrap()).collect::<String>().into(),
+                    Ok(dir) => (if parts.len() > 3 {
+                        vec![
+                            "frame", "light", "figure", "surface", "skin", "eye", "mouth", "hair",
+                            "cloth", "theatre",
+                        ]
+                    } else {
+                        vec!["frame", "last"]
+                    })
+                    .iter()
+                    .map(|n| std::fs::read_to_string(format!("{dir}/{n}.wgsl")).unwrap())
+                    .collect::<String>()
+                    .into(),
                     Err(_) => parts.concat().into(),
                 }),
             })

@@ -2,7 +2,7 @@
 
 use std::sync::{Arc, Mutex, PoisonError};
 
-use raconteur_body::Figure;
+use raconteur_body::{Figure, MaterialKind};
 use raconteur_stage::Frame;
 use wgpu::{Buffer, BufferUsages, Device, Queue, TextureFormat, TextureView};
 
@@ -279,7 +279,11 @@ impl Renderer {
         let shadows = [&frame.lighting.key, &frame.lighting.rim]
             .map(|light| ShadowView::new(light, &frame.camera, &view, stand, stature_m, texels));
         let drawn = self.targets.as_ref().map_or(size, |(t, _)| t.size);
-        let enlarged = if self.tier.options.half_size { 2.0 } else { 1.0 };
+        let enlarged = if self.tier.options.half_size {
+            2.0
+        } else {
+            1.0
+        };
         let mut uniform = FrameUniform::new(frame, &view, &shadows, stature_m, drawn, enlarged);
         if let Some(figure) = &self.figure {
             uniform.lids = figure.lids(&frame.world_from_joint);
@@ -357,7 +361,13 @@ impl Renderer {
         counts.add(1);
         self.draw_figure(&mut pass, counts, |layer| layer == Layer::Clear);
         if let (Some(figure), Some(wire)) = (&self.figure, &self.wire) {
-            figure.draw(&mut pass, counts, |look| look.layer == Layer::Solid, |_| Some(wire));
+            // Hair would cover the rest with its edges.
+            figure.draw(
+                &mut pass,
+                counts,
+                |look| look.kind != MaterialKind::Hair && look.kind != MaterialKind::Lash,
+                |_| Some(wire),
+            );
         }
     }
 
@@ -434,7 +444,10 @@ pub(crate) fn empty_buffer(device: &Device, label: &str, size: u64, usage: Buffe
     })
 }
 
-pub(crate) fn binding(binding: u32, resource: wgpu::BindingResource<'_>) -> wgpu::BindGroupEntry<'_> {
+pub(crate) fn binding(
+    binding: u32,
+    resource: wgpu::BindingResource<'_>,
+) -> wgpu::BindGroupEntry<'_> {
     wgpu::BindGroupEntry { binding, resource }
 }
 

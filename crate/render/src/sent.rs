@@ -5,7 +5,9 @@ use raconteur_body::figure::{Figure, Maps};
 use wgpu::{Buffer, BufferUsages, Device, Queue, TextureView};
 
 use crate::RenderError;
-use crate::figure::{DrawnMesh, FigureData, LidEdge, Look, MATERIAL_STRIDE, MAX_JOINTS, Shadow, joint_rows};
+use crate::figure::{
+    DrawnMesh, FigureData, LidEdge, Look, MATERIAL_STRIDE, MAX_JOINTS, Shadow, joint_rows,
+};
 use crate::morph::MorphedMesh;
 use crate::pipeline::Layouts;
 use crate::renderer::{Counts, bind_group, binding, empty_buffer};
@@ -168,7 +170,8 @@ impl SentFigure {
             return Ok(());
         };
         let wanted = Some(index);
-        let shown = |of: fn(&Maps) -> Option<usize>| self.meshes.iter().any(|m| of(&m.maps) == wanted);
+        let shown =
+            |of: fn(&Maps) -> Option<usize>| self.meshes.iter().any(|m| of(&m.maps) == wanted);
         for (slot, role, shown) in [
             (0, Role::Color, shown(|m| m.base_color)),
             (1, Role::Normal, shown(|m| m.normal)),

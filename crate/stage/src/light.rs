@@ -114,10 +114,19 @@ mod tests {
             assert_eq!(Lighting::named(name), Some(light()));
             let l = light();
             for lamp in [l.key, l.fill, l.rim] {
-                assert!((lamp.towards_light_in_world.length() - 1.0).abs() < 1e-12, "{name}");
-                assert!(lamp.irradiance.iter().all(|c| (0.0..2.0).contains(c)), "{name}");
+                assert!(
+                    (lamp.towards_light_in_world.length() - 1.0).abs() < 1e-12,
+                    "{name}"
+                );
+                assert!(
+                    lamp.irradiance.iter().all(|c| (0.0..2.0).contains(c)),
+                    "{name}"
+                );
             }
-            assert!(l.key.irradiance > l.fill.irradiance, "{name}: the key is strongest");
+            assert!(
+                l.key.irradiance > l.fill.irradiance,
+                "{name}: the key is strongest"
+            );
         }
         assert_eq!(Lighting::named("moon"), None);
     }
