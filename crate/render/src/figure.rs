@@ -175,12 +175,10 @@ impl FigureData {
                     mesh.material.roughness.clamp(0.05, 1.0),
                     f32::from(u8::from(has_cornea)),
                     f32::from(u8::from(look.layer == Layer::Clear)),
-                    // Cloth tells its weave, skin whether its fine relief comes in a map.
-                    f32::from(
-                        mesh.material
-                            .kind
-                            .weave()
-                            .unwrap_or(u8::from(mesh.material.maps.normal.is_some())),
+                    // Cloth tells its weave, all else whether it has a picture of normals.
+                    mesh.material.kind.weave().map_or(
+                        f32::from(u8::from(mesh.material.maps.normal.is_some())),
+                        f32::from,
                     ),
                 ],
                 face,
@@ -283,6 +281,10 @@ fn face_place(figure: &Figure) -> [f32; 4] {
     }
 }
 
+/// What of a lid is nearer to the middle of the eye lines it or lies within the globe: its
+/// radius is 12 mm.
+const LINING_M: f64 = 0.0121;
+
 /// The edge of a lid: it lies in a plane through the middle of the eye and the corners.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct LidEdge {
@@ -328,8 +330,8 @@ impl LidEdge {
                     .map(|(_, w)| w)
                     .sum();
                 let d = Vec3::from(*p).as_dvec3() - centre;
-                // Within 3 mm of the middle, and not what lies deep behind the lid.
-                if held < 0.9 || d.x.abs() > 0.003 || d.z < 0.003 {
+                // Within 3 mm of the middle, and not the lining behind the lid.
+                if held < 0.9 || d.x.abs() > 0.003 || d.z < 0.003 || d.length() < LINING_M {
                     continue;
                 }
                 let height = sign * d.y / d.z;
@@ -343,8 +345,8 @@ impl LidEdge {
         Some(Self { joint, covered })
     }
 
-    /// The plane's normal in the world, towards what the lid covers; `w` is 0 where there
-    /// is no such lid.
+    /// The plane in the world: its unit normal towards what the lid covers, then its distance
+    /// from the origin, negative, metres. All 0 where there is no such lid.
     pub(crate) fn plane(
         edge: Option<Self>,
         world_from_joint: &[DAffine3],
@@ -353,8 +355,11 @@ impl LidEdge {
         let found = edge.and_then(|e| {
             let world_from_bind =
                 *world_from_joint.get(e.joint)? * *joint_from_bind.get(e.joint)?;
-            let n = world_from_bind.transform_vector3(e.covered);
-            Some(n.try_normalize()?.as_vec3().extend(1.0).into())
+            let n = world_from_bind
+                .transform_vector3(e.covered)
+                .try_normalize()?;
+            let distance = -n.dot(world_from_joint.get(e.joint)?.translation);
+            Some(n.as_vec3().extend(distance as f32).into())
         });
         found.unwrap_or([0.0; 4])
     }
@@ -533,11 +538,7 @@ mod tests {
     #[test]
     fn joints_that_are_not_given_stay_in_the_bind_pose() {
         let mut rows = vec![[9.0; 4]];
-        joint_rows(
-            &[],
-            &[DAffine3::from_scale(raconteur_base::DVec3::splat(3.0))],
-            &mut rows,
-        );
+        joint_rows(&[], &[DAffine3::from_scale(DVec3::splat(3.0))], &mut rows);
         assert_eq!(
             rows,
             [

@@ -2,7 +2,7 @@
 
 use std::sync::{Arc, Mutex, PoisonError};
 
-use raconteur_body::Figure;
+use raconteur_body::{Figure, MaterialKind};
 use raconteur_stage::Frame;
 use wgpu::{Buffer, BufferUsages, Device, Queue, TextureFormat, TextureView};
 
@@ -361,10 +361,11 @@ impl Renderer {
         counts.add(1);
         self.draw_figure(&mut pass, counts, |layer| layer == Layer::Clear);
         if let (Some(figure), Some(wire)) = (&self.figure, &self.wire) {
+            // Hair would cover the rest with its edges.
             figure.draw(
                 &mut pass,
                 counts,
-                |look| look.layer == Layer::Solid,
+                |look| look.kind != MaterialKind::Hair && look.kind != MaterialKind::Lash,
                 |_| Some(wire),
             );
         }

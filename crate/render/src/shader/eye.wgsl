@@ -10,29 +10,29 @@ const AQUEOUS = 1.336;
 // How far the iris's plane lies in front of the globe's middle.
 const IRIS_PLANE = 0.845;
 
-// Height above the edge of a lid, in globe radii along the surface; what it covers is
+// How far a point lies beyond the edge of a lid, in globe radii; what it covers is
 // positive. Without lids, as if the eye were half open.
-fn over_edge(n: vec3<f32>, bind: vec3<f32>, lower: u32) -> f32 {
-    let left = bind.x > material.face.x;
+fn over_edge(v: VertexOut, lower: u32) -> f32 {
+    let left = v.bind.x > material.face.x;
     let lid = frame.lids[select(2u, 0u, left) + lower];
-    let up = dot(n, frame.head_up.xyz);
+    let up = dot(normalize(v.normal), frame.head_up.xyz);
     let bare = select(up - 0.42, -up - 0.45, lower == 1u);
-    return select(bare, dot(n, lid.xyz), lid.w > 0.5);
+    return select(bare, (dot(v.world, lid.xyz) + lid.w) / 0.012, dot(lid.xyz, lid.xyz) > 0.5);
 }
 
 // What lids and lashes leave of the light: a soft shadow below the upper lid, less above
 // the lower one.
-fn lid_shade(n: vec3<f32>, bind: vec3<f32>) -> f32 {
-    let upper = smoothstep(-0.50, -0.02, over_edge(n, bind, 0u));
-    let lower = smoothstep(-0.16, 0.02, over_edge(n, bind, 1u));
-    return (1.0 - 0.72 * upper * upper) * (1.0 - 0.45 * lower);
+fn lid_shade(v: VertexOut) -> f32 {
+    let upper = smoothstep(-0.30, 0.0, over_edge(v, 0u));
+    let lower = smoothstep(-0.10, 0.03, over_edge(v, 1u));
+    return (1.0 - 0.55 * upper) * (1.0 - 0.35 * lower);
 }
 
 // The tear film climbs the lower lid's edge in a rim half a millimetre high that mirrors
 // what is above.
-fn meniscus(n: vec3<f32>, bind: vec3<f32>) -> f32 {
-    let d = over_edge(n, bind, 1u) + 0.055;
-    return exp(-d * d * 1400.0);
+fn meniscus(v: VertexOut) -> f32 {
+    let d = over_edge(v, 1u) - 0.01;
+    return exp(-d * d * 2600.0);
 }
 
 // Corneal normal: the bulge over the iris is steeper than the globe.
@@ -42,21 +42,21 @@ fn corneal_normal(n: vec3<f32>, right: vec3<f32>, up: vec3<f32>, d: vec2<f32>) -
     return normalize(n + steeper);
 }
 
-fn eye_lights(n: vec3<f32>, view: vec3<f32>, share: f32, bind: vec3<f32>) -> vec3<f32> {
+fn eye_lights(v: VertexOut, n: vec3<f32>, view: vec3<f32>, share: f32) -> vec3<f32> {
     let r = reflect(-view, n);
     let f = fresnel(0.04, dot(n, view));
     // The window is held at a constant strength: a catch-light is what makes an eye look
     // at someone, whatever the angle. The lid hides its upper part.
-    let open = 1.0 - smoothstep(-0.14, -0.02, over_edge(n, bind, 0u));
+    let open = 1.0 - smoothstep(-0.14, -0.02, over_edge(v, 0u));
     let window = window_share(r) * (0.45 + 0.55 * share) * open;
     var light = frame.key.xyz * (1.05 * window);
     light += frame.key.xyz * (specular(n, view, frame.key_dir.xyz, 0.10) * f * share);
     light += frame.fill.xyz * (specular(n, view, frame.fill_dir.xyz, 0.16) * f * PI);
     // Lashes are mirrored dark in the upper part.
     light += mirrored(r) * (f * 0.6 * open);
-    let wet = meniscus(n, bind);
+    let wet = meniscus(v);
     light += (ambient(frame.head_up.xyz) * 0.7 + frame.key.xyz * (0.30 * share)) * wet;
-    return light * (0.45 + 0.55 * lid_shade(n, bind));
+    return light * (0.45 + 0.55 * lid_shade(v));
 }
 
 // Brown and blue irises alike: fibres that run outwards, pits between them, a lighter
@@ -103,7 +103,7 @@ fn fs_eye(v: VertexOut, @builtin(front_facing) front: bool) -> @location(0) vec4
     let iris = iris_tone(at, material.base.rgb * v.color.rgb);
 
     // Sclera: ivory, pinker outwards, with veins towards the corners.
-    var sclera = mix(vec3<f32>(0.62, 0.58, 0.55), vec3<f32>(0.54, 0.38, 0.33), smoothstep(0.55, 1.0, r));
+    var sclera = mix(vec3<f32>(0.56, 0.52, 0.49), vec3<f32>(0.50, 0.36, 0.32), smoothstep(0.55, 1.0, r));
     let warp = noise(v.bind * 900.0) * 0.9;
     let vein = abs(noise(vec3<f32>(d.x * 5.0, d.y * 16.0 + warp, 3.0)) - 0.5);
     sclera = mix(sclera, vec3<f32>(0.58, 0.26, 0.22),
@@ -113,7 +113,7 @@ fn fs_eye(v: VertexOut, @builtin(front_facing) front: bool) -> @location(0) vec4
     let albedo = mix(iris, sclera, limbus);
 
     let share = key_share(v.world, n, v.clip.xy);
-    let shade = lid_shade(n, v.bind) * v.color.a;
+    let shade = lid_shade(v) * v.color.a;
     let l = frame.key_dir.xyz;
     // Light enters the cornea and gathers on the far side of the iris.
     let far_side = -dot(at, vec2<f32>(dot(l, right), dot(l, up)));
@@ -124,9 +124,9 @@ fn fs_eye(v: VertexOut, @builtin(front_facing) front: bool) -> @location(0) vec4
     diffuse += frame.fill.xyz * saturate1((dot(n, frame.fill_dir.xyz) + 0.3) / 1.3);
     diffuse += ambient(n);
     // What light lids let in has passed flesh.
-    var light = albedo * diffuse * mix(vec3<f32>(shade) * vec3<f32>(1.0, 0.88, 0.84), vec3<f32>(1.0), shade) * shade;
+    var light = albedo * diffuse * mix(vec3<f32>(1.0, 0.86, 0.80), vec3<f32>(1.0), shade) * shade;
     if material.params.y < 0.5 {
-        light += eye_lights(corneal_normal(n, right, up, d), view, share, v.bind) * v.color.a;
+        light += eye_lights(v, corneal_normal(n, right, up, d), view, share) * v.color.a;
     }
     return written(light, 1.0, v.clip.xy);
 }
@@ -136,7 +136,7 @@ fn fs_cornea(v: VertexOut, @builtin(front_facing) front: bool) -> @location(0) v
     let view = to_eye(v.world);
     let n = facing_normal(v.normal, front);
     let share = key_share(v.world, n, v.clip.xy);
-    let light = eye_lights(n, view, share, v.bind) * v.color.a;
+    let light = eye_lights(v, n, view, share) * v.color.a;
     // Premultiplied with no cover of its own: only adds.
     return written(light, 0.0, v.clip.xy);
 }
