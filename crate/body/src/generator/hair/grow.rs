@@ -144,7 +144,11 @@ fn grow(
         direction = (direction + cut.bend(here, from, arc / full) * per_cm).normalize();
         let bump = if over_ear { ground.over_ear(at) } else { 0.0 };
         let height = CLEAR
-            + layer.height * p.volume * cut.volume(here) * size * smooth(arc / (0.02 + 3.5 * layer.height))
+            + layer.height
+                * p.volume
+                * cut.volume(here)
+                * size
+                * smooth(arc / (0.02 + 3.5 * layer.height))
             + bump;
         let cling = (cut.cling(here) * per_cm).min(1.0);
         let (mut next, found) = ground.settle(at + direction * step, height, cling);
@@ -172,7 +176,10 @@ fn grow(
     path
 }
 
-#[allow(clippy::too_many_arguments, reason = "one strand is made of all of these")]
+#[allow(
+    clippy::too_many_arguments,
+    reason = "one strand is made of all of these"
+)]
 fn strand(
     p: &HairParams,
     cut: &dyn Cut,
@@ -200,7 +207,14 @@ fn strand(
     }
     let over_ear = cut.over_ear(ground.common(root.position));
     let mut curve = gathered(&path, &locks[home], cut.locks().gather, layer.height);
-    wave(&mut curve, &path.normals, cut.wave(), home, p.seed, random(2));
+    wave(
+        &mut curve,
+        &path.normals,
+        cut.wave(),
+        home,
+        p.seed,
+        random(2),
+    );
     let mut curve = smoothed(curve);
     for c in curve.iter_mut().skip(2) {
         *c = ground.settle(*c, CLEAR + 0.25 * layer.height, 0.0).0;
@@ -291,7 +305,7 @@ fn wave(curve: &mut [DVec3], normals: &[DVec3], width: f64, lock: usize, seed: u
         let side = along.cross(normals[i]).normalize_or_zero();
         let amount = width * ramp(0.04, 0.15, arc);
         let turn = arc / pace * core::f64::consts::TAU + phase;
-        curve[i] += side * (amount * ops::sin(turn))
-            + normals[i] * (amount * 0.6 * (ops::cos(turn) + 0.6));
+        curve[i] +=
+            side * (amount * ops::sin(turn)) + normals[i] * (amount * 0.6 * (ops::cos(turn) + 0.6));
     }
 }
