@@ -130,7 +130,7 @@ export function caption(now: ReturnType<typeof captionAt>): TemplateResult | typ
   return html`<div class="captions" part="captions"><span>${words}</span></div>`;
 }
 
-/** The list of what is wrong with a story, folded. */
+/** The list of what is wrong with a story and its figure, folded. */
 export function diagnosticList(diagnostics: readonly Diagnostic[]): TemplateResult | typeof nothing {
   if (diagnostics.length === 0) return nothing;
   const errors = diagnostics.filter((d) => d.severity === 'error').length;
@@ -139,7 +139,7 @@ export function diagnosticList(diagnostics: readonly Diagnostic[]): TemplateResu
   // Thousands of lines would freeze the page and help nobody.
   const most = 50;
   return html`<details class="note" part="diagnostics">
-    <summary>${title.join(' and ')} in this story</summary>
+    <summary>${title.join(' and ')}</summary>
     <ol>
       ${diagnostics.slice(0, most).map(
         (d) => html`<li>

@@ -8,10 +8,11 @@ import { captionAt, captionsOf, type Caption } from './captions.js';
 import * as parts from './controls.js';
 import look from './element.css?inline';
 import { handleKey, type KeyActions } from './keyboard.js';
-import { fetchStory } from './loader.js';
+import type { FigureFile } from './figure.js';
+import { fetchFigure, fetchStory, readFigure, type Progress, type StoryFiles } from './loader.js';
 import { Picture } from './picture.js';
 import { Transport, type TransportEvent } from './transport.js';
-import { PlayerError, type Backend, type Cue, type Diagnostic, type PlayerEventMap, type Story } from './types.js';
+import { PlayerError, type Backend, type Cue, type Diagnostic, type PlayerEventMap, type Quality, type Statistics, type Story } from './types.js';
 
 /** The controls hide after this long without a pointer or key, while playing. */
 const HIDE_CONTROLS_MS = 2600;
@@ -20,7 +21,13 @@ const BEAT_MS = 250;
 
 /** What is loaded and playing. */
 interface Show {
-  readonly story: Story;
+  /** As the present figure tells it. */
+  story: Story;
+  /** Name of the figure on stage. */
+  figure: string;
+  readonly files: StoryFiles;
+  /** When loading began, on the page's clock. */
+  readonly sinceMs: number;
   readonly captions: readonly Caption[];
   readonly picture: Picture;
   readonly voice: Voice;
@@ -37,6 +44,7 @@ export class RaconteurPlayer extends LitElement {
     poster: { reflect: true },
     label: { reflect: true },
     backend: { reflect: true },
+    quality: { reflect: true },
     loading: { reflect: true },
     controls: { type: Boolean, reflect: true },
     captions: { type: Boolean, reflect: true },
@@ -49,7 +57,10 @@ export class RaconteurPlayer extends LitElement {
 
   /** Address of the story's EML file; its voice lies in `voice/` beside it. */
   declare src: string | undefined;
-  /** Name of a figure of the library, or the address of a glTF binary. */
+  /**
+   * Name of a figure of the library, or the address of a `.glb` or `.vrm`. The figure before stays
+   * on stage until this one is ready, and for good when it cannot be used.
+   */
   declare figure: string;
   /** Address of the asset library, which holds `figures/`. */
   declare assets: string;
@@ -59,6 +70,8 @@ export class RaconteurPlayer extends LitElement {
   declare label: string;
   /** Forces a back end; by default WebGPU where the browser has it. */
   declare backend: Backend | undefined;
+  /** How much work goes into a picture; `auto`, the default, follows what the device can do. */
+  declare quality: Quality;
   /** `lazy` loads when the player comes near the window, `eager` at once. */
   declare loading: 'lazy' | 'eager';
   declare controls: boolean;
@@ -74,6 +87,10 @@ export class RaconteurPlayer extends LitElement {
 
   #show: Show | undefined;
   #loading: { readonly abort: AbortController; readonly done: Promise<void>; share: number } | undefined;
+  /** The figure that is to come next. */
+  #coming: AbortController | undefined;
+  /** A file that the user gave, under its name in `figure`. */
+  #given: File | undefined;
   #error: PlayerError | undefined;
   #diagnostics: readonly Diagnostic[] = [];
   #lost: 'no' | 'recovering' | 'yes' = 'no';
@@ -93,6 +110,7 @@ export class RaconteurPlayer extends LitElement {
   constructor() {
     super();
     this.figure = 'sofia';
+    this.quality = 'auto';
     this.assets = 'assets/';
     this.label = 'Story';
     this.loading = 'lazy';
@@ -145,6 +163,33 @@ export class RaconteurPlayer extends LitElement {
   /** What is wrong with the story; the rest of it plays. */
   get diagnostics(): readonly Diagnostic[] {
     return this.#diagnostics;
+  }
+
+  /** Name of the figure on stage; differs from `figure` while that one is loading, and when it could not be used. */
+  get currentFigure(): string | undefined {
+    return this.#show?.figure;
+  }
+
+  /** Times, bytes and draw calls, once a picture was shown. */
+  get statistics(): Statistics | undefined {
+    const show = this.#show;
+    const picture = show?.picture.statistics;
+    if (show === undefined || picture === undefined || show.picture.firstShownMs === undefined) return undefined;
+    const { eml, bundle, figure } = show.files;
+    return {
+      ...picture,
+      firstFrameMs: show.picture.firstShownMs - show.sinceMs,
+      bytes: { story: new TextEncoder().encode(eml).length, voice: bundle?.length ?? 0, figure: figure.glb.length },
+    };
+  }
+
+  /** Lets a file of the user's own perform, a `.glb` or `.vrm`; it stays on this machine. */
+  useFigure(file: File): void {
+    this.#given = file;
+    // The same name may stand for another file than before.
+    if (this.#show?.figure === file.name) this.#show.figure = '';
+    this.figure = file.name;
+    this.requestUpdate('figure', '');
   }
 
   /** The build in use, once loaded. */
@@ -203,8 +248,11 @@ export class RaconteurPlayer extends LitElement {
 
   protected override willUpdate(changed: PropertyValues<this>): void {
     if (changed.has('label')) this.setAttribute('aria-label', this.label);
-    const replaced = (['src', 'figure', 'backend', 'assets'] as const).some((name) => changed.has(name));
-    if (replaced && this.hasUpdated) {
+    const replaced = (['src', 'backend', 'assets'] as const).some((name) => changed.has(name));
+    const figure = changed.has('figure') && this.hasUpdated;
+    if (figure && !replaced && this.#show !== undefined) {
+      void this.#changeFigure(this.#show);
+    } else if ((replaced || figure) && this.hasUpdated) {
       this.#close();
       if (this.#onScreen || this.loading === 'eager') void this.load();
     } else if (changed.has('loading') && this.loading === 'eager') {
@@ -217,6 +265,7 @@ export class RaconteurPlayer extends LitElement {
     if (this.#show !== undefined) {
       this.#show.transport.loop = this.loop;
       this.#show.transport.setRate(this.playbackRate);
+      this.#show.picture.setQuality(this.quality);
     }
   }
 
@@ -228,6 +277,7 @@ export class RaconteurPlayer extends LitElement {
 
   /** Fetches and opens the story; what goes wrong ends as `error`, never as a rejection. */
   async #load(signal: AbortSignal): Promise<void> {
+    const sinceMs = performance.now();
     this.dispatchEvent(new Event('loadstart'));
     const progress = (share: number) => {
       if (this.#loading && !signal.aborted) this.#loading.share = share;
@@ -236,9 +286,8 @@ export class RaconteurPlayer extends LitElement {
     let picture: Picture | undefined;
     try {
       if (this.src === undefined || this.src === '') throw new PlayerError('No story is given: set the attribute src.');
-      const library = new URL(this.assets.endsWith('/') ? this.assets : `${this.assets}/`, document.baseURI);
       const [files, backend] = await Promise.all([
-        fetchStory(this.src, this.figure, library, signal, progress),
+        fetchStory(this.src, (part) => this.#fetchFigure(part), signal, progress),
         Promise.resolve(this.backend ?? chooseBackend()).then((chosen) => {
           warmUp(chosen);
           return chosen;
@@ -254,7 +303,8 @@ export class RaconteurPlayer extends LitElement {
       });
       picture = opened.picture;
       signal.throwIfAborted();
-      this.#open(opened.story, opened.picture, files.voiceFolder, files.bundle !== undefined);
+      this.#open(opened.story, opened.picture, files, sinceMs);
+      for (const missing of opened.missing) this.#report(missing);
     } catch (error) {
       picture?.close();
       if (signal.aborted) return;
@@ -265,17 +315,56 @@ export class RaconteurPlayer extends LitElement {
     }
   }
 
-  #open(story: Story, picture: Picture, voiceFolder: URL, recorded: boolean): void {
+  /** The figure that is asked for now: one of the library, of an address, or the user's own. */
+  #fetchFigure(progress: Progress): Promise<FigureFile> {
+    if (this.#given?.name === this.figure) return readFigure(this.#given);
+    const library = new URL(this.assets.endsWith('/') ? this.assets : `${this.assets}/`, document.baseURI);
+    return fetchFigure(this.figure, library, progress);
+  }
+
+  /** Fetches and reads another figure while the present one performs; what goes wrong is a diagnostic. */
+  async #changeFigure(show: Show): Promise<void> {
+    this.#coming?.abort();
+    this.#coming = undefined;
+    // Back to the figure that is still on stage.
+    if (this.figure === show.figure) return;
+    const { signal } = (this.#coming = new AbortController());
+    try {
+      const figure = await this.#fetchFigure(() => undefined);
+      signal.throwIfAborted();
+      const { story, missing } = await show.picture.setFigure(figure);
+      signal.throwIfAborted();
+      Object.assign(show, { story, figure: figure.name, files: { ...show.files, figure } });
+      // What was wrong with the figure before is gone with it.
+      this.#diagnostics = this.#diagnostics.filter((d) => d.code === 'voice-missing' || d.code === 'sound-missing');
+      for (const diagnostic of [...story.diagnostics, ...figure.diagnostics, ...missing]) this.#report(diagnostic);
+      this.#say('Another storyteller is on stage');
+      this.#fire('figurechange', { figure: figure.name });
+      this.#advance();
+    } catch (error) {
+      if (signal.aborted) return;
+      const message = error instanceof Error ? error.message : String(error);
+      this.#report({ code: 'figure-unusable', severity: 'error', message, hints: ['The figure before stays on stage.'] });
+      this.#say(message);
+    } finally {
+      if (!signal.aborted) this.#coming = undefined;
+      this.requestUpdate();
+    }
+  }
+
+  #open(story: Story, picture: Picture, files: StoryFiles, sinceMs: number): void {
+    const { voiceFolder, figure } = files;
+    const recorded = files.bundle !== undefined;
     const voice = hasAudio()
       ? new RecordedVoice(story.utterances, voiceFolder, (i, why) =>
           this.#report({ code: 'sound-missing', severity: 'warning', message: `The recording of utterance ${i + 1} cannot be played (${why}); its captions are shown.`, hints: [] }),
         )
       : new SilentVoice();
     const transport = new Transport(voice, story.durationSecs, (event) => this.#onTransport(event));
-    this.#show = { story, picture, voice, transport, captions: captionsOf(story.utterances) };
+    this.#show = { story, figure: figure.name, files, sinceMs, picture, voice, transport, captions: captionsOf(story.utterances) };
     this.#started = false;
     this.#resize();
-    for (const diagnostic of story.diagnostics) this.#report(diagnostic);
+    for (const diagnostic of [...story.diagnostics, ...figure.diagnostics]) this.#report(diagnostic);
     if (!recorded && story.utterances.length > 0) {
       this.#report({ code: 'voice-missing', severity: 'warning', message: 'This story has no recorded voice; it is told in captions.', hints: ['Run “raconteur bake” on the story to make one.'] });
     }
@@ -293,6 +382,8 @@ export class RaconteurPlayer extends LitElement {
   #close(): void {
     this.#loading?.abort.abort();
     this.#loading = undefined;
+    this.#coming?.abort();
+    this.#coming = undefined;
     this.#show?.voice.close();
     this.#show?.picture.close();
     this.#show = undefined;
@@ -502,7 +593,7 @@ export class RaconteurPlayer extends LitElement {
       </div>
       ${this.poster && !this.#started ? html`<img class="poster" part="poster" src=${this.poster} alt="" />` : nothing}
       ${this.#loading ? parts.loadingProgress(this.#loading.share) : nothing}
-      ${show?.transport.waiting ? parts.waitingRing() : nothing}
+      ${show?.transport.waiting || this.#coming ? parts.waitingRing() : nothing}
       ${before ? parts.bigButton(this.ended, this.#actions.toggle) : nothing}
       <div class="lower">
         ${this.captions && !before ? parts.caption(this.#caption) : nothing}

@@ -1,5 +1,6 @@
 /** Fetches what a story needs, with errors that say in a sentence what is wrong. */
 
+import { prepareFigure, type FigureFile } from './figure.js';
 import { PlayerError } from './types.js';
 
 /** Beyond this a story is not a story, and the page would freeze; the white rabbit has 20 KB. */
@@ -12,8 +13,7 @@ export interface StoryFiles {
   readonly eml: string;
   /** The text of `voice/speech.json`; undefined when the story has no recorded voice. */
   readonly bundle: Uint8Array | undefined;
-  readonly figureName: string;
-  readonly glb: Uint8Array;
+  readonly figure: FigureFile;
   /** Where the recordings lie. */
   readonly voiceFolder: URL;
 }
@@ -24,32 +24,30 @@ export type Progress = (share: number) => void;
 /** A story's folder is where its file is; its voice lies in `voice/` beside it. */
 export async function fetchStory(
   src: string,
-  figure: string,
-  library: URL,
+  figure: (progress: Progress) => Promise<FigureFile>,
   signal: AbortSignal,
   progress: Progress,
 ): Promise<StoryFiles> {
   const story = new URL(src, document.baseURI);
   const voiceFolder = new URL('voice/', story);
-  const figureUrl = urlOfFigure(figure, library);
   const shares = [0, 0, 0];
   const weights = [0.1, 0.15, 0.75];
   const part = (i: number) => (share: number) => {
     shares[i] = share;
     progress(shares.reduce((sum, s, k) => sum + s * (weights[k] ?? 0), 0));
   };
-  const [text, bundle, glb] = await Promise.all([
+  const [text, bundle, who] = await Promise.all([
     fetchBytes(story, 'The story', MOST_STORY_BYTES, signal, part(0)),
     fetchBytes(new URL('speech.json', voiceFolder), 'The voice', MOST_STORY_BYTES, signal, part(1)).catch((error: unknown) => {
       // A story without a recorded voice is told in captions.
       if (error instanceof PlayerError) return undefined;
       throw error;
     }),
-    fetchFigure(figureUrl, part(2)),
+    figure(part(2)),
   ]);
   signal.throwIfAborted();
   const eml = new TextDecoder().decode(text);
-  return { eml, bundle, figureName: figure, glb, voiceFolder };
+  return { eml, bundle, figure: who, voiceFolder };
 }
 
 /** A bare name is a figure of the library; anything else is an address. */
@@ -60,7 +58,19 @@ function urlOfFigure(figure: string, library: URL): URL {
 /** Figures are the largest files and are shared by the players of a page. */
 const figures = new Map<string, Promise<Uint8Array>>();
 
-function fetchFigure(url: URL, progress: Progress): Promise<Uint8Array> {
+/** A figure by its name in the library or its address. */
+export async function fetchFigure(figure: string, library: URL, progress: Progress): Promise<FigureFile> {
+  const url = urlOfFigure(figure, library);
+  return await prepareFigure(figure, shown(url), await fetchShared(url, progress));
+}
+
+/** A file of the user's own. */
+export async function readFigure(file: File): Promise<FigureFile> {
+  if (file.size > MOST_FIGURE_BYTES) throw tooLarge('The figure', MOST_FIGURE_BYTES);
+  return await prepareFigure(file.name, file.name, new Uint8Array(await file.arrayBuffer()));
+}
+
+function fetchShared(url: URL, progress: Progress): Promise<Uint8Array> {
   let bytes = figures.get(url.href);
   if (bytes === undefined) {
     // Not tied to one player's signal: another may be waiting for it.
@@ -74,6 +84,9 @@ function fetchFigure(url: URL, progress: Progress): Promise<Uint8Array> {
   });
 }
 
+const shown = (url: URL): string => (url.origin === location.origin ? url.pathname : url.href);
+const tooLarge = (what: string, most: number) => new PlayerError(`${what} is larger than ${Math.round(most / 1e6)} MB and was not read.`);
+
 async function fetchBytes(
   url: URL,
   what: string,
@@ -81,7 +94,7 @@ async function fetchBytes(
   signal: AbortSignal | undefined,
   progress: Progress,
 ): Promise<Uint8Array> {
-  const where = url.origin === location.origin ? url.pathname : url.href;
+  const where = shown(url);
   let response: Response;
   try {
     response = await fetch(url, signal ? { signal } : {});
@@ -95,9 +108,8 @@ async function fetchBytes(
 }
 
 async function readAll(response: Response, what: string, most: number, progress: Progress): Promise<Uint8Array> {
-  const tooLarge = () => new PlayerError(`${what} is larger than ${Math.round(most / 1e6)} MB and was not read.`);
   const expected = Number(response.headers.get('content-length')) || 0;
-  if (expected > most) throw tooLarge();
+  if (expected > most) throw tooLarge(what, most);
   if (response.body === null) return new Uint8Array(await response.arrayBuffer());
   const chunks: Uint8Array[] = [];
   let length = 0;
@@ -109,7 +121,7 @@ async function readAll(response: Response, what: string, most: number, progress:
     length += value.length;
     if (length > most) {
       void reader.cancel();
-      throw tooLarge();
+      throw tooLarge(what, most);
     }
     // The length counts compressed bytes, so it may be passed.
     if (expected > 0) progress(Math.min(1, length / expected));

@@ -1,8 +1,9 @@
 /** The picture: an engine on a canvas, its size, and what happens when the graphics card goes away. */
 
 import { createEngine } from './backend.js';
+import { showImages, unusable, type FigureFile } from './figure.js';
 import type { StoryFiles } from './loader.js';
-import { TickStatus, type Backend, type Cue, type Engine, type Story } from './types.js';
+import { PlayerError, TickStatus, type Backend, type Cue, type Diagnostic, type Engine, type PictureStatistics, type Quality, type Story } from './types.js';
 
 /** More device pixels than this for a CSS pixel cost time and are not seen. */
 const MOST_DPR = 2;
@@ -33,7 +34,7 @@ export interface PictureEvents {
 /** Owns the engine of one player. A trap in it costs the picture, not the story. */
 export class Picture {
   #backend: Backend;
-  readonly #files: StoryFiles;
+  #files: StoryFiles;
   readonly #events: PictureEvents;
   #engine: Engine | undefined;
   #canvas: HTMLCanvasElement | undefined;
@@ -49,6 +50,11 @@ export class Picture {
   #closed = false;
   /** The moment shown last: a new engine goes on from there, so that no cue comes twice. */
   #lastShown = 0;
+  /** A figure's pictures are still being decoded: the canvas keeps what it shows. */
+  #holding = false;
+  #quality: Quality = 'auto';
+  /** When the first picture was drawn, on the page's clock. */
+  firstShownMs: number | undefined;
 
   private constructor(backend: Backend, files: StoryFiles, events: PictureEvents) {
     this.#backend = backend;
@@ -64,13 +70,15 @@ export class Picture {
     backends: readonly [Backend, ...Backend[]],
     files: StoryFiles,
     events: PictureEvents,
-  ): Promise<{ picture: Picture; story: Story }> {
+  ): Promise<{ picture: Picture; story: Story; missing: Diagnostic[] }> {
     const picture = new Picture(backends[0], files, events);
     for (const backend of backends) {
       picture.#backend = backend;
       try {
-        return { picture, story: await picture.#create() };
+        return { picture, ...(await picture.#create()) };
       } catch (error) {
+        // A figure that cannot be read is no better on another back end.
+        if (error instanceof PlayerError && !trapped(error)) throw error;
         console.warn(`raconteur: no picture from ${backend}`, error);
       }
     }
@@ -79,7 +87,7 @@ export class Picture {
     picture.#engine = engine;
     picture.#lost = true;
     events.lost(false);
-    return { picture, story };
+    return { picture, story, missing: [] };
   }
 
   /** The build in use. */
@@ -89,6 +97,53 @@ export class Picture {
 
   get lost(): boolean {
     return this.#lost;
+  }
+
+  /** How much work goes into a picture. */
+  setQuality(quality: Quality): void {
+    if (quality === this.#quality) return;
+    this.#quality = quality;
+    this.#guard((engine) => engine.setQuality(quality));
+  }
+
+  /** What the last picture took; undefined without one. */
+  get statistics(): PictureStatistics | undefined {
+    return this.#lost ? undefined : this.#guard((engine) => engine.statistics());
+  }
+
+  /**
+   * Puts another figure in the place of the one that is shown. Throws, and keeps the one before,
+   * when it cannot be read. Gives the story as this figure tells it, and what of the figure is missing.
+   */
+  async setFigure(figure: FigureFile): Promise<{ story: Story; missing: Diagnostic[] }> {
+    const engine = this.#engine;
+    if (engine === undefined) throw new PlayerError('The picture is lost, so the figure cannot be changed.');
+    const files = { ...this.#files, figure };
+    let story: Story;
+    try {
+      story = this.#read(engine, files);
+    } catch (error) {
+      // A trap may have left anything behind; an error has left everything as it was.
+      if (trapped(error)) {
+        this.#engine = undefined;
+        void this.recover();
+      }
+      throw error;
+    }
+    this.#files = files;
+    engine.seek(this.#lastShown);
+    return { story, missing: await this.#decode(engine) };
+  }
+
+  /** The canvas keeps its last picture until those of the figure are decoded: a face without its skin is not shown. */
+  async #decode(engine: Engine): Promise<Diagnostic[]> {
+    const figure = this.#files.figure;
+    const current = () => figure === this.#files.figure && !this.#closed;
+    this.#holding = true;
+    const missing = await showImages(engine, current);
+    // The pictures of a later figure may still be decoded; it lifts the hold itself.
+    if (current()) this.#holding = false;
+    return missing;
   }
 
   /** Size of the canvas in CSS pixels. */
@@ -108,6 +163,7 @@ export class Picture {
     const now = performance.now();
     const pace = this.#pace;
     if (running && pace.last > 0) {
+      engine.reportFrame(now - pace.last);
       pace.mean += (now - pace.last - pace.mean) / (pace.pictures += 1);
       if (pace.pictures >= PICTURES_TO_JUDGE) {
         if (pace.mean > SLOW_MS && this.#share > LEAST_SHARE) {
@@ -135,12 +191,15 @@ export class Picture {
     this.#lastShown = secs;
     return (
       this.#guard((engine) => {
+        if (this.#holding) return [];
         this.#keepPace(engine, running);
         if (resting !== this.#still) {
           this.#still = resting;
           if (this.#share < 1) this.#fit(engine);
         }
-        if (engine.tick(secs) === TickStatus.Lost && !this.#lost) void this.recover();
+        const status = engine.tick(secs);
+        if (status === TickStatus.Lost && !this.#lost) void this.recover();
+        if (status === TickStatus.Shown) this.firstShownMs ??= performance.now();
         return resting ? [] : engine.drainEvents();
       }) ?? []
     );
@@ -195,7 +254,7 @@ export class Picture {
   }
 
   /** A lost canvas keeps its dead context, so each try has a canvas of its own. */
-  async #create(): Promise<Story> {
+  async #create(): Promise<{ story: Story; missing: Diagnostic[] }> {
     const canvas = document.createElement('canvas');
     canvas.setAttribute('aria-hidden', 'true');
     canvas.addEventListener('webglcontextlost', (event) => {
@@ -205,16 +264,22 @@ export class Picture {
     this.#events.canvas(canvas);
     const engine = await createEngine(this.#backend, canvas);
     const story = this.#read(engine);
+    engine.setQuality(this.#quality);
+    const missing = await this.#decode(engine);
     this.#engine = engine;
     this.#canvas = canvas;
     this.#fit(engine);
-    return story;
+    return { story, missing };
   }
 
-  #read(engine: Engine): Story {
-    const { eml, bundle, figureName, glb } = this.#files;
+  #read(engine: Engine, files = this.#files): Story {
+    const { eml, bundle, figure } = files;
     const motion = matchMedia('(prefers-reduced-motion: reduce)').matches ? REDUCED_MOTION : 1;
-    return engine.load(eml, bundle, figureName, glb, motion);
+    try {
+      return engine.load(eml, bundle, figure.name, figure.glb, motion);
+    } catch (error) {
+      throw unusable(figure.where, error);
+    }
   }
 
   /** Uses the engine; a trap leaves its memory suspect, so it is never used again. */
@@ -230,6 +295,11 @@ export class Picture {
       return undefined;
     }
   }
+}
+
+/** Whether an engine died of what it was asked. */
+function trapped(error: unknown): boolean {
+  return error instanceof Error && error.cause instanceof WebAssembly.RuntimeError;
 }
 
 /** Gives an engine's memory back; one that trapped may refuse. */

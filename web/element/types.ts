@@ -101,7 +101,43 @@ export interface Engine {
   resize(width: number, height: number, dpr: number): void;
   /** The cues passed since the last call. */
   drainEvents(): Cue[];
+  /** Pictures of the figure that was read, as they lie in its file: how many, their MIME types and bytes. */
+  imageCount(): number;
+  imageType(index: number): string;
+  imageBytes(index: number): Uint8Array;
+  /** A decoded picture: straight RGBA, rows from the top. Without it the surface has its plain colour. */
+  setImage(index: number, width: number, height: number, rgba: Uint8ClampedArray): void;
+  /** How much work goes into a picture; `auto` follows the times that `reportFrame` is told. */
+  setQuality(quality: Quality): void;
+  /** Milliseconds from one picture on screen to the next. */
+  reportFrame(ms: number): void;
+  /** What the last picture took. */
+  statistics(): PictureStatistics;
   free(): void;
+}
+
+/** How much work goes into a picture. */
+export type Quality = 'auto' | 'low' | 'medium' | 'high';
+
+/** What one picture took. */
+export interface PictureStatistics {
+  /** The graphics adapter's own name, where the browser tells it. */
+  readonly adapter: string;
+  /** The tier in force. */
+  readonly quality: string;
+  readonly drawCalls: number;
+  /** Those of the figure, its shadows included. */
+  readonly figureDrawCalls: number;
+  /** Drawn, all passes. */
+  readonly triangles: number;
+}
+
+/** Figures about a player, for people who measure. */
+export interface Statistics extends PictureStatistics {
+  /** From the beginning of loading to the first picture. */
+  readonly firstFrameMs: number;
+  /** The files of story and figure, as they are after transport. */
+  readonly bytes: { readonly story: number; readonly voice: number; readonly figure: number };
 }
 
 /** The two builds. */
@@ -113,6 +149,8 @@ export interface PlayerEventMap {
   clause: CustomEvent<Extract<Cue, { kind: 'clause' }>>;
   storyevent: CustomEvent<Extract<Cue, { kind: 'storyevent' }>>;
   diagnostic: CustomEvent<Diagnostic>;
+  /** Another figure took the stage. */
+  figurechange: CustomEvent<{ figure: string }>;
 }
 
 /** Why a story cannot be played, as one sentence for people. */

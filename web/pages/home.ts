@@ -1,15 +1,19 @@
-/** The first page: one player, two stories to choose. */
+/** The first page: one player; the story and who tells it are chosen. */
 
 import '../element/index.js';
 import './home-code.js';
+import { cast } from './home-cast.js';
 
 const player = document.querySelector('raconteur-player');
 const script = document.querySelector('#script');
 const buttons = [...document.querySelectorAll<HTMLButtonElement>('[data-story]')];
 
+/** Who tells it. */
+let figure = 'sofia';
+
 const address = (story: string): string => `assets/stories/${story}/story.eml`;
 
-/** Puts a story on the stage; `#white-rabbit` in the address names one, too. */
+/** Puts a story on the stage; `#white-rabbit` in the address names one, too, and `#white-rabbit/papous` who tells it. */
 function choose(story: string): void {
   const button = buttons.find((b) => b.dataset['story'] === story);
   if (button === undefined || player === null) return;
@@ -36,9 +40,24 @@ for (const button of buttons) {
   button.addEventListener('click', () => {
     const story = button.dataset['story'] ?? '';
     choose(story);
-    history.replaceState(null, '', `#${story}`);
+    remember();
     player?.play().catch(() => undefined);
   });
 }
 script?.closest('details')?.addEventListener('toggle', () => void readScript());
-choose(location.hash.slice(1));
+
+/** The address names what is on stage, so that it can be handed on. */
+function remember(): void {
+  const story = buttons.find((b) => b.getAttribute('aria-pressed') === 'true')?.dataset['story'] ?? '';
+  history.replaceState(null, '', `#${story}${figure === 'sofia' ? '' : `/${figure}`}`);
+}
+
+const [story = '', teller = ''] = location.hash.slice(1).split('/');
+choose(story);
+if (player !== null) {
+  const chooseFigure = cast(player, (name) => {
+    figure = name;
+    remember();
+  });
+  if (teller !== '') chooseFigure(teller);
+}

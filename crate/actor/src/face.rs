@@ -1,9 +1,11 @@
 //! From mouth channels, brows and lids to a figure's jaw and morph weights.
 //!
 //! Morph targets are found by their ARKit names once; a figure that lacks one goes
-//! without. The jaw is a bone.
+//! without. Jaw, lids and eyes are joints; a figure that has none of these, as other
+//! people's avatars, moves them by targets too.
 
-use raconteur_base::{DQuat, DVec3, Side};
+use raconteur_base::{DQuat, DVec3, Side, ops};
+use raconteur_body::figure::{JAW_OPEN_RAD, MOUTH_CLOSE_RAD};
 use raconteur_body::skeleton::Drive;
 use raconteur_body::{Bone, Figure, Pose, Skeleton};
 use raconteur_speech::phones::Channel;
@@ -14,9 +16,9 @@ use crate::lips::MouthTargets;
 /// it can (F&H's jaw channel is the whole range): the widest vowel turns it by 9°, as one
 /// who speaks to a room does.
 const JAW_RAD: f64 = 0.245;
-/// Jaw angle at which the whole of `mouthClose` just closes the lips, radians; a contract
-/// with the figures.
-const CLOSE_RAD: f64 = 0.2;
+/// Turn of the eye that the whole of a gaze target stands for, radians. ARKit gives no
+/// angle; the eye's range in usual looking. Designed.
+const LOOK_RAD: f64 = 0.5;
 /// Lip aperture that a jaw channel of 1 opens by itself, as a lip channel.
 const LIPS_OF_JAW: f64 = 0.9;
 
@@ -52,6 +54,17 @@ const NAMES: [&str; M::COUNT] = [
     "cheekSquintRight",
     "tongueUp",
     "tongueOut",
+    "jawOpen",
+    "eyeBlinkLeft",
+    "eyeBlinkRight",
+    "eyeLookUpLeft",
+    "eyeLookUpRight",
+    "eyeLookDownLeft",
+    "eyeLookDownRight",
+    "eyeLookInLeft",
+    "eyeLookInRight",
+    "eyeLookOutLeft",
+    "eyeLookOutRight",
 ];
 
 /// Indices into [`NAMES`].
@@ -88,10 +101,36 @@ enum M {
     CheekR,
     TongueUp,
     TongueOut,
+    JawOpen,
+    BlinkL,
+    BlinkR,
+    LookUpL,
+    LookUpR,
+    LookDownL,
+    LookDownR,
+    LookInL,
+    LookInR,
+    LookOutL,
+    LookOutR,
 }
 
 impl M {
-    const COUNT: usize = Self::TongueOut as usize + 1;
+    const COUNT: usize = Self::LookOutR as usize + 1;
+
+    /// Targets that stand for a joint of the face: nothing of them may be written where the
+    /// joint itself carries skin.
+    const JAW: [Self; 1] = [Self::JawOpen];
+    const LIDS: [Self; 2] = [Self::BlinkL, Self::BlinkR];
+    const GAZE: [Self; 8] = [
+        Self::LookUpL,
+        Self::LookUpR,
+        Self::LookDownL,
+        Self::LookDownR,
+        Self::LookInL,
+        Self::LookInR,
+        Self::LookOutL,
+        Self::LookOutR,
+    ];
 }
 
 /// What a face shows besides the mouth's speech.
@@ -123,11 +162,34 @@ impl FaceRig {
     /// Finds the face of a figure.
     #[must_use]
     pub fn new(figure: &Figure) -> Self {
-        Self::from_parts(
+        let mut rig = Self::from_parts(
             &figure.skeleton,
             &figure.morph_names,
             figure.lid_closure_rad,
-        )
+        );
+        // What a joint moves must not be moved a second time.
+        let carries = |wanted: fn(Drive) -> bool| {
+            let joints = figure.skeleton.joints();
+            figure.meshes.iter().any(|mesh| {
+                mesh.joints.iter().zip(&mesh.weights).any(|(j, w)| {
+                    j.iter().zip(w).any(|(j, w)| {
+                        *w > 0.0 && joints.get(usize::from(*j)).is_some_and(|j| wanted(j.drive))
+                    })
+                })
+            })
+        };
+        let mut forget =
+            |targets: &[M]| targets.iter().for_each(|m| rig.indices[*m as usize] = None);
+        if carries(|d| d == Drive::Bone(Bone::Chin)) {
+            forget(&M::JAW);
+        }
+        if carries(|d| matches!(d, Drive::UpperLid(_))) {
+            forget(&M::LIDS);
+        }
+        if carries(|d| matches!(d, Drive::Eye(_))) {
+            forget(&M::GAZE);
+        }
+        rig
     }
 
     /// From the parts of a figure that matter.
@@ -173,6 +235,7 @@ impl FaceRig {
         // The jaw turns about the figure's left, which is local z; positive drops the chin.
         pose.set(Bone::Chin, DQuat::from_rotation_z(jaw_rad));
         self.write_lids(closure, eye_pitch_rad, expression, pose);
+        self.write_eye_targets(closure, pose, weights);
         self.write_mouth(mouth, expression, jaw_rad, weights);
         self.write_brows(expression, weights);
     }
@@ -186,6 +249,30 @@ impl FaceRig {
             pose.upper_lid_rad[i] = open + (self.lid_closure_rad[i] - open) * closure;
             pose.lower_lid_rad[i] =
                 (-0.3 * pitch).clamp(-0.1, 0.05) * (1.0 - closure) + 0.05 * expression.squint;
+        }
+    }
+
+    /// Lids and gaze of a figure whose eyes have no joints.
+    fn write_eye_targets(&self, closure: f64, pose: &Pose, weights: &mut [f32]) {
+        let eyes = [
+            [M::BlinkL, M::LookUpL, M::LookDownL, M::LookInL, M::LookOutL],
+            [M::BlinkR, M::LookUpR, M::LookDownR, M::LookInR, M::LookOutR],
+        ];
+        for (side, [blink, up, down, inwards, out]) in Side::BOTH.into_iter().zip(eyes) {
+            let ahead = pose.eyes[side.index()] * DVec3::Z;
+            let falls = -ops::asin_clamped(ahead.y) / LOOK_RAD;
+            let outwards = side.sign() * ops::atan2(ahead.x, ahead.z) / LOOK_RAD;
+            // Lids follow a falling gaze, as those of joints do.
+            let follow = (0.35 * falls).clamp(0.0, 0.35);
+            for (m, value) in [
+                (blink, follow + (1.0 - follow) * closure),
+                (up, -falls),
+                (down, falls),
+                (inwards, -outwards),
+                (out, outwards),
+            ] {
+                self.set(m, value, weights);
+            }
         }
     }
 
@@ -218,7 +305,8 @@ impl FaceRig {
         let press = 0.35 * mouth.press;
 
         let mut set = |m: M, v: f64| self.set(m, v, weights);
-        set(M::Close, (1.0 - kept) * jaw_rad / CLOSE_RAD);
+        set(M::JawOpen, jaw_rad / JAW_OPEN_RAD);
+        set(M::Close, (1.0 - kept) * jaw_rad / MOUTH_CLOSE_RAD);
         set(
             M::Pucker,
             1.15 * round * (1.0 - 0.4 * open) + 0.12 * value(Channel::OoContract),
@@ -310,6 +398,41 @@ mod tests {
         let angle = pose.rotation(Bone::Chin).to_scaled_axis().z;
         assert!(angle > 0.05);
         assert!((f64::from(w[1]) - angle / 0.2).abs() < 1e-6 && w[0] == 0.0);
+    }
+
+    #[test]
+    fn targets_stand_in_for_joints() {
+        let names = [
+            "jawOpen",
+            "eyeBlinkLeft",
+            "eyeLookDownRight",
+            "eyeLookOutLeft",
+        ];
+        let (mut pose, mut w) = (Pose::zero(), [0.0; 4]);
+        pose.eyes = [DQuat::from_rotation_y(0.25) * DQuat::from_rotation_x(0.25); 2];
+        rig(&names).write(
+            &mouth(&[(Channel::Jaw, 1.0), (Channel::LipOpen, 1.0)]),
+            &Expression::default(),
+            0.0,
+            [0.25; 2],
+            &mut pose,
+            &mut w,
+        );
+        assert!((f64::from(w[0]) - JAW_RAD / JAW_OPEN_RAD).abs() < 1e-6);
+        assert!(w[1] > 0.1 && w[1] < 0.3, "the lid follows: {}", w[1]);
+        assert!(
+            (w[2] - 0.5).abs() < 0.03 && (w[3] - 0.5).abs() < 0.03,
+            "{w:?}"
+        );
+        rig(&names).write(
+            &mouth(&[]),
+            &Expression::default(),
+            1.0,
+            [0.25; 2],
+            &mut pose,
+            &mut w,
+        );
+        assert_eq!((w[0], w[1]), (0.0, 1.0));
     }
 
     #[test]

@@ -4,6 +4,14 @@ use raconteur_base::DAffine3;
 
 use crate::skeleton::Skeleton;
 
+/// Jaw angle at which the whole of the morph target `mouthClose` just closes the lips,
+/// radians; a contract between figures and those who move them. Designed.
+pub const MOUTH_CLOSE_RAD: f64 = 0.2;
+
+/// Jaw angle that the whole of the morph target `jawOpen` stands for, radians. ARKit gives
+/// no angle; its full opening looks like 20° on a face of usual build. Designed.
+pub const JAW_OPEN_RAD: f64 = 0.35;
+
 /// How a surface is shaded. The renderer's own models replace glTF's for these.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum MaterialKind {
@@ -22,7 +30,7 @@ pub enum MaterialKind {
     Hair,
     /// Lashes and brows: as hair, thinner.
     Lash,
-    /// Woven or knitted cloth; uv in metres on the cloth.
+    /// Plain knitted cloth; uv in metres on the cloth, as for all cloth.
     Cloth,
     /// Shoes, belts.
     Leather,
@@ -30,11 +38,21 @@ pub enum MaterialKind {
     Nail,
     /// Anything else: plain metallic-roughness.
     Plain,
+    /// Ribbed knit: cuffs, hems, socks.
+    Rib,
+    /// Plain weave: shirts, trousers, canvas.
+    Woven,
+    /// Twill with white weft: jeans.
+    Denim,
+    /// Cut pile in wales.
+    Corduroy,
+    /// Soft jersey: sweatshirts.
+    Fleece,
 }
 
 impl MaterialKind {
     /// Every kind with its name in glTF (`extras.kind`).
-    pub const NAMES: [(Self, &'static str); 11] = [
+    pub const NAMES: [(Self, &'static str); 16] = [
         (Self::Skin, "skin"),
         (Self::Eye, "eye"),
         (Self::Cornea, "cornea"),
@@ -46,7 +64,27 @@ impl MaterialKind {
         (Self::Leather, "leather"),
         (Self::Nail, "nail"),
         (Self::Plain, "plain"),
+        (Self::Rib, "rib"),
+        (Self::Woven, "woven"),
+        (Self::Denim, "denim"),
+        (Self::Corduroy, "corduroy"),
+        (Self::Fleece, "fleece"),
     ];
+
+    /// Which weave a kind of cloth has, counted as the shader for cloth does; `None` for
+    /// all that is not cloth.
+    #[must_use]
+    pub fn weave(self) -> Option<u8> {
+        match self {
+            Self::Cloth => Some(0),
+            Self::Rib => Some(1),
+            Self::Woven => Some(2),
+            Self::Denim => Some(3),
+            Self::Corduroy => Some(4),
+            Self::Fleece => Some(5),
+            _ => None,
+        }
+    }
 }
 
 /// Pictures that a surface is drawn with, as indices into [`Figure::images`].

@@ -2,7 +2,8 @@
 //!
 //! Does: the 54 bones of GEVH appendix A with their frames, forward kinematics with
 //! helper joints, hand shapes, the figure's meshes and morphs, reading them from
-//! glTF binary; with the feature `generator`, making them from anthropometry.
+//! glTF binary; with the feature `generator`, making them from anthropometry; with
+//! `import`, taking other people's avatars.
 //! Does not: decide how the figure moves (`actor`) or draw it (`render`).
 //!
 //! Frames: right-handed, metres, radians; +x is the character's left, +y up, +z front.
@@ -11,9 +12,13 @@ pub mod figure;
 #[cfg(feature = "generator")]
 pub mod generator;
 pub mod hand_shape;
+#[cfg(feature = "import")]
+pub mod import;
 pub mod pose;
 pub mod read;
 pub mod skeleton;
+#[cfg(feature = "write")]
+pub mod write;
 
 pub use figure::{Figure, Material, MaterialKind, Mesh, Morph};
 pub use hand_shape::HandShape;

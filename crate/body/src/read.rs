@@ -3,8 +3,8 @@
 //! Takes files whose nodes bear the names of the 54 bones (GEVH appendix A), as the
 //! generator writes them. Every fault of the file is a [`ReadError`]; none panics.
 
-mod accessor;
-mod document;
+pub(crate) mod accessor;
+pub(crate) mod document;
 
 use raconteur_base::{DAffine3, DMat4, DQuat, DVec3, Side};
 
@@ -128,7 +128,7 @@ fn morph_names(root: &Document<'_>) -> Vec<String> {
 }
 
 /// World from node for every node.
-fn solve_nodes(root: &Document<'_>) -> Result<Vec<DAffine3>, ReadError> {
+pub(crate) fn solve_nodes(root: &Document<'_>) -> Result<Vec<DAffine3>, ReadError> {
     let count = root.nodes.len();
     let mut parents: Vec<Option<usize>> = vec![None; count];
     for (i, node) in root.nodes.iter().enumerate() {

@@ -6,7 +6,10 @@
 mod bake;
 mod commands;
 mod film;
+mod picture;
 mod report;
+mod sheet;
+mod skinning;
 mod story;
 
 use std::io;
@@ -43,7 +46,7 @@ enum Command {
     Render(commands::render::Render),
     /// Make or refresh the speech bundles of stories.
     Bake(commands::bake::Bake),
-    /// Make figures.
+    /// Make figures and look at them.
     Figure(commands::figure::Figure),
 }
 

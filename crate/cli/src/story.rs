@@ -1,10 +1,11 @@
 //! Finding and reading a story and what it needs.
 
 use std::fs;
+use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context as _, Result, bail};
-use raconteur_player::body::{Figure, read::read_figure};
+use raconteur_player::body::{Figure, import};
 use raconteur_player::stage::Shot;
 use raconteur_player::{Loaded, Options, Player, StoryInput};
 
@@ -74,11 +75,16 @@ impl StoryFiles {
     }
 }
 
+/// Endings of files that hold a figure.
+const FIGURE_ENDINGS: [&str; 3] = ["glb", "vrm", "gltf"];
+
 /// A figure by name, from `assets/figures` of the folders above the story or the working
-/// folder, or by the path of a `.glb` file.
+/// folder, or by the path of a `.glb`, `.vrm` or `.gltf` file of any origin. What of a
+/// foreign file could not be kept goes to the standard error.
 pub(crate) fn find_figure(name: &str, near: &Path) -> Result<Figure> {
     let by_path = Path::new(name);
-    let path = if by_path.extension().is_some_and(|e| e == "glb") {
+    let ending = by_path.extension().map(|e| e.to_ascii_lowercase());
+    let path = if ending.is_some_and(|e| FIGURE_ENDINGS.iter().any(|f| e == *f)) {
         by_path.to_owned()
     } else {
         let near = near.canonicalize().unwrap_or_else(|_| near.to_owned());
@@ -92,5 +98,22 @@ pub(crate) fn find_figure(name: &str, near: &Path) -> Result<Figure> {
     let bytes =
         fs::read(&path).with_context(|| format!("cannot read the figure {}", path.display()))?;
     let stem = path.file_stem().unwrap_or_default().to_string_lossy();
-    read_figure(&stem, &bytes).with_context(|| format!("the figure {}", path.display()))
+    let imported = import::open_figure(&stem, &bytes)
+        .with_context(|| format!("the figure {}", path.display()))?;
+    for d in &imported.diagnostics {
+        let hint = if d.hint.is_empty() {
+            String::new()
+        } else {
+            format!(" ({})", d.hint)
+        };
+        // A closed pipe must not end the program.
+        let _ = writeln!(
+            std::io::stderr(),
+            "the figure {}: {}{hint} [{}]",
+            path.display(),
+            d.message,
+            d.code
+        );
+    }
+    Ok(imported.figure)
 }

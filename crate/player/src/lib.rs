@@ -17,6 +17,7 @@ mod voice;
 
 pub use cues::{Cue, CueKind, UtteranceCue, WordCue};
 pub use performer::{Loaded, Manipulator, Options, Player, StoryInput};
+pub use raconteur_base as base;
 pub use raconteur_body as body;
 pub use raconteur_eml as eml;
 pub use raconteur_speech as speech;

@@ -29,6 +29,16 @@ pub enum RenderError {
         /// What is wrong.
         problem: &'static str,
     },
+    /// A material's picture that cannot be used.
+    #[error("a material's picture of {width}x{height} cannot be used: {problem}")]
+    BadImage {
+        /// Its width, pixels.
+        width: u32,
+        /// Its height, pixels.
+        height: u32,
+        /// What is wrong.
+        problem: &'static str,
+    },
     /// A picture of no size, or larger than the device's textures.
     #[error("a picture of {width}x{height} cannot be drawn; the device's limit is {limit}")]
     BadSize {

@@ -1,10 +1,12 @@
 //! A figure on the GPU: two vertex streams, indices, joints and materials.
 
+use std::ops::Range;
+
 use bytemuck::{Pod, Zeroable};
 use glam::{Vec2, Vec3};
-use raconteur_base::DAffine3;
-use raconteur_base::order::sort_by_number;
-use raconteur_body::{Figure, MaterialKind, Mesh};
+use raconteur_base::{DAffine3, Side};
+use raconteur_body::skeleton::Drive;
+use raconteur_body::figure::{Figure, Maps, Material, MaterialKind, Mesh};
 
 use crate::RenderError;
 use crate::morph::{MorphedMesh, ShapeVertex, shape_vertex};
@@ -24,22 +26,97 @@ pub(crate) struct FixedVertex {
     color: [u8; 4],
     joint: [u8; 4],
     weight: [u16; 4],
-    /// Direction of growing v, bind pose, −127..127.
+    /// Direction of growing v, bind pose, −127..127; last the curvature: the root of its
+    /// share of [`SHARPEST_PER_M`], negative where hollow.
     along: [i8; 4],
 }
 
+/// `Material` of the shaders.
 #[repr(C)]
-#[derive(Clone, Copy, Pod, Zeroable)]
+#[derive(Clone, Copy, PartialEq, Pod, Zeroable)]
 pub(crate) struct MaterialUniform {
     base: [f32; 4],
     params: [f32; 4],
+    face: [f32; 4],
 }
 
-/// One mesh of the drawn figure.
-pub(crate) struct DrawnMesh {
+/// In which company a mesh is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Layer {
+    /// Covers what it lies before.
+    Solid,
+    /// Covers where its picture or its strands do.
+    Cut,
+    /// Lets through what was drawn before it.
+    Clear,
+}
+
+/// What a mesh's shadow is drawn with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Shadow {
+    /// All of its triangles.
+    Solid,
+    /// Cut as strands of hair.
+    Strands,
+    /// Cut by the colour picture's alpha.
+    Picture,
+    /// None: what lies inside the head is shaded by its occlusion, lashes are finer than
+    /// the map, and what is clear casts none.
+    Nothing,
+}
+
+/// What a pipeline must be made for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Look {
     pub(crate) kind: MaterialKind,
     pub(crate) double_sided: bool,
-    pub(crate) indices: std::ops::Range<u32>,
+    pub(crate) layer: Layer,
+}
+
+impl Look {
+    fn of(figure: &Figure, material: &Material) -> Self {
+        let kind = material.kind;
+        let layer = match kind {
+            MaterialKind::Hair | MaterialKind::Lash => Layer::Cut,
+            MaterialKind::Cornea => Layer::Clear,
+            MaterialKind::Plain if material.base_color[3] < 0.99 => Layer::Clear,
+            // A JPEG has no alpha that could cut.
+            MaterialKind::Plain
+                if material
+                    .maps
+                    .base_color
+                    .and_then(|i| figure.images.get(i))
+                    .is_some_and(|image| image.mime_type == "image/png") =>
+            {
+                Layer::Cut
+            }
+            _ => Layer::Solid,
+        };
+        Self {
+            // All weaves share one shader.
+            kind: kind.weave().map_or(kind, |_| MaterialKind::Cloth),
+            double_sided: material.double_sided,
+            layer,
+        }
+    }
+
+    pub(crate) fn shadow(self) -> Shadow {
+        match (self.kind, self.layer) {
+            (MaterialKind::Eye | MaterialKind::Teeth | MaterialKind::Mouth, _)
+            | (MaterialKind::Lash, _)
+            | (_, Layer::Clear) => Shadow::Nothing,
+            (MaterialKind::Hair, _) => Shadow::Strands,
+            (_, Layer::Cut) => Shadow::Picture,
+            (_, Layer::Solid) => Shadow::Solid,
+        }
+    }
+}
+
+/// What is drawn in one call: all meshes of the same surface.
+pub(crate) struct DrawnMesh {
+    pub(crate) look: Look,
+    pub(crate) maps: Maps,
+    pub(crate) indices: Range<u32>,
     pub(crate) material_offset: u32,
 }
 
@@ -51,6 +128,14 @@ pub(crate) struct FigureData {
     pub(crate) materials: Vec<u8>,
     pub(crate) meshes: Vec<DrawnMesh>,
     pub(crate) morphed: Vec<MorphedMesh>,
+}
+
+/// Meshes of the same surface, before they are laid one behind the other.
+struct Batch {
+    look: Look,
+    maps: Maps,
+    material: MaterialUniform,
+    indices: Vec<u32>,
 }
 
 impl FigureData {
@@ -70,6 +155,7 @@ impl FigureData {
             .meshes
             .iter()
             .any(|m| m.material.kind == MaterialKind::Cornea);
+        let face = face_place(figure);
         let mut data = Self {
             shape: Vec::new(),
             fixed: Vec::new(),
@@ -78,79 +164,114 @@ impl FigureData {
             meshes: Vec::new(),
             morphed: Vec::new(),
         };
+        let mut batches: Vec<Batch> = Vec::new();
         for mesh in &figure.meshes {
             check(mesh, joints)?;
-            if !mesh.indices.is_empty() {
-                data.push(mesh, has_cornea);
+            let look = Look::of(figure, &mesh.material);
+            let material = MaterialUniform {
+                base: mesh.material.base_color,
+                params: [
+                    mesh.material.roughness.clamp(0.05, 1.0),
+                    f32::from(u8::from(has_cornea)),
+                    f32::from(u8::from(look.layer == Layer::Clear)),
+                    f32::from(mesh.material.kind.weave().unwrap_or(0)),
+                ],
+                face,
+            };
+            let maps = mesh.material.maps;
+            let indices = data.push(mesh, look.layer);
+            match batches
+                .iter_mut()
+                .find(|b| b.look == look && b.maps == maps && b.material == material)
+            {
+                Some(batch) => batch.indices.extend(indices),
+                None => batches.push(Batch {
+                    look,
+                    maps,
+                    material,
+                    indices,
+                }),
             }
         }
-        // Opaque kinds first, by material, then cards, then what only adds light.
-        sort_by_number(&mut data.meshes, |m| {
-            f64::from(draw_order(m.kind)) * 100.0
-                + f64::from(m.kind as u8) * 2.0
-                + f64::from(u8::from(m.double_sided))
+        batches.retain(|b| !b.indices.is_empty());
+        // Solid ones first, by the way they cast, so that their shadow is one call; the wet
+        // layer of the eyes after other clear ones.
+        batches.sort_by_key(|b| {
+            let wet = b.look.kind == MaterialKind::Cornea;
+            (b.look.layer, b.look.shadow(), wet, b.look.kind)
         });
+        for batch in batches {
+            data.lay(&batch);
+        }
         Ok(data)
     }
 
-    fn push(&mut self, mesh: &Mesh, has_cornea: bool) {
+    /// Adds a mesh's vertices; returns its triangles.
+    fn push(&mut self, mesh: &Mesh, layer: Layer) -> Vec<u32> {
         let base = self.shape.len();
-        let first_index = self.indices.len() as u32;
         let along = growing_v(mesh);
+        let curvature = curvature_per_m(mesh);
         for (i, along) in along.iter().enumerate() {
             self.shape
                 .push(shape_vertex(mesh.positions[i], mesh.normals[i]));
+            let bend = curvature[i] / SHARPEST_PER_M;
+            let bend = bend.signum() * bend.abs().min(1.0).sqrt();
             self.fixed.push(FixedVertex {
                 uv: mesh.uvs[i],
                 color: mesh.colors[i],
                 joint: mesh.joints[i].map(|j| j as u8),
                 weight: mesh.weights[i].map(|w| (w.clamp(0.0, 1.0) * 65535.0).round() as u16),
-                along: [along.x, along.y, along.z, 0.0].map(|c| (c * 127.0).round() as i8),
+                along: [along.x, along.y, along.z, bend].map(|c| (c * 127.0).round() as i8),
             });
         }
+        self.morphed.extend(MorphedMesh::new(mesh, base));
         // WebGL2 has no base vertex: the offset goes into the indices.
         let indices = mesh.indices.iter().map(|i| i + base as u32);
-        if draw_order(mesh.material.kind) == 1 {
-            // Cards are laid from the scalp outwards; drawn from the outside in, the depth
-            // test spares the strands that are covered. Read backwards a triangle turns
-            // over, so its corners are swapped back.
-            self.indices.extend(indices.rev());
-            for t in self.indices[first_index as usize..].chunks_exact_mut(3) {
-                t.swap(0, 2);
-            }
-        } else {
-            self.indices.extend(indices);
+        if layer != Layer::Cut || mesh.material.kind == MaterialKind::Plain {
+            return indices.collect();
         }
-        let material_offset = self.materials.len() as u32;
-        let material = MaterialUniform {
-            base: mesh.material.base_color,
-            params: [
-                mesh.material.roughness.clamp(0.05, 1.0),
-                f32::from(u8::from(has_cornea)),
-                0.0,
-                0.0,
-            ],
-        };
+        // Cards are laid from the scalp outwards; drawn from the outside in, the depth
+        // test spares the strands that are covered. Read backwards a triangle turns
+        // over, so its corners are swapped back.
+        let mut indices: Vec<u32> = indices.rev().collect();
+        for t in indices.chunks_exact_mut(3) {
+            t.swap(0, 2);
+        }
+        indices
+    }
+
+    /// Lays a batch behind those before.
+    fn lay(&mut self, batch: &Batch) {
+        let first = self.indices.len() as u32;
+        self.indices.extend(&batch.indices);
+        let material_offset = self.materials.len();
         self.materials
-            .extend_from_slice(bytemuck::bytes_of(&material));
+            .extend_from_slice(bytemuck::bytes_of(&batch.material));
         self.materials
-            .resize((material_offset as u64 + MATERIAL_STRIDE) as usize, 0);
+            .resize(material_offset + MATERIAL_STRIDE as usize, 0);
         self.meshes.push(DrawnMesh {
-            kind: mesh.material.kind,
-            double_sided: mesh.material.double_sided,
-            indices: first_index..self.indices.len() as u32,
-            material_offset,
+            look: batch.look,
+            maps: batch.maps,
+            indices: first..self.indices.len() as u32,
+            material_offset: material_offset as u32,
         });
-        self.morphed.extend(MorphedMesh::new(mesh, base));
     }
 }
 
-/// 0 for opaque surfaces, 1 for cards, 2 for the transparent layer.
-pub(crate) fn draw_order(kind: MaterialKind) -> u8 {
-    match kind {
-        MaterialKind::Hair | MaterialKind::Lash => 1,
-        MaterialKind::Cornea => 2,
-        _ => 0,
+/// Middle between the eyes in the bind pose and, last, their distance, metres; 0 for a
+/// figure without eye joints.
+fn face_place(figure: &Figure) -> [f32; 4] {
+    let eye = |side: Side| {
+        let joints = figure.skeleton.joints();
+        let i = joints.iter().position(|j| j.drive == Drive::Eye(side))?;
+        Some(figure.inverse_bind.get(i)?.inverse().translation)
+    };
+    match (eye(Side::Left), eye(Side::Right)) {
+        (Some(l), Some(r)) if (l - r).is_finite() => {
+            let middle = ((l + r) * 0.5).as_vec3();
+            middle.extend((l - r).length() as f32).into()
+        }
+        _ => [0.0; 4],
     }
 }
 
@@ -233,6 +354,32 @@ fn growing_v(mesh: &Mesh) -> Vec<Vec3> {
         .collect()
 }
 
+/// Curvature that a vertex can tell, 1/m: a bead of 4 mm radius.
+const SHARPEST_PER_M: f32 = 250.0;
+
+/// Mean curvature of each vertex, 1/m, positive where the surface bulges: how fast the
+/// normals of its neighbours lean apart, averaged over its edges.
+fn curvature_per_m(mesh: &Mesh) -> Vec<f32> {
+    let mut sum = vec![(0.0, 0.0); mesh.positions.len()];
+    for t in mesh.indices.chunks_exact(3) {
+        for (a, b) in [(t[0], t[1]), (t[1], t[2]), (t[2], t[0])] {
+            let (a, b) = (a as usize, b as usize);
+            let edge = Vec3::from(mesh.positions[b]) - Vec3::from(mesh.positions[a]);
+            let lean = Vec3::from(mesh.normals[b]) - Vec3::from(mesh.normals[a]);
+            let length = edge.length_squared();
+            if length > 1e-12 {
+                for i in [a, b] {
+                    sum[i].0 += lean.dot(edge) / length;
+                    sum[i].1 += 1.0;
+                }
+            }
+        }
+    }
+    sum.iter()
+        .map(|&(k, n): &(f32, f32)| if k.is_finite() { k / n.max(1.0) } else { 0.0 })
+        .collect()
+}
+
 /// World from bind of each joint as the shader's rows; `rows` is cleared first. Joints
 /// that the frame does not give stay in the bind pose.
 pub(crate) fn joint_rows(
@@ -255,7 +402,6 @@ pub(crate) fn joint_rows(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use raconteur_body::Material;
 
     fn card() -> Mesh {
         Mesh {

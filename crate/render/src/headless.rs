@@ -31,20 +31,7 @@ impl Headless {
     /// When there is none, or it gives no device.
     pub async fn new(options: RenderOptions) -> Result<Self, RenderError> {
         let instance = wgpu::Instance::default();
-        let adapter = instance
-            .request_adapter(&wgpu::RequestAdapterOptions::default())
-            .await
-            .map_err(|e| RenderError::NoAdapter(e.to_string()))?;
-        let (device, queue) = adapter
-            .request_device(&wgpu::DeviceDescriptor {
-                // The smallest promise that covers us, so that any device serves, with
-                // the adapter's own limit on the size of pictures.
-                required_limits: wgpu::Limits::downlevel_webgl2_defaults()
-                    .using_resolution(adapter.limits()),
-                ..Default::default()
-            })
-            .await
-            .map_err(|e| RenderError::NoDevice(e.to_string()))?;
+        let (adapter, device, queue) = crate::device::open(&instance, None).await?;
         let renderer = Renderer::new(&adapter, device.clone(), queue.clone(), FORMAT, options);
         Ok(Self {
             device,
@@ -74,6 +61,25 @@ impl Headless {
     /// As [`Renderer::set_figure`].
     pub fn set_figure(&mut self, figure: &Figure) -> Result<(), RenderError> {
         self.renderer.set_figure(figure)
+    }
+
+    /// Shows a decoded picture of the figure.
+    ///
+    /// # Errors
+    /// As [`Renderer::set_image`].
+    pub fn set_image(
+        &mut self,
+        index: usize,
+        width: u32,
+        height: u32,
+        rgba: &[u8],
+    ) -> Result<(), RenderError> {
+        self.renderer.set_image(index, width, height, rgba)
+    }
+
+    /// Draws as `options` say from the next picture on.
+    pub fn set_options(&mut self, options: RenderOptions) {
+        self.renderer.set_options(options);
     }
 
     /// Draws a frame; returns sRGB bytes, RGBA, rows from the top without padding.

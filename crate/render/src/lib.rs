@@ -14,11 +14,15 @@ pub mod error;
 pub mod options;
 pub mod renderer;
 
+mod device;
 mod figure;
 mod morph;
 mod pipeline;
+mod sent;
 mod shadow;
+mod tier;
 mod target;
+mod texture;
 mod uniform;
 
 #[cfg(all(feature = "native", not(target_arch = "wasm32")))]
@@ -33,4 +37,5 @@ pub use options::{Quality, RenderInfo, RenderOptions};
 pub use renderer::Renderer;
 #[cfg(all(any(feature = "webgpu", feature = "webgl"), target_arch = "wasm32"))]
 pub use surface::{Backend, CanvasTarget, RenderStatus};
+pub use texture::LARGEST_SIDE;
 pub use wgpu;

@@ -1,26 +1,38 @@
 //! What a renderer is asked for, and what it turned out to be.
 
 /// How much work goes into a picture.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Quality {
-    /// One sample a pixel with edge smoothing, 1024² shadow, no fine bumps.
+    /// One sample a pixel with edge smoothing, a small shadow, no fine bumps.
     Low,
-    /// Four samples, 1024² shadow, fine bumps.
+    /// Four samples, shadows from key and rim, fine bumps.
     Medium,
-    /// Four samples, 2048² shadow with a wide filter, fine bumps.
+    /// Four samples, shadows of 2048² with a wide filter, fine bumps.
     #[default]
     High,
 }
 
 impl Quality {
+    /// Every tier with its name.
+    pub const NAMES: [(Self, &'static str); 3] = [
+        (Self::Low, "low"),
+        (Self::Medium, "medium"),
+        (Self::High, "high"),
+    ];
+
     /// Samples a pixel that are asked for.
     pub(crate) fn samples(self) -> u32 {
         if self == Self::Low { 1 } else { 4 }
     }
 
-    /// Side of the shadow map, texels.
+    /// Side of a light's shadow map, texels.
     pub(crate) fn shadow_texels(self) -> u32 {
         if self == Self::High { 2048 } else { 1024 }
+    }
+
+    /// Lights that cast a shadow: the key, then the rim.
+    pub(crate) fn shadows(self) -> u32 {
+        if self == Self::Low { 1 } else { 2 }
     }
 
     /// Reach of the shadow filter, taps: 1 is a cross of 5, 2 a diamond of 13.
@@ -33,16 +45,20 @@ impl Quality {
     }
 }
 
-/// Choices for a new renderer.
+/// Choices for a renderer; they can be changed while it draws.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct RenderOptions {
     /// How much work goes into a picture. Default: high.
     pub quality: Quality,
+    /// Whether the picture is drawn at half its width and height, then enlarged.
+    pub half_size: bool,
 }
 
 /// What the renderer turned out to be and what the last picture took.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct RenderInfo {
+    /// The choices in force.
+    pub options: RenderOptions,
     /// `vulkan`, `metal`, `dx12`, `webgpu` or `gl`.
     pub backend: String,
     /// The adapter's own name.
@@ -53,8 +69,10 @@ pub struct RenderInfo {
     pub float_target: bool,
     /// Whether edges are smoothed in the last pass, because there is one sample a pixel.
     pub smooths_edges: bool,
-    /// Side of the shadow map, texels.
+    /// Side of a light's shadow map, texels.
     pub shadow_texels: u32,
+    /// Draw calls of the last picture that drew the figure, its shadows included.
+    pub figure_draw_calls: u32,
     /// Draw calls of the last picture, all passes.
     pub draw_calls: u32,
     /// Triangles of the last picture, all passes.

@@ -6,7 +6,7 @@ use wgpu::{
     ShaderStages, TextureFormat, VertexAttribute, VertexBufferLayout, VertexFormat,
 };
 
-use crate::figure::{FixedVertex, draw_order};
+use crate::figure::{FixedVertex, Layer, Look, MaterialUniform, Shadow};
 use crate::morph::ShapeVertex;
 use crate::target::{DEPTH_FORMAT, TargetKind};
 use crate::{Quality, uniform::FrameUniform};
@@ -14,10 +14,11 @@ use crate::{Quality, uniform::FrameUniform};
 const FRAME: &str = include_str!(concat!(env!("OUT_DIR"), "/frame.wgsl"));
 
 /// The shaders of everything on the stage, one module.
-const STAGE: [&str; 9] = [
+const STAGE: [&str; 10] = [
     FRAME,
     include_str!(concat!(env!("OUT_DIR"), "/light.wgsl")),
     include_str!(concat!(env!("OUT_DIR"), "/figure.wgsl")),
+    include_str!(concat!(env!("OUT_DIR"), "/surface.wgsl")),
     include_str!(concat!(env!("OUT_DIR"), "/skin.wgsl")),
     include_str!(concat!(env!("OUT_DIR"), "/eye.wgsl")),
     include_str!(concat!(env!("OUT_DIR"), "/mouth.wgsl")),
@@ -36,6 +37,8 @@ pub(crate) struct Layouts {
     pub(crate) lit: BindGroupLayout,
     /// Joints and one material.
     pub(crate) figure: BindGroupLayout,
+    /// A material's colour and normal pictures and their sampler.
+    pub(crate) maps: BindGroupLayout,
     /// The frame, the finished picture and its sampler.
     pub(crate) last: BindGroupLayout,
 }
@@ -50,55 +53,41 @@ impl Layouts {
         };
         let both = ShaderStages::VERTEX_FRAGMENT;
         let frame = uniform(0, both, false, size_of::<FrameUniform>() as u64);
+        let texture = |binding, sample_type| {
+            entry(
+                binding,
+                ShaderStages::FRAGMENT,
+                wgpu::BindingType::Texture {
+                    sample_type,
+                    view_dimension: wgpu::TextureViewDimension::D2,
+                    multisampled: false,
+                },
+            )
+        };
+        let picture =
+            |binding| texture(binding, wgpu::TextureSampleType::Float { filterable: true });
+        let sampler =
+            |binding, kind| entry(binding, ShaderStages::FRAGMENT, wgpu::BindingType::Sampler(kind));
+        let filtering = wgpu::SamplerBindingType::Filtering;
         Self {
             frame: layout("frame", &[frame]),
             lit: layout(
                 "lit",
                 &[
                     frame,
-                    entry(
-                        1,
-                        ShaderStages::FRAGMENT,
-                        wgpu::BindingType::Texture {
-                            sample_type: wgpu::TextureSampleType::Depth,
-                            view_dimension: wgpu::TextureViewDimension::D2,
-                            multisampled: false,
-                        },
-                    ),
-                    entry(
-                        2,
-                        ShaderStages::FRAGMENT,
-                        wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Comparison),
-                    ),
+                    texture(1, wgpu::TextureSampleType::Depth),
+                    sampler(2, wgpu::SamplerBindingType::Comparison),
                 ],
             ),
             figure: layout(
                 "figure",
                 &[
                     uniform(0, ShaderStages::VERTEX, false, 384 * 16),
-                    uniform(1, both, true, 32),
+                    uniform(1, both, true, size_of::<MaterialUniform>() as u64),
                 ],
             ),
-            last: layout(
-                "last",
-                &[
-                    frame,
-                    entry(
-                        1,
-                        ShaderStages::FRAGMENT,
-                        wgpu::BindingType::Texture {
-                            sample_type: wgpu::TextureSampleType::Float { filterable: true },
-                            view_dimension: wgpu::TextureViewDimension::D2,
-                            multisampled: false,
-                        },
-                    ),
-                    entry(
-                        2,
-                        ShaderStages::FRAGMENT,
-                        wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering),
-                    ),
-                ],
-            ),
+            maps: layout("maps", &[picture(0), picture(1), sampler(2, filtering)]),
+            last: layout("last", &[frame, picture(1), sampler(2, filtering)]),
         }
     }
 }
@@ -133,19 +122,42 @@ fn uniform(
     )
 }
 
-/// Everything compiled.
-pub(crate) struct Pipelines {
+/// What every tier of quality shares: it is made once for a device.
+pub(crate) struct Kit {
     pub(crate) layouts: Layouts,
+    stage: ShaderModule,
+    last: ShaderModule,
+    output: TextureFormat,
+}
+
+impl Kit {
+    /// For targets of `output`.
+    pub(crate) fn new(device: &Device, output: TextureFormat) -> Self {
+        let module = |label, parts: &[&str]| {
+            device.create_shader_module(wgpu::ShaderModuleDescriptor {
+                label: Some(label),
+                source: wgpu::ShaderSource::Wgsl(parts.concat().into()),
+            })
+        };
+        Self {
+            layouts: Layouts::new(device),
+            stage: module("stage", &STAGE),
+            last: module("last", &LAST),
+            output,
+        }
+    }
+}
+
+/// Everything compiled for one tier of quality.
+pub(crate) struct Pipelines {
     pub(crate) theatre: RenderPipeline,
     pub(crate) last: RenderPipeline,
-    pub(crate) shadow: RenderPipeline,
-    pub(crate) shadow_cut: RenderPipeline,
-    stage: ShaderModule,
-    figure_layout: wgpu::PipelineLayout,
     target: TargetKind,
     constants: Vec<(&'static str, f64)>,
-    /// One for each kind and sidedness that a figure has used.
-    materials: [Option<RenderPipeline>; 2 * MaterialKind::NAMES.len()],
+    /// Those that figures have used.
+    looks: Vec<(Look, RenderPipeline)>,
+    /// Those of the shadow map, by the light's number.
+    shadows: Vec<(u32, Shadow, RenderPipeline)>,
 }
 
 const SHAPE_ATTRIBUTES: [VertexAttribute; 2] =
@@ -247,64 +259,30 @@ impl Recipe<'_> {
     }
 }
 
+fn pipeline_layout(
+    device: &Device,
+    label: &str,
+    groups: &[&BindGroupLayout],
+) -> wgpu::PipelineLayout {
+    let groups: Vec<Option<&BindGroupLayout>> = groups.iter().map(|g| Some(*g)).collect();
+    device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+        label: Some(label),
+        bind_group_layouts: &groups,
+        immediate_size: 0,
+    })
+}
+
 impl Pipelines {
-    pub(crate) fn new(
-        device: &Device,
-        target: TargetKind,
-        output: TextureFormat,
-        quality: Quality,
-    ) -> Self {
-        let layouts = Layouts::new(device);
-        let module = |label, parts: &[&str]| {
-            device.create_shader_module(wgpu::ShaderModuleDescriptor {
-                label: Some(label),
-                source: wgpu::ShaderSource::Wgsl(parts.concat().into()),
-            })
-        };
-        let stage = module("stage", &STAGE);
-        let last_module = module("last", &LAST);
-        let pipeline_layout = |label, groups: &[Option<&BindGroupLayout>]| {
-            device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
-                label: Some(label),
-                bind_group_layouts: groups,
-                immediate_size: 0,
-            })
-        };
+    pub(crate) fn new(device: &Device, kit: &Kit, target: TargetKind, quality: Quality) -> Self {
         let flag = |b: bool| f64::from(u8::from(b));
         let early = ("EARLY_ENCODE", flag(!target.is_float()));
         let constants = vec![
             early,
             ("FINE_DETAIL", flag(quality.fine_detail())),
             ("SHADOW_REACH", f64::from(quality.shadow_reach())),
+            ("SHADOWS", f64::from(quality.shadows())),
             ("COVERAGE", flag(target.samples > 1)),
         ];
-        let shadow_layout =
-            pipeline_layout("shadow", &[Some(&layouts.frame), Some(&layouts.figure)]);
-        let buffers = vertex_buffers();
-        let shadow = |fragment| {
-            Recipe {
-                label: "shadow",
-                module: &stage,
-                layout: &shadow_layout,
-                constants: &[],
-                vertex: "vs_shadow",
-                buffers: &buffers,
-                fragment,
-                target: None,
-                blend: None,
-                samples: 1,
-                coverage: false,
-                cull: None,
-                depth: Some((CompareFunction::Less, true)),
-                // Steep surfaces are pushed back by their slope within a texel.
-                bias: wgpu::DepthBiasState {
-                    constant: 0,
-                    slope_scale: 1.5,
-                    clamp: 0.0,
-                },
-            }
-            .build(device)
-        };
         let full_screen =
             |label, module, layout, constants: &[_], vertex, fragment, format, samples, depth| {
                 Recipe {
@@ -325,11 +303,11 @@ impl Pipelines {
                 }
                 .build(device)
             };
-        let theatre_layout = pipeline_layout("theatre", &[Some(&layouts.lit)]);
-        let last_layout = pipeline_layout("last", &[Some(&layouts.last)]);
+        let theatre_layout = pipeline_layout(device, "theatre", &[&kit.layouts.lit]);
+        let last_layout = pipeline_layout(device, "last", &[&kit.layouts.last]);
         let theatre = full_screen(
             "theatre",
-            &stage,
+            &kit.stage,
             &theatre_layout,
             &constants,
             "vs_theatre",
@@ -341,71 +319,122 @@ impl Pipelines {
         let last_constants = [
             early,
             ("SMOOTH_EDGES", flag(target.samples == 1)),
-            ("TARGET_ENCODES", flag(output.is_srgb())),
+            ("TARGET_ENCODES", flag(kit.output.is_srgb())),
         ];
         let last = full_screen(
             "last",
-            &last_module,
+            &kit.last,
             &last_layout,
             &last_constants,
             "vs_last",
             "fs_last",
-            output,
+            kit.output,
             1,
             None,
         );
         Self {
             theatre,
             last,
-            shadow: shadow(None),
-            shadow_cut: shadow(Some("fs_hair_shadow")),
-            figure_layout: pipeline_layout("figure", &[Some(&layouts.lit), Some(&layouts.figure)]),
-            layouts,
-            stage,
             target,
             constants,
-            materials: Default::default(),
+            looks: Vec::new(),
+            shadows: Vec::new(),
         }
     }
 
-    fn slot(kind: MaterialKind, double_sided: bool) -> usize {
-        2 * kind as usize + usize::from(double_sided)
-    }
-
-    /// Compiles the pipeline of a material if no figure has used it yet.
-    pub(crate) fn prepare(&mut self, device: &Device, kind: MaterialKind, double_sided: bool) {
-        let slot = Self::slot(kind, double_sided);
-        if self.materials[slot].is_some() {
+    /// Compiles what a look needs, with its shadow from `lights` lamps, if no figure has
+    /// used it yet.
+    pub(crate) fn prepare(&mut self, device: &Device, kit: &Kit, look: Look, lights: u32) {
+        if self.look(look).is_none() {
+            let pipeline = self.make_look(device, kit, look);
+            self.looks.push((look, pipeline));
+        }
+        let shadow = look.shadow();
+        if shadow == Shadow::Nothing {
             return;
         }
-        let order = draw_order(kind);
-        let recipe = Recipe {
+        for light in 0..lights {
+            if self.shadow(light, shadow).is_none() {
+                let pipeline = make_shadow(device, kit, light, shadow);
+                self.shadows.push((light, shadow, pipeline));
+            }
+        }
+    }
+
+    fn make_look(&self, device: &Device, kit: &Kit, look: Look) -> RenderPipeline {
+        let Layouts {
+            lit, figure, maps, ..
+        } = &kit.layouts;
+        let clear = look.layer == Layer::Clear;
+        Recipe {
             label: "material",
-            module: &self.stage,
-            layout: &self.figure_layout,
+            module: &kit.stage,
+            layout: &pipeline_layout(device, "figure", &[lit, figure, maps]),
             constants: &self.constants,
             vertex: "vs_figure",
             buffers: &vertex_buffers(),
-            fragment: Some(fragment_entry(kind)),
+            fragment: Some(fragment_entry(look.kind)),
             target: Some(self.target.format),
-            blend: (order == 2).then_some(BlendState::PREMULTIPLIED_ALPHA_BLENDING),
+            blend: clear.then_some(BlendState::PREMULTIPLIED_ALPHA_BLENDING),
             samples: self.target.samples,
-            coverage: order == 1 && self.target.samples > 1,
-            cull: (!double_sided).then_some(Face::Back),
-            depth: Some((CompareFunction::Less, order != 2)),
+            coverage: look.layer == Layer::Cut && self.target.samples > 1,
+            cull: (!look.double_sided).then_some(Face::Back),
+            depth: Some((CompareFunction::Less, !clear)),
             bias: wgpu::DepthBiasState::default(),
-        };
-        self.materials[slot] = Some(recipe.build(device));
+        }
+        .build(device)
     }
 
-    /// The pipeline of a material; `None` before [`Self::prepare`].
-    pub(crate) fn material(
-        &self,
-        kind: MaterialKind,
-        double_sided: bool,
-    ) -> Option<&RenderPipeline> {
-        self.materials[Self::slot(kind, double_sided)].as_ref()
+    /// The pipeline of a look; `None` before [`Self::prepare`].
+    pub(crate) fn look(&self, look: Look) -> Option<&RenderPipeline> {
+        let found = self.looks.iter().find(|(l, _)| *l == look);
+        found.map(|(_, pipeline)| pipeline)
     }
+
+    /// The pipeline of a shadow; `None` before [`Self::prepare`].
+    pub(crate) fn shadow(&self, light: u32, shadow: Shadow) -> Option<&RenderPipeline> {
+        let found = self
+            .shadows
+            .iter()
+            .find(|(l, s, _)| (*l, *s) == (light, shadow));
+        found.map(|(_, _, pipeline)| pipeline)
+    }
+}
+
+fn make_shadow(device: &Device, kit: &Kit, light: u32, shadow: Shadow) -> RenderPipeline {
+    let Layouts {
+        frame,
+        figure,
+        maps,
+        ..
+    } = &kit.layouts;
+    let (groups, fragment): (&[_], _) = match shadow {
+        Shadow::Strands => (&[frame, figure], Some("fs_hair_shadow")),
+        Shadow::Picture => (&[frame, figure, maps], Some("fs_cut_shadow")),
+        Shadow::Solid | Shadow::Nothing => (&[frame, figure], None),
+    };
+    Recipe {
+        label: "shadow",
+        module: &kit.stage,
+        layout: &pipeline_layout(device, "shadow", groups),
+        constants: &[("LIGHT", f64::from(light))],
+        vertex: "vs_shadow",
+        buffers: &vertex_buffers(),
+        fragment,
+        target: None,
+        blend: None,
+        samples: 1,
+        coverage: false,
+        cull: None,
+        depth: Some((CompareFunction::Less, true)),
+        // Steep surfaces are pushed back by their slope within a texel.
+        bias: wgpu::DepthBiasState {
+            constant: 0,
+            slope_scale: 1.5,
+            clamp: 0.0,
+        },
+    }
+    .build(device)
 }
 
 fn fragment_entry(kind: MaterialKind) -> &'static str {
@@ -421,5 +450,10 @@ fn fragment_entry(kind: MaterialKind) -> &'static str {
         MaterialKind::Leather => "fs_leather",
         MaterialKind::Nail => "fs_nail",
         MaterialKind::Plain => "fs_plain",
+        MaterialKind::Rib
+        | MaterialKind::Woven
+        | MaterialKind::Denim
+        | MaterialKind::Corduroy
+        | MaterialKind::Fleece => "fs_cloth",
     }
 }

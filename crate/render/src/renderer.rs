@@ -2,48 +2,37 @@
 
 use std::sync::{Arc, Mutex, PoisonError};
 
-use raconteur_base::DAffine3;
-use raconteur_body::{Figure, MaterialKind};
+use raconteur_body::Figure;
 use raconteur_stage::Frame;
 use wgpu::{Buffer, BufferUsages, Device, Queue, TextureFormat, TextureView};
 
-use crate::figure::{DrawnMesh, FigureData, MATERIAL_STRIDE, MAX_JOINTS, draw_order, joint_rows};
-use crate::morph::MorphedMesh;
-use crate::pipeline::Pipelines;
+use crate::figure::{Layer, MAX_JOINTS};
+use crate::pipeline::Kit;
+use crate::sent::{Blank, SentFigure};
 use crate::shadow::ShadowView;
-use crate::target::{DEPTH_FORMAT, TargetKind, Targets};
+use crate::target::{TargetKind, Targets};
+use crate::tier::Tier;
 use crate::uniform::{FrameUniform, View, stand_in_world};
-use crate::{RenderError, RenderInfo, RenderOptions};
+use crate::{Quality, RenderError, RenderInfo, RenderOptions};
 
 /// The renderer: pipelines, the figure and the textures of the current size.
 pub struct Renderer {
     device: Device,
     queue: Queue,
-    pipelines: Pipelines,
-    target_kind: TargetKind,
+    kit: Kit,
+    blank: Blank,
+    /// What the adapter draws at each quality.
+    target_kinds: [TargetKind; Quality::NAMES.len()],
+    tier: Tier,
     targets: Option<(Targets, wgpu::BindGroup)>,
     frame_buffer: Buffer,
     frame_group: wgpu::BindGroup,
-    lit_group: wgpu::BindGroup,
-    shadow_map: TextureView,
     picture_sampler: wgpu::Sampler,
-    figure: Option<GpuFigure>,
+    figure: Option<SentFigure>,
     rows: Vec<[f32; 4]>,
     info: RenderInfo,
     /// What the driver refused, if anything; told by the next picture.
     refused: Arc<Mutex<Option<String>>>,
-}
-
-struct GpuFigure {
-    stature_m: f64,
-    joint_from_bind: Vec<DAffine3>,
-    shape: Buffer,
-    fixed: Buffer,
-    indices: Buffer,
-    joints: Buffer,
-    group: wgpu::BindGroup,
-    meshes: Vec<DrawnMesh>,
-    morphed: Vec<MorphedMesh>,
 }
 
 impl Renderer {
@@ -64,89 +53,57 @@ impl Renderer {
             slot.get_or_insert_with(|| error.to_string());
         }));
 
-        let quality = options.quality;
-        let target_kind = TargetKind::choose(adapter, quality.samples());
-        let shadow_texels = quality
-            .shadow_texels()
-            .min(device.limits().max_texture_dimension_2d);
-        let pipelines = Pipelines::new(&device, target_kind, target_format, quality);
-        let layouts = &pipelines.layouts;
-
+        let target_kinds =
+            Quality::NAMES.map(|(quality, _)| TargetKind::choose(adapter, quality.samples()));
+        let kit = Kit::new(&device, target_format);
         let frame_buffer = empty_buffer(
             &device,
             "frame",
             size_of::<FrameUniform>() as u64,
             BufferUsages::UNIFORM,
         );
-        let shadow_map = device
-            .create_texture(&wgpu::TextureDescriptor {
-                label: Some("shadow"),
-                size: wgpu::Extent3d {
-                    width: shadow_texels,
-                    height: shadow_texels,
-                    depth_or_array_layers: 1,
-                },
-                mip_level_count: 1,
-                sample_count: 1,
-                dimension: wgpu::TextureDimension::D2,
-                format: DEPTH_FORMAT,
-                usage: wgpu::TextureUsages::RENDER_ATTACHMENT
-                    | wgpu::TextureUsages::TEXTURE_BINDING,
-                view_formats: &[],
-            })
-            .create_view(&wgpu::TextureViewDescriptor::default());
-        let sampler = |compare| {
-            device.create_sampler(&wgpu::SamplerDescriptor {
-                mag_filter: wgpu::FilterMode::Linear,
-                min_filter: wgpu::FilterMode::Linear,
-                compare,
-                ..Default::default()
-            })
-        };
-        let shadow_sampler = sampler(Some(wgpu::CompareFunction::LessEqual));
-        let frame_entry = binding(0, frame_buffer.as_entire_binding());
         let frame_group = bind_group(
             &device,
             "frame",
-            &layouts.frame,
-            std::slice::from_ref(&frame_entry),
+            &kit.layouts.frame,
+            &[binding(0, frame_buffer.as_entire_binding())],
         );
-        let lit_group = bind_group(
-            &device,
-            "lit",
-            &layouts.lit,
-            &[
-                frame_entry,
-                binding(1, wgpu::BindingResource::TextureView(&shadow_map)),
-                binding(2, wgpu::BindingResource::Sampler(&shadow_sampler)),
-            ],
-        );
+        let kind = target_kinds[options.quality as usize];
+        let tier = Tier::new(&device, &kit, kind, &frame_buffer, options);
         let adapter_info = adapter.get_info();
-        Self {
-            picture_sampler: sampler(None),
+        let mut renderer = Self {
+            picture_sampler: device.create_sampler(&wgpu::SamplerDescriptor {
+                mag_filter: wgpu::FilterMode::Linear,
+                min_filter: wgpu::FilterMode::Linear,
+                ..Default::default()
+            }),
+            blank: Blank::new(adapter, &device, &queue),
+            kit,
+            target_kinds,
+            tier,
             frame_buffer,
             frame_group,
-            lit_group,
-            shadow_map,
             targets: None,
             figure: None,
             rows: Vec::with_capacity(3 * MAX_JOINTS),
             info: RenderInfo {
+                options,
                 backend: adapter_info.backend.to_str().to_owned(),
                 adapter: adapter_info.name,
-                samples: target_kind.samples,
-                float_target: target_kind.is_float(),
-                smooths_edges: target_kind.samples == 1,
-                shadow_texels,
+                samples: 1,
+                float_target: kind.is_float(),
+                smooths_edges: true,
+                shadow_texels: 0,
+                figure_draw_calls: 0,
                 draw_calls: 0,
                 triangles: 0,
             },
-            pipelines,
-            target_kind,
             device,
             queue,
             refused,
-        }
+        };
+        renderer.tell_tier();
+        renderer
     }
 
     /// What the renderer turned out to be, with the counts of the last picture.
@@ -155,75 +112,75 @@ impl Renderer {
         &self.info
     }
 
-    /// Sends a figure to the device, in place of the one before.
+    /// Draws as `options` say from the next picture on; the figure and its pictures stay.
+    pub fn set_options(&mut self, options: RenderOptions) {
+        let old = self.tier.options;
+        if old.half_size != options.half_size {
+            self.tier.options.half_size = options.half_size;
+            self.targets = None;
+        }
+        if old.quality != options.quality {
+            let kind = self.target_kinds[options.quality as usize];
+            self.tier = Tier::new(&self.device, &self.kit, kind, &self.frame_buffer, options);
+            self.targets = None;
+            self.prepare();
+        }
+        self.tell_tier();
+    }
+
+    fn tell_tier(&mut self) {
+        let samples = self.tier.target.samples;
+        self.info.options = self.tier.options;
+        self.info.samples = samples;
+        self.info.smooths_edges = samples == 1;
+        self.info.shadow_texels = self.tier.shadow_texels;
+    }
+
+    /// Compiles what the figure needs.
+    fn prepare(&mut self) {
+        let Some(figure) = &self.figure else { return };
+        let tier = &mut self.tier;
+        for look in figure.looks() {
+            tier.pipelines
+                .prepare(&self.device, &self.kit, look, tier.lights);
+        }
+    }
+
+    /// Sends a figure to the device, in place of the one before. Its pictures are white
+    /// and flat until [`Self::set_image`].
     ///
     /// # Errors
     /// When it has more than 128 joints or a mesh contradicts itself; the figure before stays.
     pub fn set_figure(&mut self, figure: &Figure) -> Result<(), RenderError> {
-        let data = FigureData::new(figure)?;
-        for mesh in &data.meshes {
-            self.pipelines
-                .prepare(&self.device, mesh.kind, mesh.double_sided);
-        }
-        if data.meshes.is_empty() {
-            self.figure = None;
-            return Ok(());
-        }
-        let filled = |label, bytes: &[u8], usage| {
-            let buffer = empty_buffer(&self.device, label, bytes.len() as u64, usage);
-            self.queue.write_buffer(&buffer, 0, bytes);
-            buffer
-        };
-        let shape = filled(
-            "shape",
-            bytemuck::cast_slice(&data.shape),
-            BufferUsages::VERTEX,
-        );
-        let fixed = filled(
-            "fixed",
-            bytemuck::cast_slice(&data.fixed),
-            BufferUsages::VERTEX,
-        );
-        let indices = filled(
-            "indices",
-            bytemuck::cast_slice(&data.indices),
-            BufferUsages::INDEX,
-        );
-        let materials = filled("materials", &data.materials, BufferUsages::UNIFORM);
-        let joints = empty_buffer(
-            &self.device,
-            "joints",
-            (3 * MAX_JOINTS * 16) as u64,
-            BufferUsages::UNIFORM,
-        );
-        let group = bind_group(
-            &self.device,
-            "figure",
-            &self.pipelines.layouts.figure,
-            &[
-                binding(0, joints.as_entire_binding()),
-                binding(
-                    1,
-                    wgpu::BindingResource::Buffer(wgpu::BufferBinding {
-                        buffer: &materials,
-                        offset: 0,
-                        size: std::num::NonZeroU64::new(MATERIAL_STRIDE),
-                    }),
-                ),
-            ],
-        );
-        self.figure = Some(GpuFigure {
-            stature_m: figure.skeleton.stature_m(),
-            joint_from_bind: figure.inverse_bind.clone(),
-            shape,
-            fixed,
-            indices,
-            joints,
-            group,
-            meshes: data.meshes,
-            morphed: data.morphed,
-        });
+        let layouts = &self.kit.layouts;
+        self.figure = SentFigure::new(&self.device, &self.queue, layouts, &self.blank, figure)?;
+        self.prepare();
         Ok(())
+    }
+
+    /// Shows a decoded picture of the figure: `index` as in `Figure::images`, RGBA bytes in
+    /// rows from the top. One that the figure does not show is let go.
+    ///
+    /// # Errors
+    /// When the bytes are not four a pixel, or a side is zero or longer than
+    /// [`LARGEST_SIDE`](crate::LARGEST_SIDE); the picture before stays.
+    pub fn set_image(
+        &mut self,
+        index: usize,
+        width: u32,
+        height: u32,
+        rgba: &[u8],
+    ) -> Result<(), RenderError> {
+        let Some(figure) = &mut self.figure else {
+            return Ok(());
+        };
+        figure.set_image(
+            (&self.device, &self.queue),
+            (&self.kit.layouts, &self.blank),
+            index,
+            (width, height),
+            rgba,
+        )
     }
 
     /// Draws a frame into `view`, a texture of the renderer's format and of `size` pixels.
@@ -249,6 +206,7 @@ impl Renderer {
         self.draw_stage(&mut encoder, &mut counts);
         self.draw_last(&mut encoder, view, &mut counts);
         self.queue.submit([encoder.finish()]);
+        self.info.figure_draw_calls = counts.figure_draw_calls;
         self.info.draw_calls = counts.draw_calls;
         self.info.triangles = counts.triangles;
         let mut refused = self.refused.lock().unwrap_or_else(PoisonError::into_inner);
@@ -263,13 +221,9 @@ impl Renderer {
         self.queue.present(texture);
     }
 
-    /// Makes the textures of this size, if they are not there yet.
-    fn fit(&mut self, size: (u32, u32)) -> Result<(), RenderError> {
-        if self.targets.as_ref().is_some_and(|(t, _)| t.size == size) {
-            return Ok(());
-        }
+    /// Makes the textures of a picture of this size, if they are not there yet.
+    fn fit(&mut self, (width, height): (u32, u32)) -> Result<(), RenderError> {
         let limit = self.device.limits().max_texture_dimension_2d;
-        let (width, height) = size;
         if width == 0 || height == 0 || width > limit || height > limit {
             return Err(RenderError::BadSize {
                 width,
@@ -277,11 +231,19 @@ impl Renderer {
                 limit,
             });
         }
-        let targets = Targets::new(&self.device, self.target_kind, size);
+        let drawn = if self.tier.options.half_size {
+            (width.div_ceil(2), height.div_ceil(2))
+        } else {
+            (width, height)
+        };
+        if self.targets.as_ref().is_some_and(|(t, _)| t.size == drawn) {
+            return Ok(());
+        }
+        let targets = Targets::new(&self.device, self.tier.target, drawn);
         let group = bind_group(
             &self.device,
             "last",
-            &self.pipelines.layouts.last,
+            &self.kit.layouts.last,
             &[
                 binding(0, self.frame_buffer.as_entire_binding()),
                 binding(1, wgpu::BindingResource::TextureView(&targets.picture)),
@@ -296,33 +258,22 @@ impl Renderer {
     fn send(&mut self, frame: &Frame, size: (u32, u32)) {
         let stature_m = self.figure.as_ref().map_or(1.7, |f| f.stature_m);
         let view = View::new(&frame.camera, f64::from(size.0) / f64::from(size.1));
-        let shadow = ShadowView::new(
-            &frame.lighting.key,
-            &frame.camera,
-            &view,
-            stand_in_world(frame),
-            stature_m,
-            self.info.shadow_texels,
-        );
-        let uniform = FrameUniform::new(frame, &view, &shadow, stature_m, size);
+        let stand = stand_in_world(frame);
+        let texels = self.tier.shadow_texels;
+        let shadows = [&frame.lighting.key, &frame.lighting.rim]
+            .map(|light| ShadowView::new(light, &frame.camera, &view, stand, stature_m, texels));
+        let drawn = self.targets.as_ref().map_or(size, |(t, _)| t.size);
+        let enlarged = if self.tier.options.half_size { 2.0 } else { 1.0 };
+        let uniform = FrameUniform::new(frame, &view, &shadows, stature_m, drawn, enlarged);
         self.queue
             .write_buffer(&self.frame_buffer, 0, bytemuck::bytes_of(&uniform));
-        let Some(figure) = &mut self.figure else {
-            return;
-        };
-        joint_rows(
-            &frame.world_from_joint,
-            &figure.joint_from_bind,
-            &mut self.rows,
-        );
-        self.queue
-            .write_buffer(&figure.joints, 0, bytemuck::cast_slice(&self.rows));
-        for mesh in &mut figure.morphed {
-            if mesh.apply(&frame.morph_weights) {
-                let offset = (mesh.first_vertex * size_of_val(&mesh.current[0])) as u64;
-                self.queue
-                    .write_buffer(&figure.shape, offset, bytemuck::cast_slice(&mesh.current));
-            }
+        if let Some(figure) = &mut self.figure {
+            figure.pose(
+                &self.queue,
+                &frame.world_from_joint,
+                &frame.morph_weights,
+                &mut self.rows,
+            );
         }
     }
 
@@ -330,7 +281,7 @@ impl Renderer {
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("shadow"),
             depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
-                view: &self.shadow_map,
+                view: &self.tier.shadow_map,
                 depth_ops: Some(wgpu::Operations {
                     load: wgpu::LoadOp::Clear(1.0),
                     store: wgpu::StoreOp::Store,
@@ -341,15 +292,12 @@ impl Renderer {
         });
         let Some(figure) = &self.figure else { return };
         pass.set_bind_group(0, &self.frame_group, &[]);
-        figure.bind(&mut pass);
-        for mesh in figure.meshes.iter().filter(|m| casts(m.kind)) {
-            let cut = mesh.kind == MaterialKind::Hair;
-            pass.set_pipeline(if cut {
-                &self.pipelines.shadow_cut
-            } else {
-                &self.pipelines.shadow
+        let side = self.tier.shadow_texels as f32;
+        for light in 0..self.tier.lights {
+            pass.set_viewport(side * light as f32, 0.0, side, side, 0.0, 1.0);
+            figure.draw_shadow(&mut pass, counts, |shadow| {
+                self.tier.pipelines.shadow(light, shadow)
             });
-            figure.draw(&mut pass, mesh, counts);
         }
     }
 
@@ -382,28 +330,28 @@ impl Renderer {
             }),
             ..Default::default()
         });
-        pass.set_bind_group(0, &self.lit_group, &[]);
+        pass.set_bind_group(0, &self.tier.lit_group, &[]);
         // What is solid goes first; then the theatre fills what is left; then what adds light.
-        self.draw_meshes(&mut pass, counts, |order| order < 2);
-        pass.set_pipeline(&self.pipelines.theatre);
+        self.draw_figure(&mut pass, counts, |layer| layer != Layer::Clear);
+        pass.set_pipeline(&self.tier.pipelines.theatre);
         pass.draw(0..3, 0..1);
         counts.add(1);
-        self.draw_meshes(&mut pass, counts, |order| order == 2);
+        self.draw_figure(&mut pass, counts, |layer| layer == Layer::Clear);
     }
 
-    fn draw_meshes(
+    fn draw_figure(
         &self,
         pass: &mut wgpu::RenderPass<'_>,
         counts: &mut Counts,
-        wanted: impl Fn(u8) -> bool,
+        wanted: impl Fn(Layer) -> bool,
     ) {
-        let Some(figure) = &self.figure else { return };
-        figure.bind(pass);
-        for mesh in figure.meshes.iter().filter(|m| wanted(draw_order(m.kind))) {
-            if let Some(pipeline) = self.pipelines.material(mesh.kind, mesh.double_sided) {
-                pass.set_pipeline(pipeline);
-                figure.draw(pass, mesh, counts);
-            }
+        if let Some(figure) = &self.figure {
+            figure.draw(
+                pass,
+                counts,
+                |look| wanted(look.layer),
+                |look| self.tier.pipelines.look(look),
+            );
         }
     }
 
@@ -429,30 +377,17 @@ impl Renderer {
             })],
             ..Default::default()
         });
-        pass.set_pipeline(&self.pipelines.last);
+        pass.set_pipeline(&self.tier.pipelines.last);
         pass.set_bind_group(0, group, &[]);
         pass.draw(0..3, 0..1);
         counts.add(1);
     }
 }
 
-impl GpuFigure {
-    fn bind(&self, pass: &mut wgpu::RenderPass<'_>) {
-        pass.set_vertex_buffer(0, self.shape.slice(..));
-        pass.set_vertex_buffer(1, self.fixed.slice(..));
-        pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint32);
-    }
-
-    fn draw(&self, pass: &mut wgpu::RenderPass<'_>, mesh: &DrawnMesh, counts: &mut Counts) {
-        pass.set_bind_group(1, &self.group, &[mesh.material_offset]);
-        pass.draw_indexed(mesh.indices.clone(), 0, 0..1);
-        counts.add(mesh.indices.len() as u32 / 3);
-    }
-}
-
 #[derive(Default)]
-struct Counts {
+pub(crate) struct Counts {
     draw_calls: u32,
+    figure_draw_calls: u32,
     triangles: u32,
 }
 
@@ -461,22 +396,14 @@ impl Counts {
         self.draw_calls += 1;
         self.triangles += triangles;
     }
+
+    pub(crate) fn add_figure(&mut self, triangles: u32) {
+        self.add(triangles);
+        self.figure_draw_calls += 1;
+    }
 }
 
-/// Whether a kind casts a shadow. What lies inside the head is shaded by its occlusion,
-/// lashes are finer than the map, and the tear layer is clear.
-fn casts(kind: MaterialKind) -> bool {
-    !matches!(
-        kind,
-        MaterialKind::Eye
-            | MaterialKind::Cornea
-            | MaterialKind::Teeth
-            | MaterialKind::Mouth
-            | MaterialKind::Lash
-    )
-}
-
-fn empty_buffer(device: &Device, label: &str, size: u64, usage: BufferUsages) -> Buffer {
+pub(crate) fn empty_buffer(device: &Device, label: &str, size: u64, usage: BufferUsages) -> Buffer {
     device.create_buffer(&wgpu::BufferDescriptor {
         label: Some(label),
         size,
@@ -485,11 +412,11 @@ fn empty_buffer(device: &Device, label: &str, size: u64, usage: BufferUsages) ->
     })
 }
 
-fn binding(binding: u32, resource: wgpu::BindingResource<'_>) -> wgpu::BindGroupEntry<'_> {
+pub(crate) fn binding(binding: u32, resource: wgpu::BindingResource<'_>) -> wgpu::BindGroupEntry<'_> {
     wgpu::BindGroupEntry { binding, resource }
 }
 
-fn bind_group(
+pub(crate) fn bind_group(
     device: &Device,
     label: &str,
     layout: &wgpu::BindGroupLayout,

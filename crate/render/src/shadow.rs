@@ -1,4 +1,4 @@
-//! Where the key light's shadow map looks.
+//! Where a light's shadow map looks.
 
 use glam::dcamera::rh::{proj::directx::orthographic, view::look_to_mat4};
 use raconteur_base::{DMat4, DVec3};
@@ -6,7 +6,7 @@ use raconteur_stage::{Camera, DirectedLight};
 
 use crate::uniform::View;
 
-/// The key light as a camera, and the sizes its filter needs.
+/// A light as a camera, and the sizes its filter needs.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ShadowView {
     pub(crate) clip_from_world: DMat4,
@@ -16,6 +16,8 @@ pub(crate) struct ShadowView {
     pub(crate) normal_offset_m: f32,
     /// Subtracted from the depth before comparing.
     pub(crate) depth_bias: f32,
+    /// Depth of the map that a metre takes.
+    pub(crate) depth_of_metre: f32,
 }
 
 /// Distance between filter taps on the figure, metres: the edge of a large soft lamp.
@@ -25,14 +27,14 @@ impl ShadowView {
     /// Fits the map to the part of the figure that is in the picture, so that a close
     /// shot has finer shadows. Casters outside still cast: depth covers the whole figure.
     pub(crate) fn new(
-        key: &DirectedLight,
+        light: &DirectedLight,
         camera: &Camera,
         view: &View,
         stand: DVec3,
         stature_m: f64,
         texels: u32,
     ) -> Self {
-        let towards = key
+        let towards = light
             .towards_light_in_world
             .try_normalize()
             .unwrap_or(DVec3::Y);
@@ -68,6 +70,7 @@ impl ShadowView {
             tap_uv: (tap_m / (2.0 * radius)) as f32,
             normal_offset_m: (1.6 * tap_m + 0.0012) as f32,
             depth_bias: ((0.35 * tap_m + 0.0004) / far) as f32,
+            depth_of_metre: (1.0 / far) as f32,
         }
     }
 }

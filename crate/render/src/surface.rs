@@ -69,21 +69,7 @@ impl CanvasTarget {
         let surface = instance
             .create_surface(wgpu::SurfaceTarget::Canvas(canvas.clone()))
             .map_err(|e| RenderError::Surface(e.to_string()))?;
-        let adapter = instance
-            .request_adapter(&wgpu::RequestAdapterOptions {
-                compatible_surface: Some(&surface),
-                ..Default::default()
-            })
-            .await
-            .map_err(|e| RenderError::NoAdapter(e.to_string()))?;
-        let (device, queue) = adapter
-            .request_device(&wgpu::DeviceDescriptor {
-                required_limits: wgpu::Limits::downlevel_webgl2_defaults()
-                    .using_resolution(adapter.limits()),
-                ..Default::default()
-            })
-            .await
-            .map_err(|e| RenderError::NoDevice(e.to_string()))?;
+        let (adapter, device, queue) = crate::device::open(&instance, Some(&surface)).await?;
         let lost = Arc::new(AtomicBool::new(false));
         let flag = Arc::clone(&lost);
         device.set_device_lost_callback(move |_, _| flag.store(true, Ordering::Relaxed));
@@ -134,6 +120,25 @@ impl CanvasTarget {
     /// As [`Renderer::set_figure`].
     pub fn set_figure(&mut self, figure: &Figure) -> Result<(), RenderError> {
         self.renderer.set_figure(figure)
+    }
+
+    /// Shows a decoded picture of the figure.
+    ///
+    /// # Errors
+    /// As [`Renderer::set_image`].
+    pub fn set_image(
+        &mut self,
+        index: usize,
+        width: u32,
+        height: u32,
+        rgba: &[u8],
+    ) -> Result<(), RenderError> {
+        self.renderer.set_image(index, width, height, rgba)
+    }
+
+    /// Draws as `options` say from the next picture on.
+    pub fn set_options(&mut self, options: RenderOptions) {
+        self.renderer.set_options(options);
     }
 
     /// Sets the size drawn, pixels, within 1 and the device's limit on either side. The

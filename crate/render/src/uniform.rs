@@ -13,7 +13,7 @@ use crate::shadow::ShadowView;
 #[derive(Clone, Copy, Pod, Zeroable)]
 pub(crate) struct FrameUniform {
     clip_from_world: [f32; 16],
-    shadow_from_world: [f32; 16],
+    shadow_from_world: [[f32; 16]; 2],
     ray_forward: [f32; 4],
     ray_right: [f32; 4],
     ray_up: [f32; 4],
@@ -80,12 +80,15 @@ pub(crate) fn stand_in_world(frame: &Frame) -> DVec3 {
 }
 
 impl FrameUniform {
+    /// `size` is what is drawn, pixels; `enlarged`, how many pixels of the target each of
+    /// them fills on either axis.
     pub(crate) fn new(
         frame: &Frame,
         view: &View,
-        shadow: &ShadowView,
+        shadows: &[ShadowView; 2],
         stature_m: f64,
         size: (u32, u32),
+        enlarged: f32,
     ) -> Self {
         let light = &frame.lighting;
         let sole = |bone: Bone| {
@@ -107,8 +110,10 @@ impl FrameUniform {
         let (w, h) = (size.0 as f32, size.1 as f32);
         Self {
             clip_from_world: view.clip_from_world.as_mat4().to_cols_array(),
-            shadow_from_world: shadow.clip_from_world.as_mat4().to_cols_array(),
-            ray_forward: point(view.forward, 0.0),
+            shadow_from_world: shadows
+                .each_ref()
+                .map(|s| s.clip_from_world.as_mat4().to_cols_array()),
+            ray_forward: point(view.forward, 1.0 / enlarged),
             ray_right: point(view.right, 0.0),
             ray_up: point(view.up, 0.0),
             eye_in_world: point(frame.camera.eye_in_world, frame.time_secs as f32),
@@ -121,16 +126,19 @@ impl FrameUniform {
             sky: color(light.sky, 0.0),
             ground: color(light.ground, light.exposure),
             floor: color(frame.set.floor, 0.0),
-            backdrop_low: color(frame.set.backdrop_low, 0.0),
+            backdrop_low: color(
+                frame.set.backdrop_low,
+                f32::from(u8::from(frame.set.curtain)),
+            ),
             backdrop_high: color(frame.set.backdrop_high, 0.0),
             glow: color(frame.set.glow, 0.0),
             stand: point(stand_in_world(frame), stature_m as f32),
             feet: [sole(Bone::LMidtarsal), sole(Bone::RMidtarsal)],
             shadow: [
-                shadow.tap_uv,
-                shadow.normal_offset_m,
-                shadow.depth_bias,
-                0.0,
+                shadows[0].tap_uv,
+                shadows[0].normal_offset_m,
+                shadows[0].depth_bias,
+                shadows[0].depth_of_metre,
             ],
             viewport: [w, h, 1.0 / w, 1.0 / h],
         }

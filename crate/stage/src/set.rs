@@ -11,6 +11,9 @@ pub struct Set {
     pub backdrop_high: [f32; 3],
     /// The pool of light behind the figure, added around the middle of the backdrop.
     pub glow: [f32; 3],
+    /// Whether a curtain hangs and boards lie; otherwise an even wall runs into the floor, as
+    /// in a photographer's studio.
+    pub curtain: bool,
 }
 
 impl Default for Set {
@@ -21,6 +24,7 @@ impl Default for Set {
             backdrop_low: [0.036, 0.0065, 0.0105],
             backdrop_high: [0.011, 0.0045, 0.011],
             glow: [0.150, 0.050, 0.021],
+            curtain: true,
         }
     }
 }

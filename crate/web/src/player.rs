@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use raconteur_player::body::figure::Image;
 use raconteur_player::body::read::read_figure;
 use raconteur_player::{Options, Player as Performer, StoryInput};
 use raconteur_render::{Backend, CanvasTarget, Quality, RenderOptions, RenderStatus};
@@ -68,6 +69,7 @@ impl Player {
         };
         let options = RenderOptions {
             quality: Quality::Medium,
+            half_size: false,
         };
         let picture = match canvas {
             Some(canvas) => Some(CanvasTarget::new(canvas, backend, options).await?),
@@ -101,6 +103,41 @@ impl Player {
         self.told_secs = -1.0;
         self.events.clear();
         plain(&story)
+    }
+
+    /// How many pictures the figure has, for the page to decode.
+    #[wasm_bindgen(js_name = imageCount)]
+    pub fn image_count(&self) -> usize {
+        self.performer
+            .as_ref()
+            .map_or(0, |p| p.figure().images.len())
+    }
+
+    /// The type of a picture: `image/png` or `image/jpeg`.
+    #[wasm_bindgen(js_name = imageType)]
+    pub fn image_type(&self, index: usize) -> Option<String> {
+        self.image(index).map(|i| i.mime_type.clone())
+    }
+
+    /// The bytes of a picture's file.
+    #[wasm_bindgen(js_name = imageBytes)]
+    pub fn image_bytes(&self, index: usize) -> Option<Vec<u8>> {
+        self.image(index).map(|i| i.bytes.clone())
+    }
+
+    /// Shows a decoded picture of the figure: RGBA bytes in rows from the top, straight alpha.
+    #[wasm_bindgen(js_name = setImage)]
+    pub fn set_image(
+        &mut self,
+        index: usize,
+        width: u32,
+        height: u32,
+        rgba: &[u8],
+    ) -> Result<(), JsError> {
+        if let Some(picture) = &mut self.picture {
+            picture.set_image(index, width, height, rgba)?;
+        }
+        Ok(())
     }
 
     /// Shows a moment; a `TickStatus`.
@@ -171,6 +208,12 @@ impl Player {
         let events = plain(&self.events);
         self.events.clear();
         events
+    }
+}
+
+impl Player {
+    fn image(&self, index: usize) -> Option<&Image> {
+        self.performer.as_ref()?.figure().images.get(index)
     }
 }
 

@@ -236,9 +236,10 @@ fn append(mesh: &mut Mesh, piece: &Piece, skeleton: &Skeleton, morph_names: &[St
 
 /// Kinds whose shading reads texture coordinates; for the others they would only take room.
 fn has_coordinates(material: &Material) -> bool {
-    use MaterialKind::{Cloth, Cornea, Eye, Hair, Lash};
+    use MaterialKind::{Cornea, Eye, Hair, Lash};
     let textured = material.maps != Maps::default();
-    textured || matches!(material.kind, Eye | Cornea | Hair | Lash | Cloth)
+    let woven = material.kind.weave().is_some();
+    textured || woven || matches!(material.kind, Eye | Cornea | Hair | Lash)
 }
 
 /// Vertices of a part that share a place (seams of texture coordinates): their normals

@@ -5,14 +5,13 @@ use raconteur_base::{DAffine3, DQuat, DVec3, Side};
 
 use super::annotation::Annotations;
 use super::assemble::{Blueprint, Piece, assemble};
-use super::cloth::finish::{dyed, openness};
-use super::cloth::{shoe, sweater, trousers};
+use super::cloth::finish::openness;
+use super::cloth::{Wearer, dress};
 use super::hair::{self, HairParams};
 use super::hand::{self, HandParams};
 use super::head::{self, Head};
 use super::part::{Part, PartVertex};
 use super::people::FigureParams;
-use super::torso::cage::Tag;
 use super::torso::{CM, Cage, Field, Joints, Regions, Shell};
 use crate::figure::{Figure, Maps, Material, MaterialKind};
 use crate::skeleton::{Bone, FacePlaces, zero_frames};
@@ -36,12 +35,8 @@ pub fn build(params: &FigureParams) -> Built {
     let field = Field::new(&params.body, &joints);
     let cage = Cage::new(&field, &joints);
 
-    let clothes = &params.wardrobe;
-    let knit = dyed(MaterialKind::Cloth, clothes.sweater, 0.85);
-    let top = sweater::sweater(&field, &cage, &joints, &knit);
-    let wool = dyed(MaterialKind::Cloth, clothes.trousers, 0.9);
-    let leather = dyed(MaterialKind::Leather, clothes.shoe, 0.38);
-    let rubber = dyed(MaterialKind::Leather, clothes.sole, 0.6);
+    let wearer = Wearer::new(&params.body, &field, &cage, &joints);
+    let clothes = dress(&wearer, &params.wardrobe);
 
     let body = |p: DVec3| {
         field.value_and_normal(world_from_head.transform_point3(p), Regions::ALL, 1.0)
@@ -65,18 +60,7 @@ pub fn build(params: &FigureParams) -> Built {
         );
     }
     pieces.push(neck(&field, &cage, &head, world_from_head).into());
-    pieces.extend(top.parts.into_iter().map(Piece::from));
-    pieces.extend(
-        trousers::trousers(&field, &cage, &joints, &wool)
-            .into_iter()
-            .map(Piece::from),
-    );
-    pieces.push(socks(&field, &cage, &dyed(MaterialKind::Cloth, clothes.sock, 0.9)).into());
-    pieces.extend(
-        shoe::shoes(&joints, stature, &leather, &rubber)
-            .into_iter()
-            .map(Piece::from),
-    );
+    pieces.extend(clothes.parts.into_iter().map(Piece::from));
     pieces.extend(hairs);
 
     let figure = assemble(&Blueprint {
@@ -101,7 +85,8 @@ pub fn build(params: &FigureParams) -> Built {
 
 /// Puts the head's vertex at the stature and its joints on the skeleton.
 fn place_head(joints: &mut Joints, head: &Head, stature_m: f64) -> DAffine3 {
-    let origin = DVec3::new(0.0, stature_m - head.extent[1], 1.2 * CM);
+    let forward = joints.at(Bone::Skull).z + 2.2 * CM;
+    let origin = DVec3::new(0.0, stature_m - head.extent[1], forward);
     let place = DAffine3::from_translation(origin);
     joints.positions[Bone::Skull.index()] = place.transform_point3(head.skull_origin);
     joints.positions[Bone::Chin.index()] = place.transform_point3(head.jaw_hinge);
@@ -117,7 +102,7 @@ fn head_parts(
     field: &Field,
     cage: &Cage,
 ) -> Vec<Part> {
-    let (throat, _) = cage.part(|t| matches!(t, Tag::Trunk(12..))).subdivided(1);
+    let (throat, _) = cage.part(|t| Cage::is_above(t, 0.798)).subdivided(1);
     let mut parts = head.parts.clone();
     hair::shade_skin(&mut parts[0], head, hair);
     for part in &mut parts {
@@ -176,7 +161,7 @@ fn place_hand(params: &HandParams, side: Side, joints: &mut Joints) -> Vec<Part>
 
 /// The body's own neck, just below the head's skin and inside the collar.
 fn neck(field: &Field, cage: &Cage, head: &Head, place: DAffine3) -> Part {
-    let (mut shell, _) = cage.part(|t| matches!(t, Tag::Trunk(14..))).subdivided(1);
+    let (mut shell, _) = cage.part(|t| Cage::is_above(t, 0.826)).subdivided(1);
     let rim = head
         .neck_rim
         .iter()
@@ -219,12 +204,6 @@ fn neck(field: &Field, cage: &Cage, head: &Head, place: DAffine3) -> Part {
         }
     }
     part
-}
-
-/// Ankles between shoe and trousers.
-fn socks(field: &Field, cage: &Cage, material: &Material) -> Part {
-    let shell = cage.part(|t| matches!(t, Tag::Leg(13..)));
-    plain_part("socks", &shell, field, material, [1.0; 3])
 }
 
 fn plain_part(

@@ -14,7 +14,7 @@ pub mod part;
 pub mod people;
 pub mod subdivide;
 pub mod torso;
-pub mod write;
+pub use crate::write;
 
 pub use build::{Built, build};
 pub use people::{FigureParams, Person};

@@ -2,15 +2,15 @@
 //! offset or an index of the file.
 
 use super::ReadError;
-use super::document::{Accessor, Component, Document};
+use super::document::{Accessor, Component, Document, Sparse};
 
 /// No file may make us hold more numbers than this: a figure has about two million, and
 /// views may be referenced many times.
 const MOST_NUMBERS: usize = 1 << 26;
 
 /// A document with its binary chunk.
-pub(super) struct Source<'a> {
-    pub(super) root: &'a Document<'a>,
+pub(crate) struct Source<'a> {
+    pub(crate) root: &'a Document<'a>,
     numbers_left: usize,
 }
 
@@ -54,7 +54,7 @@ fn whole(b: &[u8], c: Component) -> u32 {
 }
 
 impl<'a> Source<'a> {
-    pub(super) fn new(root: &'a Document<'a>) -> Self {
+    pub(crate) fn new(root: &'a Document<'a>) -> Self {
         Self {
             root,
             numbers_left: MOST_NUMBERS,
@@ -95,7 +95,7 @@ impl<'a> Source<'a> {
     }
 
     /// All bytes of a view; they count as numbers, since many may show one view.
-    pub(super) fn view_bytes(
+    pub(crate) fn view_bytes(
         &mut self,
         index: usize,
         what: &'static str,
@@ -153,7 +153,7 @@ impl<'a> Source<'a> {
     }
 
     /// An accessor as finite numbers; quantised ones are scaled when they are normalised.
-    pub(super) fn floats<const N: usize>(
+    pub(crate) fn floats<const N: usize>(
         &mut self,
         index: usize,
         what: &'static str,
@@ -164,7 +164,7 @@ impl<'a> Source<'a> {
     }
 
     /// An accessor as unsigned integers.
-    pub(super) fn integers<const N: usize>(
+    pub(crate) fn integers<const N: usize>(
         &mut self,
         index: usize,
         what: &'static str,
@@ -176,7 +176,7 @@ impl<'a> Source<'a> {
 
     /// The elements of a morph target that are not zero: sparse in the file or not.
     #[allow(clippy::type_complexity, reason = "two parallel columns, used once")]
-    pub(super) fn nonzero(
+    pub(crate) fn nonzero(
         &mut self,
         index: usize,
         expected_count: usize,
@@ -193,9 +193,21 @@ impl<'a> Source<'a> {
         if accessor.buffer_view.is_some() {
             return Err(ReadError::Type { what });
         }
-        let component = Self::shape(accessor, 3, what)?;
+        self.sparse_elements(accessor, sparse, expected_count, what)
+    }
+
+    /// The elements that a sparse accessor replaces, places ascending and in range.
+    #[allow(clippy::type_complexity, reason = "two parallel columns")]
+    fn sparse_elements<const N: usize>(
+        &mut self,
+        accessor: &Accessor,
+        sparse: &Sparse,
+        expected_count: usize,
+        what: &'static str,
+    ) -> Result<(Vec<u32>, Vec<[f32; N]>), ReadError> {
+        let component = Self::shape(accessor, N, what)?;
         let count = size(sparse.count, what)?;
-        self.spend(count.checked_mul(4).ok_or(ReadError::TooLarge)?)?;
+        self.spend(count.checked_mul(N + 1).ok_or(ReadError::TooLarge)?)?;
         let index_component = sparse.index_component.ok_or(ReadError::Type { what })?;
         let part = |view, offset: u64, component: Component, width| {
             let (bytes, _) = self.view(view, size(offset, what)?, what)?;
@@ -212,7 +224,7 @@ impl<'a> Source<'a> {
             })
         };
         let places = part(sparse.index_view, sparse.index_offset, index_component, 1)?;
-        let values = part(sparse.value_view, sparse.value_offset, component, 3)?;
+        let values = part(sparse.value_view, sparse.value_offset, component, N)?;
         let places: Vec<u32> = read_integers::<1>(&places, what)?
             .into_iter()
             .map(|[i]| i)
@@ -222,6 +234,71 @@ impl<'a> Source<'a> {
             return Err(ReadError::OutOfRange { what });
         }
         Ok((places, read_floats(&values, what)?))
+    }
+}
+
+/// What other people's files store in more ways than ours.
+#[cfg(feature = "import")]
+impl<'a> Source<'a> {
+    /// Takes no more numbers than this from the document.
+    pub(crate) fn with_budget(root: &'a Document<'a>, numbers: usize) -> Self {
+        Self {
+            root,
+            numbers_left: numbers,
+        }
+    }
+
+    /// Numbers an element of an accessor has, 0 for an unknown type.
+    pub(crate) fn width(&self, index: usize, what: &'static str) -> Result<usize, ReadError> {
+        Ok(self.accessor(index, what)?.width)
+    }
+
+    /// How many elements an accessor claims; nothing is allocated for the claim.
+    pub(crate) fn claimed_count(&self, index: usize, what: &'static str) -> Result<u64, ReadError> {
+        Ok(self.accessor(index, what)?.count)
+    }
+
+    /// An accessor as finite numbers, dense, sparse over a view, or sparse over zeros.
+    pub(crate) fn dense<const N: usize>(
+        &mut self,
+        index: usize,
+        what: &'static str,
+    ) -> Result<Vec<[f32; N]>, ReadError> {
+        let accessor = self.accessor(index, what)?;
+        Self::shape(accessor, N, what)?;
+        let mut out = if accessor.buffer_view.is_some() {
+            self.floats(index, what)?
+        } else {
+            let count = size(accessor.count, what)?;
+            self.spend(count.checked_mul(N).ok_or(ReadError::TooLarge)?)?;
+            vec![[0.0; N]; count]
+        };
+        if let Some(sparse) = &accessor.sparse {
+            let (places, values) = self.sparse_elements(accessor, sparse, out.len(), what)?;
+            for (place, value) in places.into_iter().zip(values) {
+                out[place as usize] = value;
+            }
+        }
+        Ok(out)
+    }
+
+    /// The elements of a morph target that are not zero, however it is stored.
+    #[allow(clippy::type_complexity, reason = "two parallel columns")]
+    pub(crate) fn moved(
+        &mut self,
+        index: usize,
+        expected_count: usize,
+        what: &'static str,
+    ) -> Result<(Vec<u32>, Vec<[f32; 3]>), ReadError> {
+        let accessor = self.accessor(index, what)?;
+        if accessor.count != expected_count as u64 {
+            return Err(ReadError::Count { what });
+        }
+        if accessor.sparse.is_some() && accessor.buffer_view.is_none() {
+            return self.nonzero(index, expected_count, what);
+        }
+        let dense: Vec<[f32; 3]> = self.dense(index, what)?;
+        Ok((0u32..).zip(dense).filter(|(_, v)| *v != [0.0; 3]).unzip())
     }
 }
 

@@ -13,40 +13,40 @@ const CHUNK_JSON: u32 = 0x4E4F_534A;
 const CHUNK_BIN: u32 = 0x004E_4942;
 
 /// A node's own placement and what hangs on it.
-pub(super) struct Node {
-    pub(super) name: String,
-    pub(super) children: Vec<usize>,
-    pub(super) matrix: Option<[f64; 16]>,
-    pub(super) translation: Option<[f64; 3]>,
-    pub(super) rotation: Option<[f64; 4]>,
-    pub(super) scale: Option<[f64; 3]>,
-    pub(super) mesh: Option<usize>,
-    pub(super) skin: Option<usize>,
+pub(crate) struct Node {
+    pub(crate) name: String,
+    pub(crate) children: Vec<usize>,
+    pub(crate) matrix: Option<[f64; 16]>,
+    pub(crate) translation: Option<[f64; 3]>,
+    pub(crate) rotation: Option<[f64; 4]>,
+    pub(crate) scale: Option<[f64; 3]>,
+    pub(crate) mesh: Option<usize>,
+    pub(crate) skin: Option<usize>,
 }
 
-pub(super) struct Skin {
-    pub(super) joints: Vec<usize>,
-    pub(super) inverse_bind_matrices: Option<usize>,
+pub(crate) struct Skin {
+    pub(crate) joints: Vec<usize>,
+    pub(crate) inverse_bind_matrices: Option<usize>,
 }
 
-pub(super) struct Mesh {
-    pub(super) name: String,
-    pub(super) target_names: Vec<String>,
-    pub(super) primitives: Vec<Primitive>,
+pub(crate) struct Mesh {
+    pub(crate) name: String,
+    pub(crate) target_names: Vec<String>,
+    pub(crate) primitives: Vec<Primitive>,
 }
 
-pub(super) struct Primitive {
+pub(crate) struct Primitive {
     attributes: Vec<(String, usize)>,
-    pub(super) indices: Option<usize>,
+    pub(crate) indices: Option<usize>,
     /// glTF's drawing mode; 4 is triangles.
-    pub(super) mode: u64,
-    pub(super) material: Option<usize>,
-    pub(super) targets: Vec<Target>,
+    pub(crate) mode: u64,
+    pub(crate) material: Option<usize>,
+    pub(crate) targets: Vec<Target>,
 }
 
 impl Primitive {
     /// The accessor of an attribute.
-    pub(super) fn attribute(&self, name: &str) -> Option<usize> {
+    pub(crate) fn attribute(&self, name: &str) -> Option<usize> {
         self.attributes
             .iter()
             .find(|(n, _)| n == name)
@@ -54,29 +54,29 @@ impl Primitive {
     }
 }
 
-pub(super) struct Target {
-    pub(super) positions: Option<usize>,
-    pub(super) normals: Option<usize>,
+pub(crate) struct Target {
+    pub(crate) positions: Option<usize>,
+    pub(crate) normals: Option<usize>,
 }
 
-pub(super) struct Material {
-    pub(super) kind: String,
-    pub(super) base_color: [f64; 4],
-    pub(super) roughness: f64,
-    pub(super) double_sided: bool,
-    pub(super) base_color_texture: Option<usize>,
-    pub(super) normal_texture: Option<usize>,
+pub(crate) struct Material {
+    pub(crate) kind: String,
+    pub(crate) base_color: [f64; 4],
+    pub(crate) roughness: f64,
+    pub(crate) double_sided: bool,
+    pub(crate) base_color_texture: Option<usize>,
+    pub(crate) normal_texture: Option<usize>,
 }
 
 /// A picture in the binary chunk.
-pub(super) struct Image {
-    pub(super) mime_type: String,
-    pub(super) view: usize,
+pub(crate) struct Image {
+    pub(crate) mime_type: String,
+    pub(crate) view: usize,
 }
 
 /// Type of one number in a buffer.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Component {
+pub(crate) enum Component {
     I8,
     U8,
     I16,
@@ -98,7 +98,7 @@ impl Component {
         })
     }
 
-    pub(super) fn bytes(self) -> usize {
+    pub(crate) fn bytes(self) -> usize {
         match self {
             Self::I8 | Self::U8 => 1,
             Self::I16 | Self::U16 => 2,
@@ -107,48 +107,48 @@ impl Component {
     }
 }
 
-pub(super) struct Accessor {
-    pub(super) buffer_view: Option<usize>,
-    pub(super) byte_offset: u64,
-    pub(super) count: u64,
-    pub(super) component: Option<Component>,
+pub(crate) struct Accessor {
+    pub(crate) buffer_view: Option<usize>,
+    pub(crate) byte_offset: u64,
+    pub(crate) count: u64,
+    pub(crate) component: Option<Component>,
     /// Numbers an element; 0 for an unknown type.
-    pub(super) width: usize,
-    pub(super) normalized: bool,
-    pub(super) sparse: Option<Sparse>,
+    pub(crate) width: usize,
+    pub(crate) normalized: bool,
+    pub(crate) sparse: Option<Sparse>,
 }
 
-pub(super) struct Sparse {
-    pub(super) count: u64,
-    pub(super) index_component: Option<Component>,
-    pub(super) index_view: usize,
-    pub(super) index_offset: u64,
-    pub(super) value_view: usize,
-    pub(super) value_offset: u64,
+pub(crate) struct Sparse {
+    pub(crate) count: u64,
+    pub(crate) index_component: Option<Component>,
+    pub(crate) index_view: usize,
+    pub(crate) index_offset: u64,
+    pub(crate) value_view: usize,
+    pub(crate) value_offset: u64,
 }
 
-pub(super) struct View {
-    pub(super) buffer: usize,
-    pub(super) byte_offset: u64,
-    pub(super) byte_length: u64,
-    pub(super) byte_stride: Option<usize>,
+pub(crate) struct View {
+    pub(crate) buffer: usize,
+    pub(crate) byte_offset: u64,
+    pub(crate) byte_length: u64,
+    pub(crate) byte_stride: Option<usize>,
 }
 
 /// A document and its binary chunk.
-pub(super) struct Document<'a> {
-    pub(super) extensions_required: Vec<String>,
-    pub(super) stature_m: Option<f64>,
-    pub(super) lid_closure_rad: Option<[f64; 2]>,
-    pub(super) nodes: Vec<Node>,
-    pub(super) skins: Vec<Skin>,
-    pub(super) meshes: Vec<Mesh>,
-    pub(super) materials: Vec<Material>,
-    pub(super) images: Vec<Image>,
+pub(crate) struct Document<'a> {
+    pub(crate) extensions_required: Vec<String>,
+    pub(crate) stature_m: Option<f64>,
+    pub(crate) lid_closure_rad: Option<[f64; 2]>,
+    pub(crate) nodes: Vec<Node>,
+    pub(crate) skins: Vec<Skin>,
+    pub(crate) meshes: Vec<Mesh>,
+    pub(crate) materials: Vec<Material>,
+    pub(crate) images: Vec<Image>,
     /// The image of each texture.
-    pub(super) texture_images: Vec<usize>,
-    pub(super) accessors: Vec<Accessor>,
-    pub(super) views: Vec<View>,
-    pub(super) bin: &'a [u8],
+    pub(crate) texture_images: Vec<usize>,
+    pub(crate) accessors: Vec<Accessor>,
+    pub(crate) views: Vec<View>,
+    pub(crate) bin: &'a [u8],
 }
 
 fn items<'v>(value: &'v Value, key: &str) -> &'v [Value] {
@@ -312,7 +312,7 @@ fn word(bytes: &[u8], at: usize) -> Option<u32> {
 }
 
 /// The JSON and binary chunks of a container.
-fn chunks(glb: &[u8]) -> Result<(&[u8], &[u8]), ReadError> {
+pub(crate) fn chunks(glb: &[u8]) -> Result<(&[u8], &[u8]), ReadError> {
     let bad = |what: &str| ReadError::NotGlb(what.to_owned());
     if glb.get(..4) != Some(MAGIC) {
         return Err(bad("it does not begin with glTF"));
@@ -350,22 +350,27 @@ fn chunks(glb: &[u8]) -> Result<(&[u8], &[u8]), ReadError> {
 
 impl<'a> Document<'a> {
     /// Takes a container apart.
-    pub(super) fn read(glb: &'a [u8]) -> Result<Self, ReadError> {
+    pub(crate) fn read(glb: &'a [u8]) -> Result<Self, ReadError> {
         let (json, bin) = chunks(glb)?;
         // serde_json refuses nesting beyond 128 levels, so this cannot exhaust the stack.
         let root: Value =
             serde_json::from_slice(json).map_err(|e| ReadError::NotGlb(e.to_string()))?;
+        Self::of(&root, bin)
+    }
+
+    /// From a document's JSON and its one buffer.
+    pub(crate) fn of(root: &Value, bin: &'a [u8]) -> Result<Self, ReadError> {
         if root["asset"]["version"]
             .as_str()
             .is_none_or(|v| !v.starts_with("2."))
         {
             return Err(ReadError::NotGlb("its asset version is not 2".to_owned()));
         }
-        let scene = index(&root, "scene").and_then(|i| items(&root, "scenes").get(i));
+        let scene = index(root, "scene").and_then(|i| items(root, "scenes").get(i));
         let extras = scene.map_or(&Value::Null, |s| &s["extras"]);
-        let all = |key: &str| items(&root, key).iter();
+        let all = |key: &str| items(root, key).iter();
         Ok(Self {
-            extensions_required: texts(&root, "extensionsRequired"),
+            extensions_required: texts(root, "extensionsRequired"),
             stature_m: extras["statureMetres"].as_f64(),
             lid_closure_rad: numbers(extras, "lidClosureRadians"),
             nodes: all("nodes").map(node).collect(),

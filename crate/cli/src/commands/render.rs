@@ -14,6 +14,7 @@ use raconteur_render::headless::Headless;
 
 use crate::Outcome;
 use crate::film;
+use crate::picture;
 use crate::report;
 use crate::story::StoryFiles;
 
@@ -97,7 +98,7 @@ impl Render {
         let mut headless = Headless::new_blocking(RenderOptions::default()).context(
             "no graphics adapter (on Debian: apt install mesa-vulkan-drivers libvulkan1)",
         )?;
-        headless.set_figure(loaded.player.figure())?;
+        picture::set_figure(&mut headless, loaded.player.figure())?;
         if let Some(path) = &self.output {
             let pixels = self.draw(&mut loaded.player, &mut headless, self.at)?;
             write_png(path, self.size, &pixels)?;

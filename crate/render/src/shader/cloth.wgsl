@@ -1,7 +1,7 @@
-// Cloth, leather and plain surfaces.
+// Cloth and leather, and what polished surfaces share.
 
 // Height of a knitted jersey: columns of V stitches; x and y in stitches. Slope in xy,
-// height 0..1 in z.
+// height 0..1 in z, as for every weave.
 fn knit(q: vec2<f32>) -> vec3<f32> {
     let column = fract(q.x) - 0.5;
     // Each leg of the V leans towards the middle of its column.
@@ -13,6 +13,39 @@ fn knit(q: vec2<f32>) -> vec3<f32> {
     return vec3<f32>(leg_slope * 1.1 * sign(column) - 0.5 * PI * sin(2.0 * PI * column), leg_slope, height);
 }
 
+// Rounded ridges along y.
+fn ridges(x: f32) -> vec3<f32> {
+    return vec3<f32>(-PI * sin(2.0 * PI * x), 0.0, 0.5 + 0.5 * cos(2.0 * PI * x));
+}
+
+// Threads over and under; twill steps one thread a row.
+fn threads(q: vec2<f32>, twill: f32) -> vec3<f32> {
+    let d = 2.0 * PI * (q.x + q.y * twill);
+    let e = 2.0 * PI * q.y;
+    let plain = (1.0 - twill) * sin(e);
+    return vec3<f32>(-PI * sin(d), -PI * sin(d) * twill - 0.8 * PI * plain, 0.5 + 0.3 * cos(d) + 0.2 * cos(e));
+}
+
+// Repeats in a metre of each weave: knit, rib, woven, denim, corduroy, fleece.
+const REPEATS = array<vec2<f32>, 6>(
+    vec2<f32>(480.0, 620.0), vec2<f32>(185.0, 620.0), vec2<f32>(900.0, 900.0),
+    vec2<f32>(560.0, 560.0), vec2<f32>(300.0, 300.0), vec2<f32>(800.0, 1000.0));
+
+fn weave_of(kind: u32, q: vec2<f32>) -> vec3<f32> {
+    switch kind {
+        case 1u: {
+            // Ribs are coarse enough to show their own stitches.
+            let k = knit(q * vec2<f32>(2.0, 1.0));
+            let r = ridges(q.x);
+            return vec3<f32>(r.xy * 1.5 + k.xy * 0.3, r.z * 0.75 + k.z * 0.25);
+        }
+        case 2u: { return threads(q, 0.0); }
+        case 3u: { return threads(q, 1.0); }
+        case 4u: { return ridges(q.x) * vec3<f32>(1.2, 1.0, 1.0); }
+        default: { return knit(q); }
+    }
+}
+
 // Soft light through the fibres that stand off the cloth: grazing views brighten
 // (after the sheen of Estevez and Kulla 2017, in a cheap form).
 fn fuzz(n: vec3<f32>, view: vec3<f32>) -> f32 {
@@ -22,26 +55,36 @@ fn fuzz(n: vec3<f32>, view: vec3<f32>) -> f32 {
 
 @fragment
 fn fs_cloth(v: VertexOut, @builtin(front_facing) front: bool) -> @location(0) vec4<f32> {
-    let q = v.uv * vec2<f32>(480.0, 620.0);
-    let stitch_px = max(length(dpdx(q)), length(dpdy(q)));
+    let kind = u32(material.params.w + 0.5);
+    var repeats = REPEATS;
+    let q = v.uv * repeats[kind];
+    let repeat_px = max(length(dpdx(q)), length(dpdy(q)));
     let view = to_eye(v.world);
     let ng = facing_normal(v.normal, front);
     var n = ng;
     var albedo = v.color.rgb * material.base.rgb;
     let up = normalize(v.along - n * dot(v.along, n) + vec3<f32>(0.0, 1e-6, 0.0));
     let right = cross(up, n);
+    let is_denim = kind == 3u;
 
-    // Yarn is never even: broad, then finer mottling.
+    // Yarn is never even: broad, then finer mottling; denim fades where it bends out.
     let mottle = noise(v.bind * 90.0) * 0.5 + noise(v.bind * 420.0) * 0.5 - 0.5;
-    albedo *= 1.0 + 0.16 * mottle;
+    albedo *= 1.0 + select(0.16, 0.34, is_denim) * mottle;
+    if is_denim {
+        let worn = noise(v.bind * vec3<f32>(9.0, 5.0, 9.0)) - 0.45 + (v.color.a - 0.75) * 0.9;
+        albedo = mix(albedo, albedo * 1.5 + 0.012, saturate1(worn));
+    }
     if FINE_DETAIL == 1u {
-        let near = 1.0 - smoothstep(0.12, 0.40, stitch_px);
+        // Small creases that the mesh is too coarse for; knits hardly keep any.
+        let crisp = select(0.10, 0.24, kind == 2u || is_denim || kind == 4u);
+        n = bumped(n, noise_gradient(v.bind * vec3<f32>(44.0, 62.0, 44.0)).xyz * crisp);
+        let near = 1.0 - smoothstep(0.14, 0.46, repeat_px);
         if near > 0.0 {
-            let k = knit(q);
+            let k = weave_of(kind, q);
             n = normalize(n - (right * k.x + up * k.y) * (0.13 * near));
             albedo *= mix(1.0, 0.66 + 0.5 * k.z, near);
         }
-        let slub = 1.0 - smoothstep(0.3, 0.9, stitch_px * 0.4);
+        let slub = 1.0 - smoothstep(0.3, 0.9, repeat_px * 0.4);
         n = bumped(n, noise_gradient(v.bind * vec3<f32>(160.0, 240.0, 160.0)).xyz * (0.05 * slub));
     }
 
@@ -84,11 +127,5 @@ fn fs_leather(v: VertexOut, @builtin(front_facing) front: bool) -> @location(0) 
     if FINE_DETAIL == 1u && fade > 0.0 {
         n = bumped(n, noise_gradient(v.bind * 500.0).xyz * (0.12 * fade));
     }
-    return written(polished(v, n, v.color.rgb * material.base.rgb, material.params.x), 1.0, v.clip.xy);
-}
-
-@fragment
-fn fs_plain(v: VertexOut, @builtin(front_facing) front: bool) -> @location(0) vec4<f32> {
-    let n = facing_normal(v.normal, front);
     return written(polished(v, n, v.color.rgb * material.base.rgb, material.params.x), 1.0, v.clip.xy);
 }

@@ -6,7 +6,9 @@ struct Joints {
 
 struct Material {
     base: vec4<f32>,     // linear RGB, alpha
-    params: vec4<f32>,   // x: roughness, y: 1 when a cornea mesh carries the eye's lights
+    params: vec4<f32>,   // x: roughness, y: 1 when a cornea mesh carries the eye's lights,
+                         // z: 1 when what lies behind shines through, w: weave of cloth
+    face: vec4<f32>,     // middle between the eyes, bind pose; w: their distance, or 0
 };
 
 @group(1) @binding(0) var<uniform> joints: Joints;
@@ -30,6 +32,7 @@ struct VertexOut {
     @location(3) bind: vec3<f32>,    // position in the bind pose; noise sticks to it
     @location(4) uv: vec2<f32>,
     @location(5) color: vec4<f32>,
+    @location(6) bend: f32,          // root of the curvature, -1..1; 1 is a bead of 4 mm radius
 };
 
 struct Blend {
@@ -63,6 +66,7 @@ fn vs_figure(v: VertexIn) -> VertexOut {
     o.bind = v.position;
     o.uv = v.uv;
     o.color = v.color;
+    o.bend = v.along.w;
     o.clip = frame.clip_from_world * vec4<f32>(o.world, 1.0);
     return o;
 }
@@ -73,11 +77,14 @@ struct ShadowOut {
     @location(1) bind: vec3<f32>,
 };
 
+// The light that the shadow map is drawn from: 0 key, 1 rim.
+override LIGHT: u32 = 0u;
+
 @vertex
 fn vs_shadow(v: VertexIn) -> ShadowOut {
     let m = blend(v.joint, v.weight);
     var o: ShadowOut;
-    o.clip = frame.shadow_from_world * vec4<f32>(place(m, vec4<f32>(v.position, 1.0)), 1.0);
+    o.clip = frame.shadow_from_world[LIGHT] * vec4<f32>(place(m, vec4<f32>(v.position, 1.0)), 1.0);
     o.uv = v.uv;
     o.bind = v.position;
     return o;

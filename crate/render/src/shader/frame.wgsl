@@ -2,9 +2,9 @@
 
 struct Frame {
     clip_from_world: mat4x4<f32>,
-    shadow_from_world: mat4x4<f32>,
+    shadow_from_world: array<mat4x4<f32>, 2>, // key, rim
     // World directions through the middle, and half a picture right and up; for the backdrop.
-    ray_forward: vec4<f32>,
+    ray_forward: vec4<f32>,    // w: drawn pixels for each of the target
     ray_right: vec4<f32>,
     ray_up: vec4<f32>,
     eye_in_world: vec4<f32>,   // w: story time, seconds
@@ -17,12 +17,13 @@ struct Frame {
     sky: vec4<f32>,
     ground: vec4<f32>,         // w: exposure
     floor: vec4<f32>,
-    backdrop_low: vec4<f32>,
+    backdrop_low: vec4<f32>,   // w: 1 with curtain and boards, 0 in a studio
     backdrop_high: vec4<f32>,
     glow: vec4<f32>,
     stand: vec4<f32>,          // where the figure stands, w: stature, metres
     feet: array<vec4<f32>, 2>, // soles left and right, world
-    shadow: vec4<f32>,         // x: tap distance in uv, y: normal offset in metres, z: depth bias
+    shadow: vec4<f32>,         // x: tap distance in uv, y: normal offset in metres, z: depth bias,
+                               // w: depth of a metre
     viewport: vec4<f32>,       // width, height, 1/width, 1/height
 };
 
@@ -34,6 +35,8 @@ override EARLY_ENCODE: u32 = 0u;
 override FINE_DETAIL: u32 = 1u;
 // Reach of the shadow filter in taps: 1 is a cross of 5, 2 a diamond of 13.
 override SHADOW_REACH: i32 = 1;
+// Lights with a shadow: the key, then the rim; their maps lie side by side.
+override SHADOWS: u32 = 2u;
 
 const PI = 3.14159265;
 

@@ -11,7 +11,7 @@ fn key_share(p: vec3<f32>, n: vec3<f32>, at: vec2<f32>) -> f32 {
 fn filtered_share(p: vec3<f32>, n: vec3<f32>, at: vec2<f32>, reach: i32) -> f32 {
     // Surfaces edge-on to the light need the larger offset.
     let slope = 1.0 - saturate1(dot(n, frame.key_dir.xyz));
-    let q = frame.shadow_from_world * vec4<f32>(p + n * (frame.shadow.y * (0.4 + slope)), 1.0);
+    let q = frame.shadow_from_world[0] * vec4<f32>(p + n * (frame.shadow.y * (0.4 + slope)), 1.0);
     let uv = vec2<f32>(0.5 + 0.5 * q.x, 0.5 - 0.5 * q.y);
     let inside = all(uv > vec2<f32>(0.002)) && all(uv < vec2<f32>(0.998)) && q.z < 1.0;
     if !inside {
@@ -28,7 +28,7 @@ fn filtered_share(p: vec3<f32>, n: vec3<f32>, at: vec2<f32>, reach: i32) -> f32 
             let o = vec2<f32>(f32(x), f32(y)) + shift;
             let w = 1.0 / (1.0 + 0.4 * dot(o, o));
             sum += w * textureSampleCompareLevel(
-                shadow_map, shadow_sampler, uv + o * frame.shadow.x, q.z - frame.shadow.z);
+                shadow_map, shadow_sampler, (uv + o * frame.shadow.x) * vec2<f32>(1.0 / f32(SHADOWS), 1.0), q.z - frame.shadow.z);
             total += w;
         }
     }

@@ -21,7 +21,7 @@ fn wet(v: VertexOut, n: vec3<f32>, albedo: vec3<f32>, wrap: f32, gloss: f32) -> 
 @fragment
 fn fs_teeth(v: VertexOut, @builtin(front_facing) front: bool) -> @location(0) vec4<f32> {
     let n = facing_normal(v.normal, front);
-    let albedo = v.color.rgb * material.base.rgb;
+    let albedo = painted(v).rgb;
     return written(wet(v, n, albedo, 0.45, 0.28), 1.0, v.clip.xy);
 }
 
@@ -32,6 +32,6 @@ fn fs_mouth(v: VertexOut, @builtin(front_facing) front: bool) -> @location(0) ve
     if FINE_DETAIL == 1u && fade > 0.0 {
         n = bumped(n, noise_gradient(v.bind * 700.0).xyz * (0.14 * fade));
     }
-    let albedo = v.color.rgb * material.base.rgb;
+    let albedo = painted(v).rgb;
     return written(wet(v, n, albedo, 0.25, 0.34), 1.0, v.clip.xy);
 }

@@ -18,8 +18,8 @@ fn fs_skin(v: VertexOut, @builtin(front_facing) front: bool) -> @location(0) vec
     let footprint = length(fwidth(v.bind));
     let view = to_eye(v.world);
     let ng = facing_normal(v.normal, front);
-    var n = ng;
-    var albedo = v.color.rgb * material.base.rgb;
+    var n = mapped_normal(v, ng);
+    var albedo = painted(v).rgb;
     let ao = v.color.a;
     var rough = max(material.params.x, 0.5);
 
@@ -74,7 +74,7 @@ fn fs_skin(v: VertexOut, @builtin(front_facing) front: bool) -> @location(0) vec
 fn fs_nail(v: VertexOut, @builtin(front_facing) front: bool) -> @location(0) vec4<f32> {
     let view = to_eye(v.world);
     let n = facing_normal(v.normal, front);
-    let albedo = v.color.rgb * material.base.rgb;
+    let albedo = painted(v).rgb;
     let share = key_share(v.world, n, v.clip.xy);
     let occlusion = tinted_occlusion(v.color.a, albedo);
     var light = albedo * (frame.key.xyz * under_skin(dot(n, frame.key_dir.xyz), share)

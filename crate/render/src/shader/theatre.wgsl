@@ -93,6 +93,23 @@ fn boards(p: vec3<f32>, ray: vec3<f32>, distance: f32, at: vec2<f32>) -> vec3<f3
     return light;
 }
 
+// An even wall that runs into the floor; only the figure's shadow tells where it lies.
+fn studio(ray: vec3<f32>, t_floor: f32, at: vec2<f32>) -> vec3<f32> {
+    let up = normalize(ray).y;
+    let wall = mix(frame.backdrop_low.xyz, frame.backdrop_high.xyz, smoothstep(-0.25, 0.35, up));
+    if t_floor > 1e8 { return wall; }
+    let p = frame.eye_in_world.xyz + ray * t_floor;
+    let from_stand = p.xz - frame.stand.xz;
+    let near = exp(-dot(from_stand, from_stand) * 0.9);
+    let share = key_share(p, vec3<f32>(0.0, 1.0, 0.0), at);
+    var contact = 1.0;
+    for (var i = 0; i < 2; i++) {
+        let d = (p - frame.feet[i].xyz) * vec3<f32>(1.0, 1.0, 0.55);
+        contact *= 1.0 - 0.5 * exp(-dot(d, d) / 0.0075);
+    }
+    return wall * contact * mix(1.0, 0.55 + 0.45 * share, near);
+}
+
 @fragment
 fn fs_theatre(v: TheatreOut) -> @location(0) vec4<f32> {
     let eye = frame.eye_in_world.xyz;
@@ -106,6 +123,9 @@ fn fs_theatre(v: TheatreOut) -> @location(0) vec4<f32> {
     let t_curtain = (-b + root) / a;
     let t_floor = select(1e9, -eye.y / v.ray.y, v.ray.y < -1e-6 && eye.y > 0.0);
     var light: vec3<f32>;
+    if frame.backdrop_low.w < 0.5 {
+        return written(studio(v.ray, t_floor, v.clip.xy), 1.0, v.clip.xy);
+    }
     // Floor outside the curtain, on the camera's side, is the front of the stage.
     if t_floor < t_curtain {
         let p = eye + v.ray * t_floor;

@@ -3,6 +3,7 @@
 
 use glam::{Vec2, Vec3};
 use raconteur_base::{DAffine3, DVec3};
+use raconteur_body::figure::Maps;
 use raconteur_body::skeleton::Drive;
 use raconteur_body::{Bone, Figure, Material, MaterialKind, Mesh, Morph, Pose, Skeleton};
 use raconteur_stage::{Frame, Room, Shot};
@@ -43,7 +44,7 @@ fn ball(kind: MaterialKind, color: [u8; 4], joint: u16, centre: Vec3, radii: Vec
     mesh
 }
 
-fn empty(kind: MaterialKind) -> Mesh {
+pub(crate) fn empty(kind: MaterialKind) -> Mesh {
     let name = MaterialKind::NAMES[kind as usize].1;
     Mesh {
         name: name.to_owned(),
@@ -52,6 +53,7 @@ fn empty(kind: MaterialKind) -> Mesh {
             base_color: [1.0; 4],
             roughness: 0.5,
             double_sided: matches!(kind, MaterialKind::Hair | MaterialKind::Lash),
+            maps: Maps::default(),
         },
         positions: Vec::new(),
         normals: Vec::new(),
@@ -239,6 +241,7 @@ pub(crate) fn figure() -> Figure {
         meshes,
         morph_names: vec!["jawOpen".to_owned()],
         lid_closure_rad: [0.6; 2],
+        images: Vec::new(),
     }
 }
 

@@ -3,8 +3,8 @@
 //! A band follows a direction (down the arm, up the neck) and keeps its distance from the
 //! body, which a strip laid on the draped edge would not.
 
+use raconteur_base::DVec3;
 use raconteur_base::curve::{lerp, smooth};
-use raconteur_base::{DVec3, ops};
 
 use crate::generator::torso::{CM, Field, Regions, Shell, weights::Weights};
 
@@ -21,25 +21,21 @@ pub struct Band {
     pub ease: f64,
     /// Regions of the body that it goes round.
     pub regions: Regions,
-    /// Distance between points along the edge.
-    pub spacing: f64,
-    /// Points in one rib; 0 for none.
-    pub ribs: usize,
+    /// Points of the edge for one of the band: 1 keeps them all.
+    pub every: usize,
 }
 
 /// Share of the width and height in thicknesses of the profile's points, from under the
 /// cloth's edge over the outside to the inside.
 const PROFILE: [(f64, f64); 7] = [
-    (-0.10, -0.4),
-    (-0.06, 0.9),
-    (0.05, 1.1),
-    (0.5, 1.15),
-    (0.93, 1.1),
-    (1.0, 0.55),
-    (0.9, -0.2),
+    (-0.12, -0.3),
+    (-0.05, 0.95),
+    (0.06, 1.15),
+    (0.5, 1.1),
+    (0.94, 1.0),
+    (1.0, 0.45),
+    (0.85, -0.2),
 ];
-/// The points that ribs raise and lower.
-const RIBBED: core::ops::RangeInclusive<usize> = 2..=4;
 
 /// One point of the edge.
 #[derive(Clone)]
@@ -64,47 +60,11 @@ pub fn along_edge(cloth: &Shell, ring: &[u32], band: &Band, field: &Field) -> Sh
             }
         })
         .collect();
-    let length: f64 = (0..stations.len())
-        .map(|i| {
-            stations[i]
-                .place
-                .distance(stations[(i + 1) % stations.len()].place)
-        })
-        .sum();
-    // A whole number of ribs.
-    let rib = band.ribs.max(1);
-    let count = ((length / band.spacing) as usize).max(24) / rib * rib;
-    let mut path = resample(&stations, length, count);
-    for _ in 0..8 {
+    let mut path: Vec<Station> = stations.into_iter().step_by(band.every.max(1)).collect();
+    for _ in 0..6 {
         smooth_ring(&mut path);
     }
     sweep(&path, band, field)
-}
-
-fn resample(ring: &[Station], length: f64, count: usize) -> Vec<Station> {
-    let n = ring.len();
-    let mut out = Vec::with_capacity(count);
-    let (mut i, mut start) = (0, 0.0);
-    for k in 0..count {
-        let want = length * k as f64 / count as f64;
-        let span_at = |i: usize| ring[i % n].place.distance(ring[(i + 1) % n].place);
-        while start + span_at(i) < want && i < n {
-            start += span_at(i);
-            i += 1;
-        }
-        let (a, b, span) = (&ring[i % n], &ring[(i + 1) % n], span_at(i));
-        let t = if span > 0.0 {
-            ((want - start) / span).clamp(0.0, 1.0)
-        } else {
-            0.0
-        };
-        out.push(Station {
-            place: a.place.lerp(b.place, t),
-            off: lerp(a.off, b.off, t),
-            weights: a.weights.lerp(&b.weights, t),
-        });
-    }
-    out
 }
 
 fn smooth_ring(path: &mut [Station]) {
@@ -125,19 +85,12 @@ fn smooth_ring(path: &mut [Station]) {
 
 fn sweep(path: &[Station], band: &Band, field: &Field) -> Shell {
     let mut out = Shell::default();
-    for (i, s) in path.iter().enumerate() {
-        let wave = if band.ribs > 0 {
-            ops::cos(core::f64::consts::TAU * i as f64 / band.ribs as f64)
-        } else {
-            0.0
-        };
+    for s in path {
         for (k, &(along, up)) in PROFILE.iter().enumerate() {
-            let rib = if RIBBED.contains(&k) {
-                0.07 * CM * wave
-            } else {
-                0.0
-            };
-            let off = lerp(s.off, band.ease, smooth(along / 0.5)) + up * band.thickness + rib;
+            // The far side of a neckband must not sink into the neck.
+            let inner = k + 1 == PROFILE.len();
+            let off = lerp(s.off, band.ease, smooth(along / 0.5))
+                + if inner { 0.0 } else { up * band.thickness };
             let mut p = s.place + band.direction * (along * band.width);
             for _ in 0..4 {
                 let (d, n) = field.value_and_normal(p, band.regions, 1.0);

@@ -1,5 +1,5 @@
 //! Position-based drape (Müller et al. 2007, doi:10.1016/j.jvcir.2007.01.005) against the
-//! body's field: large folds on a coarse mesh first, small ones after one subdivision.
+//! body's field.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -11,8 +11,8 @@ use crate::generator::torso::{CM, Field, Regions, Shell};
 /// Stiffnesses and counts; lengths in metres.
 #[derive(Clone, Copy, Debug)]
 pub struct DrapeParams {
-    /// Steps on the coarse and the fine mesh.
-    pub steps: [usize; 2],
+    /// Steps.
+    pub steps: usize,
     /// Sweeps over all links a step.
     pub sweeps: usize,
     /// Fall a step², metres.
@@ -26,8 +26,8 @@ pub struct DrapeParams {
 impl Default for DrapeParams {
     fn default() -> Self {
         Self {
-            steps: [60, 24],
-            sweeps: 12,
+            steps: 40,
+            sweeps: 8,
             gravity: 8e-5,
             regions: Regions::ALL,
             seed: 1,
@@ -167,9 +167,9 @@ fn collide(
     }
 }
 
-fn run(
+/// Drapes the cloth; `thickness` is the distance it keeps from the body at a point.
+pub fn drape(
     cloth: &mut Draping,
-    steps: usize,
     p: &DrapeParams,
     field: &Field,
     thickness: &impl Fn(DVec3) -> f64,
@@ -181,10 +181,10 @@ fn run(
     // A little disorder starts the folds.
     for (v, q) in points.iter_mut().enumerate() {
         let jitter = [2, 3, 4].map(|id| noise::signed(p.seed, id, v as i64));
-        *q += DVec3::from_array(jitter) * 0.1 * CM * free[v];
+        *q += DVec3::from_array(jitter) * 0.08 * CM * free[v];
     }
     let mut before = points.clone();
-    for _ in 0..steps {
+    for _ in 0..p.steps {
         for ((q, last), free) in points.iter_mut().zip(&mut before).zip(&free) {
             let velocity = (*q - *last) * 0.88;
             *last = *q;
@@ -196,36 +196,7 @@ fn run(
         }
         collide(points, Some(&before), &thick, field, p.regions);
     }
-    collide(points, None, &thick, field, p.regions);
-}
-
-/// Drapes coarse, subdivides once, drapes fine.
-#[must_use]
-pub fn drape(
-    mut cloth: Draping,
-    p: &DrapeParams,
-    field: &Field,
-    thickness: &impl Fn(DVec3) -> f64,
-) -> Draping {
-    run(&mut cloth, p.steps[0], p, field, thickness);
-    if p.steps[1] == 0 {
-        return cloth;
+    for _ in 0..3 {
+        collide(points, None, &thick, field, p.regions);
     }
-    let (shell, stencils) = cloth.shell.subdivided(1);
-    let sum_of = |column: &[f64], s: &[(u32, f64)]| {
-        s.iter().map(|&(i, w)| column[i as usize] * w).sum::<f64>()
-    };
-    let mut fine = Draping {
-        shell,
-        rest: stencils
-            .iter()
-            .map(|s| s.iter().map(|&(i, w)| cloth.rest[i as usize] * w).sum())
-            .collect(),
-        pin: stencils
-            .iter()
-            .map(|s| sum_of(&cloth.pin, s).clamp(0.0, 1.0))
-            .collect(),
-    };
-    run(&mut fine, p.steps[1], p, field, thickness);
-    fine
 }

@@ -74,24 +74,72 @@ fn fold_openness(shell: &Shell, normals: &[DVec3]) -> Vec<f64> {
         .collect()
 }
 
-/// Makes a part of a shell; `chart_of` gives the index of each face's chart.
+/// What a piece is made of.
+#[derive(Clone, Copy, Debug)]
+pub struct Fabric {
+    /// Weave, leather or plain.
+    pub kind: MaterialKind,
+    /// Linear RGB.
+    pub dye: [f64; 3],
+}
+
+impl Fabric {
+    /// The same cloth in a darker or lighter dye.
+    #[must_use]
+    pub fn shaded(self, by: f64) -> Self {
+        Self {
+            dye: self.dye.map(|x| x * by),
+            ..self
+        }
+    }
+
+    /// The same dye in another weave.
+    #[must_use]
+    pub fn woven(self, kind: MaterialKind) -> Self {
+        Self { kind, ..self }
+    }
+
+    fn material(self) -> Material {
+        let cloth = self.kind.weave().is_some();
+        Material {
+            kind: self.kind,
+            base_color: [1.0; 4],
+            roughness: if cloth { 0.88 } else { 0.42 },
+            double_sided: cloth,
+            maps: Maps::default(),
+        }
+    }
+}
+
+/// How a shell is unrolled.
+#[derive(Clone, Copy)]
+pub struct Unrolling<'a> {
+    /// Axes of its parts.
+    pub charts: &'a [Chart],
+    /// Index of a face's axis.
+    pub chart_of: &'a dyn Fn(usize) -> usize,
+}
+
+/// Makes a part of a shell. `shade` is further light that is lost at each point.
 #[must_use]
 pub fn cloth_part(
     name: &str,
     shell: &Shell,
+    shade: &[f64],
     field: &Field,
-    material: &Material,
-    charts: &[Chart],
-    chart_of: impl Fn(usize) -> usize,
+    fabric: Fabric,
+    unrolling: Unrolling<'_>,
 ) -> Part {
     let normals = shell.normals();
     let folds = fold_openness(shell, &normals);
-    let open: Vec<f64> = (0..shell.points.len())
-        .map(|v| folds[v] * openness(field, shell.points[v], normals[v]))
-        .collect();
+    let [r, g, b] = fabric.dye;
+    let light = |v: usize| {
+        let seam = shade.get(v).copied().unwrap_or(1.0);
+        seam * folds[v] * openness(field, shell.points[v], normals[v])
+    };
     let mut part = Part {
         name: name.to_owned(),
-        material: material.clone(),
+        material: fabric.material(),
         vertices: Vec::new(),
         faces: Vec::new(),
         morphs: Vec::new(),
@@ -99,8 +147,8 @@ pub fn cloth_part(
     // A vertex is doubled where charts meet and where a chart closes on itself.
     let mut made: BTreeMap<(u32, usize, i32), u32> = BTreeMap::new();
     for (f, face) in shell.faces.iter().enumerate() {
-        let index = chart_of(f);
-        let chart = &charts[index];
+        let index = (unrolling.chart_of)(f);
+        let chart = &unrolling.charts[index];
         let centre: DVec3 = face
             .iter()
             .map(|&v| shell.points[v as usize])
@@ -121,7 +169,7 @@ pub fn cloth_part(
                     part.vertices.push(PartVertex {
                         position: p,
                         uv,
-                        color: [1.0, 1.0, 1.0, open[v as usize]],
+                        color: [r, g, b, light(v as usize)],
                         weights: shell.weights[v as usize].refs(),
                     });
                     part.vertices.len() as u32 - 1
@@ -133,15 +181,53 @@ pub fn cloth_part(
     part
 }
 
-/// A cloth or leather of one colour (linear RGB).
+/// A part whose texture coordinates matter little: small things, leather.
 #[must_use]
-pub fn dyed(kind: MaterialKind, rgb: [f64; 3], roughness: f32) -> Material {
-    let [r, g, b] = rgb.map(|x| x as f32);
-    Material {
-        kind,
-        base_color: [r, g, b, 1.0],
-        roughness,
-        double_sided: kind == MaterialKind::Cloth,
-        maps: Maps::default(),
+pub fn plain_part(name: &str, shell: &Shell, field: &Field, fabric: Fabric) -> Part {
+    let normals = shell.normals();
+    let [r, g, b] = fabric.dye;
+    Part {
+        name: name.to_owned(),
+        material: fabric.material(),
+        vertices: shell
+            .points
+            .iter()
+            .zip(&shell.weights)
+            .zip(&normals)
+            .map(|((p, w), n)| PartVertex {
+                position: *p,
+                uv: [p.x, p.y - 1.0],
+                color: [r, g, b, openness(field, *p, *n)],
+                weights: w.refs(),
+            })
+            .collect(),
+        faces: shell.faces.clone(),
+        morphs: Vec::new(),
+    }
+}
+
+/// One material for all parts of a kind, so that they are drawn at once: its colour is
+/// the largest of each channel, and the vertices carry their share of it.
+pub fn share_materials(parts: &mut [Part]) {
+    let mut brightest: BTreeMap<MaterialKind, [f64; 3]> = BTreeMap::new();
+    for part in parts.iter() {
+        let most = brightest.entry(part.material.kind).or_insert([1e-4; 3]);
+        for v in &part.vertices {
+            for k in 0..3 {
+                most[k] = most[k].max(v.color[k]);
+            }
+        }
+    }
+    for part in parts {
+        let Some(most) = brightest.get(&part.material.kind) else {
+            continue;
+        };
+        for v in &mut part.vertices {
+            for k in 0..3 {
+                v.color[k] /= most[k];
+            }
+        }
+        let [r, g, b] = most.map(|x| x as f32);
+        part.material.base_color = [r, g, b, 1.0];
     }
 }

@@ -5,11 +5,13 @@ use raconteur_base::{DVec3, ops};
 use super::cage::Key;
 use super::points::Points;
 
-/// Shape of the ear.
+/// Shape of the ear; also a change of one.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct EarShape {
-    /// Size against the mean of men and women.
-    pub(crate) scale: f64,
+    /// Height against the mean of men and women.
+    pub(crate) height: f64,
+    /// Breadth against the mean of men and women.
+    pub(crate) breadth: f64,
     /// How far the lobe hangs lower, mm.
     pub(crate) lobe_drop: f64,
     /// Angle to the side of the head, degrees.
@@ -18,6 +20,38 @@ pub(crate) struct EarShape {
     pub(crate) tilt_deg: f64,
     /// Shift of the whole ear, mm.
     pub(crate) shift: DVec3,
+}
+
+impl EarShape {
+    /// No change.
+    pub(crate) const NONE: Self = Self {
+        height: 0.0,
+        breadth: 0.0,
+        lobe_drop: 0.0,
+        protrusion_deg: 0.0,
+        tilt_deg: 0.0,
+        shift: DVec3::ZERO,
+    };
+    /// Mean of men and women.
+    pub(crate) const MEAN: Self = Self {
+        height: 1.0,
+        breadth: 1.0,
+        protrusion_deg: 19.0,
+        tilt_deg: 10.0,
+        ..Self::NONE
+    };
+
+    /// Changed by an amount of a form.
+    pub(crate) fn plus(&self, change: &Self, amount: f64) -> Self {
+        Self {
+            height: self.height + change.height * amount,
+            breadth: self.breadth + change.breadth * amount,
+            lobe_drop: self.lobe_drop + change.lobe_drop * amount,
+            protrusion_deg: self.protrusion_deg + change.protrusion_deg * amount,
+            tilt_deg: self.tilt_deg + change.tilt_deg * amount,
+            shift: self.shift + change.shift * amount,
+        }
+    }
 }
 
 /// (back, up) of the rim, mm, counter-clockwise from the tragus over the top.
@@ -128,9 +162,9 @@ pub(crate) fn ear_points(shape: &EarShape) -> Points {
             if b < -12.0 {
                 b -= shape.lobe_drop * ((-12.0 - b) / 14.0).min(1.3);
             }
-            a = 11.0 + (a - 11.0) * shape.scale;
-            b *= shape.scale;
-            w *= shape.scale;
+            a = 11.0 + (a - 11.0) * shape.breadth;
+            b *= shape.height;
+            w *= shape.breadth;
             let back = a + b * ops::sin(lean) * 0.9;
             let p = DVec3::new(
                 72.2 + 0.055 * b + back * ops::sin(out) * 0.62 + w * ops::cos(out),

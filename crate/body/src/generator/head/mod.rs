@@ -6,9 +6,12 @@
 //! Frame of the head: origin between the tragions, x left, y up, z front; metres outside
 //! this module, millimetres inside it.
 
+mod asymmetry;
 mod cage;
 mod ear;
 mod eye;
+mod form;
+mod individual;
 mod morph;
 mod mouth;
 mod occlusion;
@@ -17,7 +20,6 @@ mod points;
 mod ride;
 mod rig;
 mod scalp;
-mod sofia;
 mod solve;
 mod strands;
 mod surface;
@@ -32,11 +34,11 @@ use self::points::Individual;
 pub(crate) use self::ride::{Holds, Ride};
 use self::scalp::hairline;
 pub use self::scalp::{Ear, Proportions, Scalp, ScalpPoint};
-use self::sofia::{ASYMMETRY, SOFIA};
-pub use self::strands::BrowParams;
 use self::strands::BrowLine;
+pub use self::strands::BrowParams;
 use self::surface::{Surface, triangles};
 use super::part::{Part, PartMorph, PartVertex};
+use super::people::Person;
 use crate::figure::{Maps, Material, MaterialKind};
 use crate::generator::subdivide::vertex_normals;
 
@@ -66,6 +68,10 @@ pub struct HeadColours {
 /// What to build.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HeadParams {
+    /// Sex and age.
+    pub person: Person,
+    /// Friendliness of the face at rest, 0 neutral to 1 a light smile.
+    pub smile: f64,
     /// Colours.
     pub colours: HeadColours,
     /// Hairs of brows and lashes.
@@ -82,6 +88,13 @@ impl HeadParams {
     #[must_use]
     pub fn sofia() -> Self {
         Self {
+            person: Person {
+                sex: 1.0,
+                age_years: 35.0,
+                stature_m: 1.66,
+                build: 0.0,
+            },
+            smile: 0.6,
             colours: HeadColours {
                 skin: [0.60, 0.345, 0.245],
                 lip: [0.50, 0.155, 0.15],
@@ -135,13 +148,14 @@ struct Shape {
 }
 
 impl Shape {
-    fn new(individual: &Individual, asymmetry: f64) -> Self {
+    fn new(individual: &Individual, asymmetry: f64, seed: u64) -> Self {
         let cage = Cage::new();
         let mut solved = solve::solve(&cage, &points::points(individual));
+        let pulls = asymmetry::pulls(seed, asymmetry, &points::warp(individual));
         for p in &mut solved.cage_points {
             let symmetric = *p;
-            for pull in &ASYMMETRY {
-                *p += pull.shift * pull.share(symmetric) * asymmetry;
+            for pull in &pulls {
+                *p += pull.shift * pull.share(symmetric);
             }
         }
         let rig = rig::rig(&cage, &solved, individual.globe_centre());
@@ -169,8 +183,8 @@ impl Shape {
 /// Builds a head.
 #[must_use]
 pub fn build(params: &HeadParams) -> Head {
-    let individual = &SOFIA;
-    let shape = Shape::new(individual, params.asymmetry);
+    let individual = &individual::untuned(params);
+    let shape = Shape::new(individual, params.asymmetry, params.seed);
     let Shape {
         cage,
         solved,
@@ -245,7 +259,7 @@ pub fn build(params: &HeadParams) -> Head {
     parts.extend(mouth::mouth((contact(0) + contact(12)) / 2.0));
     let eye_centres = [globe, mirror_vector(globe)];
     for side in Side::BOTH {
-        let flesh = DVec3::new(19.8, 20.1, 80.1) + individual.globe_shift;
+        let flesh = DVec3::new(19.8, 20.1, 80.1) + points::shift(individual, Key::eye(5, 0));
         let flesh = if side == Side::Left {
             flesh
         } else {

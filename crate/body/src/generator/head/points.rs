@@ -1,12 +1,14 @@
-//! Where the named points lie: the table, one person's shifts, and the rings that follow
+//! Where the named points lie: the table, one person's forms, and the rings that follow
 //! from it (lid margins on the globe, lips, nostrils, ears).
 
 use std::collections::BTreeMap;
+use std::sync::OnceLock;
 
 use raconteur_base::{DVec3, ops};
 
 use super::cage::Key;
 use super::ear::{EarShape, ear_points};
+use super::form::{Form, reach};
 use super::surface::nearest;
 
 /// Millimetres; the left half.
@@ -15,55 +17,67 @@ pub(crate) type Points = BTreeMap<Key, DVec3>;
 /// Radius of the eyeball, mm (adult mean 12.0–12.2; Bekerman et al. 2014,
 /// doi:10.1155/2014/503645; *paper*).
 pub(crate) const GLOBE_RADIUS_MM: f64 = 12.2;
-/// Centre of the left eyeball of the unshifted table, mm.
+/// Centre of the left eyeball of the mean head, mm.
 const GLOBE_CENTRE_MM: DVec3 = DVec3::new(31.2, 22.0, 73.6);
 const TABLE: &str = include_str!("points.tsv");
 
-/// A soft pull on the points of the table: a Gaussian about an anchor.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Pull {
-    /// Centre, mm.
-    pub(crate) at: DVec3,
-    /// Standard deviation, mm.
-    pub(crate) radius: f64,
-    /// Shift at the centre, mm.
-    pub(crate) shift: DVec3,
-}
-
-impl Pull {
-    pub(crate) const fn new(at: [f64; 3], radius: f64, shift: [f64; 3]) -> Self {
-        Self {
-            at: DVec3::from_array(at),
-            radius,
-            shift: DVec3::from_array(shift),
-        }
-    }
-
-    /// Its share at a place.
-    pub(crate) fn share(&self, p: DVec3) -> f64 {
-        ops::exp(-(p - self.at).length_squared() / (2.0 * self.radius * self.radius))
-    }
-}
-
 /// What makes one person out of the table.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Individual {
-    /// Share of the table's shifts, 0..1.
-    pub(crate) shift_share: f64,
-    /// Shift of the globe's centre, mm, at share 1.
-    pub(crate) globe_shift: DVec3,
-    /// Further pulls.
-    pub(crate) pulls: &'static [Pull],
-    /// Further shifts of single points, mm.
-    pub(crate) shifts: &'static [(Key, [f64; 3])],
-    /// Ear.
-    pub(crate) ear: EarShape,
+    /// Forms and their amounts.
+    pub(crate) terms: Vec<(&'static Form, f64)>,
 }
 
 impl Individual {
+    fn globe_shift(&self) -> DVec3 {
+        self.terms.iter().map(|(f, amount)| f.globe * *amount).sum()
+    }
+
     /// Centre of the left eyeball, mm.
     pub(crate) fn globe_centre(&self) -> DVec3 {
-        GLOBE_CENTRE_MM + self.globe_shift * self.shift_share
+        GLOBE_CENTRE_MM + self.globe_shift()
+    }
+
+    /// Where a named point of the table lies, before the eye's and the ear's own rules.
+    fn place(&self, key: Key, base: DVec3) -> DVec3 {
+        let mut own = base + self.globe_shift() * eye_block(key);
+        for (form, amount) in &self.terms {
+            own += (form.displace)(key, base) * *amount;
+        }
+        if key.on_midline() {
+            own.x = 0.0;
+        }
+        own
+    }
+
+    /// The ear: the mean one with the forms' changes, on the side of this head.
+    pub(crate) fn ear(&self) -> EarShape {
+        let mut ear = EarShape::MEAN;
+        for (form, amount) in &self.terms {
+            ear = ear.plus(&form.ear, *amount);
+        }
+        // The root follows the side of the head; it keeps to the origin's height and depth.
+        let root = DVec3::new(72.6, 0.0, 6.0);
+        ear.shift.x += self.place(Key::Grid(12, 9), root).x - root.x;
+        ear
+    }
+}
+
+/// Shift of a named point of this person against the mean head.
+pub(crate) fn shift(individual: &Individual, key: Key) -> DVec3 {
+    let base = table()
+        .iter()
+        .find(|row| row.0 == key)
+        .map_or(DVec3::ZERO, |row| row.1);
+    individual.place(key, base) - base
+}
+
+/// How far a point follows the eyeball.
+fn eye_block(key: Key) -> f64 {
+    if matches!(key, Key::Eye(..)) {
+        1.0 - reach(key)
+    } else {
+        0.0
     }
 }
 
@@ -74,59 +88,48 @@ struct Row {
     on_globe: bool,
 }
 
+fn rows(individual: &Individual) -> Vec<Row> {
+    table()
+        .iter()
+        .map(|&(key, base)| Row {
+            key,
+            base,
+            own: individual.place(key, base),
+            on_globe: base.z == 0.0 && matches!(key, Key::Eye(5, _)),
+        })
+        .collect()
+}
+
+/// The points of the mean head.
 #[allow(
     clippy::expect_used,
     reason = "the table is part of the program and tested"
 )]
-fn rows(individual: &Individual) -> Vec<Row> {
-    TABLE
-        .lines()
-        .skip(2)
-        .map(|line| {
-            let mut f = line.split('\t');
-            let ring = f.next().expect("a ring");
-            let mut number = || {
-                f.next()
-                    .and_then(|s| s.parse::<f64>().ok())
-                    .expect("a number")
-            };
-            let (a, b) = (number() as u8, number() as u8);
-            let key = match ring {
-                "grid" => Key::Grid(a, b),
-                "eye" => Key::eye(a, usize::from(b)),
-                "mouth" => Key::mouth(a, usize::from(b)),
-                _ => Key::Crown(a, b),
-            };
-            let base = DVec3::new(number(), number(), number());
-            let shift = DVec3::new(number(), number(), number()) * individual.shift_share;
-            let on_globe = base.z == 0.0 && matches!(key, Key::Eye(5, _));
-            let mut own = base + shift;
-            for pull in individual.pulls {
-                // The lid margins, crease and plate belong to the globe, not to the face.
-                let hold = match key {
-                    Key::Eye(1, _) => 0.75,
-                    Key::Eye(2, _) => 0.35,
-                    Key::Eye(..) => 0.0,
-                    _ => 1.0,
+pub(crate) fn table() -> &'static [(Key, DVec3)] {
+    static ROWS: OnceLock<Vec<(Key, DVec3)>> = OnceLock::new();
+    ROWS.get_or_init(|| {
+        TABLE
+            .lines()
+            .skip(2)
+            .map(|line| {
+                let mut f = line.split('\t');
+                let ring = f.next().expect("a ring");
+                let mut number = || {
+                    f.next()
+                        .and_then(|s| s.parse::<f64>().ok())
+                        .expect("a number")
                 };
-                own += pull.shift * pull.share(base) * hold;
-            }
-            for &(at, shift) in individual.shifts {
-                if at == key {
-                    own += DVec3::from_array(shift);
-                }
-            }
-            if key.on_midline() {
-                own.x = 0.0;
-            }
-            Row {
-                key,
-                base,
-                own,
-                on_globe,
-            }
-        })
-        .collect()
+                let (a, b) = (number() as u8, number() as u8);
+                let key = match ring {
+                    "grid" => Key::Grid(a, b),
+                    "eye" => Key::eye(a, usize::from(b)),
+                    "mouth" => Key::mouth(a, usize::from(b)),
+                    _ => Key::Crown(a, b),
+                };
+                (key, DVec3::new(number(), number(), number()))
+            })
+            .collect()
+    })
 }
 
 fn ring<const N: usize>(points: &Points, key: impl Fn(usize) -> Key) -> [DVec3; N] {
@@ -140,7 +143,7 @@ pub(crate) fn points(individual: &Individual) -> Points {
     eye(&mut all, &rows, individual.globe_centre());
     mouth(&mut all, &rows);
     nostril(&mut all);
-    all.extend(ear_points(&individual.ear));
+    all.extend(ear_points(&individual.ear()));
     all
 }
 
@@ -220,6 +223,9 @@ fn mouth(all: &mut Points, rows: &[Row]) {
     }
 }
 
+/// Tip of the nose before its base on the mean head, mm.
+const MEAN_PROTRUSION_MM: f64 = 15.3;
+
 /// Rounds the nostril's rim towards an ellipse and lines it.
 fn nostril(all: &mut Points) {
     let rim: [DVec3; 8] = ring(all, |k| Key::nostril(0, k));
@@ -242,7 +248,10 @@ fn nostril(all: &mut Points) {
     let normal = long.cross(across);
     let half = |axis: DVec3| spread(axis).dot(axis).max(1e-9).sqrt();
     let (a, b) = (half(long), half(across));
-    let up = DVec3::new(0.05, 0.92, 0.25);
+    // A small nose has a shallow cavity, or it would pierce the ala.
+    let reach = all[&Key::Grid(0, 11)].z - all[&Key::Grid(0, 15)].z;
+    let rise = (reach / MEAN_PROTRUSION_MM).clamp(0.6, 1.1);
+    let up = DVec3::new(0.05, 0.92, 0.25) * (rise * rise);
     for (k, &p) in rim.iter().enumerate() {
         let d = p - centre;
         let turn = ops::atan2(d.dot(across) / b, d.dot(long) / a);

@@ -55,15 +55,22 @@ pub(crate) fn smooth(a: f64, b: f64, x: f64) -> f64 {
     t * t * (3.0 - 2.0 * t)
 }
 
+/// Where the face ends: what the borders between jaw, skull and neck follow.
+#[derive(Clone, Copy, Debug)]
+struct Bounds {
+    mouth_corner: DVec3,
+    menton: DVec3,
+}
+
 /// Share of the jaw along the mouth's rings: upper lip, corner (6), lower lip.
 const JAW_AT_MOUTH: [f64; 13] = [
     0.0, 0.0, 0.0, 0.0, 0.06, 0.2, 0.5, 0.82, 0.96, 1.0, 1.0, 1.0, 1.0,
 ];
 
-fn jaw_share(key: Key, p: DVec3) -> f64 {
+fn jaw_share(key: Key, p: DVec3, face: &Bounds) -> f64 {
     let in_front = |row: u8| smooth(2.0, 36.0, p.z) * (1.0 - smooth(24.5, 29.0, f64::from(row)));
     // Distance below the plane through hinge and mouth corner.
-    let corner = DVec3::new(0.0, -44.4, 75.8).normalize();
+    let corner = ((face.mouth_corner - JAW_HINGE_MM) * DVec3::new(0.0, 1.0, 1.0)).normalize();
     let below = (p - JAW_HINGE_MM).dot(DVec3::new(0.0, -corner.z, corner.y));
     let by_plane = smooth(-10.0, 18.0, below);
     match (key, key.mouth_position()) {
@@ -75,10 +82,10 @@ fn jaw_share(key: Key, p: DVec3) -> f64 {
     }
 }
 
-fn neck_share(key: Key, p: DVec3) -> f64 {
+fn neck_share(key: Key, p: DVec3, face: &Bounds) -> f64 {
     let Key::Grid(_, row) = key else { return 0.0 };
     // The border between head and neck rises from under the chin to the nape.
-    let border = -98.0 + (50.0 - p.z).clamp(0.0, 110.0) * 0.36;
+    let border = face.menton.y - 8.7 + (50.0 - p.z).clamp(0.0, 110.0) * 0.36;
     let below = border - p.y;
     if row >= LAST_ROW {
         2.0
@@ -101,13 +108,18 @@ pub(crate) struct Rig {
 
 /// Solves the rig on the limit surface.
 pub(crate) fn rig(cage: &Cage, solved: &Solved, globe_centre_mm: DVec3) -> Rig {
+    let limit = |key| solved.limit_of(cage.at(key, Side::Left), &solved.cage_points);
+    let face = Bounds {
+        mouth_corner: limit(Key::mouth(1, 6)),
+        menton: limit(Key::Grid(0, 24)),
+    };
     let mut shares: Vec<Shares> = cage
         .keys
         .iter()
         .zip(&solved.cage_points)
         .map(|(&(key, _), &p)| Shares {
-            jaw: jaw_share(key, p),
-            neck: neck_share(key, p),
+            jaw: jaw_share(key, p, &face),
+            neck: neck_share(key, p, &face),
             ..Shares::default()
         })
         .collect();

@@ -16,7 +16,7 @@ fn sofia() -> &'static Head {
 
 fn symmetric() -> &'static Shape {
     static SHAPE: OnceLock<Shape> = OnceLock::new();
-    SHAPE.get_or_init(|| Shape::new(&SOFIA, 0.0))
+    SHAPE.get_or_init(|| Shape::new(&individual::untuned(&HeadParams::sofia()), 0.0, 0))
 }
 
 fn part(name: &str) -> &'static Part {
@@ -93,7 +93,7 @@ fn without_asymmetry_the_halves_mirror_each_other() {
 #[test]
 fn closed_lids_leave_no_slit() {
     let shape = symmetric();
-    let centre = SOFIA.globe_centre();
+    let centre = individual::untuned(&HeadParams::sofia()).globe_centre();
     let q = DQuat::from_rotation_x(shape.rig.closure_rad[0]);
     // The lash edge: x, angle above the globe's equator, distance from the lids' axis.
     let mut edges: [Vec<(f64, f64, f64)>; 2] = [Vec::new(), Vec::new()];
@@ -219,7 +219,10 @@ fn the_upper_lid_turned_by_its_closure_covers_the_pupil() {
 
 #[test]
 fn the_same_parameters_give_the_same_head() {
-    let (a, b) = (symmetric(), Shape::new(&SOFIA, 0.0));
+    let (a, b) = (
+        symmetric(),
+        Shape::new(&individual::untuned(&HeadParams::sofia()), 0.0, 0),
+    );
     assert_eq!(a.positions, b.positions);
     assert_eq!(a.rig.closure_rad, b.rig.closure_rad);
 }

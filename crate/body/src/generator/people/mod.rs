@@ -4,25 +4,11 @@ mod nuno;
 mod papous;
 mod sofia;
 
+use super::cloth::Outfit;
 use super::hair::HairParams;
 use super::hand::HandParams;
 use super::head::HeadParams;
 use super::torso::BodyParams;
-
-/// Colours of the clothes, linear RGB.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Wardrobe {
-    /// Sweater.
-    pub sweater: [f64; 3],
-    /// Trousers.
-    pub trousers: [f64; 3],
-    /// Uppers of the shoes.
-    pub shoe: [f64; 3],
-    /// Soles.
-    pub sole: [f64; 3],
-    /// Socks.
-    pub sock: [f64; 3],
-}
 
 /// What is known of a person before any measure of the face: survey means are looked up
 /// by it.
@@ -54,7 +40,7 @@ pub struct FigureParams {
     /// Hair.
     pub hair: HairParams,
     /// Clothes.
-    pub wardrobe: Wardrobe,
+    pub wardrobe: Outfit,
 }
 
 /// The figures that come with the project.

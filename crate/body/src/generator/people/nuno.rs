@@ -1,6 +1,7 @@
 //! Nuno, a boy of about 9.
 
-use super::{FigureParams, Person, Wardrobe};
+use super::{FigureParams, Person};
+use crate::generator::cloth::{Hoodie, Outfit};
 use crate::generator::hair::{HairColour, HairParams, HairStyle};
 use crate::generator::hand::HandParams;
 use crate::generator::head::{BrowParams, HeadParams};
@@ -29,12 +30,18 @@ pub(super) fn params() -> FigureParams {
 }
 
 fn head() -> HeadParams {
-    HeadParams::sofia()
+    HeadParams {
+        person: PERSON,
+        smile: 0.7,
+        seed: 8,
+        ..HeadParams::sofia()
+    }
 }
 
 fn body() -> BodyParams {
     BodyParams {
         sex: PERSON.sex,
+        age_years: PERSON.age_years,
         stature_m: PERSON.stature_m,
         build: PERSON.build,
         bust: 0.0,
@@ -71,12 +78,15 @@ fn brow() -> BrowParams {
     }
 }
 
-fn wardrobe() -> Wardrobe {
-    Wardrobe {
-        sweater: [0.045, 0.145, 0.165],
-        trousers: [0.030, 0.032, 0.045],
-        shoe: [0.085, 0.036, 0.017],
-        sole: [0.030, 0.022, 0.017],
-        sock: [0.020, 0.020, 0.026],
-    }
+fn wardrobe() -> Outfit {
+    Outfit::Hoodie(Hoodie {
+        fleece: [0.36, 0.135, 0.022],
+        shirt: [0.52, 0.52, 0.50],
+        cord: [0.58, 0.56, 0.51],
+        denim: [0.034, 0.060, 0.115],
+        shoe: [0.050, 0.075, 0.135],
+        sole: [0.60, 0.59, 0.55],
+        lace: [0.62, 0.61, 0.58],
+        sock: [0.50, 0.49, 0.46],
+    })
 }

@@ -1,6 +1,7 @@
 //! Papous, a man of about 70 with white hair.
 
-use super::{FigureParams, Person, Wardrobe};
+use super::{FigureParams, Person};
+use crate::generator::cloth::{Cardigan, Outfit};
 use crate::generator::hair::{BeardParams, HairColour, HairParams, HairStyle};
 use crate::generator::hand::HandParams;
 use crate::generator::head::{BrowParams, HeadParams};
@@ -29,12 +30,18 @@ pub(super) fn params() -> FigureParams {
 }
 
 fn head() -> HeadParams {
-    HeadParams::sofia()
+    HeadParams {
+        person: PERSON,
+        smile: 0.5,
+        seed: 5,
+        ..HeadParams::sofia()
+    }
 }
 
 fn body() -> BodyParams {
     BodyParams {
         sex: PERSON.sex,
+        age_years: PERSON.age_years,
         stature_m: PERSON.stature_m,
         build: PERSON.build,
         bust: 0.0,
@@ -76,12 +83,14 @@ fn brow() -> BrowParams {
     }
 }
 
-fn wardrobe() -> Wardrobe {
-    Wardrobe {
-        sweater: [0.045, 0.145, 0.165],
-        trousers: [0.030, 0.032, 0.045],
-        shoe: [0.085, 0.036, 0.017],
-        sole: [0.030, 0.022, 0.017],
-        sock: [0.020, 0.020, 0.026],
-    }
+fn wardrobe() -> Outfit {
+    Outfit::Cardigan(Cardigan {
+        knit: [0.150, 0.030, 0.032],
+        shirt: [0.46, 0.53, 0.62],
+        button: [0.060, 0.034, 0.020],
+        trousers: [0.082, 0.066, 0.048],
+        shoe: [0.072, 0.030, 0.013],
+        sole: [0.024, 0.017, 0.013],
+        sock: [0.045, 0.040, 0.034],
+    })
 }

@@ -1,6 +1,7 @@
 //! Sofia, a woman of about 35.
 
-use super::{FigureParams, Person, Wardrobe};
+use super::{FigureParams, Person};
+use crate::generator::cloth::{Outfit, Sweater};
 use crate::generator::hair::{HairColour, HairParams, HairStyle};
 use crate::generator::hand::HandParams;
 use crate::generator::head::{BrowParams, HeadParams};
@@ -28,12 +29,17 @@ pub(super) fn params() -> FigureParams {
 }
 
 fn head() -> HeadParams {
-    HeadParams::sofia()
+    HeadParams {
+        person: PERSON,
+
+        ..HeadParams::sofia()
+    }
 }
 
 fn body() -> BodyParams {
     BodyParams {
         sex: PERSON.sex,
+        age_years: PERSON.age_years,
         stature_m: PERSON.stature_m,
         build: PERSON.build,
         bust: 0.95,
@@ -64,12 +70,12 @@ fn brow() -> BrowParams {
     }
 }
 
-fn wardrobe() -> Wardrobe {
-    Wardrobe {
-        sweater: [0.045, 0.145, 0.165],
-        trousers: [0.030, 0.032, 0.045],
+fn wardrobe() -> Outfit {
+    Outfit::Sweater(Sweater {
+        knit: [0.030, 0.110, 0.118],
+        trousers: [0.022, 0.022, 0.028],
         shoe: [0.085, 0.036, 0.017],
         sole: [0.030, 0.022, 0.017],
         sock: [0.020, 0.020, 0.026],
-    }
+    })
 }

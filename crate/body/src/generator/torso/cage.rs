@@ -1,6 +1,6 @@
 //! A fixed cage of quads, ring by ring, shrink-wrapped on the field.
 //!
-//! Trunk 18 rows × 24 columns; the armhole is a loop of 16 of its points and is the arm's
+//! Trunk 25 rows × 24 columns; the armhole is a loop of 16 of its points and is the arm's
 //! first ring; the legs' first rings share three points of the crotch. Three rings lie
 //! close around elbow and knee.
 
@@ -15,32 +15,40 @@ use super::shell::Shell;
 use super::weights::{Rig, Weights};
 use crate::skeleton::Bone;
 
-/// Heights of the trunk's rows over stature.
-const ROWS: [f64; 18] = [
-    0.492, 0.51, 0.535, 0.56, 0.59, 0.62, 0.65, 0.68, 0.71, 0.742, 0.762, 0.78, 0.798, 0.815,
-    0.828, 0.842, 0.860, 0.885,
+/// Heights of the trunk's rows over an adult's stature.
+const ROWS: [f64; 25] = [
+    0.492, 0.506, 0.521, 0.536, 0.551, 0.566, 0.582, 0.598, 0.614, 0.630, 0.646, 0.662, 0.678,
+    0.694, 0.710, 0.726, 0.742, 0.762, 0.78, 0.798, 0.815, 0.828, 0.842, 0.860, 0.885,
 ];
-const COLUMNS: usize = 24;
+/// How much lower a child's rows lie, share of stature: the head takes more of it.
+const CHILD_DROP: f64 = 0.0185;
+/// Columns of the trunk; 0 is the front, 6 the left side, 12 the back.
+pub const COLUMNS: usize = 24;
 /// Rows between which the armhole lies.
-const HOLE: (usize, usize) = (9, 13);
+pub const HOLE: (usize, usize) = (16, 20);
 /// Points of a limb's ring.
-const RING: usize = 16;
+pub const RING: usize = 16;
 /// Rings of the arm: 0 shoulder, 1 elbow, 2 wrist.
-const ARM_RINGS: [f64; 15] = [
-    0.10, 0.22, 0.36, 0.52, 0.68, 0.82, 0.92, 1.0, 1.08, 1.18, 1.32, 1.5, 1.7, 1.88, 2.0,
+const ARM_RINGS: [f64; 24] = [
+    0.10, 0.18, 0.27, 0.36, 0.45, 0.54, 0.63, 0.71, 0.79, 0.86, 0.92, 0.97, 1.02, 1.08, 1.15, 1.23,
+    1.32, 1.42, 1.52, 1.62, 1.72, 1.81, 1.90, 2.0,
 ];
 /// Rings of the leg: 0 hip, 1 knee, 2 ankle.
-const LEG_RINGS: [f64; 16] = [
-    0.10, 0.22, 0.36, 0.52, 0.68, 0.82, 0.92, 1.0, 1.08, 1.18, 1.32, 1.48, 1.65, 1.82, 1.96, 2.04,
+const LEG_RINGS: [f64; 27] = [
+    0.10, 0.19, 0.28, 0.37, 0.46, 0.55, 0.64, 0.73, 0.81, 0.88, 0.94, 1.0, 1.06, 1.12, 1.19, 1.27,
+    1.35, 1.43, 1.51, 1.59, 1.67, 1.74, 1.81, 1.87, 1.93, 1.99, 2.05,
 ];
 
 /// Place of a cage vertex in the rings.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-enum Key {
+pub enum Key {
     /// Row and column; column 0 is the front, 6 the left side, 12 the back.
     Trunk(usize, usize),
+    /// On the midline between the legs, from the front.
     Crotch(usize),
+    /// Ring and its point: 0 up, 4 front, 8 down, 12 back.
     Arm(Side, usize, usize),
+    /// Ring and its point: 2 front, 6 outside, 10 back, 14 inside.
     Leg(Side, usize, usize),
 }
 
@@ -78,9 +86,9 @@ impl Key {
     /// Whether relaxing may slide the vertex: only where the template is crude.
     fn slides(self) -> bool {
         match self {
-            Self::Trunk(r, _) => (7..ROWS.len() - 1).contains(&r) || r < 3,
+            Self::Trunk(r, _) => (HOLE.0 - 3..ROWS.len() - 1).contains(&r) || r < 4,
             Self::Crotch(_) => true,
-            Self::Arm(_, j, _) | Self::Leg(_, j, _) => j < 4,
+            Self::Arm(_, j, _) | Self::Leg(_, j, _) => j < 6,
         }
     }
 }
@@ -103,6 +111,10 @@ pub struct Cage {
     pub shell: Shell,
     /// One tag for each face.
     pub tags: Vec<Tag>,
+    /// Place of each point.
+    pub keys: Vec<Key>,
+    /// Heights of the trunk's rows, metres.
+    heights: Vec<f64>,
 }
 
 /// Template vertices in insertion order.
@@ -124,7 +136,8 @@ impl Template {
 }
 
 /// Row and column of the armhole's points, in the order of an arm's ring (up, front, down, back).
-fn armhole() -> [(usize, usize); RING] {
+#[must_use]
+pub fn armhole() -> [(usize, usize); RING] {
     let (low, high) = HOLE;
     [
         (high, 6),
@@ -152,7 +165,11 @@ impl Cage {
     pub fn new(field: &Field, joints: &Joints) -> Self {
         let mut template = Template::default();
         let hole = hole_points(field, joints);
-        trunk(&mut template, field, &hole);
+        let heights: Vec<f64> = ROWS
+            .iter()
+            .map(|share| (share - CHILD_DROP * field.child) * field.stature_m)
+            .collect();
+        trunk(&mut template, field, &heights, &hole);
         arms(&mut template, field);
         legs(&mut template, field);
         let index: BTreeMap<Key, u32> = template.keys.iter().copied().zip(0u32..).collect();
@@ -164,8 +181,13 @@ impl Cage {
         };
         wrap(&mut shell, &template.keys, &index, field);
         wind(&mut shell, field);
-        shell.weights = weights(&shell, &template.keys, field, joints);
-        Self { shell, tags }
+        shell.weights = weights(&shell, &template.keys, &heights, joints);
+        Self {
+            shell,
+            tags,
+            keys: template.keys,
+            heights,
+        }
     }
 
     /// The faces that `keep` wants, as a shell of their own.
@@ -176,14 +198,35 @@ impl Cage {
 
     /// Height of a trunk row, metres.
     #[must_use]
-    pub fn row_height(field: &Field, row: usize) -> f64 {
-        ROWS[row] * field.stature_m
+    pub fn row_height(&self, row: usize) -> f64 {
+        self.heights[row]
     }
 
-    /// How many rings an arm has.
+    /// The first trunk row at or above a share of an adult's stature; a child's row is
+    /// the same part of the body.
     #[must_use]
-    pub fn arm_rings() -> usize {
-        ARM_RINGS.len()
+    pub fn row_at(share: f64) -> usize {
+        ROWS.iter()
+            .position(|s| *s >= share)
+            .unwrap_or(ROWS.len() - 1)
+    }
+
+    /// The last ring of an arm at or before a parameter (1 elbow, 2 wrist).
+    #[must_use]
+    pub fn arm_ring_at(t: f64) -> usize {
+        ARM_RINGS.iter().rposition(|s| *s <= t).unwrap_or(0)
+    }
+
+    /// The last ring of a leg at or before a parameter (1 knee, 2 ankle).
+    #[must_use]
+    pub fn leg_ring_at(t: f64) -> usize {
+        LEG_RINGS.iter().rposition(|s| *s <= t).unwrap_or(0)
+    }
+
+    /// Whether a face belongs to the neck and its root, from a share of stature upwards.
+    #[must_use]
+    pub fn is_above(tag: Tag, share: f64) -> bool {
+        matches!(tag, Tag::Trunk(r) if r >= Self::row_at(share))
     }
 }
 
@@ -209,11 +252,15 @@ fn hole_points(field: &Field, joints: &Joints) -> BTreeMap<(usize, usize), DVec3
         .collect()
 }
 
-fn trunk(out: &mut Template, field: &Field, hole: &BTreeMap<(usize, usize), DVec3>) {
+fn trunk(
+    out: &mut Template,
+    field: &Field,
+    heights: &[f64],
+    hole: &BTreeMap<(usize, usize), DVec3>,
+) {
     let (low, high) = HOLE;
-    for (r, &share) in ROWS.iter().enumerate() {
-        let y = share * field.stature_m;
-        let [half, front, back, centre, n] = field.trunk.at(share);
+    for (r, &y) in heights.iter().enumerate() {
+        let [half, front, back, centre, n] = field.trunk.at(y / field.stature_m);
         for q in 0..=12 {
             let in_hole = (low..=high).contains(&r) && (5..8).contains(&q);
             if let Some(&p) = hole.get(&(r, q)) {
@@ -252,7 +299,7 @@ fn trunk(out: &mut Template, field: &Field, hole: &BTreeMap<(usize, usize), DVec
         }
     }
     for (k, z) in [4.5, 0.0, -4.5f64].into_iter().enumerate() {
-        let y = 0.468 * field.stature_m + 0.08 * z.abs() * CM;
+        let y = lerp(0.468, 0.450, field.child) * field.stature_m + 0.08 * z.abs() * CM;
         out.put(
             Key::Crotch(k),
             DVec3::new(0.0, y, z * CM * field.stature_m / 1.75 * 0.9),
@@ -411,14 +458,18 @@ fn wind(shell: &mut Shell, field: &Field) {
 }
 
 /// One label for each vertex, then rounds of averaging with the neighbours.
-fn weights(shell: &Shell, keys: &[Key], field: &Field, joints: &Joints) -> Vec<Weights> {
-    let mut w: Vec<Weights> = keys.iter().map(|k| label(*k, field, joints)).collect();
+fn weights(shell: &Shell, keys: &[Key], heights: &[f64], joints: &Joints) -> Vec<Weights> {
+    let mut w: Vec<Weights> = keys.iter().map(|k| label(*k, heights, joints)).collect();
     let (around, _) = shell.neighbours();
-    for round in 0..28 {
+    for round in 0..36 {
         let before = w.clone();
         for (v, key) in keys.iter().enumerate() {
-            let on_limb = matches!(key, Key::Arm(_, j, _) | Key::Leg(_, j, _) if *j > 4);
-            if on_limb && round >= 2 {
+            let on_limb = match key {
+                Key::Arm(_, j, _) => ARM_RINGS[*j] > 0.68,
+                Key::Leg(_, j, _) => LEG_RINGS[*j] > 0.68,
+                Key::Trunk(..) | Key::Crotch(_) => false,
+            };
+            if on_limb && round >= 3 {
                 continue;
             }
             let share = 0.5 / around[v].len().max(1) as f64;
@@ -429,28 +480,36 @@ fn weights(shell: &Shell, keys: &[Key], field: &Field, joints: &Joints) -> Vec<W
     w
 }
 
-fn label(key: Key, field: &Field, joints: &Joints) -> Weights {
+/// Weights along the spine at a height: each bone carries the trunk from its joint to the
+/// next, with a soft change at the joint.
+fn spine_label(y: f64, joints: &Joints) -> Weights {
+    let mut out = Weights::bone(Bone::Sacroiliac);
+    for bone in [Bone::Lumbar, Bone::Thoracic, Bone::Cervical] {
+        let reach = if bone == Bone::Cervical { 1.5 } else { 3.5 } * CM;
+        let above = smooth((y - joints.at(bone).y + reach) / (2.0 * reach));
+        out = out.lerp(&Weights::bone(bone), above);
+    }
+    out
+}
+
+fn label(key: Key, heights: &[f64], joints: &Joints) -> Weights {
     match key {
         Key::Crotch(_) => Weights::bone(Bone::Sacroiliac),
         Key::Trunk(r, column) => {
-            let y = ROWS[r] * field.stature_m;
+            let last = ROWS.len() - 1;
             let q = column.min(COLUMNS - column);
             let side = if column < 12 { Side::Left } else { Side::Right };
             let girdle = (r > HOLE.0 && r <= HOLE.1 && (3..=9).contains(&q))
-                || ((12..=HOLE.1).contains(&r) && (q == 2 || q == 10));
-            Weights::bone(if r == 17 {
-                Bone::Skull
-            } else if r == 16 || y > joints.at(Bone::Cervical).y + CM {
-                Bone::Cervical
+                || ((HOLE.1 - 1..=HOLE.1).contains(&r) && (q == 2 || q == 10));
+            if r == last {
+                Weights::bone(Bone::Skull)
+            } else if r + 1 == last {
+                Weights::bone(Bone::Cervical)
             } else if girdle {
-                Bone::on(side, "scapula")
-            } else if y > joints.at(Bone::Thoracic).y {
-                Bone::Thoracic
-            } else if y > joints.at(Bone::Lumbar).y {
-                Bone::Lumbar
+                Weights::bone(Bone::on(side, "scapula"))
             } else {
-                Bone::Sacroiliac
-            })
+                spine_label(heights[r], joints)
+            }
         }
         Key::Arm(side, j, k) => {
             // Over the shoulder the girdle reaches farther out, or a raised arm would fold

@@ -26,6 +26,11 @@ impl Regions {
     /// Trunk and legs.
     pub const LOWER: Self = Self(Self::TRUNK | Self::LEG);
 
+    /// The trunk alone.
+    pub const TRUNK_ONLY: Self = Self(Self::TRUNK);
+    /// The legs alone.
+    pub const LEG_ONLY: Self = Self(Self::LEG);
+
     fn has(self, bit: u8) -> bool {
         self.0 & bit != 0
     }
@@ -150,6 +155,8 @@ impl Neck {
 #[derive(Clone, Debug)]
 pub struct Field {
     pub(super) stature_m: f64,
+    /// 1 for the proportions of a child.
+    pub(super) child: f64,
     pub(super) trunk: Sections,
     pub(super) neck: Neck,
     pub(super) arm: Limb,
@@ -163,9 +170,11 @@ impl Field {
     pub fn new(p: &BodyParams, joints: &Joints) -> Self {
         let s = p.stature_m;
         let k = p.scale();
-        let wide = 1.0 + 0.10 * p.build;
+        let child = p.child();
+        // Age thins the limbs.
+        let wide = (1.0 + 0.10 * p.build) * (1.0 - 0.05 * p.old());
         let trunk_scale = s / lerp(1.75, 1.65, p.sex);
-        let trunk = Sections::trunk(p.sex, trunk_scale, p.build);
+        let trunk = Sections::trunk(p);
         let shoulder = joints.at(Bone::LShoulder);
         let span = |a: Bone, b: Bone| joints.at(a).distance(joints.at(b));
         let arm = Limb::new(
@@ -176,7 +185,7 @@ impl Field {
                 span(Bone::LShoulder, Bone::LElbow),
                 span(Bone::LElbow, Bone::LWrist),
             ],
-            Sections::arm(k * lerp(1.0, 0.84, p.sex) * wide),
+            Sections::arm(lerp(k * lerp(1.0, 0.86, p.sex), s / 1.33 * 0.635, child) * wide),
         );
         let hip = joints.at(Bone::LHip);
         let leg_axis = (joints.at(Bone::LSubtalar) - hip).normalize();
@@ -189,25 +198,55 @@ impl Field {
                 span(Bone::LHip, Bone::LKnee),
                 span(Bone::LKnee, Bone::LSubtalar),
             ],
-            Sections::leg(k * wide),
+            Sections::leg(lerp(k * lerp(1.035, 1.03, p.sex), s / 1.33 * 0.675, child) * wide),
         );
-        let radius = lerp(6.0 * k, 4.95 * s / 1.65, p.sex) * CM;
+        let adult = lerp(6.0 * k, 4.95 * s / 1.65, p.sex) * (1.0 - 0.04 * p.old());
+        let radius = lerp(adult, 4.5 * s / 1.33, child) * CM;
+        let (bottom_y, top_y) = (joints.at(Bone::Cervical).y - CM, joints.at(Bone::Skull).y);
         let neck = Neck {
-            bottom_y: joints.at(Bone::Cervical).y - CM,
-            top_y: 0.888 * s,
-            bottom_z: -3.0 * trunk_scale * CM,
-            top_z: 0.0,
+            bottom_y,
+            top_y,
+            bottom_z: -3.0 * trunk_scale * lerp(1.0, 0.7, child) * CM + p.stoop_m(bottom_y),
+            top_z: p.stoop_m(top_y),
             radius,
         };
-        let pads = pads(p, shoulder, trunk.at(0.713)[1]);
+        let pads = pads(p, shoulder, trunk.at(lerp(0.713, 0.693, child))[1]);
         Self {
             stature_m: s,
+            child,
             trunk,
             neck,
             arm,
             leg,
             pads,
         }
+    }
+
+    /// The form on which cloth hangs: the same body with the hollow of the waist partly
+    /// filled; `share` 0 leaves it, 1 lets the cloth fall straight from chest to hip.
+    #[must_use]
+    pub fn dress_form(&self, share: f64) -> Self {
+        let shift = self.trunk.first() - 0.455;
+        Self {
+            trunk: self.trunk.bridged(0.515 + shift, 0.735 + shift, share),
+            ..self.clone()
+        }
+    }
+
+    /// Radius of the neck, metres.
+    #[must_use]
+    pub fn neck_radius(&self) -> f64 {
+        self.neck.radius
+    }
+
+    /// A point `off` metres outside the neck's own surface, at a height and an angle from
+    /// the front to the left.
+    #[must_use]
+    pub fn neck_point(&self, angle_rad: f64, y: f64, off: f64) -> DVec3 {
+        let n = &self.neck;
+        let (s, c) = ops::sincos(angle_rad);
+        let z = lerp(n.bottom_z, n.top_z, n.share(y).clamp(-0.3, 1.6));
+        DVec3::new(s * (n.radius + off), y, z + c * (n.radius * 1.06 + off))
     }
 
     /// Approximate signed distance, metres.
@@ -281,8 +320,9 @@ impl Field {
 
 /// Muscles and pads of the left side.
 fn pads(p: &BodyParams, shoulder: DVec3, chest_front_cm: f64) -> Vec<Pad> {
-    let (s, k, f) = (p.stature_m, p.scale(), p.sex);
-    let m = lerp(1.0, 0.72, f) * (1.0 + 0.1 * p.build);
+    let (s, f, child, old) = (p.stature_m, p.sex, p.child(), p.old());
+    let k = p.scale() * lerp(1.0, 0.9, child);
+    let m = lerp(lerp(1.0, 0.72, f), 0.55, child) * (1.0 + 0.1 * p.build) * (1.0 - 0.12 * old);
     let mut out = Vec::new();
     let mut add = |centre: DVec3, radii_cm: DVec3, blend_cm: f64, regions: u8, turn_deg: f64| {
         let a = turn_deg.to_radians();
@@ -294,63 +334,86 @@ fn pads(p: &BodyParams, shoulder: DVec3, chest_front_cm: f64) -> Vec<Pad> {
             turn: (ops::cos(a), ops::sin(a)),
         });
     };
-    let v = DVec3::new;
     let trunk = Regions::TRUNK;
-    // Deltoid, pectoral, scapula, trapezius, clavicle, gluteus.
-    let deltoid = v(5.6, 6.6, 6.0) * k * lerp(1.0, 0.71, f);
+    let height = |adult: f64, boy: f64| lerp(adult, boy, child) * s;
+    // Depths are given for an upright back.
+    let v = |x: f64, y: f64, z: f64| DVec3::new(x, y, z + p.stoop_m(y));
+    let r = DVec3::new;
+    // Deltoid: long and flat, or the shoulder would look blown up.
+    let deltoid = r(4.7, 7.0, 5.4) * k * lerp(lerp(1.0, 0.76, f), 0.84, child);
     add(
-        shoulder + v(lerp(1.2, 0.7, f), lerp(-1.0, -1.5, f), 0.0) * k * CM,
-        deltoid,
-        4.0 * k,
+        shoulder + r(lerp(1.0, 0.7, f), -1.9, 0.1) * k * CM,
+        deltoid * (1.0 - 0.06 * old),
+        3.6 * k,
         trunk | Regions::ARM,
-        -25.0,
+        -30.0,
     );
+    // Acromion: the corner where the slope of the neck ends.
+    add(
+        shoulder + r(lerp(0.2, -0.1, f), lerp(4.2, 3.5, f), -0.4) * k * CM,
+        r(2.6, 1.0, 2.2) * k * lerp(lerp(1.0, 0.86, f), 0.85, child),
+        2.6 * k,
+        trunk | Regions::ARM,
+        -16.0,
+    );
+    // Pectoral, scapula, trapezius, clavicle, gluteus.
     let chest = v(
         shoulder.x * 0.52,
-        s * 0.742,
+        height(0.742, 0.715),
         (chest_front_cm - 3.2 * k) * CM,
     );
-    add(chest, v(8.0, 5.2, 3.6) * k * m, 3.0 * k, trunk, 15.0);
+    let chest = DVec3::new(chest.x, chest.y, chest.z - p.stoop_m(chest.y));
+    add(chest, r(8.0, 5.2, 3.6) * k * m, 3.0 * k, trunk, 15.0);
     let blade = v(
         shoulder.x * 0.55,
-        s * 0.755,
+        height(0.755, 0.73),
         -9.2 * k * lerp(1.0, 0.85, f) * CM,
     );
-    add(blade, v(6.0, 8.0, 2.9) * k * m, 4.0 * k, trunk, 12.0);
     add(
-        v(shoulder.x * 0.42, s * 0.822, -3.6 * k * CM),
-        v(7.5, 2.6, 3.6) * k * m,
+        blade,
+        r(6.0, 8.0, 2.9) * k * lerp(m, 0.7, 0.3 * child),
         4.0 * k,
         trunk,
-        -22.0,
+        12.0,
     );
     add(
-        v(shoulder.x * 0.5, s * 0.808, 2.2 * k * CM),
-        v(8.5, 1.0, 1.2) * k,
+        v(shoulder.x * 0.42, height(0.824, 0.797), -3.6 * k * CM),
+        r(7.8, 2.7, 3.6) * k * lerp(m, 0.8, 0.35 * child),
+        4.0 * k,
+        trunk,
+        -24.0,
+    );
+    add(
+        v(shoulder.x * 0.5, height(0.808, 0.782), 2.2 * k * CM),
+        r(8.5, 1.0, 1.2) * k,
         2.4 * k,
         trunk,
         -4.0,
     );
-    let seat = lerp(1.0, 1.06, f);
+    let seat = lerp(lerp(1.0, 1.06, f), 0.70, child) * (1.0 - 0.06 * old);
     add(
-        v(7.4 * k * seat * CM, s * 0.500, -6.6 * k * seat * CM),
-        v(7.2, 8.0, 6.2) * k * seat * (1.0 + 0.08 * p.build),
+        DVec3::new(
+            7.4 * k * seat * CM,
+            height(0.500, 0.482),
+            -6.6 * k * seat * CM,
+        ),
+        r(7.2, 8.0, 6.2) * k * seat * (1.0 + 0.08 * p.build),
         3.5 * k,
         trunk | Regions::LEG,
         0.0,
     );
-    if f > 0.3 {
-        let r = 6.8 * k * p.bust * f;
+    let bust = 6.8 * k * p.bust * f * (1.0 - child);
+    if bust > 1.0 {
         add(
             v(7.6 * k * CM, s * 0.722, 5.4 * k * CM),
-            v(r * 0.98, r, r),
+            r(bust * 0.98, bust, bust),
             3.0 * k,
             trunk,
             0.0,
         );
         add(
             v(7.0 * k * CM, s * 0.748, 4.6 * k * CM),
-            v(r * 0.9, r * 0.9, r * 0.75),
+            r(bust * 0.9, bust * 0.9, bust * 0.75),
             4.0 * k,
             trunk,
             0.0,

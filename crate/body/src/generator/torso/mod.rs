@@ -5,6 +5,8 @@ pub mod field;
 mod section;
 pub mod shape;
 pub mod shell;
+#[cfg(test)]
+mod tests;
 pub mod weights;
 
 pub use cage::Cage;

@@ -1,8 +1,12 @@
 //! Section tables of trunk, arm and leg and their smooth lookup.
 //!
-//! Breadths and depths: designed, from common anthropometric knowledge, checked by girth.
+//! Breadths and depths: designed, from common anthropometric knowledge, and held within
+//! one standard deviation of surveyed girths by the tests of [`super`].
 
 use raconteur_base::curve::lerp;
+use raconteur_base::ops;
+
+use super::shape::{BodyParams, CM};
 
 /// Rows of a table: a parameter and five values.
 type Table<const N: usize> = [[f64; 6]; N];
@@ -32,6 +36,19 @@ const TRUNK_FEMALE: Table<15> = [
     [0.775, 13.1, 8.0, 8.5, -1.6, 2.2], [0.80, 11.4, 6.1, 7.6, -2.1, 2.1],
     [0.82, 8.6, 4.4, 6.2, -2.4, 2.0], [0.84, 5.9, 4.0, 4.8, -2.4, 2.0],
     [0.86, 4.4, 3.4, 3.6, -2.2, 2.0],
+];
+
+/// Trunk of a child of nine, 133 cm tall: straight waist, round belly.
+#[rustfmt::skip]
+const TRUNK_CHILD: Table<15> = [
+    [0.435, 3.6, 3.0, 3.6, 0.0, 2.0], [0.455, 8.8, 6.0, 6.8, 0.0, 2.1],
+    [0.48, 11.4, 7.2, 7.9, 0.0, 2.2], [0.51, 11.7, 7.8, 7.8, 0.0, 2.2],
+    [0.54, 11.2, 8.1, 6.9, 0.0, 2.2], [0.58, 10.5, 8.0, 6.0, 0.0, 2.2],
+    [0.61, 10.4, 7.7, 5.9, 0.0, 2.2], [0.65, 10.7, 7.5, 6.3, -0.2, 2.2],
+    [0.69, 11.2, 7.6, 6.8, -0.5, 2.3], [0.72, 11.4, 7.4, 7.0, -0.8, 2.3],
+    [0.762, 10.9, 6.2, 6.8, -1.3, 2.2], [0.787, 9.4, 4.5, 5.8, -1.6, 2.1],
+    [0.802, 7.2, 3.6, 4.8, -1.8, 2.0], [0.822, 4.9, 3.2, 3.9, -1.8, 2.0],
+    [0.842, 3.6, 2.8, 3.0, -1.7, 2.0],
 ];
 
 /// Arm: 0 shoulder, 1 elbow, 2 wrist; radii upwards, downwards, front, back (cm), unused.
@@ -100,24 +117,53 @@ impl Sections {
         Self { first, last, rows }
     }
 
-    pub(super) fn trunk(sex: f64, radius_scale: f64, build: f64) -> Self {
+    pub(super) fn trunk(p: &BodyParams) -> Self {
         let mut table = TRUNK_FEMALE;
-        for (row, male) in table.iter_mut().zip(TRUNK_MALE) {
-            for (v, m) in row.iter_mut().zip(male) {
-                *v = lerp(m, *v, sex);
+        let bell = |x: f64, c: f64, w: f64| ops::exp(-((x - c) / w) * ((x - c) / w));
+        let (child, old) = (p.child(), p.old());
+        let scale = p.stature_m / lerp(1.75, 1.65, p.sex);
+        let rows = TRUNK_MALE.into_iter().zip(TRUNK_CHILD);
+        for (row, (male, boy)) in table.iter_mut().zip(rows) {
+            for (k, v) in row.iter_mut().enumerate() {
+                let lengths = (1..5).contains(&k);
+                let (adult, young) = if lengths {
+                    (scale, p.stature_m / 1.33)
+                } else {
+                    (1.0, 1.0)
+                };
+                *v = lerp(lerp(male[k], *v, p.sex) * adult, boy[k] * young, child);
             }
-            for v in &mut row[1..5] {
-                *v *= radius_scale;
-            }
-            let wide = 1.0 + 0.10 * build;
-            // Weight gathers at the waist first.
-            let waist =
-                raconteur_base::ops::exp(-((row[0] - 0.60) / 0.06) * ((row[0] - 0.60) / 0.06));
-            row[1] *= wide * (1.0 + 0.05 * build * waist);
-            row[2] *= wide;
-            row[3] *= wide;
+            let wide = 1.0 + 0.10 * p.build;
+            let waist_at = lerp(0.60, 0.58, child);
+            // Weight gathers at the waist first; with age the belly comes before it and
+            // the muscles of chest and seat thin out.
+            let waist = bell(row[0], waist_at, 0.06);
+            row[1] *= wide * (1.0 + 0.05 * p.build * waist) * (1.0 + 0.07 * old * waist);
+            row[2] = row[2] * wide
+                + (3.6 + 2.5 * p.build.max(0.0)) * old * scale * bell(row[0], waist_at, 0.055);
+            row[3] *= wide * (1.0 - 0.08 * old * bell(row[0], 0.51, 0.04));
+            row[4] += p.stoop_m(row[0] * p.stature_m) / CM;
         }
         Self::resample(&table)
+    }
+
+    /// The same with the hollow between two parameters partly filled: cloth hangs from
+    /// the wider parts above and below. `share` 0 leaves it, 1 makes it straight.
+    pub(super) fn bridged(&self, from: f64, to: f64, share: f64) -> Self {
+        let (low, high) = (self.at(from), self.at(to));
+        let mut out = self.clone();
+        let n = out.rows.len() - 1;
+        for (i, row) in out.rows.iter_mut().enumerate() {
+            let x = lerp(self.first, self.last, i as f64 / n as f64);
+            let t = (x - from) / (to - from);
+            if (0.0..=1.0).contains(&t) {
+                for k in 0..3 {
+                    let straight = lerp(low[k], high[k], t);
+                    row[k] = row[k].max(lerp(row[k], straight, share));
+                }
+            }
+        }
+        out
     }
 
     pub(super) fn arm(radius_scale: f64) -> Self {

@@ -1,9 +1,10 @@
 //! Who the body is of: measures, joints, rest pose.
 //!
-//! Heights as shares of stature and breadths are common anthropometric knowledge (not
-//! survey rows); the thesis's own table has the hips at 0.577 of stature, anatomy at 0.52.
+//! Heights as shares of stature: designed from common anthropometric knowledge, held to
+//! the surveys that the tests of [`super`] cite. The thesis's own table has the hips at
+//! 0.577 of stature, anatomy at 0.52.
 
-use raconteur_base::curve::lerp;
+use raconteur_base::curve::{lerp, ramp, smooth};
 use raconteur_base::{DQuat, DVec3, Side, mirror_vector, ops};
 
 use crate::skeleton::{Bone, zero_frames};
@@ -20,11 +21,13 @@ pub const ARMS_DOWN_RAD: f64 = 48.0 * core::f64::consts::PI / 180.0;
 pub struct BodyParams {
     /// 0 male to 1 female proportions.
     pub sex: f64,
+    /// Years, 8 to 80.
+    pub age_years: f64,
     /// Standing height, metres.
     pub stature_m: f64,
     /// −1 lean to +1 heavy; 10 % of all radii a unit.
     pub build: f64,
-    /// Size of the bust, 1 = average.
+    /// Size of the bust, 1 = average. Women only.
     pub bust: f64,
 }
 
@@ -32,6 +35,31 @@ impl BodyParams {
     /// Stature against the 175 cm of most tables.
     pub(super) fn scale(&self) -> f64 {
         self.stature_m / 1.75
+    }
+
+    /// 1 with the proportions of a child of nine, 0 with an adult's: growth of the limbs
+    /// and of the shoulders is over at about 17.
+    #[must_use]
+    pub fn child(&self) -> f64 {
+        1.0 - smooth(ramp(9.0, 17.0, self.age_years))
+    }
+
+    /// 0 up to fifty, 1 at eighty-five: how far age has bent and thinned the body.
+    #[must_use]
+    pub fn old(&self) -> f64 {
+        smooth(ramp(48.0, 86.0, self.age_years))
+    }
+
+    /// How far the spine's curve carries a height of the body forward, metres: with age
+    /// the upper back rounds and the head goes before the trunk. Designed; thoracic
+    /// kyphosis grows from about 25° at thirty to 43° at seventy-five (Fon et al. 1980,
+    /// doi:10.2214/ajr.134.5.979).
+    #[must_use]
+    pub fn stoop_m(&self, y_m: f64) -> f64 {
+        let h = y_m / self.stature_m;
+        let bell = |c: f64, w: f64| ops::exp(-((h - c) / w) * ((h - c) / w));
+        let head = 3.4 * smooth((h - 0.775) / 0.13);
+        self.old() * self.scale() * CM * (head - 1.7 * bell(0.745, 0.06))
     }
 }
 
@@ -67,8 +95,10 @@ impl Joints {
     #[must_use]
     pub fn place(p: &BodyParams) -> Self {
         let s = p.stature_m;
-        let hip_x = lerp(0.0505, 0.0525, p.sex) * s;
-        let shoulder_x = lerp(0.0945, 0.0835, p.sex) * s;
+        let child = p.child();
+        let by_age = |adult: f64, boy: f64| lerp(adult, boy, child) * s;
+        let hip_x = by_age(lerp(0.0505, 0.0525, p.sex), 0.047);
+        let shoulder_x = by_age(lerp(0.0965, 0.0865, p.sex), 0.0865);
         let mut at = [DVec3::ZERO; Bone::COUNT];
         let mut put = |bone: Bone, q: DVec3| {
             at[bone.index()] = q;
@@ -76,24 +106,27 @@ impl Joints {
                 at[bone.mirrored().index()] = mirror_vector(q);
             }
         };
-        let v = DVec3::new;
-        put(Bone::Sacroiliac, v(0.0, 0.545 * s, -2.0 * CM));
-        put(Bone::Lumbar, v(0.0, 0.60 * s, -2.5 * CM));
-        put(Bone::Thoracic, v(0.0, 0.70 * s, -3.5 * CM));
-        put(Bone::Cervical, v(0.0, 0.825 * s, -4.0 * CM));
-        put(Bone::Skull, v(0.0, 0.888 * s, -CM));
-        put(Bone::Chin, v(0.0, 0.913 * s, 0.5 * CM));
-        put(Bone::LHip, v(hip_x, 0.522 * s, 0.0));
-        put(Bone::LKnee, v(hip_x * 0.98, 0.282 * s, 0.5 * CM));
-        put(Bone::LSubtalar, v(hip_x * 0.95, 0.046 * s, -2.5 * CM));
-        put(Bone::LMidtarsal, v(hip_x, 0.030 * s, 4.0 * CM));
+        // Depths are those of a body of 175 cm.
+        let k = p.scale();
+        let v = |x: f64, y: f64, z_cm: f64| DVec3::new(x, y, z_cm * k * CM + p.stoop_m(y));
+        put(Bone::Sacroiliac, v(0.0, by_age(0.545, 0.525), -2.0));
+        put(Bone::Lumbar, v(0.0, by_age(0.60, 0.58), -2.5));
+        put(Bone::Thoracic, v(0.0, by_age(0.70, 0.68), -3.5));
+        put(Bone::Cervical, v(0.0, by_age(0.825, 0.812), -4.0));
+        put(Bone::Skull, v(0.0, by_age(0.888, 0.865), -1.0));
+        put(Bone::Chin, v(0.0, by_age(0.913, 0.895), 0.5));
+        let foot = |x: f64, y: f64, z_cm: f64| DVec3::new(x, y, z_cm * k * CM);
+        put(Bone::LHip, foot(hip_x, by_age(0.522, 0.505), 0.0));
+        put(Bone::LKnee, foot(hip_x * 0.98, by_age(0.282, 0.272), 0.5));
         put(
-            Bone::LMetatarsal,
-            v(hip_x * 1.08, 0.014 * s, 11.0 * CM * p.scale()),
+            Bone::LSubtalar,
+            foot(hip_x * 0.95, by_age(0.046, 0.048), -2.5),
         );
-        put(Bone::LScapula, v(0.018 * s, 0.815 * s, -2.0 * CM));
-        let shoulder = v(shoulder_x, 0.794 * s, -2.0 * CM);
-        let elbow = shoulder + Self::arm_axis() * 0.168 * s;
+        put(Bone::LMidtarsal, foot(hip_x, 0.030 * s, 4.0));
+        put(Bone::LMetatarsal, foot(hip_x * 1.08, 0.014 * s, 11.0));
+        put(Bone::LScapula, v(0.018 * s, by_age(0.815, 0.80), -2.0));
+        let shoulder = v(shoulder_x, by_age(0.794, 0.778), -2.0);
+        let elbow = shoulder + Self::arm_axis() * by_age(0.168, 0.163);
         let wrist = elbow + Self::arm_axis() * 0.143 * s;
         put(Bone::LShoulder, shoulder);
         put(Bone::LElbow, elbow);

@@ -27,7 +27,13 @@ impl Shell {
 
     /// Only the faces that `keep` wants, without the points that no face uses.
     #[must_use]
-    pub fn select(&self, mut keep: impl FnMut(usize) -> bool) -> Self {
+    pub fn select(&self, keep: impl FnMut(usize) -> bool) -> Self {
+        self.select_named(keep).0
+    }
+
+    /// As [`Self::select`], with the new index of each point that was kept.
+    #[must_use]
+    pub fn select_named(&self, mut keep: impl FnMut(usize) -> bool) -> (Self, Vec<Option<u32>>) {
         let mut renamed: Vec<Option<u32>> = vec![None; self.points.len()];
         let mut out = Self::default();
         for (i, face) in self.faces.iter().enumerate() {
@@ -46,7 +52,7 @@ impl Shell {
                 .collect();
             out.faces.push(face);
         }
-        out
+        (out, renamed)
     }
 
     /// Catmull–Clark, `levels` times, with the stencils for anything else that rides along.

@@ -1,0 +1,600 @@
+//! Garments of the upper body with set-in sleeves: close on the shoulders, loose over the
+//! waist, gathered at the elbow and above cuff and hem.
+
+use raconteur_base::curve::lerp;
+use raconteur_base::{DVec3, Side, mirror_vector};
+
+use super::band::{Band, along_edge};
+use super::drape::{DrapeParams, Draping, drape};
+use super::fade;
+use super::finish::{Chart, Fabric, Unrolling, cloth_part};
+use super::fold::{Chance, Fold, Line, Ring, crease};
+use super::seam::{Stitch, sew};
+use super::sheet::Sheet;
+use super::wearer::Wearer;
+use crate::figure::MaterialKind;
+use crate::generator::part::Part;
+use crate::generator::torso::cage::{HOLE, Key, RING, Tag, armhole};
+use crate::generator::torso::{CM, Cage, Field, Joints, Regions, Shell};
+use crate::skeleton::Bone;
+
+/// Cut of a top; centimetres on a body of 175 cm unless said otherwise.
+#[derive(Clone, Copy, Debug)]
+pub struct TopCut {
+    /// Name of its parts.
+    pub name: &'static str,
+    /// Cloth of the body and sleeves.
+    pub fabric: Fabric,
+    /// Where hem and neckline begin, shares of an adult's stature.
+    pub reach: [f64; 2],
+    /// How straight it falls from chest to hip, 0..1.
+    pub straight: f64,
+    /// Distance from the body at yoke and waist.
+    pub ease_cm: [f64; 2],
+    /// Distance from the arm below the sleeve's cap.
+    pub sleeve_ease_cm: f64,
+    /// Excess of the sleeve's length, share.
+    pub slack: f64,
+    /// Height of its folds against those of a fine sweater.
+    pub gather: f64,
+    /// Thickness of what is worn below it, above and below the waist.
+    pub over_cm: [f64; 2],
+    /// Seed of its folds.
+    pub seed: u64,
+}
+
+/// A top before its edges are finished.
+#[derive(Clone, Debug)]
+pub struct Top {
+    /// The draped cloth.
+    pub sheet: Sheet,
+    /// Loop at the neck.
+    pub neck: Vec<u32>,
+    /// Loop at the bottom.
+    pub hem: Vec<u32>,
+    /// Loops at the wrists.
+    pub cuffs: Vec<Vec<u32>>,
+}
+
+/// Which part of the cloth a fold may touch.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Place {
+    Trunk,
+    Sleeve(Side),
+}
+
+fn mirrored_to(side: Side, v: DVec3) -> DVec3 {
+    if side == Side::Left {
+        v
+    } else {
+        mirror_vector(v)
+    }
+}
+
+/// Distance along the nearer arm from its shoulder, metres; negative inside the trunk.
+pub(super) fn along_arm(joints: &Joints, p: DVec3) -> f64 {
+    let left = if p.x >= 0.0 { p } else { mirror_vector(p) };
+    (left - joints.at(Bone::LShoulder)).dot(Joints::arm_axis())
+}
+
+fn arm_share(shell: &Shell) -> Vec<f64> {
+    shell
+        .weights
+        .iter()
+        .map(|w| Side::BOTH.iter().map(|s| w.arm(*s)).sum())
+        .collect()
+}
+
+/// Cuts, settles and drapes a top on its wearer.
+#[must_use]
+pub fn top(wearer: &Wearer<'_>, cut: &TopCut) -> Top {
+    let (cage, joints) = (wearer.cage, wearer.joints);
+    let unit = CM * wearer.scale;
+    let rows = Cage::row_at(cut.reach[0])..Cage::row_at(cut.reach[1]);
+    let last_span = Cage::arm_ring_at(1.80);
+    let mut sheet = Sheet::cut(cage, |tag| match tag {
+        Tag::Trunk(r) => rows.contains(&r),
+        Tag::Arm(j) => j <= last_span,
+        Tag::Leg(_) => false,
+    });
+    let form = wearer.field.dress_form(cut.straight);
+    let (low, high) = (
+        cage.row_height(Cage::row_at(0.735)),
+        cage.row_height(HOLE.1),
+    );
+    let neck = |p: DVec3| fade(p.y, high, high + 4.0 * unit);
+    sheet.settle(
+        &form,
+        Regions::ALL,
+        |p| lerp(1.25, 1.0, neck(p)),
+        |p| {
+            let along = along_arm(joints, p);
+            let on_arm = fade(along, 4.0 * unit, 14.0 * unit);
+            let trunk = lerp(cut.ease_cm[1], cut.ease_cm[0], fade(p.y, low, high));
+            unit * lerp(
+                lerp(trunk, cut.sleeve_ease_cm, on_arm),
+                cut.ease_cm[0] * 0.75,
+                neck(p),
+            )
+        },
+    );
+    let mut out = Top {
+        neck: Vec::new(),
+        hem: Vec::new(),
+        cuffs: Vec::new(),
+        sheet,
+    };
+    out.find_edges();
+    let mut cloth = prepare(&out, wearer, cut);
+    let waist = cage.row_height(Cage::row_at(0.61));
+    let thickness = |p: DVec3| {
+        let below = if along_arm(joints, p) < 0.0 || p.y < waist - 0.1 {
+            fade(p.y, waist, waist - 5.0 * unit)
+        } else {
+            0.0
+        };
+        unit * (0.5 + lerp(cut.over_cm[0], cut.over_cm[1], below))
+    };
+    let params = DrapeParams {
+        seed: cut.seed,
+        ..DrapeParams::default()
+    };
+    drape(&mut cloth, &params, wearer.field, &thickness);
+    out.sheet.shell = cloth.shell;
+    out
+}
+
+impl Top {
+    /// Finds neck, hem and cuffs again, after faces were taken away.
+    pub fn find_edges(&mut self) {
+        let shell = &self.sheet.shell;
+        let arm = arm_share(shell);
+        let mean = |ring: &[u32], f: &dyn Fn(usize) -> f64| {
+            ring.iter().map(|&v| f(v as usize)).sum::<f64>() / ring.len() as f64
+        };
+        let (cuffs, mut trunk): (Vec<_>, Vec<_>) = shell
+            .loops()
+            .into_iter()
+            .partition(|ring| mean(ring, &|v| arm[v]) > 0.5);
+        trunk.sort_by(|a, b| {
+            mean(a, &|v| shell.points[v].y).total_cmp(&mean(b, &|v| shell.points[v].y))
+        });
+        self.neck = trunk.last().cloned().unwrap_or_default();
+        self.hem = trunk.first().cloned().unwrap_or_default();
+        self.cuffs = cuffs;
+    }
+
+    /// Sews the seams of armholes, sides, under the arms and, if wanted, over the shoulders.
+    pub fn sew(&mut self, wearer: &Wearer<'_>) {
+        let unit = CM * wearer.scale;
+        let mut lines = Vec::new();
+        for side in Side::BOTH {
+            let column = |q: usize| {
+                if side == Side::Left { q } else { (24 - q) % 24 }
+            };
+            let hole = armhole();
+            let ring = (0..=RING).map(|k| Key::Trunk(hole[k % RING].0, column(hole[k % RING].1)));
+            lines.push(self.sheet.line(ring));
+            // The side's seam goes on below the sleeve.
+            let side_seam = (0..=HOLE.0).map(|r| Key::Trunk(r, column(6)));
+            let sleeve = (0..=Cage::arm_ring_at(2.0)).map(|j| Key::Arm(side, j, RING / 2));
+            lines.push(self.sheet.line(side_seam.chain(sleeve)));
+        }
+        let stitch = Stitch {
+            reach: 0.38 * unit,
+            depth: 0.13 * unit,
+            swell: 0.05 * unit,
+        };
+        sew(&mut self.sheet, &lines, stitch);
+    }
+
+    /// The cloth as a part.
+    #[must_use]
+    pub fn part(&self, wearer: &Wearer<'_>, cut: &TopCut) -> Part {
+        let charts = charts(wearer);
+        let shell = &self.sheet.shell;
+        let chart_of = |f: usize| match self.sheet.tags[f] {
+            Tag::Trunk(_) => 0,
+            Tag::Arm(_) | Tag::Leg(_) => {
+                let x: f64 = shell.faces[f]
+                    .iter()
+                    .map(|&v| shell.points[v as usize].x)
+                    .sum();
+                if x > 0.0 { 1 } else { 2 }
+            }
+        };
+        let unrolling = Unrolling {
+            charts: &charts,
+            chart_of: &chart_of,
+        };
+        cloth_part(
+            cut.name,
+            shell,
+            &self.sheet.shade,
+            wearer.field,
+            cut.fabric,
+            unrolling,
+        )
+    }
+
+    /// A band along the neck, the hem or a cuff: chart 0 is the trunk's.
+    #[must_use]
+    pub fn band(
+        &self,
+        wearer: &Wearer<'_>,
+        ring: &[u32],
+        band: &Band,
+        fabric: Fabric,
+    ) -> (Part, Shell) {
+        let shell = along_edge(&self.sheet.shell, ring, band, wearer.field);
+        let charts = charts(wearer);
+        let chart = if band.regions == Regions::UPPER {
+            let first = ring
+                .first()
+                .map_or(0.0, |&v| self.sheet.shell.points[v as usize].x);
+            if first > 0.0 { 1 } else { 2 }
+        } else {
+            0
+        };
+        let unrolling = Unrolling {
+            charts: &charts,
+            chart_of: &|_| chart,
+        };
+        let part = cloth_part("band", &shell, &[], wearer.field, fabric, unrolling);
+        (part, shell)
+    }
+
+    /// Ribbed bands at hem and wrists; widths in centimetres on a body of 175 cm.
+    #[must_use]
+    pub fn rib_bands(
+        &self,
+        wearer: &Wearer<'_>,
+        fabric: Fabric,
+        [hem_cm, cuff_cm]: [f64; 2],
+        hem_ease_cm: f64,
+    ) -> Vec<(Part, Shell)> {
+        let unit = CM * wearer.scale;
+        let rib = fabric.woven(MaterialKind::Rib);
+        let hem = Band {
+            direction: DVec3::NEG_Y,
+            width: hem_cm * unit,
+            thickness: 0.3 * unit,
+            ease: hem_ease_cm * unit,
+            regions: Regions::LOWER,
+            every: 1,
+        };
+        let mut out = vec![self.band(wearer, &self.hem, &hem, rib)];
+        for cuff in &self.cuffs {
+            let first = cuff
+                .first()
+                .map_or(0.0, |&v| self.sheet.shell.points[v as usize].x);
+            let side = if first > 0.0 { Side::Left } else { Side::Right };
+            let band = Band {
+                direction: mirrored_to(side, Joints::arm_axis()),
+                width: cuff_cm * unit,
+                thickness: 0.25 * unit,
+                ease: 0.42 * unit,
+                regions: Regions::UPPER,
+                every: 1,
+            };
+            out.push(self.band(wearer, cuff, &band, rib));
+        }
+        out
+    }
+}
+
+/// Charts of trunk, left sleeve and right sleeve.
+fn charts(wearer: &Wearer<'_>) -> [Chart; 3] {
+    let joints = wearer.joints;
+    let sleeve = |side: Side| Chart {
+        origin: mirrored_to(side, joints.at(Bone::LShoulder)),
+        axis: -mirrored_to(side, Joints::arm_axis()),
+        front: mirrored_to(side, Joints::arm_up()),
+        radius: 5.5 * CM * wearer.scale,
+    };
+    let trunk = Chart {
+        // Coordinates within ±1 m store small.
+        origin: DVec3::new(0.0, 1.2, -1.5 * CM),
+        axis: DVec3::Y,
+        front: DVec3::Z,
+        radius: 14.0 * CM * wearer.scale,
+    };
+    [trunk, sleeve(Side::Left), sleeve(Side::Right)]
+}
+
+/// Pins, rest lengths, folds and the tightened cuffs and hem.
+fn prepare(top: &Top, wearer: &Wearer<'_>, cut: &TopCut) -> Draping {
+    let (field, cage, joints) = (wearer.field, wearer.cage, wearer.joints);
+    let unit = CM * wearer.scale;
+    let mut shell = top.sheet.shell.clone();
+    let on_arm = arm_share(&shell);
+    let along: Vec<f64> = shell
+        .points
+        .iter()
+        .zip(&on_arm)
+        .map(|(p, arm)| {
+            if *arm > 0.5 {
+                along_arm(joints, *p)
+            } else {
+                0.0
+            }
+        })
+        .collect();
+    let shoulder = joints.at(Bone::LShoulder);
+    let upper_arm = joints.at(Bone::LElbow).distance(shoulder);
+    let end = along.iter().copied().fold(0.0, f64::max) - 0.3 * unit;
+    let start = end - 4.0 * unit;
+    let yoke = cage.row_height(HOLE.0 + 2);
+    let mut pin = vec![0.0; shell.points.len()];
+    for v in 0..pin.len() {
+        let p = shell.points[v];
+        // The cuff sits close.
+        let (d, n) = field.value_and_normal(p, Regions::ALL, 1.0);
+        shell.points[v] -= n * (d - 0.7 * unit).clamp(0.0, 5.0 * CM) * fade(along[v], start, end);
+        let near_neck = fade(p.y, shoulder.y + 2.0 * unit, shoulder.y + 5.0 * unit)
+            * f64::from(u8::from(p.x.abs() < shoulder.x));
+        // Yoke and sleeve cap are tailored, not draped: excess there would puff.
+        let hold = if on_arm[v] > 0.5 {
+            fade(along[v] / upper_arm, 0.62, 0.37)
+        } else {
+            fade(p.y, yoke - 4.0 * unit, yoke + 3.0 * unit)
+        };
+        pin[v] = near_neck
+            .max(fade(along[v], start + unit, end))
+            .max(0.985 * hold);
+    }
+    for &v in top.neck.iter().chain(top.cuffs.iter().flatten()) {
+        pin[v as usize] = 1.0;
+    }
+    for &v in &top.hem {
+        pin[v as usize] = 0.9;
+    }
+    hold_hem_in(&mut shell, top, &on_arm, unit);
+    let folds = folds(top, wearer, cut);
+    let normals = shell.normals();
+    let place: Vec<Option<Place>> = shell
+        .weights
+        .iter()
+        .zip(&on_arm)
+        .map(|(w, arm)| {
+            if *arm < 0.5 {
+                Some(Place::Trunk)
+            } else {
+                Side::BOTH
+                    .into_iter()
+                    .find(|s| w.arm(*s) >= 0.5)
+                    .map(Place::Sleeve)
+            }
+        })
+        .collect();
+    let strokes: Vec<Fold> = folds.iter().map(|f| f.1).collect();
+    crease(&mut shell.points, &normals, &strokes, |f, v| {
+        place[v] == Some(folds[f].0) && pin[v] < 0.99
+    });
+    // Excess length along the sleeves and down the trunk must turn into folds.
+    let top_y = joints.at(Bone::Cervical).y - 20.0 * unit;
+    let rest = (0..shell.points.len())
+        .map(|v| {
+            let p = shell.points[v];
+            let mut q = p;
+            for side in Side::BOTH {
+                let axis = mirrored_to(side, Joints::arm_axis());
+                let excess = (along[v] - 0.45 * upper_arm).max(0.0) * cut.slack;
+                q += axis * excess * fade(shell.weights[v].arm(side), 0.3, 0.9);
+            }
+            if on_arm[v] < 0.01 {
+                q.y -= 0.02 * (top_y - p.y).clamp(0.0, 60.0 * CM);
+            }
+            q
+        })
+        .collect();
+    Draping { shell, rest, pin }
+}
+
+/// Ribbing holds the bottom edge in.
+fn hold_hem_in(shell: &mut Shell, top: &Top, on_arm: &[f64], unit: f64) {
+    let at = |v: &u32| shell.points[*v as usize];
+    let centre = top.hem.iter().map(at).sum::<DVec3>() / top.hem.len().max(1) as f64;
+    let high = top.hem.iter().map(|v| at(v).y).fold(f64::MIN, f64::max);
+    for (p, arm) in shell.points.iter_mut().zip(on_arm) {
+        if *arm < 0.3 {
+            let k = fade(p.y, high + 4.0 * unit, high) * 0.035;
+            *p = DVec3::new(lerp(p.x, centre.x, k), p.y, lerp(p.z, centre.z, k));
+        }
+    }
+}
+
+/// The folds of a top.
+fn folds(top: &Top, wearer: &Wearer<'_>, cut: &TopCut) -> Vec<(Place, Fold)> {
+    let mut out = Vec::new();
+    for side in Side::BOTH {
+        sleeve_folds(&mut out, wearer, cut, side);
+        chest_folds(&mut out, top, wearer, cut, side);
+    }
+    waist_folds(&mut out, top, wearer, cut);
+    out
+}
+
+fn sleeve_folds(out: &mut Vec<(Place, Fold)>, wearer: &Wearer<'_>, cut: &TopCut, side: Side) {
+    let unit = CM * wearer.scale;
+    let joints = wearer.joints;
+    let upper = joints.at(Bone::LElbow).distance(joints.at(Bone::LShoulder));
+    let fore = joints.at(Bone::LWrist).distance(joints.at(Bone::LElbow));
+    let chance = Chance(cut.seed + side.index() as u64);
+    // The inside of the elbow looks to the front.
+    let front = side.sign() * core::f64::consts::FRAC_PI_2;
+    let mut ring = |n: usize, along: f64, angle: f64, span: f64, tilt_cm: f64, height_cm: f64| {
+        let fold = Ring {
+            origin: mirrored_to(side, joints.at(Bone::LShoulder)),
+            axis: mirrored_to(side, Joints::arm_axis()),
+            front: mirrored_to(side, Joints::arm_up()),
+            along: along + 0.5 * unit * chance.at(1, n),
+            angle: angle + 0.35 * chance.at(2, n),
+            span,
+            tilt: (tilt_cm + 0.25 * chance.at(3, n)) * unit,
+            width: (1.15 + 0.2 * chance.at(4, n)) * unit,
+            height: height_cm * cut.gather * (1.0 + 0.25 * chance.at(5, n)) * unit,
+        };
+        out.push((Place::Sleeve(side), Fold::Ring(fold)));
+    };
+    // Soft diagonals on the upper arm, from the armpit outwards.
+    ring(0, 0.56 * upper, front + 2.6, 1.5, 1.5, 0.32);
+    ring(1, 0.74 * upper, front - 2.2, 1.6, -1.3, 0.36);
+    // A zigzag over the inside of the elbow.
+    for i in 0..4 {
+        let way = if i % 2 == 0 { 1.0 } else { -1.0 };
+        let along = upper + (i as f64 - 1.6) * 2.7 * unit;
+        ring(2 + i, along, front + 0.5 * way, 2.0, 1.2 * way, 0.52);
+    }
+    // The forearm's cloth stacks on the cuff.
+    for i in 0..4 {
+        let way = if i % 2 == 0 { -1.0 } else { 1.0 };
+        let along = upper + fore * (0.42 + 0.125 * i as f64);
+        ring(
+            6 + i,
+            along,
+            front + 1.9 * way,
+            2.3,
+            0.9 * way,
+            0.36 + 0.06 * i as f64,
+        );
+    }
+}
+
+fn chest_folds(
+    out: &mut Vec<(Place, Fold)>,
+    top: &Top,
+    wearer: &Wearer<'_>,
+    cut: &TopCut,
+    side: Side,
+) {
+    let unit = CM * wearer.scale;
+    let chance = Chance(cut.seed + 10 + side.index() as u64);
+    let column = |q: usize| if side == Side::Left { q } else { (24 - q) % 24 };
+    let row = Cage::row_at;
+    let at = |r: usize, q: usize| top.sheet.point(Key::Trunk(r, column(q)));
+    let mut line =
+        |n: usize, from: Option<DVec3>, to: Option<DVec3>, bow: DVec3, size: [f64; 2]| {
+            if let (Some(from), Some(to)) = (from, to) {
+                let fold = Line {
+                    from,
+                    to,
+                    bow: bow * unit,
+                    width: size[0] * (1.0 + 0.15 * chance.at(1, n)) * unit,
+                    height: size[1] * cut.gather * (1.0 + 0.3 * chance.at(2, n)) * unit,
+                };
+                out.push((Place::Trunk, Fold::Line(fold)));
+            }
+        };
+    let low = HOLE.0;
+    // From the armpit over the chest and the back.
+    line(
+        0,
+        at(low + 1, 4),
+        at(row(0.69), 2),
+        DVec3::new(0.0, -1.2, 0.0),
+        [1.3, 0.38],
+    );
+    line(
+        1,
+        at(low, 4),
+        at(row(0.65), 3),
+        DVec3::new(0.0, -0.8, 0.0),
+        [1.4, 0.34],
+    );
+    line(
+        2,
+        at(low + 1, 8),
+        at(row(0.68), 10),
+        DVec3::new(0.0, -1.0, 0.0),
+        [1.5, 0.42],
+    );
+    line(
+        3,
+        at(low - 1, 7),
+        at(row(0.63), 9),
+        DVec3::new(0.0, -0.5, 0.0),
+        [1.5, 0.34],
+    );
+    // The cloth falls from the fullest part of the chest to the hip.
+    let bow = DVec3::new(side.sign() * 0.8, 0.0, 0.0);
+    line(4, at(row(0.70), 3), at(row(0.58), 2), bow, [1.8, 0.34]);
+    line(5, at(row(0.69), 4), at(row(0.57), 4), bow, [1.7, 0.30]);
+    line(6, at(row(0.70), 8), at(row(0.59), 8), bow, [1.9, 0.30]);
+}
+
+/// Cloth that slides down and gathers above the hem, more at the sides.
+fn waist_folds(out: &mut Vec<(Place, Fold)>, top: &Top, wearer: &Wearer<'_>, cut: &TopCut) {
+    let unit = CM * wearer.scale;
+    let chance = Chance(cut.seed + 20);
+    let hem = top
+        .hem
+        .iter()
+        .map(|&v| top.sheet.shell.points[v as usize].y)
+        .fold(f64::MIN, f64::max);
+    let origin = DVec3::new(0.0, hem, -1.5 * unit);
+    let mut ring = |n: usize, up_cm: f64, angle: f64, span: f64, tilt_cm: f64, size: [f64; 2]| {
+        let fold = Ring {
+            origin,
+            axis: DVec3::NEG_Y,
+            front: DVec3::Z,
+            along: -(up_cm + 0.6 * chance.at(1, n)) * unit,
+            angle: angle + 0.2 * chance.at(2, n),
+            span,
+            tilt: tilt_cm * unit,
+            width: size[0] * unit,
+            height: size[1] * cut.gather * (1.0 + 0.3 * chance.at(3, n)) * unit,
+        };
+        out.push((Place::Trunk, Fold::Ring(fold)));
+    };
+    ring(0, 2.6, 0.0, 4.0, 0.0, [1.7, 0.42]);
+    for (i, way) in [1.0, -1.0].into_iter().enumerate() {
+        let n = 10 * (i + 1);
+        ring(n, 6.0, 1.35 * way, 1.15, -2.2 * way, [1.5, 0.48]);
+        ring(n + 1, 9.6, 1.75 * way, 1.0, 2.6 * way, [1.5, 0.44]);
+        ring(n + 2, 13.0, 1.30 * way, 0.9, -2.8 * way, [1.5, 0.36]);
+        ring(n + 3, 5.0, 2.6 * way, 0.8, 1.8 * way, [1.6, 0.42]);
+        ring(n + 4, 8.4, 0.5 * way, 0.7, 1.4 * way, [1.6, 0.26]);
+    }
+}
+
+/// The neckline's direction: up and a little forward, as the neck stands.
+#[must_use]
+pub fn up_the_neck() -> DVec3 {
+    DVec3::new(0.0, 1.0, 0.25).normalize()
+}
+
+/// Takes the faces away whose middle `inside` wants, and draws the new edge onto the
+/// line: `edge` gives the half width at a height.
+pub fn open_front(
+    top: &mut Top,
+    field: &Field,
+    inside: impl Fn(DVec3) -> bool,
+    edge: impl Fn(f64) -> Option<f64>,
+) {
+    top.sheet.keep(|shell, f| {
+        let face = &shell.faces[f];
+        let middle = face
+            .iter()
+            .map(|&v| shell.points[v as usize])
+            .sum::<DVec3>()
+            / face.len() as f64;
+        !inside(middle)
+    });
+    top.find_edges();
+    let rim = top.neck.clone();
+    for v in rim {
+        let p = &mut top.sheet.shell.points[v as usize];
+        if p.z < 0.0 {
+            continue;
+        }
+        if let Some(half) = edge(p.y) {
+            let off = field.value_and_normal(*p, Regions::ALL, 1.0).0;
+            p.x = half * if p.x < 0.0 { -1.0 } else { 1.0 };
+            for _ in 0..3 {
+                let (d, n) = field.value_and_normal(*p, Regions::ALL, 1.0);
+                *p += DVec3::new(0.0, n.y, n.z) * (off - d).clamp(-2.0 * CM, 2.0 * CM);
+            }
+        }
+    }
+}

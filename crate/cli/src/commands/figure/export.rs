@@ -1,0 +1,138 @@
+//! `raconteur figure export`.
+
+use std::io::{self, Write as _};
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context as _, Result, bail};
+use clap::Args;
+use raconteur_player::base::DAffine3;
+use raconteur_player::body::Figure;
+use raconteur_player::body::generator::write;
+use serde_json::{Value, json};
+
+use super::file::replace;
+use super::obj;
+use crate::Outcome;
+use crate::sheet::PoseName;
+use crate::story::find_figure;
+
+/// Write a figure for other programs, as glTF binary or Wavefront OBJ.
+#[derive(Args)]
+pub(super) struct Export {
+    /// A figure's name, or the path of a .glb file.
+    figure: String,
+    /// Where to write it; the name ends in .glb or .obj.
+    #[arg(short, long)]
+    output: PathBuf,
+    /// The pose; a glTF file keeps its skeleton and stands in that pose.
+    #[arg(long, value_enum, default_value = "bind")]
+    pose: PoseName,
+}
+
+impl Export {
+    pub(super) fn run(&self) -> Result<Outcome> {
+        let figure = find_figure(&self.figure, Path::new("."))?;
+        let extension = self.output.extension().and_then(|e| e.to_str());
+        let bytes = match extension.map(str::to_ascii_lowercase).as_deref() {
+            Some("glb") => posed_glb(&figure, self.pose)?,
+            Some("obj") => obj::write(&figure, &self.pose.posed(&figure)).into_bytes(),
+            _ => bail!(
+                "{}: figures are exported as .glb or .obj",
+                self.output.display()
+            ),
+        };
+        replace(&self.output, &bytes)?;
+        writeln!(
+            io::stdout().lock(),
+            "{}: {} bytes",
+            self.output.display(),
+            bytes.len()
+        )?;
+        Ok(Outcome::Fine)
+    }
+}
+
+/// The figure as glTF with its joints placed in a pose; the skin's bind pose stays.
+fn posed_glb(figure: &Figure, pose: PoseName) -> Result<Vec<u8>> {
+    let glb = write::to_glb(figure);
+    if pose == PoseName::Bind {
+        return Ok(glb);
+    }
+    let world = pose.posed(figure).world_from_joint;
+    edit_json(&glb, |root| {
+        for (joint, placed) in figure.skeleton.joints().iter().zip(&world) {
+            let local = joint
+                .parent
+                .map_or(*placed, |parent| world[parent].inverse() * *placed);
+            if let Some(node) = node_named(root, &joint.name) {
+                place(node, &local);
+            }
+        }
+    })
+}
+
+fn node_named<'a>(root: &'a mut Value, name: &str) -> Option<&'a mut Value> {
+    root["nodes"]
+        .as_array_mut()?
+        .iter_mut()
+        .find(|node| node["name"] == name)
+}
+
+fn place(node: &mut Value, local: &DAffine3) {
+    let (_, rotation, translation) = local.to_scale_rotation_translation();
+    let narrow = |values: &[f64]| values.iter().map(|&v| v as f32).collect::<Vec<_>>();
+    node["rotation"] = json!(narrow(&rotation.normalize().to_array()));
+    node["translation"] = json!(narrow(&translation.to_array()));
+}
+
+/// Changes the JSON chunk of a glTF binary, which is its first; the others follow as they are.
+fn edit_json(glb: &[u8], edit: impl FnOnce(&mut Value)) -> Result<Vec<u8>> {
+    const HEAD: usize = 12;
+    const CHUNK_HEAD: usize = 8;
+    let length = glb
+        .get(HEAD..HEAD + 4)
+        .and_then(|b| b.try_into().ok())
+        .map(u32::from_le_bytes)
+        .context("the figure has no JSON chunk")? as usize;
+    let begin = HEAD + CHUNK_HEAD;
+    let json = glb
+        .get(begin..begin + length)
+        .context("the figure's JSON chunk is cut short")?;
+    let mut root: Value = serde_json::from_slice(json)?;
+    edit(&mut root);
+    let mut text = serde_json::to_vec(&root)?;
+    text.resize(text.len().next_multiple_of(4), b' ');
+    let rest = &glb[begin + length..];
+    let mut out = Vec::with_capacity(begin + text.len() + rest.len());
+    out.extend(&glb[..8]);
+    out.extend(u32::try_from(begin + text.len() + rest.len())?.to_le_bytes());
+    out.extend(u32::try_from(text.len())?.to_le_bytes());
+    out.extend(&glb[HEAD + 4..begin]);
+    out.extend(text);
+    out.extend(rest);
+    Ok(out)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn editing_keeps_the_container_sound() {
+        let mut glb = Vec::new();
+        glb.extend(b"glTF");
+        glb.extend(2_u32.to_le_bytes());
+        glb.extend(44_u32.to_le_bytes());
+        glb.extend(12_u32.to_le_bytes());
+        glb.extend(b"JSON{\"a\": 1 }   "[..16].iter());
+        glb.extend(4_u32.to_le_bytes());
+        glb.extend(b"BIN\0wxyz");
+        let out = edit_json(&glb, |root| root["b"] = json!("longer than before")).unwrap();
+        let word = |at: usize| u32::from_le_bytes(out[at..at + 4].try_into().unwrap()) as usize;
+        assert_eq!(word(8), out.len());
+        assert_eq!(word(12) % 4, 0);
+        let json: Value = serde_json::from_slice(&out[20..20 + word(12)]).unwrap();
+        assert_eq!(json, json!({"a": 1, "b": "longer than before"}));
+        assert!(out.ends_with(b"BIN\0wxyz"));
+    }
+}

@@ -1,0 +1,36 @@
+//! `raconteur figure`.
+
+mod build;
+mod export;
+mod file;
+mod obj;
+mod sheet;
+
+use anyhow::Result;
+use clap::{Args, Subcommand};
+
+use crate::Outcome;
+
+/// Make figures and look at them.
+#[derive(Args)]
+pub(crate) struct Figure {
+    #[command(subcommand)]
+    action: Action,
+}
+
+#[derive(Subcommand)]
+enum Action {
+    Build(build::Build),
+    Sheet(sheet::Sheet),
+    Export(export::Export),
+}
+
+impl Figure {
+    pub(crate) fn run(&self) -> Result<Outcome> {
+        match &self.action {
+            Action::Build(c) => c.run(),
+            Action::Sheet(c) => c.run(),
+            Action::Export(c) => c.run(),
+        }
+    }
+}

@@ -1,0 +1,136 @@
+//! Pictures of figures, decoded: the renderer takes pixels, and here is no browser.
+
+use anyhow::{Context as _, Result, bail};
+use raconteur_player::body::Figure;
+use raconteur_player::body::figure::Image;
+use raconteur_render::{Headless, LARGEST_SIDE};
+use zune_jpeg::zune_core::bytestream::ZCursor;
+use zune_jpeg::zune_core::colorspace::ColorSpace;
+use zune_jpeg::zune_core::options::DecoderOptions;
+
+/// A decoded picture: width, height, and RGBA bytes in rows from the top.
+type Pixels = (u32, u32, Vec<u8>);
+
+/// Gives a figure and its pictures to the renderer.
+///
+/// # Errors
+/// When the figure cannot be drawn or a picture is not one.
+pub(crate) fn set_figure(headless: &mut Headless, figure: &Figure) -> Result<()> {
+    headless.set_figure(figure)?;
+    for (index, image) in figure.images.iter().enumerate() {
+        let (width, height, rgba) = decode(image)
+            .with_context(|| format!("picture {index} of the figure {}", figure.name))?;
+        headless.set_image(index, width, height, &rgba)?;
+    }
+    Ok(())
+}
+
+fn decode(image: &Image) -> Result<Pixels> {
+    match image.mime_type.as_str() {
+        "image/png" => decode_png(&image.bytes),
+        "image/jpeg" => decode_jpeg(&image.bytes),
+        other => bail!("it is of the type {other}; image/png and image/jpeg can be read"),
+    }
+}
+
+fn decode_png(bytes: &[u8]) -> Result<Pixels> {
+    let limits = png::Limits {
+        bytes: 4 * LARGEST_SIDE as usize * LARGEST_SIDE as usize,
+    };
+    let mut decoder = png::Decoder::new_with_limits(std::io::Cursor::new(bytes), limits);
+    decoder.set_transformations(png::Transformations::normalize_to_color8());
+    let mut reader = decoder.read_info()?;
+    let (width, height) = (reader.info().width, reader.info().height);
+    check_size(width, height)?;
+    let size = reader
+        .output_buffer_size()
+        .context("the picture does not fit into memory")?;
+    let mut samples = vec![0; size];
+    let info = reader.next_frame(&mut samples)?;
+    samples.truncate(info.buffer_size());
+    let rgba = match info.color_type {
+        png::ColorType::Rgba => samples,
+        png::ColorType::Rgb => expand::<3>(&samples, |p| [p[0], p[1], p[2], 255]),
+        png::ColorType::GrayscaleAlpha => expand::<2>(&samples, |p| [p[0], p[0], p[0], p[1]]),
+        png::ColorType::Grayscale => expand::<1>(&samples, |p| [p[0], p[0], p[0], 255]),
+        png::ColorType::Indexed => bail!("its palette was not resolved"),
+    };
+    Ok((width, height, rgba))
+}
+
+fn expand<const N: usize>(samples: &[u8], pixel: impl Fn(&[u8; N]) -> [u8; 4]) -> Vec<u8> {
+    samples.as_chunks::<N>().0.iter().flat_map(pixel).collect()
+}
+
+fn decode_jpeg(bytes: &[u8]) -> Result<Pixels> {
+    let options = DecoderOptions::default()
+        .jpeg_set_out_colorspace(ColorSpace::RGBA)
+        .set_max_width(LARGEST_SIDE as usize)
+        .set_max_height(LARGEST_SIDE as usize);
+    let mut decoder = zune_jpeg::JpegDecoder::new_with_options(ZCursor::new(bytes), options);
+    let rgba = decoder.decode()?;
+    let info = decoder.info().context("it has no size")?;
+    let (width, height) = (u32::from(info.width), u32::from(info.height));
+    check_size(width, height)?;
+    Ok((width, height, rgba))
+}
+
+fn check_size(width: u32, height: u32) -> Result<()> {
+    if width.max(height) > LARGEST_SIDE {
+        bail!("it is {width}x{height}; a side is at most {LARGEST_SIDE} long");
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn image(mime_type: &str, bytes: Vec<u8>) -> Image {
+        Image {
+            mime_type: mime_type.to_owned(),
+            bytes,
+        }
+    }
+
+    fn png_file(color: png::ColorType, (width, height): (u32, u32), samples: &[u8]) -> Vec<u8> {
+        let mut file = Vec::new();
+        let mut encoder = png::Encoder::new(&mut file, width, height);
+        encoder.set_color(color);
+        encoder.set_depth(png::BitDepth::Eight);
+        encoder
+            .write_header()
+            .and_then(|mut w| w.write_image_data(samples))
+            .unwrap();
+        file
+    }
+
+    #[test]
+    fn every_kind_of_png_becomes_rgba() {
+        for (color, samples, expected) in [
+            (png::ColorType::Rgba, vec![1, 2, 3, 4], [1, 2, 3, 4]),
+            (png::ColorType::Rgb, vec![1, 2, 3], [1, 2, 3, 255]),
+            (png::ColorType::GrayscaleAlpha, vec![9, 4], [9, 9, 9, 4]),
+            (png::ColorType::Grayscale, vec![9], [9, 9, 9, 255]),
+        ] {
+            let file = png_file(color, (1, 1), &samples);
+            let (w, h, rgba) = decode(&image("image/png", file)).unwrap();
+            assert_eq!((w, h, rgba), (1, 1, expected.to_vec()));
+        }
+    }
+
+    #[test]
+    fn what_is_no_picture_is_an_error() {
+        let whole = png_file(png::ColorType::Rgb, (16, 16), &[7; 768]);
+        for cut in [0, 5, 20, 40, whole.len() - 20] {
+            assert!(decode(&image("image/png", whole[..cut].to_vec())).is_err());
+        }
+        for bytes in [vec![], vec![0xff, 0xd8], vec![0xff; 100], whole.clone()] {
+            assert!(decode(&image("image/jpeg", bytes)).is_err());
+        }
+        assert!(decode(&image("image/webp", whole)).is_err());
+        // A header that claims more than is taken.
+        let huge = png_file(png::ColorType::Grayscale, (9000, 1), &[0; 9000]);
+        assert!(decode(&image("image/png", huge)).is_err());
+    }
+}

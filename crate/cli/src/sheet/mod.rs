@@ -1,0 +1,123 @@
+//! Contact sheets: one figure in many views, side by side.
+
+mod caption;
+pub(crate) mod light;
+mod picture;
+mod pose;
+mod posture;
+mod tile;
+mod view;
+mod wire;
+
+use anyhow::Result;
+use clap::ValueEnum;
+use raconteur_player::body::Figure;
+use raconteur_player::stage::{Frame, Lighting, Set};
+use raconteur_render::headless::Headless;
+
+use picture::{Layout, Picture};
+pub(crate) use pose::PoseName;
+pub(crate) use posture::Posed;
+use tile::Style;
+pub(crate) use tile::Tile;
+
+/// What a sheet shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Part {
+    /// Everything.
+    All,
+    /// Front, three-quarter, profile.
+    Face,
+    /// Eyes from near, open and closed.
+    Eyes,
+    /// Front, side, back.
+    Body,
+    /// Palm and back of both hands; fist, point, pinch.
+    Hands,
+    /// Head turned, arm bent, arms raised.
+    Poses,
+    /// Teeth, jaw open, smile.
+    Mouth,
+    /// The face in three lights.
+    Lights,
+    /// Edges of the triangles, without hair.
+    Wireframe,
+    /// White before black in the bind pose, to compare with other programs; not part of all.
+    Silhouette,
+}
+
+/// Tiles that fit in a row.
+const COLUMNS: u32 = 5;
+
+/// The tiles of the parts asked for, in the order of [`Part`].
+pub(crate) fn tiles(figure: &Figure, parts: &[Part], light: Lighting) -> Vec<Tile> {
+    let wanted = |part: Part| {
+        parts.contains(&part) || (parts.contains(&Part::All) && part != Part::Silhouette)
+    };
+    Part::value_variants()
+        .iter()
+        .filter(|&&part| part != Part::All && wanted(part))
+        .flat_map(|&part| tile::of(figure, part, light))
+        .collect()
+}
+
+/// Draws tiles and lays them out; `drawn` is called after each.
+pub(crate) fn draw(
+    figure: &Figure,
+    tiles: &[Tile],
+    height: u32,
+    headless: &mut Headless,
+    drawn: impl Fn(),
+) -> Result<Picture> {
+    let widths: Vec<u32> = tiles
+        .iter()
+        .map(|t| ((f64::from(height) * t.aspect).round() as u32).max(1))
+        .collect();
+    let layout = Layout::new(&widths, height, COLUMNS * height + 64);
+    let mut picture = Picture::new(&layout);
+    let mut frame = Frame::with_capacity(figure.skeleton.joints().len(), figure.morph_names.len());
+    frame.set = light::room();
+    for ((tile, &width), &place) in tiles.iter().zip(&widths).zip(&layout.places) {
+        frame
+            .world_from_joint
+            .clone_from(&tile.posed.world_from_joint);
+        frame.morph_weights.clone_from(&tile.posed.morph_weights);
+        frame.camera = tile.camera;
+        frame.lighting = tile.lighting;
+        let size = (width, height);
+        let pixels = match tile.style {
+            Style::Lit => headless.render_rgba(&frame, width, height)?,
+            Style::Wire => wire::draw(figure, &tile.posed, &tile.camera, size),
+            Style::Silhouette => silhouette(headless, &mut frame, size)?,
+        };
+        picture.lay(place, size, &pixels, &tile.caption);
+        drawn();
+    }
+    Ok(picture)
+}
+
+/// The figure is where a picture does not change with the room behind it.
+fn silhouette(
+    headless: &mut Headless,
+    frame: &mut Frame,
+    (width, height): (u32, u32),
+) -> Result<Vec<u8>> {
+    let mut before = |grey: f32| {
+        frame.set = Set {
+            backdrop_low: [grey; 3],
+            backdrop_high: [grey; 3],
+            ..light::room()
+        };
+        headless.render_rgba(frame, width, height)
+    };
+    let (dark, bright) = (before(0.0)?, before(1.0)?);
+    frame.set = light::room();
+    let pixels = dark.chunks_exact(4).zip(bright.chunks_exact(4));
+    Ok(pixels
+        .flat_map(|(d, b)| {
+            let change = b[1].saturating_sub(d[1]);
+            let grey = if change < 100 { 255 } else { 0 };
+            [grey, grey, grey, 255]
+        })
+        .collect())
+}

@@ -1,0 +1,298 @@
+//! The tiles of each part of the sheet.
+
+use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
+
+use raconteur_player::base::{DVec3, Side};
+use raconteur_player::body::{Figure, HandShape};
+use raconteur_player::stage::{Camera, Lighting};
+
+use super::pose::{FIST, PoseName};
+use super::posture::{Posed, Posture};
+use super::view::{Places, before};
+use super::{Part, light};
+
+/// Hand shapes by number.
+const RELAXED: u8 = 0;
+const OPEN: u8 = 4;
+const POINT: u8 = 19;
+const PINCH: u8 = 27;
+
+/// How a view is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Style {
+    /// By the renderer, lit.
+    Lit,
+    /// Edges of triangles.
+    Wire,
+    /// White before black.
+    Silhouette,
+}
+
+/// One view.
+pub(crate) struct Tile {
+    /// What it shows.
+    pub(crate) caption: String,
+    /// Width over height.
+    pub(crate) aspect: f64,
+    /// How the figure stands.
+    pub(crate) posed: Posed,
+    /// Where it is seen from.
+    pub(crate) camera: Camera,
+    /// What lights it.
+    pub(crate) lighting: Lighting,
+    /// How it is drawn.
+    pub(crate) style: Style,
+}
+
+/// Makes tiles of one figure in one light.
+struct Maker<'a> {
+    figure: &'a Figure,
+    lighting: Lighting,
+}
+
+/// The tiles of a part.
+pub(super) fn of(figure: &Figure, part: Part, lighting: Lighting) -> Vec<Tile> {
+    let maker = Maker { figure, lighting };
+    match part {
+        Part::All => Vec::new(),
+        Part::Face => maker.face(),
+        Part::Eyes => maker.eyes(),
+        Part::Body => maker.body(),
+        Part::Hands => maker.hands(),
+        Part::Poses => maker.poses(),
+        Part::Mouth => maker.mouth(),
+        Part::Lights => maker.lights(),
+        Part::Wireframe => maker.wireframe(),
+        Part::Silhouette => maker.silhouette(),
+    }
+}
+
+impl<'a> Maker<'a> {
+    fn standing(&self) -> Posture<'a> {
+        Posture::standing(self.figure)
+    }
+
+    fn tile(
+        &self,
+        caption: &str,
+        aspect: f64,
+        posture: Posture<'_>,
+        camera: impl Fn(&Places<'_>) -> Camera,
+    ) -> Tile {
+        let posed = posture.posed();
+        let camera = camera(&Places::new(self.figure, &posed.world_from_joint));
+        Tile {
+            caption: caption.to_owned(),
+            aspect,
+            posed,
+            camera,
+            lighting: self.lighting,
+            style: Style::Lit,
+        }
+    }
+
+    /// A head and its neck, in any posture.
+    fn head(&self, caption: &str, posture: Posture<'_>) -> Tile {
+        self.tile(caption, 1.0, posture, |at| {
+            let d = at.pupils_m();
+            before(middle_of_head(at), 2.45 * d, 0.0, 0.0)
+        })
+    }
+
+    fn face(&self) -> Vec<Tile> {
+        [
+            ("face front", 0.0),
+            ("three-quarter", FRAC_PI_4),
+            ("profile", FRAC_PI_2),
+        ]
+        .map(|(caption, yaw)| {
+            let mut posture = self.standing();
+            posture.facing(yaw);
+            self.head(caption, posture)
+        })
+        .into()
+    }
+
+    fn eyes(&self) -> Vec<Tile> {
+        let near = |caption, yaw: f64, lids, side: Option<Side>| {
+            let mut posture = self.standing();
+            posture.facing(yaw);
+            posture.lids(lids);
+            let aspect = if side.is_some() { 1.0 } else { 2.0 };
+            self.tile(caption, aspect, posture, move |at| {
+                let d = at.pupils_m();
+                let target = side.map_or_else(|| at.between_eyes(), |s| at.eyes()[s.index()]);
+                before(
+                    target,
+                    if side.is_some() { 0.42 } else { 0.62 } * d,
+                    0.0,
+                    0.0,
+                )
+            })
+        };
+        vec![
+            near("eyes", 0.0, 0.0, None),
+            near("left eye", -0.35, 0.0, Some(Side::Left)),
+            near("lids half closed", 0.0, 0.5, None),
+            near("lids closed", 0.0, 1.0, None),
+        ]
+    }
+
+    fn whole(&self, caption: &str, aspect: f64, posture: Posture<'_>, top: f64) -> Tile {
+        self.tile(caption, aspect, posture, |at| {
+            let half = 0.5 * top * at.stature_m();
+            before(DVec3::Y * (half - 0.02), 1.06 * half, 0.0, 0.03)
+        })
+    }
+
+    fn body(&self) -> Vec<Tile> {
+        [
+            ("front", 0.0),
+            ("three-quarter", FRAC_PI_4),
+            ("side", FRAC_PI_2),
+            ("back", PI),
+        ]
+        .map(|(caption, yaw)| {
+            let mut posture = self.standing();
+            posture.facing(yaw);
+            self.whole(caption, 0.5, posture, 1.02)
+        })
+        .into()
+    }
+
+    /// A raised hand before the studio's wall.
+    fn raised(&self, caption: &str, side: Side, shape: u8, palm: [f64; 3], yaw: f64) -> Tile {
+        let mut posture = self.standing();
+        posture.arm(side, [0.75, -0.60, 0.15], [0.42, 0.90, 0.15]);
+        posture.hand(side, [0.10, 0.99, 0.06], palm);
+        if let Some(shape) = HandShape::get(shape) {
+            posture.shape(side, shape);
+        }
+        self.tile(caption, 1.0, posture, |at| {
+            before(at.hand(side), 1.3 * at.palm_m(side), yaw, 0.0)
+        })
+    }
+
+    fn hands(&self) -> Vec<Tile> {
+        let (to_us, away, inwards) = ([0.0, 0.0, 1.0], [0.0, 0.0, -1.0], [-1.0, 0.0, 0.15]);
+        let (l, r) = (Side::Left, Side::Right);
+        vec![
+            self.raised("left palm", l, OPEN, to_us, 0.0),
+            self.raised("left back", l, OPEN, away, 0.0),
+            self.raised("right palm", r, RELAXED, to_us, 0.0),
+            self.raised("right back", r, RELAXED, away, 0.0),
+            self.raised("fist", l, FIST, to_us, 0.0),
+            self.raised("fist, back", l, FIST, away, 0.3),
+            self.raised("fist, thumb side", l, FIST, inwards, 0.2),
+            self.raised("point", l, POINT, to_us, -0.3),
+            self.raised("pinch", l, PINCH, to_us, -0.3),
+            self.raised("pinch, thumb side", l, PINCH, inwards, -0.2),
+        ]
+    }
+
+    fn poses(&self) -> Vec<Tile> {
+        let pose = |name: PoseName| name.posture(self.figure);
+        let mut tiles = vec![
+            self.tile("head turned 60°", 1.0, pose(PoseName::HeadTurned), |at| {
+                let d = at.pupils_m();
+                before(middle_of_head(at) - DVec3::Y * (0.7 * d), 3.2 * d, 0.0, 0.0)
+            }),
+            self.tile("arm bent 140°", 1.0, pose(PoseName::ArmBent), |at| {
+                let s = at.stature_m();
+                let target = at.elbow(Side::Left) + DVec3::Y * (0.06 * s);
+                before(target, 0.15 * s, FRAC_PI_4, 0.0)
+            }),
+        ];
+        for (caption, yaw) in [("arms raised", 0.0), ("arms raised, back", PI)] {
+            let mut raised = pose(PoseName::ArmsRaised);
+            raised.facing(yaw);
+            tiles.push(self.tile(caption, 1.0, raised, |at| {
+                let s = at.stature_m();
+                before(DVec3::Y * (0.93 * s), 0.36 * s, 0.0, 0.0)
+            }));
+        }
+        tiles.push(self.tile("arms out", 1.0, pose(PoseName::ArmsOut), |at| {
+            let s = at.stature_m();
+            before(DVec3::Y * (0.78 * s), 0.54 * s, 0.0, 0.0)
+        }));
+        tiles
+    }
+
+    fn wireframe(&self) -> Vec<Tile> {
+        let turned = |yaw| {
+            let mut posture = self.standing();
+            posture.facing(yaw);
+            posture
+        };
+        let mut tiles = vec![
+            self.head("wireframe", self.standing()),
+            self.head("profile", turned(FRAC_PI_2)),
+            self.raised("hand, back", Side::Left, OPEN, [0.0, 0.0, -1.0], 0.0),
+            self.whole("body", 0.5, self.standing(), 1.02),
+            self.whole("side", 0.5, turned(FRAC_PI_2), 1.02),
+        ];
+        for tile in &mut tiles {
+            tile.style = Style::Wire;
+        }
+        tiles
+    }
+
+    fn silhouette(&self) -> Vec<Tile> {
+        let posed = PoseName::Bind.posed(self.figure);
+        let middle = 0.5 * self.figure.skeleton.stature_m();
+        vec![Tile {
+            caption: String::new(),
+            aspect: 1.0,
+            posed,
+            // Known to whoever compares: level, at half stature, 8 % of room.
+            camera: before(DVec3::Y * middle, 1.08 * middle, 0.0, 0.0),
+            lighting: self.lighting,
+            style: Style::Silhouette,
+        }]
+    }
+
+    fn mouth(&self) -> Vec<Tile> {
+        let near = |caption, jaw_deg: f64, morphs: &[(&str, f32)]| {
+            let mut posture = self.standing();
+            posture.jaw(jaw_deg.to_radians());
+            for &(name, weight) in morphs {
+                posture.morph(name, weight);
+            }
+            self.tile(caption, 1.0, posture, |at| {
+                let d = at.pupils_m();
+                before(at.between_eyes() - DVec3::Y * (1.2 * d), 0.72 * d, 0.0, 0.0)
+            })
+        };
+        let retracted = [
+            ("mouthUpperUp", 1.0),
+            ("mouthLowerDown", 1.0),
+            ("mouthStretch", 0.6),
+        ];
+        vec![
+            near("lips at rest", 0.0, &[]),
+            near("teeth, lips retracted", 8.0, &retracted),
+            near("jaw open", 24.0, &[]),
+            near("smile", 0.0, &[("mouthSmile", 0.8)]),
+            near("pucker", 3.0, &[("mouthPucker", 0.9)]),
+        ]
+    }
+
+    fn lights(&self) -> Vec<Tile> {
+        light::compared()
+            .into_iter()
+            .map(|light| {
+                let mut posture = self.standing();
+                posture.facing(0.35);
+                let mut tile = self.head(&format!("light {}", light.name), posture);
+                tile.lighting = light.lighting;
+                tile
+            })
+            .collect()
+    }
+}
+
+fn middle_of_head(at: &Places<'_>) -> DVec3 {
+    let eyes = at.between_eyes();
+    // Turned heads keep their ears in the picture: half way back to the neck.
+    DVec3::new(0.5 * eyes.x, eyes.y - 0.45 * at.pupils_m(), 0.5 * eyes.z)
+}

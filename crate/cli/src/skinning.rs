@@ -1,0 +1,55 @@
+//! Where the vertices of a posed figure are, for what is written or drawn without a device.
+
+use raconteur_player::base::{DAffine3, DMat3, DVec3};
+use raconteur_player::body::{Figure, Mesh};
+
+/// Vertices of one mesh in the world.
+pub(crate) struct Skinned {
+    /// Metres.
+    pub(crate) positions: Vec<DVec3>,
+    /// Unit length.
+    pub(crate) normals: Vec<DVec3>,
+}
+
+/// The matrices that carry bind-pose vertices into a pose.
+pub(crate) fn world_from_bind(figure: &Figure, world_from_joint: &[DAffine3]) -> Vec<DAffine3> {
+    world_from_joint
+        .iter()
+        .zip(&figure.inverse_bind)
+        .map(|(world, bind)| *world * *bind)
+        .collect()
+}
+
+/// Applies morphs, then the blend of the joints, as the renderer does.
+pub(crate) fn skin(mesh: &Mesh, world_from_bind: &[DAffine3], morph_weights: &[f32]) -> Skinned {
+    let wide = |v: &[f32; 3]| DVec3::from_array(v.map(f64::from));
+    let mut positions: Vec<DVec3> = mesh.positions.iter().map(wide).collect();
+    let mut normals: Vec<DVec3> = mesh.normals.iter().map(wide).collect();
+    for morph in &mesh.morphs {
+        let weight = f64::from(morph_weights.get(morph.target).copied().unwrap_or(0.0));
+        if weight == 0.0 {
+            continue;
+        }
+        let deltas = morph.position_deltas.iter().zip(&morph.normal_deltas);
+        for (&v, (position, normal)) in morph.vertices.iter().zip(deltas) {
+            positions[v as usize] += wide(position) * weight;
+            normals[v as usize] += wide(normal) * weight;
+        }
+    }
+    let places = positions.iter_mut().zip(&mut normals);
+    for ((position, normal), (joints, weights)) in places.zip(mesh.joints.iter().zip(&mesh.weights))
+    {
+        let mut blend = DAffine3 {
+            matrix3: DMat3::ZERO,
+            translation: DVec3::ZERO,
+        };
+        for (&joint, &weight) in joints.iter().zip(weights) {
+            let matrix = &world_from_bind[usize::from(joint)];
+            blend.matrix3 += matrix.matrix3 * f64::from(weight);
+            blend.translation += matrix.translation * f64::from(weight);
+        }
+        *position = blend.transform_point3(*position);
+        *normal = blend.transform_vector3(*normal).normalize_or(DVec3::Y);
+    }
+    Skinned { positions, normals }
+}

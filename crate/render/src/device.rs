@@ -1,0 +1,28 @@
+//! Opening a device, for a window or without one.
+
+use crate::RenderError;
+
+/// An adapter that answers (one that draws to `surface`, if given) and a device of it.
+pub(crate) async fn open(
+    instance: &wgpu::Instance,
+    surface: Option<&wgpu::Surface<'_>>,
+) -> Result<(wgpu::Adapter, wgpu::Device, wgpu::Queue), RenderError> {
+    let adapter = instance
+        .request_adapter(&wgpu::RequestAdapterOptions {
+            compatible_surface: surface,
+            ..Default::default()
+        })
+        .await
+        .map_err(|e| RenderError::NoAdapter(e.to_string()))?;
+    let (device, queue) = adapter
+        .request_device(&wgpu::DeviceDescriptor {
+            // The smallest promise that covers us, so that any device serves, with the
+            // adapter's own limit on the size of pictures.
+            required_limits: wgpu::Limits::downlevel_webgl2_defaults()
+                .using_resolution(adapter.limits()),
+            ..Default::default()
+        })
+        .await
+        .map_err(|e| RenderError::NoDevice(e.to_string()))?;
+    Ok((adapter, device, queue))
+}

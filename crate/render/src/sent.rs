@@ -1,0 +1,267 @@
+//! A figure as it lies on the device: buffers, pictures, and what to draw of them.
+
+use raconteur_base::DAffine3;
+use raconteur_body::figure::{Figure, Maps};
+use wgpu::{Buffer, BufferUsages, Device, Queue, TextureView};
+
+use crate::RenderError;
+use crate::figure::{DrawnMesh, FigureData, Look, MATERIAL_STRIDE, MAX_JOINTS, Shadow, joint_rows};
+use crate::morph::MorphedMesh;
+use crate::pipeline::Layouts;
+use crate::renderer::{Counts, bind_group, binding, empty_buffer};
+use crate::texture::{self, Role};
+
+/// A figure on the device.
+pub(crate) struct SentFigure {
+    pub(crate) stature_m: f64,
+    joint_from_bind: Vec<DAffine3>,
+    shape: Buffer,
+    fixed: Buffer,
+    indices: Buffer,
+    joints: Buffer,
+    group: wgpu::BindGroup,
+    meshes: Vec<DrawnMesh>,
+    morphed: Vec<MorphedMesh>,
+    /// Colour and normals of each of the figure's pictures, as far as they are wanted and
+    /// have come.
+    pictures: Vec<[Option<TextureView>; 2]>,
+    /// Groups of the pictures that meshes use together.
+    maps: Vec<(Maps, wgpu::BindGroup)>,
+}
+
+/// What stands in for pictures, and how they are read.
+pub(crate) struct Blank {
+    white: TextureView,
+    flat: TextureView,
+    sampler: wgpu::Sampler,
+}
+
+impl Blank {
+    pub(crate) fn new(adapter: &wgpu::Adapter, device: &Device, queue: &Queue) -> Self {
+        let anisotropic = adapter
+            .get_downlevel_capabilities()
+            .flags
+            .contains(wgpu::DownlevelFlags::ANISOTROPIC_FILTERING);
+        let dot = |role, rgba: [u8; 4]| texture::upload(device, queue, role, 1, 1, &rgba);
+        Self {
+            white: dot(Role::Color, [255; 4]),
+            flat: dot(Role::Normal, [128, 128, 255, 255]),
+            sampler: device.create_sampler(&wgpu::SamplerDescriptor {
+                address_mode_u: wgpu::AddressMode::Repeat,
+                address_mode_v: wgpu::AddressMode::Repeat,
+                mag_filter: wgpu::FilterMode::Linear,
+                min_filter: wgpu::FilterMode::Linear,
+                mipmap_filter: wgpu::MipmapFilterMode::Linear,
+                anisotropy_clamp: if anisotropic { 8 } else { 1 },
+                ..Default::default()
+            }),
+        }
+    }
+}
+
+impl SentFigure {
+    /// Sends a figure without its pictures; `None` when nothing of it can be seen.
+    ///
+    /// # Errors
+    /// When it has too many joints or a mesh contradicts itself.
+    pub(crate) fn new(
+        device: &Device,
+        queue: &Queue,
+        layouts: &Layouts,
+        blank: &Blank,
+        figure: &Figure,
+    ) -> Result<Option<Self>, RenderError> {
+        let data = FigureData::new(figure)?;
+        if data.meshes.is_empty() {
+            return Ok(None);
+        }
+        let filled = |label, bytes: &[u8], usage| {
+            let buffer = empty_buffer(device, label, bytes.len() as u64, usage);
+            queue.write_buffer(&buffer, 0, bytes);
+            buffer
+        };
+        let shape = bytemuck::cast_slice(&data.shape);
+        let fixed = bytemuck::cast_slice(&data.fixed);
+        let indices = bytemuck::cast_slice(&data.indices);
+        let materials = filled("materials", &data.materials, BufferUsages::UNIFORM);
+        let joints = empty_buffer(
+            device,
+            "joints",
+            (3 * MAX_JOINTS * 16) as u64,
+            BufferUsages::UNIFORM,
+        );
+        let group = bind_group(
+            device,
+            "figure",
+            &layouts.figure,
+            &[
+                binding(0, joints.as_entire_binding()),
+                binding(
+                    1,
+                    wgpu::BindingResource::Buffer(wgpu::BufferBinding {
+                        buffer: &materials,
+                        offset: 0,
+                        size: std::num::NonZeroU64::new(MATERIAL_STRIDE),
+                    }),
+                ),
+            ],
+        );
+        let mut sent = Self {
+            stature_m: figure.skeleton.stature_m(),
+            joint_from_bind: figure.inverse_bind.clone(),
+            shape: filled("shape", shape, BufferUsages::VERTEX),
+            fixed: filled("fixed", fixed, BufferUsages::VERTEX),
+            indices: filled("indices", indices, BufferUsages::INDEX),
+            joints,
+            group,
+            meshes: data.meshes,
+            morphed: data.morphed,
+            pictures: vec![[None, None]; figure.images.len()],
+            maps: Vec::new(),
+        };
+        sent.group_maps(device, layouts, blank);
+        Ok(Some(sent))
+    }
+
+    /// Groups the pictures anew, with blanks for those that have not come.
+    fn group_maps(&mut self, device: &Device, layouts: &Layouts, blank: &Blank) {
+        self.maps.clear();
+        for mesh in &self.meshes {
+            if self.maps.iter().any(|(maps, _)| *maps == mesh.maps) {
+                continue;
+            }
+            let come = |index: Option<usize>, role: usize| {
+                index.and_then(|i| self.pictures.get(i)?[role].as_ref())
+            };
+            let color = come(mesh.maps.base_color, 0).unwrap_or(&blank.white);
+            let normal = come(mesh.maps.normal, 1).unwrap_or(&blank.flat);
+            let group = bind_group(
+                device,
+                "maps",
+                &layouts.maps,
+                &[
+                    binding(0, wgpu::BindingResource::TextureView(color)),
+                    binding(1, wgpu::BindingResource::TextureView(normal)),
+                    binding(2, wgpu::BindingResource::Sampler(&blank.sampler)),
+                ],
+            );
+            self.maps.push((mesh.maps, group));
+        }
+    }
+
+    /// Puts a decoded picture into the materials that show it; one that none shows is let go.
+    ///
+    /// # Errors
+    /// When its bytes do not fit its size, or it is too large.
+    pub(crate) fn set_image(
+        &mut self,
+        (device, queue): (&Device, &Queue),
+        (layouts, blank): (&Layouts, &Blank),
+        index: usize,
+        (width, height): (u32, u32),
+        rgba: &[u8],
+    ) -> Result<(), RenderError> {
+        texture::check(width, height, rgba)?;
+        let Some(slots) = self.pictures.get_mut(index) else {
+            return Ok(());
+        };
+        let wanted = Some(index);
+        let shown = |of: fn(&Maps) -> Option<usize>| self.meshes.iter().any(|m| of(&m.maps) == wanted);
+        for (slot, role, shown) in [
+            (0, Role::Color, shown(|m| m.base_color)),
+            (1, Role::Normal, shown(|m| m.normal)),
+        ] {
+            if shown {
+                slots[slot] = Some(texture::upload(device, queue, role, width, height, rgba));
+            }
+        }
+        self.group_maps(device, layouts, blank);
+        Ok(())
+    }
+
+    /// What its meshes need of the pipelines.
+    pub(crate) fn looks(&self) -> impl Iterator<Item = Look> {
+        self.meshes.iter().map(|m| m.look)
+    }
+
+    /// Sends joints and morphs of a moment; `rows` is room to work in.
+    pub(crate) fn pose(
+        &mut self,
+        queue: &Queue,
+        world_from_joint: &[DAffine3],
+        morph_weights: &[f32],
+        rows: &mut Vec<[f32; 4]>,
+    ) {
+        joint_rows(world_from_joint, &self.joint_from_bind, rows);
+        queue.write_buffer(&self.joints, 0, bytemuck::cast_slice(rows));
+        for mesh in &mut self.morphed {
+            if mesh.apply(morph_weights) {
+                let offset = (mesh.first_vertex * size_of_val(&mesh.current[0])) as u64;
+                queue.write_buffer(&self.shape, offset, bytemuck::cast_slice(&mesh.current));
+            }
+        }
+    }
+
+    fn bind(&self, pass: &mut wgpu::RenderPass<'_>) {
+        pass.set_vertex_buffer(0, self.shape.slice(..));
+        pass.set_vertex_buffer(1, self.fixed.slice(..));
+        pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint32);
+    }
+
+    fn bind_maps(&self, pass: &mut wgpu::RenderPass<'_>, maps: Maps) {
+        if let Some((_, group)) = self.maps.iter().find(|(m, _)| *m == maps) {
+            pass.set_bind_group(2, group, &[]);
+        }
+    }
+
+    /// Draws the meshes that `wanted` names.
+    pub(crate) fn draw<'p>(
+        &self,
+        pass: &mut wgpu::RenderPass<'_>,
+        counts: &mut Counts,
+        wanted: impl Fn(Look) -> bool,
+        pipeline: impl Fn(Look) -> Option<&'p wgpu::RenderPipeline>,
+    ) {
+        self.bind(pass);
+        for mesh in self.meshes.iter().filter(|m| wanted(m.look)) {
+            if let Some(pipeline) = pipeline(mesh.look) {
+                pass.set_pipeline(pipeline);
+                pass.set_bind_group(1, &self.group, &[mesh.material_offset]);
+                self.bind_maps(pass, mesh.maps);
+                pass.draw_indexed(mesh.indices.clone(), 0, 0..1);
+                counts.add_figure(mesh.indices.len() as u32 / 3);
+            }
+        }
+    }
+
+    /// Draws what casts; meshes that lie one behind the other go in one call.
+    pub(crate) fn draw_shadow<'p>(
+        &self,
+        pass: &mut wgpu::RenderPass<'_>,
+        counts: &mut Counts,
+        pipeline: impl Fn(Shadow) -> Option<&'p wgpu::RenderPipeline>,
+    ) {
+        self.bind(pass);
+        let mut rest = self.meshes.as_slice();
+        while let Some(first) = rest.first() {
+            let shadow = first.look.shadow();
+            let alike = |m: &&DrawnMesh| {
+                m.look.shadow() == shadow && (shadow != Shadow::Picture || m.maps == first.maps)
+            };
+            let count = rest.iter().take_while(alike).count();
+            let (run, after) = rest.split_at(count);
+            rest = after;
+            let (Some(last), Some(pipeline)) = (run.last(), pipeline(shadow)) else {
+                continue;
+            };
+            pass.set_pipeline(pipeline);
+            pass.set_bind_group(1, &self.group, &[first.material_offset]);
+            if shadow == Shadow::Picture {
+                self.bind_maps(pass, first.maps);
+            }
+            let indices = first.indices.start..last.indices.end;
+            counts.add_figure(indices.len() as u32 / 3);
+            pass.draw_indexed(indices, 0, 0..1);
+        }
+    }
+}
