@@ -199,7 +199,7 @@ pub(super) fn beard(
             } else {
                 Weave::Loose
             };
-            let [r, g, b] = palette.lock(seed ^ 5, id, 0.14);
+            let [r, g, b] = palette.lock(seed ^ 5, id, 0.08);
             let base = part.vertices.len() as u32;
             let across_it = direction.cross(n).normalize_or_zero();
             let rows = ROWS[usize::from(layer == 1 && chin > 0.4 && !on_lip)];
