@@ -65,7 +65,12 @@ pub fn build(params: &FigureParams) -> Built {
             .into_iter()
             .map(Piece::from),
     );
-    pieces.extend(hands.into_iter().flat_map(|(parts, _)| parts).map(Piece::from));
+    pieces.extend(
+        hands
+            .into_iter()
+            .flat_map(|(parts, _)| parts)
+            .map(Piece::from),
+    );
     pieces.push(neck(&field, &cage, &head, world_from_head).into());
     pieces.extend(top.parts.into_iter().map(Piece::from));
     pieces.extend(

@@ -74,8 +74,17 @@ fn pieces(anatomy: &Anatomy, skin: &Skin) -> Vec<Piece> {
         .iter()
         .map(|face| {
             let n = face.len() as f64;
-            let mean = |f: usize| face.iter().map(|&v| skin.ownership[v as usize][f]).sum::<f64>() / n;
-            let middle = face.iter().map(|&v| skin.positions[v as usize]).sum::<DVec3>() / n;
+            let mean = |f: usize| {
+                face.iter()
+                    .map(|&v| skin.ownership[v as usize][f])
+                    .sum::<f64>()
+                    / n
+            };
+            let middle = face
+                .iter()
+                .map(|&v| skin.positions[v as usize])
+                .sum::<DVec3>()
+                / n;
             match (0..FINGER_COUNT).find(|&f| mean(f) > 0.75) {
                 // On a finger the angle around its axis decides: pieces cannot meet behind.
                 Some(f) => (f, usize::from(anatomy.fingers[f].local(middle).z > 0.0)),
@@ -165,7 +174,11 @@ pub(super) fn chart(anatomy: &Anatomy, skin: &Skin) -> Chart {
     chart.uv.resize(chart.source.len(), [0.0; 2]);
     for part in 0..=FINGER_COUNT {
         for side in 0..2 {
-            let kept = chart.faces.iter().zip(&piece).filter(|(_, p)| **p == (part, side));
+            let kept = chart
+                .faces
+                .iter()
+                .zip(&piece)
+                .filter(|(_, p)| **p == (part, side));
             let faces: Vec<&Vec<u32>> = kept.map(|(f, _)| f).collect();
             let placed = match anatomy.fingers.get(part) {
                 Some(finger) => unroll(finger, skin, &chart.source, &faces, part, side),
@@ -211,7 +224,10 @@ fn unroll(
                 (around, p.y)
             } else {
                 let latitude = ops::atan2(p.y - from, around);
-                (radius.max(around) * ops::cos(latitude), from + 1.15 * radius * latitude)
+                (
+                    radius.max(around) * ops::cos(latitude),
+                    from + 1.15 * radius * latitude,
+                )
             };
             // +x is radial; seen from outside it lies left on the back, right on the palm,
             // of a right hand with its fingers up.
@@ -252,7 +268,9 @@ fn lay(skin: &Skin, source: &[u32], faces: &[&Vec<u32>], side: usize) -> Vec<(u3
     let flat = |p: DVec3| DVec2::new(turn * p.x, p.y);
     let nearest = |x: f64, y: f64| {
         let d = |i: &usize| (positions[*i].truncate() - DVec2::new(x, y)).length_squared();
-        (0..positions.len()).min_by(|a, b| d(a).total_cmp(&d(b))).unwrap_or(0)
+        (0..positions.len())
+            .min_by(|a, b| d(a).total_cmp(&d(b)))
+            .unwrap_or(0)
     };
     let held = [nearest(0.0, 0.0), nearest(-5.0, 78.0)].map(|i| (i as u32, flat(positions[i])));
     let laid = conformal(&triangles, &positions, held);

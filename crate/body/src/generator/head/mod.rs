@@ -30,8 +30,8 @@ use raconteur_base::{DVec3, Side, mirror_vector};
 
 use self::cage::{Cage, Key, LAST_ROW, Zone};
 pub(crate) use self::chart::Places;
-pub(crate) use self::paint::Coordinates;
 use self::chart::{Chart, chart};
+pub(crate) use self::paint::Coordinates;
 use self::paint::coordinates;
 use self::points::Individual;
 use self::scalp::hairline;
@@ -322,7 +322,10 @@ pub fn build(params: &HeadParams) -> Head {
 
 /// The faces of some zones as a part of their own, with vertices doubled along the chart's
 /// cut.
-#[allow(clippy::too_many_arguments, reason = "everything that a part is made of")]
+#[allow(
+    clippy::too_many_arguments,
+    reason = "everything that a part is made of"
+)]
 fn cut_part(
     name: &str,
     kind: MaterialKind,
@@ -356,9 +359,7 @@ fn cut_part(
     let source = |v: &usize| chart.source[*v] as usize;
     let morphs = moved
         .iter()
-        .map(|(name, d)| {
-            part_morph(name, &used.iter().map(|v| d[source(v)]).collect::<Vec<_>>())
-        })
+        .map(|(name, d)| part_morph(name, &used.iter().map(|v| d[source(v)]).collect::<Vec<_>>()))
         .filter(|m| !m.deltas.is_empty())
         .collect();
     Part {

@@ -29,7 +29,10 @@ fn open_loops(faces: &[Vec<u32>]) -> Vec<Vec<u32>> {
     for face in faces {
         for i in 0..face.len() {
             let (a, b) = (face[i], face[(i + 1) % face.len()]);
-            if edges.get(&(a.min(b), a.max(b))).is_some_and(|f| f.len() == 1) {
+            if edges
+                .get(&(a.min(b), a.max(b)))
+                .is_some_and(|f| f.len() == 1)
+            {
                 next.insert(a, b);
             }
         }
@@ -80,10 +83,13 @@ pub(crate) fn harmonic(
             vec![(a, w), (b, -w)]
         })
         .collect();
-    rows.extend(bridges.iter().map(|&(a, b, w)| vec![(a, w.sqrt()), (b, -w.sqrt())]));
-    let is_held = |v: &u32| {
-        held.iter().any(|h| h.0 == *v) || bridges.iter().any(|b| b.0 == *v || b.1 == *v)
-    };
+    rows.extend(
+        bridges
+            .iter()
+            .map(|&(a, b, w)| vec![(a, w.sqrt()), (b, -w.sqrt())]),
+    );
+    let is_held =
+        |v: &u32| held.iter().any(|h| h.0 == *v) || bridges.iter().any(|b| b.0 == *v || b.1 == *v);
     let holes: Vec<Vec<u32>> = open_loops(faces)
         .into_iter()
         .filter(|l| !l.iter().any(is_held))
@@ -102,7 +108,10 @@ pub(crate) fn harmonic(
         .into_iter()
         .map(DVec3::truncate)
         .collect();
-    let middles = (positions.len()..).zip(holes).map(|(i, h)| (flat[i], h)).collect();
+    let middles = (positions.len()..)
+        .zip(holes)
+        .map(|(i, h)| (flat[i], h))
+        .collect();
     (flat[..positions.len()].to_vec(), middles)
 }
 
