@@ -1,21 +1,35 @@
-//! Where the hand's skin lies in the skin's atlas: its back and its palm as two flat pieces,
-//! cut along the sides of hand and fingers.
+//! Where the hand's skin lies in the skin's atlas: back and palm of the hand flattened as a
+//! whole, each finger's back and inner side unrolled; cut along the sides and the roots of
+//! the fingers.
 
 use std::collections::BTreeMap;
 
-use raconteur_base::{DVec2, DVec3};
+use raconteur_base::{DVec2, DVec3, ops};
 
-use super::anatomy::{Anatomy, FINGER_COUNT};
+use super::anatomy::{Anatomy, FINGER_COUNT, Finger};
 use super::surface::Skin;
 use crate::generator::skin::raster::SIZE;
 use crate::generator::skin::unwrap::conformal;
 use crate::generator::subdivide::edge_faces;
 
-/// Rectangles of back and palm in the atlas, texels: left, top, right, bottom.
-const RECTANGLES: [[f64; 4]; 2] = [[720.0, 8.0, 1016.0, 508.0], [720.0, 520.0, 1016.0, 1016.0]];
-
+/// Columns of the atlas left to the hand, texels.
+const LEFT: f64 = 716.0;
+const RIGHT: f64 = 1018.0;
+/// Back and palm of the hand: top, and height of each.
+const BODY_TOP: [f64; 2] = [6.0, 262.0];
+const BODY_HEIGHT: f64 = 248.0;
+/// Ten halves of fingers in three rows: thumb's two and two of the index, and so on.
+const FINGERS_TOP: f64 = 518.0;
+const FINGERS_IN_A_ROW: usize = 4;
+const CELL: [f64; 2] = [75.0, 168.0];
+/// Texels a millimetre on the fingers.
+const FINGER_DENSITY: f64 = 1.95;
+/// Room about each piece, texels.
+const PADDING: f64 = 5.0;
 /// Share of texels that the forearm gets along its length; a sleeve hides most of it.
-const FOREARM_SHARE: f64 = 0.3;
+const FOREARM_SHARE: f64 = 0.25;
+/// Where a finger's cap begins: its own radius before the tip, as a joint coordinate.
+const CAP_FROM: f64 = 2.58;
 
 /// The skin with vertices doubled along the cut.
 pub(super) struct Chart {
@@ -25,6 +39,9 @@ pub(super) struct Chart {
     /// Place in the atlas, 0..1.
     pub(super) uv: Vec<[f64; 2]>,
 }
+
+/// A piece of the chart: a finger or, beyond them, the hand; back 0 or palm 1.
+type Piece = (usize, usize);
 
 /// How much a vertex looks to the palm's side, −1..1, smoothed over its neighbours.
 fn palmar(anatomy: &Anatomy, skin: &Skin) -> Vec<f64> {
@@ -49,86 +66,105 @@ fn palmar(anatomy: &Anatomy, skin: &Skin) -> Vec<f64> {
     side
 }
 
-/// Which faces lie on the palm; each side is one connected piece.
-fn sides(anatomy: &Anatomy, skin: &Skin) -> Vec<bool> {
+/// The piece of each face; every piece is connected.
+fn pieces(anatomy: &Anatomy, skin: &Skin) -> Vec<Piece> {
     let side = palmar(anatomy, skin);
-    let mut palm: Vec<bool> = skin
+    let mut piece: Vec<Piece> = skin
         .faces
         .iter()
-        .map(|f| f.iter().map(|&v| side[v as usize]).sum::<f64>() > 0.0)
+        .map(|face| {
+            let n = face.len() as f64;
+            let mean = |f: usize| {
+                face.iter()
+                    .map(|&v| skin.ownership[v as usize][f])
+                    .sum::<f64>()
+                    / n
+            };
+            let middle = face
+                .iter()
+                .map(|&v| skin.positions[v as usize])
+                .sum::<DVec3>()
+                / n;
+            match (0..FINGER_COUNT).find(|&f| mean(f) > 0.75) {
+                // On a finger the angle around its axis decides: pieces cannot meet behind.
+                Some(f) => (f, usize::from(anatomy.fingers[f].local(middle).z > 0.0)),
+                None => {
+                    let palm = face.iter().map(|&v| side[v as usize]).sum::<f64>() > 0.0;
+                    (FINGER_COUNT, usize::from(palm))
+                }
+            }
+        })
         .collect();
-    let edges = edge_faces(&skin.faces);
     let mut beside: Vec<Vec<usize>> = vec![Vec::new(); skin.faces.len()];
-    for pair in edges.values() {
+    for pair in edge_faces(&skin.faces).values() {
         if let [a, b] = pair[..] {
             beside[a as usize].push(b as usize);
             beside[b as usize].push(a as usize);
         }
     }
-    // A face with more neighbours on the other side straightens the cut.
-    for _ in 0..4 {
-        let before = palm.clone();
+    // Stray faces go to the piece of most of their neighbours.
+    for _ in 0..3 {
+        let group = connected(&piece, &beside);
+        let mut size: BTreeMap<usize, usize> = BTreeMap::new();
+        let mut largest: BTreeMap<Piece, (usize, usize)> = BTreeMap::new();
+        for &g in &group {
+            *size.entry(g).or_insert(0) += 1;
+        }
+        for (f, &g) in group.iter().enumerate() {
+            let best = largest.entry(piece[f]).or_insert((0, g));
+            if size[&g] > best.0 {
+                *best = (size[&g], g);
+            }
+        }
+        let before = piece.clone();
         for (f, near) in beside.iter().enumerate() {
-            let other = near.iter().filter(|&&g| before[g] != before[f]).count();
-            if other > 2 {
-                palm[f] = !before[f];
+            if group[f] != largest[&before[f]].1 {
+                let other = near.iter().map(|&g| before[g]).find(|p| *p != before[f]);
+                piece[f] = other.unwrap_or(before[f]);
             }
         }
     }
-    for wanted in [false, true] {
-        // Islands other than the largest go to the other side.
-        let mut piece = vec![usize::MAX; palm.len()];
-        let mut sizes = Vec::new();
-        for start in 0..palm.len() {
-            if palm[start] != wanted || piece[start] != usize::MAX {
-                continue;
-            }
-            let mut open = vec![start];
-            piece[start] = sizes.len();
-            let mut size = 0;
-            while let Some(f) = open.pop() {
-                size += 1;
-                for &g in &beside[f] {
-                    if palm[g] == wanted && piece[g] == usize::MAX {
-                        piece[g] = sizes.len();
-                        open.push(g);
-                    }
+    piece
+}
+
+/// A number for each face that tells connected groups of one piece apart.
+fn connected(piece: &[Piece], beside: &[Vec<usize>]) -> Vec<usize> {
+    let mut group = vec![usize::MAX; piece.len()];
+    for start in 0..piece.len() {
+        if group[start] != usize::MAX {
+            continue;
+        }
+        group[start] = start;
+        let mut open = vec![start];
+        while let Some(f) = open.pop() {
+            for &g in &beside[f] {
+                if group[g] == usize::MAX && piece[g] == piece[start] {
+                    group[g] = start;
+                    open.push(g);
                 }
             }
-            sizes.push(size);
-        }
-        let largest = (0..sizes.len()).max_by_key(|&i| sizes[i]);
-        for (p, k) in palm.iter_mut().zip(&piece) {
-            if *k != usize::MAX && Some(*k) != largest {
-                *p = !*p;
-            }
         }
     }
-    palm
+    group
 }
 
 /// Cuts and flattens the skin.
 pub(super) fn chart(anatomy: &Anatomy, skin: &Skin) -> Chart {
-    let palm = sides(anatomy, skin);
+    let piece = pieces(anatomy, skin);
     let n = skin.positions.len();
     let mut chart = Chart {
         faces: skin.faces.clone(),
         source: (0..n as u32).collect(),
         uv: vec![[0.0; 2]; n],
     };
-    // The palm takes copies of the vertices that the back has too.
-    let mut on_back = vec![false; n];
-    for (f, _) in skin.faces.iter().zip(&palm).filter(|(_, p)| !**p) {
-        for &v in f {
-            on_back[v as usize] = true;
-        }
-    }
-    let mut twin: BTreeMap<u32, u32> = BTreeMap::new();
-    for (face, _) in chart.faces.iter_mut().zip(&palm).filter(|(_, p)| **p) {
+    // The first piece that has a vertex keeps it, the others take copies.
+    let mut owner: Vec<Option<Piece>> = vec![None; n];
+    let mut twin: BTreeMap<(u32, Piece), u32> = BTreeMap::new();
+    for (face, &own) in chart.faces.iter_mut().zip(&piece) {
         for v in face {
-            if on_back[*v as usize] {
+            if *owner[*v as usize].get_or_insert(own) != own {
                 let source = &mut chart.source;
-                *v = *twin.entry(*v).or_insert_with(|| {
+                *v = *twin.entry((*v, own)).or_insert_with(|| {
                     source.push(*v);
                     source.len() as u32 - 1
                 });
@@ -136,28 +172,88 @@ pub(super) fn chart(anatomy: &Anatomy, skin: &Skin) -> Chart {
         }
     }
     chart.uv.resize(chart.source.len(), [0.0; 2]);
-    for (wanted, rectangle) in [false, true].into_iter().zip(RECTANGLES) {
-        let kept = chart.faces.iter().zip(&palm).filter(|(_, p)| **p == wanted);
-        let faces: Vec<&Vec<u32>> = kept.map(|(f, _)| f).collect();
-        for (v, place) in lay(skin, &chart.source, &faces, wanted, rectangle) {
-            chart.uv[v as usize] = place.to_array();
+    for part in 0..=FINGER_COUNT {
+        for side in 0..2 {
+            let kept = chart
+                .faces
+                .iter()
+                .zip(&piece)
+                .filter(|(_, p)| **p == (part, side));
+            let faces: Vec<&Vec<u32>> = kept.map(|(f, _)| f).collect();
+            let placed = match anatomy.fingers.get(part) {
+                Some(finger) => unroll(finger, skin, &chart.source, &faces, part, side),
+                None => lay(skin, &chart.source, &faces, side),
+            };
+            for (v, place) in placed {
+                chart.uv[v as usize] = (place / SIZE as f64).to_array();
+            }
         }
     }
     chart
 }
 
-/// Flattens one side into a rectangle, fingers up; palm mirrored so that nothing is turned
-/// inside out.
-fn lay(
-    skin: &Skin,
-    source: &[u32],
-    faces: &[&Vec<u32>],
-    palm: bool,
-    [left, top, right, bottom]: [f64; 4],
-) -> Vec<(u32, DVec2)> {
+fn used(faces: &[&Vec<u32>]) -> Vec<u32> {
     let mut used: Vec<u32> = faces.iter().flat_map(|f| f.iter().copied()).collect();
     used.sort_unstable();
     used.dedup();
+    used
+}
+
+/// One side of a finger: angle about the axis across, length along; its cap as a sphere is
+/// drawn in the sinusoidal projection.
+fn unroll(
+    finger: &Finger,
+    skin: &Skin,
+    source: &[u32],
+    faces: &[&Vec<u32>],
+    f: usize,
+    side: usize,
+) -> Vec<(u32, DVec2)> {
+    let from = finger.along(CAP_FROM);
+    let section = finger.section(from);
+    let radius = (section.half_width + (section.dorsal + section.palmar) / 2.0) / 2.0;
+    let towards = if side == 1 { 1.0 } else { -1.0 };
+    let flat: Vec<(u32, DVec2)> = used(faces)
+        .into_iter()
+        .map(|v| {
+            let p = finger.local(skin.positions[source[v as usize] as usize]);
+            // Fingers are thicker to the palm: the axis of angles lies half-way.
+            let turn = ops::atan2(p.x, towards * p.z + 0.15 * radius);
+            let around = (p.x * p.x + p.z * p.z).sqrt();
+            let (wide, along) = if p.y <= from {
+                (around, p.y)
+            } else {
+                let latitude = ops::atan2(p.y - from, around);
+                (
+                    radius.max(around) * ops::cos(latitude),
+                    from + 1.15 * radius * latitude,
+                )
+            };
+            // +x is radial; seen from outside it lies left on the back, right on the palm,
+            // of a right hand with its fingers up.
+            (v, DVec2::new(towards * turn * wide, along))
+        })
+        .collect();
+    let low = flat.iter().map(|p| p.1).fold(DVec2::MAX, DVec2::min);
+    let high = flat.iter().map(|p| p.1).fold(DVec2::MIN, DVec2::max);
+    let room = DVec2::from_array(CELL) - 2.0 * PADDING;
+    let scale = (room / (high - low)).min(DVec2::splat(FINGER_DENSITY));
+    let cell = 2 * f + side;
+    let corner = DVec2::new(
+        LEFT + CELL[0] * (cell % FINGERS_IN_A_ROW) as f64 + PADDING,
+        FINGERS_TOP + CELL[1] * (cell / FINGERS_IN_A_ROW) as f64 + PADDING,
+    );
+    flat.into_iter()
+        .map(|(v, p)| {
+            let q = DVec2::new(p.x - low.x, high.y - p.y) * scale;
+            (v, corner + q)
+        })
+        .collect()
+}
+
+/// Back or palm of the hand, fingers up.
+fn lay(skin: &Skin, source: &[u32], faces: &[&Vec<u32>], side: usize) -> Vec<(u32, DVec2)> {
+    let used = used(faces);
     let slot = |v: u32| used.binary_search(&v).unwrap_or(0) as u32;
     let positions: Vec<DVec3> = used
         .iter()
@@ -167,38 +263,35 @@ fn lay(
         .iter()
         .flat_map(|f| f[1..].windows(2).map(|w| [f[0], w[0], w[1]].map(slot)))
         .collect();
-    // Held: the furthest vertices along the hand; +x of the plane is radial on the back
-    // seen from outside, ulnar on the palm.
-    let turn = if palm { 1.0 } else { -1.0 };
+    // Held: two vertices along the middle of the hand.
+    let turn = if side == 1 { 1.0 } else { -1.0 };
     let flat = |p: DVec3| DVec2::new(turn * p.x, p.y);
-    let by_y = |a: &usize, b: &usize| positions[*a].y.total_cmp(&positions[*b].y);
-    let low = (0..positions.len()).min_by(by_y).unwrap_or(0);
-    let high = (0..positions.len()).max_by(by_y).unwrap_or(0);
-    let held = [low, high].map(|i| (i as u32, flat(positions[i])));
+    let nearest = |x: f64, y: f64| {
+        let d = |i: &usize| (positions[*i].truncate() - DVec2::new(x, y)).length_squared();
+        (0..positions.len())
+            .min_by(|a, b| d(a).total_cmp(&d(b)))
+            .unwrap_or(0)
+    };
+    let held = [nearest(0.0, 0.0), nearest(-5.0, 78.0)].map(|i| (i as u32, flat(positions[i])));
     let laid = conformal(&triangles, &positions, held);
     // The forearm below the wrist is drawn together.
     let squeezed: Vec<DVec2> = laid
         .iter()
         .map(|p| {
-            DVec2::new(
-                p.x,
-                if p.y < -10.0 {
-                    -10.0 + (p.y + 10.0) * FOREARM_SHARE
-                } else {
-                    p.y
-                },
-            )
+            let low = (p.y + 10.0).min(0.0);
+            DVec2::new(p.x, p.y.max(-10.0) + low * FOREARM_SHARE)
         })
         .collect();
-    let lowest = squeezed.iter().copied().fold(DVec2::MAX, DVec2::min);
-    let highest = squeezed.iter().copied().fold(DVec2::MIN, DVec2::max);
-    let room = DVec2::new(right - left, bottom - top);
-    let scale = (room / (highest - lowest)).min_element();
+    let low = squeezed.iter().copied().fold(DVec2::MAX, DVec2::min);
+    let high = squeezed.iter().copied().fold(DVec2::MIN, DVec2::max);
+    let scale = DVec2::new(RIGHT - LEFT, BODY_HEIGHT) / (high - low);
+    // Broad and low room: across may be finer than along.
+    let scale = DVec2::new(scale.x.min(1.25 * scale.y), scale.y.min(1.25 * scale.x));
     used.iter()
         .zip(squeezed)
         .map(|(&v, p)| {
-            let q = DVec2::new(p.x - lowest.x, highest.y - p.y) * scale;
-            (v, (q + DVec2::new(left, top)) / SIZE as f64)
+            let q = DVec2::new(p.x - low.x, high.y - p.y) * scale;
+            (v, q + DVec2::new(LEFT, BODY_TOP[side]))
         })
         .collect()
 }

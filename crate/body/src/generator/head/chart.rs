@@ -246,10 +246,18 @@ fn lay(cage: &Cage, open: &Cage, twin: &[u32], positions: &[DVec3]) -> Vec<DVec2
     side_of(&back, DVec2::new(half, height), DVec2::new(half, 0.0));
     side_of(&top, DVec2::new(half, 0.0), DVec2::ZERO);
 
-    let laid = |z: &Zone| !matches!(z, Zone::Mouth(5..) | Zone::Ear(_));
+    // The lips meet; the lids stand open, and their lining follows below.
+    let mut bridges = Vec::new();
+    for side in Side::BOTH {
+        let mouth = |k: usize| at(Key::mouth(5, k), side);
+        bridges.extend((0..6).map(|k| (mouth(k), mouth(12 - k), 3.0)));
+        let eye = |k: usize| at(Key::eye(6, k), side);
+        bridges.extend((1..8).map(|k| (eye(k), eye(16 - k), 0.35)));
+    }
+    let laid = |z: &Zone| !matches!(z, Zone::Mouth(5..) | Zone::Eye(6..) | Zone::Ear(_));
     let kept = open.faces.iter().zip(&open.zones).filter(|(_, z)| laid(z));
     let faces: Vec<Vec<u32>> = kept.map(|(f, _)| f.clone()).collect();
-    let (mut flat, middles) = harmonic(&faces, positions, &held);
+    let (mut flat, middles) = harmonic(&faces, positions, &held, &bridges);
 
     // Spreads columns and rows.
     let place = |k: Key| flat[cage.at(k, Side::Left)];
@@ -279,6 +287,26 @@ fn lay(cage: &Cage, open: &Cage, twin: &[u32], positions: &[DVec3]) -> Vec<DVec2
     };
     for p in &mut flat {
         *p = spread(*p);
+    }
+    for side in Side::BOTH {
+        for (r, share) in [(7, 0.82), (8, 0.64)] {
+            for k in 0..16 {
+                let edge = |k: usize| flat[at(Key::eye(6, k), side) as usize];
+                // Towards the line between the corners.
+                let line = (edge(k) + edge(16 - k % 16)) / 2.0;
+                flat[at(Key::eye(r, k), side) as usize] = line + (edge(k) - line) * share;
+            }
+        }
+    }
+    for side in Side::BOTH {
+        for k in 0..13 {
+            let edge = |k: usize| flat[at(Key::mouth(5, k), side) as usize];
+            let line = (edge(k) + edge(12 - k)) / 2.0;
+            // The bag behind the lips has no map, but the surface is smooth across its edge.
+            for r in 6..=8 {
+                flat[at(Key::mouth(r, k), side) as usize] = line;
+            }
+        }
     }
     for (middle, border) in middles {
         let Some(side) = Side::BOTH

@@ -73,6 +73,9 @@ pub(crate) struct SkinMaps {
     pub(crate) normal: Image,
 }
 
+/// Slopes are held to this: beyond, a texel's width and the light make artefacts of them.
+const STEEPEST: f64 = 0.9;
+
 /// Quality of the encoder, of 100.
 const COLOUR_QUALITY: u8 = 86;
 const NORMAL_QUALITY: u8 = 84;
@@ -226,9 +229,12 @@ fn tilt(layer: &Layer<'_>, t: [u32; 3], change: DVec2) -> [f64; 3] {
     let tangent = right / g.sqrt();
     let up = -(down - tangent * down.dot(tangent)).normalize_or_zero();
     let tilted = DVec3::new(-gradient.dot(tangent), -gradient.dot(up), 1.0);
-    // Steeper than this the picture's eight bits and the light make artefacts of it.
     let steep = tilted.truncate().length();
-    let held = if steep > 0.7 { 0.7 / steep } else { 1.0 };
+    let held = if steep > STEEPEST {
+        STEEPEST / steep
+    } else {
+        1.0
+    };
     DVec3::new(tilted.x * held, tilted.y * held, 1.0)
         .normalize()
         .to_array()

@@ -212,11 +212,11 @@ impl FacePainter<'_> {
         let middle = space_noise(seed + 2, p / 5.0);
         let fine = space_noise(seed + 3, p / 1.9);
         let k = 1.0 + 0.9 * self.old;
-        tissue.ln_blood += k * (0.13 * wide + 0.10 * middle + 0.07 * fine);
+        tissue.ln_blood += k * (0.15 * wide + 0.13 * middle + 0.10 * fine);
         let brown = space_noise(seed + 4, p / 8.0);
         let brown_fine = space_noise(seed + 5, p / 2.7);
         let k = 1.0 + 1.6 * self.skin.sun;
-        tissue.ln_melanosomes += k * (0.05 * brown + 0.05 * brown_fine);
+        tissue.ln_melanosomes += k * (0.07 * brown + 0.07 * brown_fine);
         // Old skin is paler and yellower: fewer vessels, a browner film.
         tissue.ln_blood -= 0.12 * self.old;
         tissue.ln_melanosomes += 0.08 * self.old;
@@ -228,7 +228,7 @@ impl FacePainter<'_> {
         let freckle = self.marks.freckles.at(q, normal).core;
         tissue.ln_melanosomes += 0.75 * (freckle * ragged).min(1.2);
         let spot = self.marks.spots.at(q, normal).core;
-        tissue.ln_melanosomes += 0.75 * rise(0.18, 0.6, spot * ragged) * spot.min(1.0);
+        tissue.ln_melanosomes += 0.95 * rise(0.15, 0.5, spot * ragged) * spot.min(1.0);
         let mole = self.marks.moles.at(q, normal).core;
         tissue.ln_melanosomes += 1.9 * rise(0.15, 0.75, mole);
         tissue.height_mm += 0.25 * rise(0.1, 0.9, mole);
@@ -240,7 +240,7 @@ impl FacePainter<'_> {
         if lip <= 0.0 {
             return;
         }
-        let own = ops::ln(0.014 + 0.044 * self.skin.lips) - 0.3 * self.skin.since(45.0);
+        let own = ops::ln(0.016 + 0.068 * self.skin.lips) - 0.3 * self.skin.since(45.0);
         let streak = space_noise(seed + 22, DVec3::new(p.x / 0.8, p.y / 5.0, p.z / 5.0));
         tissue.ln_blood += (own + 0.12 * streak - tissue.ln_blood) * lip;
         tissue.ln_melanosomes -= 0.25 * lip;
@@ -266,7 +266,7 @@ impl FacePainter<'_> {
         let wrinkle = self.marks.wrinkles.at(q, normal);
         tissue.height_mm += 0.3 * wrinkle.bank - wrinkle.core;
         // Less light in the furrow, and what there is comes through blood.
-        tissue.light *= 1.0 - (0.42 * wrinkle.core).min(0.4);
+        tissue.light *= 1.0 - (0.5 * wrinkle.core).min(0.4);
         tissue.ln_blood += 0.5 * wrinkle.core;
         // Furrows of the net run 0.6 to 1.5 mm apart and widen with age (Zahouani et al.,
         // e.g. doi:10.1111/j.1468-2494.2010.00577.x order of size; *designed*).
@@ -274,15 +274,15 @@ impl FacePainter<'_> {
         let (first, second, name) = cells(seed + 11, p / spacing);
         let gap = (second - first) / 0.16;
         let furrow = ops::exp(-gap * gap);
-        let depth = 0.018 + 0.022 * self.old;
+        let depth = 0.04 + 0.035 * self.old;
         tissue.height_mm -= depth * net * furrow;
         let pore = ops::exp(-(first / 0.2) * (first / 0.2)) * rise(0.25, 0.6, name);
         let wide = pores.max(0.0) * (1.0 + 0.5 * self.old);
-        tissue.height_mm -= 0.055 * wide * pore;
-        tissue.light *= 1.0 - 0.07 * wide * pore;
+        tissue.height_mm -= 0.11 * wide * pore;
+        tissue.light *= 1.0 - 0.12 * wide * pore;
         tissue.height_mm += net
-            * (0.02 * space_noise(seed + 12, p / 2.2)
-                + 0.05 * self.old * space_noise(seed + 13, p / 4.3));
+            * (0.04 * space_noise(seed + 12, p / 2.2)
+                + 0.09 * self.old * space_noise(seed + 13, p / 4.3));
     }
 
     /// Where a beard grows: lip, chin, jaw and below.

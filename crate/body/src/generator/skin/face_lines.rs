@@ -80,7 +80,7 @@ impl Scribe<'_> {
     }
 
     fn forehead(&mut self) {
-        let deep = 0.34 * self.skin.since(29.0);
+        let deep = 0.60 * self.skin.since(29.0);
         for i in 0..6 {
             let row = 1.0 + 0.46 * f64::from(i) + self.between(-0.1, 0.1);
             // The middle lines are the longest and deepest.
@@ -103,7 +103,7 @@ impl Scribe<'_> {
     }
 
     fn glabella(&mut self) {
-        let deep = 0.30 * self.skin.since(31.0);
+        let deep = 0.48 * self.skin.since(31.0);
         for side in Side::BOTH {
             let (a, b) = (self.between(0.55, 0.95), self.between(0.7, 1.1));
             let top = self.between(3.0, 3.5);
@@ -116,7 +116,7 @@ impl Scribe<'_> {
             self.line(side, &through, strength, 0.8, 0.2);
         }
         // Across the root of the nose.
-        let deep = 0.16 * self.skin.since(42.0);
+        let deep = 0.26 * self.skin.since(42.0);
         for row in [6.0, 6.7, 7.5] {
             let r = row + self.between(-0.15, 0.15);
             let to = self.between(0.7, 1.1);
@@ -127,7 +127,7 @@ impl Scribe<'_> {
     /// Crow's feet: a few lines that leave the corner at different places, bend away from
     /// each other, fork and fade at different lengths.
     fn crows_feet(&mut self, side: Side) {
-        let deep = 0.27 * self.skin.since(29.0);
+        let deep = 0.50 * self.skin.since(29.0);
         for i in 0..6 {
             let fan = (f64::from(i) - 2.4) / 2.6 + self.between(-0.14, 0.14);
             let start = self.between(8.15, 8.7);
@@ -163,7 +163,7 @@ impl Scribe<'_> {
             let through: Vec<DVec3> = (0..=6)
                 .map(|k| self.places.eye(ring, a + (b - a) * f64::from(k) / 6.0))
                 .collect();
-            let strength = (0.015 + 0.13 * age) * self.between(0.5, 1.1);
+            let strength = (0.03 + 0.22 * age) * self.between(0.5, 1.1);
             self.line(side, &through, strength, 0.42, 0.45);
         }
         for _ in 0..16 {
@@ -174,7 +174,7 @@ impl Scribe<'_> {
                 self.places.eye(a, k),
                 self.places.eye(b, (k - lean).max(8.2)),
             ];
-            let strength = 0.10 * age * self.between(0.4, 1.0);
+            let strength = 0.18 * age * self.between(0.4, 1.0);
             self.line(side, &through, strength, 0.38, 0.4);
         }
         for i in 0..5 {
@@ -183,7 +183,7 @@ impl Scribe<'_> {
             let through: Vec<DVec3> = (0..=6)
                 .map(|k| self.places.eye(ring, a + (b - a) * f64::from(k) / 6.0))
                 .collect();
-            let strength = 0.02 + 0.09 * age * self.between(0.5, 1.0);
+            let strength = 0.03 + 0.15 * age * self.between(0.5, 1.0);
             self.line(side, &through, strength, 0.4, 0.4);
         }
     }
@@ -201,7 +201,7 @@ impl Scribe<'_> {
                 self.places.mouth(2.2, j + lean),
                 self.places.mouth(end, j + 1.3 * lean),
             ];
-            let strength = (0.05 + 0.05 * self.skin.since(30.0)) * self.between(0.4, 1.1);
+            let strength = (0.09 + 0.07 * self.skin.since(30.0)) * self.between(0.4, 1.1);
             self.line(side, &through, strength, 0.36, 0.25);
             // Few reach far; beside the corners none.
             if age > 0.0 && !(5.0..7.0).contains(&k) && self.chance() < 0.62 {
@@ -212,7 +212,7 @@ impl Scribe<'_> {
                     self.places
                         .mouth(out.max(0.0), j + self.between(-0.25, 0.1)),
                 ];
-                let strength = 0.22 * age * self.between(0.3, 1.0);
+                let strength = 0.38 * age * self.between(0.3, 1.0);
                 self.line(side, &through, strength, 0.5, 0.2);
             }
             k += self.between(0.16, 0.42);
@@ -225,7 +225,7 @@ impl Scribe<'_> {
 
     /// The fine part of the folds beside nose and mouth; the folds themselves are shape.
     fn mouth_folds(&mut self, side: Side) {
-        let deep = 0.26 * self.skin.since(38.0);
+        let deep = 0.42 * self.skin.since(38.0);
         for i in 0..3 {
             let out = 0.28 * f64::from(i) + self.between(-0.06, 0.06);
             let top = self.between(13.3, 15.2);
@@ -258,7 +258,7 @@ impl Scribe<'_> {
 
     /// Long fine lines over the cheek and in front of the ear.
     fn cheeks(&mut self, side: Side) {
-        let deep = 0.20 * self.skin.since(52.0);
+        let deep = 0.36 * self.skin.since(52.0);
         for i in 0..8 {
             let c = 6.2 + 0.75 * f64::from(i) + self.between(-0.25, 0.25);
             let (top, end) = (self.between(9.3, 13.0), self.between(15.5, 20.5));
@@ -295,11 +295,11 @@ impl Scribe<'_> {
         for (i, row) in [25.4, 27.0, 28.7, 30.0].into_iter().enumerate() {
             let row = row + self.between(-0.3, 0.3);
             let reach = self.between(6.0, 11.0);
-            let strength = (0.03 + 0.24 * age) * if i == 1 { 1.0 } else { 0.6 };
+            let strength = (0.04 + 0.40 * age) * if i == 1 { 1.0 } else { 0.6 };
             let to = reach * self.between(0.75, 1.0);
             self.across(row, -reach, to, 0.12, strength, 1.0);
         }
-        let deep = 0.16 * self.skin.since(55.0);
+        let deep = 0.28 * self.skin.since(55.0);
         for _ in 0..120 {
             let (c, r) = (self.between(-10.0, 10.0), self.between(23.6, 30.6));
             let (dc, dr) = (self.between(-0.8, 0.8), self.between(-0.9, 0.9));
@@ -404,8 +404,8 @@ pub(super) fn face_marks(skin: &SkinParams, places: &Places, sheet: &HeadSheet) 
             let brow = rise(58.0, 80.0, p.y);
             (temple.max(brow) + 0.12) * aged * rise(-120.0, -60.0, p.y)
         };
-        scatter(sheet, skin.seed ^ 0x5B, 0.75, high, |p, [a, b]| {
-            spots.spot(p, 0.35 + 0.65 * a, 1.3 + 3.0 * b * b);
+        scatter(sheet, skin.seed ^ 0x5B, 1.1, high, |p, [a, b]| {
+            spots.spot(p, 0.45 + 0.55 * a, 1.3 + 3.2 * b * b);
         });
     }
     let mut moles = Marks::default();

@@ -79,7 +79,7 @@ impl HandSheet {
     pub(super) fn painter<'a>(&'a self, skin: &'a SkinParams) -> HandPainter<'a> {
         let draw =
             |lines: &[HandLine], scale: f64, seed: u64| super::hand_lines::draw(lines, scale, seed);
-        let slack = 0.25 + 0.75 * skin.since(30.0);
+        let slack = 0.3 + 1.2 * skin.since(30.0);
         HandPainter {
             skin,
             sheet: self,
@@ -126,21 +126,21 @@ impl HandPainter<'_> {
         tissue.ln_blood += 0.55 * dent;
 
         let vein = self.veins.at(p, normal).core * (1.0 - palm);
-        tissue.height_mm += 0.55 * self.old * vein;
-        tissue.oxygen -= 0.22 * vein;
+        tissue.height_mm += 0.8 * self.old * vein;
+        tissue.oxygen -= 0.3 * vein;
         tissue.ln_blood += 0.16 * vein;
 
         let spot = self.spots.at(p, normal).core * (1.0 - palm);
         let ragged = 1.0 + 0.5 * space_noise(seed + 6, p / 1.2);
-        tissue.ln_melanosomes += 0.7 * rise(0.18, 0.6, spot * ragged) * spot.min(1.0);
+        tissue.ln_melanosomes += 0.95 * rise(0.15, 0.5, spot * ragged) * spot.min(1.0);
 
         // Back: a net of furrows that widens with age. Palm: ridges half a millimetre apart
         // are below a texel; what is seen of them is a fine grain.
         let (first, second, _) = cells(seed + 11, p / (1.2 + 0.4 * self.old));
         let gap = (second - first) / 0.17;
         let furrow = ops::exp(-gap * gap);
-        tissue.height_mm -= (1.0 - palm) * (0.028 + 0.03 * self.old) * furrow;
-        tissue.height_mm -= palm * 0.012 * furrow;
+        tissue.height_mm -= (1.0 - palm) * (0.05 + 0.045 * self.old) * furrow;
+        tissue.height_mm -= palm * 0.025 * furrow;
         tissue.height_mm += 0.02 * space_noise(seed + 12, p / 2.4)
             + 0.05 * self.old * (1.0 - palm) * space_noise(seed + 13, p / 4.5)
             - 0.03 * (first - 0.5) * (1.0 - palm);

@@ -186,7 +186,7 @@ impl Marks {
     }
 }
 
-/// A centripetal-free Catmull–Rom line through the places, a step each 0.8 mm.
+/// A Catmull–Rom line through the places, a step each 0.8 mm.
 fn rounded(through: &[DVec3]) -> Vec<DVec3> {
     let n = through.len();
     let mut out = vec![through[0]];

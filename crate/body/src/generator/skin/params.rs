@@ -64,10 +64,11 @@ impl SkinParams {
         ops::ln(0.01) + ops::ln(43.0) * self.melanin.clamp(0.0, 1.0)
     }
 
-    /// Natural logarithm of the volume fraction of blood: 0.2 % to 1.2 % (Jacques 2013:
-    /// 0.2–0.6 % at rest, more in the face; *designed* within it).
+    /// Natural logarithm of the volume fraction of blood: 0.3 % to 3 % (Jacques 2013:
+    /// 0.2–0.6 % averaged over the dermis, several times that in the face's plexus;
+    /// *designed* within it).
     pub(crate) fn ln_blood(&self) -> f64 {
-        ops::ln(0.002) + ops::ln(6.0) * self.blood.clamp(0.0, 1.0)
+        ops::ln(0.003) + ops::ln(10.0) * self.blood.clamp(0.0, 1.0)
     }
 
     /// How far something that begins at an age has come, 0 then, 1 at 75; *designed*.

@@ -16,6 +16,7 @@ pub(crate) struct Hit {
     pub(crate) triangle: u32,
     pub(crate) weights: [f32; 3],
     /// Inside a triangle, not in the margin.
+    #[cfg(test)]
     pub(crate) inside: bool,
 }
 
@@ -36,6 +37,7 @@ pub(crate) struct Raster {
     /// Row by row from the top; `None` where no surface lies.
     pub(crate) hits: Vec<Option<Hit>>,
     /// Texels whose middle lies in more than one triangle.
+    #[cfg(test)]
     pub(crate) overlaps: usize,
 }
 
@@ -61,6 +63,7 @@ impl Raster {
     pub(crate) fn new(uv: &[[f64; 2]], triangles: &[[u32; 3]]) -> Self {
         let texel = |v: u32| DVec2::from_array(uv[v as usize]) * SIZE as f64;
         let mut hits: Vec<Option<Hit>> = vec![None; SIZE * SIZE];
+        #[cfg(test)]
         let mut overlaps = 0;
         let limit = |x: f64| x.clamp(0.0, SIZE as f64) as usize;
         for (i, t) in triangles.iter().enumerate() {
@@ -77,12 +80,14 @@ impl Raster {
                     }
                     let slot = &mut hits[y * SIZE + x];
                     // On a shared edge both triangles say the same.
+                    #[cfg(test)]
                     if slot.is_some() && w.iter().all(|&k| k > 1e-9) {
                         overlaps += 1;
                     }
                     *slot = Some(Hit {
                         triangle: i as u32,
                         weights: w.map(|k| k as f32),
+                        #[cfg(test)]
                         inside: true,
                     });
                 }
@@ -112,12 +117,17 @@ impl Raster {
                     *slot = Some(Hit {
                         triangle,
                         weights: w.map(|k| (k / sum) as f32),
+                        #[cfg(test)]
                         inside: false,
                     });
                 }
             }
         }
-        Self { hits, overlaps }
+        Self {
+            hits,
+            #[cfg(test)]
+            overlaps,
+        }
     }
 }
 

@@ -50,8 +50,8 @@ fn open_loops(faces: &[Vec<u32>]) -> Vec<Vec<u32>> {
     loops
 }
 
-/// Lays faces into the plane with some vertices held. Holes are closed by a vertex in the
-/// middle, so that they keep an area. Returns a place for each vertex (those of no face stay
+/// Lays faces into the plane with some vertices held. `bridges` tie vertices across a hole,
+/// with weights; a hole without bridges is closed by a vertex in the middle. Returns a place for each vertex (those of no face stay
 /// at the origin) and the middles of the holes with their border.
 ///
 /// # Panics
@@ -61,6 +61,7 @@ pub(crate) fn harmonic(
     faces: &[Vec<u32>],
     positions: &[DVec3],
     held: &[(u32, DVec2)],
+    bridges: &[(u32, u32, f64)],
 ) -> (Vec<DVec2>, Vec<(DVec2, Vec<u32>)>) {
     let mut weights: BTreeMap<(u32, u32), f64> = BTreeMap::new();
     for face in faces {
@@ -82,7 +83,13 @@ pub(crate) fn harmonic(
             vec![(a, w), (b, -w)]
         })
         .collect();
-    let is_held = |v: &u32| held.iter().any(|h| h.0 == *v);
+    rows.extend(
+        bridges
+            .iter()
+            .map(|&(a, b, w)| vec![(a, w.sqrt()), (b, -w.sqrt())]),
+    );
+    let is_held =
+        |v: &u32| held.iter().any(|h| h.0 == *v) || bridges.iter().any(|b| b.0 == *v || b.1 == *v);
     let holes: Vec<Vec<u32>> = open_loops(faces)
         .into_iter()
         .filter(|l| !l.iter().any(is_held))
@@ -154,11 +161,6 @@ pub(crate) fn conformal(
         .collect()
 }
 
-/// Twice the signed area of a triangle in the plane.
-pub(crate) fn area2(a: DVec2, b: DVec2, c: DVec2) -> f64 {
-    (b - a).perp_dot(c - a)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -188,12 +190,12 @@ mod tests {
             .filter(|v| v % 9 == 0 || v % 9 == 8 || v / 9 == 0 || v / 9 == 8)
             .map(|v| (v, p[v as usize].truncate()))
             .collect();
-        let (flat, holes) = harmonic(&faces, &p, &held);
+        let (flat, holes) = harmonic(&faces, &p, &held, &[]);
         assert_eq!(holes.len(), 1);
         for f in &faces {
             for i in 0..4 {
                 let [a, b, c] = [i, i + 1, i + 2].map(|k| flat[f[k % 4] as usize]);
-                assert!(area2(a, b, c) > 0.0);
+                assert!((b - a).perp_dot(c - a) > 0.0);
             }
         }
     }
