@@ -13,9 +13,11 @@ const SIZE: (u32, u32) = (160, 120);
 const ASPECT: f64 = 160.0 / 120.0;
 
 fn headless(quality: Quality) -> Headless {
-    Headless::new_blocking(RenderOptions { quality, half_size: false }).unwrap_or_else(|e| {
-        panic!("{e}; on Debian: apt-get install mesa-vulkan-drivers libvulkan1")
+    Headless::new_blocking(RenderOptions {
+        quality,
+        half_size: false,
     })
+    .unwrap_or_else(|e| panic!("{e}; on Debian: apt-get install mesa-vulkan-drivers libvulkan1"))
 }
 
 fn draw(device: &mut Headless, frame: &Frame) -> Vec<u8> {

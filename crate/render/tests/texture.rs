@@ -108,10 +108,12 @@ fn a_picture_lies_the_right_way_up_on_skin_and_on_plain_surfaces() {
                 (false, false) => WHITE,
             })
             .collect();
-        device.set_image(0, 32, 32, &pixels).expect("a sound picture");
+        device
+            .set_image(0, 32, 32, &pixels)
+            .expect("a sound picture");
         let picture = draw(&mut device, &frame);
-        let [r, g, b, w] = [(0.3, 0.3), (0.7, 0.3), (0.3, 0.7), (0.7, 0.7)]
-            .map(|(x, y)| mean_at(&picture, x, y));
+        let [r, g, b, w] =
+            [(0.3, 0.3), (0.7, 0.3), (0.3, 0.7), (0.7, 0.7)].map(|(x, y)| mean_at(&picture, x, y));
         assert!(r[0] > r[1] + 40.0 && r[0] > r[2] + 40.0, "{kind:?} {r:?}");
         assert!(g[1] > g[0] + 40.0 && g[1] > g[2] + 40.0, "{kind:?} {g:?}");
         assert!(b[2] > b[0] + 40.0 && b[2] > b[1] + 40.0, "{kind:?} {b:?}");
@@ -138,7 +140,9 @@ fn from_afar_a_fine_pattern_is_its_mean() {
         })
         .collect();
     let frame = before(&figure, 1.6);
-    device.set_image(0, 512, 512, &checks).expect("a sound picture");
+    device
+        .set_image(0, 512, 512, &checks)
+        .expect("a sound picture");
     let fine = draw(&mut device, &frame);
     device
         .set_image(0, 1, 1, &[188, 188, 188, 255])
@@ -169,8 +173,16 @@ fn a_normal_map_tilts_to_the_light_as_gltf_says() {
     };
     let flat = [128, 128, 255, 255];
     for (towards, to, away) in [
-        (DVec3::new(1.0, 0.0, 1.0), [191, 128, 238, 255], [64, 128, 238, 255]),
-        (DVec3::new(0.0, 1.0, 1.0), [128, 191, 238, 255], [128, 64, 238, 255]),
+        (
+            DVec3::new(1.0, 0.0, 1.0),
+            [191, 128, 238, 255],
+            [64, 128, 238, 255],
+        ),
+        (
+            DVec3::new(0.0, 1.0, 1.0),
+            [128, 191, 238, 255],
+            [128, 64, 238, 255],
+        ),
     ] {
         let level = brightness(flat, towards);
         let (lit, dim) = (brightness(to, towards), brightness(away, towards));
@@ -209,7 +221,10 @@ fn clear_surfaces_let_the_stage_through() {
     device.set_figure(&figure).expect("a sound figure");
     let half = mean_at(&draw(&mut device, &frame), 0.5, 0.5);
     for c in 0..3 {
-        assert!(empty[c] < half[c] && half[c] < full[c], "{empty:?} {half:?} {full:?}");
+        assert!(
+            empty[c] < half[c] && half[c] < full[c],
+            "{empty:?} {half:?} {full:?}"
+        );
     }
 }
 
@@ -221,13 +236,20 @@ fn what_is_no_picture_is_an_error_and_changes_nothing() {
     device.set_figure(&figure).expect("a sound figure");
     device.set_image(0, 1, 1, &RED).expect("a sound picture");
     let red = draw(&mut device, &frame);
-    for (w, h, bytes) in [(2, 2, 15), (0, 0, 0), (9000, 1, 36_000), (u32::MAX, u32::MAX, 4)] {
+    for (w, h, bytes) in [
+        (2, 2, 15),
+        (0, 0, 0),
+        (9000, 1, 36_000),
+        (u32::MAX, u32::MAX, 4),
+    ] {
         assert!(matches!(
             device.set_image(0, w, h, &vec![0; bytes]),
             Err(RenderError::BadImage { .. })
         ));
     }
-    device.set_image(77, 1, 1, &BLUE).expect("one that nothing shows is let go");
+    device
+        .set_image(77, 1, 1, &BLUE)
+        .expect("one that nothing shows is let go");
     assert!(red == draw(&mut device, &frame));
 }
 
@@ -256,7 +278,10 @@ fn a_tier_can_be_changed_and_keeps_figure_and_pictures() {
         );
     }
     device.set_options(RenderOptions::default());
-    assert!(high == draw(&mut device, &frame), "the same bytes as before");
+    assert!(
+        high == draw(&mut device, &frame),
+        "the same bytes as before"
+    );
 }
 
 #[test]

@@ -3,19 +3,20 @@
 //! Each region (head, hands, body, clothes, hair) yields [`part::Part`]s in metres, engine
 //! frame, bind pose; [`assemble`] joins them on one skeleton and [`write`] stores glTF.
 
-pub mod annotation;
 pub mod assemble;
 mod build;
 pub mod cloth;
 pub mod hair;
 pub mod hand;
 pub mod head;
+pub mod measure;
 pub mod part;
 pub mod people;
 pub mod statistics;
 pub mod subdivide;
 pub mod torso;
-pub use crate::write;
+pub mod yardstick;
+pub use crate::{annotation, write};
 
 pub use build::{Built, build};
 pub use people::{FigureParams, Person};

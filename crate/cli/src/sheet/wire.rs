@@ -140,11 +140,7 @@ pub(super) fn draw(figure: &Figure, posed: &Posed, camera: &Camera, size: (u32, 
         grey: vec![PAPER; size.0 * size.1],
     };
     let matrices = world_from_bind(figure, &posed.world_from_joint);
-    let hidden = [
-        MaterialKind::Hair,
-        MaterialKind::Lash,
-        MaterialKind::Cornea,
-    ];
+    let hidden = [MaterialKind::Hair, MaterialKind::Lash, MaterialKind::Cornea];
     let mut triangles: Vec<[Point; 3]> = Vec::new();
     for mesh in &figure.meshes {
         if hidden.contains(&mesh.material.kind) {

@@ -12,6 +12,7 @@ mod ear;
 mod eye;
 mod form;
 mod individual;
+mod landmark;
 mod measure;
 mod morph;
 mod mouth;
@@ -20,20 +21,24 @@ mod paint;
 mod points;
 mod rig;
 mod scalp;
+mod segment;
 mod solve;
 mod strands;
 mod surface;
 #[cfg(test)]
 mod tests;
 
+use std::collections::BTreeMap;
+
 use raconteur_base::{DVec3, Side, mirror_vector};
 
 use self::cage::{Cage, Key, LAST_ROW, Zone};
-pub use self::measure::{Measure, Measures};
+pub use self::measure::{KnownMeasure, Measure, Measures, known_measures};
 use self::paint::{Coordinates, Painter};
 use self::points::Individual;
 use self::scalp::hairline;
 pub use self::scalp::{Scalp, ScalpPoint};
+pub use self::segment::HeadSegment;
 use self::strands::{BrowLine, Skin};
 use self::surface::{Surface, triangles};
 use super::part::{Part, PartMorph, PartVertex};
@@ -133,6 +138,10 @@ pub struct Head {
     pub extent: [f64; 2],
     /// Where hair grows.
     pub scalp: Scalp,
+    /// Named points: name and vertex of the first part, the skin.
+    pub landmarks: Vec<(String, u32)>,
+    /// Segments of the first part, the skin.
+    pub segments: Vec<HeadSegment>,
 }
 
 /// The shape of a head before it is painted, millimetres.
@@ -297,6 +306,7 @@ pub fn build(params: &HeadParams) -> Head {
         ));
     }
 
+    let drawn = behind(&parts[0], positions);
     let menton = positions
         .iter()
         .zip(shares)
@@ -313,7 +323,30 @@ pub fn build(params: &HeadParams) -> Head {
         lid_closure_rad: rig.closure_rad,
         extent: [menton * 1e-3, vertex * 1e-3],
         scalp: scalp::scalp(positions, &normals, &hair, &all_triangles),
+        landmarks: landmark::landmarks(&shape)
+            .into_iter()
+            .filter_map(|(name, v)| {
+                let at = drawn.iter().position(|&d| d == v)?;
+                Some((name, at as u32))
+            })
+            .collect(),
+        segments: segment::segments(&shape, &drawn),
     }
+}
+
+/// The surface's vertex behind each vertex of a part cut from it, by place: a part may hold
+/// a place twice where its texture has a seam.
+fn behind(part: &Part, positions: &[DVec3]) -> Vec<u32> {
+    let key = |p: DVec3| p.to_array().map(f64::to_bits);
+    let by_place: BTreeMap<[u64; 3], u32> = positions
+        .iter()
+        .zip(0u32..)
+        .map(|(&p, v)| (key(p * 1e-3), v))
+        .collect();
+    part.vertices
+        .iter()
+        .map(|v| by_place.get(&key(v.position)).copied().unwrap_or(u32::MAX))
+        .collect()
 }
 
 /// The faces of some zones as a part of their own.

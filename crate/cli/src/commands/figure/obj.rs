@@ -22,12 +22,7 @@ pub(super) fn write(figure: &Figure, posed: &Posed) -> String {
     out
 }
 
-fn write_mesh(
-    out: &mut String,
-    mesh: &Mesh,
-    skinned: &Skinned,
-    first: usize,
-) -> std::fmt::Result {
+fn write_mesh(out: &mut String, mesh: &Mesh, skinned: &Skinned, first: usize) -> std::fmt::Result {
     let kind = MaterialKind::NAMES
         .iter()
         .find(|(k, _)| *k == mesh.material.kind)
