@@ -219,3 +219,78 @@ pub fn readings(
     }
     all
 }
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+    use std::path::PathBuf;
+
+    use super::*;
+    use crate::annotation::annotations;
+    use crate::generator::head::Measures;
+    use crate::generator::yardstick::{Yardstick, deviation};
+    use crate::generator::{Built, build, people};
+    use crate::write::to_annotated_glb;
+
+    fn built(name: &str) -> (Built, people::FigureParams) {
+        let params = people::preset(name).unwrap_or_else(|| panic!("a figure {name}"));
+        (build(&params), params)
+    }
+
+    fn yardstick() -> Option<Yardstick> {
+        let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../../shared/models/ict");
+        let read = |name: &str| fs::read_to_string(folder.join(name)).ok();
+        let files = read("generic_neutral_mesh.obj").zip(read("vertex_indices.json"));
+        let Some((mesh, landmarks)) = files else {
+            println!("no yardstick in {}: nothing compared", folder.display());
+            return None;
+        };
+        Some(Yardstick::read(&mesh, &landmarks).unwrap_or_else(|e| panic!("{e}")))
+    }
+
+    #[test]
+    fn sofia_and_papous_measure_like_their_sex_and_age() {
+        for name in ["sofia", "papous"] {
+            let (built, params) = built(name);
+            let all = readings(
+                &built.figure,
+                &built.annotations,
+                params.person,
+                Some(&params.hand),
+            );
+            let within = all.iter().filter(|r| r.deviations().abs() <= 1.0).count();
+            assert!(within >= 20, "{name}: {within} of {}: {all:?}", all.len());
+            if name == "sofia"
+                && let Some(yardstick) = yardstick()
+            {
+                let far = deviation(&built.figure, &built.annotations, &yardstick);
+                let far = far.unwrap_or_else(|e| panic!("{e}"));
+                assert!(far.rms_mm <= 3.0, "{far:?}");
+            }
+            let glb = to_annotated_glb(&built.figure, &built.annotations);
+            let mut back = annotations(&glb).unwrap_or_else(|e| panic!("{e}"));
+            let mut sent = built.annotations;
+            // The file holds landmarks by name.
+            back.landmarks.sort_by(|a, b| a.name.cmp(&b.name));
+            sent.landmarks.sort_by(|a, b| a.name.cmp(&b.name));
+            assert_eq!(back, sent);
+        }
+    }
+
+    #[test]
+    fn the_mean_adult_lies_near_the_yardstick() {
+        let Some(yardstick) = yardstick() else { return };
+        let mut params = people::preset("sofia").unwrap_or_else(|| panic!("sofia"));
+        params.person.sex = 0.5;
+        params.person.age_years = 28.0;
+        params.head.person = params.person;
+        params.head.smile = 0.0;
+        params.head.asymmetry = 0.0;
+        params.head.measures = Measures::default();
+        let mean = build(&params);
+        let far = deviation(&mean.figure, &mean.annotations, &yardstick);
+        let far = far.unwrap_or_else(|e| panic!("{e}"));
+        assert!(far.rms_mm <= 1.5 && far.p95_mm <= 3.0, "{far:?}");
+        assert!(far.count > 3000, "{far:?}");
+    }
+}

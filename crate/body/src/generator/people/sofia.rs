@@ -39,7 +39,7 @@ fn head() -> HeadParams {
             (Measure::UpperRed, 0.7),
             (Measure::LowerRed, 0.6),
             (Measure::FissureHeight, 0.4),
-            (Measure::JawBreadth, -0.7),
+            (Measure::JawBreadth, -0.9),
             (Measure::InnerCanthalBreadth, -0.3),
             (Measure::PhiltrumBreadth, -0.4),
             (Measure::Bridge, 0.8),

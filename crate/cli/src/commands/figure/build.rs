@@ -24,8 +24,9 @@ impl Build {
     pub(super) fn run(&self) -> Result<Outcome> {
         let params = people::preset(&self.name)
             .with_context(|| format!("there is no figure named {}", self.name))?;
-        let figure = generator::build(&params).figure;
-        let glb = write::to_glb(&figure);
+        let built = generator::build(&params);
+        let figure = &built.figure;
+        let glb = write::to_annotated_glb(figure, &built.annotations);
         replace(&self.output, &glb)?;
         let triangles: usize = figure.meshes.iter().map(|m| m.indices.len() / 3).sum();
         writeln!(

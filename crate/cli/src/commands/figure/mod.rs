@@ -3,6 +3,7 @@
 mod build;
 mod export;
 mod file;
+mod measure;
 mod obj;
 mod sheet;
 
@@ -23,6 +24,7 @@ enum Action {
     Build(build::Build),
     Sheet(sheet::Sheet),
     Export(export::Export),
+    Measure(measure::Measure),
 }
 
 impl Figure {
@@ -31,6 +33,7 @@ impl Figure {
             Action::Build(c) => c.run(),
             Action::Sheet(c) => c.run(),
             Action::Export(c) => c.run(),
+            Action::Measure(c) => c.run(),
         }
     }
 }
