@@ -8,6 +8,7 @@
 use raconteur_base::{DAffine3, DVec3};
 use serde_json::{Map, Value, json};
 
+use crate::annotation::Annotations;
 use crate::figure::{Figure, Material, MaterialKind, Mesh, Morph};
 use crate::skeleton::{Bone, Drive};
 
@@ -418,6 +419,12 @@ fn joint_nodes(figure: &Figure) -> Vec<Value> {
 /// The figure as a `.glb` file.
 #[must_use]
 pub fn to_glb(figure: &Figure) -> Vec<u8> {
+    to_annotated_glb(figure, &Annotations::default())
+}
+
+/// The figure as a `.glb` file with the names on its meshes.
+#[must_use]
+pub fn to_annotated_glb(figure: &Figure, annotations: &Annotations) -> Vec<u8> {
     let grid = Grid::around(&figure.meshes);
     let mut buffer = Buffer::default();
     let inverse_bind: Vec<u8> = figure
@@ -487,6 +494,11 @@ pub fn to_glb(figure: &Figure) -> Vec<u8> {
         "bufferViews": buffer.views,
         "buffers": [{ "byteLength": buffer.bytes.len() }],
     });
+    if *annotations != Annotations::default()
+        && let Some(extras) = document["scenes"][0]["extras"].as_object_mut()
+    {
+        extras.extend(annotations.to_json());
+    }
     // glTF allows no empty lists.
     if !images.is_empty() {
         document["images"] = json!(images);

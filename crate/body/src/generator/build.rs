@@ -3,7 +3,6 @@
 use raconteur_base::curve::smooth;
 use raconteur_base::{DAffine3, DQuat, DVec3, Side};
 
-use super::annotation::Annotations;
 use super::assemble::{Blueprint, Piece, assemble};
 use super::cloth::finish::openness;
 use super::cloth::{Wearer, dress};
@@ -14,6 +13,7 @@ use super::part::{Part, PartVertex};
 use super::people::FigureParams;
 use super::skin::{self, HandSheet};
 use super::torso::{CM, Cage, Field, Joints, Regions, Shell};
+use crate::annotation::{Annotations, Landmark, Segment};
 use crate::figure::{Figure, Maps, Material, MaterialKind};
 use crate::skeleton::{Bone, FacePlaces, zero_frames};
 
@@ -91,9 +91,39 @@ pub fn build(params: &FigureParams) -> Built {
         pieces,
         images: vec![maps.colour, maps.normal],
     });
+    let annotations = annotations(&head, &figure);
     Built {
         figure,
-        annotations: Annotations::default(),
+        annotations,
+    }
+}
+
+/// The head's names on the mesh that its skin became: that mesh begins with the head.
+fn annotations(head: &Head, figure: &Figure) -> Annotations {
+    let name = &head.parts[0].name;
+    let Some(mesh) = figure.meshes.iter().position(|m| m.name == *name) else {
+        return Annotations::default();
+    };
+    Annotations {
+        landmarks: head
+            .landmarks
+            .iter()
+            .map(|(name, vertex)| Landmark {
+                name: name.clone(),
+                mesh,
+                vertex: *vertex,
+            })
+            .collect(),
+        segments: head
+            .segments
+            .iter()
+            .map(|s| Segment {
+                name: s.name.to_owned(),
+                parent: s.parent,
+                mesh,
+                runs: s.runs.clone(),
+            })
+            .collect(),
     }
 }
 

@@ -3,7 +3,6 @@
 //! Each region (head, hands, body, clothes, hair) yields [`part::Part`]s in metres, engine
 //! frame, bind pose; [`assemble`] joins them on one skeleton and [`write`] stores glTF.
 
-pub mod annotation;
 pub mod assemble;
 pub mod bones;
 mod build;
@@ -13,13 +12,15 @@ mod deform;
 pub mod hair;
 pub mod hand;
 pub mod head;
+pub mod measure;
 pub mod part;
 pub mod people;
 pub mod skin;
 pub mod statistics;
 pub mod subdivide;
 pub mod torso;
-pub use crate::write;
+pub mod yardstick;
+pub use crate::{annotation, write};
 
 pub use build::{Built, build};
 pub use people::{FigureParams, Person};

@@ -24,6 +24,8 @@ pub enum Source {
     FacialNorms,
     /// Farkas 1994.
     Farkas,
+    /// Mean of Zhuang et al. 2010 and Weinberg et al. 2016, whose gonia lie 16 mm apart.
+    JawMean,
 }
 
 impl Source {
@@ -35,6 +37,7 @@ impl Source {
             Self::Respirator => "Zhuang et al. 2010, doi:10.1093/annhyg/meq007",
             Self::FacialNorms => "Weinberg et al. 2016, doi:10.1597/15-199",
             Self::Farkas => "Farkas 1994",
+            Self::JawMean => "mean of Zhuang et al. 2010 and Weinberg et al. 2016",
         }
     }
 }

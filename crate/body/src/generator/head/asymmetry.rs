@@ -22,7 +22,7 @@ const STREAM: u64 = 0xA5;
 /// The person's own differences: each of the pulls stronger or weaker, mirrored for every
 /// second seed. `warp` carries a place on the mean head to the person's.
 pub(crate) fn pulls(seed: u64, amount: f64, warp: &dyn Fn(DVec3) -> DVec3) -> Vec<Pull> {
-    let flip = seed % 2 == 0;
+    let flip = seed.is_multiple_of(2);
     PULLS
         .iter()
         .enumerate()

@@ -138,11 +138,12 @@ fn tune(base: &Individual, targets: &[f64], amounts: &mut [f64]) {
 fn solve_dense(mut a: Vec<Vec<f64>>, mut b: Vec<f64>) -> Vec<f64> {
     let n = b.len();
     for i in 0..n {
-        for j in i + 1..n {
-            let f = a[j][i] / a[i][i];
-            for k in i..n {
-                let x = a[i][k];
-                a[j][k] -= f * x;
+        let (above, rest) = a.split_at_mut(i + 1);
+        let pivot = &above[i];
+        for (row, j) in rest.iter_mut().zip(i + 1..n) {
+            let f = row[i] / pivot[i];
+            for (x, p) in row.iter_mut().zip(pivot).skip(i) {
+                *x -= f * p;
             }
             b[j] -= f * b[i];
         }
@@ -180,32 +181,112 @@ fn complete(base: &Individual, amounts: &[f64]) -> Individual {
     all
 }
 
-/// Named points that the table must hold for the measures to be taken.
 #[cfg(test)]
-pub(crate) fn measured_on_the_table() -> bool {
-    let all = points(&Individual::default());
-    known().all(|(_, _, take)| {
-        let missing = std::cell::Cell::new(false);
-        take(&|key| {
-            all.get(&key).copied().unwrap_or_else(|| {
-                missing.set(true);
-                DVec3::ONE
-            })
-        });
-        !missing.get()
-    })
-}
+mod tests {
+    use super::*;
+    use crate::generator::head::{Measure, Measures};
+    use crate::generator::people;
 
-/// Name, mean, own distance and deviation of each known measure.
-pub(crate) fn report(
-    params: &HeadParams,
-    at: &dyn Fn(Key) -> DVec3,
-) -> Vec<(&'static str, f64, f64, f64)> {
-    known()
-        .map(|(d, row, take)| {
-            let norm = row.at(params.person.sex, params.person.age_years);
-            let own = take(at);
-            (d.name, norm.mean, own, (own - norm.mean) / norm.sd)
-        })
-        .collect()
+    fn mean_adult() -> HeadParams {
+        let mut head = HeadParams::sofia();
+        head.person.sex = 0.5;
+        head.person.age_years = TABLE_AGE_YEARS;
+        head.smile = 0.0;
+        head.asymmetry = 0.0;
+        head.measures = Measures::default();
+        head
+    }
+
+    fn tuned(params: &HeadParams) -> Vec<f64> {
+        let base = untuned(params);
+        let wanted = targets(params);
+        let mut amounts = vec![0.0; wanted.len()];
+        tune(&base, &wanted, &mut amounts);
+        distances(&complete(&base, &amounts))
+    }
+
+    #[test]
+    fn each_measure_moves_by_its_parameter_and_leaves_the_others() {
+        for name in ["mean", "sofia", "papous", "nuno"] {
+            let params = people::preset(name).map_or_else(mean_adult, |p| p.head);
+            let before = tuned(&params);
+            for (i, (d, row, _)) in known().enumerate() {
+                for step in [-1.0, 1.0] {
+                    let value = params.measures.get(d.measure) + step;
+                    let moved = HeadParams {
+                        measures: params.measures.with(d.measure, value),
+                        ..params
+                    };
+                    let after = tuned(&moved);
+                    let sd = row.at(params.person.sex, params.person.age_years).sd;
+                    for (k, ((a, b), (other, ..))) in
+                        after.iter().zip(&before).zip(known()).enumerate()
+                    {
+                        let want = if k == i { step * sd } else { 0.0 };
+                        let error = a - b - want;
+                        // A tenth of a millimetre, or five per cent of the step.
+                        let most = 0.1f64.max(0.05 * sd);
+                        assert!(
+                            error.abs() < most,
+                            "{name}: {} {step:+} moves {} by {error:.2} mm too much",
+                            d.name,
+                            other.name,
+                        );
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn the_solved_surface_has_the_measures_asked_for() {
+        let cage = Cage::new();
+        for name in ["sofia", "papous", "nuno"] {
+            let params = people::preset(name).map_or_else(mean_adult, |p| p.head);
+            let person = individual(&params, &cage);
+            let solved = solve::solve(&cage, &points(&person));
+            let at = |key: Key| solved.limit_of(cage.at(key, Side::Left), &solved.cage_points);
+            for ((d, _, take), want) in known().zip(targets(&params)) {
+                let got = take(&at);
+                assert!(
+                    (got - want).abs() < 1.0,
+                    "{name}: {} {got} for {want}",
+                    d.name
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn designed_measures_move_the_face() {
+        let plain = points(&untuned(&mean_adult()));
+        for d in DEFINITIONS.iter().filter(|d| d.norm.is_none()) {
+            let params = HeadParams {
+                measures: Measures::of(&[(d.measure, 1.0)]),
+                ..mean_adult()
+            };
+            let moved = points(&untuned(&params));
+            let most = plain
+                .iter()
+                .map(|(key, p)| (moved[key] - *p).length())
+                .fold(0.0, f64::max);
+            assert!((0.2..3.0).contains(&most), "{}: {most} mm", d.name);
+        }
+        assert_eq!(
+            Measure::from_name("nose_breadth"),
+            Some(Measure::NoseBreadth)
+        );
+        assert!(Measure::all().all(|m| Measure::from_name(m.name()) == Some(m)));
+    }
+
+    #[test]
+    fn every_measure_is_taken_between_named_points() {
+        let all = points(&Individual::default());
+        for (d, _, take) in known() {
+            take(&|key| {
+                *all.get(&key)
+                    .unwrap_or_else(|| panic!("{} needs {key:?}", d.name))
+            });
+        }
+    }
 }

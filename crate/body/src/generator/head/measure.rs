@@ -170,13 +170,13 @@ pub(crate) const DEFINITIONS: [Definition; 42] = {
             |at| SKULL_BACK.iter().map(|&k| (at(k) - at(G(0, 4))).length()).fold(0.0, f64::max), handle::HEAD_LENGTH),
         known(M::HeadBreadth, "head_breadth", "eu_l-eu_r", row!([154.3, 147.8], [5.5, 5.2], [0.955, 0.96], NO_CHANGE, Ansur),
             |at| most(at, &SKULL_SIDE, breadth), handle::HEAD_BREADTH),
-        known(M::HeadHeight, "head_height", "t-v", row!([131.2, 126.5], [6.2, 6.6], [0.955, 0.96], NO_CHANGE, Ansur),
+        known(M::HeadHeight, "head_height", "t_l-v", row!([131.2, 126.5], [6.2, 6.6], [0.955, 0.96], NO_CHANGE, Ansur),
             |at| most(at, &SKULL_TOP, |p| p.y), handle::HEAD_HEIGHT),
         known(M::ForeheadBreadth, "forehead_breadth", "ft_l-ft_r", row!([105.5, 102.9], [5.7, 5.4], [0.937, 0.952], NO_CHANGE, Respirator),
             |at| breadth(at(G(8, 3))), handle::FOREHEAD_BREADTH),
         known(M::FaceBreadth, "face_breadth", "zy_l-zy_r", row!([142.6, 133.8], [6.2, 5.6], [0.931, 0.947], [-0.008, -0.039], Ansur),
             |at| breadth(at(G(10, 8))), handle::FACE_BREADTH),
-        known(M::JawBreadth, "jaw_breadth", "go_l-go_r", row!([120.4, 110.1], [10.4, 8.9], [0.909, 0.929], NO_CHANGE, Respirator),
+        known(M::JawBreadth, "jaw_breadth", "go_l-go_r", row!([112.0, 103.5], [9.0, 7.8], [0.909, 0.929], NO_CHANGE, JawMean),
             |at| breadth(at(G(11, 24))), handle::JAW_BREADTH),
         known(M::FaceHeight, "face_height", "n-gn", row!([122.6, 113.1], [6.7, 6.1], [0.891, 0.916], [0.0225, 0.0373], Ansur),
             |at| (at(G(0, 6)) - at(G(0, 24))).length(), handle::FACE_HEIGHT),
@@ -197,19 +197,19 @@ pub(crate) const DEFINITIONS: [Definition; 42] = {
         known(M::MouthBreadth, "mouth_breadth", "ch_l-ch_r", row!([51.1, 48.5], [4.0, 3.7], [0.828, 0.85], [0.04, 0.03], FacialNorms),
             |at| breadth(at(Key::Mouth(1, 6))), handle::MOUTH_BREADTH),
         known(M::PhiltrumLength, "philtrum_length", "sn-ls", row!([16.3, 14.0], [2.5, 2.35], [0.859, 0.93], [0.04, 0.04], FacialNorms),
-            |at| (at(G(0, 14)) - at(Key::Mouth(1, 0))).length(), handle::PHILTRUM_LENGTH),
+            |at| at(G(0, 14)).y - at(Key::Mouth(1, 0)).y, handle::PHILTRUM_LENGTH),
         known(M::PhiltrumBreadth, "philtrum_breadth", "cph_l-cph_r", row!([13.1, 11.75], [1.74, 1.71], [0.832, 0.876], NO_CHANGE, FacialNorms),
             |at| breadth(at(Key::Mouth(1, 2))), handle::PHILTRUM_BREADTH),
-        known(M::UpperRed, "upper_red", "ls-sto", row!([7.6, 7.4], [1.6, 1.4], [0.945, 0.96], [-0.045, -0.04], FacialNorms),
+        known(M::UpperRed, "upper_red", "ls-sts", row!([7.6, 7.4], [1.6, 1.4], [0.945, 0.96], [-0.045, -0.04], FacialNorms),
             |at| at(Key::Mouth(1, 0)).y - at(Key::Mouth(4, 0)).y, handle::UPPER_RED),
-        known(M::LowerRed, "lower_red", "sto-li", row!([8.7, 8.6], [2.1, 1.7], [0.92, 0.872], [-0.05, -0.045], FacialNorms),
+        known(M::LowerRed, "lower_red", "sti-li", row!([8.7, 8.6], [2.1, 1.7], [0.92, 0.872], [-0.05, -0.045], FacialNorms),
             |at| at(Key::Mouth(4, 12)).y - at(Key::Mouth(1, 12)).y, handle::LOWER_RED),
         known(M::LowerLipSkin, "lower_lip_skin", "li-sl", row!([12.3, 10.6], [2.4, 2.2], [0.805, 0.896], NO_CHANGE, FacialNorms),
-            |at| (at(Key::Mouth(1, 12)) - at(G(0, 21))).length(), handle::LOWER_LIP_SKIN),
+            |at| at(Key::Mouth(1, 12)).y - at(G(0, 21)).y, handle::LOWER_LIP_SKIN),
         known(M::EarLength, "ear_length", "sa-sba", row!([64.2, 59.4], [4.5, 3.9], [0.93, 0.935], [0.139, 0.094], Ansur),
             |at| ear(at, |p| p.y) + ear(at, |p| -p.y), handle::EAR_LENGTH),
-        known(M::EarBreadth, "ear_breadth", "pra-pa", row!([36.1, 33.2], [3.0, 2.8], [0.96, 0.97], [0.055, 0.053], Ansur),
-            |at| at(Key::Ear(8, 1)).z + ear(at, |p| -p.z), handle::EAR_BREADTH),
+        known(M::EarBreadth, "ear_breadth", "t_l-pa_l", row!([36.1, 33.2], [3.0, 2.8], [0.96, 0.97], [0.055, 0.053], Ansur),
+            |at| at(G(12, 9)).z + ear(at, |p| -p.z), handle::EAR_BREADTH),
         designed(M::Bridge, "bridge", handle::BRIDGE),
         designed(M::Dorsum, "dorsum", handle::DORSUM),
         designed(M::TipLift, "tip_lift", handle::TIP_LIFT),
@@ -264,6 +264,42 @@ impl Measure {
     pub fn is_in_deviations(self) -> bool {
         self.definition().norm.is_some()
     }
+}
+
+/// A measure with statistics, as it is taken on a finished figure.
+#[derive(Clone, Copy, Debug)]
+pub struct KnownMeasure {
+    /// Its name.
+    pub name: &'static str,
+    /// Its ends in landmark names.
+    pub landmarks: &'static str,
+    /// What is known of it.
+    pub row: &'static Row,
+    /// Axis of a distance that is not taken straight, world frame.
+    pub along: Option<DVec3>,
+}
+
+/// The measures with statistics.
+pub fn known_measures() -> impl Iterator<Item = KnownMeasure> {
+    DEFINITIONS.iter().filter_map(|d| {
+        let (row, _) = d.norm.as_ref()?;
+        let along = match d.measure {
+            Measure::HeadHeight
+            | Measure::PhiltrumLength
+            | Measure::UpperRed
+            | Measure::LowerRed
+            | Measure::LowerLipSkin
+            | Measure::EarLength => Some(DVec3::Y),
+            Measure::EarBreadth => Some(DVec3::Z),
+            _ => None,
+        };
+        Some(KnownMeasure {
+            name: d.name,
+            landmarks: d.landmarks,
+            row,
+            along,
+        })
+    })
 }
 
 /// A person's measures: standard deviations or millimetres from the mean for sex and age,

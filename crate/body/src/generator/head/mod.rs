@@ -13,6 +13,7 @@ mod ear;
 mod eye;
 mod form;
 mod individual;
+mod landmark;
 mod measure;
 mod morph;
 mod mouth;
@@ -22,11 +23,14 @@ mod points;
 mod ride;
 mod rig;
 mod scalp;
+mod segment;
 pub(crate) mod solve;
 mod strands;
 mod surface;
 #[cfg(test)]
 mod tests;
+
+use std::collections::BTreeMap;
 
 use raconteur_base::{DVec3, Side, mirror_vector};
 use serde::{Deserialize, Serialize};
@@ -34,13 +38,14 @@ use serde::{Deserialize, Serialize};
 use self::cage::{Cage, Key, LAST_ROW, Zone};
 pub(crate) use self::chart::Places;
 use self::chart::{Chart, chart};
-pub use self::measure::{Measure, Measures};
+pub use self::measure::{KnownMeasure, Measure, Measures, known_measures};
 pub(crate) use self::paint::Coordinates;
 use self::paint::coordinates;
 use self::points::Individual;
 pub(crate) use self::ride::{Holds, Ride};
 use self::scalp::hairline;
 pub use self::scalp::{Ear, Proportions, Scalp, ScalpPoint};
+pub use self::segment::HeadSegment;
 use self::strands::BrowLine;
 pub use self::strands::BrowParams;
 use self::surface::{Surface, triangles};
@@ -129,6 +134,10 @@ pub struct Head {
     pub scalp: Scalp,
     /// The skin for the baking of its maps.
     pub(crate) sheet: HeadSheet,
+    /// Named points: name and vertex of the first part, the skin.
+    pub landmarks: Vec<(String, u32)>,
+    /// Segments of the first part, the skin.
+    pub segments: Vec<HeadSegment>,
 }
 
 /// The shape of a head before it is painted, millimetres.
@@ -326,6 +335,7 @@ pub fn build(params: &HeadParams) -> Head {
         ));
     }
 
+    let drawn = behind(&parts[0], positions);
     let menton = positions
         .iter()
         .zip(shares)
@@ -350,7 +360,30 @@ pub fn build(params: &HeadParams) -> Head {
             proportions,
         ),
         sheet,
+        landmarks: landmark::landmarks(&shape)
+            .into_iter()
+            .filter_map(|(name, v)| {
+                let at = drawn.iter().position(|&d| d == v)?;
+                Some((name, at as u32))
+            })
+            .collect(),
+        segments: segment::segments(&shape, &drawn),
     }
+}
+
+/// The surface's vertex behind each vertex of a part cut from it, by place: a part may hold
+/// a place twice where its texture has a seam.
+fn behind(part: &Part, positions: &[DVec3]) -> Vec<u32> {
+    let key = |p: DVec3| p.to_array().map(f64::to_bits);
+    let by_place: BTreeMap<[u64; 3], u32> = positions
+        .iter()
+        .zip(0u32..)
+        .map(|(&p, v)| (key(p * 1e-3), v))
+        .collect();
+    part.vertices
+        .iter()
+        .map(|v| by_place.get(&key(v.position)).copied().unwrap_or(u32::MAX))
+        .collect()
 }
 
 /// The faces of some zones as a part of their own, with vertices doubled along the chart's

@@ -111,6 +111,13 @@ impl Surface {
         self.used.len()
     }
 
+    /// The drawn vertex at the limit position of a cage vertex; `None` where none is drawn.
+    pub(crate) fn vertex_of(&self, cage_vertex: usize) -> Option<u32> {
+        // Subdivision keeps the vertices it starts from in front.
+        let fine = cage_vertex as u32;
+        self.used.iter().position(|&v| v == fine).map(|i| i as u32)
+    }
+
     /// Carries any quantity of the cage's vertices to the surface.
     pub(crate) fn apply<T>(&self, cage: &[T]) -> Vec<T>
     where

@@ -9,9 +9,13 @@ use super::*;
 use crate::generator::subdivide::{edge_faces, welded};
 use crate::skeleton::{Bone, Drive};
 
+fn params(name: &str) -> HeadParams {
+    crate::generator::people::preset(name).map_or_else(HeadParams::sofia, |p| p.head)
+}
+
 fn sofia() -> &'static Head {
     static HEAD: OnceLock<Head> = OnceLock::new();
-    HEAD.get_or_init(|| build(&HeadParams::sofia()))
+    HEAD.get_or_init(|| build(&params("sofia")))
 }
 
 fn symmetric() -> &'static Shape {
@@ -248,35 +252,92 @@ fn the_head_measures_like_a_womans() {
     assert_eq!(sofia().neck_rim.len(), 40);
 }
 
+/// A man of 70 and a boy of 9, mirror-symmetric.
+fn others() -> &'static [Shape; 2] {
+    static SHAPES: OnceLock<[Shape; 2]> = OnceLock::new();
+    SHAPES.get_or_init(|| {
+        ["papous", "nuno"].map(|name| {
+            Shape::of(&HeadParams {
+                asymmetry: 0.0,
+                ..params(name)
+            })
+        })
+    })
+}
+
+fn shapes() -> impl Iterator<Item = &'static Shape> {
+    core::iter::once(symmetric()).chain(others())
+}
+
 #[test]
-fn zz_print() {
-    for (name, params) in [("mean", mean_adult()), ("sofia", HeadParams::sofia())] {
-        let shape = Shape::of(&params);
-        println!("{name}");
-        for (m, n, d, z) in individual::report(&params, &|k| shape.limit(k, Side::Left)) {
-            println!("{m:24} {n:7.2} {d:7.2} z {z:5.2}");
-        }
-        println!(
-            "{:?}",
-            shape
-                .individual
-                .terms
-                .iter()
-                .map(|t| t.1)
-                .collect::<Vec<_>>()
-        );
+fn every_person_has_the_same_topology() {
+    let one = symmetric();
+    for other in others() {
+        assert_eq!(one.surface.faces, other.surface.faces);
     }
 }
 
-fn mean_adult() -> HeadParams {
-    HeadParams {
-        person: Person {
-            sex: 0.5,
-            age_years: 28.0,
-            ..HeadParams::sofia().person
-        },
-        smile: 0.0,
-        asymmetry: 0.0,
-        ..HeadParams::sofia()
+#[test]
+fn no_face_is_degenerate_or_flipped() {
+    for shape in shapes() {
+        let normals = vertex_normals(&shape.positions, &shape.surface.faces);
+        let mut worst = 1.0f64;
+        for (face, zone) in shape.surface.faces.iter().zip(&shape.surface.zones) {
+            // What is hidden behind lids, lips and in canals may crease.
+            if matches!(
+                zone,
+                Zone::Eye(5..) | Zone::Mouth(4..) | Zone::Nostril(1..) | Zone::Ear(_)
+            ) {
+                continue;
+            }
+            let p = |i: usize| shape.positions[face[i] as usize];
+            let across = (p(2) - p(0)).cross(p(face.len() - 1) - p(1));
+            assert!(across.length() > 1e-4, "{zone:?} at {}", p(0));
+            let mean: DVec3 = face.iter().map(|&v| normals[v as usize]).sum();
+            if face.len() == 4 {
+                worst = worst.min(across.normalize().dot(mean.normalize()));
+            }
+        }
+        assert!(worst > 0.2, "{worst}");
+    }
+}
+
+#[test]
+fn one_hundred_landmarks_lie_where_their_names_say() {
+    let head = sofia();
+    assert!(head.landmarks.len() >= 100, "{}", head.landmarks.len());
+    let at = |name: &str| {
+        let found = head.landmarks.iter().find(|l| l.0 == name);
+        let vertex = found.unwrap_or_else(|| panic!("a landmark {name}")).1;
+        head.parts[0].vertices[vertex as usize].position
+    };
+    let names: std::collections::BTreeSet<&str> =
+        head.landmarks.iter().map(|l| l.0.as_str()).collect();
+    assert_eq!(names.len(), head.landmarks.len());
+    // From above to below, and from front to back.
+    for pair in ["v", "tr", "g", "n", "prn", "sn", "ls", "li", "sl", "gn"].windows(2) {
+        assert!(at(pair[0]).y > at(pair[1]).y, "{pair:?}");
+    }
+    assert!(at("prn").z > at("n").z && at("n").z > at("ex_l").z && at("op").z < at("t_l").z);
+    assert!(at("eu_l").x > at("zy_l").x && at("zy_l").x > at("ex_l").x);
+    assert!(at("ex_l").x > at("en_l").x && at("en_l").x > 0.0 && at("en_r").x < 0.0);
+}
+
+#[test]
+fn segments_cover_the_skin_once() {
+    let head = sofia();
+    let mut owners = vec![0; head.parts[0].vertices.len()];
+    for (i, s) in head.segments.iter().enumerate() {
+        assert!(s.parent.is_none_or(|p| p < i));
+        for &[first, count] in &s.runs {
+            for owner in &mut owners[first as usize..(first + count) as usize] {
+                *owner += 1;
+            }
+        }
+    }
+    assert!(owners.iter().all(|&n| n == 1));
+    for s in &head.segments {
+        let inner = ["face", "eyes", "nose", "mouth", "chin"].contains(&s.name);
+        assert_eq!(s.runs.is_empty(), inner, "{}", s.name);
     }
 }

@@ -4,7 +4,7 @@ use super::{FigureParams, Person};
 use crate::generator::cloth::{Hoodie, Outfit};
 use crate::generator::hair::{HairColour, HairParams, HairStyle};
 use crate::generator::hand::HandParams;
-use crate::generator::head::{BrowParams, HeadParams};
+use crate::generator::head::{BrowParams, HeadParams, Measure, Measures};
 use crate::generator::skin::SkinParams;
 use crate::generator::torso::BodyParams;
 
@@ -34,7 +34,21 @@ pub(super) fn params() -> FigureParams {
 fn head() -> HeadParams {
     HeadParams {
         person: PERSON,
-        smile: 0.7,
+        smile: 0.8,
+        measures: Measures::of(&[
+            (Measure::NoseBreadth, 0.3),
+            (Measure::FissureHeight, 0.5),
+            (Measure::MouthBreadth, 0.4),
+            (Measure::UpperRed, -0.3),
+            (Measure::HeadBreadth, 0.3),
+            (Measure::CheekFullness, 0.8),
+            (Measure::EarProtrusion, 2.5),
+            (Measure::TipLift, 0.6),
+            (Measure::Bridge, -0.5),
+            (Measure::BrowHeight, -0.6),
+            (Measure::ChinBreadth, -0.6),
+            (Measure::CanthalTilt, -0.3),
+        ]),
         seed: 8,
         ..HeadParams::sofia()
     }

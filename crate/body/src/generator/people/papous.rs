@@ -4,7 +4,7 @@ use super::{FigureParams, Person};
 use crate::generator::cloth::{Cardigan, Outfit};
 use crate::generator::hair::{BeardParams, HairColour, HairParams, HairStyle};
 use crate::generator::hand::HandParams;
-use crate::generator::head::{BrowParams, HeadParams};
+use crate::generator::head::{BrowParams, HeadParams, Measure, Measures};
 use crate::generator::skin::SkinParams;
 use crate::generator::torso::BodyParams;
 
@@ -34,7 +34,24 @@ pub(super) fn params() -> FigureParams {
 fn head() -> HeadParams {
     HeadParams {
         person: PERSON,
-        smile: 0.5,
+        smile: 0.6,
+        measures: Measures::of(&[
+            (Measure::FaceHeight, 0.4),
+            (Measure::NoseProtrusion, 0.6),
+            (Measure::EarLength, 0.4),
+            (Measure::MouthBreadth, 0.3),
+            (Measure::JawBreadth, 0.3),
+            (Measure::Dorsum, 1.0),
+            (Measure::BrowRidge, 0.8),
+            (Measure::Cheekbone, 1.2),
+            (Measure::EyeBag, 1.2),
+            (Measure::NasolabialFold, 1.3),
+            (Measure::Jowl, 0.8),
+            (Measure::NeckCord, 1.4),
+            (Measure::MouthCorner, 0.8),
+            (Measure::LidHood, 0.3),
+            (Measure::CheekFullness, -0.6),
+        ]),
         seed: 5,
         ..HeadParams::sofia()
     }

@@ -4,7 +4,7 @@ use super::{FigureParams, Person};
 use crate::generator::cloth::{Outfit, Sweater};
 use crate::generator::hair::{HairColour, HairParams, HairStyle};
 use crate::generator::hand::HandParams;
-use crate::generator::head::{BrowParams, HeadParams};
+use crate::generator::head::{BrowParams, HeadParams, Measure, Measures};
 use crate::generator::skin::SkinParams;
 use crate::generator::torso::BodyParams;
 
@@ -33,7 +33,27 @@ pub(super) fn params() -> FigureParams {
 fn head() -> HeadParams {
     HeadParams {
         person: PERSON,
-
+        smile: 0.6,
+        measures: Measures::of(&[
+            (Measure::FaceHeight, 0.2),
+            (Measure::NoseBreadth, -0.5),
+            (Measure::NoseProtrusion, 0.3),
+            (Measure::MouthBreadth, -0.3),
+            (Measure::UpperRed, 0.7),
+            (Measure::LowerRed, 0.6),
+            (Measure::FissureHeight, 0.4),
+            (Measure::JawBreadth, -0.9),
+            (Measure::InnerCanthalBreadth, -0.3),
+            (Measure::PhiltrumBreadth, -0.4),
+            (Measure::Bridge, 0.8),
+            (Measure::TipLift, 0.6),
+            (Measure::ChinBreadth, -1.5),
+            (Measure::Cheekbone, 1.0),
+            (Measure::CanthalTilt, 0.4),
+            (Measure::BrowHeight, 0.5),
+            (Measure::LipProtrusion, 0.4),
+        ]),
+        seed: 3,
         ..HeadParams::sofia()
     }
 }

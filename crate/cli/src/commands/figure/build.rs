@@ -36,8 +36,9 @@ impl Build {
         };
         let bar = ProgressBar::new_spinner().with_message(format!("building {}", params.name));
         bar.enable_steady_tick(Duration::from_millis(120));
-        let figure = generator::build(&params).figure;
-        let glb = write::to_glb(&figure);
+        let built = generator::build(&params);
+        let figure = &built.figure;
+        let glb = write::to_annotated_glb(figure, &built.annotations);
         bar.finish_and_clear();
         replace(&self.output, &glb)?;
         let triangles: usize = figure.meshes.iter().map(|m| m.indices.len() / 3).sum();

@@ -3,6 +3,7 @@
 mod build;
 mod export;
 mod file;
+mod measure;
 mod obj;
 mod params;
 mod sheet;
@@ -25,6 +26,7 @@ enum Action {
     Params(params::Params),
     Sheet(sheet::Sheet),
     Export(export::Export),
+    Measure(measure::Measure),
 }
 
 impl Figure {
@@ -34,6 +36,7 @@ impl Figure {
             Action::Params(c) => c.run(),
             Action::Sheet(c) => c.run(),
             Action::Export(c) => c.run(),
+            Action::Measure(c) => c.run(),
         }
     }
 }

@@ -72,7 +72,16 @@ pub(crate) const NOSE_BREADTH: Form = Form::of(|key, p| match key {
     Key::Grid(6 | 7, 9..=14) => v(0.3, 0.0, 0.0),
     _ => DVec3::ZERO,
 });
-pub(crate) const NOSE_PROTRUSION: Form = Form::of(|key, _| v(0.0, 0.0, 1.0) * nose_tip(key));
+/// The tip comes forward while the base of the columella stays, or the distance between
+/// them would not change.
+pub(crate) const NOSE_PROTRUSION: Form = Form::of(|key, _| match key {
+    Key::Grid(i @ 0..=5, j @ 8..=13) => {
+        let row = [0.2, 0.55, 0.9, 1.0, 0.85, 0.45][usize::from(j) - 8];
+        let side = if i < 3 { 1.0 } else { 0.45 };
+        v(0.0, 0.0, row * side)
+    }
+    _ => DVec3::ZERO,
+});
 pub(crate) const TIP_LIFT: Form = Form::of(|key, _| v(0.0, 1.0, -0.1) * nose_tip(key));
 
 const INNER: [Knot; 6] = [
