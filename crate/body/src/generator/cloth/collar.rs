@@ -114,8 +114,8 @@ pub fn shirt_collar(wearer: &Wearer<'_>) -> Shell {
 /// A hood that hangs down: a roll round the neck, open in front, with a bag behind.
 #[must_use]
 pub fn hood(wearer: &Wearer<'_>, clear_cm: f64) -> Shell {
-    const STATIONS: usize = 45;
-    const AROUND: usize = 14;
+    const STATIONS: usize = 37;
+    const AROUND: usize = 12;
     let unit = CM * wearer.scale;
     let field = wearer.field;
     let neck_y = wearer.joints.at(Bone::Cervical).y;

@@ -606,7 +606,7 @@ fn hoodie(wearer: &Wearer<'_>, c: &Hoodie) -> Dressed {
 /// The edge of a T-shirt that shows in the hood's opening.
 fn t_shirt(wearer: &Wearer<'_>, dye: [f64; 3]) -> Part {
     let unit = CM * wearer.scale;
-    let rows = Cage::row_at(0.79)..Cage::row_at(0.842);
+    let rows = Cage::row_at(0.814)..Cage::row_at(0.842);
     let mut sheet = Sheet::cut(
         wearer.cage,
         |t| matches!(t, Tag::Trunk(r) if rows.contains(&r)),

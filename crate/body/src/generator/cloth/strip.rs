@@ -311,7 +311,7 @@ fn orient(shell: &mut Shell, path: &[Spot], m: usize, k: usize) {
 /// A dished disc with a rounded rim.
 #[must_use]
 pub fn button(spot: &Spot, radius: f64) -> Shell {
-    const AROUND: usize = 10;
+    const AROUND: usize = 8;
     const PROFILE: [(f64, f64); 5] = [
         (1.0, -0.1),
         (1.03, 0.26),

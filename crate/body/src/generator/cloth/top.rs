@@ -127,7 +127,7 @@ pub fn top(wearer: &Wearer<'_>, cut: &TopCut, below: &Shell) -> Top {
     };
     out.find_edges();
     let mut cloth = prepare(&out, wearer, cut);
-    let waist = cage.row_height(Cage::row_at(0.61));
+    let waist = cage.row_height(Cage::row_at(0.635));
     let thickness = |p: DVec3| {
         let below = if along_arm(joints, p) < 0.0 || p.y < waist - 0.1 {
             fade(p.y, waist, waist - 5.0 * unit)
@@ -145,7 +145,7 @@ pub fn top(wearer: &Wearer<'_>, cut: &TopCut, below: &Shell) -> Top {
     out.sheet.shell.relax(1);
     let lay = Lay::new(below);
     for _ in 0..2 {
-        clear(&mut out.sheet.shell, &lay, 0.45 * unit);
+        clear(&mut out.sheet.shell, &lay, 0.55 * unit);
     }
     out
 }

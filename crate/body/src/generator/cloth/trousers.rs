@@ -83,7 +83,10 @@ pub fn trousers(wearer: &Wearer<'_>, cut: &TrouserCut) -> (Vec<Part>, Shell) {
         let band = along_edge(shell, &ring, &edge_band(cut, is_leg, unit), wearer.field);
         let chart = if is_leg { leg_chart(first.x) } else { 0 };
         parts.push(part_of(&band, &[], cut.fabric.shaded(0.96), &|_| chart));
-        surface.append(band);
+        // The waistband's rim would mislead what lies over it.
+        if is_leg {
+            surface.append(band);
+        }
     }
     let lay = Lay::new(&sheet.shell);
     for piece in trimmings(&sheet, &lay, cut, hip_x, unit) {

@@ -140,7 +140,7 @@ impl Sections {
             let waist = bell(row[0], waist_at, 0.06);
             row[1] *= wide * (1.0 + 0.05 * p.build * waist) * (1.0 + 0.07 * old * waist);
             row[2] = row[2] * wide
-                + (3.6 + 2.5 * p.build.max(0.0)) * old * scale * bell(row[0], waist_at, 0.055);
+                + (5.6 + 2.5 * p.build.max(0.0)) * old * scale * bell(row[0], waist_at, 0.055);
             row[3] *= wide * (1.0 - 0.08 * old * bell(row[0], 0.51, 0.04));
             row[4] += p.stoop_m(row[0] * p.stature_m) / CM;
         }
