@@ -27,10 +27,9 @@ pub struct Band {
 
 /// Share of the width and height in thicknesses of the profile's points, from under the
 /// cloth's edge over the outside to the inside.
-const PROFILE: [(f64, f64); 7] = [
-    (-0.12, -0.3),
-    (-0.05, 0.95),
-    (0.06, 1.15),
+const PROFILE: [(f64, f64); 6] = [
+    (-0.10, 0.3),
+    (0.05, 1.15),
     (0.5, 1.1),
     (0.94, 1.0),
     (1.0, 0.45),

@@ -77,10 +77,11 @@ pub fn shirt_collar(wearer: &Wearer<'_>) -> Shell {
         let (front, back) = (ops::cos(a).max(0.0), (-ops::cos(a)).max(0.0));
         let from_middle = deg.min(360.0 - deg);
         // 1 at the collar's points.
-        let point = ops::exp(-ops::pow((from_middle - GAP) / 26.0, 2.0));
+        let point = ops::exp(-ops::pow((from_middle - GAP) / 20.0, 2.0));
+        let side = if deg < 180.0 { 1.0 } else { -1.0 };
         let foot = base - (4.4 * front - 1.0 * back) * unit;
         let stand = 3.1 * (1.0 - 0.30 * front) * unit;
-        let fall = (4.3 + 3.0 * point) * unit;
+        let fall = (3.7 + 2.4 * point) * unit;
         let at = |up: f64, off_cm: f64| field.neck_point(a, foot + up, off_cm * unit);
         for (k, (up, off)) in [
             (-1.0 * unit, 0.55),
@@ -95,8 +96,11 @@ pub fn shirt_collar(wearer: &Wearer<'_>) -> Shell {
             rows[k].push(at(up, off));
         }
         for (k, (down, off, clear)) in FALL.into_iter().enumerate() {
-            let mut p = at(stand - fall * down, off + 0.9 * point * down);
-            keep_off(field, &mut p, (clear + 0.35 * point) * unit);
+            // The ends spread apart as they fall.
+            let turned = a + side * (13.0 * down * point).to_radians();
+            let out = (off + 0.9 * point * down) * unit;
+            let mut p = field.neck_point(turned, foot + stand - fall * down, out);
+            keep_off(field, &mut p, (clear + 0.25 * point) * unit);
             rows[5 + k].push(p);
         }
     }
@@ -110,8 +114,8 @@ pub fn shirt_collar(wearer: &Wearer<'_>) -> Shell {
 /// A hood that hangs down: a roll round the neck, open in front, with a bag behind.
 #[must_use]
 pub fn hood(wearer: &Wearer<'_>, clear_cm: f64) -> Shell {
-    const STATIONS: usize = 45;
-    const AROUND: usize = 14;
+    const STATIONS: usize = 37;
+    const AROUND: usize = 12;
     let unit = CM * wearer.scale;
     let field = wearer.field;
     let neck_y = wearer.joints.at(Bone::Cervical).y;

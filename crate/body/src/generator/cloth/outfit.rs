@@ -130,22 +130,28 @@ fn socks(wearer: &Wearer<'_>, dye: [f64; 3]) -> Part {
 }
 
 /// Starts an outfit with what every one has: trousers, socks, shoes.
-fn below(wearer: &Wearer<'_>, cut: &TrouserCut, shoe: &ShoeCut, sock: [f64; 3]) -> Dressed {
-    let (mut parts, surface) = trousers(wearer, cut);
+fn below(
+    wearer: &Wearer<'_>,
+    cut: &TrouserCut,
+    shoe: &ShoeCut,
+    sock: [f64; 3],
+) -> (Dressed, Shell) {
+    let (mut parts, shell) = trousers(wearer, cut);
     parts.push(socks(wearer, sock));
     parts.extend(shoes(wearer, shoe));
-    Dressed { parts, surface }
+    let surface = shell.clone();
+    (Dressed { parts, surface }, shell)
 }
 
 fn sweater(wearer: &Wearer<'_>, c: &Sweater) -> Dressed {
     let unit = CM * wearer.scale;
-    let mut made = below(
+    let (mut made, trousers) = below(
         wearer,
         &TrouserCut {
             fabric: cloth(MaterialKind::Woven, c.trousers),
             ease_cm: [0.75, 1.5],
-            slack: 0.03,
-            gather: 1.0,
+            slack: 0.022,
+            gather: 1.1,
             end: LegEnd::Plain,
             back_pockets: false,
             seed: 2,
@@ -167,19 +173,19 @@ fn sweater(wearer: &Wearer<'_>, c: &Sweater) -> Dressed {
         straight: 0.45,
         ease_cm: [0.5, 1.0],
         sleeve_ease_cm: 0.95,
-        slack: 0.05,
-        gather: 1.0,
-        over_cm: [0.0, 1.0],
+        slack: 0.045,
+        gather: 1.25,
+        over_cm: [0.0, 0.8],
         seed: 1,
     };
-    let mut top = top(wearer, &cut);
+    let mut top = top(wearer, &cut, &trousers);
     top.sew(wearer);
     // A soft neck, turned over once.
     let rib = knit.woven(MaterialKind::Rib);
     let stand = Band {
         direction: up_the_neck(),
-        width: 3.6 * unit,
-        thickness: 0.55 * unit,
+        width: 3.2 * unit,
+        thickness: 0.5 * unit,
         ease: 0.45 * unit,
         regions: Regions::ALL,
         every: 1,
@@ -187,7 +193,13 @@ fn sweater(wearer: &Wearer<'_>, c: &Sweater) -> Dressed {
     add(&mut made, [top.band(wearer, &top.neck, &stand, rib)]);
     add(
         &mut made,
-        top.rib_bands(wearer, knit.shaded(0.95), [5.0, 5.5], 1.5),
+        top.rib_bands(
+            wearer,
+            knit.shaded(0.95),
+            [5.0, 5.5],
+            [1.3, 0.42],
+            &trousers,
+        ),
     );
     finish_top(&mut made, wearer, &top, &cut);
     made
@@ -223,13 +235,13 @@ impl Vee {
 
 fn cardigan(wearer: &Wearer<'_>, c: &Cardigan) -> Dressed {
     let unit = CM * wearer.scale;
-    let mut made = below(
+    let (mut made, trousers) = below(
         wearer,
         &TrouserCut {
             fabric: cloth(MaterialKind::Corduroy, c.trousers),
             ease_cm: [1.0, 2.3],
-            slack: 0.035,
-            gather: 1.15,
+            slack: 0.022,
+            gather: 1.3,
             end: LegEnd::Plain,
             back_pockets: false,
             seed: 12,
@@ -252,14 +264,14 @@ fn cardigan(wearer: &Wearer<'_>, c: &Cardigan) -> Dressed {
         fabric: knit,
         reach: [0.553, 0.838],
         straight: 0.6,
-        ease_cm: [1.15, 1.5],
-        sleeve_ease_cm: 1.25,
+        ease_cm: [0.95, 1.5],
+        sleeve_ease_cm: 1.1,
         slack: 0.06,
         gather: 1.15,
         over_cm: [0.45, 1.0],
         seed: 11,
     };
-    let mut top = top(wearer, &cut);
+    let mut top = top(wearer, &cut, &trousers);
     let neck_z = -2.5 * unit;
     let reach = wearer.field.neck_radius() + 1.7 * unit;
     open_front(
@@ -329,7 +341,13 @@ fn cardigan(wearer: &Wearer<'_>, c: &Cardigan) -> Dressed {
     }
     add(
         &mut made,
-        top.rib_bands(wearer, knit.shaded(0.94), [5.0, 5.0], 1.7),
+        top.rib_bands(
+            wearer,
+            knit.shaded(0.94),
+            [5.0, 5.0],
+            [1.5, 1.05],
+            &trousers,
+        ),
     );
     finish_top(&mut made, wearer, &top, &cut);
     made
@@ -401,7 +419,10 @@ fn shirt(made: &mut Dressed, wearer: &Wearer<'_>, c: &Cardigan, vee: &Vee) {
             .map(|&v| shell.points[v as usize])
             .sum::<DVec3>()
             / face.len() as f64;
+        // Up to the foot of the collar, which climbs from the front to the nape.
+        let round = DVec3::new(middle.x, 0.0, middle.z + 2.5 * unit).normalize_or_zero();
         middle.z > -2.0 * unit
+            && middle.y < vee.high + (2.9 - 4.2 * round.z.max(0.0)) * unit
             && middle.y > vee.low - 4.0 * unit
             && middle.x.abs() < vee.half_width(middle.y + 3.0 * unit) + 1.6 * unit
     });
@@ -446,7 +467,7 @@ fn cuffs(made: &mut Dressed, wearer: &Wearer<'_>, fabric: Fabric) {
     let unit = CM * wearer.scale;
     let first = Cage::arm_ring_at(1.85);
     let mut sheet = Sheet::cut(wearer.cage, |t| matches!(t, Tag::Arm(j) if j >= first));
-    sheet.settle(wearer.field, Regions::UPPER, |_| 1.0, |_| 0.32 * unit);
+    sheet.settle(wearer.field, Regions::UPPER, |_| 1.0, |_| 0.6 * unit);
     made.parts.push(trim(wearer, &sheet.shell, fabric));
     for ring in sheet.shell.loops() {
         let x: f64 = ring.iter().map(|&v| sheet.shell.points[v as usize].x).sum();
@@ -463,7 +484,7 @@ fn cuffs(made: &mut Dressed, wearer: &Wearer<'_>, fabric: Fabric) {
             direction: axis,
             width: 1.0 * unit,
             thickness: 0.16 * unit,
-            ease: 0.3 * unit,
+            ease: 0.62 * unit,
             regions: Regions::UPPER,
             every: 1,
         };
@@ -474,13 +495,13 @@ fn cuffs(made: &mut Dressed, wearer: &Wearer<'_>, fabric: Fabric) {
 
 fn hoodie(wearer: &Wearer<'_>, c: &Hoodie) -> Dressed {
     let unit = CM * wearer.scale;
-    let mut made = below(
+    let (mut made, trousers) = below(
         wearer,
         &TrouserCut {
             fabric: cloth(MaterialKind::Denim, c.denim),
             ease_cm: [0.95, 1.9],
-            slack: 0.045,
-            gather: 1.25,
+            slack: 0.03,
+            gather: 1.35,
             end: LegEnd::Rolled,
             back_pockets: true,
             seed: 22,
@@ -507,7 +528,7 @@ fn hoodie(wearer: &Wearer<'_>, c: &Hoodie) -> Dressed {
         over_cm: [0.2, 1.0],
         seed: 21,
     };
-    let mut top = top(wearer, &cut);
+    let mut top = top(wearer, &cut, &trousers);
     top.sew(wearer);
     let neckband = Band {
         direction: up_the_neck(),
@@ -571,7 +592,13 @@ fn hoodie(wearer: &Wearer<'_>, c: &Hoodie) -> Dressed {
         .push(trim(wearer, &strip(&path, &mouth), fleece.shaded(0.93)));
     add(
         &mut made,
-        top.rib_bands(wearer, fleece.shaded(0.92), [5.0, 4.6], 1.8),
+        top.rib_bands(
+            wearer,
+            fleece.shaded(0.92),
+            [5.0, 4.6],
+            [1.5, 0.5],
+            &trousers,
+        ),
     );
     finish_top(&mut made, wearer, &top, &cut);
     made
@@ -580,7 +607,7 @@ fn hoodie(wearer: &Wearer<'_>, c: &Hoodie) -> Dressed {
 /// The edge of a T-shirt that shows in the hood's opening.
 fn t_shirt(wearer: &Wearer<'_>, dye: [f64; 3]) -> Part {
     let unit = CM * wearer.scale;
-    let rows = Cage::row_at(0.79)..Cage::row_at(0.842);
+    let rows = Cage::row_at(0.814)..Cage::row_at(0.842);
     let mut sheet = Sheet::cut(
         wearer.cage,
         |t| matches!(t, Tag::Trunk(r) if rows.contains(&r)),

@@ -62,7 +62,7 @@ const SNEAKER: [[f64; 4]; 11] = [
     [0.98, 0.54, 0.155, 0.0],
     [1.0, 0.20, 0.10, 0.0],
 ];
-const AROUND: usize = 20;
+const AROUND: usize = 16;
 
 /// Stations along the foot: close at heel and toe.
 fn stations(profile: &[[f64; 4]; 11]) -> Vec<[f64; 4]> {

@@ -39,6 +39,30 @@ impl<'a> Lay<'a> {
         self.nearest(p, |q| q.distance_squared(p))
     }
 
+    /// Height of its highest point, metres.
+    #[must_use]
+    pub fn top(&self) -> f64 {
+        self.shell
+            .points
+            .iter()
+            .map(|p| p.y)
+            .fold(f64::MIN, f64::max)
+    }
+
+    /// The point, moved out along the surface's normal if it lies less than `off` metres
+    /// outside.
+    #[must_use]
+    pub fn outside(&self, p: DVec3, off: f64) -> DVec3 {
+        let spot = self.nearest_of(|_| true, |q| q.distance_squared(p));
+        let d = (p - spot.place).dot(spot.normal);
+        // A point far inside has met the other side.
+        if d < off && d > -0.06 {
+            p + spot.normal * (off - d)
+        } else {
+            p
+        }
+    }
+
     /// The surface as seen from the front (`z` above zero) or the back: where a point
     /// lies in depth does not matter.
     #[must_use]
@@ -287,7 +311,7 @@ fn orient(shell: &mut Shell, path: &[Spot], m: usize, k: usize) {
 /// A dished disc with a rounded rim.
 #[must_use]
 pub fn button(spot: &Spot, radius: f64) -> Shell {
-    const AROUND: usize = 10;
+    const AROUND: usize = 8;
     const PROFILE: [(f64, f64); 5] = [
         (1.0, -0.1),
         (1.03, 0.26),

@@ -11,10 +11,11 @@ use super::finish::{Chart, Fabric, Unrolling, cloth_part};
 use super::fold::{Chance, Fold, Line, Ring, crease};
 use super::seam::{Stitch, sew};
 use super::sheet::Sheet;
+use super::strip::Lay;
 use super::wearer::Wearer;
 use crate::figure::MaterialKind;
 use crate::generator::part::Part;
-use crate::generator::torso::cage::{HOLE, Key, RING, Tag, armhole};
+use crate::generator::torso::cage::{HOLE, Key, RING, Tag};
 use crate::generator::torso::{CM, Cage, Field, Joints, Regions, Shell};
 use crate::skeleton::Bone;
 
@@ -85,9 +86,9 @@ fn arm_share(shell: &Shell) -> Vec<f64> {
         .collect()
 }
 
-/// Cuts, settles and drapes a top on its wearer.
+/// Cuts, settles and drapes a top on its wearer, outside what is worn below it.
 #[must_use]
-pub fn top(wearer: &Wearer<'_>, cut: &TopCut) -> Top {
+pub fn top(wearer: &Wearer<'_>, cut: &TopCut, below: &Shell) -> Top {
     let (cage, joints) = (wearer.cage, wearer.joints);
     let unit = CM * wearer.scale;
     let rows = Cage::row_at(cut.reach[0])..Cage::row_at(cut.reach[1]);
@@ -126,7 +127,7 @@ pub fn top(wearer: &Wearer<'_>, cut: &TopCut) -> Top {
     };
     out.find_edges();
     let mut cloth = prepare(&out, wearer, cut);
-    let waist = cage.row_height(Cage::row_at(0.61));
+    let waist = cage.row_height(Cage::row_at(0.635));
     let thickness = |p: DVec3| {
         let below = if along_arm(joints, p) < 0.0 || p.y < waist - 0.1 {
             fade(p.y, waist, waist - 5.0 * unit)
@@ -141,7 +142,23 @@ pub fn top(wearer: &Wearer<'_>, cut: &TopCut) -> Top {
     };
     drape(&mut cloth, &params, wearer.field, &thickness);
     out.sheet.shell = cloth.shell;
+    out.sheet.shell.relax(1);
+    let lay = Lay::new(below);
+    for _ in 0..2 {
+        clear(&mut out.sheet.shell, &lay, 0.55 * unit);
+    }
     out
+}
+
+/// Pushes the trunk's cloth out of what is worn below it.
+fn clear(shell: &mut Shell, below: &Lay<'_>, off: f64) {
+    let high = below.top() + 0.02;
+    let arm = arm_share(shell);
+    for (p, arm) in shell.points.iter_mut().zip(arm) {
+        if arm < 0.5 && p.y < high {
+            *p = below.outside(*p, off);
+        }
+    }
 }
 
 impl Top {
@@ -172,8 +189,8 @@ impl Top {
             let column = |q: usize| {
                 if side == Side::Left { q } else { (24 - q) % 24 }
             };
-            let hole = armhole();
-            let ring = (0..=RING).map(|k| Key::Trunk(hole[k % RING].0, column(hole[k % RING].1)));
+            // Set in at the shoulder's corner, a ring outside the cage's armhole.
+            let ring = (0..=RING).map(|k| Key::Arm(side, 0, k % RING));
             lines.push(self.sheet.line(ring));
             // The side's seam goes on below the sleeve.
             let side_seam = (0..=HOLE.0).map(|r| Key::Trunk(r, column(6)));
@@ -251,7 +268,8 @@ impl Top {
         wearer: &Wearer<'_>,
         fabric: Fabric,
         [hem_cm, cuff_cm]: [f64; 2],
-        hem_ease_cm: f64,
+        [hem_ease_cm, cuff_ease_cm]: [f64; 2],
+        below: &Shell,
     ) -> Vec<(Part, Shell)> {
         let unit = CM * wearer.scale;
         let rib = fabric.woven(MaterialKind::Rib);
@@ -263,7 +281,15 @@ impl Top {
             regions: Regions::LOWER,
             every: 1,
         };
-        let mut out = vec![self.band(wearer, &self.hem, &hem, rib)];
+        let (mut part, mut shell) = self.band(wearer, &self.hem, &hem, rib);
+        let lay = Lay::new(below);
+        for v in &mut part.vertices {
+            v.position = lay.outside(v.position, 0.3 * unit);
+        }
+        for p in &mut shell.points {
+            *p = lay.outside(*p, 0.3 * unit);
+        }
+        let mut out = vec![(part, shell)];
         for cuff in &self.cuffs {
             let first = cuff
                 .first()
@@ -273,7 +299,7 @@ impl Top {
                 direction: mirrored_to(side, Joints::arm_axis()),
                 width: cuff_cm * unit,
                 thickness: 0.25 * unit,
-                ease: 0.42 * unit,
+                ease: cuff_ease_cm * unit,
                 regions: Regions::UPPER,
                 every: 1,
             };

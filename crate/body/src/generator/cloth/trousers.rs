@@ -17,6 +17,9 @@ use crate::generator::torso::cage::{COLUMNS, Key, Tag};
 use crate::generator::torso::{CM, Cage, Regions, Shell};
 use crate::skeleton::Bone;
 
+/// Where the waistband begins, share of an adult's stature.
+const TOP: f64 = 0.580;
+
 /// How the legs end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LegEnd {
@@ -80,7 +83,10 @@ pub fn trousers(wearer: &Wearer<'_>, cut: &TrouserCut) -> (Vec<Part>, Shell) {
         let band = along_edge(shell, &ring, &edge_band(cut, is_leg, unit), wearer.field);
         let chart = if is_leg { leg_chart(first.x) } else { 0 };
         parts.push(part_of(&band, &[], cut.fabric.shaded(0.96), &|_| chart));
-        surface.append(band);
+        // The waistband's rim would mislead what lies over it.
+        if is_leg {
+            surface.append(band);
+        }
     }
     let lay = Lay::new(&sheet.shell);
     for piece in trimmings(&sheet, &lay, cut, hip_x, unit) {
@@ -123,12 +129,12 @@ fn charts(wearer: &Wearer<'_>) -> ([Chart; 3], f64) {
 fn draped(wearer: &Wearer<'_>, cut: &TrouserCut) -> Sheet {
     let unit = CM * wearer.scale;
     let joints = wearer.joints;
-    let top_row = Cage::row_at(0.596);
-    let last_span = Cage::leg_ring_at(1.90);
+    let top_row = Cage::row_at(TOP);
+    let last_span = Cage::leg_ring_at(1.94);
     let mut sheet = Sheet::cut(wearer.cage, |tag| match tag {
         Tag::Trunk(r) => r < top_row,
         Tag::Arm(_) => false,
-        Tag::Leg(j) => j < last_span,
+        Tag::Leg(j) => j <= last_span,
     });
     let hip = joints.at(Bone::LHip);
     let length = hip.y - joints.at(Bone::LSubtalar).y;
@@ -207,6 +213,7 @@ fn draped(wearer: &Wearer<'_>, cut: &TrouserCut) -> Sheet {
     };
     drape(&mut cloth, &params, wearer.field, &|_| 0.45 * unit);
     sheet.shell = cloth.shell;
+    sheet.shell.relax(1);
     sheet
 }
 
@@ -284,7 +291,7 @@ fn folds(sheet: &Sheet, wearer: &Wearer<'_>, cut: &TrouserCut) -> Vec<(Option<Si
         // The legs break on the shoe.
         for i in 0..4 {
             let way = if i % 2 == 0 { 1.0 } else { -1.0 };
-            let along = thigh + shank * (0.58 + 0.1 * i as f64);
+            let along = thigh + shank * (0.62 + 0.1 * i as f64);
             let height = 0.34 + 0.10 * i as f64;
             ring(6 + i, along, 0.9 * way, 2.2, 1.6 * way, [1.35, height]);
         }
@@ -294,7 +301,7 @@ fn folds(sheet: &Sheet, wearer: &Wearer<'_>, cut: &TrouserCut) -> Vec<(Option<Si
 
 /// Outside and inside of the legs, and from the fly between them to the back.
 fn seams(sheet: &mut Sheet, unit: f64) {
-    let top = Cage::row_at(0.596);
+    let top = Cage::row_at(TOP);
     let mut lines = Vec::new();
     for side in Side::BOTH {
         let six = if side == Side::Left { 6 } else { COLUMNS - 6 };

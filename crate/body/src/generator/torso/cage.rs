@@ -34,9 +34,9 @@ const ARM_RINGS: [f64; 24] = [
     1.32, 1.42, 1.52, 1.62, 1.72, 1.81, 1.90, 2.0,
 ];
 /// Rings of the leg: 0 hip, 1 knee, 2 ankle.
-const LEG_RINGS: [f64; 27] = [
-    0.10, 0.19, 0.28, 0.37, 0.46, 0.55, 0.64, 0.73, 0.81, 0.88, 0.94, 1.0, 1.06, 1.12, 1.19, 1.27,
-    1.35, 1.43, 1.51, 1.59, 1.67, 1.74, 1.81, 1.87, 1.93, 1.99, 2.05,
+const LEG_RINGS: [f64; 20] = [
+    0.10, 0.24, 0.38, 0.52, 0.66, 0.78, 0.88, 0.96, 1.03, 1.10, 1.18, 1.28, 1.39, 1.50, 1.61, 1.71,
+    1.80, 1.88, 1.95, 2.03,
 ];
 
 /// Place of a cage vertex in the rings.
@@ -88,7 +88,8 @@ impl Key {
         match self {
             Self::Trunk(r, _) => (HOLE.0 - 3..ROWS.len() - 1).contains(&r) || r < 4,
             Self::Crotch(_) => true,
-            Self::Arm(_, j, _) | Self::Leg(_, j, _) => j < 6,
+            Self::Arm(_, j, _) => j < 6,
+            Self::Leg(_, j, _) => j < 4,
         }
     }
 }
@@ -522,8 +523,8 @@ fn label(key: Key, heights: &[f64], joints: &Joints) -> Weights {
             let [hip, knee, foot] = ["hip", "knee", "subtalar"].map(|n| Bone::on(side, n));
             match LEG_RINGS[j] {
                 t if t < 0.15 => Weights::one(Rig::Half(hip)),
-                t if t < 0.95 => Weights::bone(hip),
-                t if t < 1.05 => Weights::one(Rig::Half(knee)),
+                t if t < 0.90 => Weights::bone(hip),
+                t if t < 1.09 => Weights::one(Rig::Half(knee)),
                 t if t < 1.95 => Weights::bone(knee),
                 _ => Weights::bone(foot),
             }

@@ -340,9 +340,9 @@ fn pads(p: &BodyParams, shoulder: DVec3, chest_front_cm: f64) -> Vec<Pad> {
     let v = |x: f64, y: f64, z: f64| DVec3::new(x, y, z + p.stoop_m(y));
     let r = DVec3::new;
     // Deltoid: long and flat, or the shoulder would look blown up.
-    let deltoid = r(4.7, 7.0, 5.4) * k * lerp(lerp(1.0, 0.76, f), 0.84, child);
+    let deltoid = r(4.1, 6.8, 5.2) * k * lerp(lerp(1.0, 0.78, f), 0.84, child);
     add(
-        shoulder + r(lerp(1.0, 0.7, f), -1.9, 0.1) * k * CM,
+        shoulder + r(lerp(0.5, 0.3, f), -2.2, 0.1) * k * CM,
         deltoid * (1.0 - 0.06 * old),
         3.6 * k,
         trunk | Regions::ARM,
@@ -350,7 +350,7 @@ fn pads(p: &BodyParams, shoulder: DVec3, chest_front_cm: f64) -> Vec<Pad> {
     );
     // Acromion: the corner where the slope of the neck ends.
     add(
-        shoulder + r(lerp(0.2, -0.1, f), lerp(4.2, 3.5, f), -0.4) * k * CM,
+        shoulder + r(-0.3, lerp(3.6, 3.0, f), -0.4) * k * CM,
         r(2.6, 1.0, 2.2) * k * lerp(lerp(1.0, 0.86, f), 0.85, child),
         2.6 * k,
         trunk | Regions::ARM,

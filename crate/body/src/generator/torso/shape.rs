@@ -126,7 +126,9 @@ impl Joints {
         put(Bone::LMidtarsal, foot(hip_x, 0.030 * s, 4.0));
         put(Bone::LMetatarsal, foot(hip_x * 1.08, 0.014 * s, 11.0));
         put(Bone::LScapula, v(0.018 * s, by_age(0.815, 0.80), -2.0));
-        let shoulder = v(shoulder_x, by_age(0.794, 0.778), -2.0);
+        // Old shoulders hang.
+        let shoulder_y = by_age(0.794, 0.778) - 0.006 * p.old() * s;
+        let shoulder = v(shoulder_x, shoulder_y, -2.0);
         let elbow = shoulder + Self::arm_axis() * by_age(0.168, 0.163);
         let wrist = elbow + Self::arm_axis() * 0.143 * s;
         put(Bone::LShoulder, shoulder);

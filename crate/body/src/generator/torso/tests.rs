@@ -37,7 +37,10 @@ fn tape(field: &Field, centre: DVec3, right: DVec3, front: DVec3, regions: Regio
             let (mut low, mut high) = (0.0, 0.4);
             for _ in 0..30 {
                 let middle = 0.5 * (low + high);
-                if field.value(centre + d * middle, regions, 1.0) < 0.0 {
+                let p = centre + d * middle;
+                // The field mirrors itself: the other leg begins at the middle.
+                let other_side = centre.x > 0.0 && p.x < 0.0;
+                if !other_side && field.value(p, regions, 1.0) < 0.0 {
                     low = middle;
                 } else {
                     high = middle;
@@ -111,7 +114,7 @@ fn girths(p: &BodyParams) -> [f64; 6] {
         flat(chest, Regions::TRUNK_ONLY),
         waist,
         hip,
-        leg(0.22),
+        leg(0.30),
         calf,
         neck,
     ]
@@ -141,16 +144,11 @@ fn girths_of_adults_lie_within_a_standard_deviation() {
         (person(1.0, 30.0, 1.6487, 0.0), woman),
     ] {
         let own = girths(&p);
-        for k in 0..6 {
-            let (mean, sd) = survey[k];
-            assert!(
-                (own[k] - mean).abs() <= sd,
-                "{} of sex {}: {:.1}, survey {mean} ± {sd}",
-                names[k],
-                p.sex,
-                own[k]
-            );
-        }
+        let misses: Vec<String> = (0..6)
+            .filter(|&k| (own[k] - survey[k].0).abs() > survey[k].1)
+            .map(|k| format!("{} {:.1} of {:?}", names[k], own[k], survey[k]))
+            .collect();
+        assert!(misses.is_empty(), "sex {}: {misses:?}", p.sex);
     }
 }
 
