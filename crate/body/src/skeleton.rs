@@ -650,7 +650,10 @@ impl Skeleton {
     pub fn solve(&self, pose: &Pose, out: &mut Vec<DAffine3>) {
         out.clear();
         for joint in &self.joints {
-            let turn = joint.drive.bone().map_or(DQuat::IDENTITY, |b| pose.rotation(b));
+            let turn = joint
+                .drive
+                .bone()
+                .map_or(DQuat::IDENTITY, |b| pose.rotation(b));
             let local = self.local(joint, pose.joint_rotation(joint.drive), turn);
             let world = match joint.parent {
                 None => {

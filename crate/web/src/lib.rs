@@ -29,7 +29,9 @@ pub mod message;
 #[cfg(all(target_arch = "wasm32", feature = "avatar"))]
 mod avatar;
 #[cfg(all(target_arch = "wasm32", feature = "avatar"))]
-pub use avatar::{Converted, convert};
+pub use avatar::convert;
+#[cfg(all(target_arch = "wasm32", not(feature = "avatar")))]
+mod measure;
 #[cfg(all(target_arch = "wasm32", not(feature = "avatar")))]
 mod player;
 #[cfg(all(target_arch = "wasm32", not(feature = "avatar")))]

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use raconteur_player::body::figure::Image;
 use raconteur_player::body::read::read_figure;
 use raconteur_player::{Options, Player as Performer, StoryInput};
-use raconteur_render::{Backend, CanvasTarget, Pace, Quality, RenderStatus};
+use raconteur_render::{Backend, CanvasTarget, Pace, Quality, RenderOptions, RenderStatus};
 use serde::Serialize;
 use serde_wasm_bindgen::Serializer;
 use wasm_bindgen::prelude::*;
@@ -47,6 +47,8 @@ pub struct Player {
     performer: Option<Performer>,
     picture: Option<CanvasTarget>,
     pace: Pace,
+    /// The picture stands still, so it has the time for every pixel.
+    resting: bool,
     /// Width over height.
     aspect: f64,
     sized: bool,
@@ -77,6 +79,7 @@ impl Player {
             performer: None,
             picture,
             pace,
+            resting: true,
             aspect: 1.0,
             sized: false,
             told_secs: -1.0,
@@ -176,6 +179,13 @@ impl Player {
         self.follow_pace();
     }
 
+    /// Whether the story rests: a picture that stands still is drawn with every pixel.
+    #[wasm_bindgen(js_name = setResting)]
+    pub fn set_resting(&mut self, resting: bool) {
+        self.resting = resting;
+        self.follow_pace();
+    }
+
     /// Takes the time between two shown frames, milliseconds; the quality follows it.
     #[wasm_bindgen(js_name = reportFrame)]
     pub fn report_frame(&mut self, ms: f64) {
@@ -230,7 +240,11 @@ impl Player {
 impl Player {
     fn follow_pace(&mut self) {
         if let Some(picture) = &mut self.picture {
-            picture.set_options(self.pace.options());
+            let options = self.pace.options();
+            picture.set_options(RenderOptions {
+                half_size: options.half_size && !self.resting,
+                ..options
+            });
         }
     }
 
@@ -298,7 +312,14 @@ fn read(
     Ok((performer, story))
 }
 
+impl Player {
+    /// What the canvas draws with, and what its last picture took.
+    pub(crate) fn picture_info(&self) -> Option<&raconteur_render::RenderInfo> {
+        self.picture.as_ref().map(CanvasTarget::info)
+    }
+}
+
 /// An object of plain JavaScript values, as `JSON.parse` would give.
-fn plain(value: &impl Serialize) -> Result<JsValue, JsError> {
+pub(crate) fn plain(value: &impl Serialize) -> Result<JsValue, JsError> {
     Ok(value.serialize(&Serializer::json_compatible())?)
 }

@@ -113,8 +113,8 @@ fn bind_frames(blueprint: &Blueprint, skeleton: &Skeleton) -> Vec<DAffine3> {
                 // In the bind pose a share or twist carries that share of its bone's turn
                 // from the zero pose.
                 let turn = joint.drive.bone().map_or(DQuat::IDENTITY, |b| {
-                    let own = blueprint.bind_rotations[p].inverse()
-                        * blueprint.bind_rotations[b.index()];
+                    let own =
+                        blueprint.bind_rotations[p].inverse() * blueprint.bind_rotations[b.index()];
                     joint.zero_rotation.inverse() * own
                 });
                 frames[p] * skeleton.local(joint, joint.drive.of_turn(turn), turn)

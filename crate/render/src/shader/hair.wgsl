@@ -119,7 +119,8 @@ fn hair_light(v: VertexOut, n: vec3<f32>, tone: vec3<f32>, s: Strand) -> vec3<f3
     let ao = v.color.a;
     // A small filter: strands break up the shadow's edge by themselves. Light seeps
     // through hair, so its own shadow is never black.
-    let share = mix(0.22, 1.0, filtered_share(v.world, n, v.clip.xy, 1));
+    let pale = saturate1(2.0 * tone.g);
+    let share = mix(mix(0.22, 0.45, pale), 1.0, filtered_share(v.world, n, v.clip.xy, 1));
     let wobble = (s.id - 0.5) * 0.34;
     let key_in = share * saturate1(0.28 + 0.72 * dot(n, frame.key_dir.xyz));
     let fill_in = saturate1(0.3 + 0.7 * dot(n, frame.fill_dir.xyz));
@@ -160,7 +161,9 @@ fn fs_hair(v: VertexOut, @builtin(front_facing) front: bool) -> @location(0) vec
     // Hair is darker in its depth, at the roots.
     let own = v.color.rgb * material.base.rgb;
     let pale = saturate1(2.0 * own.g);
-    let roots = mix(mix(0.74, 0.88, pale), 1.08, smoothstep(0.0, 0.5, v.uv.y));
+    // Fine hair at the line has no depth.
+    let thin = step(40.0 / COLUMNS, v.uv.x);
+    let roots = mix(mix(0.74, 0.88, max(pale, thin)), 1.08, smoothstep(0.0, 0.5, v.uv.y));
     let depth = select(roots, mix(0.6, 0.9, pale), is_cap);
     let tone = own * (0.72 + 0.56 * s.id) * depth;
     return written(hair_light(v, n, tone, s), cover, v.clip.xy);

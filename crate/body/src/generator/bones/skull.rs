@@ -209,7 +209,10 @@ fn carved(skin: &Skin, relative_mm: DVec3) -> (f64, f64) {
     let t = ((-17.0 - p.y) / 30.0).clamp(0.0, 1.0);
     let half = lerp(4.0, 12.5, smooth(t * 1.3));
     let upright = ((p.y + 33.0) / 16.5).abs();
-    let pear = ops::pow(ops::pow((p.x / half).abs(), 2.4) + ops::pow(upright, 2.6), 0.4);
+    let pear = ops::pow(
+        ops::pow((p.x / half).abs(), 2.4) + ops::pow(upright, 2.6),
+        0.4,
+    );
     let nose = 1.0 - smooth((pear - 0.6) / 0.45);
     (orbit, if p.z > -20.0 { nose } else { 0.0 })
 }
@@ -226,16 +229,24 @@ fn front_limit_mm(p: DVec3) -> f64 {
 
 fn skull(skin: &Skin) -> Solid {
     let mm = 0.001 * skin.scale;
-    let centre = DVec3::new(0.0, lerp(skin.eyes.y, skin.top, 0.28), skin.eyes.z - 78.0 * mm);
+    let centre = DVec3::new(
+        0.0,
+        lerp(skin.eyes.y, skin.top, 0.28),
+        skin.eyes.z - 78.0 * mm,
+    );
     let way = |ring: usize, column: usize| {
-        let (s, c) = ops::sincos(core::f64::consts::PI * (ring as f64 + 1.0) / (RINGS as f64 + 1.0));
+        let (s, c) =
+            ops::sincos(core::f64::consts::PI * (ring as f64 + 1.0) / (RINGS as f64 + 1.0));
         let (sk, ck) = ops::sincos(core::f64::consts::TAU * column as f64 / COLUMNS as f64);
         DVec3::new(s * sk, c, s * ck)
     };
     let raw: Vec<Vec<f64>> = (0..RINGS)
         .map(|i| {
             (0..COLUMNS)
-                .map(|j| skin.outermost(centre, way(i, j)).unwrap_or(0.1 * skin.scale))
+                .map(|j| {
+                    skin.outermost(centre, way(i, j))
+                        .unwrap_or(0.1 * skin.scale)
+                })
                 .collect()
         })
         .collect();
@@ -384,7 +395,12 @@ fn mandible(skin: &Skin) -> Solid {
         (branch(0.86, 1.0), 6.5, 4.5, z),
         (branch(0.55, 7.0), 15.5, 4.0, z),
         (branch(0.22, 9.0), 17.0, 4.5, (z + y * 0.25).normalize()),
-        (angle.lerp(arc(66.0, 20.0, 1.0), 0.55), 15.0, 5.5, (z * 0.3 + y).normalize()),
+        (
+            angle.lerp(arc(66.0, 20.0, 1.0), 0.55),
+            15.0,
+            5.5,
+            (z * 0.3 + y).normalize(),
+        ),
         (arc(60.0, 20.0, 1.0), 13.5, 6.0, y),
         (arc(40.0, 17.0, 0.0), 13.5, 6.0, y),
         (arc(20.0, 12.5, -1.0), 14.0, 6.0, y),
@@ -402,7 +418,9 @@ fn mandible(skin: &Skin) -> Solid {
             let before = chain[i.saturating_sub(1)].0;
             let after = chain[(i + 1).min(chain.len() - 1)].0;
             let along = (after - before).try_normalize().unwrap_or(DVec3::X);
-            let up = (up - along * up.dot(along)).try_normalize().unwrap_or(DVec3::Y);
+            let up = (up - along * up.dot(along))
+                .try_normalize()
+                .unwrap_or(DVec3::Y);
             (p, up * tall * mm, along.cross(up) * thick * mm)
         })
         .collect();
@@ -410,7 +428,11 @@ fn mandible(skin: &Skin) -> Solid {
     draw_in(&mut solid, skin, |p| {
         // Inwards: to the middle of the mouth's floor, or along the branch towards the middle.
         let t = ((p.y - level) / (hinge_y - level)).clamp(0.0, 1.0);
-        DVec3::new(p.x * 0.35, lerp(level + 4.0 * mm, p.y, t), lerp(middle.z, p.z, t))
+        DVec3::new(
+            p.x * 0.35,
+            lerp(level + 4.0 * mm, p.y, t),
+            lerp(middle.z, p.z, t),
+        )
     });
     solid
 }

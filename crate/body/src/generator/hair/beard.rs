@@ -2,6 +2,7 @@
 
 use raconteur_base::curve::lerp;
 use raconteur_base::{DVec3, noise};
+use serde::{Deserialize, Serialize};
 
 use super::card::{across, empty};
 use super::colour::Palette;
@@ -12,7 +13,7 @@ use crate::generator::head::{Ear, Head, Holds, Ride};
 use crate::generator::part::PartVertex;
 
 /// A beard.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct BeardParams {
     /// Length at the chin, metres, 0.005..0.04.
     pub length_m: f64,
@@ -198,7 +199,7 @@ pub(super) fn beard(
             } else {
                 Weave::Loose
             };
-            let [r, g, b] = palette.lock(seed ^ 5, id, 0.14);
+            let [r, g, b] = palette.lock(seed ^ 5, id, 0.08);
             let base = part.vertices.len() as u32;
             let across_it = direction.cross(n).normalize_or_zero();
             let rows = ROWS[usize::from(layer == 1 && chin > 0.4 && !on_lip)];
@@ -212,7 +213,12 @@ pub(super) fn beard(
                     part.vertices.push(PartVertex {
                         position: middle + across_it * (sign * half),
                         uv: [across(weave, dice(9), u), t],
-                        color: [r, g, b, lerp(0.72, 1.0, t) * if layer == 0 { 0.85 } else { 1.0 }],
+                        color: [
+                            r,
+                            g,
+                            b,
+                            lerp(0.72, 1.0, t) * if layer == 0 { 0.85 } else { 1.0 },
+                        ],
                         weights: weights.clone(),
                     });
                     let round = n * 0.8 + DVec3::NEG_Y * (0.2 * t) + across_it * (0.3 * sign);

@@ -19,6 +19,8 @@ pub(super) struct Strand {
     pub(super) normals: Vec<DVec3>,
     /// Full width of the card, metres.
     pub(super) width: f64,
+    /// Width at the root over the full width.
+    pub(super) root: f64,
     /// Width at the tip over the full width.
     pub(super) tip: f64,
     /// How the card is filled.
@@ -81,7 +83,7 @@ pub(super) fn cards(
                 .unwrap_or(DVec3::X);
             let face = side.cross(along);
             let t = i as f64 / (n - 1) as f64;
-            let narrow = lerp(0.6, 1.0, ramp(0.0, 0.25, t)) * lerp(1.0, s.tip, ramp(0.6, 1.0, t));
+            let narrow = lerp(s.root, 1.0, ramp(0.0, 0.3, t)) * lerp(1.0, s.tip, ramp(0.6, 1.0, t));
             let base = part.vertices.len() as u32;
             let weights = hang(s.curve[i]);
             let open = lerp(s.open[0], s.open[1], ramp(0.0, 0.5, t));

@@ -1,6 +1,7 @@
 //! Colour of hair from its pigments.
 
 use raconteur_base::{noise, ops};
+use serde::{Deserialize, Serialize};
 
 /// Pigments of hair.
 ///
@@ -9,7 +10,7 @@ use raconteur_base::{noise, ops};
 /// of a head of hair by Chiang, Bitterli, Tappan and Burley 2016 ("A practical and
 /// controllable hair and fur model for production path tracing", doi:10.1111/cgf.12830,
 /// eq. 9 at azimuthal roughness 0.3).
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct HairColour {
     /// Eumelanin: 0.05 blond, 0.25 brown, 1.5 black.
     pub eumelanin: f64,
@@ -55,8 +56,8 @@ impl HairColour {
     #[must_use]
     pub fn pigment_rgb(&self) -> [f64; 3] {
         core::array::from_fn(|i| {
-            let sigma = self.eumelanin.max(0.0) * EUMELANIN[i]
-                + self.pheomelanin.max(0.0) * PHEOMELANIN[i];
+            let sigma =
+                self.eumelanin.max(0.0) * EUMELANIN[i] + self.pheomelanin.max(0.0) * PHEOMELANIN[i];
             // Hair with next to no pigment is not whiter than white hair.
             (SURFACE + ops::exp(-sigma.sqrt() * REACH)).min(WHITE[i])
         })

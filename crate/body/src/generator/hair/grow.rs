@@ -56,6 +56,7 @@ pub(super) fn strands(
             width: coil.width * ground.size(),
             curve: coil.curve.iter().map(|c| uncommon(head, *c)).collect(),
             normals: coil.normals,
+            root: 0.8,
             tip: 0.8,
             weave: super::cut::Weave::Dense,
             dice: noise::unit(p.seed, 77, id),
@@ -144,7 +145,11 @@ fn grow(
         direction = (direction + cut.bend(here, from, arc / full) * per_cm).normalize();
         let bump = if over_ear { ground.over_ear(at) } else { 0.0 };
         let height = CLEAR
-            + layer.height * p.volume * cut.volume(here) * size * smooth(arc / (0.02 + 3.5 * layer.height))
+            + layer.height
+                * p.volume
+                * cut.volume(here)
+                * size
+                * smooth(arc / (0.02 + 3.5 * layer.height))
             + bump;
         let cling = (cut.cling(here) * per_cm).min(1.0);
         let (mut next, found) = ground.settle(at + direction * step, height, cling);
@@ -172,7 +177,10 @@ fn grow(
     path
 }
 
-#[allow(clippy::too_many_arguments, reason = "one strand is made of all of these")]
+#[allow(
+    clippy::too_many_arguments,
+    reason = "one strand is made of all of these"
+)]
 fn strand(
     p: &HairParams,
     cut: &dyn Cut,
@@ -200,7 +208,14 @@ fn strand(
     }
     let over_ear = cut.over_ear(ground.common(root.position));
     let mut curve = gathered(&path, &locks[home], cut.locks().gather, layer.height);
-    wave(&mut curve, &path.normals, cut.wave(), home, p.seed, random(2));
+    wave(
+        &mut curve,
+        &path.normals,
+        cut.wave(),
+        home,
+        p.seed,
+        random(2),
+    );
     let mut curve = smoothed(curve);
     for c in curve.iter_mut().skip(2) {
         *c = ground.settle(*c, CLEAR + 0.25 * layer.height, 0.0).0;
@@ -221,7 +236,8 @@ fn strand(
         curve,
         normals,
         width: layer.width * ground.size() * (1.0 + 0.25 * random(3)),
-        tip: if full { 0.62 } else { 0.5 },
+        root: if layer.roots == Where::Hairline { 0.15 } else { 0.5 },
+        tip: if full { 0.62 } else { 0.4 },
         weave: layer.weave,
         dice: noise::unit(p.seed, 111, id),
         colour: palette.lock(p.seed, id, 0.13),
@@ -291,7 +307,7 @@ fn wave(curve: &mut [DVec3], normals: &[DVec3], width: f64, lock: usize, seed: u
         let side = along.cross(normals[i]).normalize_or_zero();
         let amount = width * ramp(0.04, 0.15, arc);
         let turn = arc / pace * core::f64::consts::TAU + phase;
-        curve[i] += side * (amount * ops::sin(turn))
-            + normals[i] * (amount * 0.6 * (ops::cos(turn) + 0.6));
+        curve[i] +=
+            side * (amount * ops::sin(turn)) + normals[i] * (amount * 0.6 * (ops::cos(turn) + 0.6));
     }
 }

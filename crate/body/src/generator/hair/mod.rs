@@ -25,6 +25,7 @@ mod tests;
 use std::collections::BTreeMap;
 
 use raconteur_base::DVec3;
+use serde::{Deserialize, Serialize};
 
 pub use beard::BeardParams;
 pub use colour::HairColour;
@@ -37,7 +38,8 @@ use crate::generator::head::Head;
 use crate::generator::part::Part;
 
 /// How hair is cut and combed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
 pub enum HairStyle {
     /// None on the scalp.
     Bald,
@@ -72,7 +74,7 @@ impl HairStyle {
 }
 
 /// Hair and beard of a person.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct HairParams {
     /// Cut and combing.
     pub style: HairStyle,

@@ -179,7 +179,16 @@ fn lay(
     // The forearm below the wrist is drawn together.
     let squeezed: Vec<DVec2> = laid
         .iter()
-        .map(|p| DVec2::new(p.x, if p.y < -10.0 { -10.0 + (p.y + 10.0) * FOREARM_SHARE } else { p.y }))
+        .map(|p| {
+            DVec2::new(
+                p.x,
+                if p.y < -10.0 {
+                    -10.0 + (p.y + 10.0) * FOREARM_SHARE
+                } else {
+                    p.y
+                },
+            )
+        })
         .collect();
     let lowest = squeezed.iter().copied().fold(DVec2::MAX, DVec2::min);
     let highest = squeezed.iter().copied().fold(DVec2::MIN, DVec2::max);

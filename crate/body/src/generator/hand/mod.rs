@@ -34,6 +34,7 @@ mod surface;
 mod weights;
 
 use raconteur_base::{DQuat, DVec3, Side, curve, mirror_rotation};
+use serde::{Deserialize, Serialize};
 
 use self::anatomy::{Anatomy, Look};
 use self::field::Field;
@@ -49,7 +50,7 @@ use crate::skeleton::{Bone, zero_frames};
 pub const BIND_ANGLES: HandAngles = anatomy::BIND_ANGLES;
 
 /// Measures of a hand.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct HandParams {
     /// 0 male to 1 female.
     pub sex: f64,

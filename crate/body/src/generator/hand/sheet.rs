@@ -13,7 +13,14 @@ use crate::generator::skin::{HandLine, HandRegion, HandSheet};
 pub(super) fn sheet(anatomy: &Anatomy, skin: &Skin, chart: &Chart) -> HandSheet {
     let of = |v: &u32| *v as usize;
     let regions: Vec<HandRegion> = (0..skin.positions.len())
-        .map(|v| region(anatomy, skin.positions[v], skin.normals[v], &skin.ownership[v]))
+        .map(|v| {
+            region(
+                anatomy,
+                skin.positions[v],
+                skin.normals[v],
+                &skin.ownership[v],
+            )
+        })
         .collect();
     let mut drawing = Drawing {
         skin,
@@ -77,7 +84,10 @@ fn region(anatomy: &Anatomy, p: DVec3, normal: DVec3, owned: &[f64; FINGER_COUNT
     }
     let at = |x: f64, y: f64, z: f64| bell((p - DVec3::new(x, y, z)).length() / 19.0);
     let heads = bell((p.y - 90.0) / 9.0) * f64::from(u8::from(p.z > 5.0));
-    r.cushion = r.palm * at(-26.0, 34.0, 20.0).max(at(28.0, 28.0, 30.0)).max(0.6 * heads);
+    r.cushion = r.palm
+        * at(-26.0, 34.0, 20.0)
+            .max(at(28.0, 28.0, 30.0))
+            .max(0.6 * heads);
     r
 }
 
@@ -123,7 +133,10 @@ impl Drawing<'_> {
                 .collect();
             self.put(through.clone(), 0.45 * crease.depth_mm, 0.75, 0.12);
             // A finer one runs along it.
-            let beside = through.iter().map(|p| *p + DVec3::new(1.4, 1.1, 0.0)).collect();
+            let beside = through
+                .iter()
+                .map(|p| *p + DVec3::new(1.4, 1.1, 0.0))
+                .collect();
             self.put(beside, 0.10 * crease.depth_mm, 0.45, 0.7);
         }
         for _ in 0..46 {
@@ -250,7 +263,12 @@ impl Drawing<'_> {
             self.put(through, 0.7, 1.4, 0.2);
         }
         let at = |x: f64, y: f64| self.drop(x, y, -1.0);
-        let thumb = vec![at(26.0, 52.0), at(21.0, 34.0), at(22.0, 10.0), at(24.0, -20.0)];
+        let thumb = vec![
+            at(26.0, 52.0),
+            at(21.0, 34.0),
+            at(22.0, 10.0),
+            at(24.0, -20.0),
+        ];
         self.put(thumb, 0.75, 1.6, 0.25);
     }
 }

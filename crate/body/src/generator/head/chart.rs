@@ -121,9 +121,11 @@ impl Places {
 
     /// A place by the mouth's ring (0..5) and the position along it (0..12).
     pub(crate) fn mouth(&self, ring: f64, position: f64) -> DVec3 {
-        Self::between(ring.clamp(0.0, 4.999), position.clamp(0.0, 11.999), |r, k| {
-            self.at(Key::mouth(r, usize::from(k)))
-        })
+        Self::between(
+            ring.clamp(0.0, 4.999),
+            position.clamp(0.0, 11.999),
+            |r, k| self.at(Key::mouth(r, usize::from(k))),
+        )
     }
 }
 
@@ -187,7 +189,10 @@ fn make() -> Chart {
     Chart {
         faces: open_surface.faces.clone(),
         source: surface_of,
-        uv: uv.iter().map(|p| [p.x / SIZE as f64, p.y / SIZE as f64]).collect(),
+        uv: uv
+            .iter()
+            .map(|p| [p.x / SIZE as f64, p.y / SIZE as f64])
+            .collect(),
         mean: surface.apply(&solved.cage_points),
         places: Places { cage, limit },
     }
@@ -204,9 +209,15 @@ fn lay(cage: &Cage, open: &Cage, twin: &[u32], positions: &[DVec3]) -> Vec<DVec2
     let length = |a: Key, b: Key| p(a).distance(p(b));
     let g = Key::Grid;
     // A row and a column that cross no hole.
-    let across: Vec<f64> = (0..LAST_COLUMN).map(|c| length(g(c, 15), g(c + 1, 15))).collect();
-    let down: Vec<f64> = (0..LAST_ROW).map(|r| length(g(4, r), g(4, r + 1))).collect();
-    let crown: f64 = (0..4).map(|i| length(Key::crown(i, 4), Key::crown(i + 1, 4))).sum();
+    let across: Vec<f64> = (0..LAST_COLUMN)
+        .map(|c| length(g(c, 15), g(c + 1, 15)))
+        .collect();
+    let down: Vec<f64> = (0..LAST_ROW)
+        .map(|r| length(g(4, r), g(4, r + 1)))
+        .collect();
+    let crown: f64 = (0..4)
+        .map(|i| length(Key::crown(i, 4), Key::crown(i + 1, 4)))
+        .sum();
     let width = 2.0 * across.iter().sum::<f64>();
     let height = crown + down.iter().sum::<f64>();
 
@@ -256,7 +267,10 @@ fn lay(cage: &Cage, open: &Cage, twin: &[u32], positions: &[DVec3]) -> Vec<DVec2
         rows.push([place(g(4, r + 1)).y, sum]);
     }
     let [left, above, right, below] = RECTANGLE;
-    let (wide, high) = ((right - left) / 2.0 / columns[columns.len() - 1][1], (below - above) / sum);
+    let (wide, high) = (
+        (right - left) / 2.0 / columns[columns.len() - 1][1],
+        (below - above) / sum,
+    );
     let spread = |p: DVec2| {
         DVec2::new(
             (left + right) / 2.0 + p.x.signum() * through(&columns, p.x.abs()) * wide,
@@ -286,7 +300,9 @@ fn lay(cage: &Cage, open: &Cage, twin: &[u32], positions: &[DVec3]) -> Vec<DVec2
 
 /// A rising line through knots, straight between them.
 fn through(knots: &[[f64; 2]], x: f64) -> f64 {
-    let next = knots.partition_point(|k| k[0] < x).clamp(1, knots.len() - 1);
+    let next = knots
+        .partition_point(|k| k[0] < x)
+        .clamp(1, knots.len() - 1);
     let ([a, low], [b, high]) = (knots[next - 1], knots[next]);
     low + (high - low) * ((x - a) / (b - a)).clamp(0.0, 1.0)
 }

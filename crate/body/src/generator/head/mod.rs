@@ -29,13 +29,14 @@ mod surface;
 mod tests;
 
 use raconteur_base::{DVec3, Side, mirror_vector};
+use serde::{Deserialize, Serialize};
 
 use self::cage::{Cage, Key, LAST_ROW, Zone};
 pub(crate) use self::chart::Places;
-pub(crate) use self::paint::Coordinates;
 use self::chart::{Chart, chart};
-use self::paint::coordinates;
 pub use self::measure::{Measure, Measures};
+pub(crate) use self::paint::Coordinates;
+use self::paint::coordinates;
 use self::points::Individual;
 pub(crate) use self::ride::{Holds, Ride};
 use self::scalp::hairline;
@@ -50,7 +51,7 @@ use crate::figure::{Maps, Material, MaterialKind};
 use crate::generator::subdivide::vertex_normals;
 
 /// Colours of a head beside its skin, linear RGB.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct HeadColours {
     /// Hair.
     pub hair: [f64; 3],
@@ -61,7 +62,7 @@ pub struct HeadColours {
 }
 
 /// What to build.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct HeadParams {
     /// Sex and age.
     pub person: Person,
@@ -354,7 +355,10 @@ pub fn build(params: &HeadParams) -> Head {
 
 /// The faces of some zones as a part of their own, with vertices doubled along the chart's
 /// cut.
-#[allow(clippy::too_many_arguments, reason = "everything that a part is made of")]
+#[allow(
+    clippy::too_many_arguments,
+    reason = "everything that a part is made of"
+)]
 fn cut_part(
     name: &str,
     kind: MaterialKind,
@@ -388,9 +392,7 @@ fn cut_part(
     let source = |v: &usize| chart.source[*v] as usize;
     let morphs = moved
         .iter()
-        .map(|(name, d)| {
-            part_morph(name, &used.iter().map(|v| d[source(v)]).collect::<Vec<_>>())
-        })
+        .map(|(name, d)| part_morph(name, &used.iter().map(|v| d[source(v)]).collect::<Vec<_>>()))
         .filter(|m| !m.deltas.is_empty())
         .collect();
     Part {

@@ -33,10 +33,34 @@ pub(super) fn coordinates(cage: &Cage, surface: &Surface) -> Vec<Coordinates> {
         Key::Eye(_, k) if k > 8 => -1.0,
         _ => 0.0,
     });
-    let mouth = ring(|k| if let Key::Mouth(r, _) = k { Some(r) } else { None });
-    let eye = ring(|k| if let Key::Eye(r, _) = k { Some(r) } else { None });
-    let nostril = ring(|k| if let Key::Nostril(r, _) = k { Some(r) } else { None });
-    let ear = ring(|k| if let Key::Ear(r, _) = k { Some(r) } else { None });
+    let mouth = ring(|k| {
+        if let Key::Mouth(r, _) = k {
+            Some(r)
+        } else {
+            None
+        }
+    });
+    let eye = ring(|k| {
+        if let Key::Eye(r, _) = k {
+            Some(r)
+        } else {
+            None
+        }
+    });
+    let nostril = ring(|k| {
+        if let Key::Nostril(r, _) = k {
+            Some(r)
+        } else {
+            None
+        }
+    });
+    let ear = ring(|k| {
+        if let Key::Ear(r, _) = k {
+            Some(r)
+        } else {
+            None
+        }
+    });
     (0..surface.len())
         .map(|v| Coordinates {
             mouth: mouth[v],

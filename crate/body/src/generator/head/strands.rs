@@ -1,15 +1,16 @@
 //! Brows and lashes: slender tapering cards that ride on the skin, each a tuft of hairs.
 
 use raconteur_base::{DVec3, Side, mirror_vector, noise, ops};
+use serde::{Deserialize, Serialize};
 
-use super::rig::smooth;
 use super::ride::{Holds, Ride};
+use super::rig::smooth;
 use super::surface::nearest;
 use crate::figure::{Maps, Material, MaterialKind};
 use crate::generator::part::{Part, PartVertex};
 
 /// Hairs of brows and lashes.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct BrowParams {
     /// How many hairs a brow has against the usual, 0.3..1.6.
     pub density: f64,
@@ -204,7 +205,8 @@ fn brow(ride: &Ride, line: &BrowLine, side: Side, seed: u64, p: &BrowParams) -> 
             Card {
                 root: root - n * 0.15,
                 direction: direction.normalize(),
-                bend: along * 0.10 * length - n * 0.14 * length
+                bend: along * 0.10 * length
+                    - n * 0.14 * length
                     - DVec3::Y * (0.06 + 0.10 * p.unruly * dice.unit()) * length,
                 length,
                 half_width: 0.20,

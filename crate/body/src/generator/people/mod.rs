@@ -4,6 +4,8 @@ mod nuno;
 mod papous;
 mod sofia;
 
+use serde::{Deserialize, Serialize};
+
 use super::cloth::Outfit;
 use super::hair::HairParams;
 use super::hand::HandParams;
@@ -13,7 +15,7 @@ use super::torso::BodyParams;
 
 /// What is known of a person before any measure of the face: survey means are looked up
 /// by it.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Person {
     /// 0 male to 1 female.
     pub sex: f64,
@@ -26,7 +28,7 @@ pub struct Person {
 }
 
 /// Everything that tells one figure from another.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FigureParams {
     /// Name, for example `sofia`.
     pub name: String,

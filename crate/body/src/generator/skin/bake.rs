@@ -132,13 +132,19 @@ pub(super) fn evaluate(layers: &[Layer<'_>]) -> Pictures {
     let palette = Palette::new();
     let layer_of = |triangle: u32| {
         let l = firsts.partition_point(|&f| f <= triangle as usize) - 1;
-        (&layers[l], layers[l].triangles[triangle as usize - firsts[l]])
+        (
+            &layers[l],
+            layers[l].triangles[triangle as usize - firsts[l]],
+        )
     };
     let texel = |hit: &Option<Hit>| {
         hit.map(|h| {
             let (layer, t) = layer_of(h.triangle);
             let tissue = (layer.tissue)(t, &h);
-            (tissue.rgb(&palette).map(|x| x as f32), tissue.height_mm as f32)
+            (
+                tissue.rgb(&palette).map(|x| x as f32),
+                tissue.height_mm as f32,
+            )
         })
     };
     let mut texels: Vec<Option<([f32; 3], f32)>> = vec![None; SIZE * SIZE];
@@ -170,20 +176,16 @@ pub(super) fn evaluate(layers: &[Layer<'_>]) -> Pictures {
             let height = |j: Option<usize>| j.and_then(|j| texels[j]).map(|t| f64::from(t.1));
             let here = height(Some(i)).unwrap_or(0.0);
             // Change a texel; on one side only where the other is empty.
-            let change = |before: Option<usize>, after: Option<usize>| match (
-                height(before),
-                height(after),
-            ) {
-                (Some(a), Some(b)) => (b - a) / 2.0,
-                (Some(a), None) => here - a,
-                (None, Some(b)) => b - here,
-                (None, None) => 0.0,
-            };
+            let change =
+                |before: Option<usize>, after: Option<usize>| match (height(before), height(after))
+                {
+                    (Some(a), Some(b)) => (b - a) / 2.0,
+                    (Some(a), None) => here - a,
+                    (None, Some(b)) => b - here,
+                    (None, None) => 0.0,
+                };
             let (x, y) = (i % SIZE, i / SIZE);
-            let du = change(
-                (x > 0).then(|| i - 1),
-                (x + 1 < SIZE).then_some(i + 1),
-            );
+            let du = change((x > 0).then(|| i - 1), (x + 1 < SIZE).then_some(i + 1));
             let dv = change(
                 (y > 0).then(|| i - SIZE),
                 (y + 1 < SIZE).then_some(i + SIZE),

@@ -10,8 +10,8 @@ use super::bake::Tissue;
 use super::face_lines::{FaceMarks, face_marks};
 use super::raster::Hit;
 use super::texture::{cells, mix, rise, space_noise};
-use crate::generator::head::Places;
 use crate::generator::head::Coordinates;
+use crate::generator::head::Places;
 
 /// The head's skin as the baking needs it.
 #[derive(Clone, Debug, Default)]
@@ -128,10 +128,16 @@ impl FacePainter<'_> {
         let s = self.sheet;
         let q = hit.blend(t.map(|v| s.mean[v as usize]));
         let p = hit.blend(t.map(|v| s.at[v as usize]));
-        let normal = hit.blend(t.map(|v| s.normals[v as usize])).normalize_or_zero();
+        let normal = hit
+            .blend(t.map(|v| s.normals[v as usize]))
+            .normalize_or_zero();
         let ring = |f: fn(&Coordinates) -> f64| hit.blend(t.map(|v| f(&s.rings[v as usize])));
-        let (mouth, eye, nostril, ear) =
-            (ring(|c| c.mouth), ring(|c| c.eye), ring(|c| c.nostril), ring(|c| c.ear));
+        let (mouth, eye, nostril, ear) = (
+            ring(|c| c.mouth),
+            ring(|c| c.eye),
+            ring(|c| c.nostril),
+            ring(|c| c.ear),
+        );
         let upper = ring(|c| c.eye_upper);
         let hair = hit.blend(t.map(|v| s.hair[v as usize])).clamp(0.0, 1.0);
         let brow = hit.blend(t.map(|v| s.brow[v as usize])).clamp(0.0, 1.0);
@@ -165,7 +171,15 @@ impl FacePainter<'_> {
 
         let lid = rise(0.6, 2.0, eye);
         let smoothness = (1.0 - lip) * (1.0 - 0.6 * lid) * (1.0 - rise(0.4, 2.0, nostril));
-        self.relief(&mut tissue, q, p, normal, pores * smoothness, smoothness, seed);
+        self.relief(
+            &mut tissue,
+            q,
+            p,
+            normal,
+            pores * smoothness,
+            smoothness,
+            seed,
+        );
         if self.skin.beard > 0.0 {
             self.beard(&mut tissue, half, p, seed, (1.0 - lip) * (1.0 - lid));
         }
@@ -185,7 +199,10 @@ impl FacePainter<'_> {
         tissue.lay(s.brow_colour, 0.42 * brow * self.brow_stain);
         let roots = 0.75 + 0.25 * space_noise(seed + 30, p / 1.1);
         let cap = s.hair_colour.map(|x| 0.8 * x);
-        tissue.lay(cap, (hair * roots * (0.25 + 0.72 * self.hair_stain)).clamp(0.0, 1.0));
+        tissue.lay(
+            cap,
+            (hair * roots * (0.25 + 0.72 * self.hair_stain)).clamp(0.0, 1.0),
+        );
         tissue
     }
 
@@ -232,7 +249,10 @@ impl FacePainter<'_> {
     }
 
     /// Wrinkles, the fine net of furrows, pores.
-    #[allow(clippy::too_many_arguments, reason = "one texel's place in all its frames")]
+    #[allow(
+        clippy::too_many_arguments,
+        reason = "one texel's place in all its frames"
+    )]
     fn relief(
         &self,
         tissue: &mut Tissue,

@@ -107,7 +107,11 @@ impl Scribe<'_> {
         for side in Side::BOTH {
             let (a, b) = (self.between(0.55, 0.95), self.between(0.7, 1.1));
             let top = self.between(3.0, 3.5);
-            let through = [self.grid(b, top), self.grid(a, 4.2), self.grid(0.9 * a, 5.0)];
+            let through = [
+                self.grid(b, top),
+                self.grid(a, 4.2),
+                self.grid(0.9 * a, 5.0),
+            ];
             let strength = deep * self.between(0.6, 1.1);
             self.line(side, &through, strength, 0.8, 0.2);
         }
@@ -166,7 +170,10 @@ impl Scribe<'_> {
             let k = self.between(9.2, 14.6);
             let lean = self.between(0.3, 1.3);
             let (a, b) = (self.between(1.4, 2.9), self.between(0.0, 0.7));
-            let through = [self.places.eye(a, k), self.places.eye(b, (k - lean).max(8.2))];
+            let through = [
+                self.places.eye(a, k),
+                self.places.eye(b, (k - lean).max(8.2)),
+            ];
             let strength = 0.10 * age * self.between(0.4, 1.0);
             self.line(side, &through, strength, 0.38, 0.4);
         }
@@ -202,7 +209,8 @@ impl Scribe<'_> {
                 let through = [
                     self.places.mouth(1.35, j),
                     self.places.mouth(0.9, j),
-                    self.places.mouth(out.max(0.0), j + self.between(-0.25, 0.1)),
+                    self.places
+                        .mouth(out.max(0.0), j + self.between(-0.25, 0.1)),
                 ];
                 let strength = 0.22 * age * self.between(0.3, 1.0);
                 self.line(side, &through, strength, 0.5, 0.2);
@@ -228,7 +236,13 @@ impl Scribe<'_> {
                 self.grid(5.1 + 1.2 * out, end),
             ];
             let strength = deep * if i == 0 { 1.0 } else { 0.4 };
-            self.line(side, &through, strength, if i == 0 { 0.95 } else { 0.5 }, 0.25);
+            self.line(
+                side,
+                &through,
+                strength,
+                if i == 0 { 0.95 } else { 0.5 },
+                0.25,
+            );
         }
         for i in 0..2 {
             let out = 0.4 * f64::from(i);
@@ -267,7 +281,11 @@ impl Scribe<'_> {
         }
         for i in 0..2 {
             let c = 11.45 - 0.4 * f64::from(i);
-            let through = [self.grid(c, 7.0), self.grid(c - 0.1, 9.4), self.grid(c, 11.8)];
+            let through = [
+                self.grid(c, 7.0),
+                self.grid(c - 0.1, 9.4),
+                self.grid(c, 11.8),
+            ];
             self.line(side, &through, 0.9 * deep, 0.6, 0.3);
         }
     }
@@ -381,7 +399,8 @@ pub(super) fn face_marks(skin: &SkinParams, places: &Places, sheet: &HeadSheet) 
     let aged = skin.sun * skin.since(38.0);
     if aged > 0.0 {
         let high = |p: DVec3| {
-            let temple = rise(35.0, 60.0, p.x.abs()) * rise(-30.0, 10.0, p.y) * rise(-10.0, 30.0, p.z);
+            let temple =
+                rise(35.0, 60.0, p.x.abs()) * rise(-30.0, 10.0, p.y) * rise(-10.0, 30.0, p.z);
             let brow = rise(58.0, 80.0, p.y);
             (temple.max(brow) + 0.12) * aged * rise(-120.0, -60.0, p.y)
         };

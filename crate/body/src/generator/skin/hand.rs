@@ -77,7 +77,8 @@ pub(super) struct HandPainter<'a> {
 
 impl HandSheet {
     pub(super) fn painter<'a>(&'a self, skin: &'a SkinParams) -> HandPainter<'a> {
-        let draw = |lines: &[HandLine], scale: f64, seed: u64| super::hand_lines::draw(lines, scale, seed);
+        let draw =
+            |lines: &[HandLine], scale: f64, seed: u64| super::hand_lines::draw(lines, scale, seed);
         let slack = 0.25 + 0.75 * skin.since(30.0);
         HandPainter {
             skin,
@@ -96,11 +97,12 @@ impl HandPainter<'_> {
     pub(super) fn tissue(&self, t: [u32; 3], hit: &Hit) -> Tissue {
         let s = self.sheet;
         let p = hit.blend(t.map(|v| s.at[v as usize]));
-        let normal = hit.blend(t.map(|v| s.normals[v as usize])).normalize_or_zero();
+        let normal = hit
+            .blend(t.map(|v| s.normals[v as usize]))
+            .normalize_or_zero();
         let shares = t.map(|v| s.regions[v as usize].to_array());
-        let [palm, tip, knuckle, nail, cushion] = core::array::from_fn(|i| {
-            hit.blend(shares.map(|r| r[i])).clamp(0.0, 1.0)
-        });
+        let [palm, tip, knuckle, nail, cushion] =
+            core::array::from_fn(|i| hit.blend(shares.map(|r| r[i])).clamp(0.0, 1.0));
         let seed = (self.skin.seed << 8) + 128;
         let mut tissue = self.base;
         let k = self.skin.contrast;
@@ -113,7 +115,8 @@ impl HandPainter<'_> {
         tissue.ln_blood += 0.16 * space_noise(seed + 1, p / 11.0)
             + (0.10 + 0.10 * palm) * space_noise(seed + 2, p / 4.0)
             + 0.06 * space_noise(seed + 3, p / 1.8);
-        tissue.ln_melanosomes += (0.05 + 0.07 * self.old) * space_noise(seed + 4, p / 6.0) * (1.0 - palm);
+        tissue.ln_melanosomes +=
+            (0.05 + 0.07 * self.old) * space_noise(seed + 4, p / 6.0) * (1.0 - palm);
 
         let crease = self.creases.at(p, normal);
         let slack = self.slack.at(p, normal);

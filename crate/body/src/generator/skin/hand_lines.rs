@@ -30,7 +30,11 @@ pub(super) fn spots(sheet: &HandSheet, skin: &SkinParams) -> Marks {
         let chance = |k: i64| noise::unit(skin.seed ^ 0x5407, i, k);
         // A vertex stands for about 12 mm².
         if sheet.normals[i as usize].z < 0.0 && chance(0) < 0.05 * aged {
-            marks.spot(*p, 0.35 + 0.5 * chance(1), 1.0 + 2.2 * chance(2) * chance(2));
+            marks.spot(
+                *p,
+                0.35 + 0.5 * chance(1),
+                1.0 + 2.2 * chance(2) * chance(2),
+            );
         } else if chance(3) < 0.03 * skin.freckles {
             marks.spot(*p, 0.3 + 0.3 * chance(1), 0.5 + 0.4 * chance(2));
         }

@@ -193,13 +193,19 @@ fn rounded(through: &[DVec3]) -> Vec<DVec3> {
     for i in 0..n - 1 {
         let (b, c) = (through[i], through[i + 1]);
         let a = if i == 0 { b * 2.0 - c } else { through[i - 1] };
-        let d = if i + 2 == n { c * 2.0 - b } else { through[i + 2] };
+        let d = if i + 2 == n {
+            c * 2.0 - b
+        } else {
+            through[i + 2]
+        };
         let steps = (b.distance(c) / 0.8).ceil().clamp(1.0, 400.0) as usize;
         for k in 1..=steps {
             let t = k as f64 / steps as f64;
             let (t2, t3) = (t * t, t * t * t);
             out.push(
-                (b * 2.0 + (c - a) * t + (a * 2.0 - b * 5.0 + c * 4.0 - d) * t2
+                (b * 2.0
+                    + (c - a) * t
+                    + (a * 2.0 - b * 5.0 + c * 4.0 - d) * t2
                     + (b * 3.0 - a - c * 3.0 + d) * t3)
                     * 0.5,
             );
@@ -233,6 +239,9 @@ mod tests {
         assert_eq!(at(10.0, 3.0, 0.0), 0.0);
         assert!((at(0.0, 9.0, 0.0) - 0.7).abs() < 1e-9);
         assert_eq!(at(500.0, 0.0, 0.0), 0.0);
-        assert_eq!(Marks::default().finish().at(DVec3::ZERO, DVec3::Z).core, 0.0);
+        assert_eq!(
+            Marks::default().finish().at(DVec3::ZERO, DVec3::Z).core,
+            0.0
+        );
     }
 }

@@ -1,11 +1,13 @@
 //! What tells one person's skin from another's.
 
 use raconteur_base::ops;
+use serde::{Deserialize, Serialize};
 
 use super::pigment::{Pigments, colour};
 
 /// A person's skin. Shares are 0..1 unless said otherwise.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct SkinParams {
     /// Melanin: 0 the lightest skin there is, 1 the darkest.
     pub melanin: f64,

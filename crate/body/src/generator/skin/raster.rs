@@ -45,7 +45,10 @@ fn weights_at(corners: [DVec2; 3], p: DVec2) -> Option<[f64; 3]> {
     if whole.abs() < 1e-9 {
         return None;
     }
-    let (x, y) = ((b - p).perp_dot(c - p) / whole, (c - p).perp_dot(a - p) / whole);
+    let (x, y) = (
+        (b - p).perp_dot(c - p) / whole,
+        (c - p).perp_dot(a - p) / whole,
+    );
     Some([x, y, 1.0 - x - y])
 }
 
@@ -163,7 +166,8 @@ mod tests {
         assert_eq!(inside, (SIZE / 4) * (SIZE / 4));
         let beside = raster.hits[300 * SIZE + SIZE / 4 - 3].unwrap();
         assert!(!beside.inside);
-        let u = beside.blend([[0, 1, 2], [0, 2, 3]][beside.triangle as usize].map(|v: usize| uv[v][0]));
+        let u =
+            beside.blend([[0, 1, 2], [0, 2, 3]][beside.triangle as usize].map(|v: usize| uv[v][0]));
         assert!((u * SIZE as f64 - (SIZE as f64 / 4.0 - 2.5)).abs() < 1e-3);
         let twice = Raster::new(&uv, &[[0, 1, 2], [0, 2, 3], [0, 1, 2]]);
         assert!(twice.overlaps > inside / 3);

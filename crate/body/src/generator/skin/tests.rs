@@ -106,7 +106,11 @@ fn nothing_in_the_atlas_overlaps_and_all_of_it_is_inside() {
     }
     let raster = Raster::new(&uv, &triangles);
     let inside = raster.hits.iter().flatten().filter(|h| h.inside).count();
-    println!("covered {:.3}, overlaps {}", inside as f64 / (SIZE * SIZE) as f64, raster.overlaps);
+    println!(
+        "covered {:.3}, overlaps {}",
+        inside as f64 / (SIZE * SIZE) as f64,
+        raster.overlaps
+    );
     assert_eq!(raster.overlaps, 0);
     assert!(inside * 2 > SIZE * SIZE, "{inside}");
 }
@@ -123,7 +127,11 @@ fn faces_look_the_same_way_in_the_atlas() {
                 (b - a).perp_dot(c - a) > 0.0
             })
             .count();
-        assert!(turned * 500 < triangles.len(), "{turned} of {}", triangles.len());
+        assert!(
+            turned * 500 < triangles.len(),
+            "{turned} of {}",
+            triangles.len()
+        );
     }
 }
 
@@ -133,15 +141,26 @@ fn the_face_gets_its_texels_and_is_little_stretched() {
     let face: Vec<Row> = rows(&head.uv, &head.triangles, &head.mean, &head.normals)
         .into_iter()
         .filter(|r| {
-            r.at.x.abs() < 50.0 && (-90.0..78.0).contains(&r.at.y) && r.at.z > 62.0 && r.normal.z > 0.3
+            r.at.x.abs() < 50.0
+                && (-90.0..78.0).contains(&r.at.y)
+                && r.at.z > 62.0
+                && r.normal.z > 0.3
         })
         .collect();
-    let fewest = |rows: &[Row]| rows.iter().map(|r| (r.density[1], r.area)).collect::<Vec<_>>();
+    let fewest = |rows: &[Row]| {
+        rows.iter()
+            .map(|r| (r.density[1], r.area))
+            .collect::<Vec<_>>()
+    };
     let mean = |rows: &[Row]| {
-        rows.iter().map(|r| ((r.density[0] * r.density[1]).sqrt(), r.area)).collect::<Vec<_>>()
+        rows.iter()
+            .map(|r| ((r.density[0] * r.density[1]).sqrt(), r.area))
+            .collect::<Vec<_>>()
     };
     let stretch = |rows: &[Row]| {
-        rows.iter().map(|r| (r.density[0] / r.density[1].max(1e-6), r.area)).collect::<Vec<_>>()
+        rows.iter()
+            .map(|r| (r.density[0] / r.density[1].max(1e-6), r.area))
+            .collect::<Vec<_>>()
     };
     let back: Vec<Row> = rows(&hand.uv, &hand.triangles, &hand.at, &hand.normals)
         .into_iter()
@@ -167,7 +186,11 @@ fn the_face_gets_its_texels_and_is_little_stretched() {
 fn the_maps_keep_their_budget_and_are_the_same_each_time() {
     let maps = baked();
     let bytes = maps.colour.bytes.len() + maps.normal.bytes.len();
-    println!("colour {} normal {}", maps.colour.bytes.len(), maps.normal.bytes.len());
+    println!(
+        "colour {} normal {}",
+        maps.colour.bytes.len(),
+        maps.normal.bytes.len()
+    );
     assert!(bytes <= 550_000, "{bytes}");
     for image in [&maps.colour, &maps.normal] {
         assert_eq!(image.mime_type, "image/jpeg");

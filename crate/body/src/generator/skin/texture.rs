@@ -39,7 +39,11 @@ pub(crate) fn cells(seed: u64, p: DVec3) -> (f64, f64, f64) {
                 let h = lattice(seed, x + dx, y + dy, z + dz);
                 // Three numbers of 20 bits.
                 let part = |shift: u32| (h >> shift & 0xF_FFFF) as f64 / f64::from(1u32 << 20);
-                let q = DVec3::new(dx as f64 + part(0), dy as f64 + part(20), dz as f64 + part(40));
+                let q = DVec3::new(
+                    dx as f64 + part(0),
+                    dy as f64 + part(20),
+                    dz as f64 + part(40),
+                );
                 let d = q.distance_squared(f);
                 if d < first {
                     (second, first, name) = (first, d, h);
@@ -49,7 +53,11 @@ pub(crate) fn cells(seed: u64, p: DVec3) -> (f64, f64, f64) {
             }
         }
     }
-    (first.sqrt(), second.sqrt(), (name >> 44) as f64 / f64::from(1u32 << 20))
+    (
+        first.sqrt(),
+        second.sqrt(),
+        (name >> 44) as f64 / f64::from(1u32 << 20),
+    )
 }
 
 /// Smooth step from 0 at `a` to 1 at `b`.

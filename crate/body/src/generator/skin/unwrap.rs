@@ -29,7 +29,10 @@ fn open_loops(faces: &[Vec<u32>]) -> Vec<Vec<u32>> {
     for face in faces {
         for i in 0..face.len() {
             let (a, b) = (face[i], face[(i + 1) % face.len()]);
-            if edges.get(&(a.min(b), a.max(b))).is_some_and(|f| f.len() == 1) {
+            if edges
+                .get(&(a.min(b), a.max(b)))
+                .is_some_and(|f| f.len() == 1)
+            {
                 next.insert(a, b);
             }
         }
@@ -98,7 +101,10 @@ pub(crate) fn harmonic(
         .into_iter()
         .map(DVec3::truncate)
         .collect();
-    let middles = (positions.len()..).zip(holes).map(|(i, h)| (flat[i], h)).collect();
+    let middles = (positions.len()..)
+        .zip(holes)
+        .map(|(i, h)| (flat[i], h))
+        .collect();
     (flat[..positions.len()].to_vec(), middles)
 }
 

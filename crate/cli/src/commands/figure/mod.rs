@@ -4,6 +4,7 @@ mod build;
 mod export;
 mod file;
 mod obj;
+mod params;
 mod sheet;
 
 use anyhow::Result;
@@ -21,6 +22,7 @@ pub(crate) struct Figure {
 #[derive(Subcommand)]
 enum Action {
     Build(build::Build),
+    Params(params::Params),
     Sheet(sheet::Sheet),
     Export(export::Export),
 }
@@ -29,6 +31,7 @@ impl Figure {
     pub(crate) fn run(&self) -> Result<Outcome> {
         match &self.action {
             Action::Build(c) => c.run(),
+            Action::Params(c) => c.run(),
             Action::Sheet(c) => c.run(),
             Action::Export(c) => c.run(),
         }
