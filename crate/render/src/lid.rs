@@ -88,3 +88,93 @@ impl LidEdge {
         found.unwrap_or([0.0; 4])
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use raconteur_base::{DQuat, ops};
+    use raconteur_body::figure::{Maps, Material, Mesh};
+    use raconteur_body::{Pose, Skeleton};
+
+    /// A figure of nothing but skin on the left upper lid, at these heights above the middle
+    /// of the eye, radians.
+    fn lid(angles: &[f64]) -> (Figure, DVec3) {
+        let skeleton = Skeleton::example();
+        let mut bind = Vec::new();
+        skeleton.solve(&Pose::zero(), &mut bind);
+        let upper = Drive::UpperLid(Side::Left);
+        let joint = skeleton.joints().iter().position(|j| j.drive == upper);
+        let joint = joint.unwrap_or(0);
+        let centre = bind[joint].translation;
+        let n = angles.len();
+        let mesh = Mesh {
+            name: "lid".to_owned(),
+            material: Material {
+                kind: MaterialKind::Skin,
+                base_color: [1.0; 4],
+                roughness: 0.5,
+                double_sided: false,
+                maps: Maps::default(),
+            },
+            positions: angles
+                .iter()
+                .map(|&a| (centre + on_globe(a)).as_vec3().into())
+                .collect(),
+            normals: vec![[0.0, 0.0, 1.0]; n],
+            uvs: vec![[0.0; 2]; n],
+            colors: vec![[255; 4]; n],
+            joints: vec![[joint as u16, 0, 0, 0]; n],
+            weights: vec![[1.0, 0.0, 0.0, 0.0]; n],
+            indices: Vec::new(),
+            morphs: Vec::new(),
+        };
+        let figure = Figure {
+            name: "lid".to_owned(),
+            inverse_bind: bind.iter().map(DAffine3::inverse).collect(),
+            skeleton,
+            meshes: vec![mesh],
+            morph_names: Vec::new(),
+            lid_closure_rad: [0.6; 2],
+            images: Vec::new(),
+        };
+        (figure, centre)
+    }
+
+    fn on_globe(angle: f64) -> DVec3 {
+        let (s, c) = ops::sincos(angle);
+        DVec3::new(0.0, s, c) * 0.013
+    }
+
+    #[test]
+    fn the_edge_is_found_and_turns_with_the_lid() {
+        let (figure, centre) = lid(&[0.8, 0.3, 0.5]);
+        let [upper, rest @ ..] = LidEdge::of(&figure);
+        assert!(rest.iter().all(Option::is_none));
+        for closed in [0.0, 0.2, 0.4] {
+            let turn = DAffine3::from_translation(centre)
+                * DAffine3::from_quat(DQuat::from_rotation_x(closed))
+                * DAffine3::from_translation(-centre);
+            let world: Vec<DAffine3> = figure
+                .inverse_bind
+                .iter()
+                .map(|m| turn * m.inverse())
+                .collect();
+            let plane = LidEdge::plane(upper, &world, &figure.inverse_bind).map(f64::from);
+            let beyond = |angle: f64| {
+                let p = centre + on_globe(angle);
+                plane[0] * p.x + plane[1] * p.y + plane[2] * p.z + plane[3]
+            };
+            let edge = 0.3 - closed;
+            assert!(beyond(edge).abs() < 1e-5, "{closed}: {}", beyond(edge));
+            assert!(beyond(edge + 0.1) > 1e-3 && beyond(edge - 0.1) < -1e-3);
+        }
+    }
+
+    #[test]
+    fn a_figure_without_lids_has_no_edges() {
+        let (mut figure, _) = lid(&[0.3]);
+        figure.meshes.clear();
+        assert!(LidEdge::of(&figure).iter().all(Option::is_none));
+        assert_eq!(LidEdge::plane(None, &[], &[]), [0.0; 4]);
+    }
+}
