@@ -18,6 +18,7 @@ pub mod renderer;
 mod device;
 mod environment;
 mod figure;
+mod lid;
 mod morph;
 mod pipeline;
 mod sent;

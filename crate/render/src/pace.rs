@@ -77,7 +77,8 @@ impl Pace {
 
     /// Takes the time between two frames, milliseconds; whether [`Self::options`] changed.
     pub fn report(&mut self, frame_ms: f64) -> bool {
-        if !self.automatic || !(frame_ms > 0.0 && frame_ms < PAUSE_MS) {
+        let counts = frame_ms > 0.0 && frame_ms < PAUSE_MS;
+        if !self.automatic || !counts {
             return false;
         }
         self.frames += 1;

@@ -148,21 +148,7 @@ impl Kit {
         let module = |label, parts: &[&str]| {
             device.create_shader_module(wgpu::ShaderModuleDescriptor {
                 label: Some(label),
-                source: wgpu::ShaderSource::Wgsl(match std::env::var("LOOK_WGSL") {
-                    Ok(dir) => (if parts.len() > 3 {
-                        vec![
-                            "frame", "light", "figure", "surface", "skin", "eye", "mouth", "hair",
-                            "cloth", "theatre",
-                        ]
-                    } else {
-                        vec!["frame", "last"]
-                    })
-                    .iter()
-                    .map(|n| std::fs::read_to_string(format!("{dir}/{n}.wgsl")).unwrap())
-                    .collect::<String>()
-                    .into(),
-                    Err(_) => parts.concat().into(),
-                }),
+                source: wgpu::ShaderSource::Wgsl(parts.concat().into()),
             })
         };
         Self {

@@ -5,9 +5,8 @@ use raconteur_body::figure::{Figure, Maps};
 use wgpu::{Buffer, BufferUsages, Device, Queue, TextureView};
 
 use crate::RenderError;
-use crate::figure::{
-    DrawnMesh, FigureData, LidEdge, Look, MATERIAL_STRIDE, MAX_JOINTS, Shadow, joint_rows,
-};
+use crate::figure::{DrawnMesh, FigureData, Look, MATERIAL_STRIDE, MAX_JOINTS, Shadow, joint_rows};
+use crate::lid::LidEdge;
 use crate::morph::MorphedMesh;
 use crate::pipeline::Layouts;
 use crate::renderer::{Counts, bind_group, binding, empty_buffer};

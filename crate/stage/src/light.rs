@@ -28,10 +28,13 @@ pub struct Lighting {
     pub exposure: f32,
 }
 
+/// A light's name, and what makes it.
+pub type Preset = (&'static str, fn() -> Lighting);
+
 impl Lighting {
     /// Lights by name: the stage's own, a large window on a grey day, a low warm lamp from
     /// the side with a strong rim, and a studio's even light. All designed by eye.
-    pub const PRESETS: [(&'static str, fn() -> Self); 4] = [
+    pub const PRESETS: [Preset; 4] = [
         ("stage", Self::default),
         ("daylight", Self::daylight),
         ("evening", Self::evening),

@@ -76,15 +76,16 @@ fn rim_share(p: vec3<f32>, n: vec3<f32>, at: vec2<f32>) -> f32 {
 }
 
 // How easily light gets through what lies between p and the lamp, 0..1: how near to p, of
-// 2, 4, 7 and 12 mm, it entered.
-fn thinness(light: u32, p: vec3<f32>) -> f32 {
+// about 2, 4, 7 and 12 mm, it entered. The pixel `at` shifts the steps, so that none shows.
+fn thinness(light: u32, p: vec3<f32>, at: vec2<f32>) -> f32 {
     if SHADOWS < 2u {
         return 0.0;
     }
     let q = in_map(light, p);
-    let mm = 0.001 * frame.shadow.w;
-    return 0.25 * (lit_at(light, q.xy, q.z - 2.0 * mm) + lit_at(light, q.xy, q.z - 4.0 * mm)
-        + lit_at(light, q.xy, q.z - 7.0 * mm) + lit_at(light, q.xy, q.z - 12.0 * mm));
+    let uv = q.xy + tap_shift(at) * frame.shadow.x;
+    let mm = (0.85 + 0.3 * pixel_noise(at.yx)) * 0.001 * frame.shadow.w;
+    return 0.25 * (lit_at(light, uv, q.z - 2.0 * mm) + lit_at(light, uv, q.z - 4.0 * mm)
+        + lit_at(light, uv, q.z - 7.0 * mm) + lit_at(light, uv, q.z - 12.0 * mm));
 }
 
 // GGX with the height-correlated Smith term in Hammon's approximation (GDC 2017),

@@ -19,14 +19,14 @@ fn under_skin(ndl: vec3<f32>, share: f32, bend: f32) -> vec3<f32> {
 }
 
 // Light that shines through thin flesh from behind: red, as blood lets it.
-fn shone_through(light: u32, p: vec3<f32>, n: vec3<f32>, l: vec3<f32>) -> vec3<f32> {
+fn shone_through(light: u32, p: vec3<f32>, n: vec3<f32>, l: vec3<f32>, at: vec2<f32>) -> vec3<f32> {
     // Past the edge of shadow only: there even thick parts are thin.
-    let away = smoothstep(0.02, 0.40, -dot(n, l));
+    let away = smoothstep(0.05, 0.65, -dot(n, l));
     if away <= 0.0 {
         return vec3<f32>(0.0);
     }
-    let s = thinness(light, p - n * 0.0008);
-    return vec3<f32>(0.8 * s, 0.24 * s * s, 0.12 * s * s * s) * (away * 0.8);
+    let s = thinness(light, p - n * 0.0008, at);
+    return vec3<f32>(0.8 * s, 0.24 * s * s, 0.12 * s * s * s) * (away * 0.7);
 }
 
 // How oily the skin is, 0..1, from where on the face it lies: forehead, nose and chin more
@@ -90,8 +90,8 @@ fn fs_skin(v: VertexOut, @builtin(front_facing) front: bool) -> @location(0) vec
     diffuse += frame.fill.xyz * under_skin(fill_n, 1.0, v.bend) * occlusion;
     diffuse += frame.rim.xyz * under_skin(rim_n, rim_in, v.bend) * (occlusion * occlusion);
     diffuse += ambient(normalize(mix(ng, n, 0.5))) * occlusion;
-    diffuse += (frame.key.xyz * shone_through(0u, v.world, ng, key_l)
-        + frame.rim.xyz * shone_through(1u, v.world, ng, rim_l)) * ao;
+    diffuse += (frame.key.xyz * shone_through(0u, v.world, ng, key_l, v.clip.xy)
+        + frame.rim.xyz * shone_through(1u, v.world, ng, rim_l, v.clip.xy)) * ao;
 
     // Two lobes, oily film over rough skin, f0 0.028 (d'Eon and Luebke 2007).
     // Rough skin mirrors less at grazing angles than Schlick's smooth surface.
