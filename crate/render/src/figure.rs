@@ -5,8 +5,8 @@ use std::ops::Range;
 use bytemuck::{Pod, Zeroable};
 use glam::{Vec2, Vec3};
 use raconteur_base::{DAffine3, Side};
-use raconteur_body::skeleton::Drive;
 use raconteur_body::figure::{Figure, Maps, Material, MaterialKind, Mesh};
+use raconteur_body::skeleton::Drive;
 
 use crate::RenderError;
 use crate::morph::{MorphedMesh, ShapeVertex, shape_vertex};

@@ -20,9 +20,9 @@ mod morph;
 mod pipeline;
 mod sent;
 mod shadow;
-mod tier;
 mod target;
 mod texture;
+mod tier;
 mod uniform;
 
 #[cfg(all(feature = "native", not(target_arch = "wasm32")))]

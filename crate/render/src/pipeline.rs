@@ -66,8 +66,13 @@ impl Layouts {
         };
         let picture =
             |binding| texture(binding, wgpu::TextureSampleType::Float { filterable: true });
-        let sampler =
-            |binding, kind| entry(binding, ShaderStages::FRAGMENT, wgpu::BindingType::Sampler(kind));
+        let sampler = |binding, kind| {
+            entry(
+                binding,
+                ShaderStages::FRAGMENT,
+                wgpu::BindingType::Sampler(kind),
+            )
+        };
         let filtering = wgpu::SamplerBindingType::Filtering;
         Self {
             frame: layout("frame", &[frame]),

@@ -263,7 +263,11 @@ impl Renderer {
         let shadows = [&frame.lighting.key, &frame.lighting.rim]
             .map(|light| ShadowView::new(light, &frame.camera, &view, stand, stature_m, texels));
         let drawn = self.targets.as_ref().map_or(size, |(t, _)| t.size);
-        let enlarged = if self.tier.options.half_size { 2.0 } else { 1.0 };
+        let enlarged = if self.tier.options.half_size {
+            2.0
+        } else {
+            1.0
+        };
         let uniform = FrameUniform::new(frame, &view, &shadows, stature_m, drawn, enlarged);
         self.queue
             .write_buffer(&self.frame_buffer, 0, bytemuck::bytes_of(&uniform));
@@ -412,7 +416,10 @@ pub(crate) fn empty_buffer(device: &Device, label: &str, size: u64, usage: Buffe
     })
 }
 
-pub(crate) fn binding(binding: u32, resource: wgpu::BindingResource<'_>) -> wgpu::BindGroupEntry<'_> {
+pub(crate) fn binding(
+    binding: u32,
+    resource: wgpu::BindingResource<'_>,
+) -> wgpu::BindGroupEntry<'_> {
     wgpu::BindGroupEntry { binding, resource }
 }
 

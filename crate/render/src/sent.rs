@@ -166,7 +166,8 @@ impl SentFigure {
             return Ok(());
         };
         let wanted = Some(index);
-        let shown = |of: fn(&Maps) -> Option<usize>| self.meshes.iter().any(|m| of(&m.maps) == wanted);
+        let shown =
+            |of: fn(&Maps) -> Option<usize>| self.meshes.iter().any(|m| of(&m.maps) == wanted);
         for (slot, role, shown) in [
             (0, Role::Color, shown(|m| m.base_color)),
             (1, Role::Normal, shown(|m| m.normal)),

@@ -38,9 +38,8 @@ pub fn build(params: &FigureParams) -> Built {
     let wearer = Wearer::new(&params.body, &field, &cage, &joints);
     let clothes = dress(&wearer, &params.wardrobe);
 
-    let body = |p: DVec3| {
-        field.value_and_normal(world_from_head.transform_point3(p), Regions::ALL, 1.0)
-    };
+    let body =
+        |p: DVec3| field.value_and_normal(world_from_head.transform_point3(p), Regions::ALL, 1.0);
     let mut hairs = hair::hair(&head, &params.hair, &body);
     for v in hairs.iter_mut().flat_map(|h| &mut h.part.vertices) {
         v.position = world_from_head.transform_point3(v.position);

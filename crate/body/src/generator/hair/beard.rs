@@ -212,7 +212,12 @@ pub(super) fn beard(
                     part.vertices.push(PartVertex {
                         position: middle + across_it * (sign * half),
                         uv: [across(weave, dice(9), u), t],
-                        color: [r, g, b, lerp(0.72, 1.0, t) * if layer == 0 { 0.85 } else { 1.0 }],
+                        color: [
+                            r,
+                            g,
+                            b,
+                            lerp(0.72, 1.0, t) * if layer == 0 { 0.85 } else { 1.0 },
+                        ],
                         weights: weights.clone(),
                     });
                     let round = n * 0.8 + DVec3::NEG_Y * (0.2 * t) + across_it * (0.3 * sign);

@@ -193,7 +193,8 @@ impl Cut for Bob {
     }
 
     fn volume(&self, at: DVec3) -> f64 {
-        let crown = ops::exp(-((at.z + 0.05) / 0.06) * ((at.z + 0.05) / 0.06)) * slope(0.02, 0.09, at.y);
+        let crown =
+            ops::exp(-((at.z + 0.05) / 0.06) * ((at.z + 0.05) / 0.06)) * slope(0.02, 0.09, at.y);
         1.0 + 0.3 * crown + 0.15 * slope(0.06, 0.11, at.y)
     }
 
@@ -209,7 +210,11 @@ impl Cut for Bob {
     fn hang(&self, at: DVec3) -> Vec<(JointRef, f64)> {
         let bone = |b| JointRef(Drive::Bone(b));
         let neck = slope(-0.04, -0.11, at.y) * if self.long { 0.5 } else { 0.28 };
-        let trunk = if self.long { slope(-0.11, -0.2, at.y) } else { 0.0 };
+        let trunk = if self.long {
+            slope(-0.11, -0.2, at.y)
+        } else {
+            0.0
+        };
         vec![
             (bone(Bone::Skull), (1.0 - neck) * (1.0 - trunk)),
             (bone(Bone::Cervical), neck * (1.0 - trunk)),

@@ -55,8 +55,8 @@ impl HairColour {
     #[must_use]
     pub fn pigment_rgb(&self) -> [f64; 3] {
         core::array::from_fn(|i| {
-            let sigma = self.eumelanin.max(0.0) * EUMELANIN[i]
-                + self.pheomelanin.max(0.0) * PHEOMELANIN[i];
+            let sigma =
+                self.eumelanin.max(0.0) * EUMELANIN[i] + self.pheomelanin.max(0.0) * PHEOMELANIN[i];
             // Hair with next to no pigment is not whiter than white hair.
             (SURFACE + ops::exp(-sigma.sqrt() * REACH)).min(WHITE[i])
         })

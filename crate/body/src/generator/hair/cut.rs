@@ -143,8 +143,12 @@ pub(super) fn kept(p: &HairParams, at: DVec3) -> f64 {
     let temple = slope(8.0, 30.0, mm.x.abs()) * (1.0 - slope(54.0, 66.0, mm.x.abs()));
     // The line moves up by as much as 34 mm at the temples and 14 in the middle.
     let line = 80.0 + p.recession * (12.0 + 24.0 * temple);
-    let front = 1.0 - forehead * (1.0 - slope(line - 3.0, line + 9.0, mm.y)) * p.recession.min(0.25) * 4.0
-        * slope(60.0, 78.0, mm.y);
+    let front = 1.0
+        - forehead
+            * (1.0 - slope(line - 3.0, line + 9.0, mm.y))
+            * p.recession.min(0.25)
+            * 4.0
+            * slope(60.0, 78.0, mm.y);
     let (dx, dz) = (mm.x / 46.0, (mm.z + 22.0) / 62.0);
     let crown = raconteur_base::ops::exp(-dx * dx - dz * dz) * slope(70.0, 105.0, mm.y);
     front * (1.0 - 0.75 * p.thinning * crown)

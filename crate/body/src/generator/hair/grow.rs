@@ -145,7 +145,11 @@ fn grow(
         direction = (direction + cut.bend(here, from, arc / full) * per_cm).normalize();
         let bump = if over_ear { ground.over_ear(at) } else { 0.0 };
         let height = CLEAR
-            + layer.height * p.volume * cut.volume(here) * size * smooth(arc / (0.02 + 3.5 * layer.height))
+            + layer.height
+                * p.volume
+                * cut.volume(here)
+                * size
+                * smooth(arc / (0.02 + 3.5 * layer.height))
             + bump;
         let cling = (cut.cling(here) * per_cm).min(1.0);
         let (mut next, found) = ground.settle(at + direction * step, height, cling);
@@ -173,7 +177,10 @@ fn grow(
     path
 }
 
-#[allow(clippy::too_many_arguments, reason = "one strand is made of all of these")]
+#[allow(
+    clippy::too_many_arguments,
+    reason = "one strand is made of all of these"
+)]
 fn strand(
     p: &HairParams,
     cut: &dyn Cut,
@@ -201,7 +208,14 @@ fn strand(
     }
     let over_ear = cut.over_ear(ground.common(root.position));
     let mut curve = gathered(&path, &locks[home], cut.locks().gather, layer.height);
-    wave(&mut curve, &path.normals, cut.wave(), home, p.seed, random(2));
+    wave(
+        &mut curve,
+        &path.normals,
+        cut.wave(),
+        home,
+        p.seed,
+        random(2),
+    );
     let mut curve = smoothed(curve);
     for c in curve.iter_mut().skip(2) {
         *c = ground.settle(*c, CLEAR + 0.25 * layer.height, 0.0).0;
@@ -218,16 +232,22 @@ fn strand(
     }
     let (curve, normals) = thinned(&curve, &path.normals[..curve.len()], layer.spans);
     let full = layer.roots == Where::All;
+    // Where hair begins to thin, its deep layers lie open and must not show as dark bars.
+    let dense = slope(0.55, 1.0, root.density);
     Some(Strand {
         curve,
         normals,
-        width: layer.width * ground.size() * (1.0 + 0.25 * random(3)),
-        root: if layer.roots == Where::Hairline { 0.15 } else { 0.5 },
+        width: layer.width * lerp(0.55, 1.0, dense) * ground.size() * (1.0 + 0.25 * random(3)),
+        root: if layer.roots == Where::Hairline {
+            0.15
+        } else {
+            0.5
+        },
         tip: if full { 0.62 } else { 0.4 },
         weave: layer.weave,
         dice: noise::unit(p.seed, 111, id),
         colour: palette.lock(p.seed, id, 0.13),
-        open: layer.open,
+        open: layer.open.map(|o| lerp(0.9, o, dense)),
     })
 }
 
@@ -293,7 +313,7 @@ fn wave(curve: &mut [DVec3], normals: &[DVec3], width: f64, lock: usize, seed: u
         let side = along.cross(normals[i]).normalize_or_zero();
         let amount = width * ramp(0.04, 0.15, arc);
         let turn = arc / pace * core::f64::consts::TAU + phase;
-        curve[i] += side * (amount * ops::sin(turn))
-            + normals[i] * (amount * 0.6 * (ops::cos(turn) + 0.6));
+        curve[i] +=
+            side * (amount * ops::sin(turn)) + normals[i] * (amount * 0.6 * (ops::cos(turn) + 0.6));
     }
 }

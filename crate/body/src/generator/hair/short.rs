@@ -176,7 +176,9 @@ impl Cut for Short {
             HairStyle::Swept => {
                 let behind = slope(-0.05, -0.08, at.z);
                 // Over the ear to behind it.
-                let ear = slope(0.055, 0.040, at.y) * slope(0.005, -0.004, at.z) * slope(-0.04, -0.03, at.z);
+                let ear = slope(0.055, 0.040, at.y)
+                    * slope(0.005, -0.004, at.z)
+                    * slope(-0.04, -0.03, at.z);
                 down + DVec3::new(0.0, 0.25 * ear, -0.12 - 0.5 * ear)
                     + DVec3::NEG_Y * (0.25 * behind)
             }

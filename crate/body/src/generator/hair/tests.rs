@@ -102,7 +102,10 @@ fn hair_keeps_clear_of_skin_and_ears() {
         let ground = Ground::new(head, &away);
         for (style, name) in HairStyle::NAMES {
             let p = HairParams { style, ..*own };
-            for piece in hair(head, &p, &away).iter().filter(|p| p.part.name == "hair") {
+            for piece in hair(head, &p, &away)
+                .iter()
+                .filter(|p| p.part.name == "hair")
+            {
                 // Middles of the rows; roots go into the skin and sides bend round the head.
                 let v = &piece.part.vertices;
                 let mut deep = 0;

@@ -2,8 +2,8 @@
 
 use raconteur_base::{DVec3, Side, mirror_vector, noise, ops};
 
-use super::rig::smooth;
 use super::ride::{Holds, Ride};
+use super::rig::smooth;
 use super::surface::nearest;
 use crate::figure::{Maps, Material, MaterialKind};
 use crate::generator::part::{Part, PartVertex};
@@ -204,7 +204,8 @@ fn brow(ride: &Ride, line: &BrowLine, side: Side, seed: u64, p: &BrowParams) -> 
             Card {
                 root: root - n * 0.15,
                 direction: direction.normalize(),
-                bend: along * 0.10 * length - n * 0.14 * length
+                bend: along * 0.10 * length
+                    - n * 0.14 * length
                     - DVec3::Y * (0.06 + 0.10 * p.unruly * dice.unit()) * length,
                 length,
                 half_width: 0.20,
