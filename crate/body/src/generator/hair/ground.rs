@@ -9,7 +9,7 @@ use crate::generator::head::{Ear, Head, Proportions};
 use crate::generator::subdivide::vertex_normals;
 
 /// Room between hair and an ear, metres.
-pub(super) const EAR_MARGIN: f64 = 0.0025;
+const EAR_MARGIN: f64 = 0.0025;
 /// Room between hair and the body's surface: the cloth lies between.
 const BODY_MARGIN: f64 = 0.012;
 

@@ -232,16 +232,22 @@ fn strand(
     }
     let (curve, normals) = thinned(&curve, &path.normals[..curve.len()], layer.spans);
     let full = layer.roots == Where::All;
+    // Where hair begins to thin, its deep layers lie open and must not show as dark bars.
+    let dense = slope(0.55, 1.0, root.density);
     Some(Strand {
         curve,
         normals,
-        width: layer.width * ground.size() * (1.0 + 0.25 * random(3)),
-        root: if layer.roots == Where::Hairline { 0.15 } else { 0.5 },
+        width: layer.width * lerp(0.55, 1.0, dense) * ground.size() * (1.0 + 0.25 * random(3)),
+        root: if layer.roots == Where::Hairline {
+            0.15
+        } else {
+            0.5
+        },
         tip: if full { 0.62 } else { 0.4 },
         weave: layer.weave,
         dice: noise::unit(p.seed, 111, id),
         colour: palette.lock(p.seed, id, 0.13),
-        open: layer.open,
+        open: layer.open.map(|o| lerp(0.9, o, dense)),
     })
 }
 

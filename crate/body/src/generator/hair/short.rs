@@ -69,7 +69,7 @@ const CROP: [Layer; 4] = [
 const BUZZ: [Layer; 2] = [
     Layer {
         weave: Weave::Loose,
-        ..layer(420, 2, 0.0012, 0.012, [0.7, 0.95])
+        ..layer(420, 2, 0.0080, 0.012, [0.7, 0.95])
     },
     fine(100, 0.006, 0.006),
 ];
