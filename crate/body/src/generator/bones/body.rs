@@ -82,17 +82,33 @@ fn vertebra(level: &Level, index: usize, k: f64) -> Solid {
     let spine = Solid::rod(
         &[
             (behind, 0.010 * k, 0.006 * k),
-            (behind + DVec3::new(0.0, -0.006, -0.008) * k, 0.003 * k, 0.006 * k),
-            (behind + DVec3::new(0.0, -0.012, -0.014) * k, 0.003 * k, 0.005 * k),
+            (
+                behind + DVec3::new(0.0, -0.006, -0.008) * k,
+                0.003 * k,
+                0.006 * k,
+            ),
+            (
+                behind + DVec3::new(0.0, -0.012, -0.014) * k,
+                0.003 * k,
+                0.005 * k,
+            ),
         ],
         DVec3::X,
         8,
     );
     let wings = Solid::rod(
         &[
-            (behind + DVec3::X * lerp(0.020, 0.032, t) * k, 0.004 * k, 0.004 * k),
+            (
+                behind + DVec3::X * lerp(0.020, 0.032, t) * k,
+                0.004 * k,
+                0.004 * k,
+            ),
             (behind, 0.006 * k, 0.006 * k),
-            (behind - DVec3::X * lerp(0.020, 0.032, t) * k, 0.004 * k, 0.004 * k),
+            (
+                behind - DVec3::X * lerp(0.020, 0.032, t) * k,
+                0.004 * k,
+                0.004 * k,
+            ),
         ],
         DVec3::Y,
         8,
@@ -109,8 +125,16 @@ fn rib(frame: &Frame, index: usize, head: DVec3) -> Solid {
     let i = index as f64 / (RIBS - 1) as f64;
     // Upper ribs are short and slope steeply, the longest reach lowest at the side.
     let drop = lerp(0.030, 0.105, i.min(0.7) / 0.7) * k;
-    let end = if index < 7 { 0.18 } else { 0.18 + 0.22 * (index - 6) as f64 };
-    let rise = if index < 4 { 0.0 } else { 0.016 * (index - 3) as f64 * k };
+    let end = if index < 7 {
+        0.18
+    } else {
+        0.18 + 0.22 * (index - 6) as f64
+    };
+    let rise = if index < 4 {
+        0.0
+    } else {
+        0.016 * (index - 3) as f64 * k
+    };
     let steps = 11;
     let path: Vec<(DVec3, f64, f64)> = (0..=steps)
         .map(|s| {
@@ -145,7 +169,11 @@ fn pelvis(frame: &Frame) -> Solid {
         v(0.022, 0.060, 0.034),
         v(0.030, 0.100, 0.012),
         v(0.012, 0.122, -0.022),
-        DVec3::new(joint.x + 0.012 * k, joint.y + 0.038 * k, joint.z + 0.004 * k),
+        DVec3::new(
+            joint.x + 0.012 * k,
+            joint.y + 0.038 * k,
+            joint.z + 0.004 * k,
+        ),
         joint,
         v(-0.022, 0.030, -0.038),
     ];
@@ -186,9 +214,21 @@ fn pelvis(frame: &Frame) -> Solid {
     let sacrum = Solid::rod(
         &[
             (top, 0.044 * k, 0.018 * k),
-            (top + DVec3::new(0.0, -0.034, -0.024) * k, 0.036 * k, 0.014 * k),
-            (top + DVec3::new(0.0, -0.074, -0.034) * k, 0.022 * k, 0.009 * k),
-            (top + DVec3::new(0.0, -0.112, -0.026) * k, 0.007 * k, 0.006 * k),
+            (
+                top + DVec3::new(0.0, -0.034, -0.024) * k,
+                0.036 * k,
+                0.014 * k,
+            ),
+            (
+                top + DVec3::new(0.0, -0.074, -0.034) * k,
+                0.022 * k,
+                0.009 * k,
+            ),
+            (
+                top + DVec3::new(0.0, -0.112, -0.026) * k,
+                0.007 * k,
+                0.006 * k,
+            ),
         ],
         DVec3::X,
         10,
@@ -215,7 +255,11 @@ pub(super) fn parts(frame: &Frame) -> Vec<Part> {
                 Side::Left => (left, "l"),
                 Side::Right => (left.mapped(mirror_vector), "r"),
             };
-            out.push(rigid(&format!("{letter}_rib{}", i + 1), keep(solid), Bone::Thoracic));
+            out.push(rigid(
+                &format!("{letter}_rib{}", i + 1),
+                keep(solid),
+                Bone::Thoracic,
+            ));
         }
     }
     // The breastbone, from the notch between the collarbones.

@@ -73,8 +73,16 @@ fn girdle(frame: &Frame, side: Side) -> Vec<Part> {
     let clavicle = Solid::rod(
         &[
             (sternal, 0.011 * k, 0.010 * k),
-            (sternal + span * 0.3 + v(0.0, 0.004, 0.010), 0.0065 * k, 0.0065 * k),
-            (sternal + span * 0.7 + v(0.0, 0.006, -0.008), 0.0065 * k, 0.006 * k),
+            (
+                sternal + span * 0.3 + v(0.0, 0.004, 0.010),
+                0.0065 * k,
+                0.0065 * k,
+            ),
+            (
+                sternal + span * 0.7 + v(0.0, 0.006, -0.008),
+                0.0065 * k,
+                0.006 * k,
+            ),
             (tip, 0.010 * k, 0.005 * k),
         ],
         DVec3::Z,
@@ -87,15 +95,16 @@ fn girdle(frame: &Frame, side: Side) -> Vec<Part> {
     let lateral = shoulder + v(-0.042, -0.042, -0.034);
     let normal = (lower - upper).cross(socket - upper);
     let normal = normal.try_normalize().unwrap_or(DVec3::Z);
-    let blade = Solid::plate(
-        &[socket, upper, inner, lower, lateral],
-        normal * 0.008 * k,
-    );
+    let blade = Solid::plate(&[socket, upper, inner, lower, lateral], normal * 0.008 * k);
     let behind = |p: DVec3| p - DVec3::Z * 0.010 * k;
     let spine = Solid::rod(
         &[
             (behind(inner + v(0.012, 0.012, 0.004)), 0.006 * k, 0.004 * k),
-            (behind(shoulder + v(-0.035, 0.020, -0.032)), 0.010 * k, 0.005 * k),
+            (
+                behind(shoulder + v(-0.035, 0.020, -0.032)),
+                0.010 * k,
+                0.005 * k,
+            ),
             (shoulder + v(0.006, 0.027, -0.018), 0.012 * k, 0.005 * k),
             (tip + v(0.004, -0.002, -0.004), 0.012 * k, 0.005 * k),
         ],
@@ -119,7 +128,9 @@ fn arm(frame: &Frame, side: Side) -> Vec<Part> {
     let keep = |s: Solid| s.mapped(|p| frame.inside(p, Regions::UPPER));
     // Across the elbow's hinge: up and down with the arm stretched out sideways.
     let along = (c - b).try_normalize().unwrap_or(DVec3::X);
-    let up = (DVec3::Y - along * along.y).try_normalize().unwrap_or(DVec3::Y);
+    let up = (DVec3::Y - along * along.y)
+        .try_normalize()
+        .unwrap_or(DVec3::Y);
     let mut humerus = shaft(
         a,
         b,
@@ -220,7 +231,11 @@ fn leg(frame: &Frame, side: Side) -> Vec<Part> {
     let neck = Solid::rod(
         &[
             (a, 0.014 * k, 0.014 * k),
-            (a + (out * 0.046 - DVec3::Y * 0.026) * k, 0.017 * k, 0.014 * k),
+            (
+                a + (out * 0.046 - DVec3::Y * 0.026) * k,
+                0.017 * k,
+                0.014 * k,
+            ),
         ],
         DVec3::Y,
         10,
@@ -255,7 +270,7 @@ fn leg(frame: &Frame, side: Side) -> Vec<Part> {
         ],
     );
     let cap = ball(
-        b + DVec3::new(0.0, 0.014, 0.037) * k,
+        b + DVec3::new(0.0, 0.014, 0.031) * k,
         DVec3::new(0.020, 0.022, 0.009) * k,
     );
     let l = letter(side);
@@ -270,8 +285,7 @@ fn leg(frame: &Frame, side: Side) -> Vec<Part> {
 /// Heel bone, ankle bone, the middle foot as one block, five rays of metatarsals and toes.
 fn foot(frame: &Frame, side: Side) -> Vec<Part> {
     let k = frame.scale;
-    let [ankle, middle, front] =
-        ["subtalar", "midtarsal", "metatarsal"].map(|n| Bone::on(side, n));
+    let [ankle, middle, front] = ["subtalar", "midtarsal", "metatarsal"].map(|n| Bone::on(side, n));
     let (a, b, c) = (frame.at(ankle), frame.at(middle), frame.at(front));
     let v = |x: f64, y: f64, z: f64| DVec3::new(x * side.sign(), y, z) * k;
     let l = letter(side);
@@ -285,7 +299,10 @@ fn foot(frame: &Frame, side: Side) -> Vec<Part> {
         DVec3::X,
         10,
     );
-    let talus = ball(a + v(-0.002, 0.010, 0.008), DVec3::new(0.019, 0.016, 0.026) * k);
+    let talus = ball(
+        a + v(-0.002, 0.010, 0.008),
+        DVec3::new(0.019, 0.016, 0.026) * k,
+    );
     let block = Solid::rod(
         &[
             (b + v(-0.002, 0.018, -0.024), 0.022 * k, 0.014 * k),
@@ -327,7 +344,11 @@ fn foot(frame: &Frame, side: Side) -> Vec<Part> {
             DVec3::X,
             8,
         );
-        parts.push(rigid(&format!("{l}_metatarsal{}", ray + 1), metatarsal, middle));
+        parts.push(rigid(
+            &format!("{l}_metatarsal{}", ray + 1),
+            metatarsal,
+            middle,
+        ));
         parts.push(rigid(&format!("{l}_toe{}", ray + 1), toe, front));
     }
     parts

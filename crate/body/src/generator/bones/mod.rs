@@ -54,7 +54,9 @@ const COVER_M: f64 = 0.004;
 impl Frame {
     fn new(params: &FigureParams, figure: &Figure) -> Self {
         let bind: [(DVec3, DQuat); Bone::COUNT] = core::array::from_fn(|i| {
-            let (_, q, p) = figure.inverse_bind[i].inverse().to_scale_rotation_translation();
+            let (_, q, p) = figure.inverse_bind[i]
+                .inverse()
+                .to_scale_rotation_translation();
             (p, q)
         });
         // The chest's wall lies under the bust.
@@ -176,7 +178,9 @@ pub fn layered(params: &FigureParams, built: &Built, layer: Layer) -> Figure {
     let eye = |side: Side| {
         let joints = skin.skeleton.joints();
         let index = joints.iter().position(|j| j.drive == Drive::Eye(side));
-        index.map_or(frame.at(Bone::Skull), |i| skin.inverse_bind[i].inverse().translation)
+        index.map_or(frame.at(Bone::Skull), |i| {
+            skin.inverse_bind[i].inverse().translation
+        })
     };
     let bones = assemble(&Blueprint {
         name: skin.name.clone(),

@@ -50,7 +50,13 @@ fn every_bone_is_closed_and_looks_outwards() {
 fn there_are_29_bones_from_elbow_to_fingertip_on_each_side() {
     let fingers = ["thumb", "index", "middle", "ring", "pinky"];
     let carpals = [
-        "scaphoid", "lunate", "triquetrum", "pisiform", "trapezium", "trapezoid", "capitate",
+        "scaphoid",
+        "lunate",
+        "triquetrum",
+        "pisiform",
+        "trapezium",
+        "trapezoid",
+        "capitate",
         "hamate",
     ];
     for side in ["l", "r"] {
@@ -89,7 +95,9 @@ fn skull_and_jaw_lie_under_the_skin_everywhere() {
         let mut least = f64::INFINITY;
         for v in part.vertices.iter() {
             let near = skin.iter().filter(|t| (t[0] - v.position).length() < 0.02);
-            least = near.map(|t| to_triangle(t, v.position)).fold(least, f64::min);
+            least = near
+                .map(|t| to_triangle(t, v.position))
+                .fold(least, f64::min);
         }
         assert!(least >= 0.0015, "{name} {least}");
     }

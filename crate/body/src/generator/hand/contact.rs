@@ -222,6 +222,9 @@ fn crossed_fingers_cross() {
     let posed = woman().posed(HandShape::ALL[42].angles());
     let tip = |f: usize| posed[f].last().unwrap();
     // Left hand: the thumb's side is the front.
-    assert!(tip(2).centre.z > tip(1).centre.z, "the middle finger lies before the index");
+    assert!(
+        tip(2).centre.z > tip(1).centre.z,
+        "the middle finger lies before the index"
+    );
     assert!(tip(2).centre.y > tip(1).centre.y, "and over it");
 }

@@ -120,7 +120,11 @@ pub fn bones(params: &HandParams, side: Side) -> Vec<HandBone> {
             // The thumb's first segment is its metacarpal.
             let tip = [6.0, 6.0, 5.67];
             let bone = |k: usize| phalanx(finger, k, tip[k]);
-            add(format!("{name}_metacarpal"), Influence::Finger(f, 0), bone(0));
+            add(
+                format!("{name}_metacarpal"),
+                Influence::Finger(f, 0),
+                bone(0),
+            );
             add(format!("{name}_proximal"), Influence::Finger(f, 1), bone(1));
             add(format!("{name}_distal"), Influence::Finger(f, 2), bone(2));
             continue;

@@ -219,7 +219,11 @@ fn relief(anatomy: &Anatomy, p: DVec3, normal: DVec3, ownership: &[f64; FINGER_C
             * curve::smooth((1.08 - t) / 0.12);
         if f < 4 {
             let valley = (anatomy.fingers[f].origin + anatomy.fingers[f + 1].origin) / 2.0;
-            h -= dorsal * 1.5 * look.hollows * bell((p.x - valley.x) / 4.5) * bell((p.y - valley.y - 4.0) / 10.0);
+            h -= dorsal
+                * 1.5
+                * look.hollows
+                * bell((p.x - valley.x) / 4.5)
+                * bell((p.y - valley.y - 4.0) / 10.0);
         }
     }
     h -= palmar * 3.2 * bell((p.x + 2.0) / 15.0) * bell((p.y - 52.0) / 24.0);
