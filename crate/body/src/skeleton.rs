@@ -425,7 +425,7 @@ impl Drive {
     /// How far a half joint moves in its own frame under a turn of its bone, as a share of
     /// stature. A bent joint bares the head of its bone: without this the back of a knuckle
     /// flattens and elbow and knee lose volume. Designed: 1.9 mm at the knuckles, 1.1 mm at
-    /// the other joints of a finger, 11 mm at the elbow and 32 mm at the knee of an adult
+    /// the other joints of a finger, 11 mm at the elbow and 39 mm at the knee of an adult
     /// bent right round.
     #[must_use]
     pub fn rise(self, turn: DQuat) -> DVec3 {
@@ -439,8 +439,8 @@ impl Drive {
         };
         let full = match (bone, after_wrist) {
             (Bone::LElbow | Bone::RElbow, _) => -DVec3::Y * 0.0065,
-            (Bone::LKnee, _) => DVec3::Z * 0.019,
-            (Bone::RKnee, _) => -DVec3::Z * 0.019,
+            (Bone::LKnee, _) => DVec3::Z * 0.023,
+            (Bone::RKnee, _) => -DVec3::Z * 0.023,
             (_, 0 | 3 | 6 | 9) => DVec3::Y * 0.0011,
             (_, 0..12) => DVec3::Y * 0.000_65,
             _ => DVec3::ZERO,

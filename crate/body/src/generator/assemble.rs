@@ -298,7 +298,7 @@ fn four_weights(vertex: &PartVertex, skeleton: &Skeleton) -> ([u16; 4], [f32; 4]
     let drive = |s: &(u16, f64)| skeleton.joints()[usize::from(s.0)].drive;
     let alike = |s: &(u16, f64), t: &(u16, f64)| {
         let (s, t) = (drive(s), drive(t));
-        s.bone().is_some() && s.bone() == t.bone() && (s.share() - t.share()).abs() < 0.4
+        s.bone().is_some() && s.bone() == t.bone() && (s.share() - t.share()).abs() < 0.7
     };
     while sorted.len() > 4 {
         let least = (0..sorted.len())

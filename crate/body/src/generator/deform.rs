@@ -232,7 +232,6 @@ impl<'a> Cut<'a> {
                     boxes[i].0.cmpgt(boxes[j].1).any() || boxes[j].0.cmpgt(boxes[i].1).any();
                 let joined = mine[i].0.iter().any(|v| mine[j].0.contains(v));
                 if !apart && !joined && cross(&mine[i].1, &mine[j].1) {
-                    println!("crossing at {}", middle(self.mesh, mine[i].0));
                     count += 1;
                 }
             }
