@@ -293,7 +293,28 @@ fn four_weights(vertex: &PartVertex, skeleton: &Skeleton) -> ([u16; 4], [f32; 4]
             *sums.entry(i as u16).or_insert(0.0) += weight.max(0.0);
         }
     }
-    let mut sorted: Vec<(u16, f64)> = sums.into_iter().collect();
+    let mut sorted: Vec<(u16, f64)> = sums.into_iter().filter(|s| s.1 > 0.0).collect();
+    // Of more than four joints, helpers that turn almost as another of the same bone give
+    // way to it first.
+    let drive = |s: &(u16, f64)| skeleton.joints()[usize::from(s.0)].drive;
+    let alike = |s: &(u16, f64), t: &(u16, f64)| {
+        let (s, t) = (drive(s), drive(t));
+        s.bone().is_some() && s.bone() == t.bone() && (s.share() - t.share()).abs() < 0.7
+    };
+    while sorted.len() > 4 {
+        let least = (0..sorted.len())
+            .filter(|&i| {
+                sorted
+                    .iter()
+                    .any(|t| t.0 != sorted[i].0 && alike(t, &sorted[i]))
+            })
+            .min_by(|&a, &b| sorted[a].1.total_cmp(&sorted[b].1));
+        let Some(least) = least else { break };
+        let gone = sorted.remove(least);
+        if let Some(heir) = sorted.iter_mut().find(|t| alike(t, &gone)) {
+            heir.1 += gone.1;
+        }
+    }
     sorted.sort_by(|a, b| b.1.total_cmp(&a.1).then(a.0.cmp(&b.0)));
     sorted.truncate(4);
     let total: f64 = sorted.iter().map(|s| s.1).sum();

@@ -7,8 +7,8 @@
 //!
 //! **Crossing.** Two triangles of the piece that share no corner cross when an edge of one
 //! passes through the other. In the crease skin presses on skin, which a posed surface without
-//! contact can only show as overlap: triangles of the hollow side, within one limb's thickness
-//! of the joint, do not count.
+//! contact can only show as overlap: triangles of the hollow side, within 1.3 radii of the limb
+//! along it from the joint, do not count.
 
 use std::collections::BTreeMap;
 use std::sync::OnceLock;
@@ -263,6 +263,7 @@ struct Trial<'a> {
     /// Towards the inside of the bend.
     hollow: DVec3,
     reach: (f64, f64),
+    /// Radius of the limb, metres.
     thickness: f64,
     turns: Vec<(Bone, DQuat)>,
 }
@@ -284,7 +285,7 @@ impl Trial<'_> {
         let loss = 1.0 - cut.volume(&after) / cut.volume(&before);
         let counts = |p: DVec3| {
             let d = local(p);
-            d.dot(self.hollow) < 0.0 || d.dot(self.along).abs() > self.thickness
+            d.dot(self.hollow) < 0.0 || d.dot(self.along).abs() > 1.3 * self.thickness
         };
         let crossings = cut.crossings(&after, counts);
         println!(

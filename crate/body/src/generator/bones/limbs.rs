@@ -270,7 +270,7 @@ fn leg(frame: &Frame, side: Side) -> Vec<Part> {
         ],
     );
     let cap = ball(
-        b + DVec3::new(0.0, 0.014, 0.037) * k,
+        b + DVec3::new(0.0, 0.014, 0.031) * k,
         DVec3::new(0.020, 0.022, 0.009) * k,
     );
     let l = letter(side);

@@ -7,6 +7,8 @@
 //! 1257–1272, doi 10.1111/j.1556-4029.2008.00852.x (recalled to the half millimetre, not
 //! read again); between its points they are interpolated.
 
+use std::collections::BTreeMap;
+
 use raconteur_base::curve::{lerp, smooth};
 use raconteur_base::{DVec3, Side, ops};
 
@@ -26,6 +28,7 @@ const LEAST_M: f64 = 0.003;
 /// Triangles of the head's skin in the bind pose, and what is known of the head.
 struct Skin {
     triangles: Vec<[DVec3; 3]>,
+    cells: BTreeMap<[i32; 3], Vec<u32>>,
     /// Middle between the eyeballs.
     eyes: DVec3,
     /// Half the distance of the eyeballs.
@@ -96,6 +99,7 @@ impl Skin {
             chin,
             top,
             scale: (top - chin.y) / REFERENCE_HEIGHT_M,
+            cells: cells_of(&triangles),
             triangles,
         }
     }
@@ -108,22 +112,88 @@ impl Skin {
             .reduce(f64::max)
     }
 
-    /// Distance to the nearest skin.
-    fn nearest(&self, p: DVec3, within: f64) -> f64 {
-        let mut best = within;
-        for t in &self.triangles {
-            let far = |axis: fn(DVec3) -> f64| {
-                let [a, b, c] = t.map(axis);
-                let x = axis(p);
-                a.max(b).max(c) < x - best || a.min(b).min(c) > x + best
-            };
-            if far(|v| v.x) || far(|v| v.y) || far(|v| v.z) {
-                continue;
+    /// Distance to the nearest skin no farther than [`CELL_M`], and whether the point lies
+    /// behind it; `None` where all skin is farther.
+    fn nearest(&self, p: DVec3) -> Option<(f64, bool)> {
+        let mut best: Option<(f64, bool)> = None;
+        for t in self.cells.get(&cell(p))? {
+            let t = &self.triangles[*t as usize];
+            let d = to_triangle(t, p);
+            if d < best.map_or(CELL_M, |b| b.0) {
+                let normal = (t[1] - t[0]).cross(t[2] - t[0]);
+                best = Some((d, normal.dot(p - t[0]) <= 0.0));
             }
-            best = best.min(to_triangle(t, p));
         }
         best
     }
+
+    /// Distance from a centre to the outermost skin in every direction of the skull's map.
+    fn outermost_map(&self, centre: DVec3) -> Vec<Vec<Option<f64>>> {
+        let mut map = vec![vec![None; COLUMNS]; RINGS];
+        let turn = core::f64::consts::TAU;
+        for t in &self.triangles {
+            // Rings and columns that the triangle can cover.
+            let rings = t.map(|p| {
+                let d = (p - centre).normalize();
+                ops::acos_clamped(d.y) / core::f64::consts::PI * (RINGS as f64 + 1.0) - 1.0
+            });
+            let columns = t.map(|p| {
+                let a = ops::atan2(p.x - centre.x, p.z - centre.z);
+                a.rem_euclid(turn) / turn * COLUMNS as f64
+            });
+            let least = |v: [f64; 3]| v.into_iter().fold(f64::INFINITY, f64::min);
+            let most = |v: [f64; 3]| v.into_iter().fold(f64::NEG_INFINITY, f64::max);
+            let (r0, r1) = (least(rings).floor() - 1.0, most(rings).ceil() + 1.0);
+            let (c0, c1) = (least(columns), most(columns));
+            let all_round = c1 - c0 > COLUMNS as f64 / 4.0;
+            for (i, row) in map.iter_mut().enumerate() {
+                if (i as f64) < r0 || i as f64 > r1 {
+                    continue;
+                }
+                for (j, far) in row.iter_mut().enumerate() {
+                    if !all_round && ((j as f64) < c0 - 1.0 || j as f64 > c1 + 1.0) {
+                        continue;
+                    }
+                    if let Some(d) = hit(t, centre, way(i, j)) {
+                        *far = Some(far.map_or(d, |f: f64| f.max(d)));
+                    }
+                }
+            }
+        }
+        map
+    }
+}
+
+/// Direction of a place in the skull's map.
+fn way(ring: usize, column: usize) -> DVec3 {
+    let (s, c) = ops::sincos(core::f64::consts::PI * (ring as f64 + 1.0) / (RINGS as f64 + 1.0));
+    let (sk, ck) = ops::sincos(core::f64::consts::TAU * column as f64 / COLUMNS as f64);
+    DVec3::new(s * sk, c, s * ck)
+}
+
+/// Side of the cells in which nearby skin is looked up, metres.
+const CELL_M: f64 = 0.006;
+
+fn cell(p: DVec3) -> [i32; 3] {
+    (p / CELL_M).floor().to_array().map(|x| x as i32)
+}
+
+/// For every cell the triangles that come within a cell's side of it.
+fn cells_of(triangles: &[[DVec3; 3]]) -> BTreeMap<[i32; 3], Vec<u32>> {
+    let mut cells: BTreeMap<[i32; 3], Vec<u32>> = BTreeMap::new();
+    for (t, index) in triangles.iter().zip(0u32..) {
+        let reach = DVec3::splat(CELL_M);
+        let low = cell(t[0].min(t[1]).min(t[2]) - reach);
+        let high = cell(t[0].max(t[1]).max(t[2]) + reach);
+        for x in low[0]..=high[0] {
+            for y in low[1]..=high[1] {
+                for z in low[2]..=high[2] {
+                    cells.entry([x, y, z]).or_default().push(index);
+                }
+            }
+        }
+    }
+    cells
 }
 
 /// Distance along a ray to a triangle (Möller and Trumbore's test).
@@ -234,20 +304,12 @@ fn skull(skin: &Skin) -> Solid {
         lerp(skin.eyes.y, skin.top, 0.28),
         skin.eyes.z - 78.0 * mm,
     );
-    let way = |ring: usize, column: usize| {
-        let (s, c) =
-            ops::sincos(core::f64::consts::PI * (ring as f64 + 1.0) / (RINGS as f64 + 1.0));
-        let (sk, ck) = ops::sincos(core::f64::consts::TAU * column as f64 / COLUMNS as f64);
-        DVec3::new(s * sk, c, s * ck)
-    };
-    let raw: Vec<Vec<f64>> = (0..RINGS)
-        .map(|i| {
-            (0..COLUMNS)
-                .map(|j| {
-                    skin.outermost(centre, way(i, j))
-                        .unwrap_or(0.1 * skin.scale)
-                })
-                .collect()
+    let raw: Vec<Vec<f64>> = skin
+        .outermost_map(centre)
+        .into_iter()
+        .map(|row| {
+            let known = |d: Option<f64>| d.unwrap_or(0.1 * skin.scale);
+            row.into_iter().map(known).collect()
         })
         .collect();
     let relative = |p: DVec3| (p - skin.eyes) / mm;
@@ -327,10 +389,10 @@ fn draw_in(solid: &mut Solid, skin: &Skin, anchor: impl Fn(DVec3) -> DVec3) {
         for _ in 0..24 {
             let way = *p - goal;
             let length = way.length();
-            let outside = skin
-                .outermost(goal, way / length.max(1e-9))
-                .is_some_and(|r| r < length);
-            if !outside && skin.nearest(*p, 2.0 * LEAST_M) >= LEAST_M {
+            let covered = skin
+                .nearest(*p)
+                .is_none_or(|(d, behind)| behind && d >= LEAST_M);
+            if covered {
                 break;
             }
             *p = goal + way * (1.0 - 0.0012 / length.max(0.0024));
