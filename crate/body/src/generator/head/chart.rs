@@ -154,9 +154,9 @@ fn make() -> Chart {
     let mut open = cage.clone();
     let mut source: Vec<u32> = (0..cage.len() as u32).collect();
     let mut twin = vec![u32::MAX; cage.len()];
-    for v in 0..cage.len() {
+    for (v, slot) in twin.iter_mut().enumerate() {
         if is_cut(cage.keys[v].0) {
-            twin[v] = open.keys.len() as u32;
+            *slot = open.keys.len() as u32;
             open.keys.push(cage.keys[v]);
             source.push(v as u32);
         }

@@ -51,8 +51,9 @@ fn open_loops(faces: &[Vec<u32>]) -> Vec<Vec<u32>> {
 }
 
 /// Lays faces into the plane with some vertices held. `bridges` tie vertices across a hole,
-/// with weights; a hole without bridges is closed by a vertex in the middle. Returns a place for each vertex (those of no face stay
-/// at the origin) and the borders of the holes without bridges.
+/// with weights; a hole without bridges is closed by a vertex in the middle. Returns a place
+/// for each vertex (those of no face stay at the origin) and the borders of the holes
+/// without bridges.
 ///
 /// # Panics
 /// Never: the system is positive definite by the rows that hold.
