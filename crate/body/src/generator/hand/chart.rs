@@ -213,6 +213,7 @@ fn unroll(
     let section = finger.section(from);
     let radius = (section.half_width + (section.dorsal + section.palmar) / 2.0) / 2.0;
     let towards = if side == 1 { 1.0 } else { -1.0 };
+    let reach = finger.joints()[3] + 1.0 - from;
     let flat: Vec<(u32, DVec2)> = used(faces)
         .into_iter()
         .map(|v| {
@@ -223,11 +224,9 @@ fn unroll(
             let (wide, along) = if p.y <= from {
                 (around, p.y)
             } else {
-                let latitude = ops::atan2(p.y - from, around);
-                (
-                    radius.max(around) * ops::cos(latitude),
-                    from + 1.15 * radius * latitude,
-                )
+                // By the length alone: skin that is pressed in under a nail must not fold.
+                let latitude = ops::asin(((p.y - from) / reach).clamp(0.0, 1.0));
+                (radius * ops::cos(latitude), from + 1.15 * radius * latitude)
             };
             // +x is radial; seen from outside it lies left on the back, right on the palm,
             // of a right hand with its fingers up.

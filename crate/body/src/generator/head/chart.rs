@@ -23,18 +23,20 @@ const RECTANGLE: [f64; 4] = [6.0, 6.0, 708.0, 1018.0];
 
 /// How many texels a millimetre gets in each column of faces, relative to the face.
 const COLUMN_SHARES: [f64; LAST_COLUMN as usize] = [
-    1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 0.95, 0.85, 0.7, 0.7, 0.9, 0.9, 0.9, 0.3, 0.22, 0.2,
-    0.2, 0.2,
+    1.0, 1.0, 1.0, 1.0, 1.1, 1.25, 1.35, 1.4, 1.35, 1.1, 0.75, 0.65, 0.75, 0.75, 0.75, 0.2, 0.13,
+    0.12, 0.12, 0.12,
 ];
 /// The same for a row of faces; the crown above row 0 has its own.
-const CROWN_SHARE: f64 = 0.22;
+const CROWN_SHARE: f64 = 0.4;
 
 fn row_share(row: u8) -> f64 {
     match row {
-        0..=3 => 0.9,
-        4..=21 => 1.0,
-        22..=24 => 0.8,
-        _ => 0.5,
+        0..=11 => 0.85,
+        12..=15 => 0.75,
+        16..=19 => 0.6,
+        20..=21 => 1.0,
+        22..=24 => 1.5,
+        _ => 0.7,
     }
 }
 
@@ -152,9 +154,9 @@ fn make() -> Chart {
     let mut open = cage.clone();
     let mut source: Vec<u32> = (0..cage.len() as u32).collect();
     let mut twin = vec![u32::MAX; cage.len()];
-    for v in 0..cage.len() {
+    for (v, slot) in twin.iter_mut().enumerate() {
         if is_cut(cage.keys[v].0) {
-            twin[v] = open.keys.len() as u32;
+            *slot = open.keys.len() as u32;
             open.keys.push(cage.keys[v]);
             source.push(v as u32);
         }
@@ -257,7 +259,7 @@ fn lay(cage: &Cage, open: &Cage, twin: &[u32], positions: &[DVec3]) -> Vec<DVec2
     let laid = |z: &Zone| !matches!(z, Zone::Mouth(5..) | Zone::Eye(6..) | Zone::Ear(_));
     let kept = open.faces.iter().zip(&open.zones).filter(|(_, z)| laid(z));
     let faces: Vec<Vec<u32>> = kept.map(|(f, _)| f.clone()).collect();
-    let (mut flat, middles) = harmonic(&faces, positions, &held, &bridges);
+    let (mut flat, holes) = harmonic(&faces, positions, &held, &bridges);
 
     // Spreads columns and rows.
     let place = |k: Key| flat[cage.at(k, Side::Left)];
@@ -308,14 +310,16 @@ fn lay(cage: &Cage, open: &Cage, twin: &[u32], positions: &[DVec3]) -> Vec<DVec2
             }
         }
     }
-    for (middle, border) in middles {
+    for border in holes {
         let Some(side) = Side::BOTH
             .into_iter()
             .find(|&s| border.contains(&at(Key::ear(0, 0), s)))
         else {
             continue;
         };
-        let middle = spread(middle);
+        // Rows and columns were spread: the border's own middle sees all of it.
+        let border: Vec<DVec2> = border.iter().map(|&v| flat[v as usize]).collect();
+        let middle = border.iter().sum::<DVec2>() / border.len() as f64;
         for (r, share) in (0u8..).zip(EAR_RINGS).skip(1) {
             for k in 0..18 {
                 let edge = flat[at(Key::ear(0, k), side) as usize];

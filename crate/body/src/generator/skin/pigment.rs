@@ -120,8 +120,8 @@ pub fn colour(skin: &Pigments) -> [f64; 3] {
 }
 
 /// Points of the table along melanin and blood, spaced evenly in the logarithm.
-const MELANIN_STEPS: usize = 24;
-const BLOOD_STEPS: usize = 28;
+const MELANIN_STEPS: usize = 40;
+const BLOOD_STEPS: usize = 40;
 const MELANIN_RANGE: [f64; 2] = [0.004, 0.6];
 const BLOOD_RANGE: [f64; 2] = [0.0006, 0.2];
 /// Shares of oxygen that the table holds; colour is nearly linear between.

@@ -51,8 +51,9 @@ fn open_loops(faces: &[Vec<u32>]) -> Vec<Vec<u32>> {
 }
 
 /// Lays faces into the plane with some vertices held. `bridges` tie vertices across a hole,
-/// with weights; a hole without bridges is closed by a vertex in the middle. Returns a place for each vertex (those of no face stay
-/// at the origin) and the middles of the holes with their border.
+/// with weights; a hole without bridges is closed by a vertex in the middle. Returns a place
+/// for each vertex (those of no face stay at the origin) and the borders of the holes
+/// without bridges.
 ///
 /// # Panics
 /// Never: the system is positive definite by the rows that hold.
@@ -62,7 +63,7 @@ pub(crate) fn harmonic(
     positions: &[DVec3],
     held: &[(u32, DVec2)],
     bridges: &[(u32, u32, f64)],
-) -> (Vec<DVec2>, Vec<(DVec2, Vec<u32>)>) {
+) -> (Vec<DVec2>, Vec<Vec<u32>>) {
     let mut weights: BTreeMap<(u32, u32), f64> = BTreeMap::new();
     for face in faces {
         // A quad is cut both ways and each counts half; a fan of more corners is coarse,
@@ -108,11 +109,7 @@ pub(crate) fn harmonic(
         .into_iter()
         .map(DVec3::truncate)
         .collect();
-    let middles = (positions.len()..)
-        .zip(holes)
-        .map(|(i, h)| (flat[i], h))
-        .collect();
-    (flat[..positions.len()].to_vec(), middles)
+    (flat[..positions.len()].to_vec(), holes)
 }
 
 /// Lays triangles into the plane as nearly conformal as can be, with two vertices held.
