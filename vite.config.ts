@@ -60,16 +60,14 @@ export default defineConfig({
       output: {
         entryFileNames: (chunk) => (chunk.name === 'raconteur-player' ? '[name].js' : 'app/[name]-[hash].js'),
         chunkFileNames: (chunk) => {
-          const backend = /pkg\/(webgpu|webgl)\//.exec(chunk.facadeModuleId ?? '')?.[1];
+          const backend = /pkg\/(webgpu|webgl|avatar)\//.exec(chunk.facadeModuleId ?? '')?.[1];
           return `app/${backend ?? '[name]'}-[hash].js`;
         },
-        // Both builds call their file the same; the folder tells them apart.
-        assetFileNames: (asset) =>
-          asset.originalFileNames.some((name) => name.includes('pkg/webgpu'))
-            ? 'app/webgpu-[hash][extname]'
-            : asset.originalFileNames.some((name) => name.includes('pkg/webgl'))
-              ? 'app/webgl-[hash][extname]'
-              : 'app/[name]-[hash][extname]',
+        // All builds call their file the same; the folder tells them apart.
+        assetFileNames: (asset) => {
+          const build = asset.originalFileNames.map((name) => /pkg\/(webgpu|webgl|avatar)\//.exec(name)?.[1]).find(Boolean);
+          return `app/${build ?? '[name]'}-[hash][extname]`;
+        },
       },
     },
   },

@@ -1,4 +1,4 @@
-//! Takes comments and indentation out of the shaders: they travel to the browser as text.
+//! Takes comments and needless space out of the shaders: they travel to the browser as text.
 
 use std::path::Path;
 use std::{env, fs, io};
@@ -17,8 +17,24 @@ fn main() -> io::Result<()> {
             .lines()
             .map(|line| line.split("//").next().unwrap_or_default().trim())
             .filter(|line| !line.is_empty());
-        let lean: Vec<&str> = lines.collect();
-        fs::write(Path::new(&out).join(name), lean.join("\n") + "\n")?;
+        let lean: String = lines.map(|line| tight(line) + "\n").collect();
+        fs::write(Path::new(&out).join(name), lean)?;
     }
     Ok(())
+}
+
+/// Leaves out spaces beside punctuation. Minus, ampersand and bar keep theirs: two of them
+/// together mean something else.
+fn tight(line: &str) -> String {
+    let closes = |c: char| "(){},;:=*+/<>".contains(c);
+    let mut out = String::with_capacity(line.len());
+    let mut rest = line.chars().peekable();
+    while let Some(c) = rest.next() {
+        let beside =
+            out.chars().last().is_some_and(closes) || rest.peek().is_some_and(|n| closes(*n));
+        if c != ' ' || !beside {
+            out.push(c);
+        }
+    }
+    out
 }

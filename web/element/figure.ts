@@ -21,6 +21,8 @@ export function unusable(where: string, error: unknown): PlayerError {
 
 /** Whether the engine reads these bytes itself; an avatar made elsewhere has other bones. Broken files are the engine's to name. */
 function isNative(bytes: Uint8Array): boolean {
+  // glTF as text begins with a brace; the engine reads only the binary form.
+  if (bytes[0] === 0x7b) return false;
   const header = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   if (bytes.length < 20 || header.getUint32(0, true) !== 0x46546c67) return true;
   const json = bytes.subarray(20, 20 + header.getUint32(12, true));

@@ -7,13 +7,6 @@ import { PlayerError, TickStatus, type Backend, type Cue, type Diagnostic, type 
 
 /** More device pixels than this for a CSS pixel cost time and are not seen. */
 const MOST_DPR = 2;
-/** Pictures slower than this on the average get fewer pixels: lips that stutter are worse than soft edges. */
-const SLOW_MS = 42;
-/** Looked at for so many pictures before the pixels are changed. */
-const PICTURES_TO_JUDGE = 24;
-/** Pixels are taken away by this factor on each side, down to the least share. */
-const FEWER = 0.8;
-const LEAST_SHARE = 0.5;
 /** Idle life for people who ask for less motion; gestures and lips stay, they carry the story. */
 const REDUCED_MOTION = 0.25;
 /** A lost picture is brought back by itself this often; then the user is asked. */
@@ -39,12 +32,9 @@ export class Picture {
   #engine: Engine | undefined;
   #canvas: HTMLCanvasElement | undefined;
   #size = { width: 0, height: 0 };
-  /** Share of the device's pixels that is drawn while the story moves. */
-  #share = 1;
-  /** A still picture has all the time it needs, so it is drawn with every pixel. */
-  #still = true;
-  /** When the last picture of a running sequence was asked for, and the mean time between them. */
-  #pace = { last: 0, mean: 0, pictures: 0 };
+  /** When the last picture of a running sequence was asked for. */
+  #lastAsked = 0;
+  #resting = true;
   #recoveries = 0;
   #lost = false;
   #closed = false;
@@ -154,27 +144,14 @@ export class Picture {
 
   #fit(engine: Engine): void {
     const { width, height } = this.#size;
-    const share = this.#still ? 1 : this.#share;
-    if (width > 0) engine.resize(width, height, share * Math.min(MOST_DPR, window.devicePixelRatio || 1));
+    if (width > 0) engine.resize(width, height, Math.min(MOST_DPR, window.devicePixelRatio || 1));
   }
 
-  /** Judges how fast pictures come while the story plays on screen, and draws fewer pixels if it is too slow. */
+  /** Tells the engine how fast pictures come while the story plays on screen; it draws more simply where they are slow. */
   #keepPace(engine: Engine, running: boolean): void {
     const now = performance.now();
-    const pace = this.#pace;
-    if (running && pace.last > 0) {
-      engine.reportFrame(now - pace.last);
-      pace.mean += (now - pace.last - pace.mean) / (pace.pictures += 1);
-      if (pace.pictures >= PICTURES_TO_JUDGE) {
-        if (pace.mean > SLOW_MS && this.#share > LEAST_SHARE) {
-          this.#share = Math.max(LEAST_SHARE, this.#share * FEWER);
-          this.#fit(engine);
-        }
-        this.#pace = { last: now, mean: 0, pictures: 0 };
-        return;
-      }
-    }
-    pace.last = running ? now : 0;
+    if (running && this.#lastAsked > 0) engine.reportFrame(now - this.#lastAsked);
+    this.#lastAsked = running ? now : 0;
   }
 
   /** Moves without passing the cues between. */
@@ -192,11 +169,8 @@ export class Picture {
     return (
       this.#guard((engine) => {
         if (this.#holding) return [];
+        if (resting !== this.#resting) engine.setResting((this.#resting = resting));
         this.#keepPace(engine, running);
-        if (resting !== this.#still) {
-          this.#still = resting;
-          if (this.#share < 1) this.#fit(engine);
-        }
         const status = engine.tick(secs);
         if (status === TickStatus.Lost && !this.#lost) void this.recover();
         if (status === TickStatus.Shown) this.firstShownMs ??= performance.now();
@@ -265,6 +239,7 @@ export class Picture {
     const engine = await createEngine(this.#backend, canvas);
     const story = this.#read(engine);
     engine.setQuality(this.#quality);
+    engine.setResting(this.#resting);
     const missing = await this.#decode(engine);
     this.#engine = engine;
     this.#canvas = canvas;

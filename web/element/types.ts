@@ -109,10 +109,12 @@ export interface Engine {
   setImage(index: number, width: number, height: number, rgba: Uint8ClampedArray): void;
   /** How much work goes into a picture; `auto` follows the times that `reportFrame` is told. */
   setQuality(quality: Quality): void;
+  /** A picture that stands still is drawn with every pixel, however slow that is. */
+  setResting(resting: boolean): void;
   /** Milliseconds from one picture on screen to the next. */
   reportFrame(ms: number): void;
-  /** What the last picture took. */
-  statistics(): PictureStatistics;
+  /** What the last picture took; undefined without a canvas. */
+  statistics(): PictureStatistics | undefined;
   free(): void;
 }
 

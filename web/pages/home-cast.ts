@@ -50,7 +50,7 @@ export function cast(player: RaconteurPlayer, changed: (figure: string) => void)
     if (detail.code !== 'figure-unusable') return;
     // The figure before is still on stage, so it is the one that is chosen.
     if (trouble !== null) trouble.textContent = `${detail.message} ${detail.hints.join(' ')}`;
-    if (name !== null && !buttons.some((b) => b.dataset['figure'] === player.figure)) name.textContent = 'Your own';
+    if (name !== null && !buttons.some((b) => b.dataset['figure'] === player.figure)) name.textContent = 'Yours';
     player.figure = player.currentFigure ?? player.figure;
     mark();
   });

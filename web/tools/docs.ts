@@ -1,10 +1,14 @@
 // Turns the repository's documents into pages of the site, in the page's own look.
 
 import { copyFileSync, existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
-import { join } from 'node:path';
+import { basename, join } from 'node:path';
 import { Marked } from 'marked';
 
-const documents = ['README.md', 'ARCHITECTURE.md', 'CONTRIBUTING.md', 'CHANGELOG.md'];
+const documents = ['README.md', 'ARCHITECTURE.md', 'CONTRIBUTING.md', 'CHANGELOG.md', 'docs/figures.md'];
+
+/** A document's page, beside those of the others. */
+const page = (name: string): string => `${basename(name, '.md').toLowerCase()}.html`;
+const title = (name: string): string => basename(name, '.md').replace(/^(.)(.*)$/, (_, first: string, rest: string) => first.toUpperCase() + rest.toLowerCase());
 
 /** A heading's text as a name for links, as code hosts make it. */
 const slug = (text: string): string => text.toLowerCase().replace(/<[^>]*>|&[a-z]+;/g, '').replace(/[^\w\- ]/g, '').trim().replace(/ /g, '-');
@@ -20,9 +24,9 @@ const marked = new Marked({
       return `<pre tabindex="0"><code>${text.replace(/&/g, '&amp;').replace(/</g, '&lt;')}</code></pre>\n`;
     },
     link({ href, tokens }) {
-      const target = /^(?:\.\/)?([A-Z]+)\.md(#.*)?$/.exec(href);
-      const name = target?.[1] ?? '';
-      const to = documents.includes(`${name}.md`) ? `${name.toLowerCase()}.html${target?.[2] ?? ''}` : href;
+      const [path = '', place] = href.split('#');
+      const target = documents.find((name) => basename(name) === basename(path));
+      const to = target ? `${page(target)}${place ? `#${place}` : ''}` : href;
       return `<a href="${to}">${this.parser.parseInline(tokens)}</a>`;
     },
   },
@@ -34,8 +38,6 @@ export function buildDocs(root: string, site: string): void {
   const folder = join(site, 'docs');
   mkdirSync(folder, { recursive: true });
   copyFileSync(join(root, 'web/pages/page.css'), join(folder, 'page.css'));
-  const page = (name: string): string => `${name.replace('.md', '').toLowerCase()}.html`;
-  const title = (name: string): string => name.charAt(0) + name.slice(1).replace('.md', '').toLowerCase();
   for (const name of present) {
     const links = present.map((other) => `<a href="${page(other)}"${other === name ? ' aria-current="page"' : ''}>${title(other)}</a>`);
     const body = marked.parse(readFileSync(join(root, name), 'utf8'), { async: false });

@@ -1,4 +1,5 @@
-// Builds the player twice from one source: for WebGPU (small) and for WebGL2.
+// Builds the player twice from one source: for WebGPU (small) and for WebGL2; and the
+// importer of foreign avatars, which a page loads only when it meets one.
 // Only Node's own modules.
 
 import { copyFileSync, existsSync, mkdirSync, rmSync } from 'node:fs';
@@ -9,25 +10,28 @@ import { once, root, run, Stop } from './steps.mjs';
 /** The back ends, each with a build of its own. */
 export const backends = ['webgpu', 'webgl'];
 
-/** Builds both variants into web/pkg/. */
+/** Every build: cargo's feature and the folder in web/pkg/. */
+const builds = [...backends, 'avatar'];
+
+/** Builds all variants into web/pkg/. */
 export async function buildWasm() {
-  for (const backend of backends) {
-    const folder = `web/pkg/${backend}`;
+  for (const feature of builds) {
+    const folder = `web/pkg/${feature}`;
     const inputs = ['crate', 'Cargo.toml', 'Cargo.lock', 'rust-toolchain.toml', 'web/tools/bindgen', 'web/tools/wasm.mjs'];
     const outputs = [`${folder}/raconteur.js`, `${folder}/raconteur_bg.wasm`];
-    await once(`wasm-${backend}`, { inputs, outputs }, () => build(backend, folder));
+    await once(`wasm-${feature}`, { inputs, outputs }, () => build(feature, folder));
   }
 }
 
-function build(backend, folder) {
+function build(feature, folder) {
   const target = process.env['CARGO_TARGET_DIR'] ?? 'target';
   // Panic messages name source files; the builder's own folders are nobody's business.
   const cargoHome = process.env['CARGO_HOME'] ?? join(homedir(), '.cargo');
   const flags = `${process.env['RUSTFLAGS'] ?? ''} --remap-path-prefix=${cargoHome}=cargo --remap-path-prefix=${root}=.`.trim();
   run('cargo', [
     'build', '--locked', '--package', 'raconteur-web', '--target', 'wasm32-unknown-unknown',
-    '--profile', 'wasm', '--no-default-features', '--features', backend,
-  ], { why: `Compiling the ${backend} build`, env: { ...process.env, RUSTFLAGS: flags } });
+    '--profile', 'wasm', '--no-default-features', '--features', feature,
+  ], { why: `Compiling the ${feature} build`, env: { ...process.env, RUSTFLAGS: flags } });
   const compiled = join(isAbsolute(target) ? target : join(root, target), 'wasm32-unknown-unknown/wasm/raconteur_web.wasm');
   if (!existsSync(compiled)) throw new Stop(`cargo left no ${compiled}.`);
   rmSync(join(root, folder), { recursive: true, force: true });

@@ -55,17 +55,14 @@ impl Pose {
     #[must_use]
     pub fn joint_rotation(&self, drive: Drive) -> DQuat {
         match drive {
-            Drive::Bone(bone) => self.rotation(bone),
-            Drive::Share(bone, share) => DQuat::IDENTITY.slerp(self.rotation(bone), share),
-            Drive::Twist(bone, share) => {
-                DQuat::IDENTITY.slerp(twist_about_x(self.rotation(bone)), share)
-            }
             Drive::Eye(side) => self.eyes[side.index()],
             // Closing turns the upper lid down: y towards z is a positive turn about x
             // (left); seen from the front the front of the globe moves down.
             Drive::UpperLid(side) => DQuat::from_rotation_x(self.upper_lid_rad[side.index()]),
             Drive::LowerLid(side) => DQuat::from_rotation_x(-self.lower_lid_rad[side.index()]),
-            Drive::Fixed => DQuat::IDENTITY,
+            _ => drive
+                .bone()
+                .map_or(DQuat::IDENTITY, |b| drive.of_turn(self.rotation(b))),
         }
     }
 }

@@ -18,7 +18,7 @@
 
 use raconteur_base::{DAffine3, DMat3, DQuat, DVec3, Side, mirror_vector};
 
-use crate::pose::Pose;
+use crate::pose::{Pose, twist_about_x};
 
 /// A bone of GEVH appendix A, in the order of its tree (A.2).
 #[allow(
@@ -358,6 +358,10 @@ pub enum Drive {
     /// A share of the rotation of a bone about its own x axis (its twist), hanging on
     /// the bone's parent: spreads the wrist's twist along the forearm.
     Twist(Bone, f64),
+    /// A share of a bone's swing (its rotation without the twist) and a share of its twist,
+    /// at the bone's own place but hanging on the bone's parent: lets the skin of the upper
+    /// arm follow the arm wherever it points and its twist only little by little.
+    Part(Bone, f64, f64),
     /// An eyeball; hangs on the skull.
     Eye(Side),
     /// An upper lid, at the centre of the eyeball; hangs on the skull.
@@ -366,6 +370,69 @@ pub enum Drive {
     LowerLid(Side),
     /// Never turns by itself.
     Fixed,
+}
+
+impl Drive {
+    /// The helper half way through a bone's turn. Shoulder and wrist also twist: the
+    /// shoulder's half leaves the twist to the upper arm's helpers, the wrist's continues
+    /// the forearm's.
+    #[must_use]
+    pub fn half(bone: Bone) -> Self {
+        match bone {
+            Bone::LShoulder | Bone::RShoulder => Self::Part(bone, 0.5, 0.0),
+            Bone::LWrist | Bone::RWrist => Self::Part(bone, 0.5, 5.0 / 6.0),
+            _ => Self::Share(bone, 0.5),
+        }
+    }
+
+    /// The bone whose rotation counts, if any.
+    #[must_use]
+    pub fn bone(self) -> Option<Bone> {
+        match self {
+            Self::Bone(b) | Self::Share(b, _) | Self::Twist(b, _) | Self::Part(b, ..) => Some(b),
+            _ => None,
+        }
+    }
+
+    /// What the joint makes of its bone's turn from the zero pose.
+    #[must_use]
+    pub fn of_turn(self, turn: DQuat) -> DQuat {
+        let none = DQuat::IDENTITY;
+        match self {
+            Self::Bone(_) => turn,
+            Self::Share(_, share) => none.slerp(turn, share),
+            Self::Twist(_, share) => none.slerp(twist_about_x(turn), share),
+            Self::Part(_, swing, share) => {
+                let twist = twist_about_x(turn);
+                none.slerp(turn * twist.inverse(), swing) * none.slerp(twist, share)
+            }
+            _ => none,
+        }
+    }
+
+    /// How far a half joint rises along its own y axis under a turn of its bone, as a share
+    /// of stature. A bent joint bares the head of its bone: without this the back of a
+    /// knuckle flattens and its fold stands out. Designed: 1.9 mm at the knuckles, 1.1 mm at
+    /// the other joints of a finger and 6 mm at the elbow of an adult bent right round.
+    #[must_use]
+    pub fn rise(self, turn: DQuat) -> f64 {
+        let Self::Share(bone, _) = self else {
+            return 0.0;
+        };
+        let after_wrist = if bone > Bone::LWrist {
+            bone.index() - Bone::LIndex0.index()
+        } else {
+            bone.index().wrapping_sub(Bone::RIndex0.index())
+        };
+        let full = match (bone, after_wrist) {
+            (Bone::LElbow | Bone::RElbow, _) => -0.0036,
+            (_, 0 | 3 | 6 | 9) => 0.0022,
+            (_, 0..12) => 0.0013,
+            _ => return 0.0,
+        };
+        // The square of the sine of half the angle.
+        full * (1.0 - turn.w * turn.w)
+    }
 }
 
 /// One joint of a figure.
@@ -403,10 +470,10 @@ pub fn standard_helpers() -> Vec<(String, Drive)> {
     let mut helpers = Vec::new();
     for side in Side::BOTH {
         let s = if side == Side::Left { "l" } else { "r" };
-        for part in ["shoulder", "elbow", "wrist", "hip", "knee"] {
+        for part in ["scapula", "shoulder", "elbow", "wrist", "hip", "knee"] {
             helpers.push((
                 format!("helper_{s}_{part}_half"),
-                Drive::Share(Bone::on(side, part), 0.5),
+                Drive::half(Bone::on(side, part)),
             ));
         }
         for finger in ["index", "middle", "ring", "pinky", "thumb"] {
@@ -414,12 +481,17 @@ pub fn standard_helpers() -> Vec<(String, Drive)> {
                 let part = format!("{finger}{i}");
                 helpers.push((
                     format!("helper_{s}_{part}_half"),
-                    Drive::Share(Bone::on(side, &part), 0.5),
+                    Drive::half(Bone::on(side, &part)),
                 ));
             }
         }
-        // The forearm's skin follows pronation by thirds from elbow to wrist.
+        // The forearm's skin follows pronation by thirds from elbow to wrist, the upper
+        // arm's its turn about itself from shoulder to elbow.
         for (n, share) in [(1, 1.0 / 3.0), (2, 2.0 / 3.0)] {
+            helpers.push((
+                format!("helper_{s}_upperarm_twist{n}"),
+                Drive::Part(Bone::on(side, "shoulder"), 1.0, share),
+            ));
             helpers.push((
                 format!("helper_{s}_forearm_twist{n}"),
                 Drive::Twist(Bone::on(side, "wrist"), share),
@@ -475,7 +547,7 @@ impl Skeleton {
         for (name, drive) in standard_helpers() {
             let skull = Bone::Skull.index();
             let (parent, translation_in_parent, zero_rotation) = match drive {
-                Drive::Share(bone, _) => {
+                Drive::Share(bone, _) | Drive::Part(bone, ..) => {
                     let own = &joints[bone.index()];
                     (own.parent, own.translation_in_parent, own.zero_rotation)
                 }
@@ -561,15 +633,28 @@ impl Skeleton {
         self.joints[bone.index()].translation_in_parent.length()
     }
 
+    /// Parent from joint for a joint that is turned by `own` from the zero pose while its
+    /// bone is turned by `turn`.
+    #[must_use]
+    pub fn local(&self, joint: &Joint, own: DQuat, turn: DQuat) -> DAffine3 {
+        let rotation = joint.zero_rotation * own;
+        let rise = joint.drive.rise(turn) * self.stature_m;
+        DAffine3::from_rotation_translation(
+            rotation,
+            joint.translation_in_parent + rotation * DVec3::new(0.0, rise, 0.0),
+        )
+    }
+
     /// Forward kinematics: world from joint for every joint, into `out` (cleared first,
     /// so that a kept buffer makes no allocation).
     pub fn solve(&self, pose: &Pose, out: &mut Vec<DAffine3>) {
         out.clear();
         for joint in &self.joints {
-            let local = DAffine3::from_rotation_translation(
-                joint.zero_rotation * pose.joint_rotation(joint.drive),
-                joint.translation_in_parent,
-            );
+            let turn = joint
+                .drive
+                .bone()
+                .map_or(DQuat::IDENTITY, |b| pose.rotation(b));
+            let local = self.local(joint, pose.joint_rotation(joint.drive), turn);
             let world = match joint.parent {
                 None => {
                     DAffine3::from_rotation_translation(

@@ -83,7 +83,7 @@ const FIGURE_ENDINGS: [&str; 3] = ["glb", "vrm", "gltf"];
 /// foreign file could not be kept goes to the standard error.
 pub(crate) fn find_figure(name: &str, near: &Path) -> Result<Figure> {
     let by_path = Path::new(name);
-    let ending = by_path.extension().map(|e| e.to_ascii_lowercase());
+    let ending = by_path.extension().map(std::ffi::OsStr::to_ascii_lowercase);
     let path = if ending.is_some_and(|e| FIGURE_ENDINGS.iter().any(|f| e == *f)) {
         by_path.to_owned()
     } else {

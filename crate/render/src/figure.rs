@@ -4,7 +4,8 @@ use std::ops::Range;
 
 use bytemuck::{Pod, Zeroable};
 use glam::{Vec2, Vec3};
-use raconteur_base::{DAffine3, Side};
+use raconteur_base::order::sort_by_number;
+use raconteur_base::{DAffine3, DVec3, Side};
 use raconteur_body::figure::{Figure, Maps, Material, MaterialKind, Mesh};
 use raconteur_body::skeleton::Drive;
 
@@ -41,7 +42,7 @@ pub(crate) struct MaterialUniform {
 }
 
 /// In which company a mesh is drawn.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Layer {
     /// Covers what it lies before.
     Solid,
@@ -52,7 +53,7 @@ pub(crate) enum Layer {
 }
 
 /// What a mesh's shadow is drawn with.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Shadow {
     /// All of its triangles.
     Solid,
@@ -174,7 +175,11 @@ impl FigureData {
                     mesh.material.roughness.clamp(0.05, 1.0),
                     f32::from(u8::from(has_cornea)),
                     f32::from(u8::from(look.layer == Layer::Clear)),
-                    f32::from(mesh.material.kind.weave().unwrap_or(0)),
+                    // Cloth tells its weave, all else whether it has a picture of normals.
+                    mesh.material.kind.weave().map_or(
+                        f32::from(u8::from(mesh.material.maps.normal.is_some())),
+                        f32::from,
+                    ),
                 ],
                 face,
             };
@@ -196,9 +201,10 @@ impl FigureData {
         batches.retain(|b| !b.indices.is_empty());
         // Solid ones first, by the way they cast, so that their shadow is one call; the wet
         // layer of the eyes after other clear ones.
-        batches.sort_by_key(|b| {
-            let wet = b.look.kind == MaterialKind::Cornea;
-            (b.look.layer, b.look.shadow(), wet, b.look.kind)
+        sort_by_number(&mut batches, |b| {
+            let wet = u32::from(b.look.kind == MaterialKind::Cornea);
+            let (layer, shadow) = (b.look.layer as u32, b.look.shadow() as u32);
+            f64::from(((layer * 8 + shadow) * 2 + wet) * 32 + b.look.kind as u32)
         });
         for batch in batches {
             data.lay(&batch);
@@ -272,6 +278,90 @@ fn face_place(figure: &Figure) -> [f32; 4] {
             middle.extend((l - r).length() as f32).into()
         }
         _ => [0.0; 4],
+    }
+}
+
+/// What of a lid is nearer to the middle of the eye lines it or lies within the globe: its
+/// radius is 12 mm.
+const LINING_M: f64 = 0.0121;
+
+/// The edge of a lid: it lies in a plane through the middle of the eye and the corners.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct LidEdge {
+    /// The lid's joint.
+    joint: usize,
+    /// Unit normal of the plane in the bind pose, towards what the lid covers.
+    covered: DVec3,
+}
+
+impl LidEdge {
+    /// Upper and lower lid of the left eye, then of the right.
+    pub(crate) fn of(figure: &Figure) -> [Option<Self>; 4] {
+        [
+            Self::find(figure, Side::Left, true),
+            Self::find(figure, Side::Left, false),
+            Self::find(figure, Side::Right, true),
+            Self::find(figure, Side::Right, false),
+        ]
+    }
+
+    /// From the skin that hangs on the lid's joint alone and stands before the middle of
+    /// the eye: what comes nearest to the other lid is the edge.
+    fn find(figure: &Figure, side: Side, upper: bool) -> Option<Self> {
+        let drive = if upper {
+            Drive::UpperLid(side)
+        } else {
+            Drive::LowerLid(side)
+        };
+        let joints = figure.skeleton.joints();
+        let joint = joints.iter().position(|j| j.drive == drive)?;
+        let centre = figure.inverse_bind.get(joint)?.inverse().translation;
+        let sign = if upper { 1.0 } else { -1.0 };
+        let mut edge: Option<(f64, DVec3)> = None;
+        for mesh in &figure.meshes {
+            if mesh.material.kind != MaterialKind::Skin {
+                continue;
+            }
+            for ((p, js), ws) in mesh.positions.iter().zip(&mesh.joints).zip(&mesh.weights) {
+                let held: f32 = js
+                    .iter()
+                    .zip(ws)
+                    .filter(|(j, _)| usize::from(**j) == joint)
+                    .map(|(_, w)| w)
+                    .sum();
+                let d = Vec3::from(*p).as_dvec3() - centre;
+                // Within 3 mm of the middle, and not the lining behind the lid.
+                if held < 0.9 || d.x.abs() > 0.003 || d.z < 0.003 || d.length() < LINING_M {
+                    continue;
+                }
+                let height = sign * d.y / d.z;
+                if edge.is_none_or(|(h, _)| height < h) {
+                    edge = Some((height, d));
+                }
+            }
+        }
+        let (_, d) = edge?;
+        let covered = DVec3::new(0.0, d.z, -d.y).try_normalize()? * sign;
+        Some(Self { joint, covered })
+    }
+
+    /// The plane in the world: its unit normal towards what the lid covers, then its distance
+    /// from the origin, negative, metres. All 0 where there is no such lid.
+    pub(crate) fn plane(
+        edge: Option<Self>,
+        world_from_joint: &[DAffine3],
+        joint_from_bind: &[DAffine3],
+    ) -> [f32; 4] {
+        let found = edge.and_then(|e| {
+            let world_from_bind =
+                *world_from_joint.get(e.joint)? * *joint_from_bind.get(e.joint)?;
+            let n = world_from_bind
+                .transform_vector3(e.covered)
+                .try_normalize()?;
+            let distance = -n.dot(world_from_joint.get(e.joint)?.translation);
+            Some(n.as_vec3().extend(distance as f32).into())
+        });
+        found.unwrap_or([0.0; 4])
     }
 }
 
@@ -448,11 +538,7 @@ mod tests {
     #[test]
     fn joints_that_are_not_given_stay_in_the_bind_pose() {
         let mut rows = vec![[9.0; 4]];
-        joint_rows(
-            &[],
-            &[DAffine3::from_scale(raconteur_base::DVec3::splat(3.0))],
-            &mut rows,
-        );
+        joint_rows(&[], &[DAffine3::from_scale(DVec3::splat(3.0))], &mut rows);
         assert_eq!(
             rows,
             [

@@ -12,9 +12,11 @@
 
 pub mod error;
 pub mod options;
+pub mod pace;
 pub mod renderer;
 
 mod device;
+mod environment;
 mod figure;
 mod morph;
 mod pipeline;
@@ -34,6 +36,7 @@ pub use error::RenderError;
 #[cfg(all(feature = "native", not(target_arch = "wasm32")))]
 pub use headless::Headless;
 pub use options::{Quality, RenderInfo, RenderOptions};
+pub use pace::Pace;
 pub use renderer::Renderer;
 #[cfg(all(any(feature = "webgpu", feature = "webgl"), target_arch = "wasm32"))]
 pub use surface::{Backend, CanvasTarget, RenderStatus};

@@ -27,6 +27,13 @@ const STAGE: [&str; 10] = [
     include_str!(concat!(env!("OUT_DIR"), "/theatre.wgsl")),
 ];
 
+#[cfg(all(feature = "native", not(target_arch = "wasm32")))]
+const WIRE: [&str; 3] = [
+    FRAME,
+    include_str!(concat!(env!("OUT_DIR"), "/figure.wgsl")),
+    include_str!(concat!(env!("OUT_DIR"), "/wire.wgsl")),
+];
+
 const LAST: [&str; 2] = [FRAME, include_str!(concat!(env!("OUT_DIR"), "/last.wgsl"))];
 
 /// Bind group layouts, named by what they hold.
@@ -141,7 +148,21 @@ impl Kit {
         let module = |label, parts: &[&str]| {
             device.create_shader_module(wgpu::ShaderModuleDescriptor {
                 label: Some(label),
-                source: wgpu::ShaderSource::Wgsl(parts.concat().into()),
+                source: wgpu::ShaderSource::Wgsl(match std::env::var("LOOK_WGSL") {
+                    Ok(dir) => (if parts.len() > 3 {
+                        vec![
+                            "frame", "light", "figure", "surface", "skin", "eye", "mouth", "hair",
+                            "cloth", "theatre",
+                        ]
+                    } else {
+                        vec!["frame", "last"]
+                    })
+                    .iter()
+                    .map(|n| std::fs::read_to_string(format!("{dir}/{n}.wgsl")).unwrap())
+                    .collect::<String>()
+                    .into(),
+                    Err(_) => parts.concat().into(),
+                }),
             })
         };
         Self {
@@ -211,6 +232,7 @@ struct Recipe<'a> {
     samples: u32,
     coverage: bool,
     cull: Option<Face>,
+    edges: bool,
     /// Compare and write, when there is a depth buffer.
     depth: Option<(CompareFunction, bool)>,
     bias: wgpu::DepthBiasState,
@@ -238,6 +260,11 @@ impl Recipe<'_> {
             },
             primitive: wgpu::PrimitiveState {
                 cull_mode: self.cull,
+                polygon_mode: if self.edges {
+                    wgpu::PolygonMode::Line
+                } else {
+                    wgpu::PolygonMode::Fill
+                },
                 ..Default::default()
             },
             depth_stencil: self.depth.map(|(compare, write)| wgpu::DepthStencilState {
@@ -303,6 +330,7 @@ impl Pipelines {
                     samples,
                     coverage: false,
                     cull: None,
+                    edges: false,
                     depth,
                     bias: wgpu::DepthBiasState::default(),
                 }
@@ -384,7 +412,38 @@ impl Pipelines {
             samples: self.target.samples,
             coverage: look.layer == Layer::Cut && self.target.samples > 1,
             cull: (!look.double_sided).then_some(Face::Back),
+            edges: false,
             depth: Some((CompareFunction::Less, !clear)),
+            bias: wgpu::DepthBiasState::default(),
+        }
+        .build(device)
+    }
+
+    /// What draws the edges of all triangles over a figure.
+    #[cfg(all(feature = "native", not(target_arch = "wasm32")))]
+    pub(crate) fn make_wire(&self, device: &Device, kit: &Kit) -> RenderPipeline {
+        let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
+            label: Some("wire"),
+            source: wgpu::ShaderSource::Wgsl(WIRE.concat().into()),
+        });
+        let Layouts {
+            lit, figure, maps, ..
+        } = &kit.layouts;
+        Recipe {
+            label: "wire",
+            module: &module,
+            layout: &pipeline_layout(device, "figure", &[lit, figure, maps]),
+            constants: &self.constants[..1],
+            vertex: "vs_wire",
+            buffers: &vertex_buffers(),
+            fragment: Some("fs_wire"),
+            target: Some(self.target.format),
+            blend: Some(BlendState::ALPHA_BLENDING),
+            samples: self.target.samples,
+            coverage: false,
+            cull: Some(Face::Back),
+            edges: true,
+            depth: Some((CompareFunction::LessEqual, false)),
             bias: wgpu::DepthBiasState::default(),
         }
         .build(device)
@@ -431,6 +490,7 @@ fn make_shadow(device: &Device, kit: &Kit, light: u32, shadow: Shadow) -> Render
         samples: 1,
         coverage: false,
         cull: None,
+        edges: false,
         depth: Some((CompareFunction::Less, true)),
         // Steep surfaces are pushed back by their slope within a texel.
         bias: wgpu::DepthBiasState {

@@ -2,7 +2,7 @@
 
 use std::sync::{Arc, Mutex, PoisonError};
 
-use raconteur_body::Figure;
+use raconteur_body::{Figure, MaterialKind};
 use raconteur_stage::Frame;
 use wgpu::{Buffer, BufferUsages, Device, Queue, TextureFormat, TextureView};
 
@@ -30,6 +30,8 @@ pub struct Renderer {
     picture_sampler: wgpu::Sampler,
     figure: Option<SentFigure>,
     rows: Vec<[f32; 4]>,
+    /// Draws the edges of the figure's triangles, if that is wanted.
+    wire: Option<wgpu::RenderPipeline>,
     info: RenderInfo,
     /// What the driver refused, if anything; told by the next picture.
     refused: Arc<Mutex<Option<String>>>,
@@ -85,6 +87,7 @@ impl Renderer {
             frame_group,
             targets: None,
             figure: None,
+            wire: None,
             rows: Vec::with_capacity(3 * MAX_JOINTS),
             info: RenderInfo {
                 options,
@@ -123,9 +126,22 @@ impl Renderer {
             let kind = self.target_kinds[options.quality as usize];
             self.tier = Tier::new(&self.device, &self.kit, kind, &self.frame_buffer, options);
             self.targets = None;
+            self.wire = None;
             self.prepare();
         }
         self.tell_tier();
+    }
+
+    /// Draws the edges of the figure's triangles over it, or no longer, from the next picture
+    /// until the quality changes; whether they will be: a device may not draw lines.
+    #[cfg(all(feature = "native", not(target_arch = "wasm32")))]
+    pub fn set_wireframe(&mut self, on: bool) -> bool {
+        let able = self
+            .device
+            .features()
+            .contains(wgpu::Features::POLYGON_MODE_LINE);
+        self.wire = (on && able).then(|| self.tier.pipelines.make_wire(&self.device, &self.kit));
+        self.wire.is_some()
     }
 
     fn tell_tier(&mut self) {
@@ -268,7 +284,10 @@ impl Renderer {
         } else {
             1.0
         };
-        let uniform = FrameUniform::new(frame, &view, &shadows, stature_m, drawn, enlarged);
+        let mut uniform = FrameUniform::new(frame, &view, &shadows, stature_m, drawn, enlarged);
+        if let Some(figure) = &self.figure {
+            uniform.lids = figure.lids(&frame.world_from_joint);
+        }
         self.queue
             .write_buffer(&self.frame_buffer, 0, bytemuck::bytes_of(&uniform));
         if let Some(figure) = &mut self.figure {
@@ -341,6 +360,15 @@ impl Renderer {
         pass.draw(0..3, 0..1);
         counts.add(1);
         self.draw_figure(&mut pass, counts, |layer| layer == Layer::Clear);
+        if let (Some(figure), Some(wire)) = (&self.figure, &self.wire) {
+            // Hair would cover the rest with its edges.
+            figure.draw(
+                &mut pass,
+                counts,
+                |look| look.kind != MaterialKind::Hair && look.kind != MaterialKind::Lash,
+                |_| Some(wire),
+            );
+        }
     }
 
     fn draw_figure(

@@ -5,7 +5,9 @@ use raconteur_body::figure::{Figure, Maps};
 use wgpu::{Buffer, BufferUsages, Device, Queue, TextureView};
 
 use crate::RenderError;
-use crate::figure::{DrawnMesh, FigureData, Look, MATERIAL_STRIDE, MAX_JOINTS, Shadow, joint_rows};
+use crate::figure::{
+    DrawnMesh, FigureData, LidEdge, Look, MATERIAL_STRIDE, MAX_JOINTS, Shadow, joint_rows,
+};
 use crate::morph::MorphedMesh;
 use crate::pipeline::Layouts;
 use crate::renderer::{Counts, bind_group, binding, empty_buffer};
@@ -15,6 +17,7 @@ use crate::texture::{self, Role};
 pub(crate) struct SentFigure {
     pub(crate) stature_m: f64,
     joint_from_bind: Vec<DAffine3>,
+    lids: [Option<LidEdge>; 4],
     shape: Buffer,
     fixed: Buffer,
     indices: Buffer,
@@ -109,6 +112,7 @@ impl SentFigure {
         let mut sent = Self {
             stature_m: figure.skeleton.stature_m(),
             joint_from_bind: figure.inverse_bind.clone(),
+            lids: LidEdge::of(figure),
             shape: filled("shape", shape, BufferUsages::VERTEX),
             fixed: filled("fixed", fixed, BufferUsages::VERTEX),
             indices: filled("indices", indices, BufferUsages::INDEX),
@@ -183,6 +187,12 @@ impl SentFigure {
     /// What its meshes need of the pipelines.
     pub(crate) fn looks(&self) -> impl Iterator<Item = Look> {
         self.meshes.iter().map(|m| m.look)
+    }
+
+    /// Where the edges of the lids are at a moment, as [`LidEdge::plane`] tells.
+    pub(crate) fn lids(&self, world_from_joint: &[DAffine3]) -> [[f32; 4]; 4] {
+        self.lids
+            .map(|lid| LidEdge::plane(lid, world_from_joint, &self.joint_from_bind))
     }
 
     /// Sends joints and morphs of a moment; `rows` is room to work in.

@@ -6,6 +6,7 @@ use raconteur_base::{DMat4, DVec3, ops};
 use raconteur_body::Bone;
 use raconteur_stage::{Camera, Frame};
 
+use crate::environment;
 use crate::shadow::ShadowView;
 
 /// `Frame` of the shaders, field by field.
@@ -34,6 +35,10 @@ pub(crate) struct FrameUniform {
     feet: [[f32; 4]; 2],
     shadow: [f32; 4],
     viewport: [f32; 4],
+    ambient: [[f32; 4]; 9],
+    head_up: [f32; 4],
+    /// Edges of the lids, as `LidEdge::plane` tells.
+    pub(crate) lids: [[f32; 4]; 4],
 }
 
 /// The camera as the shaders need it.
@@ -141,6 +146,15 @@ impl FrameUniform {
                 shadows[0].depth_of_metre,
             ],
             viewport: [w, h, 1.0 / w, 1.0 / h],
+            ambient: environment::harmonics(light, &frame.set).map(|c| color(c, 0.0)),
+            head_up: point(
+                frame
+                    .world_from_joint
+                    .get(Bone::Skull.index())
+                    .map_or(DVec3::Y, |head| head.matrix3.y_axis.normalize_or(DVec3::Y)),
+                0.0,
+            ),
+            lids: [[0.0; 4]; 4],
         }
     }
 }

@@ -240,3 +240,27 @@ fn a_frame_without_sense_draws_something() {
         (SIZE.0 * SIZE.1 * 4) as usize
     );
 }
+
+#[test]
+fn every_named_light_shows_the_figure_without_losing_it() {
+    let figure = common::figure();
+    let mut device = headless(Quality::High);
+    let mut frame = common::frame(&figure, &Pose::zero(), Shot::Close, ASPECT);
+    for (name, light) in raconteur_stage::Lighting::PRESETS {
+        frame.lighting = light();
+        device.set_figure(&figure).expect("a sound figure");
+        let picture = draw(&mut device, &frame);
+        // A pixel that is no number is drawn black.
+        let black = picture
+            .chunks_exact(4)
+            .filter(|p| p[..3].iter().all(|&c| c == 0))
+            .count();
+        let burnt = picture
+            .chunks_exact(4)
+            .filter(|p| p[..3].iter().all(|&c| c == 255))
+            .count();
+        let all = picture.len() / 4;
+        assert!(black < all / 50, "{name}: {black} of {all} black");
+        assert!(burnt < all / 50, "{name}: {burnt} of {all} burnt");
+    }
+}

@@ -28,26 +28,106 @@ pub struct Lighting {
     pub exposure: f32,
 }
 
+impl Lighting {
+    /// Lights by name: the stage's own, a large window on a grey day, a low warm lamp from
+    /// the side with a strong rim, and a studio's even light. All designed by eye.
+    pub const PRESETS: [(&'static str, fn() -> Self); 4] = [
+        ("stage", Self::default),
+        ("daylight", Self::daylight),
+        ("evening", Self::evening),
+        ("studio", Self::studio),
+    ];
+
+    /// The light of this name in [`Self::PRESETS`].
+    #[must_use]
+    pub fn named(name: &str) -> Option<Self> {
+        let found = Self::PRESETS.iter().find(|(n, _)| *n == name);
+        found.map(|(_, light)| light())
+    }
+
+    /// A window to the character's left, 50° round and 25° up; the rest is the room's.
+    fn daylight() -> Self {
+        Self {
+            key: lamp([0.78, 0.46, 0.64], [0.82, 0.87, 0.95]),
+            fill: lamp([-0.80, 0.10, 0.70], [0.20, 0.19, 0.175]),
+            rim: lamp([-0.45, 0.65, -0.90], [0.22, 0.23, 0.25]),
+            sky: [0.26, 0.28, 0.31],
+            ground: [0.15, 0.14, 0.125],
+            exposure: 1.0,
+        }
+    }
+
+    /// A lamp at shoulder height, 70° to the character's right; a strong rim opposite.
+    fn evening() -> Self {
+        Self {
+            key: lamp([-0.94, 0.12, 0.36], [1.15, 0.82, 0.52]),
+            fill: lamp([0.80, 0.30, 0.80], [0.050, 0.060, 0.085]),
+            rim: lamp([0.62, 0.50, -0.80], [1.05, 0.90, 0.78]),
+            sky: [0.075, 0.080, 0.105],
+            ground: [0.080, 0.055, 0.038],
+            exposure: 1.1,
+        }
+    }
+
+    /// A large soft lamp from the front and bright walls: shows colours and shapes.
+    fn studio() -> Self {
+        Self {
+            key: lamp([-0.55, 0.60, 0.90], [0.92, 0.90, 0.86]),
+            fill: lamp([0.80, 0.20, 0.80], [0.30, 0.31, 0.33]),
+            rim: lamp([0.60, 0.70, -0.90], [0.60, 0.60, 0.60]),
+            sky: [0.26, 0.26, 0.27],
+            ground: [0.16, 0.15, 0.14],
+            exposure: 1.0,
+        }
+    }
+}
+
+/// A light from a direction of any length.
+fn lamp([x, y, z]: [f64; 3], irradiance: [f32; 3]) -> DirectedLight {
+    DirectedLight {
+        towards_light_in_world: DVec3::new(x, y, z).normalize(),
+        irradiance,
+    }
+}
+
 impl Default for Lighting {
     fn default() -> Self {
-        let towards = |x: f64, y: f64, z: f64| DVec3::new(x, y, z).normalize();
         Self {
             // Key 40° to the character's right and 38° up, warm; chosen by eye.
-            key: DirectedLight {
-                towards_light_in_world: towards(-0.62, 0.78, 0.86),
-                irradiance: [1.02, 0.90, 0.76],
-            },
-            fill: DirectedLight {
-                towards_light_in_world: towards(0.85, 0.25, 0.75),
-                irradiance: [0.13, 0.155, 0.195],
-            },
-            rim: DirectedLight {
-                towards_light_in_world: towards(0.55, 0.75, -0.95),
-                irradiance: [0.85, 0.78, 0.70],
-            },
+            key: lamp([-0.62, 0.78, 0.86], [1.02, 0.90, 0.76]),
+            fill: lamp([0.85, 0.25, 0.75], [0.13, 0.155, 0.195]),
+            rim: lamp([0.55, 0.75, -0.95], [0.85, 0.78, 0.70]),
             sky: [0.17, 0.18, 0.21],
             ground: [0.105, 0.078, 0.058],
             exposure: 1.0,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_named_light_is_a_light() {
+        for (name, light) in Lighting::PRESETS {
+            assert_eq!(Lighting::named(name), Some(light()));
+            let l = light();
+            for lamp in [l.key, l.fill, l.rim] {
+                assert!(
+                    (lamp.towards_light_in_world.length() - 1.0).abs() < 1e-12,
+                    "{name}"
+                );
+                assert!(
+                    lamp.irradiance.iter().all(|c| (0.0..2.0).contains(c)),
+                    "{name}"
+                );
+            }
+            assert!(
+                l.key.irradiance > l.fill.irradiance,
+                "{name}: the key is strongest"
+            );
+        }
+        assert_eq!(Lighting::named("moon"), None);
     }
 }

@@ -6,6 +6,8 @@
 //! into JavaScript, and an error is a value or an exception, never a trap.
 //!
 //! A page makes one wasm instance for each player, so a trap would end that player alone.
+//! With the feature `avatar` it is another, smaller door: it turns other people's avatars
+//! into figures and plays nothing.
 
 #![deny(
     clippy::unwrap_used,
@@ -24,7 +26,13 @@
 
 pub mod message;
 
-#[cfg(target_arch = "wasm32")]
+#[cfg(all(target_arch = "wasm32", feature = "avatar"))]
+mod avatar;
+#[cfg(all(target_arch = "wasm32", feature = "avatar"))]
+pub use avatar::convert;
+#[cfg(all(target_arch = "wasm32", not(feature = "avatar")))]
+mod measure;
+#[cfg(all(target_arch = "wasm32", not(feature = "avatar")))]
 mod player;
-#[cfg(target_arch = "wasm32")]
+#[cfg(all(target_arch = "wasm32", not(feature = "avatar")))]
 pub use player::{Player, pose_digests};

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use raconteur_player::body::figure::Image;
 use raconteur_player::body::read::read_figure;
 use raconteur_player::{Options, Player as Performer, StoryInput};
-use raconteur_render::{Backend, CanvasTarget, Quality, RenderOptions, RenderStatus};
+use raconteur_render::{Backend, CanvasTarget, Pace, Quality, RenderOptions, RenderStatus};
 use serde::Serialize;
 use serde_wasm_bindgen::Serializer;
 use wasm_bindgen::prelude::*;
@@ -46,6 +46,9 @@ fn start() {
 pub struct Player {
     performer: Option<Performer>,
     picture: Option<CanvasTarget>,
+    pace: Pace,
+    /// The picture stands still, so it has the time for every pixel.
+    resting: bool,
     /// Width over height.
     aspect: f64,
     sized: bool,
@@ -67,17 +70,16 @@ impl Player {
         } else {
             Backend::WebGl
         };
-        let options = RenderOptions {
-            quality: Quality::Medium,
-            half_size: false,
-        };
+        let pace = Pace::default();
         let picture = match canvas {
-            Some(canvas) => Some(CanvasTarget::new(canvas, backend, options).await?),
+            Some(canvas) => Some(CanvasTarget::new(canvas, backend, pace.options()).await?),
             None => None,
         };
         Ok(Self {
             performer: None,
             picture,
+            pace,
+            resting: true,
             aspect: 1.0,
             sized: false,
             told_secs: -1.0,
@@ -168,6 +170,30 @@ impl Player {
         Ok(status as u32)
     }
 
+    /// Draws at `low`, `medium` or `high` quality; by any other name, as well as frames
+    /// come quickly.
+    #[wasm_bindgen(js_name = setQuality)]
+    pub fn set_quality(&mut self, name: &str) {
+        let fixed = Quality::NAMES.iter().find(|(_, n)| *n == name);
+        self.pace.choose(fixed.map(|(quality, _)| *quality));
+        self.follow_pace();
+    }
+
+    /// Whether the story rests: a picture that stands still is drawn with every pixel.
+    #[wasm_bindgen(js_name = setResting)]
+    pub fn set_resting(&mut self, resting: bool) {
+        self.resting = resting;
+        self.follow_pace();
+    }
+
+    /// Takes the time between two shown frames, milliseconds; the quality follows it.
+    #[wasm_bindgen(js_name = reportFrame)]
+    pub fn report_frame(&mut self, ms: f64) {
+        if self.pace.report(ms) {
+            self.follow_pace();
+        }
+    }
+
     /// Moves without passing the cues between; those at `time_secs` itself are still to come.
     pub fn seek(&mut self, time_secs: f64) {
         self.told_secs = if time_secs.is_finite() {
@@ -212,6 +238,16 @@ impl Player {
 }
 
 impl Player {
+    fn follow_pace(&mut self) {
+        if let Some(picture) = &mut self.picture {
+            let options = self.pace.options();
+            picture.set_options(RenderOptions {
+                half_size: options.half_size && !self.resting,
+                ..options
+            });
+        }
+    }
+
     fn image(&self, index: usize) -> Option<&Image> {
         self.performer.as_ref()?.figure().images.get(index)
     }
@@ -276,7 +312,14 @@ fn read(
     Ok((performer, story))
 }
 
+impl Player {
+    /// What the canvas draws with, and what its last picture took.
+    pub(crate) fn picture_info(&self) -> Option<&raconteur_render::RenderInfo> {
+        self.picture.as_ref().map(CanvasTarget::info)
+    }
+}
+
 /// An object of plain JavaScript values, as `JSON.parse` would give.
-fn plain(value: &impl Serialize) -> Result<JsValue, JsError> {
+pub(crate) fn plain(value: &impl Serialize) -> Result<JsValue, JsError> {
     Ok(value.serialize(&Serializer::json_compatible())?)
 }

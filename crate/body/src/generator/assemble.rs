@@ -110,28 +110,14 @@ fn bind_frames(blueprint: &Blueprint, skeleton: &Skeleton) -> Vec<DAffine3> {
                 blueprint.positions_in_world[i],
             ),
             Some(p) => {
-                let bone = match joint.drive {
-                    crate::skeleton::Drive::Share(b, _) | crate::skeleton::Drive::Twist(b, _) => {
-                        Some(b.index())
-                    }
-                    _ => None,
-                };
                 // In the bind pose a share or twist carries that share of its bone's turn
                 // from the zero pose.
-                let local = bone.map_or(joint.zero_rotation, |b| {
-                    let parent = blueprint.bind_rotations[p];
-                    let own = parent.inverse() * blueprint.bind_rotations[b];
-                    let turn = joint.zero_rotation.inverse() * own;
-                    let shared = match joint.drive {
-                        crate::skeleton::Drive::Share(_, s) => DQuat::IDENTITY.slerp(turn, s),
-                        crate::skeleton::Drive::Twist(_, s) => {
-                            DQuat::IDENTITY.slerp(crate::pose::twist_about_x(turn), s)
-                        }
-                        _ => DQuat::IDENTITY,
-                    };
-                    joint.zero_rotation * shared
+                let turn = joint.drive.bone().map_or(DQuat::IDENTITY, |b| {
+                    let own =
+                        blueprint.bind_rotations[p].inverse() * blueprint.bind_rotations[b.index()];
+                    joint.zero_rotation.inverse() * own
                 });
-                frames[p] * DAffine3::from_rotation_translation(local, joint.translation_in_parent)
+                frames[p] * skeleton.local(joint, joint.drive.of_turn(turn), turn)
             }
             None => DAffine3::IDENTITY,
         };

@@ -1,18 +1,17 @@
 //! How the parts of a figure come together.
 
-use std::collections::BTreeMap;
-
 use raconteur_base::curve::smooth;
 use raconteur_base::{DAffine3, DQuat, DVec3, Side};
 
 use super::assemble::{Blueprint, Piece, assemble};
 use super::cloth::finish::openness;
 use super::cloth::{Wearer, dress};
-use super::hair;
+use super::hair::{self, HairParams};
 use super::hand::{self, HandParams};
 use super::head::{self, Head};
 use super::part::{Part, PartVertex};
 use super::people::FigureParams;
+use super::skin::{self, HandSheet};
 use super::torso::{CM, Cage, Field, Joints, Regions, Shell};
 use crate::annotation::{Annotations, Landmark, Segment};
 use crate::figure::{Figure, Maps, Material, MaterialKind};
@@ -27,6 +26,12 @@ pub struct Built {
     pub annotations: Annotations,
 }
 
+/// The skin's pictures among a figure's images.
+const SKIN_MAPS: Maps = Maps {
+    base_color: Some(0),
+    normal: Some(1),
+};
+
 /// Builds a figure. The same parameters give the same figure to the bit.
 #[must_use]
 pub fn build(params: &FigureParams) -> Built {
@@ -40,27 +45,37 @@ pub fn build(params: &FigureParams) -> Built {
     let wearer = Wearer::new(&params.body, &field, &cage, &joints);
     let clothes = dress(&wearer, &params.wardrobe);
 
-    let mut hair = hair::bob(&head, &params.hair);
-    for v in &mut hair.part.vertices {
+    let body =
+        |p: DVec3| field.value_and_normal(world_from_head.transform_point3(p), Regions::ALL, 1.0);
+    let mut hairs = hair::hair(&head, &params.hair, &body);
+    for v in hairs.iter_mut().flat_map(|h| &mut h.part.vertices) {
         v.position = world_from_head.transform_point3(v.position);
     }
 
     let mut pieces: Vec<Piece> = Vec::new();
+    let hands = Side::BOTH.map(|side| place_hand(&params.hand, side, &mut joints));
+    let maps = skin::bake(&params.skin, &head.sheet, &hands[0].1);
     pieces.extend(
-        head_parts(&head, world_from_head, &field, &cage)
+        head_parts(&head, &params.hair, world_from_head, &field, &cage)
             .into_iter()
             .map(Piece::from),
     );
-    for side in Side::BOTH {
-        pieces.extend(
-            place_hand(&params.hand, side, &mut joints)
-                .into_iter()
-                .map(Piece::from),
-        );
-    }
+    pieces.extend(
+        hands
+            .into_iter()
+            .flat_map(|(parts, _)| parts)
+            .map(Piece::from),
+    );
     pieces.push(neck(&field, &cage, &head, world_from_head).into());
     pieces.extend(clothes.parts.into_iter().map(Piece::from));
-    pieces.push(hair);
+    pieces.extend(hairs);
+
+    for piece in &mut pieces {
+        let material = &mut piece.part.material;
+        if material.kind == MaterialKind::Skin {
+            material.maps = SKIN_MAPS;
+        }
+    }
 
     let figure = assemble(&Blueprint {
         name: params.name.clone(),
@@ -74,7 +89,7 @@ pub fn build(params: &FigureParams) -> Built {
         stature_m: stature,
         lid_closure_rad: head.lid_closure_rad,
         pieces,
-        images: Vec::new(),
+        images: vec![maps.colour, maps.normal],
     });
     let annotations = annotations(&head, &figure);
     Built {
@@ -124,10 +139,16 @@ fn place_head(joints: &mut Joints, head: &Head, stature_m: f64) -> DAffine3 {
 
 /// The head's parts in the world; the lower neck is drawn onto the body's own neck and
 /// moves with it, or it would come through the collar when the head turns.
-fn head_parts(head: &Head, place: DAffine3, field: &Field, cage: &Cage) -> Vec<Part> {
+fn head_parts(
+    head: &Head,
+    hair: &HairParams,
+    place: DAffine3,
+    field: &Field,
+    cage: &Cage,
+) -> Vec<Part> {
     let (throat, _) = cage.part(|t| Cage::is_above(t, 0.798)).subdivided(1);
     let mut parts = head.parts.clone();
-    shade_scalp(&mut parts[0], head);
+    hair::shade_skin(&mut parts[0], head, hair);
     for part in &mut parts {
         let is_skin = part.material.kind == MaterialKind::Skin;
         for v in &mut part.vertices {
@@ -156,24 +177,8 @@ fn head_parts(head: &Head, place: DAffine3, field: &Field, cage: &Cage) -> Vec<P
     parts
 }
 
-/// Skin under hair gets little light, or it would shine through the parting.
-fn shade_scalp(skin: &mut Part, head: &Head) {
-    let key = |p: DVec3| p.to_array().map(|x| (x * 1e6).round() as i64);
-    let density: BTreeMap<[i64; 3], f64> = head
-        .scalp
-        .points
-        .iter()
-        .map(|s| (key(s.position), s.density))
-        .collect();
-    for v in &mut skin.vertices {
-        if let Some(d) = density.get(&key(v.position)) {
-            v.color[3] *= 1.0 - 0.75 * d;
-        }
-    }
-}
-
-/// A hand in the world; its finger joints replace the skeleton's.
-fn place_hand(params: &HandParams, side: Side, joints: &mut Joints) -> Vec<Part> {
+/// A hand in the world and its skin for the maps; its finger joints replace the skeleton's.
+fn place_hand(params: &HandParams, side: Side, joints: &mut Joints) -> (Vec<Part>, HandSheet) {
     let built = hand::build(params, side);
     let wrist = Bone::on(side, "wrist");
     let bind = joints.rotations[wrist.index()];
@@ -195,7 +200,7 @@ fn place_hand(params: &HandParams, side: Side, joints: &mut Joints) -> Vec<Part>
             v.position = place.transform_point3(v.position);
         }
     }
-    parts
+    (parts, built.sheet)
 }
 
 /// The body's own neck, just below the head's skin and inside the collar.
@@ -238,6 +243,7 @@ fn neck(field: &Field, cage: &Cage, head: &Head, place: DAffine3) -> Part {
                 .total_cmp(&b.position.distance_squared(local))
         });
         if let Some(near) = near {
+            v.uv = near.uv;
             v.color = near.color;
             v.color[3] *= 0.75;
         }

@@ -4,14 +4,18 @@
 //! frame, bind pose; [`assemble`] joins them on one skeleton and [`write`] stores glTF.
 
 pub mod assemble;
+pub mod bones;
 mod build;
 pub mod cloth;
+#[cfg(test)]
+mod deform;
 pub mod hair;
 pub mod hand;
 pub mod head;
 pub mod measure;
 pub mod part;
 pub mod people;
+pub mod skin;
 pub mod statistics;
 pub mod subdivide;
 pub mod torso;

@@ -81,6 +81,10 @@ impl Stance {
         // Leaning a little is a posture; lying is an axis gone wrong.
         let upright = if up.y > 0.7 {
             DQuat::IDENTITY
+        } else if !has_legs {
+            return Err(ImportError::NotHumanoid(
+                "the trunk lies, and no legs tell which way is up; is it an animal?".to_owned(),
+            ));
         } else {
             notes.add(
                 "turned-upright",

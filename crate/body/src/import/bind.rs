@@ -15,23 +15,24 @@ const STILL_M: f64 = 1e-5;
 /// Which of our joints carries what a foreign node carries.
 pub(super) struct Binding {
     joint_of_node: Vec<u16>,
-    forearms: Vec<Forearm>,
+    limbs: Vec<Limb>,
 }
 
-/// A forearm, whose skin follows the wrist's twist by thirds.
-struct Forearm {
-    elbow: u16,
-    /// Elbow and the two twist joints, from the elbow on.
+/// Upper arm or forearm, whose skin follows a twist little by little.
+struct Limb {
+    /// The joint that carries it in their rig.
+    joint: u16,
+    /// The joints that share it in ours, from the body outwards.
     joints: [u16; 3],
     from: DVec3,
-    /// Elbow to wrist over its squared length.
+    /// From end to end over its squared length, times the number of steps between joints.
     along: DVec3,
 }
 
-impl Forearm {
-    /// The two joints that share a place on the forearm.
+impl Limb {
+    /// The two joints that share a place on the limb.
     fn shared(&self, p: DVec3) -> [(u16, f64); 2] {
-        let t = ((p - self.from).dot(self.along) * 3.0).clamp(0.0, 2.0);
+        let t = (p - self.from).dot(self.along).clamp(0.0, 2.0);
         let i = usize::from(t >= 1.0);
         let f = t - i as f64;
         [(self.joints[i], 1.0 - f), (self.joints[i + 1], f)]
@@ -69,25 +70,37 @@ impl Binding {
                 joint_of_node[node] = joint;
             }
         }
-        let forearms = Side::BOTH
-            .iter()
-            .filter_map(|&side| {
-                let letter = if side == Side::Left { 'l' } else { 'r' };
-                let [elbow, wrist] = ["elbow", "wrist"].map(|p| Bone::on(side, p));
-                let twist = |n: u8| index(format!("helper_{letter}_forearm_twist{n}"));
-                let from = rest.places[elbow.index()];
-                let line = rest.places[wrist.index()] - from;
-                Some(Forearm {
-                    elbow: elbow.index() as u16,
-                    joints: [elbow.index() as u16, twist(1)? as u16, twist(2)? as u16],
-                    from,
-                    along: line / line.length_squared().max(1e-12),
-                })
+        let limb = |side: Side, from: &str, to: &str, joints: [String; 3], steps: f64| {
+            let [from, to] = [from, to].map(|p| Bone::on(side, p).index());
+            let line = rest.places[to] - rest.places[from];
+            let [a, b, c] = joints.map(&index);
+            Some(Limb {
+                joint: from as u16,
+                joints: [a? as u16, b? as u16, c? as u16],
+                from: rest.places[from],
+                along: line * (steps / line.length_squared().max(1e-12)),
             })
-            .collect();
+        };
+        let limbs = Side::BOTH.into_iter().flat_map(|side| {
+            let s = if side == Side::Left { 'l' } else { 'r' };
+            let [upper1, upper2, fore1, fore2] = [
+                "upperarm_twist1",
+                "upperarm_twist2",
+                "forearm_twist1",
+                "forearm_twist2",
+            ]
+            .map(|part| format!("helper_{s}_{part}"));
+            let [shoulder, elbow] = ["shoulder", "elbow"].map(|p| format!("bone_{s}_{p}"));
+            // The arm's own twist is whole at the elbow, the wrist's at the wrist.
+            [
+                limb(side, "shoulder", "elbow", [upper1, upper2, shoulder], 2.0),
+                limb(side, "elbow", "wrist", [elbow, fore1, fore2], 3.0),
+            ]
+        });
+        let limbs = limbs.flatten().collect();
         Self {
             joint_of_node,
-            forearms,
+            limbs,
         }
     }
 
@@ -106,10 +119,10 @@ impl Binding {
         };
         for (&node, &share) in nodes.iter().zip(shares).filter(|(_, s)| **s > 0.0) {
             let joint = self.joint_of_node[node as usize];
-            match self.forearms.iter().find(|f| f.elbow == joint && !rigid) {
+            match self.limbs.iter().find(|l| l.joint == joint && !rigid) {
                 None => add(joint, f64::from(share)),
-                Some(forearm) => {
-                    for (joint, part) in forearm.shared(at) {
+                Some(limb) => {
+                    for (joint, part) in limb.shared(at) {
                         add(joint, part * f64::from(share));
                     }
                 }

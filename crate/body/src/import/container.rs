@@ -37,6 +37,7 @@ fn is_understood(extension: &str) -> bool {
             | "KHR_texture_transform"
             | "KHR_lights_punctual"
             | "KHR_xmp_json_ld"
+            | "EXT_texture_webp"
             | "VRM"
             | "VRMC_vrm"
     ) || extension.starts_with("KHR_materials_")

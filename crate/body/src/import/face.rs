@@ -241,7 +241,12 @@ impl Face {
         let mut sources = expressions(json, root);
         let mut by_name = Sources::new();
         for (mesh, m) in root.meshes.iter().enumerate() {
-            for (target, name) in m.target_names.iter().enumerate() {
+            // Some exporters name the targets at the first primitive.
+            let other = &json["meshes"][mesh]["primitives"][0]["extras"]["targetNames"];
+            let other = other.as_array().map_or(&[][..], Vec::as_slice);
+            let names = m.target_names.iter().map(String::as_str);
+            let others = other.iter().map(|n| n.as_str().unwrap_or_default());
+            for (target, name) in names.chain(others.skip(m.target_names.len())).enumerate() {
                 if let Some(key) = recognise(name) {
                     by_name.entry(key).or_default().push(Part {
                         mesh,

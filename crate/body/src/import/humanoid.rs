@@ -97,7 +97,7 @@ impl Humanoid {
         notes: &mut Notes,
     ) -> Result<Self, ImportError> {
         let named = vrm_bones(json, tree.root.nodes.len()).unwrap_or_else(|| candidates(tree));
-        let mut found = Self::assign(&named);
+        let mut found = Self::assign(&named, tree);
         found.mend(tree);
         let missing: Vec<&str> = NEEDED
             .iter()
@@ -121,11 +121,14 @@ impl Humanoid {
         self.bones[bone.index()]
     }
 
-    fn assign(named: &[(usize, String)]) -> Self {
+    fn assign(named: &[(usize, String)], tree: &Tree<'_>) -> Self {
         let mut bones = [None; Bone::COUNT];
         let mut eyes = [None; 2];
         let mut fingers: Vec<(Bone, u32, usize)> = Vec::new();
         let mut best = [u8::MAX; Bone::COUNT];
+        let mut limbs: [(Bone, Vec<usize>); 4] =
+            [Bone::LShoulder, Bone::RShoulder, Bone::LHip, Bone::RHip]
+                .map(|first| (first, Vec::new()));
         for (node, name) in named {
             match slot_of(name) {
                 Some((Slot::Bone(bone), bend)) if bend < best[bone.index()] => {
@@ -136,7 +139,20 @@ impl Humanoid {
                     eyes[side.index()].get_or_insert(*node);
                 }
                 Some((Slot::Finger(first, order), _)) => fingers.push((first, order, *node)),
+                Some((Slot::Arm(side), _)) => limbs[side.index()].1.push(*node),
+                Some((Slot::Leg(side), _)) => limbs[2 + side.index()].1.push(*node),
                 _ => {}
+            }
+        }
+        for (first, nodes) in &mut limbs {
+            nodes.sort_by_key(|n| tree.upwards(*n).count());
+            let parts = match first {
+                Bone::LShoulder | Bone::RShoulder => &[0, 1, 2][..],
+                // Between ankle and toes our foot has a joint more.
+                _ => &[0, 1, 2, 4],
+            };
+            for (step, node) in parts.iter().zip(nodes) {
+                bones[first.index() + step].get_or_insert(*node);
             }
         }
         // Rigs count a finger's joints from 0 or from 1 and may leave some out.
@@ -333,6 +349,14 @@ impl Humanoid {
             *bone = bone.mirrored();
         }
     }
+}
+
+/// Whether the file says by VRM which bone is which.
+pub(super) fn has_vrm_table(json: &Value) -> bool {
+    let extensions = &json["extensions"];
+    ["VRM", "VRMC_vrm"]
+        .iter()
+        .any(|name| !extensions[name]["humanoid"]["humanBones"].is_null())
 }
 
 /// Nodes and the names of their bones by a VRM extension, 0.x or 1.0.

@@ -18,6 +18,9 @@ pub(super) struct Surface {
     pub(super) uv_transform: [[f64; 3]; 2],
 }
 
+const LEFT_OUT: &str = "a picture is neither PNG nor JPEG and was left out";
+const USUAL: &str = "export pictures as PNG or JPEG";
+
 const UNMOVED: [[f64; 3]; 2] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
 
 fn index(v: &Value) -> Option<usize> {
@@ -60,11 +63,7 @@ impl Pictures {
             } else if bytes.starts_with(b"\xFF\xD8\xFF") {
                 "image/jpeg"
             } else {
-                notes.add(
-                    "picture-left-out",
-                    "a picture is neither PNG nor JPEG and was left out",
-                    "export pictures as PNG or JPEG",
-                );
+                notes.add("picture-left-out", LEFT_OUT, USUAL);
                 places.push(None);
                 continue;
             };
@@ -78,7 +77,12 @@ impl Pictures {
     }
 
     /// The picture that a texture reference shows.
-    fn shown(&self, json: &Value, reference: &Value) -> Result<Option<usize>, ReadError> {
+    fn shown(
+        &self,
+        json: &Value,
+        reference: &Value,
+        notes: &mut Notes,
+    ) -> Result<Option<usize>, ReadError> {
         let what = "a material's texture";
         let Some(texture) = index(&reference["index"]) else {
             return Ok(None);
@@ -88,6 +92,7 @@ impl Pictures {
             .ok_or(ReadError::OutOfRange { what })?;
         // A texture whose picture comes by an extension alone shows nothing.
         let Some(image) = index(&texture["source"]) else {
+            notes.add("picture-left-out", LEFT_OUT, USUAL);
             return Ok(None);
         };
         let place = self
@@ -163,9 +168,17 @@ pub(super) fn surface(
             .ok_or(ReadError::OutOfRange { what })?,
     };
     let pbr = &m["pbrMetallicRoughness"];
+    // Older files give diffuse and gloss.
+    let gloss = &m["extensions"]["KHR_materials_pbrSpecularGlossiness"];
+    let old = gloss.is_object();
+    let (factor, color) = if old {
+        (&gloss["diffuseFactor"], &gloss["diffuseTexture"])
+    } else {
+        (&pbr["baseColorFactor"], &pbr["baseColorTexture"])
+    };
     let mut base_color = [1.0; 4];
     for (i, c) in base_color.iter_mut().enumerate() {
-        *c = number(&pbr["baseColorFactor"][i], 1.0, what)?.clamp(0.0, 1.0) as f32;
+        *c = number(&factor[i], 1.0, what)?.clamp(0.0, 1.0) as f32;
     }
     // Opaque surfaces ignore alpha; cut ones have it in their picture.
     if m["alphaMode"].as_str() != Some("BLEND") {
@@ -179,10 +192,14 @@ pub(super) fn surface(
             "",
         );
     }
-    let roughness = number(&pbr["roughnessFactor"], 1.0, what)?.clamp(0.0, 1.0);
-    let (color, normal) = (&pbr["baseColorTexture"], &m["normalTexture"]);
-    let color_map = pictures.shown(json, color)?;
-    let mut normal_map = pictures.shown(json, normal)?;
+    let roughness = if old {
+        1.0 - number(&gloss["glossinessFactor"], 1.0, what)?.clamp(0.0, 1.0)
+    } else {
+        number(&pbr["roughnessFactor"], 1.0, what)?.clamp(0.0, 1.0)
+    };
+    let normal = &m["normalTexture"];
+    let color_map = pictures.shown(json, color, notes)?;
+    let mut normal_map = pictures.shown(json, normal, notes)?;
     let uv_transform = transform(color)?;
     if normal_map.is_some()
         && color_map.is_some()

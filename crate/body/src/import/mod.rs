@@ -18,6 +18,7 @@ mod geometry;
 mod humanoid;
 mod material;
 mod names;
+mod unposed;
 
 use raconteur_base::DVec3;
 
@@ -76,14 +77,20 @@ pub fn import_figure(name: &str, bytes: &[u8]) -> Result<Imported, ImportError> 
         }
         .into());
     }
-    let tree = humanoid::Tree::new(&root, world);
+    let mut tree = humanoid::Tree::new(&root, world);
     let mut humanoid = humanoid::Humanoid::find(json, &tree, &mut notes)?;
+    let mut source = Source::with_budget(&root, MOST_NUMBERS);
+    // VRM promises that its nodes stand in a T.
+    if !humanoid::has_vrm_table(json)
+        && let Some(world) = unposed::world(&tree, &humanoid, &mut source)?
+    {
+        tree.world = world;
+    }
     let stance = align::Stance::find(&tree, &mut humanoid, &mut notes)?;
 
     let has_jaw = humanoid.get(Bone::Chin).is_some();
     let has_eyes = humanoid.eyes.iter().all(Option::is_some);
     let face = face::Face::find(json, &root, has_jaw, has_eyes, &mut notes);
-    let mut source = Source::with_budget(&root, MOST_NUMBERS);
     let pictures = material::Pictures::read(json, &mut source, &mut notes)?;
     let reader = geometry::Reader::new(json, &tree, &mut source, &pictures, &face, &mut notes);
     let geometries = reader.read()?;

@@ -19,6 +19,10 @@ pub(super) enum Slot {
     Finger(Bone, u32),
     /// An eyeball.
     Eye(Side),
+    /// Some joint of an arm, from the upper arm on.
+    Arm(Side),
+    /// Some joint of a leg, from the hip on.
+    Leg(Side),
 }
 
 /// Words that say nothing about the part.
@@ -97,24 +101,6 @@ const FINGERS: [(&[&str], Bone); 5] = [
     (&["pinky", "pinkie", "little"], Bone::LPinky0),
 ];
 
-/// Names of limbs that are numbered by joint, as in Cesium's sample figure, whose sides
-/// differ.
-const NUMBERED: [(&str, u32, Option<Side>, Bone); 13] = [
-    ("armjoint", 4, Some(Side::Left), Bone::LShoulder),
-    ("armjoint", 3, Some(Side::Left), Bone::LElbow),
-    ("armjoint", 2, Some(Side::Left), Bone::LWrist),
-    ("armjoint", 0, Some(Side::Right), Bone::LShoulder),
-    ("armjoint", 2, Some(Side::Right), Bone::LElbow),
-    ("armjoint", 3, Some(Side::Right), Bone::LWrist),
-    ("torsojoint", 1, None, Bone::Sacroiliac),
-    ("neckjoint", 1, None, Bone::Cervical),
-    ("neckjoint", 2, None, Bone::Skull),
-    ("legjoint", 1, Some(Side::Left), Bone::LHip),
-    ("legjoint", 2, Some(Side::Left), Bone::LKnee),
-    ("legjoint", 3, Some(Side::Left), Bone::LSubtalar),
-    ("legjoint", 5, Some(Side::Left), Bone::LMetatarsal),
-];
-
 fn on(side: Side, left: Bone) -> Bone {
     if side == Side::Left {
         left
@@ -168,9 +154,13 @@ struct Parsed {
     digits: Option<String>,
 }
 
-fn parse(mut words: Vec<String>) -> Parsed {
+fn is_number(word: &str) -> bool {
+    word.bytes().all(|b| b.is_ascii_digit())
+}
+
+/// Takes side and noise out of a name's words.
+fn bare(mut words: Vec<String>) -> (Option<Side>, Vec<String>) {
     // A biped's number belongs to its name: "Bip001".
-    let is_number = |w: &String| w.bytes().all(|b| b.is_ascii_digit());
     if let Some(i) = words
         .windows(2)
         .position(|w| matches!(w[0].as_str(), "bip" | "biped") && is_number(&w[1]))
@@ -190,14 +180,17 @@ fn parse(mut words: Vec<String>) -> Parsed {
     let side_at = words.iter().position(|w| side_of(w).is_some());
     let side = side_at.and_then(|i| side_of(&words.remove(i)));
     words.retain(|w| !NOISE.contains(&w.as_str()));
-    let digits = if words.last().is_some_and(is_number) {
-        words.pop()
-    } else {
-        None
+    (side, words)
+}
+
+fn parsed(side: Option<Side>, words: &[String]) -> Parsed {
+    let (digits, stem) = match words.split_last() {
+        Some((last, stem)) if is_number(last) => (Some(last.clone()), stem),
+        _ => (None, words),
     };
     Parsed {
         side,
-        stem: words.concat(),
+        stem: stem.concat(),
         digits,
     }
 }
@@ -233,17 +226,17 @@ fn finger(side: Side, stem: &str, digits: Option<&str>) -> Option<Slot> {
     (order <= 4).then_some(Slot::Finger(on(side, first), order))
 }
 
+/// Limbs whose joints are only numbered, as in Khronos' sample figures, whose numbers run up
+/// or down: the tree tells their order.
 fn numbered(p: &Parsed) -> Option<Slot> {
-    let number = p.digits.as_deref().map_or(Some(0), |d| d.parse().ok())?;
-    let stem = p.stem.as_str();
-    let (_, _, _, bone) = NUMBERED.iter().find(|(s, n, side, bone)| {
-        let legs = matches!(
-            bone,
-            Bone::LHip | Bone::LKnee | Bone::LSubtalar | Bone::LMetatarsal
-        );
-        *s == stem && *n == number && (*side == p.side || (legs && p.side.is_some()))
-    })?;
-    Some(Slot::Bone(on(p.side.unwrap_or(Side::Left), *bone)))
+    match (p.side, p.stem.as_str(), p.digits.as_deref()) {
+        (Some(side), "armjoint", _) => Some(Slot::Arm(side)),
+        (Some(side), "legjoint", _) => Some(Slot::Leg(side)),
+        (None, "torsojoint", Some("1")) => Some(Slot::Bone(Bone::Sacroiliac)),
+        (None, "neckjoint", Some("1")) => Some(Slot::Bone(Bone::Cervical)),
+        (None, "neckjoint", Some("2")) => Some(Slot::Bone(Bone::Skull)),
+        _ => None,
+    }
 }
 
 fn part(p: &Parsed) -> Option<Slot> {
@@ -276,24 +269,20 @@ fn part(p: &Parsed) -> Option<Slot> {
 
 /// What a name means, and how far it had to be bent for that: less is better.
 pub(super) fn slot_of(name: &str) -> Option<(Slot, u8)> {
-    let all = words(name);
-    let parsed = parse(all.clone());
-    if let Some(slot) = part(&parsed) {
+    let (side, mut words) = bare(words(name));
+    let whole = parsed(side, &words);
+    if let Some(slot) = part(&whole) {
         return Some((slot, 0));
     }
-    if let Some(slot) = numbered(&parsed) {
+    if let Some(slot) = numbered(&whole) {
         return Some((slot, 1));
     }
     // Some sites number every node: "LeftHand_011".
-    let mut bare = all;
-    let numbered_last = bare
-        .last()
-        .is_some_and(|w| w.bytes().all(|b| b.is_ascii_digit()));
-    if numbered_last {
-        bare.pop();
+    if whole.digits.is_some() {
+        words.pop();
     }
-    bare.retain(|w| w != "joint");
-    part(&parse(bare)).map(|slot| (slot, 2))
+    words.retain(|w| w != "joint");
+    part(&parsed(side, &words)).map(|slot| (slot, 2))
 }
 
 #[cfg(test)]
@@ -324,10 +313,9 @@ mod tests {
             ("CC_Base_L_Upperarm", Bone::LShoulder),
             ("ValveBiped.Bip01_R_Hand", Bone::RWrist),
             ("b_LeftHand_011", Bone::LWrist),
-            ("Skeleton_arm_joint_L__4_", Bone::LShoulder),
-            ("Skeleton_arm_joint_R", Bone::RShoulder),
+            ("upperarm01.L", Bone::LShoulder),
+            ("neck_01", Bone::Cervical),
             ("Skeleton_torso_joint_1", Bone::Sacroiliac),
-            ("leg_joint_R_3", Bone::RSubtalar),
             ("Skeleton_neck_joint_2", Bone::Skull),
         ] {
             let slot = slot_of(name).map(|s| s.0);
@@ -350,6 +338,13 @@ mod tests {
             assert_eq!(slot, Some(Slot::Finger(bone, order)), "{name}");
         }
         assert_eq!(slot_of("LeftEye").map(|s| s.0), Some(Slot::Eye(Side::Left)));
+        for (name, slot) in [
+            ("Skeleton_arm_joint_L__4_", Slot::Arm(Side::Left)),
+            ("Skeleton_arm_joint_R", Slot::Arm(Side::Right)),
+            ("leg_joint_R_3", Slot::Leg(Side::Right)),
+        ] {
+            assert_eq!(slot_of(name).map(|s| s.0), Some(slot), "{name}");
+        }
         assert_eq!(slot_of("Spine02").map(|s| s.0), Some(Slot::Torso));
     }
 

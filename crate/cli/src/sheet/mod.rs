@@ -38,7 +38,7 @@ pub(crate) enum Part {
     Poses,
     /// Teeth, jaw open, smile.
     Mouth,
-    /// The face in three lights.
+    /// The face in every light.
     Lights,
     /// Edges of the triangles, without hair.
     Wireframe,

@@ -68,7 +68,9 @@ impl PoseName {
             }
             Self::Fists => {
                 if let Some(fist) = HandShape::get(FIST) {
-                    Side::BOTH.map(|side| posture.shape(side, fist));
+                    for side in Side::BOTH {
+                        posture.shape(side, fist);
+                    }
                 }
             }
         }

@@ -278,13 +278,14 @@ impl<'a> Maker<'a> {
     }
 
     fn lights(&self) -> Vec<Tile> {
-        light::compared()
+        light::names()
             .into_iter()
-            .map(|light| {
+            .filter_map(|name| Some((name, light::named(name)?)))
+            .map(|(name, lighting)| {
                 let mut posture = self.standing();
                 posture.facing(0.35);
-                let mut tile = self.head(&format!("light {}", light.name), posture);
-                tile.lighting = light.lighting;
+                let mut tile = self.head(&format!("light {name}"), posture);
+                tile.lighting = lighting;
                 tile
             })
             .collect()

@@ -2,14 +2,37 @@
 
 // Sizes in units of the globe's radius (12 mm) on the uv disc: the iris is 11.8 mm
 // across (Caroline and Andre 2002: corneal diameter 11.8 mm), the cornea's radius of
-// curvature 7.8 mm (Gullstrand's eye).
+// curvature 7.8 mm, its index with the aqueous 1.336 (Gullstrand's eye).
 const IRIS = 0.47;
-const PUPIL = 0.17;
+const PUPIL = 0.165;
 const CORNEA_OVER_GLOBE = 1.54;
+const AQUEOUS = 1.336;
+// How far the iris's plane lies in front of the globe's middle.
+const IRIS_PLANE = 0.845;
 
-// Lids and lashes shade the globe from above, a little from below.
-fn lid_shade(n: vec3<f32>) -> f32 {
-    return mix(0.34, 1.0, smoothstep(0.55, -0.08, n.y)) * mix(0.8, 1.0, smoothstep(-0.6, -0.2, n.y));
+// How far a point lies beyond the edge of a lid, in globe radii; what it covers is
+// positive. Without lids, as if the eye were half open.
+fn over_edge(v: VertexOut, lower: u32) -> f32 {
+    let left = v.bind.x > material.face.x;
+    let lid = frame.lids[select(2u, 0u, left) + lower];
+    let up = dot(normalize(v.normal), frame.head_up.xyz);
+    let bare = select(up - 0.42, -up - 0.45, lower == 1u);
+    return select(bare, (dot(v.world, lid.xyz) + lid.w) / 0.012, dot(lid.xyz, lid.xyz) > 0.5);
+}
+
+// What lids and lashes leave of the light: a soft shadow below the upper lid, less above
+// the lower one.
+fn lid_shade(v: VertexOut) -> f32 {
+    let upper = smoothstep(-0.30, 0.0, over_edge(v, 0u));
+    let lower = smoothstep(-0.10, 0.03, over_edge(v, 1u));
+    return (1.0 - 0.55 * upper) * (1.0 - 0.35 * lower);
+}
+
+// The tear film climbs the lower lid's edge in a rim half a millimetre high that mirrors
+// what is above.
+fn meniscus(v: VertexOut) -> f32 {
+    let d = over_edge(v, 1u) - 0.01;
+    return exp(-d * d * 2600.0);
 }
 
 // Corneal normal: the bulge over the iris is steeper than the globe.
@@ -19,68 +42,91 @@ fn corneal_normal(n: vec3<f32>, right: vec3<f32>, up: vec3<f32>, d: vec2<f32>) -
     return normalize(n + steeper);
 }
 
-fn eye_lights(n: vec3<f32>, view: vec3<f32>, share: f32) -> vec3<f32> {
+fn eye_lights(v: VertexOut, n: vec3<f32>, view: vec3<f32>, share: f32) -> vec3<f32> {
     let r = reflect(-view, n);
     let f = fresnel(0.04, dot(n, view));
     // The window is held at a constant strength: a catch-light is what makes an eye look
-    // at someone, whatever the angle.
-    let window = window_share(r) * (0.35 + 0.65 * share);
-    var light = frame.key.xyz * (0.85 * window);
-    light += frame.key.xyz * (specular(n, view, frame.key_dir.xyz, 0.12) * f * share);
+    // at someone, whatever the angle. The lid hides its upper part.
+    let open = 1.0 - smoothstep(-0.14, -0.02, over_edge(v, 0u));
+    let window = window_share(r) * (0.45 + 0.55 * share) * open;
+    var light = frame.key.xyz * (1.05 * window);
+    light += frame.key.xyz * (specular(n, view, frame.key_dir.xyz, 0.10) * f * share);
     light += frame.fill.xyz * (specular(n, view, frame.fill_dir.xyz, 0.16) * f * PI);
-    light += mirrored(r) * (f * 0.5);
-    return light;
+    // Lashes are mirrored dark in the upper part.
+    light += mirrored(r) * (f * 0.6 * open);
+    let wet = meniscus(v);
+    light += (ambient(frame.head_up.xyz) * 0.7 + frame.key.xyz * (0.30 * share)) * wet;
+    return light * (0.45 + 0.55 * lid_shade(v));
+}
+
+// Brown and blue irises alike: fibres that run outwards, pits between them, a lighter
+// frill around the pupil, and a dark ring at the rim. `at` is in iris radii.
+fn iris_tone(at: vec2<f32>, tone: vec3<f32>) -> vec3<f32> {
+    let r = length(at);
+    let outwards = at / max(r, 1e-4);
+    let spokes = vec3<f32>(outwards * 13.0, r * 1.5);
+    let warp = noise(vec3<f32>(at * 5.0, 1.0)) * 0.8;
+    let coarse = noise(spokes + warp);
+    let fine = noise(vec3<f32>(outwards * 34.0, r * 2.2 + warp));
+    let pits = smoothstep(0.62, 0.80, noise(vec3<f32>(at * 6.5, 7.0))) * smoothstep(0.45, 0.6, r);
+    var c = tone * (0.50 + 0.75 * coarse + 0.65 * (fine - 0.3)) * (1.0 - 0.55 * pits);
+    // The frill lies at about a third of the way from the pupil to the rim.
+    let frill = smoothstep(0.66, 0.46, r + 0.10 * (coarse - 0.5));
+    c = mix(c, c * vec3<f32>(1.55, 1.25, 0.85) + vec3<f32>(0.020, 0.012, 0.004), frill * 0.6);
+    c *= mix(1.0, 0.20, smoothstep(0.72, 0.98, r));
+    let edge = fwidth(r) + 0.03;
+    return c * smoothstep(PUPIL / IRIS - edge, PUPIL / IRIS + edge, r);
 }
 
 @fragment
 fn fs_eye(v: VertexOut, @builtin(front_facing) front: bool) -> @location(0) vec4<f32> {
     let view = to_eye(v.world);
     let n = facing_normal(v.normal, front);
-    let up = normalize(v.along - n * dot(v.along, n));
-    let right = cross(up, n);
+    let along = normalize(v.along - n * dot(v.along, n));
+    let across = cross(along, n);
     let d = (v.uv - 0.5) * 2.0;
     let r = length(d);
+    // The eye's own axes, from where on the globe this is: (d, z) is the unit radius.
+    let z = sqrt(max(1.0 - r * r, 0.0));
+    let a = normalize(vec2<f32>(z, -d.y) + vec2<f32>(1e-5, 0.0));
+    let axis = n * z + along * a.y - across * (a.x * d.x);
+    let up = n * d.y + along * a.x + across * (a.y * d.x);
+    let right = n * d.x + across * (a.x * z - a.y * d.y);
 
-    // The iris lies about 3 mm behind the cornea: shift the look-up along the refracted view.
-    let slant = vec2<f32>(dot(view, right), dot(view, up));
-    let under = d - slant * (0.10 * (1.0 - smoothstep(IRIS * 0.6, IRIS * 1.05, r)));
-    let ri = length(under) / IRIS;
-    let outwards = under / max(length(under), 1e-4);
+    // The view bends at the cornea and meets the iris's plane behind it.
+    let eye_view = vec3<f32>(dot(view, right), dot(view, up), dot(view, axis));
+    let bulged = normalize(vec3<f32>(d * mix(1.0, CORNEA_OVER_GLOBE, 1.0 - smoothstep(IRIS * 0.9, IRIS * 1.2, r)), z));
+    let inside = refract(-eye_view, bulged, 1.0 / AQUEOUS);
+    let depth = max(z - IRIS_PLANE, 0.0) + 0.02;
+    let under = d + inside.xy * (depth / max(-inside.z, 0.3));
+    let at = under / IRIS;
+    let iris = iris_tone(at, material.base.rgb * v.color.rgb);
 
     // Sclera: ivory, pinker outwards, with veins towards the corners.
-    var sclera = mix(vec3<f32>(0.66, 0.61, 0.57), vec3<f32>(0.58, 0.42, 0.37), smoothstep(0.6, 1.0, r));
+    var sclera = mix(vec3<f32>(0.56, 0.52, 0.49), vec3<f32>(0.50, 0.36, 0.32), smoothstep(0.55, 1.0, r));
     let warp = noise(v.bind * 900.0) * 0.9;
     let vein = abs(noise(vec3<f32>(d.x * 5.0, d.y * 16.0 + warp, 3.0)) - 0.5);
-    sclera = mix(sclera, vec3<f32>(0.60, 0.27, 0.23),
-        0.30 * smoothstep(0.05, 0.0, vein) * smoothstep(0.5, 0.95, r));
-
-    // Iris: radial fibres, a lighter ruff around the pupil, dark limbal ring.
-    let spokes = vec3<f32>(outwards * 14.0, ri * 1.6);
-    let fibres = noise(spokes) * 0.6 + noise(spokes * vec3<f32>(2.3, 2.3, 1.7)) * 0.4;
-    let tone = material.base.rgb * v.color.rgb;
-    var iris = tone * (0.45 + 1.25 * fibres);
-    let ruff = smoothstep(0.75, 0.42, ri);
-    iris = mix(iris, iris * vec3<f32>(1.5, 1.2, 0.8) + vec3<f32>(0.02, 0.012, 0.004), ruff * 0.55);
-    iris *= mix(1.0, 0.22, smoothstep(0.74, 1.0, ri));
-    let edge = fwidth(ri) + 0.04;
-    let pupil = smoothstep(PUPIL / IRIS - edge, PUPIL / IRIS + edge, ri);
-    iris *= pupil;
-
-    let limbus = smoothstep(0.90, 1.10, length(d) / IRIS);
+    sclera = mix(sclera, vec3<f32>(0.58, 0.26, 0.22),
+        0.28 * smoothstep(0.05, 0.0, vein) * smoothstep(0.5, 0.95, r));
+    // The rim of the cornea is no line: sclera thins over 1 mm and lets the dark ring through.
+    let limbus = smoothstep(0.88, 1.16, r / IRIS + 0.04 * (noise(vec3<f32>(d * 9.0, 2.0)) - 0.5));
     let albedo = mix(iris, sclera, limbus);
 
     let share = key_share(v.world, n, v.clip.xy);
-    let shade = lid_shade(n) * v.color.a;
+    let shade = lid_shade(v) * v.color.a;
     let l = frame.key_dir.xyz;
     // Light enters the cornea and gathers on the far side of the iris.
-    let gathered = 0.75 + 0.6 * saturate1(-dot(outwards, vec2<f32>(dot(l, right), dot(l, up))) * ri);
-    let wrap = saturate1((dot(n, l) + 0.35) / 1.35);
-    var diffuse = frame.key.xyz * (wrap * share * mix(gathered, 1.0, limbus));
+    let far_side = -dot(at, vec2<f32>(dot(l, right), dot(l, up)));
+    let gathered = 0.70 + 0.85 * saturate1(far_side);
+    let wrap = vec3<f32>(0.42, 0.34, 0.30);
+    let key_d = saturate((dot(n, l) + wrap) / (1.0 + wrap));
+    var diffuse = frame.key.xyz * key_d * (mix(share, 1.0, 0.12) * mix(gathered, 1.0, limbus));
     diffuse += frame.fill.xyz * saturate1((dot(n, frame.fill_dir.xyz) + 0.3) / 1.3);
     diffuse += ambient(n);
-    var light = albedo * diffuse * shade;
+    // What light lids let in has passed flesh.
+    var light = albedo * diffuse * mix(vec3<f32>(1.0, 0.86, 0.80), vec3<f32>(1.0), shade) * shade;
     if material.params.y < 0.5 {
-        light += eye_lights(corneal_normal(n, right, up, d), view, share) * (0.4 + 0.6 * shade);
+        light += eye_lights(v, corneal_normal(n, right, up, d), view, share) * v.color.a;
     }
     return written(light, 1.0, v.clip.xy);
 }
@@ -90,7 +136,7 @@ fn fs_cornea(v: VertexOut, @builtin(front_facing) front: bool) -> @location(0) v
     let view = to_eye(v.world);
     let n = facing_normal(v.normal, front);
     let share = key_share(v.world, n, v.clip.xy);
-    let light = eye_lights(n, view, share) * (0.4 + 0.6 * lid_shade(n)) * v.color.a;
+    let light = eye_lights(v, n, view, share) * v.color.a;
     // Premultiplied with no cover of its own: only adds.
     return written(light, 0.0, v.clip.xy);
 }

@@ -7,7 +7,7 @@ struct Joints {
 struct Material {
     base: vec4<f32>,     // linear RGB, alpha
     params: vec4<f32>,   // x: roughness, y: 1 when a cornea mesh carries the eye's lights,
-                         // z: 1 when what lies behind shines through, w: weave of cloth
+                         // z: 1 when what lies behind shines through, w: weave of cloth, or 1 with a normal map
     face: vec4<f32>,     // middle between the eyes, bind pose; w: their distance, or 0
 };
 

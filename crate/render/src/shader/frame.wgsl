@@ -25,6 +25,11 @@ struct Frame {
     shadow: vec4<f32>,         // x: tap distance in uv, y: normal offset in metres, z: depth bias,
                                // w: depth of a metre
     viewport: vec4<f32>,       // width, height, 1/width, 1/height
+    ambient: array<vec4<f32>, 9>, // irradiance over pi, spherical harmonics by factor of the basis
+    head_up: vec4<f32>,
+    // Planes through the middle of the eye and the edge of each lid, normals towards what it
+    // covers: upper and lower, left eye, then right; 0 where there is no lid.
+    lids: array<vec4<f32>, 4>,
 };
 
 @group(0) @binding(0) var<uniform> frame: Frame;

@@ -1,46 +1,94 @@
-// Hair on cards, u across the card, v from root to tip; lashes and brows hair by hair.
+// Hair on cards, v from root to tip. 64 columns of cards lie side by side in u: 0-39 dense,
+// 40-53 loose, 54-62 single hairs, 63 the cap of short hair on the scalp, whose v is the
+// share it covers. Lashes and brows hair by hair.
+
+const COLUMNS = 64.0;
+const CAP = 63.0;
 
 struct Strand {
     cover: f32,   // 0..1
     id: f32,      // 0..1, one number a strand
+    round: f32,   // -1..1 across a strand
 };
 
-// `count` strands across a card; `width_u` is the width of a pixel in u.
-fn strand_row(uv: vec2<f32>, bend: f32, count: f32, width_u: f32) -> Strand {
-    let x = (uv.x + bend) * count;
-    let i = i32(floor(x));
-    let id = hash_unit(vec3<i32>(i, 17, i32(count)));
-    let end = 0.66 + 0.34 * fract(id * 53.0);
-    // A strand tapers towards its end.
-    let half_width = 0.62 * sqrt(saturate1(1.0 - uv.y / end)) + 0.02;
-    let off = abs(fract(x) - 0.5);
-    let soft = max(width_u * count, 0.12);
-    let sharp = 1.0 - smoothstep(half_width - 0.5 * soft, half_width + 0.5 * soft, off);
-    // Roots do not stand in line.
-    let start = 0.07 * fract(id * 7.7);
-    // The card's sides thin out, so that no card shows its outline.
-    let side = min(uv.x, 1.0 - uv.x) + (id - 0.5) * 0.10;
+// Hairs side by side at `x` along a row of `count`: height of the nearest above its
+// neighbours (0..1), its number, and where across it we are.
+fn hair_row(x: f32, count: f32, dice: f32) -> vec3<f32> {
+    let q = x * count + 40.0 * dice;
+    let i = floor(q);
+    let f = q - i;
+    let id = hash_unit(vec3<i32>(i32(i), 17, i32(count)));
+    // Hairs are of different thickness and do not stand in the middle of their lanes.
+    let off = (f - 0.5 - 0.24 * (fract(id * 31.7) - 0.5)) * 2.0;
+    return vec3<f32>(saturate1(1.0 - off * off), id, off);
+}
+
+// Smooth noise along a row, 0..1.
+fn lock_noise(x: f32, dice: f32) -> f32 {
+    let q = x + 61.0 * dice;
+    let i = floor(q);
+    let f = q - i;
+    let a = hash_unit(vec3<i32>(i32(i), 29, 3));
+    let b = hash_unit(vec3<i32>(i32(i) + 1, 29, 3));
+    return mix(a, b, f * f * (3.0 - 2.0 * f));
+}
+
+// The strand at a place on a card; `width_u` is the width of a pixel in u over a column.
+fn strand(uv: vec2<f32>, width_u: f32) -> Strand {
+    let at = uv.x * COLUMNS;
+    let column = floor(at);
+    let x = at - column;
+    let v = uv.y;
+    let dice = hash_unit(vec3<i32>(i32(column), 5, 11));
+    let loose = step(40.0, column);
+    let wisp = step(54.0, column);
+    // Hairs gather towards the middles of locks and cross a little on their way.
+    let gather = 0.045 * sin(6.2832 * (x * 2.6 + dice)) * v * v;
+    let drift = (0.05 + 0.05 * wisp) * sin(v * (2.0 + 2.0 * dice) + 6.2832 * dice) * v;
+    let y = x + gather + drift;
+    // As a pixel grows over a hair, hairs are drawn as bundles, then as their mean.
+    let count = mix(34.0, 15.0, max(0.5 * loose, wisp));
+    let fine = hair_row(y, count, dice);
+    let coarse = hair_row(y, count / 3.0, dice);
+    let blur = width_u * count;
+    let far = smoothstep(0.35, 1.1, blur);
+    let row = mix(fine, coarse, far);
+    let value = 0.25 * row.x + 0.75 * row.y;
+    // How much is empty: at the tip by lock and hair, at the sides, at the root, between
+    // single hairs.
+    let lock = lock_noise(y * 4.0, dice);
+    let start = mix(0.32, 0.80, lock) - 0.2 * wisp;
+    let tip = saturate1((v - start) / (1.0 - start));
+    let side = saturate1(1.0 - (min(x, 1.0 - x) + 0.05 * (lock - 0.5)) / mix(0.16, 0.30, wisp));
+    let root = saturate1(1.0 - v / 0.05) * 0.85;
+    let base = 0.22 * (loose - wisp) + 0.66 * wisp;
+    let empty = 1.0 - (1.0 - mix(tip, tip * tip, 0.5)) * (1.0 - side * side) * (1.0 - root) * (1.0 - base);
+    let soft = mix(0.07, 0.85, smoothstep(0.8, 3.2, blur));
     var s: Strand;
-    s.cover = sharp * select(1.0, 0.0, uv.y > end)
-        * smoothstep(start - 0.02, start + 0.02, uv.y) * smoothstep(-0.01, 0.16, side);
-    s.id = id;
+    s.cover = saturate1((value - empty) / soft + 0.5 + 0.5 * (1.0 - empty) - 0.5 * empty)
+        * step(empty, 0.995);
+    s.id = mix(row.y, 0.5, 0.7 * smoothstep(0.8, 3.0, blur));
+    s.round = row.z * (1.0 - smoothstep(0.4, 1.2, blur / 3.0));
     return s;
 }
 
-// Strands too fine for the pixels gather into locks: 32, 16, 8 or 4 across, each row
-// fading into the next with distance.
-fn strand(uv: vec2<f32>, bind: vec3<f32>, width_u: f32) -> Strand {
-    // Cards share one uv square: where the card lies makes it different from the next.
-    let bend = 0.05 * sin(dot(bind, vec3<f32>(61.0, 23.0, 47.0)))
-        + 0.03 * sin(dot(bind, vec3<f32>(-97.0, 41.0, 113.0)) + 1.0);
-    let level = clamp(log2(max(width_u, 1e-6) * 32.0 * 1.5), 0.0, 3.0);
-    let near = strand_row(uv, bend, exp2(5.0 - floor(level)), width_u);
-    let next = strand_row(uv, bend, exp2(5.0 - min(floor(level) + 1.0, 3.0)), width_u);
-    let fade = smoothstep(0.25, 0.75, fract(level));
+// The cap: short hairs that stand closer the more of the scalp they cover.
+fn stubble(share: f32, bind: vec3<f32>) -> Strand {
+    let q = vec3<f32>(bind.x, bind.y * 0.45, bind.z * 0.7) * 1400.0;
+    let n = noise(q) * 0.6 + noise(q * 0.31) * 0.4;
     var s: Strand;
-    s.cover = mix(near.cover, next.cover, fade);
-    s.id = mix(near.id, next.id, fade);
+    let full = share * share * (1.6 - 0.6 * share);
+    s.cover = saturate1((n - 1.0 + 1.15 * full) / 0.35 + 0.35) * smoothstep(0.02, 0.3, full);
+    s.id = n;
+    s.round = 0.0;
     return s;
+}
+
+fn strand_or_cap(uv: vec2<f32>, bind: vec3<f32>, width_u: f32) -> Strand {
+    if uv.x * COLUMNS >= CAP {
+        return stubble(uv.y, bind);
+    }
+    return strand(uv, width_u);
 }
 
 // Highlight of a cylinder along t (Kajiya and Kay 1989), with exponent e.
@@ -54,26 +102,35 @@ fn along_strand(t: vec3<f32>, h: vec3<f32>, e: f32) -> f32 {
 // real-time hair rendering and shading", after Marschner et al. 2003).
 fn hair_lobes(t: vec3<f32>, n: vec3<f32>, view: vec3<f32>, l: vec3<f32>, tone: vec3<f32>, wobble: f32) -> vec3<f32> {
     let h = normalize(l + view);
-    let white = along_strand(normalize(t + n * (-0.10 + wobble)), h, 110.0);
-    let tinted = along_strand(normalize(t + n * (0.16 + wobble)), h, 22.0);
-    return vec3<f32>(0.060 * white) + sqrt(tone) * (0.15 * tinted);
+    let white = along_strand(normalize(t + n * (-0.10 + wobble)), h, 80.0);
+    let tinted = along_strand(normalize(t + n * (0.18 + wobble)), h, 16.0);
+    return vec3<f32>(0.030 * white) + pow(tone, vec3<f32>(0.75)) * (0.20 * tinted);
 }
 
-fn hair_light(v: VertexOut, n: vec3<f32>, tone: vec3<f32>, id: f32) -> vec3<f32> {
+// Light that comes through hair from behind, most where hair is pale and thin.
+fn through_hair(view: vec3<f32>, l: vec3<f32>, tone: vec3<f32>, thin: f32) -> vec3<f32> {
+    let facing = saturate1(-dot(view, l));
+    return tone * sqrt(tone) * (0.9 * facing * facing * thin);
+}
+
+fn hair_light(v: VertexOut, n: vec3<f32>, tone: vec3<f32>, s: Strand) -> vec3<f32> {
     let view = to_eye(v.world);
     let t = normalize(v.along + vec3<f32>(0.0, 1e-5, 0.0));
     let ao = v.color.a;
     // A small filter: strands break up the shadow's edge by themselves. Light seeps
     // through hair, so its own shadow is never black.
-    let share = mix(0.16, 1.0, filtered_share(v.world, n, v.clip.xy, 1));
-    let wobble = (id - 0.5) * 0.22;
-    let key_in = share * saturate1(0.25 + 0.75 * dot(n, frame.key_dir.xyz));
+    let share = mix(0.22, 1.0, filtered_share(v.world, n, v.clip.xy, 1));
+    let wobble = (s.id - 0.5) * 0.34;
+    let key_in = share * saturate1(0.28 + 0.72 * dot(n, frame.key_dir.xyz));
     let fill_in = saturate1(0.3 + 0.7 * dot(n, frame.fill_dir.xyz));
-    let rim_in = saturate1(0.2 + 0.8 * dot(n, frame.rim_dir.xyz));
+    let rim_in = saturate1(0.15 + 0.85 * dot(n, frame.rim_dir.xyz));
     var light = tone * (frame.key.xyz * key_in + frame.fill.xyz * fill_in
-        + frame.rim.xyz * (0.6 * rim_in) + ambient(n)) * (0.35 + 0.65 * ao) * ao;
-    light += frame.key.xyz * hair_lobes(t, n, view, frame.key_dir.xyz, tone, wobble) * (key_in * PI * ao);
-    light += frame.rim.xyz * hair_lobes(t, n, view, frame.rim_dir.xyz, tone, wobble) * (rim_in * PI * 1.1 * ao);
+        + frame.rim.xyz * (0.45 * rim_in) + ambient(n));
+    // Pale hair passes light on into its depth.
+    light *= mix(vec3<f32>((0.4 + 0.6 * ao) * ao), vec3<f32>(sqrt(ao)), saturate(1.7 * tone));
+    light += frame.key.xyz * hair_lobes(t, n, view, frame.key_dir.xyz, tone, wobble) * (key_in * PI * ao * ao);
+    light += frame.rim.xyz * hair_lobes(t, n, view, frame.rim_dir.xyz, tone, wobble) * (rim_in * PI * 0.8 * ao * ao);
+    light += frame.rim.xyz * through_hair(view, frame.rim_dir.xyz, tone, ao * ao);
     return light;
 }
 
@@ -83,21 +140,30 @@ override COVERAGE: u32 = 1u;
 // Covers sharply whatever the distance (Golus 2017, "Anti-aliased alpha test").
 fn cut(cover: f32, slope: f32) -> f32 {
     if COVERAGE == 1u {
-        return saturate1((cover - 0.42) / max(slope, 0.25) + 0.5);
+        return saturate1((cover - 0.42) / max(slope, 0.6) + 0.5);
     }
     return select(0.0, 1.0, cover > 0.42);
 }
 
 @fragment
 fn fs_hair(v: VertexOut, @builtin(front_facing) front: bool) -> @location(0) vec4<f32> {
-    let s = strand(v.uv, v.bind, length(vec2<f32>(dpdx(v.uv.x), dpdy(v.uv.x))));
+    let width_u = COLUMNS * length(vec2<f32>(dpdx(v.uv.x), dpdy(v.uv.x)));
+    let s = strand_or_cap(v.uv, v.bind, width_u);
     let cover = cut(s.cover, fwidth(s.cover)) * material.base.a;
     if cover < 0.05 {
         discard;
     }
-    let n = facing_normal(v.normal, front);
-    let tone = v.color.rgb * material.base.rgb * (0.70 + 0.60 * s.id) * mix(0.75, 1.15, v.uv.y);
-    return written(hair_light(v, n, tone, s.id), cover, v.clip.xy);
+    var n = facing_normal(v.normal, front);
+    let across = cross(v.along, n);
+    n = normalize(n + across * (0.35 * s.round));
+    let is_cap = v.uv.x * COLUMNS >= CAP;
+    // Hair is darker in its depth, at the roots.
+    let own = v.color.rgb * material.base.rgb;
+    let pale = saturate1(2.0 * own.g);
+    let roots = mix(mix(0.74, 0.88, pale), 1.08, smoothstep(0.0, 0.5, v.uv.y));
+    let depth = select(roots, mix(0.6, 0.9, pale), is_cap);
+    let tone = own * (0.72 + 0.56 * s.id) * depth;
+    return written(hair_light(v, n, tone, s), cover, v.clip.xy);
 }
 
 // A lash or brow hair is a card of its own that tapers to a point.
@@ -113,7 +179,7 @@ fn fs_lash(v: VertexOut, @builtin(front_facing) front: bool) -> @location(0) vec
 
 @fragment
 fn fs_hair_shadow(v: ShadowOut) {
-    if strand(v.uv, v.bind, 0.02).cover < 0.4 {
+    if strand_or_cap(v.uv, v.bind, 0.02).cover < 0.4 {
         discard;
     }
 }

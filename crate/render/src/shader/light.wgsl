@@ -3,23 +3,29 @@
 @group(0) @binding(1) var shadow_map: texture_depth_2d;
 @group(0) @binding(2) var shadow_sampler: sampler_comparison;
 
-// Share of the key light that arrives, 0..1, at the pixel `at`.
-fn key_share(p: vec3<f32>, n: vec3<f32>, at: vec2<f32>) -> f32 {
-    return filtered_share(p, n, at, SHADOW_REACH);
+// Where a point lies in a light's map: uv of the light's own square, and depth. Beyond the
+// map the depth is negative: nothing shades it.
+fn in_map(light: u32, p: vec3<f32>) -> vec3<f32> {
+    let q = frame.shadow_from_world[light] * vec4<f32>(p, 1.0);
+    let uv = vec2<f32>(0.5 + 0.5 * q.x, 0.5 - 0.5 * q.y);
+    let inside = all(uv > vec2<f32>(0.004)) && all(uv < vec2<f32>(0.996)) && q.z < 1.0;
+    return vec3<f32>(uv, select(-1.0, q.z, inside));
 }
 
-fn filtered_share(p: vec3<f32>, n: vec3<f32>, at: vec2<f32>, reach: i32) -> f32 {
-    // Surfaces edge-on to the light need the larger offset.
-    let slope = 1.0 - saturate1(dot(n, frame.key_dir.xyz));
-    let q = frame.shadow_from_world[0] * vec4<f32>(p + n * (frame.shadow.y * (0.4 + slope)), 1.0);
-    let uv = vec2<f32>(0.5 + 0.5 * q.x, 0.5 - 0.5 * q.y);
-    let inside = all(uv > vec2<f32>(0.002)) && all(uv < vec2<f32>(0.998)) && q.z < 1.0;
-    if !inside {
-        return 1.0;
-    }
-    // A shift by part of a tap turns the bands between taps into fine grain.
-    let grain = pixel_noise(at);
-    let shift = vec2<f32>(grain, fract(grain * 7.31 + 0.37)) * 0.5 - 0.25;
+// The point that stands for a surface point in the map: a little off the surface, further
+// where the surface is edge-on to the light.
+fn off_surface(light: u32, p: vec3<f32>, n: vec3<f32>, l: vec3<f32>) -> vec3<f32> {
+    return in_map(light, p + n * (frame.shadow.y * (1.4 - saturate1(dot(n, l)))));
+}
+
+// One look: 1 where the light enters no higher than this depth.
+fn lit_at(light: u32, uv: vec2<f32>, depth: f32) -> f32 {
+    let at = vec2<f32>((uv.x + f32(light)) / f32(SHADOWS), uv.y);
+    return textureSampleCompareLevel(shadow_map, shadow_sampler, at, depth);
+}
+
+// Share of lit taps in a diamond; `step` is the distance between taps, in map widths.
+fn taps(light: u32, q: vec3<f32>, step: f32, reach: i32, shift: vec2<f32>) -> f32 {
     var sum = 0.0;
     var total = 0.0;
     for (var y = -reach; y <= reach; y++) {
@@ -27,12 +33,58 @@ fn filtered_share(p: vec3<f32>, n: vec3<f32>, at: vec2<f32>, reach: i32) -> f32 
         for (var x = -across; x <= across; x++) {
             let o = vec2<f32>(f32(x), f32(y)) + shift;
             let w = 1.0 / (1.0 + 0.4 * dot(o, o));
-            sum += w * textureSampleCompareLevel(
-                shadow_map, shadow_sampler, (uv + o * frame.shadow.x) * vec2<f32>(1.0 / f32(SHADOWS), 1.0), q.z - frame.shadow.z);
+            sum += w * lit_at(light, q.xy + o * step, q.z);
             total += w;
         }
     }
     return sum / total;
+}
+
+// A shift by part of a tap turns the bands between taps into fine grain.
+fn tap_shift(at: vec2<f32>) -> vec2<f32> {
+    let grain = pixel_noise(at);
+    return vec2<f32>(grain, fract(grain * 7.31 + 0.37)) * 0.5 - 0.25;
+}
+
+// Share of the key light that arrives, 0..1, at the pixel `at`. Shadows are soft from
+// afar and sharpen towards contact: what lies within 4 cm towards the lamp is filtered
+// narrowly, all else widely.
+fn key_share(p: vec3<f32>, n: vec3<f32>, at: vec2<f32>) -> f32 {
+    if SHADOW_REACH < 2 {
+        return filtered_share(p, n, at, SHADOW_REACH);
+    }
+    let q = off_surface(0u, p, n, frame.key_dir.xyz) - vec3<f32>(0.0, 0.0, frame.shadow.z);
+    let above = q - vec3<f32>(0.0, 0.0, 0.04 * frame.shadow.w);
+    let shift = tap_shift(at);
+    let far = taps(0u, above, frame.shadow.x * 2.2, SHADOW_REACH, shift);
+    let near = taps(0u, above, frame.shadow.x * 0.8, 1, shift) - taps(0u, q, frame.shadow.x * 0.8, 1, shift);
+    return far * (1.0 - saturate1(near));
+}
+
+fn filtered_share(p: vec3<f32>, n: vec3<f32>, at: vec2<f32>, reach: i32) -> f32 {
+    let q = off_surface(0u, p, n, frame.key_dir.xyz) - vec3<f32>(0.0, 0.0, frame.shadow.z);
+    return taps(0u, q, frame.shadow.x, reach, tap_shift(at));
+}
+
+// Share of the rim light that arrives, 0..1; always 1 where only the key has a shadow.
+fn rim_share(p: vec3<f32>, n: vec3<f32>, at: vec2<f32>) -> f32 {
+    if SHADOWS < 2u {
+        return 1.0;
+    }
+    let q = off_surface(1u, p, n, frame.rim_dir.xyz) - vec3<f32>(0.0, 0.0, frame.shadow.z);
+    return taps(1u, q, frame.shadow.x, 1, tap_shift(at));
+}
+
+// How easily light gets through what lies between p and the lamp, 0..1: how near to p, of
+// 2, 4, 7 and 12 mm, it entered.
+fn thinness(light: u32, p: vec3<f32>) -> f32 {
+    if SHADOWS < 2u {
+        return 0.0;
+    }
+    let q = in_map(light, p);
+    let mm = 0.001 * frame.shadow.w;
+    return 0.25 * (lit_at(light, q.xy, q.z - 2.0 * mm) + lit_at(light, q.xy, q.z - 4.0 * mm)
+        + lit_at(light, q.xy, q.z - 7.0 * mm) + lit_at(light, q.xy, q.z - 12.0 * mm));
 }
 
 // GGX with the height-correlated Smith term in Hammon's approximation (GDC 2017),
@@ -55,19 +107,21 @@ fn fresnel(f0: f32, cosine: f32) -> f32 {
     return f0 + (1.0 - f0) * x2 * x2 * x;
 }
 
-// Ambient irradiance over pi from a direction: sky above, floor below, the lit
-// backdrop behind.
+// Irradiance over pi of the room, by direction.
 fn ambient(n: vec3<f32>) -> vec3<f32> {
-    let hemisphere = mix(frame.ground.xyz, frame.sky.xyz, 0.5 + 0.5 * n.y);
-    let behind = saturate1(-n.z * 0.6 + 0.1);
-    return hemisphere + frame.glow.xyz * (1.6 * behind);
+    let c = frame.ambient;
+    let flat = c[0] + c[1] * n.y + c[2] * n.z + c[3] * n.x;
+    let bent = c[4] * (n.x * n.y) + c[5] * (n.y * n.z) + c[6] * (3.0 * n.z * n.z - 1.0)
+        + c[7] * (n.x * n.z) + c[8] * (n.x * n.x - n.y * n.y);
+    return max((flat + bent).xyz, vec3<f32>(0.0));
 }
 
-// What a smooth surface mirrors from a direction: the ambient and a large soft lamp
-// at the key.
+// What a smooth surface mirrors from a direction: the room, its pale ceiling, and a large
+// soft lamp at the key.
 fn mirrored(r: vec3<f32>) -> vec3<f32> {
     let lamp = smoothstep(0.55, 1.0, dot(r, frame.key_dir.xyz));
-    return ambient(r) * 0.8 + frame.key.xyz * (0.5 * lamp * lamp);
+    let ceiling = smoothstep(0.45, 0.8, r.y);
+    return ambient(r) * 0.75 + frame.sky.xyz * (0.4 * ceiling) + frame.key.xyz * (0.5 * lamp * lamp);
 }
 
 // Share of a window of two panes, hung in the direction of the key, seen in a mirror

@@ -1,16 +1,41 @@
 // Skin, nails.
 
-// Diffuse light that has travelled under the skin: the cosine wraps around the
-// terminator by channel, red furthest, energy-conserving (wrap after Green 2004, GPU
-// Gems ch. 16; widths by channel after the profile of d'Eon and Luebke 2007, GPU Gems 3
-// ch. 14, chosen by eye). `share` is the key's shadow.
-fn under_skin(ndl: f32, share: f32) -> vec3<f32> {
-    let wrap = vec3<f32>(0.30, 0.14, 0.09);
-    let lit = clamp((ndl + wrap) / ((1.0 + wrap) * (1.0 + 0.5 * wrap)), vec3<f32>(0.0), vec3<f32>(1.0));
-    // A shadow's edge bleeds red (Penner 2011, "Pre-integrated skin shading"). Where the
-    // surface turns from the lamp its own shadow must not cut off the wrapped light.
-    let s = max(share, 1.0 - smoothstep(-0.25, 0.12, ndl));
-    return lit * vec3<f32>(pow(s, 0.74), s, mix(s, s * s, 0.2));
+// Light that has travelled under the skin: the cosine wraps around the terminator by
+// channel, red furthest, and further where the surface bends sharply (Penner 2011,
+// "Pre-integrated skin shading", SIGGRAPH course; here in closed form). The reach by
+// channel follows the widths of d'Eon and Luebke 2007 (GPU Gems 3, ch. 14): red scatters
+// over 2.7 mm, green and blue over about 1.2 and 0.8 mm.
+fn under_skin(ndl: vec3<f32>, share: f32, bend: f32) -> vec3<f32> {
+    // Root of the curvature's share of 250/m; a hollow scatters no further than a plane.
+    let curve = 250.0 * max(bend, 0.0) * max(bend, 0.0);
+    let wrap = vec3<f32>(0.10, 0.05, 0.035) + min(vec3<f32>(0.0027, 0.0012, 0.0008) * curve, vec3<f32>(0.40, 0.20, 0.14));
+    let t = saturate((ndl + wrap) / (1.0 + wrap));
+    // Rounded foot, and the energy of a cosine.
+    let lit = mix(t, t * t * (1.5 - 0.5 * t), 0.5) / (1.0 + 0.35 * wrap);
+    // A shadow's edge bleeds red. Where the surface turns from the lamp its own shadow
+    // must not cut off the wrapped light.
+    let s = max(share, 1.0 - smoothstep(-0.25, 0.10, ndl.x));
+    return lit * vec3<f32>(pow(s, 0.80), s, mix(s, s * s, 0.15));
+}
+
+// Light that shines through thin flesh from behind: red, as blood lets it.
+fn shone_through(light: u32, p: vec3<f32>, n: vec3<f32>, l: vec3<f32>) -> vec3<f32> {
+    // Past the edge of shadow only: there even thick parts are thin.
+    let away = smoothstep(0.02, 0.40, -dot(n, l));
+    if away <= 0.0 {
+        return vec3<f32>(0.0);
+    }
+    let s = thinness(light, p - n * 0.0008);
+    return vec3<f32>(0.8 * s, 0.24 * s * s, 0.12 * s * s * s) * (away * 0.8);
+}
+
+// How oily the skin is, 0..1, from where on the face it lies: forehead, nose and chin more
+// than cheeks (the "T zone").
+fn oiliness(bind: vec3<f32>) -> f32 {
+    let q = (bind - material.face.xyz) / max(material.face.w, 1e-3);
+    let middle = exp(-q.x * q.x * 5.0) * smoothstep(-2.0, -1.5, q.y) * smoothstep(1.9, 1.2, q.y);
+    let brow = exp(-q.x * q.x * 0.9) * smoothstep(0.25, 0.6, q.y) * smoothstep(1.9, 1.2, q.y);
+    return select(0.0, max(middle, 0.8 * brow), material.face.w > 0.0 && q.z > -0.6);
 }
 
 @fragment
@@ -21,51 +46,66 @@ fn fs_skin(v: VertexOut, @builtin(front_facing) front: bool) -> @location(0) vec
     var n = mapped_normal(v, ng);
     var albedo = painted(v).rgb;
     let ao = v.color.a;
-    var rough = max(material.params.x, 0.5);
+    let oil = oiliness(v.bind);
+    // Lips are redder than any other skin, smoother, and moist.
+    let lip = smoothstep(0.36, 0.52, (albedo.r - albedo.g) / (albedo.r + albedo.g + 1e-4))
+        * select(0.0, 1.0, material.face.w > 0.0 && abs(v.bind.x - material.face.x) < 0.6 * material.face.w);
+    var rough = max(material.params.x, 0.5) - 0.07 * oil - 0.10 * lip;
 
+    // A picture of normals brings its own pores; what is computed then only adds grain.
+    let own = mix(1.0, 0.35, material.params.w);
     // Blood and pigment vary over centimetres.
     let blotch = noise(v.bind * 60.0) * 0.6 + noise(v.bind * 170.0) * 0.4 - 0.5;
-    albedo *= 1.0 + blotch * vec3<f32>(0.06, 0.12, 0.11);
+    albedo *= 1.0 + blotch * vec3<f32>(0.05, 0.10, 0.09) * own;
 
     if FINE_DETAIL == 1u {
-        let pores = 1.0 - smoothstep(0.25, 0.7, footprint * 900.0);
+        let pores = own * (1.0 - smoothstep(0.25, 0.7, footprint * 900.0));
         if pores > 0.0 {
             let a = noise_gradient(v.bind * 900.0);
             let b = noise_gradient(v.bind * vec3<f32>(2300.0, 1700.0, 2000.0));
             n = bumped(n, (a.xyz * 0.085 + b.xyz * 0.05) * pores);
             albedo *= 1.0 - 0.06 * pores * smoothstep(0.55, 0.9, a.w);
-            rough += 0.06 * pores * (b.w - 0.5);
+            rough += 0.08 * pores * (b.w - 0.5);
         }
         // Fine creases a few millimetres apart hold at medium distance.
-        let creases = 1.0 - smoothstep(0.25, 0.7, footprint * 280.0);
+        let creases = own * (1.0 - smoothstep(0.25, 0.7, footprint * 280.0));
         if creases > 0.0 {
             n = bumped(n, noise_gradient(v.bind * 280.0).xyz * (0.05 * creases));
         }
     }
 
     let key_l = frame.key_dir.xyz;
+    let fill_l = frame.fill_dir.xyz;
+    let rim_l = frame.rim_dir.xyz;
     let share = key_share(v.world, ng, v.clip.xy);
+    let rim_in = rim_share(v.world, ng, v.clip.xy);
     let occlusion = tinted_occlusion(ao, albedo);
-    // Bumps show less in the light from below the skin than in the shine.
-    let nd = normalize(mix(ng, n, 0.5));
+    // Bumps show less in the light from below the skin than in the shine, in red least.
+    let soft = vec3<f32>(0.35, 0.65, 0.8);
+    let key_n = mix(vec3<f32>(dot(ng, key_l)), vec3<f32>(dot(n, key_l)), soft);
+    let fill_n = mix(vec3<f32>(dot(ng, fill_l)), vec3<f32>(dot(n, fill_l)), soft);
+    let rim_n = mix(vec3<f32>(dot(ng, rim_l)), vec3<f32>(dot(n, rim_l)), soft);
 
-    var diffuse = frame.key.xyz * under_skin(dot(nd, key_l), share);
-    diffuse += frame.fill.xyz * under_skin(dot(nd, frame.fill_dir.xyz), 1.0) * occlusion;
-    diffuse += frame.rim.xyz * under_skin(dot(nd, frame.rim_dir.xyz), 1.0) * (occlusion * occlusion);
-    diffuse += ambient(nd) * occlusion;
+    var diffuse = frame.key.xyz * under_skin(key_n, share, v.bend) * mix(1.0, ao, 0.35);
+    diffuse += frame.fill.xyz * under_skin(fill_n, 1.0, v.bend) * occlusion;
+    diffuse += frame.rim.xyz * under_skin(rim_n, rim_in, v.bend) * (occlusion * occlusion);
+    diffuse += ambient(normalize(mix(ng, n, 0.5))) * occlusion;
+    diffuse += (frame.key.xyz * shone_through(0u, v.world, ng, key_l)
+        + frame.rim.xyz * shone_through(1u, v.world, ng, rim_l)) * ao;
 
     // Two lobes, oily film over rough skin, f0 0.028 (d'Eon and Luebke 2007).
     // Rough skin mirrors less at grazing angles than Schlick's smooth surface.
-    let f = mix(0.028, fresnel(0.028, dot(n, view)), 0.45);
-    let tight = rough * 0.66;
-    let key_s = mix(specular(n, view, key_l, rough), specular(n, view, key_l, tight), 0.16);
-    let fill_s = specular(n, view, frame.fill_dir.xyz, rough);
-    let rim_s = specular(n, view, frame.rim_dir.xyz, rough);
+    let f = mix(0.028, fresnel(0.028, dot(n, view)), 0.40);
+    let tight = rough * 0.62;
+    let film = 0.12 + 0.16 * oil + 0.25 * lip;
+    let key_s = mix(specular(n, view, key_l, rough), specular(n, view, key_l, tight), film);
+    let fill_s = specular(n, view, fill_l, rough);
+    let rim_s = specular(n, view, rim_l, rough);
     var shine = frame.key.xyz * (key_s * share) + frame.fill.xyz * fill_s
-        + frame.rim.xyz * (rim_s * ao);
-    shine *= f * PI * 0.72 * ao * ao;
-    let r = reflect(-view, n);
-    shine += mirrored(r) * (f * 0.55 * ao * ao) * (1.0 - 0.5 * rough);
+        + frame.rim.xyz * (rim_s * rim_in * ao);
+    shine *= f * PI * 0.75 * ao * ao;
+    // Of the room little is mirrored: more would lie on the skin as a grey haze.
+    shine += mirrored(reflect(-view, n)) * (f * ao * ao * ao * mix(0.30, 0.55, max(oil, lip)));
 
     return written(albedo * diffuse + shine, 1.0, v.clip.xy);
 }
@@ -77,10 +117,12 @@ fn fs_nail(v: VertexOut, @builtin(front_facing) front: bool) -> @location(0) vec
     let albedo = painted(v).rgb;
     let share = key_share(v.world, n, v.clip.xy);
     let occlusion = tinted_occlusion(v.color.a, albedo);
-    var light = albedo * (frame.key.xyz * under_skin(dot(n, frame.key_dir.xyz), share)
-        + frame.fill.xyz * under_skin(dot(n, frame.fill_dir.xyz), 1.0) + ambient(n) * occlusion);
+    // The bed glows through the plate: light reaches far under it.
+    var light = albedo * (frame.key.xyz * under_skin(vec3<f32>(dot(n, frame.key_dir.xyz)), share, 0.7)
+        + frame.fill.xyz * under_skin(vec3<f32>(dot(n, frame.fill_dir.xyz)), 1.0, 0.7) * occlusion
+        + ambient(n) * occlusion);
     let f = fresnel(0.045, dot(n, view));
-    let gloss = 0.32;
+    let gloss = 0.30;
     light += (frame.key.xyz * (specular(n, view, frame.key_dir.xyz, gloss) * share)
         + frame.fill.xyz * specular(n, view, frame.fill_dir.xyz, gloss)) * (f * PI);
     light += mirrored(reflect(-view, n)) * (f * v.color.a);

@@ -1,6 +1,7 @@
 //! Three ways to dress.
 
 use raconteur_base::{DVec3, Side};
+use serde::{Deserialize, Serialize};
 
 use super::band::Band;
 use super::collar::{hood, shirt_collar};
@@ -19,7 +20,7 @@ use crate::generator::torso::{CM, Cage, Regions, Shell};
 use crate::skeleton::Bone;
 
 /// What a figure wears; colours are linear RGB.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Outfit {
     /// A fine sweater with a soft high neck, trousers, leather shoes.
     Sweater(Sweater),
@@ -30,7 +31,7 @@ pub enum Outfit {
 }
 
 /// Colours of [`Outfit::Sweater`].
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Sweater {
     /// Sweater.
     pub knit: [f64; 3],
@@ -45,7 +46,7 @@ pub struct Sweater {
 }
 
 /// Colours of [`Outfit::Cardigan`].
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Cardigan {
     /// Cardigan.
     pub knit: [f64; 3],
@@ -64,7 +65,7 @@ pub struct Cardigan {
 }
 
 /// Colours of [`Outfit::Hoodie`].
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Hoodie {
     /// Sweatshirt and hood.
     pub fleece: [f64; 3],

@@ -1,10 +1,13 @@
-//! Strips of two columns along guide curves.
+//! Strips of two columns along guide curves, and the cap under them.
 
 use raconteur_base::DVec3;
 use raconteur_base::curve::{lerp, ramp};
 
+use super::colour::Palette;
+use super::cut::Weave;
 use crate::figure::Material;
 use crate::generator::assemble::Piece;
+use crate::generator::head::Head;
 use crate::generator::part::{JointRef, Part, PartVertex};
 use crate::skeleton::{Bone, Drive};
 
@@ -18,23 +21,53 @@ pub(super) struct Strand {
     pub(super) width: f64,
     /// Width at the tip over the full width.
     pub(super) tip: f64,
-    /// Texture coordinate along the strand at the tip: below 1 the hair is cut there.
-    pub(super) end: f64,
-    /// Multiplies the hair's colour, linear.
-    pub(super) tint: f64,
+    /// How the card is filled.
+    pub(super) weave: Weave,
+    /// Chooses among cards of one weave, 0..1.
+    pub(super) dice: f64,
+    /// Multiplies the material's colour.
+    pub(super) colour: [f64; 3],
     /// Openness at root and tip, 0..1.
     pub(super) open: [f64; 2],
 }
 
-/// All strands as one piece, rigid with the skull.
-pub(super) fn cards(name: &str, material: &Material, strands: &[Strand]) -> Piece {
-    let mut part = Part {
+/// The renderer knows 64 columns of cards side by side in u: 0–39 dense, 40–53 loose,
+/// 54–62 single hairs, 63 the cap.
+const COLUMNS: f64 = 64.0;
+
+fn column(weave: Weave, dice: f64) -> f64 {
+    let (first, count) = match weave {
+        Weave::Dense => (0.0, 40.0),
+        Weave::Loose => (40.0, 14.0),
+        Weave::Wisp => (54.0, 9.0),
+    };
+    first + (dice * count).floor()
+}
+
+/// u at a side of a card of this weave: `across` is 0 or 1.
+pub(super) fn across(weave: Weave, dice: f64, across: f64) -> f64 {
+    (column(weave, dice) + lerp(0.02, 0.98, across)) / COLUMNS
+}
+
+/// An empty part of hair.
+pub(super) fn empty(name: &str, material: &Material) -> Part {
+    Part {
         name: name.to_owned(),
         material: material.clone(),
         vertices: Vec::new(),
         faces: Vec::new(),
         morphs: Vec::new(),
-    };
+    }
+}
+
+/// All strands as one piece; `hang` gives the joints that carry a place.
+pub(super) fn cards(
+    name: &str,
+    material: &Material,
+    strands: &[Strand],
+    hang: &dyn Fn(DVec3) -> Vec<(JointRef, f64)>,
+) -> Piece {
+    let mut part = empty(name, material);
     let mut normals = Vec::new();
     for s in strands {
         let n = s.curve.len();
@@ -48,24 +81,18 @@ pub(super) fn cards(name: &str, material: &Material, strands: &[Strand]) -> Piec
                 .unwrap_or(DVec3::X);
             let face = side.cross(along);
             let t = i as f64 / (n - 1) as f64;
-            let narrow = if t < 0.2 {
-                lerp((0.0025 / s.width).min(0.25), 1.0, t / 0.2)
-            } else {
-                lerp(1.0, s.tip, ramp(0.7, 1.0, t))
-            };
-            let base = (part.vertices.len()) as u32;
+            let narrow = lerp(0.6, 1.0, ramp(0.0, 0.25, t)) * lerp(1.0, s.tip, ramp(0.6, 1.0, t));
+            let base = part.vertices.len() as u32;
+            let weights = hang(s.curve[i]);
+            let open = lerp(s.open[0], s.open[1], ramp(0.0, 0.5, t));
+            let [r, g, b] = s.colour;
             for (u, sign) in [(0.0, -1.0), (1.0, 1.0)] {
                 let bend = face * (-0.10 * s.width * narrow);
                 part.vertices.push(PartVertex {
                     position: s.curve[i] + side * (sign * 0.5 * s.width * narrow) + bend,
-                    uv: [u, t * s.end],
-                    color: [
-                        s.tint,
-                        s.tint,
-                        s.tint,
-                        lerp(s.open[0], s.open[1], ramp(0.0, 0.45, t)),
-                    ],
-                    weights: vec![(JointRef(Drive::Bone(Bone::Skull)), 1.0)],
+                    uv: [across(s.weave, s.dice, u), t],
+                    color: [r, g, b, open],
+                    weights: weights.clone(),
                 });
                 // Normals between the card's and the head's round the whole volume.
                 let n = face * 0.45 + s.normals[i] * 0.7 + side * (0.3 * sign);
@@ -75,6 +102,44 @@ pub(super) fn cards(name: &str, material: &Material, strands: &[Strand]) -> Piec
                 part.faces.push(vec![base, base + 1, base + 3, base + 2]);
             }
         }
+    }
+    Piece {
+        part,
+        normals: Some(normals),
+    }
+}
+
+/// Height of the cap over the scalp, metres.
+const CAP_HEIGHT: f64 = 0.0005;
+
+/// Short hair on the scalp itself: no skin shines through. v is the share covered.
+pub(super) fn cap(material: &Material, head: &Head, cover: &[f64], palette: &Palette) -> Piece {
+    let mut part = empty("scalp", material);
+    let mut normals = Vec::new();
+    let scalp = &head.scalp;
+    let mut index = vec![u32::MAX; scalp.points.len()];
+    let grey = palette.lock(0, 0, 0.0);
+    for t in &scalp.triangles {
+        if t.iter().all(|&v| cover[v as usize] < 0.02) {
+            continue;
+        }
+        let face = t.map(|v| {
+            let slot = &mut index[v as usize];
+            if *slot == u32::MAX {
+                *slot = part.vertices.len() as u32;
+                let s = &scalp.points[v as usize];
+                let share = cover[v as usize];
+                part.vertices.push(PartVertex {
+                    position: s.position + s.normal * CAP_HEIGHT,
+                    uv: [(COLUMNS - 0.5) / COLUMNS, share],
+                    color: [grey[0], grey[1], grey[2], lerp(1.0, 0.65, share)],
+                    weights: vec![(JointRef(Drive::Bone(Bone::Skull)), 1.0)],
+                });
+                normals.push(s.normal);
+            }
+            *slot
+        });
+        part.faces.push(face.to_vec());
     }
     Piece {
         part,

@@ -94,6 +94,74 @@ pub(super) struct Section {
     pub(super) palmar: f64,
 }
 
+/// How sex and age show in a hand, beside its length and breadth. Directions are common
+/// anatomical knowledge (men's fingers are thick for their hand and their tendons stand
+/// out; a child's taper without knuckles; with age fat leaves the back of the hand and the
+/// joints thicken); the amounts are designed.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Look {
+    /// Thickness of the fingers against the palm's breadth, 1 for the mean adult.
+    girth: f64,
+    /// How much wider a finger's root is than its middle, as a share.
+    taper: f64,
+    /// Thickening of middle and last joints, as a share.
+    knots: f64,
+    /// Extensor tendons, 1 for the mean adult.
+    pub(super) tendons: f64,
+    /// Hollows between the knuckles, likewise.
+    pub(super) hollows: f64,
+    /// Folds over the joints and creases of the palm, likewise.
+    pub(super) creases: f64,
+    /// Radius added to the heads of the metacarpals, mm.
+    pub(super) heads_mm: f64,
+    /// How far nails reach beyond the pulp, mm.
+    pub(super) free_edge_mm: f64,
+    /// Length of the index finger against the ring finger's, as a share of the mean (the
+    /// 2D : 4D ratio is about 0.95 in men and 0.965 in women).
+    index: f64,
+}
+
+impl Look {
+    /// For a sex (0 male to 1 female) and an age in years.
+    pub(super) fn of(sex: f64, age_years: f64) -> Self {
+        let child = 1.0 - curve::smooth((age_years - 8.0) / 10.0);
+        let old = curve::smooth((age_years - 40.0) / 38.0);
+        let man = (1.0 - sex) * (1.0 - child);
+        let woman = sex * (1.0 - child);
+        Self {
+            girth: 1.0 + 0.035 * man - 0.015 * woman + 0.03 * child,
+            taper: 0.015 * woman + 0.07 * child,
+            knots: 0.02 * man - 0.045 * child + 0.07 * old,
+            tendons: 1.25 * man + 0.8 * woman + 0.1 * child + 0.8 * old,
+            hollows: 1.05 * man + 0.8 * woman + 0.3 * child + 0.9 * old,
+            creases: 1.0 - 0.3 * child + 0.45 * old,
+            heads_mm: 0.2 * man - 0.6 * child + 0.5 * old,
+            free_edge_mm: 0.8 * man + 1.8 * woman + 0.6 * child,
+            index: 1.0 + 0.012 * (sex - 0.5),
+        }
+    }
+
+    /// Factors of a section's width and height at a joint coordinate.
+    fn factors(&self, q: f64) -> (f64, f64) {
+        let bell = |x: f64| raconteur_base::ops::exp(-x * x);
+        let knots = self.knots * (bell((q - 1.0) / 0.17) + 0.85 * bell((q - 2.0) / 0.15));
+        let shaft = self.girth * (1.0 + self.taper * (1.0 - q / 1.5));
+        (shaft * (1.0 + knots), shaft * (1.0 + 0.6 * knots))
+    }
+
+    fn curve(&self, qs: &[f64], values: &[f64], wide: bool) -> Curve {
+        let scaled: Vec<f64> = qs
+            .iter()
+            .zip(values)
+            .map(|(&q, v)| {
+                let (width, height) = self.factors(q);
+                v * if wide { width } else { height }
+            })
+            .collect();
+        Curve::new(qs, &scaled)
+    }
+}
+
 /// One finger in the bind pose.
 pub(super) struct Finger {
     /// First joint: the saddle joint of the thumb, the knuckle of the others.
@@ -155,6 +223,8 @@ impl Finger {
 
 /// Everything measured.
 pub(super) struct Anatomy {
+    /// Sex and age.
+    pub(super) look: Look,
     pub(super) fingers: [Finger; FINGER_COUNT],
     /// Carpal end of each metacarpal, index to little finger.
     pub(super) metacarpal_base: [DVec3; 4],
@@ -201,7 +271,8 @@ fn from_left_zero(v: DVec3) -> DVec3 {
 }
 
 impl Anatomy {
-    pub(super) fn mean_adult() -> Self {
+    /// A hand of the mean adult's length and breadth.
+    pub(super) fn new(look: Look) -> Self {
         let world = BIND_ANGLES.left_world();
         let finger = |i: usize, origin: [f64; 3], lengths: [f64; 3], girth: f64| {
             let q = world[3 * i];
@@ -214,9 +285,9 @@ impl Anatomy {
                 ),
                 lengths,
                 girth,
-                half_width: Curve::new(&FINGER_Q, &FINGER_WIDTH),
-                dorsal: Curve::new(&FINGER_Q, &FINGER_DORSAL),
-                palmar: Curve::new(&FINGER_Q, &FINGER_PALMAR),
+                half_width: look.curve(&FINGER_Q, &FINGER_WIDTH, true),
+                dorsal: look.curve(&FINGER_Q, &FINGER_DORSAL, false),
+                palmar: look.curve(&FINGER_Q, &FINGER_PALMAR, false),
             }
         };
         // The thumb bends about its local y axis, rolled; see `hand_shape`.
@@ -229,14 +300,16 @@ impl Anatomy {
             frame: DMat3::from_cols(lateral, along, lateral.cross(along)),
             lengths: [46.2, 31.6, 28.0],
             girth: 1.0,
-            half_width: Curve::new(&THUMB_Q, &THUMB_WIDTH),
-            dorsal: Curve::new(&THUMB_Q, &THUMB_DORSAL),
-            palmar: Curve::new(&THUMB_Q, &THUMB_PALMAR),
+            half_width: look.curve(&THUMB_Q, &THUMB_WIDTH, true),
+            dorsal: look.curve(&THUMB_Q, &THUMB_DORSAL, false),
+            palmar: look.curve(&THUMB_Q, &THUMB_PALMAR, false),
         };
+        let [a, b, c] = [39.8, 22.8, 20.6].map(|l| l * look.index);
         Self {
+            look,
             fingers: [
                 thumb,
-                finger(0, [24.5, 86.0, 0.0], [39.8, 22.8, 20.6], 1.0),
+                finger(0, [24.5, 86.0, 0.0], [a, b, c], 1.0),
                 finger(1, [4.5, 89.0, -2.0], [44.0, 26.5, 21.6], 1.03),
                 finger(2, [-14.5, 83.0, -0.5], [40.8, 25.4, 21.3], 0.965),
                 finger(3, [-31.0, 74.0, 3.5], [32.7, 18.3, 19.6], 0.85),
@@ -244,8 +317,8 @@ impl Anatomy {
             metacarpal_base: [
                 DVec3::new(14.0, 20.0, -1.0),
                 DVec3::new(3.0, 20.0, -3.0),
-                DVec3::new(-8.0, 19.0, -2.0),
-                DVec3::new(-17.0, 18.0, 0.0),
+                DVec3::new(-8.0, 23.0, -2.0),
+                DVec3::new(-17.0, 20.0, 0.0),
             ],
             forearm_half_width: Curve::new(&FOREARM_Y, &FOREARM_WIDTH),
             forearm_dorsal: Curve::new(&FOREARM_Y, &FOREARM_DORSAL),

@@ -1,15 +1,14 @@
-//! Colours of the skin and the nails, and the lines of the palm.
+//! Openness of the skin, colours of the nails, and the lines of the palm.
 
 use raconteur_base::{DVec3, curve};
 
-use super::anatomy::{Anatomy, FINGER_COUNT};
 use super::field::Field;
-use super::nail::Nail;
-use super::surface::{Skin, bell, blotches, finger_share};
+use super::surface::{Skin, bell, finger_share};
 
 /// A line in the palm or at the wrist.
 pub(super) struct Crease {
-    points: &'static [(f64, f64)],
+    /// Places in the palm's plane (x, y), mm.
+    pub(super) points: &'static [(f64, f64)],
     /// Depth, mm.
     pub(super) depth_mm: f64,
 }
@@ -82,70 +81,6 @@ impl Crease {
     }
 }
 
-/// Linear RGB of the skin at a vertex.
-fn skin_color(
-    anatomy: &Anatomy,
-    base: DVec3,
-    p: DVec3,
-    normal: DVec3,
-    ownership: &[f64; FINGER_COUNT],
-) -> DVec3 {
-    let body = 1.0 - curve::smooth(ownership.iter().sum());
-    let mut palm = curve::smooth((normal.z + 0.1) / 0.6) * body;
-    let (mut red, mut dark) = (0.0, 0.0);
-    for (f, finger) in anatomy.fingers.iter().enumerate() {
-        let m = curve::smooth((ownership[f] - 0.3) / 0.5);
-        if m <= 0.0 {
-            continue;
-        }
-        let local = finger.local(p);
-        let section = finger.section(local.y);
-        let joints = finger.joints();
-        let height = local.z / section.palmar;
-        palm = palm.max(curve::smooth((height + 0.15) / 0.5) * m);
-        red += m * 0.8 * curve::smooth((finger.joint_coordinate(local.y) - 2.45) / 0.4);
-        let dorsal = curve::smooth((-local.z / section.dorsal - 0.2) / 0.6);
-        let palmar = curve::smooth((height + 0.1) / 0.6);
-        for joint in &joints[1..3] {
-            let d = local.y - joint;
-            red += m * dorsal * 0.65 * bell(d / 5.5);
-            dark += m * dorsal * 0.5 * bell(d / 4.5);
-            dark += m * palmar * 0.45 * bell(d / 1.2);
-        }
-        if f > 0 {
-            dark += m * palmar * 0.4 * bell((local.y - finger.along(0.405)) / 1.3);
-            let knuckle = finger.origin - DVec3::Z * 12.0;
-            red += 0.5 * bell((p - knuckle).length() / 8.0);
-        }
-        if local.z < 0.0 {
-            let (e, v) = Nail::of(f).outline(finger, local);
-            red += m * 0.4 * bell((e - 0.6) / 1.2) * curve::smooth((0.9 - v) / 0.3);
-        }
-    }
-    for finger in &anatomy.fingers[1..] {
-        let knuckle = finger.origin - DVec3::Z * 12.0;
-        red += 0.5 * body * bell((p - knuckle).length() / 8.0);
-    }
-    let hypothenar = bell((p - DVec3::new(-26.0, 34.0, 20.0)).length() / 18.0);
-    let thenar = bell((p - DVec3::new(28.0, 28.0, 30.0)).length() / 18.0);
-    let heads = bell((p.y - 92.0) / 9.0) * f64::from(u8::from(p.z > 5.0));
-    red += palm * (0.32 + 0.55 * hypothenar + 0.55 * thenar + 0.3 * heads);
-    for crease in &CREASES {
-        let (d, fade) = crease.at(p);
-        dark += palm * body * fade * crease.depth_mm * 0.8 * bell(d / 1.5);
-    }
-
-    let mut c = base * (DVec3::ONE + DVec3::new(0.20, 0.17, 0.20) * palm);
-    let back = (1.0 - palm) * curve::smooth((0.2 - normal.z) / 0.6);
-    c *= DVec3::ONE - DVec3::new(0.06, 0.07, 0.09) * back;
-    let coarse = blotches(p, 0.12);
-    let red = (red + 0.15 * coarse).clamp(0.0, 1.2);
-    c *= DVec3::ONE - DVec3::new(-0.02, 0.17, 0.20) * red;
-    c *= DVec3::ONE - DVec3::new(0.13, 0.16, 0.18) * dark.clamp(0.0, 1.0);
-    c *= 1.0 + 0.035 * coarse + 0.02 * blotches(p, 0.5);
-    c.clamp(DVec3::ZERO, DVec3::ONE)
-}
-
 /// How open the surface is, 1 in the clear: the field's growth along the normal against
 /// the distance walked.
 fn occlusion(field: &Field<'_>, p: DVec3, normal: DVec3) -> f64 {
@@ -159,26 +94,20 @@ fn occlusion(field: &Field<'_>, p: DVec3, normal: DVec3) -> f64 {
     1.0 - 0.75 * hidden / weight
 }
 
-/// Colour and occlusion of every vertex.
-pub(super) fn skin_colors(
-    anatomy: &Anatomy,
-    field: &Field<'_>,
-    skin: &Skin,
-    base: DVec3,
-) -> Vec<[f64; 4]> {
+/// How open every vertex is, 0..1.
+pub(super) fn openness(field: &Field<'_>, skin: &Skin) -> Vec<f64> {
     (0..skin.positions.len())
         .map(|i| {
             let (p, n) = (skin.positions[i], skin.normals[i]);
-            let c = skin_color(anatomy, base, p, n, &skin.ownership[i]);
             let mut open = occlusion(field, p, n);
             if finger_share(&skin.ownership[i]) < 0.3 {
                 for crease in &CREASES {
                     let (d, fade) = crease.at(p);
                     let palm = curve::smooth((n.z - 0.3) / 0.5);
-                    open *= 1.0 - 0.3 * palm * fade * crease.depth_mm * bell(d / 1.6);
+                    open *= 1.0 - 0.2 * palm * fade * crease.depth_mm * bell(d / 1.6);
                 }
             }
-            [c.x, c.y, c.z, open]
+            open
         })
         .collect()
 }

@@ -231,7 +231,7 @@ impl<'a> Field<'a> {
         d = union(d, slab, 12.0);
         for finger in &fingers[1..] {
             let head = finger.origin + v(0.0, 0.0, -3.2);
-            let radius = 8.4 * finger.girth;
+            let radius = (8.4 + self.anatomy.look.heads_mm) * finger.girth;
             d = union(
                 d,
                 capsule(p, head - v(0.0, 2.0, 0.0), head, radius, radius),
@@ -267,7 +267,7 @@ impl<'a> Field<'a> {
         );
         d = union(
             d,
-            capsule(p, v(-19.0, -12.0, -10.5), v(-19.5, -24.0, -9.0), 8.0, 7.4),
+            capsule(p, v(-18.5, -12.0, -10.0), v(-19.0, -24.0, -8.5), 7.6, 7.0),
             10.0,
         );
         d = union(

@@ -2,7 +2,8 @@
 //!
 //! The coarse quad cage gives the topology only; an analytic field gives the shape. The
 //! cage is subdivided once and projected onto the field, relief follows along the normal.
-//! A hand of the mean adult is built in millimetres and scaled to length and breadth.
+//! A hand of the mean adult's size, with the marks of sex and age, is built in millimetres
+//! and scaled to length and breadth.
 //!
 //! # For the assembly
 //!
@@ -23,19 +24,24 @@
 
 mod anatomy;
 mod cage;
+mod chart;
 mod color;
 mod field;
 mod nail;
+mod sheet;
+pub mod skeleton;
 mod surface;
 mod weights;
 
-use raconteur_base::{DQuat, DVec3, Side, mirror_rotation};
+use raconteur_base::{DQuat, DVec3, Side, curve, mirror_rotation};
+use serde::{Deserialize, Serialize};
 
-use self::anatomy::Anatomy;
+use self::anatomy::{Anatomy, Look};
 use self::field::Field;
 use self::surface::Skin;
 use self::weights::Influence;
 use super::part::{Part, PartVertex};
+use super::skin::HandSheet;
 use crate::figure::{Maps, Material, MaterialKind};
 use crate::hand_shape::HandAngles;
 use crate::skeleton::{Bone, zero_frames};
@@ -44,43 +50,60 @@ use crate::skeleton::{Bone, zero_frames};
 pub const BIND_ANGLES: HandAngles = anatomy::BIND_ANGLES;
 
 /// Measures of a hand.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct HandParams {
+    /// 0 male to 1 female.
+    pub sex: f64,
+    /// Years, 8 to 80.
+    pub age_years: f64,
     /// From the wrist's crease to the tip of the middle finger, metres.
     pub length_m: f64,
     /// Across the knuckles without the thumb, metres.
     pub breadth_m: f64,
     /// From elbow to wrist, metres: sets how the rim follows the wrist's twist.
     pub forearm_length_m: f64,
-    /// Linear RGB of the skin on the back of the hand.
+    /// Linear RGB of the skin, which shines through the nails.
     pub skin_color: [f64; 3],
 }
 
+/// Shares of stature and of length at an age of about nine: hand 148 mm long and 65.5 mm
+/// broad, forearm 197 mm, at 1.34 m (recalled from Snyder et al. 1977, "Anthropometry of
+/// infants, children, and youths to age 18 for product safety design", UM-HSRI-77-17; not
+/// read again).
+const CHILD: [f64; 3] = [0.1105, 0.0489, 0.147];
+/// The same of ANSUR II's women: hand 181.1 × 78.2 mm, radiale to stylion 239 mm, at 1.63 m.
+const WOMAN: [f64; 3] = [0.1811 / 1.63, 0.0782 / 1.63, 0.239 / 1.63];
+/// The same of ANSUR II's men: hand 193.3 × 88.3 mm, radiale to stylion 268 mm, at 1.756 m.
+const MAN: [f64; 3] = [0.1933 / 1.756, 0.0883 / 1.756, 0.268 / 1.756];
+
 impl HandParams {
-    /// A woman of a stature in metres, after ANSUR's means (hand 181.1 × 78.2 mm, radiale
-    /// to stylion 239 mm, at a stature of 1.63 m).
+    /// The mean hand of a sex (0 male to 1 female), an age in years and a stature in metres.
     #[must_use]
-    pub fn woman(stature_m: f64, skin_color: [f64; 3]) -> Self {
-        let s = stature_m / 1.63;
+    pub fn of(sex: f64, age_years: f64, stature_m: f64, skin_color: [f64; 3]) -> Self {
+        let child = 1.0 - curve::smooth((age_years - 8.0) / 10.0);
+        let [length, breadth, forearm] = core::array::from_fn(|i| {
+            curve::lerp(curve::lerp(MAN[i], WOMAN[i], sex), CHILD[i], child) * stature_m
+        });
         Self {
-            length_m: 0.1811 * s,
-            breadth_m: 0.0782 * s,
-            forearm_length_m: 0.239 * s,
+            sex,
+            age_years,
+            length_m: length,
+            breadth_m: breadth,
+            forearm_length_m: forearm,
             skin_color,
         }
     }
 
-    /// A man of a stature in metres, after ANSUR's means (hand 193.3 × 88.3 mm, radiale to
-    /// stylion 268 mm, at a stature of 1.756 m).
+    /// A woman of 35 of a stature in metres.
+    #[must_use]
+    pub fn woman(stature_m: f64, skin_color: [f64; 3]) -> Self {
+        Self::of(1.0, 35.0, stature_m, skin_color)
+    }
+
+    /// A man of 35 of a stature in metres.
     #[must_use]
     pub fn man(stature_m: f64, skin_color: [f64; 3]) -> Self {
-        let s = stature_m / 1.756;
-        Self {
-            length_m: 0.1933 * s,
-            breadth_m: 0.0883 * s,
-            forearm_length_m: 0.268 * s,
-            skin_color,
-        }
+        Self::of(0.0, 35.0, stature_m, skin_color)
     }
 }
 
@@ -94,6 +117,8 @@ pub struct Hand {
     pub joints: [(Bone, DVec3); 15],
     /// Wrist bone from finger bone in the bind pose, in the same order.
     pub bind_in_wrist: [(Bone, DQuat); 15],
+    /// The skin for the baking of its maps.
+    pub(crate) sheet: HandSheet,
     /// Vertices of `parts[0]` around the open end, in order.
     pub wrist_rim: Vec<u32>,
     /// Unit vector from the wrist towards the elbow.
@@ -164,14 +189,15 @@ fn measure(skin: &Skin) -> (f64, f64) {
 /// Builds one hand.
 #[must_use]
 pub fn build(params: &HandParams, side: Side) -> Hand {
-    let anatomy = Anatomy::mean_adult();
+    let anatomy = Anatomy::new(Look::of(params.sex, params.age_years));
     let field = Field::new(&anatomy);
     let cage = cage::build(&anatomy, &field);
     let skin = surface::build(&anatomy, &field, &cage);
     let place = Placement::new(params, side, &skin);
 
     let base = DVec3::from_array(params.skin_color);
-    let colors = color::skin_colors(&anatomy, &field, &skin, base);
+    let open = color::openness(&field, &skin);
+    let chart = chart::chart(&anatomy, &skin);
     let weights = weights::weights(
         &anatomy,
         &skin,
@@ -179,12 +205,19 @@ pub fn build(params: &HandParams, side: Side) -> Hand {
     );
     let joints_of =
         |row: &[(Influence, f64)]| row.iter().map(|(i, w)| (i.joint(side), *w)).collect();
-    let vertices = (0..skin.positions.len())
-        .map(|i| PartVertex {
-            position: place.position(skin.positions[i]),
-            uv: [0.0; 2],
-            color: colors[i],
-            weights: joints_of(&weights[i]),
+    let vertices = chart
+        .source
+        .iter()
+        .zip(&chart.uv)
+        .map(|(&i, &uv)| {
+            let i = i as usize;
+            PartVertex {
+                position: place.position(skin.positions[i]),
+                uv,
+                // The map has the colour.
+                color: [1.0, 1.0, 1.0, open[i]],
+                weights: joints_of(&weights[i]),
+            }
         })
         .collect();
     let letter = if side == Side::Left { "l" } else { "r" };
@@ -193,12 +226,12 @@ pub fn build(params: &HandParams, side: Side) -> Hand {
         material: Material {
             kind: MaterialKind::Skin,
             base_color: [1.0; 4],
-            roughness: 0.5,
+            roughness: 0.48,
             double_sided: false,
             maps: Maps::default(),
         },
         vertices,
-        faces: place.faces(&skin.faces),
+        faces: place.faces(&chart.faces),
         morphs: Vec::new(),
     };
 
@@ -229,6 +262,7 @@ pub fn build(params: &HandParams, side: Side) -> Hand {
         parts: vec![skin_part, nails(&anatomy, &place, base, letter)],
         joints,
         bind_in_wrist,
+        sheet: sheet::sheet(&anatomy, &skin, &chart),
         wrist_rim: skin.rim,
         forearm_direction: DVec3::new(-side.sign(), 0.0, 0.0),
     }
@@ -239,7 +273,7 @@ fn nails(anatomy: &Anatomy, place: &Placement, base: DVec3, letter: &str) -> Par
     let mut vertices = Vec::new();
     let mut faces = Vec::new();
     for (f, finger) in anatomy.fingers.iter().enumerate() {
-        let plate = nail::plate(finger, f);
+        let plate = nail::plate(finger, f, anatomy.look.free_edge_mm);
         let first = vertices.len() as u32;
         let joint = Influence::Finger(f, 2).joint(place.side);
         for (p, &(across, along)) in plate.positions.iter().zip(&plate.parameters) {
@@ -272,5 +306,7 @@ fn nails(anatomy: &Anatomy, place: &Placement, base: DVec3, letter: &str) -> Par
     }
 }
 
+#[cfg(test)]
+mod contact;
 #[cfg(test)]
 mod tests;

@@ -77,15 +77,20 @@ pub(super) struct Plate {
 }
 
 const ACROSS: usize = 8;
-const ALONG: usize = 9;
+const ALONG: usize = 5;
 const THICKNESS: f64 = 0.5;
 
-/// Builds the plate of a finger: a closed shell.
-pub(super) fn plate(finger: &Finger, f: usize) -> Plate {
+/// Builds the plate of a finger, which ends `free_mm` beyond the nail's end: a closed shell.
+/// Its underside is seen only at the free edge, where it has a lip; behind that it spans
+/// straight from side to side, inside the finger.
+pub(super) fn plate(finger: &Finger, f: usize, free_mm: f64) -> Plate {
     let nail = Nail::of(f);
-    let (root, end) = (finger.along(nail.root) - 1.3, finger.along(nail.end) + 1.7);
+    let (root, end) = (
+        finger.along(nail.root) - 1.3,
+        finger.along(nail.end) + free_mm,
+    );
     let length = end - root;
-    let mut upper = Vec::new();
+    let mut local = Vec::new();
     let mut parameters = Vec::new();
     for j in 0..=ALONG {
         // Rows crowd at the free edge, whose outline is seen.
@@ -96,49 +101,64 @@ pub(super) fn plate(finger: &Finger, f: usize) -> Plate {
                 / ops::sin(0.43 * core::f64::consts::PI);
             let width = nail.plate(finger, 0.0, root + length * v).1;
             let rounded_root = 1.0 - 0.55 * ops::pow(((0.30 - v) / 0.30).max(0.0), 2.6);
-            let rounded_end = 1.0 - 0.20 * ops::pow(((v - 0.75) / 0.25).max(0.0), 2.2);
+            let rounded_end = 1.0 - 0.13 * ops::pow(((v - 0.8) / 0.2).max(0.0), 2.0);
             let x = u * width * rounded_root * rounded_end;
-            let bow = ops::pow(u.abs(), 2.4);
-            let along = root + length * v - 0.115 * length * bow * curve::smooth((v - 0.6) / 0.4)
+            // The free edge is an arc whose corners draw back.
+            let bow = ops::pow(u.abs(), 2.6);
+            let along = root + length * v - 0.16 * length * bow * curve::smooth((v - 0.6) / 0.4)
                 + bow * (1.0 - v) * (1.0 - v) * (1.0 - v) * 1.5;
-            upper.push(DVec3::new(x, along, nail.plate(finger, x, along).0));
+            local.push(DVec3::new(x, along, nail.plate(finger, x, along).0));
             parameters.push((u, v));
         }
     }
-    let n = upper.len() as u32;
     let index = |i: usize, j: usize| (j * (ACROSS + 1) + i) as u32;
+    // The lip hangs between the two corners of the free edge.
+    let lip_from = local.len() as u32;
+    for i in 1..ACROSS {
+        let edge = index(i, ALONG) as usize;
+        local.push(local[edge] + DVec3::new(0.0, -0.1, THICKNESS));
+        parameters.push(parameters[edge]);
+    }
+    let lip = |i: usize| match i {
+        0 => index(0, ALONG),
+        ACROSS => index(ACROSS, ALONG),
+        _ => lip_from + i as u32 - 1,
+    };
     let mut faces = Vec::new();
     for j in 0..ALONG {
         for i in 0..ACROSS {
-            let [a, b, c, d] = [
-                index(i, j),
-                index(i + 1, j),
-                index(i + 1, j + 1),
-                index(i, j + 1),
-            ];
             // Lateral × along is palmar, so the dorsal side runs the other way round.
-            faces.push(vec![a, d, c, b]);
-            faces.push(vec![n + a, n + b, n + c, n + d]);
+            faces.push(vec![
+                index(i, j),
+                index(i, j + 1),
+                index(i + 1, j + 1),
+                index(i + 1, j),
+            ]);
         }
     }
-    let mut rim: Vec<u32> = (0..ACROSS).map(|i| index(i, 0)).collect();
-    rim.extend((0..ALONG).map(|j| index(ACROSS, j)));
-    rim.extend((0..ACROSS).map(|i| index(ACROSS - i, ALONG)));
-    rim.extend((0..ALONG).map(|j| index(0, ALONG - j)));
-    for k in 0..rim.len() {
-        let (a, b) = (rim[k], rim[(k + 1) % rim.len()]);
-        faces.push(vec![a, b, n + b, n + a]);
+    for i in 0..ACROSS {
+        let mut face = vec![index(i + 1, ALONG), index(i, ALONG), lip(i), lip(i + 1)];
+        face.dedup();
+        if face.first() == face.last() {
+            face.pop();
+        }
+        faces.push(face);
     }
-    let lower = upper.iter().map(|p| *p + DVec3::Z * THICKNESS);
-    let positions = upper
-        .iter()
-        .copied()
-        .chain(lower)
-        .map(|p| finger.point(p))
-        .collect();
-    let parameters = parameters.iter().chain(&parameters).copied().collect();
+    // Underside: rows of the two sides, and the ends as strips.
+    for j in 0..ALONG {
+        faces.push(vec![
+            index(0, j),
+            index(ACROSS, j),
+            index(ACROSS, j + 1),
+            index(0, j + 1),
+        ]);
+    }
+    for i in 1..ACROSS {
+        faces.push(vec![index(0, 0), index(i, 0), index(i + 1, 0)]);
+        faces.push(vec![lip(0), lip(i + 1), lip(i)]);
+    }
     Plate {
-        positions,
+        positions: local.into_iter().map(|p| finger.point(p)).collect(),
         faces,
         parameters,
     }

@@ -25,22 +25,6 @@ pub(super) fn bell(x: f64) -> f64 {
     ops::exp(-x * x)
 }
 
-/// A smooth irregular pattern within about ±1; `scale` is its spatial frequency in rad/mm.
-pub(super) fn blotches(p: DVec3, scale: f64) -> f64 {
-    const WAVES: [([f64; 3], f64); 5] = [
-        ([0.83, 0.41, -0.37], 0.3),
-        ([-0.52, 0.88, 0.61], 1.9),
-        ([0.27, -0.71, 0.94], 4.1),
-        ([1.21, 0.33, 0.48], 2.7),
-        ([-0.64, -0.95, 0.22], 5.2),
-    ];
-    let sum: f64 = WAVES
-        .iter()
-        .map(|(k, phase)| ops::sin(p.dot(DVec3::from_array(*k)) * scale + phase))
-        .sum();
-    sum / WAVES.len() as f64 * 1.6
-}
-
 /// The largest share of any of the four fingers.
 pub(super) fn finger_share(ownership: &[f64; FINGER_COUNT]) -> f64 {
     ownership[1..].iter().copied().fold(0.0, f64::max)
@@ -170,6 +154,7 @@ fn trace_rim(
 /// Height of nail folds, tendons, knuckles, wrinkles and creases along the normal, mm.
 /// Only what a spacing of 2 to 4 mm can carry; finer lines are in the colours.
 fn relief(anatomy: &Anatomy, p: DVec3, normal: DVec3, ownership: &[f64; FINGER_COUNT]) -> f64 {
+    let look = &anatomy.look;
     let mut h = 0.0;
     for (f, finger) in anatomy.fingers.iter().enumerate() {
         let mine = ownership[f];
@@ -192,9 +177,10 @@ fn relief(anatomy: &Anatomy, p: DVec3, normal: DVec3, ownership: &[f64; FINGER_C
         for (k, strength) in [(1, 1.0), (2, 0.6)] {
             let d = local.y - joints[k];
             // Slack skin lies in folds over the bent side and sinks on the inner one.
-            h += dorsal * strength * (0.3 * bell(d / 4.5) - 0.16 * bell(d / 0.9))
-                - dorsal * strength * 0.14 * (bell((d - 3.6) / 0.9) + bell((d + 3.6) / 0.9));
-            h -= palmar * strength * 0.45 * bell(d / 1.1);
+            let folds = bell((d - 3.6) / 0.9) + bell((d + 3.6) / 0.9);
+            h += dorsal * strength * 0.3 * bell(d / 4.5)
+                - dorsal * strength * look.creases * (0.16 * bell(d / 0.9) + 0.14 * folds);
+            h -= palmar * strength * 0.45 * look.creases * bell(d / 1.1);
         }
         if f > 0 {
             h -= palmar * 0.35 * bell((local.y - finger.along(0.405)) / 1.2);
@@ -211,12 +197,17 @@ fn relief(anatomy: &Anatomy, p: DVec3, normal: DVec3, ownership: &[f64; FINGER_C
         let aside = p.x - (from.x + (to.x - from.x) * t);
         h += dorsal
             * 0.95
+            * look.tendons
             * bell(aside / 2.6)
             * curve::smooth((t - 0.12) / 0.4)
             * curve::smooth((1.08 - t) / 0.12);
         if f < 4 {
             let valley = (anatomy.fingers[f].origin + anatomy.fingers[f + 1].origin) / 2.0;
-            h -= dorsal * 1.5 * bell((p.x - valley.x) / 4.5) * bell((p.y - valley.y - 4.0) / 10.0);
+            h -= dorsal
+                * 1.5
+                * look.hollows
+                * bell((p.x - valley.x) / 4.5)
+                * bell((p.y - valley.y - 4.0) / 10.0);
         }
     }
     h -= palmar * 3.2 * bell((p.x + 2.0) / 15.0) * bell((p.y - 52.0) / 24.0);
@@ -227,7 +218,7 @@ fn relief(anatomy: &Anatomy, p: DVec3, normal: DVec3, ownership: &[f64; FINGER_C
         * curve::smooth((p.y + 70.0) / 30.0);
     for crease in &super::color::CREASES {
         let (d, fade) = crease.at(p);
-        h -= palmar * fade * crease.depth_mm * 0.6 * bell(d / 1.8);
+        h -= palmar * fade * crease.depth_mm * 0.6 * look.creases * bell(d / 1.8);
     }
     h
 }

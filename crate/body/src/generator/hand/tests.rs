@@ -3,7 +3,7 @@
 use raconteur_base::{DAffine3, mirror_vector};
 
 use super::*;
-use crate::generator::subdivide::edge_faces;
+use crate::generator::subdivide::{edge_faces, welded};
 use crate::hand_shape::{HandShape, finger_bones};
 use crate::pose::Pose;
 use crate::skeleton::{Drive, FacePlaces, Skeleton};
@@ -15,7 +15,8 @@ fn sofia(side: Side) -> Hand {
 #[test]
 fn the_skin_is_a_manifold_open_at_the_wrist_only() {
     let hand = sofia(Side::Left);
-    let edges = edge_faces(&hand.parts[0].faces);
+    let positions: Vec<DVec3> = hand.parts[0].vertices.iter().map(|v| v.position).collect();
+    let edges = edge_faces(&welded(&positions, &hand.parts[0].faces));
     let open = edges.values().filter(|f| f.len() == 1).count();
     assert_eq!(open, hand.wrist_rim.len());
     assert!(edges.values().all(|f| f.len() <= 2));
@@ -134,7 +135,7 @@ fn building_twice_gives_the_same_bits() {
 
 /// A skeleton whose left hand is this one, the rest the example's; in the bind pose the
 /// arm is that of the zero pose.
-fn skeleton_with(hand: &Hand, side: Side) -> Skeleton {
+pub(super) fn skeleton_with(hand: &Hand, side: Side) -> Skeleton {
     let mut positions = Bone::ALL.map(Bone::example_position_m);
     let mut rotations = zero_frames();
     let wrist = if side == Side::Left {
@@ -155,7 +156,7 @@ fn skeleton_with(hand: &Hand, side: Side) -> Skeleton {
     )
 }
 
-fn solved(skeleton: &Skeleton, side: Side, angles: &HandAngles) -> Vec<DAffine3> {
+pub(super) fn solved(skeleton: &Skeleton, side: Side, angles: &HandAngles) -> Vec<DAffine3> {
     let mut pose = Pose::zero();
     for (bone, q) in angles.rotations(side) {
         pose.set(bone, q);
@@ -208,4 +209,182 @@ fn a_fist_closes_and_a_pinch_meets() {
         let pinch = solved(&skeleton, side, HandShape::ALL[24].angles());
         assert!((tip(&pinch, 0, 0.019) - tip(&pinch, 4, 0.026)).length() < 0.03);
     }
+}
+
+#[test]
+fn the_bones_lie_inside_the_hand() {
+    for (sex, age, stature) in [(1.0, 35.0, 1.66), (0.0, 70.0, 1.72), (0.0, 9.0, 1.34)] {
+        let params = HandParams::of(sex, age, stature, [0.5, 0.3, 0.2]);
+        let anatomy = Anatomy::new(Look::of(sex, age));
+        let field = Field::new(&anatomy);
+        let cage = cage::build(&anatomy, &field);
+        let place = Placement::new(
+            &params,
+            Side::Right,
+            &surface::build(&anatomy, &field, &cage),
+        );
+        let bones = skeleton::bones(&params, Side::Right);
+        assert_eq!(bones.len(), 27);
+        for bone in bones {
+            for p in &bone.solid.points {
+                let (length, breadth) = (place.length_scale, place.breadth_scale);
+                let mm = DVec3::new(p.z / breadth, -p.x / length, -p.y / breadth);
+                let d = field.distance(mm);
+                assert!(d < -0.8, "{} {mm} {d}", bone.name);
+            }
+        }
+    }
+}
+
+#[test]
+fn ten_nails_cost_little() {
+    let triangles: usize = Side::BOTH
+        .iter()
+        .flat_map(|&side| sofia(side).parts[1].faces.clone())
+        .map(|f| f.len() - 2)
+        .sum();
+    assert!(triangles <= 1_200, "{triangles}");
+}
+
+/// Perimeter of the skin where it crosses a height along the hand (unscaled frame turned to
+/// millimetres of the built hand), counting the faces whose vertices `keep` wants.
+fn girth_mm(hand: &Hand, at_mm: f64, keep: impl Fn(usize) -> bool) -> f64 {
+    let skin = &hand.parts[0];
+    let position = |v: u32| skin.vertices[v as usize].position * 1000.0;
+    let mut sum = 0.0;
+    for face in &skin.faces {
+        if !face.iter().all(|&v| keep(v as usize)) {
+            continue;
+        }
+        let mut cuts = Vec::new();
+        for k in 0..face.len() {
+            let (a, b) = (position(face[k]), position(face[(k + 1) % face.len()]));
+            if (a.x < at_mm) != (b.x < at_mm) {
+                cuts.push(a.lerp(b, (at_mm - a.x) / (b.x - a.x)));
+            }
+        }
+        if let [a, b] = cuts[..] {
+            sum += a.distance(b);
+        }
+    }
+    sum
+}
+
+#[test]
+fn hands_of_both_sexes_measure_as_surveys_say() {
+    // Mean and SD, mm: ANSUR II 2012, all adults (men n = 4082, women n = 1986).
+    let ansur = [
+        (
+            0.0,
+            1.756,
+            [
+                (193.28, 9.95),
+                (88.26, 4.39),
+                (116.46, 6.23),
+                (175.92, 8.96),
+                (212.28, 10.24),
+            ],
+        ),
+        (
+            1.0,
+            1.63,
+            [
+                (181.08, 10.06),
+                (78.15, 3.84),
+                (108.70, 5.94),
+                (154.79, 7.83),
+                (186.55, 8.82),
+            ],
+        ),
+    ];
+    // Buryanov and Kotiuk 2010, table I, both sexes: metacarpal and phalanges, index to
+    // little finger; mean and SD (recalled in the source's copy), mm.
+    let bones = [
+        [(68.12, 6.27), (39.78, 4.94), (22.38, 2.51)],
+        [(64.6, 5.38), (44.63, 3.81), (26.33, 3.0)],
+        [(58.0, 5.06), (41.37, 3.87), (25.65, 3.29)],
+        [(53.69, 4.36), (32.74, 2.77), (18.11, 2.54)],
+    ];
+    let tips = [19.66, 21.35, 21.25, 19.69];
+    let within = |what: &str, value: f64, (mean, sd): (f64, f64)| {
+        assert!(
+            (value - mean).abs() <= sd,
+            "{what}: {value:.1} against {mean} ± {sd}"
+        );
+    };
+    let mut segments = [[0.0; 4]; 4];
+    for (sex, stature, survey) in ansur {
+        let params = HandParams::of(sex, 35.0, stature, [0.5; 3]);
+        let hand = build(&params, Side::Left);
+        let anatomy = Anatomy::new(Look::of(sex, 35.0));
+        let place = {
+            let field = Field::new(&anatomy);
+            let cage = cage::build(&anatomy, &field);
+            Placement::new(
+                &params,
+                Side::Left,
+                &surface::build(&anatomy, &field, &cage),
+            )
+        };
+        let vertices = &hand.parts[0].vertices;
+        let tip = vertices.iter().map(|v| v.position.x).fold(0.0, f64::max) * 1000.0;
+        let scale = place.length_scale * 1000.0;
+        within("length", tip + CREASE_MM * scale, survey[0]);
+        within("breadth", params.breadth_m * 1000.0, survey[1]);
+        // Palm length ends at the crease of the middle finger's root.
+        let middle = &anatomy.fingers[2];
+        let crease = middle.point(DVec3::new(0.0, middle.along(0.405), 0.0)).y;
+        within("palm", (crease + CREASE_MM) * scale, survey[2]);
+        let wrist = girth_mm(&hand, -14.0 * scale, |_| true);
+        within("wrist", wrist, survey[3]);
+        let thumb: Vec<Drive> = hand.joints[12..].iter().map(|j| Drive::Bone(j.0)).collect();
+        let no_thumb = |v: usize| {
+            vertices[v]
+                .weights
+                .iter()
+                .all(|w| !thumb.contains(&w.0.0) || w.1 < 0.4)
+        };
+        let around = girth_mm(&hand, 78.0 * scale, no_thumb);
+        within("circumference", around, survey[4]);
+        for f in 1..5 {
+            let finger = &anatomy.fingers[f];
+            let at = |along: f64| place.position(finger.point(DVec3::new(0.0, along, 0.0)));
+            let [a, b, c, d] = finger.joints().map(at);
+            let base = place.position(anatomy.metacarpal_base[f - 1]);
+            let own = [
+                base.distance(a),
+                a.distance(b),
+                b.distance(c),
+                c.distance(d),
+            ];
+            for (sum, length) in segments[f - 1].iter_mut().zip(own) {
+                *sum += length * 500.0;
+            }
+        }
+    }
+    for f in 0..4 {
+        for k in 0..3 {
+            within(
+                &format!("finger {f} segment {k}"),
+                segments[f][k],
+                bones[f][k],
+            );
+        }
+        // The last phalanx with its soft tip; SD of the bone.
+        within(&format!("finger {f} tip"), segments[f][3], (tips[f], 2.2));
+    }
+}
+
+#[test]
+fn sex_and_age_show() {
+    let width = |sex: f64, age: f64, q: f64| {
+        let anatomy = Anatomy::new(Look::of(sex, age));
+        let finger = &anatomy.fingers[2];
+        finger.section(finger.along(q)).half_width
+    };
+    assert!(width(0.0, 35.0, 1.4) > width(1.0, 35.0, 1.4) * 1.03);
+    assert!(width(0.0, 75.0, 1.0) > width(0.0, 35.0, 1.0) * 1.04);
+    // A child's finger tapers; its joints do not stand out.
+    let knot = |age: f64| width(0.5, age, 1.0) / width(0.5, age, 1.4);
+    assert!(knot(9.0) < knot(35.0) && knot(35.0) < knot(75.0));
 }

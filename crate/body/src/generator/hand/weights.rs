@@ -70,9 +70,9 @@ impl Influence {
         };
         JointRef(match self {
             Self::ForearmTwist(n) => Drive::Twist(wrist, f64::from(n) / 3.0),
-            Self::HalfWrist => Drive::Share(wrist, 0.5),
+            Self::HalfWrist => Drive::half(wrist),
             Self::Hand => Drive::Bone(wrist),
-            Self::Half(f, k) => Drive::Share(finger_bone(side, f, k), 0.5),
+            Self::Half(f, k) => Drive::half(finger_bone(side, f, k)),
             Self::Finger(f, k) => Drive::Bone(finger_bone(side, f, k)),
         })
     }

@@ -321,6 +321,11 @@ impl Cage {
         self.keys.len()
     }
 
+    /// Whether the cage has such a vertex.
+    pub(crate) fn has(&self, key: Key) -> bool {
+        self.index.contains_key(&(key, Side::Left))
+    }
+
     /// Index of a vertex.
     ///
     /// # Panics

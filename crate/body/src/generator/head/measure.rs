@@ -1,5 +1,9 @@
 //! Measures of head and face: what each is, how it is taken, and the form that changes it.
 
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+
 use raconteur_base::DVec3;
 
 use super::cage::Key;
@@ -300,8 +304,31 @@ pub fn known_measures() -> impl Iterator<Item = KnownMeasure> {
 
 /// A person's measures: standard deviations or millimetres from the mean for sex and age,
 /// all 0 unless set.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(into = "BTreeMap<String, f64>", try_from = "BTreeMap<String, f64>")]
 pub struct Measures([f64; Measure::COUNT]);
+
+impl From<Measures> for BTreeMap<String, f64> {
+    fn from(measures: Measures) -> Self {
+        Measure::all()
+            .map(|m| (m.name().to_owned(), measures.get(m)))
+            .collect()
+    }
+}
+
+impl TryFrom<BTreeMap<String, f64>> for Measures {
+    type Error = String;
+
+    fn try_from(map: BTreeMap<String, f64>) -> Result<Self, String> {
+        let mut all = Self::default();
+        for (name, value) in map {
+            let measure = Measure::from_name(&name)
+                .ok_or_else(|| format!("there is no measure named {name}"))?;
+            all = all.with(measure, value);
+        }
+        Ok(all)
+    }
+}
 
 impl Default for Measures {
     fn default() -> Self {

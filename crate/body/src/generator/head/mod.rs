@@ -8,6 +8,7 @@
 
 mod asymmetry;
 mod cage;
+mod chart;
 mod ear;
 mod eye;
 mod form;
@@ -19,10 +20,11 @@ mod mouth;
 mod occlusion;
 mod paint;
 mod points;
+mod ride;
 mod rig;
 mod scalp;
 mod segment;
-mod solve;
+pub(crate) mod solve;
 mod strands;
 mod surface;
 #[cfg(test)]
@@ -31,46 +33,41 @@ mod tests;
 use std::collections::BTreeMap;
 
 use raconteur_base::{DVec3, Side, mirror_vector};
+use serde::{Deserialize, Serialize};
 
 use self::cage::{Cage, Key, LAST_ROW, Zone};
+pub(crate) use self::chart::Places;
+use self::chart::{Chart, chart};
 pub use self::measure::{KnownMeasure, Measure, Measures, known_measures};
-use self::paint::{Coordinates, Painter};
+pub(crate) use self::paint::Coordinates;
+use self::paint::coordinates;
 use self::points::Individual;
+pub(crate) use self::ride::{Holds, Ride};
 use self::scalp::hairline;
-pub use self::scalp::{Scalp, ScalpPoint};
+pub use self::scalp::{Ear, Proportions, Scalp, ScalpPoint};
 pub use self::segment::HeadSegment;
-use self::strands::{BrowLine, Skin};
+use self::strands::BrowLine;
+pub use self::strands::BrowParams;
 use self::surface::{Surface, triangles};
 use super::part::{Part, PartMorph, PartVertex};
 use super::people::Person;
+use super::skin::HeadSheet;
 use crate::figure::{Maps, Material, MaterialKind};
 use crate::generator::subdivide::vertex_normals;
 
-/// Colours of a head, linear RGB.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// Colours of a head beside its skin, linear RGB.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct HeadColours {
-    /// Skin of the cheek's side.
-    pub skin: [f64; 3],
-    /// Red of the lips at full strength.
-    pub lip: [f64; 3],
-    /// Share of the lips' own colour over the skin's, 0..1.
-    pub lip_strength: f64,
     /// Hair.
     pub hair: [f64; 3],
     /// Brows; lashes are darker.
     pub brow: [f64; 3],
     /// Iris.
     pub iris: [f64; 3],
-    /// Strength of the red and brown zones, 1 = usual.
-    pub flush: f64,
-    /// Strength of freckles, 0..1.
-    pub freckles: f64,
-    /// Darkness of the lash line, 0..1.
-    pub lash_line: f64,
 }
 
 /// What to build.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct HeadParams {
     /// Sex and age.
     pub person: Person,
@@ -80,6 +77,8 @@ pub struct HeadParams {
     pub measures: Measures,
     /// Colours.
     pub colours: HeadColours,
+    /// Hairs of brows and lashes.
+    pub brow: BrowParams,
     /// Strength of the natural differences between the two halves; 0 is mirror-symmetric,
     /// 1 usual.
     pub asymmetry: f64,
@@ -101,16 +100,11 @@ impl HeadParams {
             smile: 0.6,
             measures: Measures::default(),
             colours: HeadColours {
-                skin: [0.60, 0.345, 0.245],
-                lip: [0.50, 0.155, 0.15],
-                lip_strength: 0.78,
                 hair: [0.085, 0.038, 0.018],
                 brow: [0.11, 0.062, 0.038],
                 iris: [0.15, 0.085, 0.042],
-                flush: 1.1,
-                freckles: 0.5,
-                lash_line: 0.8,
             },
+            brow: BrowParams::default(),
             asymmetry: 1.0,
             seed: 3,
         }
@@ -142,6 +136,8 @@ pub struct Head {
     pub landmarks: Vec<(String, u32)>,
     /// Segments of the first part, the skin.
     pub segments: Vec<HeadSegment>,
+    /// The skin for the baking of its maps.
+    pub(crate) sheet: HeadSheet,
 }
 
 /// The shape of a head before it is painted, millimetres.
@@ -177,7 +173,7 @@ impl Shape {
         let rig = rig::rig(&cage, &solved, individual.globe_centre());
         let surface = Surface::new(&cage);
         let positions = surface.apply(&solved.cage_points);
-        let coordinates = coordinates(&cage, &surface, &positions);
+        let coordinates = coordinates(&cage, &surface);
         let shares = surface.apply(&rig.shares);
         Self {
             cage,
@@ -216,11 +212,17 @@ pub fn build(params: &HeadParams) -> Head {
     let globe = *globe;
     let normals = vertex_normals(positions, &surface.faces);
     let warp = points::warp(individual);
-    let painter = Painter::new(&params.colours, &warp);
+    let proportions = Proportions::of(positions, coordinates);
     let hair: Vec<f64> = positions
         .iter()
         .zip(coordinates)
-        .map(|(&p, c)| if c.ear > 0.02 { 0.0 } else { hairline(p) })
+        .map(|(&p, c)| {
+            if c.ear > 0.02 {
+                0.0
+            } else {
+                hairline(proportions.common(p * 1e-3))
+            }
+        })
         .collect();
 
     let all_triangles: Vec<[u32; 3]> = triangles(&surface.faces).collect();
@@ -238,10 +240,10 @@ pub fn build(params: &HeadParams) -> Head {
         .collect();
 
     let line = BrowLine::new(&warp);
+    let chart = chart();
     let vertices: Vec<PartVertex> = (0..surface.len())
         .map(|v| {
             let c = &coordinates[v];
-            let [r, g, b] = painter.colour(c, hair[v], line.stain(positions[v]));
             let side = if positions[v].x < 0.0 {
                 Side::Right
             } else {
@@ -252,26 +254,52 @@ pub fn build(params: &HeadParams) -> Head {
             let deep = 1.0 - 0.8 * rig::smooth(5.0, 7.5, c.mouth);
             PartVertex {
                 position: positions[v] * 1e-3,
-                uv: [0.5 + positions[v].x * 4e-3, 0.5 + positions[v].y * 4e-3],
-                color: [r, g, b, open[v].max(least) * deep],
+                uv: [0.0; 2],
+                // The map has the colour.
+                color: [1.0, 1.0, 1.0, open[v].max(least) * deep],
                 weights: rig::joints(shares[v], side),
             }
         })
         .collect();
-    let skin = Skin {
-        positions,
-        normals: &normals,
-        weights: vertices.iter().map(|v| v.weights.clone()).collect(),
-        morphs: &moved,
-    };
     let bag = |z: Zone| matches!(z, Zone::Mouth(5..));
-    let cut = |name: &str, kind, roughness, keep: &dyn Fn(Zone) -> bool| {
-        cut_part(name, kind, roughness, surface, &vertices, &moved, keep)
+    let sheet = HeadSheet {
+        uv: chart.uv.clone(),
+        triangles: surface
+            .zones
+            .iter()
+            .zip(&chart.faces)
+            .filter(|(z, _)| !bag(**z))
+            .flat_map(|(_, f)| f[1..].windows(2).map(|w| [f[0], w[0], w[1]]))
+            .collect(),
+        at: chart.of(positions),
+        mean: chart.of(&chart.mean),
+        normals: chart.of(&vertex_normals(&chart.mean, &surface.faces)),
+        rings: chart.of(coordinates),
+        hair: chart.of(&hair),
+        brow: chart.of(&positions.iter().map(|&p| line.stain(p)).collect::<Vec<_>>()),
+        hair_colour: params.colours.hair,
+        brow_colour: params.colours.brow,
+        places: Some(&chart.places),
+    };
+    let lined: Vec<PartVertex> = vertices
+        .iter()
+        .zip(positions.iter().zip(coordinates))
+        .map(|(v, (&p, c))| {
+            let [r, g, b] = paint::lining(c, p);
+            PartVertex {
+                color: [r, g, b, v.color[3]],
+                ..v.clone()
+            }
+        })
+        .collect();
+    let cut = |name: &str, kind, roughness, from: &[PartVertex], keep: &dyn Fn(Zone) -> bool| {
+        cut_part(name, kind, roughness, surface, chart, from, &moved, keep)
     };
     let mut parts = vec![
-        cut("head", MaterialKind::Skin, 0.48, &|z| !bag(z)),
-        cut("mouth_bag", MaterialKind::Mouth, 0.4, &bag),
+        cut("head", MaterialKind::Skin, 0.48, &vertices, &|z| !bag(z)),
+        cut("mouth_bag", MaterialKind::Mouth, 0.4, &lined, &bag),
     ];
+    let ride = Ride::new(&parts[0]);
     let contact = |k| shape.limit(Key::mouth(5, k), Side::Left);
     parts.extend(mouth::mouth((contact(0) + contact(12)) / 2.0));
     let eye_centres = [globe, mirror_vector(globe)];
@@ -294,15 +322,16 @@ pub fn build(params: &HeadParams) -> Head {
             (8..=16).rev().map(edge).collect(),
         ];
         let globe = eye_centres[side.index()];
-        let brow = params.colours.brow;
+        let colour = params.colours.brow;
         parts.extend(strands::hairs(
-            &skin,
+            &ride,
             &line,
             &edges,
             globe,
             side,
             params.seed,
-            brow,
+            colour,
+            &params.brow,
         ));
     }
 
@@ -322,7 +351,15 @@ pub fn build(params: &HeadParams) -> Head {
         neck_rim: neck_rim(&shape),
         lid_closure_rad: rig.closure_rad,
         extent: [menton * 1e-3, vertex * 1e-3],
-        scalp: scalp::scalp(positions, &normals, &hair, &all_triangles),
+        scalp: scalp::scalp(
+            positions,
+            &normals,
+            coordinates,
+            &hair,
+            &all_triangles,
+            proportions,
+        ),
+        sheet,
         landmarks: landmark::landmarks(&shape)
             .into_iter()
             .filter_map(|(name, v)| {
@@ -349,19 +386,25 @@ fn behind(part: &Part, positions: &[DVec3]) -> Vec<u32> {
         .collect()
 }
 
-/// The faces of some zones as a part of their own.
+/// The faces of some zones as a part of their own, with vertices doubled along the chart's
+/// cut.
+#[allow(
+    clippy::too_many_arguments,
+    reason = "everything that a part is made of"
+)]
 fn cut_part(
     name: &str,
     kind: MaterialKind,
     roughness: f32,
     surface: &Surface,
+    chart: &Chart,
     vertices: &[PartVertex],
     moved: &[(&'static str, Vec<DVec3>)],
     keep: &dyn Fn(Zone) -> bool,
 ) -> Part {
-    let mut index = vec![u32::MAX; vertices.len()];
+    let mut index = vec![u32::MAX; chart.uv.len()];
     let mut used: Vec<usize> = Vec::new();
-    let kept = surface
+    let kept = chart
         .faces
         .iter()
         .zip(&surface.zones)
@@ -379,9 +422,10 @@ fn cut_part(
             face.iter().map(slot).collect()
         })
         .collect();
+    let source = |v: &usize| chart.source[*v] as usize;
     let morphs = moved
         .iter()
-        .map(|(name, d)| part_morph(name, &used.iter().map(|&v| d[v]).collect::<Vec<_>>()))
+        .map(|(name, d)| part_morph(name, &used.iter().map(|v| d[source(v)]).collect::<Vec<_>>()))
         .filter(|m| !m.deltas.is_empty())
         .collect();
     Part {
@@ -393,7 +437,13 @@ fn cut_part(
             double_sided: false,
             maps: Maps::default(),
         },
-        vertices: used.iter().map(|&v| vertices[v].clone()).collect(),
+        vertices: used
+            .iter()
+            .map(|v| PartVertex {
+                uv: chart.uv[*v],
+                ..vertices[source(v)].clone()
+            })
+            .collect(),
         faces,
         morphs,
     }
@@ -418,51 +468,4 @@ fn neck_rim(shape: &Shape) -> Vec<DVec3> {
     let left = (0..=cage::LAST_COLUMN).map(|i| at(i, Side::Left));
     let right = (1..cage::LAST_COLUMN).rev().map(|i| at(i, Side::Right));
     left.chain(right).collect()
-}
-
-fn coordinates(cage: &Cage, surface: &Surface, positions: &[DVec3]) -> Vec<Coordinates> {
-    let ring = |f: fn(Key) -> f64| surface.apply_by(cage, |v| f(cage.keys[v].0));
-    let mouth = ring(|k| {
-        if let Key::Mouth(r, _) = k {
-            f64::from(r)
-        } else {
-            0.0
-        }
-    });
-    let eye = ring(|k| {
-        if let Key::Eye(r, _) = k {
-            f64::from(r)
-        } else {
-            0.0
-        }
-    });
-    let upper = ring(|k| match k {
-        Key::Eye(_, k) if (1..8).contains(&k) => 1.0,
-        Key::Eye(_, k) if k > 8 => -1.0,
-        _ => 0.0,
-    });
-    let nostril = ring(|k| {
-        if let Key::Nostril(r, _) = k {
-            f64::from(r)
-        } else {
-            0.0
-        }
-    });
-    let ear = ring(|k| {
-        if let Key::Ear(r, _) = k {
-            f64::from(r)
-        } else {
-            0.0
-        }
-    });
-    (0..surface.len())
-        .map(|v| Coordinates {
-            at: positions[v],
-            mouth: mouth[v],
-            eye: eye[v],
-            eye_upper: upper[v],
-            nostril: nostril[v],
-            ear: ear[v],
-        })
-        .collect()
 }

@@ -1,18 +1,45 @@
 //! Brows and lashes: slender tapering cards that ride on the skin, each a tuft of hairs.
 
 use raconteur_base::{DVec3, Side, mirror_vector, noise, ops};
+use serde::{Deserialize, Serialize};
 
+use super::ride::{Holds, Ride};
 use super::rig::smooth;
 use super::surface::nearest;
 use crate::figure::{Maps, Material, MaterialKind};
-use crate::generator::part::{JointRef, Part, PartMorph, PartVertex};
+use crate::generator::part::{Part, PartVertex};
 
-/// The skin that hairs are rooted in; millimetres.
-pub(crate) struct Skin<'a> {
-    pub(crate) positions: &'a [DVec3],
-    pub(crate) normals: &'a [DVec3],
-    pub(crate) weights: Vec<Vec<(JointRef, f64)>>,
-    pub(crate) morphs: &'a [(&'static str, Vec<DVec3>)],
+/// Hairs of brows and lashes.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct BrowParams {
+    /// How many hairs a brow has against the usual, 0.3..1.6.
+    pub density: f64,
+    /// Length of its hairs against the usual, 0.5..2.
+    pub length: f64,
+    /// Height of the brow against the usual, 0.6..1.5.
+    pub height: f64,
+    /// How far hairs stray from their direction, 0..1.
+    pub unruly: f64,
+    /// How far the two brows differ, 0..1.
+    pub asymmetry: f64,
+    /// Length of the lashes against the usual, 0.4..1.3.
+    pub lash_length: f64,
+    /// Lightness of the lashes against the brows.
+    pub lash_tone: f64,
+}
+
+impl Default for BrowParams {
+    fn default() -> Self {
+        Self {
+            density: 1.0,
+            length: 1.0,
+            height: 1.0,
+            unruly: 0.35,
+            asymmetry: 0.5,
+            lash_length: 1.0,
+            lash_tone: 0.35,
+        }
+    }
 }
 
 /// One card: a parabola from the root, tapering to the tip.
@@ -118,21 +145,23 @@ fn tangent_to(d: DVec3, n: DVec3, lift: f64) -> DVec3 {
     (d - n * d.dot(n)).normalize() + n * lift
 }
 
-const CARDS_PER_BROW: u64 = 230;
+/// Hairs of a usual brow.
+const HAIRS_PER_BROW: f64 = 150.0;
 
-fn brow(skin: &Skin<'_>, line: &BrowLine, side: Side, seed: u64) -> Vec<Card> {
+fn brow(ride: &Ride, line: &BrowLine, side: Side, seed: u64, p: &BrowParams) -> Vec<Card> {
     // Roots are laid on the skin by its nearest vertices in the front view.
-    let front: Vec<u32> = (0..skin.positions.len() as u32)
+    let front: Vec<u32> = (0..ride.positions.len() as u32)
         .filter(|&v| {
-            let p = skin.positions[v as usize];
+            let p = ride.positions[v as usize] * 1e3;
             p.z > 45.0 && p.x * side.sign() > 4.0 && p.y > 34.0 && p.y < 66.0
         })
         .collect();
-    let flat: Vec<DVec3> = front
-        .iter()
-        .map(|&v| skin.positions[v as usize].with_z(0.0))
-        .collect();
-    (0..CARDS_PER_BROW)
+    let at = |v: u32| ride.positions[v as usize] * 1e3;
+    let flat: Vec<DVec3> = front.iter().map(|&v| at(v).with_z(0.0)).collect();
+    let count = (HAIRS_PER_BROW * p.density.clamp(0.1, 2.0)) as u64;
+    // One brow sits a little higher and thicker than the other.
+    let own = 0.5 * p.asymmetry * side.sign() * (noise::unit(seed, 91, 0) + 0.5);
+    (0..count)
         .map(|hair| {
             let mut dice = Dice {
                 seed: seed ^ side.index() as u64,
@@ -140,11 +169,12 @@ fn brow(skin: &Skin<'_>, line: &BrowLine, side: Side, seed: u64) -> Vec<Card> {
                 next: 0,
             };
             let layer = hair % 3;
-            let t = (hair as f64 + dice.unit()) / CARDS_PER_BROW as f64 * 6.8 - 0.1;
+            let t = (hair as f64 + dice.unit()) / count as f64 * 6.9 - 0.1;
             let off = (0.52 * dice.normal() + [-0.15, 0.0, 0.2][layer as usize]).clamp(-1.2, 1.2);
             let (c, w) = line.at(t);
+            let w = w * p.height * (1.0 + 0.16 * own);
             let along = line.at(t + 0.05).0 - line.at(t - 0.05).0;
-            let place = DVec3::new(c.x, c.y + off * w * 0.85, 0.0);
+            let place = DVec3::new(c.x, c.y + off * w * 0.85 + 0.7 * own, 0.0);
             let turn = |d: DVec3| {
                 if side == Side::Left {
                     d
@@ -154,40 +184,52 @@ fn brow(skin: &Skin<'_>, line: &BrowLine, side: Side, seed: u64) -> Vec<Card> {
             };
             let (place, along) = (turn(place), turn(along.normalize()));
             let near = nearest(&flat, place, 4, 0.1);
-            let mean = |of: &[DVec3]| -> DVec3 {
-                near.iter()
-                    .map(|&(i, s)| of[front[i as usize] as usize] * s)
-                    .sum()
-            };
-            let (mut root, n) = (mean(skin.positions), mean(skin.normals).normalize());
+            let (mut root, mut n) = (DVec3::ZERO, DVec3::ZERO);
+            for &(i, s) in &near {
+                root += at(front[i as usize]) * s;
+                n += ride.normals[front[i as usize] as usize] * s;
+            }
+            let n = n.normalize();
             root.x = place.x;
             root.y = place.y;
             // Inner hairs stand, outer ones lie; the upper row leans down to meet the lower.
             let stand = 1.1 - 0.95 * smooth(-0.2, 2.6, t) - 0.22 * smooth(3.0, 7.0, t);
             let meet = 0.55 * off.max(0.0) * smooth(0.8, 2.2, t);
-            let up = stand - meet + 0.13 * dice.normal();
-            let direction = tangent_to(along + DVec3::Y * up, n, 0.16 + 0.08 * dice.unit());
-            let length = (4.2 + 3.2 * smooth(0.0, 2.5, t) - 3.4 * smooth(4.5, 7.0, t))
-                * (0.55 + 0.55 * dice.unit());
+            let stray = p.unruly * dice.normal();
+            let up = stand - meet + 0.36 * stray;
+            let lift = 0.14 + 0.06 * dice.unit() + 0.22 * p.unruly * dice.unit();
+            let direction = tangent_to(along + DVec3::Y * up, n, lift);
+            let length = (4.4 + 3.2 * smooth(0.0, 2.5, t) - 3.2 * smooth(4.5, 7.0, t))
+                * (0.55 + 0.55 * dice.unit())
+                * p.length;
             Card {
                 root: root - n * 0.15,
                 direction: direction.normalize(),
-                bend: along * 0.05 * length - n * 0.14 * length - DVec3::Y * 0.06 * length,
+                bend: along * 0.10 * length
+                    - n * 0.14 * length
+                    - DVec3::Y * (0.06 + 0.10 * p.unruly * dice.unit()) * length,
                 length,
-                half_width: 0.16,
+                half_width: 0.20,
                 facing: n,
-                shade: 0.75 + 0.5 * dice.unit(),
+                shade: 0.72 + 0.5 * dice.unit(),
             }
         })
         .collect()
 }
 
 /// Lashes along a lid's edge given as points from the inner to the outer corner.
-fn lashes(edge: &[DVec3], globe: DVec3, upper: bool, side: Side, seed: u64) -> Vec<Card> {
+fn lashes(
+    edge: &[DVec3],
+    globe: DVec3,
+    upper: bool,
+    side: Side,
+    seed: u64,
+    p: &BrowParams,
+) -> Vec<Card> {
     let (count, length, half_width) = if upper {
-        (46, 8.2, 0.46)
+        (48, 8.0 * p.lash_length, 0.30)
     } else {
-        (24, 3.4, 0.34)
+        (22, 3.4 * p.lash_length, 0.22)
     };
     let sign = if upper { 1.0 } else { -1.0 };
     (0..count)
@@ -229,9 +271,12 @@ fn lashes(edge: &[DVec3], globe: DVec3, upper: bool, side: Side, seed: u64) -> V
 }
 
 /// Rows of a card from root to tip.
-const STEPS: [f64; 4] = [0.0, 0.4, 0.75, 1.0];
+const STEPS: [f64; 3] = [0.0, 0.55, 1.0];
 
-fn part(name: String, cards: &[Card], skin: &Skin<'_>, near: usize, color: [f64; 3]) -> Part {
+/// Movements of a hair below this are left out, metres.
+const STILL: f64 = 1.2e-4;
+
+fn part(name: String, cards: &[Card], ride: &Ride, near: usize, color: [f64; 3]) -> Part {
     let mut part = Part {
         name,
         material: Material {
@@ -245,27 +290,19 @@ fn part(name: String, cards: &[Card], skin: &Skin<'_>, near: usize, color: [f64;
         faces: Vec::new(),
         morphs: Vec::new(),
     };
-    let mut roots = Vec::new();
+    let mut roots: Vec<Holds> = Vec::new();
     for card in cards {
         let base = part.vertices.len() as u32;
-        let holds = nearest(skin.positions, card.root, near, 0.15);
-        let mut weights: Vec<(JointRef, f64)> = Vec::new();
-        for &(v, share) in &holds {
-            for &(joint, w) in &skin.weights[v as usize] {
-                match weights.iter_mut().find(|k| k.0 == joint) {
-                    Some(k) => k.1 += w * share,
-                    None => weights.push((joint, w * share)),
-                }
-            }
-        }
+        let holds = ride.holds(card.root * 1e-3, near);
+        let weights = ride.weights(&holds);
         let across = card.direction.cross(card.facing).normalize();
+        let [r, g, b] = color.map(|c| (c * card.shade).clamp(0.0, 1.0));
         for &t in &STEPS {
             let middle = card.root + card.direction * (card.length * t) + card.bend * (t * t);
             // The tip is one vertex.
             let sides: &[f64] = if t < 1.0 { &[-1.0, 1.0] } else { &[0.0] };
             for &s in sides {
                 let aside = across * (s * card.half_width * (1.0 - 0.6 * t));
-                let [r, g, b] = color.map(|c| (c * card.shade).clamp(0.0, 1.0));
                 part.vertices.push(PartVertex {
                     position: (middle + aside) * 1e-3,
                     uv: [0.5 + 0.5 * s, t],
@@ -283,48 +320,35 @@ fn part(name: String, cards: &[Card], skin: &Skin<'_>, near: usize, color: [f64;
         let a = base + 2 * quads;
         part.faces.push(vec![a, a + 1, a + 2]);
     }
-    for (name, deltas) in skin.morphs {
-        let deltas: Vec<(u32, DVec3)> = roots
-            .iter()
-            .enumerate()
-            .filter_map(|(i, holds)| {
-                let d: DVec3 = holds.iter().map(|&(v, w)| deltas[v as usize] * w).sum();
-                (d.length_squared() > 4e-4).then_some((i as u32, d * 1e-3))
-            })
-            .collect();
-        if !deltas.is_empty() {
-            part.morphs.push(PartMorph {
-                name: (*name).to_owned(),
-                deltas,
-            });
-        }
-    }
+    part.morphs = ride.morphs(&roots, STILL);
     part
 }
 
 /// Brow and lashes of one side. `edges` are the lash edges of the upper and the lower lid
 /// from the inner to the outer corner.
+#[allow(clippy::too_many_arguments, reason = "each is a thing of its own")]
 pub(crate) fn hairs(
-    skin: &Skin<'_>,
+    ride: &Ride,
     line: &BrowLine,
     edges: &[Vec<DVec3>; 2],
     globe: DVec3,
     side: Side,
     seed: u64,
-    brow_color: [f64; 3],
+    color: [f64; 3],
+    p: &BrowParams,
 ) -> Vec<Part> {
     let letter = if side == Side::Left { "left" } else { "right" };
-    let brow = brow(skin, line, side, seed);
-    let mut lash = lashes(&edges[0], globe, true, side, seed);
-    lash.extend(lashes(&edges[1], globe, false, side, seed));
+    let brow = brow(ride, line, side, seed, p);
+    let mut lash = lashes(&edges[0], globe, true, side, seed, p);
+    lash.extend(lashes(&edges[1], globe, false, side, seed, p));
     vec![
-        part(format!("brow_{letter}"), &brow, skin, 3, brow_color),
+        part(format!("brow_{letter}"), &brow, ride, 3, color),
         part(
             format!("lash_{letter}"),
             &lash,
-            skin,
+            ride,
             2,
-            brow_color.map(|c| c * 0.35),
+            color.map(|c| c * p.lash_tone),
         ),
     ]
 }

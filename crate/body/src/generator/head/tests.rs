@@ -6,7 +6,7 @@ use std::sync::OnceLock;
 use raconteur_base::{DQuat, DVec3, Side, mirror_vector};
 
 use super::*;
-use crate::generator::subdivide::edge_faces;
+use crate::generator::subdivide::{edge_faces, welded};
 use crate::skeleton::{Bone, Drive};
 
 fn params(name: &str) -> HeadParams {
@@ -63,7 +63,8 @@ fn no_edge_has_three_faces_and_only_neck_lips_and_lid_linings_are_open() {
         );
     }
     let skin = part("head");
-    for (&(a, b), faces) in &edge_faces(&skin.faces) {
+    let positions: Vec<DVec3> = skin.vertices.iter().map(|v| v.position).collect();
+    for (&(a, b), faces) in &edge_faces(&welded(&positions, &skin.faces)) {
         if faces.len() == 1 {
             for v in [a, b] {
                 let p = skin.vertices[v as usize].position;

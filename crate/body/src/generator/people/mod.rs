@@ -4,15 +4,18 @@ mod nuno;
 mod papous;
 mod sofia;
 
+use serde::{Deserialize, Serialize};
+
 use super::cloth::Outfit;
-use super::hair::BobParams;
+use super::hair::HairParams;
 use super::hand::HandParams;
 use super::head::HeadParams;
+use super::skin::SkinParams;
 use super::torso::BodyParams;
 
 /// What is known of a person before any measure of the face: survey means are looked up
 /// by it.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Person {
     /// 0 male to 1 female.
     pub sex: f64,
@@ -25,7 +28,7 @@ pub struct Person {
 }
 
 /// Everything that tells one figure from another.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FigureParams {
     /// Name, for example `sofia`.
     pub name: String,
@@ -35,10 +38,12 @@ pub struct FigureParams {
     pub body: BodyParams,
     /// Face.
     pub head: HeadParams,
+    /// Skin of head and hands.
+    pub skin: SkinParams,
     /// Hands.
     pub hand: HandParams,
     /// Hair.
-    pub hair: BobParams,
+    pub hair: HairParams,
     /// Clothes.
     pub wardrobe: Outfit,
 }

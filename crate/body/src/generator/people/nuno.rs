@@ -2,9 +2,10 @@
 
 use super::{FigureParams, Person};
 use crate::generator::cloth::{Hoodie, Outfit};
-use crate::generator::hair::BobParams;
+use crate::generator::hair::{HairColour, HairParams, HairStyle};
 use crate::generator::hand::HandParams;
-use crate::generator::head::{HeadParams, Measure, Measures};
+use crate::generator::head::{BrowParams, HeadParams, Measure, Measures};
+use crate::generator::skin::SkinParams;
 use crate::generator::torso::BodyParams;
 
 const PERSON: Person = Person {
@@ -15,15 +16,18 @@ const PERSON: Person = Person {
 };
 
 pub(super) fn params() -> FigureParams {
-    let head = head();
+    let mut head = head();
+    head.brow = brow();
+    head.colours.brow = [0.15, 0.075, 0.036];
     FigureParams {
         name: "nuno".to_owned(),
         person: PERSON,
         body: body(),
-        hand: hand(&head),
+        hand: hand(),
         hair: hair(),
         wardrobe: wardrobe(),
         head,
+        skin: skin(),
     }
 }
 
@@ -50,6 +54,24 @@ fn head() -> HeadParams {
     }
 }
 
+fn skin() -> SkinParams {
+    SkinParams {
+        melanin: 0.24,
+        blood: 0.5,
+        contrast: 1.0,
+        age_years: PERSON.age_years,
+        freckles: 0.5,
+        moles: 3,
+        sun: 0.1,
+        vessels: 0.0,
+        beard: 0.0,
+        lips: 0.6,
+        lash_line: 0.35,
+        seed: 11,
+        ..SkinParams::plain()
+    }
+}
+
 fn body() -> BodyParams {
     BodyParams {
         sex: PERSON.sex,
@@ -60,17 +82,38 @@ fn body() -> BodyParams {
     }
 }
 
-fn hand(head: &HeadParams) -> HandParams {
-    HandParams::woman(PERSON.stature_m, head.colours.skin)
+fn hand() -> HandParams {
+    HandParams::of(
+        PERSON.sex,
+        PERSON.age_years,
+        PERSON.stature_m,
+        skin().base_colour(),
+    )
 }
 
-fn hair() -> BobParams {
-    BobParams {
-        colour: [0.150, 0.067, 0.032],
-        parting_x: 0.016,
-        hem_y: -0.086,
-        wave: 0.0025,
-        seed: 11,
+fn hair() -> HairParams {
+    HairParams {
+        style: HairStyle::Tousled,
+        colour: HairColour {
+            eumelanin: 0.17,
+            pheomelanin: 0.24,
+            grey: 0.0,
+        },
+        wave: 0.001,
+        seed: 31,
+        ..HairParams::default()
+    }
+}
+
+fn brow() -> BrowParams {
+    BrowParams {
+        density: 0.85,
+        length: 0.8,
+        height: 0.85,
+        unruly: 0.25,
+        asymmetry: 0.3,
+        lash_length: 0.95,
+        lash_tone: 0.4,
     }
 }
 

@@ -2,9 +2,10 @@
 
 use super::{FigureParams, Person};
 use crate::generator::cloth::{Cardigan, Outfit};
-use crate::generator::hair::BobParams;
+use crate::generator::hair::{BeardParams, HairColour, HairParams, HairStyle};
 use crate::generator::hand::HandParams;
-use crate::generator::head::{HeadParams, Measure, Measures};
+use crate::generator::head::{BrowParams, HeadParams, Measure, Measures};
+use crate::generator::skin::SkinParams;
 use crate::generator::torso::BodyParams;
 
 const PERSON: Person = Person {
@@ -15,15 +16,18 @@ const PERSON: Person = Person {
 };
 
 pub(super) fn params() -> FigureParams {
-    let head = head();
+    let mut head = head();
+    head.brow = brow();
+    head.colours.brow = [0.34, 0.33, 0.31];
     FigureParams {
         name: "papous".to_owned(),
         person: PERSON,
         body: body(),
-        hand: hand(&head),
+        hand: hand(),
         hair: hair(),
         wardrobe: wardrobe(),
         head,
+        skin: skin(),
     }
 }
 
@@ -53,6 +57,24 @@ fn head() -> HeadParams {
     }
 }
 
+fn skin() -> SkinParams {
+    SkinParams {
+        melanin: 0.27,
+        blood: 0.62,
+        contrast: 1.15,
+        age_years: PERSON.age_years,
+        freckles: 0.1,
+        moles: 9,
+        sun: 0.75,
+        vessels: 0.55,
+        beard: 0.35,
+        beard_colour: [0.34, 0.33, 0.32],
+        lips: 0.35,
+        lash_line: 0.2,
+        seed: 7,
+    }
+}
+
 fn body() -> BodyParams {
     BodyParams {
         sex: PERSON.sex,
@@ -63,17 +85,43 @@ fn body() -> BodyParams {
     }
 }
 
-fn hand(head: &HeadParams) -> HandParams {
-    HandParams::woman(PERSON.stature_m, head.colours.skin)
+fn hand() -> HandParams {
+    HandParams::of(
+        PERSON.sex,
+        PERSON.age_years,
+        PERSON.stature_m,
+        skin().base_colour(),
+    )
 }
 
-fn hair() -> BobParams {
-    BobParams {
-        colour: [0.150, 0.067, 0.032],
-        parting_x: 0.016,
-        hem_y: -0.086,
-        wave: 0.0025,
-        seed: 11,
+fn hair() -> HairParams {
+    HairParams {
+        style: HairStyle::Swept,
+        colour: HairColour {
+            eumelanin: 0.5,
+            pheomelanin: 0.0,
+            grey: 0.94,
+        },
+        recession: 0.75,
+        thinning: 0.6,
+        beard: Some(BeardParams {
+            length_m: 0.018,
+            moustache: true,
+        }),
+        seed: 23,
+        ..HairParams::default()
+    }
+}
+
+fn brow() -> BrowParams {
+    BrowParams {
+        density: 1.25,
+        length: 1.55,
+        height: 1.25,
+        unruly: 0.9,
+        asymmetry: 0.8,
+        lash_length: 0.7,
+        lash_tone: 0.6,
     }
 }
 

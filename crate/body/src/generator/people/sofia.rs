@@ -2,9 +2,10 @@
 
 use super::{FigureParams, Person};
 use crate::generator::cloth::{Outfit, Sweater};
-use crate::generator::hair::BobParams;
+use crate::generator::hair::{HairColour, HairParams, HairStyle};
 use crate::generator::hand::HandParams;
-use crate::generator::head::{HeadParams, Measure, Measures};
+use crate::generator::head::{BrowParams, HeadParams, Measure, Measures};
+use crate::generator::skin::SkinParams;
 use crate::generator::torso::BodyParams;
 
 const PERSON: Person = Person {
@@ -15,15 +16,17 @@ const PERSON: Person = Person {
 };
 
 pub(super) fn params() -> FigureParams {
-    let head = head();
+    let mut head = head();
+    head.brow = brow();
     FigureParams {
         name: "sofia".to_owned(),
         person: PERSON,
         body: body(),
-        hand: hand(&head),
+        hand: hand(),
         hair: hair(),
         wardrobe: wardrobe(),
         head,
+        skin: skin(),
     }
 }
 
@@ -55,6 +58,24 @@ fn head() -> HeadParams {
     }
 }
 
+fn skin() -> SkinParams {
+    SkinParams {
+        melanin: 0.17,
+        blood: 0.52,
+        contrast: 1.05,
+        age_years: PERSON.age_years,
+        freckles: 0.35,
+        moles: 5,
+        sun: 0.2,
+        vessels: 0.0,
+        beard: 0.0,
+        lips: 0.62,
+        lash_line: 0.75,
+        seed: 3,
+        ..SkinParams::plain()
+    }
+}
+
 fn body() -> BodyParams {
     BodyParams {
         sex: PERSON.sex,
@@ -65,17 +86,32 @@ fn body() -> BodyParams {
     }
 }
 
-fn hand(head: &HeadParams) -> HandParams {
-    HandParams::woman(PERSON.stature_m, head.colours.skin)
+fn hand() -> HandParams {
+    HandParams::of(
+        PERSON.sex,
+        PERSON.age_years,
+        PERSON.stature_m,
+        skin().base_colour(),
+    )
 }
 
-fn hair() -> BobParams {
-    BobParams {
-        colour: [0.150, 0.067, 0.032],
-        parting_x: 0.016,
-        hem_y: -0.086,
-        wave: 0.0025,
-        seed: 11,
+fn hair() -> HairParams {
+    HairParams {
+        style: HairStyle::Bob,
+        colour: HairColour {
+            eumelanin: 0.22,
+            pheomelanin: 0.46,
+            grey: 0.0,
+        },
+        wave: 0.003,
+        ..HairParams::default()
+    }
+}
+
+fn brow() -> BrowParams {
+    BrowParams {
+        lash_length: 1.05,
+        ..BrowParams::default()
     }
 }
 

@@ -539,7 +539,8 @@ pub fn arm_label(side: Side, t: f64) -> Weights {
     let stops = [
         (-0.04, Rig::Bone(scapula)),
         (0.14, Rig::Half(shoulder)),
-        (0.40, Rig::Bone(shoulder)),
+        (0.34, Rig::Swing(shoulder, 1)),
+        (0.62, Rig::Swing(shoulder, 2)),
         (0.82, Rig::Bone(shoulder)),
         (1.0, Rig::Half(elbow)),
         (1.17, Rig::Bone(elbow)),

@@ -14,6 +14,8 @@ pub enum Rig {
     Half(Bone),
     /// The forearm's helpers: 1 or 2 thirds of the wrist's twist.
     Twist(Bone, u8),
+    /// The upper arm's helpers: the shoulder's swing and 1 or 2 thirds of its twist.
+    Swing(Bone, u8),
 }
 
 impl Rig {
@@ -22,14 +24,15 @@ impl Rig {
     pub fn joint(self) -> JointRef {
         JointRef(match self {
             Self::Bone(b) => Drive::Bone(b),
-            Self::Half(b) => Drive::Share(b, 0.5),
+            Self::Half(b) => Drive::half(b),
             Self::Twist(b, thirds) => Drive::Twist(b, f64::from(thirds) / 3.0),
+            Self::Swing(b, thirds) => Drive::Part(b, 1.0, f64::from(thirds) / 3.0),
         })
     }
 
     fn bone(self) -> Bone {
         match self {
-            Self::Bone(b) | Self::Half(b) | Self::Twist(b, _) => b,
+            Self::Bone(b) | Self::Half(b) | Self::Twist(b, _) | Self::Swing(b, _) => b,
         }
     }
 
@@ -38,6 +41,7 @@ impl Rig {
             Self::Bone(b) => Self::Bone(b.mirrored()),
             Self::Half(b) => Self::Half(b.mirrored()),
             Self::Twist(b, t) => Self::Twist(b.mirrored(), t),
+            Self::Swing(b, t) => Self::Swing(b.mirrored(), t),
         }
     }
 }

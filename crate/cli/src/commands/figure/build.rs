@@ -2,19 +2,26 @@
 
 use std::io::{self, Write as _};
 use std::path::PathBuf;
+use std::time::Duration;
 
-use anyhow::{Context as _, Result};
+use anyhow::{Result, bail};
 use clap::Args;
-use raconteur_player::body::generator::{self, people, write};
+use indicatif::ProgressBar;
+use raconteur_player::body::{generator, write};
 
 use super::file::replace;
+use super::params;
 use crate::Outcome;
 
-/// Generate a figure by name and write it as glTF binary.
+/// Generate a figure and write it as glTF binary.
 #[derive(Args)]
 pub(super) struct Build {
-    /// Its name.
-    name: String,
+    /// The name of a figure of the library.
+    #[arg(required_unless_present = "params", conflicts_with = "params")]
+    name: Option<String>,
+    /// A description in JSON; see `figure params`.
+    #[arg(long)]
+    params: Option<PathBuf>,
     /// Where to write it.
     #[arg(short, long)]
     output: PathBuf,
@@ -22,11 +29,17 @@ pub(super) struct Build {
 
 impl Build {
     pub(super) fn run(&self) -> Result<Outcome> {
-        let params = people::preset(&self.name)
-            .with_context(|| format!("there is no figure named {}", self.name))?;
+        let params = match (&self.name, &self.params) {
+            (Some(name), _) => params::preset(name)?,
+            (None, Some(path)) => params::read(path)?,
+            (None, None) => bail!("a name or --params is wanted"),
+        };
+        let bar = ProgressBar::new_spinner().with_message(format!("building {}", params.name));
+        bar.enable_steady_tick(Duration::from_millis(120));
         let built = generator::build(&params);
         let figure = &built.figure;
         let glb = write::to_annotated_glb(figure, &built.annotations);
+        bar.finish_and_clear();
         replace(&self.output, &glb)?;
         let triangles: usize = figure.meshes.iter().map(|m| m.indices.len() / 3).sum();
         writeln!(

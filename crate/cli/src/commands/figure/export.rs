@@ -4,14 +4,14 @@ use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context as _, Result, bail};
-use clap::Args;
+use clap::{Args, ValueEnum};
 use raconteur_player::base::DAffine3;
-use raconteur_player::body::Figure;
-use raconteur_player::body::generator::write;
+use raconteur_player::body::generator::{self, bones};
+use raconteur_player::body::{Figure, write};
 use serde_json::{Value, json};
 
 use super::file::replace;
-use super::obj;
+use super::{obj, params};
 use crate::Outcome;
 use crate::sheet::PoseName;
 use crate::story::find_figure;
@@ -27,11 +27,37 @@ pub(super) struct Export {
     /// The pose; a glTF file keeps its skeleton and stands in that pose.
     #[arg(long, value_enum, default_value = "bind")]
     pose: PoseName,
+    /// What is written; bones are known for the figures of the library, by their names.
+    #[arg(long, value_enum, default_value = "skin")]
+    layer: Layer,
+}
+
+/// What a file holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Layer {
+    /// What is seen.
+    Skin,
+    /// Skull, jaw, hands and the rest of the skeleton.
+    Bones,
+    /// Both.
+    All,
+}
+
+impl Layer {
+    fn of(self, name: &str) -> Result<Figure> {
+        let layer = match self {
+            Self::Skin => return find_figure(name, Path::new(".")),
+            Self::Bones => bones::Layer::Bones,
+            Self::All => bones::Layer::All,
+        };
+        let params = params::preset(name)?;
+        Ok(bones::layered(&params, &generator::build(&params), layer))
+    }
 }
 
 impl Export {
     pub(super) fn run(&self) -> Result<Outcome> {
-        let figure = find_figure(&self.figure, Path::new("."))?;
+        let figure = self.layer.of(&self.figure)?;
         let extension = self.output.extension().and_then(|e| e.to_str());
         let bytes = match extension.map(str::to_ascii_lowercase).as_deref() {
             Some("glb") => posed_glb(&figure, self.pose)?,

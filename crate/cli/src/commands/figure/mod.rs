@@ -5,6 +5,7 @@ mod export;
 mod file;
 mod measure;
 mod obj;
+mod params;
 mod sheet;
 
 use anyhow::Result;
@@ -22,6 +23,7 @@ pub(crate) struct Figure {
 #[derive(Subcommand)]
 enum Action {
     Build(build::Build),
+    Params(params::Params),
     Sheet(sheet::Sheet),
     Export(export::Export),
     Measure(measure::Measure),
@@ -31,6 +33,7 @@ impl Figure {
     pub(crate) fn run(&self) -> Result<Outcome> {
         match &self.action {
             Action::Build(c) => c.run(),
+            Action::Params(c) => c.run(),
             Action::Sheet(c) => c.run(),
             Action::Export(c) => c.run(),
             Action::Measure(c) => c.run(),

@@ -10,6 +10,7 @@ use raconteur_render::headless::Headless;
 
 use crate::Outcome;
 use crate::commands::render::write_png;
+use crate::picture;
 use crate::sheet::{self, Part};
 use crate::story::find_figure;
 
@@ -52,7 +53,7 @@ impl Sheet {
         let mut headless = Headless::new_blocking(RenderOptions::default()).context(
             "no graphics adapter (on Debian: apt install mesa-vulkan-drivers libvulkan1)",
         )?;
-        headless.set_figure(&figure)?;
+        picture::set_figure(&mut headless, &figure)?;
         let bar = ProgressBar::new(tiles.len() as u64).with_style(ProgressStyle::with_template(
             "{bar:30} {pos}/{len} tiles, {eta} left",
         )?);

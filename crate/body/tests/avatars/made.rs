@@ -35,6 +35,9 @@ pub(crate) struct Avatar {
     pub(crate) arms_down_rad: f64,
     /// Bend of the elbows in the rest pose, radians.
     pub(crate) elbow_rad: f64,
+    /// How far the nodes are turned at random from the pose that the skin is bound in,
+    /// radians: a file saved in the midst of a movement.
+    pub(crate) posed_rad: f64,
     /// Whether there are fingers.
     pub(crate) fingers: bool,
     /// Morph targets of the face by name, each moving all its vertices by [`delta`].
@@ -52,6 +55,7 @@ impl Avatar {
             yaw_rad: 0.0,
             arms_down_rad: 0.0,
             elbow_rad: 0.0,
+            posed_rad: 0.0,
             fingers: true,
             morphs: Vec::new(),
             expressions: Vec::new(),
@@ -239,7 +243,7 @@ impl File {
     pub(crate) fn vectors(&mut self, list: &[DVec3]) -> usize {
         let bytes: Vec<u8> = list
             .iter()
-            .flat_map(|v| v.to_array())
+            .flat_map(DVec3::to_array)
             .flat_map(|x| (x as f32).to_le_bytes())
             .collect();
         self.accessor(&bytes, 5126, "VEC3", list.len())
@@ -372,6 +376,8 @@ pub(crate) fn make(avatar: &Avatar) -> File {
             None => own[i],
         };
         let (_, rotation, translation) = local.to_scale_rotation_translation();
+        let turn = [1, 2, 3].map(|k| avatar.posed_rad * noise::signed(9, k, i as i64));
+        let rotation = rotation * DQuat::from_scaled_axis(DVec3::from_array(turn));
         let children: Vec<usize> = (0..joints.len())
             .filter(|&c| joints[c].parent.as_deref() == Some(&joint.part))
             .map(|c| c + 2)

@@ -1,0 +1,76 @@
+//! What grows on skin moves with it: joint weights and morphs are those of the skin beneath.
+
+use raconteur_base::DVec3;
+
+use super::surface::nearest;
+use crate::generator::part::{JointRef, Part, PartMorph};
+use crate::generator::subdivide::vertex_normals;
+
+/// The skin that hairs are rooted in; metres, frame of the head.
+pub(crate) struct Ride {
+    pub(crate) positions: Vec<DVec3>,
+    pub(crate) normals: Vec<DVec3>,
+    weights: Vec<Vec<(JointRef, f64)>>,
+    morphs: Vec<(String, Vec<DVec3>)>,
+}
+
+/// Vertices of the skin with their shares.
+pub(crate) type Holds = Vec<(u32, f64)>;
+
+impl Ride {
+    pub(crate) fn new(skin: &Part) -> Self {
+        let positions: Vec<DVec3> = skin.vertices.iter().map(|v| v.position).collect();
+        let dense = |m: &PartMorph| {
+            let mut all = vec![DVec3::ZERO; positions.len()];
+            for &(v, d) in &m.deltas {
+                all[v as usize] = d;
+            }
+            (m.name.clone(), all)
+        };
+        Self {
+            normals: vertex_normals(&positions, &skin.faces),
+            weights: skin.vertices.iter().map(|v| v.weights.clone()).collect(),
+            morphs: skin.morphs.iter().map(dense).collect(),
+            positions,
+        }
+    }
+
+    /// The `count` nearest vertices.
+    pub(crate) fn holds(&self, root: DVec3, count: usize) -> Holds {
+        nearest(&self.positions, root, count, 1.5e-4)
+    }
+
+    /// Joint weights of what these vertices hold.
+    pub(crate) fn weights(&self, holds: &Holds) -> Vec<(JointRef, f64)> {
+        let mut weights: Vec<(JointRef, f64)> = Vec::new();
+        for &(v, share) in holds {
+            for &(joint, w) in &self.weights[v as usize] {
+                match weights.iter_mut().find(|k| k.0 == joint) {
+                    Some(k) => k.1 += w * share,
+                    None => weights.push((joint, w * share)),
+                }
+            }
+        }
+        weights
+    }
+
+    /// Morphs of a part whose vertices are held so; movements below `least` metres are
+    /// left out.
+    pub(crate) fn morphs(&self, holds: &[Holds], least: f64) -> Vec<PartMorph> {
+        let of = |deltas: &[DVec3]| -> Vec<(u32, DVec3)> {
+            (0u32..)
+                .zip(holds)
+                .map(|(i, h)| (i, h.iter().map(|&(v, w)| deltas[v as usize] * w).sum()))
+                .filter(|(_, d): &(u32, DVec3)| d.length() > least)
+                .collect()
+        };
+        self.morphs
+            .iter()
+            .map(|(name, deltas)| PartMorph {
+                name: name.clone(),
+                deltas: of(deltas),
+            })
+            .filter(|m| !m.deltas.is_empty())
+            .collect()
+    }
+}

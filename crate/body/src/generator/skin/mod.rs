@@ -1,0 +1,21 @@
+//! The skin's surface: one atlas for head and hands, a colour and a normal map in it, made
+//! from pigments, blood, age and lines rather than painted.
+
+mod bake;
+mod face;
+mod face_lines;
+mod hand;
+mod hand_lines;
+mod marks;
+mod params;
+pub mod pigment;
+pub(crate) mod raster;
+#[cfg(test)]
+mod tests;
+pub(crate) mod texture;
+pub(crate) mod unwrap;
+
+pub(crate) use bake::bake;
+pub(crate) use face::{HeadSheet, MOUTH_DEEP};
+pub(crate) use hand::{HandLine, HandRegion, HandSheet};
+pub use params::SkinParams;

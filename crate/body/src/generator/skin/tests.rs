@@ -1,0 +1,201 @@
+//! What must hold for the atlas and the baked maps.
+
+use std::sync::OnceLock;
+
+use raconteur_base::{DVec2, DVec3, Side};
+
+use super::bake::{SkinMaps, bake};
+use super::raster::{Raster, SIZE};
+use super::{HandSheet, HeadSheet, SkinParams};
+use crate::generator::hand::{self, HandParams};
+use crate::generator::head::{self, HeadParams};
+
+/// A head and a hand, made once for all tests.
+fn sheets() -> &'static (HeadSheet, HandSheet) {
+    static MADE: OnceLock<(HeadSheet, HandSheet)> = OnceLock::new();
+    MADE.get_or_init(|| {
+        let head = head::build(&HeadParams::sofia());
+        let hand = hand::build(&HandParams::woman(1.66, [0.5, 0.3, 0.2]), Side::Right);
+        (head.sheet, hand.sheet)
+    })
+}
+
+fn elder() -> SkinParams {
+    SkinParams {
+        age_years: 72.0,
+        freckles: 0.3,
+        moles: 6,
+        sun: 0.8,
+        vessels: 0.6,
+        beard: 0.6,
+        ..SkinParams::plain()
+    }
+}
+
+fn baked() -> &'static SkinMaps {
+    static MADE: OnceLock<SkinMaps> = OnceLock::new();
+    MADE.get_or_init(|| bake(&elder(), &sheets().0, &sheets().1))
+}
+
+/// Texels a millimetre along the surface's two main directions, largest first.
+fn densities(uv: [[f64; 2]; 3], at: [DVec3; 3]) -> [f64; 2] {
+    let (e, f) = (at[1] - at[0], at[2] - at[0]);
+    let x = e.normalize_or_zero();
+    let local = [DVec2::new(e.length(), 0.0), {
+        let along = f.dot(x);
+        DVec2::new(along, (f.length_squared() - along * along).max(0.0).sqrt())
+    }];
+    let [a, b, c] = uv.map(|p| DVec2::from_array(p) * SIZE as f64);
+    let (s, r) = (b - a, c - a);
+    // Jacobian of the atlas over the surface, by columns.
+    let whole = local[0].perp_dot(local[1]).max(1e-9);
+    let jx = (s * local[1].y - r * local[0].y) / whole;
+    let jy = (r * local[0].x - s * local[1].x) / whole;
+    let (p, q) = (jx.length_squared() + jy.length_squared(), jx.perp_dot(jy));
+    let root = (p * p / 4.0 - q * q).max(0.0).sqrt();
+    [(p / 2.0 + root).sqrt(), (p / 2.0 - root).max(0.0).sqrt()]
+}
+
+struct Row {
+    density: [f64; 2],
+    area: f64,
+    at: DVec3,
+    normal: DVec3,
+}
+
+fn rows(uv: &[[f64; 2]], triangles: &[[u32; 3]], at: &[DVec3], normals: &[DVec3]) -> Vec<Row> {
+    triangles
+        .iter()
+        .map(|t| {
+            let p = t.map(|v| at[v as usize]);
+            Row {
+                density: densities(t.map(|v| uv[v as usize]), p),
+                area: (p[1] - p[0]).cross(p[2] - p[0]).length() / 2.0,
+                at: (p[0] + p[1] + p[2]) / 3.0,
+                normal: normals[t[0] as usize],
+            }
+        })
+        .collect()
+}
+
+/// The value below which a share of the area lies.
+fn quantile(mut values: Vec<(f64, f64)>, share: f64) -> f64 {
+    values.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let whole: f64 = values.iter().map(|v| v.1).sum();
+    let mut gone = 0.0;
+    for (x, area) in values {
+        gone += area;
+        if gone >= share * whole {
+            return x;
+        }
+    }
+    f64::NAN
+}
+
+#[test]
+fn nothing_in_the_atlas_overlaps_and_all_of_it_is_inside() {
+    let (head, hand) = sheets();
+    let base = head.uv.len() as u32;
+    let uv: Vec<[f64; 2]> = head.uv.iter().chain(&hand.uv).copied().collect();
+    let moved = hand.triangles.iter().map(|t| t.map(|v| v + base));
+    let triangles: Vec<[u32; 3]> = head.triangles.iter().copied().chain(moved).collect();
+    for t in &triangles {
+        for v in t {
+            assert!(uv[*v as usize].iter().all(|x| (0.004..0.996).contains(x)));
+        }
+    }
+    let raster = Raster::new(&uv, &triangles);
+    let inside = raster.hits.iter().flatten().filter(|h| h.inside).count();
+    println!(
+        "covered {:.3}, overlaps {}",
+        inside as f64 / (SIZE * SIZE) as f64,
+        raster.overlaps
+    );
+    assert_eq!(raster.overlaps, 0);
+    assert!(inside * 2 > SIZE * SIZE, "{inside}");
+}
+
+#[test]
+fn faces_look_the_same_way_in_the_atlas() {
+    // Seen from outside, a triangle runs the same way round in the picture: no mirrored text.
+    let (head, hand) = sheets();
+    for (uv, triangles) in [(&head.uv, &head.triangles), (&hand.uv, &hand.triangles)] {
+        let turned = triangles
+            .iter()
+            .filter(|t| {
+                let [a, b, c] = t.map(|v| DVec2::from_array(uv[v as usize]));
+                (b - a).perp_dot(c - a) > 0.0
+            })
+            .count();
+        assert!(
+            turned * 500 < triangles.len(),
+            "{turned} of {}",
+            triangles.len()
+        );
+    }
+}
+
+#[test]
+fn the_face_gets_its_texels_and_is_little_stretched() {
+    let (head, hand) = sheets();
+    let face: Vec<Row> = rows(&head.uv, &head.triangles, &head.mean, &head.normals)
+        .into_iter()
+        .filter(|r| {
+            r.at.x.abs() < 50.0
+                && (-90.0..78.0).contains(&r.at.y)
+                && r.at.z > 62.0
+                && r.normal.z > 0.3
+        })
+        .collect();
+    let fewest = |rows: &[Row]| {
+        rows.iter()
+            .map(|r| (r.density[1], r.area))
+            .collect::<Vec<_>>()
+    };
+    let mean = |rows: &[Row]| {
+        rows.iter()
+            .map(|r| ((r.density[0] * r.density[1]).sqrt(), r.area))
+            .collect::<Vec<_>>()
+    };
+    let stretch = |rows: &[Row]| {
+        rows.iter()
+            .map(|r| (r.density[0] / r.density[1].max(1e-6), r.area))
+            .collect::<Vec<_>>()
+    };
+    let back: Vec<Row> = rows(&hand.uv, &hand.triangles, &hand.at, &hand.normals)
+        .into_iter()
+        .filter(|r| r.at.y > 0.0)
+        .collect();
+    for (name, r) in [("face", &face), ("hand", &back)] {
+        println!(
+            "{name}: mm a texel, median {:.3}, 95 % below {:.3}; stretch median {:.2}, 95 % {:.2}",
+            1.0 / quantile(mean(r), 0.5),
+            1.0 / quantile(fewest(r), 0.05),
+            quantile(stretch(r), 0.5),
+            quantile(stretch(r), 0.95)
+        );
+    }
+    assert!(1.0 / quantile(mean(&face), 0.5) < 0.36);
+    assert!(1.0 / quantile(fewest(&face), 0.05) < 0.62);
+    assert!(quantile(stretch(&face), 0.95) < 2.6);
+    assert!(1.0 / quantile(mean(&back), 0.5) < 0.55);
+    assert!(quantile(stretch(&back), 0.95) < 2.0);
+}
+
+#[test]
+fn the_maps_keep_their_budget_and_are_the_same_each_time() {
+    let maps = baked();
+    let bytes = maps.colour.bytes.len() + maps.normal.bytes.len();
+    println!(
+        "colour {} normal {}",
+        maps.colour.bytes.len(),
+        maps.normal.bytes.len()
+    );
+    assert!(bytes <= 550_000, "{bytes}");
+    for image in [&maps.colour, &maps.normal] {
+        assert_eq!(image.mime_type, "image/jpeg");
+        assert_eq!(image.bytes[..3], [0xFF, 0xD8, 0xFF]);
+    }
+    let again = bake(&elder(), &sheets().0, &sheets().1);
+    assert!(again.colour == maps.colour && again.normal == maps.normal);
+}

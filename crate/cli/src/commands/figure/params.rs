@@ -1,0 +1,198 @@
+//! Descriptions of figures: a figure of the library, changed where a JSON file says so.
+
+use std::fs;
+use std::io::{self, Write as _};
+use std::path::Path;
+
+use anyhow::{Context as _, Result, bail};
+use clap::Args;
+use raconteur_player::body::generator::people::{self, FigureParams};
+use serde_json::{Map, Value};
+
+use crate::Outcome;
+
+/// Print the description of a figure of the library, as JSON.
+#[derive(Args)]
+pub(super) struct Params {
+    /// Its name.
+    name: String,
+}
+
+impl Params {
+    pub(super) fn run(&self) -> Result<Outcome> {
+        let value = serde_json::to_value(preset(&self.name)?)?;
+        writeln!(
+            io::stdout().lock(),
+            "{}",
+            serde_json::to_string_pretty(&value)?
+        )?;
+        Ok(Outcome::Fine)
+    }
+}
+
+/// The parameters of a figure of the library.
+pub(super) fn preset(name: &str) -> Result<FigureParams> {
+    people::preset(name).with_context(|| {
+        let known = people::NAMES.join(", ");
+        format!("there is no figure named {name}; there are {known}")
+    })
+}
+
+/// Reads a description from a file.
+pub(super) fn read(path: &Path) -> Result<FigureParams> {
+    let text = fs::read_to_string(path)
+        .with_context(|| format!("cannot read the description {}", path.display()))?;
+    parse(&text).with_context(|| path.display().to_string())
+}
+
+/// Largest description that is read, bytes; a full one has some 5 kB.
+const LARGEST: usize = 1 << 20;
+
+fn parse(text: &str) -> Result<FigureParams> {
+    if text.len() > LARGEST {
+        bail!("a description has at most {LARGEST} bytes");
+    }
+    let Value::Object(mut given) = serde_json::from_str(text)? else {
+        bail!("a description is a JSON object");
+    };
+    let base = match given.remove("base") {
+        None => people::NAMES[0].to_owned(),
+        Some(Value::String(name)) => name,
+        Some(other) => bail!("base: a name is wanted, not {other}"),
+    };
+    let mut whole = serde_json::to_value(preset(&base)?)?;
+    if let Some(person) = given.get("person").and_then(Value::as_object).cloned() {
+        for (name, region) in whole.as_object_mut().into_iter().flatten() {
+            if name != "person" {
+                pass_on(region, &person);
+            }
+        }
+    }
+    overlay("", &mut whole, Value::Object(given))?;
+    let params: FigureParams = serde_json::from_value(whole)?;
+    check(&params)?;
+    Ok(params)
+}
+
+/// Gives what is known of the person to a region of the body that asks for it by the same name.
+fn pass_on(region: &mut Value, person: &Map<String, Value>) {
+    for (name, field) in region.as_object_mut().into_iter().flatten() {
+        if let Some(value) = person.get(name) {
+            field.clone_from(value);
+        } else if name == "person" {
+            pass_on(field, person);
+        }
+    }
+}
+
+/// Whether a value is a variant with contents, `{"Bob": …}`; such are replaced as a whole.
+fn is_variant(value: &Value) -> bool {
+    let only = value.as_object().filter(|o| o.len() == 1);
+    only.and_then(|o| o.keys().next())
+        .is_some_and(|name| name.starts_with(char::is_uppercase))
+}
+
+/// Puts what is given in the place of what is there; `place` names it, with a dot at its end.
+fn overlay(place: &str, there: &mut Value, given: Value) -> Result<()> {
+    let name = place.trim_end_matches('.');
+    match (&mut *there, given) {
+        (Value::Object(fields), Value::Object(given))
+            if !is_variant(&Value::Object(fields.clone())) =>
+        {
+            for (key, value) in given {
+                let Some(field) = fields.get_mut(&key) else {
+                    let known: Vec<&str> = fields.keys().map(String::as_str).collect();
+                    bail!("{place}{key} is no field; there are {}", known.join(", "));
+                };
+                overlay(&format!("{place}{key}."), field, value)?;
+            }
+        }
+        (Value::Array(items), Value::Array(given)) => {
+            if items.len() != given.len() {
+                bail!(
+                    "{name}: {} values are wanted, not {}",
+                    items.len(),
+                    given.len()
+                );
+            }
+            for (i, (item, value)) in items.iter_mut().zip(given).enumerate() {
+                overlay(&format!("{place}{i}."), item, value)?;
+            }
+        }
+        (Value::Number(_), given) if !given.is_number() => {
+            bail!("{name}: a number is wanted, not {given}")
+        }
+        (Value::Bool(_), given) if !given.is_boolean() => {
+            bail!("{name}: true or false is wanted, not {given}")
+        }
+        (Value::Array(_), given) => bail!("{name}: a list is wanted, not {given}"),
+        (Value::String(_), given @ (Value::Number(_) | Value::Bool(_) | Value::Array(_))) => {
+            bail!("{name}: a word is wanted, not {given}")
+        }
+        (Value::Object(_), given) if !given.is_object() && !given.is_string() => {
+            bail!("{name}: an object is wanted, not {given}")
+        }
+        (_, given) => *there = given,
+    }
+    Ok(())
+}
+
+/// What the generator's tables cover.
+fn check(params: &FigureParams) -> Result<()> {
+    let person = &params.person;
+    for (name, value, low, high) in [
+        ("person.sex", person.sex, 0.0, 1.0),
+        ("person.age_years", person.age_years, 8.0, 80.0),
+        ("person.stature_m", person.stature_m, 1.0, 2.2),
+        ("person.build", person.build, -1.0, 1.0),
+    ] {
+        if !(low..=high).contains(&value) {
+            bail!("{name}: {low} to {high} is wanted, not {value}");
+        }
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn fault(text: &str) -> String {
+        format!("{:#}", parse(text).unwrap_err())
+    }
+
+    #[test]
+    fn an_empty_description_is_the_default_figure() {
+        assert_eq!(parse("{}").unwrap(), preset("sofia").unwrap());
+        assert_eq!(
+            parse(r#"{"base": "nuno"}"#).unwrap(),
+            preset("nuno").unwrap()
+        );
+    }
+
+    #[test]
+    fn what_is_known_of_the_person_reaches_head_and_body() {
+        let params = parse(r#"{"person": {"age_years": 60, "stature_m": 1.6}}"#).unwrap();
+        assert_eq!(params.head.person.age_years, 60.0);
+        assert_eq!(params.body.stature_m, 1.6);
+        let own = r#"{"person": {"stature_m": 1.6}, "body": {"stature_m": 1.7}}"#;
+        assert_eq!(parse(own).unwrap().body.stature_m, 1.7);
+    }
+
+    #[test]
+    fn faults_name_their_field() {
+        for (text, place) in [
+            (r#"{"head": {"wobble": 1}}"#, "head.wobble"),
+            (r#"{"person": {"age_years": "old"}}"#, "person.age_years"),
+            (r#"{"person": {"age_years": 3}}"#, "person.age_years"),
+            (r#"{"head": {"person": 4}}"#, "head.person"),
+            (r#"{"name": 4}"#, "name"),
+            (r#"{"base": "nobody"}"#, "nobody"),
+            ("[1]", "object"),
+            ("{", "line 1"),
+        ] {
+            let fault = fault(text);
+            assert!(fault.contains(place), "{text}: {fault}");
+        }
+    }
+}

@@ -1,0 +1,49 @@
+/** Choosing who tells the story, on the page that `npm start` shows. */
+
+import { existsSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import type { Page } from '@playwright/test';
+import type { RaconteurPlayer } from '../../web/element/element.js';
+import { expect, test } from './stage.js';
+
+const figures = join(import.meta.dirname, '../../assets/figures');
+
+async function open(page: Page, hash = ''): Promise<void> {
+  await page.goto(`/${hash}`);
+  const player = page.locator('raconteur-player');
+  await expect.poll(() => player.evaluate((p: RaconteurPlayer) => p.error?.message ?? p.readyState), { timeout: 60_000 }).toBe(4);
+}
+
+const current = (page: Page) => page.locator('raconteur-player').evaluate((p: RaconteurPlayer) => p.currentFigure);
+
+test('a figure is chosen with the keyboard, and the address names it', async ({ stage, page }) => {
+  test.skip(!existsSync(join(figures, 'papous.glb')), 'the second figure is not there');
+  expect(stage.backend).toBe('page');
+  await open(page);
+  const papous = page.getByRole('button', { name: 'Papous' });
+  await expect(page.getByRole('button', { name: 'Sofia' })).toHaveAttribute('aria-pressed', 'true');
+  await papous.focus();
+  await page.keyboard.press('Enter');
+  await expect(papous).toHaveAttribute('aria-pressed', 'true', { timeout: 60_000 });
+  await expect(page.getByRole('button', { name: 'Sofia' })).toHaveAttribute('aria-pressed', 'false');
+  await expect(page).toHaveURL(/#white-rabbit\/papous$/);
+  await open(page, '#hello-world/papous');
+  await page.reload();
+  await expect.poll(() => current(page), { timeout: 60_000 }).toBe('papous');
+});
+
+test('a file of the user performs, and a broken one says what is wrong', async ({ stage, page }) => {
+  expect(stage.backend).toBe('page');
+  await open(page);
+  const own = page.getByLabel('Yours');
+  await own.setInputFiles({ name: 'broken.glb', mimeType: 'model/gltf-binary', buffer: Buffer.from('no figure at all') });
+  await expect(page.locator('#cast-trouble')).toContainText('broken.glb', { timeout: 60_000 });
+  await expect(page.locator('#cast-trouble')).toContainText('stays on stage');
+  expect(await current(page)).toBe('sofia');
+  await expect(page.getByRole('button', { name: 'Sofia' })).toHaveAttribute('aria-pressed', 'true');
+
+  await own.setInputFiles({ name: 'mine.glb', mimeType: 'model/gltf-binary', buffer: readFileSync(join(figures, 'sofia.glb')) });
+  await expect.poll(() => current(page), { timeout: 60_000 }).toBe('mine.glb');
+  await expect(page.getByRole('button', { name: 'Sofia' })).toHaveAttribute('aria-pressed', 'false');
+  await expect(page.locator('#cast-trouble')).toBeEmpty();
+});

@@ -1,0 +1,29 @@
+/** Every figure of the library is sound glTF by the Khronos validator. */
+
+import { readdirSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { validateBytes } from 'gltf-validator';
+import { describe, expect, test } from 'vitest';
+
+const folder = join(import.meta.dirname, '../../assets/figures');
+/** What a figure may weigh on its way to a page, bytes. */
+const MOST_BYTES = 3_000_000;
+/** Triangles of a figure at most. */
+const MOST_TRIANGLES = 150_000;
+const MOST_DRAW_CALLS = 20;
+
+describe.each(readdirSync(folder).filter((name) => name.endsWith('.glb')))('%s', (name) => {
+  test('is valid and keeps to its budgets', async () => {
+    const bytes = readFileSync(join(folder, name));
+    const { issues, info } = await validateBytes(new Uint8Array(bytes), { uri: name, maxIssues: 100 });
+    const told = issues.messages.map((m) => `${['error', 'warning', 'info', 'hint'][m.severity]} ${m.code} ${m.pointer ?? ''}: ${m.message}`);
+    // Information is no fault, but a reader of the log should see it.
+    if (told.length > 0) console.info([`${name}:`, ...new Set(told)].join('\n  '));
+    expect(told.filter((line) => /^(error|warning)/.test(line))).toEqual([]);
+    expect(issues.truncated).toBe(false);
+    expect(bytes.length).toBeLessThanOrEqual(MOST_BYTES);
+    expect(info.totalTriangleCount).toBeLessThanOrEqual(MOST_TRIANGLES);
+    // One draw call for each primitive.
+    expect(info.drawCallCount).toBeLessThanOrEqual(MOST_DRAW_CALLS);
+  }, 60_000);
+});
