@@ -266,11 +266,11 @@ fn half_faces() -> Vec<(Vec<Key>, Zone)> {
     }
     let (canal, end) = (RINGS[3] - 1, RINGS[2] - 1);
     faces.push((
-        (0..18).map(|k| Key::ear(canal, k)).collect(),
+        (0..18).rev().map(|k| Key::ear(canal, k)).collect(),
         Zone::Ear(canal),
     ));
     faces.push((
-        (0..8).map(|k| Key::nostril(end, k)).collect(),
+        (0..8).rev().map(|k| Key::nostril(end, k)).collect(),
         Zone::Nostril(end),
     ));
     faces
@@ -301,6 +301,7 @@ impl Cage {
         let right = (1..12).rev().map(|k| (k, Side::Right));
         let back = left
             .chain(right)
+            .rev()
             .map(|(k, s)| cage.intern(Key::mouth(bag, k), s))
             .collect();
         cage.faces.push(back);
@@ -344,6 +345,19 @@ impl Cage {
 mod tests {
     use super::*;
     use crate::generator::subdivide::edge_faces;
+
+    #[test]
+    fn neighbouring_faces_turn_the_same_way() {
+        let cage = Cage::new();
+        let mut seen = std::collections::BTreeSet::new();
+        for face in &cage.faces {
+            for (i, &a) in face.iter().enumerate() {
+                let b = face[(i + 1) % face.len()];
+                let keys = (cage.keys[a as usize], cage.keys[b as usize]);
+                assert!(seen.insert((a, b)), "{keys:?}");
+            }
+        }
+    }
 
     #[test]
     fn the_cage_is_manifold_and_open_at_the_neck_and_behind_the_lids_only() {
