@@ -84,7 +84,7 @@ pub fn shirt_collar(wearer: &Wearer<'_>) -> Shell {
         let fall = (3.7 + 2.4 * point) * unit;
         let at = |up: f64, off_cm: f64| field.neck_point(a, foot + up, off_cm * unit);
         for (k, (up, off)) in [
-            (-1.0 * unit, 0.55),
+            (-unit, 0.55),
             (0.5 * stand, 0.65),
             (0.92 * stand, 0.75),
             (stand, 0.95),

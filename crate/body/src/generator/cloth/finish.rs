@@ -213,8 +213,8 @@ pub fn share_materials(parts: &mut [Part]) {
     for part in parts.iter() {
         let most = brightest.entry(part.material.kind).or_insert([1e-4; 3]);
         for v in &part.vertices {
-            for k in 0..3 {
-                most[k] = most[k].max(v.color[k]);
+            for (most, c) in most.iter_mut().zip(v.color) {
+                *most = most.max(c);
             }
         }
     }
@@ -223,8 +223,8 @@ pub fn share_materials(parts: &mut [Part]) {
             continue;
         };
         for v in &mut part.vertices {
-            for k in 0..3 {
-                v.color[k] /= most[k];
+            for (c, most) in v.color.iter_mut().zip(most) {
+                *c /= most;
             }
         }
         let [r, g, b] = most.map(|x| x as f32);

@@ -345,7 +345,7 @@ fn cardigan(wearer: &Wearer<'_>, c: &Cardigan) -> Dressed {
             wearer,
             knit.shaded(0.94),
             [5.0, 5.0],
-            [1.5, 1.05],
+            [1.5, 1.35],
             &trousers,
         ),
     );
@@ -422,7 +422,7 @@ fn shirt(made: &mut Dressed, wearer: &Wearer<'_>, c: &Cardigan, vee: &Vee) {
         // Up to the foot of the collar, which climbs from the front to the nape.
         let round = DVec3::new(middle.x, 0.0, middle.z + 2.5 * unit).normalize_or_zero();
         middle.z > -2.0 * unit
-            && middle.y < vee.high + (2.9 - 4.2 * round.z.max(0.0)) * unit
+            && middle.y < vee.high + (2.9 - 3.2 * round.z.max(0.0)) * unit
             && middle.y > vee.low - 4.0 * unit
             && middle.x.abs() < vee.half_width(middle.y + 3.0 * unit) + 1.6 * unit
     });
@@ -467,7 +467,7 @@ fn cuffs(made: &mut Dressed, wearer: &Wearer<'_>, fabric: Fabric) {
     let unit = CM * wearer.scale;
     let first = Cage::arm_ring_at(1.85);
     let mut sheet = Sheet::cut(wearer.cage, |t| matches!(t, Tag::Arm(j) if j >= first));
-    sheet.settle(wearer.field, Regions::UPPER, |_| 1.0, |_| 0.6 * unit);
+    sheet.settle(wearer.field, Regions::UPPER, |_| 1.0, |_| 0.9 * unit);
     made.parts.push(trim(wearer, &sheet.shell, fabric));
     for ring in sheet.shell.loops() {
         let x: f64 = ring.iter().map(|&v| sheet.shell.points[v as usize].x).sum();
@@ -484,7 +484,7 @@ fn cuffs(made: &mut Dressed, wearer: &Wearer<'_>, fabric: Fabric) {
             direction: axis,
             width: 1.0 * unit,
             thickness: 0.16 * unit,
-            ease: 0.62 * unit,
+            ease: 0.92 * unit,
             regions: Regions::UPPER,
             every: 1,
         };

@@ -259,8 +259,8 @@ pub fn shoes(wearer: &Wearer<'_>, cut: &ShoeCut) -> Vec<Part> {
     let rings = |ring: &dyn Fn([f64; 4]) -> Vec<DVec3>| -> Vec<Vec<DVec3>> {
         stations.iter().map(|s| ring(*s)).collect()
     };
-    let upper = loft(&rings(&|s| foot.upper(s)), &weights);
-    let sole = loft(&rings(&|s| foot.slab(s)), &weights);
+    let upper = loft(&rings(&|s| foot.upper(s)), weights);
+    let sole = loft(&rings(&|s| foot.slab(s)), weights);
     let laces = laces(&upper, &foot, cut.style);
     let cap_from = foot.heel_z + 0.81 * foot.length;
     let mut parts = Vec::new();

@@ -507,7 +507,7 @@ fn chest_folds(
                     to,
                     bow: bow * unit,
                     width: size[0] * (1.0 + 0.15 * chance.at(1, n)) * unit,
-                    height: size[1] * cut.gather * (1.0 + 0.3 * chance.at(2, n)) * unit,
+                    height: 1.4 * size[1] * cut.gather * (1.0 + 0.3 * chance.at(2, n)) * unit,
                 };
                 out.push((Place::Trunk, Fold::Line(fold)));
             }

@@ -130,7 +130,7 @@ fn draped(wearer: &Wearer<'_>, cut: &TrouserCut) -> Sheet {
     let unit = CM * wearer.scale;
     let joints = wearer.joints;
     let top_row = Cage::row_at(TOP);
-    let last_span = Cage::leg_ring_at(1.94);
+    let last_span = Cage::leg_ring_at(1.96);
     let mut sheet = Sheet::cut(wearer.cage, |tag| match tag {
         Tag::Trunk(r) => r < top_row,
         Tag::Arm(_) => false,
