@@ -59,7 +59,7 @@ fn strand(uv: vec2<f32>, width_u: f32) -> Strand {
     let lock = lock_noise(y * 4.0, dice);
     let start = mix(0.32, 0.80, lock) - 0.2 * wisp;
     let tip = saturate1((v - start) / (1.0 - start));
-    let side = saturate1(1.0 - (min(x, 1.0 - x) + 0.05 * (lock - 0.5) + 0.12 * (lock_noise(v * 6.0 + 3.0 * step(0.5, x), dice) - 0.5)) / mix(0.16, 0.30, wisp));
+    let side = saturate1(1.0 - (min(x, 1.0 - x) + 0.05 * (lock - 0.5)) / mix(0.16, 0.30, wisp));
     let root = saturate1(1.0 - v / 0.05) * 0.85;
     let base = 0.22 * (loose - wisp) + 0.66 * wisp;
     let empty = 1.0 - (1.0 - mix(tip, tip * tip, 0.5)) * (1.0 - side * side) * (1.0 - root) * (1.0 - base);

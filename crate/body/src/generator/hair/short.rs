@@ -165,7 +165,7 @@ impl Cut for Short {
                 let whorl = at.distance(DVec3::new(0.012, 0.112, -0.056)) / 0.024;
                 0.22 + 0.35 * top + 0.55 * ops::exp(-whorl * whorl)
             }
-            HairStyle::Buzz => 0.6,
+            HairStyle::Buzz => 0.95,
             _ => 0.2 + 0.25 * top + 0.3 * front,
         }
     }
