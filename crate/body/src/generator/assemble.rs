@@ -208,8 +208,8 @@ fn append(mesh: &mut Mesh, piece: &Piece, skeleton: &Skeleton, morph_names: &[St
         for v in 0..positions.len() {
             let d = moved[v] - positions[v];
             let n = turned[v] - rest[v];
-            // An eighth of a millimetre and a turn below three degrees are nothing.
-            if d.length() > 1.2e-4 || n.length() > 0.05 {
+            // A seventh of a millimetre and a turn below five degrees are nothing.
+            if d.length() > 1.4e-4 || n.length() > 0.09 {
                 out.vertices.push(base + v as u32);
                 out.position_deltas.push(narrow(d));
                 out.normal_deltas.push(narrow(n));
