@@ -175,7 +175,7 @@ fn sweater(wearer: &Wearer<'_>, c: &Sweater) -> Dressed {
         sleeve_ease_cm: 0.95,
         slack: 0.045,
         gather: 1.25,
-        over_cm: [0.0, 0.8],
+        over_cm: [0.0, 1.1],
         seed: 1,
     };
     let mut top = top(wearer, &cut, &trousers);

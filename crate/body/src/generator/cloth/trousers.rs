@@ -98,7 +98,7 @@ pub fn trousers(wearer: &Wearer<'_>, cut: &TrouserCut) -> (Vec<Part>, Shell) {
 fn edge_band(cut: &TrouserCut, is_leg: bool, unit: f64) -> Band {
     let rolled = cut.end == LegEnd::Rolled;
     let (direction, width, thickness, ease) = match (is_leg, rolled) {
-        (false, _) => (DVec3::Y, 3.6, 0.16, 0.5),
+        (false, _) => (DVec3::Y, 2.6, 0.12, 0.4),
         (true, false) => (DVec3::NEG_Y, 2.4, 0.16, cut.ease_cm[1] + 0.2),
         (true, true) => (DVec3::NEG_Y, 4.4, 0.55, cut.ease_cm[1] + 0.3),
     };

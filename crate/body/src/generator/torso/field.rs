@@ -198,7 +198,7 @@ impl Field {
                 span(Bone::LHip, Bone::LKnee),
                 span(Bone::LKnee, Bone::LSubtalar),
             ],
-            Sections::leg(lerp(k * lerp(1.035, 1.03, p.sex), s / 1.33 * 0.675, child) * wide),
+            Sections::leg(lerp(k * lerp(1.035, 1.065, p.sex), s / 1.33 * 0.675, child) * wide),
         );
         let adult = lerp(6.0 * k, 4.95 * s / 1.65, p.sex) * (1.0 - 0.04 * p.old());
         let radius = lerp(adult, 4.5 * s / 1.33, child) * CM;

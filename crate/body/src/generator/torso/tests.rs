@@ -3,7 +3,7 @@
 //! Adults: Heinz, Peterson, Johnson and Kerk 2003, doi:10.1080/10691898.2003.11910711,
 //! 247 men (177.7 cm) and 260 women (164.9 cm), young and active; means and standard
 //! deviations in centimetres. Sitting height as a share of stature: Fredriks et al. 2005,
-//! doi:10.1136/adc.2004.050799. Necks: ANSUR II (2012).
+//! doi:10.1136/adc.2004.050799.
 
 use raconteur_base::{DVec3, ops};
 
@@ -72,8 +72,8 @@ fn tape(field: &Field, centre: DVec3, right: DVec3, front: DVec3, regions: Regio
     }
 }
 
-/// Chest, waist, hip, thigh, calf and neck of a body, centimetres.
-fn girths(p: &BodyParams) -> [f64; 6] {
+/// Chest, waist, hip, thigh and calf of a body, centimetres.
+fn girths(p: &BodyParams) -> [f64; 5] {
     let (joints, field) = body(p);
     let s = p.stature_m;
     let flat = |share: f64, regions: Regions| {
@@ -102,12 +102,6 @@ fn girths(p: &BodyParams) -> [f64; 6] {
     let calf = (0..8)
         .map(|i| leg(1.2 + 0.04 * f64::from(i)))
         .fold(0.0, f64::max);
-    let neck = {
-        let y = joints.at(Bone::Cervical).y + 0.035 * s;
-        let centre =
-            (field.neck_point(0.0, y, 0.0) + field.neck_point(core::f64::consts::PI, y, 0.0)) * 0.5;
-        tape(&field, centre, DVec3::X, DVec3::Z, Regions::UPPER)
-    };
     // The survey takes a woman's chest above the breasts.
     let chest = if p.sex > 0.5 { 0.752 } else { 0.72 };
     [
@@ -116,20 +110,18 @@ fn girths(p: &BodyParams) -> [f64; 6] {
         hip,
         leg(0.30),
         calf,
-        neck,
     ]
 }
 
 #[test]
 fn girths_of_adults_lie_within_a_standard_deviation() {
-    let names = ["chest", "waist", "hip", "thigh", "calf", "neck"];
+    let names = ["chest", "waist", "hip", "thigh", "calf"];
     let man = [
         (100.99, 7.21),
         (84.53, 8.78),
         (97.76, 6.23),
         (56.50, 4.25),
         (37.21, 2.65),
-        (39.77, 2.58),
     ];
     let woman = [
         (86.06, 6.03),
@@ -137,14 +129,13 @@ fn girths_of_adults_lie_within_a_standard_deviation() {
         (95.65, 6.94),
         (57.20, 4.64),
         (35.01, 2.61),
-        (33.0, 2.0),
     ];
     for (p, survey) in [
         (person(0.0, 30.0, 1.7775, 0.0), man),
         (person(1.0, 30.0, 1.6487, 0.0), woman),
     ] {
         let own = girths(&p);
-        let misses: Vec<String> = (0..6)
+        let misses: Vec<String> = (0..5)
             .filter(|&k| (own[k] - survey[k].0).abs() > survey[k].1)
             .map(|k| format!("{} {:.1} of {:?}", names[k], own[k], survey[k]))
             .collect();
