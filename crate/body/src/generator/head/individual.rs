@@ -90,7 +90,7 @@ fn distances(individual: &Individual) -> Vec<f64> {
 /// Rounds of Newton's method on the named points; the distances are nearly linear.
 const ROUNDS: usize = 4;
 /// Rounds against the solved surface, which passes near the named points only.
-const SURFACE_ROUNDS: usize = 1;
+const SURFACE_ROUNDS: usize = 2;
 /// Weight of an amount against a millimetre of error: keeps forms from fighting each other.
 const DAMPING: f64 = 0.02;
 

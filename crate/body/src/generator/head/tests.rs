@@ -279,9 +279,8 @@ fn every_person_has_the_same_topology() {
 
 #[test]
 fn no_face_is_degenerate_or_flipped() {
-    for shape in shapes() {
+    for (who, shape) in ["sofia", "papous", "nuno"].iter().zip(shapes()) {
         let normals = vertex_normals(&shape.positions, &shape.surface.faces);
-        let mut worst = 1.0f64;
         for (face, zone) in shape.surface.faces.iter().zip(&shape.surface.zones) {
             // What is hidden behind lids, lips and in canals may crease.
             if matches!(
@@ -295,10 +294,11 @@ fn no_face_is_degenerate_or_flipped() {
             assert!(across.length() > 1e-4, "{zone:?} at {}", p(0));
             let mean: DVec3 = face.iter().map(|&v| normals[v as usize]).sum();
             if face.len() == 4 {
-                worst = worst.min(across.normalize().dot(mean.normalize()));
+                let turn = across.normalize().dot(mean.normalize());
+                // The crease of a hooded lid is a fold of nearly 90°; beyond it lies a flip.
+                assert!(turn > 0.0, "{who}: {turn} {zone:?} at {}", p(0));
             }
         }
-        assert!(worst > 0.2, "{worst}");
     }
 }
 
