@@ -262,7 +262,6 @@ impl Buffer {
                 .collect()
         };
         let delta_view = self.view(&delta_bytes, None, None);
-        let normal_view = self.view(&normals, None, None);
         let index_type = if small { UNSIGNED_SHORT } else { UNSIGNED_INT };
         let sparse = |values: usize| {
             json!({
@@ -276,6 +275,12 @@ impl Buffer {
             "sparse": sparse(delta_view),
         }));
         bounds(&mut self.accessors[position], &with_zero);
+        // The targets of a mesh have the same attributes, so all of them turn normals or none.
+        let turns = |m: &Morph| m.normal_deltas.iter().flatten().any(|x| *x != 0.0);
+        if !mesh.morphs.iter().any(turns) {
+            return json!({ "POSITION": position });
+        }
+        let normal_view = self.view(&normals, None, None);
         let normal = self.accessor(json!({
             "componentType": BYTE, "normalized": true, "count": count, "type": "VEC3",
             "sparse": sparse(normal_view),

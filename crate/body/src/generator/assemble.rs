@@ -207,7 +207,12 @@ fn append(mesh: &mut Mesh, piece: &Piece, skeleton: &Skeleton, morph_names: &[St
         let out = &mut mesh.morphs[slot];
         for v in 0..positions.len() {
             let d = moved[v] - positions[v];
-            let n = turned[v] - rest[v];
+            // Hairs are lit by the head's roundness, which no expression turns.
+            let n = if is_hair(part.material.kind) {
+                DVec3::ZERO
+            } else {
+                turned[v] - rest[v]
+            };
             // A seventh of a millimetre and a turn below five degrees are nothing.
             if d.length() > 1.4e-4 || n.length() > 0.09 {
                 out.vertices.push(base + v as u32);
@@ -228,6 +233,11 @@ fn has_coordinates(material: &Material) -> bool {
     textured || woven || matches!(material.kind, Eye | Cornea | Hair | Lash)
 }
 
+/// Kinds made of cards.
+fn is_hair(kind: MaterialKind) -> bool {
+    matches!(kind, MaterialKind::Hair | MaterialKind::Lash)
+}
+
 /// Vertices of a part that share a place (seams of texture coordinates): their normals
 /// are one.
 struct Seams {
@@ -237,7 +247,7 @@ struct Seams {
 
 impl Seams {
     fn of(part: &Part, positions: &[DVec3]) -> Self {
-        let alone = matches!(part.material.kind, MaterialKind::Hair | MaterialKind::Lash);
+        let alone = is_hair(part.material.kind);
         let mut places: BTreeMap<[i64; 3], u32> = BTreeMap::new();
         let first = positions
             .iter()

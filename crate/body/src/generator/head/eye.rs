@@ -14,7 +14,7 @@ const CORNEA_RADIUS_MM: f64 = 7.8;
 /// How far the corneal apex stands in front of the globe's own sphere, mm. Chosen by eye
 /// a little below anatomy, so that the closed lid clears it.
 const BULGE_MM: f64 = 0.9;
-const SEGMENTS: usize = 32;
+const SEGMENTS: usize = 24;
 
 /// Rings of a surface of revolution about the z axis; the pole is one vertex.
 struct Dome {
