@@ -16,7 +16,7 @@ use super::points::{self, Individual};
 use super::solve;
 use super::surface::Surface;
 use crate::generator::skin::raster::SIZE;
-use crate::generator::skin::unwrap::harmonic;
+use crate::generator::skin::unwrap::{harmonic, unfold};
 
 /// The head's rectangle in the atlas, texels: left, top, right, bottom.
 const RECTANGLE: [f64; 4] = [6.0, 6.0, 708.0, 1018.0];
@@ -184,7 +184,20 @@ fn make() -> Chart {
         }
     }
     let smooth: Vec<DVec3> = flat.iter().map(|p| p.extend(0.0)).collect();
-    let uv = open_surface.apply(&smooth);
+    let mut uv: Vec<DVec2> = open_surface
+        .apply(&smooth)
+        .into_iter()
+        .map(DVec3::truncate)
+        .collect();
+    // Hollows of ears and nostrils, where columns and rows were spread unevenly.
+    let seen: Vec<[u32; 3]> = open_surface
+        .faces
+        .iter()
+        .zip(&open_surface.zones)
+        .filter(|(_, z)| !matches!(z, Zone::Mouth(5..)))
+        .flat_map(|(f, _)| f[1..].windows(2).map(|w| [f[0], w[0], w[1]]))
+        .collect();
+    unfold(&seen, &mut uv);
     let limit = (0..cage.len())
         .map(|v| solved.limit_of(v, &solved.cage_points))
         .collect();

@@ -6,7 +6,7 @@
 //! doi:10.1080/10586458.1993.10504266) held positive. Conformal: Lévy et al. 2002, least
 //! squares conformal maps, doi:10.1145/566654.566590.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use raconteur_base::{DVec2, DVec3};
 
@@ -158,6 +158,48 @@ pub(crate) fn conformal(
         .collect()
 }
 
+/// How many rounds of evening a folded place gets; each round reaches one vertex further.
+const ROUNDS: usize = 60;
+
+/// Opens folds in a laid surface: the corners of a triangle that runs the wrong way round
+/// (anticlockwise with y down is right) go towards the middle of their neighbours, those on
+/// an open edge along that edge, until none is left. Whatever lies flat already stays.
+/// Triangles without area, like those between closed lips, are left alone.
+pub(crate) fn unfold(triangles: &[[u32; 3]], flat: &mut [DVec2]) {
+    let edges = edge_faces(&triangles.iter().map(|t| t.to_vec()).collect::<Vec<_>>());
+    let mut around: BTreeMap<u32, Vec<u32>> = BTreeMap::new();
+    let mut along: BTreeMap<u32, Vec<u32>> = BTreeMap::new();
+    for (&(a, b), faces) in &edges {
+        around.entry(a).or_default().push(b);
+        around.entry(b).or_default().push(a);
+        if faces.len() == 1 {
+            along.entry(a).or_default().push(b);
+            along.entry(b).or_default().push(a);
+        }
+    }
+    for _ in 0..ROUNDS {
+        let folded: BTreeSet<u32> = triangles
+            .iter()
+            .filter(|t| {
+                let [a, b, c] = t.map(|v| flat[v as usize]);
+                (b - a).perp_dot(c - a) > 1e-9
+            })
+            .flatten()
+            .copied()
+            .collect();
+        if folded.is_empty() {
+            return;
+        }
+        for v in folded {
+            // An edge that is evened out alone shrinks little; its inside follows.
+            let near = along.get(&v).unwrap_or(&around[&v]);
+            let sum: DVec2 = near.iter().map(|&u| flat[u as usize]).sum();
+            let middle = sum / near.len() as f64;
+            flat[v as usize] = flat[v as usize].lerp(middle, 0.7);
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -195,6 +237,32 @@ mod tests {
                 assert!((b - a).perp_dot(c - a) > 0.0);
             }
         }
+    }
+
+    #[test]
+    fn a_fold_is_opened_and_the_rest_stays() {
+        let at = |i: u32, j: u32| j * 9 + i;
+        let mut triangles = Vec::new();
+        for j in 0..8 {
+            for i in 0..8 {
+                let [a, b, c, d] = [at(i, j), at(i, j + 1), at(i + 1, j + 1), at(i + 1, j)];
+                triangles.extend([[a, b, c], [a, c, d]]);
+            }
+        }
+        let even: Vec<DVec2> = (0..81)
+            .map(|v| DVec2::new(f64::from(v % 9), f64::from(v / 9)))
+            .collect();
+        let mut flat = even.clone();
+        // Two vertices inside and one on the edge have crossed their neighbours.
+        for (i, j, x, y) in [(4, 4, 2.4, 0.3), (5, 4, -1.7, 0.0), (3, 0, 1.6, 0.0)] {
+            flat[at(i, j) as usize] += DVec2::new(x, y);
+        }
+        unfold(&triangles, &mut flat);
+        for t in triangles {
+            let [a, b, c] = t.map(|v| flat[v as usize]);
+            assert!((b - a).perp_dot(c - a) <= 1e-9);
+        }
+        assert_eq!(flat[at(1, 7) as usize], even[at(1, 7) as usize]);
     }
 
     #[test]
