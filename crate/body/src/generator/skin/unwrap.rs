@@ -8,7 +8,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use raconteur_base::{DVec2, DVec3};
+use raconteur_base::{DVec2, DVec3, ops};
 
 use crate::generator::head::solve::{Terms, least_squares};
 use crate::generator::subdivide::edge_faces;
@@ -51,7 +51,8 @@ fn open_loops(faces: &[Vec<u32>]) -> Vec<Vec<u32>> {
 }
 
 /// Lays faces into the plane with some vertices held. `bridges` tie vertices across a hole,
-/// with weights; a hole without bridges is closed by a vertex in the middle. Returns a place
+/// with weights; a hole without bridges is closed by a vertex in the middle. `tension` is 1 for
+/// each vertex, more where the map should spread its surroundings. Returns a place
 /// for each vertex (those of no face stay at the origin) and the borders of the holes
 /// without bridges.
 ///
@@ -63,6 +64,7 @@ pub(crate) fn harmonic(
     positions: &[DVec3],
     held: &[(u32, DVec2)],
     bridges: &[(u32, u32, f64)],
+    tension: &[f64],
 ) -> (Vec<DVec2>, Vec<Vec<u32>>) {
     let mut weights: BTreeMap<(u32, u32), f64> = BTreeMap::new();
     for face in faces {
@@ -80,7 +82,8 @@ pub(crate) fn harmonic(
     let mut rows: Vec<Terms> = weights
         .iter()
         .map(|(&(a, b), &w)| {
-            let w = w.clamp(0.05, 4.0).sqrt();
+            let pull = tension[a as usize] * tension[b as usize];
+            let w = (w.clamp(0.05, 4.0) / pull.sqrt()).sqrt();
             vec![(a, w), (b, -w)]
         })
         .collect();
@@ -158,6 +161,40 @@ pub(crate) fn conformal(
         .collect()
 }
 
+/// Raises the tension of [`harmonic`] where a map of it gives too little room and lowers it
+/// where it gives too much, by the share that each vertex has in this evening (0..1). After
+/// Yoshizawa, Belyaev and Seidel 2004, doi:10.1109/SMI.2004.1314517; weights stay positive,
+/// so the next map is without overlap as well.
+pub(crate) fn even_out(
+    faces: &[Vec<u32>],
+    positions: &[DVec3],
+    flat: &[DVec2],
+    share: &[f64],
+    tension: &mut [f64],
+) {
+    let mut area = vec![[0.0; 2]; positions.len()];
+    for face in faces {
+        for t in both_cuts(face) {
+            let [a, b, c] = t.map(|v| positions[v as usize]);
+            let [p, q, r] = t.map(|v| flat[v as usize]);
+            let (real, laid) = ((b - a).cross(c - a).length(), (q - p).perp_dot(r - p).abs());
+            for v in t {
+                area[v as usize][0] += real;
+                area[v as usize][1] += laid;
+            }
+        }
+    }
+    let whole: [f64; 2] =
+        core::array::from_fn(|i| area.iter().zip(share).map(|(a, s)| a[i] * s).sum());
+    let mean = whole[0] / whole[1].max(1e-9);
+    for ((t, [real, laid]), s) in tension.iter_mut().zip(area).zip(share) {
+        if laid > 0.0 && *s > 0.0 {
+            let stretch = (real / laid / mean).sqrt().clamp(0.5, 2.5);
+            *t = (*t * ops::pow(stretch, *s)).clamp(0.1, 10.0);
+        }
+    }
+}
+
 /// How many rounds of evening a folded place gets; each round reaches one vertex further.
 const ROUNDS: usize = 60;
 
@@ -229,7 +266,7 @@ mod tests {
             .filter(|v| v % 9 == 0 || v % 9 == 8 || v / 9 == 0 || v / 9 == 8)
             .map(|v| (v, p[v as usize].truncate()))
             .collect();
-        let (flat, holes) = harmonic(&faces, &p, &held, &[]);
+        let (flat, holes) = harmonic(&faces, &p, &held, &[], &[1.0; 81]);
         assert_eq!(holes.len(), 1);
         for f in &faces {
             for i in 0..4 {
@@ -271,7 +308,7 @@ mod tests {
         let p: Vec<DVec3> = (0..45)
             .map(|v| {
                 let (a, y) = (f64::from(v % 9) * 0.2, f64::from(v / 9));
-                let (s, c) = raconteur_base::ops::sincos(a);
+                let (s, c) = ops::sincos(a);
                 DVec3::new(5.0 * s, y, 5.0 * c)
             })
             .collect();
