@@ -1,15 +1,17 @@
 //! Where the hand's skin lies in the skin's atlas: back and palm of the hand flattened as a
 //! whole, each finger's back and inner side unrolled; cut along the sides and the roots of
-//! the fingers.
+//! the fingers. All of it follows from the mean adult hand, so one picture fits every hand.
 
 use std::collections::BTreeMap;
+use std::sync::OnceLock;
 
 use raconteur_base::{DVec2, DVec3, ops};
 
-use super::anatomy::{Anatomy, FINGER_COUNT, Finger};
-use super::surface::Skin;
+use super::anatomy::{Anatomy, FINGER_COUNT, Finger, Look};
+use super::field::Field;
+use super::surface::{self, Skin};
 use crate::generator::skin::raster::SIZE;
-use crate::generator::skin::unwrap::conformal;
+use crate::generator::skin::unwrap::{conformal, unfold};
 use crate::generator::subdivide::edge_faces;
 
 /// Columns of the atlas left to the hand, texels.
@@ -148,14 +150,29 @@ fn connected(piece: &[Piece], beside: &[Vec<usize>]) -> Vec<usize> {
     group
 }
 
+/// Sex and age of the hand that is laid out: between man and woman, before age shows.
+const MEAN: (f64, f64) = (0.5, 30.0);
+
+/// The chart of all hands, made once: it depends on nothing, since every hand has the same
+/// faces.
+pub(super) fn chart() -> &'static Chart {
+    static CHART: OnceLock<Chart> = OnceLock::new();
+    CHART.get_or_init(|| {
+        let anatomy = Anatomy::new(Look::of(MEAN.0, MEAN.1));
+        let field = Field::new(&anatomy);
+        let skin = surface::build(&anatomy, &field, &super::cage::build(&anatomy, &field));
+        make(&anatomy, &skin)
+    })
+}
+
 /// Cuts and flattens the skin.
-pub(super) fn chart(anatomy: &Anatomy, skin: &Skin) -> Chart {
+fn make(anatomy: &Anatomy, skin: &Skin) -> Chart {
     let piece = pieces(anatomy, skin);
     let n = skin.positions.len();
     let mut chart = Chart {
         faces: skin.faces.clone(),
         source: (0..n as u32).collect(),
-        uv: vec![[0.0; 2]; n],
+        uv: Vec::new(),
     };
     // The first piece that has a vertex keeps it, the others take copies.
     let mut owner: Vec<Option<Piece>> = vec![None; n];
@@ -171,7 +188,7 @@ pub(super) fn chart(anatomy: &Anatomy, skin: &Skin) -> Chart {
             }
         }
     }
-    chart.uv.resize(chart.source.len(), [0.0; 2]);
+    let mut flat = vec![DVec2::ZERO; chart.source.len()];
     for part in 0..=FINGER_COUNT {
         for side in 0..2 {
             let kept = chart
@@ -185,10 +202,18 @@ pub(super) fn chart(anatomy: &Anatomy, skin: &Skin) -> Chart {
                 None => lay(skin, &chart.source, &faces, side),
             };
             for (v, place) in placed {
-                chart.uv[v as usize] = (place / SIZE as f64).to_array();
+                flat[v as usize] = place;
             }
         }
     }
+    // Skin that is pressed in under a nail or bulges at a root would lie over its neighbour.
+    let triangles: Vec<[u32; 3]> = chart
+        .faces
+        .iter()
+        .flat_map(|f| f[1..].windows(2).map(|w| [f[0], w[0], w[1]]))
+        .collect();
+    unfold(&triangles, &mut flat);
+    chart.uv = flat.iter().map(|p| (*p / SIZE as f64).to_array()).collect();
     chart
 }
 
@@ -293,4 +318,22 @@ fn lay(skin: &Skin, source: &[u32], faces: &[&Vec<u32>], side: usize) -> Vec<(u3
             (v, q + DVec2::new(LEFT, BODY_TOP[side]))
         })
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_hand_has_the_faces_of_the_mean_one() {
+        let faces = |sex: f64, age_years: f64| {
+            let anatomy = Anatomy::new(Look::of(sex, age_years));
+            let field = Field::new(&anatomy);
+            super::super::cage::build(&anatomy, &field).faces
+        };
+        let mean = faces(MEAN.0, MEAN.1);
+        for (sex, age_years) in [(0.0, 9.0), (1.0, 35.0), (0.0, 80.0)] {
+            assert_eq!(faces(sex, age_years), mean);
+        }
+    }
 }

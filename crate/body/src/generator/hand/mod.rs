@@ -197,7 +197,7 @@ pub fn build(params: &HandParams, side: Side) -> Hand {
 
     let base = DVec3::from_array(params.skin_color);
     let open = color::openness(&field, &skin);
-    let chart = chart::chart(&anatomy, &skin);
+    let chart = chart::chart();
     let weights = weights::weights(
         &anatomy,
         &skin,
@@ -262,7 +262,7 @@ pub fn build(params: &HandParams, side: Side) -> Hand {
         parts: vec![skin_part, nails(&anatomy, &place, base, letter)],
         joints,
         bind_in_wrist,
-        sheet: sheet::sheet(&anatomy, &skin, &chart),
+        sheet: sheet::sheet(&anatomy, &skin, chart),
         wrist_rim: skin.rim,
         forearm_direction: DVec3::new(-side.sign(), 0.0, 0.0),
     }

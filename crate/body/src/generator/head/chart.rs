@@ -9,14 +9,14 @@
 
 use std::sync::OnceLock;
 
-use raconteur_base::{DVec2, DVec3, Side};
+use raconteur_base::{DVec2, DVec3, Side, curve};
 
 use super::cage::{Cage, Key, LAST_COLUMN, LAST_ROW, Zone};
 use super::points::{self, Individual};
 use super::solve;
 use super::surface::Surface;
 use crate::generator::skin::raster::SIZE;
-use crate::generator::skin::unwrap::harmonic;
+use crate::generator::skin::unwrap::{even_out, harmonic, unfold};
 
 /// The head's rectangle in the atlas, texels: left, top, right, bottom.
 const RECTANGLE: [f64; 4] = [6.0, 6.0, 708.0, 1018.0];
@@ -45,6 +45,11 @@ fn row_share(row: u8) -> f64 {
 const EAR_RINGS: [f64; 11] = [
     1.0, 0.94, 0.88, 0.81, 0.74, 0.64, 0.53, 0.40, 0.27, 0.15, 0.07,
 ];
+
+/// How often the face's texels are shared out anew, and from which to which depth in front
+/// of the ears that begins, mm.
+const EVENINGS: usize = 1;
+const FRONT_MM: [f64; 2] = [35.0, 75.0];
 
 /// Where the crown's midline stops being cut: positions on the patch from the front.
 const CUT_FROM: u8 = 2;
@@ -184,7 +189,20 @@ fn make() -> Chart {
         }
     }
     let smooth: Vec<DVec3> = flat.iter().map(|p| p.extend(0.0)).collect();
-    let uv = open_surface.apply(&smooth);
+    let mut uv: Vec<DVec2> = open_surface
+        .apply(&smooth)
+        .into_iter()
+        .map(DVec3::truncate)
+        .collect();
+    // Hollows of ears and nostrils, where columns and rows were spread unevenly.
+    let seen: Vec<[u32; 3]> = open_surface
+        .faces
+        .iter()
+        .zip(&open_surface.zones)
+        .filter(|(_, z)| !matches!(z, Zone::Mouth(5..)))
+        .flat_map(|(f, _)| f[1..].windows(2).map(|w| [f[0], w[0], w[1]]))
+        .collect();
+    unfold(&seen, &mut uv);
     let limit = (0..cage.len())
         .map(|v| solved.limit_of(v, &solved.cage_points))
         .collect();
@@ -259,7 +277,17 @@ fn lay(cage: &Cage, open: &Cage, twin: &[u32], positions: &[DVec3]) -> Vec<DVec2
     let laid = |z: &Zone| !matches!(z, Zone::Mouth(5..) | Zone::Eye(6..) | Zone::Ear(_));
     let kept = open.faces.iter().zip(&open.zones).filter(|(_, z)| laid(z));
     let faces: Vec<Vec<u32>> = kept.map(|(f, _)| f.clone()).collect();
-    let (mut flat, holes) = harmonic(&faces, positions, &held, &bridges);
+    let mut tension = vec![1.0; positions.len()];
+    let (mut flat, mut holes) = harmonic(&faces, positions, &held, &bridges, &tension);
+    // Nose and lips stand out of the face and would get too few texels.
+    let front: Vec<f64> = positions
+        .iter()
+        .map(|p| curve::smooth((p.z - FRONT_MM[0]) / (FRONT_MM[1] - FRONT_MM[0])))
+        .collect();
+    for _ in 0..EVENINGS {
+        even_out(&faces, positions, &flat, &front, &mut tension);
+        (flat, holes) = harmonic(&faces, positions, &held, &bridges, &tension);
+    }
 
     // Spreads columns and rows.
     let place = |k: Key| flat[cage.at(k, Side::Left)];

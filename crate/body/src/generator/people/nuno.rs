@@ -59,14 +59,14 @@ fn skin() -> SkinParams {
     SkinParams {
         melanin: 0.24,
         blood: 0.5,
-        contrast: 1.0,
+        contrast: 1.25,
         age_years: PERSON.age_years,
         freckles: 0.5,
         moles: 3,
         sun: 0.1,
         vessels: 0.0,
         beard: 0.0,
-        lips: 0.6,
+        lips: 0.2,
         lash_line: 0.35,
         seed: 11,
         ..SkinParams::plain()

@@ -69,7 +69,7 @@ fn skin() -> SkinParams {
         vessels: 0.55,
         beard: 0.35,
         beard_colour: [0.34, 0.33, 0.32],
-        lips: 0.35,
+        lips: 0.22,
         lash_line: 0.2,
         seed: 7,
     }

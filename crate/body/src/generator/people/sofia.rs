@@ -60,8 +60,8 @@ fn head() -> HeadParams {
 
 fn skin() -> SkinParams {
     SkinParams {
-        melanin: 0.17,
-        blood: 0.52,
+        melanin: 0.205,
+        blood: 0.56,
         contrast: 1.05,
         age_years: PERSON.age_years,
         freckles: 0.35,
@@ -69,7 +69,7 @@ fn skin() -> SkinParams {
         sun: 0.2,
         vessels: 0.0,
         beard: 0.0,
-        lips: 0.62,
+        lips: 0.2,
         lash_line: 0.75,
         seed: 3,
         ..SkinParams::plain()

@@ -124,8 +124,10 @@ const MELANIN_STEPS: usize = 40;
 const BLOOD_STEPS: usize = 40;
 const MELANIN_RANGE: [f64; 2] = [0.004, 0.6];
 const BLOOD_RANGE: [f64; 2] = [0.0006, 0.2];
-/// Shares of oxygen that the table holds; colour is nearly linear between.
-const OXYGEN: [f64; 2] = [0.3, 1.0];
+/// Shares of oxygen that the table holds. Red rises steeply towards full oxygen in skin rich
+/// in blood (spent haemoglobin absorbs ten times as much at 650 nm), so two would not do.
+const OXYGEN_STEPS: usize = 8;
+const OXYGEN_RANGE: [f64; 2] = [0.3, 1.0];
 
 /// [`colour`] by table, for a million texels.
 #[derive(Clone, Debug)]
@@ -144,8 +146,10 @@ impl Palette {
         let at = |r: [f64; 2], i: usize, n: usize| {
             ops::exp(r[0] + (r[1] - r[0]) * i as f64 / (n - 1) as f64)
         };
-        let mut table = Vec::with_capacity(2 * MELANIN_STEPS * BLOOD_STEPS);
-        for oxygen in OXYGEN {
+        let mut table = Vec::with_capacity(OXYGEN_STEPS * MELANIN_STEPS * BLOOD_STEPS);
+        for o in 0..OXYGEN_STEPS {
+            let [from, to] = OXYGEN_RANGE;
+            let oxygen = from + (to - from) * o as f64 / (OXYGEN_STEPS - 1) as f64;
             for m in 0..MELANIN_STEPS {
                 for b in 0..BLOOD_STEPS {
                     let rgb = colour(&Pigments {
@@ -175,12 +179,13 @@ impl Palette {
         };
         let (m, fm) = cell(self.melanin_log, ln_melanosomes, MELANIN_STEPS);
         let (b, fb) = cell(self.blood_log, ln_blood, BLOOD_STEPS);
-        let fo = ((oxygen - OXYGEN[0]) / (OXYGEN[1] - OXYGEN[0])).clamp(0.0, 1.0);
+        let (o, fo) = cell(OXYGEN_RANGE, oxygen, OXYGEN_STEPS);
         let mut rgb = [0.0; 3];
-        for (o, wo) in [(0, 1.0 - fo), (1, fo)] {
+        for (d, wo) in [(0, 1.0 - fo), (1, fo)] {
             for (dm, wm) in [(0, 1.0 - fm), (1, fm)] {
                 for (db, wb) in [(0, 1.0 - fb), (1, fb)] {
-                    let row = &self.table[(o * MELANIN_STEPS + m + dm) * BLOOD_STEPS + b + db];
+                    let row =
+                        &self.table[((o + d) * MELANIN_STEPS + m + dm) * BLOOD_STEPS + b + db];
                     let w = wo * wm * wb;
                     for (x, t) in rgb.iter_mut().zip(row) {
                         *x += w * f64::from(*t);

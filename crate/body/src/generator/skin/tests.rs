@@ -111,9 +111,8 @@ fn no_seen_skin_overlaps_in_the_atlas_and_all_of_it_is_inside() {
         inside as f64 / (SIZE * SIZE) as f64,
         raster.overlaps
     );
-    // The insides of nostrils and ears and the skin under nails, which fold onto themselves,
-    // are all that may share texels: a thousandth.
-    assert!(raster.overlaps * 1000 < inside, "{}", raster.overlaps);
+    // A texel's middle may lie on the edge of two triangles.
+    assert!(raster.overlaps <= 3, "{}", raster.overlaps);
     assert!(inside * 2 > SIZE * SIZE, "{inside}");
 }
 
@@ -130,7 +129,7 @@ fn faces_look_the_same_way_in_the_atlas() {
             })
             .count();
         assert!(
-            turned * 100 < triangles.len(),
+            turned * 500 <= triangles.len(),
             "{turned} of {}",
             triangles.len()
         );
@@ -179,7 +178,7 @@ fn the_face_gets_its_texels_and_is_little_stretched() {
     }
     assert!(1.0 / quantile(mean(&face), 0.5) < 0.36);
     assert!(1.0 / quantile(fewest(&face), 0.05) < 0.75);
-    assert!(quantile(stretch(&face), 0.95) < 3.1);
+    assert!(quantile(stretch(&face), 0.95) < 2.7);
     assert!(1.0 / quantile(mean(&back), 0.5) < 0.56);
     assert!(quantile(stretch(&back), 0.95) < 2.0);
 }

@@ -6,9 +6,9 @@
 //! doi:10.1080/10586458.1993.10504266) held positive. Conformal: Lévy et al. 2002, least
 //! squares conformal maps, doi:10.1145/566654.566590.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
-use raconteur_base::{DVec2, DVec3};
+use raconteur_base::{DVec2, DVec3, ops};
 
 use crate::generator::head::solve::{Terms, least_squares};
 use crate::generator::subdivide::edge_faces;
@@ -51,7 +51,8 @@ fn open_loops(faces: &[Vec<u32>]) -> Vec<Vec<u32>> {
 }
 
 /// Lays faces into the plane with some vertices held. `bridges` tie vertices across a hole,
-/// with weights; a hole without bridges is closed by a vertex in the middle. Returns a place
+/// with weights; a hole without bridges is closed by a vertex in the middle. `tension` is 1 for
+/// each vertex, more where the map should spread its surroundings. Returns a place
 /// for each vertex (those of no face stay at the origin) and the borders of the holes
 /// without bridges.
 ///
@@ -63,6 +64,7 @@ pub(crate) fn harmonic(
     positions: &[DVec3],
     held: &[(u32, DVec2)],
     bridges: &[(u32, u32, f64)],
+    tension: &[f64],
 ) -> (Vec<DVec2>, Vec<Vec<u32>>) {
     let mut weights: BTreeMap<(u32, u32), f64> = BTreeMap::new();
     for face in faces {
@@ -80,7 +82,8 @@ pub(crate) fn harmonic(
     let mut rows: Vec<Terms> = weights
         .iter()
         .map(|(&(a, b), &w)| {
-            let w = w.clamp(0.05, 4.0).sqrt();
+            let pull = tension[a as usize] * tension[b as usize];
+            let w = (w.clamp(0.05, 4.0) / pull.sqrt()).sqrt();
             vec![(a, w), (b, -w)]
         })
         .collect();
@@ -158,6 +161,82 @@ pub(crate) fn conformal(
         .collect()
 }
 
+/// Raises the tension of [`harmonic`] where a map of it gives too little room and lowers it
+/// where it gives too much, by the share that each vertex has in this evening (0..1). After
+/// Yoshizawa, Belyaev and Seidel 2004, doi:10.1109/SMI.2004.1314517; weights stay positive,
+/// so the next map is without overlap as well.
+pub(crate) fn even_out(
+    faces: &[Vec<u32>],
+    positions: &[DVec3],
+    flat: &[DVec2],
+    share: &[f64],
+    tension: &mut [f64],
+) {
+    let mut area = vec![[0.0; 2]; positions.len()];
+    for face in faces {
+        for t in both_cuts(face) {
+            let [a, b, c] = t.map(|v| positions[v as usize]);
+            let [p, q, r] = t.map(|v| flat[v as usize]);
+            let (real, laid) = ((b - a).cross(c - a).length(), (q - p).perp_dot(r - p).abs());
+            for v in t {
+                area[v as usize][0] += real;
+                area[v as usize][1] += laid;
+            }
+        }
+    }
+    let whole: [f64; 2] =
+        core::array::from_fn(|i| area.iter().zip(share).map(|(a, s)| a[i] * s).sum());
+    let mean = whole[0] / whole[1].max(1e-9);
+    for ((t, [real, laid]), s) in tension.iter_mut().zip(area).zip(share) {
+        if laid > 0.0 && *s > 0.0 {
+            let stretch = (real / laid / mean).sqrt().clamp(0.5, 2.5);
+            *t = (*t * ops::pow(stretch, *s)).clamp(0.1, 10.0);
+        }
+    }
+}
+
+/// How many rounds of evening a folded place gets; each round reaches one vertex further.
+const ROUNDS: usize = 60;
+
+/// Opens folds in a laid surface: the corners of a triangle that runs the wrong way round
+/// (anticlockwise with y down is right) go towards the middle of their neighbours, those on
+/// an open edge along that edge, until none is left. Whatever lies flat already stays.
+/// Triangles without area, like those between closed lips, are left alone.
+pub(crate) fn unfold(triangles: &[[u32; 3]], flat: &mut [DVec2]) {
+    let edges = edge_faces(&triangles.iter().map(|t| t.to_vec()).collect::<Vec<_>>());
+    let mut around: BTreeMap<u32, Vec<u32>> = BTreeMap::new();
+    let mut along: BTreeMap<u32, Vec<u32>> = BTreeMap::new();
+    for (&(a, b), faces) in &edges {
+        around.entry(a).or_default().push(b);
+        around.entry(b).or_default().push(a);
+        if faces.len() == 1 {
+            along.entry(a).or_default().push(b);
+            along.entry(b).or_default().push(a);
+        }
+    }
+    for _ in 0..ROUNDS {
+        let folded: BTreeSet<u32> = triangles
+            .iter()
+            .filter(|t| {
+                let [a, b, c] = t.map(|v| flat[v as usize]);
+                (b - a).perp_dot(c - a) > 1e-9
+            })
+            .flatten()
+            .copied()
+            .collect();
+        if folded.is_empty() {
+            return;
+        }
+        for v in folded {
+            // An edge that is evened out alone shrinks little; its inside follows.
+            let near = along.get(&v).unwrap_or(&around[&v]);
+            let sum: DVec2 = near.iter().map(|&u| flat[u as usize]).sum();
+            let middle = sum / near.len() as f64;
+            flat[v as usize] = flat[v as usize].lerp(middle, 0.7);
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -187,7 +266,7 @@ mod tests {
             .filter(|v| v % 9 == 0 || v % 9 == 8 || v / 9 == 0 || v / 9 == 8)
             .map(|v| (v, p[v as usize].truncate()))
             .collect();
-        let (flat, holes) = harmonic(&faces, &p, &held, &[]);
+        let (flat, holes) = harmonic(&faces, &p, &held, &[], &[1.0; 81]);
         assert_eq!(holes.len(), 1);
         for f in &faces {
             for i in 0..4 {
@@ -198,12 +277,38 @@ mod tests {
     }
 
     #[test]
+    fn a_fold_is_opened_and_the_rest_stays() {
+        let at = |i: u32, j: u32| j * 9 + i;
+        let mut triangles = Vec::new();
+        for j in 0..8 {
+            for i in 0..8 {
+                let [a, b, c, d] = [at(i, j), at(i, j + 1), at(i + 1, j + 1), at(i + 1, j)];
+                triangles.extend([[a, b, c], [a, c, d]]);
+            }
+        }
+        let even: Vec<DVec2> = (0..81)
+            .map(|v| DVec2::new(f64::from(v % 9), f64::from(v / 9)))
+            .collect();
+        let mut flat = even.clone();
+        // Two vertices inside and one on the edge have crossed their neighbours.
+        for (i, j, x, y) in [(4, 4, 2.4, 0.3), (5, 4, -1.7, 0.0), (3, 0, 1.6, 0.0)] {
+            flat[at(i, j) as usize] += DVec2::new(x, y);
+        }
+        unfold(&triangles, &mut flat);
+        for t in triangles {
+            let [a, b, c] = t.map(|v| flat[v as usize]);
+            assert!((b - a).perp_dot(c - a) <= 1e-9);
+        }
+        assert_eq!(flat[at(1, 7) as usize], even[at(1, 7) as usize]);
+    }
+
+    #[test]
     fn a_conformal_map_of_a_bent_sheet_keeps_lengths() {
         // A quarter of a cylinder flattens without any change.
         let p: Vec<DVec3> = (0..45)
             .map(|v| {
                 let (a, y) = (f64::from(v % 9) * 0.2, f64::from(v / 9));
-                let (s, c) = raconteur_base::ops::sincos(a);
+                let (s, c) = ops::sincos(a);
                 DVec3::new(5.0 * s, y, 5.0 * c)
             })
             .collect();
