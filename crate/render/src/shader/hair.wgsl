@@ -11,6 +11,21 @@ struct Strand {
     round: f32,   // -1..1 across a strand
 };
 
+// Smooth noise along a row, 0..1.
+fn lock_noise(x: f32, dice: f32) -> f32 {
+    let q = x + 61.0 * dice;
+    let i = floor(q);
+    let f = q - i;
+    let a = hash_unit(vec3<i32>(i32(i), 29, 3));
+    let b = hash_unit(vec3<i32>(i32(i) + 1, 29, 3));
+    return mix(a, b, f * f * (3.0 - 2.0 * f));
+}
+
+// What is left of a row's contrast when `blur` of its hairs fit a pixel.
+fn kept(blur: f32) -> f32 {
+    return 1.0 - smoothstep(0.25, 1.1, blur);
+}
+
 // Hairs side by side at `x` along a row of `count`: height of the nearest above its
 // neighbours (0..1), its number, and where across it we are.
 fn hair_row(x: f32, count: f32, dice: f32) -> vec3<f32> {
@@ -21,16 +36,6 @@ fn hair_row(x: f32, count: f32, dice: f32) -> vec3<f32> {
     // Hairs are of different thickness and do not stand in the middle of their lanes.
     let off = (f - 0.5 - 0.24 * (fract(id * 31.7) - 0.5)) * 2.0;
     return vec3<f32>(saturate1(1.0 - off * off), id, off);
-}
-
-// Smooth noise along a row, 0..1.
-fn lock_noise(x: f32, dice: f32) -> f32 {
-    let q = x + 61.0 * dice;
-    let i = floor(q);
-    let f = q - i;
-    let a = hash_unit(vec3<i32>(i32(i), 29, 3));
-    let b = hash_unit(vec3<i32>(i32(i) + 1, 29, 3));
-    return mix(a, b, f * f * (3.0 - 2.0 * f));
 }
 
 // The strand at a place on a card; `width_u` is the width of a pixel in u over a column.
@@ -46,39 +51,39 @@ fn strand(uv: vec2<f32>, width_u: f32) -> Strand {
     let gather = 0.045 * sin(6.2832 * (x * 2.6 + dice)) * v * v;
     let drift = (0.05 + 0.05 * wisp) * sin(v * (2.0 + 2.0 * dice) + 6.2832 * dice) * v;
     let y = x + gather + drift;
-    // As a pixel grows over a hair, hairs are drawn as bundles, then as their mean.
-    let count = mix(34.0, 15.0, max(0.5 * loose, wisp));
-    let fine = hair_row(y, count, dice);
-    let coarse = hair_row(y, count / 3.0, dice);
-    let blur = width_u * count;
-    let far = smoothstep(0.35, 1.1, blur);
-    let row = mix(fine, coarse, far);
-    let value = 0.25 * row.x + 0.75 * row.y;
-    // How much is empty: at the tip by lock and hair, at the sides, at the root, between
-    // single hairs.
-    let lock = lock_noise(y * 4.0, dice);
-    let start = mix(0.32, 0.80, lock) - 0.2 * wisp;
-    let tip = saturate1((v - start) / (1.0 - start));
-    let side = saturate1(1.0 - (min(x, 1.0 - x) + 0.05 * (lock - 0.5)) / mix(0.16, 0.30, wisp));
-    let root = saturate1(1.0 - v / 0.05) * 0.85;
-    let base = 0.22 * (loose - wisp) + 0.66 * wisp;
-    let empty = 1.0 - (1.0 - mix(tip, tip * tip, 0.5)) * (1.0 - side * side) * (1.0 - root) * (1.0 - base);
-    let soft = mix(0.07, 0.85, smoothstep(0.8, 3.2, blur));
+    // Single hairs, finer locks and locks; each fades to its mean as pixels grow over it.
+    let count = mix(40.0, mix(30.0, 24.0, wisp), loose);
+    let row = hair_row(y, count, dice);
+    let hairs = kept(width_u * count);
+    let fine = lock_noise(y * 15.0, dice) - 0.5;
+    let fine_kept = kept(width_u * 15.0);
+    let lock = lock_noise(y * 5.0, dice + 0.37) - 0.5;
+    let value = 0.5 + hairs * 0.75 * (row.x - 0.6) + fine_kept * 0.75 * fine + 0.35 * lock;
+    // How much is empty: past the ends of the hairs, which differ, at the sides, at the
+    // root, between single hairs.
+    let ends = 0.80 + 0.22 * lock + 0.26 * fine + 0.12 * hairs * (row.y - 0.5) - 0.06 * wisp;
+    let tip = smoothstep(ends - 0.34, ends + 0.06, v) + smoothstep(0.93, 1.0, v);
+    let side = 1.0 - smoothstep(0.0, mix(0.26, 0.34, loose), min(x, 1.0 - x) + 0.10 * lock);
+    let root = 1.0 - smoothstep(0.0, 0.11 + 0.08 * fine, v);
+    let base = 0.15 * (loose - wisp) + 0.52 * wisp;
+    let there = (1.0 - saturate1(tip)) * (1.0 - side) * (1.0 - root) * (1.0 - base);
+    // Where half is there, every second hair stands; far off, half a hair everywhere.
+    let sharp = 1.0 + 2.2 * max(hairs, 0.6 * fine_kept);
     var s: Strand;
-    s.cover = saturate1((value - empty) / soft + 0.5 + 0.5 * (1.0 - empty) - 0.5 * empty)
-        * step(empty, 0.995);
-    s.id = mix(row.y, 0.5, 0.7 * smoothstep(0.8, 3.0, blur));
-    s.round = row.z * (1.0 - smoothstep(0.4, 1.2, blur / 3.0));
+    s.cover = saturate1((value + there - 1.0) * sharp + mix(0.5, there, 0.35))
+        * smoothstep(0.01, 0.12, there);
+    s.id = saturate1(0.5 + 0.30 * lock + 0.45 * fine_kept * fine + 0.55 * hairs * (row.y - 0.5));
+    s.round = row.z * hairs;
     return s;
 }
 
-// The cap: short hairs that stand closer the more of the scalp they cover.
+// The cap: short hairs that stand closer the more of the skin they cover.
 fn stubble(share: f32, bind: vec3<f32>) -> Strand {
     let q = vec3<f32>(bind.x, bind.y * 0.45, bind.z * 0.7) * 1400.0;
     let n = noise(q) * 0.6 + noise(q * 0.31) * 0.4;
     var s: Strand;
-    let full = share * share * (1.6 - 0.6 * share);
-    s.cover = saturate1((n - 1.0 + 1.15 * full) / 0.35 + 0.35) * smoothstep(0.02, 0.3, full);
+    let full = share * share * (3.0 - 2.0 * share);
+    s.cover = saturate1(full + 2.4 * (n - 0.5) * full * (1.0 - full));
     s.id = n;
     s.round = 0.0;
     return s;
@@ -121,7 +126,7 @@ fn hair_light(v: VertexOut, n: vec3<f32>, tone: vec3<f32>, s: Strand) -> vec3<f3
     // through hair, so its own shadow is never black.
     let pale = saturate1(2.0 * tone.g);
     let share = mix(mix(0.22, 0.45, pale), 1.0, filtered_share(v.world, n, v.clip.xy, 1));
-    let wobble = (s.id - 0.5) * 0.34;
+    let wobble = (s.id - 0.5) * 0.22;
     let key_in = share * saturate1(0.28 + 0.72 * dot(n, frame.key_dir.xyz));
     let fill_in = saturate1(0.3 + 0.7 * dot(n, frame.fill_dir.xyz));
     let rim_in = saturate1(0.15 + 0.85 * dot(n, frame.rim_dir.xyz));
@@ -146,11 +151,21 @@ fn cut(cover: f32, slope: f32) -> f32 {
     return select(0.0, 1.0, cover > 0.42);
 }
 
+// Covers softly. Four samples know five shares; a pattern over the pixels gives those
+// between (Jimenez 2014, "Next generation post processing in Call of Duty").
+fn thin_out(cover: f32, pixel: vec2<f32>) -> f32 {
+    let pattern = fract(52.9829189 * fract(dot(pixel, vec2<f32>(0.06711056, 0.00583715)))) - 0.5;
+    if COVERAGE == 1u {
+        return saturate1(cover + 0.22 * pattern * smoothstep(0.0, 0.15, cover * (1.0 - cover)));
+    }
+    return select(0.0, 1.0, cover > 0.45 + 0.3 * pattern);
+}
+
 @fragment
 fn fs_hair(v: VertexOut, @builtin(front_facing) front: bool) -> @location(0) vec4<f32> {
     let width_u = COLUMNS * length(vec2<f32>(dpdx(v.uv.x), dpdy(v.uv.x)));
     let s = strand_or_cap(v.uv, v.bind, width_u);
-    let cover = cut(s.cover, fwidth(s.cover)) * material.base.a;
+    let cover = thin_out(s.cover, v.clip.xy) * material.base.a;
     if cover < 0.05 {
         discard;
     }
@@ -163,9 +178,9 @@ fn fs_hair(v: VertexOut, @builtin(front_facing) front: bool) -> @location(0) vec
     let pale = saturate1(2.0 * own.g);
     // Fine hair at the line has no depth.
     let thin = step(40.0 / COLUMNS, v.uv.x);
-    let roots = mix(mix(0.74, 0.88, max(pale, thin)), 1.08, smoothstep(0.0, 0.5, v.uv.y));
+    let roots = mix(mix(0.84, 0.92, max(pale, thin)), 1.05, smoothstep(0.0, 0.5, v.uv.y));
     let depth = select(roots, mix(0.6, 0.9, pale), is_cap);
-    let tone = own * (0.72 + 0.56 * s.id) * depth;
+    let tone = own * (0.80 + 0.40 * s.id) * depth;
     return written(hair_light(v, n, tone, s), cover, v.clip.xy);
 }
 

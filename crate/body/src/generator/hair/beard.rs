@@ -23,7 +23,7 @@ pub struct BeardParams {
 
 /// Tufts, their share of the full length and their width in metres: short ones near the
 /// skin, then those that show.
-const TUFTS: [(usize, f64, f64); 2] = [(300, 0.62, 0.0105), (560, 1.0, 0.0062)];
+const TUFTS: [(usize, f64, f64); 2] = [(240, 0.70, 0.0085), (470, 1.0, 0.0060)];
 /// Upper edge of a beard by distance from the middle, on the common head, mm: under the
 /// nose, the mouth's corner, the cheek, before the ear. Chosen by eye.
 const EDGE: [[f64; 2]; 7] = [
@@ -37,8 +37,8 @@ const EDGE: [[f64; 2]; 7] = [
 ];
 /// Height of the lips' middle on the common head, mm.
 const LIPS_Y: f64 = -46.0;
-/// Rows of a tuft from root to tip; short ones are straight.
-const ROWS: [&[f64]; 2] = [&[0.0, 1.0], &[0.0, 0.5, 1.0]];
+/// Height of the shortest hairs, which cover the skin between the tufts, metres.
+const CAP_HEIGHT: f64 = 0.0008;
 /// A tuft moved less than this by a morph stays, metres: its neighbours hide the rest.
 const STILL: f64 = 4e-4;
 
@@ -99,8 +99,8 @@ impl<'a> Field<'a> {
             .map(|l| l.distance_squared(p))
             .fold(f64::MAX, f64::min)
             .sqrt();
-        slope(0.0, 5.0, edge - q.y)
-            * slope(-102.0, -92.0, q.y)
+        slope(-2.0, 9.0, edge - q.y)
+            * slope(-104.0, -90.0, q.y)
             * slope(-2.0, 12.0, q.z)
             * slope(0.0014, 0.0032, lip)
     }
@@ -152,6 +152,29 @@ pub(super) fn beard(
     let mut part = empty("beard", material);
     let mut normals = Vec::new();
     let mut holds: Vec<Holds> = Vec::new();
+    // Between the tufts the skin is covered as the scalp is: v is the share.
+    let [r, g, b] = palette.lock(0, 0, 0.0);
+    let mut index = vec![u32::MAX; ride.positions.len()];
+    for t in &triangles {
+        let face = t.map(|v| {
+            let slot = &mut index[v as usize];
+            if *slot == u32::MAX {
+                *slot = part.vertices.len() as u32;
+                let (share, n) = (density[v as usize], ride.normals[v as usize]);
+                let hold = vec![(v, 1.0)];
+                part.vertices.push(PartVertex {
+                    position: ride.positions[v as usize] + n * CAP_HEIGHT,
+                    uv: [across(Weave::Cap, 0.0, 0.5), share],
+                    color: [r, g, b, lerp(1.0, 0.85, share)],
+                    weights: ride.weights(&hold),
+                });
+                normals.push(n);
+                holds.push(hold);
+            }
+            *slot
+        });
+        part.faces.push(face.to_vec());
+    }
     for (layer, &(count, share, width)) in TUFTS.iter().enumerate() {
         for i in 0..count {
             let id = (layer * 10_000 + i) as i64;
@@ -199,16 +222,15 @@ pub(super) fn beard(
             } else {
                 Weave::Loose
             };
-            let [r, g, b] = palette.lock(seed ^ 5, id, 0.08);
+            let [r, g, b] = palette.lock(seed ^ 5, id, 0.05);
             let base = part.vertices.len() as u32;
             let across_it = direction.cross(n).normalize_or_zero();
-            let rows = ROWS[usize::from(layer == 1 && chin > 0.4 && !on_lip)];
-            for &t in rows {
+            for t in [0.0, 1.0] {
                 // The tips hang.
                 let middle = root - n * 0.0006
                     + direction * (length * t)
                     + (DVec3::NEG_Y - n * 0.15) * (0.18 * length * t * t);
-                let half = 0.5 * width * lerp(0.9, if layer == 0 { 0.6 } else { 0.35 }, t);
+                let half = 0.5 * width * lerp(1.0, if layer == 0 { 0.5 } else { 0.28 }, t);
                 for (u, sign) in [(0.0, -1.0), (1.0, 1.0)] {
                     part.vertices.push(PartVertex {
                         position: middle + across_it * (sign * half),
@@ -217,7 +239,7 @@ pub(super) fn beard(
                             r,
                             g,
                             b,
-                            lerp(0.72, 1.0, t) * if layer == 0 { 0.85 } else { 1.0 },
+                            lerp(0.82, 1.0, t) * if layer == 0 { 0.92 } else { 1.0 },
                         ],
                         weights: weights.clone(),
                     });
@@ -226,9 +248,7 @@ pub(super) fn beard(
                     holds.push(hold.clone());
                 }
             }
-            for a in (base..).step_by(2).take(rows.len() - 1) {
-                part.faces.push(vec![a, a + 1, a + 3, a + 2]);
-            }
+            part.faces.push(vec![base, base + 1, base + 3, base + 2]);
         }
     }
     part.morphs = ride.morphs(&holds, STILL);

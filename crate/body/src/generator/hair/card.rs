@@ -42,6 +42,7 @@ fn column(weave: Weave, dice: f64) -> f64 {
         Weave::Dense => (0.0, 40.0),
         Weave::Loose => (40.0, 14.0),
         Weave::Wisp => (54.0, 9.0),
+        Weave::Cap => (63.0, 1.0),
     };
     first + (dice * count).floor()
 }
@@ -133,7 +134,7 @@ pub(super) fn cap(material: &Material, head: &Head, cover: &[f64], palette: &Pal
                 let share = cover[v as usize];
                 part.vertices.push(PartVertex {
                     position: s.position + s.normal * CAP_HEIGHT,
-                    uv: [(COLUMNS - 0.5) / COLUMNS, share],
+                    uv: [across(Weave::Cap, 0.0, 0.5), share],
                     color: [grey[0], grey[1], grey[2], lerp(1.0, 0.65, share)],
                     weights: vec![(JointRef(Drive::Bone(Bone::Skull)), 1.0)],
                 });

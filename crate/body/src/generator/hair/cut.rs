@@ -20,6 +20,8 @@ pub(super) enum Weave {
     Loose,
     /// Single hairs.
     Wisp,
+    /// Short hair on the skin itself.
+    Cap,
 }
 
 /// Where a layer's cards are rooted.

@@ -164,10 +164,9 @@ fn grow(
         } else if ground.in_ear(next) {
             break;
         }
-        if let Some(hem) = cut.hem(from, ground.common(next)) {
-            if ground.common(next).y < hem {
-                break;
-            }
+        let here = ground.common(next);
+        if cut.hem(from, here).is_some_and(|hem| here.y < hem) {
+            break;
         }
         at = next;
         normal = found.unwrap_or(normal);
@@ -246,7 +245,7 @@ fn strand(
         tip: if full { 0.62 } else { 0.4 },
         weave: layer.weave,
         dice: noise::unit(p.seed, 111, id),
-        colour: palette.lock(p.seed, id, 0.13),
+        colour: palette.lock(p.seed, id, 0.07),
         open: layer.open.map(|o| lerp(0.9, o, dense)),
     })
 }

@@ -25,6 +25,7 @@ mod tests;
 use std::collections::BTreeMap;
 
 use raconteur_base::DVec3;
+use raconteur_base::curve::lerp;
 use serde::{Deserialize, Serialize};
 
 pub use beard::BeardParams;
@@ -144,6 +145,9 @@ fn cover(head: &Head, p: &HairParams) -> Vec<f64> {
         .collect()
 }
 
+/// Reflectance below which a beard's roots darken the skin. Chosen by eye.
+const SKIN: f64 = 0.25;
+
 /// Tints the skin under hair and beard: it gets little light, and the roots of a beard
 /// show in its gaps. Call it on the head's skin before [`hair`] is laid on it.
 pub fn shade_skin(skin: &mut Part, head: &Head, p: &HairParams) {
@@ -166,7 +170,7 @@ pub fn shade_skin(skin: &mut Part, head: &Head, p: &HairParams) {
     let roots = p.colour.linear_rgb();
     for (v, share) in skin.vertices.iter_mut().zip(beard::cover(head, beard)) {
         for (c, root) in v.color.iter_mut().zip(roots) {
-            *c += (0.8 * root - *c) * 0.65 * share;
+            *c *= lerp(1.0, (root / SKIN).min(1.0), 0.5 * share);
         }
     }
 }
