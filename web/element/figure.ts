@@ -19,12 +19,20 @@ export function unusable(where: string, error: unknown): PlayerError {
   return new PlayerError(`The figure ${where} cannot be used: ${reason}.`, { cause: error });
 }
 
+const GLB_MAGIC = 0x46546c67;
+
+/** Whether the file is glTF as text: a brace, perhaps after a byte order mark and white space. The engine reads only the binary form. */
+function isText(bytes: Uint8Array): boolean {
+  const mark = bytes[0] === 0xef && bytes[1] === 0xbb && bytes[2] === 0xbf ? 3 : 0;
+  const first = bytes.subarray(mark).find((byte) => byte !== 0x20 && (byte < 0x09 || byte > 0x0d));
+  return first === 0x7b;
+}
+
 /** Whether the engine reads these bytes itself; an avatar made elsewhere has other bones. Broken files are the engine's to name. */
-function isNative(bytes: Uint8Array): boolean {
-  // glTF as text begins with a brace; the engine reads only the binary form.
-  if (bytes[0] === 0x7b) return false;
+export function isNative(bytes: Uint8Array): boolean {
+  if (isText(bytes)) return false;
   const header = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
-  if (bytes.length < 20 || header.getUint32(0, true) !== 0x46546c67) return true;
+  if (bytes.length < 20 || header.getUint32(0, true) !== GLB_MAGIC) return true;
   const json = bytes.subarray(20, 20 + header.getUint32(12, true));
   return new TextDecoder().decode(json).includes('"bone_sacroiliac"');
 }

@@ -33,6 +33,8 @@ const checks = {
   browser: async () => {
     await page();
     await browser();
+    // Figures are compared with the command line's pictures of them.
+    cargo('build', '--locked', '--package', 'raconteur-cli');
     node('node_modules/@playwright/test/cli.js', 'test', '--config', 'tests/browser/playwright.config.ts');
   },
 };
