@@ -46,8 +46,7 @@ function build(feature, folder) {
   const module = join(root, folder, 'raconteur_bg.wasm');
   // binaryen from npm: distributions carry versions old enough to break reference types.
   run(process.execPath, [
-    // Not -Oz: what it shares between functions costs more than it saves once compressed.
-    join(root, 'node_modules/binaryen/bin/wasm-opt'), module, '-o', module, '-Os',
+    join(root, 'node_modules/binaryen/bin/wasm-opt'), module, '-o', module, '-Oz',
     // Nothing lives below 1024 (the end of the stack is there), so offsets fold into loads.
     '--low-memory-unused',
     '--enable-bulk-memory', '--enable-reference-types', '--enable-nontrapping-float-to-int',

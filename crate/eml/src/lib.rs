@@ -11,6 +11,7 @@
 //! Values keep EML's own units and axes: seconds, degrees, skeleton units; `x` to
 //! the speaker's left, `y` up, `z` to the back. Whoever acts on them converts.
 
+mod decimal;
 mod diagnostic;
 mod document;
 mod durations;

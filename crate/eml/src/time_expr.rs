@@ -60,7 +60,8 @@ pub(crate) fn is_name(text: &str) -> bool {
 pub(crate) fn parse(text: &str, start: u32) -> Result<TimeExpr, Problem> {
     // Nearly every expression is a plain number.
     let plain = !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit() || b == b'.');
-    if let (true, Ok(offset_secs)) = (plain, text.parse())
+    if plain
+        && let Some(offset_secs) = crate::decimal::parse(text)
         && offset_secs <= MAX_SECS
     {
         let span = Span::of(start as usize, start as usize + text.len());
@@ -199,9 +200,9 @@ impl<'a> Lexer<'a> {
                 hint,
             })
         };
-        let value: f64 = match number.parse() {
-            Ok(value) => value,
-            Err(_) => {
+        let value = match crate::decimal::parse(number) {
+            Some(value) => value,
+            None => {
                 let message = format!("{} is not a number", crate::suggest::quoted(number));
                 return problem("eml::bad-number", self.position, message, "");
             }

@@ -248,21 +248,21 @@ fn part(value: Span, problem: Option<&Problem>) -> Span {
 }
 
 fn number(text: &str) -> Result<f64, Problem> {
-    match text.parse::<f64>() {
-        Ok(value) if value.abs() <= MAX_NUMBER => Ok(value),
-        Ok(value) if value.is_finite() => Err(bad_number(
+    match crate::decimal::parse(text) {
+        Some(value) if value.abs() <= MAX_NUMBER => Ok(value),
+        Some(value) if value.is_finite() => Err(bad_number(
             format!("{} is too large", quoted(text)),
             "the largest is 1000000",
         )),
-        Ok(_) => Err(bad_number(
+        Some(_) => Err(bad_number(
             format!("{} is not a finite number", quoted(text)),
             "",
         )),
-        Err(_) if text.contains(',') => {
+        None if text.contains(',') => {
             let message = format!("{} is not a number", quoted(text));
             Err(bad_number(message, "decimals are written with a point"))
         }
-        Err(_) => Err(bad_number(format!("{} is not a number", quoted(text)), "")),
+        None => Err(bad_number(format!("{} is not a number", quoted(text)), "")),
     }
 }
 

@@ -1,0 +1,197 @@
+//! Numbers of a story, read without the standard library's tables.
+//!
+//! `str::parse::<f64>` brings 10 KB of powers of ten that do not compress into every
+//! page. Up to 19 digits and 37 places either way, the result here is the same to the bit;
+//! beyond that it may differ in the last ones. It accepts the same texts.
+
+/// Digits that fit in 64 bits whatever they are.
+const MOST_DIGITS: u32 = 19;
+/// 10 to this power still leaves a bit of 128 for the doubling below.
+const MOST_POWER: u32 = 37;
+/// Numbers with more places than this are zero or infinite.
+const MOST_PLACES: i32 = 400;
+
+/// The number that `text` says; none when it says none. Too large ones are infinite.
+pub(crate) fn parse(text: &str) -> Option<f64> {
+    let (sign, rest) = match text.as_bytes() {
+        [b'-', rest @ ..] => (-1.0, rest),
+        [b'+', rest @ ..] => (1.0, rest),
+        rest => (1.0, rest),
+    };
+    for (name, value) in [
+        ("inf", f64::INFINITY),
+        ("infinity", f64::INFINITY),
+        ("nan", f64::NAN),
+    ] {
+        if rest.eq_ignore_ascii_case(name.as_bytes()) {
+            return Some(sign * value);
+        }
+    }
+    let mut exponent = 0_i32;
+    let mut digits = rest;
+    if let Some(at) = rest.iter().position(|b| matches!(b, b'e' | b'E')) {
+        digits = &rest[..at];
+        exponent = integer(&rest[at + 1..])?;
+    }
+    let (mut whole, mut taken, mut any, mut pointed) = (0_u64, 0, false, false);
+    for &byte in digits {
+        if byte == b'.' && !pointed {
+            pointed = true;
+            continue;
+        }
+        if !byte.is_ascii_digit() {
+            return None;
+        }
+        any = true;
+        if taken < MOST_DIGITS {
+            whole = whole * 10 + u64::from(byte - b'0');
+            // Leading zeros say nothing.
+            taken += u32::from(whole > 0);
+            exponent = exponent.saturating_sub(i32::from(pointed));
+        } else {
+            exponent = exponent.saturating_add(i32::from(!pointed));
+        }
+    }
+    any.then(|| sign * scaled(whole, exponent.clamp(-MOST_PLACES, MOST_PLACES)))
+}
+
+/// An exponent; those beyond any use are cut to some that are as good.
+fn integer(text: &[u8]) -> Option<i32> {
+    let (sign, digits) = match text {
+        [b'-', rest @ ..] => (-1, rest),
+        [b'+', rest @ ..] => (1, rest),
+        rest => (1, rest),
+    };
+    let mut value = 0_i32;
+    for &byte in digits {
+        if !byte.is_ascii_digit() {
+            return None;
+        }
+        value = value
+            .saturating_mul(10)
+            .saturating_add(i32::from(byte - b'0'));
+    }
+    (!digits.is_empty()).then_some(sign * value)
+}
+
+/// `whole · 10^exponent`, rounded once where the power fits.
+#[expect(
+    clippy::cast_precision_loss,
+    reason = "this is the rounding to the nearest that is wanted"
+)]
+fn scaled(whole: u64, exponent: i32) -> f64 {
+    if whole == 0 {
+        return 0.0;
+    }
+    let power = exponent.unsigned_abs();
+    let ten = 10_u128.pow(power.min(MOST_POWER));
+    let mut value = if exponent < 0 {
+        // Long division in binary until more bits are known than a number keeps; the last
+        // one tells whether anything is left.
+        let (mut quotient, mut left) = (u128::from(whole) / ten, u128::from(whole) % ten);
+        let mut halvings = 1.0_f64;
+        while quotient < 1 << 55 {
+            left *= 2;
+            quotient = quotient * 2 + u128::from(left >= ten);
+            left %= ten;
+            halvings *= 0.5;
+        }
+        (quotient | u128::from(left > 0)) as f64 * halvings
+    } else if let Some(product) = u128::from(whole).checked_mul(ten) {
+        product as f64
+    } else {
+        whole as f64 * ten as f64
+    };
+    for _ in MOST_POWER..power {
+        value = if exponent < 0 {
+            value / 10.0
+        } else {
+            value * 10.0
+        };
+    }
+    value
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn agrees_with_the_standard_library_to_the_bit() {
+        let mut state = 1_u64;
+        let mut next = || {
+            state = state
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
+            state >> 20
+        };
+        for _ in 0..20_000 {
+            let digits = next() % 10_u64.pow((next() % 13) as u32 + 1);
+            let text = match next() % 4 {
+                0 => format!("{digits}"),
+                1 => format!("{digits}.{}", next() % 100_000),
+                2 => format!("-.{digits}"),
+                _ => format!("{digits}e{}", next() as i64 % 24 - 12),
+            };
+            let bits = |v: f64| v.to_bits();
+            assert_eq!(
+                parse(&text).map(bits),
+                text.parse().ok().map(bits),
+                "{text}"
+            );
+            // What a program prints comes back.
+            let value = f64::from_bits(next() << 8 | 0x3e00_0000_0000_0000);
+            if (1e-18..1e15).contains(&value) {
+                assert_eq!(parse(&value.to_string()), Some(value));
+            }
+        }
+    }
+
+    #[test]
+    fn takes_and_refuses_the_same_texts() {
+        for text in [
+            "",
+            "+",
+            "-",
+            ".",
+            "-.",
+            "1.",
+            ".5",
+            "1..2",
+            "1e",
+            "1e+",
+            "e5",
+            "1e5.5",
+            "--1",
+            "+-1",
+            "1 ",
+            " 1",
+            "1,5",
+            "0x10",
+            "٣",
+            "inf",
+            "-Infinity",
+            "NaN",
+            "infin",
+            "1e999",
+            "-1e999",
+            "1e-999",
+            "1e99999999999",
+            "0e99999999999",
+            "-0",
+            "00.500",
+            "1_0",
+            "1E3",
+            "+7",
+        ] {
+            let ours = parse(text);
+            let theirs = text.parse::<f64>().ok();
+            assert_eq!(ours.is_some(), theirs.is_some(), "{text}");
+            let (a, b) = (ours.unwrap_or(0.0), theirs.unwrap_or(0.0));
+            assert!(
+                a.to_bits() == b.to_bits() || a.is_nan() && b.is_nan(),
+                "{text}: {a} {b}"
+            );
+        }
+    }
+}
