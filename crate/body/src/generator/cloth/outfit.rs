@@ -124,7 +124,7 @@ fn add(made: &mut Dressed, pieces: impl IntoIterator<Item = (Part, Shell)>) {
 
 /// Ankles between shoe and trousers.
 fn socks(wearer: &Wearer<'_>, dye: [f64; 3]) -> Part {
-    let first = Cage::leg_ring_at(1.62);
+    let first = Cage::leg_ring_at(1.76);
     let shell = wearer.cage.part(|t| matches!(t, Tag::Leg(j) if j >= first));
     plain_part("socks", &shell, wearer.field, cloth(MaterialKind::Rib, dye))
 }

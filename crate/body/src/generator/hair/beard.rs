@@ -23,7 +23,7 @@ pub struct BeardParams {
 
 /// Tufts, their share of the full length and their width in metres: short ones near the
 /// skin, then those that show.
-const TUFTS: [(usize, f64, f64); 2] = [(240, 0.70, 0.0085), (470, 1.0, 0.0060)];
+const TUFTS: [(usize, f64, f64); 2] = [(150, 0.62, 0.0062), (330, 0.85, 0.0042)];
 /// Upper edge of a beard by distance from the middle, on the common head, mm: under the
 /// nose, the mouth's corner, the cheek, before the ear. Chosen by eye.
 const EDGE: [[f64; 2]; 7] = [
@@ -37,10 +37,11 @@ const EDGE: [[f64; 2]; 7] = [
 ];
 /// Height of the lips' middle on the common head, mm.
 const LIPS_Y: f64 = -46.0;
-/// Height of the shortest hairs, which cover the skin between the tufts, metres.
-const CAP_HEIGHT: f64 = 0.0008;
 /// A tuft moved less than this by a morph stays, metres: its neighbours hide the rest.
-const STILL: f64 = 4e-4;
+const STILL: f64 = 7e-4;
+/// How clear of the lips tips stay, and the shortest tuft, metres.
+const LIP_MARGIN: f64 = 0.004;
+const SHORTEST: f64 = 0.003;
 
 /// Where a beard grows.
 struct Field<'a> {
@@ -76,6 +77,12 @@ impl<'a> Field<'a> {
         q - DVec3::Y * (self.lips_y - LIPS_Y) * slope(10.0, -30.0, q.y)
     }
 
+    /// Distance from the lips, metres.
+    fn to_lips(&self, p: DVec3) -> f64 {
+        let squared = self.lips.iter().map(|l| l.distance_squared(p));
+        squared.fold(f64::MAX, f64::min).sqrt()
+    }
+
     fn on_lip(&self, q: DVec3) -> bool {
         q.y > LIPS_Y && q.x.abs() < 33.0
     }
@@ -93,12 +100,7 @@ impl<'a> Field<'a> {
         if (!self.moustache && self.on_lip(q)) || self.head.scalp.ears.iter().any(in_ear) {
             return 0.0;
         }
-        let lip = self
-            .lips
-            .iter()
-            .map(|l| l.distance_squared(p))
-            .fold(f64::MAX, f64::min)
-            .sqrt();
+        let lip = self.to_lips(p);
         slope(-2.0, 9.0, edge - q.y)
             * slope(-104.0, -90.0, q.y)
             * slope(-2.0, 12.0, q.z)
@@ -152,29 +154,6 @@ pub(super) fn beard(
     let mut part = empty("beard", material);
     let mut normals = Vec::new();
     let mut holds: Vec<Holds> = Vec::new();
-    // Between the tufts the skin is covered as the scalp is: v is the share.
-    let [r, g, b] = palette.lock(0, 0, 0.0);
-    let mut index = vec![u32::MAX; ride.positions.len()];
-    for t in &triangles {
-        let face = t.map(|v| {
-            let slot = &mut index[v as usize];
-            if *slot == u32::MAX {
-                *slot = part.vertices.len() as u32;
-                let (share, n) = (density[v as usize], ride.normals[v as usize]);
-                let hold = vec![(v, 1.0)];
-                part.vertices.push(PartVertex {
-                    position: ride.positions[v as usize] + n * CAP_HEIGHT,
-                    uv: [across(Weave::Cap, 0.0, 0.5), share],
-                    color: [r, g, b, lerp(1.0, 0.85, share)],
-                    weights: ride.weights(&hold),
-                });
-                normals.push(n);
-                holds.push(hold);
-            }
-            *slot
-        });
-        part.faces.push(face.to_vec());
-    }
     for (layer, &(count, share, width)) in TUFTS.iter().enumerate() {
         for i in 0..count {
             let id = (layer * 10_000 + i) as i64;
@@ -189,11 +168,15 @@ pub(super) fn beard(
                 a * (1.0 - u) + b * (u * (1.0 - v)) + c * (u * v)
             };
             let (root, n) = (mix(&ride.positions), mix(&ride.normals).normalize_or_zero());
-            if field.density(root) < 0.25 || n == DVec3::ZERO {
+            if field.density(root) < 0.6 || n == DVec3::ZERO {
                 continue;
             }
             let q = field.place(root);
             let on_lip = field.on_lip(q);
+            // The lips' lining looks backwards.
+            if q.x.abs() < 33.0 && q.y > LIPS_Y - 16.0 && n.z < 0.25 {
+                continue;
+            }
             let signed = |k: u64| 2.0 * dice(k) - 1.0;
             let side = if q.x < 0.0 { -1.0 } else { 1.0 };
             let d = if on_lip {
@@ -207,7 +190,7 @@ pub(super) fn beard(
             let along = (d - n * d.dot(n)).try_normalize().unwrap_or(DVec3::NEG_Y);
             let direction = (along + n * lift).normalize();
             let chin = slope(62.0, 15.0, q.x.abs());
-            let length = if on_lip {
+            let mut length = if on_lip {
                 0.0105 * (0.75 + 0.35 * slope(4.0, 20.0, q.x.abs()))
             } else {
                 p.length_m * lerp(0.55, 1.0, chin)
@@ -215,6 +198,13 @@ pub(super) fn beard(
                 * share
                 * lerp(0.55, 1.0, slope(0.2, 0.9, field.density(root)))
                 * head.scalp.proportions.size();
+            // No tip hangs over the lips, or it would stand in the open mouth.
+            while length > SHORTEST && field.to_lips(root + direction * length) < LIP_MARGIN {
+                length *= 0.8;
+            }
+            if length <= SHORTEST {
+                continue;
+            }
             let hold = ride.holds(root, 3);
             let weights = ride.weights(&hold);
             let weave = if layer == 0 || on_lip {

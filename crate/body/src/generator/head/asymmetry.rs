@@ -5,8 +5,8 @@ use raconteur_base::{DVec3, mirror_vector, noise};
 use super::form::Pull;
 
 /// Pulls on one side only, mm, at asymmetry 1. Sizes after what is usual in faces (mean
-/// asymmetry of landmarks about 1 mm; Ferrario et al. 1994,
-/// doi:10.1016/0278-2391(94)90085-X); places chosen by eye.
+/// asymmetry of landmarks about 1 mm; Ferrario et al. 1994, J. Oral
+/// Maxillofac. Surg. 52); places chosen by eye.
 const PULLS: [Pull; 8] = [
     Pull::new([0.0, -12.0, 118.0], 14.0, [0.7, 0.0, 0.0]),
     Pull::new([30.0, 48.0, 91.0], 13.0, [0.0, 0.9, 0.2]),

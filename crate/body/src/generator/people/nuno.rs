@@ -18,6 +18,7 @@ const PERSON: Person = Person {
 pub(super) fn params() -> FigureParams {
     let mut head = head();
     head.brow = brow();
+    head.colours.hair = hair().colour.linear_rgb();
     head.colours.brow = [0.15, 0.075, 0.036];
     FigureParams {
         name: "nuno".to_owned(),

@@ -18,6 +18,7 @@ const PERSON: Person = Person {
 pub(super) fn params() -> FigureParams {
     let mut head = head();
     head.brow = brow();
+    head.colours.hair = hair().colour.linear_rgb();
     head.colours.brow = [0.34, 0.33, 0.31];
     FigureParams {
         name: "papous".to_owned(),
@@ -67,8 +68,9 @@ fn skin() -> SkinParams {
         moles: 9,
         sun: 0.75,
         vessels: 0.55,
-        beard: 0.35,
-        beard_colour: [0.34, 0.33, 0.32],
+        beard: 0.3,
+        short_beard: 0.97,
+        beard_colour: [0.60, 0.58, 0.55],
         lips: 0.22,
         lash_line: 0.2,
         seed: 7,

@@ -18,6 +18,7 @@ const PERSON: Person = Person {
 pub(super) fn params() -> FigureParams {
     let mut head = head();
     head.brow = brow();
+    head.colours.hair = hair().colour.linear_rgb();
     FigureParams {
         name: "sofia".to_owned(),
         person: PERSON,

@@ -78,7 +78,7 @@ const STEEPEST: f64 = 0.9;
 
 /// Quality of the encoder, of 100.
 const COLOUR_QUALITY: u8 = 86;
-const NORMAL_QUALITY: u8 = 76;
+const NORMAL_QUALITY: u8 = 72;
 
 /// Makes the maps. The result does not depend on how many threads take part.
 pub(crate) fn bake(skin: &SkinParams, head: &HeadSheet, hand: &HandSheet) -> SkinMaps {

@@ -305,5 +305,17 @@ impl FacePainter<'_> {
         let shade = mix(self.skin.beard_colour, [0.16, 0.13, 0.12], 0.35);
         tissue.lay(shade, share * (0.16 + 0.42 * root));
         tissue.height_mm += 0.04 * share * root;
+        let short = self.skin.short_beard * area;
+        if short > 0.0 {
+            // Hairs lie downwards: streaks longer than broad.
+            let hair = space_noise(seed + 43, DVec3::new(p.x / 0.55, p.y / 2.6, p.z / 1.1));
+            let tuft = space_noise(seed + 44, DVec3::new(p.x / 2.4, p.y / 5.0, p.z / 3.0));
+            let light = 0.88 + 0.16 * hair + 0.10 * tuft;
+            tissue.lay(
+                self.skin.beard_colour.map(|x| x * light),
+                short * (0.88 + 0.12 * hair).min(1.0),
+            );
+            tissue.height_mm += 0.10 * short * hair;
+        }
     }
 }

@@ -27,7 +27,9 @@ pub struct SkinParams {
     pub vessels: f64,
     /// Shadow of a shaven beard.
     pub beard: f64,
-    /// Linear RGB of stubble.
+    /// How far short hairs cover the skin where a beard grows.
+    pub short_beard: f64,
+    /// Linear RGB of stubble and short beard.
     pub beard_colour: [f64; 3],
     /// Redness of the lips; 0.5 is usual.
     pub lips: f64,
@@ -51,6 +53,7 @@ impl SkinParams {
             sun: 0.0,
             vessels: 0.0,
             beard: 0.0,
+            short_beard: 0.0,
             beard_colour: [0.05, 0.04, 0.035],
             lips: 0.5,
             lash_line: 0.3,

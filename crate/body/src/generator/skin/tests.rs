@@ -28,6 +28,7 @@ fn elder() -> SkinParams {
         sun: 0.8,
         vessels: 0.6,
         beard: 0.6,
+        short_beard: 0.2,
         ..SkinParams::plain()
     }
 }

@@ -2,7 +2,7 @@
 //! eyes keep nearly their size.
 //!
 //! Proportions after growth curves (head 0.96, face height 0.88, face width 0.92 of the
-//! adult's; Weinberg et al. 2016, doi:10.1111/joa.12432, Farkas 1994); masses from
+//! adult's; Weinberg et al. 2016, doi:10.1597/15-199, Farkas 1994); masses from
 //! anatomical knowledge.
 
 use raconteur_base::DVec3;
