@@ -8,8 +8,11 @@ import { expect, test, type Stage } from './stage.js';
 const figures = join(import.meta.dirname, '../../assets/figures');
 const sofia = readFileSync(join(figures, 'sofia.glb'));
 
-/** The picture without the fade of a new one. */
-const look = async (stage: Stage) => (await stage.picture()).png;
+/** The picture without the fade of a new one; the first comes some time after the story is ready. */
+async function look(stage: Stage): Promise<Buffer> {
+  await expect.poll(() => stage.player.evaluate((p: RaconteurPlayer) => p.statistics?.firstFrameMs ?? 0), { timeout: 60_000 }).toBeGreaterThan(0);
+  return (await stage.picture()).png;
+}
 
 const set = (stage: Stage, figure: string) => stage.player.evaluate((p: RaconteurPlayer, f) => void (p.figure = f), figure);
 const current = (stage: Stage) => stage.player.evaluate((p: RaconteurPlayer) => p.currentFigure);
