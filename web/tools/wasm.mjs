@@ -5,6 +5,7 @@
 import { copyFileSync, existsSync, mkdirSync, rmSync } from 'node:fs';
 import { homedir } from 'node:os';
 import { isAbsolute, join } from 'node:path';
+import { nameByLikeness } from './order.mjs';
 import { once, root, run, Stop } from './steps.mjs';
 
 /** The back ends, each with a build of its own. */
@@ -17,7 +18,7 @@ const builds = [...backends, 'avatar'];
 export async function buildWasm() {
   for (const feature of builds) {
     const folder = `web/pkg/${feature}`;
-    const inputs = ['crate', 'Cargo.toml', 'Cargo.lock', 'rust-toolchain.toml', 'web/tools/bindgen', 'web/tools/wasm.mjs'];
+    const inputs = ['crate', 'Cargo.toml', 'Cargo.lock', 'rust-toolchain.toml', 'web/tools/bindgen', 'web/tools/wasm.mjs', 'web/tools/order.mjs'];
     const outputs = [`${folder}/raconteur.js`, `${folder}/raconteur_bg.wasm`];
     await once(`wasm-${feature}`, { inputs, outputs }, () => build(feature, folder));
   }
@@ -45,11 +46,13 @@ function build(feature, folder) {
   rmSync(taken);
   const module = join(root, folder, 'raconteur_bg.wasm');
   // binaryen from npm: distributions carry versions old enough to break reference types.
-  run(process.execPath, [
-    join(root, 'node_modules/binaryen/bin/wasm-opt'), module, '-o', module, '-Oz',
-    // Nothing lives below 1024 (the end of the stack is there), so offsets fold into loads.
-    '--low-memory-unused',
+  const wasmOpt = (...args) => run(process.execPath, [
+    join(root, 'node_modules/binaryen/bin/wasm-opt'), module, '-o', module, ...args,
     '--enable-bulk-memory', '--enable-reference-types', '--enable-nontrapping-float-to-int',
     '--enable-sign-ext', '--enable-mutable-globals', '--enable-multivalue',
   ], { why: 'Shrinking the wasm file' });
+  // Nothing lives below 1024 (the end of the stack is there), so offsets fold into loads.
+  wasmOpt('-Oz', '--low-memory-unused');
+  nameByLikeness(module);
+  wasmOpt('--reorder-functions-by-name');
 }

@@ -160,13 +160,13 @@ impl Cut for Short {
         let top = slope(0.05, 0.10, at.y);
         let front = slope(0.03, 0.075, at.z) * top;
         match self.style {
-            HairStyle::Swept => 0.18 + 0.20 * top + 0.35 * front,
+            HairStyle::Swept => 0.24 + 0.20 * top + 0.35 * front,
             HairStyle::Tousled => {
                 let whorl = at.distance(DVec3::new(0.012, 0.112, -0.056)) / 0.024;
                 0.22 + 0.35 * top + 0.55 * ops::exp(-whorl * whorl)
             }
             HairStyle::Buzz => 0.95,
-            _ => 0.2 + 0.25 * top + 0.3 * front,
+            _ => 0.85,
         }
     }
 
@@ -224,7 +224,8 @@ impl Cut for Short {
         match self.style {
             HairStyle::Tousled => 0.28,
             HairStyle::Buzz => 0.0,
-            _ => 0.4,
+            HairStyle::Swept => 0.4,
+            _ => 0.15,
         }
     }
 
