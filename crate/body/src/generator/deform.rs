@@ -304,7 +304,7 @@ fn check(trials: &[Trial<'_>]) {
     }
 }
 
-fn mesh_of<'a>(figure: &'a Figure, near: DVec3, kind: MaterialKind) -> &'a Mesh {
+fn mesh_of(figure: &Figure, near: DVec3, kind: MaterialKind) -> &Mesh {
     let distance = |m: &&Mesh| {
         m.positions
             .iter()
