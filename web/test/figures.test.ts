@@ -19,7 +19,9 @@ describe.each(readdirSync(folder).filter((name) => name.endsWith('.glb')))('%s',
     const told = issues.messages.map((m) => `${['error', 'warning', 'info', 'hint'][m.severity]} ${m.code} ${m.pointer ?? ''}: ${m.message}`);
     // Information is no fault, but a reader of the log should see it.
     if (told.length > 0) console.info([`${name}:`, ...new Set(told)].join('\n  '));
-    expect(told.filter((line) => /^(error|warning)/.test(line))).toEqual([]);
+    // Tangents are found at load: in the file they would take 100 KB.
+    const faults = told.filter((line) => /^(error|warning)/.test(line) && !line.includes('MESH_PRIMITIVE_GENERATED_TANGENT_SPACE'));
+    expect(faults).toEqual([]);
     expect(issues.truncated).toBe(false);
     expect(bytes.length).toBeLessThanOrEqual(MOST_BYTES);
     expect(info.totalTriangleCount).toBeLessThanOrEqual(MOST_TRIANGLES);

@@ -28,7 +28,7 @@ class Reader {
     }
   }
 
-  skip(count) {
+  pass(count) {
     this.at += count;
   }
 }
@@ -50,7 +50,7 @@ function sections(bytes) {
     const id = reader.byte();
     const length = reader.number();
     found.set(id, reader.at);
-    reader.skip(length);
+    reader.pass(length);
   }
   return found;
 }
@@ -59,8 +59,8 @@ function sections(bytes) {
 function importedFunctions(reader) {
   let functions = 0;
   for (let left = reader.number(); left > 0; left--) {
-    reader.skip(reader.number());
-    reader.skip(reader.number());
+    reader.pass(reader.number());
+    reader.pass(reader.number());
     const kind = reader.byte();
     if (kind !== KIND_FUNCTION) throw new Error('only functions are expected among the imports');
     reader.number();
@@ -82,7 +82,7 @@ export function nameByLikeness(file) {
   for (let i = 0; i < count; i++) {
     const type = types.number();
     const size = code.number();
-    code.skip(size);
+    code.pass(size);
     const name = [type, size, i].map((n) => String(n).padStart(8, '0')).join('.');
     entries.push(number(imports + i), number(name.length), Buffer.from(name));
   }

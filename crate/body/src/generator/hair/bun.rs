@@ -92,7 +92,7 @@ impl Cut for Bun {
     }
 
     fn cling(&self, _at: DVec3) -> f64 {
-        0.6
+        0.5
     }
 
     fn extra(&self) -> Vec<Coil> {

@@ -224,7 +224,7 @@ impl Cut for Short {
         match self.style {
             HairStyle::Tousled => 0.28,
             HairStyle::Buzz => 0.0,
-            HairStyle::Swept => 0.4,
+            HairStyle::Swept => 0.28,
             _ => 0.15,
         }
     }
