@@ -11,7 +11,14 @@ const sofia = readFileSync(join(figures, 'sofia.glb'));
 /** The picture without the fade of a new one; the first comes some time after the story is ready. */
 async function look(stage: Stage): Promise<Buffer> {
   await expect.poll(() => stage.player.evaluate((p: RaconteurPlayer) => p.statistics?.firstFrameMs ?? 0), { timeout: 60_000 }).toBeGreaterThan(0);
-  return (await stage.picture()).png;
+  // A picture that stands still is drawn once more with every pixel.
+  let png = (await stage.picture()).png;
+  await expect.poll(async () => {
+    const last = png;
+    png = (await stage.picture()).png;
+    return await stage.difference(last, png);
+  }, { timeout: 20_000, intervals: [700] }).toBeLessThan(0.01);
+  return png;
 }
 
 const set = (stage: Stage, figure: string) => stage.player.evaluate((p: RaconteurPlayer, f) => void (p.figure = f), figure);
