@@ -11,6 +11,13 @@ const sofia = readFileSync(join(figures, 'sofia.glb'));
 /** The picture without the fade of a new one; the first comes some time after the story is ready. */
 async function look(stage: Stage): Promise<Buffer> {
   await expect.poll(() => stage.player.evaluate((p: RaconteurPlayer) => p.statistics?.firstFrameMs ?? 0), { timeout: 60_000 }).toBeGreaterThan(0);
+  // Only the canvas counts: notices and controls come and go over it.
+  await stage.player.evaluate((p: RaconteurPlayer) => {
+    const canvas = p.shadowRoot?.querySelector('canvas') ?? null;
+    for (const e of p.shadowRoot?.querySelectorAll<HTMLElement>('*') ?? []) {
+      if (!e.contains(canvas)) e.style.opacity = '0';
+    }
+  });
   // A picture that stands still is drawn once more with every pixel.
   let png = (await stage.picture()).png;
   await expect.poll(async () => {
