@@ -181,21 +181,23 @@ fn complete(base: &Individual, amounts: &[f64]) -> Individual {
     all
 }
 
+/// The mean head, midway between the sexes.
+#[cfg(test)]
+pub(super) fn mean_adult() -> HeadParams {
+    let mut head = HeadParams::sofia();
+    head.person.sex = 0.5;
+    head.person.age_years = TABLE_AGE_YEARS;
+    head.smile = 0.0;
+    head.asymmetry = 0.0;
+    head.measures = super::Measures::default();
+    head
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::generator::head::{Measure, Measures};
     use crate::generator::people;
-
-    fn mean_adult() -> HeadParams {
-        let mut head = HeadParams::sofia();
-        head.person.sex = 0.5;
-        head.person.age_years = TABLE_AGE_YEARS;
-        head.smile = 0.0;
-        head.asymmetry = 0.0;
-        head.measures = Measures::default();
-        head
-    }
 
     fn tuned(params: &HeadParams) -> Vec<f64> {
         let base = untuned(params);
