@@ -268,8 +268,7 @@ impl FacePainter<'_> {
         // Less light in the furrow, and what there is comes through blood.
         tissue.light *= 1.0 - (0.5 * wrinkle.core).min(0.4);
         tissue.ln_blood += 0.5 * wrinkle.core;
-        // Furrows of the net run 0.6 to 1.5 mm apart and widen with age (Zahouani et al.,
-        // e.g. doi:10.1111/j.1468-2494.2010.00577.x order of size; *designed*).
+        // Furrows of the net run 0.6 to 1.5 mm apart and widen with age (*designed*).
         let spacing = 1.15 + 0.35 * self.old;
         let (first, second, name) = cells(seed + 11, p / spacing);
         let gap = (second - first) / 0.16;
