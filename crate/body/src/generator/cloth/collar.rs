@@ -61,10 +61,10 @@ pub fn shirt_collar(wearer: &Wearer<'_>) -> Shell {
     /// (how far down the fall, distance outwards in cm, least distance from the body in cm)
     const FALL: [(f64, f64, f64); 6] = [
         (0.25, 1.05, 0.0),
-        (0.55, 1.45, 1.3),
-        (0.85, 1.95, 1.5),
-        (1.0, 2.15, 1.45),
-        (0.96, 1.75, 1.15),
+        (0.55, 1.55, 1.55),
+        (0.85, 2.05, 1.8),
+        (1.0, 2.25, 1.75),
+        (0.96, 1.85, 1.4),
         (0.5, 1.1, 0.9),
     ];
     let unit = CM * wearer.scale;

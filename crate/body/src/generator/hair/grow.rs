@@ -237,10 +237,11 @@ fn strand(
         curve,
         normals,
         width: layer.width * lerp(0.55, 1.0, dense) * ground.size() * (1.0 + 0.25 * random(3)),
+        // At the line a broad root would be seen as a blunt end on the bare skin.
         root: if layer.roots == Where::Hairline {
             0.15
         } else {
-            0.5
+            lerp(0.12, 0.5, dense)
         },
         tip: if full { 0.62 } else { 0.4 },
         weave: layer.weave,
