@@ -52,7 +52,7 @@ fn strand(uv: vec2<f32>, width_u: f32) -> Strand {
     let drift = (0.05 + 0.05 * wisp) * sin(v * (2.0 + 2.0 * dice) + 6.2832 * dice) * v;
     let y = x + gather + drift;
     // Single hairs, finer locks and locks; each fades to its mean as pixels grow over it.
-    let count = mix(32.0, mix(24.0, 9.0, wisp), loose);
+    let count = mix(32.0, mix(24.0, 7.0, wisp), loose);
     let row = hair_row(y, count, dice);
     let hairs = kept(width_u * count);
     let fine = lock_noise(y * 15.0, dice) - 0.5;
@@ -64,7 +64,8 @@ fn strand(uv: vec2<f32>, width_u: f32) -> Strand {
     let ends = 0.80 + 0.22 * lock + 0.26 * fine + mix(0.16, 0.55, wisp) * hairs * (row.y - 0.5) - 0.06 * wisp;
     let tip = smoothstep(ends - 0.34, ends + 0.06, v) + smoothstep(0.93, 1.0, v);
     let side = 1.0 - smoothstep(0.0, mix(0.26, 0.34, loose), min(x, 1.0 - x) + 0.10 * lock);
-    let root = 1.0 - smoothstep(0.0, 0.14 + 0.14 * fine + 0.12 * hairs * (row.y - 0.5), v);
+    // Short: on a long card a tenth is centimetres of bare parting.
+    let root = 1.0 - smoothstep(0.0, 0.05 + 0.25 * wisp + 0.03 * fine + 0.04 * hairs * (row.y - 0.5), v);
     let base = 0.15 * (loose - wisp) + 0.52 * wisp;
     let there = (1.0 - saturate1(tip)) * (1.0 - side) * (1.0 - root) * (1.0 - base);
     // Where half is there, every second hair stands; far off, half a hair everywhere.
@@ -156,7 +157,7 @@ fn cut(cover: f32, slope: f32) -> f32 {
 fn thin_out(cover: f32, pixel: vec2<f32>) -> f32 {
     let pattern = fract(52.9829189 * fract(dot(pixel, vec2<f32>(0.06711056, 0.00583715)))) - 0.5;
     if COVERAGE == 1u {
-        return saturate1(cover + 0.22 * pattern * smoothstep(0.0, 0.15, cover * (1.0 - cover)));
+        return saturate1(cover + 0.14 * pattern * smoothstep(0.0, 0.15, cover * (1.0 - cover)));
     }
     return select(0.0, 1.0, cover > 0.45 + 0.3 * pattern);
 }
@@ -181,7 +182,7 @@ fn fs_hair(v: VertexOut, @builtin(front_facing) front: bool) -> @location(0) vec
     let pale = saturate1(2.0 * own.g);
     // Fine hair at the line has no depth.
     let thin = step(40.0 / COLUMNS, v.uv.x);
-    let roots = mix(mix(0.84, 0.92, max(pale, thin)), 1.05, smoothstep(0.0, 0.5, v.uv.y));
+    let roots = mix(mix(0.90, 0.95, max(pale, thin)), 1.03, smoothstep(0.0, 0.4, v.uv.y));
     let depth = select(roots, mix(0.6, 0.9, pale), is_cap);
     let tone = own * (0.80 + 0.40 * s.id) * depth;
     return written(hair_light(v, n, tone, s), cover, v.clip.xy);

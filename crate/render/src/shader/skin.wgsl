@@ -88,7 +88,9 @@ fn fs_skin(v: VertexOut, @builtin(front_facing) front: bool) -> @location(0) vec
 
     var diffuse = frame.key.xyz * under_skin(key_n, share, v.bend) * mix(1.0, ao, 0.35);
     diffuse += frame.fill.xyz * under_skin(fill_n, 1.0, v.bend) * occlusion;
-    diffuse += frame.rim.xyz * under_skin(rim_n, rim_in, v.bend) * (occlusion * occlusion);
+    // Where the rim light only grazes, the coarse map would cut it into patches.
+    let grazed = smoothstep(0.05, 0.45, dot(ng, rim_l));
+    diffuse += frame.rim.xyz * under_skin(rim_n, rim_in, v.bend) * (occlusion * occlusion * grazed);
     diffuse += ambient(normalize(mix(ng, n, 0.5))) * occlusion;
     diffuse += (frame.key.xyz * shone_through(0u, v.world, ng, key_l, v.clip.xy)
         + frame.rim.xyz * shone_through(1u, v.world, ng, rim_l, v.clip.xy)) * ao;

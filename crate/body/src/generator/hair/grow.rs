@@ -285,7 +285,7 @@ fn thinned(curve: &[DVec3], normals: &[DVec3], spans: usize) -> (Vec<DVec3>, Vec
     let last = curve.len() - 1;
     (0..=spans)
         .map(|i| {
-            let t = ops::pow(i as f64 / spans as f64, 1.2) * last as f64;
+            let t = ops::pow(i as f64 / spans as f64, 1.5) * last as f64;
             let k = (t as usize).min(last - 1);
             let f = t - k as f64;
             let n = normals[k].lerp(normals[k + 1], f);
