@@ -62,7 +62,7 @@ fn skin() -> SkinParams {
         sun: 0.1,
         vessels: 0.0,
         beard: 0.0,
-        lips: 0.2,
+        lips: 0.3,
         lash_line: 0.35,
         seed: 11,
         ..SkinParams::plain()

@@ -99,8 +99,8 @@ fn brow() -> BrowParams {
         height: 1.25,
         unruly: 0.9,
         asymmetry: 0.8,
-        lash_length: 0.7,
-        lash_tone: 0.6,
+        lash_length: 0.8,
+        lash_tone: 0.28,
     }
 }
 
