@@ -48,6 +48,7 @@ fn head() -> HeadParams {
             (Measure::CheekFullness, -0.6),
         ]),
         seed: 5,
+        iris: [0.085, 0.130, 0.170],
         brow: brow(),
         ..HeadParams::default()
     }
