@@ -125,9 +125,9 @@ fn meaning(clause: &Clause, sink: &mut Sink) {
             );
             if jacobian.is_static_target && !still {
                 ignored("velocities do not count with isStaticTarget='true'");
-            } else if !jacobian.is_static_target
-                && !(zero(&target.position) && zero(&target.angles_deg))
-            {
+            }
+            let no_target = zero(&target.position) && zero(&target.angles_deg);
+            if !(jacobian.is_static_target || no_target) {
                 ignored("a target does not count with isStaticTarget='false'");
             }
         }

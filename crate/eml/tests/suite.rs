@@ -212,6 +212,8 @@ const INCONSISTENCIES: [(&str, &str); 30] = [
 fn the_suite_covers_the_language() {
     let mut tags: BTreeSet<(String, String)> = BTreeSet::new();
     let mut texts = String::new();
+    // What the cases report, not what they say that they do.
+    let mut reported = String::new();
     let mut names = BTreeSet::new();
     for case in cases() {
         names.insert(
@@ -220,7 +222,10 @@ fn the_suite_covers_the_language() {
                 .to_string_lossy()
                 .into_owned(),
         );
-        let text = String::from_utf8_lossy(&fs::read(&case).expect("a case")).into_owned();
+        let bytes = fs::read(&case).expect("a case");
+        let (source, _) = split(&bytes);
+        reported.push_str(&run(source).0);
+        let text = String::from_utf8_lossy(&bytes).into_owned();
         collect_tags(&text, &mut tags);
         texts.push_str(&text);
     }
@@ -249,7 +254,7 @@ fn the_suite_covers_the_language() {
         }
     }
     for code in codes() {
-        if !texts.contains(&format!(" {code} ")) {
+        if !reported.contains(&format!(" {code} ")) {
             missing.push(code);
         }
     }

@@ -109,7 +109,7 @@ fn attribute(attribute: &Attribute) -> String {
     ];
     match attribute.kind {
         Kind::Choice(words) | Kind::Level { words, .. } => {
-            fields.push(field("words", &strings(words)))
+            fields.push(field("words", &strings(words)));
         }
         Kind::Bool => fields.push(field("words", &strings(&["true", "false"]))),
         Kind::Number { least, most } => {

@@ -1,7 +1,7 @@
 //! Walks the tree by the table: which elements may stand where, which attributes
 //! they have.
 
-use super::{Attribute, Element, Presence, find, find_extension, variant_in};
+use super::{Attribute, Content, Element, Presence, find, find_extension, variant_in};
 use crate::diagnostic::Sink;
 use crate::namespaces::{self, Namespaces, Owner};
 use crate::suggest::{nearest, quoted};
@@ -203,7 +203,7 @@ impl<'t> Context<'t> {
                 return None;
             }
         }
-        let what = if parent.content.has_text() {
+        let what = if parent.content == Content::Mixed {
             "only its text is used"
         } else {
             "it is dropped"
@@ -225,7 +225,7 @@ impl<'t> Context<'t> {
                 .map(|near| format!("did you mean `{near}`?")),
         };
         self.push_with_hint(
-            Diagnostic::error("eml::unknown-element", span, message),
+            Diagnostic::warning("eml::unknown-element", span, message),
             hint,
         );
         None

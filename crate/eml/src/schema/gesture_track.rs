@@ -56,6 +56,9 @@ pub(super) const SPACE: Attribute = Attribute::choice(
 /// Where one track may stand and how often: once a hand.
 pub(super) const PARENTS: &[&str] = &["gesture-key"];
 
+/// What a key says, and how the hand moves to it.
+type Value<K> = (K, Option<Box<Profile>>);
+
 /// Reads a track: its hand, and its keys with `value`. None when no key is left.
 pub(super) fn read<'t, K>(
     cx: &mut Context<'t>,
@@ -71,7 +74,7 @@ pub(super) fn read<'t, K>(
         _ => None,
     };
     let profile = profile(cx, fields);
-    let mut keys: Vec<(Option<f64>, Option<(K, Option<Box<Profile>>)>, Span)> = Vec::new();
+    let mut keys: Vec<(Option<f64>, Option<Value<K>>, Span)> = Vec::new();
     cx.children(node, element, |cx, child, key| {
         let fields = cx.fields(child, key);
         let span = cx.full_span(child);

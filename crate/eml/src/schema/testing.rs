@@ -16,17 +16,17 @@ pub(super) fn clause_codes(clauses: &str) -> Vec<&'static str> {
 
 /// The first clause of a body with this content, which must be without fault.
 pub(super) fn one(clause: &str) -> ClauseKind {
-    first(parse(&format!("<eml><body>{clause}</body></eml>")))
+    first(&parse(&format!("<eml><body>{clause}</body></eml>")))
 }
 
 /// As [`one`], with the extensions bound to `x`.
 pub(super) fn extended(clause: &str) -> ClauseKind {
-    first(parse(&format!(
+    first(&parse(&format!(
         "<eml xmlns:x='urn:raconteur:eml:1'><body>{clause}</body></eml>"
     )))
 }
 
-fn first(parsed: Parsed) -> ClauseKind {
+fn first(parsed: &Parsed) -> ClauseKind {
     assert!(parsed.diagnostics.is_empty(), "{:?}", parsed.diagnostics);
     parsed.document.clauses[0].kind.clone()
 }

@@ -305,10 +305,12 @@ fn in_range(value: f64, least: f64, most: f64, text: &str) -> Result<f64, Proble
     if (least..=most).contains(&value) {
         return Ok(value);
     }
-    let wanted = if most >= MAX_NUMBER {
+    let wanted = if most < MAX_NUMBER {
+        format!("{least} to {most}")
+    } else if value < least {
         format!("at least {least}")
     } else {
-        format!("{least} to {most}")
+        format!("at most {most}")
     };
     Err(unexpected("eml::out-of-range", text, &wanted))
 }

@@ -78,7 +78,7 @@ impl VoiceBuilder {
                 found.name
             );
             cx.sink
-                .push(Diagnostic::error("eml::wrong-parent", span, message));
+                .push(Diagnostic::warning("eml::wrong-parent", span, message));
             self.content(cx, node, parent);
             return;
         };
