@@ -19,7 +19,7 @@ pub(super) fn params() -> FigureParams {
     let mut head = head();
     head.brow = brow();
     head.colours.hair = hair().colour.linear_rgb();
-    head.colours.brow = [0.34, 0.33, 0.31];
+    head.colours.brow = [0.40, 0.36, 0.31];
     FigureParams {
         name: "papous".to_owned(),
         person: PERSON,
