@@ -33,7 +33,7 @@ pub(super) fn roots(
                 Where::All => d.sqrt() * slope(0.12, 0.45, d) * (1.0 + parting),
                 Where::Hairline if middle.z > -0.012 => 4.0 * d * (1.0 - d),
                 Where::Hairline => 0.0,
-                Where::Parting => d * parting,
+                Where::Parting => d * slope(0.12, 0.45, d) * parting,
             };
             total += area * wanted;
             total
