@@ -72,6 +72,10 @@ const STEADY: [f64; 2] = [0.0, 0.0];
 /// All measures of the body: means of men and women and their deviations in millimetres,
 /// share at nine, change a year.
 #[rustfmt::skip]
+#[allow(
+    clippy::redundant_closure_for_method_calls,
+    reason = "a method of a type with a lifetime is not general enough for the pointer"
+)]
 const DEFINITIONS: [Definition; 20] = [
     define("stature", "v-floor", [[1756.2, 1628.5], [68.8, 63.8]], [0.76, 0.818], SHRINKING, Source::Ansur,
         |b| b.landmark("v").map(|p| p.y)),
@@ -182,7 +186,7 @@ impl Physique<'_> {
 
     /// A height: a share of stature, of an adult and of a child of nine.
     fn height(&self, adult: f64, boy: f64) -> f64 {
-        let body = &self.params.body;
+        let body = self.params.body();
         (adult + (boy - adult) * body.child()) * body.stature_m
     }
 
@@ -192,7 +196,7 @@ impl Physique<'_> {
 
     /// The lowest place of the trunk between the legs.
     fn crotch(&self) -> Option<f64> {
-        let s = self.params.body.stature_m;
+        let s = self.params.person.stature_m;
         (0..200)
             .map(|i| (0.42 + 0.0005 * f64::from(i)) * s)
             .find(|&y| {
@@ -204,12 +208,12 @@ impl Physique<'_> {
     }
 
     fn girth_at(&self, y: f64, regions: Regions) -> f64 {
-        let z = self.params.body.stoop_m(y);
+        let z = self.params.body().stoop_m(y);
         tape(&self.field, DVec3::new(0.0, y, z), regions)
     }
 
     fn heights(&self, share: core::ops::Range<f64>) -> impl Iterator<Item = f64> + use<'_> {
-        let s = self.params.body.stature_m;
+        let s = self.params.person.stature_m;
         (0..=18).map(move |i| s * (share.start + (share.end - share.start) * f64::from(i) / 18.0))
     }
 
@@ -230,7 +234,7 @@ impl Physique<'_> {
 
     /// Men's at the nipples, women's above the breasts.
     fn chest_girth(&self) -> f64 {
-        let body = &self.params.body;
+        let body = self.params.body();
         let adult = if body.sex > 0.5 { 0.752 } else { 0.72 };
         self.girth_at(self.height(adult, 0.70), Regions::TRUNK_ONLY)
     }
@@ -351,7 +355,7 @@ pub fn body_readings(params: &FigureParams, person: Person, built: &Built) -> Ve
             .into_iter()
             .map(|b| (b.name, b.vertices.iter().map(|v| v.position).collect()))
             .collect(),
-        field: Field::new(&params.body, &Joints::place(&params.body)),
+        field: Field::new(&params.body(), &Joints::place(&params.body())),
     };
     DEFINITIONS
         .iter()
@@ -398,8 +402,7 @@ mod tests {
         let mut params = people::preset("papous").unwrap();
         let small = body_readings(&params, params.person, &shipped("papous").1);
         params.person.stature_m = 1.85;
-        params.body.stature_m = 1.85;
-        params.body.build = 0.8;
+        params.person.build = 0.8;
         let large = body_readings(&params, params.person, &crate::generator::build(&params));
         for (s, l) in small.iter().zip(&large) {
             // The head, and with it the neck's skin, keeps the size of its own statistics.

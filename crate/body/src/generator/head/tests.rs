@@ -7,18 +7,28 @@ use raconteur_base::{DQuat, DVec3, Side};
 use super::*;
 use crate::generator::assemble;
 use crate::generator::crossing::{crossings, farthest_from_mirrored};
-use crate::generator::people::NAMES;
+use crate::generator::people::{NAMES, preset};
 use crate::generator::subdivide::{edge_faces, welded};
 use crate::skeleton::{Bone, Drive};
 
-fn params(name: &str) -> HeadParams {
-    crate::generator::people::preset(name).map_or_else(individual::mean_adult, |p| p.head)
+fn symmetric_shape(name: &str) -> Shape {
+    let (person, head) = individual::one(name);
+    let head = HeadParams {
+        asymmetry: 0.0,
+        ..head
+    };
+    Shape::of(&person, &head)
 }
 
 /// The heads of the three figures.
 fn heads() -> impl Iterator<Item = (&'static str, &'static Head)> {
     static HEADS: OnceLock<[Head; 3]> = OnceLock::new();
-    let heads = HEADS.get_or_init(|| NAMES.map(|name| build(&params(name))));
+    let heads = HEADS.get_or_init(|| {
+        NAMES.map(|name| {
+            let p = preset(name).unwrap();
+            build(&p.person, &p.head, p.hair.colour.linear_rgb())
+        })
+    });
     NAMES.into_iter().zip(heads)
 }
 
@@ -28,12 +38,7 @@ fn sofia() -> &'static Head {
 
 fn symmetric() -> &'static Shape {
     static SHAPE: OnceLock<Shape> = OnceLock::new();
-    SHAPE.get_or_init(|| {
-        Shape::of(&HeadParams {
-            asymmetry: 0.0,
-            ..HeadParams::sofia()
-        })
-    })
+    SHAPE.get_or_init(|| symmetric_shape("sofia"))
 }
 
 /// Skins a vertex with the given turns of jaw and left upper lid.
@@ -229,13 +234,7 @@ fn the_upper_lid_turned_by_its_closure_covers_the_pupil() {
 
 #[test]
 fn the_same_parameters_give_the_same_head() {
-    let (a, b) = (
-        symmetric(),
-        Shape::of(&HeadParams {
-            asymmetry: 0.0,
-            ..HeadParams::sofia()
-        }),
-    );
+    let (a, b) = (symmetric(), symmetric_shape("sofia"));
     assert_eq!(a.positions, b.positions);
     assert_eq!(a.rig.closure_rad, b.rig.closure_rad);
 }
@@ -258,21 +257,19 @@ const PEOPLE: [&str; 4] = ["mean", "sofia", "papous", "nuno"];
 /// Heads as they are shipped, and the mean adult's.
 fn people() -> impl Iterator<Item = (&'static str, &'static Shape)> {
     static SHAPES: OnceLock<[Shape; 4]> = OnceLock::new();
-    let shapes = SHAPES.get_or_init(|| PEOPLE.map(|name| Shape::of(&params(name))));
+    let shapes = SHAPES.get_or_init(|| {
+        PEOPLE.map(|name| {
+            let (person, head) = individual::one(name);
+            Shape::of(&person, &head)
+        })
+    });
     PEOPLE.into_iter().zip(shapes)
 }
 
 /// The same, mirror-symmetric.
 fn symmetric_people() -> impl Iterator<Item = (&'static str, &'static Shape)> {
     static SHAPES: OnceLock<[Shape; 4]> = OnceLock::new();
-    let shapes = SHAPES.get_or_init(|| {
-        PEOPLE.map(|name| {
-            Shape::of(&HeadParams {
-                asymmetry: 0.0,
-                ..params(name)
-            })
-        })
-    });
+    let shapes = SHAPES.get_or_init(|| PEOPLE.map(symmetric_shape));
     PEOPLE.into_iter().zip(shapes)
 }
 

@@ -57,7 +57,12 @@ impl Measure {
         if !(0.0..=1.0).contains(&person.sex) || !(8.0..=80.0).contains(&person.age_years) {
             bail!("statistics cover a sex of 0 to 1 and ages of 8 to 80");
         }
-        let mut all = readings(figure, names, person, params.as_ref().map(|p| &p.hand));
+        let mut all = readings(
+            figure,
+            names,
+            person,
+            params.as_ref().map(FigureParams::hands).as_ref(),
+        );
         // Only of a figure that is known by name is the body under the clothes known.
         if let Some(params) = &params {
             all.extend(body_readings(params, person, &built));
