@@ -1,7 +1,7 @@
 //! From text to document.
 
 use crate::diagnostic::Sink;
-use crate::schema::{self, Content, Context, Element, Fields, Role};
+use crate::schema::{self, Content, Context, Element, Fields, Role, Tally};
 use crate::suggest::quoted;
 use crate::syntax::{self, NodeKind};
 use crate::{Clause, ClauseId, ClauseKind, Diagnostic, Document, Span, TimeExpr};
@@ -106,22 +106,37 @@ fn read(source: &str, limits: &Limits, fragment: bool) -> Parsed {
         };
     }
     report_controls(source, &mut sink);
-    let tree = syntax::build(source, limits, &mut sink);
-    document
-        .clauses
-        .reserve((tree.nodes.len() / 8).min(limits.clauses));
+    let mut taken = Taken::default();
+    let tree = syntax::build(source, limits, &mut sink, &mut |tree, node, sink| {
+        let mut cx = Context {
+            tree,
+            sink,
+            document: &mut document,
+            limits,
+            told_clauses: taken.told_clauses,
+        };
+        cx.take(node, &mut taken);
+        taken.told_clauses = cx.told_clauses;
+    });
     let mut cx = Context {
         tree: &tree,
         sink: &mut sink,
         document: &mut document,
         limits,
-        told_clauses: false,
+        told_clauses: taken.told_clauses,
     };
-    cx.root(fragment);
+    cx.root(fragment, taken);
     Parsed {
         document,
         diagnostics: sink.finish(),
     }
+}
+
+/// What has been read of the body before the rest of the tree was there.
+#[derive(Default)]
+struct Taken {
+    tally: Option<Tally>,
+    told_clauses: bool,
 }
 
 /// Reports the first control character that XML does not allow: a sign of a file
@@ -142,7 +157,7 @@ fn report_controls(source: &str, sink: &mut Sink) {
 
 impl Context<'_> {
     /// Reads from the top of the tree.
-    fn root(&mut self, fragment: bool) {
+    fn root(&mut self, fragment: bool, mut taken: Taken) {
         let tree = self.tree;
         let mut root: Option<Span> = None;
         let mut bare: Option<Span> = None;
@@ -160,7 +175,7 @@ impl Context<'_> {
             match found {
                 Some(element) if element.name == "eml" && root.is_none() => {
                     root = Some(span);
-                    self.script(node, element);
+                    self.script(node, element, taken.tally.take());
                 }
                 Some(element) if element.name == "eml" => {
                     self.sink.push(
@@ -176,7 +191,7 @@ impl Context<'_> {
                 }
                 Some(element) if element.name == "body" => {
                     bare.get_or_insert(span);
-                    self.body(node, element);
+                    self.body(node, element, None);
                 }
                 _ => {
                     let name = quoted(tree.nodes[node].text);
@@ -222,13 +237,13 @@ impl Context<'_> {
                 tree.nodes[node].kind,
                 NodeKind::Text | NodeKind::Reference(_)
             ) {
-                self.stray_text(node, "outside `eml`", eml);
+                self.stray_text_at(node, "outside `eml`", eml);
             }
             node = tree.nodes[node].subtree_end as usize;
         }
     }
 
-    fn script(&mut self, node: usize, element: &'static Element) {
+    fn script(&mut self, node: usize, element: &'static Element, mut tally: Option<Tally>) {
         self.report_spelling(
             self.tree.nodes[node].text,
             element.name,
@@ -237,7 +252,7 @@ impl Context<'_> {
         let fields = self.fields(node, element);
         self.document.name = self.text(&fields, "name");
         self.children(node, element, |cx, child, entry| match entry.name {
-            "body" => cx.body(child, entry),
+            "body" => cx.body(child, entry, tally.take()),
             _ => {
                 cx.fields(child, entry);
                 cx.children(child, entry, |_, _, _| {});
@@ -245,15 +260,36 @@ impl Context<'_> {
         });
     }
 
-    fn body(&mut self, node: usize, element: &'static Element) {
+    /// Reads an element of the body while the rest of the document is not there yet.
+    fn take(&mut self, node: usize, taken: &mut Taken) {
+        let tree = self.tree;
+        let body = tree.taken_from.map(|body| tree.nodes[body as usize].kind);
+        let (Some(NodeKind::Element(Some(body))), NodeKind::Element(found)) =
+            (body, tree.nodes[node].kind)
+        else {
+            return;
+        };
+        let tally = taken.tally.get_or_insert_with(|| Tally::new(body));
+        if let Some(entry) = self.admit_counted(tally, node, found) {
+            self.body_child(node, entry);
+        }
+    }
+
+    fn body_child(&mut self, node: usize, entry: &'static Element) {
+        if let Some(id) = self.clause(node, entry, None) {
+            self.document.roots.push(id);
+        }
+    }
+
+    /// Reads the body, or what is left of it when `taken` is what has been taken out.
+    fn body(&mut self, node: usize, element: &'static Element, taken: Option<Tally>) {
         self.fields(node, element);
-        self.children(node, element, |cx, child, entry| {
-            if let Some(id) = cx.clause(child, entry, None) {
-                cx.document.roots.push(id);
-            }
-        });
         // White space is not in the tree.
-        if self.tree.nodes[node].subtree_end as usize == node + 1 {
+        let end = self.tree.nodes[node].subtree_end as usize;
+        let is_empty = taken.is_none() && end == node + 1;
+        let mut tally = taken.unwrap_or_else(|| Tally::new(element));
+        self.children_counted(node, &mut tally, Self::body_child);
+        if is_empty {
             let span = self.name_span(node);
             self.sink.push(Diagnostic::warning(
                 "eml::empty-body",

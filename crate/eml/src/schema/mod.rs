@@ -14,6 +14,7 @@ mod gesture_track;
 mod group;
 mod hand_shapes;
 mod head;
+mod lookup;
 mod motion;
 mod null;
 mod palms;
@@ -26,7 +27,7 @@ mod values;
 mod voice_text;
 
 use crate::ClauseKind;
-pub(crate) use context::{Context, Fields};
+pub(crate) use context::{Context, Fields, Tally};
 pub(crate) use group::read as read_group;
 pub(crate) use voice_text::VoiceBuilder;
 
@@ -69,7 +70,7 @@ impl Element {
     }
 
     fn may_stand_in(&self, parent: &str) -> bool {
-        self.parents.contains(&parent)
+        self.parents.iter().any(|p| lookup::same(p, parent))
     }
 }
 
@@ -234,9 +235,7 @@ pub static ELEMENTS: &[&Element] = &[
 /// The element of a name: exact, or else an alias or another case. Of several with
 /// one name, the first.
 pub(crate) fn find(name: &str) -> Option<&'static Element> {
-    // Most names differ in length, so this beats a binary search.
-    let exact = ELEMENTS.iter().copied().find(|e| e.name == name);
-    exact.or_else(|| {
+    lookup::exact(name).or_else(|| {
         ELEMENTS.iter().copied().find(|e| {
             e.name.eq_ignore_ascii_case(name)
                 || e.aliases.iter().any(|a| a.eq_ignore_ascii_case(name))
@@ -249,10 +248,7 @@ pub(crate) fn variant_in(element: &'static Element, parent: &str) -> Option<&'st
     if element.may_stand_in(parent) {
         return Some(element);
     }
-    ELEMENTS
-        .iter()
-        .copied()
-        .find(|e| e.name == element.name && e.may_stand_in(parent))
+    lookup::variants(element.name).find(|e| e.may_stand_in(parent))
 }
 
 #[cfg(test)]

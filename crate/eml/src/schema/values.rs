@@ -2,7 +2,7 @@
 //! reported and counts as left out.
 
 use super::context::list;
-use super::{Context, Fields, Kind, Presence};
+use super::{Attribute, Context, Fields, Kind, Presence};
 use crate::suggest::{nearest, quoted};
 use crate::time_expr::{self, Problem};
 use crate::{Diagnostic, Span, TimeExpr, syntax};
@@ -38,13 +38,15 @@ struct Given<'t> {
 impl Context<'_> {
     /// Any text.
     pub(crate) fn text(&mut self, fields: &Fields<'_>, name: &str) -> Option<String> {
-        self.given(fields, name)
+        let (attribute, written) = fields.get(name)?;
+        self.given(attribute, written)
             .map(|given| given.text.into_owned())
     }
 
     /// A name for a moment.
     pub(crate) fn name(&mut self, fields: &Fields<'_>, name: &str) -> Option<String> {
-        let given = self.given(fields, name)?;
+        let (attribute, written) = fields.get(name)?;
+        let given = self.given(attribute, written)?;
         let text = given.text.trim();
         if time_expr::is_name(text) {
             return Some(text.to_owned());
@@ -199,8 +201,8 @@ impl Context<'_> {
         name: &str,
         mut parse: impl FnMut(&str) -> Result<T, Problem>,
     ) -> Option<T> {
-        let (attribute, _) = fields.get(name)?;
-        let given = self.given(fields, name)?;
+        let (attribute, written) = fields.get(name)?;
+        let given = self.given(attribute, written)?;
         let text = given.text.trim();
         match (parse(text), given.span) {
             (Ok(value), _) => Some(value),
@@ -216,8 +218,11 @@ impl Context<'_> {
         }
     }
 
-    fn given<'f>(&mut self, fields: &Fields<'f>, name: &str) -> Option<Given<'f>> {
-        let (attribute, written) = fields.get(name)?;
+    fn given<'f>(
+        &mut self,
+        attribute: &Attribute,
+        written: Option<&'f syntax::Attribute<'f>>,
+    ) -> Option<Given<'f>> {
         match (written, attribute.default) {
             (Some(written), _) => Some(Given {
                 text: syntax::resolve(written.value, written.value_start, self.sink),

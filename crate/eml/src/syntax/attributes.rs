@@ -80,18 +80,16 @@ pub(super) fn scan<'a>(
         let quote = bytes.get(i).copied();
         let (value_start, value_end) = match quote {
             Some(q @ (b'\'' | b'"' | b'`')) => {
-                let length = bytes[i + 1..].iter().position(|&b| b == q);
-                let Some(length) = length else {
-                    let next = raw[i..].find('<').map(|at| i + at);
-                    return unclosed(element, start, i, next, sink);
+                let from = i + 1;
+                let length = bytes[from..].iter().position(|&b| b == q || b == b'<');
+                let length = match length {
+                    Some(length) if bytes[from + length] == q => length,
+                    next => return unclosed(element, start, i, next.map(|n| from + n), sink),
                 };
-                if let Some(lt) = bytes[i + 1..i + 1 + length].iter().position(|&b| b == b'<') {
-                    return unclosed(element, start, i, Some(i + 1 + lt), sink);
-                }
                 if q == b'`' {
                     unquoted(Span::of(start + i, start + i + length + 2), sink);
                 }
-                (i + 1, i + 1 + length)
+                (from, from + length)
             }
             _ => {
                 let end = bytes[i..]

@@ -13,24 +13,32 @@ use quick_xml::Reader;
 use quick_xml::errors::{Error, SyntaxError};
 use quick_xml::events::Event;
 
-/// Bounds the memory of the tree: about 120 MB at worst.
+/// Bounds the memory of the tree: about 150 MB at worst.
 const MOST_NODES: usize = 2_000_000;
 
 /// How deep recursion over the tree may go, whatever the limits say.
 const DEEPEST: usize = 256;
 
-/// Reads `source` into a tree.
-pub(crate) fn build<'a>(source: &'a str, limits: &Limits, sink: &mut Sink) -> Tree<'a> {
+/// Takes an element of the body as soon as it is complete: a node of the tree.
+pub(crate) type Take<'a, 's> = dyn FnMut(&Tree<'a>, usize, &mut Sink) + 's;
+
+/// Reads `source` into a tree. The elements in the body of a document that starts as it
+/// should are given to `take` one after another and leave the tree, so that a long
+/// script needs no more memory than its longest clause.
+pub(crate) fn build<'a>(
+    source: &'a str,
+    limits: &Limits,
+    sink: &mut Sink,
+    take: &mut Take<'a, '_>,
+) -> Tree<'a> {
     let mut builder = Builder {
         source,
         limits,
         sink,
-        // About as many as in a script of gestures; too few only costs a copy.
-        tree: Tree {
-            nodes: Vec::with_capacity(source.len() / 32),
-            attributes: Vec::with_capacity(source.len() / 48),
-        },
+        take,
+        tree: Tree::default(),
         stack: Vec::new(),
+        met_body: false,
         skipped_depth: 0,
         told_depth: false,
         // Reading the same bytes again after a slip must stay linear in all.
@@ -40,11 +48,14 @@ pub(crate) fn build<'a>(source: &'a str, limits: &Limits, sink: &mut Sink) -> Tr
     builder.tree
 }
 
-struct Builder<'a, 's> {
+struct Builder<'a, 's, 't> {
     source: &'a str,
     limits: &'s Limits,
     sink: &'s mut Sink,
+    take: &'s mut Take<'a, 't>,
     tree: Tree<'a>,
+    /// Whether the first body in the root has been met.
+    met_body: bool,
     /// Indices of the open elements.
     stack: Vec<u32>,
     /// How many elements are open below the depth limit.
@@ -61,7 +72,7 @@ struct Restart {
     reached: usize,
 }
 
-impl<'a> Builder<'a, '_> {
+impl<'a> Builder<'a, '_, '_> {
     fn run(&mut self) {
         let mut start = if self.source.starts_with('\u{feff}') {
             3
@@ -255,7 +266,10 @@ impl<'a> Builder<'a, '_> {
                 let node = &mut self.tree.nodes[index as usize];
                 node.first_attribute = Span::of(first_attribute, 0).start;
                 node.attribute_count = u16::try_from(count).unwrap_or(u16::MAX);
-                if !empty {
+                self.meet_body(index, !empty);
+                if empty {
+                    self.complete(index);
+                } else {
                     self.stack.push(index);
                 }
                 None
@@ -286,8 +300,46 @@ impl<'a> Builder<'a, '_> {
         let raw = raw.trim_end();
         let closed = raw.ends_with("/>")
             || (!raw.ends_with('>') && entry.is_none_or(|e| e.content == Content::Empty));
-        if !closed {
+        self.meet_body(index, false);
+        if closed {
+            self.complete(index);
+        } else {
             self.stack.push(index);
+        }
+    }
+
+    /// Remembers the first body in the root, which is about to be opened, when its
+    /// content may be taken at once: when nothing comes before it in the document that
+    /// clauses could stand in.
+    fn meet_body(&mut self, index: u32, well_formed: bool) {
+        let &[root] = &self.stack[..] else { return };
+        if self.met_body || !self.is(index, "body") || !self.is(root, "eml") {
+            return;
+        }
+        self.met_body = true;
+        let before = &self.tree.nodes[..root as usize];
+        let only_text = before
+            .iter()
+            .all(|n| matches!(n.kind, NodeKind::Text | NodeKind::Reference(_)));
+        if well_formed && only_text {
+            self.tree.taken_from = Some(index);
+        }
+    }
+
+    fn is(&self, index: u32, name: &str) -> bool {
+        let kind = self.tree.nodes[index as usize].kind;
+        matches!(kind, NodeKind::Element(Some(element)) if element.name == name)
+    }
+
+    /// Gives an element of the body away that is complete and the last in the tree.
+    fn complete(&mut self, index: u32) {
+        let in_body = self.stack.len() == 2 && self.tree.taken_from == Some(self.stack[1]);
+        let node = &self.tree.nodes[index as usize];
+        if in_body && matches!(node.kind, NodeKind::Element(_)) {
+            let first_attribute = node.first_attribute as usize;
+            (self.take)(&self.tree, index as usize, self.sink);
+            self.tree.nodes.truncate(index as usize);
+            self.tree.attributes.truncate(first_attribute);
         }
     }
 
@@ -327,6 +379,7 @@ impl<'a> Builder<'a, '_> {
         let node = &mut self.tree.nodes[open as usize];
         node.end = Span::of(end, end).end;
         node.subtree_end = subtree_end;
+        self.complete(open);
     }
 
     /// Closes an element that has no end tag of its own at byte `end`.
@@ -344,6 +397,7 @@ impl<'a> Builder<'a, '_> {
             diagnostic = diagnostic.related(by, "its parent ends here");
         }
         self.sink.push(diagnostic);
+        self.complete(open);
     }
 
     fn text(&mut self, text: &'a str, start: usize) {
@@ -376,7 +430,7 @@ impl<'a> Builder<'a, '_> {
             span,
             end: span.end,
             subtree_end: index + 1,
-            first_attribute: 0,
+            first_attribute: Span::of(self.tree.attributes.len(), 0).start,
             attribute_count: 0,
         });
         index

@@ -10,6 +10,8 @@ pub(crate) struct Tree<'a> {
     pub(crate) nodes: Vec<Node<'a>>,
     /// The attributes of all elements, those of one element together.
     pub(crate) attributes: Vec<Attribute<'a>>,
+    /// The body whose elements have been taken out.
+    pub(crate) taken_from: Option<u32>,
 }
 
 impl<'a> Tree<'a> {
