@@ -69,6 +69,12 @@ impl Durations for EstimatedDurations {
             _ => None,
         });
         let mut next_break = breaks.next();
+        // About one word in six bytes; a list that grows is copied several times.
+        let bytes = text.pieces.iter().map(|piece| match piece {
+            Piece::Text { text, .. } => text.len(),
+            _ => 0,
+        });
+        timing.words.reserve(bytes.sum::<usize>() / 6 + 1);
         let mut now = 0.0_f64;
         // Where silence after the last word ends; the utterance ends with the word.
         let mut resume = 0.0_f64;
@@ -78,7 +84,7 @@ impl Durations for EstimatedDurations {
                 resume += secs;
                 next_break = breaks.next();
             }
-            let letters = word.text.chars().filter(|c| c.is_alphanumeric()).count();
+            let letters = letters(&word.text);
             let start_secs = resume;
             now = start_secs + SECS_PER_WORD + SECS_PER_LETTER * letters as f64;
             timing.words.push(WordTime {
@@ -109,6 +115,15 @@ impl Durations for EstimatedDurations {
             now
         };
         timing
+    }
+}
+
+/// How many letters and digits a word has.
+fn letters(word: &str) -> usize {
+    if word.is_ascii() {
+        word.bytes().filter(u8::is_ascii_alphanumeric).count()
+    } else {
+        word.chars().filter(|c| c.is_alphanumeric()).count()
     }
 }
 

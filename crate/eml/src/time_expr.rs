@@ -1,6 +1,6 @@
 //! Time expressions: `t1+2.5s-1m` (GEVH D.2.1 to D.2.3).
 
-use crate::Span;
+use crate::{Name, Span};
 
 /// A sum of seconds and named moments.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -17,7 +17,7 @@ pub struct TimeExpr {
 #[derive(Clone, Debug, PartialEq)]
 pub struct NameTerm {
     /// The name that a `timeId` or a `tm` gives.
-    pub name: String,
+    pub name: Name,
     /// Whether it is subtracted.
     pub negative: bool,
     /// Where it is written.
@@ -118,7 +118,7 @@ pub(crate) fn parse(text: &str, start: u32) -> Result<TimeExpr, Problem> {
                 return Err(lexer.unexpected("a number or a name"));
             }
             expr.names.push(NameTerm {
-                name: name.to_owned(),
+                name: name.into(),
                 negative,
                 span: Span::new(at(term_start), at(lexer.position)),
             });

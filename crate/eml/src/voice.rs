@@ -1,6 +1,6 @@
 //! Spoken text with its breaks and time markers (GEVH D.4).
 
-use crate::Span;
+use crate::{Name, Span};
 use std::borrow::Cow;
 
 /// SABLE's level of text that nobody emphasised.
@@ -22,7 +22,7 @@ pub enum Piece {
     /// reference such as `&amp;`.
     Text {
         /// The characters.
-        text: String,
+        text: Name,
         /// SABLE's emphasis level: 0 reduced, 0.5 none, 1 moderate, 2 strong.
         emphasis: f64,
         /// Where they are.
@@ -47,7 +47,7 @@ pub enum Piece {
     /// A time marker: names a moment of the next word.
     Mark {
         /// The name.
-        name: String,
+        name: Name,
         /// Which moment.
         event: MarkEvent,
         /// The element.
@@ -72,7 +72,7 @@ pub enum MarkEvent {
     /// The end of the word.
     OnEnd,
     /// The start of the first phone with this symbol in the word.
-    OnPhone(String),
+    OnPhone(Name),
 }
 
 /// A spoken word: a token between white space that holds a letter or a digit.
@@ -90,7 +90,7 @@ pub struct Word {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mark {
     /// The name.
-    pub name: String,
+    pub name: Name,
     /// Which moment of the word.
     pub event: MarkEvent,
     /// Index of the next word, or the number of words when none follows.
@@ -173,7 +173,7 @@ impl VoiceText {
     /// Whether there is a word in it.
     pub(crate) fn has_words(&self) -> bool {
         self.pieces.iter().any(|p| match p {
-            Piece::Text { text, .. } => text.contains(char::is_alphanumeric),
+            Piece::Text { text, .. } => has_letter(text),
             _ => false,
         })
     }
@@ -241,6 +241,12 @@ impl VoiceText {
     }
 }
 
+/// Whether a text holds a letter or a digit.
+fn has_letter(text: &str) -> bool {
+    text.bytes().any(|b| b.is_ascii_alphanumeric())
+        || (!text.is_ascii() && text.contains(char::is_alphanumeric))
+}
+
 /// XML's white space. A no-break space joins.
 fn is_space(b: u8) -> bool {
     matches!(b, b' ' | b'\t' | b'\n' | b'\r')
@@ -277,7 +283,7 @@ impl<'v> Token<'v> {
         } else {
             self.text.to_mut().push_str(part);
         }
-        self.spoken = part.contains(char::is_alphanumeric);
+        self.spoken = has_letter(part);
         self.has_letter |= self.spoken;
         self.emphasized |= self.spoken && emphasis >= MODERATE_EMPHASIS;
     }

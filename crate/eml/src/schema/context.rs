@@ -176,12 +176,14 @@ impl<'t> Context<'t> {
                 .iter()
                 .filter(|e| e.may_stand_in(parent.name));
             let all = super::ELEMENTS.iter();
-            let hint = nearest(written, fitting.map(|e| e.name))
-                .or_else(|| nearest(written, all.map(|e| e.name)));
+            let hint = self.hint(|| {
+                nearest(written, fitting.map(|e| e.name))
+                    .or_else(|| nearest(written, all.map(|e| e.name)))
+            });
             let message = format!("unknown element {}; it is dropped", quoted(written));
             self.push_with_hint(
                 Diagnostic::error("eml::unknown-element", span, message),
-                hint.map(|h| format!("did you mean `{h}`?")),
+                hint,
             );
             return None;
         };
@@ -282,12 +284,20 @@ impl<'t> Context<'t> {
             return slot;
         }
         let message = format!("`{}` has no attribute {}", element.name, quoted(written));
-        let hint = nearest(written, element.all_attributes().map(|a| a.name));
+        let hint = self.hint(|| nearest(written, element.all_attributes().map(|a| a.name)));
         self.push_with_hint(
             Diagnostic::warning("eml::unknown-attribute", attribute.name_span(), message),
-            hint.map(|h| format!("did you mean `{h}`?")),
+            hint,
         );
         None
+    }
+
+    /// Asks whether a known name was meant; not once nobody will read it.
+    pub(crate) fn hint<'c>(&self, near: impl FnOnce() -> Option<&'c str>) -> Option<String> {
+        if self.sink.is_full() {
+            return None;
+        }
+        near().map(|name| format!("did you mean `{name}`?"))
     }
 
     pub(crate) fn push_with_hint(&mut self, diagnostic: Diagnostic, hint: Option<String>) {

@@ -3,6 +3,7 @@
 use super::{Attribute, CLAUSE_PARENTS, Content, Context, Element, Fields, Kind, Presence, Role};
 use crate::ClauseKind;
 use crate::syntax::NodeKind;
+use std::borrow::Cow;
 
 pub(super) static ELEMENT: Element = Element {
     name: "event",
@@ -25,15 +26,15 @@ pub(super) static ELEMENT: Element = Element {
 };
 
 fn build(cx: &mut Context<'_>, node: usize, fields: &Fields<'_>) -> Option<ClauseKind> {
-    let kind = cx.text(fields, "type");
+    let kind = cx.label(fields, "type");
     let tree = cx.tree;
-    let mut payload = String::new();
+    let mut payload = Cow::Borrowed("");
     let mut child = node + 1;
     while child < tree.nodes[node].subtree_end as usize {
         let inner = &tree.nodes[child];
         match inner.kind {
-            NodeKind::Text => payload.push_str(inner.text),
-            NodeKind::Reference(c) => payload.push(c),
+            NodeKind::Text => payload += inner.text,
+            NodeKind::Reference(c) => payload.to_mut().push(c),
             NodeKind::Element(found) => {
                 cx.admit(child, found, &ELEMENT);
             }
@@ -41,7 +42,10 @@ fn build(cx: &mut Context<'_>, node: usize, fields: &Fields<'_>) -> Option<Claus
         }
         child = inner.subtree_end as usize;
     }
-    Some(ClauseKind::Event { kind, payload })
+        Some(ClauseKind::Event {
+        kind,
+        payload: payload.into(),
+    })
 }
 
 #[cfg(test)]

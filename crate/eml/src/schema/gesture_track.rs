@@ -2,7 +2,7 @@
 
 use super::values::KeyTime;
 use super::{Attribute, Context, Element, Fields, Kind, Presence};
-use crate::{Diagnostic, Handedness, Key, Span, Track};
+use crate::{Diagnostic, Handedness, Key, Track};
 use raconteur_base::Side;
 
 /// The hand of a track.
@@ -28,8 +28,11 @@ pub(super) const KEY_TIME: Attribute = Attribute {
 /// Where one track may stand and how often: once a hand.
 pub(super) const PARENTS: &[&str] = &["gesture-key"];
 
+/// Stands for the offset of a key that has none yet.
+const UNTIMED: f64 = f64::NAN;
+
 /// Reads a track: its hand, and its keys with `value`. None when no key is left.
-pub(super) fn read<'t, K>(
+pub(super) fn read<'t, K: Default>(
     cx: &mut Context<'t>,
     node: usize,
     element: &'static Element,
@@ -42,12 +45,14 @@ pub(super) fn read<'t, K>(
         Some("right") => Some(Side::Right),
         _ => None,
     };
-    let mut keys: Vec<(Option<f64>, Option<K>, Span)> = Vec::new();
+    let most = cx.tree.nodes[node].subtree_end as usize - node - 1;
+    let mut keys: Vec<Key<K>> = Vec::with_capacity(most);
+    // Keys that are dropped still take a place among those without a time.
+    let mut dropped: Vec<usize> = Vec::new();
     cx.children(node, element, |cx, child, key| {
         let fields = cx.fields(child, key);
         let span = cx.full_span(child);
         cx.children(child, key, |_, _, _| {});
-        // A bad time still takes a place among the keys without one.
         let time = cx.key_time(&fields);
         let secs = time.unwrap_or(None).map(|time| match time {
             KeyTime::Secs(secs) => secs,
@@ -66,19 +71,25 @@ pub(super) fn read<'t, K>(
         } else {
             None
         };
-        keys.push((secs, read.filter(|_| time.is_ok()), span));
+        if read.is_none() || time.is_err() {
+            dropped.push(keys.len());
+        }
+        keys.push(Key {
+            offset_secs: secs.unwrap_or(UNTIMED),
+            value: read.unwrap_or_default(),
+            span,
+        });
     });
     spread(&mut keys, duration_secs);
-    let mut keys: Vec<Key<K>> = keys
-        .into_iter()
-        .filter_map(|(time, value, span)| {
-            Some(Key {
-                offset_secs: time.unwrap_or(0.0),
-                value: value?,
-                span,
-            })
-        })
-        .collect();
+    let mut dropped = dropped.into_iter().peekable();
+    if dropped.peek().is_some() {
+        let mut index = 0;
+        keys.retain(|_| {
+            let keep = dropped.next_if_eq(&index).is_none();
+            index += 1;
+            keep
+        });
+    }
     if !keys.is_sorted_by_key(|k| k.offset_secs) {
         let message = format!(
             "the keys of `{}` are not in the order of their times",
@@ -130,31 +141,32 @@ pub(super) fn add<K>(
         );
         return;
     }
+    // There is rarely a second one.
+    tracks.reserve_exact(1);
     tracks.push(track);
 }
 
 /// Gives times to the keys that have none: evenly between their timed neighbours, the
 /// ends counting as 0 and the duration (GEVH 3.5.2).
-fn spread<V>(keys: &mut [(Option<f64>, V, Span)], duration_secs: f64) {
+fn spread<K>(keys: &mut [Key<K>], duration_secs: f64) {
     let last = keys.len().saturating_sub(1);
-    if let Some((time @ None, ..)) = keys.first_mut() {
-        *time = Some(0.0);
+    if let Some(key) = keys.first_mut().filter(|k| k.offset_secs.is_nan()) {
+        key.offset_secs = 0.0;
     }
-    let latest = keys
-        .iter()
-        .filter_map(|(time, ..)| *time)
-        .fold(duration_secs, f64::max);
-    if let Some((time @ None, ..)) = keys.last_mut() {
-        *time = Some(latest);
+    if keys.last().is_some_and(|k| k.offset_secs.is_nan()) {
+        // `max` passes over NaN.
+        let times = keys.iter().map(|k| k.offset_secs);
+        keys[last].offset_secs = times.fold(duration_secs, f64::max);
     }
     let mut from = 0;
     for to in 1..=last {
-        let (Some(start), Some(end)) = (keys[from].0, keys[to].0) else {
+        let (start, end) = (keys[from].offset_secs, keys[to].offset_secs);
+        if end.is_nan() {
             continue;
-        };
+        }
         let steps = (to - from) as f64;
-        for (step, (time, ..)) in keys[from + 1..to].iter_mut().enumerate() {
-            *time = Some(start + (end - start) * (step + 1) as f64 / steps);
+        for (step, key) in keys[from + 1..to].iter_mut().enumerate() {
+            key.offset_secs = start + (end - start) * (step + 1) as f64 / steps;
         }
         from = to;
     }
@@ -164,7 +176,7 @@ fn spread<V>(keys: &mut [(Option<f64>, V, Span)], duration_secs: f64) {
 mod tests {
     use super::*;
     use crate::schema::testing::{codes, one};
-    use crate::{ClauseKind, GestureKey};
+    use crate::{ClauseKind, GestureKey, Span};
 
     fn gesture(inner: &str) -> GestureKey {
         let text = format!("<gesture-key time='1' duration='2'>{inner}</gesture-key>");
@@ -214,10 +226,14 @@ mod tests {
     fn spread_of(times: &[Option<f64>]) -> Vec<f64> {
         let mut keys: Vec<_> = times
             .iter()
-            .map(|&time| (time, (), Span::default()))
+            .map(|&time| Key {
+                offset_secs: time.unwrap_or(UNTIMED),
+                value: (),
+                span: Span::default(),
+            })
             .collect();
         spread(&mut keys, 2.0);
-        keys.into_iter().filter_map(|(time, ..)| time).collect()
+        keys.into_iter().map(|key| key.offset_secs).collect()
     }
 
     #[test]

@@ -45,10 +45,10 @@ fn read(cx: &mut Context<'_>, node: usize, fields: &Fields<'_>, voice: &mut Voic
     let Some(name) = cx.name(fields, "name") else {
         return;
     };
-    let phone = cx.text(fields, "phone");
+    let phone = cx.label(fields, "phone");
     let event = match (cx.choice(fields, "event"), phone) {
         (Some("onEnd"), None) => MarkEvent::OnEnd,
-        (Some("onPhone"), Some(phone)) => MarkEvent::OnPhone(phone.trim().to_ascii_lowercase()),
+        (Some("onPhone"), Some(phone)) => MarkEvent::OnPhone(phone.trim().to_ascii_lowercase().into()),
         (Some("onPhone"), None) => {
             let message = "onPhone needs `phone`; the start of the word is used";
             cx.sink

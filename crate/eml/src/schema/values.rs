@@ -5,7 +5,7 @@ use super::context::list;
 use super::{Attribute, Context, Fields, Kind, Presence};
 use crate::suggest::{nearest, quoted};
 use crate::time_expr::{self, Problem};
-use crate::{Diagnostic, Span, TimeExpr, syntax};
+use crate::{Diagnostic, Name, Span, TimeExpr, syntax};
 use std::borrow::Cow;
 
 /// The largest number either way that a document may write: it keeps products and
@@ -43,13 +43,20 @@ impl Context<'_> {
             .map(|given| given.text.into_owned())
     }
 
+    /// A short text.
+    pub(crate) fn label(&mut self, fields: &Fields<'_>, name: &str) -> Option<Name> {
+        let (attribute, written) = fields.get(name)?;
+        self.given(attribute, written)
+            .map(|given| given.text.into())
+    }
+
     /// A name for a moment.
-    pub(crate) fn name(&mut self, fields: &Fields<'_>, name: &str) -> Option<String> {
+    pub(crate) fn name(&mut self, fields: &Fields<'_>, name: &str) -> Option<Name> {
         let (attribute, written) = fields.get(name)?;
         let given = self.given(attribute, written)?;
         let text = given.text.trim();
         if time_expr::is_name(text) {
-            return Some(text.to_owned());
+            return Some(text.into());
         }
         self.sink.push(
             Diagnostic::error(

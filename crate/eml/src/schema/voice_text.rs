@@ -6,7 +6,7 @@ use super::{
 use crate::suggest::{nearest, quoted};
 use crate::syntax::NodeKind;
 use crate::voice::NO_EMPHASIS;
-use crate::{ClauseKind, Diagnostic, Piece, VoiceText};
+use crate::{ClauseKind, Diagnostic, Name, Piece, VoiceText};
 
 pub(super) static ELEMENT: Element = Element {
     name: "voice-text",
@@ -54,8 +54,10 @@ impl VoiceBuilder {
         while child < tree.nodes[node].subtree_end as usize {
             let inner = &tree.nodes[child];
             match inner.kind {
-                NodeKind::Text => self.text(inner.text.to_owned(), inner.span),
-                NodeKind::Reference(c) => self.text(c.to_string(), inner.span),
+                NodeKind::Text => self.text(inner.text.into(), inner.span),
+                NodeKind::Reference(c) => {
+                    self.text(c.encode_utf8(&mut [0; 4]).into(), inner.span);
+                },
                 NodeKind::Malformed => {}
                 NodeKind::Element(found) => match found.and_then(|e| variant_in(e, parent)) {
                     Some(element) => {
@@ -98,12 +100,12 @@ impl VoiceBuilder {
         let known = super::ELEMENTS
             .iter()
             .filter(|e| VOICE_PARENTS.iter().any(|p| e.may_stand_in(p)));
-        let hint = nearest(written, known.map(|e| e.name)).map(|h| format!("did you mean `{h}`?"));
+        let hint = cx.hint(|| nearest(written, known.map(|e| e.name)));
         cx.push_with_hint(Diagnostic::warning(code, span, message), hint);
         self.content(cx, node, parent);
     }
 
-    fn text(&mut self, text: String, span: crate::Span) {
+    fn text(&mut self, text: Name, span: crate::Span) {
         self.pieces.push(Piece::Text {
             text,
             emphasis: self.emphasis,

@@ -49,7 +49,7 @@ pub(super) fn expand(document: &Document, times: &Times, counts: &[u32]) -> Time
         document,
         times,
         counts,
-        clauses: Vec::new(),
+        clauses: Vec::with_capacity(document.clauses.len()),
     };
     for &root in &document.roots {
         list.add(
@@ -66,22 +66,24 @@ pub(super) fn expand(document: &Document, times: &Times, counts: &[u32]) -> Time
     let earliest = clauses.iter().map(|c| c.start_secs).fold(0.0, f64::min);
     // Not `-earliest`, which is −0 when nothing is early.
     let lead_in_secs = 0.0 - earliest;
-    let mut order: Vec<usize> = (0..clauses.len()).collect();
-    raconteur_base::order::sort_by_number(&mut order, |&i| clauses[i].start_secs);
-    let mut place_of = vec![0; order.len()];
-    for (place, &index) in order.iter().enumerate() {
-        place_of[index] = place;
-    }
     let mut duration_secs: f64 = 0.0;
     for clause in &mut clauses {
         clause.start_secs += lead_in_secs;
         clause.end_secs += lead_in_secs;
-        clause.container = clause.container.map(|index| place_of[index]);
         duration_secs = duration_secs.max(clause.end_secs);
     }
-    let mut placed: Vec<Option<TimedClause>> = clauses.into_iter().map(Some).collect();
-    let clauses: Vec<TimedClause> = order.iter().filter_map(|&i| placed[i].take()).collect();
-    let ends = EndIndex::new(clauses.iter().map(|c| c.end_secs));
+    // A script is written in the order of its times, or nearly so.
+    if let Some(order) = raconteur_base::order::order_by_number(&clauses, |c| c.start_secs) {
+        let mut place_of = vec![0; order.len()];
+        for (place, &index) in order.iter().enumerate() {
+            place_of[index] = place;
+        }
+        for clause in &mut clauses {
+            clause.container = clause.container.map(|index| place_of[index]);
+        }
+        raconteur_base::order::arrange(&mut clauses, order);
+    }
+    let ends = EndIndex::new(&clauses, |c| c.end_secs);
     Timeline {
         duration_secs,
         lead_in_secs,

@@ -4,11 +4,14 @@
 //! with a stack of its own, so that a chain of a hundred thousand names is no problem,
 //! and meeting an unknown that is being worked on is a cycle.
 
-use super::names::Moment;
+use super::names::Names;
 use crate::diagnostic::Sink;
 use crate::suggest::{nearest, quoted};
-use crate::{Clause, ClauseId, ClauseKind, Diagnostic, Document, VoiceTiming};
-use std::collections::BTreeMap;
+use crate::{Clause, ClauseId, ClauseKind, Diagnostic, Document, SortedMap, VoiceTiming};
+
+/// Names that are looked at in all to find those that may have been meant: it bounds
+/// the work on a document with many names that nobody gave.
+const MOST_LOOKS: usize = 20_000;
 
 /// Times beyond this, about 31 years, come from sums that have run away.
 const LATEST_SECS: f64 = 1e9;
@@ -34,8 +37,8 @@ impl Times {
 /// Solves for all clauses.
 pub(super) fn solve(
     document: &Document,
-    voices: &BTreeMap<ClauseId, VoiceTiming>,
-    names: &BTreeMap<String, Moment>,
+    voices: &SortedMap<ClauseId, VoiceTiming>,
+    names: &Names,
     counts: &[u32],
     sink: &mut Sink,
 ) -> Times {
@@ -56,8 +59,13 @@ pub(super) fn solve(
     };
     solver.look_up_names(names);
     solver.link_sequences();
+    let mut stack = Vec::new();
     for unknown in 0..2 * n {
-        solver.find(unknown);
+        if !solver.is_ready(unknown) {
+            solver.find(unknown, &mut stack);
+        } else if solver.state[unknown] == State::New {
+            solver.settle(unknown);
+        }
     }
     Times {
         values: solver.values,
@@ -80,7 +88,7 @@ struct Term {
 
 struct Solver<'d, 's> {
     document: &'d Document,
-    voices: &'d BTreeMap<ClauseId, VoiceTiming>,
+    voices: &'d SortedMap<ClauseId, VoiceTiming>,
     counts: &'d [u32],
     sink: &'s mut Sink,
     /// The terms of all clauses, those of one clause together.
@@ -99,10 +107,11 @@ struct Solver<'d, 's> {
 }
 
 impl Solver<'_, '_> {
-    fn look_up_names(&mut self, names: &BTreeMap<String, Moment>) {
+    fn look_up_names(&mut self, names: &Names) {
+        let mut looks = MOST_LOOKS;
         for (id, clause) in self.document.iter() {
             for term in &clause.start.names {
-                match names.get(term.name.as_str()) {
+                match names.find(&term.name) {
                     Some(moment) => self.terms.push(Term {
                         clause: moment.clause,
                         offset_secs: moment.offset_secs,
@@ -115,7 +124,9 @@ impl Solver<'_, '_> {
                             quoted(&term.name),
                             clause.kind.name()
                         );
-                        let hint = match nearest(&term.name, names.keys().map(String::as_str)) {
+                        let near = nearest(&term.name, names.iter().take(looks));
+                        looks = looks.saturating_sub(names.len());
+                        let hint = match near {
                             Some(near) => format!("did you mean `{near}`?"),
                             None => "moments are named by `timeId` and `tm`".to_owned(),
                         };
@@ -139,17 +150,24 @@ impl Solver<'_, '_> {
         }
     }
 
-    fn find(&mut self, unknown: usize) {
-        if self.state[unknown] != State::New {
-            return;
-        }
-        let mut stack = Vec::new();
-        self.open(unknown, &mut stack);
+    /// Whether all that an unknown needs is known, as it mostly is when the unknowns are
+    /// gone through in the order of the document.
+    fn is_ready(&self, unknown: usize) -> bool {
+        let known = |needed| self.state[needed] == State::Done;
+        known(unknown) || (0..).map_while(|i| self.needs(unknown, i)).all(known)
+    }
+
+    fn settle(&mut self, unknown: usize) {
+        self.values[unknown] = self.value(unknown);
+        self.state[unknown] = State::Done;
+    }
+
+    fn find(&mut self, unknown: usize, stack: &mut Vec<(usize, usize)>) {
+        self.open(unknown, stack);
         while let Some((current, next)) = stack.last_mut() {
             let current = *current;
             let Some(needed) = self.needs(current, *next) else {
-                self.values[current] = self.value(current);
-                self.state[current] = State::Done;
+                self.settle(current);
                 stack.pop();
                 let left = stack.len();
                 self.suspects.pop_if(|&mut (_, depth)| depth == left);
@@ -157,7 +175,7 @@ impl Solver<'_, '_> {
             };
             *next += 1;
             match self.state[needed] {
-                State::New => self.open(needed, &mut stack),
+                State::New => self.open(needed, stack),
                 State::Open => self.refuse_cycle(self.depth[needed]),
                 State::Done => {}
             }
