@@ -16,6 +16,29 @@ const EXACT_POWERS: [f64; 23] = [
 /// Numbers with more places than this are zero or infinite.
 const MOST_PLACES: i32 = 400;
 
+/// Nearly every number: at most 15 digits and a point, without sign or exponent. Digits
+/// and power are exact in a float, so the one division rounds once (Clinger 1990).
+pub(crate) fn parse_short(text: &[u8]) -> Option<f64> {
+    if text.len() > 15 {
+        return None;
+    }
+    let (mut whole, mut digits, mut places, mut pointed) = (0_u64, 0_usize, 0_usize, false);
+    for &byte in text {
+        let digit = byte.wrapping_sub(b'0');
+        if digit < 10 {
+            whole = whole * 10 + u64::from(digit);
+            digits += 1;
+            places += usize::from(pointed);
+        } else if byte == b'.' && !pointed {
+            pointed = true;
+        } else {
+            return None;
+        }
+    }
+    #[expect(clippy::cast_precision_loss, reason = "15 digits fit")]
+    (digits > 0).then(|| whole as f64 / EXACT_POWERS[places])
+}
+
 /// The number that `text` says; none when it says none. Too large ones are infinite.
 pub(crate) fn parse(text: &str) -> Option<f64> {
     let (sign, rest) = match text.as_bytes() {
@@ -23,6 +46,9 @@ pub(crate) fn parse(text: &str) -> Option<f64> {
         [b'+', rest @ ..] => (1.0, rest),
         rest => (1.0, rest),
     };
+    if let Some(value) = parse_short(rest) {
+        return Some(sign * value);
+    }
     if rest.first().is_some_and(u8::is_ascii_alphabetic) {
         return word(rest).map(|value| sign * value);
     }
@@ -92,12 +118,16 @@ fn scaled(whole: u64, exponent: i32) -> f64 {
         return 0.0;
     }
     let power = exponent.unsigned_abs();
-    // Both are exact in a float, so one operation rounds once (Clinger 1990).
+    // As in `parse_short`.
     if whole < 1 << 53
         && let Some(ten) = EXACT_POWERS.get(power as usize)
     {
         let whole = whole as f64;
-        return if exponent < 0 { whole / ten } else { whole * ten };
+        return if exponent < 0 {
+            whole / ten
+        } else {
+            whole * ten
+        };
     }
     let ten = 10_u128.pow(power.min(MOST_POWER));
     let mut value = if exponent < 0 {

@@ -2,6 +2,7 @@
 
 use crate::voice::Item;
 use crate::{Piece, VoiceText};
+use std::ops::ControlFlow;
 
 /// Knows how long spoken texts take. The player answers from a speech bundle.
 pub trait Durations {
@@ -79,7 +80,9 @@ impl Durations for EstimatedDurations {
         // Where silence after the last word ends; the utterance ends with the word.
         let mut resume = 0.0_f64;
         text.scan(|item| {
-            let Item::Word(word) = item else { return };
+            let Item::Word(word) = item else {
+                return ControlFlow::Continue(());
+            };
             while let Some((_, secs)) = next_break.filter(|&(at, _)| at < word.span.start) {
                 resume += secs;
                 next_break = breaks.next();
@@ -91,17 +94,8 @@ impl Durations for EstimatedDurations {
                 start_secs,
                 end_secs: now,
             });
-            let mark = word
-                .text
-                .trim_end_matches(['"', '\'', ')', '”', '’', '»'])
-                .chars()
-                .last();
-            resume = now
-                + match mark {
-                    Some('.' | '!' | '?' | '…') => SENTENCE_SECS,
-                    Some(',' | ';' | ':') => COMMA_SECS,
-                    _ => 0.0,
-                };
+            resume = now + pause_after(&word.text);
+            ControlFlow::Continue(())
         });
         let trailing: f64 = next_break
             .iter()
@@ -115,6 +109,19 @@ impl Durations for EstimatedDurations {
             now
         };
         timing
+    }
+}
+
+/// The pause that the punctuation at the end of a word asks for.
+fn pause_after(word: &str) -> f64 {
+    if word.ends_with(|c: char| c.is_ascii_alphanumeric()) {
+        return 0.0;
+    }
+    let bare = word.trim_end_matches(['"', '\'', ')', '”', '’', '»']);
+    match bare.chars().next_back() {
+        Some('.' | '!' | '?' | '…') => SENTENCE_SECS,
+        Some(',' | ';' | ':') => COMMA_SECS,
+        _ => 0.0,
     }
 }
 

@@ -31,10 +31,10 @@ pub use document::{Clause, ClauseId, ClauseKind, Document, Group};
 pub use durations::{Durations, EstimatedDurations, PhoneTime, VoiceTiming, WordTime};
 pub use gesture::{Coords, GestureKey, Handedness, Key, MotionKey, PalmKey, ShapeKey, Track};
 pub use parse::{Limits, Parsed, parse, parse_bytes, parse_fragment, parse_with};
+/// A name or another short text: up to 23 bytes need no allocation, and copies are cheap.
+pub use smol_str::SmolStr as Name;
 pub use sorted::SortedMap;
 pub use span::{LineIndex, Position, Span};
 pub use time_expr::{NameTerm, TimeExpr};
 pub use timeline::{Resolved, TimedClause, Timeline};
-/// A name or another short text: up to 23 bytes need no allocation, and copies are cheap.
-pub use smol_str::SmolStr as Name;
 pub use voice::{DivKind, Mark, MarkEvent, Piece, VoiceText, Word};

@@ -65,7 +65,10 @@ mod tests {
     fn keys_are_found_and_others_are_not() {
         let map = SortedMap::from_sorted(vec![("a".to_owned(), 1), ("c".to_owned(), 3)]);
         assert_eq!((map.get("a"), map.get("c")), (Some(&1), Some(&3)));
-        assert_eq!((map.get(""), map.get("b"), map.get("d")), (None, None, None));
+        assert_eq!(
+            (map.get(""), map.get("b"), map.get("d")),
+            (None, None, None)
+        );
         let keys: Vec<&String> = map.iter().map(|(key, _)| key).collect();
         assert_eq!(keys, ["a", "c"]);
     }

@@ -59,9 +59,7 @@ pub(crate) fn is_name(text: &str) -> bool {
 /// a name, and a sign may lead. `start` is the offset of `text` in the source.
 pub(crate) fn parse(text: &str, start: u32) -> Result<TimeExpr, Problem> {
     // Nearly every expression is a plain number.
-    let plain = !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit() || b == b'.');
-    if plain
-        && let Some(offset_secs) = crate::decimal::parse(text)
+    if let Some(offset_secs) = crate::decimal::parse_short(text.as_bytes())
         && offset_secs <= MAX_SECS
     {
         let span = Span::of(start as usize, start as usize + text.len());

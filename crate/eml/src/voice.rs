@@ -2,6 +2,7 @@
 
 use crate::{Name, Span};
 use std::borrow::Cow;
+use std::ops::ControlFlow;
 
 /// SABLE's level of text that nobody emphasised.
 pub(crate) const NO_EMPHASIS: f64 = 0.5;
@@ -119,6 +120,7 @@ impl VoiceText {
                     emphasized,
                 });
             }
+            ControlFlow::Continue(())
         });
         words
     }
@@ -126,11 +128,18 @@ impl VoiceText {
     /// The time markers in order, each with its word.
     #[must_use]
     pub fn marks(&self) -> Vec<Mark> {
-        let mut marks = Vec::new();
-        if self.has_marks() {
+        let is_mark = |piece: &&Piece| matches!(piece, Piece::Mark { .. });
+        let count = self.pieces.iter().filter(is_mark).count();
+        let mut marks = Vec::with_capacity(count);
+        if count > 0 {
             self.scan(|item| {
                 if let Item::Mark(mark) = item {
                     marks.push(mark);
+                }
+                if marks.len() == count {
+                    ControlFlow::Break(())
+                } else {
+                    ControlFlow::Continue(())
                 }
             });
         }
@@ -178,9 +187,16 @@ impl VoiceText {
         })
     }
 
-    /// Goes through words and markers in order. A marker waits for the next letter or
-    /// digit, be it in the middle of a token.
-    pub(crate) fn scan<'v>(&'v self, mut visit: impl FnMut(Item<'v>)) {
+    /// Goes through words and markers in order, as long as `visit` wants. A marker waits
+    /// for the next letter or digit, be it in the middle of a token.
+    pub(crate) fn scan<'v>(&'v self, mut visit: impl FnMut(Item<'v>) -> ControlFlow<()>) {
+        let _ = self.try_scan(&mut visit);
+    }
+
+    fn try_scan<'v>(
+        &'v self,
+        visit: &mut impl FnMut(Item<'v>) -> ControlFlow<()>,
+    ) -> ControlFlow<()> {
         let mut token = Token::default();
         let mut words = 0;
         let mut waiting: Vec<Mark> = Vec::new();
@@ -192,31 +208,30 @@ impl VoiceText {
                     span,
                 } => {
                     let verbatim = text.len() == (span.end - span.start) as usize;
-                    let mut rest = text.as_str();
-                    while !rest.is_empty() {
-                        let length = rest.bytes().position(is_space).unwrap_or(rest.len());
-                        if length > 0 {
-                            let start = span.start as usize + (text.len() - rest.len());
+                    let bytes = text.as_bytes();
+                    let mut at = 0;
+                    while at < bytes.len() {
+                        let start = at;
+                        while at < bytes.len() && !is_space(bytes[at]) {
+                            at += 1;
+                        }
+                        if at > start {
+                            let place = span.start as usize;
                             let span = if verbatim {
-                                Span::of(start, start + length)
+                                Span::of(place + start, place + at)
                             } else {
                                 *span
                             };
-                            token.add(&rest[..length], span, *emphasis);
-                            if token.spoken {
-                                waiting.drain(..).for_each(|mut mark| {
-                                    mark.word = words;
-                                    visit(Item::Mark(mark));
-                                });
+                            token.add(&text[start..at], span, *emphasis);
+                            if token.spoken && !waiting.is_empty() {
+                                pass_marks(&mut waiting, words, visit)?;
                             }
                         }
-                        rest = &rest[length..];
-                        if !rest.is_empty() {
-                            token.finish(&mut words, &mut visit);
-                            rest = &rest[rest
-                                .bytes()
-                                .position(|b| !is_space(b))
-                                .unwrap_or(rest.len())..];
+                        if at < bytes.len() {
+                            token.finish(&mut words, visit)?;
+                            while at < bytes.len() && is_space(bytes[at]) {
+                                at += 1;
+                            }
                         }
                     }
                 }
@@ -229,16 +244,24 @@ impl VoiceText {
                     });
                 }
                 Piece::Break { .. } | Piece::DivStart { .. } | Piece::DivEnd => {
-                    token.finish(&mut words, &mut visit);
+                    token.finish(&mut words, visit)?;
                 }
             }
         }
-        token.finish(&mut words, &mut visit);
-        waiting.into_iter().for_each(|mut mark| {
-            mark.word = words;
-            visit(Item::Mark(mark));
-        });
+        token.finish(&mut words, visit)?;
+        pass_marks(&mut waiting, words, visit)
     }
+}
+
+/// Hands on the markers that have found their word.
+fn pass_marks<'v>(
+    waiting: &mut Vec<Mark>,
+    word: usize,
+    visit: &mut impl FnMut(Item<'v>) -> ControlFlow<()>,
+) -> ControlFlow<()> {
+    waiting
+        .drain(..)
+        .try_for_each(|mark| visit(Item::Mark(Mark { word, ..mark })))
 }
 
 /// Whether a text holds a letter or a digit.
@@ -273,14 +296,11 @@ pub(crate) struct Token<'v> {
 
 impl<'v> Token<'v> {
     fn add(&mut self, part: &'v str, span: Span, emphasis: f64) {
-        self.span = if self.text.is_empty() {
-            span
-        } else {
-            self.span.to(span)
-        };
         if self.text.is_empty() {
+            self.span = span;
             self.text = Cow::Borrowed(part);
         } else {
+            self.span = self.span.to(span);
             self.text.to_mut().push_str(part);
         }
         self.spoken = has_letter(part);
@@ -288,12 +308,20 @@ impl<'v> Token<'v> {
         self.emphasized |= self.spoken && emphasis >= MODERATE_EMPHASIS;
     }
 
-    fn finish(&mut self, words: &mut usize, visit: &mut impl FnMut(Item<'v>)) {
-        let token = std::mem::take(self);
-        if token.has_letter {
-            *words += 1;
-            visit(Item::Word(token));
+    fn finish(
+        &mut self,
+        words: &mut usize,
+        visit: &mut impl FnMut(Item<'v>) -> ControlFlow<()>,
+    ) -> ControlFlow<()> {
+        if self.text.is_empty() {
+            return ControlFlow::Continue(());
         }
+        let token = std::mem::take(self);
+        if !token.has_letter {
+            return ControlFlow::Continue(());
+        }
+        *words += 1;
+        visit(Item::Word(token))
     }
 }
 

@@ -1,8 +1,10 @@
 //! Whatever the input: no panic, no hang, bounded memory, and times that hold together.
 
+mod holds;
+
 use proptest::prelude::*;
 use raconteur_eml::{
-    Diagnostic, EstimatedDurations, Limits, LineIndex, Severity, Timeline, parse, parse_bytes,
+    Diagnostic, EstimatedDurations, Limits, Severity, Timeline, parse, parse_bytes,
 };
 use std::fs;
 use std::path::Path;
@@ -22,47 +24,6 @@ static SUITE: LazyLock<Vec<Vec<u8>>> = LazyLock::new(|| {
         .map(|path| fs::read(path).expect("a case"))
         .collect()
 });
-
-/// Parses and resolves, and checks what must hold for any input.
-fn check(source: &[u8]) {
-    let parsed = parse_bytes(source, &Limits::default());
-    let resolved = Timeline::resolve(&parsed.document, &EstimatedDurations);
-    let text = String::from_utf8_lossy(source);
-    let lines = LineIndex::new(&text);
-    for Diagnostic { span, related, .. } in parsed.diagnostics.iter().chain(&resolved.diagnostics) {
-        for span in related.iter().map(|(span, _)| span).chain([span]) {
-            assert!(
-                span.start <= span.end && span.end as usize <= source.len() + 1,
-                "{span:?}"
-            );
-            assert!(lines.position(span.start).line >= 1);
-        }
-    }
-    let timeline = &resolved.timeline;
-    assert!(timeline.clauses.is_sorted_by_key(|c| c.start_secs));
-    assert!(timeline.lead_in_secs >= 0.0);
-    for clause in &timeline.clauses {
-        assert!(clause.start_secs >= 0.0 && clause.end_secs >= clause.start_secs);
-        assert!(clause.end_secs <= timeline.duration_secs && clause.end_secs.is_finite());
-        assert_eq!(clause.span, parsed.document.clause(clause.clause).span);
-        if let Some(container) = clause.container {
-            let group = parsed.document.clause(timeline.clauses[container].clause);
-            assert!(
-                group
-                    .kind
-                    .group()
-                    .is_some_and(|g| g.children.contains(&clause.clause))
-            );
-        }
-    }
-    for t in [0.0, 0.5, 1.0, timeline.duration_secs] {
-        let active: Vec<usize> = timeline.active_at(t).map(|(i, _)| i).collect();
-        let scanned: Vec<usize> = (0..timeline.clauses.len())
-            .filter(|&i| timeline.clauses[i].start_secs <= t && timeline.clauses[i].end_secs > t)
-            .collect();
-        assert_eq!(active, scanned);
-    }
-}
 
 #[derive(Clone, Debug)]
 enum Edit {
@@ -151,12 +112,12 @@ proptest! {
     ) {
         let mut source = case.get(&SUITE).clone();
         edits.iter().for_each(|edit| apply(&mut source, edit));
-        check(&source);
+        holds::document(&source);
     }
 
     #[test]
     fn arbitrary_text_never_panics(text in "\\PC*") {
-        check(text.as_bytes());
+        holds::document(text.as_bytes());
     }
 
     /// Moving every clause of the body by the same time moves the whole timeline: by that
@@ -244,7 +205,7 @@ fn ten_thousand_deep_nesting_is_one_diagnostic() {
     assert_eq!(codes(&parsed.diagnostics), ["eml::too-deep"]);
     let resolved = Timeline::resolve(&parsed.document, &EstimatedDurations);
     assert_eq!(resolved.timeline.duration_secs, 2.0);
-    check(
+    holds::document(
         format!(
             "<eml><body>{}",
             "<voice-text time='0'><emph>".repeat(10_000)

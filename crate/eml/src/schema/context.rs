@@ -2,7 +2,7 @@
 //! they have.
 
 use super::lookup::same;
-use super::{Attribute, Element, Presence, find, variant_in};
+use super::{Attribute, Element, Presence, TIMED, find, variant_in};
 use crate::diagnostic::Sink;
 use crate::suggest::{nearest, quoted};
 use crate::syntax::{self, NodeKind, Tree};
@@ -56,13 +56,9 @@ impl<'t> Fields<'t> {
         &self,
         name: &str,
     ) -> Option<(&'static Attribute, Option<&'t syntax::Attribute<'t>>)> {
-        let (slot, attribute) = self
-            .element
-            .all_attributes()
-            .enumerate()
-            .find(|(_, a)| same(a.name, name))?;
+        let slot = slot(self.element, name)?;
         Some((
-            attribute,
+            attribute_at(self.element, slot),
             self.attributes.get(usize::from(self.slots[slot])),
         ))
     }
@@ -73,6 +69,20 @@ impl<'t> Fields<'t> {
             .and_then(|(_, written)| written)
             .map_or(self.tag, syntax::Attribute::value_span)
     }
+}
+
+/// The place of an attribute with exactly this name among all of an element.
+fn slot(element: &'static Element, name: &str) -> Option<usize> {
+    let own = element.attributes;
+    let timed = || TIMED.iter().position(|a| same(a.name, name));
+    let found = own.iter().position(|a| same(a.name, name));
+    found.or_else(|| Some(own.len() + timed().filter(|_| element.is_clause())?))
+}
+
+/// The attribute at a place that [`slot`] found.
+fn attribute_at(element: &'static Element, slot: usize) -> &'static Attribute {
+    let own = element.attributes;
+    own.get(slot).unwrap_or_else(|| &TIMED[slot - own.len()])
 }
 
 impl<'t> Context<'t> {
@@ -97,7 +107,10 @@ impl<'t> Context<'t> {
         element: &'static Element,
         visit: impl FnMut(&mut Self, usize, &'static Element),
     ) {
-        self.children_counted(node, &mut Tally::new(element), visit);
+        let is_leaf = self.tree.nodes[node].subtree_end as usize == node + 1;
+        if !(is_leaf && element.required_children.is_empty()) {
+            self.children_counted(node, &mut Tally::new(element), visit);
+        }
     }
 
     /// [`Context::children`] for an element that may have had some children before.
@@ -139,7 +152,10 @@ impl<'t> Context<'t> {
         if let Some(i) = required.clone().position(|name| same(name, entry.name)) {
             tally.missing -= usize::from(!std::mem::replace(&mut tally.seen[i], true));
         }
-        if entry.most_per_parent.is_some_and(|most| tally.count(entry) > most) {
+        if entry
+            .most_per_parent
+            .is_some_and(|most| tally.count(entry) > most)
+        {
             self.surplus(child, entry, tally.parent);
             return None;
         }
@@ -232,9 +248,7 @@ impl<'t> Context<'t> {
             complete: true,
         };
         for (index, attribute) in fields.attributes.iter().enumerate() {
-            let exact = element
-                .all_attributes()
-                .position(|a| same(a.name, attribute.name));
+            let exact = slot(element, attribute.name);
             let Some(slot) = exact.or_else(|| self.slot_by_spelling(element, attribute)) else {
                 continue;
             };
@@ -247,7 +261,8 @@ impl<'t> Context<'t> {
                     .push(Diagnostic::error("eml::duplicate-attribute", span, message));
             }
         }
-        for (slot, attribute) in element.all_attributes().enumerate() {
+        // None of `TIMED` is required.
+        for (slot, attribute) in element.attributes.iter().enumerate() {
             if attribute.default == Presence::Required && fields.slots[slot] == ABSENT {
                 fields.complete = false;
                 let message = format!(

@@ -42,7 +42,7 @@ fn build(cx: &mut Context<'_>, node: usize, fields: &Fields<'_>) -> Option<Claus
         }
         child = inner.subtree_end as usize;
     }
-        Some(ClauseKind::Event {
+    Some(ClauseKind::Event {
         kind,
         payload: payload.into(),
     })

@@ -54,7 +54,7 @@ const fn same_bytes(a: &[u8], b: &[u8]) -> bool {
 
 /// Whether two names are the same. A look at the first letter saves most of the calls
 /// that comparing strings makes.
-pub(super) fn same(a: &str, b: &str) -> bool {
+pub(crate) fn same(a: &str, b: &str) -> bool {
     a.len() == b.len() && a.as_bytes().first() == b.as_bytes().first() && a == b
 }
 

@@ -29,6 +29,7 @@ mod voice_text;
 use crate::ClauseKind;
 pub(crate) use context::{Context, Fields, Tally};
 pub(crate) use group::read as read_group;
+pub(crate) use lookup::same;
 pub(crate) use voice_text::VoiceBuilder;
 
 /// An element of the language.
@@ -70,7 +71,7 @@ impl Element {
     }
 
     fn may_stand_in(&self, parent: &str) -> bool {
-        self.parents.iter().any(|p| lookup::same(p, parent))
+        self.parents.iter().any(|p| same(p, parent))
     }
 }
 

@@ -48,7 +48,9 @@ fn read(cx: &mut Context<'_>, node: usize, fields: &Fields<'_>, voice: &mut Voic
     let phone = cx.label(fields, "phone");
     let event = match (cx.choice(fields, "event"), phone) {
         (Some("onEnd"), None) => MarkEvent::OnEnd,
-        (Some("onPhone"), Some(phone)) => MarkEvent::OnPhone(phone.trim().to_ascii_lowercase().into()),
+        (Some("onPhone"), Some(phone)) => {
+            MarkEvent::OnPhone(phone.trim().to_ascii_lowercase().into())
+        }
         (Some("onPhone"), None) => {
             let message = "onPhone needs `phone`; the start of the word is used";
             cx.sink

@@ -28,6 +28,9 @@ pub(crate) enum NumberOrWord {
     Word(&'static str),
 }
 
+/// An attribute of the table and how it is written, when it is.
+type Entry<'t> = (&'static Attribute, Option<&'t syntax::Attribute<'t>>);
+
 /// A written value, or the default that stands for it.
 struct Given<'t> {
     text: Cow<'t, str>,
@@ -89,11 +92,11 @@ impl Context<'_> {
 
     /// A whole number in the table's range.
     pub(crate) fn integer(&mut self, fields: &Fields<'_>, name: &str) -> Option<i64> {
-        let (attribute, _) = fields.get(name)?;
-        let Kind::Integer { least, most } = attribute.kind else {
+        let entry = fields.get(name)?;
+        let Kind::Integer { least, most } = entry.0.kind else {
             return None;
         };
-        self.read(fields, name, |text| match text.parse::<i64>() {
+        self.read_entry(entry, |text| match text.parse::<i64>() {
             Ok(value) if (least..=most).contains(&value) => Ok(value),
             _ if most == i64::MAX => Err(bad_value(text, &format!("a whole number from {least}"))),
             _ => Err(bad_value(
@@ -117,11 +120,11 @@ impl Context<'_> {
 
     /// The table's spelling of a word.
     pub(crate) fn choice(&mut self, fields: &Fields<'_>, name: &str) -> Option<&'static str> {
-        let (attribute, _) = fields.get(name)?;
-        let Kind::Choice(words) = attribute.kind else {
+        let entry = fields.get(name)?;
+        let Kind::Choice(words) = entry.0.kind else {
             return None;
         };
-        self.read(fields, name, |text| {
+        self.read_entry(entry, |text| {
             word(words, text).ok_or_else(|| no_word(text, words))
         })
     }
@@ -132,11 +135,11 @@ impl Context<'_> {
         fields: &Fields<'_>,
         name: &str,
     ) -> Option<NumberOrWord> {
-        let (attribute, _) = fields.get(name)?;
-        let Kind::NumberOrChoice(words) = attribute.kind else {
+        let entry = fields.get(name)?;
+        let Kind::NumberOrChoice(words) = entry.0.kind else {
             return None;
         };
-        self.read(fields, name, |text| {
+        self.read_entry(entry, |text| {
             if let Some(word) = word(words, text) {
                 return Ok(NumberOrWord::Word(word));
             }
@@ -157,7 +160,7 @@ impl Context<'_> {
                 ..TimeExpr::default()
             });
         };
-        let text = syntax::resolve(written.value, written.value_start, self.sink);
+        let text = syntax::resolve(written, self.sink);
         // Inside a value with references offsets shift; the whole value is shown then.
         let verbatim = matches!(text, Cow::Borrowed(_));
         match time_expr::parse(&text, written.value_start) {
@@ -178,14 +181,9 @@ impl Context<'_> {
 
     /// An offset in a gesture; `Err` when it is written and wrong.
     pub(crate) fn key_time(&mut self, fields: &Fields<'_>) -> Result<Option<KeyTime>, ()> {
-        if fields
-            .get("time")
-            .and_then(|(_, written)| written)
-            .is_none()
-        {
-            return Ok(None);
-        }
-        let read = self.read(fields, "time", |text| {
+        let entry = fields.get("time").filter(|(_, written)| written.is_some());
+        let Some(entry) = entry else { return Ok(None) };
+        let read = self.read_entry(entry, |text| {
             let (value, percent) = match text.strip_suffix('%') {
                 Some(percent) => (number(percent.trim_end())? / 100.0, true),
                 None => (time_expr::parse_secs(text)?, false),
@@ -206,9 +204,16 @@ impl Context<'_> {
         &mut self,
         fields: &Fields<'_>,
         name: &str,
+        parse: impl FnMut(&str) -> Result<T, Problem>,
+    ) -> Option<T> {
+        self.read_entry(fields.get(name)?, parse)
+    }
+
+    fn read_entry<T>(
+        &mut self,
+        (attribute, written): Entry<'_>,
         mut parse: impl FnMut(&str) -> Result<T, Problem>,
     ) -> Option<T> {
-        let (attribute, written) = fields.get(name)?;
         let given = self.given(attribute, written)?;
         let text = given.text.trim();
         match (parse(text), given.span) {
@@ -232,7 +237,7 @@ impl Context<'_> {
     ) -> Option<Given<'f>> {
         match (written, attribute.default) {
             (Some(written), _) => Some(Given {
-                text: syntax::resolve(written.value, written.value_start, self.sink),
+                text: syntax::resolve(written, self.sink),
                 span: Some(written.value_span()),
             }),
             (None, Presence::Default(text)) => Some(Given {

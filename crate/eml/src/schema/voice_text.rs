@@ -57,7 +57,7 @@ impl VoiceBuilder {
                 NodeKind::Text => self.text(inner.text.into(), inner.span),
                 NodeKind::Reference(c) => {
                     self.text(c.encode_utf8(&mut [0; 4]).into(), inner.span);
-                },
+                }
                 NodeKind::Malformed => {}
                 NodeKind::Element(found) => match found.and_then(|e| variant_in(e, parent)) {
                     Some(element) => {

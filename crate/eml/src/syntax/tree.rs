@@ -66,6 +66,8 @@ pub(crate) struct Attribute<'a> {
     pub(crate) name_start: u32,
     /// Offset of the value.
     pub(crate) value_start: u32,
+    /// Whether the value holds no reference.
+    pub(crate) is_plain: bool,
 }
 
 impl Attribute<'_> {
