@@ -1,6 +1,6 @@
 //! How long speech takes: asked of whoever knows.
 
-use crate::voice::Item;
+use crate::voice::{Item, letters};
 use crate::{Piece, VoiceText};
 use std::ops::ControlFlow;
 
@@ -122,15 +122,6 @@ fn pause_after(word: &str) -> f64 {
         Some('.' | '!' | '?' | '…') => SENTENCE_SECS,
         Some(',' | ';' | ':') => COMMA_SECS,
         _ => 0.0,
-    }
-}
-
-/// How many letters and digits a word has.
-fn letters(word: &str) -> usize {
-    if word.is_ascii() {
-        word.bytes().filter(u8::is_ascii_alphanumeric).count()
-    } else {
-        word.chars().filter(|c| c.is_alphanumeric()).count()
     }
 }
 

@@ -266,13 +266,37 @@ fn pass_marks<'v>(
 
 /// Whether a text holds a letter or a digit.
 fn has_letter(text: &str) -> bool {
-    text.bytes().any(|b| b.is_ascii_alphanumeric())
+    text.bytes().any(|b| LETTER[usize::from(b)])
         || (!text.is_ascii() && text.contains(char::is_alphanumeric))
 }
 
+/// How many letters and digits a text has.
+pub(crate) fn letters(text: &str) -> usize {
+    let (mut count, mut all) = (0, 0);
+    for b in text.bytes() {
+        count += usize::from(LETTER[usize::from(b)]);
+        all |= b;
+    }
+    if all.is_ascii() {
+        return count;
+    }
+    text.chars().filter(|c| c.is_alphanumeric()).count()
+}
+
+/// Which bytes are ASCII letters or digits.
+static LETTER: [bool; 256] = {
+    let mut table = [false; 256];
+    let mut b = 0;
+    while b < table.len() {
+        table[b] = (b as u8).is_ascii_alphanumeric();
+        b += 1;
+    }
+    table
+};
+
 /// XML's white space. A no-break space joins.
 fn is_space(b: u8) -> bool {
-    matches!(b, b' ' | b'\t' | b'\n' | b'\r')
+    b <= b' ' && matches!(b, b' ' | b'\t' | b'\n' | b'\r')
 }
 
 /// What a spoken text consists of for those who time it.

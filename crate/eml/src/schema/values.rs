@@ -57,7 +57,7 @@ impl Context<'_> {
     pub(crate) fn name(&mut self, fields: &Fields<'_>, name: &str) -> Option<Name> {
         let (attribute, written) = fields.get(name)?;
         let given = self.given(attribute, written)?;
-        let text = given.text.trim();
+        let text = trimmed(&given.text);
         if time_expr::is_name(text) {
             return Some(text.into());
         }
@@ -215,7 +215,7 @@ impl Context<'_> {
         mut parse: impl FnMut(&str) -> Result<T, Problem>,
     ) -> Option<T> {
         let given = self.given(attribute, written)?;
-        let text = given.text.trim();
+        let text = trimmed(&given.text);
         match (parse(text), given.span) {
             (Ok(value), _) => Some(value),
             // A default of the table fits; a test reads each of them.
@@ -261,6 +261,16 @@ fn part(value: Span, problem: Option<&Problem>) -> Span {
             Span::of(start + p.start, start + p.end.max(p.start))
         }
         None => value,
+    }
+}
+
+/// A text without the white space around it; there is nearly always none.
+fn trimmed(text: &str) -> &str {
+    let is_mark = |b: Option<&u8>| b.is_some_and(u8::is_ascii_graphic);
+    if is_mark(text.as_bytes().first()) && is_mark(text.as_bytes().last()) {
+        text
+    } else {
+        text.trim()
     }
 }
 

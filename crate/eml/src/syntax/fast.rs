@@ -57,14 +57,13 @@ pub(super) fn tag<'a>(
         i = value_start;
         let mut is_plain = true;
         loop {
-            let b = *bytes.get(i)?;
-            if b == quote {
-                break;
+            let rest = &bytes[i..];
+            i += rest.iter().position(|&b| ENDS_VALUE[usize::from(b)])?;
+            match bytes[i] {
+                b if b == quote => break,
+                b'<' => return None,
+                b => is_plain &= b != b'&',
             }
-            if b == b'<' {
-                return None;
-            }
-            is_plain &= b != b'&';
             i += 1;
         }
         let known = &out[first..];
@@ -117,6 +116,16 @@ fn space_end(bytes: &[u8], mut i: usize) -> usize {
     }
     i
 }
+
+/// The bytes that mean something in a value.
+static ENDS_VALUE: [bool; 256] = {
+    let mut table = [false; 256];
+    table[b'<' as usize] = true;
+    table[b'&' as usize] = true;
+    table[b'\'' as usize] = true;
+    table[b'"' as usize] = true;
+    table
+};
 
 /// The bytes of usual names: ASCII letters, digits and `_`, `-`, `.`, `:`.
 static IS_WORD: [bool; 256] = {
