@@ -25,6 +25,7 @@ const SIZES: [usize; 4] = [1_000, 10_000, 100_000, 1_000_000];
 const LIMITS: Limits = Limits {
     bytes: 1 << 30,
     clauses: 2_000_000,
+    timed_clauses: 2_000_000,
     depth: 64,
     attributes: 64,
     diagnostics: 200,

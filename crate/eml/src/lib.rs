@@ -30,7 +30,9 @@ pub use diagnostic::{Diagnostic, Severity};
 pub use document::{Clause, ClauseId, ClauseKind, Document, Group};
 pub use durations::{Durations, EstimatedDurations, PhoneTime, VoiceTiming, WordTime};
 pub use gesture::{Coords, GestureKey, Handedness, Key, MotionKey, PalmKey, ShapeKey, Track};
-pub use parse::{Limits, Parsed, parse, parse_bytes, parse_fragment, parse_with};
+pub use parse::{
+    Limits, Parsed, parse, parse_bytes, parse_fragment, parse_fragment_with, parse_with,
+};
 /// A name or another short text: up to 23 bytes need no allocation, and copies are cheap.
 pub use smol_str::SmolStr as Name;
 pub use sorted::SortedMap;

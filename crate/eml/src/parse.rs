@@ -15,6 +15,10 @@ pub struct Limits {
     pub depth: usize,
     /// Clauses in the document; later ones are dropped. Default 200 000.
     pub clauses: usize,
+    /// Clauses in the timeline, each repetition counted; groups whose repetitions go
+    /// beyond play once. A document with more clauses than that plays all of them once.
+    /// Default 200 000.
+    pub timed_clauses: usize,
     /// Attributes an element; later ones are ignored. Default 64.
     pub attributes: usize,
     /// Diagnostics; the rest is counted. Default 200.
@@ -27,6 +31,7 @@ impl Default for Limits {
             bytes: 16 << 20,
             depth: 64,
             clauses: 200_000,
+            timed_clauses: 200_000,
             attributes: 64,
             diagnostics: 200,
         }
@@ -56,10 +61,16 @@ pub fn parse_with(source: &str, limits: &Limits) -> Parsed {
 }
 
 /// Reads what a mind sends during a performance: a list of clauses, or a whole
-/// script.
+/// script. With the default limits.
 #[must_use]
 pub fn parse_fragment(source: &str) -> Parsed {
-    read(source, &Limits::default(), true)
+    parse_fragment_with(source, &Limits::default())
+}
+
+/// [`parse_fragment`] with other limits.
+#[must_use]
+pub fn parse_fragment_with(source: &str, limits: &Limits) -> Parsed {
+    read(source, limits, true)
 }
 
 /// Reads a script from bytes that should be UTF-8. The spans count in those bytes.

@@ -10,6 +10,7 @@ const LIMITS: Limits = Limits {
     bytes: 1 << 20,
     depth: 6,
     clauses: 1000,
+    timed_clauses: 1000,
     attributes: 3,
     diagnostics: 1000,
 };

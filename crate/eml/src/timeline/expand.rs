@@ -7,9 +7,10 @@ use crate::diagnostic::Sink;
 use crate::{ClauseId, Diagnostic, Document, Limits};
 
 /// How often each clause's content plays, bounded so that the timeline has no more
-/// clauses than a document may have: groups whose repetition goes beyond play once.
-pub(super) fn bounded_counts(document: &Document, sink: &mut Sink) -> Vec<u32> {
-    let most = (Limits::default().clauses as u64).max(document.clauses.len() as u64);
+/// clauses than it may: groups whose repetition goes beyond play once. Nothing is
+/// expanded to find out.
+pub(super) fn bounded_counts(document: &Document, limits: &Limits, sink: &mut Sink) -> Vec<u32> {
+    let most = (limits.timed_clauses as u64).max(document.clauses.len() as u64);
     let mut used = document.clauses.len() as u64;
     let mut counts = vec![1_u32; document.clauses.len()];
     // The entries that a clause makes each time it plays.
@@ -136,6 +137,10 @@ impl List<'_> {
         let Some(group) = clause.kind.group() else {
             return;
         };
+        if group.children.is_empty() {
+            // Nothing would bound the iterations of nothing.
+            return;
+        }
         let count = self.counts[id.index()];
         let length = (end - start) / f64::from(count);
         for iteration in 0..count {

@@ -69,10 +69,20 @@ impl Timeline {
     /// everything is delayed (GEVH D.2, fig. 3.13).
     #[must_use]
     pub fn resolve(document: &Document, durations: &dyn Durations) -> Resolved {
-        let mut sink = Sink::new(Limits::default().diagnostics);
+        Self::resolve_with(document, durations, &Limits::default())
+    }
+
+    /// [`Timeline::resolve`] with other limits on repetitions and diagnostics.
+    #[must_use]
+    pub fn resolve_with(
+        document: &Document,
+        durations: &dyn Durations,
+        limits: &Limits,
+    ) -> Resolved {
+        let mut sink = Sink::new(limits.diagnostics);
         let voices = names::voice_timings(document, durations);
         let names = Names::collect(document, &voices, &mut sink);
-        let counts = expand::bounded_counts(document, &mut sink);
+        let counts = expand::bounded_counts(document, limits, &mut sink);
         let times = solve::solve(document, &voices, &names, &counts, &mut sink);
         let mut timeline = expand::expand(document, &times, &counts);
         let lead_in_secs = timeline.lead_in_secs;

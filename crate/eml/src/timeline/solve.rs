@@ -11,7 +11,10 @@ use crate::{Clause, ClauseId, ClauseKind, Diagnostic, Document, SortedMap, Voice
 
 /// Names that are looked at in all to find those that may have been meant: it bounds
 /// the work on a document with many names that nobody gave.
-const MOST_LOOKS: usize = 20_000;
+const MOST_LOOKS: usize = 5_000;
+
+/// Names that a message tells of those that count from each other.
+const LONGEST_CHAIN: usize = 32;
 
 /// Times beyond this, about 31 years, come from sums that have run away.
 const LATEST_SECS: f64 = 1e9;
@@ -54,6 +57,7 @@ pub(super) fn solve(
         state: vec![State::New; 2 * n],
         values: vec![f64::NAN; 2 * n],
         refused: vec![false; n],
+        unknown: Vec::new(),
         depth: vec![0; 2 * n],
         suspects: Vec::new(),
     };
@@ -100,6 +104,9 @@ struct Solver<'d, 's> {
     values: Vec<f64>,
     /// Clauses whose expression has been found faulty and reported.
     refused: Vec<bool>,
+    /// The clauses that count from a name that nothing has, with its place among their
+    /// names; by clause.
+    unknown: Vec<(ClauseId, usize)>,
     /// Where on the stack an open unknown lies.
     depth: Vec<usize>,
     /// The clauses on the stack whose start names moments, and where on it they lie.
@@ -110,7 +117,7 @@ impl Solver<'_, '_> {
     fn look_up_names(&mut self, names: &Names) {
         let mut looks = MOST_LOOKS;
         for (id, clause) in self.document.iter() {
-            for term in &clause.start.names {
+            for (place, term) in clause.start.names.iter().enumerate() {
                 match names.find(&term.name) {
                     Some(moment) => self.terms.push(Term {
                         clause: moment.clause,
@@ -118,7 +125,9 @@ impl Solver<'_, '_> {
                         sign: if term.negative { -1.0 } else { 1.0 },
                     }),
                     None => {
-                        self.refused[id.index()] = true;
+                        if !std::mem::replace(&mut self.refused[id.index()], true) {
+                            self.unknown.push((id, place));
+                        }
                         let message = format!(
                             "{} names no moment; this `{}` is left out",
                             quoted(&term.name),
@@ -250,8 +259,9 @@ impl Solver<'_, '_> {
             // A clause in a group without a time goes with the group, unmentioned.
             if clause.start.is_absolute() {
                 let message = format!(
-                    "this `{}` is left out because a moment that it counts from has no time",
-                    clause.kind.name()
+                    "this `{}` is left out because a moment that it counts from has no time: {}",
+                    clause.kind.name(),
+                    self.chain(id)
                 );
                 self.sink.push(Diagnostic::error(
                     "eml::no-time",
@@ -310,7 +320,7 @@ impl Solver<'_, '_> {
             }
         };
         // A cycle of thousands of names is told by its beginning.
-        let mut chain: Vec<String> = faulty.iter().take(8).map(label).collect();
+        let mut chain: Vec<String> = faulty.iter().take(LONGEST_CHAIN).map(label).collect();
         if faulty.len() > chain.len() {
             chain.push("…".to_owned());
         }
@@ -324,7 +334,7 @@ impl Solver<'_, '_> {
             format!("these times wait for each other: {}", chain.join(" -> "))
         };
         let mut diagnostic = Diagnostic::error("eml::time-cycle", clause.start.span, message);
-        for &other in faulty.iter().skip(1).take(8) {
+        for &other in faulty.iter().take(LONGEST_CHAIN).skip(1) {
             let clause = self.document.clause(other);
             diagnostic = diagnostic.related(clause.start.span, format!("{} waits", label(&other)));
         }
@@ -333,6 +343,39 @@ impl Solver<'_, '_> {
         for id in faulty {
             self.refused[id.index()] = true;
         }
+    }
+
+    /// The names by which a clause without a time counts from one another, up to the one
+    /// that nothing has.
+    fn chain(&self, from: ClauseId) -> String {
+        let mut steps: Vec<String> = Vec::new();
+        let mut at = Some(from).filter(|_| !self.sink.is_full());
+        while let Some(id) = at {
+            let clause = self.document.clause(id);
+            if let Ok(found) = self.unknown.binary_search_by_key(&id, |&(id, _)| id) {
+                let place = self.unknown[found].1;
+                steps.push(quoted(&clause.start.names[place].name));
+                break;
+            }
+            if steps.len() == LONGEST_CHAIN {
+                steps.push("…".to_owned());
+                break;
+            }
+            at = if self.refused[id.index()] {
+                // A cycle, which is told by itself.
+                None
+            } else if clause.start.is_absolute() {
+                let mut named = clause.start.names.iter().zip(self.terms_of(id));
+                let missing = named.find(|(_, term)| self.values[start_of(term.clause)].is_nan());
+                missing.map(|(name, term)| {
+                    steps.push(quoted(&name.name));
+                    term.clause
+                })
+            } else {
+                clause.parent
+            };
+        }
+        steps.join(" -> ")
     }
 
     fn in_seq(&self, clause: &Clause) -> bool {
