@@ -34,8 +34,8 @@ fn sofia() -> &'static Case {
     static MADE: OnceLock<Case> = OnceLock::new();
     MADE.get_or_init(|| {
         let params = preset("sofia").unwrap();
-        let joints = Joints::place(&params.body);
-        let field = Field::new(&params.body, &joints);
+        let joints = Joints::place(&params.body());
+        let field = Field::new(&params.body(), &joints);
         let (shell, _) = Cage::new(&field, &joints).shell.subdivided(1);
         let part = Part {
             name: "body".to_owned(),
@@ -67,7 +67,7 @@ fn sofia() -> &'static Case {
             face: FacePlaces {
                 eye_centres: [DVec3::new(0.03, 1.5, 0.08), DVec3::new(-0.03, 1.5, 0.08)],
             },
-            stature_m: params.body.stature_m,
+            stature_m: params.person.stature_m,
             lid_closure_rad: [0.6; 2],
             pieces: vec![Piece::from(part)],
             images: Vec::new(),

@@ -256,7 +256,7 @@ mod tests {
                 &built.figure,
                 &built.annotations,
                 params.person,
-                Some(&params.hand),
+                Some(&params.hands()),
             );
             let within = all.iter().filter(|r| r.deviations().abs() <= 1.0).count();
             assert!(within >= 20, "{name}: {within} of {}: {all:?}", all.len());
@@ -283,7 +283,6 @@ mod tests {
         let mut params = people::preset("sofia").unwrap_or_else(|| panic!("sofia"));
         params.person.sex = 0.5;
         params.person.age_years = 28.0;
-        params.head.person = params.person;
         params.head.smile = 0.0;
         params.head.asymmetry = 0.0;
         params.head.measures = Measures::default();

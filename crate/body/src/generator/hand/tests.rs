@@ -9,7 +9,7 @@ use crate::pose::Pose;
 use crate::skeleton::{Drive, FacePlaces, Skeleton};
 
 fn sofia(side: Side) -> Hand {
-    build(&HandParams::woman(1.66, [0.5, 0.285, 0.205]), side)
+    build(&mean_hand(1.0, 35.0, 1.66, [0.5, 0.285, 0.205]), side)
 }
 
 #[test]
@@ -88,7 +88,7 @@ fn weights_sum_to_one_over_at_most_four_joints_of_the_skeleton() {
 
 #[test]
 fn length_breadth_and_detail_are_as_asked() {
-    let params = HandParams::man(1.756, [0.45, 0.25, 0.18]);
+    let params = mean_hand(0.0, 35.0, 1.756, [0.45, 0.25, 0.18]);
     let hand = build(&params, Side::Left);
     let skin = &hand.parts[0];
     let tip = skin
@@ -214,7 +214,7 @@ fn a_fist_closes_and_a_pinch_meets() {
 #[test]
 fn the_bones_lie_inside_the_hand() {
     for (sex, age, stature) in [(1.0, 35.0, 1.66), (0.0, 70.0, 1.72), (0.0, 9.0, 1.34)] {
-        let params = HandParams::of(sex, age, stature, [0.5, 0.3, 0.2]);
+        let params = mean_hand(sex, age, stature, [0.5, 0.3, 0.2]);
         let anatomy = Anatomy::new(Look::of(sex, age));
         let field = Field::new(&anatomy);
         let cage = cage::build(&anatomy, &field);
@@ -319,7 +319,7 @@ fn hands_of_both_sexes_measure_as_surveys_say() {
     };
     let mut segments = [[0.0; 4]; 4];
     for (sex, stature, survey) in ansur {
-        let params = HandParams::of(sex, 35.0, stature, [0.5; 3]);
+        let params = mean_hand(sex, 35.0, stature, [0.5; 3]);
         let hand = build(&params, Side::Left);
         let anatomy = Anatomy::new(Look::of(sex, 35.0));
         let place = {

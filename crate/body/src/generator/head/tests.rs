@@ -6,26 +6,30 @@ use std::sync::OnceLock;
 use raconteur_base::{DQuat, DVec3, Side, mirror_vector};
 
 use super::*;
+use crate::generator::people::preset;
 use crate::generator::subdivide::{edge_faces, welded};
 use crate::skeleton::{Bone, Drive};
 
-fn params(name: &str) -> HeadParams {
-    crate::generator::people::preset(name).map_or_else(HeadParams::sofia, |p| p.head)
+fn shape_of(name: &str) -> Shape {
+    let p = preset(name).unwrap();
+    let head = HeadParams {
+        asymmetry: 0.0,
+        ..p.head
+    };
+    Shape::of(&p.person, &head)
 }
 
 fn sofia() -> &'static Head {
     static HEAD: OnceLock<Head> = OnceLock::new();
-    HEAD.get_or_init(|| build(&params("sofia")))
+    HEAD.get_or_init(|| {
+        let p = preset("sofia").unwrap();
+        build(&p.person, &p.head, p.hair.colour.linear_rgb())
+    })
 }
 
 fn symmetric() -> &'static Shape {
     static SHAPE: OnceLock<Shape> = OnceLock::new();
-    SHAPE.get_or_init(|| {
-        Shape::of(&HeadParams {
-            asymmetry: 0.0,
-            ..HeadParams::sofia()
-        })
-    })
+    SHAPE.get_or_init(|| shape_of("sofia"))
 }
 
 fn part(name: &str) -> &'static Part {
@@ -229,13 +233,7 @@ fn the_upper_lid_turned_by_its_closure_covers_the_pupil() {
 
 #[test]
 fn the_same_parameters_give_the_same_head() {
-    let (a, b) = (
-        symmetric(),
-        Shape::of(&HeadParams {
-            asymmetry: 0.0,
-            ..HeadParams::sofia()
-        }),
-    );
+    let (a, b) = (symmetric(), shape_of("sofia"));
     assert_eq!(a.positions, b.positions);
     assert_eq!(a.rig.closure_rad, b.rig.closure_rad);
 }
@@ -255,14 +253,7 @@ fn the_head_measures_like_a_womans() {
 /// A man of 70 and a boy of 9, mirror-symmetric.
 fn others() -> &'static [Shape; 2] {
     static SHAPES: OnceLock<[Shape; 2]> = OnceLock::new();
-    SHAPES.get_or_init(|| {
-        ["papous", "nuno"].map(|name| {
-            Shape::of(&HeadParams {
-                asymmetry: 0.0,
-                ..params(name)
-            })
-        })
-    })
+    SHAPES.get_or_init(|| ["papous", "nuno"].map(shape_of))
 }
 
 fn shapes() -> impl Iterator<Item = &'static Shape> {

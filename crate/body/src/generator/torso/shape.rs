@@ -6,7 +6,6 @@
 
 use raconteur_base::curve::{lerp, ramp, smooth};
 use raconteur_base::{DQuat, DVec3, Side, mirror_vector, ops};
-use serde::{Deserialize, Serialize};
 
 use crate::skeleton::{Bone, zero_frames};
 
@@ -18,7 +17,7 @@ pub const CM: f64 = 0.01;
 pub const ARMS_DOWN_RAD: f64 = 48.0 * core::f64::consts::PI / 180.0;
 
 /// Measures of a body.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BodyParams {
     /// 0 male to 1 female proportions.
     pub sex: f64,

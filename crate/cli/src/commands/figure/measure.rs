@@ -52,7 +52,12 @@ impl Measure {
         if !(0.0..=1.0).contains(&person.sex) || !(8.0..=80.0).contains(&person.age_years) {
             bail!("statistics cover a sex of 0 to 1 and ages of 8 to 80");
         }
-        let all = readings(&figure, &names, person, params.as_ref().map(|p| &p.hand));
+        let all = readings(
+            &figure,
+            &names,
+            person,
+            params.as_ref().map(FigureParams::hands).as_ref(),
+        );
         if all.is_empty() {
             bail!("{} has no landmarks to measure between", self.figure);
         }
