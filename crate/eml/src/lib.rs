@@ -25,6 +25,7 @@ mod syntax;
 mod time_expr;
 mod timeline;
 mod voice;
+mod work;
 
 pub use diagnostic::{Diagnostic, Severity};
 pub use document::{Clause, ClauseId, ClauseKind, Document, Group};

@@ -1,5 +1,6 @@
 //! Spoken text with its breaks and time markers (GEVH D.4).
 
+use crate::work::step;
 use crate::{Name, Span};
 use std::borrow::Cow;
 use std::ops::ControlFlow;
@@ -209,6 +210,7 @@ impl VoiceText {
                 } => {
                     let verbatim = text.len() == (span.end - span.start) as usize;
                     let bytes = text.as_bytes();
+                    step(bytes.len());
                     let mut at = 0;
                     while at < bytes.len() {
                         let start = at;

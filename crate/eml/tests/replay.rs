@@ -13,7 +13,10 @@ fn files(folder: &str) -> Vec<Vec<u8>> {
     let mut paths: Vec<_> = fs::read_dir(&folder)
         .expect("a folder of inputs")
         .map(|entry| entry.expect("an entry").path())
-        .filter(|path| path.extension().is_none_or(|e| e != "timeline" && e != "md"))
+        .filter(|path| {
+            path.extension()
+                .is_none_or(|e| e != "timeline" && e != "md")
+        })
         .collect();
     paths.sort();
     assert!(!paths.is_empty(), "{} is empty", folder.display());
@@ -25,14 +28,20 @@ fn files(folder: &str) -> Vec<Vec<u8>> {
 
 #[test]
 fn documents() {
-    for input in files("tests/suite/eml").iter().chain(&files("fuzz/saved/eml_document")) {
+    for input in files("tests/suite/eml")
+        .iter()
+        .chain(&files("fuzz/saved/eml_document"))
+    {
         holds::document(input);
     }
 }
 
 #[test]
 fn fragments() {
-    for input in files("tests/suite/eml").iter().chain(&files("fuzz/saved/eml_fragment")) {
+    for input in files("tests/suite/eml")
+        .iter()
+        .chain(&files("fuzz/saved/eml_fragment"))
+    {
         holds::fragment(input);
     }
 }

@@ -70,7 +70,10 @@ fn a_phone_that_the_word_lacks_is_told_and_its_start_is_used() {
     );
     assert_eq!(mark(&resolved, "m"), 1.0);
     let message = "the word that follows has no phone `zh`; its start is used";
-    assert_eq!(told(&resolved.diagnostics), [("eml::phone-not-in-word", message)]);
+    assert_eq!(
+        told(&resolved.diagnostics),
+        [("eml::phone-not-in-word", message)]
+    );
 }
 
 #[test]
@@ -204,7 +207,12 @@ fn leaf_times(body: &str) -> Vec<(f64, f64)> {
         .timeline
         .clauses
         .iter()
-        .filter(|c| !matches!(parsed.document.clause(c.clause).kind, ClauseKind::Seq(_) | ClauseKind::Par(_)))
+        .filter(|c| {
+            !matches!(
+                parsed.document.clause(c.clause).kind,
+                ClauseKind::Seq(_) | ClauseKind::Par(_)
+            )
+        })
         .map(|c| (c.clause, (c.start_secs, c.end_secs)))
         .collect();
     times.sort_by_key(|(clause, _)| *clause);

@@ -6,6 +6,7 @@ use super::{Attribute, Element, Presence, TIMED, find, variant_in};
 use crate::diagnostic::Sink;
 use crate::suggest::{nearest, quoted};
 use crate::syntax::{self, NodeKind, Tree};
+use crate::work::step;
 use crate::{Diagnostic, Document, Limits, Span};
 
 /// More attributes than any element has.
@@ -238,6 +239,7 @@ impl<'t> Context<'t> {
     /// Finds the attributes of an element in the table and reports unknown and missing
     /// ones.
     pub(crate) fn fields(&mut self, node: usize, element: &'static Element) -> Fields<'t> {
+        step(1);
         let tree = self.tree;
         let mut fields = Fields {
             element,

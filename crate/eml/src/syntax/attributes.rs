@@ -6,6 +6,7 @@ use super::tree::Attribute;
 use crate::diagnostic::Sink;
 use crate::schema::same;
 use crate::suggest::quoted;
+use crate::work::step;
 use crate::{Diagnostic, Span};
 
 /// What became of a start tag.
@@ -29,6 +30,7 @@ pub(super) fn scan<'a>(
     sink: &mut Sink,
 ) -> Outcome {
     let bytes = raw.as_bytes();
+    step(bytes.len());
     let first = out.len();
     let mut i = 0;
     let mut over_limit = false;

@@ -9,6 +9,7 @@ use super::tree::{Node, NodeKind, Tree};
 use crate::diagnostic::Sink;
 use crate::schema::{self, Content, Role};
 use crate::suggest::quoted;
+use crate::work::step;
 use crate::{Diagnostic, Limits, Span};
 use quick_xml::Reader;
 use quick_xml::errors::{Error, SyntaxError};
@@ -124,10 +125,12 @@ impl<'a> Builder<'a, '_, '_> {
                 );
                 return None;
             }
+            let start = at;
             at = match self.read_usual(at).map_or_else(|| self.read_any(at), Ok) {
                 Ok(next) => next,
                 Err(restart) => return restart,
             };
+            step(at - start);
         }
         None
     }
@@ -178,6 +181,7 @@ impl<'a> Builder<'a, '_, '_> {
         config.allow_dangling_amp = true;
         let position = |offset: u64| start + usize::try_from(offset).unwrap_or(usize::MAX);
         let event = reader.read_event();
+        step(usize::try_from(reader.buffer_position()).unwrap_or(usize::MAX));
         // Whatever happens, at least the `<` or `&` is read.
         let end = position(reader.buffer_position()).max(start + 1);
         match event {
@@ -222,6 +226,7 @@ impl<'a> Builder<'a, '_, '_> {
     fn recover(&mut self, error: &Error, at: usize) -> Option<Restart> {
         let rest = self.source.get(at + 1..)?;
         let next = rest.find('<').map(|i| at + 1 + i);
+        step(next.unwrap_or(self.source.len()) - at);
         let stop = next.unwrap_or(self.source.len());
         let restart = next.map(|at| Restart {
             at,

@@ -4,6 +4,7 @@ use super::index::EndIndex;
 use super::solve::Times;
 use super::{TimedClause, Timeline};
 use crate::diagnostic::Sink;
+use crate::work::step;
 use crate::{ClauseId, Diagnostic, Document, Limits};
 
 /// How often each clause's content plays, bounded so that the timeline has no more
@@ -114,6 +115,7 @@ struct Place {
 impl List<'_> {
     /// Adds a clause and what is inside it. Groups recurse; parsing limits the depth.
     fn add(&mut self, id: ClauseId, place: &Place) {
+        step(1);
         let Some(start) = self.times.start(id) else {
             return;
         };

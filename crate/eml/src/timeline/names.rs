@@ -2,6 +2,7 @@
 
 use crate::diagnostic::Sink;
 use crate::suggest::quoted;
+use crate::work::step;
 use crate::{
     ClauseId, ClauseKind, Diagnostic, Document, Durations, Mark, MarkEvent, Name, SortedMap, Span,
     VoiceTiming,
@@ -53,6 +54,7 @@ struct Key {
 
 impl Key {
     fn compare(&self, prefix: u64, name: &str) -> Ordering {
+        step(1);
         let by_prefix = self.prefix.cmp(&prefix);
         by_prefix.then_with(|| self.name.as_str().cmp(name))
     }

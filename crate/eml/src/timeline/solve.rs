@@ -7,6 +7,7 @@
 use super::names::Names;
 use crate::diagnostic::Sink;
 use crate::suggest::{nearest, quoted};
+use crate::work::step;
 use crate::{Clause, ClauseId, ClauseKind, Diagnostic, Document, SortedMap, VoiceTiming};
 
 /// Names that are looked at in all to find those that may have been meant: it bounds
@@ -204,6 +205,7 @@ impl Solver<'_, '_> {
 
     /// The `i`th unknown that must be found before `unknown`.
     fn needs(&self, unknown: usize, i: usize) -> Option<usize> {
+        step(1);
         let (id, clause) = self.clause_of(unknown);
         let is_start = unknown.is_multiple_of(2);
         if is_start {
