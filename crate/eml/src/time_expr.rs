@@ -174,7 +174,10 @@ impl<'a> Lexer<'a> {
     }
 
     fn skip_space(&mut self) {
-        self.take(char::is_whitespace);
+        // What mostly follows is no space.
+        if !self.rest().starts_with(|c: char| c.is_ascii_graphic()) {
+            self.take(char::is_whitespace);
+        }
     }
 
     /// A number and its unit, in seconds.

@@ -52,10 +52,12 @@ const fn same_bytes(a: &[u8], b: &[u8]) -> bool {
     true
 }
 
-/// Whether two names are the same. A look at the first letter saves most of the calls
-/// that comparing strings makes.
+/// Whether two names are the same. A look at the first letter, and at whether it is one
+/// and the same constant, saves most of the calls that comparing strings makes.
 pub(crate) fn same(a: &str, b: &str) -> bool {
-    a.len() == b.len() && a.as_bytes().first() == b.as_bytes().first() && a == b
+    a.len() == b.len()
+        && a.as_bytes().first() == b.as_bytes().first()
+        && (std::ptr::eq(a, b) || a == b)
 }
 
 /// The index of the first element with exactly this name.

@@ -30,6 +30,7 @@ pub(super) fn tag<'a>(
         return None;
     }
     let name = &source[at + 1..i];
+    let mut initials = 0_u32;
     loop {
         let gap = i;
         i = space_end(bytes, i);
@@ -66,10 +67,15 @@ pub(super) fn tag<'a>(
             }
             i += 1;
         }
+        // Names that begin alike are rare, so most need no comparison.
+        let initial = 1_u32 << (attribute_name.as_bytes()[0] & 31);
         let known = &out[first..];
-        if known.len() >= limit || known.iter().any(|a| same(a.name, attribute_name)) {
+        let is_again =
+            initials & initial != 0 && known.iter().any(|a| same(a.name, attribute_name));
+        if known.len() >= limit || is_again {
             return None;
         }
+        initials |= initial;
         out.push(Attribute {
             name: attribute_name,
             value: &source[value_start..i],
