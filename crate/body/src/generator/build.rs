@@ -219,8 +219,10 @@ fn neck(field: &Field, cage: &Cage, head: &Head, place: DAffine3) -> Part {
         .fold(f64::MIN, f64::max);
     let normals = shell.normals();
     for (p, n) in shell.points.iter_mut().zip(&normals) {
-        // Two sheets at one place would flicker.
-        *p -= *n * 0.08 * CM;
+        // Two sheets at one place would flicker; above the rim the head's skin leaves the
+        // body's, and this one must stay below it.
+        let hidden = smooth((p.y - rim) / (1.5 * CM));
+        *p -= *n * (0.08 + 0.9 * hidden) * CM;
     }
     let shell = shell.select(|f| {
         shell.faces[f]

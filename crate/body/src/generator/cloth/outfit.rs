@@ -179,10 +179,11 @@ fn sweater(wearer: &Wearer<'_>, c: &Sweater) -> Dressed {
     let rib = knit.woven(MaterialKind::Rib);
     let stand = Band {
         direction: up_the_neck(),
-        width: 3.2 * unit,
-        thickness: 0.5 * unit,
-        ease: 0.45 * unit,
+        width: 2.9 * unit,
+        thickness: 0.45 * unit,
+        ease: 0.3 * unit,
         regions: Regions::ALL,
+        billow: 0.35 * unit,
         every: 1,
     };
     add(&mut made, [top.band(wearer, &top.neck, &stand, rib)]);
@@ -295,6 +296,10 @@ fn cardigan(wearer: &Wearer<'_>, c: &Cardigan) -> Dressed {
     );
     made.parts.push(trim(wearer, &edge, rib));
     made.surface.append(edge);
+    let collar = shirt_collar(wearer, &lay);
+    let woven = cloth(MaterialKind::Woven, c.shirt);
+    made.parts.push(trim(wearer, &collar, woven));
+    made.surface.append(collar);
     let hem = top
         .hem
         .iter()
@@ -451,9 +456,6 @@ fn shirt(made: &mut Dressed, wearer: &Wearer<'_>, c: &Cardigan, vee: &Vee) {
             leather([0.6, 0.59, 0.55]),
         ));
     }
-    let collar = shirt_collar(wearer);
-    made.parts.push(trim(wearer, &collar, woven));
-    made.surface.append(collar);
     cuffs(made, wearer, woven);
 }
 
@@ -481,6 +483,7 @@ fn cuffs(made: &mut Dressed, wearer: &Wearer<'_>, fabric: Fabric) {
             thickness: 0.16 * unit,
             ease: 0.92 * unit,
             regions: Regions::UPPER,
+            billow: 0.0,
             every: 1,
         };
         let edge = super::band::along_edge(&sheet.shell, &ring, &band, wearer.field);
@@ -531,6 +534,7 @@ fn hoodie(wearer: &Wearer<'_>, c: &Hoodie) -> Dressed {
         thickness: 0.35 * unit,
         ease: 0.8 * unit,
         regions: Regions::ALL,
+        billow: 0.0,
         every: 1,
     };
     add(&mut made, [top.band(wearer, &top.neck, &neckband, fleece)]);

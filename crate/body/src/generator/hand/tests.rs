@@ -3,7 +3,9 @@
 use raconteur_base::{DAffine3, mirror_vector};
 
 use super::*;
-use crate::generator::subdivide::{edge_faces, welded};
+use crate::generator::crossing::crossings;
+use crate::generator::subdivide::{edge_faces, vertex_normals, welded};
+use crate::generator::{assemble, people};
 use crate::hand_shape::{HandShape, finger_bones};
 use crate::pose::Pose;
 use crate::skeleton::{Drive, FacePlaces, Skeleton};
@@ -46,6 +48,41 @@ fn faces_look_outwards() {
                 })
                 .sum();
             assert!(volume > 1e-7, "{} {volume}", part.name);
+        }
+    }
+}
+
+/// The hands of the three figures, left.
+fn shipped() -> impl Iterator<Item = (&'static str, Hand)> {
+    people::NAMES.into_iter().filter_map(|name| {
+        let params = people::preset(name)?.hands();
+        Some((name, build(&params, Side::Left)))
+    })
+}
+
+#[test]
+fn no_skin_crosses_itself_or_folds_over() {
+    for (name, hand) in shipped() {
+        let skin = &hand.parts[0];
+        let points: Vec<DVec3> = skin.vertices.iter().map(|v| v.position).collect();
+        let faces = welded(&points, &skin.faces);
+        let triangles: Vec<[u32; 3]> = faces
+            .iter()
+            .flat_map(|f| assemble::triangles(f, &points))
+            .collect();
+        let found = crossings(&points, &triangles);
+        let first = found
+            .first()
+            .map(|&[a, _]| points[triangles[a][0] as usize]);
+        assert!(found.is_empty(), "{name}: {} at {first:?}", found.len());
+        let normals = vertex_normals(&points, &faces);
+        for t in triangles {
+            let [a, b, c] = t.map(|v| points[v as usize]);
+            let across = (b - a).cross(c - a);
+            let mean: DVec3 = t.iter().map(|&v| normals[v as usize]).sum();
+            // Half a hundredth of a square millimetre.
+            assert!(across.length() > 1e-8, "{name}: {} at {a}", across.length());
+            assert!(across.dot(mean) > 0.0, "{name}: {a}");
         }
     }
 }

@@ -181,25 +181,26 @@ fn complete(base: &Individual, amounts: &[f64]) -> Individual {
     all
 }
 
+/// Whose head a named figure's is; of another name the mean adult's, midway between the
+/// sexes.
+#[cfg(test)]
+pub(super) fn one(name: &str) -> (Person, HeadParams) {
+    let mean = || {
+        let person = Person {
+            sex: 0.5,
+            age_years: TABLE_AGE_YEARS,
+            stature_m: 1.7,
+            build: 0.0,
+        };
+        (person, HeadParams::default())
+    };
+    crate::generator::people::preset(name).map_or_else(mean, |p| (p.person, p.head))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::generator::head::{Measure, Measures};
-    use crate::generator::people;
-
-    /// A named figure's head; of another name the mean adult's.
-    fn one(name: &str) -> (Person, HeadParams) {
-        let mean = || {
-            let person = Person {
-                sex: 0.5,
-                age_years: TABLE_AGE_YEARS,
-                stature_m: 1.7,
-                build: 0.0,
-            };
-            (person, HeadParams::default())
-        };
-        people::preset(name).map_or_else(mean, |p| (p.person, p.head))
-    }
 
     fn tuned(person: &Person, params: &HeadParams) -> Vec<f64> {
         let base = untuned(person, params);

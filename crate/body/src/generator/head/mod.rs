@@ -226,7 +226,10 @@ pub fn build(person: &Person, params: &HeadParams, hair_colour: [f64; 3]) -> Hea
                 Side::Left
             };
             // What is dark only because lips and lids touch at rest must not stay so.
+            // So with the upper lid, which is folded away while the eye is open.
+            let lid = 0.78 * rig::smooth(1.6, 3.2, c.eye) * c.eye_upper.max(0.0);
             let least = 0.55 * rig::smooth(2.8, 3.6, c.mouth).max(rig::smooth(4.6, 5.2, c.eye));
+            let least = least.max(lid);
             let deep = 1.0 - 0.8 * rig::smooth(5.0, 7.5, c.mouth);
             PartVertex {
                 position: positions[v] * 1e-3,

@@ -46,6 +46,7 @@ fn head() -> HeadParams {
             (Measure::CanthalTilt, -0.3),
         ]),
         seed: 8,
+        iris: [0.115, 0.105, 0.045],
         brow: brow(),
         ..HeadParams::default()
     }
@@ -62,7 +63,7 @@ fn skin() -> SkinParams {
         sun: 0.1,
         vessels: 0.0,
         beard: 0.0,
-        lips: 0.2,
+        lips: 0.3,
         lash_line: 0.35,
         seed: 11,
         ..SkinParams::plain()

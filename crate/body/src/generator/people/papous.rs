@@ -48,6 +48,7 @@ fn head() -> HeadParams {
             (Measure::CheekFullness, -0.6),
         ]),
         seed: 5,
+        iris: [0.085, 0.130, 0.170],
         brow: brow(),
         ..HeadParams::default()
     }
@@ -99,8 +100,8 @@ fn brow() -> BrowParams {
         height: 1.25,
         unruly: 0.9,
         asymmetry: 0.8,
-        lash_length: 0.7,
-        lash_tone: 0.6,
+        lash_length: 0.8,
+        lash_tone: 0.28,
     }
 }
 

@@ -66,7 +66,7 @@ fn skin() -> SkinParams {
         sun: 0.2,
         vessels: 0.0,
         beard: 0.0,
-        lips: 0.2,
+        lips: 0.42,
         lash_line: 0.75,
         seed: 3,
         ..SkinParams::plain()
