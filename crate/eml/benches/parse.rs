@@ -80,7 +80,7 @@ fn full(source: &str) -> usize {
 
 /// The shortest run of each kind of work: what it costs without what disturbs it. The
 /// kinds take turns, so that a busy machine disturbs all of them alike.
-fn shortest<const N: usize>(source: &str, runs: usize, work: [fn(&str) -> usize; N]) -> [f64; N] {
+fn shortest<const N: usize>(source: &str, runs: usize, work: [Work; N]) -> [f64; N] {
     let mut best = [Duration::MAX; N];
     for _ in 0..runs {
         for (best, work) in best.iter_mut().zip(work) {
@@ -113,6 +113,8 @@ fn report() {
     println!("budget at 100000 clauses: 4 x");
 }
 
+type Work = fn(&str) -> usize;
+
 fn benches(c: &mut Criterion) {
     let source = script(10_000);
     let parsed_once = parse_with(&source, &LIMITS);
@@ -129,7 +131,7 @@ fn benches(c: &mut Criterion) {
         let source = script(clauses);
         group.throughput(Throughput::Elements(clauses as u64));
         group.sample_size(if clauses > 10_000 { 10 } else { 50 });
-        let works: [(&str, fn(&str) -> usize); 3] = [
+        let works: [(&str, Work); 3] = [
             ("event_loop", bare),
             ("parse", parsed),
             ("parse_check_resolve", full),

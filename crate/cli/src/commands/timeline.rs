@@ -85,7 +85,11 @@ impl Timeline {
                     iteration: c.iteration,
                 })
                 .collect(),
-            marks: timeline.marks.iter().map(|(name, &at)| (name.as_str(), at)).collect(),
+            marks: timeline
+                .marks
+                .iter()
+                .map(|(name, &at)| (name.as_str(), at))
+                .collect(),
         };
         match self.format {
             Format::Json => writeln!(out, "{}", serde_json::to_string_pretty(&whole)?)?,
