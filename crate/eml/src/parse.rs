@@ -1,10 +1,11 @@
 //! From text to document.
 
 use crate::diagnostic::Sink;
+use crate::namespaces::{Namespaces, Owner};
 use crate::schema::{self, Content, Context, Element, Fields, Role, Tally};
 use crate::suggest::quoted;
 use crate::syntax::{self, NodeKind};
-use crate::{Clause, ClauseId, ClauseKind, Diagnostic, Document, Span, TimeExpr};
+use crate::{Clause, ClauseId, ClauseKind, Diagnostic, Document, Name, Span, TimeExpr};
 
 /// Bounds on what a document may cost.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -120,6 +121,8 @@ fn read(source: &str, limits: &Limits, fragment: bool) -> Parsed {
     let mut taken = Taken::default();
     let tree = syntax::build(source, limits, &mut sink, &mut |tree, node, sink| {
         let mut cx = Context {
+            // What is wrong with them is told once, when the tree is whole.
+            namespaces: Namespaces::of(tree, &mut Sink::new(0)),
             tree,
             sink,
             document: &mut document,
@@ -129,14 +132,17 @@ fn read(source: &str, limits: &Limits, fragment: bool) -> Parsed {
         cx.take(node, &mut taken);
         taken.told_clauses = cx.told_clauses;
     });
+    let namespaces = Namespaces::of(&tree, &mut sink);
     let mut cx = Context {
         tree: &tree,
         sink: &mut sink,
         document: &mut document,
         limits,
+        namespaces,
         told_clauses: taken.told_clauses,
     };
     cx.root(fragment, taken);
+    crate::check::clauses(&document, fragment, &mut sink);
     Parsed {
         document,
         diagnostics: sink.finish(),
@@ -183,6 +189,11 @@ impl Context<'_> {
             };
             elements += 1;
             let span = self.name_span(node);
+            // Only a list of clauses has extensions at the top.
+            let found = match self.namespaces.owner(tree.nodes[node].text, node, true) {
+                (Owner::Extensions, local) => schema::find_extension(local),
+                _ => found,
+            };
             match found {
                 Some(element) if element.name == "eml" && root.is_none() => {
                     root = Some(span);
@@ -264,10 +275,7 @@ impl Context<'_> {
         self.document.name = self.text(&fields, "name");
         self.children(node, element, |cx, child, entry| match entry.name {
             "body" => cx.body(child, entry, tally.take()),
-            _ => {
-                cx.fields(child, entry);
-                cx.children(child, entry, |_, _, _| {});
-            }
+            _ => schema::read_head(cx, child, entry),
         });
     }
 
@@ -332,7 +340,7 @@ impl Context<'_> {
         }
         let fields = self.fields(node, element);
         let start = self.time(&fields);
-        let time_id = self.name(&fields, "timeId");
+        let time_id = self.name(&fields, "timeId").map(Name::from);
         self.warn_of_missing_time(&fields, parent);
         let mut clause = Clause {
             span: self.full_span(node),
@@ -354,6 +362,16 @@ impl Context<'_> {
                     return None;
                 }
                 clause.kind = kind?;
+                self.document.clauses.push(clause);
+            }
+            Role::Record(blank) => {
+                clause.kind = blank();
+                if let Some(record) = clause.kind.record()
+                    && !self.record(node, &fields, record)
+                {
+                    return None;
+                }
+                clause.start = start.ok()?;
                 self.document.clauses.push(clause);
             }
             Role::Group(wrap) => {

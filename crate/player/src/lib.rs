@@ -13,6 +13,7 @@ mod gestures;
 mod performer;
 mod script;
 mod units;
+mod unperformed;
 mod voice;
 
 pub use cues::{Cue, CueKind, UtteranceCue, WordCue};

@@ -51,6 +51,7 @@ impl Script {
             bundle.as_ref(),
             bundle_json.is_some(),
         ));
+        diagnostics.extend(crate::unperformed::report(&document));
         raconteur_base::order::sort_by_number(&mut diagnostics, |d| f64::from(d.span.start));
         Self {
             document,

@@ -1,38 +1,66 @@
 //! What hand-shapes, palms and motion have in common: a hand and timed keys.
 
 use super::values::KeyTime;
-use super::{Attribute, Context, Element, Fields, Kind, Presence};
-use crate::{Diagnostic, Handedness, Key, Track};
+use super::{Attribute, Context, Element, Fields, Kind};
+use crate::{Diagnostic, Handedness, Interpolator, Key, Profile, Space, Span, Track};
 use raconteur_base::Side;
 
 /// The hand of a track.
-pub(super) const HAND: Attribute = Attribute {
-    name: "hand",
-    aliases: &[],
-    kind: Kind::Choice(&["left", "right"]),
-    default: Presence::Optional,
-    doc: "The hand it is for. Every hand that takes part when left out; palms and motion are then \
-          mirrored for the other hand.",
-};
+pub(super) const HAND: Attribute = Attribute::choice(
+    "hand",
+    &["left", "right"],
+    doc!(
+        "The hand it is for. Every hand that takes part when left out; palms and motion are then \
+         mirrored for the other hand."
+    ),
+);
 
 /// The time of a key.
-pub(super) const KEY_TIME: Attribute = Attribute {
-    name: "time",
-    aliases: &[],
-    kind: Kind::KeyTime,
-    default: Presence::Optional,
-    doc: "When to reach the value: seconds after the start of the gesture, or percent of its \
-          duration. Keys without a time are spread evenly.",
-};
+pub(super) const KEY_TIME: Attribute = Attribute::new(
+    "time",
+    Kind::KeyTime,
+    doc!(
+        "When to reach the value: seconds after the start of the gesture, or percent of its \
+         duration. Keys without a time are spread evenly."
+    ),
+)
+.unit("s");
+
+/// The course of a motion (extension).
+pub(super) const INTERPOLATION: Attribute = Attribute::choice(
+    "interpolation",
+    Interpolator::WORDS,
+    doc!("How the hand moves to the key, or to each key of the track (GEVH 3.5.1)."),
+)
+.extension();
+
+/// The control values of a course (extension).
+pub(super) const CONTROLS: Attribute = Attribute::new(
+    "controls",
+    Kind::Numbers,
+    doc!(
+        "For bezier x and y of two control points, time and way from 0 to 1; for hermite the \
+         slopes at the start and the end."
+    ),
+)
+.extension();
+
+/// What a course interpolates (extension).
+pub(super) const SPACE: Attribute = Attribute::choice(
+    "space",
+    Space::WORDS,
+    doc!("Whether positions or joint angles are interpolated (GEVH 3.5.1)."),
+)
+.extension();
 
 /// Where one track may stand and how often: once a hand.
 pub(super) const PARENTS: &[&str] = &["gesture-key"];
 
-/// Stands for the offset of a key that has none yet.
-const UNTIMED: f64 = f64::NAN;
+/// What a key says, and how the hand moves to it.
+type Value<K> = (K, Option<Box<Profile>>);
 
 /// Reads a track: its hand, and its keys with `value`. None when no key is left.
-pub(super) fn read<'t, K: Default>(
+pub(super) fn read<'t, K>(
     cx: &mut Context<'t>,
     node: usize,
     element: &'static Element,
@@ -45,14 +73,13 @@ pub(super) fn read<'t, K: Default>(
         Some("right") => Some(Side::Right),
         _ => None,
     };
-    let most = cx.tree.nodes[node].subtree_end as usize - node - 1;
-    let mut keys: Vec<Key<K>> = Vec::with_capacity(most);
-    // Keys that are dropped still take a place among those without a time.
-    let mut dropped: Vec<usize> = Vec::new();
+    let profile = profile(cx, fields);
+    let mut keys: Vec<(Option<f64>, Option<Value<K>>, Span)> = Vec::new();
     cx.children(node, element, |cx, child, key| {
         let fields = cx.fields(child, key);
         let span = cx.full_span(child);
         cx.children(child, key, |_, _, _| {});
+        // A bad time still takes a place among the keys without one.
         let time = cx.key_time(&fields);
         let secs = time.unwrap_or(None).map(|time| match time {
             KeyTime::Secs(secs) => secs,
@@ -71,25 +98,23 @@ pub(super) fn read<'t, K: Default>(
         } else {
             None
         };
-        if read.is_none() || time.is_err() {
-            dropped.push(keys.len());
-        }
-        keys.push(Key {
-            offset_secs: secs.unwrap_or(UNTIMED),
-            value: read.unwrap_or_default(),
-            span,
-        });
+        let read = read.filter(|_| time.is_ok());
+        let read = read.map(|value| (value, self::profile(cx, &fields)));
+        keys.push((secs, read, span));
     });
     spread(&mut keys, duration_secs);
-    let mut dropped = dropped.into_iter().peekable();
-    if dropped.peek().is_some() {
-        let mut index = 0;
-        keys.retain(|_| {
-            let keep = dropped.next_if_eq(&index).is_none();
-            index += 1;
-            keep
-        });
-    }
+    let mut keys: Vec<Key<K>> = keys
+        .into_iter()
+        .filter_map(|(time, value, span)| {
+            let (value, profile) = value?;
+            Some(Key {
+                offset_secs: time.unwrap_or(0.0),
+                value,
+                profile,
+                span,
+            })
+        })
+        .collect();
     if !keys.is_sorted_by_key(|k| k.offset_secs) {
         let message = format!(
             "the keys of `{}` are not in the order of their times",
@@ -102,8 +127,32 @@ pub(super) fn read<'t, K: Default>(
     (!keys.is_empty()).then(|| Track {
         hand,
         keys,
+        profile,
         span: cx.full_span(node),
     })
+}
+
+/// The extensions' course of a track or a key.
+fn profile(cx: &mut Context<'_>, fields: &Fields<'_>) -> Option<Box<Profile>> {
+    let mut profile = Profile::default();
+    cx.attributes(fields, &mut profile);
+    let wanted = profile.interpolator.map_or(0, Interpolator::controls);
+    let given = profile.controls.as_ref().map_or(0, Vec::len);
+    if given != wanted {
+        let message = match profile.interpolator {
+            Some(course) => format!(
+                "{} takes {wanted} control values, not {given}",
+                course.word()
+            ),
+            None => "control values need an interpolation".to_owned(),
+        };
+        let span = fields.span_of("controls");
+        cx.sink
+            .push(Diagnostic::error("eml::bad-controls", span, message));
+        profile.controls = None;
+        profile.interpolator = None;
+    }
+    (profile != Profile::default()).then(|| Box::new(profile))
 }
 
 /// Adds a track, unless it is for a hand that does not take part or has one already.
@@ -141,32 +190,31 @@ pub(super) fn add<K>(
         );
         return;
     }
-    // There is rarely a second one.
-    tracks.reserve_exact(1);
     tracks.push(track);
 }
 
 /// Gives times to the keys that have none: evenly between their timed neighbours, the
 /// ends counting as 0 and the duration (GEVH 3.5.2).
-fn spread<K>(keys: &mut [Key<K>], duration_secs: f64) {
+fn spread<V>(keys: &mut [(Option<f64>, V, Span)], duration_secs: f64) {
     let last = keys.len().saturating_sub(1);
-    if let Some(key) = keys.first_mut().filter(|k| k.offset_secs.is_nan()) {
-        key.offset_secs = 0.0;
+    if let Some((time @ None, ..)) = keys.first_mut() {
+        *time = Some(0.0);
     }
-    if keys.last().is_some_and(|k| k.offset_secs.is_nan()) {
-        // `max` passes over NaN.
-        let times = keys.iter().map(|k| k.offset_secs);
-        keys[last].offset_secs = times.fold(duration_secs, f64::max);
+    let latest = keys
+        .iter()
+        .filter_map(|(time, ..)| *time)
+        .fold(duration_secs, f64::max);
+    if let Some((time @ None, ..)) = keys.last_mut() {
+        *time = Some(latest);
     }
     let mut from = 0;
     for to in 1..=last {
-        let (start, end) = (keys[from].offset_secs, keys[to].offset_secs);
-        if end.is_nan() {
+        let (Some(start), Some(end)) = (keys[from].0, keys[to].0) else {
             continue;
-        }
+        };
         let steps = (to - from) as f64;
-        for (step, key) in keys[from + 1..to].iter_mut().enumerate() {
-            key.offset_secs = start + (end - start) * (step + 1) as f64 / steps;
+        for (step, (time, ..)) in keys[from + 1..to].iter_mut().enumerate() {
+            *time = Some(start + (end - start) * (step + 1) as f64 / steps);
         }
         from = to;
     }
@@ -176,7 +224,7 @@ fn spread<K>(keys: &mut [Key<K>], duration_secs: f64) {
 mod tests {
     use super::*;
     use crate::schema::testing::{codes, one};
-    use crate::{ClauseKind, GestureKey, Span};
+    use crate::{ClauseKind, GestureKey};
 
     fn gesture(inner: &str) -> GestureKey {
         let text = format!("<gesture-key time='1' duration='2'>{inner}</gesture-key>");
@@ -226,14 +274,10 @@ mod tests {
     fn spread_of(times: &[Option<f64>]) -> Vec<f64> {
         let mut keys: Vec<_> = times
             .iter()
-            .map(|&time| Key {
-                offset_secs: time.unwrap_or(UNTIMED),
-                value: (),
-                span: Span::default(),
-            })
+            .map(|&time| (time, (), Span::default()))
             .collect();
         spread(&mut keys, 2.0);
-        keys.into_iter().map(|key| key.offset_secs).collect()
+        keys.into_iter().filter_map(|(time, ..)| time).collect()
     }
 
     #[test]
@@ -268,7 +312,7 @@ mod tests {
         assert_eq!(codes(&body("<key time='3' id='1'/>")), ["eml::late-key"]);
         assert_eq!(
             codes(&body("<key id='1'/><key time='-1' id='1'/>")),
-            ["eml::bad-value"]
+            ["eml::out-of-range"]
         );
         assert_eq!(
             codes(&body("<key id='1'/><key time='t1' id='1'/>")),

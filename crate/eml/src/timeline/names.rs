@@ -25,18 +25,13 @@ pub(super) fn voice_timings(
     document: &Document,
     durations: &dyn Durations,
 ) -> SortedMap<ClauseId, VoiceTiming> {
-    let voices = document
-        .iter()
-        .filter_map(|(id, clause)| match &clause.kind {
-            ClauseKind::VoiceText(text) => {
-                let mut timing = durations.voice(text);
-                if !(timing.duration_secs >= 0.0 && timing.duration_secs.is_finite()) {
-                    timing.duration_secs = 0.0;
-                }
-                Some((id, timing))
-            }
-            _ => None,
-        });
+    let voices = document.iter().filter_map(|(id, clause)| {
+        let mut timing = durations.voice(clause.kind.spoken()?.as_ref());
+        if !(timing.duration_secs >= 0.0 && timing.duration_secs.is_finite()) {
+            timing.duration_secs = 0.0;
+        }
+        Some((id, timing))
+    });
     SortedMap::from_sorted(voices.collect())
 }
 
@@ -90,10 +85,9 @@ impl Names {
                 };
                 define(name.clone(), moment);
             }
-            let ClauseKind::VoiceText(text) = &clause.kind else {
-                continue;
-            };
-            let Some((_, timing)) = voices.next_if(|&(&voice, _)| voice == id) else {
+            // Other clauses speak as well, but only a voice-text has markers.
+            let spoken = voices.next_if(|&(&voice, _)| voice == id);
+            let (ClauseKind::VoiceText(text), Some((_, timing))) = (&clause.kind, spoken) else {
                 continue;
             };
             for mark in text.marks() {
