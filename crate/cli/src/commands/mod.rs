@@ -5,4 +5,5 @@ pub(crate) mod check;
 pub(crate) mod figure;
 pub(crate) mod pose;
 pub(crate) mod render;
+pub(crate) mod serve;
 pub(crate) mod timeline;
