@@ -61,7 +61,10 @@ impl Serve {
         }
         let player = self.player()?;
         if !self.listen.is_loopback() && token.is_none() {
-            eprintln!("raconteur: anybody who reaches {} may send; see --token", self.listen);
+            eprintln!(
+                "raconteur: anybody who reaches {} may send; see --token",
+                self.listen
+            );
         }
         let no_way = self.port.is_none() && self.tcp.is_none() && !self.stdin;
         let at = |port| SocketAddr::new(self.listen, port);

@@ -149,8 +149,7 @@ mod tests {
             all
         };
         let mut framer = Framer::new(60);
-        let mut bytewise: Vec<String> =
-            stream.bytes().flat_map(|b| framer.push(&[b])).collect();
+        let mut bytewise: Vec<String> = stream.bytes().flat_map(|b| framer.push(&[b])).collect();
         bytewise.extend(framer.finish());
         assert_eq!(whole, bytewise);
         whole
@@ -158,9 +157,18 @@ mod tests {
 
     #[test]
     fn a_line_with_everything_closed_is_a_fragment() {
-        assert_eq!(frames("<null/>\n<null/><null/>\r\n"), ["<null/>", "<null/><null/>"]);
-        assert_eq!(frames("<seq>\n <null/>\n</seq>\n<null/>"), ["<seq>\n <null/>\n</seq>", "<null/>"]);
-        assert_eq!(frames("<a b='>/' c=\"</a>\">\n</a>\n"), ["<a b='>/' c=\"</a>\">\n</a>"]);
+        assert_eq!(
+            frames("<null/>\n<null/><null/>\r\n"),
+            ["<null/>", "<null/><null/>"]
+        );
+        assert_eq!(
+            frames("<seq>\n <null/>\n</seq>\n<null/>"),
+            ["<seq>\n <null/>\n</seq>", "<null/>"]
+        );
+        assert_eq!(
+            frames("<a b='>/' c=\"</a>\">\n</a>\n"),
+            ["<a b='>/' c=\"</a>\">\n</a>"]
+        );
         assert_eq!(frames("<a><![CDATA[</a>\n]]]></a>\n<b/>\n").len(), 2);
         assert_eq!(frames("<!-- <a> --->\n<?x <a> ?>\n<!DOCTYPE a>\n").len(), 3);
         assert_eq!(frames("hello\n\n\n@2.5\n"), ["hello", "@2.5"]);

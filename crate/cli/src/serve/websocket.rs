@@ -105,7 +105,10 @@ fn is_local(origin: &str) -> bool {
         Some(v6) => v6.split(']').next().unwrap_or_default(),
         None => host.split(':').next().unwrap_or_default(),
     };
-    host == "localhost" || host.parse().is_ok_and(|ip: std::net::IpAddr| ip.is_loopback())
+    host == "localhost"
+        || host
+            .parse()
+            .is_ok_and(|ip: std::net::IpAddr| ip.is_loopback())
 }
 
 #[cfg(test)]
@@ -114,10 +117,19 @@ mod tests {
 
     #[test]
     fn only_pages_of_this_machine_are_local() {
-        for origin in ["http://localhost:4173", "https://127.0.0.1", "http://[::1]:80"] {
+        for origin in [
+            "http://localhost:4173",
+            "https://127.0.0.1",
+            "http://[::1]:80",
+        ] {
             assert!(is_local(origin), "{origin}");
         }
-        for origin in ["https://evil.example", "null", "http://localhost.evil.example", "http://127.0.0.1.nip.io"] {
+        for origin in [
+            "https://evil.example",
+            "null",
+            "http://localhost.evil.example",
+            "http://127.0.0.1.nip.io",
+        ] {
             assert!(!is_local(origin), "{origin}");
         }
     }

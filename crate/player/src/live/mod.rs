@@ -80,6 +80,8 @@ struct Fragment {
     first_utterance: usize,
     marks: BTreeMap<String, f64>,
     part: Part,
+    /// Nothing of it has been told: it may begin at a time up to which everything else was.
+    fresh: bool,
 }
 
 /// How much a mind may still send.
@@ -272,6 +274,7 @@ impl Live {
             first_utterance,
             marks: script.timeline.marks,
             part,
+            fresh: true,
         });
         Ok(())
     }
@@ -305,7 +308,9 @@ impl Live {
     /// time, and the clauses that were skipped.
     pub(crate) fn take_cues(&mut self, from_secs: f64, to_secs: f64) -> Vec<Cue> {
         let mut cues = std::mem::take(&mut self.skipped);
-        for fragment in &self.fragments {
+        for fragment in &mut self.fragments {
+            let fresh = std::mem::take(&mut fragment.fresh);
+            let from_secs = if fresh { f64::NEG_INFINITY } else { from_secs };
             cues.extend_from_slice(between(&fragment.part.cues, from_secs, to_secs));
         }
         cues
@@ -313,7 +318,8 @@ impl Live {
 
     /// Notes the clauses that a move from one time to a later one passes over.
     pub(crate) fn skip(&mut self, from_secs: f64, to_secs: f64) {
-        for fragment in &self.fragments {
+        for fragment in &mut self.fragments {
+            fragment.fresh = false;
             for cue in between(&fragment.part.cues, from_secs, to_secs) {
                 if self.skipped.len() >= limits::REMEMBERED_CLAUSES {
                     return;
