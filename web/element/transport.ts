@@ -149,6 +149,7 @@ export class Transport {
   #rest(): void {
     const position = this.position;
     this.#voice.stop();
+    this.#latest = position;
     this.#clock.rest(position);
   }
 

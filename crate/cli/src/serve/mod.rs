@@ -197,8 +197,7 @@ impl Stage {
         }
     }
 
-    /// Story time passes with the lines `@SECONDS` of the standard input, and at its end the
-    /// rest of it at once.
+    /// Story time passes with the lines `@SECONDS` of the standard input, and ends with it.
     fn by_input(&mut self) -> Result<()> {
         let mut now_secs = 0.0;
         self.welcome(now_secs)?;
@@ -209,8 +208,7 @@ impl Stage {
                 return Ok(());
             };
             let Ok(fragment) = self.minds[i].wait() else {
-                let end_secs = self.player.end_secs();
-                return self.pass(end_secs);
+                return Ok(());
             };
             match fragment.strip_prefix('@').map(str::parse) {
                 Some(Ok(secs)) if secs >= now_secs => {
