@@ -137,8 +137,14 @@ fn read_input(door: &Door) {
         let mut framer = Framer::new(limits::FRAGMENT_BYTES);
         let mut bytes = [0; 4096];
         let mut input = io::stdin().lock();
-        while let Ok(n @ 1..) = input.read(&mut bytes) {
-            for fragment in framer.push(&bytes[..n]) {
+        loop {
+            let read = match input.read(&mut bytes) {
+                Ok(0) => break,
+                Ok(n) => n,
+                Err(e) if tcp::waits(&e) => continue,
+                Err(_) => break,
+            };
+            for fragment in framer.push(&bytes[..read]) {
                 if inbox.send(fragment).is_err() {
                     return;
                 }
@@ -162,10 +168,10 @@ struct Stage {
 impl Stage {
     fn in_real_time(&mut self, speed: f64, alone: bool) -> Result<()> {
         let since = Instant::now();
-        let mut input_ended = false;
         loop {
             let now_secs = since.elapsed().as_secs_f64() * speed;
             self.welcome(now_secs)?;
+            let mut input_ended = false;
             let mut gone = Vec::new();
             for i in 0..self.minds.len() {
                 for _ in 0..AT_ONCE {
@@ -177,14 +183,19 @@ impl Stage {
                         Ok(Some(fragment)) => self.perform(i, &fragment, now_secs)?,
                         Ok(None) => break,
                         Err(Gone) => {
-                            gone.push(i);
+                            // Who listens at the standard output still does.
+                            if mind.is_at_input() {
+                                input_ended = true;
+                            } else {
+                                gone.push(i);
+                            }
                             break;
                         }
                     }
                 }
             }
             for i in gone.into_iter().rev() {
-                input_ended |= self.minds.remove(i).is_at_input();
+                self.minds.remove(i);
             }
             self.pass(now_secs)?;
             if input_ended && alone {
