@@ -1,30 +1,22 @@
 //! Names on the mesh against hostile files.
 
+mod common;
+
+use common::container;
 use raconteur_body::annotation::annotations;
 use raconteur_body::read::ReadError;
 use serde_json::{Value, json};
 
-fn container(root: &Value) -> Vec<u8> {
-    let mut json = root.to_string().into_bytes();
-    json.resize(json.len().next_multiple_of(4), b' ');
-    let mut glb = b"glTF".to_vec();
-    glb.extend(2u32.to_le_bytes());
-    glb.extend((20 + json.len() as u32).to_le_bytes());
-    glb.extend((json.len() as u32).to_le_bytes());
-    glb.extend(b"JSON");
-    glb.extend(json);
-    glb
-}
-
 /// A file with one mesh of ten vertices and these extras.
 fn with(extras: &Value) -> Vec<u8> {
-    container(&json!({
+    let root = json!({
         "asset": { "version": "2.0" },
         "scene": 0,
         "scenes": [{ "extras": extras }],
         "meshes": [{ "primitives": [{ "attributes": { "POSITION": 0 } }] }],
         "accessors": [{ "count": 10 }],
-    }))
+    });
+    container(&root.to_string())
 }
 
 #[test]

@@ -1,9 +1,12 @@
 //! The reader against hostile files, and the shipped figure against a reader that nobody
 //! here wrote.
 
+mod common;
+
 use std::fs;
 use std::path::PathBuf;
 
+use common::container;
 use raconteur_base::noise;
 use raconteur_body::read::{ReadError, read_figure};
 use raconteur_body::{Bone, MaterialKind};
@@ -11,19 +14,6 @@ use raconteur_body::{Bone, MaterialKind};
 fn shipped() -> Vec<u8> {
     let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../assets/figures/sofia.glb");
     fs::read(&path).unwrap_or_else(|e| panic!("{}: {e}", path.display()))
-}
-
-/// A container of this JSON without binary chunk.
-fn container(json: &str) -> Vec<u8> {
-    let mut json = json.as_bytes().to_vec();
-    json.resize(json.len().next_multiple_of(4), b' ');
-    let mut glb = b"glTF".to_vec();
-    glb.extend(2u32.to_le_bytes());
-    glb.extend((20 + json.len() as u32).to_le_bytes());
-    glb.extend((json.len() as u32).to_le_bytes());
-    glb.extend(b"JSON");
-    glb.extend(json);
-    glb
 }
 
 /// Replaces a piece of the shipped figure's JSON chunk by one of the same length.

@@ -39,6 +39,8 @@ pub(crate) enum Format {
 enum Command {
     /// Report problems in stories.
     Check(commands::check::Check),
+    /// Write stories in their canonical form.
+    Fmt(commands::fmt::Fmt),
     /// Print the resolved clauses of a story in time order.
     Timeline(commands::timeline::Timeline),
     /// Print where the joints are at given times.
@@ -65,6 +67,7 @@ pub(crate) enum Outcome {
 fn main() -> ExitCode {
     let outcome = match Arguments::parse().command {
         Command::Check(c) => c.run(),
+        Command::Fmt(c) => c.run(),
         Command::Timeline(c) => c.run(),
         Command::Pose(c) => c.run(),
         Command::Render(c) => c.run(),

@@ -5,7 +5,8 @@ use crate::Span;
 /// How bad a problem is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Severity {
-    /// Something of the document is lost: an element or a value was dropped.
+    /// Something of the document is lost: an element or a value was dropped. What the
+    /// language does not know at all is a warning, since another version may.
     Error,
     /// The document plays as written or nearly so, but probably not as meant.
     Warning,

@@ -1,6 +1,25 @@
 //! The typed document: clauses with their values read, times not yet resolved.
 
+use crate::clauses::environment::{Camera, Emotion, Light, Music, Performer};
+use crate::clauses::functions::{FunctionArgs, VhMove};
+use crate::clauses::geometry::ConfigureGeometry;
+use crate::clauses::manipulators::{
+    ConfigureManipulator, ForwardKinematics, FrameInterpolation, Jacobian, JointInterpolation,
+    Lock, ManipulatorFunction, Stop,
+};
+use crate::clauses::parameters::{
+    AdsrControlParameter, AnimateControlParameter, LoadControlParameterAnimation,
+    SetControlParameter,
+};
+use crate::clauses::players::{
+    DeterministicAnimation, DeterministicPrimitive, DeterministicTrackProperty, PlayerAdd,
+    PlayerChangePriority, PlayerRemove, PlayerSetExclusive,
+};
+use crate::clauses::sets::Set;
+use crate::clauses::speech::{VoiceChange, VoiceSay};
+use crate::record::Record;
 use crate::{GestureKey, Span, TimeExpr, VoiceText};
+use std::borrow::Cow;
 
 /// The place of a clause in [`Document::clauses`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -20,6 +39,10 @@ impl ClauseId {
 pub struct Document {
     /// The `name` of the `eml` element.
     pub name: Option<String>,
+    /// Who performs it (extension).
+    pub performer: Option<Performer>,
+    /// The named sets of tracks (GEVH D.3.3).
+    pub sets: Vec<Set>,
     /// Every clause, nested ones included, each group before its children.
     pub clauses: Vec<Clause>,
     /// The clauses directly in the body, in document order.
@@ -82,6 +105,62 @@ pub enum ClauseKind {
     Seq(Group),
     /// Its clauses together (GEVH D.2.5).
     Par(Group),
+    /// Moves the whole figure along a function (GEVH D.1.6).
+    VhMove(VhMove),
+    /// Switches what is drawn (GEVH D.3.4).
+    ConfigureGeometry(ConfigureGeometry),
+    /// Configures transitions of keyframe animations (GEVH D.3.5).
+    DeterministicAnimation(DeterministicAnimation),
+    /// Sets a property of tracks (GEVH D.3.6).
+    DeterministicTrackProperty(Box<DeterministicTrackProperty>),
+    /// Adds an animation player (GEVH D.3.11).
+    PlayerAdd(PlayerAdd),
+    /// Replaces all animation players by one (GEVH D.3.12).
+    PlayerSetExclusive(PlayerSetExclusive),
+    /// Changes the priority of a player (GEVH D.3.14).
+    PlayerChangePriority(PlayerChangePriority),
+    /// Removes a player (GEVH D.3.15).
+    PlayerRemove(PlayerRemove),
+    /// Removes all players (GEVH D.3.16).
+    PlayerClear,
+    /// Operates on a stack of animations (GEVH D.3.17).
+    DeterministicPrimitive(Box<DeterministicPrimitive>),
+    /// Switches a manipulator (GEVH D.3.19).
+    ConfigureManipulator(ConfigureManipulator),
+    /// Sets joints (GEVH D.3.20).
+    ForwardKinematics(Box<ForwardKinematics>),
+    /// Brings a limb to a target by its joints (GEVH D.3.21).
+    JointInterpolation(Box<JointInterpolation>),
+    /// Brings a limb to a target on a straight way (GEVH D.3.22).
+    FrameInterpolation(FrameInterpolation),
+    /// Moves a limb along a function (GEVH D.3.23).
+    ManipulatorFunction(ManipulatorFunction),
+    /// Moves a limb by inverse velocity (GEVH D.3.24).
+    Jacobian(Box<Jacobian>),
+    /// Stops a manipulator (GEVH D.3.25).
+    ManipulatorStop(Stop),
+    /// Holds the end of a limb (GEVH D.3.26).
+    ManipulatorLock(Lock),
+    /// Sets a control parameter (GEVH D.3.27).
+    SetControlParameter(SetControlParameter),
+    /// Leads a control parameter through four phases (GEVH D.3.28).
+    AdsrControlParameter(Box<AdsrControlParameter>),
+    /// Loads an animation of control parameters (GEVH D.3.29).
+    LoadControlParameterAnimation(LoadControlParameterAnimation),
+    /// Plays an animation of control parameters (GEVH D.3.30).
+    AnimateControlParameter(AnimateControlParameter),
+    /// Speaks a text or a file without time markers (GEVH D.4.2).
+    VoiceSay(Box<VoiceSay>),
+    /// Changes the voice (GEVH D.4.15).
+    VoiceChange(VoiceChange),
+    /// Elicits an emotion (extension).
+    Emotion(Emotion),
+    /// Takes a shot (extension).
+    Camera(Camera),
+    /// Changes the key light (extension).
+    Light(Light),
+    /// Plays music (extension).
+    Music(Box<Music>),
 }
 
 impl ClauseKind {
@@ -96,6 +175,111 @@ impl ClauseKind {
             Self::Null => "null",
             Self::Seq(_) => "seq",
             Self::Par(_) => "par",
+            Self::VhMove(_) => "vh-move",
+            Self::ConfigureGeometry(_) => "body-configure-geometry",
+            Self::DeterministicAnimation(_) => "body-configure-deterministic-animation",
+            Self::DeterministicTrackProperty(_) => "body-configure-deterministic-track-property",
+            Self::PlayerAdd(_) => "body-player-add",
+            Self::PlayerSetExclusive(_) => "body-player-set-exclusive",
+            Self::PlayerChangePriority(_) => "body-player-change-priority",
+            Self::PlayerRemove(_) => "body-player-remove",
+            Self::PlayerClear => "body-player-clear",
+            Self::DeterministicPrimitive(_) => "body-deterministic-primitive",
+            Self::ConfigureManipulator(_) => "body-configure-manipulator",
+            Self::ForwardKinematics(_) => "body-non-deterministic-fk",
+            Self::JointInterpolation(_) => "body-non-deterministic-joint-interpolation",
+            Self::FrameInterpolation(_) => "body-non-deterministic-frame-interpolation",
+            Self::ManipulatorFunction(_) => "body-non-deterministic-function",
+            Self::Jacobian(_) => "body-non-deterministic-jacobian",
+            Self::ManipulatorStop(_) => "body-non-deterministic-stop",
+            Self::ManipulatorLock(_) => "body-non-deterministic-lock",
+            Self::SetControlParameter(_) => "body-set-control-parameter",
+            Self::AdsrControlParameter(_) => "body-animate-ADSR-control-parameter",
+            Self::LoadControlParameterAnimation(_) => "body-load-control-parameter-animation",
+            Self::AnimateControlParameter(_) => "body-animate-control-parameter",
+            Self::VoiceSay(_) => "voice-say",
+            Self::VoiceChange(_) => "voice-change",
+            Self::Emotion(_) => "emotion",
+            Self::Camera(_) => "camera",
+            Self::Light(_) => "light",
+            Self::Music(_) => "music",
+        }
+    }
+
+    /// The attributes and children, when they are all that it consists of.
+    pub(crate) fn record(&mut self) -> Option<&mut dyn Record> {
+        let record: &mut dyn Record = match self {
+            Self::VhMove(record) => record,
+            Self::ConfigureGeometry(record) => record,
+            Self::DeterministicAnimation(record) => record,
+            Self::DeterministicTrackProperty(record) => record.as_mut(),
+            Self::PlayerAdd(record) => record,
+            Self::PlayerSetExclusive(record) => record,
+            Self::PlayerChangePriority(record) => record,
+            Self::PlayerRemove(record) => record,
+            Self::DeterministicPrimitive(record) => record.as_mut(),
+            Self::ConfigureManipulator(record) => record,
+            Self::ForwardKinematics(record) => record.as_mut(),
+            Self::JointInterpolation(record) => record.as_mut(),
+            Self::FrameInterpolation(record) => record,
+            Self::ManipulatorFunction(record) => record,
+            Self::Jacobian(record) => record.as_mut(),
+            Self::ManipulatorStop(record) => record,
+            Self::ManipulatorLock(record) => record,
+            Self::SetControlParameter(record) => record,
+            Self::AdsrControlParameter(record) => record.as_mut(),
+            Self::LoadControlParameterAnimation(record) => record,
+            Self::AnimateControlParameter(record) => record,
+            Self::VoiceSay(record) => record.as_mut(),
+            Self::VoiceChange(record) => record,
+            Self::Emotion(record) => record,
+            Self::Camera(record) => record,
+            Self::Light(record) => record,
+            Self::Music(record) => record.as_mut(),
+            Self::VoiceText(_)
+            | Self::GestureIsOn(_)
+            | Self::GestureKey(_)
+            | Self::Event { .. }
+            | Self::Null
+            | Self::PlayerClear
+            | Self::Seq(_)
+            | Self::Par(_) => return None,
+        };
+        Some(record)
+    }
+
+    /// The text that it speaks itself, which takes time.
+    #[must_use]
+    pub fn spoken(&self) -> Option<Cow<'_, VoiceText>> {
+        match self {
+            Self::VoiceText(text) => Some(Cow::Borrowed(text)),
+            Self::VoiceSay(say) => say.spoken().map(Cow::Owned),
+            _ => None,
+        }
+    }
+
+    /// How long it takes by itself, in seconds: neither speech nor what is in a group. A
+    /// function in a loop takes one period; what goes on until something stops it takes
+    /// no time.
+    #[must_use]
+    pub fn own_length_secs(&self) -> f64 {
+        let period =
+            |args: &Option<FunctionArgs>| args.as_ref().map_or(0.0, FunctionArgs::period_secs);
+        match self {
+            Self::GestureKey(gesture) => gesture.duration_secs,
+            Self::VhMove(function) => period(&function.args),
+            Self::ManipulatorFunction(function) => period(&function.args),
+            Self::DeterministicTrackProperty(property) => property.duration_secs,
+            Self::JointInterpolation(motion) => motion.static_time_secs.unwrap_or(0.0),
+            Self::FrameInterpolation(motion) => motion.period_secs,
+            Self::AdsrControlParameter(adsr) => {
+                adsr.attack_secs + adsr.decay_secs + adsr.sustain_secs + adsr.release_secs
+            }
+            Self::Emotion(emotion) => emotion.duration_secs,
+            Self::Camera(camera) => camera.transition_secs,
+            Self::Light(light) => light.transition_secs,
+            Self::Music(music) => music.fade_secs,
+            _ => 0.0,
         }
     }
 

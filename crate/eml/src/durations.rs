@@ -65,7 +65,7 @@ impl Durations for EstimatedDurations {
             ..VoiceTiming::default()
         };
         let mut breaks = text.pieces.iter().filter_map(|piece| match piece {
-            Piece::Break { msec, span } => Some((span.start, f64::from(*msec) / 1000.0)),
+            Piece::Break { msec, span, .. } => Some((span.start, f64::from(*msec) / 1000.0)),
             _ => None,
         });
         let mut next_break = breaks.next();

@@ -1,7 +1,75 @@
 //! What a gesture-key holds (GEVH 3.5.1, D.5), in EML's own units and axes.
 
 use crate::Span;
+use crate::record::{record, words};
 use raconteur_base::Side;
+
+words! {
+    /// A phase of a gesture (GEVH 3.5.2 and appendix C; extension).
+    Phase {
+        /// The way to where the stroke starts.
+        Preparation = "preparation",
+        /// A hold before the stroke.
+        PreStroke = "prestroke",
+        /// What carries the meaning.
+        Stroke = "stroke",
+        /// A hold after the stroke.
+        PostStroke = "poststroke",
+        /// The way back to rest.
+        Retraction = "retraction",
+        /// A way back that ends early.
+        PartialRetraction = "partial-retraction",
+    }
+}
+
+words! {
+    /// The course between two keys (GEVH 3.5.1; extension).
+    Interpolator {
+        /// At constant pace.
+        Linear = "linear",
+        /// Slow at both ends.
+        Cosine = "cosine",
+        /// By a Bézier curve from (0, 0) to (1, 1) with two control points.
+        Bezier = "bezier",
+        /// By a Hermite curve from 0 to 1 with a slope at each end.
+        Hermite = "hermite",
+    }
+}
+
+impl Interpolator {
+    /// How many control values it takes.
+    #[must_use]
+    pub fn controls(self) -> usize {
+        match self {
+            Self::Linear | Self::Cosine => 0,
+            Self::Bezier => 4,
+            Self::Hermite => 2,
+        }
+    }
+}
+
+words! {
+    /// What is interpolated (GEVH 3.5.1; extension).
+    Space {
+        /// Positions.
+        Cartesian = "cartesian",
+        /// Joint angles.
+        Joint = "joint",
+    }
+}
+
+record! {
+    /// How a hand moves to a key, or to all keys of a track (extension). What is none
+    /// comes from the track, and then from the planner of gestures.
+    Profile = "" {
+        /// The course.
+        interpolator: Option<Interpolator> = "interpolation",
+        /// Its control values: x and y of both points, or both slopes.
+        controls: Option<Vec<f64>> = "controls",
+        /// What is interpolated.
+        space: Option<Space> = "space",
+    }
+}
 
 /// Moves hands through shapes, palm orientations and positions. A track that is
 /// missing leaves that feature as it was.
@@ -11,6 +79,8 @@ pub struct GestureKey {
     pub duration_secs: f64,
     /// The hands that take part.
     pub handedness: Handedness,
+    /// The phase of a gesture that it is (extension).
+    pub phase: Option<Phase>,
     /// Shapes, at most one track a hand.
     pub hand_shapes: Vec<Track<ShapeKey>>,
     /// Palm orientations, at most one track a hand.
@@ -51,6 +121,8 @@ pub struct Track<K> {
     pub hand: Option<Side>,
     /// The keys by time, at least one.
     pub keys: Vec<Key<K>>,
+    /// How the hand moves between the keys; none: as the planner of gestures sees fit.
+    pub profile: Option<Box<Profile>>,
     /// The whole element.
     pub span: Span,
 }
@@ -62,15 +134,19 @@ pub struct Key<K> {
     pub offset_secs: f64,
     /// What to reach.
     pub value: K,
+    /// How the hand moves to it; none: as the track says.
+    pub profile: Option<Box<Profile>>,
     /// The whole element.
     pub span: Span,
 }
 
 /// A hand shape of Portuguese Sign Language.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ShapeKey {
     /// Its number, 0 to 60.
     pub id: u8,
+    /// A second shape and its share, 0 to 1 (extension).
+    pub blend: Option<(u8, f64)>,
 }
 
 /// A palm orientation.

@@ -11,12 +11,18 @@
 //! Values keep EML's own units and axes: seconds, degrees, skeleton units; `x` to
 //! the speaker's left, `y` up, `z` to the back. Whoever acts on them converts.
 
+mod check;
+mod clauses;
 mod decimal;
 mod diagnostic;
 mod document;
 mod durations;
 mod gesture;
+mod namespaces;
 mod parse;
+mod record;
+#[cfg(feature = "reference")]
+pub mod reference;
 pub mod schema;
 mod span;
 mod suggest;
@@ -24,13 +30,45 @@ mod syntax;
 mod time_expr;
 mod timeline;
 mod voice;
+#[cfg(any(test, feature = "write"))]
+mod write;
 
+pub use clauses::environment::{
+    Camera, CameraAngle, Emotion, EmotionKind, Light, Music, Performer, ShotKind, Valence,
+};
+pub use clauses::functions::{Arg, ArgValue, FunctionArgs, VhMove};
+pub use clauses::geometry::{ConfigureGeometry, FillMode, VisibleMeshes};
+pub use clauses::manipulators::{
+    ConfigureManipulator, ForwardKinematics, FrameInterpolation, Jacobian, JointInterpolation,
+    Lock, Manipulator, ManipulatorFunction, Stop, Target,
+};
+pub use clauses::parameters::{
+    AdsrControlParameter, AnimateControlParameter, LoadControlParameterAnimation,
+    SetControlParameter, Style,
+};
+pub use clauses::players::{
+    AnimationStyle, Bones, DeterministicAnimation, DeterministicPrimitive,
+    DeterministicTrackProperty, PlaybackStyle, PlayerAdd, PlayerChangePriority, PlayerKind,
+    PlayerRemove, PlayerSetExclusive, PrimitiveKind, TrackProperty, Tracks, Transition,
+};
+pub use clauses::sets::{BODY_GROUPS, Member, MemberKind, Set, SetKind, items_of};
+pub use clauses::speech::{
+    Age, Audio, AudioMode, Boundary, Emph, Engine, Gender, Language, Level, Markup, Pitch, Pron,
+    Rate, SayAs, SayAsMode, SayAsType, Speaker, UtteranceKind, VoiceChange, VoiceOperation,
+    VoiceSay, Volume,
+};
 pub use diagnostic::{Diagnostic, Severity};
 pub use document::{Clause, ClauseId, ClauseKind, Document, Group};
 pub use durations::{Durations, EstimatedDurations, PhoneTime, VoiceTiming, WordTime};
-pub use gesture::{Coords, GestureKey, Handedness, Key, MotionKey, PalmKey, ShapeKey, Track};
+pub use gesture::{
+    Coords, GestureKey, Handedness, Interpolator, Key, MotionKey, PalmKey, Phase, Profile,
+    ShapeKey, Space, Track,
+};
+pub use namespaces::{EXTENSIONS, EXTENSIONS_PREFIX};
 pub use parse::{Limits, Parsed, parse, parse_bytes, parse_fragment, parse_with};
 pub use span::{LineIndex, Position, Span};
 pub use time_expr::{NameTerm, TimeExpr};
 pub use timeline::{Resolved, TimedClause, Timeline};
 pub use voice::{DivKind, Mark, MarkEvent, Piece, VoiceText, Word};
+#[cfg(any(test, feature = "write"))]
+pub use write::{HARMLESS, normal_form, write, write_with_comments};

@@ -1,6 +1,7 @@
 //! From text to document.
 
 use crate::diagnostic::Sink;
+use crate::namespaces::{Namespaces, Owner};
 use crate::schema::{self, Content, Context, Element, Fields, Role};
 use crate::suggest::quoted;
 use crate::syntax::{self, NodeKind};
@@ -110,14 +111,17 @@ fn read(source: &str, limits: &Limits, fragment: bool) -> Parsed {
     document
         .clauses
         .reserve((tree.nodes.len() / 8).min(limits.clauses));
+    let namespaces = Namespaces::of(&tree, &mut sink);
     let mut cx = Context {
         tree: &tree,
         sink: &mut sink,
         document: &mut document,
         limits,
+        namespaces,
         told_clauses: false,
     };
     cx.root(fragment);
+    crate::check::clauses(&document, fragment, &mut sink);
     Parsed {
         document,
         diagnostics: sink.finish(),
@@ -157,6 +161,11 @@ impl Context<'_> {
             };
             elements += 1;
             let span = self.name_span(node);
+            // Only a list of clauses has extensions at the top.
+            let found = match self.namespaces.owner(tree.nodes[node].text, node, true) {
+                (Owner::Extensions, local) => schema::find_extension(local),
+                _ => found,
+            };
             match found {
                 Some(element) if element.name == "eml" && root.is_none() => {
                     root = Some(span);
@@ -238,10 +247,7 @@ impl Context<'_> {
         self.document.name = self.text(&fields, "name");
         self.children(node, element, |cx, child, entry| match entry.name {
             "body" => cx.body(child, entry),
-            _ => {
-                cx.fields(child, entry);
-                cx.children(child, entry, |_, _, _| {});
-            }
+            _ => schema::read_head(cx, child, entry),
         });
     }
 
@@ -307,6 +313,16 @@ impl Context<'_> {
                     return None;
                 }
                 clause.kind = kind?;
+                self.document.clauses.push(clause);
+            }
+            Role::Record(blank) => {
+                clause.kind = blank();
+                if let Some(record) = clause.kind.record()
+                    && !self.record(node, &fields, record)
+                {
+                    return None;
+                }
+                clause.start = start.ok()?;
                 self.document.clauses.push(clause);
             }
             Role::Group(wrap) => {

@@ -1,6 +1,7 @@
 //! Spoken text with its breaks and time markers (GEVH D.4).
 
 use crate::Span;
+use crate::clauses::speech::{Audio, Boundary, Markup};
 use std::borrow::Cow;
 
 /// SABLE's level of text that nobody emphasised.
@@ -32,9 +33,34 @@ pub enum Piece {
     Break {
         /// Its length in milliseconds; 0 asks for no pause at all.
         msec: u32,
+        /// The punctuation mark whose intonation goes before it.
+        boundary: Option<Boundary>,
         /// The element.
         span: Span,
     },
+    /// A recording.
+    Audio {
+        /// What is played.
+        audio: Box<Audio>,
+        /// The element.
+        span: Span,
+    },
+    /// A marker of SABLE's: tells listeners when the next word begins (extension).
+    Marker {
+        /// What they are told.
+        mark: String,
+        /// The element.
+        span: Span,
+    },
+    /// A container other than a division opens.
+    Start {
+        /// What it does.
+        markup: Box<Markup>,
+        /// The start tag.
+        span: Span,
+    },
+    /// The last opened container that is no division closes.
+    End,
     /// A division opens.
     DivStart {
         /// What it is, when it says so.
@@ -100,7 +126,7 @@ pub struct Mark {
 }
 
 impl VoiceText {
-    /// The spoken words in order. Breaks and divisions end a word, other markup and
+    /// The spoken words in order. Breaks, recordings and divisions end a word, other markup and
     /// comments do not.
     #[must_use]
     pub fn words(&self) -> Vec<Word> {
@@ -157,8 +183,11 @@ impl VoiceText {
                         }
                     }
                 }
-                Piece::Mark { .. } => {}
-                Piece::Break { .. } | Piece::DivStart { .. } | Piece::DivEnd => gap = true,
+                Piece::Break { .. }
+                | Piece::Audio { .. }
+                | Piece::DivStart { .. }
+                | Piece::DivEnd => gap = true,
+                Piece::Mark { .. } | Piece::Marker { .. } | Piece::Start { .. } | Piece::End => {}
             }
         }
         out
@@ -228,9 +257,13 @@ impl VoiceText {
                         span: *span,
                     });
                 }
-                Piece::Break { .. } | Piece::DivStart { .. } | Piece::DivEnd => {
+                Piece::Break { .. }
+                | Piece::Audio { .. }
+                | Piece::DivStart { .. }
+                | Piece::DivEnd => {
                     token.finish(&mut words, &mut visit);
                 }
+                Piece::Marker { .. } | Piece::Start { .. } | Piece::End => {}
             }
         }
         token.finish(&mut words, &mut visit);

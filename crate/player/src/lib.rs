@@ -17,6 +17,7 @@ mod part;
 mod performer;
 mod script;
 mod units;
+mod unperformed;
 mod voice;
 
 pub use cues::{ClauseRef, Cue, CueKind, UtteranceCue, WordCue};

@@ -68,6 +68,7 @@ impl Script {
             bundle.as_deref(),
             voice_was_given,
         ));
+        diagnostics.extend(crate::unperformed::report(&document));
         raconteur_base::order::sort_by_number(&mut diagnostics, |d| f64::from(d.span.start));
         Self {
             document,

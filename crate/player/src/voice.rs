@@ -50,7 +50,8 @@ pub fn content_of(voice: &VoiceText) -> Content {
                 word_is_open = false;
                 content.segments.push(Segment::Boundary);
             }
-            Piece::Mark { .. } => {}
+            Piece::Audio { .. } => word_is_open = false,
+            Piece::Mark { .. } | Piece::Marker { .. } | Piece::Start { .. } | Piece::End => {}
         }
     }
     content

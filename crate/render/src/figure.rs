@@ -61,8 +61,9 @@ pub(crate) enum Shadow {
     Strands,
     /// Cut by the colour picture's alpha.
     Picture,
-    /// None: what lies inside the head is shaded by its occlusion, lashes are finer than
-    /// the map, and what is clear casts none.
+    /// None: what lies inside the mouth is shaded by its occlusion, lashes are finer than
+    /// the map, and what is clear casts none. Eyes cast: through an open lid the key would
+    /// shine into the head and glow on the far cheek as through thin flesh.
     Nothing,
 }
 
@@ -103,7 +104,7 @@ impl Look {
 
     pub(crate) fn shadow(self) -> Shadow {
         match (self.kind, self.layer) {
-            (MaterialKind::Eye | MaterialKind::Teeth | MaterialKind::Mouth, _)
+            (MaterialKind::Teeth | MaterialKind::Mouth, _)
             | (MaterialKind::Lash, _)
             | (_, Layer::Clear) => Shadow::Nothing,
             (MaterialKind::Hair, _) => Shadow::Strands,

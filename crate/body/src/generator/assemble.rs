@@ -276,7 +276,7 @@ impl Seams {
 
 /// A polygon of three or four corners as triangles; a quad is split along its shorter
 /// diagonal, and triangles without area are left out.
-fn triangles(face: &[u32], positions: &[DVec3]) -> Vec<[u32; 3]> {
+pub(super) fn triangles(face: &[u32], positions: &[DVec3]) -> Vec<[u32; 3]> {
     let p = |i: usize| positions[face[i] as usize];
     let mut out = Vec::with_capacity(2);
     if face.len() == 4 && p(0).distance_squared(p(2)) > p(1).distance_squared(p(3)) {

@@ -35,25 +35,31 @@ const SKIN_MAPS: Maps = Maps {
 /// Builds a figure. The same parameters give the same figure to the bit.
 #[must_use]
 pub fn build(params: &FigureParams) -> Built {
-    let stature = params.body.stature_m;
-    let mut joints = Joints::place(&params.body);
-    let head = head::build(&params.head);
+    let stature = params.person.stature_m;
+    let body = params.body();
+    let mut joints = Joints::place(&body);
+    let head = head::build(
+        &params.person,
+        &params.head,
+        params.hair.colour.linear_rgb(),
+    );
     let world_from_head = place_head(&mut joints, &head, stature);
-    let field = Field::new(&params.body, &joints);
+    let field = Field::new(&body, &joints);
     let cage = Cage::new(&field, &joints);
 
-    let wearer = Wearer::new(&params.body, &field, &cage, &joints);
+    let wearer = Wearer::new(&body, &field, &cage, &joints);
     let clothes = dress(&wearer, &params.wardrobe);
 
-    let body =
+    let flesh =
         |p: DVec3| field.value_and_normal(world_from_head.transform_point3(p), Regions::ALL, 1.0);
-    let mut hairs = hair::hair(&head, &params.hair, &body);
+    let mut hairs = hair::hair(&head, &params.hair, &flesh);
     for v in hairs.iter_mut().flat_map(|h| &mut h.part.vertices) {
         v.position = world_from_head.transform_point3(v.position);
     }
 
     let mut pieces: Vec<Piece> = Vec::new();
-    let hands = Side::BOTH.map(|side| place_hand(&params.hand, side, &mut joints));
+    let hand = params.hands();
+    let hands = Side::BOTH.map(|side| place_hand(&hand, side, &mut joints));
     let maps = skin::bake(&params.skin, &head.sheet, &hands[0].1);
     pieces.extend(
         head_parts(&head, &params.hair, world_from_head, &field, &cage)
@@ -213,8 +219,10 @@ fn neck(field: &Field, cage: &Cage, head: &Head, place: DAffine3) -> Part {
         .fold(f64::MIN, f64::max);
     let normals = shell.normals();
     for (p, n) in shell.points.iter_mut().zip(&normals) {
-        // Two sheets at one place would flicker.
-        *p -= *n * 0.08 * CM;
+        // Two sheets at one place would flicker; above the rim the head's skin leaves the
+        // body's, and this one must stay below it.
+        let hidden = smooth((p.y - rim) / (1.5 * CM));
+        *p -= *n * (0.08 + 0.9 * hidden) * CM;
     }
     let shell = shell.select(|f| {
         shell.faces[f]

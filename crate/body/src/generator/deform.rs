@@ -5,8 +5,7 @@
 //! closed by a fan to its middle. The enclosed volume is found by the divergence theorem, at
 //! rest and for the same faces posed.
 //!
-//! **Crossing.** Two triangles of the piece that share no corner cross when an edge of one
-//! passes through the other. In the crease skin presses on skin, which a posed surface without
+//! **Crossing.** As in [`crossing`](super::crossing). In the crease skin presses on skin, which a posed surface without
 //! contact can only show as overlap: triangles of the hollow side, within 1.3 radii of the limb
 //! along it from the joint, do not count.
 
@@ -17,6 +16,7 @@ use raconteur_base::{DAffine3, DQuat, DVec3, Side};
 
 use super::assemble::{Blueprint, Piece, assemble};
 use super::build::build;
+use super::crossing::crossings;
 use super::part::{Part, PartVertex};
 use super::people::preset;
 use super::torso::{Cage, Field, Joints};
@@ -34,8 +34,8 @@ fn sofia() -> &'static Case {
     static MADE: OnceLock<Case> = OnceLock::new();
     MADE.get_or_init(|| {
         let params = preset("sofia").unwrap();
-        let joints = Joints::place(&params.body);
-        let field = Field::new(&params.body, &joints);
+        let joints = Joints::place(&params.body());
+        let field = Field::new(&params.body(), &joints);
         let (shell, _) = Cage::new(&field, &joints).shell.subdivided(1);
         let part = Part {
             name: "body".to_owned(),
@@ -67,7 +67,7 @@ fn sofia() -> &'static Case {
             face: FacePlaces {
                 eye_centres: [DVec3::new(0.03, 1.5, 0.08), DVec3::new(-0.03, 1.5, 0.08)],
             },
-            stature_m: params.body.stature_m,
+            stature_m: params.person.stature_m,
             lid_closure_rad: [0.6; 2],
             pieces: vec![Piece::from(part)],
             images: Vec::new(),
@@ -215,42 +215,18 @@ impl<'a> Cut<'a> {
 
     /// Crossing pairs among the triangles that `counts` by their place at rest.
     fn crossings(&self, at: &BTreeMap<u32, DVec3>, counts: impl Fn(DVec3) -> bool) -> usize {
-        let mine: Vec<(&[u32; 3], [DVec3; 3])> = self
+        let counted: Vec<[u32; 3]> = self
             .triangles
             .iter()
             .filter(|t| counts(middle(self.mesh, t)))
-            .map(|t| (t, t.map(|v| at[&v])))
+            .copied()
             .collect();
-        let boxes: Vec<(DVec3, DVec3)> = mine
-            .iter()
-            .map(|(_, p)| (p[0].min(p[1]).min(p[2]), p[0].max(p[1]).max(p[2])))
-            .collect();
-        let mut count = 0;
-        for i in 0..mine.len() {
-            for j in 0..i {
-                let apart =
-                    boxes[i].0.cmpgt(boxes[j].1).any() || boxes[j].0.cmpgt(boxes[i].1).any();
-                let joined = mine[i].0.iter().any(|v| mine[j].0.contains(v));
-                if !apart && !joined && cross(&mine[i].1, &mine[j].1) {
-                    count += 1;
-                }
-            }
+        let mut points = vec![DVec3::ZERO; self.mesh.positions.len()];
+        for (&v, &p) in at {
+            points[v as usize] = p;
         }
-        count
+        crossings(&points, &counted).len()
     }
-}
-
-fn cross(a: &[DVec3; 3], b: &[DVec3; 3]) -> bool {
-    let through = |t: &[DVec3; 3], p: DVec3, q: DVec3| {
-        let n = (t[1] - t[0]).cross(t[2] - t[0]);
-        let (dp, dq) = ((p - t[0]).dot(n), (q - t[0]).dot(n));
-        if dp * dq >= 0.0 {
-            return false;
-        }
-        let x = p.lerp(q, dp / (dp - dq));
-        (0..3).all(|k| n.cross(t[(k + 1) % 3] - t[k]).dot(x - t[k]) >= 0.0)
-    };
-    (0..3).any(|k| through(a, b[k], b[(k + 1) % 3]) || through(b, a[k], a[(k + 1) % 3]))
 }
 
 /// A joint's trial: the mesh, the faces around it, the bend, and where the hollow is.

@@ -8,6 +8,8 @@ pub mod bones;
 mod build;
 pub mod cloth;
 #[cfg(test)]
+mod crossing;
+#[cfg(test)]
 mod deform;
 pub mod hair;
 pub mod hand;
@@ -15,7 +17,10 @@ pub mod head;
 pub mod measure;
 pub mod part;
 pub mod people;
+pub mod physique;
 pub mod skin;
+#[cfg(test)]
+mod soundness;
 pub mod statistics;
 pub mod subdivide;
 pub mod torso;

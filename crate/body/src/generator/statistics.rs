@@ -24,6 +24,8 @@ pub enum Source {
     FacialNorms,
     /// Farkas 1994.
     Farkas,
+    /// Heinz et al. 2003.
+    Heinz,
     /// Mean of Zhuang et al. 2010 and Weinberg et al. 2016, whose gonia lie 16 mm apart.
     JawMean,
 }
@@ -37,6 +39,7 @@ impl Source {
             Self::Respirator => "Zhuang et al. 2010, doi:10.1093/annhyg/meq007",
             Self::FacialNorms => "Weinberg et al. 2016, doi:10.1597/15-199",
             Self::Farkas => "Farkas 1994",
+            Self::Heinz => "Heinz et al. 2003, doi:10.1080/10691898.2003.11910711",
             Self::JawMean => "mean of Zhuang et al. 2010 and Weinberg et al. 2016",
         }
     }

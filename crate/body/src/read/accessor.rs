@@ -174,6 +174,20 @@ impl<'a> Source<'a> {
         read_integers(&l, what)
     }
 
+    /// An accessor of as many elements as there have to be.
+    fn counted(
+        &self,
+        index: usize,
+        expected_count: usize,
+        what: &'static str,
+    ) -> Result<&'a Accessor, ReadError> {
+        let accessor = self.accessor(index, what)?;
+        if accessor.count != expected_count as u64 {
+            return Err(ReadError::Count { what });
+        }
+        Ok(accessor)
+    }
+
     /// The elements of a morph target that are not zero: sparse in the file or not.
     #[allow(clippy::type_complexity, reason = "two parallel columns, used once")]
     pub(crate) fn nonzero(
@@ -182,10 +196,7 @@ impl<'a> Source<'a> {
         expected_count: usize,
         what: &'static str,
     ) -> Result<(Vec<u32>, Vec<[f32; 3]>), ReadError> {
-        let accessor = self.accessor(index, what)?;
-        if accessor.count != expected_count as u64 {
-            return Err(ReadError::Count { what });
-        }
+        let accessor = self.counted(index, expected_count, what)?;
         let Some(sparse) = &accessor.sparse else {
             let dense: Vec<[f32; 3]> = self.floats(index, what)?;
             return Ok((0u32..).zip(dense).filter(|(_, v)| *v != [0.0; 3]).unzip());
@@ -290,10 +301,7 @@ impl<'a> Source<'a> {
         expected_count: usize,
         what: &'static str,
     ) -> Result<(Vec<u32>, Vec<[f32; 3]>), ReadError> {
-        let accessor = self.accessor(index, what)?;
-        if accessor.count != expected_count as u64 {
-            return Err(ReadError::Count { what });
-        }
+        let accessor = self.counted(index, expected_count, what)?;
         if accessor.sparse.is_some() && accessor.buffer_view.is_none() {
             return self.nonzero(index, expected_count, what);
         }

@@ -3,6 +3,7 @@
 pub(crate) mod bake;
 pub(crate) mod check;
 pub(crate) mod figure;
+pub(crate) mod fmt;
 pub(crate) mod pose;
 pub(crate) mod render;
 pub(crate) mod serve;

@@ -3,16 +3,12 @@
 use super::{Content, Element, Role};
 
 pub(super) static ELEMENT: Element = Element {
-    name: "body",
-    aliases: &[],
-    doc: "Holds the clauses of a script. Their times count from its start.",
-    source: "GEVH D.1.3",
-    parents: &["eml"],
+    doc: doc!("Holds the clauses of a script. Their times count from its start."),
+    source: doc!("GEVH D.1.3"),
+    example: doc!("<eml><body><null time='2'/></body></eml>"),
     content: Content::Elements,
-    attributes: &[],
-    required_children: &[],
     most_per_parent: Some(1),
-    role: Role::Structure,
+    ..Element::new("body", &["eml"], Role::Structure)
 };
 
 #[cfg(test)]

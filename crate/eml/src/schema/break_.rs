@@ -1,10 +1,8 @@
 //! `break`: a pause in speech.
 
-use super::values::NumberOrWord;
-use super::{
-    Attribute, Content, Context, Element, Fields, Kind, Presence, Role, VOICE_PARENTS, VoiceBuilder,
-};
-use crate::{Diagnostic, Piece};
+use super::{Attribute, Context, Element, Fields, Role, VOICE_PARENTS, VoiceBuilder};
+use crate::record::{Field as _, Value};
+use crate::{Boundary, Piece};
 
 /// Pauses of SABLE's levels in milliseconds: *designed*, near Festival's mean pause
 /// of 200 ms and its long one at the end of an utterance.
@@ -19,66 +17,57 @@ const LEVELS: [(&str, f64); 4] = [
 const LONGEST_MSEC: f64 = 60_000.0;
 
 pub(super) static ELEMENT: Element = Element {
-    name: "break",
-    aliases: &[],
-    doc: "Pauses in spoken text.",
-    source: "GEVH D.4.5",
-    parents: VOICE_PARENTS,
-    content: Content::Empty,
+    doc: doc!("Pauses in spoken text."),
+    decision: doc!(
+        "The lengths of the levels are designed: GEVH leaves them to the speech engine."
+    ),
+    source: doc!("GEVH D.4.5"),
+    example: doc!(
+        "<voice-text time='0'>Two roads diverged, <break level='small'/> and sorry I could not travel both.</voice-text>"
+    ),
     attributes: &[
-        Attribute {
-            name: "level",
-            aliases: &[],
-            kind: Kind::NumberOrChoice(&["large", "medium", "small", "none"]),
-            default: Presence::Default("medium"),
-            doc: "How long: large 800 ms, medium 350 ms, small 150 ms, none 0 ms, or a number from \
-                  0 (none) to 3 (large).",
-        },
-        Attribute {
-            name: "msec",
-            aliases: &[],
-            kind: Kind::Number,
-            default: Presence::Optional,
-            doc: "How long in milliseconds, at most 60000; counts instead of the level.",
-        },
-        Attribute {
-            name: "type",
-            aliases: &[],
-            kind: Kind::Choice(&["?", "!", ".", ","]),
-            default: Presence::Optional,
-            doc: "The punctuation mark whose intonation goes before the pause.",
-        },
+        Attribute::level(
+            "level",
+            &["large", "medium", "small", "none"],
+            false,
+            doc!(
+                "How long: large 800 ms, medium 350 ms, small 150 ms, none 0 ms, or a number from \
+                 0 (none) to 3 (large)."
+            ),
+        )
+        .default("medium"),
+        Attribute::between(
+            "msec",
+            0.0,
+            LONGEST_MSEC,
+            doc!("How long; counts instead of the level."),
+        )
+        .unit("ms"),
+        Attribute::choice(
+            "type",
+            Boundary::WORDS,
+            doc!("The punctuation mark whose intonation goes before the pause."),
+        ),
     ],
-    required_children: &[],
-    most_per_parent: None,
-    role: Role::Voice(read),
+    ..Element::new("break", VOICE_PARENTS, Role::Voice(read))
 };
 
 fn read(cx: &mut Context<'_>, node: usize, fields: &Fields<'_>, voice: &mut VoiceBuilder) {
     cx.children(node, &ELEMENT, |_, _, _| {});
-    cx.choice(fields, "type");
-    let of_level = match cx.number_or_choice(fields, "level") {
-        Some(NumberOrWord::Number(level)) => interpolated(level),
-        Some(NumberOrWord::Word(word)) => LEVELS
+    let mut boundary: Option<Boundary> = None;
+    boundary.set(cx.value(fields, "type"));
+    let of_level = match cx.value(fields, "level") {
+        Value::Number(level) => interpolated(level),
+        Value::Word(word) => LEVELS
             .iter()
             .find(|(name, _)| *name == word)
             .map_or(0.0, |(_, msec)| *msec),
-        None => 0.0,
+        _ => 0.0,
     };
-    let msec = match cx.number(fields, "msec") {
-        Some(msec) if (0.0..=LONGEST_MSEC).contains(&msec) => msec,
-        Some(_) => {
-            cx.sink.push(Diagnostic::error(
-                "eml::bad-value",
-                fields.span_of("msec"),
-                "a pause is from 0 to 60000 milliseconds long",
-            ));
-            of_level
-        }
-        None => of_level,
-    };
+    let msec = cx.number(fields, "msec").unwrap_or(of_level);
     voice.pieces.push(Piece::Break {
         msec: msec.round() as u32,
+        boundary,
         span: cx.full_span(node),
     });
 }

@@ -1,8 +1,9 @@
 //! Walks the tree by the table: which elements may stand where, which attributes
 //! they have.
 
-use super::{Attribute, Element, Presence, find, variant_in};
+use super::{Attribute, Content, Element, Presence, find, find_extension, variant_in};
 use crate::diagnostic::Sink;
+use crate::namespaces::{self, Namespaces, Owner};
 use crate::suggest::{nearest, quoted};
 use crate::syntax::{self, NodeKind, Tree};
 use crate::{Diagnostic, Document, Limits, Span};
@@ -21,6 +22,7 @@ pub(crate) struct Context<'t> {
     pub(crate) sink: &'t mut Sink,
     pub(crate) document: &'t mut Document,
     pub(crate) limits: &'t Limits,
+    pub(crate) namespaces: Namespaces<'t>,
     /// Whether the limit of clauses has been reported.
     pub(crate) told_clauses: bool,
 }
@@ -148,20 +150,7 @@ impl<'t> Context<'t> {
     ) -> Option<&'static Element> {
         let written = self.tree.nodes[child].text;
         let span = self.name_span(child);
-        let Some(found) = found else {
-            let fitting = super::ELEMENTS
-                .iter()
-                .filter(|e| e.may_stand_in(parent.name));
-            let all = super::ELEMENTS.iter();
-            let hint = nearest(written, fitting.map(|e| e.name))
-                .or_else(|| nearest(written, all.map(|e| e.name)));
-            let message = format!("unknown element {}; it is dropped", quoted(written));
-            self.push_with_hint(
-                Diagnostic::error("eml::unknown-element", span, message),
-                hint.map(|h| format!("did you mean `{h}`?")),
-            );
-            return None;
-        };
+        let found = self.resolve(child, found, parent)?;
         let Some(entry) = variant_in(found, parent.name) else {
             let message = format!(
                 "`{}` may not stand in `{}`; it is dropped",
@@ -179,8 +168,72 @@ impl<'t> Context<'t> {
         Some(entry)
     }
 
+    /// The table's entry of a node by its namespace, whatever it stands in; reports when
+    /// there is none.
+    pub(crate) fn resolve(
+        &mut self,
+        node: usize,
+        found: Option<&'static Element>,
+        parent: &'static Element,
+    ) -> Option<&'static Element> {
+        let written = self.tree.nodes[node].text;
+        let span = self.name_span(node);
+        let (owner, local) = self.namespaces.owner(written, node, true);
+        match owner {
+            Owner::Language => {
+                if found.is_some() {
+                    return found;
+                }
+            }
+            Owner::Extensions => {
+                let found = find_extension(local);
+                if found.is_some() {
+                    return found;
+                }
+            }
+            Owner::Foreign => {
+                let message = format!("{} is of another namespace; it is dropped", quoted(written));
+                self.sink
+                    .push(Diagnostic::warning("eml::foreign-element", span, message));
+                return None;
+            }
+            Owner::Unbound => {
+                self.sink
+                    .push(namespaces::unbound(written, span, "the element is dropped"));
+                return None;
+            }
+        }
+        let what = if parent.content == Content::Mixed {
+            "only its text is used"
+        } else {
+            "it is dropped"
+        };
+        let message = format!("unknown element {}; {what}", quoted(written));
+        let same = |e: &&&Element| e.extension == (owner == Owner::Extensions);
+        let all = super::ELEMENTS.iter().filter(same);
+        let fitting = all.clone().filter(|e| e.may_stand_in(parent.name));
+        let hint = match (owner, find_extension(local)) {
+            (Owner::Language, Some(element)) => Some(format!(
+                "`{}` is an extension: write {prefix}:{} and bind xmlns:{prefix}='{}' on `eml`",
+                element.name,
+                element.name,
+                namespaces::EXTENSIONS,
+                prefix = namespaces::EXTENSIONS_PREFIX,
+            )),
+            _ => nearest(local, fitting.map(|e| e.name))
+                .or_else(|| nearest(local, all.map(|e| e.name)))
+                .map(|near| format!("did you mean `{near}`?")),
+        };
+        self.push_with_hint(
+            Diagnostic::warning("eml::unknown-element", span, message),
+            hint,
+        );
+        None
+    }
+
     /// Warns of an alias or another case.
     pub(crate) fn report_spelling(&mut self, written: &str, name: &str, span: Span) {
+        let written = written.split_once(':').map_or(written, |(_, local)| local);
         if written == name {
             return;
         }
@@ -209,8 +262,9 @@ impl<'t> Context<'t> {
         for (index, attribute) in fields.attributes.iter().enumerate() {
             let exact = element
                 .all_attributes()
-                .position(|a| a.name == attribute.name);
-            let Some(slot) = exact.or_else(|| self.slot_by_spelling(element, attribute)) else {
+                .position(|a| a.name == attribute.name && !a.extension);
+            let Some(slot) = exact.or_else(|| self.slot_by_spelling(node, element, attribute))
+            else {
                 continue;
             };
             if fields.slots[slot] == ABSENT {
@@ -230,39 +284,89 @@ impl<'t> Context<'t> {
                     element.name, attribute.name
                 );
                 let diagnostic = Diagnostic::error("eml::missing-attribute", fields.tag, message);
-                self.sink.push(diagnostic.hint(attribute.doc));
+                self.push_with_hint(
+                    diagnostic,
+                    (!attribute.doc.is_empty()).then(|| attribute.doc.to_owned()),
+                );
             }
+        }
+        if !element.one_of.is_empty() && !element.one_of.iter().any(|name| fields.has(name)) {
+            fields.complete = false;
+            let message = format!(
+                "`{}` needs {}; it is dropped",
+                element.name,
+                list(element.one_of)
+            );
+            self.sink.push(Diagnostic::error(
+                "eml::missing-attribute",
+                fields.tag,
+                message,
+            ));
         }
         fields
     }
 
-    /// The slot of an attribute that is written with another case or as an alias.
+    /// The slot of an attribute that has a prefix, or is written with another case or as an
+    /// alias.
     fn slot_by_spelling(
         &mut self,
+        node: usize,
         element: &'static Element,
         attribute: &syntax::Attribute<'_>,
     ) -> Option<usize> {
         let written = attribute.name;
-        if ["xmlns", "xml:lang", "xml:space", "xml:id"].contains(&written)
-            || written.starts_with("xmlns:")
-        {
+        if written == "xmlns" {
             return None;
         }
+        let span = attribute.name_span();
+        let (owner, local) = self.namespaces.owner(written, node, false);
+        let extension = match owner {
+            // An element owns its unprefixed attributes, whatever namespace it is of.
+            Owner::Language => false,
+            Owner::Extensions => true,
+            Owner::Foreign => return None,
+            Owner::Unbound => {
+                self.sink.push(namespaces::unbound(
+                    written,
+                    span,
+                    "the attribute is ignored",
+                ));
+                return None;
+            }
+        };
+        let belongs = |a: &&Attribute| a.extension == extension;
         let slot = element.all_attributes().position(|a| {
-            a.name.eq_ignore_ascii_case(written)
-                || a.aliases
-                    .iter()
-                    .any(|alias| alias.eq_ignore_ascii_case(written))
+            a.extension == extension
+                && (a.name.eq_ignore_ascii_case(local)
+                    || a.aliases
+                        .iter()
+                        .any(|alias| alias.eq_ignore_ascii_case(local)))
         });
         if let Some(entry) = slot.and_then(|slot| element.all_attributes().nth(slot)) {
-            self.report_spelling(written, entry.name, attribute.name_span());
+            self.report_spelling(written, entry.name, span);
             return slot;
         }
         let message = format!("`{}` has no attribute {}", element.name, quoted(written));
-        let hint = nearest(written, element.all_attributes().map(|a| a.name));
+        let meant = element
+            .all_attributes()
+            .find(|a| a.extension && !extension && a.name.eq_ignore_ascii_case(local));
+        let hint = match meant {
+            Some(a) => Some(format!(
+                "`{}` is an extension: write {prefix}:{} and bind xmlns:{prefix}='{}' on `eml`",
+                a.name,
+                a.name,
+                namespaces::EXTENSIONS,
+                prefix = namespaces::EXTENSIONS_PREFIX,
+            )),
+            None => nearest(
+                local,
+                element.all_attributes().filter(belongs).map(|a| a.name),
+            )
+            .map(|near| format!("did you mean `{near}`?")),
+        };
         self.push_with_hint(
-            Diagnostic::warning("eml::unknown-attribute", attribute.name_span(), message),
-            hint.map(|h| format!("did you mean `{h}`?")),
+            Diagnostic::warning("eml::unknown-attribute", span, message),
+            hint,
         );
         None
     }

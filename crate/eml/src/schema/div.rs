@@ -1,27 +1,24 @@
 //! `div`: a sentence or a paragraph of speech.
 
-use super::{
-    Attribute, Content, Context, Element, Fields, Kind, Presence, Role, VOICE_PARENTS, VoiceBuilder,
-};
+use super::{Attribute, Content, Context, Element, Fields, Role, VOICE_PARENTS, VoiceBuilder};
 use crate::{DivKind, Piece};
 
 pub(super) static ELEMENT: Element = Element {
-    name: "div",
-    aliases: &[],
-    doc: "Marks a division of spoken text.",
-    source: "GEVH D.4.6",
-    parents: VOICE_PARENTS,
+    doc: doc!("Marks a division of spoken text."),
+    decision: doc!(
+        "Some examples of GEVH seem to cross their end tags; EML is XML, so elements nest."
+    ),
+    source: doc!("GEVH D.4.6"),
+    example: doc!(
+        "<voice-text time='0'><div type='sentence'>Two roads diverged in a yellow wood.</div></voice-text>"
+    ),
     content: Content::Mixed,
-    attributes: &[Attribute {
-        name: "type",
-        aliases: &[],
-        kind: Kind::Choice(&["sentence", "paragraph"]),
-        default: Presence::Optional,
-        doc: "What the division is.",
-    }],
-    required_children: &[],
-    most_per_parent: None,
-    role: Role::Voice(read),
+    attributes: &[Attribute::choice(
+        "type",
+        &["sentence", "paragraph"],
+        doc!("What the division is."),
+    )],
+    ..Element::new("div", VOICE_PARENTS, Role::Voice(read))
 };
 
 fn read(cx: &mut Context<'_>, node: usize, fields: &Fields<'_>, voice: &mut VoiceBuilder) {

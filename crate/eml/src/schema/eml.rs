@@ -1,24 +1,19 @@
 //! `eml`: the root.
 
-use super::{Attribute, Content, Element, Kind, Presence, Role};
+use super::{Attribute, Content, Element, Role};
 
 pub(super) static ELEMENT: Element = Element {
-    name: "eml",
-    aliases: &[],
-    doc: "The root of a script.",
-    source: "GEVH D.1.1",
-    parents: &[],
+    doc: doc!("The root of a script."),
+    decision: doc!(
+        "A list of clauses without eml and body is read as one, with a warning; what a mind sends during a performance may be such a list."
+    ),
+    source: doc!("GEVH D.1.1"),
+    example: doc!("<eml name='a story'><body><null time='2'/></body></eml>"),
     content: Content::Elements,
-    attributes: &[Attribute {
-        name: "name",
-        aliases: &[],
-        kind: Kind::Text,
-        default: Presence::Optional,
-        doc: "The name of the document.",
-    }],
+    attributes: &[Attribute::text("name", doc!("The name of the document."))],
     required_children: &["body"],
     most_per_parent: Some(1),
-    role: Role::Structure,
+    ..Element::new("eml", &[], Role::Structure)
 };
 
 #[cfg(test)]

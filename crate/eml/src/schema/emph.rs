@@ -1,42 +1,35 @@
 //! `emph`: emphasised speech.
 
-use super::values::NumberOrWord;
-use super::{
-    Attribute, Content, Context, Element, Fields, Kind, Presence, Role, VOICE_PARENTS, VoiceBuilder,
-};
+use super::{Attribute, Element};
 use crate::voice::{MODERATE_EMPHASIS, NO_EMPHASIS};
+use crate::{Level, Markup};
 
 pub(super) static ELEMENT: Element = Element {
-    name: "emph",
-    aliases: &[],
-    doc: "Emphasises spoken text.",
-    source: "GEVH D.4.7",
-    parents: VOICE_PARENTS,
-    content: Content::Mixed,
-    attributes: &[Attribute {
-        name: "level",
-        aliases: &[],
-        kind: Kind::NumberOrChoice(&["strong", "moderate", "none", "reduced"]),
-        default: Presence::Default("moderate"),
-        doc: "How strongly: a word, or SABLE's number for it (strong 2, moderate 1, none 0.5, \
-              reduced 0).",
-    }],
-    required_children: &[],
-    most_per_parent: None,
-    role: Role::Voice(read),
+    doc: doc!("Emphasises spoken text."),
+    source: doc!("GEVH D.4.7"),
+    example: doc!("<voice-text time='0'><emph>Two roads</emph> diverged.</voice-text>"),
+    attributes: &[Attribute::level(
+        "level",
+        &["strong", "moderate", "none", "reduced"],
+        false,
+        doc!(
+            "How strongly: a word, or SABLE's number for it (strong 2, moderate 1, none 0.5, \
+             reduced 0)."
+        ),
+    )
+    .default("moderate")],
+    ..Element::container("emph", || Markup::Emph(Default::default()))
 };
 
-fn read(cx: &mut Context<'_>, node: usize, fields: &Fields<'_>, voice: &mut VoiceBuilder) {
-    let level = match cx.number_or_choice(fields, "level") {
-        Some(NumberOrWord::Number(level)) => level.clamp(0.0, 2.0),
-        Some(NumberOrWord::Word("strong")) => 2.0,
-        Some(NumberOrWord::Word("none")) => NO_EMPHASIS,
-        Some(NumberOrWord::Word("reduced")) => 0.0,
-        _ => MODERATE_EMPHASIS,
-    };
-    let outside = std::mem::replace(&mut voice.emphasis, level);
-    voice.content(cx, node, ELEMENT.name);
-    voice.emphasis = outside;
+/// SABLE's number for a level of emphasis.
+pub(crate) fn number(level: Level) -> f64 {
+    match level {
+        Level::Number(level) => level.clamp(0.0, 2.0),
+        Level::Word("strong") => 2.0,
+        Level::Word("none") => NO_EMPHASIS,
+        Level::Word("reduced") => 0.0,
+        Level::Word(_) | Level::Percent(_) => MODERATE_EMPHASIS,
+    }
 }
 
 #[cfg(test)]

@@ -1,46 +1,27 @@
 //! `event`: tells listeners that something happened.
 
-use super::{Attribute, CLAUSE_PARENTS, Content, Context, Element, Fields, Kind, Presence, Role};
+use super::{Attribute, Content, Context, Element, Fields};
 use crate::ClauseKind;
-use crate::syntax::NodeKind;
 
 pub(super) static ELEMENT: Element = Element {
-    name: "event",
-    aliases: &[],
-    doc: "Raises an event. Its character data is passed on with it.",
-    source: "GEVH D.1.4",
-    parents: CLAUSE_PARENTS,
+    doc: doc!("Raises an event. Its character data is passed on with it."),
+    decision: doc!(
+        "The table of GEVH says type, its example writes key, which is an alias. The example has no time either: an event right in the body may go without, and starts at 0."
+    ),
+    source: doc!("GEVH D.1.4"),
+    example: doc!("<event time='2' type='alarm'>wake up!</event>"),
     content: Content::Text,
-    attributes: &[Attribute {
-        name: "type",
-        // The table of GEVH D.1.4 says `type`, its example writes `key`.
-        aliases: &["key"],
-        kind: Kind::Text,
-        default: Presence::Optional,
-        doc: "The category of the event, by which listeners choose what they hear.",
-    }],
-    required_children: &[],
-    most_per_parent: None,
-    role: Role::Clause(build),
+    attributes: &[Attribute::text(
+        "type",
+        doc!("The category of the event, by which listeners choose what they hear."),
+    )
+    .aliases(&["key"])],
+    ..Element::clause("event", build)
 };
 
 fn build(cx: &mut Context<'_>, node: usize, fields: &Fields<'_>) -> Option<ClauseKind> {
     let kind = cx.text(fields, "type");
-    let tree = cx.tree;
-    let mut payload = String::new();
-    let mut child = node + 1;
-    while child < tree.nodes[node].subtree_end as usize {
-        let inner = &tree.nodes[child];
-        match inner.kind {
-            NodeKind::Text => payload.push_str(inner.text),
-            NodeKind::Reference(c) => payload.push(c),
-            NodeKind::Element(found) => {
-                cx.admit(child, found, &ELEMENT);
-            }
-            NodeKind::Malformed => {}
-        }
-        child = inner.subtree_end as usize;
-    }
+    let (payload, _) = cx.character_data(node, &ELEMENT);
     Some(ClauseKind::Event { kind, payload })
 }
 

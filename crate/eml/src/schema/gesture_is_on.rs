@@ -1,26 +1,19 @@
 //! `gesture-is-on`: the master switch of gestures.
 
-use super::{Attribute, CLAUSE_PARENTS, Content, Context, Element, Fields, Kind, Presence, Role};
+use super::{Attribute, Context, Element, Fields};
 use crate::ClauseKind;
 
 pub(super) static ELEMENT: Element = Element {
-    name: "gesture-is-on",
-    aliases: &[],
-    doc: "Turns the gesture model on or off. Off releases the arms.",
-    source: "GEVH D.5.1",
-    parents: CLAUSE_PARENTS,
-    content: Content::Empty,
-    attributes: &[Attribute {
-        name: "isOn",
-        // So it is printed in GEVH D.5.1, with a zero.
-        aliases: &["is0n"],
-        kind: Kind::Bool,
-        default: Presence::Required,
-        doc: "Whether gestures move the arms and hands.",
-    }],
-    required_children: &[],
-    most_per_parent: None,
-    role: Role::Clause(build),
+    doc: doc!("Turns the gesture model on or off. Off releases the arms."),
+    decision: doc!("It is printed is0n, with a zero, which is an alias."),
+    source: doc!("GEVH D.5.1"),
+    example: doc!("<gesture-is-on time='0' isOn='true'/>"),
+    attributes: &[
+        Attribute::flag("isOn", doc!("Whether gestures move the arms and hands."))
+            .aliases(&["is0n"])
+            .required(),
+    ],
+    ..Element::clause("gesture-is-on", build)
 };
 
 fn build(cx: &mut Context<'_>, _: usize, fields: &Fields<'_>) -> Option<ClauseKind> {
@@ -45,7 +38,7 @@ mod tests {
         let body = |x: &str| {
             format!("<eml><body><null time='1'/><gesture-is-on time='0' {x}/></body></eml>")
         };
-        assert_eq!(codes(&body("isOn='yes'")), ["eml::bad-value"]);
+        assert_eq!(codes(&body("isOn='yes'")), ["eml::bad-boolean"]);
         assert_eq!(codes(&body("")), ["eml::missing-attribute"]);
         assert_eq!(codes(&body("is0n='true'")), ["eml::alias"]);
         assert_eq!(codes(&body("ison='true'")), ["eml::letter-case"]);

@@ -1,37 +1,39 @@
 //! `gesture-key`: hand shapes, palm orientations and positions over a while.
 
 use super::gesture_track;
-use super::{Attribute, CLAUSE_PARENTS, Content, Context, Element, Fields, Kind, Presence, Role};
+use super::{Attribute, Content, Context, Element, Fields};
 use super::{hand_shapes, motion, palms};
-use crate::{ClauseKind, GestureKey, Handedness};
+use crate::record::Field as _;
+use crate::{ClauseKind, GestureKey, Handedness, Phase};
 
 pub(super) static ELEMENT: Element = Element {
-    name: "gesture-key",
-    aliases: &[],
-    doc: "Moves the hands through shapes, palm orientations and positions. A feature that is left \
-          out keeps its value.",
-    source: "GEVH D.5.2",
-    parents: CLAUSE_PARENTS,
+    doc: doc!(
+        "Moves the hands through shapes, palm orientations and positions. A feature that is left out keeps its value."
+    ),
+    decision: doc!(
+        "The default of handedness is not given; both is assumed. A track for a hand that takes no part is ignored with a warning."
+    ),
+    source: doc!("GEVH D.5.2"),
+    example: doc!(
+        "<gesture-key time='0' duration='3' handedness='right'><hand-shapes><key id='24'/></hand-shapes><motion><key x='-7' y='45' z='3'/></motion></gesture-key>"
+    ),
     content: Content::Elements,
     attributes: &[
-        Attribute {
-            name: "duration",
-            aliases: &[],
-            kind: Kind::Seconds,
-            default: Presence::Required,
-            doc: "The length of the gesture in seconds.",
-        },
-        Attribute {
-            name: "handedness",
-            aliases: &[],
-            kind: Kind::Choice(&["both", "left", "right"]),
-            default: Presence::Default("both"),
-            doc: "The hands that take part.",
-        },
+        Attribute::seconds("duration", doc!("The length of the gesture.")).required(),
+        Attribute::choice(
+            "handedness",
+            &["both", "left", "right"],
+            doc!("The hands that take part."),
+        )
+        .default("both"),
+        Attribute::choice(
+            "phase",
+            Phase::WORDS,
+            doc!("The phase of a gesture that it is (GEVH 3.5.2, appendix C)."),
+        )
+        .extension(),
     ],
-    required_children: &[],
-    most_per_parent: None,
-    role: Role::Clause(build),
+    ..Element::clause("gesture-key", build)
 };
 
 fn build(cx: &mut Context<'_>, node: usize, fields: &Fields<'_>) -> Option<ClauseKind> {
@@ -40,10 +42,13 @@ fn build(cx: &mut Context<'_>, node: usize, fields: &Fields<'_>) -> Option<Claus
         Some("right") => Handedness::Right,
         _ => Handedness::Both,
     };
-    let duration_secs = cx.seconds(fields, "duration")?;
+    let duration_secs = cx.number(fields, "duration")?;
+    let mut phase: Option<Phase> = None;
+    phase.set(cx.value(fields, "phase"));
     let mut gesture = GestureKey {
         duration_secs,
         handedness,
+        phase,
         hand_shapes: Vec::new(),
         palms: Vec::new(),
         motions: Vec::new(),
@@ -87,11 +92,23 @@ mod tests {
             format!("<eml><body><null time='1'/><gesture-key time='1' {x}/></body></eml>")
         };
         assert_eq!(codes(&body("")), ["eml::missing-attribute"]);
-        assert_eq!(codes(&body("duration='-1'")), ["eml::bad-value"]);
+        assert_eq!(codes(&body("duration='-1'")), ["eml::out-of-range"]);
         assert_eq!(codes(&body("duration='long'")), ["eml::bad-time"]);
         assert_eq!(
             codes(&body("duration='1' handedness='boht'")),
-            ["eml::bad-value"]
+            ["eml::bad-choice"]
         );
+    }
+
+    #[test]
+    fn an_extension_tells_its_phase() {
+        let text = "<eml xmlns:p='urn:raconteur:eml:1'><body><gesture-key time='1' duration='1' \
+                    p:phase='stroke'/></body></eml>";
+        let parsed = crate::parse(text);
+        assert_eq!(parsed.diagnostics, []);
+        let ClauseKind::GestureKey(gesture) = &parsed.document.clauses[0].kind else {
+            panic!()
+        };
+        assert_eq!(gesture.phase, Some(crate::Phase::Stroke));
     }
 }

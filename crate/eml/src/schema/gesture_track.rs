@@ -1,32 +1,63 @@
 //! What hand-shapes, palms and motion have in common: a hand and timed keys.
 
 use super::values::KeyTime;
-use super::{Attribute, Context, Element, Fields, Kind, Presence};
-use crate::{Diagnostic, Handedness, Key, Span, Track};
+use super::{Attribute, Context, Element, Fields, Kind};
+use crate::{Diagnostic, Handedness, Interpolator, Key, Profile, Space, Span, Track};
 use raconteur_base::Side;
 
 /// The hand of a track.
-pub(super) const HAND: Attribute = Attribute {
-    name: "hand",
-    aliases: &[],
-    kind: Kind::Choice(&["left", "right"]),
-    default: Presence::Optional,
-    doc: "The hand it is for. Every hand that takes part when left out; palms and motion are then \
-          mirrored for the other hand.",
-};
+pub(super) const HAND: Attribute = Attribute::choice(
+    "hand",
+    &["left", "right"],
+    doc!(
+        "The hand it is for. Every hand that takes part when left out; palms and motion are then \
+         mirrored for the other hand."
+    ),
+);
 
 /// The time of a key.
-pub(super) const KEY_TIME: Attribute = Attribute {
-    name: "time",
-    aliases: &[],
-    kind: Kind::KeyTime,
-    default: Presence::Optional,
-    doc: "When to reach the value: seconds after the start of the gesture, or percent of its \
-          duration. Keys without a time are spread evenly.",
-};
+pub(super) const KEY_TIME: Attribute = Attribute::new(
+    "time",
+    Kind::KeyTime,
+    doc!(
+        "When to reach the value: seconds after the start of the gesture, or percent of its \
+         duration. Keys without a time are spread evenly."
+    ),
+)
+.unit("s");
+
+/// The course of a motion (extension).
+pub(super) const INTERPOLATION: Attribute = Attribute::choice(
+    "interpolation",
+    Interpolator::WORDS,
+    doc!("How the hand moves to the key, or to each key of the track (GEVH 3.5.1)."),
+)
+.extension();
+
+/// The control values of a course (extension).
+pub(super) const CONTROLS: Attribute = Attribute::new(
+    "controls",
+    Kind::Numbers,
+    doc!(
+        "For bezier x and y of two control points, time and way from 0 to 1; for hermite the \
+         slopes at the start and the end."
+    ),
+)
+.extension();
+
+/// What a course interpolates (extension).
+pub(super) const SPACE: Attribute = Attribute::choice(
+    "space",
+    Space::WORDS,
+    doc!("Whether positions or joint angles are interpolated (GEVH 3.5.1)."),
+)
+.extension();
 
 /// Where one track may stand and how often: once a hand.
 pub(super) const PARENTS: &[&str] = &["gesture-key"];
+
+/// What a key says, and how the hand moves to it.
+type Value<K> = (K, Option<Box<Profile>>);
 
 /// Reads a track: its hand, and its keys with `value`. None when no key is left.
 pub(super) fn read<'t, K>(
@@ -42,7 +73,8 @@ pub(super) fn read<'t, K>(
         Some("right") => Some(Side::Right),
         _ => None,
     };
-    let mut keys: Vec<(Option<f64>, Option<K>, Span)> = Vec::new();
+    let profile = profile(cx, fields);
+    let mut keys: Vec<(Option<f64>, Option<Value<K>>, Span)> = Vec::new();
     cx.children(node, element, |cx, child, key| {
         let fields = cx.fields(child, key);
         let span = cx.full_span(child);
@@ -66,15 +98,19 @@ pub(super) fn read<'t, K>(
         } else {
             None
         };
-        keys.push((secs, read.filter(|_| time.is_ok()), span));
+        let read = read.filter(|_| time.is_ok());
+        let read = read.map(|value| (value, self::profile(cx, &fields)));
+        keys.push((secs, read, span));
     });
     spread(&mut keys, duration_secs);
     let mut keys: Vec<Key<K>> = keys
         .into_iter()
         .filter_map(|(time, value, span)| {
+            let (value, profile) = value?;
             Some(Key {
                 offset_secs: time.unwrap_or(0.0),
-                value: value?,
+                value,
+                profile,
                 span,
             })
         })
@@ -91,8 +127,32 @@ pub(super) fn read<'t, K>(
     (!keys.is_empty()).then(|| Track {
         hand,
         keys,
+        profile,
         span: cx.full_span(node),
     })
+}
+
+/// The extensions' course of a track or a key.
+fn profile(cx: &mut Context<'_>, fields: &Fields<'_>) -> Option<Box<Profile>> {
+    let mut profile = Profile::default();
+    cx.attributes(fields, &mut profile);
+    let wanted = profile.interpolator.map_or(0, Interpolator::controls);
+    let given = profile.controls.as_ref().map_or(0, Vec::len);
+    if given != wanted {
+        let message = match profile.interpolator {
+            Some(course) => format!(
+                "{} takes {wanted} control values, not {given}",
+                course.word()
+            ),
+            None => "control values need an interpolation".to_owned(),
+        };
+        let span = fields.span_of("controls");
+        cx.sink
+            .push(Diagnostic::error("eml::bad-controls", span, message));
+        profile.controls = None;
+        profile.interpolator = None;
+    }
+    (profile != Profile::default()).then(|| Box::new(profile))
 }
 
 /// Adds a track, unless it is for a hand that does not take part or has one already.
@@ -252,7 +312,7 @@ mod tests {
         assert_eq!(codes(&body("<key time='3' id='1'/>")), ["eml::late-key"]);
         assert_eq!(
             codes(&body("<key id='1'/><key time='-1' id='1'/>")),
-            ["eml::bad-value"]
+            ["eml::out-of-range"]
         );
         assert_eq!(
             codes(&body("<key id='1'/><key time='t1' id='1'/>")),

@@ -1,66 +1,76 @@
 //! `hand-shapes` and its `key`.
 
-use super::gesture_track::{self, HAND, KEY_TIME, PARENTS};
-use super::{Attribute, Content, Context, Element, Kind, Presence, Role};
+use super::gesture_track::{self, CONTROLS, HAND, INTERPOLATION, KEY_TIME, PARENTS};
+use super::{Attribute, Content, Context, Element};
 use crate::{Diagnostic, ShapeKey, Track};
 
 /// The highest number of a Portuguese Sign Language hand shape.
 const LAST_SHAPE: i64 = 60;
 
 pub(super) static ELEMENT: Element = Element {
-    name: "hand-shapes",
-    aliases: &["handshapes"],
-    doc: "Shapes that a hand takes one after another.",
-    source: "GEVH D.5.3",
-    parents: PARENTS,
+    doc: doc!("Shapes that a hand takes one after another."),
+
+    source: doc!("GEVH D.5.3"),
+    example: doc!(
+        "<eml xmlns:r='urn:raconteur:eml:1'><body><gesture-key time='1' duration='2'><hand-shapes><key time='0' id='24'/><key time='50%' id='3' r:id2='24' r:weight='0.3'/></hand-shapes></gesture-key></body></eml>"
+    ),
     content: Content::Elements,
-    attributes: &[HAND],
+    attributes: &[HAND, INTERPOLATION, CONTROLS],
     required_children: &["key"],
     most_per_parent: Some(2),
-    role: Role::Part,
+    ..Element::part("hand-shapes", PARENTS)
 };
 
 pub(super) static KEY: Element = Element {
-    name: "key",
-    aliases: &[],
-    doc: "A hand shape at a time.",
-    source: "GEVH D.5.3",
-    parents: &["hand-shapes"],
-    content: Content::Empty,
+    doc: doc!("A hand shape at a time."),
+    source: doc!("GEVH D.5.3"),
+    example: doc!(
+        "<eml xmlns:r='urn:raconteur:eml:1'><body><gesture-key time='1' duration='2'><hand-shapes><key time='0' id='24'/><key time='50%' id='3' r:id2='24' r:weight='0.3'/></hand-shapes></gesture-key></body></eml>"
+    ),
     attributes: &[
         KEY_TIME,
-        Attribute {
-            name: "id",
-            aliases: &[],
-            kind: Kind::Integer {
-                least: 0,
-                most: i64::MAX,
-            },
-            default: Presence::Required,
-            doc: "The number of a Portuguese Sign Language hand shape, 0 to 60.",
-        },
+        Attribute::integer(
+            "id",
+            0,
+            i64::MAX,
+            doc!("The number of a Portuguese Sign Language hand shape, 0 to 60."),
+        )
+        .required(),
+        Attribute::integer(
+            "id2",
+            0,
+            LAST_SHAPE,
+            doc!("A second shape that is mixed in (GEVH 3.5.1)."),
+        )
+        .extension(),
+        Attribute::between("weight", 0.0, 1.0, doc!("The share of the second shape."))
+            .default("0.5")
+            .extension(),
+        INTERPOLATION,
+        CONTROLS,
     ],
-    required_children: &[],
-    most_per_parent: None,
-    role: Role::Part,
+    ..Element::part("key", &["hand-shapes"])
 };
 
 /// Reads the element.
 pub(super) fn track(cx: &mut Context<'_>, node: usize, duration: f64) -> Option<Track<ShapeKey>> {
     let fields = cx.fields(node, &ELEMENT);
     gesture_track::read(cx, node, &ELEMENT, &fields, duration, |cx, fields| {
-        let id = cx.integer(fields, "id")?;
-        match u8::try_from(id) {
-            Ok(shape) if id <= LAST_SHAPE => Some(ShapeKey { id: shape }),
-            _ => {
-                let message = format!("there is no hand shape {id}; the key is dropped");
-                cx.sink.push(
-                    Diagnostic::error("eml::unknown-hand-shape", fields.span_of("id"), message)
-                        .hint("hand shapes are numbered from 0 to 60"),
-                );
-                None
-            }
+        let id = cx.number(fields, "id")?;
+        if id > LAST_SHAPE as f64 {
+            let message = format!("there is no hand shape {id}; the key is dropped");
+            cx.sink.push(
+                Diagnostic::error("eml::unknown-hand-shape", fields.span_of("id"), message)
+                    .hint("hand shapes are numbered from 0 to 60"),
+            );
+            return None;
         }
+        let second = cx.number(fields, "id2");
+        let weight = cx.number(fields, "weight");
+        Some(ShapeKey {
+            id: id as u8,
+            blend: second.zip(weight).map(|(id, weight)| (id as u8, weight)),
+        })
     })
 }
 
@@ -83,9 +93,9 @@ mod tests {
         for (id, code) in [
             ("61", "eml::unknown-hand-shape"),
             ("4000000000000", "eml::unknown-hand-shape"),
-            ("-1", "eml::bad-value"),
-            ("7.5", "eml::bad-value"),
-            ("claw", "eml::bad-value"),
+            ("-1", "eml::out-of-range"),
+            ("7.5", "eml::bad-number"),
+            ("claw", "eml::bad-number"),
         ] {
             assert_eq!(
                 with(&format!("<hand-shapes><key id='{id}'/></hand-shapes>")),

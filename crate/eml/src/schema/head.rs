@@ -1,19 +1,40 @@
 //! `head`: configuration.
 
-use super::{Content, Element, Role};
+use super::{Content, Context, Element, Role};
+use crate::{Performer, Set};
 
 pub(super) static ELEMENT: Element = Element {
-    name: "head",
-    aliases: &[],
-    doc: "Holds configuration that applies to the whole script.",
-    source: "GEVH D.1.2",
-    parents: &["eml"],
+    doc: doc!("Holds configuration that applies to the whole script."),
+    source: doc!("GEVH D.1.2"),
+    example: doc!("<eml><head/><body><null time='2'/></body></eml>"),
     content: Content::Elements,
-    attributes: &[],
-    required_children: &[],
     most_per_parent: Some(1),
-    role: Role::Structure,
+    ..Element::new("head", &["eml"], Role::Structure)
 };
+
+/// Reads what the head and the elements in it hold.
+pub(crate) fn read(cx: &mut Context<'_>, node: usize, element: &'static Element) {
+    let fields = cx.fields(node, element);
+    let mut set = Set {
+        span: fields.tag,
+        ..Set::default()
+    };
+    let mut performer = Performer::default();
+    match element.name {
+        "set" => {
+            if cx.record(node, &fields, &mut set) {
+                cx.document.sets.push(set);
+            }
+        }
+        "performer" => {
+            if cx.record(node, &fields, &mut performer) {
+                cx.document.performer = Some(performer);
+            }
+        }
+        // The head and what only groups in it; the table bounds the depth.
+        _ => cx.children(node, element, read),
+    }
+}
 
 #[cfg(test)]
 mod tests {

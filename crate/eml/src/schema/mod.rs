@@ -1,45 +1,125 @@
 //! The language as a table: one small file an element, registered in [`ELEMENTS`],
-//! which drives parsing, checks and documentation.
+//! which drives parsing, checks, writing and documentation.
 
+/// Text for people who read about the language. A player on a page carries none of it.
+macro_rules! doc {
+    ($text:expr) => {
+        if cfg!(feature = "reference") {
+            $text
+        } else {
+            ""
+        }
+    };
+}
+
+mod animation_style;
+mod arg;
+mod attribute;
+mod audio;
+mod bg;
 mod body;
+mod body_animate_adsr_control_parameter;
+mod body_animate_control_parameter;
+mod body_configure_deterministic_animation;
+mod body_configure_deterministic_track_property;
+mod body_configure_geometry;
+mod body_configure_manipulator;
+mod body_deterministic_primitive;
+mod body_expression_configuration;
+mod body_load_control_parameter_animation;
+mod body_non_deterministic_fk;
+mod body_non_deterministic_frame_interpolation;
+mod body_non_deterministic_function;
+mod body_non_deterministic_jacobian;
+mod body_non_deterministic_joint_interpolation;
+mod body_non_deterministic_lock;
+mod body_non_deterministic_stop;
+mod body_player_add;
+mod body_player_change_priority;
+mod body_player_clear;
+mod body_player_remove;
+mod body_player_set_exclusive;
+mod body_set_control_parameter;
+mod bone;
+mod bones;
 mod break_;
+mod camera;
 mod context;
 mod div;
 mod eml;
+mod emotion;
 mod emph;
+mod engine;
 mod event;
+mod function_args;
 mod gesture_is_on;
 mod gesture_key;
 mod gesture_track;
 mod group;
 mod hand_shapes;
 mod head;
+mod it;
+mod language;
+mod light;
+mod ly;
+mod marker;
 mod motion;
+mod music;
 mod null;
 mod palms;
 mod par;
+mod performer;
+mod pitch;
+mod pron;
+mod rate;
+mod record;
+mod ref_;
+mod sayas;
 mod seq;
+mod set;
+mod sets_configuration;
+mod speaker;
 #[cfg(test)]
 mod testing;
 mod tm;
+mod tracks;
 mod values;
+mod vh_move;
+mod voice_change;
+mod voice_say;
 mod voice_text;
+mod volume;
 
 use crate::ClauseKind;
+use crate::clauses::speech::Markup;
+#[cfg(feature = "reference")]
+pub(crate) use attribute::MAX_NUMBER;
+pub use attribute::{Attribute, Kind, Presence};
 pub(crate) use context::{Context, Fields};
+#[cfg(test)]
+pub(crate) use emph::number as emphasis;
 pub(crate) use group::read as read_group;
+pub(crate) use head::read as read_head;
+#[cfg(any(test, feature = "write"))]
+pub(crate) use values::parse as parse_value;
 pub(crate) use voice_text::VoiceBuilder;
 
 /// An element of the language.
 #[derive(Debug)]
 pub struct Element {
-    /// Its name. `key` has an entry for each of its parents.
+    /// Its name. Some have an entry for each of their parents.
     pub name: &'static str,
     /// Other spellings that are accepted with a warning.
     pub aliases: &'static [&'static str],
-    /// What it does, in one or two sentences.
+    /// Whether it belongs to the extensions' namespace.
+    pub extension: bool,
+    /// What it does, in one or two sentences; empty without the feature `reference`.
     pub doc: &'static str,
-    /// Where it is specified.
+    /// What was decided where the source is silent or contradicts itself; as `doc`.
+    pub decision: &'static str,
+    /// A clause, or a whole script, that uses it without fault; as `doc`.
+    pub example: &'static str,
+    /// Where it is specified; as `doc`.
     pub source: &'static str,
     /// The elements that it may stand in; none for the root.
     pub parents: &'static [&'static str],
@@ -47,6 +127,8 @@ pub struct Element {
     pub content: Content,
     /// Its own attributes; clauses also have [`TIMED`].
     pub attributes: &'static [Attribute],
+    /// Attributes of which at least one must be there.
+    pub one_of: &'static [&'static str],
     /// Elements of which it must hold at least one.
     pub required_children: &'static [&'static str],
     /// How many of them one parent may hold.
@@ -56,10 +138,55 @@ pub struct Element {
 }
 
 impl Element {
+    const fn new(name: &'static str, parents: &'static [&'static str], role: Role) -> Self {
+        Self {
+            name,
+            aliases: &[],
+            extension: false,
+            doc: "",
+            decision: "",
+            example: "",
+            source: "",
+            parents,
+            content: Content::Empty,
+            attributes: &[],
+            one_of: &[],
+            required_children: &[],
+            most_per_parent: None,
+            role,
+        }
+    }
+
+    /// A clause that is read by a function of its own.
+    const fn clause(name: &'static str, build: BuildClause) -> Self {
+        Self::new(name, CLAUSE_PARENTS, Role::Clause(build))
+    }
+
+    /// A clause that is nothing but its attributes and children.
+    const fn record(name: &'static str, blank: fn() -> ClauseKind) -> Self {
+        Self::new(name, CLAUSE_PARENTS, Role::Record(blank))
+    }
+
+    /// A container in speech.
+    const fn container(name: &'static str, blank: fn() -> Markup) -> Self {
+        Self {
+            content: Content::Mixed,
+            ..Self::new(name, VOICE_PARENTS, Role::Container(blank))
+        }
+    }
+
+    /// An element that its parent reads.
+    const fn part(name: &'static str, parents: &'static [&'static str]) -> Self {
+        Self::new(name, parents, Role::Part)
+    }
+
     /// Whether it is a clause: has a time of its own and stands in the body or a group.
     #[must_use]
     pub fn is_clause(&self) -> bool {
-        matches!(self.role, Role::Clause(_) | Role::Group(_))
+        matches!(
+            self.role,
+            Role::Clause(_) | Role::Record(_) | Role::Group(_)
+        )
     }
 
     /// All its attributes, those of every clause last.
@@ -92,61 +219,8 @@ impl Content {
     }
 }
 
-/// An attribute of an element.
-#[derive(Debug)]
-pub struct Attribute {
-    /// Its name.
-    pub name: &'static str,
-    /// Other spellings that are accepted with a warning.
-    pub aliases: &'static [&'static str],
-    /// What it may hold.
-    pub kind: Kind,
-    /// What counts when it is left out.
-    pub default: Presence,
-    /// What it means, with its unit.
-    pub doc: &'static str,
-}
-
-/// What counts when an attribute is left out.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Presence {
-    /// It must be there, or the element is dropped.
-    Required,
-    /// Nothing in particular.
-    Optional,
-    /// This value.
-    Default(&'static str),
-}
-
-/// What an attribute may hold.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
-    /// Any text.
-    Text,
-    /// A name that time expressions can use.
-    Name,
-    /// `true`, `false`, `1` or `0`.
-    Bool,
-    /// A finite number of at most a million either way.
-    Number,
-    /// A whole number in a range, ends included.
-    Integer {
-        /// The smallest.
-        least: i64,
-        /// The largest.
-        most: i64,
-    },
-    /// A length of at least 0: a number of seconds or one with a unit.
-    Seconds,
-    /// A time expression.
-    Time,
-    /// An offset in a gesture: seconds, or percent of its duration.
-    KeyTime,
-    /// One of these words, in any case.
-    Choice(&'static [&'static str]),
-    /// A number, or one of these words.
-    NumberOrChoice(&'static [&'static str]),
-}
+/// Reads a clause; none when it must be dropped.
+pub(crate) type BuildClause = fn(&mut Context<'_>, usize, &Fields<'_>) -> Option<ClauseKind>;
 
 /// What becomes of an element.
 #[derive(Clone, Copy)]
@@ -154,11 +228,15 @@ pub(crate) enum Role {
     /// Holds the document together.
     Structure,
     /// A clause without clauses inside.
-    Clause(fn(&mut Context<'_>, usize, &Fields<'_>) -> Option<ClauseKind>),
+    Clause(BuildClause),
+    /// A clause whose record says how it is read.
+    Record(fn() -> ClauseKind),
     /// A clause that groups clauses.
     Group(fn(crate::Group) -> ClauseKind),
     /// A part of spoken text.
     Voice(fn(&mut Context<'_>, usize, &Fields<'_>, &mut VoiceBuilder)),
+    /// A part of spoken text around others.
+    Container(fn() -> Markup),
     /// Read by its parent.
     Part,
 }
@@ -173,9 +251,9 @@ impl std::fmt::Debug for Role {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.write_str(match self {
             Self::Structure => "Structure",
-            Self::Clause(_) => "Clause",
+            Self::Clause(_) | Self::Record(_) => "Clause",
             Self::Group(_) => "Group",
-            Self::Voice(_) => "Voice",
+            Self::Voice(_) | Self::Container(_) => "Voice",
             Self::Part => "Part",
         })
     }
@@ -185,61 +263,62 @@ impl std::fmt::Debug for Role {
 pub(crate) const CLAUSE_PARENTS: &[&str] = &["body", "seq", "par"];
 
 /// Where a part of spoken text may stand: SABLE's containers (GEVH D.4).
-pub(crate) const VOICE_PARENTS: &[&str] = &["voice-text", "div", "emph"];
+pub(crate) const VOICE_PARENTS: &[&str] = &[
+    "voice-text",
+    "div",
+    "emph",
+    "engine",
+    "language",
+    "pitch",
+    "pron",
+    "rate",
+    "sayas",
+    "speaker",
+    "volume",
+];
 
 /// The attributes of every clause.
 pub static TIMED: &[Attribute] = &[
-    Attribute {
-        name: "time",
-        aliases: &[],
-        kind: Kind::Time,
-        default: Presence::Default("0"),
-        doc: "When the clause starts: a sum of seconds (units s, m, h) and named moments. A plain \
-              number counts from the start of a par, or from the end of the clause before in a \
-              seq; an expression that names a moment counts from the start of the script.",
-    },
-    Attribute {
-        name: "timeId",
-        aliases: &[],
-        kind: Kind::Name,
-        default: Presence::Optional,
-        doc: "A name for the start of the clause, to be used in time expressions.",
-    },
-];
-
-/// Every element, by name.
-pub static ELEMENTS: &[&Element] = &[
-    &body::ELEMENT,
-    &break_::ELEMENT,
-    &div::ELEMENT,
-    &eml::ELEMENT,
-    &emph::ELEMENT,
-    &event::ELEMENT,
-    &gesture_is_on::ELEMENT,
-    &gesture_key::ELEMENT,
-    &hand_shapes::ELEMENT,
-    &head::ELEMENT,
-    &hand_shapes::KEY,
-    &motion::KEY,
-    &palms::KEY,
-    &motion::ELEMENT,
-    &null::ELEMENT,
-    &palms::ELEMENT,
-    &par::ELEMENT,
-    &seq::ELEMENT,
-    &tm::ELEMENT,
-    &voice_text::ELEMENT,
+    Attribute::new(
+        "time",
+        Kind::Time,
+        doc!(
+            "When the clause starts: a sum of seconds (units s, m, h) and named moments. A plain \
+             number counts from the start of a par, or from the end of the clause before in a \
+             seq; an expression that names a moment counts from the start of the script."
+        ),
+    )
+    .default("0")
+    .unit("s"),
+    Attribute::new(
+        "timeId",
+        Kind::Name,
+        doc!("A name for the start of the clause, to be used in time expressions."),
+    ),
 ];
 
 /// The element of a name: exact, or else an alias or another case. Of several with
-/// one name, the first.
+/// one name, the first. Extensions are not among them.
 pub(crate) fn find(name: &str) -> Option<&'static Element> {
+    find_in(false, name)
+}
+
+/// The element of the extensions' namespace with this local name.
+pub(crate) fn find_extension(name: &str) -> Option<&'static Element> {
+    find_in(true, name)
+}
+
+fn find_in(extension: bool, name: &str) -> Option<&'static Element> {
+    let all = ELEMENTS.iter().copied();
     // Most names differ in length, so this beats a binary search.
-    let exact = ELEMENTS.iter().copied().find(|e| e.name == name);
+    let exact = all
+        .clone()
+        .find(|e| e.name == name && e.extension == extension);
     exact.or_else(|| {
-        ELEMENTS.iter().copied().find(|e| {
-            e.name.eq_ignore_ascii_case(name)
-                || e.aliases.iter().any(|a| a.eq_ignore_ascii_case(name))
+        all.clone().find(|e| {
+            e.extension == extension
+                && (e.name.eq_ignore_ascii_case(name)
+                    || e.aliases.iter().any(|a| a.eq_ignore_ascii_case(name)))
         })
     })
 }
@@ -249,11 +328,86 @@ pub(crate) fn variant_in(element: &'static Element, parent: &str) -> Option<&'st
     if element.may_stand_in(parent) {
         return Some(element);
     }
-    ELEMENTS
-        .iter()
-        .copied()
-        .find(|e| e.name == element.name && e.may_stand_in(parent))
+    ELEMENTS.iter().copied().find(|e| {
+        e.name == element.name && e.extension == element.extension && e.may_stand_in(parent)
+    })
 }
+
+/// Every element, by name.
+pub static ELEMENTS: &[&Element] = &[
+    &animation_style::ELEMENT,
+    &arg::ELEMENT,
+    &audio::ELEMENT,
+    &bg::ELEMENT,
+    &body::ELEMENT,
+    &body_animate_adsr_control_parameter::ELEMENT,
+    &body_animate_control_parameter::ELEMENT,
+    &body_configure_deterministic_animation::ELEMENT,
+    &body_configure_deterministic_track_property::ELEMENT,
+    &body_configure_geometry::ELEMENT,
+    &body_configure_manipulator::ELEMENT,
+    &body_deterministic_primitive::ELEMENT,
+    &body_expression_configuration::ELEMENT,
+    &body_load_control_parameter_animation::ELEMENT,
+    &body_non_deterministic_fk::ELEMENT,
+    &body_non_deterministic_frame_interpolation::ELEMENT,
+    &body_non_deterministic_function::ELEMENT,
+    &body_non_deterministic_jacobian::ELEMENT,
+    &body_non_deterministic_joint_interpolation::ELEMENT,
+    &body_non_deterministic_lock::ELEMENT,
+    &body_non_deterministic_stop::ELEMENT,
+    &body_player_add::ELEMENT,
+    &body_player_change_priority::ELEMENT,
+    &body_player_clear::ELEMENT,
+    &body_player_remove::ELEMENT,
+    &body_player_set_exclusive::ELEMENT,
+    &body_set_control_parameter::ELEMENT,
+    &bone::ELEMENT,
+    &bones::ELEMENT,
+    &break_::ELEMENT,
+    &camera::ELEMENT,
+    &div::ELEMENT,
+    &eml::ELEMENT,
+    &emotion::ELEMENT,
+    &emph::ELEMENT,
+    &engine::ELEMENT,
+    &event::ELEMENT,
+    &function_args::ELEMENT,
+    &gesture_is_on::ELEMENT,
+    &gesture_key::ELEMENT,
+    &hand_shapes::ELEMENT,
+    &head::ELEMENT,
+    &it::ELEMENT,
+    &hand_shapes::KEY,
+    &motion::KEY,
+    &palms::KEY,
+    &language::ELEMENT,
+    &light::ELEMENT,
+    &ly::ELEMENT,
+    &marker::ELEMENT,
+    &motion::ELEMENT,
+    &music::ELEMENT,
+    &null::ELEMENT,
+    &palms::ELEMENT,
+    &par::ELEMENT,
+    &performer::ELEMENT,
+    &pitch::ELEMENT,
+    &pron::ELEMENT,
+    &rate::ELEMENT,
+    &ref_::ELEMENT,
+    &sayas::ELEMENT,
+    &seq::ELEMENT,
+    &set::ELEMENT,
+    &sets_configuration::ELEMENT,
+    &speaker::ELEMENT,
+    &tm::ELEMENT,
+    &tracks::ELEMENT,
+    &vh_move::ELEMENT,
+    &voice_change::ELEMENT,
+    &voice_say::ELEMENT,
+    &voice_text::ELEMENT,
+    &volume::ELEMENT,
+];
 
 #[cfg(test)]
 mod tests {
@@ -264,11 +418,6 @@ mod tests {
         assert!(ELEMENTS.is_sorted_by_key(|e| e.name));
         let exists = |name: &str| ELEMENTS.iter().any(|e| e.name == name);
         for element in ELEMENTS {
-            assert!(
-                !element.doc.is_empty() && !element.source.is_empty(),
-                "{}",
-                element.name
-            );
             for parent in element.parents {
                 assert!(exists(parent), "{} in {parent}", element.name);
             }
@@ -283,12 +432,6 @@ mod tests {
                 element.name
             );
             for attribute in attributes {
-                assert!(
-                    !attribute.doc.is_empty(),
-                    "{} {}",
-                    element.name,
-                    attribute.name
-                );
                 if let (Kind::Choice(words), Presence::Default(word)) =
                     (attribute.kind, attribute.default)
                 {

@@ -1,65 +1,62 @@
 //! `motion` and its `key`.
 
-use super::gesture_track::{self, HAND, KEY_TIME, PARENTS};
-use super::{Attribute, Content, Context, Element, Kind, Presence, Role};
+use super::gesture_track::{self, CONTROLS, HAND, INTERPOLATION, KEY_TIME, PARENTS, SPACE};
+use super::{Attribute, Content, Context, Element};
 use crate::{Coords, MotionKey, Track};
 
 pub(super) static ELEMENT: Element = Element {
-    name: "motion",
-    aliases: &[],
-    doc: "Positions that a wrist passes one after another.",
-    source: "GEVH D.5.5",
-    parents: PARENTS,
+    doc: doc!("Positions that a wrist passes one after another."),
+    decision: doc!(
+        "The table of GEVH lists id by mistake; the coordinates come from fig. 3.13. The default of coords is not given; speaker is assumed, which puts the example's hand above the head."
+    ),
+    source: doc!("GEVH D.5.5"),
+    example: doc!(
+        "<eml xmlns:r='urn:raconteur:eml:1'><body><gesture-key time='1' duration='2'><motion r:interpolation='cosine'><key time='0.1' x='-7' y='45' z='3'/><key x='-15' y='40' z='3' r:interpolation='hermite' r:controls='0 2'/></motion></gesture-key></body></eml>"
+    ),
     content: Content::Elements,
     attributes: &[
         HAND,
-        Attribute {
-            name: "coords",
-            aliases: &[],
-            kind: Kind::Choice(&["world", "speaker"]),
-            default: Presence::Default("speaker"),
-            doc: "Whether positions count from the floor of the scene or from the speaker's pelvis.",
-        },
+        Attribute::choice(
+            "coords",
+            &["world", "speaker"],
+            doc!(
+                "Whether positions count from the floor of the scene or from the speaker's pelvis."
+            ),
+        )
+        .default("speaker"),
+        INTERPOLATION,
+        CONTROLS,
+        SPACE,
     ],
     required_children: &["key"],
     most_per_parent: Some(2),
-    role: Role::Part,
+    ..Element::part("motion", PARENTS)
 };
 
 pub(super) static KEY: Element = Element {
-    name: "key",
-    aliases: &[],
-    doc: "A position of the wrist at a time.",
-    source: "GEVH D.5.5",
-    parents: &["motion"],
-    content: Content::Empty,
+    doc: doc!("A position of the wrist at a time."),
+    source: doc!("GEVH D.5.5"),
+    example: doc!(
+        "<eml xmlns:r='urn:raconteur:eml:1'><body><gesture-key time='1' duration='2'><motion r:interpolation='cosine'><key time='0.1' x='-7' y='45' z='3'/><key x='-15' y='40' z='3' r:interpolation='hermite' r:controls='0 2'/></motion></gesture-key></body></eml>"
+    ),
     attributes: &[
         KEY_TIME,
-        Attribute {
-            name: "x",
-            aliases: &[],
-            kind: Kind::Number,
-            default: Presence::Required,
-            doc: "Units to the speaker's left; the speaker is about 77 units tall.",
-        },
-        Attribute {
-            name: "y",
-            aliases: &[],
-            kind: Kind::Number,
-            default: Presence::Required,
-            doc: "Units upwards.",
-        },
-        Attribute {
-            name: "z",
-            aliases: &[],
-            kind: Kind::Number,
-            default: Presence::Required,
-            doc: "Units to the back.",
-        },
+        Attribute::number(
+            "x",
+            doc!("Units to the speaker's left; the speaker is about 77 units tall."),
+        )
+        .required()
+        .unit("units"),
+        Attribute::number("y", doc!("Units upwards."))
+            .required()
+            .unit("units"),
+        Attribute::number("z", doc!("Units to the back."))
+            .required()
+            .unit("units"),
+        INTERPOLATION,
+        CONTROLS,
     ],
-    required_children: &[],
-    most_per_parent: None,
-    role: Role::Part,
+    ..Element::part("key", &["motion"])
 };
 
 /// Reads the element.

@@ -1,19 +1,13 @@
 //! `null`: keeps the script running.
 
-use super::{CLAUSE_PARENTS, Content, Element, Role};
+use super::Element;
 use crate::ClauseKind;
 
 pub(super) static ELEMENT: Element = Element {
-    name: "null",
-    aliases: &[],
-    doc: "Does nothing, but keeps the script or the group running until its time.",
-    source: "GEVH D.1.5",
-    parents: CLAUSE_PARENTS,
-    content: Content::Empty,
-    attributes: &[],
-    required_children: &[],
-    most_per_parent: None,
-    role: Role::Clause(|_, _, _| Some(ClauseKind::Null)),
+    doc: doc!("Does nothing, but keeps the script or the group running until its time."),
+    source: doc!("GEVH D.1.5"),
+    example: doc!("<null time='5'/>"),
+    ..Element::clause("null", |_, _, _| Some(ClauseKind::Null))
 };
 
 #[cfg(test)]

@@ -5,16 +5,15 @@ use super::{CLAUSE_PARENTS, Content, Element, Role};
 use crate::ClauseKind;
 
 pub(super) static ELEMENT: Element = Element {
-    name: "par",
-    aliases: &[],
-    doc: "Plays its clauses together. A plain time counts from the start of the par.",
-    source: "GEVH D.2.5, D.2.6",
-    parents: CLAUSE_PARENTS,
+    doc: doc!("Plays its clauses together. A plain time counts from the start of the par."),
+    decision: doc!(
+        "GEVH only says that times are relative. An expression that names a moment counts from the start of the script all the same."
+    ),
+    source: doc!("GEVH D.2.5, D.2.6"),
+    example: doc!("<par time='1' repetitionCount='2'><null time='1'/><null time='3'/></par>"),
     content: Content::Elements,
     attributes: REPETITION,
-    required_children: &[],
-    most_per_parent: None,
-    role: Role::Group(ClauseKind::Par),
+    ..Element::new("par", CLAUSE_PARENTS, Role::Group(ClauseKind::Par))
 };
 
 #[cfg(test)]
@@ -35,6 +34,6 @@ mod tests {
     #[test]
     fn a_count_below_one_is_an_error() {
         let text = "<eml><body><par time='1' repetitionCount='0'><null/></par></body></eml>";
-        assert_eq!(codes(text), ["eml::bad-value"]);
+        assert_eq!(codes(text), ["eml::out-of-range"]);
     }
 }

@@ -5,16 +5,17 @@ use super::{CLAUSE_PARENTS, Content, Element, Role};
 use crate::ClauseKind;
 
 pub(super) static ELEMENT: Element = Element {
-    name: "seq",
-    aliases: &[],
-    doc: "Plays its clauses one after another. A plain time is the delay after the end of the clause before, or after the start of the seq.",
-    source: "GEVH D.2.4, D.2.6",
-    parents: CLAUSE_PARENTS,
+    doc: doc!(
+        "Plays its clauses one after another. A plain time is the delay after the end of the clause before, or after the start of the seq."
+    ),
+    decision: doc!(
+        "GEVH only says that times are relative; they are read as in SMIL. An expression that names a moment counts from the start of the script all the same."
+    ),
+    source: doc!("GEVH D.2.4, D.2.6"),
+    example: doc!("<seq time='1'><event time='0' type='a'/><event time='1' type='b'/></seq>"),
     content: Content::Elements,
     attributes: REPETITION,
-    required_children: &[],
-    most_per_parent: None,
-    role: Role::Group(ClauseKind::Seq),
+    ..Element::new("seq", CLAUSE_PARENTS, Role::Group(ClauseKind::Seq))
 };
 
 #[cfg(test)]
@@ -35,6 +36,6 @@ mod tests {
     #[test]
     fn a_count_below_one_is_an_error() {
         let text = "<eml><body><seq time='1' repetitionCount='0'><null/></seq></body></eml>";
-        assert_eq!(codes(text), ["eml::bad-value"]);
+        assert_eq!(codes(text), ["eml::out-of-range"]);
     }
 }

@@ -1,15 +1,50 @@
 //! What the elements' tests share.
 
-use crate::{ClauseKind, parse};
+use crate::{ClauseKind, Markup, Parsed, Piece, parse};
 
 /// The codes of the diagnostics of a whole document.
 pub(super) fn codes(text: &str) -> Vec<&'static str> {
     parse(text).diagnostics.iter().map(|d| d.code).collect()
 }
 
+/// The codes of the diagnostics of a body with this content.
+pub(super) fn clause_codes(clauses: &str) -> Vec<&'static str> {
+    codes(&format!(
+        "<eml><body><null time='1'/>{clauses}</body></eml>"
+    ))
+}
+
 /// The first clause of a body with this content, which must be without fault.
 pub(super) fn one(clause: &str) -> ClauseKind {
-    let parsed = parse(&format!("<eml><body>{clause}</body></eml>"));
+    first(&parse(&format!("<eml><body>{clause}</body></eml>")))
+}
+
+/// As [`one`], with the extensions bound to `x`.
+pub(super) fn extended(clause: &str) -> ClauseKind {
+    first(&parse(&format!(
+        "<eml xmlns:x='urn:raconteur:eml:1'><body>{clause}</body></eml>"
+    )))
+}
+
+fn first(parsed: &Parsed) -> ClauseKind {
     assert!(parsed.diagnostics.is_empty(), "{:?}", parsed.diagnostics);
     parsed.document.clauses[0].kind.clone()
+}
+
+/// The first container of a speech with this content, and the codes of its diagnostics;
+/// the extensions are bound to `x`.
+pub(super) fn markup(inner: &str) -> (Markup, Vec<&'static str>) {
+    let parsed = parse(&format!(
+        "<eml xmlns:x='urn:raconteur:eml:1'><body><voice-text time='0'>{inner}</voice-text>\
+         </body></eml>"
+    ));
+    let codes = parsed.diagnostics.iter().map(|d| d.code).collect();
+    let ClauseKind::VoiceText(voice) = &parsed.document.clauses[0].kind else {
+        panic!("{codes:?}")
+    };
+    let markup = voice.pieces.iter().find_map(|piece| match piece {
+        Piece::Start { markup, .. } => Some(markup.as_ref().clone()),
+        _ => None,
+    });
+    (markup.unwrap_or_else(|| panic!("{codes:?}")), codes)
 }

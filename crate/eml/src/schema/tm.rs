@@ -1,43 +1,36 @@
 //! `tm`: names a moment of a word.
 
-use super::{
-    Attribute, Content, Context, Element, Fields, Kind, Presence, Role, VOICE_PARENTS, VoiceBuilder,
-};
+use super::{Attribute, Context, Element, Fields, Kind, Role, VOICE_PARENTS, VoiceBuilder};
 use crate::{Diagnostic, MarkEvent, Piece};
 
 pub(super) static ELEMENT: Element = Element {
-    name: "tm",
-    aliases: &[],
-    doc: "Names a moment of the next word, or the end of the speech when no word follows.",
-    source: "GEVH D.4.3",
-    parents: VOICE_PARENTS,
-    content: Content::Empty,
+    doc: doc!("Names a moment of the next word, or the end of the speech when no word follows."),
+    decision: doc!(
+        "A phone that the word does not have, as in the example of GEVH, is a warning, and the start of the word is used. Of several such phones the first is meant."
+    ),
+    source: doc!("GEVH D.4.3"),
+    example: doc!(
+        "<voice-text time='1.0'><tm name='t1'/>Hello <tm name='t2' event='onPhone' phone='w'/>world!</voice-text>"
+    ),
     attributes: &[
-        Attribute {
-            name: "name",
-            aliases: &[],
-            kind: Kind::Name,
-            default: Presence::Required,
-            doc: "The name, to be used in time expressions.",
-        },
-        Attribute {
-            name: "event",
-            aliases: &[],
-            kind: Kind::Choice(&["onStart", "onEnd", "onPhone"]),
-            default: Presence::Default("onStart"),
-            doc: "Which moment: the start or the end of the word, or the start of a phone in it.",
-        },
-        Attribute {
-            name: "phone",
-            aliases: &[],
-            kind: Kind::Text,
-            default: Presence::Optional,
-            doc: "The phone for onPhone, as Festival writes it, such as hh or ow.",
-        },
+        Attribute::new(
+            "name",
+            Kind::Name,
+            doc!("The name, to be used in time expressions."),
+        )
+        .required(),
+        Attribute::choice(
+            "event",
+            &["onStart", "onEnd", "onPhone"],
+            doc!("Which moment: the start or the end of the word, or the start of a phone in it."),
+        )
+        .default("onStart"),
+        Attribute::text(
+            "phone",
+            doc!("The phone for onPhone, as Festival writes it, such as hh or ow."),
+        ),
     ],
-    required_children: &[],
-    most_per_parent: None,
-    role: Role::Voice(read),
+    ..Element::new("tm", VOICE_PARENTS, Role::Voice(read))
 };
 
 fn read(cx: &mut Context<'_>, node: usize, fields: &Fields<'_>, voice: &mut VoiceBuilder) {
@@ -112,6 +105,6 @@ mod tests {
         assert_eq!(with("<tm name='t-1'/>"), ["eml::bad-name"]);
         assert_eq!(with("<tm name='t' event='onPhone'/>"), ["eml::phone"]);
         assert_eq!(with("<tm name='t' phone='hh'/>"), ["eml::phone"]);
-        assert_eq!(with("<tm name='t' event='onWord'/>"), ["eml::bad-value"]);
+        assert_eq!(with("<tm name='t' event='onWord'/>"), ["eml::bad-choice"]);
     }
 }

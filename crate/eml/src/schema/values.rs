@@ -1,16 +1,17 @@
 //! Reads the values of attributes by the table. A value that does not fit is
 //! reported and counts as left out.
 
+use super::attribute::MAX_NUMBER;
 use super::context::list;
-use super::{Context, Fields, Kind, Presence};
+use super::{Attribute, Context, Fields, Kind, Presence};
+use crate::record::Value;
 use crate::suggest::{nearest, quoted};
 use crate::time_expr::{self, Problem};
 use crate::{Diagnostic, Span, TimeExpr, syntax};
 use std::borrow::Cow;
 
-/// The largest number either way that a document may write: it keeps products and
-/// sums of a few of them finite.
-const MAX_NUMBER: f64 = 1e6;
+/// The most numbers in one list.
+const MOST_NUMBERS: usize = 64;
 
 /// Where on a gesture's time line a key lies.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -21,122 +22,80 @@ pub(crate) enum KeyTime {
     Fraction(f64),
 }
 
-/// A number, or one of the words of a choice.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum NumberOrWord {
-    Number(f64),
-    Word(&'static str),
-}
-
-/// A written value, or the default that stands for it.
-struct Given<'t> {
-    text: Cow<'t, str>,
-    /// Where a written one is.
-    span: Option<Span>,
-}
-
 impl Context<'_> {
-    /// Any text.
-    pub(crate) fn text(&mut self, fields: &Fields<'_>, name: &str) -> Option<String> {
-        self.given(fields, name)
-            .map(|given| given.text.into_owned())
+    /// The value of an attribute by its kind: as written, or else the default.
+    pub(crate) fn value(&mut self, fields: &Fields<'_>, name: &str) -> Value {
+        let Some((attribute, written)) = fields.get(name) else {
+            return Value::None;
+        };
+        let default = match attribute.default {
+            Presence::Default(text) => parse(attribute.kind, text).unwrap_or(Value::None),
+            Presence::Required | Presence::Optional => Value::None,
+        };
+        let Some(written) = written else {
+            return default;
+        };
+        let text = syntax::resolve(written.value, written.value_start, self.sink);
+        let text = match attribute.kind {
+            Kind::Text => &*text,
+            _ => self.unaliased(attribute, text.trim(), written.value_span()),
+        };
+        parse(attribute.kind, text).unwrap_or_else(|problem| {
+            self.report(problem, written.value_span());
+            default
+        })
     }
 
-    /// A name for a moment.
-    pub(crate) fn name(&mut self, fields: &Fields<'_>, name: &str) -> Option<String> {
-        let given = self.given(fields, name)?;
-        let text = given.text.trim();
-        if time_expr::is_name(text) {
-            return Some(text.to_owned());
+    /// The table's word for another one.
+    fn unaliased<'x>(&mut self, attribute: &Attribute, text: &'x str, span: Span) -> &'x str {
+        let aliases = attribute.word_aliases.iter();
+        match aliases
+            .copied()
+            .find(|(alias, _)| alias.eq_ignore_ascii_case(text))
+        {
+            Some((_, word)) => {
+                self.report_spelling(text, word, span);
+                word
+            }
+            None => text,
         }
-        self.sink.push(
-            Diagnostic::error(
-                "eml::bad-name",
-                given.span.unwrap_or(fields.tag),
-                format!("{} cannot name a moment", quoted(text)),
-            )
-            .hint("a name is a letter followed by letters, digits, `_` and `.`; `-` is a minus"),
-        );
-        None
+    }
+
+    /// Any text.
+    pub(crate) fn text(&mut self, fields: &Fields<'_>, name: &str) -> Option<String> {
+        match self.value(fields, name) {
+            Value::Text(text) => Some(text),
+            _ => None,
+        }
     }
 
     /// A truth value.
     pub(crate) fn boolean(&mut self, fields: &Fields<'_>, name: &str) -> Option<bool> {
-        self.read(fields, name, |text| {
-            if text == "1" || text.eq_ignore_ascii_case("true") {
-                Ok(true)
-            } else if text == "0" || text.eq_ignore_ascii_case("false") {
-                Ok(false)
-            } else {
-                Err(bad_value(text, "true, false, 1 or 0"))
-            }
-        })
+        match self.value(fields, name) {
+            Value::Flag(flag) => Some(flag),
+            _ => None,
+        }
     }
 
-    /// A finite number.
+    /// A number, whole number or length in seconds.
     pub(crate) fn number(&mut self, fields: &Fields<'_>, name: &str) -> Option<f64> {
-        self.read(fields, name, number)
-    }
-
-    /// A whole number in the table's range.
-    pub(crate) fn integer(&mut self, fields: &Fields<'_>, name: &str) -> Option<i64> {
-        let (attribute, _) = fields.get(name)?;
-        let Kind::Integer { least, most } = attribute.kind else {
-            return None;
-        };
-        self.read(fields, name, |text| match text.parse::<i64>() {
-            Ok(value) if (least..=most).contains(&value) => Ok(value),
-            _ if most == i64::MAX => Err(bad_value(text, &format!("a whole number from {least}"))),
-            _ => Err(bad_value(
-                text,
-                &format!("a whole number from {least} to {most}"),
-            )),
-        })
-    }
-
-    /// A length in seconds.
-    pub(crate) fn seconds(&mut self, fields: &Fields<'_>, name: &str) -> Option<f64> {
-        self.read(fields, name, |text| {
-            let secs = time_expr::parse_secs(text)?;
-            if secs < 0.0 {
-                Err(bad_value(text, "a length of at least 0"))
-            } else {
-                Ok(secs)
-            }
-        })
+        match self.value(fields, name) {
+            Value::Number(number) => Some(number),
+            _ => None,
+        }
     }
 
     /// The table's spelling of a word.
     pub(crate) fn choice(&mut self, fields: &Fields<'_>, name: &str) -> Option<&'static str> {
-        let (attribute, _) = fields.get(name)?;
-        let Kind::Choice(words) = attribute.kind else {
-            return None;
-        };
-        self.read(fields, name, |text| {
-            word(words, text).ok_or_else(|| no_word(text, words))
-        })
+        match self.value(fields, name) {
+            Value::Word(word) => Some(word),
+            _ => None,
+        }
     }
 
-    /// A number, or the table's spelling of a word.
-    pub(crate) fn number_or_choice(
-        &mut self,
-        fields: &Fields<'_>,
-        name: &str,
-    ) -> Option<NumberOrWord> {
-        let (attribute, _) = fields.get(name)?;
-        let Kind::NumberOrChoice(words) = attribute.kind else {
-            return None;
-        };
-        self.read(fields, name, |text| {
-            if let Some(word) = word(words, text) {
-                return Ok(NumberOrWord::Word(word));
-            }
-            match number(text) {
-                Ok(value) => Ok(NumberOrWord::Number(value)),
-                Err(_) if text.starts_with(char::is_alphabetic) => Err(no_word(text, words)),
-                Err(problem) => Err(problem),
-            }
-        })
+    /// A name for a moment.
+    pub(crate) fn name(&mut self, fields: &Fields<'_>, name: &str) -> Option<String> {
+        self.text(fields, name)
     }
 
     /// A time expression; `Err` when it is written and wrong.
@@ -169,66 +128,24 @@ impl Context<'_> {
 
     /// An offset in a gesture; `Err` when it is written and wrong.
     pub(crate) fn key_time(&mut self, fields: &Fields<'_>) -> Result<Option<KeyTime>, ()> {
-        if fields
-            .get("time")
-            .and_then(|(_, written)| written)
-            .is_none()
-        {
+        let Some(written) = fields.get("time").and_then(|(_, written)| written) else {
             return Ok(None);
-        }
-        let read = self.read(fields, "time", |text| {
+        };
+        let text = syntax::resolve(written.value, written.value_start, self.sink);
+        let read = || {
+            let text = text.trim();
             let (value, percent) = match text.strip_suffix('%') {
                 Some(percent) => (number(percent.trim_end())? / 100.0, true),
                 None => (time_expr::parse_secs(text)?, false),
             };
-            if value < 0.0 {
-                return Err(bad_value(text, "an offset of at least 0"));
-            }
-            Ok(if percent {
+            let value = in_range(value, 0.0, MAX_NUMBER, text)?;
+            Ok(Some(if percent {
                 KeyTime::Fraction(value)
             } else {
                 KeyTime::Secs(value)
-            })
-        });
-        read.map(Some).ok_or(())
-    }
-
-    fn read<T>(
-        &mut self,
-        fields: &Fields<'_>,
-        name: &str,
-        mut parse: impl FnMut(&str) -> Result<T, Problem>,
-    ) -> Option<T> {
-        let (attribute, _) = fields.get(name)?;
-        let given = self.given(fields, name)?;
-        let text = given.text.trim();
-        match (parse(text), given.span) {
-            (Ok(value), _) => Some(value),
-            // A default of the table fits; a test reads each of them.
-            (Err(_), None) => None,
-            (Err(problem), Some(span)) => {
-                self.report(problem, span);
-                match attribute.default {
-                    Presence::Default(text) => parse(text).ok(),
-                    Presence::Required | Presence::Optional => None,
-                }
-            }
-        }
-    }
-
-    fn given<'f>(&mut self, fields: &Fields<'f>, name: &str) -> Option<Given<'f>> {
-        let (attribute, written) = fields.get(name)?;
-        match (written, attribute.default) {
-            (Some(written), _) => Some(Given {
-                text: syntax::resolve(written.value, written.value_start, self.sink),
-                span: Some(written.value_span()),
-            }),
-            (None, Presence::Default(text)) => Some(Given {
-                text: Cow::Borrowed(text),
-                span: None,
-            }),
-            (None, _) => None,
-        }
+            }))
+        };
+        read().map_err(|problem| self.report(problem, written.value_span()))
     }
 
     fn report(&mut self, problem: Problem, span: Span) {
@@ -247,39 +164,160 @@ fn part(value: Span, problem: Option<&Problem>) -> Span {
     }
 }
 
+/// Reads a text by the kind of its attribute.
+pub(crate) fn parse(kind: Kind, text: &str) -> Result<Value, Problem> {
+    let wrong = |code, wanted: &str| Err(unexpected(code, text, wanted));
+    match kind {
+        Kind::Text => Ok(Value::Text(text.to_owned())),
+        Kind::Name if !time_expr::is_name(text) => Err(Problem {
+            hint: "a name is a letter followed by letters, digits, `_` and `.`; `-` is a minus",
+            ..problem(
+                "eml::bad-name",
+                format!("{} cannot name a moment", quoted(text)),
+            )
+        }),
+        Kind::Identifier if text.is_empty() => wrong("eml::bad-name", "a name"),
+        Kind::Path if !is_inner_path(text) => Err(Problem {
+            hint: "paths are relative, without `..`, `:` and `\\`",
+            ..problem(
+                "eml::bad-path",
+                format!("{} does not stay in its folder", quoted(text)),
+            )
+        }),
+        Kind::Url if !is_safe_url(text) => wrong(
+            "eml::bad-url",
+            "a relative address or one that starts with http: or https:",
+        ),
+        Kind::Name | Kind::Identifier | Kind::Path | Kind::Url => Ok(Value::Text(text.to_owned())),
+        Kind::Bool => match text {
+            "1" => Ok(Value::Flag(true)),
+            "0" => Ok(Value::Flag(false)),
+            _ if text.eq_ignore_ascii_case("true") => Ok(Value::Flag(true)),
+            _ if text.eq_ignore_ascii_case("false") => Ok(Value::Flag(false)),
+            _ => wrong("eml::bad-boolean", "true, false, 1 or 0"),
+        },
+        Kind::Number { least, most } => {
+            in_range(number(text)?, least, most, text).map(Value::Number)
+        }
+        Kind::Integer { least, most } => match text.parse::<i64>() {
+            Ok(value) => in_range(value as f64, least as f64, most as f64, text).map(Value::Number),
+            Err(_) => wrong("eml::bad-number", "a whole number"),
+        },
+        Kind::Seconds => {
+            let secs = time_expr::parse_secs(text)?;
+            in_range(secs, 0.0, MAX_NUMBER, text).map(Value::Number)
+        }
+        // Both are read together with what stands around them.
+        Kind::Time | Kind::KeyTime => Ok(Value::None),
+        Kind::Choice(words) => word(words, text).ok_or_else(|| no_word(text, words)),
+        Kind::Level { words, percent } => level(words, percent, text),
+        Kind::NumberOrBool if text.eq_ignore_ascii_case("true") => Ok(Value::Number(1.0)),
+        Kind::NumberOrBool if text.eq_ignore_ascii_case("false") => Ok(Value::Number(0.0)),
+        Kind::NumberOrBool => number(text).map(Value::Number),
+        Kind::NumberOrText => Ok(match number(text) {
+            Ok(value) => Value::Number(value),
+            Err(_) => Value::Text(text.to_owned()),
+        }),
+        Kind::Numbers => {
+            let mut numbers = Vec::new();
+            for word in text.split_ascii_whitespace() {
+                numbers.push(number(word)?);
+                if numbers.len() > MOST_NUMBERS {
+                    return wrong("eml::bad-number", "at most 64 numbers");
+                }
+            }
+            Ok(Value::Numbers(numbers))
+        }
+        Kind::Color => match color(text) {
+            Some(color) => Ok(Value::Color(color)),
+            None => wrong("eml::bad-color", "a colour such as #ffcc00"),
+        },
+    }
+}
+
+/// Whether a path stays in its folder on every system.
+pub(super) fn is_inner_path(text: &str) -> bool {
+    !text.is_empty()
+        && !text.starts_with('/')
+        && !text.contains([':', '\\'])
+        && !text.contains(char::is_control)
+        && text.split('/').all(|part| part != "..")
+}
+
+/// Whether an address is relative to the page, or is one that a page may fetch.
+fn is_safe_url(text: &str) -> bool {
+    let before = text.split(['/', '?', '#']).next().unwrap_or("");
+    let scheme = before.split_once(':').map(|(scheme, _)| scheme);
+    !text.is_empty()
+        && !text.contains(char::is_control)
+        && scheme.is_none_or(|s| s.eq_ignore_ascii_case("http") || s.eq_ignore_ascii_case("https"))
+}
+
+fn color(text: &str) -> Option<[u8; 3]> {
+    let digits = text.strip_prefix('#')?;
+    if digits.len() != 6 || !digits.bytes().all(|b| b.is_ascii_hexdigit()) {
+        return None;
+    }
+    let rgb = u32::from_str_radix(digits, 16).ok()?;
+    let [_, red, green, blue] = rgb.to_be_bytes();
+    Some([red, green, blue])
+}
+
+fn level(words: &'static [&'static str], percent: bool, text: &str) -> Result<Value, Problem> {
+    if let Some(word) = word(words, text) {
+        return Ok(word);
+    }
+    if percent && let Some(change) = text.strip_suffix('%') {
+        let change = number(change.trim_end())?;
+        return in_range(change, -100.0, MAX_NUMBER, text).map(Value::Percent);
+    }
+    match number(text) {
+        Ok(value) => in_range(value, 0.0, MAX_NUMBER, text).map(Value::Number),
+        Err(_) if text.starts_with(char::is_alphabetic) => Err(no_word(text, words)),
+        Err(problem) => Err(problem),
+    }
+}
+
 fn number(text: &str) -> Result<f64, Problem> {
+    let code = "eml::bad-number";
     match crate::decimal::parse(text) {
         Some(value) if value.abs() <= MAX_NUMBER => Ok(value),
-        Some(value) if value.is_finite() => Err(bad_number(
-            format!("{} is too large", quoted(text)),
-            "the largest is 1000000",
-        )),
-        Some(_) => Err(bad_number(
+        Some(value) if value.is_finite() => Err(Problem {
+            hint: "the largest is 1000000",
+            ..problem(code, format!("{} is too large", quoted(text)))
+        }),
+        Some(_) => Err(problem(
+            code,
             format!("{} is not a finite number", quoted(text)),
-            "",
         )),
-        None if text.contains(',') => {
-            let message = format!("{} is not a number", quoted(text));
-            Err(bad_number(message, "decimals are written with a point"))
-        }
-        None => Err(bad_number(format!("{} is not a number", quoted(text)), "")),
+        None => Err(Problem {
+            hint: if text.contains(',') {
+                "decimals are written with a point"
+            } else {
+                ""
+            },
+            ..problem(code, format!("{} is not a number", quoted(text)))
+        }),
     }
 }
 
-fn bad_number(message: String, hint: &'static str) -> Problem {
-    Problem {
-        code: "eml::bad-number",
-        start: 0,
-        end: 0,
-        message,
-        hint,
+fn in_range(value: f64, least: f64, most: f64, text: &str) -> Result<f64, Problem> {
+    if (least..=most).contains(&value) {
+        return Ok(value);
     }
+    let wanted = if most < MAX_NUMBER {
+        format!("{least} to {most}")
+    } else if value < least {
+        format!("at least {least}")
+    } else {
+        format!("at most {most}")
+    };
+    Err(unexpected("eml::out-of-range", text, &wanted))
 }
 
-fn bad_value(text: &str, wanted: &str) -> Problem {
-    let message = format!("expected {wanted}, found {}", quoted(text));
+fn problem(code: &'static str, message: String) -> Problem {
     Problem {
-        code: "eml::bad-value",
+        code,
         start: 0,
         end: 0,
         message,
@@ -287,16 +325,76 @@ fn bad_value(text: &str, wanted: &str) -> Problem {
     }
 }
 
-fn word(words: &'static [&'static str], text: &str) -> Option<&'static str> {
-    words.iter().copied().find(|w| w.eq_ignore_ascii_case(text))
+fn unexpected(code: &'static str, text: &str, wanted: &str) -> Problem {
+    problem(code, format!("expected {wanted}, found {}", quoted(text)))
+}
+
+fn word(words: &'static [&'static str], text: &str) -> Option<Value> {
+    let word = words.iter().copied().find(|w| w.eq_ignore_ascii_case(text));
+    word.map(Value::Word)
 }
 
 fn no_word(text: &str, words: &'static [&'static str]) -> Problem {
-    let mut problem = bad_value(text, &list(words));
+    let mut problem = unexpected("eml::bad-choice", text, &list(words));
     if let Some(near) = nearest(text, words.iter().copied()) {
         problem
             .message
             .push_str(&format!(" (did you mean `{near}`?)"));
     }
     problem
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_default_of_the_table_fits_its_kind() {
+        for element in crate::schema::ELEMENTS {
+            for attribute in element.all_attributes() {
+                if let Presence::Default(text) = attribute.default {
+                    let value = parse(attribute.kind, text);
+                    assert!(value.is_ok(), "{} {}", element.name, attribute.name);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn paths_and_addresses_stay_where_they_may() {
+        assert!(is_inner_path("a/b.xml") && is_inner_path("a..b"));
+        for bad in [
+            "",
+            "/etc/passwd",
+            "../a",
+            "a/../../b",
+            "c:\\x",
+            "file:a",
+            "a\\..\\b",
+        ] {
+            assert!(!is_inner_path(bad), "{bad}");
+        }
+        for good in ["a.ogg", "https://x.org/a:b", "a/b?c:d", "//x.org/a"] {
+            assert!(is_safe_url(good), "{good}");
+        }
+        for bad in [
+            "",
+            "javascript:alert(1)",
+            "file:///etc/passwd",
+            "data:audio/wav,x",
+        ] {
+            assert!(!is_safe_url(bad), "{bad}");
+        }
+    }
+
+    #[test]
+    fn levels_are_words_changes_or_numbers() {
+        let level = |text| level(&["high", "low"], true, text).map_err(|p| p.code);
+        assert_eq!(level("HIGH"), Ok(Value::Word("high")));
+        assert_eq!(level("-30%"), Ok(Value::Percent(-30.0)));
+        assert_eq!(level("120"), Ok(Value::Number(120.0)));
+        assert_eq!(level("-120%"), Err("eml::out-of-range"));
+        assert_eq!(level("hihg"), Err("eml::bad-choice"));
+        assert_eq!(level("#"), Err("eml::bad-number"));
+    }
 }

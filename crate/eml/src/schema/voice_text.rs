@@ -1,24 +1,19 @@
 //! `voice-text`: a text to speak.
 
-use super::{
-    CLAUSE_PARENTS, Content, Context, Element, Fields, Role, VOICE_PARENTS, find, variant_in,
-};
-use crate::suggest::{nearest, quoted};
+use super::{Content, Context, Element, Fields, Role, variant_in};
 use crate::syntax::NodeKind;
 use crate::voice::NO_EMPHASIS;
-use crate::{ClauseKind, Diagnostic, Piece, VoiceText};
+use crate::{ClauseKind, Diagnostic, Markup, Piece, VoiceText};
 
 pub(super) static ELEMENT: Element = Element {
-    name: "voice-text",
-    aliases: &[],
-    doc: "Speaks a text. Markup inside shapes how, and names moments of words.",
-    source: "GEVH D.4.1",
-    parents: CLAUSE_PARENTS,
+    doc: doc!("Speaks a text. Markup inside shapes how, and names moments of words."),
+    decision: doc!(
+        "Names of elements and values are in lower case, where SABLE writes capitals; other cases are accepted with a warning."
+    ),
+    source: doc!("GEVH D.4.1"),
+    example: doc!("<voice-text time='1.0'>Hello world!</voice-text>"),
     content: Content::Mixed,
-    attributes: &[],
-    required_children: &[],
-    most_per_parent: None,
-    role: Role::Clause(build),
+    ..Element::clause("voice-text", build)
 };
 
 fn build(cx: &mut Context<'_>, node: usize, fields: &Fields<'_>) -> Option<ClauseKind> {
@@ -57,50 +52,69 @@ impl VoiceBuilder {
                 NodeKind::Text => self.text(inner.text.to_owned(), inner.span),
                 NodeKind::Reference(c) => self.text(c.to_string(), inner.span),
                 NodeKind::Malformed => {}
-                NodeKind::Element(found) => match found.and_then(|e| variant_in(e, parent)) {
-                    Some(element) => {
-                        cx.report_spelling(inner.text, element.name, cx.name_span(child));
-                        let fields = cx.fields(child, element);
-                        match element.role {
-                            Role::Voice(read) if fields.is_complete() => {
-                                read(cx, child, &fields, self);
-                            }
-                            _ => {}
-                        }
-                    }
-                    None => self.transparent(cx, child, parent),
-                },
+                NodeKind::Element(found) => self.element(cx, child, found, parent),
             }
             child = inner.subtree_end as usize;
         }
     }
 
-    /// An element that does not belong into speech: its text is still spoken.
-    fn transparent(&mut self, cx: &mut Context<'_>, node: usize, parent: &'static str) {
-        let written = cx.tree.nodes[node].text;
-        let span = cx.name_span(node);
-        let (code, message) = match find(written) {
-            Some(element) => (
-                "eml::wrong-parent",
-                format!(
-                    "`{}` may not stand in `{parent}`; only its text is used",
-                    element.name
-                ),
-            ),
-            None => (
-                "eml::unknown-element",
-                format!(
-                    "unknown element {} in speech; only its text is used",
-                    quoted(written)
-                ),
-            ),
+    /// Adds an element in the container `parent`. What does not belong into speech is
+    /// reported and its text spoken.
+    fn element(
+        &mut self,
+        cx: &mut Context<'_>,
+        node: usize,
+        found: Option<&'static Element>,
+        parent: &'static str,
+    ) {
+        let Some(found) = cx.resolve(node, found, &ELEMENT) else {
+            self.content(cx, node, parent);
+            return;
         };
-        let known = super::ELEMENTS
-            .iter()
-            .filter(|e| VOICE_PARENTS.iter().any(|p| e.may_stand_in(p)));
-        let hint = nearest(written, known.map(|e| e.name)).map(|h| format!("did you mean `{h}`?"));
-        cx.push_with_hint(Diagnostic::warning(code, span, message), hint);
-        self.content(cx, node, parent);
+        let span = cx.name_span(node);
+        let Some(element) = variant_in(found, parent) else {
+            let message = format!(
+                "`{}` may not stand in `{parent}`; only its text is used",
+                found.name
+            );
+            cx.sink
+                .push(Diagnostic::warning("eml::wrong-parent", span, message));
+            self.content(cx, node, parent);
+            return;
+        };
+        cx.report_spelling(cx.tree.nodes[node].text, element.name, span);
+        let fields = cx.fields(node, element);
+        match element.role {
+            Role::Voice(read) if fields.is_complete() => read(cx, node, &fields, self),
+            Role::Container(blank) => self.container(cx, node, &fields, blank()),
+            _ => {}
+        }
+    }
+
+    /// Adds a container and what is in it; only the latter when the container is faulty.
+    fn container(
+        &mut self,
+        cx: &mut Context<'_>,
+        node: usize,
+        fields: &Fields<'_>,
+        mut markup: Markup,
+    ) {
+        let complete = cx.attributes(fields, markup.record());
+        let outside = self.emphasis;
+        if complete {
+            if let Markup::Emph(emph) = &markup {
+                self.emphasis = super::emph::number(emph.level);
+            }
+            self.pieces.push(Piece::Start {
+                markup: Box::new(markup),
+                span: fields.tag,
+            });
+        }
+        self.content(cx, node, fields.element.name);
+        if complete {
+            self.pieces.push(Piece::End);
+        }
+        self.emphasis = outside;
     }
 
     fn text(&mut self, text: String, span: crate::Span) {

@@ -23,18 +23,13 @@ pub(super) fn voice_timings(
     document: &Document,
     durations: &dyn Durations,
 ) -> BTreeMap<ClauseId, VoiceTiming> {
-    let voices = document
-        .iter()
-        .filter_map(|(id, clause)| match &clause.kind {
-            ClauseKind::VoiceText(text) => {
-                let mut timing = durations.voice(text);
-                if !(timing.duration_secs >= 0.0 && timing.duration_secs.is_finite()) {
-                    timing.duration_secs = 0.0;
-                }
-                Some((id, timing))
-            }
-            _ => None,
-        });
+    let voices = document.iter().filter_map(|(id, clause)| {
+        let mut timing = durations.voice(clause.kind.spoken()?.as_ref());
+        if !(timing.duration_secs >= 0.0 && timing.duration_secs.is_finite()) {
+            timing.duration_secs = 0.0;
+        }
+        Some((id, timing))
+    });
     // Not `collect`, which sorts: one more sort in the wasm file.
     let mut timings = BTreeMap::new();
     timings.extend(voices);

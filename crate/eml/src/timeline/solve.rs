@@ -261,9 +261,6 @@ impl Solver<'_, '_> {
             return base.map_or(f64::NAN, |base| self.values[base]);
         }
         let length = match &clause.kind {
-            ClauseKind::VoiceText(_) => self.voices.get(&id).map_or(0.0, |v| v.duration_secs),
-            ClauseKind::GestureKey(gesture) => gesture.duration_secs,
-            ClauseKind::GestureIsOn(_) | ClauseKind::Event { .. } | ClauseKind::Null => 0.0,
             ClauseKind::Seq(group) | ClauseKind::Par(group) => {
                 let one = group.iteration_secs.unwrap_or_else(|| {
                     let ends = group.children.iter().map(|&c| self.values[end_of(c)]);
@@ -272,6 +269,10 @@ impl Solver<'_, '_> {
                 });
                 one * f64::from(self.counts[id.index()])
             }
+            ClauseKind::VoiceText(_) | ClauseKind::VoiceSay(_) => {
+                self.voices.get(&id).map_or(0.0, |v| v.duration_secs)
+            }
+            kind => kind.own_length_secs(),
         };
         start + length
     }

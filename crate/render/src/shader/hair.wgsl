@@ -52,7 +52,7 @@ fn strand(uv: vec2<f32>, width_u: f32) -> Strand {
     let drift = (0.05 + 0.05 * wisp) * sin(v * (2.0 + 2.0 * dice) + 6.2832 * dice) * v;
     let y = x + gather + drift;
     // Single hairs, finer locks and locks; each fades to its mean as pixels grow over it.
-    let count = mix(40.0, mix(30.0, 24.0, wisp), loose);
+    let count = mix(32.0, mix(24.0, 7.0, wisp), loose);
     let row = hair_row(y, count, dice);
     let hairs = kept(width_u * count);
     let fine = lock_noise(y * 15.0, dice) - 0.5;
@@ -61,10 +61,11 @@ fn strand(uv: vec2<f32>, width_u: f32) -> Strand {
     let value = 0.5 + hairs * 0.75 * (row.x - 0.6) + fine_kept * 0.75 * fine + 0.35 * lock;
     // How much is empty: past the ends of the hairs, which differ, at the sides, at the
     // root, between single hairs.
-    let ends = 0.80 + 0.22 * lock + 0.26 * fine + 0.12 * hairs * (row.y - 0.5) - 0.06 * wisp;
+    let ends = 0.80 + 0.22 * lock + 0.26 * fine + mix(0.16, 0.55, wisp) * hairs * (row.y - 0.5) - 0.06 * wisp;
     let tip = smoothstep(ends - 0.34, ends + 0.06, v) + smoothstep(0.93, 1.0, v);
     let side = 1.0 - smoothstep(0.0, mix(0.26, 0.34, loose), min(x, 1.0 - x) + 0.10 * lock);
-    let root = 1.0 - smoothstep(0.0, 0.11 + 0.08 * fine, v);
+    // Short: on a long card a tenth is centimetres of bare parting.
+    let root = 1.0 - smoothstep(0.0, 0.05 + 0.25 * wisp + 0.03 * fine + 0.04 * hairs * (row.y - 0.5), v);
     let base = 0.15 * (loose - wisp) + 0.52 * wisp;
     let there = (1.0 - saturate1(tip)) * (1.0 - side) * (1.0 - root) * (1.0 - base);
     // Where half is there, every second hair stands; far off, half a hair everywhere.
@@ -125,7 +126,7 @@ fn hair_light(v: VertexOut, n: vec3<f32>, tone: vec3<f32>, s: Strand) -> vec3<f3
     // A small filter: strands break up the shadow's edge by themselves. Light seeps
     // through hair, so its own shadow is never black.
     let pale = saturate1(2.0 * tone.g);
-    let share = mix(mix(0.22, 0.45, pale), 1.0, filtered_share(v.world, n, v.clip.xy, 1));
+    let share = mix(mix(0.36, 0.60, pale), 1.0, filtered_share(v.world, n, v.clip.xy, 1));
     let wobble = (s.id - 0.5) * 0.22;
     let key_in = share * saturate1(0.28 + 0.72 * dot(n, frame.key_dir.xyz));
     let fill_in = saturate1(0.3 + 0.7 * dot(n, frame.fill_dir.xyz));
@@ -133,7 +134,7 @@ fn hair_light(v: VertexOut, n: vec3<f32>, tone: vec3<f32>, s: Strand) -> vec3<f3
     var light = tone * (frame.key.xyz * key_in + frame.fill.xyz * fill_in
         + frame.rim.xyz * (0.45 * rim_in) + ambient(n));
     // Pale hair passes light on into its depth.
-    light *= mix(vec3<f32>((0.4 + 0.6 * ao) * ao), vec3<f32>(sqrt(ao)), saturate(1.7 * tone));
+    light *= mix(vec3<f32>((0.6 + 0.4 * ao) * ao), vec3<f32>(sqrt(ao)), saturate(1.7 * tone));
     light += frame.key.xyz * hair_lobes(t, n, view, frame.key_dir.xyz, tone, wobble) * (key_in * PI * ao * ao);
     light += frame.rim.xyz * hair_lobes(t, n, view, frame.rim_dir.xyz, tone, wobble) * (rim_in * PI * 0.8 * ao * ao);
     light += frame.rim.xyz * through_hair(view, frame.rim_dir.xyz, tone, ao * ao);
@@ -156,7 +157,7 @@ fn cut(cover: f32, slope: f32) -> f32 {
 fn thin_out(cover: f32, pixel: vec2<f32>) -> f32 {
     let pattern = fract(52.9829189 * fract(dot(pixel, vec2<f32>(0.06711056, 0.00583715)))) - 0.5;
     if COVERAGE == 1u {
-        return saturate1(cover + 0.22 * pattern * smoothstep(0.0, 0.15, cover * (1.0 - cover)));
+        return saturate1(cover + 0.14 * pattern * smoothstep(0.0, 0.15, cover * (1.0 - cover)));
     }
     return select(0.0, 1.0, cover > 0.45 + 0.3 * pattern);
 }
@@ -165,20 +166,23 @@ fn thin_out(cover: f32, pixel: vec2<f32>) -> f32 {
 fn fs_hair(v: VertexOut, @builtin(front_facing) front: bool) -> @location(0) vec4<f32> {
     let width_u = COLUMNS * length(vec2<f32>(dpdx(v.uv.x), dpdy(v.uv.x)));
     let s = strand_or_cap(v.uv, v.bind, width_u);
-    let cover = thin_out(s.cover, v.clip.xy) * material.base.a;
+    let is_cap = v.uv.x * COLUMNS >= CAP;
+    // A card seen edge-on would be a wire: it gives way to those that face the viewer.
+    let flat = normalize(cross(dpdx(v.world), dpdy(v.world)));
+    let faces = select(smoothstep(0.03, 0.24, abs(dot(flat, to_eye(v.world)))), 1.0, is_cap);
+    let cover = thin_out(s.cover * faces, v.clip.xy) * material.base.a;
     if cover < 0.05 {
         discard;
     }
     var n = facing_normal(v.normal, front);
     let across = cross(v.along, n);
     n = normalize(n + across * (0.35 * s.round));
-    let is_cap = v.uv.x * COLUMNS >= CAP;
     // Hair is darker in its depth, at the roots.
     let own = v.color.rgb * material.base.rgb;
     let pale = saturate1(2.0 * own.g);
     // Fine hair at the line has no depth.
     let thin = step(40.0 / COLUMNS, v.uv.x);
-    let roots = mix(mix(0.84, 0.92, max(pale, thin)), 1.05, smoothstep(0.0, 0.5, v.uv.y));
+    let roots = mix(mix(0.90, 0.95, max(pale, thin)), 1.03, smoothstep(0.0, 0.4, v.uv.y));
     let depth = select(roots, mix(0.6, 0.9, pale), is_cap);
     let tone = own * (0.80 + 0.40 * s.id) * depth;
     return written(hair_light(v, n, tone, s), cover, v.clip.xy);

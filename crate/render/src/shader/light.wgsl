@@ -76,7 +76,7 @@ fn rim_share(p: vec3<f32>, n: vec3<f32>, at: vec2<f32>) -> f32 {
 }
 
 // How easily light gets through what lies between p and the lamp, 0..1: how near to p, of
-// about 2, 4, 7 and 12 mm, it entered. The pixel `at` shifts the steps, so that none shows.
+// about 2, 3.5, 5.5 and 8 mm, it entered. The pixel `at` shifts the steps, so that none shows.
 fn thinness(light: u32, p: vec3<f32>, at: vec2<f32>) -> f32 {
     if SHADOWS < 2u {
         return 0.0;
@@ -84,8 +84,8 @@ fn thinness(light: u32, p: vec3<f32>, at: vec2<f32>) -> f32 {
     let q = in_map(light, p);
     let uv = q.xy + tap_shift(at) * frame.shadow.x;
     let mm = (0.85 + 0.3 * pixel_noise(at.yx)) * 0.001 * frame.shadow.w;
-    return 0.25 * (lit_at(light, uv, q.z - 2.0 * mm) + lit_at(light, uv, q.z - 4.0 * mm)
-        + lit_at(light, uv, q.z - 7.0 * mm) + lit_at(light, uv, q.z - 12.0 * mm));
+    return 0.25 * (lit_at(light, uv, q.z - 2.0 * mm) + lit_at(light, uv, q.z - 3.5 * mm)
+        + lit_at(light, uv, q.z - 5.5 * mm) + lit_at(light, uv, q.z - 8.0 * mm));
 }
 
 // GGX with the height-correlated Smith term in Hammon's approximation (GDC 2017),

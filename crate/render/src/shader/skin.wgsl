@@ -21,7 +21,7 @@ fn under_skin(ndl: vec3<f32>, share: f32, bend: f32) -> vec3<f32> {
 // Light that shines through thin flesh from behind: red, as blood lets it.
 fn shone_through(light: u32, p: vec3<f32>, n: vec3<f32>, l: vec3<f32>, at: vec2<f32>) -> vec3<f32> {
     // Past the edge of shadow only: there even thick parts are thin.
-    let away = smoothstep(0.05, 0.65, -dot(n, l));
+    let away = smoothstep(0.22, 0.75, -dot(n, l));
     if away <= 0.0 {
         return vec3<f32>(0.0);
     }
@@ -35,7 +35,7 @@ fn oiliness(bind: vec3<f32>) -> f32 {
     let q = (bind - material.face.xyz) / max(material.face.w, 1e-3);
     let middle = exp(-q.x * q.x * 5.0) * smoothstep(-2.0, -1.5, q.y) * smoothstep(1.9, 1.2, q.y);
     let brow = exp(-q.x * q.x * 0.9) * smoothstep(0.25, 0.6, q.y) * smoothstep(1.9, 1.2, q.y);
-    return select(0.0, max(middle, 0.8 * brow), material.face.w > 0.0 && q.z > -0.6);
+    return select(0.0, max(middle, 0.5 * brow), material.face.w > 0.0 && q.z > -0.6);
 }
 
 @fragment
@@ -50,7 +50,7 @@ fn fs_skin(v: VertexOut, @builtin(front_facing) front: bool) -> @location(0) vec
     // Lips are redder than any other skin, smoother, and moist.
     let lip = smoothstep(0.36, 0.52, (albedo.r - albedo.g) / (albedo.r + albedo.g + 1e-4))
         * select(0.0, 1.0, material.face.w > 0.0 && abs(v.bind.x - material.face.x) < 0.6 * material.face.w);
-    var rough = max(material.params.x, 0.5) - 0.07 * oil - 0.10 * lip;
+    var rough = max(material.params.x, 0.5) - 0.05 * oil - 0.12 * lip;
 
     // A picture of normals brings its own pores; what is computed then only adds grain.
     let own = mix(1.0, 0.35, material.params.w);
@@ -88,7 +88,9 @@ fn fs_skin(v: VertexOut, @builtin(front_facing) front: bool) -> @location(0) vec
 
     var diffuse = frame.key.xyz * under_skin(key_n, share, v.bend) * mix(1.0, ao, 0.35);
     diffuse += frame.fill.xyz * under_skin(fill_n, 1.0, v.bend) * occlusion;
-    diffuse += frame.rim.xyz * under_skin(rim_n, rim_in, v.bend) * (occlusion * occlusion);
+    // Where the rim light only grazes, the coarse map would cut it into patches.
+    let grazed = smoothstep(0.05, 0.45, dot(ng, rim_l));
+    diffuse += frame.rim.xyz * under_skin(rim_n, rim_in, v.bend) * (occlusion * occlusion * grazed);
     diffuse += ambient(normalize(mix(ng, n, 0.5))) * occlusion;
     diffuse += (frame.key.xyz * shone_through(0u, v.world, ng, key_l, v.clip.xy)
         + frame.rim.xyz * shone_through(1u, v.world, ng, rim_l, v.clip.xy)) * ao;
@@ -97,7 +99,7 @@ fn fs_skin(v: VertexOut, @builtin(front_facing) front: bool) -> @location(0) vec
     // Rough skin mirrors less at grazing angles than Schlick's smooth surface.
     let f = mix(0.028, fresnel(0.028, dot(n, view)), 0.40);
     let tight = rough * 0.62;
-    let film = 0.12 + 0.16 * oil + 0.25 * lip;
+    let film = 0.10 + 0.09 * oil + 0.30 * lip;
     let key_s = mix(specular(n, view, key_l, rough), specular(n, view, key_l, tight), film);
     let fill_s = specular(n, view, fill_l, rough);
     let rim_s = specular(n, view, rim_l, rough);
@@ -105,7 +107,7 @@ fn fs_skin(v: VertexOut, @builtin(front_facing) front: bool) -> @location(0) vec
         + frame.rim.xyz * (rim_s * rim_in * ao);
     shine *= f * PI * 0.75 * ao * ao;
     // Of the room little is mirrored: more would lie on the skin as a grey haze.
-    shine += mirrored(reflect(-view, n)) * (f * ao * ao * ao * mix(0.30, 0.55, max(oil, lip)));
+    shine += mirrored(reflect(-view, n)) * (f * ao * ao * ao * mix(0.22, 0.45, max(0.7 * oil, lip)));
 
     return written(albedo * diffuse + shine, 1.0, v.clip.xy);
 }

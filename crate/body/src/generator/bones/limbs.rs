@@ -270,7 +270,7 @@ fn leg(frame: &Frame, side: Side) -> Vec<Part> {
         ],
     );
     let cap = ball(
-        b + DVec3::new(0.0, 0.014, 0.031) * k,
+        b + DVec3::new(0.0, -0.006, 0.031) * k,
         DVec3::new(0.020, 0.022, 0.009) * k,
     );
     let l = letter(side);
@@ -292,6 +292,7 @@ fn foot(frame: &Frame, side: Side) -> Vec<Part> {
     let floor = DVec3::new(a.x, 0.0, a.z);
     let heel = Solid::rod(
         &[
+            (floor + v(0.0, 0.026, -0.051), 0.014 * k, 0.016 * k),
             (floor + v(0.0, 0.030, -0.026), 0.017 * k, 0.020 * k),
             (floor + v(0.0, 0.034, 0.0), 0.016 * k, 0.017 * k),
             (floor + v(0.006, 0.036, 0.034), 0.014 * k, 0.014 * k),
@@ -332,7 +333,7 @@ fn foot(frame: &Frame, side: Side) -> Vec<Part> {
             DVec3::X,
             8,
         );
-        let reach = if ray == 0 { 0.045 } else { 0.036 - 0.004 * i };
+        let reach = if ray == 0 { 0.048 } else { 0.036 - 0.004 * i };
         let start = to + v(0.0005, -0.001, 0.010);
         let tip = to + v(0.001, -0.005, 0.010 + reach);
         let toe = Solid::rod(

@@ -62,13 +62,13 @@ impl Frame {
         // The chest's wall lies under the bust.
         let chest = BodyParams {
             bust: 0.0,
-            ..params.body
+            ..params.body()
         };
         Self {
             positions: bind.map(|b| b.0),
             rotations: bind.map(|b| b.1),
-            field: Field::new(&chest, &Joints::place(&params.body)),
-            scale: params.body.stature_m / REFERENCE_STATURE_M,
+            field: Field::new(&chest, &Joints::place(&params.body())),
+            scale: params.person.stature_m / REFERENCE_STATURE_M,
         }
     }
 
@@ -158,7 +158,7 @@ pub fn build(params: &FigureParams, built: &Built) -> Vec<Part> {
 fn hand_parts(params: &FigureParams, frame: &Frame, side: Side) -> Vec<Part> {
     let wrist = Bone::on(side, "wrist");
     let turn = frame.rotations[wrist.index()] * zero_frames()[wrist.index()].inverse();
-    skeleton::bones(&params.hand, side)
+    skeleton::bones(&params.hands(), side)
         .into_iter()
         .map(|b| {
             let solid = b.solid.mapped(|p| frame.at(wrist) + turn * p);

@@ -3,8 +3,8 @@
 //! A band follows a direction (down the arm, up the neck) and keeps its distance from the
 //! body, which a strip laid on the draped edge would not.
 
-use raconteur_base::DVec3;
 use raconteur_base::curve::{lerp, smooth};
+use raconteur_base::{DVec3, ops};
 
 use crate::generator::torso::{CM, Field, Regions, Shell, weights::Weights};
 
@@ -21,6 +21,8 @@ pub struct Band {
     pub ease: f64,
     /// Regions of the body that it goes round.
     pub regions: Regions,
+    /// How far its middle billows unevenly; soft cloth stands nowhere like a pipe.
+    pub billow: f64,
     /// Points of the edge for one of the band: 1 keeps them all.
     pub every: usize,
 }
@@ -84,12 +86,18 @@ fn smooth_ring(path: &mut [Station]) {
 
 fn sweep(path: &[Station], band: &Band, field: &Field) -> Shell {
     let mut out = Shell::default();
-    for s in path {
+    for (i, s) in path.iter().enumerate() {
+        let turn = core::f64::consts::TAU * i as f64 / path.len() as f64;
+        let uneven = 0.6 * ops::sin(3.0 * turn + 0.7) + 0.4 * ops::sin(5.0 * turn + 2.1);
         for (k, &(along, up)) in PROFILE.iter().enumerate() {
             // The far side of a neckband must not sink into the neck.
             let inner = k + 1 == PROFILE.len();
             let off = lerp(s.off, band.ease, smooth(along / 0.5))
                 + if inner { 0.0 } else { up * band.thickness };
+            let middle = (4.0 * along * (1.0 - along)).max(0.0);
+            let off = off + band.billow * middle * (1.0 + 0.5 * uneven);
+            // The free edge rises and sinks with it.
+            let along = along * (1.0 + uneven * band.billow / band.width * smooth(along));
             let mut p = s.place + band.direction * (along * band.width);
             for _ in 0..4 {
                 let (d, n) = field.value_and_normal(p, band.regions, 1.0);

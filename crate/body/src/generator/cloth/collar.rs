@@ -53,18 +53,19 @@ fn keep_off(field: &Field, p: &mut DVec3, off: f64) {
 }
 
 /// A shirt's collar, buttoned: stand, fold and a fall with points, as one closed profile.
+/// The fall lies on `over`, what is worn over the shirt.
 #[must_use]
-pub fn shirt_collar(wearer: &Wearer<'_>) -> Shell {
+pub fn shirt_collar(wearer: &Wearer<'_>, over: &Lay<'_>) -> Shell {
     const STATIONS: usize = 37;
     /// Degrees from the middle where the collar's ends stand.
     const GAP: f64 = 5.0;
     /// (how far down the fall, distance outwards in cm, least distance from the body in cm)
     const FALL: [(f64, f64, f64); 6] = [
         (0.25, 1.05, 0.0),
-        (0.55, 1.45, 1.3),
-        (0.85, 1.95, 1.5),
-        (1.0, 2.15, 1.45),
-        (0.96, 1.75, 1.15),
+        (0.55, 1.55, 1.55),
+        (0.85, 2.05, 1.8),
+        (1.0, 2.25, 1.75),
+        (0.96, 1.85, 1.4),
         (0.5, 1.1, 0.9),
     ];
     let unit = CM * wearer.scale;
@@ -101,6 +102,12 @@ pub fn shirt_collar(wearer: &Wearer<'_>) -> Shell {
             let out = (off + 0.9 * point * down) * unit;
             let mut p = field.neck_point(turned, foot + stand - fall * down, out);
             keep_off(field, &mut p, (clear + 0.25 * point) * unit);
+            // Its edge is turned over: the outer side clears that by more than the inner.
+            let laid = over.outside(p, if k < 4 { 0.75 } else { 0.5 } * unit);
+            // Before the throat there is nothing to lie on.
+            if laid.distance(p) < 0.9 * unit {
+                p = laid;
+            }
             rows[5 + k].push(p);
         }
     }

@@ -19,7 +19,7 @@ pub mod wearer;
 
 use raconteur_base::curve::smooth;
 
-pub use outfit::{Cardigan, Dressed, Hoodie, Outfit, Sweater, dress};
+pub use outfit::{Cardigan, Dressed, Hoodie, Legs, Outfit, Sweater, dress};
 pub use wearer::Wearer;
 
 /// 0 at `from`, 1 at `to` (in either order), smooth between and held outside.

@@ -30,11 +30,9 @@ pub enum Outfit {
     Hoodie(Hoodie),
 }
 
-/// Colours of [`Outfit::Sweater`].
+/// Colours from the waist down.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Sweater {
-    /// Sweater.
-    pub knit: [f64; 3],
+pub struct Legs {
     /// Trousers.
     pub trousers: [f64; 3],
     /// Uppers of the shoes.
@@ -43,6 +41,15 @@ pub struct Sweater {
     pub sole: [f64; 3],
     /// Socks.
     pub sock: [f64; 3],
+}
+
+/// Colours of [`Outfit::Sweater`].
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Sweater {
+    /// Sweater.
+    pub knit: [f64; 3],
+    /// Trousers and shoes.
+    pub legs: Legs,
 }
 
 /// Colours of [`Outfit::Cardigan`].
@@ -54,14 +61,8 @@ pub struct Cardigan {
     pub shirt: [f64; 3],
     /// Buttons of the cardigan.
     pub button: [f64; 3],
-    /// Corduroy trousers.
-    pub trousers: [f64; 3],
-    /// Uppers of the shoes.
-    pub shoe: [f64; 3],
-    /// Soles.
-    pub sole: [f64; 3],
-    /// Socks.
-    pub sock: [f64; 3],
+    /// Corduroy trousers and leather shoes.
+    pub legs: Legs,
 }
 
 /// Colours of [`Outfit::Hoodie`].
@@ -73,16 +74,10 @@ pub struct Hoodie {
     pub shirt: [f64; 3],
     /// Cords of the hood.
     pub cord: [f64; 3],
-    /// Jeans.
-    pub denim: [f64; 3],
-    /// Canvas of the sneakers.
-    pub shoe: [f64; 3],
-    /// Their soles and caps.
-    pub sole: [f64; 3],
-    /// Their laces.
+    /// Jeans and the canvas of the sneakers.
+    pub legs: Legs,
+    /// Laces of the sneakers.
     pub lace: [f64; 3],
-    /// Socks.
-    pub sock: [f64; 3],
 }
 
 /// A dressed body.
@@ -148,7 +143,7 @@ fn sweater(wearer: &Wearer<'_>, c: &Sweater) -> Dressed {
     let (mut made, trousers) = below(
         wearer,
         &TrouserCut {
-            fabric: cloth(MaterialKind::Woven, c.trousers),
+            fabric: cloth(MaterialKind::Woven, c.legs.trousers),
             ease_cm: [0.75, 1.5],
             slack: 0.022,
             gather: 1.1,
@@ -158,12 +153,12 @@ fn sweater(wearer: &Wearer<'_>, c: &Sweater) -> Dressed {
         },
         &ShoeCut {
             style: ShoeStyle::Leather,
-            upper: leather(c.shoe),
-            sole: leather(c.sole),
-            lace: leather(c.sole),
+            upper: leather(c.legs.shoe),
+            sole: leather(c.legs.sole),
+            lace: leather(c.legs.sole),
             width: 0.95,
         },
-        c.sock,
+        c.legs.sock,
     );
     let knit = cloth(MaterialKind::Cloth, c.knit);
     let cut = TopCut {
@@ -184,10 +179,11 @@ fn sweater(wearer: &Wearer<'_>, c: &Sweater) -> Dressed {
     let rib = knit.woven(MaterialKind::Rib);
     let stand = Band {
         direction: up_the_neck(),
-        width: 3.2 * unit,
-        thickness: 0.5 * unit,
-        ease: 0.45 * unit,
+        width: 2.9 * unit,
+        thickness: 0.45 * unit,
+        ease: 0.3 * unit,
         regions: Regions::ALL,
+        billow: 0.35 * unit,
         every: 1,
     };
     add(&mut made, [top.band(wearer, &top.neck, &stand, rib)]);
@@ -238,7 +234,7 @@ fn cardigan(wearer: &Wearer<'_>, c: &Cardigan) -> Dressed {
     let (mut made, trousers) = below(
         wearer,
         &TrouserCut {
-            fabric: cloth(MaterialKind::Corduroy, c.trousers),
+            fabric: cloth(MaterialKind::Corduroy, c.legs.trousers),
             ease_cm: [1.0, 2.3],
             slack: 0.022,
             gather: 1.3,
@@ -248,12 +244,12 @@ fn cardigan(wearer: &Wearer<'_>, c: &Cardigan) -> Dressed {
         },
         &ShoeCut {
             style: ShoeStyle::Leather,
-            upper: leather(c.shoe),
-            sole: leather(c.sole),
-            lace: leather(c.sole),
+            upper: leather(c.legs.shoe),
+            sole: leather(c.legs.sole),
+            lace: leather(c.legs.sole),
             width: 1.03,
         },
-        c.sock,
+        c.legs.sock,
     );
     let vee = Vee::of(wearer);
     shirt(&mut made, wearer, c, &vee);
@@ -300,6 +296,10 @@ fn cardigan(wearer: &Wearer<'_>, c: &Cardigan) -> Dressed {
     );
     made.parts.push(trim(wearer, &edge, rib));
     made.surface.append(edge);
+    let collar = shirt_collar(wearer, &lay);
+    let woven = cloth(MaterialKind::Woven, c.shirt);
+    made.parts.push(trim(wearer, &collar, woven));
+    made.surface.append(collar);
     let hem = top
         .hem
         .iter()
@@ -456,9 +456,6 @@ fn shirt(made: &mut Dressed, wearer: &Wearer<'_>, c: &Cardigan, vee: &Vee) {
             leather([0.6, 0.59, 0.55]),
         ));
     }
-    let collar = shirt_collar(wearer);
-    made.parts.push(trim(wearer, &collar, woven));
-    made.surface.append(collar);
     cuffs(made, wearer, woven);
 }
 
@@ -486,6 +483,7 @@ fn cuffs(made: &mut Dressed, wearer: &Wearer<'_>, fabric: Fabric) {
             thickness: 0.16 * unit,
             ease: 0.92 * unit,
             regions: Regions::UPPER,
+            billow: 0.0,
             every: 1,
         };
         let edge = super::band::along_edge(&sheet.shell, &ring, &band, wearer.field);
@@ -498,7 +496,7 @@ fn hoodie(wearer: &Wearer<'_>, c: &Hoodie) -> Dressed {
     let (mut made, trousers) = below(
         wearer,
         &TrouserCut {
-            fabric: cloth(MaterialKind::Denim, c.denim),
+            fabric: cloth(MaterialKind::Denim, c.legs.trousers),
             ease_cm: [0.95, 1.9],
             slack: 0.03,
             gather: 1.35,
@@ -508,12 +506,12 @@ fn hoodie(wearer: &Wearer<'_>, c: &Hoodie) -> Dressed {
         },
         &ShoeCut {
             style: ShoeStyle::Sneaker,
-            upper: cloth(MaterialKind::Woven, c.shoe),
-            sole: leather(c.sole),
+            upper: cloth(MaterialKind::Woven, c.legs.shoe),
+            sole: leather(c.legs.sole),
             lace: leather(c.lace),
             width: 1.0,
         },
-        c.sock,
+        c.legs.sock,
     );
     let fleece = cloth(MaterialKind::Fleece, c.fleece);
     let cut = TopCut {
@@ -536,6 +534,7 @@ fn hoodie(wearer: &Wearer<'_>, c: &Hoodie) -> Dressed {
         thickness: 0.35 * unit,
         ease: 0.8 * unit,
         regions: Regions::ALL,
+        billow: 0.0,
         every: 1,
     };
     add(&mut made, [top.band(wearer, &top.neck, &neckband, fleece)]);

@@ -23,11 +23,11 @@ struct Model {
 
 fn make(name: &'static str) -> Model {
     let params = preset(name).unwrap();
-    let joints = Joints::place(&params.body);
-    let field = Field::new(&params.body, &joints);
+    let joints = Joints::place(&params.body());
+    let field = Field::new(&params.body(), &joints);
     let cage = Cage::new(&field, &joints);
     let clothes = dress(
-        &Wearer::new(&params.body, &field, &cage, &joints),
+        &Wearer::new(&params.body(), &field, &cage, &joints),
         &params.wardrobe,
     );
     let eye = joints.at(Bone::Skull);
@@ -38,7 +38,7 @@ fn make(name: &'static str) -> Model {
         face: FacePlaces {
             eye_centres: [eye, eye],
         },
-        stature_m: params.body.stature_m,
+        stature_m: params.person.stature_m,
         lid_closure_rad: [0.6; 2],
         pieces: clothes.parts.iter().cloned().map(Piece::from).collect(),
         images: Vec::new(),

@@ -279,6 +279,7 @@ impl Top {
             thickness: 0.3 * unit,
             ease: hem_ease_cm * unit,
             regions: Regions::LOWER,
+            billow: 0.0,
             every: 1,
         };
         let (mut part, mut shell) = self.band(wearer, &self.hem, &hem, rib);
@@ -301,6 +302,7 @@ impl Top {
                 thickness: 0.25 * unit,
                 ease: cuff_ease_cm * unit,
                 regions: Regions::UPPER,
+                billow: 0.0,
                 every: 1,
             };
             out.push(self.band(wearer, cuff, &band, rib));

@@ -108,6 +108,7 @@ fn edge_band(cut: &TrouserCut, is_leg: bool, unit: f64) -> Band {
         thickness: thickness * unit,
         ease: ease * unit,
         regions: Regions::LOWER,
+        billow: 0.0,
         every: 1,
     }
 }

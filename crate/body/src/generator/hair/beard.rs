@@ -22,8 +22,9 @@ pub struct BeardParams {
 }
 
 /// Tufts, their share of the full length and their width in metres: short ones near the
-/// skin, then those that show.
-const TUFTS: [(usize, f64, f64); 2] = [(150, 0.62, 0.0062), (330, 0.85, 0.0042)];
+/// skin, then those that show. They are wide and hold single hairs: a narrow card that is
+/// filled would look like a chip.
+const TUFTS: [(usize, f64, f64); 2] = [(150, 0.62, 0.0095), (330, 0.85, 0.0080)];
 /// Upper edge of a beard by distance from the middle, on the common head, mm: under the
 /// nose, the mouth's corner, the cheek, before the ear. Chosen by eye.
 const EDGE: [[f64; 2]; 7] = [
@@ -32,8 +33,8 @@ const EDGE: [[f64; 2]; 7] = [
     [30.0, -40.0],
     [38.0, -46.0],
     [52.0, -34.0],
-    [66.0, -12.0],
-    [76.0, 20.0],
+    [66.0, -27.0],
+    [76.0, -20.0],
 ];
 /// Height of the lips' middle on the common head, mm.
 const LIPS_Y: f64 = -46.0;
@@ -207,11 +208,6 @@ pub(super) fn beard(
             }
             let hold = ride.holds(root, 3);
             let weights = ride.weights(&hold);
-            let weave = if layer == 0 || on_lip {
-                Weave::Dense
-            } else {
-                Weave::Loose
-            };
             let [r, g, b] = palette.lock(seed ^ 5, id, 0.05);
             let base = part.vertices.len() as u32;
             let across_it = direction.cross(n).normalize_or_zero();
@@ -220,11 +216,11 @@ pub(super) fn beard(
                 let middle = root - n * 0.0006
                     + direction * (length * t)
                     + (DVec3::NEG_Y - n * 0.15) * (0.18 * length * t * t);
-                let half = 0.5 * width * lerp(1.0, if layer == 0 { 0.5 } else { 0.28 }, t);
+                let half = 0.5 * width * lerp(1.0, if layer == 0 { 0.7 } else { 0.5 }, t);
                 for (u, sign) in [(0.0, -1.0), (1.0, 1.0)] {
                     part.vertices.push(PartVertex {
                         position: middle + across_it * (sign * half),
-                        uv: [across(weave, dice(9), u), t],
+                        uv: [across(Weave::Wisp, dice(9), u), t],
                         color: [
                             r,
                             g,

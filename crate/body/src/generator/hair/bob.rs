@@ -12,7 +12,7 @@ use crate::skeleton::{Bone, Drive};
 const fn layer(cards: usize, height: f64, width: f64, open: [f64; 2], length: f64) -> Layer {
     Layer {
         cards,
-        spans: 8,
+        spans: 10,
         height,
         width,
         open,
@@ -22,12 +22,12 @@ const fn layer(cards: usize, height: f64, width: f64, open: [f64; 2], length: f6
 }
 
 const LAYERS: [Layer; 7] = [
-    layer(66, 0.0035, 0.032, [0.55, 0.60], 1.0),
-    layer(110, 0.0075, 0.027, [0.65, 0.75], 1.0),
-    layer(126, 0.0112, 0.023, [0.76, 0.92], 1.0),
+    layer(66, 0.0035, 0.032, [0.66, 0.70], 1.0),
+    layer(110, 0.0075, 0.027, [0.76, 0.83], 1.0),
+    layer(126, 0.0112, 0.023, [0.84, 0.95], 1.0),
     Layer {
         weave: Weave::Loose,
-        ..layer(66, 0.0135, 0.018, [0.8, 1.0], 1.0)
+        ..layer(66, 0.0130, 0.018, [0.88, 1.0], 1.0)
     },
     // Fine hair along the hairline hides where the others begin.
     Layer {
@@ -55,10 +55,10 @@ const LAYERS: [Layer; 7] = [
     },
     // A few hairs stand off.
     Layer {
-        cards: 26,
-        spans: 7,
-        height: 0.0150,
-        width: 0.011,
+        cards: 20,
+        spans: 8,
+        height: 0.0128,
+        width: 0.008,
         open: [0.9, 1.0],
         length: 0.9,
         weave: Weave::Wisp,

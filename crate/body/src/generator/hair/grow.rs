@@ -237,10 +237,11 @@ fn strand(
         curve,
         normals,
         width: layer.width * lerp(0.55, 1.0, dense) * ground.size() * (1.0 + 0.25 * random(3)),
+        // At the line a broad root would be seen as a blunt end on the bare skin.
         root: if layer.roots == Where::Hairline {
             0.15
         } else {
-            0.5
+            lerp(0.12, 0.5, dense)
         },
         tip: if full { 0.62 } else { 0.4 },
         weave: layer.weave,
@@ -284,7 +285,7 @@ fn thinned(curve: &[DVec3], normals: &[DVec3], spans: usize) -> (Vec<DVec3>, Vec
     let last = curve.len() - 1;
     (0..=spans)
         .map(|i| {
-            let t = ops::pow(i as f64 / spans as f64, 1.2) * last as f64;
+            let t = ops::pow(i as f64 / spans as f64, 1.5) * last as f64;
             let k = (t as usize).min(last - 1);
             let f = t - k as f64;
             let n = normals[k].lerp(normals[k + 1], f);

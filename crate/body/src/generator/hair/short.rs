@@ -40,15 +40,15 @@ const SWEPT: [Layer; 5] = [
     },
     Layer {
         weave: Weave::Wisp,
-        ..layer(40, 4, 0.0110, 0.010, [0.9, 1.0])
+        ..layer(40, 4, 0.0105, 0.007, [0.9, 1.0])
     },
     fine(120, 0.008, 0.032),
 ];
 
 const TOUSLED: [Layer; 5] = [
-    layer(120, 4, 0.0040, 0.021, [0.5, 0.6]),
-    layer(200, 5, 0.0085, 0.018, [0.62, 0.85]),
-    layer(190, 5, 0.0125, 0.016, [0.72, 1.0]),
+    layer(120, 4, 0.0040, 0.021, [0.62, 0.72]),
+    layer(200, 5, 0.0085, 0.018, [0.70, 0.88]),
+    layer(190, 5, 0.0125, 0.016, [0.78, 1.0]),
     Layer {
         weave: Weave::Loose,
         ..layer(90, 5, 0.0160, 0.012, [0.85, 1.0])
@@ -128,7 +128,7 @@ impl Cut for Short {
     fn locks(&self) -> Locks {
         let (count, gather, unruly) = match self.style {
             HairStyle::Swept => (70, 0.35, 0.22),
-            HairStyle::Tousled => (70, 0.62, 0.62),
+            HairStyle::Tousled => (90, 0.42, 0.50),
             HairStyle::Buzz => (40, 0.0, 0.2),
             _ => (90, 0.35, 0.28),
         };

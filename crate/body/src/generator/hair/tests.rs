@@ -18,7 +18,10 @@ fn people() -> &'static [(Head, HairParams)] {
             .iter()
             .map(|n| {
                 let p = preset(n).unwrap();
-                (head::build(&p.head), p.hair)
+                (
+                    head::build(&p.person, &p.head, p.hair.colour.linear_rgb()),
+                    p.hair,
+                )
             })
             .collect()
     })

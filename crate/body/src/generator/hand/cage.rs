@@ -64,10 +64,10 @@ const NAIL_RING: [(f64, f64); 8] = [
 
 /// Joint coordinates of the rings: three around every joint.
 const STATIONS: [f64; 13] = [
-    0.51, 0.72, 0.87, 1.0, 1.13, 1.34, 1.62, 1.83, 2.0, 2.16, 2.36, 2.66, 2.92,
+    0.51, 0.72, 0.87, 1.0, 1.13, 1.34, 1.62, 1.83, 2.0, 2.16, 2.30, 2.62, 2.92,
 ];
 const THUMB_STATIONS: [f64; 13] = [
-    0.45, 0.68, 0.84, 1.05, 1.22, 1.44, 1.70, 1.86, 2.0, 2.14, 2.34, 2.66, 2.92,
+    0.45, 0.68, 0.84, 1.05, 1.22, 1.44, 1.70, 1.86, 2.0, 2.14, 2.28, 2.62, 2.92,
 ];
 /// The thumb's first rings lean with the web: joint coordinate of each of the 8 vertices.
 const THUMB_TILT: [[f64; 8]; 4] = [
@@ -77,7 +77,7 @@ const THUMB_TILT: [[f64; 8]; 4] = [
     [1.04, 1.04, 1.04, 1.07, 1.1, 1.12, 1.1, 1.07],
 ];
 /// Ring (counting the web ring as 0) at which the nail's patch of 2 × 2 faces starts.
-const NAIL_RING_START: usize = 10;
+const NAIL_RING_START: usize = 11;
 
 /// Vertices around the thumb's hole are placed on the surface by hand: row beyond
 /// [`HOLE`], column, position.
@@ -321,7 +321,7 @@ impl Builder<'_> {
         let stations = if f == 0 { THUMB_STATIONS } else { STATIONS };
         let mut rings = vec![first];
         for (j, q) in stations.into_iter().enumerate() {
-            let shape = if (9..=11).contains(&j) {
+            let shape = if (9..=12).contains(&j) {
                 NAIL_RING
             } else {
                 RING
@@ -364,7 +364,8 @@ impl Builder<'_> {
     }
 
     /// Two loops inside the nail's patch follow the outline of the plate, so that the fold
-    /// around it has vertices to stand on.
+    /// around it has vertices to stand on. Towards the free edge, which has no fold, they
+    /// stay behind and within the end of the finger.
     fn build_nail_bed(&mut self, f: usize, around: [u32; 8], centre: u32) {
         let nail = Nail::of(f);
         let middle = (nail.root + nail.end) / 2.0;
@@ -374,13 +375,15 @@ impl Builder<'_> {
         let mut outer = around;
         for (widen, lengthen) in [(1.08, 0.06), (0.90, -0.05)] {
             let inner: [u32; 8] = core::array::from_fn(|k| {
-                let beyond = if q[k] == m {
-                    0.0
+                let (beyond, narrow) = if q[k] == m {
+                    (0.0, 1.0)
+                } else if q[k] < m {
+                    (-lengthen, 1.0)
                 } else {
-                    lengthen * (q[k] - m).signum()
+                    (lengthen - 0.11, 0.75)
                 };
                 let depth = if k == 1 || k == 5 { -0.92 } else { -0.72 };
-                let p = self.on_finger(f, q[k] + beyond, x[k] * nail.width * widen, depth);
+                let p = self.on_finger(f, q[k] + beyond, x[k] * nail.width * widen * narrow, depth);
                 self.add_owned(f, 1.0, p)
             });
             for k in 0..8 {

@@ -156,7 +156,7 @@ fn gap(posed: &[Vec<Sample>; FINGER_COUNT], a: (usize, usize), b: (usize, usize)
 }
 
 fn woman() -> Model {
-    Model::new(&HandParams::woman(1.66, [0.5; 3]), Side::Left)
+    Model::new(&mean_hand(1.0, 35.0, 1.66, [0.5; 3]), Side::Left)
 }
 
 #[test]
@@ -177,7 +177,7 @@ fn fingers_of_no_shape_pass_through_each_other() {
 #[test]
 fn other_hands_hold_the_shapes_too() {
     for (sex, age, stature) in [(0.0, 35.0, 1.756), (0.0, 70.0, 1.72), (0.0, 9.0, 1.34)] {
-        let model = Model::new(&HandParams::of(sex, age, stature, [0.5; 3]), Side::Right);
+        let model = Model::new(&mean_hand(sex, age, stature, [0.5; 3]), Side::Right);
         for shape in HandShape::ALL {
             let (entry, where_) = worst(&model.posed(shape.angles()));
             // Angles are solved for one hand; thicker fingers press a little deeper.

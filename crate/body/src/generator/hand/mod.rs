@@ -41,6 +41,7 @@ use self::field::Field;
 use self::surface::Skin;
 use self::weights::Influence;
 use super::part::{Part, PartVertex};
+use super::people::Person;
 use super::skin::HandSheet;
 use crate::figure::{Maps, Material, MaterialKind};
 use crate::hand_shape::HandAngles;
@@ -49,8 +50,26 @@ use crate::skeleton::{Bone, zero_frames};
 /// The angles of the hand's bind pose.
 pub const BIND_ANGLES: HandAngles = anatomy::BIND_ANGLES;
 
-/// Measures of a hand.
+/// A hand against the mean of its owner's sex, age and stature; 1 is as long and as broad.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct HandProportions {
+    /// Length.
+    pub length: f64,
+    /// Breadth.
+    pub breadth: f64,
+}
+
+impl Default for HandProportions {
+    fn default() -> Self {
+        Self {
+            length: 1.0,
+            breadth: 1.0,
+        }
+    }
+}
+
+/// Measures of a hand.
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HandParams {
     /// 0 male to 1 female.
     pub sex: f64,
@@ -77,34 +96,40 @@ const WOMAN: [f64; 3] = [0.1811 / 1.63, 0.0782 / 1.63, 0.239 / 1.63];
 const MAN: [f64; 3] = [0.1933 / 1.756, 0.0883 / 1.756, 0.268 / 1.756];
 
 impl HandParams {
-    /// The mean hand of a sex (0 male to 1 female), an age in years and a stature in metres.
+    /// A person's hand.
     #[must_use]
-    pub fn of(sex: f64, age_years: f64, stature_m: f64, skin_color: [f64; 3]) -> Self {
-        let child = 1.0 - curve::smooth((age_years - 8.0) / 10.0);
+    pub fn of(person: &Person, proportions: &HandProportions, skin_color: [f64; 3]) -> Self {
+        let child = 1.0 - curve::smooth((person.age_years - 8.0) / 10.0);
         let [length, breadth, forearm] = core::array::from_fn(|i| {
-            curve::lerp(curve::lerp(MAN[i], WOMAN[i], sex), CHILD[i], child) * stature_m
+            let adult = curve::lerp(MAN[i], WOMAN[i], person.sex);
+            curve::lerp(adult, CHILD[i], child) * person.stature_m
         });
         Self {
-            sex,
-            age_years,
-            length_m: length,
-            breadth_m: breadth,
+            sex: person.sex,
+            age_years: person.age_years,
+            length_m: length * proportions.length,
+            breadth_m: breadth * proportions.breadth,
             forearm_length_m: forearm,
             skin_color,
         }
     }
+}
 
-    /// A woman of 35 of a stature in metres.
-    #[must_use]
-    pub fn woman(stature_m: f64, skin_color: [f64; 3]) -> Self {
-        Self::of(1.0, 35.0, stature_m, skin_color)
-    }
-
-    /// A man of 35 of a stature in metres.
-    #[must_use]
-    pub fn man(stature_m: f64, skin_color: [f64; 3]) -> Self {
-        Self::of(0.0, 35.0, stature_m, skin_color)
-    }
+/// The mean hand of a sex, an age in years and a stature in metres.
+#[cfg(test)]
+pub(super) fn mean_hand(
+    sex: f64,
+    age_years: f64,
+    stature_m: f64,
+    skin_color: [f64; 3],
+) -> HandParams {
+    let person = Person {
+        sex,
+        age_years,
+        stature_m,
+        build: 0.0,
+    };
+    HandParams::of(&person, &HandProportions::default(), skin_color)
 }
 
 /// A hand in the hand frame (see the [module](self)).

@@ -3,13 +3,15 @@
 use raconteur_base::{DAffine3, mirror_vector};
 
 use super::*;
-use crate::generator::subdivide::{edge_faces, welded};
+use crate::generator::crossing::crossings;
+use crate::generator::subdivide::{edge_faces, vertex_normals, welded};
+use crate::generator::{assemble, people};
 use crate::hand_shape::{HandShape, finger_bones};
 use crate::pose::Pose;
 use crate::skeleton::{Drive, FacePlaces, Skeleton};
 
 fn sofia(side: Side) -> Hand {
-    build(&HandParams::woman(1.66, [0.5, 0.285, 0.205]), side)
+    build(&mean_hand(1.0, 35.0, 1.66, [0.5, 0.285, 0.205]), side)
 }
 
 #[test]
@@ -46,6 +48,41 @@ fn faces_look_outwards() {
                 })
                 .sum();
             assert!(volume > 1e-7, "{} {volume}", part.name);
+        }
+    }
+}
+
+/// The hands of the three figures, left.
+fn shipped() -> impl Iterator<Item = (&'static str, Hand)> {
+    people::NAMES.into_iter().filter_map(|name| {
+        let params = people::preset(name)?.hands();
+        Some((name, build(&params, Side::Left)))
+    })
+}
+
+#[test]
+fn no_skin_crosses_itself_or_folds_over() {
+    for (name, hand) in shipped() {
+        let skin = &hand.parts[0];
+        let points: Vec<DVec3> = skin.vertices.iter().map(|v| v.position).collect();
+        let faces = welded(&points, &skin.faces);
+        let triangles: Vec<[u32; 3]> = faces
+            .iter()
+            .flat_map(|f| assemble::triangles(f, &points))
+            .collect();
+        let found = crossings(&points, &triangles);
+        let first = found
+            .first()
+            .map(|&[a, _]| points[triangles[a][0] as usize]);
+        assert!(found.is_empty(), "{name}: {} at {first:?}", found.len());
+        let normals = vertex_normals(&points, &faces);
+        for t in triangles {
+            let [a, b, c] = t.map(|v| points[v as usize]);
+            let across = (b - a).cross(c - a);
+            let mean: DVec3 = t.iter().map(|&v| normals[v as usize]).sum();
+            // Half a hundredth of a square millimetre.
+            assert!(across.length() > 1e-8, "{name}: {} at {a}", across.length());
+            assert!(across.dot(mean) > 0.0, "{name}: {a}");
         }
     }
 }
@@ -88,7 +125,7 @@ fn weights_sum_to_one_over_at_most_four_joints_of_the_skeleton() {
 
 #[test]
 fn length_breadth_and_detail_are_as_asked() {
-    let params = HandParams::man(1.756, [0.45, 0.25, 0.18]);
+    let params = mean_hand(0.0, 35.0, 1.756, [0.45, 0.25, 0.18]);
     let hand = build(&params, Side::Left);
     let skin = &hand.parts[0];
     let tip = skin
@@ -214,7 +251,7 @@ fn a_fist_closes_and_a_pinch_meets() {
 #[test]
 fn the_bones_lie_inside_the_hand() {
     for (sex, age, stature) in [(1.0, 35.0, 1.66), (0.0, 70.0, 1.72), (0.0, 9.0, 1.34)] {
-        let params = HandParams::of(sex, age, stature, [0.5, 0.3, 0.2]);
+        let params = mean_hand(sex, age, stature, [0.5, 0.3, 0.2]);
         let anatomy = Anatomy::new(Look::of(sex, age));
         let field = Field::new(&anatomy);
         let cage = cage::build(&anatomy, &field);
@@ -319,7 +356,7 @@ fn hands_of_both_sexes_measure_as_surveys_say() {
     };
     let mut segments = [[0.0; 4]; 4];
     for (sex, stature, survey) in ansur {
-        let params = HandParams::of(sex, 35.0, stature, [0.5; 3]);
+        let params = mean_hand(sex, 35.0, stature, [0.5; 3]);
         let hand = build(&params, Side::Left);
         let anatomy = Anatomy::new(Look::of(sex, 35.0));
         let place = {

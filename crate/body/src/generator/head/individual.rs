@@ -9,6 +9,7 @@ use super::form::{CHILD, Form, MAN, OLD, SMILE, WOMAN};
 use super::measure::{DEFINITIONS, Definition, Take};
 use super::points::{Individual, points};
 use super::solve;
+use crate::generator::people::Person;
 use crate::generator::statistics::Row;
 
 /// How much of a child of nine there is at an age: growth of the face ends at about 18.
@@ -23,8 +24,7 @@ fn ageing(age_years: f64) -> f64 {
 
 /// The person's forms with the measures that are given in millimetres; the others are not
 /// yet set.
-fn untuned(params: &HeadParams) -> Individual {
-    let person = params.person;
+fn untuned(person: &Person, params: &HeadParams) -> Individual {
     let child = childhood(person.age_years);
     // Girls and boys differ little before puberty.
     let sex = (2.0 * person.sex - 1.0).clamp(-1.0, 1.0) * (1.0 - 0.8 * child.min(1.0));
@@ -61,11 +61,11 @@ const OWN_MEAN_SHARE: f64 = 0.5;
 const TABLE_AGE_YEARS: f64 = 28.0;
 
 /// What each known measure shall be, mm.
-fn targets(params: &HeadParams) -> Vec<f64> {
+fn targets(person: &Person, params: &HeadParams) -> Vec<f64> {
     let mean_head = |key: Key| mean_points_at(key);
     known()
         .map(|(d, row, take)| {
-            let norm = row.at(params.person.sex, params.person.age_years);
+            let norm = row.at(person.sex, person.age_years);
             let own = take(&mean_head) - row.at(0.5, TABLE_AGE_YEARS).mean;
             norm.mean + own * OWN_MEAN_SHARE + params.measures.get(d.measure) * norm.sd
         })
@@ -156,9 +156,9 @@ fn solve_dense(mut a: Vec<Vec<f64>>, mut b: Vec<f64>) -> Vec<f64> {
 }
 
 /// The person with all measures set.
-pub(crate) fn individual(params: &HeadParams, cage: &Cage) -> Individual {
-    let base = untuned(params);
-    let wanted = targets(params);
+pub(crate) fn individual(person: &Person, params: &HeadParams, cage: &Cage) -> Individual {
+    let base = untuned(person, params);
+    let wanted = targets(person, params);
     let mut aims = wanted.clone();
     let mut amounts = vec![0.0; wanted.len()];
     tune(&base, &aims, &mut amounts);
@@ -181,25 +181,30 @@ fn complete(base: &Individual, amounts: &[f64]) -> Individual {
     all
 }
 
+/// Whose head a named figure's is; of another name the mean adult's, midway between the
+/// sexes.
+#[cfg(test)]
+pub(super) fn one(name: &str) -> (Person, HeadParams) {
+    let mean = || {
+        let person = Person {
+            sex: 0.5,
+            age_years: TABLE_AGE_YEARS,
+            stature_m: 1.7,
+            build: 0.0,
+        };
+        (person, HeadParams::default())
+    };
+    crate::generator::people::preset(name).map_or_else(mean, |p| (p.person, p.head))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::generator::head::{Measure, Measures};
-    use crate::generator::people;
 
-    fn mean_adult() -> HeadParams {
-        let mut head = HeadParams::sofia();
-        head.person.sex = 0.5;
-        head.person.age_years = TABLE_AGE_YEARS;
-        head.smile = 0.0;
-        head.asymmetry = 0.0;
-        head.measures = Measures::default();
-        head
-    }
-
-    fn tuned(params: &HeadParams) -> Vec<f64> {
-        let base = untuned(params);
-        let wanted = targets(params);
+    fn tuned(person: &Person, params: &HeadParams) -> Vec<f64> {
+        let base = untuned(person, params);
+        let wanted = targets(person, params);
         let mut amounts = vec![0.0; wanted.len()];
         tune(&base, &wanted, &mut amounts);
         distances(&complete(&base, &amounts))
@@ -208,8 +213,8 @@ mod tests {
     #[test]
     fn each_measure_moves_by_its_parameter_and_leaves_the_others() {
         for name in ["mean", "sofia", "papous", "nuno"] {
-            let params = people::preset(name).map_or_else(mean_adult, |p| p.head);
-            let before = tuned(&params);
+            let (who, params) = one(name);
+            let before = tuned(&who, &params);
             for (i, (d, row, _)) in known().enumerate() {
                 for step in [-1.0, 1.0] {
                     let value = params.measures.get(d.measure) + step;
@@ -217,8 +222,8 @@ mod tests {
                         measures: params.measures.with(d.measure, value),
                         ..params
                     };
-                    let after = tuned(&moved);
-                    let sd = row.at(params.person.sex, params.person.age_years).sd;
+                    let after = tuned(&who, &moved);
+                    let sd = row.at(who.sex, who.age_years).sd;
                     for (k, ((a, b), (other, ..))) in
                         after.iter().zip(&before).zip(known()).enumerate()
                     {
@@ -242,11 +247,11 @@ mod tests {
     fn the_solved_surface_has_the_measures_asked_for() {
         let cage = Cage::new();
         for name in ["sofia", "papous", "nuno"] {
-            let params = people::preset(name).map_or_else(mean_adult, |p| p.head);
-            let person = individual(&params, &cage);
+            let (who, params) = one(name);
+            let person = individual(&who, &params, &cage);
             let solved = solve::solve(&cage, &points(&person));
             let at = |key: Key| solved.limit_of(cage.at(key, Side::Left), &solved.cage_points);
-            for ((d, _, take), want) in known().zip(targets(&params)) {
+            for ((d, _, take), want) in known().zip(targets(&who, &params)) {
                 let got = take(&at);
                 assert!(
                     (got - want).abs() < 1.0,
@@ -259,13 +264,14 @@ mod tests {
 
     #[test]
     fn designed_measures_move_the_face() {
-        let plain = points(&untuned(&mean_adult()));
+        let (who, mean) = one("mean");
+        let plain = points(&untuned(&who, &mean));
         for d in DEFINITIONS.iter().filter(|d| d.norm.is_none()) {
             let params = HeadParams {
                 measures: Measures::of(&[(d.measure, 1.0)]),
-                ..mean_adult()
+                ..mean
             };
-            let moved = points(&untuned(&params));
+            let moved = points(&untuned(&who, &params));
             let most = plain
                 .iter()
                 .map(|(key, p)| (moved[key] - *p).length())

@@ -55,28 +55,15 @@ use super::skin::HeadSheet;
 use crate::figure::{Maps, Material, MaterialKind};
 use crate::generator::subdivide::vertex_normals;
 
-/// Colours of a head beside its skin, linear RGB.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct HeadColours {
-    /// Hair.
-    pub hair: [f64; 3],
-    /// Brows; lashes are darker.
-    pub brow: [f64; 3],
-    /// Iris.
-    pub iris: [f64; 3],
-}
-
-/// What to build.
+/// What tells one head from another of the same sex and age.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct HeadParams {
-    /// Sex and age.
-    pub person: Person,
     /// Friendliness of the face at rest, 0 neutral to 1 a light smile.
     pub smile: f64,
     /// Measures of head and face against the mean for sex and age.
     pub measures: Measures,
-    /// Colours.
-    pub colours: HeadColours,
+    /// Colour of the iris, linear RGB.
+    pub iris: [f64; 3],
     /// Hairs of brows and lashes.
     pub brow: BrowParams,
     /// Strength of the natural differences between the two halves; 0 is mirror-symmetric,
@@ -86,27 +73,16 @@ pub struct HeadParams {
     pub seed: u64,
 }
 
-impl HeadParams {
-    /// A woman of about 35, warm and friendly.
-    #[must_use]
-    pub fn sofia() -> Self {
+impl Default for HeadParams {
+    /// The mean face with brown eyes.
+    fn default() -> Self {
         Self {
-            person: Person {
-                sex: 1.0,
-                age_years: 35.0,
-                stature_m: 1.66,
-                build: 0.0,
-            },
-            smile: 0.6,
+            smile: 0.0,
             measures: Measures::default(),
-            colours: HeadColours {
-                hair: [0.085, 0.038, 0.018],
-                brow: [0.11, 0.062, 0.038],
-                iris: [0.15, 0.085, 0.042],
-            },
+            iris: [0.15, 0.085, 0.042],
             brow: BrowParams::default(),
             asymmetry: 1.0,
-            seed: 3,
+            seed: 1,
         }
     }
 }
@@ -155,9 +131,9 @@ struct Shape {
 }
 
 impl Shape {
-    fn of(params: &HeadParams) -> Self {
+    fn of(person: &Person, params: &HeadParams) -> Self {
         let cage = Cage::new();
-        let individual = individual::individual(params, &cage);
+        let individual = individual::individual(person, params, &cage);
         Self::new(cage, individual, params.asymmetry, params.seed)
     }
 
@@ -194,10 +170,10 @@ impl Shape {
     }
 }
 
-/// Builds a head.
+/// Builds the head of a person. `hair_colour`, linear RGB, shines through where hair grows.
 #[must_use]
-pub fn build(params: &HeadParams) -> Head {
-    let shape = Shape::of(params);
+pub fn build(person: &Person, params: &HeadParams, hair_colour: [f64; 3]) -> Head {
+    let shape = Shape::of(person, params);
     let Shape {
         cage,
         solved,
@@ -250,7 +226,10 @@ pub fn build(params: &HeadParams) -> Head {
                 Side::Left
             };
             // What is dark only because lips and lids touch at rest must not stay so.
+            // So with the upper lid, which is folded away while the eye is open.
+            let lid = 0.78 * rig::smooth(1.6, 3.2, c.eye) * c.eye_upper.max(0.0);
             let least = 0.55 * rig::smooth(2.8, 3.6, c.mouth).max(rig::smooth(4.6, 5.2, c.eye));
+            let least = least.max(lid);
             let deep = 1.0 - 0.8 * rig::smooth(5.0, 7.5, c.mouth);
             PartVertex {
                 position: positions[v] * 1e-3,
@@ -277,8 +256,8 @@ pub fn build(params: &HeadParams) -> Head {
         rings: chart.of(coordinates),
         hair: chart.of(&hair),
         brow: chart.of(&positions.iter().map(|&p| line.stain(p)).collect::<Vec<_>>()),
-        hair_colour: params.colours.hair,
-        brow_colour: params.colours.brow,
+        hair_colour,
+        brow_colour: params.brow.colour,
         places: Some(&chart.places),
     };
     let lined: Vec<PartVertex> = vertices
@@ -314,7 +293,7 @@ pub fn build(params: &HeadParams) -> Head {
             side,
             eye_centres[side.index()],
             flesh,
-            params.colours.iris,
+            params.iris,
         ));
         let edge = |k: usize| shape.limit(Key::eye(5, k), side);
         let edges = [
@@ -322,7 +301,6 @@ pub fn build(params: &HeadParams) -> Head {
             (8..=16).rev().map(edge).collect(),
         ];
         let globe = eye_centres[side.index()];
-        let colour = params.colours.brow;
         parts.extend(strands::hairs(
             &ride,
             &line,
@@ -330,7 +308,6 @@ pub fn build(params: &HeadParams) -> Head {
             globe,
             side,
             params.seed,
-            colour,
             &params.brow,
         ));
     }

@@ -176,7 +176,12 @@ fn eye(all: &mut Points, rows: &[Row], centre: DVec3) {
             (8, 0.8, GLOBE_RADIUS_MM + 0.5),
         ] {
             let d = out * ops::cos(turn) + radial * ops::sin(turn);
-            all.insert(Key::eye(r, k), centre + d.normalize() * radius);
+            let mut lining = centre + d.normalize() * radius;
+            if (r, k) == (7, 8) {
+                // The outer corner leaves the globe; its lining would fold back on the lid.
+                lining += DVec3::new(0.6, 0.0, -0.3);
+            }
+            all.insert(Key::eye(r, k), lining);
         }
         let half = (crease[k] + margin[k]) / 2.0;
         let d = half - centre;
@@ -187,6 +192,10 @@ fn eye(all: &mut Points, rows: &[Row], centre: DVec3) {
 
 /// Height of the line where the lips meet, mm, at positions 0, 2, … 12.
 const CONTACT_MM: [f64; 7] = [-46.9, -46.6, -47.4, -48.3, -47.6, -46.8, -47.1];
+/// How far the named points of each lip keep from that line, mm, from the middle to the
+/// corner: the skin bulges by a tenth less between them, so that the lips touch there and do
+/// not pass into each other.
+const LIP_BULGE_MM: [f64; 7] = [0.66, 0.65, 0.62, 0.55, 0.53, 0.40, 0.0];
 
 fn mouth(all: &mut Points, rows: &[Row]) {
     let fixed: Points = rows.iter().map(|r| (r.key, r.base)).collect();
@@ -207,7 +216,10 @@ fn mouth(all: &mut Points, rows: &[Row]) {
             (CONTACT_MM[k / 2] + CONTACT_MM[k / 2 + 1]) / 2.0
         } + (moved[k] + moved[12 - k]) / 2.0;
         let mut p = roll[k];
-        p.y = 0.3 * p.y + 0.7 * (line + 0.02 * up);
+        let bulge = LIP_BULGE_MM[k.min(12 - k)] * up.signum();
+        p.y += bulge;
+        all.insert(Key::mouth(4, k), p);
+        p.y = 0.3 * p.y + 0.7 * (line + bulge);
         p.z -= 2.6;
         p.x *= 0.985;
         all.insert(Key::mouth(5, k), p);
@@ -251,7 +263,9 @@ fn nostril(all: &mut Points) {
     // A small nose has a shallow cavity, or it would pierce the ala.
     let reach = all[&Key::Grid(0, 11)].z - all[&Key::Grid(0, 15)].z;
     let rise = (reach / MEAN_PROTRUSION_MM).clamp(0.6, 1.1);
-    let up = DVec3::new(0.05, 0.92, 0.25) * (rise * rise);
+    let way = DVec3::new(0.05, 0.92, 0.25);
+    // Its rim rolls in less still, so that the lining has room behind it.
+    let (up, deeper) = (way * (rise * rise), way * ops::pow(rise, 1.5));
     for (k, &p) in rim.iter().enumerate() {
         let d = p - centre;
         let turn = ops::atan2(d.dot(across) / b, d.dot(long) / a);
@@ -263,8 +277,8 @@ fn nostril(all: &mut Points) {
             Key::nostril(1, k),
             centre + (d * 0.2 + round * 0.8) * 0.78 + up * 1.6,
         );
-        all.insert(Key::nostril(2, k), centre + round * 0.7 + up * 5.0);
-        let deep = round * 0.45 + up * 10.0 + DVec3::new(-1.0, 0.0, -2.0);
+        all.insert(Key::nostril(2, k), centre + round * 0.7 + deeper * 5.0);
+        let deep = round * 0.45 + deeper * 10.0 + DVec3::new(-1.0, 0.0, -2.0);
         all.insert(Key::nostril(3, k), centre + deep);
     }
 }

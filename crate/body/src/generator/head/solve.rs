@@ -36,8 +36,8 @@ pub(crate) type Terms = Vec<(u32, f64)>;
 const ROUNDS: usize = 6;
 const FEATURE_WEIGHT: f64 = 30.0;
 const AREA_WEIGHT: f64 = 0.9;
-/// Share of the tangential error that an area point corrects in a round.
-const SLIDE: f64 = 0.15;
+/// Where the ear's root begins on the side of the head.
+const BEFORE_EAR: Key = Key::Grid(12, 6);
 const TWIST: f64 = 0.7;
 
 /// Whether a point only says where the surface passes, and may slide on it.
@@ -65,9 +65,22 @@ fn soft_mouth_position(k: usize) -> bool {
     (3..=9).contains(&k)
 }
 
+/// Share of the tangential error that an area point corrects in a round. Beside the corner
+/// of the mouth and before the ear points are held back, or they would slide up to the lip's
+/// border and the ear's root and the faces between fold over.
+fn slide(key: Key) -> f64 {
+    match key {
+        Key::Grid(4, 16..=20) => 0.5,
+        BEFORE_EAR => 0.6,
+        _ => 0.15,
+    }
+}
+
 fn weight(key: Key) -> f64 {
     match key {
         Key::Ear(..) => 0.35 * FEATURE_WEIGHT,
+        BEFORE_EAR => 2.0,
+        Key::Grid(4, 16..=20) => 1.5,
         Key::Grid(..) if key.eye_position().is_some() => 1.2,
         Key::Grid(..)
             if key
@@ -271,7 +284,8 @@ pub(crate) fn solve(cage: &Cage, points: &Points) -> Solved {
                 let now = solved.limit_of(v, &solved.cage_points);
                 let error = p - now;
                 let along = normals[v] * error.dot(normals[v]);
-                *aim = now + along + (error - along) * SLIDE;
+                let slide = slide(cage.keys[v].0);
+                *aim = now + along + (error - along) * slide;
             }
         }
     }

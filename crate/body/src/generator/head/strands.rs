@@ -12,6 +12,8 @@ use crate::generator::part::{Part, PartVertex};
 /// Hairs of brows and lashes.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct BrowParams {
+    /// Colour of the brows, linear RGB; lashes are darker.
+    pub colour: [f64; 3],
     /// How many hairs a brow has against the usual, 0.3..1.6.
     pub density: f64,
     /// Length of its hairs against the usual, 0.5..2.
@@ -31,6 +33,7 @@ pub struct BrowParams {
 impl Default for BrowParams {
     fn default() -> Self {
         Self {
+            colour: [0.11, 0.062, 0.038],
             density: 1.0,
             length: 1.0,
             height: 1.0,
@@ -334,9 +337,9 @@ pub(crate) fn hairs(
     globe: DVec3,
     side: Side,
     seed: u64,
-    color: [f64; 3],
     p: &BrowParams,
 ) -> Vec<Part> {
+    let color = p.colour;
     let letter = if side == Side::Left { "left" } else { "right" };
     let brow = brow(ride, line, side, seed, p);
     let mut lash = lashes(&edges[0], globe, true, side, seed, p);

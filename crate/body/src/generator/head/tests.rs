@@ -1,44 +1,48 @@
 //! What must hold for every head.
 
-use std::collections::BTreeMap;
 use std::sync::OnceLock;
 
-use raconteur_base::{DQuat, DVec3, Side, mirror_vector};
+use raconteur_base::{DQuat, DVec3, Side};
 
 use super::*;
+use crate::generator::assemble;
+use crate::generator::crossing::{crossings, farthest_from_mirrored};
+use crate::generator::people::{NAMES, preset};
 use crate::generator::subdivide::{edge_faces, welded};
 use crate::skeleton::{Bone, Drive};
 
-fn params(name: &str) -> HeadParams {
-    crate::generator::people::preset(name).map_or_else(HeadParams::sofia, |p| p.head)
+fn symmetric_shape(name: &str) -> Shape {
+    let (person, head) = individual::one(name);
+    let head = HeadParams {
+        asymmetry: 0.0,
+        ..head
+    };
+    Shape::of(&person, &head)
+}
+
+/// The heads of the three figures.
+fn heads() -> impl Iterator<Item = (&'static str, &'static Head)> {
+    static HEADS: OnceLock<[Head; 3]> = OnceLock::new();
+    let heads = HEADS.get_or_init(|| {
+        NAMES.map(|name| {
+            let p = preset(name).unwrap();
+            build(&p.person, &p.head, p.hair.colour.linear_rgb())
+        })
+    });
+    NAMES.into_iter().zip(heads)
 }
 
 fn sofia() -> &'static Head {
-    static HEAD: OnceLock<Head> = OnceLock::new();
-    HEAD.get_or_init(|| build(&params("sofia")))
+    heads().next().map(|h| h.1).unwrap()
 }
 
 fn symmetric() -> &'static Shape {
     static SHAPE: OnceLock<Shape> = OnceLock::new();
-    SHAPE.get_or_init(|| {
-        Shape::of(&HeadParams {
-            asymmetry: 0.0,
-            ..HeadParams::sofia()
-        })
-    })
-}
-
-fn part(name: &str) -> &'static Part {
-    sofia()
-        .parts
-        .iter()
-        .find(|p| p.name == name)
-        .unwrap_or_else(|| panic!("a part {name}"))
+    SHAPE.get_or_init(|| symmetric_shape("sofia"))
 }
 
 /// Skins a vertex with the given turns of jaw and left upper lid.
-fn skinned(v: &PartVertex, offset: DVec3, jaw_rad: f64, lid_rad: f64) -> DVec3 {
-    let head = sofia();
+fn skinned(head: &Head, v: &PartVertex, offset: DVec3, jaw_rad: f64, lid_rad: f64) -> DVec3 {
     let p = v.position + offset;
     let mut sum = DVec3::ZERO;
     for &(joint, w) in &v.weights {
@@ -54,26 +58,29 @@ fn skinned(v: &PartVertex, offset: DVec3, jaw_rad: f64, lid_rad: f64) -> DVec3 {
 
 #[test]
 fn no_edge_has_three_faces_and_only_neck_lips_and_lid_linings_are_open() {
-    for (p, name) in sofia().parts.iter().map(|p| (p, &p.name)) {
-        let edges = edge_faces(&p.faces);
-        assert!(edges.values().all(|f| f.len() <= 2), "{name}");
-        assert!(
-            p.faces.iter().all(|f| f.len() == 3 || f.len() == 4),
-            "{name}"
-        );
-    }
-    let skin = part("head");
-    let positions: Vec<DVec3> = skin.vertices.iter().map(|v| v.position).collect();
-    for (&(a, b), faces) in &edge_faces(&welded(&positions, &skin.faces)) {
-        if faces.len() == 1 {
+    for (who, head) in heads() {
+        for p in &head.parts {
+            let edges = edge_faces(&p.faces);
+            let at = format!("{who} {}", p.name);
+            assert!(edges.values().all(|f| f.len() <= 2), "{at}");
+            assert!(p.faces.iter().all(|f| f.len() == 3 || f.len() == 4), "{at}");
+        }
+        let skin = &head.parts[0];
+        let positions: Vec<DVec3> = skin.vertices.iter().map(|v| v.position).collect();
+        let edges = edge_faces(&welded(&positions, &skin.faces));
+        assert!(edges.values().all(|f| f.len() <= 2), "{who}");
+        let lips = head.parts[1].vertices.iter().map(|v| v.position);
+        let lips: Vec<DVec3> = lips.collect();
+        for (&(a, b), _) in edges.iter().filter(|e| e.1.len() == 1) {
             for v in [a, b] {
                 let p = skin.vertices[v as usize].position;
                 let neck = p.y < -0.13;
-                let lips = p.x.abs() < 0.03 && (-0.053..-0.04).contains(&p.y);
-                let mut globes = sofia().eye_centres.iter();
+                // There the bag goes on.
+                let lip = lips.contains(&p);
+                let mut globes = head.eye_centres.iter();
                 // The lids' lining ends behind the front of the globe.
                 let lining = globes.any(|c| (p - *c).length() < 0.0135 && p.z < c.z + 0.009);
-                assert!(neck || lips || lining, "{p}");
+                assert!(neck || lip || lining, "{who} {p}");
             }
         }
     }
@@ -81,28 +88,22 @@ fn no_edge_has_three_faces_and_only_neck_lips_and_lid_linings_are_open() {
 
 #[test]
 fn without_asymmetry_the_halves_mirror_each_other() {
-    let cell = |p: DVec3| (p * 2.0).round().to_array().map(|x| x as i64);
-    let shape = symmetric();
-    let mut by_cell: BTreeMap<[i64; 3], Vec<DVec3>> = BTreeMap::new();
-    for &p in &shape.positions {
-        by_cell.entry(cell(p)).or_default().push(p);
-    }
-    for &p in &shape.positions {
-        let q = mirror_vector(p);
-        let [x, y, z] = cell(q);
-        let near =
-            (-1..=1).flat_map(|i| (-1..=1).flat_map(move |j| (-1..=1).map(move |k| [i, j, k])));
-        let found = near
-            .filter_map(|[i, j, k]| by_cell.get(&[x + i, y + j, z + k]))
-            .flatten()
-            .any(|r| (*r - q).length() < 0.1);
-        assert!(found, "{p}");
+    for (who, shape) in symmetric_people() {
+        let far = farthest_from_mirrored(&shape.positions, 0.5);
+        assert!(far < 0.1, "{who}: {far} mm");
     }
 }
 
 #[test]
 fn closed_lids_leave_no_slit() {
-    let shape = symmetric();
+    for (who, shape) in symmetric_people() {
+        let slit = largest_slit(shape);
+        assert!(slit < 0.5, "{who}: {slit} mm");
+    }
+}
+
+/// Between closed lids, mm.
+fn largest_slit(shape: &Shape) -> f64 {
     let centre = shape.globe;
     let q = DQuat::from_rotation_x(shape.rig.closure_rad[0]);
     // The lash edge: x, angle above the globe's equator, distance from the lids' axis.
@@ -131,77 +132,79 @@ fn closed_lids_leave_no_slit() {
     assert!(upper.len() > 20 && lower.len() > 20);
     // Within a millimetre of the outer corner the edge turns round: no slit, but its rounding.
     let corner = lower.iter().map(|e| e.0).fold(f64::MIN, f64::max);
-    for (x, height, arm) in upper.into_iter().filter(|e| e.0 < corner - 1.0) {
-        let Some(i) = lower.windows(2).position(|w| w[0].0 <= x && x <= w[1].0) else {
-            continue;
-        };
+    let slits = upper.into_iter().filter(|e| e.0 < corner - 1.0);
+    let slits = slits.filter_map(|(x, height, arm)| {
+        let i = lower.windows(2).position(|w| w[0].0 <= x && x <= w[1].0)?;
         let (a, b) = (lower[i], lower[i + 1]);
         let line = a.1 + (b.1 - a.1) * (x - a.0) / (b.0 - a.0);
-        let slit_mm = (height - line) * arm;
-        assert!(slit_mm < 0.5, "{slit_mm} mm at {x}");
-    }
+        Some((height - line) * arm)
+    });
+    slits.fold(f64::MIN, f64::max)
 }
 
-/// Gaps between the lips' contact lines, vertical and forward, metres; the second number is
-/// the largest.
-fn lip_gap(jaw_rad: f64, morph: &str, weight: f64) -> f64 {
-    let bag = part("mouth_bag");
-    let mut moved = vec![DVec3::ZERO; bag.vertices.len()];
-    if let Some(m) = bag.morphs.iter().find(|m| m.name == morph) {
+/// Vertices of the first part in the band where the lips touch: on the upper lip and the
+/// lower, without the corners.
+fn contact(name: &str, head: &Head) -> [Vec<usize>; 2] {
+    let shape = people().find(|p| p.0 == name).map(|p| p.1).unwrap();
+    let skin = &head.parts[0];
+    let jaw = |v: usize| {
+        let w = skin.vertices[v].weights.iter();
+        let own = w.filter(|w| w.0.0 == Drive::Bone(Bone::Chin));
+        own.map(|w| w.1).sum::<f64>()
+    };
+    let band = behind(skin, &shape.positions)
+        .into_iter()
+        .enumerate()
+        .filter(|&(_, v)| (4.0..=5.0).contains(&shape.coordinates[v as usize].mouth))
+        .map(|(i, _)| i)
+        .filter(|&i| skin.vertices[i].position.x.abs() < 0.016);
+    let (upper, lower) = band.partition(|&i| jaw(i) < 0.45);
+    [upper, lower]
+}
+
+/// Widest gap along the lips, metres: in each millimetre of breadth the nearest places of
+/// upper and lower lip.
+fn lip_gap(name: &str, head: &Head, jaw_rad: f64, morph: &str, weight: f64) -> f64 {
+    let skin = &head.parts[0];
+    let mut moved = vec![DVec3::ZERO; skin.vertices.len()];
+    if let Some(m) = skin.morphs.iter().find(|m| m.name == morph) {
         for &(v, d) in &m.deltas {
             moved[v as usize] = d * weight;
         }
     }
-    // The bag's rim is the contact line; its upper half has little weight on the jaw.
-    let rim = edge_faces(&bag.faces)
-        .iter()
-        .filter(|(_, f)| f.len() == 1)
-        .flat_map(|(&(a, b), _)| [a as usize, b as usize])
-        .collect::<std::collections::BTreeSet<usize>>();
-    let jaw = |v: usize| {
-        let w = bag.vertices[v].weights.iter();
-        w.filter(|w| w.0.0 == Drive::Bone(Bone::Chin))
-            .map(|w| w.1)
-            .sum::<f64>()
-    };
-    let at = |v: usize| skinned(&bag.vertices[v], moved[v], jaw_rad, 0.0);
-    let middle = |v: &usize| bag.vertices[*v].position.x.abs() < 0.016;
-    let upper: Vec<usize> = rim
-        .iter()
-        .copied()
-        .filter(|&v| jaw(v) < 0.45)
-        .filter(middle)
-        .collect();
-    let lower: Vec<usize> = rim.iter().copied().filter(|&v| jaw(v) > 0.55).collect();
-    assert!(upper.len() > 8 && lower.len() > 8);
-    upper
-        .iter()
-        .map(|&u| {
-            lower
-                .iter()
-                .map(|&l| (at(u) - at(l)).length())
-                .fold(f64::MAX, f64::min)
+    let [upper, lower] = contact(name, head);
+    assert!(upper.len() > 40 && lower.len() > 40);
+    let at = |v: &usize| skinned(head, &skin.vertices[*v], moved[*v], jaw_rad, 0.0);
+    (-14..=14)
+        .map(|i| {
+            let x = f64::from(i) * 1e-3;
+            let here = |v: &&usize| (skin.vertices[**v].position.x - x).abs() < 1.2e-3;
+            let pairs = upper.iter().filter(here).flat_map(|u| {
+                let near = lower.iter().filter(here);
+                near.map(move |l| at(u).distance(at(l)))
+            });
+            pairs.fold(f64::MAX, f64::min)
         })
         .fold(0.0, f64::max)
 }
 
 #[test]
 fn lips_meet_at_rest_and_stay_sealed_while_the_jaw_opens() {
-    assert!(lip_gap(0.0, "", 0.0) < 0.7e-3, "{}", lip_gap(0.0, "", 0.0));
-    for jaw in [0.05, 0.1, 0.2] {
-        assert!(
-            lip_gap(jaw, "", 0.0) > 0.06 * jaw,
-            "{}",
-            lip_gap(jaw, "", 0.0)
-        );
-        let gap = lip_gap(jaw, "mouthClose", jaw / morph::CLOSE_JAW_RAD);
-        assert!(gap < 1.5e-3, "{gap} at {jaw}");
+    for (who, head) in heads() {
+        let rest = lip_gap(who, head, 0.0, "", 0.0);
+        assert!(rest < 0.7e-3, "{who}: {rest}");
+        for jaw in [0.05, 0.1, 0.2] {
+            let open = lip_gap(who, head, jaw, "", 0.0);
+            assert!(open > 0.06 * jaw, "{who}: {open}");
+            let gap = lip_gap(who, head, jaw, "mouthClose", jaw / morph::CLOSE_JAW_RAD);
+            assert!(gap < 1.5e-3, "{who}: {gap} at {jaw}");
+        }
     }
 }
 
 #[test]
 fn weights_are_positive_and_sum_to_one() {
-    for p in &sofia().parts {
+    for p in heads().flat_map(|h| &h.1.parts) {
         for v in &p.vertices {
             let sum: f64 = v.weights.iter().map(|w| w.1).sum();
             assert!(
@@ -216,26 +219,22 @@ fn weights_are_positive_and_sum_to_one() {
 
 #[test]
 fn the_upper_lid_turned_by_its_closure_covers_the_pupil() {
-    let head = sofia();
-    let pupil = head.eye_centres[0];
-    let covers = |lid: f64| {
-        part("head").vertices.iter().any(|v| {
-            let p = skinned(v, DVec3::ZERO, 0.0, lid);
-            (p.x - pupil.x).abs() < 0.002 && (p.y - pupil.y).abs() < 0.002 && p.z > pupil.z + 0.0115
-        })
-    };
-    assert!(!covers(0.0) && covers(head.lid_closure_rad[0]));
+    for (who, head) in heads() {
+        let pupil = head.eye_centres[0];
+        let covers = |lid: f64| {
+            head.parts[0].vertices.iter().any(|v| {
+                let p = skinned(head, v, DVec3::ZERO, 0.0, lid);
+                let before = (p - pupil).truncate().abs();
+                before.max_element() < 0.002 && p.z > pupil.z + 0.0115
+            })
+        };
+        assert!(!covers(0.0) && covers(head.lid_closure_rad[0]), "{who}");
+    }
 }
 
 #[test]
 fn the_same_parameters_give_the_same_head() {
-    let (a, b) = (
-        symmetric(),
-        Shape::of(&HeadParams {
-            asymmetry: 0.0,
-            ..HeadParams::sofia()
-        }),
-    );
+    let (a, b) = (symmetric(), symmetric_shape("sofia"));
     assert_eq!(a.positions, b.positions);
     assert_eq!(a.rig.closure_rad, b.rig.closure_rad);
 }
@@ -252,52 +251,67 @@ fn the_head_measures_like_a_womans() {
     assert_eq!(sofia().neck_rim.len(), 40);
 }
 
-/// A man of 70 and a boy of 9, mirror-symmetric.
-fn others() -> &'static [Shape; 2] {
-    static SHAPES: OnceLock<[Shape; 2]> = OnceLock::new();
-    SHAPES.get_or_init(|| {
-        ["papous", "nuno"].map(|name| {
-            Shape::of(&HeadParams {
-                asymmetry: 0.0,
-                ..params(name)
-            })
+/// All whose heads are tested: the mean adult and the three figures.
+const PEOPLE: [&str; 4] = ["mean", "sofia", "papous", "nuno"];
+
+/// Heads as they are shipped, and the mean adult's.
+fn people() -> impl Iterator<Item = (&'static str, &'static Shape)> {
+    static SHAPES: OnceLock<[Shape; 4]> = OnceLock::new();
+    let shapes = SHAPES.get_or_init(|| {
+        PEOPLE.map(|name| {
+            let (person, head) = individual::one(name);
+            Shape::of(&person, &head)
         })
-    })
+    });
+    PEOPLE.into_iter().zip(shapes)
 }
 
-fn shapes() -> impl Iterator<Item = &'static Shape> {
-    core::iter::once(symmetric()).chain(others())
+/// The same, mirror-symmetric.
+fn symmetric_people() -> impl Iterator<Item = (&'static str, &'static Shape)> {
+    static SHAPES: OnceLock<[Shape; 4]> = OnceLock::new();
+    let shapes = SHAPES.get_or_init(|| PEOPLE.map(symmetric_shape));
+    PEOPLE.into_iter().zip(shapes)
 }
 
 #[test]
 fn every_person_has_the_same_topology() {
-    let one = symmetric();
-    for other in others() {
-        assert_eq!(one.surface.faces, other.surface.faces);
+    for (who, other) in people() {
+        assert_eq!(symmetric().surface.faces, other.surface.faces, "{who}");
+    }
+}
+
+#[test]
+fn the_skin_does_not_cross_itself() {
+    for (who, shape) in people().chain(symmetric_people()) {
+        let faces = shape.surface.faces.iter().zip(&shape.surface.zones);
+        let (triangles, zones): (Vec<[u32; 3]>, Vec<Zone>) = faces
+            .flat_map(|(face, &zone)| {
+                let drawn = assemble::triangles(face, &shape.positions);
+                drawn.into_iter().map(move |t| (t, zone))
+            })
+            .unzip();
+        let found = crossings(&shape.positions, &triangles);
+        let first = found.first().map(|&[a, b]| {
+            let at = shape.positions[triangles[a][0] as usize];
+            (zones[a], zones[b], at)
+        });
+        assert!(found.is_empty(), "{who}: {} at {first:?}", found.len());
     }
 }
 
 #[test]
 fn no_face_is_degenerate_or_flipped() {
-    for (who, shape) in ["sofia", "papous", "nuno"].iter().zip(shapes()) {
+    for (who, shape) in people().chain(symmetric_people()) {
         let normals = vertex_normals(&shape.positions, &shape.surface.faces);
         for (face, zone) in shape.surface.faces.iter().zip(&shape.surface.zones) {
-            // What is hidden behind lids, lips and in canals may crease.
-            if matches!(
-                zone,
-                Zone::Eye(5..) | Zone::Mouth(4..) | Zone::Nostril(1..) | Zone::Ear(_)
-            ) {
-                continue;
-            }
             let p = |i: usize| shape.positions[face[i] as usize];
             let across = (p(2) - p(0)).cross(p(face.len() - 1) - p(1));
-            assert!(across.length() > 1e-4, "{zone:?} at {}", p(0));
+            // Half a hundredth of a square millimetre.
+            assert!(across.length() > 1e-2, "{who}: {zone:?} at {}", p(0));
             let mean: DVec3 = face.iter().map(|&v| normals[v as usize]).sum();
-            if face.len() == 4 {
-                let turn = across.normalize().dot(mean.normalize());
-                // The crease of a hooded lid is a fold of nearly 90°; beyond it lies a flip.
-                assert!(turn > 0.0, "{who}: {turn} {zone:?} at {}", p(0));
-            }
+            let turn = across.normalize().dot(mean.normalize());
+            // The crease of a hooded lid is a fold of nearly 90°; beyond it lies a flip.
+            assert!(turn > 0.0, "{who}: {turn} {zone:?} at {}", p(0));
         }
     }
 }

@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 
 use super::cloth::Outfit;
 use super::hair::HairParams;
-use super::hand::HandParams;
+use super::hand::{HandParams, HandProportions};
 use super::head::HeadParams;
 use super::skin::SkinParams;
 use super::torso::BodyParams;
@@ -34,18 +34,38 @@ pub struct FigureParams {
     pub name: String,
     /// Sex, age, stature and build.
     pub person: Person,
-    /// Trunk and limbs.
-    pub body: BodyParams,
+    /// Size of the bust, 1 = average. Women only.
+    pub bust: f64,
     /// Face.
     pub head: HeadParams,
     /// Skin of head and hands.
     pub skin: SkinParams,
     /// Hands.
-    pub hand: HandParams,
+    pub hand: HandProportions,
     /// Hair.
     pub hair: HairParams,
     /// Clothes.
     pub wardrobe: Outfit,
+}
+
+impl FigureParams {
+    /// The measures of trunk and limbs.
+    pub(super) fn body(&self) -> BodyParams {
+        let p = self.person;
+        BodyParams {
+            sex: p.sex,
+            age_years: p.age_years,
+            stature_m: p.stature_m,
+            build: p.build,
+            bust: self.bust,
+        }
+    }
+
+    /// The measures of the hands.
+    #[must_use]
+    pub fn hands(&self) -> HandParams {
+        HandParams::of(&self.person, &self.hand, self.skin.base_colour())
+    }
 }
 
 /// The figures that come with the project.

@@ -1,12 +1,11 @@
 //! Nuno, a boy of about 9.
 
 use super::{FigureParams, Person};
-use crate::generator::cloth::{Hoodie, Outfit};
+use crate::generator::cloth::{Hoodie, Legs, Outfit};
 use crate::generator::hair::{HairColour, HairParams, HairStyle};
-use crate::generator::hand::HandParams;
+use crate::generator::hand::HandProportions;
 use crate::generator::head::{BrowParams, HeadParams, Measure, Measures};
 use crate::generator::skin::SkinParams;
-use crate::generator::torso::BodyParams;
 
 const PERSON: Person = Person {
     sex: 0.0,
@@ -16,25 +15,20 @@ const PERSON: Person = Person {
 };
 
 pub(super) fn params() -> FigureParams {
-    let mut head = head();
-    head.brow = brow();
-    head.colours.hair = hair().colour.linear_rgb();
-    head.colours.brow = [0.15, 0.075, 0.036];
     FigureParams {
         name: "nuno".to_owned(),
         person: PERSON,
-        body: body(),
-        hand: hand(),
+        bust: 0.0,
+        head: head(),
+        skin: skin(),
+        hand: HandProportions::default(),
         hair: hair(),
         wardrobe: wardrobe(),
-        head,
-        skin: skin(),
     }
 }
 
 fn head() -> HeadParams {
     HeadParams {
-        person: PERSON,
         smile: 0.8,
         measures: Measures::of(&[
             (Measure::NoseBreadth, 0.3),
@@ -52,7 +46,9 @@ fn head() -> HeadParams {
             (Measure::CanthalTilt, -0.3),
         ]),
         seed: 8,
-        ..HeadParams::sofia()
+        iris: [0.115, 0.105, 0.045],
+        brow: brow(),
+        ..HeadParams::default()
     }
 }
 
@@ -67,30 +63,11 @@ fn skin() -> SkinParams {
         sun: 0.1,
         vessels: 0.0,
         beard: 0.0,
-        lips: 0.2,
+        lips: 0.3,
         lash_line: 0.35,
         seed: 11,
         ..SkinParams::plain()
     }
-}
-
-fn body() -> BodyParams {
-    BodyParams {
-        sex: PERSON.sex,
-        age_years: PERSON.age_years,
-        stature_m: PERSON.stature_m,
-        build: PERSON.build,
-        bust: 0.0,
-    }
-}
-
-fn hand() -> HandParams {
-    HandParams::of(
-        PERSON.sex,
-        PERSON.age_years,
-        PERSON.stature_m,
-        skin().base_colour(),
-    )
 }
 
 fn hair() -> HairParams {
@@ -109,6 +86,7 @@ fn hair() -> HairParams {
 
 fn brow() -> BrowParams {
     BrowParams {
+        colour: [0.15, 0.075, 0.036],
         density: 0.85,
         length: 0.8,
         height: 0.85,
@@ -124,10 +102,12 @@ fn wardrobe() -> Outfit {
         fleece: [0.36, 0.135, 0.022],
         shirt: [0.52, 0.52, 0.50],
         cord: [0.58, 0.56, 0.51],
-        denim: [0.034, 0.060, 0.115],
-        shoe: [0.050, 0.075, 0.135],
-        sole: [0.60, 0.59, 0.55],
+        legs: Legs {
+            trousers: [0.034, 0.060, 0.115],
+            shoe: [0.050, 0.075, 0.135],
+            sole: [0.60, 0.59, 0.55],
+            sock: [0.50, 0.49, 0.46],
+        },
         lace: [0.62, 0.61, 0.58],
-        sock: [0.50, 0.49, 0.46],
     })
 }

@@ -1,12 +1,11 @@
 //! Papous, a man of about 70 with white hair.
 
 use super::{FigureParams, Person};
-use crate::generator::cloth::{Cardigan, Outfit};
+use crate::generator::cloth::{Cardigan, Legs, Outfit};
 use crate::generator::hair::{BeardParams, HairColour, HairParams, HairStyle};
-use crate::generator::hand::HandParams;
+use crate::generator::hand::HandProportions;
 use crate::generator::head::{BrowParams, HeadParams, Measure, Measures};
 use crate::generator::skin::SkinParams;
-use crate::generator::torso::BodyParams;
 
 const PERSON: Person = Person {
     sex: 0.0,
@@ -16,25 +15,20 @@ const PERSON: Person = Person {
 };
 
 pub(super) fn params() -> FigureParams {
-    let mut head = head();
-    head.brow = brow();
-    head.colours.hair = hair().colour.linear_rgb();
-    head.colours.brow = [0.34, 0.33, 0.31];
     FigureParams {
         name: "papous".to_owned(),
         person: PERSON,
-        body: body(),
-        hand: hand(),
+        bust: 0.0,
+        head: head(),
+        skin: skin(),
+        hand: HandProportions::default(),
         hair: hair(),
         wardrobe: wardrobe(),
-        head,
-        skin: skin(),
     }
 }
 
 fn head() -> HeadParams {
     HeadParams {
-        person: PERSON,
         smile: 0.6,
         measures: Measures::of(&[
             (Measure::FaceHeight, 0.4),
@@ -54,7 +48,9 @@ fn head() -> HeadParams {
             (Measure::CheekFullness, -0.6),
         ]),
         seed: 5,
-        ..HeadParams::sofia()
+        iris: [0.085, 0.130, 0.170],
+        brow: brow(),
+        ..HeadParams::default()
     }
 }
 
@@ -75,25 +71,6 @@ fn skin() -> SkinParams {
         lash_line: 0.2,
         seed: 7,
     }
-}
-
-fn body() -> BodyParams {
-    BodyParams {
-        sex: PERSON.sex,
-        age_years: PERSON.age_years,
-        stature_m: PERSON.stature_m,
-        build: PERSON.build,
-        bust: 0.0,
-    }
-}
-
-fn hand() -> HandParams {
-    HandParams::of(
-        PERSON.sex,
-        PERSON.age_years,
-        PERSON.stature_m,
-        skin().base_colour(),
-    )
 }
 
 fn hair() -> HairParams {
@@ -117,13 +94,14 @@ fn hair() -> HairParams {
 
 fn brow() -> BrowParams {
     BrowParams {
+        colour: [0.34, 0.33, 0.31],
         density: 1.25,
         length: 1.55,
         height: 1.25,
         unruly: 0.9,
         asymmetry: 0.8,
-        lash_length: 0.7,
-        lash_tone: 0.6,
+        lash_length: 0.8,
+        lash_tone: 0.28,
     }
 }
 
@@ -132,9 +110,11 @@ fn wardrobe() -> Outfit {
         knit: [0.150, 0.030, 0.032],
         shirt: [0.46, 0.53, 0.62],
         button: [0.060, 0.034, 0.020],
-        trousers: [0.082, 0.066, 0.048],
-        shoe: [0.072, 0.030, 0.013],
-        sole: [0.024, 0.017, 0.013],
-        sock: [0.045, 0.040, 0.034],
+        legs: Legs {
+            trousers: [0.082, 0.066, 0.048],
+            shoe: [0.072, 0.030, 0.013],
+            sole: [0.024, 0.017, 0.013],
+            sock: [0.045, 0.040, 0.034],
+        },
     })
 }

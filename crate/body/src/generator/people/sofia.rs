@@ -1,12 +1,11 @@
 //! Sofia, a woman of about 35.
 
 use super::{FigureParams, Person};
-use crate::generator::cloth::{Outfit, Sweater};
+use crate::generator::cloth::{Legs, Outfit, Sweater};
 use crate::generator::hair::{HairColour, HairParams, HairStyle};
-use crate::generator::hand::HandParams;
+use crate::generator::hand::HandProportions;
 use crate::generator::head::{BrowParams, HeadParams, Measure, Measures};
 use crate::generator::skin::SkinParams;
-use crate::generator::torso::BodyParams;
 
 const PERSON: Person = Person {
     sex: 1.0,
@@ -16,24 +15,20 @@ const PERSON: Person = Person {
 };
 
 pub(super) fn params() -> FigureParams {
-    let mut head = head();
-    head.brow = brow();
-    head.colours.hair = hair().colour.linear_rgb();
     FigureParams {
         name: "sofia".to_owned(),
         person: PERSON,
-        body: body(),
-        hand: hand(),
+        bust: 0.95,
+        head: head(),
+        skin: skin(),
+        hand: HandProportions::default(),
         hair: hair(),
         wardrobe: wardrobe(),
-        head,
-        skin: skin(),
     }
 }
 
 fn head() -> HeadParams {
     HeadParams {
-        person: PERSON,
         smile: 0.6,
         measures: Measures::of(&[
             (Measure::FaceHeight, 0.2),
@@ -55,7 +50,8 @@ fn head() -> HeadParams {
             (Measure::LipProtrusion, 0.4),
         ]),
         seed: 3,
-        ..HeadParams::sofia()
+        brow: brow(),
+        ..HeadParams::default()
     }
 }
 
@@ -70,30 +66,11 @@ fn skin() -> SkinParams {
         sun: 0.2,
         vessels: 0.0,
         beard: 0.0,
-        lips: 0.2,
+        lips: 0.42,
         lash_line: 0.75,
         seed: 3,
         ..SkinParams::plain()
     }
-}
-
-fn body() -> BodyParams {
-    BodyParams {
-        sex: PERSON.sex,
-        age_years: PERSON.age_years,
-        stature_m: PERSON.stature_m,
-        build: PERSON.build,
-        bust: 0.95,
-    }
-}
-
-fn hand() -> HandParams {
-    HandParams::of(
-        PERSON.sex,
-        PERSON.age_years,
-        PERSON.stature_m,
-        skin().base_colour(),
-    )
 }
 
 fn hair() -> HairParams {
@@ -119,9 +96,11 @@ fn brow() -> BrowParams {
 fn wardrobe() -> Outfit {
     Outfit::Sweater(Sweater {
         knit: [0.030, 0.110, 0.118],
-        trousers: [0.022, 0.022, 0.028],
-        shoe: [0.085, 0.036, 0.017],
-        sole: [0.030, 0.022, 0.017],
-        sock: [0.020, 0.020, 0.026],
+        legs: Legs {
+            trousers: [0.022, 0.022, 0.028],
+            shoe: [0.085, 0.036, 0.017],
+            sole: [0.030, 0.022, 0.017],
+            sock: [0.020, 0.020, 0.026],
+        },
     })
 }

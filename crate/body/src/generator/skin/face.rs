@@ -65,12 +65,12 @@ const ZONES: [Zone; 18] = [
     zone([0.0, 12.0, 104.0], [8.0, 16.0, 14.0], 0.16, 0.03, 0.02, 0.3),
     // Chin, forehead, temple.
     zone([0.0, -82.0, 100.0], [15.0, 9.0, 14.0], 0.32, 0.00, 0.03, 0.5),
-    zone([0.0, 64.0, 92.0], [46.0, 20.0, 40.0], -0.16, 0.10, 0.00, 0.25),
+    zone([0.0, 64.0, 92.0], [46.0, 20.0, 40.0], -0.05, 0.10, 0.00, 0.25),
     zone([66.0, 34.0, 58.0], [12.0, 16.0, 16.0], -0.16, 0.02, -0.04, 0.0),
     // Thin skin under the eye with slow blood, inner corner, upper lid, under the brow.
     zone([29.0, 6.0, 86.0], [14.0, 5.5, 10.0], 0.18, 0.16, -0.12, -0.6),
     zone([15.0, 18.0, 90.0], [6.0, 8.0, 9.0], 0.30, 0.10, -0.10, -0.4),
-    zone([31.0, 31.0, 86.0], [15.0, 6.0, 11.0], 0.28, 0.14, -0.03, -0.6),
+    zone([31.0, 31.0, 86.0], [15.0, 6.0, 11.0], 0.26, 0.07, -0.01, -0.6),
     zone([36.0, 42.0, 90.0], [16.0, 4.0, 9.0], 0.10, 0.08, 0.00, 0.0),
     // Ear, fold beside the mouth, skin about the mouth, side of the jaw.
     zone([84.0, 4.0, -10.0], [14.0, 34.0, 24.0], 0.62, 0.00, 0.08, -0.3),
@@ -80,6 +80,17 @@ const ZONES: [Zone; 18] = [
     // Under the jaw no sun, front of the neck some flush.
     zone([0.0, -104.0, 60.0], [44.0, 12.0, 34.0], -0.10, -0.14, 0.00, -0.1),
     zone([0.0, -140.0, 44.0], [34.0, 22.0, 40.0], 0.20, 0.00, 0.04, -0.2),
+];
+
+/// Ends of the sternomastoid on the left, from the skull behind the ear to the breastbone.
+const CORD: [DVec3; 2] = [DVec3::new(66.0, -48.0, 2.0), DVec3::new(14.0, -160.0, 50.0)];
+/// Height and half width of that cord where it stands out most, mm; *designed*.
+const CORD_MM: [f64; 2] = [1.5, 8.0];
+/// Places that little light reaches, which the mesh is too coarse to shade: corner of the
+/// mouth, groove behind the ala. Radius in mm and share of light lost; *designed*.
+const HOLLOWS: [([f64; 3], [f64; 3], f64); 2] = [
+    ([27.0, -48.6, 90.5], [2.6, 1.9, 4.0], 0.30),
+    ([21.5, -17.0, 93.0], [2.2, 7.0, 6.0], 0.14),
 ];
 
 /// Deep red of a nostril's inside and of the mouth, linear RGB.
@@ -195,8 +206,13 @@ impl FacePainter<'_> {
         tissue.ln_blood += 0.35 * rise(6.5, 9.0, ear);
         tissue.light *= 1.0 - 0.3 * rise(7.5, 9.5, ear);
         tissue.lay(MOUTH_DEEP, rise(4.5, 5.6, mouth));
+        for (at, radius, lost) in HOLLOWS {
+            let d = (half - DVec3::from_array(at)) / DVec3::from_array(radius);
+            tissue.light *= 1.0 - lost * ops::exp(-0.5 * d.length_squared());
+        }
+        tissue.height_mm += self.cord(half);
 
-        tissue.lay(s.brow_colour, 0.42 * brow * self.brow_stain);
+        tissue.lay(s.brow_colour, 0.58 * brow * self.brow_stain);
         let roots = 0.75 + 0.25 * space_noise(seed + 30, p / 1.1);
         let cap = s.hair_colour.map(|x| 0.8 * x);
         tissue.lay(
@@ -204,6 +220,16 @@ impl FacePainter<'_> {
             (hair * roots * (0.25 + 0.72 * self.hair_stain)).clamp(0.0, 1.0),
         );
         tissue
+    }
+
+    /// Height of the sternomastoid under the skin, mm; children show none.
+    fn cord(&self, half: DVec3) -> f64 {
+        let [from, to] = CORD;
+        let axis = to - from;
+        let t = (half - from).dot(axis) / axis.length_squared();
+        let d = (half - from - axis * t.clamp(0.0, 1.0)).length() / CORD_MM[1];
+        let shown = rise(10.0, 22.0, self.skin.age_years) * (0.8 + 0.5 * self.old);
+        CORD_MM[0] * shown * rise(0.05, 0.4, t) * ops::exp(-d * d)
     }
 
     /// Unevenness without a place of its own; it grows with age and sun.
@@ -268,8 +294,7 @@ impl FacePainter<'_> {
         // Less light in the furrow, and what there is comes through blood.
         tissue.light *= 1.0 - (0.5 * wrinkle.core).min(0.4);
         tissue.ln_blood += 0.5 * wrinkle.core;
-        // Furrows of the net run 0.6 to 1.5 mm apart and widen with age (Zahouani et al.,
-        // e.g. doi:10.1111/j.1468-2494.2010.00577.x order of size; *designed*).
+        // Furrows of the net run 0.6 to 1.5 mm apart and widen with age (*designed*).
         let spacing = 1.15 + 0.35 * self.old;
         let (first, second, name) = cells(seed + 11, p / spacing);
         let gap = (second - first) / 0.16;
@@ -292,7 +317,7 @@ impl FacePainter<'_> {
         let border = -24.0 - (76.0 - half.x).clamp(0.0, 44.0) * 0.52;
         let cheek = rise(4.0, -8.0, half.y - border + ragged) * rise(4.0, 16.0, half.z);
         let moustache = rise(-23.0, -29.0, half.y + 0.4 * ragged)
-            * rise(34.0, 27.0, half.x)
+            * rise(5.0, -5.0, half.x - 22.0 - 0.75 * (-27.0 - half.y).max(0.0) + ragged)
             * rise(70.0, 84.0, half.z);
         let neck = rise(-134.0, -112.0, half.y + ragged);
         let area = cheek.max(moustache) * neck * open;

@@ -254,7 +254,8 @@ mod tests {
     fn reflectance_is_where_spectrophotometers_find_it() {
         // Light European cheek or forehead: about 0.25 at 450 nm, 0.35 at 550, 0.6 at 650;
         // very dark skin: about 0.05, 0.06, 0.15 (Angelopoulou 2001,
-        // doi:10.1117/12.429494; read from plots, within a third).
+        // "Understanding the color of human skin", Proc. SPIE 4299; read from plots, within a
+        // third).
         let at = |nm: usize, s: &Pigments| reflectance_in((nm - 400) / 10, s);
         let light = skin(0.02, 0.006);
         for (nm, measured) in [(450, 0.25), (550, 0.35), (650, 0.6)] {

@@ -7,15 +7,20 @@ use raconteur_base::{DVec2, DVec3, Side};
 use super::bake::{SkinMaps, bake};
 use super::raster::{Raster, SIZE};
 use super::{HandSheet, HeadSheet, SkinParams};
-use crate::generator::hand::{self, HandParams};
-use crate::generator::head::{self, HeadParams};
+use crate::generator::hand;
+use crate::generator::head;
+use crate::generator::people::preset;
 
 /// A head and a hand, made once for all tests.
 fn sheets() -> &'static (HeadSheet, HandSheet) {
     static MADE: OnceLock<(HeadSheet, HandSheet)> = OnceLock::new();
     MADE.get_or_init(|| {
-        let head = head::build(&HeadParams::sofia());
-        let hand = hand::build(&HandParams::woman(1.66, [0.5, 0.3, 0.2]), Side::Right);
+        let p = preset("sofia").unwrap();
+        let head = head::build(&p.person, &p.head, p.hair.colour.linear_rgb());
+        let hand = hand::build(
+            &hand::mean_hand(1.0, 35.0, 1.66, [0.5, 0.3, 0.2]),
+            Side::Right,
+        );
         (head.sheet, hand.sheet)
     })
 }

@@ -163,7 +163,7 @@ pub(crate) fn conformal(
 
 /// Raises the tension of [`harmonic`] where a map of it gives too little room and lowers it
 /// where it gives too much, by the share that each vertex has in this evening (0..1). After
-/// Yoshizawa, Belyaev and Seidel 2004, doi:10.1109/SMI.2004.1314517; weights stay positive,
+/// Yoshizawa, Belyaev and Seidel 2004, doi:10.1109/SMI.2004.1314507; weights stay positive,
 /// so the next map is without overlap as well.
 pub(crate) fn even_out(
     faces: &[Vec<u32>],

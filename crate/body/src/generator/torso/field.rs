@@ -198,9 +198,9 @@ impl Field {
                 span(Bone::LHip, Bone::LKnee),
                 span(Bone::LKnee, Bone::LSubtalar),
             ],
-            Sections::leg(lerp(k * lerp(1.035, 1.065, p.sex), s / 1.33 * 0.675, child) * wide),
+            Sections::leg(lerp(k * lerp(1.035, 1.065, p.sex), s / 1.33 * 0.70, child) * wide),
         );
-        let adult = lerp(6.0 * k, 4.95 * s / 1.65, p.sex) * (1.0 - 0.04 * p.old());
+        let adult = lerp(6.35 * k, 4.95 * s / 1.65, p.sex) * (1.0 - 0.04 * p.old());
         let radius = lerp(adult, 4.5 * s / 1.33, child) * CM;
         let (bottom_y, top_y) = (joints.at(Bone::Cervical).y - CM, joints.at(Bone::Skull).y);
         let neck = Neck {
@@ -226,7 +226,7 @@ impl Field {
     /// filled; `share` 0 leaves it, 1 lets the cloth fall straight from chest to hip.
     #[must_use]
     pub fn dress_form(&self, share: f64) -> Self {
-        let shift = self.trunk.first() - 0.455;
+        let shift = -0.02 * self.child;
         Self {
             trunk: self.trunk.bridged(0.515 + shift, 0.735 + shift, share),
             ..self.clone()
@@ -310,11 +310,15 @@ impl Field {
     #[must_use]
     pub fn value_and_normal(&self, p: DVec3, regions: Regions, soften: f64) -> (f64, DVec3) {
         const E: f64 = 5e-4;
+        // Differences are taken on the left, or the halves would differ by their error.
+        let side = if p.x < 0.0 { -1.0 } else { 1.0 };
+        let p = DVec3::new(p.x * side, p.y, p.z);
         let d = self.value(p, regions, soften);
         let at = |offset: DVec3| self.value(p + offset, regions, soften) - d;
         let g = DVec3::new(at(DVec3::X * E), at(DVec3::Y * E), at(DVec3::Z * E));
         let length = g.length().max(1e-4 * E);
-        (d / (length / E).max(0.35), g / length)
+        let normal = g / length * DVec3::new(side, 1.0, 1.0);
+        (d / (length / E).max(0.35), normal)
     }
 }
 

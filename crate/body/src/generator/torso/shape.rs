@@ -6,7 +6,6 @@
 
 use raconteur_base::curve::{lerp, ramp, smooth};
 use raconteur_base::{DQuat, DVec3, Side, mirror_vector, ops};
-use serde::{Deserialize, Serialize};
 
 use crate::skeleton::{Bone, zero_frames};
 
@@ -18,7 +17,7 @@ pub const CM: f64 = 0.01;
 pub const ARMS_DOWN_RAD: f64 = 48.0 * core::f64::consts::PI / 180.0;
 
 /// Measures of a body.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BodyParams {
     /// 0 male to 1 female proportions.
     pub sex: f64,
@@ -98,8 +97,8 @@ impl Joints {
         let s = p.stature_m;
         let child = p.child();
         let by_age = |adult: f64, boy: f64| lerp(adult, boy, child) * s;
-        let hip_x = by_age(lerp(0.0505, 0.0525, p.sex), 0.047);
-        let shoulder_x = by_age(lerp(0.0965, 0.0865, p.sex), 0.0865);
+        let hip_x = by_age(lerp(0.0505, 0.0525, p.sex), 0.044);
+        let shoulder_x = by_age(lerp(0.102, 0.092, p.sex), 0.090);
         let mut at = [DVec3::ZERO; Bone::COUNT];
         let mut put = |bone: Bone, q: DVec3| {
             at[bone.index()] = q;
@@ -129,8 +128,8 @@ impl Joints {
         // Old shoulders hang.
         let shoulder_y = by_age(0.794, 0.778) - 0.006 * p.old() * s;
         let shoulder = v(shoulder_x, shoulder_y, -2.0);
-        let elbow = shoulder + Self::arm_axis() * by_age(0.168, 0.163);
-        let wrist = elbow + Self::arm_axis() * 0.143 * s;
+        let elbow = shoulder + Self::arm_axis() * by_age(lerp(0.171, 0.168, p.sex), 0.164);
+        let wrist = elbow + Self::arm_axis() * by_age(lerp(0.1505, 0.1445, p.sex), 0.145);
         put(Bone::LShoulder, shoulder);
         put(Bone::LElbow, elbow);
         put(Bone::LWrist, wrist);

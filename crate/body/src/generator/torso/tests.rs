@@ -5,9 +5,10 @@
 //! deviations in centimetres. Sitting height as a share of stature: Fredriks et al. 2005,
 //! doi:10.1136/adc.2004.050799.
 
-use raconteur_base::{DVec3, ops};
+use raconteur_base::DVec3;
 
 use super::*;
+use crate::generator::physique::tape;
 use crate::skeleton::Bone;
 
 fn person(sex: f64, age_years: f64, stature_m: f64, build: f64) -> BodyParams {
@@ -26,59 +27,13 @@ fn body(p: &BodyParams) -> (Joints, Field) {
     (joints, field)
 }
 
-/// Length of a tape round the body in a plane: hull of the points that rays from the
-/// middle reach, centimetres.
-fn tape(field: &Field, centre: DVec3, right: DVec3, front: DVec3, regions: Regions) -> f64 {
-    const RAYS: usize = 120;
-    let points: Vec<(f64, f64)> = (0..RAYS)
-        .map(|i| {
-            let (s, c) = ops::sincos(core::f64::consts::TAU * i as f64 / RAYS as f64);
-            let d = right * c + front * s;
-            let (mut low, mut high) = (0.0, 0.4);
-            for _ in 0..30 {
-                let middle = 0.5 * (low + high);
-                let p = centre + d * middle;
-                // The field mirrors itself: the other leg begins at the middle.
-                let other_side = centre.x > 0.0 && p.x < 0.0;
-                if !other_side && field.value(p, regions, 1.0) < 0.0 {
-                    low = middle;
-                } else {
-                    high = middle;
-                }
-            }
-            (c * low, s * low)
-        })
-        .collect();
-    // A tape bridges hollows: gift wrapping.
-    let start = (0..RAYS)
-        .max_by(|a, b| points[*a].0.total_cmp(&points[*b].0))
-        .unwrap_or(0);
-    let (mut at, mut length) = (start, 0.0);
-    loop {
-        let p = points[at];
-        let mut next = (at + 1) % RAYS;
-        for (k, q) in points.iter().enumerate() {
-            let n = points[next];
-            if (n.0 - p.0) * (q.1 - p.1) - (n.1 - p.1) * (q.0 - p.0) < 0.0 {
-                next = k;
-            }
-        }
-        let q = points[next];
-        length += ((q.0 - p.0) * (q.0 - p.0) + (q.1 - p.1) * (q.1 - p.1)).sqrt();
-        at = next;
-        if at == start {
-            return 100.0 * length;
-        }
-    }
-}
-
 /// Chest, waist, hip, thigh and calf of a body, centimetres.
 fn girths(p: &BodyParams) -> [f64; 5] {
     let (joints, field) = body(p);
     let s = p.stature_m;
     let flat = |share: f64, regions: Regions| {
         let centre = DVec3::new(0.0, share * s, 0.0);
-        tape(&field, centre, DVec3::X, DVec3::Z, regions)
+        100.0 * tape(&field, centre, regions)
     };
     let waist = (0..12)
         .map(|i| flat(0.59 + 0.005 * f64::from(i), Regions::LOWER))
@@ -97,7 +52,7 @@ fn girths(p: &BodyParams) -> [f64; 5] {
         } else {
             b.lerp(c, t - 1.0)
         };
-        tape(&field, centre, DVec3::X, DVec3::Z, Regions::LEG_ONLY)
+        100.0 * tape(&field, centre, Regions::LEG_ONLY)
     };
     let calf = (0..8)
         .map(|i| leg(1.2 + 0.04 * f64::from(i)))

@@ -8,8 +8,9 @@ use anyhow::{Context as _, Result, bail};
 use clap::Args;
 use raconteur_player::body::annotation::{Annotations, annotations};
 use raconteur_player::body::generator::measure::{Reading, readings};
+use raconteur_player::body::generator::physique::body_readings;
 use raconteur_player::body::generator::yardstick::{Deviation, Yardstick, deviation};
-use raconteur_player::body::generator::{self, FigureParams, people};
+use raconteur_player::body::generator::{self, Built, FigureParams, people};
 use raconteur_player::body::{Figure, read::read_figure};
 use serde_json::json;
 
@@ -37,7 +38,11 @@ pub(super) struct Measure {
 
 impl Measure {
     pub(super) fn run(&self) -> Result<Outcome> {
-        let (figure, names, params) = self.load()?;
+        let (built, params) = self.load()?;
+        let Built {
+            figure,
+            annotations: names,
+        } = &built;
         let mut person = params.as_ref().map_or(
             generator::Person {
                 sex: 0.5,
@@ -52,14 +57,23 @@ impl Measure {
         if !(0.0..=1.0).contains(&person.sex) || !(8.0..=80.0).contains(&person.age_years) {
             bail!("statistics cover a sex of 0 to 1 and ages of 8 to 80");
         }
-        let all = readings(&figure, &names, person, params.as_ref().map(|p| &p.hand));
+        let mut all = readings(
+            figure,
+            names,
+            person,
+            params.as_ref().map(FigureParams::hands).as_ref(),
+        );
+        // Only of a figure that is known by name is the body under the clothes known.
+        if let Some(params) = &params {
+            all.extend(body_readings(params, person, &built));
+        }
         if all.is_empty() {
             bail!("{} has no landmarks to measure between", self.figure);
         }
         let against = self
             .against
             .as_deref()
-            .map(|path| compare(path, &figure, &names))
+            .map(|path| compare(path, figure, names))
             .transpose()?;
         match self.format {
             Format::Json => print_json(&self.figure, person, &all, against)?,
@@ -68,11 +82,11 @@ impl Measure {
         Ok(Outcome::Fine)
     }
 
-    /// The figure, its names, and its parameters where it is one of the named.
-    fn load(&self) -> Result<(Figure, Annotations, Option<FigureParams>)> {
+    /// The figure with its names, and its parameters where it is one of the named.
+    fn load(&self) -> Result<(Built, Option<FigureParams>)> {
         if let Some(params) = people::preset(&self.figure) {
             let built = generator::build(&params);
-            return Ok((built.figure, built.annotations, Some(params)));
+            return Ok((built, Some(params)));
         }
         let path = Path::new(&self.figure);
         let glb = fs::read(path).with_context(|| format!("cannot read {}", path.display()))?;
@@ -80,8 +94,12 @@ impl Measure {
             .file_stem()
             .map_or_else(String::new, |s| s.to_string_lossy().into_owned());
         let figure = read_figure(&name, &glb).with_context(|| format!("in {}", path.display()))?;
-        let names = annotations(&glb).with_context(|| format!("in {}", path.display()))?;
-        Ok((figure, names, people::preset(&name)))
+        let annotations = annotations(&glb).with_context(|| format!("in {}", path.display()))?;
+        let built = Built {
+            figure,
+            annotations,
+        };
+        Ok((built, people::preset(&name)))
     }
 }
 

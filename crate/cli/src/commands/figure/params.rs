@@ -7,7 +7,7 @@ use std::path::Path;
 use anyhow::{Context as _, Result, bail};
 use clap::Args;
 use raconteur_player::body::generator::people::{self, FigureParams};
-use serde_json::{Map, Value};
+use serde_json::Value;
 
 use crate::Outcome;
 
@@ -61,28 +61,10 @@ fn parse(text: &str) -> Result<FigureParams> {
         Some(other) => bail!("base: a name is wanted, not {other}"),
     };
     let mut whole = serde_json::to_value(preset(&base)?)?;
-    if let Some(person) = given.get("person").and_then(Value::as_object).cloned() {
-        for (name, region) in whole.as_object_mut().into_iter().flatten() {
-            if name != "person" {
-                pass_on(region, &person);
-            }
-        }
-    }
     overlay("", &mut whole, Value::Object(given))?;
     let params: FigureParams = serde_json::from_value(whole)?;
     check(&params)?;
     Ok(params)
-}
-
-/// Gives what is known of the person to a region of the body that asks for it by the same name.
-fn pass_on(region: &mut Value, person: &Map<String, Value>) {
-    for (name, field) in region.as_object_mut().into_iter().flatten() {
-        if let Some(value) = person.get(name) {
-            field.clone_from(value);
-        } else if name == "person" {
-            pass_on(field, person);
-        }
-    }
 }
 
 /// Whether a value is a variant with contents, `{"Bob": …}`; such are replaced as a whole.
@@ -171,12 +153,14 @@ mod tests {
     }
 
     #[test]
-    fn what_is_known_of_the_person_reaches_head_and_body() {
+    fn what_is_known_of_the_person_reaches_every_region() {
         let params = parse(r#"{"person": {"age_years": 60, "stature_m": 1.6}}"#).unwrap();
-        assert_eq!(params.head.person.age_years, 60.0);
-        assert_eq!(params.body.stature_m, 1.6);
-        let own = r#"{"person": {"stature_m": 1.6}, "body": {"stature_m": 1.7}}"#;
-        assert_eq!(parse(own).unwrap().body.stature_m, 1.7);
+        assert_eq!(params.person.age_years, 60.0);
+        assert_eq!(params.hands().age_years, 60.0);
+        let as_long = |p: &FigureParams| p.hands().length_m;
+        assert!(as_long(&params) < as_long(&preset("sofia").unwrap()));
+        let own = r#"{"person": {"stature_m": 1.6}, "hand": {"length": 1.1}}"#;
+        assert!(as_long(&parse(own).unwrap()) > 1.05 * as_long(&params));
     }
 
     #[test]
@@ -185,7 +169,7 @@ mod tests {
             (r#"{"head": {"wobble": 1}}"#, "head.wobble"),
             (r#"{"person": {"age_years": "old"}}"#, "person.age_years"),
             (r#"{"person": {"age_years": 3}}"#, "person.age_years"),
-            (r#"{"head": {"person": 4}}"#, "head.person"),
+            (r#"{"head": {"brow": 4}}"#, "head.brow"),
             (r#"{"name": 4}"#, "name"),
             (r#"{"base": "nobody"}"#, "nobody"),
             ("[1]", "object"),

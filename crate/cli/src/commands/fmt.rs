@@ -1,0 +1,90 @@
+//! `raconteur fmt`.
+
+use std::fs;
+use std::io::{self, Write as _};
+use std::path::PathBuf;
+
+use anyhow::{Context as _, Result};
+use clap::Args;
+use raconteur_player::eml::{Diagnostic, HARMLESS, parse, write_with_comments};
+
+use crate::story::StoryFiles;
+use crate::{Outcome, report};
+
+/// Write stories in their canonical form. Comments stay, before their clause. A story that
+/// would lose something is left as it is, with a message.
+#[derive(Args)]
+pub(crate) struct Fmt {
+    /// Scripts, or folders that hold a story.eml.
+    #[arg(required = true)]
+    files: Vec<PathBuf>,
+    /// Only tell which stories are not in their canonical form.
+    #[arg(long)]
+    check: bool,
+}
+
+impl Fmt {
+    pub(crate) fn run(&self) -> Result<Outcome> {
+        let mut out = io::stdout().lock();
+        let mut worst = Outcome::Fine;
+        for path in &self.files {
+            let files = StoryFiles::read(path)?;
+            let name = files.script.display().to_string();
+            let formatted = match formatted(&files.text) {
+                Ok(formatted) => formatted,
+                Err(losses) => {
+                    report::print(&name, &files.text, &losses)?;
+                    writeln!(out, "{name}: left as it is; mend what is reported first")?;
+                    worst = Outcome::Errors;
+                    continue;
+                }
+            };
+            if formatted == files.text {
+                continue;
+            }
+            if self.check {
+                writeln!(out, "{name}: not in canonical form")?;
+                worst = Outcome::Errors;
+            } else {
+                fs::write(&files.script, formatted)
+                    .with_context(|| format!("cannot write {name}"))?;
+            }
+        }
+        Ok(worst)
+    }
+}
+
+/// The canonical text, or what keeps it from saying the same.
+fn formatted(source: &str) -> Result<String, Vec<Diagnostic>> {
+    let parsed = parse(source);
+    let losses: Vec<Diagnostic> = parsed
+        .diagnostics
+        .into_iter()
+        .filter(|d| !HARMLESS.contains(&d.code))
+        .collect();
+    if !losses.is_empty() {
+        return Err(losses);
+    }
+    Ok(write_with_comments(&parsed.document, source))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_story_is_written_anew_only_when_nothing_is_lost() {
+        let text = formatted("<eml><body><!-- hm --><Null time='1.0'/></body></eml>").unwrap();
+        assert_eq!(
+            text,
+            "<eml>\n  <body>\n    <!-- hm -->\n    <null time='1'/>\n  </body>\n</eml>\n"
+        );
+        assert_eq!(formatted(&text).unwrap(), text);
+        for lossy in [
+            "<eml><body><null time='1' colour='red'/></body></eml>",
+            "<eml><body><null time='1'></body></eml>",
+        ] {
+            assert!(formatted(lossy).is_err(), "{lossy}");
+        }
+    }
+}

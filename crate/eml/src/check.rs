@@ -1,0 +1,333 @@
+//! Checks that look at the whole document: what clauses refer to, and attributes that
+//! mean nothing beside others.
+
+use crate::clauses::functions::FunctionArgs;
+use crate::clauses::manipulators::JOINTS;
+use crate::clauses::players::{PlayerKind, PrimitiveKind, TrackProperty};
+use crate::clauses::sets::{BODY_GROUPS, Member, MemberKind, Set, SetKind};
+use crate::diagnostic::Sink;
+use crate::suggest::{nearest, quoted};
+use crate::{Clause, ClauseKind, Diagnostic, Document, Span};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// The most names that a hint is chosen from, which bounds its cost.
+const MOST_HINTS: usize = 256;
+
+/// Where the set of each name is.
+type Index<'d> = BTreeMap<&'d str, usize>;
+
+/// Reports attributes that mean nothing beside others, clauses that lack what they need,
+/// and, in a whole script, references to nothing.
+pub(crate) fn clauses(document: &Document, is_fragment: bool, sink: &mut Sink) {
+    for (_, clause) in document.iter() {
+        meaning(clause, sink);
+    }
+    // What a mind refers to may have been made by the script that plays.
+    if !is_fragment {
+        references(document, sink);
+    }
+}
+
+/// Reports arguments that are given twice.
+fn arguments(args: Option<&FunctionArgs>, span: Span, sink: &mut Sink) {
+    let mut seen = BTreeSet::new();
+    for arg in args.iter().flat_map(|args| &args.args) {
+        if !seen.insert(arg.name.as_str()) {
+            let message = format!(
+                "the argument {} is given twice; the last one counts",
+                quoted(&arg.name)
+            );
+            sink.push(Diagnostic::warning(
+                "eml::duplicate-argument",
+                span,
+                message,
+            ));
+        }
+    }
+}
+
+fn meaning(clause: &Clause, sink: &mut Sink) {
+    match &clause.kind {
+        ClauseKind::VhMove(function) => {
+            return arguments(function.args.as_ref(), clause.tag_span, sink);
+        }
+        ClauseKind::ManipulatorFunction(function) => {
+            return arguments(function.args.as_ref(), clause.tag_span, sink);
+        }
+        _ => {}
+    }
+    let mut ignored = |message: &str| {
+        sink.push(Diagnostic::warning(
+            "eml::ignored-attribute",
+            clause.tag_span,
+            message,
+        ));
+    };
+    let layers_only_for_multiple =
+        |layers: &Option<u32>, kind| layers.is_some() && kind != PlayerKind::Multiple;
+    match &clause.kind {
+        ClauseKind::PlayerAdd(add) if layers_only_for_multiple(&add.layers, add.kind) => {
+            ignored("`numberOfLayers` only counts with type='multiple'");
+        }
+        ClauseKind::PlayerSetExclusive(set) if layers_only_for_multiple(&set.layers, set.kind) => {
+            ignored("`numberOfLayers` only counts with type='multiple'");
+        }
+        ClauseKind::DeterministicTrackProperty(property)
+            if property.property == TrackProperty::Enable && property.duration_secs > 0.0 =>
+        {
+            ignored("`duration` does not count for property='enable'");
+        }
+        ClauseKind::DeterministicPrimitive(primitive) => {
+            let needs = matches!(
+                primitive.primitive,
+                PrimitiveKind::Push | PrimitiveKind::Exchange
+            );
+            let word = primitive.primitive.word();
+            match &primitive.animation {
+                None if needs => {
+                    let message = format!("primitive='{word}' needs `animationSetName`");
+                    let span = clause.tag_span;
+                    sink.push(Diagnostic::error("eml::missing-attribute", span, message));
+                }
+                Some(_) if !needs => {
+                    ignored(&format!(
+                        "`animationSetName` does not count for primitive='{word}'"
+                    ));
+                }
+                _ => {}
+            }
+        }
+        ClauseKind::JointInterpolation(motion)
+            if motion.static_time_secs.is_some() && motion.static_velocity_rad_per_s.is_some() =>
+        {
+            ignored("`staticVelocity` does not count beside `staticTime`");
+        }
+        ClauseKind::ForwardKinematics(fk) => {
+            let most = fk.manipulator.joints();
+            let given = fk.joints_deg.iter().flatten().count();
+            let last = fk.joints_deg.iter().rposition(Option::is_some);
+            let count = fk.joint_count.map_or(most, |n| n as usize);
+            if given == 0 {
+                ignored("no joint is given, so nothing moves");
+            } else if let Some(last) = last.filter(|&last| last >= count.min(most)) {
+                ignored(&format!(
+                    "`{}` does not count: the manipulator has {} joints here",
+                    JOINTS[last],
+                    count.min(most)
+                ));
+            }
+        }
+        ClauseKind::Jacobian(jacobian) => {
+            let zero = |vector: &[f64; 3]| vector.iter().all(|&x| x == 0.0);
+            let (target, still) = (
+                &jacobian.target,
+                zero(&jacobian.velocity) && zero(&jacobian.angular_velocity_deg),
+            );
+            if jacobian.is_static_target && !still {
+                ignored("velocities do not count with isStaticTarget='true'");
+            }
+            let no_target = zero(&target.position) && zero(&target.angles_deg);
+            if !(jacobian.is_static_target || no_target) {
+                ignored("a target does not count with isStaticTarget='false'");
+            }
+        }
+        _ => {}
+    }
+}
+
+/// Checks the references between the parts of a document.
+fn references(document: &Document, sink: &mut Sink) {
+    let index = sets(&document.sets, sink);
+    let players = players(document, sink);
+    for (_, clause) in document.iter() {
+        let span = clause.tag_span;
+        let (player, members) = match &clause.kind {
+            ClauseKind::PlayerAdd(add) => (None, add.bones.as_ref().map(|b| &b.members)),
+            ClauseKind::PlayerSetExclusive(set) => (None, set.bones.as_ref().map(|b| &b.members)),
+            ClauseKind::PlayerChangePriority(change) => (change.name.as_ref(), None),
+            ClauseKind::PlayerRemove(remove) => (remove.name.as_ref(), None),
+            ClauseKind::DeterministicTrackProperty(property) => (
+                property.player.as_ref(),
+                property.tracks.as_ref().map(|t| &t.members),
+            ),
+            ClauseKind::DeterministicPrimitive(primitive) => (
+                primitive.player.as_ref(),
+                primitive.tracks.as_ref().map(|t| &t.members),
+            ),
+            _ => continue,
+        };
+        if let Some(name) = player
+            && !players.contains_key(name.as_str())
+        {
+            let message = format!("no clause adds a player {}", quoted(name));
+            unknown(
+                "eml::unknown-player",
+                span,
+                message,
+                name,
+                players.keys().copied(),
+                sink,
+            );
+        }
+        for member in members.into_iter().flatten() {
+            check_member(member, &index, span, sink);
+        }
+    }
+}
+
+/// The names of all players; one name is for one player.
+fn players<'d>(document: &'d Document, sink: &mut Sink) -> BTreeMap<&'d str, Span> {
+    let mut players: BTreeMap<&str, Span> = BTreeMap::new();
+    // A player that is removed may come back under its name.
+    let mut removed = false;
+    for (_, clause) in document.iter() {
+        let name = match &clause.kind {
+            ClauseKind::PlayerAdd(add) => &add.name,
+            ClauseKind::PlayerSetExclusive(set) => {
+                players.insert(&set.name, clause.tag_span);
+                removed = true;
+                continue;
+            }
+            ClauseKind::PlayerRemove(_) | ClauseKind::PlayerClear => {
+                removed = true;
+                continue;
+            }
+            _ => continue,
+        };
+        match players.get(name.as_str()) {
+            Some(first) if !removed => {
+                let message = format!("there is a player {} already", quoted(name));
+                sink.push(
+                    Diagnostic::warning("eml::duplicate-player", clause.tag_span, message)
+                        .related(*first, "added here"),
+                );
+            }
+            _ => {
+                players.insert(name, clause.tag_span);
+            }
+        }
+    }
+    players
+}
+
+/// Checks the sets of the head among themselves and tells where each is.
+fn sets<'d>(sets: &'d [Set], sink: &mut Sink) -> Index<'d> {
+    let mut index = Index::new();
+    for (place, set) in sets.iter().enumerate() {
+        let Some(&first) = index.get(set.name.as_str()) else {
+            index.insert(&set.name, place);
+            continue;
+        };
+        let message = format!(
+            "there is a set {} already; the first one counts",
+            quoted(&set.name)
+        );
+        sink.push(
+            Diagnostic::error("eml::duplicate-set", set.span, message)
+                .related(sets[first].span, "defined here"),
+        );
+    }
+    for set in sets {
+        for member in &set.members {
+            if member.kind == MemberKind::Set {
+                check_member(member, &index, set.span, sink);
+            } else if set.kind == SetKind::BodyGroup {
+                check_group(&member.name, set.span, sink);
+            }
+        }
+    }
+    for cycle in cycles(sets, &index) {
+        let names = cycle.iter().take(8).map(|&i| quoted(&sets[i].name));
+        let mut chain: Vec<String> = names.collect();
+        chain.push(chain[0].clone());
+        let message = format!("these sets contain each other: {}", chain.join(" -> "));
+        sink.push(
+            Diagnostic::error("eml::set-cycle", sets[cycle[0]].span, message)
+                .hint("a set that is met again counts once"),
+        );
+    }
+    index
+}
+
+/// The cycles among sets, each by the sets in it; each set is in at most one.
+fn cycles(sets: &[Set], index: &Index<'_>) -> Vec<Vec<usize>> {
+    #[derive(Clone, Copy, PartialEq)]
+    enum State {
+        New,
+        Open,
+        Done,
+    }
+    let mut state = vec![State::New; sets.len()];
+    let mut found: Vec<Vec<usize>> = Vec::new();
+    for root in 0..sets.len() {
+        if state[root] != State::New {
+            continue;
+        }
+        state[root] = State::Open;
+        let mut path: Vec<(usize, usize)> = vec![(root, 0)];
+        while let Some((set, next)) = path.last_mut() {
+            let Some(member) = sets[*set].members.get(*next) else {
+                state[*set] = State::Done;
+                path.pop();
+                continue;
+            };
+            *next += 1;
+            let is_set = member.kind == MemberKind::Set;
+            let inner = index.get(member.name.as_str()).filter(|_| is_set);
+            match inner.map(|&inner| (inner, state[inner])) {
+                Some((inner, State::New)) => {
+                    state[inner] = State::Open;
+                    path.push((inner, 0));
+                }
+                Some((inner, State::Open)) => {
+                    let from = path.iter().position(|&(set, _)| set == inner).unwrap_or(0);
+                    found.push(path[from..].iter().map(|&(set, _)| set).collect());
+                }
+                _ => {}
+            }
+        }
+    }
+    found
+}
+
+fn check_member(member: &Member, index: &Index<'_>, span: Span, sink: &mut Sink) {
+    let name = member.name.as_str();
+    match member.kind {
+        MemberKind::Set if !index.contains_key(name) => {
+            let message = format!("there is no set {}; it counts as empty", quoted(name));
+            unknown(
+                "eml::unknown-set",
+                span,
+                message,
+                name,
+                index.keys().copied(),
+                sink,
+            );
+        }
+        MemberKind::Group => check_group(name, span, sink),
+        _ => {}
+    }
+}
+
+fn check_group(name: &str, span: Span, sink: &mut Sink) {
+    if !BODY_GROUPS.contains(&name) {
+        let message = format!("there is no body group {}", quoted(name));
+        let known = BODY_GROUPS.iter().copied();
+        unknown("eml::unknown-body-group", span, message, name, known, sink);
+    }
+}
+
+fn unknown<'n>(
+    code: &'static str,
+    span: Span,
+    message: String,
+    name: &str,
+    known: impl Iterator<Item = &'n str>,
+    sink: &mut Sink,
+) {
+    let mut diagnostic = Diagnostic::warning(code, span, message);
+    if let Some(near) = nearest(name, known.take(MOST_HINTS)) {
+        diagnostic = diagnostic.hint(format!("did you mean `{near}`?"));
+    }
+    sink.push(diagnostic);
+}

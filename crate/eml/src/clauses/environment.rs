@@ -1,0 +1,162 @@
+//! Extensions: who performs, what is felt, and how camera, light and music tell it
+//! (GEVH 3.5.4 describes them without a syntax).
+
+use crate::record::{record, words};
+
+record! {
+    /// Who performs the script, and in what voice and language.
+    Performer = "performer" {
+        /// The figure's name.
+        figure: Option<String> = "figure",
+        /// The voice's name.
+        voice: Option<String> = "voice",
+        /// The language of the speech, as in BCP 47.
+        language: Option<String> = "language",
+    }
+}
+
+words! {
+    /// The emotions of Ortony, Clore and Collins, and `neutral`.
+    EmotionKind {
+        /// None in particular.
+        Neutral = "neutral",
+        /// Joy.
+        Joy = "joy",
+        /// Distress.
+        Distress = "distress",
+        /// Glad for somebody.
+        HappyFor = "happy-for",
+        /// Sorry for somebody.
+        SorryFor = "sorry-for",
+        /// Resentment.
+        Resentment = "resentment",
+        /// Gloating.
+        Gloating = "gloating",
+        /// Hope.
+        Hope = "hope",
+        /// Fear.
+        Fear = "fear",
+        /// Satisfaction.
+        Satisfaction = "satisfaction",
+        /// What was feared came true.
+        FearsConfirmed = "fears-confirmed",
+        /// Relief.
+        Relief = "relief",
+        /// Disappointment.
+        Disappointment = "disappointment",
+        /// Pride.
+        Pride = "pride",
+        /// Shame.
+        Shame = "shame",
+        /// Admiration.
+        Admiration = "admiration",
+        /// Reproach.
+        Reproach = "reproach",
+        /// Gratification.
+        Gratification = "gratification",
+        /// Remorse.
+        Remorse = "remorse",
+        /// Gratitude.
+        Gratitude = "gratitude",
+        /// Anger.
+        Anger = "anger",
+        /// Love.
+        Love = "love",
+        /// Hate.
+        Hate = "hate",
+        /// Liking.
+        Liking = "liking",
+        /// Disliking.
+        Disliking = "disliking",
+    }
+}
+
+record! {
+    /// Elicits an emotion.
+    Emotion = "emotion" {
+        /// Which one.
+        kind: EmotionKind = "type",
+        /// Its potential, 0 to 10 (GEVH 3.5.4.1).
+        potential: f64 = "potential",
+        /// How long it is kept up, in seconds.
+        duration_secs: f64 = "duration",
+    }
+}
+
+words! {
+    /// How much of the figure the camera shows (GEVH 3.5.4.1).
+    ShotKind {
+        /// A detail, such as the eyes.
+        ExtremeCloseUp = "extremeCloseUp",
+        /// The face.
+        CloseUp = "closeUp",
+        /// From the waist up.
+        Medium = "medium",
+        /// The whole figure.
+        Full = "full",
+        /// The figure and what is around it.
+        Long = "long",
+    }
+}
+
+words! {
+    /// From where the camera looks (GEVH 3.5.4.1).
+    CameraAngle {
+        /// At the height of what it looks at.
+        Eye = "eye",
+        /// From above.
+        High = "high",
+        /// From below.
+        Low = "low",
+    }
+}
+
+record! {
+    /// Takes a shot.
+    Camera = "camera" {
+        /// How much it shows; none: unchanged.
+        shot: Option<ShotKind> = "shot",
+        /// From where; none: unchanged.
+        angle: Option<CameraAngle> = "angle",
+        /// How long the way there takes in seconds; 0 is a cut.
+        transition_secs: f64 = "transition",
+    }
+}
+
+record! {
+    /// Changes the key light (GEVH 3.5.4.2).
+    Light = "light" {
+        /// Its colour as red, green, blue in sRGB; none: unchanged.
+        color: Option<[u8; 3]> = "color",
+        /// Its brightness, 1 as in the stage's own light; none: unchanged.
+        brightness: Option<f64> = "brightness",
+        /// How long the change takes in seconds.
+        transition_secs: f64 = "transition",
+    }
+}
+
+words! {
+    /// The mood of a piece of music (GEVH 3.5.4.3).
+    Valence {
+        /// Neither.
+        Neutral = "neutral",
+        /// A good mood.
+        Positive = "positive",
+        /// A bad mood.
+        Negative = "negative",
+    }
+}
+
+record! {
+    /// Plays music: from the library by its mood, or a file.
+    Music = "music" {
+        /// The mood; none: silence, unless there is a file.
+        valence: Option<Valence> = "valence",
+        /// A file beside the story.
+        file: Option<String> = "file",
+        /// Its volume, 1 as recorded.
+        volume: f64 = "volume",
+        /// How long it fades in, and the music before out, in seconds.
+        fade_secs: f64 = "fade",
+    }
+}

@@ -1,0 +1,216 @@
+//! Limb manipulators (GEVH 3.3, D.3.19 to D.3.26). Positions are in skeleton units: x to
+//! the speaker's left, y up, z to the back; angles in degrees.
+
+use super::functions::FunctionArgs;
+use crate::record::{Record, Visit, record, words};
+
+words! {
+    /// A limb, or the head, as a manipulator.
+    Manipulator {
+        /// From the left shoulder to the wrist.
+        LeftArm = "leftArm",
+        /// From the right shoulder to the wrist.
+        RightArm = "rightArm",
+        /// From the left hip to the ankle.
+        LeftLeg = "leftLeg",
+        /// From the right hip to the ankle.
+        RightLeg = "rightLeg",
+        /// The neck and the head.
+        Head = "head",
+    }
+}
+
+impl Manipulator {
+    /// How many joint angles it has (GEVH 3.3.1).
+    #[must_use]
+    pub fn joints(self) -> usize {
+        if self == Self::Head { 5 } else { 6 }
+    }
+}
+
+record! {
+    /// Switches a manipulator; what is none stays as it is (GEVH D.3.19).
+    ConfigureManipulator = "body-configure-manipulator" {
+        /// Which one.
+        manipulator: Manipulator = "manipulator",
+        /// Whether it moves its limb.
+        is_on: Option<bool> = "isOn",
+        /// Whether its joints have limits.
+        joint_limits_active: Option<bool> = "jointLimitsActive",
+    }
+}
+
+/// The names of the joint attributes.
+pub(crate) const JOINTS: [&str; 6] = ["j1", "j2", "j3", "j4", "j5", "j6"];
+
+/// Sets the joints of a manipulator (GEVH D.3.20).
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct ForwardKinematics {
+    /// Which one.
+    pub manipulator: Manipulator,
+    /// How many joints the document says it has; none: as many as are given.
+    pub joint_count: Option<u32>,
+    /// The angle of each joint in degrees; none: unchanged.
+    pub joints_deg: [Option<f64>; 6],
+}
+
+impl Record for ForwardKinematics {
+    #[cfg(any(test, feature = "write"))]
+    fn element(&self) -> &'static str {
+        "body-non-deterministic-fk"
+    }
+
+    fn visit(&mut self, visitor: &mut dyn Visit) {
+        visitor.field("manipulator", &mut self.manipulator);
+        visitor.field("nJoints", &mut self.joint_count);
+        for (name, joint) in JOINTS.into_iter().zip(&mut self.joints_deg) {
+            visitor.field(name, joint);
+        }
+    }
+}
+
+/// Where the end of a limb is to come.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Target {
+    /// Position in skeleton units.
+    pub position: [f64; 3],
+    /// Yaw, pitch and roll in degrees.
+    pub angles_deg: [f64; 3],
+}
+
+/// Shows the numbers of a vector.
+fn visit_all(visitor: &mut dyn Visit, names: [&'static str; 3], numbers: &mut [f64; 3]) {
+    for (name, number) in names.into_iter().zip(numbers) {
+        visitor.field(name, number);
+    }
+}
+
+impl Target {
+    fn visit(&mut self, visitor: &mut dyn Visit) {
+        visit_all(visitor, ["posX", "posY", "posZ"], &mut self.position);
+        visit_all(visitor, ["yaw", "pitch", "roll"], &mut self.angles_deg);
+    }
+}
+
+/// Brings the end of a limb to a target, interpolating its joints (GEVH D.3.21).
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct JointInterpolation {
+    /// Which limb.
+    pub manipulator: Manipulator,
+    /// How long it takes in seconds. Counts when both are given.
+    pub static_time_secs: Option<f64>,
+    /// How fast the joints turn, in radians a second.
+    pub static_velocity_rad_per_s: Option<f64>,
+    /// Where to.
+    pub target: Target,
+}
+
+impl Record for JointInterpolation {
+    #[cfg(any(test, feature = "write"))]
+    fn element(&self) -> &'static str {
+        "body-non-deterministic-joint-interpolation"
+    }
+
+    fn visit(&mut self, visitor: &mut dyn Visit) {
+        visitor.field("manipulator", &mut self.manipulator);
+        visitor.field("staticTime", &mut self.static_time_secs);
+        visitor.field("staticVelocity", &mut self.static_velocity_rad_per_s);
+        self.target.visit(visitor);
+    }
+}
+
+/// Brings the end of a limb to a target on a straight way (GEVH D.3.22).
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct FrameInterpolation {
+    /// Which limb.
+    pub manipulator: Manipulator,
+    /// How long it takes in seconds.
+    pub period_secs: f64,
+    /// Where to.
+    pub target: Target,
+}
+
+impl Record for FrameInterpolation {
+    #[cfg(any(test, feature = "write"))]
+    fn element(&self) -> &'static str {
+        "body-non-deterministic-frame-interpolation"
+    }
+
+    fn visit(&mut self, visitor: &mut dyn Visit) {
+        visitor.field("manipulator", &mut self.manipulator);
+        visitor.field("timePeriod", &mut self.period_secs);
+        self.target.visit(visitor);
+    }
+}
+
+record! {
+    /// Moves the end of a limb along a function (GEVH D.3.23).
+    ManipulatorFunction = "body-non-deterministic-function" {
+        /// Which limb.
+        manipulator: Manipulator = "manipulator",
+        /// The function's name, such as `segment`.
+        function: String = "functionName",
+        /// Whether it starts again after its period.
+        is_looping: bool = "isLooping",
+    }
+    children {
+        /// Its arguments.
+        args: Option<FunctionArgs>
+    }
+}
+
+/// Moves the end of a limb by inverse velocity (GEVH D.3.24).
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Jacobian {
+    /// Which limb.
+    pub manipulator: Manipulator,
+    /// Whether it goes to the target, or else at the velocities.
+    pub is_static_target: bool,
+    /// Where to.
+    pub target: Target,
+    /// Velocity in units a second.
+    pub velocity: [f64; 3],
+    /// Angular velocity in degrees a second.
+    pub angular_velocity_deg: [f64; 3],
+}
+
+impl Record for Jacobian {
+    #[cfg(any(test, feature = "write"))]
+    fn element(&self) -> &'static str {
+        "body-non-deterministic-jacobian"
+    }
+
+    fn visit(&mut self, visitor: &mut dyn Visit) {
+        visitor.field("manipulator", &mut self.manipulator);
+        visitor.field("isStaticTarget", &mut self.is_static_target);
+        self.target.visit(visitor);
+        visit_all(
+            visitor,
+            ["cartesianX", "cartesianY", "cartesianZ"],
+            &mut self.velocity,
+        );
+        visit_all(
+            visitor,
+            ["angularX", "angularY", "angularZ"],
+            &mut self.angular_velocity_deg,
+        );
+    }
+}
+
+record! {
+    /// Stops a manipulator (GEVH D.3.25).
+    Stop = "body-non-deterministic-stop" {
+        /// Which one.
+        manipulator: Manipulator = "manipulator",
+    }
+}
+
+record! {
+    /// Holds the end of a limb where it is, or lets it go (GEVH D.3.26).
+    Lock = "body-non-deterministic-lock" {
+        /// Which one.
+        manipulator: Manipulator = "manipulator",
+        /// Whether it is held.
+        is_lock: bool = "isLock",
+    }
+}

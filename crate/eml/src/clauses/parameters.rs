@@ -1,0 +1,74 @@
+//! Control parameters: values by name that shape the face and the body (GEVH 3.2.4,
+//! D.3.27 to D.3.30).
+
+use crate::record::{record, words};
+
+record! {
+    /// Sets a control parameter (GEVH D.3.27).
+    SetControlParameter = "body-set-control-parameter" {
+        /// Which one, such as `Disgust`.
+        parameter: String = "parameterId",
+        /// Its value, 0 to 1.
+        value: f64 = "value",
+    }
+}
+
+record! {
+    /// Leads a control parameter through attack, decay, sustain and release (GEVH D.3.28).
+    AdsrControlParameter = "body-animate-ADSR-control-parameter" {
+        /// Which one.
+        parameter: String = "parameterId",
+        /// From the value before to the attack value, seconds.
+        attack_secs: f64 = "attackDurationTime",
+        /// The value at the end of the attack.
+        attack_value: f64 = "attackValue",
+        /// From there to the decay value, seconds.
+        decay_secs: f64 = "decayDurationTime",
+        /// The value at the end of the decay.
+        decay_value: f64 = "decayValue",
+        /// How long the sustain value is held, seconds.
+        sustain_secs: f64 = "sustainDurationTime",
+        /// The value held; none: the decay value.
+        sustain_value: Option<f64> = "sustainValue",
+        /// From there to the release value, seconds.
+        release_secs: f64 = "releaseDurationTime",
+        /// The value at the end.
+        release_value: f64 = "releaseValue",
+    }
+}
+
+record! {
+    /// Loads an animation of control parameters into the library (GEVH D.3.29).
+    LoadControlParameterAnimation = "body-load-control-parameter-animation" {
+        /// Its file, relative.
+        file: String = "file",
+        /// Whether the file lies in the library instead of beside the story.
+        is_resources_relative: bool = "isResourcesRelative",
+    }
+}
+
+words! {
+    /// In which direction an animation plays.
+    Style {
+        /// From its start to its end.
+        Forward = "forward",
+        /// From its end to its start.
+        Reverse = "reverse",
+        /// Forward, then back.
+        PingPong = "pingPong",
+        /// Back, then forward.
+        ReversePingPong = "reversePingPong",
+    }
+}
+
+record! {
+    /// Plays an animation of control parameters from the library (GEVH D.3.30).
+    AnimateControlParameter = "body-animate-control-parameter" {
+        /// Which one.
+        animation: String = "animationId",
+        /// In which direction.
+        style: Style = "style",
+        /// By what its values are multiplied.
+        gain: f64 = "value",
+    }
+}

@@ -1,0 +1,208 @@
+//! Animation players and what they play (GEVH 3.2, D.3.5, D.3.6, D.3.11 to D.3.18).
+
+use super::sets::Member;
+use crate::record::{record, words};
+
+words! {
+    /// What kind of animation a player plays.
+    PlayerKind {
+        /// Keyframe animations in layers.
+        Multiple = "multiple",
+        /// One animation for each body group.
+        BodyGroup = "bodyGroup",
+        /// Poses (GEVH 3.2.3).
+        Pose = "pose",
+    }
+}
+
+record! {
+    /// The tracks that a clause is for (GEVH D.3.7).
+    Tracks = "tracks" {}
+    children {
+        /// Sets, body groups and layers.
+        members: Vec<Member>
+    }
+}
+
+record! {
+    /// The bones that a player moves (GEVH D.3.13).
+    Bones = "bones" {}
+    children {
+        /// Sets, body groups and bones.
+        members: Vec<Member>
+    }
+}
+
+record! {
+    /// Adds an animation player (GEVH D.3.11).
+    PlayerAdd = "body-player-add" {
+        /// Its name.
+        name: String = "name",
+        /// What it plays.
+        kind: PlayerKind = "type",
+        /// How many layers it has; only for [`PlayerKind::Multiple`].
+        layers: Option<u32> = "numberOfLayers",
+    }
+    children {
+        /// The bones that it moves; none: all.
+        bones: Option<Bones>
+    }
+}
+
+record! {
+    /// Replaces all animation players by one (GEVH D.3.12).
+    PlayerSetExclusive = "body-player-set-exclusive" {
+        /// Its name.
+        name: String = "name",
+        /// What it plays.
+        kind: PlayerKind = "type",
+        /// How many layers it has; only for [`PlayerKind::Multiple`].
+        layers: Option<u32> = "numberOfLayers",
+    }
+    children {
+        /// The bones that it moves; none: all.
+        bones: Option<Bones>
+    }
+}
+
+record! {
+    /// Changes the priority of an animation player (GEVH D.3.14).
+    PlayerChangePriority = "body-player-change-priority" {
+        /// The player; none: the first one.
+        name: Option<String> = "name",
+        /// The new priority; the player with the highest moves a bone.
+        priority: i32 = "priority",
+    }
+}
+
+record! {
+    /// Removes an animation player (GEVH D.3.15).
+    PlayerRemove = "body-player-remove" {
+        /// The player; none: the first one.
+        name: Option<String> = "name",
+    }
+}
+
+record! {
+    /// Configures the transitions of keyframe animations (GEVH D.3.5).
+    DeterministicAnimation = "body-configure-deterministic-animation" {
+        /// Whether animations cross-fade; none: unchanged.
+        smooth: Option<bool> = "smooth",
+        /// Length of a cross-fade in seconds; none: unchanged.
+        swap_secs: Option<f64> = "swapTime",
+    }
+}
+
+words! {
+    /// A property of tracks.
+    TrackProperty {
+        /// Playback speed, 1 as recorded.
+        Speed = "speed",
+        /// Weight in the blend.
+        Weight = "weight",
+        /// Whether the track plays: 0 or 1.
+        Enable = "enable",
+    }
+}
+
+words! {
+    /// How a property goes to its new value.
+    Transition {
+        /// At constant pace.
+        Linear = "linear",
+    }
+}
+
+record! {
+    /// Sets a property of tracks (GEVH D.3.6).
+    DeterministicTrackProperty = "body-configure-deterministic-track-property" {
+        /// Which property.
+        property: TrackProperty = "property",
+        /// Its new value; 0 or 1 for [`TrackProperty::Enable`].
+        new_value: f64 = "newValue",
+        /// The player; none: the first one.
+        player: Option<String> = "player",
+        /// Length of the transition in seconds.
+        duration_secs: f64 = "duration",
+        /// Its course.
+        transition: Transition = "transition",
+    }
+    children {
+        /// The tracks; there is one list.
+        tracks: Option<Tracks>
+    }
+}
+
+words! {
+    /// What happens to the stack of animations.
+    PrimitiveKind {
+        /// An animation is put on it.
+        Push = "push",
+        /// The topmost animation is exchanged for another.
+        Exchange = "exchange",
+        /// The topmost animation is taken off.
+        Pop = "pop",
+        /// All animations are taken off.
+        Clear = "clearAnimationStack",
+    }
+}
+
+words! {
+    /// How an animation plays (GEVH D.3.18).
+    PlaybackStyle {
+        /// Over and over.
+        Loop = "loop",
+        /// Over and over backwards.
+        LoopReverse = "loopReverse",
+        /// Forwards and backwards in turn.
+        PingPong = "pingPong",
+        /// A number of times.
+        Iterations = "iterations",
+        /// A number of times backwards.
+        IterationsReverse = "iterationsReverse",
+        /// A number of times, then it leaves the stack.
+        TemporaryIterations = "temporaryIterations",
+        /// A number of times backwards, then it leaves the stack.
+        TemporaryIterationsReverse = "temporaryIterationsReverse",
+    }
+}
+
+record! {
+    /// How an animation plays (GEVH D.3.18).
+    AnimationStyle = "animation-style" {
+        /// In which way.
+        style: PlaybackStyle = "playbackStyle",
+        /// How often, for the styles that end (extension).
+        iterations: u32 = "iterations",
+    }
+}
+
+/// Operates on the stack of animations of a player (GEVH D.3.17).
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct DeterministicPrimitive {
+    /// What to do.
+    pub primitive: PrimitiveKind,
+    /// The player; none: the first one.
+    pub player: Option<String>,
+    /// The animation, for push and exchange.
+    pub animation: Option<String>,
+    /// The tracks; none: all.
+    pub tracks: Option<Tracks>,
+    /// How it plays; none: in a loop.
+    pub style: Option<AnimationStyle>,
+}
+
+impl crate::record::Record for DeterministicPrimitive {
+    #[cfg(any(test, feature = "write"))]
+    fn element(&self) -> &'static str {
+        "body-deterministic-primitive"
+    }
+
+    fn visit(&mut self, visitor: &mut dyn crate::record::Visit) {
+        visitor.field("primitive", &mut self.primitive);
+        visitor.field("player", &mut self.player);
+        visitor.field("animationSetName", &mut self.animation);
+        visitor.children(&mut self.tracks);
+        visitor.children(&mut self.style);
+    }
+}

@@ -1,0 +1,154 @@
+//! Named sets of tracks, and what clauses refer to by name (GEVH D.3.3, D.3.7 to D.3.13).
+
+use crate::Span;
+use crate::record::{Child, Record, Visit, words};
+
+/// The body groups that every figure has (GEVH fig. 3.3; the legs are assumed).
+pub const BODY_GROUPS: &[&str] = &[
+    "head",
+    "torso",
+    "left_arm",
+    "right_arm",
+    "left_hand",
+    "right_hand",
+    "left_leg",
+    "right_leg",
+];
+
+words! {
+    /// What a set consists of.
+    SetKind {
+        /// Layers of a player.
+        Multiple = "multiple",
+        /// Body groups.
+        BodyGroup = "bodyGroup",
+    }
+}
+
+/// A named set of tracks (GEVH D.3.3).
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Set {
+    /// Its name.
+    pub name: String,
+    /// What it consists of.
+    pub kind: SetKind,
+    /// What is in it, in order: [`MemberKind::Item`] and [`MemberKind::Set`].
+    pub members: Vec<Member>,
+    /// The start tag.
+    pub span: Span,
+}
+
+impl Record for Set {
+    #[cfg(any(test, feature = "write"))]
+    fn element(&self) -> &'static str {
+        "set"
+    }
+
+    fn visit(&mut self, visitor: &mut dyn Visit) {
+        visitor.field("type", &mut self.kind);
+        visitor.field("name", &mut self.name);
+        visitor.children(&mut self.members);
+    }
+}
+
+/// What a [`Member`] is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MemberKind {
+    /// `it`: a body group or a layer of a set.
+    Item,
+    /// `ref`: a named set.
+    Set,
+    /// `bg`: a body group.
+    Group,
+    /// `ly`: a layer, by name or number.
+    Layer,
+    /// `bone`: one bone.
+    Bone,
+}
+
+impl MemberKind {
+    const ELEMENTS: [(&'static str, Self); 5] = [
+        ("it", Self::Item),
+        ("ref", Self::Set),
+        ("bg", Self::Group),
+        ("ly", Self::Layer),
+        ("bone", Self::Bone),
+    ];
+
+    /// The name of its element.
+    #[must_use]
+    pub fn element(self) -> &'static str {
+        Self::ELEMENTS[self as usize].0
+    }
+}
+
+/// One of the things that a set, a list of tracks or a list of bones names.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Member {
+    /// What it is.
+    pub kind: MemberKind,
+    /// Its name; the number of a layer as digits; a bone without its `bone_`.
+    pub name: String,
+}
+
+impl Record for Member {
+    #[cfg(any(test, feature = "write"))]
+    fn element(&self) -> &'static str {
+        self.kind.element()
+    }
+
+    fn visit(&mut self, visitor: &mut dyn Visit) {
+        visitor.field("name", &mut self.name);
+        if self.kind == MemberKind::Layer {
+            let mut index: Option<u32> = None;
+            visitor.field("index", &mut index);
+            if let (true, Some(index)) = (self.name.is_empty(), index) {
+                self.name = index.to_string();
+            }
+        }
+        if self.kind == MemberKind::Bone
+            && let Some(short) = self.name.strip_prefix("bone_")
+        {
+            self.name = short.to_owned();
+        }
+    }
+}
+
+impl Child for Member {
+    fn blank(element: &str) -> Option<Self> {
+        let (_, kind) = MemberKind::ELEMENTS
+            .iter()
+            .find(|(name, _)| *name == element)?;
+        Some(Self {
+            kind: *kind,
+            name: String::new(),
+        })
+    }
+}
+
+/// Finds what the set `name` comes to: its items and those of the sets that it refers to,
+/// each once, in order. A cycle is not followed; an unknown set is empty.
+#[must_use]
+pub fn items_of<'s>(sets: &'s [Set], name: &str) -> Vec<&'s str> {
+    let mut items = Vec::new();
+    let mut seen = vec![false; sets.len()];
+    let find = |name: &str| sets.iter().position(|s| s.name == name);
+    // Each entry is a set and the place of its next member.
+    let mut stack: Vec<(usize, usize)> = find(name).map(|set| (set, 0)).into_iter().collect();
+    while let Some((set, next)) = stack.last_mut() {
+        seen[*set] = true;
+        let Some(member) = sets[*set].members.get(*next) else {
+            stack.pop();
+            continue;
+        };
+        *next += 1;
+        if member.kind != MemberKind::Set {
+            if !items.contains(&member.name.as_str()) {
+                items.push(member.name.as_str());
+            }
+        } else if let Some(inner) = find(&member.name).filter(|&inner| !seen[inner]) {
+            stack.push((inner, 0));
+        }
+    }
+    items
+}

@@ -1,0 +1,402 @@
+//! Markup of speech: SABLE's containers and empty elements (GEVH D.4), and the clauses
+//! that speak without it.
+
+use crate::Span;
+use crate::record::{Field, Record, Value, Visit, record, words};
+use crate::voice::{Piece, VoiceText};
+
+/// A property of speech: a word of SABLE's, a change in percent, or a number.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Level {
+    /// One of the words that the attribute allows.
+    Word(&'static str),
+    /// A change of the enclosing value in percent.
+    Percent(f64),
+    /// The value itself.
+    Number(f64),
+}
+
+impl Default for Level {
+    fn default() -> Self {
+        Self::Number(0.0)
+    }
+}
+
+impl Field for Level {
+    fn set(&mut self, value: Value) {
+        match value {
+            Value::Word(word) => *self = Self::Word(word),
+            Value::Percent(percent) => *self = Self::Percent(percent),
+            Value::Number(number) => *self = Self::Number(number),
+            _ => {}
+        }
+    }
+
+    #[cfg(any(test, feature = "write"))]
+    fn get(&self) -> Value {
+        match *self {
+            Self::Word(word) => Value::Word(word),
+            Self::Percent(percent) => Value::Percent(percent),
+            Self::Number(number) => Value::Number(number),
+        }
+    }
+}
+
+record! {
+    /// Emphasises (GEVH D.4.7).
+    Emph = "emph" {
+        /// How strongly; numbers as in SABLE: 0 reduced, 0.5 none, 1 moderate, 2 strong.
+        level: Level = "level",
+    }
+}
+
+record! {
+    /// Says something else on one speech engine (GEVH D.4.8).
+    Engine = "engine" {
+        /// The engine's name.
+        id: String = "id",
+        /// What it says instead.
+        data: String = "data",
+    }
+}
+
+record! {
+    /// Changes the pitch (GEVH D.4.9). Numbers are in hertz.
+    Pitch = "pitch" {
+        /// The base line.
+        base: Option<Level> = "base",
+        /// The middle line.
+        middle: Option<Level> = "middle",
+        /// The range.
+        range: Option<Level> = "range",
+    }
+}
+
+record! {
+    /// Says how text is pronounced (GEVH D.4.10).
+    Pron = "pron" {
+        /// In the International Phonetic Alphabet.
+        ipa: Option<String> = "ipa",
+        /// In a spelling that sounds like it.
+        sub: Option<String> = "sub",
+        /// The language that the text comes from.
+        origin: Option<String> = "origin",
+    }
+}
+
+record! {
+    /// Changes the pace (GEVH D.4.11). Numbers are words a minute.
+    Rate = "rate" {
+        /// How fast.
+        speed: Level = "speed",
+    }
+}
+
+words! {
+    /// What a text is (GEVH D.4.12).
+    SayAsMode {
+        /// Letters to be spelt.
+        Literal = "literal",
+        /// A date.
+        Date = "date",
+        /// A time of day.
+        Time = "time",
+        /// A telephone number.
+        Phone = "phone",
+        /// An address on the net.
+        Net = "net",
+        /// A postal address.
+        Postal = "postal",
+        /// An amount of money.
+        Currency = "currency",
+        /// A formula.
+        Math = "math",
+        /// A fraction.
+        Fraction = "fraction",
+        /// A quantity with its unit.
+        Measure = "measure",
+        /// A rank.
+        Ordinal = "ordinal",
+        /// A count.
+        Cardinal = "cardinal",
+        /// A name.
+        Name = "name",
+    }
+}
+
+words! {
+    /// The order of the parts of a date, a time or a net address.
+    SayAsType {
+        /// Day, month, year.
+        Dmy = "DMY",
+        /// Month, day, year.
+        Mdy = "MDY",
+        /// Year, month, day.
+        Ymd = "YMD",
+        /// Year, month.
+        Ym = "YM",
+        /// Month, year.
+        My = "MY",
+        /// Month, day.
+        Md = "MD",
+        /// Hour, minute.
+        Hm = "HM",
+        /// Hour, minute, second.
+        Hms = "HMS",
+        /// An address of electronic mail.
+        Email = "EMAIL",
+        /// An address of a page.
+        Url = "URL",
+    }
+}
+
+record! {
+    /// Says what a text is (GEVH D.4.12).
+    SayAs = "sayas" {
+        /// What it is.
+        mode: SayAsMode = "mode",
+        /// The order of its parts.
+        mode_type: Option<SayAsType> = "modetype",
+    }
+}
+
+record! {
+    /// Changes the volume (GEVH D.4.13). Numbers are gains, 1 unchanged.
+    Volume = "volume" {
+        /// How loud.
+        level: Level = "level",
+    }
+}
+
+record! {
+    /// Changes the language (SABLE's LANGUAGE; extension).
+    Language = "language" {
+        /// The language's name or code.
+        id: String = "id",
+        /// The coding of its characters.
+        code: Option<String> = "code",
+    }
+}
+
+words! {
+    /// A speaker's sex.
+    Gender {
+        /// A man.
+        Male = "male",
+        /// A woman.
+        Female = "female",
+    }
+}
+
+words! {
+    /// A speaker's age.
+    Age {
+        /// Old.
+        Older = "older",
+        /// In the middle of life.
+        Middle = "middle",
+        /// Young.
+        Younger = "younger",
+        /// Half grown.
+        Teen = "teen",
+        /// A child.
+        Child = "child",
+    }
+}
+
+record! {
+    /// Changes the speaker (SABLE's SPEAKER; extension).
+    Speaker = "speaker" {
+        /// The sex.
+        gender: Option<Gender> = "gender",
+        /// The age.
+        age: Option<Age> = "age",
+        /// The voice's name.
+        name: Option<String> = "name",
+    }
+}
+
+/// What a container does to the speech in it.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Markup {
+    /// Emphasises it.
+    Emph(Emph),
+    /// Replaces it on one engine.
+    Engine(Engine),
+    /// Changes its pitch.
+    Pitch(Pitch),
+    /// Pronounces it.
+    Pron(Pron),
+    /// Changes its pace.
+    Rate(Rate),
+    /// Says what it is.
+    SayAs(SayAs),
+    /// Changes its volume.
+    Volume(Volume),
+    /// Changes its language.
+    Language(Language),
+    /// Changes who speaks it.
+    Speaker(Speaker),
+}
+
+impl Markup {
+    /// The name of the element.
+    #[must_use]
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Emph(_) => "emph",
+            Self::Engine(_) => "engine",
+            Self::Pitch(_) => "pitch",
+            Self::Pron(_) => "pron",
+            Self::Rate(_) => "rate",
+            Self::SayAs(_) => "sayas",
+            Self::Volume(_) => "volume",
+            Self::Language(_) => "language",
+            Self::Speaker(_) => "speaker",
+        }
+    }
+
+    pub(crate) fn record(&mut self) -> &mut dyn Record {
+        match self {
+            Self::Emph(record) => record,
+            Self::Engine(record) => record,
+            Self::Pitch(record) => record,
+            Self::Pron(record) => record,
+            Self::Rate(record) => record,
+            Self::SayAs(record) => record,
+            Self::Volume(record) => record,
+            Self::Language(record) => record,
+            Self::Speaker(record) => record,
+        }
+    }
+}
+
+words! {
+    /// How a recording sounds together with the speech.
+    AudioMode {
+        /// The speech waits for it.
+        Insertion = "insertion",
+        /// Beneath the speech.
+        Background = "background",
+    }
+}
+
+record! {
+    /// Plays a recording (GEVH D.4.4).
+    Audio = "audio" {
+        /// Its address.
+        src: String = "src",
+        /// How it sounds together with the speech.
+        mode: AudioMode = "mode",
+        /// Its volume, 1 as recorded.
+        level: f64 = "level",
+    }
+}
+
+words! {
+    /// The punctuation mark whose intonation goes before a pause.
+    Boundary {
+        /// As after a question.
+        Question = "?",
+        /// As after an exclamation.
+        Exclamation = "!",
+        /// As after a statement.
+        Statement = ".",
+        /// As when more is coming.
+        Comma = ",",
+    }
+}
+
+words! {
+    /// What to do with the text or file of a [`VoiceSay`].
+    VoiceOperation {
+        /// Speak the text.
+        Text = "text",
+        /// Speak the file.
+        File = "file",
+        /// Synthesise the text without speaking it.
+        PreprocessText = "preprocessText",
+        /// Synthesise the file without speaking it.
+        PreprocessFile = "preprocessFile",
+        /// Speak the text; what follows does not wait.
+        AsynchronousText = "asynchronousText",
+        /// Speak the file; what follows does not wait.
+        AsynchronousFile = "asynchronousFile",
+    }
+}
+
+words! {
+    /// What a text or file is.
+    UtteranceKind {
+        /// Plain text.
+        Text = "text",
+        /// A SABLE document.
+        Sable = "sable",
+    }
+}
+
+/// Speaks a text or a file without time markers (GEVH D.4.2, D.4.14).
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct VoiceSay {
+    /// What to do.
+    pub operation: VoiceOperation,
+    /// What the text or file is.
+    pub kind: UtteranceKind,
+    /// Whether a file lies in the library instead of beside the story.
+    pub is_resources_relative: bool,
+    /// The text, or the path of the file.
+    pub content: String,
+    /// Where the content is.
+    pub content_span: Span,
+}
+
+impl Record for VoiceSay {
+    #[cfg(any(test, feature = "write"))]
+    fn element(&self) -> &'static str {
+        "voice-say"
+    }
+
+    fn visit(&mut self, visitor: &mut dyn Visit) {
+        visitor.field("voiceOperation", &mut self.operation);
+        visitor.field("type", &mut self.kind);
+        visitor.field(
+            "isResourcesRelativeFilePath",
+            &mut self.is_resources_relative,
+        );
+    }
+}
+
+impl VoiceSay {
+    /// Whether its content is the path of a file.
+    #[must_use]
+    pub fn is_file(&self) -> bool {
+        matches!(
+            self.operation,
+            VoiceOperation::File
+                | VoiceOperation::PreprocessFile
+                | VoiceOperation::AsynchronousFile
+        )
+    }
+
+    /// What is spoken while what follows waits: the plain text of [`VoiceOperation::Text`].
+    #[must_use]
+    pub fn spoken(&self) -> Option<VoiceText> {
+        (self.operation == VoiceOperation::Text && self.kind == UtteranceKind::Text).then(|| {
+            VoiceText {
+                pieces: vec![Piece::Text {
+                    text: self.content.clone(),
+                    emphasis: crate::voice::NO_EMPHASIS,
+                    span: self.content_span,
+                }],
+            }
+        })
+    }
+}
+
+record! {
+    /// Changes the voice of what is spoken from now on (GEVH D.4.15).
+    VoiceChange = "voice-change" {
+        /// The voice's name, such as `don_diphone`.
+        voice: String = "voice",
+    }
+}

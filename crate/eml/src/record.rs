@@ -1,0 +1,224 @@
+//! What lets one piece of code read, write and invent every clause: a record names its
+//! attributes and children once, and a visitor goes through them.
+
+/// The value of an attribute, read by its kind in the table.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Value {
+    /// Left out.
+    None,
+    Text(String),
+    Number(f64),
+    Flag(bool),
+    /// One of the table's words.
+    Word(&'static str),
+    /// A change in percent.
+    Percent(f64),
+    Numbers(Vec<f64>),
+    Color([u8; 3]),
+}
+
+/// A place that holds the value of one attribute.
+pub(crate) trait Field {
+    /// Takes a value of the kind that the table promises.
+    fn set(&mut self, value: Value);
+    /// The value that it holds.
+    #[cfg(any(test, feature = "write"))]
+    fn get(&self) -> Value;
+}
+
+/// An element with attributes and children.
+pub(crate) trait Record {
+    /// The name of its element.
+    #[cfg(any(test, feature = "write"))]
+    fn element(&self) -> &'static str;
+    /// Shows every field and every list of children to the visitor.
+    fn visit(&mut self, visitor: &mut dyn Visit);
+}
+
+/// Goes through a record.
+pub(crate) trait Visit {
+    /// An attribute by its name in the table.
+    fn field(&mut self, name: &'static str, field: &mut dyn Field);
+    /// Child elements, in order.
+    fn children(&mut self, list: &mut dyn List);
+}
+
+/// Children of a record.
+pub(crate) trait List {
+    /// Adds an empty child with this element's name; none when the list has no such.
+    fn add(&mut self, element: &str) -> Option<&mut dyn Record>;
+    /// Takes the last one away again.
+    fn remove_last(&mut self);
+    /// The child at a place.
+    #[cfg(any(test, feature = "write"))]
+    fn at(&mut self, index: usize) -> Option<&mut dyn Record>;
+}
+
+/// A kind of child.
+pub(crate) trait Child: Record + Sized {
+    /// An empty one, when `element` is such a child.
+    fn blank(element: &str) -> Option<Self>;
+}
+
+impl<C: Child> List for Vec<C> {
+    fn add(&mut self, element: &str) -> Option<&mut dyn Record> {
+        self.push(C::blank(element)?);
+        self.last_mut().map(|child| child as &mut dyn Record)
+    }
+
+    fn remove_last(&mut self) {
+        self.pop();
+    }
+
+    #[cfg(any(test, feature = "write"))]
+    fn at(&mut self, index: usize) -> Option<&mut dyn Record> {
+        self.get_mut(index).map(|child| child as &mut dyn Record)
+    }
+}
+
+impl<C: Child> List for Option<C> {
+    fn add(&mut self, element: &str) -> Option<&mut dyn Record> {
+        *self = Some(C::blank(element)?);
+        self.as_mut().map(|child| child as &mut dyn Record)
+    }
+
+    fn remove_last(&mut self) {
+        *self = None;
+    }
+
+    #[cfg(any(test, feature = "write"))]
+    fn at(&mut self, index: usize) -> Option<&mut dyn Record> {
+        let child = self.as_mut().filter(|_| index == 0);
+        child.map(|child| child as &mut dyn Record)
+    }
+}
+
+/// A field of one Rust type and one kind of value.
+macro_rules! field {
+    ($type:ty, $kind:ident, $value:ident => $taken:expr, $shown:expr) => {
+        impl Field for $type {
+            fn set(&mut self, value: Value) {
+                if let Value::$kind($value) = value {
+                    *self = $taken;
+                }
+            }
+
+            #[cfg(any(test, feature = "write"))]
+            fn get(&self) -> Value {
+                let shown: fn(&Self) -> _ = $shown;
+                Value::$kind(shown(self))
+            }
+        }
+    };
+}
+
+field!(String, Text, text => text, String::clone);
+field!(f64, Number, number => number, |n| *n);
+field!(u32, Number, number => number as u32, |n| f64::from(*n));
+field!(i32, Number, number => number as i32, |n| f64::from(*n));
+field!(bool, Flag, flag => flag, |flag| *flag);
+field!(Vec<f64>, Numbers, numbers => numbers, Self::clone);
+field!([u8; 3], Color, color => color, |color| *color);
+
+impl<F: Field + Default> Field for Option<F> {
+    fn set(&mut self, value: Value) {
+        *self = match value {
+            Value::None => None,
+            value => {
+                let mut field = F::default();
+                field.set(value);
+                Some(field)
+            }
+        };
+    }
+
+    #[cfg(any(test, feature = "write"))]
+    fn get(&self) -> Value {
+        self.as_ref().map_or(Value::None, Field::get)
+    }
+}
+
+/// The place of a word; the first when it is none of them.
+pub(crate) fn place_of(words: &[&str], word: &str) -> usize {
+    words.iter().position(|w| *w == word).unwrap_or(0)
+}
+
+/// An enumeration whose values EML writes as words; the first is the default.
+macro_rules! words {
+    (
+        $(#[$meta:meta])* $name:ident {
+            $(#[$first_doc:meta])* $first:ident = $first_word:literal,
+            $($(#[$doc:meta])* $variant:ident = $word:literal,)*
+        }
+    ) => {
+        $(#[$meta])*
+        #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+        pub enum $name {
+            $(#[$first_doc])* #[default] $first,
+            $($(#[$doc])* $variant,)*
+        }
+
+        impl $name {
+            /// The words of all values, in their order.
+            pub const WORDS: &'static [&'static str] = &[$first_word, $($word),*];
+            const ALL: &'static [Self] = &[Self::$first, $(Self::$variant),*];
+
+            /// The word that EML writes for it.
+            #[must_use]
+            pub fn word(self) -> &'static str {
+                Self::WORDS[self as usize]
+            }
+        }
+
+        impl $crate::record::Field for $name {
+            fn set(&mut self, value: $crate::record::Value) {
+                if let $crate::record::Value::Word(word) = value {
+                    *self = Self::ALL[$crate::record::place_of(Self::WORDS, word)];
+                }
+            }
+
+            #[cfg(any(test, feature = "write"))]
+            fn get(&self) -> $crate::record::Value {
+                $crate::record::Value::Word(self.word())
+            }
+        }
+    };
+}
+pub(crate) use words;
+
+/// A structure whose fields are the attributes and children of one element.
+macro_rules! record {
+    (
+        $(#[$meta:meta])* $name:ident = $element:literal {
+            $($(#[$doc:meta])* $field:ident: $type:ty = $attribute:literal,)*
+        }
+        $(children { $(#[$list_doc:meta])* $list:ident: $list_type:ty })?
+    ) => {
+        $(#[$meta])*
+        #[derive(Clone, Debug, Default, PartialEq)]
+        pub struct $name {
+            $($(#[$doc])* pub $field: $type,)*
+            $($(#[$list_doc])* pub $list: $list_type,)?
+        }
+
+        impl $crate::record::Record for $name {
+            #[cfg(any(test, feature = "write"))]
+            fn element(&self) -> &'static str {
+                $element
+            }
+
+            fn visit(&mut self, visitor: &mut dyn $crate::record::Visit) {
+                $(visitor.field($attribute, &mut self.$field);)*
+                $(visitor.children(&mut self.$list);)?
+                let _ = visitor;
+            }
+        }
+
+        impl $crate::record::Child for $name {
+            fn blank(element: &str) -> Option<Self> {
+                (element == $element).then(Self::default)
+            }
+        }
+    };
+}
+pub(crate) use record;

@@ -1,0 +1,43 @@
+//! The language described: for its reference page, its schema and editors. All of it
+//! comes from the table, so that none can disagree with the parser.
+
+mod codes;
+mod json;
+mod markdown;
+mod relax_ng;
+
+use crate::schema::{ELEMENTS, Element};
+
+pub use codes::CODES;
+pub use json::json;
+pub use markdown::markdown;
+pub use relax_ng::relax_ng;
+
+/// The elements that may stand in one, in the order of the table.
+fn children_of(parent: &Element) -> impl Iterator<Item = &'static Element> + Clone {
+    let name = parent.name;
+    let extension = parent.extension;
+    ELEMENTS.iter().copied().filter(move |e| {
+        // A name that two namespaces share would need a prefix here; none does.
+        e.parents.contains(&name) && (!extension || e.name != name)
+    })
+}
+
+/// Its name, with the prefix of our own documents when it is an extension.
+fn shown(extension: bool, name: &str) -> String {
+    if extension {
+        format!("{}:{name}", crate::EXTENSIONS_PREFIX)
+    } else {
+        name.to_owned()
+    }
+}
+
+/// A script around an example that is a clause.
+#[must_use]
+pub fn whole_example(example: &str) -> String {
+    if example.starts_with("<eml") {
+        example.to_owned()
+    } else {
+        format!("<eml><body>{example}</body></eml>")
+    }
+}

@@ -1,0 +1,56 @@
+//! `animation-style`: how an animation plays.
+
+use super::{Attribute, Element};
+use crate::PlaybackStyle;
+
+pub(super) static ELEMENT: Element = Element {
+    doc: doc!("Says how an animation plays."),
+    decision: doc!(
+        "GEVH has styles that end after a number of iterations but no attribute for the number; it is an extension. Temporary animations leave the stack when they end."
+    ),
+    source: doc!("GEVH D.3.18"),
+    example: doc!(
+        "<eml xmlns:r='urn:raconteur:eml:1'><body><body-deterministic-primitive time='0' primitive='push' animationSetName='nod'><animation-style playbackStyle='temporaryIterations' r:iterations='2'/></body-deterministic-primitive></body></eml>"
+    ),
+    most_per_parent: Some(1),
+    attributes: &[
+        Attribute::choice("playbackStyle", PlaybackStyle::WORDS, doc!("In which way.")).required(),
+        Attribute::integer(
+            "iterations",
+            1,
+            100_000,
+            doc!("How often, for the styles with iterations."),
+        )
+        .default("1")
+        .extension(),
+    ],
+    ..Element::part("animation-style", &["body-deterministic-primitive"])
+};
+
+#[cfg(test)]
+mod tests {
+    use crate::{AnimationStyle, ClauseKind};
+
+    fn style(attributes: &str) -> AnimationStyle {
+        let text = format!(
+            "<eml xmlns:x='urn:raconteur:eml:1'><body><body-deterministic-primitive time='0' \
+             primitive='push' animationSetName='a'><animation-style {attributes}/>\
+             </body-deterministic-primitive></body></eml>"
+        );
+        let parsed = crate::parse(&text);
+        assert_eq!(parsed.diagnostics, []);
+        let ClauseKind::DeterministicPrimitive(primitive) = &parsed.document.clauses[0].kind else {
+            panic!()
+        };
+        primitive.style.clone().unwrap()
+    }
+
+    #[test]
+    fn it_plays_once_unless_an_extension_says_otherwise() {
+        assert_eq!(style("playbackStyle='iterations'").iterations, 1);
+        assert_eq!(
+            style("playbackStyle='Iterations' x:iterations='3'").iterations,
+            3
+        );
+    }
+}

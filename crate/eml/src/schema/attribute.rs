@@ -1,0 +1,196 @@
+//! Attributes as entries of the table.
+
+/// An attribute of an element.
+#[derive(Clone, Copy, Debug)]
+pub struct Attribute {
+    /// Its name.
+    pub name: &'static str,
+    /// Other spellings that are accepted with a warning.
+    pub aliases: &'static [&'static str],
+    /// What it may hold.
+    pub kind: Kind,
+    /// Other words for those of a choice, accepted with a warning.
+    pub word_aliases: &'static [(&'static str, &'static str)],
+    /// What counts when it is left out.
+    pub default: Presence,
+    /// The unit of its numbers; empty when there is none.
+    pub unit: &'static str,
+    /// Whether it belongs to the extensions' namespace.
+    pub extension: bool,
+    /// What it means; empty without the feature `reference`.
+    pub doc: &'static str,
+}
+
+/// What counts when an attribute is left out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Presence {
+    /// It must be there, or the element is dropped.
+    Required,
+    /// Nothing in particular.
+    Optional,
+    /// This value.
+    Default(&'static str),
+}
+
+/// What an attribute may hold.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Kind {
+    /// Any text.
+    Text,
+    /// A name that time expressions can use.
+    Name,
+    /// A name of something else: any text but none.
+    Identifier,
+    /// The relative path of a file that does not leave its folder.
+    Path,
+    /// A relative address, or one by http or https.
+    Url,
+    /// `true`, `false`, `1` or `0`.
+    Bool,
+    /// A finite number in a range, ends included.
+    Number {
+        /// The smallest.
+        least: f64,
+        /// The largest.
+        most: f64,
+    },
+    /// A whole number in a range, ends included.
+    Integer {
+        /// The smallest.
+        least: i64,
+        /// The largest.
+        most: i64,
+    },
+    /// A length of at least 0: a number of seconds or one with a unit.
+    Seconds,
+    /// A time expression.
+    Time,
+    /// An offset in a gesture: seconds, or percent of its duration.
+    KeyTime,
+    /// One of these words, in any case.
+    Choice(&'static [&'static str]),
+    /// A number of at least 0, one of these words, or a change in percent with its sign.
+    Level {
+        /// The words.
+        words: &'static [&'static str],
+        /// Whether a change in percent may be given.
+        percent: bool,
+    },
+    /// A number, or a truth value, which counts as 1 or 0.
+    NumberOrBool,
+    /// A number, or any other text.
+    NumberOrText,
+    /// Numbers with spaces between them.
+    Numbers,
+    /// A colour: `#` and six hexadecimal digits.
+    Color,
+}
+
+/// The largest number either way that a document may write: it keeps products and
+/// sums of a few of them finite.
+pub(crate) const MAX_NUMBER: f64 = 1e6;
+
+impl Attribute {
+    /// An optional attribute of a kind.
+    pub(super) const fn new(name: &'static str, kind: Kind, doc: &'static str) -> Self {
+        Self {
+            name,
+            aliases: &[],
+            kind,
+            word_aliases: &[],
+            default: Presence::Optional,
+            unit: "",
+            extension: false,
+            doc,
+        }
+    }
+
+    pub(super) const fn text(name: &'static str, doc: &'static str) -> Self {
+        Self::new(name, Kind::Text, doc)
+    }
+
+    pub(super) const fn identifier(name: &'static str, doc: &'static str) -> Self {
+        Self::new(name, Kind::Identifier, doc)
+    }
+
+    pub(super) const fn flag(name: &'static str, doc: &'static str) -> Self {
+        Self::new(name, Kind::Bool, doc)
+    }
+
+    /// Any finite number up to [`MAX_NUMBER`] either way.
+    pub(super) const fn number(name: &'static str, doc: &'static str) -> Self {
+        Self::between(name, -MAX_NUMBER, MAX_NUMBER, doc)
+    }
+
+    pub(super) const fn between(
+        name: &'static str,
+        least: f64,
+        most: f64,
+        doc: &'static str,
+    ) -> Self {
+        Self::new(name, Kind::Number { least, most }, doc)
+    }
+
+    pub(super) const fn integer(
+        name: &'static str,
+        least: i64,
+        most: i64,
+        doc: &'static str,
+    ) -> Self {
+        Self::new(name, Kind::Integer { least, most }, doc)
+    }
+
+    pub(super) const fn seconds(name: &'static str, doc: &'static str) -> Self {
+        Self::new(name, Kind::Seconds, doc).unit("s")
+    }
+
+    pub(super) const fn choice(
+        name: &'static str,
+        words: &'static [&'static str],
+        doc: &'static str,
+    ) -> Self {
+        Self::new(name, Kind::Choice(words), doc)
+    }
+
+    pub(super) const fn level(
+        name: &'static str,
+        words: &'static [&'static str],
+        percent: bool,
+        doc: &'static str,
+    ) -> Self {
+        Self::new(name, Kind::Level { words, percent }, doc)
+    }
+
+    pub(super) const fn required(mut self) -> Self {
+        self.default = Presence::Required;
+        self
+    }
+
+    pub(super) const fn default(mut self, value: &'static str) -> Self {
+        self.default = Presence::Default(value);
+        self
+    }
+
+    pub(super) const fn aliases(mut self, aliases: &'static [&'static str]) -> Self {
+        self.aliases = aliases;
+        self
+    }
+
+    pub(super) const fn word_aliases(
+        mut self,
+        aliases: &'static [(&'static str, &'static str)],
+    ) -> Self {
+        self.word_aliases = aliases;
+        self
+    }
+
+    pub(super) const fn unit(mut self, unit: &'static str) -> Self {
+        self.unit = unit;
+        self
+    }
+
+    pub(super) const fn extension(mut self) -> Self {
+        self.extension = true;
+        self
+    }
+}

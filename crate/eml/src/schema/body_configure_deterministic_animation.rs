@@ -1,0 +1,38 @@
+//! `body-configure-deterministic-animation`: how animations follow each other.
+
+use super::{Attribute, Element};
+use crate::ClauseKind;
+
+pub(super) static ELEMENT: Element = Element {
+    doc: doc!("Says how one keyframe animation passes into the next."),
+    source: doc!("GEVH D.3.5"),
+    example: doc!(
+        "<body-configure-deterministic-animation time='0' smooth='true' swapTime='0.5'/>"
+    ),
+    attributes: &[
+        Attribute::flag("smooth", doc!("Whether they cross-fade.")),
+        Attribute::seconds("swapTime", doc!("How long a cross-fade takes.")),
+    ],
+    ..Element::record("body-configure-deterministic-animation", || {
+        ClauseKind::DeterministicAnimation(Default::default())
+    })
+};
+
+#[cfg(test)]
+mod tests {
+    use crate::ClauseKind;
+    use crate::schema::testing::one;
+
+    #[test]
+    fn the_example_of_the_source_is_read() {
+        let kind =
+            one("<body-configure-deterministic-animation time='0' smooth='false' swapTime='0.5'/>");
+        let ClauseKind::DeterministicAnimation(animation) = kind else {
+            panic!("{kind:?}")
+        };
+        assert_eq!(
+            (animation.smooth, animation.swap_secs),
+            (Some(false), Some(0.5))
+        );
+    }
+}

@@ -1,0 +1,72 @@
+//! `body-configure-deterministic-track-property`: speed, weight or switch of tracks.
+
+use super::{Attribute, Content, Element, Kind};
+use crate::{ClauseKind, TrackProperty, Transition};
+
+pub(super) static ELEMENT: Element = Element {
+    doc: doc!("Sets the speed, the weight or the switch of tracks."),
+    decision: doc!(
+        "The weights of a player's tracks are scaled to a sum of 1 after each change (GEVH 3.2.1)."
+    ),
+    source: doc!("GEVH D.3.6"),
+    example: doc!(
+        "<eml><head><body-expression-configuration><sets-configuration><set name='fullBody' type='bodyGroup'><it name='torso'/></set></sets-configuration></body-expression-configuration></head><body><body-configure-deterministic-track-property time='2.5' property='speed' newValue='0.5' duration='0' transition='linear'><tracks><ref name='fullBody'/></tracks></body-configure-deterministic-track-property></body></eml>"
+    ),
+    content: Content::Elements,
+    required_children: &["tracks"],
+    attributes: &[
+        Attribute::choice("property", TrackProperty::WORDS, doc!("Which property.")).required(),
+        Attribute::new(
+            "newValue",
+            Kind::NumberOrBool,
+            doc!("Its new value; for enable true, false, 1 or 0."),
+        )
+        .required(),
+        Attribute::identifier(
+            "player",
+            doc!("The player; the first one when it is left out."),
+        ),
+        Attribute::seconds(
+            "duration",
+            doc!("How long it takes to get there; only for speed and weight."),
+        )
+        .default("0"),
+        Attribute::choice("transition", Transition::WORDS, doc!("Its course.")).default("linear"),
+    ],
+    ..Element::record("body-configure-deterministic-track-property", || {
+        ClauseKind::DeterministicTrackProperty(Default::default())
+    })
+};
+
+#[cfg(test)]
+mod tests {
+    use crate::schema::testing::{clause_codes, one};
+    use crate::{ClauseKind, TrackProperty};
+
+    #[test]
+    fn the_example_of_the_source_is_read() {
+        let kind = one(
+            "<body-configure-deterministic-track-property time='2.5' property='weight' newValue='0.5' duration='2'><tracks><ly name='1'/></tracks></body-configure-deterministic-track-property>",
+        );
+        let ClauseKind::DeterministicTrackProperty(property) = kind else {
+            panic!("{kind:?}")
+        };
+        assert_eq!((property.new_value, property.duration_secs), (0.5, 2.0));
+        assert_eq!(property.property, TrackProperty::Weight);
+    }
+    #[test]
+    fn tracks_are_needed_and_a_switch_takes_no_time() {
+        assert_eq!(
+            clause_codes(
+                "<body-configure-deterministic-track-property time='0' property='speed' newValue='1'/>"
+            ),
+            ["eml::missing-child"]
+        );
+        assert_eq!(
+            clause_codes(
+                "<body-configure-deterministic-track-property time='0' property='enable' newValue='1' duration='2'><tracks><ly name='1'/></tracks></body-configure-deterministic-track-property>"
+            ),
+            ["eml::ignored-attribute"]
+        );
+    }
+}

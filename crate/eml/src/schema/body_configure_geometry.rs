@@ -1,0 +1,67 @@
+//! `body-configure-geometry`: switches what is drawn.
+
+use super::{Attribute, Element};
+use crate::{ClauseKind, FillMode, VisibleMeshes};
+
+pub(super) static ELEMENT: Element = Element {
+    doc: doc!("Switches what is drawn of the figure. What is left out stays as it is."),
+    source: doc!("GEVH D.3.4"),
+    example: doc!("<body-configure-geometry time='0' fillMode='solid' visibleMeshes='bones'/>"),
+    attributes: &[
+        Attribute::choice(
+            "fillMode",
+            FillMode::WORDS,
+            doc!("What of a surface is drawn."),
+        ),
+        Attribute::flag(
+            "areFramesVisible",
+            doc!("Whether the frames of the skeleton are drawn."),
+        ),
+        Attribute::flag(
+            "areHierarchyCentersVisible",
+            doc!("Whether the centres of the hierarchy are drawn."),
+        ),
+        Attribute::choice(
+            "visibleMeshes",
+            VisibleMeshes::WORDS,
+            doc!("Which meshes are drawn."),
+        ),
+        Attribute::flag("areMaterialsActive", doc!("Whether materials are drawn.")),
+        Attribute::flag("areTexturesActive", doc!("Whether textures are drawn.")),
+        Attribute::flag(
+            "areManipulatorsVisible",
+            doc!("Whether the manipulators are drawn."),
+        ),
+    ],
+    ..Element::record("body-configure-geometry", || {
+        ClauseKind::ConfigureGeometry(Default::default())
+    })
+};
+
+#[cfg(test)]
+mod tests {
+    use crate::schema::testing::{clause_codes, one};
+    use crate::{ClauseKind, FillMode};
+
+    #[test]
+    fn what_is_left_out_stays() {
+        let kind = one(
+            "<body-configure-geometry time='0' fillMode='wireframe' areTexturesActive='false'/>",
+        );
+        let ClauseKind::ConfigureGeometry(geometry) = kind else {
+            panic!("{kind:?}")
+        };
+        assert_eq!(geometry.fill_mode, Some(FillMode::Wireframe));
+        assert_eq!(
+            (geometry.textures_active, geometry.meshes),
+            (Some(false), None)
+        );
+    }
+    #[test]
+    fn words_are_checked() {
+        assert_eq!(
+            clause_codes("<body-configure-geometry time='0' fillMode='solidd'/>"),
+            ["eml::bad-choice"]
+        );
+    }
+}

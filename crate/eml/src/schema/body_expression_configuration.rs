@@ -1,0 +1,27 @@
+//! `body-expression-configuration`: configures the body.
+
+use super::{Content, Element};
+
+pub(super) static ELEMENT: Element = Element {
+    doc: doc!("Holds the configuration of body expression."),
+    source: doc!("GEVH D.3.1"),
+    example: doc!(
+        "<eml><head><body-expression-configuration/></head><body><null time='1'/></body></eml>"
+    ),
+    content: Content::Elements,
+    most_per_parent: Some(1),
+    ..Element::part("body-expression-configuration", &["head"])
+};
+
+#[cfg(test)]
+mod tests {
+    use crate::schema::testing::clause_codes;
+
+    #[test]
+    fn it_stands_in_the_head_only() {
+        assert_eq!(
+            clause_codes("<body-expression-configuration/>"),
+            ["eml::wrong-parent"]
+        );
+    }
+}

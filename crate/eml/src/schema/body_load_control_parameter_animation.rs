@@ -1,0 +1,49 @@
+//! `body-load-control-parameter-animation`: fills the library.
+
+use super::{Attribute, Element, Kind};
+use crate::ClauseKind;
+
+pub(super) static ELEMENT: Element = Element {
+    doc: doc!("Loads an animation of control parameters into the library."),
+    decision: doc!("The format of the file is not documented. Paths never leave their folder."),
+    source: doc!("GEVH D.3.29"),
+    example: doc!(
+        "<body-load-control-parameter-animation time='5' file='visemes-1.xml' isResourcesRelative='true'/>"
+    ),
+    attributes: &[
+        Attribute::new("file", Kind::Path, doc!("The path of the file.")).required(),
+        Attribute::flag(
+            "isResourcesRelative",
+            doc!(
+                "Whether the path starts in the asset library instead of the folder of the story."
+            ),
+        )
+        .default("true"),
+    ],
+    ..Element::record("body-load-control-parameter-animation", || {
+        ClauseKind::LoadControlParameterAnimation(Default::default())
+    })
+};
+
+#[cfg(test)]
+mod tests {
+    use crate::ClauseKind;
+    use crate::schema::testing::{clause_codes, one};
+
+    #[test]
+    fn the_library_is_meant_unless_it_says_otherwise() {
+        let kind = one("<body-load-control-parameter-animation time='5' file='a/b.xml'/>");
+        let ClauseKind::LoadControlParameterAnimation(load) = kind else {
+            panic!("{kind:?}")
+        };
+        assert!(load.is_resources_relative);
+        assert_eq!(load.file, "a/b.xml");
+    }
+    #[test]
+    fn paths_stay_in_their_folder() {
+        assert_eq!(
+            clause_codes("<body-load-control-parameter-animation time='5' file='../secret'/>"),
+            ["eml::bad-path"]
+        );
+    }
+}

@@ -1,0 +1,105 @@
+//! `body-non-deterministic-fk`: sets joints.
+
+use super::{Attribute, Element};
+use crate::{ClauseKind, Manipulator};
+
+pub(super) static ELEMENT: Element = Element {
+    doc: doc!("Sets the joint angles of a manipulator."),
+    decision: doc!(
+        "The example writes nJoint. Without it as many joints move as angles are given."
+    ),
+    source: doc!("GEVH D.3.20"),
+    example: doc!(
+        "<body-non-deterministic-fk time='0' manipulator='leftArm' nJoints='6' j1='90' j2='45' j3='0' j4='0' j5='0' j6='0'/>"
+    ),
+    attributes: &[
+        Attribute::choice(
+            "manipulator",
+            Manipulator::WORDS,
+            doc!("The limb, or the head."),
+        )
+        .required(),
+        Attribute::integer(
+            "nJoints",
+            1,
+            6,
+            doc!("How many joints the manipulator has: 6, or 5 for the head."),
+        )
+        .aliases(&["nJoint"]),
+        Attribute::number(
+            "j1",
+            doc!("The angle of joint 1; unchanged when it is left out."),
+        )
+        .unit("°"),
+        Attribute::number(
+            "j2",
+            doc!("The angle of joint 2; unchanged when it is left out."),
+        )
+        .unit("°"),
+        Attribute::number(
+            "j3",
+            doc!("The angle of joint 3; unchanged when it is left out."),
+        )
+        .unit("°"),
+        Attribute::number(
+            "j4",
+            doc!("The angle of joint 4; unchanged when it is left out."),
+        )
+        .unit("°"),
+        Attribute::number(
+            "j5",
+            doc!("The angle of joint 5; unchanged when it is left out."),
+        )
+        .unit("°"),
+        Attribute::number(
+            "j6",
+            doc!("The angle of joint 6; unchanged when it is left out."),
+        )
+        .unit("°"),
+    ],
+    ..Element::record("body-non-deterministic-fk", || {
+        ClauseKind::ForwardKinematics(Default::default())
+    })
+};
+
+#[cfg(test)]
+mod tests {
+    use crate::ClauseKind;
+    use crate::schema::testing::{clause_codes, one};
+
+    #[test]
+    fn angles_that_are_left_out_stay() {
+        let kind =
+            one("<body-non-deterministic-fk time='0' manipulator='leftArm' j1='90' j3='-5'/>");
+        let ClauseKind::ForwardKinematics(fk) = kind else {
+            panic!("{kind:?}")
+        };
+        assert_eq!(
+            fk.joints_deg,
+            [Some(90.0), None, Some(-5.0), None, None, None]
+        );
+    }
+    #[test]
+    fn surplus_joints_are_reported() {
+        assert_eq!(
+            clause_codes("<body-non-deterministic-fk time='0' manipulator='head' j6='1'/>"),
+            ["eml::ignored-attribute"]
+        );
+        assert_eq!(
+            clause_codes(
+                "<body-non-deterministic-fk time='0' manipulator='head' nJoints='2' j3='1'/>"
+            ),
+            ["eml::ignored-attribute"]
+        );
+        assert_eq!(
+            clause_codes("<body-non-deterministic-fk time='0' manipulator='leftArm'/>"),
+            ["eml::ignored-attribute"]
+        );
+        assert_eq!(
+            clause_codes(
+                "<body-non-deterministic-fk time='0' manipulator='leftArm' nJoint='1' j1='1'/>"
+            ),
+            ["eml::alias"]
+        );
+    }
+}

@@ -1,0 +1,79 @@
+//! `body-non-deterministic-frame-interpolation`: to a target on a straight way.
+
+use super::{Attribute, Element};
+use crate::{ClauseKind, Manipulator};
+
+pub(super) static ELEMENT: Element = Element {
+    doc: doc!("Brings the end of a limb to a target on a straight way."),
+    decision: doc!("A position is needed; angles are 0 when left out."),
+    source: doc!("GEVH D.3.22"),
+    example: doc!(
+        "<body-non-deterministic-frame-interpolation time='8' manipulator='leftLeg' timePeriod='2' posX='7.5' posY='20' posZ='-10' roll='-90'/>"
+    ),
+    attributes: &[
+        Attribute::choice(
+            "manipulator",
+            Manipulator::WORDS,
+            doc!("The limb, or the head."),
+        )
+        .required(),
+        Attribute::seconds("timePeriod", doc!("How long it takes.")).required(),
+        Attribute::number(
+            "posX",
+            doc!("Position: units to the speaker's left; the speaker is about 77 units tall."),
+        )
+        .required()
+        .unit("units"),
+        Attribute::number("posY", doc!("Position: units upwards."))
+            .required()
+            .unit("units"),
+        Attribute::number("posZ", doc!("Position: units to the back."))
+            .required()
+            .unit("units"),
+        Attribute::number("yaw", doc!("Orientation: yaw."))
+            .default("0")
+            .unit("°"),
+        Attribute::number("pitch", doc!("Orientation: pitch."))
+            .default("0")
+            .unit("°"),
+        Attribute::number("roll", doc!("Orientation: roll."))
+            .default("0")
+            .unit("°"),
+    ],
+    ..Element::record("body-non-deterministic-frame-interpolation", || {
+        ClauseKind::FrameInterpolation(Default::default())
+    })
+};
+
+#[cfg(test)]
+mod tests {
+    use crate::ClauseKind;
+    use crate::schema::testing::{clause_codes, one};
+
+    #[test]
+    fn the_period_is_its_length() {
+        let kind = one(
+            "<body-non-deterministic-frame-interpolation time='8' manipulator='leftLeg' timePeriod='2' posX='7.5' posY='20' posZ='-10' roll='-90'/>",
+        );
+        let ClauseKind::FrameInterpolation(motion) = kind else {
+            panic!("{kind:?}")
+        };
+        assert_eq!(motion.period_secs, 2.0);
+        assert_eq!(motion.target.position, [7.5, 20.0, -10.0]);
+    }
+    #[test]
+    fn a_period_and_a_position_are_needed() {
+        assert_eq!(
+            clause_codes(
+                "<body-non-deterministic-frame-interpolation time='8' manipulator='leftLeg' posX='7.5' posY='20' posZ='-10' roll='-90'/>"
+            ),
+            ["eml::missing-attribute"]
+        );
+        assert_eq!(
+            clause_codes(
+                "<body-non-deterministic-frame-interpolation time='8' manipulator='leftLeg' timePeriod='2' posX='1' posZ='1'/>"
+            ),
+            ["eml::missing-attribute"]
+        );
+    }
+}

@@ -1,0 +1,56 @@
+//! `body-non-deterministic-function`: a limb along a function.
+
+use super::{Attribute, Content, Element};
+use crate::{ClauseKind, Manipulator};
+
+pub(super) static ELEMENT: Element = Element {
+    doc: doc!("Moves the end of a limb along a function of time."),
+    decision: doc!(
+        "The arguments are those of vh-move; GEVH lost them in its example. In a loop it goes on until the limb is stopped, and counts as one period long."
+    ),
+    source: doc!("GEVH D.3.23"),
+    example: doc!(
+        "<body-non-deterministic-function time='0' manipulator='leftArm' functionName='segment' isLooping='false'><function-args><arg name='timePeriod' value='2'/><arg name='endY' value='40'/></function-args></body-non-deterministic-function>"
+    ),
+    content: Content::Elements,
+    required_children: &["function-args"],
+    attributes: &[
+        Attribute::choice(
+            "manipulator",
+            Manipulator::WORDS,
+            doc!("The limb, or the head."),
+        )
+        .required(),
+        Attribute::identifier(
+            "functionName",
+            doc!("The function: segment, or another one that the player knows."),
+        )
+        .required(),
+        Attribute::flag(
+            "isLooping",
+            doc!("Whether the function starts again after its period."),
+        )
+        .default("false"),
+    ],
+    ..Element::record("body-non-deterministic-function", || {
+        ClauseKind::ManipulatorFunction(Default::default())
+    })
+};
+
+#[cfg(test)]
+mod tests {
+    use crate::schema::testing::one;
+    use crate::{ClauseKind, Manipulator};
+
+    #[test]
+    fn the_period_is_its_length() {
+        let kind = one(
+            "<body-non-deterministic-function time='0' manipulator='head' functionName='segment'><function-args><arg name='timePeriod' value='2'/></function-args></body-non-deterministic-function>",
+        );
+        let ClauseKind::ManipulatorFunction(function) = kind else {
+            panic!("{kind:?}")
+        };
+        assert_eq!(function.manipulator, Manipulator::Head);
+        assert_eq!(function.args.map(|a| a.period_secs()), Some(2.0));
+    }
+}

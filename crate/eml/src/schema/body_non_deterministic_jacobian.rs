@@ -1,0 +1,101 @@
+//! `body-non-deterministic-jacobian`: a limb by inverse velocity.
+
+use super::{Attribute, Element};
+use crate::{ClauseKind, Manipulator};
+
+pub(super) static ELEMENT: Element = Element {
+    doc: doc!(
+        "Moves the end of a limb by inverse velocity: to a target, or at given velocities until it is stopped."
+    ),
+    decision: doc!(
+        "It has no length: with a target it runs until it is there, else until the limb is stopped. Numbers that are left out are 0."
+    ),
+    source: doc!("GEVH D.3.24"),
+    example: doc!(
+        "<body-non-deterministic-jacobian time='8' manipulator='leftLeg' isStaticTarget='true' posX='7.5' posY='20' posZ='-10' roll='-90'/>"
+    ),
+    attributes: &[
+        Attribute::choice(
+            "manipulator",
+            Manipulator::WORDS,
+            doc!("The limb, or the head."),
+        )
+        .required(),
+        Attribute::flag("isStaticTarget", doc!("Whether it goes to a target.")).required(),
+        Attribute::number(
+            "posX",
+            doc!("Position: units to the speaker's left; the speaker is about 77 units tall."),
+        )
+        .default("0")
+        .unit("units"),
+        Attribute::number("posY", doc!("Position: units upwards."))
+            .default("0")
+            .unit("units"),
+        Attribute::number("posZ", doc!("Position: units to the back."))
+            .default("0")
+            .unit("units"),
+        Attribute::number("yaw", doc!("Orientation: yaw."))
+            .default("0")
+            .unit("°"),
+        Attribute::number("pitch", doc!("Orientation: pitch."))
+            .default("0")
+            .unit("°"),
+        Attribute::number("roll", doc!("Orientation: roll."))
+            .default("0")
+            .unit("°"),
+        Attribute::number("cartesianX", doc!("Velocity along x."))
+            .default("0")
+            .unit("units/s"),
+        Attribute::number("cartesianY", doc!("Velocity along y."))
+            .default("0")
+            .unit("units/s"),
+        Attribute::number("cartesianZ", doc!("Velocity along z."))
+            .default("0")
+            .unit("units/s"),
+        Attribute::number("angularX", doc!("Angular velocity about x."))
+            .default("0")
+            .unit("°/s"),
+        Attribute::number("angularY", doc!("Angular velocity about y."))
+            .default("0")
+            .unit("°/s"),
+        Attribute::number("angularZ", doc!("Angular velocity about z."))
+            .default("0")
+            .unit("°/s"),
+    ],
+    ..Element::record("body-non-deterministic-jacobian", || {
+        ClauseKind::Jacobian(Default::default())
+    })
+};
+
+#[cfg(test)]
+mod tests {
+    use crate::ClauseKind;
+    use crate::schema::testing::{clause_codes, one};
+
+    #[test]
+    fn velocities_are_kept() {
+        let kind = one(
+            "<body-non-deterministic-jacobian time='8' manipulator='leftLeg' isStaticTarget='false' cartesianX='1' angularZ='45'/>",
+        );
+        let ClauseKind::Jacobian(jacobian) = kind else {
+            panic!("{kind:?}")
+        };
+        assert_eq!(jacobian.velocity, [1.0, 0.0, 0.0]);
+        assert_eq!(jacobian.angular_velocity_deg, [0.0, 0.0, 45.0]);
+    }
+    #[test]
+    fn a_target_and_velocities_exclude_each_other() {
+        assert_eq!(
+            clause_codes(
+                "<body-non-deterministic-jacobian time='8' manipulator='leftLeg' isStaticTarget='true' posX='1' cartesianX='1'/>"
+            ),
+            ["eml::ignored-attribute"]
+        );
+        assert_eq!(
+            clause_codes(
+                "<body-non-deterministic-jacobian time='8' manipulator='leftLeg' isStaticTarget='false' posX='1'/>"
+            ),
+            ["eml::ignored-attribute"]
+        );
+    }
+}

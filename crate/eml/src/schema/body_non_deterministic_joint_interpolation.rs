@@ -1,0 +1,90 @@
+//! `body-non-deterministic-joint-interpolation`: to a target by the joints.
+
+use super::{Attribute, Element};
+use crate::{ClauseKind, Manipulator};
+
+pub(super) static ELEMENT: Element = Element {
+    doc: doc!("Brings the end of a limb to a target by interpolating its joints."),
+    decision: doc!(
+        "One of staticTime and staticVelocity is needed; staticTime counts when both are given. A position is needed; angles are 0 when left out. With a velocity the clause counts as having no length, since that depends on the figure."
+    ),
+    source: doc!("GEVH D.3.21"),
+    example: doc!(
+        "<body-non-deterministic-joint-interpolation time='8' manipulator='leftLeg' staticTime='2' posX='7.5' posY='20' posZ='-10' roll='-90'/>"
+    ),
+    one_of: &["staticTime", "staticVelocity"],
+    attributes: &[
+        Attribute::choice(
+            "manipulator",
+            Manipulator::WORDS,
+            doc!("The limb, or the head."),
+        )
+        .required(),
+        Attribute::seconds("staticTime", doc!("How long it takes.")),
+        Attribute::between(
+            "staticVelocity",
+            0.0,
+            1e6,
+            doc!("How fast the joints turn instead."),
+        )
+        .unit("rad/s"),
+        Attribute::number(
+            "posX",
+            doc!("Position: units to the speaker's left; the speaker is about 77 units tall."),
+        )
+        .required()
+        .unit("units"),
+        Attribute::number("posY", doc!("Position: units upwards."))
+            .required()
+            .unit("units"),
+        Attribute::number("posZ", doc!("Position: units to the back."))
+            .required()
+            .unit("units"),
+        Attribute::number("yaw", doc!("Orientation: yaw."))
+            .default("0")
+            .unit("°"),
+        Attribute::number("pitch", doc!("Orientation: pitch."))
+            .default("0")
+            .unit("°"),
+        Attribute::number("roll", doc!("Orientation: roll."))
+            .default("0")
+            .unit("°"),
+    ],
+    ..Element::record("body-non-deterministic-joint-interpolation", || {
+        ClauseKind::JointInterpolation(Default::default())
+    })
+};
+
+#[cfg(test)]
+mod tests {
+    use crate::ClauseKind;
+    use crate::schema::testing::{clause_codes, one};
+
+    #[test]
+    fn the_target_is_in_units_and_degrees() {
+        let kind = one(
+            "<body-non-deterministic-joint-interpolation time='8' manipulator='leftLeg' staticTime='2s' posX='7.5' posY='20' posZ='-10' roll='-90'/>",
+        );
+        let ClauseKind::JointInterpolation(motion) = kind else {
+            panic!("{kind:?}")
+        };
+        assert_eq!(motion.target.position, [7.5, 20.0, -10.0]);
+        assert_eq!(motion.target.angles_deg, [0.0, 0.0, -90.0]);
+        assert_eq!(motion.static_time_secs, Some(2.0));
+    }
+    #[test]
+    fn a_time_or_a_velocity_is_needed() {
+        assert_eq!(
+            clause_codes(
+                "<body-non-deterministic-joint-interpolation time='8' manipulator='leftLeg' posX='7.5' posY='20' posZ='-10' roll='-90'/>"
+            ),
+            ["eml::missing-attribute"]
+        );
+        assert_eq!(
+            clause_codes(
+                "<body-non-deterministic-joint-interpolation time='8' manipulator='leftLeg' staticTime='1' staticVelocity='1' posX='7.5' posY='20' posZ='-10' roll='-90'/>"
+            ),
+            ["eml::ignored-attribute"]
+        );
+    }
+}

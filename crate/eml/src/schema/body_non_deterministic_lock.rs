@@ -1,0 +1,53 @@
+//! `body-non-deterministic-lock`: holds a limb.
+
+use super::{Attribute, Element};
+use crate::{ClauseKind, Manipulator};
+
+pub(super) static ELEMENT: Element = Element {
+    doc: doc!(
+        "Holds the end of a limb where it is while the rest of the body moves, or lets it go."
+    ),
+    source: doc!("GEVH D.3.26"),
+    example: doc!("<body-non-deterministic-lock time='0' manipulator='leftArm' isLock='true'/>"),
+    attributes: &[
+        Attribute::choice(
+            "manipulator",
+            Manipulator::WORDS,
+            doc!("The limb, or the head."),
+        )
+        .required(),
+        Attribute::flag("isLock", doc!("Whether it is held.")).required(),
+    ],
+    ..Element::record("body-non-deterministic-lock", || {
+        ClauseKind::ManipulatorLock(Default::default())
+    })
+};
+
+#[cfg(test)]
+mod tests {
+    use crate::ClauseKind;
+    use crate::schema::testing::{clause_codes, one};
+
+    #[test]
+    fn locks_are_kept() {
+        let kind =
+            one("<body-non-deterministic-lock time='3' manipulator='leftArm' isLock='TRUE'/>");
+        let ClauseKind::ManipulatorLock(lock) = kind else {
+            panic!("{kind:?}")
+        };
+        assert!(lock.is_lock);
+    }
+    #[test]
+    fn it_says_whether() {
+        assert_eq!(
+            clause_codes("<body-non-deterministic-lock time='3' manipulator='leftArm'/>"),
+            ["eml::missing-attribute"]
+        );
+        assert_eq!(
+            clause_codes(
+                "<body-non-deterministic-lock time='3' manipulator='leftArm' isLock='yes'/>"
+            ),
+            ["eml::bad-boolean"]
+        );
+    }
+}

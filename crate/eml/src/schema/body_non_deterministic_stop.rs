@@ -1,0 +1,34 @@
+//! `body-non-deterministic-stop`: stops a limb.
+
+use super::{Attribute, Element};
+use crate::{ClauseKind, Manipulator};
+
+pub(super) static ELEMENT: Element = Element {
+    doc: doc!("Stops a manipulator."),
+    source: doc!("GEVH D.3.25"),
+    example: doc!("<body-non-deterministic-stop time='3' manipulator='leftArm'/>"),
+    attributes: &[Attribute::choice(
+        "manipulator",
+        Manipulator::WORDS,
+        doc!("The limb, or the head."),
+    )
+    .required()],
+    ..Element::record("body-non-deterministic-stop", || {
+        ClauseKind::ManipulatorStop(Default::default())
+    })
+};
+
+#[cfg(test)]
+mod tests {
+    use crate::schema::testing::one;
+    use crate::{ClauseKind, Manipulator};
+
+    #[test]
+    fn the_limb_is_kept() {
+        let kind = one("<body-non-deterministic-stop time='3' manipulator='LEFTARM'/>");
+        let ClauseKind::ManipulatorStop(stop) = kind else {
+            panic!("{kind:?}")
+        };
+        assert_eq!(stop.manipulator, Manipulator::LeftArm);
+    }
+}

@@ -1,0 +1,78 @@
+//! `body-player-add`: adds an animation player.
+
+use super::{Attribute, Content, Element};
+use crate::{ClauseKind, PlayerKind};
+
+/// The words for kinds of players in the source's examples.
+pub(super) const PLAYER_KINDS: &[(&str, &str)] = &[
+    ("multipleAnimation", "multiple"),
+    ("bodyGroupAnimation", "bodyGroup"),
+    ("poseAnimation", "pose"),
+];
+
+pub(super) static ELEMENT: Element = Element {
+    doc: doc!("Adds an animation player."),
+    decision: doc!(
+        "The name is required, though the table gives it a default that belongs to other clauses. The example writes multipleAnimation for multiple: it and its like are aliases. Type pose, described in GEVH 3.2.3, is accepted."
+    ),
+    source: doc!("GEVH D.3.11"),
+    example: doc!(
+        "<body-player-add time='0' name='mPlayer' type='multiple' numberOfLayers='2'><bones><bg name='torso'/></bones></body-player-add>"
+    ),
+    content: Content::Elements,
+    attributes: &[
+        Attribute::identifier("name", doc!("The player's name, which no other has.")).required(),
+        Attribute::choice("type", PlayerKind::WORDS, doc!("What it plays."))
+            .required()
+            .word_aliases(PLAYER_KINDS),
+        Attribute::integer(
+            "numberOfLayers",
+            1,
+            64,
+            doc!("How many layers it has; only with type multiple."),
+        ),
+    ],
+    ..Element::record("body-player-add", || {
+        ClauseKind::PlayerAdd(Default::default())
+    })
+};
+
+#[cfg(test)]
+mod tests {
+    use crate::schema::testing::{clause_codes, one};
+    use crate::{ClauseKind, PlayerKind};
+
+    #[test]
+    fn bones_are_all_unless_it_says_otherwise() {
+        let kind = one("<body-player-add time='0' name='p' type='bodyGroup'/>");
+        let ClauseKind::PlayerAdd(player) = kind else {
+            panic!("{kind:?}")
+        };
+        assert_eq!(
+            (player.name.as_str(), player.kind),
+            ("p", PlayerKind::BodyGroup)
+        );
+        assert_eq!((player.layers, player.bones), (None, None));
+    }
+    #[test]
+    fn names_kinds_and_layers_are_checked() {
+        assert_eq!(
+            clause_codes("<body-player-add time='0' name='p' type='multipleAnimation'/>"),
+            ["eml::alias"]
+        );
+        assert_eq!(
+            clause_codes("<body-player-add time='0' type='pose'/>"),
+            ["eml::missing-attribute"]
+        );
+        assert_eq!(
+            clause_codes("<body-player-add time='0' name='p' type='pose' numberOfLayers='2'/>"),
+            ["eml::ignored-attribute"]
+        );
+        assert_eq!(
+            clause_codes(
+                "<body-player-add time='0' name='p' type='pose'/><body-player-add time='1' name='p' type='pose'/>"
+            ),
+            ["eml::duplicate-player"]
+        );
+    }
+}

@@ -1,0 +1,55 @@
+//! `body-player-change-priority`: who moves a bone.
+
+use super::{Attribute, Element};
+use crate::ClauseKind;
+
+pub(super) static ELEMENT: Element = Element {
+    doc: doc!("Changes the priority of an animation player."),
+    decision: doc!(
+        "The player with the highest priority moves a bone; of equal ones the one added last."
+    ),
+    source: doc!("GEVH D.3.14"),
+    example: doc!("<body-player-change-priority time='5' priority='10'/>"),
+    attributes: &[
+        Attribute::identifier(
+            "name",
+            doc!("The player; the first one when it is left out."),
+        ),
+        Attribute::integer(
+            "priority",
+            i32::MIN as i64,
+            i32::MAX as i64,
+            doc!("The new priority."),
+        )
+        .required(),
+    ],
+    ..Element::record("body-player-change-priority", || {
+        ClauseKind::PlayerChangePriority(Default::default())
+    })
+};
+
+#[cfg(test)]
+mod tests {
+    use crate::ClauseKind;
+    use crate::schema::testing::{clause_codes, one};
+
+    #[test]
+    fn priorities_are_whole_numbers() {
+        let kind = one("<body-player-change-priority time='5' priority='-10'/>");
+        let ClauseKind::PlayerChangePriority(change) = kind else {
+            panic!("{kind:?}")
+        };
+        assert_eq!((change.name, change.priority), (None, -10));
+    }
+    #[test]
+    fn the_player_must_exist() {
+        assert_eq!(
+            clause_codes("<body-player-change-priority time='5' name='nobody' priority='1'/>"),
+            ["eml::unknown-player"]
+        );
+        assert_eq!(
+            clause_codes("<body-player-change-priority time='5' priority='1.5'/>"),
+            ["eml::bad-number"]
+        );
+    }
+}

@@ -1,0 +1,48 @@
+//! `body-player-set-exclusive`: the only animation player.
+
+use super::body_player_add::PLAYER_KINDS;
+use super::{Attribute, Content, Element};
+use crate::{ClauseKind, PlayerKind};
+
+pub(super) static ELEMENT: Element = Element {
+    doc: doc!("Replaces all animation players by one."),
+    decision: doc!("As for body-player-add, the name is required."),
+    source: doc!("GEVH D.3.12"),
+    example: doc!("<body-player-set-exclusive time='0' name='alone' type='pose'/>"),
+    content: Content::Elements,
+    attributes: &[
+        Attribute::identifier("name", doc!("The player's name, which no other has.")).required(),
+        Attribute::choice("type", PlayerKind::WORDS, doc!("What it plays."))
+            .required()
+            .word_aliases(PLAYER_KINDS),
+        Attribute::integer(
+            "numberOfLayers",
+            1,
+            64,
+            doc!("How many layers it has; only with type multiple."),
+        ),
+    ],
+    ..Element::record("body-player-set-exclusive", || {
+        ClauseKind::PlayerSetExclusive(Default::default())
+    })
+};
+
+#[cfg(test)]
+mod tests {
+    use crate::schema::testing::one;
+    use crate::{ClauseKind, PlayerKind};
+
+    #[test]
+    fn it_is_a_player_like_others() {
+        let kind = one(
+            "<body-player-set-exclusive time='0' name='p' type='multiple' numberOfLayers='3'/>",
+        );
+        let ClauseKind::PlayerSetExclusive(player) = kind else {
+            panic!("{kind:?}")
+        };
+        assert_eq!(
+            (player.kind, player.layers),
+            (PlayerKind::Multiple, Some(3))
+        );
+    }
+}

@@ -1,0 +1,39 @@
+//! `bone`: refers to one bone.
+
+use super::{Attribute, Element};
+
+pub(super) static ELEMENT: Element = Element {
+    doc: doc!("Refers to one bone."),
+    decision: doc!("GEVH does not list its attribute; it is name."),
+    source: doc!("GEVH D.3.13, appendix A"),
+    example: doc!(
+        "<body-player-add time='0' name='hand' type='pose'><bones><bone name='r_wrist'/></bones></body-player-add>"
+    ),
+    attributes: &[Attribute::identifier(
+        "name",
+        doc!("The bone, with or without the bone_ before its name, such as r_wrist."),
+    )
+    .required()],
+    ..Element::part("bone", &["bones"])
+};
+
+#[cfg(test)]
+mod tests {
+    use crate::ClauseKind;
+    use crate::schema::testing::one;
+
+    #[test]
+    fn the_prefix_is_optional() {
+        let kind = one(
+            "<body-player-add time='0' name='p' type='pose'><bones><bone name='bone_r_wrist'/><bone name='skull'/></bones></body-player-add>",
+        );
+        let ClauseKind::PlayerAdd(player) = kind else {
+            panic!("{kind:?}")
+        };
+        let members = player.bones.unwrap().members;
+        assert_eq!(
+            (members[0].name.as_str(), members[1].name.as_str()),
+            ("r_wrist", "skull")
+        );
+    }
+}

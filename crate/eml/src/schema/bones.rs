@@ -1,0 +1,30 @@
+//! `bones`: the bones that a player moves.
+
+use super::{Content, Element};
+
+pub(super) static ELEMENT: Element = Element {
+    doc: doc!("Lists bones: sets, body groups and single bones."),
+    decision: doc!("Without it a player moves the whole skeleton."),
+    source: doc!("GEVH D.3.13"),
+    example: doc!(
+        "<body-player-add time='0' name='p' type='pose'><bones><bg name='left_arm'/><bone name='skull'/></bones></body-player-add>"
+    ),
+    content: Content::Elements,
+    most_per_parent: Some(1),
+    ..Element::part("bones", &["body-player-add", "body-player-set-exclusive"])
+};
+
+#[cfg(test)]
+mod tests {
+    use crate::schema::testing::clause_codes;
+
+    #[test]
+    fn there_is_one_list() {
+        assert_eq!(
+            clause_codes(
+                "<body-player-add time='0' name='p' type='pose'><bones/><bones/></body-player-add>"
+            ),
+            ["eml::surplus-element"]
+        );
+    }
+}

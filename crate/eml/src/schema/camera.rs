@@ -1,0 +1,48 @@
+//! `camera`: takes a shot.
+
+use super::{Attribute, Element};
+use crate::{CameraAngle, ClauseKind, ShotKind};
+
+pub(super) static ELEMENT: Element = Element {
+    doc: doc!("Takes a shot."),
+    source: doc!("Extension; GEVH 3.5.4.1"),
+    example: doc!(
+        "<eml xmlns:r='urn:raconteur:eml:1'><body><r:camera time='0' shot='closeUp' angle='low' transition='2'/></body></eml>"
+    ),
+    extension: true,
+    one_of: &["shot", "angle"],
+    attributes: &[
+        Attribute::choice(
+            "shot",
+            ShotKind::WORDS,
+            doc!("How much it shows; unchanged when left out."),
+        ),
+        Attribute::choice(
+            "angle",
+            CameraAngle::WORDS,
+            doc!("From where it looks; unchanged when left out."),
+        ),
+        Attribute::seconds(
+            "transition",
+            doc!("How long the change takes; 0 is at once."),
+        )
+        .default("0"),
+    ],
+    ..Element::record("camera", || ClauseKind::Camera(Default::default()))
+};
+
+#[cfg(test)]
+mod tests {
+    use crate::schema::testing::extended;
+    use crate::{ClauseKind, ShotKind};
+
+    #[test]
+    fn shots_are_read() {
+        let kind = extended("<x:camera time='0' shot='closeup' transition='2s'/>");
+        let ClauseKind::Camera(camera) = kind else {
+            panic!("{kind:?}")
+        };
+        assert_eq!((camera.shot, camera.angle), (Some(ShotKind::CloseUp), None));
+        assert_eq!(camera.transition_secs, 2.0);
+    }
+}

@@ -1,0 +1,36 @@
+//! `engine`: says something else on one speech engine.
+
+use super::{Attribute, Element};
+use crate::Markup;
+
+pub(super) static ELEMENT: Element = Element {
+    doc: doc!("Says something else on one speech engine."),
+    source: doc!("GEVH D.4.8"),
+    example: doc!(
+        "<voice-text time='0'>An example is <engine id='festival' data='our own synthesizer'>the synthesizer</engine>.</voice-text>"
+    ),
+    attributes: &[
+        Attribute::identifier("id", doc!("The engine's name.")).required(),
+        Attribute::text("data", doc!("What it says instead of the content.")).required(),
+    ],
+    ..Element::container("engine", || Markup::Engine(Default::default()))
+};
+
+#[cfg(test)]
+mod tests {
+    use crate::Markup;
+    use crate::schema::testing::markup;
+
+    #[test]
+    fn the_other_text_is_kept() {
+        let (Markup::Engine(engine), codes) = markup("<engine id='festival' data='a b'>c</engine>")
+        else {
+            panic!()
+        };
+        assert_eq!(
+            (engine.id.as_str(), engine.data.as_str()),
+            ("festival", "a b")
+        );
+        assert_eq!(codes, [""; 0]);
+    }
+}

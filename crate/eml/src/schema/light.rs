@@ -1,0 +1,55 @@
+//! `light`: changes the key light.
+
+use super::{Attribute, Element, Kind};
+use crate::ClauseKind;
+
+pub(super) static ELEMENT: Element = Element {
+    doc: doc!("Changes the colour and brightness of the key light."),
+    source: doc!("Extension; GEVH 3.5.4.2"),
+    example: doc!(
+        "<eml xmlns:r='urn:raconteur:eml:1'><body><r:light time='0' color='#ffff00' brightness='1.2' transition='1'/></body></eml>"
+    ),
+    extension: true,
+    one_of: &["color", "brightness"],
+    attributes: &[
+        Attribute::new(
+            "color",
+            Kind::Color,
+            doc!("Its colour in sRGB; unchanged when left out."),
+        ),
+        Attribute::between(
+            "brightness",
+            0.0,
+            100.0,
+            doc!("Its brightness: 1 as without it; unchanged when left out."),
+        ),
+        Attribute::seconds(
+            "transition",
+            doc!("How long the change takes; 0 is at once."),
+        )
+        .default("0"),
+    ],
+    ..Element::record("light", || ClauseKind::Light(Default::default()))
+};
+
+#[cfg(test)]
+mod tests {
+    use crate::ClauseKind;
+    use crate::schema::testing::{codes, extended};
+
+    #[test]
+    fn colours_are_read() {
+        let kind = extended("<x:light time='0' color='#ffFF00'/>");
+        let ClauseKind::Light(light) = kind else {
+            panic!("{kind:?}")
+        };
+        assert_eq!((light.color, light.brightness), (Some([255, 255, 0]), None));
+    }
+
+    #[test]
+    fn a_colour_has_six_digits() {
+        let text = "<eml xmlns:x='urn:raconteur:eml:1'><body><null time='1'/><x:light time='0' \
+                    color='yellow'/></body></eml>";
+        assert_eq!(codes(text), ["eml::bad-color"]);
+    }
+}

@@ -1,0 +1,53 @@
+//! `ly`: refers to a layer of a player.
+
+use super::{Attribute, Element};
+
+pub(super) static ELEMENT: Element = Element {
+    doc: doc!("Refers to a layer of a player."),
+    decision: doc!("GEVH does not list its attributes; a name or a number is assumed."),
+    source: doc!("GEVH D.3.10"),
+    example: doc!(
+        "<body-deterministic-primitive time='0' primitive='pop'><tracks><ly index='1'/></tracks></body-deterministic-primitive>"
+    ),
+    one_of: &["name", "index"],
+    attributes: &[
+        Attribute::identifier("name", doc!("The name of the layer.")),
+        Attribute::integer(
+            "index",
+            0,
+            i32::MAX as i64,
+            doc!("The number of the layer, from 0."),
+        ),
+    ],
+    ..Element::part("ly", &["tracks"])
+};
+
+#[cfg(test)]
+mod tests {
+    use crate::ClauseKind;
+    use crate::schema::testing::{clause_codes, one};
+
+    #[test]
+    fn a_number_is_as_good_as_a_name() {
+        let kind = one(
+            "<body-deterministic-primitive time='0' primitive='pop'><tracks><ly name='a'/><ly index='7'/></tracks></body-deterministic-primitive>",
+        );
+        let ClauseKind::DeterministicPrimitive(primitive) = kind else {
+            panic!("{kind:?}")
+        };
+        let members = primitive.tracks.unwrap().members;
+        assert_eq!(
+            (members[0].name.as_str(), members[1].name.as_str()),
+            ("a", "7")
+        );
+    }
+    #[test]
+    fn one_of_them_is_needed() {
+        assert_eq!(
+            clause_codes(
+                "<body-deterministic-primitive time='0' primitive='pop'><tracks><ly/></tracks></body-deterministic-primitive>"
+            ),
+            ["eml::missing-attribute"]
+        );
+    }
+}

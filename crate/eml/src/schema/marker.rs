@@ -1,0 +1,41 @@
+//! `marker`: tells listeners of a moment in speech.
+
+use super::{Attribute, Context, Element, Fields, Role, VOICE_PARENTS, VoiceBuilder};
+use crate::Piece;
+
+pub(super) static ELEMENT: Element = Element {
+    doc: doc!("Tells listeners when the next word begins."),
+    source: doc!("SABLE 1.0 MARKER; not in GEVH"),
+    example: doc!(
+        "<eml xmlns:r='urn:raconteur:eml:1'><body><voice-text time='0'>And then <r:marker mark='door'/>it opened.</voice-text></body></eml>"
+    ),
+    extension: true,
+    attributes: &[Attribute::identifier("mark", doc!("What listeners are told.")).required()],
+    ..Element::new("marker", VOICE_PARENTS, Role::Voice(read))
+};
+
+fn read(cx: &mut Context<'_>, node: usize, fields: &Fields<'_>, voice: &mut VoiceBuilder) {
+    cx.children(node, &ELEMENT, |_, _, _| {});
+    if let Some(mark) = cx.text(fields, "mark") {
+        let span = cx.full_span(node);
+        voice.pieces.push(Piece::Marker { mark, span });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::{ClauseKind, Piece};
+
+    #[test]
+    fn markers_do_not_cut_words() {
+        let text = "<eml xmlns:x='urn:raconteur:eml:1'><body><voice-text time='0'>a<x:marker \
+                    mark='m'/>b</voice-text></body></eml>";
+        let parsed = crate::parse(text);
+        assert_eq!(parsed.diagnostics, []);
+        let ClauseKind::VoiceText(voice) = &parsed.document.clauses[0].kind else {
+            panic!()
+        };
+        assert!(matches!(&voice.pieces[1], Piece::Marker { mark, .. } if mark == "m"));
+        assert_eq!(voice.plain_text(), "ab");
+    }
+}

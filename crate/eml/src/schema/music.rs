@@ -1,0 +1,49 @@
+//! `music`: plays music.
+
+use super::{Attribute, Element, Kind};
+use crate::{ClauseKind, Valence};
+
+pub(super) static ELEMENT: Element = Element {
+    doc: doc!(
+        "Plays music: a piece of a mood from the library, or a file. With neither it becomes silent."
+    ),
+    source: doc!("Extension; GEVH 3.5.4.3"),
+    example: doc!(
+        "<eml xmlns:r='urn:raconteur:eml:1'><body><r:music time='0' valence='positive' volume='0.5' fade='2'/></body></eml>"
+    ),
+    extension: true,
+    attributes: &[
+        Attribute::choice("valence", Valence::WORDS, doc!("The mood of the piece.")),
+        Attribute::new(
+            "file",
+            Kind::Path,
+            doc!("A file beside the story; counts instead of the mood."),
+        ),
+        Attribute::between("volume", 0.0, 10.0, doc!("Its volume: 1 as recorded.")).default("1"),
+        Attribute::seconds(
+            "fade",
+            doc!("How long it fades in, and the piece before out."),
+        )
+        .default("0"),
+    ],
+    ..Element::record("music", || ClauseKind::Music(Default::default()))
+};
+
+#[cfg(test)]
+mod tests {
+    use crate::ClauseKind;
+    use crate::schema::testing::extended;
+
+    #[test]
+    fn pieces_are_chosen_by_mood_or_file() {
+        let kind = extended("<x:music time='0' file='music/a.ogg' fade='2'/>");
+        let ClauseKind::Music(music) = kind else {
+            panic!("{kind:?}")
+        };
+        assert_eq!(
+            (music.valence, music.file.as_deref()),
+            (None, Some("music/a.ogg"))
+        );
+        assert_eq!((music.volume, music.fade_secs), (1.0, 2.0));
+    }
+}

@@ -1,0 +1,42 @@
+//! `rate`: changes the pace of speech.
+
+use super::{Attribute, Element};
+use crate::Markup;
+
+pub(super) static ELEMENT: Element = Element {
+    doc: doc!("Changes the pace of speech."),
+    source: doc!("GEVH D.4.11"),
+    example: doc!(
+        "<voice-text time='0'>Two roads <rate speed='-40%'>diverged in a yellow wood,</rate></voice-text>"
+    ),
+    attributes: &[Attribute::level(
+        "speed",
+        &["fastest", "fast", "medium", "slow", "slowest"],
+        true,
+        doc!("A word, a change in percent with its sign, or words a minute."),
+    )
+    .required()],
+    ..Element::container("rate", || Markup::Rate(Default::default()))
+};
+
+#[cfg(test)]
+mod tests {
+    use crate::schema::testing::{clause_codes, markup};
+    use crate::{Level, Markup};
+
+    #[test]
+    fn speeds_are_read() {
+        let (Markup::Rate(rate), codes) = markup("<rate speed='-40%'>a</rate>") else {
+            panic!()
+        };
+        assert_eq!(rate.speed, Level::Percent(-40.0));
+        assert_eq!(codes, [""; 0]);
+    }
+    #[test]
+    fn a_speed_is_needed() {
+        assert_eq!(
+            clause_codes("<voice-text time='0'><rate>a</rate></voice-text>"),
+            ["eml::missing-attribute"]
+        );
+    }
+}

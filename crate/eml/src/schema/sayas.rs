@@ -1,0 +1,49 @@
+//! `sayas`: says what a text is, and so how it is read out.
+
+use super::{Attribute, Element};
+use crate::{Markup, SayAsMode, SayAsType};
+
+pub(super) static ELEMENT: Element = Element {
+    doc: doc!("Says what a text is, and so how it is read out."),
+    decision: doc!("GEVH says that it is SABLE's rate; SAYAS is meant."),
+    source: doc!("GEVH D.4.12"),
+    example: doc!(
+        "<voice-text time='0'>A year <sayas mode='date' modetype='YMD'>1998</sayas>, an ordinal <sayas mode='ordinal'>1998</sayas></voice-text>"
+    ),
+    attributes: &[
+        Attribute::choice("mode", SayAsMode::WORDS, doc!("What the text is.")).required(),
+        Attribute::choice(
+            "modetype",
+            SayAsType::WORDS,
+            doc!("The order of the parts of a date or a time, or the kind of address on the net."),
+        ),
+    ],
+    ..Element::container("sayas", || Markup::SayAs(Default::default()))
+};
+
+#[cfg(test)]
+mod tests {
+    use crate::schema::testing::{clause_codes, markup};
+    use crate::{Markup, SayAsMode, SayAsType};
+
+    #[test]
+    fn modes_are_read() {
+        let (Markup::SayAs(say), codes) =
+            markup("<sayas mode='Date' modetype='dmy'>1/2/98</sayas>")
+        else {
+            panic!()
+        };
+        assert_eq!(
+            (say.mode, say.mode_type),
+            (SayAsMode::Date, Some(SayAsType::Dmy))
+        );
+        assert_eq!(codes, [""; 0]);
+    }
+    #[test]
+    fn a_mode_is_needed() {
+        assert_eq!(
+            clause_codes("<voice-text time='0'><sayas modetype='DMY'>a</sayas></voice-text>"),
+            ["eml::missing-attribute"]
+        );
+    }
+}

@@ -1,0 +1,59 @@
+//! `vh-move`: moves the whole figure along a function.
+
+use super::{Attribute, Content, Element};
+use crate::ClauseKind;
+
+pub(super) static ELEMENT: Element = Element {
+    doc: doc!("Moves and turns the whole figure along a function of time."),
+    decision: doc!(
+        "It lasts as long as the argument timePeriod says; in a loop it goes on until the next vh-move, and counts as one period long."
+    ),
+    source: doc!("GEVH D.1.6"),
+    example: doc!(
+        "<vh-move time='0' functionName='segment'><function-args><arg name='timePeriod' value='2'/><arg name='endZ' value='-20'/></function-args></vh-move>"
+    ),
+    content: Content::Elements,
+    required_children: &["function-args"],
+    attributes: &[
+        Attribute::identifier(
+            "functionName",
+            doc!("The function: segment, or another one that the player knows."),
+        )
+        .required(),
+        Attribute::flag(
+            "isLooping",
+            doc!("Whether the function starts again after its period."),
+        )
+        .default("false"),
+    ],
+    ..Element::record("vh-move", || ClauseKind::VhMove(Default::default()))
+};
+
+#[cfg(test)]
+mod tests {
+    use crate::ClauseKind;
+    use crate::schema::testing::{clause_codes, one};
+
+    #[test]
+    fn the_function_and_its_period_are_kept() {
+        let kind = one(
+            "<vh-move time='0' functionName='segment' isLooping='1'><function-args><arg name='timePeriod' value='2.5'/></function-args></vh-move>",
+        );
+        let ClauseKind::VhMove(function) = kind else {
+            panic!("{kind:?}")
+        };
+        assert!(function.is_looping);
+        assert_eq!(function.args.map(|a| a.period_secs()), Some(2.5));
+    }
+    #[test]
+    fn it_needs_a_function_and_arguments() {
+        assert_eq!(
+            clause_codes("<vh-move time='0'><function-args/></vh-move>"),
+            ["eml::missing-attribute"]
+        );
+        assert_eq!(
+            clause_codes("<vh-move time='0' functionName='segment'/>"),
+            ["eml::missing-child"]
+        );
+    }
+}

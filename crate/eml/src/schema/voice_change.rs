@@ -1,0 +1,29 @@
+//! `voice-change`: another voice.
+
+use super::{Attribute, Element};
+use crate::ClauseKind;
+
+pub(super) static ELEMENT: Element = Element {
+    doc: doc!("Changes the voice of what is spoken from now on."),
+    source: doc!("GEVH D.4.15"),
+    example: doc!("<voice-change time='1' voice='don_diphone'/>"),
+    attributes: &[Attribute::identifier("voice", doc!("The voice's name.")).required()],
+    ..Element::record("voice-change", || {
+        ClauseKind::VoiceChange(Default::default())
+    })
+};
+
+#[cfg(test)]
+mod tests {
+    use crate::ClauseKind;
+    use crate::schema::testing::one;
+
+    #[test]
+    fn the_voice_is_kept() {
+        let kind = one("<voice-change time='1' voice=' don_diphone '/>");
+        let ClauseKind::VoiceChange(change) = kind else {
+            panic!("{kind:?}")
+        };
+        assert_eq!(change.voice, "don_diphone");
+    }
+}

@@ -1,0 +1,81 @@
+//! `voice-say`: speaks a text or a file.
+
+use super::{Attribute, Content, Context, Element, Fields};
+use crate::{ClauseKind, Diagnostic, UtteranceKind, VoiceOperation, VoiceSay};
+
+pub(super) static ELEMENT: Element = Element {
+    doc: doc!("Speaks plain text or a file, without time markers. The content is the text, or the path of the file."),
+    decision: doc!("GEVH specifies it twice; this is both together. Only voiceOperation text with type text has a length that a timeline knows; what is spoken from files and SABLE documents counts as having none."),
+    source: doc!("GEVH D.4.2, D.4.14"),
+    example: doc!("<voice-say time='7' voiceOperation='text'>Once upon a time.</voice-say>"),
+    content: Content::Text,
+    attributes: &[Attribute::choice("voiceOperation", VoiceOperation::WORDS, doc!("What to do: text and file speak, preprocess… only synthesise, asynchronous… speak while what follows goes on.")).required(),
+Attribute::choice("type", UtteranceKind::WORDS, doc!("What the content is.")).default("text"),
+Attribute::flag("isResourcesRelativeFilePath", doc!("Whether the path of a file starts in the asset library instead of the folder of the story.")).default("true")],
+    ..Element::clause("voice-say", build)
+};
+
+fn build(cx: &mut Context<'_>, node: usize, fields: &Fields<'_>) -> Option<ClauseKind> {
+    let mut say = VoiceSay::default();
+    let complete = cx.record(node, fields, &mut say);
+    (say.content, say.content_span) = cx.character_data(node, &ELEMENT);
+    if say.is_file() {
+        say.content = say.content.trim().to_owned();
+        if !super::values::is_inner_path(&say.content) {
+            let message = "the path of the file does not stay in its folder";
+            let hint = "paths are relative, without `..`, `:` and `\\`";
+            cx.sink
+                .push(Diagnostic::error("eml::bad-path", say.content_span, message).hint(hint));
+            return None;
+        }
+    } else if !say.content.contains(char::is_alphanumeric) {
+        let message = "there is nothing to speak in this `voice-say`";
+        cx.sink
+            .push(Diagnostic::warning("eml::empty-voice", fields.tag, message));
+    }
+    complete.then(|| ClauseKind::VoiceSay(Box::new(say)))
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::schema::testing::{clause_codes, one};
+    use crate::{ClauseKind, VoiceOperation};
+
+    #[test]
+    fn the_content_is_text_or_a_path() {
+        let kind = one(
+            "<voice-say time='7' voiceOperation='PreprocessFile' type='text'>  poetry/lusiadas.txt </voice-say>",
+        );
+        let ClauseKind::VoiceSay(say) = kind else {
+            panic!("{kind:?}")
+        };
+        assert_eq!(say.operation, VoiceOperation::PreprocessFile);
+        assert_eq!(
+            (say.content.as_str(), say.spoken()),
+            ("poetry/lusiadas.txt", None)
+        );
+    }
+    #[test]
+    fn text_takes_its_time() {
+        let kind = one("<voice-say time='7' voiceOperation='text'>One &amp; two</voice-say>");
+        let ClauseKind::VoiceSay(say) = kind else {
+            panic!("{kind:?}")
+        };
+        assert_eq!(say.spoken().unwrap().plain_text(), "One & two");
+    }
+    #[test]
+    fn files_and_texts_are_checked() {
+        assert_eq!(
+            clause_codes("<voice-say time='0' voiceOperation='file'>/etc/passwd</voice-say>"),
+            ["eml::bad-path"]
+        );
+        assert_eq!(
+            clause_codes("<voice-say time='0' voiceOperation='text'/>"),
+            ["eml::empty-voice"]
+        );
+        assert_eq!(
+            clause_codes("<voice-say time='0' voiceOperation='text'>a<tm name='t'/></voice-say>"),
+            ["eml::wrong-parent"]
+        );
+    }
+}

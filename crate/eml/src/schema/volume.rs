@@ -1,0 +1,48 @@
+//! `volume`: changes the volume of speech.
+
+use super::{Attribute, Element};
+use crate::Markup;
+
+pub(super) static ELEMENT: Element = Element {
+    doc: doc!("Changes the volume of speech."),
+    decision: doc!(
+        "The example writes discreteLevel. GEVH says that it is SABLE's rate; VOLUME is meant."
+    ),
+    source: doc!("GEVH D.4.13"),
+    example: doc!(
+        "<voice-text time='0'>Two roads <volume level='quiet'>diverged in a yellow wood</volume>.</voice-text>"
+    ),
+    attributes: &[Attribute::level(
+        "level",
+        &["loudest", "loud", "medium", "quiet"],
+        true,
+        doc!("A word, a change in percent with its sign, or a gain: 1 as without it."),
+    )
+    .required()
+    .aliases(&["discreteLevel"])],
+    ..Element::container("volume", || Markup::Volume(Default::default()))
+};
+
+#[cfg(test)]
+mod tests {
+    use crate::schema::testing::{clause_codes, markup};
+    use crate::{Level, Markup};
+
+    #[test]
+    fn levels_are_read() {
+        let (Markup::Volume(volume), codes) = markup("<volume level='quiet'>a</volume>") else {
+            panic!()
+        };
+        assert_eq!(volume.level, Level::Word("quiet"));
+        assert_eq!(codes, [""; 0]);
+    }
+    #[test]
+    fn the_example_of_the_source_is_accepted() {
+        assert_eq!(
+            clause_codes(
+                "<voice-text time='0'><volume discreteLevel='quiet'>a</volume></voice-text>"
+            ),
+            ["eml::alias"]
+        );
+    }
+}

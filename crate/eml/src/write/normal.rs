@@ -1,0 +1,74 @@
+//! What of a document does not depend on how it was written.
+
+use crate::{ClauseKind, Document, Piece, Span, Track};
+
+/// The document without places in a text, and with the pieces of text that a reference or
+/// a comment cuts joined. Two texts that mean the same give the same.
+#[must_use]
+pub fn normal_form(document: &Document) -> Document {
+    let mut document = document.clone();
+    let nowhere = Span::default();
+    for set in &mut document.sets {
+        set.span = nowhere;
+    }
+    for clause in &mut document.clauses {
+        clause.span = nowhere;
+        clause.tag_span = nowhere;
+        clause.start.span = nowhere;
+        clause.start.names.iter_mut().for_each(|n| n.span = nowhere);
+        match &mut clause.kind {
+            ClauseKind::VoiceText(text) => text.pieces = joined(std::mem::take(&mut text.pieces)),
+            ClauseKind::GestureKey(gesture) => {
+                gesture.hand_shapes.iter_mut().for_each(forget);
+                gesture.palms.iter_mut().for_each(forget);
+                gesture.motions.iter_mut().for_each(forget);
+            }
+            ClauseKind::Seq(group) | ClauseKind::Par(group) => group.repetition_span = nowhere,
+            ClauseKind::VoiceSay(say) => say.content_span = nowhere,
+            _ => {}
+        }
+    }
+    document
+}
+
+fn forget<K>(track: &mut Track<K>) {
+    track.span = Span::default();
+    track
+        .keys
+        .iter_mut()
+        .for_each(|key| key.span = Span::default());
+}
+
+fn joined(pieces: Vec<Piece>) -> Vec<Piece> {
+    let mut out: Vec<Piece> = Vec::new();
+    for mut piece in pieces {
+        match &mut piece {
+            Piece::Text {
+                text,
+                emphasis,
+                span,
+            } => {
+                if let Some(Piece::Text {
+                    text: before,
+                    emphasis: level,
+                    ..
+                }) = out.last_mut()
+                    && level == emphasis
+                {
+                    before.push_str(text);
+                    continue;
+                }
+                *span = Span::default();
+            }
+            Piece::Break { span, .. }
+            | Piece::Audio { span, .. }
+            | Piece::Marker { span, .. }
+            | Piece::Start { span, .. }
+            | Piece::DivStart { span, .. }
+            | Piece::Mark { span, .. } => *span = Span::default(),
+            Piece::End | Piece::DivEnd => {}
+        }
+        out.push(piece);
+    }
+    out
+}

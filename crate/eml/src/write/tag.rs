@@ -1,0 +1,239 @@
+//! Tags on their way to the text.
+
+use crate::namespaces::EXTENSIONS_PREFIX;
+use crate::record::{Field, List, Record, Value, Visit};
+use crate::schema::{self, Element, Presence};
+use crate::{Coords, GestureKey, Handedness, Key, Profile, Track};
+use raconteur_base::Side;
+
+/// An element with its attributes as text.
+pub(super) struct Tag {
+    element: &'static Element,
+    /// In front of the others: when it starts.
+    timed: String,
+    attributes: String,
+    extended: bool,
+    pub(super) children: Vec<Tag>,
+}
+
+impl Tag {
+    /// An empty tag.
+    pub(super) fn new(element: &'static str) -> Self {
+        Self::inside(element, "")
+    }
+
+    /// An empty tag of the element that stands in `parent`.
+    fn inside(element: &'static str, parent: &str) -> Self {
+        let found = schema::find(element).or_else(|| schema::find_extension(element));
+        let element = found.unwrap_or(schema::ELEMENTS[0]);
+        Self {
+            element: schema::variant_in(element, parent).unwrap_or(element),
+            timed: String::new(),
+            attributes: String::new(),
+            extended: element.extension,
+            children: Vec::new(),
+        }
+    }
+
+    /// The tag of a record with all that is in it.
+    pub(super) fn of(record: &mut dyn Record) -> Self {
+        let mut tag = Self::new(record.element());
+        record.visit(&mut tag);
+        tag
+    }
+
+    /// Its name with its prefix.
+    pub(super) fn name(&self) -> String {
+        if self.element.extension {
+            format!("{EXTENSIONS_PREFIX}:{}", self.element.name)
+        } else {
+            self.element.name.to_owned()
+        }
+    }
+
+    /// Its attributes, a space before each.
+    pub(super) fn attributes(&self) -> String {
+        format!("{}{}", self.timed, self.attributes)
+    }
+
+    /// Whether it is an extension or has one.
+    pub(super) fn is_extended(&self) -> bool {
+        self.extended
+    }
+
+    /// Adds when a clause starts.
+    pub(super) fn time(&mut self, time: &str, name: Option<&str>) {
+        self.timed = format!(" time='{time}'");
+        if let Some(name) = name {
+            self.timed.push_str(&format!(" timeId='{}'", escaped(name)));
+        }
+    }
+
+    pub(super) fn text(&mut self, name: &str, text: Option<&str>) {
+        self.value(
+            name,
+            text.map_or(Value::None, |text| Value::Text(text.to_owned())),
+        );
+    }
+
+    pub(super) fn number(&mut self, name: &str, number: Option<f64>) {
+        self.value(name, number.map_or(Value::None, Value::Number));
+    }
+
+    pub(super) fn word(&mut self, name: &str, word: Option<&'static str>) {
+        self.value(name, word.map_or(Value::None, Value::Word));
+    }
+
+    pub(super) fn flag(&mut self, name: &str, flag: bool) {
+        self.value(name, Value::Flag(flag));
+    }
+
+    /// Adds an attribute, unless its value is the default.
+    fn value(&mut self, name: &str, value: Value) {
+        let Some(attribute) = self.element.all_attributes().find(|a| a.name == name) else {
+            return;
+        };
+        if let Presence::Default(text) = attribute.default
+            && schema::parse_value(attribute.kind, text).is_ok_and(|default| default == value)
+        {
+            return;
+        }
+        let text = match value {
+            Value::None => return,
+            Value::Text(text) => escaped(&text),
+            Value::Number(value) => number(value),
+            Value::Flag(flag) => flag.to_string(),
+            Value::Word(word) => word.to_owned(),
+            Value::Percent(percent) if percent < 0.0 => format!("{}%", number(percent)),
+            Value::Percent(percent) => format!("+{}%", number(percent)),
+            Value::Numbers(numbers) => {
+                let words: Vec<String> = numbers.into_iter().map(number).collect();
+                words.join(" ")
+            }
+            Value::Color([red, green, blue]) => format!("#{red:02x}{green:02x}{blue:02x}"),
+        };
+        let prefix = if attribute.extension {
+            self.extended = true;
+            format!("{EXTENSIONS_PREFIX}:")
+        } else {
+            String::new()
+        };
+        self.attributes
+            .push_str(&format!(" {prefix}{name}='{text}'"));
+    }
+
+    /// Adds what a gesture-key holds. All times of keys are given, so that none is spread.
+    pub(super) fn gesture(&mut self, gesture: &GestureKey) {
+        self.number("duration", Some(gesture.duration_secs));
+        let handedness = match gesture.handedness {
+            Handedness::Both => "both",
+            Handedness::Left => "left",
+            Handedness::Right => "right",
+        };
+        self.word("handedness", Some(handedness));
+        self.word("phase", gesture.phase.map(crate::Phase::word));
+        for track in &gesture.hand_shapes {
+            self.track("hand-shapes", track, |tag, key| {
+                tag.number("id", Some(f64::from(key.id)));
+                if let Some((id, weight)) = key.blend {
+                    tag.number("id2", Some(f64::from(id)));
+                    tag.number("weight", Some(weight));
+                }
+            });
+        }
+        for track in &gesture.palms {
+            self.track("palms", track, |tag, key| {
+                tag.number("a", Some(key.angle_deg));
+                tag.vector(key.axis);
+            });
+        }
+        for track in &gesture.motions {
+            self.track("motion", track, |tag, key| tag.vector(key.position));
+            let world = track
+                .keys
+                .first()
+                .is_some_and(|k| k.value.coords == Coords::World);
+            if let Some(tag) = self.children.last_mut() {
+                tag.word("coords", Some(if world { "world" } else { "speaker" }));
+            }
+        }
+    }
+
+    fn vector(&mut self, [x, y, z]: [f64; 3]) {
+        self.number("x", Some(x));
+        self.number("y", Some(y));
+        self.number("z", Some(z));
+    }
+
+    fn track<K>(&mut self, name: &'static str, track: &Track<K>, add: impl Fn(&mut Tag, &K)) {
+        let mut tag = Tag::new(name);
+        tag.word(
+            "hand",
+            track.hand.map(|hand| match hand {
+                Side::Left => "left",
+                Side::Right => "right",
+            }),
+        );
+        tag.profile(track.profile.as_deref());
+        for Key {
+            offset_secs,
+            value,
+            profile,
+            ..
+        } in &track.keys
+        {
+            let mut key = Tag::inside("key", name);
+            key.number("time", Some(*offset_secs));
+            add(&mut key, value);
+            key.profile(profile.as_deref());
+            tag.extended |= key.extended;
+            tag.children.push(key);
+        }
+        self.extended |= tag.extended;
+        self.children.push(tag);
+    }
+
+    fn profile(&mut self, profile: Option<&Profile>) {
+        if let Some(profile) = profile {
+            profile.clone().visit(self);
+        }
+    }
+}
+
+impl Visit for Tag {
+    fn field(&mut self, name: &'static str, field: &mut dyn Field) {
+        self.value(name, field.get());
+    }
+
+    fn children(&mut self, list: &mut dyn List) {
+        let mut index = 0;
+        while let Some(child) = list.at(index) {
+            let tag = Tag::of(child);
+            self.extended |= tag.extended;
+            self.children.push(tag);
+            index += 1;
+        }
+    }
+}
+
+/// The shortest decimal that reads as this number.
+pub(super) fn number(number: f64) -> String {
+    // Without the sign of a negative zero.
+    format!("{}", number + 0.0)
+}
+
+/// Text between tags or quotes. Line ends in it are kept by every reader of XML.
+pub(super) fn escaped(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            '&' => out.push_str("&amp;"),
+            '<' => out.push_str("&lt;"),
+            '>' => out.push_str("&gt;"),
+            '\'' => out.push_str("&apos;"),
+            '\r' => out.push_str("&#13;"),
+            c => out.push(c),
+        }
+    }
+    out
+}

@@ -1,0 +1,79 @@
+//! Spoken text with its markup.
+
+use super::tag::{Tag, escaped};
+use crate::{Boundary, DivKind, MarkEvent, Piece, VoiceText};
+
+/// The pauses that have a word.
+const LEVELS: [(u32, &str); 4] = [(350, ""), (0, "none"), (150, "small"), (800, "large")];
+
+/// The content of a voice-text, and whether there are extensions in it.
+pub(super) fn content(text: &VoiceText) -> (String, bool) {
+    let mut out = String::new();
+    let mut open: Vec<String> = Vec::new();
+    let mut extended = false;
+    for piece in &text.pieces {
+        let (mut tag, opens) = match piece {
+            Piece::Text { text, .. } => {
+                // In text a quote is a character like others.
+                out.push_str(&escaped(text).replace("&apos;", "'"));
+                continue;
+            }
+            Piece::DivEnd | Piece::End => {
+                close(&mut open, &mut out);
+                continue;
+            }
+            Piece::Break { .. } => (Tag::new("break"), false),
+            Piece::Audio { audio, .. } => (Tag::of(&mut audio.as_ref().clone()), false),
+            Piece::Marker { .. } => (Tag::new("marker"), false),
+            Piece::Mark { .. } => (Tag::new("tm"), false),
+            Piece::DivStart { .. } => (Tag::new("div"), true),
+            Piece::Start { markup, .. } => (Tag::of(markup.as_ref().clone().record()), true),
+        };
+        match piece {
+            Piece::Break { msec, boundary, .. } => {
+                match LEVELS.iter().find(|(length, _)| length == msec) {
+                    Some((_, "")) => {}
+                    Some((_, word)) => tag.word("level", Some(word)),
+                    None => tag.number("msec", Some(f64::from(*msec))),
+                }
+                tag.word("type", boundary.map(Boundary::word));
+            }
+            Piece::Marker { mark, .. } => tag.text("mark", Some(mark)),
+            Piece::Mark { name, event, .. } => {
+                tag.text("name", Some(name));
+                match event {
+                    MarkEvent::OnStart => {}
+                    MarkEvent::OnEnd => tag.word("event", Some("onEnd")),
+                    MarkEvent::OnPhone(phone) => {
+                        tag.word("event", Some("onPhone"));
+                        tag.text("phone", Some(phone));
+                    }
+                }
+            }
+            Piece::DivStart { kind, .. } => tag.word(
+                "type",
+                kind.map(|kind| match kind {
+                    DivKind::Sentence => "sentence",
+                    DivKind::Paragraph => "paragraph",
+                }),
+            ),
+            _ => {}
+        }
+        extended |= tag.is_extended();
+        let end = if opens { ">" } else { "/>" };
+        out.push_str(&format!("<{}{}{end}", tag.name(), tag.attributes()));
+        if opens {
+            open.push(tag.name());
+        }
+    }
+    while !open.is_empty() {
+        close(&mut open, &mut out);
+    }
+    (out, extended)
+}
+
+fn close(open: &mut Vec<String>, out: &mut String) {
+    if let Some(name) = open.pop() {
+        out.push_str(&format!("</{name}>"));
+    }
+}
