@@ -15,11 +15,11 @@ const test = base.extend<{ mind: Mind }>({
   },
 });
 
-/** A waiting figure with the voice of hello-world, and a mind that has been let in. */
+/** A figure that waits, with the voice of hello-world, and a mind that has been let in. */
 async function open(stage: Stage, mind: Mind): Promise<void> {
   await stage.open(
     `<raconteur-player src="waiting/story.eml" mind="${mind.origin}/x" captions controls></raconteur-player>`,
-    { 'waiting/story.eml': '<eml><body><null time="1"/></body></eml>', ...(await voice(stage)) },
+    { 'waiting/story.eml': '<eml><body/></eml>', ...(await voice(stage)) },
     mind.origin,
   );
   await stage.ready();

@@ -104,6 +104,8 @@ export class RaconteurPlayer extends LitElement {
   /** The figure that is to come next. */
   #coming: AbortController | undefined;
   #link: MindLink | undefined;
+  /** A mind is asked for, and what connects to it is being fetched: an empty story does not end meanwhile. */
+  #awaited = false;
   /** A file that the user gave, under its name in `figure`. */
   #given: File | undefined;
   #error: PlayerError | undefined;
@@ -273,15 +275,21 @@ export class RaconteurPlayer extends LitElement {
     this.#link?.close();
     this.#link = undefined;
     const address = this.mind;
+    this.#awaited = Boolean(address);
     if (!address) return;
-    const { MindLink } = await import('./mind.js');
-    if (this.#show !== show || this.mind !== address || this.#link !== undefined) return;
-    this.#link = MindLink.open(address, {
-      hello: () => ({ timeSecs: this.currentTime, endSecs: show.transport.endSecs, figure: show.figure }),
-      perform: (fragment) => this.#perform(show, MIND, fragment),
-      report: (diagnostic) => this.#report(diagnostic),
-      state: (state) => this.#onMind(state),
-    });
+    try {
+      const { MindLink } = await import('./mind.js');
+      if (this.#show !== show || this.mind !== address || this.#link !== undefined) return;
+      this.#link = MindLink.open(address, {
+        hello: () => ({ timeSecs: this.currentTime, endSecs: show.transport.endSecs, figure: show.figure }),
+        perform: (fragment) => this.#perform(show, MIND, fragment),
+        report: (diagnostic) => this.#report(diagnostic),
+        state: (state) => this.#onMind(state),
+      });
+    } catch {
+      this.#report({ code: 'mind-lost', severity: 'warning', message: 'What connects to minds could not be fetched.', hints: [] });
+    }
+    this.#awaited = false;
   }
 
   #onMind(state: MindState): void {
@@ -456,6 +464,7 @@ export class RaconteurPlayer extends LitElement {
     this.#coming = undefined;
     this.#link?.close();
     this.#link = undefined;
+    this.#awaited = false;
     this.#show?.voice.close();
     this.#show?.picture.close();
     this.#show = undefined;
@@ -529,7 +538,7 @@ export class RaconteurPlayer extends LitElement {
   #advance(): void {
     const show = this.#show;
     if (show === undefined) return;
-    const openEnded = this.#link?.listening ?? false;
+    const openEnded = this.#link?.listening ?? this.#awaited;
     if (openEnded !== show.transport.openEnded) {
       show.transport.openEnded = openEnded;
       show.picture.setOpenEnded(openEnded);

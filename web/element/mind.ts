@@ -12,7 +12,7 @@ const MOST_UNREAD_BYTES = 1_000_000;
 const WAIT_MS = { first: 500, longest: 30_000 };
 /** A connection that has held this long was a good one: the next wait is the first again. */
 const STEADY_MS = 5_000;
-/** The performance stays open-ended for so long after a mind was lost. */
+/** The performance stays open-ended for so long after a mind was lost, or first called. */
 const GRACE_MS = 30_000;
 
 /** What a mind is told besides cues. */
@@ -39,8 +39,8 @@ export class MindLink {
   #refused = 0;
   #lost = 0;
   #openedMs = 0;
-  /** When a mind was last there. */
-  #seenMs = -Infinity;
+  /** When a mind was last there, or first called. */
+  #seenMs = performance.now();
   #closed = false;
 
   private constructor(url: URL, host: MindHost) {
