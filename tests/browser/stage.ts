@@ -96,9 +96,10 @@ export class Stage {
     return this.player.locator('mark');
   }
 
-  /** Opens a page whose body is `body`, with the policy of the real one. */
-  async open(body: string, files: Files = {}): Promise<void> {
-    const policy = (await this.page.request.get('/')).headers()['content-security-policy'] ?? '';
+  /** Opens a page whose body is `body`, with the policy of the real one; it may connect to `peer`, too. */
+  async open(body: string, files: Files = {}, peer = ''): Promise<void> {
+    const strict = (await this.page.request.get('/')).headers()['content-security-policy'] ?? '';
+    const policy = strict.replace("connect-src 'self'", `connect-src 'self' ${peer}`.trim());
     const html = `<!doctype html><html lang="en"><meta charset="utf-8"><title>Test</title>
       <link rel="stylesheet" href="test.css"><script type="module" src="/raconteur-player.js"></script>
       <body>${body.replaceAll('<raconteur-player', `<raconteur-player backend="${this.backend}" assets="/assets/"`)}</body></html>`;

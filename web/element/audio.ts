@@ -63,22 +63,25 @@ interface Run {
 
 /** Speaks a story's utterances. */
 export class RecordedVoice implements Voice {
-  readonly #utterances: readonly Utterance[];
+  readonly #utterances: Iterable<Utterance>;
   readonly #folder: URL;
-  readonly #onMissing: (utterance: number, message: string) => void;
+  readonly #onMissing: (utterance: Utterance, message: string) => void;
   readonly #abort = new AbortController();
   /** Decoded sounds; null for one that cannot be had. */
-  readonly #sounds = new Map<number, AudioBuffer | null | 'pending'>();
+  readonly #sounds = new Map<Utterance, AudioBuffer | null | 'pending'>();
   /** Stretched copies for the present rate. */
-  readonly #stretched = new Map<number, AudioBuffer>();
+  readonly #stretched = new Map<Utterance, AudioBuffer>();
   #stretchedRate = 1;
-  readonly #playing = new Map<number, Playing>();
+  readonly #playing = new Map<Utterance, Playing>();
   #run: Run | undefined;
   #master: GainNode | undefined;
   #volume = 1;
 
-  /** `folder` is where the recordings lie; `onMissing` hears of each that cannot be played. */
-  constructor(utterances: readonly Utterance[], folder: URL, onMissing: (utterance: number, message: string) => void) {
+  /**
+   * `utterances` may come and go, in any order; `folder` is where the recordings lie; `onMissing`
+   * hears of each that cannot be played.
+   */
+  constructor(utterances: Iterable<Utterance>, folder: URL, onMissing: (utterance: Utterance, message: string) => void) {
     this.#utterances = utterances;
     this.#folder = folder;
     this.#onMissing = onMissing;
@@ -140,27 +143,29 @@ export class RecordedVoice implements Voice {
   }
 
   prepare(position: number): void {
-    this.#utterances.forEach((utterance, i) => {
+    const rate = this.#run?.rate ?? 1;
+    for (const utterance of this.#utterances) {
       const end = utterance.startSecs + utterance.durationSecs;
-      const rate = this.#run?.rate ?? 1;
       if (end >= position && utterance.startSecs <= position + AHEAD_SECS * rate) {
-        const sound = this.#sounds.get(i);
-        if (sound === undefined) void this.#fetch(i, utterance);
-        else if (sound !== null && sound !== 'pending') this.#plan(i, utterance, sound);
+        const sound = this.#sounds.get(utterance);
+        if (sound === undefined) void this.#fetch(utterance);
+        else if (sound !== null && sound !== 'pending') this.#plan(utterance, sound);
       } else if (end < position - KEEP_SECS || utterance.startSecs > position + KEEP_SECS * rate) {
-        if (this.#sounds.get(i) instanceof AudioBuffer) this.#sounds.delete(i);
-        this.#stretched.delete(i);
+        if (this.#sounds.get(utterance) !== 'pending') this.#sounds.delete(utterance);
+        this.#stretched.delete(utterance);
+        this.#playing.delete(utterance);
       }
-    });
+    }
   }
 
   ready(position: number): boolean {
-    return this.#utterances.every((utterance, i) => {
+    for (const utterance of this.#utterances) {
       const offset = position - utterance.startSecs;
-      if (offset < 0 || offset >= utterance.durationSecs) return true;
-      const sound = this.#sounds.get(i);
-      return sound !== undefined && sound !== 'pending';
-    });
+      if (offset < 0 || offset >= utterance.durationSecs) continue;
+      const sound = this.#sounds.get(utterance);
+      if (sound === undefined || sound === 'pending') return false;
+    }
+    return true;
   }
 
   close(): void {
@@ -175,12 +180,12 @@ export class RecordedVoice implements Voice {
   }
 
   /** Fetches and decodes the first recording of an utterance that the browser can play. */
-  async #fetch(i: number, utterance: Utterance): Promise<void> {
+  async #fetch(utterance: Utterance): Promise<void> {
     if (utterance.audio.length === 0) {
-      this.#sounds.set(i, null);
+      this.#sounds.set(utterance, null);
       return;
     }
-    this.#sounds.set(i, 'pending');
+    this.#sounds.set(utterance, 'pending');
     const probe = document.createElement('audio');
     // What the browser says it cannot play is tried last: decodeAudioData knows more than it.
     const ranked = [...utterance.audio].sort(
@@ -199,22 +204,22 @@ export class RecordedVoice implements Voice {
         if (!response.ok) throw new Error(`the server answers ${response.status}`);
         const sound = await context().decodeAudioData(await response.arrayBuffer());
         if (this.#abort.signal.aborted) return;
-        this.#sounds.set(i, sound);
-        if (this.#run) this.#plan(i, utterance, sound);
+        this.#sounds.set(utterance, sound);
+        if (this.#run) this.#plan(utterance, sound);
         return;
       } catch (error) {
         if (this.#abort.signal.aborted) return;
         reason = `${file}: ${error instanceof Error ? error.message : String(error)}`;
       }
     }
-    this.#sounds.set(i, null);
-    this.#onMissing(i, reason);
+    this.#sounds.set(utterance, null);
+    this.#onMissing(utterance, reason);
   }
 
   /** Plans a decoded sound on the audio clock, once for each run. */
-  #plan(i: number, utterance: Utterance, sound: AudioBuffer): void {
+  #plan(utterance: Utterance, sound: AudioBuffer): void {
     const run = this.#run;
-    if (run === undefined || this.#master === undefined || this.#playing.has(i)) return;
+    if (run === undefined || this.#master === undefined || this.#playing.has(utterance)) return;
     const audio = context();
     let when = run.at + (utterance.startSecs - run.position) / run.rate;
     let offset = 0;
@@ -224,7 +229,7 @@ export class RecordedVoice implements Voice {
       offset = earliest - when;
       when = earliest;
     }
-    const buffer = run.rate === 1 ? sound : this.#stretch(i, sound, run.rate);
+    const buffer = run.rate === 1 ? sound : this.#stretch(utterance, sound, run.rate);
     if (offset >= buffer.duration) return;
     const gain = audio.createGain();
     gain.connect(this.#master);
@@ -237,11 +242,11 @@ export class RecordedVoice implements Voice {
     source.connect(gain);
     source.onended = () => gain.disconnect();
     source.start(when, offset);
-    this.#playing.set(i, { source, gain });
+    this.#playing.set(utterance, { source, gain });
   }
 
-  #stretch(i: number, sound: AudioBuffer, rate: number): AudioBuffer {
-    const known = this.#stretched.get(i);
+  #stretch(utterance: Utterance, sound: AudioBuffer, rate: number): AudioBuffer {
+    const known = this.#stretched.get(utterance);
     if (known !== undefined) return known;
     const channels = Array.from({ length: sound.numberOfChannels }, (_, c) =>
       stretch(sound.getChannelData(c), sound.sampleRate, rate),
@@ -252,7 +257,7 @@ export class RecordedVoice implements Voice {
       sampleRate: sound.sampleRate,
     });
     channels.forEach((samples, c) => buffer.copyToChannel(samples, c));
-    this.#stretched.set(i, buffer);
+    this.#stretched.set(utterance, buffer);
     return buffer;
   }
 }

@@ -7,17 +7,26 @@ import { chooseBackend, warmUp } from './backend.js';
 import { captionAt, captionsOf, type Caption } from './captions.js';
 import * as parts from './controls.js';
 import look from './element.css?inline';
+import type { MindLink } from './mind.js';
 import { handleKey, type KeyActions } from './keyboard.js';
 import type { FigureFile } from './figure.js';
+import { LiveScript } from './live.js';
 import { fetchFigure, fetchStory, readFigure, type Progress, type StoryFiles } from './loader.js';
 import { Picture } from './picture.js';
 import { Transport, type TransportEvent } from './transport.js';
-import { PlayerError, type Backend, type Cue, type Diagnostic, type PlayerEventMap, type Quality, type Statistics, type Story } from './types.js';
+import { PlayerError, type Answer, type Backend, type Cue, type Diagnostic, type MindState, type PlayerEventMap, type Quality, type Statistics, type Story } from './types.js';
 
 /** The controls hide after this long without a pointer or key, while playing. */
 const HIDE_CONTROLS_MS = 2600;
 /** `timeupdate`, and everything while the page is hidden, comes this often; media elements do about the same. */
 const BEAT_MS = 250;
+/** Senders of fragments, as the engine tells them apart. */
+const PAGE = 0;
+const MIND = 1;
+/** What comes now begins this much later, so that its sound can be fetched. */
+const LIVE_LEAD_SECS = 0.1;
+/** A mind that sends garbage does not fill the page with complaints. */
+const MOST_DIAGNOSTICS = 200;
 
 /** What is loaded and playing. */
 interface Show {
@@ -28,7 +37,9 @@ interface Show {
   readonly files: StoryFiles;
   /** When loading began, on the page's clock. */
   readonly sinceMs: number;
-  readonly captions: readonly Caption[];
+  /** What the story and live fragments say. */
+  readonly script: LiveScript;
+  captions: readonly Caption[];
   readonly picture: Picture;
   readonly voice: Voice;
   readonly transport: Transport;
@@ -40,6 +51,7 @@ export class RaconteurPlayer extends LitElement {
   static override properties = {
     src: { reflect: true },
     figure: { reflect: true },
+    mind: { reflect: true },
     assets: { reflect: true },
     poster: { reflect: true },
     label: { reflect: true },
@@ -62,6 +74,8 @@ export class RaconteurPlayer extends LitElement {
    * on stage until this one is ready, and for good when it cannot be used.
    */
   declare figure: string;
+  /** Address (`ws:` or `wss:`) of a mind: EML that it sends is performed, and it is told what happens. See docs/live.md. */
+  declare mind: string | undefined;
   /** Address of the asset library, which holds `figures/`. */
   declare assets: string;
   /** A picture to show before the story is loaded. */
@@ -89,6 +103,9 @@ export class RaconteurPlayer extends LitElement {
   #loading: { readonly abort: AbortController; readonly done: Promise<void>; share: number } | undefined;
   /** The figure that is to come next. */
   #coming: AbortController | undefined;
+  #link: MindLink | undefined;
+  /** A mind is asked for, and what connects to it is being fetched: an empty story does not end meanwhile. */
+  #awaited = false;
   /** A file that the user gave, under its name in `figure`. */
   #given: File | undefined;
   #error: PlayerError | undefined;
@@ -136,9 +153,11 @@ export class RaconteurPlayer extends LitElement {
     show.transport.seek(secs);
   }
 
-  /** Length of the story, seconds; NaN until it is loaded. */
+  /** Length of the story and of what has joined it, seconds; NaN until it is loaded, infinite while a mind is there. */
   get duration(): number {
-    return this.#show?.story.durationSecs ?? NaN;
+    const transport = this.#show?.transport;
+    if (transport === undefined) return NaN;
+    return transport.openEnded ? Infinity : transport.endSecs;
   }
 
   get paused(): boolean {
@@ -225,6 +244,59 @@ export class RaconteurPlayer extends LitElement {
     return this.#loading.done;
   }
 
+  /**
+   * Performs EML now: a list of clauses, or a whole script, whose plain times count from now. Gives
+   * what is accepted and what is not; rejects only when there is no story.
+   */
+  async perform(fragment: string): Promise<readonly Answer[]> {
+    await this.updateComplete;
+    await this.load();
+    const show = this.#show;
+    if (show === undefined) throw this.#error ?? new DOMException('The story was replaced.', 'AbortError');
+    return this.#perform(show, PAGE, fragment);
+  }
+
+  #perform(show: Show, mind: number, fragment: string): readonly Answer[] {
+    const nowSecs = show.transport.position + LIVE_LEAD_SECS;
+    const performed = show.picture.perform(mind, String(fragment), nowSecs);
+    if (performed === undefined) return [{ kind: 'failed', timeSecs: nowSecs, code: 'live::absent', message: 'The storyteller is away for a moment.' }];
+    if (performed.utterances.length > 0) show.captions = captionsOf(show.script.add(performed, nowSecs));
+    if (performed.endSecs > show.transport.endSecs) {
+      show.transport.extend(performed.endSecs);
+      this.dispatchEvent(new Event('durationchange'));
+    }
+    for (const event of performed.events) if (event.kind !== 'accepted') this.#pass(event, show);
+    this.requestUpdate();
+    return performed.events;
+  }
+
+  /** Lets the mind of the attribute in, and the one before go. */
+  async #connect(show: Show): Promise<void> {
+    this.#link?.close();
+    this.#link = undefined;
+    const address = this.mind;
+    this.#awaited = Boolean(address);
+    if (!address) return;
+    try {
+      const { MindLink } = await import('./mind.js');
+      if (this.#show !== show || this.mind !== address || this.#link !== undefined) return;
+      this.#link = MindLink.open(address, {
+        hello: () => ({ timeSecs: this.currentTime, endSecs: show.transport.endSecs, figure: show.figure }),
+        perform: (fragment) => this.#perform(show, MIND, fragment),
+        report: (diagnostic) => this.#report(diagnostic),
+        state: (state) => this.#onMind(state),
+      });
+    } catch {
+      this.#report({ code: 'mind-lost', severity: 'warning', message: 'What connects to minds could not be fetched.', hints: [] });
+    }
+    this.#awaited = false;
+  }
+
+  #onMind(state: MindState): void {
+    this.#advance();
+    this.#fire('mindchange', { state });
+  }
+
   // --- life ---
 
   override connectedCallback(): void {
@@ -247,6 +319,7 @@ export class RaconteurPlayer extends LitElement {
   }
 
   protected override willUpdate(changed: PropertyValues<this>): void {
+    if (changed.has('mind') && this.#show !== undefined) void this.#connect(this.#show);
     if (changed.has('label')) this.setAttribute('aria-label', this.label);
     const replaced = (['src', 'backend', 'assets'] as const).some((name) => changed.has(name));
     const figure = changed.has('figure') && this.hasUpdated;
@@ -335,6 +408,9 @@ export class RaconteurPlayer extends LitElement {
       const { story, missing } = await show.picture.setFigure(figure);
       signal.throwIfAborted();
       Object.assign(show, { story, figure: figure.name, files: { ...show.files, figure } });
+      // What was live ended with the figure that did it.
+      show.script.forget();
+      show.captions = captionsOf(story.utterances);
       // What was wrong with the figure before is gone with it.
       this.#diagnostics = this.#diagnostics.filter((d) => d.code === 'voice-missing' || d.code === 'sound-missing');
       for (const diagnostic of [...story.diagnostics, ...figure.diagnostics, ...missing]) this.#report(diagnostic);
@@ -355,13 +431,14 @@ export class RaconteurPlayer extends LitElement {
   #open(story: Story, picture: Picture, files: StoryFiles, sinceMs: number): void {
     const { voiceFolder, figure } = files;
     const recorded = files.bundle !== undefined;
+    const script = new LiveScript(story.utterances);
     const voice = hasAudio()
-      ? new RecordedVoice(story.utterances, voiceFolder, (i, why) =>
-          this.#report({ code: 'sound-missing', severity: 'warning', message: `The recording of utterance ${i + 1} cannot be played (${why}); its captions are shown.`, hints: [] }),
+      ? new RecordedVoice(script, voiceFolder, ({ words }, why) =>
+          this.#report({ code: 'sound-missing', severity: 'warning', message: `The recording of “${words.slice(0, 4).map((w) => w.text).join(' ')} …” cannot be played (${why}); its captions are shown.`, hints: [] }),
         )
       : new SilentVoice();
     const transport = new Transport(voice, story.durationSecs, (event) => this.#onTransport(event));
-    this.#show = { story, figure: figure.name, files, sinceMs, picture, voice, transport, captions: captionsOf(story.utterances) };
+    this.#show = { story, figure: figure.name, files, sinceMs, picture, voice, transport, script, captions: captionsOf(story.utterances) };
     this.#started = false;
     this.#resize();
     for (const diagnostic of [...story.diagnostics, ...figure.diagnostics]) this.#report(diagnostic);
@@ -372,6 +449,7 @@ export class RaconteurPlayer extends LitElement {
     this.dispatchEvent(new Event('durationchange'));
     this.dispatchEvent(new Event('loadedmetadata'));
     this.dispatchEvent(new Event('canplay'));
+    void this.#connect(this.#show);
     this.#keepTime();
     this.#advance();
     if (this.autoplay && !matchMedia('(prefers-reduced-motion: reduce)').matches) {
@@ -384,6 +462,9 @@ export class RaconteurPlayer extends LitElement {
     this.#loading = undefined;
     this.#coming?.abort();
     this.#coming = undefined;
+    this.#link?.close();
+    this.#link = undefined;
+    this.#awaited = false;
     this.#show?.voice.close();
     this.#show?.picture.close();
     this.#show = undefined;
@@ -405,7 +486,7 @@ export class RaconteurPlayer extends LitElement {
   }
 
   #report(diagnostic: Diagnostic): void {
-    this.#diagnostics = [...this.#diagnostics, diagnostic];
+    this.#diagnostics = [...this.#diagnostics, diagnostic].slice(-MOST_DIAGNOSTICS);
     this.#fire('diagnostic', diagnostic);
     this.requestUpdate();
   }
@@ -457,6 +538,12 @@ export class RaconteurPlayer extends LitElement {
   #advance(): void {
     const show = this.#show;
     if (show === undefined) return;
+    const openEnded = this.#link?.listening ?? this.#awaited;
+    if (openEnded !== show.transport.openEnded) {
+      show.transport.openEnded = openEnded;
+      show.picture.setOpenEnded(openEnded);
+      this.dispatchEvent(new Event('durationchange'));
+    }
     const secs = show.transport.update();
     for (const cue of show.picture.show(secs, this.paused && !this.ended, this.#animation !== 0 && !document.hidden)) this.#pass(cue, show);
     const now = captionAt(show.captions, secs);
@@ -467,13 +554,17 @@ export class RaconteurPlayer extends LitElement {
   }
 
   #pass(cue: Cue, show: Show): void {
+    this.#link?.tell(cue);
     if (cue.kind === 'word') {
-      const word = show.story.utterances[cue.utterance]?.words[cue.word];
+      const word = show.script.at(cue.utterance)?.words[cue.word];
       if (word !== undefined) this.#fire('word', { word, utterance: cue.utterance, index: cue.word });
     } else if (cue.kind === 'clause') {
       this.#fire('clause', cue);
-    } else {
+    } else if (cue.kind === 'storyevent') {
       this.#fire('storyevent', cue);
+    } else if (cue.kind === 'failed' || cue.kind === 'warning') {
+      const { code, message, hints = [] } = cue;
+      this.#report({ code, severity: cue.kind === 'failed' ? 'error' : 'warning', message, hints });
     }
   }
 
@@ -490,6 +581,7 @@ export class RaconteurPlayer extends LitElement {
       this.#show?.picture.seek(this.currentTime);
       this.#advance();
     }
+    this.#link?.tell({ kind: 'transport', event, timeSecs: this.currentTime });
     this.dispatchEvent(new Event(event));
     if (event === 'seeked' || event === 'pause') this.dispatchEvent(new Event('timeupdate'));
     this.#keepTime();
@@ -614,7 +706,7 @@ export class RaconteurPlayer extends LitElement {
         paused: this.paused,
         ended: this.ended,
         position: this.currentTime,
-        duration: show.story.durationSecs,
+        duration: show.transport.endSecs,
         volume: this.volume,
         muted: this.muted,
         rate: show.transport.rate,

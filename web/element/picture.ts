@@ -3,7 +3,7 @@
 import { createEngine } from './backend.js';
 import { showImages, unusable, type FigureFile } from './figure.js';
 import type { StoryFiles } from './loader.js';
-import { PlayerError, TickStatus, type Backend, type Cue, type Diagnostic, type Engine, type PictureStatistics, type Quality, type Story } from './types.js';
+import { PlayerError, TickStatus, type Backend, type Cue, type Diagnostic, type Engine, type Performance, type PictureStatistics, type Quality, type Story } from './types.js';
 
 /** More device pixels than this for a CSS pixel cost time and are not seen. */
 const MOST_DPR = 2;
@@ -43,6 +43,7 @@ export class Picture {
   /** A figure's pictures are still being decoded: the canvas keeps what it shows. */
   #holding = false;
   #quality: Quality = 'auto';
+  #openEnded = false;
   /** When the first picture was drawn, on the page's clock. */
   firstShownMs: number | undefined;
 
@@ -94,6 +95,18 @@ export class Picture {
     if (quality === this.#quality) return;
     this.#quality = quality;
     this.#guard((engine) => engine.setQuality(quality));
+  }
+
+  /** The clock may pass the end of the story. */
+  setOpenEnded(openEnded: boolean): void {
+    if (openEnded === this.#openEnded) return;
+    this.#openEnded = openEnded;
+    this.#guard((engine) => engine.setOpenEnded(openEnded));
+  }
+
+  /** Performs a fragment of EML; undefined while there is nobody to do it. */
+  perform(mind: number, fragment: string, nowSecs: number): Performance | undefined {
+    return this.#guard((engine) => engine.perform(mind, fragment, nowSecs));
   }
 
   /** What the last picture took; undefined without one. */
@@ -251,7 +264,9 @@ export class Picture {
     const { eml, bundle, figure } = files;
     const motion = matchMedia('(prefers-reduced-motion: reduce)').matches ? REDUCED_MOTION : 1;
     try {
-      return engine.load(eml, bundle, figure.name, figure.glb, motion);
+      const story = engine.load(eml, bundle, figure.name, figure.glb, motion);
+      engine.setOpenEnded(this.#openEnded);
+      return story;
     } catch (error) {
       throw unusable(figure.where, error);
     }

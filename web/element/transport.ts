@@ -13,7 +13,7 @@ export type TransportEvent = 'play' | 'playing' | 'pause' | 'waiting' | 'seeking
 export class Transport {
   readonly #clock = new StoryClock();
   readonly #voice: Voice;
-  readonly #durationSecs: number;
+  #endSecs: number;
   readonly #emit: (event: TransportEvent) => void;
   /** What is heard never steps back while playing, though clocks wobble. */
   #latest = 0;
@@ -22,10 +22,12 @@ export class Transport {
   #ended = false;
   #rate = 1;
   loop = false;
+  /** The clock may pass the end, because more may come. */
+  openEnded = false;
 
   constructor(voice: Voice, durationSecs: number, emit: (event: TransportEvent) => void) {
     this.#voice = voice;
-    this.#durationSecs = durationSecs;
+    this.#endSecs = durationSecs;
     this.#emit = emit;
   }
 
@@ -51,7 +53,21 @@ export class Transport {
     if (this.#clock.running) {
       this.#latest = Math.max(this.#latest, this.#clock.at(this.#voice.heard()));
     }
-    return Math.min(this.#latest, this.#durationSecs);
+    // What an open-ended performance has come to, it keeps.
+    if (this.openEnded) this.extend(this.#latest);
+    return Math.min(this.#latest, this.#endSecs);
+  }
+
+  /** When all that is known is over. */
+  get endSecs(): number {
+    return this.#endSecs;
+  }
+
+  /** There is something to perform until then. */
+  extend(endSecs: number): void {
+    if (endSecs <= this.#endSecs) return;
+    this.#endSecs = endSecs;
+    this.#ended = false;
   }
 
   /** Plays; false where the browser does not allow sound before the user acts. */
@@ -77,7 +93,7 @@ export class Transport {
 
   seek(secs: number): void {
     const wasRunning = !this.#paused;
-    const target = Number.isFinite(secs) ? Math.min(this.#durationSecs, Math.max(0, secs)) : 0;
+    const target = Number.isFinite(secs) ? Math.min(this.#endSecs, Math.max(0, secs)) : 0;
     this.#emit('seeking');
     this.#moveTo(target);
     this.#ended = false;
@@ -104,7 +120,7 @@ export class Transport {
     this.#voice.prepare(position);
     if (this.#waiting) {
       if (this.#voice.ready(position)) this.#run();
-    } else if (position >= this.#durationSecs) {
+    } else if (position >= this.#endSecs && !this.openEnded) {
       this.#finish();
     } else if (!this.#voice.ready(position)) {
       // Better a pause than sound and lips that drift apart.
@@ -133,6 +149,7 @@ export class Transport {
   #rest(): void {
     const position = this.position;
     this.#voice.stop();
+    this.#latest = position;
     this.#clock.rest(position);
   }
 

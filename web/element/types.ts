@@ -61,18 +61,67 @@ export interface Story {
 }
 
 /** Something that happens at a moment of the story. */
-export type Cue =
-  | { readonly kind: 'word'; readonly timeSecs: number; readonly utterance: number; readonly word: number }
+export type Cue = {
+  readonly timeSecs: number;
+  /** The live fragment that it belongs to; absent for the story's own. */
+  readonly fragment?: number;
+} & (
+  | { readonly kind: 'word'; readonly utterance: number; readonly word: number; readonly text: string }
+  | { readonly kind: 'phone'; readonly utterance: number; readonly symbol: string }
+  /** A moment that the story names by `timeId` or `tm`. */
+  | { readonly kind: 'mark'; readonly name: string }
+  | ({ readonly kind: 'clause'; readonly phase: 'start' | 'end' } & ClauseRef)
+  | { readonly kind: 'storyevent'; readonly type?: string; readonly payload: string }
+  | Failure
+);
+
+/** Which clause of a story or fragment. */
+interface ClauseRef {
+  /** Its place, from 0. */
+  readonly clause: number;
+  /** The EML element, for example `gesture-key`. */
+  readonly element: string;
+  /** Its `timeId`. */
+  readonly id?: string;
+}
+
+/** Something of a fragment is not performed, or not as meant. */
+interface Failure {
+  readonly kind: 'failed' | 'warning';
+  readonly timeSecs: number;
+  readonly fragment?: number;
+  readonly code: string;
+  readonly message: string;
+  readonly hints?: readonly string[];
+  /** Where in the fragment, from 1, in characters. */
+  readonly line?: number;
+  readonly column?: number;
+}
+
+/** What the sender of a fragment is told at once. */
+export type Answer =
+  | Failure
   | {
-      readonly kind: 'clause';
+      readonly kind: 'accepted';
       readonly timeSecs: number;
-      readonly phase: 'start' | 'end';
-      /** The EML element, for example `gesture-key`. */
-      readonly element: string;
-      /** Its `timeId`. */
-      readonly id?: string;
-    }
-  | { readonly kind: 'storyevent'; readonly timeSecs: number; readonly type?: string; readonly payload: string };
+      readonly fragment: number;
+      /** The `name` of the fragment's `eml` element. */
+      readonly name?: string;
+      readonly clauses: readonly (ClauseRef & { readonly startSecs: number; readonly endSecs: number })[];
+    };
+
+/** What became of a fragment. */
+export interface Performance {
+  readonly events: readonly Answer[];
+  readonly utterances: readonly Utterance[];
+  /** The index of the first of them. */
+  readonly firstUtterance: number;
+  /** When all that is known is over. */
+  readonly endSecs: number;
+}
+
+/** Whether a mind listens. */
+export type MindState = 'connecting' | 'open' | 'closed';
 
 /** What became of a tick; the numbers are `TickStatus` in `crate/web`. */
 export const TickStatus = {
@@ -101,6 +150,10 @@ export interface Engine {
   resize(width: number, height: number, dpr: number): void;
   /** The cues passed since the last call. */
   drainEvents(): Cue[];
+  /** Performs a fragment of EML; plain times count from `nowSecs`. `mind` tells senders apart. */
+  perform(mind: number, fragment: string, nowSecs: number): Performance | undefined;
+  /** The clock may pass the end of the story, because more may come. */
+  setOpenEnded(openEnded: boolean): void;
   /** Pictures of the figure that was read, as they lie in its file: how many, their MIME types and bytes. */
   imageCount(): number;
   imageType(index: number): string;
@@ -151,6 +204,8 @@ export interface PlayerEventMap {
   clause: CustomEvent<Extract<Cue, { kind: 'clause' }>>;
   storyevent: CustomEvent<Extract<Cue, { kind: 'storyevent' }>>;
   diagnostic: CustomEvent<Diagnostic>;
+  /** The mind at `mind` came or went. */
+  mindchange: CustomEvent<{ state: MindState }>;
   /** Another figure took the stage. */
   figurechange: CustomEvent<{ figure: string }>;
 }

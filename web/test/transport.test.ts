@@ -128,3 +128,21 @@ test('a browser that forbids sound leaves the story paused', async () => {
   expect(transport.paused).toBe(true);
   expect(events).toEqual([]);
 });
+
+test('an open-ended performance goes on past its end and keeps what it has come to', async () => {
+  transport.openEnded = true;
+  await transport.play();
+  voice.time += 15.13;
+  expect(transport.update()).toBeCloseTo(15, 9);
+  expect([transport.ended, transport.endSecs]).toEqual([false, transport.position]);
+  transport.openEnded = false;
+  voice.time += 1;
+  transport.update();
+  expect(transport.ended).toBe(true);
+  expect(transport.position).toBeCloseTo(15, 9);
+  // Something more to perform: playing goes on from there.
+  transport.extend(20);
+  expect(transport.ended).toBe(false);
+  await transport.play();
+  expect(transport.position).toBeCloseTo(15, 9);
+});

@@ -58,7 +58,7 @@ export async function page() {
     'page',
     {
       inputs: ['index.html', 'vite.config.ts', 'package-lock.json', 'web/element', 'web/pages', 'web/tools/docs.ts', 'assets',
-        'README.md', 'ARCHITECTURE.md', 'CONTRIBUTING.md', 'CHANGELOG.md', 'docs/figures.md', '.setup/wasm-webgpu', '.setup/wasm-webgl', '.setup/wasm-avatar'],
+        'README.md', 'ARCHITECTURE.md', 'CONTRIBUTING.md', 'CHANGELOG.md', 'docs/figures.md', 'docs/live.md', '.setup/wasm-webgpu', '.setup/wasm-webgl', '.setup/wasm-avatar'],
       outputs: ['dist/index.html'],
     },
     async () => {

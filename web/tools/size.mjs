@@ -30,13 +30,16 @@ await main(async () => {
     if (gzip > budget) over.push(name);
   };
   const isAvatar = (path) => /\/avatar-/.test(path);
+  const isMind = (path) => /\/mind-/.test(path);
   for (const [backend, budget] of Object.entries(budgets)) {
     const other = backend === 'webgpu' ? 'webgl' : 'webgpu';
     // The page's own script and style are not the player's.
-    const mine = files.filter((path) => /\.(js|wasm)$/.test(path) && !path.includes(`${other}-`) && !/\/(index|docs)-/.test(path) && !isAvatar(path));
+    const mine = files.filter((path) => /\.(js|wasm)$/.test(path) && !path.includes(`${other}-`) && !/\/(index|docs)-/.test(path) && !isAvatar(path) && !isMind(path));
     measure(backend, [entry, ...mine], budget);
   }
   // Fetched only by a page that meets an avatar made elsewhere.
   measure('avatar', files.filter(isAvatar), 250);
+  // Fetched only by a player that has a mind.
+  measure('mind', files.filter(isMind), 4);
   if (over.length > 0) throw new Stop(`The ${over.join(' and ')} build is over its budget.`);
 });

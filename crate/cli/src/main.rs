@@ -8,6 +8,7 @@ mod commands;
 mod film;
 mod picture;
 mod report;
+mod serve;
 mod sheet;
 mod skinning;
 mod story;
@@ -48,6 +49,8 @@ enum Command {
     Render(commands::render::Render),
     /// Make or refresh the speech bundles of stories.
     Bake(commands::bake::Bake),
+    /// Perform what minds send while the story plays.
+    Serve(commands::serve::Serve),
     /// Make figures and look at them.
     Figure(commands::figure::Figure),
 }
@@ -69,6 +72,7 @@ fn main() -> ExitCode {
         Command::Pose(c) => c.run(),
         Command::Render(c) => c.run(),
         Command::Bake(c) => c.run(),
+        Command::Serve(c) => c.run(),
         Command::Figure(c) => c.run(),
     };
     match outcome {

@@ -43,6 +43,21 @@ fn frames(c: &mut Criterion) {
             black_box(player.frame(t, 1.6).time_secs)
         });
     });
+    c.bench_function("a fragment joins white-rabbit", |b| {
+        let mut live = load();
+        live.set_open_ended(true);
+        // A clause an hour: each is forgotten when the next one comes.
+        let mut hour = 0_u32;
+        b.iter(|| {
+            hour += 1;
+            let line = "<voice-text time='0'>Once upon a time</voice-text>";
+            black_box(
+                live.perform(1, line, f64::from(hour) * 3600.0)
+                    .clauses
+                    .len(),
+            )
+        });
+    });
     c.bench_function("load white-rabbit", |b| {
         b.iter(|| black_box(load().duration_secs()));
     });

@@ -1,16 +1,19 @@
 //! What a page is told while a story plays: words, clauses and the story's own events.
 
 use raconteur_base::order::sort_by_number;
-use raconteur_eml::{ClauseId, ClauseKind};
+use raconteur_eml::{ClauseId, ClauseKind, TimedClause};
 use raconteur_speech::AudioFile;
 
 use crate::Script;
+use crate::live::times;
 
 /// A moment that listeners may want to know of.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cue {
     /// Story time, seconds.
     pub time_secs: f64,
+    /// Which fragment of a live performance it belongs to; none: the story itself.
+    pub fragment: Option<u32>,
     /// What happens.
     pub kind: CueKind,
 }
@@ -20,25 +23,29 @@ pub struct Cue {
 pub enum CueKind {
     /// A word begins.
     Word {
-        /// Index into the player's utterances.
+        /// Index of the utterance: [`crate::Player::utterance`].
         utterance: usize,
         /// Index of the word in it.
         word: usize,
     },
+    /// A phone begins.
+    Phone {
+        /// Index of the utterance.
+        utterance: usize,
+        /// Its symbol in the voice's phone set.
+        symbol: String,
+    },
+    /// A named moment comes.
+    Mark {
+        /// Its name, from a `timeId` or a `tm`.
+        name: String,
+    },
     /// A clause begins.
-    ClauseStart {
-        /// The name of its element.
-        element: &'static str,
-        /// Its `timeId`.
-        id: Option<String>,
-    },
+    ClauseStart(ClauseRef),
     /// A clause ends.
-    ClauseEnd {
-        /// The name of its element.
-        element: &'static str,
-        /// Its `timeId`.
-        id: Option<String>,
-    },
+    ClauseEnd(ClauseRef),
+    /// A clause of a live performance was passed over by a seek and will not be told.
+    ClauseSkipped(ClauseRef),
     /// The script's `event` element.
     StoryEvent {
         /// Its type.
@@ -46,6 +53,27 @@ pub enum CueKind {
         /// Its text; text, never markup.
         payload: String,
     },
+}
+
+/// What identifies a clause to listeners.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ClauseRef {
+    /// Its place among the clauses of its script or fragment, from 0 in document order.
+    pub clause: ClauseId,
+    /// The name of its element.
+    pub element: &'static str,
+    /// Its `timeId`.
+    pub id: Option<String>,
+}
+
+impl ClauseRef {
+    pub(crate) fn of(timed: &TimedClause) -> Self {
+        Self {
+            clause: timed.clause,
+            element: timed.element,
+            id: timed.id.as_ref().map(ToString::to_string),
+        }
+    }
 }
 
 /// One spoken text at its time.
@@ -118,24 +146,32 @@ pub(crate) fn utterances(script: &Script) -> Vec<UtteranceCue> {
 }
 
 /// Every cue of a script, by time; at the same time ends come before starts, but for
-/// clauses of no length, which start before they end.
+/// clauses of no length, which start before they end. `first_utterance` is the index of the
+/// script's first utterance.
 #[must_use]
-pub(crate) fn cues(script: &Script, utterances: &[UtteranceCue]) -> Vec<Cue> {
+pub(crate) fn cues(
+    script: &Script,
+    utterances: &[UtteranceCue],
+    first_utterance: usize,
+    fragment: Option<u32>,
+) -> Vec<Cue> {
     let mut ranked: Vec<(u8, Cue)> = Vec::new();
     let mut push = |rank: u8, time_secs: f64, kind: CueKind| {
-        ranked.push((rank, Cue { time_secs, kind }));
+        let cue = Cue {
+            time_secs,
+            fragment,
+            kind,
+        };
+        ranked.push((rank, cue));
     };
     for timed in &script.timeline.clauses {
-        let (element, id) = (timed.element, timed.id.as_ref().map(ToString::to_string));
-        push(
-            1,
-            timed.start_secs,
-            CueKind::ClauseStart {
-                element,
-                id: id.clone(),
-            },
-        );
-        if let ClauseKind::Event { kind, payload } = &script.document.clause(timed.clause).kind {
+        let clause = script.document.clause(timed.clause);
+        if times::is_anchor(clause) {
+            continue;
+        }
+        let named = ClauseRef::of(timed);
+        push(1, timed.start_secs, CueKind::ClauseStart(named.clone()));
+        if let ClauseKind::Event { kind, payload } = &clause.kind {
             let event = CueKind::StoryEvent {
                 kind: kind.as_ref().map(ToString::to_string),
                 payload: payload.to_string(),
@@ -147,11 +183,29 @@ pub(crate) fn cues(script: &Script, utterances: &[UtteranceCue]) -> Vec<Cue> {
         } else {
             3
         };
-        push(end_rank, timed.end_secs, CueKind::ClauseEnd { element, id });
+        push(end_rank, timed.end_secs, CueKind::ClauseEnd(named));
     }
-    for (utterance, cue) in utterances.iter().enumerate() {
+    for (index, cue) in utterances.iter().enumerate() {
+        let utterance = first_utterance + index;
         for (word, w) in cue.words.iter().enumerate() {
             push(2, w.start_secs, CueKind::Word { utterance, word });
+        }
+        // What is only guessed has no phones to tell of.
+        for phone in script.phones(cue.clause) {
+            let symbol = phone.symbol.clone();
+            let at = cue.start_secs + phone.start_secs;
+            push(2, at, CueKind::Phone { utterance, symbol });
+        }
+    }
+    for (name, &at) in script.timeline.marks.iter() {
+        if !times::is_anchor_name(name) {
+            push(
+                2,
+                at,
+                CueKind::Mark {
+                    name: name.to_string(),
+                },
+            );
         }
     }
     // Stable sorts, the least important first.

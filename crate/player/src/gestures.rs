@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use raconteur_actor::{ArmScript, GestureStroke, HandKey, Span as TimeSpan, palm};
+use raconteur_actor::{GestureStroke, HandKey, Span as TimeSpan, palm};
 use raconteur_base::{DVec3, Side, mirror_vector};
 use raconteur_body::HandShape;
 use raconteur_eml::{
@@ -91,20 +91,31 @@ fn keys(gesture: &GestureKey, side: Side, start_secs: f64, units: &Units) -> Vec
     by_time.into_values().collect()
 }
 
-/// Stretches of time in which gestures are on. They are on until a clause turns them off.
-fn on_spans(document: &Document, timeline: &Timeline) -> Vec<TimeSpan> {
+/// When a script turns gestures on or off, by time.
+#[must_use]
+pub(crate) fn switches(document: &Document, timeline: &Timeline) -> Vec<(f64, bool)> {
+    let clauses = timeline.clauses.iter();
+    clauses
+        .filter_map(|timed| match document.clause(timed.clause).kind {
+            ClauseKind::GestureIsOn(is_on) => Some((timed.start_secs, is_on)),
+            _ => None,
+        })
+        .collect()
+}
+
+/// Stretches of time in which gestures are on, from switches by time. They are on until one
+/// turns them off.
+#[must_use]
+pub(crate) fn on_spans(switches: &[(f64, bool)]) -> Vec<TimeSpan> {
     let mut spans = Vec::new();
     let mut on_since = Some(0.0);
-    for timed in &timeline.clauses {
-        let ClauseKind::GestureIsOn(is_on) = document.clause(timed.clause).kind else {
-            continue;
-        };
+    for &(time_secs, is_on) in switches {
         match (on_since, is_on) {
-            (None, true) => on_since = Some(timed.start_secs),
+            (None, true) => on_since = Some(time_secs),
             (Some(start_secs), false) => {
                 spans.push(TimeSpan {
                     start_secs,
-                    end_secs: timed.start_secs,
+                    end_secs: time_secs,
                 });
                 on_since = None;
             }
@@ -120,15 +131,15 @@ fn on_spans(document: &Document, timeline: &Timeline) -> Vec<TimeSpan> {
     spans
 }
 
-/// What one arm does in a story.
+/// What a script asks of one arm.
 #[must_use]
-pub(crate) fn arm_script(
+pub(crate) fn strokes(
     document: &Document,
     timeline: &Timeline,
     side: Side,
     units: &Units,
-) -> ArmScript {
-    let strokes = timeline
+) -> Vec<GestureStroke> {
+    timeline
         .clauses
         .iter()
         .filter_map(|timed| {
@@ -145,16 +156,12 @@ pub(crate) fn arm_script(
                 keys,
             })
         })
-        .collect();
-    ArmScript {
-        strokes,
-        on: on_spans(document, timeline),
-    }
+        .collect()
 }
 
 /// The room that the strokes of both arms need in the picture.
-pub(crate) fn room(arms: &[ArmScript; 2], hand_length_m: f64) -> Room {
-    let keys = arms.iter().flat_map(|a| &a.strokes).flat_map(|s| &s.keys);
+pub(crate) fn room(strokes: &[Vec<GestureStroke>; 2], hand_length_m: f64) -> Room {
+    let keys = strokes.iter().flatten().flat_map(|s| &s.keys);
     keys.filter_map(|k| k.wrist_in_world)
         .fold(Room::default(), |room, wrist| Room {
             top_m: room.top_m.max(wrist.y + hand_length_m),
@@ -162,15 +169,18 @@ pub(crate) fn room(arms: &[ArmScript; 2], hand_length_m: f64) -> Room {
         })
 }
 
+/// What the arms of a figure can reach.
+pub(crate) struct Reach {
+    /// Left and right, world, metres.
+    pub(crate) shoulders_in_world: [DVec3; 2],
+    /// Length of an arm to the wrist, metres.
+    pub(crate) arm_m: f64,
+}
+
 /// A warning for every position that the arm cannot reach; the hand goes as far towards it
 /// as it can (GEVH fig. 3.6).
 #[must_use]
-pub(crate) fn out_of_reach(
-    document: &Document,
-    units: &Units,
-    shoulders_in_world: [DVec3; 2],
-    reach_m: f64,
-) -> Vec<Diagnostic> {
+pub(crate) fn out_of_reach(document: &Document, units: &Units, reach: &Reach) -> Vec<Diagnostic> {
     let mut found = Vec::new();
     for (_, clause) in document.iter() {
         let ClauseKind::GestureKey(gesture) = &clause.kind else {
@@ -189,9 +199,10 @@ pub(crate) fn out_of_reach(
                 continue;
             }
             for key in &track.keys {
-                let beyond = (position(key, mirrored, units) - shoulders_in_world[side.index()])
-                    .length()
-                    - reach_m;
+                let beyond = (position(key, mirrored, units)
+                    - reach.shoulders_in_world[side.index()])
+                .length()
+                    - reach.arm_m;
                 // A tenth of a millimetre is below what rounding in a script can mean.
                 if beyond > 1e-4 {
                     found.push(
@@ -218,13 +229,18 @@ mod tests {
     use super::*;
     use raconteur_eml::{EstimatedDurations, parse};
 
-    fn script(body: &str, side: Side) -> ArmScript {
+    fn resolved(body: &str) -> (Document, Timeline) {
         let source = format!("<eml><body>{body}</body></eml>");
         let parsed = parse(&source);
         assert!(parsed.diagnostics.is_empty(), "{:?}", parsed.diagnostics);
         let resolved = Timeline::resolve(&parsed.document, &EstimatedDurations);
+        (parsed.document, resolved.timeline)
+    }
+
+    fn strokes_of(body: &str, side: Side) -> Vec<GestureStroke> {
+        let (document, timeline) = resolved(body);
         let units = Units::of(&raconteur_body::Skeleton::example());
-        arm_script(&parsed.document, &resolved.timeline, side, &units)
+        strokes(&document, &timeline, side, &units)
     }
 
     #[test]
@@ -233,9 +249,9 @@ mod tests {
             <palms><key time='0' a='90' x='1' y='0' z='0'/></palms>
             <motion><key time='0' x='-8' y='12' z='-10'/><key time='0.5' x='-12' y='14' z='-10'/></motion>
             </gesture-key>";
-        let (l, r) = (script(body, Side::Left), script(body, Side::Right));
-        assert_eq!(l.strokes.len(), 1);
-        for (a, b) in l.strokes[0].keys.iter().zip(&r.strokes[0].keys) {
+        let (l, r) = (strokes_of(body, Side::Left), strokes_of(body, Side::Right));
+        assert_eq!(l.len(), 1);
+        for (a, b) in l[0].keys.iter().zip(&r[0].keys) {
             let (p, q) = (a.wrist_in_world, b.wrist_in_world);
             assert_eq!(p.map(mirror_vector), q);
             assert!(p.is_some_and(|p| p.x > 0.0));
@@ -249,18 +265,16 @@ mod tests {
     fn one_hand_leaves_the_other_alone() {
         let body = "<gesture-key time='0' duration='0.2' handedness='right'>
             <hand-shapes><key time='0' id='7'/></hand-shapes></gesture-key>";
-        assert!(script(body, Side::Left).strokes.is_empty());
-        let keys = &script(body, Side::Right).strokes[0].keys;
+        assert!(strokes_of(body, Side::Left).is_empty());
+        let keys = &strokes_of(body, Side::Right)[0].keys;
         assert_eq!(keys[0].shape, HandShape::get(7).map(|s| *s.angles()));
     }
 
     #[test]
     fn gestures_are_on_until_they_are_turned_off() {
-        let on = script(
-            "<gesture-is-on time='2' isOn='false'/><gesture-is-on time='5' isOn='true'/>",
-            Side::Left,
-        )
-        .on;
+        let (document, timeline) =
+            resolved("<gesture-is-on time='2' isOn='false'/><gesture-is-on time='5' isOn='true'/>");
+        let on = on_spans(&switches(&document, &timeline));
         assert_eq!(on.len(), 2);
         assert_eq!(
             (on[0].start_secs, on[0].end_secs, on[1].start_secs),

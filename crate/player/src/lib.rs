@@ -2,21 +2,26 @@
 //!
 //! Does: reads a script with its speech bundle ([`Script`]), lowers the timeline to plans of
 //! the actor, and evaluates the [`stage::Frame`] of any time ([`Player`]); captions, cues and
-//! digests.
+//! digests; performs clauses that come while the story plays ([`live`]).
 //! Does not: draw, play sound, read files or keep a clock: time is an argument.
 //!
 //! With `eml`, this is the only crate that knows EML. It hands its neighbours on, so that
 //! the browser bindings and the command line need no further edge.
 
 mod cues;
+mod event;
 mod gestures;
+mod layers;
+pub mod live;
+mod part;
 mod performer;
 mod script;
 mod units;
 mod unperformed;
 mod voice;
 
-pub use cues::{Cue, CueKind, UtteranceCue, WordCue};
+pub use cues::{ClauseRef, Cue, CueKind, UtteranceCue, WordCue};
+pub use event::{Accepted, Event};
 pub use performer::{Loaded, Manipulator, Options, Player, StoryInput};
 pub use raconteur_base as base;
 pub use raconteur_body as body;

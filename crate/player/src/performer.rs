@@ -3,16 +3,20 @@
 use std::sync::Arc;
 
 use raconteur_actor::performance::Report;
-use raconteur_actor::{Accent, Actor, FaceRig, Performance, SpokenUtterance};
+use raconteur_actor::{Actor, FaceRig};
 use raconteur_base::order::sort_by_number;
 use raconteur_base::{DVec3, Side};
 use raconteur_body::{Bone, Figure, Pose};
-use raconteur_eml::{ClauseKind, Diagnostic, Timeline};
-use raconteur_speech::{Phone, Word};
+use raconteur_eml::{Diagnostic, Timeline};
+use raconteur_speech::Bundle;
 use raconteur_stage::{Camera, Frame, Room, Shot, SpeechNow};
 
-use crate::cues::{self, Cue, UtteranceCue};
-use crate::gestures;
+use crate::cues::{Cue, UtteranceCue};
+use crate::event::Event;
+use crate::gestures::{self, Reach};
+use crate::layers::Layers;
+use crate::live::{self, Live, Performed, Scene};
+use crate::part::{self, Part};
 use crate::script::Script;
 use crate::units::Units;
 
@@ -68,26 +72,33 @@ pub struct Manipulator {
     pub error_m: f64,
 }
 
-/// Evaluates any moment of a story. Frames depend on the time alone, so seeking costs no
-/// more than playing.
+/// Evaluates any moment of a story, and of what joins it while it plays. Frames depend on the
+/// time alone, so seeking costs no more than playing.
 pub struct Player {
     figure: Arc<Figure>,
-    actor: Actor,
     face: FaceRig,
+    units: Units,
+    reach: Reach,
+    options: Options,
     timeline: Timeline,
-    utterances: Vec<UtteranceCue>,
-    cues: Vec<Cue>,
-    shot: Shot,
-    room: Room,
+    bundle: Option<Arc<Bundle>>,
+    story: Part,
+    live: Live,
+    layers: Layers,
+    /// Cues up to this time are passed.
+    passed_secs: f64,
+    /// Cues up to this time are told.
+    told_secs: f64,
+    /// The clock may pass the end.
+    open_ended: bool,
+    /// The latest time that the clock has come to beyond the end.
+    open_until_secs: f64,
     pose: Pose,
     frame: Frame,
 }
 
 /// Length of a hand with a margin, share of stature (0.108 in adults, ANSUR).
 const HAND_LENGTH: f64 = 0.12;
-
-/// How strongly the actor marks an emphasised word, 0..1. Designed.
-const EMPHASIS_ACCENT: f64 = 1.0;
 
 impl Player {
     /// Reads a story and prepares its performance. Never fails; see [`Loaded::diagnostics`].
@@ -96,51 +107,45 @@ impl Player {
         let script = Script::read(input.eml, input.bundle);
         let figure = input.figure;
         let units = Units::of(&figure.skeleton);
-        let utterances = cues::utterances(&script);
-        let cues = cues::cues(&script, &utterances);
 
         let mut world = Vec::new();
         figure.skeleton.solve(&Pose::zero(), &mut world);
         let at = |bone: Bone| world[bone.index()].translation;
-        let reach_m = figure.skeleton.offset_length_m(Bone::LElbow)
-            + figure.skeleton.offset_length_m(Bone::LWrist);
+        let reach = Reach {
+            shoulders_in_world: [at(Bone::LShoulder), at(Bone::RShoulder)],
+            arm_m: figure.skeleton.offset_length_m(Bone::LElbow)
+                + figure.skeleton.offset_length_m(Bone::LWrist),
+        };
         let mut diagnostics = script.diagnostics.clone();
-        diagnostics.extend(gestures::out_of_reach(
-            &script.document,
-            &units,
-            [at(Bone::LShoulder), at(Bone::RShoulder)],
-            reach_m,
-        ));
+        diagnostics.extend(gestures::out_of_reach(&script.document, &units, &reach));
         sort_by_number(&mut diagnostics, |d| f64::from(d.span.start));
 
-        let arms = Side::BOTH
-            .map(|side| gestures::arm_script(&script.document, &script.timeline, side, &units));
-        let stature_m = figure.skeleton.stature_m();
-        let room = gestures::room(&arms, HAND_LENGTH * stature_m);
-        let shot = input.options.shot;
-        let camera = shot.frame(DVec3::ZERO, stature_m, 16.0 / 9.0, room);
-        let performance = Performance {
-            arms: Side::BOTH
-                .map(|side| gestures::arm_script(&script.document, &script.timeline, side, &units)),
-            speech: utterances.iter().map(|u| spoken(&script, u)).collect(),
-            seed: input.options.seed,
-            motion_amount: input.options.motion_amount,
-            listener_in_world: camera.eye_in_world,
-        };
-        let face = FaceRig::new(&figure);
-        let actor = Actor::new(&performance, &figure.skeleton);
-        let frame = Frame::with_capacity(figure.skeleton.joints().len(), figure.morph_names.len());
+        let story = Part::new(&script, &units, 0, None);
+        let live = Live::new(story.utterances.len());
+        let (actor, room) = rehearse(
+            &figure,
+            &input.options,
+            Room::default(),
+            [&story].into_iter(),
+        );
+        let morphs = figure.morph_names.len();
         let player = Self {
-            figure,
-            actor,
-            face,
+            face: FaceRig::new(&figure),
+            units,
+            reach,
+            options: input.options,
             timeline: script.timeline,
-            utterances,
-            cues,
-            shot,
-            room,
+            bundle: script.bundle,
+            story,
+            live,
+            layers: Layers::new(actor, room, morphs),
+            passed_secs: -1.0,
+            told_secs: -1.0,
+            open_ended: false,
+            open_until_secs: 0.0,
             pose: Pose::zero(),
-            frame,
+            frame: Frame::with_capacity(figure.skeleton.joints().len(), morphs),
+            figure,
         };
         Loaded {
             player,
@@ -148,10 +153,24 @@ impl Player {
         }
     }
 
-    /// Length of the story, seconds.
+    /// Length of the script, seconds; live clauses may go on beyond it.
     #[must_use]
     pub fn duration_secs(&self) -> f64 {
         self.timeline.duration_secs
+    }
+
+    /// When everything that is known is over: the script, live clauses, and the time that an
+    /// open-ended performance has come to; seconds.
+    #[must_use]
+    pub fn end_secs(&self) -> f64 {
+        self.duration_secs()
+            .max(self.live.end_secs())
+            .max(self.open_until_secs)
+    }
+
+    /// Whether the clock may pass the end, because more may come: while a mind listens.
+    pub fn set_open_ended(&mut self, open_ended: bool) {
+        self.open_ended = open_ended;
     }
 
     /// Who performs.
@@ -160,35 +179,122 @@ impl Player {
         &self.figure
     }
 
-    /// When everything happens.
+    /// When everything in the script happens.
     #[must_use]
     pub fn timeline(&self) -> &Timeline {
         &self.timeline
     }
 
-    /// What is said, in order of time.
+    /// What the script says, in order of time.
     #[must_use]
     pub fn utterances(&self) -> &[UtteranceCue] {
-        &self.utterances
+        &self.story.utterances
     }
 
-    /// What listeners are told, in order of time.
+    /// An utterance by the index that cues give: of the script, or of what is remembered of
+    /// the live performance.
+    #[must_use]
+    pub fn utterance(&self, index: usize) -> Option<&UtteranceCue> {
+        let live = || self.live.utterances().find(|(i, _)| *i == index);
+        self.story
+            .utterances
+            .get(index)
+            .or_else(|| live().map(|(_, u)| u))
+    }
+
+    /// What listeners are told of the script, in order of time.
     #[must_use]
     pub fn cues(&self) -> &[Cue] {
-        &self.cues
+        &self.story.cues
     }
 
-    /// The cues after `from_secs` up to and including `to_secs`; none when time runs
-    /// backwards. O(log n).
+    /// Performs EML that comes while the story plays (GEVH 3.6): a list of clauses or a whole
+    /// script. Plain times count from `now_secs` (story time), names are those of the
+    /// fragment, of earlier ones and of the script. `mind` tells senders apart, each of which
+    /// has an allowance; see [`live::limits`].
+    ///
+    /// The same fragments at the same times give the same frames, however often frames are
+    /// asked for between.
+    pub fn perform(&mut self, mind: u32, fragment: &str, now_secs: f64) -> Performed {
+        let now_secs = if now_secs.is_finite() {
+            now_secs.max(0.0)
+        } else {
+            0.0
+        };
+        // What comes within one change of actors shares it, what comes soon after waits for
+        // the next; after a seek to earlier times the change begins there.
+        let last_secs = self.layers.last_change_secs();
+        let base_secs = if last_secs - now_secs > Layers::APART_SECS {
+            now_secs
+        } else if last_secs >= now_secs {
+            last_secs
+        } else {
+            now_secs.max(last_secs + Layers::APART_SECS)
+        };
+        let scene = Scene {
+            units: &self.units,
+            reach: &self.reach,
+            bundle: self.bundle.as_ref(),
+            marks: &self.timeline.marks,
+            actor: self.layers.actor(),
+        };
+        let performed = self.live.admit(mind, fragment, now_secs, base_secs, &scene);
+        if !performed.clauses.is_empty() {
+            let parts = [&self.story].into_iter().chain(self.live.parts());
+            let held = self.layers.last_room();
+            let (actor, room) = rehearse(&self.figure, &self.options, held, parts);
+            self.layers.change(base_secs, actor, room);
+        }
+        performed
+    }
+
+    /// Whether a mind may send a fragment at a story time without being refused for its pace.
     #[must_use]
-    pub fn cues_between(&self, from_secs: f64, to_secs: f64) -> &[Cue] {
-        let first = self.cues.partition_point(|c| c.time_secs <= from_secs);
-        let last = self.cues.partition_point(|c| c.time_secs <= to_secs);
-        self.cues.get(first..last).unwrap_or_default()
+    pub fn has_room(&self, mind: u32, now_secs: f64) -> bool {
+        self.live.has_room(mind, now_secs)
+    }
+
+    /// Lets time pass: the cues up to `time_secs` are there for [`Player::drain_events`].
+    /// Time that runs backwards passes nothing; see [`Player::seek`].
+    pub fn advance(&mut self, time_secs: f64) {
+        if time_secs > self.passed_secs {
+            self.passed_secs = time_secs;
+        }
+        if self.open_ended && time_secs.is_finite() {
+            self.open_until_secs = self.open_until_secs.max(time_secs);
+        }
+    }
+
+    /// Moves without passing the cues between; those at `time_secs` itself are still to come.
+    /// Live clauses keep their times; those that a move forwards passes over are told as
+    /// skipped.
+    pub fn seek(&mut self, time_secs: f64) {
+        let to_secs = if time_secs.is_finite() {
+            time_secs.next_down()
+        } else {
+            -1.0
+        };
+        self.live.skip(self.told_secs, to_secs);
+        self.passed_secs = to_secs;
+        self.told_secs = to_secs;
+    }
+
+    /// What has happened since the last call, by time.
+    pub fn drain_events(&mut self) -> Vec<Event> {
+        let mut cues = self.live.take_cues(self.told_secs, self.passed_secs);
+        let story = live::between(&self.story.cues, self.told_secs, self.passed_secs);
+        if !cues.is_empty() {
+            cues.extend_from_slice(story);
+            sort_by_number(&mut cues, |c| c.time_secs);
+        }
+        self.told_secs = self.passed_secs;
+        let all = if cues.is_empty() { story } else { &cues };
+        all.iter().filter_map(|c| Event::new(c, self)).collect()
     }
 
     /// The frame of a time, for a picture of `aspect` (width over height). Times outside
-    /// the story show its first or last moment; a time that is not a number, the first.
+    /// the story show its first or last moment, unless it is open-ended; a time that is not a
+    /// number, the first.
     pub fn frame(&mut self, time_secs: f64, aspect: f64) -> &Frame {
         self.evaluate(time_secs);
         self.frame.camera = self.camera(aspect);
@@ -197,7 +303,10 @@ impl Player {
 
     fn camera(&self, aspect: f64) -> Camera {
         let stature_m = self.figure.skeleton.stature_m();
-        self.shot.frame(DVec3::ZERO, stature_m, aspect, self.room)
+        let room = self.layers.room_at(self.frame.time_secs);
+        self.options
+            .shot
+            .frame(DVec3::ZERO, stature_m, aspect, room)
     }
 
     /// The order of evaluation: time, body and face, joints, sound.
@@ -205,10 +314,12 @@ impl Player {
         let t = if time_secs.is_nan() {
             0.0
         } else {
-            time_secs.clamp(0.0, self.duration_secs())
+            let open = self.open_ended && time_secs.is_finite();
+            let end_secs = if open { time_secs } else { self.end_secs() };
+            time_secs.min(end_secs).max(0.0)
         };
         self.frame.time_secs = t;
-        let report = self.actor.evaluate(
+        let report = self.layers.evaluate(
             &self.figure.skeleton,
             &self.face,
             t,
@@ -222,18 +333,21 @@ impl Player {
         report
     }
 
-    /// What is being said at a time.
+    /// What is being said at a time; of several, what was begun last.
     #[must_use]
     pub fn speech_at(&self, time_secs: f64) -> Option<SpeechNow> {
-        let begun = self
-            .utterances
-            .partition_point(|u| u.start_secs <= time_secs);
-        let index = begun.checked_sub(1)?;
-        let utterance = &self.utterances[index];
-        let offset_secs = time_secs - utterance.start_secs;
-        if offset_secs >= utterance.duration_secs {
-            return None;
-        }
+        let story = &self.story.utterances;
+        let begun = story.partition_point(|u| u.start_secs <= time_secs);
+        let last = begun.checked_sub(1).map(|i| (i, &story[i]));
+        let heard = |u: &UtteranceCue| {
+            let offset_secs = time_secs - u.start_secs;
+            (0.0..u.duration_secs).contains(&offset_secs)
+        };
+        let (index, utterance) = last
+            .into_iter()
+            .chain(self.live.utterances())
+            .filter(|(_, u)| heard(u))
+            .max_by(|(_, a), (_, b)| a.start_secs.total_cmp(&b.start_secs))?;
         let word = utterance
             .words
             .partition_point(|w| w.start_secs <= time_secs)
@@ -241,7 +355,7 @@ impl Player {
             .filter(|&w| time_secs < utterance.words[w].end_secs);
         Some(SpeechNow {
             utterance: index,
-            offset_secs,
+            offset_secs: time_secs - utterance.start_secs,
             word,
         })
     }
@@ -282,72 +396,23 @@ impl Player {
     }
 }
 
-/// What the actor needs to know of an utterance: phones for the lips, words, accents.
-fn spoken(script: &Script, cue: &UtteranceCue) -> SpokenUtterance {
-    let phones = match &script.document.clause(cue.clause).kind {
-        ClauseKind::VoiceText(voice) => script.utterance(voice).map(|u| u.phones.clone()),
-        _ => None,
-    };
-    SpokenUtterance {
-        start_secs: cue.start_secs,
-        duration_secs: cue.duration_secs,
-        phones: phones.unwrap_or_else(|| murmured(cue)),
-        phone_set: script.phone_set().to_owned(),
-        words: cue
-            .words
-            .iter()
-            .map(|w| Word {
-                text: w.text.clone(),
-                start_secs: w.start_secs - cue.start_secs,
-                end_secs: w.end_secs - cue.start_secs,
-            })
-            .collect(),
-        accents: cue
-            .words
-            .iter()
-            .filter(|w| w.emphasized)
-            .map(|w| Accent {
-                offset_secs: w.start_secs - cue.start_secs,
-                strength: EMPHASIS_ACCENT,
-            })
-            .collect(),
-    }
-}
-
-/// Phones for a text that was not baked, so that the lips move with the captions: one
-/// consonant and one vowel for every three letters of a word. Designed; a diagnostic has
-/// said that the voice is missing.
-fn murmured(cue: &UtteranceCue) -> Vec<Phone> {
-    const SYLLABLES: [[&str; 2]; 4] = [["m", "aa"], ["d", "eh"], ["s", "iy"], ["n", "ow"]];
-    let mut phones = Vec::new();
-    let mut push = |symbol: &str, start_secs: f64, end_secs: f64, word: Option<usize>| {
-        if end_secs > start_secs {
-            phones.push(Phone {
-                symbol: symbol.to_owned(),
-                start_secs,
-                end_secs,
-                word,
-            });
-        }
-    };
-    let mut now = 0.0;
-    for (index, word) in cue.words.iter().enumerate() {
-        let (start, end) = (
-            word.start_secs - cue.start_secs,
-            word.end_secs - cue.start_secs,
-        );
-        push("pau", now, start, None);
-        let letters = word.text.chars().filter(|c| c.is_alphanumeric()).count();
-        let syllables = letters.div_ceil(3).clamp(1, 8);
-        let step = (end - start) / syllables as f64;
-        for s in 0..syllables {
-            let from = start + step * s as f64;
-            let [consonant, vowel] = SYLLABLES[(index + s) % SYLLABLES.len()];
-            push(consonant, from, from + 0.4 * step, Some(index));
-            push(vowel, from + 0.4 * step, from + step, Some(index));
-        }
-        now = end;
-    }
-    push("pau", now, cue.duration_secs, None);
-    phones
+/// Prepares an actor for all parts together, and the room that they need in the picture:
+/// no less than `held`, so that the picture does not breathe with every gesture.
+fn rehearse<'a>(
+    figure: &Figure,
+    options: &Options,
+    held: Room,
+    parts: impl Iterator<Item = &'a Part> + Clone,
+) -> (Actor, Room) {
+    let stature_m = figure.skeleton.stature_m();
+    let rooms = parts
+        .clone()
+        .map(|p| gestures::room(&p.strokes, HAND_LENGTH * stature_m));
+    let room = rooms.fold(held, |a, b| Room {
+        top_m: a.top_m.max(b.top_m),
+        half_width_m: a.half_width_m.max(b.half_width_m),
+    });
+    let camera = options.shot.frame(DVec3::ZERO, stature_m, 16.0 / 9.0, room);
+    let performance = part::performance(parts, options, camera.eye_in_world);
+    (Actor::new(&performance, &figure.skeleton), room)
 }

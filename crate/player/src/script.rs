@@ -1,7 +1,11 @@
 //! A story read: its document, its times and its voice, before anyone performs it.
 
-use raconteur_eml::{ClauseId, ClauseKind, Diagnostic, Document, Span, Timeline, VoiceText, parse};
-use raconteur_speech::{Bundle, Content, Utterance};
+use std::sync::Arc;
+
+use raconteur_eml::{
+    ClauseId, ClauseKind, Diagnostic, Document, Parsed, Span, Timeline, VoiceText, parse,
+};
+use raconteur_speech::{Bundle, Content, Phone, Utterance};
 
 use crate::voice::{BundleDurations, content_of, find_utterance};
 
@@ -15,7 +19,7 @@ pub struct Script {
     /// What is wrong with it.
     pub diagnostics: Vec<Diagnostic>,
     /// The speech, where it was baked.
-    pub(crate) bundle: Option<Bundle>,
+    pub(crate) bundle: Option<Arc<Bundle>>,
 }
 
 impl Script {
@@ -23,16 +27,14 @@ impl Script {
     /// what is wrong is in [`Script::diagnostics`], and the rest plays.
     #[must_use]
     pub fn read(eml: &str, bundle_json: Option<&[u8]>) -> Self {
-        let parsed = parse(eml);
-        let mut diagnostics = parsed.diagnostics;
-        let document = parsed.document;
+        let mut parsed = parse(eml);
         let bundle = bundle_json.and_then(|json| match Bundle::from_json(json) {
-            Ok(bundle) => Some(bundle),
+            Ok(bundle) => Some(Arc::new(bundle)),
             Err(error) => {
-                diagnostics.push(
+                parsed.diagnostics.push(
                     Diagnostic::error(
                         "player::bad-bundle",
-                        first_voice(&document),
+                        first_voice(&parsed.document),
                         error.to_string(),
                     )
                     .hint("bake the story again: raconteur bake"),
@@ -40,22 +42,37 @@ impl Script {
                 None
             }
         });
+        let mut script = Self::resolve(parsed, bundle, bundle_json.is_some());
+        script.timeline = with_run_up(script.timeline);
+        script
+    }
+
+    /// Gives every clause of a text its time. `voice_was_given` tells a voice that could not
+    /// be read from none.
+    pub(crate) fn resolve(
+        parsed: Parsed,
+        bundle: Option<Arc<Bundle>>,
+        voice_was_given: bool,
+    ) -> Self {
+        let Parsed {
+            document,
+            mut diagnostics,
+        } = parsed;
         let durations = BundleDurations {
-            bundle: bundle.as_ref(),
+            bundle: bundle.as_deref(),
         };
         let resolved = Timeline::resolve(&document, &durations);
         diagnostics.extend(resolved.diagnostics);
-        let timeline = with_run_up(resolved.timeline);
         diagnostics.extend(missing_speech(
             &document,
-            bundle.as_ref(),
-            bundle_json.is_some(),
+            bundle.as_deref(),
+            voice_was_given,
         ));
         diagnostics.extend(crate::unperformed::report(&document));
         raconteur_base::order::sort_by_number(&mut diagnostics, |d| f64::from(d.span.start));
         Self {
             document,
-            timeline,
+            timeline: resolved.timeline,
             diagnostics,
             bundle,
         }
@@ -71,7 +88,15 @@ impl Script {
 
     /// The baked utterance of a text, if there is one.
     pub(crate) fn utterance(&self, voice: &VoiceText) -> Option<&Utterance> {
-        find_utterance(self.bundle.as_ref()?, voice)
+        find_utterance(self.bundle.as_deref()?, voice)
+    }
+
+    /// The phones of a voice-text, seconds from its start; none where it was not baked.
+    pub(crate) fn phones(&self, clause: ClauseId) -> &[Phone] {
+        match &self.document.clause(clause).kind {
+            ClauseKind::VoiceText(voice) => self.utterance(voice).map_or(&[], |u| &u.phones),
+            _ => &[],
+        }
     }
 
     /// The phone set of the story's speech; Festival's where nothing was baked.
@@ -86,16 +111,21 @@ const RUN_UP_SECS: f64 = 0.9;
 
 /// Delays a script whose first gesture would come before the arm can be there, so that the
 /// storyteller raises a hand instead of starting with it raised.
-fn with_run_up(mut timeline: Timeline) -> Timeline {
+fn with_run_up(timeline: Timeline) -> Timeline {
     let first = timeline.clauses.iter().find(|c| c.element == "gesture-key");
     let delay = first.map_or(0.0, |c| (RUN_UP_SECS - c.start_secs).max(0.0));
+    delayed(timeline, delay)
+}
+
+/// The same with everything this much later.
+pub(crate) fn delayed(mut timeline: Timeline, delay_secs: f64) -> Timeline {
     for clause in &mut timeline.clauses {
-        clause.start_secs += delay;
-        clause.end_secs += delay;
+        clause.start_secs += delay_secs;
+        clause.end_secs += delay_secs;
     }
-    timeline.marks.values_mut().for_each(|at| *at += delay);
-    timeline.lead_in_secs += delay;
-    timeline.duration_secs += delay;
+    timeline.marks.values_mut().for_each(|at| *at += delay_secs);
+    timeline.lead_in_secs += delay_secs;
+    timeline.duration_secs += delay_secs;
     timeline
 }
 

@@ -1,7 +1,7 @@
 //! What crosses to JavaScript: plain objects, named as `web/element/types.ts` names them.
 
 use raconteur_player::eml::{self, LineIndex};
-use raconteur_player::{Cue, CueKind, UtteranceCue};
+use raconteur_player::{Event, UtteranceCue};
 use serde::Serialize;
 
 /// A story that was read.
@@ -64,45 +64,18 @@ struct Word {
     emphasized: bool,
 }
 
-/// Something that happens while the story plays.
-#[derive(Debug, PartialEq, Serialize)]
-#[serde(
-    tag = "kind",
-    rename_all = "lowercase",
-    rename_all_fields = "camelCase"
-)]
-pub enum Event {
-    /// A word begins.
-    Word {
-        /// Story time, seconds.
-        time_secs: f64,
-        /// Index of the utterance.
-        utterance: usize,
-        /// Index of the word in it.
-        word: usize,
-    },
-    /// A clause begins or ends.
-    Clause {
-        /// Story time, seconds.
-        time_secs: f64,
-        /// `start` or `end`.
-        phase: &'static str,
-        /// The name of its element.
-        element: &'static str,
-        /// Its `timeId`.
-        #[serde(skip_serializing_if = "Option::is_none")]
-        id: Option<String>,
-    },
-    /// The script's own event.
-    StoryEvent {
-        /// Story time, seconds.
-        time_secs: f64,
-        /// Its type.
-        #[serde(rename = "type", skip_serializing_if = "Option::is_none")]
-        kind: Option<String>,
-        /// Its text.
-        payload: String,
-    },
+/// What became of a fragment.
+#[derive(Debug, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Performance {
+    /// What its sender is told.
+    pub events: Vec<Event>,
+    /// What it says, by time.
+    pub utterances: Vec<Utterance>,
+    /// The index of the first of them.
+    pub first_utterance: usize,
+    /// When all that is known is over, story time, seconds.
+    pub end_secs: f64,
 }
 
 impl Story {
@@ -148,7 +121,7 @@ impl Diagnostic {
 }
 
 impl Utterance {
-    fn new(cue: &UtteranceCue) -> Self {
+    pub(crate) fn new(cue: &UtteranceCue) -> Self {
         let audio = |a: &raconteur_player::speech::AudioFile| AudioFile {
             file: a.file.clone(),
             mime: a.mime.clone(),
@@ -165,32 +138,6 @@ impl Utterance {
             audio: cue.audio.iter().map(audio).collect(),
             words: cue.words.iter().map(word).collect(),
             estimated: cue.estimated,
-        }
-    }
-}
-
-impl From<&Cue> for Event {
-    fn from(cue: &Cue) -> Self {
-        let time_secs = cue.time_secs;
-        let clause = |phase, element, id: &Option<String>| Self::Clause {
-            time_secs,
-            phase,
-            element,
-            id: id.clone(),
-        };
-        match &cue.kind {
-            &CueKind::Word { utterance, word } => Self::Word {
-                time_secs,
-                utterance,
-                word,
-            },
-            CueKind::ClauseStart { element, id } => clause("start", element, id),
-            CueKind::ClauseEnd { element, id } => clause("end", element, id),
-            CueKind::StoryEvent { kind, payload } => Self::StoryEvent {
-                time_secs,
-                kind: kind.clone(),
-                payload: payload.clone(),
-            },
         }
     }
 }
@@ -220,38 +167,6 @@ mod tests {
                     "end": { "line": 2, "column": 13, "columnUtf16": 14 },
                 }],
             })
-        );
-    }
-
-    #[test]
-    fn cues_become_events_as_the_element_names_them() {
-        let event = |kind| {
-            serde_json::to_value(Event::from(&Cue {
-                time_secs: 2.0,
-                kind,
-            }))
-            .unwrap()
-        };
-        assert_eq!(
-            event(CueKind::Word {
-                utterance: 1,
-                word: 3
-            }),
-            json!({ "kind": "word", "timeSecs": 2.0, "utterance": 1, "word": 3 })
-        );
-        assert_eq!(
-            event(CueKind::ClauseEnd {
-                element: "gesture-key",
-                id: Some("a".to_owned())
-            }),
-            json!({ "kind": "clause", "timeSecs": 2.0, "phase": "end", "element": "gesture-key", "id": "a" })
-        );
-        assert_eq!(
-            event(CueKind::StoryEvent {
-                kind: None,
-                payload: "<b>".to_owned()
-            }),
-            json!({ "kind": "storyevent", "timeSecs": 2.0, "payload": "<b>" })
         );
     }
 }

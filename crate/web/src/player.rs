@@ -11,7 +11,7 @@ use serde_wasm_bindgen::Serializer;
 use wasm_bindgen::prelude::*;
 use web_sys::HtmlCanvasElement;
 
-use crate::message::{Event, Story};
+use crate::message::{Performance, Story, Utterance};
 
 #[cfg(not(any(feature = "webgpu", feature = "webgl")))]
 compile_error!("a build for the browser needs the feature `webgpu` or `webgl`");
@@ -52,9 +52,6 @@ pub struct Player {
     /// Width over height.
     aspect: f64,
     sized: bool,
-    /// Cues up to this time have been told.
-    told_secs: f64,
-    events: Vec<Event>,
 }
 
 #[wasm_bindgen]
@@ -82,8 +79,6 @@ impl Player {
             resting: true,
             aspect: 1.0,
             sized: false,
-            told_secs: -1.0,
-            events: Vec::new(),
         })
     }
 
@@ -102,8 +97,6 @@ impl Player {
             picture.set_figure(performer.figure())?;
         }
         self.performer = Some(performer);
-        self.told_secs = -1.0;
-        self.events.clear();
         plain(&story)
     }
 
@@ -147,15 +140,7 @@ impl Player {
         let Some(performer) = &mut self.performer else {
             return Ok(TickStatus::Skipped as u32);
         };
-        if time_secs > self.told_secs {
-            self.events.extend(
-                performer
-                    .cues_between(self.told_secs, time_secs)
-                    .iter()
-                    .map(Event::from),
-            );
-            self.told_secs = time_secs;
-        }
+        performer.advance(time_secs);
         let Some(picture) = &mut self.picture else {
             return Ok(TickStatus::NoPicture as u32);
         };
@@ -196,12 +181,37 @@ impl Player {
 
     /// Moves without passing the cues between; those at `time_secs` itself are still to come.
     pub fn seek(&mut self, time_secs: f64) {
-        self.told_secs = if time_secs.is_finite() {
-            time_secs.next_down()
-        } else {
-            -1.0
+        if let Some(performer) = &mut self.performer {
+            performer.seek(time_secs);
+        }
+    }
+
+    /// Performs a fragment of EML, `now_secs` being the story time from which plain times
+    /// count; a `Performance`. `mind` tells senders apart.
+    pub fn perform(
+        &mut self,
+        mind: u32,
+        fragment: &str,
+        now_secs: f64,
+    ) -> Result<JsValue, JsError> {
+        let Some(performer) = &mut self.performer else {
+            return Ok(JsValue::UNDEFINED);
         };
-        self.events.clear();
+        let performed = performer.perform(mind, fragment, now_secs);
+        plain(&Performance {
+            events: performed.events(fragment, now_secs),
+            utterances: performed.utterances.iter().map(Utterance::new).collect(),
+            first_utterance: performed.first_utterance,
+            end_secs: performer.end_secs(),
+        })
+    }
+
+    /// Whether the clock may pass the end of the story, because a mind may send more.
+    #[wasm_bindgen(js_name = setOpenEnded)]
+    pub fn set_open_ended(&mut self, open_ended: bool) {
+        if let Some(performer) = &mut self.performer {
+            performer.set_open_ended(open_ended);
+        }
     }
 
     /// Size of the canvas in CSS pixels, and device pixels for each of them.
@@ -231,9 +241,10 @@ impl Player {
     /// The cues passed since the last call.
     #[wasm_bindgen(js_name = drainEvents)]
     pub fn drain_events(&mut self) -> Result<JsValue, JsError> {
-        let events = plain(&self.events);
-        self.events.clear();
-        events
+        match &mut self.performer {
+            Some(performer) => plain(&performer.drain_events()),
+            None => plain(&[(); 0]),
+        }
     }
 }
 

@@ -151,6 +151,21 @@ impl ArmPlan {
         }
     }
 
+    /// The time that the hand needs from where it is at `from_secs`, or from rest, to the
+    /// first key of a stroke that nobody saw coming, seconds. `None` for a key that moves the
+    /// fingers only.
+    #[must_use]
+    pub fn time_to(&self, from_secs: f64, wrist_in_world: Option<DVec3>) -> f64 {
+        let places = [self.at(from_secs).wrist, self.rest.at(from_secs).wrist];
+        let far = |to: DVec3| {
+            places
+                .map(|p| p.distance(to))
+                .into_iter()
+                .fold(0.0, f64::max)
+        };
+        reach_secs(wrist_in_world.map_or(0.0, far))
+    }
+
     /// Whether the arm is busy at a time.
     #[must_use]
     pub fn state_at(&self, time_secs: f64) -> HandState {

@@ -6,4 +6,5 @@ pub(crate) mod figure;
 pub(crate) mod fmt;
 pub(crate) mod pose;
 pub(crate) mod render;
+pub(crate) mod serve;
 pub(crate) mod timeline;

@@ -1,0 +1,103 @@
+//! `raconteur serve`.
+
+use std::net::{IpAddr, SocketAddr};
+use std::path::{Path, PathBuf};
+
+use anyhow::{Result, bail};
+use clap::Args;
+use raconteur_player::stage::Shot;
+use raconteur_player::{Options, Player, StoryInput};
+
+use crate::serve::{Clock, Ways, run};
+use crate::story::{StoryFiles, find_figure};
+use crate::{Outcome, report};
+
+/// Where WebSockets are taken when nothing else is asked for.
+const USUAL_PORT: u16 = 7373;
+
+/// Perform what minds send, and tell them what happens as JSON lines.
+///
+/// A mind sends fragments of EML by WebSocket (one a message), TCP or standard input (each
+/// ends with the line that closes it). See docs/live.md.
+#[derive(Args)]
+pub(crate) struct Serve {
+    /// A script, or a folder that holds a story.eml, to perform meanwhile; its speech bundle
+    /// is the figure's voice. Without one a figure waits, silent.
+    story: Option<PathBuf>,
+    /// A figure's name, or the path of a .glb file.
+    #[arg(long, default_value = "sofia")]
+    figure: String,
+    /// Take WebSockets at this port; 0 chooses one. 7373 where no way is given.
+    #[arg(long)]
+    port: Option<u16>,
+    /// Take plain TCP at this port; 0 chooses one.
+    #[arg(long)]
+    tcp: Option<u16>,
+    /// Take fragments from the standard input and write lines to the standard output.
+    #[arg(long)]
+    stdin: bool,
+    /// Listen at this address. Any but a loopback one opens the door to other machines.
+    #[arg(long, default_value = "127.0.0.1")]
+    listen: IpAddr,
+    /// What a mind must know: `?token=` or a bearer header by WebSocket, the first line by TCP.
+    #[arg(long)]
+    token: Option<String>,
+    /// Story seconds a second.
+    #[arg(long, default_value_t = 1.0)]
+    speed: f64,
+    /// Let story time pass only with lines `@SECONDS` of the standard input.
+    #[arg(long, requires = "stdin", conflicts_with = "speed")]
+    r#virtual: bool,
+}
+
+impl Serve {
+    pub(crate) fn run(&self) -> Result<Outcome> {
+        if !(self.speed.is_finite() && self.speed > 0.0) {
+            bail!("--speed takes a positive number, not {}", self.speed);
+        }
+        let token = self.token.as_deref();
+        if token.is_some_and(|t| t.is_empty() || !t.bytes().all(|b| b.is_ascii_graphic())) {
+            bail!("--token takes ASCII letters, digits and signs, without spaces");
+        }
+        let player = self.player()?;
+        if !self.listen.is_loopback() && token.is_none() {
+            eprintln!(
+                "raconteur: anybody who reaches {} may send; see --token",
+                self.listen
+            );
+        }
+        let no_way = self.port.is_none() && self.tcp.is_none() && !self.stdin;
+        let at = |port| SocketAddr::new(self.listen, port);
+        let ways = Ways {
+            websocket: self.port.or(no_way.then_some(USUAL_PORT)).map(at),
+            tcp: self.tcp.map(at),
+            stdin: self.stdin,
+            token: self.token.clone(),
+        };
+        let clock = if self.r#virtual {
+            Clock::Virtual
+        } else {
+            Clock::Real { speed: self.speed }
+        };
+        run(player, &ways, clock)?;
+        Ok(Outcome::Fine)
+    }
+
+    fn player(&self) -> Result<Player> {
+        let Some(story) = &self.story else {
+            let figure = find_figure(&self.figure, Path::new("."))?;
+            return Ok(Player::load(StoryInput {
+                eml: "<eml><body/></eml>",
+                bundle: None,
+                figure: figure.into(),
+                options: Options::default(),
+            })
+            .player);
+        };
+        let files = StoryFiles::read(story)?;
+        let loaded = files.player(&self.figure, Shot::Medium)?;
+        let name = files.script.display().to_string();
+        report::print(&name, &files.text, &loaded.diagnostics)?;
+        Ok(loaded.player)
+    }
+}

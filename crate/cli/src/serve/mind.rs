@@ -1,0 +1,208 @@
+//! A mind that is connected: what it sends, and what it is told.
+
+use std::io::{self, Write as _};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::mpsc::{Receiver, SyncSender, TryRecvError, TrySendError, sync_channel};
+use std::time::Duration;
+
+use serde::Serialize;
+
+/// Fragments of one mind that wait to be performed; a mind that sends more is not read.
+const WAITING: usize = 16;
+/// Lines that wait to be sent to one mind; one that does not read them misses the rest.
+const UNREAD: usize = 1024;
+/// Minds connected at once, those whose token is still awaited among them.
+const MOST_MINDS: usize = 32;
+/// How often a connection looks for lines to send while it waits for fragments.
+pub(crate) const TURN: Duration = Duration::from_millis(20);
+/// A mind that has not said its token by then, or takes longer to read a line, is gone.
+pub(crate) const PATIENCE: Duration = Duration::from_secs(10);
+
+/// A line for a mind, without the end of line.
+pub(crate) type Line = Arc<str>;
+
+/// What the performer holds of a mind.
+pub(crate) struct Mind {
+    /// Tells minds apart.
+    pub(crate) id: u32,
+    inbox: Receiver<String>,
+    outbox: Outbox,
+    lost: u64,
+}
+
+enum Outbox {
+    Connection(SyncSender<Line>),
+    StandardOutput,
+}
+
+/// What a connection holds of the performer.
+pub(crate) struct Link {
+    inbox: SyncSender<String>,
+    outbox: Receiver<Line>,
+    /// A fragment for which there was no room yet.
+    held: Option<String>,
+}
+
+/// Where connections come in.
+#[derive(Clone)]
+pub(crate) struct Door {
+    pub(crate) token: Option<Arc<str>>,
+    arrivals: SyncSender<Mind>,
+    connected: Arc<AtomicUsize>,
+}
+
+/// A place among the connected minds; leaving gives it back.
+pub(crate) struct Place(Arc<AtomicUsize>);
+
+impl Drop for Place {
+    fn drop(&mut self) {
+        self.0.fetch_sub(1, Ordering::Relaxed);
+    }
+}
+
+/// The connection's other side is gone.
+pub(crate) struct Gone;
+
+#[derive(Serialize)]
+#[serde(tag = "kind", rename_all = "lowercase")]
+enum Note {
+    Lost { count: u64 },
+}
+
+impl Door {
+    /// A door, and where those who came through it are found.
+    pub(crate) fn new(token: Option<&str>) -> (Self, Receiver<Mind>) {
+        let (arrivals, arrived) = sync_channel(MOST_MINDS);
+        let door = Self {
+            token: token.map(Arc::from),
+            arrivals,
+            connected: Arc::default(),
+        };
+        (door, arrived)
+    }
+
+    /// A place for a connection, unless all are taken.
+    pub(crate) fn place(&self) -> Option<Place> {
+        let before = self.connected.fetch_add(1, Ordering::Relaxed);
+        let place = Place(Arc::clone(&self.connected));
+        (before < MOST_MINDS).then_some(place)
+    }
+
+    /// Whether a token opens the door. The time that this takes tells nothing but lengths.
+    pub(crate) fn opens(&self, token: &str) -> bool {
+        self.token.as_deref().is_none_or(|wanted| {
+            let pairs = wanted.bytes().zip(token.bytes());
+            let differences = pairs.fold(0, |sum, (a, b)| sum | (a ^ b));
+            differences == 0 && wanted.len() == token.len()
+        })
+    }
+
+    /// Brings a mind in.
+    pub(crate) fn enter(&self) -> Result<Link, Gone> {
+        let (inbox, fragments) = sync_channel(WAITING);
+        let (lines, outbox) = sync_channel(UNREAD);
+        let mind = Mind::new(fragments, Outbox::Connection(lines));
+        self.arrivals.send(mind).map_err(|_| Gone)?;
+        Ok(Link {
+            inbox,
+            outbox,
+            held: None,
+        })
+    }
+
+    /// Brings in the mind at the standard input; what it sends goes into the sender.
+    pub(crate) fn enter_by_input(&self) -> Result<SyncSender<String>, Gone> {
+        let (inbox, fragments) = sync_channel(WAITING);
+        let mind = Mind::new(fragments, Outbox::StandardOutput);
+        self.arrivals.send(mind).map_err(|_| Gone)?;
+        Ok(inbox)
+    }
+}
+
+impl Mind {
+    fn new(inbox: Receiver<String>, outbox: Outbox) -> Self {
+        Self {
+            id: 0,
+            inbox,
+            outbox,
+            lost: 0,
+        }
+    }
+
+    /// The next fragment, if there is one; `Gone` when there will be none.
+    pub(crate) fn next(&self) -> Result<Option<String>, Gone> {
+        match self.inbox.try_recv() {
+            Ok(fragment) => Ok(Some(fragment)),
+            Err(TryRecvError::Empty) => Ok(None),
+            Err(TryRecvError::Disconnected) => Err(Gone),
+        }
+    }
+
+    /// Waits for the next fragment.
+    pub(crate) fn wait(&self) -> Result<String, Gone> {
+        self.inbox.recv().map_err(|_| Gone)
+    }
+
+    /// Whether it is the one at the standard input.
+    pub(crate) fn is_at_input(&self) -> bool {
+        matches!(self.outbox, Outbox::StandardOutput)
+    }
+
+    /// Tells a line. Never waits for a connection: what a mind does not read is counted.
+    pub(crate) fn tell(&mut self, line: &Line) -> io::Result<()> {
+        let lines = match &self.outbox {
+            Outbox::StandardOutput => {
+                let mut out = io::stdout().lock();
+                writeln!(out, "{line}")?;
+                return out.flush();
+            }
+            Outbox::Connection(lines) => lines,
+        };
+        if self.lost > 0 {
+            let note = serde_json::to_string(&Note::Lost { count: self.lost })?;
+            if lines.try_send(note.into()).is_ok() {
+                self.lost = 0;
+            }
+        }
+        // That a mind is gone is seen at its inbox.
+        if let Err(TrySendError::Full(_)) = lines.try_send(Arc::clone(line)) {
+            self.lost += 1;
+        }
+        Ok(())
+    }
+}
+
+impl Link {
+    /// A line to send, if there is one.
+    pub(crate) fn line(&self) -> Result<Option<Line>, Gone> {
+        match self.outbox.try_recv() {
+            Ok(line) => Ok(Some(line)),
+            Err(TryRecvError::Empty) => Ok(None),
+            Err(TryRecvError::Disconnected) => Err(Gone),
+        }
+    }
+
+    /// Whether the mind may be read. While it may not, its connection fills up and slows it.
+    pub(crate) fn is_free(&mut self) -> Result<bool, Gone> {
+        match self.held.take() {
+            None => Ok(true),
+            Some(fragment) => {
+                self.give(fragment)?;
+                Ok(self.held.is_none())
+            }
+        }
+    }
+
+    /// Hands a fragment on, now or when there is room.
+    pub(crate) fn give(&mut self, fragment: String) -> Result<(), Gone> {
+        match self.inbox.try_send(fragment) {
+            Ok(()) => Ok(()),
+            Err(TrySendError::Full(fragment)) => {
+                self.held = Some(fragment);
+                Ok(())
+            }
+            Err(TrySendError::Disconnected(_)) => Err(Gone),
+        }
+    }
+}

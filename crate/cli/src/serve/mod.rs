@@ -1,0 +1,275 @@
+//! A performance in real time, open to minds.
+//!
+//! One thread performs; each connection has a thread of its own that reads fragments and
+//! sends lines. They meet in bounded channels only: a mind that floods is read more slowly,
+//! one that does not listen misses lines, and the performance waits for neither.
+
+mod framing;
+mod mind;
+mod tcp;
+mod websocket;
+
+use std::io::{self, Read as _};
+use std::net::{SocketAddr, TcpListener, TcpStream};
+use std::sync::mpsc::Receiver;
+use std::thread;
+use std::time::{Duration, Instant};
+
+use anyhow::{Context as _, Result};
+use raconteur_player::live::limits;
+use raconteur_player::{Event, Player};
+use serde::Serialize;
+use std::collections::BTreeMap;
+
+use framing::Framer;
+use mind::{Door, Gone, Line, Mind, Place};
+
+/// Between two looks at the clock and at what has come.
+const STEP: Duration = Duration::from_millis(10);
+/// Fragments of one mind that are performed at one look, so that all minds get their turn.
+const AT_ONCE: usize = 4;
+
+/// Which way minds may come.
+pub(crate) struct Ways {
+    /// Where WebSockets are taken.
+    pub(crate) websocket: Option<SocketAddr>,
+    /// Where plain connections are taken.
+    pub(crate) tcp: Option<SocketAddr>,
+    /// Whether the standard input is a mind.
+    pub(crate) stdin: bool,
+    /// What they must know.
+    pub(crate) token: Option<String>,
+}
+
+/// What makes story time pass.
+#[derive(Clone, Copy)]
+pub(crate) enum Clock {
+    /// Real time, this much faster.
+    Real {
+        /// Story seconds a second.
+        speed: f64,
+    },
+    /// Lines `@SECONDS` of the standard input: for scripts that must always tell the same.
+    Virtual,
+}
+
+/// What a mind is told first.
+#[derive(Serialize)]
+#[serde(tag = "kind", rename = "hello", rename_all = "camelCase")]
+struct Hello<'a> {
+    version: u32,
+    time_secs: f64,
+    /// When the script ends, story time, seconds.
+    end_secs: f64,
+    figure: &'a str,
+    /// The script's named moments, story time, seconds.
+    marks: &'a SortedMap<Name, f64>,
+}
+
+/// Performs until the standard input has ended, where it is the only way in; else for ever.
+pub(crate) fn run(mut player: Player, ways: &Ways, clock: Clock) -> Result<()> {
+    let (door, arrivals) = Door::new(ways.token.as_deref());
+    if let Some(address) = ways.websocket {
+        let at = listen(address, &door, |stream, door| {
+            // A connection that breaks is the mind's affair.
+            let _ = websocket::serve(stream, door);
+        })?;
+        eprintln!("raconteur: WebSocket at ws://{at}/");
+    }
+    if let Some(address) = ways.tcp {
+        let at = listen(address, &door, |stream, door| {
+            let _ = tcp::serve(&stream, door);
+        })?;
+        eprintln!("raconteur: TCP at {at}");
+    }
+    if ways.stdin {
+        read_input(&door);
+    }
+    player.set_open_ended(true);
+    let mut stage = Stage {
+        player,
+        arrivals,
+        minds: Vec::new(),
+        minds_begun: 0,
+    };
+    match clock {
+        Clock::Virtual => stage.by_input(),
+        Clock::Real { speed } => {
+            let alone = ways.websocket.is_none() && ways.tcp.is_none();
+            stage.in_real_time(speed, alone)
+        }
+    }
+}
+
+/// Takes connections in threads of their own; the address, with the port that was chosen.
+fn listen(
+    address: SocketAddr,
+    door: &Door,
+    serve: impl Fn(TcpStream, &Door) + Copy + Send + 'static,
+) -> Result<SocketAddr> {
+    let listener =
+        TcpListener::bind(address).with_context(|| format!("cannot listen at {address}"))?;
+    let at = listener.local_addr()?;
+    let door = door.clone();
+    thread::spawn(move || {
+        for stream in listener.incoming() {
+            let (Ok(stream), Some(place)) = (stream, door.place()) else {
+                // No files or no places left: the next one may have more luck.
+                thread::sleep(STEP);
+                continue;
+            };
+            let door = door.clone();
+            thread::spawn(move || {
+                let _place: Place = place;
+                serve(stream, &door);
+            });
+        }
+    });
+    Ok(at)
+}
+
+/// Reads the standard input in a thread, as slowly as it is performed.
+fn read_input(door: &Door) {
+    let Ok(inbox) = door.enter_by_input() else {
+        return;
+    };
+    thread::spawn(move || {
+        let mut framer = Framer::new(limits::FRAGMENT_BYTES);
+        let mut bytes = [0; 4096];
+        let mut input = io::stdin().lock();
+        loop {
+            let read = match input.read(&mut bytes) {
+                Ok(0) => break,
+                Ok(n) => n,
+                Err(e) if tcp::waits(&e) => continue,
+                Err(_) => break,
+            };
+            for fragment in framer.push(&bytes[..read]) {
+                if inbox.send(fragment).is_err() {
+                    return;
+                }
+            }
+        }
+        if let Some(last) = framer.finish() {
+            // Whoever would have performed it has left.
+            let _ = inbox.send(last);
+        }
+    });
+}
+
+/// The performance and those who take part.
+struct Stage {
+    player: Player,
+    arrivals: Receiver<Mind>,
+    minds: Vec<Mind>,
+    minds_begun: u32,
+}
+
+impl Stage {
+    fn in_real_time(&mut self, speed: f64, alone: bool) -> Result<()> {
+        let since = Instant::now();
+        loop {
+            let now_secs = since.elapsed().as_secs_f64() * speed;
+            self.welcome(now_secs)?;
+            let mut input_ended = false;
+            let mut gone = Vec::new();
+            for i in 0..self.minds.len() {
+                for _ in 0..AT_ONCE {
+                    let mind = &self.minds[i];
+                    if !self.player.has_room(mind.id, now_secs) {
+                        break;
+                    }
+                    match mind.next() {
+                        Ok(Some(fragment)) => self.perform(i, &fragment, now_secs)?,
+                        Ok(None) => break,
+                        Err(Gone) => {
+                            // Who listens at the standard output still does.
+                            if mind.is_at_input() {
+                                input_ended = true;
+                            } else {
+                                gone.push(i);
+                            }
+                            break;
+                        }
+                    }
+                }
+            }
+            for i in gone.into_iter().rev() {
+                self.minds.remove(i);
+            }
+            self.pass(now_secs)?;
+            if input_ended && alone {
+                self.player.set_open_ended(false);
+                if now_secs >= self.player.end_secs() {
+                    return Ok(());
+                }
+            }
+            thread::sleep(STEP);
+        }
+    }
+
+    /// Story time passes with the lines `@SECONDS` of the standard input, and ends with it.
+    fn by_input(&mut self) -> Result<()> {
+        let mut now_secs = 0.0;
+        self.welcome(now_secs)?;
+        self.pass(now_secs)?;
+        loop {
+            self.welcome(now_secs)?;
+            let Some(i) = self.minds.iter().position(Mind::is_at_input) else {
+                return Ok(());
+            };
+            let Ok(fragment) = self.minds[i].wait() else {
+                return Ok(());
+            };
+            match fragment.strip_prefix('@').map(str::parse) {
+                Some(Ok(secs)) if secs >= now_secs => {
+                    now_secs = secs;
+                    self.pass(now_secs)?;
+                }
+                _ => self.perform(i, &fragment, now_secs)?,
+            }
+        }
+    }
+
+    fn welcome(&mut self, now_secs: f64) -> Result<()> {
+        while let Ok(mut mind) = self.arrivals.try_recv() {
+            self.minds_begun = self.minds_begun.wrapping_add(1);
+            mind.id = self.minds_begun;
+            mind.tell(&line(&Hello {
+                version: 1,
+                time_secs: now_secs,
+                end_secs: self.player.duration_secs(),
+                figure: &self.player.figure().name,
+                marks: &self.player.timeline().marks,
+            })?)?;
+            self.minds.push(mind);
+        }
+        Ok(())
+    }
+
+    /// Performs a fragment and answers the mind that sent it.
+    fn perform(&mut self, mind: usize, fragment: &str, now_secs: f64) -> Result<()> {
+        let mind = &mut self.minds[mind];
+        let performed = self.player.perform(mind.id, fragment, now_secs);
+        for event in performed.events(fragment, now_secs) {
+            mind.tell(&line(&event)?)?;
+        }
+        Ok(())
+    }
+
+    /// Lets time pass and tells everybody what happens.
+    fn pass(&mut self, now_secs: f64) -> Result<()> {
+        self.player.advance(now_secs);
+        for event in self.player.drain_events() {
+            let line = line::<Event>(&event)?;
+            for mind in &mut self.minds {
+                mind.tell(&line)?;
+            }
+        }
+        Ok(())
+    }
+}
+
+fn line<T: Serialize>(value: &T) -> Result<Line> {
+    Ok(serde_json::to_string(value)?.into())
+}

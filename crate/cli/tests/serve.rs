@@ -1,0 +1,386 @@
+//! `raconteur serve`: minds by standard input, TCP and WebSocket; floods, garbage, tokens.
+
+use std::fmt::Write as _;
+use std::fs;
+use std::io::{BufRead as _, BufReader, ErrorKind, Read as _, Write as _};
+use std::net::TcpStream;
+use std::path::PathBuf;
+use std::process::{Child, Command, Stdio};
+use std::time::{Duration, Instant};
+
+use serde_json::Value;
+use tungstenite::client::IntoClientRequest as _;
+use tungstenite::{Message, WebSocket};
+
+/// Nothing that is awaited takes as long on the slowest machine.
+const LONG: Duration = Duration::from_secs(60);
+
+const LINE: &str = "<voice-text time='0' timeId='v'><div>Hello <emph><tm name='w'/>world!</emph>\
+                    </div></voice-text>";
+
+fn root() -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
+
+fn command(arguments: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_raconteur"));
+    command
+        .arg("serve")
+        .args(arguments)
+        .current_dir(root())
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped());
+    command
+}
+
+/// A server that ends with its test.
+struct Server {
+    child: Child,
+    /// Where it says that it listens, in order.
+    addresses: Vec<String>,
+}
+
+impl Server {
+    /// Starts one with this many ways in.
+    fn start(arguments: &[&str], ways: usize) -> Self {
+        let mut child = command(arguments).spawn().expect("the program runs");
+        let stderr = child.stderr.take().expect("standard error");
+        let mut lines = BufReader::new(stderr).lines();
+        let mut addresses = Vec::new();
+        while addresses.len() < ways {
+            let line = lines.next().expect("an address").expect("text");
+            let Some((_, at)) = line.split_once(" at ") else {
+                continue;
+            };
+            let at = at.trim_start_matches("ws://").trim_end_matches('/');
+            addresses.push(at.to_owned());
+        }
+        // What else it says must find a reader.
+        std::thread::spawn(move || lines.count());
+        Self { child, addresses }
+    }
+}
+
+impl Drop for Server {
+    fn drop(&mut self) {
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+    }
+}
+
+/// A mind by TCP.
+struct Tcp {
+    stream: TcpStream,
+    lines: BufReader<TcpStream>,
+}
+
+impl Tcp {
+    fn connect(address: &str) -> Self {
+        let stream = TcpStream::connect(address).expect("a connection");
+        stream.set_read_timeout(Some(LONG)).expect("a timeout");
+        stream.set_write_timeout(Some(LONG)).expect("a timeout");
+        let lines = BufReader::new(stream.try_clone().expect("a second handle"));
+        Self { stream, lines }
+    }
+
+    fn send(&mut self, text: &str) {
+        self.stream.write_all(text.as_bytes()).expect("sent");
+    }
+
+    /// The next line; none when the connection has ended.
+    fn next(&mut self) -> Option<Value> {
+        let mut line = String::new();
+        match self.lines.read_line(&mut line) {
+            Ok(0) => None,
+            Ok(_) => Some(serde_json::from_str(&line).unwrap_or_else(|e| panic!("{e}: {line}"))),
+            Err(e) if e.kind() == ErrorKind::ConnectionReset => None,
+            Err(e) => panic!("{e}"),
+        }
+    }
+
+    /// The next line for which something holds.
+    fn until(&mut self, holds: impl Fn(&Value) -> bool) -> Value {
+        let since = Instant::now();
+        while since.elapsed() < LONG {
+            let line = self.next().expect("the connection is open");
+            if holds(&line) {
+                return line;
+            }
+        }
+        panic!("it did not come");
+    }
+}
+
+fn is(line: &Value, kind: &str) -> bool {
+    line["kind"] == kind
+}
+
+fn websocket(url: &str, header: Option<(&'static str, &str)>) -> Result<WebSocket<TcpStream>, u16> {
+    let mut request = url.into_client_request().expect("a request");
+    if let Some((name, value)) = header {
+        let value = value.parse().expect("a header");
+        request.headers_mut().insert(name, value);
+    }
+    let host = request.uri().authority().expect("a host").to_string();
+    let stream = TcpStream::connect(host).expect("a connection");
+    stream.set_read_timeout(Some(LONG)).expect("a timeout");
+    match tungstenite::client(request, stream) {
+        Ok((socket, _)) => Ok(socket),
+        Err(tungstenite::HandshakeError::Failure(tungstenite::Error::Http(response))) => {
+            Err(response.status().as_u16())
+        }
+        Err(error) => panic!("{error}"),
+    }
+}
+
+fn hear(socket: &mut WebSocket<TcpStream>) -> Value {
+    loop {
+        if let Message::Text(text) = socket.read().expect("a message") {
+            return serde_json::from_str(&text).expect("JSON");
+        }
+    }
+}
+
+/// The recorded session of docs/live.md: lines after `> ` go in, the others come out.
+#[test]
+fn the_recorded_session_is_what_happens() {
+    let path = root().join("docs/live.md");
+    let text = fs::read_to_string(&path).expect("docs/live.md");
+    let opening = "```text session\n";
+    let (before, rest) = text.split_once(opening).expect("a session");
+    let (session, after) = rest.split_once("```").expect("the end of the session");
+    let told: Vec<&str> = session
+        .lines()
+        .filter_map(|line| line.strip_prefix('>').map(str::trim_start))
+        .collect();
+    let run = |lines: &[&str]| -> Vec<String> {
+        let mut child = command(&["assets/stories/hello-world", "--stdin", "--virtual"])
+            .spawn()
+            .expect("the program runs");
+        let mut input = child.stdin.take().expect("standard input");
+        for line in lines {
+            writeln!(input, "{line}").expect("sent");
+        }
+        drop(input);
+        let out = child.wait_with_output().expect("it ends");
+        assert!(
+            out.status.success(),
+            "{}",
+            String::from_utf8_lossy(&out.stderr)
+        );
+        let out = String::from_utf8(out.stdout).expect("UTF-8");
+        out.lines().map(str::to_owned).collect()
+    };
+    let mut now = String::new();
+    let mut written = 0;
+    for count in 0..=told.len() {
+        // What a session says that ends here has come before the next line.
+        let lines = run(&told[..count]);
+        for line in &lines[written..] {
+            let _ = writeln!(now, "{line}");
+        }
+        written = lines.len();
+        if let Some(line) = told.get(count) {
+            let _ = writeln!(now, "{}", format!("> {line}").trim_end());
+        }
+    }
+    if std::env::var_os("UPDATE").is_some() {
+        fs::write(&path, format!("{before}{opening}{now}```{after}")).expect("written");
+    } else {
+        assert_eq!(session, now, "UPDATE=1 rewrites docs/live.md");
+    }
+}
+
+#[test]
+fn a_mind_by_tcp_is_told_what_it_causes() {
+    let story = "assets/stories/hello-world";
+    let server = Server::start(&[story, "--tcp", "0", "--speed", "4"], 1);
+    let mut mind = Tcp::connect(&server.addresses[0]);
+    let hello = mind.next().expect("a greeting");
+    assert!(is(&hello, "hello") && hello["marks"]["t2"].is_number());
+    // Pretty-printed over lines, then garbage, then another.
+    mind.send("<seq time='0'>\n  <event type='door'>&lt;open&gt;</event>\n</seq>\n");
+    let accepted = mind.until(|l| is(l, "accepted"));
+    assert_eq!(accepted["clauses"][1]["element"], "event");
+    let event = mind.until(|l| is(l, "storyevent"));
+    assert_eq!(
+        (&event["type"], &event["payload"]),
+        (&"door".into(), &"<open>".into())
+    );
+    mind.send("<voice-text time='\n\nrubbish\n");
+    for _ in 0..2 {
+        let failed = mind.until(|l| is(l, "failed"));
+        assert!(
+            failed["code"]
+                .as_str()
+                .is_some_and(|c| c.starts_with("eml::")),
+            "{failed}"
+        );
+    }
+    mind.send(&format!("{LINE}\n"));
+    let fragment = mind.until(|l| is(l, "accepted"))["fragment"].clone();
+    let mine = |l: &Value, kind: &str| is(l, kind) && l["fragment"] == fragment;
+    mind.until(|l| mine(l, "clause") && l["phase"] == "start");
+    mind.until(|l| mine(l, "word") && l["text"] == "world!");
+    mind.until(|l| mine(l, "phone") && l["symbol"] == "er");
+    mind.until(|l| mine(l, "clause") && l["phase"] == "end");
+}
+
+#[test]
+fn minds_share_one_storyteller() {
+    let server = Server::start(&["--port", "0", "--tcp", "0", "--speed", "4"], 2);
+    let mut first = websocket(&format!("ws://{}/", server.addresses[0]), None).expect("let in");
+    let mut second = Tcp::connect(&server.addresses[1]);
+    assert!(is(&hear(&mut first), "hello"));
+    assert!(second.next().is_some_and(|l| is(&l, "hello")));
+    first
+        .send(Message::text(
+            "<event time='0.5' timeId='mine'>from one</event>",
+        ))
+        .expect("sent");
+    assert!(is(&hear(&mut first), "accepted"));
+    let told = second.until(|l| is(l, "storyevent"));
+    assert_eq!(told["payload"], "from one");
+    // And may use its names.
+    second.send("<event time='mine+1'>from two</event>\n");
+    assert!(is(
+        &second.until(|l| is(l, "accepted") || is(l, "failed")),
+        "accepted"
+    ));
+    let told = std::iter::repeat_with(|| hear(&mut first)).find(|l| l["payload"] == "from two");
+    assert!(told.is_some());
+    // Too long for a fragment is refused, too long for a message ends the connection.
+    let long = |n: usize| {
+        Message::text(format!(
+            "<voice-text time='0'>{}</voice-text>",
+            "a ".repeat(n)
+        ))
+    };
+    first.send(long(10_000)).expect("sent");
+    let failed = std::iter::repeat_with(|| hear(&mut first)).find(|l| is(l, "failed"));
+    assert_eq!(
+        failed.map(|l| l["code"].clone()),
+        Some("live::too-large".into())
+    );
+}
+
+#[test]
+fn a_flood_slows_the_mind_that_sends_it() {
+    let server = Server::start(&["--tcp", "0"], 1);
+    let mut calm = Tcp::connect(&server.addresses[0]);
+    let mut wild = Tcp::connect(&server.addresses[0]);
+    wild.stream
+        .set_write_timeout(Some(Duration::from_millis(200)))
+        .expect("a timeout");
+    // It sends until nothing more is taken.
+    let flood = "<null time='0'/>\n".repeat(1000);
+    let mut sent = 0;
+    let since = Instant::now();
+    while since.elapsed() < LONG {
+        match wild.stream.write(flood.as_bytes()) {
+            Ok(n) => sent += n,
+            Err(e) if matches!(e.kind(), ErrorKind::WouldBlock | ErrorKind::TimedOut) => break,
+            Err(e) => panic!("{e}"),
+        }
+        assert!(sent < 500_000_000, "it is read without end");
+    }
+    // Meanwhile another is heard, and heard soon.
+    assert!(calm.next().is_some());
+    calm.send("<eml name='calm'><body><event time='0'>hello</event></body></eml>\n");
+    let answer = calm.until(|l| is(l, "accepted"));
+    assert_eq!(answer["name"], "calm");
+    calm.until(|l| l["payload"] == "hello");
+    // Nothing was refused: the flood waits in the connection.
+    for _ in 0..50 {
+        assert!(!is(&wild.next().expect("a line"), "failed"));
+    }
+}
+
+#[test]
+fn binary_garbage_harms_nobody() {
+    let server = Server::start(&["--tcp", "0", "--port", "0"], 2);
+    let mut noise = TcpStream::connect(&server.addresses[1]).expect("a connection");
+    let bytes: Vec<u8> = (0..200_000_u32)
+        .map(|i| (i.wrapping_mul(2_654_435_761) >> 13) as u8)
+        .collect();
+    let _ = noise.write_all(&bytes);
+    // To the WebSocket, too, where it is no handshake.
+    let mut stream = TcpStream::connect(&server.addresses[0]).expect("a connection");
+    let _ = stream.write_all(&bytes);
+    stream.set_read_timeout(Some(LONG)).expect("a timeout");
+    let _ = stream.read(&mut [0; 64]);
+    let mut calm = Tcp::connect(&server.addresses[1]);
+    calm.send("<event time='0'>still here</event>\n");
+    calm.until(|l| l["payload"] == "still here");
+}
+
+#[test]
+fn a_token_keeps_strangers_out() {
+    let server = Server::start(&["--port", "0", "--tcp", "0", "--token", "s3cret"], 2);
+    let url = format!("ws://{}/", server.addresses[0]);
+    assert_eq!(websocket(&url, None).err(), Some(403));
+    assert_eq!(
+        websocket(&format!("{url}?token=s3cre"), None).err(),
+        Some(403)
+    );
+    assert_eq!(
+        websocket(&url, Some(("authorization", "Bearer wrong!"))).err(),
+        Some(403)
+    );
+    assert!(websocket(&format!("{url}?x=1&token=s3cret"), None).is_ok());
+    assert!(websocket(&url, Some(("authorization", "Bearer s3cret"))).is_ok());
+    let mut stranger = Tcp::connect(&server.addresses[1]);
+    stranger.send("<null time='0'/>\n");
+    assert_eq!(
+        stranger.next().map(|l| l["code"].clone()),
+        Some("serve::token".into())
+    );
+    assert!(stranger.next().is_none());
+    let mut friend = Tcp::connect(&server.addresses[1]);
+    friend.send("s3cret\n<event time='0'>in</event>\n");
+    friend.until(|l| l["payload"] == "in");
+}
+
+#[test]
+fn pages_of_other_hosts_are_not_let_in_without_a_token() {
+    let server = Server::start(&["--port", "0"], 1);
+    let url = format!("ws://{}/", server.addresses[0]);
+    let from = |origin| websocket(&url, Some(("origin", origin)));
+    assert_eq!(from("https://evil.example").err(), Some(403));
+    assert!(from("http://localhost:4173").is_ok());
+}
+
+#[test]
+fn the_standard_input_alone_ends_with_what_it_sent() {
+    let mut child = command(&["assets/stories/hello-world", "--stdin", "--speed", "50"])
+        .spawn()
+        .expect("the program runs");
+    let mut input = child.stdin.take().expect("standard input");
+    input
+        .write_all(format!("{LINE}\n").as_bytes())
+        .expect("sent");
+    drop(input);
+    let out = child.wait_with_output().expect("it ends");
+    assert!(out.status.success());
+    let out = String::from_utf8(out.stdout).expect("UTF-8");
+    let ends = out
+        .lines()
+        .filter(|l| l.contains("\"end\"") && l.contains("voice-text"));
+    assert_eq!(ends.count(), 2, "the story's line and the mind's: {out}");
+}
+
+#[test]
+fn wrong_usage_is_named() {
+    for arguments in [
+        &["--speed", "0"][..],
+        &["--token", "two words"],
+        &["no/such/story"],
+    ] {
+        let out = command(arguments).output().expect("the program runs");
+        assert!(
+            !out.status.success() && !out.stderr.is_empty(),
+            "{arguments:?}"
+        );
+    }
+}

@@ -1,0 +1,371 @@
+//! Live performance (GEVH 3.6): clauses that come while the story plays.
+//!
+//! A fragment is parsed, timed and lowered as a script is, and joins the performance. Its
+//! times and cues are the story clock's, so that it can be sought like the story until it is
+//! forgotten. Nothing grows without bound: see [`limits`].
+
+pub(crate) mod times;
+
+use std::sync::Arc;
+
+use raconteur_actor::Actor;
+use raconteur_base::Side;
+use raconteur_eml::{Diagnostic, Name, Severity, SortedMap, Span, parse_fragment};
+use raconteur_speech::Bundle;
+
+use crate::cues::{ClauseRef, Cue, CueKind, UtteranceCue};
+use crate::gestures::{Reach, out_of_reach};
+use crate::part::Part;
+use crate::script::{Script, delayed};
+use crate::units::Units;
+
+/// What a live performance may cost. Beyond, fragments are refused and the story plays on.
+pub mod limits {
+    /// Length of a fragment, bytes: some 2,500 words.
+    pub const FRAGMENT_BYTES: usize = 16 << 10;
+    /// Length of all fragments that are remembered, bytes.
+    pub const REMEMBERED_BYTES: usize = 64 << 10;
+    /// Clauses of all fragments that are remembered, repetitions played out.
+    pub const REMEMBERED_CLAUSES: usize = 1024;
+    /// Finished fragments are remembered this long for seeking back, and for their names, but
+    /// only while there is room; seconds.
+    pub const REMEMBERED_SECS: f64 = 300.0;
+    /// How far ahead of now a fragment may reach, seconds.
+    pub const AHEAD_SECS: f64 = 3600.0;
+    /// Fragments that a mind may send at once.
+    pub const BURST: f64 = 20.0;
+    /// Fragments a second of story time that it may send for long.
+    pub const RATE_HZ: f64 = 10.0;
+    /// Minds whose rates are told apart.
+    pub const MINDS: usize = 64;
+}
+
+/// An arm is down again this long after its last stroke, seconds: hold and retraction.
+const SETTLE_SECS: f64 = 2.0;
+
+/// What became of a fragment.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Performed {
+    /// Its number, from 1; cues name it.
+    pub fragment: u32,
+    /// The `name` of its `eml` element, by which a mind may know it again.
+    pub name: Option<String>,
+    /// What will be performed, by start; empty when the fragment was refused.
+    pub clauses: Vec<LiveClause>,
+    /// What will be said, by start.
+    pub utterances: Vec<UtteranceCue>,
+    /// The index of the first of [`Performed::utterances`].
+    pub first_utterance: usize,
+    /// What is wrong. An error has cost a clause, or the whole fragment.
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+/// A clause that was accepted.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LiveClause {
+    /// Which it is.
+    pub clause: ClauseRef,
+    /// Story time, seconds.
+    pub start_secs: f64,
+    /// Story time, seconds.
+    pub end_secs: f64,
+}
+
+/// A fragment that is being performed, or is remembered.
+struct Fragment {
+    bytes: usize,
+    clauses: usize,
+    end_secs: f64,
+    first_utterance: usize,
+    marks: SortedMap<Name, f64>,
+    part: Part,
+    /// Nothing of it has been told: it may begin at a time up to which everything else was.
+    fresh: bool,
+}
+
+/// How much a mind may still send.
+struct Allowance {
+    mind: u32,
+    fragments: f64,
+    at_secs: f64,
+}
+
+/// What a fragment meets.
+pub(crate) struct Scene<'a> {
+    pub(crate) units: &'a Units,
+    pub(crate) reach: &'a Reach,
+    pub(crate) bundle: Option<&'a Arc<Bundle>>,
+    /// The story's named moments.
+    pub(crate) marks: &'a SortedMap<Name, f64>,
+    /// Who performs before the fragment joins.
+    pub(crate) actor: &'a Actor,
+}
+
+/// The live part of a performance.
+pub(crate) struct Live {
+    /// In the order in which they came.
+    fragments: Vec<Fragment>,
+    fragments_begun: u32,
+    utterances_begun: usize,
+    allowances: Vec<Allowance>,
+    /// Clauses that a seek has passed over, not yet told.
+    skipped: Vec<Cue>,
+}
+
+impl Live {
+    /// `utterances` is how many the story has.
+    pub(crate) fn new(utterances: usize) -> Self {
+        Self {
+            fragments: Vec::new(),
+            fragments_begun: 0,
+            utterances_begun: utterances,
+            allowances: Vec::new(),
+            skipped: Vec::new(),
+        }
+    }
+
+    /// What is performed, in the order in which it came.
+    pub(crate) fn parts(&self) -> impl Iterator<Item = &Part> + Clone {
+        self.fragments.iter().map(|f| &f.part)
+    }
+
+    /// When the last clause ends, story time; minus infinity when there is none.
+    pub(crate) fn end_secs(&self) -> f64 {
+        let ends = self.fragments.iter().map(|f| f.end_secs);
+        ends.fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    /// What is said, with the indices of the utterances.
+    pub(crate) fn utterances(&self) -> impl Iterator<Item = (usize, &UtteranceCue)> {
+        self.fragments
+            .iter()
+            .flat_map(|f| (f.first_utterance..).zip(&f.part.utterances))
+    }
+
+    /// Whether a mind may send at a time without being refused for its pace.
+    pub(crate) fn has_room(&self, mind: u32, now_secs: f64) -> bool {
+        let mut known = self.allowances.iter();
+        known
+            .find(|a| a.mind == mind)
+            .is_none_or(|a| a.at(now_secs) >= 1.0)
+    }
+
+    /// Takes one fragment from a mind's allowance, if it has one left.
+    fn spend(&mut self, mind: u32, now_secs: f64) -> bool {
+        let known = self.allowances.iter().position(|a| a.mind == mind);
+        let mut allowance = match known {
+            Some(i) => self.allowances.remove(i),
+            None => Allowance {
+                mind,
+                fragments: limits::BURST,
+                at_secs: now_secs,
+            },
+        };
+        allowance.fragments = allowance.at(now_secs);
+        allowance.at_secs = now_secs;
+        let may = allowance.fragments >= 1.0;
+        allowance.fragments -= f64::from(u8::from(may));
+        // The one that has been silent longest is the first to go.
+        self.allowances.push(allowance);
+        if self.allowances.len() > limits::MINDS {
+            self.allowances.remove(0);
+        }
+        may
+    }
+
+    /// Takes a fragment in, at times that count from `base_secs`.
+    pub(crate) fn admit(
+        &mut self,
+        mind: u32,
+        text: &str,
+        now_secs: f64,
+        base_secs: f64,
+        scene: &Scene<'_>,
+    ) -> Performed {
+        self.fragments_begun = self.fragments_begun.wrapping_add(1);
+        let mut performed = Performed {
+            fragment: self.fragments_begun,
+            first_utterance: self.utterances_begun,
+            ..Performed::default()
+        };
+        if let Err(refusal) = self.join(mind, text, now_secs, base_secs, scene, &mut performed) {
+            performed.clauses.clear();
+            performed.utterances.clear();
+            performed.diagnostics.push(refusal);
+        }
+        performed
+    }
+
+    fn join(
+        &mut self,
+        mind: u32,
+        text: &str,
+        now_secs: f64,
+        base_secs: f64,
+        scene: &Scene<'_>,
+        performed: &mut Performed,
+    ) -> Result<(), Diagnostic> {
+        if !self.spend(mind, now_secs) {
+            let message = "too many fragments at once; this one was not read";
+            let hint = format!("send at most {} a second", limits::RATE_HZ);
+            return Err(refusal("live::busy", message).hint(hint));
+        }
+        if text.len() > limits::FRAGMENT_BYTES {
+            let message = format!("a fragment has at most {} bytes", limits::FRAGMENT_BYTES);
+            return Err(refusal("live::too-large", message));
+        }
+        let mut parsed = parse_fragment(text);
+        performed.name = parsed.document.name.clone();
+        let most = limits::REMEMBERED_CLAUSES as u64 + 1;
+        let played = times::played_out(&parsed.document, most) as usize;
+        self.make_room(text.len(), played, now_secs)?;
+        let late = times::bind(&mut parsed.document, base_secs, |name| {
+            self.mark(name).or_else(|| scene.marks.get(name).copied())
+        });
+        parsed.diagnostics.extend(late);
+        let mut script = Script::resolve(parsed, scene.bundle.cloned(), scene.bundle.is_some());
+        performed.diagnostics.append(&mut script.diagnostics);
+        let far = out_of_reach(&script.document, scene.units, scene.reach);
+        performed.diagnostics.extend(far);
+        script.timeline = delayed(script.timeline, base_secs);
+        let sudden = Part::new(&script, scene.units, 0, None);
+        let run_up_secs = run_up(&sudden, scene.actor, base_secs);
+        script.timeline = delayed(script.timeline, run_up_secs);
+        let lead_in_secs = script.timeline.lead_in_secs - base_secs;
+        let end_secs = script.timeline.duration_secs;
+        if lead_in_secs.max(end_secs - now_secs) > limits::AHEAD_SECS {
+            let message = format!("a fragment reaches at most {} s ahead", limits::AHEAD_SECS);
+            return Err(refusal("live::too-far", message));
+        }
+        let clauses = script.timeline.clauses.iter();
+        performed.clauses = clauses
+            .filter(|c| !times::is_anchor(script.document.clause(c.clause)))
+            .map(|timed| LiveClause {
+                clause: ClauseRef::of(timed),
+                start_secs: timed.start_secs,
+                end_secs: timed.end_secs,
+            })
+            .collect();
+        if performed.clauses.is_empty() {
+            let failed = performed.diagnostics.iter();
+            return if failed.clone().any(|d| d.severity == Severity::Error) {
+                Ok(())
+            } else {
+                Err(refusal(
+                    "live::empty",
+                    "there is no clause in this fragment",
+                ))
+            };
+        }
+        let first_utterance = self.utterances_begun;
+        let part = Part::new(
+            &script,
+            scene.units,
+            first_utterance,
+            Some(performed.fragment),
+        );
+        self.utterances_begun += part.utterances.len();
+        performed.utterances.clone_from(&part.utterances);
+        self.fragments.push(Fragment {
+            bytes: text.len(),
+            clauses: played.max(1),
+            end_secs,
+            first_utterance,
+            marks: script.timeline.marks,
+            part,
+            fresh: true,
+        });
+        Ok(())
+    }
+
+    /// The story time of a name in what is remembered; of several, the last that came.
+    fn mark(&self, name: &str) -> Option<f64> {
+        let mut fragments = self.fragments.iter().rev();
+        fragments.find_map(|f| f.marks.get(name).copied())
+    }
+
+    /// Forgets what has been over for long, and as much more of what is over as it takes.
+    fn make_room(&mut self, bytes: usize, clauses: usize, now_secs: f64) -> Result<(), Diagnostic> {
+        let over = |f: &Fragment, secs: f64| f.end_secs + SETTLE_SECS + secs < now_secs;
+        self.fragments.retain(|f| !over(f, limits::REMEMBERED_SECS));
+        loop {
+            let sum = |of: fn(&Fragment) -> usize| self.fragments.iter().map(of).sum::<usize>();
+            if bytes + sum(|f| f.bytes) <= limits::REMEMBERED_BYTES
+                && clauses + sum(|f| f.clauses) <= limits::REMEMBERED_CLAUSES
+            {
+                return Ok(());
+            }
+            let Some(oldest) = self.fragments.iter().position(|f| over(f, 0.0)) else {
+                let message = "there is no room for more clauses before some have finished";
+                return Err(refusal("live::full", message));
+            };
+            self.fragments.remove(oldest);
+        }
+    }
+
+    /// The cues after `from_secs` up to and including `to_secs`, those of each fragment by
+    /// time, and the clauses that were skipped.
+    pub(crate) fn take_cues(&mut self, from_secs: f64, to_secs: f64) -> Vec<Cue> {
+        let mut cues = std::mem::take(&mut self.skipped);
+        for fragment in &mut self.fragments {
+            let fresh = std::mem::take(&mut fragment.fresh);
+            let from_secs = if fresh { f64::NEG_INFINITY } else { from_secs };
+            cues.extend_from_slice(between(&fragment.part.cues, from_secs, to_secs));
+        }
+        cues
+    }
+
+    /// Notes the clauses that a move from one time to a later one passes over.
+    pub(crate) fn skip(&mut self, from_secs: f64, to_secs: f64) {
+        for fragment in &mut self.fragments {
+            fragment.fresh = false;
+            for cue in between(&fragment.part.cues, from_secs, to_secs) {
+                if self.skipped.len() >= limits::REMEMBERED_CLAUSES {
+                    return;
+                }
+                if let CueKind::ClauseEnd(clause) = &cue.kind {
+                    self.skipped.push(Cue {
+                        time_secs: to_secs,
+                        kind: CueKind::ClauseSkipped(clause.clone()),
+                        ..*cue
+                    });
+                }
+            }
+        }
+    }
+}
+
+impl Allowance {
+    /// What is left at a time. A clock that went back gives nothing.
+    fn at(&self, now_secs: f64) -> f64 {
+        let since_secs = (now_secs - self.at_secs).max(0.0);
+        (self.fragments + since_secs * limits::RATE_HZ).min(limits::BURST)
+    }
+}
+
+/// The cues after one time up to and including another; none when time runs backwards.
+pub(crate) fn between(cues: &[Cue], from_secs: f64, to_secs: f64) -> &[Cue] {
+    let first = cues.partition_point(|c| c.time_secs <= from_secs);
+    let last = cues.partition_point(|c| c.time_secs <= to_secs);
+    cues.get(first..last).unwrap_or_default()
+}
+
+/// By how much a fragment is delayed so that its hands are there in time, seconds. Speech
+/// waits for them, for both are one utterance (GEVH D.2: a lead-in delays the whole).
+fn run_up(part: &Part, actor: &Actor, base_secs: f64) -> f64 {
+    let mut delay: f64 = 0.0;
+    for side in Side::BOTH {
+        for stroke in &part.strokes[side.index()] {
+            let Some(first) = stroke.keys.first() else {
+                continue;
+            };
+            let needed = actor.plan(side).time_to(base_secs, first.wrist_in_world);
+            delay = delay.max(base_secs + needed - first.time_secs);
+        }
+    }
+    delay
+}
+
+fn refusal(code: &'static str, message: impl Into<String>) -> Diagnostic {
+    Diagnostic::error(code, Span::default(), message)
+}

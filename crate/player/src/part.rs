@@ -1,0 +1,147 @@
+//! A script lowered for one figure: what it asks of arms and voice, and what it tells.
+
+use raconteur_actor::{Accent, ArmScript, GestureStroke, Performance, SpokenUtterance};
+use raconteur_base::order::sort_by_number;
+use raconteur_base::{DVec3, Side};
+use raconteur_speech::{Phone, Word};
+
+use crate::cues::{self, Cue, UtteranceCue};
+use crate::gestures;
+use crate::performer::Options;
+use crate::script::Script;
+use crate::units::Units;
+
+/// How strongly the actor marks an emphasised word, 0..1. Designed.
+const EMPHASIS_ACCENT: f64 = 1.0;
+
+/// A story, or a fragment of a live performance, at its times.
+pub(crate) struct Part {
+    /// Strokes of the left and right arm.
+    pub(crate) strokes: [Vec<GestureStroke>; 2],
+    /// When gestures are turned on and off, by time.
+    switches: Vec<(f64, bool)>,
+    speech: Vec<SpokenUtterance>,
+    /// What is said, by time.
+    pub(crate) utterances: Vec<UtteranceCue>,
+    /// What listeners are told, by time.
+    pub(crate) cues: Vec<Cue>,
+}
+
+impl Part {
+    /// Lowers a script. `first_utterance` is the index of its first utterance, `fragment` the
+    /// number of a live fragment.
+    pub(crate) fn new(
+        script: &Script,
+        units: &Units,
+        first_utterance: usize,
+        fragment: Option<u32>,
+    ) -> Self {
+        let (document, timeline) = (&script.document, &script.timeline);
+        let utterances = cues::utterances(script);
+        Self {
+            strokes: Side::BOTH.map(|side| gestures::strokes(document, timeline, side, units)),
+            switches: gestures::switches(document, timeline),
+            speech: utterances.iter().map(|u| spoken(script, u)).collect(),
+            cues: cues::cues(script, &utterances, first_utterance, fragment),
+            utterances,
+        }
+    }
+}
+
+/// What the figure does when all parts are performed together.
+pub(crate) fn performance<'a>(
+    parts: impl Iterator<Item = &'a Part> + Clone,
+    options: &Options,
+    listener_in_world: DVec3,
+) -> Performance {
+    let mut switches: Vec<(f64, bool)> = parts
+        .clone()
+        .flat_map(|p| p.switches.iter().copied())
+        .collect();
+    sort_by_number(&mut switches, |(time_secs, _)| *time_secs);
+    let on = gestures::on_spans(&switches);
+    Performance {
+        arms: Side::BOTH.map(|side| ArmScript {
+            strokes: parts
+                .clone()
+                .flat_map(|p| p.strokes[side.index()].iter().cloned())
+                .collect(),
+            on: on.clone(),
+        }),
+        speech: parts.flat_map(|p| p.speech.iter().cloned()).collect(),
+        seed: options.seed,
+        motion_amount: options.motion_amount,
+        listener_in_world,
+    }
+}
+
+/// What the actor needs to know of an utterance: phones for the lips, words, accents.
+fn spoken(script: &Script, cue: &UtteranceCue) -> SpokenUtterance {
+    let phones = script.phones(cue.clause);
+    SpokenUtterance {
+        start_secs: cue.start_secs,
+        duration_secs: cue.duration_secs,
+        phones: if phones.is_empty() {
+            murmured(cue)
+        } else {
+            phones.to_vec()
+        },
+        phone_set: script.phone_set().to_owned(),
+        words: cue
+            .words
+            .iter()
+            .map(|w| Word {
+                text: w.text.clone(),
+                start_secs: w.start_secs - cue.start_secs,
+                end_secs: w.end_secs - cue.start_secs,
+            })
+            .collect(),
+        accents: cue
+            .words
+            .iter()
+            .filter(|w| w.emphasized)
+            .map(|w| Accent {
+                offset_secs: w.start_secs - cue.start_secs,
+                strength: EMPHASIS_ACCENT,
+            })
+            .collect(),
+    }
+}
+
+/// Phones for a text that was not baked, so that the lips move with the captions: one
+/// consonant and one vowel for every three letters of a word. Designed; a diagnostic has
+/// said that the voice is missing.
+fn murmured(cue: &UtteranceCue) -> Vec<Phone> {
+    const SYLLABLES: [[&str; 2]; 4] = [["m", "aa"], ["d", "eh"], ["s", "iy"], ["n", "ow"]];
+    let mut phones = Vec::new();
+    let mut push = |symbol: &str, start_secs: f64, end_secs: f64, word: Option<usize>| {
+        if end_secs > start_secs {
+            phones.push(Phone {
+                symbol: symbol.to_owned(),
+                start_secs,
+                end_secs,
+                word,
+            });
+        }
+    };
+    let mut now = 0.0;
+    for (index, word) in cue.words.iter().enumerate() {
+        let (start, end) = (
+            word.start_secs - cue.start_secs,
+            word.end_secs - cue.start_secs,
+        );
+        push("pau", now, start, None);
+        let letters = word.text.chars().filter(|c| c.is_alphanumeric()).count();
+        let syllables = letters.div_ceil(3).clamp(1, 8);
+        let step = (end - start) / syllables as f64;
+        for s in 0..syllables {
+            let from = start + step * s as f64;
+            let [consonant, vowel] = SYLLABLES[(index + s) % SYLLABLES.len()];
+            push(consonant, from, from + 0.4 * step, Some(index));
+            push(vowel, from + 0.4 * step, from + step, Some(index));
+        }
+        now = end;
+    }
+    push("pau", now, cue.duration_secs, None);
+    phones
+}

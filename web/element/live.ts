@@ -1,0 +1,39 @@
+/** What is said: the story's utterances, and those of live fragments while they are remembered. */
+
+import type { Performance, Utterance } from './types.js';
+
+/** As long as the engine remembers what is over. */
+const KEEP_SECS = 300;
+
+/** Utterances by the index that cues give. */
+export class LiveScript implements Iterable<Utterance> {
+  readonly #story: readonly Utterance[];
+  readonly #live = new Map<number, Utterance>();
+
+  constructor(story: readonly Utterance[]) {
+    this.#story = story;
+  }
+
+  at(index: number): Utterance | undefined {
+    return this.#story[index] ?? this.#live.get(index);
+  }
+
+  *[Symbol.iterator](): Iterator<Utterance> {
+    yield* this.#story;
+    yield* this.#live.values();
+  }
+
+  /** Adds what a fragment says and forgets what is long over; everything by time. */
+  add({ utterances, firstUtterance }: Performance, nowSecs: number): Utterance[] {
+    for (const [index, { startSecs, durationSecs }] of this.#live) {
+      if (startSecs + durationSecs < nowSecs - KEEP_SECS) this.#live.delete(index);
+    }
+    utterances.forEach((utterance, i) => this.#live.set(firstUtterance + i, utterance));
+    return [...this].sort((a, b) => a.startSecs - b.startSecs);
+  }
+
+  /** Forgets everything but the story. */
+  forget(): void {
+    this.#live.clear();
+  }
+}
