@@ -8,8 +8,36 @@
 const MOST_DIGITS: u32 = 19;
 /// 10 to this power still leaves a bit of 128 for the doubling below.
 const MOST_POWER: u32 = 37;
+/// The powers of ten that a float holds exactly.
+const EXACT_POWERS: [f64; 23] = [
+    1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16,
+    1e17, 1e18, 1e19, 1e20, 1e21, 1e22,
+];
 /// Numbers with more places than this are zero or infinite.
 const MOST_PLACES: i32 = 400;
+
+/// Nearly every number: at most 15 digits and a point, without sign or exponent. Digits
+/// and power are exact in a float, so the one division rounds once (Clinger 1990).
+pub(crate) fn parse_short(text: &[u8]) -> Option<f64> {
+    if text.len() > 15 {
+        return None;
+    }
+    let (mut whole, mut digits, mut places, mut pointed) = (0_u64, 0_usize, 0_usize, false);
+    for &byte in text {
+        let digit = byte.wrapping_sub(b'0');
+        if digit < 10 {
+            whole = whole * 10 + u64::from(digit);
+            digits += 1;
+            places += usize::from(pointed);
+        } else if byte == b'.' && !pointed {
+            pointed = true;
+        } else {
+            return None;
+        }
+    }
+    #[expect(clippy::cast_precision_loss, reason = "15 digits fit")]
+    (digits > 0).then(|| whole as f64 / EXACT_POWERS[places])
+}
 
 /// The number that `text` says; none when it says none. Too large ones are infinite.
 pub(crate) fn parse(text: &str) -> Option<f64> {
@@ -18,14 +46,11 @@ pub(crate) fn parse(text: &str) -> Option<f64> {
         [b'+', rest @ ..] => (1.0, rest),
         rest => (1.0, rest),
     };
-    for (name, value) in [
-        ("inf", f64::INFINITY),
-        ("infinity", f64::INFINITY),
-        ("nan", f64::NAN),
-    ] {
-        if rest.eq_ignore_ascii_case(name.as_bytes()) {
-            return Some(sign * value);
-        }
+    if let Some(value) = parse_short(rest) {
+        return Some(sign * value);
+    }
+    if rest.first().is_some_and(u8::is_ascii_alphabetic) {
+        return word(rest).map(|value| sign * value);
     }
     let mut exponent = 0_i32;
     let mut digits = rest;
@@ -53,6 +78,15 @@ pub(crate) fn parse(text: &str) -> Option<f64> {
         }
     }
     any.then(|| sign * scaled(whole, exponent.clamp(-MOST_PLACES, MOST_PLACES)))
+}
+
+/// A value that is written as a word.
+fn word(text: &[u8]) -> Option<f64> {
+    let is = |name: &str| text.eq_ignore_ascii_case(name.as_bytes());
+    if is("inf") || is("infinity") {
+        return Some(f64::INFINITY);
+    }
+    is("nan").then_some(f64::NAN)
 }
 
 /// An exponent; those beyond any use are cut to some that are as good.
@@ -84,6 +118,17 @@ fn scaled(whole: u64, exponent: i32) -> f64 {
         return 0.0;
     }
     let power = exponent.unsigned_abs();
+    // As in `parse_short`.
+    if whole < 1 << 53
+        && let Some(ten) = EXACT_POWERS.get(power as usize)
+    {
+        let whole = whole as f64;
+        return if exponent < 0 {
+            whole / ten
+        } else {
+            whole * ten
+        };
+    }
     let ten = 10_u128.pow(power.min(MOST_POWER));
     let mut value = if exponent < 0 {
         // Long division in binary until more bits are known than a number keeps; the last

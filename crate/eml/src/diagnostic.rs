@@ -99,12 +99,17 @@ impl Sink {
     }
 
     pub(crate) fn push(&mut self, diagnostic: Diagnostic) {
-        if self.list.len() < self.limit {
-            self.list.push(diagnostic);
-        } else {
+        if self.is_full() {
             self.left_out += 1;
             self.last = diagnostic.span;
+        } else {
+            self.list.push(diagnostic);
         }
+    }
+
+    /// Whether further diagnostics are only counted, so that what they say does not matter.
+    pub(crate) fn is_full(&self) -> bool {
+        self.list.len() >= self.limit
     }
 
     /// The diagnostics in the order of the text, then the count of those left out.

@@ -18,7 +18,7 @@ use crate::clauses::players::{
 use crate::clauses::sets::Set;
 use crate::clauses::speech::{VoiceChange, VoiceSay};
 use crate::record::Record;
-use crate::{GestureKey, Span, TimeExpr, VoiceText};
+use crate::{GestureKey, Name, Span, TimeExpr, VoiceText};
 use std::borrow::Cow;
 
 /// The place of a clause in [`Document::clauses`].
@@ -76,7 +76,7 @@ pub struct Clause {
     /// relative to its group (GEVH D.2.4, D.2.5).
     pub start: TimeExpr,
     /// The name that other clauses may call its start (GEVH D.2.2).
-    pub time_id: Option<String>,
+    pub time_id: Option<Name>,
     /// The seq or par it stands in; none in the body.
     pub parent: Option<ClauseId>,
     /// What it does.
@@ -95,9 +95,9 @@ pub enum ClauseKind {
     /// Tells listeners that something happened (GEVH D.1.4).
     Event {
         /// The listeners' category.
-        kind: Option<String>,
+        kind: Option<Name>,
         /// The character data, references resolved.
-        payload: String,
+        payload: Name,
     },
     /// Keeps the script running until its time (GEVH D.1.5).
     Null,

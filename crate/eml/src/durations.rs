@@ -1,7 +1,8 @@
 //! How long speech takes: asked of whoever knows.
 
-use crate::voice::Item;
+use crate::voice::{Item, letters};
 use crate::{Piece, VoiceText};
+use std::ops::ControlFlow;
 
 /// Knows how long spoken texts take. The player answers from a speech bundle.
 pub trait Durations {
@@ -69,33 +70,32 @@ impl Durations for EstimatedDurations {
             _ => None,
         });
         let mut next_break = breaks.next();
+        // About one word in six bytes; a list that grows is copied several times.
+        let bytes = text.pieces.iter().map(|piece| match piece {
+            Piece::Text { text, .. } => text.len(),
+            _ => 0,
+        });
+        timing.words.reserve(bytes.sum::<usize>() / 6 + 1);
         let mut now = 0.0_f64;
         // Where silence after the last word ends; the utterance ends with the word.
         let mut resume = 0.0_f64;
         text.scan(|item| {
-            let Item::Word(word) = item else { return };
+            let Item::Word(word) = item else {
+                return ControlFlow::Continue(());
+            };
             while let Some((_, secs)) = next_break.filter(|&(at, _)| at < word.span.start) {
                 resume += secs;
                 next_break = breaks.next();
             }
-            let letters = word.text.chars().filter(|c| c.is_alphanumeric()).count();
+            let letters = letters(&word.text);
             let start_secs = resume;
             now = start_secs + SECS_PER_WORD + SECS_PER_LETTER * letters as f64;
             timing.words.push(WordTime {
                 start_secs,
                 end_secs: now,
             });
-            let mark = word
-                .text
-                .trim_end_matches(['"', '\'', ')', '”', '’', '»'])
-                .chars()
-                .last();
-            resume = now
-                + match mark {
-                    Some('.' | '!' | '?' | '…') => SENTENCE_SECS,
-                    Some(',' | ';' | ':') => COMMA_SECS,
-                    _ => 0.0,
-                };
+            resume = now + pause_after(&word.text);
+            ControlFlow::Continue(())
         });
         let trailing: f64 = next_break
             .iter()
@@ -109,6 +109,19 @@ impl Durations for EstimatedDurations {
             now
         };
         timing
+    }
+}
+
+/// The pause that the punctuation at the end of a word asks for.
+fn pause_after(word: &str) -> f64 {
+    if word.ends_with(|c: char| c.is_ascii_alphanumeric()) {
+        return 0.0;
+    }
+    let bare = word.trim_end_matches(['"', '\'', ')', '”', '’', '»']);
+    match bare.chars().next_back() {
+        Some('.' | '!' | '?' | '…') => SENTENCE_SECS,
+        Some(',' | ';' | ':') => COMMA_SECS,
+        _ => 0.0,
     }
 }
 

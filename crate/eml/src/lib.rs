@@ -24,12 +24,14 @@ mod record;
 #[cfg(feature = "reference")]
 pub mod reference;
 pub mod schema;
+mod sorted;
 mod span;
 mod suggest;
 mod syntax;
 mod time_expr;
 mod timeline;
 mod voice;
+mod work;
 #[cfg(any(test, feature = "write"))]
 mod write;
 
@@ -65,7 +67,12 @@ pub use gesture::{
     ShapeKey, Space, Track,
 };
 pub use namespaces::{EXTENSIONS, EXTENSIONS_PREFIX};
-pub use parse::{Limits, Parsed, parse, parse_bytes, parse_fragment, parse_with};
+pub use parse::{
+    Limits, Parsed, parse, parse_bytes, parse_fragment, parse_fragment_with, parse_with,
+};
+/// A name or another short text: up to 23 bytes need no allocation, and copies are cheap.
+pub use smol_str::SmolStr as Name;
+pub use sorted::SortedMap;
 pub use span::{LineIndex, Position, Span};
 pub use time_expr::{NameTerm, TimeExpr};
 pub use timeline::{Resolved, TimedClause, Timeline};

@@ -1,7 +1,7 @@
 //! The namespaces of a document: what a prefix means where.
 
 use crate::diagnostic::Sink;
-use crate::syntax::Tree;
+use crate::syntax::{NodeKind, Tree};
 use crate::{Diagnostic, Span};
 
 /// The namespace of what this player adds to the language of the thesis. A document
@@ -50,7 +50,17 @@ impl<'t> Namespaces<'t> {
         if !tree.attributes.iter().any(|a| a.name.starts_with("xmlns")) {
             return Self::default();
         }
+        // While the elements of a body are taken out, the root and the body are open.
+        let body = tree.taken_from.map(|body| body as usize);
+        let is_element = |kind| !matches!(kind, NodeKind::Text | NodeKind::Reference(_));
+        let root = body.and(tree.nodes.iter().position(|n| is_element(n.kind)));
         for (from, node) in tree.nodes.iter().enumerate() {
+            let is_open = Some(from) == body || Some(from) == root;
+            let to = if is_open && node.subtree_end as usize == from + 1 {
+                usize::MAX
+            } else {
+                node.subtree_end as usize
+            };
             for attribute in tree.attributes_of(from) {
                 let Some(prefix) = bound_by(attribute.name) else {
                     continue;
@@ -67,7 +77,7 @@ impl<'t> Namespaces<'t> {
                     prefix,
                     extensions: attribute.value.trim() == EXTENSIONS,
                     from,
-                    to: node.subtree_end as usize,
+                    to,
                 });
             }
         }

@@ -2,10 +2,10 @@
 
 use crate::diagnostic::Sink;
 use crate::namespaces::{Namespaces, Owner};
-use crate::schema::{self, Content, Context, Element, Fields, Role};
+use crate::schema::{self, Content, Context, Element, Fields, Role, Tally};
 use crate::suggest::quoted;
 use crate::syntax::{self, NodeKind};
-use crate::{Clause, ClauseId, ClauseKind, Diagnostic, Document, Span, TimeExpr};
+use crate::{Clause, ClauseId, ClauseKind, Diagnostic, Document, Name, Span, TimeExpr};
 
 /// Bounds on what a document may cost.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -16,6 +16,10 @@ pub struct Limits {
     pub depth: usize,
     /// Clauses in the document; later ones are dropped. Default 200 000.
     pub clauses: usize,
+    /// Clauses in the timeline, each repetition counted; groups whose repetitions go
+    /// beyond play once. A document with more clauses than that plays all of them once.
+    /// Default 200 000.
+    pub timed_clauses: usize,
     /// Attributes an element; later ones are ignored. Default 64.
     pub attributes: usize,
     /// Diagnostics; the rest is counted. Default 200.
@@ -28,6 +32,7 @@ impl Default for Limits {
             bytes: 16 << 20,
             depth: 64,
             clauses: 200_000,
+            timed_clauses: 200_000,
             attributes: 64,
             diagnostics: 200,
         }
@@ -57,10 +62,16 @@ pub fn parse_with(source: &str, limits: &Limits) -> Parsed {
 }
 
 /// Reads what a mind sends during a performance: a list of clauses, or a whole
-/// script.
+/// script. With the default limits.
 #[must_use]
 pub fn parse_fragment(source: &str) -> Parsed {
-    read(source, &Limits::default(), true)
+    parse_fragment_with(source, &Limits::default())
+}
+
+/// [`parse_fragment`] with other limits.
+#[must_use]
+pub fn parse_fragment_with(source: &str, limits: &Limits) -> Parsed {
+    read(source, limits, true)
 }
 
 /// Reads a script from bytes that should be UTF-8. The spans count in those bytes.
@@ -107,10 +118,20 @@ fn read(source: &str, limits: &Limits, fragment: bool) -> Parsed {
         };
     }
     report_controls(source, &mut sink);
-    let tree = syntax::build(source, limits, &mut sink);
-    document
-        .clauses
-        .reserve((tree.nodes.len() / 8).min(limits.clauses));
+    let mut taken = Taken::default();
+    let tree = syntax::build(source, limits, &mut sink, &mut |tree, node, sink| {
+        let mut cx = Context {
+            // What is wrong with them is told once, when the tree is whole.
+            namespaces: Namespaces::of(tree, &mut Sink::new(0)),
+            tree,
+            sink,
+            document: &mut document,
+            limits,
+            told_clauses: taken.told_clauses,
+        };
+        cx.take(node, &mut taken);
+        taken.told_clauses = cx.told_clauses;
+    });
     let namespaces = Namespaces::of(&tree, &mut sink);
     let mut cx = Context {
         tree: &tree,
@@ -118,14 +139,21 @@ fn read(source: &str, limits: &Limits, fragment: bool) -> Parsed {
         document: &mut document,
         limits,
         namespaces,
-        told_clauses: false,
+        told_clauses: taken.told_clauses,
     };
-    cx.root(fragment);
+    cx.root(fragment, taken);
     crate::check::clauses(&document, fragment, &mut sink);
     Parsed {
         document,
         diagnostics: sink.finish(),
     }
+}
+
+/// What has been read of the body before the rest of the tree was there.
+#[derive(Default)]
+struct Taken {
+    tally: Option<Tally>,
+    told_clauses: bool,
 }
 
 /// Reports the first control character that XML does not allow: a sign of a file
@@ -146,7 +174,7 @@ fn report_controls(source: &str, sink: &mut Sink) {
 
 impl Context<'_> {
     /// Reads from the top of the tree.
-    fn root(&mut self, fragment: bool) {
+    fn root(&mut self, fragment: bool, mut taken: Taken) {
         let tree = self.tree;
         let mut root: Option<Span> = None;
         let mut bare: Option<Span> = None;
@@ -169,7 +197,7 @@ impl Context<'_> {
             match found {
                 Some(element) if element.name == "eml" && root.is_none() => {
                     root = Some(span);
-                    self.script(node, element);
+                    self.script(node, element, taken.tally.take());
                 }
                 Some(element) if element.name == "eml" => {
                     self.sink.push(
@@ -185,7 +213,7 @@ impl Context<'_> {
                 }
                 Some(element) if element.name == "body" => {
                     bare.get_or_insert(span);
-                    self.body(node, element);
+                    self.body(node, element, None);
                 }
                 _ => {
                     let name = quoted(tree.nodes[node].text);
@@ -231,13 +259,13 @@ impl Context<'_> {
                 tree.nodes[node].kind,
                 NodeKind::Text | NodeKind::Reference(_)
             ) {
-                self.stray_text(node, "outside `eml`", eml);
+                self.stray_text_at(node, "outside `eml`", eml);
             }
             node = tree.nodes[node].subtree_end as usize;
         }
     }
 
-    fn script(&mut self, node: usize, element: &'static Element) {
+    fn script(&mut self, node: usize, element: &'static Element, mut tally: Option<Tally>) {
         self.report_spelling(
             self.tree.nodes[node].text,
             element.name,
@@ -246,20 +274,41 @@ impl Context<'_> {
         let fields = self.fields(node, element);
         self.document.name = self.text(&fields, "name");
         self.children(node, element, |cx, child, entry| match entry.name {
-            "body" => cx.body(child, entry),
+            "body" => cx.body(child, entry, tally.take()),
             _ => schema::read_head(cx, child, entry),
         });
     }
 
-    fn body(&mut self, node: usize, element: &'static Element) {
+    /// Reads an element of the body while the rest of the document is not there yet.
+    fn take(&mut self, node: usize, taken: &mut Taken) {
+        let tree = self.tree;
+        let body = tree.taken_from.map(|body| tree.nodes[body as usize].kind);
+        let (Some(NodeKind::Element(Some(body))), NodeKind::Element(found)) =
+            (body, tree.nodes[node].kind)
+        else {
+            return;
+        };
+        let tally = taken.tally.get_or_insert_with(|| Tally::new(body));
+        if let Some(entry) = self.admit_counted(tally, node, found) {
+            self.body_child(node, entry);
+        }
+    }
+
+    fn body_child(&mut self, node: usize, entry: &'static Element) {
+        if let Some(id) = self.clause(node, entry, None) {
+            self.document.roots.push(id);
+        }
+    }
+
+    /// Reads the body, or what is left of it when `taken` is what has been taken out.
+    fn body(&mut self, node: usize, element: &'static Element, taken: Option<Tally>) {
         self.fields(node, element);
-        self.children(node, element, |cx, child, entry| {
-            if let Some(id) = cx.clause(child, entry, None) {
-                cx.document.roots.push(id);
-            }
-        });
         // White space is not in the tree.
-        if self.tree.nodes[node].subtree_end as usize == node + 1 {
+        let end = self.tree.nodes[node].subtree_end as usize;
+        let is_empty = taken.is_none() && end == node + 1;
+        let mut tally = taken.unwrap_or_else(|| Tally::new(element));
+        self.children_counted(node, &mut tally, Self::body_child);
+        if is_empty {
             let span = self.name_span(node);
             self.sink.push(Diagnostic::warning(
                 "eml::empty-body",
@@ -291,7 +340,7 @@ impl Context<'_> {
         }
         let fields = self.fields(node, element);
         let start = self.time(&fields);
-        let time_id = self.name(&fields, "timeId");
+        let time_id = self.name(&fields, "timeId").map(Name::from);
         self.warn_of_missing_time(&fields, parent);
         let mut clause = Clause {
             span: self.full_span(node),

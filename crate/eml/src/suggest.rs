@@ -1,5 +1,7 @@
 //! The nearest of some known names, for hints.
 
+use crate::work::step;
+
 /// Names longer than this are never near anything; it bounds the work.
 const LONGEST: usize = 48;
 
@@ -26,6 +28,7 @@ pub(crate) fn nearest<'c>(
 /// Edit distance with neighbouring swaps as one edit (optimal string alignment), over
 /// bytes in lower case.
 fn distance(a: &str, b: &str) -> usize {
+    step(a.len() * b.len());
     let a = a.to_ascii_lowercase().into_bytes();
     let b = b.to_ascii_lowercase().into_bytes();
     let mut before = vec![0; b.len() + 1];

@@ -1,6 +1,6 @@
 //! Time expressions: `t1+2.5s-1m` (GEVH D.2.1 to D.2.3).
 
-use crate::Span;
+use crate::{Name, Span};
 
 /// A sum of seconds and named moments.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -17,7 +17,7 @@ pub struct TimeExpr {
 #[derive(Clone, Debug, PartialEq)]
 pub struct NameTerm {
     /// The name that a `timeId` or a `tm` gives.
-    pub name: String,
+    pub name: Name,
     /// Whether it is subtracted.
     pub negative: bool,
     /// Where it is written.
@@ -59,9 +59,7 @@ pub(crate) fn is_name(text: &str) -> bool {
 /// a name, and a sign may lead. `start` is the offset of `text` in the source.
 pub(crate) fn parse(text: &str, start: u32) -> Result<TimeExpr, Problem> {
     // Nearly every expression is a plain number.
-    let plain = !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit() || b == b'.');
-    if plain
-        && let Some(offset_secs) = crate::decimal::parse(text)
+    if let Some(offset_secs) = crate::decimal::parse_short(text.as_bytes())
         && offset_secs <= MAX_SECS
     {
         let span = Span::of(start as usize, start as usize + text.len());
@@ -118,7 +116,7 @@ pub(crate) fn parse(text: &str, start: u32) -> Result<TimeExpr, Problem> {
                 return Err(lexer.unexpected("a number or a name"));
             }
             expr.names.push(NameTerm {
-                name: name.to_owned(),
+                name: name.into(),
                 negative,
                 span: Span::new(at(term_start), at(lexer.position)),
             });
@@ -176,7 +174,10 @@ impl<'a> Lexer<'a> {
     }
 
     fn skip_space(&mut self) {
-        self.take(char::is_whitespace);
+        // What mostly follows is no space.
+        if !self.rest().starts_with(|c: char| c.is_ascii_graphic()) {
+            self.take(char::is_whitespace);
+        }
     }
 
     /// A number and its unit, in seconds.

@@ -1,8 +1,10 @@
 //! Spoken text with its breaks and time markers (GEVH D.4).
 
-use crate::Span;
 use crate::clauses::speech::{Audio, Boundary, Markup};
+use crate::work::step;
+use crate::{Name, Span};
 use std::borrow::Cow;
+use std::ops::ControlFlow;
 
 /// SABLE's level of text that nobody emphasised.
 pub(crate) const NO_EMPHASIS: f64 = 0.5;
@@ -23,7 +25,7 @@ pub enum Piece {
     /// reference such as `&amp;`.
     Text {
         /// The characters.
-        text: String,
+        text: Name,
         /// SABLE's emphasis level: 0 reduced, 0.5 none, 1 moderate, 2 strong.
         emphasis: f64,
         /// Where they are.
@@ -73,7 +75,7 @@ pub enum Piece {
     /// A time marker: names a moment of the next word.
     Mark {
         /// The name.
-        name: String,
+        name: Name,
         /// Which moment.
         event: MarkEvent,
         /// The element.
@@ -98,7 +100,7 @@ pub enum MarkEvent {
     /// The end of the word.
     OnEnd,
     /// The start of the first phone with this symbol in the word.
-    OnPhone(String),
+    OnPhone(Name),
 }
 
 /// A spoken word: a token between white space that holds a letter or a digit.
@@ -116,7 +118,7 @@ pub struct Word {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mark {
     /// The name.
-    pub name: String,
+    pub name: Name,
     /// Which moment of the word.
     pub event: MarkEvent,
     /// Index of the next word, or the number of words when none follows.
@@ -145,6 +147,7 @@ impl VoiceText {
                     emphasized,
                 });
             }
+            ControlFlow::Continue(())
         });
         words
     }
@@ -152,11 +155,18 @@ impl VoiceText {
     /// The time markers in order, each with its word.
     #[must_use]
     pub fn marks(&self) -> Vec<Mark> {
-        let mut marks = Vec::new();
-        if self.has_marks() {
+        let is_mark = |piece: &&Piece| matches!(piece, Piece::Mark { .. });
+        let count = self.pieces.iter().filter(is_mark).count();
+        let mut marks = Vec::with_capacity(count);
+        if count > 0 {
             self.scan(|item| {
                 if let Item::Mark(mark) = item {
                     marks.push(mark);
+                }
+                if marks.len() == count {
+                    ControlFlow::Break(())
+                } else {
+                    ControlFlow::Continue(())
                 }
             });
         }
@@ -202,14 +212,21 @@ impl VoiceText {
     /// Whether there is a word in it.
     pub(crate) fn has_words(&self) -> bool {
         self.pieces.iter().any(|p| match p {
-            Piece::Text { text, .. } => text.contains(char::is_alphanumeric),
+            Piece::Text { text, .. } => has_letter(text),
             _ => false,
         })
     }
 
-    /// Goes through words and markers in order. A marker waits for the next letter or
-    /// digit, be it in the middle of a token.
-    pub(crate) fn scan<'v>(&'v self, mut visit: impl FnMut(Item<'v>)) {
+    /// Goes through words and markers in order, as long as `visit` wants. A marker waits
+    /// for the next letter or digit, be it in the middle of a token.
+    pub(crate) fn scan<'v>(&'v self, mut visit: impl FnMut(Item<'v>) -> ControlFlow<()>) {
+        let _ = self.try_scan(&mut visit);
+    }
+
+    fn try_scan<'v>(
+        &'v self,
+        visit: &mut impl FnMut(Item<'v>) -> ControlFlow<()>,
+    ) -> ControlFlow<()> {
         let mut token = Token::default();
         let mut words = 0;
         let mut waiting: Vec<Mark> = Vec::new();
@@ -221,31 +238,31 @@ impl VoiceText {
                     span,
                 } => {
                     let verbatim = text.len() == (span.end - span.start) as usize;
-                    let mut rest = text.as_str();
-                    while !rest.is_empty() {
-                        let length = rest.bytes().position(is_space).unwrap_or(rest.len());
-                        if length > 0 {
-                            let start = span.start as usize + (text.len() - rest.len());
+                    let bytes = text.as_bytes();
+                    step(bytes.len());
+                    let mut at = 0;
+                    while at < bytes.len() {
+                        let start = at;
+                        while at < bytes.len() && !is_space(bytes[at]) {
+                            at += 1;
+                        }
+                        if at > start {
+                            let place = span.start as usize;
                             let span = if verbatim {
-                                Span::of(start, start + length)
+                                Span::of(place + start, place + at)
                             } else {
                                 *span
                             };
-                            token.add(&rest[..length], span, *emphasis);
-                            if token.spoken {
-                                waiting.drain(..).for_each(|mut mark| {
-                                    mark.word = words;
-                                    visit(Item::Mark(mark));
-                                });
+                            token.add(&text[start..at], span, *emphasis);
+                            if token.spoken && !waiting.is_empty() {
+                                pass_marks(&mut waiting, words, visit)?;
                             }
                         }
-                        rest = &rest[length..];
-                        if !rest.is_empty() {
-                            token.finish(&mut words, &mut visit);
-                            rest = &rest[rest
-                                .bytes()
-                                .position(|b| !is_space(b))
-                                .unwrap_or(rest.len())..];
+                        if at < bytes.len() {
+                            token.finish(&mut words, visit)?;
+                            while at < bytes.len() && is_space(bytes[at]) {
+                                at += 1;
+                            }
                         }
                     }
                 }
@@ -261,22 +278,60 @@ impl VoiceText {
                 | Piece::Audio { .. }
                 | Piece::DivStart { .. }
                 | Piece::DivEnd => {
-                    token.finish(&mut words, &mut visit);
+                    token.finish(&mut words, visit)?;
                 }
                 Piece::Marker { .. } | Piece::Start { .. } | Piece::End => {}
             }
         }
-        token.finish(&mut words, &mut visit);
-        waiting.into_iter().for_each(|mut mark| {
-            mark.word = words;
-            visit(Item::Mark(mark));
-        });
+        token.finish(&mut words, visit)?;
+        pass_marks(&mut waiting, words, visit)
     }
 }
 
+/// Hands on the markers that have found their word.
+fn pass_marks<'v>(
+    waiting: &mut Vec<Mark>,
+    word: usize,
+    visit: &mut impl FnMut(Item<'v>) -> ControlFlow<()>,
+) -> ControlFlow<()> {
+    waiting
+        .drain(..)
+        .try_for_each(|mark| visit(Item::Mark(Mark { word, ..mark })))
+}
+
+/// Whether a text holds a letter or a digit.
+fn has_letter(text: &str) -> bool {
+    text.bytes().any(|b| LETTER[usize::from(b)])
+        || (!text.is_ascii() && text.contains(char::is_alphanumeric))
+}
+
+/// How many letters and digits a text has.
+pub(crate) fn letters(text: &str) -> usize {
+    let (mut count, mut all) = (0, 0);
+    for b in text.bytes() {
+        count += usize::from(LETTER[usize::from(b)]);
+        all |= b;
+    }
+    if all.is_ascii() {
+        return count;
+    }
+    text.chars().filter(|c| c.is_alphanumeric()).count()
+}
+
+/// Which bytes are ASCII letters or digits.
+static LETTER: [bool; 256] = {
+    let mut table = [false; 256];
+    let mut b = 0;
+    while b < table.len() {
+        table[b] = (b as u8).is_ascii_alphanumeric();
+        b += 1;
+    }
+    table
+};
+
 /// XML's white space. A no-break space joins.
 fn is_space(b: u8) -> bool {
-    matches!(b, b' ' | b'\t' | b'\n' | b'\r')
+    b <= b' ' && matches!(b, b' ' | b'\t' | b'\n' | b'\r')
 }
 
 /// What a spoken text consists of for those who time it.
@@ -300,27 +355,32 @@ pub(crate) struct Token<'v> {
 
 impl<'v> Token<'v> {
     fn add(&mut self, part: &'v str, span: Span, emphasis: f64) {
-        self.span = if self.text.is_empty() {
-            span
-        } else {
-            self.span.to(span)
-        };
         if self.text.is_empty() {
+            self.span = span;
             self.text = Cow::Borrowed(part);
         } else {
+            self.span = self.span.to(span);
             self.text.to_mut().push_str(part);
         }
-        self.spoken = part.contains(char::is_alphanumeric);
+        self.spoken = has_letter(part);
         self.has_letter |= self.spoken;
         self.emphasized |= self.spoken && emphasis >= MODERATE_EMPHASIS;
     }
 
-    fn finish(&mut self, words: &mut usize, visit: &mut impl FnMut(Item<'v>)) {
-        let token = std::mem::take(self);
-        if token.has_letter {
-            *words += 1;
-            visit(Item::Word(token));
+    fn finish(
+        &mut self,
+        words: &mut usize,
+        visit: &mut impl FnMut(Item<'v>) -> ControlFlow<()>,
+    ) -> ControlFlow<()> {
+        if self.text.is_empty() {
+            return ControlFlow::Continue(());
         }
+        let token = std::mem::take(self);
+        if !token.has_letter {
+            return ControlFlow::Continue(());
+        }
+        *words += 1;
+        visit(Item::Word(token))
     }
 }
 

@@ -329,7 +329,7 @@ fn timeline_text(timeline: &Timeline, lines: &LineIndex<'_>) -> String {
         }
         out.push('\n');
     }
-    for (name, secs) in &timeline.marks {
+    for (name, secs) in timeline.marks.iter() {
         let _ = writeln!(out, "mark {name} {secs:.3}");
     }
     out

@@ -126,7 +126,7 @@ pub(crate) fn cues(script: &Script, utterances: &[UtteranceCue]) -> Vec<Cue> {
         ranked.push((rank, Cue { time_secs, kind }));
     };
     for timed in &script.timeline.clauses {
-        let (element, id) = (timed.element, timed.id.clone());
+        let (element, id) = (timed.element, timed.id.as_ref().map(ToString::to_string));
         push(
             1,
             timed.start_secs,
@@ -137,8 +137,8 @@ pub(crate) fn cues(script: &Script, utterances: &[UtteranceCue]) -> Vec<Cue> {
         );
         if let ClauseKind::Event { kind, payload } = &script.document.clause(timed.clause).kind {
             let event = CueKind::StoryEvent {
-                kind: kind.clone(),
-                payload: payload.clone(),
+                kind: kind.as_ref().map(ToString::to_string),
+                payload: payload.to_string(),
             };
             push(2, timed.start_secs, event);
         }

@@ -72,6 +72,10 @@ const STEADY: [f64; 2] = [0.0, 0.0];
 /// All measures of the body: means of men and women and their deviations in millimetres,
 /// share at nine, change a year.
 #[rustfmt::skip]
+#[allow(
+    clippy::redundant_closure_for_method_calls,
+    reason = "a method of a type with a lifetime is not general enough for the pointer"
+)]
 const DEFINITIONS: [Definition; 20] = [
     define("stature", "v-floor", [[1756.2, 1628.5], [68.8, 63.8]], [0.76, 0.818], SHRINKING, Source::Ansur,
         |b| b.landmark("v").map(|p| p.y)),
@@ -88,7 +92,7 @@ const DEFINITIONS: [Definition; 20] = [
     define("trochanterion_height", "tro-floor", [[900.9, 845.4], [48.7, 45.7]], [0.749, 0.798], STEADY, Source::Ansur,
         |b| b.outermost("l_femur").map(|p| p.y)),
     define("crotch_height", "crotch-floor", [[846.5, 781.1], [46.5, 42.9]], [0.73, 0.79], STEADY, Source::Ansur,
-        Physique::crotch),
+        |b| b.crotch()),
     define("knee_height", "patella-floor", [[488.4, 449.0], [28.1, 25.9]], [0.746, 0.808], STEADY, Source::Ansur,
         |b| b.middle("l_patella").map(|p| p.y)),
     define("biacromial_breadth", "acr_l-acr_r", [[415.7, 365.3], [19.6, 17.2]], [0.70, 0.79], STEADY, Source::Ansur,
@@ -96,13 +100,13 @@ const DEFINITIONS: [Definition; 20] = [
     define("hip_breadth", "widest hips", [[345.7, 353.8], [24.8, 25.4]], [0.69, 0.70], STEADY, Source::Ansur,
         |b| Some(b.widest(0.47..0.56))),
     define("upper_arm_length", "acr-rad", [[335.2, 311.3], [17.8, 16.5]], [0.746, 0.80], STEADY, Source::Ansur,
-        Physique::upper_arm),
+        |b| b.upper_arm()),
     define("forearm_length", "rad-sty", [[267.9, 241.3], [15.8, 14.3]], [0.735, 0.81], STEADY, Source::Ansur,
-        Physique::forearm),
+        |b| b.forearm()),
     define("foot_length", "pte-acp", [[271.2, 246.2], [13.2, 12.0]], [0.78, 0.85], STEADY, Source::Ansur,
-        Physique::foot),
+        |b| b.foot()),
     define("neck_girth", "below larynx", [[397.65, 329.8], [25.2, 20.9]], [0.705, 0.83], [0.268, 0.197], Source::Ansur,
-        Physique::neck_girth),
+        |b| b.neck_girth()),
     define("chest_girth", "round the ribs", [[1009.9, 860.6], [72.1, 60.3]], [0.645, 0.755], [0.3, 0.3], Source::Heinz,
         |b| Some(b.chest_girth())),
     define("waist_girth", "narrowest waist", [[845.3, 698.0], [87.8, 75.9]], [0.70, 0.83], [1.5, 1.5], Source::Heinz,

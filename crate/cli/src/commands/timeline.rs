@@ -24,7 +24,7 @@ pub(crate) struct Timeline {
 }
 
 #[derive(Serialize)]
-struct Entry {
+struct Entry<'a> {
     element: &'static str,
     line: u32,
     /// Seconds.
@@ -32,7 +32,7 @@ struct Entry {
     /// Seconds.
     end: f64,
     #[serde(skip_serializing_if = "Option::is_none")]
-    id: Option<String>,
+    id: Option<&'a str>,
     /// Index of the enclosing seq or par in this list.
     #[serde(skip_serializing_if = "Option::is_none")]
     container: Option<usize>,
@@ -53,8 +53,8 @@ fn is_first(iteration: &u32) -> bool {
 struct Whole<'a> {
     duration: f64,
     lead_in: f64,
-    clauses: Vec<Entry>,
-    marks: &'a BTreeMap<String, f64>,
+    clauses: Vec<Entry<'a>>,
+    marks: BTreeMap<&'a str, f64>,
 }
 
 impl Timeline {
@@ -80,12 +80,16 @@ impl Timeline {
                     line: index.position(c.span.start).line,
                     start: c.start_secs,
                     end: c.end_secs,
-                    id: c.id.clone(),
+                    id: c.id.as_deref(),
                     container: c.container,
                     iteration: c.iteration,
                 })
                 .collect(),
-            marks: &timeline.marks,
+            marks: timeline
+                .marks
+                .iter()
+                .map(|(name, &at)| (name.as_str(), at))
+                .collect(),
         };
         match self.format {
             Format::Json => writeln!(out, "{}", serde_json::to_string_pretty(&whole)?)?,
@@ -96,14 +100,14 @@ impl Timeline {
                     "start", "end", "element", "line"
                 )?;
                 for c in &whole.clauses {
-                    let id = c.id.as_deref().unwrap_or("");
+                    let id = c.id.unwrap_or("");
                     writeln!(
                         out,
                         "{:9.3} {:9.3}  {:<16} {:>5}  {id}",
                         c.start, c.end, c.element, c.line
                     )?;
                 }
-                for (name, at) in whole.marks {
+                for (name, at) in &whole.marks {
                     writeln!(out, "{at:9.3} {:>9}  {:<16} {:>5}  {name}", "", "mark", "")?;
                 }
                 writeln!(out, "duration {:.3} s", whole.duration)?;

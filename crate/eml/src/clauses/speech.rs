@@ -384,7 +384,7 @@ impl VoiceSay {
         (self.operation == VoiceOperation::Text && self.kind == UtteranceKind::Text).then(|| {
             VoiceText {
                 pieces: vec![Piece::Text {
-                    text: self.content.clone(),
+                    text: self.content.as_str().into(),
                     emphasis: crate::voice::NO_EMPHASIS,
                     span: self.content_span,
                 }],

@@ -1,11 +1,13 @@
 //! Walks the tree by the table: which elements may stand where, which attributes
 //! they have.
 
-use super::{Attribute, Content, Element, Presence, find, find_extension, variant_in};
+use super::lookup::same;
+use super::{Attribute, Content, Element, Presence, TIMED, find, find_extension, variant_in};
 use crate::diagnostic::Sink;
 use crate::namespaces::{self, Namespaces, Owner};
 use crate::suggest::{nearest, quoted};
 use crate::syntax::{self, NodeKind, Tree};
+use crate::work::step;
 use crate::{Diagnostic, Document, Limits, Span};
 
 /// More attributes than any element has.
@@ -57,13 +59,9 @@ impl<'t> Fields<'t> {
         &self,
         name: &str,
     ) -> Option<(&'static Attribute, Option<&'t syntax::Attribute<'t>>)> {
-        let (slot, attribute) = self
-            .element
-            .all_attributes()
-            .enumerate()
-            .find(|(_, a)| a.name == name)?;
+        let slot = slot(self.element, name)?;
         Some((
-            attribute,
+            attribute_at(self.element, slot),
             self.attributes.get(usize::from(self.slots[slot])),
         ))
     }
@@ -74,6 +72,20 @@ impl<'t> Fields<'t> {
             .and_then(|(_, written)| written)
             .map_or(self.tag, syntax::Attribute::value_span)
     }
+}
+
+/// The place of an attribute with exactly this name among all of an element.
+fn slot(element: &'static Element, name: &str) -> Option<usize> {
+    let own = element.attributes;
+    let timed = || TIMED.iter().position(|a| same(a.name, name));
+    let found = own.iter().position(|a| same(a.name, name));
+    found.or_else(|| Some(own.len() + timed().filter(|_| element.is_clause())?))
+}
+
+/// The attribute at a place that [`slot`] found.
+fn attribute_at(element: &'static Element, slot: usize) -> &'static Attribute {
+    let own = element.attributes;
+    own.get(slot).unwrap_or_else(|| &TIMED[slot - own.len()])
 }
 
 impl<'t> Context<'t> {
@@ -96,45 +108,73 @@ impl<'t> Context<'t> {
         &mut self,
         node: usize,
         element: &'static Element,
+        visit: impl FnMut(&mut Self, usize, &'static Element),
+    ) {
+        let is_leaf = self.tree.nodes[node].subtree_end as usize == node + 1;
+        if !(is_leaf && element.required_children.is_empty()) {
+            self.children_counted(node, &mut Tally::new(element), visit);
+        }
+    }
+
+    /// [`Context::children`] for an element that may have had some children before.
+    pub(crate) fn children_counted(
+        &mut self,
+        node: usize,
+        tally: &mut Tally,
         mut visit: impl FnMut(&mut Self, usize, &'static Element),
     ) {
         let tree = self.tree;
-        let mut counts: Vec<(&'static Element, u32)> = Vec::new();
-        let mut missing = element.required_children.len();
-        let mut seen = [false; MOST_REQUIRED];
         let end = tree.nodes[node].subtree_end as usize;
         let mut child = node + 1;
         while child < end {
-            let next = tree.nodes[child].subtree_end as usize;
             match tree.nodes[child].kind {
                 NodeKind::Element(found) => {
-                    if let Some(entry) = self.admit(child, found, element) {
-                        let required = element.required_children.iter();
-                        if let Some(i) = required.clone().position(|&name| name == entry.name) {
-                            missing -= usize::from(!std::mem::replace(&mut seen[i], true));
-                        }
-                        let most = entry.most_per_parent.unwrap_or(u32::MAX);
-                        if most < u32::MAX && count(&mut counts, entry) > most {
-                            self.surplus(child, entry, element);
-                        } else {
-                            visit(self, child, entry);
-                        }
+                    if let Some(entry) = self.admit_counted(tally, child, found) {
+                        visit(self, child, entry);
                     }
                 }
                 NodeKind::Malformed => {}
                 NodeKind::Text | NodeKind::Reference(_) => {
-                    self.stray_text(child, &format!("in `{}`", element.name), element);
+                    self.stray_text(child, tally.parent);
                 }
             }
-            child = next;
+            child = tree.nodes[child].subtree_end as usize;
         }
-        if missing == 0 {
+        self.report_missing(node, tally);
+    }
+
+    /// [`Context::admit`], and whether there are not too many of it.
+    pub(crate) fn admit_counted(
+        &mut self,
+        tally: &mut Tally,
+        child: usize,
+        found: Option<&'static Element>,
+    ) -> Option<&'static Element> {
+        let entry = self.admit(child, found, tally.parent)?;
+        let required = tally.parent.required_children.iter();
+        if let Some(i) = required.clone().position(|name| same(name, entry.name)) {
+            tally.missing -= usize::from(!std::mem::replace(&mut tally.seen[i], true));
+        }
+        if entry
+            .most_per_parent
+            .is_some_and(|most| tally.count(entry) > most)
+        {
+            self.surplus(child, entry, tally.parent);
+            return None;
+        }
+        Some(entry)
+    }
+
+    /// Reports the children that an element must have and has not.
+    pub(crate) fn report_missing(&mut self, node: usize, tally: &Tally) {
+        if tally.missing == 0 {
             return;
         }
-        for (&required, seen) in element.required_children.iter().zip(seen) {
+        for (&required, seen) in tally.parent.required_children.iter().zip(tally.seen) {
             if !seen {
-                let message = format!("`{}` needs at least one `{required}` in it", element.name);
-                let span = tree.nodes[node].span;
+                let name = tally.parent.name;
+                let message = format!("`{name}` needs at least one `{required}` in it");
+                let span = self.tree.nodes[node].span;
                 self.sink
                     .push(Diagnostic::error("eml::missing-child", span, message));
             }
@@ -213,6 +253,8 @@ impl<'t> Context<'t> {
         let all = super::ELEMENTS.iter().filter(same);
         let fitting = all.clone().filter(|e| e.may_stand_in(parent.name));
         let hint = match (owner, find_extension(local)) {
+            // Nobody will read it.
+            _ if self.sink.is_full() => None,
             (Owner::Language, Some(element)) => Some(format!(
                 "`{}` is an extension: write {prefix}:{} and bind xmlns:{prefix}='{}' on `eml`",
                 element.name,
@@ -250,6 +292,7 @@ impl<'t> Context<'t> {
     /// Finds the attributes of an element in the table and reports unknown and missing
     /// ones.
     pub(crate) fn fields(&mut self, node: usize, element: &'static Element) -> Fields<'t> {
+        step(1);
         let tree = self.tree;
         let mut fields = Fields {
             element,
@@ -260,9 +303,8 @@ impl<'t> Context<'t> {
             complete: true,
         };
         for (index, attribute) in fields.attributes.iter().enumerate() {
-            let exact = element
-                .all_attributes()
-                .position(|a| a.name == attribute.name && !a.extension);
+            let exact = slot(element, attribute.name)
+                .filter(|&slot| !attribute_at(element, slot).extension);
             let Some(slot) = exact.or_else(|| self.slot_by_spelling(node, element, attribute))
             else {
                 continue;
@@ -276,7 +318,8 @@ impl<'t> Context<'t> {
                     .push(Diagnostic::error("eml::duplicate-attribute", span, message));
             }
         }
-        for (slot, attribute) in element.all_attributes().enumerate() {
+        // None of `TIMED` is required.
+        for (slot, attribute) in element.attributes.iter().enumerate() {
             if attribute.default == Presence::Required && fields.slots[slot] == ABSENT {
                 fields.complete = false;
                 let message = format!(
@@ -351,6 +394,8 @@ impl<'t> Context<'t> {
             .all_attributes()
             .find(|a| a.extension && !extension && a.name.eq_ignore_ascii_case(local));
         let hint = match meant {
+            // Nobody will read it.
+            _ if self.sink.is_full() => None,
             Some(a) => Some(format!(
                 "`{}` is an extension: write {prefix}:{} and bind xmlns:{prefix}='{}' on `eml`",
                 a.name,
@@ -389,8 +434,13 @@ impl<'t> Context<'t> {
             .push(Diagnostic::error("eml::surplus-element", span, message));
     }
 
+    /// Reports text in an element that has no meaning for it.
+    pub(crate) fn stray_text(&mut self, node: usize, parent: &Element) {
+        self.stray_text_at(node, &format!("in `{}`", parent.name), parent);
+    }
+
     /// Reports text where none is allowed: at `place`, in `parent`.
-    pub(crate) fn stray_text(&mut self, node: usize, place: &str, parent: &Element) {
+    pub(crate) fn stray_text_at(&mut self, node: usize, place: &str, parent: &Element) {
         let node = &self.tree.nodes[node];
         let text = node.text.trim();
         if text.is_empty() {
@@ -410,16 +460,49 @@ impl<'t> Context<'t> {
     }
 }
 
-/// Counts one more of an element.
-fn count(counts: &mut Vec<(&'static Element, u32)>, entry: &'static Element) -> u32 {
-    match counts.iter_mut().find(|(e, _)| std::ptr::eq(*e, entry)) {
-        Some((_, count)) => {
-            *count += 1;
-            *count
+/// What an element has had of its children so far.
+pub(crate) struct Tally {
+    parent: &'static Element,
+    /// The elements whose number is limited: few, so the first ones need no allocation.
+    counts: [Option<(&'static Element, u32)>; 4],
+    more_counts: Vec<(&'static Element, u32)>,
+    seen: [bool; MOST_REQUIRED],
+    missing: usize,
+}
+
+impl Tally {
+    pub(crate) fn new(parent: &'static Element) -> Self {
+        Self {
+            parent,
+            counts: [None; 4],
+            more_counts: Vec::new(),
+            seen: [false; MOST_REQUIRED],
+            missing: parent.required_children.len(),
         }
-        None => {
-            counts.push((entry, 1));
-            1
+    }
+
+    /// Counts one more of an element.
+    fn count(&mut self, entry: &'static Element) -> u32 {
+        for slot in &mut self.counts {
+            let (element, count) = slot.get_or_insert((entry, 0));
+            if std::ptr::eq(*element, entry) {
+                *count += 1;
+                return *count;
+            }
+        }
+        let known = self
+            .more_counts
+            .iter_mut()
+            .find(|(element, _)| std::ptr::eq(*element, entry));
+        match known {
+            Some((_, count)) => {
+                *count += 1;
+                *count
+            }
+            None => {
+                self.more_counts.push((entry, 1));
+                1
+            }
         }
     }
 }

@@ -22,7 +22,10 @@ pub(super) static ELEMENT: Element = Element {
 fn build(cx: &mut Context<'_>, node: usize, fields: &Fields<'_>) -> Option<ClauseKind> {
     let kind = cx.text(fields, "type");
     let (payload, _) = cx.character_data(node, &ELEMENT);
-    Some(ClauseKind::Event { kind, payload })
+    Some(ClauseKind::Event {
+        kind: kind.map(Into::into),
+        payload: payload.into(),
+    })
 }
 
 #[cfg(test)]

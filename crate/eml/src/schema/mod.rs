@@ -61,6 +61,7 @@ mod head;
 mod it;
 mod language;
 mod light;
+mod lookup;
 mod ly;
 mod marker;
 mod motion;
@@ -95,11 +96,12 @@ use crate::clauses::speech::Markup;
 #[cfg(feature = "reference")]
 pub(crate) use attribute::MAX_NUMBER;
 pub use attribute::{Attribute, Kind, Presence};
-pub(crate) use context::{Context, Fields};
+pub(crate) use context::{Context, Fields, Tally};
 #[cfg(test)]
 pub(crate) use emph::number as emphasis;
 pub(crate) use group::read as read_group;
 pub(crate) use head::read as read_head;
+pub(crate) use lookup::same;
 #[cfg(any(test, feature = "write"))]
 pub(crate) use values::parse as parse_value;
 pub(crate) use voice_text::VoiceBuilder;
@@ -196,7 +198,7 @@ impl Element {
     }
 
     fn may_stand_in(&self, parent: &str) -> bool {
-        self.parents.contains(&parent)
+        self.parents.iter().any(|p| same(p, parent))
     }
 }
 
@@ -309,13 +311,9 @@ pub(crate) fn find_extension(name: &str) -> Option<&'static Element> {
 }
 
 fn find_in(extension: bool, name: &str) -> Option<&'static Element> {
-    let all = ELEMENTS.iter().copied();
-    // Most names differ in length, so this beats a binary search.
-    let exact = all
-        .clone()
-        .find(|e| e.name == name && e.extension == extension);
+    let exact = lookup::variants(name).find(|e| e.extension == extension);
     exact.or_else(|| {
-        all.clone().find(|e| {
+        ELEMENTS.iter().copied().find(|e| {
             e.extension == extension
                 && (e.name.eq_ignore_ascii_case(name)
                     || e.aliases.iter().any(|a| a.eq_ignore_ascii_case(name)))
@@ -328,9 +326,8 @@ pub(crate) fn variant_in(element: &'static Element, parent: &str) -> Option<&'st
     if element.may_stand_in(parent) {
         return Some(element);
     }
-    ELEMENTS.iter().copied().find(|e| {
-        e.name == element.name && e.extension == element.extension && e.may_stand_in(parent)
-    })
+    lookup::variants(element.name)
+        .find(|e| e.extension == element.extension && e.may_stand_in(parent))
 }
 
 /// Every element, by name.

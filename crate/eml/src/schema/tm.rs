@@ -41,7 +41,9 @@ fn read(cx: &mut Context<'_>, node: usize, fields: &Fields<'_>, voice: &mut Voic
     let phone = cx.text(fields, "phone");
     let event = match (cx.choice(fields, "event"), phone) {
         (Some("onEnd"), None) => MarkEvent::OnEnd,
-        (Some("onPhone"), Some(phone)) => MarkEvent::OnPhone(phone.trim().to_ascii_lowercase()),
+        (Some("onPhone"), Some(phone)) => {
+            MarkEvent::OnPhone(phone.trim().to_ascii_lowercase().into())
+        }
         (Some("onPhone"), None) => {
             let message = "onPhone needs `phone`; the start of the word is used";
             cx.sink
@@ -64,7 +66,7 @@ fn read(cx: &mut Context<'_>, node: usize, fields: &Fields<'_>, voice: &mut Voic
         }
     };
     voice.pieces.push(Piece::Mark {
-        name,
+        name: name.into(),
         event,
         span: cx.full_span(node),
     });

@@ -35,7 +35,7 @@ impl Context<'_> {
         let Some(written) = written else {
             return default;
         };
-        let text = syntax::resolve(written.value, written.value_start, self.sink);
+        let text = syntax::resolve(written, self.sink);
         let text = match attribute.kind {
             Kind::Text => &*text,
             _ => self.unaliased(attribute, text.trim(), written.value_span()),
@@ -107,7 +107,7 @@ impl Context<'_> {
                 ..TimeExpr::default()
             });
         };
-        let text = syntax::resolve(written.value, written.value_start, self.sink);
+        let text = syntax::resolve(written, self.sink);
         // Inside a value with references offsets shift; the whole value is shown then.
         let verbatim = matches!(text, Cow::Borrowed(_));
         match time_expr::parse(&text, written.value_start) {
@@ -131,7 +131,7 @@ impl Context<'_> {
         let Some(written) = fields.get("time").and_then(|(_, written)| written) else {
             return Ok(None);
         };
-        let text = syntax::resolve(written.value, written.value_start, self.sink);
+        let text = syntax::resolve(written, self.sink);
         let read = || {
             let text = text.trim();
             let (value, percent) = match text.strip_suffix('%') {

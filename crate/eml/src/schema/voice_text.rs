@@ -3,7 +3,7 @@
 use super::{Content, Context, Element, Fields, Role, variant_in};
 use crate::syntax::NodeKind;
 use crate::voice::NO_EMPHASIS;
-use crate::{ClauseKind, Diagnostic, Markup, Piece, VoiceText};
+use crate::{ClauseKind, Diagnostic, Markup, Name, Piece, VoiceText};
 
 pub(super) static ELEMENT: Element = Element {
     doc: doc!("Speaks a text. Markup inside shapes how, and names moments of words."),
@@ -49,8 +49,10 @@ impl VoiceBuilder {
         while child < tree.nodes[node].subtree_end as usize {
             let inner = &tree.nodes[child];
             match inner.kind {
-                NodeKind::Text => self.text(inner.text.to_owned(), inner.span),
-                NodeKind::Reference(c) => self.text(c.to_string(), inner.span),
+                NodeKind::Text => self.text(inner.text.into(), inner.span),
+                NodeKind::Reference(c) => {
+                    self.text(c.encode_utf8(&mut [0; 4]).into(), inner.span);
+                }
                 NodeKind::Malformed => {}
                 NodeKind::Element(found) => self.element(cx, child, found, parent),
             }
@@ -117,7 +119,7 @@ impl VoiceBuilder {
         self.emphasis = outside;
     }
 
-    fn text(&mut self, text: String, span: crate::Span) {
+    fn text(&mut self, text: Name, span: crate::Span) {
         self.pieces.push(Piece::Text {
             text,
             emphasis: self.emphasis,

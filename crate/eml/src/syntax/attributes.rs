@@ -4,7 +4,9 @@
 
 use super::tree::Attribute;
 use crate::diagnostic::Sink;
+use crate::schema::same;
 use crate::suggest::quoted;
+use crate::work::step;
 use crate::{Diagnostic, Span};
 
 /// What became of a start tag.
@@ -28,6 +30,7 @@ pub(super) fn scan<'a>(
     sink: &mut Sink,
 ) -> Outcome {
     let bytes = raw.as_bytes();
+    step(bytes.len());
     let first = out.len();
     let mut i = 0;
     let mut over_limit = false;
@@ -37,7 +40,7 @@ pub(super) fn scan<'a>(
             return Outcome::Whole;
         }
         let name_start = i;
-        while i < bytes.len() && !ends_name(bytes[i]) {
+        while i < bytes.len() && CLASS[usize::from(bytes[i])] == Class::Name {
             i += 1;
         }
         if bytes.get(i) == Some(&b'<') {
@@ -78,20 +81,23 @@ pub(super) fn scan<'a>(
         }
         i = skip_space(bytes, i + 1);
         let quote = bytes.get(i).copied();
+        let mut is_plain = true;
         let (value_start, value_end) = match quote {
             Some(q @ (b'\'' | b'"' | b'`')) => {
-                let length = bytes[i + 1..].iter().position(|&b| b == q);
-                let Some(length) = length else {
-                    let next = raw[i..].find('<').map(|at| i + at);
+                let from = i + 1;
+                let mut end = from;
+                while end < bytes.len() && bytes[end] != q && bytes[end] != b'<' {
+                    is_plain &= bytes[end] != b'&';
+                    end += 1;
+                }
+                if bytes.get(end) != Some(&q) {
+                    let next = (end < bytes.len()).then_some(end);
                     return unclosed(element, start, i, next, sink);
-                };
-                if let Some(lt) = bytes[i + 1..i + 1 + length].iter().position(|&b| b == b'<') {
-                    return unclosed(element, start, i, Some(i + 1 + lt), sink);
                 }
                 if q == b'`' {
-                    unquoted(Span::of(start + i, start + i + length + 2), sink);
+                    unquoted(Span::of(start + i, start + end + 1), sink);
                 }
-                (i + 1, i + 1 + length)
+                (from, end)
             }
             _ => {
                 let end = bytes[i..]
@@ -99,6 +105,7 @@ pub(super) fn scan<'a>(
                     .position(|&b| b.is_ascii_whitespace() || b == b'<')
                     .map_or(bytes.len(), |at| i + at);
                 unquoted(name_span.to(Span::of(start + i, start + end)), sink);
+                is_plain = !bytes[i..end].contains(&b'&');
                 (i, end)
             }
         };
@@ -111,6 +118,7 @@ pub(super) fn scan<'a>(
             value: &raw[value_start..value_end],
             name_start: name_span.start,
             value_start: Span::of(start + value_start, 0).start,
+            is_plain,
         };
         if out.len() - first >= limit {
             if !over_limit {
@@ -121,7 +129,7 @@ pub(super) fn scan<'a>(
                     format!("more than {limit} attributes; the rest is ignored"),
                 ));
             }
-        } else if let Some(before) = out[first..].iter().find(|a| a.name == name) {
+        } else if let Some(before) = out[first..].iter().find(|a| same(a.name, name)) {
             let diagnostic = Diagnostic::error(
                 "eml::duplicate-attribute",
                 name_span,
@@ -135,15 +143,35 @@ pub(super) fn scan<'a>(
 }
 
 fn skip_space(bytes: &[u8], mut i: usize) -> usize {
-    while i < bytes.len() && bytes[i].is_ascii_whitespace() {
+    while i < bytes.len() && CLASS[usize::from(bytes[i])] == Class::Space {
         i += 1;
     }
     i
 }
 
-fn ends_name(b: u8) -> bool {
-    b.is_ascii_whitespace() || matches!(b, b'=' | b'\'' | b'"' | b'`' | b'<' | b'>' | b'/')
+/// What a byte may be in a tag.
+#[derive(Clone, Copy, PartialEq)]
+enum Class {
+    Name,
+    Space,
+    /// Ends a name and is no space.
+    Mark,
 }
+
+/// The class of every byte.
+static CLASS: [Class; 256] = {
+    let mut table = [Class::Name; 256];
+    let mut b = 0;
+    while b < table.len() {
+        table[b] = match b as u8 {
+            b'=' | b'\'' | b'"' | b'`' | b'<' | b'>' | b'/' => Class::Mark,
+            space if space.is_ascii_whitespace() => Class::Space,
+            _ => Class::Name,
+        };
+        b += 1;
+    }
+    table
+};
 
 fn unclosed(
     element: &str,

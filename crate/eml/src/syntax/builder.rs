@@ -3,54 +3,81 @@
 //! again behind markup that it cannot read.
 
 use super::attributes::{self, Outcome};
+use super::fast;
 use super::references;
 use super::tree::{Node, NodeKind, Tree};
 use crate::diagnostic::Sink;
 use crate::schema::{self, Content, Role};
 use crate::suggest::quoted;
+use crate::work::step;
 use crate::{Diagnostic, Limits, Span};
 use quick_xml::Reader;
 use quick_xml::errors::{Error, SyntaxError};
 use quick_xml::events::Event;
 
-/// Bounds the memory of the tree: about 120 MB at worst.
+/// Bounds the memory of the tree: about 150 MB at worst.
 const MOST_NODES: usize = 2_000_000;
 
 /// How deep recursion over the tree may go, whatever the limits say.
 const DEEPEST: usize = 256;
 
-/// Reads `source` into a tree.
-pub(crate) fn build<'a>(source: &'a str, limits: &Limits, sink: &mut Sink) -> Tree<'a> {
+/// Takes an element of the body as soon as it is complete: a node of the tree.
+pub(crate) type Take<'a, 's> = dyn FnMut(&Tree<'a>, usize, &mut Sink) + 's;
+
+/// Reads `source` into a tree. The elements in the body of a document that starts as it
+/// should are given to `take` one after another and leave the tree, so that a long
+/// script needs no more memory than its longest clause.
+pub(crate) fn build<'a>(
+    source: &'a str,
+    limits: &Limits,
+    sink: &mut Sink,
+    take: &mut Take<'a, '_>,
+) -> Tree<'a> {
+    build_with(source, limits, sink, take, false)
+}
+
+/// The same; `thorough` leaves all markup to the general reader.
+pub(super) fn build_with<'a>(
+    source: &'a str,
+    limits: &Limits,
+    sink: &mut Sink,
+    take: &mut Take<'a, '_>,
+    thorough: bool,
+) -> Tree<'a> {
     let mut builder = Builder {
         source,
         limits,
         sink,
-        // About as many as in a script of gestures; too few only costs a copy.
-        tree: Tree {
-            nodes: Vec::with_capacity(source.len() / 32),
-            attributes: Vec::with_capacity(source.len() / 48),
-        },
+        take,
+        tree: Tree::default(),
         stack: Vec::new(),
+        met_body: false,
         skipped_depth: 0,
         told_depth: false,
         // Reading the same bytes again after a slip must stay linear in all.
         reread_budget: 4 * source.len() + (64 << 10),
+        thorough,
     };
     builder.run();
     builder.tree
 }
 
-struct Builder<'a, 's> {
+struct Builder<'a, 's, 't> {
     source: &'a str,
     limits: &'s Limits,
     sink: &'s mut Sink,
+    take: &'s mut Take<'a, 't>,
     tree: Tree<'a>,
+    /// Whether the first body in the root has been met.
+    met_body: bool,
     /// Indices of the open elements.
     stack: Vec<u32>,
     /// How many elements are open below the depth limit.
     skipped_depth: usize,
     told_depth: bool,
     reread_budget: usize,
+    /// Whether to read all markup with the general reader, as a test does.
+    thorough: bool,
 }
 
 /// Why the reader stopped, short of the end of the source.
@@ -61,7 +88,7 @@ struct Restart {
     reached: usize,
 }
 
-impl<'a> Builder<'a, '_> {
+impl<'a> Builder<'a, '_, '_> {
     fn run(&mut self) {
         let mut start = if self.source.starts_with('\u{feff}') {
             3
@@ -88,64 +115,118 @@ impl<'a> Builder<'a, '_> {
     }
 
     fn read_from(&mut self, base: usize) -> Option<Restart> {
-        let source = self.source;
-        let mut reader = Reader::from_str(&source[base..]);
-        let config = reader.config_mut();
-        config.check_end_names = false;
-        config.allow_unmatched_ends = true;
-        config.allow_dangling_amp = true;
-        let position = |offset: u64| base + usize::try_from(offset).unwrap_or(usize::MAX);
-        loop {
-            let start = position(reader.buffer_position());
-            let event = reader.read_event();
-            let end = position(reader.buffer_position());
+        let mut at = base;
+        while at < self.source.len() {
             if self.tree.nodes.len() >= MOST_NODES {
                 self.error(
                     "eml::too-large",
-                    Span::of(start, start + 1),
+                    Span::of(at, at + 1),
                     "too many elements; reading stops here",
                 );
                 return None;
             }
-            match event {
-                Ok(Event::Start(tag)) => {
-                    let raw = &source[start + 1..end - 1];
-                    if let Some(at) = self.open(raw, tag.name().as_ref().len(), start, end, false) {
-                        return Some(Restart { at, reached: end });
-                    }
+            let start = at;
+            at = match self.read_usual(at).map_or_else(|| self.read_any(at), Ok) {
+                Ok(next) => next,
+                Err(restart) => return restart,
+            };
+            step(at - start);
+        }
+        None
+    }
+
+    /// Reads what stands at byte `at` when it is as it should be. Returns where it ends.
+    fn read_usual(&mut self, at: usize) -> Option<usize> {
+        let bytes = self.source.as_bytes();
+        match (bytes[at], bytes.get(at + 1)) {
+            (b'<', _) if self.thorough => None,
+            (b'<', Some(b'/')) => {
+                let (name, end) = fast::end_tag(self.source, at)?;
+                self.end_tag(name, at, end);
+                Some(end)
+            }
+            (b'<', _) => {
+                if self.skipped_depth > 0 || self.stack.len() >= self.most_depth() {
+                    return None;
                 }
-                Ok(Event::Empty(tag)) => {
-                    let raw = &source[start + 1..end - 2];
-                    if let Some(at) = self.open(raw, tag.name().as_ref().len(), start, end, true) {
-                        return Some(Restart { at, reached: end });
-                    }
+                let first_attribute = self.tree.attributes.len();
+                let most = self.most_attributes();
+                let tag = fast::tag(self.source, at, most, &mut self.tree.attributes);
+                let Some(tag) = tag else {
+                    self.tree.attributes.truncate(first_attribute);
+                    return None;
+                };
+                self.opened(tag.name, first_attribute, at, tag.end, tag.is_empty);
+                Some(tag.end)
+            }
+            (b'&', _) => None,
+            _ => {
+                let (end, is_space) = fast::text_end(self.source, at);
+                if !is_space || self.keeps_space() {
+                    self.push_text(at, end);
                 }
-                Ok(Event::End(_)) => self.end_tag(start, end),
-                Ok(Event::Text(_)) => self.text(&source[start..end], start),
-                Ok(Event::CData(_)) => self.text(&source[start + 9..end - 3], start + 9),
-                Ok(Event::GeneralRef(_)) => {
-                    let span = Span::of(start, end);
-                    let name = &source[start + 1..end - 1];
-                    if let Some(c) = references::character(name, span, self.sink) {
-                        self.push(NodeKind::Reference(c), &source[start..end], span);
-                    }
-                }
-                Ok(Event::DocType(_)) => self.doctype(start, end),
-                Ok(Event::Comment(_) | Event::PI(_) | Event::Decl(_)) => {}
-                Ok(Event::Eof) => return None,
-                Err(Error::IllFormed(_)) => self.doctype(start, end),
-                Err(error) => {
-                    let at = position(reader.error_position());
-                    return self.recover(&error, at);
-                }
+                Some(end)
             }
         }
+    }
+
+    /// Reads one event at byte `at`. Returns where it ends, or where and whether to go on
+    /// when it has no end.
+    fn read_any(&mut self, start: usize) -> Result<usize, Option<Restart>> {
+        let source = self.source;
+        let mut reader = Reader::from_str(&source[start..]);
+        let config = reader.config_mut();
+        config.check_end_names = false;
+        config.allow_unmatched_ends = true;
+        config.allow_dangling_amp = true;
+        let position = |offset: u64| start + usize::try_from(offset).unwrap_or(usize::MAX);
+        let event = reader.read_event();
+        step(usize::try_from(reader.buffer_position()).unwrap_or(usize::MAX));
+        // Whatever happens, at least the `<` or `&` is read.
+        let end = position(reader.buffer_position()).max(start + 1);
+        match event {
+            Ok(Event::Start(tag)) => {
+                let raw = &source[start + 1..end - 1];
+                if let Some(at) = self.open(raw, tag.name().as_ref().len(), start, end, false) {
+                    return Err(Some(Restart { at, reached: end }));
+                }
+            }
+            Ok(Event::Empty(tag)) => {
+                let raw = &source[start + 1..end - 2];
+                if let Some(at) = self.open(raw, tag.name().as_ref().len(), start, end, true) {
+                    return Err(Some(Restart { at, reached: end }));
+                }
+            }
+            Ok(Event::End(_)) => {
+                let name = source[start + 2..end - 1].trim_end();
+                self.end_tag(name, start, end);
+            }
+            Ok(Event::Text(_)) => self.text(start, end),
+            Ok(Event::CData(_)) => self.text(start + 9, end - 3),
+            Ok(Event::GeneralRef(_)) => {
+                let span = Span::of(start, end);
+                let name = &source[start + 1..end - 1];
+                if let Some(c) = references::character(name, span, self.sink) {
+                    self.push(NodeKind::Reference(c), &source[start..end], span);
+                }
+            }
+            Ok(Event::DocType(_)) => self.doctype(start, end),
+            Ok(Event::Comment(_) | Event::PI(_) | Event::Decl(_)) => {}
+            Ok(Event::Eof) => return Err(None),
+            Err(Error::IllFormed(_)) => self.doctype(start, end),
+            Err(error) => {
+                let at = position(reader.error_position());
+                return Err(self.recover(&error, at));
+            }
+        }
+        Ok(end)
     }
 
     /// Goes on behind markup at byte `at` that has no end.
     fn recover(&mut self, error: &Error, at: usize) -> Option<Restart> {
         let rest = self.source.get(at + 1..)?;
         let next = rest.find('<').map(|i| at + 1 + i);
+        step(next.unwrap_or(self.source.len()) - at);
         let stop = next.unwrap_or(self.source.len());
         let restart = next.map(|at| Restart {
             at,
@@ -221,12 +302,12 @@ impl<'a> Builder<'a, '_> {
             );
             return raw.find('<').map(|at| start + 1 + at);
         }
-        if let Some(at) = name.find('<') {
+        if let Some(at) = name.bytes().position(|b| b == b'<') {
             self.not_closed(&name[..at], start);
             self.open_broken(&name[..at], &raw[..at], start);
             return Some(start + 1 + at);
         }
-        if self.stack.len() >= self.limits.depth.min(DEEPEST) {
+        if self.stack.len() >= self.most_depth() {
             if !std::mem::replace(&mut self.told_depth, true) {
                 let depth = self.stack.len();
                 self.error(
@@ -243,21 +324,13 @@ impl<'a> Builder<'a, '_> {
             name,
             &raw[name_len..],
             start + 1 + name_len,
-            self.limits.attributes.min(usize::from(u16::MAX)),
+            self.most_attributes(),
             &mut self.tree.attributes,
             self.sink,
         );
         match outcome {
             Outcome::Whole => {
-                let kind = NodeKind::Element(schema::find(name));
-                let index = self.push(kind, name, Span::of(start, end));
-                let count = self.tree.attributes.len() - first_attribute;
-                let node = &mut self.tree.nodes[index as usize];
-                node.first_attribute = Span::of(first_attribute, 0).start;
-                node.attribute_count = u16::try_from(count).unwrap_or(u16::MAX);
-                if !empty {
-                    self.stack.push(index);
-                }
+                self.opened(name, first_attribute, start, end, empty);
                 None
             }
             Outcome::Broken(next) => {
@@ -267,6 +340,37 @@ impl<'a> Builder<'a, '_> {
                 next
             }
         }
+    }
+
+    /// Opens an element whose attributes have been read.
+    fn opened(
+        &mut self,
+        name: &'a str,
+        first_attribute: usize,
+        start: usize,
+        end: usize,
+        empty: bool,
+    ) {
+        let kind = NodeKind::Element(schema::find(name));
+        let index = self.push(kind, name, Span::of(start, end));
+        let count = self.tree.attributes.len() - first_attribute;
+        let node = &mut self.tree.nodes[index as usize];
+        node.first_attribute = Span::of(first_attribute, 0).start;
+        node.attribute_count = u16::try_from(count).unwrap_or(u16::MAX);
+        self.meet_body(index, !empty);
+        if empty {
+            self.complete(index);
+        } else {
+            self.stack.push(index);
+        }
+    }
+
+    fn most_depth(&self) -> usize {
+        self.limits.depth.min(DEEPEST)
+    }
+
+    fn most_attributes(&self) -> usize {
+        self.limits.attributes.min(usize::from(u16::MAX))
     }
 
     /// Opens an element whose tag is broken off; `raw` is all there is of it. What
@@ -286,17 +390,54 @@ impl<'a> Builder<'a, '_> {
         let raw = raw.trim_end();
         let closed = raw.ends_with("/>")
             || (!raw.ends_with('>') && entry.is_none_or(|e| e.content == Content::Empty));
-        if !closed {
+        self.meet_body(index, false);
+        if closed {
+            self.complete(index);
+        } else {
             self.stack.push(index);
         }
     }
 
-    fn end_tag(&mut self, start: usize, end: usize) {
+    /// Remembers the first body in the root, which is about to be opened, when its
+    /// content may be taken at once: when nothing comes before it in the document that
+    /// clauses could stand in.
+    fn meet_body(&mut self, index: u32, well_formed: bool) {
+        let &[root] = &self.stack[..] else { return };
+        if self.met_body || !self.is(index, "body") || !self.is(root, "eml") {
+            return;
+        }
+        self.met_body = true;
+        let before = &self.tree.nodes[..root as usize];
+        let only_text = before
+            .iter()
+            .all(|n| matches!(n.kind, NodeKind::Text | NodeKind::Reference(_)));
+        if well_formed && only_text {
+            self.tree.taken_from = Some(index);
+        }
+    }
+
+    fn is(&self, index: u32, name: &str) -> bool {
+        let kind = self.tree.nodes[index as usize].kind;
+        matches!(kind, NodeKind::Element(Some(element)) if element.name == name)
+    }
+
+    /// Gives an element of the body away that is complete and the last in the tree.
+    fn complete(&mut self, index: u32) {
+        let in_body = self.stack.len() == 2 && self.tree.taken_from == Some(self.stack[1]);
+        let node = &self.tree.nodes[index as usize];
+        if in_body && matches!(node.kind, NodeKind::Element(_)) {
+            let first_attribute = node.first_attribute as usize;
+            (self.take)(&self.tree, index as usize, self.sink);
+            self.tree.nodes.truncate(index as usize);
+            self.tree.attributes.truncate(first_attribute);
+        }
+    }
+
+    fn end_tag(&mut self, name: &str, start: usize, end: usize) {
         if self.skipped_depth > 0 {
             self.skipped_depth -= 1;
             return;
         }
-        let name = self.source[start + 2..end - 1].trim_end();
         let nodes = &self.tree.nodes;
         let same = |open: &&u32| nodes[**open as usize].text == name;
         let alike = |open: &&u32| nodes[**open as usize].text.eq_ignore_ascii_case(name);
@@ -327,6 +468,7 @@ impl<'a> Builder<'a, '_> {
         let node = &mut self.tree.nodes[open as usize];
         node.end = Span::of(end, end).end;
         node.subtree_end = subtree_end;
+        self.complete(open);
     }
 
     /// Closes an element that has no end tag of its own at byte `end`.
@@ -344,27 +486,39 @@ impl<'a> Builder<'a, '_> {
             diagnostic = diagnostic.related(by, "its parent ends here");
         }
         self.sink.push(diagnostic);
+        self.complete(open);
     }
 
-    fn text(&mut self, text: &'a str, start: usize) {
+    fn text(&mut self, start: usize, end: usize) {
         if self.skipped_depth > 0 {
             return;
         }
-        if let Some(after) = text.strip_prefix('&') {
+        let text = &self.source[start..end];
+        if text.starts_with('&') {
             // The reader hands a reference without its `;` over as text.
-            let span = Span::of(start, start + text.len() - after.len());
-            references::bare_ampersand(span, self.sink);
+            references::bare_ampersand(Span::of(start, start + 1), self.sink);
         }
-        let keeps_space =
-            self.stack
-                .last()
-                .is_some_and(|&open| match self.tree.nodes[open as usize].kind {
-                    NodeKind::Element(Some(element)) => element.content.has_text(),
-                    NodeKind::Element(None) => true,
-                    _ => false,
-                });
-        if keeps_space || !text.bytes().all(|b| b.is_ascii_whitespace()) {
-            self.push(NodeKind::Text, text, Span::of(start, start + text.len()));
+        if self.keeps_space() || !text.bytes().all(|b| b.is_ascii_whitespace()) {
+            self.push_text(start, end);
+        }
+    }
+
+    fn push_text(&mut self, start: usize, end: usize) {
+        if self.skipped_depth == 0 {
+            let text = &self.source[start..end];
+            self.push(NodeKind::Text, text, Span::of(start, end));
+        }
+    }
+
+    /// Whether white space counts where the reader stands.
+    fn keeps_space(&self) -> bool {
+        let Some(&open) = self.stack.last() else {
+            return false;
+        };
+        match self.tree.nodes[open as usize].kind {
+            NodeKind::Element(Some(element)) => element.content.has_text(),
+            NodeKind::Element(None) => true,
+            _ => false,
         }
     }
 
@@ -376,7 +530,7 @@ impl<'a> Builder<'a, '_> {
             span,
             end: span.end,
             subtree_end: index + 1,
-            first_attribute: 0,
+            first_attribute: Span::of(self.tree.attributes.len(), 0).start,
             attribute_count: 0,
         });
         index

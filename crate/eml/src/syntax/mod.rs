@@ -3,9 +3,13 @@
 
 mod attributes;
 mod builder;
+mod fast;
 mod references;
 mod tree;
 
 pub(crate) use builder::build;
 pub(crate) use references::resolve;
 pub(crate) use tree::{Attribute, NodeKind, Tree};
+
+#[cfg(test)]
+mod tests;

@@ -1,6 +1,7 @@
 //! Character and entity references. Only those of XML itself exist: there is no DTD,
 //! so nothing can be declared and nothing is fetched.
 
+use super::tree::Attribute;
 use crate::diagnostic::Sink;
 use crate::suggest::quoted;
 use crate::{Diagnostic, Span};
@@ -56,11 +57,17 @@ fn is_xml_character(c: char) -> bool {
     !c.is_control() || matches!(c, '\t' | '\n' | '\r' | '\u{85}')
 }
 
-/// Resolves the references in an attribute value that starts at byte `start`.
-pub(crate) fn resolve<'a>(value: &'a str, start: u32, sink: &mut Sink) -> Cow<'a, str> {
-    if !value.contains('&') {
-        return Cow::Borrowed(value);
+/// The value of an attribute with its references resolved.
+pub(crate) fn resolve<'a>(attribute: &Attribute<'a>, sink: &mut Sink) -> Cow<'a, str> {
+    if attribute.is_plain {
+        Cow::Borrowed(attribute.value)
+    } else {
+        Cow::Owned(resolved(attribute.value, attribute.value_start, sink))
     }
+}
+
+/// Resolves the references in a text that starts at byte `start`.
+fn resolved(value: &str, start: u32, sink: &mut Sink) -> String {
     let mut out = String::with_capacity(value.len());
     let mut rest = value;
     let mut at = start as usize;
@@ -84,7 +91,7 @@ pub(crate) fn resolve<'a>(value: &'a str, start: u32, sink: &mut Sink) -> Cow<'a
         rest = &rest[amp + used..];
     }
     out.push_str(rest);
-    Cow::Owned(out)
+    out
 }
 
 /// Reports an `&` that starts no reference.
@@ -103,28 +110,28 @@ pub(super) fn bare_ampersand(span: Span, sink: &mut Sink) {
 mod tests {
     use super::*;
 
-    fn resolved(value: &str) -> (String, Vec<&'static str>) {
+    fn with_codes(value: &str) -> (String, Vec<&'static str>) {
         let mut sink = Sink::new(10);
-        let text = resolve(value, 0, &mut sink).into_owned();
+        let text = resolved(value, 0, &mut sink);
         (text, sink.finish().iter().map(|d| d.code).collect())
     }
 
     #[test]
     fn references_of_xml_are_resolved_and_others_left_out() {
         assert_eq!(
-            resolved("a &lt; b &#233;&#x1F600;"),
+            with_codes("a &lt; b &#233;&#x1F600;"),
             ("a < b é😀".into(), vec![])
         );
         assert_eq!(
-            resolved("x&xxe;y"),
+            with_codes("x&xxe;y"),
             ("xy".into(), vec!["eml::unknown-entity"])
         );
         assert_eq!(
-            resolved("&#0;&#xD800;"),
+            with_codes("&#0;&#xD800;"),
             ("".into(), vec!["eml::bad-reference"; 2])
         );
         assert_eq!(
-            resolved("a & b&"),
+            with_codes("a & b&"),
             ("a & b&".into(), vec!["eml::bare-ampersand"; 2])
         );
     }

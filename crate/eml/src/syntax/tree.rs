@@ -10,6 +10,8 @@ pub(crate) struct Tree<'a> {
     pub(crate) nodes: Vec<Node<'a>>,
     /// The attributes of all elements, those of one element together.
     pub(crate) attributes: Vec<Attribute<'a>>,
+    /// The body whose elements have been taken out.
+    pub(crate) taken_from: Option<u32>,
 }
 
 impl<'a> Tree<'a> {
@@ -64,6 +66,8 @@ pub(crate) struct Attribute<'a> {
     pub(crate) name_start: u32,
     /// Offset of the value.
     pub(crate) value_start: u32,
+    /// Whether the value holds no reference.
+    pub(crate) is_plain: bool,
 }
 
 impl Attribute<'_> {

@@ -4,12 +4,14 @@ use super::index::EndIndex;
 use super::solve::Times;
 use super::{TimedClause, Timeline};
 use crate::diagnostic::Sink;
+use crate::work::step;
 use crate::{ClauseId, Diagnostic, Document, Limits};
 
 /// How often each clause's content plays, bounded so that the timeline has no more
-/// clauses than a document may have: groups whose repetition goes beyond play once.
-pub(super) fn bounded_counts(document: &Document, sink: &mut Sink) -> Vec<u32> {
-    let most = (Limits::default().clauses as u64).max(document.clauses.len() as u64);
+/// clauses than it may: groups whose repetition goes beyond play once. Nothing is
+/// expanded to find out.
+pub(super) fn bounded_counts(document: &Document, limits: &Limits, sink: &mut Sink) -> Vec<u32> {
+    let most = (limits.timed_clauses as u64).max(document.clauses.len() as u64);
     let mut used = document.clauses.len() as u64;
     let mut counts = vec![1_u32; document.clauses.len()];
     // The entries that a clause makes each time it plays.
@@ -49,7 +51,7 @@ pub(super) fn expand(document: &Document, times: &Times, counts: &[u32]) -> Time
         document,
         times,
         counts,
-        clauses: Vec::new(),
+        clauses: Vec::with_capacity(document.clauses.len()),
     };
     for &root in &document.roots {
         list.add(
@@ -66,22 +68,24 @@ pub(super) fn expand(document: &Document, times: &Times, counts: &[u32]) -> Time
     let earliest = clauses.iter().map(|c| c.start_secs).fold(0.0, f64::min);
     // Not `-earliest`, which is −0 when nothing is early.
     let lead_in_secs = 0.0 - earliest;
-    let mut order: Vec<usize> = (0..clauses.len()).collect();
-    raconteur_base::order::sort_by_number(&mut order, |&i| clauses[i].start_secs);
-    let mut place_of = vec![0; order.len()];
-    for (place, &index) in order.iter().enumerate() {
-        place_of[index] = place;
-    }
     let mut duration_secs: f64 = 0.0;
     for clause in &mut clauses {
         clause.start_secs += lead_in_secs;
         clause.end_secs += lead_in_secs;
-        clause.container = clause.container.map(|index| place_of[index]);
         duration_secs = duration_secs.max(clause.end_secs);
     }
-    let mut placed: Vec<Option<TimedClause>> = clauses.into_iter().map(Some).collect();
-    let clauses: Vec<TimedClause> = order.iter().filter_map(|&i| placed[i].take()).collect();
-    let ends = EndIndex::new(clauses.iter().map(|c| c.end_secs));
+    // A script is written in the order of its times, or nearly so.
+    if let Some(order) = raconteur_base::order::order_by_number(&clauses, |c| c.start_secs) {
+        let mut place_of = vec![0; order.len()];
+        for (place, &index) in order.iter().enumerate() {
+            place_of[index] = place;
+        }
+        for clause in &mut clauses {
+            clause.container = clause.container.map(|index| place_of[index]);
+        }
+        raconteur_base::order::arrange(&mut clauses, order);
+    }
+    let ends = EndIndex::new(&clauses, |c| c.end_secs);
     Timeline {
         duration_secs,
         lead_in_secs,
@@ -111,6 +115,7 @@ struct Place {
 impl List<'_> {
     /// Adds a clause and what is inside it. Groups recurse; parsing limits the depth.
     fn add(&mut self, id: ClauseId, place: &Place) {
+        step(1);
         let Some(start) = self.times.start(id) else {
             return;
         };
@@ -134,6 +139,10 @@ impl List<'_> {
         let Some(group) = clause.kind.group() else {
             return;
         };
+        if group.children.is_empty() {
+            // Nothing would bound the iterations of nothing.
+            return;
+        }
         let count = self.counts[id.index()];
         let length = (end - start) / f64::from(count);
         for iteration in 0..count {

@@ -6,9 +6,11 @@ mod names;
 mod solve;
 
 use crate::diagnostic::Sink;
-use crate::{ClauseId, Diagnostic, Document, Durations, Limits, Span, VoiceTiming};
+use crate::{
+    ClauseId, Diagnostic, Document, Durations, Limits, Name, SortedMap, Span, VoiceTiming,
+};
 use index::EndIndex;
-use std::collections::BTreeMap;
+use names::Names;
 
 /// A timeline and what was wrong with the times.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,9 +31,9 @@ pub struct Timeline {
     /// The clauses by start, ties in document order.
     pub clauses: Vec<TimedClause>,
     /// The named moments; those inside a repetition mean its first iteration.
-    pub marks: BTreeMap<String, f64>,
+    pub marks: SortedMap<Name, f64>,
     /// The times of each voice-text, counted from its start.
-    pub voices: BTreeMap<ClauseId, VoiceTiming>,
+    pub voices: SortedMap<ClauseId, VoiceTiming>,
     ends: EndIndex,
 }
 
@@ -47,7 +49,7 @@ pub struct TimedClause {
     /// The name of its element.
     pub element: &'static str,
     /// Its `timeId`.
-    pub id: Option<String>,
+    pub id: Option<Name>,
     /// Index in [`Timeline::clauses`] of the seq or par it plays in.
     pub container: Option<usize>,
     /// Which iteration of that group, from 0.
@@ -67,19 +69,27 @@ impl Timeline {
     /// everything is delayed (GEVH D.2, fig. 3.13).
     #[must_use]
     pub fn resolve(document: &Document, durations: &dyn Durations) -> Resolved {
-        let mut sink = Sink::new(Limits::default().diagnostics);
+        Self::resolve_with(document, durations, &Limits::default())
+    }
+
+    /// [`Timeline::resolve`] with other limits on repetitions and diagnostics.
+    #[must_use]
+    pub fn resolve_with(
+        document: &Document,
+        durations: &dyn Durations,
+        limits: &Limits,
+    ) -> Resolved {
+        let mut sink = Sink::new(limits.diagnostics);
         let voices = names::voice_timings(document, durations);
-        let names = names::collect(document, &voices, &mut sink);
-        let counts = expand::bounded_counts(document, &mut sink);
+        let names = Names::collect(document, &voices, &mut sink);
+        let counts = expand::bounded_counts(document, limits, &mut sink);
         let times = solve::solve(document, &voices, &names, &counts, &mut sink);
         let mut timeline = expand::expand(document, &times, &counts);
         let lead_in_secs = timeline.lead_in_secs;
-        timeline
-            .marks
-            .extend(names.into_iter().filter_map(|(name, moment)| {
-                let start = times.start(moment.clause)?;
-                Some((name, start + moment.offset_secs + lead_in_secs))
-            }));
+        timeline.marks = names.map(|moment| {
+            let start = times.start(moment.clause)?;
+            Some(start + moment.offset_secs + lead_in_secs)
+        });
         timeline.voices = voices;
         Resolved {
             timeline,
@@ -93,7 +103,7 @@ impl Timeline {
     pub fn active_at(&self, t_secs: f64) -> impl Iterator<Item = (usize, &TimedClause)> {
         let started = self.clauses.partition_point(|c| c.start_secs <= t_secs);
         self.ends
-            .after(started, t_secs)
+            .after(&self.clauses[..started], |c| c.end_secs, t_secs)
             .map(|i| (i, &self.clauses[i]))
     }
 

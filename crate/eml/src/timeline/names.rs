@@ -2,10 +2,12 @@
 
 use crate::diagnostic::Sink;
 use crate::suggest::quoted;
+use crate::work::step;
 use crate::{
-    ClauseId, ClauseKind, Diagnostic, Document, Durations, Mark, MarkEvent, Span, VoiceTiming,
+    ClauseId, ClauseKind, Diagnostic, Document, Durations, Mark, MarkEvent, Name, SortedMap, Span,
+    VoiceTiming,
 };
-use std::collections::BTreeMap;
+use std::cmp::Ordering;
 
 /// A named moment.
 #[derive(Clone, Copy, Debug)]
@@ -22,7 +24,7 @@ pub(super) struct Moment {
 pub(super) fn voice_timings(
     document: &Document,
     durations: &dyn Durations,
-) -> BTreeMap<ClauseId, VoiceTiming> {
+) -> SortedMap<ClauseId, VoiceTiming> {
     let voices = document.iter().filter_map(|(id, clause)| {
         let mut timing = durations.voice(clause.kind.spoken()?.as_ref());
         if !(timing.duration_secs >= 0.0 && timing.duration_secs.is_finite()) {
@@ -30,56 +32,121 @@ pub(super) fn voice_timings(
         }
         Some((id, timing))
     });
-    // Not `collect`, which sorts: one more sort in the wasm file.
-    let mut timings = BTreeMap::new();
-    timings.extend(voices);
-    timings
+    SortedMap::from_sorted(voices.collect())
 }
 
-/// Collects every name. Of several moments with one name the first counts.
-pub(super) fn collect(
-    document: &Document,
-    voices: &BTreeMap<ClauseId, VoiceTiming>,
-    sink: &mut Sink,
-) -> BTreeMap<String, Moment> {
-    let mut names: BTreeMap<String, Moment> = BTreeMap::new();
-    let mut define = |name: String, moment: Moment, sink: &mut Sink| {
-        let Some(first) = names.get(&name) else {
-            names.insert(name, moment);
-            return;
-        };
-        let message = format!("{} names two moments; the first one counts", quoted(&name));
-        sink.push(
-            Diagnostic::error("eml::duplicate-name", moment.span, message)
-                .related(first.span, "first named here"),
-        );
-    };
-    for (id, clause) in document.iter() {
-        if let Some(name) = &clause.time_id {
-            let moment = Moment {
-                clause: id,
-                offset_secs: 0.0,
-                span: clause.tag_span,
-            };
-            define(name.clone(), moment, sink);
-        }
-        let (ClauseKind::VoiceText(text), Some(timing)) = (&clause.kind, voices.get(&id)) else {
-            continue;
-        };
-        for mark in text.marks() {
-            let offset_secs = offset(&mark, timing, sink);
-            define(
-                mark.name,
-                Moment {
-                    clause: id,
-                    offset_secs,
-                    span: mark.span,
-                },
-                sink,
-            );
-        }
+/// Every name of a document.
+pub(super) struct Names {
+    /// By name; of several moments with one name the first.
+    moments: Vec<(Key, Moment)>,
+}
+
+/// A name and its first letters as a number, which tell most names apart.
+struct Key {
+    prefix: u64,
+    name: Name,
+}
+
+impl Key {
+    fn compare(&self, prefix: u64, name: &str) -> Ordering {
+        step(1);
+        let by_prefix = self.prefix.cmp(&prefix);
+        by_prefix.then_with(|| self.name.as_str().cmp(name))
     }
-    names
+}
+
+/// The first eight bytes, the first one counting most: it orders as the text does.
+fn prefix(name: &str) -> u64 {
+    let mut bytes = [0; 8];
+    let length = name.len().min(bytes.len());
+    bytes[..length].copy_from_slice(&name.as_bytes()[..length]);
+    u64::from_be_bytes(bytes)
+}
+
+impl Names {
+    /// Collects every name. Of several moments with one name the first counts.
+    pub(super) fn collect(
+        document: &Document,
+        voices: &SortedMap<ClauseId, VoiceTiming>,
+        sink: &mut Sink,
+    ) -> Self {
+        let mut moments: Vec<(Key, Moment)> = Vec::new();
+        let mut define = |name: Name, moment: Moment| {
+            let prefix = prefix(&name);
+            moments.push((Key { prefix, name }, moment));
+        };
+        let mut voices = voices.iter().peekable();
+        for (id, clause) in document.iter() {
+            if let Some(name) = &clause.time_id {
+                let moment = Moment {
+                    clause: id,
+                    offset_secs: 0.0,
+                    span: clause.tag_span,
+                };
+                define(name.clone(), moment);
+            }
+            // Other clauses speak as well, but only a voice-text has markers.
+            let spoken = voices.next_if(|&(&voice, _)| voice == id);
+            let (ClauseKind::VoiceText(text), Some((_, timing))) = (&clause.kind, spoken) else {
+                continue;
+            };
+            for mark in text.marks() {
+                let moment = Moment {
+                    clause: id,
+                    offset_secs: offset(&mark, timing, sink),
+                    span: mark.span,
+                };
+                define(mark.name, moment);
+            }
+        }
+        // Stable, so that of equal names the first in the document comes first.
+        moments.sort_by(|(a, _), (b, _)| a.compare(b.prefix, &b.name));
+        moments.dedup_by(|(key, moment), (first_key, first)| {
+            let same = key.compare(first_key.prefix, &first_key.name) == Ordering::Equal;
+            if same {
+                report_duplicate(&key.name, moment, first, sink);
+            }
+            same
+        });
+        Self { moments }
+    }
+
+    /// The moment of a name.
+    pub(super) fn find(&self, name: &str) -> Option<&Moment> {
+        let prefix = prefix(name);
+        let found = self
+            .moments
+            .binary_search_by(|(key, _)| key.compare(prefix, name));
+        found.ok().map(|at| &self.moments[at].1)
+    }
+
+    /// How many names there are.
+    pub(super) fn len(&self) -> usize {
+        self.moments.len()
+    }
+
+    /// All names in order.
+    pub(super) fn iter(&self) -> impl Iterator<Item = &str> {
+        self.moments.iter().map(|(key, _)| key.name.as_str())
+    }
+
+    /// The names with what `value` says of their moments.
+    pub(super) fn map(self, value: impl Fn(&Moment) -> Option<f64>) -> SortedMap<Name, f64> {
+        let moments = self.moments.into_iter();
+        SortedMap::from_sorted(
+            moments
+                .filter_map(|(key, moment)| Some((key.name, value(&moment)?)))
+                .collect(),
+        )
+    }
+}
+
+fn report_duplicate(name: &str, moment: &Moment, first: &Moment, sink: &mut Sink) {
+    let message = format!("{} names two moments; the first one counts", quoted(name));
+    sink.push(
+        Diagnostic::error("eml::duplicate-name", moment.span, message)
+            .related(first.span, "first named here"),
+    );
 }
 
 /// When a marker lies, in seconds from the start of its utterance.

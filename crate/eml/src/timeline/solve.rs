@@ -4,11 +4,18 @@
 //! with a stack of its own, so that a chain of a hundred thousand names is no problem,
 //! and meeting an unknown that is being worked on is a cycle.
 
-use super::names::Moment;
+use super::names::Names;
 use crate::diagnostic::Sink;
 use crate::suggest::{nearest, quoted};
-use crate::{Clause, ClauseId, ClauseKind, Diagnostic, Document, VoiceTiming};
-use std::collections::BTreeMap;
+use crate::work::step;
+use crate::{Clause, ClauseId, ClauseKind, Diagnostic, Document, SortedMap, VoiceTiming};
+
+/// Names that are looked at in all to find those that may have been meant: it bounds
+/// the work on a document with many names that nobody gave.
+const MOST_LOOKS: usize = 5_000;
+
+/// Names that a message tells of those that count from each other.
+const LONGEST_CHAIN: usize = 32;
 
 /// Times beyond this, about 31 years, come from sums that have run away.
 const LATEST_SECS: f64 = 1e9;
@@ -34,8 +41,8 @@ impl Times {
 /// Solves for all clauses.
 pub(super) fn solve(
     document: &Document,
-    voices: &BTreeMap<ClauseId, VoiceTiming>,
-    names: &BTreeMap<String, Moment>,
+    voices: &SortedMap<ClauseId, VoiceTiming>,
+    names: &Names,
     counts: &[u32],
     sink: &mut Sink,
 ) -> Times {
@@ -51,13 +58,19 @@ pub(super) fn solve(
         state: vec![State::New; 2 * n],
         values: vec![f64::NAN; 2 * n],
         refused: vec![false; n],
+        unknown: Vec::new(),
         depth: vec![0; 2 * n],
         suspects: Vec::new(),
     };
     solver.look_up_names(names);
     solver.link_sequences();
+    let mut stack = Vec::new();
     for unknown in 0..2 * n {
-        solver.find(unknown);
+        if !solver.is_ready(unknown) {
+            solver.find(unknown, &mut stack);
+        } else if solver.state[unknown] == State::New {
+            solver.settle(unknown);
+        }
     }
     Times {
         values: solver.values,
@@ -80,7 +93,7 @@ struct Term {
 
 struct Solver<'d, 's> {
     document: &'d Document,
-    voices: &'d BTreeMap<ClauseId, VoiceTiming>,
+    voices: &'d SortedMap<ClauseId, VoiceTiming>,
     counts: &'d [u32],
     sink: &'s mut Sink,
     /// The terms of all clauses, those of one clause together.
@@ -92,6 +105,9 @@ struct Solver<'d, 's> {
     values: Vec<f64>,
     /// Clauses whose expression has been found faulty and reported.
     refused: Vec<bool>,
+    /// The clauses that count from a name that nothing has, with its place among their
+    /// names; by clause.
+    unknown: Vec<(ClauseId, usize)>,
     /// Where on the stack an open unknown lies.
     depth: Vec<usize>,
     /// The clauses on the stack whose start names moments, and where on it they lie.
@@ -99,23 +115,28 @@ struct Solver<'d, 's> {
 }
 
 impl Solver<'_, '_> {
-    fn look_up_names(&mut self, names: &BTreeMap<String, Moment>) {
+    fn look_up_names(&mut self, names: &Names) {
+        let mut looks = MOST_LOOKS;
         for (id, clause) in self.document.iter() {
-            for term in &clause.start.names {
-                match names.get(term.name.as_str()) {
+            for (place, term) in clause.start.names.iter().enumerate() {
+                match names.find(&term.name) {
                     Some(moment) => self.terms.push(Term {
                         clause: moment.clause,
                         offset_secs: moment.offset_secs,
                         sign: if term.negative { -1.0 } else { 1.0 },
                     }),
                     None => {
-                        self.refused[id.index()] = true;
+                        if !std::mem::replace(&mut self.refused[id.index()], true) {
+                            self.unknown.push((id, place));
+                        }
                         let message = format!(
                             "{} names no moment; this `{}` is left out",
                             quoted(&term.name),
                             clause.kind.name()
                         );
-                        let hint = match nearest(&term.name, names.keys().map(String::as_str)) {
+                        let near = nearest(&term.name, names.iter().take(looks));
+                        looks = looks.saturating_sub(names.len());
+                        let hint = match near {
                             Some(near) => format!("did you mean `{near}`?"),
                             None => "moments are named by `timeId` and `tm`".to_owned(),
                         };
@@ -139,17 +160,24 @@ impl Solver<'_, '_> {
         }
     }
 
-    fn find(&mut self, unknown: usize) {
-        if self.state[unknown] != State::New {
-            return;
-        }
-        let mut stack = Vec::new();
-        self.open(unknown, &mut stack);
+    /// Whether all that an unknown needs is known, as it mostly is when the unknowns are
+    /// gone through in the order of the document.
+    fn is_ready(&self, unknown: usize) -> bool {
+        let known = |needed| self.state[needed] == State::Done;
+        known(unknown) || (0..).map_while(|i| self.needs(unknown, i)).all(known)
+    }
+
+    fn settle(&mut self, unknown: usize) {
+        self.values[unknown] = self.value(unknown);
+        self.state[unknown] = State::Done;
+    }
+
+    fn find(&mut self, unknown: usize, stack: &mut Vec<(usize, usize)>) {
+        self.open(unknown, stack);
         while let Some((current, next)) = stack.last_mut() {
             let current = *current;
             let Some(needed) = self.needs(current, *next) else {
-                self.values[current] = self.value(current);
-                self.state[current] = State::Done;
+                self.settle(current);
                 stack.pop();
                 let left = stack.len();
                 self.suspects.pop_if(|&mut (_, depth)| depth == left);
@@ -157,7 +185,7 @@ impl Solver<'_, '_> {
             };
             *next += 1;
             match self.state[needed] {
-                State::New => self.open(needed, &mut stack),
+                State::New => self.open(needed, stack),
                 State::Open => self.refuse_cycle(self.depth[needed]),
                 State::Done => {}
             }
@@ -177,6 +205,7 @@ impl Solver<'_, '_> {
 
     /// The `i`th unknown that must be found before `unknown`.
     fn needs(&self, unknown: usize, i: usize) -> Option<usize> {
+        step(1);
         let (id, clause) = self.clause_of(unknown);
         let is_start = unknown.is_multiple_of(2);
         if is_start {
@@ -232,8 +261,9 @@ impl Solver<'_, '_> {
             // A clause in a group without a time goes with the group, unmentioned.
             if clause.start.is_absolute() {
                 let message = format!(
-                    "this `{}` is left out because a moment that it counts from has no time",
-                    clause.kind.name()
+                    "this `{}` is left out because a moment that it counts from has no time: {}",
+                    clause.kind.name(),
+                    self.chain(id)
                 );
                 self.sink.push(Diagnostic::error(
                     "eml::no-time",
@@ -293,7 +323,7 @@ impl Solver<'_, '_> {
             }
         };
         // A cycle of thousands of names is told by its beginning.
-        let mut chain: Vec<String> = faulty.iter().take(8).map(label).collect();
+        let mut chain: Vec<String> = faulty.iter().take(LONGEST_CHAIN).map(label).collect();
         if faulty.len() > chain.len() {
             chain.push("…".to_owned());
         }
@@ -307,7 +337,7 @@ impl Solver<'_, '_> {
             format!("these times wait for each other: {}", chain.join(" -> "))
         };
         let mut diagnostic = Diagnostic::error("eml::time-cycle", clause.start.span, message);
-        for &other in faulty.iter().skip(1).take(8) {
+        for &other in faulty.iter().take(LONGEST_CHAIN).skip(1) {
             let clause = self.document.clause(other);
             diagnostic = diagnostic.related(clause.start.span, format!("{} waits", label(&other)));
         }
@@ -316,6 +346,39 @@ impl Solver<'_, '_> {
         for id in faulty {
             self.refused[id.index()] = true;
         }
+    }
+
+    /// The names by which a clause without a time counts from one another, up to the one
+    /// that nothing has.
+    fn chain(&self, from: ClauseId) -> String {
+        let mut steps: Vec<String> = Vec::new();
+        let mut at = Some(from).filter(|_| !self.sink.is_full());
+        while let Some(id) = at {
+            let clause = self.document.clause(id);
+            if let Ok(found) = self.unknown.binary_search_by_key(&id, |&(id, _)| id) {
+                let place = self.unknown[found].1;
+                steps.push(quoted(&clause.start.names[place].name));
+                break;
+            }
+            if steps.len() == LONGEST_CHAIN {
+                steps.push("…".to_owned());
+                break;
+            }
+            at = if self.refused[id.index()] {
+                // A cycle, which is told by itself.
+                None
+            } else if clause.start.is_absolute() {
+                let mut named = clause.start.names.iter().zip(self.terms_of(id));
+                let missing = named.find(|(_, term)| self.values[start_of(term.clause)].is_nan());
+                missing.map(|(name, term)| {
+                    steps.push(quoted(&name.name));
+                    term.clause
+                })
+            } else {
+                clause.parent
+            };
+        }
+        steps.join(" -> ")
     }
 
     fn in_seq(&self, clause: &Clause) -> bool {

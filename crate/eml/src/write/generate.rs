@@ -5,8 +5,8 @@ use crate::record::{Child as _, Field, List, Record, Value, Visit};
 use crate::schema::{self, Attribute, ELEMENTS, Element, Kind, Presence, Role, parse_value};
 use crate::{
     Clause, ClauseId, ClauseKind, Coords, DivKind, Document, GestureKey, Group, Handedness, Key,
-    MarkEvent, MotionKey, NameTerm, PalmKey, Performer, Phase, Piece, Profile, Set, ShapeKey, Span,
-    TimeExpr, Track, VoiceText,
+    MarkEvent, MotionKey, Name, NameTerm, PalmKey, Performer, Phase, Piece, Profile, Set, ShapeKey,
+    Span, TimeExpr, Track, VoiceText,
 };
 use raconteur_base::Side;
 
@@ -127,7 +127,7 @@ impl Dice {
 
     fn time(&mut self) -> TimeExpr {
         let names = (0..self.below(3)).map(|_| NameTerm {
-            name: self.name(),
+            name: self.name().into(),
             negative: self.one_in(2),
             span: Span::default(),
         });
@@ -169,11 +169,11 @@ impl Dice {
                 "gesture-is-on" => ClauseKind::GestureIsOn(self.one_in(2)),
                 "gesture-key" => ClauseKind::GestureKey(self.gesture()),
                 "event" => ClauseKind::Event {
-                    kind: self.one_in(2).then(|| self.text()),
+                    kind: self.one_in(2).then(|| self.text().into()),
                     payload: if self.one_in(3) {
-                        String::new()
+                        Name::default()
                     } else {
-                        self.text()
+                        self.text().into()
                     },
                 },
                 "body-player-clear" => ClauseKind::PlayerClear,
@@ -184,7 +184,7 @@ impl Dice {
             span: Span::default(),
             tag_span: Span::default(),
             start: self.time(),
-            time_id: self.one_in(3).then(|| self.name()),
+            time_id: self.one_in(3).then(|| self.name().into()),
             parent,
             kind,
         });
@@ -322,11 +322,11 @@ impl Dice {
                     span,
                 }),
                 3 => {
-                    let name = self.name();
+                    let name = self.name().into();
                     let event = match self.below(3) {
                         0 => MarkEvent::OnStart,
                         1 => MarkEvent::OnEnd,
-                        _ => MarkEvent::OnPhone("hh".to_owned()),
+                        _ => MarkEvent::OnPhone("hh".into()),
                     };
                     pieces.push(Piece::Mark { name, event, span });
                 }
@@ -360,7 +360,7 @@ impl Dice {
                     }
                 }
                 _ => {
-                    let text = self.text();
+                    let text = self.text().into();
                     pieces.push(Piece::Text {
                         text,
                         emphasis,

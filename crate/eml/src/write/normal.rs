@@ -55,7 +55,7 @@ fn joined(pieces: Vec<Piece>) -> Vec<Piece> {
                 }) = out.last_mut()
                     && level == emphasis
                 {
-                    before.push_str(text);
+                    *before = [before.as_str(), text.as_str()].concat().into();
                     continue;
                 }
                 *span = Span::default();

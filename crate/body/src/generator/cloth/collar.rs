@@ -53,9 +53,8 @@ fn keep_off(field: &Field, p: &mut DVec3, off: f64) {
 }
 
 /// A shirt's collar, buttoned: stand, fold and a fall with points, as one closed profile.
-/// The fall lies on `over`, what is worn over the shirt.
 #[must_use]
-pub fn shirt_collar(wearer: &Wearer<'_>, over: &Lay<'_>) -> Shell {
+pub fn shirt_collar(wearer: &Wearer<'_>) -> Shell {
     const STATIONS: usize = 37;
     /// Degrees from the middle where the collar's ends stand.
     const GAP: f64 = 5.0;
@@ -102,12 +101,6 @@ pub fn shirt_collar(wearer: &Wearer<'_>, over: &Lay<'_>) -> Shell {
             let out = (off + 0.9 * point * down) * unit;
             let mut p = field.neck_point(turned, foot + stand - fall * down, out);
             keep_off(field, &mut p, (clear + 0.25 * point) * unit);
-            // Its edge is turned over: the outer side clears that by more than the inner.
-            let laid = over.outside(p, if k < 4 { 0.75 } else { 0.5 } * unit);
-            // Before the throat there is nothing to lie on.
-            if laid.distance(p) < 0.9 * unit {
-                p = laid;
-            }
             rows[5 + k].push(p);
         }
     }

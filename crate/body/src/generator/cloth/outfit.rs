@@ -296,10 +296,6 @@ fn cardigan(wearer: &Wearer<'_>, c: &Cardigan) -> Dressed {
     );
     made.parts.push(trim(wearer, &edge, rib));
     made.surface.append(edge);
-    let collar = shirt_collar(wearer, &lay);
-    let woven = cloth(MaterialKind::Woven, c.shirt);
-    made.parts.push(trim(wearer, &collar, woven));
-    made.surface.append(collar);
     let hem = top
         .hem
         .iter()
@@ -456,6 +452,9 @@ fn shirt(made: &mut Dressed, wearer: &Wearer<'_>, c: &Cardigan, vee: &Vee) {
             leather([0.6, 0.59, 0.55]),
         ));
     }
+    let collar = shirt_collar(wearer);
+    made.parts.push(trim(wearer, &collar, woven));
+    made.surface.append(collar);
     cuffs(made, wearer, woven);
 }
 

@@ -147,7 +147,18 @@ pub fn top(wearer: &Wearer<'_>, cut: &TopCut, below: &Shell) -> Top {
     for _ in 0..2 {
         clear(&mut out.sheet.shell, &lay, 0.55 * unit);
     }
+    keep_out(&mut out.sheet.shell, wearer.field, 0.2 * unit);
     out
+}
+
+/// Brings what relaxing drew into the body, as in the armpit's crease, out again.
+fn keep_out(shell: &mut Shell, body: &Field, off: f64) {
+    for _ in 0..6 {
+        for p in &mut shell.points {
+            let (d, n) = body.value_and_normal(*p, Regions::ALL, 1.0);
+            *p += n * (off - d).clamp(0.0, CM);
+        }
+    }
 }
 
 /// Pushes the trunk's cloth out of what is worn below it.

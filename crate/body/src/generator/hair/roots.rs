@@ -2,7 +2,7 @@
 
 use raconteur_base::{DVec3, noise};
 
-use super::cut::{Cut, Layer, Where};
+use super::cut::{Cut, Layer, Where, slope};
 use crate::generator::head::{Head, ScalpPoint};
 
 /// Roots of one layer; `number` keeps the layers' dice apart.
@@ -28,11 +28,12 @@ pub(super) fn roots(
             let parting = 3.0 * cut.parting(middle);
             let d = share(t);
             let wanted = match layer.roots {
-                // Denser where it begins to thin, so that the line is not bare.
-                Where::All => d.sqrt() * (1.0 + parting),
+                // Denser where it begins to thin, so that the line is not bare; but before
+                // the line a long lock would start on the forehead.
+                Where::All => d.sqrt() * slope(0.12, 0.45, d) * (1.0 + parting),
                 Where::Hairline if middle.z > -0.012 => 4.0 * d * (1.0 - d),
                 Where::Hairline => 0.0,
-                Where::Parting => d * parting,
+                Where::Parting => d * slope(0.12, 0.45, d) * parting,
             };
             total += area * wanted;
             total

@@ -46,6 +46,7 @@ fn head() -> HeadParams {
             (Measure::CanthalTilt, -0.3),
         ]),
         seed: 8,
+        iris: [0.115, 0.105, 0.045],
         brow: brow(),
         ..HeadParams::default()
     }

@@ -48,6 +48,7 @@ fn head() -> HeadParams {
             (Measure::CheekFullness, -0.6),
         ]),
         seed: 5,
+        iris: [0.085, 0.130, 0.170],
         brow: brow(),
         ..HeadParams::default()
     }
@@ -93,7 +94,7 @@ fn hair() -> HairParams {
 
 fn brow() -> BrowParams {
     BrowParams {
-        colour: [0.34, 0.33, 0.31],
+        colour: [0.40, 0.36, 0.31],
         density: 1.25,
         length: 1.55,
         height: 1.25,

@@ -317,7 +317,11 @@ impl FacePainter<'_> {
         let border = -24.0 - (76.0 - half.x).clamp(0.0, 44.0) * 0.52;
         let cheek = rise(4.0, -8.0, half.y - border + ragged) * rise(4.0, 16.0, half.z);
         let moustache = rise(-23.0, -29.0, half.y + 0.4 * ragged)
-            * rise(5.0, -5.0, half.x - 22.0 - 0.75 * (-27.0 - half.y).max(0.0) + ragged)
+            * rise(
+                5.0,
+                -5.0,
+                half.x - 22.0 - 0.75 * (-27.0 - half.y).max(0.0) + ragged,
+            )
             * rise(70.0, 84.0, half.z);
         let neck = rise(-134.0, -112.0, half.y + ragged);
         let area = cheek.max(moustache) * neck * open;

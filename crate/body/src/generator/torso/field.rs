@@ -138,6 +138,8 @@ pub(super) struct Neck {
     bottom_z: f64,
     top_z: f64,
     pub(super) radius: f64,
+    /// Half its depth over its radius across: men's necks are deep.
+    depth: f64,
 }
 
 impl Neck {
@@ -209,6 +211,7 @@ impl Field {
             bottom_z: -3.0 * trunk_scale * lerp(1.0, 0.7, child) * CM + p.stoop_m(bottom_y),
             top_z: p.stoop_m(top_y),
             radius,
+            depth: lerp(lerp(1.17, 1.06, p.sex), 1.06, child),
         };
         let pads = pads(p, shoulder, trunk.at(lerp(0.713, 0.693, child))[1]);
         Self {
@@ -246,7 +249,7 @@ impl Field {
         let n = &self.neck;
         let (s, c) = ops::sincos(angle_rad);
         let z = lerp(n.bottom_z, n.top_z, n.share(y).clamp(-0.3, 1.6));
-        DVec3::new(s * (n.radius + off), y, z + c * (n.radius * 1.06 + off))
+        DVec3::new(s * (n.radius + off), y, z + c * (n.radius * n.depth + off))
     }
 
     /// Approximate signed distance, metres.
@@ -300,7 +303,7 @@ impl Field {
         let n = &self.neck;
         let t = n.share(p.y).clamp(-0.3, 1.6);
         let z = p.z - lerp(n.bottom_z, n.top_z, t);
-        let r = DVec2::new(p.x / n.radius, z / (n.radius * 1.06)).length();
+        let r = DVec2::new(p.x / n.radius, z / (n.radius * n.depth)).length();
         let side = (r - 1.0) * n.radius * 0.95;
         let below = n.bottom_y - 0.3 * (n.top_y - n.bottom_y) - p.y;
         if below > 0.0 { side.max(below) } else { side }

@@ -1,0 +1,101 @@
+//! Finds elements by name in constant time, however many there are.
+
+use super::{ELEMENTS, Element};
+
+/// More than twice as many slots as elements, so that few names share one.
+const SLOTS: usize = 512;
+const EMPTY: u8 = u8::MAX;
+
+/// For each hash, or the next free slot after it, the first element of a name.
+static TABLE: [u8; SLOTS] = build();
+
+const fn build() -> [u8; SLOTS] {
+    assert!(ELEMENTS.len() * 2 < SLOTS && ELEMENTS.len() < EMPTY as usize);
+    let mut table = [EMPTY; SLOTS];
+    let mut i = 0;
+    while i < ELEMENTS.len() {
+        let name = ELEMENTS[i].name.as_bytes();
+        // The table is sorted, so entries of one name lie together.
+        if i == 0 || !same_bytes(name, ELEMENTS[i - 1].name.as_bytes()) {
+            let mut slot = hash(name);
+            while table[slot] != EMPTY {
+                slot = (slot + 1) % SLOTS;
+            }
+            table[slot] = i as u8;
+        }
+        i += 1;
+    }
+    table
+}
+
+/// Length, first, middle and last letter tell most names apart.
+const fn hash(name: &[u8]) -> usize {
+    let n = name.len();
+    if n == 0 {
+        return 0;
+    }
+    let mixed = n * 37 + name[0] as usize * 5 + name[n / 2] as usize * 19;
+    (mixed + name[n - 1] as usize * 83) % SLOTS
+}
+
+const fn same_bytes(a: &[u8], b: &[u8]) -> bool {
+    if a.len() != b.len() {
+        return false;
+    }
+    let mut i = 0;
+    while i < a.len() {
+        if a[i] != b[i] {
+            return false;
+        }
+        i += 1;
+    }
+    true
+}
+
+/// Whether two names are the same. A look at the first letter, and at whether it is one
+/// and the same constant, saves most of the calls that comparing strings makes.
+pub(crate) fn same(a: &str, b: &str) -> bool {
+    a.len() == b.len()
+        && a.as_bytes().first() == b.as_bytes().first()
+        && (std::ptr::eq(a, b) || a == b)
+}
+
+/// The index of the first element with exactly this name.
+fn index(name: &str) -> Option<usize> {
+    let mut slot = hash(name.as_bytes());
+    while TABLE[slot] != EMPTY {
+        let found = usize::from(TABLE[slot]);
+        if same(ELEMENTS[found].name, name) {
+            return Some(found);
+        }
+        slot = (slot + 1) % SLOTS;
+    }
+    None
+}
+
+/// All elements with exactly this name.
+pub(super) fn variants(name: &str) -> impl Iterator<Item = &'static Element> {
+    let first = index(name).unwrap_or(ELEMENTS.len());
+    ELEMENTS[first..]
+        .iter()
+        .copied()
+        .take_while(move |e| same(e.name, name))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_name_is_found_and_others_are_not() {
+        for element in ELEMENTS {
+            let first = variants(element.name).next();
+            assert_eq!(first.map(|e| e.name), Some(element.name));
+            let all = ELEMENTS.iter().filter(|e| e.name == element.name).count();
+            assert_eq!(variants(element.name).count(), all);
+        }
+        for name in ["", "emL", "bodyy", "é", "\0"] {
+            assert!(variants(name).next().is_none(), "{name}");
+        }
+    }
+}

@@ -1,0 +1,75 @@
+//! What must hold whatever the input: shared by the tests and the fuzz targets.
+#![allow(dead_code, reason = "each program that includes this uses some of it")]
+
+use raconteur_eml::{
+    Diagnostic, EstimatedDurations, Limits, LineIndex, Parsed, Timeline, parse, parse_bytes,
+    parse_fragment,
+};
+
+/// A script.
+pub(crate) fn document(source: &[u8]) {
+    let parsed = parse_bytes(source, &Limits::default());
+    holds(source, &parsed);
+}
+
+/// What a mind sends.
+pub(crate) fn fragment(source: &[u8]) {
+    if let Ok(text) = std::str::from_utf8(source) {
+        holds(source, &parse_fragment(text));
+    }
+}
+
+/// A time expression: what stands in an attribute, so without what would end it.
+pub(crate) fn time(source: &[u8]) {
+    let Ok(text) = std::str::from_utf8(source) else {
+        return;
+    };
+    let text = text.replace(['\'', '<'], "");
+    let script = format!(
+        "<eml><body><null time='1' timeId='a'/><par time='{text}' timeId='t' duration='{text}'>\
+         <voice-text time='{text}'>one <tm name='b'/>two</voice-text></par><seq time='a'>\
+         <gesture-key time='{text}' duration='2'><hand-shapes><key time='{text}' id='1'/>\
+         </hand-shapes></gesture-key></seq></body></eml>"
+    );
+    holds(script.as_bytes(), &parse(&script));
+}
+
+/// Resolves what was read and checks what must hold for any input.
+fn holds(source: &[u8], parsed: &Parsed) {
+    let resolved = Timeline::resolve(&parsed.document, &EstimatedDurations);
+    let text = String::from_utf8_lossy(source);
+    let lines = LineIndex::new(&text);
+    for Diagnostic { span, related, .. } in parsed.diagnostics.iter().chain(&resolved.diagnostics) {
+        for span in related.iter().map(|(span, _)| span).chain([span]) {
+            assert!(
+                span.start <= span.end && span.end as usize <= source.len() + 1,
+                "{span:?}"
+            );
+            assert!(lines.position(span.start).line >= 1);
+        }
+    }
+    let timeline = &resolved.timeline;
+    assert!(timeline.clauses.is_sorted_by_key(|c| c.start_secs));
+    assert!(timeline.lead_in_secs >= 0.0);
+    for clause in &timeline.clauses {
+        assert!(clause.start_secs >= 0.0 && clause.end_secs >= clause.start_secs);
+        assert!(clause.end_secs <= timeline.duration_secs && clause.end_secs.is_finite());
+        assert_eq!(clause.span, parsed.document.clause(clause.clause).span);
+        if let Some(container) = clause.container {
+            let group = parsed.document.clause(timeline.clauses[container].clause);
+            assert!(
+                group
+                    .kind
+                    .group()
+                    .is_some_and(|g| g.children.contains(&clause.clause))
+            );
+        }
+    }
+    for t in [0.0, 0.5, 1.0, timeline.duration_secs] {
+        let active: Vec<usize> = timeline.active_at(t).map(|(i, _)| i).collect();
+        let scanned: Vec<usize> = (0..timeline.clauses.len())
+            .filter(|&i| timeline.clauses[i].start_secs <= t && timeline.clauses[i].end_secs > t)
+            .collect();
+        assert_eq!(active, scanned);
+    }
+}

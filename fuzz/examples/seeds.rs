@@ -1,0 +1,37 @@
+//! Writes the corpus of the `figure` target: small avatars in every dialect, made by the
+//! code that makes them for the importer's tests. Takes the folder to write to.
+
+#[allow(dead_code, reason = "the importer's tests use the rest")]
+#[path = "../../crate/body/tests/avatars/made.rs"]
+mod made;
+
+use made::{Avatar, Dialect, make};
+
+fn main() -> std::io::Result<()> {
+    let folder = std::env::args().nth(1).unwrap_or_else(|| ".".into());
+    let folder = std::path::Path::new(&folder);
+    std::fs::create_dir_all(folder)?;
+    for dialect in [
+        Dialect::Vrm0,
+        Dialect::Vrm1,
+        Dialect::Mixamo,
+        Dialect::ReadyPlayerMe,
+        Dialect::Blender,
+    ] {
+        for fingers in [false, true] {
+            let avatar = Avatar {
+                fingers,
+                morphs: vec!["jawOpen", "eyeBlinkLeft"],
+                ..Avatar::new(dialect)
+            };
+            let file = make(&avatar);
+            let name = format!("{dialect:?}-{fingers}");
+            std::fs::write(folder.join(format!("{name}.glb")), file.glb())?;
+            std::fs::write(folder.join(format!("{name}.gltf")), file.gltf())?;
+            if let Ok((own, _)) = raconteur_body::import::convert("seed", &file.glb()) {
+                std::fs::write(folder.join(format!("{name}-own.glb")), own)?;
+            }
+        }
+    }
+    Ok(())
+}
