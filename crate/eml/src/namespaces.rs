@@ -1,8 +1,9 @@
 //! The namespaces of a document: what a prefix means where.
 
 use crate::diagnostic::Sink;
-use crate::syntax::{NodeKind, Tree};
+use crate::syntax::{Node, NodeKind, Tree};
 use crate::{Diagnostic, Span};
+use std::ops::Range;
 
 /// The namespace of what this player adds to the language of the thesis. A document
 /// that does not bind it means exactly what GEVH says.
@@ -28,60 +29,94 @@ pub(crate) enum Owner {
 }
 
 /// The bindings of a document, outer ones first.
-#[derive(Debug, Default)]
-pub(crate) struct Namespaces<'t> {
-    bindings: Vec<Binding<'t>>,
+#[derive(Debug)]
+pub(crate) struct Namespaces<'a> {
+    bindings: Vec<Binding<'a>>,
+    /// Whether the document may have any.
+    any: bool,
+    /// How many belong to what is around the elements of the body, once those are met.
+    around: Option<usize>,
+    told: bool,
 }
 
 #[derive(Debug)]
-struct Binding<'t> {
+struct Binding<'a> {
     /// Empty for names without a prefix.
-    prefix: &'t str,
+    prefix: &'a str,
     extensions: bool,
     /// The nodes where it holds.
     from: usize,
     to: usize,
 }
 
-impl<'t> Namespaces<'t> {
-    /// Collects the bindings of a tree.
-    pub(crate) fn of(tree: &'t Tree<'t>, sink: &mut Sink) -> Self {
-        let mut bindings: Vec<Binding<'t>> = Vec::new();
-        if !tree.attributes.iter().any(|a| a.name.starts_with("xmlns")) {
-            return Self::default();
+impl<'a> Namespaces<'a> {
+    /// Those of a text that has not been read.
+    pub(crate) fn new(source: &str) -> Self {
+        Self {
+            bindings: Vec::new(),
+            any: source.contains("xmlns"),
+            around: None,
+            told: false,
         }
-        // While the elements of a body are taken out, the root and the body are open.
-        let body = tree.taken_from.map(|body| body as usize);
-        let is_element = |kind| !matches!(kind, NodeKind::Text | NodeKind::Reference(_));
-        let root = body.and(tree.nodes.iter().position(|n| is_element(n.kind)));
-        for (from, node) in tree.nodes.iter().enumerate() {
-            let is_open = Some(from) == body || Some(from) == root;
-            let to = if is_open && node.subtree_end as usize == from + 1 {
-                usize::MAX
-            } else {
-                node.subtree_end as usize
-            };
+    }
+
+    /// Collects the bindings for an element of the body that is read before the body is
+    /// complete: node `node`, the last in the tree with what is in it.
+    pub(crate) fn enter(&mut self, tree: &Tree<'a>, node: usize, sink: &mut Sink) {
+        if !self.any {
+            return;
+        }
+        match self.around {
+            Some(around) => self.bindings.truncate(around),
+            None => {
+                self.collect(tree, 0..node, sink);
+                // The root and the body are still open.
+                let is_element = |n: &Node<'_>| matches!(n.kind, NodeKind::Element(_));
+                let root = tree.nodes.iter().position(is_element);
+                let body = tree.taken_from.map(|body| body as usize);
+                for binding in &mut self.bindings {
+                    if Some(binding.from) == root || Some(binding.from) == body {
+                        binding.to = usize::MAX;
+                    }
+                }
+                self.around = Some(self.bindings.len());
+            }
+        }
+        self.collect(tree, node..tree.nodes.len(), sink);
+    }
+
+    /// Collects the bindings of a tree that is complete.
+    pub(crate) fn finish(&mut self, tree: &Tree<'a>, sink: &mut Sink) {
+        self.bindings.clear();
+        if self.any {
+            self.collect(tree, 0..tree.nodes.len(), sink);
+        }
+    }
+
+    fn collect(&mut self, tree: &Tree<'a>, nodes: Range<usize>, sink: &mut Sink) {
+        for from in nodes {
             for attribute in tree.attributes_of(from) {
                 let Some(prefix) = bound_by(attribute.name) else {
                     continue;
                 };
-                if bindings.len() == MOST_BINDINGS {
-                    sink.push(Diagnostic::error(
-                        "eml::too-many-namespaces",
-                        attribute.name_span(),
-                        format!("more than {MOST_BINDINGS} namespaces; the rest is not bound"),
-                    ));
-                    return Self { bindings };
+                if self.bindings.len() == MOST_BINDINGS {
+                    if !std::mem::replace(&mut self.told, true) {
+                        sink.push(Diagnostic::error(
+                            "eml::too-many-namespaces",
+                            attribute.name_span(),
+                            format!("more than {MOST_BINDINGS} namespaces; the rest is not bound"),
+                        ));
+                    }
+                    return;
                 }
-                bindings.push(Binding {
+                self.bindings.push(Binding {
                     prefix,
                     extensions: attribute.value.trim() == EXTENSIONS,
                     from,
-                    to,
+                    to: tree.nodes[from].subtree_end as usize,
                 });
             }
         }
-        Self { bindings }
     }
 
     /// What a name in the tag of `node` belongs to, and the name without its prefix.

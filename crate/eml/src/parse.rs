@@ -119,10 +119,11 @@ fn read(source: &str, limits: &Limits, fragment: bool) -> Parsed {
     }
     report_controls(source, &mut sink);
     let mut taken = Taken::default();
+    let mut namespaces = Namespaces::new(source);
     let tree = syntax::build(source, limits, &mut sink, &mut |tree, node, sink| {
+        namespaces.enter(tree, node, sink);
         let mut cx = Context {
-            // What is wrong with them is told once, when the tree is whole.
-            namespaces: Namespaces::of(tree, &mut Sink::new(0)),
+            namespaces: &namespaces,
             tree,
             sink,
             document: &mut document,
@@ -132,13 +133,13 @@ fn read(source: &str, limits: &Limits, fragment: bool) -> Parsed {
         cx.take(node, &mut taken);
         taken.told_clauses = cx.told_clauses;
     });
-    let namespaces = Namespaces::of(&tree, &mut sink);
+    namespaces.finish(&tree, &mut sink);
     let mut cx = Context {
         tree: &tree,
         sink: &mut sink,
         document: &mut document,
         limits,
-        namespaces,
+        namespaces: &namespaces,
         told_clauses: taken.told_clauses,
     };
     cx.root(fragment, taken);

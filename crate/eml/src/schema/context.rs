@@ -24,7 +24,7 @@ pub(crate) struct Context<'t> {
     pub(crate) sink: &'t mut Sink,
     pub(crate) document: &'t mut Document,
     pub(crate) limits: &'t Limits,
-    pub(crate) namespaces: Namespaces<'t>,
+    pub(crate) namespaces: &'t Namespaces<'t>,
     /// Whether the limit of clauses has been reported.
     pub(crate) told_clauses: bool,
 }

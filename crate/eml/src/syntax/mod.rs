@@ -9,7 +9,7 @@ mod tree;
 
 pub(crate) use builder::build;
 pub(crate) use references::resolve;
-pub(crate) use tree::{Attribute, NodeKind, Tree};
+pub(crate) use tree::{Attribute, Node, NodeKind, Tree};
 
 #[cfg(test)]
 mod tests;
