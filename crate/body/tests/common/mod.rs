@@ -1,7 +1,7 @@
 //! What several tests of files need.
 
 /// A container of this JSON without binary chunk.
-pub fn container(json: &str) -> Vec<u8> {
+pub(crate) fn container(json: &str) -> Vec<u8> {
     let mut json = json.as_bytes().to_vec();
     json.resize(json.len().next_multiple_of(4), b' ');
     let mut glb = b"glTF".to_vec();

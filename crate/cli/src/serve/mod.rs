@@ -63,7 +63,7 @@ struct Hello<'a> {
     end_secs: f64,
     figure: &'a str,
     /// The script's named moments, story time, seconds.
-    marks: &'a SortedMap<Name, f64>,
+    marks: BTreeMap<&'a str, f64>,
 }
 
 /// Performs until the standard input has ended, where it is the only way in; else for ever.
@@ -235,12 +235,16 @@ impl Stage {
         while let Ok(mut mind) = self.arrivals.try_recv() {
             self.minds_begun = self.minds_begun.wrapping_add(1);
             mind.id = self.minds_begun;
+            let marks = &self.player.timeline().marks;
             mind.tell(&line(&Hello {
                 version: 1,
                 time_secs: now_secs,
                 end_secs: self.player.duration_secs(),
                 figure: &self.player.figure().name,
-                marks: &self.player.timeline().marks,
+                marks: marks
+                    .iter()
+                    .map(|(name, at)| (name.as_str(), *at))
+                    .collect(),
             })?)?;
             self.minds.push(mind);
         }

@@ -22,6 +22,10 @@ pub(crate) fn serve(stream: TcpStream, door: &Door) -> Result<(), Error> {
     let config = WebSocketConfig::default()
         .max_message_size(Some(LONGEST_MESSAGE))
         .max_frame_size(Some(LONGEST_MESSAGE));
+    #[allow(
+        clippy::result_large_err,
+        reason = "the library asks for this kind of answer"
+    )]
     let greet = |request: &Request, response: Response| match admit(request, door) {
         Ok(()) => Ok(response),
         Err(why) => {
