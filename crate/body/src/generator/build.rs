@@ -222,7 +222,7 @@ fn neck(field: &Field, cage: &Cage, head: &Head, place: DAffine3) -> Part {
         // Two sheets at one place would flicker; above the rim the head's skin leaves the
         // body's, and this one must stay below it.
         let hidden = smooth((p.y - rim) / (1.5 * CM));
-        *p -= *n * (0.08 + 0.9 * hidden) * CM;
+        *p -= *n * (0.2 + 0.9 * hidden) * CM;
     }
     let shell = shell.select(|f| {
         shell.faces[f]

@@ -65,16 +65,16 @@ pub(super) fn crossings(points: &[DVec3], triangles: &[[u32; 3]]) -> Vec<[usize;
     found
 }
 
-/// How far a point's mirror image can lie from the nearest of the points. `cell` is the
+/// How far a point's mirror image can lie from the nearest of the points, and that point. `cell` is the
 /// length within which one is sought, at least the tolerance; beyond it the distance counts
 /// as infinite.
-pub(super) fn farthest_from_mirrored(points: &[DVec3], cell: f64) -> f64 {
+pub(super) fn farthest_from_mirrored(points: &[DVec3], cell: f64) -> (f64, DVec3) {
     let index = |p: DVec3| (p / cell).round().to_array().map(|x| x as i64);
     let mut cells: BTreeMap<[i64; 3], Vec<DVec3>> = BTreeMap::new();
     for &p in points {
         cells.entry(index(p)).or_default().push(p);
     }
-    let mut far: f64 = 0.0;
+    let mut far = (0.0, DVec3::ZERO);
     for &p in points {
         let q = mirror_vector(p);
         let [x, y, z] = index(q);
@@ -84,7 +84,9 @@ pub(super) fn farthest_from_mirrored(points: &[DVec3], cell: f64) -> f64 {
                 nearest = nearest.min(r.distance(q));
             }
         }
-        far = far.max(nearest);
+        if nearest > far.0 {
+            far = (nearest, p);
+        }
     }
     far
 }

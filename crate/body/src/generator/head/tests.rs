@@ -89,8 +89,8 @@ fn no_edge_has_three_faces_and_only_neck_lips_and_lid_linings_are_open() {
 #[test]
 fn without_asymmetry_the_halves_mirror_each_other() {
     for (who, shape) in symmetric_people() {
-        let far = farthest_from_mirrored(&shape.positions, 0.5);
-        assert!(far < 0.1, "{who}: {far} mm");
+        let (far, at) = farthest_from_mirrored(&shape.positions, 0.5);
+        assert!(far < 0.1, "{who}: {far} mm at {at}");
     }
 }
 

@@ -313,15 +313,13 @@ impl Field {
     #[must_use]
     pub fn value_and_normal(&self, p: DVec3, regions: Regions, soften: f64) -> (f64, DVec3) {
         const E: f64 = 5e-4;
-        // Differences are taken on the left, or the halves would differ by their error.
-        let side = if p.x < 0.0 { -1.0 } else { 1.0 };
-        let p = DVec3::new(p.x * side, p.y, p.z);
         let d = self.value(p, regions, soften);
         let at = |offset: DVec3| self.value(p + offset, regions, soften) - d;
-        let g = DVec3::new(at(DVec3::X * E), at(DVec3::Y * E), at(DVec3::Z * E));
+        // To both sides across, or the halves would differ by the difference's error.
+        let across = (at(DVec3::X * E) - at(DVec3::NEG_X * E)) / 2.0;
+        let g = DVec3::new(across, at(DVec3::Y * E), at(DVec3::Z * E));
         let length = g.length().max(1e-4 * E);
-        let normal = g / length * DVec3::new(side, 1.0, 1.0);
-        (d / (length / E).max(0.35), normal)
+        (d / (length / E).max(0.35), g / length)
     }
 }
 

@@ -194,7 +194,12 @@ fn man(key: Key, p: DVec3) -> DVec3 {
         d += lips(&MAN_LIPS, key) + DVec3::new(0.03 * p.x, -1.2, 1.0);
     }
     if on_neck(key) {
-        d += scaled(p, [0.0, -100.0, -14.0], [1.17, 1.0, 1.26]) * below(p.y, -86.0, -106.0);
+        // The nape is broad from the skull down, the throat from under the jaw.
+        let (factor, share) = match key {
+            Key::Grid(15.., _) => ([1.22, 1.0, 1.26], below(p.y, -30.0, -70.0)),
+            _ => ([1.22, 1.0, 1.28], below(p.y, -86.0, -106.0)),
+        };
+        d += scaled(p, [0.0, -100.0, -14.0], factor) * share;
     }
     if on_skull(key) {
         d += scaled(p, [0.0, 0.0, -5.0], [1.015, 1.015, 1.03]);
