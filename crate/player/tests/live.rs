@@ -197,7 +197,7 @@ fn frames_depend_on_the_fragments_and_their_times_alone() {
 #[test]
 fn times_may_name_what_has_passed_and_what_is_to_come() {
     let mut player = hello_world();
-    let t2 = player.timeline().marks["t2"];
+    let t2 = player.timeline().marks.get("t2").copied().unwrap();
     let performed = player.perform(1, "<event time='t2+3' timeId='e'>x</event>", t2 + 1.0);
     assert_eq!(performed.clauses[0].start_secs, t2 + 3.0);
     // From another fragment, and late.
