@@ -207,8 +207,7 @@ impl Live {
     ) -> Result<(), Diagnostic> {
         if !self.spend(mind, now_secs) {
             let message = "too many fragments at once; this one was not read";
-            let hint = format!("send at most {} a second", limits::RATE_HZ);
-            return Err(refusal("live::busy", message).hint(hint));
+            return Err(refusal("live::busy", message).hint("send fewer a second"));
         }
         if text.len() > limits::FRAGMENT_BYTES {
             let message = format!("a fragment has at most {} bytes", limits::FRAGMENT_BYTES);
@@ -234,7 +233,7 @@ impl Live {
         let lead_in_secs = script.timeline.lead_in_secs - base_secs;
         let end_secs = script.timeline.duration_secs;
         if lead_in_secs.max(end_secs - now_secs) > limits::AHEAD_SECS {
-            let message = format!("a fragment reaches at most {} s ahead", limits::AHEAD_SECS);
+            let message = "a fragment reaches at most an hour ahead";
             return Err(refusal("live::too-far", message));
         }
         let clauses = script.timeline.clauses.iter();
