@@ -21,7 +21,7 @@ export async function packages() {
   );
 }
 
-/** The pinned Rust toolchain with the wasm target. */
+/** The pinned Rust toolchain with the wasm target and the standard library's sources. */
 export async function rust() {
   const channel = /channel\s*=\s*"([^"]+)"/.exec(readFileSync(join(root, 'rust-toolchain.toml'), 'utf8'))?.[1];
   if (channel === undefined) throw new Stop('rust-toolchain.toml names no channel.');
@@ -32,7 +32,7 @@ export async function rust() {
   }
   const installed = ask('rustup', ['toolchain', 'list']) ?? '';
   if (!installed.split('\n').some((line) => line.startsWith(`${channel}-`) || line.startsWith(`${channel} `))) {
-    run('rustup', ['toolchain', 'install', channel, '--profile', 'minimal', '--component', 'clippy', '--component', 'rustfmt'], {
+    run('rustup', ['toolchain', 'install', channel, '--profile', 'minimal', '--component', 'clippy', '--component', 'rustfmt', '--component', 'rust-src'], {
       why: `Installing Rust ${channel}`,
     });
   }
@@ -40,6 +40,13 @@ export async function rust() {
   if (!targets.includes('wasm32-unknown-unknown')) {
     run('rustup', ['target', 'add', 'wasm32-unknown-unknown', '--toolchain', channel], {
       why: 'Adding the wasm target to Rust',
+    });
+  }
+  // The wasm files are built with a standard library of their own (see wasm.mjs).
+  const components = ask('rustup', ['component', 'list', '--installed', '--toolchain', channel]) ?? '';
+  if (!components.includes('rust-src')) {
+    run('rustup', ['component', 'add', 'rust-src', '--toolchain', channel], {
+      why: 'Adding the sources of the standard library to Rust',
     });
   }
 }

@@ -29,18 +29,6 @@ enum TickStatus {
     NoPicture = 3,
 }
 
-#[wasm_bindgen]
-extern "C" {
-    #[wasm_bindgen(js_namespace = console, js_name = error)]
-    fn console_error(message: &str);
-}
-
-/// Says why, where a trap alone would say `unreachable`.
-#[wasm_bindgen(start)]
-fn start() {
-    std::panic::set_hook(Box::new(|info| console_error(&info.to_string())));
-}
-
 /// A storyteller: a story, a figure, and a canvas if there is one.
 #[wasm_bindgen]
 pub struct Player {
