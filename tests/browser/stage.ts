@@ -111,6 +111,8 @@ export class Stage {
       if (file === undefined) return route.fulfill({ status: 404, body: 'not here' });
       return route.fulfill({ body: file, contentType: path.endsWith('.css') ? 'text/css' : 'application/octet-stream' });
     });
+    // Files of a test come from no address at all, so Chromium asks before they reach one of this machine.
+    if (peer !== '') await this.page.context().grantPermissions(['local-network-access']);
     await this.page.goto('/test/');
   }
 
