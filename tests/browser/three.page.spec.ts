@@ -12,7 +12,7 @@ const three = join(root, 'node_modules/three');
 const program = join(process.env['CARGO_TARGET_DIR'] ?? join(root, 'target'), 'debug/raconteur');
 
 /** Side of both pictures, pixels. */
-const SIDE = 720;
+const SIDE = 480;
 /** Where `raconteur figure sheet` lays its first tile. */
 const PLACE = 4;
 /** Outlines overlap by this share at least. Strands of hair, which our renderer cuts out of cards and three.js draws whole, and one pixel along the edge are the rest. */

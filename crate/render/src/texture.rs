@@ -110,13 +110,16 @@ pub(crate) fn upload(
 }
 
 /// Linear light of each sRGB byte.
-static LINEAR: LazyLock<[f32; 256]> = LazyLock::new(|| std::array::from_fn(|i| linear(i as f64)));
+static LINEAR: LazyLock<[f32; 256]> =
+    LazyLock::new(|| std::array::from_fn(|i| srgb_to_linear(i as f64)));
 
 /// Linear light half way between each sRGB byte and the next.
 static BETWEEN: LazyLock<[f32; 255]> =
-    LazyLock::new(|| std::array::from_fn(|i| linear(i as f64 + 0.5)));
+    LazyLock::new(|| std::array::from_fn(|i| srgb_to_linear(i as f64 + 0.5)));
 
-fn linear(byte: f64) -> f32 {
+/// Linear light, 0..1, of an sRGB value of 0..255 (IEC 61966-2-1).
+#[must_use]
+pub fn srgb_to_linear(byte: f64) -> f32 {
     let c = byte / 255.0;
     (if c <= 0.040_45 {
         c / 12.92

@@ -14,6 +14,7 @@ use clap::ValueEnum;
 use raconteur_player::body::Figure;
 use raconteur_player::stage::{Frame, Lighting, Set};
 use raconteur_render::headless::Headless;
+use raconteur_render::srgb_to_linear;
 
 use picture::{Layout, Picture};
 pub(crate) use pose::PoseName;
@@ -96,7 +97,10 @@ pub(crate) fn draw(
     Ok(picture)
 }
 
-/// The figure is where a picture does not change with the room behind it.
+/// Two lights of the room behind the figure, where the display's curve is straight.
+const BEHIND: [f32; 2] = [0.15, 0.35];
+
+/// The figure is where a picture changes less than half as much as the room behind it.
 fn silhouette(
     headless: &mut Headless,
     frame: &mut Frame,
@@ -110,13 +114,16 @@ fn silhouette(
         };
         headless.render_rgba(frame, width, height)
     };
-    let (dark, bright) = (before(0.0)?, before(1.0)?);
+    let [dark, bright] = [before(BEHIND[0])?, before(BEHIND[1])?];
     frame.set = light::room();
     let pixels = dark.chunks_exact(4).zip(bright.chunks_exact(4));
-    Ok(pixels
-        .flat_map(|(d, b)| {
-            let change = b[1].saturating_sub(d[1]);
-            let grey = if change < 100 { 255 } else { 0 };
+    let light = |p: &[u8]| srgb_to_linear(f64::from(p[1]));
+    let changes: Vec<f32> = pixels.map(|(d, b)| light(b) - light(d)).collect();
+    let bare = changes.iter().copied().fold(0.0, f32::max);
+    Ok(changes
+        .into_iter()
+        .flat_map(|change| {
+            let grey = if change < 0.5 * bare { 255 } else { 0 };
             [grey, grey, grey, 255]
         })
         .collect())
