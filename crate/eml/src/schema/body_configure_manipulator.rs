@@ -1,7 +1,8 @@
 //! `body-configure-manipulator`: switches a manipulator.
 
+use super::common::MANIPULATOR;
 use super::{Attribute, Element};
-use crate::{ClauseKind, Manipulator};
+use crate::ClauseKind;
 
 pub(super) static ELEMENT: Element = Element {
     doc: doc!("Switches a manipulator and its joint limits."),
@@ -13,12 +14,7 @@ pub(super) static ELEMENT: Element = Element {
         "<body-configure-manipulator time='0' manipulator='leftArm' isOn='true' jointLimitsActive='false'/>"
     ),
     attributes: &[
-        Attribute::choice(
-            "manipulator",
-            Manipulator::WORDS,
-            doc!("The limb, or the head."),
-        )
-        .required(),
+        MANIPULATOR,
         Attribute::flag("isOn", doc!("Whether it moves its limb.")).aliases(&["is0n"]),
         Attribute::flag("jointLimitsActive", doc!("Whether its joints have limits.")),
     ],

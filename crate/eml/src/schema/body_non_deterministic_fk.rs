@@ -1,7 +1,8 @@
 //! `body-non-deterministic-fk`: sets joints.
 
+use super::common::MANIPULATOR;
 use super::{Attribute, Element};
-use crate::{ClauseKind, Manipulator};
+use crate::ClauseKind;
 
 pub(super) static ELEMENT: Element = Element {
     doc: doc!("Sets the joint angles of a manipulator."),
@@ -13,12 +14,7 @@ pub(super) static ELEMENT: Element = Element {
         "<body-non-deterministic-fk time='0' manipulator='leftArm' nJoints='6' j1='90' j2='45' j3='0' j4='0' j5='0' j6='0'/>"
     ),
     attributes: &[
-        Attribute::choice(
-            "manipulator",
-            Manipulator::WORDS,
-            doc!("The limb, or the head."),
-        )
-        .required(),
+        MANIPULATOR,
         Attribute::integer(
             "nJoints",
             1,

@@ -1,7 +1,8 @@
 //! `body-non-deterministic-frame-interpolation`: to a target on a straight way.
 
+use super::common::{MANIPULATOR, ORIENTATION, POSITION};
 use super::{Attribute, Element};
-use crate::{ClauseKind, Manipulator};
+use crate::ClauseKind;
 
 pub(super) static ELEMENT: Element = Element {
     doc: doc!("Brings the end of a limb to a target on a straight way."),
@@ -11,34 +12,14 @@ pub(super) static ELEMENT: Element = Element {
         "<body-non-deterministic-frame-interpolation time='8' manipulator='leftLeg' timePeriod='2' posX='7.5' posY='20' posZ='-10' roll='-90'/>"
     ),
     attributes: &[
-        Attribute::choice(
-            "manipulator",
-            Manipulator::WORDS,
-            doc!("The limb, or the head."),
-        )
-        .required(),
+        MANIPULATOR,
         Attribute::seconds("timePeriod", doc!("How long it takes.")).required(),
-        Attribute::number(
-            "posX",
-            doc!("Position: units to the speaker's left; the speaker is about 77 units tall."),
-        )
-        .required()
-        .unit("units"),
-        Attribute::number("posY", doc!("Position: units upwards."))
-            .required()
-            .unit("units"),
-        Attribute::number("posZ", doc!("Position: units to the back."))
-            .required()
-            .unit("units"),
-        Attribute::number("yaw", doc!("Orientation: yaw."))
-            .default("0")
-            .unit("°"),
-        Attribute::number("pitch", doc!("Orientation: pitch."))
-            .default("0")
-            .unit("°"),
-        Attribute::number("roll", doc!("Orientation: roll."))
-            .default("0")
-            .unit("°"),
+        POSITION[0].required(),
+        POSITION[1].required(),
+        POSITION[2].required(),
+        ORIENTATION[0],
+        ORIENTATION[1],
+        ORIENTATION[2],
     ],
     ..Element::record("body-non-deterministic-frame-interpolation", || {
         ClauseKind::FrameInterpolation(Default::default())

@@ -1,7 +1,8 @@
 //! `body-non-deterministic-function`: a limb along a function.
 
-use super::{Attribute, Content, Element};
-use crate::{ClauseKind, Manipulator};
+use super::common::{FUNCTION, MANIPULATOR};
+use super::{Content, Element};
+use crate::ClauseKind;
 
 pub(super) static ELEMENT: Element = Element {
     doc: doc!("Moves the end of a limb along a function of time."),
@@ -14,24 +15,7 @@ pub(super) static ELEMENT: Element = Element {
     ),
     content: Content::Elements,
     required_children: &["function-args"],
-    attributes: &[
-        Attribute::choice(
-            "manipulator",
-            Manipulator::WORDS,
-            doc!("The limb, or the head."),
-        )
-        .required(),
-        Attribute::identifier(
-            "functionName",
-            doc!("The function: segment, or another one that the player knows."),
-        )
-        .required(),
-        Attribute::flag(
-            "isLooping",
-            doc!("Whether the function starts again after its period."),
-        )
-        .default("false"),
-    ],
+    attributes: &[MANIPULATOR, FUNCTION[0], FUNCTION[1]],
     ..Element::record("body-non-deterministic-function", || {
         ClauseKind::ManipulatorFunction(Default::default())
     })

@@ -1,7 +1,8 @@
 //! `body-non-deterministic-jacobian`: a limb by inverse velocity.
 
+use super::common::{MANIPULATOR, ORIENTATION, POSITION};
 use super::{Attribute, Element};
-use crate::{ClauseKind, Manipulator};
+use crate::ClauseKind;
 
 pub(super) static ELEMENT: Element = Element {
     doc: doc!(
@@ -15,34 +16,14 @@ pub(super) static ELEMENT: Element = Element {
         "<body-non-deterministic-jacobian time='8' manipulator='leftLeg' isStaticTarget='true' posX='7.5' posY='20' posZ='-10' roll='-90'/>"
     ),
     attributes: &[
-        Attribute::choice(
-            "manipulator",
-            Manipulator::WORDS,
-            doc!("The limb, or the head."),
-        )
-        .required(),
+        MANIPULATOR,
         Attribute::flag("isStaticTarget", doc!("Whether it goes to a target.")).required(),
-        Attribute::number(
-            "posX",
-            doc!("Position: units to the speaker's left; the speaker is about 77 units tall."),
-        )
-        .default("0")
-        .unit("units"),
-        Attribute::number("posY", doc!("Position: units upwards."))
-            .default("0")
-            .unit("units"),
-        Attribute::number("posZ", doc!("Position: units to the back."))
-            .default("0")
-            .unit("units"),
-        Attribute::number("yaw", doc!("Orientation: yaw."))
-            .default("0")
-            .unit("°"),
-        Attribute::number("pitch", doc!("Orientation: pitch."))
-            .default("0")
-            .unit("°"),
-        Attribute::number("roll", doc!("Orientation: roll."))
-            .default("0")
-            .unit("°"),
+        POSITION[0].default("0"),
+        POSITION[1].default("0"),
+        POSITION[2].default("0"),
+        ORIENTATION[0],
+        ORIENTATION[1],
+        ORIENTATION[2],
         Attribute::number("cartesianX", doc!("Velocity along x."))
             .default("0")
             .unit("units/s"),

@@ -1,7 +1,8 @@
 //! `body-non-deterministic-joint-interpolation`: to a target by the joints.
 
+use super::common::{MANIPULATOR, ORIENTATION, POSITION};
 use super::{Attribute, Element};
-use crate::{ClauseKind, Manipulator};
+use crate::ClauseKind;
 
 pub(super) static ELEMENT: Element = Element {
     doc: doc!("Brings the end of a limb to a target by interpolating its joints."),
@@ -14,12 +15,7 @@ pub(super) static ELEMENT: Element = Element {
     ),
     one_of: &["staticTime", "staticVelocity"],
     attributes: &[
-        Attribute::choice(
-            "manipulator",
-            Manipulator::WORDS,
-            doc!("The limb, or the head."),
-        )
-        .required(),
+        MANIPULATOR,
         Attribute::seconds("staticTime", doc!("How long it takes.")),
         Attribute::between(
             "staticVelocity",
@@ -28,27 +24,12 @@ pub(super) static ELEMENT: Element = Element {
             doc!("How fast the joints turn instead."),
         )
         .unit("rad/s"),
-        Attribute::number(
-            "posX",
-            doc!("Position: units to the speaker's left; the speaker is about 77 units tall."),
-        )
-        .required()
-        .unit("units"),
-        Attribute::number("posY", doc!("Position: units upwards."))
-            .required()
-            .unit("units"),
-        Attribute::number("posZ", doc!("Position: units to the back."))
-            .required()
-            .unit("units"),
-        Attribute::number("yaw", doc!("Orientation: yaw."))
-            .default("0")
-            .unit("°"),
-        Attribute::number("pitch", doc!("Orientation: pitch."))
-            .default("0")
-            .unit("°"),
-        Attribute::number("roll", doc!("Orientation: roll."))
-            .default("0")
-            .unit("°"),
+        POSITION[0].required(),
+        POSITION[1].required(),
+        POSITION[2].required(),
+        ORIENTATION[0],
+        ORIENTATION[1],
+        ORIENTATION[2],
     ],
     ..Element::record("body-non-deterministic-joint-interpolation", || {
         ClauseKind::JointInterpolation(Default::default())

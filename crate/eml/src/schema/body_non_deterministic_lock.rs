@@ -1,7 +1,8 @@
 //! `body-non-deterministic-lock`: holds a limb.
 
+use super::common::MANIPULATOR;
 use super::{Attribute, Element};
-use crate::{ClauseKind, Manipulator};
+use crate::ClauseKind;
 
 pub(super) static ELEMENT: Element = Element {
     doc: doc!(
@@ -10,12 +11,7 @@ pub(super) static ELEMENT: Element = Element {
     source: doc!("GEVH D.3.26"),
     example: doc!("<body-non-deterministic-lock time='0' manipulator='leftArm' isLock='true'/>"),
     attributes: &[
-        Attribute::choice(
-            "manipulator",
-            Manipulator::WORDS,
-            doc!("The limb, or the head."),
-        )
-        .required(),
+        MANIPULATOR,
         Attribute::flag("isLock", doc!("Whether it is held.")).required(),
     ],
     ..Element::record("body-non-deterministic-lock", || {

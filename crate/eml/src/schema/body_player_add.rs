@@ -4,10 +4,24 @@ use super::{Attribute, Content, Element};
 use crate::{ClauseKind, PlayerKind};
 
 /// The words for kinds of players in the source's examples.
-pub(super) const PLAYER_KINDS: &[(&str, &str)] = &[
+const PLAYER_KINDS: &[(&str, &str)] = &[
     ("multipleAnimation", "multiple"),
     ("bodyGroupAnimation", "bodyGroup"),
     ("poseAnimation", "pose"),
+];
+
+/// The attributes of every element that makes a player.
+pub(super) const ATTRIBUTES: &[Attribute] = &[
+    Attribute::identifier("name", doc!("The player's name, which no other has.")).required(),
+    Attribute::choice("type", PlayerKind::WORDS, doc!("What it plays."))
+        .required()
+        .word_aliases(PLAYER_KINDS),
+    Attribute::integer(
+        "numberOfLayers",
+        1,
+        64,
+        doc!("How many layers it has; only with type multiple."),
+    ),
 ];
 
 pub(super) static ELEMENT: Element = Element {
@@ -20,18 +34,7 @@ pub(super) static ELEMENT: Element = Element {
         "<body-player-add time='0' name='mPlayer' type='multiple' numberOfLayers='2'><bones><bg name='torso'/></bones></body-player-add>"
     ),
     content: Content::Elements,
-    attributes: &[
-        Attribute::identifier("name", doc!("The player's name, which no other has.")).required(),
-        Attribute::choice("type", PlayerKind::WORDS, doc!("What it plays."))
-            .required()
-            .word_aliases(PLAYER_KINDS),
-        Attribute::integer(
-            "numberOfLayers",
-            1,
-            64,
-            doc!("How many layers it has; only with type multiple."),
-        ),
-    ],
+    attributes: ATTRIBUTES,
     ..Element::record("body-player-add", || {
         ClauseKind::PlayerAdd(Default::default())
     })

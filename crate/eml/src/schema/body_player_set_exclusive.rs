@@ -1,8 +1,8 @@
 //! `body-player-set-exclusive`: the only animation player.
 
-use super::body_player_add::PLAYER_KINDS;
-use super::{Attribute, Content, Element};
-use crate::{ClauseKind, PlayerKind};
+use super::body_player_add::ATTRIBUTES;
+use super::{Content, Element};
+use crate::ClauseKind;
 
 pub(super) static ELEMENT: Element = Element {
     doc: doc!("Replaces all animation players by one."),
@@ -10,18 +10,7 @@ pub(super) static ELEMENT: Element = Element {
     source: doc!("GEVH D.3.12"),
     example: doc!("<body-player-set-exclusive time='0' name='alone' type='pose'/>"),
     content: Content::Elements,
-    attributes: &[
-        Attribute::identifier("name", doc!("The player's name, which no other has.")).required(),
-        Attribute::choice("type", PlayerKind::WORDS, doc!("What it plays."))
-            .required()
-            .word_aliases(PLAYER_KINDS),
-        Attribute::integer(
-            "numberOfLayers",
-            1,
-            64,
-            doc!("How many layers it has; only with type multiple."),
-        ),
-    ],
+    attributes: ATTRIBUTES,
     ..Element::record("body-player-set-exclusive", || {
         ClauseKind::PlayerSetExclusive(Default::default())
     })

@@ -44,6 +44,7 @@ mod bone;
 mod bones;
 mod break_;
 mod camera;
+mod common;
 mod context;
 mod div;
 mod eml;

@@ -1,6 +1,7 @@
 //! `vh-move`: moves the whole figure along a function.
 
-use super::{Attribute, Content, Element};
+use super::common::FUNCTION;
+use super::{Content, Element};
 use crate::ClauseKind;
 
 pub(super) static ELEMENT: Element = Element {
@@ -14,18 +15,7 @@ pub(super) static ELEMENT: Element = Element {
     ),
     content: Content::Elements,
     required_children: &["function-args"],
-    attributes: &[
-        Attribute::identifier(
-            "functionName",
-            doc!("The function: segment, or another one that the player knows."),
-        )
-        .required(),
-        Attribute::flag(
-            "isLooping",
-            doc!("Whether the function starts again after its period."),
-        )
-        .default("false"),
-    ],
+    attributes: &[FUNCTION[0], FUNCTION[1]],
     ..Element::record("vh-move", || ClauseKind::VhMove(Default::default()))
 };
 
