@@ -3,64 +3,16 @@
 // Only Node's own modules.
 
 import { readFileSync, writeFileSync } from 'node:fs';
+import { number, Reader, SECTION, sections } from './module.mjs';
 
-const SECTION = { custom: 0, import: 2, function: 3, code: 10 };
 const KIND_FUNCTION = 0;
-
-/** Reads a module's numbers one after the other. */
-class Reader {
-  constructor(bytes, at = 0) {
-    this.bytes = bytes;
-    this.at = at;
-  }
-
-  byte() {
-    return this.bytes[this.at++];
-  }
-
-  /** An unsigned number of seven bits a byte. */
-  number() {
-    let value = 0;
-    for (let scale = 1; ; scale *= 128) {
-      const byte = this.byte();
-      value += (byte & 127) * scale;
-      if (byte < 128) return value;
-    }
-  }
-
-  pass(count) {
-    this.at += count;
-  }
-}
-
-function number(value) {
-  const bytes = [];
-  do {
-    bytes.push((value & 127) | (value > 127 ? 128 : 0));
-    value = Math.floor(value / 128);
-  } while (value > 0);
-  return Buffer.from(bytes);
-}
-
-/** Where each section's content begins. */
-function sections(bytes) {
-  const found = new Map();
-  const reader = new Reader(bytes, 8);
-  while (reader.at < bytes.length) {
-    const id = reader.byte();
-    const length = reader.number();
-    found.set(id, reader.at);
-    reader.pass(length);
-  }
-  return found;
-}
 
 /** How many functions are imported: they are counted first. */
 function importedFunctions(reader) {
   let functions = 0;
   for (let left = reader.number(); left > 0; left--) {
-    reader.pass(reader.number());
-    reader.pass(reader.number());
+    reader.name();
+    reader.name();
     const kind = reader.byte();
     if (kind !== KIND_FUNCTION) throw new Error('only functions are expected among the imports');
     reader.number();
@@ -73,9 +25,9 @@ function importedFunctions(reader) {
 export function nameByLikeness(file) {
   const bytes = readFileSync(file);
   const at = sections(bytes);
-  const imports = at.has(SECTION.import) ? importedFunctions(new Reader(bytes, at.get(SECTION.import))) : 0;
-  const types = new Reader(bytes, at.get(SECTION.function));
-  const code = new Reader(bytes, at.get(SECTION.code));
+  const imports = at.has(SECTION.import) ? importedFunctions(new Reader(bytes, at.get(SECTION.import).start)) : 0;
+  const types = new Reader(bytes, at.get(SECTION.function).start);
+  const code = new Reader(bytes, at.get(SECTION.code).start);
   const count = types.number();
   if (code.number() !== count) throw new Error(`${file} has functions without code`);
   const entries = [number(count)];

@@ -6,6 +6,7 @@ import { copyFileSync, existsSync, mkdirSync, rmSync } from 'node:fs';
 import { homedir } from 'node:os';
 import { isAbsolute, join } from 'node:path';
 import { nameByLikeness } from './order.mjs';
+import { shortenImports } from './shorten.mjs';
 import { once, root, run, Stop } from './steps.mjs';
 
 /** The back ends, each with a build of its own. */
@@ -14,11 +15,14 @@ export const backends = ['webgpu', 'webgl'];
 /** Every build: cargo's feature and the folder in web/pkg/. */
 const builds = [...backends, 'avatar'];
 
+/** The programs that shape a build: what they change is built anew. */
+const tools = ['bindgen', 'wasm.mjs', 'module.mjs', 'order.mjs', 'shorten.mjs'].map((name) => `web/tools/${name}`);
+
 /** Builds all variants into web/pkg/. */
 export async function buildWasm() {
   for (const feature of builds) {
     const folder = `web/pkg/${feature}`;
-    const inputs = ['crate', 'Cargo.toml', 'Cargo.lock', 'rust-toolchain.toml', 'web/tools/bindgen', 'web/tools/wasm.mjs', 'web/tools/order.mjs'];
+    const inputs = ['crate', 'Cargo.toml', 'Cargo.lock', 'rust-toolchain.toml', 'web/tools/bindgen', ...tools];
     const outputs = [`${folder}/raconteur.js`, `${folder}/raconteur_bg.wasm`];
     await once(`wasm-${feature}`, { inputs, outputs }, () => build(feature, folder));
   }
@@ -60,4 +64,5 @@ function build(feature, folder) {
   wasmOpt('-Oz', '--low-memory-unused');
   nameByLikeness(module);
   wasmOpt('--reorder-functions-by-name');
+  shortenImports(module, join(root, folder, 'raconteur.js'));
 }
