@@ -1,13 +1,16 @@
-//! Foundations shared by every crate: deterministic maths, curves and seeded noise.
+//! Foundations shared by every crate: deterministic maths, curves, seeded noise, texts of numbers.
 //!
 //! Does: the `glam` types in double precision, trigonometry through `libm` so
-//! that native and wasm agree bit for bit, motion curves, hash-based noise.
+//! that native and wasm agree bit for bit, motion curves, hash-based noise, decimal numbers
+//! and JSON read in so little code that every page can load it.
 //! Does not: know anything of stories, bodies or time-keeping.
 //!
 //! Frames: right-handed, metres, radians, seconds; +x is the character's left,
 //! +y up, +z front (glTF's own frame).
 
 pub mod curve;
+pub mod decimal;
+pub mod json;
 pub mod noise;
 pub mod ops;
 pub mod order;

@@ -13,7 +13,6 @@
 
 mod check;
 mod clauses;
-mod decimal;
 mod diagnostic;
 mod document;
 mod durations;
@@ -34,6 +33,8 @@ mod voice;
 mod work;
 #[cfg(any(test, feature = "write"))]
 mod write;
+
+pub(crate) use raconteur_base::decimal;
 
 pub use clauses::environment::{
     Camera, CameraAngle, Emotion, EmotionKind, Light, Music, Performer, ShotKind, Valence,

@@ -1,12 +1,13 @@
 //! The speech bundle, version 1: `voice/speech.json` beside its audio files.
 
-use serde::{Deserialize, Serialize};
+use raconteur_base::json::{Fault, Json};
+use serde::Serialize;
 
 /// The version this code reads and writes.
 pub const VERSION: u32 = 1;
 
 /// Everything that a story says, computed ahead. Unknown fields are ignored.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Bundle {
     /// Always `raconteur-speech`.
     pub format: String,
@@ -25,7 +26,7 @@ pub struct Bundle {
 }
 
 /// One utterance.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Utterance {
     /// [`crate::Content::key`] of what is said.
     pub key: String,
@@ -42,7 +43,7 @@ pub struct Utterance {
 }
 
 /// One encoding of an utterance's sound.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct AudioFile {
     /// File name in the bundle's folder: letters, digits, `.`, `_`, `-` only.
     pub file: String,
@@ -51,7 +52,7 @@ pub struct AudioFile {
 }
 
 /// One spoken word.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Word {
     /// As written, punctuation attached.
     pub text: String,
@@ -62,7 +63,7 @@ pub struct Word {
 }
 
 /// One phone.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Phone {
     /// Symbol in the bundle's phone set; `pau` is silence.
     pub symbol: String,
@@ -80,7 +81,7 @@ pub struct Phone {
 pub enum BundleError {
     /// The file is not JSON of the right shape.
     #[error("the speech bundle cannot be read: {0}")]
-    Json(#[from] serde_json::Error),
+    Json(#[from] Fault),
     /// Another format or a later version.
     #[error(
         "the speech bundle is {format} version {version}; this program reads raconteur-speech version 1"
@@ -108,7 +109,7 @@ impl Bundle {
     /// When the text is not a bundle, has another version, or holds impossible times or
     /// file names that leave the folder.
     pub fn from_json(json: &[u8]) -> Result<Self, BundleError> {
-        let bundle: Self = serde_json::from_slice(json)?;
+        let bundle = Self::of(&Json::read(json)?)?;
         if bundle.format != "raconteur-speech" || bundle.version != VERSION {
             return Err(BundleError::Version {
                 format: bundle.format,
@@ -123,6 +124,18 @@ impl Bundle {
         Ok(bundle)
     }
 
+    fn of(json: &Json<'_>) -> Result<Self, Fault> {
+        Ok(Self {
+            format: text(json, "format")?,
+            version: field(json, "version", |v| u32::try_from(v.whole()?).ok())?,
+            language: text(json, "language")?,
+            phone_set: text(json, "phone_set")?,
+            voice: text(json, "voice")?,
+            engine: text(json, "engine")?,
+            utterances: list(json, "utterances", Utterance::of)?,
+        })
+    }
+
     /// The utterance with this key.
     #[must_use]
     pub fn find(&self, key: &str) -> Option<(usize, &Utterance)> {
@@ -133,7 +146,85 @@ impl Bundle {
     }
 }
 
+/// What `take` makes of a member that must be there.
+fn field<'v, 'a, T>(
+    object: &'v Json<'a>,
+    name: &str,
+    take: fn(&'v Json<'a>) -> Option<T>,
+) -> Result<T, Fault> {
+    let member = object.get(name);
+    take(member).ok_or_else(|| {
+        if member.is_null() {
+            object.fault(["`", name, "` is missing"].concat())
+        } else {
+            member.fault(["`", name, "` has another type"].concat())
+        }
+    })
+}
+
+fn text(object: &Json<'_>, name: &str) -> Result<String, Fault> {
+    field(object, name, |v| v.text().map(str::to_owned))
+}
+
+fn number(object: &Json<'_>, name: &str) -> Result<f64, Fault> {
+    field(object, name, Json::number)
+}
+
+fn list<'v, 'a, T>(
+    object: &'v Json<'a>,
+    name: &str,
+    one: fn(&'v Json<'a>) -> Result<T, Fault>,
+) -> Result<Vec<T>, Fault> {
+    let items = field(object, name, |v| v.is_list().then_some(v.items()))?;
+    items.iter().map(one).collect()
+}
+
+impl AudioFile {
+    fn of(json: &Json<'_>) -> Result<Self, Fault> {
+        Ok(Self {
+            file: text(json, "file")?,
+            mime: text(json, "mime")?,
+        })
+    }
+}
+
+impl Word {
+    fn of(json: &Json<'_>) -> Result<Self, Fault> {
+        Ok(Self {
+            text: text(json, "text")?,
+            start_secs: number(json, "start_secs")?,
+            end_secs: number(json, "end_secs")?,
+        })
+    }
+}
+
+impl Phone {
+    fn of(json: &Json<'_>) -> Result<Self, Fault> {
+        Ok(Self {
+            symbol: text(json, "symbol")?,
+            start_secs: number(json, "start_secs")?,
+            end_secs: number(json, "end_secs")?,
+            word: if json.get("word").is_null() {
+                None
+            } else {
+                Some(field(json, "word", Json::index)?)
+            },
+        })
+    }
+}
+
 impl Utterance {
+    fn of(json: &Json<'_>) -> Result<Self, Fault> {
+        Ok(Self {
+            key: text(json, "key")?,
+            text: text(json, "text")?,
+            duration_secs: number(json, "duration_secs")?,
+            audio: list(json, "audio", AudioFile::of)?,
+            words: list(json, "words", Word::of)?,
+            phones: list(json, "phones", Phone::of)?,
+        })
+    }
+
     /// What is wrong with it, if anything.
     fn check(&self) -> Result<(), String> {
         let in_order = |name: &str, spans: &mut dyn Iterator<Item = (f64, f64)>| {
@@ -282,9 +373,23 @@ mod tests {
         let mut b = sample();
         b.version = 2;
         assert!(matches!(round_trip(&b), Err(BundleError::Version { .. })));
-        assert!(matches!(
-            Bundle::from_json(b"not json"),
-            Err(BundleError::Json(_))
-        ));
+    }
+
+    #[test]
+    fn a_fault_of_the_json_names_what_is_wrong_and_where() {
+        let fault = |json: &str| Bundle::from_json(json.as_bytes()).unwrap_err().to_string();
+        assert_eq!(
+            fault("not json"),
+            "the speech bundle cannot be read: expected a value at line 1 column 1"
+        );
+        assert_eq!(
+            fault("{\"format\": \"raconteur-speech\",\n \"version\": \"1\"}"),
+            "the speech bundle cannot be read: `version` has another type at line 2 column 13"
+        );
+        let whole = serde_json::to_string(&sample()).unwrap();
+        assert_eq!(
+            fault(&whole.replace("\"mime\"", "\"kind\"")),
+            "the speech bundle cannot be read: `mime` is missing at line 1 column 184"
+        );
     }
 }

@@ -5,6 +5,7 @@
 
 use std::borrow::Cow;
 
+use raconteur_base::json::{self, Json, Place};
 use serde_json::{Value, json};
 
 use super::error::ImportError;
@@ -164,6 +165,27 @@ impl<'a> Container<'a> {
             self.root["images"] = images;
         }
         Ok(())
+    }
+}
+
+/// What the reader of figures takes, of JSON that was edited here.
+pub(super) fn plain(root: &Value) -> Json<'_> {
+    let value = match root {
+        Value::Null => json::Value::Null,
+        Value::Bool(truth) => json::Value::Bool(*truth),
+        Value::Number(number) => json::Value::Number(number.as_f64().unwrap_or(f64::NAN)),
+        Value::String(text) => json::Value::Text(text.into()),
+        Value::Array(items) => json::Value::List(items.iter().map(plain).collect()),
+        Value::Object(members) => json::Value::Object(
+            members
+                .iter()
+                .map(|(name, value)| (name.into(), plain(value)))
+                .collect(),
+        ),
+    };
+    Json {
+        value,
+        place: Place::default(),
     }
 }
 

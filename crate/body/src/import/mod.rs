@@ -68,7 +68,7 @@ pub fn open_figure(name: &str, bytes: &[u8]) -> Result<Imported, ImportError> {
 pub fn import_figure(name: &str, bytes: &[u8]) -> Result<Imported, ImportError> {
     let container = container::Container::open(bytes)?;
     let json = &container.root;
-    let root = Document::of(json, &container.bin)?;
+    let root = Document::of(&container::plain(json), &container.bin)?;
     let mut notes = Notes::default();
     let world = solve_nodes(&root)?;
     if world.iter().any(|w| !w.is_finite()) {

@@ -4,7 +4,7 @@
 //! 60 KB compressed there, a fifth of the budget; a figure needs a few dozen fields.
 //! Fields of a wrong type count as absent; what must be there is asked for by the reader.
 
-use serde_json::Value;
+use raconteur_base::json::{ABSENT, Json};
 
 use super::ReadError;
 
@@ -151,63 +151,59 @@ pub(crate) struct Document<'a> {
     pub(crate) bin: &'a [u8],
 }
 
-fn items<'v>(value: &'v Value, key: &str) -> &'v [Value] {
-    value[key].as_array().map_or(&[], Vec::as_slice)
+fn items<'v, 'a>(value: &'v Json<'a>, key: &str) -> &'v [Json<'a>] {
+    value[key].items()
 }
 
-fn index(value: &Value, key: &str) -> Option<usize> {
-    value[key].as_u64().and_then(|n| usize::try_from(n).ok())
+fn index(value: &Json<'_>, key: &str) -> Option<usize> {
+    value[key].index()
 }
 
 /// An index that must be there; one that is not points nowhere.
-fn needed_index(value: &Value, key: &str) -> usize {
+fn needed_index(value: &Json<'_>, key: &str) -> usize {
     index(value, key).unwrap_or(usize::MAX)
 }
 
-fn indices(value: &Value, key: &str) -> Vec<usize> {
+fn indices(value: &Json<'_>, key: &str) -> Vec<usize> {
     items(value, key)
         .iter()
-        .map(|v| {
-            v.as_u64()
-                .and_then(|n| usize::try_from(n).ok())
-                .unwrap_or(usize::MAX)
-        })
+        .map(|v| v.index().unwrap_or(usize::MAX))
         .collect()
 }
 
-fn whole(value: &Value, key: &str) -> u64 {
-    value[key].as_u64().unwrap_or(0)
+fn whole(value: &Json<'_>, key: &str) -> u64 {
+    value[key].whole().unwrap_or(0)
 }
 
-fn text(value: &Value, key: &str) -> String {
-    value[key].as_str().unwrap_or_default().to_owned()
+fn text(value: &Json<'_>, key: &str) -> String {
+    value[key].text().unwrap_or_default().to_owned()
 }
 
-fn texts(value: &Value, key: &str) -> Vec<String> {
+fn texts(value: &Json<'_>, key: &str) -> Vec<String> {
     items(value, key)
         .iter()
-        .filter_map(Value::as_str)
+        .filter_map(Json::text)
         .map(str::to_owned)
         .collect()
 }
 
-fn numbers<const N: usize>(value: &Value, key: &str) -> Option<[f64; N]> {
+fn numbers<const N: usize>(value: &Json<'_>, key: &str) -> Option<[f64; N]> {
     let list = items(value, key);
     if list.len() != N {
         return None;
     }
     let mut out = [0.0; N];
     for (o, v) in out.iter_mut().zip(list) {
-        *o = v.as_f64()?;
+        *o = v.number()?;
     }
     Some(out)
 }
 
-fn component(value: &Value) -> Option<Component> {
+fn component(value: &Json<'_>) -> Option<Component> {
     Component::from_code(whole(value, "componentType"))
 }
 
-fn node(v: &Value) -> Node {
+fn node(v: &Json<'_>) -> Node {
     Node {
         name: text(v, "name"),
         children: indices(v, "children"),
@@ -220,24 +216,22 @@ fn node(v: &Value) -> Node {
     }
 }
 
-fn skin(v: &Value) -> Skin {
+fn skin(v: &Json<'_>) -> Skin {
     Skin {
         joints: indices(v, "joints"),
         inverse_bind_matrices: index(v, "inverseBindMatrices"),
     }
 }
 
-fn primitive(v: &Value) -> Primitive {
-    let attributes = v["attributes"].as_object().into_iter().flatten();
+fn primitive(v: &Json<'_>) -> Primitive {
     Primitive {
-        attributes: attributes
-            .map(|(k, a)| {
-                let accessor = a.as_u64().and_then(|n| usize::try_from(n).ok());
-                (k.clone(), accessor.unwrap_or(usize::MAX))
-            })
+        attributes: v["attributes"]
+            .members()
+            .iter()
+            .map(|(k, a)| (k.to_string(), a.index().unwrap_or(usize::MAX)))
             .collect(),
         indices: index(v, "indices"),
-        mode: v["mode"].as_u64().unwrap_or(4),
+        mode: v["mode"].whole().unwrap_or(4),
         material: index(v, "material"),
         targets: items(v, "targets")
             .iter()
@@ -249,7 +243,7 @@ fn primitive(v: &Value) -> Primitive {
     }
 }
 
-fn mesh(v: &Value) -> Mesh {
+fn mesh(v: &Json<'_>) -> Mesh {
     Mesh {
         name: text(v, "name"),
         target_names: texts(&v["extras"], "targetNames"),
@@ -257,26 +251,26 @@ fn mesh(v: &Value) -> Mesh {
     }
 }
 
-fn material(v: &Value) -> Material {
+fn material(v: &Json<'_>) -> Material {
     let pbr = &v["pbrMetallicRoughness"];
     Material {
         kind: text(&v["extras"], "kind"),
         base_color: numbers(pbr, "baseColorFactor").unwrap_or([1.0; 4]),
-        roughness: pbr["roughnessFactor"].as_f64().unwrap_or(1.0),
-        double_sided: v["doubleSided"].as_bool().unwrap_or(false),
+        roughness: pbr["roughnessFactor"].number().unwrap_or(1.0),
+        double_sided: v["doubleSided"].truth().unwrap_or(false),
         base_color_texture: index(&pbr["baseColorTexture"], "index"),
         normal_texture: index(&v["normalTexture"], "index"),
     }
 }
 
-fn accessor(v: &Value) -> Accessor {
+fn accessor(v: &Json<'_>) -> Accessor {
     let sparse = &v["sparse"];
     Accessor {
         buffer_view: index(v, "bufferView"),
         byte_offset: whole(v, "byteOffset"),
         count: whole(v, "count"),
         component: component(v),
-        width: match v["type"].as_str() {
+        width: match v["type"].text() {
             Some("SCALAR") => 1,
             Some("VEC2") => 2,
             Some("VEC3") => 3,
@@ -285,7 +279,7 @@ fn accessor(v: &Value) -> Accessor {
             Some("MAT4") => 16,
             _ => 0,
         },
-        normalized: v["normalized"].as_bool().unwrap_or(false),
+        normalized: v["normalized"].truth().unwrap_or(false),
         sparse: sparse.is_object().then(|| Sparse {
             count: whole(sparse, "count"),
             index_component: component(&sparse["indices"]),
@@ -297,7 +291,7 @@ fn accessor(v: &Value) -> Accessor {
     }
 }
 
-fn view(v: &Value) -> View {
+fn view(v: &Json<'_>) -> View {
     View {
         buffer: needed_index(v, "buffer"),
         byte_offset: whole(v, "byteOffset"),
@@ -352,26 +346,24 @@ impl<'a> Document<'a> {
     /// Takes a container apart.
     pub(crate) fn read(glb: &'a [u8]) -> Result<Self, ReadError> {
         let (json, bin) = chunks(glb)?;
-        // serde_json refuses nesting beyond 128 levels, so this cannot exhaust the stack.
-        let root: Value =
-            serde_json::from_slice(json).map_err(|e| ReadError::NotGlb(e.to_string()))?;
+        let root = Json::read(json).map_err(|e| ReadError::NotGlb(e.to_string()))?;
         Self::of(&root, bin)
     }
 
     /// From a document's JSON and its one buffer.
-    pub(crate) fn of(root: &Value, bin: &'a [u8]) -> Result<Self, ReadError> {
+    pub(crate) fn of(root: &Json<'_>, bin: &'a [u8]) -> Result<Self, ReadError> {
         if root["asset"]["version"]
-            .as_str()
+            .text()
             .is_none_or(|v| !v.starts_with("2."))
         {
             return Err(ReadError::NotGlb("its asset version is not 2".to_owned()));
         }
         let scene = index(root, "scene").and_then(|i| items(root, "scenes").get(i));
-        let extras = scene.map_or(&Value::Null, |s| &s["extras"]);
+        let extras = scene.map_or(&ABSENT, |s| &s["extras"]);
         let all = |key: &str| items(root, key).iter();
         Ok(Self {
             extensions_required: texts(root, "extensionsRequired"),
-            stature_m: extras["statureMetres"].as_f64(),
+            stature_m: extras["statureMetres"].number(),
             lid_closure_rad: numbers(extras, "lidClosureRadians"),
             nodes: all("nodes").map(node).collect(),
             skins: all("skins").map(skin).collect(),

@@ -1,4 +1,4 @@
-//! Numbers of a story, read without the standard library's tables.
+//! Decimal numbers, read without the standard library's tables.
 //!
 //! `str::parse::<f64>` brings 10 KB of powers of ten that do not compress into every
 //! page. Up to 19 digits and 37 places either way, the result here is the same to the bit;
@@ -18,7 +18,7 @@ const MOST_PLACES: i32 = 400;
 
 /// Nearly every number: at most 15 digits and a point, without sign or exponent. Digits
 /// and power are exact in a float, so the one division rounds once (Clinger 1990).
-pub(crate) fn parse_short(text: &[u8]) -> Option<f64> {
+pub fn parse_short(text: &[u8]) -> Option<f64> {
     if text.len() > 15 {
         return None;
     }
@@ -40,7 +40,7 @@ pub(crate) fn parse_short(text: &[u8]) -> Option<f64> {
 }
 
 /// The number that `text` says; none when it says none. Too large ones are infinite.
-pub(crate) fn parse(text: &str) -> Option<f64> {
+pub fn parse(text: &str) -> Option<f64> {
     let (sign, rest) = match text.as_bytes() {
         [b'-', rest @ ..] => (-1.0, rest),
         [b'+', rest @ ..] => (1.0, rest),
