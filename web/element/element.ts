@@ -108,6 +108,8 @@ export class RaconteurPlayer extends LitElement {
   #awaited = false;
   /** A file that the user gave, under its name in `figure`. */
   #given: File | undefined;
+  /** A text that takes the place of the story's file. */
+  #text: string | undefined;
   #error: PlayerError | undefined;
   #diagnostics: readonly Diagnostic[] = [];
   #lost: 'no' | 'recovering' | 'yes' = 'no';
@@ -320,6 +322,7 @@ export class RaconteurPlayer extends LitElement {
 
   protected override willUpdate(changed: PropertyValues<this>): void {
     if (changed.has('mind') && this.#show !== undefined) void this.#connect(this.#show);
+    if (changed.has('src')) this.#text = undefined;
     if (changed.has('label')) this.setAttribute('aria-label', this.label);
     const replaced = (['src', 'backend', 'assets'] as const).some((name) => changed.has(name));
     const figure = changed.has('figure') && this.hasUpdated;
@@ -327,7 +330,7 @@ export class RaconteurPlayer extends LitElement {
       void this.#changeFigure(this.#show);
     } else if ((replaced || figure) && this.hasUpdated) {
       this.#close();
-      if (this.#onScreen || this.loading === 'eager') void this.load();
+      if ((this.#onScreen && this.#hasStory) || this.loading === 'eager') void this.load();
     } else if (changed.has('loading') && this.loading === 'eager') {
       void this.load();
     }
@@ -344,8 +347,12 @@ export class RaconteurPlayer extends LitElement {
 
   #appeared(entries: readonly IntersectionObserverEntry[]): void {
     this.#onScreen = entries.at(-1)?.isIntersecting ?? false;
-    if (this.#onScreen && this.src !== undefined) void this.load();
+    if (this.#onScreen && this.#hasStory) void this.load();
     this.#keepTime();
+  }
+
+  get #hasStory(): boolean {
+    return this.src !== undefined || this.#text !== undefined;
   }
 
   /** Fetches and opens the story; what goes wrong ends as `error`, never as a rejection. */
@@ -358,9 +365,9 @@ export class RaconteurPlayer extends LitElement {
     };
     let picture: Picture | undefined;
     try {
-      if (this.src === undefined || this.src === '') throw new PlayerError('No story is given: set the attribute src.');
+      if (!this.src && this.#text === undefined) throw new PlayerError('No story is given: set the attribute src.');
       const [files, backend] = await Promise.all([
-        fetchStory(this.src, (part) => this.#fetchFigure(part), signal, progress),
+        fetchStory(this.src, this.#text, (part) => this.#fetchFigure(part), signal, progress),
         Promise.resolve(this.backend ?? chooseBackend()).then((chosen) => {
           warmUp(chosen);
           return chosen;
@@ -393,6 +400,37 @@ export class RaconteurPlayer extends LitElement {
     if (this.#given?.name === this.figure) return readFigure(this.#given);
     const library = new URL(this.assets.endsWith('/') ? this.assets : `${this.assets}/`, document.baseURI);
     return fetchFigure(this.figure, library, progress);
+  }
+
+  /**
+   * Puts another text in the place of the one on stage; figure, picture, time and whether it plays
+   * stay. Works without `src`, too. What is wrong with the text is in the answer and in
+   * `diagnostics`, the rest plays; rejects only when there is no stage. Live fragments end.
+   */
+  async rehearse(eml: string): Promise<readonly Diagnostic[]> {
+    await this.updateComplete;
+    const text = (this.#text = String(eml));
+    await this.load();
+    const show = this.#show;
+    if (show === undefined) throw this.#error ?? new DOMException('The story was replaced.', 'AbortError');
+    // The one that came last is being read already.
+    if (text !== this.#text) return this.#diagnostics;
+    const story = show.picture.rehearse(text);
+    if (story === undefined) return [{ code: 'live::absent', severity: 'warning', message: 'The storyteller is away for a moment.', hints: [] }];
+    Object.assign(show, { story, files: { ...show.files, eml: text } });
+    const spoken = show.script.replace(story.utterances);
+    show.captions = captionsOf(story.utterances);
+    show.transport.replace(story.durationSecs, spoken);
+    this.#diagnostics = [...this.#diagnostics.filter((d) => d.start === undefined), ...story.diagnostics].slice(0, MOST_DIAGNOSTICS);
+    this.dispatchEvent(new Event('durationchange'));
+    if (this.paused) this.#advance();
+    this.requestUpdate();
+    return story.diagnostics;
+  }
+
+  /** What a page needs to draw over the picture shown last; read it with `web/pages/pose.ts`. Undefined without a story. */
+  pose(): { readonly names: readonly string[]; readonly numbers: Float32Array } | undefined {
+    return this.#show?.picture.pose();
   }
 
   /** Fetches and reads another figure while the present one performs; what goes wrong is a diagnostic. */

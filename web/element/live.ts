@@ -7,7 +7,7 @@ const KEEP_SECS = 300;
 
 /** Utterances by the index that cues give. */
 export class LiveScript implements Iterable<Utterance> {
-  readonly #story: readonly Utterance[];
+  #story: readonly Utterance[];
   readonly #live = new Map<number, Utterance>();
 
   constructor(story: readonly Utterance[]) {
@@ -35,5 +35,14 @@ export class LiveScript implements Iterable<Utterance> {
   /** Forgets everything but the story. */
   forget(): void {
     this.#live.clear();
+  }
+
+  /** Another text; an utterance that stays as it was keeps its sound. Whether anything that is said has changed. */
+  replace(story: readonly Utterance[]): boolean {
+    this.forget();
+    const before = this.#story;
+    const known = new Map(before.map((utterance) => [JSON.stringify(utterance), utterance]));
+    this.#story = story.map((utterance) => known.get(JSON.stringify(utterance)) ?? utterance);
+    return before.length !== story.length || before.some((utterance, i) => utterance !== this.#story[i]);
   }
 }

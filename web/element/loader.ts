@@ -16,29 +16,32 @@ export interface StoryFiles {
   readonly figure: FigureFile;
   /** Where the recordings lie. */
   readonly voiceFolder: URL;
+  /** The text is not that of the file any more. */
+  readonly edited?: boolean;
 }
 
 /** Receives how much of the work is done, 0 to 1. */
 export type Progress = (share: number) => void;
 
-/** A story's folder is where its file is; its voice lies in `voice/` beside it. */
+/** A story's folder is where its file is; its voice lies in `voice/` beside it. A `text` takes the file's place; without a file it has no voice. */
 export async function fetchStory(
-  src: string,
+  src: string | undefined,
+  text: string | undefined,
   figure: (progress: Progress) => Promise<FigureFile>,
   signal: AbortSignal,
   progress: Progress,
 ): Promise<StoryFiles> {
-  const story = new URL(src, document.baseURI);
+  const story = new URL(src ?? '', document.baseURI);
   const voiceFolder = new URL('voice/', story);
-  const shares = [0, 0, 0];
+  const shares = [text === undefined ? 0 : 1, src ? 0 : 1, 0];
   const weights = [0.1, 0.15, 0.75];
   const part = (i: number) => (share: number) => {
     shares[i] = share;
     progress(shares.reduce((sum, s, k) => sum + s * (weights[k] ?? 0), 0));
   };
-  const [text, bundle, who] = await Promise.all([
-    fetchBytes(story, 'The story', MOST_STORY_BYTES, signal, part(0)),
-    fetchBytes(new URL('speech.json', voiceFolder), 'The voice', MOST_STORY_BYTES, signal, part(1)).catch((error: unknown) => {
+  const [eml, bundle, who] = await Promise.all([
+    text ?? fetchBytes(story, 'The story', MOST_STORY_BYTES, signal, part(0)).then((bytes) => new TextDecoder().decode(bytes)),
+    src && fetchBytes(new URL('speech.json', voiceFolder), 'The voice', MOST_STORY_BYTES, signal, part(1)).catch((error: unknown) => {
       // A story without a recorded voice is told in captions.
       if (error instanceof PlayerError) return undefined;
       throw error;
@@ -46,8 +49,7 @@ export async function fetchStory(
     figure(part(2)),
   ]);
   signal.throwIfAborted();
-  const eml = new TextDecoder().decode(text);
-  return { eml, bundle, figure: who, voiceFolder };
+  return { eml, bundle: bundle || undefined, figure: who, voiceFolder, edited: text !== undefined };
 }
 
 /** A bare name is a figure of the library; anything else is an address. */

@@ -104,6 +104,19 @@ export class Picture {
     this.#guard((engine) => engine.setOpenEnded(openEnded));
   }
 
+  /** Another text for the figure on stage; undefined while there is nobody to read it, who comes back with it. */
+  rehearse(eml: string): Story | undefined {
+    this.#files = { ...this.#files, eml, edited: true };
+    const story = this.#guard((engine) => this.#reread(engine, this.#files));
+    this.seek(this.#lastShown);
+    return story;
+  }
+
+  /** What a page needs to draw over the picture, as numbers, and their names. */
+  pose(): { names: readonly string[]; numbers: Float32Array } | undefined {
+    return this.#guard((engine) => ({ names: engine.poseNames(), numbers: engine.pose() }));
+  }
+
   /** Performs a fragment of EML; undefined while there is nobody to do it. */
   perform(mind: number, fragment: string, nowSecs: number): Performance | undefined {
     return this.#guard((engine) => engine.perform(mind, fragment, nowSecs));
@@ -261,15 +274,22 @@ export class Picture {
   }
 
   #read(engine: Engine, files = this.#files): Story {
-    const { eml, bundle, figure } = files;
-    const motion = matchMedia('(prefers-reduced-motion: reduce)').matches ? REDUCED_MOTION : 1;
+    const { eml, bundle, figure, edited } = files;
     try {
-      const story = engine.load(eml, bundle, figure.name, figure.glb, motion);
+      const story = engine.load(eml, bundle, figure.name, figure.glb, motionAmount());
       engine.setOpenEnded(this.#openEnded);
-      return story;
+      // An edited text is shown with room for what it may become.
+      return edited ? this.#reread(engine, files) : story;
     } catch (error) {
       throw unusable(figure.where, error);
     }
+  }
+
+  #reread(engine: Engine, { eml, bundle }: StoryFiles): Story {
+    const story = engine.rehearse(eml, bundle, motionAmount());
+    if (story === undefined) throw new PlayerError('Nobody is on stage.');
+    engine.setOpenEnded(this.#openEnded);
+    return story;
   }
 
   /** Uses the engine; a trap leaves its memory suspect, so it is never used again. */
@@ -286,6 +306,9 @@ export class Picture {
     }
   }
 }
+
+/** How much idle life. */
+const motionAmount = (): number => (matchMedia('(prefers-reduced-motion: reduce)').matches ? REDUCED_MOTION : 1);
 
 /** Whether an engine died of what it was asked. */
 function trapped(error: unknown): boolean {

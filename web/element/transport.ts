@@ -70,6 +70,15 @@ export class Transport {
     this.#ended = false;
   }
 
+  /** Another text ends elsewhere; `spoken` when it also says something else, whose sounds are to be planned. */
+  replace(endSecs: number, spoken: boolean): void {
+    const running = this.#clock.running;
+    if (running && spoken) this.#rest();
+    this.#endSecs = endSecs;
+    if (!running && this.#latest < endSecs) this.#ended = false;
+    if (running && spoken) this.#run();
+  }
+
   /** Plays; false where the browser does not allow sound before the user acts. */
   async play(): Promise<boolean> {
     if (!this.#paused) return true;

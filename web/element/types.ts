@@ -142,6 +142,12 @@ export interface Engine {
    * idle life from 0 to 1. Throws a readable `Error` when the figure cannot be read.
    */
   load(eml: string, bundle: Uint8Array | undefined, figure: string, glb: Uint8Array, motion: number): Story;
+  /** Has the figure that `load` put on stage read another text; undefined when nobody is there. */
+  rehearse(eml: string, bundle: Uint8Array | undefined, motion: number): Story | undefined;
+  /** The moment shown last as numbers, in the order that `web/pages/pose.ts` reads; empty when nobody is there. */
+  pose(): Float32Array;
+  /** The names of what `pose` tells: joints, then manipulators. */
+  poseNames(): string[];
   /** Shows the moment `timeSecs`; a `TickStatus`. Cues passed since the last tick or seek are kept for `drainEvents`. */
   tick(timeSecs: number): number;
   /** Moves without passing what lies between. */

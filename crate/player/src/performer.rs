@@ -29,6 +29,9 @@ pub struct Options {
     pub motion_amount: f64,
     /// How much of the speaker is in the picture.
     pub shot: Shot,
+    /// No less room than this is kept for gestures, however small the script's own are:
+    /// while one edits a script the picture stands still.
+    pub room: Room,
 }
 
 impl Default for Options {
@@ -37,6 +40,7 @@ impl Default for Options {
             seed: 1,
             motion_amount: 1.0,
             shot: Shot::Medium,
+            room: Room::default(),
         }
     }
 }
@@ -125,7 +129,7 @@ impl Player {
         let (actor, room) = rehearse(
             &figure,
             &input.options,
-            Room::default(),
+            input.options.room,
             [&story].into_iter(),
         );
         let morphs = figure.morph_names.len();
@@ -175,8 +179,20 @@ impl Player {
 
     /// Who performs.
     #[must_use]
-    pub fn figure(&self) -> &Figure {
+    pub fn figure(&self) -> &Arc<Figure> {
         &self.figure
+    }
+
+    /// Where EML's coordinates lie for this figure.
+    #[must_use]
+    pub fn units(&self) -> &Units {
+        &self.units
+    }
+
+    /// The frame that was asked for last; empty before the first.
+    #[must_use]
+    pub fn last_frame(&self) -> &Frame {
+        &self.frame
     }
 
     /// When everything in the script happens.

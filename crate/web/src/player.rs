@@ -2,8 +2,10 @@
 
 use std::sync::Arc;
 
+use raconteur_player::body::Figure;
 use raconteur_player::body::figure::Image;
 use raconteur_player::body::read::read_figure;
+use raconteur_player::stage::Room;
 use raconteur_player::{Options, Player as Performer, StoryInput};
 use raconteur_render::{Backend, CanvasTarget, Pace, Quality, RenderOptions, RenderStatus};
 use serde::Serialize;
@@ -32,13 +34,13 @@ enum TickStatus {
 /// A storyteller: a story, a figure, and a canvas if there is one.
 #[wasm_bindgen]
 pub struct Player {
-    performer: Option<Performer>,
+    pub(crate) performer: Option<Performer>,
     picture: Option<CanvasTarget>,
     pace: Pace,
     /// The picture stands still, so it has the time for every pixel.
     resting: bool,
     /// Width over height.
-    aspect: f64,
+    pub(crate) aspect: f64,
     sized: bool,
 }
 
@@ -80,7 +82,8 @@ impl Player {
         glb: &[u8],
         motion: f64,
     ) -> Result<JsValue, JsError> {
-        let (performer, story) = read(eml, bundle.as_deref(), figure, glb, motion)?;
+        let figure = Arc::new(read_figure(figure, glb)?);
+        let (performer, story) = read(eml, bundle.as_deref(), figure, motion, Room::default());
         if let Some(picture) = &mut self.picture {
             picture.set_figure(performer.figure())?;
         }
@@ -266,27 +269,23 @@ pub fn pose_digests(
     glb: &[u8],
     times_secs: &[f64],
 ) -> Result<Vec<String>, JsError> {
-    let (mut performer, _) = read(
-        eml,
-        bundle.as_deref(),
-        figure,
-        glb,
-        Options::default().motion_amount,
-    )?;
+    let figure = Arc::new(read_figure(figure, glb)?);
+    let motion = Options::default().motion_amount;
+    let (mut performer, _) = read(eml, bundle.as_deref(), figure, motion, Room::default());
     Ok(times_secs
         .iter()
         .map(|&t| format!("{:016x}", performer.digest(t)))
         .collect())
 }
 
-fn read(
+/// Has a figure read a story, with no less room in the picture than `room`.
+pub(crate) fn read(
     eml: &str,
     bundle: Option<&[u8]>,
-    figure: &str,
-    glb: &[u8],
+    figure: Arc<Figure>,
     motion: f64,
-) -> Result<(Performer, Story), JsError> {
-    let figure = read_figure(figure, glb)?;
+    room: Room,
+) -> (Performer, Story) {
     let motion_amount = if motion.is_nan() {
         1.0
     } else {
@@ -295,9 +294,10 @@ fn read(
     let loaded = Performer::load(StoryInput {
         eml,
         bundle,
-        figure: Arc::new(figure),
+        figure,
         options: Options {
             motion_amount,
+            room,
             ..Options::default()
         },
     });
@@ -308,7 +308,7 @@ fn read(
         performer.utterances(),
         loaded.diagnostics,
     );
-    Ok((performer, story))
+    (performer, story)
 }
 
 impl Player {

@@ -1,0 +1,90 @@
+//! For pages that edit: another text for whoever is on stage, and what to draw over the
+//! picture.
+
+use std::sync::Arc;
+
+use raconteur_player::stage::Room;
+use wasm_bindgen::prelude::*;
+
+use crate::player::{Player, plain, read};
+
+/// Room for every place that an arm reaches; the shot itself bounds it. With it the picture
+/// stands still while a hand is dragged about.
+const WHOLE_REACH: Room = Room {
+    top_m: 9.0,
+    half_width_m: 9.0,
+};
+
+#[wasm_bindgen]
+#[allow(
+    clippy::needless_pass_by_value,
+    reason = "optional bytes arrive as owned only"
+)]
+impl Player {
+    /// Reads another text for the figure that is on stage, which keeps its pictures; the
+    /// arguments and the answer are those of `load`. Nothing before a `load`. The clock is
+    /// the caller's: seek to go on from somewhere.
+    pub fn rehearse(
+        &mut self,
+        eml: &str,
+        bundle: Option<Vec<u8>>,
+        motion: f64,
+    ) -> Result<JsValue, JsError> {
+        let Some(before) = &self.performer else {
+            return Ok(JsValue::UNDEFINED);
+        };
+        let figure = Arc::clone(before.figure());
+        let (performer, story) = read(eml, bundle.as_deref(), figure, motion, WHOLE_REACH);
+        self.performer = Some(performer);
+        plain(&story)
+    }
+
+    /// The moment shown last as numbers, in this order; `web/pages/pose.ts` reads them. World,
+    /// metres and radians; empty before a `load`.
+    ///
+    /// - 10 of the camera: eye, target, vertical field of view, aspect, near and far plane;
+    /// - 4 of EML's coordinates: the speaker's origin, metres a unit;
+    /// - the number of joints, and for each its parent (-1 for the root) and the columns of
+    ///   its transform, 13 together;
+    /// - for each manipulator its target and how far from there it ended, 4 together.
+    pub fn pose(&mut self) -> Vec<f32> {
+        let mut numbers = Vec::new();
+        let Some(performer) = &mut self.performer else {
+            return numbers;
+        };
+        let manipulators = performer.manipulators(performer.last_frame().time_secs);
+        let mut put = |values: &[f64]| numbers.extend(values.iter().map(|&v| v as f32));
+        let frame = performer.last_frame();
+        let camera = &frame.camera;
+        put(&camera.eye_in_world.to_array());
+        put(&camera.target_in_world.to_array());
+        put(&[camera.fov_y_rad, self.aspect, camera.near_m, camera.far_m]);
+        let units = performer.units();
+        put(&units.speaker_point([0.0; 3]).to_array());
+        let joints = performer.figure().skeleton.joints();
+        put(&[units.world_point([1.0, 0.0, 0.0]).x, joints.len() as f64]);
+        for (joint, world) in joints.iter().zip(&frame.world_from_joint) {
+            put(&[joint.parent.map_or(-1.0, |p| p as f64)]);
+            put(&world.to_cols_array());
+        }
+        for manipulator in &manipulators {
+            put(&manipulator.target_in_world.to_array());
+            put(&[manipulator.error_m]);
+        }
+        numbers
+    }
+
+    /// Names of the joints in the order of `pose`, then those of the manipulators.
+    #[wasm_bindgen(js_name = poseNames)]
+    pub fn pose_names(&mut self) -> Vec<String> {
+        let Some(performer) = &mut self.performer else {
+            return Vec::new();
+        };
+        let manipulators = performer.manipulators(performer.last_frame().time_secs);
+        let joints = performer.figure().skeleton.joints().iter();
+        joints
+            .map(|j| j.name.clone())
+            .chain(manipulators.iter().map(|m| m.name.to_owned()))
+            .collect()
+    }
+}
