@@ -332,6 +332,59 @@ impl ArmRig {
     }
 }
 
+/// The joints of an arm that place its wrist, for interpolation by joint.
+#[derive(Clone, Copy, Debug)]
+pub struct ArmPosture {
+    /// Rotation of the scapula bone.
+    scapula: DQuat,
+    /// Rotation of the shoulder.
+    shoulder: DQuat,
+    /// Flexion of the elbow, radians.
+    flexion_rad: f64,
+}
+
+impl ArmPosture {
+    /// The posture a share of the way to another; shares beyond 0..1 go on beyond the ends.
+    #[must_use]
+    pub fn lerp(&self, to: &Self, s: f64) -> Self {
+        Self {
+            scapula: self.scapula.slerp(to.scapula, s).normalize(),
+            shoulder: self.shoulder.slerp(to.shoulder, s).normalize(),
+            flexion_rad: self.flexion_rad + (to.flexion_rad - self.flexion_rad) * s,
+        }
+    }
+}
+
+impl ArmRig {
+    /// The natural posture for a wrist, with the thorax of the zero pose.
+    #[must_use]
+    pub fn posture(&self, wrist_in_world: DVec3) -> ArmPosture {
+        let goal = ArmGoal {
+            wrist_in_world,
+            hand_in_world: None,
+            shrug_rad: 0.0,
+        };
+        let solution = self.solve(&self.thorax_zero_in_world, &goal);
+        ArmPosture {
+            scapula: solution.scapula,
+            shoulder: solution.shoulder,
+            // The hinge of the elbow is its z axis.
+            flexion_rad: 2.0 * ops::atan2(solution.elbow.z, solution.elbow.w),
+        }
+    }
+
+    /// Where a posture puts the wrist, with the thorax of the zero pose, world, metres.
+    #[must_use]
+    pub fn wrist_of(&self, posture: &ArmPosture) -> DVec3 {
+        let thorax = &self.thorax_zero_in_world;
+        let scapula = rotation_of(thorax) * self.scapula_zero * posture.scapula;
+        let shoulder = scapula * self.shoulder_zero * posture.shoulder;
+        thorax.transform_point3(self.scapula_in_thorax)
+            + scapula * self.shoulder_in_scapula
+            + shoulder * self.chain.end_in_upper(posture.flexion_rad)
+    }
+}
+
 /// An arm with its target direction and flexion; only the swivel is open.
 struct Posture<'a> {
     rig: &'a ArmRig,
