@@ -192,7 +192,9 @@ impl HandAngles {
         let fingers = pairs.map(|(a, b)| {
             let knuckle = (a.mcp_flexion - b.mcp_flexion).abs();
             let middle = (a.pip_flexion - b.pip_flexion).abs();
-            knuckle.max(middle).max((a.dip_flexion - b.dip_flexion).abs())
+            knuckle
+                .max(middle)
+                .max((a.dip_flexion - b.dip_flexion).abs())
         });
         let (a, b) = (&self.thumb, &other.thumb);
         let saddle = (a.cmc_flexion - b.cmc_flexion).abs();

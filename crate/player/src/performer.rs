@@ -118,7 +118,6 @@ impl Player {
         };
         let mut diagnostics = script.diagnostics.clone();
         diagnostics.extend(gestures::out_of_reach(&script.document, &units, &reach));
-        sort_by_number(&mut diagnostics, |d| f64::from(d.span.start));
 
         let story = Part::new(&script, &units, 0, None);
         let live = Live::new(story.utterances.len());
@@ -128,6 +127,9 @@ impl Player {
             Room::default(),
             [&story].into_iter(),
         );
+        let plans = Side::BOTH.map(|side| actor.plan(side));
+        diagnostics.extend(gestures::late(&script.document, &script.timeline, plans));
+        sort_by_number(&mut diagnostics, |d| f64::from(d.span.start));
         let morphs = figure.morph_names.len();
         let player = Self {
             face: FaceRig::new(&figure),

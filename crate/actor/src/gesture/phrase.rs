@@ -28,10 +28,22 @@ impl Phrase {
         self.keys.iter().find(|k| has(k)).map(|k| k.time_secs)
     }
 
+    /// Whether the way to a feature's first key is part of the script, from the beginning of
+    /// the phrase, and not the planner's preparation: in a phase that is no stroke, or where
+    /// the key comes later than the stroke and says how it is reached.
+    pub(super) fn leads(&self, feature: usize) -> bool {
+        let Some(first) = self.keys.iter().find(|k| FEATURES[feature].0(k)) else {
+            return false;
+        };
+        let course = [first.wrist_course, first.hand_course, first.shape_course][feature];
+        let scripted = self.phase != Phase::Stroke || course.profile.is_some();
+        scripted && first.time_secs > self.start + SAME_SECS
+    }
+
     /// When something begins to happen.
     fn begins(&self) -> f64 {
         match self.keys.first() {
-            Some(key) if self.phase == Phase::Stroke => key.time_secs,
+            Some(key) if !(0..FEATURES.len()).any(|f| self.leads(f)) => key.time_secs,
             Some(key) => key.time_secs.min(self.start),
             None => self.start,
         }
@@ -49,6 +61,11 @@ pub(super) fn has_hand(key: &HandKey) -> bool {
 pub(super) fn has_shape(key: &HandKey) -> bool {
     key.shape.is_some()
 }
+
+/// Places in [`FEATURES`].
+pub(super) const WRIST: usize = 0;
+pub(super) const HAND: usize = 1;
+pub(super) const SHAPE: usize = 2;
 
 /// What a key may say, and how to take it back.
 const FEATURES: [(fn(&HandKey) -> bool, fn(&mut HandKey)); 3] = [
@@ -199,8 +216,8 @@ impl Phrase {
             ..HandKey::default()
         };
         match feature {
-            0 => key.wrist_in_world = last.wrist_in_world,
-            1 => key.hand_in_world = last.hand_in_world,
+            WRIST => key.wrist_in_world = last.wrist_in_world,
+            HAND => key.hand_in_world = last.hand_in_world,
             _ => key.shape = last.shape,
         }
         self.keys.push(key);

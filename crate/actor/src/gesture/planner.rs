@@ -6,7 +6,7 @@ use raconteur_base::{DQuat, DVec3, Side};
 
 use super::fingers::FingerTrack;
 use super::path::{Bow, reach_secs};
-use super::phrase::{Phrase, has_hand, has_shape, has_wrist, phrases};
+use super::phrase::{HAND, Phrase, SHAPE, WRIST, has_hand, has_shape, has_wrist, phrases};
 use super::plan::PlannedKey;
 use super::tracks::{HandTrack, WristTrack};
 use super::{ArmScript, Course, Phase, Rest};
@@ -115,15 +115,16 @@ impl<'a> Planner<'a> {
 
     /// Performs a phrase after what is there.
     fn perform(&mut self, phrase: &Phrase) {
-        let moves = [phrase.first(has_wrist), phrase.first(has_hand)]
-            .into_iter()
-            .flatten()
-            .reduce(f64::min);
-        if let Some(first) = moves {
-            self.take_back_returns(first);
-            let flows = self.leave(first);
+        let leads = phrase.leads(WRIST) || phrase.leads(HAND);
+        let firsts = [phrase.first(has_wrist), phrase.first(has_hand)];
+        if let Some(first) = firsts.into_iter().flatten().reduce(f64::min) {
+            let begins = if leads { phrase.start } else { first };
+            self.take_back_returns(begins);
+            let flows = self.leave(begins);
             if !flows {
-                self.set_out(phrase);
+                self.set_out(phrase, leads);
+            } else if leads {
+                self.settle(phrase.start, 1.0);
             }
             self.push_wrists(phrase, flows);
             self.push_hands(phrase);
@@ -199,8 +200,8 @@ impl<'a> Planner<'a> {
         }
     }
 
-    /// Sets out from rest, in time to be there or when a preparation says.
-    fn set_out(&mut self, phrase: &Phrase) {
+    /// Sets out from rest, in time to be there or when the phrase begins.
+    fn set_out(&mut self, phrase: &Phrase, leads: bool) {
         let first_hand = phrase.first(has_hand).unwrap_or(f64::INFINITY);
         let key = phrase.keys.iter().find(|k| has_wrist(k));
         let (first, to) = match key.and_then(|k| Some((k.time_secs, k.wrist_in_world?))) {
@@ -209,11 +210,7 @@ impl<'a> Planner<'a> {
         };
         let from = self.rest.at(first - 0.6).wrist;
         let start = (first - reach_secs(from.distance(to))).min(first_hand - RETURN_LEAST_SECS);
-        let start = if phrase.phase == Phase::Preparation && phrase.start < first.min(first_hand) {
-            phrase.start
-        } else {
-            start
-        };
+        let start = if leads { phrase.start } else { start };
         let start = start.max(self.planned_secs());
         self.out.wrist.push(self.rig, start, None, FREE);
         self.out.hand.push(start, None, FREE);
@@ -234,20 +231,16 @@ impl<'a> Planner<'a> {
                 continue;
             };
             // The way to the first key of a stroke is preparation, and no part of its course.
-            let begins_stroke =
-                phrase.phase == Phase::Stroke && Some(key.time_secs) == phrase.first(has_wrist);
-            let course = if begins_stroke {
-                FREE
-            } else {
-                key.wrist_course
-            };
+            let first = Some(key.time_secs) == phrase.first(has_wrist);
+            let prepared = first && !phrase.leads(WRIST);
+            let course = if prepared { FREE } else { key.wrist_course };
             let place = self.reachable(wrist);
             let arrives_secs = self.push_wrist(key.time_secs, Some(place), course);
             self.out.keys.push(PlannedKey {
                 time_secs: key.time_secs,
                 arrives_secs,
                 wrist_in_world: Some(place),
-                begins_stroke,
+                begins_stroke: prepared && phrase.phase == Phase::Stroke,
             });
             // Nobody has turned this hand yet.
             if !flows && first_hand.is_none_or(|t| t > key.time_secs) {
@@ -261,9 +254,13 @@ impl<'a> Planner<'a> {
             let Some(hand) = key.hand_in_world else {
                 continue;
             };
-            let prepares =
-                phrase.phase == Phase::Stroke && Some(key.time_secs) == phrase.first(has_hand);
-            let course = if prepares { FREE } else { key.hand_course };
+            let first = Some(key.time_secs) == phrase.first(has_hand);
+            let prepared = first && !phrase.leads(HAND);
+            let course = if prepared { FREE } else { key.hand_course };
+            if first && !prepared && phrase.start > self.out.hand.last_secs() {
+                let held = self.out.hand.last();
+                self.push_hand(phrase.start, held, FREE);
+            }
             let arrives = self.push_hand(key.time_secs, Some(hand), course);
             self.note(key.time_secs, arrives);
         }
@@ -273,20 +270,22 @@ impl<'a> Planner<'a> {
         for key in &phrase.keys {
             let Some(shape) = key.shape else { continue };
             let time = key.time_secs;
-            let prepares = phrase.phase == Phase::Stroke && Some(time) == phrase.first(has_shape);
-            if prepares {
+            let first = Some(time) == phrase.first(has_shape);
+            let prepared = first && !phrase.leads(SHAPE);
+            if first {
                 // Fingers form on the way of the hand, not while it holds before.
                 let mut moves = self.out.wrist.times.iter().rev();
                 let leaves = moves.find(|t| **t < time - 0.05).copied();
                 let leaves = leaves
                     .unwrap_or(time)
                     .clamp(time - SHAPING_SECS[1], time - SHAPING_SECS[0]);
+                let leaves = if prepared { leaves } else { phrase.start };
                 if leaves > self.out.fingers.last_secs() {
                     let held = self.out.fingers.last();
                     self.out.fingers.push(leaves, held, None);
                 }
             }
-            let profile = key.shape_course.profile.filter(|_| !prepares);
+            let profile = key.shape_course.profile.filter(|_| !prepared);
             let arrives = self.out.fingers.push(time, Some(shape), profile);
             self.note(time, arrives);
         }
