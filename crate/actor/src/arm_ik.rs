@@ -18,7 +18,7 @@ use crate::kinematics::{TwoBone, rotation_of, world_from_bone};
 use crate::wrist::{self, WristAngles};
 
 /// Largest flexion of the elbow (GEVH table B.1), degrees.
-const ELBOW_MAX_DEG: f64 = 159.0;
+pub const ELBOW_MAX_DEG: f64 = 159.0;
 /// The last share of the reach, in which the elbow eases out instead of snapping: a wrist
 /// there stays short of its goal by up to 0.4 of this share (2 mm). Designed.
 const SOFT_SHARE: f64 = 0.01;

@@ -375,6 +375,15 @@ impl Player {
         })
     }
 
+    /// When strokes of a hand begin, story time, and the first place of the wrist in each, as
+    /// far as it can be reached, world, metres.
+    pub fn strokes(&self, side: Side) -> Vec<(f64, DVec3)> {
+        let keys = self.layers.actor().plan(side).keys().iter();
+        keys.filter(|k| k.begins_stroke)
+            .filter_map(|k| Some((k.time_secs, k.wrist_in_world?)))
+            .collect()
+    }
+
     /// FNV-1a (64 bits) over the bits of every joint's transform and every morph weight at a
     /// time, little-endian: equal digests mean equal poses to the last bit.
     pub fn digest(&mut self, time_secs: f64) -> u64 {
