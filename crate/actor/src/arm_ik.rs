@@ -18,7 +18,7 @@ use crate::kinematics::{TwoBone, rotation_of, world_from_bone};
 use crate::wrist::{self, WristAngles};
 
 /// Largest flexion of the elbow (GEVH table B.1), degrees.
-const ELBOW_MAX_DEG: f64 = 159.0;
+pub const ELBOW_MAX_DEG: f64 = 159.0;
 /// The last share of the reach, in which the elbow eases out instead of snapping: a wrist
 /// there stays short of its goal by up to 0.4 of this share (2 mm). Designed.
 const SOFT_SHARE: f64 = 0.01;
@@ -329,6 +329,59 @@ impl ArmRig {
         let x = elbow.x / (half_width + 0.04);
         let z = elbow.z / (half_depth + 0.04);
         (1.0 - ops::hypot(x, z)).max(0.0)
+    }
+}
+
+/// The joints of an arm that place its wrist, for interpolation by joint.
+#[derive(Clone, Copy, Debug)]
+pub struct ArmPosture {
+    /// Rotation of the scapula bone.
+    scapula: DQuat,
+    /// Rotation of the shoulder.
+    shoulder: DQuat,
+    /// Flexion of the elbow, radians.
+    flexion_rad: f64,
+}
+
+impl ArmPosture {
+    /// The posture a share of the way to another; shares beyond 0..1 go on beyond the ends.
+    #[must_use]
+    pub fn lerp(&self, to: &Self, s: f64) -> Self {
+        Self {
+            scapula: self.scapula.slerp(to.scapula, s).normalize(),
+            shoulder: self.shoulder.slerp(to.shoulder, s).normalize(),
+            flexion_rad: self.flexion_rad + (to.flexion_rad - self.flexion_rad) * s,
+        }
+    }
+}
+
+impl ArmRig {
+    /// The natural posture for a wrist, with the thorax of the zero pose.
+    #[must_use]
+    pub fn posture(&self, wrist_in_world: DVec3) -> ArmPosture {
+        let goal = ArmGoal {
+            wrist_in_world,
+            hand_in_world: None,
+            shrug_rad: 0.0,
+        };
+        let solution = self.solve(&self.thorax_zero_in_world, &goal);
+        ArmPosture {
+            scapula: solution.scapula,
+            shoulder: solution.shoulder,
+            // The hinge of the elbow is its z axis.
+            flexion_rad: 2.0 * ops::atan2(solution.elbow.z, solution.elbow.w),
+        }
+    }
+
+    /// Where a posture puts the wrist, with the thorax of the zero pose, world, metres.
+    #[must_use]
+    pub fn wrist_of(&self, posture: &ArmPosture) -> DVec3 {
+        let thorax = &self.thorax_zero_in_world;
+        let scapula = rotation_of(thorax) * self.scapula_zero * posture.scapula;
+        let shoulder = scapula * self.shoulder_zero * posture.shoulder;
+        thorax.transform_point3(self.scapula_in_thorax)
+            + scapula * self.shoulder_in_scapula
+            + shoulder * self.chain.end_in_upper(posture.flexion_rad)
     }
 }
 

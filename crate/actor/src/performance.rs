@@ -131,15 +131,22 @@ impl Actor {
             1.0
         };
         Self {
-            plans: Side::BOTH
-                .map(|side| ArmPlan::new(&performance.arms[side.index()], skeleton, side, seed)),
+            plans: Side::BOTH.map(|side| {
+                ArmPlan::new(
+                    &performance.arms[side.index()],
+                    skeleton,
+                    side,
+                    seed,
+                    amount,
+                )
+            }),
             rigs: Side::BOTH.map(|side| ArmRig::new(skeleton, side)),
             space: BodySpace::new(skeleton),
             stance: Stance::new(skeleton, seed),
             trunk: Trunk { seed },
             rhythm: SpeechRhythm::new(&spans, &beats),
             gaze: Gaze::new(&clauses, seed),
-            blinks: Blinks::new(&pauses, seed),
+            blinks: Blinks::new(&pauses, seed, amount),
             lips: speech
                 .iter()
                 .map(|u| (u.start_secs, LipTrack::new(&u.phones, &u.phone_set)))
@@ -236,7 +243,7 @@ impl Actor {
             .lerp(moved.transform_point3(target.wrist), target.rest_share);
         let in_body = moved.inverse().transform_point3(carried);
         let clear = carried + turned * (self.space.keep_out(in_body) - in_body);
-        let hand = DQuat::IDENTITY.slerp(turned, target.rest_share) * target.hand;
+        let hand = DQuat::IDENTITY.slerp(turned, target.hand_rest_share) * target.hand;
         (clear, hand.normalize())
     }
 
@@ -306,7 +313,7 @@ impl Actor {
             BROW_ACCENT * sum.clamp(0.0, 1.5) * self.amount
         };
         let (left, right) = (raise(true), raise(false));
-        let speaking = self.rhythm.speaking(t);
+        let speaking = self.rhythm.speaking(t) * self.amount;
         let smile = RESTING_SMILE + 0.05 * n(0, 0.11) - 0.03 * speaking;
         Expression {
             smile: [smile + 0.012 * n(1, 0.2), smile - 0.012 * n(1, 0.2)],

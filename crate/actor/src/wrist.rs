@@ -119,6 +119,21 @@ pub(crate) fn limited(side: Side, local: DQuat) -> DQuat {
     .rotation(side)
 }
 
+/// How far a wrist rotation, local to the forearm, lies beyond what a wrist can do, radians;
+/// 0 within.
+#[must_use]
+pub fn beyond_limits_rad(side: Side, local: DQuat) -> f64 {
+    let angles = WristAngles::of(side, local);
+    let beyond = |x: f64, [low, high]: [f64; 2]| {
+        let (low, high) = (low.to_radians(), high.to_radians());
+        (x - high).max(-low - x).max(0.0)
+    };
+    let [pronation, supination] = FOREARM_TWIST_DEG;
+    beyond(angles.pronation_rad, [supination, pronation])
+        .max(beyond(side.sign() * angles.swing.y, WRIST_FLEXION_DEG))
+        .max(beyond(angles.swing.z, WRIST_DEVIATION_DEG))
+}
+
 /// Axis times angle, the angle at most π.
 fn rotation_vector(q: DQuat) -> DVec3 {
     let v = DVec3::new(q.x, q.y, q.z);
@@ -144,7 +159,9 @@ mod tests {
     fn wrists_stay_within_their_limits() {
         for side in Side::BOTH {
             for i in 0..5_000 {
-                let angles = WristAngles::of(side, limited(side, random_rotation(i)));
+                let limited = limited(side, random_rotation(i));
+                assert!(beyond_limits_rad(side, limited) < 1e-9);
+                let angles = WristAngles::of(side, limited);
                 let pronation = angles.pronation_rad.to_degrees();
                 assert!((-90.0..=80.0).contains(&pronation), "{pronation}");
                 let swing = angles.swing.abs() * 1f64.to_degrees();

@@ -44,6 +44,7 @@ fn random_arm(seed: u64, side: Side) -> ArmScript {
                             })
                             .flatten(),
                         shape: HandShape::get((30.0 * (v(7) + 1.0)) as u8).map(|s| *s.angles()),
+                        ..HandKey::default()
                     }
                 })
                 .collect();
@@ -52,6 +53,7 @@ fn random_arm(seed: u64, side: Side) -> ArmScript {
                 start_secs,
                 end_secs: t,
                 keys,
+                ..GestureStroke::default()
             }
         })
         .collect();
@@ -298,8 +300,7 @@ fn impossible_scripts_neither_panic_nor_spread() {
     let bad = |time_secs: f64, p: f64| HandKey {
         time_secs,
         wrist_in_world: Some(DVec3::splat(p)),
-        hand_in_world: None,
-        shape: None,
+        ..HandKey::default()
     };
     performance.arms[0].strokes.push(GestureStroke {
         start_secs: f64::NAN,
@@ -311,6 +312,7 @@ fn impossible_scripts_neither_panic_nor_spread() {
             bad(2.1, 1.0),
             bad(-9.0, 0.0),
         ],
+        ..GestureStroke::default()
     });
     performance.speech.push(SpokenUtterance {
         start_secs: f64::NAN,
@@ -333,8 +335,8 @@ fn fingers_that_move_do_not_stop_the_arm() {
     let key = |time_secs: f64, wrist_in_world, shape| HandKey {
         time_secs,
         wrist_in_world,
-        hand_in_world: None,
         shape: HandShape::get(shape).map(|s| *s.angles()),
+        ..HandKey::default()
     };
     let from = DVec3::new(-0.22, 1.05, 0.30);
     let to = DVec3::new(-0.16, 1.40, 0.32);
@@ -346,6 +348,7 @@ fn fingers_that_move_do_not_stop_the_arm() {
             start_secs: 2.0,
             end_secs: 3.0,
             keys,
+            ..GestureStroke::default()
         };
         let performance = Performance {
             arms: [
@@ -377,7 +380,7 @@ fn a_wrist_passes_keys_that_only_turn_the_hand() {
         time_secs,
         wrist_in_world,
         hand_in_world: palm::hand_rotation(Side::Right, DVec3::NEG_Y, turn),
-        shape: None,
+        ..HandKey::default()
     };
     let stroke = GestureStroke {
         start_secs: 2.0,
@@ -387,6 +390,7 @@ fn a_wrist_passes_keys_that_only_turn_the_hand() {
             key(2.3, None, 1.2),
             key(2.8, Some(to), 0.9),
         ],
+        ..GestureStroke::default()
     };
     let performance = Performance {
         arms: [
@@ -401,5 +405,7 @@ fn a_wrist_passes_keys_that_only_turn_the_hand() {
     let actor = Actor::new(&performance, &Skeleton::example());
     stage.evaluate(&actor, 2.3);
     let way = stage.wrist(Side::Right).distance(from) / to.distance(from);
-    assert!((0.3..0.45).contains(&way), "{way}");
+    // The palm's key does not touch the wrist's way: what the profile says for 0.3 of 0.8 s.
+    let expected = raconteur_base::curve::minimum_jerk(0.3 / 0.8);
+    assert!((way - expected).abs() < 0.02, "{way}, not {expected}");
 }

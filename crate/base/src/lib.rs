@@ -14,6 +14,7 @@ pub mod json;
 pub mod noise;
 pub mod ops;
 pub mod order;
+pub mod profile;
 
 pub use glam;
 pub use glam::{DAffine3, DMat3, DMat4, DQuat, DVec2, DVec3};

@@ -185,6 +185,26 @@ impl HandAngles {
         }
     }
 
+    /// The greatest difference of a bend from the same one of another shape, radians.
+    #[must_use]
+    pub fn greatest_difference(&self, other: &Self) -> f64 {
+        let pairs = self.fingers.iter().zip(&other.fingers);
+        let fingers = pairs.map(|(a, b)| {
+            let knuckle = (a.mcp_flexion - b.mcp_flexion).abs();
+            let middle = (a.pip_flexion - b.pip_flexion).abs();
+            knuckle
+                .max(middle)
+                .max((a.dip_flexion - b.dip_flexion).abs())
+        });
+        let (a, b) = (&self.thumb, &other.thumb);
+        let saddle = (a.cmc_flexion - b.cmc_flexion).abs();
+        let palmar = (a.cmc_abduction - b.cmc_abduction).abs();
+        let bends = (a.mcp_flexion - b.mcp_flexion)
+            .abs()
+            .max((a.ip_flexion - b.ip_flexion).abs());
+        fingers.fold(saddle.max(palmar).max(bends), f64::max)
+    }
+
     /// Local rotations of the finger bones relative to the zero pose, as [`Pose`] keeps
     /// them, in the order of [`finger_bones`].
     #[must_use]

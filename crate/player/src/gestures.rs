@@ -2,12 +2,15 @@
 
 use std::collections::BTreeMap;
 
+use raconteur_actor::gesture::{ArmPlan, Course, Phase as ArmPhase, Space as CourseSpace};
 use raconteur_actor::{GestureStroke, HandKey, Span as TimeSpan, palm};
+use raconteur_base::profile::Profile as Pace;
 use raconteur_base::{DVec3, Side, mirror_vector};
 use raconteur_body::HandShape;
+use raconteur_body::hand_shape::HandAngles;
 use raconteur_eml::{
-    ClauseKind, Coords, Diagnostic, Document, GestureKey, Handedness, Key, MotionKey, PalmKey,
-    Timeline, Track,
+    ClauseKind, Coords, Diagnostic, Document, GestureKey, Handedness, Interpolator, Key, MotionKey,
+    PalmKey, Phase, Profile, ShapeKey, Space, Span, Timeline, Track,
 };
 
 use raconteur_stage::Room;
@@ -53,6 +56,57 @@ fn hand_rotation(key: &PalmKey, side: Side, mirrored: bool) -> Option<raconteur_
     palm::hand_rotation(side, normal, angle_rad)
 }
 
+fn hand_shape(key: &ShapeKey) -> Option<HandAngles> {
+    let angles = *HandShape::get(key.id)?.angles();
+    let Some((id, share)) = key.blend else {
+        return Some(angles);
+    };
+    let other = HandShape::get(id)?;
+    Some(angles.lerp(other.angles(), share))
+}
+
+/// The interpolator with its control values, where a profile names one.
+fn pace(profile: &Profile) -> Option<Pace> {
+    let controls = profile.controls.as_deref().unwrap_or_default();
+    Some(match (profile.interpolator?, controls) {
+        (Interpolator::Bezier, &[x1, y1, x2, y2]) => Pace::Bezier([x1, y1, x2, y2]),
+        (Interpolator::Hermite, &[from, to]) => Pace::Hermite([from, to]),
+        (Interpolator::Cosine, _) => Pace::Cosine,
+        _ => Pace::Linear,
+    })
+}
+
+/// How the hand moves to a key: as it says, else as its track says.
+fn course<K>(track: &Track<K>, key: &Key<K>) -> Course {
+    let both = || [&key.profile, &track.profile].into_iter().flatten();
+    let space = both().find_map(|p| p.space).map(|space| match space {
+        Space::Cartesian => CourseSpace::Cartesian,
+        Space::Joint => CourseSpace::Joint,
+    });
+    Course {
+        profile: both().find_map(|p| pace(p)),
+        space,
+    }
+}
+
+/// Whether a phase leads to its last key: then a lone key lies at its end, where other lone
+/// keys lie at the beginning.
+fn leads(gesture: &GestureKey) -> bool {
+    matches!(
+        gesture.phase,
+        Some(Phase::Preparation | Phase::Retraction | Phase::PartialRetraction)
+    )
+}
+
+/// When a key of a gesture is reached, seconds after its beginning.
+fn offset_secs<K>(gesture: &GestureKey, track: &Track<K>, key: &Key<K>) -> f64 {
+    if key.offset_secs <= 0.0 && track.keys.len() == 1 && leads(gesture) {
+        gesture.duration_secs
+    } else {
+        key.offset_secs
+    }
+}
+
 /// One hand's keys of one gesture, merged by time; empty when the gesture says nothing
 /// about this hand.
 fn keys(gesture: &GestureKey, side: Side, start_secs: f64, units: &Units) -> Vec<HandKey> {
@@ -62,30 +116,33 @@ fn keys(gesture: &GestureKey, side: Side, start_secs: f64, units: &Units) -> Vec
             .entry(moment(offset_secs))
             .or_insert_with(|| HandKey {
                 time_secs: start_secs + offset_secs,
-                wrist_in_world: None,
-                hand_in_world: None,
-                shape: None,
+                ..HandKey::default()
             });
         set(key);
     };
     if let Some((track, _)) = track_for(&gesture.hand_shapes, side, gesture.handedness) {
         for key in &track.keys {
-            at(key.offset_secs, &mut |k| {
-                k.shape = HandShape::get(key.value.id).map(|s| *s.angles());
+            at(offset_secs(gesture, track, key), &mut |k| {
+                k.shape = hand_shape(&key.value);
+                k.shape_course = course(track, key);
             });
         }
     }
     if let Some((track, mirrored)) = track_for(&gesture.palms, side, gesture.handedness) {
         for key in &track.keys {
-            at(key.offset_secs, &mut |k| {
+            at(offset_secs(gesture, track, key), &mut |k| {
                 k.hand_in_world = hand_rotation(&key.value, side, mirrored);
+                k.hand_course = course(track, key);
             });
         }
     }
     if let Some((track, mirrored)) = track_for(&gesture.motions, side, gesture.handedness) {
         for key in &track.keys {
             let p = position(key, mirrored, units);
-            at(key.offset_secs, &mut |k| k.wrist_in_world = Some(p));
+            at(offset_secs(gesture, track, key), &mut |k| {
+                k.wrist_in_world = Some(p);
+                k.wrist_course = course(track, key);
+            });
         }
     }
     by_time.into_values().collect()
@@ -149,11 +206,21 @@ pub(crate) fn strokes(
             if !gesture.handedness.includes(side) {
                 return None;
             }
+            let phase = match gesture.phase {
+                None | Some(Phase::Stroke) => ArmPhase::Stroke,
+                Some(Phase::Preparation) => ArmPhase::Preparation,
+                Some(Phase::PreStroke | Phase::PostStroke) => ArmPhase::Hold,
+                Some(Phase::Retraction) => ArmPhase::Retraction,
+                Some(Phase::PartialRetraction) => ArmPhase::PartialRetraction,
+            };
             let keys = keys(gesture, side, timed.start_secs, units);
-            (!keys.is_empty()).then_some(GestureStroke {
+            // A phase may do without keys: a hold, a way back.
+            (gesture.phase.is_some() || !keys.is_empty()).then_some(GestureStroke {
+                phase,
                 start_secs: timed.start_secs,
                 end_secs: timed.end_secs,
                 keys,
+                pace: None,
             })
         })
         .collect()
@@ -222,6 +289,68 @@ pub(crate) fn out_of_reach(document: &Document, units: &Units, reach: &Reach) ->
         }
     }
     found
+}
+
+/// Lateness that nobody sees, seconds (half of what must hold for strokes).
+const UNSEEN_SECS: f64 = 0.01;
+
+/// A warning for every key that comes late because the hand has too far to go in the time.
+#[must_use]
+pub(crate) fn late(
+    document: &Document,
+    timeline: &Timeline,
+    plans: [&ArmPlan; 2],
+) -> Vec<Diagnostic> {
+    let mut found: Vec<(Span, f64)> = Vec::new();
+    for side in Side::BOTH {
+        let planned = plans[side.index()].keys().iter();
+        let late: Vec<_> = planned
+            .filter(|k| k.arrives_secs - k.time_secs > UNSEEN_SECS)
+            .collect();
+        if late.is_empty() {
+            continue;
+        }
+        let mut check = |secs: f64, span: Span| {
+            let near = late.iter().filter(|k| (k.time_secs - secs).abs() < 1e-6);
+            for key in near {
+                let delay = key.arrives_secs - key.time_secs;
+                match found.iter_mut().find(|(s, _)| *s == span) {
+                    Some((_, worst)) => *worst = worst.max(delay),
+                    None => found.push((span, delay)),
+                }
+            }
+        };
+        for timed in &timeline.clauses {
+            let ClauseKind::GestureKey(gesture) = &document.clause(timed.clause).kind else {
+                continue;
+            };
+            let start = timed.start_secs;
+            for track in &gesture.hand_shapes {
+                for key in &track.keys {
+                    check(start + offset_secs(gesture, track, key), key.span);
+                }
+            }
+            for track in &gesture.palms {
+                for key in &track.keys {
+                    check(start + offset_secs(gesture, track, key), key.span);
+                }
+            }
+            for track in &gesture.motions {
+                for key in &track.keys {
+                    check(start + offset_secs(gesture, track, key), key.span);
+                }
+            }
+        }
+    }
+    let warning = |(span, delay): (Span, f64)| {
+        let message = format!(
+            "the hand comes {} ms late here",
+            (delay * 1e3).round() as u64
+        );
+        Diagnostic::warning("player::late", span, message)
+            .hint("it has too far to go in the time; give it more, or a place nearer by")
+    };
+    found.into_iter().map(warning).collect()
 }
 
 #[cfg(test)]

@@ -16,6 +16,7 @@ pub mod live;
 mod part;
 mod performer;
 mod script;
+pub mod sweep;
 mod units;
 mod unperformed;
 mod voice;

@@ -122,7 +122,6 @@ impl Player {
         };
         let mut diagnostics = script.diagnostics.clone();
         diagnostics.extend(gestures::out_of_reach(&script.document, &units, &reach));
-        sort_by_number(&mut diagnostics, |d| f64::from(d.span.start));
 
         let story = Part::new(&script, &units, 0, None);
         let live = Live::new(story.utterances.len());
@@ -132,6 +131,9 @@ impl Player {
             input.options.room,
             [&story].into_iter(),
         );
+        let plans = Side::BOTH.map(|side| actor.plan(side));
+        diagnostics.extend(gestures::late(&script.document, &script.timeline, plans));
+        sort_by_number(&mut diagnostics, |d| f64::from(d.span.start));
         let morphs = figure.morph_names.len();
         let player = Self {
             face: FaceRig::new(&figure),
@@ -387,6 +389,15 @@ impl Player {
             target_in_world: report.wrist_goals_in_world[side.index()],
             error_m: report.arms[side.index()].error_m,
         })
+    }
+
+    /// When strokes of a hand begin, story time, and the first place of the wrist in each, as
+    /// far as it can be reached, world, metres.
+    pub fn strokes(&self, side: Side) -> Vec<(f64, DVec3)> {
+        let keys = self.layers.actor().plan(side).keys().iter();
+        keys.filter(|k| k.begins_stroke)
+            .filter_map(|k| Some((k.time_secs, k.wrist_in_world?)))
+            .collect()
     }
 
     /// FNV-1a (64 bits) over the bits of every joint's transform and every morph weight at a

@@ -1,9 +1,7 @@
 //! What the language has and no part of the player performs yet: told once each, so that
 //! nobody waits for it in vain.
 
-use raconteur_eml::{
-    Clause, ClauseKind, Diagnostic, Document, GestureKey, Piece, Span, Track, VoiceText,
-};
+use raconteur_eml::{Clause, ClauseKind, Diagnostic, Document, Piece, Span, VoiceText};
 
 /// One warning for each element and extension of the document that is not performed, at
 /// its first place.
@@ -49,8 +47,8 @@ impl Found {
     fn clause(&mut self, clause: &Clause) {
         match &clause.kind {
             ClauseKind::VoiceText(voice) => self.speech(voice),
-            ClauseKind::GestureKey(gesture) => self.gesture(gesture, clause.tag_span),
-            ClauseKind::GestureIsOn(_)
+            ClauseKind::GestureKey(_)
+            | ClauseKind::GestureIsOn(_)
             | ClauseKind::Event { .. }
             | ClauseKind::Null
             | ClauseKind::Seq(_)
@@ -71,34 +69,6 @@ impl Found {
             }
         }
     }
-
-    fn gesture(&mut self, gesture: &GestureKey, span: Span) {
-        if gesture.phase.is_some() {
-            self.add("phase", span);
-        }
-        for track in &gesture.hand_shapes {
-            for key in &track.keys {
-                if key.value.blend.is_some() {
-                    self.add("id2", key.span);
-                }
-            }
-        }
-        let profiles = profiles(&gesture.hand_shapes)
-            .chain(profiles(&gesture.palms))
-            .chain(profiles(&gesture.motions));
-        for span in profiles {
-            self.add("interpolation", span);
-        }
-    }
-}
-
-/// Where tracks and their keys say how the hand moves.
-fn profiles<K>(tracks: &[Track<K>]) -> impl Iterator<Item = Span> {
-    tracks.iter().flat_map(|track| {
-        let keys = track.keys.iter().map(|key| (&key.profile, key.span));
-        let all = [(&track.profile, track.span)].into_iter().chain(keys);
-        all.filter_map(|(profile, span)| profile.as_ref().map(|_| span))
-    })
 }
 
 #[cfg(test)]
@@ -111,8 +81,6 @@ mod tests {
         let text = "<eml xmlns:r='urn:raconteur:eml:1'><head><r:performer figure='nuno'/></head>\
                     <body><voice-text time='0'>a <pitch base='low'>b</pitch> <emph>c</emph>\
                     </voice-text><body-player-clear time='1'/><body-player-clear time='2'/>\
-                    <gesture-key time='3' duration='1' r:phase='stroke'><motion \
-                    r:interpolation='cosine'><key x='0' y='40' z='-8'/></motion></gesture-key>\
                     </body></eml>";
         let parsed = parse(text);
         assert_eq!(parsed.diagnostics, []);
@@ -126,8 +94,6 @@ mod tests {
                 "`performer` is not performed yet",
                 "`pitch` is not performed yet",
                 "`body-player-clear` is not performed yet; it occurs 2 times",
-                "`phase` is not performed yet",
-                "`interpolation` is not performed yet",
             ]
         );
     }

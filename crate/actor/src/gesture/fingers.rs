@@ -1,54 +1,96 @@
 //! Hand shapes over time. They keep their own keys: fingers that drum or walk must not make
 //! the arm that carries them stop.
 
-use raconteur_base::curve::{last_at_or_before, minimum_jerk};
+use raconteur_base::curve::minimum_jerk;
+use raconteur_base::profile::Profile;
 use raconteur_body::hand_shape::HandAngles;
 
 use super::Rest;
+use super::tracks::piece_at;
 
 /// Fingers form a little before the hand arrives: they take this share less of the time.
 const EARLY: f64 = 1.2;
+/// Fastest mean speed of a finger joint, radians a second: a fist closes in a tenth of a
+/// second at best. Designed.
+const FASTEST_RAD_S: f64 = 18.0;
+/// How far a profile may overshoot the way between two shapes: fingers have little room
+/// beyond theirs.
+const OVERSHOOT: f64 = 0.15;
 
 /// Finger angles of one hand over the whole story.
 #[derive(Clone, Debug, Default)]
 pub(super) struct FingerTrack {
     times: Vec<f64>,
-    shapes: Vec<HandAngles>,
+    nodes: Vec<FingerNode>,
+}
+
+/// A shape, and how the fingers move on from it.
+#[derive(Clone, Copy, Debug)]
+struct FingerNode {
+    /// `None` is rest.
+    shape: Option<HandAngles>,
+    /// To the next node; `None`: as fingers do when nobody says.
+    profile: Option<Profile>,
+}
+
+impl FingerNode {
+    fn angles(&self) -> HandAngles {
+        self.shape.unwrap_or_else(Rest::shape)
+    }
 }
 
 impl FingerTrack {
-    /// The angles at a time: relaxed before the first key, the last key after it.
-    pub(super) fn at(&self, time_secs: f64) -> HandAngles {
-        let Some(i) = last_at_or_before(&self.times, time_secs) else {
-            return Rest::shape();
+    /// The angles at a time, relaxed before the first key, and the share of rest in them.
+    pub(super) fn at(&self, time_secs: f64) -> (HandAngles, f64) {
+        let Some((i, s, _)) = piece_at(&self.times, time_secs) else {
+            return (Rest::shape(), 1.0);
         };
-        let (from, Some(to)) = (&self.shapes[i], self.shapes.get(i + 1)) else {
-            return self.shapes[i];
+        let (from, to) = (&self.nodes[i], &self.nodes[i + 1]);
+        let m = match from.profile {
+            Some(profile) => profile.at(s).clamp(-OVERSHOOT, 1.0 + OVERSHOOT),
+            None => minimum_jerk((s * EARLY).min(1.0)),
         };
-        let length = self.times[i + 1] - self.times[i];
-        if length <= 0.0 {
-            return *to;
+        let share = |node: &FingerNode| f64::from(u8::from(node.shape.is_none()));
+        let rest_share = share(from) + (share(to) - share(from)) * m.clamp(0.0, 1.0);
+        (from.angles().lerp(&to.angles(), m), rest_share)
+    }
+
+    /// The last key; rest when there is none.
+    pub(super) fn last(&self) -> Option<HandAngles> {
+        self.nodes.last().and_then(|node| node.shape)
+    }
+
+    /// Time of the last key; minus infinity when there is none.
+    pub(super) fn last_secs(&self) -> f64 {
+        self.times.last().copied().unwrap_or(f64::NEG_INFINITY)
+    }
+
+    /// Adds a key, no earlier than fingers can follow the one before. Returns its time.
+    pub(super) fn push(
+        &mut self,
+        time_secs: f64,
+        shape: Option<HandAngles>,
+        profile: Option<Profile>,
+    ) -> f64 {
+        let node = FingerNode {
+            shape,
+            profile: None,
+        };
+        let mut time_secs = time_secs;
+        if let (Some(t), Some(last)) = (self.times.last(), self.nodes.last_mut()) {
+            let turn_rad = last.angles().greatest_difference(&node.angles());
+            time_secs = time_secs.max(t + turn_rad / FASTEST_RAD_S);
+            last.profile = profile;
         }
-        let s = (time_secs - self.times[i]) / length;
-        from.lerp(to, minimum_jerk((s * EARLY).min(1.0)))
-    }
-
-    /// The shape of the last key.
-    pub(super) fn last(&self) -> HandAngles {
-        self.shapes.last().copied().unwrap_or_else(Rest::shape)
-    }
-
-    /// Adds a key, no earlier than the one before.
-    pub(super) fn push(&mut self, time_secs: f64, shape: HandAngles) {
-        let time_secs = self.times.last().map_or(time_secs, |t| time_secs.max(*t));
         self.times.push(time_secs);
-        self.shapes.push(shape);
+        self.nodes.push(node);
+        time_secs
     }
 
     /// Takes keys later than this back.
     pub(super) fn forget_after(&mut self, time_secs: f64) {
         let keep = self.times.partition_point(|t| *t <= time_secs);
         self.times.truncate(keep);
-        self.shapes.truncate(keep);
+        self.nodes.truncate(keep);
     }
 }

@@ -1,24 +1,33 @@
 //! Gestures: what a script asks of each hand, and the motion between.
 //!
 //! A script gives strokes: keys of wrist position, hand rotation and hand shape at exact
-//! times. [`ArmPlan`] adds what people do around them (Kendon's phases, GEVH appendix C):
-//! preparation, holds, flowing from one stroke into the next, partial and full
-//! retraction, and rest.
+//! times, each with the profile of the way to it. [`ArmPlan`] adds what people do around them
+//! (Kendon's phases, GEVH appendix C): preparation, holds, flowing from one stroke into the
+//! next, partial and full retraction, and rest. A script that names its phases has its own way
+//! with them.
+//!
+//! Wrist, hand rotation and fingers keep clocks of their own: a palm that turns does not stop
+//! the arm that carries it.
 
 mod fingers;
+mod path;
+mod phrase;
 mod plan;
+mod planner;
 mod rest;
 mod space;
+mod tracks;
 
+use raconteur_base::profile::Profile;
 use raconteur_base::{DQuat, DVec3};
 use raconteur_body::hand_shape::HandAngles;
 
-pub use plan::{ArmPlan, HandState, HandTarget};
+pub use plan::{ArmPlan, HandState, HandTarget, PlannedKey};
 pub use rest::{Rest, RestHand};
 pub use space::{BodySpace, part_hands};
 
 /// What one hand is asked for at one time.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct HandKey {
     /// Story time, seconds.
     pub time_secs: f64,
@@ -30,18 +39,67 @@ pub struct HandKey {
     pub hand_in_world: Option<DQuat>,
     /// Finger angles. `None` likewise.
     pub shape: Option<HandAngles>,
+    /// How the wrist moves to this key from the one before in its stroke.
+    pub wrist_course: Course,
+    /// How the hand turns to this key from the one before in its stroke.
+    pub hand_course: Course,
+    /// How the fingers move to this key from the one before in its stroke; the space does not
+    /// matter, since fingers are always interpolated by joint.
+    pub shape_course: Course,
+}
+
+/// How a feature moves to a key (GEVH 3.5.1).
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Course {
+    /// The pace. `None` leaves pace and path to the planner: minimum jerk along a slightly
+    /// curved path, passing through keys that lie on the way.
+    pub profile: Option<Profile>,
+    /// What is interpolated. `None`: positions; of rotations what is more natural.
+    pub space: Option<Space>,
+}
+
+/// What is interpolated between two keys.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Space {
+    /// Positions and orientations in the world: a straight way.
+    Cartesian,
+    /// Joint angles: the wrist swings as shoulder and elbow turn, the hand turns as the wrist
+    /// bends.
+    Joint,
+}
+
+/// A part of a gesture (GEVH 3.5.2, appendix C.3.5).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Phase {
+    /// What carries the meaning. The planner sees to what goes before and after.
+    #[default]
+    Stroke,
+    /// The way to where the stroke starts: it begins when the phase does.
+    Preparation,
+    /// A hold before or after the stroke: the hand stays, or does what the keys say, until the
+    /// end of the phase.
+    Hold,
+    /// The way back to rest, in the time of the phase.
+    Retraction,
+    /// A way back that ends half-way, in the time of the phase.
+    PartialRetraction,
 }
 
 /// A stretch of keys that belong together, usually one gesture phase or one clause.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct GestureStroke {
-    /// Beginning, story time, seconds: the hand has arrived at the first key by its own
-    /// time, whatever this says.
+    /// What part of a gesture it is.
+    pub phase: Phase,
+    /// Beginning, story time, seconds. In a stroke the hand has arrived at the first key by
+    /// its own time, whatever this says; in other phases it sets out now.
     pub start_secs: f64,
     /// End, story time, seconds: the last key is held at least until here.
     pub end_secs: f64,
-    /// Keys by time; others are sorted.
+    /// Keys by time; others are sorted. Phases other than strokes need none.
     pub keys: Vec<HandKey>,
+    /// The pace of the whole stretch, over the profiles of its keys: times of keys are places
+    /// on this course. `None` leaves them where they are.
+    pub pace: Option<Profile>,
 }
 
 /// A stretch of story time, seconds.

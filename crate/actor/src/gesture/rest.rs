@@ -38,10 +38,13 @@ pub struct Rest {
     ready: DVec3,
     seed: u64,
     side: Side,
+    /// Liveliness, 0 (still) to 1.
+    amount: f64,
 }
 
 impl Rest {
-    /// Places the postures on a figure.
+    /// Places the postures on a figure. `amount` is how lively they change and drift, 0 (not
+    /// at all) to 1.
     #[must_use]
     pub fn new(
         skeleton: &Skeleton,
@@ -49,6 +52,7 @@ impl Rest {
         space: &BodySpace,
         side: Side,
         seed: u64,
+        amount: f64,
     ) -> Self {
         let scale = skeleton.stature_m() / 1.7;
         let sign = side.sign();
@@ -90,6 +94,7 @@ impl Rest {
             ),
             seed,
             side,
+            amount,
         }
     }
 
@@ -97,7 +102,8 @@ impl Rest {
     #[must_use]
     pub fn at(&self, time_secs: f64) -> RestHand {
         let s = self.front_share(time_secs);
-        let drift = |id| 0.004 * noise::perlin(self.seed ^ RANDOM_DRIFT, id, 0.23 * time_secs);
+        let size = 0.004 * self.amount;
+        let drift = |id| size * noise::perlin(self.seed ^ RANDOM_DRIFT, id, 0.23 * time_secs);
         let k = 3 * self.side.index() as u64;
         let drift = DVec3::new(drift(k), drift(k + 1), drift(k + 2));
         RestHand {
@@ -125,10 +131,10 @@ impl Rest {
             let u = noise::unit(self.seed, RANDOM_POSTURE, bucket);
             if u < HANGING_SHARE { 0.0 } else { 1.0 }
         };
-        // A story does not begin with a change.
-        let time_secs = time_secs + 0.4 * KEEP_SECS;
-        let bucket = (time_secs / KEEP_SECS).floor();
-        let since = time_secs - bucket * KEEP_SECS;
+        // A story does not begin with a change; the less lively, the longer a posture lasts.
+        let phase = time_secs * self.amount + 0.4 * KEEP_SECS;
+        let bucket = (phase / KEEP_SECS).floor();
+        let since = (phase - bucket * KEEP_SECS) / self.amount.max(1e-6);
         let bucket = bucket as i64;
         // One arm follows the other by a tenth of a second.
         let lag = if self.side == Side::Left { 0.1 } else { 0.0 };

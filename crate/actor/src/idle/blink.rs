@@ -27,22 +27,30 @@ pub struct Blinks {
     /// Starts of the blinks that punctuate speech, ascending, seconds.
     prompted: Vec<f64>,
     seed: u64,
+    /// The share of blinks that happen.
+    amount: f64,
 }
 
 impl Blinks {
     /// From the times of pauses in speech (story time, seconds, any order); a share of
-    /// them blinks.
+    /// them blinks. `amount` is the share of all blinks that happen, 0 to 1.
     #[must_use]
-    pub fn new(pauses: &[f64], seed: u64) -> Self {
+    pub fn new(pauses: &[f64], seed: u64, amount: f64) -> Self {
         let mut prompted: Vec<f64> = pauses
             .iter()
             .enumerate()
-            .filter(|(i, t)| t.is_finite() && noise::unit(seed, stream::BLINK, *i as i64) < 0.7)
+            .filter(|(i, t)| {
+                t.is_finite() && noise::unit(seed, stream::BLINK, *i as i64) < 0.7 * amount
+            })
             .map(|(_, t)| *t)
             .collect();
         raconteur_base::order::sort_by_number(&mut prompted, |t| *t);
         prompted.dedup_by(|later, earlier| *later - *earlier < 0.6);
-        Self { prompted, seed }
+        Self {
+            prompted,
+            seed,
+            amount,
+        }
     }
 
     /// How far the lids are closed at a time, 0 open to 1 closed.
@@ -69,7 +77,8 @@ impl Blinks {
             .prompted
             .get(i)
             .is_some_and(|t| *t < start + CROWDED_SECS);
-        (!crowded).then_some(start)
+        let happens = noise::unit(self.seed, stream::BLINK + 2, stretch) < self.amount;
+        (happens && !crowded).then_some(start)
     }
 }
 
@@ -94,7 +103,7 @@ mod tests {
             (vec![], 1),
             ((0..60).map(|i| f64::from(i) * 5.0).collect(), 2),
         ] {
-            let blinks = Blinks::new(&pauses, seed);
+            let blinks = Blinks::new(&pauses, seed, 1.0);
             let closed = |i: i32| blinks.closure(f64::from(i) * 0.01) > 0.9;
             let count = (1..30_000).filter(|i| closed(*i) && !closed(i - 1)).count() as f64 / 5.0;
             assert!((13.0..=20.0).contains(&count), "{count} a minute");

@@ -1,0 +1,241 @@
+//! From a script to phrases: strokes by time, cut to the spans in which gestures are on, those
+//! that overlap made one.
+
+use raconteur_base::order::sort_by_number;
+use raconteur_base::{DQuat, DVec3};
+
+use super::{ArmScript, HandKey, Phase, Span};
+
+/// Two keys this close are one moment, seconds.
+const SAME_SECS: f64 = 1e-6;
+/// A feature that joins a gesture in its hold is prepared in this time, seconds. Designed.
+const JOIN_SECS: f64 = 0.5;
+
+/// A run of keys within one switched-on span, with the time to hold the last.
+pub(super) struct Phrase {
+    pub(super) phase: Phase,
+    /// When it begins: the first key, or the phase.
+    pub(super) start: f64,
+    pub(super) keys: Vec<HandKey>,
+    pub(super) hold_until: f64,
+    /// The switch-off: no later than this the hand begins to return.
+    pub(super) must_end: f64,
+}
+
+impl Phrase {
+    /// When a feature's first key is, if it has one.
+    pub(super) fn first(&self, has: fn(&HandKey) -> bool) -> Option<f64> {
+        self.keys.iter().find(|k| has(k)).map(|k| k.time_secs)
+    }
+
+    /// Whether the way to a feature's first key is part of the script, from the beginning of
+    /// the phrase, and not the planner's preparation: in a phase that is no stroke, or where
+    /// the key comes later than the stroke and says how it is reached.
+    pub(super) fn leads(&self, feature: usize) -> bool {
+        let Some(first) = self.keys.iter().find(|k| FEATURES[feature].0(k)) else {
+            return false;
+        };
+        let course = [first.wrist_course, first.hand_course, first.shape_course][feature];
+        let scripted = self.phase != Phase::Stroke || course.profile.is_some();
+        scripted && first.time_secs > self.start + SAME_SECS
+    }
+
+    /// When something begins to happen.
+    fn begins(&self) -> f64 {
+        match self.keys.first() {
+            Some(key) if !(0..FEATURES.len()).any(|f| self.leads(f)) => key.time_secs,
+            Some(key) => key.time_secs.min(self.start),
+            None => self.start,
+        }
+    }
+}
+
+pub(super) fn has_wrist(key: &HandKey) -> bool {
+    key.wrist_in_world.is_some()
+}
+
+pub(super) fn has_hand(key: &HandKey) -> bool {
+    key.hand_in_world.is_some()
+}
+
+pub(super) fn has_shape(key: &HandKey) -> bool {
+    key.shape.is_some()
+}
+
+/// Places in [`FEATURES`].
+pub(super) const WRIST: usize = 0;
+pub(super) const HAND: usize = 1;
+pub(super) const SHAPE: usize = 2;
+
+/// What a key may say, and how to take it back.
+const FEATURES: [(fn(&HandKey) -> bool, fn(&mut HandKey)); 3] = [
+    (has_wrist, |k| k.wrist_in_world = None),
+    (has_hand, |k| k.hand_in_world = None),
+    (has_shape, |k| k.shape = None),
+];
+
+/// The phrases of a script, by time.
+pub(super) fn phrases(script: &ArmScript) -> Vec<Phrase> {
+    let always = [Span {
+        start_secs: f64::NEG_INFINITY,
+        end_secs: f64::INFINITY,
+    }];
+    let spans = if script.on.is_empty() {
+        &always[..]
+    } else {
+        &script.on
+    };
+    let mut all: Vec<Phrase> = script
+        .strokes
+        .iter()
+        .filter_map(|stroke| {
+            let mut keys: Vec<HandKey> =
+                stroke.keys.iter().filter(|k| usable(k)).copied().collect();
+            sort_by_number(&mut keys, |k| k.time_secs);
+            let first = match keys.first() {
+                Some(key) => key.time_secs,
+                None if stroke.phase == Phase::Stroke => return None,
+                None => stroke.start_secs,
+            };
+            if !first.is_finite() {
+                return None;
+            }
+            let span = spans
+                .iter()
+                .find(|s| s.start_secs <= first && first <= s.end_secs)?;
+            keys.retain(|k| k.time_secs <= span.end_secs);
+            let last = keys.last().map_or(first, |k| k.time_secs);
+            let end = finite_or(stroke.end_secs, last);
+            Some(Phrase {
+                phase: stroke.phase,
+                start: finite_or(stroke.start_secs, first),
+                keys,
+                hold_until: end.max(last).min(span.end_secs),
+                must_end: span.end_secs,
+            })
+        })
+        .collect();
+    sort_by_number(&mut all, Phrase::begins);
+    let mut out: Vec<Phrase> = Vec::with_capacity(all.len());
+    for phrase in all {
+        match out.last_mut() {
+            Some(before) if before.meets(&phrase) => {
+                if let Some(phrase) = before.give_way(phrase) {
+                    out.push(phrase);
+                }
+            }
+            _ => out.push(phrase),
+        }
+    }
+    out.retain(|p| !p.keys.is_empty() || p.phase != Phase::Stroke);
+    out
+}
+
+fn finite_or(value: f64, other: f64) -> f64 {
+    if value.is_finite() { value } else { other }
+}
+
+fn usable(key: &HandKey) -> bool {
+    key.time_secs.is_finite()
+        && key.wrist_in_world.is_none_or(DVec3::is_finite)
+        && key.hand_in_world.is_none_or(DQuat::is_finite)
+}
+
+impl Phrase {
+    /// Whether a phrase that begins no earlier contends with this one: it begins before this
+    /// one is over, or a stroke ends elsewhere than the next begins at that very moment.
+    fn meets(&self, next: &Self) -> bool {
+        let gap = next.begins() - self.hold_until;
+        let strokes = self.phase == Phase::Stroke && next.phase == Phase::Stroke;
+        let last = self
+            .keys
+            .last()
+            .filter(|k| k.time_secs > next.begins() - SAME_SECS);
+        let elsewhere = last
+            .zip(next.keys.first())
+            .is_some_and(|(a, b)| a.wrist_in_world != b.wrist_in_world);
+        gap < -SAME_SECS || (gap <= SAME_SECS && strokes && elsewhere)
+    }
+
+    /// Makes way for a phrase that begins before this one is over: of each feature that both
+    /// have, the later word counts from its first key on. Takes the other in when what
+    /// remains goes on beside it, and gives it back when it follows.
+    fn give_way(&mut self, mut next: Self) -> Option<Self> {
+        let begins = next.begins();
+        let goes_back = matches!(next.phase, Phase::Retraction | Phase::PartialRetraction);
+        // When the other begins to count, and whether that took keys away.
+        let mut joined: [Option<f64>; 3] = [None; 3];
+        for ((has, forget), joined) in FEATURES.into_iter().zip(&mut joined) {
+            let first = next.first(has);
+            let from = if goes_back { Some(begins) } else { first };
+            let Some(from) = from else { continue };
+            *joined = Some(from);
+            for key in &mut self.keys {
+                if has(key) && key.time_secs >= from - SAME_SECS {
+                    forget(key);
+                    *joined = None;
+                }
+            }
+        }
+        self.keys.retain(|k| FEATURES.iter().any(|(has, _)| has(k)));
+        let goes_on = self.keys.iter().any(|k| k.time_secs >= begins);
+        if goes_back || (!goes_on && next.first(has_wrist).is_some()) {
+            self.hold_until = self.hold_until.min(begins);
+            return Some(next);
+        }
+        for (feature, from) in joined.into_iter().enumerate() {
+            if let Some(from) = from {
+                self.stay_until(feature, from - JOIN_SECS);
+            }
+        }
+        self.keys.append(&mut next.keys);
+        sort_by_number(&mut self.keys, |k| k.time_secs);
+        self.keys.dedup_by(|later, earlier| {
+            let one = later.time_secs - earlier.time_secs < SAME_SECS;
+            if one {
+                earlier.take(later);
+            }
+            one
+        });
+        self.hold_until = self.hold_until.max(next.hold_until);
+        None
+    }
+
+    /// A feature that has come to its last key stays there until it is time to set out for
+    /// the first key of a phrase that joins.
+    fn stay_until(&mut self, feature: usize, leaves_secs: f64) {
+        let has = FEATURES[feature].0;
+        let Some(last) = self.keys.iter().rev().find(|k| has(k)) else {
+            return;
+        };
+        if leaves_secs <= last.time_secs {
+            return;
+        }
+        let mut key = HandKey {
+            time_secs: leaves_secs,
+            ..HandKey::default()
+        };
+        match feature {
+            WRIST => key.wrist_in_world = last.wrist_in_world,
+            HAND => key.hand_in_world = last.hand_in_world,
+            _ => key.shape = last.shape,
+        }
+        self.keys.push(key);
+        sort_by_number(&mut self.keys, |k| k.time_secs);
+    }
+}
+
+impl HandKey {
+    /// Takes over what another key of the same moment says.
+    fn take(&mut self, other: &Self) {
+        if other.wrist_in_world.is_some() {
+            (self.wrist_in_world, self.wrist_course) = (other.wrist_in_world, other.wrist_course);
+        }
+        if other.hand_in_world.is_some() {
+            (self.hand_in_world, self.hand_course) = (other.hand_in_world, other.hand_course);
+        }
+        if other.shape.is_some() {
+            (self.shape, self.shape_course) = (other.shape, other.shape_course);
+        }
+    }
+}

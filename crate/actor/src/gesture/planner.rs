@@ -1,0 +1,498 @@
+//! From phrases to nodes of wrist, hand and fingers: preparation, holds, co-articulation,
+//! retraction.
+
+use raconteur_base::curve::smooth;
+use raconteur_base::{DQuat, DVec3, Side};
+
+use super::fingers::FingerTrack;
+use super::path::{Bow, reach_secs};
+use super::phrase::{HAND, Phrase, SHAPE, WRIST, has_hand, has_shape, has_wrist, phrases};
+use super::plan::PlannedKey;
+use super::tracks::{HandTrack, WristTrack};
+use super::{ArmScript, Course, Phase, Rest};
+use crate::ArmRig;
+use crate::gesture::space::BodySpace;
+
+/// Hands flow directly into a stroke that begins this soon, seconds. Designed.
+const FLOW_SECS: f64 = 1.1;
+/// Up to this gap hands sink half-way to the ready place between strokes, seconds. Designed.
+const SINK_SECS: f64 = 2.3;
+/// Longest hold after a stroke, seconds. Designed (holds of some 0.3 to 0.6 s are common).
+const HOLD_SECS: f64 = 0.55;
+/// How far a held hand sinks, metres: nobody holds quite still.
+const HOLD_DRIFT_M: f64 = 0.007;
+/// Share by which the fingers of a held hand give way to their relaxed shape. Designed.
+const HOLD_SOFTENING: f64 = 0.16;
+/// Time for returning to rest, as a multiple of reaching the same distance: retractions
+/// are slower than preparations.
+const RETRACT_SLOWNESS: f64 = 1.25;
+/// Shortest time in which a return to rest is worth while before the next stroke, seconds.
+const RETURN_LEAST_SECS: f64 = 0.35;
+/// Height of the arch of a free movement, as a share of its length and per metre of it.
+/// Designed; people's unconstrained reaches are slightly curved, and long ones swing out
+/// around the body.
+const ARCH_SHARE: f64 = 0.08;
+const ARCH_PER_M: f64 = 0.09;
+/// A key that repeats the place of the one before within this distance keeps it, metres.
+const SAME_PLACE_M: f64 = 1e-6;
+/// Fastest mean speed of a wrist, metres a second: with the peak of a free movement 4 m/s, as
+/// in brisk conversation. What a script wants faster comes later.
+const FASTEST_M_S: f64 = 2.2;
+/// Shortest and longest time in which fingers form before a stroke, seconds. Designed.
+const SHAPING_SECS: [f64; 2] = [0.35, 0.9];
+/// Fastest mean turn of a hand, radians a second: half a turn takes a fifth of a second.
+/// Designed.
+const FASTEST_TURN_RAD_S: f64 = 15.0;
+
+/// The course of everything that a script leaves to the planner.
+const FREE: Course = Course {
+    profile: None,
+    space: None,
+};
+
+/// What the planner makes of a script.
+pub(super) struct Planned {
+    pub(super) wrist: WristTrack,
+    pub(super) hand: HandTrack,
+    pub(super) fingers: FingerTrack,
+    pub(super) keys: Vec<PlannedKey>,
+}
+
+/// Plans one arm, phrase after phrase.
+pub(super) struct Planner<'a> {
+    rig: &'a ArmRig,
+    space: &'a BodySpace,
+    rest: &'a Rest,
+    side: Side,
+    amount: f64,
+    out: Planned,
+    /// The hand is on its way back: it does not hold what it has reached.
+    returning: bool,
+    /// When gestures are switched off.
+    must_end: f64,
+}
+
+impl<'a> Planner<'a> {
+    pub(super) fn new(
+        rig: &'a ArmRig,
+        space: &'a BodySpace,
+        rest: &'a Rest,
+        side: Side,
+        amount: f64,
+    ) -> Self {
+        Self {
+            rig,
+            space,
+            rest,
+            side,
+            amount,
+            out: Planned {
+                wrist: WristTrack::default(),
+                hand: HandTrack::default(),
+                fingers: FingerTrack::default(),
+                keys: Vec::new(),
+            },
+            returning: false,
+            must_end: f64::INFINITY,
+        }
+    }
+
+    /// Plans a script.
+    pub(super) fn plan(mut self, script: &ArmScript) -> Planned {
+        for phrase in phrases(script) {
+            match phrase.phase {
+                Phase::Hold if phrase.keys.is_empty() => self.hold_on(&phrase),
+                Phase::Retraction | Phase::PartialRetraction if self.out.wrist.last().is_some() => {
+                    self.go_back(&phrase);
+                }
+                _ => self.perform(&phrase),
+            }
+            self.must_end = phrase.must_end;
+        }
+        self.finish();
+        self.out
+    }
+
+    /// Performs a phrase after what is there.
+    fn perform(&mut self, phrase: &Phrase) {
+        let leads = phrase.leads(WRIST) || phrase.leads(HAND);
+        let firsts = [phrase.first(has_wrist), phrase.first(has_hand)];
+        if let Some(first) = firsts.into_iter().flatten().reduce(f64::min) {
+            let begins = if leads { phrase.start } else { first };
+            self.take_back_returns(begins);
+            let flows = self.leave(begins);
+            if !flows {
+                self.set_out(phrase, leads);
+            } else if leads {
+                self.settle(phrase.start, 1.0);
+            }
+            self.push_wrists(phrase, flows);
+            self.push_hands(phrase);
+            self.returning = false;
+        }
+        self.push_shapes(phrase);
+        let sink = if phrase.phase == Phase::Hold {
+            0.0
+        } else {
+            1.0
+        };
+        self.settle(phrase.hold_until, sink);
+    }
+
+    /// A return to rest that cannot be finished before `first` is not begun.
+    fn take_back_returns(&mut self, first: f64) {
+        let out = &mut self.out;
+        while out.wrist.nodes.len() > 1
+            && out.wrist.last().is_none()
+            && out.wrist.last_secs() > first - RETURN_LEAST_SECS
+        {
+            out.wrist.pop();
+            out.hand.forget_after(out.wrist.last_secs());
+            out.fingers.forget_after(out.wrist.last_secs());
+        }
+    }
+
+    /// The time up to which everything is planned.
+    fn planned_secs(&self) -> f64 {
+        self.out.wrist.last_secs().max(self.out.hand.last_secs())
+    }
+
+    /// Leaves what is held towards a stroke at `next`. Whether the stroke flows from there;
+    /// otherwise the hand is at rest.
+    fn leave(&mut self, next: f64) -> bool {
+        let Some(place) = self.out.wrist.last() else {
+            return false;
+        };
+        let held_until = self.planned_secs();
+        let gap = next - held_until;
+        if next > self.must_end || gap > SINK_SECS {
+            self.retract();
+            return false;
+        }
+        if gap <= FLOW_SECS {
+            // Hold until it is time to go.
+            let depart = (next - 0.85).max(held_until + 0.35 * gap);
+            if depart > held_until + 0.05 {
+                self.settle(depart, 1.0);
+            }
+            return true;
+        }
+        let hold = if self.returning {
+            0.0
+        } else {
+            (0.25 * gap).min(0.4)
+        };
+        self.settle(held_until + hold, 1.0);
+        self.sink(place, held_until + hold + 0.42 * gap);
+        true
+    }
+
+    /// Goes half-way towards the ready place.
+    fn sink(&mut self, place: DVec3, time: f64) {
+        let wrist = place.lerp(self.rest.ready(), 0.5);
+        let hand = self.out.hand.last().unwrap_or(DQuat::IDENTITY);
+        let hand = hand.slerp(self.rig.relaxed_hand(wrist), 0.4);
+        let there = self.push_wrist(time, Some(self.space.keep_out(wrist)), FREE);
+        let there = there.max(self.push_hand(time, Some(hand), FREE));
+        if let Some(shape) = self.out.fingers.last() {
+            let eased = shape.lerp(&Rest::shape(), 0.5);
+            self.out.fingers.push(there, Some(eased), None);
+        }
+    }
+
+    /// Sets out from rest, in time to be there or when the phrase begins.
+    fn set_out(&mut self, phrase: &Phrase, leads: bool) {
+        let first_hand = phrase.first(has_hand).unwrap_or(f64::INFINITY);
+        let key = phrase.keys.iter().find(|k| has_wrist(k));
+        let (first, to) = match key.and_then(|k| Some((k.time_secs, k.wrist_in_world?))) {
+            Some((first, wrist)) => (first, self.reachable(wrist)),
+            None => (first_hand, self.rest.ready()),
+        };
+        let from = self.rest.at(first - 0.6).wrist;
+        let start = (first - reach_secs(from.distance(to))).min(first_hand - RETURN_LEAST_SECS);
+        let start = if leads { phrase.start } else { start };
+        let start = start.max(self.planned_secs());
+        self.out.wrist.push(self.rig, start, None, FREE);
+        self.out.hand.push(start, None, FREE);
+        if key.is_none() {
+            self.push_wrist(first, Some(to), FREE);
+        }
+    }
+
+    /// The script's place as far as it is in reach and outside the body.
+    fn reachable(&self, wrist: DVec3) -> DVec3 {
+        self.rig.within_reach(self.space.keep_out(wrist))
+    }
+
+    fn push_wrists(&mut self, phrase: &Phrase, flows: bool) {
+        let first_hand = phrase.first(has_hand);
+        for key in &phrase.keys {
+            let Some(wrist) = key.wrist_in_world else {
+                continue;
+            };
+            // The way to the first key of a stroke is preparation, and no part of its course.
+            let first = Some(key.time_secs) == phrase.first(has_wrist);
+            let prepared = first && !phrase.leads(WRIST);
+            let course = if prepared { FREE } else { key.wrist_course };
+            let place = self.reachable(wrist);
+            let arrives_secs = self.push_wrist(key.time_secs, Some(place), course);
+            self.out.keys.push(PlannedKey {
+                time_secs: key.time_secs,
+                arrives_secs,
+                wrist_in_world: Some(place),
+                begins_stroke: prepared && phrase.phase == Phase::Stroke,
+            });
+            // Nobody has turned this hand yet.
+            if !flows && first_hand.is_none_or(|t| t > key.time_secs) {
+                self.push_hand(arrives_secs, Some(self.rig.relaxed_hand(place)), FREE);
+            }
+        }
+    }
+
+    fn push_hands(&mut self, phrase: &Phrase) {
+        for key in &phrase.keys {
+            let Some(hand) = key.hand_in_world else {
+                continue;
+            };
+            let first = Some(key.time_secs) == phrase.first(has_hand);
+            let prepared = first && !phrase.leads(HAND);
+            let course = if prepared { FREE } else { key.hand_course };
+            if first && !prepared && phrase.start > self.out.hand.last_secs() {
+                let held = self.out.hand.last();
+                self.push_hand(phrase.start, held, FREE);
+            }
+            let arrives = self.push_hand(key.time_secs, Some(hand), course);
+            self.note(key.time_secs, arrives);
+        }
+    }
+
+    fn push_shapes(&mut self, phrase: &Phrase) {
+        for key in &phrase.keys {
+            let Some(shape) = key.shape else { continue };
+            let time = key.time_secs;
+            let first = Some(time) == phrase.first(has_shape);
+            let prepared = first && !phrase.leads(SHAPE);
+            if first {
+                // Fingers form on the way of the hand, not while it holds before.
+                let mut moves = self.out.wrist.times.iter().rev();
+                let leaves = moves.find(|t| **t < time - 0.05).copied();
+                let leaves = leaves
+                    .unwrap_or(time)
+                    .clamp(time - SHAPING_SECS[1], time - SHAPING_SECS[0]);
+                let leaves = if prepared { leaves } else { phrase.start };
+                if leaves > self.out.fingers.last_secs() {
+                    let held = self.out.fingers.last();
+                    self.out.fingers.push(leaves, held, None);
+                }
+            }
+            let profile = key.shape_course.profile.filter(|_| !prepared);
+            let arrives = self.out.fingers.push(time, Some(shape), profile);
+            self.note(time, arrives);
+        }
+    }
+
+    /// Notes a key that does not move the wrist, if it comes late.
+    fn note(&mut self, time_secs: f64, arrives_secs: f64) {
+        if arrives_secs > time_secs {
+            self.out.keys.push(PlannedKey {
+                time_secs,
+                arrives_secs,
+                wrist_in_world: None,
+                begins_stroke: false,
+            });
+        }
+    }
+
+    /// Adds a place of the wrist, no earlier than it can be reached. Returns when it is.
+    fn push_wrist(&mut self, time: f64, place: Option<DVec3>, course: Course) -> f64 {
+        let track = &mut self.out.wrist;
+        let mut time = time;
+        if let Some(before) = track.times.last().copied() {
+            let at = |place: Option<DVec3>, t| place.unwrap_or_else(|| self.rest.at(t).wrist);
+            let way_m = at(track.last(), before).distance(at(place, time));
+            time = time.max(before + way_m / FASTEST_M_S);
+        }
+        track.push(self.rig, time, place, course);
+        time
+    }
+
+    /// Adds a rotation of the hand, likewise.
+    fn push_hand(&mut self, time: f64, hand: Option<DQuat>, course: Course) -> f64 {
+        let track = &mut self.out.hand;
+        let mut time = time.max(track.last_secs());
+        if let (Some(from), Some(to)) = (track.last(), hand) {
+            let turn_rad = from.angle_between(to);
+            time = time.max(track.last_secs() + turn_rad / FASTEST_TURN_RAD_S);
+        }
+        track.push(time, hand, course);
+        time
+    }
+
+    /// Holds what is reached until a later time, all features to the same. A hand that is
+    /// held sinks a little, and its fingers ease; `share` is how much of that.
+    fn settle(&mut self, until: f64, share: f64) {
+        let out = &mut self.out;
+        let Some(place) = out.wrist.last() else {
+            return;
+        };
+        let until = until.max(out.wrist.last_secs()).max(out.hand.last_secs());
+        let held_secs = until - out.wrist.last_secs();
+        let share = share * self.amount * (held_secs / HOLD_SECS).min(1.0);
+        if held_secs > 0.0 {
+            let sunk = place - DVec3::Y * (HOLD_DRIFT_M * share);
+            out.wrist.push(self.rig, until, Some(sunk), FREE);
+        }
+        if until > out.hand.last_secs() {
+            let hand = out.hand.last();
+            out.hand.push(until, hand, FREE);
+        }
+        if let Some(shape) = out.fingers.last()
+            && until > out.fingers.last_secs()
+        {
+            // Fingers that have keys of their own to the end of a stroke begin to ease there.
+            let from = (until - held_secs).max(out.fingers.last_secs());
+            out.fingers.push(from, Some(shape), None);
+            let eased = shape.lerp(&Rest::shape(), HOLD_SOFTENING * share);
+            out.fingers.push(until, Some(eased), None);
+        }
+    }
+
+    /// A hold that a script asks for.
+    fn hold_on(&mut self, phrase: &Phrase) {
+        if phrase.start - self.planned_secs() <= FLOW_SECS {
+            self.settle(phrase.hold_until, 0.0);
+        }
+    }
+
+    /// A return that a script asks for: after its keys to rest, or half-way there, by its end.
+    fn go_back(&mut self, phrase: &Phrase) {
+        self.settle(phrase.start, 1.0);
+        self.push_wrists(phrase, true);
+        self.push_hands(phrase);
+        self.push_shapes(phrase);
+        let last = phrase.keys.last().map_or(phrase.start, |k| k.time_secs);
+        let end = phrase.hold_until.max(self.planned_secs());
+        self.returning = true;
+        if phrase.phase == Phase::Retraction && end > last + 0.05 {
+            self.arrive_at_rest(end);
+        } else if phrase.keys.is_empty()
+            && let Some(place) = self.out.wrist.last()
+        {
+            self.sink(place, end);
+        }
+        self.settle(end, 0.0);
+    }
+
+    /// Holds for a while, then returns to rest.
+    fn retract(&mut self) {
+        let from = self.planned_secs();
+        let hold = if self.returning { 0.0 } else { HOLD_SECS };
+        let start = (from + hold).min(self.must_end.max(from));
+        self.settle(start, 1.0);
+        let Some(place) = self.out.wrist.last() else {
+            return;
+        };
+        let distance = place.distance(self.rest.at(start + 1.0).wrist);
+        self.arrive_at_rest(start + (reach_secs(distance) * RETRACT_SLOWNESS).min(1.15));
+    }
+
+    fn arrive_at_rest(&mut self, time: f64) {
+        let there = self.push_wrist(time, None, FREE);
+        self.out.hand.push(there, None, FREE);
+        if self.out.fingers.last().is_some() {
+            self.out.fingers.push(there, None, None);
+        }
+        self.returning = false;
+    }
+
+    /// Returns to rest after the last phrase, then shapes the path.
+    fn finish(&mut self) {
+        if self.out.wrist.last().is_some() {
+            self.retract();
+        } else if let Some(shape) = self.out.fingers.last() {
+            // Fingers that gestured alone.
+            let from = self.out.fingers.last_secs();
+            let until = from + HOLD_SECS;
+            self.out.fingers.push(until, Some(shape), None);
+            self.out.fingers.push(until + 0.6, None, None);
+        }
+        self.pass_through();
+        for i in 1..self.out.wrist.nodes.len() {
+            if self.out.wrist.is_free(i - 1) {
+                self.out.wrist.nodes[i - 1].arch = self.arch_between(i - 1, i);
+            }
+        }
+        let (wrist, rig, rest) = (&self.out.wrist, self.rig, self.rest);
+        self.out.hand.meet(|t| wrist.at(rig, t, rest.at(t).wrist).0);
+    }
+
+    /// Gives keys between two movements in much the same direction the speed to pass
+    /// through instead of stopping: the harmonic mean of both speeds along the bisector,
+    /// less the sharper the turn, so that the path never overshoots.
+    fn pass_through(&mut self) {
+        let track = &mut self.out.wrist;
+        for i in 1..track.nodes.len().saturating_sub(1) {
+            let places = [i - 1, i, i + 1].map(|k| track.nodes[k].place);
+            let [Some(pa), Some(pb), Some(pc)] = places else {
+                continue;
+            };
+            if !(track.is_free(i - 1) && track.is_free(i)) {
+                continue;
+            }
+            let (before, after) = (pb - pa, pc - pb);
+            let [ta, tb, tc] = [i - 1, i, i + 1].map(|k| track.times[k]);
+            let (ta, tc) = (tb - ta, tc - tb);
+            // A hold begins or ends with the hand at rest.
+            let still = |v: DVec3| v.length() < 2.0 * HOLD_DRIFT_M;
+            if ta < 1e-3 || tc < 1e-3 || still(before) || still(after) {
+                continue;
+            }
+            let (va, vc) = (before.length() / ta, after.length() / tc);
+            let (da, dc) = (before.normalize(), after.normalize());
+            let agreement = smooth(da.dot(dc).max(0.0));
+            let along = (da + dc).try_normalize().unwrap_or(DVec3::ZERO);
+            track.nodes[i].velocity = along * (agreement * 2.0 * va * vc / (va + vc));
+        }
+    }
+
+    /// Bulge of the piece between two nodes: outwards, forwards and around the body.
+    fn arch_between(&self, a: usize, b: usize) -> DVec3 {
+        let track = &self.out.wrist;
+        let at = |k: usize| {
+            let rest = || self.rest.at(track.times[k]).wrist;
+            track.nodes[k].place.unwrap_or_else(rest)
+        };
+        let (p, q) = (at(a), at(b));
+        let along = q - p;
+        let length = along.length();
+        if length < SAME_PLACE_M.max(2.0 * HOLD_DRIFT_M) {
+            return DVec3::ZERO;
+        }
+        let direction = along / length;
+        let outwards = DVec3::new(0.8 * self.side.sign(), 0.0, 0.6);
+        let square = outwards - direction * direction.dot(outwards);
+        // Who is pressed for time takes the straight way.
+        let leisure = ((track.times[b] - track.times[a]) / reach_secs(length)).min(1.0);
+        let bulge = length.min(0.9) * leisure;
+        let mut bow = Bow {
+            along,
+            arch: square * (bulge * (ARCH_SHARE + ARCH_PER_M * bulge)),
+        };
+        // Grow the bulge until the way is free; the rest is eased out on the way.
+        for _ in 0..4 {
+            let mut worst = DVec3::ZERO;
+            for k in 1..12 {
+                let u = f64::from(k) / 12.0;
+                let out = self.space.way_out(p + bow.place(u)) / (4.0 * u * (1.0 - u)).max(0.35);
+                if out.length_squared() > worst.length_squared() {
+                    worst = out;
+                }
+            }
+            if worst.length() < 0.005 {
+                break;
+            }
+            bow.arch += worst.clamp_length_max(0.15);
+        }
+        bow.arch
+    }
+}

@@ -1,0 +1,254 @@
+//! Wrist and hand rotation over the whole story, each with nodes in its own time.
+
+use raconteur_base::curve::{last_at_or_before, minimum_jerk, smooth};
+use raconteur_base::profile::Profile;
+use raconteur_base::{DQuat, DVec3};
+
+use super::path::{Bow, flowing};
+use super::{Course, RestHand, Space};
+use crate::ArmRig;
+use crate::arm_ik::ArmPosture;
+
+/// The piece between two nodes that a time lies in: the index of its first node, the share
+/// of its time, its length in seconds. `None` before the first node and from the last on.
+pub(super) fn piece_at(times: &[f64], time_secs: f64) -> Option<(usize, f64, f64)> {
+    let i = last_at_or_before(times, time_secs)?;
+    let length = times.get(i + 1)? - times[i];
+    let s = if length > 0.0 {
+        (time_secs - times[i]) / length
+    } else {
+        0.0
+    };
+    Some((i, s, length))
+}
+
+/// 1 for rest, which has no place, 0 for a place.
+fn rest_share<T>(place: Option<&T>) -> f64 {
+    f64::from(u8::from(place.is_none()))
+}
+
+/// Where a wrist is at one time, and how it goes on to the next node.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct WristNode {
+    /// `None` is rest, which moves.
+    pub(super) place: Option<DVec3>,
+    /// With which it passes, metres a second.
+    pub(super) velocity: DVec3,
+    /// Bulge of the piece that starts here, metres.
+    pub(super) arch: DVec3,
+    /// Pace of the piece that starts here; `None`: the planner's.
+    pub(super) profile: Option<Profile>,
+    /// Index of the piece's arm movement when it is interpolated by joint.
+    swing: Option<u32>,
+}
+
+/// A movement of shoulder and elbow.
+#[derive(Clone, Copy, Debug)]
+struct Swing {
+    ends: [ArmPosture; 2],
+    /// What the postures miss their places by, metres.
+    errors: [DVec3; 2],
+}
+
+/// The places of one wrist.
+#[derive(Clone, Debug, Default)]
+pub(super) struct WristTrack {
+    pub(super) times: Vec<f64>,
+    pub(super) nodes: Vec<WristNode>,
+    swings: Vec<Swing>,
+}
+
+impl WristTrack {
+    /// The wrist at a time and the share of rest in it; `rest` is where it rests then.
+    pub(super) fn at(&self, rig: &ArmRig, time_secs: f64, rest: DVec3) -> (DVec3, f64) {
+        let Some((i, s, length)) = piece_at(&self.times, time_secs) else {
+            return (rest, 1.0);
+        };
+        let (a, b) = (&self.nodes[i], &self.nodes[i + 1]);
+        let from = a.place.unwrap_or(rest);
+        let along = b.place.unwrap_or(rest) - from;
+        let m = a.profile.unwrap_or_default().at(s);
+        let bow = Bow {
+            along,
+            arch: a.arch,
+        };
+        let wrist = if let Some(swing) = a.swing {
+            let Swing { ends, errors } = &self.swings[swing as usize];
+            rig.wrist_of(&ends[0].lerp(&ends[1], m)) + errors[0].lerp(errors[1], m)
+        } else if a.profile.is_some() {
+            from + along * m
+        } else if a.velocity == DVec3::ZERO && b.velocity == DVec3::ZERO {
+            from + bow.after(m)
+        } else {
+            from + flowing(&bow, [a.velocity, b.velocity], length, s)
+        };
+        let [share, to] = [a, b].map(|n| rest_share(n.place.as_ref()));
+        (wrist, share + (to - share) * m.clamp(0.0, 1.0))
+    }
+
+    /// Time of the last node; minus infinity when there is none.
+    pub(super) fn last_secs(&self) -> f64 {
+        self.times.last().copied().unwrap_or(f64::NEG_INFINITY)
+    }
+
+    /// The place of the last node; `None` at rest.
+    pub(super) fn last(&self) -> Option<DVec3> {
+        self.nodes.last().and_then(|n| n.place)
+    }
+
+    /// Adds a node that the last one leads to by `course`.
+    pub(super) fn push(
+        &mut self,
+        rig: &ArmRig,
+        time_secs: f64,
+        place: Option<DVec3>,
+        course: Course,
+    ) {
+        if let Some(last) = self.nodes.last_mut() {
+            last.profile = course.profile;
+            if course.space == Some(Space::Joint)
+                && let (Some(from), Some(to)) = (last.place, place)
+            {
+                let ends = [from, to].map(|wrist| rig.posture(wrist));
+                let errors = [0, 1].map(|k| [from, to][k] - rig.wrist_of(&ends[k]));
+                last.swing = Some(self.swings.len() as u32);
+                self.swings.push(Swing { ends, errors });
+            }
+        }
+        self.times.push(time_secs);
+        self.nodes.push(WristNode {
+            place,
+            velocity: DVec3::ZERO,
+            arch: DVec3::ZERO,
+            profile: None,
+            swing: None,
+        });
+    }
+
+    /// Whether the piece that starts at a node is the planner's to shape.
+    pub(super) fn is_free(&self, i: usize) -> bool {
+        self.nodes[i].profile.is_none() && self.nodes[i].swing.is_none()
+    }
+
+    /// Takes the last node back.
+    pub(super) fn pop(&mut self) {
+        self.times.pop();
+        self.nodes.pop();
+    }
+}
+
+/// How a hand is turned at one time, and how it turns on.
+#[derive(Clone, Copy, Debug)]
+struct HandNode {
+    /// `None` is rest, which moves.
+    hand: Option<DQuat>,
+    /// Where the wrist is then; set when the whole track is there.
+    wrist: DVec3,
+    course: Course,
+}
+
+/// The rotations of one hand.
+#[derive(Clone, Debug, Default)]
+pub(super) struct HandTrack {
+    times: Vec<f64>,
+    nodes: Vec<HandNode>,
+}
+
+impl HandTrack {
+    /// The hand rotation at a time, with the wrist where it is, and the share of rest in it.
+    pub(super) fn at(
+        &self,
+        rig: &ArmRig,
+        time_secs: f64,
+        rest: &RestHand,
+        wrist: DVec3,
+    ) -> (DQuat, f64) {
+        let Some((i, s, _)) = piece_at(&self.times, time_secs) else {
+            return (rest.hand, 1.0);
+        };
+        let (a, b) = (&self.nodes[i], &self.nodes[i + 1]);
+        let m = match a.course.profile {
+            Some(profile) => profile.at(s),
+            None => minimum_jerk(s),
+        };
+        let placed = |node: &HandNode| match node.hand {
+            Some(hand) => RestHand {
+                wrist: node.wrist,
+                hand,
+            },
+            None => *rest,
+        };
+        let hand = turned(rig, &placed(a), &placed(b), wrist, m, a.course.space);
+        let [share, to] = [a, b].map(|n| rest_share(n.hand.as_ref()));
+        (hand, share + (to - share) * m.clamp(0.0, 1.0))
+    }
+
+    pub(super) fn last_secs(&self) -> f64 {
+        self.times.last().copied().unwrap_or(f64::NEG_INFINITY)
+    }
+
+    /// The last rotation; `None` at rest.
+    pub(super) fn last(&self) -> Option<DQuat> {
+        self.nodes.last().and_then(|n| n.hand)
+    }
+
+    /// Adds a node that the last one leads to by `course`.
+    pub(super) fn push(&mut self, time_secs: f64, hand: Option<DQuat>, course: Course) {
+        if let Some(last) = self.nodes.last_mut() {
+            last.course = course;
+        }
+        self.times.push(time_secs);
+        self.nodes.push(HandNode {
+            hand,
+            wrist: DVec3::ZERO,
+            course: Course::default(),
+        });
+    }
+
+    /// Takes nodes later than this back.
+    pub(super) fn forget_after(&mut self, time_secs: f64) {
+        let keep = self.times.partition_point(|t| *t <= time_secs);
+        self.times.truncate(keep);
+        self.nodes.truncate(keep);
+    }
+
+    /// Notes where the wrist is at each node.
+    pub(super) fn meet(&mut self, wrist_at: impl Fn(f64) -> DVec3) {
+        for (time, node) in self.times.iter().zip(&mut self.nodes) {
+            node.wrist = wrist_at(*time);
+        }
+    }
+}
+
+/// Hand rotation on the way from one place to another. Unless a script says, small turns take
+/// the short way in the world, so that a palm kept down stays down; large ones turn as a wrist
+/// does, by the angles that the forearm sees: the short way in the world might lead through
+/// what no arm can do.
+fn turned(
+    rig: &ArmRig,
+    from: &RestHand,
+    to: &RestHand,
+    wrist: DVec3,
+    m: f64,
+    space: Option<Space>,
+) -> DQuat {
+    if m == 0.0 {
+        return from.hand;
+    }
+    if m == 1.0 {
+        return to.hand;
+    }
+    let by_wrist = match space {
+        Some(Space::Cartesian) => 0.0,
+        Some(Space::Joint) => 1.0,
+        None => smooth((from.hand.angle_between(to.hand) - 0.6) / 0.9),
+    };
+    let straight = from.hand.slerp(to.hand, m);
+    if by_wrist <= 0.0 {
+        return straight.normalize();
+    }
+    let a = rig.angles_of_hand(from.wrist, from.hand);
+    let b = rig.angles_of_hand(to.wrist, to.hand);
+    let bent = rig.hand_from_angles(wrist, &a.lerp(&b, m));
+    straight.slerp(bent, by_wrist).normalize()
+}

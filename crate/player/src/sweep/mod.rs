@@ -1,0 +1,280 @@
+//! Plays a story without pixels and reports what a viewer would notice.
+//!
+//! A sweep looks at 120 frames a second of a [`Player`] and measures each of them: lengths of
+//! bones, rotations, speeds of joints, hands in the body or in each other, limits of joints,
+//! and whether strokes begin when the script says. The worst of each is told with its place
+//! and time.
+
+mod solids;
+
+use raconteur_actor::arm_ik::ELBOW_MAX_DEG;
+use raconteur_actor::wrist;
+use raconteur_base::{DAffine3, DQuat, DVec3, Side, ops};
+use raconteur_body::{Bone, Figure};
+
+use crate::Player;
+use solids::{Body, Capsule, Hand, local_rotation};
+
+/// Frames a second that a sweep looks at.
+pub const RATE_HZ: f64 = 120.0;
+
+/// How near to its place a hand counts as there, metres. Designed: the trunk below it
+/// breathes, and a centimetre and a half is no other place.
+const THERE_M: f64 = 0.015;
+/// A stroke is looked for this long, seconds.
+const LOOKED_FOR_SECS: f64 = 0.4;
+
+/// What a sweep found of one kind.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Check {
+    /// What was measured, for example `joint-speed`.
+    pub name: &'static str,
+    /// The worst that was found.
+    pub worst: f64,
+    /// What it may be at most.
+    pub limit: f64,
+    /// Unit of both, for example `rad/s`.
+    pub unit: &'static str,
+    /// Where: a bone by its name; empty when nothing was found.
+    pub part: &'static str,
+    /// When, story time, seconds.
+    pub at_secs: f64,
+}
+
+impl Check {
+    /// Whether the worst is within the limit. What is not a number is not.
+    #[must_use]
+    pub fn is_ok(&self) -> bool {
+        self.worst <= self.limit
+    }
+
+    fn new(name: &'static str, limit: f64, unit: &'static str) -> Self {
+        Self {
+            name,
+            worst: 0.0,
+            limit,
+            unit,
+            part: "",
+            at_secs: 0.0,
+        }
+    }
+
+    fn meet(&mut self, value: f64, part: Bone, at_secs: f64) {
+        if value > self.worst || value.is_nan() {
+            (self.worst, self.part, self.at_secs) = (value, part.name(), at_secs);
+        }
+    }
+}
+
+/// Sweeps over the whole of a story. Times pass in a player as in a viewer's; its cues do
+/// not.
+#[must_use]
+pub fn sweep(player: &mut Player) -> Vec<Check> {
+    let mut sweep = Sweep::new(player.figure());
+    let frames = (player.end_secs() * RATE_HZ).floor() as u64;
+    for i in 0..=frames {
+        let t = i as f64 / RATE_HZ;
+        let frame = player.frame(t, 1.6);
+        sweep.look(&frame.world_from_joint, t);
+    }
+    let late = late_strokes(player);
+    let mut checks = sweep.checks();
+    checks.push(late);
+    checks
+}
+
+/// What is measured on every frame.
+struct Sweep {
+    lengths_m: Vec<f64>,
+    zero_rotations: Vec<DQuat>,
+    body: Body,
+    hands: [Hand; 2],
+    /// Rotations and turns (radians a second) of the frame before.
+    before: Option<Vec<(DQuat, Option<DVec3>)>>,
+    wrists: Option<[DVec3; 2]>,
+    capsules: [Vec<Capsule>; 2],
+    length: Check,
+    rotation: Check,
+    speed: Check,
+    kick: Check,
+    wrist: Check,
+    trunk: Check,
+    head: Check,
+    other_hand: Check,
+    limits: Check,
+}
+
+impl Sweep {
+    fn new(figure: &Figure) -> Self {
+        Self {
+            lengths_m: Bone::ALL
+                .iter()
+                .map(|b| figure.skeleton.offset_length_m(*b))
+                .collect(),
+            zero_rotations: figure
+                .skeleton
+                .joints()
+                .iter()
+                .map(|j| j.zero_rotation)
+                .collect(),
+            body: Body::new(figure),
+            hands: Side::BOTH.map(|side| Hand::new(figure, side)),
+            before: None,
+            wrists: None,
+            capsules: [Vec::new(), Vec::new()],
+            // A chain of ten joints of a metre rounds by less than a nanometre.
+            length: Check::new("bone-length", 1e-6, "mm"),
+            rotation: Check::new("unit-rotation", 1e-9, ""),
+            // A fist that closes as fast as the planner lets it.
+            speed: Check::new("joint-speed", 41.0, "rad/s"),
+            // The fastest turn that the planner makes, begun at once by a linear profile.
+            kick: Check::new("joint-jump", 16.0, "rad/s"),
+            // The fastest way that the planner takes, by minimum jerk, on a moving trunk.
+            wrist: Check::new("wrist-speed", 4.4, "m/s"),
+            trunk: Check::new("hand-in-trunk", 5.0, "mm"),
+            head: Check::new("hand-in-head", 5.0, "mm"),
+            other_hand: Check::new("hand-in-hand", 5.0, "mm"),
+            limits: Check::new("beyond-limits", 0.1, "°"),
+        }
+    }
+
+    fn checks(self) -> Vec<Check> {
+        vec![
+            self.length,
+            self.rotation,
+            self.speed,
+            self.kick,
+            self.wrist,
+            self.trunk,
+            self.head,
+            self.other_hand,
+            self.limits,
+        ]
+    }
+
+    fn look(&mut self, world_from_joint: &[DAffine3], t: f64) {
+        self.bones(world_from_joint, t);
+        self.motion(world_from_joint, t);
+        self.solids(world_from_joint, t);
+        self.joints(world_from_joint, t);
+    }
+
+    /// How far elbows and wrists are bent beyond what people can.
+    fn joints(&mut self, world_from_joint: &[DAffine3], t: f64) {
+        for side in Side::BOTH {
+            let [elbow, wrist] = ["elbow", "wrist"].map(|part| Bone::on(side, part));
+            let own = |bone: Bone| {
+                let zero = self.zero_rotations[bone.index()];
+                (zero.inverse() * local_rotation(world_from_joint, bone)).normalize()
+            };
+            let bend = turn(DQuat::IDENTITY, own(elbow));
+            // A hinge about z, from stretched to bent.
+            let over = (bend.z - ELBOW_MAX_DEG.to_radians()).max(-bend.z).max(0.0);
+            let aside = bend.truncate().length();
+            self.limits.meet(over.max(aside).to_degrees(), elbow, t);
+            let over = wrist::beyond_limits_rad(side, own(wrist));
+            self.limits.meet(over.to_degrees(), wrist, t);
+        }
+    }
+
+    fn bones(&mut self, world_from_joint: &[DAffine3], t: f64) {
+        for bone in Bone::ALL {
+            let joint = world_from_joint[bone.index()];
+            let off = joint.matrix3.transpose() * joint.matrix3 - raconteur_base::DMat3::IDENTITY;
+            let off = off.to_cols_array().into_iter().map(f64::abs);
+            // A maximum would pass over what is not a number.
+            self.rotation.meet(off.sum(), bone, t);
+            if let Some(parent) = bone.parent() {
+                let from = world_from_joint[parent.index()].translation;
+                let length = joint.translation.distance(from);
+                let stretched = (length - self.lengths_m[bone.index()]).abs();
+                self.length.meet(1e3 * stretched, bone, t);
+            }
+        }
+    }
+
+    fn motion(&mut self, world_from_joint: &[DAffine3], t: f64) {
+        let before = self.before.take();
+        let mut now = Vec::with_capacity(Bone::COUNT);
+        for bone in Bone::ALL {
+            let rotation = local_rotation(world_from_joint, bone);
+            let last = before.as_ref().map(|b| b[bone.index()]);
+            let turn = last.map(|(from, _)| turn(from, rotation) * RATE_HZ);
+            if let Some(turn) = turn {
+                self.speed.meet(turn.length(), bone, t);
+            }
+            if let (Some(turn), Some((_, Some(earlier)))) = (turn, last) {
+                self.kick.meet((turn - earlier).length(), bone, t);
+            }
+            now.push((rotation, turn));
+        }
+        self.before = Some(now);
+        let bones = Side::BOTH.map(|side| Bone::on(side, "wrist"));
+        let wrists = bones.map(|b| world_from_joint[b.index()].translation);
+        if let Some(last) = self.wrists {
+            for k in 0..2 {
+                let speed = wrists[k].distance(last[k]) * RATE_HZ;
+                self.wrist.meet(speed, bones[k], t);
+            }
+        }
+        self.wrists = Some(wrists);
+    }
+
+    fn solids(&mut self, world_from_joint: &[DAffine3], t: f64) {
+        let wrists = Side::BOTH.map(|side| Bone::on(side, "wrist"));
+        for side in Side::BOTH {
+            let k = side.index();
+            self.capsules[k].clear();
+            self.capsules[k].extend(self.hands[k].capsules(world_from_joint));
+            for capsule in &self.capsules[k] {
+                let [trunk, head] = self.body.depths_m(world_from_joint, capsule);
+                self.trunk.meet(1e3 * trunk, wrists[k], t);
+                self.head.meet(1e3 * head, wrists[k], t);
+            }
+        }
+        let far = |capsules: &[Capsule]| capsules.first().map_or(DVec3::ZERO, |c| c.ends[0]);
+        // No two hands are as long as half a metre together.
+        if far(&self.capsules[0]).distance(far(&self.capsules[1])) < 0.5 {
+            for a in &self.capsules[0] {
+                for b in &self.capsules[1] {
+                    self.other_hand.meet(1e3 * a.depth_m(b), wrists[0], t);
+                }
+            }
+        }
+    }
+}
+
+/// The turn from one rotation to another, axis times angle, radians.
+fn turn(from: DQuat, to: DQuat) -> DVec3 {
+    let q = to * from.inverse();
+    let q = if q.w < 0.0 { -q } else { q };
+    let v = DVec3::new(q.x, q.y, q.z);
+    let sine = v.length();
+    if sine > 1e-12 {
+        v * (2.0 * ops::atan2(sine, q.w) / sine)
+    } else {
+        2.0 * v
+    }
+}
+
+/// How long after its time a stroke begins: the hand is at its first place.
+fn late_strokes(player: &mut Player) -> Check {
+    let mut check = Check::new("late-stroke", 20.0, "ms");
+    let end = player.end_secs();
+    for side in Side::BOTH {
+        let bone = Bone::on(side, "wrist");
+        for (begins, place) in player.strokes(side) {
+            if !(0.0..=end).contains(&begins) {
+                continue;
+            }
+            let steps = (LOOKED_FOR_SECS * 1e3) as u32;
+            let late = (0..steps).find(|ms| {
+                let t = begins + f64::from(*ms) * 1e-3;
+                let wrist = player.frame(t, 1.6).world_from_joint[bone.index()];
+                wrist.translation.distance(place) < THERE_M
+            });
+            check.meet(f64::from(late.unwrap_or(steps)), bone, begins);
+        }
+    }
+    check
+}

@@ -1,0 +1,280 @@
+//! What of a figure may not pass through what: hands as chains of capsules, trunk, neck and
+//! head as stacks of slices, all measured on its meshes.
+
+use raconteur_actor::kinematics::world_from_bone;
+use raconteur_base::{DAffine3, DQuat, DVec3, Side, ops};
+use raconteur_body::figure::MaterialKind;
+use raconteur_body::hand_shape::finger_bones;
+use raconteur_body::{Bone, Figure, Pose};
+
+/// Height of a slice, metres.
+const SLICE_M: f64 = 0.02;
+/// Sectors of a slice.
+const SECTORS: usize = 36;
+/// Weight from which on a vertex belongs to a bone.
+const OWN_WEIGHT: f32 = 0.5;
+/// Length of the last bone of a finger, as a share of the one before.
+const TIP_SHARE: f64 = 0.8;
+/// Radii of fingers and palm of figures without meshes, for a stature of 1.7 m, metres.
+const RADII_M: [f64; 2] = [0.008, 0.012];
+
+/// A sphere swept along a line.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Capsule {
+    pub(super) ends: [DVec3; 2],
+    pub(super) radius_m: f64,
+}
+
+impl Capsule {
+    /// How deep this and another are in each other; negative apart; metres.
+    pub(super) fn depth_m(&self, other: &Self) -> f64 {
+        self.radius_m + other.radius_m - distance_m(self.ends, other.ends)
+    }
+}
+
+/// Distance of two line segments, metres.
+fn distance_m(a: [DVec3; 2], b: [DVec3; 2]) -> f64 {
+    let (u, v, w) = (a[1] - a[0], b[1] - b[0], a[0] - b[0]);
+    let (uu, uv, vv) = (u.dot(u), u.dot(v), v.dot(v));
+    let (uw, vw) = (u.dot(w), v.dot(w));
+    let det = uu * vv - uv * uv;
+    let share = |over: f64, under: f64| {
+        if under > 1e-12 {
+            (over / under).clamp(0.0, 1.0)
+        } else {
+            0.0
+        }
+    };
+    // The best place on the other line for each place on one, each put right once.
+    let s = share(uv * vw - vv * uw, det);
+    let t = share(uv * s + vw, vv);
+    let s = share(uv * t - uw, uu);
+    (w + u * s - v * t).length()
+}
+
+/// One capsule of a hand: from a bone to a bone, or to its tip.
+#[derive(Clone, Copy, Debug)]
+struct Link {
+    from: Bone,
+    to: End,
+    radius_m: f64,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum End {
+    Bone(Bone),
+    /// A place in the frame of `from`, metres.
+    Tip(DVec3),
+}
+
+/// The capsules of one hand.
+#[derive(Clone, Debug)]
+pub(super) struct Hand {
+    links: Vec<Link>,
+}
+
+impl Hand {
+    /// Measures a hand.
+    pub(super) fn new(figure: &Figure, side: Side) -> Self {
+        let wrist = Bone::on(side, "wrist");
+        let scale = figure.skeleton.stature_m() / 1.7;
+        let mut links = Vec::new();
+        for finger in finger_bones(side).chunks_exact(3) {
+            let offset = |bone: Bone| figure.skeleton.joints()[bone.index()].translation_in_parent;
+            let tip = offset(finger[2]) * TIP_SHARE;
+            let ends = [
+                (wrist, End::Bone(finger[0]), RADII_M[1]),
+                (finger[0], End::Bone(finger[1]), RADII_M[0]),
+                (finger[1], End::Bone(finger[2]), RADII_M[0]),
+                (finger[2], End::Tip(tip), RADII_M[0]),
+            ];
+            for (from, to, usual) in ends {
+                let end = match to {
+                    End::Bone(bone) => offset(bone),
+                    End::Tip(tip) => tip,
+                };
+                let measured = (from != wrist).then(|| thickness_m(figure, from, end));
+                let radius_m = measured.flatten().unwrap_or(usual * scale);
+                links.push(Link { from, to, radius_m });
+            }
+        }
+        Self { links }
+    }
+
+    /// Where its capsules are.
+    pub(super) fn capsules<'a>(
+        &'a self,
+        world_from_joint: &'a [DAffine3],
+    ) -> impl Iterator<Item = Capsule> + 'a {
+        self.links.iter().map(|link| {
+            let from = world_from_joint[link.from.index()];
+            let to = match link.to {
+                End::Bone(bone) => world_from_joint[bone.index()].translation,
+                End::Tip(tip) => from.transform_point3(tip),
+            };
+            Capsule {
+                ends: [from.translation, to],
+                radius_m: link.radius_m,
+            }
+        })
+    }
+}
+
+/// Vertices of skin and clothes that belong to a bone, in its frame, metres.
+fn vertices(figure: &Figure, bone: Bone) -> impl Iterator<Item = DVec3> + '_ {
+    let solid = |kind: MaterialKind| !matches!(kind, MaterialKind::Hair | MaterialKind::Lash);
+    let meshes = figure.meshes.iter().filter(move |m| solid(m.material.kind));
+    let bone_from_world = figure.inverse_bind.get(bone.index()).copied();
+    meshes.flat_map(move |mesh| {
+        let weights = mesh.joints.iter().zip(&mesh.weights);
+        mesh.positions
+            .iter()
+            .zip(weights)
+            .filter(move |(_, (joints, weights))| {
+                let own = joints.iter().zip(*weights).filter(|(j, _)| {
+                    let joint = figure.skeleton.joints().get(usize::from(**j));
+                    joint.is_some_and(|j| j.drive.bone() == Some(bone))
+                });
+                own.map(|(_, w)| w).sum::<f32>() > OWN_WEIGHT
+            })
+            .filter_map(move |(p, _)| {
+                let world = DVec3::from_array(p.map(f64::from));
+                bone_from_world.map(|b| b.transform_point3(world))
+            })
+    })
+}
+
+/// Middle distance of a bone's skin from its axis, which ends at `end`, metres.
+fn thickness_m(figure: &Figure, bone: Bone, end: DVec3) -> Option<f64> {
+    let axis = end.try_normalize()?;
+    let mut radii: Vec<f64> = vertices(figure, bone)
+        .filter(|p| (0.0..end.length()).contains(&p.dot(axis)))
+        .map(|p| (p - axis * p.dot(axis)).length())
+        .collect();
+    raconteur_base::order::sort_by_number(&mut radii, |r| *r);
+    radii.get(radii.len() / 2).copied()
+}
+
+/// A part of the body that goes with one bone.
+#[derive(Clone, Debug)]
+struct Part {
+    bone: Bone,
+    /// The zero pose's world from the bone.
+    zero: DAffine3,
+    bottom_m: f64,
+    /// The axis runs upwards here.
+    axis: [f64; 2],
+    /// Greatest distance of the surface from the axis in each sector of each slice, metres.
+    slices: Vec<[f64; SECTORS]>,
+}
+
+impl Part {
+    fn new(figure: &Figure, bone: Bone) -> Option<Self> {
+        let zero = world_from_bone(&figure.skeleton, &Pose::zero(), bone);
+        let points: Vec<DVec3> = vertices(figure, bone)
+            .map(|p| zero.transform_point3(p))
+            .collect();
+        let first = points.first()?;
+        let (low, high) = points
+            .iter()
+            .fold((*first, *first), |(l, h), p| (l.min(*p), h.max(*p)));
+        let middle = (low + high) * 0.5;
+        let count = ((high.y - low.y) / SLICE_M).ceil() as usize + 1;
+        let mut part = Self {
+            bone,
+            zero,
+            bottom_m: low.y,
+            axis: [middle.x, middle.z],
+            slices: vec![[0.0; SECTORS]; count],
+        };
+        for p in &points {
+            let (slice, sector, r) = part.place(*p)?;
+            let most = &mut part.slices[slice][sector];
+            *most = most.max(r);
+        }
+        Some(part)
+    }
+
+    /// Slice, sector and distance from the axis of a place in the zero pose.
+    fn place(&self, p: DVec3) -> Option<(usize, usize, f64)> {
+        let slice = (p.y - self.bottom_m) / SLICE_M;
+        if !(slice >= 0.0 && slice < self.slices.len() as f64) {
+            return None;
+        }
+        let (x, z) = (p.x - self.axis[0], p.z - self.axis[1]);
+        let turn = ops::atan2(x, z) / core::f64::consts::TAU + 0.5;
+        let sector = ((turn * SECTORS as f64) as usize).min(SECTORS - 1);
+        Some((slice as usize, sector, ops::hypot(x, z)))
+    }
+
+    /// How deep a sphere is inside; negative or nothing outside; metres.
+    fn depth_m(&self, world_from_joint: &[DAffine3], at: DVec3, radius_m: f64) -> Option<f64> {
+        let moved = world_from_joint[self.bone.index()];
+        let p = self
+            .zero
+            .transform_point3(moved.inverse().transform_point3(at));
+        let (slice, sector, r) = self.place(p)?;
+        let surface = self.slices[slice][sector];
+        // No vertices there: the part is open, as a trunk is where the arm begins.
+        (surface > 0.0).then(|| surface + radius_m - r)
+    }
+}
+
+/// Trunk, neck and head of a figure.
+#[derive(Clone, Debug)]
+pub(super) struct Body {
+    trunk: Vec<Part>,
+    head: Vec<Part>,
+}
+
+impl Body {
+    /// Measures a figure; nothing can be in the way of one without meshes.
+    pub(super) fn new(figure: &Figure) -> Self {
+        let parts = |bones: &[Bone]| bones.iter().filter_map(|b| Part::new(figure, *b)).collect();
+        Self {
+            trunk: parts(&[Bone::Sacroiliac, Bone::Lumbar, Bone::Thoracic]),
+            head: parts(&[Bone::Cervical, Bone::Skull, Bone::Chin]),
+        }
+    }
+
+    /// How deep a capsule is in the trunk and in the head, metres; 0 outside.
+    pub(super) fn depths_m(&self, world_from_joint: &[DAffine3], capsule: &Capsule) -> [f64; 2] {
+        [&self.trunk, &self.head].map(|parts| {
+            let places = [0.0, 0.5, 1.0].map(|s| capsule.ends[0].lerp(capsule.ends[1], s));
+            let depths = parts.iter().flat_map(|part| {
+                places.map(|at| {
+                    part.depth_m(world_from_joint, at, capsule.radius_m)
+                        .unwrap_or(0.0)
+                })
+            });
+            depths.fold(0.0, f64::max)
+        })
+    }
+}
+
+/// Rotation of a bone against its parent.
+pub(super) fn local_rotation(world_from_joint: &[DAffine3], bone: Bone) -> DQuat {
+    let own = world_from_joint[bone.index()].matrix3;
+    let parent = bone.parent().map(|p| world_from_joint[p.index()].matrix3);
+    DQuat::from_mat3(&parent.map_or(own, |p| p.transpose() * own)).normalize()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn capsules_know_how_deep_they_are_in_each_other() {
+        let along = |from: DVec3, to: DVec3| Capsule {
+            ends: [from, to],
+            radius_m: 0.1,
+        };
+        let a = along(DVec3::ZERO, DVec3::X);
+        let crossing = along(DVec3::new(0.5, 0.15, -1.0), DVec3::new(0.5, 0.15, 1.0));
+        assert!((a.depth_m(&crossing) - 0.05).abs() < 1e-12);
+        let beyond = along(DVec3::new(1.5, 0.0, 0.0), DVec3::new(2.0, 0.0, 0.0));
+        assert!((a.depth_m(&beyond) + 0.3).abs() < 1e-12);
+        let beside = along(DVec3::Y * 0.2, DVec3::new(1.0, 0.2, 0.0));
+        assert!(a.depth_m(&beside).abs() < 1e-12);
+    }
+}

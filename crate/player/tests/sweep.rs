@@ -1,0 +1,72 @@
+//! The shipped stories, swept.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use raconteur_player::body::read::read_figure;
+use raconteur_player::sweep::{Check, sweep};
+use raconteur_player::{Options, Player, StoryInput};
+
+fn assets() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../assets")
+}
+
+/// The folders of the shipped stories, in order.
+fn stories() -> Vec<PathBuf> {
+    let entries = fs::read_dir(assets().join("stories")).expect("the stories");
+    let mut folders: Vec<PathBuf> = entries
+        .map(|e| e.expect("an entry").path())
+        .filter(|p| p.join("story.eml").is_file())
+        .collect();
+    folders.sort();
+    folders
+}
+
+fn swept(story: &Path, figure: &str, motion_amount: f64) -> Vec<Check> {
+    let file = assets().join(format!("figures/{figure}.glb"));
+    let bytes = fs::read(file).expect("a figure");
+    let figure = read_figure(figure, &bytes).expect("a figure");
+    let eml = fs::read_to_string(story.join("story.eml")).expect("a story");
+    let bundle = fs::read(story.join("voice/speech.json")).ok();
+    let mut player = Player::load(StoryInput {
+        eml: &eml,
+        bundle: bundle.as_deref(),
+        figure: Arc::new(figure),
+        options: Options {
+            motion_amount,
+            ..Options::default()
+        },
+    })
+    .player;
+    sweep(&mut player)
+}
+
+#[test]
+fn nothing_in_the_shipped_stories_would_make_a_viewer_wince() {
+    let stories = stories();
+    assert!(stories.len() >= 2);
+    let mut wrong = Vec::new();
+    for story in &stories {
+        for check in swept(story, "sofia", 1.0) {
+            if !check.is_ok() {
+                wrong.push(format!("{}: {check:?}", story.display()));
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+#[test]
+fn dump() {
+    for story in &stories() {
+        for f in ["sofia", "papous", "nuno"] {
+            println!("{f} {}", story.display());
+            for check in swept(story, f, 1.0) {
+                println!(
+                    "   {} {:.4} / {} {} {} at {:.3}",
+                    check.name, check.worst, check.limit, check.unit, check.part, check.at_secs
+                );
+            }
+        }
+    }
+}
