@@ -1,0 +1,379 @@
+//! Runs `tests/suite/pose`: what the language does to the body, one concept a case.
+//!
+//! A case is a script, `NAME.eml`, and beside it `NAME.pose` with what its performance must
+//! show, one line each; `#` begins a comment. Times are seconds, bones go by the names of
+//! GEVH appendix A without `bone_`, and ± gives the tolerance.
+//!
+//! | line | holds when |
+//! |---|---|
+//! | `figure NAME` | (first lines) performed by this figure of `assets/figures`; else by the example of GEVH table A.1, whose unit is 25.4 mm |
+//! | `motion AMOUNT` | (first lines) performed with this much idle life; else with none |
+//! | `at TIME BONE X Y Z ±M` | the bone's joint is there, world, metres (x left, y up, z front) |
+//! | `speaker TIME BONE X Y Z ±U` | the same in the script's coordinates: units from the speaker's origin, x left, y up, z back |
+//! | `axis TIME BONE x\|y\|z X Y Z ±DEG` | this axis of the bone's frame points that way, world |
+//! | `still FROM TO BONE ±M` | between the times it stays where it is at the first |
+//! | `moves FROM TO BONE M` | its places at the two times are at least this far apart, metres |
+//! | `speed FROM TO BONE V` | between the times it is nowhere faster than this, m/s |
+//! | `turns FROM TO BONE V` | between the times its frame turns nowhere faster than this, rad/s |
+//! | `same TIME BONE OTHER ±M` | the joint is where it is in the case `OTHER` at that time |
+//! | `morph TIME NAME VALUE ±W` | a weight of the face |
+//! | `diagnostic CODE LINE` | the script's diagnostics are exactly these, in order |
+//!
+//! Every case is played forwards and sought backwards, which must agree to the last bit, and
+//! no bone may change its length.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use raconteur_player::base::{DAffine3, DVec3, ops};
+use raconteur_player::body::read::read_figure;
+use raconteur_player::body::{Bone, Figure, Skeleton};
+use raconteur_player::eml::LineIndex;
+use raconteur_player::eml::schema::ELEMENTS;
+use raconteur_player::{Loaded, Options, Player, StoryInput, Units};
+
+/// Elements of which every attribute must occur in a case.
+const SHOWN: &[&str] = &[];
+
+/// Times a second at which stretches are looked at.
+const RATE: f64 = 120.0;
+
+fn folder() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/suite/pose")
+}
+
+/// The names of the cases, in order.
+fn cases() -> Vec<String> {
+    let mut names: Vec<String> = fs::read_dir(folder())
+        .expect("the folder of the suite")
+        .map(|entry| entry.expect("an entry of the suite").path())
+        .filter(|path| path.extension().is_some_and(|e| e == "eml"))
+        .map(|path| {
+            path.file_stem()
+                .expect("a name")
+                .to_string_lossy()
+                .into_owned()
+        })
+        .collect();
+    names.sort();
+    names
+}
+
+/// A figure of the assets, or the example, which has a skeleton only.
+fn figure(name: &str) -> Arc<Figure> {
+    if name == "example" {
+        return Arc::new(Figure {
+            name: name.to_owned(),
+            skeleton: Skeleton::example(),
+            inverse_bind: Vec::new(),
+            meshes: Vec::new(),
+            morph_names: Vec::new(),
+            lid_closure_rad: [0.0; 2],
+            images: Vec::new(),
+        });
+    }
+    let path = Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("../../assets/figures")
+        .join(format!("{name}.glb"));
+    let bytes = fs::read(&path).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
+    Arc::new(read_figure(name, &bytes).expect("a figure"))
+}
+
+/// A case that is being checked.
+struct Case {
+    name: String,
+    eml: String,
+    lines: Vec<Vec<String>>,
+    options: Options,
+    figure: Arc<Figure>,
+    player: Player,
+    diagnostics: Vec<String>,
+}
+
+impl Case {
+    fn read(name: &str) -> Self {
+        let read = |extension: &str| {
+            let path = folder().join(name).with_extension(extension);
+            fs::read_to_string(&path).unwrap_or_else(|e| panic!("{}: {e}", path.display()))
+        };
+        let eml = read("eml");
+        let lines: Vec<Vec<String>> = read("pose")
+            .lines()
+            .map(|line| line.split('#').next().unwrap_or("").trim())
+            .filter(|line| !line.is_empty())
+            .map(|line| line.split_whitespace().map(str::to_owned).collect())
+            .collect();
+        let said = |word: &str| lines.iter().find(|l| l[0] == word).map(|l| l[1].clone());
+        let figure = figure(&said("figure").unwrap_or_else(|| "example".to_owned()));
+        let options = Options {
+            motion_amount: said("motion").map_or(0.0, |m| number(&m)),
+            ..Options::default()
+        };
+        let Loaded {
+            player,
+            diagnostics,
+        } = load(&eml, &figure, options);
+        let index = LineIndex::new(&eml);
+        let diagnostics = diagnostics
+            .iter()
+            .map(|d| format!("{} {}", d.code, index.position(d.span.start).line))
+            .collect();
+        Self {
+            name: name.to_owned(),
+            eml,
+            lines,
+            options,
+            figure,
+            player,
+            diagnostics,
+        }
+    }
+
+    fn joint(&mut self, time_secs: f64, bone: Bone) -> DAffine3 {
+        self.player.frame(time_secs, 1.6).world_from_joint[bone.index()]
+    }
+
+    fn place(&mut self, time_secs: f64, bone: Bone) -> DVec3 {
+        self.joint(time_secs, bone).translation
+    }
+
+    /// The places of a bone from one time to another.
+    fn places(&mut self, from: f64, to: f64, bone: Bone) -> Vec<DAffine3> {
+        assert!(to > from, "{}: nothing between {from} and {to}", self.name);
+        let steps = ((to - from) * RATE).ceil() as u32;
+        (0..=steps)
+            .map(|i| from + (to - from) * f64::from(i) / f64::from(steps))
+            .map(|t| self.joint(t, bone))
+            .collect()
+    }
+
+    /// What is wrong with one line; nothing when it holds.
+    fn check(&mut self, words: &[&str]) -> Option<String> {
+        let t = || number(words[1]);
+        let vector = |at: usize| DVec3::from_array([0, 1, 2].map(|i| number(words[at + i])));
+        let off = |distance: f64, bound: f64, found: String| {
+            let inside = distance <= bound;
+            (!inside).then(|| format!("found {found}, {distance:.5} off"))
+        };
+        match words[0] {
+            "figure" | "motion" | "diagnostic" => None,
+            "at" => {
+                let found = self.place(t(), bone(words[2]));
+                off(found.distance(vector(3)), within(words[6]), show(found))
+            }
+            "speaker" => {
+                let units = Units::of(&self.figure.skeleton);
+                let wanted = units.speaker_point(vector(3).to_array());
+                let scale = self.figure.skeleton.metres_per_eml_unit();
+                let found = self.place(t(), bone(words[2]));
+                let origin = units.speaker_point([0.0; 3]);
+                let shown = (found - origin) / scale * DVec3::new(1.0, 1.0, -1.0);
+                off(
+                    found.distance(wanted) / scale,
+                    within(words[6]),
+                    show(shown),
+                )
+            }
+            "axis" => {
+                let axes = self.joint(t(), bone(words[2])).matrix3;
+                let axis = match words[3] {
+                    "x" => axes.x_axis,
+                    "y" => axes.y_axis,
+                    "z" => axes.z_axis,
+                    other => panic!("there is no axis {other}"),
+                };
+                let degrees = axis.angle_between(vector(4)).to_degrees();
+                off(degrees, within(words[7]), show(axis))
+            }
+            "still" => {
+                let places = self.places(t(), number(words[2]), bone(words[3]));
+                let first = places[0].translation;
+                let far = places.iter().map(|p| p.translation.distance(first));
+                let farthest = far.fold(0.0, f64::max);
+                off(farthest, within(words[4]), format!("{farthest:.5} m"))
+            }
+            "moves" => {
+                let from = self.place(t(), bone(words[3]));
+                let to = self.place(number(words[2]), bone(words[3]));
+                let short = number(words[4]) - from.distance(to);
+                off(short, 0.0, format!("{:.5} m", from.distance(to)))
+            }
+            "speed" => {
+                let places = self.places(t(), number(words[2]), bone(words[3]));
+                let steps = places.len() - 1;
+                let rate = steps as f64 / (number(words[2]) - t());
+                let step = |w: &[DAffine3]| w[0].translation.distance(w[1].translation) * rate;
+                let fastest = places.windows(2).map(step).fold(0.0, f64::max);
+                off(fastest - number(words[4]), 0.0, format!("{fastest:.3} m/s"))
+            }
+            "turns" => {
+                let places = self.places(t(), number(words[2]), bone(words[3]));
+                let steps = places.len() - 1;
+                let rate = steps as f64 / (number(words[2]) - t());
+                let step = |w: &[DAffine3]| {
+                    let difference = w[0].matrix3 - w[1].matrix3;
+                    // Frobenius norm of a difference of rotations: 2√2 sin(angle / 2).
+                    let sine = difference
+                        .to_cols_array()
+                        .iter()
+                        .map(|x| x * x)
+                        .sum::<f64>();
+                    2.0 * ops::asin_clamped(sine.sqrt() / 8f64.sqrt()) * rate
+                };
+                let fastest = places.windows(2).map(step).fold(0.0, f64::max);
+                off(
+                    fastest - number(words[4]),
+                    0.0,
+                    format!("{fastest:.3} rad/s"),
+                )
+            }
+            "same" => {
+                let found = self.place(t(), bone(words[2]));
+                let other = Self::read(words[3]).place(t(), bone(words[2]));
+                off(found.distance(other), within(words[4]), show(found))
+            }
+            "morph" => {
+                let index = self.figure.morph_index(words[2]).expect("a morph");
+                let weights = &self.player.frame(t(), 1.6).morph_weights;
+                let found = f64::from(weights[index]);
+                off(
+                    (found - number(words[3])).abs(),
+                    within(words[4]),
+                    format!("{found:.4}"),
+                )
+            }
+            other => panic!("{}: there is no line `{other}`", self.name),
+        }
+    }
+
+    /// Lines that do not hold, and what else is wrong.
+    fn wrong(mut self) -> Vec<String> {
+        let mut wrong = Vec::new();
+        let lines = std::mem::take(&mut self.lines);
+        assert!(!lines.is_empty(), "{} checks nothing", self.name);
+        for line in &lines {
+            let words: Vec<&str> = line.iter().map(String::as_str).collect();
+            if let Some(what) = self.check(&words) {
+                wrong.push(format!("{}: {}: {what}", self.name, words.join(" ")));
+            }
+        }
+        let expected: Vec<String> = lines
+            .iter()
+            .filter(|l| l[0] == "diagnostic")
+            .map(|l| l[1..].join(" "))
+            .collect();
+        if self.diagnostics != expected {
+            wrong.push(format!("{}: diagnostics {:?}", self.name, self.diagnostics));
+        }
+        self.sweep(&mut wrong);
+        wrong
+    }
+
+    /// Playing forwards and seeking backwards agree; bones keep their lengths.
+    fn sweep(&mut self, wrong: &mut Vec<String>) {
+        let steps = (self.player.end_secs() * 15.0).ceil().min(300.0) as u32;
+        let time = |i: u32| f64::from(i) / 15.0;
+        let played: Vec<u64> = (0..=steps).map(|i| self.player.digest(time(i))).collect();
+        let mut sought = load(&self.eml, &self.figure, self.options).player;
+        for i in (0..=steps).rev() {
+            if sought.digest(time(i)) != played[i as usize] {
+                wrong.push(format!(
+                    "{}: another pose when sought at {}",
+                    self.name,
+                    time(i)
+                ));
+            }
+            let frame = sought.frame(time(i), 1.6);
+            for b in Bone::ALL {
+                let Some(parent) = b.parent() else { continue };
+                let [at, from] = [b, parent].map(|b| frame.world_from_joint[b.index()].translation);
+                let length = self.figure.skeleton.offset_length_m(b);
+                let stretched = (at.distance(from) - length).abs();
+                if stretched.is_nan() || stretched > 1e-9 {
+                    wrong.push(format!(
+                        "{}: {} is stretched at {}",
+                        self.name,
+                        b.name(),
+                        time(i)
+                    ));
+                }
+            }
+        }
+    }
+}
+
+fn load(eml: &str, figure: &Arc<Figure>, options: Options) -> Loaded {
+    Player::load(StoryInput {
+        eml,
+        bundle: None,
+        figure: Arc::clone(figure),
+        options,
+    })
+}
+
+fn number(word: &str) -> f64 {
+    word.parse()
+        .unwrap_or_else(|_| panic!("`{word}` is no number"))
+}
+
+/// The tolerance after a ±.
+fn within(word: &str) -> f64 {
+    number(word.strip_prefix('±').expect("a tolerance begins with ±"))
+}
+
+fn bone(name: &str) -> Bone {
+    Bone::from_name(name).unwrap_or_else(|| panic!("there is no bone {name}"))
+}
+
+fn show(v: DVec3) -> String {
+    format!("{:.4} {:.4} {:.4}", v.x, v.y, v.z)
+}
+
+#[test]
+fn every_case_shows_what_it_says() {
+    let cases = cases();
+    assert!(!cases.is_empty(), "there is no case");
+    let wrong: Vec<String> = cases
+        .iter()
+        .flat_map(|name| Case::read(name).wrong())
+        .collect();
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn every_attribute_of_the_shown_elements_has_a_case() {
+    let mut written: BTreeSet<(String, String)> = BTreeSet::new();
+    for name in cases() {
+        let text = fs::read_to_string(folder().join(name).with_extension("eml")).expect("a case");
+        for tag in text.split('<').skip(1) {
+            let tag = tag.split('>').next().unwrap_or("");
+            let mut words = tag.split(|c: char| c.is_whitespace() || c == '/');
+            let local = |name: &str| name.rsplit(':').next().unwrap_or(name).to_owned();
+            let element = local(words.next().unwrap_or(""));
+            let attributes = words.filter_map(|w| w.split_once('=').map(|(a, _)| a));
+            for attribute in attributes {
+                written.insert((element.clone(), local(attribute)));
+            }
+            written.insert((element, String::new()));
+        }
+    }
+    let mut missing = Vec::new();
+    for name in SHOWN {
+        let mut variants = ELEMENTS.iter().filter(|e| e.name == *name).peekable();
+        assert!(variants.peek().is_some(), "there is no element {name}");
+        for element in variants {
+            let attributes = element.all_attributes().map(|a| a.name);
+            for attribute in attributes
+                .filter(|a| !["time", "timeId"].contains(a))
+                .chain([""])
+            {
+                if !written.contains(&((*name).to_owned(), attribute.to_owned())) {
+                    missing.push(format!("<{name} {attribute}>"));
+                }
+            }
+        }
+    }
+    assert!(missing.is_empty(), "no case has {missing:#?}");
+}
