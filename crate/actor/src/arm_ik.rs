@@ -15,10 +15,9 @@ use raconteur_base::{DAffine3, DQuat, DVec3, Side, ops};
 use raconteur_body::{Bone, Pose, Skeleton};
 
 use crate::kinematics::{TwoBone, rotation_of, world_from_bone};
+pub use crate::manipulator::limits::ELBOW_MAX_DEG;
 use crate::wrist::{self, WristAngles};
 
-/// Largest flexion of the elbow (GEVH table B.1), degrees.
-pub const ELBOW_MAX_DEG: f64 = 159.0;
 /// The last share of the reach, in which the elbow eases out instead of snapping: a wrist
 /// there stays short of its goal by up to 0.4 of this share (2 mm). Designed.
 const SOFT_SHARE: f64 = 0.01;
@@ -158,7 +157,7 @@ impl ArmRig {
         let thorax = rotation_of(world_from_thorax);
         let world_from_body = thorax * self.thorax_zero.inverse();
 
-        let scapula = self.scapula_for(world_from_thorax, world_from_body, goal);
+        let scapula = self.scapula_for(world_from_thorax, goal.wrist_in_world, goal.shrug_rad);
         let scapula_in_world = thorax * self.scapula_zero * scapula;
         let shoulder_at = world_from_thorax.transform_point3(self.scapula_in_thorax)
             + scapula_in_world * self.shoulder_in_scapula;
@@ -208,16 +207,9 @@ impl ArmRig {
     /// pose: hands then slow down for it instead of running into the end of the arm.
     #[must_use]
     pub fn within_reach(&self, wrist_in_world: DVec3) -> DVec3 {
-        let goal = ArmGoal {
-            wrist_in_world,
-            hand_in_world: None,
-            shrug_rad: 0.0,
-        };
         let thorax = self.thorax_zero_in_world;
-        let world_from_body = DQuat::IDENTITY;
-        let scapula = self.scapula_for(&thorax, world_from_body, &goal);
-        let shoulder_at = thorax.transform_point3(self.scapula_in_thorax)
-            + rotation_of(&thorax) * (self.scapula_zero * (scapula * self.shoulder_in_scapula));
+        let scapula = self.scapula_for(&thorax, wrist_in_world, 0.0);
+        let shoulder_at = self.shoulder_at(&thorax, scapula);
         let to = wrist_in_world - shoulder_at;
         let most = 1.03 * self.reach_m();
         if to.length() <= most {
@@ -275,16 +267,32 @@ impl ArmRig {
         scapula * self.shoulder_zero * s.shoulder * self.elbow_zero * s.elbow * self.wrist_zero
     }
 
-    /// Rise and protraction of the girdle for a target.
-    fn scapula_for(
+    /// The shoulder joint with the thorax and the scapula turned so, world, metres.
+    #[must_use]
+    pub fn shoulder_at(&self, world_from_thorax: &DAffine3, scapula: DQuat) -> DVec3 {
+        world_from_thorax.transform_point3(
+            self.scapula_in_thorax + self.scapula_zero * (scapula * self.shoulder_in_scapula),
+        )
+    }
+
+    /// World from the scapula bone turned so, its rotation.
+    #[must_use]
+    pub fn scapula_in_world(&self, thorax: DQuat, scapula: DQuat) -> DQuat {
+        thorax * self.scapula_zero * scapula
+    }
+
+    /// Rotation of the scapula bone for a wrist: the girdle rises and reaches with the arm,
+    /// and by a shrug, radians.
+    #[must_use]
+    pub fn scapula_for(
         &self,
         world_from_thorax: &DAffine3,
-        world_from_body: DQuat,
-        goal: &ArmGoal,
+        wrist_in_world: DVec3,
+        shrug_rad: f64,
     ) -> DQuat {
-        let base = world_from_thorax.transform_point3(self.scapula_in_thorax)
-            + rotation_of(world_from_thorax) * (self.scapula_zero * self.shoulder_in_scapula);
-        let to = world_from_body.inverse() * (goal.wrist_in_world - base) / self.reach_m();
+        let base = self.shoulder_at(world_from_thorax, DQuat::IDENTITY);
+        let world_from_body = rotation_of(world_from_thorax) * self.thorax_zero.inverse();
+        let to = world_from_body.inverse() * (wrist_in_world - base) / self.reach_m();
         let length = to.length();
         let direction = to / length.max(1e-9);
         let sign = self.side.sign();
@@ -296,7 +304,7 @@ impl ArmRig {
         let protract = 0.2 * ahead * smooth((length - 0.5) / 0.5);
         // Local y points to the front and z down (left) or up (right); see the frames of
         // `raconteur_body::skeleton`.
-        DQuat::from_rotation_z(protract) * DQuat::from_rotation_y(sign * (rise + goal.shrug_rad))
+        DQuat::from_rotation_z(protract) * DQuat::from_rotation_y(sign * (rise + shrug_rad))
     }
 
     /// Angle by which the elbow is lifted from its natural direction: some steps down
@@ -385,6 +393,15 @@ impl ArmRig {
     }
 }
 
+/// Direction of the elbow from the line between shoulder and wrist that is natural for a
+/// wrist in a direction (unit) from the shoulder, both in body axes; not unit.
+#[must_use]
+pub fn natural_elbow(side: Side, direction_in_body: DVec3) -> DVec3 {
+    let mirrored = |v: DVec3| DVec3::new(v.x * side.sign(), v.y, v.z);
+    let ease = mirrored(HAND_AT_EASE).normalize();
+    DQuat::from_rotation_arc(ease, direction_in_body) * mirrored(ELBOW_AT_EASE)
+}
+
 /// An arm with its target direction and flexion; only the swivel is open.
 struct Posture<'a> {
     rig: &'a ArmRig,
@@ -398,10 +415,8 @@ impl Posture<'_> {
     /// Direction of the elbow from the line between shoulder and wrist, world.
     fn pole(&self, swivel_rad: f64) -> DVec3 {
         let sign = self.rig.side.sign();
-        let mirrored = |v: DVec3| DVec3::new(v.x * sign, v.y, v.z);
-        let ease = mirrored(HAND_AT_EASE).normalize();
         let direction_in_body = self.world_from_body.inverse() * self.direction;
-        let carried = DQuat::from_rotation_arc(ease, direction_in_body) * mirrored(ELBOW_AT_EASE);
+        let carried = natural_elbow(self.rig.side, direction_in_body);
         let lifted = DQuat::from_axis_angle(direction_in_body, sign * swivel_rad) * carried;
         self.world_from_body * lifted
     }

@@ -42,6 +42,8 @@ pub struct TwoBone {
     max_flexion_rad: f64,
     /// cos, sin and constant parts of `upper · end(flexion)`.
     parts: DVec3,
+    /// Flexion at which the end is farthest from the base; about 0.
+    straight_rad: f64,
 }
 
 impl TwoBone {
@@ -63,6 +65,7 @@ impl TwoBone {
             axis,
             max_flexion_rad,
             parts,
+            straight_rad: ops::atan2(parts.y, parts.x),
         }
     }
 
@@ -91,7 +94,15 @@ impl TwoBone {
     /// Flexion that puts the end at a distance from the base. Clamped to the limits.
     #[must_use]
     pub fn flexion_for(&self, distance_m: f64) -> f64 {
-        let amplitude = ops::hypot(self.parts.x, self.parts.y);
+        self.flexions_for(distance_m)[0].clamp(0.0, self.max_flexion_rad)
+    }
+
+    /// Both flexions that put the end at a distance from the base, as if there were no
+    /// limits: bent the natural way and the other. A distance that the chain does not have
+    /// gives the nearest one that it has.
+    #[must_use]
+    pub fn flexions_for(&self, distance_m: f64) -> [f64; 2] {
+        let amplitude = (self.parts.x * self.parts.x + self.parts.y * self.parts.y).sqrt();
         let wanted = 0.5
             * (distance_m * distance_m - self.upper.length_squared() - self.lower.length_squared())
             - self.parts.z;
@@ -100,8 +111,49 @@ impl TwoBone {
         } else {
             0.0
         };
-        let angle = ops::atan2(self.parts.y, self.parts.x) + ops::acos_clamped(ratio);
-        angle.clamp(0.0, self.max_flexion_rad)
+        let bent = ops::acos_clamped(ratio);
+        [self.straight_rad + bent, self.straight_rad - bent]
+    }
+
+    /// Shortest and longest distance from the base to the end, metres: within the limits, or
+    /// of the chain without limits.
+    #[must_use]
+    pub fn distances_m(&self, within_limits: bool) -> [f64; 2] {
+        let (straight, folded) = (self.straight_rad, self.straight_rad + core::f64::consts::PI);
+        if within_limits {
+            let straightest = straight.clamp(0.0, self.max_flexion_rad);
+            [self.max_flexion_rad, straightest].map(|f| self.distance_m(f))
+        } else {
+            [folded, straight].map(|f| self.distance_m(f))
+        }
+    }
+
+    /// The flexion of a rotation of the lower bone that [`TwoBone::flexed`] gave.
+    #[must_use]
+    pub fn flexion_of(&self, lower: DQuat) -> f64 {
+        let sine = DVec3::new(lower.x, lower.y, lower.z).dot(self.axis);
+        ops::wrap_angle(2.0 * ops::atan2(sine, lower.w))
+    }
+
+    /// Hinge axis in the upper bone's frame, unit; a positive turn flexes.
+    #[must_use]
+    pub fn axis_in_upper(&self) -> DVec3 {
+        self.zero * self.axis
+    }
+
+    /// Upper from lower bone in the zero pose.
+    #[must_use]
+    pub fn zero(&self) -> DQuat {
+        self.zero
+    }
+
+    /// The same chain with another limit.
+    #[must_use]
+    pub fn with_limit(self, max_flexion_rad: f64) -> Self {
+        Self {
+            max_flexion_rad,
+            ..self
+        }
     }
 
     /// Place of the end in the upper bone's frame at a flexion.

@@ -1,6 +1,6 @@
 //! How the figure moves: everything here is a function of absolute time over plain plans.
 //!
-//! Does: arm inverse kinematics, palm orientation, gesture plans with preparation, hold
+//! Does: arm inverse kinematics, limbs and head as manipulators, palm orientation, gesture plans with preparation, hold
 //! and retraction, idle life (breath, sway, gaze, blinks), lip synchronisation, and the
 //! face's morph weights; [`Actor`] evaluates them all into a pose.
 //! Does not: know EML, draw, play sound, or keep state between evaluations: seeking to a
@@ -16,6 +16,7 @@ pub mod gesture;
 pub mod idle;
 pub mod kinematics;
 pub mod lips;
+pub mod manipulator;
 pub mod palm;
 pub mod performance;
 pub mod wrist;
@@ -24,4 +25,5 @@ pub use arm_ik::{ArmGoal, ArmRig, ArmSolution};
 pub use face::FaceRig;
 pub use gesture::{ArmScript, GestureStroke, HandKey, Span};
 pub use lips::{LipTrack, MouthTargets};
+pub use manipulator::{ManipulatorScript, Manipulators, Sex};
 pub use performance::{Accent, Actor, Performance, SpokenUtterance};

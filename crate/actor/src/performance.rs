@@ -15,6 +15,7 @@ use crate::idle::stream;
 use crate::idle::trunk::{Beat, SpeechRhythm, Trunk, bump, spine};
 use crate::kinematics::{rotation_of, world_from_bone};
 use crate::lips::{LipTrack, MouthTargets};
+use crate::manipulator::{ManipulatorScript, Manipulators, Sex};
 
 /// A pause in speech at least this long may blink, seconds.
 const PAUSE_SECS: f64 = 0.15;
@@ -54,6 +55,10 @@ pub struct SpokenUtterance {
 pub struct Performance {
     /// Left and right arm.
     pub arms: [ArmScript; 2],
+    /// What limbs, head and the whole figure do as manipulators.
+    pub manipulators: ManipulatorScript,
+    /// Whose joint limits hold.
+    pub sex: Sex,
     /// What is said, in any order.
     pub speech: Vec<SpokenUtterance>,
     /// Seed of everything that nobody scripted.
@@ -68,6 +73,8 @@ impl Default for Performance {
     fn default() -> Self {
         Self {
             arms: [ArmScript::default(), ArmScript::default()],
+            manipulators: ManipulatorScript::default(),
+            sex: Sex::default(),
             speech: Vec::new(),
             seed: 0,
             motion_amount: 1.0,
@@ -79,10 +86,12 @@ impl Default for Performance {
 /// What an evaluation reports besides the pose.
 #[derive(Clone, Copy, Debug)]
 pub struct Report {
-    /// Solutions of the left and right arm.
+    /// Solutions of the left and right arm as gestures and rest lead them.
     pub arms: [ArmSolution; 2],
     /// Where the left and right wrist were asked to be, world, metres.
     pub wrist_goals_in_world: [DVec3; 2],
+    /// How far each wrist is from there, metres.
+    pub wrist_errors_m: [f64; 2],
     /// The mouth.
     pub mouth: MouthTargets,
 }
@@ -93,6 +102,7 @@ pub struct Report {
 pub struct Actor {
     plans: [ArmPlan; 2],
     rigs: [ArmRig; 2],
+    manipulators: Manipulators,
     space: BodySpace,
     stance: Stance,
     trunk: Trunk,
@@ -130,7 +140,7 @@ impl Actor {
         } else {
             1.0
         };
-        Self {
+        let mut actor = Self {
             plans: Side::BOTH.map(|side| {
                 ArmPlan::new(
                     &performance.arms[side.index()],
@@ -141,6 +151,7 @@ impl Actor {
                 )
             }),
             rigs: Side::BOTH.map(|side| ArmRig::new(skeleton, side)),
+            manipulators: Manipulators::at_rest(skeleton, performance.sex),
             space: BodySpace::new(skeleton),
             stance: Stance::new(skeleton, seed),
             trunk: Trunk { seed },
@@ -155,7 +166,15 @@ impl Actor {
             seed,
             amount,
             listener_in_world: performance.listener_in_world,
-        }
+        };
+        let idle = |t: f64, pose: &mut Pose| {
+            actor.trunk(skeleton, t, pose);
+            actor.arms(skeleton, t, pose);
+            actor.head(skeleton, t, actor.listener_in_world, pose);
+        };
+        actor.manipulators =
+            Manipulators::new(&performance.manipulators, skeleton, performance.sex, &idle);
+        actor
     }
 
     /// Moves the listener, for example with the camera; holds for evaluations to come.
@@ -186,13 +205,26 @@ impl Actor {
         } else {
             0.0
         };
-        *pose = Pose::zero();
-        self.stance.apply(skeleton, t, self.amount, pose);
-        self.trunk
-            .apply(&self.rhythm, t, self.stance.weight_at(t), self.amount, pose);
-        let (arms, wrist_goals_in_world) = self.arms(skeleton, t, pose);
-        self.head(skeleton, t, pose);
-        let eye_pitch_rad = self.eyes(skeleton, face, t, pose);
+        // Until the end everything is in the axes of the figure, which may be on its way.
+        let moved = self.manipulators.world_from_figure(t);
+        let listener = match &moved {
+            Some(moved) => moved.inverse().transform_point3(self.listener_in_world),
+            None => self.listener_in_world,
+        };
+        self.trunk(skeleton, t, pose);
+        self.manipulators.lean(skeleton, t, pose);
+        let (arms, mut wrist_goals_in_world) = self.arms(skeleton, t, pose);
+        let mut wrist_errors_m = arms.map(|a| a.error_m);
+        let led = self.manipulators.limbs(skeleton, t, pose);
+        for (i, led) in led.iter().enumerate() {
+            if let Some(led) = led {
+                wrist_goals_in_world[i] = led.target.position;
+                wrist_errors_m[i] = led.error_m;
+            }
+        }
+        self.head(skeleton, t, listener, pose);
+        self.manipulators.head(skeleton, t, pose);
+        let eye_pitch_rad = self.eyes(skeleton, face, t, listener, pose);
         let mouth = self.mouth(t);
         let expression = self.expression(t);
         let closure = self.blinks.closure(t);
@@ -204,11 +236,26 @@ impl Actor {
             pose,
             morph_weights,
         );
+        if let Some(moved) = &moved {
+            let turned = rotation_of(moved);
+            pose.root_rotation = (turned * pose.root_rotation).normalize();
+            pose.root_offset_in_world = moved.transform_point3(pose.root_offset_in_world);
+            wrist_goals_in_world = wrist_goals_in_world.map(|w| moved.transform_point3(w));
+        }
         Report {
             arms,
             wrist_goals_in_world,
+            wrist_errors_m,
             mouth,
         }
+    }
+
+    /// Legs and spine as they stand and sway, on a pose of zero.
+    fn trunk(&self, skeleton: &Skeleton, t: f64, pose: &mut Pose) {
+        *pose = Pose::zero();
+        self.stance.apply(skeleton, t, self.amount, pose);
+        let weight = self.stance.weight_at(t);
+        self.trunk.apply(&self.rhythm, t, weight, self.amount, pose);
     }
 
     fn arms(&self, skeleton: &Skeleton, t: f64, pose: &mut Pose) -> ([ArmSolution; 2], [DVec3; 2]) {
@@ -247,12 +294,12 @@ impl Actor {
         (clear, hand.normalize())
     }
 
-    fn head(&self, skeleton: &Skeleton, t: f64, pose: &mut Pose) {
+    fn head(&self, skeleton: &Skeleton, t: f64, listener: DVec3, pose: &mut Pose) {
         let head = world_from_bone(skeleton, pose, Bone::Skull);
         let axes = rotation_of(&head) * self.skull_zero.inverse();
         // The middle of the eyes is some 7 cm above the skull bone's joint.
         let eyes = head.translation + axes * DVec3::new(0.0, 0.07, 0.08);
-        let [yaw, pitch] = angles_of(axes.inverse() * (self.listener_in_world - eyes));
+        let [yaw, pitch] = angles_of(axes.inverse() * (listener - eyes));
         let motion = self.trunk.head_motion(&self.rhythm, t, self.amount);
         let aside = self.gaze.head_away(t, self.amount);
         let pitch = (HEAD_SHARE * pitch).clamp(-0.4, 0.4) + motion.x + aside[1];
@@ -265,7 +312,14 @@ impl Actor {
         pose.set(Bone::Skull, spine(0.6 * pitch, 0.6 * motion.y, 0.6 * yaw));
     }
 
-    fn eyes(&self, skeleton: &Skeleton, face: &FaceRig, t: f64, pose: &mut Pose) -> [f64; 2] {
+    fn eyes(
+        &self,
+        skeleton: &Skeleton,
+        face: &FaceRig,
+        t: f64,
+        listener: DVec3,
+        pose: &mut Pose,
+    ) -> [f64; 2] {
         let skull = world_from_bone(skeleton, pose, Bone::Skull);
         let axes = DAffine3::from_rotation_translation(
             rotation_of(&skull) * self.skull_zero.inverse(),
@@ -275,8 +329,7 @@ impl Actor {
         let mut pitch = [0.0; 2];
         for (i, eye) in face.eyes_in_skull().into_iter().enumerate() {
             let eye_in_world = skull.transform_point3(eye);
-            (pose.eyes[i], pitch[i]) =
-                eye_towards(&axes, eye_in_world, self.listener_in_world, away);
+            (pose.eyes[i], pitch[i]) = eye_towards(&axes, eye_in_world, listener, away);
         }
         pitch
     }

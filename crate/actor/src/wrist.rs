@@ -10,10 +10,8 @@ use raconteur_base::curve::smooth;
 use raconteur_base::{DQuat, DVec3, Side, ops};
 use raconteur_body::pose::twist_about_x;
 
-/// Wrist flexion and extension (GEVH table B.1, axis Y), degrees.
-const WRIST_FLEXION_DEG: [f64; 2] = [94.8, 78.0];
-/// Ulnar and radial deviation (GEVH table B.1, axis X), degrees.
-const WRIST_DEVIATION_DEG: [f64; 2] = [47.9, 36.7];
+use crate::manipulator::limits::{WRIST_DEVIATION_DEG, WRIST_FLEXION_DEG};
+
 /// Pronation and supination from the thumb-up middle position, degrees (80 is the
 /// clinical norm for both, AAOS 1965). GEVH prints −125.8..26.1 without its zero; read
 /// from full supination it would forbid a palm held down at the waist.
@@ -134,8 +132,8 @@ pub fn beyond_limits_rad(side: Side, local: DQuat) -> f64 {
         .max(beyond(angles.swing.z, WRIST_DEVIATION_DEG))
 }
 
-/// Axis times angle, the angle at most π.
-fn rotation_vector(q: DQuat) -> DVec3 {
+/// Axis times angle of a rotation with w ≥ 0: the angle is at most π.
+pub(crate) fn rotation_vector(q: DQuat) -> DVec3 {
     let v = DVec3::new(q.x, q.y, q.z);
     let length = v.length();
     if length < 1e-12 {

@@ -387,7 +387,7 @@ impl Player {
                 Side::Right => "rightArm",
             },
             target_in_world: report.wrist_goals_in_world[side.index()],
-            error_m: report.arms[side.index()].error_m,
+            error_m: report.wrist_errors_m[side.index()],
         })
     }
 

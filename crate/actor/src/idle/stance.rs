@@ -9,6 +9,7 @@ use raconteur_body::{Bone, Pose, Skeleton};
 
 use super::stream;
 use crate::kinematics::{TwoBone, rotation_of, world_from_bone};
+use crate::manipulator::limits::KNEE_MAX_DEG;
 
 /// How long the weight stays on one foot, seconds on average. Designed.
 const SHIFT_SECS: f64 = 9.0;
@@ -21,8 +22,6 @@ const TILT_RAD: f64 = 0.022;
 /// Room for the knees: the pelvis stands this much lower than with straight legs, metres.
 /// A knee bends by some 15° for 9 mm, so little is enough.
 const SINK_M: f64 = 0.0008;
-/// Largest flexion of the knee (GEVH table B.1), degrees.
-const KNEE_MAX_DEG: f64 = 145.6;
 
 /// The legs of a figure.
 #[derive(Clone, Debug)]
@@ -44,7 +43,7 @@ struct Leg {
 }
 
 /// Hip, knee and ankle of the left and right side.
-const LEG_BONES: [[Bone; 3]; 2] = [
+pub(crate) const LEG_BONES: [[Bone; 3]; 2] = [
     [Bone::LHip, Bone::LKnee, Bone::LSubtalar],
     [Bone::RHip, Bone::RKnee, Bone::RSubtalar],
 ];

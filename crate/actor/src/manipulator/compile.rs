@@ -1,0 +1,408 @@
+//! From commands to courses: each command is resolved where the limb is when it comes.
+
+use raconteur_base::curve::smooth;
+use raconteur_base::order::sort_by_number;
+use raconteur_base::{DAffine3, DVec3, ops};
+use raconteur_body::{Pose, Skeleton};
+
+use super::head::HEAD_BONES;
+use super::jacobian::{Twist, joint_speeds};
+use super::limits;
+use super::path::Curve;
+use super::perform::{Manipulators, Terms};
+use super::rig::Base;
+use super::solve::{AT_EASE, Choice, Solutions, choose};
+use super::track::{Course, Goal, Held, Kind, even_secs};
+use super::{Command, Frame, Joints, Limb, ManipulatorScript, Motion, Pace};
+use crate::arm_ik::ARM_BONES;
+
+/// Shortest time in which joints are set, seconds, and the mean speed of the fastest one.
+/// Designed: a movement as quick as it looks unhurried.
+const QUICK_SECS: f64 = 0.25;
+const QUICK_RAD_PER_S: f64 = 5.0;
+/// Steps of inverse velocity a second, and how many make a sample.
+const STEPS_HZ: f64 = 120.0;
+const STEPS_A_SAMPLE: usize = 2;
+/// Longest time that inverse velocity is followed, seconds: at targets, and at velocities.
+const TARGET_SECS: f64 = 8.0;
+const VELOCITY_SECS: f64 = 20.0;
+/// Share of what is left that is made up in a second, and the fastest that it goes.
+const GAIN_HZ: f64 = 3.0;
+const FASTEST_M_PER_S: f64 = 0.7;
+const FASTEST_RAD_PER_S: f64 = 2.5;
+/// Time in which it comes to its speed, seconds.
+const START_SECS: f64 = 0.25;
+
+/// Where a limb is at a moment.
+struct Now {
+    trunk: DAffine3,
+    base: Base,
+    joints: Joints,
+    frame: Frame,
+    cue: DVec3,
+    lean: DVec3,
+    /// How far elbow or knee are from their natural way, radians.
+    swivel_rad: f64,
+}
+
+impl Now {
+    fn held(&self) -> Held {
+        Held {
+            joints: self.joints,
+            cue: self.cue,
+            lean: self.lean,
+        }
+    }
+}
+
+/// What commands are resolved with.
+struct Scene<'a> {
+    skeleton: &'a Skeleton,
+    idle: &'a dyn Fn(f64, &mut Pose),
+}
+
+impl Scene<'_> {
+    fn idle(&self, time_secs: f64) -> Pose {
+        let mut pose = Pose::zero();
+        (self.idle)(time_secs, &mut pose);
+        pose
+    }
+}
+
+impl Manipulators {
+    /// Turns commands into courses, in order of time.
+    pub(super) fn compile(
+        &mut self,
+        script: &ManipulatorScript,
+        skeleton: &Skeleton,
+        idle: &dyn Fn(f64, &mut Pose),
+    ) {
+        let scene = Scene { skeleton, idle };
+        let finite = |c: &&Command| c.time_secs.is_finite();
+        let mut commands: Vec<&Command> = script.commands.iter().filter(finite).collect();
+        sort_by_number(&mut commands, |c| c.time_secs);
+        let mut is_on = [true; 5];
+        for (i, command) in commands.iter().enumerate() {
+            let at = command.time_secs;
+            let on = &mut is_on[command.limb.index()];
+            if let Motion::Configure {
+                is_on: switch,
+                limits,
+            } = command.motion
+            {
+                let track = &mut self.tracks[command.limb.index()];
+                *on = switch.unwrap_or(*on);
+                if !*on {
+                    track.switch_control(at, false);
+                }
+                if let Some(limited) = limits {
+                    track.switch_limits(at, limited);
+                }
+            } else if *on {
+                let next = commands[i + 1..]
+                    .iter()
+                    .find(|c| c.limb == command.limb && c.motion.moves());
+                let until = next.map_or(f64::INFINITY, |c| c.time_secs);
+                self.begin(command, until - at, &scene);
+            }
+        }
+    }
+
+    fn begin(&mut self, command: &Command, most_secs: f64, scene: &Scene<'_>) {
+        let (limb, at) = (command.limb, command.time_secs);
+        let track = &mut self.tracks[limb.index()];
+        match command.motion {
+            Motion::Stop => {
+                if track.in_control() {
+                    track.brake(at);
+                }
+                return;
+            }
+            Motion::Lock(false) if !(track.in_control() && track.is_locked(at)) => return,
+            _ => {}
+        }
+        let now = self.now(limb, at, scene);
+        let kind = match &command.motion {
+            Motion::Configure { .. } | Motion::Stop => return,
+            Motion::Joints(angles) => self.to_joints(limb, angles, &now),
+            Motion::JointInterpolation { to, pace } => {
+                self.interpolate_joints(limb, at, to, *pace, &now, scene)
+            }
+            Motion::FrameInterpolation { to, secs } => Kind::Line {
+                from: now.frame,
+                to: *to,
+                secs: *secs,
+            },
+            Motion::Function(path) => Kind::Curve(Curve::new(path, &now.frame)),
+            Motion::JacobianTarget(to) => {
+                let secs = most_secs.min(TARGET_SECS);
+                self.follow(limb, &now, secs, &|frame| {
+                    let left = Twist::between(frame, to);
+                    Twist {
+                        linear: (left.linear * GAIN_HZ).clamp_length_max(FASTEST_M_PER_S),
+                        angular: (left.angular * GAIN_HZ).clamp_length_max(FASTEST_RAD_PER_S),
+                    }
+                })
+            }
+            Motion::JacobianVelocity { linear, angular } => {
+                let secs = most_secs.min(VELOCITY_SECS);
+                let twist = Twist {
+                    linear: *linear,
+                    angular: *angular,
+                };
+                self.follow(limb, &now, secs, &|_| twist)
+            }
+            Motion::Lock(true) => {
+                let moved = self.root.at(at).unwrap_or(DAffine3::IDENTITY);
+                Kind::Lock(now.frame.moved(&moved))
+            }
+            Motion::Lock(false) => Kind::Joints {
+                from: now.held(),
+                to: now.held(),
+                secs: 0.0,
+                even: false,
+            },
+        };
+        let cue_lag = now.cue - now.trunk.inverse().transform_point3(now.frame.position);
+        let track = &mut self.tracks[limb.index()];
+        track.switch_control(at, true);
+        track.begin(
+            at,
+            Course {
+                kind,
+                swivel_rad: now.swivel_rad,
+                cue_lag,
+            },
+        );
+    }
+
+    /// Where a limb is at a time, by idle life and the commands up to now.
+    fn now(&self, limb: Limb, time_secs: f64, scene: &Scene<'_>) -> Now {
+        let skeleton = scene.skeleton;
+        let mut pose = scene.idle(time_secs);
+        let goal = self.goal(limb, time_secs);
+        let lean = goal.map_or(DVec3::ZERO, |(goal, weight)| {
+            self.lean_for(limb, &goal, skeleton, &pose) * weight
+        });
+        self.lean(skeleton, time_secs, &mut pose);
+        self.limbs(skeleton, time_secs, &mut pose);
+        self.head(skeleton, time_secs, &mut pose);
+
+        let trunk = self.trunk(limb, skeleton, &pose);
+        let scapula = ARM_BONES.get(limb.index()).map(|b| pose.rotation(b[0]));
+        let base = self.base(limb, &trunk, scapula);
+        let joints = self.configuration(limb, &pose, &base);
+        let frame = self.posed(limb, &joints, &base).frame;
+        let cue = match goal {
+            Some((Goal::Joints(held), _)) => held.cue,
+            Some((Goal::Frame { frame, cue_lag, .. }, _)) => {
+                trunk.inverse().transform_point3(frame.position) + cue_lag
+            }
+            None => trunk.inverse().transform_point3(frame.position),
+        };
+        let swivel_rad = self.limbs.get(limb.index()).map_or(0.0, |rig| {
+            let obstacles = self.obstacles(limb, &trunk, skeleton, &pose);
+            let natural = rig.elbow_for(&frame, &base, obstacles.as_ref(), 0.0);
+            let hinge = rig.hinge_at(pose.rotation(rig.bones[0]), &base) - base.origin;
+            rig.offset_of(natural, hinge, &frame, &base)
+        });
+        Now {
+            trunk,
+            base,
+            joints,
+            frame,
+            cue,
+            lean,
+            swivel_rad,
+        }
+    }
+
+    /// The joint angles of a limb's bones in a pose: of all that turn them so, those within
+    /// the limits and nearest to ease, as equal angles near the middle of their ranges.
+    fn configuration(&self, limb: Limb, pose: &Pose, base: &Base) -> Joints {
+        let found: Solutions = match self.limbs.get(limb.index()) {
+            Some(rig) => rig.joints_of(rig.bones.map(|b| pose.rotation(b)), base),
+            None => self
+                .head
+                .joints_of(HEAD_BONES.map(|b| pose.rotation(b)), base),
+        };
+        let choice = Choice {
+            limited: 1.0,
+            current: None,
+            preferred: &AT_EASE,
+        };
+        let limits = self.limits(limb);
+        // Angles that have to be bent are worse the more they are.
+        let chosen = choose(&found, limits, &choice, &|kept| {
+            let all = found.as_slice().iter();
+            let off = all.map(|raw| {
+                let bend = raw
+                    .iter()
+                    .zip(kept)
+                    .map(|(a, b)| ops::wrap_angle(a - b).abs());
+                bend.sum::<f64>()
+            });
+            off.fold(f64::INFINITY, f64::min)
+        });
+        let index = chosen.map_or(0, |(index, _)| index);
+        let raw = found.as_slice().get(index).copied().unwrap_or_default();
+        limits::keep(limits, 0.0, &raw)
+    }
+
+    /// Joint angles set, those that are given.
+    fn to_joints(&self, limb: Limb, angles: &[Option<f64>; 6], now: &Now) -> Kind {
+        let mut to = now.held();
+        for (joint, angle) in to.joints.iter_mut().zip(angles) {
+            *joint = angle.unwrap_or(*joint);
+        }
+        if self.tracks[limb.index()].has_limits() {
+            to.joints = limits::keep(self.limits(limb), 1.0, &to.joints);
+        }
+        // The girdle follows the place where the wrist would come with the girdle at rest.
+        let rest = self.base(limb, &now.trunk, None);
+        let end = self.posed(limb, &to.joints, &rest).frame.position;
+        to.cue = now.trunk.inverse().transform_point3(end);
+        to.lean = DVec3::ZERO;
+        Kind::Joints {
+            from: now.held(),
+            to,
+            secs: QUICK_SECS.max(longest(&now.joints, &to.joints) / QUICK_RAD_PER_S),
+            even: false,
+        }
+    }
+
+    /// To the joint angles of a target, which are those for the body at the end of the way.
+    fn interpolate_joints(
+        &self,
+        limb: Limb,
+        at: f64,
+        to: &Frame,
+        pace: Pace,
+        now: &Now,
+        scene: &Scene<'_>,
+    ) -> Kind {
+        let (even, mut secs) = match pace {
+            Pace::Secs(secs) => (false, secs.max(0.0)),
+            Pace::RadPerSec(_) => (true, 0.0),
+        };
+        let mut end = self.held_at(limb, to, at + secs, now, scene);
+        if let Pace::RadPerSec(speed) = pace {
+            // Slower than this nobody would see it move.
+            let speed = speed.max(1e-3);
+            secs = even_secs(longest(&now.joints, &end.joints), speed);
+            end = self.held_at(limb, to, at + secs, now, scene);
+            secs = even_secs(longest(&now.joints, &end.joints), speed);
+        }
+        Kind::Joints {
+            from: now.held(),
+            to: end,
+            secs,
+            even,
+        }
+    }
+
+    /// The joints that bring a limb to a target at a time, as near to those of now as can be.
+    fn held_at(
+        &self,
+        limb: Limb,
+        to: &Frame,
+        time_secs: f64,
+        now: &Now,
+        scene: &Scene<'_>,
+    ) -> Held {
+        let mut pose = scene.idle(time_secs);
+        let goal = Goal::Frame {
+            frame: *to,
+            swivel_rad: 0.0,
+            cue_lag: DVec3::ZERO,
+        };
+        let lean = self.lean_for(limb, &goal, scene.skeleton, &pose);
+        super::lean::apply(scene.skeleton, lean, &mut pose);
+        let limited = self.tracks[limb.index()].has_limits();
+        let terms = Terms {
+            limited: f64::from(u8::from(limited)),
+            set_in: 1.0,
+        };
+        let met = self.meet(
+            limb,
+            &goal,
+            &terms,
+            Some(&now.joints),
+            scene.skeleton,
+            &pose,
+        );
+        let mut joints = met.joints;
+        if !limited {
+            for (joint, from) in joints.iter_mut().zip(&now.joints) {
+                *joint = from + ops::wrap_angle(*joint - from);
+            }
+        }
+        Held {
+            joints,
+            cue: met.cue,
+            lean,
+        }
+    }
+
+    /// Follows velocities by inverse velocity, in fixed steps.
+    fn follow(
+        &self,
+        limb: Limb,
+        now: &Now,
+        most_secs: f64,
+        wanted: &dyn Fn(&Frame) -> Twist,
+    ) -> Kind {
+        let limited = self.tracks[limb.index()].has_limits();
+        let mut state = now.held();
+        let mut held = vec![state];
+        let mut base = now.base;
+        let mut frame = now.frame;
+        let steps = (most_secs * STEPS_HZ).ceil() as usize;
+        for step in 1..=steps {
+            let gathered = smooth(step as f64 / (START_SECS * STEPS_HZ));
+            let twist = wanted(&frame);
+            if twist.linear.length() < 3e-5 && twist.angular.length() < 3e-4 {
+                break;
+            }
+            let axes = match self.limbs.get(limb.index()) {
+                Some(rig) => rig.axes(&state.joints, &base),
+                None => self.head.axes(&state.joints, &base),
+            };
+            let speeds = joint_speeds(&axes, frame.position, &twist);
+            for (joint, speed) in state.joints.iter_mut().zip(speeds) {
+                *joint += speed * gathered / STEPS_HZ;
+            }
+            if limited {
+                state.joints = limits::keep(self.limits(limb), 1.0, &state.joints);
+            }
+            // The girdle follows, and moves the base under the arm.
+            state.cue = now.trunk.inverse().transform_point3(frame.position);
+            let scapula = self
+                .girdles
+                .get(limb.index())
+                .map(|girdle| girdle.scapula_for(&now.trunk, frame.position, 0.0));
+            base = self.base(limb, &now.trunk, scapula);
+            frame = self.posed(limb, &state.joints, &base).frame;
+            if step % STEPS_A_SAMPLE == 0 {
+                held.push(state);
+            }
+        }
+        Kind::Samples {
+            held,
+            step_secs: STEPS_A_SAMPLE as f64 / STEPS_HZ,
+        }
+    }
+}
+
+/// The longest way of a joint, radians.
+fn longest(from: &Joints, to: &Joints) -> f64 {
+    let ways = from.iter().zip(to).map(|(a, b)| (a - b).abs());
+    ways.fold(0.0, f64::max)
+}
+
+impl Motion {
+    /// Whether it says where the limb goes.
+    fn moves(&self) -> bool {
+        !matches!(self, Self::Configure { .. })
+    }
+}

@@ -1,0 +1,178 @@
+//! The head as a manipulator of five joints: two of the neck place the skull, three of the
+//! skull turn it (GEVH section 3.3.2.2).
+
+use core::f64::consts::PI;
+
+use raconteur_base::{DAffine3, DMat3, DQuat, DVec3, ops};
+use raconteur_body::{Bone, Pose, Skeleton};
+
+use super::limits::{self, Limit, Sex};
+use super::rig::{Base, Posed};
+use super::solve::Solutions;
+use super::{Frame, Joints, Limb};
+use crate::kinematics::{rotation_of, world_from_bone};
+
+/// Neck and skull of a figure. The base has the body's axes: x left, y up, z front.
+#[derive(Clone, Debug)]
+pub struct HeadRig {
+    limits: [Limit; 7],
+    thorax_zero: DQuat,
+    neck_in_thorax: DVec3,
+    /// The skull's joint from the neck's, body axes, upright, metres.
+    skull_from_neck: DVec3,
+    neck_zero: DQuat,
+    /// Body axes from neck and from skull in the zero pose.
+    body_from_neck: DQuat,
+    body_from_skull: DQuat,
+}
+
+/// The bones that the head's joints turn.
+pub(super) const HEAD_BONES: [Bone; 2] = [Bone::Cervical, Bone::Skull];
+
+impl HeadRig {
+    /// Measures the head of a skeleton.
+    #[must_use]
+    pub fn new(skeleton: &Skeleton, sex: Sex) -> Self {
+        let zero = Pose::zero();
+        let [neck, skull] = HEAD_BONES.map(|b| world_from_bone(skeleton, &zero, b));
+        let joint = &skeleton.joints()[Bone::Cervical.index()];
+        Self {
+            limits: limits::limits(Limb::Head, sex),
+            thorax_zero: rotation_of(&world_from_bone(skeleton, &zero, Bone::Thoracic)),
+            neck_in_thorax: joint.translation_in_parent,
+            skull_from_neck: skull.translation - neck.translation,
+            neck_zero: joint.zero_rotation,
+            body_from_neck: rotation_of(&neck),
+            body_from_skull: rotation_of(&skull),
+        }
+    }
+
+    /// The limits of the joints.
+    #[must_use]
+    pub fn limits(&self) -> &[Limit; 7] {
+        &self.limits
+    }
+
+    /// Where the manipulator stands on a thorax, figure axes.
+    #[must_use]
+    pub fn base(&self, thorax: &DAffine3) -> Base {
+        let parent = rotation_of(thorax);
+        Base {
+            origin: thorax.transform_point3(self.neck_in_thorax),
+            rotation: parent * self.thorax_zero.inverse(),
+            parent,
+        }
+    }
+
+    fn neck_turn(joints: &Joints) -> DQuat {
+        DQuat::from_rotation_z(-joints[0]) * DQuat::from_rotation_x(joints[1])
+    }
+
+    /// Forward kinematics: local rotations of neck and skull, and where the skull comes.
+    #[must_use]
+    pub fn posed(&self, joints: &Joints, base: &Base) -> Posed {
+        let neck = Self::neck_turn(joints);
+        let turn = DQuat::from_rotation_y(joints[2])
+            * DQuat::from_rotation_x(joints[3])
+            * DQuat::from_rotation_z(-joints[4]);
+        let neck_in_figure = base.rotation * neck * self.body_from_neck;
+        let local = self.body_from_skull.inverse() * turn * self.body_from_skull;
+        Posed {
+            rotations: [
+                ((base.parent * self.neck_zero).inverse() * neck_in_figure).normalize(),
+                local.normalize(),
+                DQuat::IDENTITY,
+            ],
+            frame: Frame {
+                position: base.origin + base.rotation * neck * self.skull_from_neck,
+                rotation: (base.rotation * neck * turn).normalize(),
+            },
+        }
+    }
+
+    /// The joint angles of bones that [`HeadRig::posed`] could have turned; of others the
+    /// nearest: a neck has no twist here.
+    #[must_use]
+    pub fn joints_of(&self, rotations: [DQuat; 2], base: &Base) -> Solutions {
+        let neck = base.parent * self.neck_zero * rotations[0] * self.body_from_neck.inverse();
+        let skull = neck * self.body_from_skull * rotations[1] * self.body_from_skull.inverse();
+        let target = Frame {
+            position: base.origin + neck * self.skull_from_neck,
+            rotation: skull,
+        };
+        self.solutions(&target, base)
+    }
+
+    /// A place of the skull's joint (from the base, metres) brought onto the sphere about
+    /// the neck, and whether it had to be.
+    #[must_use]
+    pub fn projected(&self, from_base: DVec3) -> (DVec3, bool) {
+        let radius = self.skull_from_neck.length();
+        let direction = from_base.try_normalize().unwrap_or(DVec3::Y);
+        let moved = (from_base.length() - radius).abs() > 1e-9;
+        (direction * radius, moved)
+    }
+
+    /// All solutions, up to four, the most upright neck first. The target lies on the sphere
+    /// about the neck; where the neck cannot point, the nearest is taken.
+    #[must_use]
+    pub fn solutions(&self, target: &Frame, base: &Base) -> Solutions {
+        let mut found = Solutions::default();
+        let p = base.rotation.inverse() * (target.position - base.origin);
+        let arm = self.skull_from_neck;
+        let level = (arm.y * arm.y + arm.z * arm.z).sqrt().max(1e-9);
+        let lean = ops::asin_clamped(p.z / level);
+        let own = ops::atan2(arm.z, arm.y);
+        for raised in [lean, PI - lean] {
+            let up = level * ops::cos(raised);
+            let tilt = ops::atan2(up, arm.x) - ops::atan2(p.y, p.x);
+            let mut joints = Joints::default();
+            joints[0] = ops::wrap_angle(tilt);
+            joints[1] = ops::wrap_angle(raised - own);
+            let neck = base.rotation * Self::neck_turn(&joints);
+            for skull in turn_angles(neck.inverse() * target.rotation) {
+                joints[2..5].copy_from_slice(&skull);
+                found.push(joints);
+            }
+        }
+        found
+    }
+
+    /// The axes of the joints and a point on each, figure axes, for inverse velocity.
+    pub(super) fn axes(&self, joints: &Joints, base: &Base) -> [(DVec3, DVec3); 7] {
+        let tilted = base.rotation * DQuat::from_rotation_z(-joints[0]);
+        let neck = base.rotation * Self::neck_turn(joints);
+        let skull = base.origin + neck * self.skull_from_neck;
+        let turned = neck * DQuat::from_rotation_y(joints[2]);
+        let nodded = turned * DQuat::from_rotation_x(joints[3]);
+        let none = (DVec3::ZERO, skull);
+        [
+            (base.rotation * DVec3::NEG_Z, base.origin),
+            (tilted * DVec3::X, base.origin),
+            (neck * DVec3::Y, skull),
+            (turned * DVec3::X, skull),
+            (nodded * DVec3::NEG_Z, skull),
+            none,
+            none,
+        ]
+    }
+}
+
+/// Both sets of turn, nod and tilt of a skull's turn.
+fn turn_angles(turn: DQuat) -> [[f64; 3]; 2] {
+    let m = DMat3::from_quat(turn);
+    let (x, y, z) = (m.x_axis, m.y_axis, m.z_axis);
+    let level = (z.x * z.x + z.z * z.z).sqrt();
+    let nod = ops::atan2(-z.y, level);
+    // Looking straight up or down, turn and tilt are one: all goes to the tilt.
+    let (a, c) = if level > 1e-9 {
+        (ops::atan2(z.x, z.z), ops::atan2(x.y, y.y))
+    } else {
+        (0.0, ops::atan2(-y.x, x.x))
+    };
+    let wrap = ops::wrap_angle;
+    [
+        [wrap(a), nod, -wrap(c)],
+        [wrap(a + PI), wrap(PI - nod), -wrap(c + PI)],
+    ]
+}

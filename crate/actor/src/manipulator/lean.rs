@@ -1,0 +1,69 @@
+//! The spine helps long reaches: it bends and turns so that the shoulder comes nearer.
+
+use raconteur_base::{DQuat, DVec3, ops};
+use raconteur_body::{Bone, Pose, Skeleton};
+
+use crate::kinematics::{rotation_of, world_from_bone};
+
+/// Share of the arm's length from which the spine helps, and the width of its setting in.
+/// Designed: as people begin to lean before their arm is stretched.
+const BEGINS: f64 = 0.985;
+const SOFT: f64 = 0.02;
+/// How much more the spine turns than the shoulder would need if all of the spine turned
+/// at its foot.
+const GAIN: f64 = 1.3;
+/// Lean that is approached by the farthest targets, radians.
+const MOST_RAD: f64 = 0.8;
+
+/// The lean that an arm asks for: a rotation vector in figure axes. `shoulder` is where the
+/// joint is without it, `lumbar` the foot of the spine.
+pub(super) fn wanted(shoulder: DVec3, lumbar: DVec3, target: DVec3, reach_m: f64) -> DVec3 {
+    let to = target - shoulder;
+    let distance = to.length();
+    let soft = SOFT * reach_m;
+    let over = (distance - BEGINS * reach_m) / soft;
+    // The softened positive part, without overflow.
+    let missing = soft * (over.max(0.0) + ops::ln(1.0 + ops::exp(-over.abs())));
+    let arm = shoulder - lumbar;
+    let turn = arm.cross(to) * (GAIN * missing / (distance.max(1e-9) * arm.length_squared()));
+    turn / (1.0 + turn.length() / MOST_RAD)
+}
+
+/// Leans the spine by a rotation vector, half of it at its foot and half in the chest.
+pub(super) fn apply(skeleton: &Skeleton, lean: DVec3, pose: &mut Pose) {
+    if lean == DVec3::ZERO {
+        return;
+    }
+    let half = DQuat::from_scaled_axis(0.5 * lean);
+    for bone in [Bone::Lumbar, Bone::Thoracic] {
+        let own = rotation_of(&world_from_bone(skeleton, pose, bone));
+        let local = own.inverse() * half * own;
+        pose.set(bone, (pose.rotation(bone) * local).normalize());
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_shoulder_comes_nearer_to_far_targets_only() {
+        let skeleton = Skeleton::example();
+        let at = |pose: &Pose, bone| world_from_bone(&skeleton, pose, bone).translation;
+        let zero = Pose::zero();
+        let (shoulder, lumbar) = (at(&zero, Bone::LShoulder), at(&zero, Bone::Lumbar));
+        for direction in [DVec3::Z, DVec3::X, DVec3::new(-0.6, 0.3, 1.0), DVec3::Y] {
+            let direction = direction.normalize();
+            let near = wanted(shoulder, lumbar, shoulder + direction * 0.4, 0.58);
+            assert!(near.length() < 1e-3, "{near}");
+            let target = shoulder + direction * 0.75;
+            let lean = wanted(shoulder, lumbar, target, 0.58);
+            let mut pose = Pose::zero();
+            apply(&skeleton, lean, &mut pose);
+            let nearer = 0.75 - at(&pose, Bone::LShoulder).distance(target);
+            // Upwards a spine can help only a little, by bending to the other side.
+            let least = if direction.y > 0.9 { 0.01 } else { 0.08 };
+            assert!(nearer > least, "{direction}: {nearer}");
+        }
+    }
+}

@@ -1,0 +1,468 @@
+//! Functions of time along which limbs and whole figures move (GEVH D.1.6 and D.3.23).
+//!
+//! A [`Path`] says what a script says; [`Curve`] is the path with what it left open filled
+//! in from where the limb was. Curves begin and, unless they loop, end at rest.
+
+use core::f64::consts::TAU;
+
+use raconteur_base::curve::{lerp, minimum_jerk};
+use raconteur_base::{DMat3, DQuat, DVec3, ops};
+
+use super::Frame;
+
+/// A place of which parts may be left open. Positions in metres, figure axes (or world, for
+/// the whole figure); angles in radians: yaw about y, then pitch about x, then roll about z,
+/// each in the turned axes.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Place {
+    /// x, y and z.
+    pub position: [Option<f64>; 3],
+    /// Yaw, pitch and roll.
+    pub angles: [Option<f64>; 3],
+}
+
+impl Place {
+    fn position_or(&self, other: DVec3) -> DVec3 {
+        let [x, y, z] = self.position;
+        DVec3::new(
+            x.unwrap_or(other.x),
+            y.unwrap_or(other.y),
+            z.unwrap_or(other.z),
+        )
+    }
+
+    fn angles_or(&self, other: [f64; 3]) -> [f64; 3] {
+        let [a, b, c] = self.angles;
+        [
+            a.unwrap_or(other[0]),
+            b.unwrap_or(other[1]),
+            c.unwrap_or(other[2]),
+        ]
+    }
+}
+
+/// Yaw, pitch and roll as a rotation.
+#[must_use]
+pub fn rotation_from([yaw, pitch, roll]: [f64; 3]) -> DQuat {
+    DQuat::from_rotation_y(yaw) * DQuat::from_rotation_x(pitch) * DQuat::from_rotation_z(roll)
+}
+
+/// A rotation as yaw, pitch and roll, radians, the pitch in −π/2..π/2.
+#[must_use]
+pub fn angles_of(rotation: DQuat) -> [f64; 3] {
+    let m = DMat3::from_quat(rotation);
+    let (x, y, z) = (m.x_axis, m.y_axis, m.z_axis);
+    let level = (z.x * z.x + z.z * z.z).sqrt();
+    let pitch = ops::atan2(-z.y, level);
+    if level > 1e-9 {
+        [ops::atan2(z.x, z.z), pitch, ops::atan2(x.y, y.y)]
+    } else {
+        [0.0, pitch, ops::atan2(-y.x, x.x)]
+    }
+}
+
+/// The form of a path.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Shape {
+    /// A straight line.
+    Segment,
+    /// A straight line with a wave across it.
+    Sinusoid {
+        /// Height of the wave and its direction, metres.
+        across: DVec3,
+        /// Waves on the way.
+        cycles: f64,
+    },
+    /// A cubic Bézier curve.
+    Bezier {
+        /// The two inner control points.
+        controls: [Place; 2],
+    },
+    /// A cubic Hermite curve.
+    Hermite {
+        /// Velocities at its ends, metres in one period.
+        tangents: [DVec3; 2],
+    },
+    /// A circle, an ellipse or, with a rise, a helix.
+    Round {
+        /// Its middle.
+        centre: Place,
+        /// Direction that its plane faces; any length, the front where it is zero.
+        normal: DVec3,
+        /// Half axes: sideways, and upwards in the plane, metres.
+        radii: [f64; 2],
+        /// Angle at which it starts, from sideways (the figure's left when the plane faces
+        /// the front) upwards, radians.
+        from_rad: f64,
+        /// Rounds in one period; negative goes the other way.
+        turns: f64,
+        /// Way along the normal in one period, metres.
+        rise: f64,
+    },
+    /// Bernoulli's lemniscate, a lying eight.
+    Lemniscate {
+        /// Its middle.
+        centre: Place,
+        /// Direction that its plane faces, as above.
+        normal: DVec3,
+        /// From the middle to either end, metres.
+        half_width: f64,
+        /// How far it is turned about the normal, radians.
+        tilt_rad: f64,
+        /// Rounds in one period.
+        turns: f64,
+    },
+}
+
+/// A function of time.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Path {
+    /// Its form.
+    pub shape: Shape,
+    /// Where it begins; what is open is where the limb is. Round shapes use the angles only.
+    pub from: Place,
+    /// Where it ends; what is open is as at the beginning.
+    pub to: Place,
+    /// How long it takes, seconds.
+    pub period_secs: f64,
+    /// Whether it begins again after its period.
+    pub looping: bool,
+}
+
+#[derive(Clone, Debug)]
+enum Form {
+    /// Bézier control points, a wave across and its number.
+    Cubic([DVec3; 4], DVec3, f64),
+    /// Centre, the two half axes, the way along the normal, first angle and rounds.
+    Round([DVec3; 4], f64, f64),
+    /// Centre and the two half axes, rounds.
+    Eight([DVec3; 3], f64),
+}
+
+impl Form {
+    fn at(&self, share: f64) -> DVec3 {
+        match self {
+            Self::Cubic([a, b, c, d], across, cycles) => {
+                let (s, r) = (share, 1.0 - share);
+                let on = *a * (r * r * r)
+                    + *b * (3.0 * r * r * s)
+                    + *c * (3.0 * r * s * s)
+                    + *d * (s * s * s);
+                on + *across * ops::sin(TAU * cycles * s)
+            }
+            Self::Round([centre, u, v, rise], from, turns) => {
+                let (s, c) = ops::sincos(from + TAU * turns * share);
+                *centre + *u * c + *v * s + *rise * share
+            }
+            Self::Eight([centre, u, v], turns) => {
+                let (s, c) = ops::sincos(TAU * turns * share);
+                let scale = 1.0 / (1.0 + s * s);
+                *centre + *u * (c * scale) + *v * (s * c * scale)
+            }
+        }
+    }
+}
+
+/// Sideways and upwards in the plane that faces a direction, and that direction; unit.
+fn plane(normal: DVec3) -> [DVec3; 3] {
+    let n = normal.try_normalize().unwrap_or(DVec3::Z);
+    let u = DVec3::Y.cross(n).try_normalize().unwrap_or(DVec3::X);
+    [u, n.cross(u), n]
+}
+
+/// Time in which a curve gathers speed, seconds, and the most of its period.
+const GATHER_SECS: f64 = 0.3;
+const GATHER_SHARE: f64 = 1.0 / 3.0;
+/// Fastest that a limb hurries to a curve that begins elsewhere: mean speed, m/s and rad/s.
+/// Designed: a quick reach has some 1 m/s.
+const HURRY_M_PER_S: f64 = 0.9;
+const HURRY_RAD_PER_S: f64 = 3.0;
+
+/// A path ready to be followed.
+#[derive(Clone, Debug)]
+pub struct Curve {
+    form: Form,
+    from_angles: [f64; 3],
+    to_angles: [f64; 3],
+    period_secs: f64,
+    looping: bool,
+    /// From the curve's beginning to where the limb was.
+    lag: Lag,
+    /// From the curve's beginning to its end, for the next round.
+    seam: Lag,
+}
+
+/// A difference that is made up in some time.
+#[derive(Clone, Copy, Debug)]
+struct Lag {
+    position: DVec3,
+    rotation: DQuat,
+    secs: f64,
+}
+
+impl Lag {
+    fn between(from: &Frame, to: &Frame, most_secs: f64) -> Self {
+        let position = to.position - from.position;
+        let rotation = (to.rotation * from.rotation.inverse()).normalize();
+        let turn = rotation.angle_between(DQuat::IDENTITY);
+        let secs = (position.length() / HURRY_M_PER_S).max(turn / HURRY_RAD_PER_S);
+        Self {
+            position,
+            rotation,
+            secs: secs.min(most_secs),
+        }
+    }
+
+    fn left(&self, frame: Frame, secs: f64) -> Frame {
+        if self.secs <= 0.0 || secs >= self.secs {
+            return frame;
+        }
+        let left = 1.0 - minimum_jerk(secs / self.secs);
+        Frame {
+            position: frame.position + self.position * left,
+            rotation: (DQuat::IDENTITY.slerp(self.rotation, left) * frame.rotation).normalize(),
+        }
+    }
+}
+
+impl Curve {
+    /// Fills in what a path leaves open from where the limb or figure is.
+    #[must_use]
+    pub fn new(path: &Path, now: &Frame) -> Self {
+        let now_angles = angles_of(now.rotation);
+        let start = path.from.position_or(now.position);
+        let end = path.to.position_or(start);
+        let form = match &path.shape {
+            Shape::Segment => cubic(start, end, DVec3::ZERO, 0.0),
+            Shape::Sinusoid { across, cycles } => cubic(start, end, *across, *cycles),
+            Shape::Bezier { controls } => {
+                let [b, c] = [controls[0].position_or(start), controls[1].position_or(end)];
+                Form::Cubic([start, b, c, end], DVec3::ZERO, 0.0)
+            }
+            Shape::Hermite { tangents } => {
+                let [b, c] = [start + tangents[0] / 3.0, end - tangents[1] / 3.0];
+                Form::Cubic([start, b, c, end], DVec3::ZERO, 0.0)
+            }
+            Shape::Round {
+                centre,
+                normal,
+                radii,
+                from_rad,
+                turns,
+                rise,
+            } => {
+                let [u, v, n] = plane(*normal);
+                let (u, v) = (u * radii[0], v * radii[1]);
+                let (s, c) = ops::sincos(*from_rad);
+                let own = centre.position_or(now.position - u * c - v * s);
+                Form::Round([own, u, v, n * *rise], *from_rad, *turns)
+            }
+            Shape::Lemniscate {
+                centre,
+                normal,
+                half_width,
+                tilt_rad,
+                turns,
+            } => {
+                let [u, v, n] = plane(*normal);
+                let tilt = DQuat::from_axis_angle(n, *tilt_rad);
+                let (u, v) = (tilt * u * *half_width, tilt * v * *half_width);
+                let own = centre.position_or(now.position - u);
+                Form::Eight([own, u, v], *turns)
+            }
+        };
+        let from_angles = path.from.angles_or(now_angles);
+        let none = Lag {
+            position: DVec3::ZERO,
+            rotation: DQuat::IDENTITY,
+            secs: 0.0,
+        };
+        let mut curve = Self {
+            form,
+            from_angles,
+            to_angles: path.to.angles_or(from_angles),
+            period_secs: path.period_secs.max(0.0),
+            looping: path.looping && path.period_secs > 0.0,
+            lag: none,
+            seam: none,
+        };
+        let (first, last) = (curve.on_form(0.0), curve.on_form(1.0));
+        let most = if curve.looping {
+            0.5 * curve.period_secs
+        } else {
+            f64::INFINITY
+        };
+        curve.lag = Lag::between(&first, now, f64::INFINITY);
+        curve.seam = Lag::between(&first, &last, most);
+        curve
+    }
+
+    /// Where the curve begins.
+    #[must_use]
+    pub fn start(&self) -> Frame {
+        self.on_form(0.0)
+    }
+
+    fn on_form(&self, share: f64) -> Frame {
+        let angles = [0, 1, 2].map(|i| lerp(self.from_angles[i], self.to_angles[i], share));
+        Frame {
+            position: self.form.at(share),
+            rotation: rotation_from(angles),
+        }
+    }
+
+    /// Where it is some seconds after its beginning.
+    #[must_use]
+    pub fn at(&self, secs: f64) -> Frame {
+        let secs = secs.max(0.0);
+        let period = self.period_secs;
+        if period <= 0.0 {
+            return self.lag.left(self.on_form(1.0), secs);
+        }
+        let gather = GATHER_SECS.min(GATHER_SHARE * period);
+        let frame = if self.looping {
+            let run = eased(secs, gather);
+            let round = (run / period).floor();
+            let within = run - round * period;
+            let frame = self.on_form(within / period);
+            if round > 0.0 {
+                self.seam.left(frame, within)
+            } else {
+                frame
+            }
+        } else {
+            let run = eased(secs.min(period), gather);
+            let run = period - eased(period - run, gather);
+            self.on_form(run / period)
+        };
+        self.lag.left(frame, secs)
+    }
+}
+
+fn cubic(start: DVec3, end: DVec3, across: DVec3, cycles: f64) -> Form {
+    let [b, c] = [start.lerp(end, 1.0 / 3.0), start.lerp(end, 2.0 / 3.0)];
+    Form::Cubic([start, b, c, end], across, cycles)
+}
+
+/// Time that begins at rest and has caught up after `gather` seconds.
+fn eased(secs: f64, gather: f64) -> f64 {
+    let s = secs / gather;
+    if s >= 1.0 || gather <= 0.0 {
+        secs
+    } else {
+        gather * s * s * (2.0 - s)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const NOW: Frame = Frame {
+        position: DVec3::new(0.3, 1.1, 0.2),
+        rotation: DQuat::IDENTITY,
+    };
+
+    fn path(shape: Shape, looping: bool) -> Path {
+        Path {
+            shape,
+            from: Place::default(),
+            to: Place::default(),
+            period_secs: 2.0,
+            looping,
+        }
+    }
+
+    fn round(turns: f64, rise: f64) -> Shape {
+        Shape::Round {
+            centre: Place::default(),
+            normal: DVec3::ZERO,
+            radii: [0.1, 0.2],
+            from_rad: 0.0,
+            turns,
+            rise,
+        }
+    }
+
+    #[test]
+    fn angles_and_rotations_convert_both_ways() {
+        for i in 0..200 {
+            let r = |k| raconteur_base::noise::signed(5, k, i);
+            let angles = [3.0 * r(0), 1.5 * r(1), 3.0 * r(2)];
+            let q = rotation_from(angles);
+            assert!(rotation_from(angles_of(q)).angle_between(q) < 1e-7);
+        }
+        let down = rotation_from([0.4, core::f64::consts::FRAC_PI_2, 0.0]);
+        assert!(rotation_from(angles_of(down)).angle_between(down) < 1e-6);
+    }
+
+    #[test]
+    fn open_ends_are_where_the_limb_is() {
+        let mut segment = path(Shape::Segment, false);
+        segment.to.position[1] = Some(1.5);
+        let curve = Curve::new(&segment, &NOW);
+        assert!(curve.at(0.0).position.distance(NOW.position) < 1e-12);
+        let middle = curve.at(1.0).position;
+        assert!(middle.distance(DVec3::new(0.3, 1.3, 0.2)) < 1e-9);
+        assert!(curve.at(9.0).position.distance(DVec3::new(0.3, 1.5, 0.2)) < 1e-9);
+    }
+
+    #[test]
+    fn nothing_jumps_not_even_where_a_loop_closes() {
+        let mut far = path(Shape::Segment, true);
+        far.from.position = [Some(0.5), Some(1.4), Some(0.0)];
+        far.to.position = [Some(0.1), Some(0.9), Some(0.4)];
+        far.to.angles[0] = Some(1.0);
+        let eight = Shape::Lemniscate {
+            centre: Place::default(),
+            normal: DVec3::X,
+            half_width: 0.2,
+            tilt_rad: 0.5,
+            turns: 1.0,
+        };
+        let wave = Shape::Sinusoid {
+            across: DVec3::Y * 0.1,
+            cycles: 3.0,
+        };
+        let bezier = Shape::Bezier {
+            controls: [Place::default(); 2],
+        };
+        let hermite = Shape::Hermite {
+            tangents: [DVec3::X, DVec3::Y],
+        };
+        let all = [
+            round(1.0, 0.0),
+            round(-2.0, 0.3),
+            eight,
+            wave,
+            bezier,
+            hermite,
+        ];
+        let paths = all.into_iter().map(|s| path(s, true)).chain([far]);
+        for path in paths {
+            let curve = Curve::new(&path, &NOW);
+            assert!(curve.at(0.0).position.distance(NOW.position) < 1e-9);
+            let mut last = curve.at(0.0);
+            for i in 1..800 {
+                let next = curve.at(f64::from(i) * 0.01);
+                let step = next.position.distance(last.position);
+                assert!(step < 0.04, "{path:?} at {i}: {step}");
+                assert!(next.rotation.angle_between(last.rotation) < 0.1);
+                assert!(next.rotation.is_normalized());
+                last = next;
+            }
+        }
+    }
+
+    #[test]
+    fn a_circle_keeps_its_radii_and_a_helix_rises() {
+        let curve = Curve::new(&path(round(1.0, 0.3), false), &NOW);
+        let quarter = curve.at(0.5).position - NOW.position;
+        assert!(
+            quarter.distance(DVec3::new(-0.1, 0.2, 0.075)) < 1e-9,
+            "{quarter}"
+        );
+        let end = curve.at(2.0).position - NOW.position;
+        assert!(end.distance(DVec3::new(0.0, 0.0, 0.3)) < 1e-9, "{end}");
+    }
+}

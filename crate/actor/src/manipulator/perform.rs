@@ -1,0 +1,370 @@
+//! The manipulators of one figure, performing: a function of time that keeps nothing and
+//! allocates nothing.
+
+use raconteur_base::{DAffine3, DQuat, DVec3, Side};
+use raconteur_body::{Bone, Pose, Skeleton};
+
+use super::head::{HEAD_BONES, HeadRig};
+use super::limits::{self, Limit};
+use super::rig::{Base, LimbRig, Posed};
+use super::root::RootTrack;
+use super::solve::{AT_EASE, Choice, Solutions, choose, matrix_error};
+use super::swivel::Obstacles;
+use super::track::{Goal, Track};
+use super::{Frame, Joints, Limb, ManipulatorScript, Sex, lean};
+use crate::arm_ik::{ARM_BONES, ArmRig};
+use crate::kinematics::{rotation_of, world_from_bone};
+
+/// Where a limb was sent and how near it came.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reached {
+    /// Target, figure axes.
+    pub target: Frame,
+    /// Distance of the end from it, metres.
+    pub error_m: f64,
+}
+
+/// The rigs of a figure, and what each of its limbs does when.
+#[derive(Clone, Debug)]
+pub struct Manipulators {
+    pub(super) girdles: [ArmRig; 2],
+    pub(super) limbs: [LimbRig; 4],
+    pub(super) head: HeadRig,
+    pub(super) tracks: [Track; 5],
+    pub(super) root: RootTrack,
+    /// From the skull's joint to the middle of the head, skull axes, metres.
+    head_middle: DVec3,
+    thorax_zero: DAffine3,
+    shoulders: DVec3,
+    scale: f64,
+}
+
+/// How a limb is to be placed.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Terms {
+    /// How much limits count.
+    pub(super) limited: f64,
+    /// How much the girdle follows the arm instead of what it did before.
+    pub(super) set_in: f64,
+}
+
+/// A goal met as far as it can be.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Met {
+    pub(super) posed: Posed,
+    /// The scapula's rotation, of an arm.
+    pub(super) scapula: Option<DQuat>,
+    /// Joints of the solution.
+    pub(super) joints: Joints,
+    /// What the girdle followed, trunk axes, metres.
+    pub(super) cue: DVec3,
+    pub(super) target: Frame,
+}
+
+impl Manipulators {
+    /// Measures a figure and prepares a script for it. `idle` poses the figure as it is
+    /// without manipulators at a time; commands begin where that, or the commands before
+    /// them, have brought their limb.
+    #[must_use]
+    pub fn new(
+        script: &ManipulatorScript,
+        skeleton: &Skeleton,
+        sex: Sex,
+        idle: &dyn Fn(f64, &mut Pose),
+    ) -> Self {
+        let mut all = Self::at_rest(skeleton, sex);
+        all.root = RootTrack::new(&script.moves);
+        all.compile(script, skeleton, idle);
+        all
+    }
+
+    /// Manipulators that nothing is asked of.
+    #[must_use]
+    pub fn at_rest(skeleton: &Skeleton, sex: Sex) -> Self {
+        let zero = Pose::zero();
+        let at = |bone| world_from_bone(skeleton, &zero, bone);
+        let scale = skeleton.stature_m() / 1.7;
+        let shoulders = [Bone::LShoulder, Bone::RShoulder].map(|b| at(b).translation);
+        let skull = rotation_of(&at(Bone::Skull));
+        Self {
+            girdles: Side::BOTH.map(|side| ArmRig::new(skeleton, side)),
+            limbs: [
+                (Side::Left, true),
+                (Side::Right, true),
+                (Side::Left, false),
+                (Side::Right, false),
+            ]
+            .map(|(side, is_arm)| LimbRig::new(skeleton, side, is_arm, sex)),
+            head: HeadRig::new(skeleton, sex),
+            tracks: Default::default(),
+            root: RootTrack::default(),
+            head_middle: skull.inverse() * DVec3::new(0.0, 0.08, 0.02) * scale,
+            thorax_zero: at(Bone::Thoracic),
+            shoulders: (shoulders[0] + shoulders[1]) * 0.5,
+            scale,
+        }
+    }
+
+    /// World from figure axes at a time: where `vh-move` has brought the figure; none where
+    /// it never moves.
+    #[must_use]
+    pub fn world_from_figure(&self, time_secs: f64) -> Option<DAffine3> {
+        self.root.at(time_secs)
+    }
+
+    /// What a limb is to do at a time, and how far it is under control; none where it is not.
+    pub(super) fn goal(&self, limb: Limb, time_secs: f64) -> Option<(Goal, f64)> {
+        let track = &self.tracks[limb.index()];
+        let weight = track.weight(time_secs);
+        if weight <= 0.0 {
+            return None;
+        }
+        let figure_from_world = match self.root.at(time_secs) {
+            Some(moved) => moved.inverse(),
+            None => DAffine3::IDENTITY,
+        };
+        Some((track.goal(time_secs, &figure_from_world)?, weight))
+    }
+
+    /// Leans the spine for arms that reach far; before gestures and [`Manipulators::limbs`].
+    pub fn lean(&self, skeleton: &Skeleton, time_secs: f64, pose: &mut Pose) {
+        let mut sum = DVec3::ZERO;
+        for limb in [Limb::LeftArm, Limb::RightArm] {
+            if let Some((goal, weight)) = self.goal(limb, time_secs) {
+                sum += self.lean_for(limb, &goal, skeleton, pose) * weight;
+            }
+        }
+        lean::apply(skeleton, sum, pose);
+    }
+
+    /// The lean that a goal of an arm asks for in a pose without it.
+    pub(super) fn lean_for(
+        &self,
+        limb: Limb,
+        goal: &Goal,
+        skeleton: &Skeleton,
+        pose: &Pose,
+    ) -> DVec3 {
+        match (goal, self.girdles.get(limb.index())) {
+            (Goal::Joints(held), _) => held.lean,
+            (Goal::Frame { frame, .. }, Some(girdle)) => {
+                let thorax = world_from_bone(skeleton, pose, Bone::Thoracic);
+                let lumbar = world_from_bone(skeleton, pose, Bone::Lumbar).translation;
+                let scapula = girdle.scapula_for(&thorax, frame.position, 0.0);
+                let shoulder = girdle.shoulder_at(&thorax, scapula);
+                lean::wanted(shoulder, lumbar, frame.position, girdle.reach_m())
+            }
+            _ => DVec3::ZERO,
+        }
+    }
+
+    /// Moves arms and legs; after everything else that moves them. Where the wrists were
+    /// sent, left and right, as far as manipulators lead them.
+    pub fn limbs(
+        &self,
+        skeleton: &Skeleton,
+        time_secs: f64,
+        pose: &mut Pose,
+    ) -> [Option<Reached>; 2] {
+        let mut reached = [None; 2];
+        for (index, (limb, rig)) in Limb::ALL.into_iter().zip(&self.limbs).enumerate() {
+            let Some((goal, weight)) = self.goal(limb, time_secs) else {
+                continue;
+            };
+            let track = &self.tracks[index];
+            let set_in = track.set_in(time_secs);
+            let terms = Terms {
+                limited: track.limited(time_secs) * set_in,
+                set_in,
+            };
+            let met = self.meet(limb, &goal, &terms, None, skeleton, pose);
+            if let Some(place) = reached.get_mut(index) {
+                *place = Some(Reached {
+                    target: met.target,
+                    error_m: met.posed.frame.position.distance(met.target.position),
+                });
+            }
+            if let (Some(scapula), Some(bones)) = (met.scapula, ARM_BONES.get(index)) {
+                blend(pose, bones[0], scapula, weight);
+            }
+            for (bone, rotation) in rig.bones.into_iter().zip(met.posed.rotations) {
+                blend(pose, bone, rotation, weight);
+            }
+        }
+        reached
+    }
+
+    /// Turns the head; after gaze has turned it.
+    pub fn head(&self, skeleton: &Skeleton, time_secs: f64, pose: &mut Pose) {
+        let Some((goal, weight)) = self.goal(Limb::Head, time_secs) else {
+            return;
+        };
+        let track = &self.tracks[Limb::Head.index()];
+        let terms = Terms {
+            limited: track.limited(time_secs) * track.set_in(time_secs),
+            set_in: 1.0,
+        };
+        let met = self.meet(Limb::Head, &goal, &terms, None, skeleton, pose);
+        for (bone, rotation) in HEAD_BONES.into_iter().zip(met.posed.rotations) {
+            blend(pose, bone, rotation, weight);
+        }
+    }
+
+    /// Meets a goal of a limb as far as it can be. Of several ways the one nearest to
+    /// `current` is taken, or the most comfortable.
+    pub(super) fn meet(
+        &self,
+        limb: Limb,
+        goal: &Goal,
+        terms: &Terms,
+        current: Option<&Joints>,
+        skeleton: &Skeleton,
+        pose: &Pose,
+    ) -> Met {
+        let trunk = self.trunk(limb, skeleton, pose);
+        let cue = match goal {
+            Goal::Joints(held) => held.cue,
+            Goal::Frame { frame, cue_lag, .. } => {
+                trunk.inverse().transform_point3(frame.position) + *cue_lag
+            }
+        };
+        let scapula = self.girdles.get(limb.index()).map(|girdle| {
+            let wanted = girdle.scapula_for(&trunk, trunk.transform_point3(cue), 0.0);
+            let [bone, ..] = ARM_BONES[limb.index()];
+            pose.rotation(bone).slerp(wanted, terms.set_in)
+        });
+        let base = self.base(limb, &trunk, scapula);
+        let (joints, target) = match goal {
+            Goal::Joints(held) => {
+                let joints = limits::keep(self.limits(limb), terms.limited, &held.joints);
+                (joints, None)
+            }
+            Goal::Frame {
+                frame, swivel_rad, ..
+            } => {
+                let choice = Choice {
+                    limited: terms.limited,
+                    current,
+                    preferred: &AT_EASE,
+                };
+                let obstacles = self.obstacles(limb, &trunk, skeleton, pose);
+                let near = self.projected(limb, frame, &base, terms.limited);
+                let found = self.solutions(limb, &near, &base, obstacles.as_ref(), *swivel_rad);
+                let error = |j: &Joints| matrix_error(&self.posed(limb, j, &base).frame, &near);
+                let chosen = choose(&found, self.limits(limb), &choice, &error);
+                (chosen.map_or(AT_EASE, |(_, joints)| joints), Some(*frame))
+            }
+        };
+        let posed = self.posed(limb, &joints, &base);
+        Met {
+            joints,
+            cue,
+            scapula,
+            target: target.unwrap_or(posed.frame),
+            posed,
+        }
+    }
+
+    /// A target brought within reach, its orientation kept.
+    pub(super) fn projected(&self, limb: Limb, frame: &Frame, base: &Base, limited: f64) -> Frame {
+        let from_base = frame.position - base.origin;
+        let (near, _) = match self.limbs.get(limb.index()) {
+            Some(rig) => rig.projected(from_base, limited),
+            None => self.head.projected(from_base),
+        };
+        Frame {
+            position: base.origin + near,
+            ..*frame
+        }
+    }
+
+    fn solutions(
+        &self,
+        limb: Limb,
+        target: &Frame,
+        base: &Base,
+        obstacles: Option<&Obstacles>,
+        swivel_rad: f64,
+    ) -> Solutions {
+        match self.limbs.get(limb.index()) {
+            Some(rig) => {
+                let elbow = rig.elbow_for(target, base, obstacles, swivel_rad);
+                rig.solutions(target, elbow, base, true)
+            }
+            None => self.head.solutions(target, base),
+        }
+    }
+
+    /// The bone that a limb stands on, figure axes.
+    pub(super) fn trunk(&self, limb: Limb, skeleton: &Skeleton, pose: &Pose) -> DAffine3 {
+        match self.limbs.get(limb.index()) {
+            Some(rig) => rig.trunk(skeleton, pose),
+            None => world_from_bone(skeleton, pose, Bone::Thoracic),
+        }
+    }
+
+    /// Where a limb's base is on its trunk, an arm's with the scapula turned so.
+    pub(super) fn base(&self, limb: Limb, trunk: &DAffine3, scapula: Option<DQuat>) -> Base {
+        match (self.limbs.get(limb.index()), self.girdles.get(limb.index())) {
+            (Some(rig), Some(girdle)) => {
+                let scapula = scapula.unwrap_or(DQuat::IDENTITY);
+                let turned = girdle.scapula_in_world(rotation_of(trunk), scapula);
+                rig.base(trunk, Some((turned, girdle.shoulder_at(trunk, scapula))))
+            }
+            (Some(rig), None) => rig.base(trunk, None),
+            _ => self.head.base(trunk),
+        }
+    }
+
+    pub(super) fn limits(&self, limb: Limb) -> &[Limit; 7] {
+        match self.limbs.get(limb.index()) {
+            Some(rig) => rig.limits(),
+            None => self.head.limits(),
+        }
+    }
+
+    pub(super) fn posed(&self, limb: Limb, joints: &Joints, base: &Base) -> Posed {
+        match self.limbs.get(limb.index()) {
+            Some(rig) => rig.posed(joints, base),
+            None => self.head.posed(joints, base),
+        }
+    }
+
+    /// What an arm must keep clear of in a pose; none for other limbs.
+    pub(super) fn obstacles(
+        &self,
+        limb: Limb,
+        thorax: &DAffine3,
+        skeleton: &Skeleton,
+        pose: &Pose,
+    ) -> Option<Obstacles> {
+        let [_, _, elbow, wrist] = match limb {
+            Limb::LeftArm => ARM_BONES[1],
+            Limb::RightArm => ARM_BONES[0],
+            _ => return None,
+        };
+        let skull = world_from_bone(skeleton, pose, Bone::Skull);
+        let elbow = world_from_bone(skeleton, pose, elbow);
+        let joint = &skeleton.joints()[wrist.index()];
+        Some(Obstacles {
+            body_from_figure: self.thorax_zero * thorax.inverse(),
+            shoulders_in_body: self.shoulders,
+            head: skull.transform_point3(self.head_middle),
+            other_forearm: [
+                elbow.translation,
+                elbow.transform_point3(joint.translation_in_parent),
+            ],
+            scale: self.scale,
+        })
+    }
+}
+
+/// Turns a bone a share of the way.
+fn blend(pose: &mut Pose, bone: Bone, rotation: DQuat, weight: f64) {
+    let to = if weight >= 1.0 {
+        rotation
+    } else {
+        pose.rotation(bone).slerp(rotation, weight)
+    };
+    pose.set(bone, to.normalize());
+}

@@ -1,0 +1,301 @@
+//! One limb as a manipulator: its joints on the bones of a figure.
+//!
+//! GEVH table 3.1 in the axes of this module: the base has x down, y left and z to the
+//! front. Joint 1 turns about z (abduction), joints 2 and 3 about the sideways axis
+//! (flexion of shoulder and elbow), joint 4 about the forearm, joints 5 and 6 about the two
+//! axes across the wrist. The seventh turns the upper bone about itself. Bones of real
+//! figures do not lie exactly on the table's axes; the offsets are kept, so that the
+//! skeleton's joint is where the solution says.
+
+use core::f64::consts::{FRAC_PI_2, PI};
+
+use raconteur_base::{DAffine3, DMat3, DQuat, DVec3, Side, ops};
+use raconteur_body::{Bone, Pose, Skeleton};
+
+use super::limits::{self, Limit, Sex};
+use super::solve::Solutions;
+use super::{Frame, Joints, Limb};
+use crate::arm_ik::ARM_BONES;
+use crate::idle::stance::LEG_BONES;
+use crate::kinematics::{TwoBone, rotation_of, world_from_bone};
+
+/// Index of the seventh joint.
+pub const ROLL: usize = 6;
+
+/// Where a manipulator stands at one moment, figure axes.
+#[derive(Clone, Copy, Debug)]
+pub struct Base {
+    /// The first joint, metres.
+    pub origin: DVec3,
+    /// Axes of the base: those of the trunk, not of the girdle.
+    pub rotation: DQuat,
+    /// Rotation of the bone that the first bone hangs on.
+    pub parent: DQuat,
+}
+
+/// Joint angles made bones.
+#[derive(Clone, Copy, Debug)]
+pub struct Posed {
+    /// Local rotations of the upper, lower and end bone.
+    pub rotations: [DQuat; 3],
+    /// Where the end comes, figure axes.
+    pub frame: Frame,
+}
+
+/// One limb of a figure: everything about it that does not change with the pose.
+#[derive(Clone, Debug)]
+pub struct LimbRig {
+    /// Upper, lower and end bone.
+    pub bones: [Bone; 3],
+    /// +1 on the left, −1 on the right.
+    pub(super) sign: f64,
+    pub(super) is_arm: bool,
+    pub(super) chain: TwoBone,
+    pub(super) limits: [Limit; 7],
+    trunk: Bone,
+    trunk_zero: DQuat,
+    origin_in_trunk: DVec3,
+    upper_zero: DQuat,
+    /// The table's second frame (x along the upper bone, z its hinge) from the upper bone.
+    pub(super) link_from_upper: DQuat,
+    /// Target frame from end bone.
+    target_from_end: DQuat,
+    /// Target frame from lower bone while joints 4 to 6 are zero.
+    pub(super) lower_from_target: DQuat,
+}
+
+/// World from the base's axes for a body that stands upright.
+fn base_axes() -> DQuat {
+    DQuat::from_rotation_z(-FRAC_PI_2)
+}
+
+impl LimbRig {
+    /// Measures an arm or a leg of a skeleton.
+    #[must_use]
+    pub fn new(skeleton: &Skeleton, side: Side, is_arm: bool, sex: Sex) -> Self {
+        let sign = side.sign();
+        let zero = Pose::zero();
+        let in_world = |bone: Bone| rotation_of(&world_from_bone(skeleton, &zero, bone));
+        let (limb, trunk, bones) = if is_arm {
+            let [_, shoulder, elbow, wrist] = ARM_BONES[side.index()];
+            let limb = [Limb::LeftArm, Limb::RightArm][side.index()];
+            (limb, Bone::Thoracic, [shoulder, elbow, wrist])
+        } else {
+            let limb = [Limb::LeftLeg, Limb::RightLeg][side.index()];
+            (limb, Bone::Sacroiliac, LEG_BONES[side.index()])
+        };
+        let limits = limits::limits(limb, sex);
+        let [upper, lower, end] = bones.map(|b| &skeleton.joints()[b.index()]);
+        // A positive turn bends the elbow forwards, and about the figure's left the knee
+        // backwards.
+        let axis = if is_arm {
+            DVec3::Z
+        } else {
+            in_world(bones[1]).inverse() * DVec3::X
+        };
+        let chain = TwoBone::new(
+            lower.translation_in_parent,
+            end.translation_in_parent,
+            lower.zero_rotation,
+            axis,
+            limits[2].most_rad,
+        );
+        // The zero pose: arms stretched out sideways, legs standing.
+        let lifted = if is_arm { sign * FRAC_PI_2 } else { 0.0 };
+        let target_zero = base_axes() * DQuat::from_rotation_z(lifted);
+        let link_zero = target_zero * DQuat::from_rotation_x(FRAC_PI_2);
+        let target_from_end = target_zero.inverse() * in_world(bones[2]);
+        Self {
+            bones,
+            sign,
+            is_arm,
+            chain,
+            limits,
+            trunk,
+            trunk_zero: in_world(trunk),
+            origin_in_trunk: upper.translation_in_parent,
+            upper_zero: upper.zero_rotation,
+            link_from_upper: link_zero.inverse() * in_world(bones[0]),
+            target_from_end,
+            lower_from_target: end.zero_rotation * target_from_end.inverse(),
+        }
+    }
+
+    /// Where the manipulator stands when the trunk stands so and, for an arm, the girdle
+    /// (rotation of the scapula bone and place of the shoulder joint, figure axes).
+    #[must_use]
+    pub fn base(&self, trunk: &DAffine3, girdle: Option<(DQuat, DVec3)>) -> Base {
+        let turned = rotation_of(trunk);
+        let (parent, origin) =
+            girdle.unwrap_or((turned, trunk.transform_point3(self.origin_in_trunk)));
+        Base {
+            origin,
+            rotation: turned * self.trunk_zero.inverse() * base_axes(),
+            parent,
+        }
+    }
+
+    /// The trunk in a pose.
+    #[must_use]
+    pub fn trunk(&self, skeleton: &Skeleton, pose: &Pose) -> DAffine3 {
+        world_from_bone(skeleton, pose, self.trunk)
+    }
+
+    /// The limits of the joints.
+    #[must_use]
+    pub fn limits(&self) -> &[Limit; 7] {
+        &self.limits
+    }
+
+    /// Shortest and longest distance of the end from the base, metres.
+    #[must_use]
+    pub fn distances_m(&self, within_limits: bool) -> [f64; 2] {
+        self.chain.distances_m(within_limits)
+    }
+
+    /// Signs that lead from the table's joints to [`Joints`], which mirror each other.
+    fn signs(&self) -> [f64; 7] {
+        let s = self.sign;
+        if self.is_arm {
+            [s, 1.0, 1.0, s, 1.0, -s, s]
+        } else {
+            [s, 1.0, 1.0, s, -1.0, s, s]
+        }
+    }
+
+    /// Rotation of the first links, base from the table's second frame.
+    pub(super) fn link(&self, joints: &Joints) -> DQuat {
+        let s = self.signs();
+        DQuat::from_rotation_z(s[0] * joints[0])
+            * DQuat::from_rotation_x(FRAC_PI_2)
+            * DQuat::from_rotation_z(joints[1])
+            * DQuat::from_rotation_x(s[ROLL] * joints[ROLL])
+    }
+
+    /// Rotation of the wrist or ankle, in the target frame's axes.
+    pub(super) fn turn(&self, joints: &Joints) -> DQuat {
+        let s = self.signs();
+        DQuat::from_rotation_x(s[3] * joints[3])
+            * DQuat::from_rotation_y(-s[4] * joints[4])
+            * DQuat::from_rotation_z(s[5] * joints[5])
+    }
+
+    /// Forward kinematics: the bones and the end for joint angles.
+    #[must_use]
+    pub fn posed(&self, joints: &Joints, base: &Base) -> Posed {
+        let upper = base.rotation * self.link(joints) * self.link_from_upper;
+        let lower_local = self.chain.flexed(joints[2]);
+        let lower = upper * self.chain.zero() * lower_local;
+        let turn = self.turn(joints);
+        Posed {
+            rotations: [
+                ((base.parent * self.upper_zero).inverse() * upper).normalize(),
+                lower_local,
+                (self.target_from_end.inverse() * turn * self.target_from_end).normalize(),
+            ],
+            frame: Frame {
+                position: base.origin + upper * self.chain.end_in_upper(joints[2]),
+                rotation: (lower * self.lower_from_target * turn).normalize(),
+            },
+        }
+    }
+
+    /// The joint angles of bones, the inverse of [`LimbRig::posed`]: both ways to turn the
+    /// shoulder with both ways to turn the wrist, each angle in −π..π.
+    #[must_use]
+    pub fn joints_of(&self, rotations: [DQuat; 3], base: &Base) -> Solutions {
+        let upper = base.parent * self.upper_zero * rotations[0];
+        let link = base.rotation.inverse() * upper * self.link_from_upper.inverse();
+        let turn = self.target_from_end * rotations[2] * self.target_from_end.inverse();
+        let flexion = self.chain.flexion_of(rotations[1]);
+        let mut found = Solutions::default();
+        found.push_all(self.shoulder_angles(link), flexion, self.turn_angles(turn));
+        found
+    }
+
+    /// The hinge of elbow or knee when the first bone is turned so, figure axes, metres.
+    #[must_use]
+    pub fn hinge_at(&self, rotation: DQuat, base: &Base) -> DVec3 {
+        base.origin + base.parent * self.upper_zero * rotation * self.chain.hinge()
+    }
+
+    /// Both sets of joints 1, 2 and 7 that turn the first links so.
+    pub(super) fn shoulder_angles(&self, link: DQuat) -> [[f64; 3]; 2] {
+        let axes = DMat3::from_quat(link);
+        let d = axes.x_axis;
+        let level = (d.x * d.x + d.y * d.y).sqrt();
+        // Along the first axis, joint 1 and the last one turn alike: all goes to the last.
+        let (c, s) = if level > 1e-9 {
+            (d.x / level, d.y / level)
+        } else {
+            (1.0, 0.0)
+        };
+        let first = if level > 1e-9 {
+            ops::atan2(d.y, d.x)
+        } else {
+            0.0
+        };
+        let second = ops::atan2(d.z, level);
+        let across = DVec3::new(s, -c, 0.0);
+        let along = DVec3::new(-c * d.z, -s * d.z, level);
+        let roll = ops::atan2(axes.y_axis.dot(across), axes.y_axis.dot(along));
+        let sign = self.sign;
+        let out = |first: f64, second: f64, roll: f64| {
+            [
+                sign * ops::wrap_angle(first),
+                second,
+                sign * ops::wrap_angle(roll),
+            ]
+        };
+        [
+            out(first, second, roll),
+            out(first + PI, ops::wrap_angle(PI - second), roll + PI),
+        ]
+    }
+
+    /// Both sets of joints 4, 5 and 6 that turn the wrist or ankle so.
+    pub(super) fn turn_angles(&self, turn: DQuat) -> [[f64; 3]; 2] {
+        let m = DMat3::from_quat(turn);
+        let (x, y, z) = (m.x_axis, m.y_axis, m.z_axis);
+        let level = (x.x * x.x + y.x * y.x).sqrt();
+        let b = ops::atan2(z.x, level);
+        // Where joints 4 and 6 turn about one axis, all goes to joint 6.
+        let (a, c) = if level > 1e-9 {
+            (ops::atan2(-z.y, z.z), ops::atan2(-y.x, x.x))
+        } else {
+            (0.0, ops::atan2(x.y, y.y))
+        };
+        let s = self.signs();
+        let out = |a: f64, b: f64, c: f64| {
+            [
+                s[3] * ops::wrap_angle(a),
+                -s[4] * ops::wrap_angle(b),
+                s[5] * ops::wrap_angle(c),
+            ]
+        };
+        [out(a, b, c), out(a + PI, PI - b, c + PI)]
+    }
+
+    /// The axes of the joints and a point on each, figure axes, for inverse velocity.
+    pub(super) fn axes(&self, joints: &Joints, base: &Base) -> [(DVec3, DVec3); 7] {
+        let s = self.signs();
+        let lifted = base.rotation * DQuat::from_rotation_z(s[0] * joints[0]);
+        let link = base.rotation * self.link(joints);
+        let upper = link * self.link_from_upper;
+        let lower = upper * self.chain.zero() * self.chain.flexed(joints[2]);
+        let elbow = base.origin + upper * self.chain.hinge();
+        let wrist = base.origin + upper * self.chain.end_in_upper(joints[2]);
+        let fore = lower * self.lower_from_target;
+        let twisted = fore * DQuat::from_rotation_x(s[3] * joints[3]);
+        let bent = twisted * DQuat::from_rotation_y(-s[4] * joints[4]);
+        [
+            (base.rotation * DVec3::Z * s[0], base.origin),
+            (lifted * DVec3::NEG_Y, base.origin),
+            (upper * self.chain.axis_in_upper(), elbow),
+            (fore * DVec3::X * s[3], wrist),
+            (twisted * DVec3::NEG_Y * s[4], wrist),
+            (bent * DVec3::Z * s[5], wrist),
+            (link * DVec3::X * s[ROLL], base.origin),
+        ]
+    }
+}

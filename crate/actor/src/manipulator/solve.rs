@@ -1,0 +1,218 @@
+//! Inverse kinematics in closed form: all joint angles that bring a limb's end to a target,
+//! by kinematic decoupling, and the choice of one (GEVH section 3.3.2.1 and fig. 3.6).
+//!
+//! The last three axes meet in the end, so its place depends on the first joints alone and
+//! is solved first; the last three then make up the orientation.
+
+use core::f64::consts::PI;
+
+use raconteur_base::{DMat3, DQuat, DVec3, ops};
+
+use super::rig::{Base, LimbRig, ROLL};
+use super::{Frame, Joints, Limit, limits};
+
+/// Most sets of joint angles for one target: two flexions, two ways to turn the shoulder
+/// and two for the wrist.
+pub const MOST: usize = 8;
+
+/// All joint angles that reach a target.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Solutions {
+    joints: [Joints; MOST],
+    count: usize,
+}
+
+impl Solutions {
+    /// The sets of angles, each in −π..π.
+    #[must_use]
+    pub fn as_slice(&self) -> &[Joints] {
+        &self.joints[..self.count]
+    }
+
+    pub(super) fn push(&mut self, joints: Joints) {
+        if let Some(slot) = self.joints.get_mut(self.count) {
+            *slot = joints;
+            self.count += 1;
+        }
+    }
+
+    /// Every way to turn the shoulder (joints 1, 2 and 7) with every way to turn the wrist.
+    pub(super) fn push_all(&mut self, shoulder: [[f64; 3]; 2], flexion: f64, wrist: [[f64; 3]; 2]) {
+        for s in shoulder {
+            for w in wrist {
+                self.push([s[0], s[1], flexion, w[0], w[1], w[2], s[2]]);
+            }
+        }
+    }
+}
+
+/// What decides between solutions, in the order of the thesis's filters.
+#[derive(Clone, Copy, Debug)]
+pub struct Choice<'a> {
+    /// How much limits count, 0 to 1.
+    pub limited: f64,
+    /// The angles that the limb has now; among solutions that meet the target alike the one
+    /// with the least variation is chosen.
+    pub current: Option<&'a Joints>,
+    /// The angles that are preferred where there is no current configuration.
+    pub preferred: &'a Joints,
+}
+
+/// A limb hanging or standing a little bent: the default preference.
+pub const AT_EASE: Joints = [0.2, 0.2, 0.3, 0.0, 0.0, 0.0, 0.0];
+
+/// Targets within this share of the square of a rotation's elements count as met alike.
+const ALIKE: f64 = 1e-9;
+
+impl LimbRig {
+    /// A place (from the base, metres) moved to the nearest one in reach, and whether it had
+    /// to be: to the sphere of the stretched limb, or of the most bent one. `limited` is how
+    /// much the limit of the elbow counts, 0 to 1.
+    #[must_use]
+    pub fn projected(&self, from_base: DVec3, limited: f64) -> (DVec3, bool) {
+        let free = self.distances_m(false);
+        let kept = self.distances_m(true);
+        let [shortest, longest] = [0, 1].map(|i| free[i] + limited * (kept[i] - free[i]));
+        let distance = from_base.length();
+        if (shortest..=longest).contains(&distance) {
+            return (from_base, false);
+        }
+        let direction = from_base.try_normalize().unwrap_or(DVec3::NEG_Y);
+        (direction * distance.clamp(shortest, longest), true)
+    }
+
+    /// All solutions of the six joints of table 3.1, the seventh being 0: up to eight, none
+    /// where the swivel of the table cannot reach. The target is in reach, figure axes.
+    #[must_use]
+    pub fn table_solutions(&self, target: &Frame, base: &Base) -> Solutions {
+        let mut found = Solutions::default();
+        let p = base.rotation.inverse() * (target.position - base.origin);
+        for flexion in self.chain.flexions_for(p.length()) {
+            // The end in the table's second frame; off its plane by a hair.
+            let end = self.link_from_upper * self.chain.end_in_upper(flexion);
+            let level = (end.x * end.x + end.y * end.y).sqrt();
+            if level <= 0.0 {
+                continue;
+            }
+            let lift = ops::asin_clamped(p.z / level);
+            let own = ops::atan2(end.y, end.x);
+            for raised in [lift, PI - lift] {
+                let out = level * ops::cos(raised);
+                let first = ops::atan2(p.y, p.x) - ops::atan2(-end.z, out);
+                let joints = [
+                    self.sign * ops::wrap_angle(first),
+                    ops::wrap_angle(raised - own),
+                    flexion,
+                    0.0,
+                    0.0,
+                    0.0,
+                    0.0,
+                ];
+                self.complete(&joints, target.rotation, base, &mut found);
+            }
+        }
+        found
+    }
+
+    /// All solutions with the elbow or knee in a direction from the line between base and
+    /// target (figure axes, unit, across that line). `bent_only` leaves out those that bend
+    /// the elbow the wrong way. The target is in reach.
+    #[must_use]
+    pub fn solutions(
+        &self,
+        target: &Frame,
+        elbow: DVec3,
+        base: &Base,
+        bent_only: bool,
+    ) -> Solutions {
+        let mut found = Solutions::default();
+        let p = target.position - base.origin;
+        let direction = p.try_normalize().unwrap_or(base.rotation * DVec3::X);
+        let flexions = self.chain.flexions_for(p.length());
+        let bent = if bent_only { 1 } else { 2 };
+        for (flexion, side) in flexions.into_iter().zip([1.0, -1.0]).take(bent) {
+            let upper = self.chain.aim(flexion, direction, elbow * side);
+            let link = base.rotation.inverse() * upper * self.link_from_upper.inverse();
+            let wrist = self.wrist_for(upper, flexion, target.rotation);
+            found.push_all(self.shoulder_angles(link), ops::wrap_angle(flexion), wrist);
+        }
+        found
+    }
+
+    /// Both sets of wrist angles for a turned upper bone (figure axes).
+    fn wrist_for(&self, upper: DQuat, flexion: f64, rotation: DQuat) -> [[f64; 3]; 2] {
+        let lower = upper * self.chain.zero() * self.chain.flexed(flexion);
+        self.turn_angles((lower * self.lower_from_target).inverse() * rotation)
+    }
+
+    /// Adds both ways to turn the wrist to joints 1 to 3.
+    fn complete(&self, joints: &Joints, rotation: DQuat, base: &Base, into: &mut Solutions) {
+        let upper = base.rotation * self.link(joints) * self.link_from_upper;
+        for wrist in self.wrist_for(upper, joints[2], rotation) {
+            let mut all = *joints;
+            all[2] = ops::wrap_angle(all[2]);
+            all[3..ROLL].copy_from_slice(&wrist);
+            into.push(all);
+        }
+    }
+
+    /// Chooses among solutions, see [`choose`].
+    #[must_use]
+    pub fn choose(
+        &self,
+        solutions: &Solutions,
+        target: &Frame,
+        base: &Base,
+        choice: &Choice<'_>,
+    ) -> Option<Joints> {
+        let error = |joints: &Joints| matrix_error(&self.posed(joints, base).frame, target);
+        choose(solutions, &self.limits, choice, &error).map(|(_, kept)| kept)
+    }
+}
+
+/// Chooses among solutions: first by matrix error once the joints are within their limits
+/// (`error` gives it for joints that had to be brought there), then by least variation or,
+/// without a current configuration, by preference. The solution's index, and its angles
+/// within the limits as far as those count; none without solutions.
+#[must_use]
+pub fn choose(
+    solutions: &Solutions,
+    limits: &[Limit; 7],
+    choice: &Choice<'_>,
+    error: &dyn Fn(&Joints) -> f64,
+) -> Option<(usize, Joints)> {
+    let near = choice.current.unwrap_or(choice.preferred);
+    let (mut least, mut varied) = (f64::INFINITY, f64::INFINITY);
+    let mut best = None;
+    for (index, joints) in solutions.as_slice().iter().enumerate() {
+        let kept = limits::keep(limits, choice.limited, joints);
+        let bent = (kept.iter().zip(joints)).any(|(a, b)| ops::wrap_angle(a - b).abs() > 1e-12);
+        let off = if bent { error(&kept) } else { 0.0 };
+        let change = variation(&kept, near);
+        if best.is_none() || off < least - ALIKE || (off < least + ALIKE && change < varied) {
+            (least, varied) = (off, change);
+            best = Some((index, kept));
+        }
+    }
+    best
+}
+
+/// Sum of the squared differences of two frames' matrices; metres count as they are.
+#[must_use]
+pub fn matrix_error(a: &Frame, b: &Frame) -> f64 {
+    let rotation = DMat3::from_quat(a.rotation) - DMat3::from_quat(b.rotation);
+    let squares = |v: DVec3| v.length_squared();
+    squares(rotation.x_axis)
+        + squares(rotation.y_axis)
+        + squares(rotation.z_axis)
+        + squares(a.position - b.position)
+}
+
+/// Sum of the squared differences of joint angles, each the short way round.
+fn variation(a: &Joints, b: &Joints) -> f64 {
+    let square = |(a, b): (&f64, &f64)| {
+        let d = ops::wrap_angle(a - b);
+        d * d
+    };
+    a.iter().zip(b).map(square).sum()
+}

@@ -1,0 +1,199 @@
+//! The seventh degree of freedom: where the elbow or knee goes while the end keeps its place.
+//!
+//! Some directions around the line from shoulder to wrist are weighed by comfort, by the
+//! strain of the wrist and by how deep the arm would lie in torso, head or the other arm;
+//! their mean, weighted by that, is taken. The mean is a smooth function of the target,
+//! where the best single direction would jump.
+
+use core::f64::consts::FRAC_PI_2;
+
+use raconteur_base::{DAffine3, DQuat, DVec3, Side, ops};
+
+use super::Frame;
+use super::rig::{Base, LimbRig};
+use crate::arm_ik::{TRUNK_HALF_AXES_M, natural_elbow};
+
+/// Swivels that are weighed, radians from the natural direction; positive lifts the elbow.
+const CANDIDATES: [f64; 9] = [-0.75, -0.5, -0.25, 0.0, 0.25, 0.5, 0.75, 1.0, 1.25];
+/// Effort by which one direction is e times as likely as another. Designed: sharp enough to
+/// keep out of the body, soft enough to be steady.
+const SOFTNESS: f64 = 0.016;
+/// Radius of the arm about its bones for a stature of 1.7 m, metres: the elbow is some
+/// 10 cm across, clothed.
+const ARM_RADIUS_M: f64 = 0.045;
+/// Radius of the head with its hair, likewise. Head breadth and length are 15 and 19 cm.
+const HEAD_RADIUS_M: f64 = 0.115;
+/// Effort of an arm that lies half its clearance deep in something. Designed.
+const COLLISION: f64 = 6.0;
+
+/// What an arm must keep clear of, figure axes.
+#[derive(Clone, Copy, Debug)]
+pub struct Obstacles {
+    /// Body axes of the zero pose from figure: where the torso stands upright at x = 0.
+    pub body_from_figure: DAffine3,
+    /// The middle of the shoulders in those axes, metres.
+    pub shoulders_in_body: DVec3,
+    /// The middle of the head, metres.
+    pub head: DVec3,
+    /// Elbow and wrist of the other arm, metres.
+    pub other_forearm: [DVec3; 2],
+    /// Stature over 1.7 m.
+    pub scale: f64,
+}
+
+impl Obstacles {
+    /// How much effort it is to have the arm's skeleton in a place.
+    fn effort(&self, shoulder: DVec3, elbow: DVec3, wrist: DVec3) -> f64 {
+        let clear_head = (HEAD_RADIUS_M + ARM_RADIUS_M) * self.scale;
+        let clear_arm = 2.0 * ARM_RADIUS_M * self.scale;
+        // The shoulder itself touches the torso, and the wrist is where it was asked to be.
+        let points = [
+            shoulder.lerp(elbow, 0.6),
+            elbow,
+            elbow.lerp(wrist, 0.35),
+            elbow.lerp(wrist, 0.7),
+        ];
+        let mut sum = 0.0;
+        for point in points {
+            let torso = self.depth_in_torso(point);
+            let head = (1.0 - point.distance(self.head) / clear_head).max(0.0);
+            let near = nearest(point, self.other_forearm);
+            let other = (1.0 - point.distance(near) / clear_arm).max(0.0);
+            sum += torso * torso + head * head + other * other;
+        }
+        4.0 * COLLISION * sum
+    }
+
+    /// Depth of the bone of an arm in the torso, as a share of its half axes.
+    fn depth_in_torso(&self, point: DVec3) -> f64 {
+        let p = self.body_from_figure.transform_point3(point) - self.shoulders_in_body;
+        let radius = ARM_RADIUS_M * self.scale;
+        let [x, z] = TRUNK_HALF_AXES_M.map(|a| a * self.scale + radius);
+        // Above the shoulders there is only the neck.
+        let below = (1.0 - (p.y + 0.02 * self.scale) / (0.06 * self.scale)).clamp(0.0, 1.0);
+        let out = ((p.x / x) * (p.x / x) + (p.z / z) * (p.z / z)).sqrt();
+        below * (1.0 - out).max(0.0)
+    }
+}
+
+/// The point of a segment that is nearest to a point.
+fn nearest(point: DVec3, [a, b]: [DVec3; 2]) -> DVec3 {
+    let along = b - a;
+    let share = (point - a).dot(along) / along.length_squared().max(1e-12);
+    a + along * share.clamp(0.0, 1.0)
+}
+
+/// A limb with everything settled but the swivel.
+struct Circle {
+    shoulder: DVec3,
+    wrist: DVec3,
+    direction: DVec3,
+    /// Distance of the elbow's circle from the shoulder, and its radius, metres.
+    along_m: f64,
+    radius_m: f64,
+}
+
+impl Circle {
+    fn elbow(&self, outwards: DVec3) -> DVec3 {
+        self.shoulder + self.direction * self.along_m + outwards * self.radius_m
+    }
+}
+
+impl LimbRig {
+    /// The natural direction of the elbow or knee for a direction of the end, and that
+    /// direction turned by a right angle in the sense of a lift; unit, figure axes.
+    fn natural(&self, direction: DVec3, base: &Base) -> [DVec3; 2] {
+        // The base has x down, y left and z to the front.
+        let body = base.rotation * DQuat::from_rotation_z(FRAC_PI_2);
+        let in_body = body.inverse() * direction;
+        let natural = if self.is_arm {
+            let side = if self.sign > 0.0 {
+                Side::Left
+            } else {
+                Side::Right
+            };
+            natural_elbow(side, in_body)
+        } else {
+            // Knees point forwards and a little outwards.
+            DQuat::from_rotation_arc(DVec3::NEG_Y, in_body) * DVec3::new(0.12 * self.sign, 0.0, 1.0)
+        };
+        let across = body * natural;
+        let first = (across - direction * direction.dot(across))
+            .try_normalize()
+            .unwrap_or_else(|| direction.any_orthonormal_vector());
+        [first, direction.cross(first) * self.sign]
+    }
+
+    /// The direction of the elbow or knee (unit, across the line to the target, figure axes)
+    /// for a target in reach, turned on by `offset_rad`. Without obstacles nothing is in
+    /// the way.
+    #[must_use]
+    pub fn elbow_for(
+        &self,
+        target: &Frame,
+        base: &Base,
+        obstacles: Option<&Obstacles>,
+        offset_rad: f64,
+    ) -> DVec3 {
+        let to = target.position - base.origin;
+        let distance = to.length();
+        let direction = to.try_normalize().unwrap_or(base.rotation * DVec3::X);
+        let [first, second] = self.natural(direction, base);
+        let [flexion, _] = self.chain.flexions_for(distance);
+        let hinge = self.chain.hinge();
+        let end = self.chain.end_in_upper(flexion);
+        let along_m = hinge.dot(end) / end.length().max(1e-9);
+        let circle = Circle {
+            shoulder: base.origin,
+            wrist: target.position,
+            direction,
+            along_m,
+            radius_m: (hinge.length_squared() - along_m * along_m).max(0.0).sqrt(),
+        };
+        let (mut sum, mut weights) = (0.0, 0.0);
+        for swivel in CANDIDATES {
+            let (s, c) = ops::sincos(swivel);
+            let outwards = first * c + second * s;
+            let mut effort = 0.16 * swivel * swivel + self.strain(&circle, outwards, target);
+            if let Some(obstacles) = obstacles {
+                let elbow = circle.elbow(outwards);
+                effort += obstacles.effort(circle.shoulder, elbow, circle.wrist);
+            }
+            let weight = ops::exp(-effort / SOFTNESS).max(1e-200);
+            sum += weight * swivel;
+            weights += weight;
+        }
+        let (s, c) = ops::sincos(sum / weights + offset_rad);
+        first * c + second * s
+    }
+
+    /// The angle from the direction that [`LimbRig::elbow_for`] gives without an offset to
+    /// another one, radians.
+    #[must_use]
+    pub fn offset_of(&self, chosen: DVec3, actual: DVec3, target: &Frame, base: &Base) -> f64 {
+        let direction = (target.position - base.origin)
+            .try_normalize()
+            .unwrap_or(base.rotation * DVec3::X);
+        let second = direction.cross(chosen) * self.sign;
+        ops::atan2(actual.dot(second), actual.dot(chosen))
+    }
+
+    /// What a swivel asks of the wrist or ankle beyond what it does without thinking: bend
+    /// and twist, by their cosines.
+    fn strain(&self, circle: &Circle, outwards: DVec3, target: &Frame) -> f64 {
+        const FREE_BEND: f64 = 0.17;
+        const FREE_TWIST: f64 = 0.62;
+        let fore = (circle.wrist - circle.elbow(outwards))
+            .try_normalize()
+            .unwrap_or(circle.direction);
+        let hand = target.rotation * DVec3::X;
+        let bend = (1.0 - FREE_BEND - fore.dot(hand)).max(0.0);
+        // The hinge lies across limb and elbow; a hand at rest has its y axis along it.
+        let facing = if self.is_arm { 1.0 } else { -1.0 };
+        let hinge = circle.direction.cross(outwards) * facing;
+        let side = target.rotation * DVec3::Y;
+        let across = side - fore * fore.dot(side);
+        let twist = (FREE_TWIST - across.dot(hinge) / across.length().max(0.2)).max(0.0);
+        1.2 * bend * bend + 0.8 * twist * twist
+    }
+}

@@ -1,0 +1,341 @@
+//! What one limb does over time: its commands as segments, each beginning where the one
+//! before has brought the limb.
+
+use raconteur_base::curve::{lerp, minimum_jerk};
+use raconteur_base::{DAffine3, DVec3};
+
+use super::path::Curve;
+use super::{Frame, Joints};
+
+/// Time in which a limb that is stopped comes to rest, seconds. Designed: as fast as muscles
+/// brake.
+const BRAKE_SECS: f64 = 0.2;
+/// Time in which elbow and girdle take their own way again after a change of motion, seconds.
+const SETTLE_SECS: f64 = 0.6;
+/// Time in which a limb is given back, seconds.
+const RELEASE_SECS: f64 = 0.5;
+/// Time in which limits and the girdle's own motion set in, seconds.
+const SET_IN_SECS: f64 = 0.4;
+/// Time that gathering and losing speed takes at a given joint speed, seconds.
+const RAMP_SECS: f64 = 0.2;
+
+/// A limb held by its joints.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Held {
+    pub(super) joints: Joints,
+    /// The wrist as the girdle is to take it, trunk axes, metres.
+    pub(super) cue: DVec3,
+    /// Lean of the spine that the limb asks for, rotation vector.
+    pub(super) lean: DVec3,
+}
+
+impl Held {
+    fn toward(&self, to: &Self, share: f64) -> Self {
+        let mut joints = self.joints;
+        for (a, b) in joints.iter_mut().zip(to.joints) {
+            *a = lerp(*a, b, share);
+        }
+        Self {
+            joints,
+            cue: self.cue.lerp(to.cue, share),
+            lean: self.lean.lerp(to.lean, share),
+        }
+    }
+}
+
+/// What a limb is to do at one moment.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Goal {
+    /// Joints as they are given.
+    Joints(Held),
+    /// The end in a place.
+    Frame {
+        frame: Frame,
+        /// How far elbow or knee are turned from their natural way, radians.
+        swivel_rad: f64,
+        /// What the girdle's cue is off the target, trunk axes, metres.
+        cue_lag: DVec3,
+    },
+}
+
+/// How a segment moves.
+#[derive(Clone, Debug)]
+pub(super) enum Kind {
+    /// Joint angles, with minimum jerk or at an even speed.
+    Joints {
+        from: Held,
+        to: Held,
+        secs: f64,
+        even: bool,
+    },
+    /// A straight line with the shortest turn.
+    Line { from: Frame, to: Frame, secs: f64 },
+    /// A function of time.
+    Curve(Curve),
+    /// Joint angles at even steps.
+    Samples { held: Vec<Held>, step_secs: f64 },
+    /// A place in the world.
+    Lock(Frame),
+}
+
+/// A motion from where the limb was.
+#[derive(Clone, Debug)]
+pub(super) struct Course {
+    pub(super) kind: Kind,
+    /// Where elbow or knee were turned at its beginning, radians from their natural way.
+    pub(super) swivel_rad: f64,
+    /// What the girdle's cue was off the place, trunk axes, metres.
+    pub(super) cue_lag: DVec3,
+}
+
+/// A course from a time on.
+#[derive(Clone, Copy, Debug)]
+struct Segment {
+    start_secs: f64,
+    /// Which course.
+    course: usize,
+    /// Its time at the segment's beginning, seconds.
+    from_secs: f64,
+    /// Whether it comes to rest from there.
+    brakes: bool,
+}
+
+/// A switch thrown at a time.
+#[derive(Clone, Copy, Debug)]
+struct Switch {
+    time_secs: f64,
+    on: bool,
+    /// How much it was on just before, 0 to 1.
+    before: f64,
+}
+
+impl Switch {
+    fn at(&self, time_secs: f64, secs: f64) -> f64 {
+        let to = f64::from(u8::from(self.on));
+        lerp(
+            self.before,
+            to,
+            minimum_jerk((time_secs - self.time_secs) / secs),
+        )
+    }
+}
+
+/// The last switch up to a time.
+fn last(switches: &[Switch], time_secs: f64) -> Option<&Switch> {
+    let thrown = switches.partition_point(|s| s.time_secs <= time_secs);
+    switches.get(thrown.checked_sub(1)?)
+}
+
+/// The commands of one limb.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Track {
+    courses: Vec<Course>,
+    segments: Vec<Segment>,
+    control: Vec<Switch>,
+    limits: Vec<Switch>,
+}
+
+impl Track {
+    /// How far the limb is under control at a time, 0 to 1. It is at once when a motion
+    /// begins, since that begins where the limb is.
+    pub(super) fn weight(&self, time_secs: f64) -> f64 {
+        match last(&self.control, time_secs) {
+            None => 0.0,
+            Some(s) if s.on => 1.0,
+            Some(s) => s.at(time_secs, RELEASE_SECS),
+        }
+    }
+
+    /// How far girdle and limits have set in, 0 to 1.
+    pub(super) fn set_in(&self, time_secs: f64) -> f64 {
+        match last(&self.control, time_secs) {
+            None => 0.0,
+            Some(s) if s.on => s.at(time_secs, SET_IN_SECS),
+            Some(_) => 1.0,
+        }
+    }
+
+    /// How much joint limits count, 0 to 1.
+    pub(super) fn limited(&self, time_secs: f64) -> f64 {
+        last(&self.limits, time_secs).map_or(1.0, |s| s.at(time_secs, SET_IN_SECS))
+    }
+
+    /// Whether a motion is in control, or the limb was given back.
+    pub(super) fn in_control(&self) -> bool {
+        self.control.last().is_some_and(|s| s.on)
+    }
+
+    /// Takes control, or gives the limb back.
+    pub(super) fn switch_control(&mut self, time_secs: f64, on: bool) {
+        if self.in_control() != on {
+            let before = self.weight(time_secs);
+            self.control.push(Switch {
+                time_secs,
+                on,
+                before,
+            });
+        }
+    }
+
+    /// Turns joint limits on or off.
+    pub(super) fn switch_limits(&mut self, time_secs: f64, on: bool) {
+        let before = self.limited(time_secs);
+        self.limits.push(Switch {
+            time_secs,
+            on,
+            before,
+        });
+    }
+
+    /// Whether limits were last turned on.
+    pub(super) fn has_limits(&self) -> bool {
+        self.limits.last().is_none_or(|s| s.on)
+    }
+
+    /// The segment that is on at a time.
+    fn segment(&self, time_secs: f64) -> Option<Segment> {
+        let begun = self.segments.partition_point(|s| s.start_secs <= time_secs);
+        self.segments.get(begun.checked_sub(1)?).copied()
+    }
+
+    /// Begins a course at a time, not before that of the last one.
+    pub(super) fn begin(&mut self, time_secs: f64, course: Course) {
+        self.segments.push(Segment {
+            start_secs: time_secs,
+            course: self.courses.len(),
+            from_secs: 0.0,
+            brakes: false,
+        });
+        self.courses.push(course);
+    }
+
+    /// Stops the motion that is on at a time; what has stopped stays.
+    pub(super) fn brake(&mut self, time_secs: f64) {
+        if let Some(on) = self.segment(time_secs).filter(|s| !s.brakes) {
+            self.segments.push(Segment {
+                start_secs: time_secs,
+                course: on.course,
+                from_secs: time_secs - on.start_secs,
+                brakes: true,
+            });
+        }
+    }
+
+    /// Whether the end is locked to a place from some time before this one.
+    pub(super) fn is_locked(&self, time_secs: f64) -> bool {
+        let on = self.segment(time_secs);
+        on.is_some_and(|s| matches!(self.courses[s.course].kind, Kind::Lock(_)))
+    }
+
+    /// What the limb is to do at a time; `figure_from_world` at that time. None before the
+    /// first motion.
+    pub(super) fn goal(&self, time_secs: f64, figure_from_world: &DAffine3) -> Option<Goal> {
+        let segment = self.segment(time_secs)?;
+        let since = time_secs - segment.start_secs;
+        let run = if !segment.brakes {
+            since
+        } else if since < BRAKE_SECS {
+            since - since * since / (2.0 * BRAKE_SECS)
+        } else {
+            0.5 * BRAKE_SECS
+        };
+        let course = &self.courses[segment.course];
+        Some(course.goal(segment.from_secs + run, figure_from_world))
+    }
+}
+
+impl Course {
+    fn goal(&self, secs: f64, figure_from_world: &DAffine3) -> Goal {
+        let frame = match &self.kind {
+            Kind::Joints {
+                from,
+                to,
+                secs: whole,
+                even,
+            } => {
+                let share = if *even {
+                    evenly(secs, *whole)
+                } else {
+                    minimum_jerk(secs / whole.max(1e-9))
+                };
+                return Goal::Joints(from.toward(to, share));
+            }
+            Kind::Samples { held, step_secs } => {
+                let last = held.len().saturating_sub(1);
+                let at = (secs / step_secs).clamp(0.0, last as f64);
+                let index = at.floor() as usize;
+                let next = (index + 1).min(last);
+                return Goal::Joints(held[index].toward(&held[next], at - index as f64));
+            }
+            Kind::Line {
+                from,
+                to,
+                secs: whole,
+            } => from.toward(to, minimum_jerk(secs / whole.max(1e-9))),
+            Kind::Curve(curve) => curve.at(secs),
+            Kind::Lock(frame) => frame.moved(figure_from_world),
+        };
+        let left = 1.0 - minimum_jerk(secs / SETTLE_SECS);
+        Goal::Frame {
+            frame,
+            swivel_rad: self.swivel_rad * left,
+            cue_lag: self.cue_lag * left,
+        }
+    }
+}
+
+/// Share of a way gone at an even speed, with time added at both ends to gather and lose it:
+/// [`even_secs`] is the whole.
+fn evenly(secs: f64, whole: f64) -> f64 {
+    let ramp = RAMP_SECS.min(0.5 * whole);
+    if ramp <= 0.0 {
+        return f64::from(u8::from(secs > 0.0));
+    }
+    // The integral of a smooth ramp of speed from 0 to 1.
+    let gathered = |s: f64| {
+        let s = s.clamp(0.0, 1.0);
+        s * s * s * (1.0 - 0.5 * s)
+    };
+    let secs = secs.clamp(0.0, whole);
+    let first = ramp * gathered(secs / ramp);
+    let last = ramp * gathered((whole - secs) / ramp);
+    let cruise = (secs.min(whole - ramp) - ramp).max(0.0);
+    let way = if secs < whole - ramp {
+        first + cruise
+    } else {
+        whole - ramp - last
+    };
+    way / (whole - ramp)
+}
+
+/// Time that a way of `rad` takes at an even speed of `rad_per_sec`, seconds.
+pub(super) fn even_secs(rad: f64, rad_per_sec: f64) -> f64 {
+    let cruise = rad / rad_per_sec;
+    // A short way never comes to its speed.
+    cruise + RAMP_SECS.min(cruise)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_even_way_is_even_and_smooth_at_its_ends() {
+        let whole = even_secs(3.0, 1.5);
+        assert!((whole - 2.2).abs() < 1e-12);
+        let h = 1e-4;
+        let speed = |t: f64| 3.0 * (evenly(t + h, whole) - evenly(t - h, whole)) / (2.0 * h);
+        for i in 0..100 {
+            let t = 0.25 + 1.7 * f64::from(i) / 100.0;
+            assert!((speed(t) - 1.5).abs() < 1e-6, "{t}: {}", speed(t));
+        }
+        assert!(speed(0.01) < 0.1 && speed(whole - 0.01) < 0.1);
+        assert_eq!(evenly(0.0, whole), 0.0);
+        assert!((evenly(whole, whole) - 1.0).abs() < 1e-12);
+        // Ways shorter than the ramps keep below the speed.
+        let short = even_secs(0.1, 1.5);
+        assert!((evenly(short, short) - 1.0).abs() < 1e-12);
+        let step = (evenly(0.51 * short, short) - evenly(0.49 * short, short)) * 0.1;
+        assert!(step / (0.02 * short) < 1.6);
+    }
+}
