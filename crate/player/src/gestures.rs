@@ -6,8 +6,8 @@ use raconteur_actor::gesture::{ArmPlan, Course, Phase as ArmPhase, Space as Cour
 use raconteur_actor::{GestureStroke, HandKey, Span as TimeSpan, palm};
 use raconteur_base::profile::Profile as Pace;
 use raconteur_base::{DVec3, Side, mirror_vector};
-use raconteur_body::HandShape;
 use raconteur_body::hand_shape::HandAngles;
+use raconteur_body::{Bone, HandShape, Pose, Skeleton};
 use raconteur_eml::{
     ClauseKind, Coords, Diagnostic, Document, GestureKey, Handedness, Interpolator, Key, MotionKey,
     PalmKey, Phase, Profile, ShapeKey, Space, Span, Timeline, Track,
@@ -236,12 +236,32 @@ pub(crate) fn room(strokes: &[Vec<GestureStroke>; 2], hand_length_m: f64) -> Roo
         })
 }
 
-/// What the arms of a figure can reach.
+/// What arms and legs of a figure can reach.
 pub(crate) struct Reach {
     /// Left and right, world, metres.
     pub(crate) shoulders_in_world: [DVec3; 2],
     /// Length of an arm to the wrist, metres.
     pub(crate) arm_m: f64,
+    /// Left and right, world, metres.
+    pub(crate) hips_in_world: [DVec3; 2],
+    /// Length of a leg to the ankle, metres.
+    pub(crate) leg_m: f64,
+}
+
+impl Reach {
+    /// Measures a skeleton in its zero pose.
+    pub(crate) fn of(skeleton: &Skeleton) -> Self {
+        let mut world = Vec::new();
+        skeleton.solve(&Pose::zero(), &mut world);
+        let at = |bone: Bone| world[bone.index()].translation;
+        let length = |bone| skeleton.offset_length_m(bone);
+        Self {
+            shoulders_in_world: [at(Bone::LShoulder), at(Bone::RShoulder)],
+            arm_m: length(Bone::LElbow) + length(Bone::LWrist),
+            hips_in_world: [at(Bone::LHip), at(Bone::RHip)],
+            leg_m: length(Bone::LKnee) + length(Bone::LSubtalar),
+        }
+    }
 }
 
 /// A warning for every position that the arm cannot reach; the hand goes as far towards it
@@ -368,7 +388,7 @@ mod tests {
 
     fn strokes_of(body: &str, side: Side) -> Vec<GestureStroke> {
         let (document, timeline) = resolved(body);
-        let units = Units::of(&raconteur_body::Skeleton::example());
+        let units = Units::of(&Skeleton::example());
         strokes(&document, &timeline, side, &units)
     }
 

@@ -13,6 +13,7 @@ mod event;
 mod gestures;
 mod layers;
 pub mod live;
+mod manipulators;
 mod part;
 mod performer;
 mod script;

@@ -1,12 +1,15 @@
 //! A script lowered for one figure: what it asks of arms and voice, and what it tells.
 
-use raconteur_actor::{Accent, ArmScript, GestureStroke, Performance, SpokenUtterance};
+use raconteur_actor::{
+    Accent, ArmScript, GestureStroke, ManipulatorScript, Performance, Sex, SpokenUtterance,
+};
 use raconteur_base::order::sort_by_number;
 use raconteur_base::{DVec3, Side};
 use raconteur_speech::{Phone, Word};
 
 use crate::cues::{self, Cue, UtteranceCue};
 use crate::gestures;
+use crate::manipulators;
 use crate::performer::Options;
 use crate::script::Script;
 use crate::units::Units;
@@ -18,6 +21,8 @@ const EMPHASIS_ACCENT: f64 = 1.0;
 pub(crate) struct Part {
     /// Strokes of the left and right arm.
     pub(crate) strokes: [Vec<GestureStroke>; 2],
+    /// What manipulators are asked for.
+    pub(crate) manipulators: ManipulatorScript,
     /// When gestures are turned on and off, by time.
     switches: Vec<(f64, bool)>,
     speech: Vec<SpokenUtterance>,
@@ -40,6 +45,7 @@ impl Part {
         let utterances = cues::utterances(script);
         Self {
             strokes: Side::BOTH.map(|side| gestures::strokes(document, timeline, side, units)),
+            manipulators: manipulators::script(document, timeline, units),
             switches: gestures::switches(document, timeline),
             speech: utterances.iter().map(|u| spoken(script, u)).collect(),
             cues: cues::cues(script, &utterances, first_utterance, fragment),
@@ -68,10 +74,12 @@ pub(crate) fn performance<'a>(
                 .collect(),
             on: on.clone(),
         }),
+        manipulators: manipulators::together(parts.clone().map(|p| &p.manipulators)),
         speech: parts.flat_map(|p| p.speech.iter().cloned()).collect(),
         seed: options.seed,
         motion_amount: options.motion_amount,
         listener_in_world,
+        sex: Sex::default(),
     }
 }
 

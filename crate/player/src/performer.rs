@@ -6,7 +6,7 @@ use raconteur_actor::performance::Report;
 use raconteur_actor::{Actor, FaceRig};
 use raconteur_base::order::sort_by_number;
 use raconteur_base::{DVec3, Side};
-use raconteur_body::{Bone, Figure, Pose};
+use raconteur_body::{Figure, Pose};
 use raconteur_eml::{Diagnostic, Timeline};
 use raconteur_speech::Bundle;
 use raconteur_stage::{Camera, Frame, Room, Shot, SpeechNow};
@@ -16,6 +16,7 @@ use crate::event::Event;
 use crate::gestures::{self, Reach};
 use crate::layers::Layers;
 use crate::live::{self, Live, Performed, Scene};
+use crate::manipulators;
 use crate::part::{self, Part};
 use crate::script::Script;
 use crate::units::Units;
@@ -112,16 +113,10 @@ impl Player {
         let figure = input.figure;
         let units = Units::of(&figure.skeleton);
 
-        let mut world = Vec::new();
-        figure.skeleton.solve(&Pose::zero(), &mut world);
-        let at = |bone: Bone| world[bone.index()].translation;
-        let reach = Reach {
-            shoulders_in_world: [at(Bone::LShoulder), at(Bone::RShoulder)],
-            arm_m: figure.skeleton.offset_length_m(Bone::LElbow)
-                + figure.skeleton.offset_length_m(Bone::LWrist),
-        };
+        let reach = Reach::of(&figure.skeleton);
         let mut diagnostics = script.diagnostics.clone();
         diagnostics.extend(gestures::out_of_reach(&script.document, &units, &reach));
+        diagnostics.extend(manipulators::problems(&script.document, &units, &reach));
 
         let story = Part::new(&script, &units, 0, None);
         let live = Live::new(story.utterances.len());
@@ -432,9 +427,13 @@ fn rehearse<'a>(
     parts: impl Iterator<Item = &'a Part> + Clone,
 ) -> (Actor, Room) {
     let stature_m = figure.skeleton.stature_m();
-    let rooms = parts
-        .clone()
-        .map(|p| gestures::room(&p.strokes, HAND_LENGTH * stature_m));
+    let hand_m = HAND_LENGTH * stature_m;
+    let rooms = parts.clone().flat_map(|p| {
+        [
+            gestures::room(&p.strokes, hand_m),
+            manipulators::room(&p.manipulators, hand_m),
+        ]
+    });
     let room = rooms.fold(held, |a, b| Room {
         top_m: a.top_m.max(b.top_m),
         half_width_m: a.half_width_m.max(b.half_width_m),

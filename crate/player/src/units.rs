@@ -45,6 +45,29 @@ impl Units {
         DVec3::new(eml[0], eml[1], -eml[2])
     }
 
+    /// Metres in one unit.
+    #[must_use]
+    pub fn metres(&self) -> f64 {
+        self.metres_per_unit
+    }
+
+    /// Yaw, pitch and roll in degrees as the engine counts them (radians; see
+    /// `raconteur_actor::manipulator::path`): turns about axes that lie in the mirror of the
+    /// two frames go the other way. EML turns by roll first, then pitch, then yaw, as
+    /// DirectX does, whose conventions GEVH's figures share.
+    #[must_use]
+    pub fn angles(eml_deg: [f64; 3]) -> [f64; 3] {
+        let [yaw, pitch, roll] = eml_deg.map(f64::to_radians);
+        [-yaw, -pitch, roll]
+    }
+
+    /// An angular velocity in degrees a second about EML's axes, radians a second.
+    #[must_use]
+    pub fn angular(eml_deg: [f64; 3]) -> DVec3 {
+        let [x, y, z] = eml_deg.map(f64::to_radians);
+        DVec3::new(-x, -y, z)
+    }
+
     /// A point in the speaker's coordinates (origin: sacroiliac), in world metres.
     #[must_use]
     pub fn speaker_point(&self, eml: [f64; 3]) -> DVec3 {
@@ -61,6 +84,29 @@ impl Units {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn turns_are_those_of_the_mirrored_frame() {
+        use raconteur_base::DMat3;
+        let angles = [20.0_f64, -35.0, 50.0];
+        let [yaw, pitch, roll] = angles.map(f64::to_radians);
+        let eml = DMat3::from_rotation_y(yaw)
+            * DMat3::from_rotation_x(pitch)
+            * DMat3::from_rotation_z(roll);
+        let [yaw, pitch, roll] = Units::angles(angles);
+        let engine = DMat3::from_rotation_y(yaw)
+            * DMat3::from_rotation_x(pitch)
+            * DMat3::from_rotation_z(roll);
+        for v in [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.3, -0.2, 0.9]] {
+            let turned = Units::axis((eml * DVec3::from_array(v)).to_array());
+            assert!(turned.distance(engine * Units::axis(v)) < 1e-12);
+        }
+        // A small turn by an angular velocity agrees with the angles.
+        let small = 1e-6_f64;
+        let by_yaw = DMat3::from_rotation_y(Units::angles([small, 0.0, 0.0])[0]) * DVec3::Z;
+        let by_rate = Units::angular([0.0, small, 0.0]).cross(DVec3::Z);
+        assert!((by_yaw - DVec3::Z).distance(by_rate) < 1e-12);
+    }
 
     #[test]
     fn on_the_example_skeleton_the_origin_is_its_sacroiliac() {

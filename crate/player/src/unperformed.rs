@@ -50,6 +50,15 @@ impl Found {
             ClauseKind::GestureKey(_)
             | ClauseKind::GestureIsOn(_)
             | ClauseKind::Event { .. }
+            | ClauseKind::VhMove(_)
+            | ClauseKind::ConfigureManipulator(_)
+            | ClauseKind::ForwardKinematics(_)
+            | ClauseKind::JointInterpolation(_)
+            | ClauseKind::FrameInterpolation(_)
+            | ClauseKind::ManipulatorFunction(_)
+            | ClauseKind::Jacobian(_)
+            | ClauseKind::ManipulatorStop(_)
+            | ClauseKind::ManipulatorLock(_)
             | ClauseKind::Null
             | ClauseKind::Seq(_)
             | ClauseKind::Par(_) => {}

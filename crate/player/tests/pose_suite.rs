@@ -35,7 +35,17 @@ use raconteur_player::eml::schema::ELEMENTS;
 use raconteur_player::{Loaded, Options, Player, StoryInput, Units};
 
 /// Elements of which every attribute must occur in a case.
-const SHOWN: &[&str] = &[];
+const SHOWN: &[&str] = &[
+    "vh-move",
+    "body-configure-manipulator",
+    "body-non-deterministic-fk",
+    "body-non-deterministic-joint-interpolation",
+    "body-non-deterministic-frame-interpolation",
+    "body-non-deterministic-function",
+    "body-non-deterministic-jacobian",
+    "body-non-deterministic-stop",
+    "body-non-deterministic-lock",
+];
 
 /// Times a second at which stretches are looked at.
 const RATE: f64 = 120.0;

@@ -12,14 +12,14 @@ use super::path::Curve;
 use super::perform::{Manipulators, Terms};
 use super::rig::Base;
 use super::solve::{AT_EASE, Choice, Solutions, choose};
-use super::track::{Course, Goal, Held, Kind, even_secs};
+use super::track::{BRAKE_SECS, Course, Goal, Held, Kind, even_secs};
 use super::{Command, Frame, Joints, Limb, ManipulatorScript, Motion, Pace};
 use crate::arm_ik::ARM_BONES;
 
 /// Shortest time in which joints are set, seconds, and the mean speed of the fastest one.
 /// Designed: a movement as quick as it looks unhurried.
 const QUICK_SECS: f64 = 0.25;
-const QUICK_RAD_PER_S: f64 = 5.0;
+const QUICK_RAD_PER_S: f64 = 3.0;
 /// Steps of inverse velocity a second, and how many make a sample.
 const STEPS_HZ: f64 = 120.0;
 const STEPS_A_SAMPLE: usize = 2;
@@ -43,6 +43,9 @@ struct Now {
     lean: DVec3,
     /// How far elbow or knee are from their natural way, radians.
     swivel_rad: f64,
+    /// What the cue and the lean are off those for the place.
+    cue_lag: DVec3,
+    lean_lag: DVec3,
 }
 
 impl Now {
@@ -163,7 +166,6 @@ impl Manipulators {
                 even: false,
             },
         };
-        let cue_lag = now.cue - now.trunk.inverse().transform_point3(now.frame.position);
         let track = &mut self.tracks[limb.index()];
         track.switch_control(at, true);
         track.begin(
@@ -171,7 +173,8 @@ impl Manipulators {
             Course {
                 kind,
                 swivel_rad: now.swivel_rad,
-                cue_lag,
+                cue_lag: now.cue_lag,
+                lean_lag: now.lean_lag,
             },
         );
     }
@@ -179,10 +182,11 @@ impl Manipulators {
     /// Where a limb is at a time, by idle life and the commands up to now.
     fn now(&self, limb: Limb, time_secs: f64, scene: &Scene<'_>) -> Now {
         let skeleton = scene.skeleton;
-        let mut pose = scene.idle(time_secs);
+        let upright = scene.idle(time_secs);
+        let mut pose = upright.clone();
         let goal = self.goal(limb, time_secs);
         let lean = goal.map_or(DVec3::ZERO, |(goal, weight)| {
-            self.lean_for(limb, &goal, skeleton, &pose) * weight
+            self.lean_for(limb, &goal, skeleton, &upright) * weight
         });
         self.lean(skeleton, time_secs, &mut pose);
         self.limbs(skeleton, time_secs, &mut pose);
@@ -193,13 +197,21 @@ impl Manipulators {
         let base = self.base(limb, &trunk, scapula);
         let joints = self.configuration(limb, &pose, &base);
         let frame = self.posed(limb, &joints, &base).frame;
+        let place = trunk.inverse().transform_point3(frame.position);
         let cue = match goal {
             Some((Goal::Joints(held), _)) => held.cue,
             Some((Goal::Frame { frame, cue_lag, .. }, _)) => {
                 trunk.inverse().transform_point3(frame.position) + cue_lag
             }
-            None => trunk.inverse().transform_point3(frame.position),
+            None => place,
         };
+        let plain = Goal::Frame {
+            frame,
+            swivel_rad: 0.0,
+            cue_lag: DVec3::ZERO,
+            lean_lag: DVec3::ZERO,
+        };
+        let lean_lag = lean - self.lean_for(limb, &plain, skeleton, &upright);
         let swivel_rad = self.limbs.get(limb.index()).map_or(0.0, |rig| {
             let obstacles = self.obstacles(limb, &trunk, skeleton, &pose);
             let natural = rig.elbow_for(&frame, &base, obstacles.as_ref(), 0.0);
@@ -214,6 +226,8 @@ impl Manipulators {
             cue,
             lean,
             swivel_rad,
+            cue_lag: cue - place,
+            lean_lag,
         }
     }
 
@@ -315,6 +329,7 @@ impl Manipulators {
             frame: *to,
             swivel_rad: 0.0,
             cue_lag: DVec3::ZERO,
+            lean_lag: DVec3::ZERO,
         };
         let lean = self.lean_for(limb, &goal, scene.skeleton, &pose);
         super::lean::apply(scene.skeleton, lean, &mut pose);
@@ -357,7 +372,9 @@ impl Manipulators {
         let mut held = vec![state];
         let mut base = now.base;
         let mut frame = now.frame;
-        let steps = (most_secs * STEPS_HZ).ceil() as usize;
+        let mut carried = DVec3::ZERO;
+        // On after what ends it: a stop brakes.
+        let steps = ((most_secs + BRAKE_SECS) * STEPS_HZ).ceil() as usize;
         for step in 1..=steps {
             let gathered = smooth(step as f64 / (START_SECS * STEPS_HZ));
             let twist = wanted(&frame);
@@ -368,9 +385,14 @@ impl Manipulators {
                 Some(rig) => rig.axes(&state.joints, &base),
                 None => self.head.axes(&state.joints, &base),
             };
+            // What the girdle does by itself the joints need not do.
+            let twist = Twist {
+                linear: twist.linear * gathered - carried,
+                angular: twist.angular * gathered,
+            };
             let speeds = joint_speeds(&axes, frame.position, &twist);
             for (joint, speed) in state.joints.iter_mut().zip(speeds) {
-                *joint += speed * gathered / STEPS_HZ;
+                *joint += speed / STEPS_HZ;
             }
             if limited {
                 state.joints = limits::keep(self.limits(limb), 1.0, &state.joints);
@@ -381,7 +403,9 @@ impl Manipulators {
                 .girdles
                 .get(limb.index())
                 .map(|girdle| girdle.scapula_for(&now.trunk, frame.position, 0.0));
+            let before = base.origin;
             base = self.base(limb, &now.trunk, scapula);
+            carried = (base.origin - before) * STEPS_HZ;
             frame = self.posed(limb, &state.joints, &base).frame;
             if step % STEPS_A_SAMPLE == 0 {
                 held.push(state);

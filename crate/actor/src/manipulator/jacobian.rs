@@ -9,10 +9,10 @@ use crate::wrist::rotation_vector;
 /// How many metres count as much as a radian.
 const METRES_PER_RAD: f64 = 0.3;
 /// Below this measure of manipulability (the root of the determinant of J·Jᵀ) damping sets
-/// in, and its greatest value (Nakamura and Hanafusa 1986, doi:10.1115/1.3143764). Designed
-/// for arms and legs: a limb bent by 20° has some 0.002.
-const MANIPULABLE: f64 = 2e-3;
-const DAMPING: f64 = 0.02;
+/// in, and its greatest value (Nakamura and Hanafusa 1986, doi:10.1115/1.3143764). An arm
+/// that is bent by 10° measures 0.37, one that is bent by 90° 1.4.
+const MANIPULABLE: f64 = 0.37;
+const DAMPING: f64 = 0.05;
 
 /// How the end of a limb moves, figure axes.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -141,7 +141,7 @@ pub enum Motion {
         secs: f64,
     },
     /// Along a function of time (GEVH D.3.23).
-    Function(Path),
+    Function(Box<Path>),
     /// To a frame by inverse velocity (GEVH D.3.24).
     JacobianTarget(Frame),
     /// At velocities by inverse velocity until another command comes (GEVH D.3.24).

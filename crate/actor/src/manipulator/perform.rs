@@ -147,12 +147,17 @@ impl Manipulators {
     ) -> DVec3 {
         match (goal, self.girdles.get(limb.index())) {
             (Goal::Joints(held), _) => held.lean,
-            (Goal::Frame { frame, .. }, Some(girdle)) => {
+            (
+                Goal::Frame {
+                    frame, lean_lag, ..
+                },
+                Some(girdle),
+            ) => {
                 let thorax = world_from_bone(skeleton, pose, Bone::Thoracic);
                 let lumbar = world_from_bone(skeleton, pose, Bone::Lumbar).translation;
                 let scapula = girdle.scapula_for(&thorax, frame.position, 0.0);
                 let shoulder = girdle.shoulder_at(&thorax, scapula);
-                lean::wanted(shoulder, lumbar, frame.position, girdle.reach_m())
+                lean::wanted(shoulder, lumbar, frame.position, girdle.reach_m()) + *lean_lag
             }
             _ => DVec3::ZERO,
         }

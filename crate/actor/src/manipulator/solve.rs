@@ -6,7 +6,7 @@
 
 use core::f64::consts::PI;
 
-use raconteur_base::{DMat3, DQuat, DVec3, ops};
+use raconteur_base::{DMat3, DQuat, DVec3, METRES_PER_INCH, ops};
 
 use super::rig::{Base, LimbRig, ROLL};
 use super::{Frame, Joints, Limit, limits};
@@ -197,7 +197,8 @@ pub fn choose(
     best
 }
 
-/// Sum of the squared differences of two frames' matrices; metres count as they are.
+/// Sum of the squared differences of two frames' matrices, lengths in the skeleton units of
+/// the thesis (of an inch): a wrist that is off its place weighs more than a turned one.
 #[must_use]
 pub fn matrix_error(a: &Frame, b: &Frame) -> f64 {
     let rotation = DMat3::from_quat(a.rotation) - DMat3::from_quat(b.rotation);
@@ -205,7 +206,7 @@ pub fn matrix_error(a: &Frame, b: &Frame) -> f64 {
     squares(rotation.x_axis)
         + squares(rotation.y_axis)
         + squares(rotation.z_axis)
-        + squares(a.position - b.position)
+        + squares((a.position - b.position) / METRES_PER_INCH)
 }
 
 /// Sum of the squared differences of joint angles, each the short way round.

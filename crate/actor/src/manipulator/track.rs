@@ -9,7 +9,7 @@ use super::{Frame, Joints};
 
 /// Time in which a limb that is stopped comes to rest, seconds. Designed: as fast as muscles
 /// brake.
-const BRAKE_SECS: f64 = 0.2;
+pub(super) const BRAKE_SECS: f64 = 0.2;
 /// Time in which elbow and girdle take their own way again after a change of motion, seconds.
 const SETTLE_SECS: f64 = 0.6;
 /// Time in which a limb is given back, seconds.
@@ -55,6 +55,8 @@ pub(super) enum Goal {
         swivel_rad: f64,
         /// What the girdle's cue is off the target, trunk axes, metres.
         cue_lag: DVec3,
+        /// What the spine's lean is off what the target asks for, rotation vector.
+        lean_lag: DVec3,
     },
 }
 
@@ -86,6 +88,8 @@ pub(super) struct Course {
     pub(super) swivel_rad: f64,
     /// What the girdle's cue was off the place, trunk axes, metres.
     pub(super) cue_lag: DVec3,
+    /// What the spine's lean was off what the place asked for, rotation vector.
+    pub(super) lean_lag: DVec3,
 }
 
 /// A course from a time on.
@@ -280,6 +284,7 @@ impl Course {
             frame,
             swivel_rad: self.swivel_rad * left,
             cue_lag: self.cue_lag * left,
+            lean_lag: self.lean_lag * left,
         }
     }
 }

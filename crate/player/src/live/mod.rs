@@ -15,6 +15,7 @@ use raconteur_speech::Bundle;
 
 use crate::cues::{ClauseRef, Cue, CueKind, UtteranceCue};
 use crate::gestures::{Reach, out_of_reach};
+use crate::manipulators;
 use crate::part::Part;
 use crate::script::{Script, delayed};
 use crate::units::Units;
@@ -224,8 +225,11 @@ impl Live {
         parsed.diagnostics.extend(late);
         let mut script = Script::resolve(parsed, scene.bundle.cloned(), scene.bundle.is_some());
         performed.diagnostics.append(&mut script.diagnostics);
-        let far = out_of_reach(&script.document, scene.units, scene.reach);
+        let (document, units) = (&script.document, scene.units);
+        let far = out_of_reach(document, units, scene.reach);
         performed.diagnostics.extend(far);
+        let limbs = manipulators::problems(document, units, scene.reach);
+        performed.diagnostics.extend(limbs);
         script.timeline = delayed(script.timeline, base_secs);
         let sudden = Part::new(&script, scene.units, 0, None);
         let run_up_secs = run_up(&sudden, scene.actor, base_secs);
