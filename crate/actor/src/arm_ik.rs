@@ -28,6 +28,9 @@ const HAND_AT_EASE: DVec3 = DVec3::new(0.22, 0.12, 1.0);
 /// Direction of the elbow from the line between shoulder and wrist there. Designed.
 const ELBOW_AT_EASE: DVec3 = DVec3::new(0.42, -1.0, 0.0);
 
+/// Width of the edge in which an elbow gives way to the trunk, as a share of its half axes.
+const ELBOW_EDGE: f64 = 0.15;
+
 /// Half width and half depth of the trunk for a stature of 1.7 m, metres; measured at
 /// the chest of an average adult, clothed.
 pub const TRUNK_HALF_AXES_M: [f64; 2] = [0.17, 0.13];
@@ -336,7 +339,15 @@ impl ArmRig {
         // The elbow is 4 cm thick around its joint.
         let x = elbow.x / (half_width + 0.04);
         let z = elbow.z / (half_depth + 0.04);
-        (1.0 - ops::hypot(x, z)).max(0.0)
+        let over = 1.0 - ops::hypot(x, z);
+        // Eased, so that an elbow that meets the trunk slides and does not bounce.
+        if over >= ELBOW_EDGE {
+            over
+        } else if over <= -ELBOW_EDGE {
+            0.0
+        } else {
+            (over + ELBOW_EDGE) * (over + ELBOW_EDGE) / (4.0 * ELBOW_EDGE)
+        }
     }
 }
 
@@ -379,6 +390,15 @@ impl ArmRig {
             // The hinge of the elbow is its z axis.
             flexion_rad: 2.0 * ops::atan2(solution.elbow.z, solution.elbow.w),
         }
+    }
+
+    /// The hand rotation of a solution: what was wanted, as far as the wrist could.
+    #[must_use]
+    pub fn hand_of(&self, world_from_thorax: &DAffine3, s: &ArmSolution) -> DQuat {
+        let scapula = rotation_of(world_from_thorax) * self.scapula_zero * s.scapula;
+        let forearm = scapula * self.shoulder_zero * s.shoulder * self.elbow_zero * s.elbow;
+        let hand = forearm * self.wrist_zero * s.wrist * self.wrist_zero_in_world.inverse();
+        hand.normalize()
     }
 
     /// Where a posture puts the wrist, with the thorax of the zero pose, world, metres.

@@ -7,7 +7,8 @@ use raconteur_speech::{Phone, Word};
 
 use crate::arm_ik::{ArmGoal, ArmRig, ArmSolution};
 use crate::face::{Expression, FaceRig};
-use crate::gesture::{ArmPlan, ArmScript, BodySpace, HandTarget, part_hands};
+use crate::gesture::contact::{Contact, PlacedHand};
+use crate::gesture::{ArmPlan, ArmScript, BodySpace, HandTarget};
 use crate::idle::blink::Blinks;
 use crate::idle::gaze::{Gaze, HEAD_SHARE, angles_of, eye_towards};
 use crate::idle::stance::Stance;
@@ -104,6 +105,7 @@ pub struct Actor {
     rigs: [ArmRig; 2],
     manipulators: Manipulators,
     space: BodySpace,
+    contact: Contact,
     stance: Stance,
     trunk: Trunk,
     rhythm: SpeechRhythm,
@@ -153,6 +155,7 @@ impl Actor {
             rigs: Side::BOTH.map(|side| ArmRig::new(skeleton, side)),
             manipulators: Manipulators::at_rest(skeleton, performance.sex),
             space: BodySpace::new(skeleton),
+            contact: Contact::new(skeleton),
             stance: Stance::new(skeleton, seed),
             trunk: Trunk { seed },
             rhythm: SpeechRhythm::new(&spans, &beats),
@@ -264,34 +267,65 @@ impl Actor {
         // What rests goes with the trunk; what gestures is in the world.
         let moved = thorax * self.rigs[0].world_from_thorax_zero().inverse();
         let turned = rotation_of(&moved);
-        let placed = targets.map(|target| self.place(&target, &moved, turned));
-        let wrists = part_hands(placed.map(|p| p.0));
-        let arms = Side::BOTH.map(|side| {
+        let mut hands =
+            Side::BOTH.map(|side| self.place(side, &targets[side.index()], &moved, turned));
+        let solve = |side: Side, hand: &PlacedHand| {
             let i = side.index();
             let goal = ArmGoal {
-                wrist_in_world: wrists[i],
-                hand_in_world: Some(placed[i].1),
+                wrist_in_world: hand.wrist,
+                hand_in_world: Some(hand.hand),
                 shrug_rad: self.trunk.shrug(&self.rhythm, t, i as u64, self.amount),
             };
-            let solution = self.rigs[i].solve(&thorax, &goal);
-            solution.apply(side, pose);
-            for (bone, rotation) in targets[i].shape.rotations(side) {
+            self.rigs[i].solve(&thorax, &goal)
+        };
+        let mut arms = Side::BOTH.map(|side| solve(side, &hands[side.index()]));
+        // Hands meet as they are, which is not always as they are wanted.
+        let met = Side::BOTH.map(|side| {
+            let i = side.index();
+            PlacedHand {
+                hand: self.rigs[i].hand_of(&thorax, &arms[i]),
+                ..hands[i]
+            }
+        });
+        let axes = [turned * DVec3::X, turned * DVec3::Z];
+        let apart = self.contact.apart([&met[0], &met[1]], axes);
+        if apart != DVec3::ZERO {
+            hands[0].wrist += apart * 0.5;
+            hands[1].wrist -= apart * 0.5;
+            arms = Side::BOTH.map(|side| solve(side, &hands[side.index()]));
+        }
+        for side in Side::BOTH {
+            let i = side.index();
+            arms[i].apply(side, pose);
+            for (bone, rotation) in hands[i].fingers {
                 pose.set(bone, rotation);
             }
-            solution
-        });
-        (arms, wrists)
+        }
+        (arms, hands.map(|hand| hand.wrist))
     }
 
-    /// Wrist and hand rotation of a target in the world.
-    fn place(&self, target: &HandTarget, moved: &DAffine3, turned: DQuat) -> (DVec3, DQuat) {
+    /// A target as a hand in the world, outside the body.
+    fn place(
+        &self,
+        side: Side,
+        target: &HandTarget,
+        moved: &DAffine3,
+        turned: DQuat,
+    ) -> PlacedHand {
         let carried = target
             .wrist
             .lerp(moved.transform_point3(target.wrist), target.rest_share);
         let in_body = moved.inverse().transform_point3(carried);
-        let clear = carried + turned * (self.space.keep_out(in_body) - in_body);
         let hand = DQuat::IDENTITY.slerp(turned, target.hand_rest_share) * target.hand;
-        (clear, hand.normalize())
+        let mut placed = PlacedHand {
+            wrist: self.space.keep_out(in_body),
+            hand: (turned.inverse() * hand).normalize(),
+            fingers: target.shape.rotations(side),
+        };
+        placed.wrist += self.contact.way_out(side, &placed);
+        placed.wrist = carried + turned * (placed.wrist - in_body);
+        placed.hand = hand.normalize();
+        placed
     }
 
     fn head(&self, skeleton: &Skeleton, t: f64, listener: DVec3, pose: &mut Pose) {

@@ -9,6 +9,7 @@
 //! Wrist, hand rotation and fingers keep clocks of their own: a palm that turns does not stop
 //! the arm that carries it.
 
+pub mod contact;
 mod fingers;
 mod path;
 mod phrase;
@@ -24,7 +25,7 @@ use raconteur_body::hand_shape::HandAngles;
 
 pub use plan::{ArmPlan, HandState, HandTarget, PlannedKey};
 pub use rest::{Rest, RestHand};
-pub use space::{BodySpace, part_hands};
+pub use space::BodySpace;
 
 /// What one hand is asked for at one time.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

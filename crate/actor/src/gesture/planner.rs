@@ -35,7 +35,7 @@ const ARCH_SHARE: f64 = 0.08;
 const ARCH_PER_M: f64 = 0.09;
 /// A key that repeats the place of the one before within this distance keeps it, metres.
 const SAME_PLACE_M: f64 = 1e-6;
-/// Fastest mean speed of a wrist, metres a second: with the peak of a free movement 4 m/s, as
+/// Fastest mean speed of a wrist, metres a second: with the peak of a free movement 4.1 m/s, as
 /// in brisk conversation. What a script wants faster comes later.
 const FASTEST_M_S: f64 = 2.2;
 /// Shortest and longest time in which fingers form before a stroke, seconds. Designed.

@@ -1,4 +1,4 @@
-//! The space that the body takes: hands keep out of trunk and head, and of each other.
+//! The space that the body takes: hands keep out of trunk and head.
 //!
 //! The trunk is an elliptic column, the head an ellipsoid, both in the zero pose.
 
@@ -13,8 +13,6 @@ use crate::kinematics::world_from_bone;
 const HAND_RADIUS_M: f64 = 0.045;
 /// Half axes of the head (with hair), for a stature of 1.7 m, metres.
 const HEAD_HALF_AXES_M: [f64; 3] = [0.085, 0.125, 0.105];
-/// Nearest that two wrists come to each other: palms together, metres.
-const WRISTS_APART_M: f64 = 0.07;
 /// Width of the edge in which a hand is eased out, as a share of the half axes.
 const EDGE: f64 = 0.04;
 
@@ -33,13 +31,19 @@ pub struct BodySpace {
 }
 
 impl BodySpace {
-    /// Measures a figure.
+    /// Measures a figure, with the room that a wrist needs.
     #[must_use]
     pub fn new(skeleton: &Skeleton) -> Self {
+        Self::with_room(skeleton, HAND_RADIUS_M)
+    }
+
+    /// Measures a figure for what needs `room_m` around it, for a stature of 1.7 m, metres.
+    #[must_use]
+    pub fn with_room(skeleton: &Skeleton, room_m: f64) -> Self {
         let zero = Pose::zero();
         let at = |bone| world_from_bone(skeleton, &zero, bone).translation;
         let scale = skeleton.stature_m() / 1.7;
-        let hand = HAND_RADIUS_M * scale;
+        let hand = room_m * scale;
         let skull = at(Bone::Skull);
         Self {
             axis_z: 0.5 * (at(Bone::LShoulder).z + at(Bone::Lumbar).z),
@@ -132,25 +136,6 @@ fn eased(r: f64) -> f64 {
     }
 }
 
-/// Moves two wrists (left, right) apart, evenly, when they come too near.
-#[must_use]
-pub fn part_hands(wrists: [DVec3; 2]) -> [DVec3; 2] {
-    let [left, right] = wrists;
-    let between = left - right;
-    let distance = between.length();
-    let target = WRISTS_APART_M * eased(distance / WRISTS_APART_M);
-    if target <= distance {
-        return wrists;
-    }
-    let u = if distance > 1e-9 {
-        between / distance
-    } else {
-        DVec3::X
-    };
-    let push = u * 0.5 * (target - distance);
-    [left + push, right - push]
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -188,14 +173,5 @@ mod tests {
                 assert!(d < 30.0 * p.distance(q), "{p}: {d}");
             }
         }
-    }
-
-    #[test]
-    fn hands_do_not_share_a_place() {
-        let p = DVec3::new(0.02, 1.2, 0.3);
-        let [l, r] = part_hands([p, p - DVec3::X * 0.03]);
-        assert!((l.distance(r) - WRISTS_APART_M).abs() < 1e-3 && l.x > r.x);
-        let far = [p, p - DVec3::X * 0.2];
-        assert_eq!(part_hands(far), far);
     }
 }

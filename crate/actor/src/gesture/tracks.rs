@@ -232,7 +232,7 @@ fn turned(
     m: f64,
     space: Option<Space>,
 ) -> DQuat {
-    if m == 0.0 {
+    if m == 0.0 || from.hand == to.hand {
         return from.hand;
     }
     if m == 1.0 {

@@ -8,12 +8,13 @@
 mod solids;
 
 use raconteur_actor::arm_ik::ELBOW_MAX_DEG;
+use raconteur_actor::gesture::contact::Capsule;
 use raconteur_actor::wrist;
 use raconteur_base::{DAffine3, DQuat, DVec3, Side, ops};
 use raconteur_body::{Bone, Figure};
 
 use crate::Player;
-use solids::{Body, Capsule, Hand, local_rotation};
+use solids::{Body, Hand, local_rotation};
 
 /// Frames a second that a sweep looks at.
 pub const RATE_HZ: f64 = 120.0;
@@ -60,6 +61,9 @@ impl Check {
     }
 
     fn meet(&mut self, value: f64, part: Bone, at_secs: f64) {
+        if std::env::var_os("DBG").is_some() && value > self.limit {
+            eprintln!("V {} {:.2} {value:.1} {}", self.name, at_secs, part.name());
+        }
         if value > self.worst || value.is_nan() {
             (self.worst, self.part, self.at_secs) = (value, part.name(), at_secs);
         }
@@ -237,7 +241,8 @@ impl Sweep {
         if far(&self.capsules[0]).distance(far(&self.capsules[1])) < 0.5 {
             for a in &self.capsules[0] {
                 for b in &self.capsules[1] {
-                    self.other_hand.meet(1e3 * a.depth_m(b), wrists[0], t);
+                    let depth = a.depth_m(b, DVec3::ZERO);
+                    self.other_hand.meet(1e3 * depth, wrists[0], t);
                 }
             }
         }

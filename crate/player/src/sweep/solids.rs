@@ -1,6 +1,7 @@
 //! What of a figure may not pass through what: hands as chains of capsules, trunk, neck and
 //! head as stacks of slices, all measured on its meshes.
 
+use raconteur_actor::gesture::contact::{Capsule, TIP_SHARE};
 use raconteur_actor::kinematics::world_from_bone;
 use raconteur_base::{DAffine3, DQuat, DVec3, Side, ops};
 use raconteur_body::figure::MaterialKind;
@@ -13,44 +14,8 @@ const SLICE_M: f64 = 0.02;
 const SECTORS: usize = 36;
 /// Weight from which on a vertex belongs to a bone.
 const OWN_WEIGHT: f32 = 0.5;
-/// Length of the last bone of a finger, as a share of the one before.
-const TIP_SHARE: f64 = 0.8;
 /// Radii of fingers and palm of figures without meshes, for a stature of 1.7 m, metres.
 const RADII_M: [f64; 2] = [0.008, 0.012];
-
-/// A sphere swept along a line.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Capsule {
-    pub(super) ends: [DVec3; 2],
-    pub(super) radius_m: f64,
-}
-
-impl Capsule {
-    /// How deep this and another are in each other; negative apart; metres.
-    pub(super) fn depth_m(&self, other: &Self) -> f64 {
-        self.radius_m + other.radius_m - distance_m(self.ends, other.ends)
-    }
-}
-
-/// Distance of two line segments, metres.
-fn distance_m(a: [DVec3; 2], b: [DVec3; 2]) -> f64 {
-    let (u, v, w) = (a[1] - a[0], b[1] - b[0], a[0] - b[0]);
-    let (uu, uv, vv) = (u.dot(u), u.dot(v), v.dot(v));
-    let (uw, vw) = (u.dot(w), v.dot(w));
-    let det = uu * vv - uv * uv;
-    let share = |over: f64, under: f64| {
-        if under > 1e-12 {
-            (over / under).clamp(0.0, 1.0)
-        } else {
-            0.0
-        }
-    };
-    // The best place on the other line for each place on one, each put right once.
-    let s = share(uv * vw - vv * uw, det);
-    let t = share(uv * s + vw, vv);
-    let s = share(uv * t - uw, uu);
-    (w + u * s - v * t).length()
-}
 
 /// One capsule of a hand: from a bone to a bone, or to its tip.
 #[derive(Clone, Copy, Debug)]
@@ -257,24 +222,4 @@ pub(super) fn local_rotation(world_from_joint: &[DAffine3], bone: Bone) -> DQuat
     let own = world_from_joint[bone.index()].matrix3;
     let parent = bone.parent().map(|p| world_from_joint[p.index()].matrix3);
     DQuat::from_mat3(&parent.map_or(own, |p| p.transpose() * own)).normalize()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn capsules_know_how_deep_they_are_in_each_other() {
-        let along = |from: DVec3, to: DVec3| Capsule {
-            ends: [from, to],
-            radius_m: 0.1,
-        };
-        let a = along(DVec3::ZERO, DVec3::X);
-        let crossing = along(DVec3::new(0.5, 0.15, -1.0), DVec3::new(0.5, 0.15, 1.0));
-        assert!((a.depth_m(&crossing) - 0.05).abs() < 1e-12);
-        let beyond = along(DVec3::new(1.5, 0.0, 0.0), DVec3::new(2.0, 0.0, 0.0));
-        assert!((a.depth_m(&beyond) + 0.3).abs() < 1e-12);
-        let beside = along(DVec3::Y * 0.2, DVec3::new(1.0, 0.2, 0.0));
-        assert!(a.depth_m(&beside).abs() < 1e-12);
-    }
 }
