@@ -161,7 +161,7 @@ fn offset(mark: &Mark, timing: &VoiceTiming, sink: &mut Sink) -> f64 {
             let phone = timing
                 .phones
                 .iter()
-                .find(|p| p.word == mark.word && p.symbol == *symbol);
+                .find(|p| p.word == mark.word && p.symbol == **symbol);
             if phone.is_none() && !timing.estimated {
                 let message = format!(
                     "the word that follows has no phone {}; its start is used",
