@@ -233,9 +233,13 @@ impl VoiceText {
                     while at < bytes.len() {
                         let start = at;
                         let (mut letters, mut all) = (0, 0);
-                        while at < bytes.len() && !is_space(bytes[at]) {
-                            letters += usize::from(is_letter(bytes[at]));
-                            all |= bytes[at];
+                        for &b in &bytes[start..] {
+                            let class = CLASS[usize::from(b)];
+                            if class == SPACE {
+                                break;
+                            }
+                            letters += usize::from(class);
+                            all |= b;
                             at += 1;
                         }
                         if at > start {
@@ -258,9 +262,8 @@ impl VoiceText {
                         }
                         if at < bytes.len() {
                             token.finish(&mut words, visit)?;
-                            while at < bytes.len() && is_space(bytes[at]) {
-                                at += 1;
-                            }
+                            let space = bytes[at..].iter().take_while(|&&b| is_space(b));
+                            at += space.count();
                         }
                     }
                 }
@@ -308,23 +311,32 @@ fn has_letter(text: &str) -> bool {
 
 /// Whether a byte is an ASCII letter or digit.
 pub(crate) fn is_letter(b: u8) -> bool {
-    LETTER[usize::from(b)]
+    CLASS[usize::from(b)] == LETTER
 }
 
-/// See [`is_letter`].
-static LETTER: [bool; 256] = {
-    let mut table = [false; 256];
+/// The class of ASCII letters and digits; 1, so that adding classes counts them.
+const LETTER: u8 = 1;
+/// The class of white space.
+const SPACE: u8 = 2;
+
+/// The class of every byte: [`LETTER`], [`SPACE`] or 0.
+static CLASS: [u8; 256] = {
+    let mut table = [0; 256];
     let mut b = 0;
     while b < table.len() {
-        table[b] = (b as u8).is_ascii_alphanumeric();
+        if (b as u8).is_ascii_alphanumeric() {
+            table[b] = LETTER;
+        } else if is_space(b as u8) {
+            table[b] = SPACE;
+        }
         b += 1;
     }
     table
 };
 
 /// XML's white space. A no-break space joins.
-fn is_space(b: u8) -> bool {
-    b <= b' ' && matches!(b, b' ' | b'\t' | b'\n' | b'\r')
+const fn is_space(b: u8) -> bool {
+    matches!(b, b' ' | b'\t' | b'\n' | b'\r')
 }
 
 /// What a spoken text consists of for those who time it.
@@ -361,14 +373,14 @@ impl<'v> Token<'v> {
     }
 
     fn finish(&mut self, words: &mut usize, visit: &mut Visit<'v, '_>) -> ControlFlow<()> {
-        let flow = if self.letters > 0 {
+        if self.letters > 0 {
             *words += 1;
-            visit(Item::Word(self))
-        } else {
-            ControlFlow::Continue(())
-        };
-        *self = Self::default();
-        flow
+            visit(Item::Word(self))?;
+        }
+        if !self.text.is_empty() {
+            *self = Self::default();
+        }
+        ControlFlow::Continue(())
     }
 }
 
