@@ -19,12 +19,17 @@ type Index<'d> = BTreeMap<&'d str, usize>;
 /// Reports attributes that mean nothing beside others, clauses that lack what they need,
 /// and, in a whole script, references to nothing.
 pub(crate) fn clauses(document: &Document, is_fragment: bool, sink: &mut Sink) {
-    for (_, clause) in document.iter() {
+    // Those that have to do with players: few, if any.
+    let mut playing = Vec::new();
+    for clause in &document.clauses {
         meaning(clause, sink);
+        if is_playing(&clause.kind) {
+            playing.push(clause);
+        }
     }
     // What a mind refers to may have been made by the script that plays.
     if !is_fragment {
-        references(document, sink);
+        references(&document.sets, &playing, sink);
     }
 }
 
@@ -135,11 +140,25 @@ fn meaning(clause: &Clause, sink: &mut Sink) {
     }
 }
 
+/// Whether a clause makes, ends or refers to players of animations.
+fn is_playing(kind: &ClauseKind) -> bool {
+    matches!(
+        kind,
+        ClauseKind::PlayerAdd(_)
+            | ClauseKind::PlayerSetExclusive(_)
+            | ClauseKind::PlayerChangePriority(_)
+            | ClauseKind::PlayerRemove(_)
+            | ClauseKind::PlayerClear
+            | ClauseKind::DeterministicTrackProperty(_)
+            | ClauseKind::DeterministicPrimitive(_)
+    )
+}
+
 /// Checks the references between the parts of a document.
-fn references(document: &Document, sink: &mut Sink) {
-    let index = sets(&document.sets, sink);
-    let players = players(document, sink);
-    for (_, clause) in document.iter() {
+fn references(all_sets: &[Set], playing: &[&Clause], sink: &mut Sink) {
+    let index = sets(all_sets, sink);
+    let players = players(playing, sink);
+    for clause in playing {
         let span = clause.tag_span;
         let (player, members) = match &clause.kind {
             ClauseKind::PlayerAdd(add) => (None, add.bones.as_ref().map(|b| &b.members)),
@@ -176,11 +195,11 @@ fn references(document: &Document, sink: &mut Sink) {
 }
 
 /// The names of all players; one name is for one player.
-fn players<'d>(document: &'d Document, sink: &mut Sink) -> BTreeMap<&'d str, Span> {
+fn players<'d>(playing: &[&'d Clause], sink: &mut Sink) -> BTreeMap<&'d str, Span> {
     let mut players: BTreeMap<&str, Span> = BTreeMap::new();
     // A player that is removed may come back under its name.
     let mut removed = false;
-    for (_, clause) in document.iter() {
+    for clause in playing {
         let name = match &clause.kind {
             ClauseKind::PlayerAdd(add) => &add.name,
             ClauseKind::PlayerSetExclusive(set) => {

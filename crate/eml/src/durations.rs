@@ -1,6 +1,6 @@
 //! How long speech takes: asked of whoever knows.
 
-use crate::voice::{Item, letters};
+use crate::voice::{Item, is_letter};
 use crate::{Piece, VoiceText};
 use std::ops::ControlFlow;
 
@@ -79,7 +79,7 @@ impl Durations for EstimatedDurations {
         let mut now = 0.0_f64;
         // Where silence after the last word ends; the utterance ends with the word.
         let mut resume = 0.0_f64;
-        text.scan(|item| {
+        let _ = text.scan(&mut |item| {
             let Item::Word(word) = item else {
                 return ControlFlow::Continue(());
             };
@@ -87,9 +87,8 @@ impl Durations for EstimatedDurations {
                 resume += secs;
                 next_break = breaks.next();
             }
-            let letters = letters(&word.text);
             let start_secs = resume;
-            now = start_secs + SECS_PER_WORD + SECS_PER_LETTER * letters as f64;
+            now = start_secs + SECS_PER_WORD + SECS_PER_LETTER * word.letters as f64;
             timing.words.push(WordTime {
                 start_secs,
                 end_secs: now,
@@ -114,7 +113,7 @@ impl Durations for EstimatedDurations {
 
 /// The pause that the punctuation at the end of a word asks for.
 fn pause_after(word: &str) -> f64 {
-    if word.ends_with(|c: char| c.is_ascii_alphanumeric()) {
+    if word.bytes().next_back().is_some_and(is_letter) {
         return 0.0;
     }
     let bare = word.trim_end_matches(['"', '\'', ')', '”', '’', '»']);

@@ -141,7 +141,7 @@ pub struct Key<K> {
 }
 
 /// A hand shape of Portuguese Sign Language.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ShapeKey {
     /// Its number, 0 to 60.
     pub id: u8,
@@ -150,7 +150,7 @@ pub struct ShapeKey {
 }
 
 /// A palm orientation.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PalmKey {
     /// Angle about the axis in degrees, left-hand rule.
     pub angle_deg: f64,
@@ -160,7 +160,7 @@ pub struct PalmKey {
 }
 
 /// A position of the wrist.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct MotionKey {
     /// Where, in skeleton units: x left, y up, z back. Finite.
     pub position: [f64; 3],

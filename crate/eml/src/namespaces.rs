@@ -60,6 +60,11 @@ impl<'a> Namespaces<'a> {
         }
     }
 
+    /// Whether nothing is bound so far.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.bindings.is_empty()
+    }
+
     /// Collects the bindings for an element of the body that is read before the body is
     /// complete: node `node`, the last in the tree with what is in it.
     pub(crate) fn enter(&mut self, tree: &Tree<'a>, node: usize, sink: &mut Sink) {
@@ -127,7 +132,8 @@ impl<'a> Namespaces<'a> {
         node: usize,
         default_counts: bool,
     ) -> (Owner, &'n str) {
-        let (prefix, local) = name.split_once(':').unwrap_or(("", name));
+        let local = local_name(name);
+        let prefix = &name[..(name.len() - local.len()).saturating_sub(1)];
         if prefix == "xml" || prefix == "xmlns" {
             return (Owner::Foreign, local);
         }
@@ -144,6 +150,12 @@ impl<'a> Namespaces<'a> {
         };
         (owner, local)
     }
+}
+
+/// A name without its prefix.
+pub(crate) fn local_name(name: &str) -> &str {
+    let colon = name.bytes().position(|b| b == b':');
+    colon.map_or(name, |at| &name[at + 1..])
 }
 
 /// The prefix that an attribute binds.

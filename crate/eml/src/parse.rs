@@ -5,7 +5,7 @@ use crate::namespaces::{Namespaces, Owner};
 use crate::schema::{self, Content, Context, Element, Fields, Role, Tally};
 use crate::suggest::quoted;
 use crate::syntax::{self, NodeKind};
-use crate::{Clause, ClauseId, ClauseKind, Diagnostic, Document, Name, Span, TimeExpr};
+use crate::{Clause, ClauseId, ClauseKind, Diagnostic, Document, Span, TimeExpr};
 
 /// Bounds on what a document may cost.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -273,7 +273,7 @@ impl Context<'_> {
             self.name_span(node),
         );
         let fields = self.fields(node, element);
-        self.document.name = self.text(&fields, "name");
+        self.document.name = self.text(&fields, "name").map(Into::into);
         self.children(node, element, |cx, child, entry| match entry.name {
             "body" => cx.body(child, entry, tally.take()),
             _ => schema::read_head(cx, child, entry),
@@ -341,7 +341,7 @@ impl Context<'_> {
         }
         let fields = self.fields(node, element);
         let start = self.time(&fields);
-        let time_id = self.name(&fields, "timeId").map(Name::from);
+        let time_id = self.text(&fields, "timeId");
         self.warn_of_missing_time(&fields, parent);
         let mut clause = Clause {
             span: self.full_span(node),

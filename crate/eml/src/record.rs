@@ -1,12 +1,14 @@
 //! What lets one piece of code read, write and invent every clause: a record names its
 //! attributes and children once, and a visitor goes through them.
 
+use crate::Name;
+
 /// The value of an attribute, read by its kind in the table.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Value {
     /// Left out.
     None,
-    Text(String),
+    Text(Name),
     Number(f64),
     Flag(bool),
     /// One of the table's words.
@@ -112,7 +114,7 @@ macro_rules! field {
     };
 }
 
-field!(String, Text, text => text, String::clone);
+field!(String, Text, text => text.into(), |text| text.into());
 field!(f64, Number, number => number, |n| *n);
 field!(u32, Number, number => number as u32, |n| f64::from(*n));
 field!(i32, Number, number => number as i32, |n| f64::from(*n));

@@ -17,12 +17,12 @@ impl Span {
     }
 
     /// The span from byte `start` to byte `end` of a source. Sources are limited to
-    /// less than 4 GiB; what lies beyond is clamped.
+    /// less than 4 GiB before they are read.
     pub(crate) fn of(start: usize, end: usize) -> Self {
-        let clamp = |x: usize| u32::try_from(x).unwrap_or(u32::MAX);
+        debug_assert!(start.max(end) <= u32::MAX as usize);
         Self {
-            start: clamp(start),
-            end: clamp(end),
+            start: start as u32,
+            end: end as u32,
         }
     }
 

@@ -115,6 +115,10 @@ pub(crate) fn parse(text: &str, start: u32) -> Result<TimeExpr, Problem> {
                 lexer.position = term_start;
                 return Err(lexer.unexpected("a number or a name"));
             }
+            if expr.names.is_empty() {
+                // There is mostly one.
+                expr.names.reserve_exact(1);
+            }
             expr.names.push(NameTerm {
                 name: name.into(),
                 negative,

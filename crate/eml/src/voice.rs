@@ -99,8 +99,9 @@ pub enum MarkEvent {
     OnStart,
     /// The end of the word.
     OnEnd,
-    /// The start of the first phone with this symbol in the word.
-    OnPhone(Name),
+    /// The start of the first phone with this symbol in the word. Rare, so that it lies
+    /// apart and leaves all pieces of speech smaller.
+    OnPhone(Box<Name>),
 }
 
 /// A spoken word: a token between white space that holds a letter or a digit.
@@ -133,18 +134,12 @@ impl VoiceText {
     #[must_use]
     pub fn words(&self) -> Vec<Word> {
         let mut words = Vec::new();
-        self.scan(|item| {
+        let _ = self.scan(&mut |item| {
             if let Item::Word(token) = item {
-                let Token {
-                    text,
-                    span,
-                    emphasized,
-                    ..
-                } = token;
                 words.push(Word {
-                    text: text.into_owned(),
-                    span,
-                    emphasized,
+                    text: token.text.as_ref().to_owned(),
+                    span: token.span,
+                    emphasized: token.emphasized,
                 });
             }
             ControlFlow::Continue(())
@@ -159,7 +154,7 @@ impl VoiceText {
         let count = self.pieces.iter().filter(is_mark).count();
         let mut marks = Vec::with_capacity(count);
         if count > 0 {
-            self.scan(|item| {
+            let _ = self.scan(&mut |item| {
                 if let Item::Mark(mark) = item {
                     marks.push(mark);
                 }
@@ -219,18 +214,12 @@ impl VoiceText {
 
     /// Goes through words and markers in order, as long as `visit` wants. A marker waits
     /// for the next letter or digit, be it in the middle of a token.
-    pub(crate) fn scan<'v>(&'v self, mut visit: impl FnMut(Item<'v>) -> ControlFlow<()>) {
-        let _ = self.try_scan(&mut visit);
-    }
-
-    fn try_scan<'v>(
-        &'v self,
-        visit: &mut impl FnMut(Item<'v>) -> ControlFlow<()>,
-    ) -> ControlFlow<()> {
+    pub(crate) fn scan<'v>(&'v self, visit: &mut Visit<'v, '_>) -> ControlFlow<()> {
         let mut token = Token::default();
         let mut words = 0;
-        let mut waiting: Vec<Mark> = Vec::new();
-        for piece in &self.pieces {
+        // The markers from this piece on wait, when there are any.
+        let mut waiting: Option<usize> = None;
+        for (place, piece) in self.pieces.iter().enumerate() {
             match piece {
                 Piece::Text {
                     text,
@@ -243,36 +232,43 @@ impl VoiceText {
                     let mut at = 0;
                     while at < bytes.len() {
                         let start = at;
-                        while at < bytes.len() && !is_space(bytes[at]) {
+                        let (mut letters, mut all) = (0, 0);
+                        for &b in &bytes[start..] {
+                            let class = CLASS[usize::from(b)];
+                            if class == SPACE {
+                                break;
+                            }
+                            letters += usize::from(class);
+                            all |= b;
                             at += 1;
                         }
                         if at > start {
-                            let place = span.start as usize;
+                            let part = &text[start..at];
+                            if !all.is_ascii() {
+                                letters = part.chars().filter(|c| c.is_alphanumeric()).count();
+                            }
+                            let first = span.start as usize;
                             let span = if verbatim {
-                                Span::of(place + start, place + at)
+                                Span::of(first + start, first + at)
                             } else {
                                 *span
                             };
-                            token.add(&text[start..at], span, *emphasis);
-                            if token.spoken && !waiting.is_empty() {
-                                pass_marks(&mut waiting, words, visit)?;
+                            token.add(part, span, letters, *emphasis);
+                            if letters > 0
+                                && let Some(from) = waiting.take()
+                            {
+                                pass_marks(&self.pieces[from..place], words, visit)?;
                             }
                         }
                         if at < bytes.len() {
                             token.finish(&mut words, visit)?;
-                            while at < bytes.len() && is_space(bytes[at]) {
-                                at += 1;
-                            }
+                            let space = bytes[at..].iter().take_while(|&&b| is_space(b));
+                            at += space.count();
                         }
                     }
                 }
-                Piece::Mark { name, event, span } => {
-                    waiting.push(Mark {
-                        name: name.clone(),
-                        event: event.clone(),
-                        word: 0,
-                        span: *span,
-                    });
+                Piece::Mark { .. } => {
+                    waiting.get_or_insert(place);
                 }
                 Piece::Break { .. }
                 | Piece::Audio { .. }
@@ -284,61 +280,73 @@ impl VoiceText {
             }
         }
         token.finish(&mut words, visit)?;
-        pass_marks(&mut waiting, words, visit)
+        let from = waiting.unwrap_or(self.pieces.len());
+        pass_marks(&self.pieces[from..], words, visit)
     }
 }
 
-/// Hands on the markers that have found their word.
+/// Hands on the markers among some pieces, which have found their word.
 fn pass_marks<'v>(
-    waiting: &mut Vec<Mark>,
+    pieces: &'v [Piece],
     word: usize,
-    visit: &mut impl FnMut(Item<'v>) -> ControlFlow<()>,
+    visit: &mut Visit<'v, '_>,
 ) -> ControlFlow<()> {
-    waiting
-        .drain(..)
-        .try_for_each(|mark| visit(Item::Mark(Mark { word, ..mark })))
+    for piece in pieces {
+        if let Piece::Mark { name, event, span } = piece {
+            visit(Item::Mark(Mark {
+                name: name.clone(),
+                event: event.clone(),
+                word,
+                span: *span,
+            }))?;
+        }
+    }
+    ControlFlow::Continue(())
 }
 
 /// Whether a text holds a letter or a digit.
 fn has_letter(text: &str) -> bool {
-    text.bytes().any(|b| LETTER[usize::from(b)])
-        || (!text.is_ascii() && text.contains(char::is_alphanumeric))
+    text.bytes().any(is_letter) || (!text.is_ascii() && text.contains(char::is_alphanumeric))
 }
 
-/// How many letters and digits a text has.
-pub(crate) fn letters(text: &str) -> usize {
-    let (mut count, mut all) = (0, 0);
-    for b in text.bytes() {
-        count += usize::from(LETTER[usize::from(b)]);
-        all |= b;
-    }
-    if all.is_ascii() {
-        return count;
-    }
-    text.chars().filter(|c| c.is_alphanumeric()).count()
+/// Whether a byte is an ASCII letter or digit.
+pub(crate) fn is_letter(b: u8) -> bool {
+    CLASS[usize::from(b)] == LETTER
 }
 
-/// Which bytes are ASCII letters or digits.
-static LETTER: [bool; 256] = {
-    let mut table = [false; 256];
+/// The class of ASCII letters and digits; 1, so that adding classes counts them.
+const LETTER: u8 = 1;
+/// The class of white space.
+const SPACE: u8 = 2;
+
+/// The class of every byte: [`LETTER`], [`SPACE`] or 0.
+static CLASS: [u8; 256] = {
+    let mut table = [0; 256];
     let mut b = 0;
     while b < table.len() {
-        table[b] = (b as u8).is_ascii_alphanumeric();
+        if (b as u8).is_ascii_alphanumeric() {
+            table[b] = LETTER;
+        } else if is_space(b as u8) {
+            table[b] = SPACE;
+        }
         b += 1;
     }
     table
 };
 
 /// XML's white space. A no-break space joins.
-fn is_space(b: u8) -> bool {
-    b <= b' ' && matches!(b, b' ' | b'\t' | b'\n' | b'\r')
+const fn is_space(b: u8) -> bool {
+    matches!(b, b' ' | b'\t' | b'\n' | b'\r')
 }
 
 /// What a spoken text consists of for those who time it.
-pub(crate) enum Item<'v> {
-    Word(Token<'v>),
+pub(crate) enum Item<'i, 'v> {
+    Word(&'i Token<'v>),
     Mark(Mark),
 }
+
+/// Takes what a spoken text consists of, until it has had enough.
+pub(crate) type Visit<'v, 'c> = dyn FnMut(Item<'_, 'v>) -> ControlFlow<()> + 'c;
 
 /// What stands between white space.
 #[derive(Default)]
@@ -346,41 +354,33 @@ pub(crate) struct Token<'v> {
     /// Copied only when markup cuts it in pieces.
     pub(crate) text: Cow<'v, str>,
     pub(crate) span: Span,
+    /// How many letters and digits it holds.
+    pub(crate) letters: usize,
     emphasized: bool,
-    /// Whether it holds a letter or a digit.
-    has_letter: bool,
-    /// Whether the part added last does.
-    spoken: bool,
 }
 
 impl<'v> Token<'v> {
-    fn add(&mut self, part: &'v str, span: Span, emphasis: f64) {
+    fn add(&mut self, part: &'v str, span: Span, letters: usize, emphasis: f64) {
         if self.text.is_empty() {
-            self.span = span;
             self.text = Cow::Borrowed(part);
+            self.span = span;
         } else {
+            self.text += part;
             self.span = self.span.to(span);
-            self.text.to_mut().push_str(part);
         }
-        self.spoken = has_letter(part);
-        self.has_letter |= self.spoken;
-        self.emphasized |= self.spoken && emphasis >= MODERATE_EMPHASIS;
+        self.letters += letters;
+        self.emphasized |= letters > 0 && emphasis >= MODERATE_EMPHASIS;
     }
 
-    fn finish(
-        &mut self,
-        words: &mut usize,
-        visit: &mut impl FnMut(Item<'v>) -> ControlFlow<()>,
-    ) -> ControlFlow<()> {
-        if self.text.is_empty() {
-            return ControlFlow::Continue(());
+    fn finish(&mut self, words: &mut usize, visit: &mut Visit<'v, '_>) -> ControlFlow<()> {
+        if self.letters > 0 {
+            *words += 1;
+            visit(Item::Word(self))?;
         }
-        let token = std::mem::take(self);
-        if !token.has_letter {
-            return ControlFlow::Continue(());
+        if !self.text.is_empty() {
+            *self = Self::default();
         }
-        *words += 1;
-        visit(Item::Word(token))
+        ControlFlow::Continue(())
     }
 }
 

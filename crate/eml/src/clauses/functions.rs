@@ -21,7 +21,7 @@ impl Field for ArgValue {
     fn set(&mut self, value: Value) {
         match value {
             Value::Number(number) => *self = Self::Number(number),
-            Value::Text(text) => *self = Self::Text(text),
+            Value::Text(text) => *self = Self::Text(text.into()),
             _ => {}
         }
     }
@@ -30,7 +30,7 @@ impl Field for ArgValue {
     fn get(&self) -> Value {
         match self {
             Self::Number(number) => Value::Number(*number),
-            Self::Text(text) => Value::Text(text.clone()),
+            Self::Text(text) => Value::Text(text.into()),
         }
     }
 }

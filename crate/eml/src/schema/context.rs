@@ -4,11 +4,12 @@
 use super::lookup::same;
 use super::{Attribute, Content, Element, Presence, TIMED, find, find_extension, variant_in};
 use crate::diagnostic::Sink;
-use crate::namespaces::{self, Namespaces, Owner};
+use crate::namespaces::{self, Namespaces, Owner, local_name};
 use crate::suggest::{nearest, quoted};
 use crate::syntax::{self, NodeKind, Tree};
 use crate::work::step;
 use crate::{Diagnostic, Document, Limits, Span};
+use std::cell::Cell;
 
 /// More attributes than any element has.
 pub(super) const MOST_ATTRIBUTES: usize = 24;
@@ -40,13 +41,23 @@ pub(crate) struct Fields<'t> {
     pub(super) attributes: &'t [syntax::Attribute<'t>],
     /// For each attribute of the table its index in `attributes`.
     slots: [u16; MOST_ATTRIBUTES],
+    /// How many attributes the element has in the table.
+    count: usize,
+    /// Where in the table to look first for the next attribute.
+    next: Cell<usize>,
     complete: bool,
+    extended: bool,
 }
 
 impl<'t> Fields<'t> {
     /// Whether every required attribute is there.
     pub(crate) fn is_complete(&self) -> bool {
         self.complete
+    }
+
+    /// Whether any attribute of the extensions is written.
+    pub(crate) fn is_extended(&self) -> bool {
+        self.extended
     }
 
     /// Whether an attribute is written.
@@ -59,11 +70,31 @@ impl<'t> Fields<'t> {
         &self,
         name: &str,
     ) -> Option<(&'static Attribute, Option<&'t syntax::Attribute<'t>>)> {
-        let slot = slot(self.element, name)?;
+        let (slot, attribute) = self.slot(name)?;
         Some((
-            attribute_at(self.element, slot),
+            attribute,
             self.attributes.get(usize::from(self.slots[slot])),
         ))
+    }
+
+    /// The attribute with exactly this name and its place among all of the element.
+    /// Scripts and readers mostly go in the order of the table, so the search starts
+    /// behind what was found last.
+    fn slot(&self, name: &str) -> Option<(usize, &'static Attribute)> {
+        let own = self.element.attributes;
+        let mut slot = self.next.get();
+        for _ in 0..self.count {
+            if slot >= self.count {
+                slot = 0;
+            }
+            let attribute = own.get(slot).unwrap_or_else(|| &TIMED[slot - own.len()]);
+            if same(attribute.name, name) {
+                self.next.set(slot + 1);
+                return Some((slot, attribute));
+            }
+            slot += 1;
+        }
+        None
     }
 
     /// Where the value of an attribute is, or else the start tag.
@@ -72,20 +103,6 @@ impl<'t> Fields<'t> {
             .and_then(|(_, written)| written)
             .map_or(self.tag, syntax::Attribute::value_span)
     }
-}
-
-/// The place of an attribute with exactly this name among all of an element.
-fn slot(element: &'static Element, name: &str) -> Option<usize> {
-    let own = element.attributes;
-    let timed = || TIMED.iter().position(|a| same(a.name, name));
-    let found = own.iter().position(|a| same(a.name, name));
-    found.or_else(|| Some(own.len() + timed().filter(|_| element.is_clause())?))
-}
-
-/// The attribute at a place that [`slot`] found.
-fn attribute_at(element: &'static Element, slot: usize) -> &'static Attribute {
-    let own = element.attributes;
-    own.get(slot).unwrap_or_else(|| &TIMED[slot - own.len()])
 }
 
 impl<'t> Context<'t> {
@@ -216,6 +233,10 @@ impl<'t> Context<'t> {
         found: Option<&'static Element>,
         parent: &'static Element,
     ) -> Option<&'static Element> {
+        // A name of the table has no prefix, so that only bindings could change its owner.
+        if found.is_some() && self.namespaces.is_empty() {
+            return found;
+        }
         let written = self.tree.nodes[node].text;
         let span = self.name_span(node);
         let (owner, local) = self.namespaces.owner(written, node, true);
@@ -275,10 +296,10 @@ impl<'t> Context<'t> {
 
     /// Warns of an alias or another case.
     pub(crate) fn report_spelling(&mut self, written: &str, name: &str, span: Span) {
-        let written = written.split_once(':').map_or(written, |(_, local)| local);
-        if written == name {
+        if written == name || local_name(written) == name {
             return;
         }
+        let written = local_name(written);
         let (code, what) = if written.eq_ignore_ascii_case(name) {
             ("eml::letter-case", "case matters in EML")
         } else {
@@ -294,20 +315,30 @@ impl<'t> Context<'t> {
     pub(crate) fn fields(&mut self, node: usize, element: &'static Element) -> Fields<'t> {
         step(1);
         let tree = self.tree;
+        let timed = element.timed();
+        // The time comes first, and is the first of what all clauses have.
+        let first = if timed.is_empty() { 0 } else { element.attributes.len() };
         let mut fields = Fields {
             element,
             tag: tree.nodes[node].span,
             name: self.name_span(node),
             attributes: tree.attributes_of(node),
             slots: [ABSENT; MOST_ATTRIBUTES],
+            count: element.attributes.len() + timed.len(),
+            next: Cell::new(first),
             complete: true,
+            extended: false,
         };
         for (index, attribute) in fields.attributes.iter().enumerate() {
-            let exact = slot(element, attribute.name)
-                .filter(|&slot| !attribute_at(element, slot).extension);
-            let Some(slot) = exact.or_else(|| self.slot_by_spelling(node, element, attribute))
-            else {
-                continue;
+            let slot = match fields.slot(attribute.name) {
+                Some((slot, entry)) if !entry.extension => slot,
+                _ => match self.slot_by_spelling(node, element, attribute) {
+                    Some((slot, entry)) => {
+                        fields.extended |= entry.extension;
+                        slot
+                    }
+                    None => continue,
+                },
             };
             if fields.slots[slot] == ABSENT {
                 fields.slots[slot] = u16::try_from(index).unwrap_or(ABSENT);
@@ -318,9 +349,10 @@ impl<'t> Context<'t> {
                     .push(Diagnostic::error("eml::duplicate-attribute", span, message));
             }
         }
+        fields.next.set(first);
         // None of `TIMED` is required.
-        for (slot, attribute) in element.attributes.iter().enumerate() {
-            if attribute.default == Presence::Required && fields.slots[slot] == ABSENT {
+        for (attribute, &index) in element.attributes.iter().zip(&fields.slots) {
+            if index == ABSENT && matches!(attribute.default, Presence::Required) {
                 fields.complete = false;
                 let message = format!(
                     "`{}` lacks `{}`; it is dropped",
@@ -356,7 +388,7 @@ impl<'t> Context<'t> {
         node: usize,
         element: &'static Element,
         attribute: &syntax::Attribute<'_>,
-    ) -> Option<usize> {
+    ) -> Option<(usize, &'static Attribute)> {
         let written = attribute.name;
         if written == "xmlns" {
             return None;
@@ -378,16 +410,16 @@ impl<'t> Context<'t> {
             }
         };
         let belongs = |a: &&Attribute| a.extension == extension;
-        let slot = element.all_attributes().position(|a| {
+        let found = element.all_attributes().enumerate().find(|(_, a)| {
             a.extension == extension
                 && (a.name.eq_ignore_ascii_case(local)
                     || a.aliases
                         .iter()
                         .any(|alias| alias.eq_ignore_ascii_case(local)))
         });
-        if let Some(entry) = slot.and_then(|slot| element.all_attributes().nth(slot)) {
+        if let Some((_, entry)) = found {
             self.report_spelling(written, entry.name, span);
-            return slot;
+            return found;
         }
         let message = format!("`{}` has no attribute {}", element.name, quoted(written));
         let meant = element

@@ -23,7 +23,7 @@ fn build(cx: &mut Context<'_>, node: usize, fields: &Fields<'_>) -> Option<Claus
     let kind = cx.text(fields, "type");
     let (payload, _) = cx.character_data(node, &ELEMENT);
     Some(ClauseKind::Event {
-        kind: kind.map(Into::into),
+        kind,
         payload: payload.into(),
     })
 }

@@ -2,7 +2,7 @@
 
 use super::values::KeyTime;
 use super::{Attribute, Context, Element, Fields, Kind};
-use crate::{Diagnostic, Handedness, Interpolator, Key, Profile, Space, Span, Track};
+use crate::{Diagnostic, Handedness, Interpolator, Key, Profile, Space, Track};
 use raconteur_base::Side;
 
 /// The hand of a track.
@@ -56,11 +56,14 @@ pub(super) const SPACE: Attribute = Attribute::choice(
 /// Where one track may stand and how often: once a hand.
 pub(super) const PARENTS: &[&str] = &["gesture-key"];
 
-/// What a key says, and how the hand moves to it.
-type Value<K> = (K, Option<Box<Profile>>);
+/// Stands for the offset of a key that has none yet.
+const UNTIMED: f64 = f64::NAN;
+
+/// Nodes in a track that are taken for keys, before more of them may be anything.
+const USUAL_KEYS: usize = 64;
 
 /// Reads a track: its hand, and its keys with `value`. None when no key is left.
-pub(super) fn read<'t, K>(
+pub(super) fn read<'t, K: Default>(
     cx: &mut Context<'t>,
     node: usize,
     element: &'static Element,
@@ -74,47 +77,40 @@ pub(super) fn read<'t, K>(
         _ => None,
     };
     let profile = profile(cx, fields);
-    let mut keys: Vec<(Option<f64>, Option<Value<K>>, Span)> = Vec::new();
+    let nodes = cx.tree.nodes[node].subtree_end as usize - node - 1;
+    let mut keys: Vec<Key<K>> = Vec::with_capacity(nodes.min(USUAL_KEYS));
+    // Keys that are dropped still take a place among those without a time.
+    let mut dropped: Vec<usize> = Vec::new();
     cx.children(node, element, |cx, child, key| {
         let fields = cx.fields(child, key);
-        let span = cx.full_span(child);
         cx.children(child, key, |_, _, _| {});
-        // A bad time still takes a place among the keys without one.
-        let time = cx.key_time(&fields);
-        let secs = time.unwrap_or(None).map(|time| match time {
-            KeyTime::Secs(secs) => secs,
-            KeyTime::Fraction(fraction) => fraction * duration_secs,
-        });
-        if let Some(secs) = secs.filter(|&s| s > duration_secs) {
-            let message = format!(
-                "the key at {secs} s lies after the end of the gesture at {duration_secs} s"
-            );
-            let span = fields.span_of("time");
-            cx.sink
-                .push(Diagnostic::warning("eml::late-key", span, message));
-        }
+        let time = key_secs(cx, &fields, duration_secs);
         let read = if fields.is_complete() {
             value(cx, &fields)
         } else {
             None
         };
-        let read = read.filter(|_| time.is_ok());
-        let read = read.map(|value| (value, self::profile(cx, &fields)));
-        keys.push((secs, read, span));
+        let mut key = Key {
+            offset_secs: time.unwrap_or(None).unwrap_or(UNTIMED),
+            value: K::default(),
+            profile: None,
+            span: cx.full_span(child),
+        };
+        match read {
+            Some(value) if time.is_ok() => {
+                key.value = value;
+                key.profile = self::profile(cx, &fields);
+            }
+            _ => dropped.push(keys.len()),
+        }
+        keys.push(key);
     });
     spread(&mut keys, duration_secs);
-    let mut keys: Vec<Key<K>> = keys
-        .into_iter()
-        .filter_map(|(time, value, span)| {
-            let (value, profile) = value?;
-            Some(Key {
-                offset_secs: time.unwrap_or(0.0),
-                value,
-                profile,
-                span,
-            })
-        })
-        .collect();
+    if !dropped.is_empty() {
+        let mut dropped = dropped.into_iter().peekable();
+        let mut index = 0..;
+        keys.retain(|_| dropped.next_if(|&at| Some(at) == index.next()).is_none());
+    }
     if !keys.is_sorted_by_key(|k| k.offset_secs) {
         let message = format!(
             "the keys of `{}` are not in the order of their times",
@@ -132,8 +128,32 @@ pub(super) fn read<'t, K>(
     })
 }
 
+/// The time of a key in seconds, when it has one; `Err` when it is wrong.
+fn key_secs(
+    cx: &mut Context<'_>,
+    fields: &Fields<'_>,
+    duration_secs: f64,
+) -> Result<Option<f64>, ()> {
+    let secs = match cx.key_time(fields)? {
+        Some(KeyTime::Secs(secs)) => secs,
+        Some(KeyTime::Fraction(fraction)) => fraction * duration_secs,
+        None => return Ok(None),
+    };
+    if secs > duration_secs {
+        let message =
+            format!("the key at {secs} s lies after the end of the gesture at {duration_secs} s");
+        let span = fields.span_of("time");
+        cx.sink
+            .push(Diagnostic::warning("eml::late-key", span, message));
+    }
+    Ok(Some(secs))
+}
+
 /// The extensions' course of a track or a key.
 fn profile(cx: &mut Context<'_>, fields: &Fields<'_>) -> Option<Box<Profile>> {
+    if !fields.is_extended() {
+        return None;
+    }
     let mut profile = Profile::default();
     cx.attributes(fields, &mut profile);
     let wanted = profile.interpolator.map_or(0, Interpolator::controls);
@@ -190,31 +210,33 @@ pub(super) fn add<K>(
         );
         return;
     }
+    // There is mostly one.
+    tracks.reserve_exact(1);
     tracks.push(track);
 }
 
 /// Gives times to the keys that have none: evenly between their timed neighbours, the
 /// ends counting as 0 and the duration (GEVH 3.5.2).
-fn spread<V>(keys: &mut [(Option<f64>, V, Span)], duration_secs: f64) {
+fn spread<K>(keys: &mut [Key<K>], duration_secs: f64) {
+    let is_untimed = |key: &Key<K>| key.offset_secs.is_nan();
     let last = keys.len().saturating_sub(1);
-    if let Some((time @ None, ..)) = keys.first_mut() {
-        *time = Some(0.0);
+    if let Some(key) = keys.first_mut().filter(|key| is_untimed(key)) {
+        key.offset_secs = 0.0;
     }
-    let latest = keys
-        .iter()
-        .filter_map(|(time, ..)| *time)
-        .fold(duration_secs, f64::max);
-    if let Some((time @ None, ..)) = keys.last_mut() {
-        *time = Some(latest);
+    if let Some(true) = keys.last().map(is_untimed) {
+        // `max` passes over NaN.
+        let times = keys.iter().map(|key| key.offset_secs);
+        keys[last].offset_secs = times.fold(duration_secs, f64::max);
     }
     let mut from = 0;
     for to in 1..=last {
-        let (Some(start), Some(end)) = (keys[from].0, keys[to].0) else {
+        let (start, end) = (keys[from].offset_secs, keys[to].offset_secs);
+        if end.is_nan() {
             continue;
-        };
+        }
         let steps = (to - from) as f64;
-        for (step, (time, ..)) in keys[from + 1..to].iter_mut().enumerate() {
-            *time = Some(start + (end - start) * (step + 1) as f64 / steps);
+        for (step, key) in keys[from + 1..to].iter_mut().enumerate() {
+            key.offset_secs = start + (end - start) * (step + 1) as f64 / steps;
         }
         from = to;
     }
@@ -224,7 +246,7 @@ fn spread<V>(keys: &mut [(Option<f64>, V, Span)], duration_secs: f64) {
 mod tests {
     use super::*;
     use crate::schema::testing::{codes, one};
-    use crate::{ClauseKind, GestureKey};
+    use crate::{ClauseKind, GestureKey, Span};
 
     fn gesture(inner: &str) -> GestureKey {
         let text = format!("<gesture-key time='1' duration='2'>{inner}</gesture-key>");
@@ -272,12 +294,17 @@ mod tests {
     }
 
     fn spread_of(times: &[Option<f64>]) -> Vec<f64> {
-        let mut keys: Vec<_> = times
+        let mut keys: Vec<Key<()>> = times
             .iter()
-            .map(|&time| (time, (), Span::default()))
+            .map(|&time| Key {
+                offset_secs: time.unwrap_or(UNTIMED),
+                value: (),
+                profile: None,
+                span: Span::default(),
+            })
             .collect();
         spread(&mut keys, 2.0);
-        keys.into_iter().filter_map(|(time, ..)| time).collect()
+        keys.into_iter().map(|key| key.offset_secs).collect()
     }
 
     #[test]

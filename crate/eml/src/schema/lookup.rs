@@ -52,12 +52,14 @@ const fn same_bytes(a: &[u8], b: &[u8]) -> bool {
     true
 }
 
-/// Whether two names are the same. A look at the first letter, and at whether it is one
-/// and the same constant, saves most of the calls that comparing strings makes.
+/// Whether two names are the same. A look at both ends decides most cases without the
+/// call that comparing strings makes.
 pub(crate) fn same(a: &str, b: &str) -> bool {
+    let (x, y) = (a.as_bytes(), b.as_bytes());
     a.len() == b.len()
-        && a.as_bytes().first() == b.as_bytes().first()
-        && (std::ptr::eq(a, b) || a == b)
+        && x.first() == y.first()
+        && x.last() == y.last()
+        && (a.len() <= 2 || std::ptr::eq(a, b) || a == b)
 }
 
 /// The index of the first element with exactly this name.

@@ -18,7 +18,10 @@ fn read(cx: &mut Context<'_>, node: usize, fields: &Fields<'_>, voice: &mut Voic
     cx.children(node, &ELEMENT, |_, _, _| {});
     if let Some(mark) = cx.text(fields, "mark") {
         let span = cx.full_span(node);
-        voice.pieces.push(Piece::Marker { mark, span });
+        voice.pieces.push(Piece::Marker {
+            mark: mark.into(),
+            span,
+        });
     }
 }
 

@@ -194,8 +194,12 @@ impl Element {
 
     /// All its attributes, those of every clause last.
     pub fn all_attributes(&self) -> impl Iterator<Item = &'static Attribute> + Clone {
-        let timed = if self.is_clause() { TIMED } else { &[] };
-        self.attributes.iter().chain(timed)
+        self.attributes.iter().chain(self.timed())
+    }
+
+    /// The attributes that it has as a clause.
+    fn timed(&self) -> &'static [Attribute] {
+        if self.is_clause() { TIMED } else { &[] }
     }
 
     fn may_stand_in(&self, parent: &str) -> bool {
@@ -429,7 +433,9 @@ mod tests {
                 "{}",
                 element.name
             );
-            for attribute in attributes {
+            for (i, attribute) in attributes.iter().enumerate() {
+                let again = attributes[..i].iter().any(|a| a.name == attribute.name);
+                assert!(!again, "{} {}", element.name, attribute.name);
                 if let (Kind::Choice(words), Presence::Default(word)) =
                     (attribute.kind, attribute.default)
                 {

@@ -4,8 +4,9 @@ use super::{Content, Context, Element, Fields, Presence};
 use crate::Span;
 use crate::record::{Field, List, Record, Value, Visit};
 use crate::syntax::NodeKind;
+use std::borrow::Cow;
 
-impl Context<'_> {
+impl<'t> Context<'t> {
     /// Fills a record from the attributes and children of its element; false when the
     /// element must be dropped.
     pub(crate) fn record(
@@ -51,16 +52,16 @@ impl Context<'_> {
         &mut self,
         node: usize,
         element: &'static Element,
-    ) -> (String, Span) {
+    ) -> (Cow<'t, str>, Span) {
         let tree = self.tree;
-        let mut text = String::new();
+        let mut text = Cow::Borrowed("");
         let mut place: Option<Span> = None;
         let mut child = node + 1;
         while child < tree.nodes[node].subtree_end as usize {
             let inner = &tree.nodes[child];
             match inner.kind {
-                NodeKind::Text => text.push_str(inner.text),
-                NodeKind::Reference(c) => text.push(c),
+                NodeKind::Text => text += inner.text,
+                NodeKind::Reference(c) => text.to_mut().push(c),
                 NodeKind::Element(found) => {
                     self.admit(child, found, element);
                 }

@@ -35,14 +35,14 @@ pub(super) static ELEMENT: Element = Element {
 
 fn read(cx: &mut Context<'_>, node: usize, fields: &Fields<'_>, voice: &mut VoiceBuilder) {
     cx.children(node, &ELEMENT, |_, _, _| {});
-    let Some(name) = cx.name(fields, "name") else {
+    let Some(name) = cx.text(fields, "name") else {
         return;
     };
     let phone = cx.text(fields, "phone");
     let event = match (cx.choice(fields, "event"), phone) {
         (Some("onEnd"), None) => MarkEvent::OnEnd,
         (Some("onPhone"), Some(phone)) => {
-            MarkEvent::OnPhone(phone.trim().to_ascii_lowercase().into())
+            MarkEvent::OnPhone(Box::new(phone.trim().to_ascii_lowercase().into()))
         }
         (Some("onPhone"), None) => {
             let message = "onPhone needs `phone`; the start of the word is used";
@@ -66,7 +66,7 @@ fn read(cx: &mut Context<'_>, node: usize, fields: &Fields<'_>, voice: &mut Voic
         }
     };
     voice.pieces.push(Piece::Mark {
-        name: name.into(),
+        name,
         event,
         span: cx.full_span(node),
     });
@@ -92,7 +92,7 @@ mod tests {
             .map(|m| (m.name, m.event, m.word))
             .collect();
         assert_eq!(marks[0], ("a".into(), MarkEvent::OnStart, 0));
-        assert_eq!(marks[1], ("b".into(), MarkEvent::OnPhone("w".into()), 1));
+        assert_eq!(marks[1], ("b".into(), MarkEvent::OnPhone(Box::new("w".into())), 1));
         assert_eq!(marks[2], ("c".into(), MarkEvent::OnEnd, 2));
     }
 

@@ -7,7 +7,7 @@ use super::{Attribute, Context, Fields, Kind, Presence};
 use crate::record::Value;
 use crate::suggest::{nearest, quoted};
 use crate::time_expr::{self, Problem};
-use crate::{Diagnostic, Span, TimeExpr, syntax};
+use crate::{Diagnostic, Name, Span, TimeExpr, syntax};
 use std::borrow::Cow;
 
 /// The most numbers in one list.
@@ -28,21 +28,21 @@ impl Context<'_> {
         let Some((attribute, written)) = fields.get(name) else {
             return Value::None;
         };
-        let default = match attribute.default {
+        let default = || match attribute.default {
             Presence::Default(text) => parse(attribute.kind, text).unwrap_or(Value::None),
             Presence::Required | Presence::Optional => Value::None,
         };
         let Some(written) = written else {
-            return default;
+            return default();
         };
         let text = syntax::resolve(written, self.sink);
         let text = match attribute.kind {
             Kind::Text => &*text,
-            _ => self.unaliased(attribute, text.trim(), written.value_span()),
+            _ => self.unaliased(attribute, trimmed(&text), written.value_span()),
         };
         parse(attribute.kind, text).unwrap_or_else(|problem| {
             self.report(problem, written.value_span());
-            default
+            default()
         })
     }
 
@@ -62,7 +62,7 @@ impl Context<'_> {
     }
 
     /// Any text.
-    pub(crate) fn text(&mut self, fields: &Fields<'_>, name: &str) -> Option<String> {
+    pub(crate) fn text(&mut self, fields: &Fields<'_>, name: &str) -> Option<Name> {
         match self.value(fields, name) {
             Value::Text(text) => Some(text),
             _ => None,
@@ -91,11 +91,6 @@ impl Context<'_> {
             Value::Word(word) => Some(word),
             _ => None,
         }
-    }
-
-    /// A name for a moment.
-    pub(crate) fn name(&mut self, fields: &Fields<'_>, name: &str) -> Option<String> {
-        self.text(fields, name)
     }
 
     /// A time expression; `Err` when it is written and wrong.
@@ -133,7 +128,7 @@ impl Context<'_> {
         };
         let text = syntax::resolve(written, self.sink);
         let read = || {
-            let text = text.trim();
+            let text = trimmed(&text);
             let (value, percent) = match text.strip_suffix('%') {
                 Some(percent) => (number(percent.trim_end())? / 100.0, true),
                 None => (time_expr::parse_secs(text)?, false),
@@ -154,6 +149,16 @@ impl Context<'_> {
     }
 }
 
+/// A text without the white space around it; there is nearly always none.
+fn trimmed(text: &str) -> &str {
+    let is_mark = |b: Option<&u8>| b.is_some_and(u8::is_ascii_graphic);
+    if is_mark(text.as_bytes().first()) && is_mark(text.as_bytes().last()) {
+        text
+    } else {
+        text.trim()
+    }
+}
+
 fn part(value: Span, problem: Option<&Problem>) -> Span {
     match problem {
         Some(p) => {
@@ -168,7 +173,7 @@ fn part(value: Span, problem: Option<&Problem>) -> Span {
 pub(crate) fn parse(kind: Kind, text: &str) -> Result<Value, Problem> {
     let wrong = |code, wanted: &str| Err(unexpected(code, text, wanted));
     match kind {
-        Kind::Text => Ok(Value::Text(text.to_owned())),
+        Kind::Text => Ok(Value::Text(text.into())),
         Kind::Name if !time_expr::is_name(text) => Err(Problem {
             hint: "a name is a letter followed by letters, digits, `_` and `.`; `-` is a minus",
             ..problem(
@@ -188,7 +193,7 @@ pub(crate) fn parse(kind: Kind, text: &str) -> Result<Value, Problem> {
             "eml::bad-url",
             "a relative address or one that starts with http: or https:",
         ),
-        Kind::Name | Kind::Identifier | Kind::Path | Kind::Url => Ok(Value::Text(text.to_owned())),
+        Kind::Name | Kind::Identifier | Kind::Path | Kind::Url => Ok(Value::Text(text.into())),
         Kind::Bool => match text {
             "1" => Ok(Value::Flag(true)),
             "0" => Ok(Value::Flag(false)),
@@ -216,7 +221,7 @@ pub(crate) fn parse(kind: Kind, text: &str) -> Result<Value, Problem> {
         Kind::NumberOrBool => number(text).map(Value::Number),
         Kind::NumberOrText => Ok(match number(text) {
             Ok(value) => Value::Number(value),
-            Err(_) => Value::Text(text.to_owned()),
+            Err(_) => Value::Text(text.into()),
         }),
         Kind::Numbers => {
             let mut numbers = Vec::new();

@@ -18,7 +18,8 @@ Attribute::flag("isResourcesRelativeFilePath", doc!("Whether the path of a file 
 fn build(cx: &mut Context<'_>, node: usize, fields: &Fields<'_>) -> Option<ClauseKind> {
     let mut say = VoiceSay::default();
     let complete = cx.record(node, fields, &mut say);
-    (say.content, say.content_span) = cx.character_data(node, &ELEMENT);
+    let (content, span) = cx.character_data(node, &ELEMENT);
+    (say.content, say.content_span) = (content.into(), span);
     if say.is_file() {
         say.content = say.content.trim().to_owned();
         if !super::values::is_inner_path(&say.content) {

@@ -7,7 +7,7 @@ use super::fast;
 use super::references;
 use super::tree::{Node, NodeKind, Tree};
 use crate::diagnostic::Sink;
-use crate::schema::{self, Content, Role};
+use crate::schema::{self, Content, Role, same};
 use crate::suggest::quoted;
 use crate::work::step;
 use crate::{Diagnostic, Limits, Span};
@@ -438,11 +438,11 @@ impl<'a> Builder<'a, '_, '_> {
             self.skipped_depth -= 1;
             return;
         }
-        let nodes = &self.tree.nodes;
-        let same = |open: &&u32| nodes[**open as usize].text == name;
-        let alike = |open: &&u32| nodes[**open as usize].text.eq_ignore_ascii_case(name);
-        let open = self.stack.iter().rev();
-        let Some(&open) = open.clone().find(same).or_else(|| open.clone().find(alike)) else {
+        let text = |open: u32| self.tree.nodes[open as usize].text;
+        let alike = |open: &u32| text(*open).eq_ignore_ascii_case(name);
+        let mut open = self.stack.iter().rev().copied();
+        let exact = open.clone().find(|&open| same(text(open), name));
+        let Some(open) = exact.or_else(|| open.find(alike)) else {
             self.error(
                 "eml::stray-end",
                 Span::of(start, end),
@@ -450,8 +450,8 @@ impl<'a> Builder<'a, '_, '_> {
             );
             return;
         };
-        if self.tree.nodes[open as usize].text != name {
-            let opened = quoted(self.tree.nodes[open as usize].text);
+        if exact.is_none() {
+            let opened = quoted(text(open));
             self.error(
                 "eml::mismatched-end",
                 Span::of(start, end),

@@ -98,29 +98,24 @@ pub(super) fn end_tag(source: &str, at: usize) -> Option<(&str, usize)> {
 /// all white space.
 pub(super) fn text_end(source: &str, at: usize) -> (usize, bool) {
     let bytes = source.as_bytes();
-    let mut i = at;
-    while i < bytes.len() && bytes[i].is_ascii_whitespace() {
-        i += 1;
-    }
-    let spaces_end = i;
-    while i < bytes.len() && !matches!(bytes[i], b'<' | b'&') {
-        i += 1;
-    }
-    (i, i == spaces_end)
+    let spaces_end = end_of(bytes, at, |b| b.is_ascii_whitespace());
+    let end = end_of(bytes, spaces_end, |b| !matches!(b, b'<' | b'&'));
+    (end, end == spaces_end)
 }
 
-fn word_end(bytes: &[u8], mut i: usize) -> usize {
-    while i < bytes.len() && IS_WORD[usize::from(bytes[i])] {
-        i += 1;
-    }
-    i
+fn word_end(bytes: &[u8], from: usize) -> usize {
+    end_of(bytes, from, |b| IS_WORD[usize::from(b)])
 }
 
-fn space_end(bytes: &[u8], mut i: usize) -> usize {
-    while i < bytes.len() && matches!(bytes[i], b' ' | b'\t' | b'\n' | b'\r') {
-        i += 1;
-    }
-    i
+fn space_end(bytes: &[u8], from: usize) -> usize {
+    end_of(bytes, from, |b| matches!(b, b' ' | b'\t' | b'\n' | b'\r'))
+}
+
+/// Where a run of wanted bytes that starts at `from` ends.
+#[inline(always)]
+fn end_of(bytes: &[u8], from: usize, is_wanted: impl Fn(u8) -> bool) -> usize {
+    let run = bytes.get(from..).unwrap_or(&[]);
+    from + run.iter().position(|&b| !is_wanted(b)).unwrap_or(run.len())
 }
 
 /// The bytes that mean something in a value.

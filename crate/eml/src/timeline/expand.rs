@@ -10,14 +10,20 @@ use crate::{ClauseId, Diagnostic, Document, Limits};
 /// How often each clause's content plays, bounded so that the timeline has no more
 /// clauses than it may: groups whose repetition goes beyond play once. Nothing is
 /// expanded to find out.
-pub(super) fn bounded_counts(document: &Document, limits: &Limits, sink: &mut Sink) -> Vec<u32> {
+pub(super) fn bounded_counts(
+    document: &Document,
+    groups: &[ClauseId],
+    limits: &Limits,
+    sink: &mut Sink,
+) -> Vec<u32> {
     let most = (limits.timed_clauses as u64).max(document.clauses.len() as u64);
     let mut used = document.clauses.len() as u64;
     let mut counts = vec![1_u32; document.clauses.len()];
     // The entries that a clause makes each time it plays.
     let mut entries = vec![1_u64; document.clauses.len()];
     // Children come after their group, so backwards they are ready when it comes.
-    for index in (0..document.clauses.len()).rev() {
+    for id in groups.iter().rev() {
+        let index = id.index();
         let Some(group) = document.clauses[index].kind.group() else {
             continue;
         };
@@ -52,6 +58,7 @@ pub(super) fn expand(document: &Document, times: &Times, counts: &[u32]) -> Time
         times,
         counts,
         clauses: Vec::with_capacity(document.clauses.len()),
+        earliest: 0.0,
     };
     for &root in &document.roots {
         list.add(
@@ -65,9 +72,8 @@ pub(super) fn expand(document: &Document, times: &Times, counts: &[u32]) -> Time
         );
     }
     let mut clauses = list.clauses;
-    let earliest = clauses.iter().map(|c| c.start_secs).fold(0.0, f64::min);
     // Not `-earliest`, which is −0 when nothing is early.
-    let lead_in_secs = 0.0 - earliest;
+    let lead_in_secs = 0.0 - list.earliest;
     let mut duration_secs: f64 = 0.0;
     for clause in &mut clauses {
         clause.start_secs += lead_in_secs;
@@ -100,6 +106,8 @@ struct List<'d> {
     times: &'d Times,
     counts: &'d [u32],
     clauses: Vec<TimedClause>,
+    /// The first start, at most 0.
+    earliest: f64,
 }
 
 /// Where in the repetitions a clause plays.
@@ -123,6 +131,7 @@ impl List<'_> {
         if start_secs >= place.cut {
             return;
         }
+        self.earliest = self.earliest.min(start_secs);
         let clause = self.document.clause(id);
         let end = self.times.end(id);
         let index = self.clauses.len();

@@ -80,17 +80,16 @@ impl Timeline {
         limits: &Limits,
     ) -> Resolved {
         let mut sink = Sink::new(limits.diagnostics);
-        let voices = names::voice_timings(document, durations);
-        let names = Names::collect(document, &voices, &mut sink);
-        let counts = expand::bounded_counts(document, limits, &mut sink);
-        let times = solve::solve(document, &voices, &names, &counts, &mut sink);
+        let found = Names::collect(document, durations, &mut sink);
+        let counts = expand::bounded_counts(document, &found.groups, limits, &mut sink);
+        let times = solve::solve(document, &found, &counts, &mut sink);
         let mut timeline = expand::expand(document, &times, &counts);
         let lead_in_secs = timeline.lead_in_secs;
-        timeline.marks = names.map(|moment| {
+        timeline.marks = found.names.map(|moment| {
             let start = times.start(moment.clause)?;
             Some(start + moment.offset_secs + lead_in_secs)
         });
-        timeline.voices = voices;
+        timeline.voices = found.voices;
         Resolved {
             timeline,
             diagnostics: sink.finish(),

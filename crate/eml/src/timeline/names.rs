@@ -4,8 +4,7 @@ use crate::diagnostic::Sink;
 use crate::suggest::quoted;
 use crate::work::step;
 use crate::{
-    ClauseId, ClauseKind, Diagnostic, Document, Durations, Mark, MarkEvent, Name, SortedMap, Span,
-    VoiceTiming,
+    ClauseId, Diagnostic, Document, Durations, Mark, MarkEvent, Name, SortedMap, Span, VoiceTiming,
 };
 use std::cmp::Ordering;
 
@@ -20,19 +19,14 @@ pub(super) struct Moment {
     pub(super) span: Span,
 }
 
-/// Asks for the times of every voice-text. Lengths that are no lengths count as 0.
-pub(super) fn voice_timings(
-    document: &Document,
-    durations: &dyn Durations,
-) -> SortedMap<ClauseId, VoiceTiming> {
-    let voices = document.iter().filter_map(|(id, clause)| {
-        let mut timing = durations.voice(clause.kind.spoken()?.as_ref());
-        if !(timing.duration_secs >= 0.0 && timing.duration_secs.is_finite()) {
-            timing.duration_secs = 0.0;
-        }
-        Some((id, timing))
-    });
-    SortedMap::from_sorted(voices.collect())
+/// What a walk over all clauses finds.
+pub(super) struct Found {
+    /// The times of everything that is spoken.
+    pub(super) voices: SortedMap<ClauseId, VoiceTiming>,
+    /// Every name.
+    pub(super) names: Names,
+    /// The groups, outer ones first.
+    pub(super) groups: Vec<ClauseId>,
 }
 
 /// Every name of a document.
@@ -64,18 +58,21 @@ fn prefix(name: &str) -> u64 {
 }
 
 impl Names {
-    /// Collects every name. Of several moments with one name the first counts.
+    /// Asks for the times of every voice-text and collects every name, of several moments
+    /// with one name the first, and the groups. One walk does it all, because a long
+    /// script has to come from far memory each time.
     pub(super) fn collect(
         document: &Document,
-        voices: &SortedMap<ClauseId, VoiceTiming>,
+        durations: &dyn Durations,
         sink: &mut Sink,
-    ) -> Self {
+    ) -> Found {
+        let mut voices = Vec::new();
+        let mut groups = Vec::new();
         let mut moments: Vec<(Key, Moment)> = Vec::new();
         let mut define = |name: Name, moment: Moment| {
             let prefix = prefix(&name);
             moments.push((Key { prefix, name }, moment));
         };
-        let mut voices = voices.iter().peekable();
         for (id, clause) in document.iter() {
             if let Some(name) = &clause.time_id {
                 let moment = Moment {
@@ -85,19 +82,27 @@ impl Names {
                 };
                 define(name.clone(), moment);
             }
-            // Other clauses speak as well, but only a voice-text has markers.
-            let spoken = voices.next_if(|&(&voice, _)| voice == id);
-            let (ClauseKind::VoiceText(text), Some((_, timing))) = (&clause.kind, spoken) else {
+            if clause.kind.group().is_some() {
+                groups.push(id);
+            }
+            let Some(text) = clause.kind.spoken() else {
                 continue;
             };
+            let mut timing = durations.voice(&text);
+            // Lengths that are no lengths count as 0.
+            if !(timing.duration_secs >= 0.0 && timing.duration_secs.is_finite()) {
+                timing.duration_secs = 0.0;
+            }
+            // Other clauses speak as well, but only a voice-text has markers.
             for mark in text.marks() {
                 let moment = Moment {
                     clause: id,
-                    offset_secs: offset(&mark, timing, sink),
+                    offset_secs: offset(&mark, &timing, sink),
                     span: mark.span,
                 };
                 define(mark.name, moment);
             }
+            voices.push((id, timing));
         }
         // Stable, so that of equal names the first in the document comes first.
         moments.sort_by(|(a, _), (b, _)| a.compare(b.prefix, &b.name));
@@ -108,7 +113,11 @@ impl Names {
             }
             same
         });
-        Self { moments }
+        Found {
+            voices: SortedMap::from_sorted(voices),
+            names: Self { moments },
+            groups,
+        }
     }
 
     /// The moment of a name.
@@ -161,7 +170,7 @@ fn offset(mark: &Mark, timing: &VoiceTiming, sink: &mut Sink) -> f64 {
             let phone = timing
                 .phones
                 .iter()
-                .find(|p| p.word == mark.word && p.symbol == *symbol);
+                .find(|p| p.word == mark.word && p.symbol == **symbol);
             if phone.is_none() && !timing.estimated {
                 let message = format!(
                     "the word that follows has no phone {}; its start is used",

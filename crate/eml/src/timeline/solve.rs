@@ -4,7 +4,7 @@
 //! with a stack of its own, so that a chain of a hundred thousand names is no problem,
 //! and meeting an unknown that is being worked on is a cycle.
 
-use super::names::Names;
+use super::names::{Found, Names};
 use crate::diagnostic::Sink;
 use crate::suggest::{nearest, quoted};
 use crate::work::step;
@@ -41,15 +41,14 @@ impl Times {
 /// Solves for all clauses.
 pub(super) fn solve(
     document: &Document,
-    voices: &SortedMap<ClauseId, VoiceTiming>,
-    names: &Names,
+    found: &Found,
     counts: &[u32],
     sink: &mut Sink,
 ) -> Times {
     let n = document.clauses.len();
     let mut solver = Solver {
         document,
-        voices,
+        voices: &found.voices,
         counts,
         sink,
         terms: Vec::new(),
@@ -62,8 +61,8 @@ pub(super) fn solve(
         depth: vec![0; 2 * n],
         suspects: Vec::new(),
     };
-    solver.look_up_names(names);
-    solver.link_sequences();
+    solver.look_up_names(&found.names);
+    solver.link_sequences(&found.groups);
     let mut stack = Vec::new();
     for unknown in 0..2 * n {
         if !solver.is_ready(unknown) {
@@ -150,9 +149,9 @@ impl Solver<'_, '_> {
         }
     }
 
-    fn link_sequences(&mut self) {
-        for clause in &self.document.clauses {
-            if let ClauseKind::Seq(group) = &clause.kind {
+    fn link_sequences(&mut self, groups: &[ClauseId]) {
+        for &id in groups {
+            if let ClauseKind::Seq(group) = &self.document.clause(id).kind {
                 for pair in group.children.windows(2) {
                     self.before[pair[1].index()] = Some(pair[0]);
                 }

@@ -88,11 +88,11 @@ impl Dice {
 
     fn value(&mut self, kind: Kind) -> Value {
         match kind {
-            Kind::Text => Value::Text(self.text()),
-            Kind::Name => Value::Text(self.name()),
-            Kind::Identifier => Value::Text(self.identifier()),
-            Kind::Path => Value::Text(self.pick(&["a/b.xml", "x y&z", "é.ogg"]).to_owned()),
-            Kind::Url => Value::Text(self.pick(&["a.ogg?x=1&y", "https://x.org/'"]).to_owned()),
+            Kind::Text => Value::Text(self.text().into()),
+            Kind::Name => Value::Text(self.name().into()),
+            Kind::Identifier => Value::Text(self.identifier().into()),
+            Kind::Path => Value::Text(self.pick(&["a/b.xml", "x y&z", "é.ogg"]).into()),
+            Kind::Url => Value::Text(self.pick(&["a.ogg?x=1&y", "https://x.org/'"]).into()),
             Kind::Bool => Value::Flag(self.one_in(2)),
             Kind::Number { least, most } => Value::Number(self.number(least, most)),
             Kind::Integer { least, most } => {
@@ -108,7 +108,7 @@ impl Dice {
                 _ => Value::Word(self.pick(words)),
             },
             Kind::NumberOrBool => Value::Number(self.number(0.0, 2.0)),
-            Kind::NumberOrText if self.one_in(2) => Value::Text("left&'".to_owned()),
+            Kind::NumberOrText if self.one_in(2) => Value::Text("left&'".into()),
             Kind::NumberOrText => Value::Number(self.number(-100.0, 100.0)),
             Kind::Numbers => Value::Numbers((0..4).map(|_| self.number(-2.0, 2.0)).collect()),
             Kind::Color => Value::Color([self.next() as u8, self.next() as u8, 7]),
@@ -326,7 +326,7 @@ impl Dice {
                     let event = match self.below(3) {
                         0 => MarkEvent::OnStart,
                         1 => MarkEvent::OnEnd,
-                        _ => MarkEvent::OnPhone("hh".into()),
+                        _ => MarkEvent::OnPhone(Box::new("hh".into())),
                     };
                     pieces.push(Piece::Mark { name, event, span });
                 }

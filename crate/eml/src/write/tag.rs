@@ -72,7 +72,7 @@ impl Tag {
     pub(super) fn text(&mut self, name: &str, text: Option<&str>) {
         self.value(
             name,
-            text.map_or(Value::None, |text| Value::Text(text.to_owned())),
+            text.map_or(Value::None, |text| Value::Text(text.into())),
         );
     }
 
