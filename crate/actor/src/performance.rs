@@ -5,6 +5,7 @@ use raconteur_body::{Bone, Pose, Skeleton};
 use raconteur_speech::phones::{self, Class};
 use raconteur_speech::{Phone, Word};
 
+use crate::animation::{Animated, Library, PlayerScript, Players};
 use crate::arm_ik::{ArmGoal, ArmRig, ArmSolution};
 use crate::face::{Expression, FaceRig};
 use crate::gesture::{ArmPlan, ArmScript, BodySpace, HandTarget, part_hands};
@@ -54,6 +55,10 @@ pub struct SpokenUtterance {
 pub struct Performance {
     /// Left and right arm.
     pub arms: [ArmScript; 2],
+    /// Animation players.
+    pub players: PlayerScript,
+    /// The animations that they may play.
+    pub library: Library,
     /// What is said, in any order.
     pub speech: Vec<SpokenUtterance>,
     /// Seed of everything that nobody scripted.
@@ -68,6 +73,8 @@ impl Default for Performance {
     fn default() -> Self {
         Self {
             arms: [ArmScript::default(), ArmScript::default()],
+            players: PlayerScript::default(),
+            library: Library::default(),
             speech: Vec::new(),
             seed: 0,
             motion_amount: 1.0,
@@ -96,6 +103,7 @@ pub struct Actor {
     space: BodySpace,
     stance: Stance,
     trunk: Trunk,
+    players: Players,
     rhythm: SpeechRhythm,
     gaze: Gaze,
     blinks: Blinks,
@@ -137,6 +145,7 @@ impl Actor {
             space: BodySpace::new(skeleton),
             stance: Stance::new(skeleton, seed),
             trunk: Trunk { seed },
+            players: Players::new(&performance.players, &performance.library, skeleton).0,
             rhythm: SpeechRhythm::new(&spans, &beats),
             gaze: Gaze::new(&clauses, seed),
             blinks: Blinks::new(&pauses, seed),
@@ -183,8 +192,9 @@ impl Actor {
         self.stance.apply(skeleton, t, self.amount, pose);
         self.trunk
             .apply(&self.rhythm, t, self.stance.weight_at(t), self.amount, pose);
-        let (arms, wrist_goals_in_world) = self.arms(skeleton, t, pose);
-        self.head(skeleton, t, pose);
+        let animated = self.players.apply(skeleton, t, pose);
+        let (arms, wrist_goals_in_world) = self.arms(skeleton, t, animated.as_ref(), pose);
+        self.head(skeleton, t, animated.as_ref(), pose);
         let eye_pitch_rad = self.eyes(skeleton, face, t, pose);
         let mouth = self.mouth(t);
         let expression = self.expression(t);
@@ -204,7 +214,13 @@ impl Actor {
         }
     }
 
-    fn arms(&self, skeleton: &Skeleton, t: f64, pose: &mut Pose) -> ([ArmSolution; 2], [DVec3; 2]) {
+    fn arms(
+        &self,
+        skeleton: &Skeleton,
+        t: f64,
+        animated: Option<&Animated>,
+        pose: &mut Pose,
+    ) -> ([ArmSolution; 2], [DVec3; 2]) {
         let thorax = world_from_bone(skeleton, pose, Bone::Thoracic);
         let targets = self.plans.each_ref().map(|plan| plan.at(t));
         // What rests goes with the trunk; what gestures is in the world.
@@ -224,6 +240,9 @@ impl Actor {
             for (bone, rotation) in targets[i].shape.rotations(side) {
                 pose.set(bone, rotation);
             }
+            if let Some(animated) = animated {
+                animated.blend_arm(side, targets[i].rest_share, pose);
+            }
             solution
         });
         (arms, wrists)
@@ -240,7 +259,15 @@ impl Actor {
         (clear, hand.normalize())
     }
 
-    fn head(&self, skeleton: &Skeleton, t: f64, pose: &mut Pose) {
+    fn head(&self, skeleton: &Skeleton, t: f64, animated: Option<&Animated>, pose: &mut Pose) {
+        // What is played is added to the gaze, which must not undo it.
+        let moved = animated.filter(|a| a.moves_head()).map(|_| {
+            [Bone::Cervical, Bone::Skull].map(|bone| {
+                let played = pose.rotation(bone);
+                pose.set(bone, DQuat::IDENTITY);
+                (bone, played)
+            })
+        });
         let head = world_from_bone(skeleton, pose, Bone::Skull);
         let axes = rotation_of(&head) * self.skull_zero.inverse();
         // The middle of the eyes is some 7 cm above the skull bone's joint.
@@ -256,6 +283,9 @@ impl Actor {
             spine(0.4 * pitch, 0.4 * motion.y, 0.4 * yaw),
         );
         pose.set(Bone::Skull, spine(0.6 * pitch, 0.6 * motion.y, 0.6 * yaw));
+        for (bone, played) in moved.into_iter().flatten() {
+            pose.set(bone, (played * pose.rotation(bone)).normalize());
+        }
     }
 
     fn eyes(&self, skeleton: &Skeleton, face: &FaceRig, t: f64, pose: &mut Pose) -> [f64; 2] {

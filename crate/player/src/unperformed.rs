@@ -51,6 +51,14 @@ impl Found {
             ClauseKind::VoiceText(voice) => self.speech(voice),
             ClauseKind::GestureKey(gesture) => self.gesture(gesture, clause.tag_span),
             ClauseKind::GestureIsOn(_)
+            | ClauseKind::DeterministicAnimation(_)
+            | ClauseKind::DeterministicTrackProperty(_)
+            | ClauseKind::DeterministicPrimitive(_)
+            | ClauseKind::PlayerAdd(_)
+            | ClauseKind::PlayerSetExclusive(_)
+            | ClauseKind::PlayerChangePriority(_)
+            | ClauseKind::PlayerRemove(_)
+            | ClauseKind::PlayerClear
             | ClauseKind::Event { .. }
             | ClauseKind::Null
             | ClauseKind::Seq(_)
@@ -110,7 +118,7 @@ mod tests {
     fn what_is_not_performed_is_told_once_each() {
         let text = "<eml xmlns:r='urn:raconteur:eml:1'><head><r:performer figure='nuno'/></head>\
                     <body><voice-text time='0'>a <pitch base='low'>b</pitch> <emph>c</emph>\
-                    </voice-text><body-player-clear time='1'/><body-player-clear time='2'/>\
+                    </voice-text><voice-change time='1' voice='v'/><voice-change time='2' voice='v'/>\
                     <gesture-key time='3' duration='1' r:phase='stroke'><motion \
                     r:interpolation='cosine'><key x='0' y='40' z='-8'/></motion></gesture-key>\
                     </body></eml>";
@@ -125,7 +133,7 @@ mod tests {
             [
                 "`performer` is not performed yet",
                 "`pitch` is not performed yet",
-                "`body-player-clear` is not performed yet; it occurs 2 times",
+                "`voice-change` is not performed yet; it occurs 2 times",
                 "`phase` is not performed yet",
                 "`interpolation` is not performed yet",
             ]

@@ -83,7 +83,7 @@ impl Timeline {
         let voices = names::voice_timings(document, durations);
         let names = Names::collect(document, &voices, &mut sink);
         let counts = expand::bounded_counts(document, limits, &mut sink);
-        let times = solve::solve(document, &voices, &names, &counts, &mut sink);
+        let times = solve::solve(document, durations, &voices, &names, &counts, &mut sink);
         let mut timeline = expand::expand(document, &times, &counts);
         let lead_in_secs = timeline.lead_in_secs;
         timeline.marks = names.map(|moment| {
