@@ -85,6 +85,18 @@ impl TwoBone {
         self.upper
     }
 
+    /// The end in the lower bone's frame, metres.
+    #[must_use]
+    pub fn lower(&self) -> DVec3 {
+        self.lower
+    }
+
+    /// Hinge axis in the lower bone's frame, unit.
+    #[must_use]
+    pub fn axis(&self) -> DVec3 {
+        self.axis
+    }
+
     /// Longest distance within the limits: stretched.
     #[must_use]
     pub fn reach_m(&self) -> f64 {

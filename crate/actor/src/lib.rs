@@ -1,6 +1,7 @@
 //! How the figure moves: everything here is a function of absolute time over plain plans.
 //!
-//! Does: arm inverse kinematics, limbs and head as manipulators, palm orientation, gesture plans with preparation, hold
+//! Does: animation players with their clips, arm inverse kinematics, limbs and head as
+//! manipulators, palm orientation, gesture plans with preparation, hold
 //! and retraction, idle life (breath, sway, gaze, blinks), lip synchronisation, and the
 //! face's morph weights; [`Actor`] evaluates them all into a pose.
 //! Does not: know EML, draw, play sound, or keep state between evaluations: seeking to a
@@ -10,6 +11,7 @@
 //! +z front. A *hand rotation* turns the hand of the zero pose (arms stretched out
 //! sideways, palms down) into its place, in world axes; see [`palm`].
 
+pub mod animation;
 pub mod arm_ik;
 pub mod face;
 pub mod gesture;
@@ -21,6 +23,7 @@ pub mod palm;
 pub mod performance;
 pub mod wrist;
 
+pub use animation::{Library, PlayerScript, Players};
 pub use arm_ik::{ArmGoal, ArmRig, ArmSolution};
 pub use face::FaceRig;
 pub use gesture::{ArmScript, GestureStroke, HandKey, Span};

@@ -5,6 +5,7 @@ use raconteur_body::{Bone, Pose, Skeleton};
 use raconteur_speech::phones::{self, Class};
 use raconteur_speech::{Phone, Word};
 
+use crate::animation::{Animated, Library, PlayerScript, Players};
 use crate::arm_ik::{ArmGoal, ArmRig, ArmSolution};
 use crate::face::{Expression, FaceRig};
 use crate::gesture::contact::{Contact, PlacedHand};
@@ -60,6 +61,10 @@ pub struct Performance {
     pub manipulators: ManipulatorScript,
     /// Whose joint limits hold.
     pub sex: Sex,
+    /// Animation players.
+    pub players: PlayerScript,
+    /// The animations that they may play.
+    pub library: Library,
     /// What is said, in any order.
     pub speech: Vec<SpokenUtterance>,
     /// Seed of everything that nobody scripted.
@@ -76,6 +81,8 @@ impl Default for Performance {
             arms: [ArmScript::default(), ArmScript::default()],
             manipulators: ManipulatorScript::default(),
             sex: Sex::default(),
+            players: PlayerScript::default(),
+            library: Library::default(),
             speech: Vec::new(),
             seed: 0,
             motion_amount: 1.0,
@@ -108,6 +115,7 @@ pub struct Actor {
     contact: Contact,
     stance: Stance,
     trunk: Trunk,
+    players: Players,
     rhythm: SpeechRhythm,
     gaze: Gaze,
     blinks: Blinks,
@@ -158,6 +166,7 @@ impl Actor {
             contact: Contact::new(skeleton),
             stance: Stance::new(skeleton, seed),
             trunk: Trunk { seed },
+            players: Players::new(&performance.players, &performance.library, skeleton).0,
             rhythm: SpeechRhythm::new(&spans, &beats),
             gaze: Gaze::new(&clauses, seed),
             blinks: Blinks::new(&pauses, seed, amount),
@@ -172,8 +181,15 @@ impl Actor {
         };
         let idle = |t: f64, pose: &mut Pose| {
             actor.trunk(skeleton, t, pose);
-            actor.arms(skeleton, t, pose);
-            actor.head(skeleton, t, actor.listener_in_world, pose);
+            let animated = actor.players.apply(skeleton, t, pose);
+            actor.arms(skeleton, t, animated.as_ref(), pose);
+            actor.head(
+                skeleton,
+                t,
+                actor.listener_in_world,
+                animated.as_ref(),
+                pose,
+            );
         };
         actor.manipulators =
             Manipulators::new(&performance.manipulators, skeleton, performance.sex, &idle);
@@ -215,8 +231,10 @@ impl Actor {
             None => self.listener_in_world,
         };
         self.trunk(skeleton, t, pose);
+        let animated = self.players.apply(skeleton, t, pose);
+        let animated = animated.as_ref();
         self.manipulators.lean(skeleton, t, pose);
-        let (arms, mut wrist_goals_in_world) = self.arms(skeleton, t, pose);
+        let (arms, mut wrist_goals_in_world) = self.arms(skeleton, t, animated, pose);
         let mut wrist_errors_m = arms.map(|a| a.error_m);
         let led = self.manipulators.limbs(skeleton, t, pose);
         for (i, led) in led.iter().enumerate() {
@@ -225,7 +243,7 @@ impl Actor {
                 wrist_errors_m[i] = led.error_m;
             }
         }
-        self.head(skeleton, t, listener, pose);
+        self.head(skeleton, t, listener, animated, pose);
         self.manipulators.head(skeleton, t, pose);
         let eye_pitch_rad = self.eyes(skeleton, face, t, listener, pose);
         let mouth = self.mouth(t);
@@ -261,7 +279,13 @@ impl Actor {
         self.trunk.apply(&self.rhythm, t, weight, self.amount, pose);
     }
 
-    fn arms(&self, skeleton: &Skeleton, t: f64, pose: &mut Pose) -> ([ArmSolution; 2], [DVec3; 2]) {
+    fn arms(
+        &self,
+        skeleton: &Skeleton,
+        t: f64,
+        animated: Option<&Animated>,
+        pose: &mut Pose,
+    ) -> ([ArmSolution; 2], [DVec3; 2]) {
         let thorax = world_from_bone(skeleton, pose, Bone::Thoracic);
         let targets = self.plans.each_ref().map(|plan| plan.at(t));
         // What rests goes with the trunk; what gestures is in the world.
@@ -300,6 +324,9 @@ impl Actor {
             for (bone, rotation) in hands[i].fingers {
                 pose.set(bone, rotation);
             }
+            if let Some(animated) = animated {
+                animated.blend_arm(side, targets[i].rest_share, pose);
+            }
         }
         (arms, hands.map(|hand| hand.wrist))
     }
@@ -328,7 +355,22 @@ impl Actor {
         placed
     }
 
-    fn head(&self, skeleton: &Skeleton, t: f64, listener: DVec3, pose: &mut Pose) {
+    fn head(
+        &self,
+        skeleton: &Skeleton,
+        t: f64,
+        listener: DVec3,
+        animated: Option<&Animated>,
+        pose: &mut Pose,
+    ) {
+        // What is played is added to the gaze, which must not undo it.
+        let moved = animated.filter(|a| a.moves_head()).map(|_| {
+            [Bone::Cervical, Bone::Skull].map(|bone| {
+                let played = pose.rotation(bone);
+                pose.set(bone, DQuat::IDENTITY);
+                (bone, played)
+            })
+        });
         let head = world_from_bone(skeleton, pose, Bone::Skull);
         let axes = rotation_of(&head) * self.skull_zero.inverse();
         // The middle of the eyes is some 7 cm above the skull bone's joint.
@@ -344,6 +386,9 @@ impl Actor {
             spine(0.4 * pitch, 0.4 * motion.y, 0.4 * yaw),
         );
         pose.set(Bone::Skull, spine(0.6 * pitch, 0.6 * motion.y, 0.6 * yaw));
+        for (bone, played) in moved.into_iter().flatten() {
+            pose.set(bone, (played * pose.rotation(bone)).normalize());
+        }
     }
 
     fn eyes(

@@ -57,13 +57,25 @@ impl StoryFiles {
 
     /// The story with its voice, without a figure: enough for times and diagnostics.
     pub(crate) fn script(&self) -> raconteur_player::Script {
-        raconteur_player::Script::read(&self.text, self.bundle().as_deref())
+        let mut script = raconteur_player::Script::read(&self.text, self.bundle().as_deref());
+        let wanted = script.wanted_animations();
+        if !wanted.is_empty() {
+            let mut library = raconteur_player::Library::default();
+            for name in wanted {
+                // What is missing or broken is told by those who perform.
+                if let Some(text) = find_animation(&name, &self.script) {
+                    let _ = library.add(&name, &text);
+                }
+            }
+            script.retime(&library);
+        }
+        script
     }
 
     /// The story ready to be performed by a figure.
     pub(crate) fn player(&self, figure: &str, shot: Shot) -> Result<Loaded> {
         let figure = find_figure(figure, &self.script)?;
-        Ok(Player::load(StoryInput {
+        let mut loaded = Player::load(StoryInput {
             eml: &self.text,
             bundle: self.bundle().as_deref(),
             figure: figure.into(),
@@ -71,8 +83,58 @@ impl StoryFiles {
                 shot,
                 ..Options::default()
             },
-        }))
+        });
+        let found: Vec<(String, Option<String>)> = loaded
+            .player
+            .wanted_animations()
+            .into_iter()
+            .map(|name| {
+                let text = find_animation(&name, &self.script);
+                (name, text)
+            })
+            .collect();
+        if !found.is_empty() {
+            let clips: Vec<(&str, Option<&str>)> = found
+                .iter()
+                .map(|(name, text)| (name.as_str(), text.as_deref()))
+                .collect();
+            let told = loaded.player.provide_animations(&clips);
+            loaded.diagnostics.extend(told);
+        }
+        Ok(loaded)
     }
+}
+
+/// The text of an animation: of a bare name, `NAME.json` in `assets/animations` of the folders
+/// above the story or the working folder; else of a file in the story's folder, JSON or glTF
+/// (`FILE.glb#NAME` for one of several animations).
+fn find_animation(name: &str, story: &Path) -> Option<String> {
+    if !name.contains(['/', '.', '\\']) {
+        let near = story.canonicalize().unwrap_or_else(|_| story.to_owned());
+        let here = std::env::current_dir().unwrap_or_default();
+        let path = near
+            .ancestors()
+            .chain(here.ancestors())
+            .map(|folder| {
+                folder
+                    .join("assets/animations")
+                    .join(format!("{name}.json"))
+            })
+            .find(|p| p.is_file())?;
+        return fs::read_to_string(path).ok();
+    }
+    let (path, part) = name.split_once('#').unwrap_or((name, ""));
+    let relative = Path::new(path);
+    // A story reaches no file outside its folder.
+    let inside = |c: std::path::Component<'_>| matches!(c, std::path::Component::Normal(_));
+    if !relative.components().all(inside) {
+        return None;
+    }
+    let bytes = fs::read(story.parent()?.join(relative)).ok()?;
+    if relative.extension().is_some_and(|e| e == "json") {
+        return String::from_utf8(bytes).ok();
+    }
+    import::convert_animation(part, &bytes).ok()
 }
 
 /// Endings of files that hold a figure.

@@ -1,13 +1,20 @@
-//! How long speech takes: asked of whoever knows.
+//! How long speech and animations take: asked of whoever knows.
 
 use crate::voice::{Item, is_letter};
 use crate::{Piece, VoiceText};
 use std::ops::ControlFlow;
 
-/// Knows how long spoken texts take. The player answers from a speech bundle.
+/// Knows how long spoken texts and animations take. The player answers from a speech bundle
+/// and its library.
 pub trait Durations {
     /// The times of one utterance.
     fn voice(&self, text: &VoiceText) -> VoiceTiming;
+
+    /// The length of one pass of an animation, seconds; none when it is not known.
+    fn animation(&self, name: &str) -> Option<f64> {
+        let _ = name;
+        None
+    }
 }
 
 /// The times of one utterance, in seconds from its start.

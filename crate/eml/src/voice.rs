@@ -286,11 +286,7 @@ impl VoiceText {
 }
 
 /// Hands on the markers among some pieces, which have found their word.
-fn pass_marks<'v>(
-    pieces: &'v [Piece],
-    word: usize,
-    visit: &mut Visit<'v, '_>,
-) -> ControlFlow<()> {
+fn pass_marks<'v>(pieces: &'v [Piece], word: usize, visit: &mut Visit<'v, '_>) -> ControlFlow<()> {
     for piece in pieces {
         if let Piece::Mark { name, event, span } = piece {
             visit(Item::Mark(Mark {

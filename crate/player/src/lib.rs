@@ -8,6 +8,7 @@
 //! With `eml`, this is the only crate that knows EML. It hands its neighbours on, so that
 //! the browser bindings and the command line need no further edge.
 
+mod animations;
 mod cues;
 mod event;
 mod gestures;
@@ -25,6 +26,7 @@ mod voice;
 pub use cues::{ClauseRef, Cue, CueKind, UtteranceCue, WordCue};
 pub use event::{Accepted, Event};
 pub use performer::{Loaded, Manipulator, Options, Player, StoryInput};
+pub use raconteur_actor::Library;
 pub use raconteur_base as base;
 pub use raconteur_body as body;
 pub use raconteur_eml as eml;

@@ -1,12 +1,15 @@
 //! A script lowered for one figure: what it asks of arms and voice, and what it tells.
 
+use raconteur_actor::animation::PlayerCommand;
 use raconteur_actor::{
-    Accent, ArmScript, GestureStroke, ManipulatorScript, Performance, Sex, SpokenUtterance,
+    Accent, ArmScript, GestureStroke, Library, ManipulatorScript, Performance, PlayerScript, Sex,
+    SpokenUtterance,
 };
 use raconteur_base::order::sort_by_number;
 use raconteur_base::{DVec3, Side};
 use raconteur_speech::{Phone, Word};
 
+use crate::animations;
 use crate::cues::{self, Cue, UtteranceCue};
 use crate::gestures;
 use crate::manipulators;
@@ -25,6 +28,8 @@ pub(crate) struct Part {
     pub(crate) manipulators: ManipulatorScript,
     /// When gestures are turned on and off, by time.
     switches: Vec<(f64, bool)>,
+    /// What animation players are asked for, by time.
+    pub(crate) players: Vec<(f64, PlayerCommand)>,
     speech: Vec<SpokenUtterance>,
     /// What is said, by time.
     pub(crate) utterances: Vec<UtteranceCue>,
@@ -47,6 +52,7 @@ impl Part {
             strokes: Side::BOTH.map(|side| gestures::strokes(document, timeline, side, units)),
             manipulators: manipulators::script(document, timeline, units),
             switches: gestures::switches(document, timeline),
+            players: animations::commands(document, timeline).0,
             speech: utterances.iter().map(|u| spoken(script, u)).collect(),
             cues: cues::cues(script, &utterances, first_utterance, fragment),
             utterances,
@@ -54,9 +60,12 @@ impl Part {
     }
 }
 
-/// What the figure does when all parts are performed together.
+/// What the figure does when all parts are performed together. `carried` is what animation
+/// players were asked for by parts that are forgotten.
 pub(crate) fn performance<'a>(
     parts: impl Iterator<Item = &'a Part> + Clone,
+    carried: &[(f64, PlayerCommand)],
+    library: &Library,
     options: &Options,
     listener_in_world: DVec3,
 ) -> Performance {
@@ -66,7 +75,12 @@ pub(crate) fn performance<'a>(
         .collect();
     sort_by_number(&mut switches, |(time_secs, _)| *time_secs);
     let on = gestures::on_spans(&switches);
+    let players = parts.clone().flat_map(|p| p.players.iter());
     Performance {
+        players: PlayerScript {
+            commands: carried.iter().chain(players).cloned().collect(),
+        },
+        library: library.clone(),
         arms: Side::BOTH.map(|side| ArmScript {
             strokes: parts
                 .clone()

@@ -2,15 +2,16 @@
 
 use std::sync::Arc;
 
+use raconteur_actor::animation::{Operation, PlayerCommand};
 use raconteur_actor::performance::Report;
-use raconteur_actor::{Actor, FaceRig};
+use raconteur_actor::{Actor, FaceRig, Library};
 use raconteur_base::order::sort_by_number;
 use raconteur_base::{DVec3, Side};
 use raconteur_body::{Figure, Pose};
 use raconteur_eml::{Diagnostic, Timeline};
-use raconteur_speech::Bundle;
 use raconteur_stage::{Camera, Frame, Room, Shot, SpeechNow};
 
+use crate::animations;
 use crate::cues::{Cue, UtteranceCue};
 use crate::event::Event;
 use crate::gestures::{self, Reach};
@@ -85,8 +86,10 @@ pub struct Player {
     units: Units,
     reach: Reach,
     options: Options,
-    timeline: Timeline,
-    bundle: Option<Arc<Bundle>>,
+    script: Script,
+    library: Library,
+    /// Animations that were asked for in vain.
+    missing: Vec<String>,
     story: Part,
     live: Live,
     layers: Layers,
@@ -117,13 +120,18 @@ impl Player {
         let mut diagnostics = script.diagnostics.clone();
         diagnostics.extend(gestures::out_of_reach(&script.document, &units, &reach));
         diagnostics.extend(manipulators::problems(&script.document, &units, &reach));
+        let (document, timeline) = (&script.document, &script.timeline);
+        diagnostics.extend(animations::problems(document, timeline, &figure.skeleton));
 
         let story = Part::new(&script, &units, 0, None);
         let live = Live::new(story.utterances.len());
+        let library = Library::default();
         let (actor, room) = rehearse(
             &figure,
             &input.options,
             input.options.room,
+            &library,
+            &[],
             [&story].into_iter(),
         );
         let plans = Side::BOTH.map(|side| actor.plan(side));
@@ -135,8 +143,9 @@ impl Player {
             units,
             reach,
             options: input.options,
-            timeline: script.timeline,
-            bundle: script.bundle,
+            script,
+            library,
+            missing: Vec::new(),
             story,
             live,
             layers: Layers::new(actor, room, morphs),
@@ -157,7 +166,7 @@ impl Player {
     /// Length of the script, seconds; live clauses may go on beyond it.
     #[must_use]
     pub fn duration_secs(&self) -> f64 {
-        self.timeline.duration_secs
+        self.script.timeline.duration_secs
     }
 
     /// When everything that is known is over: the script, live clauses, and the time that an
@@ -195,7 +204,7 @@ impl Player {
     /// When everything in the script happens.
     #[must_use]
     pub fn timeline(&self) -> &Timeline {
-        &self.timeline
+        &self.script.timeline
     }
 
     /// What the script says, in order of time.
@@ -247,18 +256,90 @@ impl Player {
         let scene = Scene {
             units: &self.units,
             reach: &self.reach,
-            bundle: self.bundle.as_ref(),
-            marks: &self.timeline.marks,
+            bundle: self.script.bundle.as_ref(),
+            library: &self.library,
+            marks: &self.script.timeline.marks,
+            sets: &self.script.document.sets,
             actor: self.layers.actor(),
         };
         let performed = self.live.admit(mind, fragment, now_secs, base_secs, &scene);
         if !performed.clauses.is_empty() {
-            let parts = [&self.story].into_iter().chain(self.live.parts());
-            let held = self.layers.last_room();
-            let (actor, room) = rehearse(&self.figure, &self.options, held, parts);
+            let (actor, room) = self.rehearse_all(self.layers.last_room());
             self.layers.change(base_secs, actor, room);
         }
         performed
+    }
+
+    /// Prepares an actor for all that is known.
+    fn rehearse_all(&self, held: Room) -> (Actor, Room) {
+        let parts = [&self.story].into_iter().chain(self.live.parts());
+        let carried = self.live.carried();
+        rehearse(
+            &self.figure,
+            &self.options,
+            held,
+            &self.library,
+            carried,
+            parts,
+        )
+    }
+
+    /// The names of the animations that the story and live clauses play and that the player
+    /// does not have yet, each once: a name of the library, or a path in the story's folder.
+    /// Their texts are for [`Player::provide_animations`].
+    #[must_use]
+    pub fn wanted_animations(&self) -> Vec<String> {
+        let mut wanted: Vec<String> = Vec::new();
+        let parts = [&self.story].into_iter().chain(self.live.parts());
+        for (_, command) in parts.flat_map(|p| &p.players) {
+            if let PlayerCommand::Operate {
+                operation: Operation::Push(name, _) | Operation::Exchange(name, _),
+                ..
+            } = command
+                && self.library.get(name).is_none()
+                && !self.missing.contains(name)
+                && !wanted.contains(name)
+            {
+                wanted.push(name.clone());
+            }
+        }
+        wanted
+    }
+
+    /// Takes animations by name with their text (JSON of `docs/animation.md`), or none where
+    /// it could not be had; the story's times follow their lengths. Tells which are missing or
+    /// broken; the rest plays. What comes while the story plays eases in.
+    pub fn provide_animations(&mut self, clips: &[(&str, Option<&str>)]) -> Vec<Diagnostic> {
+        let mut diagnostics = Vec::new();
+        for (name, text) in clips {
+            let problem = match text {
+                Some(text) => self.library.add(name, text).err().map(|why| {
+                    let message = format!("the animation `{name}` cannot be read: {why}");
+                    ("player::bad-animation", message)
+                }),
+                None => {
+                    let message = format!("the animation `{name}` was not found; it is left out");
+                    Some(("player::no-animation", message))
+                }
+            };
+            if let Some((code, message)) = problem {
+                let wanted = animations::wanted(&self.script.document);
+                let used = wanted.into_iter().find(|(n, _)| n == name);
+                let span = used.map(|(_, span)| span).unwrap_or_default();
+                self.missing.push((*name).to_owned());
+                diagnostics.push(Diagnostic::warning(code, span, message));
+            }
+        }
+        self.script.retime(&self.library);
+        self.story = Part::new(&self.script, &self.units, 0, None);
+        let (actor, room) = self.rehearse_all(self.layers.last_room());
+        if self.passed_secs < 0.0 && self.live.parts().next().is_none() {
+            self.layers = Layers::new(actor, room, self.figure.morph_names.len());
+        } else {
+            let from_secs = self.passed_secs.max(self.layers.last_change_secs());
+            self.layers.change(from_secs.max(0.0), actor, room);
+        }
+        diagnostics
     }
 
     /// Whether a mind may send a fragment at a story time without being refused for its pace.
@@ -424,6 +505,8 @@ fn rehearse<'a>(
     figure: &Figure,
     options: &Options,
     held: Room,
+    library: &Library,
+    carried: &[(f64, PlayerCommand)],
     parts: impl Iterator<Item = &'a Part> + Clone,
 ) -> (Actor, Room) {
     let stature_m = figure.skeleton.stature_m();
@@ -439,6 +522,6 @@ fn rehearse<'a>(
         half_width_m: a.half_width_m.max(b.half_width_m),
     });
     let camera = options.shot.frame(DVec3::ZERO, stature_m, 16.0 / 9.0, room);
-    let performance = part::performance(parts, options, camera.eye_in_world);
+    let performance = part::performance(parts, carried, library, options, camera.eye_in_world);
     (Actor::new(&performance, &figure.skeleton), room)
 }

@@ -2,12 +2,14 @@
 
 use std::sync::Arc;
 
+use raconteur_actor::Library;
 use raconteur_eml::{
     ClauseId, ClauseKind, Diagnostic, Document, Parsed, Span, Timeline, VoiceText, parse,
 };
 use raconteur_speech::{Bundle, Content, Phone, Utterance};
 
-use crate::voice::{BundleDurations, content_of, find_utterance};
+use crate::animations;
+use crate::voice::{KnownDurations, content_of, find_utterance};
 
 /// A script with everything resolved that needs no figure.
 #[derive(Clone, Debug)]
@@ -20,6 +22,12 @@ pub struct Script {
     pub diagnostics: Vec<Diagnostic>,
     /// The speech, where it was baked.
     pub(crate) bundle: Option<Arc<Bundle>>,
+}
+
+/// What a script takes from outside to know its times.
+pub(crate) struct Sources<'a> {
+    pub(crate) bundle: Option<Arc<Bundle>>,
+    pub(crate) library: &'a Library,
 }
 
 impl Script {
@@ -42,7 +50,11 @@ impl Script {
                 None
             }
         });
-        let mut script = Self::resolve(parsed, bundle, bundle_json.is_some());
+        let sources = Sources {
+            bundle,
+            library: &Library::default(),
+        };
+        let mut script = Self::resolve(parsed, sources, bundle_json.is_some());
         script.timeline = with_run_up(script.timeline);
         script
     }
@@ -51,15 +63,16 @@ impl Script {
     /// be read from none.
     pub(crate) fn resolve(
         parsed: Parsed,
-        bundle: Option<Arc<Bundle>>,
+        Sources { bundle, library }: Sources<'_>,
         voice_was_given: bool,
     ) -> Self {
         let Parsed {
             document,
             mut diagnostics,
         } = parsed;
-        let durations = BundleDurations {
+        let durations = KnownDurations {
             bundle: bundle.as_deref(),
+            library,
         };
         let resolved = Timeline::resolve(&document, &durations);
         diagnostics.extend(resolved.diagnostics);
@@ -76,6 +89,23 @@ impl Script {
             diagnostics,
             bundle,
         }
+    }
+
+    /// Gives every clause its time anew, now that the lengths of these animations are known.
+    pub fn retime(&mut self, library: &Library) {
+        let durations = KnownDurations {
+            bundle: self.bundle.as_deref(),
+            library,
+        };
+        self.timeline = with_run_up(Timeline::resolve(&self.document, &durations).timeline);
+    }
+
+    /// The names of the animations that the story plays, each once: what [`Script::retime`]
+    /// and the player need the texts of.
+    #[must_use]
+    pub fn wanted_animations(&self) -> Vec<String> {
+        let wanted = animations::wanted(&self.document).into_iter();
+        wanted.map(|(name, _)| name.to_owned()).collect()
     }
 
     /// What the story says, in document order: what a baker has to synthesise.

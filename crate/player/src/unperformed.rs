@@ -49,6 +49,14 @@ impl Found {
             ClauseKind::VoiceText(voice) => self.speech(voice),
             ClauseKind::GestureKey(_)
             | ClauseKind::GestureIsOn(_)
+            | ClauseKind::DeterministicAnimation(_)
+            | ClauseKind::DeterministicTrackProperty(_)
+            | ClauseKind::DeterministicPrimitive(_)
+            | ClauseKind::PlayerAdd(_)
+            | ClauseKind::PlayerSetExclusive(_)
+            | ClauseKind::PlayerChangePriority(_)
+            | ClauseKind::PlayerRemove(_)
+            | ClauseKind::PlayerClear
             | ClauseKind::Event { .. }
             | ClauseKind::VhMove(_)
             | ClauseKind::ConfigureManipulator(_)
@@ -89,7 +97,7 @@ mod tests {
     fn what_is_not_performed_is_told_once_each() {
         let text = "<eml xmlns:r='urn:raconteur:eml:1'><head><r:performer figure='nuno'/></head>\
                     <body><voice-text time='0'>a <pitch base='low'>b</pitch> <emph>c</emph>\
-                    </voice-text><body-player-clear time='1'/><body-player-clear time='2'/>\
+                    </voice-text><voice-change time='1' voice='v'/><voice-change time='2' voice='v'/>\
                     </body></eml>";
         let parsed = parse(text);
         assert_eq!(parsed.diagnostics, []);
@@ -102,7 +110,7 @@ mod tests {
             [
                 "`performer` is not performed yet",
                 "`pitch` is not performed yet",
-                "`body-player-clear` is not performed yet; it occurs 2 times",
+                "`voice-change` is not performed yet; it occurs 2 times",
             ]
         );
     }

@@ -1,5 +1,6 @@
 //! What a script says, and when each word and phone of it is heard.
 
+use raconteur_actor::Library;
 use raconteur_eml::{
     Durations, EstimatedDurations, PhoneTime, Piece, VoiceText, VoiceTiming, WordTime,
 };
@@ -57,9 +58,11 @@ pub fn content_of(voice: &VoiceText) -> Content {
     content
 }
 
-/// Answers the timeline from a speech bundle, and by estimate where the bundle is silent.
-pub(crate) struct BundleDurations<'a> {
+/// Answers the timeline from a speech bundle, by estimate where the bundle is silent, and
+/// from a library of animations.
+pub(crate) struct KnownDurations<'a> {
     pub(crate) bundle: Option<&'a Bundle>,
+    pub(crate) library: &'a Library,
 }
 
 /// The utterance that was baked for a text, if its words are the text's.
@@ -68,7 +71,11 @@ pub(crate) fn find_utterance<'a>(bundle: &'a Bundle, voice: &VoiceText) -> Optio
     (utterance.words.len() == voice.words().len()).then_some(utterance)
 }
 
-impl Durations for BundleDurations<'_> {
+impl Durations for KnownDurations<'_> {
+    fn animation(&self, name: &str) -> Option<f64> {
+        self.library.get(name).map(|clip| clip.duration_secs())
+    }
+
     fn voice(&self, text: &VoiceText) -> VoiceTiming {
         let Some(utterance) = self.bundle.and_then(|b| find_utterance(b, text)) else {
             return EstimatedDurations.voice(text);

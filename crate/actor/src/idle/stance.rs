@@ -31,8 +31,9 @@ pub struct Stance {
     seed: u64,
 }
 
+/// One leg of a figure: everything about it that does not change with the pose.
 #[derive(Clone, Debug)]
-struct Leg {
+pub(crate) struct Leg {
     chain: TwoBone,
     hip_in_pelvis: DVec3,
     hip_zero: DQuat,
@@ -52,29 +53,8 @@ impl Stance {
     /// Measures the legs of a skeleton.
     #[must_use]
     pub fn new(skeleton: &Skeleton, seed: u64) -> Self {
-        let zero = Pose::zero();
-        let joints = skeleton.joints();
-        let legs = Side::BOTH.map(|side| {
-            let [hip, knee, ankle] = LEG_BONES[side.index()];
-            let knee_in_world = rotation_of(&world_from_bone(skeleton, &zero, knee));
-            Leg {
-                // A positive turn about the figure's left carries the shank backwards.
-                chain: TwoBone::new(
-                    joints[knee.index()].translation_in_parent,
-                    joints[ankle.index()].translation_in_parent,
-                    joints[knee.index()].zero_rotation,
-                    knee_in_world.inverse() * DVec3::X,
-                    KNEE_MAX_DEG.to_radians(),
-                ),
-                hip_in_pelvis: joints[hip.index()].translation_in_parent,
-                hip_zero: joints[hip.index()].zero_rotation,
-                knee_zero: joints[knee.index()].zero_rotation,
-                ankle_zero: joints[ankle.index()].zero_rotation,
-                ankle_in_world: world_from_bone(skeleton, &zero, ankle),
-            }
-        });
         Self {
-            legs,
+            legs: Side::BOTH.map(|side| Leg::new(skeleton, side)),
             scale: skeleton.stature_m() / 1.7,
             seed,
         }
@@ -122,7 +102,7 @@ impl Stance {
         let short = self
             .legs
             .iter()
-            .map(|leg| leg.shortage_m(&pelvis_in_world))
+            .map(|leg| leg.shortage_m(&pelvis_in_world, leg.ankle_in_world.translation))
             .fold(0.0, f64::max);
         pose.root_offset_in_world.y -= short;
         let pelvis_in_world = DAffine3 {
@@ -130,7 +110,10 @@ impl Stance {
             ..pelvis_in_world
         };
         for (leg, [hip, knee, ankle]) in self.legs.iter().zip(LEG_BONES) {
-            let [h, k, a] = leg.solve(&pelvis_in_world);
+            let foot = rotation_of(&leg.ankle_in_world);
+            let at = leg.ankle_in_world.translation;
+            // The knee keeps looking forward.
+            let [h, k, a] = leg.solve(&pelvis_in_world, at, foot, DVec3::Z);
             pose.set(hip, h);
             pose.set(knee, k);
             pose.set(ankle, a);
@@ -139,10 +122,37 @@ impl Stance {
 }
 
 impl Leg {
-    /// How far the pelvis must sink for the leg to reach its foot, metres.
-    fn shortage_m(&self, world_from_pelvis: &DAffine3) -> f64 {
-        let to = self.ankle_in_world.translation
-            - world_from_pelvis.transform_point3(self.hip_in_pelvis);
+    /// Measures one leg of a skeleton.
+    pub(crate) fn new(skeleton: &Skeleton, side: Side) -> Self {
+        let zero = Pose::zero();
+        let joints = skeleton.joints();
+        let [hip, knee, ankle] = LEG_BONES[side.index()];
+        let knee_in_world = rotation_of(&world_from_bone(skeleton, &zero, knee));
+        Self {
+            // A positive turn about the figure's left carries the shank backwards.
+            chain: TwoBone::new(
+                joints[knee.index()].translation_in_parent,
+                joints[ankle.index()].translation_in_parent,
+                joints[knee.index()].zero_rotation,
+                knee_in_world.inverse() * DVec3::X,
+                KNEE_MAX_DEG.to_radians(),
+            ),
+            hip_in_pelvis: joints[hip.index()].translation_in_parent,
+            hip_zero: joints[hip.index()].zero_rotation,
+            knee_zero: joints[knee.index()].zero_rotation,
+            ankle_zero: joints[ankle.index()].zero_rotation,
+            ankle_in_world: world_from_bone(skeleton, &zero, ankle),
+        }
+    }
+
+    /// World from ankle in the zero pose.
+    pub(crate) fn standing(&self) -> &DAffine3 {
+        &self.ankle_in_world
+    }
+
+    /// How far the pelvis must sink for the leg to reach an ankle, metres.
+    pub(crate) fn shortage_m(&self, world_from_pelvis: &DAffine3, ankle_in_world: DVec3) -> f64 {
+        let to = ankle_in_world - world_from_pelvis.transform_point3(self.hip_in_pelvis);
         let sideways = to.x * to.x + to.z * to.z;
         let reach = self.chain.reach_m();
         let most = (reach * reach - sideways).max(0.0).sqrt();
@@ -150,20 +160,45 @@ impl Leg {
         (-to.y - most + 1e-4).max(0.0)
     }
 
-    /// Local rotations of hip, knee and ankle that leave the foot as in the zero pose.
-    fn solve(&self, world_from_pelvis: &DAffine3) -> [DQuat; 3] {
+    /// Local rotations of hip, knee and ankle that put the ankle at a place with the foot
+    /// turned so (world from ankle), the knee looking along `knee` (world, any length). Of
+    /// a place out of reach the direction is kept.
+    pub(crate) fn solve(
+        &self,
+        world_from_pelvis: &DAffine3,
+        ankle: DVec3,
+        foot: DQuat,
+        knee: DVec3,
+    ) -> [DQuat; 3] {
         let pelvis = rotation_of(world_from_pelvis);
-        let to = self.ankle_in_world.translation
-            - world_from_pelvis.transform_point3(self.hip_in_pelvis);
+        let to = ankle - world_from_pelvis.transform_point3(self.hip_in_pelvis);
         let flexion = self.chain.flexion_for(to.length());
         let direction = to.try_normalize().unwrap_or(DVec3::NEG_Y);
-        // The knee keeps looking forward.
-        let hip_in_world = self.chain.aim(flexion, direction, DVec3::Z);
-        let knee = self.chain.flexed(flexion);
-        let shank = hip_in_world * self.knee_zero * knee;
+        let hip_in_world = self.chain.aim(flexion, direction, knee);
+        let flexed = self.chain.flexed(flexion);
+        let shank = hip_in_world * self.knee_zero * flexed;
         let hip = (pelvis * self.hip_zero).inverse() * hip_in_world;
-        let ankle = (shank * self.ankle_zero).inverse() * rotation_of(&self.ankle_in_world);
-        [hip.normalize(), knee, ankle.normalize()]
+        let ankle = (shank * self.ankle_zero).inverse() * foot;
+        [hip.normalize(), flexed, ankle.normalize()]
+    }
+
+    /// World from ankle, and where the knee looks, for local rotations of hip, knee and
+    /// ankle: what [`Leg::solve`] undoes.
+    pub(crate) fn placed(
+        &self,
+        world_from_pelvis: &DAffine3,
+        [hip, knee, ankle]: [DQuat; 3],
+    ) -> (DVec3, DQuat, DVec3) {
+        let hip_in_world = rotation_of(world_from_pelvis) * self.hip_zero * hip;
+        let shank = hip_in_world * self.knee_zero * knee;
+        let hip_at = world_from_pelvis.transform_point3(self.hip_in_pelvis);
+        let ankle_at = hip_at + hip_in_world * self.chain.hinge() + shank * self.chain.lower();
+        let axis = hip_in_world * self.knee_zero * self.chain.axis();
+        (
+            ankle_at,
+            (shank * self.ankle_zero * ankle).normalize(),
+            (ankle_at - hip_at).cross(axis),
+        )
     }
 }
 
@@ -200,6 +235,24 @@ mod tests {
         }
         assert!(worst < 1e-6, "{worst} m");
         assert!(most - least > 0.015, "{least} {most}");
+    }
+
+    #[test]
+    fn a_leg_is_found_again_from_where_it_stands() {
+        let skeleton = Skeleton::example();
+        for side in Side::BOTH {
+            let leg = Leg::new(&skeleton, side);
+            let pelvis = world_from_bone(&skeleton, &Pose::zero(), Bone::Sacroiliac);
+            let at = leg.standing().translation + DVec3::new(0.1 * side.sign(), 0.2, 0.15);
+            let foot = DQuat::from_rotation_x(0.4) * rotation_of(leg.standing());
+            let knee = DVec3::new(0.5 * side.sign(), 0.1, 1.0);
+            let solved = leg.solve(&pelvis, at, foot, knee);
+            let (there, turned, looks) = leg.placed(&pelvis, solved);
+            assert!(there.distance(at) < 1e-9 && turned.angle_between(foot) < 1e-6);
+            for (q, again) in solved.iter().zip(leg.solve(&pelvis, there, turned, looks)) {
+                assert!(q.angle_between(again) < 1e-6);
+            }
+        }
     }
 
     #[test]

@@ -4,11 +4,13 @@
 //! find how its rest pose differs from our zero pose, bind its skin to our joints, and make
 //! the face's channels from its morph targets. What cannot be kept is a [`Diagnostic`], what
 //! cannot be used an [`ImportError`]; no file makes it panic or take memory without bound.
-//! Does not: keep animations, spring bones, cameras or lights; decode pictures.
+//! [`convert_animation`] makes clips of a file's animations.
+//! Does not: keep spring bones, cameras or lights; decode pictures.
 //!
 //! A page loads this apart from the player and hands the player what [`convert`] makes.
 
 mod align;
+mod animation;
 mod bind;
 mod container;
 mod error;
@@ -28,6 +30,7 @@ use crate::read::document::Document;
 use crate::read::{ReadError, read_figure, solve_nodes};
 use crate::skeleton::Bone;
 use crate::write::to_glb;
+pub use animation::convert_animation;
 use error::Notes;
 pub use error::{Diagnostic, ImportError};
 

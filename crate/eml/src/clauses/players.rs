@@ -192,6 +192,26 @@ pub struct DeterministicPrimitive {
     pub style: Option<AnimationStyle>,
 }
 
+impl DeterministicPrimitive {
+    /// How long what it puts on plays, seconds, at the speed at which it is recorded: `length`
+    /// tells the length of one pass. What plays over and over has no length.
+    pub(crate) fn length_secs(&self, length: impl Fn(&str) -> Option<f64>) -> f64 {
+        let puts = matches!(
+            self.primitive,
+            PrimitiveKind::Push | PrimitiveKind::Exchange
+        );
+        let (Some(name), Some(style), true) = (&self.animation, &self.style, puts) else {
+            return 0.0;
+        };
+        match style.style {
+            PlaybackStyle::Loop | PlaybackStyle::LoopReverse | PlaybackStyle::PingPong => 0.0,
+            _ => length(name)
+                .filter(|secs| (0.0..=3600.0).contains(secs))
+                .map_or(0.0, |secs| secs * f64::from(style.iterations.max(1))),
+        }
+    }
+}
+
 impl crate::record::Record for DeterministicPrimitive {
     #[cfg(any(test, feature = "write"))]
     fn element(&self) -> &'static str {

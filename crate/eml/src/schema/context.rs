@@ -317,7 +317,11 @@ impl<'t> Context<'t> {
         let tree = self.tree;
         let timed = element.timed();
         // The time comes first, and is the first of what all clauses have.
-        let first = if timed.is_empty() { 0 } else { element.attributes.len() };
+        let first = if timed.is_empty() {
+            0
+        } else {
+            element.attributes.len()
+        };
         let mut fields = Fields {
             element,
             tag: tree.nodes[node].span,

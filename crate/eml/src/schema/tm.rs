@@ -92,7 +92,10 @@ mod tests {
             .map(|m| (m.name, m.event, m.word))
             .collect();
         assert_eq!(marks[0], ("a".into(), MarkEvent::OnStart, 0));
-        assert_eq!(marks[1], ("b".into(), MarkEvent::OnPhone(Box::new("w".into())), 1));
+        assert_eq!(
+            marks[1],
+            ("b".into(), MarkEvent::OnPhone(Box::new("w".into())), 1)
+        );
         assert_eq!(marks[2], ("c".into(), MarkEvent::OnEnd, 2));
     }
 

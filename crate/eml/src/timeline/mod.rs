@@ -82,7 +82,7 @@ impl Timeline {
         let mut sink = Sink::new(limits.diagnostics);
         let found = Names::collect(document, durations, &mut sink);
         let counts = expand::bounded_counts(document, &found.groups, limits, &mut sink);
-        let times = solve::solve(document, &found, &counts, &mut sink);
+        let times = solve::solve(document, durations, &found, &counts, &mut sink);
         let mut timeline = expand::expand(document, &times, &counts);
         let lead_in_secs = timeline.lead_in_secs;
         timeline.marks = found.names.map(|moment| {

@@ -8,7 +8,9 @@ use super::names::{Found, Names};
 use crate::diagnostic::Sink;
 use crate::suggest::{nearest, quoted};
 use crate::work::step;
-use crate::{Clause, ClauseId, ClauseKind, Diagnostic, Document, SortedMap, VoiceTiming};
+use crate::{
+    Clause, ClauseId, ClauseKind, Diagnostic, Document, Durations, SortedMap, VoiceTiming,
+};
 
 /// Names that are looked at in all to find those that may have been meant: it bounds
 /// the work on a document with many names that nobody gave.
@@ -41,6 +43,7 @@ impl Times {
 /// Solves for all clauses.
 pub(super) fn solve(
     document: &Document,
+    durations: &dyn Durations,
     found: &Found,
     counts: &[u32],
     sink: &mut Sink,
@@ -48,6 +51,7 @@ pub(super) fn solve(
     let n = document.clauses.len();
     let mut solver = Solver {
         document,
+        durations,
         voices: &found.voices,
         counts,
         sink,
@@ -92,6 +96,7 @@ struct Term {
 
 struct Solver<'d, 's> {
     document: &'d Document,
+    durations: &'d dyn Durations,
     voices: &'d SortedMap<ClauseId, VoiceTiming>,
     counts: &'d [u32],
     sink: &'s mut Sink,
@@ -300,6 +305,9 @@ impl Solver<'_, '_> {
             }
             ClauseKind::VoiceText(_) | ClauseKind::VoiceSay(_) => {
                 self.voices.get(&id).map_or(0.0, |v| v.duration_secs)
+            }
+            ClauseKind::DeterministicPrimitive(primitive) => {
+                primitive.length_secs(|name| self.durations.animation(name))
             }
             kind => kind.own_length_secs(),
         };

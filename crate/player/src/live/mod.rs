@@ -8,16 +8,18 @@ pub(crate) mod times;
 
 use std::sync::Arc;
 
-use raconteur_actor::Actor;
+use raconteur_actor::animation::PlayerCommand;
+use raconteur_actor::{Actor, Library};
 use raconteur_base::Side;
-use raconteur_eml::{Diagnostic, Name, Severity, SortedMap, Span, parse_fragment};
+use raconteur_base::order::sort_by_number;
+use raconteur_eml::{Diagnostic, Name, Set, Severity, SortedMap, Span, parse_fragment};
 use raconteur_speech::Bundle;
 
 use crate::cues::{ClauseRef, Cue, CueKind, UtteranceCue};
 use crate::gestures::{Reach, out_of_reach};
 use crate::manipulators;
 use crate::part::Part;
-use crate::script::{Script, delayed};
+use crate::script::{Script, Sources, delayed};
 use crate::units::Units;
 
 /// What a live performance may cost. Beyond, fragments are refused and the story plays on.
@@ -31,6 +33,8 @@ pub mod limits {
     /// Finished fragments are remembered this long for seeking back, and for their names, but
     /// only while there is room; seconds.
     pub const REMEMBERED_SECS: f64 = 300.0;
+    /// Commands to animation players that outlive their fragments; beyond, the oldest are lost.
+    pub const CARRIED_COMMANDS: usize = 1024;
     /// How far ahead of now a fragment may reach, seconds.
     pub const AHEAD_SECS: f64 = 3600.0;
     /// Fragments that a mind may send at once.
@@ -96,6 +100,9 @@ pub(crate) struct Scene<'a> {
     pub(crate) units: &'a Units,
     pub(crate) reach: &'a Reach,
     pub(crate) bundle: Option<&'a Arc<Bundle>>,
+    pub(crate) library: &'a Library,
+    /// The story's named sets of tracks, for fragments that have none.
+    pub(crate) sets: &'a [Set],
     /// The story's named moments.
     pub(crate) marks: &'a SortedMap<Name, f64>,
     /// Who performs before the fragment joins.
@@ -109,6 +116,8 @@ pub(crate) struct Live {
     fragments_begun: u32,
     utterances_begun: usize,
     allowances: Vec<Allowance>,
+    /// What forgotten fragments asked of animation players, by time: players stay.
+    carried: Vec<(f64, PlayerCommand)>,
     /// Clauses that a seek has passed over, not yet told.
     skipped: Vec<Cue>,
 }
@@ -121,6 +130,7 @@ impl Live {
             fragments_begun: 0,
             utterances_begun: utterances,
             allowances: Vec::new(),
+            carried: Vec::new(),
             skipped: Vec::new(),
         }
     }
@@ -128,6 +138,11 @@ impl Live {
     /// What is performed, in the order in which it came.
     pub(crate) fn parts(&self) -> impl Iterator<Item = &Part> + Clone {
         self.fragments.iter().map(|f| &f.part)
+    }
+
+    /// What forgotten fragments asked of animation players.
+    pub(crate) fn carried(&self) -> &[(f64, PlayerCommand)] {
+        &self.carried
     }
 
     /// When the last clause ends, story time; minus infinity when there is none.
@@ -223,7 +238,14 @@ impl Live {
             self.mark(name).or_else(|| scene.marks.get(name).copied())
         });
         parsed.diagnostics.extend(late);
-        let mut script = Script::resolve(parsed, scene.bundle.cloned(), scene.bundle.is_some());
+        if parsed.document.sets.is_empty() {
+            parsed.document.sets = scene.sets.to_vec();
+        }
+        let sources = Sources {
+            bundle: scene.bundle.cloned(),
+            library: scene.library,
+        };
+        let mut script = Script::resolve(parsed, sources, scene.bundle.is_some());
         performed.diagnostics.append(&mut script.diagnostics);
         let (document, units) = (&script.document, scene.units);
         let far = out_of_reach(document, units, scene.reach);
@@ -290,7 +312,13 @@ impl Live {
     /// Forgets what has been over for long, and as much more of what is over as it takes.
     fn make_room(&mut self, bytes: usize, clauses: usize, now_secs: f64) -> Result<(), Diagnostic> {
         let over = |f: &Fragment, secs: f64| f.end_secs + SETTLE_SECS + secs < now_secs;
-        self.fragments.retain(|f| !over(f, limits::REMEMBERED_SECS));
+        while let Some(old) = self
+            .fragments
+            .iter()
+            .position(|f| over(f, limits::REMEMBERED_SECS))
+        {
+            self.forget(old);
+        }
         loop {
             let sum = |of: fn(&Fragment) -> usize| self.fragments.iter().map(of).sum::<usize>();
             if bytes + sum(|f| f.bytes) <= limits::REMEMBERED_BYTES
@@ -302,8 +330,33 @@ impl Live {
                 let message = "there is no room for more clauses before some have finished";
                 return Err(refusal("live::full", message));
             };
-            self.fragments.remove(oldest);
+            self.forget(oldest);
         }
+    }
+
+    /// Forgets a fragment, but not the animation players that it left behind.
+    fn forget(&mut self, index: usize) {
+        let forgotten = self.fragments.remove(index);
+        self.carried.extend(forgotten.part.players);
+        sort_by_number(&mut self.carried, |(time_secs, _)| *time_secs);
+        // What came before all players went has no effect any more.
+        let last = self.carried.iter().rposition(|(_, command)| {
+            matches!(
+                command,
+                PlayerCommand::Clear
+                    | PlayerCommand::Add {
+                        exclusive: true,
+                        ..
+                    }
+            )
+        });
+        let surplus = self.carried.len().saturating_sub(limits::CARRIED_COMMANDS);
+        let (keep, mut place) = (last.unwrap_or(0).max(surplus), 0);
+        self.carried.retain(|(_, command)| {
+            place += 1;
+            let lasting = matches!(command, PlayerCommand::Configure { .. });
+            place > keep || (lasting && place > surplus)
+        });
     }
 
     /// The cues after `from_secs` up to and including `to_secs`, those of each fragment by

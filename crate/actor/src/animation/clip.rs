@@ -1,0 +1,103 @@
+//! An animation: what moves, when, on any figure.
+
+use raconteur_base::{DQuat, DVec3, Side};
+use raconteur_body::Bone;
+use raconteur_body::hand_shape::HandShape;
+
+use super::curve::{Curve, Ease};
+use super::groups::BoneSet;
+
+/// Where a foot stands, written so that it suits every figure.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct FootTrack {
+    /// Away from where the foot stands in the zero pose, shares of stature: outwards, up,
+    /// to the front; and how far the knee points outwards, radians.
+    pub(crate) place: Curve,
+    /// Radians: heel raised over the ball of the foot (negative: toes raised over the heel),
+    /// toes turned outwards, sole turned inwards.
+    pub(crate) turn: Curve,
+}
+
+/// Where a hand is, relative to the shoulders.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Reach {
+    pub(crate) side: Side,
+    pub(crate) keys: Vec<ReachKey>,
+    pub(crate) ease: Ease,
+}
+
+/// One key of a [`Reach`], of the left hand: a right one is mirrored.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct ReachKey {
+    pub(crate) time_secs: f64,
+    /// Wrist from the middle between the shoulders, in the axes of the chest, shares of
+    /// stature: outwards, up, to the front.
+    pub(crate) place: DVec3,
+    /// Directions of the fingers and of the palm in the chest's axes; a zero leaves the wrist
+    /// relaxed.
+    pub(crate) fingers: DVec3,
+    pub(crate) palm: DVec3,
+}
+
+/// An animation, for any figure. [`super::Library`] makes them of files.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Clip {
+    pub(crate) duration_secs: f64,
+    /// Whether the end passes into the beginning.
+    pub(crate) closed: bool,
+    /// Local rotations, relative to the zero pose.
+    pub(crate) bones: Vec<(Bone, Curve)>,
+    /// Displacement of the figure, shares of stature: left, up, front.
+    pub(crate) root: Option<Curve>,
+    /// The left and right foot.
+    pub(crate) feet: [Option<FootTrack>; 2],
+    pub(crate) reaches: Vec<Reach>,
+}
+
+impl Clip {
+    /// Length of one pass, seconds; 0 for a stance.
+    #[must_use]
+    pub fn duration_secs(&self) -> f64 {
+        self.duration_secs
+    }
+
+    /// Whether its end passes into its beginning.
+    #[must_use]
+    pub fn is_closed(&self) -> bool {
+        self.closed
+    }
+
+    /// The bones that it moves.
+    #[must_use]
+    pub fn moves(&self) -> BoneSet {
+        let mut set = BoneSet::NONE;
+        for (bone, _) in &self.bones {
+            set = set.with(*bone);
+        }
+        for side in Side::BOTH {
+            if self.feet[side.index()].is_some() {
+                set = set.or(BoneSet::leg(side));
+            }
+        }
+        for reach in &self.reaches {
+            for bone in crate::arm_ik::ARM_BONES[reach.side.index()] {
+                set = set.with(bone);
+            }
+        }
+        set
+    }
+
+    /// The stance of a hand shape of the dictionary (GEVH 3.5.1) on both hands.
+    #[must_use]
+    pub(crate) fn of_hand_shape(shape: &HandShape) -> Self {
+        let hands = Side::BOTH
+            .into_iter()
+            .flat_map(|side| shape.rotations(side));
+        let held = |q: DQuat| Curve::of_rotations(&[0.0], &[q], Ease::Step, None);
+        Self {
+            closed: true,
+            bones: hands.map(|(bone, q)| (bone, held(q))).collect(),
+            ..Self::default()
+        }
+    }
+}

@@ -1,0 +1,120 @@
+//! Sets of bones, and the default body groups of GEVH fig. 3.3.
+
+use raconteur_base::Side;
+use raconteur_body::Bone;
+
+/// A set of bones.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct BoneSet(u64);
+
+impl BoneSet {
+    /// No bone.
+    pub const NONE: Self = Self(0);
+    /// Every bone.
+    pub const ALL: Self = Self((1 << Bone::COUNT) - 1);
+
+    /// Whether a bone is in it.
+    #[must_use]
+    pub fn has(self, bone: Bone) -> bool {
+        self.0 & (1 << bone.index()) != 0
+    }
+
+    /// Whether there is none.
+    #[must_use]
+    pub fn is_empty(self) -> bool {
+        self.0 == 0
+    }
+
+    /// This and one more bone.
+    #[must_use]
+    pub fn with(self, bone: Bone) -> Self {
+        Self(self.0 | 1 << bone.index())
+    }
+
+    /// The bones of either.
+    #[must_use]
+    pub fn or(self, other: Self) -> Self {
+        Self(self.0 | other.0)
+    }
+
+    /// The bones of both.
+    #[must_use]
+    pub fn and(self, other: Self) -> Self {
+        Self(self.0 & other.0)
+    }
+
+    /// All from one bone to another in [`Bone::ALL`]'s order, both included.
+    const fn range(from: Bone, to: Bone) -> u64 {
+        let (from, to) = (from as u64, to as u64);
+        ((1 << (to - from + 1)) - 1) << from
+    }
+
+    /// A leg from hip to toes.
+    #[must_use]
+    pub fn leg(side: Side) -> Self {
+        Self(match side {
+            Side::Left => Self::range(Bone::LHip, Bone::LMetatarsal),
+            Side::Right => Self::range(Bone::RHip, Bone::RMetatarsal),
+        })
+    }
+}
+
+/// The default body groups in the order of their tracks. Together they are all bones, and
+/// no bone is in two. The wrist goes with the arm, as it does in GEVH 3.2.3, and the pelvis
+/// with the torso; the place of the whole figure goes with the legs.
+pub const BODY_GROUPS: [(&str, BoneSet); 8] = [
+    ("head", BoneSet(BoneSet::range(Bone::Cervical, Bone::Chin))),
+    (
+        "torso",
+        BoneSet(1 | BoneSet::range(Bone::Lumbar, Bone::Thoracic)),
+    ),
+    (
+        "left_arm",
+        BoneSet(BoneSet::range(Bone::LScapula, Bone::LWrist)),
+    ),
+    (
+        "right_arm",
+        BoneSet(BoneSet::range(Bone::RScapula, Bone::RWrist)),
+    ),
+    (
+        "left_hand",
+        BoneSet(BoneSet::range(Bone::LIndex0, Bone::LThumb2)),
+    ),
+    (
+        "right_hand",
+        BoneSet(BoneSet::range(Bone::RIndex0, Bone::RThumb2)),
+    ),
+    (
+        "left_leg",
+        BoneSet(BoneSet::range(Bone::LHip, Bone::LMetatarsal)),
+    ),
+    (
+        "right_leg",
+        BoneSet(BoneSet::range(Bone::RHip, Bone::RMetatarsal)),
+    ),
+];
+
+/// The bones of a default body group.
+#[must_use]
+pub fn body_group(name: &str) -> Option<BoneSet> {
+    let found = BODY_GROUPS.iter().find(|(n, _)| *n == name);
+    found.map(|(_, bones)| *bones)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_groups_share_out_all_bones() {
+        let mut sum = BoneSet::NONE;
+        for (name, bones) in BODY_GROUPS {
+            assert!(sum.and(bones).is_empty(), "{name}");
+            sum = sum.or(bones);
+        }
+        assert_eq!(sum, BoneSet::ALL);
+        assert!(body_group("left_hand").is_some_and(|g| g.has(Bone::LPinky2)));
+        assert_eq!(body_group("left_leg"), Some(BoneSet::leg(Side::Left)));
+        assert_eq!(body_group("tail"), None);
+    }
+}

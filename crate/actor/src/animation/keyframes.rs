@@ -1,0 +1,446 @@
+//! Reads the clip format: JSON keyframes, described in `docs/animation.md`.
+//!
+//! The JSON is taken apart by hand: a page downloads this with the player, and typed
+//! deserialisers weigh more than the format.
+
+use raconteur_base::{DQuat, DVec3, Side};
+use raconteur_body::Bone;
+use raconteur_body::hand_shape::HandShape;
+use serde_json::{Map, Value};
+
+use super::clip::{Clip, FootTrack, Reach, ReachKey};
+use super::curve::{Curve, Ease};
+use super::joints;
+
+/// The longest text that is read, bytes. Sampled clips of a minute have some 300 KB.
+const MOST_BYTES: usize = 8 << 20;
+/// The longest clip, seconds.
+const LONGEST_SECS: f64 = 3600.0;
+/// Most keys of a track.
+const MOST_KEYS: usize = 1 << 16;
+/// A loop's first and last key are one when their numbers are as near as this: a rotation
+/// within 2°, a place within 1 cm.
+const NEAR: f64 = 0.015;
+/// Keys nearer to each other than this count as one time, seconds.
+const SAME_SECS: f64 = 1e-6;
+
+/// Reads a clip.
+///
+/// # Errors
+/// A sentence that says what is wrong, and in which track.
+pub fn read_clip(text: &str) -> Result<Clip, String> {
+    if text.len() > MOST_BYTES {
+        return Err("it is larger than 8 MB".to_owned());
+    }
+    let root: Value = serde_json::from_str(text).map_err(|e| e.to_string())?;
+    let Some(tracks) = root["tracks"].as_object() else {
+        return Err("it has no tracks".to_owned());
+    };
+    let seconds = root["seconds"].as_f64().unwrap_or(0.0);
+    if !(0.0..=LONGEST_SECS).contains(&seconds) {
+        return Err("its seconds are not between 0 and an hour".to_owned());
+    }
+    let is = |name: &str| root[name].as_bool().unwrap_or(false);
+    let mut reader = Reader {
+        root: &root,
+        seconds,
+        closed: is("loop") || is("mirrored") || seconds == 0.0,
+        mirrored: is("mirrored"),
+        halves: Vec::new(),
+    };
+    for (name, track) in tracks {
+        let read = match track.as_object() {
+            Some(fields) => reader.track(name, fields),
+            None => Err("what stands there is no object".to_owned()),
+        };
+        read.map_err(|why| format!("in the track {name}, {why}"))?;
+    }
+    reader.finish()
+}
+
+/// What one track says of one thing that moves.
+#[derive(Clone, Debug, PartialEq)]
+struct Half {
+    part: Part,
+    ease: Ease,
+    keys: Vec<(f64, Values)>,
+}
+
+/// What moves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Part {
+    Bone(Bone),
+    Root,
+    Foot(Side),
+    Reach(Side),
+}
+
+/// A key: up to nine numbers. A rotation's first four; a foot's place, its knee and its three
+/// angles; a hand's place and two directions.
+type Values = [f64; 9];
+
+impl Part {
+    fn name(self) -> &'static str {
+        match self {
+            Self::Bone(bone) => bone.name(),
+            Self::Root => "the root",
+            Self::Foot(_) => "a foot",
+            Self::Reach(_) => "a hand",
+        }
+    }
+
+    fn mirrored(self) -> Self {
+        match self {
+            Self::Bone(bone) => Self::Bone(bone.mirrored()),
+            Self::Root => Self::Root,
+            Self::Foot(side) => Self::Foot(side.opposite()),
+            Self::Reach(side) => Self::Reach(side.opposite()),
+        }
+    }
+
+    /// A key of the part on the other side. Feet and hands count outwards, so that theirs are
+    /// the same.
+    fn mirror(self, mut v: Values) -> Values {
+        match self {
+            Self::Bone(_) => {
+                v[0] = -v[0];
+                v[1] = -v[1];
+            }
+            Self::Root => v[0] = -v[0],
+            Self::Foot(_) | Self::Reach(_) => {}
+        }
+        v
+    }
+}
+
+type Fields = Map<String, Value>;
+
+struct Reader<'a> {
+    root: &'a Value,
+    seconds: f64,
+    closed: bool,
+    mirrored: bool,
+    halves: Vec<Half>,
+}
+
+/// The angles and places of a foot: name, whether it is an angle, its place in a key.
+const FOOT: [(&str, bool, usize); 7] = [
+    ("out", false, 0),
+    ("up", false, 1),
+    ("front", false, 2),
+    ("knee", true, 3),
+    ("heel", true, 4),
+    ("turn", true, 5),
+    ("roll", true, 6),
+];
+
+impl Reader<'_> {
+    fn track(&mut self, name: &str, fields: &Fields) -> Result<(), String> {
+        let times = self.times(fields)?;
+        let n = times.len();
+        let ease = self.ease(fields)?;
+        let mut allowed = vec!["times", "ease"];
+        let add = |halves: &mut Vec<Half>, part: Part, keys: Vec<Values>| {
+            halves.push(Half {
+                part,
+                ease,
+                keys: times.iter().copied().zip(keys).collect(),
+            });
+        };
+        let (bare, sides) = joints::sides_of(name);
+        if let Some((joint, sides)) = joints::find(name) {
+            allowed.extend_from_slice(joint.angles());
+            let mut angles = [const { Vec::new() }; 3];
+            for (i, column) in angles.iter_mut().enumerate() {
+                let angle = joint.angles().get(i).copied().unwrap_or_default();
+                *column = numbers(fields, angle, n, 0.0)?;
+            }
+            let turns = (0..n).map(|k| joint.rotation([angles[0][k], angles[1][k], angles[2][k]]));
+            let left: Vec<Values> = turns.map(of_rotation).collect();
+            for side in sides.unwrap_or(&[Side::Left]) {
+                let part = Part::Bone(joint.bone);
+                match side {
+                    Side::Left => add(&mut self.halves, part, left.clone()),
+                    Side::Right => {
+                        let right = left.iter().map(|v| part.mirror(*v)).collect();
+                        add(&mut self.halves, part.mirrored(), right);
+                    }
+                }
+            }
+        } else if name == "root" {
+            let mut keys = vec![Values::default(); n];
+            for (i, name) in ["left", "up", "front"].into_iter().enumerate() {
+                allowed.push(name);
+                let column = numbers(fields, name, n, 0.0)?;
+                keys.iter_mut()
+                    .zip(column)
+                    .for_each(|(k, v)| k[i] = v * 0.01);
+            }
+            add(&mut self.halves, Part::Root, keys);
+        } else if let ("hand", Some(sides)) = (bare, sides) {
+            allowed.push("shape");
+            let shapes = shapes(fields, n)?;
+            for &side in sides {
+                for finger in 0..15 {
+                    let turns = shapes.iter().map(|s| s.rotations(side)[finger]);
+                    let bone = shapes[0].rotations(side)[finger].0;
+                    let keys = turns.map(|(_, q)| of_rotation(q)).collect();
+                    add(&mut self.halves, Part::Bone(bone), keys);
+                }
+            }
+        } else if let ("foot", Some(sides)) = (bare, sides) {
+            let mut keys = vec![Values::default(); n];
+            for (name, is_angle, i) in FOOT {
+                allowed.push(name);
+                let unit = if is_angle { 1f64.to_radians() } else { 0.01 };
+                let column = numbers(fields, name, n, 0.0)?;
+                keys.iter_mut()
+                    .zip(column)
+                    .for_each(|(k, v)| k[i] = v * unit);
+            }
+            for &side in sides {
+                add(&mut self.halves, Part::Foot(side), keys.clone());
+            }
+        } else if let ("reach", Some(sides)) = (bare, sides) {
+            let mut keys = vec![Values::default(); n];
+            for (i, name) in ["place", "fingers", "palm"].into_iter().enumerate() {
+                allowed.push(name);
+                let unit = if i == 0 { 0.01 } else { 1.0 };
+                for (key, v) in keys.iter_mut().zip(triples(fields, name, n, i == 0)?) {
+                    (0..3).for_each(|k| key[3 * i + k] = v[k] * unit);
+                }
+            }
+            for &side in sides {
+                add(&mut self.halves, Part::Reach(side), keys.clone());
+            }
+        } else if let Some(bone) = Bone::from_name(name) {
+            allowed.push("rotation");
+            let rotations = rotations(fields, n)?;
+            add(&mut self.halves, Part::Bone(bone), rotations);
+        } else {
+            return Err("the name is of no joint, foot, hand or bone".to_owned());
+        }
+        match fields.keys().find(|k| !allowed.contains(&k.as_str())) {
+            Some(unknown) => Err(format!("there is no {unknown}")),
+            None => Ok(()),
+        }
+    }
+
+    /// Key times of a track: its own, else the clip's, else one at the beginning.
+    fn times(&self, fields: &Fields) -> Result<Vec<f64>, String> {
+        let Some(list) = fields.get("times").or_else(|| self.root.get("times")) else {
+            return Ok(vec![0.0]);
+        };
+        let times: Option<Vec<f64>> = list
+            .as_array()
+            .and_then(|list| list.iter().map(Value::as_f64).collect());
+        let times = times.unwrap_or_default();
+        // A mirrored clip is written by its first half.
+        let end = self.seconds * if self.mirrored { 0.5 } else { 1.0 };
+        let ascending = times.windows(2).all(|w| w[1] - w[0] > SAME_SECS);
+        let inside = times.iter().all(|t| (0.0..=end + SAME_SECS).contains(t));
+        if times.is_empty() || times.len() > MOST_KEYS || !ascending || !inside {
+            return Err("the times do not ascend from 0 to the end".to_owned());
+        }
+        Ok(times)
+    }
+
+    fn ease(&self, fields: &Fields) -> Result<Ease, String> {
+        let Some(word) = fields.get("ease").or_else(|| self.root.get("ease")) else {
+            return Ok(Ease::Flow);
+        };
+        let found = Ease::WORDS.iter().find(|(w, _)| word == w);
+        let found = found.map(|(_, ease)| *ease);
+        found.ok_or_else(|| "ease is not flow, rest, linear or step".to_owned())
+    }
+
+    /// Adds to each half what the other side does in its own half, later.
+    fn whole(&self) -> Vec<Half> {
+        let mut parts: Vec<Part> = Vec::new();
+        for half in &self.halves {
+            for part in [half.part, half.part.mirrored()] {
+                if !parts.contains(&part) {
+                    parts.push(part);
+                }
+            }
+        }
+        let own = |part: Part| self.halves.iter().rev().find(|h| h.part == part);
+        let later = 0.5 * self.seconds;
+        let joined = parts.into_iter().filter_map(|part| {
+            let (first, second) = (own(part), own(part.mirrored()));
+            let written = first.or(second)?;
+            // A side that nobody writes waits where the other ends and begins.
+            let still = |half: &Half| vec![(0.0, part.mirror(half.keys[0].1))];
+            let mut keys = match (first, second) {
+                (Some(first), _) => first.keys.clone(),
+                (None, Some(second)) => still(second),
+                (None, None) => return None,
+            };
+            let mirrored = match second {
+                Some(second) => second
+                    .keys
+                    .iter()
+                    .map(|(t, v)| (t + later, part.mirror(*v)))
+                    .collect(),
+                None => first.map(|h| vec![(later, h.keys[0].1)])?,
+            };
+            // A key at the middle is written by both; they should agree.
+            keys.retain(|(t, _)| mirrored.first().is_none_or(|(m, _)| t + SAME_SECS < *m));
+            keys.extend(
+                mirrored
+                    .into_iter()
+                    .filter(|(t, _)| *t < self.seconds - SAME_SECS),
+            );
+            Some(Half {
+                part,
+                ease: written.ease,
+                keys,
+            })
+        });
+        joined.collect()
+    }
+
+    fn finish(self) -> Result<Clip, String> {
+        let mut clip = Clip {
+            duration_secs: self.seconds,
+            closed: self.closed,
+            ..Clip::default()
+        };
+        let period = (self.closed && self.seconds > 0.0).then_some(self.seconds);
+        let tracks = if self.mirrored {
+            self.whole()
+        } else {
+            self.halves
+        };
+        for (i, track) in tracks.iter().enumerate() {
+            let ends = track.keys.first().zip(track.keys.last());
+            if let (Some(period), Some((first, last))) = (period, ends) {
+                let apart = first.1.iter().zip(last.1).map(|(a, b)| (a - b).abs());
+                let spans = last.0 - first.0 > period - SAME_SECS;
+                if spans && apart.fold(0.0, f64::max) > NEAR {
+                    let part = track.part.name();
+                    return Err(format!(
+                        "it loops, but {part} ends elsewhere than it begins"
+                    ));
+                }
+            }
+            // Of two tracks for one part the later one counts.
+            if tracks[i + 1..].iter().any(|t| t.part == track.part) {
+                continue;
+            }
+            let times: Vec<f64> = track.keys.iter().map(|k| k.0).collect();
+            let curve = |from: usize, scale: f64| {
+                let values: Vec<[f64; 4]> = track
+                    .keys
+                    .iter()
+                    .map(|(_, v)| core::array::from_fn(|k| scale * v[from + k]))
+                    .collect();
+                Curve::new(&times, &values, track.ease, period)
+            };
+            match track.part {
+                Part::Bone(bone) => {
+                    let turns: Vec<DQuat> = track
+                        .keys
+                        .iter()
+                        .map(|(_, v)| DQuat::from_xyzw(v[0], v[1], v[2], v[3]))
+                        .collect();
+                    let curve = Curve::of_rotations(&times, &turns, track.ease, period);
+                    clip.bones.push((bone, curve));
+                }
+                Part::Root => clip.root = Some(curve(0, 1.0)),
+                Part::Foot(side) => {
+                    clip.feet[side.index()] = Some(FootTrack {
+                        place: curve(0, 1.0),
+                        turn: curve(4, 1.0),
+                    });
+                }
+                Part::Reach(side) => clip.reaches.push(Reach {
+                    side,
+                    ease: track.ease,
+                    keys: track
+                        .keys
+                        .iter()
+                        .map(|(time_secs, v)| ReachKey {
+                            time_secs: *time_secs,
+                            place: DVec3::new(v[0], v[1], v[2]),
+                            fingers: DVec3::new(v[3], v[4], v[5]),
+                            palm: DVec3::new(v[6], v[7], v[8]),
+                        })
+                        .collect(),
+                }),
+            }
+        }
+        Ok(clip)
+    }
+}
+
+fn of_rotation(q: DQuat) -> Values {
+    [q.x, q.y, q.z, q.w, 0.0, 0.0, 0.0, 0.0, 0.0]
+}
+
+/// A column of numbers: a list of `n`, or one for all.
+fn numbers(fields: &Fields, name: &str, n: usize, default: f64) -> Result<Vec<f64>, String> {
+    let Some(value) = fields.get(name) else {
+        return Ok(vec![default; n]);
+    };
+    let list = match value.as_array() {
+        Some(list) => list.iter().map(Value::as_f64).collect(),
+        None => value.as_f64().map(|x| vec![x; n]),
+    };
+    list.filter(|l: &Vec<f64>| l.len() == n && l.iter().all(|x| x.abs() < 1e6))
+        .ok_or_else(|| format!("{name} is not one number or as many as there are times"))
+}
+
+/// A column of lists of `N` numbers, or one such list for all.
+fn rows<const N: usize>(value: &Value, n: usize) -> Option<Vec<[f64; N]>> {
+    let row = |v: &Value| -> Option<[f64; N]> {
+        let list = v.as_array().filter(|l| l.len() == N)?;
+        let mut out = [0.0; N];
+        for (o, x) in out.iter_mut().zip(list) {
+            *o = x.as_f64().filter(|x| x.abs() < 1e6)?;
+        }
+        Some(out)
+    };
+    let list = value.as_array()?;
+    if list.first().is_some_and(Value::is_number) {
+        return row(value).map(|r| vec![r; n]);
+    }
+    let rows: Option<Vec<[f64; N]>> = list.iter().map(row).collect();
+    rows.filter(|r| r.len() == n)
+}
+
+fn triples(fields: &Fields, name: &str, n: usize, needed: bool) -> Result<Vec<[f64; 3]>, String> {
+    let found = match fields.get(name) {
+        None if !needed => Some(vec![[0.0; 3]; n]),
+        None => None,
+        Some(value) => rows(value, n),
+    };
+    found.ok_or_else(|| format!("{name} is not a list of three numbers for each time"))
+}
+
+fn rotations(fields: &Fields, n: usize) -> Result<Vec<Values>, String> {
+    let found = fields.get("rotation").and_then(|v| rows::<4>(v, n));
+    let mut out = Vec::new();
+    for [x, y, z, w] in found.unwrap_or_default() {
+        let q = DQuat::from_xyzw(x, y, z, w);
+        if q.length_squared() > 1e-6 {
+            out.push(of_rotation(q.normalize()));
+        }
+    }
+    if out.len() == n {
+        Ok(out)
+    } else {
+        Err("rotation is not a quaternion x, y, z, w for each time".to_owned())
+    }
+}
+
+/// Hand shapes by their numbers in the dictionary.
+fn shapes(fields: &Fields, n: usize) -> Result<Vec<&'static HandShape>, String> {
+    let ids = numbers(fields, "shape", n, 0.0)?;
+    let shape = |id: &f64| {
+        let whole = (0.0..=255.0).contains(id) && id.fract() == 0.0;
+        whole.then(|| HandShape::get(*id as u8)).flatten()
+    };
+    let found: Option<Vec<_>> = ids.iter().map(shape).collect();
+    found.ok_or_else(|| "there is no hand shape of that number".to_owned())
+}

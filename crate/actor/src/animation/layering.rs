@@ -1,0 +1,177 @@
+//! Motion in layers: rotations, the figure's place and its feet, each with the share by which
+//! it covers what lies below.
+//!
+//! Legs are blended by where the feet are as well as by their joints: two layers that both
+//! keep a foot on one spot keep it there while they pass into each other, which blended
+//! joint angles would not.
+
+use raconteur_base::{DQuat, DVec3};
+use raconteur_body::Bone;
+
+/// A foot and how much it is covered.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Foot {
+    pub(crate) ankle_in_world: DVec3,
+    pub(crate) rotation: DQuat,
+    pub(crate) share: f64,
+}
+
+/// What some layers make of the figure. Shares are 0 to 1; a value whose share is 0 means
+/// nothing.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Layering {
+    pub(crate) rotations: [DQuat; Bone::COUNT],
+    pub(crate) shares: [f64; Bone::COUNT],
+    pub(crate) root: DVec3,
+    pub(crate) root_share: f64,
+    pub(crate) feet: [Foot; 2],
+}
+
+impl Layering {
+    /// Nothing yet.
+    pub(crate) const EMPTY: Self = Self {
+        rotations: [DQuat::IDENTITY; Bone::COUNT],
+        shares: [0.0; Bone::COUNT],
+        root: DVec3::ZERO,
+        root_share: 0.0,
+        feet: [Foot {
+            ankle_in_world: DVec3::ZERO,
+            rotation: DQuat::IDENTITY,
+            share: 0.0,
+        }; 2],
+    };
+
+    /// Adds a bone's rotation to a mean.
+    pub(crate) fn add_bone(&mut self, bone: Bone, rotation: DQuat, share: f64) {
+        let i = bone.index();
+        if let Some(s) = add_share(&mut self.shares[i], share) {
+            self.rotations[i] = self.rotations[i].slerp(rotation, s);
+        }
+    }
+
+    /// Adds a place of the figure to a mean.
+    pub(crate) fn add_root(&mut self, root: DVec3, share: f64) {
+        if let Some(s) = add_share(&mut self.root_share, share) {
+            self.root = self.root.lerp(root, s);
+        }
+    }
+
+    /// Adds a foot's place to a mean.
+    pub(crate) fn add_foot(&mut self, side: usize, ankle: DVec3, rotation: DQuat, share: f64) {
+        let foot = &mut self.feet[side];
+        if let Some(s) = add_share(&mut foot.share, share) {
+            foot.ankle_in_world = foot.ankle_in_world.lerp(ankle, s);
+            foot.rotation = foot.rotation.slerp(rotation, s);
+        }
+    }
+
+    /// Lays `above` over this.
+    pub(crate) fn cover(&mut self, above: &Self) {
+        self.join(above, |a, b| a + b - a * b, |b, sum| b / sum);
+    }
+
+    /// Goes a share of the way to `to`.
+    pub(crate) fn fade(&mut self, to: &Self, share: f64) {
+        self.join(to, |a, b| a + (b - a) * share, |b, sum| b * share / sum);
+    }
+
+    /// Joins another: `sum` gives the new share of two shares, `part` how much of the value
+    /// is the other's, from the other's share and the new one.
+    fn join(
+        &mut self,
+        other: &Self,
+        sum: impl Fn(f64, f64) -> f64,
+        part: impl Fn(f64, f64) -> f64,
+    ) {
+        let blend = |own: &mut f64, others: f64| {
+            let new = sum(*own, others);
+            let s = if new > 0.0 {
+                part(others, new).clamp(0.0, 1.0)
+            } else {
+                0.0
+            };
+            *own = new;
+            s
+        };
+        for i in 0..Bone::COUNT {
+            if other.shares[i] > 0.0 || self.shares[i] > 0.0 {
+                let s = blend(&mut self.shares[i], other.shares[i]);
+                self.rotations[i] = between(self.rotations[i], other.rotations[i], s);
+            }
+        }
+        let s = blend(&mut self.root_share, other.root_share);
+        self.root = self.root.lerp(other.root, s);
+        for (own, foot) in self.feet.iter_mut().zip(&other.feet) {
+            let s = blend(&mut own.share, foot.share);
+            own.ankle_in_world = own.ankle_in_world.lerp(foot.ankle_in_world, s);
+            own.rotation = between(own.rotation, foot.rotation, s);
+        }
+    }
+}
+
+/// Adds to a sum of shares; gives the part that the new one has of it.
+fn add_share(sum: &mut f64, share: f64) -> Option<f64> {
+    if share <= 0.0 {
+        return None;
+    }
+    *sum += share;
+    Some(share / *sum)
+}
+
+/// Slerp that keeps the ends to the bit.
+fn between(a: DQuat, b: DQuat, s: f64) -> DQuat {
+    if s <= 0.0 {
+        a
+    } else if s >= 1.0 {
+        b
+    } else {
+        a.slerp(b, s)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn layer(angle: f64, share: f64) -> Layering {
+        let mut l = Layering::EMPTY;
+        l.add_bone(Bone::Skull, DQuat::from_rotation_x(angle), share);
+        l
+    }
+
+    fn skull(l: &Layering) -> (f64, f64) {
+        let i = Bone::Skull.index();
+        (l.rotations[i].angle_between(DQuat::IDENTITY), l.shares[i])
+    }
+
+    #[test]
+    fn what_covers_wholly_hides_what_is_below() {
+        let mut l = layer(1.0, 1.0);
+        l.cover(&layer(0.2, 1.0));
+        let (angle, share) = skull(&l);
+        assert!((angle - 0.2).abs() < 1e-9 && (share - 1.0).abs() < 1e-12);
+        let mut l = layer(1.0, 1.0);
+        l.cover(&layer(0.2, 0.25));
+        assert!((skull(&l).0 - 0.8).abs() < 1e-9);
+        // Over nothing, the value is whole and the share is the layer's.
+        let mut l = Layering::EMPTY;
+        l.cover(&layer(0.2, 0.25));
+        assert!((skull(&l).0 - 0.2).abs() < 1e-9 && (skull(&l).1 - 0.25).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_fade_begins_and_ends_exactly() {
+        for (share, angle, cover) in [(0.0, 1.0, 0.5), (1.0, 0.2, 1.0)] {
+            let mut l = layer(1.0, 0.5);
+            l.fade(&layer(0.2, 1.0), share);
+            assert!((skull(&l).0 - angle).abs() < 1e-9 && (skull(&l).1 - cover).abs() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn a_mean_weighs_its_parts() {
+        let mut l = layer(1.0, 0.75);
+        l.add_bone(Bone::Skull, DQuat::IDENTITY, 0.25);
+        assert!((skull(&l).0 - 0.75).abs() < 1e-9 && (skull(&l).1 - 1.0).abs() < 1e-12);
+    }
+}

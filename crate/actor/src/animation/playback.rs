@@ -1,0 +1,151 @@
+//! Where a clip is when it has played for so long.
+
+/// How an animation plays (GEVH D.3.18).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Playback {
+    /// Over and over.
+    #[default]
+    Loop,
+    /// Over and over backwards.
+    LoopReverse,
+    /// Forwards and backwards in turn.
+    PingPong,
+    /// So many times, then its end is held.
+    Iterations(u32),
+    /// So many times backwards, then its beginning is held.
+    IterationsReverse(u32),
+    /// So many times, then it leaves the stack.
+    TemporaryIterations(u32),
+    /// So many times backwards, then it leaves the stack.
+    TemporaryIterationsReverse(u32),
+}
+
+/// A place in a clip, seconds from its beginning.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Place {
+    pub(crate) at_secs: f64,
+    /// Where the pass before ended, and the share of it that is still to be seen: a clip whose
+    /// end does not meet its beginning eases over.
+    pub(crate) seam: Option<(f64, f64)>,
+}
+
+/// Longest time in which a clip that is not closed eases from its end to its beginning,
+/// seconds, and the most of its length. Designed.
+const SEAM_SECS: f64 = 0.35;
+const SEAM_SHARE: f64 = 0.4;
+
+impl Playback {
+    /// How many passes it has; none when it goes on.
+    #[must_use]
+    pub fn iterations(self) -> Option<u32> {
+        match self {
+            Self::Loop | Self::LoopReverse | Self::PingPong => None,
+            Self::Iterations(n)
+            | Self::IterationsReverse(n)
+            | Self::TemporaryIterations(n)
+            | Self::TemporaryIterationsReverse(n) => Some(n.max(1)),
+        }
+    }
+
+    /// Whether it leaves the stack when its passes are over.
+    #[must_use]
+    pub fn is_temporary(self) -> bool {
+        matches!(
+            self,
+            Self::TemporaryIterations(_) | Self::TemporaryIterationsReverse(_)
+        )
+    }
+
+    fn is_reverse(self) -> bool {
+        matches!(
+            self,
+            Self::LoopReverse | Self::IterationsReverse(_) | Self::TemporaryIterationsReverse(_)
+        )
+    }
+
+    /// Where a clip of a length is after it has played for `played_secs`, which runs
+    /// backwards at a negative speed.
+    pub(crate) fn place(self, played_secs: f64, length_secs: f64, closed: bool) -> Place {
+        let still = |at_secs| Place {
+            at_secs,
+            seam: None,
+        };
+        if length_secs <= 0.0 {
+            return still(0.0);
+        }
+        if self == Self::PingPong {
+            let there = played_secs.rem_euclid(2.0 * length_secs);
+            return still(there.min(2.0 * length_secs - there));
+        }
+        let turned = |at: f64| {
+            if self.is_reverse() {
+                length_secs - at
+            } else {
+                at
+            }
+        };
+        let passes = (played_secs / length_secs).floor();
+        if let Some(n) = self.iterations() {
+            if passes >= f64::from(n) {
+                return still(turned(length_secs));
+            }
+            if played_secs < 0.0 {
+                return still(turned(0.0));
+            }
+        }
+        let into = played_secs.rem_euclid(length_secs);
+        let seam_secs = SEAM_SECS.min(SEAM_SHARE * length_secs);
+        let seam = (!closed && passes >= 1.0 && into < seam_secs).then(|| {
+            let s = raconteur_base::curve::minimum_jerk(into / seam_secs);
+            (turned(length_secs), 1.0 - s)
+        });
+        Place {
+            at_secs: turned(into),
+            seam,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn places(style: Playback) -> Vec<f64> {
+        let times = [0.0, 0.5, 1.0, 2.25, 4.25, 6.5];
+        times.map(|t| style.place(t, 2.0, true).at_secs).to_vec()
+    }
+
+    #[test]
+    fn each_style_plays_as_its_name_says() {
+        assert_eq!(places(Playback::Loop), [0.0, 0.5, 1.0, 0.25, 0.25, 0.5]);
+        assert_eq!(
+            places(Playback::LoopReverse),
+            [2.0, 1.5, 1.0, 1.75, 1.75, 1.5]
+        );
+        assert_eq!(places(Playback::PingPong), [0.0, 0.5, 1.0, 1.75, 0.25, 1.5]);
+        for style in [Playback::Iterations(2), Playback::TemporaryIterations(2)] {
+            assert_eq!(places(style), [0.0, 0.5, 1.0, 0.25, 2.0, 2.0]);
+        }
+        for style in [
+            Playback::IterationsReverse(2),
+            Playback::TemporaryIterationsReverse(2),
+        ] {
+            assert_eq!(places(style), [2.0, 1.5, 1.0, 1.75, 0.0, 0.0]);
+        }
+        // Nothing is less than once, and a stance has one place.
+        assert_eq!(Playback::Iterations(0).iterations(), Some(1));
+        assert_eq!(Playback::Loop.place(3.0, 0.0, true).at_secs, 0.0);
+        assert_eq!(Playback::Iterations(1).place(-1.0, 2.0, true).at_secs, 0.0);
+    }
+
+    #[test]
+    fn an_open_clip_eases_over_its_seam() {
+        let style = Playback::Loop;
+        assert_eq!(style.place(0.1, 2.0, false).seam, None);
+        let at = |t| style.place(t, 2.0, false).seam;
+        assert_eq!(at(2.0), Some((2.0, 1.0)));
+        assert!(at(2.1).is_some_and(|(end, share)| end == 2.0 && share > 0.5 && share < 1.0));
+        assert_eq!(at(2.4), None);
+        assert_eq!(style.place(2.0, 2.0, true).seam, None);
+    }
+}

@@ -1,0 +1,298 @@
+//! Animation players made ready for a figure, and their effect at any time.
+
+use raconteur_base::curve::{minimum_jerk, smooth};
+use raconteur_base::{DAffine3, DQuat, Side};
+use raconteur_body::hand_shape::finger_bones;
+use raconteur_body::{Bone, Pose, Skeleton};
+
+use super::bound::{Body, BoundClip};
+use super::layering::Layering;
+use super::library::Library;
+use super::schedule::{PlayerPlan, Playing, Schedule, Stretch, Stretches, Track};
+use super::script::{PlayerKind, PlayerScript, Problem};
+use crate::arm_ik::ARM_BONES;
+use crate::idle::stance::LEG_BONES;
+use crate::kinematics::world_from_bone;
+
+/// Most changes that are seen at once; of older ones the end is shown.
+const MOST_FADES: usize = 16;
+/// Layers are scaled up to a full weight where others have nothing to play, at most by its
+/// inverse: the last of a weight still fades. Designed.
+const LEAST_WEIGHT: f64 = 0.1;
+/// Share of the idle sway that stays alive over an animation of the legs. Designed.
+const SWAY_LEFT: f64 = 0.25;
+/// A foot this high is not stood on, share of stature.
+const LIFTED: f64 = 0.03;
+
+/// Animation players over a whole story, for one figure.
+#[derive(Clone, Debug)]
+pub struct Players {
+    schedule: Schedule,
+    clips: Vec<BoundClip>,
+    body: Body,
+}
+
+/// How the figure stands without players.
+struct Idle {
+    pelvis: DAffine3,
+    legs: [[DQuat; 3]; 2],
+}
+
+/// What players make of a figure at one time, for the steps that come after them.
+#[derive(Clone, Copy, Debug)]
+pub struct Animated {
+    layers: Layering,
+}
+
+impl Players {
+    /// Makes a script ready. Commands that cannot be done are told and left out.
+    #[must_use]
+    pub fn new(
+        script: &PlayerScript,
+        library: &Library,
+        skeleton: &Skeleton,
+    ) -> (Self, Vec<Problem>) {
+        let exists = |name: &str| library.get(name).is_some();
+        let length = |name: &str| library.get(name).map_or(0.0, |c| c.duration_secs());
+        let (schedule, problems) = Schedule::new(script, &exists, &length);
+        let body = Body::new(skeleton);
+        let bind = |name: &String| {
+            let clip = library.get(name).unwrap_or_default();
+            BoundClip::new(clip, skeleton, &body)
+        };
+        let clips = schedule.clips.iter().map(bind).collect();
+        let players = Self {
+            schedule,
+            clips,
+            body,
+        };
+        (players, problems)
+    }
+
+    /// The weights of a player's layers at a time, by the player's place among all that were
+    /// ever added.
+    pub fn weights_at(&self, player: usize, time_secs: f64) -> impl Iterator<Item = f64> {
+        let plan = self.schedule.players.get(player);
+        let tracks = plan.into_iter().flat_map(|p| &p.tracks);
+        tracks.map(move |t| t.weight.at(time_secs))
+    }
+
+    /// Lays what is played at a time over an idle pose. None when nothing is played: the pose
+    /// is then as it was. Allocates nothing.
+    ///
+    /// Spine and sway keep the idle motion; arms keep the idle pose, since gestures come
+    /// later: see [`Animated::blend_arm`].
+    #[must_use]
+    pub fn apply(&self, skeleton: &Skeleton, time_secs: f64, pose: &mut Pose) -> Option<Animated> {
+        let layers = self.layers(skeleton, time_secs)?;
+        let idle = Idle {
+            pelvis: world_from_bone(skeleton, pose, Bone::Sacroiliac),
+            legs: LEG_BONES.map(|leg| leg.map(|bone| pose.rotation(bone))),
+        };
+        for bone in Bone::ALL {
+            let share = layers.shares[bone.index()];
+            if share <= 0.0 || is_arm(bone) {
+                continue;
+            }
+            let (own, below) = (layers.rotations[bone.index()], pose.rotation(bone));
+            let rotation = if matches!(bone, Bone::Lumbar | Bone::Thoracic) {
+                // Breath and sway stay alive above what is played.
+                DQuat::IDENTITY.slerp(own, share) * below
+            } else {
+                below.slerp(own, share)
+            };
+            pose.set(bone, rotation.normalize());
+        }
+        pose.root_offset_in_world +=
+            (layers.root - pose.root_offset_in_world * (1.0 - SWAY_LEFT)) * layers.root_share;
+        self.stand(skeleton, &idle, &layers, pose);
+        Some(Animated { layers })
+    }
+
+    /// Puts the feet where they should be: where the layers that move them say, and where the
+    /// idle stance keeps them, by their shares.
+    fn stand(&self, skeleton: &Skeleton, idle: &Idle, layers: &Layering, pose: &mut Pose) {
+        let touched = |b: Bone| layers.shares[b.index()] > 0.0;
+        let legs = LEG_BONES.as_flattened();
+        let pelvis_moves = touched(Bone::Sacroiliac) || layers.root_share > 0.0;
+        if !pelvis_moves && !legs.iter().any(|b| touched(*b)) {
+            return;
+        }
+        let mut pelvis = world_from_bone(skeleton, pose, Bone::Sacroiliac);
+        let feet = Side::BOTH.map(|side| {
+            let i = side.index();
+            let (leg, foot) = (&self.body.legs[i], &layers.feet[i]);
+            let own = LEG_BONES[i].map(|b| pose.rotation(b));
+            // A leg of which a player moves single joints only is not made to stand.
+            if LEG_BONES[i].iter().any(|b| touched(*b)) && foot.share <= 0.0 {
+                return None;
+            }
+            let (at, turned, _) = leg.placed(&idle.pelvis, idle.legs[i]);
+            let (_, _, knee) = leg.placed(&pelvis, own);
+            Some((
+                at.lerp(foot.ankle_in_world, foot.share),
+                turned.slerp(foot.rotation, foot.share),
+                knee,
+            ))
+        });
+        // The figure sinks as far as the feet that it stands on need.
+        let mut short: f64 = 0.0;
+        for (leg, foot) in self.body.legs.iter().zip(&feet) {
+            if let Some((at, ..)) = foot {
+                let high = at.y - leg.standing().translation.y;
+                let stood_on = 1.0 - smooth(high / (LIFTED * self.body.stature_m));
+                short = short.max(stood_on * leg.shortage_m(&pelvis, *at));
+            }
+        }
+        pose.root_offset_in_world.y -= short;
+        pelvis.translation.y -= short;
+        for (i, foot) in feet.into_iter().enumerate() {
+            if let Some((at, turned, knee)) = foot {
+                let solved = self.body.legs[i].solve(&pelvis, at, turned, knee);
+                for (bone, q) in LEG_BONES[i].into_iter().zip(solved) {
+                    pose.set(bone, q);
+                }
+            }
+        }
+    }
+
+    /// What all players make together; none when none is there.
+    fn layers(&self, skeleton: &Skeleton, t: f64) -> Option<Layering> {
+        let orders = &self.schedule.orders;
+        orders.begun(t).next()?;
+        let mut sum = Layering::EMPTY;
+        let mut anything = false;
+        in_order(orders, t, |order, share| {
+            let mut layers = Layering::EMPTY;
+            for &player in order {
+                let plan = &self.schedule.players[player];
+                layers.cover(&self.player(skeleton, plan, t));
+                anything = true;
+            }
+            sum.fade(&layers, share);
+        });
+        anything.then_some(sum)
+    }
+
+    /// What one player makes.
+    fn player(&self, skeleton: &Skeleton, plan: &PlayerPlan, t: f64) -> Layering {
+        let mut out = Layering::EMPTY;
+        let scale = self.scale(plan, t);
+        for track in &plan.tracks {
+            let weight = track.weight.at(t).max(0.0) * track.presence_factor(t) * scale;
+            if weight <= 0.0 {
+                continue;
+            }
+            let still = plan.kind == PlayerKind::Pose;
+            track.heard(t, |playing, share| {
+                let clip = &self.clips[playing.clip];
+                let length_secs = clip.clip.duration_secs();
+                let played = track.speed.integral(t) - playing.begun;
+                let played = if still { 0.0 } else { played };
+                let place = playing
+                    .style
+                    .place(played, length_secs, clip.clip.is_closed());
+                let (body, bones) = (&self.body, track.bones);
+                let (seam_secs, seam) = place.seam.unwrap_or((0.0, 0.0));
+                let share = weight * share;
+                let rest = share * (1.0 - seam);
+                clip.add(skeleton, body, place.at_secs, bones, rest, &mut out);
+                clip.add(skeleton, body, seam_secs, bones, share * seam, &mut out);
+            });
+        }
+        out
+    }
+
+    /// By how much the weights of layers are scaled so that those which play share the whole.
+    fn scale(&self, plan: &PlayerPlan, t: f64) -> f64 {
+        if plan.kind == PlayerKind::BodyGroup {
+            return 1.0;
+        }
+        let (mut sum, mut most) = (0.0, 0.0_f64);
+        for track in &plan.tracks {
+            let mut heard = 0.0;
+            track.heard(t, |_, share| heard += share);
+            let present = heard * track.presence_factor(t);
+            sum += track.weight.at(t).max(0.0) * present;
+            most = most.max(present);
+        }
+        most / sum.max(LEAST_WEIGHT)
+    }
+}
+
+impl Animated {
+    /// Takes an arm, which a gesture or idle life has posed, as far to what is played as the
+    /// gesture leaves it: `rest_share` is 1 at rest, 0 in a gesture.
+    pub fn blend_arm(&self, side: Side, rest_share: f64, pose: &mut Pose) {
+        let arm = ARM_BONES[side.index()].iter();
+        for &bone in arm.chain(finger_bones(side)) {
+            let i = bone.index();
+            let share = self.layers.shares[i] * rest_share;
+            if share > 0.0 {
+                let own = self.layers.rotations[i];
+                pose.set(bone, pose.rotation(bone).slerp(own, share).normalize());
+            }
+        }
+    }
+
+    /// Whether neck or head are moved.
+    #[must_use]
+    pub fn moves_head(&self) -> bool {
+        [Bone::Cervical, Bone::Skull]
+            .iter()
+            .any(|b| self.layers.shares[b.index()] > 0.0)
+    }
+}
+
+fn is_arm(bone: Bone) -> bool {
+    ARM_BONES.as_flattened().contains(&bone)
+        || Side::BOTH.iter().any(|s| finger_bones(*s).contains(&bone))
+}
+
+impl Track {
+    /// How much of the track is on.
+    fn presence_factor(&self, t: f64) -> f64 {
+        minimum_jerk(self.on.at(t))
+    }
+
+    /// What is heard of the stack's top and what it passes over from, with shares that sum
+    /// to 1 where the stack was never empty.
+    fn heard(&self, t: f64, mut each: impl FnMut(&Playing, f64)) {
+        let mut left = 1.0;
+        for (i, stretch) in self.top.begun(t).enumerate() {
+            let share = faded(stretch, t, i) * left;
+            if let Some(playing) = &stretch.what {
+                each(playing, share);
+            }
+            left -= share;
+            if left <= 0.0 {
+                return;
+            }
+        }
+    }
+}
+
+/// How far a stretch has faded in; the oldest that is looked at wholly.
+fn faded<T>(stretch: &Stretch<T>, t: f64, age: usize) -> f64 {
+    if stretch.fade_secs <= 0.0 || age + 1 >= MOST_FADES {
+        return 1.0;
+    }
+    minimum_jerk((t - stretch.from_secs) / stretch.fade_secs)
+}
+
+/// Calls for what is on, the oldest first, with the share by which it has faded in over what
+/// came before.
+fn in_order<T>(stretches: &Stretches<T>, t: f64, mut each: impl FnMut(&T, f64)) {
+    let mut seen = 0;
+    for (i, stretch) in stretches.begun(t).enumerate() {
+        seen = i + 1;
+        if faded(stretch, t, i) >= 1.0 {
+            break;
+        }
+    }
+    for i in (0..seen).rev() {
+        if let Some(stretch) = stretches.begun(t).nth(i) {
+            each(&stretch.what, faded(stretch, t, i));
+        }
+    }
+}
