@@ -3,10 +3,10 @@
 //! The JSON is taken apart by hand: a page downloads this with the player, and typed
 //! deserialisers weigh more than the format.
 
+use raconteur_base::json::Json;
 use raconteur_base::{DQuat, DVec3, Side};
 use raconteur_body::Bone;
 use raconteur_body::hand_shape::HandShape;
-use serde_json::{Map, Value};
 
 use super::clip::{Clip, FootTrack, Reach, ReachKey};
 use super::curve::{Curve, Ease};
@@ -32,15 +32,16 @@ pub fn read_clip(text: &str) -> Result<Clip, String> {
     if text.len() > MOST_BYTES {
         return Err("it is larger than 8 MB".to_owned());
     }
-    let root: Value = serde_json::from_str(text).map_err(|e| e.to_string())?;
-    let Some(tracks) = root["tracks"].as_object() else {
+    let root = Json::read(text.as_bytes()).map_err(|e| e.to_string())?;
+    let tracks = &root["tracks"];
+    if !tracks.is_object() {
         return Err("it has no tracks".to_owned());
-    };
-    let seconds = root["seconds"].as_f64().unwrap_or(0.0);
+    }
+    let seconds = root["seconds"].number().unwrap_or(0.0);
     if !(0.0..=LONGEST_SECS).contains(&seconds) {
         return Err("its seconds are not between 0 and an hour".to_owned());
     }
-    let is = |name: &str| root[name].as_bool().unwrap_or(false);
+    let is = |name: &str| root[name].truth().unwrap_or(false);
     let mut reader = Reader {
         root: &root,
         seconds,
@@ -48,10 +49,11 @@ pub fn read_clip(text: &str) -> Result<Clip, String> {
         mirrored: is("mirrored"),
         halves: Vec::new(),
     };
-    for (name, track) in tracks {
-        let read = match track.as_object() {
-            Some(fields) => reader.track(name, fields),
-            None => Err("what stands there is no object".to_owned()),
+    for (name, track) in tracks.members() {
+        let read = if track.is_object() {
+            reader.track(name, track)
+        } else {
+            Err("what stands there is no object".to_owned())
         };
         read.map_err(|why| format!("in the track {name}, {why}"))?;
     }
@@ -113,10 +115,8 @@ impl Part {
     }
 }
 
-type Fields = Map<String, Value>;
-
 struct Reader<'a> {
-    root: &'a Value,
+    root: &'a Json<'a>,
     seconds: f64,
     closed: bool,
     mirrored: bool,
@@ -135,7 +135,7 @@ const FOOT: [(&str, bool, usize); 7] = [
 ];
 
 impl Reader<'_> {
-    fn track(&mut self, name: &str, fields: &Fields) -> Result<(), String> {
+    fn track(&mut self, name: &str, fields: &Json<'_>) -> Result<(), String> {
         let times = self.times(fields)?;
         let n = times.len();
         let ease = self.ease(fields)?;
@@ -220,20 +220,26 @@ impl Reader<'_> {
         } else {
             return Err("the name is of no joint, foot, hand or bone".to_owned());
         }
-        match fields.keys().find(|k| !allowed.contains(&k.as_str())) {
+        let mut names = fields.members().iter().map(|(name, _)| name.as_ref());
+        match names.find(|name| !allowed.contains(name)) {
             Some(unknown) => Err(format!("there is no {unknown}")),
             None => Ok(()),
         }
     }
 
+    /// What a track says, else what the clip says for all.
+    fn own_or_common<'f>(&'f self, fields: &'f Json<'_>, name: &str) -> &'f Json<'f> {
+        let own = &fields[name];
+        if own.is_null() { &self.root[name] } else { own }
+    }
+
     /// Key times of a track: its own, else the clip's, else one at the beginning.
-    fn times(&self, fields: &Fields) -> Result<Vec<f64>, String> {
-        let Some(list) = fields.get("times").or_else(|| self.root.get("times")) else {
+    fn times(&self, fields: &Json<'_>) -> Result<Vec<f64>, String> {
+        let list = self.own_or_common(fields, "times");
+        if list.is_null() {
             return Ok(vec![0.0]);
-        };
-        let times: Option<Vec<f64>> = list
-            .as_array()
-            .and_then(|list| list.iter().map(Value::as_f64).collect());
+        }
+        let times: Option<Vec<f64>> = list.items().iter().map(Json::number).collect();
         let times = times.unwrap_or_default();
         // A mirrored clip is written by its first half.
         let end = self.seconds * if self.mirrored { 0.5 } else { 1.0 };
@@ -245,11 +251,12 @@ impl Reader<'_> {
         Ok(times)
     }
 
-    fn ease(&self, fields: &Fields) -> Result<Ease, String> {
-        let Some(word) = fields.get("ease").or_else(|| self.root.get("ease")) else {
+    fn ease(&self, fields: &Json<'_>) -> Result<Ease, String> {
+        let word = self.own_or_common(fields, "ease");
+        if word.is_null() {
             return Ok(Ease::Flow);
-        };
-        let found = Ease::WORDS.iter().find(|(w, _)| word == w);
+        }
+        let found = Ease::WORDS.iter().find(|(w, _)| word.text() == Some(w));
         let found = found.map(|(_, ease)| *ease);
         found.ok_or_else(|| "ease is not flow, rest, linear or step".to_owned())
     }
@@ -379,47 +386,53 @@ fn of_rotation(q: DQuat) -> Values {
 }
 
 /// A column of numbers: a list of `n`, or one for all.
-fn numbers(fields: &Fields, name: &str, n: usize, default: f64) -> Result<Vec<f64>, String> {
-    let Some(value) = fields.get(name) else {
+fn numbers(fields: &Json<'_>, name: &str, n: usize, default: f64) -> Result<Vec<f64>, String> {
+    let value = &fields[name];
+    if value.is_null() {
         return Ok(vec![default; n]);
-    };
-    let list = match value.as_array() {
-        Some(list) => list.iter().map(Value::as_f64).collect(),
-        None => value.as_f64().map(|x| vec![x; n]),
+    }
+    let list = if value.is_list() {
+        value.items().iter().map(Json::number).collect()
+    } else {
+        value.number().map(|x| vec![x; n])
     };
     list.filter(|l: &Vec<f64>| l.len() == n && l.iter().all(|x| x.abs() < 1e6))
         .ok_or_else(|| format!("{name} is not one number or as many as there are times"))
 }
 
 /// A column of lists of `N` numbers, or one such list for all.
-fn rows<const N: usize>(value: &Value, n: usize) -> Option<Vec<[f64; N]>> {
-    let row = |v: &Value| -> Option<[f64; N]> {
-        let list = v.as_array().filter(|l| l.len() == N)?;
+fn rows<const N: usize>(value: &Json<'_>, n: usize) -> Option<Vec<[f64; N]>> {
+    let row = |v: &Json<'_>| -> Option<[f64; N]> {
+        let list = v.items();
+        if list.len() != N {
+            return None;
+        }
         let mut out = [0.0; N];
         for (o, x) in out.iter_mut().zip(list) {
-            *o = x.as_f64().filter(|x| x.abs() < 1e6)?;
+            *o = x.number().filter(|x| x.abs() < 1e6)?;
         }
         Some(out)
     };
-    let list = value.as_array()?;
-    if list.first().is_some_and(Value::is_number) {
+    let list = value.items();
+    if list.first().is_some_and(|x| x.number().is_some()) {
         return row(value).map(|r| vec![r; n]);
     }
     let rows: Option<Vec<[f64; N]>> = list.iter().map(row).collect();
     rows.filter(|r| r.len() == n)
 }
 
-fn triples(fields: &Fields, name: &str, n: usize, needed: bool) -> Result<Vec<[f64; 3]>, String> {
-    let found = match fields.get(name) {
-        None if !needed => Some(vec![[0.0; 3]; n]),
-        None => None,
-        Some(value) => rows(value, n),
+fn triples(fields: &Json<'_>, name: &str, n: usize, needed: bool) -> Result<Vec<[f64; 3]>, String> {
+    let value = &fields[name];
+    let found = if value.is_null() {
+        (!needed).then(|| vec![[0.0; 3]; n])
+    } else {
+        rows(value, n)
     };
     found.ok_or_else(|| format!("{name} is not a list of three numbers for each time"))
 }
 
-fn rotations(fields: &Fields, n: usize) -> Result<Vec<Values>, String> {
-    let found = fields.get("rotation").and_then(|v| rows::<4>(v, n));
+fn rotations(fields: &Json<'_>, n: usize) -> Result<Vec<Values>, String> {
+    let found = rows::<4>(&fields["rotation"], n);
     let mut out = Vec::new();
     for [x, y, z, w] in found.unwrap_or_default() {
         let q = DQuat::from_xyzw(x, y, z, w);
@@ -435,7 +448,7 @@ fn rotations(fields: &Fields, n: usize) -> Result<Vec<Values>, String> {
 }
 
 /// Hand shapes by their numbers in the dictionary.
-fn shapes(fields: &Fields, n: usize) -> Result<Vec<&'static HandShape>, String> {
+fn shapes(fields: &Json<'_>, n: usize) -> Result<Vec<&'static HandShape>, String> {
     let ids = numbers(fields, "shape", n, 0.0)?;
     let shape = |id: &f64| {
         let whole = (0.0..=255.0).contains(id) && id.fract() == 0.0;
