@@ -128,6 +128,7 @@ fn read(source: &str, limits: &Limits, fragment: bool) -> Parsed {
             sink,
             document: &mut document,
             limits,
+            source_bytes: source.len(),
             told_clauses: taken.told_clauses,
         };
         cx.take(node, &mut taken);
@@ -139,6 +140,7 @@ fn read(source: &str, limits: &Limits, fragment: bool) -> Parsed {
         sink: &mut sink,
         document: &mut document,
         limits,
+        source_bytes: source.len(),
         namespaces: &namespaces,
         told_clauses: taken.told_clauses,
     };
@@ -172,6 +174,9 @@ fn report_controls(source: &str, sink: &mut Sink) {
         sink.push(Diagnostic::error("eml::control-character", span, message));
     }
 }
+
+/// Fewer clauses tell too little of the script.
+const FEW_CLAUSES: usize = 64;
 
 impl Context<'_> {
     /// Reads from the top of the tree.
@@ -363,7 +368,7 @@ impl Context<'_> {
                     return None;
                 }
                 clause.kind = kind?;
-                self.document.clauses.push(clause);
+                self.keep(clause);
             }
             Role::Record(blank) => {
                 clause.kind = blank();
@@ -373,13 +378,13 @@ impl Context<'_> {
                     return None;
                 }
                 clause.start = start.ok()?;
-                self.document.clauses.push(clause);
+                self.keep(clause);
             }
             Role::Group(wrap) => {
                 let mut group = schema::read_group(self, &fields);
                 // A group without a time takes its clauses with it.
                 clause.start = start.ok()?;
-                self.document.clauses.push(clause);
+                self.keep(clause);
                 self.children(node, element, |cx, child, entry| {
                     group.children.extend(cx.clause(child, entry, Some(id)));
                 });
@@ -388,6 +393,22 @@ impl Context<'_> {
             _ => return None,
         }
         Some(id)
+    }
+
+    /// Adds a clause to the document. Room for more is made by what the script has been
+    /// like so far, so that hardly anything is moved and little is left over.
+    fn keep(&mut self, clause: Clause) {
+        let clauses = &mut self.document.clauses;
+        let count = clauses.len();
+        if count == clauses.capacity() && count >= FEW_CLAUSES {
+            let read = u64::from(clause.tag_span.start).max(1);
+            let expected = count as u64 * self.source_bytes as u64 / read;
+            let expected = usize::try_from(expected).unwrap_or(usize::MAX);
+            let more = expected.min(self.limits.clauses).saturating_sub(count);
+            // A quarter at least, so that a script that grows denser stays linear.
+            clauses.reserve_exact((more + more / 16).max(count / 4));
+        }
+        clauses.push(clause);
     }
 
     /// A clause right in the body without a time starts at 0, which is seldom meant;

@@ -58,10 +58,7 @@ pub(crate) fn is_name(text: &str) -> bool {
 /// Parses `term (('+'|'-') term)*` where a term is a number with an optional unit or
 /// a name, and a sign may lead. `start` is the offset of `text` in the source.
 pub(crate) fn parse(text: &str, start: u32) -> Result<TimeExpr, Problem> {
-    // Nearly every expression is a plain number.
-    if let Some(offset_secs) = crate::decimal::parse_short(text.as_bytes())
-        && offset_secs <= MAX_SECS
-    {
+    if let Some(offset_secs) = plain(text) {
         let span = Span::of(start as usize, start as usize + text.len());
         return Ok(TimeExpr {
             offset_secs,
@@ -128,8 +125,16 @@ pub(crate) fn parse(text: &str, start: u32) -> Result<TimeExpr, Problem> {
     }
 }
 
+/// The seconds of an expression that is a plain number, as nearly every one is.
+fn plain(text: &str) -> Option<f64> {
+    crate::decimal::parse_short(text.as_bytes()).filter(|&secs| secs <= MAX_SECS)
+}
+
 /// Reads a length: one number with an optional unit.
 pub(crate) fn parse_secs(text: &str) -> Result<f64, Problem> {
+    if let Some(secs) = plain(text) {
+        return Ok(secs);
+    }
     let expr = parse(text, 0)?;
     if expr.is_absolute() {
         return Err(Problem {

@@ -25,6 +25,8 @@ pub(crate) struct Context<'t> {
     pub(crate) sink: &'t mut Sink,
     pub(crate) document: &'t mut Document,
     pub(crate) limits: &'t Limits,
+    /// Length of the whole source.
+    pub(crate) source_bytes: usize,
     pub(crate) namespaces: &'t Namespaces<'t>,
     /// Whether the limit of clauses has been reported.
     pub(crate) told_clauses: bool,

@@ -316,7 +316,8 @@ pub(crate) fn find_extension(name: &str) -> Option<&'static Element> {
 }
 
 fn find_in(extension: bool, name: &str) -> Option<&'static Element> {
-    let exact = lookup::variants(name).find(|e| e.extension == extension);
+    let exact = lookup::variants(name).iter();
+    let exact = exact.copied().find(|e| e.extension == extension);
     exact.or_else(|| {
         ELEMENTS.iter().copied().find(|e| {
             e.extension == extension
@@ -331,8 +332,8 @@ pub(crate) fn variant_in(element: &'static Element, parent: &str) -> Option<&'st
     if element.may_stand_in(parent) {
         return Some(element);
     }
-    lookup::variants(element.name)
-        .find(|e| e.extension == element.extension && e.may_stand_in(parent))
+    let mut variants = lookup::variants(element.name).iter().copied();
+    variants.find(|e| e.extension == element.extension && e.may_stand_in(parent))
 }
 
 /// Every element, by name.

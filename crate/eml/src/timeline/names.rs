@@ -6,7 +6,6 @@ use crate::work::step;
 use crate::{
     ClauseId, Diagnostic, Document, Durations, Mark, MarkEvent, Name, SortedMap, Span, VoiceTiming,
 };
-use std::cmp::Ordering;
 
 /// A named moment.
 #[derive(Clone, Copy, Debug)]
@@ -31,23 +30,15 @@ pub(super) struct Found {
 
 /// Every name of a document.
 pub(super) struct Names {
-    /// By name; of several moments with one name the first.
-    moments: Vec<(Key, Moment)>,
+    /// As the document has them.
+    moments: Vec<(Name, Moment)>,
+    /// The moments by name; of several with one name the first.
+    order: Vec<Key>,
 }
 
-/// A name and its first letters as a number, which tell most names apart.
-struct Key {
-    prefix: u64,
-    name: Name,
-}
-
-impl Key {
-    fn compare(&self, prefix: u64, name: &str) -> Ordering {
-        step(1);
-        let by_prefix = self.prefix.cmp(&prefix);
-        by_prefix.then_with(|| self.name.as_str().cmp(name))
-    }
-}
+/// The first letters of a name as a number, which tell most names apart, and the place of
+/// its moment. Sorting and searching go over these alone: much less than the moments.
+type Key = (u64, u32);
 
 /// The first eight bytes, the first one counting most: it orders as the text does.
 fn prefix(name: &str) -> u64 {
@@ -68,11 +59,7 @@ impl Names {
     ) -> Found {
         let mut voices = Vec::new();
         let mut groups = Vec::new();
-        let mut moments: Vec<(Key, Moment)> = Vec::new();
-        let mut define = |name: Name, moment: Moment| {
-            let prefix = prefix(&name);
-            moments.push((Key { prefix, name }, moment));
-        };
+        let mut moments: Vec<(Name, Moment)> = Vec::new();
         for (id, clause) in document.iter() {
             if let Some(name) = &clause.time_id {
                 let moment = Moment {
@@ -80,7 +67,7 @@ impl Names {
                     offset_secs: 0.0,
                     span: clause.tag_span,
                 };
-                define(name.clone(), moment);
+                moments.push((name.clone(), moment));
             }
             if clause.kind.group().is_some() {
                 groups.push(id);
@@ -100,22 +87,32 @@ impl Names {
                     offset_secs: offset(&mark, &timing, sink),
                     span: mark.span,
                 };
-                define(mark.name, moment);
+                moments.push((mark.name, moment));
             }
             voices.push((id, timing));
         }
-        // Stable, so that of equal names the first in the document comes first.
-        moments.sort_by(|(a, _), (b, _)| a.compare(b.prefix, &b.name));
-        moments.dedup_by(|(key, moment), (first_key, first)| {
-            let same = key.compare(first_key.prefix, &first_key.name) == Ordering::Equal;
+        let mut order: Vec<Key> = (0..)
+            .zip(&moments)
+            .map(|(place, (name, _))| (prefix(name), place))
+            .collect();
+        // Of equal names the first in the document comes first.
+        order.sort_unstable_by(|a, b| {
+            let names = || name_at(&moments, *a).cmp(name_at(&moments, *b));
+            step(1);
+            a.0.cmp(&b.0).then_with(names).then(a.1.cmp(&b.1))
+        });
+        order.dedup_by(|again, first| {
+            let name = name_at(&moments, *again);
+            let same = again.0 == first.0 && name == name_at(&moments, *first);
             if same {
-                report_duplicate(&key.name, moment, first, sink);
+                let [moment, first] = [again, first].map(|key| &moments[key.1 as usize].1);
+                report_duplicate(name, moment, first, sink);
             }
             same
         });
         Found {
             voices: SortedMap::from_sorted(voices),
-            names: Self { moments },
+            names: Self { moments, order },
             groups,
         }
     }
@@ -123,31 +120,41 @@ impl Names {
     /// The moment of a name.
     pub(super) fn find(&self, name: &str) -> Option<&Moment> {
         let prefix = prefix(name);
-        let found = self
-            .moments
-            .binary_search_by(|(key, _)| key.compare(prefix, name));
-        found.ok().map(|at| &self.moments[at].1)
+        let found = self.order.binary_search_by(|key| {
+            step(1);
+            let names = || name_at(&self.moments, *key).cmp(name);
+            key.0.cmp(&prefix).then_with(names)
+        });
+        let (_, place) = self.order[found.ok()?];
+        Some(&self.moments[place as usize].1)
     }
 
     /// How many names there are.
     pub(super) fn len(&self) -> usize {
-        self.moments.len()
+        self.order.len()
     }
 
     /// All names in order.
     pub(super) fn iter(&self) -> impl Iterator<Item = &str> {
-        self.moments.iter().map(|(key, _)| key.name.as_str())
+        self.order.iter().map(|&key| name_at(&self.moments, key))
     }
 
     /// The names with what `value` says of their moments.
-    pub(super) fn map(self, value: impl Fn(&Moment) -> Option<f64>) -> SortedMap<Name, f64> {
-        let moments = self.moments.into_iter();
-        SortedMap::from_sorted(
-            moments
-                .filter_map(|(key, moment)| Some((key.name, value(&moment)?)))
-                .collect(),
-        )
+    pub(super) fn map(mut self, value: impl Fn(&Moment) -> Option<f64>) -> SortedMap<Name, f64> {
+        let mut marks = Vec::with_capacity(self.order.len());
+        for (_, place) in self.order {
+            let (name, moment) = &mut self.moments[place as usize];
+            if let Some(value) = value(moment) {
+                marks.push((std::mem::take(name), value));
+            }
+        }
+        SortedMap::from_sorted(marks)
     }
+}
+
+/// The name that a key stands for.
+fn name_at(moments: &[(Name, Moment)], key: Key) -> &str {
+    &moments[key.1 as usize].0
 }
 
 fn report_duplicate(name: &str, moment: &Moment, first: &Moment, sink: &mut Sink) {
