@@ -6,7 +6,7 @@ use raconteur_actor::animation::{Operation, PlayerCommand};
 use raconteur_actor::performance::Report;
 use raconteur_actor::{Actor, FaceRig, Library};
 use raconteur_base::order::sort_by_number;
-use raconteur_base::{DVec3, Side};
+use raconteur_base::{DAffine3, DVec3, Side};
 use raconteur_body::{Figure, Pose};
 use raconteur_eml::{Diagnostic, Timeline};
 use raconteur_stage::{Camera, Frame, Room, Shot, SpeechNow};
@@ -14,6 +14,7 @@ use raconteur_stage::{Camera, Frame, Room, Shot, SpeechNow};
 use crate::animations;
 use crate::cues::{Cue, UtteranceCue};
 use crate::event::Event;
+use crate::geometry::Geometry;
 use crate::gestures::{self, Reach};
 use crate::layers::Layers;
 use crate::live::{self, Live, Performed, Scene};
@@ -93,6 +94,7 @@ pub struct Player {
     story: Part,
     live: Live,
     layers: Layers,
+    geometry: Geometry,
     /// Cues up to this time are passed.
     passed_secs: f64,
     /// Cues up to this time are told.
@@ -137,6 +139,8 @@ impl Player {
         let plans = Side::BOTH.map(|side| actor.plan(side));
         diagnostics.extend(gestures::late(&script.document, &script.timeline, plans));
         sort_by_number(&mut diagnostics, |d| f64::from(d.span.start));
+        let mut geometry = Geometry::default();
+        geometry.add(&story.geometry);
         let morphs = figure.morph_names.len();
         let player = Self {
             face: FaceRig::new(&figure),
@@ -149,6 +153,7 @@ impl Player {
             story,
             live,
             layers: Layers::new(actor, room, morphs),
+            geometry,
             passed_secs: -1.0,
             told_secs: -1.0,
             open_ended: false,
@@ -266,6 +271,9 @@ impl Player {
         if !performed.clauses.is_empty() {
             let (actor, room) = self.rehearse_all(self.layers.last_room());
             self.layers.change(base_secs, actor, room);
+            if let Some(fragment) = self.live.parts().last() {
+                self.geometry.add(&fragment.geometry);
+            }
         }
         performed
     }
@@ -403,7 +411,7 @@ impl Player {
             .frame(DVec3::ZERO, stature_m, aspect, room)
     }
 
-    /// The order of evaluation: time, body and face, joints, sound.
+    /// The order of evaluation: time, body and face, joints, sound, what is drawn.
     fn evaluate(&mut self, time_secs: f64) -> Report {
         let t = if time_secs.is_nan() {
             0.0
@@ -424,6 +432,12 @@ impl Player {
             .skeleton
             .solve(&self.pose, &mut self.frame.world_from_joint);
         self.frame.speech = self.speech_at(t);
+        self.frame.shown = self.geometry.at(t);
+        let goals = report.wrist_goals_in_world.into_iter();
+        self.frame.handles.clear();
+        self.frame
+            .handles
+            .extend(goals.map(DAffine3::from_translation));
         report
     }
 
