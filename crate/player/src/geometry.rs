@@ -16,8 +16,8 @@ pub(crate) type Switch = (f64, ConfigureGeometry);
 pub(crate) struct Geometry {
     /// What is shown before the first switch.
     before: Shown,
-    /// By time.
-    switches: Vec<Switch>,
+    /// Whether it came while the story played, when, and what; by time.
+    switches: Vec<(bool, f64, ConfigureGeometry)>,
 }
 
 /// What a script switches, by time.
@@ -32,12 +32,25 @@ pub(crate) fn switches(document: &Document, timeline: &Timeline) -> Vec<Switch> 
 }
 
 impl Geometry {
-    /// Adds what a script, or a fragment of a live performance, switches.
-    pub(crate) fn add(&mut self, switches: &[Switch]) {
-        self.switches.extend_from_slice(switches);
-        sort_by_number(&mut self.switches, |(time_secs, _)| *time_secs);
+    /// Takes what the story switches, in place of what it switched before.
+    pub(crate) fn retell(&mut self, story: &[Switch]) {
+        self.switches.retain(|(live, ..)| *live);
+        self.add(false, story);
+    }
+
+    /// Takes what a fragment of the live performance switches, for good.
+    pub(crate) fn join(&mut self, fragment: &[Switch]) {
+        self.add(true, fragment);
+    }
+
+    fn add(&mut self, live: bool, switches: &[Switch]) {
+        let new = switches
+            .iter()
+            .map(|(at, switch)| (live, *at, switch.clone()));
+        self.switches.extend(new);
+        sort_by_number(&mut self.switches, |(_, time_secs, _)| *time_secs);
         let over = self.switches.len().saturating_sub(MOST);
-        for (_, switch) in self.switches.drain(..over) {
+        for (.., switch) in self.switches.drain(..over) {
             turn(&mut self.before, &switch);
         }
     }
@@ -45,7 +58,7 @@ impl Geometry {
     /// What is shown at a time.
     pub(crate) fn at(&self, time_secs: f64) -> Shown {
         let mut shown = self.before;
-        for (_, switch) in self.switches.iter().take_while(|(t, _)| *t <= time_secs) {
+        for (.., switch) in self.switches.iter().take_while(|(_, t, _)| *t <= time_secs) {
             turn(&mut shown, switch);
         }
         shown

@@ -9,7 +9,7 @@ use raconteur_base::order::sort_by_number;
 use raconteur_base::{DAffine3, DVec3, Side};
 use raconteur_body::{Figure, Pose};
 use raconteur_eml::{Diagnostic, Timeline};
-use raconteur_stage::{Camera, Frame, Room, Shot, SpeechNow};
+use raconteur_stage::{Camera, Frame, Room, Shot, SpeechNow, View};
 
 use crate::animations;
 use crate::cues::{Cue, UtteranceCue};
@@ -95,6 +95,7 @@ pub struct Player {
     live: Live,
     layers: Layers,
     geometry: Geometry,
+    view: Option<View>,
     /// Cues up to this time are passed.
     passed_secs: f64,
     /// Cues up to this time are told.
@@ -140,7 +141,7 @@ impl Player {
         diagnostics.extend(gestures::late(&script.document, &script.timeline, plans));
         sort_by_number(&mut diagnostics, |d| f64::from(d.span.start));
         let mut geometry = Geometry::default();
-        geometry.add(&story.geometry);
+        geometry.retell(&story.geometry);
         let morphs = figure.morph_names.len();
         let player = Self {
             face: FaceRig::new(&figure),
@@ -154,6 +155,7 @@ impl Player {
             live,
             layers: Layers::new(actor, room, morphs),
             geometry,
+            view: None,
             passed_secs: -1.0,
             told_secs: -1.0,
             open_ended: false,
@@ -272,7 +274,7 @@ impl Player {
             let (actor, room) = self.rehearse_all(self.layers.last_room());
             self.layers.change(base_secs, actor, room);
             if let Some(fragment) = self.live.parts().last() {
-                self.geometry.add(&fragment.geometry);
+                self.geometry.join(&fragment.geometry);
             }
         }
         performed
@@ -340,6 +342,7 @@ impl Player {
         }
         self.script.retime(&self.library);
         self.story = Part::new(&self.script, &self.units, 0, None);
+        self.geometry.retell(&self.story.geometry);
         let (actor, room) = self.rehearse_all(self.layers.last_room());
         if self.passed_secs < 0.0 && self.live.parts().next().is_none() {
             self.layers = Layers::new(actor, room, self.figure.morph_names.len());
@@ -403,12 +406,18 @@ impl Player {
         &self.frame
     }
 
+    /// Shows the whole figure from another side, whatever the shot; the shot again by none.
+    /// The figure still speaks to where the shot's camera stands.
+    pub fn set_view(&mut self, view: Option<View>) {
+        self.view = view;
+    }
+
     fn camera(&self, aspect: f64) -> Camera {
         let stature_m = self.figure.skeleton.stature_m();
         let room = self.layers.room_at(self.frame.time_secs);
-        self.options
-            .shot
-            .frame(DVec3::ZERO, stature_m, aspect, room)
+        let shot = self.view.map_or(self.options.shot, |_| Shot::Full);
+        let camera = shot.frame(DVec3::ZERO, stature_m, aspect, room);
+        self.view.map_or(camera, |view| view.of(&camera))
     }
 
     /// The order of evaluation: time, body and face, joints, sound, what is drawn.

@@ -71,8 +71,8 @@ impl Overlay {
         }
         if frame.shown.manipulators {
             for handle in &frame.handles {
-                self.dot(place(handle), 0.012 * stature_m, HANDLE);
-                self.axes(handle, 0.055 * stature_m);
+                self.dot(place(handle), 0.016 * stature_m, HANDLE);
+                self.axes(handle, 0.07 * stature_m);
             }
         }
         self.corners.truncate(MOST * CORNERS);
@@ -99,17 +99,17 @@ impl Overlay {
             }
         }
         // Fingers are near each other, and so are smaller.
-        let size = (0.3 * length).clamp(0.006 * stature_m, 0.03 * stature_m);
+        let size = (0.45 * length).clamp(0.009 * stature_m, 0.045 * stature_m);
         if frame.shown.frames {
             self.axes(here, size);
         }
         if frame.shown.centers {
-            self.dot(at, 0.22 * size, JOINT);
+            self.dot(at, 0.2 * size, JOINT);
         }
     }
 
     fn bone(&mut self, from: Vec3, to: Vec3, hint: Vec3) {
-        let radius = (0.09 * (to - from).length()).min(0.022);
+        let radius = (0.1 * (to - from).length()).min(0.025);
         self.spindle(from, to, hint, (0.16, radius), BONE);
     }
 
@@ -117,7 +117,7 @@ impl Overlay {
         let (at, axes) = (place(frame), frame.matrix3.as_mat3());
         for (i, color) in AXES.into_iter().enumerate() {
             let tip = at + axes.col(i).normalize_or_zero() * length;
-            self.spindle(at, tip, axes.col((i + 1) % 3), (0.1, 0.05 * length), color);
+            self.spindle(at, tip, axes.col((i + 1) % 3), (0.1, 0.06 * length), color);
         }
     }
 

@@ -12,7 +12,7 @@ pub mod light;
 pub mod set;
 pub mod shown;
 
-pub use camera::{Camera, Room, Shot};
+pub use camera::{Camera, Room, Shot, View};
 pub use frame::{Frame, SpeechNow};
 pub use light::{DirectedLight, Lighting};
 pub use set::Set;

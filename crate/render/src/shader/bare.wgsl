@@ -16,8 +16,8 @@ fn fs_bare(v: VertexOut, @builtin(front_facing) front: bool) -> @location(0) vec
     if facing < 0.0 {
         discard;
     }
-    // Dark cloth before a dark curtain would be lost: half of the light is the line's own.
-    let light = mix(paint, vec3<f32>(0.55), 0.35) * (0.25 + 0.75 * facing);
+    // Dark cloth before a dark curtain would be lost: half of a line's colour is its own.
+    let light = mix(paint, vec3<f32>(0.85), 0.5) * (0.35 + 0.65 * facing);
     return written(light / max(frame.ground.w, 1e-3), 1.0, v.clip.xy);
 }
 
