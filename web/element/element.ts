@@ -14,7 +14,7 @@ import { LiveScript } from './live.js';
 import { fetchFigure, fetchStory, readFigure, type Progress, type StoryFiles } from './loader.js';
 import { Picture } from './picture.js';
 import { Transport, type TransportEvent } from './transport.js';
-import { PlayerError, type Answer, type Backend, type Cue, type Diagnostic, type MindState, type PlayerEventMap, type Quality, type Statistics, type Story } from './types.js';
+import { PlayerError, type Answer, type Backend, type Cue, type Diagnostic, type MindState, type PlayerEventMap, type Quality, type Statistics, type Story, type View } from './types.js';
 
 /** The controls hide after this long without a pointer or key, while playing. */
 const HIDE_CONTROLS_MS = 2600;
@@ -108,6 +108,7 @@ export class RaconteurPlayer extends LitElement {
   #awaited = false;
   /** A file that the user gave, under its name in `figure`. */
   #given: File | undefined;
+  #view: View | undefined;
   /** A text that takes the place of the story's file. */
   #text: string | undefined;
   #error: PlayerError | undefined;
@@ -382,6 +383,7 @@ export class RaconteurPlayer extends LitElement {
         back: () => this.#setLost('no', signal),
       });
       picture = opened.picture;
+      if (this.#view !== undefined) picture.look(this.#view);
       signal.throwIfAborted();
       this.#open(opened.story, opened.picture, files, sinceMs);
       for (const missing of opened.missing) this.#report(missing);
@@ -426,6 +428,13 @@ export class RaconteurPlayer extends LitElement {
     if (this.paused) this.#advance();
     this.requestUpdate();
     return story.diagnostics;
+  }
+
+  /** Shows the whole figure from another side, for pages that look behind the scenes. */
+  look(view: View): void {
+    this.#view = view;
+    this.#show?.picture.look(view);
+    if (this.paused) this.#advance();
   }
 
   /** What a page needs to draw over the picture shown last; read it with `web/pages/pose.ts`. Undefined without a story. */

@@ -3,7 +3,7 @@
 import { createEngine } from './backend.js';
 import { showImages, unusable, type FigureFile } from './figure.js';
 import type { StoryFiles } from './loader.js';
-import { PlayerError, TickStatus, type Backend, type Cue, type Diagnostic, type Engine, type Performance, type PictureStatistics, type Quality, type Story } from './types.js';
+import { PlayerError, TickStatus, type Backend, type Cue, type Diagnostic, type Engine, type Performance, type PictureStatistics, type Quality, type Story, type View } from './types.js';
 
 /** More device pixels than this for a CSS pixel cost time and are not seen. */
 const MOST_DPR = 2;
@@ -43,6 +43,7 @@ export class Picture {
   /** A figure's pictures are still being decoded: the canvas keeps what it shows. */
   #holding = false;
   #quality: Quality = 'auto';
+  #view: View | undefined;
   #openEnded = false;
   /** When the first picture was drawn, on the page's clock. */
   firstShownMs: number | undefined;
@@ -95,6 +96,12 @@ export class Picture {
     if (quality === this.#quality) return;
     this.#quality = quality;
     this.#guard((engine) => engine.setQuality(quality));
+  }
+
+  /** Shows the whole figure from another side. */
+  look(view: View): void {
+    this.#view = view;
+    this.#guard((engine) => applyView(engine, view));
   }
 
   /** The clock may pass the end of the story. */
@@ -275,6 +282,7 @@ export class Picture {
 
   #read(engine: Engine, files = this.#files): Story {
     const { eml, bundle, figure, edited } = files;
+    applyView(engine, this.#view);
     try {
       const story = engine.load(eml, bundle, figure.name, figure.glb, motionAmount());
       engine.setOpenEnded(this.#openEnded);
@@ -305,6 +313,10 @@ export class Picture {
       return undefined;
     }
   }
+}
+
+function applyView(engine: Engine, view: View | undefined): void {
+  if (view !== undefined) engine.setView(view.turn, view.tilt, view.zoom, view.right, view.up);
 }
 
 /** How much idle life. */

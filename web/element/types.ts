@@ -135,6 +135,20 @@ export const TickStatus = {
   NoPicture: 3,
 } as const;
 
+/** From where a page looks that looks behind the scenes: at the whole figure, unless it comes nearer. */
+export interface View {
+  /** How far around the figure, radians; positive to its left. */
+  readonly turn: number;
+  /** From how far above, radians. */
+  readonly tilt: number;
+  /** How many times nearer. */
+  readonly zoom: number;
+  /** How far the middle of the picture is moved to the right, metres. */
+  readonly right: number;
+  /** How far it is moved up, metres. */
+  readonly up: number;
+}
+
 /** One storyteller: the class `Player` of `crate/web`. */
 export interface Engine {
   /**
@@ -144,6 +158,8 @@ export interface Engine {
   load(eml: string, bundle: Uint8Array | undefined, figure: string, glb: Uint8Array, motion: number): Story;
   /** Has the figure that `load` put on stage read another text; undefined when nobody is there. */
   rehearse(eml: string, bundle: Uint8Array | undefined, motion: number): Story | undefined;
+  /** Shows the whole figure from another side, in this text and those rehearsed later. Radians and metres. */
+  setView(turn: number, tilt: number, zoom: number, right: number, up: number): void;
   /** The moment shown last as numbers, in the order that `web/pages/pose.ts` reads; empty when nobody is there. */
   pose(): Float32Array;
   /** The names of what `pose` tells: joints, then manipulators. */

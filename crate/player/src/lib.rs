@@ -11,6 +11,7 @@
 mod animations;
 mod cues;
 mod event;
+mod geometry;
 mod gestures;
 mod layers;
 pub mod live;

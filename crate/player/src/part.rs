@@ -11,6 +11,7 @@ use raconteur_speech::{Phone, Word};
 
 use crate::animations;
 use crate::cues::{self, Cue, UtteranceCue};
+use crate::geometry::{self, Switch};
 use crate::gestures;
 use crate::manipulators;
 use crate::performer::Options;
@@ -30,6 +31,8 @@ pub(crate) struct Part {
     switches: Vec<(f64, bool)>,
     /// What animation players are asked for, by time.
     pub(crate) players: Vec<(f64, PlayerCommand)>,
+    /// What of the figure is drawn, by time.
+    pub(crate) geometry: Vec<Switch>,
     speech: Vec<SpokenUtterance>,
     /// What is said, by time.
     pub(crate) utterances: Vec<UtteranceCue>,
@@ -53,6 +56,7 @@ impl Part {
             manipulators: manipulators::script(document, timeline, units),
             switches: gestures::switches(document, timeline),
             players: animations::commands(document, timeline).0,
+            geometry: geometry::switches(document, timeline),
             speech: utterances.iter().map(|u| spoken(script, u)).collect(),
             cues: cues::cues(script, &utterances, first_utterance, fragment),
             utterances,

@@ -6,14 +6,15 @@ use raconteur_actor::animation::{Operation, PlayerCommand};
 use raconteur_actor::performance::Report;
 use raconteur_actor::{Actor, FaceRig, Library};
 use raconteur_base::order::sort_by_number;
-use raconteur_base::{DVec3, Side};
+use raconteur_base::{DAffine3, DVec3, Side};
 use raconteur_body::{Figure, Pose};
 use raconteur_eml::{Diagnostic, Timeline};
-use raconteur_stage::{Camera, Frame, Room, Shot, SpeechNow};
+use raconteur_stage::{Camera, Frame, Room, Shot, SpeechNow, View};
 
 use crate::animations;
 use crate::cues::{Cue, UtteranceCue};
 use crate::event::Event;
+use crate::geometry::Geometry;
 use crate::gestures::{self, Reach};
 use crate::layers::Layers;
 use crate::live::{self, Live, Performed, Scene};
@@ -93,6 +94,8 @@ pub struct Player {
     story: Part,
     live: Live,
     layers: Layers,
+    geometry: Geometry,
+    view: Option<View>,
     /// Cues up to this time are passed.
     passed_secs: f64,
     /// Cues up to this time are told.
@@ -137,6 +140,8 @@ impl Player {
         let plans = Side::BOTH.map(|side| actor.plan(side));
         diagnostics.extend(gestures::late(&script.document, &script.timeline, plans));
         sort_by_number(&mut diagnostics, |d| f64::from(d.span.start));
+        let mut geometry = Geometry::default();
+        geometry.retell(&story.geometry);
         let morphs = figure.morph_names.len();
         let player = Self {
             face: FaceRig::new(&figure),
@@ -149,6 +154,8 @@ impl Player {
             story,
             live,
             layers: Layers::new(actor, room, morphs),
+            geometry,
+            view: None,
             passed_secs: -1.0,
             told_secs: -1.0,
             open_ended: false,
@@ -266,6 +273,9 @@ impl Player {
         if !performed.clauses.is_empty() {
             let (actor, room) = self.rehearse_all(self.layers.last_room());
             self.layers.change(base_secs, actor, room);
+            if let Some(fragment) = self.live.parts().last() {
+                self.geometry.join(&fragment.geometry);
+            }
         }
         performed
     }
@@ -332,6 +342,7 @@ impl Player {
         }
         self.script.retime(&self.library);
         self.story = Part::new(&self.script, &self.units, 0, None);
+        self.geometry.retell(&self.story.geometry);
         let (actor, room) = self.rehearse_all(self.layers.last_room());
         if self.passed_secs < 0.0 && self.live.parts().next().is_none() {
             self.layers = Layers::new(actor, room, self.figure.morph_names.len());
@@ -395,15 +406,21 @@ impl Player {
         &self.frame
     }
 
+    /// Shows the whole figure from another side, whatever the shot; the shot again by none.
+    /// The figure still speaks to where the shot's camera stands.
+    pub fn set_view(&mut self, view: Option<View>) {
+        self.view = view;
+    }
+
     fn camera(&self, aspect: f64) -> Camera {
         let stature_m = self.figure.skeleton.stature_m();
         let room = self.layers.room_at(self.frame.time_secs);
-        self.options
-            .shot
-            .frame(DVec3::ZERO, stature_m, aspect, room)
+        let shot = self.view.map_or(self.options.shot, |_| Shot::Full);
+        let camera = shot.frame(DVec3::ZERO, stature_m, aspect, room);
+        self.view.map_or(camera, |view| view.of(&camera))
     }
 
-    /// The order of evaluation: time, body and face, joints, sound.
+    /// The order of evaluation: time, body and face, joints, sound, what is drawn.
     fn evaluate(&mut self, time_secs: f64) -> Report {
         let t = if time_secs.is_nan() {
             0.0
@@ -424,6 +441,12 @@ impl Player {
             .skeleton
             .solve(&self.pose, &mut self.frame.world_from_joint);
         self.frame.speech = self.speech_at(t);
+        self.frame.shown = self.geometry.at(t);
+        let goals = report.wrist_goals_in_world.into_iter();
+        self.frame.handles.clear();
+        self.frame
+            .handles
+            .extend(goals.map(DAffine3::from_translation));
         report
     }
 

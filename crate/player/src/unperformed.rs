@@ -49,6 +49,7 @@ impl Found {
             ClauseKind::VoiceText(voice) => self.speech(voice),
             ClauseKind::GestureKey(_)
             | ClauseKind::GestureIsOn(_)
+            | ClauseKind::ConfigureGeometry(_)
             | ClauseKind::DeterministicAnimation(_)
             | ClauseKind::DeterministicTrackProperty(_)
             | ClauseKind::DeterministicPrimitive(_)

@@ -16,8 +16,6 @@ pub(crate) async fn open(
         .map_err(|e| RenderError::NoAdapter(e.to_string()))?;
     let (device, queue) = adapter
         .request_device(&wgpu::DeviceDescriptor {
-            // Only pictures of a figure's edges need it, and they do without where it lacks.
-            required_features: adapter.features() & wgpu::Features::POLYGON_MODE_LINE,
             // The smallest promise that covers us, so that any device serves, with the
             // adapter's own limit on the size of pictures.
             required_limits: wgpu::Limits::downlevel_webgl2_defaults()

@@ -82,11 +82,6 @@ impl Headless {
         self.renderer.set_options(options);
     }
 
-    /// Draws the edges of the figure's triangles over it, or no longer; whether they will be.
-    pub fn set_wireframe(&mut self, on: bool) -> bool {
-        self.renderer.set_wireframe(on)
-    }
-
     /// Draws a frame; returns sRGB bytes, RGBA, rows from the top without padding.
     ///
     /// # Errors

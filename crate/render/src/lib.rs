@@ -1,7 +1,8 @@
 //! Draws a frame with wgpu: native and headless, WebGPU, and WebGL2, from one source.
 //!
-//! Does: the figure with its materials, skinned on the GPU; the theatre around it; one
-//! shadow from the key light; tone curve and encoding; read-back; canvases.
+//! Does: the figure with its materials, skinned on the GPU, or by its edges, its corners or
+//! its bones for those who look behind the scenes; the theatre around it; shadows; tone curve
+//! and encoding; read-back; canvases.
 //! Does not: decide what is seen (`stage`), or move anything.
 //!
 //! The picture is formed in linear light in one `Rgba16Float` target, four samples a
@@ -20,6 +21,7 @@ mod environment;
 mod figure;
 mod lid;
 mod morph;
+mod overlay;
 mod pipeline;
 mod sent;
 mod shadow;

@@ -1,20 +1,22 @@
 //! Shader modules, layouts and pipelines.
 
 use raconteur_body::MaterialKind;
+use raconteur_stage::{Fill, Shown};
 use wgpu::{
-    BindGroupLayout, BlendState, CompareFunction, Device, Face, RenderPipeline, ShaderModule,
-    ShaderStages, TextureFormat, VertexAttribute, VertexBufferLayout, VertexFormat,
+    BindGroupLayout, BlendState, CompareFunction, Device, Face, PrimitiveTopology, RenderPipeline,
+    ShaderModule, ShaderStages, TextureFormat, VertexAttribute, VertexBufferLayout, VertexFormat,
 };
 
 use crate::figure::{FixedVertex, Layer, Look, MaterialUniform, Shadow};
 use crate::morph::ShapeVertex;
+use crate::overlay::OverVertex;
 use crate::target::{DEPTH_FORMAT, TargetKind};
 use crate::{Quality, uniform::FrameUniform};
 
 const FRAME: &str = include_str!(concat!(env!("OUT_DIR"), "/frame.wgsl"));
 
 /// The shaders of everything on the stage, one module.
-const STAGE: [&str; 10] = [
+const STAGE: [&str; 11] = [
     FRAME,
     include_str!(concat!(env!("OUT_DIR"), "/light.wgsl")),
     include_str!(concat!(env!("OUT_DIR"), "/figure.wgsl")),
@@ -25,13 +27,7 @@ const STAGE: [&str; 10] = [
     include_str!(concat!(env!("OUT_DIR"), "/hair.wgsl")),
     include_str!(concat!(env!("OUT_DIR"), "/cloth.wgsl")),
     include_str!(concat!(env!("OUT_DIR"), "/theatre.wgsl")),
-];
-
-#[cfg(all(feature = "native", not(target_arch = "wasm32")))]
-const WIRE: [&str; 3] = [
-    FRAME,
-    include_str!(concat!(env!("OUT_DIR"), "/figure.wgsl")),
-    include_str!(concat!(env!("OUT_DIR"), "/wire.wgsl")),
+    include_str!(concat!(env!("OUT_DIR"), "/bare.wgsl")),
 ];
 
 const LAST: [&str; 2] = [FRAME, include_str!(concat!(env!("OUT_DIR"), "/last.wgsl"))];
@@ -170,6 +166,10 @@ pub(crate) struct Pipelines {
     looks: Vec<(Look, RenderPipeline)>,
     /// Those of the shadow map, by the light's number.
     shadows: Vec<(u32, Shadow, RenderPipeline)>,
+    /// What draws figures without materials, by fill and whether their paint is used.
+    bare: Vec<(Fill, bool, RenderPipeline)>,
+    /// What draws over figures, once it was wanted.
+    pub(crate) overlay: Option<RenderPipeline>,
 }
 
 const SHAPE_ATTRIBUTES: [VertexAttribute; 2] =
@@ -181,6 +181,14 @@ const FIXED_ATTRIBUTES: [VertexAttribute; 5] = [
     attribute(VertexFormat::Unorm16x4, 16, 5),
     attribute(VertexFormat::Snorm8x4, 24, 6),
 ];
+
+const OVER_ATTRIBUTES: [VertexAttribute; 2] =
+    wgpu::vertex_attr_array![0 => Float32x3, 1 => Unorm8x4];
+
+/// Whether a figure's own materials are not what draws it.
+pub(crate) fn is_bare(shown: &Shown) -> bool {
+    shown.fill != Fill::Solid || !shown.materials
+}
 
 const fn attribute(format: VertexFormat, offset: u64, shader_location: u32) -> VertexAttribute {
     VertexAttribute {
@@ -218,7 +226,7 @@ struct Recipe<'a> {
     samples: u32,
     coverage: bool,
     cull: Option<Face>,
-    edges: bool,
+    topology: PrimitiveTopology,
     /// Compare and write, when there is a depth buffer.
     depth: Option<(CompareFunction, bool)>,
     bias: wgpu::DepthBiasState,
@@ -246,11 +254,7 @@ impl Recipe<'_> {
             },
             primitive: wgpu::PrimitiveState {
                 cull_mode: self.cull,
-                polygon_mode: if self.edges {
-                    wgpu::PolygonMode::Line
-                } else {
-                    wgpu::PolygonMode::Fill
-                },
+                topology: self.topology,
                 ..Default::default()
             },
             depth_stencil: self.depth.map(|(compare, write)| wgpu::DepthStencilState {
@@ -316,7 +320,7 @@ impl Pipelines {
                     samples,
                     coverage: false,
                     cull: None,
-                    edges: false,
+                    topology: PrimitiveTopology::TriangleList,
                     depth,
                     bias: wgpu::DepthBiasState::default(),
                 }
@@ -358,6 +362,8 @@ impl Pipelines {
             constants,
             looks: Vec::new(),
             shadows: Vec::new(),
+            bare: Vec::new(),
+            overlay: None,
         }
     }
 
@@ -398,41 +404,103 @@ impl Pipelines {
             samples: self.target.samples,
             coverage: look.layer == Layer::Cut && self.target.samples > 1,
             cull: (!look.double_sided).then_some(Face::Back),
-            edges: false,
+            topology: PrimitiveTopology::TriangleList,
             depth: Some((CompareFunction::Less, !clear)),
             bias: wgpu::DepthBiasState::default(),
         }
         .build(device)
     }
 
-    /// What draws the edges of all triangles over a figure.
-    #[cfg(all(feature = "native", not(target_arch = "wasm32")))]
-    pub(crate) fn make_wire(&self, device: &Device, kit: &Kit) -> RenderPipeline {
-        let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
-            label: Some("wire"),
-            source: wgpu::ShaderSource::Wgsl(WIRE.concat().into()),
-        });
+    /// Compiles what `shown` needs beyond materials, if nothing has needed it yet.
+    pub(crate) fn prepare_shown(&mut self, device: &Device, kit: &Kit, shown: &Shown) {
+        if shown.body && is_bare(shown) && self.bare(shown).is_none() {
+            let pipeline = self.make_bare(device, kit, shown);
+            self.bare.push((shown.fill, shown.materials, pipeline));
+        }
+        if shown.has_overlay() && self.overlay.is_none() {
+            self.overlay = Some(self.make_overlay(device, kit));
+        }
+    }
+
+    /// What draws a figure by edges, by corners or in clay; `None` before
+    /// [`Self::prepare_shown`].
+    pub(crate) fn bare(&self, shown: &Shown) -> Option<&RenderPipeline> {
+        let mut made = self.bare.iter();
+        let found = made.find(|(f, m, _)| (*f, *m) == (shown.fill, shown.materials));
+        found.map(|(.., pipeline)| pipeline)
+    }
+
+    fn make_bare(&self, device: &Device, kit: &Kit, shown: &Shown) -> RenderPipeline {
         let Layouts {
             lit, figure, maps, ..
         } = &kit.layouts;
+        let mut constants = self.constants.clone();
+        let flag = |b: bool| f64::from(u8::from(b));
+        constants.push(("CLAY", flag(!shown.materials)));
+        constants.push(("THIN", flag(shown.fill != Fill::Solid)));
         Recipe {
-            label: "wire",
-            module: &module,
-            layout: &pipeline_layout(device, "figure", &[lit, figure, maps]),
-            constants: &self.constants[..1],
-            vertex: "vs_wire",
+            constants: &constants,
+            vertex: "vs_figure",
             buffers: &vertex_buffers(),
-            fragment: Some("fs_wire"),
-            target: Some(self.target.format),
-            blend: Some(BlendState::ALPHA_BLENDING),
-            samples: self.target.samples,
-            coverage: false,
-            cull: Some(Face::Back),
-            edges: true,
-            depth: Some((CompareFunction::LessEqual, false)),
-            bias: wgpu::DepthBiasState::default(),
+            topology: match shown.fill {
+                Fill::Solid => PrimitiveTopology::TriangleList,
+                Fill::Wireframe => PrimitiveTopology::LineList,
+                Fill::Points => PrimitiveTopology::PointList,
+            },
+            ..self.plainly(
+                "bare",
+                &kit.stage,
+                &pipeline_layout(device, "figure", &[lit, figure, maps]),
+                "fs_bare",
+            )
         }
         .build(device)
+    }
+
+    fn make_overlay(&self, device: &Device, kit: &Kit) -> RenderPipeline {
+        let vertices = VertexBufferLayout {
+            array_stride: size_of::<OverVertex>() as u64,
+            step_mode: wgpu::VertexStepMode::Vertex,
+            attributes: &OVER_ATTRIBUTES,
+        };
+        Recipe {
+            vertex: "vs_over",
+            buffers: &[Some(vertices)],
+            ..self.plainly(
+                "overlay",
+                &kit.stage,
+                &pipeline_layout(device, "overlay", &[&kit.layouts.lit]),
+                "fs_over",
+            )
+        }
+        .build(device)
+    }
+
+    /// A recipe for what covers what it lies before and is seen from both sides.
+    fn plainly<'a>(
+        &'a self,
+        label: &'a str,
+        module: &'a ShaderModule,
+        layout: &'a wgpu::PipelineLayout,
+        fragment: &'a str,
+    ) -> Recipe<'a> {
+        Recipe {
+            label,
+            module,
+            layout,
+            constants: &self.constants,
+            vertex: "",
+            buffers: &[],
+            fragment: Some(fragment),
+            target: Some(self.target.format),
+            blend: None,
+            samples: self.target.samples,
+            coverage: false,
+            cull: None,
+            topology: PrimitiveTopology::TriangleList,
+            depth: Some((CompareFunction::Less, true)),
+            bias: wgpu::DepthBiasState::default(),
+        }
     }
 
     /// The pipeline of a look; `None` before [`Self::prepare`].
@@ -476,7 +544,7 @@ fn make_shadow(device: &Device, kit: &Kit, light: u32, shadow: Shadow) -> Render
         samples: 1,
         coverage: false,
         cull: None,
-        edges: false,
+        topology: PrimitiveTopology::TriangleList,
         depth: Some((CompareFunction::Less, true)),
         // Steep surfaces are pushed back by their slope within a texel.
         bias: wgpu::DepthBiasState {

@@ -2,18 +2,23 @@
 
 use std::sync::{Arc, Mutex, PoisonError};
 
-use raconteur_body::{Figure, MaterialKind};
-use raconteur_stage::Frame;
+use raconteur_body::Figure;
+use raconteur_stage::{Fill, Frame, Shown};
 use wgpu::{Buffer, BufferUsages, Device, Queue, TextureFormat, TextureView};
 
-use crate::figure::{Layer, MAX_JOINTS};
-use crate::pipeline::Kit;
+use crate::figure::{Layer, Look, MAX_JOINTS};
+use crate::overlay::Overlay;
+use crate::pipeline::{Kit, is_bare};
 use crate::sent::{Blank, SentFigure};
 use crate::shadow::ShadowView;
 use crate::target::{TargetKind, Targets};
 use crate::tier::Tier;
 use crate::uniform::{FrameUniform, View, stand_in_world};
 use crate::{Quality, RenderError, RenderInfo, RenderOptions};
+
+/// Share of the depth buffer, from the front, that what is drawn over figures takes. The near
+/// plane is 0.1 m away, so a figure at half a metre begins at four fifths of the depth.
+const OVERLAY_DEPTH: f32 = 0.05;
 
 /// The renderer: pipelines, the figure and the textures of the current size.
 pub struct Renderer {
@@ -30,8 +35,8 @@ pub struct Renderer {
     picture_sampler: wgpu::Sampler,
     figure: Option<SentFigure>,
     rows: Vec<[f32; 4]>,
-    /// Draws the edges of the figure's triangles, if that is wanted.
-    wire: Option<wgpu::RenderPipeline>,
+    /// What is drawn over figures, once it was wanted.
+    overlay: Option<Overlay>,
     info: RenderInfo,
     /// What the driver refused, if anything; told by the next picture.
     refused: Arc<Mutex<Option<String>>>,
@@ -87,7 +92,7 @@ impl Renderer {
             frame_group,
             targets: None,
             figure: None,
-            wire: None,
+            overlay: None,
             rows: Vec::with_capacity(3 * MAX_JOINTS),
             info: RenderInfo {
                 options,
@@ -126,22 +131,9 @@ impl Renderer {
             let kind = self.target_kinds[options.quality as usize];
             self.tier = Tier::new(&self.device, &self.kit, kind, &self.frame_buffer, options);
             self.targets = None;
-            self.wire = None;
             self.prepare();
         }
         self.tell_tier();
-    }
-
-    /// Draws the edges of the figure's triangles over it, or no longer, from the next picture
-    /// until the quality changes; whether they will be: a device may not draw lines.
-    #[cfg(all(feature = "native", not(target_arch = "wasm32")))]
-    pub fn set_wireframe(&mut self, on: bool) -> bool {
-        let able = self
-            .device
-            .features()
-            .contains(wgpu::Features::POLYGON_MODE_LINE);
-        self.wire = (on && able).then(|| self.tier.pipelines.make_wire(&self.device, &self.kit));
-        self.wire.is_some()
     }
 
     fn tell_tier(&mut self) {
@@ -214,12 +206,13 @@ impl Renderer {
     ) -> Result<(), RenderError> {
         self.fit(size)?;
         self.send(frame, size);
+        self.send_shown(frame);
         let mut encoder = self
             .device
             .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         let mut counts = Counts::default();
-        self.draw_shadow(&mut encoder, &mut counts);
-        self.draw_stage(&mut encoder, &mut counts);
+        self.draw_shadow(&mut encoder, &frame.shown, &mut counts);
+        self.draw_stage(&mut encoder, &frame.shown, &mut counts);
         self.draw_last(&mut encoder, view, &mut counts);
         self.queue.submit([encoder.finish()]);
         self.info.figure_draw_calls = counts.figure_draw_calls;
@@ -300,7 +293,27 @@ impl Renderer {
         }
     }
 
-    fn draw_shadow(&self, encoder: &mut wgpu::CommandEncoder, counts: &mut Counts) {
+    /// Compiles and sends what a look behind the scenes needs.
+    fn send_shown(&mut self, frame: &Frame) {
+        let (device, queue) = (&self.device, &self.queue);
+        let pipelines = &mut self.tier.pipelines;
+        pipelines.prepare_shown(device, &self.kit, &frame.shown);
+        let stature_m = match &mut self.figure {
+            Some(figure) => {
+                if frame.shown.fill == Fill::Wireframe {
+                    figure.prepare_edges(device, queue);
+                }
+                figure.stature_m
+            }
+            None => return,
+        };
+        if frame.shown.has_overlay() {
+            let overlay = self.overlay.get_or_insert_with(|| Overlay::new(device));
+            overlay.send(queue, frame, stature_m as f32);
+        }
+    }
+
+    fn draw_shadow(&self, encoder: &mut wgpu::CommandEncoder, shown: &Shown, counts: &mut Counts) {
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("shadow"),
             depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
@@ -314,6 +327,10 @@ impl Renderer {
             ..Default::default()
         });
         let Some(figure) = &self.figure else { return };
+        // What is not there, or is full of holes, casts nothing.
+        if !shown.body || shown.fill != Fill::Solid {
+            return;
+        }
         pass.set_bind_group(0, &self.frame_group, &[]);
         let side = self.tier.shadow_texels as f32;
         for light in 0..self.tier.lights {
@@ -324,7 +341,7 @@ impl Renderer {
         }
     }
 
-    fn draw_stage(&self, encoder: &mut wgpu::CommandEncoder, counts: &mut Counts) {
+    fn draw_stage(&self, encoder: &mut wgpu::CommandEncoder, shown: &Shown, counts: &mut Counts) {
         let Some((targets, _)) = &self.targets else {
             return;
         };
@@ -354,36 +371,33 @@ impl Renderer {
             ..Default::default()
         });
         pass.set_bind_group(0, &self.tier.lit_group, &[]);
+        let pipelines = &self.tier.pipelines;
         // What is solid goes first; then the theatre fills what is left; then what adds light.
-        self.draw_figure(&mut pass, counts, |layer| layer != Layer::Clear);
-        pass.set_pipeline(&self.tier.pipelines.theatre);
+        let figure = self.figure.as_ref().filter(|_| shown.body);
+        if let Some(figure) = figure {
+            let bare = pipelines.bare(shown).filter(|_| is_bare(shown));
+            let solid = |look: Look| look.layer != Layer::Clear;
+            figure.draw(&mut pass, counts, shown, solid, |look| {
+                bare.or_else(|| pipelines.look(look))
+            });
+        }
+        pass.set_pipeline(&pipelines.theatre);
         pass.draw(0..3, 0..1);
         counts.add(1);
-        self.draw_figure(&mut pass, counts, |layer| layer == Layer::Clear);
-        if let (Some(figure), Some(wire)) = (&self.figure, &self.wire) {
-            // Hair would cover the rest with its edges.
-            figure.draw(
-                &mut pass,
-                counts,
-                |look| look.kind != MaterialKind::Hair && look.kind != MaterialKind::Lash,
-                |_| Some(wire),
-            );
+        if let Some(figure) = figure.filter(|_| !is_bare(shown)) {
+            let clear = |look: Look| look.layer == Layer::Clear;
+            figure.draw(&mut pass, counts, shown, clear, |look| pipelines.look(look));
         }
-    }
-
-    fn draw_figure(
-        &self,
-        pass: &mut wgpu::RenderPass<'_>,
-        counts: &mut Counts,
-        wanted: impl Fn(Layer) -> bool,
-    ) {
-        if let Some(figure) = &self.figure {
-            figure.draw(
-                pass,
-                counts,
-                |look| wanted(look.layer),
-                |look| self.tier.pipelines.look(look),
-            );
+        if let (true, Some(overlay), Some(pipeline)) =
+            (shown.has_overlay(), &self.overlay, &pipelines.overlay)
+        {
+            // Nearer than everything else, and in itself as near as it is.
+            let (width, height) = targets.size;
+            pass.set_viewport(0.0, 0.0, width as f32, height as f32, 0.0, OVERLAY_DEPTH);
+            pass.set_pipeline(pipeline);
+            pass.set_vertex_buffer(0, overlay.buffer.slice(..));
+            pass.draw(0..overlay.len(), 0..1);
+            counts.add(overlay.len() / 3);
         }
     }
 

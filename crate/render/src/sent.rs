@@ -2,6 +2,7 @@
 
 use raconteur_base::DAffine3;
 use raconteur_body::figure::{Figure, Maps};
+use raconteur_stage::{Fill, Shown};
 use wgpu::{Buffer, BufferUsages, Device, Queue, TextureView};
 
 use crate::RenderError;
@@ -20,6 +21,10 @@ pub(crate) struct SentFigure {
     shape: Buffer,
     fixed: Buffer,
     indices: Buffer,
+    /// The triangles, for whoever asks for their edges.
+    triangles: Vec<u32>,
+    /// Both ends of every edge of the triangles, twice as many; sent when first wanted.
+    edges: Option<Buffer>,
     joints: Buffer,
     group: wgpu::BindGroup,
     meshes: Vec<DrawnMesh>,
@@ -115,6 +120,8 @@ impl SentFigure {
             shape: filled("shape", shape, BufferUsages::VERTEX),
             fixed: filled("fixed", fixed, BufferUsages::VERTEX),
             indices: filled("indices", indices, BufferUsages::INDEX),
+            triangles: data.indices,
+            edges: None,
             joints,
             group,
             meshes: data.meshes,
@@ -129,15 +136,17 @@ impl SentFigure {
     /// Groups the pictures anew, with blanks for those that have not come.
     fn group_maps(&mut self, device: &Device, layouts: &Layouts, blank: &Blank) {
         self.maps.clear();
-        for mesh in &self.meshes {
-            if self.maps.iter().any(|(maps, _)| *maps == mesh.maps) {
+        // Without pictures, blanks alone.
+        let all = self.meshes.iter().map(|m| m.maps).chain([Maps::default()]);
+        for wanted in all {
+            if self.maps.iter().any(|(maps, _)| *maps == wanted) {
                 continue;
             }
             let come = |index: Option<usize>, role: usize| {
                 index.and_then(|i| self.pictures.get(i)?[role].as_ref())
             };
-            let color = come(mesh.maps.base_color, 0).unwrap_or(&blank.white);
-            let normal = come(mesh.maps.normal, 1).unwrap_or(&blank.flat);
+            let color = come(wanted.base_color, 0).unwrap_or(&blank.white);
+            let normal = come(wanted.normal, 1).unwrap_or(&blank.flat);
             let group = bind_group(
                 device,
                 "maps",
@@ -148,8 +157,24 @@ impl SentFigure {
                     binding(2, wgpu::BindingResource::Sampler(&blank.sampler)),
                 ],
             );
-            self.maps.push((mesh.maps, group));
+            self.maps.push((wanted, group));
         }
+    }
+
+    /// Sends the edges of the triangles, if they have not been sent.
+    pub(crate) fn prepare_edges(&mut self, device: &Device, queue: &Queue) {
+        if self.edges.is_some() {
+            return;
+        }
+        let triangles = std::mem::take(&mut self.triangles);
+        let mut ends = Vec::with_capacity(2 * triangles.len());
+        for t in triangles.chunks_exact(3) {
+            ends.extend([t[0], t[1], t[1], t[2], t[2], t[0]]);
+        }
+        let bytes: &[u8] = bytemuck::cast_slice(&ends);
+        let buffer = empty_buffer(device, "edges", bytes.len() as u64, BufferUsages::INDEX);
+        queue.write_buffer(&buffer, 0, bytes);
+        self.edges = Some(buffer);
     }
 
     /// Puts a decoded picture into the materials that show it; one that none shows is let go.
@@ -224,21 +249,32 @@ impl SentFigure {
         }
     }
 
-    /// Draws the meshes that `wanted` names.
+    /// Draws what `shown` says of the meshes that `wanted` names.
     pub(crate) fn draw<'p>(
         &self,
         pass: &mut wgpu::RenderPass<'_>,
         counts: &mut Counts,
+        shown: &Shown,
         wanted: impl Fn(Look) -> bool,
         pipeline: impl Fn(Look) -> Option<&'p wgpu::RenderPipeline>,
     ) {
         self.bind(pass);
+        let mut ends = 1;
+        if let (Fill::Wireframe, Some(edges)) = (shown.fill, &self.edges) {
+            pass.set_index_buffer(edges.slice(..), wgpu::IndexFormat::Uint32);
+            ends = 2;
+        }
         for mesh in self.meshes.iter().filter(|m| wanted(m.look)) {
             if let Some(pipeline) = pipeline(mesh.look) {
                 pass.set_pipeline(pipeline);
                 pass.set_bind_group(1, &self.group, &[mesh.material_offset]);
-                self.bind_maps(pass, mesh.maps);
-                pass.draw_indexed(mesh.indices.clone(), 0, 0..1);
+                let maps = if shown.textures {
+                    mesh.maps
+                } else {
+                    Maps::default()
+                };
+                self.bind_maps(pass, maps);
+                pass.draw_indexed(mesh.indices.start * ends..mesh.indices.end * ends, 0, 0..1);
                 counts.add_figure(mesh.indices.len() as u32 / 3);
             }
         }

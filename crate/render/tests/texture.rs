@@ -296,21 +296,3 @@ fn meshes_of_one_surface_are_drawn_in_one_call() {
     // Once seen, and once in each of two shadows.
     assert_eq!(device.info().figure_draw_calls, 3);
 }
-
-#[test]
-fn edges_are_drawn_over_the_figure_when_asked() {
-    let figure = square(MaterialKind::Plain);
-    let frame = before(&figure, 0.9);
-    let mut device = headless(Quality::High);
-    device.set_figure(&figure).expect("a sound figure");
-    let plain = draw(&mut device, &frame);
-    if !device.set_wireframe(true) {
-        return;
-    }
-    let edges = draw(&mut device, &frame);
-    // The diagonal runs through the middle; off it nothing changes.
-    assert!(mean_at(&edges, 0.5, 0.5)[1] < mean_at(&plain, 0.5, 0.5)[1] - 10.0);
-    assert_eq!(mean_at(&edges, 0.4, 0.4), mean_at(&plain, 0.4, 0.4));
-    device.set_wireframe(false);
-    assert!(plain == draw(&mut device, &frame));
-}

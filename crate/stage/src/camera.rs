@@ -118,9 +118,77 @@ impl Shot {
     }
 }
 
+/// Steepest look from above or below, radians: straight down there is no upper edge.
+const STEEPEST_RAD: f64 = 1.5;
+
+/// A look from another side than a shot's, for those who look behind the scenes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct View {
+    /// How far around the figure, radians; positive to its left.
+    pub turn_rad: f64,
+    /// From how far above, radians.
+    pub tilt_rad: f64,
+    /// How many times nearer than the shot.
+    pub zoom: f64,
+    /// How far the middle of the picture is moved to the right, metres.
+    pub right_m: f64,
+    /// How far it is moved up, metres.
+    pub up_m: f64,
+}
+
+impl View {
+    /// The camera that looks this way at what `camera` looks at.
+    #[must_use]
+    pub fn of(&self, camera: &Camera) -> Camera {
+        let distance = (camera.eye_in_world - camera.target_in_world).length();
+        let (sin, cos) = ops::sincos(self.turn_rad);
+        let (rise, level) = ops::sincos(self.tilt_rad.clamp(-STEEPEST_RAD, STEEPEST_RAD));
+        let target_in_world =
+            camera.target_in_world + DVec3::new(cos * self.right_m, self.up_m, -sin * self.right_m);
+        let towards_eye = DVec3::new(sin * level, rise, cos * level);
+        Camera {
+            eye_in_world: target_in_world + towards_eye * (distance / self.zoom.clamp(0.25, 32.0)),
+            target_in_world,
+            ..*camera
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_view_goes_round_and_nearer_and_keeps_what_it_looks_at() {
+        let shot = Shot::Full.frame(DVec3::ZERO, 1.7, 1.6, Room::default());
+        let distance = (shot.eye_in_world - shot.target_in_world).length();
+        let view = View {
+            turn_rad: std::f64::consts::FRAC_PI_2,
+            tilt_rad: 0.0,
+            zoom: 2.0,
+            right_m: 0.0,
+            up_m: 0.3,
+        };
+        let seen = view.of(&shot);
+        let middle = shot.target_in_world + DVec3::Y * 0.3;
+        assert!((seen.target_in_world - middle).length() < 1e-12);
+        // From the figure's left, at half the distance.
+        let eye = middle + DVec3::X * (0.5 * distance);
+        assert!((seen.eye_in_world - eye).length() < 1e-9);
+        // Its right edge is then the figure's back.
+        let aside = View {
+            right_m: 0.2,
+            ..view
+        };
+        let moved = aside.of(&shot).target_in_world - middle;
+        assert!((moved - DVec3::NEG_Z * 0.2).length() < 1e-9);
+        let above = View {
+            tilt_rad: 9.0,
+            ..view
+        };
+        let from = above.of(&shot);
+        assert!((from.eye_in_world - from.target_in_world).y < 0.5 * distance);
+    }
 
     #[test]
     fn a_narrow_picture_stands_further_back() {

@@ -2,7 +2,10 @@
 
 use raconteur_base::DAffine3;
 
-use crate::{Camera, Lighting, Set};
+use crate::{Camera, Lighting, Set, Shown};
+
+/// Manipulators that a figure has: arms, legs and head (GEVH 3.3).
+const MANIPULATORS: usize = 5;
 
 /// All that is seen and heard at one time.
 #[derive(Clone, Debug)]
@@ -19,6 +22,11 @@ pub struct Frame {
     pub lighting: Lighting,
     /// Floor and backdrop.
     pub set: Set,
+    /// What of the figure is drawn.
+    pub shown: Shown,
+    /// World from the place and frame that each manipulator is sent to; drawn when
+    /// [`Shown::manipulators`] says so.
+    pub handles: Vec<DAffine3>,
     /// The utterance being spoken, if any.
     pub speech: Option<SpeechNow>,
 }
@@ -34,6 +42,8 @@ impl Frame {
             camera: Camera::default(),
             lighting: Lighting::default(),
             set: Set::default(),
+            shown: Shown::default(),
+            handles: Vec::with_capacity(MANIPULATORS),
             speech: None,
         }
     }

@@ -1,7 +1,7 @@
 //! Everything that is seen and heard at one time, as plain data.
 //!
 //! Does: the [`Frame`] that a renderer draws, the camera and its framing of the
-//! speaker, lights, floor and backdrop.
+//! speaker, lights, floor and backdrop, and what of the figure is drawn.
 //! Does not: know where a frame came from (`player`) or how it is drawn (`render`).
 //!
 //! Frames: right-handed, metres, radians; +x is the character's left, +y up, +z front.
@@ -10,8 +10,10 @@ pub mod camera;
 pub mod frame;
 pub mod light;
 pub mod set;
+pub mod shown;
 
-pub use camera::{Camera, Room, Shot};
+pub use camera::{Camera, Room, Shot, View};
 pub use frame::{Frame, SpeechNow};
 pub use light::{DirectedLight, Lighting};
 pub use set::Set;
+pub use shown::{Fill, Shown};

@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use raconteur_player::stage::Room;
+use raconteur_player::stage::{Room, View};
 use wasm_bindgen::prelude::*;
 
 use crate::player::{Player, plain, read};
@@ -34,9 +34,30 @@ impl Player {
             return Ok(JsValue::UNDEFINED);
         };
         let figure = Arc::clone(before.figure());
-        let (performer, story) = read(eml, bundle.as_deref(), figure, motion, WHOLE_REACH);
+        let (mut performer, story) = read(eml, bundle.as_deref(), figure, motion, WHOLE_REACH);
+        performer.set_view(self.view);
         self.performer = Some(performer);
         plain(&story)
+    }
+
+    /// Shows the whole figure from another side, in this text and those rehearsed later:
+    /// turned about it (radians, positive to its left) and from above (radians), so many
+    /// times nearer, the middle of the picture moved to the right and up (metres).
+    #[wasm_bindgen(js_name = setView)]
+    pub fn set_view(&mut self, turn: f64, tilt: f64, zoom: f64, right: f64, up: f64) {
+        self.view = [turn, tilt, zoom, right, up]
+            .iter()
+            .all(|n| n.is_finite())
+            .then_some(View {
+                turn_rad: turn,
+                tilt_rad: tilt,
+                zoom,
+                right_m: right,
+                up_m: up,
+            });
+        if let Some(performer) = &mut self.performer {
+            performer.set_view(self.view);
+        }
     }
 
     /// The moment shown last as numbers, in this order; `web/pages/pose.ts` reads them. World,

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use raconteur_player::body::Figure;
 use raconteur_player::body::figure::Image;
 use raconteur_player::body::read::read_figure;
-use raconteur_player::stage::Room;
+use raconteur_player::stage::{Room, View};
 use raconteur_player::{Options, Player as Performer, StoryInput};
 use raconteur_render::{Backend, CanvasTarget, Pace, Quality, RenderOptions, RenderStatus};
 use serde::Serialize;
@@ -41,6 +41,8 @@ pub struct Player {
     resting: bool,
     /// Width over height.
     pub(crate) aspect: f64,
+    /// From where a page looks that looks behind the scenes.
+    pub(crate) view: Option<View>,
     sized: bool,
 }
 
@@ -68,6 +70,7 @@ impl Player {
             pace,
             resting: true,
             aspect: 1.0,
+            view: None,
             sized: false,
         })
     }
@@ -83,7 +86,8 @@ impl Player {
         motion: f64,
     ) -> Result<JsValue, JsError> {
         let figure = Arc::new(read_figure(figure, glb)?);
-        let (performer, story) = read(eml, bundle.as_deref(), figure, motion, Room::default());
+        let (mut performer, story) = read(eml, bundle.as_deref(), figure, motion, Room::default());
+        performer.set_view(self.view);
         if let Some(picture) = &mut self.picture {
             picture.set_figure(performer.figure())?;
         }

@@ -1,0 +1,122 @@
+//! body-configure-geometry: every attribute changes what the frame shows, at its time.
+
+use std::sync::Arc;
+
+use raconteur_player::body::{Figure, Skeleton};
+use raconteur_player::stage::{Fill, Shown};
+use raconteur_player::{Loaded, Options, Player, StoryInput};
+
+/// Whoever has a skeleton can be asked what is shown of them.
+fn perform(clauses: &str) -> Player {
+    let figure = Figure {
+        name: "example".to_owned(),
+        skeleton: Skeleton::example(),
+        inverse_bind: Vec::new(),
+        meshes: Vec::new(),
+        morph_names: Vec::new(),
+        lid_closure_rad: [0.0; 2],
+        images: Vec::new(),
+    };
+    let Loaded {
+        player,
+        diagnostics,
+    } = Player::load(StoryInput {
+        eml: &format!("<eml><body>{clauses}<null time='10'/></body></eml>"),
+        bundle: None,
+        figure: Arc::new(figure),
+        options: Options::default(),
+    });
+    assert_eq!(diagnostics, []);
+    player
+}
+
+fn shown(player: &mut Player, time_secs: f64) -> Shown {
+    player.frame(time_secs, 1.6).shown
+}
+
+#[test]
+fn every_attribute_switches_from_its_time_on() {
+    type Expected = fn(&mut Shown);
+    let cases: [(&str, Expected); 10] = [
+        ("fillMode='wireframe'", |s| s.fill = Fill::Wireframe),
+        ("fillMode='point'", |s| s.fill = Fill::Points),
+        ("visibleMeshes='bones'", |s| {
+            s.body = false;
+            s.bones = true;
+        }),
+        ("visibleMeshes='both'", |s| s.bones = true),
+        ("visibleMeshes='body'", |_| {}),
+        ("areFramesVisible='true'", |s| s.frames = true),
+        ("areHierarchyCentersVisible='true'", |s| s.centers = true),
+        ("areMaterialsActive='false'", |s| s.materials = false),
+        ("areTexturesActive='false'", |s| s.textures = false),
+        ("areManipulatorsVisible='true'", |s| s.manipulators = true),
+    ];
+    for (attribute, change) in cases {
+        let mut player = perform(&format!("<body-configure-geometry time='2' {attribute}/>"));
+        let mut expected = Shown::default();
+        assert_eq!(shown(&mut player, 1.999), expected, "before {attribute}");
+        change(&mut expected);
+        assert_eq!(shown(&mut player, 2.0), expected, "{attribute}");
+        assert_eq!(shown(&mut player, 9.0), expected, "after {attribute}");
+        assert_eq!(shown(&mut player, 0.0), Shown::default(), "sought back");
+    }
+}
+
+#[test]
+fn what_is_left_out_stays_and_what_is_said_again_changes_back() {
+    let mut player = perform(
+        "<body-configure-geometry time='1' fillMode='point' areFramesVisible='true'/>\
+         <body-configure-geometry time='2' visibleMeshes='both'/>\
+         <body-configure-geometry time='3' fillMode='solid'/>",
+    );
+    let both = Shown {
+        fill: Fill::Points,
+        frames: true,
+        bones: true,
+        ..Shown::default()
+    };
+    assert_eq!(shown(&mut player, 2.5), both);
+    let solid = Shown {
+        fill: Fill::Solid,
+        ..both
+    };
+    assert_eq!(shown(&mut player, 3.5), solid);
+}
+
+#[test]
+fn live_clauses_switch_it_for_good() {
+    let mut player = perform("<body-configure-geometry time='6' areFramesVisible='true'/>");
+    player.set_open_ended(true);
+    let fragment = "<body-configure-geometry time='0' areTexturesActive='false'/>";
+    assert_eq!(player.perform(1, fragment, 3.0).diagnostics, []);
+    assert!(shown(&mut player, 2.9).textures);
+    assert!(!shown(&mut player, 3.0).textures);
+    let later = shown(&mut player, 7.0);
+    assert!(!later.textures && later.frames);
+    // However many come, the first ones keep their effect.
+    for i in 0..300 {
+        let now_secs = 10.0 + f64::from(i);
+        let on = i % 2 == 0;
+        let fragment = format!("<body-configure-geometry time='0' areFramesVisible='{on}'/>");
+        assert_eq!(player.perform(1, &fragment, now_secs).diagnostics, []);
+    }
+    let last = shown(&mut player, 400.0);
+    assert!(!last.textures && !last.frames);
+    assert!(shown(&mut player, 308.5).frames);
+}
+
+#[test]
+fn handles_tell_where_the_hands_are_sent() {
+    let mut player = perform(
+        "<gesture-key time='3' duration='1'><motion><key x='0' y='20' z='-14'/></motion></gesture-key>",
+    );
+    let wanted: Vec<_> = player
+        .manipulators(3.5)
+        .iter()
+        .map(|m| m.target_in_world)
+        .collect();
+    let handles = &player.frame(3.5, 1.6).handles;
+    let told: Vec<_> = handles.iter().map(|h| h.translation).collect();
+    assert_eq!(told, wanted);
+}
