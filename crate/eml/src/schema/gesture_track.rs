@@ -2,6 +2,7 @@
 
 use super::values::KeyTime;
 use super::{Attribute, Context, Element, Fields, Kind};
+use crate::decimal::shortest;
 use crate::{Diagnostic, Handedness, Interpolator, Key, Profile, Space, Span, Track};
 use raconteur_base::Side;
 
@@ -87,7 +88,9 @@ pub(super) fn read<'t, K>(
         });
         if let Some(secs) = secs.filter(|&s| s > duration_secs) {
             let message = format!(
-                "the key at {secs} s lies after the end of the gesture at {duration_secs} s"
+                "the key at {} s lies after the end of the gesture at {} s",
+                shortest(secs),
+                shortest(duration_secs)
             );
             let span = fields.span_of("time");
             cx.sink
