@@ -1,4 +1,4 @@
-//! Decimal numbers, read without the standard library's tables.
+//! Decimal numbers, read and written without the standard library's tables.
 //!
 //! `str::parse::<f64>` brings 10 KB of powers of ten that do not compress into every
 //! page. Up to 19 digits and 37 places either way, the result here is the same to the bit;
@@ -157,9 +157,117 @@ fn scaled(whole: u64, exponent: i32) -> f64 {
     value
 }
 
+/// Places behind the point that are ever written.
+const MOST_WRITTEN: usize = 19;
+
+/// `value` with so many places (at most 19) behind the point, rounded once, halves to even;
+/// as `format!("{value:.places$}")` writes it, without the standard library's tables. Numbers
+/// beyond ±2⁶³ are written as ±2⁶³.
+#[must_use]
+pub fn fixed(value: f64, places: usize) -> String {
+    let sign = if value.is_sign_negative() { "-" } else { "" };
+    if !value.is_finite() {
+        return if value.is_nan() {
+            "NaN".to_owned()
+        } else {
+            [sign, "inf"].concat()
+        };
+    }
+    let places = places.min(MOST_WRITTEN);
+    let bits = value.abs().min(9_223_372_036_854_775_808.0).to_bits();
+    let mantissa = bits & ((1 << 52) - 1) | u64::from(bits >> 52 > 0) << 52;
+    // The value is the mantissa times two to this power.
+    let power = (bits >> 52).max(1) as i32 - 1075;
+    let ten = 10_u128.pow(places as u32);
+    let (whole, part) = if power >= 0 {
+        (mantissa << power, 0)
+    } else {
+        let shift = power.unsigned_abs();
+        let scaled = u128::from(mantissa) * ten;
+        let halves = scaled.checked_shr(shift - 1).unwrap_or(0);
+        let below = scaled.trailing_zeros() < shift - 1;
+        let up = halves & 1 == 1 && (below || halves & 2 == 2);
+        let rounded = (halves >> 1) + u128::from(up);
+        ((rounded / ten) as u64, (rounded % ten) as u64)
+    };
+    if places == 0 {
+        format!("{sign}{whole}")
+    } else {
+        format!("{sign}{whole}.{part:0places$}")
+    }
+}
+
+/// `value` with as few places as tell it from every other number, as `format!("{value}")`
+/// writes it: exactly so from 1e-3 to 1e9. Beyond, of two texts as near the even one is
+/// taken, all digits of whole numbers are written, and small ones end at the nineteenth place.
+#[must_use]
+pub fn shortest(value: f64) -> String {
+    for places in 0..MOST_WRITTEN {
+        let text = fixed(value, places);
+        if parse(&text) == Some(value) {
+            return text;
+        }
+    }
+    fixed(value, MOST_WRITTEN)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn writes_as_the_standard_library_does() {
+        let mut state = 1_u64;
+        let mut next = || {
+            state = state
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
+            state >> 11
+        };
+        let check = |value: f64| {
+            for places in [0, 1, 2, 7, 19] {
+                assert_eq!(fixed(value, places), format!("{value:.places$}"), "{value}");
+            }
+        };
+        for _ in 0..20_000 {
+            // Quarters and eighths are halves at some place.
+            let value = match next() % 4 {
+                0 => (next() % 100_000) as f64 / 8.0,
+                1 => (next() % 100_000) as f64 / 1000.0,
+                2 => next() as f64,
+                _ => f64::from_bits(next() << 10),
+            };
+            if value.abs() < 9e18 {
+                check(value);
+                check(-value);
+            }
+            if value == 0.0 || (1e-3..1e9).contains(&value) {
+                assert_eq!(shortest(value), value.to_string());
+                assert_eq!(shortest(-value), (-value).to_string());
+            }
+        }
+        for value in [
+            0.0,
+            0.005,
+            0.5,
+            1.5,
+            2.5,
+            0.25,
+            1e-19,
+            5e-20,
+            4e-20,
+            f64::MIN_POSITIVE,
+            5e-324,
+        ] {
+            check(value);
+            check(-value);
+        }
+        for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            assert_eq!(fixed(value, 2), format!("{value:.2}"));
+            assert_eq!(shortest(value), format!("{value}"));
+        }
+        assert_eq!(fixed(-1e300, 1), "-9223372036854775808.0");
+    }
 
     #[test]
     fn agrees_with_the_standard_library_to_the_bit() {

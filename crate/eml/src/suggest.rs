@@ -54,10 +54,16 @@ pub(crate) fn quoted(name: &str) -> String {
         Some((cut, _)) => (&name[..cut], "…"),
         None => (name, ""),
     };
-    if shown.contains(char::is_control) {
-        return format!("`{}{more}`", shown.escape_debug());
+    let mut quoted = String::from("`");
+    for c in shown.chars() {
+        // Names of characters by the standard library would bring tables of all of them.
+        if c.is_control() {
+            quoted.extend(c.escape_default());
+        } else {
+            quoted.push(c);
+        }
     }
-    format!("`{shown}{more}`")
+    quoted + more + "`"
 }
 
 #[cfg(test)]

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use raconteur_actor::gesture::{ArmPlan, Course, Phase as ArmPhase, Space as CourseSpace};
 use raconteur_actor::{GestureStroke, HandKey, Span as TimeSpan, palm};
+use raconteur_base::decimal::fixed;
 use raconteur_base::profile::Profile as Pace;
 use raconteur_base::{DVec3, Side, mirror_vector};
 use raconteur_body::hand_shape::HandAngles;
@@ -297,8 +298,8 @@ pub(crate) fn out_of_reach(document: &Document, units: &Units, reach: &Reach) ->
                             "player::out-of-reach",
                             key.span,
                             format!(
-                                "this place is {:.0} cm beyond the reach of the {} arm",
-                                beyond * 100.0,
+                                "this place is {} cm beyond the reach of the {} arm",
+                                fixed(beyond * 100.0, 0),
                                 if side == Side::Left { "left" } else { "right" },
                             ),
                         )

@@ -7,6 +7,7 @@ use raconteur_actor::ManipulatorScript;
 use raconteur_actor::manipulator::path::rotation_from;
 use raconteur_actor::manipulator::{Command, Frame, Limb, Motion, Move, Pace, Path, Place, Shape};
 use raconteur_base::DVec3;
+use raconteur_base::decimal::fixed;
 use raconteur_eml::{
     ArgValue, ClauseKind, Diagnostic, Document, FunctionArgs, Manipulator, Span, Target, Timeline,
 };
@@ -387,8 +388,8 @@ fn out_of_reach(limb: Limb, motion: &Motion, span: Span, reach: &Reach) -> Optio
             "player::out-of-reach",
             span,
             format!(
-                "this place is {:.0} cm beyond the reach of the {side} {name}",
-                beyond * 100.0
+                "this place is {} cm beyond the reach of the {side} {name}",
+                fixed(beyond * 100.0, 0)
             ),
         )
         .hint("it goes as far towards it as it can")

@@ -1,5 +1,6 @@
 //! The speech bundle, version 1: `voice/speech.json` beside its audio files.
 
+use raconteur_base::decimal::shortest;
 use raconteur_base::json::{Fault, Json};
 use serde::Serialize;
 
@@ -233,7 +234,11 @@ impl Utterance {
                 // Written so that a NaN fails as well; 1 ms forgives rounding.
                 let fine = start >= last - 1e-3 && end >= start && end <= self.duration_secs + 1e-3;
                 if !fine {
-                    return Err(format!("{name} at {start} to {end} s are out of order"));
+                    return Err(format!(
+                        "{name} at {} to {} s are out of order",
+                        shortest(start),
+                        shortest(end)
+                    ));
                 }
                 last = end;
             }
@@ -265,7 +270,10 @@ impl Utterance {
                     .all(|c| c.is_ascii_alphanumeric() || "._-".contains(c))
         };
         match self.audio.iter().find(|a| !plain(&a.file)) {
-            Some(bad) => Err(format!("{:?} is not a plain file name", bad.file)),
+            Some(bad) => Err(format!(
+                "\"{}\" is not a plain file name",
+                bad.file.escape_default()
+            )),
             None => Ok(()),
         }
     }

@@ -2,6 +2,8 @@
 
 use core::fmt::Write as _;
 
+use raconteur_base::decimal::fixed;
+
 /// One stretch of an utterance.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Segment {
@@ -44,7 +46,7 @@ impl Content {
                     if (emphasis - 1.0).abs() < 1e-9 {
                         let _ = write!(out, "{words} ");
                     } else {
-                        let _ = write!(out, "[{emphasis:.2}|{words}] ");
+                        let _ = write!(out, "[{}|{words}] ", fixed(*emphasis, 2));
                     }
                 }
                 Segment::Break { msec } => {

@@ -2,6 +2,7 @@
 
 use super::values::KeyTime;
 use super::{Attribute, Context, Element, Fields, Kind};
+use crate::decimal::shortest;
 use crate::{Diagnostic, Handedness, Interpolator, Key, Profile, Space, Track};
 use raconteur_base::Side;
 
@@ -140,8 +141,11 @@ fn key_secs(
         None => return Ok(None),
     };
     if secs > duration_secs {
-        let message =
-            format!("the key at {secs} s lies after the end of the gesture at {duration_secs} s");
+        let message = format!(
+            "the key at {} s lies after the end of the gesture at {} s",
+            shortest(secs),
+            shortest(duration_secs)
+        );
         let span = fields.span_of("time");
         cx.sink
             .push(Diagnostic::warning("eml::late-key", span, message));

@@ -2,6 +2,7 @@
 
 use super::gesture_track::{self, CONTROLS, HAND, INTERPOLATION, KEY_TIME, PARENTS};
 use super::{Attribute, Content, Context, Element};
+use crate::decimal::shortest;
 use crate::{Diagnostic, ShapeKey, Track};
 
 /// The highest number of a Portuguese Sign Language hand shape.
@@ -58,7 +59,10 @@ pub(super) fn track(cx: &mut Context<'_>, node: usize, duration: f64) -> Option<
     gesture_track::read(cx, node, &ELEMENT, &fields, duration, |cx, fields| {
         let id = cx.number(fields, "id")?;
         if id > LAST_SHAPE as f64 {
-            let message = format!("there is no hand shape {id}; the key is dropped");
+            let message = format!(
+                "there is no hand shape {}; the key is dropped",
+                shortest(id)
+            );
             cx.sink.push(
                 Diagnostic::error("eml::unknown-hand-shape", fields.span_of("id"), message)
                     .hint("hand shapes are numbered from 0 to 60"),

@@ -4,6 +4,7 @@
 use super::attribute::MAX_NUMBER;
 use super::context::list;
 use super::{Attribute, Context, Fields, Kind, Presence};
+use crate::decimal::shortest;
 use crate::record::Value;
 use crate::suggest::{nearest, quoted};
 use crate::time_expr::{self, Problem};
@@ -311,11 +312,11 @@ fn in_range(value: f64, least: f64, most: f64, text: &str) -> Result<f64, Proble
         return Ok(value);
     }
     let wanted = if most < MAX_NUMBER {
-        format!("{least} to {most}")
+        format!("{} to {}", shortest(least), shortest(most))
     } else if value < least {
-        format!("at least {least}")
+        format!("at least {}", shortest(least))
     } else {
-        format!("at most {most}")
+        format!("at most {}", shortest(most))
     };
     Err(unexpected("eml::out-of-range", text, &wanted))
 }

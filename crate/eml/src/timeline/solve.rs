@@ -5,6 +5,7 @@
 //! and meeting an unknown that is being worked on is a cycle.
 
 use super::names::{Found, Names};
+use crate::decimal::fixed;
 use crate::diagnostic::Sink;
 use crate::suggest::{nearest, quoted};
 use crate::work::step;
@@ -276,7 +277,10 @@ impl Solver<'_, '_> {
                 ));
             }
         } else if secs.abs() > LATEST_SECS {
-            let message = format!("the time comes to {secs:e} s; the clause is left out");
+            let message = format!(
+                "the time comes to {} s; the clause is left out",
+                fixed(secs, 0)
+            );
             self.sink.push(Diagnostic::error(
                 "eml::bad-time",
                 clause.start.span,

@@ -61,9 +61,6 @@ impl Check {
     }
 
     fn meet(&mut self, value: f64, part: Bone, at_secs: f64) {
-        if std::env::var_os("DBG").is_some() && value > self.limit {
-            eprintln!("V {} {:.2} {value:.1} {}", self.name, at_secs, part.name());
-        }
         if value > self.worst || value.is_nan() {
             (self.worst, self.part, self.at_secs) = (value, part.name(), at_secs);
         }
