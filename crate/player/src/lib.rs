@@ -13,15 +13,18 @@ mod event;
 mod gestures;
 mod layers;
 pub mod live;
+mod music;
 mod part;
 mod performer;
 mod script;
 mod units;
 mod unperformed;
+mod views;
 mod voice;
 
 pub use cues::{ClauseRef, Cue, CueKind, UtteranceCue, WordCue};
 pub use event::{Accepted, Event};
+pub use music::MusicCue;
 pub use performer::{Loaded, Manipulator, Options, Player, StoryInput};
 pub use raconteur_base as base;
 pub use raconteur_body as body;

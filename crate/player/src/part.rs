@@ -7,9 +7,11 @@ use raconteur_speech::{Phone, Word};
 
 use crate::cues::{self, Cue, UtteranceCue};
 use crate::gestures;
+use crate::music::{self, MusicClause};
 use crate::performer::Options;
 use crate::script::Script;
 use crate::units::Units;
+use crate::views::{self, ShotCue};
 
 /// How strongly the actor marks an emphasised word, 0..1. Designed.
 const EMPHASIS_ACCENT: f64 = 1.0;
@@ -21,6 +23,10 @@ pub(crate) struct Part {
     /// When gestures are turned on and off, by time.
     switches: Vec<(f64, bool)>,
     speech: Vec<SpokenUtterance>,
+    /// Shots of the camera, by time.
+    pub(crate) shots: Vec<ShotCue>,
+    /// Music, by time.
+    pub(crate) music: Vec<MusicClause>,
     /// What is said, by time.
     pub(crate) utterances: Vec<UtteranceCue>,
     /// What listeners are told, by time.
@@ -42,6 +48,8 @@ impl Part {
             strokes: Side::BOTH.map(|side| gestures::strokes(document, timeline, side, units)),
             switches: gestures::switches(document, timeline),
             speech: utterances.iter().map(|u| spoken(script, u)).collect(),
+            shots: views::shots(script),
+            music: music::clauses(script),
             cues: cues::cues(script, &utterances, first_utterance, fragment),
             utterances,
         }

@@ -16,9 +16,11 @@ use crate::event::Event;
 use crate::gestures::{self, Reach};
 use crate::layers::Layers;
 use crate::live::{self, Live, Performed, Scene};
+use crate::music::{self, MusicClause, MusicCue};
 use crate::part::{self, Part};
 use crate::script::Script;
 use crate::units::Units;
+use crate::views::Views;
 
 /// How a story is performed.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,7 +29,7 @@ pub struct Options {
     pub seed: u64,
     /// Idle life, from 0 (still) to 1.
     pub motion_amount: f64,
-    /// How much of the speaker is in the picture.
+    /// How much of the speaker is in the picture until the script says otherwise.
     pub shot: Shot,
 }
 
@@ -85,6 +87,7 @@ pub struct Player {
     story: Part,
     live: Live,
     layers: Layers,
+    views: Views,
     /// Cues up to this time are passed.
     passed_secs: f64,
     /// Cues up to this time are told.
@@ -130,6 +133,7 @@ impl Player {
         );
         let morphs = figure.morph_names.len();
         let player = Self {
+            views: Views::new(input.options.shot, story.shots.iter()),
             face: FaceRig::new(&figure),
             units,
             reach,
@@ -208,6 +212,18 @@ impl Player {
         &self.story.cues
     }
 
+    /// The music under the story and under what joined it, by time.
+    #[must_use]
+    pub fn music(&self) -> Vec<MusicCue> {
+        let parts = [&self.story].into_iter().chain(self.live.parts());
+        let mut clauses: Vec<MusicClause> = parts
+            .clone()
+            .flat_map(|p| p.music.iter().cloned())
+            .collect();
+        sort_by_number(&mut clauses, |c| c.start_secs);
+        music::cues(&clauses, parts.flat_map(|p| &p.utterances))
+    }
+
     /// Performs EML that comes while the story plays (GEVH 3.6): a list of clauses or a whole
     /// script. Plain times count from `now_secs` (story time), names are those of the
     /// fragment, of earlier ones and of the script. `mind` tells senders apart, each of which
@@ -242,6 +258,8 @@ impl Player {
         if !performed.clauses.is_empty() {
             let parts = [&self.story].into_iter().chain(self.live.parts());
             let held = self.layers.last_room();
+            let shots = parts.clone().flat_map(|p| &p.shots);
+            self.views = Views::new(self.options.shot, shots);
             let (actor, room) = rehearse(&self.figure, &self.options, held, parts);
             self.layers.change(base_secs, actor, room);
         }
@@ -304,9 +322,9 @@ impl Player {
     fn camera(&self, aspect: f64) -> Camera {
         let stature_m = self.figure.skeleton.stature_m();
         let room = self.layers.room_at(self.frame.time_secs);
-        self.options
-            .shot
-            .frame(DVec3::ZERO, stature_m, aspect, room)
+        self.views.camera(self.frame.time_secs, |shot| {
+            shot.frame(DVec3::ZERO, stature_m, aspect, room)
+        })
     }
 
     /// The order of evaluation: time, body and face, joints, sound.

@@ -52,6 +52,8 @@ impl Found {
             ClauseKind::GestureKey(gesture) => self.gesture(gesture, clause.tag_span),
             ClauseKind::GestureIsOn(_)
             | ClauseKind::Event { .. }
+            | ClauseKind::Camera(_)
+            | ClauseKind::Music(_)
             | ClauseKind::Null
             | ClauseKind::Seq(_)
             | ClauseKind::Par(_) => {}
