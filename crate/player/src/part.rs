@@ -14,9 +14,11 @@ use crate::cues::{self, Cue, UtteranceCue};
 use crate::geometry::{self, Switch};
 use crate::gestures;
 use crate::manipulators;
+use crate::music::{self, MusicClause};
 use crate::performer::Options;
 use crate::script::Script;
 use crate::units::Units;
+use crate::views::{self, ShotCue};
 
 /// How strongly the actor marks an emphasised word, 0..1. Designed.
 const EMPHASIS_ACCENT: f64 = 1.0;
@@ -34,6 +36,10 @@ pub(crate) struct Part {
     /// What of the figure is drawn, by time.
     pub(crate) geometry: Vec<Switch>,
     speech: Vec<SpokenUtterance>,
+    /// Shots of the camera, by time.
+    pub(crate) shots: Vec<ShotCue>,
+    /// Music, by time.
+    pub(crate) music: Vec<MusicClause>,
     /// What is said, by time.
     pub(crate) utterances: Vec<UtteranceCue>,
     /// What listeners are told, by time.
@@ -58,6 +64,8 @@ impl Part {
             players: animations::commands(document, timeline).0,
             geometry: geometry::switches(document, timeline),
             speech: utterances.iter().map(|u| spoken(script, u)).collect(),
+            shots: views::shots(script),
+            music: music::clauses(script),
             cues: cues::cues(script, &utterances, first_utterance, fragment),
             utterances,
         }

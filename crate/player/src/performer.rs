@@ -19,9 +19,11 @@ use crate::gestures::{self, Reach};
 use crate::layers::Layers;
 use crate::live::{self, Live, Performed, Scene};
 use crate::manipulators;
+use crate::music::{self, MusicClause, MusicCue};
 use crate::part::{self, Part};
 use crate::script::Script;
 use crate::units::Units;
+use crate::views::Views;
 
 /// How a story is performed.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -30,7 +32,7 @@ pub struct Options {
     pub seed: u64,
     /// Idle life, from 0 (still) to 1.
     pub motion_amount: f64,
-    /// How much of the speaker is in the picture.
+    /// How much of the speaker is in the picture until the script says otherwise.
     pub shot: Shot,
     /// No less room than this is kept for gestures, however small the script's own are:
     /// while one edits a script the picture stands still.
@@ -96,6 +98,7 @@ pub struct Player {
     layers: Layers,
     geometry: Geometry,
     view: Option<View>,
+    views: Views,
     /// Cues up to this time are passed.
     passed_secs: f64,
     /// Cues up to this time are told.
@@ -144,6 +147,7 @@ impl Player {
         geometry.retell(&story.geometry);
         let morphs = figure.morph_names.len();
         let player = Self {
+            views: Views::new(input.options.shot, story.shots.iter()),
             face: FaceRig::new(&figure),
             units,
             reach,
@@ -237,6 +241,18 @@ impl Player {
         &self.story.cues
     }
 
+    /// The music under the story and under what joined it, by time.
+    #[must_use]
+    pub fn music(&self) -> Vec<MusicCue> {
+        let parts = [&self.story].into_iter().chain(self.live.parts());
+        let mut clauses: Vec<MusicClause> = parts
+            .clone()
+            .flat_map(|p| p.music.iter().cloned())
+            .collect();
+        sort_by_number(&mut clauses, |c| c.start_secs);
+        music::cues(&clauses, parts.flat_map(|p| &p.utterances))
+    }
+
     /// Performs EML that comes while the story plays (GEVH 3.6): a list of clauses or a whole
     /// script. Plain times count from `now_secs` (story time), names are those of the
     /// fragment, of earlier ones and of the script. `mind` tells senders apart, each of which
@@ -271,6 +287,9 @@ impl Player {
         };
         let performed = self.live.admit(mind, fragment, now_secs, base_secs, &scene);
         if !performed.clauses.is_empty() {
+            let parts = [&self.story].into_iter().chain(self.live.parts());
+            let shots = parts.flat_map(|p| &p.shots);
+            self.views = Views::new(self.options.shot, shots);
             let (actor, room) = self.rehearse_all(self.layers.last_room());
             self.layers.change(base_secs, actor, room);
             if let Some(fragment) = self.live.parts().last() {
@@ -415,9 +434,11 @@ impl Player {
     fn camera(&self, aspect: f64) -> Camera {
         let stature_m = self.figure.skeleton.stature_m();
         let room = self.layers.room_at(self.frame.time_secs);
-        let shot = self.view.map_or(self.options.shot, |_| Shot::Full);
-        let camera = shot.frame(DVec3::ZERO, stature_m, aspect, room);
-        self.view.map_or(camera, |view| view.of(&camera))
+        let frame = |shot: Shot| shot.frame(DVec3::ZERO, stature_m, aspect, room);
+        match self.view {
+            Some(view) => view.of(&frame(Shot::Full)),
+            None => self.views.camera(self.frame.time_secs, frame),
+        }
     }
 
     /// The order of evaluation: time, body and face, joints, sound, what is drawn.

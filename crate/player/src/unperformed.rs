@@ -68,6 +68,8 @@ impl Found {
             | ClauseKind::Jacobian(_)
             | ClauseKind::ManipulatorStop(_)
             | ClauseKind::ManipulatorLock(_)
+            | ClauseKind::Camera(_)
+            | ClauseKind::Music(_)
             | ClauseKind::Null
             | ClauseKind::Seq(_)
             | ClauseKind::Par(_) => {}

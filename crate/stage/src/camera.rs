@@ -1,6 +1,6 @@
 //! The camera, and shots that frame the speaker.
 
-use raconteur_base::{DVec3, ops};
+use raconteur_base::{DQuat, DVec3, ops};
 
 /// A pinhole camera.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,15 +29,44 @@ impl Default for Camera {
     }
 }
 
+impl Camera {
+    /// The camera a share `s` of the way to another, 0..1.
+    #[must_use]
+    pub fn towards(self, to: &Self, s: f64) -> Self {
+        Self {
+            eye_in_world: self.eye_in_world.lerp(to.eye_in_world, s),
+            target_in_world: self.target_in_world.lerp(to.target_in_world, s),
+            ..self
+        }
+    }
+
+    /// The camera turned about its target, upwards by `elevation_rad`; it stays above the
+    /// floor, y = 0.
+    #[must_use]
+    pub fn raised(mut self, elevation_rad: f64) -> Self {
+        let arm = self.eye_in_world - self.target_in_world;
+        let eye = self.target_in_world + DQuat::from_rotation_x(-elevation_rad) * arm;
+        self.eye_in_world = eye.with_y(eye.y.max(LOWEST_EYE_M));
+        self
+    }
+}
+
+/// A lens lower than this would look along the floor; metres. Designed.
+const LOWEST_EYE_M: f64 = 0.12;
+
 /// How much of the speaker is in the picture; film terms.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shot {
+    /// The figure, small, in the room around it.
+    Long,
     /// Head to feet.
     Full,
     /// Head to mid thigh; gestures stay in the picture.
     Medium,
     /// Head and shoulders.
     Close,
+    /// Brow to mouth.
+    ExtremeClose,
 }
 
 /// Room that gestures need in the picture, beyond what the shot holds anyway. Close shots
@@ -50,6 +79,13 @@ pub struct Room {
     pub half_width_m: f64,
 }
 
+/// How far to a side a figure is expected to go, metres; within it the gestures stay in the
+/// picture. Designed.
+const STAGE_HALF_WIDTH_M: f64 = 1.2;
+/// How much of a figure's way to and from the camera the camera follows: it grows when it
+/// comes near, but keeps its head. Designed.
+const FOLLOWED_DEPTH: f64 = 0.7;
+
 /// What must be in the picture, as shares of stature from the floor, and half the
 /// width that gestures need.
 struct Extent {
@@ -61,6 +97,11 @@ struct Extent {
 impl Shot {
     fn extent(self) -> Extent {
         match self {
+            Self::Long => Extent {
+                bottom: -0.30,
+                top: 1.50,
+                half_width: 0.80,
+            },
             Self::Full => Extent {
                 bottom: -0.03,
                 top: 1.08,
@@ -76,16 +117,23 @@ impl Shot {
                 top: 1.05,
                 half_width: 0.15,
             },
+            Self::ExtremeClose => Extent {
+                bottom: 0.86,
+                top: 1.01,
+                half_width: 0.08,
+            },
         }
     }
 
     /// The camera that holds this shot of a figure of the given stature standing at
     /// `feet_in_world` and facing +z, in a picture of `aspect` (width over height).
     /// A tall picture moves back until the width fits; any picture, until the gestures do.
+    /// It follows a figure that leaves the origin only as far as it must, so that one sees
+    /// it go.
     #[must_use]
     pub fn frame(self, feet_in_world: DVec3, stature_m: f64, aspect: f64, room: Room) -> Camera {
         let mut extent = self.extent();
-        if self != Self::Close {
+        if matches!(self, Self::Full | Self::Medium) {
             // Even a hand stretched straight up is within 1.35 of stature.
             extent.top = extent.top.max(room.top_m / stature_m).min(1.35);
             extent.half_width = extent
@@ -106,7 +154,9 @@ impl Shot {
         let spare = distance * tangent - half_height;
         let below = (extent.bottom - Self::Full.extent().bottom).max(0.0) * stature_m;
         let height = 0.5 * (extent.top + extent.bottom) * stature_m - spare.min(0.5 * below);
-        let middle = feet_in_world + DVec3::Y * height;
+        let play = distance * tangent * aspect - half_width;
+        let across = 1.0 - (play / STAGE_HALF_WIDTH_M).min(1.0);
+        let middle = feet_in_world * DVec3::new(across, 1.0, FOLLOWED_DEPTH) + DVec3::Y * height;
         // The lens stands at chest to eye height and looks slightly down or up as needed.
         let eye_height = feet_in_world.y + (0.80 * stature_m).max(middle.y - feet_in_world.y);
         Camera {
@@ -221,8 +271,37 @@ mod tests {
     }
 
     #[test]
+    fn a_figure_that_goes_to_the_edge_of_the_stage_stays_in_the_picture() {
+        for shot in [Shot::Long, Shot::Full, Shot::Medium, Shot::Close] {
+            for aspect in [0.46, 1.0, 1.78] {
+                let feet = DVec3::new(STAGE_HALF_WIDTH_M, 0.0, 0.5);
+                let c = shot.frame(feet, 1.66, aspect, Room::default());
+                let crown = feet + DVec3::new(0.09, 1.66, 0.0) - c.eye_in_world;
+                let forward = (c.target_in_world - c.eye_in_world).normalize();
+                let up = (DVec3::Y - forward * forward.y).normalize();
+                let limit = ops::tan(c.fov_y_rad / 2.0) * crown.dot(forward);
+                assert!(crown.x < limit * aspect, "{shot:?} {aspect}");
+                assert!(crown.dot(up) < limit, "{shot:?} {aspect}");
+                // It is seen to have gone.
+                assert!(crown.x > 0.05 * limit * aspect, "{shot:?} {aspect}");
+            }
+        }
+    }
+
+    #[test]
+    fn angles_look_down_and_up_from_above_the_floor() {
+        for shot in [Shot::Long, Shot::Full, Shot::Medium, Shot::Close] {
+            let level = shot.frame(DVec3::ZERO, 1.66, 1.78, Room::default());
+            let (high, low) = (level.raised(0.35), level.raised(-0.25));
+            assert!(high.eye_in_world.y > level.eye_in_world.y + 0.1);
+            assert!(low.eye_in_world.y < level.eye_in_world.y - 0.1);
+            assert!(low.eye_in_world.y >= LOWEST_EYE_M);
+        }
+    }
+
+    #[test]
     fn the_crown_and_the_gesture_space_are_in_the_picture() {
-        for shot in [Shot::Full, Shot::Medium, Shot::Close] {
+        for shot in [Shot::Long, Shot::Full, Shot::Medium, Shot::Close] {
             for aspect in [0.46, 1.0, 1.78] {
                 let c = shot.frame(DVec3::ZERO, 1.66, aspect, Room::default());
                 let forward = (c.target_in_world - c.eye_in_world).normalize();
