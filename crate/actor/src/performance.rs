@@ -9,7 +9,7 @@ use crate::animation::{Animated, Library, PlayerScript, Players};
 use crate::arm_ik::{ArmGoal, ArmRig, ArmSolution};
 use crate::face::{Expression, FaceRig};
 use crate::gesture::contact::{Contact, PlacedHand};
-use crate::gesture::{ArmPlan, ArmScript, BodySpace, HandTarget};
+use crate::gesture::{ArmPlan, ArmScript, BodySpace, HandTarget, TrunkShape};
 use crate::idle::blink::Blinks;
 use crate::idle::gaze::{Gaze, HEAD_SHARE, angles_of, eye_towards};
 use crate::idle::stance::Stance;
@@ -73,6 +73,8 @@ pub struct Performance {
     pub motion_amount: f64,
     /// Whom the figure speaks to, world, metres: usually the camera.
     pub listener_in_world: DVec3,
+    /// What of its body hands keep out of; without this, an average build.
+    pub trunk: Option<TrunkShape>,
 }
 
 impl Default for Performance {
@@ -87,6 +89,7 @@ impl Default for Performance {
             seed: 0,
             motion_amount: 1.0,
             listener_in_world: DVec3::new(0.0, 1.6, 2.5),
+            trunk: None,
         }
     }
 }
@@ -150,11 +153,13 @@ impl Actor {
         } else {
             1.0
         };
+        let space = BodySpace::new(skeleton, performance.trunk);
         let mut actor = Self {
             plans: Side::BOTH.map(|side| {
                 ArmPlan::new(
                     &performance.arms[side.index()],
                     skeleton,
+                    &space,
                     side,
                     seed,
                     amount,
@@ -162,8 +167,8 @@ impl Actor {
             }),
             rigs: Side::BOTH.map(|side| ArmRig::new(skeleton, side)),
             manipulators: Manipulators::at_rest(skeleton, performance.sex),
-            space: BodySpace::new(skeleton),
-            contact: Contact::new(skeleton),
+            contact: Contact::new(skeleton, &space),
+            space,
             stance: Stance::new(skeleton, seed),
             trunk: Trunk { seed },
             players: Players::new(&performance.players, &performance.library, skeleton).0,

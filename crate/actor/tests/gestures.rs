@@ -1,7 +1,7 @@
 //! What single gestures look like: courses, phases, the speed of free movements, stillness.
 
 use raconteur_actor::gesture::{
-    ArmPlan, ArmScript, Course, GestureStroke, HandKey, HandState, Phase, Space,
+    ArmPlan, ArmScript, BodySpace, Course, GestureStroke, HandKey, HandState, Phase, Space,
 };
 use raconteur_actor::kinematics::world_from_bone;
 use raconteur_actor::{Actor, FaceRig, Performance, SpokenUtterance, palm};
@@ -51,7 +51,9 @@ fn plan(strokes: &[GestureStroke]) -> ArmPlan {
         strokes: strokes.to_vec(),
         on: Vec::new(),
     };
-    ArmPlan::new(&script, &Skeleton::example(), Side::Right, 1, 0.0)
+    let skeleton = Skeleton::example();
+    let space = BodySpace::new(&skeleton, None);
+    ArmPlan::new(&script, &skeleton, &space, Side::Right, 1, 0.0)
 }
 
 /// A stroke of one second from [`FROM`] to [`TO`] with a course.

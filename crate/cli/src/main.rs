@@ -49,6 +49,8 @@ enum Command {
     Render(commands::render::Render),
     /// Make or refresh the speech bundles of stories.
     Bake(commands::bake::Bake),
+    /// Play stories without pixels and report what a viewer would notice.
+    Sweep(commands::sweep::Sweep),
     /// Perform what minds send while the story plays.
     Serve(commands::serve::Serve),
     /// Make figures and look at them.
@@ -72,6 +74,7 @@ fn main() -> ExitCode {
         Command::Pose(c) => c.run(),
         Command::Render(c) => c.run(),
         Command::Bake(c) => c.run(),
+        Command::Sweep(c) => c.run(),
         Command::Serve(c) => c.run(),
         Command::Figure(c) => c.run(),
     };

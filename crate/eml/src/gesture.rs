@@ -81,6 +81,9 @@ pub struct GestureKey {
     pub handedness: Handedness,
     /// The phase of a gesture that it is (extension).
     pub phase: Option<Phase>,
+    /// The pace of the whole, over the profiles of its keys (extension); none: as the times
+    /// of the keys say.
+    pub pace: Option<Box<Profile>>,
     /// Shapes, at most one track a hand.
     pub hand_shapes: Vec<Track<ShapeKey>>,
     /// Palm orientations, at most one track a hand.

@@ -221,7 +221,7 @@ pub(crate) fn strokes(
                 start_secs: timed.start_secs,
                 end_secs: timed.end_secs,
                 keys,
-                pace: None,
+                pace: gesture.pace.as_deref().and_then(pace),
             })
         })
         .collect()

@@ -1,6 +1,7 @@
 //! A script lowered for one figure: what it asks of arms and voice, and what it tells.
 
 use raconteur_actor::animation::PlayerCommand;
+use raconteur_actor::gesture::TrunkShape;
 use raconteur_actor::{
     Accent, ArmScript, GestureStroke, Library, ManipulatorScript, Performance, PlayerScript, Sex,
     SpokenUtterance,
@@ -79,6 +80,7 @@ pub(crate) fn performance<'a>(
     carried: &[(f64, PlayerCommand)],
     library: &Library,
     options: &Options,
+    trunk: TrunkShape,
     listener_in_world: DVec3,
 ) -> Performance {
     let mut switches: Vec<(f64, bool)> = parts
@@ -106,6 +108,7 @@ pub(crate) fn performance<'a>(
         motion_amount: options.motion_amount,
         listener_in_world,
         sex: Sex::default(),
+        trunk: Some(trunk),
     }
 }
 

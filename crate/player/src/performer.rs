@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use raconteur_actor::animation::{Operation, PlayerCommand};
+use raconteur_actor::gesture::TrunkShape;
 use raconteur_actor::performance::Report;
 use raconteur_actor::{Actor, FaceRig, Library};
 use raconteur_base::order::sort_by_number;
@@ -88,6 +89,7 @@ pub struct Player {
     face: FaceRig,
     units: Units,
     reach: Reach,
+    trunk: TrunkShape,
     options: Options,
     script: Script,
     library: Library,
@@ -131,10 +133,12 @@ impl Player {
 
         let story = Part::new(&script, &units, 0, None);
         let live = Live::new(story.utterances.len());
+        let trunk = TrunkShape::of(&figure);
         let library = Library::default();
         let (actor, room) = rehearse(
             &figure,
             &input.options,
+            trunk,
             input.options.room,
             &library,
             &[],
@@ -151,6 +155,7 @@ impl Player {
             face: FaceRig::new(&figure),
             units,
             reach,
+            trunk,
             options: input.options,
             script,
             library,
@@ -306,6 +311,7 @@ impl Player {
         rehearse(
             &self.figure,
             &self.options,
+            self.trunk,
             held,
             &self.library,
             carried,
@@ -548,6 +554,7 @@ impl Player {
 fn rehearse<'a>(
     figure: &Figure,
     options: &Options,
+    trunk: TrunkShape,
     held: Room,
     library: &Library,
     carried: &[(f64, PlayerCommand)],
@@ -566,6 +573,7 @@ fn rehearse<'a>(
         half_width_m: a.half_width_m.max(b.half_width_m),
     });
     let camera = options.shot.frame(DVec3::ZERO, stature_m, 16.0 / 9.0, room);
-    let performance = part::performance(parts, carried, library, options, camera.eye_in_world);
+    let performance =
+        part::performance(parts, carried, library, options, trunk, camera.eye_in_world);
     (Actor::new(&performance, &figure.skeleton), room)
 }

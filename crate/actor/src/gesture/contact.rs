@@ -147,10 +147,10 @@ pub struct Contact {
 impl Contact {
     /// Measures a figure.
     #[must_use]
-    pub fn new(skeleton: &Skeleton) -> Self {
+    pub fn new(skeleton: &Skeleton, space: &BodySpace) -> Self {
         Self {
             hands: Side::BOTH.map(|side| HandSolid::new(skeleton, side)),
-            space: BodySpace::with_room(skeleton, RADII_M[0][2]),
+            space: *space,
         }
     }
 
@@ -160,7 +160,7 @@ impl Contact {
         let mut sum = DVec3::ZERO;
         let (mut deepest, mut total) = (0.0_f64, 0.0);
         for capsule in self.hands[side.index()].capsules(hand) {
-            let out = self.space.way_out(capsule.ends[1]);
+            let out = self.space.way_out(capsule.ends[1], capsule.radius_m);
             let depth = out.length();
             deepest = deepest.max(depth);
             // The deeper, the more it has to say of the way.
@@ -261,7 +261,8 @@ mod tests {
 
     #[test]
     fn hands_that_want_one_place_are_parted_and_slide() {
-        let contact = Contact::new(&Skeleton::example());
+        let skeleton = Skeleton::example();
+        let contact = Contact::new(&skeleton, &BodySpace::new(&skeleton, None));
         for (fingers, normal) in [
             (DVec3::Z, DVec3::X),
             (DVec3::new(1.0, -0.2, 0.2), DVec3::NEG_Z),

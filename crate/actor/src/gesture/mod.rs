@@ -25,7 +25,7 @@ use raconteur_body::hand_shape::HandAngles;
 
 pub use plan::{ArmPlan, HandState, HandTarget, PlannedKey};
 pub use rest::{Rest, RestHand};
-pub use space::BodySpace;
+pub use space::{BodySpace, TrunkShape};
 
 /// What one hand is asked for at one time.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

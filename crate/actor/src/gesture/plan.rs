@@ -78,20 +78,20 @@ pub struct ArmPlan {
 }
 
 impl ArmPlan {
-    /// Plans one arm. Keys at impossible times or places (not finite) are left out. `amount`
+    /// Plans one arm of a figure with its body in the way. Keys at impossible times or places (not finite) are left out. `amount`
     /// is the liveliness of what nobody scripts, 0 (still) to 1.
     #[must_use]
     pub fn new(
         script: &ArmScript,
         skeleton: &Skeleton,
+        space: &BodySpace,
         side: Side,
         seed: u64,
         amount: f64,
     ) -> Self {
         let rig = ArmRig::new(skeleton, side);
-        let space = BodySpace::new(skeleton);
-        let rest = Rest::new(skeleton, &rig, &space, side, seed, amount);
-        let planned = Planner::new(&rig, &space, &rest, side, amount).plan(script);
+        let rest = Rest::new(skeleton, &rig, space, side, seed, amount);
+        let planned = Planner::new(&rig, space, &rest, side, amount).plan(script);
         let mut paces: Vec<Pace> = script
             .strokes
             .iter()

@@ -483,7 +483,8 @@ impl<'a> Planner<'a> {
             let mut worst = DVec3::ZERO;
             for k in 1..12 {
                 let u = f64::from(k) / 12.0;
-                let out = self.space.way_out(p + bow.place(u)) / (4.0 * u * (1.0 - u)).max(0.35);
+                let out =
+                    self.space.wrist_way_out(p + bow.place(u)) / (4.0 * u * (1.0 - u)).max(0.35);
                 if out.length_squared() > worst.length_squared() {
                     worst = out;
                 }

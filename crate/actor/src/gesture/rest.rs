@@ -66,8 +66,8 @@ impl Rest {
             shoulder.y - drop,
             shoulder.z + 0.075 * scale,
         );
-        let front = space.front_m();
         let waist = space.waist_m();
+        let front = space.front_m(waist);
         // In front: the fingertips nearly meet, the right hand a little before the left.
         let nearer = if side == Side::Right { 0.02 } else { 0.0 };
         let in_front = DVec3::new(

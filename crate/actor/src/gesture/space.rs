@@ -1,10 +1,12 @@
 //! The space that the body takes: hands keep out of trunk and head.
 //!
-//! The trunk is an elliptic column, the head an ellipsoid, both in the zero pose.
+//! The trunk is an elliptic column, the head an ellipsoid, both in the zero pose. How far the
+//! front of the column stands out at each height is measured on the figure, where there is one.
 
 use raconteur_base::curve::smooth;
 use raconteur_base::{DVec3, ops};
-use raconteur_body::{Bone, Pose, Skeleton};
+use raconteur_body::figure::MaterialKind;
+use raconteur_body::{Bone, Figure, Pose, Skeleton};
 
 use crate::arm_ik::TRUNK_HALF_AXES_M;
 use crate::kinematics::world_from_bone;
@@ -16,7 +18,59 @@ const HEAD_HALF_AXES_M: [f64; 3] = [0.085, 0.125, 0.105];
 /// Width of the edge in which a hand is eased out, as a share of the half axes.
 const EDGE: f64 = 0.04;
 
-/// The body's obstacles for a wrist, in the zero pose, world, metres.
+/// Heights at which the trunk's front is measured.
+const LEVELS: usize = 16;
+
+/// How far the front of a trunk stands before its axis, from the hips up to the shoulders,
+/// metres.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TrunkShape {
+    depths_m: [f64; LEVELS],
+}
+
+impl TrunkShape {
+    /// Measures a figure with its clothes.
+    #[must_use]
+    pub fn of(figure: &Figure) -> Self {
+        let space = BodySpace::new(&figure.skeleton, None);
+        let mut depths_m = [0.0_f64; LEVELS];
+        for bone in [Bone::Sacroiliac, Bone::Lumbar, Bone::Thoracic] {
+            let zero = world_from_bone(&figure.skeleton, &Pose::zero(), bone);
+            let Some(bind) = figure.inverse_bind.get(bone.index()) else {
+                continue;
+            };
+            let zero_from_bind = zero * *bind;
+            let hair = |kind| matches!(kind, MaterialKind::Hair | MaterialKind::Lash);
+            for mesh in figure.meshes.iter().filter(|m| !hair(m.material.kind)) {
+                let weights = mesh.joints.iter().zip(&mesh.weights);
+                for (p, (joints, weights)) in mesh.positions.iter().zip(weights) {
+                    let mut own = joints.iter().zip(weights);
+                    if !own.any(|(j, w)| *w > 0.5 && usize::from(*j) == bone.index()) {
+                        continue;
+                    }
+                    let p = DVec3::from_array(p.map(f64::from));
+                    let p = zero_from_bind.transform_point3(p);
+                    // The half axis of the ellipse that passes through here.
+                    let aside = p.x / space.half_width;
+                    let depth = (p.z - space.axis_z) / (1.0 - aside * aside).max(0.3).sqrt();
+                    let level = space.level(p.y);
+                    if (0.0..=(LEVELS - 1) as f64).contains(&level) {
+                        for i in [level.floor(), level.ceil()] {
+                            depths_m[i as usize] = depths_m[i as usize].max(depth);
+                        }
+                    }
+                }
+            }
+        }
+        // What has no skin of its own is as deep as usual.
+        let usual = space.half_depth;
+        Self {
+            depths_m: depths_m.map(|d| if d > 0.5 * usual { d } else { usual }),
+        }
+    }
+}
+
+/// The body's obstacles for hands, in the zero pose, world, metres.
 #[derive(Clone, Copy, Debug)]
 pub struct BodySpace {
     axis_z: f64,
@@ -28,47 +82,45 @@ pub struct BodySpace {
     fade: f64,
     head: DVec3,
     head_half_axes: DVec3,
+    /// Room that a wrist needs.
+    hand: f64,
+    shape: Option<TrunkShape>,
 }
 
 impl BodySpace {
-    /// Measures a figure, with the room that a wrist needs.
+    /// Measures a skeleton; without a shape its trunk is of average build.
     #[must_use]
-    pub fn new(skeleton: &Skeleton) -> Self {
-        Self::with_room(skeleton, HAND_RADIUS_M)
-    }
-
-    /// Measures a figure for what needs `room_m` around it, for a stature of 1.7 m, metres.
-    #[must_use]
-    pub fn with_room(skeleton: &Skeleton, room_m: f64) -> Self {
+    pub fn new(skeleton: &Skeleton, shape: Option<TrunkShape>) -> Self {
         let zero = Pose::zero();
         let at = |bone| world_from_bone(skeleton, &zero, bone).translation;
         let scale = skeleton.stature_m() / 1.7;
-        let hand = room_m * scale;
         let skull = at(Bone::Skull);
         Self {
             axis_z: 0.5 * (at(Bone::LShoulder).z + at(Bone::Lumbar).z),
-            half_width: TRUNK_HALF_AXES_M[0] * scale + hand,
-            half_depth: TRUNK_HALF_AXES_M[1] * scale + hand,
+            half_width: TRUNK_HALF_AXES_M[0] * scale,
+            half_depth: TRUNK_HALF_AXES_M[1] * scale,
             bottom: at(Bone::LHip).y - 0.12 * scale,
             top: at(Bone::LShoulder).y,
             waist: at(Bone::Lumbar).y,
             fade: 0.08 * scale,
             // The skull bone ends the neck; the head's middle is above and before it.
             head: skull + DVec3::new(0.0, 0.075, 0.03) * scale,
-            head_half_axes: DVec3::from_array(HEAD_HALF_AXES_M) * scale + DVec3::splat(hand),
+            head_half_axes: DVec3::from_array(HEAD_HALF_AXES_M) * scale,
+            hand: HAND_RADIUS_M * scale,
+            shape,
         }
     }
 
     /// Half width of the column for a wrist, metres.
     #[must_use]
     pub fn half_width_m(&self) -> f64 {
-        self.half_width
+        self.half_width + self.hand
     }
 
-    /// Frontmost z of the column for a wrist, metres.
+    /// Frontmost z of the column for a wrist at a height, metres.
     #[must_use]
-    pub fn front_m(&self) -> f64 {
-        self.axis_z + self.half_depth
+    pub fn front_m(&self, y: f64) -> f64 {
+        self.axis_z + self.depth_m(y) + self.hand
     }
 
     /// Height of the waist, metres.
@@ -77,12 +129,52 @@ impl BodySpace {
         self.waist
     }
 
+    /// Where among the measured heights one is, in steps.
+    fn level(&self, y: f64) -> f64 {
+        (y - self.bottom) / (self.top - self.bottom) * (LEVELS - 1) as f64
+    }
+
+    /// How far the trunk's front stands before its axis at a height.
+    fn depth_m(&self, y: f64) -> f64 {
+        let Some(shape) = &self.shape else {
+            return self.half_depth;
+        };
+        let level = self.level(y).clamp(0.0, (LEVELS - 1) as f64);
+        let below = (level as usize).min(LEVELS - 2);
+        let [a, b] = [shape.depths_m[below], shape.depths_m[below + 1]];
+        a + (b - a) * (level - below as f64)
+    }
+
     /// The nearest place outside trunk and head for a wrist. Places farther out than a few
     /// hundredths of the half axes are left exactly alone.
     #[must_use]
     pub fn keep_out(&self, p: DVec3) -> DVec3 {
-        let p = self.out_of_head(p);
-        let (x, z) = (p.x / self.half_width, (p.z - self.axis_z) / self.half_depth);
+        self.keep(p, self.hand)
+    }
+
+    /// The way out of trunk and head for what needs `room_m` around it: nothing outside.
+    #[must_use]
+    pub fn way_out(&self, p: DVec3, room_m: f64) -> DVec3 {
+        self.keep(p, room_m) - p
+    }
+
+    /// The way out for a wrist.
+    #[must_use]
+    pub fn wrist_way_out(&self, p: DVec3) -> DVec3 {
+        self.way_out(p, self.hand)
+    }
+
+    fn keep(&self, p: DVec3, room: f64) -> DVec3 {
+        let p = self.out_of_head(p, room);
+        let half_width = self.half_width + room;
+        let front = p.z > self.axis_z;
+        let depth = if front {
+            self.depth_m(p.y)
+        } else {
+            self.half_depth
+        };
+        let half_depth = depth + room;
+        let (x, z) = (p.x / half_width, (p.z - self.axis_z) / half_depth);
         let r = ops::hypot(x, z);
         let grown = self.height_share(p.y);
         if r >= grown * (1.0 + EDGE) {
@@ -92,28 +184,22 @@ impl BodySpace {
         // On the axis itself the hand leaves to the front.
         let (ux, uz) = if r > 1e-9 { (x / r, z / r) } else { (0.0, 1.0) };
         DVec3::new(
-            ux * target * self.half_width,
+            ux * target * half_width,
             p.y,
-            self.axis_z + uz * target * self.half_depth,
+            self.axis_z + uz * target * half_depth,
         )
     }
 
-    /// How deep a wrist is inside, and the way out: the vector from it to
-    /// [`BodySpace::keep_out`].
-    #[must_use]
-    pub fn way_out(&self, p: DVec3) -> DVec3 {
-        self.keep_out(p) - p
-    }
-
-    fn out_of_head(&self, p: DVec3) -> DVec3 {
-        let v = (p - self.head) / self.head_half_axes;
+    fn out_of_head(&self, p: DVec3, room: f64) -> DVec3 {
+        let half_axes = self.head_half_axes + DVec3::splat(room);
+        let v = (p - self.head) / half_axes;
         let r = v.length();
         let target = eased(r);
         if target <= r {
             return p;
         }
         let u = if r > 1e-9 { v / r } else { DVec3::Z };
-        self.head + u * target * self.head_half_axes
+        self.head + u * target * half_axes
     }
 
     /// 1 at the height of the trunk, fading to 0 above the shoulders and below the hips.
@@ -143,17 +229,18 @@ mod tests {
 
     #[test]
     fn nothing_stays_inside_and_the_outside_is_left_alone() {
-        let space = BodySpace::new(&Skeleton::example());
+        let space = BodySpace::new(&Skeleton::example(), None);
         let mut moved = 0;
         for i in 0..5_000 {
             let r = |k| noise::signed(2, k, i);
             let p = DVec3::new(0.5 * r(0), 1.3 + 0.6 * r(1), 0.5 * r(2));
             let q = space.keep_out(p);
-            assert!(space.way_out(q).length() < 0.012, "{p} {q}");
+            assert!(space.wrist_way_out(q).length() < 0.012, "{p} {q}");
             if q != p {
                 moved += 1;
                 let near = DVec3::new(p.x / 0.30, 0.0, (p.z - space.axis_z) / 0.25).length();
-                let head = ((p - space.head) / space.head_half_axes).length();
+                let half_axes = space.head_half_axes + DVec3::splat(space.hand);
+                let head = ((p - space.head) / half_axes).length();
                 assert!(near < 1.05 || head < 1.05);
             }
         }
@@ -162,7 +249,7 @@ mod tests {
 
     #[test]
     fn keeping_out_is_continuous() {
-        let space = BodySpace::new(&Skeleton::example());
+        let space = BodySpace::new(&Skeleton::example(), None);
         for i in 0..5_000 {
             let r = |k| noise::signed(3, k, i);
             let p = DVec3::new(0.35 * r(0), 1.3 + 0.6 * r(1), 0.05 + 0.3 * r(2).abs());

@@ -7,4 +7,5 @@ pub(crate) mod fmt;
 pub(crate) mod pose;
 pub(crate) mod render;
 pub(crate) mod serve;
+pub(crate) mod sweep;
 pub(crate) mod timeline;

@@ -11,7 +11,7 @@ pub(super) static ELEMENT: Element = Element {
         "Moves the hands through shapes, palm orientations and positions. A feature that is left out keeps its value."
     ),
     decision: doc!(
-        "The default of handedness is not given; both is assumed. A track for a hand that takes no part is ignored with a warning."
+        "The default of handedness is not given; both is assumed. A track for a hand that takes no part is ignored with a warning. In a preparation or retraction a lone key lies at the end of the phase, elsewhere at its beginning."
     ),
     source: doc!("GEVH D.5.2"),
     example: doc!(
@@ -32,6 +32,13 @@ pub(super) static ELEMENT: Element = Element {
             doc!("The phase of a gesture that it is (GEVH 3.5.2, appendix C)."),
         )
         .extension(),
+        Attribute {
+            doc: doc!(
+                "The pace of the whole gesture, over the courses of its keys: their times are places on it (GEVH 3.5.1, hierarchies of interpolators)."
+            ),
+            ..gesture_track::INTERPOLATION
+        },
+        gesture_track::CONTROLS,
     ],
     ..Element::clause("gesture-key", build)
 };
@@ -49,6 +56,7 @@ fn build(cx: &mut Context<'_>, node: usize, fields: &Fields<'_>) -> Option<Claus
         duration_secs,
         handedness,
         phase,
+        pace: gesture_track::profile(cx, fields),
         hand_shapes: Vec::new(),
         palms: Vec::new(),
         motions: Vec::new(),

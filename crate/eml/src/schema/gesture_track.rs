@@ -153,8 +153,8 @@ fn key_secs(
     Ok(Some(secs))
 }
 
-/// The extensions' course of a track or a key.
-fn profile(cx: &mut Context<'_>, fields: &Fields<'_>) -> Option<Box<Profile>> {
+/// The extensions' course of a gesture, a track or a key.
+pub(super) fn profile(cx: &mut Context<'_>, fields: &Fields<'_>) -> Option<Box<Profile>> {
     if !fields.is_extended() {
         return None;
     }

@@ -232,6 +232,7 @@ impl Dice {
             duration_secs: self.number(0.0, 10.0),
             handedness,
             phase,
+            pace: self.profile(false),
             hand_shapes: self.tracks(&shapes, false, |dice| ShapeKey {
                 id: dice.below(61) as u8,
                 blend: dice

@@ -132,6 +132,7 @@ impl Tag {
         };
         self.word("handedness", Some(handedness));
         self.word("phase", gesture.phase.map(crate::Phase::word));
+        self.profile(gesture.pace.as_deref());
         for track in &gesture.hand_shapes {
             self.track("hand-shapes", track, |tag, key| {
                 tag.number("id", Some(f64::from(key.id)));

@@ -1,0 +1,129 @@
+//! `raconteur sweep`.
+
+use std::io::{self, Write as _};
+use std::path::PathBuf;
+
+use anyhow::Result;
+use clap::Args;
+use raconteur_player::stage::Shot;
+use raconteur_player::sweep::{Check, RATE_HZ, sweep};
+use serde::Serialize;
+
+use crate::report;
+use crate::story::StoryFiles;
+use crate::{Format, Outcome};
+
+/// Play stories without pixels and report what a viewer would notice.
+#[derive(Args)]
+pub(crate) struct Sweep {
+    /// Scripts, or folders that hold a story.eml.
+    #[arg(required = true)]
+    files: Vec<PathBuf>,
+    /// Who performs: a name, or the path of a figure.
+    #[arg(long, default_value = "sofia")]
+    figure: String,
+    /// How to report.
+    #[arg(long, value_enum, default_value = "text")]
+    format: Format,
+}
+
+#[derive(Serialize)]
+struct Entry {
+    name: &'static str,
+    worst: f64,
+    limit: f64,
+    unit: &'static str,
+    ok: bool,
+    at_secs: f64,
+    /// The bone; left out when nothing was found.
+    #[serde(skip_serializing_if = "str::is_empty")]
+    part: &'static str,
+}
+
+#[derive(Serialize)]
+struct Story {
+    file: String,
+    duration: f64,
+    checks: Vec<Entry>,
+}
+
+impl From<Check> for Entry {
+    fn from(check: Check) -> Self {
+        Self {
+            name: check.name,
+            worst: check.worst,
+            limit: check.limit,
+            unit: check.unit,
+            ok: check.is_ok(),
+            at_secs: check.at_secs,
+            part: check.part,
+        }
+    }
+}
+
+impl Sweep {
+    pub(crate) fn run(&self) -> Result<Outcome> {
+        let mut out = io::stdout().lock();
+        let mut worst = Outcome::Fine;
+        let mut stories = Vec::new();
+        for path in &self.files {
+            let files = StoryFiles::read(path)?;
+            let file = files.script.display().to_string();
+            let mut loaded = files.player(&self.figure, Shot::Medium)?;
+            report::print(&file, &files.text, &loaded.diagnostics)?;
+            if report::outcome(&loaded.diagnostics) == Outcome::Errors {
+                worst = Outcome::Errors;
+            }
+            let checks = sweep(&mut loaded.player);
+            if !checks.iter().all(Check::is_ok) {
+                worst = Outcome::Errors;
+            }
+            let duration = loaded.player.end_secs();
+            if self.format == Format::Text {
+                writeln!(out, "{file}: {duration:.1} s at {RATE_HZ:.0} Hz")?;
+                for check in &checks {
+                    print(&mut out, check)?;
+                }
+            }
+            stories.push(Story {
+                file,
+                duration,
+                checks: checks.into_iter().map(Entry::from).collect(),
+            });
+        }
+        if self.format == Format::Json {
+            // One story is one report; several are a list of them.
+            let text = match &stories[..] {
+                [story] => serde_json::to_string_pretty(story)?,
+                all => serde_json::to_string_pretty(all)?,
+            };
+            writeln!(out, "{text}")?;
+        }
+        Ok(worst)
+    }
+}
+
+fn print(out: &mut impl io::Write, check: &Check) -> io::Result<()> {
+    let (mark, name, unit) = (
+        if check.is_ok() { "ok" } else { "!!" },
+        check.name,
+        check.unit,
+    );
+    // Small numbers are rounding; their size is all that matters.
+    let show = |x: f64| {
+        if x != 0.0 && x.abs() < 1e-3 {
+            format!("{x:.0e}")
+        } else {
+            format!("{x:.3}")
+        }
+    };
+    let (worst, limit) = (show(check.worst), show(check.limit));
+    write!(
+        out,
+        "  {mark} {name:<14} {worst:>8} of {limit:>8} {unit:<5}"
+    )?;
+    if !check.part.is_empty() {
+        write!(out, " at {:.3} s, {}", check.at_secs, check.part)?;
+    }
+    writeln!(out)
+}
