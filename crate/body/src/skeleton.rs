@@ -90,32 +90,54 @@ struct Row {
     parent: Option<usize>,
     /// The table's column "Hand": rows marked R have the z components of all axes negated.
     flip_z: bool,
-    /// Euler angles Z-Y-Z, degrees.
-    euler_zyz_deg: [f64; 3],
-    /// Position of the male example in skeleton units (inch-like), x left, y up, z back.
-    position_units: [f64; 3],
+    /// Euler angles Z-Y-Z in the table's last place, 1e-4 degrees: whole numbers compress
+    /// to half of what their fractions do in the page's download.
+    euler_zyz_places: [i32; 3],
+    /// Position of the male example in hundredths of skeleton units (inch-like), x left,
+    /// y up, z back.
+    position_places: [i16; 3],
+}
+
+impl Row {
+    fn euler_zyz_deg(&self) -> [f64; 3] {
+        self.euler_zyz_places.map(|x| f64::from(x) / 1e4)
+    }
+
+    fn position_units(&self) -> [f64; 3] {
+        self.position_places.map(|x| f64::from(x) / 1e2)
+    }
+}
+
+/// The whole number nearest to `x`.
+#[expect(clippy::cast_possible_truncation, reason = "small")]
+const fn nearest(x: f64) -> i32 {
+    (if x < 0.0 { x - 0.5 } else { x + 0.5 }) as i32
 }
 
 const fn row(
     name: &'static str,
     parent: Option<usize>,
     flip_z: bool,
-    euler_zyz_deg: [f64; 3],
-    position_units: [f64; 3],
+    [a, b, c]: [f64; 3],
+    [x, y, z]: [f64; 3],
 ) -> Row {
     Row {
         name,
         parent,
         flip_z,
-        euler_zyz_deg,
-        position_units,
+        euler_zyz_places: [nearest(a * 1e4), nearest(b * 1e4), nearest(c * 1e4)],
+        position_places: [
+            nearest(x * 1e2) as i16,
+            nearest(y * 1e2) as i16,
+            nearest(z * 1e2) as i16,
+        ],
     }
 }
 
 /// GEVH tables A.1 and A.2. `bone_chin` has no row in A.1 and takes its parent's
 /// frame; the lost separator of `bone_r_middle2` is restored.
 #[rustfmt::skip]
-const ROWS: [Row; Bone::COUNT] = [
+static ROWS: [Row; Bone::COUNT] = [
     row("bone_sacroiliac", None, false, [178.7079, 90.0, -90.0], [-0.13, 37.82, 0.0]),
     row("bone_r_hip", Some(0), true, [-83.8065, 178.1118, -173.798], [-3.89, 44.43, 0.68]),
     row("bone_r_knee", Some(1), true, [88.2029, 173.5071, -1.804], [-3.89, 20.11, -0.12]),
@@ -299,7 +321,7 @@ impl Bone {
         } else {
             self
         };
-        let [x, y, z] = ROWS[source.index()].position_units;
+        let [x, y, z] = ROWS[source.index()].position_units();
         let p = DVec3::new(x, y, -z) * raconteur_base::METRES_PER_INCH;
         match self.side() {
             None => DVec3::new(0.0, p.y, p.z),
@@ -312,7 +334,7 @@ impl Bone {
 /// Axes of a row in the engine frame, as columns; improper (left-handed) because the
 /// source is.
 fn source_axes(row: &Row) -> DMat3 {
-    let [a, b, c] = row.euler_zyz_deg.map(f64::to_radians);
+    let [a, b, c] = row.euler_zyz_deg().map(f64::to_radians);
     let m = DMat3::from_rotation_z(a) * DMat3::from_rotation_y(b) * DMat3::from_rotation_z(c);
     // The source's z points back; a row of the right hand is negated once more.
     let z_sign = if row.flip_z { 1.0 } else { -1.0 };

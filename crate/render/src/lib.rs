@@ -23,6 +23,7 @@ mod lid;
 mod morph;
 mod overlay;
 mod pipeline;
+mod refusal;
 mod sent;
 mod shadow;
 mod target;

@@ -1,7 +1,5 @@
 //! Draws frames of one figure to any target of the chosen format.
 
-use std::sync::{Arc, Mutex, PoisonError};
-
 use raconteur_body::Figure;
 use raconteur_stage::{Fill, Frame, Shown};
 use wgpu::{Buffer, BufferUsages, Device, Queue, TextureFormat, TextureView};
@@ -9,6 +7,7 @@ use wgpu::{Buffer, BufferUsages, Device, Queue, TextureFormat, TextureView};
 use crate::figure::{Layer, Look, MAX_JOINTS};
 use crate::overlay::Overlay;
 use crate::pipeline::{Kit, is_bare};
+use crate::refusal::Refusal;
 use crate::sent::{Blank, SentFigure};
 use crate::shadow::ShadowView;
 use crate::target::{TargetKind, Targets};
@@ -39,7 +38,7 @@ pub struct Renderer {
     overlay: Option<Overlay>,
     info: RenderInfo,
     /// What the driver refused, if anything; told by the next picture.
-    refused: Arc<Mutex<Option<String>>>,
+    refused: Refusal,
 }
 
 impl Renderer {
@@ -53,12 +52,7 @@ impl Renderer {
         target_format: TextureFormat,
         options: RenderOptions,
     ) -> Self {
-        let refused = Arc::new(Mutex::new(None));
-        let slot = Arc::clone(&refused);
-        device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| {
-            let mut slot = slot.lock().unwrap_or_else(PoisonError::into_inner);
-            slot.get_or_insert_with(|| error.to_string());
-        }));
+        let refused = Refusal::of(&device);
 
         let target_kinds =
             Quality::NAMES.map(|(quality, _)| TargetKind::choose(adapter, quality.samples()));
@@ -218,8 +212,7 @@ impl Renderer {
         self.info.figure_draw_calls = counts.figure_draw_calls;
         self.info.draw_calls = counts.draw_calls;
         self.info.triangles = counts.triangles;
-        let mut refused = self.refused.lock().unwrap_or_else(PoisonError::into_inner);
-        refused
+        self.refused
             .take()
             .map_or(Ok(()), |message| Err(RenderError::Refused(message)))
     }
