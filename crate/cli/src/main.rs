@@ -5,6 +5,7 @@
 
 mod bake;
 mod commands;
+mod compose;
 mod film;
 mod picture;
 mod report;
@@ -49,6 +50,8 @@ enum Command {
     Render(commands::render::Render),
     /// Make or refresh the speech bundles of stories.
     Bake(commands::bake::Bake),
+    /// Play a score on the built-in synthesiser.
+    Compose(commands::compose::Compose),
     /// Perform what minds send while the story plays.
     Serve(commands::serve::Serve),
     /// Make figures and look at them.
@@ -72,6 +75,7 @@ fn main() -> ExitCode {
         Command::Pose(c) => c.run(),
         Command::Render(c) => c.run(),
         Command::Bake(c) => c.run(),
+        Command::Compose(c) => c.run(),
         Command::Serve(c) => c.run(),
         Command::Figure(c) => c.run(),
     };
