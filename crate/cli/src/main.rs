@@ -5,6 +5,7 @@
 
 mod bake;
 mod commands;
+mod compose;
 mod film;
 mod picture;
 mod report;
@@ -51,6 +52,8 @@ enum Command {
     Bake(commands::bake::Bake),
     /// Play stories without pixels and report what a viewer would notice.
     Sweep(commands::sweep::Sweep),
+    /// Play a score on the built-in synthesiser.
+    Compose(commands::compose::Compose),
     /// Perform what minds send while the story plays.
     Serve(commands::serve::Serve),
     /// Make figures and look at them.
@@ -75,6 +78,7 @@ fn main() -> ExitCode {
         Command::Render(c) => c.run(),
         Command::Bake(c) => c.run(),
         Command::Sweep(c) => c.run(),
+        Command::Compose(c) => c.run(),
         Command::Serve(c) => c.run(),
         Command::Figure(c) => c.run(),
     };

@@ -5,16 +5,7 @@ use std::path::Path;
 
 use anyhow::{Context as _, Result};
 
-use super::program::Program;
-
-const OPUSENC: Program = Program {
-    name: "opusenc",
-    package: "opus-tools",
-};
-const FFMPEG: Program = Program {
-    name: "ffmpeg",
-    package: "ffmpeg",
-};
+use super::program::{FFMPEG, OPUSENC};
 
 /// File endings of what [`encode`] writes.
 pub(crate) const ENDINGS: [&str; 2] = ["opus", "mp3"];

@@ -12,7 +12,7 @@ mod emphasis;
 mod encode;
 mod festival;
 mod plan;
-mod program;
+pub(crate) mod program;
 mod scheme;
 
 use std::collections::{BTreeMap, BTreeSet};

@@ -1,4 +1,4 @@
-//! Runs the programs that baking needs.
+//! Runs the programs that baking and composing need.
 
 use std::io::{ErrorKind, Read as _};
 use std::process::{Command, Stdio};
@@ -9,6 +9,17 @@ use anyhow::{Context as _, Result, anyhow, bail};
 
 /// No step takes this long for a page of text; a program that does hangs.
 const LIMIT: Duration = Duration::from_secs(300);
+
+/// Encodes Ogg Opus.
+pub(crate) const OPUSENC: Program = Program {
+    name: "opusenc",
+    package: "opus-tools",
+};
+/// Encodes and decodes nearly everything.
+pub(crate) const FFMPEG: Program = Program {
+    name: "ffmpeg",
+    package: "ffmpeg",
+};
 
 /// A program and the Debian package that brings it.
 pub(crate) struct Program {
@@ -36,7 +47,7 @@ impl Program {
     pub(crate) fn run(&self, mut command: Command) -> Result<String> {
         let mut child = command.spawn().map_err(|error| match error.kind() {
             ErrorKind::NotFound => anyhow!(
-                "baking needs the program {}, which is not installed; on Debian and Ubuntu: apt-get install {}",
+                "this needs the program {}, which is not installed; on Debian and Ubuntu: apt-get install {}",
                 self.name,
                 self.package
             ),

@@ -2,6 +2,7 @@
 
 pub(crate) mod bake;
 pub(crate) mod check;
+pub(crate) mod compose;
 pub(crate) mod figure;
 pub(crate) mod fmt;
 pub(crate) mod pose;

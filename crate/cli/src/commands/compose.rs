@@ -1,0 +1,46 @@
+//! `raconteur compose`.
+
+use std::fs;
+use std::io::{self, Write as _};
+use std::path::PathBuf;
+
+use anyhow::{Context as _, Result};
+use clap::Args;
+
+use crate::Outcome;
+use crate::compose::{self, Score};
+
+/// Play a score on the built-in synthesiser.
+#[derive(Args)]
+pub(crate) struct Compose {
+    /// A score, JSON; assets/music/README.md describes the format.
+    score: PathBuf,
+    /// Where to write the music: .wav, .opus or .mp3; may be given several times.
+    #[arg(short, long, required = true)]
+    output: Vec<PathBuf>,
+}
+
+impl Compose {
+    pub(crate) fn run(&self) -> Result<Outcome> {
+        let text = fs::read_to_string(&self.score)
+            .with_context(|| format!("cannot read the score {}", self.score.display()))?;
+        let score = Score::read(&text).with_context(|| self.score.display().to_string())?;
+        let music = compose::play(&score).with_context(|| self.score.display().to_string())?;
+        let mut out = io::stdout().lock();
+        writeln!(
+            out,
+            "{}: {:.2} s, {:.1} LUFS, peak {:.1} dB",
+            score.title,
+            music.length_secs(),
+            music.loudness_lufs(),
+            music.peak_db()
+        )?;
+        for (name, start_secs) in score.sections() {
+            writeln!(out, "{start_secs:8.3} s  {name}")?;
+        }
+        for path in &self.output {
+            music.write(path)?;
+        }
+        Ok(Outcome::Fine)
+    }
+}

@@ -1,0 +1,65 @@
+//! A small synthesiser: scores written as JSON become music.
+//!
+//! Does: read a score, play its notes on instruments made of mathematics, mix them in a room
+//! to a given loudness, write the file. The same score gives the same samples everywhere.
+//! Does not: load any recorded sound.
+
+mod drum;
+mod encode;
+mod harmony;
+mod instrument;
+mod loudness;
+mod mix;
+mod score;
+mod signal;
+
+use std::path::Path;
+
+use anyhow::Result;
+
+pub(crate) use score::Score;
+
+/// A finished piece.
+pub(crate) struct Music {
+    sound: instrument::Stereo,
+}
+
+/// Plays a score.
+///
+/// # Errors
+/// Where the score means nothing.
+pub(crate) fn play(score: &Score) -> Result<Music> {
+    Ok(Music {
+        sound: mix::mix(score, &score.parts()?),
+    })
+}
+
+impl Music {
+    /// Length, seconds.
+    pub(crate) fn length_secs(&self) -> f64 {
+        self.sound[0].len() as f64 / signal::RATE_HZ
+    }
+
+    /// Integrated loudness, LUFS (BS.1770-4).
+    pub(crate) fn loudness_lufs(&self) -> f64 {
+        loudness::integrated_lufs(&self.sound)
+    }
+
+    /// The highest sample, dB below full scale.
+    pub(crate) fn peak_db(&self) -> f64 {
+        let peak = self
+            .sound
+            .iter()
+            .flatten()
+            .fold(0.0, |m: f64, x| m.max(x.abs()));
+        20.0 * libm::log10(peak.max(1e-6))
+    }
+
+    /// Writes a file; its ending, `wav`, `opus` or `mp3`, says in what format.
+    ///
+    /// # Errors
+    /// For another ending, or when an encoder is missing or fails.
+    pub(crate) fn write(&self, path: &Path) -> Result<()> {
+        encode::encode(&self.sound, path)
+    }
+}
