@@ -8,7 +8,7 @@
 use raconteur_base::{DAffine3, DMat4, DQuat, DVec3};
 use serde_json::{Map, Value, json};
 
-use super::container::Container;
+use super::container::{self, Container};
 use super::error::{ImportError, Notes};
 use super::humanoid::{Humanoid, Tree, has_vrm_table};
 use super::{MOST_NUMBERS, align, frames, unposed};
@@ -57,7 +57,7 @@ struct Channel {
 pub fn convert_animation(name: &str, bytes: &[u8]) -> Result<String, ImportError> {
     let container = Container::open(bytes)?;
     let json = &container.root;
-    let root = Document::of(json, &container.bin)?;
+    let root = Document::of(&container::plain(json), &container.bin)?;
     let world = solve_nodes(&root)?;
     if world.iter().any(|w| !w.is_finite()) {
         return Err(ReadError::NotFinite {
