@@ -100,7 +100,7 @@ impl Durations for EstimatedDurations {
                 start_secs,
                 end_secs: now,
             });
-            resume = now + pause_after(&word.text);
+            resume = now + pause_after(word.text());
             ControlFlow::Continue(())
         });
         let trailing: f64 = next_break

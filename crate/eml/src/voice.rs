@@ -3,7 +3,6 @@
 use crate::clauses::speech::{Audio, Boundary, Markup};
 use crate::work::step;
 use crate::{Name, Span};
-use std::borrow::Cow;
 use std::ops::ControlFlow;
 
 /// SABLE's level of text that nobody emphasised.
@@ -137,7 +136,7 @@ impl VoiceText {
         let _ = self.scan(&mut |item| {
             if let Item::Word(token) = item {
                 words.push(Word {
-                    text: token.text.as_ref().to_owned(),
+                    text: token.text().to_owned(),
                     span: token.span,
                     emphasized: token.emphasized,
                 });
@@ -347,8 +346,10 @@ pub(crate) type Visit<'v, 'c> = dyn FnMut(Item<'_, 'v>) -> ControlFlow<()> + 'c;
 /// What stands between white space.
 #[derive(Default)]
 pub(crate) struct Token<'v> {
-    /// Copied only when markup cuts it in pieces.
-    pub(crate) text: Cow<'v, str>,
+    /// Up to the first markup in it.
+    first: &'v str,
+    /// All of it, when there is markup in it.
+    whole: String,
     pub(crate) span: Span,
     /// How many letters and digits it holds.
     pub(crate) letters: usize,
@@ -356,12 +357,24 @@ pub(crate) struct Token<'v> {
 }
 
 impl<'v> Token<'v> {
+    /// The token without markup.
+    pub(crate) fn text(&self) -> &str {
+        if self.whole.is_empty() {
+            self.first
+        } else {
+            &self.whole
+        }
+    }
+
     fn add(&mut self, part: &'v str, span: Span, letters: usize, emphasis: f64) {
-        if self.text.is_empty() {
-            self.text = Cow::Borrowed(part);
+        if self.first.is_empty() {
+            self.first = part;
             self.span = span;
         } else {
-            self.text += part;
+            if self.whole.is_empty() {
+                self.whole.push_str(self.first);
+            }
+            self.whole.push_str(part);
             self.span = self.span.to(span);
         }
         self.letters += letters;
@@ -373,9 +386,10 @@ impl<'v> Token<'v> {
             *words += 1;
             visit(Item::Word(self))?;
         }
-        if !self.text.is_empty() {
-            *self = Self::default();
-        }
+        self.first = "";
+        self.whole.clear();
+        self.letters = 0;
+        self.emphasized = false;
         ControlFlow::Continue(())
     }
 }
