@@ -45,6 +45,23 @@ const SHOWN: &[&str] = &[
     "body-non-deterministic-jacobian",
     "body-non-deterministic-stop",
     "body-non-deterministic-lock",
+    "set",
+    "it",
+    "ref",
+    "bg",
+    "ly",
+    "bone",
+    "bones",
+    "tracks",
+    "body-configure-deterministic-animation",
+    "body-configure-deterministic-track-property",
+    "body-player-add",
+    "body-player-set-exclusive",
+    "body-player-change-priority",
+    "body-player-remove",
+    "body-player-clear",
+    "body-deterministic-primitive",
+    "animation-style",
 ];
 
 /// Times a second at which stretches are looked at.
@@ -314,13 +331,38 @@ impl Case {
     }
 }
 
+/// A player with the animations that it wants: paths lie beside the cases, names in the
+/// library.
 fn load(eml: &str, figure: &Arc<Figure>, options: Options) -> Loaded {
-    Player::load(StoryInput {
+    let mut loaded = Player::load(StoryInput {
         eml,
         bundle: None,
         figure: Arc::clone(figure),
         options,
-    })
+    });
+    let library = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../assets/animations");
+    let texts: Vec<(String, Option<String>)> = loaded
+        .player
+        .wanted_animations()
+        .into_iter()
+        .map(|name| {
+            let path = if name.contains('/') {
+                folder().join(&name)
+            } else {
+                library.join(format!("{name}.json"))
+            };
+            (name, fs::read_to_string(path).ok())
+        })
+        .collect();
+    if !texts.is_empty() {
+        let clips: Vec<(&str, Option<&str>)> = texts
+            .iter()
+            .map(|(name, text)| (name.as_str(), text.as_deref()))
+            .collect();
+        let told = loaded.player.provide_animations(&clips);
+        loaded.diagnostics.extend(told);
+    }
+    loaded
 }
 
 fn number(word: &str) -> f64 {
