@@ -1,4 +1,4 @@
-import { cpSync } from 'node:fs';
+import { cpSync, readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import type { Plugin } from 'vite';
 import { defineConfig } from 'vitest/config';
@@ -37,6 +37,26 @@ function library(): Plugin {
   };
 }
 
+const CLIPS = 'virtual:clips';
+
+/** Tells pages which animations the library has: what each file says about itself. */
+function clips(): Plugin {
+  return {
+    name: 'raconteur-clips',
+    resolveId: (id) => (id === CLIPS ? `\0${CLIPS}` : undefined),
+    load(id) {
+      if (id !== `\0${CLIPS}`) return undefined;
+      const folder = join(root, 'assets/animations');
+      const files = readdirSync(folder).filter((name) => name.endsWith('.json')).sort();
+      const list = files.map((file) => {
+        const { about = '' } = JSON.parse(readFileSync(join(folder, file), 'utf8')) as { about?: string };
+        return { name: file.replace(/\.json$/, ''), about };
+      });
+      return `export default ${JSON.stringify(list)};`;
+    },
+  };
+}
+
 export default defineConfig({
   root,
   // Addresses are relative, so that dist/ may be served from any folder.
@@ -44,7 +64,7 @@ export default defineConfig({
   // A missing file is answered 404, not with the page.
   appType: 'mpa',
   publicDir: false,
-  plugins: [library()],
+  plugins: [library(), clips()],
   build: {
     target: 'es2022',
     assetsDir: 'app',
@@ -53,6 +73,7 @@ export default defineConfig({
     rolldownOptions: {
       input: {
         index: join(root, 'index.html'),
+        viewer: join(root, 'viewer/index.html'),
         'raconteur-player': join(root, 'web/element/index.ts'),
       },
       // The element has an address that a page can name.

@@ -34,7 +34,7 @@ interface Show {
   story: Story;
   /** Name of the figure on stage. */
   figure: string;
-  readonly files: StoryFiles;
+  files: StoryFiles;
   /** When loading began, on the page's clock. */
   readonly sinceMs: number;
   /** What the story and live fragments say. */
@@ -368,7 +368,7 @@ export class RaconteurPlayer extends LitElement {
     try {
       if (!this.src && this.#text === undefined) throw new PlayerError('No story is given: set the attribute src.');
       const [files, backend] = await Promise.all([
-        fetchStory(this.src, this.#text, (part) => this.#fetchFigure(part), signal, progress),
+        fetchStory(this.src, this.#text, this.#library, (part) => this.#fetchFigure(part), signal, progress),
         Promise.resolve(this.backend ?? chooseBackend()).then((chosen) => {
           warmUp(chosen);
           return chosen;
@@ -381,6 +381,7 @@ export class RaconteurPlayer extends LitElement {
         canvas: (canvas) => this.#setCanvas(canvas, signal),
         lost: (recovering) => this.#setLost(recovering ? 'recovering' : 'yes', signal),
         back: () => this.#setLost('no', signal),
+        retold: (story, live) => (live ? story.diagnostics.forEach((d) => this.#report(d)) : this.#retell(story, false)),
       });
       picture = opened.picture;
       if (this.#view !== undefined) picture.look(this.#view);
@@ -400,8 +401,11 @@ export class RaconteurPlayer extends LitElement {
   /** The figure that is asked for now: one of the library, of an address, or the user's own. */
   #fetchFigure(progress: Progress): Promise<FigureFile> {
     if (this.#given?.name === this.figure) return readFigure(this.#given);
-    const library = new URL(this.assets.endsWith('/') ? this.assets : `${this.assets}/`, document.baseURI);
-    return fetchFigure(this.figure, library, progress);
+    return fetchFigure(this.figure, this.#library, progress);
+  }
+
+  get #library(): URL {
+    return new URL(this.assets.endsWith('/') ? this.assets : `${this.assets}/`, document.baseURI);
   }
 
   /**
@@ -419,15 +423,23 @@ export class RaconteurPlayer extends LitElement {
     if (text !== this.#text) return this.#diagnostics;
     const story = show.picture.rehearse(text);
     if (story === undefined) return [{ code: 'live::absent', severity: 'warning', message: 'The storyteller is away for a moment.', hints: [] }];
-    Object.assign(show, { story, files: { ...show.files, eml: text } });
+    show.files = { ...show.files, eml: text };
+    this.#retell(story, true);
+    return story.diagnostics;
+  }
+
+  /** The story has other times, or is another: what is known of it follows. */
+  #retell(story: Story, anew: boolean): void {
+    const show = this.#show;
+    if (show === undefined) return;
+    show.story = story;
     const spoken = show.script.replace(story.utterances);
     show.captions = captionsOf(story.utterances);
     show.transport.replace(story.durationSecs, spoken);
-    this.#diagnostics = [...this.#diagnostics.filter((d) => d.start === undefined), ...story.diagnostics].slice(0, MOST_DIAGNOSTICS);
+    this.#diagnostics = [...this.#diagnostics.filter((d) => !anew || d.start === undefined), ...story.diagnostics].slice(0, MOST_DIAGNOSTICS);
     this.dispatchEvent(new Event('durationchange'));
     if (this.paused) this.#advance();
     this.requestUpdate();
-    return story.diagnostics;
   }
 
   /** Shows the whole figure from another side, for pages that look behind the scenes. */

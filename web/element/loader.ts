@@ -1,5 +1,6 @@
 /** Fetches what a story needs, with errors that say in a sentence what is wrong. */
 
+import { Animations } from './animations.js';
 import { prepareFigure, type FigureFile } from './figure.js';
 import { PlayerError } from './types.js';
 
@@ -16,6 +17,7 @@ export interface StoryFiles {
   readonly figure: FigureFile;
   /** Where the recordings lie. */
   readonly voiceFolder: URL;
+  readonly animations: Animations;
   /** The text is not that of the file any more. */
   readonly edited?: boolean;
 }
@@ -27,6 +29,7 @@ export type Progress = (share: number) => void;
 export async function fetchStory(
   src: string | undefined,
   text: string | undefined,
+  library: URL,
   figure: (progress: Progress) => Promise<FigureFile>,
   signal: AbortSignal,
   progress: Progress,
@@ -49,7 +52,7 @@ export async function fetchStory(
     figure(part(2)),
   ]);
   signal.throwIfAborted();
-  return { eml, bundle: bundle || undefined, figure: who, voiceFolder, edited: text !== undefined };
+  return { eml, bundle: bundle || undefined, figure: who, voiceFolder, animations: new Animations(library, story), edited: text !== undefined };
 }
 
 /** A bare name is a figure of the library; anything else is an address. */

@@ -22,6 +22,8 @@ export interface PictureEvents {
   lost(recovering: boolean): void;
   /** The picture is back. */
   back(): void;
+  /** Animations have come: the story has other times, and problems that are told alone. `live`: they are of live clauses, the story stays. */
+  retold(story: Story, live: boolean): void;
 }
 
 /** Owns the engine of one player. A trap in it costs the picture, not the story. */
@@ -126,7 +128,9 @@ export class Picture {
 
   /** Performs a fragment of EML; undefined while there is nobody to do it. */
   perform(mind: number, fragment: string, nowSecs: number): Performance | undefined {
-    return this.#guard((engine) => engine.perform(mind, fragment, nowSecs));
+    const performed = this.#guard((engine) => engine.perform(mind, fragment, nowSecs));
+    this.#guard((engine) => this.#animate(engine, undefined));
+    return performed;
   }
 
   /** What the last picture took; undefined without one. */
@@ -270,7 +274,10 @@ export class Picture {
     });
     this.#events.canvas(canvas);
     const engine = await createEngine(this.#backend, canvas);
-    const story = this.#read(engine);
+    let story = this.#read(engine);
+    // Nobody is seen waiting for an animation.
+    await this.#files.animations.fetch(engine);
+    story = this.#animate(engine, story) ?? story;
     engine.setQuality(this.#quality);
     engine.setResting(this.#resting);
     const missing = await this.#decode(engine);
@@ -287,7 +294,7 @@ export class Picture {
       const story = engine.load(eml, bundle, figure.name, figure.glb, motionAmount());
       engine.setOpenEnded(this.#openEnded);
       // An edited text is shown with room for what it may become.
-      return edited ? this.#reread(engine, files) : story;
+      return edited ? this.#reread(engine, files) : (this.#animate(engine, story) ?? story);
     } catch (error) {
       throw unusable(figure.where, error);
     }
@@ -297,7 +304,20 @@ export class Picture {
     const story = engine.rehearse(eml, bundle, motionAmount());
     if (story === undefined) throw new PlayerError('Nobody is on stage.');
     engine.setOpenEnded(this.#openEnded);
-    return story;
+    return this.#animate(engine, story) ?? story;
+  }
+
+  /** Hands the engine the animations that have come, and when the others come, those; without a `story` they are of live clauses. The story with its new times, and with what is wrong with them. */
+  #animate(engine: Engine, story: Story | undefined): Story | undefined {
+    const { animations, eml } = this.#files;
+    const told = animations.provide(engine, eml);
+    void animations.fetch(engine)?.then(() => {
+      if (engine !== this.#engine || eml !== this.#files.eml) return;
+      const later = this.#guard(() => animations.provide(engine, eml));
+      if (later !== undefined) this.#events.retold(later, story === undefined);
+    });
+    if (told === undefined || story === undefined) return story;
+    return { ...told, diagnostics: [...story.diagnostics, ...told.diagnostics] };
   }
 
   /** Uses the engine; a trap leaves its memory suspect, so it is never used again. */

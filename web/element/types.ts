@@ -158,6 +158,10 @@ export interface Engine {
   load(eml: string, bundle: Uint8Array | undefined, figure: string, glb: Uint8Array, motion: number): Story;
   /** Has the figure that `load` put on stage read another text; undefined when nobody is there. */
   rehearse(eml: string, bundle: Uint8Array | undefined, motion: number): Story | undefined;
+  /** Names of animations that are played and have not been provided. */
+  wantedAnimations(): string[];
+  /** Takes animations by name, an empty text for what was not found; the story `eml` with its new times, and what is wrong with these animations. */
+  provideAnimations(eml: string, names: string[], texts: string[]): Story | undefined;
   /** Shows the whole figure from another side, in this text and those rehearsed later. Radians and metres. */
   setView(turn: number, tilt: number, zoom: number, right: number, up: number): void;
   /** The moment shown last as numbers, in the order that `web/pages/pose.ts` reads; empty when nobody is there. */

@@ -103,6 +103,9 @@ pub struct Report {
     pub wrist_goals_in_world: [DVec3; 2],
     /// How far each wrist is from there, metres.
     pub wrist_errors_m: [f64; 2],
+    /// World from the target of each manipulator that is on, in the order of
+    /// [`Limb::ALL`](crate::manipulator::Limb::ALL) without the head.
+    pub led: [Option<DAffine3>; 4],
     /// The mouth.
     pub mouth: MouthTargets,
 }
@@ -242,12 +245,19 @@ impl Actor {
         let (arms, mut wrist_goals_in_world) = self.arms(skeleton, t, animated, pose);
         let mut wrist_errors_m = arms.map(|a| a.error_m);
         let led = self.manipulators.limbs(skeleton, t, pose);
-        for (i, led) in led.iter().enumerate() {
+        for (i, led) in led.iter().take(2).enumerate() {
             if let Some(led) = led {
                 wrist_goals_in_world[i] = led.target.position;
                 wrist_errors_m[i] = led.error_m;
             }
         }
+        let mut led = led.map(|led| {
+            let target = led?.target;
+            Some(DAffine3::from_rotation_translation(
+                target.rotation,
+                target.position,
+            ))
+        });
         self.head(skeleton, t, listener, animated, pose);
         self.manipulators.head(skeleton, t, pose);
         let eye_pitch_rad = self.eyes(skeleton, face, t, listener, pose);
@@ -267,11 +277,13 @@ impl Actor {
             pose.root_rotation = (turned * pose.root_rotation).normalize();
             pose.root_offset_in_world = moved.transform_point3(pose.root_offset_in_world);
             wrist_goals_in_world = wrist_goals_in_world.map(|w| moved.transform_point3(w));
+            led = led.map(|led| led.map(|led| *moved * led));
         }
         Report {
             arms,
             wrist_goals_in_world,
             wrist_errors_m,
+            led,
             mouth,
         }
     }

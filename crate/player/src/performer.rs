@@ -469,11 +469,17 @@ impl Player {
             .solve(&self.pose, &mut self.frame.world_from_joint);
         self.frame.speech = self.speech_at(t);
         self.frame.shown = self.geometry.at(t);
-        let goals = report.wrist_goals_in_world.into_iter();
+        // Arms that no manipulator leads are led by gestures.
+        let goals = report
+            .wrist_goals_in_world
+            .map(DAffine3::from_translation)
+            .map(Some);
+        let goals = goals.into_iter().chain([None, None]);
+        let handles = report.led.into_iter().zip(goals);
         self.frame.handles.clear();
         self.frame
             .handles
-            .extend(goals.map(DAffine3::from_translation));
+            .extend(handles.filter_map(|(led, goal)| led.or(goal)));
         report
     }
 

@@ -120,3 +120,16 @@ fn handles_tell_where_the_hands_are_sent() {
     let told: Vec<_> = handles.iter().map(|h| h.translation).collect();
     assert_eq!(told, wanted);
 }
+
+#[test]
+fn a_leg_has_a_handle_while_its_manipulator_leads_it() {
+    let mut player = perform(
+        "<body-non-deterministic-frame-interpolation time='1' manipulator='leftLeg' \
+         timePeriod='1' posX='7.5' posY='20' posZ='-10' roll='-90'/>",
+    );
+    assert_eq!(player.frame(0.5, 1.6).handles.len(), 2);
+    let wanted = player.units().world_point([7.5, 20.0, -10.0]);
+    let handles = &player.frame(4.0, 1.6).handles;
+    assert_eq!(handles.len(), 3);
+    assert!(handles[2].translation.distance(wanted) < 1e-6);
+}

@@ -442,6 +442,7 @@ impl Pipelines {
             constants: &constants,
             vertex: "vs_figure",
             buffers: &vertex_buffers(),
+            blend: (shown.fill != Fill::Solid).then_some(BlendState::ALPHA_BLENDING),
             topology: match shown.fill {
                 Fill::Solid => PrimitiveTopology::TriangleList,
                 Fill::Wireframe => PrimitiveTopology::LineList,

@@ -365,11 +365,14 @@ impl Renderer {
         });
         pass.set_bind_group(0, &self.tier.lit_group, &[]);
         let pipelines = &self.tier.pipelines;
-        // What is solid goes first; then the theatre fills what is left; then what adds light.
+        let bare = pipelines.bare(shown).filter(|_| is_bare(shown));
+        let solid = |look: Look| look.layer != Layer::Clear;
+        let clear = |look: Look| look.layer == Layer::Clear;
+        let thin = shown.fill != Fill::Solid;
+        // What is solid goes first; then the theatre fills what is left; then what adds light
+        // and what lets it through.
         let figure = self.figure.as_ref().filter(|_| shown.body);
-        if let Some(figure) = figure {
-            let bare = pipelines.bare(shown).filter(|_| is_bare(shown));
-            let solid = |look: Look| look.layer != Layer::Clear;
+        if let Some(figure) = figure.filter(|_| !thin) {
             figure.draw(&mut pass, counts, shown, solid, |look| {
                 bare.or_else(|| pipelines.look(look))
             });
@@ -377,9 +380,12 @@ impl Renderer {
         pass.set_pipeline(&pipelines.theatre);
         pass.draw(0..3, 0..1);
         counts.add(1);
-        if let Some(figure) = figure.filter(|_| !is_bare(shown)) {
-            let clear = |look: Look| look.layer == Layer::Clear;
-            figure.draw(&mut pass, counts, shown, clear, |look| pipelines.look(look));
+        if let Some(figure) = figure {
+            if thin {
+                figure.draw(&mut pass, counts, shown, solid, |_| bare);
+            } else if bare.is_none() {
+                figure.draw(&mut pass, counts, shown, clear, |look| pipelines.look(look));
+            }
         }
         if let (true, Some(overlay), Some(pipeline)) =
             (shown.has_overlay(), &self.overlay, &pipelines.overlay)

@@ -31,6 +31,8 @@ mod avatar;
 #[cfg(all(target_arch = "wasm32", feature = "avatar"))]
 pub use avatar::convert;
 #[cfg(all(target_arch = "wasm32", not(feature = "avatar")))]
+mod clips;
+#[cfg(all(target_arch = "wasm32", not(feature = "avatar")))]
 mod edit;
 #[cfg(all(target_arch = "wasm32", not(feature = "avatar")))]
 mod measure;

@@ -163,15 +163,15 @@ impl Manipulators {
         }
     }
 
-    /// Moves arms and legs; after everything else that moves them. Where the wrists were
-    /// sent, left and right, as far as manipulators lead them.
+    /// Moves arms and legs; after everything else that moves them. Where each was sent, in
+    /// the order of [`Limb::ALL`], as far as manipulators lead them.
     pub fn limbs(
         &self,
         skeleton: &Skeleton,
         time_secs: f64,
         pose: &mut Pose,
-    ) -> [Option<Reached>; 2] {
-        let mut reached = [None; 2];
+    ) -> [Option<Reached>; 4] {
+        let mut reached = [None; 4];
         for (index, (limb, rig)) in Limb::ALL.into_iter().zip(&self.limbs).enumerate() {
             let Some((goal, weight)) = self.goal(limb, time_secs) else {
                 continue;

@@ -17,8 +17,9 @@ fn fs_bare(v: VertexOut, @builtin(front_facing) front: bool) -> @location(0) vec
         discard;
     }
     // Dark cloth before a dark curtain would be lost: half of a line's colour is its own.
+    // Where lines are dense they let each other through, so that the net stays a net.
     let light = mix(paint, vec3<f32>(0.85), 0.5) * (0.35 + 0.65 * facing);
-    return written(light / max(frame.ground.w, 1e-3), 1.0, v.clip.xy);
+    return written(light / max(frame.ground.w, 1e-3), 0.6, v.clip.xy);
 }
 
 struct OverOut {

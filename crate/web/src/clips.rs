@@ -1,0 +1,45 @@
+//! Animations that a story plays, fetched by the page.
+
+use wasm_bindgen::prelude::*;
+
+use crate::message::Story;
+use crate::player::{Player, plain};
+
+#[wasm_bindgen]
+#[allow(clippy::needless_pass_by_value, reason = "lists arrive as owned only")]
+impl Player {
+    /// The names of animations that the story or live clauses play and that have not been
+    /// provided: of the library, or paths in the story's folder.
+    #[wasm_bindgen(js_name = wantedAnimations)]
+    pub fn wanted_animations(&self) -> Vec<String> {
+        let performer = self.performer.as_ref();
+        performer.map_or_else(Vec::new, |p| p.wanted_animations())
+    }
+
+    /// Takes animations by name with their texts, an empty one for what was not found. The
+    /// answer is the story as `load` gives it, with what is wrong with these animations alone;
+    /// `eml` is its text.
+    #[wasm_bindgen(js_name = provideAnimations)]
+    pub fn provide_animations(
+        &mut self,
+        eml: &str,
+        names: Vec<String>,
+        texts: Vec<String>,
+    ) -> Result<JsValue, JsError> {
+        let Some(performer) = &mut self.performer else {
+            return Ok(JsValue::UNDEFINED);
+        };
+        let clips: Vec<(&str, Option<&str>)> = names
+            .iter()
+            .zip(&texts)
+            .map(|(name, text)| (name.as_str(), Some(text.as_str()).filter(|t| !t.is_empty())))
+            .collect();
+        let problems = performer.provide_animations(&clips);
+        plain(&Story::new(
+            eml,
+            performer.duration_secs(),
+            performer.utterances(),
+            problems,
+        ))
+    }
+}

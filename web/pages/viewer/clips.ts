@@ -1,0 +1,30 @@
+/** The animations of the library, by what they are for. */
+
+import clips from 'virtual:clips';
+
+export interface Clip {
+  /** The name in EML, and of its file. */
+  readonly name: string;
+  /** What it shows, a sentence. */
+  readonly about: string;
+}
+
+/** Where a clip belongs; the first that fits. */
+const SHELVES: readonly (readonly [string, RegExp])[] = [
+  ['Steps', /^(step|walk)/],
+  ['Exercise', /^(arms|stretch)-/],
+  ['Stances', /^(stand|sit$|hands-)/],
+  ['Talking', /./],
+];
+
+/** Shelf by shelf, in the order of use. */
+export const SHELVED: readonly { readonly shelf: string; readonly clips: readonly Clip[] }[] = ['Stances', 'Talking', 'Steps', 'Exercise'].map((shelf) => ({
+  shelf,
+  clips: clips.filter(({ name }) => SHELVES.find(([, names]) => names.test(name))?.[0] === shelf),
+}));
+
+/** What an animation shows. */
+export const aboutClip = (name: string): string => clips.find((clip) => clip.name === name)?.about ?? '';
+
+/** `step-march` for people. */
+export const clipTitle = (name: string): string => name.replace(/^step-/, '').replaceAll('-', ' ').replace(/^./, (c) => c.toUpperCase());

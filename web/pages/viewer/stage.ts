@@ -1,0 +1,247 @@
+/** The stage: handles of the limbs over the picture, and the look around the figure. */
+
+import { html, nothing, svg, type TemplateResult } from 'lit';
+import { Directive, directive, type ElementPart } from 'lit/directive.js';
+import type { PoseNow, Spot, Vector } from '../pose.js';
+import { FRONT, type App } from './app.js';
+import { LIMB_NAMES, LIMBS, type LimbName, type Triple } from './state.js';
+import { endOf, toPlace, toWorld } from './turns.js';
+
+/** Turn of the view for each pixel that the pointer goes, radians. */
+const TURN = 0.008;
+/** Degrees that the head turns for each pixel that its handle is drawn. */
+const NOD = 0.5;
+
+/** Sets custom properties of CSS: an attribute `style` is what a strict policy refuses; this is no attribute. */
+const vars = directive(
+  class extends Directive {
+    override update(part: ElementPart, [values]: [Readonly<Record<string, string>>]): void {
+      for (const [name, value] of Object.entries(values)) (part.element as HTMLElement).style.setProperty(name, value);
+    }
+
+    render(_values: Readonly<Record<string, string>>): void {}
+  },
+);
+
+/** Follows a pointer from its press to its release. */
+function follow(event: PointerEvent, move: (event: PointerEvent) => void, done: () => void): void {
+  const target = event.currentTarget as HTMLElement;
+  target.setPointerCapture(event.pointerId);
+  const mine = (listener: (event: PointerEvent) => void) => (other: Event) => {
+    if ((other as PointerEvent).pointerId === event.pointerId) listener(other as PointerEvent);
+  };
+  const end = new AbortController();
+  const stop = mine(() => {
+    end.abort();
+    done();
+  });
+  target.addEventListener('pointermove', mine(move), end);
+  for (const type of ['pointerup', 'pointercancel']) target.addEventListener(type, stop, end);
+}
+
+/** Steps of the keyboard: right, up, nearer. */
+function steps(event: KeyboardEvent): Triple | undefined {
+  if (event.ctrlKey || event.metaKey || event.altKey) return undefined;
+  const step = event.shiftKey ? 5 : 1;
+  const known: Readonly<Record<string, Triple>> = {
+    ArrowLeft: [-step, 0, 0],
+    ArrowRight: [step, 0, 0],
+    ArrowUp: [0, step, 0],
+    ArrowDown: [0, -step, 0],
+    PageUp: [0, 0, -step],
+    PageDown: [0, 0, step],
+  };
+  return known[event.key];
+}
+
+/** Where a limb's handle is in the world: at its target, else at its end. */
+function handlePlace(app: App, pose: PoseNow, name: LimbName): Vector | undefined {
+  const limb = app.state.limbs[name];
+  const end = endOf(pose, name);
+  if (name === 'head') {
+    // In the middle of the face, not where the skull hangs on the neck.
+    return end && [end.position[0] + 0.08 * end.axes[0][0], end.position[1] + 0.08 * end.axes[0][1], end.position[2] + 0.08 * end.axes[0][2]];
+  }
+  return limb.lead === 'place' ? toWorld(pose, limb.place) : end?.position;
+}
+
+export function overlay(app: App): TemplateResult | typeof nothing {
+  const { pose, player } = app;
+  const { clientWidth: width, clientHeight: height } = player;
+  if (pose === undefined || width === 0) return nothing;
+  const spot = (point: Vector | undefined): Spot | undefined => point && pose.camera.project(point, width, height);
+  const strings = LIMBS.map((name) => {
+    const [from, to] = [spot(endOf(pose, name)?.position), spot(handlePlace(app, pose, name))];
+    if (name === 'head' || app.state.limbs[name].lead !== 'place' || from === undefined || to === undefined) return nothing;
+    return svg`<line x1=${from.x} y1=${from.y} x2=${to.x} y2=${to.y} />`;
+  });
+  return html`<svg viewBox="0 0 ${width} ${height}" aria-hidden="true">${strings}</svg>${LIMBS.map((name) => {
+    const at = spot(handlePlace(app, pose, name));
+    return at === undefined ? nothing : handle(app, pose, name, (100 * at.x) / width, (100 * at.y) / height);
+  })}`;
+}
+
+function handle(app: App, pose: PoseNow, name: LimbName, left: number, top: number): TemplateResult {
+  const limb = app.state.limbs[name];
+  const [x, y, z] = limb.place;
+  const how = name === 'head' ? 'Arrow keys turn it.' : 'Arrow keys move it, page up and page down farther and nearer.';
+  const where = limb.lead !== 'place' ? '' : name === 'head' ? ` yaw ${limb.angles[0]}, pitch ${limb.angles[1]} degrees.` : ` ${x} to the left, ${y} up, ${z} to the back.`;
+  const classes = ['handle', name === app.limb && app.tab === 'manipulators' ? 'chosen' : '', limb.lead === 'place' ? 'led' : ''].join(' ');
+  return html`<button
+    type="button"
+    class=${classes}
+    data-limb=${name}
+    aria-label="${LIMB_NAMES[name]}, handle.${where} ${how}"
+    ${vars({ '--left': `${left.toFixed(2)}%`, '--top': `${top.toFixed(2)}%` })}
+    @pointerdown=${(event: PointerEvent) => drag(app, pose, name, event)}
+    @click=${() => choose(app, name)}
+    @keydown=${(event: KeyboardEvent) => {
+      const by = steps(event);
+      if (by === undefined) return;
+      event.preventDefault();
+      choose(app, name);
+      app.lead(name);
+      app.set((s) => {
+        const { place, angles } = s.limbs[name];
+        if (name === 'head') turnHead(angles, by[0], by[1], 3);
+        // To the right of the picture is the figure's left, from the front.
+        else move(place, turned(app, by));
+      });
+    }}
+  ><span></span></button>`;
+}
+
+/** A handle that is used opens its panel. */
+function choose(app: App, name: LimbName): void {
+  app.limb = name;
+  app.tab = 'manipulators';
+  app.redraw();
+}
+
+function turnHead(angles: Triple, right: number, up: number, scale: number): void {
+  const within = (angle: number, most: number): number => Math.round(Math.min(most, Math.max(-most, angle)));
+  // EML counts turns about its own axes: to the figure's left is a negative yaw, up a positive pitch.
+  angles[0] = within(angles[0] - right * scale, 99);
+  angles[1] = within(angles[1] + up * scale, 70);
+}
+
+/** A step as seen in the picture, in EML's axes. */
+function turned(app: App, [right, up, nearer]: Triple): Triple {
+  const [sin, cos] = [Math.sin(app.view.turn), Math.cos(app.view.turn)];
+  const tenth = (n: number): number => Math.round(n * 10) / 10;
+  return [tenth(right * cos + nearer * sin), up, tenth(right * sin - nearer * cos)];
+}
+
+function move(place: Triple, by: Triple): void {
+  for (const i of [0, 1, 2] as const) place[i] = Math.round((place[i] + by[i]) * 10) / 10;
+}
+
+function drag(app: App, pose: PoseNow, name: LimbName, event: PointerEvent): void {
+  if (event.button !== 0) return;
+  const frame = app.player.getBoundingClientRect();
+  const begun = handlePlace(app, pose, name);
+  if (begun === undefined) return;
+  const from = { x: event.clientX, y: event.clientY };
+  const at = pose.camera.project(begun, frame.width, frame.height);
+  let before: Triple | undefined;
+  follow(
+    event,
+    (now) => {
+      const [dx, dy] = [now.clientX - from.x, now.clientY - from.y];
+      // A press that does not move chooses; it changes nothing.
+      if (before === undefined && Math.hypot(dx, dy) < 3) return;
+      if (before === undefined) {
+        choose(app, name);
+        app.lead(name);
+        before = [...app.state.limbs[name][name === 'head' ? 'angles' : 'place']];
+      }
+      if (name === 'head') {
+        const angles: Triple = [...before];
+        turnHead(angles, dx, -dy, NOD);
+        app.change((s) => (s.limbs[name].angles = angles));
+        return;
+      }
+      // In the plane of the picture, through where it was.
+      const to = at && pose.camera.unproject({ x: at.x + dx, y: at.y + dy }, frame.width, frame.height, begun, pose.camera.forward);
+      if (to !== undefined) app.change((s) => (s.limbs[name].place = toPlace(pose, to)));
+    },
+    () => app.done(),
+  );
+}
+
+/** The pad behind the handles: it turns the view, moves it, and comes nearer. */
+export function lookAround(app: App, pad: HTMLElement): void {
+  const held = new Map<number, Spot>();
+  let spread = 0;
+  const apart = (): number => {
+    const [a, b] = [...held.values()];
+    return a && b ? Math.hypot(a.x - b.x, a.y - b.y) : 0;
+  };
+  pad.addEventListener('pointerdown', (event) => {
+    if (event.button !== 0) return;
+    held.set(event.pointerId, { x: event.clientX, y: event.clientY });
+    spread = apart();
+    follow(
+      event,
+      (now) => {
+        const last = held.get(now.pointerId);
+        if (last === undefined) return;
+        const [dx, dy] = [now.clientX - last.x, now.clientY - last.y];
+        held.set(now.pointerId, { x: now.clientX, y: now.clientY });
+        if (held.size > 1) {
+          const wider = apart();
+          if (spread > 0 && wider > 0) app.look({ zoom: (app.view.zoom * wider) / spread });
+          spread = wider;
+        } else if (now.shiftKey) {
+          shift(app, -dx, dy);
+        } else {
+          app.look({ turn: app.view.turn - dx * TURN, tilt: app.view.tilt + dy * TURN });
+        }
+      },
+      () => held.delete(event.pointerId),
+    );
+  });
+  pad.addEventListener(
+    'wheel',
+    (event) => {
+      // The page scrolls unless the picture is in use.
+      if (!event.ctrlKey && document.activeElement !== pad) return;
+      event.preventDefault();
+      app.look({ zoom: app.view.zoom * Math.exp(-event.deltaY * 0.0015) });
+    },
+    { passive: false },
+  );
+  pad.addEventListener('keydown', (event) => {
+    const by = steps(event);
+    if (by !== undefined && event.shiftKey) shift(app, by[0] * 8, by[1] * 8);
+    else if (by !== undefined) app.look({ turn: app.view.turn + by[0] * 0.12, tilt: app.view.tilt + by[1] * 0.08, zoom: app.view.zoom * 1.1 ** by[2] });
+    else if (event.key === '+' || event.key === '=') app.look({ zoom: app.view.zoom * 1.15 });
+    else if (event.key === '-') app.look({ zoom: app.view.zoom / 1.15 });
+    else if (event.key === 'Home') app.look(FRONT);
+    else return;
+    event.preventDefault();
+  });
+}
+
+/** Moves the middle of the picture by pixels. */
+function shift(app: App, right: number, up: number): void {
+  const { pose, player, view } = app;
+  const chest = pose && endOf(pose, 'head');
+  if (pose === undefined || chest === undefined) return;
+  const metre = pose.camera.pixelsPerMetre(chest.position, player.clientHeight);
+  app.look({ right: view.right + right / metre, up: view.up + up / metre });
+}
+
+/** Looks that one wants often. */
+export function views(app: App): TemplateResult {
+  const { turn, zoom, up } = app.view;
+  const near = (a: number, b: number): boolean => Math.abs(a - b) < 0.01;
+  const sides = { Front: 0, Left: Math.PI / 2, Back: Math.PI, Right: -Math.PI / 2 };
+  return html`<div class="group" role="group" aria-label="View">
+    ${Object.entries(sides).map(
+      ([name, side]) => html`<button type="button" class="plain" aria-pressed=${near(Math.abs(turn - side) % (2 * Math.PI), 0)} @click=${() => app.look({ ...FRONT, zoom, up, turn: side })}>${name}</button>`,
+    )}
+    <button type="button" class="plain" aria-label="Farther" @click=${() => app.look({ zoom: zoom / 1.3 })}>−</button>
+    <button type="button" class="plain" aria-label="Nearer" @click=${() => app.look({ zoom: zoom * 1.3 })}>+</button>
+  </div>`;
+}

@@ -1,0 +1,50 @@
+/** Between the world and EML: places in units, and frames as yaw, pitch and roll. */
+
+import type { PosedJoint, PoseNow, Vector } from '../pose.js';
+import type { LimbName, Triple } from './state.js';
+
+/** A place of EML's world coordinates (x left, y up, z back) in the world, metres. */
+export function toWorld({ metresPerUnit }: Pick<PoseNow, 'metresPerUnit'>, [x, y, z]: Triple): Vector {
+  return [x * metresPerUnit, y * metresPerUnit, -z * metresPerUnit];
+}
+
+/** The place in EML's world coordinates of a point of the world; tenths of a unit. */
+export function toPlace({ metresPerUnit }: Pick<PoseNow, 'metresPerUnit'>, [x, y, z]: Vector): Triple {
+  const tenth = (metres: number): number => Math.round((metres / metresPerUnit) * 10) / 10 || 0;
+  return [tenth(x), tenth(y), tenth(-z)];
+}
+
+/** Yaw, pitch and roll in EML's degrees of a frame with these axes: roll turns first, then pitch, then yaw (`Units::angles` in `crate/player`). */
+export function anglesOf([x, y, z]: readonly [Vector, Vector, Vector]): Triple {
+  const degrees = (radians: number): number => Math.round((radians * 180) / Math.PI) || 0;
+  const level = Math.hypot(z[0], z[2]);
+  const pitch = Math.atan2(-z[1], level);
+  if (level < 1e-6) return [0, degrees(-pitch), degrees(Math.atan2(-y[0], x[0]))];
+  return [degrees(-Math.atan2(z[0], z[2])), degrees(-pitch), degrees(Math.atan2(x[1], y[1]))];
+}
+
+/** The joint at the end of each limb. */
+const ENDS: Readonly<Record<LimbName, string>> = {
+  leftArm: 'bone_l_wrist',
+  rightArm: 'bone_r_wrist',
+  leftLeg: 'bone_l_subtalar',
+  rightLeg: 'bone_r_subtalar',
+  head: 'bone_skull',
+};
+
+/** The joint at the end of a limb as it is now. */
+export const endOf = (pose: PoseNow, name: LimbName): PosedJoint | undefined => pose.joints.find((joint) => joint.name === ENDS[name]);
+
+const opposite = (a: Vector): Vector => [-a[0], -a[1], -a[2]];
+
+/** The target that a limb is at now. Feet are sent flat: their joint's frame leans with the instep. */
+export function targetNow(pose: PoseNow, name: LimbName): { place: Triple; angles: Triple } | undefined {
+  const end = endOf(pose, name);
+  if (end === undefined) return undefined;
+  const place = toPlace(pose, end.position);
+  const [x, y, z] = end.axes;
+  if (name === 'head') return { place, angles: anglesOf([z, x, y]) };
+  if (name === 'leftLeg' || name === 'rightLeg') return { place, angles: [0, 0, -90] };
+  // A hand's joint has y to the back of the hand, its target z (GEVH table 3.1).
+  return { place, angles: anglesOf([x, opposite(z), y]) };
+}

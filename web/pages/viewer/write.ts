@@ -1,0 +1,118 @@
+/** The viewer's settings as EML. */
+
+import { ends, GROUPS, LIMBS, LOOK, track as stand, type Limb, type LimbName, type Look, type State, type Track } from './state.js';
+
+/** How long the script lasts, seconds; then it begins again. */
+export const LENGTH_SECS = 600;
+/** How long a limb takes to come to its target, seconds. */
+const MOVE_SECS = 0.6;
+/** By then all limbs are where they were sent. */
+export const SETTLED_SECS = 2;
+
+const digits = (n: number): string => String(Number(n.toFixed(4)));
+const escape = (text: string): string => text.replace(/[&<>"']/g, (c) => `&#${c.charCodeAt(0)};`);
+
+/** A tag from its attributes; those that are undefined are left out. */
+function tag(name: string, attributes: Readonly<Record<string, string | number | boolean | undefined>>, children: readonly string[] = []): string {
+  const written = Object.entries(attributes).flatMap(([key, value]) =>
+    value === undefined ? [] : ` ${key}="${escape(typeof value === 'number' ? digits(value) : String(value))}"`,
+  );
+  const head = `<${name}${written.join('')}`;
+  if (children.length === 0) return `${head}/>`;
+  return `${head}>${children.map((child) => `\n${child.replace(/^/gm, '  ')}`).join('')}\n</${name}>`;
+}
+
+/** What lies on one track of a player, and how it is weighed. */
+function onTrack(player: string, where: string, { clip, style, times, speed, on }: Track): string[] {
+  if (clip === '') return [];
+  const tracks = tag('tracks', {}, [where]);
+  const plain = style === 'loop';
+  return [
+    tag('body-deterministic-primitive', { time: 0, primitive: 'push', player, animationSetName: clip }, [
+      ...(plain ? [] : [tag('animation-style', { playbackStyle: style, 'r:iterations': ends(style) && times !== 1 ? times : undefined })]),
+      tracks,
+    ]),
+    ...(speed === 1 ? [] : [property(player, where, 'speed', speed)]),
+    ...(on ? [] : [property(player, where, 'enable', false)]),
+  ];
+}
+
+function property(player: string, where: string, name: string, value: number | boolean): string {
+  return tag('body-configure-deterministic-track-property', { time: 0, player, property: name, newValue: value }, [tag('tracks', {}, [where])]);
+}
+
+/**
+ * Weights of layers. Each clause leaves the rest of the whole to the other layers in the
+ * proportion that they have (GEVH 3.2.1): so the first layer takes all, and each further one
+ * its share of itself and those before.
+ */
+function weigh(layers: readonly Track[]): string[] {
+  let sum = 0;
+  return layers.flatMap(({ weight }, i) => {
+    sum += weight;
+    const share = i === 0 ? 1 : sum > 0 ? weight / sum : 0;
+    return layers.length === 1 ? [] : [property('layers', layer(i), 'weight', Number(share.toFixed(4)))];
+  });
+}
+
+const layer = (index: number): string => tag('ly', { index });
+
+function animations(state: State): string[] {
+  const add = (name: string, type: string, numberOfLayers?: number): string => tag('body-player-add', { time: 0, name, type, numberOfLayers });
+  const pass = tag('body-configure-deterministic-animation', { time: 0, smooth: state.swapSecs > 0, swapTime: state.swapSecs > 0 ? state.swapSecs : undefined });
+  switch (state.mechanism) {
+    case 'none':
+      return [];
+    case 'layers':
+      return [pass, add('layers', 'multiple', state.layers.length), ...state.layers.flatMap((track, i) => onTrack('layers', layer(i), track)), ...weigh(state.layers)];
+    case 'groups':
+      return [pass, add('groups', 'bodyGroup'), ...GROUPS.flatMap((name) => onTrack('groups', tag('bg', { name }), state.groups[name]))];
+    case 'stances': {
+      const { from, to, blend } = state.stances;
+      const stance = (index: number, clip: string): string[] => onTrack('stances', layer(index), stand(clip));
+      return [pass, add('stances', 'pose'), ...stance(0, from), ...stance(1, to), property('stances', layer(1), 'weight', blend)];
+    }
+  }
+}
+
+function manipulator(name: LimbName, limb: Limb): string[] {
+  if (limb.lead === 'free') return [];
+  const limits = limb.limits ? [] : [tag('body-configure-manipulator', { time: 0, manipulator: name, jointLimitsActive: false })];
+  if (limb.lead === 'joints') {
+    const joints = Object.fromEntries(limb.joints.map((angle, i) => [`j${i + 1}`, angle]));
+    return [...limits, tag('body-non-deterministic-fk', { time: 0, manipulator: name, nJoints: limb.joints.length, ...joints })];
+  }
+  const [posX, posY, posZ] = limb.place;
+  const [yaw, pitch, roll] = limb.angles;
+  const target = { posX, posY, posZ, yaw, pitch, roll };
+  const start = { time: 0, manipulator: name };
+  const ways = {
+    joints: () => tag('body-non-deterministic-joint-interpolation', { ...start, staticTime: MOVE_SECS, ...target }),
+    line: () => tag('body-non-deterministic-frame-interpolation', { ...start, timePeriod: MOVE_SECS, ...target }),
+    velocity: () => tag('body-non-deterministic-jacobian', { ...start, isStaticTarget: true, ...target }),
+  };
+  const lock = limb.lock ? [tag('body-non-deterministic-lock', { time: SETTLED_SECS - 0.5, manipulator: name, isLock: true })] : [];
+  return [...limits, ways[limb.way](), ...lock];
+}
+
+function geometry(look: Look): string[] {
+  const changed = (key: keyof Look): boolean | undefined => (look[key] === LOOK[key] ? undefined : Boolean(look[key]));
+  const attributes = {
+    time: 0,
+    fillMode: look.fill === LOOK.fill ? undefined : look.fill,
+    visibleMeshes: look.bones ? (look.skin ? 'both' : 'bones') : undefined,
+    areMaterialsActive: changed('materials'),
+    areTexturesActive: changed('textures'),
+    areFramesVisible: changed('frames'),
+    areHierarchyCentersVisible: changed('centers'),
+    areManipulatorsVisible: changed('manipulators'),
+  };
+  return Object.values(attributes).filter((value) => value !== undefined).length > 1 ? [tag('body-configure-geometry', attributes)] : [];
+}
+
+/** A whole script that sets everything at its beginning. */
+export function write(state: State): string {
+  const clauses = [...animations(state), ...LIMBS.flatMap((name) => manipulator(name, state.limbs[name])), ...geometry(state.look), tag('null', { time: LENGTH_SECS })];
+  const extended = clauses.some((clause) => clause.includes(' r:'));
+  return `${tag('eml', { 'xmlns:r': extended ? 'urn:raconteur:eml:1' : undefined, name: 'viewer' }, [tag('body', {}, clauses)])}\n`;
+}
