@@ -45,6 +45,12 @@ const SHOWN: &[&str] = &[
     "body-non-deterministic-jacobian",
     "body-non-deterministic-stop",
     "body-non-deterministic-lock",
+    "gesture-is-on",
+    "gesture-key",
+    "hand-shapes",
+    "palms",
+    "motion",
+    "key",
 ];
 
 /// Times a second at which stretches are looked at.
