@@ -28,8 +28,8 @@ const HAND_AT_EASE: DVec3 = DVec3::new(0.22, 0.12, 1.0);
 /// Direction of the elbow from the line between shoulder and wrist there. Designed.
 const ELBOW_AT_EASE: DVec3 = DVec3::new(0.42, -1.0, 0.0);
 
-/// Width of the edge in which an elbow gives way to the trunk, as a share of its half axes.
-const ELBOW_EDGE: f64 = 0.15;
+/// Depth to which an elbow gives way to the trunk only by and by, as a share of its half axes.
+const ELBOW_EDGE: f64 = 0.2;
 
 /// Half width and half depth of the trunk for a stature of 1.7 m, metres; measured at
 /// the chest of an average adult, clothed.
@@ -341,12 +341,12 @@ impl ArmRig {
         let z = elbow.z / (half_depth + 0.04);
         let over = 1.0 - ops::hypot(x, z);
         // Eased, so that an elbow that meets the trunk slides and does not bounce.
-        if over >= ELBOW_EDGE {
-            over
-        } else if over <= -ELBOW_EDGE {
+        if over <= 0.0 {
             0.0
+        } else if over < ELBOW_EDGE {
+            over * over / (2.0 * ELBOW_EDGE)
         } else {
-            (over + ELBOW_EDGE) * (over + ELBOW_EDGE) / (4.0 * ELBOW_EDGE)
+            over - 0.5 * ELBOW_EDGE
         }
     }
 }

@@ -62,6 +62,12 @@ const SHOWN: &[&str] = &[
     "body-player-clear",
     "body-deterministic-primitive",
     "animation-style",
+    "gesture-is-on",
+    "gesture-key",
+    "hand-shapes",
+    "palms",
+    "motion",
+    "key",
 ];
 
 /// Times a second at which stretches are looked at.
