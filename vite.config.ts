@@ -53,6 +53,7 @@ export default defineConfig({
     rolldownOptions: {
       input: {
         index: join(root, 'index.html'),
+        gestures: join(root, 'gestures/index.html'),
         'raconteur-player': join(root, 'web/element/index.ts'),
       },
       // The element has an address that a page can name.
