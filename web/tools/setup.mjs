@@ -64,8 +64,8 @@ export async function page() {
   await once(
     'page',
     {
-      inputs: ['index.html', 'vite.config.ts', 'package-lock.json', 'web/element', 'web/pages', 'web/tools/docs.ts', 'assets',
-        'README.md', 'ARCHITECTURE.md', 'CONTRIBUTING.md', 'CHANGELOG.md', 'docs/figures.md', 'docs/live.md', '.setup/wasm-webgpu', '.setup/wasm-webgl', '.setup/wasm-avatar'],
+      inputs: ['index.html', 'gestures', 'vite.config.ts', 'package-lock.json', 'web/element', 'web/pages', 'web/tools/docs.ts', 'assets',
+        'README.md', 'ARCHITECTURE.md', 'CONTRIBUTING.md', 'CHANGELOG.md', 'docs/figures.md', 'docs/gestures.md', 'docs/live.md', '.setup/wasm-webgpu', '.setup/wasm-webgl', '.setup/wasm-avatar'],
       outputs: ['dist/index.html'],
     },
     async () => {

@@ -31,15 +31,19 @@ await main(async () => {
   };
   const isAvatar = (path) => /\/avatar-/.test(path);
   const isMind = (path) => /\/mind-/.test(path);
+  /** Scripts of one page alone; the player has no part in them. */
+  const isWorkshop = (path) => /\/gestures-[^/]*\.(js|css)$/.test(path);
   for (const [backend, budget] of Object.entries(budgets)) {
     const other = backend === 'webgpu' ? 'webgl' : 'webgpu';
     // The page's own script and style are not the player's.
-    const mine = files.filter((path) => /\.(js|wasm)$/.test(path) && !path.includes(`${other}-`) && !/\/(index|docs)-/.test(path) && !isAvatar(path) && !isMind(path));
+    const mine = files.filter((path) => /\.(js|wasm)$/.test(path) && !path.includes(`${other}-`) && !/\/(index|docs)-/.test(path) && !isAvatar(path) && !isMind(path) && !isWorkshop(path));
     measure(backend, [entry, ...mine], budget);
   }
   // Fetched only by a page that meets an avatar made elsewhere.
   measure('avatar', files.filter(isAvatar), 250);
   // Fetched only by a player that has a mind.
   measure('mind', files.filter(isMind), 4);
+  // The workshop for gestures, most of it the editor; besides the player, which is shared.
+  measure('gestures', files.filter(isWorkshop), 170);
   if (over.length > 0) throw new Stop(`The ${over.join(' and ')} build is over its budget.`);
 });

@@ -8,12 +8,11 @@ use wasm_bindgen::prelude::*;
 
 use crate::player::{Player, plain, read};
 
-/// Room for every place that an arm reaches; the shot itself bounds it. With it the picture
-/// stands still while a hand is dragged about.
-const WHOLE_REACH: Room = Room {
-    top_m: 9.0,
-    half_width_m: 9.0,
-};
+/// Room for every place that a fingertip reaches, as shares of stature: shoulders at 0.82 and
+/// 0.11 (ANSUR), an arm of 0.30 (GEVH table A.1) and a hand of 0.11. With it the picture stands
+/// still while a hand is dragged about.
+const REACH_UP: f64 = 1.23;
+const REACH_OUT: f64 = 0.52;
 
 #[wasm_bindgen]
 #[allow(
@@ -34,7 +33,12 @@ impl Player {
             return Ok(JsValue::UNDEFINED);
         };
         let figure = Arc::clone(before.figure());
-        let (mut performer, story) = read(eml, bundle.as_deref(), figure, motion, WHOLE_REACH);
+        let stature_m = figure.skeleton.stature_m();
+        let room = Room {
+            top_m: REACH_UP * stature_m,
+            half_width_m: REACH_OUT * stature_m,
+        };
+        let (mut performer, story) = read(eml, bundle.as_deref(), figure, motion, room);
         performer.set_view(self.view);
         self.performer = Some(performer);
         plain(&story)

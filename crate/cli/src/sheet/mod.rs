@@ -35,6 +35,8 @@ pub(crate) enum Part {
     Body,
     /// Palm and back of both hands; fist, point, pinch.
     Hands,
+    /// The 61 hand shapes of the right hand, by number; not part of all.
+    Shapes,
     /// Head turned, arm bent, arms raised.
     Poses,
     /// Teeth, jaw open, smile.
@@ -53,7 +55,8 @@ const COLUMNS: u32 = 5;
 /// The tiles of the parts asked for, in the order of [`Part`].
 pub(crate) fn tiles(figure: &Figure, parts: &[Part], light: Lighting) -> Vec<Tile> {
     let wanted = |part: Part| {
-        parts.contains(&part) || (parts.contains(&Part::All) && part != Part::Silhouette)
+        parts.contains(&part)
+            || (parts.contains(&Part::All) && !matches!(part, Part::Shapes | Part::Silhouette))
     };
     Part::value_variants()
         .iter()
@@ -62,11 +65,13 @@ pub(crate) fn tiles(figure: &Figure, parts: &[Part], light: Lighting) -> Vec<Til
         .collect()
 }
 
-/// Draws tiles and lays them out; `drawn` is called after each.
+/// Draws tiles and lays them out, `grid` to a row without captions or gaps where it is given;
+/// `drawn` is called after each.
 pub(crate) fn draw(
     figure: &Figure,
     tiles: &[Tile],
     height: u32,
+    grid: Option<u32>,
     headless: &mut Headless,
     drawn: impl Fn(),
 ) -> Result<Picture> {
@@ -74,7 +79,10 @@ pub(crate) fn draw(
         .iter()
         .map(|t| ((f64::from(height) * t.aspect).round() as u32).max(1))
         .collect();
-    let layout = Layout::new(&widths, height, COLUMNS * height + 64);
+    let layout = match grid {
+        Some(columns) => Layout::grid(&widths, height, columns),
+        None => Layout::new(&widths, height, COLUMNS * height + 64),
+    };
     let mut picture = Picture::new(&layout);
     let mut frame = Frame::with_capacity(figure.skeleton.joints().len(), figure.morph_names.len());
     frame.set = light::room();
@@ -91,7 +99,10 @@ pub(crate) fn draw(
             Style::Wire => wire::draw(figure, &tile.posed, &tile.camera, size),
             Style::Silhouette => silhouette(headless, &mut frame, size)?,
         };
-        picture.lay(place, size, &pixels, &tile.caption);
+        picture.lay(place, size, &pixels);
+        if grid.is_none() {
+            picture.write_under(place, size, &tile.caption);
+        }
         drawn();
     }
     Ok(picture)

@@ -43,6 +43,22 @@ impl Layout {
             size: (right.max(1), y + height + STRIP),
         }
     }
+
+    /// Lays tiles of one height in cells as wide as the widest, `columns` to a row, edge to
+    /// edge.
+    pub(crate) fn grid(widths: &[u32], height: u32, columns: u32) -> Self {
+        let cell = widths.iter().copied().max().unwrap_or(1);
+        let columns = columns.max(1);
+        let count = u32::try_from(widths.len()).unwrap_or(u32::MAX);
+        let places = (0..count).map(|i| (i % columns * cell, i / columns * height));
+        Self {
+            places: places.collect(),
+            size: (
+                columns.min(count.max(1)) * cell,
+                count.div_ceil(columns).max(1) * height,
+            ),
+        }
+    }
 }
 
 impl Picture {
@@ -66,19 +82,22 @@ impl Picture {
         &self.rgba
     }
 
-    /// Lays a tile down with its caption under it.
-    pub(crate) fn lay(
-        &mut self,
-        (x, y): (u32, u32),
-        (width, height): (u32, u32),
-        tile: &[u8],
-        text: &str,
-    ) {
+    /// Lays a tile down.
+    pub(crate) fn lay(&mut self, (x, y): (u32, u32), (width, _): (u32, u32), tile: &[u8]) {
         let bytes = 4 * width as usize;
         for (row, line) in tile.chunks_exact(bytes).enumerate() {
             let at = 4 * ((y as usize + row) * self.width as usize + x as usize);
             self.rgba[at..at + bytes].copy_from_slice(line);
         }
+    }
+
+    /// Writes a tile's caption under it.
+    pub(crate) fn write_under(
+        &mut self,
+        (x, y): (u32, u32),
+        (width, height): (u32, u32),
+        text: &str,
+    ) {
         let top = y + height + (STRIP - caption::HEIGHT * DOT) / 2;
         let (mut right, paper) = (x + width, &mut self.rgba);
         right = right.min(self.width);
@@ -108,5 +127,16 @@ mod tests {
         for (place, tile) in layout.places.iter().zip([100, 50, 100]) {
             assert!(place.0 + tile <= width && place.1 + 80 < height);
         }
+    }
+
+    #[test]
+    fn a_grid_leaves_no_gaps() {
+        let layout = Layout::grid(&[80; 5], 80, 2);
+        assert_eq!(
+            layout.places,
+            [(0, 0), (80, 0), (0, 80), (80, 80), (0, 160)]
+        );
+        assert_eq!(Picture::new(&layout).size(), (160, 240));
+        assert_eq!(Picture::new(&Layout::grid(&[], 80, 8)).size(), (1, 80));
     }
 }

@@ -59,6 +59,7 @@ pub(super) fn of(figure: &Figure, part: Part, lighting: Lighting) -> Vec<Tile> {
         Part::Eyes => maker.eyes(),
         Part::Body => maker.body(),
         Part::Hands => maker.hands(),
+        Part::Shapes => maker.shapes(),
         Part::Poses => maker.poses(),
         Part::Mouth => maker.mouth(),
         Part::Lights => maker.lights(),
@@ -162,15 +163,20 @@ impl<'a> Maker<'a> {
 
     /// A raised hand before the studio's wall.
     fn raised(&self, caption: &str, side: Side, shape: u8, palm: [f64; 3], yaw: f64) -> Tile {
+        let posture = self.raised_posture(side, shape, palm);
+        self.tile(caption, 1.0, posture, |at| {
+            before(at.hand(side), 1.3 * at.palm_m(side), yaw, 0.0)
+        })
+    }
+
+    fn raised_posture(&self, side: Side, shape: u8, palm: [f64; 3]) -> Posture<'a> {
         let mut posture = self.standing();
         posture.arm(side, [0.75, -0.60, 0.15], [0.42, 0.90, 0.15]);
         posture.hand(side, [0.10, 0.99, 0.06], palm);
         if let Some(shape) = HandShape::get(shape) {
             posture.shape(side, shape);
         }
-        self.tile(caption, 1.0, posture, |at| {
-            before(at.hand(side), 1.3 * at.palm_m(side), yaw, 0.0)
-        })
+        posture
     }
 
     fn hands(&self) -> Vec<Tile> {
@@ -188,6 +194,23 @@ impl<'a> Maker<'a> {
             self.raised("pinch", l, PINCH, to_us, -0.3),
             self.raised("pinch, thumb side", l, PINCH, inwards, -0.2),
         ]
+    }
+
+    /// Turned a little, so that a thumb before the palm stands out, with room for one that
+    /// stands off.
+    fn shapes(&self) -> Vec<Tile> {
+        let side = Side::Right;
+        HandShape::ALL
+            .iter()
+            .map(|shape| {
+                let caption = format!("{} {}", shape.id(), shape.name());
+                let posture = self.raised_posture(side, shape.id(), [0.3, 0.0, 1.0]);
+                self.tile(&caption, 1.0, posture, |at| {
+                    let aside = DVec3::X * (0.13 * at.palm_m(side));
+                    before(at.hand(side) + aside, 1.22 * at.palm_m(side), 0.0, 0.0)
+                })
+            })
+            .collect()
     }
 
     fn poses(&self) -> Vec<Tile> {

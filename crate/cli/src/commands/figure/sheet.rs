@@ -28,6 +28,9 @@ pub(super) struct Sheet {
     /// Height of a tile, pixels.
     #[arg(long, default_value_t = 400)]
     size: u32,
+    /// So many tiles to a row, edge to edge and without captions, for programs.
+    #[arg(long, value_parser = clap::value_parser!(u32).range(1..=64))]
+    grid: Option<u32>,
     /// The light of every tile but those that compare lights.
     #[arg(long, default_value = "studio")]
     light: String,
@@ -57,7 +60,9 @@ impl Sheet {
         let bar = ProgressBar::new(tiles.len() as u64).with_style(ProgressStyle::with_template(
             "{bar:30} {pos}/{len} tiles, {eta} left",
         )?);
-        let picture = sheet::draw(&figure, &tiles, self.size, &mut headless, || bar.inc(1))?;
+        let picture = sheet::draw(&figure, &tiles, self.size, self.grid, &mut headless, || {
+            bar.inc(1)
+        })?;
         bar.finish_and_clear();
         write_png(&self.output, picture.size(), picture.rgba())?;
         Ok(Outcome::Fine)

@@ -1,0 +1,191 @@
+/** Changes of a text that set what its gestures say. Everything else in the text stays as it was. */
+
+import {
+  EXTENSIONS, FEATURES, mirror, mirrored, TRACK_NAMES, trackOf,
+  type Course, type Feature, type Gesture, type Hand, type Key, type Phase, type PhaseName, type Track, type Value,
+} from './gesture.js';
+import { attribute, insertInto, removeElement, setAttribute, type Change, type Element } from './source.js';
+
+/** A number as people write it: at most this many decimals, no zeros behind. */
+export const written = (value: number, decimals = 2): string => {
+  const text = String(Number(value.toFixed(decimals)));
+  return text === '-0' ? '0' : text;
+};
+
+/** What hands do in a phase: one of them, the other, both alike, or each its own. */
+export type Handedness = 'right' | 'left' | 'both' | 'apart';
+
+/** The prefix of the extensions, and the change that binds it where the text does not. */
+function bound({ root, prefix }: Gesture): { prefix: string; changes: Change[] } {
+  if (prefix !== undefined || root === undefined) return { prefix: prefix ?? 'r', changes: [] };
+  return { prefix: 'r', changes: setAttribute(root, 'xmlns:r', EXTENSIONS) };
+}
+
+function setExtension(gesture: Gesture, element: Element, values: Readonly<Record<string, string | undefined>>): Change[] {
+  if (Object.values(values).every((value) => value === undefined) && gesture.prefix === undefined) return [];
+  const { prefix, changes } = bound(gesture);
+  return [...changes, ...setAttributes(element, Object.fromEntries(Object.entries(values).map(([name, value]) => [`${prefix}:${name}`, value])))];
+}
+
+/** Several attributes of one element; the new ones follow each other in this order. */
+function setAttributes(element: Element, values: Readonly<Record<string, string | undefined>>): Change[] {
+  const changes = Object.entries(values).flatMap(([name, value]) => setAttribute(element, name, value));
+  const added = changes.filter((c) => c.from === c.to);
+  const first = added[0];
+  if (first === undefined) return changes;
+  return [...changes.filter((c) => c.from !== c.to), { ...first, insert: added.map((c) => c.insert).join('') }];
+}
+
+/** The markup of a key. */
+function keyMarkup(prefix: string, time: string | undefined, value: Value): string {
+  return `<key${time === undefined ? '' : ` time="${time}"`}${Object.entries(attributesOf(value, prefix)).map(([name, v]) => (v === undefined ? '' : ` ${name}="${v}"`)).join('')}/>`;
+}
+
+function attributesOf(value: Value, prefix: string): Record<string, string | undefined> {
+  const { shape, palm, place } = value;
+  if (shape !== undefined) {
+    const mixed = shape.second !== undefined;
+    return { id: String(shape.id), [`${prefix}:id2`]: mixed ? String(shape.second) : undefined, [`${prefix}:weight`]: mixed ? written(shape.weight) : undefined };
+  }
+  if (palm !== undefined) {
+    const [x, y, z] = palm.normal;
+    return { a: written(palm.angle, 1), x: written(x, 3), y: written(y, 3), z: written(z, 3) };
+  }
+  if (place !== undefined) {
+    const [x, y, z] = place;
+    return { x: written(x, 1), y: written(y, 1), z: written(z, 1) };
+  }
+  return {};
+}
+
+/** Sets what keys say. */
+export function setValue(gesture: Gesture, keys: readonly Key[], value: Value): Change[] {
+  const needs = value.shape?.second !== undefined;
+  const { prefix, changes } = needs ? bound(gesture) : { prefix: gesture.prefix ?? 'r', changes: [] };
+  return [...changes, ...keys.flatMap((key) => setAttributes(key.element, attributesOf(value, prefix)))];
+}
+
+/** Sets when a key comes, seconds after the start of its phase, written as it was. */
+export function setKeyTime(phase: Phase, key: Key, secs: number): Change[] {
+  const kept = Math.min(phase.durationSecs, Math.max(0, secs));
+  const time = key.written === 'percent' && phase.durationSecs > 0 ? `${written((100 * kept) / phase.durationSecs, 1)}%` : written(kept);
+  // Before the rest, where people look for it.
+  if (key.written !== 'nothing') return setAttribute(key.element, 'time', time);
+  const at = key.element.from + 1 + key.element.name.length;
+  return [{ from: at, to: at, insert: ` time="${time}"` }];
+}
+
+/** Adds a key, and its track where the hand has none. */
+export function addKey(text: string, gesture: Gesture, phase: Phase, feature: Feature, hand: Hand, secs: number, value: Value, apart: boolean): Change[] {
+  const track = trackOf(phase, feature, hand);
+  const { prefix, changes } = value.shape?.second === undefined ? { prefix: gesture.prefix ?? 'r', changes: [] } : bound(gesture);
+  const key = keyMarkup(prefix, written(secs), track !== undefined && mirrored(phase, track, hand) ? mirror(value) : value);
+  if (track === undefined) {
+    const own = apart ? ` hand="${hand}"` : '';
+    const before = phase.tracks.find((t) => FEATURES.indexOf(t.feature) > FEATURES.indexOf(feature));
+    const name = TRACK_NAMES[feature];
+    return [...changes, insertInto(text, phase.element, `<${name}${own}>\n  ${key}\n</${name}>`, before?.element)];
+  }
+  // The others keep the times that they have without being asked.
+  const others = track.keys.filter((k) => k.written === 'nothing').flatMap((k) => setKeyTime(phase, k, k.secs));
+  const next = track.keys.find((k) => k.secs > secs + 1e-6);
+  return [...changes, ...others, insertInto(text, track.element, key, next?.element)];
+}
+
+/** Takes a key away, and its track with the last one. */
+export function removeKey(text: string, phase: Phase, track: Track, key: Key): Change[] {
+  if (track.keys.length === 1) return [removeElement(text, track.element)];
+  const others = track.keys.filter((k) => k !== key && k.written === 'nothing').flatMap((k) => setKeyTime(phase, k, k.secs));
+  return [...others, removeElement(text, key.element)];
+}
+
+/** Sets the course to a key, or of a track whose keys have none of their own. */
+export function setCourse(gesture: Gesture, of: Key | Track, course: Course | undefined): Change[] {
+  return setExtension(gesture, of.element, {
+    interpolation: course?.kind,
+    controls: course === undefined || course.controls.length === 0 ? undefined : course.controls.map((c) => written(c)).join(' '),
+  });
+}
+
+export const setSpace = (gesture: Gesture, track: Track, space: Track['space']): Change[] => setExtension(gesture, track.element, { space });
+
+export const setPhase = (gesture: Gesture, phase: Phase, name: PhaseName | undefined): Change[] => setExtension(gesture, phase.element, { phase: name });
+
+/** Sets the length of a phase; keys written in seconds keep their share of it. */
+export function setDuration(phase: Phase, secs: number): Change[] {
+  const duration = Math.max(0.05, secs);
+  const ratio = phase.durationSecs > 0 ? duration / phase.durationSecs : 1;
+  const keys = phase.tracks.flatMap((t) => t.keys).filter((k) => k.written === 'seconds');
+  return [...setAttribute(phase.element, 'duration', written(duration)), ...keys.flatMap((k) => setAttribute(k.element, 'time', written(k.secs * ratio, 3)))];
+}
+
+/** Sets when a phase begins: in a `seq` the pause before it, else the time from the start. Only for plain times. */
+export function setStart(phase: Phase, secs: number): Change[] {
+  return setAttribute(phase.element, 'time', written(Math.max(0, secs)));
+}
+
+/** Whether a phase follows the one before by itself. */
+export const inSequence = (phase: Phase): boolean => phase.element.parent?.name === 'seq';
+
+/** The plain seconds of its own `time`; undefined for an expression with names. */
+export function ownTime(phase: Phase): number | undefined {
+  const time = attribute(phase.element, 'time') ?? '0';
+  return /^\s*(\d+\.?\d*|\.\d+)s?\s*$/.test(time) ? Number.parseFloat(time) : undefined;
+}
+
+/** Has other hands do a phase. What the right hand did the left does mirrored, and the other way round. */
+export function setHands(text: string, gesture: Gesture, phase: Phase, wanted: Handedness): Change[] {
+  const { prefix } = gesture;
+  const changes = setAttribute(phase.element, 'handedness', wanted === 'apart' ? 'both' : wanted);
+  // The hand whose tracks are the pattern for what comes.
+  const pattern: Hand = phase.hands === 'left' ? 'left' : 'right';
+  for (const feature of FEATURES) {
+    const tracks = phase.tracks.filter((t) => t.feature === feature);
+    if (wanted === 'apart') {
+      const common = tracks.find((t) => t.hand === undefined);
+      if (common === undefined) continue;
+      // The hand that is told nothing of its own gets the mirror image of what the other does.
+      changes.push(...setAttribute(common.element, 'hand', pattern));
+      const other: Hand = pattern === 'right' ? 'left' : 'right';
+      if (!tracks.some((t) => t.hand === other)) changes.push(copyTrack(text, phase, common, other, prefix));
+      continue;
+    }
+    const source = wanted === 'both' ? (trackOf({ ...phase, hands: 'both' }, feature, pattern) ?? tracks[0]) : (tracks.find((t) => t.hand === wanted) ?? tracks.find((t) => t.hand === undefined) ?? tracks[0]);
+    if (source === undefined) continue;
+    const saidFor: Hand = source.hand ?? pattern;
+    const meantFor: Hand = wanted === 'both' ? 'right' : wanted;
+    changes.push(...setAttribute(source.element, 'hand', undefined));
+    if (saidFor !== meantFor) changes.push(...source.keys.flatMap((k) => setAttributes(k.element, attributesOf(mirror(k.value), prefix ?? 'r'))));
+    for (const track of tracks) if (track !== source) changes.push(removeElement(text, track.element));
+  }
+  return changes;
+}
+
+/** A track again for the other hand, mirrored; its other attributes are kept. */
+function copyTrack(text: string, phase: Phase, track: Track, hand: Hand, prefix: string | undefined): Change {
+  const { element } = track;
+  const keep = (e: Element, drop: readonly string[]) => e.attributes.filter((a) => !drop.includes(a.name)).map((a) => ` ${text.slice(a.from, a.to)}`).join('');
+  const keys = track.keys.map((key) => {
+    const values = attributesOf(mirror(key.value), prefix ?? 'r');
+    const own = Object.entries(values).map(([name, value]) => (value === undefined ? '' : ` ${name}="${value}"`)).join('');
+    return `  <key${keep(key.element, Object.keys(values))}${own}/>`;
+  });
+  const following = phase.element.children[phase.element.children.indexOf(element) + 1];
+  return insertInto(text, phase.element, `<${element.name} hand="${hand}"${keep(element, ['hand'])}>\n${keys.join('\n')}\n</${element.name}>`, following);
+}
+
+/** A new phase after another, or at the end of the body; `like` gives it hands. */
+export function addPhase(text: string, gesture: Gesture, name: PhaseName, after: Phase | undefined): Change[] {
+  const { body } = gesture;
+  const { prefix, changes } = bound(gesture);
+  const parent = after?.element.parent ?? body;
+  if (parent === undefined) return [];
+  const durations: Record<PhaseName, string> = { preparation: '0.5', prestroke: '0.3', stroke: '0.6', poststroke: '0.4', retraction: '0.7', 'partial-retraction': '0.5' };
+  const start = after === undefined || inSequence(after) ? '0' : written((after.startSecs ?? 0) + after.durationSecs);
+  const hands = after?.hands ?? 'right';
+  const markup = `<gesture-key time="${start}" duration="${durations[name]}" handedness="${hands}" ${prefix}:phase="${name}"/>`;
+  const siblings = parent.children;
+  return [...changes, insertInto(text, parent, markup, after === undefined ? undefined : siblings[siblings.indexOf(after.element) + 1])];
+}
+
+export const removePhase = (text: string, phase: Phase): Change[] => [removeElement(text, phase.element)];

@@ -1,0 +1,206 @@
+/**
+ * The text, and its history: controls change the text, so that one list of steps undoes both.
+ * CodeMirror puts its style sheets into the shadow root that it lives in, which a strict policy
+ * allows; into a document it would put a style element, which the policy refuses.
+ */
+
+import { defaultKeymap, history, historyKeymap, redo, redoDepth, undo, undoDepth } from '@codemirror/commands';
+import { xml } from '@codemirror/lang-xml';
+import { bracketMatching, HighlightStyle, indentOnInput, syntaxHighlighting } from '@codemirror/language';
+import { forceLinting, lintGutter, linter, type Diagnostic as Mark } from '@codemirror/lint';
+import { Annotation, EditorState, Transaction } from '@codemirror/state';
+import { drawSelection, EditorView, highlightActiveLine, highlightSpecialChars, keymap, lineNumbers } from '@codemirror/view';
+import { tags } from '@lezer/highlight';
+import type { Diagnostic, Place } from '../../element/index.js';
+import type { Change } from './source.js';
+
+const look = EditorView.theme({
+  '&': { color: 'var(--code-ink)', backgroundColor: 'var(--code)', height: '100%', fontSize: 'var(--code-size, 13px)' },
+  '&.cm-focused': { outline: '3px solid var(--accent-on-code)', outlineOffset: '-3px' },
+  '.cm-scroller': { fontFamily: 'var(--mono)', lineHeight: '1.6' },
+  '.cm-content': { caretColor: 'var(--glow)', padding: '12px 0' },
+  '.cm-cursor': { borderLeftColor: 'var(--glow)', borderLeftWidth: '2px' },
+  '.cm-gutters': { backgroundColor: 'transparent', color: '#9d8d9b', border: 'none' },
+  '.cm-activeLine': { backgroundColor: 'rgb(255 255 255 / 5%)' },
+  '.cm-selectionBackground, &.cm-focused > .cm-scroller > .cm-selectionLayer .cm-selectionBackground': { background: 'rgb(242 178 92 / 32%)' },
+  '.cm-matchingBracket, &.cm-focused .cm-matchingBracket': { backgroundColor: 'rgb(242 178 92 / 28%)' },
+  '.cm-tooltip': { backgroundColor: '#3a2e42', color: 'var(--code-ink)', border: '1px solid #5a4a63', borderRadius: '8px', fontFamily: 'var(--sans)', fontSize: '13.5px', maxWidth: '40ch' },
+  '.cm-diagnostic': { borderLeft: '3px solid #ff8f70', padding: '6px 10px' },
+  '.cm-diagnostic-warning': { borderLeftColor: 'var(--glow)' },
+});
+
+const colours = HighlightStyle.define([
+  { tag: tags.tagName, color: '#f2b25c' },
+  { tag: tags.attributeName, color: '#c9d8a5' },
+  { tag: tags.attributeValue, color: '#8fd0e0' },
+  { tag: [tags.angleBracket, tags.definitionOperator], color: '#b9a9b4' },
+  { tag: [tags.comment, tags.processingInstruction], color: '#a697a6', fontStyle: 'italic' },
+  { tag: tags.invalid, color: '#ff9e85' },
+]);
+
+/** This change came from a control: it goes on with the step before, or it begins one. */
+const goesOn = Annotation.define<boolean>();
+/** Who stops typing for longer begins another step. */
+const TYPING_PAUSE_MS = 700;
+
+/** Which changes are one step: those of a control that moves, and what is typed without a pause. */
+class Steps {
+  #typedAt = -Infinity;
+
+  /** Whether a change belongs to the step before. */
+  readonly join = (transaction: Transaction, adjacent: boolean): boolean =>
+    transaction.annotation(goesOn) ?? (adjacent && timeOf(transaction) - this.#typedAt < TYPING_PAUSE_MS);
+
+  /** Takes note of a change that was made. */
+  note(transaction: Transaction): void {
+    if (transaction.docChanged) this.#typedAt = transaction.annotation(goesOn) === undefined ? timeOf(transaction) : -Infinity;
+  }
+}
+
+const timeOf = (transaction: Transaction): number => transaction.annotation(Transaction.time) ?? 0;
+
+/**
+ * What is typed over a selection. Left to itself Chromium gives it the look of what it replaces as
+ * an inline style, which the policy refuses with a complaint.
+ */
+function typedOver(event: InputEvent, view: EditorView): boolean {
+  const { data, inputType, isComposing } = event;
+  if (inputType !== 'insertText' || data === null || isComposing || (view.state.selection.main.empty && !data.includes('\n'))) return false;
+  view.dispatch(view.state.replaceSelection(data), { userEvent: 'input.type', scrollIntoView: true });
+  return true;
+}
+
+/** What the editor tells the page. */
+export interface EditorEvents {
+  /** The text is another one now. */
+  text(text: string): void;
+  /** There is a story in the history again, or none any more. */
+  moved(): void;
+}
+
+export class Editor {
+  readonly #view: EditorView;
+  #diagnostics: readonly Diagnostic[] = [];
+  /** A control is being moved. */
+  #moving = false;
+
+  constructor(host: HTMLElement, label: string, text: string, events: EditorEvents) {
+    const steps = new Steps();
+    const root = host.attachShadow({ mode: 'open' });
+    const parent = document.createElement('div');
+    // The sheet of a shadow root may not come from an inline style, but from the object model.
+    const sheet = new CSSStyleSheet();
+    sheet.replaceSync(':host { display: block } div:first-child { height: 100% }');
+    root.adoptedStyleSheets.push(sheet);
+    root.append(parent);
+    this.#view = new EditorView({
+      parent,
+      root,
+      state: EditorState.create({
+        doc: text,
+        extensions: [
+          lineNumbers(),
+          highlightSpecialChars(),
+          history({ newGroupDelay: Infinity, joinToEvent: steps.join }),
+          drawSelection(),
+          indentOnInput(),
+          bracketMatching(),
+          highlightActiveLine(),
+          xml(),
+          syntaxHighlighting(colours),
+          linter(() => this.#marks(), { delay: 0, needsRefresh: () => false }),
+          lintGutter(),
+          EditorView.lineWrapping,
+          EditorView.domEventHandlers({ beforeinput: typedOver }),
+          EditorView.contentAttributes.of({ 'aria-label': label, tabindex: '0', spellcheck: 'false', autocapitalize: 'off' }),
+          keymap.of([...defaultKeymap, ...historyKeymap]),
+          look,
+          EditorView.updateListener.of((update) => {
+            for (const transaction of update.transactions) steps.note(transaction);
+            if (update.docChanged) events.text(update.state.doc.toString());
+            if (update.docChanged || update.transactions.length > 0) events.moved();
+          }),
+        ],
+      }),
+    });
+  }
+
+  get text(): string {
+    return this.#view.state.doc.toString();
+  }
+
+  get canUndo(): boolean {
+    return undoDepth(this.#view.state) > 0;
+  }
+
+  get canRedo(): boolean {
+    return redoDepth(this.#view.state) > 0;
+  }
+
+  undo(): void {
+    this.settle();
+    undo(this.#view);
+  }
+
+  redo(): void {
+    this.settle();
+    redo(this.#view);
+  }
+
+  /** Changes the text in one step. */
+  change(changes: readonly Change[]): void {
+    this.settle();
+    this.#dispatch(changes, false);
+  }
+
+  /** Changes the text for a control that moves: all of it until `settle` is one step. */
+  drag(changes: readonly Change[]): void {
+    if (changes.length === 0) return;
+    this.#dispatch(changes, this.#moving);
+    this.#moving = true;
+  }
+
+  /** The control rests. */
+  settle(): void {
+    this.#moving = false;
+  }
+
+  #dispatch(changes: readonly Change[], on: boolean): void {
+    if (changes.length > 0) this.#view.dispatch({ changes: [...changes], annotations: goesOn.of(on) });
+  }
+
+  /** Shows what is wrong at its places. */
+  show(diagnostics: readonly Diagnostic[]): void {
+    this.#diagnostics = diagnostics;
+    forceLinting(this.#view);
+  }
+
+  #marks(): Mark[] {
+    return this.#diagnostics.flatMap(({ start, end, severity, message, hints }): Mark[] => {
+      if (start === undefined) return [];
+      const from = this.#at(start);
+      const to = Math.max(from, end === undefined ? from : this.#at(end));
+      return [{ from, to, severity, message: [message, ...hints].join('\n') }];
+    });
+  }
+
+  #at({ line, columnUtf16 }: Place): number {
+    const { doc } = this.#view.state;
+    const found = doc.line(Math.min(doc.lines, Math.max(1, line)));
+    return Math.min(found.to, found.from + columnUtf16 - 1);
+  }
+
+  /** Puts the cursor at a place and the place into view. */
+  goTo(place: Place): void {
+    const at = this.#at(place);
+    this.#view.dispatch({ selection: { anchor: at }, effects: EditorView.scrollIntoView(at, { y: 'center' }) });
+    this.#view.focus();
+  }
+
+  /** Brings a place of the text into view within the editor; page and focus stay where they are. */
+  reveal(at: number): void {
+    const { scrollDOM } = this.#view;
+    const { top } = this.#view.lineBlockAt(Math.min(at, this.#view.state.doc.length));
+    scrollDOM.scrollTop = top - scrollDOM.clientHeight / 3;
+  }
+}

@@ -1,0 +1,162 @@
+/** The workshop for gestures: wires the stage, the timeline, the steps and the text to one state. */
+
+import '../../element/index.js';
+import { html, nothing, render, type TemplateResult } from 'lit';
+import { App } from './app.js';
+import { EXAMPLES } from './examples.js';
+import { remember, remembered } from './memory.js';
+import { overlay } from './overlay.js';
+import { panels } from './panels.js';
+import { difference } from './source.js';
+import { timeline } from './timeline.js';
+
+/** Who can be on stage. */
+const FIGURES: Readonly<Record<string, string>> = { sofia: 'Sofia', papous: 'Papous', nuno: 'Nuno' };
+const SPEEDS = [0.5, 1, 1.5];
+/** Problems that are listed; the rest is counted. */
+const MOST_PROBLEMS = 8;
+
+/** A part of the page; that it is there is the page's own business. */
+function part(id: string): HTMLElement {
+  const element = document.getElementById(id);
+  if (element === null) throw new Error(`the page has no #${id}`);
+  return element;
+}
+
+const player = document.querySelector('raconteur-player');
+if (player === null) throw new Error('the page has no player');
+const places = { tools: part('tools'), overlay: part('overlay'), transport: part('transport'), timeline: part('timeline'), steps: part('steps'), problems: part('problems'), status: part('status') };
+part('waiting').remove();
+const [first = ''] = Object.values(EXAMPLES);
+const app = new App(player, part('editor'), remembered() ?? first, draw);
+let copied = '';
+
+function draw(): void {
+  render(tools(), places.tools);
+  render(overlay(app), places.overlay);
+  render(transport(), places.transport);
+  render(timeline(app), places.timeline);
+  render(panels(app), places.steps);
+  render(problems(), places.problems);
+}
+
+function say(text: string): void {
+  places.status.textContent = text;
+}
+
+/** Puts another text in the place of the whole; it can be undone. */
+function replace(text: string, name: string): void {
+  const change = difference(app.editor.text, text);
+  if (change === undefined) return;
+  app.change([change]);
+  app.selectPhase(0);
+  say(`${name} is on stage. Undo brings the gesture before back.`);
+}
+
+function tools(): TemplateResult {
+  const begin = (event: Event): void => {
+    const select = event.target as HTMLSelectElement;
+    const text = EXAMPLES[select.value];
+    if (text !== undefined) replace(text, select.value);
+    select.value = '';
+  };
+  return html`<label class="select"><span>Begin with</span>
+      <select @change=${begin}><option value="">Choose…</option>${Object.keys(EXAMPLES).map((name) => html`<option>${name}</option>`)}</select></label>
+    <label class="select"><span>On stage</span>
+      <select @change=${(event: Event) => (player!.figure = (event.target as HTMLSelectElement).value)}>
+        ${Object.entries(FIGURES).map(([id, name]) => html`<option value=${id} .selected=${id === player!.figure}>${name}</option>`)}
+      </select></label>
+    <span class="group">
+      <button type="button" class="plain" ?disabled=${!app.editor.canUndo} @click=${() => app.editor.undo()} title="Undo (Ctrl Z)">Undo</button>
+      <button type="button" class="plain" ?disabled=${!app.editor.canRedo} @click=${() => app.editor.redo()} title="Redo (Ctrl Shift Z)">Redo</button>
+    </span>
+    <span class="group">
+      <button type="button" class="plain" @click=${copy}>${copied === '' ? 'Copy EML' : copied}</button>
+      <button type="button" class="plain" @click=${download}>Download</button>
+    </span>`;
+}
+
+function copy(): void {
+  const tell = (text: string): void => {
+    copied = text;
+    say(text);
+    app.redraw();
+    setTimeout(() => {
+      copied = '';
+      app.redraw();
+    }, 1800);
+  };
+  navigator.clipboard.writeText(app.editor.text).then(
+    () => tell('Copied'),
+    () => tell('Select and copy by hand'),
+  );
+}
+
+function download(): void {
+  const name = /<eml[^>]*\sname=["']([\w-]+)["']/.exec(app.editor.text)?.[1] ?? 'gesture';
+  const link = document.createElement('a');
+  link.href = URL.createObjectURL(new Blob([app.editor.text], { type: 'application/xml' }));
+  link.download = `${name}.eml`;
+  link.click();
+  // The browser has taken the file by then.
+  setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
+  say(`${link.download} is saved.`);
+}
+
+function toggle(): void {
+  if (player!.paused) player!.play().catch(() => say('The browser allows playing only after a press.'));
+  else player!.pause();
+}
+
+function transport(): TemplateResult {
+  const { paused, loop, playbackRate } = player!;
+  const secs = Math.max(0, app.secs);
+  return html`<button type="button" class="play" ?disabled=${player!.readyState < 2} @click=${toggle}>${paused ? 'Play' : 'Pause'}</button>
+    <label class="check"><input type="checkbox" .checked=${loop} @change=${(event: Event) => (player!.loop = (event.target as HTMLInputElement).checked)} /> Loop</label>
+    <label class="select"><span>Speed</span>
+      <select @change=${(event: Event) => (player!.playbackRate = Number((event.target as HTMLSelectElement).value))}>
+        ${SPEEDS.map((speed) => html`<option value=${speed} .selected=${speed === playbackRate}>${speed}×</option>`)}
+      </select></label>
+    <span class="clock">${secs.toFixed(2)} / ${app.endSecs.toFixed(2)} s</span>`;
+}
+
+function problems(): TemplateResult {
+  const { diagnostics } = app;
+  if (diagnostics.length === 0) return html`<p class="fine">The text is understood.</p>`;
+  const count = (severity: string, name: string): string[] => {
+    const n = diagnostics.filter((d) => d.severity === severity).length;
+    return n === 0 ? [] : [`${n} ${name}${n === 1 ? '' : 's'}`];
+  };
+  return html`<p class="trouble">${[...count('error', 'error'), ...count('warning', 'warning')].join(' and ')}; the rest is performed.</p>
+    <ul>
+      ${diagnostics.slice(0, MOST_PROBLEMS).map(
+        (d) => html`<li class=${d.severity}>
+          ${d.start === undefined ? nothing : html`<button type="button" class="plain" @click=${() => d.start && app.editor.goTo(d.start)}>Line ${d.start.line}</button>`}
+          <span>${d.message}${d.hints.map((hint) => html` <small>${hint}</small>`)}</span>
+        </li>`,
+      )}
+      ${diagnostics.length > MOST_PROBLEMS ? html`<li>… and ${diagnostics.length - MOST_PROBLEMS} more.</li>` : nothing}
+    </ul>`;
+}
+
+// Undo and redo are of the whole page: what a control did is in the same list as what was typed.
+document.addEventListener('keydown', (event) => {
+  if (!(event.ctrlKey || event.metaKey) || event.altKey || event.defaultPrevented) return;
+  const key = event.key.toLowerCase();
+  if (key === 'z' && !event.shiftKey) app.editor.undo();
+  else if ((key === 'z' && event.shiftKey) || key === 'y') app.editor.redo();
+  else return;
+  event.preventDefault();
+});
+
+/** Opens the stage and shows the moment that is edited. */
+async function open(): Promise<void> {
+  draw();
+  remember(app.editor.text);
+  await app.rehearse();
+  const tab = app.tab;
+  app.selectTab(tab);
+  if (!matchMedia('(prefers-reduced-motion: reduce)').matches) return;
+  say('The gesture stands still until you play it.');
+}
+void open();

@@ -1,0 +1,91 @@
+/** What lies over the picture: where the wrists go, and the handle that moves the place that is edited. */
+
+import { html, nothing, svg, type TemplateResult } from 'lit';
+import type { PoseNow, Spot, Vector } from '../pose.js';
+import type { App } from './app.js';
+import { handle } from './fields.js';
+import { mirror, mirrored, trackOf, HANDS, type Track, type Triple } from './gesture.js';
+
+/** A place of EML in the world, metres. */
+export function toWorld({ origin, metresPerUnit }: PoseNow, [x, y, z]: Triple, world: boolean): Vector {
+  const [ox, oy, oz] = world ? [0, 0, 0] : origin;
+  return [ox + x * metresPerUnit, oy + y * metresPerUnit, oz - z * metresPerUnit];
+}
+
+/** The place of EML of a point in the world. */
+export function toPlace({ origin, metresPerUnit }: PoseNow, [x, y, z]: Vector, world: boolean): Triple {
+  const [ox, oy, oz] = world ? [0, 0, 0] : origin;
+  return [(x - ox) / metresPerUnit, (y - oy) / metresPerUnit, (oz - z) / metresPerUnit];
+}
+
+const tenths = (place: Triple): Triple => [Math.round(place[0] * 10) / 10, Math.round(place[1] * 10) / 10, Math.round(place[2] * 10) / 10];
+
+/** The wrist's place now, in EML's coordinates: what a new key begins with. */
+export function wristNow(app: App, world: boolean): Triple | undefined {
+  const wrist = app.pose?.joints.find((joint) => joint.name === `bone_${app.hand === 'left' ? 'l' : 'r'}_wrist`);
+  return wrist && app.pose && tenths(toPlace(app.pose, wrist.position, world));
+}
+
+export function overlay(app: App): TemplateResult | typeof nothing {
+  const { pose, phase, player } = app;
+  const { clientWidth: width, clientHeight: height } = player;
+  if (pose === undefined || phase === undefined || width === 0) return nothing;
+  const spot = (place: Triple, world: boolean): Spot | undefined => pose.camera.project(toWorld(pose, place, world), width, height);
+
+  const paths = HANDS.flatMap((hand) => {
+    const track = trackOf(phase, 'place', hand);
+    if (track === undefined) return [];
+    const other = mirrored(phase, track, hand);
+    const spots = track.keys.flatMap(({ value }) => {
+      const place = (other ? mirror(value) : value).place;
+      const at = place && spot(place, track.world);
+      return at ? [at] : [];
+    });
+    return svg`<g class=${hand === app.hand ? 'mine' : 'other'}>
+      <polyline points=${spots.map(({ x, y }) => `${x.toFixed(1)},${y.toFixed(1)}`).join(' ')} />
+      ${spots.map(({ x, y }) => svg`<circle cx=${x.toFixed(1)} cy=${y.toFixed(1)} r="4" />`)}
+    </g>`;
+  });
+  const track = app.track('place');
+  const grips = app.tab === 'place' && track !== undefined ? track.keys.map((_, i) => grip(app, pose, track, i, spot)) : nothing;
+  return html`<svg viewBox="0 0 ${width} ${height}" aria-hidden="true">${paths}</svg>${grips}`;
+}
+
+/** The handle of one place; the one that is edited is the larger. */
+function grip(app: App, pose: PoseNow, track: Track, index: number, spot: (place: Triple, world: boolean) => Spot | undefined): TemplateResult | typeof nothing {
+  const key = track.keys[index];
+  const place = key?.value.place;
+  const at = place && spot(place, track.world);
+  if (key === undefined || place === undefined || at === undefined) return nothing;
+  const { clientWidth: width, clientHeight: height } = app.player;
+  const mine = (): boolean => index === app.keyIndex('place');
+  /** Where it is by now: keys may come faster than the page is drawn. */
+  const live = (): Triple => app.track('place')?.keys[index]?.value.place ?? place;
+  const set = (to: Triple): void => app.setValue('place', { place: tenths(to) }, index);
+  return handle({
+    label: `Place ${index + 1} of ${track.keys.length}, ${place[0]} to the left, ${place[1]} up, ${place[2]} to the back. Arrow keys move it, page up and page down nearer and farther.`,
+    classes: mine() ? 'place chosen' : 'place',
+    left: (100 * at.x) / width,
+    top: (100 * at.y) / height,
+    drag: (to, _frame, event) => {
+      if (!mine()) app.selectKey(app.phaseIndex, 'place', index);
+      if (event.shiftKey) {
+        // Upwards is to the back, as on a floor.
+        const metres = (at.y - to.y) / pose.camera.pixelsPerMetre(toWorld(pose, place, track.world), height);
+        set([place[0], place[1], place[2] + metres / pose.metresPerUnit]);
+        return;
+      }
+      // In the plane of the picture, through where it is.
+      const point = pose.camera.unproject(to, width, height, toWorld(pose, place, track.world), pose.camera.forward);
+      if (point !== undefined) set(toPlace(pose, point, track.world));
+    },
+    key: (right, up, ahead) => {
+      if (!mine()) app.selectKey(app.phaseIndex, 'place', index);
+      const [x, y, z] = live();
+      // To the right of the picture is the speaker's left; the back is +z.
+      set([x + right, y + up, z - ahead]);
+      return true;
+    },
+    done: () => app.done(),
+  });
+}

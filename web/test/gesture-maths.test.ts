@@ -1,0 +1,94 @@
+/** Palms, courses and the camera of the pages, against what the engine does. */
+
+import { expect, test } from 'vitest';
+import type { Triple } from '../pages/gestures/gesture.js';
+import { cross, directionsOf, dot, flipDepth, palmOf, roll, twist } from '../pages/gestures/palm.js';
+import { wayAt } from '../pages/gestures/profile.js';
+import { Lens, type Vector } from '../pages/pose.js';
+
+const [LEFT, RIGHT, UP, DOWN, FRONT, BACK]: Triple[] = [[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]];
+const near = (a: readonly number[], b: readonly number[], digits = 9) => a.forEach((x, i) => expect(x).toBeCloseTo(b[i] ?? NaN, digits));
+
+test('the fingers of a right hand point as the engine has them', () => {
+  // The table of `crate/actor/src/palm.rs`: at -90, 0, 90 and 180 degrees.
+  const table: [Triple, Triple[]][] = [
+    [LEFT!, [BACK!, DOWN!, FRONT!, UP!]],
+    [RIGHT!, [FRONT!, DOWN!, BACK!, UP!]],
+    [UP!, [BACK!, LEFT!, FRONT!, RIGHT!]],
+    [DOWN!, [BACK!, RIGHT!, FRONT!, LEFT!]],
+    [FRONT!, [LEFT!, DOWN!, RIGHT!, UP!]],
+    [BACK!, [RIGHT!, DOWN!, LEFT!, UP!]],
+  ];
+  for (const [normal, fingers] of table) {
+    fingers.forEach((expected, k) => {
+      const directions = directionsOf('right', flipDepth(normal), (k - 1) * 90);
+      near(directions.fingers, expected);
+      near(directions.normal, normal);
+      // The left hand is its mirror image.
+      const left = directionsOf('left', flipDepth([-normal[0], normal[1], normal[2]]), -(k - 1) * 90);
+      near(left.fingers, [-expected[0], expected[1], expected[2]]);
+    });
+  }
+});
+
+test('directions become the normal and angle that mean them, whatever they are', () => {
+  for (let i = 0; i < 200; i += 1) {
+    const [a, b, c, d] = [1, 2, 3, 4].map((k) => Math.sin(k * 12.9898 + i * 78.233) * 2) as [number, number, number, number];
+    const hand = i % 2 === 0 ? 'right' : 'left';
+    const directions = twist(roll(directionsOf(hand, [a, b, c], d * 90), b, c), d);
+    expect(dot(directions.normal, directions.fingers)).toBeCloseTo(0, 9);
+    const { normal, angle } = palmOf(hand, directions);
+    const back = directionsOf(hand, normal, angle);
+    near(back.normal, directions.normal, 7);
+    near(back.fingers, directions.fingers, 7);
+    expect(Math.abs(angle)).toBeLessThanOrEqual(180);
+  }
+});
+
+test('a ball rolls as a finger moves over it', () => {
+  const front = directionsOf('right', flipDepth(FRONT!), 180);
+  // To the right of the picture is the speaker's left.
+  near(roll(front, Math.PI / 2, 0).normal, LEFT!);
+  near(roll(front, 0, Math.PI / 2).normal, UP!);
+  near(twist(front, Math.PI / 2).fingers, RIGHT!);
+  near(twist(front, Math.PI / 2).normal, FRONT!);
+  near(cross(LEFT!, UP!), FRONT!);
+});
+
+test('courses go from 0 to 1 as the engine has them', () => {
+  const all = [undefined, { kind: 'linear', controls: [] }, { kind: 'cosine', controls: [] }, { kind: 'bezier', controls: [0.2, 0, 0.4, 1.3] }, { kind: 'hermite', controls: [0, 2] }] as const;
+  for (const course of all) {
+    expect(wayAt(course, 0)).toBeCloseTo(0, 6);
+    expect(wayAt(course, 1)).toBeCloseTo(1, 6);
+  }
+  expect(wayAt(undefined, 0.5)).toBe(0.5);
+  expect(wayAt(undefined, 0.25)).toBeCloseTo(0.103515625, 12);
+  expect(wayAt(all[2], 0.25)).toBeCloseTo(0.5 - Math.SQRT1_2 / 2, 12);
+  // A Bézier with its points on the diagonal is a straight line.
+  expect(wayAt({ kind: 'bezier', controls: [0.3, 0.3, 0.8, 0.8] }, 0.37)).toBeCloseTo(0.37, 6);
+  // 3.9 u² - 2.9 u³ is greatest at u = 7.8 / 8.7.
+  expect(Math.max(...Array.from({ length: 1000 }, (_, i) => wayAt(all[3], i / 1000)))).toBeCloseTo(1.0449, 4);
+  // A Hermite curve has the slopes that it is told.
+  const steep = { kind: 'hermite', controls: [0.7, 2] } as const;
+  expect(wayAt(steep, 1e-6) / 1e-6).toBeCloseTo(0.7, 3);
+  expect((1 - wayAt(steep, 1 - 1e-6)) / 1e-6).toBeCloseTo(2, 3);
+});
+
+test('a point is projected to the canvas and back, and by the matrix, too', () => {
+  const lens = new Lens([0.1, 1.4, 4], [0, 1.2, 0], 0.36, 1.25, 0.1, 40);
+  const [width, height] = [500, 400];
+  const points: Vector[] = [[0, 1.2, 0], [0.4, 1.6, 0.3], [-0.5, 0.9, 0.5]];
+  near(Object.values(lens.project(points[0]!, width, height) ?? {}), [250, 200]);
+  for (const point of points) {
+    const spot = lens.project(point, width, height);
+    if (spot === undefined) throw new Error('behind');
+    near(lens.unproject(spot, width, height, point, lens.forward) ?? [], point);
+    const m = lens.clipFromWorld;
+    const clip = [0, 1, 2, 3].map((row) => (m[row] ?? 0) * point[0] + (m[4 + row] ?? 0) * point[1] + (m[8 + row] ?? 0) * point[2] + (m[12 + row] ?? 0)) as [number, number, number, number];
+    near([(0.5 + clip[0] / clip[3] / 2) * width, (0.5 - clip[1] / clip[3] / 2) * height], [spot.x, spot.y]);
+    expect(clip[2] / clip[3]).toBeGreaterThan(0);
+    expect(clip[2] / clip[3]).toBeLessThan(1);
+  }
+  expect(lens.project([0, 1, 9], width, height)).toBeUndefined();
+  expect(lens.unproject({ x: 250, y: 200 }, width, height, [0, 0, 0], lens.right)).toBeUndefined();
+});
