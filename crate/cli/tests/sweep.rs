@@ -52,5 +52,8 @@ fn what_is_beyond_its_limit_is_told_and_the_exit_status_is_1() {
     let text = String::from_utf8_lossy(&out.stdout);
     let line = text.lines().find(|l| l.contains("beyond-limits"));
     let line = line.expect("the check");
-    assert!(line.contains("!!") && line.contains("bone_r_elbow"), "{line}");
+    assert!(
+        line.contains("!!") && line.contains("bone_r_elbow"),
+        "{line}"
+    );
 }
