@@ -3,12 +3,14 @@
 
 import { spawnSync } from 'node:child_process';
 import { existsSync, readFileSync, readdirSync } from 'node:fs';
-import { join } from 'node:path';
+import { basename, join } from 'node:path';
 import { brotliCompressSync, gzipSync } from 'node:zlib';
 import { main, root, Stop } from './steps.mjs';
 
 /** KB of 1,000 bytes, gzip. */
 const budgets = { webgpu: 290, webgl: 900 };
+/** Scripts of pages, KB; most of the gestures' is the editor. */
+const pages = { gestures: 170, viewer: 16 };
 
 /** Node's own deflate gives up 2 % of size for speed, so the usual program is asked where it is there. */
 function gzip9(part) {
@@ -29,21 +31,30 @@ await main(async () => {
     console.log(`${name}: ${gzip.toFixed(1)} KB gzip, ${brotli.toFixed(1)} KB brotli; budget ${budget} KB gzip`);
     if (gzip > budget) over.push(name);
   };
-  const isAvatar = (path) => /\/avatar-/.test(path);
-  const isMind = (path) => /\/mind-/.test(path);
-  /** Scripts of one page alone; the player has no part in them. */
-  const isWorkshop = (path) => /\/gestures-[^/]*\.(js|css)$/.test(path);
+  const named = (pattern) => files.filter((path) => pattern.test(basename(path)));
+  /** A script with every file of the build that it names, directly or through others, but for `without`. */
+  const reach = (start, without) => {
+    const found = new Set([start]);
+    for (const path of found) {
+      if (!path.endsWith('.js')) continue;
+      const text = readFileSync(path, 'utf8');
+      for (const other of files) if (!without.test(basename(other)) && text.includes(basename(other))) found.add(other);
+    }
+    return [...found].filter((path) => /\.(js|wasm)$/.test(path));
+  };
+  // What only some players fetch: the importer of foreign avatars, and what connects to a mind.
   for (const [backend, budget] of Object.entries(budgets)) {
     const other = backend === 'webgpu' ? 'webgl' : 'webgpu';
-    // The page's own script and style are not the player's.
-    const mine = files.filter((path) => /\.(js|wasm)$/.test(path) && !path.includes(`${other}-`) && !/\/(index|docs)-/.test(path) && !isAvatar(path) && !isMind(path) && !isWorkshop(path));
-    measure(backend, [entry, ...mine], budget);
+    measure(backend, reach(entry, new RegExp(`^(avatar|mind|${other})-`)), budget);
   }
-  // Fetched only by a page that meets an avatar made elsewhere.
-  measure('avatar', files.filter(isAvatar), 250);
-  // Fetched only by a player that has a mind.
-  measure('mind', files.filter(isMind), 4);
-  // The workshop for gestures, most of it the editor; besides the player, which is shared.
-  measure('gestures', files.filter(isWorkshop), 170);
+  measure('avatar', named(/^avatar-/), 250);
+  measure('mind', named(/^mind-/), 4);
+  // What pages of their own add to the player.
+  const player = reach(entry, /^$/);
+  for (const [page, budget] of Object.entries(pages)) {
+    const [script] = named(new RegExp(`^${page}-.*\\.js$`));
+    if (script === undefined) throw new Stop(`dist/ has no script of the page ${page}.`);
+    measure(`page ${page}`, reach(script, /^$/).filter((path) => !player.includes(path)), budget);
+  }
   if (over.length > 0) throw new Stop(`The ${over.join(' and ')} build is over its budget.`);
 });

@@ -1,5 +1,6 @@
 /** The workshop for gestures: wires the stage, the timeline, the steps and the text to one state. */
 
+import type { View } from '../../element/index.js';
 import '../../element/index.js';
 import { html, nothing, render, type TemplateResult } from 'lit';
 import { App } from './app.js';
@@ -13,6 +14,16 @@ import { timeline } from './timeline.js';
 /** Who can be on stage. */
 const FIGURES: Readonly<Record<string, string>> = { sofia: 'Sofia', papous: 'Papous', nuno: 'Nuno' };
 const SPEEDS = [0.5, 1, 1.5];
+/** From where the stage is seen; the first is where the audience sits. */
+const SIDES: Readonly<Record<string, View | undefined>> = {
+  'The front': undefined,
+  'Near by': { turn: 0, tilt: 0.05, zoom: 2.1, right: 0, up: 0.42 },
+  'Its left': { turn: Math.PI / 2, tilt: 0.05, zoom: 1.7, right: -0.1, up: 0.36 },
+  'Its right': { turn: -Math.PI / 2, tilt: 0.05, zoom: 1.7, right: 0.1, up: 0.36 },
+  Above: { turn: 0, tilt: 1.35, zoom: 1.7, right: 0, up: 0.3 },
+};
+/** A look that is none: the shot again. */
+const NO_VIEW: View = { turn: NaN, tilt: NaN, zoom: NaN, right: NaN, up: NaN };
 /** Problems that are listed; the rest is counted. */
 const MOST_PROBLEMS = 8;
 
@@ -103,6 +114,11 @@ function download(): void {
   say(`${link.download} is saved.`);
 }
 
+function seen(event: Event): void {
+  player!.look(SIDES[(event.target as HTMLSelectElement).value] ?? NO_VIEW);
+  app.redraw();
+}
+
 function toggle(): void {
   if (player!.paused) player!.play().catch(() => say('The browser allows playing only after a press.'));
   else player!.pause();
@@ -117,6 +133,8 @@ function transport(): TemplateResult {
       <select @change=${(event: Event) => (player!.playbackRate = Number((event.target as HTMLSelectElement).value))}>
         ${SPEEDS.map((speed) => html`<option value=${speed} .selected=${speed === playbackRate}>${speed}×</option>`)}
       </select></label>
+    <label class="select"><span>Seen from</span>
+      <select @change=${seen}>${Object.keys(SIDES).map((name) => html`<option>${name}</option>`)}</select></label>
     <span class="clock">${secs.toFixed(2)} / ${app.endSecs.toFixed(2)} s</span>`;
 }
 

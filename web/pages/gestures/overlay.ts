@@ -18,6 +18,16 @@ export function toPlace({ origin, metresPerUnit }: PoseNow, [x, y, z]: Vector, w
   return [(x - ox) / metresPerUnit, (y - oy) / metresPerUnit, (oz - z) / metresPerUnit];
 }
 
+/** The axis of the world nearest to a direction: who drags in a picture from the front means left and up, not a little nearer as well. */
+function nearestAxis(direction: Vector): Vector {
+  const sizes = direction.map(Math.abs);
+  const most = sizes.indexOf(Math.max(...sizes));
+  const axis = (i: number): number => (i === most ? Math.sign(direction[i] ?? 1) : 0);
+  return [axis(0), axis(1), axis(2)];
+}
+
+const along = (point: Vector, axis: Vector, metres: number): Vector => [point[0] + axis[0] * metres, point[1] + axis[1] * metres, point[2] + axis[2] * metres];
+
 const tenths = (place: Triple): Triple => [Math.round(place[0] * 10) / 10, Math.round(place[1] * 10) / 10, Math.round(place[2] * 10) / 10];
 
 /** The wrist's place now, in EML's coordinates: what a new key begins with. */
@@ -69,21 +79,21 @@ function grip(app: App, pose: PoseNow, track: Track, index: number, spot: (place
     top: (100 * at.y) / height,
     drag: (to, _frame, event) => {
       if (!mine()) app.selectKey(app.phaseIndex, 'place', index);
-      if (event.shiftKey) {
-        // Upwards is to the back, as on a floor.
-        const metres = (at.y - to.y) / pose.camera.pixelsPerMetre(toWorld(pose, place, track.world), height);
-        set([place[0], place[1], place[2] + metres / pose.metresPerUnit]);
-        return;
-      }
-      // In the plane of the picture, through where it is.
-      const point = pose.camera.unproject(to, width, height, toWorld(pose, place, track.world), pose.camera.forward);
+      const { camera } = pose;
+      const pressed = toWorld(pose, place, track.world);
+      const ahead = nearestAxis(camera.forward);
+      // In the plane across the view, through where it was; with the shift key away from it, upwards being farther.
+      const point = event.shiftKey
+        ? along(pressed, ahead, (at.y - to.y) / camera.pixelsPerMetre(pressed, height))
+        : camera.unproject(to, width, height, pressed, ahead);
       if (point !== undefined) set(toPlace(pose, point, track.world));
     },
-    key: (right, up, ahead) => {
+    key: (right, up, nearer) => {
       if (!mine()) app.selectKey(app.phaseIndex, 'place', index);
-      const [x, y, z] = live();
-      // To the right of the picture is the speaker's left; the back is +z.
-      set([x + right, y + up, z - ahead]);
+      const { camera, metresPerUnit } = pose;
+      const steps: [Vector, number][] = [[camera.right, right], [camera.up, up], [camera.forward, -nearer]];
+      const moved = steps.reduce((point, [axis, units]) => along(point, nearestAxis(axis), units * metresPerUnit), toWorld(pose, live(), track.world));
+      set(toPlace(pose, moved, track.world));
       return true;
     },
     done: () => app.done(),
