@@ -368,7 +368,7 @@ export class RaconteurPlayer extends LitElement {
     try {
       if (!this.src && this.#text === undefined) throw new PlayerError('No story is given: set the attribute src.');
       const [files, backend] = await Promise.all([
-        fetchStory(this.src, this.#text, (part) => this.#fetchFigure(part), signal, progress),
+        fetchStory(this.src, this.#text, this.#library, (part) => this.#fetchFigure(part), signal, progress),
         Promise.resolve(this.backend ?? chooseBackend()).then((chosen) => {
           warmUp(chosen);
           return chosen;
@@ -381,6 +381,12 @@ export class RaconteurPlayer extends LitElement {
         canvas: (canvas) => this.#setCanvas(canvas, signal),
         lost: (recovering) => this.#setLost(recovering ? 'recovering' : 'yes', signal),
         back: () => this.#setLost('no', signal),
+        retold: (story) => {
+          if (this.#show !== undefined && !signal.aborted) this.#retell(this.#show, story);
+        },
+        report: (diagnostic) => {
+          if (!signal.aborted) this.#report(diagnostic);
+        },
       });
       picture = opened.picture;
       if (this.#view !== undefined) picture.look(this.#view);
@@ -400,8 +406,12 @@ export class RaconteurPlayer extends LitElement {
   /** The figure that is asked for now: one of the library, of an address, or the user's own. */
   #fetchFigure(progress: Progress): Promise<FigureFile> {
     if (this.#given?.name === this.figure) return readFigure(this.#given);
-    const library = new URL(this.assets.endsWith('/') ? this.assets : `${this.assets}/`, document.baseURI);
-    return fetchFigure(this.figure, library, progress);
+    return fetchFigure(this.figure, this.#library, progress);
+  }
+
+  /** Where figures and animations of the library lie. */
+  get #library(): URL {
+    return new URL(this.assets.endsWith('/') ? this.assets : `${this.assets}/`, document.baseURI);
   }
 
   /**
@@ -419,7 +429,14 @@ export class RaconteurPlayer extends LitElement {
     if (text !== this.#text) return this.#diagnostics;
     const story = show.picture.rehearse(text);
     if (story === undefined) return [{ code: 'live::absent', severity: 'warning', message: 'The storyteller is away for a moment.', hints: [] }];
-    Object.assign(show, { story, files: { ...show.files, eml: text } });
+    Object.assign(show, { files: { ...show.files, eml: text } });
+    this.#retell(show, story);
+    return story.diagnostics;
+  }
+
+  /** The story on stage has other times, words or problems. */
+  #retell(show: Show, story: Story): void {
+    Object.assign(show, { story });
     const spoken = show.script.replace(story.utterances);
     show.captions = captionsOf(story.utterances);
     show.transport.replace(story.durationSecs, spoken);
@@ -427,7 +444,6 @@ export class RaconteurPlayer extends LitElement {
     this.dispatchEvent(new Event('durationchange'));
     if (this.paused) this.#advance();
     this.requestUpdate();
-    return story.diagnostics;
   }
 
   /** Shows the whole figure from another side, for pages that look behind the scenes. */

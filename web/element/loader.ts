@@ -1,5 +1,6 @@
 /** Fetches what a story needs, with errors that say in a sentence what is wrong. */
 
+import { animationSource, type AnimationSource } from './animations.js';
 import { prepareFigure, type FigureFile } from './figure.js';
 import { PlayerError } from './types.js';
 
@@ -16,6 +17,8 @@ export interface StoryFiles {
   readonly figure: FigureFile;
   /** Where the recordings lie. */
   readonly voiceFolder: URL;
+  /** Where animations come from. */
+  readonly animation: AnimationSource;
   /** The text is not that of the file any more. */
   readonly edited?: boolean;
 }
@@ -27,6 +30,7 @@ export type Progress = (share: number) => void;
 export async function fetchStory(
   src: string | undefined,
   text: string | undefined,
+  library: URL,
   figure: (progress: Progress) => Promise<FigureFile>,
   signal: AbortSignal,
   progress: Progress,
@@ -49,7 +53,8 @@ export async function fetchStory(
     figure(part(2)),
   ]);
   signal.throwIfAborted();
-  return { eml, bundle: bundle || undefined, figure: who, voiceFolder, edited: text !== undefined };
+  const animation = animationSource(library, new URL('.', story));
+  return { eml, bundle: bundle || undefined, figure: who, voiceFolder, animation, edited: text !== undefined };
 }
 
 /** A bare name is a figure of the library; anything else is an address. */

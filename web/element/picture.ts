@@ -22,6 +22,10 @@ export interface PictureEvents {
   lost(recovering: boolean): void;
   /** The picture is back. */
   back(): void;
+  /** Animations have come; the story has other times, and problems that the text alone has not. */
+  retold(story: Story): void;
+  /** An animation of a live fragment is missing or broken. */
+  report(diagnostic: Diagnostic): void;
 }
 
 /** Owns the engine of one player. A trap in it costs the picture, not the story. */
@@ -75,7 +79,7 @@ export class Picture {
       }
     }
     const engine = await createEngine(picture.#backend, undefined);
-    const story = picture.#read(engine);
+    const story = await picture.#equip(engine, picture.#read(engine));
     picture.#engine = engine;
     picture.#lost = true;
     events.lost(false);
@@ -116,6 +120,7 @@ export class Picture {
     this.#files = { ...this.#files, eml, edited: true };
     const story = this.#guard((engine) => this.#reread(engine, this.#files));
     this.seek(this.#lastShown);
+    if (story !== undefined) this.#equipLater(story);
     return story;
   }
 
@@ -126,7 +131,9 @@ export class Picture {
 
   /** Performs a fragment of EML; undefined while there is nobody to do it. */
   perform(mind: number, fragment: string, nowSecs: number): Performance | undefined {
-    return this.#guard((engine) => engine.perform(mind, fragment, nowSecs));
+    const performed = this.#guard((engine) => engine.perform(mind, fragment, nowSecs));
+    this.#equipLater(undefined);
+    return performed;
   }
 
   /** What the last picture took; undefined without one. */
@@ -154,6 +161,7 @@ export class Picture {
       throw error;
     }
     this.#files = files;
+    story = await this.#equip(engine, story);
     engine.seek(this.#lastShown);
     return { story, missing: await this.#decode(engine) };
   }
@@ -243,7 +251,7 @@ export class Picture {
     if (this.#engine !== undefined) return;
     try {
       const engine = await createEngine(this.#backend, undefined);
-      this.#read(engine);
+      await this.#equip(engine, this.#read(engine));
       engine.seek(this.#lastShown);
       if (this.#closed) release(engine);
       else this.#engine = engine;
@@ -270,7 +278,7 @@ export class Picture {
     });
     this.#events.canvas(canvas);
     const engine = await createEngine(this.#backend, canvas);
-    const story = this.#read(engine);
+    const story = await this.#equip(engine, this.#read(engine));
     engine.setQuality(this.#quality);
     engine.setResting(this.#resting);
     const missing = await this.#decode(engine);
@@ -298,6 +306,42 @@ export class Picture {
     if (story === undefined) throw new PlayerError('Nobody is on stage.');
     engine.setOpenEnded(this.#openEnded);
     return story;
+  }
+
+  /** Brings the animations that an engine wants; the story as it is with them. */
+  async #equip(engine: Engine, story: Story): Promise<Story> {
+    const names = engine.wantedAnimations();
+    if (names.length === 0) return story;
+    const { eml, animation } = this.#files;
+    const texts = await Promise.all(names.map(animation));
+    const told = engine.provideAnimations(
+      eml,
+      names,
+      texts.map((text) => text ?? ''),
+    );
+    return told === undefined ? story : { ...told, diagnostics: [...story.diagnostics, ...told.diagnostics] };
+  }
+
+  /** The same for the engine in use, which goes on without them until they come. */
+  #equipLater(story: Story | undefined): void {
+    const engine = this.#engine;
+    const { eml } = this.#files;
+    if (engine === undefined || engine.wantedAnimations().length === 0) return;
+    this.#equip(engine, story ?? { durationSecs: 0, utterances: [], diagnostics: [] }).then(
+      (told) => {
+        // Another text may be on stage by now.
+        if (engine !== this.#engine || eml !== this.#files.eml) return;
+        // A live fragment leaves the story as it was.
+        if (story === undefined) told.diagnostics.forEach((d) => this.#events.report(d));
+        else this.#events.retold(told);
+      },
+      (error: unknown) => {
+        if (engine !== this.#engine) return;
+        this.#guard(() => {
+          throw error;
+        });
+      },
+    );
   }
 
   /** Uses the engine; a trap leaves its memory suspect, so it is never used again. */

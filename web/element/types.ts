@@ -174,6 +174,10 @@ export interface Engine {
   drainEvents(): Cue[];
   /** Performs a fragment of EML; plain times count from `nowSecs`. `mind` tells senders apart. */
   perform(mind: number, fragment: string, nowSecs: number): Performance | undefined;
+  /** The names of the animations that are played and not there yet. */
+  wantedAnimations(): string[];
+  /** Takes animations by name with their texts, empty where one could not be had. The story at its new times, with what is wrong with the animations. */
+  provideAnimations(eml: string, names: string[], texts: string[]): Story | undefined;
   /** The clock may pass the end of the story, because more may come. */
   setOpenEnded(openEnded: boolean): void;
   /** Pictures of the figure that was read, as they lie in its file: how many, their MIME types and bytes. */
