@@ -2,31 +2,38 @@
 
 import type { Engine, Story } from './types.js';
 
-/** Beyond this an animation is not read; the library's largest has 14 KB. */
-const MOST_BYTES = 4e6;
+/** Beyond this an animation is not read; the library's largest has 14 KB, files of avatars some megabytes. */
+const MOST_BYTES = 32e6;
 
 /** Texts by address; an empty one could not be had. */
 const texts = new Map<string, string>();
 const coming = new Map<string, Promise<void>>();
 
-/** Where an animation is: a bare name in the library, a path in the story's folder; undefined for what reaches out of it. */
+/** Where an animation is: a bare name in the library, a path in the story's folder; undefined for what reaches out of it. `FILE.glb#NAME` is one animation of several. */
 export function addressOf(name: string, library: URL, story: URL): URL | undefined {
   if (/^[\w-]+$/.test(name)) return new URL(`animations/${name}.json`, library);
   const folder = new URL('./', story);
-  const url = new URL(name, folder);
-  return url.href.startsWith(folder.href) ? url : undefined;
+  const url = URL.canParse(name, folder.href) ? new URL(name, folder) : undefined;
+  return url?.href.startsWith(folder.href) ? url : undefined;
 }
 
 async function fetchText(url: URL): Promise<void> {
   let text = '';
   try {
     const response = await fetch(url);
-    if (response.ok && Number(response.headers.get('content-length') ?? 0) <= MOST_BYTES) text = await response.text();
+    const fits = response.ok && Number(response.headers.get('content-length') ?? 0) <= MOST_BYTES;
+    if (fits) text = url.pathname.endsWith('.json') ? await response.text() : await converted(url, response);
   } catch {
     // Told as missing by whoever wants it.
   }
   texts.set(url.href, text.length <= MOST_BYTES ? text : '');
   coming.delete(url.href);
+}
+
+/** An animation of a glTF, GLB or VRM file as the text of a clip. */
+async function converted(url: URL, response: Response): Promise<string> {
+  const { convertAnimation } = await import('./avatar.js');
+  return await convertAnimation(decodeURIComponent(url.hash.slice(1)), new Uint8Array(await response.arrayBuffer()));
 }
 
 /** The animations that an engine wants, as far as they have come. */

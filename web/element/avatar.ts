@@ -8,12 +8,23 @@ interface Instance {
   (source: { module_or_path: Promise<Response> }): Promise<unknown>;
   /** `convert` of `crate/web`, feature `avatar`. */
   convert(name: string, bytes: Uint8Array): { glb: Uint8Array; diagnostics: Diagnostic[] };
+  /** `convertAnimation` of the same. */
+  convertAnimation(name: string, bytes: Uint8Array): string;
+}
+
+/** A fresh instance each time: a hostile file can at worst end this one. */
+async function open(): Promise<Instance> {
+  const instance = instantiate() as unknown as Instance;
+  await instance({ module_or_path: fetch(new URL(wasmUrl, import.meta.url)) });
+  return instance;
 }
 
 /** The figure that an avatar makes; throws an `Error` that says what is wrong with the file. */
 export async function convertAvatar(name: string, bytes: Uint8Array): Promise<{ glb: Uint8Array; diagnostics: Diagnostic[] }> {
-  // A fresh instance each time: a hostile file can at worst end this one.
-  const instance = instantiate() as unknown as Instance;
-  await instance({ module_or_path: fetch(new URL(wasmUrl, import.meta.url)) });
-  return instance.convert(name, bytes);
+  return (await open()).convert(name, bytes);
+}
+
+/** The text of a clip that an animation of a foreign file makes: the one of this name, or the first. Throws an `Error` that says what is wrong. */
+export async function convertAnimation(name: string, bytes: Uint8Array): Promise<string> {
+  return (await open()).convertAnimation(name, bytes);
 }

@@ -17,6 +17,49 @@ fn asset(path: &str) -> Vec<u8> {
     fs::read(&path).unwrap_or_else(|e| panic!("{}: {e}", path.display()))
 }
 
+/// Eight players, four of steps and four of arms, each with two layers that play.
+fn lesson(figure: Arc<raconteur_player::body::Figure>) -> Player {
+    let names = ["step-march", "step-touch", "step-v", "step-mambo"];
+    let arms = ["arms-curl", "arms-punch", "arms-roll", "arms-clap"];
+    let mut body = String::new();
+    for (i, (step, arm)) in names.iter().zip(arms).enumerate() {
+        for (kind, clip, other) in [("s", *step, "step-sway"), ("a", arm, "arms-row")] {
+            let player = format!("{kind}{i}");
+            body += &format!(
+                "<body-player-add time='0' name='{player}' type='multiple' numberOfLayers='2'/>"
+            );
+            for (layer, name) in [clip, other].into_iter().enumerate() {
+                body += &format!(
+                    "<body-deterministic-primitive time='0' primitive='push' player='{player}' \
+                     animationSetName='{name}'><tracks><ly index='{layer}'/></tracks>\
+                     </body-deterministic-primitive>"
+                );
+            }
+        }
+    }
+    let mut player = Player::load(StoryInput {
+        eml: &format!("<eml><body>{body}<null time='60'/></body></eml>"),
+        bundle: None,
+        figure,
+        options: Options::default(),
+    })
+    .player;
+    let texts: Vec<(String, String)> = player
+        .wanted_animations()
+        .into_iter()
+        .map(|name| {
+            let text = asset(&format!("animations/{name}.json"));
+            (name, String::from_utf8(text).expect("UTF-8"))
+        })
+        .collect();
+    let clips: Vec<(&str, Option<&str>)> = texts
+        .iter()
+        .map(|(name, text)| (name.as_str(), Some(text.as_str())))
+        .collect();
+    assert!(player.provide_animations(&clips).is_empty());
+    player
+}
+
 fn frames(c: &mut Criterion) {
     let glb = asset("figures/sofia.glb");
     let eml = asset("stories/white-rabbit/story.eml");
@@ -56,6 +99,13 @@ fn frames(c: &mut Criterion) {
                     .clauses
                     .len(),
             )
+        });
+    });
+    let mut lesson = lesson(Arc::clone(&figure));
+    c.bench_function("frame with eight animation players, no pixels", |b| {
+        b.iter(|| {
+            n += 1;
+            black_box(lesson.frame(f64::from(n) / 60.0 % 60.0, 1.6).time_secs)
         });
     });
     c.bench_function("load white-rabbit", |b| {

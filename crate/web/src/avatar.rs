@@ -30,6 +30,13 @@ impl Serialize for Bytes {
     }
 }
 
+/// The text of a clip that an animation of a glTF, GLB or VRM file makes: the one of this name,
+/// or the first for an empty name. The exception's message names the fault.
+#[wasm_bindgen(js_name = convertAnimation)]
+pub fn convert_animation(name: &str, bytes: &[u8]) -> Result<String, JsError> {
+    Ok(import::convert_animation(name, bytes)?)
+}
+
 /// Turns a glTF, GLB or VRM file into a figure that `Player.load` takes; one of ours stays as
 /// it is. `name` names the figure. The exception's message names the fault.
 #[wasm_bindgen]

@@ -29,6 +29,8 @@ pub(crate) struct Body {
     arms: [ArmRig; 2],
     /// The ball of each foot in the zero pose, world, metres.
     balls: [DVec3; 2],
+    /// The same in the ankle's frame.
+    ball_in_foot: [DVec3; 2],
     /// Middle between the shoulders in the zero pose, world, metres.
     shoulders: DVec3,
     pub(crate) stature_m: f64,
@@ -43,14 +45,29 @@ impl Body {
         let zero = Pose::zero();
         let at = |bone| world_from_bone(skeleton, &zero, bone).translation;
         let frames = zero_frames();
+        let legs = Side::BOTH.map(|side| Leg::new(skeleton, side));
         Self {
-            legs: Side::BOTH.map(|side| Leg::new(skeleton, side)),
+            ball_in_foot: Side::BOTH.map(|side| {
+                let standing = legs[side.index()].standing();
+                standing.inverse().transform_point3(at(TOES[side.index()]))
+            }),
+            legs,
             arms: Side::BOTH.map(|side| ArmRig::new(skeleton, side)),
             balls: TOES.map(at),
             shoulders: 0.5 * (at(Bone::LShoulder) + at(Bone::RShoulder)),
             stature_m: skeleton.stature_m(),
             toe_zero: TOES.map(|bone| frames[bone.index()]),
         }
+    }
+
+    /// The ball of a foot from its ankle and rotation (world from ankle), world, metres.
+    pub(crate) fn ball(&self, side: usize, ankle: DVec3, foot: DQuat) -> DVec3 {
+        ankle + foot * self.ball_in_foot[side]
+    }
+
+    /// The ankle of a foot from its ball and rotation, world, metres.
+    pub(crate) fn ankle(&self, side: usize, ball: DVec3, foot: DQuat) -> DVec3 {
+        ball - foot * self.ball_in_foot[side]
     }
 
     /// Ankle (world, metres), foot rotation (world from ankle), where the knee looks, and the
@@ -213,12 +230,12 @@ impl BoundClip {
                 }
                 pose.set(TOES[i], toes);
                 if whole {
-                    into.add_foot(i, at, foot, share);
+                    into.add_foot(i, body.ball(i, at, foot), foot, share);
                 }
             } else if whole {
                 let turns = LEG_BONES[i].map(|b| pose.rotation(b));
                 let (at, foot, _) = leg.placed(&pelvis, turns);
-                into.add_foot(i, at, foot, share);
+                into.add_foot(i, body.ball(i, at, foot), foot, share);
             }
             for bone in Bone::ALL {
                 if leg_bones.and(bones).has(bone) && self.moves.has(bone) {

@@ -11,7 +11,9 @@ use raconteur_body::Bone;
 /// A foot and how much it is covered.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Foot {
-    pub(crate) ankle_in_world: DVec3,
+    /// Where its ball is, world, metres: a foot that rises on its ball stays there while it
+    /// passes into one that is flat.
+    pub(crate) ball_in_world: DVec3,
     pub(crate) rotation: DQuat,
     pub(crate) share: f64,
 }
@@ -35,7 +37,7 @@ impl Layering {
         root: DVec3::ZERO,
         root_share: 0.0,
         feet: [Foot {
-            ankle_in_world: DVec3::ZERO,
+            ball_in_world: DVec3::ZERO,
             rotation: DQuat::IDENTITY,
             share: 0.0,
         }; 2],
@@ -57,10 +59,10 @@ impl Layering {
     }
 
     /// Adds a foot's place to a mean.
-    pub(crate) fn add_foot(&mut self, side: usize, ankle: DVec3, rotation: DQuat, share: f64) {
+    pub(crate) fn add_foot(&mut self, side: usize, ball: DVec3, rotation: DQuat, share: f64) {
         let foot = &mut self.feet[side];
         if let Some(s) = add_share(&mut foot.share, share) {
-            foot.ankle_in_world = foot.ankle_in_world.lerp(ankle, s);
+            foot.ball_in_world = foot.ball_in_world.lerp(ball, s);
             foot.rotation = foot.rotation.slerp(rotation, s);
         }
     }
@@ -103,7 +105,7 @@ impl Layering {
         self.root = self.root.lerp(other.root, s);
         for (own, foot) in self.feet.iter_mut().zip(&other.feet) {
             let s = blend(&mut own.share, foot.share);
-            own.ankle_in_world = own.ankle_in_world.lerp(foot.ankle_in_world, s);
+            own.ball_in_world = own.ball_in_world.lerp(foot.ball_in_world, s);
             own.rotation = between(own.rotation, foot.rotation, s);
         }
     }

@@ -129,11 +129,10 @@ impl Players {
             }
             let (at, turned, _) = leg.placed(&idle.pelvis, idle.legs[i]);
             let (_, _, knee) = leg.placed(&pelvis, own);
-            Some((
-                at.lerp(foot.ankle_in_world, foot.share),
-                turned.slerp(foot.rotation, foot.share),
-                knee,
-            ))
+            let ball = self.body.ball(i, at, turned);
+            let ball = ball.lerp(foot.ball_in_world, foot.share);
+            let turned = turned.slerp(foot.rotation, foot.share);
+            Some((self.body.ankle(i, ball, turned), turned, knee))
         });
         // The figure sinks as far as the feet that it stands on need.
         let mut short: f64 = 0.0;

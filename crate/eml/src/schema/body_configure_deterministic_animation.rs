@@ -5,6 +5,9 @@ use crate::ClauseKind;
 
 pub(super) static ELEMENT: Element = Element {
     doc: doc!("Says how one keyframe animation passes into the next."),
+    decision: doc!(
+        "A cross-fade takes 0.4 s if nothing else is said, and 0.08 s with smooth='false': GEVH means no transition at all, but no joint should jump."
+    ),
     source: doc!("GEVH D.3.5"),
     example: doc!(
         "<body-configure-deterministic-animation time='0' smooth='true' swapTime='0.5'/>"

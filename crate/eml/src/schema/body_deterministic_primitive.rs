@@ -23,7 +23,9 @@ pub(super) static ELEMENT: Element = Element {
         ),
         Attribute::identifier(
             "animationSetName",
-            doc!("The animation, for push and exchange."),
+            doc!(
+                "The animation, for push and exchange: a name of the library or a path in the story's folder (docs/animation.md)."
+            ),
         ),
     ],
     ..Element::record("body-deterministic-primitive", || {

@@ -20,7 +20,7 @@ pub(super) const ATTRIBUTES: &[Attribute] = &[
         "numberOfLayers",
         1,
         64,
-        doc!("How many layers it has; only with type multiple."),
+        doc!("How many layers it has, 2 if left out; only with type multiple."),
     ),
 ];
 
