@@ -74,7 +74,7 @@ fn height(player: &mut Player, t: f64, bone: Bone) -> f64 {
 #[test]
 fn a_story_tells_which_animations_it_wants_until_they_have_come() {
     let body = format!(
-        "{ADD}{}{}{}",
+        "{ADD}{}{}{}<null time='6'/>",
         push("0", "sit"),
         push("1", "nod"),
         push("2", "sit")

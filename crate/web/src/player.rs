@@ -201,40 +201,6 @@ impl Player {
         })
     }
 
-    /// The names of the animations that are played and not there yet.
-    #[wasm_bindgen(js_name = wantedAnimations)]
-    pub fn wanted_animations(&self) -> Vec<String> {
-        let performer = self.performer.as_ref();
-        performer.map_or_else(Vec::new, Performer::wanted_animations)
-    }
-
-    /// Takes animations by name with their texts, empty where one could not be had; `eml` is
-    /// the story's text. The story at its new times, with what is wrong with the animations.
-    #[wasm_bindgen(js_name = provideAnimations)]
-    #[allow(clippy::needless_pass_by_value, reason = "lists arrive as owned only")]
-    pub fn provide_animations(
-        &mut self,
-        eml: &str,
-        names: Vec<String>,
-        texts: Vec<String>,
-    ) -> Result<JsValue, JsError> {
-        let Some(performer) = &mut self.performer else {
-            return Ok(JsValue::UNDEFINED);
-        };
-        let clips: Vec<(&str, Option<&str>)> = names
-            .iter()
-            .zip(&texts)
-            .map(|(name, text)| (name.as_str(), Some(text.as_str()).filter(|t| !t.is_empty())))
-            .collect();
-        let diagnostics = performer.provide_animations(&clips);
-        plain(&Story::new(
-            eml,
-            performer.duration_secs(),
-            performer.utterances(),
-            diagnostics,
-        ))
-    }
-
     /// Whether the clock may pass the end of the story, because a mind may send more.
     #[wasm_bindgen(js_name = setOpenEnded)]
     pub fn set_open_ended(&mut self, open_ended: bool) {

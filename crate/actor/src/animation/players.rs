@@ -19,6 +19,8 @@ const MOST_FADES: usize = 16;
 /// Layers are scaled up to a full weight where others have nothing to play, at most by its
 /// inverse: the last of a weight still fades. Designed.
 const LEAST_WEIGHT: f64 = 0.1;
+/// The share of what is played at which the feet stand wholly where they should. Designed.
+const ONSET_SHARE: f64 = 0.004;
 /// Share of the idle sway that stays alive over an animation of the legs. Designed.
 const SWAY_LEFT: f64 = 0.25;
 /// A foot this high is not stood on, share of stature.
@@ -118,6 +120,10 @@ impl Players {
         if !pelvis_moves && !legs.iter().any(|b| touched(*b)) {
             return;
         }
+        // Legs that were straight come out a hair's breadth bent: not from one moment to the next.
+        let shares = legs.iter().chain([&Bone::Sacroiliac]);
+        let most = shares.fold(layers.root_share, |m, b| m.max(layers.shares[b.index()]));
+        let onset = smooth(most / ONSET_SHARE);
         let mut pelvis = world_from_bone(skeleton, pose, Bone::Sacroiliac);
         let feet = Side::BOTH.map(|side| {
             let i = side.index();
@@ -143,13 +149,14 @@ impl Players {
                 short = short.max(stood_on * leg.shortage_m(&pelvis, *at));
             }
         }
+        short *= onset;
         pose.root_offset_in_world.y -= short;
         pelvis.translation.y -= short;
         for (i, foot) in feet.into_iter().enumerate() {
             if let Some((at, turned, knee)) = foot {
                 let solved = self.body.legs[i].solve(&pelvis, at, turned, knee);
                 for (bone, q) in LEG_BONES[i].into_iter().zip(solved) {
-                    pose.set(bone, q);
+                    pose.set(bone, pose.rotation(bone).slerp(q, onset).normalize());
                 }
             }
         }

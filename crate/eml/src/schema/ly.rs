@@ -4,7 +4,9 @@ use super::{Attribute, Element};
 
 pub(super) static ELEMENT: Element = Element {
     doc: doc!("Refers to a layer of a player."),
-    decision: doc!("GEVH does not list its attributes; a name or a number is assumed. A name means the number that ends it: layer1 is 1."),
+    decision: doc!(
+        "GEVH does not list its attributes; a name or a number is assumed. A name means the number that ends it: layer1 is 1."
+    ),
     source: doc!("GEVH D.3.10"),
     example: doc!(
         "<body-deterministic-primitive time='0' primitive='pop'><tracks><ly index='1'/></tracks></body-deterministic-primitive>"
