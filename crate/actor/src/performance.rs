@@ -157,10 +157,13 @@ impl Actor {
             1.0
         };
         let space = BodySpace::new(skeleton, performance.trunk);
+        let way = performance.manipulators.figure_from_world();
         let mut actor = Self {
             plans: Side::BOTH.map(|side| {
+                let script = &performance.arms[side.index()];
+                let seen = way.as_ref().map(|way| script.seen_by(way));
                 ArmPlan::new(
-                    &performance.arms[side.index()],
+                    seen.as_ref().unwrap_or(script),
                     skeleton,
                     &space,
                     side,
@@ -342,7 +345,8 @@ impl Actor {
                 pose.set(bone, rotation);
             }
             if let Some(animated) = animated {
-                animated.blend_arm(side, targets[i].rest_share, pose);
+                let fingers = targets[i].finger_rest_share;
+                animated.blend_arm(side, targets[i].rest_share, fingers, pose);
             }
         }
         (arms, hands.map(|hand| hand.wrist))

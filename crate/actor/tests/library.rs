@@ -86,7 +86,7 @@ impl Stage {
         let animated = self.players.apply(&self.skeleton, t, &mut pose);
         for side in Side::BOTH {
             if let Some(animated) = &animated {
-                animated.blend_arm(side, 1.0, &mut pose);
+                animated.blend_arm(side, 1.0, 1.0, &mut pose);
             }
         }
         pose

@@ -142,6 +142,7 @@ fn keys(gesture: &GestureKey, side: Side, start_secs: f64, units: &Units) -> Vec
             let p = position(key, mirrored, units);
             at(offset_secs(gesture, track, key), &mut |k| {
                 k.wrist_in_world = Some(p);
+                k.stays_in_world = key.value.coords == Coords::World;
                 k.wrist_course = course(track, key);
             });
         }

@@ -58,3 +58,31 @@ fn nothing_in_the_shipped_stories_would_make_a_viewer_wince() {
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
+
+#[test]
+fn a_hand_led_into_the_body_and_an_elbow_bent_backwards_are_found() {
+    let figure = fs::read(assets().join("figures/sofia.glb")).expect("a figure");
+    let figure = read_figure("sofia", &figure).expect("a figure");
+    let eml = "<eml><body>
+        <body-configure-manipulator time='0' manipulator='rightArm' isOn='true'
+            jointLimitsActive='false'/>
+        <body-non-deterministic-fk time='0.5' manipulator='rightArm' j1='90' j2='0' j3='-40'
+            j4='0' j5='0' j6='0'/>
+        <body-non-deterministic-fk time='2' manipulator='rightArm' j1='0' j2='40' j3='110'
+            j4='0' j5='0' j6='0'/>
+        <null time='4'/></body></eml>";
+    let mut player = Player::load(StoryInput {
+        eml,
+        bundle: None,
+        figure: Arc::new(figure),
+        options: Options::default(),
+    })
+    .player;
+    let checks = sweep(&mut player);
+    let worst = |name: &str| {
+        let check = checks.iter().find(|c| c.name == name);
+        check.map_or(0.0, |c| c.worst)
+    };
+    assert!(worst("beyond-limits") > 30.0, "{checks:?}");
+    println!("{checks:?}");
+}

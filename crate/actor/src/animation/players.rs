@@ -228,10 +228,14 @@ impl Players {
 
 impl Animated {
     /// Takes an arm, which a gesture or idle life has posed, as far to what is played as the
-    /// gesture leaves it: `rest_share` is 1 at rest, 0 in a gesture.
-    pub fn blend_arm(&self, side: Side, rest_share: f64, pose: &mut Pose) {
-        let arm = ARM_BONES[side.index()].iter();
-        for &bone in arm.chain(finger_bones(side)) {
+    /// gesture leaves it: `rest_share` is 1 at rest, 0 in a gesture. So is `finger_share` of
+    /// fingers, which may gesture while the arm rests.
+    pub fn blend_arm(&self, side: Side, rest_share: f64, finger_share: f64, pose: &mut Pose) {
+        let arm = ARM_BONES[side.index()].iter().map(|b| (b, rest_share));
+        let fingers = finger_bones(side)
+            .iter()
+            .map(|b| (b, rest_share.min(finger_share)));
+        for (&bone, rest_share) in arm.chain(fingers) {
             let i = bone.index();
             let share = self.layers.shares[i] * rest_share;
             if share > 0.0 {

@@ -20,7 +20,7 @@ mod space;
 mod tracks;
 
 use raconteur_base::profile::Profile;
-use raconteur_base::{DQuat, DVec3};
+use raconteur_base::{DAffine3, DQuat, DVec3};
 use raconteur_body::hand_shape::HandAngles;
 
 pub use plan::{ArmPlan, HandState, HandTarget, PlannedKey};
@@ -35,6 +35,9 @@ pub struct HandKey {
     /// Place of the wrist, world, metres. `None` leaves it on its way to the next key that
     /// has one, or keeps it when there is none.
     pub wrist_in_world: Option<DVec3>,
+    /// Whether the place is the world's, whatever way the figure has gone: otherwise it goes
+    /// with the figure.
+    pub stays_in_world: bool,
     /// Hand rotation ([`crate::palm`]). `None` likewise; the hand is relaxed when no key
     /// has turned it.
     pub hand_in_world: Option<DQuat>,
@@ -119,4 +122,22 @@ pub struct ArmScript {
     pub strokes: Vec<GestureStroke>,
     /// When gestures are switched on. Empty means always.
     pub on: Vec<Span>,
+}
+
+impl ArmScript {
+    /// The script in the axes of a figure that goes about: places of the world as it sees them
+    /// at the time of their key. `figure_from_world` is where it is then.
+    #[must_use]
+    pub fn seen_by(&self, figure_from_world: impl Fn(f64) -> DAffine3) -> Self {
+        let mut script = self.clone();
+        let strokes = script.strokes.iter_mut();
+        for key in strokes.flat_map(|s| &mut s.keys) {
+            if let Some(wrist) = &mut key.wrist_in_world
+                && key.stays_in_world
+            {
+                *wrist = figure_from_world(key.time_secs).transform_point3(*wrist);
+            }
+        }
+        script
+    }
 }

@@ -67,8 +67,11 @@ pub(super) const WRIST: usize = 0;
 pub(super) const HAND: usize = 1;
 pub(super) const SHAPE: usize = 2;
 
-/// What a key may say, and how to take it back.
-const FEATURES: [(fn(&HandKey) -> bool, fn(&mut HandKey)); 3] = [
+/// Whether a key says something of a feature, and how to take it back.
+type Feature = (fn(&HandKey) -> bool, fn(&mut HandKey));
+
+/// What a key may say.
+const FEATURES: [Feature; 3] = [
     (has_wrist, |k| k.wrist_in_world = None),
     (has_hand, |k| k.hand_in_world = None),
     (has_shape, |k| k.shape = None),
@@ -216,7 +219,10 @@ impl Phrase {
             ..HandKey::default()
         };
         match feature {
-            WRIST => key.wrist_in_world = last.wrist_in_world,
+            WRIST => {
+                key.wrist_in_world = last.wrist_in_world;
+                key.stays_in_world = last.stays_in_world;
+            }
             HAND => key.hand_in_world = last.hand_in_world,
             _ => key.shape = last.shape,
         }
@@ -230,6 +236,7 @@ impl HandKey {
     fn take(&mut self, other: &Self) {
         if other.wrist_in_world.is_some() {
             (self.wrist_in_world, self.wrist_course) = (other.wrist_in_world, other.wrist_course);
+            self.stays_in_world = other.stays_in_world;
         }
         if other.hand_in_world.is_some() {
             (self.hand_in_world, self.hand_course) = (other.hand_in_world, other.hand_course);

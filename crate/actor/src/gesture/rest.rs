@@ -71,7 +71,7 @@ impl Rest {
         // In front: the fingertips nearly meet, the right hand a little before the left.
         let nearer = if side == Side::Right { 0.02 } else { 0.0 };
         let in_front = DVec3::new(
-            sign * 0.14 * scale,
+            sign * 0.16 * scale,
             waist - nearer * 0.3 * scale,
             front + (0.055 + nearer) * scale,
         );
@@ -85,7 +85,7 @@ impl Rest {
             },
             in_front: RestHand {
                 wrist: in_front,
-                hand: turn(out(-0.85, -0.30, 0.40), out(-0.35, 0.35, -1.0)),
+                hand: turn(out(-0.82, -0.30, 0.46), out(-0.40, 0.35, -1.0)),
             },
             ready: DVec3::new(
                 sign * 0.16 * scale,

@@ -195,3 +195,15 @@ pub struct ManipulatorScript {
     /// Motions of the figure.
     pub moves: Vec<Move>,
 }
+
+impl ManipulatorScript {
+    /// Figure axes from world as a function of time; none where the figure never moves.
+    #[must_use]
+    pub fn figure_from_world(&self) -> Option<impl Fn(f64) -> DAffine3> {
+        let root = root::RootTrack::new(&self.moves);
+        (!self.moves.is_empty()).then_some(move |time_secs| {
+            let moved = root.at(time_secs).unwrap_or(DAffine3::IDENTITY);
+            moved.inverse()
+        })
+    }
+}
