@@ -16,11 +16,11 @@ const FIGURES: Readonly<Record<string, string>> = { sofia: 'Sofia', papous: 'Pap
 const SPEEDS = [0.5, 1, 1.5];
 /** From where the stage is seen; the first is where the audience sits. */
 const SIDES: Readonly<Record<string, View | undefined>> = {
-  'The front': undefined,
-  'Near by': { turn: 0, tilt: 0.05, zoom: 2.1, right: 0, up: 0.42 },
-  'Its left': { turn: Math.PI / 2, tilt: 0.05, zoom: 1.7, right: -0.1, up: 0.36 },
-  'Its right': { turn: -Math.PI / 2, tilt: 0.05, zoom: 1.7, right: 0.1, up: 0.36 },
-  Above: { turn: 0, tilt: 1.35, zoom: 1.7, right: 0, up: 0.3 },
+  'From the front': undefined,
+  'From near by': { turn: 0, tilt: 0.05, zoom: 2.1, right: 0, up: 0.42 },
+  'From its left': { turn: Math.PI / 2, tilt: 0.05, zoom: 1.7, right: -0.1, up: 0.36 },
+  'From its right': { turn: -Math.PI / 2, tilt: 0.05, zoom: 1.7, right: 0.1, up: 0.36 },
+  'From above': { turn: 0, tilt: 1.35, zoom: 1.7, right: 0, up: 0.3 },
 };
 /** A look that is none: the shot again. */
 const NO_VIEW: View = { turn: NaN, tilt: NaN, zoom: NaN, right: NaN, up: NaN };
@@ -36,7 +36,7 @@ function part(id: string): HTMLElement {
 
 const player = document.querySelector('raconteur-player');
 if (player === null) throw new Error('the page has no player');
-const places = { tools: part('tools'), overlay: part('overlay'), transport: part('transport'), timeline: part('timeline'), steps: part('steps'), problems: part('problems'), status: part('status') };
+const places = { tools: part('tools'), overlay: part('overlay'), transport: part('transport'), sides: part('sides'), timeline: part('timeline'), steps: part('steps'), problems: part('problems'), status: part('status') };
 part('waiting').remove();
 const [first = ''] = Object.values(EXAMPLES);
 const app = new App(player, part('editor'), remembered() ?? first, draw);
@@ -46,6 +46,7 @@ function draw(): void {
   render(tools(), places.tools);
   render(overlay(app), places.overlay);
   render(transport(), places.transport);
+  render(sides(), places.sides);
   render(timeline(app), places.timeline);
   render(panels(app), places.steps);
   render(problems(), places.problems);
@@ -119,6 +120,10 @@ function seen(event: Event): void {
   app.redraw();
 }
 
+function sides(): TemplateResult {
+  return html`<select aria-label="Seen" @change=${seen}>${Object.keys(SIDES).map((name) => html`<option>${name}</option>`)}</select>`;
+}
+
 function toggle(): void {
   if (player!.paused) player!.play().catch(() => say('The browser allows playing only after a press.'));
   else player!.pause();
@@ -133,8 +138,6 @@ function transport(): TemplateResult {
       <select @change=${(event: Event) => (player!.playbackRate = Number((event.target as HTMLSelectElement).value))}>
         ${SPEEDS.map((speed) => html`<option value=${speed} .selected=${speed === playbackRate}>${speed}×</option>`)}
       </select></label>
-    <label class="select"><span>Seen from</span>
-      <select @change=${seen}>${Object.keys(SIDES).map((name) => html`<option>${name}</option>`)}</select></label>
     <span class="clock">${secs.toFixed(2)} / ${app.endSecs.toFixed(2)} s</span>`;
 }
 
