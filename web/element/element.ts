@@ -381,7 +381,7 @@ export class RaconteurPlayer extends LitElement {
         canvas: (canvas) => this.#setCanvas(canvas, signal),
         lost: (recovering) => this.#setLost(recovering ? 'recovering' : 'yes', signal),
         back: () => this.#setLost('no', signal),
-        retold: (story, live) => (live ? story.diagnostics.forEach((d) => this.#report(d)) : this.#retell(story, false)),
+        retold: (story, live, anew) => (live ? story.diagnostics.forEach((d) => this.#report(d)) : this.#retell(story, anew)),
       });
       picture = opened.picture;
       if (this.#view !== undefined) picture.look(this.#view);

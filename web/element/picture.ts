@@ -22,8 +22,8 @@ export interface PictureEvents {
   lost(recovering: boolean): void;
   /** The picture is back. */
   back(): void;
-  /** Animations have come: the story has other times, and problems that are told alone. `live`: they are of live clauses, the story stays. */
-  retold(story: Story, live: boolean): void;
+  /** Animations have come: the story has other times, and problems that are told alone. `live`: they are of live clauses, the story stays. `anew`: the story was read again, and tells all of its problems. */
+  retold(story: Story, live: boolean, anew: boolean): void;
 }
 
 /** Owns the engine of one player. A trap in it costs the picture, not the story. */
@@ -313,8 +313,12 @@ export class Picture {
     const told = animations.provide(engine, eml);
     void animations.fetch(engine)?.then(() => {
       if (engine !== this.#engine || eml !== this.#files.eml) return;
-      const later = this.#guard(() => animations.provide(engine, eml));
-      if (later !== undefined) this.#events.retold(later, story === undefined);
+      const live = story === undefined;
+      // What comes to a text that is edited is there from its beginning; else it eases in.
+      const anew = this.#files.edited === true && !live;
+      const later = this.#guard(() => (anew ? this.#reread(engine, this.#files) : animations.provide(engine, eml)));
+      if (anew) this.seek(this.#lastShown);
+      if (later !== undefined) this.#events.retold(later, live, anew);
     });
     if (told === undefined || story === undefined) return story;
     return { ...told, diagnostics: [...story.diagnostics, ...told.diagnostics] };

@@ -64,7 +64,7 @@ export async function page() {
   await once(
     'page',
     {
-      inputs: ['index.html', 'gestures', 'vite.config.ts', 'package-lock.json', 'web/element', 'web/pages', 'web/tools/docs.ts', 'assets',
+      inputs: ['index.html', 'gestures', 'viewer', 'vite.config.ts', 'package-lock.json', 'web/element', 'web/pages', 'web/tools/docs.ts', 'assets',
         'README.md', 'ARCHITECTURE.md', 'CONTRIBUTING.md', 'CHANGELOG.md', 'docs/figures.md', 'docs/gestures.md', 'docs/live.md', '.setup/wasm-webgpu', '.setup/wasm-webgl', '.setup/wasm-avatar'],
       outputs: ['dist/index.html'],
     },

@@ -34,7 +34,7 @@ export function animations(app: App): TemplateResult {
     ${state.mechanism === 'none'
       ? nothing
       : numberField({
-          label: 'Passing over',
+          label: 'Cross-fade',
           value: state.swapSecs,
           min: 0,
           max: 2,

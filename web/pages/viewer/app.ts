@@ -11,8 +11,8 @@ export type Tab = 'animations' | 'manipulators' | 'look';
 /** Steps that can be undone. */
 const MOST_STEPS = 200;
 
-/** The whole figure from the front. */
-export const FRONT: View = { turn: 0, tilt: 0.04, zoom: 1, right: 0, up: 0 };
+/** The whole figure from the front, with room for a hand over the head. */
+export const FRONT: View = { turn: 0, tilt: 0.04, zoom: 1.18, right: 0, up: -0.12 };
 
 export class App {
   state: State = beginning();

@@ -57,7 +57,7 @@ export function check(label: string, on: boolean, set: (on: boolean) => void, no
 /** A menu of words. */
 export function menu<T extends string>(label: string, value: T, options: Readonly<Record<T, string>>, choose: (value: T) => void): TemplateResult {
   return html`<label class="select"><span>${label}</span>
-    <select .value=${live(value)} @change=${(event: Event) => choose((event.target as HTMLSelectElement).value as T)}>
+    <select aria-label=${label} .value=${live(value)} @change=${(event: Event) => choose((event.target as HTMLSelectElement).value as T)}>
       ${(Object.entries(options) as [T, string][]).map(([word, text]) => html`<option value=${word} .selected=${word === value}>${text}</option>`)}
     </select></label>`;
 }
@@ -65,7 +65,7 @@ export function menu<T extends string>(label: string, value: T, options: Readonl
 /** A menu of the library's animations, with what the chosen one shows. */
 export function clipMenu(label: string, value: string, none: string | undefined, choose: (clip: string) => void): TemplateResult {
   return html`<label class="select clip"><span>${label}</span>
-    <select title=${aboutClip(value)} @change=${(event: Event) => choose((event.target as HTMLSelectElement).value)}>
+    <select aria-label=${label} title=${aboutClip(value)} @change=${(event: Event) => choose((event.target as HTMLSelectElement).value)}>
       ${none === undefined ? nothing : html`<option value="" .selected=${value === ''}>${none}</option>`}
       ${SHELVED.map(
         ({ shelf, clips }) => html`<optgroup label=${shelf}>${clips.map(({ name }) => html`<option value=${name} .selected=${name === value}>${clipTitle(name)}</option>`)}</optgroup>`,

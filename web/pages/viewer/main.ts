@@ -41,8 +41,15 @@ function draw(): void {
     if (chosen) places.panel.setAttribute('aria-labelledby', tab.id);
   }
   render(panels[app.tab](app), places.panel);
-  if (places.eml.textContent !== app.eml) places.eml.textContent = app.eml;
+  if (places.eml.textContent !== app.eml) places.eml.replaceChildren(...app.eml.split(/(?<=\n)/).map(line));
   render(problems(), places.problems);
+}
+
+/** A line of the text; a long one goes on indented. */
+function line(text: string): HTMLElement {
+  const span = document.createElement('span');
+  span.textContent = text;
+  return span;
 }
 
 function say(text: string): void {
