@@ -1,7 +1,8 @@
 /** The voice: the utterances' recordings, played through Web Audio at their places in the story. */
 
 import { stretch } from './stretch.js';
-import type { Utterance } from './types.js';
+import type { Music } from './music.js';
+import type { Piece, Utterance } from './types.js';
 
 /** What keeps the time of a performance and lets it be heard. Source time is in seconds. */
 export interface Voice {
@@ -20,6 +21,8 @@ export interface Voice {
   /** Whether the sound at `position` is there, or known to be missing. */
   ready(position: number): boolean;
   setVolume(volume: number): void;
+  /** The music under the words; `library` is the folder of its pieces. */
+  setMusic(pieces: readonly Piece[], library: URL): void;
   close(): void;
 }
 
@@ -65,7 +68,7 @@ interface Run {
 export class RecordedVoice implements Voice {
   readonly #utterances: Iterable<Utterance>;
   readonly #folder: URL;
-  readonly #onMissing: (utterance: Utterance, message: string) => void;
+  readonly #onMissing: (utterance: Utterance | undefined, message: string) => void;
   readonly #abort = new AbortController();
   /** Decoded sounds; null for one that cannot be had. */
   readonly #sounds = new Map<Utterance, AudioBuffer | null | 'pending'>();
@@ -76,12 +79,15 @@ export class RecordedVoice implements Voice {
   #run: Run | undefined;
   #master: GainNode | undefined;
   #volume = 1;
+  #music: Music | undefined;
+  /** What plays music is being fetched. */
+  #awaited = false;
 
   /**
    * `utterances` may come and go, in any order; `folder` is where the recordings lie; `onMissing`
-   * hears of each that cannot be played.
+   * hears of each that cannot be played, and of music without an utterance.
    */
-  constructor(utterances: Iterable<Utterance>, folder: URL, onMissing: (utterance: Utterance, message: string) => void) {
+  constructor(utterances: Iterable<Utterance>, folder: URL, onMissing: (utterance: Utterance | undefined, message: string) => void) {
     this.#utterances = utterances;
     this.#folder = folder;
     this.#onMissing = onMissing;
@@ -119,6 +125,26 @@ export class RecordedVoice implements Voice {
   setVolume(volume: number): void {
     this.#volume = volume;
     this.#master?.gain.setTargetAtTime(volume, context().currentTime, 0.015);
+    this.#music?.setVolume(volume);
+  }
+
+  setMusic(pieces: readonly Piece[], library: URL): void {
+    if (this.#music !== undefined) this.#music.set(pieces);
+    else if (pieces.length > 0) void this.#accompany(pieces, library);
+  }
+
+  async #accompany(pieces: readonly Piece[], library: URL): Promise<void> {
+    this.#awaited = true;
+    try {
+      const { Music } = await import('./music.js');
+      if (this.#abort.signal.aborted) return;
+      const roots = { story: new URL('../', this.#folder), library };
+      this.#music = new Music(context(), this.#volume, roots, (why) => this.#onMissing(undefined, why));
+      this.#music.set(pieces);
+    } catch {
+      this.#onMissing(undefined, 'What plays music could not be fetched.');
+    }
+    this.#awaited = false;
   }
 
   start(position: number, rate: number, at: number): void {
@@ -129,10 +155,12 @@ export class RecordedVoice implements Voice {
       this.#stretchedRate = rate;
     }
     this.prepare(position);
+    this.#music?.start(position, rate, at);
   }
 
   stop(): void {
     this.#run = undefined;
+    this.#music?.stop();
     for (const [, { source, gain }] of this.#playing) {
       const now = context().currentTime;
       gain.gain.cancelScheduledValues(now);
@@ -143,6 +171,7 @@ export class RecordedVoice implements Voice {
   }
 
   prepare(position: number): void {
+    this.#music?.prepare(position);
     const rate = this.#run?.rate ?? 1;
     for (const utterance of this.#utterances) {
       const end = utterance.startSecs + utterance.durationSecs;
@@ -165,12 +194,13 @@ export class RecordedVoice implements Voice {
       const sound = this.#sounds.get(utterance);
       if (sound === undefined || sound === 'pending') return false;
     }
-    return true;
+    return !this.#awaited && (this.#music?.ready(position) ?? true);
   }
 
   close(): void {
     this.#abort.abort();
     this.stop();
+    this.#music?.close();
     this.#sounds.clear();
     this.#stretched.clear();
     // The fade of stop() is let out before the voice is unplugged.
@@ -285,5 +315,6 @@ export class SilentVoice implements Voice {
   }
 
   setVolume(): void {}
+  setMusic(): void {}
   close(): void {}
 }

@@ -264,6 +264,7 @@ export class RaconteurPlayer extends LitElement {
     const performed = show.picture.perform(mind, String(fragment), nowSecs);
     if (performed === undefined) return [{ kind: 'failed', timeSecs: nowSecs, code: 'live::absent', message: 'The storyteller is away for a moment.' }];
     if (performed.utterances.length > 0) show.captions = captionsOf(show.script.add(performed, nowSecs));
+    this.#hearMusic(show);
     if (performed.endSecs > show.transport.endSecs) {
       show.transport.extend(performed.endSecs);
       this.dispatchEvent(new Event('durationchange'));
@@ -408,6 +409,11 @@ export class RaconteurPlayer extends LitElement {
     return new URL(this.assets.endsWith('/') ? this.assets : `${this.assets}/`, document.baseURI);
   }
 
+  /** The music of what is performed now. */
+  #hearMusic({ voice, picture }: Show): void {
+    voice.setMusic(picture.music(), new URL('music/', this.#library));
+  }
+
   /**
    * Puts another text in the place of the one on stage; figure, picture, time and whether it plays
    * stay. Works without `src`, too. What is wrong with the text is in the answer and in
@@ -436,6 +442,7 @@ export class RaconteurPlayer extends LitElement {
     const spoken = show.script.replace(story.utterances);
     show.captions = captionsOf(story.utterances);
     show.transport.replace(story.durationSecs, spoken);
+    this.#hearMusic(show);
     this.#diagnostics = [...this.#diagnostics.filter((d) => !anew || d.start === undefined), ...story.diagnostics].slice(0, MOST_DIAGNOSTICS);
     this.dispatchEvent(new Event('durationchange'));
     if (this.paused) this.#advance();
@@ -470,6 +477,7 @@ export class RaconteurPlayer extends LitElement {
       // What was live ended with the figure that did it.
       show.script.forget();
       show.captions = captionsOf(story.utterances);
+      this.#hearMusic(show);
       // What was wrong with the figure before is gone with it.
       this.#diagnostics = this.#diagnostics.filter((d) => d.code === 'voice-missing' || d.code === 'sound-missing');
       for (const diagnostic of [...story.diagnostics, ...figure.diagnostics, ...missing]) this.#report(diagnostic);
@@ -492,12 +500,15 @@ export class RaconteurPlayer extends LitElement {
     const recorded = files.bundle !== undefined;
     const script = new LiveScript(story.utterances);
     const voice = hasAudio()
-      ? new RecordedVoice(script, voiceFolder, ({ words }, why) =>
-          this.#report({ code: 'sound-missing', severity: 'warning', message: `The recording of “${words.slice(0, 4).map((w) => w.text).join(' ')} …” cannot be played (${why}); its captions are shown.`, hints: [] }),
-        )
+      ? new RecordedVoice(script, voiceFolder, (utterance, why) => {
+          const words = utterance?.words.slice(0, 4).map((w) => w.text).join(' ');
+          const message = words === undefined ? why : `The recording of “${words} …” cannot be played (${why}); its captions are shown.`;
+          this.#report({ code: 'sound-missing', severity: 'warning', message, hints: [] });
+        })
       : new SilentVoice();
     const transport = new Transport(voice, story.durationSecs, (event) => this.#onTransport(event));
     this.#show = { story, figure: figure.name, files, sinceMs, picture, voice, transport, script, captions: captionsOf(story.utterances) };
+    this.#hearMusic(this.#show);
     this.#started = false;
     this.#resize();
     for (const diagnostic of [...story.diagnostics, ...figure.diagnostics]) this.#report(diagnostic);

@@ -3,7 +3,7 @@
 import { createEngine } from './backend.js';
 import { showImages, unusable, type FigureFile } from './figure.js';
 import type { StoryFiles } from './loader.js';
-import { PlayerError, TickStatus, type Backend, type Cue, type Diagnostic, type Engine, type Performance, type PictureStatistics, type Quality, type Story, type View } from './types.js';
+import { PlayerError, TickStatus, type Backend, type Cue, type Diagnostic, type Engine, type Performance, type PictureStatistics, type Piece, type Quality, type Story, type View } from './types.js';
 
 /** More device pixels than this for a CSS pixel cost time and are not seen. */
 const MOST_DPR = 2;
@@ -104,6 +104,11 @@ export class Picture {
   look(view: View): void {
     this.#view = view;
     this.#guard((engine) => applyView(engine, view));
+  }
+
+  /** The music under what is performed. */
+  music(): readonly Piece[] {
+    return this.#guard((engine) => engine.music()) ?? [];
   }
 
   /** The clock may pass the end of the story. */

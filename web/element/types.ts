@@ -60,6 +60,19 @@ export interface Story {
   readonly diagnostics: readonly Diagnostic[];
 }
 
+/** A piece of music at its place in the story. */
+export interface Piece {
+  readonly startSecs: number;
+  /** When it has become silent; may be infinite. */
+  readonly endSecs: number;
+  /** Path from the story's folder, or from `music/` of the asset library. An `.opus` may have an `.mp3` beside it. */
+  readonly file: string;
+  /** It is of the library, and begins again when it is over. */
+  readonly library: boolean;
+  /** How loud it is at story times; straight between them. */
+  readonly level: readonly (readonly [atSecs: number, level: number])[];
+}
+
 /** Something that happens at a moment of the story. */
 export type Cue = {
   readonly timeSecs: number;
@@ -174,6 +187,8 @@ export interface Engine {
   seek(timeSecs: number): void;
   /** Size of the canvas in CSS pixels, and device pixels for each of them. */
   resize(width: number, height: number, dpr: number): void;
+  /** The music under the story and what joined it. */
+  music(): Piece[];
   /** The cues passed since the last call. */
   drainEvents(): Cue[];
   /** Performs a fragment of EML; plain times count from `nowSecs`. `mind` tells senders apart. */

@@ -18,6 +18,7 @@ class FakeVoice implements Voice {
   prepare = () => undefined;
   ready = (position: number) => position < this.missingFrom;
   setVolume = () => undefined;
+  setMusic = () => undefined;
   close = () => undefined;
 }
 

@@ -42,13 +42,15 @@ await main(async () => {
     }
     return [...found].filter((path) => /\.(js|wasm)$/.test(path));
   };
-  // What only some players fetch: the importer of foreign avatars, and what connects to a mind.
+  // What only some players fetch: the importer of foreign avatars, what connects to a mind, and
+  // what plays music.
   for (const [backend, budget] of Object.entries(budgets)) {
     const other = backend === 'webgpu' ? 'webgl' : 'webgpu';
-    measure(backend, reach(entry, new RegExp(`^(avatar|mind|${other})-`)), budget);
+    measure(backend, reach(entry, new RegExp(`^(avatar|mind|music|${other})-`)), budget);
   }
   measure('avatar', named(/^avatar-/), 250);
   measure('mind', named(/^mind-/), 4);
+  measure('music', named(/^music-/), 3);
   // What pages of their own add to the player.
   const player = reach(entry, /^$/);
   for (const [page, budget] of Object.entries(pages)) {

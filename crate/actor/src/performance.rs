@@ -218,6 +218,13 @@ impl Actor {
         &self.plans[side.index()]
     }
 
+    /// World from figure axes at a story time: where the script has moved the figure; none
+    /// where it never does.
+    #[must_use]
+    pub fn world_from_figure(&self, time_secs: f64) -> Option<DAffine3> {
+        self.manipulators.world_from_figure(time_secs)
+    }
+
     /// Evaluates the figure at a story time into a pose and morph weights (in the order of
     /// the figure's morph names). The pose is overwritten; weights of morphs that the
     /// actor does not use keep their values.

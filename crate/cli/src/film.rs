@@ -7,32 +7,9 @@ use std::path::{Path, PathBuf};
 use std::process::{Child, ChildStdin, Command, Stdio};
 
 use anyhow::{Context as _, Result, bail};
-use raconteur_player::Player;
 
 use crate::commands::render::write_png;
-
-/// A sound and when it starts in the film; negative when the film begins within it.
-pub(crate) struct Sound {
-    file: PathBuf,
-    start_secs: f64,
-}
-
-/// The sounds of a story that can be heard in a film that begins at `from_secs`.
-pub(crate) fn sounds(player: &Player, voice: &Path, from_secs: f64) -> Vec<Sound> {
-    player
-        .utterances()
-        .iter()
-        .filter(|u| u.start_secs + u.duration_secs > from_secs)
-        .filter_map(|u| {
-            Some(Sound {
-                // The bundle's reader has made sure that the name stays in the folder.
-                file: voice.join(&u.audio.first()?.file),
-                start_secs: u.start_secs - from_secs,
-            })
-        })
-        .filter(|s| s.file.is_file())
-        .collect()
-}
+use crate::soundtrack::Soundtrack;
 
 /// Where frames go.
 pub(crate) enum Sink {
@@ -53,7 +30,7 @@ impl Sink {
         size: (u32, u32),
         fps: u32,
         length_secs: f64,
-        sounds: &[Sound],
+        soundtrack: &Soundtrack,
     ) -> Result<Self> {
         let mut command = Command::new("ffmpeg");
         command.args([
@@ -73,22 +50,15 @@ impl Sink {
             "-i",
             "-",
         ]);
-        for sound in sounds {
+        for sound in soundtrack.sounds() {
             // A sound that has already begun is entered in its middle.
             let skip = (-sound.start_secs).max(0.0);
             command
                 .args(["-ss", &format!("{skip:.6}"), "-i"])
                 .arg(&sound.file);
         }
-        if !sounds.is_empty() {
-            command.args([
-                "-filter_complex",
-                &mix(sounds),
-                "-map",
-                "0:v",
-                "-map",
-                "[mix]",
-            ]);
+        if let Some(filter) = soundtrack.filter() {
+            command.args(["-filter_complex", &filter, "-map", "0:v", "-map", "[mix]"]);
         }
         // Encoders of this format want even sides.
         command.args([
@@ -143,21 +113,4 @@ impl Sink {
         }
         Ok(())
     }
-}
-
-/// ffmpeg's filter that delays each sound to its time and adds them up at full level.
-fn mix(sounds: &[Sound]) -> String {
-    let mut filter = String::new();
-    for (i, sound) in sounds.iter().enumerate() {
-        let delay_ms = (sound.start_secs.max(0.0) * 1000.0).round();
-        filter += &format!("[{}:a]adelay={delay_ms}:all=1[s{i}];", i + 1);
-    }
-    for i in 0..sounds.len() {
-        filter += &format!("[s{i}]");
-    }
-    filter
-        + &format!(
-            "amix=inputs={}:normalize=0:dropout_transition=0[mix]",
-            sounds.len()
-        )
 }

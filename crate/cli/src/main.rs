@@ -12,6 +12,7 @@ mod report;
 mod serve;
 mod sheet;
 mod skinning;
+mod soundtrack;
 mod story;
 
 use std::io;

@@ -105,22 +105,24 @@ impl StoryFiles {
     }
 }
 
+/// A file of the asset library, from the folder `assets` of the folders above the story or
+/// the working folder; `path` does not leave it.
+pub(crate) fn find_asset(path: &str, story: &Path) -> Result<PathBuf> {
+    let near = story.canonicalize().unwrap_or_else(|_| story.to_owned());
+    let here = std::env::current_dir().unwrap_or_default();
+    near.ancestors()
+        .chain(here.ancestors())
+        .map(|folder| folder.join("assets").join(path))
+        .find(|p| p.is_file())
+        .with_context(|| format!("no {path} in an assets folder"))
+}
+
 /// The text of an animation: of a bare name, `NAME.json` in `assets/animations` of the folders
 /// above the story or the working folder; else of a file in the story's folder, JSON or glTF
 /// (`FILE.glb#NAME` for one of several animations).
 fn find_animation(name: &str, story: &Path) -> Option<String> {
     if !name.contains(['/', '.', '\\']) {
-        let near = story.canonicalize().unwrap_or_else(|_| story.to_owned());
-        let here = std::env::current_dir().unwrap_or_default();
-        let path = near
-            .ancestors()
-            .chain(here.ancestors())
-            .map(|folder| {
-                folder
-                    .join("assets/animations")
-                    .join(format!("{name}.json"))
-            })
-            .find(|p| p.is_file())?;
+        let path = find_asset(&format!("animations/{name}.json"), story).ok()?;
         return fs::read_to_string(path).ok();
     }
     let (path, part) = name.split_once('#').unwrap_or((name, ""));
@@ -149,13 +151,7 @@ pub(crate) fn find_figure(name: &str, near: &Path) -> Result<Figure> {
     let path = if ending.is_some_and(|e| FIGURE_ENDINGS.iter().any(|f| e == *f)) {
         by_path.to_owned()
     } else {
-        let near = near.canonicalize().unwrap_or_else(|_| near.to_owned());
-        let here = std::env::current_dir().unwrap_or_default();
-        near.ancestors()
-            .chain(here.ancestors())
-            .map(|folder| folder.join("assets/figures").join(format!("{name}.glb")))
-            .find(|p| p.is_file())
-            .with_context(|| format!("no figure named {name} in an assets/figures folder"))?
+        find_asset(&format!("figures/{name}.glb"), near)?
     };
     let bytes =
         fs::read(&path).with_context(|| format!("cannot read the figure {}", path.display()))?;

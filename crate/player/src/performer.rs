@@ -442,7 +442,11 @@ impl Player {
     fn camera(&self, aspect: f64) -> Camera {
         let stature_m = self.figure.skeleton.stature_m();
         let room = self.layers.room_at(self.frame.time_secs);
-        let frame = |shot: Shot| shot.frame(DVec3::ZERO, stature_m, aspect, room);
+        // Where the script has moved the figure; how it sways there is none of the camera's
+        // business.
+        let moved = self.layers.actor().world_from_figure(self.frame.time_secs);
+        let place = moved.map_or(DVec3::ZERO, |m| m.translation.with_y(0.0));
+        let frame = |shot: Shot| shot.frame(place, stature_m, aspect, room);
         match self.view {
             Some(view) => view.of(&frame(Shot::Full)),
             None => self.views.camera(self.frame.time_secs, frame),

@@ -1,7 +1,7 @@
 //! What crosses to JavaScript: plain objects, named as `web/element/types.ts` names them.
 
 use raconteur_player::eml::{self, LineIndex};
-use raconteur_player::{Event, UtteranceCue};
+use raconteur_player::{Event, MusicCue, UtteranceCue};
 use serde::Serialize;
 
 /// A story that was read.
@@ -62,6 +62,29 @@ struct Word {
     start_secs: f64,
     end_secs: f64,
     emphasized: bool,
+}
+
+/// A piece of music.
+#[derive(Debug, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub(crate) struct Piece {
+    start_secs: f64,
+    end_secs: f64,
+    file: String,
+    library: bool,
+    level: Vec<(f64, f64)>,
+}
+
+impl From<MusicCue> for Piece {
+    fn from(cue: MusicCue) -> Self {
+        Self {
+            start_secs: cue.start_secs,
+            end_secs: cue.end_secs,
+            file: cue.file,
+            library: cue.library,
+            level: cue.level,
+        }
+    }
 }
 
 /// What became of a fragment.

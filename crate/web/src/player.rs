@@ -13,7 +13,7 @@ use serde_wasm_bindgen::Serializer;
 use wasm_bindgen::prelude::*;
 use web_sys::HtmlCanvasElement;
 
-use crate::message::{Performance, Story, Utterance};
+use crate::message::{Performance, Piece, Story, Utterance};
 
 #[cfg(not(any(feature = "webgpu", feature = "webgl")))]
 compile_error!("a build for the browser needs the feature `webgpu` or `webgl`");
@@ -231,6 +231,12 @@ impl Player {
             )]
             picture.resize(width as u32, height as u32);
         }
+    }
+
+    /// The music under what is performed; `Piece`s.
+    pub fn music(&self) -> Result<JsValue, JsError> {
+        let music = self.performer.as_ref().map_or(Vec::new(), Performer::music);
+        plain(&music.into_iter().map(Piece::from).collect::<Vec<_>>())
     }
 
     /// The cues passed since the last call.

@@ -16,6 +16,7 @@ use crate::Outcome;
 use crate::film;
 use crate::picture;
 use crate::report;
+use crate::soundtrack::Soundtrack;
 use crate::story::StoryFiles;
 
 /// How much of the speaker is in the picture.
@@ -132,8 +133,8 @@ impl Render {
         let bar = ProgressBar::new(count).with_style(ProgressStyle::with_template(
             "{bar:30} {pos}/{len} frames, {eta} left",
         )?);
-        let sounds = film::sounds(player, &files.voice(), self.at);
-        let mut sink = film::Sink::open(path, self.size, self.fps, length, &sounds)?;
+        let soundtrack = Soundtrack::of(player, &files.script, self.at, length);
+        let mut sink = film::Sink::open(path, self.size, self.fps, length, &soundtrack)?;
         for n in 0..count {
             let time = self.at + n as f64 / f64::from(self.fps);
             sink.push(&self.draw(player, headless, time)?)?;

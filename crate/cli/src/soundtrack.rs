@@ -1,0 +1,162 @@
+//! What is heard in a film: utterances as they were baked, and music at its level.
+
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context as _, Result};
+use raconteur_player::{MusicCue, Player};
+use tempfile::TempDir;
+
+use crate::bake::program::FFMPEG;
+use crate::story::find_asset;
+
+/// Samples a second of music.
+const RATE_HZ: u32 = 48_000;
+/// The level of music is a line through points so far apart, samples: 5 ms.
+const LEVEL_STEP: usize = 240;
+
+/// A sound and when it starts in the film; negative when the film begins within it.
+pub(crate) struct Sound {
+    /// Where it lies.
+    pub(crate) file: PathBuf,
+    /// Seconds from the start of the film.
+    pub(crate) start_secs: f64,
+}
+
+/// The sounds of a film.
+pub(crate) struct Soundtrack {
+    /// One channel each.
+    pub(crate) voices: Vec<Sound>,
+    /// Two channels each.
+    pub(crate) music: Vec<Sound>,
+    /// Where the music lies; gone with this.
+    _scratch: Option<TempDir>,
+}
+
+impl Soundtrack {
+    /// The sounds that can be heard in a film of the story at `script` that begins at
+    /// `from_secs` and is `length_secs` long. Music that cannot be had is left out with a
+    /// message: a film goes on without it.
+    pub(crate) fn of(player: &Player, script: &Path, from_secs: f64, length_secs: f64) -> Self {
+        let folder = script.parent().unwrap_or(Path::new(""));
+        let voice = folder.join("voice");
+        let voices = player
+            .utterances()
+            .iter()
+            .filter(|u| u.start_secs + u.duration_secs > from_secs)
+            .filter_map(|u| {
+                Some(Sound {
+                    // The bundle's reader has made sure that the name stays in the folder.
+                    file: voice.join(&u.audio.first()?.file),
+                    start_secs: u.start_secs - from_secs,
+                })
+            })
+            .filter(|s| s.file.is_file())
+            .collect();
+        let mut track = Self {
+            voices,
+            music: Vec::new(),
+            _scratch: None,
+        };
+        let end_secs = from_secs + length_secs;
+        for cue in player.music() {
+            if cue.start_secs >= end_secs || cue.end_secs <= from_secs {
+                continue;
+            }
+            if let Err(error) = track.add_music(&cue, script, from_secs, end_secs) {
+                eprintln!("the music {} is not heard: {error:#}", cue.file);
+            }
+        }
+        track
+    }
+
+    /// Decodes a piece, sets its level and keeps it for the film.
+    fn add_music(&mut self, cue: &MusicCue, script: &Path, from: f64, end: f64) -> Result<()> {
+        // EML's reader has made sure that the path stays in its folder.
+        let file = if cue.library {
+            find_asset(&format!("music/{}", cue.file), script)?
+        } else {
+            script.parent().unwrap_or(Path::new("")).join(&cue.file)
+        };
+        let scratch = match self._scratch.take() {
+            Some(scratch) => scratch,
+            None => tempfile::tempdir().context("making a folder for the music")?,
+        };
+        let [raw, wave] = ["raw", "wav"].map(|ending| {
+            let name = format!("{}.{ending}", self.music.len());
+            scratch.path().join(name)
+        });
+        self._scratch = Some(scratch);
+        let mut command = FFMPEG.command();
+        command.args(["-v", "error", "-nostdin", "-y"]);
+        if cue.library {
+            command.args(["-stream_loop", "-1"]);
+        }
+        let heard_secs = cue.end_secs.min(end) - cue.start_secs;
+        command
+            .arg("-i")
+            .arg(&file)
+            .args(["-t", &format!("{heard_secs:.6}")])
+            .args(["-f", "s16le", "-ac", "2", "-ar", &RATE_HZ.to_string()])
+            .arg(&raw);
+        FFMPEG.run(command)?;
+        let bytes = std::fs::read(&raw)?;
+        let spec = hound::WavSpec {
+            channels: 2,
+            sample_rate: RATE_HZ,
+            bits_per_sample: 16,
+            sample_format: hound::SampleFormat::Int,
+        };
+        let mut writer = hound::WavWriter::create(&wave, spec)?;
+        for (block, samples) in bytes.chunks(4 * LEVEL_STEP).enumerate() {
+            let at = |step: usize| {
+                let offset_secs = (step * LEVEL_STEP) as f64 / f64::from(RATE_HZ);
+                cue.level_at(cue.start_secs + offset_secs)
+            };
+            let (level, next) = (at(block), at(block + 1));
+            for (i, pair) in samples.chunks_exact(4).enumerate() {
+                let gain = level + (next - level) * i as f64 / LEVEL_STEP as f64;
+                for sample in pair.chunks_exact(2) {
+                    let value = f64::from(i16::from_le_bytes([sample[0], sample[1]]));
+                    let louder = (value * gain).round().clamp(-32768.0, 32767.0);
+                    writer.write_sample(louder as i16)?;
+                }
+            }
+        }
+        writer.finalize()?;
+        self.music.push(Sound {
+            file: wave,
+            start_secs: cue.start_secs - from,
+        });
+        Ok(())
+    }
+
+    /// All sounds, voices first.
+    pub(crate) fn sounds(&self) -> impl Iterator<Item = &Sound> {
+        self.voices.iter().chain(&self.music)
+    }
+
+    /// ffmpeg's filter that delays each sound to its time and adds them up at full level;
+    /// none when there is nothing to hear.
+    pub(crate) fn filter(&self) -> Option<String> {
+        let count = self.sounds().count();
+        if count == 0 {
+            return None;
+        }
+        let mut filter = String::new();
+        for (i, sound) in self.sounds().enumerate() {
+            let delay_ms = (sound.start_secs.max(0.0) * 1000.0).round();
+            // A voice is in the middle, as loud on both sides as it was baked.
+            let middle = if i < self.voices.len() {
+                "pan=stereo|c0=c0|c1=c0,"
+            } else {
+                ""
+            };
+            filter += &format!("[{}:a]{middle}adelay={delay_ms}:all=1[s{i}];", i + 1);
+        }
+        for i in 0..count {
+            filter += &format!("[s{i}]");
+        }
+        filter += &format!("amix=inputs={count}:normalize=0:dropout_transition=0[mix]");
+        Some(filter)
+    }
+}
