@@ -20,7 +20,7 @@ const MOST_FADES: usize = 16;
 /// inverse: the last of a weight still fades. Designed.
 const LEAST_WEIGHT: f64 = 0.1;
 /// The share of what is played at which the feet stand wholly where they should. Designed.
-const ONSET_SHARE: f64 = 0.004;
+const ONSET_SHARE: f64 = 0.02;
 /// Share of the idle sway that stays alive over an animation of the legs. Designed.
 const SWAY_LEFT: f64 = 0.25;
 /// A foot this high is not stood on, share of stature.
