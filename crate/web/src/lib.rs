@@ -26,6 +26,11 @@
 
 pub mod message;
 
+/// The standard library's own allocator takes two kilobytes more to download.
+#[cfg(target_arch = "wasm32")]
+#[global_allocator]
+static ALLOCATOR: talc::wasm::WasmDynamicTalc = talc::wasm::new_wasm_dynamic_allocator();
+
 #[cfg(all(target_arch = "wasm32", feature = "avatar"))]
 mod avatar;
 #[cfg(all(target_arch = "wasm32", feature = "avatar"))]
