@@ -181,7 +181,7 @@ impl Part {
         let (slice, sector, r) = self.place(p)?;
         let surface = self.slices[slice][sector];
         // No vertices there: the part is open, as a trunk is where the arm begins.
-        (surface > 0.0).then(|| surface + radius_m - r)
+        (surface > 0.0).then_some(surface + radius_m - r)
     }
 }
 

@@ -61,7 +61,7 @@ impl Sheet {
             "{bar:30} {pos}/{len} tiles, {eta} left",
         )?);
         let picture = sheet::draw(&figure, &tiles, self.size, self.grid, &mut headless, || {
-            bar.inc(1)
+            bar.inc(1);
         })?;
         bar.finish_and_clear();
         write_png(&self.output, picture.size(), picture.rgba())?;
