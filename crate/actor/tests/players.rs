@@ -98,7 +98,7 @@ impl Stage {
     fn turn(&self, t: f64) -> f64 {
         let q = self.pose(t).rotation(Bone::Skull);
         // About the skull's own upward axis.
-        (2.0 * q.x.atan2(q.w)).to_degrees()
+        (2.0 * raconteur_base::ops::atan2(q.x, q.w)).to_degrees()
     }
 }
 

@@ -67,7 +67,7 @@ struct Word {
 /// A piece of music.
 #[derive(Debug, Serialize)]
 #[serde(rename_all = "camelCase")]
-pub(crate) struct Piece {
+pub struct Piece {
     start_secs: f64,
     end_secs: f64,
     file: String,

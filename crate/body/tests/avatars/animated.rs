@@ -26,7 +26,7 @@ fn turned(a: &Value, b: &Value) -> f64 {
     let four = |v: &Value| [0, 1, 2, 3].map(|i| v[i].as_f64().expect("a number"));
     let (a, b) = (four(a), four(b));
     let dot: f64 = a.iter().zip(b).map(|(x, y)| x * y).sum();
-    2.0 * dot.abs().min(1.0).acos()
+    2.0 * raconteur_base::ops::acos_clamped(dot.abs())
 }
 
 #[test]
