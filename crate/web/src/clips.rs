@@ -1,5 +1,6 @@
 //! Animations that a story plays, fetched by the page.
 
+use raconteur_player::Player as Performer;
 use wasm_bindgen::prelude::*;
 
 use crate::message::Story;
@@ -13,7 +14,7 @@ impl Player {
     #[wasm_bindgen(js_name = wantedAnimations)]
     pub fn wanted_animations(&self) -> Vec<String> {
         let performer = self.performer.as_ref();
-        performer.map_or_else(Vec::new, |p| p.wanted_animations())
+        performer.map_or_else(Vec::new, Performer::wanted_animations)
     }
 
     /// Takes animations by name with their texts, an empty one for what was not found. The

@@ -34,7 +34,7 @@ static ALLOCATOR: talc::wasm::WasmDynamicTalc = talc::wasm::new_wasm_dynamic_all
 #[cfg(all(target_arch = "wasm32", feature = "avatar"))]
 mod avatar;
 #[cfg(all(target_arch = "wasm32", feature = "avatar"))]
-pub use avatar::convert;
+pub use avatar::{convert, convert_animation};
 #[cfg(all(target_arch = "wasm32", not(feature = "avatar")))]
 mod clips;
 #[cfg(all(target_arch = "wasm32", not(feature = "avatar")))]
