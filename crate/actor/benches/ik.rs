@@ -10,9 +10,9 @@ use criterion::{Criterion, criterion_group, criterion_main};
 use k::nalgebra as na;
 use k::prelude::*;
 use raconteur_actor::manipulator::rig::{Base, LimbRig};
-use raconteur_actor::manipulator::solve::{AT_EASE, Choice, choose, matrix_error};
+use raconteur_actor::manipulator::solve::{AT_EASE, Choice};
 use raconteur_actor::manipulator::swivel::Obstacles;
-use raconteur_actor::manipulator::{Frame, Joints, Sex};
+use raconteur_actor::manipulator::{Frame, Sex};
 use raconteur_base::{DAffine3, DQuat, DVec3, Side, noise};
 use raconteur_body::{Bone, Pose, Skeleton};
 
@@ -129,16 +129,16 @@ fn solvers(c: &mut Criterion) {
     c.bench_function("closed form: swivel, solutions, limits, bones", |b| {
         b.iter(|| {
             let target = next();
-            let elbow = rig.elbow_for(&target, &base, Some(&obstacles), 0.0);
+            let swivel = rig.swivel_for(&target, &base, Some(&obstacles));
+            let elbow = rig.elbow_at(&target, &base, swivel);
             let found = rig.solutions(&target, elbow, &base, true);
             let choice = Choice {
                 limited: 1.0,
                 current: None,
                 preferred: &AT_EASE,
             };
-            let error = |j: &Joints| matrix_error(&rig.posed(j, &base).frame, &target);
-            let chosen = choose(&found, rig.limits(), &choice, &error);
-            black_box(chosen.map(|(_, joints)| rig.posed(&joints, &base)))
+            let chosen = rig.choose(&found, &target, &base, &choice);
+            black_box(chosen.map(|joints| rig.posed(&joints, &base)))
         });
     });
 

@@ -1,11 +1,16 @@
 //! Manipulators: exactness of the inverse kinematics, and what scripts of commands do.
 
+use core::f64::consts::{FRAC_PI_2, PI};
+
 use raconteur_actor::manipulator::limits::{Sex, limits};
 use raconteur_actor::manipulator::rig::{Base, LimbRig};
 use raconteur_actor::manipulator::solve::{AT_EASE, Choice};
-use raconteur_actor::manipulator::{Frame, Joints, Limb};
+use raconteur_actor::manipulator::{
+    Command, Frame, Joints, Limb, ManipulatorScript, Motion, Move, Pace, Path, Place, Shape,
+};
+use raconteur_actor::{Actor, FaceRig, Performance};
 use raconteur_base::{DQuat, DVec3, Side, noise};
-use raconteur_body::{Pose, Skeleton};
+use raconteur_body::{Bone, Pose, Skeleton};
 
 /// Random targets for each limb; 100,000 in all.
 const TARGETS: i64 = 25_000;
@@ -27,6 +32,11 @@ fn base(rig: &LimbRig) -> Base {
     pose.root_rotation = DQuat::from_scaled_axis(DVec3::new(0.2, -0.7, 0.4));
     pose.root_offset_in_world = DVec3::new(0.3, 0.2, -0.4);
     rig.base(&rig.trunk(&skeleton, &pose), None)
+}
+
+/// Where the elbow goes when nothing is in the way.
+fn elbow(rig: &LimbRig, target: &Frame, base: &Base) -> DVec3 {
+    rig.elbow_at(target, base, rig.swivel_for(target, base, None))
 }
 
 /// A random target in reach of a limb without limits.
@@ -51,8 +61,8 @@ fn a_hundred_thousand_targets_are_met_by_every_solution() {
         let (mut off, mut turned): (f64, f64) = (0.0, 0.0);
         for i in 0..TARGETS {
             let target = target(&rig, &base, i);
-            let elbow = rig.elbow_for(&target, &base, None, 0.0);
-            let found = rig.solutions(&target, elbow, &base, false);
+            let aside = elbow(&rig, &target, &base);
+            let found = rig.solutions(&target, aside, &base, false);
             assert_eq!(found.as_slice().len(), 8);
             let one = &found.as_slice()[i as usize % 8];
             let met = rig.posed(one, &base).frame;
@@ -71,8 +81,8 @@ fn limits_hold_for_every_target() {
         let base = base(&rig);
         for i in 0..TARGETS / 5 {
             let target = target(&rig, &base, i);
-            let elbow = rig.elbow_for(&target, &base, None, 0.0);
-            let found = rig.solutions(&target, elbow, &base, false);
+            let aside = elbow(&rig, &target, &base);
+            let found = rig.solutions(&target, aside, &base, false);
             let choice = Choice {
                 limited: 1.0,
                 current: None,
@@ -106,8 +116,8 @@ fn what_is_out_of_reach_is_projected_onto_the_boundary() {
                         position: base.origin + near,
                         ..target
                     };
-                    let elbow = rig.elbow_for(&frame, &base, None, 0.0);
-                    let found = rig.solutions(&frame, elbow, &base, true);
+                    let aside = elbow(&rig, &frame, &base);
+                    let found = rig.solutions(&frame, aside, &base, true);
                     let met = rig.posed(&found.as_slice()[0], &base).frame.position;
                     let on = (met - base.origin).length();
                     assert!((on - bound).abs() < 1e-7, "{side:?} {is_arm}: {on} {bound}");
@@ -296,4 +306,219 @@ fn joints_turn_the_way_they_say() {
 fn limits_are_those_of_the_sex() {
     let [male, female] = [Sex::Male, Sex::Female].map(|s| limits(Limb::LeftArm, s)[2].most_rad);
     assert!(female > male);
+}
+
+/// Target frames of a hand that points to the front palm down, of a standing foot and of a
+/// head that is upright, in the order of the limbs.
+const EASY: [fn() -> DQuat; 5] = [
+    || DQuat::from_rotation_y(-FRAC_PI_2),
+    || DQuat::from_rotation_y(FRAC_PI_2) * DQuat::from_rotation_z(PI),
+    || DQuat::from_rotation_z(-FRAC_PI_2),
+    || DQuat::from_rotation_z(-FRAC_PI_2),
+    || DQuat::IDENTITY,
+];
+
+/// A random script for all limbs and the root, with switches, over some seconds.
+fn random_script(seed: u64, wild: f64) -> ManipulatorScript {
+    let r = |k: u64, i: i64| noise::signed(seed, k, i);
+    let unit = |k: u64, i: i64| noise::unit(seed, k, i);
+    let mut script = ManipulatorScript::default();
+    for i in 0..40 {
+        let limb = Limb::ALL[(5.0 * unit(0, i)) as usize % 5];
+        let arm = limb.index() < 2;
+        let place = Frame {
+            position: if limb == Limb::Head {
+                DVec3::new(0.06 * r(1, i), 1.75, 0.06 * r(3, i)) * wild
+            } else {
+                let y = if arm { 1.3 } else { 0.3 } + 0.4 * r(2, i);
+                DVec3::new(0.5 * r(1, i), y, 0.3 + 0.2 * r(3, i)) * wild
+            },
+            rotation: if wild == 1.0 {
+                // Some way off what is easy: a hand to the front, a foot down, a head upright.
+                let off = DQuat::from_scaled_axis(DVec3::new(r(4, i), r(5, i), r(6, i)) * 0.8);
+                off * EASY[limb.index()]()
+            } else {
+                DQuat::from_xyzw(r(4, i), r(5, i), r(6, i), r(7, i)).normalize()
+            },
+        };
+        let path = Path {
+            shape: match i % 3 {
+                0 => Shape::Segment,
+                1 => Shape::Round {
+                    centre: Place::default(),
+                    normal: DVec3::new(r(8, i), r(9, i), r(10, i)),
+                    radii: [0.1 * wild, 0.15],
+                    from_rad: r(11, i),
+                    turns: 2.0 * r(12, i),
+                    rise: 0.1 * r(13, i),
+                },
+                _ => Shape::Lemniscate {
+                    centre: Place::default(),
+                    normal: DVec3::Z,
+                    half_width: 0.15,
+                    tilt_rad: r(14, i),
+                    turns: 1.0,
+                },
+            },
+            from: Place::default(),
+            to: Place {
+                position: [Some(place.position.x), None, None],
+                angles: [None; 3],
+            },
+            period_secs: 1.0 + unit(17, i),
+            looping: i % 2 == 0,
+        };
+        let motion = match (12.0 * unit(18, i)) as usize {
+            0 => Motion::Configure {
+                is_on: Some(unit(19, i) < 0.5),
+                limits: None,
+            },
+            1 => Motion::Configure {
+                is_on: Some(true),
+                limits: Some(unit(19, i) < 0.6),
+            },
+            2 => Motion::Joints([0, 1, 2, 3, 4, 5].map(|k| (k % 2 == 0).then(|| r(20 + k, i)))),
+            3 => Motion::JointInterpolation {
+                to: place,
+                pace: Pace::Secs(1.0),
+            },
+            4 => Motion::JointInterpolation {
+                to: place,
+                pace: Pace::RadPerSec(1.5),
+            },
+            5 | 6 => Motion::FrameInterpolation {
+                to: place,
+                secs: 1.0 + unit(30, i),
+            },
+            7 | 8 => Motion::Function(Box::new(path.clone())),
+            9 => Motion::JacobianTarget(place),
+            10 => Motion::JacobianVelocity {
+                // Never behind the back, where the elbow has no steady way.
+                linear: DVec3::new(r(31, i), r(32, i), r(33, i).abs()) * 0.3,
+                angular: DVec3::new(r(34, i), r(35, i), r(36, i)),
+            },
+            _ if i % 2 == 0 => Motion::Stop,
+            _ => Motion::Lock(unit(37, i) < 0.7),
+        };
+        let time_secs = 20.0 * unit(38, i);
+        script.commands.push(Command {
+            time_secs,
+            limb,
+            motion,
+        });
+        if i % 10 == 0 {
+            script.moves.push(Move { time_secs, path });
+        }
+    }
+    script
+}
+
+fn actor(script: ManipulatorScript, seed: u64) -> Actor {
+    let performance = Performance {
+        manipulators: script,
+        seed,
+        ..Performance::default()
+    };
+    Actor::new(&performance, &Skeleton::example())
+}
+
+fn pose_at(actor: &Actor, skeleton: &Skeleton, face: &FaceRig, t: f64) -> Pose {
+    let mut pose = Pose::zero();
+    actor.evaluate(skeleton, face, t, &mut pose, &mut []);
+    pose
+}
+
+#[test]
+fn random_scripts_move_without_jumps() {
+    let skeleton = Skeleton::example();
+    let face = FaceRig::from_parts(&skeleton, &[], [0.8; 2]);
+    let (mut worst, mut place) = (0.0, String::new());
+    for seed in 0..8 {
+        let mut script = random_script(seed, 1.0);
+        // A hand that is held in the world while the figure walks away ends behind its back,
+        // where the elbow has no steady way.
+        script.moves.clear();
+        let actor = actor(script, seed);
+        let mut last = pose_at(&actor, &skeleton, &face, 0.0);
+        for i in 1..=2600 {
+            let t = f64::from(i) / 120.0;
+            let pose = pose_at(&actor, &skeleton, &face, t);
+            for bone in Bone::ALL {
+                let (a, b) = (last.rotation(bone), pose.rotation(bone));
+                assert!(b.is_finite() && b.is_normalized(), "{seed} {t} {bone:?}");
+                let speed = a.angle_between(b) * 120.0;
+                if speed > worst {
+                    (worst, place) = (speed, format!("{seed} at {t}: {bone:?}"));
+                }
+            }
+            last = pose;
+        }
+    }
+    // The fastest that hands may be opened is 41 rad/s: see the sweep of stories.
+    assert!(worst < 41.0, "{place}: {worst} rad/s");
+}
+
+#[test]
+fn wild_numbers_give_poses_all_the_same() {
+    let skeleton = Skeleton::example();
+    let face = FaceRig::from_parts(&skeleton, &[], [0.8; 2]);
+    for (seed, wild) in [(100, 1e-9), (101, 40.0), (102, 1e4), (103, 0.0)] {
+        let actor = actor(random_script(seed, wild), seed);
+        for i in 0..200 {
+            let pose = pose_at(&actor, &skeleton, &face, f64::from(i) * 0.13);
+            assert!(pose.root_offset_in_world.is_finite());
+            for rotation in pose.rotations {
+                assert!(rotation.is_finite() && rotation.is_normalized(), "{wild}");
+            }
+        }
+    }
+}
+
+#[test]
+fn limits_hold_throughout_while_they_are_on() {
+    let skeleton = Skeleton::example();
+    let face = FaceRig::from_parts(&skeleton, &[], [0.8; 2]);
+    let mut script = random_script(55, 1.0);
+    script.moves.clear();
+    script
+        .commands
+        .retain(|c| !matches!(c.motion, Motion::Configure { .. }) && c.limb != Limb::Head);
+    // Everything under control from before: a hold, then a second for limits to set in.
+    for limb in Limb::ALL {
+        script.commands.push(Command {
+            time_secs: -1.0,
+            limb,
+            motion: Motion::Joints([Some(0.1); 6]),
+        });
+    }
+    let actor = actor(script, 9);
+    for i in 0..2400 {
+        let pose = pose_at(&actor, &skeleton, &face, f64::from(i) / 120.0);
+        for (side, is_arm) in LIMBS {
+            let rig = rig(side, is_arm);
+            let trunk = rig.trunk(&skeleton, &pose);
+            // Joint angles need the girdle's rotation, not its place.
+            let girdle = if is_arm {
+                let bone = [Bone::LScapula, Bone::RScapula][side.index()];
+                let at = raconteur_actor::kinematics::world_from_bone(&skeleton, &pose, bone);
+                let rotation = raconteur_actor::kinematics::rotation_of(&at);
+                Some((rotation, DVec3::ZERO))
+            } else {
+                None
+            };
+            let base = rig.base(&trunk, girdle);
+            let found = rig.joints_of(rig.bones.map(|b| pose.rotation(b)), &base);
+            let holds = |joints: &Joints| {
+                let mut all = joints.iter().zip(rig.limits());
+                all.all(|(a, l)| {
+                    let angle = l.wrapped(*a);
+                    angle > l.least_rad - 1e-7 && angle < l.most_rad + 1e-7
+                })
+            };
+            assert!(
+                found.as_slice().iter().any(holds),
+                "{side:?} {is_arm} {i}: {found:?}"
+            );
+        }
+    }
 }

@@ -10,9 +10,9 @@ use super::jacobian::{Twist, joint_speeds};
 use super::limits;
 use super::path::Curve;
 use super::perform::{Manipulators, Terms};
-use super::rig::Base;
+use super::rig::{Base, ROLL};
 use super::solve::{AT_EASE, Choice, Solutions, choose};
-use super::track::{BRAKE_SECS, Course, Goal, Held, Kind, even_secs};
+use super::track::{BRAKE_SECS, Course, Goal, Held, Kind, Mend, even_secs};
 use super::{Command, Frame, Joints, Limb, ManipulatorScript, Motion, Pace};
 use crate::arm_ik::ARM_BONES;
 
@@ -35,14 +35,16 @@ const START_SECS: f64 = 0.25;
 
 /// Where a limb is at a moment.
 struct Now {
+    /// The figure just before the limb is moved.
+    pose: Pose,
     trunk: DAffine3,
     base: Base,
     joints: Joints,
     frame: Frame,
     cue: DVec3,
     lean: DVec3,
-    /// How far elbow or knee are from their natural way, radians.
-    swivel_rad: f64,
+    /// Elbow or knee from the base, metres.
+    hinge: DVec3,
     /// What the cue and the lean are off those for the place.
     cue_lag: DVec3,
     lean_lag: DVec3,
@@ -172,11 +174,38 @@ impl Manipulators {
             at,
             Course {
                 kind,
-                swivel_rad: now.swivel_rad,
+                swivel_rad: 0.0,
                 cue_lag: now.cue_lag,
                 lean_lag: now.lean_lag,
+                mend: Mend::default(),
             },
         );
+        // Whatever else the limb cannot take over from where it was it makes up for.
+        if let Some((goal @ Goal::Frame { .. }, _)) = self.goal(limb, at) {
+            if let Some(rig) = self.limbs.get(limb.index()) {
+                let would = self.swivel_at(limb, &goal, at, scene.skeleton, &now.pose);
+                let is = rig.swivel_of(now.hinge, &now.frame, &now.base);
+                let off = ops::wrap_angle(is - would.unwrap_or(is));
+                self.tracks[limb.index()].swivel_last(off);
+            }
+            let Some((goal, _)) = self.goal(limb, at) else {
+                return;
+            };
+            let met = self.meet_at(limb, &goal, at, scene.skeleton, &now.pose);
+            let limited = self.tracks[limb.index()].has_limits();
+            let mut off = Mend::default();
+            for (i, off) in off.joints.iter_mut().enumerate() {
+                let by = now.joints[i] - met.joints[i];
+                *off = if limited { by } else { ops::wrap_angle(by) };
+            }
+            if let Some(rig) = self.limbs.get(limb.index()) {
+                off.upper = rig.link(&now.joints) * rig.link(&met.joints).inverse();
+                for joint in [0, 1, ROLL] {
+                    off.joints[joint] = 0.0;
+                }
+            }
+            self.tracks[limb.index()].mend_last(off);
+        }
     }
 
     /// Where a limb is at a time, by idle life and the commands up to now.
@@ -189,6 +218,8 @@ impl Manipulators {
             self.lean_for(limb, &goal, skeleton, &upright) * weight
         });
         self.lean(skeleton, time_secs, &mut pose);
+        self.first_limbs(limb.index(), skeleton, time_secs, &mut pose);
+        let before = pose.clone();
         self.limbs(skeleton, time_secs, &mut pose);
         self.head(skeleton, time_secs, &mut pose);
 
@@ -212,20 +243,19 @@ impl Manipulators {
             lean_lag: DVec3::ZERO,
         };
         let lean_lag = lean - self.lean_for(limb, &plain, skeleton, &upright);
-        let swivel_rad = self.limbs.get(limb.index()).map_or(0.0, |rig| {
-            let obstacles = self.obstacles(limb, &trunk, skeleton, &pose);
-            let natural = rig.elbow_for(&frame, &base, obstacles.as_ref(), 0.0);
-            let hinge = rig.hinge_at(pose.rotation(rig.bones[0]), &base) - base.origin;
-            rig.offset_of(natural, hinge, &frame, &base)
+        // Where elbow or knee are.
+        let hinge = self.limbs.get(limb.index()).map_or(DVec3::ZERO, |rig| {
+            rig.hinge_at(pose.rotation(rig.bones[0]), &base) - base.origin
         });
         Now {
+            pose: before,
             trunk,
             base,
             joints,
             frame,
             cue,
             lean,
-            swivel_rad,
+            hinge,
             cue_lag: cue - place,
             lean_lag,
         }
@@ -247,16 +277,12 @@ impl Manipulators {
         };
         let limits = self.limits(limb);
         // Angles that have to be bent are worse the more they are.
-        let chosen = choose(&found, limits, &choice, &|kept| {
-            let all = found.as_slice().iter();
-            let off = all.map(|raw| {
-                let bend = raw
-                    .iter()
-                    .zip(kept)
-                    .map(|(a, b)| ops::wrap_angle(a - b).abs());
-                bend.sum::<f64>()
-            });
-            off.fold(f64::INFINITY, f64::min)
+        let chosen = choose(&found, limits, &choice, &|raw, kept| {
+            let bends = raw
+                .iter()
+                .zip(kept)
+                .map(|(a, b)| ops::wrap_angle(a - b).abs());
+            bends.sum()
         });
         let index = chosen.map_or(0, |(index, _)| index);
         let raw = found.as_slice().get(index).copied().unwrap_or_default();
@@ -337,6 +363,7 @@ impl Manipulators {
         let terms = Terms {
             limited: f64::from(u8::from(limited)),
             set_in: 1.0,
+            swivel_rad: None,
         };
         let met = self.meet(
             limb,
@@ -347,8 +374,8 @@ impl Manipulators {
             &pose,
         );
         let mut joints = met.joints;
-        if !limited {
-            for (joint, from) in joints.iter_mut().zip(&now.joints) {
+        for (i, (joint, from)) in joints.iter_mut().zip(&now.joints).enumerate() {
+            if !limited || i == ROLL {
                 *joint = from + ops::wrap_angle(*joint - from);
             }
         }

@@ -100,7 +100,7 @@ impl HeadRig {
             position: base.origin + neck * self.skull_from_neck,
             rotation: skull,
         };
-        self.solutions(&target, base)
+        self.solutions(&target, base, false)
     }
 
     /// A place of the skull's joint (from the base, metres) brought onto the sphere about
@@ -113,24 +113,27 @@ impl HeadRig {
         (direction * radius, moved)
     }
 
-    /// All solutions, up to four, the most upright neck first. The target lies on the sphere
-    /// about the neck; where the neck cannot point, the nearest is taken.
+    /// All four solutions, or the one that no limit excludes anyway, with the neck upright. The
+    /// target lies on the sphere about the neck; where the neck cannot point, the nearest
+    /// is taken.
     #[must_use]
-    pub fn solutions(&self, target: &Frame, base: &Base) -> Solutions {
+    pub fn solutions(&self, target: &Frame, base: &Base, natural_only: bool) -> Solutions {
         let mut found = Solutions::default();
         let p = base.rotation.inverse() * (target.position - base.origin);
         let arm = self.skull_from_neck;
         let level = (arm.y * arm.y + arm.z * arm.z).sqrt().max(1e-9);
         let lean = ops::asin_clamped(p.z / level);
         let own = ops::atan2(arm.z, arm.y);
-        for raised in [lean, PI - lean] {
+        let ways = if natural_only { 1 } else { 2 };
+        for raised in [lean, PI - lean].into_iter().take(ways) {
             let up = level * ops::cos(raised);
             let tilt = ops::atan2(up, arm.x) - ops::atan2(p.y, p.x);
             let mut joints = Joints::default();
             joints[0] = ops::wrap_angle(tilt);
             joints[1] = ops::wrap_angle(raised - own);
             let neck = base.rotation * Self::neck_turn(&joints);
-            for skull in turn_angles(neck.inverse() * target.rotation) {
+            let skull = turn_angles(neck.inverse() * target.rotation);
+            for skull in skull.into_iter().take(ways) {
                 joints[2..5].copy_from_slice(&skull);
                 found.push(joints);
             }

@@ -98,11 +98,12 @@ impl Limit {
         (self.least_rad..=self.most_rad).contains(&angle_rad)
     }
 
-    /// The equal angle (up to full turns) that lies nearest to the middle of the range.
+    /// The equal angle (up to full turns) that lies nearest to the middle of the range; where
+    /// there is no limit the angle itself.
     #[must_use]
     pub fn wrapped(self, angle_rad: f64) -> f64 {
         if self.least_rad.is_infinite() {
-            return ops::wrap_angle(angle_rad);
+            return angle_rad;
         }
         let middle = 0.5 * (self.least_rad + self.most_rad);
         middle + ops::wrap_angle(angle_rad - middle)

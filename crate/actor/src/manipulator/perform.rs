@@ -1,12 +1,13 @@
 //! The manipulators of one figure, performing: a function of time that keeps nothing and
 //! allocates nothing.
 
-use raconteur_base::{DAffine3, DQuat, DVec3, Side};
+use raconteur_base::curve::smooth;
+use raconteur_base::{DAffine3, DQuat, DVec3, Side, ops};
 use raconteur_body::{Bone, Pose, Skeleton};
 
 use super::head::{HEAD_BONES, HeadRig};
 use super::limits::{self, Limit};
-use super::rig::{Base, LimbRig, Posed};
+use super::rig::{Base, LimbRig, Posed, ROLL};
 use super::root::RootTrack;
 use super::solve::{AT_EASE, Choice, Solutions, choose, matrix_error};
 use super::swivel::Obstacles;
@@ -14,6 +15,27 @@ use super::track::{Goal, Track};
 use super::{Frame, Joints, Limb, ManipulatorScript, Sex, lean};
 use crate::arm_ik::{ARM_BONES, ArmRig};
 use crate::kinematics::{rotation_of, world_from_bone};
+
+/// Joints that are bent by so much in all, radians, take the mean of the last goals.
+const FORCED: f64 = 0.2;
+/// How many metres off its target count as a radian.
+const FORCED_M: f64 = 0.15;
+/// Even times whose goals are taken, seconds apart: a limb passes from one way of not
+/// meeting its target to another in some three of them, and lags by two. Designed: as quick
+/// as a quick movement.
+const EVEN_SECS: f64 = 1.0 / 20.0;
+
+/// Weights of the uniform cubic B-spline for the even times around a share of a step.
+fn spline(u: f64) -> [f64; 4] {
+    let v = 1.0 - u;
+    let (u2, u3) = (u * u, u * u * u);
+    [
+        v * v * v / 6.0,
+        (3.0 * u3 - 6.0 * u2 + 4.0) / 6.0,
+        (-3.0 * u3 + 3.0 * u2 + 3.0 * u + 1.0) / 6.0,
+        u3 / 6.0,
+    ]
+}
 
 /// Where a limb was sent and how near it came.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -46,11 +68,17 @@ pub(super) struct Terms {
     pub(super) limited: f64,
     /// How much the girdle follows the arm instead of what it did before.
     pub(super) set_in: f64,
+    /// The swivel from the natural direction; none: the best one.
+    pub(super) swivel_rad: Option<f64>,
 }
 
 /// A goal met as far as it can be.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Met {
+    base: Base,
+    /// How much the upper bone had to be brought to its limits, and a target that is too near
+    /// out to where the bent limb comes: radians, and lengths as [`FORCED_M`] to a radian.
+    forced: f64,
     pub(super) posed: Posed,
     /// The scapula's rotation, of an arm.
     pub(super) scapula: Option<DQuat>,
@@ -171,18 +199,24 @@ impl Manipulators {
         time_secs: f64,
         pose: &mut Pose,
     ) -> [Option<Reached>; 4] {
+        self.first_limbs(self.limbs.len(), skeleton, time_secs, pose)
+    }
+
+    /// Moves so many limbs, in the order of [`Limb::ALL`].
+    pub(super) fn first_limbs(
+        &self,
+        count: usize,
+        skeleton: &Skeleton,
+        time_secs: f64,
+        pose: &mut Pose,
+    ) -> [Option<Reached>; 4] {
         let mut reached = [None; 4];
-        for (index, (limb, rig)) in Limb::ALL.into_iter().zip(&self.limbs).enumerate() {
+        let limbs = Limb::ALL.into_iter().zip(&self.limbs).take(count);
+        for (index, (limb, rig)) in limbs.enumerate() {
             let Some((goal, weight)) = self.goal(limb, time_secs) else {
                 continue;
             };
-            let track = &self.tracks[index];
-            let set_in = track.set_in(time_secs);
-            let terms = Terms {
-                limited: track.limited(time_secs) * set_in,
-                set_in,
-            };
-            let met = self.meet(limb, &goal, &terms, None, skeleton, pose);
+            let met = self.meet_at(limb, &goal, time_secs, skeleton, pose);
             if let Some(place) = reached.get_mut(index) {
                 *place = Some(Reached {
                     target: met.target,
@@ -204,15 +238,161 @@ impl Manipulators {
         let Some((goal, weight)) = self.goal(Limb::Head, time_secs) else {
             return;
         };
-        let track = &self.tracks[Limb::Head.index()];
-        let terms = Terms {
-            limited: track.limited(time_secs) * track.set_in(time_secs),
-            set_in: 1.0,
-        };
-        let met = self.meet(Limb::Head, &goal, &terms, None, skeleton, pose);
+        let met = self.meet_at(Limb::Head, &goal, time_secs, skeleton, pose);
         for (bone, rotation) in HEAD_BONES.into_iter().zip(met.posed.rotations) {
             blend(pose, bone, rotation, weight);
         }
+    }
+
+    /// Meets the goal of a limb at a time.
+    ///
+    /// Joints that meet their target turn as steadily as it does. Those that cannot, because
+    /// of their limits or their reach, may have to change from one way of not meeting it to
+    /// another; then they take the mean of the last goals, by a cubic B-spline over
+    /// even times. It is smooth whatever lies between, and stays within limits.
+    pub(super) fn meet_at(
+        &self,
+        limb: Limb,
+        goal: &Goal,
+        time_secs: f64,
+        skeleton: &Skeleton,
+        pose: &Pose,
+    ) -> Met {
+        let track = &self.tracks[limb.index()];
+        let mut terms = self.terms_at(limb, time_secs);
+        let recent = self.recent(limb, time_secs);
+        if matches!(goal, Goal::Frame { .. }) {
+            terms.swivel_rad = self.steady_swivel(limb, goal, &recent, &terms, skeleton, pose);
+        }
+        let mut met = self.meet(limb, goal, &terms, None, skeleton, pose);
+        let even = smooth(met.forced / FORCED);
+        let mut mean = [0.0; 7];
+        for (goal, weight) in &recent {
+            if even <= 0.0 {
+                break;
+            }
+            let mut other = match goal {
+                Some(goal) => self.meet(limb, goal, &terms, None, skeleton, pose).joints,
+                None => met.joints,
+            };
+            if let Some(rig) = self.limbs.get(limb.index()) {
+                other = rig.alike(&other, &met.joints, terms.limited >= 0.5);
+            }
+            for (i, sum) in mean.iter_mut().enumerate() {
+                // Within limits every mean is; without them the short way round is meant.
+                let free = terms.limited < 0.5 || i == ROLL;
+                let angle = if free {
+                    met.joints[i] + ops::wrap_angle(other[i] - met.joints[i])
+                } else {
+                    other[i]
+                };
+                *sum += weight * angle;
+            }
+        }
+        for (joint, mean) in met.joints.iter_mut().zip(mean) {
+            *joint += even * (mean - *joint);
+        }
+        if let Some(mend) = track.mend(time_secs) {
+            if let Some(rig) = self.limbs.get(limb.index()) {
+                rig.turn_upper(mend.upper, &mut met.joints);
+            }
+            for (joint, mend) in met.joints.iter_mut().zip(mend.joints) {
+                *joint += mend;
+            }
+        }
+        met.joints = limits::keep(self.limits(limb), terms.limited, &met.joints);
+        met.posed = self.posed(limb, &met.joints, &met.base);
+        met
+    }
+
+    /// The swivel that a goal of a limb has at a time, without what its course is off.
+    pub(super) fn swivel_at(
+        &self,
+        limb: Limb,
+        goal: &Goal,
+        time_secs: f64,
+        skeleton: &Skeleton,
+        pose: &Pose,
+    ) -> Option<f64> {
+        let terms = self.terms_at(limb, time_secs);
+        let recent = self.recent(limb, time_secs);
+        self.steady_swivel(limb, goal, &recent, &terms, skeleton, pose)
+    }
+
+    fn terms_at(&self, limb: Limb, time_secs: f64) -> Terms {
+        let track = &self.tracks[limb.index()];
+        let set_in = track.set_in(time_secs);
+        Terms {
+            limited: track.limited(time_secs) * set_in,
+            set_in,
+            swivel_rad: None,
+        }
+    }
+
+    /// The goals of a limb at the last even times up to a time, with their weights. Later ones
+    /// would let a command work before it comes.
+    fn recent(&self, limb: Limb, time_secs: f64) -> [(Option<Goal>, f64); 4] {
+        let step = (time_secs / EVEN_SECS).floor();
+        let weights = spline(time_secs / EVEN_SECS - step);
+        [0, 1, 2, 3].map(|k| {
+            let even_secs = (step + f64::from(k) - 3.0) * EVEN_SECS;
+            let at = self.tracks[limb.index()].begun_by(time_secs, even_secs);
+            (
+                self.goal(limb, at).map(|(goal, _)| goal),
+                weights[k as usize],
+            )
+        })
+    }
+
+    /// The swivel of elbow or knee at a time: the mean of the last best ones, which may
+    /// change quickly from one side of an obstacle to the other. None for the head.
+    fn steady_swivel(
+        &self,
+        limb: Limb,
+        goal: &Goal,
+        recent: &[(Option<Goal>, f64); 4],
+        terms: &Terms,
+        skeleton: &Skeleton,
+        pose: &Pose,
+    ) -> Option<f64> {
+        let rig = self.limbs.get(limb.index())?;
+        let trunk = self.trunk(limb, skeleton, pose);
+        let (_, _, base) = self.stand(limb, goal, terms.set_in, &trunk, pose);
+        let obstacles = self.obstacles(limb, &trunk, skeleton, pose);
+        let mut mean = 0.0;
+        for (at, weight) in recent {
+            let frame = match at.as_ref().unwrap_or(goal) {
+                Goal::Joints(held) => rig.posed(&held.joints, &base).frame,
+                Goal::Frame { frame, .. } => *frame,
+            };
+            let near = self.projected(limb, &frame, &base, terms.limited);
+            mean += weight * rig.swivel_for(&near, &base, obstacles.as_ref());
+        }
+        Some(mean)
+    }
+
+    /// The girdle's cue (trunk axes, metres), the scapula's rotation, if there is one, and the
+    /// base of a limb that is led by a goal on a trunk.
+    fn stand(
+        &self,
+        limb: Limb,
+        goal: &Goal,
+        set_in: f64,
+        trunk: &DAffine3,
+        pose: &Pose,
+    ) -> (DVec3, Option<DQuat>, Base) {
+        let cue = match goal {
+            Goal::Joints(held) => held.cue,
+            Goal::Frame { frame, cue_lag, .. } => {
+                trunk.inverse().transform_point3(frame.position) + *cue_lag
+            }
+        };
+        let scapula = self.girdles.get(limb.index()).map(|girdle| {
+            let wanted = girdle.scapula_for(trunk, trunk.transform_point3(cue), 0.0);
+            let [bone, ..] = ARM_BONES[limb.index()];
+            pose.rotation(bone).slerp(wanted, set_in)
+        });
+        (cue, scapula, self.base(limb, trunk, scapula))
     }
 
     /// Meets a goal of a limb as far as it can be. Of several ways the one nearest to
@@ -227,18 +407,8 @@ impl Manipulators {
         pose: &Pose,
     ) -> Met {
         let trunk = self.trunk(limb, skeleton, pose);
-        let cue = match goal {
-            Goal::Joints(held) => held.cue,
-            Goal::Frame { frame, cue_lag, .. } => {
-                trunk.inverse().transform_point3(frame.position) + *cue_lag
-            }
-        };
-        let scapula = self.girdles.get(limb.index()).map(|girdle| {
-            let wanted = girdle.scapula_for(&trunk, trunk.transform_point3(cue), 0.0);
-            let [bone, ..] = ARM_BONES[limb.index()];
-            pose.rotation(bone).slerp(wanted, terms.set_in)
-        });
-        let base = self.base(limb, &trunk, scapula);
+        let (cue, scapula, base) = self.stand(limb, goal, terms.set_in, &trunk, pose);
+        let mut forced = 0.0;
         let (joints, target) = match goal {
             Goal::Joints(held) => {
                 let joints = limits::keep(self.limits(limb), terms.limited, &held.joints);
@@ -252,16 +422,31 @@ impl Manipulators {
                     current,
                     preferred: &AT_EASE,
                 };
-                let obstacles = self.obstacles(limb, &trunk, skeleton, pose);
                 let near = self.projected(limb, frame, &base, terms.limited);
-                let found = self.solutions(limb, &near, &base, obstacles.as_ref(), *swivel_rad);
-                let error = |j: &Joints| matrix_error(&self.posed(limb, j, &base).frame, &near);
+                let swivel = terms.swivel_rad.unwrap_or_else(|| {
+                    let obstacles = self.obstacles(limb, &trunk, skeleton, pose);
+                    self.swivel_for(limb, &near, &base, obstacles.as_ref())
+                });
+                let found = self.solutions(limb, &near, &base, swivel + swivel_rad);
+                let error = |raw: &Joints, kept: &Joints| match self.limbs.get(limb.index()) {
+                    Some(rig) => rig.error(raw, kept, &near, &base),
+                    None => matrix_error(&self.head.posed(kept, &base).frame, &near),
+                };
                 let chosen = choose(&found, self.limits(limb), &choice, &error);
-                (chosen.map_or(AT_EASE, |(_, joints)| joints), Some(*frame))
+                let (index, joints) = chosen.unwrap_or((0, AT_EASE));
+                if let (Some(raw), true) = (found.as_slice().get(index), limb != Limb::Head) {
+                    let bend = |i: usize| ops::wrap_angle(raw[i] - joints[i]).abs();
+                    let inside = (near.position - base.origin).length()
+                        - (frame.position - base.origin).length();
+                    forced = bend(0) + bend(1) + inside.max(0.0) / FORCED_M;
+                }
+                (joints, Some(*frame))
             }
         };
         let posed = self.posed(limb, &joints, &base);
         Met {
+            base,
+            forced,
             joints,
             cue,
             scapula,
@@ -283,21 +468,25 @@ impl Manipulators {
         }
     }
 
-    fn solutions(
+    fn solutions(&self, limb: Limb, target: &Frame, base: &Base, swivel_rad: f64) -> Solutions {
+        match self.limbs.get(limb.index()) {
+            Some(rig) => {
+                let elbow = rig.elbow_at(target, base, swivel_rad);
+                rig.solutions(target, elbow, base, true)
+            }
+            None => self.head.solutions(target, base, true),
+        }
+    }
+
+    fn swivel_for(
         &self,
         limb: Limb,
         target: &Frame,
         base: &Base,
         obstacles: Option<&Obstacles>,
-        swivel_rad: f64,
-    ) -> Solutions {
-        match self.limbs.get(limb.index()) {
-            Some(rig) => {
-                let elbow = rig.elbow_for(target, base, obstacles, swivel_rad);
-                rig.solutions(target, elbow, base, true)
-            }
-            None => self.head.solutions(target, base),
-        }
+    ) -> f64 {
+        let rig = self.limbs.get(limb.index());
+        rig.map_or(0.0, |rig| rig.swivel_for(target, base, obstacles))
     }
 
     /// The bone that a limb stands on, figure axes.

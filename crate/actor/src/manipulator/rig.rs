@@ -209,7 +209,7 @@ impl LimbRig {
         let turn = self.target_from_end * rotations[2] * self.target_from_end.inverse();
         let flexion = self.chain.flexion_of(rotations[1]);
         let mut found = Solutions::default();
-        found.push_all(self.shoulder_angles(link), flexion, self.turn_angles(turn));
+        found.push_all(self.shoulder_angles(link), flexion, &self.turn_angles(turn));
         found
     }
 

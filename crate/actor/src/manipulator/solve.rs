@@ -37,7 +37,7 @@ impl Solutions {
     }
 
     /// Every way to turn the shoulder (joints 1, 2 and 7) with every way to turn the wrist.
-    pub(super) fn push_all(&mut self, shoulder: [[f64; 3]; 2], flexion: f64, wrist: [[f64; 3]; 2]) {
+    pub(super) fn push_all(&mut self, shoulder: [[f64; 3]; 2], flexion: f64, wrist: &[[f64; 3]]) {
         for s in shoulder {
             for w in wrist {
                 self.push([s[0], s[1], flexion, w[0], w[1], w[2], s[2]]);
@@ -115,26 +115,28 @@ impl LimbRig {
     }
 
     /// All solutions with the elbow or knee in a direction from the line between base and
-    /// target (figure axes, unit, across that line). `bent_only` leaves out those that bend
-    /// the elbow the wrong way. The target is in reach.
+    /// target (figure axes, unit, across that line): eight, or the two that no limit excludes
+    /// anyway, with the elbow bent the right way and joint 5 within a right angle. The target
+    /// is in reach.
     #[must_use]
     pub fn solutions(
         &self,
         target: &Frame,
         elbow: DVec3,
         base: &Base,
-        bent_only: bool,
+        natural_only: bool,
     ) -> Solutions {
         let mut found = Solutions::default();
         let p = target.position - base.origin;
         let direction = p.try_normalize().unwrap_or(base.rotation * DVec3::X);
         let flexions = self.chain.flexions_for(p.length());
-        let bent = if bent_only { 1 } else { 2 };
-        for (flexion, side) in flexions.into_iter().zip([1.0, -1.0]).take(bent) {
+        let ways = if natural_only { 1 } else { 2 };
+        for (flexion, side) in flexions.into_iter().zip([1.0, -1.0]).take(ways) {
             let upper = self.chain.aim(flexion, direction, elbow * side);
             let link = base.rotation.inverse() * upper * self.link_from_upper.inverse();
             let wrist = self.wrist_for(upper, flexion, target.rotation);
-            found.push_all(self.shoulder_angles(link), ops::wrap_angle(flexion), wrist);
+            let shoulder = self.shoulder_angles(link);
+            found.push_all(shoulder, ops::wrap_angle(flexion), &wrist[..ways]);
         }
         found
     }
@@ -165,13 +167,60 @@ impl LimbRig {
         base: &Base,
         choice: &Choice<'_>,
     ) -> Option<Joints> {
-        let error = |joints: &Joints| matrix_error(&self.posed(joints, base).frame, target);
+        let error = |raw: &Joints, kept: &Joints| self.error(raw, kept, target, base);
         choose(solutions, &self.limits, choice, &error).map(|(_, kept)| kept)
+    }
+
+    /// Joints with the shoulder or hip turned in the one of its two ways that is nearer to other
+    /// joints: the bones stay the same. With limits, only if it is within them.
+    pub(super) fn alike(&self, joints: &Joints, to: &Joints, limited: bool) -> Joints {
+        let mut turned = *joints;
+        turned[0] = self.limits[0].wrapped(joints[0] + PI);
+        turned[1] = self.limits[1].wrapped(PI - joints[1]);
+        turned[ROLL] = joints[ROLL] + PI;
+        let holds = |i: usize| self.limits[i].holds(turned[i]);
+        if limited && !(holds(0) && holds(1)) || variation(&turned, to) >= variation(joints, to) {
+            *joints
+        } else {
+            turned
+        }
+    }
+
+    /// Turns the upper bone on, in base axes: of its two sets of angles that is taken which is
+    /// within limits, or less beyond them.
+    pub(super) fn turn_upper(&self, turn: DQuat, joints: &mut Joints) {
+        let sets = self.shoulder_angles((turn * self.link(joints)).normalize());
+        let beyond = |set: &[f64; 3]| {
+            let off =
+                |i: usize| (self.limits[i].kept(set[i]) - self.limits[i].wrapped(set[i])).abs();
+            off(0) + off(1)
+        };
+        let [first, second] = sets.each_ref().map(beyond);
+        let [a, b, roll] = sets[usize::from(second < first)];
+        (joints[0], joints[1], joints[ROLL]) = (a, b, roll);
+    }
+
+    /// The matrix error of joints that were brought within their limits from joints that meet
+    /// the target.
+    #[must_use]
+    pub fn error(&self, raw: &Joints, kept: &Joints, target: &Frame, base: &Base) -> f64 {
+        if [0, 1, 2, ROLL].iter().all(|&i| same(raw[i], kept[i])) {
+            // The end is in its place; the square of a rotation's matrix less one is
+            // 8 sin² of half its angle.
+            let cosine = self.turn(raw).dot(self.turn(kept));
+            return 8.0 * (1.0 - cosine * cosine).max(0.0);
+        }
+        matrix_error(&self.posed(kept, base).frame, target)
     }
 }
 
+/// Whether two angles are one, up to full turns.
+fn same(a: f64, b: f64) -> bool {
+    ops::wrap_angle(a - b).abs() <= 1e-12
+}
+
 /// Chooses among solutions: first by matrix error once the joints are within their limits
-/// (`error` gives it for joints that had to be brought there), then by least variation or,
+/// (`error` gives it for joints of a solution and those that they had to become), then by least variation or,
 /// without a current configuration, by preference. The solution's index, and its angles
 /// within the limits as far as those count; none without solutions.
 #[must_use]
@@ -179,15 +228,21 @@ pub fn choose(
     solutions: &Solutions,
     limits: &[Limit; 7],
     choice: &Choice<'_>,
-    error: &dyn Fn(&Joints) -> f64,
+    error: &dyn Fn(&Joints, &Joints) -> f64,
 ) -> Option<(usize, Joints)> {
     let near = choice.current.unwrap_or(choice.preferred);
     let (mut least, mut varied) = (f64::INFINITY, f64::INFINITY);
     let mut best = None;
     for (index, joints) in solutions.as_slice().iter().enumerate() {
         let kept = limits::keep(limits, choice.limited, joints);
-        let bent = (kept.iter().zip(joints)).any(|(a, b)| ops::wrap_angle(a - b).abs() > 1e-12);
-        let off = if bent { error(&kept) } else { 0.0 };
+        let within = kept.iter().zip(joints).all(|(a, b)| same(*a, *b));
+        let off = if within {
+            0.0
+        } else if least > 0.0 {
+            error(joints, &kept)
+        } else {
+            continue;
+        };
         let change = variation(&kept, near);
         if best.is_none() || off < least - ALIKE || (off < least + ALIKE && change < varied) {
             (least, varied) = (off, change);

@@ -13,18 +13,25 @@ use super::Frame;
 use super::rig::{Base, LimbRig};
 use crate::arm_ik::{TRUNK_HALF_AXES_M, natural_elbow};
 
-/// Swivels that are weighed, radians from the natural direction; positive lifts the elbow.
-const CANDIDATES: [f64; 9] = [-0.75, -0.5, -0.25, 0.0, 0.25, 0.5, 0.75, 1.0, 1.25];
+/// Swivels that are weighed: the first, radians from the natural direction (positive lifts
+/// the elbow), how many there are, and how far each is from the last.
+const FIRST_RAD: f64 = -0.75;
+const CANDIDATES: usize = 9;
+const STEP_RAD: f64 = 0.25;
 /// Effort by which one direction is e times as likely as another. Designed: sharp enough to
 /// keep out of the body, soft enough to be steady.
-const SOFTNESS: f64 = 0.016;
+const SOFTNESS: f64 = 0.04;
+/// Weight of a direction that is out of the question: some stays where all are.
+const LEAST_WEIGHT: f64 = 1e-200;
 /// Radius of the arm about its bones for a stature of 1.7 m, metres: the elbow is some
 /// 10 cm across, clothed.
 const ARM_RADIUS_M: f64 = 0.045;
 /// Radius of the head with its hair, likewise. Head breadth and length are 15 and 19 cm.
 const HEAD_RADIUS_M: f64 = 0.115;
 /// Effort of an arm that lies half its clearance deep in something. Designed.
-const COLLISION: f64 = 6.0;
+const COLLISION: f64 = 3.0;
+/// Share of that for the other arm, which comes and goes faster than anything else.
+const OTHER_ARM: f64 = 0.3;
 
 /// What an arm must keep clear of, figure axes.
 #[derive(Clone, Copy, Debug)]
@@ -55,11 +62,11 @@ impl Obstacles {
         ];
         let mut sum = 0.0;
         for point in points {
-            let torso = self.depth_in_torso(point);
-            let head = (1.0 - point.distance(self.head) / clear_head).max(0.0);
+            let head = depth(point.distance_squared(self.head) / (clear_head * clear_head));
             let near = nearest(point, self.other_forearm);
-            let other = (1.0 - point.distance(near) / clear_arm).max(0.0);
-            sum += torso * torso + head * head + other * other;
+            let other = depth(point.distance_squared(near) / (clear_arm * clear_arm));
+            let torso = self.depth_in_torso(point);
+            sum += torso * torso + head * head + OTHER_ARM * other * other;
         }
         4.0 * COLLISION * sum
     }
@@ -71,8 +78,17 @@ impl Obstacles {
         let [x, z] = TRUNK_HALF_AXES_M.map(|a| a * self.scale + radius);
         // Above the shoulders there is only the neck.
         let below = (1.0 - (p.y + 0.02 * self.scale) / (0.06 * self.scale)).clamp(0.0, 1.0);
-        let out = ((p.x / x) * (p.x / x) + (p.z / z) * (p.z / z)).sqrt();
-        below * (1.0 - out).max(0.0)
+        below * depth((p.x / x) * (p.x / x) + (p.z / z) * (p.z / z))
+    }
+}
+
+/// How deep a place is inside something, 1 in its middle, from the square of its distance as
+/// a share of the clearance; 0 outside.
+fn depth(share_squared: f64) -> f64 {
+    if share_squared >= 1.0 {
+        0.0
+    } else {
+        1.0 - share_squared.sqrt()
     }
 }
 
@@ -124,21 +140,38 @@ impl LimbRig {
         [first, direction.cross(first) * self.sign]
     }
 
-    /// The direction of the elbow or knee (unit, across the line to the target, figure axes)
-    /// for a target in reach, turned on by `offset_rad`. Without obstacles nothing is in
-    /// the way.
-    #[must_use]
-    pub fn elbow_for(
-        &self,
-        target: &Frame,
-        base: &Base,
-        obstacles: Option<&Obstacles>,
-        offset_rad: f64,
-    ) -> DVec3 {
-        let to = target.position - base.origin;
-        let distance = to.length();
-        let direction = to.try_normalize().unwrap_or(base.rotation * DVec3::X);
+    /// The line from the base to a target, and around it the natural direction of elbow or
+    /// knee and that direction lifted by a right angle.
+    fn axes_for(&self, target: &Frame, base: &Base) -> [DVec3; 3] {
+        let direction = (target.position - base.origin)
+            .try_normalize()
+            .unwrap_or(base.rotation * DVec3::X);
         let [first, second] = self.natural(direction, base);
+        [direction, first, second]
+    }
+
+    /// The direction of the elbow or knee (unit, across the line to the target, figure axes)
+    /// for a swivel, radians from the natural direction.
+    #[must_use]
+    pub fn elbow_at(&self, target: &Frame, base: &Base, swivel_rad: f64) -> DVec3 {
+        let [_, first, second] = self.axes_for(target, base);
+        let (s, c) = ops::sincos(swivel_rad);
+        first * c + second * s
+    }
+
+    /// The swivel of an elbow or knee in a direction from the base, radians.
+    #[must_use]
+    pub fn swivel_of(&self, hinge: DVec3, target: &Frame, base: &Base) -> f64 {
+        let [_, first, second] = self.axes_for(target, base);
+        ops::atan2(hinge.dot(second), hinge.dot(first))
+    }
+
+    /// The best swivel for a target in reach, radians from the natural direction. Without
+    /// obstacles nothing is in the way.
+    #[must_use]
+    pub fn swivel_for(&self, target: &Frame, base: &Base, obstacles: Option<&Obstacles>) -> f64 {
+        let [direction, first, second] = self.axes_for(target, base);
+        let distance = (target.position - base.origin).length();
         let [flexion, _] = self.chain.flexions_for(distance);
         let hinge = self.chain.hinge();
         let end = self.chain.end_in_upper(flexion);
@@ -151,31 +184,22 @@ impl LimbRig {
             radius_m: (hinge.length_squared() - along_m * along_m).max(0.0).sqrt(),
         };
         let (mut sum, mut weights) = (0.0, 0.0);
-        for swivel in CANDIDATES {
-            let (s, c) = ops::sincos(swivel);
-            let outwards = first * c + second * s;
+        let [(mut s, mut c), (step_s, step_c)] = [FIRST_RAD, STEP_RAD].map(ops::sincos);
+        let (mut swivel, mut outwards) = (FIRST_RAD, first * c + second * s);
+        for _ in 0..CANDIDATES {
             let mut effort = 0.16 * swivel * swivel + self.strain(&circle, outwards, target);
             if let Some(obstacles) = obstacles {
                 let elbow = circle.elbow(outwards);
                 effort += obstacles.effort(circle.shoulder, elbow, circle.wrist);
             }
-            let weight = ops::exp(-effort / SOFTNESS).max(1e-200);
+            let weight = ops::exp(-effort / SOFTNESS).max(LEAST_WEIGHT);
             sum += weight * swivel;
             weights += weight;
+            (s, c) = (s * step_c + c * step_s, c * step_c - s * step_s);
+            outwards = first * c + second * s;
+            swivel += STEP_RAD;
         }
-        let (s, c) = ops::sincos(sum / weights + offset_rad);
-        first * c + second * s
-    }
-
-    /// The angle from the direction that [`LimbRig::elbow_for`] gives without an offset to
-    /// another one, radians.
-    #[must_use]
-    pub fn offset_of(&self, chosen: DVec3, actual: DVec3, target: &Frame, base: &Base) -> f64 {
-        let direction = (target.position - base.origin)
-            .try_normalize()
-            .unwrap_or(base.rotation * DVec3::X);
-        let second = direction.cross(chosen) * self.sign;
-        ops::atan2(actual.dot(second), actual.dot(chosen))
+        sum / weights
     }
 
     /// What a swivel asks of the wrist or ankle beyond what it does without thinking: bend

@@ -2,7 +2,7 @@
 //! before has brought the limb.
 
 use raconteur_base::curve::{lerp, minimum_jerk};
-use raconteur_base::{DAffine3, DVec3};
+use raconteur_base::{DAffine3, DQuat, DVec3};
 
 use super::path::Curve;
 use super::{Frame, Joints};
@@ -90,6 +90,26 @@ pub(super) struct Course {
     pub(super) cue_lag: DVec3,
     /// What the spine's lean was off what the place asked for, rotation vector.
     pub(super) lean_lag: DVec3,
+    /// What its joints were off, radians, and its upper bone, base axes.
+    pub(super) mend: Mend,
+}
+
+/// What joints are off from where they are to be.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Mend {
+    /// Each joint, radians; of limbs those of the shoulder or hip are 0.
+    pub(super) joints: Joints,
+    /// The turn of the upper bone of a limb, which has two sets of angles.
+    pub(super) upper: DQuat,
+}
+
+impl Default for Mend {
+    fn default() -> Self {
+        Self {
+            joints: Joints::default(),
+            upper: DQuat::IDENTITY,
+        }
+    }
 }
 
 /// A course from a time on.
@@ -102,6 +122,21 @@ struct Segment {
     from_secs: f64,
     /// Whether it comes to rest from there.
     brakes: bool,
+}
+
+impl Segment {
+    /// The time of its course at a time, seconds.
+    fn run(&self, time_secs: f64) -> f64 {
+        let since = time_secs - self.start_secs;
+        self.from_secs
+            + if !self.brakes {
+                since
+            } else if since < BRAKE_SECS {
+                since - since * since / (2.0 * BRAKE_SECS)
+            } else {
+                0.5 * BRAKE_SECS
+            }
+    }
 }
 
 /// A switch thrown at a time.
@@ -181,6 +216,40 @@ impl Track {
         }
     }
 
+    /// A time, or the last one up to `now_secs` when the limb came under control, whichever is
+    /// later.
+    pub(super) fn begun_by(&self, now_secs: f64, time_secs: f64) -> f64 {
+        let mut thrown = self.control.iter().rev();
+        let begun = thrown.find(|s| s.on && s.time_secs <= now_secs);
+        begun.map_or(time_secs, |s| time_secs.max(s.time_secs))
+    }
+
+    /// What joints still are off at a time from where they were at the beginning of their
+    /// course; none once that is made up for.
+    pub(super) fn mend(&self, time_secs: f64) -> Option<Mend> {
+        let segment = self.segment(time_secs)?;
+        let mend = &self.courses[segment.course].mend;
+        let left = 1.0 - minimum_jerk(segment.run(time_secs) / SETTLE_SECS);
+        (left > 0.0).then(|| Mend {
+            joints: mend.joints.map(|off| left * off),
+            upper: DQuat::IDENTITY.slerp(mend.upper, left),
+        })
+    }
+
+    /// Lets the last course begin with its elbow or knee off by so much, radians.
+    pub(super) fn swivel_last(&mut self, off_rad: f64) {
+        if let Some(course) = self.courses.last_mut() {
+            course.swivel_rad = off_rad;
+        }
+    }
+
+    /// Lets the last course begin with its joints off by so much.
+    pub(super) fn mend_last(&mut self, off: Mend) {
+        if let Some(course) = self.courses.last_mut() {
+            course.mend = off;
+        }
+    }
+
     /// Turns joint limits on or off.
     pub(super) fn switch_limits(&mut self, time_secs: f64, on: bool) {
         let before = self.limited(time_secs);
@@ -235,16 +304,8 @@ impl Track {
     /// first motion.
     pub(super) fn goal(&self, time_secs: f64, figure_from_world: &DAffine3) -> Option<Goal> {
         let segment = self.segment(time_secs)?;
-        let since = time_secs - segment.start_secs;
-        let run = if !segment.brakes {
-            since
-        } else if since < BRAKE_SECS {
-            since - since * since / (2.0 * BRAKE_SECS)
-        } else {
-            0.5 * BRAKE_SECS
-        };
         let course = &self.courses[segment.course];
-        Some(course.goal(segment.from_secs + run, figure_from_world))
+        Some(course.goal(segment.run(time_secs), figure_from_world))
     }
 }
 

@@ -7,7 +7,7 @@ use crate::ClauseKind;
 pub(super) static ELEMENT: Element = Element {
     doc: doc!("Sets the joint angles of a manipulator."),
     decision: doc!(
-        "The example writes nJoint. Without it as many joints move as angles are given."
+        "The example writes nJoint. Without it as many joints move as angles are given. All angles zero is the neutral pose: arms hanging with the palms to the thighs, legs standing, head upright. Of a limb j1 lifts aside, j2 to the front, j3 bends elbow or knee, j4 turns in forearm or shank, j5 bends the wrist to the thumb or the toes down, j6 bends the wrist to the palm or the sole outwards; of the head j1 and j2 tilt the neck to the left and forwards, j3 turns the head to the left, j4 nods and j5 tilts it. Equal angles of both sides mirror each other. It takes as long as a quick movement: nothing jumps."
     ),
     source: doc!("GEVH D.3.20"),
     example: doc!(

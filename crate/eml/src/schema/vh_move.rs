@@ -7,7 +7,7 @@ use crate::ClauseKind;
 pub(super) static ELEMENT: Element = Element {
     doc: doc!("Moves and turns the whole figure along a function of time."),
     decision: doc!(
-        "It lasts as long as the argument timePeriod says; in a loop it goes on until the next vh-move, and counts as one period long."
+        "Its place is that of the floor under the figure, in world coordinates; before its first move the figure stands where that begins. It lasts as long as the argument timePeriod says; in a loop it goes on until the next vh-move, and counts as one period long."
     ),
     source: doc!("GEVH D.1.6"),
     example: doc!(
