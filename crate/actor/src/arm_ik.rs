@@ -336,9 +336,9 @@ impl ArmRig {
     /// trunk, as a share of its half axes; 0 outside.
     fn elbow_depth(&self, elbow: DVec3) -> f64 {
         let [half_width, half_depth] = self.trunk_half_axes_m;
-        // The elbow is 4 cm thick around its joint, in a sleeve.
-        let x = elbow.x / (half_width + 0.055);
-        let z = elbow.z / (half_depth + 0.055);
+        // The elbow is 4 cm thick around its joint.
+        let x = elbow.x / (half_width + 0.04);
+        let z = elbow.z / (half_depth + 0.04);
         let over = 1.0 - ops::hypot(x, z);
         // Eased, so that an elbow that meets the trunk slides and does not bounce.
         if over <= 0.0 {

@@ -271,6 +271,10 @@ impl Reach {
 #[must_use]
 pub(crate) fn out_of_reach(document: &Document, units: &Units, reach: &Reach) -> Vec<Diagnostic> {
     let mut found = Vec::new();
+    // Nobody's reach says anything of a place of the world to which the figure may go.
+    let goes = document
+        .iter()
+        .any(|(_, c)| matches!(c.kind, ClauseKind::VhMove(_)));
     for (_, clause) in document.iter() {
         let ClauseKind::GestureKey(gesture) = &clause.kind else {
             continue;
@@ -287,7 +291,8 @@ pub(crate) fn out_of_reach(document: &Document, units: &Units, reach: &Reach) ->
             if mirrored && gesture.handedness == Handedness::Both {
                 continue;
             }
-            for key in &track.keys {
+            let told = |key: &&Key<MotionKey>| !goes || key.value.coords == Coords::Speaker;
+            for key in track.keys.iter().filter(told) {
                 let beyond = (position(key, mirrored, units)
                     - reach.shoulders_in_world[side.index()])
                 .length()

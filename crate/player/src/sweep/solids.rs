@@ -223,3 +223,44 @@ pub(super) fn local_rotation(world_from_joint: &[DAffine3], bone: Bone) -> DQuat
     let parent = bone.parent().map(|p| world_from_joint[p.index()].matrix3);
     DQuat::from_mat3(&parent.map_or(own, |p| p.transpose() * own)).normalize()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use raconteur_body::read::read_figure;
+
+    #[test]
+    fn what_is_inside_the_figure_is_found_and_what_is_outside_is_not() {
+        let path = concat!(
+            env!("CARGO_MANIFEST_DIR"),
+            "/../../assets/figures/sofia.glb"
+        );
+        let figure = read_figure("sofia", &std::fs::read(path).expect("a file")).expect("a figure");
+        let body = Body::new(&figure);
+        let mut world = Vec::new();
+        figure.skeleton.solve(&Pose::zero(), &mut world);
+        let near = |bone: Bone, offset: DVec3| {
+            let at = world[bone.index()].translation + offset;
+            let capsule = Capsule {
+                ends: [at, at + DVec3::X * 0.01],
+                radius_m: 0.01,
+            };
+            body.depths_m(&world, &capsule)
+        };
+        // In the middle of the belly, and in the middle of the head.
+        let [trunk, head] = near(Bone::Lumbar, DVec3::Y * 0.05);
+        assert!(trunk > 0.06 && head == 0.0, "{trunk} {head}");
+        let [trunk, head] = near(Bone::Skull, DVec3::new(0.0, 0.08, 0.03));
+        assert!(head > 0.05 && trunk == 0.0, "{trunk} {head}");
+        for bone in [Bone::Lumbar, Bone::Thoracic, Bone::Skull] {
+            assert_eq!(near(bone, DVec3::Z * 0.4), [0.0; 2]);
+        }
+        // Fingers are a centimetre thick, and the palm lies between its bones.
+        for side in Side::BOTH {
+            let hand = Hand::new(&figure, side);
+            let capsules: Vec<Capsule> = hand.capsules(&world).collect();
+            assert_eq!(capsules.len(), 20);
+            assert!(capsules.iter().all(|c| (0.004..0.02).contains(&c.radius_m)));
+        }
+    }
+}
