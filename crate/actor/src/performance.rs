@@ -103,8 +103,8 @@ pub struct Report {
     pub wrist_goals_in_world: [DVec3; 2],
     /// How far each wrist is from there, metres.
     pub wrist_errors_m: [f64; 2],
-    /// World from the target of each manipulator that is on, in the order of
-    /// [`Limb::ALL`](crate::manipulator::Limb::ALL) without the head.
+    /// World from the target of each limb that a manipulator or, without a turn, a gesture
+    /// leads, in the order of [`Limb::ALL`](crate::manipulator::Limb::ALL) without the head.
     pub led: [Option<DAffine3>; 4],
     /// The mouth.
     pub mouth: MouthTargets,
@@ -252,7 +252,7 @@ impl Actor {
         let animated = self.players.apply(skeleton, t, pose);
         let animated = animated.as_ref();
         self.manipulators.lean(skeleton, t, pose);
-        let (arms, mut wrist_goals_in_world) = self.arms(skeleton, t, animated, pose);
+        let (arms, mut wrist_goals_in_world, rest_shares) = self.arms(skeleton, t, animated, pose);
         let mut wrist_errors_m = arms.map(|a| a.error_m);
         let led = self.manipulators.limbs(skeleton, t, pose);
         for (i, led) in led.iter().take(2).enumerate() {
@@ -268,6 +268,12 @@ impl Actor {
                 target.position,
             ))
         });
+        // A gesture leads an arm that does not rest and that no manipulator leads.
+        for i in 0..2 {
+            if led[i].is_none() && rest_shares[i] < 0.5 {
+                led[i] = Some(DAffine3::from_translation(wrist_goals_in_world[i]));
+            }
+        }
         self.head(skeleton, t, listener, animated, pose);
         self.manipulators.head(skeleton, t, pose);
         let eye_pitch_rad = self.eyes(skeleton, face, t, listener, pose);
@@ -312,7 +318,7 @@ impl Actor {
         t: f64,
         animated: Option<&Animated>,
         pose: &mut Pose,
-    ) -> ([ArmSolution; 2], [DVec3; 2]) {
+    ) -> ([ArmSolution; 2], [DVec3; 2], [f64; 2]) {
         let thorax = world_from_bone(skeleton, pose, Bone::Thoracic);
         let targets = self.plans.each_ref().map(|plan| plan.at(t));
         // What rests goes with the trunk; what gestures is in the world.
@@ -356,7 +362,8 @@ impl Actor {
                 animated.blend_arm(side, targets[i].rest_share, fingers, pose);
             }
         }
-        (arms, hands.map(|hand| hand.wrist))
+        let rest_shares = targets.each_ref().map(|target| target.rest_share);
+        (arms, hands.map(|hand| hand.wrist), rest_shares)
     }
 
     /// A target as a hand in the world, outside the body.

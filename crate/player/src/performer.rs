@@ -7,7 +7,7 @@ use raconteur_actor::gesture::TrunkShape;
 use raconteur_actor::performance::Report;
 use raconteur_actor::{Actor, FaceRig, Library};
 use raconteur_base::order::sort_by_number;
-use raconteur_base::{DAffine3, DVec3, Side};
+use raconteur_base::{DVec3, Side};
 use raconteur_body::{Figure, Pose};
 use raconteur_eml::{Diagnostic, Timeline};
 use raconteur_stage::{Camera, Frame, Room, Shot, SpeechNow, View};
@@ -475,17 +475,8 @@ impl Player {
             .solve(&self.pose, &mut self.frame.world_from_joint);
         self.frame.speech = self.speech_at(t);
         self.frame.shown = self.geometry.at(t);
-        // Arms that no manipulator leads are led by gestures.
-        let goals = report
-            .wrist_goals_in_world
-            .map(DAffine3::from_translation)
-            .map(Some);
-        let goals = goals.into_iter().chain([None, None]);
-        let handles = report.led.into_iter().zip(goals);
         self.frame.handles.clear();
-        self.frame
-            .handles
-            .extend(handles.filter_map(|(led, goal)| led.or(goal)));
+        self.frame.handles.extend(report.led.into_iter().flatten());
         report
     }
 

@@ -34,6 +34,7 @@ export class App {
   constructor(
     readonly player: RaconteurPlayer,
     private readonly render: () => void,
+    private readonly renderOverlay: () => void,
   ) {}
 
   /** Changes a setting while a control moves. */
@@ -125,6 +126,13 @@ export class App {
       this.pose = readPose(this.player) ?? this.pose;
       this.render();
     });
+  }
+
+  /** The figure has moved by itself: only what lies over the picture goes along. */
+  goAlong(): void {
+    if (this.#drawn !== 0) return;
+    this.pose = readPose(this.player) ?? this.pose;
+    this.renderOverlay();
   }
 
   #follow(): void {

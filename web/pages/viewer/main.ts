@@ -26,13 +26,17 @@ const found = document.querySelector('raconteur-player');
 if (found === null) throw new Error('the page has no player');
 const player = found;
 const places = { tools: part('tools'), overlay: part('overlay'), transport: part('transport'), panel: part('panel'), eml: part('eml'), problems: part('problems'), status: part('status'), pad: part('pad') };
-const app = new App(player, draw);
+const app = new App(player, draw, drawOverlay);
 const panels: Readonly<Record<Tab, (app: App) => TemplateResult>> = { animations, manipulators, look };
 const tabs = [...document.querySelectorAll<HTMLButtonElement>('[role="tab"]')];
 
+function drawOverlay(): void {
+  render(overlay(app), places.overlay);
+}
+
 function draw(): void {
   render(tools(), places.tools);
-  render(overlay(app), places.overlay);
+  drawOverlay();
   render(transport(), places.transport);
   for (const tab of tabs) {
     const chosen = tab.dataset['tab'] === app.tab;
@@ -141,13 +145,17 @@ document.addEventListener('keydown', (event) => {
 for (const type of ['play', 'pause', 'seeked', 'ratechange', 'loadedmetadata', 'figurechange', 'durationchange']) player.addEventListener(type, () => app.redraw());
 // A diagnostic comes late when an animation could not be fetched.
 player.addEventListener('durationchange', () => (app.diagnostics = player.diagnostics.filter((d) => d.start !== undefined)));
-new ResizeObserver(() => app.redraw()).observe(player);
+// The picture follows its new size a little later.
+new ResizeObserver(() => {
+  app.redraw();
+  setTimeout(() => app.redraw(), 200);
+}).observe(player);
 cast(player, () => undefined);
 lookAround(app, places.pad);
 
 /** While the figure moves, its handles go along. */
 function keepUp(): void {
-  if (!player.paused && !document.hidden) app.redraw();
+  if (!player.paused && !document.hidden) app.goAlong();
   requestAnimationFrame(keepUp);
 }
 
