@@ -294,6 +294,8 @@ for (const colorScheme of ['light', 'dark'] as const) {
   ] as const) {
     test(`the workshop is accessible in ${colorScheme} on a ${name}, without a sideways scroll`, async ({ stage, page }) => {
       expect(stage.backend).toBe('page');
+      // Five analyses of the whole page.
+      test.slow();
       await page.emulateMedia({ colorScheme });
       await open(page, width, height);
       for (const tab of ['Phase', 'Hand shape', 'Palm', 'Place', 'Course']) {
