@@ -184,7 +184,8 @@ export class App {
         const text = this.editor.text;
         this.diagnostics = await this.player.rehearse(text);
         this.#rehearsed = text;
-        this.editor.show(this.diagnostics);
+        // Places are of the text that was read; another one is read next.
+        if (text === this.editor.text) this.editor.show(this.diagnostics);
       }
     } catch {
       // The player says itself what is wrong; "Try again" comes back with the text.

@@ -7,7 +7,7 @@
 import { defaultKeymap, history, historyKeymap, redo, redoDepth, undo, undoDepth } from '@codemirror/commands';
 import { xml } from '@codemirror/lang-xml';
 import { bracketMatching, HighlightStyle, indentOnInput, syntaxHighlighting } from '@codemirror/language';
-import { forceLinting, lintGutter, linter, type Diagnostic as Mark } from '@codemirror/lint';
+import { lintGutter, setDiagnostics, type Diagnostic as Mark } from '@codemirror/lint';
 import { Annotation, EditorState, Transaction } from '@codemirror/state';
 import { drawSelection, EditorView, highlightActiveLine, highlightSpecialChars, keymap, lineNumbers } from '@codemirror/view';
 import { tags } from '@lezer/highlight';
@@ -80,7 +80,6 @@ export interface EditorEvents {
 
 export class Editor {
   readonly #view: EditorView;
-  #diagnostics: readonly Diagnostic[] = [];
   /** A control is being moved. */
   #moving = false;
 
@@ -108,7 +107,6 @@ export class Editor {
           highlightActiveLine(),
           xml(),
           syntaxHighlighting(colours),
-          linter(() => this.#marks(), { delay: 0, needsRefresh: () => false }),
           lintGutter(),
           EditorView.lineWrapping,
           EditorView.domEventHandlers({ beforeinput: typedOver }),
@@ -171,17 +169,13 @@ export class Editor {
 
   /** Shows what is wrong at its places. */
   show(diagnostics: readonly Diagnostic[]): void {
-    this.#diagnostics = diagnostics;
-    forceLinting(this.#view);
-  }
-
-  #marks(): Mark[] {
-    return this.#diagnostics.flatMap(({ start, end, severity, message, hints }): Mark[] => {
+    const marks = diagnostics.flatMap(({ start, end, severity, message, hints }): Mark[] => {
       if (start === undefined) return [];
       const from = this.#at(start);
       const to = Math.max(from, end === undefined ? from : this.#at(end));
       return [{ from, to, severity, message: [message, ...hints].join('\n') }];
     });
+    this.#view.dispatch(setDiagnostics(this.#view.state, marks));
   }
 
   #at({ line, columnUtf16 }: Place): number {
