@@ -138,7 +138,7 @@ impl Manipulators {
                 to: *to,
                 secs: *secs,
             },
-            Motion::Function(path) => Kind::Curve(Curve::new(path, &now.frame)),
+            Motion::Function(path) => Kind::Curve(Curve::new(path, &now.frame, false)),
             Motion::JacobianTarget(to) => {
                 let secs = most_secs.min(TARGET_SECS);
                 self.follow(limb, &now, secs, &|frame| {

@@ -184,6 +184,8 @@ pub struct Curve {
     form: Form,
     from_angles: [f64; 3],
     to_angles: [f64; 3],
+    /// Whether it turns by the angles, however often round, or the shortest way.
+    by_angles: bool,
     period_secs: f64,
     looping: bool,
     /// From the curve's beginning to where the limb was.
@@ -226,9 +228,11 @@ impl Lag {
 }
 
 impl Curve {
-    /// Fills in what a path leaves open from where the limb or figure is.
+    /// Fills in what a path leaves open from where the limb or figure is. `by_angles` turns
+    /// from the angles at the beginning to those at the end, however often round, as a figure
+    /// may; without it the shortest way, as a hand does.
     #[must_use]
-    pub fn new(path: &Path, now: &Frame) -> Self {
+    pub fn new(path: &Path, now: &Frame, by_angles: bool) -> Self {
         let now_angles = angles_of(now.rotation);
         let start = path.from.position_or(now.position);
         let end = path.to.position_or(start);
@@ -281,6 +285,7 @@ impl Curve {
             form,
             from_angles,
             to_angles: path.to.angles_or(from_angles),
+            by_angles,
             period_secs: path.period_secs.max(0.0),
             looping: path.looping && path.period_secs > 0.0,
             lag: none,
@@ -304,10 +309,16 @@ impl Curve {
     }
 
     fn on_form(&self, share: f64) -> Frame {
-        let angles = [0, 1, 2].map(|i| lerp(self.from_angles[i], self.to_angles[i], share));
+        let (from, to) = (self.from_angles, self.to_angles);
+        let rotation = if self.by_angles {
+            rotation_from([0, 1, 2].map(|i| lerp(from[i], to[i], share)))
+        } else {
+            let (from, to) = (rotation_from(from), rotation_from(to));
+            from.slerp(to, share).normalize()
+        };
         Frame {
             position: self.form.at(share),
-            rotation: rotation_from(angles),
+            rotation,
         }
     }
 
@@ -400,7 +411,7 @@ mod tests {
     fn open_ends_are_where_the_limb_is() {
         let mut segment = path(Shape::Segment, false);
         segment.to.position[1] = Some(1.5);
-        let curve = Curve::new(&segment, &NOW);
+        let curve = Curve::new(&segment, &NOW, true);
         assert!(curve.at(0.0).position.distance(NOW.position) < 1e-12);
         let middle = curve.at(1.0).position;
         assert!(middle.distance(DVec3::new(0.3, 1.3, 0.2)) < 1e-9);
@@ -440,7 +451,7 @@ mod tests {
         ];
         let paths = all.into_iter().map(|s| path(s, true)).chain([far]);
         for path in paths {
-            let curve = Curve::new(&path, &NOW);
+            let curve = Curve::new(&path, &NOW, false);
             assert!(curve.at(0.0).position.distance(NOW.position) < 1e-9);
             let mut last = curve.at(0.0);
             for i in 1..800 {
@@ -456,7 +467,7 @@ mod tests {
 
     #[test]
     fn a_circle_keeps_its_radii_and_a_helix_rises() {
-        let curve = Curve::new(&path(round(1.0, 0.3), false), &NOW);
+        let curve = Curve::new(&path(round(1.0, 0.3), false), &NOW, false);
         let quarter = curve.at(0.5).position - NOW.position;
         assert!(
             quarter.distance(DVec3::new(-0.1, 0.2, 0.075)) < 1e-9,

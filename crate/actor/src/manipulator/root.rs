@@ -26,11 +26,13 @@ impl RootTrack {
         for m in order {
             // Before its first motion the figure already stands where that begins.
             let now = if track.moves.is_empty() {
-                Curve::new(&m.path, &HOME).start()
+                Curve::new(&m.path, &HOME, true).start()
             } else {
                 track.frame(m.time_secs)
             };
-            track.moves.push((m.time_secs, Curve::new(&m.path, &now)));
+            track
+                .moves
+                .push((m.time_secs, Curve::new(&m.path, &now, true)));
         }
         track
     }

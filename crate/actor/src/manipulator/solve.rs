@@ -252,8 +252,9 @@ pub fn choose(
     best
 }
 
-/// Sum of the squared differences of two frames' matrices, lengths in the skeleton units of
-/// the thesis (of an inch): a wrist that is off its place weighs more than a turned one.
+/// Sum of the squared differences of two frames' matrices, lengths in tenths of the thesis's
+/// unit (an inch): a wrist that is off its place always weighs more than a turned one, so that
+/// no shoulder leaves its place to turn the hand better.
 #[must_use]
 pub fn matrix_error(a: &Frame, b: &Frame) -> f64 {
     let rotation = DMat3::from_quat(a.rotation) - DMat3::from_quat(b.rotation);
@@ -261,7 +262,7 @@ pub fn matrix_error(a: &Frame, b: &Frame) -> f64 {
     squares(rotation.x_axis)
         + squares(rotation.y_axis)
         + squares(rotation.z_axis)
-        + squares((a.position - b.position) / METRES_PER_INCH)
+        + squares((a.position - b.position) / (0.1 * METRES_PER_INCH))
 }
 
 /// Sum of the squared differences of joint angles, each the short way round.

@@ -5,7 +5,7 @@
 //! their mean, weighted by that, is taken. The mean is a smooth function of the target,
 //! where the best single direction would jump.
 
-use core::f64::consts::FRAC_PI_2;
+use core::f64::consts::{FRAC_PI_2, PI};
 
 use raconteur_base::{DAffine3, DQuat, DVec3, Side, ops};
 
@@ -32,6 +32,13 @@ const HEAD_RADIUS_M: f64 = 0.115;
 const COLLISION: f64 = 3.0;
 /// Share of that for the other arm, which comes and goes faster than anything else.
 const OTHER_ARM: f64 = 0.3;
+
+/// Effort of an upper arm a radian beyond the limits of the shoulder. Designed: more than any
+/// collision, since beyond them it cannot go.
+const LIMITS: f64 = 8.0;
+/// Sine of the angle to the back below which every upper arm is within its limits: a little
+/// less than the flexion overhead of table B.1 goes beyond 180°.
+const BACKWARDS: f64 = 0.45;
 
 /// What an arm must keep clear of, figure axes.
 #[derive(Clone, Copy, Debug)]
@@ -183,13 +190,17 @@ impl LimbRig {
             along_m,
             radius_m: (hinge.length_squared() - along_m * along_m).max(0.0).sqrt(),
         };
+        let to_base = base.rotation.inverse();
         let (mut sum, mut weights) = (0.0, 0.0);
         let [(mut s, mut c), (step_s, step_c)] = [FIRST_RAD, STEP_RAD].map(ops::sincos);
         let (mut swivel, mut outwards) = (FIRST_RAD, first * c + second * s);
         for _ in 0..CANDIDATES {
             let mut effort = 0.16 * swivel * swivel + self.strain(&circle, outwards, target);
+            let elbow = circle.elbow(outwards);
+            if self.is_arm {
+                effort += LIMITS * self.beyond(to_base * (elbow - base.origin));
+            }
             if let Some(obstacles) = obstacles {
-                let elbow = circle.elbow(outwards);
                 effort += obstacles.effort(circle.shoulder, elbow, circle.wrist);
             }
             let weight = ops::exp(-effort / SOFTNESS).max(LEAST_WEIGHT);
@@ -200,6 +211,29 @@ impl LimbRig {
             swivel += STEP_RAD;
         }
         sum / weights
+    }
+
+    /// Square of the angle by which an upper arm (base axes, any length) is beyond the limits of
+    /// the shoulder. Only what points backwards can be.
+    fn beyond(&self, upper: DVec3) -> f64 {
+        let back = -upper.z / upper.length().max(1e-9);
+        if back < BACKWARDS {
+            return 0.0;
+        }
+        let level = (upper.x * upper.x + upper.y * upper.y).sqrt();
+        let aside = self.sign * ops::atan2(upper.y, upper.x);
+        let forth = ops::atan2(upper.z, level);
+        // Both ways to turn the shoulder.
+        let ways = [[aside, forth], [aside + PI, PI - forth]];
+        let off = ways.map(|way| {
+            let off = |i: usize| {
+                let angle = self.limits[i].wrapped(way[i]);
+                let over = angle - angle.clamp(self.limits[i].least_rad, self.limits[i].most_rad);
+                over * over
+            };
+            off(0) + off(1)
+        });
+        off[0].min(off[1])
     }
 
     /// What a swivel asks of the wrist or ankle beyond what it does without thinking: bend
