@@ -387,9 +387,11 @@ impl Renderer {
                 figure.draw(&mut pass, counts, shown, clear, |look| pipelines.look(look));
             }
         }
-        if let (true, Some(overlay), Some(pipeline)) =
-            (shown.has_overlay(), &self.overlay, &pipelines.overlay)
-        {
+        if let (true, Some(overlay), Some(pipeline)) = (
+            shown.has_overlay(),
+            self.overlay.as_ref().filter(|o| o.len() > 0),
+            &pipelines.overlay,
+        ) {
             // Nearer than everything else, and in itself as near as it is.
             let (width, height) = targets.size;
             pass.set_viewport(0.0, 0.0, width as f32, height as f32, 0.0, OVERLAY_DEPTH);
