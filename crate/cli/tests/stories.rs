@@ -56,9 +56,103 @@ fn the_folk_tale_is_long_and_full_of_gestures() {
     assert!(starts(&t, "gesture-key").len() >= 25);
 }
 
+/// Whether a time lies on a beat of so many seconds.
+fn on_beat(secs: f64, beat_secs: f64) -> bool {
+    let beats = secs / beat_secs;
+    (beats - beats.round()).abs() < 1e-6
+}
+
+#[test]
+fn every_step_of_the_lesson_begins_on_a_beat() {
+    let t = timeline("step-lesson");
+    assert!(t["duration"].as_f64().expect("a duration") >= 240.0);
+    assert_eq!(t["lead_in"].as_f64(), Some(0.0));
+    let text = std::fs::read_to_string(story("step-lesson")).expect("the script");
+    let mut steps: Vec<&str> = text
+        .split("animationSetName='")
+        .skip(1)
+        .filter_map(|rest| rest.split('\'').next())
+        .filter(|name| name.starts_with("step-") || name.starts_with("stretch-"))
+        .collect();
+    steps.sort_unstable();
+    steps.dedup();
+    assert!(steps.len() >= 26, "{steps:?}");
+    // Arms that greet may come between beats; from the march on everything is in time.
+    let late: Vec<f64> = starts(&t, "body-deterministic-primitive")
+        .into_iter()
+        .filter(|s| (16.0..236.0).contains(s) && !on_beat(*s, 0.5))
+        .collect();
+    assert!(late.is_empty(), "{late:?}");
+    // What comes is announced: at least once in each eight counts.
+    assert!(starts(&t, "voice-text").len() >= 60);
+}
+
+#[test]
+fn counts_fall_on_the_beat() {
+    let t = timeline("step-lesson");
+    let folder = story("step-lesson").with_file_name("voice/speech.json");
+    let bundle: Value =
+        serde_json::from_str(&std::fs::read_to_string(folder).expect("the bundle")).expect("JSON");
+    let text = std::fs::read_to_string(story("step-lesson")).expect("the script");
+    let mut counted = 0;
+    for clause in t["clauses"].as_array().into_iter().flatten() {
+        let line = clause["line"].as_u64().unwrap_or(0) as usize;
+        let source = text.lines().nth(line.saturating_sub(1)).unwrap_or("");
+        let Some(word) = ["Four!", "Three!", "Two!", "One!"]
+            .into_iter()
+            .find(|w| source.contains(&format!(">{w}<")))
+        else {
+            continue;
+        };
+        let spoken = bundle["utterances"]
+            .as_array()
+            .into_iter()
+            .flatten()
+            .find(|u| u["words"][0]["text"] == word)
+            .expect("it was baked");
+        let onset = spoken["words"][0]["start_secs"].as_f64().expect("a time");
+        let heard = clause["start"].as_f64().expect("a time") + onset;
+        let off = heard / 0.5 - (heard / 0.5).round();
+        // Times in the script are rounded to the millisecond.
+        assert!(off.abs() * 0.5 < 0.002, "{word} at {heard}");
+        counted += 1;
+    }
+    assert_eq!(counted, 8);
+}
+
+#[test]
+fn the_dance_knows_every_function() {
+    let t = timeline("mathematical-dance");
+    assert!(t["duration"].as_f64().expect("a duration") >= 240.0);
+    let text = std::fs::read_to_string(story("mathematical-dance")).expect("the script");
+    for function in [
+        "segment",
+        "circle",
+        "ellipse",
+        "sinusoid",
+        "helix",
+        "lemniscate",
+        "bezier",
+        "hermite",
+    ] {
+        assert!(text.contains(&format!("functionName='{function}'")), "{function}");
+    }
+    for limb in ["leftArm", "rightArm", "leftLeg", "rightLeg", "head"] {
+        assert!(text.contains(&format!("manipulator='{limb}'")), "{limb}");
+    }
+    assert!(starts(&t, "vh-move").len() > 60);
+    // No animation helps.
+    assert!(!text.contains("animationSetName"));
+}
+
 #[test]
 fn shipped_stories_are_silent_under_check() {
-    for name in ["hello-world", "white-rabbit"] {
+    for name in [
+        "hello-world",
+        "white-rabbit",
+        "step-lesson",
+        "mathematical-dance",
+    ] {
         let out = Command::new(env!("CARGO_BIN_EXE_raconteur"))
             .arg("check")
             .arg(story(name))

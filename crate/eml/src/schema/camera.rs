@@ -6,6 +6,9 @@ use crate::{CameraAngle, ClauseKind, ShotKind};
 pub(super) static ELEMENT: Element = Element {
     doc: doc!("Takes a shot."),
     source: doc!("Extension; GEVH 3.5.4.1"),
+    decision: doc!(
+        "Whoever shows the story chooses the shot until the first one. Full and medium shots make room for gestures; every shot follows a figure that vh-move leads away as far as it must."
+    ),
     example: doc!(
         "<eml xmlns:r='urn:raconteur:eml:1'><body><r:camera time='0' shot='closeUp' angle='low' transition='2'/></body></eml>"
     ),

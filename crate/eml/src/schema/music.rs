@@ -8,6 +8,9 @@ pub(super) static ELEMENT: Element = Element {
         "Plays music: a piece of a mood from the library, or a file. With neither it becomes silent."
     ),
     source: doc!("Extension; GEVH 3.5.4.3"),
+    decision: doc!(
+        "A piece of the library begins again when it is over, a file plays once. Music is 8 dB lower while somebody speaks. Beside an .opus file there may be an .mp3 of the same name for browsers that need it. Where music cannot be had the story goes on without it."
+    ),
     example: doc!(
         "<eml xmlns:r='urn:raconteur:eml:1'><body><r:music time='0' valence='positive' volume='0.5' fade='2'/></body></eml>"
     ),

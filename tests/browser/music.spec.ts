@@ -1,0 +1,103 @@
+/** Music under a story. */
+
+import type { Page } from '@playwright/test';
+import type { RaconteurPlayer } from '../../web/element/element.js';
+import { expect, test, type Stage } from './stage.js';
+
+declare global {
+  interface Window {
+    /** Pieces of music and the gain that each goes through. */
+    music: { sound: HTMLAudioElement; gain: GainNode | undefined }[];
+  }
+}
+
+/** Runs before the page's own scripts: notes what Web Audio is given to play. */
+function listen(): void {
+  window.music = [];
+  const create = AudioContext.prototype.createMediaElementSource;
+  AudioContext.prototype.createMediaElementSource = function (sound) {
+    const source = create.call(this, sound);
+    const note: { sound: HTMLAudioElement; gain: GainNode | undefined } = { sound: sound as HTMLAudioElement, gain: undefined };
+    window.music.push(note);
+    const connect = source.connect.bind(source) as (node: AudioNode) => AudioNode;
+    source.connect = ((node: AudioNode) => {
+      if (node instanceof GainNode) note.gain = node;
+      return connect(node);
+    }) as typeof source.connect;
+    return source;
+  };
+}
+
+/** A story of 45 s without a word, with some music. */
+const story = (music: string): string => `<eml xmlns:r='urn:raconteur:eml:1'><body>${music}<null time='45'/></body></eml>`;
+
+async function open(stage: Stage, page: Page, music: string): Promise<void> {
+  await page.addInitScript(listen);
+  await stage.open('<raconteur-player src="/test/story.eml" controls></raconteur-player>', { 'story.eml': story(music) });
+  await stage.ready();
+}
+
+/** How far the first piece is from where the story is, how loud, and whether it plays. */
+function state(page: Page): Promise<{ drift: number; level: number; rate: number; paused: boolean }> {
+  return page.locator('raconteur-player').evaluate((p: RaconteurPlayer) => {
+    const [piece] = window.music;
+    return {
+      drift: (piece?.sound.currentTime ?? NaN) - p.currentTime,
+      level: piece?.gain?.gain.value ?? NaN,
+      rate: piece?.sound.playbackRate ?? NaN,
+      paused: piece?.sound.paused ?? true,
+    };
+  });
+}
+
+/** The clock of what is heard is some hundredths behind that of what is played, and pictures in software are slow. */
+const NEAR_SECS = 0.15;
+
+test('music plays in time, after a seek and at another speed as well', async ({ stage, page }) => {
+  await open(stage, page, "<r:music time='0' valence='positive' volume='0.5' fade='1'/>");
+  await stage.play();
+  await stage.until(2);
+  await expect.poll(async () => Math.abs((await state(page)).drift)).toBeLessThan(NEAR_SECS);
+  await expect.poll(async () => (await state(page)).level).toBeCloseTo(0.5, 1);
+
+  await stage.seek(20);
+  await expect.poll(async () => (await state(page)).paused).toBe(false);
+  await stage.until(21);
+  await expect.poll(async () => Math.abs((await state(page)).drift)).toBeLessThan(NEAR_SECS);
+
+  await stage.player.evaluate((p: RaconteurPlayer) => void (p.playbackRate = 1.5));
+  await stage.until(25);
+  await expect.poll(async () => Math.abs((await state(page)).drift)).toBeLessThan(1.5 * NEAR_SECS);
+  const { rate } = await state(page);
+  expect(Math.abs(rate / 1.5 - 1)).toBeLessThan(0.02);
+  expect(await page.evaluate(() => window.music[0]?.sound.preservesPitch)).toBe(true);
+
+  await stage.pause();
+  expect((await state(page)).paused).toBe(true);
+  expect(await page.evaluate(() => window.music.length)).toBe(1);
+});
+
+test('a story goes on without music that is not there', async ({ stage, page }) => {
+  await open(stage, page, "<r:music time='0' file='absent.opus'/>");
+  await stage.play();
+  await stage.until(1.5);
+  const found = await stage.player.evaluate((p: RaconteurPlayer) => p.diagnostics.filter((d) => d.code === 'sound-missing').map((d) => d.message));
+  expect(found).toEqual([expect.stringContaining('absent.opus')]);
+});
+
+test('no file outside the folder of the story is asked for', async ({ stage, page }) => {
+  const asked: string[] = [];
+  page.on('request', (request) => asked.push(request.url()));
+  await open(stage, page, "<r:music time='0' file='../secret.opus'/>");
+  await stage.play();
+  await stage.until(1);
+  expect(asked.filter((url) => url.includes('secret'))).toEqual([]);
+  expect(await stage.player.evaluate((p: RaconteurPlayer) => p.diagnostics.map((d) => d.code))).toContain('eml::bad-path');
+});
+
+test('stories without music do not fetch what plays it', async ({ stage, page }) => {
+  const asked: string[] = [];
+  page.on('request', (request) => asked.push(request.url()));
+  await stage.load('hello-world');
+  expect(asked.filter((url) => /\/music-/.test(url))).toEqual([]);
+});
