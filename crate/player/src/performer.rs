@@ -368,6 +368,8 @@ impl Player {
         self.script.retime(&self.library);
         self.story = Part::new(&self.script, &self.units, 0, None);
         self.geometry.retell(&self.story.geometry);
+        let parts = [&self.story].into_iter().chain(self.live.parts());
+        self.views = Views::new(self.options.shot, parts.flat_map(|p| p.shots.iter()));
         let (actor, room) = self.rehearse_all(self.layers.last_room());
         if self.passed_secs < 0.0 && self.live.parts().next().is_none() {
             self.layers = Layers::new(actor, room, self.figure.morph_names.len());
