@@ -21,6 +21,8 @@ const MOST_FADES: usize = 16;
 const LEAST_WEIGHT: f64 = 0.1;
 /// Share of the idle sway that stays alive over an animation of the legs. Designed.
 const SWAY_LEFT: f64 = 0.25;
+/// The last of a leg's reach, in which its knee eases out, as a share of it. Designed: 3 mm.
+const SPARE: f64 = 0.0035;
 /// A foot this high is not stood on, share of stature.
 const LIFTED: f64 = 0.03;
 
@@ -134,21 +136,34 @@ impl Players {
             let turned = turned.slerp(foot.rotation, foot.share);
             Some((self.body.ankle(i, ball, turned), turned, knee))
         });
+        // A leg that stretches to its end snaps; what is spared of it fades in with the players.
+        let cover = [layers.shares[Bone::Sacroiliac.index()], layers.root_share]
+            .into_iter()
+            .chain(layers.feet.iter().map(|f| f.share))
+            .fold(0.0, f64::max);
+        let mut spare_m = [0.0; 2];
         // The figure sinks as far as the feet that it stands on need.
         let mut short: f64 = 0.0;
-        for (leg, foot) in self.body.legs.iter().zip(&feet) {
+        for (i, foot) in feet.iter().enumerate() {
+            let leg = &self.body.legs[i];
             if let Some((at, ..)) = foot {
                 let high = at.y - leg.standing().translation.y;
                 let stood_on = 1.0 - smooth(high / (LIFTED * self.body.stature_m));
-                short = short.max(stood_on * leg.shortage_m(&pelvis, *at));
+                spare_m[i] = SPARE * leg.reach_m() * (1.0 - stood_on * (1.0 - cover));
+                let missing = leg.shortage_m(&pelvis, *at, spare_m[i]);
+                short = short.max(stood_on * missing);
             }
         }
         pose.root_offset_in_world.y -= short;
         pelvis.translation.y -= short;
         for (i, foot) in feet.into_iter().enumerate() {
             if let Some((at, turned, knee)) = foot {
-                let solved = self.body.legs[i].solve(&pelvis, at, turned, knee);
-                for (bone, q) in LEG_BONES[i].into_iter().zip(solved) {
+                let leg = &self.body.legs[i];
+                let at = leg.eased(&pelvis, at, spare_m[i]);
+                for (bone, q) in LEG_BONES[i]
+                    .into_iter()
+                    .zip(leg.solve(&pelvis, at, turned, knee))
+                {
                     pose.set(bone, q);
                 }
             }
