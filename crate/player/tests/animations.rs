@@ -90,7 +90,12 @@ fn a_story_tells_which_animations_it_wants_until_they_have_come() {
 
 #[test]
 fn missing_and_broken_ones_are_told_once_and_the_rest_plays() {
-    let mut player = player(&format!("{ADD}{}{}", push("0", "sit"), push("1", "dance")));
+    let body = format!(
+        "{ADD}{}{}<null time='6'/>",
+        push("0", "sit"),
+        push("1", "dance")
+    );
+    let mut player = player(&body);
     assert_eq!(equip(&mut player), ["player::no-animation"]);
     assert_eq!(player.wanted_animations(), [""; 0]);
     let told = player.provide_animations(&[("nod", Some("{\"tracks\": {\"tail\": {}}}"))]);
@@ -101,7 +106,11 @@ fn missing_and_broken_ones_are_told_once_and_the_rest_plays() {
 
 #[test]
 fn the_order_in_which_animations_come_does_not_matter() {
-    let body = format!("{ADD}{}{}", push("0", "step-march"), push("2", "wave"));
+    let body = format!(
+        "{ADD}{}{}<null time='6'/>",
+        push("0", "step-march"),
+        push("2", "wave")
+    );
     let mut at_once = player(&body);
     equip(&mut at_once);
     let mut one_by_one = player(&body);

@@ -19,10 +19,10 @@ const MOST_FADES: usize = 16;
 /// Layers are scaled up to a full weight where others have nothing to play, at most by its
 /// inverse: the last of a weight still fades. Designed.
 const LEAST_WEIGHT: f64 = 0.1;
-/// The share of what is played at which the feet stand wholly where they should. Designed.
-const ONSET_SHARE: f64 = 0.02;
 /// Share of the idle sway that stays alive over an animation of the legs. Designed.
 const SWAY_LEFT: f64 = 0.25;
+/// The last of a leg's reach, in which its knee eases out, as a share of it. Designed: 3 mm.
+const SPARE: f64 = 0.0035;
 /// A foot this high is not stood on, share of stature.
 const LIFTED: f64 = 0.03;
 
@@ -120,10 +120,6 @@ impl Players {
         if !pelvis_moves && !legs.iter().any(|b| touched(*b)) {
             return;
         }
-        // Legs that were straight come out a hair's breadth bent: not from one moment to the next.
-        let shares = legs.iter().chain([&Bone::Sacroiliac]);
-        let most = shares.fold(layers.root_share, |m, b| m.max(layers.shares[b.index()]));
-        let onset = smooth(most / ONSET_SHARE);
         let mut pelvis = world_from_bone(skeleton, pose, Bone::Sacroiliac);
         let feet = Side::BOTH.map(|side| {
             let i = side.index();
@@ -140,23 +136,35 @@ impl Players {
             let turned = turned.slerp(foot.rotation, foot.share);
             Some((self.body.ankle(i, ball, turned), turned, knee))
         });
+        // A leg that stretches to its end snaps; what is spared of it fades in with the players.
+        let cover = [layers.shares[Bone::Sacroiliac.index()], layers.root_share]
+            .into_iter()
+            .chain(layers.feet.iter().map(|f| f.share))
+            .fold(0.0, f64::max);
+        let mut spare_m = [0.0; 2];
         // The figure sinks as far as the feet that it stands on need.
         let mut short: f64 = 0.0;
-        for (leg, foot) in self.body.legs.iter().zip(&feet) {
+        for (i, foot) in feet.iter().enumerate() {
+            let leg = &self.body.legs[i];
             if let Some((at, ..)) = foot {
                 let high = at.y - leg.standing().translation.y;
                 let stood_on = 1.0 - smooth(high / (LIFTED * self.body.stature_m));
-                short = short.max(stood_on * leg.shortage_m(&pelvis, *at));
+                spare_m[i] = SPARE * leg.reach_m() * (1.0 - stood_on * (1.0 - cover));
+                let missing = leg.shortage_m(&pelvis, *at, spare_m[i]);
+                short = short.max(stood_on * missing);
             }
         }
-        short *= onset;
         pose.root_offset_in_world.y -= short;
         pelvis.translation.y -= short;
         for (i, foot) in feet.into_iter().enumerate() {
             if let Some((at, turned, knee)) = foot {
-                let solved = self.body.legs[i].solve(&pelvis, at, turned, knee);
-                for (bone, q) in LEG_BONES[i].into_iter().zip(solved) {
-                    pose.set(bone, pose.rotation(bone).slerp(q, onset).normalize());
+                let leg = &self.body.legs[i];
+                let at = leg.eased(&pelvis, at, spare_m[i]);
+                for (bone, q) in LEG_BONES[i]
+                    .into_iter()
+                    .zip(leg.solve(&pelvis, at, turned, knee))
+                {
+                    pose.set(bone, q);
                 }
             }
         }
@@ -228,14 +236,10 @@ impl Players {
 
 impl Animated {
     /// Takes an arm, which a gesture or idle life has posed, as far to what is played as the
-    /// gesture leaves it: `rest_share` is 1 at rest, 0 in a gesture. So is `finger_share` of
-    /// fingers, which may gesture while the arm rests.
-    pub fn blend_arm(&self, side: Side, rest_share: f64, finger_share: f64, pose: &mut Pose) {
-        let arm = ARM_BONES[side.index()].iter().map(|b| (b, rest_share));
-        let fingers = finger_bones(side)
-            .iter()
-            .map(|b| (b, rest_share.min(finger_share)));
-        for (&bone, rest_share) in arm.chain(fingers) {
+    /// gesture leaves it: `rest_share` is 1 at rest, 0 in a gesture.
+    pub fn blend_arm(&self, side: Side, rest_share: f64, pose: &mut Pose) {
+        let arm = ARM_BONES[side.index()].iter();
+        for &bone in arm.chain(finger_bones(side)) {
             let i = bone.index();
             let share = self.layers.shares[i] * rest_share;
             if share > 0.0 {

@@ -4,7 +4,7 @@
 //! follow in closed form.
 
 use raconteur_base::curve::minimum_jerk;
-use raconteur_base::{DAffine3, DQuat, DVec3, Side, noise};
+use raconteur_base::{DAffine3, DQuat, DVec3, Side, noise, ops};
 use raconteur_body::{Bone, Pose, Skeleton};
 
 use super::stream;
@@ -102,7 +102,7 @@ impl Stance {
         let short = self
             .legs
             .iter()
-            .map(|leg| leg.shortage_m(&pelvis_in_world, leg.ankle_in_world.translation))
+            .map(|leg| leg.shortage_m(&pelvis_in_world, leg.ankle_in_world.translation, 0.0))
             .fold(0.0, f64::max);
         pose.root_offset_in_world.y -= short;
         let pelvis_in_world = DAffine3 {
@@ -150,14 +150,39 @@ impl Leg {
         &self.ankle_in_world
     }
 
-    /// How far the pelvis must sink for the leg to reach an ankle, metres.
-    pub(crate) fn shortage_m(&self, world_from_pelvis: &DAffine3, ankle_in_world: DVec3) -> f64 {
+    /// How far the pelvis must sink for the leg to reach an ankle and have `spare_m` left,
+    /// metres.
+    pub(crate) fn shortage_m(
+        &self,
+        world_from_pelvis: &DAffine3,
+        ankle_in_world: DVec3,
+        spare_m: f64,
+    ) -> f64 {
         let to = ankle_in_world - world_from_pelvis.transform_point3(self.hip_in_pelvis);
         let sideways = to.x * to.x + to.z * to.z;
-        let reach = self.chain.reach_m();
+        let reach = self.chain.reach_m() - spare_m;
         let most = (reach * reach - sideways).max(0.0).sqrt();
         // A straight knee is a stiff one: keep a hair's breadth of flexion.
         (-to.y - most + 1e-4).max(0.0)
+    }
+
+    /// A place for the ankle that the leg reaches without snapping: within the last `spare_m`
+    /// of the reach the knee would stretch ever faster, so places there and beyond are eased
+    /// into it, metres.
+    pub(crate) fn eased(&self, world_from_pelvis: &DAffine3, ankle: DVec3, spare_m: f64) -> DVec3 {
+        let to = ankle - world_from_pelvis.transform_point3(self.hip_in_pelvis);
+        let distance = to.length();
+        let over = distance - (self.chain.reach_m() - spare_m);
+        if over <= 0.0 || spare_m <= 0.0 {
+            return ankle;
+        }
+        let back = over - spare_m * (1.0 - ops::exp(-over / spare_m));
+        ankle - to * (back / distance)
+    }
+
+    /// The length of the leg that is stretched, metres.
+    pub(crate) fn reach_m(&self) -> f64 {
+        self.chain.reach_m()
     }
 
     /// Local rotations of hip, knee and ankle that put the ankle at a place with the foot
