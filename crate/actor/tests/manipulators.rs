@@ -341,15 +341,13 @@ fn random_script(seed: u64, wild: f64) -> ManipulatorScript {
                 DQuat::from_xyzw(r(4, i), r(5, i), r(6, i), r(7, i)).normalize()
             },
         };
-        // A neck is no longer than the circles of a hand are wide.
-        let reach = if limb == Limb::Head { 0.2 } else { 1.0 };
         let path = Path {
             shape: match i % 3 {
                 0 => Shape::Segment,
                 1 => Shape::Round {
                     centre: Place::default(),
                     normal: DVec3::new(r(8, i), r(9, i), r(10, i)),
-                    radii: [0.1 * wild * reach, 0.15 * reach],
+                    radii: [0.1 * wild, 0.15],
                     from_rad: r(11, i),
                     turns: 2.0 * r(12, i),
                     rise: 0.1 * r(13, i),

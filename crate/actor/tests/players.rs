@@ -115,7 +115,7 @@ fn pose(players: &Players, skeleton: &Skeleton, t: f64) -> Pose {
     let animated = players.apply(skeleton, t, &mut pose);
     for side in Side::BOTH {
         if let Some(animated) = &animated {
-            animated.blend_arm(side, 1.0, &mut pose);
+            animated.blend_arm(side, 1.0, 1.0, &mut pose);
         }
     }
     pose

@@ -135,7 +135,10 @@ fn the_dance_knows_every_function() {
         "bezier",
         "hermite",
     ] {
-        assert!(text.contains(&format!("functionName='{function}'")), "{function}");
+        assert!(
+            text.contains(&format!("functionName='{function}'")),
+            "{function}"
+        );
     }
     for limb in ["leftArm", "rightArm", "leftLeg", "rightLeg", "head"] {
         assert!(text.contains(&format!("manipulator='{limb}'")), "{limb}");

@@ -84,23 +84,31 @@ impl Playback {
                 at
             }
         };
-        let passes = (played_secs / length_secs).floor();
+        let ahead = played_secs >= 0.0;
+        let passes = (played_secs.abs() / length_secs).floor();
         if let Some(n) = self.iterations() {
+            if !ahead {
+                return still(turned(0.0));
+            }
             if passes >= f64::from(n) {
                 return still(turned(length_secs));
             }
-            if played_secs < 0.0 {
-                return still(turned(0.0));
-            }
         }
-        let into = played_secs.rem_euclid(length_secs);
+        // What runs backwards enters a pass at its end and comes from the beginning of another.
+        let into = played_secs.abs().rem_euclid(length_secs);
+        let (at, left) = if ahead {
+            (into, length_secs)
+        } else {
+            (length_secs - into, 0.0)
+        };
         let seam_secs = SEAM_SECS.min(SEAM_SHARE * length_secs);
-        let seam = (!closed && passes >= 1.0 && into < seam_secs).then(|| {
+        let another = passes >= 1.0 || !ahead;
+        let seam = (!closed && another && into < seam_secs).then(|| {
             let s = raconteur_base::curve::minimum_jerk(into / seam_secs);
-            (turned(length_secs), 1.0 - s)
+            (turned(left), 1.0 - s)
         });
         Place {
-            at_secs: turned(into),
+            at_secs: turned(at),
             seam,
         }
     }
@@ -147,5 +155,15 @@ mod tests {
         assert!(at(2.1).is_some_and(|(end, share)| end == 2.0 && share > 0.5 && share < 1.0));
         assert_eq!(at(2.4), None);
         assert_eq!(style.place(2.0, 2.0, true).seam, None);
+        // Backwards, too: from the beginning over to the end.
+        let back = |t| style.place(t, 2.0, false);
+        assert_eq!((back(-0.5).at_secs, back(-0.5).seam), (1.5, None));
+        let (place, seam) = (back(-2.0), back(-2.0).seam);
+        assert_eq!((place.at_secs, seam), (2.0, Some((0.0, 1.0))));
+        assert!(
+            back(-1e-9)
+                .seam
+                .is_some_and(|(at, share)| at == 0.0 && share > 0.99)
+        );
     }
 }

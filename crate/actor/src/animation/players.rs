@@ -222,24 +222,35 @@ impl Players {
         if plan.kind == PlayerKind::BodyGroup {
             return 1.0;
         }
-        let (mut sum, mut most) = (0.0, 0.0_f64);
+        // A layer of no weight does not hold up the others while they fade.
+        let (mut sum, mut most, mut counted) = (0.0, 0.0_f64, 0.0_f64);
         for track in &plan.tracks {
             let mut heard = 0.0;
             track.heard(t, |_, share| heard += share);
             let present = heard * track.presence_factor(t);
-            sum += track.weight.at(t).max(0.0) * present;
-            most = most.max(present);
+            let weight = track.weight.at(t).max(0.0);
+            let counts = (weight / LEAST_WEIGHT).min(1.0);
+            sum += weight * present;
+            most = most.max(present * counts);
+            counted = counted.max(counts);
         }
-        most / sum.max(LEAST_WEIGHT)
+        if counted <= 0.0 {
+            return 0.0;
+        }
+        most / (counted * sum.max(LEAST_WEIGHT))
     }
 }
 
 impl Animated {
     /// Takes an arm, which a gesture or idle life has posed, as far to what is played as the
-    /// gesture leaves it: `rest_share` is 1 at rest, 0 in a gesture.
-    pub fn blend_arm(&self, side: Side, rest_share: f64, pose: &mut Pose) {
-        let arm = ARM_BONES[side.index()].iter();
-        for &bone in arm.chain(finger_bones(side)) {
+    /// gesture leaves it: `rest_share` is 1 at rest, 0 in a gesture. So is `finger_share` of
+    /// fingers, which may gesture while the arm rests.
+    pub fn blend_arm(&self, side: Side, rest_share: f64, finger_share: f64, pose: &mut Pose) {
+        let arm = ARM_BONES[side.index()].iter().map(|b| (b, rest_share));
+        let fingers = finger_bones(side)
+            .iter()
+            .map(|b| (b, rest_share.min(finger_share)));
+        for (&bone, rest_share) in arm.chain(fingers) {
             let i = bone.index();
             let share = self.layers.shares[i] * rest_share;
             if share > 0.0 {
