@@ -113,6 +113,26 @@ impl HeadRig {
         (direction * radius, moved)
     }
 
+    /// A target brought to where the neck can hold the skull, as far as limits hold
+    /// (`limited`, 0..1), its orientation kept: the skull then makes up for what the neck
+    /// leaves, and stays still while the neck is stopped.
+    #[must_use]
+    pub(super) fn held(&self, target: &Frame, base: &Base, limited: f64) -> Frame {
+        let (near, _) = self.projected(target.position - base.origin);
+        let on_sphere = Frame {
+            position: base.origin + near,
+            ..*target
+        };
+        let found = self.solutions(&on_sphere, base, true);
+        found.as_slice().first().map_or(on_sphere, |joints| {
+            let kept = limits::keep(&self.limits, limited, joints);
+            Frame {
+                position: self.posed(&kept, base).frame.position,
+                ..*target
+            }
+        })
+    }
+
     /// All four solutions, or the one that no limit excludes anyway, with the neck upright. The
     /// target lies on the sphere about the neck; where the neck cannot point, the nearest
     /// is taken.

@@ -457,11 +457,10 @@ impl Manipulators {
 
     /// A target brought within reach, its orientation kept.
     pub(super) fn projected(&self, limb: Limb, frame: &Frame, base: &Base, limited: f64) -> Frame {
-        let from_base = frame.position - base.origin;
-        let (near, _) = match self.limbs.get(limb.index()) {
-            Some(rig) => rig.projected(from_base, limited),
-            None => self.head.projected(from_base),
+        let Some(rig) = self.limbs.get(limb.index()) else {
+            return self.head.held(frame, base, limited);
         };
+        let (near, _) = rig.projected(frame.position - base.origin, limited);
         Frame {
             position: base.origin + near,
             ..*frame
