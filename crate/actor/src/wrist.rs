@@ -1,8 +1,8 @@
 //! What a wrist and forearm can do: their limits, what strains them, and a hand rotation
 //! as the forearm sees it.
 //!
-//! A wrist rotation is a swing after a twist about its own x axis; the twist is the
-//! forearm's pronation.
+//! A wrist rotation is a twist about the forearm's x axis, which is the forearm's pronation,
+//! and then a swing: the radius takes the axes of flexion and deviation along as it turns.
 
 use core::f64::consts::PI;
 
@@ -25,7 +25,7 @@ const FREE_SHARE: f64 = 0.9;
 pub struct WristAngles {
     /// Pronation from the thumb-up middle, radians, −π..π.
     pub pronation_rad: f64,
-    /// Rest of the rotation: axis times angle about local y and z, radians.
+    /// Rest of the rotation: axis times angle about y and z of the turned forearm, radians.
     swing: DVec3,
 }
 
@@ -43,7 +43,7 @@ impl WristAngles {
     #[must_use]
     pub fn of(side: Side, local: DQuat) -> Self {
         let twist = twist_about_x(local);
-        let swing = (local * twist.inverse()).normalize();
+        let swing = (twist.inverse() * local).normalize();
         Self {
             // A positive turn about x pronates on the left (y front towards z down).
             pronation_rad: side.sign() * 2.0 * ops::atan2(twist.x, twist.w),
@@ -55,7 +55,7 @@ impl WristAngles {
     #[must_use]
     pub fn rotation(&self, side: Side) -> DQuat {
         let twist = DQuat::from_rotation_x(side.sign() * self.pronation_rad);
-        (DQuat::from_scaled_axis(self.swing) * twist).normalize()
+        (twist * DQuat::from_scaled_axis(self.swing)).normalize()
     }
 
     /// Linear interpolation: pronation never goes the long way round.

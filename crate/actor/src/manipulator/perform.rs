@@ -18,6 +18,8 @@ use crate::kinematics::{rotation_of, world_from_bone};
 
 /// Joints that are bent by so much in all, radians, take the mean of the last goals.
 const FORCED: f64 = 0.2;
+/// Joints of wrist or ankle.
+const END: core::ops::Range<usize> = 3..ROLL;
 /// How many metres off its target count as a radian.
 const FORCED_M: f64 = 0.15;
 /// Even times whose goals are taken, seconds apart: a limb passes from one way of not
@@ -79,6 +81,8 @@ pub(super) struct Met {
     /// How much the upper bone had to be brought to its limits, and a target that is too near
     /// out to where the bent limb comes: radians, and lengths as [`FORCED_M`] to a radian.
     forced: f64,
+    /// How much wrist or ankle had to be brought to their limits, radians.
+    forced_end: f64,
     pub(super) posed: Posed,
     /// The scapula's rotation, of an arm.
     pub(super) scapula: Option<DQuat>,
@@ -266,9 +270,10 @@ impl Manipulators {
         }
         let mut met = self.meet(limb, goal, &terms, None, skeleton, pose);
         let even = smooth(met.forced / FORCED);
+        let even_end = even.max(smooth(met.forced_end / FORCED));
         let mut mean = [0.0; 7];
         for (goal, weight) in &recent {
-            if even <= 0.0 {
+            if even_end <= 0.0 {
                 break;
             }
             let mut other = match goal {
@@ -289,7 +294,8 @@ impl Manipulators {
                 *sum += weight * angle;
             }
         }
-        for (joint, mean) in met.joints.iter_mut().zip(mean) {
+        for (i, (joint, mean)) in met.joints.iter_mut().zip(mean).enumerate() {
+            let even = if END.contains(&i) { even_end } else { even };
             *joint += even * (mean - *joint);
         }
         if let Some(mend) = track.mend(time_secs) {
@@ -408,7 +414,7 @@ impl Manipulators {
     ) -> Met {
         let trunk = self.trunk(limb, skeleton, pose);
         let (cue, scapula, base) = self.stand(limb, goal, terms.set_in, &trunk, pose);
-        let mut forced = 0.0;
+        let (mut forced, mut forced_end) = (0.0, 0.0);
         let (joints, target) = match goal {
             Goal::Joints(held) => {
                 let joints = limits::keep(self.limits(limb), terms.limited, &held.joints);
@@ -439,6 +445,7 @@ impl Manipulators {
                     let inside = (near.position - base.origin).length()
                         - (frame.position - base.origin).length();
                     forced = bend(0) + bend(1) + inside.max(0.0) / FORCED_M;
+                    forced_end = END.map(bend).sum();
                 }
                 (joints, Some(*frame))
             }
@@ -447,6 +454,7 @@ impl Manipulators {
         Met {
             base,
             forced,
+            forced_end,
             joints,
             cue,
             scapula,

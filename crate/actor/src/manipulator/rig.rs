@@ -213,6 +213,21 @@ impl LimbRig {
         found
     }
 
+    /// How far joints 4 to 6 are beyond their limits for a local rotation of the end bone, by
+    /// the nearer of the two ways to turn it so; radians, 0 within.
+    #[must_use]
+    pub fn end_beyond_limits_rad(&self, rotation: DQuat) -> f64 {
+        let turn = self.target_from_end * rotation * self.target_from_end.inverse();
+        let ways = self.turn_angles(turn).map(|angles| {
+            let over = angles.iter().zip(&self.limits[3..ROLL]).map(|(a, limit)| {
+                let angle = limit.wrapped(*a);
+                (angle - angle.clamp(limit.least_rad, limit.most_rad)).abs()
+            });
+            over.fold(0.0, f64::max)
+        });
+        ways[0].min(ways[1])
+    }
+
     /// The hinge of elbow or knee when the first bone is turned so, figure axes, metres.
     #[must_use]
     pub fn hinge_at(&self, rotation: DQuat, base: &Base) -> DVec3 {

@@ -9,6 +9,7 @@ mod solids;
 
 use raconteur_actor::arm_ik::ELBOW_MAX_DEG;
 use raconteur_actor::gesture::contact::Capsule;
+use raconteur_actor::manipulator::{Sex, rig::LimbRig};
 use raconteur_actor::wrist;
 use raconteur_base::{DAffine3, DQuat, DVec3, Side, ops};
 use raconteur_body::{Bone, Figure};
@@ -90,6 +91,7 @@ struct Sweep {
     zero_rotations: Vec<DQuat>,
     body: Body,
     hands: [Hand; 2],
+    arms: [LimbRig; 2],
     /// Rotations and turns (radians a second) of the frame before.
     before: Option<Vec<(DQuat, Option<DVec3>)>>,
     wrists: Option<[DVec3; 2]>,
@@ -120,6 +122,8 @@ impl Sweep {
                 .collect(),
             body: Body::new(figure),
             hands: Side::BOTH.map(|side| Hand::new(figure, side)),
+            arms: Side::BOTH
+                .map(|side| LimbRig::new(&figure.skeleton, side, true, Sex::default())),
             before: None,
             wrists: None,
             capsules: [Vec::new(), Vec::new()],
@@ -173,7 +177,12 @@ impl Sweep {
             let over = (bend.z - ELBOW_MAX_DEG.to_radians()).max(-bend.z).max(0.0);
             let aside = bend.truncate().length();
             self.limits.meet(over.max(aside).to_degrees(), elbow, t);
-            let over = wrist::beyond_limits_rad(side, own(wrist));
+            // Limits are known of one axis at a time. A wrist that is turned about several is
+            // within them if it is so by a swing after the forearm's twist, as gestures turn
+            // it, or by the joints of GEVH table 3.1.
+            let turned = own(wrist);
+            let by_joints = self.arms[side.index()].end_beyond_limits_rad(turned);
+            let over = wrist::beyond_limits_rad(side, turned).min(by_joints);
             self.limits.meet(over.to_degrees(), wrist, t);
         }
     }
