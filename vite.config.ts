@@ -88,8 +88,8 @@ export default defineConfig({
         },
         // All builds call their file the same; the folder tells them apart.
         assetFileNames: (asset) => {
-          const build = asset.originalFileNames.map((name) => /pkg\/(webgpu|webgl|avatar)\//.exec(name)?.[1]).find(Boolean);
-          return `app/${build ?? '[name]'}-[hash][extname]`;
+          const [, build, part] = asset.originalFileNames.map((name) => /pkg\/(webgpu|webgl|avatar)\/raconteur_(bg|motion)/.exec(name)).find(Boolean) ?? [];
+          return `app/${part === 'motion' ? 'motion-' : ''}${build ?? '[name]'}-[hash][extname]`;
         },
       },
     },

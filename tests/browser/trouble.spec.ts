@@ -71,6 +71,31 @@ test('a recording that cannot be played leaves the captions', async ({ stage, pa
   await page.waitForFunction(() => window.record.events.some((e) => e.type === 'word'));
 });
 
+const MOVE = `<vh-move time='0' functionName='segment'><function-args><arg name='timePeriod' value='1'/><arg name='endY' value='-2'/></function-args></vh-move>`;
+
+test('players and manipulators are fetched only for who asks for them', async ({ stage, page }) => {
+  const asked: string[] = [];
+  page.on('request', (request) => asked.push(new URL(request.url()).pathname));
+  const motion = () => asked.filter((path) => path.includes('/motion-')).length;
+  await open(stage, { 'story.eml': story('<voice-text id="v">Here I stand.</voice-text>'), 'moves.eml': story(MOVE) });
+  await stage.ready();
+  expect(motion()).toBe(0);
+  const codes = () => stage.player.evaluate((p: RaconteurPlayer) => p.diagnostics.map((d) => d.code));
+  const answers = await stage.player.evaluate((p: RaconteurPlayer, text) => p.perform(text), MOVE);
+  expect(answers.map((a) => a.kind)).not.toContain('failed');
+  expect(motion()).toBe(1);
+  expect(await codes()).not.toContain('player::no-motion');
+});
+
+test('a story whose players and manipulators cannot be fetched is told without them', async ({ stage, page }) => {
+  await page.route('**/app/motion-*', (route) => route.abort());
+  await open(stage, { 'story.eml': story(`${MOVE}<voice-text id="v">Here I stand.</voice-text>`) });
+  await stage.ready();
+  expect(await stage.player.evaluate((p: RaconteurPlayer) => p.diagnostics.map((d) => d.code))).toContain('player::no-motion');
+  await stage.play();
+  await page.waitForFunction(() => window.record.events.some((e) => e.type === 'word'));
+});
+
 test('nothing is fetched from outside the story and the library', async ({ stage, page }) => {
   const asked: string[] = [];
   page.on('request', (request) => asked.push(new URL(request.url()).pathname));

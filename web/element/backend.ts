@@ -1,12 +1,15 @@
 /** Chooses between the two wasm builds and makes engines from them. */
 
 import webglUrl from '../pkg/webgl/raconteur_bg.wasm?url';
+import webglMotionUrl from '../pkg/webgl/raconteur_motion.wasm?url';
 import webgpuUrl from '../pkg/webgpu/raconteur_bg.wasm?url';
+import webgpuMotionUrl from '../pkg/webgpu/raconteur_motion.wasm?url';
 import { PlayerError, type Backend, type Engine } from './types.js';
 
 /** What the JavaScript side of a build gives for one instance. */
 interface Instance {
-  (source: { module_or_path: WebAssembly.Module }): Promise<unknown>;
+  (source: { module_or_path: WebAssembly.Module }): Promise<WebAssembly.ModuleImports>;
+  motionJoined(): void;
   Player: { create(canvas: HTMLCanvasElement | undefined): Promise<Engine> };
 }
 
@@ -15,9 +18,13 @@ const scripts: Record<Backend, () => Promise<{ default: () => unknown }>> = {
   webgl: () => import('../pkg/webgl/raconteur.js'),
 };
 const urls: Record<Backend, string> = { webgpu: webgpuUrl, webgl: webglUrl };
+/** What moves the body by players and manipulators is in a file of its own: few stories need it. */
+const motionUrls: Record<Backend, string> = { webgpu: webgpuMotionUrl, webgl: webglMotionUrl };
 
-/** Compiled once a page; each player has an instance of its own. */
-const modules = new Map<Backend, Promise<WebAssembly.Module>>();
+/** Compiled once a page, by address; each player has an instance of its own. */
+const modules = new Map<string, Promise<WebAssembly.Module>>();
+/** How the code for motion joins an engine. */
+const joins = new WeakMap<Engine, () => Promise<void>>();
 
 /** WebGPU where the browser really has an adapter, else WebGL2. */
 export async function chooseBackend(): Promise<Backend> {
@@ -32,24 +39,35 @@ export async function chooseBackend(): Promise<Backend> {
 
 /** Begins to fetch a build while the story is fetched, too; an engine made later says what went wrong. */
 export function warmUp(backend: Backend): void {
-  Promise.all([scripts[backend](), compile(backend)]).catch(() => undefined);
+  Promise.all([scripts[backend](), compile(urls[backend])]).catch(() => undefined);
 }
 
 /** A fresh engine that draws on `canvas`, or one without a picture. */
 export async function createEngine(backend: Backend, canvas: HTMLCanvasElement | undefined): Promise<Engine> {
-  const [script, module] = await Promise.all([scripts[backend](), compile(backend)]);
+  const [script, module] = await Promise.all([scripts[backend](), compile(urls[backend])]);
   const instance = script.default() as Instance;
-  await instance({ module_or_path: module });
-  return await instance.Player.create(canvas);
+  const exports = await instance({ module_or_path: module });
+  const engine = await instance.Player.create(canvas);
+  joins.set(engine, async () => {
+    await WebAssembly.instantiate(await compile(motionUrls[backend]), { '.': exports });
+    instance.motionJoined();
+  });
+  return engine;
 }
 
-function compile(backend: Backend): Promise<WebAssembly.Module> {
-  let module = modules.get(backend);
+/** Fetches the code for players and manipulators into an engine: texts that it reads later are performed whole. */
+export async function joinMotion(engine: Engine): Promise<void> {
+  await joins.get(engine)?.();
+  joins.delete(engine);
+}
+
+function compile(url: string): Promise<WebAssembly.Module> {
+  let module = modules.get(url);
   if (module === undefined) {
-    module = fetchModule(urls[backend]);
-    modules.set(backend, module);
+    module = fetchModule(url);
+    modules.set(url, module);
     // A failure is not kept: the network may come back.
-    module.catch(() => modules.delete(backend));
+    module.catch(() => modules.delete(url));
   }
   return module;
 }

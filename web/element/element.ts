@@ -256,6 +256,7 @@ export class RaconteurPlayer extends LitElement {
     await this.load();
     const show = this.#show;
     if (show === undefined) throw this.#error ?? new DOMException('The story was replaced.', 'AbortError');
+    await show.picture.equip();
     return this.#perform(show, PAGE, fragment);
   }
 
@@ -282,7 +283,7 @@ export class RaconteurPlayer extends LitElement {
     this.#awaited = Boolean(address);
     if (!address) return;
     try {
-      const { MindLink } = await import('./mind.js');
+      const [{ MindLink }] = await Promise.all([import('./mind.js'), show.picture.equip()]);
       if (this.#show !== show || this.mind !== address || this.#link !== undefined) return;
       this.#link = MindLink.open(address, {
         hello: () => ({ timeSecs: this.currentTime, endSecs: show.transport.endSecs, figure: show.figure }),
@@ -425,8 +426,9 @@ export class RaconteurPlayer extends LitElement {
     await this.load();
     const show = this.#show;
     if (show === undefined) throw this.#error ?? new DOMException('The story was replaced.', 'AbortError');
+    await show.picture.equip(text);
     // The one that came last is being read already.
-    if (text !== this.#text) return this.#diagnostics;
+    if (text !== this.#text || show !== this.#show) return this.#diagnostics;
     const story = show.picture.rehearse(text);
     if (story === undefined) return [{ code: 'live::absent', severity: 'warning', message: 'The storyteller is away for a moment.', hints: [] }];
     show.files = { ...show.files, eml: text };

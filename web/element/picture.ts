@@ -1,6 +1,6 @@
 /** The picture: an engine on a canvas, its size, and what happens when the graphics card goes away. */
 
-import { createEngine } from './backend.js';
+import { createEngine, joinMotion } from './backend.js';
 import { showImages, unusable, type FigureFile } from './figure.js';
 import type { StoryFiles } from './loader.js';
 import { PlayerError, TickStatus, type Backend, type Cue, type Diagnostic, type Engine, type Performance, type PictureStatistics, type Piece, type Quality, type Story, type View } from './types.js';
@@ -47,6 +47,8 @@ export class Picture {
   #quality: Quality = 'auto';
   #view: View | undefined;
   #openEnded = false;
+  /** Whatever comes will find its code. */
+  #equipped = false;
   /** When the first picture was drawn, on the page's clock. */
   firstShownMs: number | undefined;
 
@@ -76,7 +78,7 @@ export class Picture {
         console.warn(`raconteur: no picture from ${backend}`, error);
       }
     }
-    const engine = await createEngine(picture.#backend, undefined);
+    const engine = await picture.#engineOn(undefined);
     const story = picture.#read(engine);
     picture.#engine = engine;
     picture.#lost = true;
@@ -116,6 +118,29 @@ export class Picture {
     if (openEnded === this.#openEnded) return;
     this.#openEnded = openEnded;
     this.#guard((engine) => engine.setOpenEnded(openEnded));
+  }
+
+  /** Fetches the code that a text asks for, or without one, that any may; call it before. */
+  async equip(eml?: string): Promise<void> {
+    this.#equipped ||= eml === undefined;
+    const engine = this.#engine;
+    if (engine !== undefined) await this.#equip(engine, eml);
+  }
+
+  async #equip(engine: Engine, eml: string | undefined): Promise<void> {
+    try {
+      if (this.#equipped || (eml !== undefined && engine.lacksMotion(eml))) await joinMotion(engine);
+    } catch (error) {
+      // The engine tells what it leaves out.
+      console.warn('raconteur: no players and manipulators', error);
+    }
+  }
+
+  /** A fresh engine that has the code for the story. */
+  async #engineOn(canvas: HTMLCanvasElement | undefined): Promise<Engine> {
+    const engine = await createEngine(this.#backend, canvas);
+    await this.#equip(engine, this.#files.eml);
+    return engine;
   }
 
   /** Another text for the figure on stage; undefined while there is nobody to read it, who comes back with it. */
@@ -251,7 +276,7 @@ export class Picture {
   async #withoutPicture(): Promise<void> {
     if (this.#engine !== undefined) return;
     try {
-      const engine = await createEngine(this.#backend, undefined);
+      const engine = await this.#engineOn(undefined);
       this.#read(engine);
       engine.seek(this.#lastShown);
       if (this.#closed) release(engine);
@@ -278,7 +303,7 @@ export class Picture {
       if (canvas === this.#canvas) void this.recover();
     });
     this.#events.canvas(canvas);
-    const engine = await createEngine(this.#backend, canvas);
+    const engine = await this.#engineOn(canvas);
     let story = this.#read(engine);
     // Nobody is seen waiting for an animation.
     await this.#files.animations.fetch(engine);

@@ -1,7 +1,7 @@
 /** The builds that a page downloads pose the figure exactly as the native program does. */
 
 import { execFileSync } from 'node:child_process';
-import { readFileSync } from 'node:fs';
+import { existsSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { expect, test } from 'vitest';
 
@@ -12,39 +12,52 @@ const times = Array.from({ length: 20 }, (_, i) => 0.137 + i * 7.391);
 
 /** As much of the JavaScript side as is used here. */
 interface Instance {
-  (source: { module_or_path: WebAssembly.Module }): Promise<unknown>;
-  poseDigests(eml: string, bundle: Uint8Array, figure: string, glb: Uint8Array, times: Float64Array): string[];
+  (source: { module_or_path: WebAssembly.Module }): Promise<WebAssembly.ModuleImports>;
+  motionJoined(): void;
+  poseDigests(eml: string, bundle: Uint8Array | undefined, figure: string, glb: Uint8Array, times: Float64Array): string[];
 }
 
-const story = (path: string) => join(root, 'assets/stories/white-rabbit', path);
+const file = (story: string, path: string) => join(root, 'assets/stories', story, path);
 
-function native(): string[] {
+function native(story: string): string[] {
   const output = execFileSync(
     join(target, 'debug/raconteur'),
-    ['pose', story('story.eml'), '--at', times.join(','), '--digest', '--format', 'json'],
+    ['pose', file(story, 'story.eml'), '--at', times.join(','), '--digest', '--format', 'json'],
     { cwd: root, encoding: 'utf8' },
   );
   return (JSON.parse(output) as { digest: string }[]).map((pose) => pose.digest);
 }
 
-async function browser(backend: string): Promise<string[]> {
+/** `joined`: with the file of what only some stories need. */
+async function browser(backend: string, story: string, joined: boolean): Promise<string[]> {
   const folder = join(root, 'web/pkg', backend);
   const { default: instantiate } = (await import(join(folder, 'raconteur.js'))) as { default: () => unknown };
   const instance = instantiate() as Instance;
-  await instance({ module_or_path: await WebAssembly.compile(readFileSync(join(folder, 'raconteur_bg.wasm'))) });
+  const exports = await instance({ module_or_path: await WebAssembly.compile(readFileSync(join(folder, 'raconteur_bg.wasm'))) });
+  if (joined) {
+    await WebAssembly.instantiate(readFileSync(join(folder, 'raconteur_motion.wasm')), { '.': exports });
+    instance.motionJoined();
+  }
+  const voice = file(story, 'voice/speech.json');
   return instance.poseDigests(
-    readFileSync(story('story.eml'), 'utf8'),
-    readFileSync(story('voice/speech.json')),
+    readFileSync(file(story, 'story.eml'), 'utf8'),
+    existsSync(voice) ? readFileSync(voice) : undefined,
     'sofia',
     readFileSync(join(root, 'assets/figures/sofia.glb')),
     Float64Array.from(times),
   );
 }
 
-test('poses at twenty times are equal to the bit natively and in both builds', async () => {
-  const expected = native();
+test.each([['white-rabbit', false], ['mathematical-dance', true]])('poses of %s at twenty times are equal to the bit natively and in both builds', async (story, joined) => {
+  const expected = native(story);
   expect(expected).toHaveLength(times.length);
   expect(new Set(expected).size).toBe(times.length);
-  expect(await browser('webgpu')).toEqual(expected);
-  expect(await browser('webgl')).toEqual(expected);
+  expect(await browser('webgpu', story, joined)).toEqual(expected);
+  expect(await browser('webgl', story, joined)).toEqual(expected);
+}, 60_000);
+
+test('a story that asks for what has not joined is told without it', async () => {
+  const poses = await browser('webgpu', 'mathematical-dance', false);
+  expect(new Set(poses).size).toBe(times.length);
+  expect(poses).not.toEqual(native('mathematical-dance'));
 }, 60_000);

@@ -5,7 +5,14 @@
 import { readFileSync, writeFileSync } from 'node:fs';
 import { number, Reader, SECTION, sections } from './module.mjs';
 
-const KIND_FUNCTION = 0;
+const KIND = { function: 0, table: 1, memory: 2, global: 3 };
+
+/** Passes the limits of a table or memory. */
+function passLimits(reader) {
+  const hasMost = reader.byte() & 1;
+  reader.number();
+  if (hasMost) reader.number();
+}
 
 /** How many functions are imported: they are counted first. */
 function importedFunctions(reader) {
@@ -14,9 +21,15 @@ function importedFunctions(reader) {
     reader.name();
     reader.name();
     const kind = reader.byte();
-    if (kind !== KIND_FUNCTION) throw new Error('only functions are expected among the imports');
-    reader.number();
-    functions++;
+    if (kind === KIND.function) {
+      reader.number();
+      functions++;
+    } else if (kind === KIND.table) {
+      reader.byte();
+      passLimits(reader);
+    } else if (kind === KIND.memory) passLimits(reader);
+    else if (kind === KIND.global) reader.pass(2);
+    else throw new Error(`an import of kind ${kind} is not expected`);
   }
   return functions;
 }

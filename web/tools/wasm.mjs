@@ -1,5 +1,6 @@
-// Builds the player twice from one source: for WebGPU (small) and for WebGL2; and the
-// importer of foreign avatars, which a page loads only when it meets one.
+// Builds the player twice from one source: for WebGPU (small) and for WebGL2, each with what
+// only some stories need in a second file; and the importer of foreign avatars, which a page
+// loads only when it meets one.
 // Only Node's own modules.
 
 import { copyFileSync, existsSync, mkdirSync, rmSync } from 'node:fs';
@@ -7,16 +8,20 @@ import { homedir } from 'node:os';
 import { isAbsolute, join } from 'node:path';
 import { nameByLikeness } from './order.mjs';
 import { shortenImports } from './shorten.mjs';
+import { split } from './split.mjs';
 import { once, root, run, Stop } from './steps.mjs';
 
 /** The back ends, each with a build of its own. */
 export const backends = ['webgpu', 'webgl'];
 
+/** Functions that the rest calls only where a story asks for players or manipulators. */
+const doors = /^\$"<?raconteur_(actor|player)\[\w+\]::motion::/;
+
 /** Every build: cargo's feature and the folder in web/pkg/. */
 const builds = [...backends, 'avatar'];
 
 /** The programs that shape a build: what they change is built anew. */
-const tools = ['bindgen', 'wasm.mjs', 'module.mjs', 'order.mjs', 'shorten.mjs'].map((name) => `web/tools/${name}`);
+const tools = ['bindgen', 'wasm.mjs', 'module.mjs', 'order.mjs', 'shorten.mjs', 'split.mjs'].map((name) => `web/tools/${name}`);
 
 /** Builds all variants into web/pkg/. */
 export async function buildWasm() {
@@ -24,6 +29,7 @@ export async function buildWasm() {
     const folder = `web/pkg/${feature}`;
     const inputs = ['crate', 'Cargo.toml', 'Cargo.lock', 'rust-toolchain.toml', 'web/tools/bindgen', ...tools];
     const outputs = [`${folder}/raconteur.js`, `${folder}/raconteur_bg.wasm`];
+    if (backends.includes(feature)) outputs.push(`${folder}/raconteur_motion.wasm`);
     await once(`wasm-${feature}`, { inputs, outputs }, () => build(feature, folder));
   }
 }
@@ -54,15 +60,30 @@ function build(feature, folder) {
   });
   rmSync(taken);
   const module = join(root, folder, 'raconteur_bg.wasm');
-  // binaryen from npm: distributions carry versions old enough to break reference types.
-  const wasmOpt = (...args) => run(process.execPath, [
-    join(root, 'node_modules/binaryen/bin/wasm-opt'), module, '-o', module, ...args,
+  const modules = [module];
+  if (backends.includes(feature)) {
+    const motion = join(root, folder, 'raconteur_motion.wasm');
+    const texts = modules.concat(motion).map((path) => path.replace(/wasm$/, 'wat'));
+    binaryen('wasm-dis', module, '-o', texts[0]);
+    split(...texts, doors);
+    modules.push(motion);
+    modules.forEach((path, i) => binaryen('wasm-as', texts[i], '-o', path));
+    texts.forEach((path) => rmSync(path));
+  }
+  for (const path of modules) {
+    // Nothing lives below 1024 (the end of the stack is there), so offsets fold into loads.
+    binaryen('wasm-opt', path, '-o', path, '-Oz', '--low-memory-unused');
+    nameByLikeness(path);
+    binaryen('wasm-opt', path, '-o', path, '--reorder-functions-by-name');
+  }
+  shortenImports(module, join(root, folder, 'raconteur.js'));
+}
+
+/** Runs one of binaryen's programs, from npm: distributions carry versions old enough to break reference types. */
+function binaryen(program, ...args) {
+  run(process.execPath, [
+    join(root, 'node_modules/binaryen/bin', program), ...args,
     '--enable-bulk-memory', '--enable-reference-types', '--enable-nontrapping-float-to-int',
     '--enable-sign-ext', '--enable-mutable-globals', '--enable-multivalue',
-  ], { why: 'Shrinking the wasm file' });
-  // Nothing lives below 1024 (the end of the stack is there), so offsets fold into loads.
-  wasmOpt('-Oz', '--low-memory-unused');
-  nameByLikeness(module);
-  wasmOpt('--reorder-functions-by-name');
-  shortenImports(module, join(root, folder, 'raconteur.js'));
+  ], { why: 'Shrinking the wasm files' });
 }

@@ -19,6 +19,7 @@ pub mod idle;
 pub mod kinematics;
 pub mod lips;
 pub mod manipulator;
+mod motion;
 pub mod palm;
 pub mod performance;
 pub mod wrist;

@@ -5,7 +5,7 @@ use raconteur_body::{Bone, Pose, Skeleton};
 use raconteur_speech::phones::{self, Class};
 use raconteur_speech::{Phone, Word};
 
-use crate::animation::{Animated, Library, PlayerScript, Players};
+use crate::animation::{Animated, Library, PlayerScript};
 use crate::arm_ik::{ArmGoal, ArmRig, ArmSolution};
 use crate::face::{Expression, FaceRig};
 use crate::gesture::contact::{Contact, PlacedHand};
@@ -17,7 +17,8 @@ use crate::idle::stream;
 use crate::idle::trunk::{Beat, SpeechRhythm, Trunk, bump, spine};
 use crate::kinematics::{rotation_of, world_from_bone};
 use crate::lips::{LipTrack, MouthTargets};
-use crate::manipulator::{ManipulatorScript, Manipulators, Sex};
+use crate::manipulator::{ManipulatorScript, Sex};
+use crate::motion::{self, Motion};
 
 /// A pause in speech at least this long may blink, seconds.
 const PAUSE_SECS: f64 = 0.15;
@@ -116,12 +117,12 @@ pub struct Report {
 pub struct Actor {
     plans: [ArmPlan; 2],
     rigs: [ArmRig; 2],
-    manipulators: Manipulators,
+    /// Only where the performance has players or manipulators.
+    motion: Option<Box<Motion>>,
     space: BodySpace,
     contact: Contact,
     stance: Stance,
     trunk: Trunk,
-    players: Players,
     rhythm: SpeechRhythm,
     gaze: Gaze,
     blinks: Blinks,
@@ -157,27 +158,22 @@ impl Actor {
             1.0
         };
         let space = BodySpace::new(skeleton, performance.trunk);
-        let way = performance.manipulators.figure_from_world();
+        let way = &performance.manipulators;
+        let seen = (!way.moves.is_empty()).then(|| motion::seen_on_the_way(performance));
+        let arms = seen.as_ref().unwrap_or(&performance.arms);
+        let is_moved = !(way.moves.is_empty()
+            && way.commands.is_empty()
+            && performance.players.commands.is_empty());
         let mut actor = Self {
             plans: Side::BOTH.map(|side| {
-                let script = &performance.arms[side.index()];
-                let seen = way.as_ref().map(|way| script.seen_by(way));
-                ArmPlan::new(
-                    seen.as_ref().unwrap_or(script),
-                    skeleton,
-                    &space,
-                    side,
-                    seed,
-                    amount,
-                )
+                ArmPlan::new(&arms[side.index()], skeleton, &space, side, seed, amount)
             }),
             rigs: Side::BOTH.map(|side| ArmRig::new(skeleton, side)),
-            manipulators: Manipulators::at_rest(skeleton, performance.sex),
+            motion: is_moved.then(|| Motion::new(performance, skeleton)),
             contact: Contact::new(skeleton, &space),
             space,
             stance: Stance::new(skeleton, seed),
             trunk: Trunk { seed },
-            players: Players::new(&performance.players, &performance.library, skeleton).0,
             rhythm: SpeechRhythm::new(&spans, &beats),
             gaze: Gaze::new(&clauses, seed),
             blinks: Blinks::new(&pauses, seed, amount),
@@ -190,20 +186,16 @@ impl Actor {
             amount,
             listener_in_world: performance.listener_in_world,
         };
-        let idle = |t: f64, pose: &mut Pose| {
-            actor.trunk(skeleton, t, pose);
-            let animated = actor.players.apply(skeleton, t, pose);
-            actor.arms(skeleton, t, animated.as_ref(), pose);
-            actor.head(
-                skeleton,
-                t,
-                actor.listener_in_world,
-                animated.as_ref(),
-                pose,
-            );
-        };
-        actor.manipulators =
-            Manipulators::new(&performance.manipulators, skeleton, performance.sex, &idle);
+        if let Some(motion) = &actor.motion {
+            let idle = |t: f64, pose: &mut Pose| {
+                actor.trunk(skeleton, t, pose);
+                let animated = motion.animate(skeleton, t, pose);
+                let animated = animated.as_ref();
+                actor.arms(skeleton, t, animated, pose);
+                actor.head(skeleton, t, actor.listener_in_world, animated, pose);
+            };
+            actor.motion = Some(motion.lead(performance, skeleton, &idle));
+        }
         actor
     }
 
@@ -222,7 +214,7 @@ impl Actor {
     /// where it never does.
     #[must_use]
     pub fn world_from_figure(&self, time_secs: f64) -> Option<DAffine3> {
-        self.manipulators.world_from_figure(time_secs)
+        self.motion.as_ref()?.world_from_figure(time_secs)
     }
 
     /// Evaluates the figure at a story time into a pose and morph weights (in the order of
@@ -243,18 +235,21 @@ impl Actor {
             0.0
         };
         // Until the end everything is in the axes of the figure, which may be on its way.
-        let moved = self.manipulators.world_from_figure(t);
+        let moved = self.world_from_figure(t);
         let listener = match &moved {
             Some(moved) => moved.inverse().transform_point3(self.listener_in_world),
             None => self.listener_in_world,
         };
         self.trunk(skeleton, t, pose);
-        let animated = self.players.apply(skeleton, t, pose);
+        let motion = self.motion.as_deref();
+        let animated = motion.and_then(|motion| motion.animate(skeleton, t, pose));
         let animated = animated.as_ref();
-        self.manipulators.lean(skeleton, t, pose);
+        if let Some(motion) = motion {
+            motion.lean(skeleton, t, pose);
+        }
         let (arms, mut wrist_goals_in_world, rest_shares) = self.arms(skeleton, t, animated, pose);
         let mut wrist_errors_m = arms.map(|a| a.error_m);
-        let led = self.manipulators.limbs(skeleton, t, pose);
+        let led = motion.map_or([None; 4], |motion| motion.limbs(skeleton, t, pose));
         for (i, led) in led.iter().take(2).enumerate() {
             if let Some(led) = led {
                 wrist_goals_in_world[i] = led.target.position;
@@ -275,7 +270,9 @@ impl Actor {
             }
         }
         self.head(skeleton, t, listener, animated, pose);
-        self.manipulators.head(skeleton, t, pose);
+        if let Some(motion) = motion {
+            motion.head(skeleton, t, pose);
+        }
         let eye_pitch_rad = self.eyes(skeleton, face, t, listener, pose);
         let mouth = self.mouth(t);
         let expression = self.expression(t);
@@ -359,7 +356,7 @@ impl Actor {
             }
             if let Some(animated) = animated {
                 let fingers = targets[i].finger_rest_share;
-                animated.blend_arm(side, targets[i].rest_share, fingers, pose);
+                motion::blend_arm(animated, side, targets[i].rest_share, fingers, pose);
             }
         }
         let rest_shares = targets.each_ref().map(|target| target.rest_share);

@@ -10,11 +10,10 @@ use raconteur_base::order::sort_by_number;
 use raconteur_base::{DVec3, Side};
 use raconteur_speech::{Phone, Word};
 
-use crate::animations;
 use crate::cues::{self, Cue, UtteranceCue};
 use crate::geometry::{self, Switch};
 use crate::gestures;
-use crate::manipulators;
+use crate::motion;
 use crate::music::{self, MusicClause};
 use crate::performer::Options;
 use crate::script::Script;
@@ -58,11 +57,16 @@ impl Part {
     ) -> Self {
         let (document, timeline) = (&script.document, &script.timeline);
         let utterances = cues::utterances(script);
+        let (manipulators, players) = if script.moves {
+            motion::lower(script, units)
+        } else {
+            Default::default()
+        };
         Self {
             strokes: Side::BOTH.map(|side| gestures::strokes(document, timeline, side, units)),
-            manipulators: manipulators::script(document, timeline, units),
+            manipulators,
             switches: gestures::switches(document, timeline),
-            players: animations::commands(document, timeline).0,
+            players,
             geometry: geometry::switches(document, timeline),
             speech: utterances.iter().map(|u| spoken(script, u)).collect(),
             shots: views::shots(script),
@@ -102,7 +106,7 @@ pub(crate) fn performance<'a>(
                 .collect(),
             on: on.clone(),
         }),
-        manipulators: manipulators::together(parts.clone().map(|p| &p.manipulators)),
+        manipulators: together(parts.clone()),
         speech: parts.flat_map(|p| p.speech.iter().cloned()).collect(),
         seed: options.seed,
         motion_amount: options.motion_amount,
@@ -110,6 +114,24 @@ pub(crate) fn performance<'a>(
         sex: Sex::default(),
         trunk: Some(trunk),
     }
+}
+
+/// What all parts ask of manipulators.
+fn together<'a>(parts: impl Iterator<Item = &'a Part>) -> ManipulatorScript {
+    let asking: Vec<&ManipulatorScript> = parts
+        .map(|p| &p.manipulators)
+        .filter(|script| is_asked(script))
+        .collect();
+    if asking.is_empty() {
+        ManipulatorScript::default()
+    } else {
+        motion::together(&asking)
+    }
+}
+
+/// Whether a script asks anything of manipulators.
+pub(crate) fn is_asked(script: &ManipulatorScript) -> bool {
+    !(script.commands.is_empty() && script.moves.is_empty())
 }
 
 /// What the actor needs to know of an utterance: phones for the lips, words, accents.

@@ -12,14 +12,13 @@ use raconteur_body::{Figure, Pose};
 use raconteur_eml::{Diagnostic, Timeline};
 use raconteur_stage::{Camera, Frame, Room, Shot, SpeechNow, View};
 
-use crate::animations;
 use crate::cues::{Cue, UtteranceCue};
 use crate::event::Event;
 use crate::geometry::Geometry;
 use crate::gestures::{self, Reach};
 use crate::layers::Layers;
 use crate::live::{self, Live, Performed, Scene};
-use crate::manipulators;
+use crate::motion;
 use crate::music::{self, MusicClause, MusicCue};
 use crate::part::{self, Part};
 use crate::script::Script;
@@ -38,6 +37,9 @@ pub struct Options {
     /// No less room than this is kept for gestures, however small the script's own are:
     /// while one edits a script the picture stands still.
     pub room: Room,
+    /// What moves the body by players and manipulators is there; a browser fetches its code
+    /// only for stories that ask for it.
+    pub motion: bool,
 }
 
 impl Default for Options {
@@ -47,6 +49,7 @@ impl Default for Options {
             motion_amount: 1.0,
             shot: Shot::Medium,
             room: Room::default(),
+            motion: true,
         }
     }
 }
@@ -120,16 +123,20 @@ impl Player {
     /// Reads a story and prepares its performance. Never fails; see [`Loaded::diagnostics`].
     #[must_use]
     pub fn load(input: StoryInput<'_>) -> Loaded {
-        let script = Script::read(input.eml, input.bundle);
+        let mut script = Script::read(input.eml, input.bundle);
+        if !input.options.motion {
+            script.hold_still();
+        }
         let figure = input.figure;
         let units = Units::of(&figure.skeleton);
 
         let reach = Reach::of(&figure.skeleton);
         let mut diagnostics = script.diagnostics.clone();
         diagnostics.extend(gestures::out_of_reach(&script.document, &units, &reach));
-        diagnostics.extend(manipulators::problems(&script.document, &units, &reach));
-        let (document, timeline) = (&script.document, &script.timeline);
-        diagnostics.extend(animations::problems(document, timeline, &figure.skeleton));
+        if script.moves {
+            diagnostics.extend(motion::problems(&script, &units, &reach));
+            diagnostics.extend(motion::without_effect(&script, &figure.skeleton));
+        }
 
         let story = Part::new(&script, &units, 0, None);
         let live = Live::new(story.utterances.len());
@@ -289,6 +296,7 @@ impl Player {
             marks: &self.script.timeline.marks,
             sets: &self.script.document.sets,
             actor: self.layers.actor(),
+            motion: self.options.motion,
         };
         let performed = self.live.admit(mind, fragment, now_secs, base_secs, &scene);
         if !performed.clauses.is_empty() {
@@ -346,19 +354,24 @@ impl Player {
     /// broken; the rest plays. What comes while the story plays eases in.
     pub fn provide_animations(&mut self, clips: &[(&str, Option<&str>)]) -> Vec<Diagnostic> {
         let mut diagnostics = Vec::new();
+        if !self.options.motion {
+            return diagnostics;
+        }
         for (name, text) in clips {
             let problem = match text {
-                Some(text) => self.library.add(name, text).err().map(|why| {
-                    let message = format!("the animation `{name}` cannot be read: {why}");
-                    ("player::bad-animation", message)
-                }),
+                Some(text) => motion::learn(&mut self.library, name, text)
+                    .err()
+                    .map(|why| {
+                        let message = format!("the animation `{name}` cannot be read: {why}");
+                        ("player::bad-animation", message)
+                    }),
                 None => {
                     let message = format!("the animation `{name}` was not found; it is left out");
                     Some(("player::no-animation", message))
                 }
             };
             if let Some((code, message)) = problem {
-                let wanted = animations::wanted(&self.script.document);
+                let wanted = motion::wanted(&self.script.document);
                 let used = wanted.into_iter().find(|(n, _)| n == name);
                 let span = used.map(|(_, span)| span).unwrap_or_default();
                 self.missing.push((*name).to_owned());
@@ -566,12 +579,13 @@ fn rehearse<'a>(
     let stature_m = figure.skeleton.stature_m();
     let hand_m = HAND_LENGTH * stature_m;
     let rooms = parts.clone().flat_map(|p| {
+        let asked = part::is_asked(&p.manipulators);
         [
-            gestures::room(&p.strokes, hand_m),
-            manipulators::room(&p.manipulators, hand_m),
+            Some(gestures::room(&p.strokes, hand_m)),
+            asked.then(|| motion::room(&p.manipulators, hand_m)),
         ]
     });
-    let room = rooms.fold(held, |a, b| Room {
+    let room = rooms.flatten().fold(held, |a, b| Room {
         top_m: a.top_m.max(b.top_m),
         half_width_m: a.half_width_m.max(b.half_width_m),
     });

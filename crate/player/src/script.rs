@@ -8,7 +8,7 @@ use raconteur_eml::{
 };
 use raconteur_speech::{Bundle, Content, Phone, Utterance};
 
-use crate::animations;
+use crate::motion;
 use crate::voice::{KnownDurations, content_of, find_utterance};
 
 /// A script with everything resolved that needs no figure.
@@ -22,6 +22,8 @@ pub struct Script {
     pub diagnostics: Vec<Diagnostic>,
     /// The speech, where it was baked.
     pub(crate) bundle: Option<Arc<Bundle>>,
+    /// It asks for players, manipulators or motions of the figure, and they are there.
+    pub(crate) moves: bool,
 }
 
 /// What a script takes from outside to know its times.
@@ -84,11 +86,23 @@ impl Script {
         diagnostics.extend(crate::unperformed::report(&document));
         raconteur_base::order::sort_by_number(&mut diagnostics, |d| f64::from(d.span.start));
         Self {
+            moves: asked(&document).is_some(),
             document,
             timeline: resolved.timeline,
             diagnostics,
             bundle,
         }
+    }
+
+    /// Leaves out what is asked of players and manipulators, because they are not there.
+    pub(crate) fn hold_still(&mut self) {
+        if let Some(span) = asked(&self.document) {
+            let message = "what moves the body by players and manipulators is not there; \
+                           it is left out";
+            let missing = Diagnostic::warning("player::no-motion", span, message);
+            self.diagnostics.push(missing);
+        }
+        self.moves = false;
     }
 
     /// Gives every clause its time anew, now that the lengths of these animations are known.
@@ -104,7 +118,10 @@ impl Script {
     /// and the player need the texts of.
     #[must_use]
     pub fn wanted_animations(&self) -> Vec<String> {
-        let wanted = animations::wanted(&self.document).into_iter();
+        if !self.moves {
+            return Vec::new();
+        }
+        let wanted = motion::wanted(&self.document).into_iter();
         wanted.map(|(name, _)| name.to_owned()).collect()
     }
 
@@ -133,6 +150,41 @@ impl Script {
     pub(crate) fn phone_set(&self) -> &str {
         self.bundle.as_ref().map_or("radio", |b| &b.phone_set)
     }
+}
+
+/// Where a document first asks for players, manipulators or a motion of the whole figure.
+pub(crate) fn asked(document: &Document) -> Option<Span> {
+    let mut clauses = document.iter();
+    let found = clauses.find(|(_, clause)| {
+        matches!(
+            clause.kind,
+            ClauseKind::DeterministicAnimation(_)
+                | ClauseKind::DeterministicTrackProperty(_)
+                | ClauseKind::DeterministicPrimitive(_)
+                | ClauseKind::PlayerAdd(_)
+                | ClauseKind::PlayerSetExclusive(_)
+                | ClauseKind::PlayerChangePriority(_)
+                | ClauseKind::PlayerRemove(_)
+                | ClauseKind::PlayerClear
+                | ClauseKind::VhMove(_)
+                | ClauseKind::ConfigureManipulator(_)
+                | ClauseKind::ForwardKinematics(_)
+                | ClauseKind::JointInterpolation(_)
+                | ClauseKind::FrameInterpolation(_)
+                | ClauseKind::ManipulatorFunction(_)
+                | ClauseKind::Jacobian(_)
+                | ClauseKind::ManipulatorStop(_)
+                | ClauseKind::ManipulatorLock(_)
+        )
+    });
+    found.map(|(_, clause)| clause.tag_span)
+}
+
+/// Whether a text asks for what a browser may not have fetched, see
+/// [`Options::motion`](crate::Options::motion).
+#[must_use]
+pub fn asks_for_motion(eml: &str) -> bool {
+    asked(&parse(eml).document).is_some()
 }
 
 /// The time that an arm needs to come from rest to any first stroke, seconds. Longest

@@ -21,8 +21,9 @@ fn stories() -> Vec<PathBuf> {
         .collect();
     stories.sort();
     // A dance to music alone has nothing to say, and so no voice.
-    let (spoken, silent): (Vec<PathBuf>, Vec<PathBuf>) =
-        stories.into_iter().partition(|story| !said(story).is_empty());
+    let (spoken, silent): (Vec<PathBuf>, Vec<PathBuf>) = stories
+        .into_iter()
+        .partition(|story| !said(story).is_empty());
     assert!(spoken.len() >= 3, "{spoken:?}");
     for story in silent {
         assert!(!story.join("voice").exists(), "{}", story.display());

@@ -44,4 +44,4 @@ mod measure;
 #[cfg(all(target_arch = "wasm32", not(feature = "avatar")))]
 mod player;
 #[cfg(all(target_arch = "wasm32", not(feature = "avatar")))]
-pub use player::{Player, pose_digests};
+pub use player::{Player, motion_joined, pose_digests};

@@ -1,12 +1,13 @@
 //! The class that JavaScript holds.
 
 use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use raconteur_player::body::Figure;
 use raconteur_player::body::figure::Image;
 use raconteur_player::body::read::read_figure;
 use raconteur_player::stage::{Room, View};
-use raconteur_player::{Options, Player as Performer, StoryInput};
+use raconteur_player::{Options, Player as Performer, StoryInput, asks_for_motion};
 use raconteur_render::{Backend, CanvasTarget, Pace, Quality, RenderOptions, RenderStatus};
 use serde::Serialize;
 use serde_wasm_bindgen::Serializer;
@@ -20,6 +21,10 @@ compile_error!("a build for the browser needs the feature `webgpu` or `webgl`");
 
 /// Largest side of the canvas, device pixels: 8K, and no more memory than that.
 const MOST_PIXELS: f64 = 8192.0;
+
+/// Whether what moves the body by players and manipulators has joined this instance: its code
+/// is in a file of its own, see `web/tools/split.mjs`.
+static MOTION: AtomicBool = AtomicBool::new(false);
 
 /// What became of a tick; `TickStatus` in `web/element/types.ts`.
 #[derive(Clone, Copy)]
@@ -93,6 +98,13 @@ impl Player {
         }
         self.performer = Some(performer);
         plain(&story)
+    }
+
+    /// Whether a text asks for code that has not joined this instance; without it, that is
+    /// left out, and told.
+    #[wasm_bindgen(js_name = lacksMotion)]
+    pub fn lacks_motion(&self, eml: &str) -> bool {
+        !MOTION.load(Ordering::Relaxed) && asks_for_motion(eml)
     }
 
     /// How many pictures the figure has, for the page to decode.
@@ -265,6 +277,13 @@ impl Player {
     }
 }
 
+/// The code for players and manipulators has joined this instance: texts read from now on
+/// use it.
+#[wasm_bindgen(js_name = motionJoined)]
+pub fn motion_joined() {
+    MOTION.store(true, Ordering::Relaxed);
+}
+
 /// Digests of a story's poses at some times, in hexadecimal: equal ones mean that native
 /// and wasm agree to the last bit.
 #[wasm_bindgen(js_name = poseDigests)]
@@ -308,6 +327,7 @@ pub(crate) fn read(
         options: Options {
             motion_amount,
             room,
+            motion: MOTION.load(Ordering::Relaxed),
             ..Options::default()
         },
     });

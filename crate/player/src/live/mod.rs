@@ -17,7 +17,7 @@ use raconteur_speech::Bundle;
 
 use crate::cues::{ClauseRef, Cue, CueKind, UtteranceCue};
 use crate::gestures::{Reach, out_of_reach};
-use crate::manipulators;
+use crate::motion;
 use crate::part::Part;
 use crate::script::{Script, Sources, delayed};
 use crate::units::Units;
@@ -107,6 +107,8 @@ pub(crate) struct Scene<'a> {
     pub(crate) marks: &'a SortedMap<Name, f64>,
     /// Who performs before the fragment joins.
     pub(crate) actor: &'a Actor,
+    /// Players and manipulators are there.
+    pub(crate) motion: bool,
 }
 
 /// The live part of a performance.
@@ -246,12 +248,17 @@ impl Live {
             library: scene.library,
         };
         let mut script = Script::resolve(parsed, sources, scene.bundle.is_some());
+        if !scene.motion {
+            script.hold_still();
+        }
         performed.diagnostics.append(&mut script.diagnostics);
         let (document, units) = (&script.document, scene.units);
         let far = out_of_reach(document, units, scene.reach);
         performed.diagnostics.extend(far);
-        let limbs = manipulators::problems(document, units, scene.reach);
-        performed.diagnostics.extend(limbs);
+        if script.moves {
+            let limbs = motion::problems(&script, units, scene.reach);
+            performed.diagnostics.extend(limbs);
+        }
         script.timeline = delayed(script.timeline, base_secs);
         let sudden = Part::new(&script, scene.units, 0, None);
         let run_up_secs = run_up(&sudden, scene.actor, base_secs);
