@@ -201,6 +201,11 @@ impl Player {
             .max(self.open_until_secs)
     }
 
+    /// What [`Options::motion`] means is there from now on, or not, for what joins later.
+    pub fn set_motion(&mut self, motion: bool) {
+        self.options.motion = motion;
+    }
+
     /// Whether the clock may pass the end, because more may come: while a mind listens.
     pub fn set_open_ended(&mut self, open_ended: bool) {
         self.open_ended = open_ended;

@@ -1,13 +1,12 @@
 //! Playing allocates nothing: counted by the allocator.
 
+mod common;
+
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
-use std::fs;
-use std::path::Path;
-use std::sync::Arc;
 
-use raconteur_player::body::read::read_figure;
-use raconteur_player::{Options, Player, StoryInput};
+use common::{figure, perform, story};
+use raconteur_player::{Options, Player};
 
 thread_local! {
     static COUNT: Cell<usize> = const { Cell::new(0) };
@@ -57,21 +56,8 @@ const GESTURES: &str = "<eml xmlns:r='urn:raconteur:eml:1'><body>
     <gesture-key time='3' duration='1' handedness='both' r:phase='retraction'/>
     <null time='6'/></body></eml>";
 
-fn assets() -> std::path::PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../assets")
-}
-
 /// Allocations while a story is played at 60 frames a second, the first frame aside.
-fn allocations(eml: &str, bundle: Option<&[u8]>) -> usize {
-    let file = assets().join("figures/sofia.glb");
-    let figure = read_figure("sofia", &fs::read(file).expect("a figure")).expect("a figure");
-    let mut player = Player::load(StoryInput {
-        eml,
-        bundle,
-        figure: Arc::new(figure),
-        options: Options::default(),
-    })
-    .player;
+fn allocations(mut player: Player) -> usize {
     player.frame(0.0, 1.6);
     let frames = (player.end_secs() * 60.0) as u32;
     let before = COUNT.with(Cell::get);
@@ -90,13 +76,15 @@ fn the_count_counts() {
 
 #[test]
 fn a_frame_of_gestures_allocates_nothing() {
-    assert_eq!(allocations(GESTURES, None), 0);
+    let player = perform(GESTURES, None, figure(), Options::default()).player;
+    assert_eq!(allocations(player), 0);
 }
 
 #[test]
 fn a_frame_of_a_story_allocates_nothing() {
-    let story = assets().join("stories/white-rabbit");
-    let eml = fs::read_to_string(story.join("story.eml")).expect("a story");
-    let bundle = fs::read(story.join("voice/speech.json")).expect("its voice");
-    assert_eq!(allocations(&eml, Some(&bundle)), 0);
+    // Gestures; animation players; manipulators.
+    for name in ["white-rabbit", "step-lesson", "mathematical-dance"] {
+        let player = story(name, figure(), Options::default()).player;
+        assert_eq!(allocations(player), 0, "{name}");
+    }
 }

@@ -1,26 +1,11 @@
 //! Animations in stories: which are wanted, how they come, and how live fragments play them.
 
-use std::fs;
-use std::path::Path;
-use std::sync::{Arc, OnceLock};
+mod common;
 
-use raconteur_player::body::read::read_figure;
-use raconteur_player::body::{Bone, Figure};
+use common::{equip, figure, perform, text};
+use raconteur_player::body::Bone;
 use raconteur_player::live::limits;
-use raconteur_player::{Options, Player, StoryInput};
-
-fn asset(path: &str) -> Vec<u8> {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("../../assets")
-        .join(path);
-    fs::read(&path).unwrap_or_else(|e| panic!("{}: {e}", path.display()))
-}
-
-fn figure() -> Arc<Figure> {
-    static FIGURE: OnceLock<Arc<Figure>> = OnceLock::new();
-    let read = || Arc::new(read_figure("sofia", &asset("figures/sofia.glb")).expect("a figure"));
-    Arc::clone(FIGURE.get_or_init(read))
-}
+use raconteur_player::{Options, Player};
 
 fn player(body: &str) -> Player {
     let eml = format!("<eml><body>{body}</body></eml>");
@@ -28,32 +13,7 @@ fn player(body: &str) -> Player {
         motion_amount: 0.0,
         ..Options::default()
     };
-    Player::load(StoryInput {
-        eml: &eml,
-        bundle: None,
-        figure: figure(),
-        options,
-    })
-    .player
-}
-
-/// Brings what is wanted from the library.
-fn equip(player: &mut Player) -> Vec<&'static str> {
-    let texts: Vec<(String, Option<String>)> = player
-        .wanted_animations()
-        .into_iter()
-        .map(|name| {
-            let path = format!("../../assets/animations/{name}.json");
-            let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(path);
-            (name, fs::read_to_string(path).ok())
-        })
-        .collect();
-    let clips: Vec<(&str, Option<&str>)> = texts
-        .iter()
-        .map(|(n, t)| (n.as_str(), t.as_deref()))
-        .collect();
-    let told = player.provide_animations(&clips);
-    told.into_iter().map(|d| d.code).collect()
+    perform(&eml, None, figure(), options).player
 }
 
 const ADD: &str = "<body-player-add time='0' name='p' type='multiple' numberOfLayers='1'/>";
@@ -115,7 +75,7 @@ fn the_order_in_which_animations_come_does_not_matter() {
     equip(&mut at_once);
     let mut one_by_one = player(&body);
     for name in ["wave", "step-march"] {
-        let text = String::from_utf8(asset(&format!("animations/{name}.json"))).expect("UTF-8");
+        let text = text(&format!("animations/{name}.json"));
         one_by_one.provide_animations(&[(name, Some(&text))]);
     }
     for i in 0..40 {

@@ -1,43 +1,22 @@
 //! Live performance: clauses that come while a story plays.
 
-use std::fs;
-use std::path::PathBuf;
-use std::sync::{Arc, OnceLock};
+mod common;
 
-use raconteur_player::body::read::read_figure;
-use raconteur_player::body::{Bone, Figure};
+use common::{asset, figure, perform, text};
+use raconteur_player::body::Bone;
 use raconteur_player::live::{Performed, limits};
-use raconteur_player::{Event, Options, Player, StoryInput};
-
-fn asset(path: &str) -> Vec<u8> {
-    let path = PathBuf::from(env!("CARGO_MANIFEST_DIR"))
-        .join("../../assets")
-        .join(path);
-    fs::read(&path).unwrap_or_else(|e| panic!("{}: {e}", path.display()))
-}
-
-fn figure() -> Arc<Figure> {
-    static FIGURE: OnceLock<Arc<Figure>> = OnceLock::new();
-    let read = || Arc::new(read_figure("sofia", &asset("figures/sofia.glb")).expect("a figure"));
-    Arc::clone(FIGURE.get_or_init(read))
-}
+use raconteur_player::{Event, Options, Player};
 
 /// A player of `eml` with the voice of `hello-world`, open-ended.
 fn player(eml: &str) -> Player {
     let bundle = asset("stories/hello-world/voice/speech.json");
-    let mut player = Player::load(StoryInput {
-        eml,
-        bundle: Some(&bundle),
-        figure: figure(),
-        options: Options::default(),
-    })
-    .player;
+    let mut player = perform(eml, Some(&bundle), figure(), Options::default()).player;
     player.set_open_ended(true);
     player
 }
 
 fn hello_world() -> Player {
-    player(&String::from_utf8(asset("stories/hello-world/story.eml")).expect("UTF-8"))
+    player(&text("stories/hello-world/story.eml"))
 }
 
 const WAITING: &str = "<eml><body/></eml>";

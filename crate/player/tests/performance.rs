@@ -1,41 +1,19 @@
 //! Properties of whole performances: the shipped stories, played by the shipped figure.
 
-use std::fs;
-use std::path::PathBuf;
-use std::sync::{Arc, OnceLock};
+mod common;
 
+use common::{figure, perform, story};
 use raconteur_base::noise;
-use raconteur_player::body::read::read_figure;
-use raconteur_player::body::{Bone, Figure};
-use raconteur_player::{CueKind, Loaded, Options, Player, StoryInput};
-
-fn asset(path: &str) -> Vec<u8> {
-    let path = PathBuf::from(env!("CARGO_MANIFEST_DIR"))
-        .join("../../assets")
-        .join(path);
-    fs::read(&path).unwrap_or_else(|e| panic!("{}: {e}", path.display()))
-}
-
-fn figure() -> Arc<Figure> {
-    static FIGURE: OnceLock<Arc<Figure>> = OnceLock::new();
-    let read = || Arc::new(read_figure("sofia", &asset("figures/sofia.glb")).expect("a figure"));
-    Arc::clone(FIGURE.get_or_init(read))
-}
+use raconteur_player::body::Bone;
+use raconteur_player::{CueKind, Loaded, Options, Player, asks_for_motion};
 
 fn load(name: &str) -> Loaded {
-    let eml = String::from_utf8(asset(&format!("stories/{name}/story.eml"))).expect("UTF-8");
-    let bundle = asset(&format!("stories/{name}/voice/speech.json"));
-    Player::load(StoryInput {
-        eml: &eml,
-        bundle: Some(&bundle),
-        figure: figure(),
-        options: Options::default(),
-    })
+    story(name, figure(), Options::default())
 }
 
 #[test]
 fn seeking_to_a_time_shows_what_playing_to_it_shows() {
-    for name in ["hello-world", "white-rabbit"] {
+    for name in ["hello-world", "white-rabbit", "step-lesson"] {
         let mut played = load(name).player;
         let mut sought = load(name).player;
         let end = played.duration_secs();
@@ -150,12 +128,7 @@ fn the_greeting_hand_is_above_the_head_when_she_says_hello() {
 #[test]
 fn a_story_without_voice_still_moves_its_lips() {
     let eml = "<eml><body><voice-text time='0'>Once upon a time</voice-text></body></eml>";
-    let mut loaded = Player::load(StoryInput {
-        eml,
-        bundle: None,
-        figure: figure(),
-        options: Options::default(),
-    });
+    let mut loaded = perform(eml, None, figure(), Options::default());
     assert!(
         loaded
             .diagnostics
@@ -174,4 +147,40 @@ fn a_story_without_voice_still_moves_its_lips() {
         (turn.col(0).x - 1.0).abs() > 1e-4
     });
     assert!(moved);
+}
+
+#[test]
+fn what_is_not_there_is_told_once_and_the_rest_performs() {
+    let eml = "<eml><body>
+        <voice-text time='0'>Here I stand</voice-text>
+        <vh-move time='0' functionName='segment'><function-args><arg name='timePeriod' value='1'/>
+            <arg name='endX' value='9'/></function-args></vh-move>
+        <body-player-add time='0' name='p' type='multiple' numberOfLayers='1'/>
+        <body-deterministic-primitive time='0' primitive='push' player='p'
+            animationSetName='sit'/></body></eml>";
+    let still = Options {
+        motion: false,
+        motion_amount: 0.0,
+        ..Options::default()
+    };
+    let told = |loaded: &Loaded| {
+        let all = loaded.diagnostics.iter();
+        all.filter(|d| d.code == "player::no-motion").count()
+    };
+    let mut without = perform(eml, None, figure(), still);
+    assert_eq!(told(&without), 1);
+    assert_eq!(without.player.wanted_animations(), [""; 0]);
+    assert!(!without.player.utterances().is_empty());
+    let motion = true;
+    let mut with = perform(eml, None, figure(), Options { motion, ..still });
+    assert_eq!(told(&with), 0);
+    assert_eq!(with.player.wanted_animations(), ["sit"]);
+    let moved = |player: &mut Player| {
+        let [from, to] =
+            [0.0, 1.5].map(|t| player.frame(t, 1.6).world_from_joint[Bone::Skull.index()]);
+        from.translation.distance(to.translation)
+    };
+    assert!(moved(&mut without.player) < 0.02);
+    assert!(moved(&mut with.player) > 0.1);
+    assert!(asks_for_motion(eml) && !asks_for_motion("<eml><body/></eml>"));
 }

@@ -1,60 +1,42 @@
 //! The shipped stories, swept.
 
+mod common;
+
 use std::fs;
-use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use raconteur_player::body::read::read_figure;
+use common::{assets, figure, perform, read, story};
+use raconteur_player::Options;
+use raconteur_player::body::Figure;
 use raconteur_player::sweep::{Check, sweep};
-use raconteur_player::{Options, Player, StoryInput};
 
-fn assets() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../assets")
-}
-
-/// The folders of the shipped stories, in order.
-fn stories() -> Vec<PathBuf> {
+/// The names of the shipped stories, in order.
+fn stories() -> Vec<String> {
     let entries = fs::read_dir(assets().join("stories")).expect("the stories");
-    let mut folders: Vec<PathBuf> = entries
-        .map(|e| e.expect("an entry").path())
-        .filter(|p| p.join("story.eml").is_file())
+    let mut names: Vec<String> = entries
+        .map(|e| e.expect("an entry"))
+        .filter(|e| e.path().join("story.eml").is_file())
+        .map(|e| e.file_name().into_string().expect("UTF-8"))
         .collect();
-    folders.sort();
-    folders
+    names.sort();
+    names
 }
 
-fn swept(story: &Path, figure: &str, motion_amount: f64) -> Vec<Check> {
-    let file = assets().join(format!("figures/{figure}.glb"));
-    let bytes = fs::read(file).expect("a figure");
-    let figure = read_figure(figure, &bytes).expect("a figure");
-    let eml = fs::read_to_string(story.join("story.eml")).expect("a story");
-    let bundle = fs::read(story.join("voice/speech.json")).ok();
-    let mut player = Player::load(StoryInput {
-        eml: &eml,
-        bundle: bundle.as_deref(),
-        figure: Arc::new(figure),
-        options: Options {
-            motion_amount,
-            ..Options::default()
-        },
-    })
-    .player;
+fn swept(name: &str, figure: &Arc<Figure>) -> Vec<Check> {
+    let mut player = story(name, Arc::clone(figure), Options::default()).player;
     sweep(&mut player)
 }
 
 #[test]
 fn nothing_in_the_shipped_stories_would_make_a_viewer_wince() {
     let stories = stories();
-    assert!(stories.len() >= 2);
+    assert!(stories.len() >= 4, "{stories:?}");
     let mut wrong = Vec::new();
-    for story in &stories {
-        // A man and a boy tell one story each: what differs is the body.
-        let all = story.ends_with("white-rabbit");
-        let others: &[&str] = if all { &["papous", "nuno"] } else { &[] };
-        for figure in ["sofia"].iter().chain(others) {
-            for check in swept(story, figure, 1.0) {
+    for figure in ["sofia", "papous", "nuno"].map(read) {
+        for story in &stories {
+            for check in swept(story, &figure) {
                 if !check.is_ok() {
-                    wrong.push(format!("{figure}, {}: {check:?}", story.display()));
+                    wrong.push(format!("{}, {story}: {check:?}", figure.name));
                 }
             }
         }
@@ -64,21 +46,13 @@ fn nothing_in_the_shipped_stories_would_make_a_viewer_wince() {
 
 #[test]
 fn an_elbow_bent_backwards_is_found() {
-    let figure = fs::read(assets().join("figures/sofia.glb")).expect("a figure");
-    let figure = read_figure("sofia", &figure).expect("a figure");
     let eml = "<eml><body>
         <body-configure-manipulator time='0' manipulator='rightArm' isOn='true'
             jointLimitsActive='false'/>
         <body-non-deterministic-fk time='0.5' manipulator='rightArm' j1='90' j2='0' j3='-40'
             j4='0' j5='0' j6='0'/>
         <null time='2'/></body></eml>";
-    let mut player = Player::load(StoryInput {
-        eml,
-        bundle: None,
-        figure: Arc::new(figure),
-        options: Options::default(),
-    })
-    .player;
+    let mut player = perform(eml, None, figure(), Options::default()).player;
     let checks = sweep(&mut player);
     let wrong: Vec<_> = checks.iter().filter(|c| !c.is_ok()).collect();
     assert_eq!(wrong.len(), 1, "{wrong:?}");

@@ -204,6 +204,8 @@ impl Player {
         let Some(performer) = &mut self.performer else {
             return Ok(JsValue::UNDEFINED);
         };
+        // It may have joined since the story was read.
+        performer.set_motion(MOTION.load(Ordering::Relaxed));
         let performed = performer.perform(mind, fragment, now_secs);
         plain(&Performance {
             events: performed.events(fragment, now_secs),

@@ -56,31 +56,38 @@ pub struct Obstacles {
 }
 
 impl Obstacles {
-    /// How much effort it is to have the arm's skeleton in a place.
-    fn effort(&self, shoulder: DVec3, elbow: DVec3, wrist: DVec3) -> f64 {
+    /// A place in body axes, from the middle of the shoulders.
+    fn in_body(&self, point: DVec3) -> DVec3 {
+        self.body_from_figure.transform_point3(point) - self.shoulders_in_body
+    }
+
+    /// How much effort it is to have an arm's shoulder, elbow and wrist in a place, which is
+    /// given in figure axes and [in the body's](Self::in_body).
+    fn effort(&self, arm: [DVec3; 3], arm_in_body: [DVec3; 3]) -> f64 {
         let clear_head = (HEAD_RADIUS_M + ARM_RADIUS_M) * self.scale;
         let clear_arm = 2.0 * ARM_RADIUS_M * self.scale;
         // The shoulder itself touches the torso, and the wrist is where it was asked to be.
-        let points = [
-            shoulder.lerp(elbow, 0.6),
-            elbow,
-            elbow.lerp(wrist, 0.35),
-            elbow.lerp(wrist, 0.7),
-        ];
+        let points = |[shoulder, elbow, wrist]: [DVec3; 3]| {
+            [
+                shoulder.lerp(elbow, 0.6),
+                elbow,
+                elbow.lerp(wrist, 0.35),
+                elbow.lerp(wrist, 0.7),
+            ]
+        };
         let mut sum = 0.0;
-        for point in points {
+        for (point, in_body) in points(arm).into_iter().zip(points(arm_in_body)) {
             let head = depth(point.distance_squared(self.head) / (clear_head * clear_head));
             let near = nearest(point, self.other_forearm);
             let other = depth(point.distance_squared(near) / (clear_arm * clear_arm));
-            let torso = self.depth_in_torso(point);
+            let torso = self.depth_in_torso(in_body);
             sum += torso * torso + head * head + OTHER_ARM * other * other;
         }
         4.0 * COLLISION * sum
     }
 
-    /// Depth of the bone of an arm in the torso, as a share of its half axes.
-    fn depth_in_torso(&self, point: DVec3) -> f64 {
-        let p = self.body_from_figure.transform_point3(point) - self.shoulders_in_body;
+    /// Depth of the bone of an arm, in body axes, in the torso, as a share of its half axes.
+    fn depth_in_torso(&self, p: DVec3) -> f64 {
         let radius = ARM_RADIUS_M * self.scale;
         let [x, z] = TRUNK_HALF_AXES_M.map(|a| a * self.scale + radius);
         // Above the shoulders there is only the neck.
@@ -191,6 +198,8 @@ impl LimbRig {
             radius_m: (hinge.length_squared() - along_m * along_m).max(0.0).sqrt(),
         };
         let to_base = base.rotation.inverse();
+        let ends_in_body =
+            obstacles.map(|o| (o, [circle.shoulder, circle.wrist].map(|p| o.in_body(p))));
         let (mut sum, mut weights) = (0.0, 0.0);
         let [(mut s, mut c), (step_s, step_c)] = [FIRST_RAD, STEP_RAD].map(ops::sincos);
         let (mut swivel, mut outwards) = (FIRST_RAD, first * c + second * s);
@@ -200,8 +209,9 @@ impl LimbRig {
             if self.is_arm {
                 effort += LIMITS * self.beyond(to_base * (elbow - base.origin));
             }
-            if let Some(obstacles) = obstacles {
-                effort += obstacles.effort(circle.shoulder, elbow, circle.wrist);
+            if let Some((obstacles, [shoulder, wrist])) = ends_in_body {
+                let arm = [circle.shoulder, elbow, circle.wrist];
+                effort += obstacles.effort(arm, [shoulder, obstacles.in_body(elbow), wrist]);
             }
             let weight = ops::exp(-effort / SOFTNESS).max(LEAST_WEIGHT);
             sum += weight * swivel;

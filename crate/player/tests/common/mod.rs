@@ -1,0 +1,85 @@
+//! What tests of the player share: files of the library, figures, and players that have what
+//! their stories want.
+
+#![allow(dead_code, reason = "each test uses some of it")]
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, OnceLock};
+
+use raconteur_player::body::Figure;
+use raconteur_player::body::read::read_figure;
+use raconteur_player::{Loaded, Options, Player, StoryInput};
+
+/// The folder of the library.
+pub(crate) fn assets() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../assets")
+}
+
+/// A file of the library.
+pub(crate) fn asset(path: &str) -> Vec<u8> {
+    let path = assets().join(path);
+    fs::read(&path).unwrap_or_else(|e| panic!("{}: {e}", path.display()))
+}
+
+/// A file of the library as text.
+pub(crate) fn text(path: &str) -> String {
+    String::from_utf8(asset(path)).expect("UTF-8")
+}
+
+/// A figure of the library.
+pub(crate) fn read(figure: &str) -> Arc<Figure> {
+    let bytes = asset(&format!("figures/{figure}.glb"));
+    Arc::new(read_figure(figure, &bytes).expect("a figure"))
+}
+
+/// `sofia`, read once.
+pub(crate) fn figure() -> Arc<Figure> {
+    static FIGURE: OnceLock<Arc<Figure>> = OnceLock::new();
+    Arc::clone(FIGURE.get_or_init(|| read("sofia")))
+}
+
+/// A text performed by a figure.
+pub(crate) fn perform(
+    eml: &str,
+    bundle: Option<&[u8]>,
+    figure: Arc<Figure>,
+    options: Options,
+) -> Loaded {
+    Player::load(StoryInput {
+        eml,
+        bundle,
+        figure,
+        options,
+    })
+}
+
+/// A story of the library with its voice, if it has one, and its animations.
+pub(crate) fn story(name: &str, figure: Arc<Figure>, options: Options) -> Loaded {
+    let voice = assets().join(format!("stories/{name}/voice/speech.json"));
+    let bundle = fs::read(voice).ok();
+    let eml = text(&format!("stories/{name}/story.eml"));
+    let mut loaded = perform(&eml, bundle.as_deref(), figure, options);
+    let told = equip(&mut loaded.player);
+    assert_eq!(told, [""; 0], "{name}");
+    loaded
+}
+
+/// Brings the animations that a player wants from the library; the codes of what is wrong.
+pub(crate) fn equip(player: &mut Player) -> Vec<&'static str> {
+    let wanted = player.wanted_animations();
+    let texts: Vec<Option<String>> = wanted
+        .iter()
+        .map(|name| fs::read_to_string(assets().join(format!("animations/{name}.json"))).ok())
+        .collect();
+    let clips: Vec<(&str, Option<&str>)> = wanted
+        .iter()
+        .zip(&texts)
+        .map(|(name, text)| (name.as_str(), text.as_deref()))
+        .collect();
+    if clips.is_empty() {
+        return Vec::new();
+    }
+    let told = player.provide_animations(&clips);
+    told.into_iter().map(|d| d.code).collect()
+}
