@@ -134,7 +134,7 @@ function transport(): TemplateResult {
   const secs = Math.max(0, app.secs);
   return html`<button type="button" class="play" ?disabled=${player!.readyState < 2} @click=${toggle}>${paused ? 'Play' : 'Pause'}</button>
     <label class="check"><input type="checkbox" .checked=${loop} @change=${(event: Event) => (player!.loop = (event.target as HTMLInputElement).checked)} /> Loop</label>
-    <label class="select"><span>Speed</span>
+    <label class="select side"><span>Speed</span>
       <select @change=${(event: Event) => (player!.playbackRate = Number((event.target as HTMLSelectElement).value))}>
         ${SPEEDS.map((speed) => html`<option value=${speed} .selected=${speed === playbackRate}>${speed}×</option>`)}
       </select></label>
