@@ -1,5 +1,6 @@
 /** The viewer's settings as EML. */
 
+import { script, tag } from '../markup.js';
 import { ends, GROUPS, LIMBS, LOOK, track as stand, type Limb, type LimbName, type Look, type State, type Track } from './state.js';
 
 /** How long the script lasts, seconds; then it begins again. */
@@ -8,22 +9,6 @@ export const LENGTH_SECS = 600;
 const MOVE_SECS = 0.6;
 /** By then all limbs are where they were sent. */
 export const SETTLED_SECS = 2;
-
-const digits = (n: number): string => String(Number(n.toFixed(4)));
-const escape = (text: string): string => text.replace(/[&<>"']/g, (c) => `&#${c.charCodeAt(0)};`);
-
-/** A tag from its attributes; those that are undefined are left out. */
-function tag(name: string, attributes: Readonly<Record<string, string | number | boolean | undefined>>, children: readonly string[] = []): string {
-  const written = Object.entries(attributes).flatMap(([key, value]) =>
-    value === undefined ? [] : ` ${key}="${escape(typeof value === 'number' ? digits(value) : String(value))}"`,
-  );
-  const head = `<${name}${written.join('')}`;
-  if (children.length === 0) return `${head}/>`;
-  const [only = ''] = children;
-  // What one sees at a glance stands on one line.
-  if (children.length === 1 && name === 'tracks') return `${head}>${only}</${name}>`;
-  return `${head}>${children.map((child) => `\n${child.replace(/^/gm, '  ')}`).join('')}\n</${name}>`;
-}
 
 /** What lies on one track of a player, and how it is weighed. */
 function onTrack(player: string, where: string, { clip, style, times, speed, on }: Track): string[] {
@@ -117,5 +102,5 @@ function geometry(look: Look): string[] {
 export function write(state: State): string {
   const clauses = [...animations(state), ...LIMBS.flatMap((name) => manipulator(name, state.limbs[name])), ...geometry(state.look), tag('null', { time: LENGTH_SECS })];
   const extended = clauses.some((clause) => clause.includes(' r:'));
-  return `${tag('eml', { 'xmlns:r': extended ? 'urn:raconteur:eml:1' : undefined, name: 'viewer' }, [tag('body', {}, clauses)])}\n`;
+  return script('viewer', extended, clauses);
 }
