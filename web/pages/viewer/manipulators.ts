@@ -24,7 +24,7 @@ export function manipulators(app: App): TemplateResult {
   const of = (s: State): Limb => s.limbs[name];
   const who = LIMB_NAMES[name].toLowerCase();
   const lead = (next: Lead): void => {
-    if (next === 'place') app.lead(name);
+    if (next !== 'free') app.lead(name, next);
     app.set((s) => (of(s).lead = next));
   };
   return html`${choice('limb', 'Limb', name, LIMB_NAMES, (next) => {

@@ -100,7 +100,7 @@ function handle(app: App, pose: PoseNow, name: LimbName, left: number, top: numb
       if (by === undefined) return;
       event.preventDefault();
       choose(app, name);
-      app.lead(name);
+      app.lead(name, 'place');
       app.set((s) => {
         const { place, angles } = s.limbs[name];
         if (name === 'head') turnHead(angles, by[0], by[1], 3);
@@ -152,7 +152,7 @@ function drag(app: App, pose: PoseNow, name: LimbName, event: PointerEvent): voi
       if (before === undefined && Math.hypot(dx, dy) < 3) return;
       if (before === undefined) {
         choose(app, name);
-        app.lead(name);
+        app.lead(name, 'place');
         before = [...app.state.limbs[name][name === 'head' ? 'angles' : 'place']];
       }
       if (name === 'head') {
