@@ -3,6 +3,7 @@
 import type { Diagnostic, RaconteurPlayer, View } from '../../element/index.js';
 import { readPose, type PoseNow } from '../pose.js';
 import { jointsNow } from './joints.js';
+import { Paces } from './paces.js';
 import { beginning, type LimbName, type State } from './state.js';
 import { targetNow } from './turns.js';
 import { SETTLED_SECS, write } from './write.js';
@@ -24,6 +25,7 @@ export class App {
   eml = write(this.state);
   /** What the picture shows; undefined before the first. */
   pose: PoseNow | undefined;
+  readonly #paces = new Paces(this.state);
   readonly #past: string[] = [];
   readonly #future: string[] = [];
   /** The state that undo brings back. */
@@ -137,8 +139,14 @@ export class App {
     this.renderOverlay();
   }
 
+  /** The player has gone elsewhere in its script. */
+  sought(): void {
+    if (this.#paces.restart(this.player.currentTime)) this.#follow();
+  }
+
   #follow(): void {
-    this.eml = write(this.state);
+    this.#paces.follow(this.state, this.player.currentTime);
+    this.eml = write(this.state, (track) => this.#paces.of(track));
     void this.rehearse();
     this.redraw();
   }

@@ -143,6 +143,7 @@ document.addEventListener('keydown', (event) => {
 });
 
 for (const type of ['play', 'pause', 'seeked', 'ratechange', 'loadedmetadata', 'figurechange', 'durationchange']) player.addEventListener(type, () => app.redraw());
+player.addEventListener('seeked', () => app.sought());
 // A diagnostic comes late when an animation could not be fetched.
 player.addEventListener('durationchange', () => (app.diagnostics = player.diagnostics.filter((d) => d.start !== undefined)));
 // The picture follows its new size a little later.
