@@ -34,7 +34,10 @@ export class Paces {
     this.follow(state, 0);
   }
 
-  /** Takes in what the controls say by now: a track that keeps its animation goes on from where this is at `nowSecs`. */
+  /**
+   * Takes in what the controls say by now: a track that keeps its animation goes on from where this
+   * is at `nowSecs` of the script, which goes back only by `restart`.
+   */
   follow(state: State, nowSecs: number): void {
     this.#courses = tracksOf(state).map(([place, track]) => {
       // Undo brings other objects back, which stand in the same places.
@@ -62,6 +65,6 @@ export class Paces {
 function changed({ speed, pace }: Course, nowSecs: number): Pace | undefined {
   if (nowSecs < SOON_SECS) return undefined;
   const { untilSecs, speed: first } = pace ?? { untilSecs: 0, speed };
-  const covered = nowSecs < untilSecs ? first * nowSecs : first * untilSecs + speed * (nowSecs - untilSecs);
+  const covered = first * untilSecs + speed * (nowSecs - untilSecs);
   return { untilSecs: nowSecs, speed: covered / nowSecs };
 }
