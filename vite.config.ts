@@ -1,5 +1,5 @@
 import { cpSync, readdirSync, readFileSync } from 'node:fs';
-import { join } from 'node:path';
+import { dirname, join } from 'node:path';
 import type { Plugin } from 'vite';
 import { defineConfig } from 'vitest/config';
 import { buildDocs } from './web/tools/docs.js';
@@ -38,6 +38,27 @@ function library(): Plugin {
   };
 }
 
+/**
+ * Puts `web/pages/parts/NAME.html` in the place of `<!-- part: NAME -->`, so that what several
+ * pages say is written once. A link to the page itself is marked as the current one.
+ */
+function parts(): Plugin {
+  return {
+    name: 'raconteur-parts',
+    transformIndexHtml: {
+      // Before addresses are read: those of a part begin at the root and are made relative with the rest.
+      order: 'pre',
+      handler: (page, { path }) =>
+        page.replace(/^( *)<!-- part: ([\w-]+) -->$/gm, (_, indent: string, name: string) =>
+          readFileSync(join(root, 'web/pages/parts', `${name}.html`), 'utf8')
+            .trimEnd()
+            .replace(/^/gm, indent)
+            .replace(`href="..${dirname(path)}/"`, '$& aria-current="page"'),
+        ),
+    },
+  };
+}
+
 const CLIPS = 'virtual:clips';
 
 /** Tells pages which animations the library has: what each file says about itself. */
@@ -65,7 +86,7 @@ export default defineConfig({
   // A missing file is answered 404, not with the page.
   appType: 'mpa',
   publicDir: false,
-  plugins: [library(), clips()],
+  plugins: [parts(), library(), clips()],
   build: {
     target: 'es2022',
     assetsDir: 'app',

@@ -4,14 +4,14 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import type { Page } from '@playwright/test';
 import type { RaconteurPlayer } from '../../web/element/element.js';
-import { expect, test } from './stage.js';
+import { expect, ready, test } from './stage.js';
 
 const figures = join(import.meta.dirname, '../../assets/figures');
 
 async function open(page: Page, hash = ''): Promise<void> {
   await page.goto(`/${hash}`);
   const player = page.locator('raconteur-player');
-  await expect.poll(() => player.evaluate((p: RaconteurPlayer) => p.error?.message ?? p.readyState), { timeout: 60_000 }).toBe(4);
+  await ready(player);
 }
 
 const current = (page: Page) => page.locator('raconteur-player').evaluate((p: RaconteurPlayer) => p.currentFigure);

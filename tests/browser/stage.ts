@@ -82,6 +82,11 @@ function listen(): void {
 /** Files that exist for one test only, by path. */
 type Files = { [path: string]: string | Buffer };
 
+/** Waits until a player is loaded. */
+export async function ready(player: Locator): Promise<void> {
+  await expect.poll(() => player.evaluate((p: RaconteurPlayer) => p.error?.message ?? p.readyState), { timeout: 60_000 }).toBe(4);
+}
+
 export class Stage {
   constructor(
     readonly page: Page,
@@ -123,7 +128,7 @@ export class Stage {
   }
 
   async ready(player = this.player): Promise<void> {
-    await expect.poll(() => player.evaluate((p: RaconteurPlayer) => p.error?.message ?? p.readyState), { timeout: 60_000 }).toBe(4);
+    await ready(player);
   }
 
   play(player = this.player): Promise<void> {

@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { addressOf } from '../element/animations.js';
 import { SHELVED } from '../pages/viewer/clips.js';
+import { Paces } from '../pages/viewer/paces.js';
 import { beginning, GROUPS, track, type State } from '../pages/viewer/state.js';
 import { anglesOf, targetNow, toPlace, toWorld } from '../pages/viewer/turns.js';
 import { write } from '../pages/viewer/write.js';
@@ -74,6 +75,56 @@ describe('the text of the viewer', () => {
     expect(written(() => undefined)).not.toContain('geometry');
     const eml = written((s) => Object.assign(s.look, { fill: 'wireframe', skin: false, bones: true, textures: false }));
     expect(eml).toContain('<body-configure-geometry time="0" fillMode="wireframe" visibleMeshes="bones" areTexturesActive="false"/>');
+  });
+});
+
+describe('the speed of an animation', () => {
+  /** How far the text lets the animation of a layer come by a time. */
+  function phase(eml: string, layer: number, secs: number): number {
+    const set = [...eml.matchAll(/time="([\d.]+)" player="layers" property="speed" newValue="([-\d.]+)">\s*<tracks><ly index="(\d+)"/g)].filter(([, , , index]) => Number(index) === layer);
+    const speeds = [{ at: 0, speed: 1 }, ...set.map(([, at, speed]) => ({ at: Number(at), speed: Number(speed) }))];
+    return speeds.reduce((sum, { at, speed }, i) => sum + speed * Math.max(0, Math.min(secs, speeds[i + 1]?.at ?? secs) - at), 0);
+  }
+
+  it('changes without a jump, by sliders and by undo, for each layer by itself', () => {
+    let state = beginning();
+    const paces = new Paces(state);
+    const text = () => write(state, (track) => paces.of(track));
+    const follow = (secs: number, edit: () => void): void => {
+      const before = [0, 1].map((layer) => phase(text(), layer, secs));
+      edit();
+      paces.follow(state, secs);
+      [0, 1].forEach((layer) => expect(phase(text(), layer, secs)).toBeCloseTo(before[layer] ?? 0, 3));
+    };
+    const speed = (layer: number, value: number) => () => void (state.layers[layer]!.speed = value);
+    follow(10, speed(0, 0.5));
+    follow(10.02, speed(0, 0.55));
+    follow(31.4, speed(1, -2));
+    const settled = JSON.stringify(state);
+    follow(250, speed(0, 3));
+    follow(260, () => (state = JSON.parse(settled) as State));
+    expect(phase(text(), 0, 261) - phase(text(), 0, 260)).toBeCloseTo(0.55, 6);
+    expect(phase(text(), 1, 261) - phase(text(), 1, 260)).toBeCloseTo(-2, 6);
+    // A layer that moves up takes its pace with it.
+    const moved = phase(text(), 1, 300);
+    state.layers.splice(0, 1);
+    paces.follow(state, 300);
+    expect(phase(text(), 0, 300)).toBeCloseTo(moved, 3);
+  });
+
+  it('is that of the control all along from the start, and for another animation', () => {
+    const state = beginning();
+    const paces = new Paces(state);
+    const text = () => write(state, (track) => paces.of(track));
+    for (const layer of state.layers) layer.speed = 2;
+    paces.follow(state, 5);
+    expect(text()).toContain('time="5"');
+    state.layers[0] = track('nod', { weight: 0.7, speed: 2 });
+    paces.follow(state, 6);
+    expect(text().match(/time="5"/g)).toHaveLength(1);
+    expect(paces.restart(7)).toBe(false);
+    expect(paces.restart(0)).toBe(true);
+    expect(text()).toBe(write(state));
   });
 });
 

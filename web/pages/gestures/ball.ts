@@ -1,7 +1,8 @@
 /** A palm on a ball: one rolls it with a finger or the arrow keys, and turns it by its rim. */
 
 import { html, svg, type TemplateResult } from 'lit';
-import { follow, keySteps, type Sink } from './fields.js';
+import { keySteps, type Sink } from '../fields.js';
+import { follow } from './fields.js';
 import type { Hand, Triple } from './gesture.js';
 import { cross, dot, radians, roll, twist, type HandDirections } from './palm.js';
 

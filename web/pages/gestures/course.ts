@@ -1,7 +1,8 @@
 /** The course to a key: how much of the way is covered at a share of the time, with handles where it has any. */
 
 import { html, nothing, svg, type TemplateResult } from 'lit';
-import { choice, handle, numberField, type Sink } from './fields.js';
+import { choice, type Sink } from '../fields.js';
+import { handle, numberField } from './fields.js';
 import type { Course } from './gesture.js';
 import { DEFAULT_CONTROLS, KINDS, wayAt, type Kind } from './profile.js';
 

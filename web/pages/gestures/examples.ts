@@ -1,112 +1,86 @@
 /** Gestures to begin with. */
 
-const frame = (name: string, phases: string): string => `<eml xmlns:r="urn:raconteur:eml:1" name="${name}">
-  <body>
-    <gesture-is-on time="0" isOn="true"/>
-    <seq time="0.9">
-${phases.trim().replace(/^/gm, '      ')}
-    </seq>
-  </body>
-</eml>
-`;
+import { script, tag } from '../markup.js';
+import type { PhaseName } from './gesture.js';
+
+type Place = readonly [x: number, y: number, z: number];
+/** An angle about a normal. */
+type Palm = readonly [a: number, x: number, y: number, z: number];
+/** The keys of a track by their times; a lone one without a time stands for itself. */
+type Keys<T> = T | Readonly<Record<string, T>>;
+
+/** One clause of an example. */
+interface Step {
+  readonly phase: PhaseName;
+  readonly secs: number;
+  /** Seconds after the clause before. */
+  readonly after?: number;
+  readonly shapes?: Keys<number>;
+  readonly palms?: Keys<Palm>;
+  readonly places?: Keys<Place>;
+  /** How palms and places go from key to key; with controls it is of the places alone. */
+  readonly course?: string;
+  readonly controls?: string;
+}
+
+/** When the first clause begins: no earlier than an arm can be there, so that the player delays nothing. */
+const BEGIN_SECS = 0.9;
+
+function track<T>(name: string, keys: Keys<T> | undefined, attributes: (value: T) => Readonly<Record<string, number>>, course: Readonly<Record<string, string | undefined>> = {}): string[] {
+  if (keys === undefined) return [];
+  const timed = typeof keys === 'object' && !Array.isArray(keys);
+  const all: [string | undefined, T][] = timed ? Object.entries(keys as Readonly<Record<string, T>>) : [[undefined, keys as T]];
+  return [tag(name, course, all.map(([time, value]) => tag('key', { time, ...attributes(value) })))];
+}
+
+/** A script of one gesture. */
+function example(name: string, handedness: 'right' | 'both', steps: readonly Step[]): string {
+  const clauses = steps.map(({ phase, secs, after = 0, shapes, palms, places, course, controls }) =>
+    tag('gesture-key', { time: after, duration: secs, handedness, 'r:phase': phase }, [
+      ...track('hand-shapes', shapes, (id) => ({ id })),
+      ...track('palms', palms, ([a, x, y, z]) => ({ a, x, y, z }), { 'r:interpolation': controls === undefined ? course : undefined }),
+      ...track('motion', places, ([x, y, z]) => ({ x, y, z }), { 'r:interpolation': course, 'r:controls': controls }),
+    ]),
+  );
+  return script(name, true, [tag('gesture-is-on', { time: 0, isOn: true }), tag('seq', { time: BEGIN_SECS }, clauses)]);
+}
 
 /** Their names and texts. */
 export const EXAMPLES: Readonly<Record<string, string>> = {
-  Wave: frame(
-    'wave',
-    `
-<gesture-key time="0" duration="0.7" handedness="right" r:phase="preparation">
-  <hand-shapes>
-    <key id="4"/>
-  </hand-shapes>
-  <palms>
-    <key a="160" x="0" y="0" z="-1"/>
-  </palms>
-  <motion>
-    <key x="-16" y="34" z="-8"/>
-  </motion>
-</gesture-key>
-<gesture-key time="0" duration="1.2" handedness="right" r:phase="stroke">
-  <palms r:interpolation="cosine">
-    <key time="0" a="160" x="0" y="0" z="-1"/>
-    <key time="33%" a="205" x="0" y="0" z="-1"/>
-    <key time="66%" a="155" x="0" y="0" z="-1"/>
-    <key time="100%" a="195" x="0" y="0" z="-1"/>
-  </palms>
-  <motion r:interpolation="cosine">
-    <key time="0" x="-16" y="34" z="-8"/>
-    <key time="33%" x="-12" y="34" z="-8"/>
-    <key time="66%" x="-17" y="34" z="-8"/>
-    <key time="100%" x="-13" y="34" z="-8"/>
-  </motion>
-</gesture-key>
-<gesture-key time="0" duration="0.2" handedness="right" r:phase="poststroke"/>
-<gesture-key time="0" duration="0.9" handedness="right" r:phase="retraction"/>`,
-  ),
-  Point: frame(
-    'point',
-    `
-<gesture-key time="0" duration="0.6" handedness="right" r:phase="preparation">
-  <motion>
-    <key x="-10" y="18" z="-10"/>
-  </motion>
-</gesture-key>
-<gesture-key time="0" duration="0.35" handedness="right" r:phase="stroke">
-  <hand-shapes>
-    <key time="100%" id="19"/>
-  </hand-shapes>
-  <palms>
-    <key time="100%" a="80" x="0.4" y="-0.9" z="0"/>
-  </palms>
-  <motion r:interpolation="bezier" r:controls="0.5 0 0.2 1.15">
-    <key time="0" x="-10" y="18" z="-10"/>
-    <key time="100%" x="-14" y="24" z="-18"/>
-  </motion>
-</gesture-key>
-<gesture-key time="0" duration="0.8" handedness="right" r:phase="poststroke"/>
-<gesture-key time="0" duration="0.8" handedness="right" r:phase="retraction"/>`,
-  ),
-  'Open hands': frame(
-    'open-hands',
-    `
-<gesture-key time="0" duration="0.7" handedness="both" r:phase="preparation">
-  <hand-shapes>
-    <key id="13"/>
-  </hand-shapes>
-  <palms>
-    <key a="90" x="0.6" y="0.7" z="0"/>
-  </palms>
-  <motion>
-    <key x="-5" y="15" z="-12"/>
-  </motion>
-</gesture-key>
-<gesture-key time="0" duration="0.6" handedness="both" r:phase="stroke">
-  <hand-shapes>
-    <key time="100%" id="4"/>
-  </hand-shapes>
-  <palms>
-    <key time="100%" a="60" x="0" y="1" z="0"/>
-  </palms>
-  <motion>
-    <key time="0" x="-5" y="15" z="-12"/>
-    <key time="100%" x="-15" y="14" z="-13"/>
-  </motion>
-</gesture-key>
-<gesture-key time="0" duration="0.7" handedness="both" r:phase="poststroke"/>
-<gesture-key time="0" duration="0.9" handedness="both" r:phase="retraction"/>`,
-  ),
-  'Only a stroke': frame(
-    'stroke',
-    `
-<gesture-key time="0" duration="0.4" handedness="right" r:phase="stroke">
-  <hand-shapes>
-    <key time="0" id="24"/>
-  </hand-shapes>
-  <motion>
-    <key time="0" x="-9" y="22" z="-13"/>
-    <key time="100%" x="-10" y="16" z="-14"/>
-  </motion>
-</gesture-key>
-<gesture-key time="0.3" duration="0.8" handedness="right" r:phase="retraction"/>`,
-  ),
+  Wave: example('wave', 'right', [
+    { phase: 'preparation', secs: 0.7, shapes: 4, palms: [160, 0, 0, -1], places: [-16, 34, -8] },
+    {
+      phase: 'stroke',
+      secs: 1.2,
+      course: 'cosine',
+      palms: { 0: [160, 0, 0, -1], '33%': [205, 0, 0, -1], '66%': [155, 0, 0, -1], '100%': [195, 0, 0, -1] },
+      places: { 0: [-16, 34, -8], '33%': [-12, 34, -8], '66%': [-17, 34, -8], '100%': [-13, 34, -8] },
+    },
+    { phase: 'poststroke', secs: 0.2 },
+    { phase: 'retraction', secs: 0.9 },
+  ]),
+  Point: example('point', 'right', [
+    { phase: 'preparation', secs: 0.6, places: [-10, 18, -10] },
+    {
+      phase: 'stroke',
+      secs: 0.35,
+      shapes: { '100%': 19 },
+      palms: { '100%': [80, 0.4, -0.9, 0] },
+      places: { 0: [-10, 18, -10], '100%': [-14, 24, -18] },
+      course: 'bezier',
+      controls: '0.5 0 0.2 1.15',
+    },
+    { phase: 'poststroke', secs: 0.8 },
+    { phase: 'retraction', secs: 0.8 },
+  ]),
+  'Open hands': example('open-hands', 'both', [
+    { phase: 'preparation', secs: 0.7, shapes: 13, palms: [90, 0.6, 0.7, 0], places: [-5, 15, -12] },
+    { phase: 'stroke', secs: 0.6, shapes: { '100%': 4 }, palms: { '100%': [60, 0, 1, 0] }, places: { 0: [-5, 15, -12], '100%': [-15, 14, -13] } },
+    { phase: 'poststroke', secs: 0.7 },
+    { phase: 'retraction', secs: 0.9 },
+  ]),
+  'Only a stroke': example('stroke', 'right', [
+    { phase: 'stroke', secs: 0.4, shapes: { 0: 24 }, places: { 0: [-9, 22, -13], '100%': [-10, 16, -14] } },
+    { phase: 'retraction', secs: 0.8, after: 0.3 },
+  ]),
 };

@@ -1,19 +1,8 @@
-/** Inputs that every panel uses, as templates. */
+/** Inputs of the workshop's panels, as templates. */
 
 import { html, nothing, type TemplateResult } from 'lit';
 import { Directive, directive, type ElementPart } from 'lit/directive.js';
-
-/** Sets custom properties of CSS. An attribute `style` is what a strict policy refuses; this is no attribute. */
-export const vars = directive(
-  class extends Directive {
-    override update(part: ElementPart, [values]: [Readonly<Record<string, string>>]): void {
-      const { style } = part.element as HTMLElement;
-      for (const [name, value] of Object.entries(values)) style.setProperty(name, value);
-    }
-
-    render(_values: Readonly<Record<string, string>>): void {}
-  },
-);
+import { keySteps, vars, type NumberField } from '../fields.js';
 
 /** Shows a number in an input, unless it is there already in other letters: who types `1.50` keeps the zero. */
 const shows = directive(
@@ -27,24 +16,6 @@ const shows = directive(
     render(_value: number): void {}
   },
 );
-
-/** What a control does with a value: while it moves, and once it rests. One move is one step of undo. */
-export interface Sink<T> {
-  set(value: T): void;
-  done(): void;
-}
-
-export interface NumberField extends Sink<number> {
-  readonly label: string;
-  readonly value: number;
-  readonly min: number;
-  readonly max: number;
-  readonly step: number;
-  /** What stands behind the number. */
-  readonly unit?: string;
-  /** What the slider says instead of its number. */
-  readonly text?: string;
-}
 
 const round = (value: number): number => Number(value.toFixed(3));
 
@@ -63,19 +34,6 @@ export function numberField(field: NumberField): TemplateResult {
   </div>`;
 }
 
-/** One of a few words, side by side. */
-export function choice<T extends string>(name: string, label: string, value: T | undefined, options: Readonly<Record<T, string>>, choose: (value: T) => void): TemplateResult {
-  return html`<fieldset class="choice">
-    <legend>${label}</legend>
-    <div>
-      ${(Object.entries(options) as [T, string][]).map(
-        ([word, text]) =>
-          html`<label><input type="radio" name=${name} value=${word} .checked=${word === value} @change=${() => choose(word)} /><span>${text}</span></label>`,
-      )}
-    </div>
-  </fieldset>`;
-}
-
 /** A handle that is dragged, or moved with the arrow keys. */
 export interface Handle {
   /** What a screen reader says. */
@@ -89,28 +47,6 @@ export interface Handle {
   /** A key; true when it was used. Steps are 1, or 5 with the shift key. */
   key(right: number, up: number, ahead: number): boolean;
   done(): void;
-}
-
-/** Arrow keys as steps to the right, upwards, and (page up and down) to the audience. */
-export function keySteps(event: KeyboardEvent): [number, number, number] | undefined {
-  if (event.ctrlKey || event.metaKey || event.altKey) return undefined;
-  const step = event.shiftKey ? 5 : 1;
-  switch (event.key) {
-    case 'ArrowLeft':
-      return [-step, 0, 0];
-    case 'ArrowRight':
-      return [step, 0, 0];
-    case 'ArrowUp':
-      return [0, step, 0];
-    case 'ArrowDown':
-      return [0, -step, 0];
-    case 'PageUp':
-      return [0, 0, step];
-    case 'PageDown':
-      return [0, 0, -step];
-    default:
-      return undefined;
-  }
 }
 
 /** Follows a pointer from its press to its release. */

@@ -3,6 +3,7 @@
 import type { View } from '../../element/index.js';
 import '../../element/index.js';
 import { html, nothing, render, type TemplateResult } from 'lit';
+import { copyText, onUndoKeys, part } from '../workbench.js';
 import { App } from './app.js';
 import { EXAMPLES } from './examples.js';
 import { remember, remembered } from './memory.js';
@@ -26,13 +27,6 @@ const SIDES: Readonly<Record<string, View | undefined>> = {
 const NO_VIEW: View = { turn: NaN, tilt: NaN, zoom: NaN, right: NaN, up: NaN };
 /** Problems that are listed; the rest is counted. */
 const MOST_PROBLEMS = 8;
-
-/** A part of the page; that it is there is the page's own business. */
-function part(id: string): HTMLElement {
-  const element = document.getElementById(id);
-  if (element === null) throw new Error(`the page has no #${id}`);
-  return element;
-}
 
 const player = document.querySelector('raconteur-player');
 if (player === null) throw new Error('the page has no player');
@@ -89,19 +83,11 @@ function tools(): TemplateResult {
 }
 
 function copy(): void {
-  const tell = (text: string): void => {
-    copied = text;
-    say(text);
+  copyText(app.editor.text, (outcome) => {
+    copied = outcome ?? '';
+    if (outcome !== undefined) say(outcome);
     app.redraw();
-    setTimeout(() => {
-      copied = '';
-      app.redraw();
-    }, 1800);
-  };
-  navigator.clipboard.writeText(app.editor.text).then(
-    () => tell('Copied'),
-    () => tell('Select and copy by hand'),
-  );
+  });
 }
 
 function download(): void {
@@ -134,7 +120,7 @@ function transport(): TemplateResult {
   const secs = Math.max(0, app.secs);
   return html`<button type="button" class="play" ?disabled=${player!.readyState < 2} @click=${toggle}>${paused ? 'Play' : 'Pause'}</button>
     <label class="check"><input type="checkbox" .checked=${loop} @change=${(event: Event) => (player!.loop = (event.target as HTMLInputElement).checked)} /> Loop</label>
-    <label class="select"><span>Speed</span>
+    <label class="select side"><span>Speed</span>
       <select @change=${(event: Event) => (player!.playbackRate = Number((event.target as HTMLSelectElement).value))}>
         ${SPEEDS.map((speed) => html`<option value=${speed} .selected=${speed === playbackRate}>${speed}×</option>`)}
       </select></label>
@@ -161,14 +147,10 @@ function problems(): TemplateResult {
 }
 
 // Undo and redo are of the whole page: what a control did is in the same list as what was typed.
-document.addEventListener('keydown', (event) => {
-  if (!(event.ctrlKey || event.metaKey) || event.altKey || event.defaultPrevented) return;
-  const key = event.key.toLowerCase();
-  if (key === 'z' && !event.shiftKey) app.editor.undo();
-  else if ((key === 'z' && event.shiftKey) || key === 'y') app.editor.redo();
-  else return;
-  event.preventDefault();
-});
+onUndoKeys(
+  () => app.editor.undo(),
+  () => app.editor.redo(),
+);
 
 /** Opens the stage and shows the moment that is edited. */
 async function open(): Promise<void> {

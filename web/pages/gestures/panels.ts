@@ -1,11 +1,12 @@
 /** What is edited of the selected phase: one panel for each step. */
 
 import { html, nothing, type TemplateResult } from 'lit';
+import { choice } from '../fields.js';
 import type { App, Tab } from './app.js';
 import { ball, inWords } from './ball.js';
 import { courseField } from './course.js';
 import { addKey, addPhase, inSequence, ownTime, removeKey, removePhase, setCourse, setDuration, setHands, setKeyTime, setPhase, setSpace, setStart, written, type Handedness } from './edit.js';
-import { choice, numberField } from './fields.js';
+import { numberField } from './fields.js';
 import { PHASES, toldApart, type Feature, type Key, type Phase, type PhaseName, type Triple, type Value } from './gesture.js';
 import { wristNow } from './overlay.js';
 import { directionsOf, palmOf } from './palm.js';

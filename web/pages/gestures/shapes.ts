@@ -1,7 +1,7 @@
 /** The 61 hand shapes: their names and pictures, and a picker of them. */
 
 import { html, type TemplateResult } from 'lit';
-import { vars } from './fields.js';
+import { vars } from '../fields.js';
 import { SHAPE_NAMES } from './shape-names.js';
 
 /** Pictures to a row of the sheet. */

@@ -2,6 +2,8 @@
 
 import type { Diagnostic, RaconteurPlayer, View } from '../../element/index.js';
 import { readPose, type PoseNow } from '../pose.js';
+import { jointsNow } from './joints.js';
+import { Paces } from './paces.js';
 import { beginning, type LimbName, type State } from './state.js';
 import { targetNow } from './turns.js';
 import { SETTLED_SECS, write } from './write.js';
@@ -23,6 +25,7 @@ export class App {
   eml = write(this.state);
   /** What the picture shows; undefined before the first. */
   pose: PoseNow | undefined;
+  readonly #paces = new Paces(this.state);
   readonly #past: string[] = [];
   readonly #future: string[] = [];
   /** The state that undo brings back. */
@@ -89,14 +92,15 @@ export class App {
     this.#follow();
   }
 
-  /** Leads a limb by a target, beginning where it is. */
-  lead(name: LimbName): void {
+  /** Leads a limb by a target or its joints, beginning where it is. */
+  lead(name: LimbName, lead: 'place' | 'joints'): void {
     const limb = this.state.limbs[name];
     this.limb = name;
-    if (limb.lead === 'place') return;
-    const now = this.pose && targetNow(this.pose, name);
-    if (now !== undefined) Object.assign(limb, now);
-    limb.lead = 'place';
+    if (limb.lead === lead) return;
+    limb.lead = lead;
+    if (this.pose === undefined) return;
+    if (lead === 'place') Object.assign(limb, targetNow(this.pose, name));
+    else limb.joints = jointsNow(this.pose, name) ?? limb.joints;
   }
 
   /** Looks from elsewhere. */
@@ -135,8 +139,14 @@ export class App {
     this.renderOverlay();
   }
 
+  /** The player has gone elsewhere in its script. */
+  sought(): void {
+    if (this.#paces.restart(this.player.currentTime)) this.#follow();
+  }
+
   #follow(): void {
-    this.eml = write(this.state);
+    this.#paces.follow(this.state, this.player.currentTime);
+    this.eml = write(this.state, (track) => this.#paces.of(track));
     void this.rehearse();
     this.redraw();
   }

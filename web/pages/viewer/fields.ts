@@ -1,28 +1,18 @@
-/** Inputs that every panel uses, as templates. */
+/** Inputs of the viewer's panels, as templates. */
 
 import { html, nothing, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
+import type { NumberField } from '../fields.js';
 import { aboutClip, clipTitle, SHELVED } from './clips.js';
 
-export interface NumberField {
-  readonly label: string;
-  readonly value: number;
-  readonly min: number;
-  readonly max: number;
-  readonly step: number;
-  readonly unit?: string;
-  /** What a screen reader says instead of the number. */
-  readonly text?: string;
-  readonly disabled?: boolean;
+interface OwnedField extends NumberField {
   /** What the number is said to belong to, where the label alone is not enough. */
   readonly of?: string;
-  set(value: number): void;
-  done(): void;
 }
 
-/** A slider with its number beside it. */
-export function numberField(field: NumberField): TemplateResult {
-  const { label, value, min, max, step, unit = '', text, of, disabled = false } = field;
+/** A slider with its number beside it, which stays between the slider's ends. */
+export function numberField(field: OwnedField): TemplateResult {
+  const { label, value, min, max, step, unit = '', text, of } = field;
   const shown = Number(value.toFixed(2));
   const name = of === undefined ? label : `${label}, ${of}`;
   const take = (event: Event): void => {
@@ -32,21 +22,9 @@ export function numberField(field: NumberField): TemplateResult {
   };
   return html`<div class="number">
     <span class="name" aria-hidden="true">${label}</span>
-    <input type="range" aria-label=${name} aria-valuetext=${text ?? `${shown} ${unit}`.trim()} min=${min} max=${max} step=${step} .value=${live(String(shown))} ?disabled=${disabled} @input=${take} @change=${() => field.done()} />
-    <span class="exact"><input type="number" aria-label="${name}, exactly" min=${min} max=${max} step=${step} .value=${String(shown)} ?disabled=${disabled} @change=${(event: Event) => { take(event); field.done(); }} />${unit === '' ? nothing : html`<span aria-hidden="true">${unit}</span>`}</span>
+    <input type="range" aria-label=${name} aria-valuetext=${text ?? `${shown} ${unit}`.trim()} min=${min} max=${max} step=${step} .value=${live(String(shown))} @input=${take} @change=${() => field.done()} />
+    <span class="exact"><input type="number" aria-label="${name}, exactly" min=${min} max=${max} step=${step} .value=${String(shown)} @change=${(event: Event) => { take(event); field.done(); }} />${unit === '' ? nothing : html`<span aria-hidden="true">${unit}</span>`}</span>
   </div>`;
-}
-
-/** One of a few words, side by side. */
-export function choice<T extends string>(name: string, label: string, value: T, options: Readonly<Record<T, string>>, choose: (value: T) => void): TemplateResult {
-  return html`<fieldset class="choice">
-    <legend>${label}</legend>
-    <div>
-      ${(Object.entries(options) as [T, string][]).map(
-        ([word, text]) => html`<label><input type="radio" name=${name} value=${word} .checked=${live(word === value)} @change=${() => choose(word)} /><span>${text}</span></label>`,
-      )}
-    </div>
-  </fieldset>`;
 }
 
 /** On or off. */

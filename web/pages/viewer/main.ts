@@ -3,6 +3,7 @@
 import '../../element/index.js';
 import { html, nothing, render, type TemplateResult } from 'lit';
 import { cast } from '../home-cast.js';
+import { copyText, onUndoKeys, part } from '../workbench.js';
 import { animations } from './animations.js';
 import { App, FRONT, type Tab } from './app.js';
 import { look } from './look.js';
@@ -14,13 +15,6 @@ import { SETTLED_SECS } from './write.js';
 const SPEEDS = [0.1, 0.25, 0.5, 1, 1.5, 2];
 /** Problems that are listed; the rest is counted. */
 const MOST_PROBLEMS = 5;
-
-/** A part of the page; that it is there is the page's own business. */
-function part(id: string): HTMLElement {
-  const element = document.getElementById(id);
-  if (element === null) throw new Error(`the page has no #${id}`);
-  return element;
-}
 
 const found = document.querySelector('raconteur-player');
 if (found === null) throw new Error('the page has no player');
@@ -120,29 +114,21 @@ for (const [i, tab] of tabs.entries()) {
 
 part('copy').addEventListener('click', (event) => {
   const button = event.currentTarget as HTMLButtonElement;
-  const tell = (text: string): void => {
-    button.textContent = text;
-    say(text);
-    setTimeout(() => (button.textContent = 'Copy'), 1800);
-  };
-  navigator.clipboard.writeText(app.eml).then(
-    () => tell('Copied'),
-    () => tell('Select and copy by hand'),
-  );
+  copyText(app.eml, (outcome) => {
+    button.textContent = outcome ?? 'Copy';
+    if (outcome !== undefined) say(outcome);
+  });
 });
 
-document.addEventListener('keydown', (event) => {
-  if (!(event.ctrlKey || event.metaKey) || event.altKey || event.defaultPrevented) return;
-  // Who types a number undoes letters.
-  if (event.target instanceof HTMLInputElement && event.target.type === 'number') return;
-  const key = event.key.toLowerCase();
-  if (key === 'z' && !event.shiftKey) app.undo();
-  else if ((key === 'z' && event.shiftKey) || key === 'y') app.redo();
-  else return;
-  event.preventDefault();
-});
+// Who types a number undoes letters.
+onUndoKeys(
+  () => app.undo(),
+  () => app.redo(),
+  ({ target }) => target instanceof HTMLInputElement && target.type === 'number',
+);
 
 for (const type of ['play', 'pause', 'seeked', 'ratechange', 'loadedmetadata', 'figurechange', 'durationchange']) player.addEventListener(type, () => app.redraw());
+player.addEventListener('seeked', () => app.sought());
 // A diagnostic comes late when an animation could not be fetched.
 player.addEventListener('durationchange', () => (app.diagnostics = player.diagnostics.filter((d) => d.start !== undefined)));
 // The picture follows its new size a little later.

@@ -1,8 +1,9 @@
 /** The panel of manipulators: a limb, what leads it, and the numbers of that (GEVH 3.3). */
 
 import { html, nothing, type TemplateResult } from 'lit';
+import { choice } from '../fields.js';
 import type { App } from './app.js';
-import { check, choice, menu, numberField } from './fields.js';
+import { check, menu, numberField } from './fields.js';
 import { LIMB_NAMES, RANGES, type Lead, type Limb, type State, type Way } from './state.js';
 
 const LEADS: Readonly<Record<Lead, string>> = { free: 'Nobody', place: 'A target', joints: 'Its joints' };
@@ -24,7 +25,7 @@ export function manipulators(app: App): TemplateResult {
   const of = (s: State): Limb => s.limbs[name];
   const who = LIMB_NAMES[name].toLowerCase();
   const lead = (next: Lead): void => {
-    if (next === 'place') app.lead(name);
+    if (next !== 'free') app.lead(name, next);
     app.set((s) => (of(s).lead = next));
   };
   return html`${choice('limb', 'Limb', name, LIMB_NAMES, (next) => {

@@ -1,7 +1,7 @@
 /** The stage: handles of the limbs over the picture, and the look around the figure. */
 
 import { html, nothing, svg, type TemplateResult } from 'lit';
-import { Directive, directive, type ElementPart } from 'lit/directive.js';
+import { keySteps, vars } from '../fields.js';
 import type { PoseNow, Spot, Vector } from '../pose.js';
 import { FRONT, type App } from './app.js';
 import { LIMB_NAMES, LIMBS, type LimbName, type Triple } from './state.js';
@@ -11,17 +11,6 @@ import { endOf, toPlace, toWorld } from './turns.js';
 const TURN = 0.008;
 /** Degrees that the head turns for each pixel that its handle is drawn. */
 const NOD = 0.5;
-
-/** Sets custom properties of CSS: an attribute `style` is what a strict policy refuses; this is no attribute. */
-const vars = directive(
-  class extends Directive {
-    override update(part: ElementPart, [values]: [Readonly<Record<string, string>>]): void {
-      for (const [name, value] of Object.entries(values)) (part.element as HTMLElement).style.setProperty(name, value);
-    }
-
-    render(_values: Readonly<Record<string, string>>): void {}
-  },
-);
 
 /** Follows a pointer from its press to its release. */
 function follow(event: PointerEvent, move: (event: PointerEvent) => void, done: () => void): void {
@@ -41,17 +30,8 @@ function follow(event: PointerEvent, move: (event: PointerEvent) => void, done: 
 
 /** Steps of the keyboard: right, up, nearer. */
 function steps(event: KeyboardEvent): Triple | undefined {
-  if (event.ctrlKey || event.metaKey || event.altKey) return undefined;
-  const step = event.shiftKey ? 5 : 1;
-  const known: Readonly<Record<string, Triple>> = {
-    ArrowLeft: [-step, 0, 0],
-    ArrowRight: [step, 0, 0],
-    ArrowUp: [0, step, 0],
-    ArrowDown: [0, -step, 0],
-    PageUp: [0, 0, -step],
-    PageDown: [0, 0, step],
-  };
-  return known[event.key];
+  const [right, up, ahead] = keySteps(event) ?? [];
+  return right === undefined || up === undefined || ahead === undefined ? undefined : [right, up, -ahead];
 }
 
 /** Where a limb's handle is in the world: at its target, else at its end. */
@@ -100,7 +80,7 @@ function handle(app: App, pose: PoseNow, name: LimbName, left: number, top: numb
       if (by === undefined) return;
       event.preventDefault();
       choose(app, name);
-      app.lead(name);
+      app.lead(name, 'place');
       app.set((s) => {
         const { place, angles } = s.limbs[name];
         if (name === 'head') turnHead(angles, by[0], by[1], 3);
@@ -152,7 +132,7 @@ function drag(app: App, pose: PoseNow, name: LimbName, event: PointerEvent): voi
       if (before === undefined && Math.hypot(dx, dy) < 3) return;
       if (before === undefined) {
         choose(app, name);
-        app.lead(name);
+        app.lead(name, 'place');
         before = [...app.state.limbs[name][name === 'head' ? 'angles' : 'place']];
       }
       if (name === 'head') {

@@ -1,5 +1,7 @@
 /** The viewer's settings as EML. */
 
+import { script, tag } from '../markup.js';
+import type { Pace } from './paces.js';
 import { ends, GROUPS, LIMBS, LOOK, track as stand, type Limb, type LimbName, type Look, type State, type Track } from './state.js';
 
 /** How long the script lasts, seconds; then it begins again. */
@@ -9,25 +11,14 @@ const MOVE_SECS = 0.6;
 /** By then all limbs are where they were sent. */
 export const SETTLED_SECS = 2;
 
-const digits = (n: number): string => String(Number(n.toFixed(4)));
-const escape = (text: string): string => text.replace(/[&<>"']/g, (c) => `&#${c.charCodeAt(0)};`);
+/** The pace that a track had before its speed changed, if it did. */
+type PaceOf = (track: Track) => Pace | undefined;
 
-/** A tag from its attributes; those that are undefined are left out. */
-function tag(name: string, attributes: Readonly<Record<string, string | number | boolean | undefined>>, children: readonly string[] = []): string {
-  const written = Object.entries(attributes).flatMap(([key, value]) =>
-    value === undefined ? [] : ` ${key}="${escape(typeof value === 'number' ? digits(value) : String(value))}"`,
-  );
-  const head = `<${name}${written.join('')}`;
-  if (children.length === 0) return `${head}/>`;
-  const [only = ''] = children;
-  // What one sees at a glance stands on one line.
-  if (children.length === 1 && name === 'tracks') return `${head}>${only}</${name}>`;
-  return `${head}>${children.map((child) => `\n${child.replace(/^/gm, '  ')}`).join('')}\n</${name}>`;
-}
-
-/** What lies on one track of a player, and how it is weighed. */
-function onTrack(player: string, where: string, { clip, style, times, speed, on }: Track): string[] {
+/** What lies on one track of a player, how fast it plays, and whether it is heard. */
+function onTrack(player: string, where: string, track: Track, paceOf: PaceOf): string[] {
+  const { clip, style, times, speed, on } = track;
   if (clip === '') return [];
+  const pace = paceOf(track);
   const tracks = tag('tracks', {}, [where]);
   const plain = style === 'loop';
   return [
@@ -35,13 +26,15 @@ function onTrack(player: string, where: string, { clip, style, times, speed, on 
       ...(plain ? [] : [tag('animation-style', { playbackStyle: style, 'r:iterations': ends(style) && times !== 1 ? times : undefined })]),
       tracks,
     ]),
-    ...(speed === 1 ? [] : [property(player, where, 'speed', speed)]),
+    // Six digits, so that after minutes an animation is still where it was.
+    ...(pace === undefined ? [] : [property(player, where, 'speed', String(Number(pace.speed.toFixed(6))))]),
+    ...(pace === undefined && speed === 1 ? [] : [property(player, where, 'speed', speed, pace?.untilSecs)]),
     ...(on ? [] : [property(player, where, 'enable', false)]),
   ];
 }
 
-function property(player: string, where: string, name: string, value: number | boolean): string {
-  return tag('body-configure-deterministic-track-property', { time: 0, player, property: name, newValue: value }, [tag('tracks', {}, [where])]);
+function property(player: string, where: string, name: string, value: number | boolean | string, time = 0): string {
+  return tag('body-configure-deterministic-track-property', { time, player, property: name, newValue: value }, [tag('tracks', {}, [where])]);
 }
 
 /**
@@ -60,19 +53,19 @@ function weigh(layers: readonly Track[]): string[] {
 
 const layer = (index: number): string => tag('ly', { index });
 
-function animations(state: State): string[] {
+function animations(state: State, paceOf: PaceOf): string[] {
   const add = (name: string, type: string, numberOfLayers?: number): string => tag('body-player-add', { time: 0, name, type, numberOfLayers });
   const pass = tag('body-configure-deterministic-animation', { time: 0, smooth: state.swapSecs > 0, swapTime: state.swapSecs > 0 ? state.swapSecs : undefined });
   switch (state.mechanism) {
     case 'none':
       return [];
     case 'layers':
-      return [pass, add('layers', 'multiple', state.layers.length), ...state.layers.flatMap((track, i) => onTrack('layers', layer(i), track)), ...weigh(state.layers)];
+      return [pass, add('layers', 'multiple', state.layers.length), ...state.layers.flatMap((track, i) => onTrack('layers', layer(i), track, paceOf)), ...weigh(state.layers)];
     case 'groups':
-      return [pass, add('groups', 'bodyGroup'), ...GROUPS.flatMap((name) => onTrack('groups', tag('bg', { name }), state.groups[name]))];
+      return [pass, add('groups', 'bodyGroup'), ...GROUPS.flatMap((name) => onTrack('groups', tag('bg', { name }), state.groups[name], paceOf))];
     case 'stances': {
       const { from, to, blend } = state.stances;
-      const stance = (index: number, clip: string): string[] => onTrack('stances', layer(index), stand(clip));
+      const stance = (index: number, clip: string): string[] => onTrack('stances', layer(index), stand(clip), paceOf);
       return [pass, add('stances', 'pose'), ...stance(0, from), ...stance(1, to), property('stances', layer(1), 'weight', blend)];
     }
   }
@@ -113,9 +106,9 @@ function geometry(look: Look): string[] {
   return Object.values(attributes).filter((value) => value !== undefined).length > 1 ? [tag('body-configure-geometry', attributes)] : [];
 }
 
-/** A whole script that sets everything at its beginning. */
-export function write(state: State): string {
-  const clauses = [...animations(state), ...LIMBS.flatMap((name) => manipulator(name, state.limbs[name])), ...geometry(state.look), tag('null', { time: LENGTH_SECS })];
+/** A whole script that sets everything at its beginning, but for speeds that have changed since. */
+export function write(state: State, paceOf: PaceOf = () => undefined): string {
+  const clauses = [...animations(state, paceOf), ...LIMBS.flatMap((name) => manipulator(name, state.limbs[name])), ...geometry(state.look), tag('null', { time: LENGTH_SECS })];
   const extended = clauses.some((clause) => clause.includes(' r:'));
-  return `${tag('eml', { 'xmlns:r': extended ? 'urn:raconteur:eml:1' : undefined, name: 'viewer' }, [tag('body', {}, clauses)])}\n`;
+  return script('viewer', extended, clauses);
 }

@@ -1,0 +1,18 @@
+/** What every page is held to: no barriers and no sideways scroll, by day and by night, on a phone and on a desktop. */
+
+import { AxeBuilder } from '@axe-core/playwright';
+import type { Page } from '@playwright/test';
+import { expect } from './stage.js';
+
+/** How a page is looked at. */
+export const LOOKS = (['light', 'dark'] as const).flatMap((colorScheme) => [
+  { colorScheme, device: 'phone', width: 390, height: 844 },
+  { colorScheme, device: 'desktop', width: 1440, height: 900 },
+]);
+
+/** Checks the page as it is now; `part` says which part of it is open. */
+export async function expectNoBarriers(page: Page, part = 'page'): Promise<void> {
+  const { violations } = await new AxeBuilder({ page }).analyze();
+  expect(violations.map((v) => `${part}: ${v.id}: ${v.nodes.map((n) => n.target.join(' ')).join('; ')}`)).toEqual([]);
+  expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(page.viewportSize()?.width);
+}

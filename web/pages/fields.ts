@@ -1,0 +1,70 @@
+/** What the inputs of the viewer and of the workshop for gestures have in common. */
+
+import { html, type TemplateResult } from 'lit';
+import { Directive, directive, type ElementPart } from 'lit/directive.js';
+import { live } from 'lit/directives/live.js';
+
+/** Sets custom properties of CSS. An attribute `style` is what a strict policy refuses; this is no attribute. */
+export const vars = directive(
+  class extends Directive {
+    override update(part: ElementPart, [values]: [Readonly<Record<string, string>>]): void {
+      const { style } = part.element as HTMLElement;
+      for (const [name, value] of Object.entries(values)) style.setProperty(name, value);
+    }
+
+    render(_values: Readonly<Record<string, string>>): void {}
+  },
+);
+
+/** What a control does with a value: while it moves, and once it rests. One move is one step of undo. */
+export interface Sink<T> {
+  set(value: T): void;
+  done(): void;
+}
+
+/** A number between the ends of a slider. */
+export interface NumberField extends Sink<number> {
+  readonly label: string;
+  readonly value: number;
+  readonly min: number;
+  readonly max: number;
+  readonly step: number;
+  /** What stands behind the number. */
+  readonly unit?: string;
+  /** What a screen reader says instead of the slider's number. */
+  readonly text?: string;
+}
+
+/** One of a few words, side by side. */
+export function choice<T extends string>(name: string, label: string, value: T | undefined, options: Readonly<Record<T, string>>, choose: (value: T) => void): TemplateResult {
+  return html`<fieldset class="choice">
+    <legend>${label}</legend>
+    <div>
+      ${(Object.entries(options) as [T, string][]).map(
+        ([word, text]) => html`<label><input type="radio" name=${name} value=${word} .checked=${live(word === value)} @change=${() => choose(word)} /><span>${text}</span></label>`,
+      )}
+    </div>
+  </fieldset>`;
+}
+
+/** Arrow keys as steps to the right, upwards, and (page up and down) ahead: 1, or 5 with the shift key. */
+export function keySteps(event: KeyboardEvent): [right: number, up: number, ahead: number] | undefined {
+  if (event.ctrlKey || event.metaKey || event.altKey) return undefined;
+  const step = event.shiftKey ? 5 : 1;
+  switch (event.key) {
+    case 'ArrowLeft':
+      return [-step, 0, 0];
+    case 'ArrowRight':
+      return [step, 0, 0];
+    case 'ArrowUp':
+      return [0, step, 0];
+    case 'ArrowDown':
+      return [0, -step, 0];
+    case 'PageUp':
+      return [0, 0, step];
+    case 'PageDown':
+      return [0, 0, -step];
+    default:
+      return undefined;
+  }
+}

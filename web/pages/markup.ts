@@ -1,0 +1,22 @@
+/** EML as text: what the pages write. */
+
+const digits = (n: number): string => String(Number(n.toFixed(4)));
+const escape = (text: string): string => text.replace(/[&<>"']/g, (c) => `&#${c.charCodeAt(0)};`);
+
+/** A tag from its attributes, those that are undefined left out, and its children, each on lines of its own. Numbers have four decimals at most. */
+export function tag(name: string, attributes: Readonly<Record<string, string | number | boolean | undefined>>, children: readonly string[] = []): string {
+  const written = Object.entries(attributes).flatMap(([key, value]) =>
+    value === undefined ? [] : ` ${key}="${escape(typeof value === 'number' ? digits(value) : String(value))}"`,
+  );
+  const head = `<${name}${written.join('')}`;
+  if (children.length === 0) return `${head}/>`;
+  const [only = ''] = children;
+  // What one sees at a glance stands on one line.
+  if (children.length === 1 && name === 'tracks') return `${head}>${only}</${name}>`;
+  return `${head}>${children.map((child) => `\n${child.replace(/^/gm, '  ')}`).join('')}\n</${name}>`;
+}
+
+/** A whole script; `extended` when it uses the extensions, whose prefix is `r`. */
+export function script(name: string, extended: boolean, clauses: readonly string[]): string {
+  return `${tag('eml', { 'xmlns:r': extended ? 'urn:raconteur:eml:1' : undefined, name }, [tag('body', {}, clauses)])}\n`;
+}

@@ -1,0 +1,175 @@
+/**
+ * The angles of a limb's joints in the pose that the figure has now: those that
+ * `body-non-deterministic-fk` takes (GEVH table 3.1; `LimbRig` and `HeadRig` in
+ * `crate/actor/src/manipulator`), so that joints are led on from where they are.
+ */
+
+import type { PosedJoint, PoseNow, Vector } from '../pose.js';
+import { RANGES, type JointRange, type LimbName } from './state.js';
+
+/** The columns of a rotation. */
+type Axes = PosedJoint['axes'];
+
+const dot = (a: Vector, b: Vector): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+const cross = (a: Vector, b: Vector): Vector => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+/** A vector in the axes of a rotation, and back. */
+const within = ([x, y, z]: Axes, v: Vector): Vector => [dot(x, v), dot(y, v), dot(z, v)];
+const turned = ([x, y, z]: Axes, v: Vector): Vector => [
+  x[0] * v[0] + y[0] * v[1] + z[0] * v[2],
+  x[1] * v[0] + y[1] * v[1] + z[1] * v[2],
+  x[2] * v[0] + y[2] * v[1] + z[2] * v[2],
+];
+const times = (...all: readonly Axes[]): Axes => all.reduceRight((after, m) => [turned(m, after[0]), turned(m, after[1]), turned(m, after[2])]);
+const back = ([x, y, z]: Axes): Axes => [
+  [x[0], y[0], z[0]],
+  [x[1], y[1], z[1]],
+  [x[2], y[2], z[2]],
+];
+/** The turn by an angle about a unit axis. */
+function about(axis: Vector, angle: number): Axes {
+  const [sin, cos] = [Math.sin(angle), Math.cos(angle)];
+  const column = (v: Vector): Vector => {
+    const [along, across] = [dot(axis, v) * (1 - cos), cross(axis, v)];
+    return [v[0] * cos + across[0] * sin + axis[0] * along, v[1] * cos + across[1] * sin + axis[1] * along, v[2] * cos + across[2] * sin + axis[2] * along];
+  };
+  return [column([1, 0, 0]), column([0, 1, 0]), column([0, 0, 1])];
+}
+const X: Vector = [1, 0, 0];
+const Y: Vector = [0, 1, 0];
+const Z: Vector = [0, 0, 1];
+const QUARTER = Math.PI / 2;
+const wrapped = (angle: number): number => Math.atan2(Math.sin(angle), Math.cos(angle));
+
+/** Bones of trunk, neck and head in the zero pose: up, to the front, to the left. */
+const MIDDLE: Axes = [Y, Z, X];
+
+/** Rows of GEVH table A.1: the turns about z, y and z of the left bones, degrees. */
+const ROWS = {
+  shoulder: [90.623, 90, -89.9994],
+  elbow: [90.0086, 90, -89.9994],
+  wrist: [86.1526, 89.9999, -89.9994],
+  hip: [-96.1374, 1.8407, 6.1522],
+  knee: [91.7311, 6.5409, 178.269],
+  subtalar: [-90.2381, 36.4449, 0.1221],
+} as const;
+
+/** The axes of a bone in the zero pose, arms stretched out sideways (`zero_frames` in `crate/body`). */
+function zeroOf(part: keyof typeof ROWS, left: boolean): Axes {
+  const [a, b, c] = ROWS[part].map((degrees) => (degrees * Math.PI) / 180) as [number, number, number];
+  const [x, y] = times(about(Z, a), about(Y, b), about(Z, c));
+  // The table's z points to the back; the right side mirrors the left.
+  const ours = (v: Vector): Vector => [left ? v[0] : -v[0], v[1], -v[2]];
+  return [ours(x), ours(y), cross(ours(x), ours(y))];
+}
+
+/** A limb: its bones, and what about it does not change with the pose. */
+class Rig {
+  readonly #sign: number;
+  /** Signs that lead from the table's joints to those of EML, which mirror each other. */
+  readonly #signs: readonly [number, number, number];
+  readonly #linkFromUpper: Axes;
+  readonly #lowerFromUpper: Axes;
+  readonly #endFromLower: Axes;
+  readonly #endFromTarget: Axes;
+  /** Of elbow or knee, in the lower bone. */
+  readonly #hinge: Vector;
+
+  constructor(
+    left: boolean,
+    arm: boolean,
+    private readonly ranges: readonly JointRange[],
+  ) {
+    const [upper, lower, end] = (arm ? (['shoulder', 'elbow', 'wrist'] as const) : (['hip', 'knee', 'subtalar'] as const)).map((part) => zeroOf(part, left)) as [Axes, Axes, Axes];
+    const sign = left ? 1 : -1;
+    const target = about(Z, arm && left ? 0 : arm ? -Math.PI : -QUARTER);
+    this.#sign = sign;
+    this.#signs = arm ? [sign, 1, -sign] : [sign, -1, sign];
+    this.#linkFromUpper = times(back(about(X, QUARTER)), back(target), upper);
+    this.#lowerFromUpper = times(back(upper), lower);
+    this.#endFromLower = times(back(lower), end);
+    this.#endFromTarget = times(back(end), target);
+    this.#hinge = arm ? Z : within(lower, X);
+  }
+
+  /**
+   * Degrees that leave the end of the limb where it is. The seventh joint, the turn of the
+   * upper bone about itself, has no place in EML and counts as 0.
+   */
+  joints(trunk: PosedJoint, upper: PosedJoint, lower: PosedJoint, end: PosedJoint): number[] {
+    const base = times(trunk.axes, back(MIDDLE), about(Z, -QUARTER));
+    const bend = times(back(this.#lowerFromUpper), back(upper.axes), lower.axes);
+    const [x, y, z] = bend;
+    const flexion = Math.atan2(dot([y[2] - z[1], z[0] - x[2], x[1] - y[0]], this.#hinge), x[0] + y[1] + z[2] - 1);
+    const reach: Vector = [end.position[0] - upper.position[0], end.position[1] - upper.position[1], end.position[2] - upper.position[2]];
+    // The end from the first joint: in the second frame of the table, and in the base.
+    const own = turned(this.#linkFromUpper, within(upper.axes, reach));
+    const to = within(base, reach);
+    const level = Math.hypot(own[0], own[1]);
+    const lift = Math.asin(Math.min(1, Math.max(-1, to[2] / level)));
+    const ways = [lift, Math.PI - lift].flatMap((raised) => {
+      const first = wrapped(Math.atan2(to[1], to[0]) - Math.atan2(-own[2], level * Math.cos(raised)));
+      const second = wrapped(raised - Math.atan2(own[1], own[0]));
+      const shoulder = [this.#sign * first, second, flexion];
+      const link = times(about(Z, first), about(X, QUARTER), about(Z, second));
+      const stretched = times(base, link, this.#linkFromUpper, this.#lowerFromUpper, about(this.#hinge, flexion), this.#endFromLower, this.#endFromTarget);
+      return this.#turns(times(back(stretched), end.axes, this.#endFromTarget)).map((turn) => [...shoulder, ...turn]);
+    });
+    return nearest(ways, this.ranges);
+  }
+
+  /** Both ways to turn wrist or ankle so. */
+  #turns([x, y, z]: Axes): number[][] {
+    const a = Math.atan2(-z[1], z[2]);
+    const b = Math.atan2(z[0], Math.hypot(x[0], y[0]));
+    const c = Math.atan2(-y[0], x[0]);
+    const out = (...[a, b, c]: [number, number, number]): number[] => [this.#signs[0] * wrapped(a), -this.#signs[1] * wrapped(b), this.#signs[2] * wrapped(c)];
+    return [out(a, b, c), out(a + Math.PI, Math.PI - b, c + Math.PI)];
+  }
+}
+
+/** Neck and skull, degrees; a twist of the neck is left out: it has no joint for that. */
+function headJoints(trunk: PosedJoint, neck: PosedJoint, skull: PosedJoint): number[] {
+  const base = times(trunk.axes, back(MIDDLE));
+  const [, up] = times(back(base), neck.axes, back(MIDDLE));
+  const tilt = Math.atan2(up[0], up[1]);
+  const lean = Math.atan2(up[2], Math.hypot(up[0], up[1]));
+  const [x, y, z] = times(back(about(X, lean)), back(about(Z, -tilt)), back(base), skull.axes, back(MIDDLE));
+  return degrees([tilt, lean, Math.atan2(z[0], z[2]), Math.atan2(-z[1], Math.hypot(z[0], z[2])), -Math.atan2(x[1], y[1])]);
+}
+
+const degrees = (angles: readonly number[]): number[] => angles.map((angle) => Math.round((angle * 180) / Math.PI) || 0);
+
+/** The set of angles that is least beyond what people turn, and of those the one nearest to the neutral pose. */
+function nearest(sets: readonly (readonly number[])[], ranges: readonly JointRange[]): number[] {
+  const cost = (angles: readonly number[]): number =>
+    angles.reduce((sum, angle, i) => {
+      const { least, most } = ranges[i] ?? { least: -180, most: 180 };
+      return sum + 1000 * Math.max(0, least - angle, angle - most) + Math.abs(angle);
+    }, 0);
+  return sets.map(degrees).reduce((best, next) => (cost(next) < cost(best) ? next : best));
+}
+
+const RIGS: Readonly<Record<Exclude<LimbName, 'head'>, Rig>> = {
+  leftArm: new Rig(true, true, RANGES.leftArm),
+  rightArm: new Rig(false, true, RANGES.rightArm),
+  leftLeg: new Rig(true, false, RANGES.leftLeg),
+  rightLeg: new Rig(false, false, RANGES.rightLeg),
+};
+
+/** Trunk and bones of each limb. */
+const BONES: Readonly<Record<LimbName, readonly string[]>> = {
+  leftArm: ['thoracic', 'l_shoulder', 'l_elbow', 'l_wrist'],
+  rightArm: ['thoracic', 'r_shoulder', 'r_elbow', 'r_wrist'],
+  leftLeg: ['sacroiliac', 'l_hip', 'l_knee', 'l_subtalar'],
+  rightLeg: ['sacroiliac', 'r_hip', 'r_knee', 'r_subtalar'],
+  head: ['thoracic', 'cervical', 'skull'],
+};
+
+/** The angles of a limb's joints as it stands now, whole degrees; undefined where the figure lacks a bone. */
+export function jointsNow(pose: PoseNow, name: LimbName): number[] | undefined {
+  const bones = BONES[name].flatMap((bone) => pose.joints.find((joint) => joint.name === `bone_${bone}`) ?? []);
+  const [trunk, first, second, third] = bones;
+  if (trunk === undefined || first === undefined || second === undefined) return undefined;
+  if (name === 'head') return headJoints(trunk, first, second);
+  return third && RIGS[name].joints(trunk, first, second, third);
+}

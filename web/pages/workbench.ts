@@ -1,0 +1,32 @@
+/** What the scripts of the viewer and of the workshop for gestures have in common. */
+
+/** A part of the page; that it is there is the page's own business. */
+export function part(id: string): HTMLElement {
+  const element = document.getElementById(id);
+  if (element === null) throw new Error(`the page has no #${id}`);
+  return element;
+}
+
+/** How long one is told that something was copied. */
+const TOLD_MS = 1800;
+
+/** Copies a text; `tell` hears how it went, and nothing when that is no news any more. */
+export function copyText(text: string, tell: (outcome: 'Copied' | 'Select and copy by hand' | undefined) => void): void {
+  const told = (outcome: 'Copied' | 'Select and copy by hand') => (): void => {
+    tell(outcome);
+    setTimeout(() => tell(undefined), TOLD_MS);
+  };
+  navigator.clipboard.writeText(text).then(told('Copied'), told('Select and copy by hand'));
+}
+
+/** Connects the keys for undo and redo with the whole page; where `leaves` says so, they keep their own meaning. */
+export function onUndoKeys(undo: () => void, redo: () => void, leaves: (event: KeyboardEvent) => boolean = () => false): void {
+  document.addEventListener('keydown', (event) => {
+    if (!(event.ctrlKey || event.metaKey) || event.altKey || event.defaultPrevented || leaves(event)) return;
+    const key = event.key.toLowerCase();
+    if (key === 'z' && !event.shiftKey) undo();
+    else if ((key === 'z' && event.shiftKey) || key === 'y') redo();
+    else return;
+    event.preventDefault();
+  });
+}
