@@ -21,6 +21,10 @@ pub fn asin_clamped(x: f64) -> f64 {
 #[must_use]
 pub fn wrap_angle(angle_rad: f64) -> f64 {
     use core::f64::consts::{PI, TAU};
+    // Nearly all are within already, and a remainder takes long.
+    if angle_rad > -PI && angle_rad <= PI {
+        return angle_rad;
+    }
     let turned = angle_rad % TAU;
     if turned > PI {
         turned - TAU

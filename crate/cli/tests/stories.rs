@@ -144,8 +144,9 @@ fn the_dance_knows_every_function() {
         assert!(text.contains(&format!("manipulator='{limb}'")), "{limb}");
     }
     assert!(starts(&t, "vh-move").len() > 60);
-    // No animation helps.
-    assert!(!text.contains("animationSetName"));
+    // No animation helps but one that holds the fingers.
+    assert_eq!(text.matches("animationSetName").count(), 1);
+    assert!(text.contains("animationSetName='hand-shape-1'><tracks><ref name='hands'/>"));
 }
 
 #[test]

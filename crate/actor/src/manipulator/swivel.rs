@@ -18,6 +18,9 @@ use crate::arm_ik::{TRUNK_HALF_AXES_M, natural_elbow};
 const FIRST_RAD: f64 = -0.75;
 const CANDIDATES: usize = 9;
 const STEP_RAD: f64 = 0.25;
+/// Sine and cosine of the first swivel and of the step.
+const FIRST_SIN_COS: [f64; 2] = [-0.681_638_760_023_334_2, 0.731_688_868_873_820_9];
+const STEP_SIN_COS: [f64; 2] = [0.247_403_959_254_522_94, 0.968_912_421_710_644_7];
 /// Effort by which one direction is e times as likely as another. Designed: sharp enough to
 /// keep out of the body, soft enough to be steady.
 const SOFTNESS: f64 = 0.04;
@@ -55,17 +58,50 @@ pub struct Obstacles {
     pub scale: f64,
 }
 
-impl Obstacles {
+/// Obstacles made ready to be asked about many places: what divides stands as a factor.
+struct Clearance<'a> {
+    obstacles: &'a Obstacles,
+    /// One over the square of the arm's distance from the head's middle, and from the other arm.
+    head: f64,
+    other_arm: f64,
+    /// The other forearm, and it over the square of its length.
+    forearm: DVec3,
+    along_forearm: DVec3,
+    /// One over the squares of the torso's half axes with the arm about them.
+    torso: [f64; 2],
+    /// One over the height in which the torso's top ends, and where it begins to, metres.
+    top: f64,
+    top_m: f64,
+}
+
+impl<'a> Clearance<'a> {
+    fn new(obstacles: &'a Obstacles) -> Self {
+        let scale = obstacles.scale;
+        let inverse_square = |metres: f64| 1.0 / (metres * metres * scale * scale);
+        let [a, b] = obstacles.other_forearm;
+        let forearm = b - a;
+        Self {
+            obstacles,
+            head: inverse_square(HEAD_RADIUS_M + ARM_RADIUS_M),
+            other_arm: inverse_square(2.0 * ARM_RADIUS_M),
+            forearm,
+            along_forearm: forearm / forearm.length_squared().max(1e-12),
+            torso: TRUNK_HALF_AXES_M.map(|half| inverse_square(half + ARM_RADIUS_M)),
+            // Above the shoulders there is only the neck.
+            top: 1.0 / (0.06 * scale),
+            top_m: 0.02 * scale,
+        }
+    }
+
     /// A place in body axes, from the middle of the shoulders.
     fn in_body(&self, point: DVec3) -> DVec3 {
-        self.body_from_figure.transform_point3(point) - self.shoulders_in_body
+        let obstacles = self.obstacles;
+        obstacles.body_from_figure.transform_point3(point) - obstacles.shoulders_in_body
     }
 
     /// How much effort it is to have an arm's shoulder, elbow and wrist in a place, which is
     /// given in figure axes and [in the body's](Self::in_body).
     fn effort(&self, arm: [DVec3; 3], arm_in_body: [DVec3; 3]) -> f64 {
-        let clear_head = (HEAD_RADIUS_M + ARM_RADIUS_M) * self.scale;
-        let clear_arm = 2.0 * ARM_RADIUS_M * self.scale;
         // The shoulder itself touches the torso, and the wrist is where it was asked to be.
         let points = |[shoulder, elbow, wrist]: [DVec3; 3]| {
             [
@@ -75,11 +111,13 @@ impl Obstacles {
                 elbow.lerp(wrist, 0.7),
             ]
         };
+        let [other_elbow, _] = self.obstacles.other_forearm;
         let mut sum = 0.0;
         for (point, in_body) in points(arm).into_iter().zip(points(arm_in_body)) {
-            let head = depth(point.distance_squared(self.head) / (clear_head * clear_head));
-            let near = nearest(point, self.other_forearm);
-            let other = depth(point.distance_squared(near) / (clear_arm * clear_arm));
+            let head = depth(point.distance_squared(self.obstacles.head) * self.head);
+            let share = (point - other_elbow).dot(self.along_forearm);
+            let near = other_elbow + self.forearm * share.clamp(0.0, 1.0);
+            let other = depth(point.distance_squared(near) * self.other_arm);
             let torso = self.depth_in_torso(in_body);
             sum += torso * torso + head * head + OTHER_ARM * other * other;
         }
@@ -88,12 +126,19 @@ impl Obstacles {
 
     /// Depth of the bone of an arm, in body axes, in the torso, as a share of its half axes.
     fn depth_in_torso(&self, p: DVec3) -> f64 {
-        let radius = ARM_RADIUS_M * self.scale;
-        let [x, z] = TRUNK_HALF_AXES_M.map(|a| a * self.scale + radius);
-        // Above the shoulders there is only the neck.
-        let below = (1.0 - (p.y + 0.02 * self.scale) / (0.06 * self.scale)).clamp(0.0, 1.0);
-        below * depth((p.x / x) * (p.x / x) + (p.z / z) * (p.z / z))
+        let below = (1.0 - (p.y + self.top_m) * self.top).clamp(0.0, 1.0);
+        below * depth(p.x * p.x * self.torso[0] + p.z * p.z * self.torso[1])
     }
+}
+
+/// How likely a direction of so much effort is: the exponential function of its negative over
+/// [`SOFTNESS`], as the limit of powers stopped at the 1024th, for it is asked for often.
+fn likelihood(effort: f64) -> f64 {
+    let mut power = (1.0 - effort * (1.0 / (1024.0 * SOFTNESS))).max(0.0);
+    for _ in 0..10 {
+        power *= power;
+    }
+    power
 }
 
 /// How deep a place is inside something, 1 in its middle, from the square of its distance as
@@ -106,13 +151,6 @@ fn depth(share_squared: f64) -> f64 {
     }
 }
 
-/// The point of a segment that is nearest to a point.
-fn nearest(point: DVec3, [a, b]: [DVec3; 2]) -> DVec3 {
-    let along = b - a;
-    let share = (point - a).dot(along) / along.length_squared().max(1e-12);
-    a + along * share.clamp(0.0, 1.0)
-}
-
 /// A limb with everything settled but the swivel.
 struct Circle {
     shoulder: DVec3,
@@ -121,6 +159,10 @@ struct Circle {
     /// Distance of the elbow's circle from the shoulder, and its radius, metres.
     along_m: f64,
     radius_m: f64,
+    /// One over the length of the lower limb.
+    per_lower: f64,
+    /// The x and y axes of hand or foot.
+    end_axes: [DVec3; 2],
 }
 
 impl Circle {
@@ -190,30 +232,41 @@ impl LimbRig {
         let hinge = self.chain.hinge();
         let end = self.chain.end_in_upper(flexion);
         let along_m = hinge.dot(end) / end.length().max(1e-9);
+        let radius_m = (hinge.length_squared() - along_m * along_m).max(0.0).sqrt();
+        let lower_m = ((distance - along_m) * (distance - along_m) + radius_m * radius_m).sqrt();
         let circle = Circle {
             shoulder: base.origin,
             wrist: target.position,
             direction,
             along_m,
-            radius_m: (hinge.length_squared() - along_m * along_m).max(0.0).sqrt(),
+            radius_m,
+            per_lower: 1.0 / lower_m.max(1e-9),
+            end_axes: [DVec3::X, DVec3::Y].map(|axis| target.rotation * axis),
         };
         let to_base = base.rotation.inverse();
-        let ends_in_body =
-            obstacles.map(|o| (o, [circle.shoulder, circle.wrist].map(|p| o.in_body(p))));
+        // Only an upper arm that points to the back is ever beyond its limits.
+        let back = base.rotation * DVec3::NEG_Z;
+        let most_back_m = BACKWARDS * hinge.length();
+        let clearance = obstacles.map(Clearance::new);
+        let clearance = clearance.as_ref().map(|c| {
+            let ends = [circle.shoulder, circle.wrist].map(|p| c.in_body(p));
+            (c, ends)
+        });
         let (mut sum, mut weights) = (0.0, 0.0);
-        let [(mut s, mut c), (step_s, step_c)] = [FIRST_RAD, STEP_RAD].map(ops::sincos);
+        let ([mut s, mut c], [step_s, step_c]) = (FIRST_SIN_COS, STEP_SIN_COS);
         let (mut swivel, mut outwards) = (FIRST_RAD, first * c + second * s);
         for _ in 0..CANDIDATES {
-            let mut effort = 0.16 * swivel * swivel + self.strain(&circle, outwards, target);
+            let mut effort = 0.16 * swivel * swivel + self.strain(&circle, outwards);
             let elbow = circle.elbow(outwards);
-            if self.is_arm {
-                effort += LIMITS * self.beyond(to_base * (elbow - base.origin));
+            let upper = elbow - base.origin;
+            if self.is_arm && upper.dot(back) >= most_back_m {
+                effort += LIMITS * self.beyond(to_base * upper);
             }
-            if let Some((obstacles, [shoulder, wrist])) = ends_in_body {
+            if let Some((clearance, [shoulder, wrist])) = clearance {
                 let arm = [circle.shoulder, elbow, circle.wrist];
-                effort += obstacles.effort(arm, [shoulder, obstacles.in_body(elbow), wrist]);
+                effort += clearance.effort(arm, [shoulder, clearance.in_body(elbow), wrist]);
             }
-            let weight = ops::exp(-effort / SOFTNESS).max(LEAST_WEIGHT);
+            let weight = likelihood(effort).max(LEAST_WEIGHT);
             sum += weight * swivel;
             weights += weight;
             (s, c) = (s * step_c + c * step_s, c * step_c - s * step_s);
@@ -224,12 +277,8 @@ impl LimbRig {
     }
 
     /// Square of the angle by which an upper arm (base axes, any length) is beyond the limits of
-    /// the shoulder. Only what points backwards can be.
+    /// the shoulder.
     fn beyond(&self, upper: DVec3) -> f64 {
-        let back = -upper.z / upper.length().max(1e-9);
-        if back < BACKWARDS {
-            return 0.0;
-        }
         let level = (upper.x * upper.x + upper.y * upper.y).sqrt();
         let aside = self.sign * ops::atan2(upper.y, upper.x);
         let forth = ops::atan2(upper.z, level);
@@ -248,18 +297,15 @@ impl LimbRig {
 
     /// What a swivel asks of the wrist or ankle beyond what it does without thinking: bend
     /// and twist, by their cosines.
-    fn strain(&self, circle: &Circle, outwards: DVec3, target: &Frame) -> f64 {
+    fn strain(&self, circle: &Circle, outwards: DVec3) -> f64 {
         const FREE_BEND: f64 = 0.17;
         const FREE_TWIST: f64 = 0.62;
-        let fore = (circle.wrist - circle.elbow(outwards))
-            .try_normalize()
-            .unwrap_or(circle.direction);
-        let hand = target.rotation * DVec3::X;
+        let fore = (circle.wrist - circle.elbow(outwards)) * circle.per_lower;
+        let [hand, side] = circle.end_axes;
         let bend = (1.0 - FREE_BEND - fore.dot(hand)).max(0.0);
         // The hinge lies across limb and elbow; a hand at rest has its y axis along it.
         let facing = if self.is_arm { 1.0 } else { -1.0 };
         let hinge = circle.direction.cross(outwards) * facing;
-        let side = target.rotation * DVec3::Y;
         let across = side - fore * fore.dot(side);
         let twist = (FREE_TWIST - across.dot(hinge) / across.length().max(0.2)).max(0.0);
         1.2 * bend * bend + 0.8 * twist * twist
