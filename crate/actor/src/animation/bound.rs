@@ -186,6 +186,11 @@ impl BoundClip {
         Some(DVec3::new(x, y, z) * body.stature_m)
     }
 
+    /// Those of some bones that the clip moves.
+    pub(crate) fn moved(&self, bones: BoneSet) -> BoneSet {
+        bones.and(self.moves)
+    }
+
     /// Adds what the clip says of some bones at a time of its own to a mean.
     pub(crate) fn add(
         &self,
@@ -196,7 +201,7 @@ impl BoundClip {
         share: f64,
         into: &mut Layering,
     ) {
-        if share <= 0.0 || bones.and(self.moves).is_empty() {
+        if share <= 0.0 || self.moved(bones).is_empty() {
             return;
         }
         // Legs need the clip's own pelvis, whoever moves the pelvis in the end.
@@ -217,7 +222,7 @@ impl BoundClip {
         for side in Side::BOTH {
             let i = side.index();
             let leg_bones = BoneSet::leg(side);
-            if bones.and(leg_bones).and(self.moves).is_empty() {
+            if self.moved(bones.and(leg_bones)).is_empty() {
                 continue;
             }
             let whole = LEG_BONES[i].iter().all(|b| bones.has(*b));

@@ -43,6 +43,12 @@ impl BoneSet {
         Self(self.0 & other.0)
     }
 
+    /// The bones of this that the other does not have.
+    #[must_use]
+    pub fn without(self, other: Self) -> Self {
+        Self(self.0 & !other.0)
+    }
+
     /// All from one bone to another in [`Bone::ALL`]'s order, both included.
     const fn range(from: Bone, to: Bone) -> u64 {
         let (from, to) = (from as u64, to as u64);

@@ -5,8 +5,10 @@
 //! keep a foot on one spot keep it there while they pass into each other, which blended
 //! joint angles would not.
 
-use raconteur_base::{DQuat, DVec3};
+use raconteur_base::{DQuat, DVec3, Side};
 use raconteur_body::Bone;
+
+use super::groups::BoneSet;
 
 /// A foot and how much it is covered.
 #[derive(Clone, Copy, Debug)]
@@ -47,7 +49,7 @@ impl Layering {
     pub(crate) fn add_bone(&mut self, bone: Bone, rotation: DQuat, share: f64) {
         let i = bone.index();
         if let Some(s) = add_share(&mut self.shares[i], share) {
-            self.rotations[i] = self.rotations[i].slerp(rotation, s);
+            self.rotations[i] = between(self.rotations[i], rotation, s);
         }
     }
 
@@ -63,8 +65,25 @@ impl Layering {
         let foot = &mut self.feet[side];
         if let Some(s) = add_share(&mut foot.share, share) {
             foot.ball_in_world = foot.ball_in_world.lerp(ball, s);
-            foot.rotation = foot.rotation.slerp(rotation, s);
+            foot.rotation = between(foot.rotation, rotation, s);
         }
+    }
+
+    /// The bones of which nothing below can be seen. A leg is not among them before where its
+    /// foot and the figure are is covered, too.
+    pub(crate) fn covered(&self) -> BoneSet {
+        let mut covered = BoneSet::NONE;
+        for bone in Bone::ALL {
+            if self.shares[bone.index()] >= 1.0 {
+                covered = covered.with(bone);
+            }
+        }
+        for side in Side::BOTH {
+            if self.feet[side.index()].share.min(self.root_share) < 1.0 {
+                covered = covered.without(BoneSet::leg(side));
+            }
+        }
+        covered
     }
 
     /// Lays `above` over this.

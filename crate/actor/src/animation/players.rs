@@ -6,6 +6,7 @@ use raconteur_body::hand_shape::finger_bones;
 use raconteur_body::{Bone, Pose, Skeleton};
 
 use super::bound::{Body, BoundClip};
+use super::groups::BoneSet;
 use super::layering::Layering;
 use super::library::Library;
 use super::schedule::{PlayerPlan, Playing, Schedule, Stretch, Stretches, Track};
@@ -178,18 +179,21 @@ impl Players {
         let mut anything = false;
         in_order(orders, t, |order, share| {
             let mut layers = Layering::EMPTY;
-            for &player in order {
+            anything |= !order.is_empty();
+            // From the one on top down, as far as anything can be seen.
+            for &player in order.iter().rev() {
                 let plan = &self.schedule.players[player];
-                layers.cover(&self.player(skeleton, plan, t));
-                anything = true;
+                let mut below = self.player(skeleton, plan, t, layers.covered());
+                below.cover(&layers);
+                layers = below;
             }
             sum.fade(&layers, share);
         });
         anything.then_some(sum)
     }
 
-    /// What one player makes.
-    fn player(&self, skeleton: &Skeleton, plan: &PlayerPlan, t: f64) -> Layering {
+    /// What one player makes, but for what moves hidden bones alone.
+    fn player(&self, skeleton: &Skeleton, plan: &PlayerPlan, t: f64, hidden: BoneSet) -> Layering {
         let mut out = Layering::EMPTY;
         let scale = self.scale(plan, t);
         for track in &plan.tracks {
@@ -200,6 +204,9 @@ impl Players {
             let still = plan.kind == PlayerKind::Pose;
             track.heard(t, |playing, share| {
                 let clip = &self.clips[playing.clip];
+                if clip.moved(track.bones).without(hidden).is_empty() {
+                    return;
+                }
                 let length_secs = clip.clip.duration_secs();
                 let played = track.speed.integral(t) - playing.begun;
                 let played = if still { 0.0 } else { played };
