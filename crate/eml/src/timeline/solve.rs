@@ -103,7 +103,7 @@ struct Solver<'d, 's> {
     sink: &'s mut Sink,
     /// The terms of all clauses, those of one clause together.
     terms: Vec<Term>,
-    term_ends: Vec<usize>,
+    term_ends: Vec<u32>,
     /// In a seq, the clause before.
     before: Vec<Option<ClauseId>>,
     state: Vec<State>,
@@ -114,7 +114,7 @@ struct Solver<'d, 's> {
     /// names; by clause.
     unknown: Vec<(ClauseId, usize)>,
     /// Where on the stack an open unknown lies.
-    depth: Vec<usize>,
+    depth: Vec<u32>,
     /// The clauses on the stack whose start names moments, and where on it they lie.
     suspects: Vec<(ClauseId, usize)>,
 }
@@ -151,7 +151,8 @@ impl Solver<'_, '_> {
                     }
                 }
             }
-            self.term_ends.push(self.terms.len());
+            // Each name takes bytes of a source of fewer than 2³².
+            self.term_ends.push(self.terms.len() as u32);
         }
     }
 
@@ -169,6 +170,14 @@ impl Solver<'_, '_> {
     /// gone through in the order of the document.
     fn is_ready(&self, unknown: usize) -> bool {
         let known = |needed| self.state[needed] == State::Done;
+        if !unknown.is_multiple_of(2) && known(unknown - 1) {
+            // The end of a clause that starts and holds no others needs nothing more.
+            let (id, _) = self.clause_of(unknown);
+            if self.counts[id.index()] == 0 && !self.values[unknown - 1].is_nan() {
+                step(1);
+                return true;
+            }
+        }
         known(unknown) || (0..).map_while(|i| self.needs(unknown, i)).all(known)
     }
 
@@ -191,7 +200,7 @@ impl Solver<'_, '_> {
             *next += 1;
             match self.state[needed] {
                 State::New => self.open(needed, stack),
-                State::Open => self.refuse_cycle(self.depth[needed]),
+                State::Open => self.refuse_cycle(self.depth[needed] as usize),
                 State::Done => {}
             }
         }
@@ -200,7 +209,8 @@ impl Solver<'_, '_> {
     /// Puts an unknown and the first thing it needs on the stack.
     fn open(&mut self, unknown: usize, stack: &mut Vec<(usize, usize)>) {
         self.state[unknown] = State::Open;
-        self.depth[unknown] = stack.len();
+        // A document has fewer than 2³¹ clauses, and each unknown is open once.
+        self.depth[unknown] = stack.len() as u32;
         let (id, clause) = self.clause_of(unknown);
         if unknown.is_multiple_of(2) && clause.start.is_absolute() {
             self.suspects.push((id, stack.len()));
@@ -411,7 +421,7 @@ impl Solver<'_, '_> {
             .index()
             .checked_sub(1)
             .map_or(0, |before| self.term_ends[before]);
-        &self.terms[start..self.term_ends[id.index()]]
+        &self.terms[start as usize..self.term_ends[id.index()] as usize]
     }
 }
 
