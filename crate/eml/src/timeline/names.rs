@@ -27,6 +27,8 @@ pub(super) struct Found {
     pub(super) names: Names,
     /// The groups, outer ones first.
     pub(super) groups: Vec<ClauseId>,
+    /// The clauses whose start names moments.
+    pub(super) absolute: Vec<ClauseId>,
 }
 
 /// Every name of a document.
@@ -60,6 +62,7 @@ impl Names {
     ) -> Found {
         let mut voices = Vec::new();
         let mut groups = Vec::new();
+        let mut absolute = Vec::new();
         let mut moments: Vec<(Name, Moment)> = Vec::new();
         for (id, clause) in document.iter() {
             if let Some(name) = &clause.time_id {
@@ -69,6 +72,9 @@ impl Names {
                     span: clause.tag_span,
                 };
                 moments.push((name.clone(), moment));
+            }
+            if clause.start.is_absolute() {
+                absolute.push(id);
             }
             if clause.kind.group().is_some() {
                 groups.push(id);
@@ -117,6 +123,7 @@ impl Names {
             voices: SortedMap::from_sorted(voices),
             names: Self { moments, order },
             groups,
+            absolute,
         }
     }
 

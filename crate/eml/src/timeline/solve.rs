@@ -4,7 +4,7 @@
 //! with a stack of its own, so that a chain of a hundred thousand names is no problem,
 //! and meeting an unknown that is being worked on is a cycle.
 
-use super::names::{Found, Names};
+use super::names::Found;
 use crate::decimal::fixed;
 use crate::diagnostic::Sink;
 use crate::suggest::{nearest, quoted};
@@ -57,7 +57,7 @@ pub(super) fn solve(
         counts,
         sink,
         terms: Vec::new(),
-        term_ends: Vec::with_capacity(n),
+        first_term: vec![0; n],
         before: vec![None; n],
         state: vec![State::New; 2 * n],
         values: vec![f64::NAN; 2 * n],
@@ -66,7 +66,7 @@ pub(super) fn solve(
         depth: vec![0; 2 * n],
         suspects: Vec::new(),
     };
-    solver.look_up_names(&found.names);
+    solver.look_up_names(found);
     solver.link_sequences(&found.groups);
     let mut stack = Vec::new();
     for unknown in 0..2 * n {
@@ -101,9 +101,11 @@ struct Solver<'d, 's> {
     voices: &'d SortedMap<ClauseId, VoiceTiming>,
     counts: &'d [u32],
     sink: &'s mut Sink,
-    /// The terms of all clauses, those of one clause together.
+    /// The terms of all clauses, those of one clause together, as many as it names when it
+    /// is not refused.
     terms: Vec<Term>,
-    term_ends: Vec<u32>,
+    /// Where those of each clause begin.
+    first_term: Vec<u32>,
     /// In a seq, the clause before.
     before: Vec<Option<ClauseId>>,
     state: Vec<State>,
@@ -120,9 +122,17 @@ struct Solver<'d, 's> {
 }
 
 impl Solver<'_, '_> {
-    fn look_up_names(&mut self, names: &Names) {
+    fn look_up_names(
+        &mut self,
+        Found {
+            names, absolute, ..
+        }: &Found,
+    ) {
         let mut looks = MOST_LOOKS;
-        for (id, clause) in self.document.iter() {
+        for &id in absolute {
+            let clause = self.document.clause(id);
+            // Each name takes bytes of a source of fewer than 2³².
+            self.first_term[id.index()] = self.terms.len() as u32;
             for (place, term) in clause.start.names.iter().enumerate() {
                 match names.find(&term.name) {
                     Some(moment) => self.terms.push(Term {
@@ -151,8 +161,6 @@ impl Solver<'_, '_> {
                     }
                 }
             }
-            // Each name takes bytes of a source of fewer than 2³².
-            self.term_ends.push(self.terms.len() as u32);
         }
     }
 
@@ -417,11 +425,9 @@ impl Solver<'_, '_> {
     }
 
     fn terms_of(&self, id: ClauseId) -> &[Term] {
-        let start = id
-            .index()
-            .checked_sub(1)
-            .map_or(0, |before| self.term_ends[before]);
-        &self.terms[start as usize..self.term_ends[id.index()] as usize]
+        let count = self.document.clause(id).start.names.len();
+        let terms = &self.terms[self.first_term[id.index()] as usize..];
+        terms.get(..count).unwrap_or(terms)
     }
 }
 
