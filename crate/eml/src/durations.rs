@@ -77,12 +77,13 @@ impl Durations for EstimatedDurations {
             _ => None,
         });
         let mut next_break = breaks.next();
-        // About one word in six bytes; a list that grows is copied several times.
+        // A list that grows is copied several times, so there is room for words of three
+        // letters; what is left over is given back.
         let bytes = text.pieces.iter().map(|piece| match piece {
             Piece::Text { text, .. } => text.len(),
             _ => 0,
         });
-        timing.words.reserve(bytes.sum::<usize>() / 6 + 1);
+        timing.words.reserve_exact(bytes.sum::<usize>() / 4 + 1);
         let mut now = 0.0_f64;
         // Where silence after the last word ends; the utterance ends with the word.
         let mut resume = 0.0_f64;
@@ -103,6 +104,7 @@ impl Durations for EstimatedDurations {
             resume = now + pause_after(word.text());
             ControlFlow::Continue(())
         });
+        timing.words.shrink_to_fit();
         let trailing: f64 = next_break
             .iter()
             .copied()

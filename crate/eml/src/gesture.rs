@@ -85,11 +85,11 @@ pub struct GestureKey {
     /// of the keys say.
     pub pace: Option<Box<Profile>>,
     /// Shapes, at most one track a hand.
-    pub hand_shapes: Vec<Track<ShapeKey>>,
+    pub hand_shapes: Box<[Track<ShapeKey>]>,
     /// Palm orientations, at most one track a hand.
-    pub palms: Vec<Track<PalmKey>>,
+    pub palms: Box<[Track<PalmKey>]>,
     /// Positions, at most one track a hand.
-    pub motions: Vec<Track<MotionKey>>,
+    pub motions: Box<[Track<MotionKey>]>,
 }
 
 /// Which hands a gesture uses.

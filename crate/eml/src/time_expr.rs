@@ -66,6 +66,9 @@ pub(crate) fn parse(text: &str, start: u32) -> Result<TimeExpr, Problem> {
             span,
         });
     }
+    if let Some(expr) = moment(text, start) {
+        return Ok(expr);
+    }
     let at = |offset: usize| start.saturating_add(u32::try_from(offset).unwrap_or(u32::MAX));
     let mut lexer = Lexer { text, position: 0 };
     let mut expr = TimeExpr {
@@ -123,6 +126,39 @@ pub(crate) fn parse(text: &str, start: u32) -> Result<TimeExpr, Problem> {
             });
         }
     }
+}
+
+/// An expression as most of those with a name are: the name, and a plain number that is
+/// added or subtracted.
+fn moment(text: &str, start: u32) -> Option<TimeExpr> {
+    let bytes = text.as_bytes();
+    let in_name = |b: &u8| b.is_ascii_alphanumeric() || matches!(b, b'_' | b'.');
+    let length = bytes.iter().position(|b| !in_name(b));
+    let (name, rest) = text.split_at(length.unwrap_or(bytes.len()));
+    let first = *bytes.first()?;
+    if !(first.is_ascii_alphabetic() || first == b'_') || is_non_finite(name) {
+        return None;
+    }
+    let offset_secs = match rest.as_bytes() {
+        [] => 0.0,
+        [sign @ (b'+' | b'-'), number @ ..] => {
+            let number = number.strip_suffix(b"s").unwrap_or(number);
+            let secs = crate::decimal::parse_short(number).filter(|&secs| secs <= MAX_SECS)?;
+            // A sum from 0 on is never -0.
+            0.0 + if *sign == b'-' { -secs } else { secs }
+        }
+        _ => return None,
+    };
+    let span = |end: usize| Span::of(start as usize, start as usize + end);
+    Some(TimeExpr {
+        offset_secs,
+        names: vec![NameTerm {
+            name: name.into(),
+            negative: false,
+            span: span(name.len()),
+        }],
+        span: span(text.len()),
+    })
 }
 
 /// The seconds of an expression that is a plain number, as nearly every one is.
@@ -281,6 +317,34 @@ mod tests {
         assert_eq!(flat("1e-3"), Ok((0.001, "".into())));
         assert_eq!(flat(".5"), Ok((0.5, "".into())));
         assert_eq!(flat("5+m"), Ok((5.0, "+m".into())));
+    }
+
+    #[test]
+    fn the_usual_expressions_are_read_as_all_others() {
+        let usual = ["t1", "_a.b+2", "t1-0.1s", "t1-0", "Info+12.25"];
+        let others = [
+            "t1+s",
+            "t1+",
+            "nan",
+            "inf+1",
+            "t1+1m",
+            "t1+1+2",
+            "t1+1000001",
+            "é+1",
+        ];
+        for text in usual.iter().chain(&others) {
+            // White space is left to the general reader.
+            let spaced = parse(&format!("{text} "), 7);
+            if let Some(expr) = moment(text, 7) {
+                let general = spaced.unwrap();
+                assert_eq!(
+                    (expr.offset_secs, &expr.names),
+                    (general.offset_secs, &general.names)
+                );
+                assert_eq!(expr.offset_secs.to_bits(), general.offset_secs.to_bits());
+            }
+            assert_eq!(moment(text, 7).is_some(), usual.contains(text), "{text}");
+        }
     }
 
     #[test]

@@ -149,22 +149,29 @@ impl VoiceText {
     /// The time markers in order, each with its word.
     #[must_use]
     pub fn marks(&self) -> Vec<Mark> {
-        let is_mark = |piece: &&Piece| matches!(piece, Piece::Mark { .. });
-        let count = self.pieces.iter().filter(is_mark).count();
-        let mut marks = Vec::with_capacity(count);
-        if count > 0 {
-            let _ = self.scan(&mut |item| {
-                if let Item::Mark(mark) = item {
-                    marks.push(mark);
-                }
-                if marks.len() == count {
-                    ControlFlow::Break(())
-                } else {
-                    ControlFlow::Continue(())
-                }
-            });
-        }
+        let mut marks = Vec::new();
+        self.each_mark(&mut |mark| marks.push(mark));
         marks
+    }
+
+    /// Shows the time markers in order, each with its word; reads no further than the last.
+    pub(crate) fn each_mark(&self, visit: &mut dyn FnMut(Mark)) {
+        let is_mark = |piece: &&Piece| matches!(piece, Piece::Mark { .. });
+        let mut left = self.pieces.iter().filter(is_mark).count();
+        if left == 0 {
+            return;
+        }
+        let _ = self.scan(&mut |item| {
+            if let Item::Mark(mark) = item {
+                visit(mark);
+                left -= 1;
+            }
+            if left == 0 {
+                ControlFlow::Break(())
+            } else {
+                ControlFlow::Continue(())
+            }
+        });
     }
 
     /// The text with every run of white space as one space, markup left out.
@@ -231,10 +238,11 @@ impl VoiceText {
                     let mut at = 0;
                     while at < bytes.len() {
                         let start = at;
-                        let (mut letters, mut all) = (0, 0);
-                        for &b in &bytes[start..] {
+                        let (mut letters, mut all, mut ends) = (0, 0, false);
+                        while let Some(&b) = bytes.get(at) {
                             let class = CLASS[usize::from(b)];
                             if class == SPACE {
+                                ends = true;
                                 break;
                             }
                             letters += usize::from(class);
@@ -259,10 +267,9 @@ impl VoiceText {
                                 pass_marks(&self.pieces[from..place], words, visit)?;
                             }
                         }
-                        if at < bytes.len() {
+                        if ends {
                             token.finish(&mut words, visit)?;
-                            let space = bytes[at..].iter().take_while(|&&b| is_space(b));
-                            at += space.count();
+                            at += 1;
                         }
                     }
                 }
@@ -382,6 +389,9 @@ impl<'v> Token<'v> {
     }
 
     fn finish(&mut self, words: &mut usize, visit: &mut Visit<'v, '_>) -> ControlFlow<()> {
+        if self.first.is_empty() {
+            return ControlFlow::Continue(());
+        }
         if self.letters > 0 {
             *words += 1;
             visit(Item::Word(self))?;

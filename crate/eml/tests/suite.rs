@@ -12,8 +12,8 @@
 
 use raconteur_eml::schema::ELEMENTS;
 use raconteur_eml::{
-    Diagnostic, Durations, EstimatedDurations, Limits, LineIndex, PhoneTime, Timeline, VoiceText,
-    VoiceTiming, parse_bytes,
+    Diagnostic, Document, Durations, EstimatedDurations, Limits, LineIndex, PhoneTime, Timeline,
+    VoiceText, VoiceTiming, parse_bytes,
 };
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
@@ -116,7 +116,10 @@ fn run(source: &[u8]) -> (String, String) {
             at.column,
         );
     }
-    (annotations, timeline_text(&resolved.timeline, &lines))
+    (
+        annotations,
+        timeline_text(&parsed.document, &resolved.timeline, &lines),
+    )
 }
 
 /// The limits that a case asks for.
@@ -307,24 +310,27 @@ fn codes() -> BTreeSet<String> {
     codes
 }
 
-fn timeline_text(timeline: &Timeline, lines: &LineIndex<'_>) -> String {
+fn timeline_text(document: &Document, timeline: &Timeline, lines: &LineIndex<'_>) -> String {
     let mut out = format!(
         "duration {:.3} lead-in {:.3}\n",
         timeline.duration_secs, timeline.lead_in_secs
     );
-    for clause in &timeline.clauses {
+    for timed in &timeline.clauses {
+        let clause = document.clause(timed.clause);
         let line = lines.position(clause.span.start).line;
-        let (start, end) = (clause.start_secs, clause.end_secs);
-        let _ = write!(out, "{start:.3} {end:.3} {} line {line}", clause.element);
-        if let Some(id) = &clause.id {
+        let (start, end) = (timed.start_secs, timed.end_secs);
+        let element = clause.kind.name();
+        let _ = write!(out, "{start:.3} {end:.3} {element} line {line}");
+        if let Some(id) = &clause.time_id {
             let _ = write!(out, " id {id}");
         }
-        if let Some(container) = clause.container {
-            let element = timeline.clauses[container].element;
+        if let Some(container) = timed.container {
+            let group = timeline.clauses[container as usize].clause;
+            let element = document.clause(group).kind.name();
             let _ = write!(
                 out,
                 " in {element} [{container}] iteration {}",
-                clause.iteration
+                timed.iteration
             );
         }
         out.push('\n');

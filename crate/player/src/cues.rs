@@ -1,7 +1,7 @@
 //! What a page is told while a story plays: words, clauses and the story's own events.
 
 use raconteur_base::order::sort_by_number;
-use raconteur_eml::{ClauseId, ClauseKind, TimedClause};
+use raconteur_eml::{Clause, ClauseId, ClauseKind};
 use raconteur_speech::AudioFile;
 
 use crate::Script;
@@ -67,11 +67,11 @@ pub struct ClauseRef {
 }
 
 impl ClauseRef {
-    pub(crate) fn of(timed: &TimedClause) -> Self {
+    pub(crate) fn of(id: ClauseId, clause: &Clause) -> Self {
         Self {
-            clause: timed.clause,
-            element: timed.element,
-            id: timed.id.as_ref().map(ToString::to_string),
+            clause: id,
+            element: clause.kind.name(),
+            id: clause.time_id.as_ref().map(ToString::to_string),
         }
     }
 }
@@ -169,7 +169,7 @@ pub(crate) fn cues(
         if times::is_anchor(clause) {
             continue;
         }
-        let named = ClauseRef::of(timed);
+        let named = ClauseRef::of(timed.clause, clause);
         push(1, timed.start_secs, CueKind::ClauseStart(named.clone()));
         if let ClauseKind::Event { kind, payload } = &clause.kind {
             let event = CueKind::StoryEvent {

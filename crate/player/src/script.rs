@@ -57,7 +57,7 @@ impl Script {
             library: &Library::default(),
         };
         let mut script = Self::resolve(parsed, sources, bundle_json.is_some());
-        script.timeline = with_run_up(script.timeline);
+        script.timeline = with_run_up(&script.document, script.timeline);
         script
     }
 
@@ -111,7 +111,8 @@ impl Script {
             bundle: self.bundle.as_deref(),
             library,
         };
-        self.timeline = with_run_up(Timeline::resolve(&self.document, &durations).timeline);
+        let timeline = Timeline::resolve(&self.document, &durations).timeline;
+        self.timeline = with_run_up(&self.document, timeline);
     }
 
     /// The names of the animations that the story plays, each once: what [`Script::retime`]
@@ -193,8 +194,9 @@ const RUN_UP_SECS: f64 = 0.9;
 
 /// Delays a script whose first gesture would come before the arm can be there, so that the
 /// storyteller raises a hand instead of starting with it raised.
-fn with_run_up(timeline: Timeline) -> Timeline {
-    let first = timeline.clauses.iter().find(|c| c.element == "gesture-key");
+fn with_run_up(document: &Document, timeline: Timeline) -> Timeline {
+    let is_gesture = |id| matches!(document.clause(id).kind, ClauseKind::GestureKey(_));
+    let first = timeline.clauses.iter().find(|c| is_gesture(c.clause));
     let delay = first.map_or(0.0, |c| (RUN_UP_SECS - c.start_secs).max(0.0));
     delayed(timeline, delay)
 }

@@ -35,7 +35,7 @@ struct Entry<'a> {
     id: Option<&'a str>,
     /// Index of the enclosing seq or par in this list.
     #[serde(skip_serializing_if = "Option::is_none")]
-    container: Option<usize>,
+    container: Option<u32>,
     /// Which repetition of its container, from 0.
     #[serde(skip_serializing_if = "is_first")]
     iteration: u32,
@@ -75,12 +75,13 @@ impl Timeline {
             clauses: timeline
                 .clauses
                 .iter()
-                .map(|c| Entry {
-                    element: c.element,
-                    line: index.position(c.span.start).line,
+                .map(|c| (c, script.document.clause(c.clause)))
+                .map(|(c, clause)| Entry {
+                    element: clause.kind.name(),
+                    line: index.position(clause.span.start).line,
                     start: c.start_secs,
                     end: c.end_secs,
-                    id: c.id.as_deref(),
+                    id: clause.time_id.as_deref(),
                     container: c.container,
                     iteration: c.iteration,
                 })

@@ -52,30 +52,31 @@ fn build(cx: &mut Context<'_>, node: usize, fields: &Fields<'_>) -> Option<Claus
     let duration_secs = cx.number(fields, "duration")?;
     let mut phase: Option<Phase> = None;
     phase.set(cx.value(fields, "phase"));
-    let mut gesture = GestureKey {
-        duration_secs,
-        handedness,
-        phase,
-        pace: gesture_track::profile(cx, fields),
-        hand_shapes: Vec::new(),
-        palms: Vec::new(),
-        motions: Vec::new(),
-    };
+    let pace = gesture_track::profile(cx, fields);
+    let (mut shapes, mut palms, mut motions) = (Vec::new(), Vec::new(), Vec::new());
     cx.children(node, &ELEMENT, |cx, child, element| match element.name {
         "hand-shapes" => {
             let track = hand_shapes::track(cx, child, duration_secs);
-            gesture_track::add(cx, &mut gesture.hand_shapes, track, handedness);
+            gesture_track::add(cx, &mut shapes, track, handedness);
         }
         "palms" => {
             let track = palms::track(cx, child, duration_secs);
-            gesture_track::add(cx, &mut gesture.palms, track, handedness);
+            gesture_track::add(cx, &mut palms, track, handedness);
         }
         _ => {
             let track = motion::track(cx, child, duration_secs);
-            gesture_track::add(cx, &mut gesture.motions, track, handedness);
+            gesture_track::add(cx, &mut motions, track, handedness);
         }
     });
-    Some(ClauseKind::GestureKey(gesture))
+    Some(ClauseKind::GestureKey(GestureKey {
+        duration_secs,
+        handedness,
+        phase,
+        pace,
+        hand_shapes: shapes.into(),
+        palms: palms.into(),
+        motions: motions.into(),
+    }))
 }
 
 #[cfg(test)]

@@ -36,10 +36,21 @@ impl Context<'_> {
         let Some(written) = written else {
             return default();
         };
-        let text = syntax::resolve(written, self.sink);
+        if written.is_plain
+            && let Some(number) = usual_number(attribute.kind, written.value)
+        {
+            return Value::Number(number);
+        }
+        let resolved;
+        let text = if written.is_plain {
+            written.value
+        } else {
+            resolved = syntax::resolve(written, self.sink);
+            &*resolved
+        };
         let text = match attribute.kind {
-            Kind::Text => &*text,
-            _ => self.unaliased(attribute, trimmed(&text), written.value_span()),
+            Kind::Text => text,
+            _ => self.unaliased(attribute, trimmed(text), written.value_span()),
         };
         parse(attribute.kind, text).unwrap_or_else(|problem| {
             self.report(problem, written.value_span());
@@ -148,6 +159,22 @@ impl Context<'_> {
         let hint = (!problem.hint.is_empty()).then(|| problem.hint.to_owned());
         self.push_with_hint(Diagnostic::error(problem.code, span, problem.message), hint);
     }
+}
+
+/// A number as nearly every one is written; none for all that needs a closer look. Numbers
+/// are half of what a script's attributes hold.
+fn usual_number(kind: Kind, text: &str) -> Option<f64> {
+    let (least, most) = match kind {
+        Kind::Number { least, most } => (least, most),
+        Kind::Seconds => (0.0, time_expr::MAX_SECS),
+        _ => return None,
+    };
+    let (sign, digits) = match text.as_bytes() {
+        [b'-', digits @ ..] if least < 0.0 => (-1.0, digits),
+        digits => (1.0, digits),
+    };
+    let value = sign * crate::decimal::parse_short(digits)?;
+    (value >= least && value <= most && value.abs() <= MAX_NUMBER).then_some(value)
 }
 
 /// A text without the white space around it; there is nearly always none.

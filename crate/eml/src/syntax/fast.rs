@@ -58,9 +58,8 @@ pub(super) fn tag<'a>(
         i = value_start;
         let mut is_plain = true;
         loop {
-            let rest = &bytes[i..];
-            i += rest.iter().position(|&b| ENDS_VALUE[usize::from(b)])?;
-            match bytes[i] {
+            i = end_of(bytes, i, |b| !ENDS_VALUE[usize::from(b)]);
+            match *bytes.get(i)? {
                 b if b == quote => break,
                 b'<' => return None,
                 b => is_plain &= b != b'&',
@@ -114,8 +113,11 @@ fn space_end(bytes: &[u8], from: usize) -> usize {
 /// Where a run of wanted bytes that starts at `from` ends.
 #[inline(always)]
 fn end_of(bytes: &[u8], from: usize, is_wanted: impl Fn(u8) -> bool) -> usize {
-    let run = bytes.get(from..).unwrap_or(&[]);
-    from + run.iter().position(|&b| !is_wanted(b)).unwrap_or(run.len())
+    let mut at = from;
+    while bytes.get(at).is_some_and(|&b| is_wanted(b)) {
+        at += 1;
+    }
+    at
 }
 
 /// The bytes that mean something in a value.

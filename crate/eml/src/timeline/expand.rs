@@ -7,9 +7,9 @@ use crate::diagnostic::Sink;
 use crate::work::step;
 use crate::{ClauseId, Diagnostic, Document, Limits};
 
-/// How often each clause's content plays, bounded so that the timeline has no more
-/// clauses than it may: groups whose repetition goes beyond play once. Nothing is
-/// expanded to find out.
+/// How often the content of each group plays, bounded so that the timeline has no more
+/// clauses than it may: groups whose repetition goes beyond play once. Clauses that are no
+/// groups have 0. Nothing is expanded to find out.
 pub(super) fn bounded_counts(
     document: &Document,
     groups: &[ClauseId],
@@ -18,16 +18,19 @@ pub(super) fn bounded_counts(
 ) -> Vec<u32> {
     let most = (limits.timed_clauses as u64).max(document.clauses.len() as u64);
     let mut used = document.clauses.len() as u64;
-    let mut counts = vec![1_u32; document.clauses.len()];
-    // The entries that a clause makes each time it plays.
-    let mut entries = vec![1_u64; document.clauses.len()];
+    let mut counts = vec![0_u32; document.clauses.len()];
+    // The entries that each group makes when it plays; any other clause makes one.
+    let mut entries = vec![1_u64; groups.len()];
     // Children come after their group, so backwards they are ready when it comes.
-    for id in groups.iter().rev() {
-        let index = id.index();
-        let Some(group) = document.clauses[index].kind.group() else {
+    for (place, id) in groups.iter().enumerate().rev() {
+        let Some(group) = document.clause(*id).kind.group() else {
             continue;
         };
-        let inside: u64 = group.children.iter().map(|c| entries[c.index()]).sum();
+        let entries_of = |child: &ClauseId| match counts[child.index()] {
+            0 => 1,
+            _ => groups.binary_search(child).map_or(1, |at| entries[at]),
+        };
+        let inside: u64 = group.children.iter().map(entries_of).sum();
         let more = inside.saturating_mul(u64::from(group.repetition_count) - 1);
         let count = if more > most - used {
             let message = format!(
@@ -45,8 +48,8 @@ pub(super) fn bounded_counts(
             used += more;
             group.repetition_count
         };
-        counts[index] = count;
-        entries[index] = 1 + inside * u64::from(count);
+        counts[id.index()] = count;
+        entries[place] = 1 + inside * u64::from(count);
     }
     counts
 }
@@ -82,12 +85,12 @@ pub(super) fn expand(document: &Document, times: &Times, counts: &[u32]) -> Time
     }
     // A script is written in the order of its times, or nearly so.
     if let Some(order) = raconteur_base::order::order_by_number(&clauses, |c| c.start_secs) {
-        let mut place_of = vec![0; order.len()];
-        for (place, &index) in order.iter().enumerate() {
+        let mut place_of = vec![0_u32; order.len()];
+        for (place, &index) in (0..).zip(&order) {
             place_of[index] = place;
         }
         for clause in &mut clauses {
-            clause.container = clause.container.map(|index| place_of[index]);
+            clause.container = clause.container.map(|index| place_of[index as usize]);
         }
         raconteur_base::order::arrange(&mut clauses, order);
     }
@@ -116,7 +119,7 @@ struct Place {
     shift: f64,
     /// When the iteration is cut off.
     cut: f64,
-    container: Option<usize>,
+    container: Option<u32>,
     iteration: u32,
 }
 
@@ -132,27 +135,27 @@ impl List<'_> {
             return;
         }
         self.earliest = self.earliest.min(start_secs);
-        let clause = self.document.clause(id);
         let end = self.times.end(id);
-        let index = self.clauses.len();
+        // The limits of bytes and of clauses leave no more than fit.
+        let index = u32::try_from(self.clauses.len()).ok();
         self.clauses.push(TimedClause {
             start_secs,
             end_secs: (end + place.shift).min(place.cut),
             clause: id,
-            element: clause.kind.name(),
-            id: clause.time_id.clone(),
             container: place.container,
             iteration: place.iteration,
-            span: clause.span,
         });
-        let Some(group) = clause.kind.group() else {
+        let count = self.counts[id.index()];
+        if count == 0 {
+            return;
+        }
+        let Some(group) = self.document.clause(id).kind.group() else {
             return;
         };
         if group.children.is_empty() {
             // Nothing would bound the iterations of nothing.
             return;
         }
-        let count = self.counts[id.index()];
         let length = (end - start) / f64::from(count);
         for iteration in 0..count {
             let later = length * f64::from(iteration);
@@ -167,7 +170,7 @@ impl List<'_> {
             let inner = Place {
                 shift,
                 cut,
-                container: Some(index),
+                container: index,
                 iteration,
             };
             for &child in &group.children {

@@ -6,9 +6,7 @@ mod names;
 mod solve;
 
 use crate::diagnostic::Sink;
-use crate::{
-    ClauseId, Diagnostic, Document, Durations, Limits, Name, SortedMap, Span, VoiceTiming,
-};
+use crate::{ClauseId, Diagnostic, Document, Durations, Limits, Name, SortedMap, VoiceTiming};
 use index::EndIndex;
 use names::Names;
 
@@ -37,8 +35,9 @@ pub struct Timeline {
     ends: EndIndex,
 }
 
-/// A clause at its time. A clause in a repetition appears once an iteration.
-#[derive(Clone, Debug, PartialEq)]
+/// A clause at its time. A clause in a repetition appears once an iteration. The document
+/// tells all else about it.
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TimedClause {
     /// When it starts, at least 0.
     pub start_secs: f64,
@@ -46,16 +45,10 @@ pub struct TimedClause {
     pub end_secs: f64,
     /// The clause in the document.
     pub clause: ClauseId,
-    /// The name of its element.
-    pub element: &'static str,
-    /// Its `timeId`.
-    pub id: Option<Name>,
     /// Index in [`Timeline::clauses`] of the seq or par it plays in.
-    pub container: Option<usize>,
+    pub container: Option<u32>,
     /// Which iteration of that group, from 0.
     pub iteration: u32,
-    /// The whole element in the source.
-    pub span: Span,
 }
 
 impl Timeline {

@@ -6,6 +6,7 @@ use crate::work::step;
 use crate::{
     ClauseId, Diagnostic, Document, Durations, Mark, MarkEvent, Name, SortedMap, Span, VoiceTiming,
 };
+use std::cmp::Ordering;
 
 /// A named moment.
 #[derive(Clone, Copy, Debug)]
@@ -26,6 +27,8 @@ pub(super) struct Found {
     pub(super) names: Names,
     /// The groups, outer ones first.
     pub(super) groups: Vec<ClauseId>,
+    /// The clauses whose start names moments.
+    pub(super) absolute: Vec<ClauseId>,
 }
 
 /// Every name of a document.
@@ -59,6 +62,7 @@ impl Names {
     ) -> Found {
         let mut voices = Vec::new();
         let mut groups = Vec::new();
+        let mut absolute = Vec::new();
         let mut moments: Vec<(Name, Moment)> = Vec::new();
         for (id, clause) in document.iter() {
             if let Some(name) = &clause.time_id {
@@ -68,6 +72,9 @@ impl Names {
                     span: clause.tag_span,
                 };
                 moments.push((name.clone(), moment));
+            }
+            if clause.start.is_absolute() {
+                absolute.push(id);
             }
             if clause.kind.group().is_some() {
                 groups.push(id);
@@ -81,14 +88,14 @@ impl Names {
                 timing.duration_secs = 0.0;
             }
             // Other clauses speak as well, but only a voice-text has markers.
-            for mark in text.marks() {
+            text.each_mark(&mut |mark| {
                 let moment = Moment {
                     clause: id,
                     offset_secs: offset(&mark, &timing, sink),
                     span: mark.span,
                 };
                 moments.push((mark.name, moment));
-            }
+            });
             voices.push((id, timing));
         }
         let mut order: Vec<Key> = (0..)
@@ -97,9 +104,11 @@ impl Names {
             .collect();
         // Of equal names the first in the document comes first.
         order.sort_unstable_by(|a, b| {
-            let names = || name_at(&moments, *a).cmp(name_at(&moments, *b));
             step(1);
-            a.0.cmp(&b.0).then_with(names).then(a.1.cmp(&b.1))
+            match a.0.cmp(&b.0) {
+                Ordering::Equal => by_name(&moments, *a, *b),
+                different => different,
+            }
         });
         order.dedup_by(|again, first| {
             let name = name_at(&moments, *again);
@@ -114,6 +123,7 @@ impl Names {
             voices: SortedMap::from_sorted(voices),
             names: Self { moments, order },
             groups,
+            absolute,
         }
     }
 
@@ -150,6 +160,15 @@ impl Names {
         }
         SortedMap::from_sorted(marks)
     }
+}
+
+/// The order of two moments whose names begin alike, apart from the sort so that what it
+/// does most stays small.
+#[cold]
+#[inline(never)]
+fn by_name(moments: &[(Name, Moment)], a: Key, b: Key) -> Ordering {
+    let names = name_at(moments, a).cmp(name_at(moments, b));
+    names.then(a.1.cmp(&b.1))
 }
 
 /// The name that a key stands for.

@@ -4,7 +4,7 @@
 //! with a stack of its own, so that a chain of a hundred thousand names is no problem,
 //! and meeting an unknown that is being worked on is a cycle.
 
-use super::names::{Found, Names};
+use super::names::Found;
 use crate::decimal::fixed;
 use crate::diagnostic::Sink;
 use crate::suggest::{nearest, quoted};
@@ -57,7 +57,7 @@ pub(super) fn solve(
         counts,
         sink,
         terms: Vec::new(),
-        term_ends: Vec::with_capacity(n),
+        first_term: vec![0; n],
         before: vec![None; n],
         state: vec![State::New; 2 * n],
         values: vec![f64::NAN; 2 * n],
@@ -66,7 +66,7 @@ pub(super) fn solve(
         depth: vec![0; 2 * n],
         suspects: Vec::new(),
     };
-    solver.look_up_names(&found.names);
+    solver.look_up_names(found);
     solver.link_sequences(&found.groups);
     let mut stack = Vec::new();
     for unknown in 0..2 * n {
@@ -101,9 +101,11 @@ struct Solver<'d, 's> {
     voices: &'d SortedMap<ClauseId, VoiceTiming>,
     counts: &'d [u32],
     sink: &'s mut Sink,
-    /// The terms of all clauses, those of one clause together.
+    /// The terms of all clauses, those of one clause together, as many as it names when it
+    /// is not refused.
     terms: Vec<Term>,
-    term_ends: Vec<usize>,
+    /// Where those of each clause begin.
+    first_term: Vec<u32>,
     /// In a seq, the clause before.
     before: Vec<Option<ClauseId>>,
     state: Vec<State>,
@@ -114,15 +116,23 @@ struct Solver<'d, 's> {
     /// names; by clause.
     unknown: Vec<(ClauseId, usize)>,
     /// Where on the stack an open unknown lies.
-    depth: Vec<usize>,
+    depth: Vec<u32>,
     /// The clauses on the stack whose start names moments, and where on it they lie.
     suspects: Vec<(ClauseId, usize)>,
 }
 
 impl Solver<'_, '_> {
-    fn look_up_names(&mut self, names: &Names) {
+    fn look_up_names(
+        &mut self,
+        Found {
+            names, absolute, ..
+        }: &Found,
+    ) {
         let mut looks = MOST_LOOKS;
-        for (id, clause) in self.document.iter() {
+        for &id in absolute {
+            let clause = self.document.clause(id);
+            // Each name takes bytes of a source of fewer than 2³².
+            self.first_term[id.index()] = self.terms.len() as u32;
             for (place, term) in clause.start.names.iter().enumerate() {
                 match names.find(&term.name) {
                     Some(moment) => self.terms.push(Term {
@@ -151,7 +161,6 @@ impl Solver<'_, '_> {
                     }
                 }
             }
-            self.term_ends.push(self.terms.len());
         }
     }
 
@@ -169,6 +178,14 @@ impl Solver<'_, '_> {
     /// gone through in the order of the document.
     fn is_ready(&self, unknown: usize) -> bool {
         let known = |needed| self.state[needed] == State::Done;
+        if !unknown.is_multiple_of(2) && known(unknown - 1) {
+            // The end of a clause that starts and holds no others needs nothing more.
+            let (id, _) = self.clause_of(unknown);
+            if self.counts[id.index()] == 0 && !self.values[unknown - 1].is_nan() {
+                step(1);
+                return true;
+            }
+        }
         known(unknown) || (0..).map_while(|i| self.needs(unknown, i)).all(known)
     }
 
@@ -191,7 +208,7 @@ impl Solver<'_, '_> {
             *next += 1;
             match self.state[needed] {
                 State::New => self.open(needed, stack),
-                State::Open => self.refuse_cycle(self.depth[needed]),
+                State::Open => self.refuse_cycle(self.depth[needed] as usize),
                 State::Done => {}
             }
         }
@@ -200,7 +217,8 @@ impl Solver<'_, '_> {
     /// Puts an unknown and the first thing it needs on the stack.
     fn open(&mut self, unknown: usize, stack: &mut Vec<(usize, usize)>) {
         self.state[unknown] = State::Open;
-        self.depth[unknown] = stack.len();
+        // A document has fewer than 2³¹ clauses, and each unknown is open once.
+        self.depth[unknown] = stack.len() as u32;
         let (id, clause) = self.clause_of(unknown);
         if unknown.is_multiple_of(2) && clause.start.is_absolute() {
             self.suspects.push((id, stack.len()));
@@ -407,11 +425,9 @@ impl Solver<'_, '_> {
     }
 
     fn terms_of(&self, id: ClauseId) -> &[Term] {
-        let start = id
-            .index()
-            .checked_sub(1)
-            .map_or(0, |before| self.term_ends[before]);
-        &self.terms[start..self.term_ends[id.index()]]
+        let count = self.document.clause(id).start.names.len();
+        let terms = &self.terms[self.first_term[id.index()] as usize..];
+        terms.get(..count).unwrap_or(terms)
     }
 }
 

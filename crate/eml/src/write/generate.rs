@@ -255,7 +255,7 @@ impl Dice {
         sides: &[Option<Side>],
         has_space: bool,
         value: impl Fn(&mut Self) -> K,
-    ) -> Vec<Track<K>> {
+    ) -> Box<[Track<K>]> {
         let mut tracks = Vec::new();
         for &hand in sides {
             let mut offset_secs = 0.0;
@@ -276,7 +276,7 @@ impl Dice {
                 span: Span::default(),
             });
         }
-        tracks
+        tracks.into()
     }
 
     fn profile(&mut self, has_space: bool) -> Option<Box<Profile>> {

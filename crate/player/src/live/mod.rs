@@ -273,7 +273,7 @@ impl Live {
         performed.clauses = clauses
             .filter(|c| !times::is_anchor(script.document.clause(c.clause)))
             .map(|timed| LiveClause {
-                clause: ClauseRef::of(timed),
+                clause: ClauseRef::of(timed.clause, script.document.clause(timed.clause)),
                 start_secs: timed.start_secs,
                 end_secs: timed.end_secs,
             })
