@@ -174,6 +174,8 @@ pub struct Figure {
     pub morph_names: Vec<String>,
     /// Upper-lid rotation that closes the eye, radians, left and right.
     pub lid_closure_rad: [f64; 2],
+    /// Sex of the body, 0 male to 1 female, where the file tells: joints have other limits.
+    pub sex: Option<f64>,
     /// Pictures of the materials.
     pub images: Vec<Image>,
 }

@@ -97,6 +97,7 @@ pub fn read_figure(name: &str, glb: &[u8]) -> Result<Figure, ReadError> {
         meshes: Vec::new(),
         morph_names: morph_names(&root),
         lid_closure_rad: root.lid_closure_rad.unwrap_or([0.0; 2]),
+        sex: root.sex,
         images: read_images(&mut source)?,
     };
     for node in &root.nodes {

@@ -499,10 +499,13 @@ pub fn to_annotated_glb(figure: &Figure, annotations: &Annotations) -> Vec<u8> {
         "bufferViews": buffer.views,
         "buffers": [{ "byteLength": buffer.bytes.len() }],
     });
-    if *annotations != Annotations::default()
-        && let Some(extras) = document["scenes"][0]["extras"].as_object_mut()
-    {
-        extras.extend(annotations.to_json());
+    if let Some(extras) = document["scenes"][0]["extras"].as_object_mut() {
+        if let Some(sex) = figure.sex {
+            extras.insert("sex".to_owned(), number(sex));
+        }
+        if *annotations != Annotations::default() {
+            extras.extend(annotations.to_json());
+        }
     }
     // glTF allows no empty lists.
     if !images.is_empty() {

@@ -85,6 +85,7 @@ pub(crate) fn performance<'a>(
     library: &Library,
     options: &Options,
     trunk: TrunkShape,
+    sex: Sex,
     listener_in_world: DVec3,
 ) -> Performance {
     let mut switches: Vec<(f64, bool)> = parts
@@ -111,7 +112,7 @@ pub(crate) fn performance<'a>(
         seed: options.seed,
         motion_amount: options.motion_amount,
         listener_in_world,
-        sex: Sex::default(),
+        sex,
         trunk: Some(trunk),
     }
 }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use raconteur_actor::animation::{Operation, PlayerCommand};
 use raconteur_actor::gesture::TrunkShape;
 use raconteur_actor::performance::Report;
-use raconteur_actor::{Actor, FaceRig, Library};
+use raconteur_actor::{Actor, FaceRig, Library, Sex};
 use raconteur_base::order::sort_by_number;
 use raconteur_base::{DVec3, Side};
 use raconteur_body::{Figure, Pose};
@@ -595,7 +595,14 @@ fn rehearse<'a>(
         half_width_m: a.half_width_m.max(b.half_width_m),
     });
     let camera = options.shot.frame(DVec3::ZERO, stature_m, 16.0 / 9.0, room);
-    let performance =
-        part::performance(parts, carried, library, options, trunk, camera.eye_in_world);
+    let performance = part::performance(
+        parts,
+        carried,
+        library,
+        options,
+        trunk,
+        Sex::of(figure.sex),
+        camera.eye_in_world,
+    );
     (Actor::new(&performance, &figure.skeleton), room)
 }

@@ -15,6 +15,7 @@ fn perform(clauses: &str) -> Player {
         meshes: Vec::new(),
         morph_names: Vec::new(),
         lid_closure_rad: [0.0; 2],
+        sex: None,
         images: Vec::new(),
     };
     let Loaded {

@@ -104,6 +104,7 @@ fn figure(name: &str) -> Arc<Figure> {
             meshes: Vec::new(),
             morph_names: Vec::new(),
             lid_closure_rad: [0.0; 2],
+            sex: None,
             images: Vec::new(),
         });
     }

@@ -135,6 +135,7 @@ mod tests {
             meshes: vec![mesh],
             morph_names: Vec::new(),
             lid_closure_rad: [0.6; 2],
+            sex: None,
             images: Vec::new(),
         };
         (figure, centre)

@@ -18,6 +18,18 @@ pub enum Sex {
     Female,
 }
 
+impl Sex {
+    /// The table for a share of female, 0 to 1; of what is between the nearer.
+    #[must_use]
+    pub fn of(share: Option<f64>) -> Self {
+        if share.is_some_and(|share| share > 0.5) {
+            Self::Female
+        } else {
+            Self::Male
+        }
+    }
+}
+
 /// One person's rows of appendix B, degrees, least and most. X is the axis from back to
 /// front, Y from side to side, Z upright.
 struct Anthropometry {

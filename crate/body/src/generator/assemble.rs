@@ -95,6 +95,7 @@ pub fn assemble(blueprint: &Blueprint) -> Figure {
         meshes,
         morph_names,
         lid_closure_rad: blueprint.lid_closure_rad,
+        sex: None,
         images: blueprint.images.clone(),
     }
 }
@@ -422,6 +423,13 @@ mod tests {
         let back = read_figure("box", &bytes).unwrap();
         assert_eq!(back.morph_names, figure.morph_names);
         assert_eq!(back.lid_closure_rad, figure.lid_closure_rad);
+        assert_eq!(back.sex, None);
+        let woman = Figure {
+            sex: Some(1.0),
+            ..figure.clone()
+        };
+        let back_again = read_figure("box", &to_glb(&woman)).unwrap();
+        assert_eq!(back_again.sex, Some(1.0));
         assert!((back.skeleton.stature_m() - 1.956).abs() < 1e-6);
         for (a, b) in back.skeleton.joints().iter().zip(figure.skeleton.joints()) {
             assert_eq!((&a.name, a.drive, a.parent), (&b.name, b.drive, b.parent));

@@ -83,7 +83,7 @@ pub fn build(params: &FigureParams) -> Built {
         }
     }
 
-    let figure = assemble(&Blueprint {
+    let mut figure = assemble(&Blueprint {
         name: params.name.clone(),
         positions_in_world: joints.positions,
         bind_rotations: joints.rotations,
@@ -97,6 +97,7 @@ pub fn build(params: &FigureParams) -> Built {
         pieces,
         images: vec![maps.colour, maps.normal],
     });
+    figure.sex = Some(params.person.sex);
     let annotations = annotations(&head, &figure);
     Built {
         figure,

@@ -131,6 +131,7 @@ pub fn import_figure(name: &str, bytes: &[u8]) -> Result<Imported, ImportError> 
             morph_names,
             // Foreign lids are moved by morph targets.
             lid_closure_rad: [0.0; 2],
+            sex: None,
             images,
         },
         diagnostics: notes.into_list(),

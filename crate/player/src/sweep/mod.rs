@@ -122,7 +122,8 @@ impl Sweep {
                 .collect(),
             body: Body::new(figure),
             hands: Side::BOTH.map(|side| Hand::new(figure, side)),
-            arms: Side::BOTH.map(|side| LimbRig::new(&figure.skeleton, side, true, Sex::default())),
+            arms: Side::BOTH
+                .map(|side| LimbRig::new(&figure.skeleton, side, true, Sex::of(figure.sex))),
             before: None,
             wrists: None,
             capsules: [Vec::new(), Vec::new()],

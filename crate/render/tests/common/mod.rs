@@ -241,6 +241,7 @@ pub(crate) fn figure() -> Figure {
         meshes,
         morph_names: vec!["jawOpen".to_owned()],
         lid_closure_rad: [0.6; 2],
+        sex: None,
         images: Vec::new(),
     }
 }
