@@ -72,7 +72,8 @@ function build(feature, folder) {
   }
   for (const path of modules) {
     // Nothing lives below 1024 (the end of the stack is there), so offsets fold into loads.
-    binaryen('wasm-opt', path, '-o', path, '-Oz', '--low-memory-unused');
+    // What few fetch may be fast rather than small.
+    binaryen('wasm-opt', path, '-o', path, path === module ? '-Oz' : '-O3', '--low-memory-unused');
     nameByLikeness(path);
     binaryen('wasm-opt', path, '-o', path, '--reorder-functions-by-name');
   }

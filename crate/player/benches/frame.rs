@@ -18,62 +18,10 @@ fn asset(path: &str) -> Vec<u8> {
     fs::read(&path).unwrap_or_else(|e| panic!("{}: {e}", path.display()))
 }
 
-/// Both hands gesture every two seconds, and all five manipulators circle without an end.
-fn busy() -> String {
-    let gesture = |at: u32| {
-        format!(
-            "<gesture-key time='{at}' duration='1' handedness='both'><hand-shapes>\
-             <key id='{}'/></hand-shapes><palms><key a='90' x='1' y='0' z='0'/></palms>\
-             <motion><key x='-8' y='14' z='-12'/><key x='-12' y='20' z='-10'/></motion>\
-             </gesture-key>",
-            at % 60
-        )
-    };
-    let circle = |manipulator: &str, centre: [f64; 3], radius: f64| {
-        let [x, y, z] = centre;
-        format!(
-            "<body-non-deterministic-function time='0' manipulator='{manipulator}' \
-             functionName='circle' isLooping='true'><function-args>\
-             <arg name='timePeriod' value='3'/><arg name='centerX' value='{x}'/>\
-             <arg name='centerY' value='{y}'/><arg name='centerZ' value='{z}'/>\
-             <arg name='radius' value='{radius}'/></function-args>\
-             </body-non-deterministic-function>"
-        )
-    };
-    let gestures: String = (1..30).map(|i| gesture(2 * i)).collect();
-    let arms =
-        circle("leftArm", [9.0, 55.0, -17.0], 4.0) + &circle("rightArm", [-9.0, 55.0, -17.0], 4.0);
-    let legs =
-        circle("leftLeg", [5.0, 5.0, -2.0], 1.5) + &circle("rightLeg", [-5.0, 5.0, -2.0], 1.5);
-    let head = "<body-non-deterministic-function time='0' manipulator='head' \
-                functionName='segment' isLooping='true'><function-args>\
-                <arg name='timePeriod' value='2'/><arg name='endYaw' value='20'/>\
-                </function-args></body-non-deterministic-function>";
-    gestures + &arms + &legs + head
-}
-
-/// Eight players, four of steps and four of arms, each with two layers that play, and `more`.
-fn lesson(figure: Arc<raconteur_player::body::Figure>, more: &str) -> Player {
-    let names = ["step-march", "step-touch", "step-v", "step-mambo"];
-    let arms = ["arms-curl", "arms-punch", "arms-roll", "arms-clap"];
-    let mut body = String::new();
-    for (i, (step, arm)) in names.iter().zip(arms).enumerate() {
-        for (kind, clip, other) in [("s", *step, "step-sway"), ("a", arm, "arms-row")] {
-            let player = format!("{kind}{i}");
-            body += &format!(
-                "<body-player-add time='0' name='{player}' type='multiple' numberOfLayers='2'/>"
-            );
-            for (layer, name) in [clip, other].into_iter().enumerate() {
-                body += &format!(
-                    "<body-deterministic-primitive time='0' primitive='push' player='{player}' \
-                     animationSetName='{name}'><tracks><ly index='{layer}'/></tracks>\
-                     </body-deterministic-primitive>"
-                );
-            }
-        }
-    }
+/// Eight players, five manipulators and gestures, with the animations that they want.
+fn whole_body(figure: Arc<raconteur_player::body::Figure>) -> Player {
     let mut player = Player::load(StoryInput {
-        eml: &format!("<eml><body>{body}{more}<null time='60'/></body></eml>"),
+        eml: include_str!("whole-body.eml"),
         bundle: None,
         figure,
         options: Options::default(),
@@ -136,23 +84,16 @@ fn frames(c: &mut Criterion) {
             )
         });
     });
-    let mut busy = lesson(Arc::clone(&figure), &busy());
+    let mut whole_body = whole_body(Arc::clone(&figure));
     c.bench_function(
         "frame with eight players, five manipulators and gestures, no pixels",
         |b| {
             b.iter(|| {
                 n += 1;
-                black_box(busy.frame(f64::from(n) / 60.0 % 60.0, 1.6).time_secs)
+                black_box(whole_body.frame(f64::from(n) / 60.0 % 60.0, 1.6).time_secs)
             });
         },
     );
-    let mut lesson = lesson(Arc::clone(&figure), "");
-    c.bench_function("frame with eight animation players, no pixels", |b| {
-        b.iter(|| {
-            n += 1;
-            black_box(lesson.frame(f64::from(n) / 60.0 % 60.0, 1.6).time_secs)
-        });
-    });
     c.bench_function("load white-rabbit", |b| {
         b.iter(|| black_box(load().duration_secs()));
     });

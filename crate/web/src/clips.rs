@@ -1,10 +1,26 @@
 //! Animations that a story plays, fetched by the page.
 
 use raconteur_player::Player as Performer;
+use raconteur_player::eml::Diagnostic;
 use wasm_bindgen::prelude::*;
 
 use crate::message::Story;
 use crate::player::{Player, plain};
+
+/// Hands a performer animations by name, an empty text for what was not found; what is wrong
+/// with them.
+pub(crate) fn provide(
+    performer: &mut Performer,
+    names: &[String],
+    texts: &[String],
+) -> Vec<Diagnostic> {
+    let clips: Vec<(&str, Option<&str>)> = names
+        .iter()
+        .zip(texts)
+        .map(|(name, text)| (name.as_str(), Some(text.as_str()).filter(|t| !t.is_empty())))
+        .collect();
+    performer.provide_animations(&clips)
+}
 
 #[wasm_bindgen]
 #[allow(clippy::needless_pass_by_value, reason = "lists arrive as owned only")]
@@ -30,12 +46,7 @@ impl Player {
         let Some(performer) = &mut self.performer else {
             return Ok(JsValue::UNDEFINED);
         };
-        let clips: Vec<(&str, Option<&str>)> = names
-            .iter()
-            .zip(&texts)
-            .map(|(name, text)| (name.as_str(), Some(text.as_str()).filter(|t| !t.is_empty())))
-            .collect();
-        let problems = performer.provide_animations(&clips);
+        let problems = provide(performer, &names, &texts);
         plain(&Story::new(
             eml,
             performer.duration_secs(),

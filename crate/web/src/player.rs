@@ -14,6 +14,7 @@ use serde_wasm_bindgen::Serializer;
 use wasm_bindgen::prelude::*;
 use web_sys::HtmlCanvasElement;
 
+use crate::clips;
 use crate::message::{Performance, Piece, Story, Utterance};
 
 #[cfg(not(any(feature = "webgpu", feature = "webgl")))]
@@ -287,22 +288,27 @@ pub fn motion_joined() {
 }
 
 /// Digests of a story's poses at some times, in hexadecimal: equal ones mean that native
-/// and wasm agree to the last bit.
+/// and wasm agree to the last bit. Animations come by name with their texts.
 #[wasm_bindgen(js_name = poseDigests)]
 #[allow(
     clippy::needless_pass_by_value,
-    reason = "optional bytes arrive as owned only"
+    reason = "optional bytes and lists arrive as owned only"
 )]
 pub fn pose_digests(
     eml: &str,
     bundle: Option<Vec<u8>>,
     figure: &str,
     glb: &[u8],
+    names: Vec<String>,
+    texts: Vec<String>,
     times_secs: &[f64],
 ) -> Result<Vec<String>, JsError> {
     let figure = Arc::new(read_figure(figure, glb)?);
     let motion = Options::default().motion_amount;
     let (mut performer, _) = read(eml, bundle.as_deref(), figure, motion, Room::default());
+    if !names.is_empty() {
+        clips::provide(&mut performer, &names, &texts);
+    }
     Ok(times_secs
         .iter()
         .map(|&t| format!("{:016x}", performer.digest(t)))
