@@ -45,7 +45,7 @@ function build(feature, folder) {
   const flags = `${process.env['RUSTFLAGS'] ?? ''} ${remapped} -Zunstable-options -Cpanic=immediate-abort`.trim();
   run('cargo', [
     'build', '--locked', '--package', 'raconteur-web', '--target', 'wasm32-unknown-unknown',
-    '--profile', 'wasm', '--no-default-features', '--features', feature,
+    '--profile', 'wasm', '--no-default-features', '--features', `${feature},intrinsics`,
     '-Zbuild-std=std,panic_abort', '-Zbuild-std-features=optimize_for_size',
   ], { why: `Compiling the ${feature} build`, env: { ...process.env, RUSTC_BOOTSTRAP: '1', RUSTFLAGS: flags } });
   const compiled = join(isAbsolute(target) ? target : join(root, target), 'wasm32-unknown-unknown/wasm/raconteur_web.wasm');
