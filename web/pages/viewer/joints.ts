@@ -14,11 +14,7 @@ const dot = (a: Vector, b: Vector): number => a[0] * b[0] + a[1] * b[1] + a[2] *
 const cross = (a: Vector, b: Vector): Vector => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 /** A vector in the axes of a rotation, and back. */
 const within = ([x, y, z]: Axes, v: Vector): Vector => [dot(x, v), dot(y, v), dot(z, v)];
-const turned = ([x, y, z]: Axes, v: Vector): Vector => [
-  x[0] * v[0] + y[0] * v[1] + z[0] * v[2],
-  x[1] * v[0] + y[1] * v[1] + z[1] * v[2],
-  x[2] * v[0] + y[2] * v[1] + z[2] * v[2],
-];
+const turned = (axes: Axes, v: Vector): Vector => within(back(axes), v);
 const times = (...all: readonly Axes[]): Axes => all.reduceRight((after, m) => [turned(m, after[0]), turned(m, after[1]), turned(m, after[2])]);
 const back = ([x, y, z]: Axes): Axes => [
   [x[0], y[0], z[0]],
@@ -28,10 +24,7 @@ const back = ([x, y, z]: Axes): Axes => [
 /** The turn by an angle about a unit axis. */
 function about(axis: Vector, angle: number): Axes {
   const [sin, cos] = [Math.sin(angle), Math.cos(angle)];
-  const column = (v: Vector): Vector => {
-    const [along, across] = [dot(axis, v) * (1 - cos), cross(axis, v)];
-    return [v[0] * cos + across[0] * sin + axis[0] * along, v[1] * cos + across[1] * sin + axis[1] * along, v[2] * cos + across[2] * sin + axis[2] * along];
-  };
+  const column = (v: Vector): Vector => within(back([v, cross(axis, v), axis]), [cos, sin, dot(axis, v) * (1 - cos)]);
   return [column([1, 0, 0]), column([0, 1, 0]), column([0, 0, 1])];
 }
 const X: Vector = [1, 0, 0];
