@@ -153,31 +153,33 @@ impl Script {
     }
 }
 
-/// Where a document first asks for players, manipulators or a motion of the whole figure.
+/// Whether a clause is of players, of manipulators or of the whole figure's motion.
+pub(crate) fn moves(kind: &ClauseKind) -> bool {
+    matches!(
+        kind,
+        ClauseKind::DeterministicAnimation(_)
+            | ClauseKind::DeterministicTrackProperty(_)
+            | ClauseKind::DeterministicPrimitive(_)
+            | ClauseKind::PlayerAdd(_)
+            | ClauseKind::PlayerSetExclusive(_)
+            | ClauseKind::PlayerChangePriority(_)
+            | ClauseKind::PlayerRemove(_)
+            | ClauseKind::PlayerClear
+            | ClauseKind::VhMove(_)
+            | ClauseKind::ConfigureManipulator(_)
+            | ClauseKind::ForwardKinematics(_)
+            | ClauseKind::JointInterpolation(_)
+            | ClauseKind::FrameInterpolation(_)
+            | ClauseKind::ManipulatorFunction(_)
+            | ClauseKind::Jacobian(_)
+            | ClauseKind::ManipulatorStop(_)
+            | ClauseKind::ManipulatorLock(_)
+    )
+}
+
+/// Where a document first asks for such a clause.
 pub(crate) fn asked(document: &Document) -> Option<Span> {
-    let mut clauses = document.iter();
-    let found = clauses.find(|(_, clause)| {
-        matches!(
-            clause.kind,
-            ClauseKind::DeterministicAnimation(_)
-                | ClauseKind::DeterministicTrackProperty(_)
-                | ClauseKind::DeterministicPrimitive(_)
-                | ClauseKind::PlayerAdd(_)
-                | ClauseKind::PlayerSetExclusive(_)
-                | ClauseKind::PlayerChangePriority(_)
-                | ClauseKind::PlayerRemove(_)
-                | ClauseKind::PlayerClear
-                | ClauseKind::VhMove(_)
-                | ClauseKind::ConfigureManipulator(_)
-                | ClauseKind::ForwardKinematics(_)
-                | ClauseKind::JointInterpolation(_)
-                | ClauseKind::FrameInterpolation(_)
-                | ClauseKind::ManipulatorFunction(_)
-                | ClauseKind::Jacobian(_)
-                | ClauseKind::ManipulatorStop(_)
-                | ClauseKind::ManipulatorLock(_)
-        )
-    });
+    let found = document.iter().find(|(_, clause)| moves(&clause.kind));
     found.map(|(_, clause)| clause.tag_span)
 }
 

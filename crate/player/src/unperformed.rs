@@ -3,6 +3,8 @@
 
 use raconteur_eml::{Clause, ClauseKind, Diagnostic, Document, Piece, Span, VoiceText};
 
+use crate::script::moves;
+
 /// One warning for each element and extension of the document that is not performed, at
 /// its first place.
 pub(crate) fn report(document: &Document) -> Vec<Diagnostic> {
@@ -50,29 +52,13 @@ impl Found {
             ClauseKind::GestureKey(_)
             | ClauseKind::GestureIsOn(_)
             | ClauseKind::ConfigureGeometry(_)
-            | ClauseKind::DeterministicAnimation(_)
-            | ClauseKind::DeterministicTrackProperty(_)
-            | ClauseKind::DeterministicPrimitive(_)
-            | ClauseKind::PlayerAdd(_)
-            | ClauseKind::PlayerSetExclusive(_)
-            | ClauseKind::PlayerChangePriority(_)
-            | ClauseKind::PlayerRemove(_)
-            | ClauseKind::PlayerClear
             | ClauseKind::Event { .. }
-            | ClauseKind::VhMove(_)
-            | ClauseKind::ConfigureManipulator(_)
-            | ClauseKind::ForwardKinematics(_)
-            | ClauseKind::JointInterpolation(_)
-            | ClauseKind::FrameInterpolation(_)
-            | ClauseKind::ManipulatorFunction(_)
-            | ClauseKind::Jacobian(_)
-            | ClauseKind::ManipulatorStop(_)
-            | ClauseKind::ManipulatorLock(_)
             | ClauseKind::Camera(_)
             | ClauseKind::Music(_)
             | ClauseKind::Null
             | ClauseKind::Seq(_)
             | ClauseKind::Par(_) => {}
+            kind if moves(kind) => {}
             kind => self.add(kind.name(), clause.tag_span),
         }
     }
