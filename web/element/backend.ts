@@ -48,17 +48,23 @@ export async function createEngine(backend: Backend, canvas: HTMLCanvasElement |
   const instance = script.default() as Instance;
   const exports = await instance({ module_or_path: module });
   const engine = await instance.Player.create(canvas);
-  joins.set(engine, async () => {
+  const join = async () => {
     await WebAssembly.instantiate(await compile(motionUrls[backend]), { '.': exports });
     instance.motionJoined();
-  });
+  };
+  // Whoever asks waits for the same, so that they go on in the order in which they came.
+  let joined: Promise<void> | undefined;
+  joins.set(engine, () => (joined ??= join().catch((error: unknown) => {
+    // The network may come back.
+    joined = undefined;
+    throw error;
+  })));
   return engine;
 }
 
 /** Fetches the code for players and manipulators into an engine: texts that it reads later are performed whole. */
 export async function joinMotion(engine: Engine): Promise<void> {
   await joins.get(engine)?.();
-  joins.delete(engine);
 }
 
 function compile(url: string): Promise<WebAssembly.Module> {

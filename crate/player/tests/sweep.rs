@@ -45,6 +45,26 @@ fn nothing_in_the_shipped_stories_would_make_a_viewer_wince() {
 }
 
 #[test]
+fn a_wrist_bent_aside_too_far_is_found() {
+    let eml = "<eml><body>
+        <body-configure-manipulator time='0' manipulator='rightArm' isOn='true'
+            jointLimitsActive='false'/>
+        <body-non-deterministic-fk time='0.5' manipulator='rightArm' j1='60' j2='0' j3='40'
+            j4='0' j5='80' j6='0'/>
+        <null time='2'/></body></eml>";
+    let mut player = perform(eml, None, figure(), Options::default()).player;
+    let checks = sweep(&mut player);
+    let limits = checks.iter().find(|c| c.name == "beyond-limits");
+    let found = limits.map(|c| (c.part, c.worst));
+    // A woman's wrist deviates by 36.1 degrees to the thumb and 43 to the other side; the man's
+    // by some more.
+    assert!(
+        found.is_some_and(|(part, worst)| part == "bone_r_wrist" && worst > 25.0),
+        "{found:?}"
+    );
+}
+
+#[test]
 fn an_elbow_bent_backwards_is_found() {
     let eml = "<eml><body>
         <body-configure-manipulator time='0' manipulator='rightArm' isOn='true'
