@@ -2,62 +2,21 @@
 //! Budget (one core of a two-core cloud machine): 0.25 ms a frame without tissue, 0.1 ms with
 //! eight animation players, five manipulators and gestures.
 
-use std::fs;
+#[path = "../tests/common/mod.rs"]
+mod common;
+
 use std::hint::black_box;
-use std::path::PathBuf;
-use std::sync::Arc;
 
+use common::{asset, equip, figure, perform, text};
 use criterion::{Criterion, criterion_group, criterion_main};
+use raconteur_player::Options;
 use raconteur_player::body::read::read_figure;
-use raconteur_player::{Options, Player, StoryInput};
-
-fn asset(path: &str) -> Vec<u8> {
-    let path = PathBuf::from(env!("CARGO_MANIFEST_DIR"))
-        .join("../../assets")
-        .join(path);
-    fs::read(&path).unwrap_or_else(|e| panic!("{}: {e}", path.display()))
-}
-
-/// Eight players, five manipulators and gestures, with the animations that they want.
-fn whole_body(figure: Arc<raconteur_player::body::Figure>) -> Player {
-    let mut player = Player::load(StoryInput {
-        eml: include_str!("whole-body.eml"),
-        bundle: None,
-        figure,
-        options: Options::default(),
-    })
-    .player;
-    let texts: Vec<(String, String)> = player
-        .wanted_animations()
-        .into_iter()
-        .map(|name| {
-            let text = asset(&format!("animations/{name}.json"));
-            (name, String::from_utf8(text).expect("UTF-8"))
-        })
-        .collect();
-    let clips: Vec<(&str, Option<&str>)> = texts
-        .iter()
-        .map(|(name, text)| (name.as_str(), Some(text.as_str())))
-        .collect();
-    assert!(player.provide_animations(&clips).is_empty());
-    player
-}
 
 fn frames(c: &mut Criterion) {
     let glb = asset("figures/sofia.glb");
-    let eml = asset("stories/white-rabbit/story.eml");
-    let eml = String::from_utf8(eml).expect("UTF-8");
+    let eml = text("stories/white-rabbit/story.eml");
     let bundle = asset("stories/white-rabbit/voice/speech.json");
-    let figure = Arc::new(read_figure("sofia", &glb).expect("a figure"));
-    let load = || {
-        Player::load(StoryInput {
-            eml: &eml,
-            bundle: Some(&bundle),
-            figure: Arc::clone(&figure),
-            options: Options::default(),
-        })
-        .player
-    };
+    let load = || perform(&eml, Some(&bundle), figure(), Options::default()).player;
     let mut player = load();
     let end = player.duration_secs();
     let mut n = 0_u32;
@@ -84,7 +43,9 @@ fn frames(c: &mut Criterion) {
             )
         });
     });
-    let mut whole_body = whole_body(Arc::clone(&figure));
+    let all = include_str!("whole-body.eml");
+    let mut whole_body = perform(all, None, figure(), Options::default()).player;
+    assert_eq!(equip(&mut whole_body), [""; 0]);
     c.bench_function(
         "frame with eight players, five manipulators and gestures, no pixels",
         |b| {
