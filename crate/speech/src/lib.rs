@@ -5,9 +5,15 @@
 //! time; the phone table with visual targets and dominance.
 //! Does not: synthesise (the command line bakes) or move a face (`actor`).
 
+#[cfg(feature = "bake")]
+pub mod align;
 pub mod bundle;
 pub mod content;
 pub mod phones;
+#[cfg(feature = "bake")]
+pub mod signal;
+#[cfg(feature = "bake")]
+pub mod text;
 
 pub use bundle::{AudioFile, Bundle, BundleError, Phone, Utterance, Word};
 pub use content::{Content, Segment};

@@ -1,0 +1,1 @@
+//! Times of words and phones that other programs wrote.

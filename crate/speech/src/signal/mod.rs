@@ -1,0 +1,1 @@
+//! The signal of speech: what is measured in it and how it is changed.
