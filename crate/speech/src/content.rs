@@ -1,119 +1,256 @@
-//! What is to be said, independent of the language that a script was written in.
+//! What is to be said, independent of the language that it was marked up in. SABLE, SSML and
+//! EML all become this; [`crate::style`] tells what it means.
 
-use core::fmt::Write as _;
+use crate::text::SayAs;
 
-use raconteur_base::decimal::fixed;
-
-/// One stretch of an utterance.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Segment {
-    /// Words, with their emphasis: 0 reduced … 1 none … 2 strong.
-    Text {
-        /// The words, any white space.
-        text: String,
-        /// Emphasis level; 1 is plain.
-        emphasis: f64,
-    },
-    /// Silence, milliseconds.
-    Break {
-        /// Length.
-        msec: u32,
-    },
-    /// A sentence or paragraph ends here.
-    Boundary,
-}
-
-/// The content of one utterance.
+/// What is to be said, in order.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Content {
-    /// Its stretches in order.
+    /// Texts, pauses and what opens and closes around them.
     pub segments: Vec<Segment>,
 }
 
-impl Content {
-    /// A canonical text of the content: white space collapsed, markup made visible. Two
-    /// utterances that sound alike have the same.
-    #[must_use]
-    pub fn canonical(&self) -> String {
-        let mut out = String::new();
-        for segment in &self.segments {
-            match segment {
-                Segment::Text { text, emphasis } => {
-                    let words = text.split_whitespace().collect::<Vec<_>>().join(" ");
-                    if words.is_empty() {
-                        continue;
-                    }
-                    if (emphasis - 1.0).abs() < 1e-9 {
-                        let _ = write!(out, "{words} ");
-                    } else {
-                        let _ = write!(out, "[{}|{words}] ", fixed(*emphasis, 2));
-                    }
-                }
-                Segment::Break { msec } => {
-                    let _ = write!(out, "[pause {msec}] ");
-                }
-                Segment::Boundary => {
-                    if !out.is_empty() && !out.ends_with("[/] ") {
-                        out.push_str("[/] ");
-                    }
-                }
-            }
-        }
-        out.trim_end().trim_end_matches("[/]").trim_end().to_owned()
-    }
+/// A stretch or a point of an utterance.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Segment {
+    /// Characters; words may go on in the next text.
+    Text(String),
+    /// A pause.
+    Break {
+        /// Its length, milliseconds; 0 asks for no pause at all.
+        msec: u32,
+        /// The punctuation mark whose melody goes before it.
+        boundary: Option<Boundary>,
+    },
+    /// A sentence or a paragraph begins or ends.
+    Division(Division),
+    /// A recording.
+    Audio {
+        /// Its path or address, as the author wrote it.
+        src: String,
+        /// It plays under the speech that follows instead of before it.
+        background: bool,
+        /// Its amplitude; 1 as recorded.
+        level: f64,
+    },
+    /// Listeners are told of this moment.
+    Mark(String),
+    /// What follows is spoken so, until the [`Segment::Close`] that belongs to it.
+    Open(Markup),
+    /// The last opened markup ends.
+    Close,
+}
 
-    /// The key by which a bundle knows the utterance: FNV-1a (64 bits) of
-    /// [`Content::canonical`], 16 hexadecimal digits.
+/// The melody before a pause.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Boundary {
+    /// As after a question.
+    Question,
+    /// As after an exclamation.
+    Exclamation,
+    /// As after a statement.
+    Statement,
+    /// As when more is coming.
+    Comma,
+}
+
+/// What a division parts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Division {
+    /// Sentences.
+    Sentence,
+    /// Paragraphs.
+    Paragraph,
+}
+
+/// How a property changes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Setting {
+    /// A factor on the value around it; changes inside each other multiply.
+    Factor(f64),
+    /// The value itself: hertz, words a minute, or amplitude.
+    Value(f64),
+    /// The voice's own value, whatever is around it.
+    Default,
+}
+
+/// How what is inside is spoken.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Markup {
+    /// Emphasis as SABLE counts it: 0 reduced, 0.5 none, 1 moderate, 2 strong.
+    Emphasis(f64),
+    /// Pitch; values are hertz.
+    Pitch {
+        /// The base line: what the melody falls to.
+        base: Option<Setting>,
+        /// The middle line: its mean.
+        middle: Option<Setting>,
+        /// Its range around the middle; values are hertz from the lowest to the highest.
+        range: Option<Setting>,
+    },
+    /// Pace; values are words a minute.
+    Rate(Setting),
+    /// Amplitude; values are gains.
+    Volume(Setting),
+    /// Pronunciation; one of them, or both.
+    Pronunciation {
+        /// In the International Phonetic Alphabet.
+        ipa: Option<String>,
+        /// In a spelling that sounds like it.
+        sub: Option<String>,
+        /// Language of origin.
+        origin: Option<String>,
+    },
+    /// What kind of text it is.
+    SayAs(SayAs),
+    /// Language, a BCP 47 tag or a name such as `German`.
+    Language(String),
+    /// Who speaks.
+    Speaker(Speaker),
+    /// Something else on one engine.
+    Engine {
+        /// The engine's name.
+        id: String,
+        /// What it says instead.
+        data: String,
+    },
+    /// In an emotion (F&H table 4.4), from −100 to 100 each.
+    Emotion {
+        /// Its word; may be empty.
+        name: String,
+        /// Passive to active.
+        activation: f64,
+        /// Negative to positive.
+        evaluation: f64,
+        /// Submissive to dominant.
+        power: f64,
+    },
+    /// Markup that nothing here understands; kept so that openings and closings match.
+    Other,
+}
+
+/// Who speaks, as far as a text says it.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Speaker {
+    /// Sex.
+    pub gender: Option<Gender>,
+    /// Age.
+    pub age: Option<Age>,
+    /// The voice's name.
+    pub name: Option<String>,
+}
+
+/// A speaker's sex.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Gender {
+    /// A man.
+    Male,
+    /// A woman.
+    Female,
+}
+
+/// A speaker's age.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Age {
+    /// Old.
+    Older,
+    /// In the middle of life.
+    Middle,
+    /// Young.
+    Younger,
+    /// Half grown.
+    Teen,
+    /// A child.
+    Child,
+}
+
+impl Content {
+    /// A text without any markup.
     #[must_use]
-    pub fn key(&self) -> String {
-        let mut hash: u64 = 0xcbf2_9ce4_8422_2325;
-        for byte in self.canonical().bytes() {
-            hash ^= u64::from(byte);
-            hash = hash.wrapping_mul(0x0100_0000_01b3);
+    pub fn plain(text: &str) -> Self {
+        Self {
+            segments: vec![Segment::Text(text.to_owned())],
         }
-        format!("{hash:016x}")
     }
 
     /// The words in order: tokens between white space that hold a letter or digit;
-    /// punctuation stays attached.
+    /// punctuation stays attached. Markup does not part words, pauses, divisions and
+    /// recordings do. Emoticons (F&H table 4.1) are no words.
     #[must_use]
-    pub fn words(&self) -> Vec<&str> {
-        self.segments
-            .iter()
-            .filter_map(|s| match s {
-                Segment::Text { text, .. } => Some(text.split_whitespace()),
-                _ => None,
-            })
-            .flatten()
-            .filter(|w| w.chars().any(char::is_alphanumeric))
-            .collect()
+    pub fn words(&self) -> Vec<String> {
+        let mut words = Vec::new();
+        let mut open = String::new();
+        let mut close = |open: &mut String| {
+            if is_word(open) {
+                words.push(core::mem::take(open));
+            } else {
+                open.clear();
+            }
+        };
+        for segment in &self.segments {
+            match segment {
+                Segment::Text(text) => {
+                    let mut pieces = text.split(is_space);
+                    open.push_str(pieces.next().unwrap_or_default());
+                    for piece in pieces {
+                        close(&mut open);
+                        open.push_str(piece);
+                    }
+                }
+                Segment::Break { .. } | Segment::Division(_) | Segment::Audio { .. } => {
+                    close(&mut open);
+                }
+                Segment::Mark(_) | Segment::Open(_) | Segment::Close => {}
+            }
+        }
+        close(&mut open);
+        words
     }
+
+    /// The words with single spaces.
+    #[must_use]
+    pub fn plain_text(&self) -> String {
+        self.words().join(" ")
+    }
+}
+
+/// XML's white space. A no-break space joins.
+pub(crate) fn is_space(c: char) -> bool {
+    matches!(c, ' ' | '\t' | '\n' | '\r')
+}
+
+/// Whether a token between white space is a word.
+pub(crate) fn is_word(token: &str) -> bool {
+    token.chars().any(char::is_alphanumeric) && !crate::emotion::is_emoticon(token)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    fn text(t: &str, emphasis: f64) -> Segment {
-        Segment::Text {
-            text: t.to_owned(),
-            emphasis,
-        }
-    }
-
     #[test]
-    fn white_space_does_not_change_the_key_but_emphasis_does() {
-        let a = Content {
-            segments: vec![text(" Hello\n  world! ", 1.0)],
+    fn markup_does_not_part_words_but_pauses_do() {
+        let text = |t: &str| Segment::Text(t.to_owned());
+        let pause = Segment::Break {
+            msec: 100,
+            boundary: None,
         };
-        let b = Content {
-            segments: vec![text("Hello", 1.0), text("world!", 1.0), Segment::Boundary],
+        let content = Content {
+            segments: vec![
+                text(" un"),
+                Segment::Open(Markup::Emphasis(1.0)),
+                text("be"),
+                Segment::Close,
+                text("lievable\n \u{2013} stuff one"),
+                pause,
+                text("two :-o three"),
+                Segment::Division(Division::Sentence),
+                text("four"),
+            ],
         };
-        let c = Content {
-            segments: vec![text("Hello", 1.0), text("world!", 1.5)],
-        };
-        assert_eq!(a.key(), b.key());
-        assert_ne!(a.key(), c.key());
-        assert_eq!(b.words(), ["Hello", "world!"]);
+        assert_eq!(
+            content.words(),
+            ["unbelievable", "stuff", "one", "two", "three", "four"]
+        );
     }
 }

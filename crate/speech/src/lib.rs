@@ -1,19 +1,24 @@
-//! Speech that was computed ahead: bundles of audio with words and phones, phone sets
-//! and what a mouth does for each phone.
+//! Speech that was computed ahead: bundles of audio with words, phones and melody, phone sets
+//! and what a mouth does for each phone. Behind `bake`: what is to be said and how, and the
+//! means to make its sound: markup, text, signal, alignments of other programs.
 //!
-//! Does: read and check a speech bundle, find an utterance, tell phones and words by
-//! time; the phone table with visual targets and dominance.
-//! Does not: synthesise (the command line bakes) or move a face (`actor`).
+//! Does not: run speech engines (the command line does) or move a face (`actor`).
 
 #[cfg(feature = "bake")]
 pub mod align;
 pub mod bundle;
+#[cfg(feature = "bake")]
 pub mod content;
+#[cfg(feature = "bake")]
+pub mod emotion;
 pub mod phones;
 #[cfg(feature = "bake")]
 pub mod signal;
 #[cfg(feature = "bake")]
+pub mod spoken;
+#[cfg(feature = "bake")]
+pub mod style;
+#[cfg(feature = "bake")]
 pub mod text;
 
 pub use bundle::{AudioFile, Bundle, BundleError, Phone, Utterance, Word};
-pub use content::{Content, Segment};

@@ -1,0 +1,139 @@
+//! What is known of the sound every 10 ms, a byte each: fundamental frequency and intensity.
+
+use core::f64::consts::LN_2;
+
+use raconteur_base::ops;
+
+/// Time from one frame to the next, seconds. Frame `i` is measured around `i` times this.
+pub const FRAME_SECS: f64 = 0.01;
+
+/// The frequency of code 1, hertz: below every voice.
+const LOWEST_HZ: f64 = 40.0;
+/// Codes in an octave: a step is a fifth of a semitone, 1.2 %.
+const CODES_AN_OCTAVE: f64 = 60.0;
+/// The intensity of code 0 against full scale, decibels; each code is half a decibel.
+const LOWEST_DB: f64 = -100.0;
+
+/// The frequency that a code stands for, hertz; `None` where nothing is voiced.
+#[must_use]
+pub fn hz_of_code(code: u8) -> Option<f64> {
+    (code > 0).then(|| LOWEST_HZ * ops::exp((f64::from(code) - 1.0) / CODES_AN_OCTAVE * LN_2))
+}
+
+/// The code of a frequency in hertz: 0 for none, else from 40 to 752 Hz.
+#[must_use]
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "clamped to a byte"
+)]
+pub fn code_of_hz(hz: f64) -> u8 {
+    if hz > 0.0 {
+        let code = (CODES_AN_OCTAVE * ops::ln(hz / LOWEST_HZ) / LN_2).round() + 1.0;
+        code.clamp(1.0, 255.0) as u8
+    } else {
+        0
+    }
+}
+
+/// The intensity that a code stands for, decibels against full scale.
+#[must_use]
+pub fn db_of_code(code: u8) -> f64 {
+    LOWEST_DB + f64::from(code) / 2.0
+}
+
+/// The code of an intensity in decibels against full scale, from −100 to 27.5.
+#[must_use]
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "clamped to a byte; not a number becomes 0"
+)]
+pub fn code_of_db(db: f64) -> u8 {
+    ((db - LOWEST_DB) * 2.0).round().clamp(0.0, 255.0) as u8
+}
+
+const ALPHABET: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+
+/// Base64 without padding (RFC 4648, sections 3.2 and 4).
+#[must_use]
+pub fn to_base64(bytes: &[u8]) -> String {
+    let mut text = String::with_capacity(bytes.len().div_ceil(3) * 4);
+    for three in bytes.chunks(3) {
+        let bits = (0..3).fold(0_usize, |bits, i| {
+            bits << 8 | usize::from(three.get(i).copied().unwrap_or(0))
+        });
+        for i in 0..=three.len() {
+            text.push(char::from(ALPHABET[bits >> (18 - 6 * i) & 63]));
+        }
+    }
+    text
+}
+
+/// The bytes of base64 without padding; `None` when it is none.
+#[must_use]
+pub fn from_base64(text: &str) -> Option<Vec<u8>> {
+    let mut bytes = Vec::with_capacity(text.len() / 4 * 3 + 2);
+    let (mut bits, mut held) = (0_u32, 0);
+    for letter in text.bytes() {
+        let value = match letter {
+            b'A'..=b'Z' => letter - b'A',
+            b'a'..=b'z' => letter - b'a' + 26,
+            b'0'..=b'9' => letter - b'0' + 52,
+            b'+' => 62,
+            b'/' => 63,
+            _ => return None,
+        };
+        bits = bits << 6 | u32::from(value);
+        held += 6;
+        if held >= 8 {
+            held -= 8;
+            bytes.push((bits >> held) as u8);
+        }
+    }
+    // A single letter holds no byte.
+    (held < 6).then_some(bytes)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn base64_is_what_the_standard_says() {
+        // Section 10 of RFC 4648, without its padding.
+        for (plain, coded) in [
+            ("", ""),
+            ("f", "Zg"),
+            ("fo", "Zm8"),
+            ("foo", "Zm9v"),
+            ("foob", "Zm9vYg"),
+            ("fooba", "Zm9vYmE"),
+            ("foobar", "Zm9vYmFy"),
+        ] {
+            assert_eq!(to_base64(plain.as_bytes()), coded);
+            assert_eq!(from_base64(coded).unwrap(), plain.as_bytes());
+        }
+        let all: Vec<u8> = (0..=255).collect();
+        assert_eq!(from_base64(&to_base64(&all)).unwrap(), all);
+        for bad in ["A", "Zg==", "Z g", "Z\u{e9}"] {
+            assert_eq!(from_base64(bad), None, "{bad}");
+        }
+    }
+
+    #[test]
+    fn frequencies_and_intensities_come_back_within_half_a_step() {
+        assert_eq!((code_of_hz(0.0), hz_of_code(0)), (0, None));
+        for tenth in 410..7_500 {
+            let hz = f64::from(tenth) / 10.0;
+            let back = hz_of_code(code_of_hz(hz)).unwrap();
+            assert!((back / hz - 1.0).abs() < 0.006, "{hz} {back}");
+        }
+        for tenth in -1_000..200 {
+            let db = f64::from(tenth) / 10.0;
+            assert!((db_of_code(code_of_db(db)) - db).abs() < 0.26);
+        }
+        assert_eq!(code_of_db(f64::NEG_INFINITY), 0);
+        assert_eq!(code_of_db(f64::NAN), 0);
+    }
+}

@@ -1,0 +1,231 @@
+//! The speech bundle, version 2: `voice/speech.json` beside its audio files. Its format is
+//! described in `docs/speech-bundle.md`.
+
+mod check;
+mod frames;
+mod read;
+#[cfg(test)]
+mod tests;
+
+pub use frames::{
+    FRAME_SECS, code_of_db, code_of_hz, db_of_code, from_base64, hz_of_code, to_base64,
+};
+pub use read::BundleError;
+
+/// The version this code reads and writes.
+pub const VERSION: u32 = 2;
+
+/// The symbol of silence, whatever the phone set.
+pub const SILENCE: &str = "pau";
+
+/// Everything that a story says, computed ahead.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Bundle {
+    /// The voices that speak in it.
+    pub voices: Vec<Voice>,
+    /// Utterances in the order of the story.
+    pub utterances: Vec<Utterance>,
+}
+
+/// Who speaks.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Voice {
+    /// Engine and version, for example `festival 2.5.0`.
+    pub engine: String,
+    /// The voice, as its engine calls it.
+    pub voice: String,
+    /// BCP 47 language tag, for example `en-US`.
+    pub language: String,
+    /// The phone set, one of [`crate::phones::PHONE_SETS`].
+    pub phone_set: String,
+}
+
+/// One utterance.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Utterance {
+    /// By which a story finds it: 16 hexadecimal digits that stand for what is said, by
+    /// which voice, in which emotion.
+    pub key: String,
+    /// By which a baker knows whether it is up to date: 16 hexadecimal digits that stand
+    /// for everything that went into its sound.
+    pub content: String,
+    /// Index of its voice in [`Bundle::voices`].
+    pub voice: usize,
+    /// What is said as plain text.
+    pub text: String,
+    /// Length of the sound, seconds.
+    pub duration_secs: f64,
+    /// The sound, in order of preference; relative to the bundle's folder.
+    pub audio: Vec<AudioFile>,
+    /// Words in order, each made of phones that follow each other.
+    pub words: Vec<Word>,
+    /// Phones in order; they tile [0, duration] without gaps.
+    pub phones: Vec<Phone>,
+    /// Syllables in order.
+    pub syllables: Vec<Syllable>,
+    /// Pitch accents, by syllable.
+    pub accents: Vec<Accent>,
+    /// Intonational phrases; they part the words.
+    pub phrases: Vec<Phrase>,
+    /// Sentences; they part the words.
+    pub sentences: Vec<Sentence>,
+    /// Emotions in force, by time.
+    pub emotions: Vec<Emotion>,
+    /// Fundamental frequency of the final sound, one code for each [`FRAME_SECS`]; see
+    /// [`hz_of_code`].
+    pub f0: Vec<u8>,
+    /// Its intensity, one code for each [`FRAME_SECS`]; see [`db_of_code`].
+    pub intensity: Vec<u8>,
+}
+
+/// One encoding of an utterance's sound.
+#[derive(Clone, Debug, PartialEq)]
+pub struct AudioFile {
+    /// File name in the bundle's folder: letters, digits, `.`, `_`, `-` only.
+    pub file: String,
+    /// MIME type with codecs.
+    pub mime: String,
+}
+
+/// One spoken word.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Word {
+    /// As written, punctuation attached.
+    pub text: String,
+    /// Its first byte in [`Utterance::text`].
+    pub text_start: usize,
+    /// Seconds from the start of the utterance.
+    pub start_secs: f64,
+    /// Seconds from the start of the utterance.
+    pub end_secs: f64,
+}
+
+/// One phone.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Phone {
+    /// Symbol in the voice's phone set; [`SILENCE`] is a pause.
+    pub symbol: String,
+    /// Seconds from the start of the utterance.
+    pub start_secs: f64,
+    /// Seconds from the start of the utterance.
+    pub end_secs: f64,
+    /// Index of its word; `None` for silence and for recordings between the words.
+    pub word: Option<usize>,
+}
+
+/// One syllable.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Syllable {
+    /// Index of its first phone.
+    pub first_phone: usize,
+    /// How many phones it has, at least one.
+    pub phones: usize,
+    /// 0 none, 1 primary, 2 secondary.
+    pub stress: u8,
+}
+
+/// A pitch accent.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Accent {
+    /// Index of its syllable.
+    pub syllable: usize,
+    /// Its name in ToBI, for example `H*`; `*` where the engine tells no more than that there
+    /// is one.
+    pub label: String,
+}
+
+/// An intonational phrase.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Phrase {
+    /// Index of its first word.
+    pub first_word: usize,
+    /// How many words it has.
+    pub words: usize,
+    /// The boundary tone at its end in ToBI, for example `L-L%`.
+    pub tone: String,
+}
+
+/// What a sentence does.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum SentenceKind {
+    /// It states.
+    #[default]
+    Statement,
+    /// It asks.
+    Question,
+    /// It exclaims.
+    Exclamation,
+    /// It is not over yet.
+    Continuation,
+}
+
+/// A sentence.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Sentence {
+    /// Index of its first word.
+    pub first_word: usize,
+    /// How many words it has.
+    pub words: usize,
+    /// What it does.
+    pub kind: SentenceKind,
+}
+
+/// An emotion in force (F&H 4.3.5, 4.4).
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Emotion {
+    /// Its word (F&H tables 4.1 and 4.4).
+    pub name: String,
+    /// From when on, seconds from the start of the utterance.
+    pub start_secs: f64,
+    /// When it is strongest.
+    pub apex_secs: f64,
+    /// Until when.
+    pub end_secs: f64,
+    /// From −100, passive, to 100, active.
+    pub activation: f64,
+    /// From −100, negative, to 100, positive.
+    pub evaluation: f64,
+    /// From −100, submissive, to 100, dominant.
+    pub power: f64,
+}
+
+impl Bundle {
+    /// The utterance with this key.
+    #[must_use]
+    pub fn find(&self, key: &str) -> Option<&Utterance> {
+        self.utterances.iter().find(|u| u.key == key)
+    }
+}
+
+impl SentenceKind {
+    /// Each kind with the punctuation mark that stands for it.
+    pub const MARKS: [(Self, &'static str); 4] = [
+        (Self::Statement, "."),
+        (Self::Question, "?"),
+        (Self::Exclamation, "!"),
+        (Self::Continuation, ","),
+    ];
+}
+
+impl Utterance {
+    /// Index of the word being spoken `offset_secs` into the utterance: the last one that
+    /// has begun, until it ends. O(log n).
+    #[must_use]
+    pub fn word_at(&self, offset_secs: f64) -> Option<usize> {
+        let i = self
+            .words
+            .partition_point(|w| w.start_secs <= offset_secs)
+            .checked_sub(1)?;
+        (offset_secs < self.words[i].end_secs).then_some(i)
+    }
+
+    /// Index of the phone heard `offset_secs` into the utterance. O(log n).
+    #[must_use]
+    pub fn phone_at(&self, offset_secs: f64) -> Option<usize> {
+        let i = self
+            .phones
+            .partition_point(|p| p.start_secs <= offset_secs)
+            .checked_sub(1)?;
+        (offset_secs < self.phones[i].end_secs).then_some(i)
+    }
+}

@@ -1,0 +1,294 @@
+//! Reads a bundle. Times are told as lengths of phones, and words as phones, so that they
+//! tile the utterance whatever a file says.
+
+use raconteur_base::json::{Fault, Json};
+
+use super::{
+    Accent, AudioFile, Bundle, Emotion, Phone, Phrase, SILENCE, Sentence, SentenceKind, Syllable,
+    Utterance, VERSION, Voice, Word, from_base64,
+};
+
+/// Why a bundle was refused.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum BundleError {
+    /// The file is not JSON of the right shape.
+    #[error("the speech bundle cannot be read: {0}")]
+    Json(#[from] Fault),
+    /// Another format or another version.
+    #[error(
+        "the speech bundle is {format} version {version}; this program reads raconteur-speech version 2"
+    )]
+    Version {
+        /// What the file says it is.
+        format: String,
+        /// Its version.
+        version: u32,
+    },
+    /// Times or names that cannot be.
+    #[error("utterance {utterance} of the speech bundle: {what}")]
+    Invalid {
+        /// Index of the utterance.
+        utterance: usize,
+        /// What is wrong with it.
+        what: String,
+    },
+}
+
+impl Bundle {
+    /// Reads and checks a bundle. Unknown members are ignored.
+    ///
+    /// # Errors
+    /// When the text is not a bundle, has another version, or holds impossible times or
+    /// file names that leave the folder.
+    pub fn from_json(json: &[u8]) -> Result<Self, BundleError> {
+        let json = Json::read(json)?;
+        let format = text(&json, "format")?;
+        let version = field(&json, "version", |v| u32::try_from(v.whole()?).ok())?;
+        if format != "raconteur-speech" || version != VERSION {
+            return Err(BundleError::Version { format, version });
+        }
+        let bundle = Self {
+            voices: list(&json, "voices", Voice::of)?,
+            utterances: list(&json, "utterances", Utterance::of)?,
+        };
+        for (utterance, u) in bundle.utterances.iter().enumerate() {
+            u.check(bundle.voices.len())
+                .map_err(|what| BundleError::Invalid { utterance, what })?;
+        }
+        Ok(bundle)
+    }
+}
+
+/// What `take` makes of a member that must be there.
+fn field<'v, 'a, T>(
+    object: &'v Json<'a>,
+    name: &str,
+    take: fn(&'v Json<'a>) -> Option<T>,
+) -> Result<T, Fault> {
+    let member = object.get(name);
+    take(member).ok_or_else(|| {
+        if member.is_null() {
+            object.fault(["`", name, "` is missing"].concat())
+        } else {
+            member.fault(["`", name, "` has another type"].concat())
+        }
+    })
+}
+
+fn text(object: &Json<'_>, name: &str) -> Result<String, Fault> {
+    field(object, name, |v| v.text().map(str::to_owned))
+}
+
+fn index(object: &Json<'_>, name: &str) -> Result<usize, Fault> {
+    field(object, name, Json::index)
+}
+
+fn list<'v, 'a, T>(
+    object: &'v Json<'a>,
+    name: &str,
+    one: fn(&'v Json<'a>) -> Result<T, Fault>,
+) -> Result<Vec<T>, Fault> {
+    let items = field(object, name, |v| v.is_list().then_some(v.items()))?;
+    items.iter().map(one).collect()
+}
+
+/// The rows of a table that may be absent: lists that begin with a text, which may be empty,
+/// and go on with numbers.
+fn table<'v>(
+    object: &'v Json<'_>,
+    name: &str,
+    columns: usize,
+) -> Result<Vec<(&'v str, Vec<f64>)>, Fault> {
+    let row = |row: &'v Json<'_>| {
+        let (label, numbers) = row.items().split_first()?;
+        let numbers: Option<Vec<f64>> = numbers.iter().map(Json::number).collect();
+        Some((label.text()?, numbers.filter(|n| n.len() == columns)?))
+    };
+    let rows = object.get(name).items().iter();
+    rows.map(|one| row(one).ok_or_else(|| one.fault(["a row of `", name, "` is none"].concat())))
+        .collect()
+}
+
+/// A number that counts; anything else becomes more than there can be.
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "whole numbers of 32 bits stay what they are, and others become the last index"
+)]
+fn count(number: f64) -> usize {
+    let whole = number as u32;
+    if f64::from(whole) == number {
+        whole as usize
+    } else {
+        usize::MAX
+    }
+}
+
+impl Voice {
+    fn of(json: &Json<'_>) -> Result<Self, Fault> {
+        Ok(Self {
+            engine: text(json, "engine")?,
+            voice: text(json, "voice")?,
+            language: text(json, "language")?,
+            phone_set: text(json, "phone_set")?,
+        })
+    }
+}
+
+impl AudioFile {
+    fn of(json: &Json<'_>) -> Result<Self, Fault> {
+        Ok(Self {
+            file: text(json, "file")?,
+            mime: text(json, "mime")?,
+        })
+    }
+}
+
+/// Milliseconds as seconds.
+fn secs(msec: f64) -> f64 {
+    msec / 1000.0
+}
+
+impl Utterance {
+    fn of(json: &Json<'_>) -> Result<Self, Fault> {
+        let mut utterance = Self {
+            key: text(json, "key")?,
+            content: text(json, "content")?,
+            voice: index(json, "voice")?,
+            text: text(json, "text")?,
+            audio: list(json, "audio", AudioFile::of)?,
+            f0: frames(json, "f0")?,
+            intensity: frames(json, "intensity")?,
+            ..Self::default()
+        };
+        utterance.read_phones(json)?;
+        utterance.read_words(json)?;
+        for (label, row) in table(json, "syllables", 3)? {
+            if !label.is_empty() {
+                utterance.accents.push(Accent {
+                    syllable: utterance.syllables.len(),
+                    label: label.to_owned(),
+                });
+            }
+            utterance.syllables.push(Syllable {
+                first_phone: count(row[0]),
+                phones: count(row[1]),
+                stress: count(row[2]).min(3) as u8,
+            });
+        }
+        let mut first_word = 0_usize;
+        for (label, row) in table(json, "phrases", 1)? {
+            let words = count(row[0]);
+            let tone = label.to_owned();
+            utterance.phrases.push(Phrase {
+                first_word,
+                words,
+                tone,
+            });
+            first_word = first_word.saturating_add(words);
+        }
+        let mut first_word = 0_usize;
+        for (label, row) in table(json, "sentences", 1)? {
+            let words = count(row[0]);
+            let known = SentenceKind::MARKS.iter().find(|(_, mark)| *mark == label);
+            utterance.sentences.push(Sentence {
+                first_word,
+                words,
+                kind: known.map_or(SentenceKind::Statement, |(kind, _)| *kind),
+            });
+            first_word = first_word.saturating_add(words);
+        }
+        for (label, row) in table(json, "emotions", 6)? {
+            utterance.emotions.push(Emotion {
+                name: label.to_owned(),
+                start_secs: secs(row[0]),
+                apex_secs: secs(row[1]),
+                end_secs: secs(row[2]),
+                activation: row[3],
+                evaluation: row[4],
+                power: row[5],
+            });
+        }
+        Ok(utterance)
+    }
+
+    fn read_phones(&mut self, json: &Json<'_>) -> Result<(), Fault> {
+        let symbols = field(json, "phones", Json::text)?.split_ascii_whitespace();
+        let lengths = list(json, "msecs", |v| {
+            v.index()
+                .and_then(|msec| u32::try_from(msec).ok())
+                .ok_or_else(|| v.fault("this is no number of milliseconds".to_owned()))
+        })?;
+        let mut end_msec = 0.0;
+        let mut lengths_left = lengths.iter();
+        for symbol in symbols {
+            let Some(&length) = lengths_left.next() else {
+                return Err(json["msecs"].fault("there are more phones than lengths".to_owned()));
+            };
+            let start_secs = secs(end_msec);
+            end_msec += f64::from(length);
+            self.phones.push(Phone {
+                symbol: symbol.to_owned(),
+                start_secs,
+                end_secs: secs(end_msec),
+                word: None,
+            });
+        }
+        if lengths_left.next().is_some() {
+            return Err(json["msecs"].fault("there are more lengths than phones".to_owned()));
+        }
+        self.duration_secs = secs(end_msec);
+        Ok(())
+    }
+
+    fn read_words(&mut self, json: &Json<'_>) -> Result<(), Fault> {
+        // A word without a sound stands where the one before it ends.
+        let mut silent_secs = 0.0;
+        for row in field(json, "words", |v| v.is_list().then_some(v.items()))? {
+            let none = |what: &str| row.fault(["a word ", what].concat());
+            let numbers: Option<Vec<usize>> = row.items().iter().map(Json::index).collect();
+            let Some([text_start, bytes, first, phones]) = numbers.as_deref() else {
+                return Err(none("is not four numbers"));
+            };
+            let text_end = text_start.saturating_add(*bytes);
+            let text = self.text.get(*text_start..text_end);
+            let spoken = self
+                .phones
+                .get_mut(*first..first.saturating_add(*phones))
+                .ok_or_else(|| none("has phones that are not there"))?;
+            let word = self.words.len();
+            for phone in spoken.iter_mut() {
+                if phone.symbol == SILENCE || phone.word.is_some() {
+                    return Err(none("has a phone that is not its own"));
+                }
+                phone.word = Some(word);
+            }
+            let ends = spoken.first().zip(spoken.last());
+            let (start_secs, end_secs) = ends
+                .map_or((silent_secs, silent_secs), |(first, last)| {
+                    (first.start_secs, last.end_secs)
+                });
+            if start_secs < silent_secs {
+                return Err(none("begins before the one before it"));
+            }
+            silent_secs = end_secs;
+            self.words.push(Word {
+                text: text.ok_or_else(|| none("is not in the text"))?.to_owned(),
+                text_start: *text_start,
+                start_secs,
+                end_secs,
+            });
+        }
+        Ok(())
+    }
+}
+
+fn frames(json: &Json<'_>, name: &str) -> Result<Vec<u8>, Fault> {
+    let member = json.get(name);
+    if member.is_null() {
+        return Ok(Vec::new());
+    }
+    let bytes = member.text().and_then(from_base64);
+    bytes.ok_or_else(|| member.fault(["`", name, "` is not base64"].concat()))
+}
