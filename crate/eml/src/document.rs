@@ -248,7 +248,7 @@ impl ClauseKind {
         Some(record)
     }
 
-    /// The text that it speaks itself, which takes time.
+    /// The text that it speaks; empty where only its voice knows the words.
     #[must_use]
     pub fn spoken(&self) -> Option<Cow<'_, VoiceText>> {
         match self {

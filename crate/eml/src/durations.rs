@@ -1,14 +1,15 @@
 //! How long speech and animations take: asked of whoever knows.
 
 use crate::voice::{Item, is_letter};
-use crate::{Piece, VoiceText};
+use crate::{ClauseId, Piece, VoiceText};
 use std::ops::ControlFlow;
 
 /// Knows how long spoken texts and animations take. The player answers from a speech bundle
 /// and its library.
 pub trait Durations {
-    /// The times of one utterance.
-    fn voice(&self, text: &VoiceText) -> VoiceTiming;
+    /// The times of what a clause says. The text is empty where the clause names a file or
+    /// holds a document of SABLE.
+    fn voice(&self, clause: ClauseId, text: &VoiceText) -> VoiceTiming;
 
     /// The length of one pass of an animation, seconds; none when it is not known.
     fn animation(&self, name: &str) -> Option<f64> {
@@ -42,7 +43,7 @@ pub struct WordTime {
 /// When a phone sounds.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PhoneTime {
-    /// Its symbol in Festival's radio phone set.
+    /// Its symbol in the phone set of its voice.
     pub symbol: String,
     /// Its start in seconds from the start of the utterance.
     pub start_secs: f64,
@@ -67,7 +68,7 @@ const COMMA_SECS: f64 = 0.2;
 const SENTENCE_SECS: f64 = 0.45;
 
 impl Durations for EstimatedDurations {
-    fn voice(&self, text: &VoiceText) -> VoiceTiming {
+    fn voice(&self, _: ClauseId, text: &VoiceText) -> VoiceTiming {
         let mut timing = VoiceTiming {
             estimated: true,
             ..VoiceTiming::default()
@@ -141,7 +142,7 @@ mod tests {
     fn timing(inner: &str) -> VoiceTiming {
         let source = format!("<eml><body><voice-text time='0'>{inner}</voice-text></body></eml>");
         match &parse(&source).document.clauses[0].kind {
-            ClauseKind::VoiceText(text) => EstimatedDurations.voice(text),
+            ClauseKind::VoiceText(text) => EstimatedDurations.voice(ClauseId(0), text),
             other => panic!("{other:?}"),
         }
     }

@@ -211,7 +211,8 @@ impl VoiceText {
     }
 
     /// Whether there is a word in it.
-    pub(crate) fn has_words(&self) -> bool {
+    #[must_use]
+    pub fn has_words(&self) -> bool {
         self.pieces.iter().any(|p| match p {
             Piece::Text { text, .. } => has_letter(text),
             _ => false,
@@ -306,6 +307,11 @@ fn pass_marks<'v>(pieces: &'v [Piece], word: usize, visit: &mut Visit<'v, '_>) -
     ControlFlow::Continue(())
 }
 
+/// The only emoticon with a letter (F&H table 4.1); it is no word.
+fn is_surprise(token: &str) -> bool {
+    matches!(token, ":-o" | ":-O")
+}
+
 /// Whether a text holds a letter or a digit.
 fn has_letter(text: &str) -> bool {
     text.bytes().any(is_letter) || (!text.is_ascii() && text.contains(char::is_alphanumeric))
@@ -392,7 +398,7 @@ impl<'v> Token<'v> {
         if self.first.is_empty() {
             return ControlFlow::Continue(());
         }
-        if self.letters > 0 {
+        if self.letters > 0 && !(self.letters == 1 && is_surprise(self.text())) {
             *words += 1;
             visit(Item::Word(self))?;
         }
@@ -429,6 +435,15 @@ mod tests {
             sources,
             ["Hello,", "w&#246;rld!", "it<!-- x -->'s", "42.", "So", "me"]
         );
+    }
+
+    #[test]
+    fn emoticons_are_no_words() {
+        let source = "<eml><body><voice-text time='0'>nicht :-o irdisch ;-) mehr o :-) \
+                      :-oh</voice-text></body></eml>";
+        let words = voice(source).words();
+        let texts: Vec<&str> = words.iter().map(|w| w.text.as_str()).collect();
+        assert_eq!(texts, ["nicht", "irdisch", "mehr", "o", ":-oh"]);
     }
 
     #[test]

@@ -12,8 +12,8 @@
 
 use raconteur_eml::schema::ELEMENTS;
 use raconteur_eml::{
-    Diagnostic, Document, Durations, EstimatedDurations, Limits, LineIndex, PhoneTime, Timeline,
-    VoiceText, VoiceTiming, parse_bytes,
+    ClauseId, Diagnostic, Document, Durations, EstimatedDurations, Limits, LineIndex, PhoneTime,
+    Timeline, VoiceText, VoiceTiming, parse_bytes,
 };
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
@@ -147,8 +147,8 @@ fn limits(source: &str) -> Limits {
 struct Spelt;
 
 impl Durations for Spelt {
-    fn voice(&self, text: &VoiceText) -> VoiceTiming {
-        let mut timing = EstimatedDurations.voice(text);
+    fn voice(&self, id: ClauseId, text: &VoiceText) -> VoiceTiming {
+        let mut timing = EstimatedDurations.voice(id, text);
         timing.estimated = false;
         for (index, (word, time)) in text.words().iter().zip(&timing.words).enumerate() {
             let letters: Vec<char> = word.text.chars().filter(|c| c.is_alphabetic()).collect();

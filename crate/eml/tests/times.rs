@@ -2,15 +2,15 @@
 
 use proptest::prelude::*;
 use raconteur_eml::{
-    ClauseKind, Diagnostic, Durations, EstimatedDurations, Limits, PhoneTime, Resolved, Timeline,
-    VoiceText, VoiceTiming, WordTime, parse,
+    ClauseId, ClauseKind, Diagnostic, Durations, EstimatedDurations, Limits, PhoneTime, Resolved,
+    Timeline, VoiceText, VoiceTiming, WordTime, parse,
 };
 
 /// Every word takes a second, the last 0.2 s of it silent; its two phones are `a` and `b`.
 struct Metronome;
 
 impl Durations for Metronome {
-    fn voice(&self, text: &VoiceText) -> VoiceTiming {
+    fn voice(&self, _: ClauseId, text: &VoiceText) -> VoiceTiming {
         let count = text.words().len();
         let words = (0..count).map(|i| WordTime {
             start_secs: i as f64,

@@ -1,7 +1,7 @@
 //! What a page is told while a story plays: words, clauses and the story's own events.
 
 use raconteur_base::order::sort_by_number;
-use raconteur_eml::{Clause, ClauseId, ClauseKind};
+use raconteur_eml::{Clause, ClauseId, ClauseKind, Piece, VoiceText, WordTime};
 use raconteur_speech::AudioFile;
 
 use crate::Script;
@@ -115,28 +115,34 @@ pub(crate) fn utterances(script: &Script) -> Vec<UtteranceCue> {
         .clauses
         .iter()
         .filter_map(|timed| {
-            let ClauseKind::VoiceText(voice) = &script.document.clause(timed.clause).kind else {
-                return None;
-            };
+            let voice = script.document.clause(timed.clause).kind.spoken()?;
             let timing = script.timeline.voices.get(&timed.clause)?;
-            let words = voice
-                .words()
-                .into_iter()
-                .zip(&timing.words)
-                .map(|(word, time)| WordCue {
-                    text: word.text,
-                    start_secs: timed.start_secs + time.start_secs,
-                    end_secs: timed.start_secs + time.end_secs,
-                    emphasized: word.emphasized,
-                })
-                .collect();
+            let utterance = script.utterance(timed.clause);
+            let word = |text: String, time: &WordTime, emphasized| WordCue {
+                text,
+                start_secs: timed.start_secs + time.start_secs,
+                end_secs: timed.start_secs + time.end_secs,
+                emphasized,
+            };
+            let written = voice.words();
+            // What files and documents of SABLE say, only their utterance tells.
+            let words = match utterance.filter(|_| written.is_empty()) {
+                Some(utterance) => utterance
+                    .words
+                    .iter()
+                    .zip(&timing.words)
+                    .map(|(spoken, time)| word(spoken.text.clone(), time, false))
+                    .collect(),
+                None => written
+                    .into_iter()
+                    .zip(&timing.words)
+                    .map(|(written, time)| word(written.text, time, written.emphasized))
+                    .collect(),
+            };
             Some(UtteranceCue {
                 start_secs: timed.start_secs,
                 duration_secs: timing.duration_secs,
-                audio: script
-                    .utterance(voice)
-                    .map(|u| u.audio.clone())
-                    .unwrap_or_default(),
+                audio: utterance.map(|u| u.audio.clone()).unwrap_or_default(),
                 words,
                 estimated: timing.estimated,
                 clause: timed.clause,
@@ -189,6 +195,20 @@ pub(crate) fn cues(
         let utterance = first_utterance + index;
         for (word, w) in cue.words.iter().enumerate() {
             push(2, w.start_secs, CueKind::Word { utterance, word });
+        }
+        if let ClauseKind::VoiceText(voice) = &script.document.clause(cue.clause).kind {
+            for (place, piece) in voice.pieces.iter().enumerate() {
+                let Piece::Marker { mark, .. } = piece else {
+                    continue;
+                };
+                let before = VoiceText {
+                    pieces: voice.pieces[..place].to_vec(),
+                };
+                // The moment of the next word, or the end.
+                let next = cue.words.get(before.words().len());
+                let at = next.map_or(cue.start_secs + cue.duration_secs, |w| w.start_secs);
+                push(2, at, CueKind::Mark { name: mark.clone() });
+            }
         }
         // What is only guessed has no phones to tell of.
         for phone in script.phones(cue.clause) {

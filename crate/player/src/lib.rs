@@ -39,4 +39,5 @@ pub use raconteur_speech as speech;
 pub use raconteur_stage as stage;
 pub use script::{Script, asks_for_motion};
 pub use units::Units;
-pub use voice::content_of;
+#[cfg(feature = "bake")]
+pub use voice::{Said, Source, content_of};

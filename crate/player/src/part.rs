@@ -146,7 +146,7 @@ fn spoken(script: &Script, cue: &UtteranceCue) -> SpokenUtterance {
         } else {
             phones.to_vec()
         },
-        phone_set: script.phone_set().to_owned(),
+        phone_set: script.phone_set(cue.clause).to_owned(),
         words: cue
             .words
             .iter()

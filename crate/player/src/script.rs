@@ -3,13 +3,11 @@
 use std::sync::Arc;
 
 use raconteur_actor::Library;
-use raconteur_eml::{
-    ClauseId, ClauseKind, Diagnostic, Document, Parsed, Span, Timeline, VoiceText, parse,
-};
-use raconteur_speech::{Bundle, Content, Phone, Utterance};
+use raconteur_eml::{ClauseId, ClauseKind, Diagnostic, Document, Parsed, Span, Timeline, parse};
+use raconteur_speech::{Bundle, Phone, Utterance};
 
 use crate::motion;
-use crate::voice::{KnownDurations, content_of, find_utterance};
+use crate::voice::{KnownDurations, Voices};
 
 /// A script with everything resolved that needs no figure.
 #[derive(Clone, Debug)]
@@ -22,6 +20,8 @@ pub struct Script {
     pub diagnostics: Vec<Diagnostic>,
     /// The speech, where it was baked.
     pub(crate) bundle: Option<Arc<Bundle>>,
+    /// What of it belongs to which clause.
+    voices: Voices,
     /// It asks for players, manipulators or motions of the figure, and they are there.
     pub(crate) moves: bool,
 }
@@ -72,8 +72,10 @@ impl Script {
             document,
             mut diagnostics,
         } = parsed;
+        let voices = Voices::find(&document, bundle.as_deref());
         let durations = KnownDurations {
             bundle: bundle.as_deref(),
+            voices: &voices,
             library,
         };
         let resolved = Timeline::resolve(&document, &durations);
@@ -81,6 +83,7 @@ impl Script {
         diagnostics.extend(missing_speech(
             &document,
             bundle.as_deref(),
+            &voices,
             voice_was_given,
         ));
         diagnostics.extend(crate::unperformed::report(&document));
@@ -91,6 +94,7 @@ impl Script {
             timeline: resolved.timeline,
             diagnostics,
             bundle,
+            voices,
         }
     }
 
@@ -109,6 +113,7 @@ impl Script {
     pub fn retime(&mut self, library: &Library) {
         let durations = KnownDurations {
             bundle: self.bundle.as_deref(),
+            voices: &self.voices,
             library,
         };
         let timeline = Timeline::resolve(&self.document, &durations).timeline;
@@ -126,30 +131,21 @@ impl Script {
         wanted.map(|(name, _)| name.to_owned()).collect()
     }
 
-    /// What the story says, in document order: what a baker has to synthesise.
-    #[must_use]
-    pub fn contents(&self) -> Vec<Content> {
-        voices(&self.document)
-            .map(|(_, _, v)| content_of(v))
-            .collect()
+    /// The baked utterance of a clause, if there is one.
+    pub(crate) fn utterance(&self, clause: ClauseId) -> Option<&Utterance> {
+        self.voices.of(clause, self.bundle.as_deref())
     }
 
-    /// The baked utterance of a text, if there is one.
-    pub(crate) fn utterance(&self, voice: &VoiceText) -> Option<&Utterance> {
-        find_utterance(self.bundle.as_deref()?, voice)
-    }
-
-    /// The phones of a voice-text, seconds from its start; none where it was not baked.
+    /// The phones of what a clause says, seconds from its start; none where it was not baked.
     pub(crate) fn phones(&self, clause: ClauseId) -> &[Phone] {
-        match &self.document.clause(clause).kind {
-            ClauseKind::VoiceText(voice) => self.utterance(voice).map_or(&[], |u| &u.phones),
-            _ => &[],
-        }
+        self.utterance(clause).map_or(&[], |u| &u.phones)
     }
 
-    /// The phone set of the story's speech; Festival's where nothing was baked.
-    pub(crate) fn phone_set(&self) -> &str {
-        self.bundle.as_ref().map_or("radio", |b| &b.phone_set)
+    /// The phone set of what a clause says; Festival's where it was not baked.
+    pub(crate) fn phone_set(&self, clause: ClauseId) -> &str {
+        let voice = self.utterance(clause).map(|u| u.voice);
+        let bundle = voice.zip(self.bundle.as_ref());
+        bundle.map_or("radio", |(voice, bundle)| &bundle.voices[voice].phone_set)
     }
 }
 
@@ -215,31 +211,32 @@ pub(crate) fn delayed(mut timeline: Timeline, delay_secs: f64) -> Timeline {
     timeline
 }
 
-/// Every voice-text of a document with its tag.
-fn voices(document: &Document) -> impl Iterator<Item = (ClauseId, Span, &VoiceText)> {
+/// Every clause that speaks, with its tag.
+fn speaking(document: &Document) -> impl Iterator<Item = (ClauseId, Span)> {
     document.iter().filter_map(|(id, c)| match &c.kind {
-        ClauseKind::VoiceText(v) => Some((id, c.tag_span, v)),
+        ClauseKind::VoiceText(v) => v.has_words().then_some((id, c.tag_span)),
+        ClauseKind::VoiceSay(say) => say.is_heard().then_some((id, c.tag_span)),
         _ => None,
     })
 }
 
 fn first_voice(document: &Document) -> Span {
-    voices(document)
+    speaking(document)
         .next()
-        .map_or(Span::new(0, 0), |(_, span, _)| span)
+        .map_or(Span::new(0, 0), |(_, span)| span)
 }
 
 /// One warning when nothing was baked, else one for each utterance that is not.
 fn missing_speech(
     document: &Document,
     bundle: Option<&Bundle>,
+    voices: &Voices,
     bundle_was_given: bool,
 ) -> Vec<Diagnostic> {
-    let speaks = |v: &VoiceText| !v.words().is_empty();
     if !bundle_was_given {
-        return voices(document)
-            .find(|(_, _, v)| speaks(v))
-            .map(|(_, span, _)| {
+        return speaking(document)
+            .next()
+            .map(|(_, span)| {
                 Diagnostic::warning(
                     "player::no-bundle",
                     span,
@@ -250,12 +247,12 @@ fn missing_speech(
             .into_iter()
             .collect();
     }
-    let Some(bundle) = bundle else {
+    if bundle.is_none() {
         return Vec::new();
-    };
-    voices(document)
-        .filter(|(_, _, v)| speaks(v) && find_utterance(bundle, v).is_none())
-        .map(|(_, span, _)| {
+    }
+    speaking(document)
+        .filter(|(id, _)| voices.of(*id, bundle).is_none())
+        .map(|(_, span)| {
             Diagnostic::warning(
                 "player::not-baked",
                 span,

@@ -1,7 +1,7 @@
 //! What the language has and no part of the player performs yet: told once each, so that
 //! nobody waits for it in vain.
 
-use raconteur_eml::{Clause, ClauseKind, Diagnostic, Document, Piece, Span, VoiceText};
+use raconteur_eml::{Clause, ClauseKind, Diagnostic, Document, Span};
 
 use crate::script::moves;
 
@@ -24,6 +24,9 @@ pub(crate) fn report(document: &Document) -> Vec<Diagnostic> {
         .into_iter()
         .map(|(name, span, count)| {
             let message = match count {
+                _ if name == "emotion" => "`emotion` is in the voice only; face, camera and light \
+                                           do not follow it yet"
+                    .to_owned(),
                 1 => format!("`{name}` is not performed yet"),
                 _ => format!("`{name}` is not performed yet; it occurs {count} times"),
             };
@@ -48,8 +51,10 @@ impl Found {
 
     fn clause(&mut self, clause: &Clause) {
         match &clause.kind {
-            ClauseKind::VoiceText(voice) => self.speech(voice),
-            ClauseKind::GestureKey(_)
+            ClauseKind::VoiceText(_)
+            | ClauseKind::VoiceSay(_)
+            | ClauseKind::VoiceChange(_)
+            | ClauseKind::GestureKey(_)
             | ClauseKind::GestureIsOn(_)
             | ClauseKind::ConfigureGeometry(_)
             | ClauseKind::Event { .. }
@@ -62,19 +67,6 @@ impl Found {
             kind => self.add(kind.name(), clause.tag_span),
         }
     }
-
-    fn speech(&mut self, voice: &VoiceText) {
-        for piece in &voice.pieces {
-            match piece {
-                Piece::Start { markup, span } if markup.name() != "emph" => {
-                    self.add(markup.name(), *span);
-                }
-                Piece::Audio { span, .. } => self.add("audio", *span),
-                Piece::Marker { span, .. } => self.add("marker", *span),
-                _ => {}
-            }
-        }
-    }
 }
 
 #[cfg(test)]
@@ -85,9 +77,9 @@ mod tests {
     #[test]
     fn what_is_not_performed_is_told_once_each() {
         let text = "<eml xmlns:r='urn:raconteur:eml:1'><head><r:performer figure='nuno'/></head>\
-                    <body><voice-text time='0'>a <pitch base='low'>b</pitch> <emph>c</emph>\
-                    </voice-text><voice-change time='1' voice='v'/><voice-change time='2' voice='v'/>\
-                    </body></eml>";
+                    <body><voice-text time='0'>a <pitch base='low'>b</pitch>\
+                    </voice-text><r:light time='1' valence='positive'/><r:light time='2'/>\
+                    <r:emotion time='1' type='joy'/></body></eml>";
         let parsed = parse(text);
         assert_eq!(parsed.diagnostics, []);
         let messages: Vec<String> = report(&parsed.document)
@@ -98,8 +90,8 @@ mod tests {
             messages,
             [
                 "`performer` is not performed yet",
-                "`pitch` is not performed yet",
-                "`voice-change` is not performed yet; it occurs 2 times",
+                "`light` is not performed yet; it occurs 2 times",
+                "`emotion` is in the voice only; face, camera and light do not follow it yet",
             ]
         );
     }

@@ -378,18 +378,39 @@ impl VoiceSay {
         )
     }
 
-    /// What is spoken while what follows waits: the plain text of [`VoiceOperation::Text`].
+    /// Whether what follows waits until it is spoken.
+    #[must_use]
+    pub fn is_waited_for(&self) -> bool {
+        matches!(self.operation, VoiceOperation::Text | VoiceOperation::File)
+    }
+
+    /// Whether it is heard, rather than only made ready.
+    #[must_use]
+    pub fn is_heard(&self) -> bool {
+        !matches!(
+            self.operation,
+            VoiceOperation::PreprocessText | VoiceOperation::PreprocessFile
+        )
+    }
+
+    /// Its text; empty when it is a file or a document of SABLE.
+    #[must_use]
+    pub fn text(&self) -> VoiceText {
+        let mut pieces = Vec::new();
+        if !self.is_file() && self.kind == UtteranceKind::Text {
+            pieces.push(Piece::Text {
+                text: self.content.as_str().into(),
+                emphasis: crate::voice::NO_EMPHASIS,
+                span: self.content_span,
+            });
+        }
+        VoiceText { pieces }
+    }
+
+    /// What is heard: [`VoiceSay::text`], if anything is.
     #[must_use]
     pub fn spoken(&self) -> Option<VoiceText> {
-        (self.operation == VoiceOperation::Text && self.kind == UtteranceKind::Text).then(|| {
-            VoiceText {
-                pieces: vec![Piece::Text {
-                    text: self.content.as_str().into(),
-                    emphasis: crate::voice::NO_EMPHASIS,
-                    span: self.content_span,
-                }],
-            }
-        })
+        self.is_heard().then(|| self.text())
     }
 }
 

@@ -5,7 +5,7 @@ use crate::{ClauseKind, EmotionKind};
 
 pub(super) static ELEMENT: Element = Element {
     doc: doc!("Elicits an emotion, which face, voice and the environment express: camera, light and music."),
-    decision: doc!("GEVH elicits emotions but has no clause for it. The scale of potentials, which it does not bound, ends at 10."),
+    decision: doc!("GEVH elicits emotions but has no clause for it. The scale of potentials, which it does not bound, ends at 10. The voice is in it further down in the document until the next one or neutral; 5 is the strength of F&H table 4.4."),
     source: doc!("Extension; GEVH 3.5.4"),
     example: doc!("<eml xmlns:r='urn:raconteur:eml:1'><body><r:emotion time='0' type='joy' potential='3'/></body></eml>"),
     extension: true,

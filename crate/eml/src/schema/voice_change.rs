@@ -5,6 +5,9 @@ use crate::ClauseKind;
 
 pub(super) static ELEMENT: Element = Element {
     doc: doc!("Changes the voice of what is spoken from now on."),
+    decision: doc!(
+        "From now on means further down in the document, as one reads it, whatever the times are: what a voice says decides when clauses are, and so cannot depend on it."
+    ),
     source: doc!("GEVH D.4.15"),
     example: doc!("<voice-change time='1' voice='don_diphone'/>"),
     attributes: &[Attribute::identifier("voice", doc!("The voice's name.")).required()],

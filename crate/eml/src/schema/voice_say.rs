@@ -5,7 +5,7 @@ use crate::{ClauseKind, Diagnostic, UtteranceKind, VoiceOperation, VoiceSay};
 
 pub(super) static ELEMENT: Element = Element {
     doc: doc!("Speaks plain text or a file, without time markers. The content is the text, or the path of the file."),
-    decision: doc!("GEVH specifies it twice; this is both together. Only voiceOperation text with type text has a length that a timeline knows; what is spoken from files and SABLE documents counts as having none."),
+    decision: doc!("GEVH specifies it twice; this is both together. Speech was synthesised while the figure performed; here all of it was made ready before, so that preprocess… takes no time and is not heard. How long files and SABLE documents take is known from the speech bundle; without one they count as having no length."),
     source: doc!("GEVH D.4.2, D.4.14"),
     example: doc!("<voice-say time='7' voiceOperation='text'>Once upon a time.</voice-say>"),
     content: Content::Text,
@@ -55,6 +55,11 @@ mod tests {
             (say.content.as_str(), say.spoken()),
             ("poetry/lusiadas.txt", None)
         );
+        let kind = one("<voice-say time='7' voiceOperation='asynchronousFile'>a.txt</voice-say>");
+        let ClauseKind::VoiceSay(say) = kind else {
+            panic!("{kind:?}")
+        };
+        assert!(!say.is_waited_for() && say.spoken().unwrap().pieces.is_empty());
     }
     #[test]
     fn text_takes_its_time() {

@@ -30,7 +30,7 @@ pub struct Timeline {
     pub clauses: Vec<TimedClause>,
     /// The named moments; those inside a repetition mean its first iteration.
     pub marks: SortedMap<Name, f64>,
-    /// The times of each voice-text, counted from its start.
+    /// The times of what each clause says, counted from its start.
     pub voices: SortedMap<ClauseId, VoiceTiming>,
     ends: EndIndex,
 }
@@ -83,6 +83,17 @@ impl Timeline {
             Some(start + moment.offset_secs + lead_in_secs)
         });
         timeline.voices = found.voices;
+        // What nothing waits for is heard to its end all the same.
+        for timed in &timeline.clauses {
+            if matches!(
+                document.clause(timed.clause).kind,
+                crate::ClauseKind::VoiceSay(_)
+            ) {
+                let said = timeline.voices.get(&timed.clause);
+                let end_secs = timed.start_secs + said.map_or(0.0, |v| v.duration_secs);
+                timeline.duration_secs = timeline.duration_secs.max(end_secs);
+            }
+        }
         Resolved {
             timeline,
             diagnostics: sink.finish(),

@@ -82,7 +82,7 @@ impl Names {
             let Some(text) = clause.kind.spoken() else {
                 continue;
             };
-            let mut timing = durations.voice(&text);
+            let mut timing = durations.voice(id, &text);
             // Lengths that are no lengths count as 0.
             if !(timing.duration_secs >= 0.0 && timing.duration_secs.is_finite()) {
                 timing.duration_secs = 0.0;

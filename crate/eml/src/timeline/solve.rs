@@ -325,6 +325,8 @@ impl Solver<'_, '_> {
                 });
                 one * f64::from(self.counts[id.index()])
             }
+            // What follows something asynchronous does not wait for it.
+            ClauseKind::VoiceSay(say) if !say.is_waited_for() => 0.0,
             ClauseKind::VoiceText(_) | ClauseKind::VoiceSay(_) => {
                 self.voices.get(&id).map_or(0.0, |v| v.duration_secs)
             }

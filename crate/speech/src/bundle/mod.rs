@@ -43,12 +43,11 @@ pub struct Voice {
 /// One utterance.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Utterance {
-    /// By which a story finds it: 16 hexadecimal digits that stand for what is said, by
-    /// which voice, in which emotion.
-    pub key: String,
-    /// By which a baker knows whether it is up to date: 16 hexadecimal digits that stand
-    /// for everything that went into its sound.
-    pub content: String,
+    /// By which a story finds it: stands for what is said, by which voice, in which emotion.
+    pub key: u64,
+    /// By which a baker knows whether it is up to date: stands for everything that went into
+    /// its sound.
+    pub content: u64,
     /// Index of its voice in [`Bundle::voices`].
     pub voice: usize,
     /// What is said as plain text.
@@ -59,6 +58,8 @@ pub struct Utterance {
     pub audio: Vec<AudioFile>,
     /// Words in order, each made of phones that follow each other.
     pub words: Vec<Word>,
+    /// The first byte of each word in the text.
+    pub text_starts: Vec<usize>,
     /// Phones in order; they tile [0, duration] without gaps.
     pub phones: Vec<Phone>,
     /// Syllables in order.
@@ -92,8 +93,6 @@ pub struct AudioFile {
 pub struct Word {
     /// As written, punctuation attached.
     pub text: String,
-    /// Its first byte in [`Utterance::text`].
-    pub text_start: usize,
     /// Seconds from the start of the utterance.
     pub start_secs: f64,
     /// Seconds from the start of the utterance.
@@ -190,10 +189,10 @@ pub struct Emotion {
 }
 
 impl Bundle {
-    /// The utterance with this key.
+    /// Index of the utterance with this key.
     #[must_use]
-    pub fn find(&self, key: &str) -> Option<&Utterance> {
-        self.utterances.iter().find(|u| u.key == key)
+    pub fn find(&self, key: u64) -> Option<usize> {
+        self.utterances.iter().position(|u| u.key == key)
     }
 }
 

@@ -76,6 +76,12 @@ fn field<'v, 'a, T>(
     })
 }
 
+/// A digest of 16 hexadecimal digits.
+fn digest(member: &Json<'_>) -> Option<u64> {
+    let digits = member.text().filter(|digits| digits.len() == 16)?;
+    u64::from_str_radix(digits, 16).ok()
+}
+
 fn text(object: &Json<'_>, name: &str) -> Result<String, Fault> {
     field(object, name, |v| v.text().map(str::to_owned))
 }
@@ -153,8 +159,8 @@ fn secs(msec: f64) -> f64 {
 impl Utterance {
     fn of(json: &Json<'_>) -> Result<Self, Fault> {
         let mut utterance = Self {
-            key: text(json, "key")?,
-            content: text(json, "content")?,
+            key: field(json, "key", digest)?,
+            content: field(json, "content", digest)?,
             voice: index(json, "voice")?,
             text: text(json, "text")?,
             audio: list(json, "audio", AudioFile::of)?,
@@ -275,10 +281,10 @@ impl Utterance {
             silent_secs = end_secs;
             self.words.push(Word {
                 text: text.ok_or_else(|| none("is not in the text"))?.to_owned(),
-                text_start: *text_start,
                 start_secs,
                 end_secs,
             });
+            self.text_starts.push(*text_start);
         }
         Ok(())
     }

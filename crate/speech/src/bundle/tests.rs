@@ -2,7 +2,7 @@ use super::*;
 
 const SAMPLE: &str = r#"{"format": "raconteur-speech", "version": 2,
  "voices": [{"engine": "test 1", "voice": "v", "language": "en-US", "phone_set": "radio", "more": 1}],
- "utterances": [{"key": "0", "content": "1", "voice": 0, "text": "Hi, you 7",
+ "utterances": [{"key": "00000000000000ff", "content": "0123456789abcdef", "voice": 0, "text": "Hi, you 7",
   "audio": [{"file": "u0.opus", "mime": "audio/ogg"}],
   "words": [[0, 3, 1, 2], [4, 3, 4, 2], [8, 1, 6, 0]],
   "phones": "pau hh ay pau y uw", "msecs": [100, 100, 200, 100, 100, 400],
@@ -22,7 +22,11 @@ fn fault(json: &str) -> String {
 #[test]
 fn times_come_from_the_phones() {
     let bundle = read(SAMPLE).unwrap();
-    let u = bundle.find("0").unwrap();
+    let u = &bundle.utterances[bundle.find(255).unwrap()];
+    assert_eq!(
+        (u.content, u.text_starts.as_slice()),
+        (0x0123_4567_89ab_cdef, &[0, 4, 8][..])
+    );
     assert_eq!(u.duration_secs, 1.0);
     let words: Vec<_> = u
         .words
@@ -89,6 +93,7 @@ fn what_cannot_be_is_refused() {
             "[0, 3, 4, 2], [4, 3, 1, 2]",
             "begins before",
         ),
+        ("00ff", "0ff", "`key` has another type"),
         ("100, 400]", "100]", "more phones than lengths"),
         ("100, 400]", "100, 400, 1]", "more lengths than phones"),
         ("100, 400]", "100, -4]", "no number of milliseconds"),

@@ -1,0 +1,275 @@
+//! What a script says as bakers know it, free of EML.
+
+use raconteur_eml as eml;
+use raconteur_eml::{ClauseKind, Piece, VoiceText};
+use raconteur_speech::content::{
+    Age, Boundary, Content, Division, Gender, Markup, Segment, Setting, Speaker,
+};
+use raconteur_speech::emotion::{self, Place};
+use raconteur_speech::markup::levels;
+use raconteur_speech::text::{Order, SayAs};
+
+use super::{Manner, each_said, key};
+use crate::Script;
+
+/// The potential at which an emotion has the strength of F&H table 4.4.
+const PLAIN_POTENTIAL: f64 = 5.0;
+
+/// Something that a script says.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Said {
+    /// The key of its utterance.
+    pub key: u64,
+    /// What it is.
+    pub source: Source,
+    /// The voice that the script names for it.
+    pub voice: Option<String>,
+    /// The emotion that the script elicits for it, with its word.
+    pub emotion: Option<(String, Place)>,
+    /// Where it is in the script.
+    pub span: eml::Span,
+}
+
+/// Where words come from.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Source {
+    /// The script.
+    Content(Content),
+    /// A document of SABLE in the script.
+    Sable(String),
+    /// A file.
+    File {
+        /// Its path; it stays in its folder.
+        path: String,
+        /// It is a document of SABLE.
+        sable: bool,
+        /// It lies in the asset library instead of beside the story.
+        library: bool,
+    },
+}
+
+impl Script {
+    /// What the script says, in document order: what a baker has to make.
+    #[must_use]
+    pub fn said(&self) -> Vec<Said> {
+        let mut all = Vec::new();
+        each_said(&self.document, &mut |id, kind, manner| {
+            if let Some(source) = source_of(kind) {
+                all.push(Said {
+                    key: key::of(kind, manner),
+                    source,
+                    voice: manner.voice.map(str::to_owned),
+                    emotion: felt(manner),
+                    span: self.document.clause(id).tag_span,
+                });
+            }
+        });
+        all
+    }
+}
+
+fn felt(manner: Manner<'_>) -> Option<(String, Place)> {
+    let emotion = manner.emotion?;
+    let word = emotion.kind.word();
+    let place = emotion::place(word)?.scaled(emotion.potential / PLAIN_POTENTIAL);
+    Some((word.to_owned(), place))
+}
+
+fn source_of(kind: &ClauseKind) -> Option<Source> {
+    Some(match kind {
+        ClauseKind::VoiceText(text) => Source::Content(content_of(text)),
+        ClauseKind::VoiceSay(say) => {
+            let sable = say.kind == eml::UtteranceKind::Sable;
+            if say.is_file() {
+                Source::File {
+                    path: say.content.clone(),
+                    sable,
+                    library: say.is_resources_relative,
+                }
+            } else if sable {
+                Source::Sable(say.content.clone())
+            } else {
+                Source::Content(content_of(&say.text()))
+            }
+        }
+        _ => return None,
+    })
+}
+
+/// What a text of EML says, free of EML.
+#[must_use]
+pub fn content_of(voice: &VoiceText) -> Content {
+    let segments = voice.pieces.iter().filter_map(segment_of).collect();
+    Content { segments }
+}
+
+fn segment_of(piece: &Piece) -> Option<Segment> {
+    Some(match piece {
+        Piece::Text { text, .. } => Segment::Text(text.to_string()),
+        Piece::Break { msec, boundary, .. } => Segment::Break {
+            msec: *msec,
+            boundary: boundary.map(|b| match b {
+                eml::Boundary::Question => Boundary::Question,
+                eml::Boundary::Exclamation => Boundary::Exclamation,
+                eml::Boundary::Statement => Boundary::Statement,
+                eml::Boundary::Comma => Boundary::Comma,
+            }),
+        },
+        Piece::DivStart { kind, .. } => Segment::Division(match kind {
+            Some(eml::DivKind::Paragraph) => Division::Paragraph,
+            _ => Division::Sentence,
+        }),
+        Piece::DivEnd => Segment::Division(Division::Sentence),
+        Piece::Audio { audio, .. } => Segment::Audio {
+            src: audio.src.clone(),
+            background: audio.mode == eml::AudioMode::Background,
+            level: audio.level,
+        },
+        Piece::Marker { mark, .. } => Segment::Mark(mark.clone()),
+        Piece::Start { markup, .. } => Segment::Open(markup_of(markup)),
+        Piece::End => Segment::Close,
+        // A named moment sounds like nothing.
+        Piece::Mark { .. } => return None,
+    })
+}
+
+fn markup_of(markup: &eml::Markup) -> Markup {
+    match markup {
+        eml::Markup::Emph(emph) => Markup::Emphasis(match emph.level {
+            eml::Level::Number(level) => level,
+            eml::Level::Word(word) => levels::emphasis(word).unwrap_or(1.0),
+            eml::Level::Percent(_) => 1.0,
+        }),
+        eml::Markup::Engine(engine) => Markup::Engine {
+            id: engine.id.clone(),
+            data: engine.data.clone(),
+        },
+        eml::Markup::Pitch(pitch) => Markup::Pitch {
+            base: pitch.base.map(|l| setting(l, levels::pitch)),
+            middle: pitch.middle.map(|l| setting(l, levels::pitch)),
+            range: pitch.range.map(|l| setting(l, levels::range)),
+        },
+        eml::Markup::Pron(pron) => Markup::Pronunciation {
+            ipa: pron.ipa.clone(),
+            sub: pron.sub.clone(),
+            origin: pron.origin.clone(),
+        },
+        eml::Markup::Rate(rate) => Markup::Rate(setting(rate.speed, levels::rate)),
+        eml::Markup::Volume(volume) => Markup::Volume(setting(volume.level, levels::volume)),
+        eml::Markup::SayAs(say) => Markup::SayAs(say_as(say)),
+        eml::Markup::Language(language) => Markup::Language(language.id.clone()),
+        eml::Markup::Speaker(speaker) => Markup::Speaker(Speaker {
+            gender: speaker.gender.map(|g| match g {
+                eml::Gender::Male => Gender::Male,
+                eml::Gender::Female => Gender::Female,
+            }),
+            age: speaker.age.map(|age| match age {
+                eml::Age::Older => Age::Older,
+                eml::Age::Middle => Age::Middle,
+                eml::Age::Younger => Age::Younger,
+                eml::Age::Teen => Age::Teen,
+                eml::Age::Child => Age::Child,
+            }),
+            name: speaker.name.clone(),
+        }),
+    }
+}
+
+/// A level of EML; `named` knows the words that its attribute allows.
+fn setting(level: eml::Level, named: fn(&str) -> Option<Setting>) -> Setting {
+    match level {
+        eml::Level::Word(word) => named(word).unwrap_or(Setting::Default),
+        eml::Level::Percent(percent) => Setting::Factor(1.0 + percent / 100.0),
+        eml::Level::Number(number) => Setting::Value(number),
+    }
+}
+
+fn say_as(say: &eml::SayAs) -> SayAs {
+    let order = say.mode_type.and_then(|kind| {
+        Some(match kind {
+            eml::SayAsType::Dmy => Order::Dmy,
+            eml::SayAsType::Mdy => Order::Mdy,
+            eml::SayAsType::Ymd => Order::Ymd,
+            eml::SayAsType::Ym => Order::Ym,
+            eml::SayAsType::My => Order::My,
+            eml::SayAsType::Md => Order::Md,
+            _ => return None,
+        })
+    });
+    match say.mode {
+        eml::SayAsMode::Literal => SayAs::Literal,
+        eml::SayAsMode::Date => SayAs::Date(order),
+        eml::SayAsMode::Time => SayAs::Time,
+        eml::SayAsMode::Phone => SayAs::Phone,
+        eml::SayAsMode::Net => SayAs::Net {
+            email: say.mode_type == Some(eml::SayAsType::Email),
+        },
+        eml::SayAsMode::Postal => SayAs::Postal,
+        eml::SayAsMode::Currency => SayAs::Currency,
+        eml::SayAsMode::Math => SayAs::Math,
+        eml::SayAsMode::Fraction => SayAs::Fraction,
+        eml::SayAsMode::Measure => SayAs::Measure,
+        eml::SayAsMode::Ordinal => SayAs::Ordinal,
+        eml::SayAsMode::Cardinal => SayAs::Cardinal,
+        eml::SayAsMode::Name => SayAs::Name,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use raconteur_eml::parse;
+
+    fn voice(body: &str) -> VoiceText {
+        let source = format!("<eml><body><voice-text time='0'>{body}</voice-text></body></eml>");
+        let parsed = parse(&source);
+        let clause = parsed.document.clauses.into_iter().next();
+        match clause.map(|c| c.kind) {
+            Some(ClauseKind::VoiceText(v)) => v,
+            other => panic!("{other:?}"),
+        }
+    }
+
+    #[test]
+    fn content_and_document_count_the_same_words() {
+        for body in [
+            "Hello world!",
+            "<div>Hello <emph><tm name='t' event='onStart'/>world!</emph></div>",
+            "un<emph>be</emph>lievable <tm name='x'/> stuff",
+            "one<break msec='200'/> two <div>three</div>four",
+            "  - dash , comma &amp; and <tm name='e'/>",
+            "nicht :-o irdisch ;-) mehr :-oh",
+            "a<audio src='a.wav'/>b",
+            "",
+        ] {
+            let v = voice(body);
+            let words: Vec<String> = v.words().into_iter().map(|w| w.text).collect();
+            assert_eq!(content_of(&v).words(), words, "{body}");
+        }
+    }
+
+    #[test]
+    fn voices_and_emotions_reach_what_follows_them() {
+        let script = Script::read(
+            "<eml xmlns:r='urn:raconteur:eml:1'><body><voice-change time='0' voice='kal'/>\
+             <r:emotion time='0' type='hate' potential='10'/><voice-text time='0'>One</voice-text>\
+             <voice-say time='0' voiceOperation='preprocessFile' type='sable'>a.sable</voice-say>\
+             <r:emotion time='0' type='neutral'/><voice-text time='3'>Two</voice-text>\
+             </body></eml>",
+            None,
+        );
+        let said = script.said();
+        assert_eq!(said[0].voice.as_deref(), Some("kal"));
+        let (word, place) = said[0].emotion.as_ref().unwrap();
+        assert_eq!((word.as_str(), place.activation), ("hate", 100.0));
+        assert_eq!(
+            said[1].source,
+            Source::File {
+                path: "a.sable".to_owned(),
+                sable: true,
+                library: true
+            }
+        );
+        assert_eq!(said[2].emotion, None);
+    }
+}

@@ -1,0 +1,131 @@
+//! What a script says, by which voice and in which emotion, and when each word and phone of
+//! it is heard.
+
+#[cfg(feature = "bake")]
+mod content;
+mod key;
+
+#[cfg(feature = "bake")]
+pub use content::{Said, Source, content_of};
+
+use raconteur_actor::Library;
+use raconteur_eml::{
+    ClauseId, ClauseKind, Document, Durations, Emotion, EmotionKind, EstimatedDurations, PhoneTime,
+    VoiceText, VoiceTiming, WordTime,
+};
+use raconteur_speech::{Bundle, Utterance};
+
+/// Who speaks a clause, and how: the last `voice-change` and the last emotion before it, as
+/// one reads the document.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Manner<'d> {
+    /// The voice, as the script names it; none: the story's own.
+    pub(crate) voice: Option<&'d str>,
+    /// The emotion, unless it is neutral.
+    pub(crate) emotion: Option<&'d Emotion>,
+}
+
+/// Shows every clause that says something, heard or made ready, with its manner.
+pub(crate) fn each_said<'d>(
+    document: &'d Document,
+    visit: &mut dyn FnMut(ClauseId, &'d ClauseKind, Manner<'d>),
+) {
+    let mut manner = Manner::default();
+    for (id, clause) in document.iter() {
+        match &clause.kind {
+            ClauseKind::VoiceChange(change) => manner.voice = Some(&change.voice),
+            ClauseKind::Emotion(emotion) => {
+                let felt = emotion.kind != EmotionKind::Neutral && emotion.potential > 0.0;
+                manner.emotion = felt.then_some(emotion);
+            }
+            ClauseKind::VoiceText(_) | ClauseKind::VoiceSay(_) => visit(id, &clause.kind, manner),
+            _ => {}
+        }
+    }
+}
+
+/// The utterances of a bundle that belong to the clauses of a document.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Voices {
+    /// By clause; only what was baked.
+    found: Vec<(ClauseId, usize)>,
+}
+
+impl Voices {
+    /// Finds what was baked for a document.
+    pub(crate) fn find(document: &Document, bundle: Option<&Bundle>) -> Self {
+        let mut found = Vec::new();
+        let Some(bundle) = bundle else {
+            return Self { found };
+        };
+        each_said(document, &mut |id, kind, manner| {
+            let index = bundle.find(key::of(kind, manner));
+            // The words of a text are those of its utterance, or marks would be amiss.
+            let fits = |index: &usize| match kind {
+                ClauseKind::VoiceText(text) => {
+                    bundle.utterances[*index].words.len() == text.words().len()
+                }
+                _ => true,
+            };
+            if let Some(index) = index.filter(fits) {
+                found.push((id, index));
+            }
+        });
+        Self { found }
+    }
+
+    /// The utterance of a clause.
+    pub(crate) fn of<'b>(
+        &self,
+        clause: ClauseId,
+        bundle: Option<&'b Bundle>,
+    ) -> Option<&'b Utterance> {
+        let place = self.found.partition_point(|(id, _)| *id < clause);
+        let (_, index) = self.found.get(place).filter(|(id, _)| *id == clause)?;
+        bundle?.utterances.get(*index)
+    }
+}
+
+/// Answers the timeline from a speech bundle, by estimate where the bundle is silent, and
+/// from a library of animations.
+pub(crate) struct KnownDurations<'a> {
+    pub(crate) bundle: Option<&'a Bundle>,
+    pub(crate) voices: &'a Voices,
+    pub(crate) library: &'a Library,
+}
+
+impl Durations for KnownDurations<'_> {
+    fn animation(&self, name: &str) -> Option<f64> {
+        self.library.get(name).map(|clip| clip.duration_secs())
+    }
+
+    fn voice(&self, clause: ClauseId, text: &VoiceText) -> VoiceTiming {
+        let Some(utterance) = self.voices.of(clause, self.bundle) else {
+            return EstimatedDurations.voice(clause, text);
+        };
+        VoiceTiming {
+            duration_secs: utterance.duration_secs,
+            words: utterance
+                .words
+                .iter()
+                .map(|w| WordTime {
+                    start_secs: w.start_secs,
+                    end_secs: w.end_secs,
+                })
+                .collect(),
+            phones: utterance
+                .phones
+                .iter()
+                .filter_map(|p| {
+                    Some(PhoneTime {
+                        symbol: p.symbol.clone(),
+                        start_secs: p.start_secs,
+                        end_secs: p.end_secs,
+                        word: p.word?,
+                    })
+                })
+                .collect(),
+            estimated: false,
+        }
+    }
+}
