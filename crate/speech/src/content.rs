@@ -175,36 +175,11 @@ impl Content {
 
     /// The words in order: tokens between white space that hold a letter or digit;
     /// punctuation stays attached. Markup does not part words, pauses, divisions and
-    /// recordings do. Emoticons (F&H table 4.1) are no words.
+    /// recordings do. Emoticons (F&H tables 4.1 and 4.2) are no words.
     #[must_use]
     pub fn words(&self) -> Vec<String> {
-        let mut words = Vec::new();
-        let mut open = String::new();
-        let mut close = |open: &mut String| {
-            if is_word(open) {
-                words.push(core::mem::take(open));
-            } else {
-                open.clear();
-            }
-        };
-        for segment in &self.segments {
-            match segment {
-                Segment::Text(text) => {
-                    let mut pieces = text.split(is_space);
-                    open.push_str(pieces.next().unwrap_or_default());
-                    for piece in pieces {
-                        close(&mut open);
-                        open.push_str(piece);
-                    }
-                }
-                Segment::Break { .. } | Segment::Division(_) | Segment::Audio { .. } => {
-                    close(&mut open);
-                }
-                Segment::Mark(_) | Segment::Open(_) | Segment::Close => {}
-            }
-        }
-        close(&mut open);
-        words
+        let resolved = crate::resolve::resolve(self, "");
+        resolved.words().map(str::to_owned).collect()
     }
 
     /// The words with single spaces.
@@ -217,11 +192,6 @@ impl Content {
 /// XML's white space. A no-break space joins.
 pub(crate) fn is_space(c: char) -> bool {
     matches!(c, ' ' | '\t' | '\n' | '\r')
-}
-
-/// Whether a token between white space is a word.
-pub(crate) fn is_word(token: &str) -> bool {
-    token.chars().any(char::is_alphanumeric) && !crate::emotion::is_emoticon(token)
 }
 
 #[cfg(test)]

@@ -13,6 +13,8 @@ pub mod content;
 pub mod emotion;
 pub mod phones;
 #[cfg(feature = "bake")]
+pub mod resolve;
+#[cfg(feature = "bake")]
 pub mod signal;
 #[cfg(feature = "bake")]
 pub mod spoken;
