@@ -307,9 +307,14 @@ fn pass_marks<'v>(pieces: &'v [Piece], word: usize, visit: &mut Visit<'v, '_>) -
     ControlFlow::Continue(())
 }
 
-/// The only emoticon with a letter (F&H table 4.1); it is no word.
-fn is_surprise(token: &str) -> bool {
-    matches!(token, ":-o" | ":-O")
+/// Whether a token ends the only emoticon with a letter (F&H table 4.1), which is no word;
+/// table 4.2 writes it with spaces. `sign` is how much of it came just before.
+fn is_surprise(token: &str, sign: u8) -> bool {
+    match token.trim_end_matches(['.', ',', ';', ':', '!', '?']) {
+        ":-o" | ":-O" => true,
+        "o" => sign == 2,
+        _ => false,
+    }
 }
 
 /// Whether a text holds a letter or a digit.
@@ -367,6 +372,8 @@ pub(crate) struct Token<'v> {
     /// How many letters and digits it holds.
     pub(crate) letters: usize,
     emphasized: bool,
+    /// How many signs of a spaced emoticon the tokens before it are.
+    sign: u8,
 }
 
 impl<'v> Token<'v> {
@@ -398,9 +405,18 @@ impl<'v> Token<'v> {
         if self.first.is_empty() {
             return ControlFlow::Continue(());
         }
-        if self.letters > 0 && !(self.letters == 1 && is_surprise(self.text())) {
-            *words += 1;
-            visit(Item::Word(self))?;
+        if self.letters == 0 {
+            self.sign = match (self.sign, self.text()) {
+                (_, ":") => 1,
+                (1, "-") | (_, ":-") => 2,
+                _ => 0,
+            };
+        } else {
+            let sign = core::mem::take(&mut self.sign);
+            if self.letters > 1 || !is_surprise(self.text(), sign) {
+                *words += 1;
+                visit(Item::Word(self))?;
+            }
         }
         self.first = "";
         self.whole.clear();
@@ -440,10 +456,10 @@ mod tests {
     #[test]
     fn emoticons_are_no_words() {
         let source = "<eml><body><voice-text time='0'>nicht :-o irdisch ;-) mehr o :-) \
-                      :-oh</voice-text></body></eml>";
+                      :-oh : - o :- o. :-O! : o</voice-text></body></eml>";
         let words = voice(source).words();
         let texts: Vec<&str> = words.iter().map(|w| w.text.as_str()).collect();
-        assert_eq!(texts, ["nicht", "irdisch", "mehr", "o", ":-oh"]);
+        assert_eq!(texts, ["nicht", "irdisch", "mehr", "o", ":-oh", "o"]);
     }
 
     #[test]

@@ -6,12 +6,24 @@
 
 #[cfg(feature = "bake")]
 pub mod align;
+#[cfg(feature = "bake")]
+pub mod assemble;
 pub mod bundle;
 #[cfg(feature = "bake")]
 pub mod content;
 #[cfg(feature = "bake")]
 pub mod emotion;
+#[cfg(feature = "bake")]
+pub mod feel;
+#[cfg(feature = "bake")]
+pub mod language;
+#[cfg(feature = "bake")]
+pub mod manner;
 pub mod phones;
+#[cfg(feature = "bake")]
+pub mod plan;
+#[cfg(feature = "bake")]
+pub mod realise;
 #[cfg(feature = "bake")]
 pub mod resolve;
 #[cfg(feature = "bake")]

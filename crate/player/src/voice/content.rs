@@ -238,7 +238,7 @@ mod tests {
             "un<emph>be</emph>lievable <tm name='x'/> stuff",
             "one<break msec='200'/> two <div>three</div>four",
             "  - dash , comma &amp; and <tm name='e'/>",
-            "nicht :-o irdisch ;-) mehr :-oh",
+            "nicht :-o irdisch ;-) mehr :-oh : - o, :- o : o o :-O. x",
             "a<audio src='a.wav'/>b",
             "",
         ] {

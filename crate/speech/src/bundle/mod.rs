@@ -18,6 +18,9 @@ pub const VERSION: u32 = 2;
 /// The symbol of silence, whatever the phone set.
 pub const SILENCE: &str = "pau";
 
+/// The symbol of a recording between the words: the mouth is still.
+pub const SOUND: &str = "snd";
+
 /// Everything that a story says, computed ahead.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Bundle {

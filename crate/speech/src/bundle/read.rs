@@ -264,10 +264,15 @@ impl Utterance {
                 .get_mut(*first..first.saturating_add(*phones))
                 .ok_or_else(|| none("has phones that are not there"))?;
             let word = self.words.len();
-            for phone in spoken.iter_mut() {
-                if phone.symbol == SILENCE || phone.word.is_some() {
-                    return Err(none("has a phone that is not its own"));
-                }
+            // A long number may pause inside.
+            let is_still = |p: &Phone| p.symbol == SILENCE;
+            if spoken.iter().any(|p| p.word.is_some())
+                || spoken.first().is_some_and(is_still)
+                || spoken.last().is_some_and(is_still)
+            {
+                return Err(none("has a phone that is not its own"));
+            }
+            for phone in spoken.iter_mut().filter(|p| !is_still(p)) {
                 phone.word = Some(word);
             }
             let ends = spoken.first().zip(spoken.last());
