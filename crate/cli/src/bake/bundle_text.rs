@@ -1,138 +1,219 @@
 //! The text of a bundle: JSON that a person can read and a version control system can
-//! compare, one utterance to a block, one list of words or phones to a line.
+//! compare, one utterance to a block, one list to a line.
 
-use std::io::{self, Write};
+use core::fmt::Write as _;
 
-use anyhow::Result;
-use raconteur_player::speech::Bundle;
-use serde::Serialize as _;
-use serde_json::Serializer;
-use serde_json::ser::Formatter;
-
-/// Objects and lists this deep stand on one line: bundle, utterances and utterance are
-/// spread out, the lists of an utterance are not.
-const SPREAD: usize = 3;
+use raconteur_player::speech::bundle::{
+    Bundle, SentenceKind, Utterance, VERSION, Voice, to_base64,
+};
+use serde_json::Value;
 
 /// Writes a bundle; [`Bundle::from_json`] reads it again.
-///
-/// # Errors
-/// When a field cannot be written as JSON.
-pub(crate) fn write(bundle: &Bundle) -> Result<String> {
-    let mut bytes = Vec::new();
-    bundle.serialize(&mut Serializer::with_formatter(
-        &mut bytes,
-        Blocks { depth: 0 },
-    ))?;
-    bytes.push(b'\n');
-    Ok(String::from_utf8(bytes)?)
+pub(crate) fn write(bundle: &Bundle) -> String {
+    let mut out = format!("{{\n  \"format\": \"raconteur-speech\",\n  \"version\": {VERSION},\n");
+    let voices: Vec<String> = bundle.voices.iter().map(voice).collect();
+    let utterances: Vec<String> = bundle.utterances.iter().map(utterance).collect();
+    let _ = writeln!(out, "  \"voices\": [{}\n  ],", voices.join(","));
+    let _ = writeln!(out, "  \"utterances\": [{}\n  ]\n}}", utterances.join(","));
+    out
 }
 
-struct Blocks {
-    depth: usize,
+fn text(text: &str) -> String {
+    Value::from(text).to_string()
 }
 
-impl Blocks {
-    fn open<W: Write + ?Sized>(&mut self, out: &mut W, bracket: &[u8]) -> io::Result<()> {
-        self.depth += 1;
-        out.write_all(bracket)
-    }
-
-    fn close<W: Write + ?Sized>(&mut self, out: &mut W, bracket: &[u8]) -> io::Result<()> {
-        let spread = self.depth <= SPREAD;
-        self.depth = self.depth.saturating_sub(1);
-        if spread {
-            self.line(out)?;
-        }
-        out.write_all(bracket)
-    }
-
-    fn item<W: Write + ?Sized>(&self, out: &mut W, first: bool) -> io::Result<()> {
-        match (first, self.depth <= SPREAD) {
-            (true, true) => self.line(out),
-            (true, false) => Ok(()),
-            (false, true) => out.write_all(b",").and_then(|()| self.line(out)),
-            (false, false) => out.write_all(b", "),
-        }
-    }
-
-    fn line<W: Write + ?Sized>(&self, out: &mut W) -> io::Result<()> {
-        out.write_all(b"\n")?;
-        (0..self.depth).try_for_each(|_| out.write_all(b"  "))
-    }
+fn voice(voice: &Voice) -> String {
+    format!(
+        "\n    {{\"engine\": {}, \"voice\": {}, \"language\": {}, \"phone_set\": {}}}",
+        text(&voice.engine),
+        text(&voice.voice),
+        text(&voice.language),
+        text(&voice.phone_set)
+    )
 }
 
-impl Formatter for Blocks {
-    fn begin_array<W: Write + ?Sized>(&mut self, out: &mut W) -> io::Result<()> {
-        self.open(out, b"[")
-    }
+/// Whole milliseconds.
+fn msec(secs: f64) -> u64 {
+    (secs * 1000.0).round().max(0.0) as u64
+}
 
-    fn end_array<W: Write + ?Sized>(&mut self, out: &mut W) -> io::Result<()> {
-        self.close(out, b"]")
-    }
+fn list(items: impl Iterator<Item = String>) -> String {
+    format!("[{}]", items.collect::<Vec<_>>().join(", "))
+}
 
-    fn begin_array_value<W: Write + ?Sized>(&mut self, out: &mut W, first: bool) -> io::Result<()> {
-        self.item(out, first)
-    }
-
-    fn begin_object<W: Write + ?Sized>(&mut self, out: &mut W) -> io::Result<()> {
-        self.open(out, b"{")
-    }
-
-    fn end_object<W: Write + ?Sized>(&mut self, out: &mut W) -> io::Result<()> {
-        self.close(out, b"}")
-    }
-
-    fn begin_object_key<W: Write + ?Sized>(&mut self, out: &mut W, first: bool) -> io::Result<()> {
-        self.item(out, first)
-    }
-
-    fn begin_object_value<W: Write + ?Sized>(&mut self, out: &mut W) -> io::Result<()> {
-        out.write_all(b": ")
-    }
+fn utterance(u: &Utterance) -> String {
+    let audio = u.audio.iter().map(|a| {
+        format!(
+            "{{\"file\": {}, \"mime\": {}}}",
+            text(&a.file),
+            text(&a.mime)
+        )
+    });
+    let words = u.words.iter().enumerate().map(|(i, word)| {
+        let of = |p: &raconteur_player::speech::Phone| p.word == Some(i);
+        let first = u.phones.iter().position(of);
+        let last = u.phones.iter().rposition(of);
+        let (first, count) = first
+            .zip(last)
+            .map_or((0, 0), |(first, last)| (first, last + 1 - first));
+        format!(
+            "[{}, {}, {first}, {count}]",
+            u.text_starts.get(i).copied().unwrap_or(0),
+            word.text.len()
+        )
+    });
+    let phones: Vec<&str> = u.phones.iter().map(|p| p.symbol.as_str()).collect();
+    let lengths = u
+        .phones
+        .iter()
+        .map(|p| (msec(p.end_secs) - msec(p.start_secs)).to_string());
+    let syllables = u.syllables.iter().enumerate().map(|(i, s)| {
+        let accent = u.accents.iter().find(|a| a.syllable == i);
+        let label = accent.map_or("", |a| a.label.as_str());
+        format!(
+            "[{}, {}, {}, {}]",
+            text(label),
+            s.first_phone,
+            s.phones,
+            s.stress
+        )
+    });
+    let phrases = u
+        .phrases
+        .iter()
+        .map(|p| format!("[{}, {}]", text(&p.tone), p.words));
+    let sentences = u.sentences.iter().map(|s| {
+        let mark = SentenceKind::MARKS.iter().find(|(kind, _)| *kind == s.kind);
+        format!("[{}, {}]", text(mark.map_or(".", |(_, mark)| mark)), s.words)
+    });
+    let emotions = u.emotions.iter().map(|e| {
+        format!(
+            "[{}, {}, {}, {}, {}, {}, {}]",
+            text(&e.name),
+            msec(e.start_secs),
+            msec(e.apex_secs),
+            msec(e.end_secs),
+            e.activation,
+            e.evaluation,
+            e.power
+        )
+    });
+    let fields = [
+        ("key", format!("\"{:016x}\"", u.key)),
+        ("content", format!("\"{:016x}\"", u.content)),
+        ("voice", u.voice.to_string()),
+        ("text", text(&u.text)),
+        ("audio", list(audio)),
+        ("words", list(words)),
+        ("phones", text(&phones.join(" "))),
+        ("msecs", list(lengths)),
+        ("syllables", list(syllables)),
+        ("phrases", list(phrases)),
+        ("sentences", list(sentences)),
+        ("emotions", list(emotions)),
+        ("f0", text(&to_base64(&u.f0))),
+        ("intensity", text(&to_base64(&u.intensity))),
+    ];
+    let lines: Vec<String> = fields
+        .iter()
+        .filter(|(name, value)| !(*name == "emotions" && value == "[]"))
+        .map(|(name, value)| format!("      \"{name}\": {value}"))
+        .collect();
+    format!("\n    {{\n{}\n    }}", lines.join(",\n"))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use raconteur_player::speech::{AudioFile, Phone, Utterance, Word};
+    use raconteur_player::speech::bundle::{
+        Accent, AudioFile, Emotion, Phone, Phrase, Sentence, Syllable, Word,
+    };
 
     #[test]
     fn what_is_written_is_read_again() {
-        let utterance = |key: &str| Utterance {
-            key: key.to_owned(),
+        let phone = |symbol: &str, start_secs, end_secs, word| Phone {
+            symbol: symbol.to_owned(),
+            start_secs,
+            end_secs,
+            word,
+        };
+        let word = |text: &str, start_secs, end_secs| Word {
+            text: text.to_owned(),
+            start_secs,
+            end_secs,
+        };
+        let utterance = Utterance {
+            key: 0x0123_4567_89ab_cdef,
+            content: 7,
+            voice: 1,
             text: "\u{201c}Hi\u{201d} \\ \"you\"".to_owned(),
             duration_secs: 1.234,
             audio: vec![AudioFile {
                 file: "a.opus".to_owned(),
                 mime: "audio/ogg; codecs=opus".to_owned(),
             }],
-            words: vec![Word {
-                text: "Hi".to_owned(),
+            words: vec![
+                word("\u{201c}Hi\u{201d}", 0.1, 0.3),
+                word("\"you\"", 0.3, 1.2),
+            ],
+            text_starts: vec![0, 11],
+            phones: vec![
+                phone("pau", 0.0, 0.1, None),
+                phone("ay", 0.1, 0.3, Some(0)),
+                phone("y", 0.3, 0.4, Some(1)),
+                phone("uw", 0.4, 1.2, Some(1)),
+                phone("pau", 1.2, 1.234, None),
+            ],
+            syllables: vec![
+                Syllable {
+                    first_phone: 1,
+                    phones: 1,
+                    stress: 1,
+                },
+                Syllable {
+                    first_phone: 2,
+                    phones: 2,
+                    stress: 0,
+                },
+            ],
+            accents: vec![Accent {
+                syllable: 1,
+                label: "L+H*".to_owned(),
+            }],
+            phrases: vec![Phrase {
+                first_word: 0,
+                words: 2,
+                tone: "L-L%".to_owned(),
+            }],
+            sentences: vec![Sentence {
+                first_word: 0,
+                words: 2,
+                kind: SentenceKind::Question,
+            }],
+            emotions: vec![Emotion {
+                name: "joy".to_owned(),
                 start_secs: 0.1,
-                end_secs: 0.3,
+                apex_secs: 0.3,
+                end_secs: 1.2,
+                activation: 17.3,
+                evaluation: -42.25,
+                power: 0.0,
             }],
-            phones: vec![Phone {
-                symbol: "pau".to_owned(),
-                start_secs: 0.0,
-                end_secs: 0.1,
-                word: None,
-            }],
+            f0: vec![0, 1, 255],
+            intensity: vec![3, 2],
         };
-        for utterances in [
-            vec![],
-            vec![utterance("a")],
-            vec![utterance("a"), utterance("b")],
-        ] {
+        let voice = |engine: &str| Voice {
+            engine: engine.to_owned(),
+            voice: "v".to_owned(),
+            language: "en-US".to_owned(),
+            phone_set: "radio".to_owned(),
+        };
+        for utterances in [vec![], vec![utterance.clone()], vec![utterance; 2]] {
             let bundle = Bundle {
-                format: "raconteur-speech".to_owned(),
-                version: 1,
-                language: "en-US".to_owned(),
-                phone_set: "radio".to_owned(),
-                voice: "v".to_owned(),
-                engine: "e".to_owned(),
+                voices: vec![voice("e"), voice("f")],
                 utterances,
             };
-            let text = write(&bundle).unwrap();
+            let text = write(&bundle);
             assert_eq!(
                 Bundle::from_json(text.as_bytes()).unwrap(),
                 bundle,

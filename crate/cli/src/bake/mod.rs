@@ -1,57 +1,69 @@
-//! Bakes speech: turns what a story says into a bundle of sound, words and phones, with
-//! the Festival engine, ahead of any performance.
+//! Bakes speech: turns what a story says into a bundle of sound, words, phones and melody,
+//! with speech engines, ahead of any performance.
 //!
-//! `contents → plan (sentences and pauses) → Festival → emphasis → one sound with times →
-//! Ogg Opus and MP3 → speech.json`. Every step but Festival and the two encoders is a
-//! function over plain data. The same story gives the same bundle, byte for byte, with the
-//! same programs installed.
+//! `what is said → plan (sentences and pauses) → engine → styles and emotions → one sound with
+//! times → Ogg Opus and MP3 → speech.json`. Every step but the engines and the two encoders
+//! is a function over plain data. The same story gives the same bundle, byte for byte, with
+//! the same programs installed.
 
-mod assemble;
 mod bundle_text;
-mod emphasis;
+mod cast;
 mod encode;
-mod festival;
-mod plan;
+pub(crate) mod engine;
 pub(crate) mod program;
-mod scheme;
+mod sounds;
+mod speak;
+mod store;
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError};
+use std::thread;
 
-use anyhow::{Context as _, Result, ensure};
-use raconteur_player::speech::{AudioFile, Bundle, Content, Utterance, bundle};
+use anyhow::{Context as _, Result, anyhow, bail, ensure};
+use raconteur_player::speech::bundle::{Bundle, Utterance, Voice};
+use raconteur_player::speech::content::Content;
+use raconteur_player::speech::markup::{plain, sable};
+use raconteur_player::speech::text::Lexicon;
+use raconteur_player::{Said, Source};
 
-/// Goes into [`Bundle::engine`]; raise it when the sound or the times of the same text
-/// change, so that every story is baked afresh.
-const REVISION: u32 = 1;
+pub(crate) use cast::Cast;
+use cast::Role;
+use speak::{Casting, Work};
+use store::{Digest, Store};
+
+/// Raise it when the sound or the times of the same text change, so that every story is
+/// baked afresh.
+const REVISION: u32 = 2;
 
 /// How to bake.
-#[derive(Clone, Debug)]
 pub(crate) struct BakeOptions {
-    /// The voice, as Festival's `voice_…` functions call it: letters, digits and `_`.
-    pub(crate) voice: String,
-    /// Speaking rate against the voice's own; 1 leaves it. Only HTS voices listen.
-    pub(crate) rate: f64,
+    /// Who speaks.
+    pub(crate) cast: Cast,
+    /// Pace of everything; 1 is the voice's own.
+    pub(crate) pace: f64,
+    /// What the author says of words.
+    pub(crate) lexicon: Lexicon,
+    /// Its text, which has a say in what is up to date.
+    pub(crate) lexicon_text: String,
+    /// How many utterances are made at a time.
+    pub(crate) jobs: usize,
+    /// Only tell whether the bundle is up to date.
+    pub(crate) check: bool,
 }
 
-impl Default for BakeOptions {
-    /// The female HTS voice, slowed to a storyteller's 150 to 170 words a minute.
-    fn default() -> Self {
-        Self {
-            voice: "cmu_us_slt_arctic_hts".to_owned(),
-            rate: 0.88,
-        }
-    }
-}
+/// The pace of a storyteller, 150 to 170 words a minute, where voices have some 180.
+pub(crate) const STORY_PACE: f64 = 0.88;
 
 /// What [`bake`] did.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct BakeReport {
     /// Utterances in the bundle; two that say the same count once.
     pub(crate) utterances: usize,
-    /// How many of them were spoken anew; the others were up to date.
-    pub(crate) synthesised: usize,
+    /// What was spoken anew, or with `check` would have to be; the others were up to date.
+    pub(crate) synthesised: Vec<String>,
     /// Sound files of earlier bakes that nothing uses any more and that were removed.
     pub(crate) removed: usize,
     /// All utterances together, seconds.
@@ -60,87 +72,100 @@ pub(crate) struct BakeReport {
     pub(crate) opus_bytes: u64,
     /// Bytes of MP3.
     pub(crate) mp3_bytes: u64,
+    /// Bytes of the bundle's text.
+    pub(crate) text_bytes: u64,
 }
 
-/// Makes or refreshes the bundle in `out_dir` so that it holds all of `contents`.
-/// `progress` hears how many utterances are done, of how many, and what is said next.
+/// An utterance that is wanted.
+struct Wanted<'a> {
+    key: u64,
+    /// Stands for everything that goes into its sound.
+    digest: u64,
+    /// Its place among what the story says, from 0.
+    place: usize,
+    content: Content,
+    said: &'a Said,
+    role: Role,
+    casting: Casting,
+    sounds: Vec<PathBuf>,
+}
+
+/// Makes or refreshes the bundle of the story in `folder` so that it holds all that is `said`.
+/// `library` finds files of the asset library; `progress` hears how many utterances are done,
+/// of how many, and what was said last.
 ///
 /// # Errors
 /// When a program is missing (the message names its Debian package), when it fails, or
 /// when the folder cannot be written.
 pub(crate) fn bake(
-    contents: &[Content],
-    out_dir: &Path,
+    said: &[Said],
+    folder: &Path,
     options: &BakeOptions,
-    progress: &dyn Fn(usize, usize, &str),
+    library: &dyn Fn(&str) -> Result<PathBuf>,
+    progress: &(dyn Fn(usize, usize, &str) + Sync),
 ) -> Result<BakeReport> {
     ensure!(
-        scheme::is_symbol(&options.voice),
-        "{:?} is not the name of a voice",
-        options.voice
+        (0.5..=2.0).contains(&options.pace),
+        "a pace of {} is outside 0.5 to 2",
+        options.pace
     );
-    ensure!(
-        (0.5..=2.0).contains(&options.rate),
-        "a speaking rate of {} is outside 0.5 to 2",
-        options.rate
-    );
-    fs::create_dir_all(out_dir).with_context(|| format!("making {}", out_dir.display()))?;
-    let engine = format!(
-        "festival {}, rate {}, raconteur bake {REVISION}",
-        festival::version()?,
-        options.rate
-    );
-    let mut kept = reusable(out_dir, &options.voice, &engine);
-
-    // Two clauses that say the same share an utterance; the first keeps its place.
+    let store = Store::open(folder.join("voice"));
     let mut seen = BTreeSet::new();
-    let mut wanted: Vec<(String, &Content)> = Vec::new();
-    for content in contents {
-        let key = content.key();
-        if seen.insert(key.clone()) {
-            wanted.push((key, content));
+    let mut wanted = Vec::new();
+    for (place, said) in said.iter().enumerate() {
+        // Two clauses that say the same share an utterance; the first keeps its place.
+        if seen.insert(said.key) {
+            wanted.push(want(said, place, folder, options, library)?);
         }
     }
-
+    // A dance without a word has no voice.
+    wanted.retain(|w| !w.content.words().is_empty() || !w.sounds.is_empty());
+    let stale: Vec<bool> = wanted.iter().map(|w| !store.has(w.key, w.digest)).collect();
+    let texts = wanted.iter().zip(&stale).filter(|(_, stale)| **stale);
     let mut report = BakeReport {
         utterances: wanted.len(),
+        synthesised: texts.map(|(w, _)| w.content.plain_text()).collect(),
         ..BakeReport::default()
     };
-    let mut utterances = Vec::with_capacity(wanted.len());
-    for (done, (key, content)) in wanted.iter().enumerate() {
-        let text = content.words().join(" ");
-        progress(done, wanted.len(), &text);
-        let utterance = match kept.remove(key) {
-            Some(utterance) => utterance,
+    let left_over = store.others(wanted.iter().map(|w| w.key));
+    if options.check {
+        report.removed = left_over;
+        return Ok(report);
+    }
+    if wanted.is_empty() {
+        report.removed = store.clear()?;
+        return Ok(report);
+    }
+    store.prepare()?;
+    let made = make(&wanted, &stale, options, &store, progress)?;
+    let mut bundle = Bundle::default();
+    for (wanted, made) in wanted.iter().zip(made) {
+        let voice = Voice {
+            engine: options.cast.version(&wanted.role)?.to_owned(),
+            voice: wanted.role.voice.name.clone(),
+            language: wanted.role.voice.language.clone(),
+            phone_set: wanted.role.voice.phone_set.clone(),
+        };
+        let mut utterance = match made {
+            Some(made) => made,
+            None => store
+                .get(wanted.key)
+                .context("an utterance has gone while it was needed")?,
+        };
+        utterance.voice = match bundle.voices.iter().position(|v| *v == voice) {
+            Some(known) => known,
             None => {
-                report.synthesised += 1;
-                speak(key, &text, content, out_dir, options)
-                    .with_context(|| format!("speaking {text:?}"))?
+                bundle.voices.push(voice);
+                bundle.voices.len() - 1
             }
         };
         report.duration_secs += utterance.duration_secs;
-        utterances.push(utterance);
+        bundle.utterances.push(utterance);
     }
-    progress(wanted.len(), wanted.len(), "");
-
-    let bundle = Bundle {
-        format: "raconteur-speech".to_owned(),
-        version: bundle::VERSION,
-        language: "en-US".to_owned(),
-        phone_set: "radio".to_owned(),
-        voice: options.voice.clone(),
-        engine,
-        utterances,
-    };
-    let path = out_dir.join("speech.json");
-    let text = bundle_text::write(&bundle)?;
-    // An up-to-date file is left alone, so that bakes do not disturb build tools.
-    if fs::read(&path).ok().as_deref() != Some(text.as_bytes()) {
-        fs::write(&path, text).with_context(|| format!("writing {}", path.display()))?;
-    }
-    report.removed = remove_unused(out_dir, &bundle)?;
+    report.text_bytes = store.write(&bundle)?;
+    report.removed = store.remove_unused(&bundle)?;
     for audio in bundle.utterances.iter().flat_map(|u| &u.audio) {
-        let bytes = fs::metadata(out_dir.join(&audio.file))?.len();
+        let bytes = store.size(&audio.file)?;
         match audio.mime.as_str() {
             "audio/mpeg" => report.mp3_bytes += bytes,
             _ => report.opus_bytes += bytes,
@@ -149,176 +174,154 @@ pub(crate) fn bake(
     Ok(report)
 }
 
-/// The utterances of an earlier bake that still hold: same voice, same engine, and their
-/// sound is there.
-fn reusable(out_dir: &Path, voice: &str, engine: &str) -> BTreeMap<String, Utterance> {
-    let Ok(json) = fs::read(out_dir.join("speech.json")) else {
-        return BTreeMap::new();
-    };
-    match Bundle::from_json(&json) {
-        Ok(old) if old.voice == voice && old.engine == engine => old
-            .utterances
-            .into_iter()
-            .filter(|u| {
-                !u.audio.is_empty() && u.audio.iter().all(|a| out_dir.join(&a.file).is_file())
-            })
-            .map(|u| (u.key.clone(), u))
-            .collect(),
-        // Unreadable or made differently: everything is baked again.
-        _ => BTreeMap::new(),
-    }
-}
-
-/// Speaks one utterance and writes its sound.
-fn speak(
-    key: &str,
-    text: &str,
-    content: &Content,
-    out_dir: &Path,
+/// Reads, casts and plans one utterance.
+fn want<'a>(
+    said: &'a Said,
+    place: usize,
+    folder: &Path,
     options: &BakeOptions,
-) -> Result<Utterance> {
-    let plan = plan::plan(content)?;
-    let spoken = festival::speak(&plan, &options.voice, options.rate)?;
-    let track = assemble::assemble(&plan, spoken)?;
-    let audio = encode::encode(&track.samples, track.rate_hz, key, out_dir)?
-        .into_iter()
-        .map(|(file, mime)| AudioFile {
-            file,
-            mime: mime.to_owned(),
-        })
-        .collect();
-    Ok(Utterance {
-        key: key.to_owned(),
-        text: text.to_owned(),
-        duration_secs: track.duration_secs,
-        audio,
-        words: track.words,
-        phones: track.phones,
+    library: &dyn Fn(&str) -> Result<PathBuf>,
+) -> Result<Wanted<'a>> {
+    let content = match &said.source {
+        Source::Content(content) => content.clone(),
+        Source::Sable(text) => sable_document("the document in the script", text)?,
+        Source::File {
+            path,
+            sable,
+            library: from_library,
+        } => {
+            // The library, and for files beside the story that folder as well.
+            let file = if *from_library && !folder.join(path).is_file() {
+                library(path)?
+            } else {
+                folder.join(path)
+            };
+            let text = fs::read_to_string(&file)
+                .with_context(|| format!("cannot read what is to be said, {}", file.display()))?;
+            if *sable {
+                sable_document(path, &text)?
+            } else {
+                plain::read(&text)
+            }
+        }
+    };
+    let role = match &said.voice {
+        Some(name) => options.cast.named(name)?,
+        None => options.cast.lead.clone(),
+    };
+    let work = Work {
+        content: &content,
+        role: &role,
+        emotion: said.emotion.as_ref(),
+        pace: options.pace,
+    };
+    let casting = speak::cast(&work, &options.cast, &options.lexicon)
+        .with_context(|| format!("planning {:?}", short(&content.plain_text())))?;
+    let mut sounds = Vec::new();
+    let mut digest = Digest::new();
+    digest.number(u64::from(REVISION));
+    digest.text(&format!("{} {:?}", options.pace, said.emotion));
+    digest.text(&options.lexicon_text);
+    digest.text(&format!("{:?}", casting.plan));
+    for role in [&role].into_iter().chain(&casting.roles) {
+        digest.text(options.cast.version(role)?);
+        digest.text(&role.voice.name);
+        digest.text(&options.cast.engine(role)?.state(said.key, place)?);
+    }
+    for sound in &casting.plan.sounds {
+        let path = sounds::find(folder, &sound.src)?;
+        digest.bytes(&fs::read(&path)?);
+        sounds.push(path);
+    }
+    Ok(Wanted {
+        key: said.key,
+        digest: digest.value(),
+        place,
+        content,
+        said,
+        role,
+        casting,
+        sounds,
     })
 }
 
-/// Removes sound files that a bake made and that the bundle no longer names. Only names
-/// that a bake gives (a key and a known ending) are touched.
-fn remove_unused(out_dir: &Path, bundle: &Bundle) -> Result<usize> {
-    let mut removed = 0;
-    for entry in fs::read_dir(out_dir)? {
-        let entry = entry?;
-        let name = entry.file_name();
-        let Some(name) = name.to_str() else { continue };
-        let ours = name.split_once('.').is_some_and(|(stem, ending)| {
-            stem.len() == 16
-                && stem.bytes().all(|b| b.is_ascii_hexdigit())
-                && encode::ENDINGS.contains(&ending)
-        });
-        let used = bundle
-            .utterances
-            .iter()
-            .flat_map(|u| &u.audio)
-            .any(|a| a.file == name);
-        if ours && !used {
-            fs::remove_file(entry.path())
-                .with_context(|| format!("removing {}", entry.path().display()))?;
-            removed += 1;
-        }
+fn sable_document(name: &str, text: &str) -> Result<Content> {
+    let (content, problems) = sable::read(text).map_err(|p| anyhow!("{name}: {p}"))?;
+    for problem in problems {
+        eprintln!("{name}: {problem}");
     }
-    Ok(removed)
+    Ok(content)
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
+/// The begin of a text, for messages.
+fn short(text: &str) -> String {
+    text.chars().take(60).collect()
+}
 
-    fn options() -> BakeOptions {
-        BakeOptions::default()
-    }
-
-    #[test]
-    fn a_voice_or_rate_that_cannot_be_is_refused_before_anything_runs() {
-        let dir = tempfile::tempdir().unwrap();
-        let quiet = |_: usize, _: usize, _: &str| {};
-        let voice = BakeOptions {
-            voice: "x) (quit".to_owned(),
-            ..options()
-        };
-        assert!(bake(&[], dir.path(), &voice, &quiet).is_err());
-        let rate = BakeOptions {
-            rate: f64::NAN,
-            ..options()
-        };
-        assert!(bake(&[], dir.path(), &rate, &quiet).is_err());
-    }
-
-    #[test]
-    fn only_unused_files_that_a_bake_made_are_removed() {
-        let dir = tempfile::tempdir().unwrap();
-        for name in [
-            "0123456789abcdef.opus",
-            "00000000000000aa.mp3",
-            "drum.mp3",
-            "notes.txt",
-        ] {
-            fs::write(dir.path().join(name), "x").unwrap();
+/// Makes what is stale, several utterances at a time; `None` for what is up to date.
+fn make(
+    wanted: &[Wanted<'_>],
+    stale: &[bool],
+    options: &BakeOptions,
+    store: &Store,
+    progress: &(dyn Fn(usize, usize, &str) + Sync),
+) -> Result<Vec<Option<Utterance>>> {
+    let todo: Vec<usize> = (0..wanted.len()).filter(|i| stale[*i]).collect();
+    let (next, done) = (AtomicUsize::new(0), AtomicUsize::new(0));
+    let made: Mutex<Vec<(usize, Result<Utterance>)>> = Mutex::new(Vec::new());
+    let lock = || made.lock().unwrap_or_else(PoisonError::into_inner);
+    progress(wanted.len() - todo.len(), wanted.len(), "");
+    thread::scope(|scope| {
+        for _ in 0..options.jobs.clamp(1, todo.len().max(1)) {
+            scope.spawn(|| {
+                while let Some(&i) = todo.get(next.fetch_add(1, Ordering::Relaxed)) {
+                    let text = wanted[i].content.plain_text();
+                    let result = utterance(&wanted[i], options, store)
+                        .with_context(|| format!("speaking {:?}", short(&text)));
+                    let failed = result.is_err();
+                    lock().push((i, result));
+                    if failed {
+                        // The others stop as soon as they have done what they are at.
+                        next.store(todo.len(), Ordering::Relaxed);
+                    }
+                    let done = done.fetch_add(1, Ordering::Relaxed) + 1;
+                    progress(wanted.len() - todo.len() + done, wanted.len(), &text);
+                }
+            });
         }
-        let mut bundle = Bundle {
-            format: String::new(),
-            version: 1,
-            language: String::new(),
-            phone_set: String::new(),
-            voice: String::new(),
-            engine: String::new(),
-            utterances: vec![Utterance {
-                key: "00000000000000aa".to_owned(),
-                text: String::new(),
-                duration_secs: 0.0,
-                audio: Vec::new(),
-                words: Vec::new(),
-                phones: Vec::new(),
-            }],
-        };
-        bundle.utterances[0].audio.push(AudioFile {
-            file: "00000000000000aa.mp3".to_owned(),
-            mime: String::new(),
-        });
-        assert_eq!(remove_unused(dir.path(), &bundle).unwrap(), 1);
-        assert!(!dir.path().join("0123456789abcdef.opus").exists());
-        assert!(dir.path().join("00000000000000aa.mp3").exists());
-        assert!(dir.path().join("drum.mp3").exists());
+    });
+    let mut out: Vec<Option<Utterance>> = wanted.iter().map(|_| None).collect();
+    let mut made = made.into_inner().unwrap_or_else(PoisonError::into_inner);
+    made.sort_by_key(|(i, _)| *i);
+    for (i, result) in made {
+        out[i] = Some(result?);
     }
+    if todo.iter().any(|i| out[*i].is_none()) {
+        bail!("a thread ended before its work");
+    }
+    Ok(out)
+}
 
-    #[test]
-    fn utterances_are_reused_only_from_the_same_voice_and_engine_with_their_sound() {
-        let dir = tempfile::tempdir().unwrap();
-        let bundle = Bundle {
-            format: "raconteur-speech".to_owned(),
-            version: 1,
-            language: "en-US".to_owned(),
-            phone_set: "radio".to_owned(),
-            voice: "v".to_owned(),
-            engine: "e".to_owned(),
-            utterances: vec![Utterance {
-                key: "k".to_owned(),
-                text: String::new(),
-                duration_secs: 0.0,
-                audio: vec![AudioFile {
-                    file: "k.opus".to_owned(),
-                    mime: "a".to_owned(),
-                }],
-                words: Vec::new(),
-                phones: Vec::new(),
-            }],
-        };
-        fs::write(
-            dir.path().join("speech.json"),
-            bundle_text::write(&bundle).unwrap(),
-        )
-        .unwrap();
-        assert!(
-            reusable(dir.path(), "v", "e").is_empty(),
-            "its sound is missing"
-        );
-        fs::write(dir.path().join("k.opus"), "x").unwrap();
-        assert_eq!(reusable(dir.path(), "v", "e").len(), 1);
-        assert!(reusable(dir.path(), "v", "other").is_empty());
-        assert!(reusable(dir.path(), "other", "e").is_empty());
-    }
+/// Speaks one utterance and writes its sound.
+fn utterance(wanted: &Wanted<'_>, options: &BakeOptions, store: &Store) -> Result<Utterance> {
+    let work = Work {
+        content: &wanted.content,
+        role: &wanted.role,
+        emotion: wanted.said.emotion.as_ref(),
+        pace: options.pace,
+    };
+    let engine = options.cast.engine(&wanted.role)?;
+    let recordings = |rate_hz: f64| {
+        let read = wanted.sounds.iter().map(|path| sounds::read(path, rate_hz));
+        read.collect::<Result<Vec<_>>>()
+    };
+    let track = match engine.recorded(wanted.key, wanted.place, &wanted.casting.plan)? {
+        Some(spoken) => speak::recorded(&wanted.casting.plan, spoken, wanted.said.emotion.as_ref()),
+        None => speak::speak(&work, &wanted.casting, &options.cast, &recordings)?,
+    };
+    let mut utterance = track.utterance;
+    utterance.key = wanted.key;
+    utterance.content = wanted.digest;
+    utterance.audio = store.encode(wanted.key, &track.samples, track.rate_hz)?;
+    Ok(utterance)
 }

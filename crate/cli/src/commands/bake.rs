@@ -1,34 +1,74 @@
 //! `raconteur bake`.
 
 use std::io::{self, Write as _};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
+use std::{fs, thread};
 
 use anyhow::{Context as _, Result};
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
+use raconteur_player::speech::text::Lexicon;
+use serde_json::json;
 
-use crate::Outcome;
-use crate::bake::{self, BakeOptions};
-use crate::report;
-use crate::story::StoryFiles;
+use crate::bake::engine::{ENGINES, EngineOptions, VoiceInfo};
+use crate::bake::{self, BakeOptions, BakeReport, Cast, STORY_PACE};
+use crate::story::{StoryFiles, find_asset};
+use crate::{Format, Outcome, report};
 
 /// Make or refresh the speech bundles of stories.
 #[derive(Args)]
 pub(crate) struct Bake {
     /// Scripts, or folders that hold a story.eml.
-    #[arg(required = true)]
+    #[arg(required_unless_present = "list_voices")]
     files: Vec<PathBuf>,
-    /// Voice, as the engine calls it.
-    #[arg(long, default_value = "cmu_us_slt_arctic_hts")]
-    voice: String,
+    /// The speech engine: festival, flite, espeak-ng, marytts or recordings.
+    #[arg(long, default_value = "festival", value_parser = ENGINES)]
+    engine: String,
+    /// The voice of what names no other, as its engine calls it; without it, the engine's
+    /// first.
+    #[arg(long)]
+    voice: Option<String>,
+    /// List the voices of the engine, or of all that are installed.
+    #[arg(long)]
+    list_voices: bool,
+    /// Change nothing; fail when a bundle is not up to date.
+    #[arg(long, conflicts_with = "list_voices")]
+    check: bool,
+    /// Pace of everything, 1 for the voice's own.
+    #[arg(long, default_value_t = STORY_PACE)]
+    pace: f64,
+    /// How words are pronounced: a file with lines WORD = RESPELLING or WORD = /IPA/. Without
+    /// it, lexicon.txt beside the story, if there is one.
+    #[arg(long)]
+    lexicon: Option<PathBuf>,
+    /// Address of a MaryTTS server.
+    #[arg(long, default_value = "http://localhost:59125")]
+    server: String,
+    /// Folder of recordings, with their alignments beside them.
+    #[arg(long)]
+    recordings: Option<PathBuf>,
+    /// How many utterances are made at a time; without it, one for each processor.
+    #[arg(long)]
+    jobs: Option<usize>,
+    /// How to report.
+    #[arg(long, value_enum, default_value = "text")]
+    format: Format,
 }
 
 impl Bake {
     pub(crate) fn run(&self) -> Result<Outcome> {
-        let mut out = io::stdout().lock();
+        let options = EngineOptions {
+            server: self.server.clone(),
+            recordings: self.recordings.clone(),
+        };
+        if self.list_voices {
+            return self.list(&options);
+        }
         let mut worst = Outcome::Fine;
+        let mut reports = Vec::new();
         for path in &self.files {
             let files = StoryFiles::read(path)?;
+            let name = files.script.display().to_string();
             let script = files.script();
             // That the voice is missing or stale is what this command is for.
             let problems: Vec<_> = script
@@ -37,37 +77,138 @@ impl Bake {
                 .filter(|d| !d.code.starts_with("player::"))
                 .cloned()
                 .collect();
-            report::print(&files.script.display().to_string(), &files.text, &problems)?;
+            report::print(&name, &files.text, &problems)?;
             if report::outcome(&problems) == Outcome::Errors {
                 worst = Outcome::Errors;
             }
-            let contents = script.contents();
-            let bar = ProgressBar::new(contents.len() as u64).with_style(
-                ProgressStyle::with_template("{bar:30} {pos}/{len} {wide_msg}")?,
-            );
-            let options = BakeOptions {
-                voice: self.voice.clone(),
-                ..BakeOptions::default()
+            let folder = files.script.parent().unwrap_or(Path::new(""));
+            let lexicon_text = self.lexicon_text(folder)?;
+            let bake_options = BakeOptions {
+                cast: Cast::new(&self.engine, self.voice.as_deref(), options.clone())?,
+                pace: self.pace,
+                lexicon: Lexicon::parse(&lexicon_text).context("reading the lexicon")?,
+                lexicon_text,
+                jobs: self
+                    .jobs
+                    .or_else(|| thread::available_parallelism().ok().map(usize::from))
+                    .unwrap_or(1),
+                check: self.check,
             };
-            let report = bake::bake(&contents, &files.voice(), &options, &|done, _, text| {
-                bar.set_position(done as u64);
-                bar.set_message(text.to_owned());
-            })
-            .with_context(|| format!("baking {}", files.script.display()))?;
+            let bar = ProgressBar::new(0).with_style(ProgressStyle::with_template(
+                "{bar:30} {pos}/{len} {wide_msg}",
+            )?);
+            let baked = bake::bake(
+                &script.said(),
+                folder,
+                &bake_options,
+                &|path| find_asset(path, &files.script),
+                &|done, of, text| {
+                    bar.set_length(of as u64);
+                    bar.set_position(done as u64);
+                    bar.set_message(text.to_owned());
+                },
+            )
+            .with_context(|| format!("baking {name}"))?;
             bar.finish_and_clear();
-            writeln!(
-                out,
-                "{}: {} utterances, {:.1} s of speech, {} spoken anew, {} old files removed; \
-                 Ogg Opus {} bytes, MP3 {} bytes",
-                files.script.display(),
-                report.utterances,
-                report.duration_secs,
-                report.synthesised,
-                report.removed,
-                report.opus_bytes,
-                report.mp3_bytes,
-            )?;
+            if self.check && (!baked.synthesised.is_empty() || baked.removed > 0) {
+                worst = Outcome::Errors;
+            }
+            match self.format {
+                Format::Text => self.tell(&name, &baked)?,
+                Format::Json => reports.push(json!({
+                    "file": name,
+                    "utterances": baked.utterances,
+                    "stale": baked.synthesised,
+                    "removed": baked.removed,
+                    "duration": baked.duration_secs,
+                    "bytes": {
+                        "opus": baked.opus_bytes,
+                        "mp3": baked.mp3_bytes,
+                        "text": baked.text_bytes,
+                    },
+                })),
+            }
+        }
+        if self.format == Format::Json {
+            writeln!(io::stdout(), "{}", serde_json::to_string(&reports)?)?;
         }
         Ok(worst)
     }
+
+    fn lexicon_text(&self, folder: &Path) -> Result<String> {
+        let beside = folder.join("lexicon.txt");
+        let path = match &self.lexicon {
+            Some(path) => path,
+            None if beside.is_file() => &beside,
+            None => return Ok(String::new()),
+        };
+        fs::read_to_string(path).with_context(|| format!("reading {}", path.display()))
+    }
+
+    fn tell(&self, name: &str, baked: &BakeReport) -> Result<()> {
+        let mut out = io::stdout().lock();
+        if self.check {
+            for text in &baked.synthesised {
+                writeln!(out, "{name}: not up to date: {text}")?;
+            }
+            if baked.removed > 0 {
+                writeln!(out, "{name}: {} utterances too many", baked.removed)?;
+            }
+            if baked.synthesised.is_empty() && baked.removed == 0 {
+                writeln!(out, "{name}: up to date, {} utterances", baked.utterances)?;
+            }
+            return Ok(());
+        }
+        let each = |bytes: u64| bytes as f64 / baked.duration_secs.max(1e-9);
+        writeln!(
+            out,
+            "{name}: {} utterances, {:.1} s of speech, {} spoken anew, {} old files removed; \
+             bytes a second: Ogg Opus {:.0}, MP3 {:.0}, times and melody {:.0}",
+            baked.utterances,
+            baked.duration_secs,
+            baked.synthesised.len(),
+            baked.removed,
+            each(baked.opus_bytes),
+            each(baked.mp3_bytes),
+            each(baked.text_bytes),
+        )?;
+        Ok(())
+    }
+
+    /// Lists voices: of the engine that was asked for, else of every installed one.
+    fn list(&self, options: &EngineOptions) -> Result<Outcome> {
+        let mut rows = Vec::new();
+        for engine in ENGINES {
+            // What is not installed or not running has no voices; of the chosen one it is told.
+            match Cast::voices_of(engine, options) {
+                Ok(voices) => rows.extend(voices.into_iter().map(|v| (engine, v))),
+                Err(error) if engine == self.engine => return Err(error),
+                Err(_) => {}
+            }
+        }
+        let mut out = io::stdout().lock();
+        if self.format == Format::Json {
+            let voices: Vec<_> = rows.iter().map(|(engine, voice)| row(engine, voice)).collect();
+            writeln!(out, "{}", serde_json::to_string(&voices)?)?;
+            return Ok(Outcome::Fine);
+        }
+        for (engine, voice) in rows {
+            writeln!(
+                out,
+                "{engine}:{:32} {:8} {}",
+                voice.name, voice.language, voice.what
+            )?;
+        }
+        Ok(Outcome::Fine)
+    }
+}
+
+fn row(engine: &str, voice: &VoiceInfo) -> serde_json::Value {
+    json!({
+        "engine": engine,
+        "voice": voice.name,
+        "language": voice.language,
+        "phone_set": voice.phone_set,
+        "what": voice.what,
+    })
 }

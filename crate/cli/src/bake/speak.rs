@@ -1,0 +1,288 @@
+//! One utterance from what is said to its sound.
+
+use anyhow::{Context as _, Result};
+use raconteur_player::speech::assemble::{Part, Recording, Track, assemble};
+use raconteur_player::speech::content::{Age, Content, Gender, Setting};
+use raconteur_player::speech::emotion::{Place, Prosody};
+use raconteur_player::speech::feel::{felt, moved_pauses, place_of, word_phrases};
+use raconteur_player::speech::plan::{Plan, Planned, plan};
+use raconteur_player::speech::realise::{Own, realise};
+use raconteur_player::speech::signal::f0::{self, PitchOptions, PitchTrack};
+use raconteur_player::speech::signal::{resample, rms};
+use raconteur_player::speech::spoken::{Sentence, Spoken};
+use raconteur_player::speech::style::Style;
+use raconteur_player::speech::text::Lexicon;
+
+use super::cast::{Cast, Role};
+
+/// Loudness of plain speech without its pauses, root mean square against full scale: as loud
+/// as leaves room for what is spoken twice as loud.
+const LOUDNESS: f64 = 0.08;
+
+/// How a voice of a grown-up becomes another's: factors on the resonances of the mouth, on
+/// the pitch of a man's and of a woman's voice, and on the pace. Resonances follow the length
+/// of the vocal tract, which is 17 cm in men, 14.5 in women and some 12 in children of seven
+/// (Fant 1960; Fitch and Giedd 1999, doi:10.1121/1.427148); pitch as measured for ages by
+/// Lee, Potamianos and Narayanan 1999, doi:10.1121/1.426686. Old age is *designed*.
+const AGES: [(Age, f64, f64, f64, f64); 5] = [
+    (Age::Child, 1.18, 1.9, 1.35, 0.95),
+    (Age::Teen, 1.08, 1.3, 1.1, 1.0),
+    (Age::Younger, 1.0, 1.05, 1.03, 1.03),
+    (Age::Middle, 1.0, 1.0, 1.0, 1.0),
+    (Age::Older, 0.97, 0.9, 0.88, 0.9),
+];
+
+/// What is to be spoken, with everything that has a say in it.
+pub(crate) struct Work<'a> {
+    /// What is said.
+    pub(crate) content: &'a Content,
+    /// By whom, where the text asks for nobody else.
+    pub(crate) role: &'a Role,
+    /// In which emotion.
+    pub(crate) emotion: Option<&'a (String, Place)>,
+    /// Pace of everything; 1 is the voice's own.
+    pub(crate) pace: f64,
+}
+
+/// A plan and who speaks each of its sentences.
+pub(crate) struct Casting {
+    pub(crate) plan: Plan,
+    pub(crate) roles: Vec<Role>,
+}
+
+/// Plans an utterance.
+///
+/// # Errors
+/// When it cannot be planned, or an engine is missing.
+pub(crate) fn cast(work: &Work<'_>, cast: &Cast, lexicon: &Lexicon) -> Result<Casting> {
+    let language = &work.role.voice.language;
+    let plan = plan(work.content, language, &work.role.engine, lexicon)?;
+    let roles = plan
+        .sentences
+        .iter()
+        .map(|s| cast.role(work.role, &s.speaker, &s.sentence.language))
+        .collect::<Result<_>>()?;
+    Ok(Casting { plan, roles })
+}
+
+/// Speaks a planned utterance. `recordings` gives those of the plan at a rate.
+///
+/// # Errors
+/// When an engine fails.
+pub(crate) fn speak(
+    work: &Work<'_>,
+    casting: &Casting,
+    cast: &Cast,
+    recordings: &dyn Fn(f64) -> Result<Vec<Recording>>,
+) -> Result<Track> {
+    let Casting { plan, roles } = casting;
+    let mut spoken = by_role(&plan.sentences, roles, cast)?;
+    let rate_hz = spoken.iter().fold(16_000.0, |most: f64, s| most.max(s.rate_hz));
+    for (one, role) in spoken.iter_mut().zip(roles) {
+        one.samples = resample(&one.samples, one.rate_hz, rate_hz);
+        one.rate_hz = rate_hz;
+        if one.phone_set.is_empty() {
+            one.phone_set.clone_from(&role.voice.phone_set);
+        }
+    }
+    level(&mut spoken, roles);
+    // A mouth of another size comes before everything else.
+    let ages: Vec<Voicing> = plan
+        .sentences
+        .iter()
+        .zip(roles)
+        .map(|(planned, role)| Voicing::of(planned, role))
+        .collect();
+    for (one, voicing) in spoken.iter_mut().zip(&ages) {
+        voicing.resize(one);
+    }
+    let options = PitchOptions::default();
+    let tracks: Vec<PitchTrack> = spoken
+        .iter()
+        .map(|s| f0::track(&s.samples, s.rate_hz, &options))
+        .collect();
+    let phrases = word_phrases(&plan.sentences, &spoken);
+    let felt = felt(plan, &phrases, work.emotion);
+    let place = |word: usize| place_of(&felt, word);
+    let moved = moved_pauses(&plan.sentences, &spoken, &place);
+    let mut parts = Vec::with_capacity(spoken.len());
+    for (i, (planned, moved_pauses)) in plan.sentences.iter().zip(moved).enumerate() {
+        // Absolute values are against what this voice does in this utterance.
+        let same = (0..spoken.len()).filter(|k| roles[*k] == roles[i] && ages[*k] == ages[i]);
+        let own = Own::of(same.map(|k| (&spoken[k], &tracks[k])));
+        let styles: Vec<Style> = planned
+            .sentence
+            .tokens
+            .iter()
+            .map(|t| ages[i].applied(&plan.styles[t.style], work.pace))
+            .collect();
+        let styled: Vec<(&Style, Place)> = styles
+            .iter()
+            .zip(&planned.sentence.tokens)
+            .map(|(style, token)| (style, place(token.word)))
+            .collect();
+        parts.push(Part {
+            spoken: realise(&spoken[i], &tracks[i], &styled, &own),
+            pauses: pauses(&styled, &own),
+            moved_pauses,
+        });
+    }
+    Ok(assemble(plan, &parts, &recordings(rate_hz)?, &felt, rate_hz))
+}
+
+/// The factor on pauses that nobody asked for: slow speech pauses longer.
+fn pauses(styled: &[(&Style, Place)], own: &Own) -> f64 {
+    let one = |(style, place): &(&Style, Place)| {
+        let prosody = Prosody::of(*place);
+        prosody.pause_duration / (style.rate.factor_on(own.words_a_minute) * prosody.rate)
+    };
+    styled.iter().map(one).sum::<f64>() / styled.len().max(1) as f64
+}
+
+/// Runs of sentences by one voice are spoken together.
+fn by_role(sentences: &[Planned], roles: &[Role], cast: &Cast) -> Result<Vec<Spoken>> {
+    let mut out = Vec::with_capacity(sentences.len());
+    let mut from = 0;
+    while from < sentences.len() {
+        let role = &roles[from];
+        let to = from + roles[from..].iter().take_while(|r| *r == role).count();
+        let asked: Vec<Sentence> = sentences[from..to]
+            .iter()
+            .map(|s| s.sentence.clone())
+            .collect();
+        let spoken = cast
+            .engine(role)?
+            .speak(&role.voice.name, &asked)
+            .with_context(|| format!("{} with the voice {}", role.engine, role.voice.name))?;
+        anyhow::ensure!(
+            spoken.len() == asked.len(),
+            "{} spoke {} of {} sentences",
+            role.engine,
+            spoken.len(),
+            asked.len()
+        );
+        out.extend(spoken);
+        from = to;
+    }
+    Ok(out)
+}
+
+/// Makes all voices equally loud, each over all its sentences.
+fn level(spoken: &mut [Spoken], roles: &[Role]) {
+    for role in roles {
+        let mut speech = Vec::new();
+        for (one, _) in spoken.iter().zip(roles).filter(|(_, r)| *r == role) {
+            let mut start = 0;
+            for segment in &one.segments {
+                let end = ((segment.end_secs * one.rate_hz) as usize).min(one.samples.len());
+                if !segment.is_silent() && start < end {
+                    speech.extend_from_slice(&one.samples[start..end]);
+                }
+                start = end;
+            }
+        }
+        let power = rms(&speech);
+        if power > 0.0 {
+            let gain = LOUDNESS / power;
+            for (one, _) in spoken.iter_mut().zip(roles).filter(|(_, r)| *r == role) {
+                one.samples.iter_mut().for_each(|s| *s *= gain);
+            }
+        }
+    }
+}
+
+/// What a speaker's age makes of a voice.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Voicing {
+    /// On the resonances of the mouth.
+    resonance: f64,
+    pitch: f64,
+    pace: f64,
+}
+
+impl Voicing {
+    fn of(planned: &Planned, role: &Role) -> Self {
+        let age = planned.speaker.age;
+        let found = AGES.iter().find(|(a, ..)| Some(*a) == age);
+        let (_, resonance, man, woman, pace) = found.copied().unwrap_or(AGES[3]);
+        Self {
+            resonance,
+            pitch: if role.voice.gender == Some(Gender::Female) {
+                woman
+            } else {
+                man
+            },
+            pace,
+        }
+    }
+
+    /// Plays the sound faster, which makes the mouth smaller, the pitch higher and the words
+    /// shorter; the last two are made good again by [`Voicing::applied`].
+    fn resize(&self, spoken: &mut Spoken) {
+        if self.resonance == 1.0 {
+            return;
+        }
+        spoken.samples = resample(&spoken.samples, spoken.rate_hz * self.resonance, spoken.rate_hz);
+        for segment in &mut spoken.segments {
+            segment.end_secs /= self.resonance;
+        }
+    }
+
+    fn applied(&self, style: &Style, pace: f64) -> Style {
+        let mut style = style.clone();
+        let pitch = Setting::Factor(self.pitch / self.resonance);
+        // Asked values are of the voice that is heard, not of the one that is changed.
+        for amount in [&mut style.pitch_base, &mut style.pitch_middle] {
+            if amount.value.is_none() && self.pitch != self.resonance {
+                *amount = amount.with(pitch);
+            }
+        }
+        if style.rate.value.is_none() && (self.resonance, self.pace, pace) != (1.0, 1.0, 1.0) {
+            style.rate = style
+                .rate
+                .with(Setting::Factor(self.pace * pace / self.resonance));
+        }
+        style
+    }
+}
+
+/// An utterance that was recorded: nothing of its sound is changed but its loudness.
+pub(crate) fn recorded(
+    plan: &Plan,
+    mut spoken: Spoken,
+    elicited: Option<&(String, Place)>,
+) -> Track {
+    let rate_hz = spoken.rate_hz;
+    let role = Role::default();
+    level(core::slice::from_mut(&mut spoken), &[role]);
+    let whole = Planned {
+        sentence: Sentence {
+            tokens: plan
+                .sentences
+                .iter()
+                .flat_map(|s| s.sentence.tokens.iter().cloned())
+                .collect(),
+            ..plan
+                .sentences
+                .last()
+                .map(|s| s.sentence.clone())
+                .unwrap_or_default()
+        },
+        pauses: Vec::new(),
+        ..Planned::default()
+    };
+    let plan = Plan {
+        sentences: vec![whole],
+        sounds: Vec::new(),
+        lead_pause_secs: 0.0,
+        ..plan.clone()
+    };
+    let phrases = word_phrases(&plan.sentences, core::slice::from_ref(&spoken));
+    let felt = felt(&plan, &phrases, elicited);
+    let part = Part {
+        spoken,
+        pauses: 1.0,
+        moved_pauses: Vec::new(),
+    };
+    assemble(&plan, &[part], &[], &felt, rate_hz)
+}
