@@ -70,7 +70,7 @@ pub(super) fn between(from: f64, to: f64, step: f64) -> Vec<f64> {
 /// The marks of each voiced stretch as places in samples, at least three of them each.
 pub(super) fn voiced(samples: &[f64], rate_hz: f64, track: &PitchTrack) -> Vec<Vec<f64>> {
     let step = track.step_secs * rate_hz;
-    if samples.is_empty() || !is_rate(rate_hz) || !(step > 0.0) {
+    if samples.is_empty() || !is_rate(rate_hz) || step.is_nan() || step <= 0.0 {
         return Vec::new();
     }
     let mut smooth = smoothed(samples, rate_hz);

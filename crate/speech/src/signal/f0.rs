@@ -388,7 +388,7 @@ impl Analyser {
         let (mut sum, mut weights) = (0.0, 0.0);
         for tap in 0..=2 * SINC_DEPTH {
             let distance = part + SINC_DEPTH as f64 - tap as f64;
-            let sign = if (tap + SINC_DEPTH) % 2 == 0 {
+            let sign = if (tap + SINC_DEPTH).is_multiple_of(2) {
                 1.0
             } else {
                 -1.0

@@ -363,7 +363,7 @@ impl<'a> Maker<'a> {
     /// Adds one half of a grain: from its middle onward (`side` 1) or up to it (−1).
     /// The middle sample belongs to the half onward.
     fn add_half(&mut self, grain: &Grain, width: f64, side: f64, level: impl Fn(f64) -> f64) {
-        if !(width > 0.0) {
+        if width.is_nan() || width <= 0.0 {
             return;
         }
         let (from, to) = if side > 0.0 {

@@ -1,6 +1,8 @@
 //! Changes measured with this module's own analysis, on sound whose truth is known.
 
 use super::*;
+use crate::signal::bursts::{self, rigid_spans};
+use crate::signal::click::click_measure;
 use crate::signal::f0::{PitchOptions, track};
 use crate::signal::intensity::decibels;
 use crate::signal::testing::{self, Part};
@@ -222,4 +224,31 @@ fn wild_wishes_and_wild_sound_are_survived() {
         change(&broken, RATE, &found, &stretched).samples.len(),
         4000
     );
+}
+
+#[test]
+fn changes_bring_no_clicks() {
+    let (sound, found) = story();
+    let worst = |samples: &[f64]| click_measure(samples, RATE).map_or(0.0, |c| c.ratio);
+    let before = worst(&sound);
+    let rigid = rigid_spans(&bursts::all(&sound, RATE));
+    for factor in [0.6, 0.8, 1.3, 1.6] {
+        let stretched = Change {
+            duration: &|t| if t < 0.5 { factor } else { 1.0 / factor },
+            rigid: &rigid,
+            ..plain()
+        };
+        let raised = Change {
+            pitch: &|t, hz| if t < 0.25 { hz } else { factor * hz },
+            ..plain()
+        };
+        let louder = Change {
+            gain: &|t| if t < 0.3 { 1.0 } else { factor },
+            ..plain()
+        };
+        for (name, wish) in [("length", stretched), ("pitch", raised), ("gain", louder)] {
+            let after = worst(&change(&sound, RATE, &found, &wish).samples);
+            assert!(after < 1.1 * before, "{name} {factor}: {before} to {after}");
+        }
+    }
 }
