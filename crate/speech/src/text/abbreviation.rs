@@ -214,10 +214,12 @@ pub(super) fn expand(words: &[Word<'_>], at: usize, language: Language) -> Optio
     let previous = at.checked_sub(1).and_then(|at| words.get(at));
     let single = word.core.chars().count() == 1;
     let name_next = next.is_some_and(Word::is_capital) && matches!(word.end.as_str(), "" | ".");
+    // "Mr. and Mrs. Brown"
+    let joined = next.is_some_and(|w| matches!(w.core.as_str(), "and" | "und" | "e" | "&"));
     let found = row(&word.core, language).filter(|(_, _, place, bare)| {
         (word.dotted() || *bare || word.core.contains('.'))
             && match place {
-                Title => name_next,
+                Title => name_next || joined,
                 BeforeNumber => {
                     numeric(next)
                         || next.is_some_and(|w| super::roman::value(&w.core).is_some() && !single)

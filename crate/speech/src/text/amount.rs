@@ -20,8 +20,8 @@ impl Reader<'_> {
             .or_else(|| self.phone(at, word))
             .or_else(|| self.date(at, word))
             .or_else(|| self.fraction(at, word))
-            .or_else(|| self.measure(at, word))
             .or_else(|| self.ordinal(at, word))
+            .or_else(|| self.measure(at, word))
             .or_else(|| self.range(word))
             .or_else(|| self.number(at, word))
     }

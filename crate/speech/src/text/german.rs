@@ -180,9 +180,17 @@ fn ordinal_stem(n: u64) -> String {
             .trim_end_matches("en")
             .trim_end_matches('e')
             .to_lowercase();
-        let count = if count == "eine" { "ein" } else { count };
+        // Alone it has no count: "der millionste", as "der hundertste".
+        let count = match count {
+            "eine" if parts.is_empty() => "",
+            "eine" => "ein",
+            count => count,
+        };
         parts.push(format!("{count}{scale}st"));
         return parts.join(" ");
+    }
+    if matches!(n, 100 | 1000) {
+        return if n == 100 { "hundertst" } else { "tausendst" }.to_owned();
     }
     let rest = n % 100;
     let tail = match rest {

@@ -118,7 +118,11 @@ pub fn speakable(
     say_as: Option<&SayAs>,
     lexicon: &Lexicon,
 ) -> Vec<Vec<Token>> {
-    let words: Vec<Word<'_>> = written.iter().map(|word| Word::parse(word)).collect();
+    let mut words: Vec<Word<'_>> = written.iter().map(|word| Word::parse(word)).collect();
+    if matches!(say_as, Some(SayAs::Literal | SayAs::Math)) {
+        // Their signs are read, and are no punctuation too.
+        words.iter_mut().for_each(Word::forget_signs);
+    }
     let known = Language::of(language);
     let reader = known.map(|known| Reader::new(&words, known, language, say_as));
     let mut spoken: Vec<Vec<Token>> = vec![Vec::new(); words.len()];
@@ -144,13 +148,14 @@ pub fn speakable(
         let taken = tokens.len().clamp(1, words.len() - at);
         for (offset, tokens) in tokens.into_iter().take(taken).enumerate() {
             spoken[at + offset] = tokens;
-            let last = offset + 1 == taken;
+            // Stops within a reading are the words' own.
+            let dot = ends && offset + 1 == taken;
             punctuate(
                 &words[at + offset],
                 &mut spoken,
                 at + offset,
                 &mut latest,
-                ends || !last,
+                dot,
             );
         }
         at += taken;

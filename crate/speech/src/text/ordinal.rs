@@ -54,7 +54,7 @@ impl Reader<'_> {
         if rest.eq_ignore_ascii_case(english_suffix(n)) {
             return Some(Reading::one(ordinal));
         }
-        if matches!(rest, "s" | "'s" | "\u{2019}s") && n.is_multiple_of(10) && n > 0 {
+        if matches!(rest, "s" | "'s" | "\u{2019}s") && n.is_multiple_of(10) && n > 10 {
             let year = if n < 1000 {
                 grammar.cardinal(n, Form::Alone)
             } else {
@@ -223,7 +223,11 @@ impl Reader<'_> {
                 );
                 n < 2000 && (!noun || led || date::is_month(self.previous(at), self.language))
             }
-            Language::Portuguese => true,
+            // The reading differs only where a feminine noun is counted.
+            Language::Portuguese => matches!(
+                self.previous(at).to_lowercase().as_str(),
+                "em" | "de" | "desde" | "até" | "ano" | "anos" | "a" | "e" | "entre"
+            ),
         }
     }
 }

@@ -116,6 +116,13 @@ const FEMININE_ENDINGS: &[&str] = &[
     "cidade", "luz", "flor", "mão", "chave", "árvore",
 ];
 
+/// Words that are no nouns and end as feminine ones do.
+const NO_NOUNS: &[&str] = &[
+    "para", "ela", "elas", "essa", "esta", "aquela", "nada", "agora", "ainda", "fora", "era",
+    "uma", "pela", "contra", "sua", "minha", "toda", "cada", "na", "da", "disse", "será", "são",
+    "não", "então", "senão",
+];
+
 /// `n` from 1 to 999.
 fn below_thousand(n: u64, form: Form) -> String {
     if n == 100 {
@@ -143,8 +150,26 @@ fn below_thousand(n: u64, form: Form) -> String {
     parts.join(" e ")
 }
 
-/// An ordinal's words in the masculine, without those of zero.
-fn ordinal_below_thousand(n: u64) -> Vec<&'static str> {
+/// An ordinal's words in the masculine; none for zero.
+fn ordinal_words(n: u64) -> Vec<&'static str> {
+    let powers = [
+        (1_000_000_000_000, "bilionésimo"),
+        (1_000_000, "milionésimo"),
+        (1000, "milésimo"),
+    ];
+    for (power, name) in powers {
+        if n >= power {
+            // "Milésimo", but "segundo milésimo".
+            let mut words = if n / power > 1 {
+                ordinal_words(n / power)
+            } else {
+                Vec::new()
+            };
+            words.push(name);
+            words.extend(ordinal_words(n % power));
+            return words;
+        }
+    }
     [
         ORDINAL_HUNDREDS[(n / 100 % 10) as usize],
         ORDINAL_TENS[(n / 10 % 10) as usize],
@@ -201,17 +226,10 @@ impl Grammar for Portuguese {
     }
 
     fn ordinal(&self, n: u64, ending: &str) -> String {
-        if n == 0 || n >= 1_000_000 {
-            return self.cardinal(n, Form::Alone);
+        if n == 0 {
+            return ONES[0].to_owned();
         }
-        let mut words = Vec::new();
-        if n >= 1000 {
-            if n >= 2000 {
-                words = ordinal_below_thousand(n / 1000);
-            }
-            words.push("milésimo");
-        }
-        words.extend(ordinal_below_thousand(n % 1000));
+        let words = ordinal_words(n);
         let words: Vec<String> = words
             .into_iter()
             .map(|word| {
@@ -309,7 +327,7 @@ impl Grammar for Portuguese {
 
     fn form_before(&self, noun: &str) -> Form {
         let noun = noun.to_lowercase();
-        if noun.chars().count() < 3 {
+        if noun.chars().count() < 3 || NO_NOUNS.contains(&noun.as_str()) {
             return Form::Alone;
         }
         let single = match noun.strip_suffix("ções") {

@@ -62,15 +62,21 @@ impl Reader<'_> {
                 let joins = |c: char| is_letter(c) || !math && is_joiner(c);
                 let length = run(rest, joins);
                 let word = rest[..length].trim_end_matches(is_joiner);
+                let after = rest[word.len()..].chars().next().unwrap_or(' ');
+                // A letter beside a sign is a name ("R&B"), beside a dash mostly a word.
+                let named = math || !is_break(before) || !is_break(after);
                 spoken.push(match word.chars().count() {
-                    1 if math || !spoken.is_empty() || next.is_ascii_digit() => {
-                        spelling::literal(word, language)
-                    }
+                    1 if named => spelling::literal(word, language),
                     _ => self.letters(word),
                 });
                 word.len().max(c.len_utf8())
             } else {
-                if let Some(said) = self.sign_between(c, before, next, math) {
+                let and = self.language.pick(["and", "und", "e"]);
+                let doubled = c == '/' && spoken.last().is_some_and(|last| last == and);
+                if let Some(said) = self
+                    .sign_between(c, before, next, math)
+                    .filter(|_| !doubled)
+                {
                     // A comma goes after the word before it.
                     match (said, spoken.last_mut()) {
                         (",", Some(last)) if !last.is_empty() && !last.ends_with(',') => {
@@ -143,6 +149,14 @@ impl Reader<'_> {
             _ => spelling::sign(c, language),
         }
     }
+}
+
+/// Whether `c` parts words, as a dash or nothing does.
+fn is_break(c: char) -> bool {
+    matches!(
+        c,
+        ' ' | ',' | ';' | ':' | '!' | '?' | '\u{2026}' | '\u{2012}'..='\u{2015}'
+    )
 }
 
 /// How far a number reaches from the start of `text`: over grouping and decimal signs where

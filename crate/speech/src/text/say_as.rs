@@ -77,7 +77,10 @@ impl Reader<'_> {
             }
             SayAs::Postal => self.postal(word),
             SayAs::Currency => self.money(at, word),
-            SayAs::Math => Some(Reading::one(self.runs(&word.raw, true)).owning_stop(true)),
+            SayAs::Math => {
+                let formula = word.raw.trim_end_matches(['.', ',', ';', ':', '?']);
+                Some(Reading::one(self.runs(formula, true)))
+            }
             SayAs::Fraction => self.fraction(at, word),
             SayAs::Measure => self.measure(at, word),
             SayAs::Ordinal => {

@@ -296,8 +296,7 @@ pub(super) fn net(text: &str, language: Language) -> String {
         }
         if !run.is_empty() {
             let word = std::mem::take(&mut run);
-            let said =
-                word == "com" || word == "org" || pronounceable(&word) && word.chars().count() > 3;
+            let said = word == "com" || word == "org" || pronounceable(&word);
             spoken.push(if said { word } else { literal(&word, language) });
         }
         if c != ' ' {
@@ -317,7 +316,14 @@ fn pronounceable(word: &str) -> bool {
         })
     };
     let last = word.chars().rev().take_while(|c| !vowel(*c)).count();
-    word.chars().any(vowel) && runs(false, 3) && runs(true, 3) && last <= 2
+    // Of three letters few are words that end in two consonants: "ibm" is none.
+    let (least, most) = if word.chars().count() < 4 {
+        (3, 1)
+    } else {
+        (4, 2)
+    };
+    let long = word.chars().count() >= least;
+    long && word.chars().any(vowel) && runs(false, 3) && runs(true, 3) && last <= most
 }
 
 /// Whether capitals are spelled rather than said. `shouted` tells that the words around are

@@ -133,6 +133,13 @@ impl<'a> Word<'a> {
         }
     }
 
+    /// Forgets that brackets, dashes and signs around it part or end anything.
+    pub(super) fn forget_signs(&mut self) {
+        self.opens = false;
+        self.closes = false;
+        self.end.clear();
+    }
+
     /// Whether a full stop follows at once, which may belong to an abbreviation.
     pub(super) fn dotted(&self) -> bool {
         self.end.starts_with('.')
