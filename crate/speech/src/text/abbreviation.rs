@@ -1,0 +1,332 @@
+//! Abbreviations and where they stand for what.
+
+use super::language::Language;
+use super::word::Word;
+
+/// Where an abbreviation is one, and whether its full stop may end a sentence too.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Place {
+    /// Before a name: "Dr. Smith".
+    Title,
+    /// Before a number: "No. 5".
+    BeforeNumber,
+    /// After a number: "3 Mio.".
+    AfterNumber,
+    /// Within a sentence: "z. B.".
+    Inner,
+    /// Anywhere, also at a sentence's end: "etc.".
+    Any,
+}
+
+use Place::{AfterNumber, Any, BeforeNumber, Inner, Title};
+
+/// Written without the last full stop; read; place; whether it is clear without the stop.
+type Row = (&'static str, &'static str, Place, bool);
+
+const ENGLISH: &[Row] = &[
+    ("Mr", "Mister", Title, true),
+    ("Mrs", "Missus", Title, true),
+    ("Ms", "Miz", Title, true),
+    ("Dr", "Doctor", Title, true),
+    ("Prof", "Professor", Title, true),
+    ("Rev", "Reverend", Title, false),
+    ("Gen", "General", Title, false),
+    ("Col", "Colonel", Title, false),
+    ("Capt", "Captain", Title, false),
+    ("Lt", "Lieutenant", Title, false),
+    ("Sgt", "Sergeant", Title, false),
+    ("Gov", "Governor", Title, false),
+    ("Sen", "Senator", Title, false),
+    ("Mt", "Mount", Title, false),
+    ("Ft", "Fort", Title, false),
+    ("St", "Saint", Title, true),
+    ("Jr", "Junior", Any, true),
+    ("Sr", "Senior", Any, true),
+    ("Co", "Company", Any, false),
+    ("Inc", "Incorporated", Any, false),
+    ("Ltd", "Limited", Any, true),
+    ("Corp", "Corporation", Any, false),
+    ("Ave", "Avenue", Any, false),
+    ("Blvd", "Boulevard", Any, true),
+    ("Rd", "Road", Any, false),
+    ("etc", "et cetera", Any, true),
+    ("vs", "versus", Inner, true),
+    ("e.g", "for example", Inner, false),
+    ("i.e", "that is", Inner, false),
+    ("cf", "compare", Inner, false),
+    ("approx", "approximately", Inner, false),
+    ("no", "number", BeforeNumber, false),
+    ("nos", "numbers", BeforeNumber, false),
+    ("p", "page", BeforeNumber, false),
+    ("pp", "pages", BeforeNumber, false),
+    ("ch", "chapter", BeforeNumber, false),
+    ("vol", "volume", BeforeNumber, false),
+    ("fig", "figure", BeforeNumber, false),
+    ("sec", "section", BeforeNumber, false),
+    ("Jan", "January", BeforeNumber, false),
+    ("Feb", "February", BeforeNumber, false),
+    ("Mar", "March", BeforeNumber, false),
+    ("Apr", "April", BeforeNumber, false),
+    ("Aug", "August", BeforeNumber, false),
+    ("Sept", "September", BeforeNumber, false),
+    ("Sep", "September", BeforeNumber, false),
+    ("Oct", "October", BeforeNumber, false),
+    ("Nov", "November", BeforeNumber, false),
+    ("Dec", "December", BeforeNumber, false),
+    ("A.D", "ay dee", Any, false),
+    ("B.C", "bee see", Any, false),
+    ("Ph.D", "pee aitch dee", Any, false),
+];
+const GERMAN: &[Row] = &[
+    ("Hr", "Herr", Title, false),
+    ("Hrn", "Herrn", Title, false),
+    ("Fr", "Frau", Title, false),
+    ("Dr", "Doktor", Title, true),
+    ("Prof", "Professor", Title, true),
+    ("St", "Sankt", Title, false),
+    ("Dipl.-Ing", "Diplomingenieur", Title, false),
+    ("Hl", "Heilige", Title, false),
+    ("z.B", "zum Beispiel", Inner, false),
+    ("d.h", "das heißt", Inner, false),
+    ("u.a", "unter anderem", Inner, false),
+    ("z.T", "zum Teil", Inner, false),
+    ("i.d.R", "in der Regel", Inner, false),
+    ("v.a", "vor allem", Inner, false),
+    ("bzw", "beziehungsweise", Inner, true),
+    ("ca", "zirka", Inner, false),
+    ("vgl", "vergleiche", Inner, false),
+    ("inkl", "inklusive", Inner, false),
+    ("evtl", "eventuell", Inner, false),
+    ("ggf", "gegebenenfalls", Inner, false),
+    ("sog", "sogenannte", Inner, false),
+    ("geb", "geborene", Inner, false),
+    ("gest", "gestorben", Inner, false),
+    ("v.Chr", "vor Christus", Any, false),
+    ("n.Chr", "nach Christus", Any, false),
+    ("usw", "und so weiter", Any, true),
+    ("u.s.w", "und so weiter", Any, false),
+    ("etc", "et cetera", Any, true),
+    ("Str", "Straße", Any, false),
+    ("nr", "Nummer", BeforeNumber, false),
+    ("s", "Seite", BeforeNumber, false),
+    ("bd", "Band", BeforeNumber, false),
+    ("kap", "Kapitel", BeforeNumber, false),
+    ("abb", "Abbildung", BeforeNumber, false),
+    ("tel", "Telefon", BeforeNumber, false),
+    ("Mio", "Millionen", AfterNumber, true),
+    ("Mrd", "Milliarden", AfterNumber, true),
+    ("Tsd", "tausend", AfterNumber, false),
+    ("Std", "Stunden", AfterNumber, false),
+    ("Min", "Minuten", AfterNumber, false),
+    ("Jh", "Jahrhundert", AfterNumber, false),
+    ("Jan", "Januar", AfterNumber, false),
+    ("Feb", "Februar", AfterNumber, false),
+    ("Okt", "Oktober", AfterNumber, false),
+    ("Nov", "November", AfterNumber, false),
+    ("Dez", "Dezember", AfterNumber, false),
+];
+const PORTUGUESE: &[Row] = &[
+    ("Sr", "senhor", Title, true),
+    ("Sra", "senhora", Title, true),
+    ("Sr.ª", "senhora", Title, true),
+    ("Srta", "senhorita", Title, false),
+    ("Srs", "senhores", Title, false),
+    ("Dr", "doutor", Title, true),
+    ("Dra", "doutora", Title, true),
+    ("Dr.ª", "doutora", Title, true),
+    ("Prof", "professor", Title, true),
+    ("Prof.ª", "professora", Title, true),
+    ("Profª", "professora", Title, true),
+    ("Eng", "engenheiro", Title, false),
+    ("Arq", "arquiteto", Title, false),
+    ("Pe", "padre", Title, false),
+    ("Sto", "santo", Title, false),
+    ("Sta", "santa", Title, false),
+    ("S", "são", Title, false),
+    ("D", "dom", Title, false),
+    ("Exmo", "excelentíssimo", Inner, false),
+    ("Exma", "excelentíssima", Inner, false),
+    ("p.ex", "por exemplo", Inner, false),
+    ("i.e", "isto é", Inner, false),
+    ("cf", "confira", Inner, false),
+    ("aprox", "aproximadamente", Inner, false),
+    ("a.C", "antes de Cristo", Any, false),
+    ("d.C", "depois de Cristo", Any, false),
+    ("etc", "et cétera", Any, true),
+    ("Av", "Avenida", Inner, false),
+    ("Lda", "limitada", Any, false),
+    ("n.º", "número", BeforeNumber, true),
+    ("nº", "número", BeforeNumber, true),
+    ("n.os", "números", BeforeNumber, true),
+    ("p", "página", BeforeNumber, false),
+    ("pág", "página", BeforeNumber, false),
+    ("págs", "páginas", BeforeNumber, false),
+    ("cap", "capítulo", BeforeNumber, false),
+    ("vol", "volume", BeforeNumber, false),
+    ("fig", "figura", BeforeNumber, false),
+    ("art", "artigo", BeforeNumber, false),
+    ("tel", "telefone", BeforeNumber, false),
+    ("séc", "século", Inner, false),
+];
+
+/// What an abbreviation is read as.
+pub(super) struct Expansion {
+    /// Of each written word that it takes.
+    pub(super) spoken: Vec<String>,
+    /// Its last full stop ends a sentence as well.
+    pub(super) ends: bool,
+}
+
+fn rows(language: Language) -> &'static [Row] {
+    match language {
+        Language::English => ENGLISH,
+        Language::German => GERMAN,
+        Language::Portuguese => PORTUGUESE,
+    }
+}
+
+/// The row of `text` as it is, or without the capital of a sentence's start.
+fn row(text: &str, language: Language) -> Option<&'static Row> {
+    let rows = rows(language);
+    rows.iter().find(|row| row.0 == text).or_else(|| {
+        let mut chars = text.chars();
+        let first = chars.next().filter(|c| c.is_uppercase())?;
+        let small: String = first.to_lowercase().chain(chars).collect();
+        rows.iter().find(|row| row.0 == small)
+    })
+}
+
+fn numeric(word: Option<&Word<'_>>) -> bool {
+    word.is_some_and(|word| word.core.starts_with(|c: char| c.is_ascii_digit()))
+}
+
+/// The abbreviation at `at`, if one stands there.
+pub(super) fn expand(words: &[Word<'_>], at: usize, language: Language) -> Option<Expansion> {
+    let word = words.get(at)?;
+    // The longest is five letters and a few stops; most words end the search here.
+    if word.core.len() > 10 || !word.dotted() && word.core.len() > 5 {
+        return None;
+    }
+    if let Some(pair) = pair(words, at, language) {
+        return Some(pair);
+    }
+    let next = words.get(at + 1);
+    let previous = at.checked_sub(1).and_then(|at| words.get(at));
+    let single = word.core.chars().count() == 1;
+    let name_next = next.is_some_and(Word::is_capital) && matches!(word.end.as_str(), "" | ".");
+    // "Mr. and Mrs. Brown"
+    let joined = next.is_some_and(|w| matches!(w.core.as_str(), "and" | "und" | "e" | "&"));
+    let found = row(&word.core, language).filter(|(_, _, place, bare)| {
+        (word.dotted() || *bare || word.core.contains('.'))
+            && match place {
+                Title => name_next || joined,
+                BeforeNumber => {
+                    numeric(next)
+                        || next.is_some_and(|w| super::roman::value(&w.core).is_some() && !single)
+                }
+                AfterNumber => numeric(previous),
+                Inner | Any => true,
+            }
+    });
+    let end_of_text = next.is_none();
+    let Some(&(name, spoken, place, _)) = found else {
+        return street(word, previous, next, language)
+            .or_else(|| initials(word, single, name_next, end_of_text, language));
+    };
+    if let Some(street) = street(word, previous, next, language) {
+        return Some(street);
+    }
+    let spoken = match (name, language) {
+        // "D. Maria" is a lady, "D. João" a lord.
+        ("D", Language::Portuguese) if next.is_some_and(|w| w.core.ends_with('a')) => "dona",
+        ("Mio" | "Mrd", _) if previous.is_some_and(|w| w.core == "1") => {
+            if name == "Mio" {
+                "Million"
+            } else {
+                "Milliarde"
+            }
+        }
+        _ => spoken,
+    };
+    let capital = match language {
+        // A noun after an abbreviation has its capital in German anyway.
+        Language::German => {
+            next.is_none_or(Word::is_capital) && matches!(name, "usw" | "etc" | "u.s.w")
+        }
+        _ => next.is_none_or(Word::is_capital),
+    };
+    let ends = end_of_text || place == Any && capital;
+    Some(Expansion {
+        spoken: vec![spoken.to_owned()],
+        ends: ends && place != Title,
+    })
+}
+
+/// An abbreviation in two words: "z. B.", "p. ex.".
+fn pair(words: &[Word<'_>], at: usize, language: Language) -> Option<Expansion> {
+    let (first, second) = (words.get(at)?, words.get(at + 1)?);
+    if first.end != "." || !second.dotted() || first.core.len() > 2 {
+        return None;
+    }
+    let (_, spoken, place, _) = row(&format!("{}.{}", first.core, second.core), language)?;
+    let (head, tail) = spoken.split_once(' ')?;
+    let next = words.get(at + 2);
+    let ends = next.is_none() || *place == Any && next.is_some_and(Word::is_capital);
+    Some(Expansion {
+        spoken: vec![head.to_owned(), tail.to_owned()],
+        ends,
+    })
+}
+
+/// English "St." and "Dr." after a name are Street and Drive: "Main St.", but "Main St. John".
+fn street(
+    word: &Word<'_>,
+    previous: Option<&Word<'_>>,
+    next: Option<&Word<'_>>,
+    language: Language,
+) -> Option<Expansion> {
+    let spoken = match word.core.as_str() {
+        "St" => "Street",
+        "Dr" => "Drive",
+        _ => return None,
+    };
+    let named = previous.is_some_and(|w| {
+        (w.is_capital() || w.core.ends_with("th")) && w.end.is_empty() && w.core.chars().count() > 2
+    });
+    // A word that begins a sentence after it has its capital too: a common one tells that.
+    let starts = next.is_some_and(|w| {
+        matches!(
+            w.core.as_str(),
+            "The" | "He" | "She" | "It" | "They" | "We" | "In" | "A" | "I" | "Then" | "And" | "But"
+        )
+    });
+    let last = next.is_none_or(|w| !w.is_capital()) || starts;
+    (language == Language::English && named && last).then(|| Expansion {
+        spoken: vec![spoken.to_owned()],
+        ends: next.is_none_or(Word::is_capital),
+    })
+}
+
+/// "J." before a name, and letters with full stops: "U.S.A.".
+fn initials(
+    word: &Word<'_>,
+    single: bool,
+    name_next: bool,
+    end_of_text: bool,
+    language: Language,
+) -> Option<Expansion> {
+    let letters: Vec<&str> = word.core.split('.').collect();
+    let all = letters
+        .iter()
+        .all(|part| part.chars().count() == 1 && part.chars().all(char::is_uppercase));
+    // "I" ends many an English sentence and begins no name.
+    let first = single && word.dotted() && name_next && word.core != "I";
+    if !all || letters.len() < 2 && !first {
+        return None;
+    }
+    let spoken = super::spelling::literal(&letters.concat(), language);
+    Some(Expansion {
+        spoken: vec![spoken],
+        ends: end_of_text && !single,
+    })
+}

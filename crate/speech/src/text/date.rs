@@ -1,0 +1,142 @@
+//! Dates written with digits, in the orders of SABLE's `MODETYPE`.
+
+use super::Order;
+use super::language::Language;
+
+/// Month names [English, German, Portuguese].
+pub(super) const MONTHS: [[&str; 3]; 12] = [
+    ["January", "Januar", "janeiro"],
+    ["February", "Februar", "fevereiro"],
+    ["March", "März", "março"],
+    ["April", "April", "abril"],
+    ["May", "Mai", "maio"],
+    ["June", "Juni", "junho"],
+    ["July", "Juli", "julho"],
+    ["August", "August", "agosto"],
+    ["September", "September", "setembro"],
+    ["October", "Oktober", "outubro"],
+    ["November", "November", "novembro"],
+    ["December", "Dezember", "dezembro"],
+];
+
+/// A date, of which parts may be unknown.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Date {
+    /// 1..=31.
+    pub(super) day: Option<u32>,
+    /// 1..=12.
+    pub(super) month: Option<u32>,
+    /// As written: two digits stay two.
+    pub(super) year: Option<u64>,
+    /// The day was written before the month; English says so.
+    pub(super) day_first: bool,
+}
+
+/// Whether `word` names a month; only with its capital in English and German, where "may"
+/// and "März" differ from other words by it.
+pub(super) fn is_month(word: &str, language: Language) -> bool {
+    MONTHS.iter().any(|row| match language {
+        Language::Portuguese => row[language as usize] == word.to_lowercase(),
+        _ => row[language as usize] == word,
+    })
+}
+
+/// The order in which a language writes three numbers when nothing else tells.
+pub(super) fn usual_order(language: Language, month_first: bool) -> Order {
+    match language {
+        Language::English if month_first => Order::Mdy,
+        _ => Order::Dmy,
+    }
+}
+
+/// Reads `text` as a date. A given order is tried first; content that cannot be so (a
+/// month of 25) is tried in the others. Without an order only what is clearly a date is
+/// taken: three numbers, or a year with a month.
+pub(super) fn parse(
+    text: &str,
+    order: Option<Order>,
+    language: Language,
+    month_first: bool,
+) -> Option<Date> {
+    let sign = text.chars().find(|c| !c.is_ascii_digit());
+    let parts: Vec<&str> = match sign {
+        Some(sign @ ('/' | '.' | '-')) => text.split(sign).collect(),
+        Some(_) => return None,
+        None => compact(text, order?)?,
+    };
+    let digits =
+        |part: &&str| (1..=4).contains(&part.len()) && part.bytes().all(|b| b.is_ascii_digit());
+    if !parts.iter().all(digits) {
+        return None;
+    }
+    let usual = usual_order(language, month_first);
+    let other = if usual == Order::Mdy {
+        Order::Dmy
+    } else {
+        Order::Mdy
+    };
+    let candidates: &[Order] = match parts.len() {
+        3 => &[Order::Ymd, usual, other],
+        2 if order.is_some() => &[Order::My, Order::Ym, Order::Md],
+        2 => &[Order::My, Order::Ym],
+        _ => return None,
+    };
+    order
+        .iter()
+        .chain(candidates)
+        .find_map(|&order| arrange(&parts, order, language))
+}
+
+/// Digits without signs, cut by the order's usual widths: 19981225, 251298.
+fn compact(text: &str, order: Order) -> Option<Vec<&str>> {
+    let year = match (text.len(), order) {
+        (8, Order::Dmy | Order::Mdy | Order::Ymd) | (6, Order::Ym | Order::My) => 4,
+        (6, _) | (4, Order::Ym | Order::My | Order::Md) => 2,
+        _ => return None,
+    };
+    let cuts = match order {
+        Order::Dmy | Order::Mdy => vec![2, 4],
+        Order::Ymd => vec![year, year + 2],
+        Order::Ym => vec![year],
+        Order::My | Order::Md => vec![2],
+    };
+    let mut parts = Vec::new();
+    let mut from = 0;
+    for cut in cuts {
+        parts.push(text.get(from..cut)?);
+        from = cut;
+    }
+    parts.push(text.get(from..)?);
+    Some(parts)
+}
+
+fn arrange(parts: &[&str], order: Order, language: Language) -> Option<Date> {
+    let (year, month, day) = match (order, parts) {
+        (Order::Dmy, [d, m, y]) | (Order::Mdy, [m, d, y]) => (Some(y), m, Some(d)),
+        (Order::Ymd, [y, m, d]) => (Some(y), m, Some(d)),
+        (Order::Ym, [y, m]) | (Order::My, [m, y]) => (Some(y), m, None),
+        (Order::Md, [m, d]) => (None, m, Some(d)),
+        _ => return None,
+    };
+    let month: u32 = month.parse().ok().filter(|m| (1..=12).contains(m))?;
+    let day = match day {
+        Some(text) if text.len() <= 2 => Some(text.parse().ok().filter(|d| (1..=31).contains(d))?),
+        Some(_) => return None,
+        None => None,
+    };
+    let year = match year {
+        // A year of two digits beside a month alone would be a fraction or a score.
+        Some(text) if text.len() == 4 || text.len() == 2 && day.is_some() => {
+            Some(text.parse().ok()?)
+        }
+        Some(_) => return None,
+        None => None,
+    };
+    let day_first = order == Order::Dmy || language != Language::English;
+    Some(Date {
+        day,
+        month: Some(month),
+        year,
+        day_first,
+    })
+}

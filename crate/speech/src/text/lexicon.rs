@@ -1,0 +1,181 @@
+//! A user's lexicon: how words are said that engines get wrong.
+
+use std::collections::BTreeMap;
+
+/// What a word is to be said as.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) enum Entry {
+    /// Other words.
+    Respelling(String),
+    /// Phones of the International Phonetic Alphabet.
+    Ipa(String),
+}
+
+/// How words are said that engines get wrong.
+///
+/// A text, one entry a line: `word = other words` or `word = /IPA/`. A `#` at a line's
+/// start or after a space begins a comment. A line `[de]` limits what follows to German,
+/// `[*]` ends that. A word in small letters also stands for itself with a capital; one
+/// with capitals only for itself.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Lexicon {
+    /// By language ("" for every one) and word.
+    entries: BTreeMap<(String, String), Entry>,
+}
+
+/// Why a lexicon could not be read.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("lexicon, line {line}, column {column}: {problem}")]
+pub struct LexiconError {
+    /// Counted from 1.
+    pub line: usize,
+    /// In characters, counted from 1.
+    pub column: usize,
+    /// What is wrong there.
+    pub problem: LexiconProblem,
+}
+
+/// What may be wrong in a lexicon.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum LexiconProblem {
+    /// An entry has no equals sign.
+    #[error("expected `word = respelling` or `word = /IPA/`")]
+    NoEquals,
+    /// Nothing stands before the equals sign, or more than one word.
+    #[error("expected one word before `=`")]
+    NoWord,
+    /// Nothing that can be said stands after the equals sign.
+    #[error("expected a respelling or /IPA/ after `=`")]
+    NothingSaid,
+    /// The second slash of an IPA entry is missing.
+    #[error("expected a `/` after the IPA")]
+    OpenIpa,
+    /// A head is not a language's primary subtag in brackets.
+    #[error("expected a language such as `[de]`")]
+    BadHead,
+    /// The word is already in this section.
+    #[error("`{0}` is already in this section")]
+    Twice(String),
+    /// A line, or the number of entries, is beyond what is taken.
+    #[error("too long: lines have at most 1000 characters, a lexicon 100000 entries")]
+    TooLong,
+}
+
+const MOST_ENTRIES: usize = 100_000;
+const MOST_CHARS: usize = 1000;
+
+fn without_comment(line: &str) -> &str {
+    let mut before = ' ';
+    for (at, c) in line.char_indices() {
+        if c == '#' && before.is_whitespace() {
+            return &line[..at];
+        }
+        before = c;
+    }
+    line
+}
+
+/// The language that a head names; "" for every one.
+fn head(line: &str) -> Option<String> {
+    let name = line.strip_prefix('[')?.strip_suffix(']')?.trim();
+    let subtag = (2..=8).contains(&name.len()) && name.bytes().all(|b| b.is_ascii_alphabetic());
+    match name {
+        "*" => Some(String::new()),
+        _ if subtag => Some(name.to_ascii_lowercase()),
+        _ => None,
+    }
+}
+
+fn entry(said: &str) -> Result<Entry, LexiconProblem> {
+    if let Some(rest) = said.strip_prefix('/') {
+        let ipa = rest
+            .strip_suffix('/')
+            .ok_or(LexiconProblem::OpenIpa)?
+            .trim();
+        return match ipa.chars().any(char::is_alphabetic) {
+            true => Ok(Entry::Ipa(ipa.to_owned())),
+            false => Err(LexiconProblem::NothingSaid),
+        };
+    }
+    match said.chars().any(char::is_alphabetic) {
+        true => Ok(Entry::Respelling(said.to_owned())),
+        false => Err(LexiconProblem::NothingSaid),
+    }
+}
+
+impl Lexicon {
+    /// Reads a lexicon file's text.
+    ///
+    /// # Errors
+    /// The first line that is no entry, head or comment, with its place.
+    pub fn parse(text: &str) -> Result<Self, LexiconError> {
+        let mut lexicon = Self::default();
+        let mut language = String::new();
+        let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+        for (index, whole) in text.lines().enumerate() {
+            let at = |part: &str, problem: LexiconProblem| {
+                // `part` is a slice of the line, so its place is the difference.
+                let bytes = (part.as_ptr() as usize).saturating_sub(whole.as_ptr() as usize);
+                let column = whole.get(..bytes).map_or(0, |head| head.chars().count()) + 1;
+                LexiconError {
+                    line: index + 1,
+                    column,
+                    problem,
+                }
+            };
+            if whole.chars().count() > MOST_CHARS || lexicon.entries.len() >= MOST_ENTRIES {
+                return Err(at(whole, LexiconProblem::TooLong));
+            }
+            let line = without_comment(whole).trim();
+            if line.is_empty() {
+                continue;
+            }
+            if line.starts_with('[') && !line.contains('=') {
+                language = head(line).ok_or_else(|| at(line, LexiconProblem::BadHead))?;
+                continue;
+            }
+            let (word, said) = line
+                .split_once('=')
+                .ok_or_else(|| at(line, LexiconProblem::NoEquals))?;
+            let (word, said) = (word.trim(), said.trim());
+            if word.is_empty() || word.contains(char::is_whitespace) {
+                return Err(at(word, LexiconProblem::NoWord));
+            }
+            let entry = entry(said).map_err(|problem| at(said, problem))?;
+            let key = (language.clone(), super::word::composed(word).into_owned());
+            if lexicon.entries.insert(key, entry).is_some() {
+                return Err(at(word, LexiconProblem::Twice(word.to_owned())));
+            }
+        }
+        Ok(lexicon)
+    }
+
+    /// Whether it has no entry, as the default one.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.entries.is_empty()
+    }
+
+    /// The entry of `word`, exactly so or else in small letters; one for the language's
+    /// primary subtag goes before one for every language.
+    pub(super) fn get(&self, word: &str, language: &str) -> Option<&Entry> {
+        if self.is_empty() {
+            return None;
+        }
+        let primary = language
+            .split(['-', '_'])
+            .next()
+            .unwrap_or_default()
+            .to_ascii_lowercase();
+        let small = word.to_lowercase();
+        [
+            (primary.as_str(), word),
+            (primary.as_str(), small.as_str()),
+            ("", word),
+            ("", &small),
+        ]
+        .into_iter()
+        .find_map(|(language, word)| self.entries.get(&(language.to_owned(), word.to_owned())))
+    }
+}

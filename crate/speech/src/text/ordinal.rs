@@ -1,0 +1,233 @@
+//! Ordinals with digits (1st, 3.º, 3.), days before and after months, decades.
+
+use super::date::{self, Date};
+use super::language::{Form, Language};
+use super::number::Number;
+use super::read::{Reader, Reading};
+use super::word::Word;
+use super::{english, roman};
+
+fn digits_and_rest(text: &str) -> Option<(u64, &str)> {
+    let end = text
+        .find(|c: char| !c.is_ascii_digit())
+        .unwrap_or(text.len());
+    let (digits, rest) = text.split_at(end);
+    if digits.len() > 15 {
+        return None;
+    }
+    Some((digits.parse().ok()?, rest))
+}
+
+/// The suffix that English writes after `n`.
+fn english_suffix(n: u64) -> &'static str {
+    match (n / 10 % 10, n % 10) {
+        (1, _) => "th",
+        (_, 1) => "st",
+        (_, 2) => "nd",
+        (_, 3) => "rd",
+        _ => "th",
+    }
+}
+
+impl Reader<'_> {
+    /// A number written as an ordinal, a day beside a month, or a decade.
+    pub(super) fn ordinal(&self, at: usize, word: &Word<'_>) -> Option<Reading> {
+        let (n, rest) = digits_and_rest(&word.core)?;
+        match self.language {
+            Language::English => self.english_ordinal(at, n, rest),
+            Language::German => self.german_ordinal(at, word, n, rest),
+            Language::Portuguese => {
+                let grammar = self.language.grammar();
+                let ending = match rest {
+                    "º" | ".º" | "o" | ".o" => "o",
+                    "ª" | ".ª" | "a" | ".a" => "a",
+                    _ => return None,
+                };
+                Some(Reading::one(grammar.ordinal(n, ending)))
+            }
+        }
+    }
+
+    fn english_ordinal(&self, at: usize, n: u64, rest: &str) -> Option<Reading> {
+        let grammar = self.language.grammar();
+        let ordinal = grammar.ordinal(n, "");
+        if rest.eq_ignore_ascii_case(english_suffix(n)) {
+            return Some(Reading::one(ordinal));
+        }
+        if matches!(rest, "s" | "'s" | "\u{2019}s") && n.is_multiple_of(10) && n > 10 {
+            let year = if n < 1000 {
+                grammar.cardinal(n, Form::Alone)
+            } else {
+                grammar.year(n)
+            };
+            return Some(Reading::one(english::plural(&year)));
+        }
+        let day = rest.is_empty() && (1..=31).contains(&n);
+        let abbreviated = |word: &str| {
+            date::MONTHS
+                .iter()
+                .any(|row| word.len() >= 3 && row[0].starts_with(word))
+        };
+        if day
+            && (date::is_month(self.previous(at), self.language) || abbreviated(self.previous(at)))
+        {
+            return Some(Reading::one(ordinal));
+        }
+        if day && date::is_month(self.next(at), self.language) {
+            let article = if self.previous(at).eq_ignore_ascii_case("the") {
+                ""
+            } else {
+                "the "
+            };
+            return Some(Reading::one(format!("{article}{ordinal} of")));
+        }
+        None
+    }
+
+    fn german_ordinal(&self, at: usize, word: &Word<'_>, n: u64, rest: &str) -> Option<Reading> {
+        let grammar = self.language.grammar();
+        if let Some(ending) = ["te", "ten", "ter", "tes", "tem"]
+            .iter()
+            .find_map(|suffix| {
+                (rest == *suffix || rest.strip_prefix('s') == Some(*suffix)).then(|| &suffix[1..])
+            })
+        {
+            return Some(Reading::one(grammar.ordinal(n, ending)));
+        }
+        if matches!(rest, "er" | "ern") {
+            let year = grammar.year(n);
+            let plural =
+                if year.ends_with("ig") || year.ends_with("zehn") || year.ends_with("hundert") {
+                    rest
+                } else {
+                    return None;
+                };
+            return Some(Reading::one(year + plural));
+        }
+        if !rest.is_empty() || word.end != "." {
+            return None;
+        }
+        // "Ich habe 3." ends a sentence; "am 3. Oktober" and "der 3. Mann" do not.
+        let next = self.next_after_stop(at);
+        let previous = self.previous(at);
+        let before = at.checked_sub(1).map_or("", |at| self.previous(at));
+        let noun = next.chars().next().is_some_and(char::is_uppercase);
+        let article = [
+            "der", "die", "das", "den", "dem", "des", "am", "vom", "zum", "zur", "im", "beim",
+            "ein", "eine", "einen", "einem", "einer", "jeder", "jede", "jedes", "jeden", "jedem",
+            "ihr", "ihre", "ihren", "sein", "seine", "seinen", "seinem", "mein", "meine", "meinen",
+            "meinem", "bis", "ins",
+        ]
+        .contains(&previous.to_lowercase().as_str());
+        let ruler = !article
+            && previous.chars().next().is_some_and(char::is_uppercase)
+            && at > 0
+            && roman::is_ruler(previous, self.language);
+        if ruler {
+            return Some(
+                Reading::one(roman::ruler(n, previous, self.language)).owning_stop(next.is_empty()),
+            );
+        }
+        let month = date::is_month(next, self.language) || next == "Jh" || next == "Jahrhundert";
+        if !(month || noun && (article || at == 0) || article && !next.is_empty()) {
+            return None;
+        }
+        let ending = grammar.ending(before, previous, next);
+        Some(Reading::one(grammar.ordinal(n, ending)).owning_stop(false))
+    }
+
+    /// A date in digits, with the ending of the German day by the words before it.
+    pub(super) fn date(&self, at: usize, word: &Word<'_>) -> Option<Reading> {
+        let german = self.language == Language::German;
+        // "25.12." has its stop as its own.
+        let short = german && word.dotted() && word.core.contains('.');
+        let order = short.then_some(super::Order::Dmy);
+        let mut date = date::parse(&word.core, order, self.language, self.month_first);
+        let mut own_stop = false;
+        if date.is_none() && short {
+            let (day, month) = word.core.split_once('.')?;
+            date = date::parse(
+                &format!("{month}.{day}"),
+                Some(super::Order::Md),
+                self.language,
+                false,
+            );
+            own_stop = true;
+        }
+        let date = date?;
+        Some(
+            Reading::one(self.say_date(at, &date))
+                .owning_stop(!own_stop || at + 1 == self.words.len()),
+        )
+    }
+
+    /// A date in words.
+    pub(super) fn say_date(&self, at: usize, date: &Date) -> String {
+        let grammar = self.language.grammar();
+        let before = at.checked_sub(1).map_or("", |at| self.previous(at));
+        let month = date.month.and_then(|m| date::MONTHS.get(m as usize - 1));
+        let month = month.map_or("", |row| self.language.pick(*row));
+        grammar.date(date, grammar.ending(before, self.previous(at), month))
+    }
+
+    /// A plain number that is a year by its size and its neighbours.
+    pub(super) fn is_year(&self, at: usize, number: &Number) -> bool {
+        let shaped = number.whole.len() == 4 && !number.grouped;
+        let Some(n) = number
+            .natural()
+            .filter(|n| shaped && (1100..2100).contains(n))
+        else {
+            return false;
+        };
+        let next = self.next(at);
+        match self.language {
+            // "1998 people" is a count; so is a number before a plural.
+            Language::English => {
+                let small = next.chars().all(char::is_lowercase);
+                let verb = matches!(
+                    next,
+                    "was"
+                        | "is"
+                        | "has"
+                        | "as"
+                        | "does"
+                        | "this"
+                        | "its"
+                        | "thus"
+                        | "always"
+                        | "perhaps"
+                        | "us"
+                );
+                let plural = small
+                    && !verb
+                    && (next.ends_with('s')
+                        || matches!(next, "people" | "men" | "women" | "children"));
+                !plural
+            }
+            Language::German => {
+                let noun = next.chars().next().is_some_and(char::is_uppercase);
+                let led = matches!(
+                    self.previous(at).to_lowercase().as_str(),
+                    "jahr"
+                        | "jahre"
+                        | "jahren"
+                        | "jahres"
+                        | "im"
+                        | "in"
+                        | "seit"
+                        | "von"
+                        | "bis"
+                        | "ab"
+                        | "um"
+                        | "anno"
+                );
+                n < 2000 && (!noun || led || date::is_month(self.previous(at), self.language))
+            }
+            // The reading differs only where a feminine noun is counted.
+            Language::Portuguese => matches!(
+                self.previous(at).to_lowercase().as_str(),
+                "em" | "de" | "desde" | "até" | "ano" | "anos" | "a" | "e" | "entre"
+            ),
+        }
+    }
+}

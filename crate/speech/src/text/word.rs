@@ -1,0 +1,157 @@
+//! A written word: what is read, and the punctuation around it.
+
+use std::borrow::Cow;
+
+/// A written word, parted in what is read and what surrounds it.
+#[derive(Debug, Clone)]
+pub(super) struct Word<'a> {
+    /// Everything, with letters and their marks composed.
+    pub(super) raw: Cow<'a, str>,
+    /// Without quotes, brackets, dashes and punctuation around; may be empty.
+    pub(super) core: String,
+    /// The punctuation of `,.;:!?` after it, an ellipsis being a full stop.
+    pub(super) end: String,
+    /// A bracket or dash before it parts it from the word before.
+    pub(super) opens: bool,
+    /// A bracket or dash after it parts it from the word after.
+    pub(super) closes: bool,
+}
+
+/// Combining marks with the letters they join, and the composed letters in the same order
+/// (Unicode, Latin-1 Supplement and Latin Extended-A).
+const COMPOSED: &[(char, &str, &str)] = &[
+    ('\u{300}', "aeiouAEIOU", "àèìòùÀÈÌÒÙ"),
+    ('\u{301}', "aeiouycnszAEIOUYCNSZ", "áéíóúýćńśźÁÉÍÓÚÝĆŃŚŹ"),
+    ('\u{302}', "aeiouAEIOU", "âêîôûÂÊÎÔÛ"),
+    ('\u{303}', "anoANO", "ãñõÃÑÕ"),
+    ('\u{308}', "aeiouyAEIOU", "äëïöüÿÄËÏÖÜ"),
+    ('\u{30a}', "auAU", "åůÅŮ"),
+    ('\u{30c}', "csznredCSZNRED", "čšžňřěďČŠŽŇŘĚĎ"),
+    ('\u{327}', "csCS", "çşÇŞ"),
+];
+
+/// `text` with letters and combining marks composed where Latin has a letter for it.
+pub(super) fn composed(text: &str) -> Cow<'_, str> {
+    if !text.chars().any(|c| ('\u{300}'..='\u{327}').contains(&c)) {
+        return Cow::Borrowed(text);
+    }
+    let mut out = String::new();
+    for c in text.chars() {
+        let letter = out.chars().next_back().and_then(|base| {
+            let (_, bases, letters) = COMPOSED.iter().find(|(mark, ..)| *mark == c)?;
+            letters.chars().nth(bases.chars().position(|b| b == base)?)
+        });
+        match letter {
+            Some(letter) => {
+                out.pop();
+                out.push(letter);
+            }
+            None => out.push(c),
+        }
+    }
+    Cow::Owned(out)
+}
+
+/// A composed letter's base and mark.
+pub(super) fn decomposed(letter: char) -> Option<(char, char)> {
+    COMPOSED.iter().find_map(|(mark, bases, letters)| {
+        let at = letters.chars().position(|c| c == letter)?;
+        Some((bases.chars().nth(at)?, *mark))
+    })
+}
+
+/// Whether `c` belongs to a word: a letter of any script, or a mark that letters carry.
+pub(super) fn is_letter(c: char) -> bool {
+    // Ordinal signs are letters to Unicode; they are read as numbers' endings here.
+    c.is_alphabetic() && !matches!(c, 'ª' | 'º')
+        || matches!(c, '\u{300}'..='\u{36f}' | '\u{94d}' | '\u{9cd}' | '\u{e47}'..='\u{e4e}')
+}
+
+/// Whether `c` joins letters to one word.
+pub(super) fn is_joiner(c: char) -> bool {
+    matches!(c, '\'' | '\u{2019}' | '-' | '\u{2010}' | '\u{2011}')
+}
+
+/// Signs that mean something at a word's edge.
+fn means(c: char) -> bool {
+    is_letter(c) || c.is_alphanumeric() || "+−$€£¥₹¢@#§°%‰=<>^×÷±√∞≠≤≥≈&/~".contains(c)
+}
+
+fn is_dash(c: char) -> bool {
+    matches!(c, '\u{2012}'..='\u{2015}' | '-' | '\u{2212}')
+}
+
+impl<'a> Word<'a> {
+    /// Parts a written word.
+    pub(super) fn parse(written: &'a str) -> Self {
+        let raw = composed(written.trim());
+        let mut opens = false;
+        let mut start = raw.len();
+        let mut before = ' ';
+        for (at, c) in raw.char_indices() {
+            let rest = &raw[at + c.len_utf8()..];
+            let next = rest.chars().next().unwrap_or(' ');
+            // "-5", "-$5" and ".5" begin with their sign; "--5" does not.
+            let signed = match c {
+                '-' => (next.is_ascii_digit() || "$€£¥".contains(next)) && before != '-',
+                '.' => next.is_ascii_digit() && before != '.',
+                _ => means(c),
+            };
+            if signed {
+                start = at;
+                break;
+            }
+            opens |=
+                matches!(c, '(' | '[' | '{') || is_dash(c) && c != '-' || c == '-' && next == '-';
+            before = c;
+        }
+        let body = &raw[start..];
+        let core = body.trim_end_matches(|c| !means(c));
+        let tail = if core.is_empty() {
+            raw.as_ref()
+        } else {
+            &body[core.len()..]
+        };
+        let mut closes =
+            tail.contains([')', ']', '}', '\u{2013}', '\u{2014}']) || tail.contains("--");
+        closes |= core.is_empty() && tail == "-";
+        let mut end = String::new();
+        for c in tail.chars() {
+            let sign = if c == '\u{2026}' { '.' } else { c };
+            // Three different signs say all there is to say: "?!".
+            if ",.;:!?".contains(sign) && !end.contains(sign) && end.len() < 3 {
+                end.push(sign);
+            }
+        }
+        let core = core.to_owned();
+        Self {
+            core,
+            end,
+            opens,
+            closes,
+            raw,
+        }
+    }
+
+    /// Forgets that brackets, dashes and signs around it part or end anything.
+    pub(super) fn forget_signs(&mut self) {
+        self.opens = false;
+        self.closes = false;
+        self.end.clear();
+    }
+
+    /// Whether a full stop follows at once, which may belong to an abbreviation.
+    pub(super) fn dotted(&self) -> bool {
+        self.end.starts_with('.')
+    }
+
+    /// Whether it is letters alone, which pass as they are.
+    pub(super) fn is_plain(&self) -> bool {
+        self.core.chars().all(|c| is_letter(c) || is_joiner(c))
+    }
+
+    /// Whether it begins with a capital.
+    pub(super) fn is_capital(&self) -> bool {
+        self.core.chars().next().is_some_and(char::is_uppercase)
+    }
+}
