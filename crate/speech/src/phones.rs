@@ -131,10 +131,10 @@ pub fn find(phone_set: &str, symbol: &str) -> Option<&'static PhoneTargets> {
         _ => ["", "", ""],
     };
     // The table's own symbols are those of English.
-    if set < 4 {
-        if let Some(row) = own(column, bare) {
-            return Some(row);
-        }
+    if set < 4
+        && let Some(row) = own(column, bare)
+    {
+        return Some(row);
     }
     for language in languages {
         if let Some(sampa) = names::sampa(language, column, bare) {
