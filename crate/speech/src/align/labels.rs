@@ -1,6 +1,6 @@
 //! Files of a label per line: ESPS xlabel, MARY's realised durations, and those of HTK.
 
-use super::draft::{Draft, Kind, Point};
+use super::draft::{Draft, Kind, Point, is_silence};
 use super::text::{Bad, clip, fields, lines, number};
 
 /// Seconds in HTK's unit of time, 100 ns (The HTK Book, section 6.2).
@@ -150,6 +150,7 @@ fn close(open: &mut Option<Open>, draft: &mut Draft) {
 /// A word lasts until the next begins or a silence does.
 fn word_ends(words: &[(f64, String, usize)], draft: &mut Draft) -> Result<(), Bad> {
     let mut segments = draft.segments.clone();
+    segments.retain(|s| s.end > s.start);
     segments.sort_by(|a, b| a.start.total_cmp(&b.start));
     for (i, (start, word, at)) in words.iter().enumerate() {
         let next = words.get(i + 1).map_or(f64::MAX, |w| w.0);
@@ -157,8 +158,10 @@ fn word_ends(words: &[(f64, String, usize)], draft: &mut Draft) -> Result<(), Ba
         let own = segments[from..]
             .iter()
             .enumerate()
-            .take_while(|(k, s)| *k == 0 || s.start < next && !super::draft::is_silence(&s.label));
-        if let Some((_, last)) = own.last() {
+            .take_while(|(k, s)| *k == 0 || s.start < next && !is_silence(&s.label));
+        // Sentence marks are said to be words of silence.
+        let silent = segments.get(from).is_none_or(|s| is_silence(&s.label));
+        if let Some((_, last)) = own.last().filter(|_| !silent) {
             draft.word(*start, last.end, word, *at)?;
         }
     }

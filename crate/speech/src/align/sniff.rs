@@ -25,7 +25,7 @@ pub fn detect(name: &str, bytes: &[u8]) -> Option<Format> {
     };
     let name = name.to_ascii_lowercase();
     let begin = text.trim_start();
-    let first_line = begin.lines().next().unwrap_or_default();
+    let first_line = lines(begin).next().map_or("", |(_, line)| line);
     if begin.starts_with("WEBVTT") {
         return Some(Format::WebVtt);
     }

@@ -25,7 +25,7 @@ pub(super) fn read(text: &str, draft: &mut Draft) -> Result<(), Bad> {
     let mut cue: Option<Cue> = None;
     let mut last_line = String::new();
     for (at, line) in lines {
-        if line.trim().is_empty() {
+        if line.is_empty() {
             finish(cue.take(), draft)?;
             continue;
         }
@@ -46,7 +46,9 @@ pub(super) fn read(text: &str, draft: &mut Draft) -> Result<(), Bad> {
             continue;
         }
         cue.add(at, line)?;
-        last_line = plain;
+        if !plain.is_empty() {
+            last_line = plain;
+        }
     }
     finish(cue, draft)
 }
