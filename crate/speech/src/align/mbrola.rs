@@ -1,0 +1,47 @@
+//! MBROLA's phonetic files: per line a phone, its milliseconds, and points of pitch as
+//! percent of the phone and hertz. `;` begins a comment.
+
+use super::draft::Draft;
+use super::text::{Bad, fields, lines, number};
+
+pub(super) fn read(text: &str, draft: &mut Draft) -> Result<(), Bad> {
+    let mut now = 0.0;
+    for (at, line) in lines(text) {
+        let told = line.split(';').next().unwrap_or_default();
+        let mut fields = fields(at, told);
+        let Some((phone_at, phone)) = fields.next() else {
+            continue;
+        };
+        // `#` alone tells the synthesiser to say what it has.
+        let Some((length_at, length)) = fields.next() else {
+            if phone == "#" {
+                continue;
+            }
+            return Err(Bad::new(
+                phone_at + phone.len(),
+                "milliseconds should follow",
+            ));
+        };
+        let secs = number(length_at, length)? / 1000.0;
+        if secs < 0.0 {
+            return Err(Bad::new(length_at, "a negative duration"));
+        }
+        draft.segment(now, now + secs, phone, at)?;
+        while let Some((percent_at, percent)) = fields.next() {
+            let percent = number(percent_at, percent)?;
+            let Some((hz_at, hz)) = fields.next() else {
+                return Err(Bad::new(at + told.len(), "hertz should follow the percent"));
+            };
+            draft.count(hz_at)?;
+            let hz = number(hz_at, hz)?;
+            draft
+                .f0
+                .push((now + secs * percent / 100.0, hz, percent_at));
+        }
+        now += secs;
+    }
+    if draft.segments.is_empty() {
+        return Err(Bad::new(text.len(), "no phones"));
+    }
+    Ok(())
+}

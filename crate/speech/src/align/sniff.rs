@@ -1,0 +1,122 @@
+//! Which format bytes are in, by what they say and only then by their name.
+
+use super::Format;
+use super::text::{decode, fields, lines};
+use super::viseme::rhubarb_viseme;
+
+/// So many bytes are looked at.
+const LOOK: usize = 1 << 16;
+
+/// So many lines of a table are.
+const MOST_LINES: usize = 50;
+
+/// The format of a file by its content and, where that leaves a choice, by its name (of
+/// which only the end matters). `None` when it is none of those that [`super::read`] reads.
+#[must_use]
+pub fn detect(name: &str, bytes: &[u8]) -> Option<Format> {
+    // An even number of bytes keeps UTF-16 whole but for a pair at the end.
+    let mut head = &bytes[..bytes.len().min(LOOK)];
+    let text = loop {
+        match decode(head) {
+            Ok(text) => break text,
+            Err(_) if head.len() + 4 > LOOK && !head.is_empty() => head = &head[..head.len() - 1],
+            Err(_) => return None,
+        }
+    };
+    let name = name.to_ascii_lowercase();
+    let begin = text.trim_start();
+    let first_line = lines(begin).next().map_or("", |(_, line)| line);
+    if begin.starts_with("WEBVTT") {
+        return Some(Format::WebVtt);
+    }
+    if first_line.trim_end() == "EST_File utterance" {
+        return Some(Format::FestivalUtterance);
+    }
+    if begin.starts_with("#!MLF!#") {
+        return Some(Format::Htk);
+    }
+    if first_line.contains("\"ooTextFile") {
+        return Some(Format::TextGrid);
+    }
+    if begin.starts_with('<') {
+        let roots = [
+            ("<rhubarbResult", Format::RhubarbXml),
+            ("maryxml", Format::MaryXml),
+        ];
+        let found = roots.iter().find(|(root, _)| begin.contains(root));
+        return found.map(|(_, format)| *format);
+    }
+    if begin.starts_with('{') {
+        let has = |key: &str| begin.contains(key);
+        if has("\"mouthCues\"") {
+            return Some(Format::RhubarbJson);
+        }
+        let arrays = ["\"vtimes\"", "\"wtimes\"", "\"visemes\"", "\"words\""];
+        return arrays
+            .iter()
+            .any(|key| has(key))
+            .then_some(Format::TalkingHead);
+    }
+    table(&name, &text)
+}
+
+/// Formats of lines of fields.
+fn table(name: &str, text: &str) -> Option<Format> {
+    let ends_in = |end: &str| name.ends_with(end);
+    // The last of a long text may be cut.
+    let whole = lines(text)
+        .take(MOST_LINES + 1)
+        .map(|(at, line)| fields(at, line));
+    let mut rows: Vec<Vec<&str>> = whole
+        .map(|line| line.map(|(_, field)| field).collect())
+        .collect();
+    rows.retain(|row| !row.is_empty());
+    if rows.len() > MOST_LINES || text.len() + 4 > LOOK {
+        rows.pop();
+    }
+    if let Some(hash) = rows.iter().position(|row| row == &["#"]) {
+        let data = &rows[hash + 1..];
+        let timed = |row: &Vec<&str>| row.len() >= 2 && is_number(row[0]);
+        if data.iter().all(timed) && !rows[..hash].iter().any(|r| is_number(r[0])) {
+            let durations = ends_in("durations") || hash == 0 && data.iter().all(|r| r[1] == "125");
+            let mary = durations && (!data.is_empty() || ends_in("durations"));
+            return Some(if mary {
+                Format::MaryDurations
+            } else {
+                Format::XLabel
+            });
+        }
+    }
+    let all = |test: fn(&[&str]) -> bool| !rows.is_empty() && rows.iter().all(|row| test(row));
+    if all(|row| row.len() >= 3 && is_whole(row[0]) && is_whole(row[1])) {
+        return Some(Format::Htk);
+    }
+    if all(|row| row.len() == 2 && is_number(row[0]) && rhubarb_viseme(row[1]).is_some()) {
+        return Some(Format::RhubarbTsv);
+    }
+    let spoken = |row: &[&str]| row[0].starts_with(';') || row.len() >= 2 && is_number(row[1]);
+    let told = rows.iter().any(|row| !row[0].starts_with(';'));
+    if told && rows.iter().all(|row| spoken(row) || row == &["#"]) {
+        return Some(Format::Mbrola);
+    }
+    // A file that is broken should be told so by the reader that its name calls for.
+    let names = [
+        (".textgrid", Format::TextGrid),
+        (".pho", Format::Mbrola),
+        (".utt", Format::FestivalUtterance),
+        (".vtt", Format::WebVtt),
+        (".mlf", Format::Htk),
+        (".segs", Format::XLabel),
+        ("realised_durations", Format::MaryDurations),
+        (".maryxml", Format::MaryXml),
+    ];
+    names.iter().find(|(end, _)| ends_in(end)).map(|(_, f)| *f)
+}
+
+fn is_number(field: &str) -> bool {
+    field.parse::<f64>().is_ok()
+}
+
+fn is_whole(field: &str) -> bool {
+    field.parse::<i64>().is_ok()
+}

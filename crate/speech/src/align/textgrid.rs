@@ -1,0 +1,280 @@
+//! Praat's TextGrid as text, long or short.
+//!
+//! Both are one language (Praat manual, "TextGrid file formats"): only numbers, quoted texts
+//! and flags in angle brackets that stand free between white space count, and `!` begins a
+//! comment. What the long form adds (`xmin =`, `intervals [1]:`) is not free-standing.
+
+use super::draft::{Draft, Kind, Point, Raw, is_silence};
+use super::text::{Bad, clip};
+
+const PHONES: [&str; 11] = [
+    "phones",
+    "phone",
+    "phonemes",
+    "phoneme",
+    "phonetic",
+    "phn",
+    "mau",
+    "segments",
+    "segment",
+    "allophones",
+    "sounds",
+];
+const WORDS: [&str; 8] = [
+    "words",
+    "word",
+    "ort",
+    "ort-mau",
+    "orthography",
+    "tokens",
+    "token",
+    "wrd",
+];
+const SYLLABLES: [&str; 4] = ["syllables", "syllable", "syl", "mas"];
+const TONES: [&str; 5] = ["tones", "tone", "tobi", "accents", "intonation"];
+const BREAKS: [&str; 3] = ["breaks", "break", "break indices"];
+
+enum Token<'a> {
+    Number(f64),
+    /// Quoted, quotes still doubled.
+    Text(&'a str),
+    Flag(&'a str),
+}
+
+struct Tokens<'a> {
+    text: &'a str,
+    at: usize,
+}
+
+impl<'a> Tokens<'a> {
+    /// The next thing that counts and its place.
+    fn next(&mut self) -> Result<(usize, Token<'a>), Bad> {
+        loop {
+            let rest = &self.text[self.at..];
+            self.at += rest.len() - rest.trim_start().len();
+            let (at, rest) = (self.at, &self.text[self.at..]);
+            let word_end = rest.find(char::is_whitespace).unwrap_or(rest.len());
+            match rest.chars().next() {
+                None => return Err(Bad::new(at, "the file ends too early")),
+                Some('!') => self.at += rest.find(['\n', '\r']).unwrap_or(rest.len()),
+                Some('"') => {
+                    let length = quoted(&rest[1..])
+                        .ok_or_else(|| Bad::new(at, "a quoted text does not end"))?;
+                    self.at += length + 2;
+                    return Ok((at, Token::Text(&rest[1..=length])));
+                }
+                Some('<') => {
+                    self.at += word_end;
+                    return Ok((at, Token::Flag(&rest[..word_end])));
+                }
+                Some(_) => {
+                    self.at += word_end;
+                    if let Ok(value) = rest[..word_end].parse::<f64>() {
+                        if !value.is_finite() {
+                            return Err(Bad::new(at, "a number that is not finite"));
+                        }
+                        return Ok((at, Token::Number(value)));
+                    }
+                }
+            }
+        }
+    }
+
+    fn number(&mut self, what: &str) -> Result<(usize, f64), Bad> {
+        match self.next()? {
+            (at, Token::Number(value)) => Ok((at, value)),
+            (at, _) => Err(Bad::new(at, format!("{what} should be a number"))),
+        }
+    }
+
+    fn text(&mut self, what: &str) -> Result<(usize, String), Bad> {
+        match self.next()? {
+            (at, Token::Text(text)) => Ok((at, text.replace("\"\"", "\""))),
+            (at, _) => Err(Bad::new(at, format!("{what} should be a quoted text"))),
+        }
+    }
+
+    fn size(&mut self, what: &str) -> Result<u64, Bad> {
+        let (at, size) = self.number(what)?;
+        if !(0.0..=1e9).contains(&size) || size % 1.0 != 0.0 {
+            return Err(Bad::new(at, format!("{size} is no number of {what}")));
+        }
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "in range"
+        )]
+        Ok(size as u64)
+    }
+}
+
+/// Length up to the quote that ends a text; two quotes are one that does not.
+fn quoted(rest: &str) -> Option<usize> {
+    let mut at = 0;
+    loop {
+        at += rest.get(at..)?.find('"')?;
+        if !rest[at + 1..].starts_with('"') {
+            return Some(at);
+        }
+        at += 2;
+    }
+}
+
+struct Tier {
+    name: String,
+    at: usize,
+    intervals: Vec<Raw>,
+    points: Vec<Point>,
+    is_points: bool,
+}
+
+pub(super) fn read(text: &str, draft: &mut Draft) -> Result<(), Bad> {
+    let mut tokens = Tokens { text, at: 0 };
+    let (at, kind) = tokens.text("the file type")?;
+    if !kind.starts_with("ooTextFile") {
+        return Err(Bad::new(
+            at,
+            format!("{:?} is not \"ooTextFile\"", clip(&kind)),
+        ));
+    }
+    let (at, class) = tokens.text("the object class")?;
+    if class != "TextGrid" {
+        return Err(Bad::new(
+            at,
+            format!("{:?} is not \"TextGrid\"", clip(&class)),
+        ));
+    }
+    tokens.number("the begin")?;
+    let (_, end_secs) = tokens.number("the end")?;
+    match tokens.next()? {
+        (_, Token::Flag("<exists>")) => {}
+        (at, _) => return Err(Bad::new(at, "no tiers exist")),
+    }
+    let mut tiers = Vec::new();
+    for _ in 0..tokens.size("tiers")? {
+        tiers.push(tier(&mut tokens, draft)?);
+    }
+    draft.end_secs = end_secs;
+    choose(tiers, draft, at)
+}
+
+fn tier(tokens: &mut Tokens<'_>, draft: &mut Draft) -> Result<Tier, Bad> {
+    let (class_at, class) = tokens.text("the tier's class")?;
+    let is_points = match class.as_str() {
+        "IntervalTier" => false,
+        "TextTier" => true,
+        _ => {
+            let message = format!("{:?} is no class of tiers", clip(&class));
+            return Err(Bad::new(class_at, message));
+        }
+    };
+    let (at, name) = tokens.text("the tier's name")?;
+    tokens.number("the tier's begin")?;
+    tokens.number("the tier's end")?;
+    let mut tier = Tier {
+        name: name.trim().to_lowercase(),
+        at,
+        intervals: Vec::new(),
+        points: Vec::new(),
+        is_points,
+    };
+    for _ in 0..tokens.size("intervals")? {
+        let (at, start) = tokens.number("a begin")?;
+        draft.count(at)?;
+        if is_points {
+            let label = tokens.text("a mark")?.1;
+            tier.points.push(Point {
+                secs: start,
+                label,
+                at,
+            });
+        } else {
+            let end = tokens.number("an end")?.1;
+            let label = tokens.text("a label")?.1.trim().to_owned();
+            tier.intervals.push(Raw {
+                start,
+                end,
+                label,
+                at,
+            });
+        }
+    }
+    Ok(tier)
+}
+
+/// Whether a tier goes by one of the names; aligners put the speaker before it (`anna - words`).
+fn named(tier: &Tier, names: &[&str]) -> bool {
+    let last = tier.name.rsplit(" - ").next().unwrap_or_default().trim();
+    names.contains(&last)
+}
+
+/// Takes of each kind the first tier of its name.
+fn choose(mut tiers: Vec<Tier>, draft: &mut Draft, at: usize) -> Result<(), Bad> {
+    let mut found = [false; 5];
+    for tier in &mut tiers {
+        let kinds: [&[&str]; 5] = [&PHONES, &WORDS, &SYLLABLES, &TONES, &BREAKS];
+        let Some(kind) = kinds.iter().position(|names| named(tier, names)) else {
+            continue;
+        };
+        if found[kind] || tier.is_points != (kind > 2) {
+            continue;
+        }
+        found[kind] = true;
+        let intervals = std::mem::take(&mut tier.intervals);
+        let points = std::mem::take(&mut tier.points);
+        match kind {
+            0 => draft.segments = intervals,
+            1 => draft.words = intervals,
+            2 => {
+                let spoken = intervals.iter().filter(|i| !is_silence(&i.label));
+                draft.syllables = spoken.map(|i| (i.start, i.end, stress(&i.label))).collect();
+            }
+            3 => {
+                for point in points {
+                    if point.label.contains('*') {
+                        draft.accents.push(point);
+                    } else {
+                        draft.tones.push((point, None));
+                    }
+                }
+            }
+            _ => {
+                for mut point in points {
+                    let index = point.label.trim().chars().next();
+                    let index = index.and_then(|c| c.to_digit(7));
+                    if let Some(index) = index.and_then(|i| u8::try_from(i).ok()) {
+                        point.label.clear();
+                        draft.tones.push((point, Some(index)));
+                    }
+                }
+            }
+        }
+    }
+    if found[0] || found[1] {
+        return Ok(());
+    }
+    // A grid of a single tier needs no name: its labels tell.
+    let mut whole = tiers.iter_mut().filter(|t| !t.is_points);
+    match (whole.next(), whole.next()) {
+        (Some(only), None) => {
+            draft.segments = std::mem::take(&mut only.intervals);
+            draft.kind = Kind::Unsure;
+            Ok(())
+        }
+        (first, _) => {
+            let at = first.map_or(at, |t| t.at);
+            let names: Vec<String> = tiers.iter().take(10).map(|t| clip(&t.name)).collect();
+            let message = format!("no tier of phones or words among {names:?}");
+            Err(Bad::new(at, message))
+        }
+    }
+}
+
+/// Stress as syllable tiers mark it.
+fn stress(label: &str) -> u8 {
+    match label.trim().chars().next() {
+        Some('\'' | 'ˈ' | '"' | '1') => 1,
+        Some(',' | 'ˌ' | '%' | '2') => 2,
+        _ => 0,
+    }
+}

@@ -1,0 +1,199 @@
+//! WebVTT (W3C, "WebVTT: The Web Video Text Tracks Format") whose cues are single words, or
+//! have times within, as karaoke and automatic captions do.
+//!
+//! Words between two times share the span by their number of letters; so do words of a cue
+//! without times, with a warning. Automatic captions that roll repeat the line before: in a
+//! file with inner times, a line that has none and repeats the last is left out.
+
+use super::Units;
+use super::draft::{Draft, Kind};
+use super::text::{Bad, clip, lines};
+
+pub(super) fn read(text: &str, draft: &mut Draft) -> Result<(), Bad> {
+    draft.kind = Kind::Units(Units::None);
+    let mut lines = lines(text);
+    let signed = lines.next().is_some_and(|(_, line)| {
+        let rest = line.strip_prefix("WEBVTT");
+        rest.is_some_and(|rest| rest.is_empty() || rest.starts_with([' ', '\t']))
+    });
+    if !signed {
+        return Err(Bad::new(0, "no \"WEBVTT\" at the begin"));
+    }
+    let rolls = text
+        .match_indices('<')
+        .any(|(i, _)| inner_time(&text[i..]).is_some());
+    let mut cue: Option<Cue> = None;
+    let mut last_line = String::new();
+    for (at, line) in lines {
+        if line.is_empty() {
+            finish(cue.take(), draft)?;
+            continue;
+        }
+        if let Some(arrow) = line.find("-->") {
+            finish(cue.take(), draft)?;
+            cue = Some(Cue::begin(at, line, arrow)?);
+            continue;
+        }
+        let Some(cue) = &mut cue else {
+            // Names of cues, comments, styles and the rest of the header.
+            continue;
+        };
+        let has_time = line
+            .match_indices('<')
+            .any(|(i, _)| inner_time(&line[i..]).is_some());
+        let plain = plain(line);
+        if rolls && !has_time && plain == last_line {
+            continue;
+        }
+        cue.add(at, line)?;
+        if !plain.is_empty() {
+            last_line = plain;
+        }
+    }
+    finish(cue, draft)
+}
+
+/// A stretch of text and when it begins; it ends where the next does.
+struct Piece {
+    start: f64,
+    text: String,
+    at: usize,
+}
+
+struct Cue {
+    at: usize,
+    end: f64,
+    pieces: Vec<Piece>,
+}
+
+impl Cue {
+    fn begin(at: usize, line: &str, arrow: usize) -> Result<Self, Bad> {
+        let read = |offset: usize, written: &str| {
+            let bad = || Bad::new(at + offset, format!("{:?} is no time", clip(written)));
+            time(written).ok_or_else(bad)
+        };
+        let start = read(0, line[..arrow].trim())?;
+        let after = &line[arrow + 3..];
+        let blank = after.len() - after.trim_start().len();
+        let written = after.split_whitespace().next().unwrap_or_default();
+        let end = read(arrow + 3 + blank, written)?;
+        let mut cue = Self {
+            at,
+            end,
+            pieces: Vec::new(),
+        };
+        cue.piece(start, at);
+        Ok(cue)
+    }
+
+    fn piece(&mut self, start: f64, at: usize) {
+        let text = String::new();
+        self.pieces.push(Piece { start, text, at });
+    }
+
+    fn push(&mut self, text: &str) {
+        if let Some(piece) = self.pieces.last_mut() {
+            piece.text.push_str(text);
+        }
+    }
+
+    /// A line of the cue's text. Tags part no word; the line's end does.
+    fn add(&mut self, at: usize, line: &str) -> Result<(), Bad> {
+        let mut rest = line;
+        while let Some(tag) = rest.find('<') {
+            let here = at + line.len() - rest.len() + tag;
+            self.push(&rest[..tag]);
+            rest = &rest[tag..];
+            let Some(end) = rest.find('>') else {
+                return Err(Bad::new(here, "a tag that does not end"));
+            };
+            if let Some(start) = inner_time(rest) {
+                self.piece(start, here);
+            }
+            rest = &rest[end + 1..];
+        }
+        self.push(rest);
+        self.push(" ");
+        Ok(())
+    }
+}
+
+fn finish(cue: Option<Cue>, draft: &mut Draft) -> Result<(), Bad> {
+    let Some(cue) = cue else {
+        return Ok(());
+    };
+    let alone = cue.pieces.len() == 1;
+    for (i, piece) in cue.pieces.iter().enumerate() {
+        let end = cue.pieces.get(i + 1).map_or(cue.end, |next| next.start);
+        let text = unescape(&piece.text);
+        let letters = |word: &str| word.chars().count() as f64;
+        let all: f64 = text.split_whitespace().map(letters).sum();
+        let (mut now, mut count) = (piece.start, 0);
+        for word in text.split_whitespace() {
+            let next = now + (end - piece.start) * letters(word) / all;
+            draft.word(now, next, word, piece.at)?;
+            (now, count) = (next, count + 1);
+        }
+        if alone && count > 1 {
+            draft.warn(
+                cue.at,
+                format!("{count} words without times; shared out by letters"),
+            );
+        }
+    }
+    Ok(())
+}
+
+/// A time between angle brackets at the begin of a text.
+fn inner_time(text: &str) -> Option<f64> {
+    // The longest time in sense is 99:59:59.999.
+    let end = text.bytes().take(20).position(|b| b == b'>')?;
+    time(text.get(1..end)?)
+}
+
+/// `[hours:]minutes:seconds.milliseconds`.
+fn time(written: &str) -> Option<f64> {
+    let digits = |part: &str, least: usize| {
+        let fine =
+            part.len() >= least && part.len() <= 6 && part.bytes().all(|b| b.is_ascii_digit());
+        fine.then(|| part.parse::<f64>().ok()).flatten()
+    };
+    let (whole, thousandths) = written.split_once('.')?;
+    let mut parts = whole.rsplit(':');
+    let secs = digits(parts.next()?, 2)?;
+    let minutes = digits(parts.next()?, 2)?;
+    let hours = parts.next().map_or(Some(0.0), |h| digits(h, 1))?;
+    let millis = digits(thousandths, 3).filter(|_| thousandths.len() == 3)?;
+    let fine = secs < 60.0 && minutes < 60.0 && parts.next().is_none();
+    fine.then_some(hours * 3600.0 + minutes * 60.0 + secs + millis / 1000.0)
+}
+
+/// A line without its tags.
+fn plain(line: &str) -> String {
+    let (mut plain, mut in_tag) = (String::new(), false);
+    for c in line.chars() {
+        match c {
+            '<' => in_tag = true,
+            '>' => in_tag = false,
+            _ if !in_tag => plain.push(c),
+            _ => {}
+        }
+    }
+    plain.trim().to_owned()
+}
+
+/// Text with the escapes of WebVTT resolved.
+fn unescape(text: &str) -> String {
+    const ESCAPES: [(&str, &str); 5] = [
+        ("&lt;", "<"),
+        ("&gt;", ">"),
+        ("&nbsp;", " "),
+        ("&lrm;", ""),
+        ("&rlm;", ""),
+    ];
+    let mut text = text.to_owned();
+    for (escape, meant) in ESCAPES {
+        text = text.replace(escape, meant);
+    }
+    text.replace("&amp;", "&")
+}

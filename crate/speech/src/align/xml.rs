@@ -1,0 +1,141 @@
+//! XML as a stream of pieces that know their place. Namespaces are not looked at: files of
+//! one dialect come with and without them.
+
+use std::borrow::Cow;
+
+use quick_xml::escape::resolve_predefined_entity;
+use quick_xml::events::{BytesStart, Event};
+use quick_xml::{Reader, XmlVersion};
+
+use super::text::{Bad, number};
+
+/// Deeper nesting is refused.
+const MOST_DEPTH: usize = 256;
+
+/// A start tag.
+pub(super) struct Element<'a> {
+    tag: BytesStart<'a>,
+    /// Byte of its `<`.
+    pub(super) at: usize,
+}
+
+impl Element<'_> {
+    /// Name without prefix.
+    pub(super) fn name(&self) -> &str {
+        self.tag.local_name().into_inner()
+    }
+
+    /// Value of an attribute, by its name without prefix.
+    pub(super) fn attribute(&self, name: &str) -> Result<Option<String>, Bad> {
+        // The check for doubles takes the square of their number.
+        for attribute in self.tag.attributes().with_checks(false) {
+            let attribute = attribute.map_err(|e| Bad::new(self.at, e.to_string()))?;
+            if attribute.key.local_name().into_inner() == name {
+                let value = attribute.normalized_value(XmlVersion::Implicit1_0);
+                let value = value.map_err(|e| Bad::new(self.at, e.to_string()))?;
+                return Ok(Some(value.into_owned()));
+            }
+        }
+        Ok(None)
+    }
+
+    /// An attribute that is a number, where it is there and not empty.
+    pub(super) fn number(&self, name: &str) -> Result<Option<f64>, Bad> {
+        match self.attribute(name)? {
+            Some(value) if !value.trim().is_empty() => number(self.at, &value).map(Some),
+            _ => Ok(None),
+        }
+    }
+}
+
+/// What comes next.
+pub(super) enum Piece<'a> {
+    Start(Element<'a>),
+    End(String),
+    Text(Cow<'a, str>),
+}
+
+/// The stream.
+pub(super) struct Xml<'a> {
+    reader: Reader<&'a [u8]>,
+    depth: usize,
+    /// The end of an empty element that has begun.
+    ending: Option<String>,
+    begun: bool,
+}
+
+impl<'a> Xml<'a> {
+    pub(super) fn new(text: &'a str) -> Self {
+        Self {
+            reader: Reader::from_str(text),
+            depth: 0,
+            ending: None,
+            begun: false,
+        }
+    }
+
+    fn at(&self) -> usize {
+        usize::try_from(self.reader.buffer_position()).unwrap_or(usize::MAX)
+    }
+
+    /// The next piece; `None` at the end of a whole document.
+    pub(super) fn next(&mut self) -> Result<Option<Piece<'a>>, Bad> {
+        if let Some(name) = self.ending.take() {
+            self.depth -= 1;
+            return Ok(Some(Piece::End(name)));
+        }
+        loop {
+            let at = self.at();
+            let event = self.reader.read_event().map_err(|e| {
+                let at = usize::try_from(self.reader.error_position()).unwrap_or(at);
+                Bad::new(at, e.to_string())
+            })?;
+            let piece = match event {
+                Event::Start(tag) => {
+                    self.open(at)?;
+                    Piece::Start(Element { tag, at })
+                }
+                Event::Empty(tag) => {
+                    self.open(at)?;
+                    self.ending = Some(tag.local_name().into_inner().to_owned());
+                    Piece::Start(Element { tag, at })
+                }
+                Event::End(tag) => {
+                    self.depth = self.depth.saturating_sub(1);
+                    Piece::End(tag.local_name().into_inner().to_owned())
+                }
+                Event::Text(text) => Piece::Text(text.into_inner()),
+                Event::CData(text) => Piece::Text(text.into_inner()),
+                Event::GeneralRef(name) => {
+                    let c = name.resolve_char_ref();
+                    match c.map_err(|e| Bad::new(at, e.to_string()))? {
+                        Some(c) => Piece::Text(Cow::Owned(c.to_string())),
+                        None => match resolve_predefined_entity(&name) {
+                            Some(text) => Piece::Text(Cow::Borrowed(text)),
+                            None => return Err(Bad::new(at, "an entity that is not defined")),
+                        },
+                    }
+                }
+                Event::Eof if self.depth > 0 => {
+                    return Err(Bad::new(at, "the file ends inside an element"));
+                }
+                Event::Eof if !self.begun => return Err(Bad::new(at, "no element")),
+                Event::Eof => return Ok(None),
+                Event::Decl(_) | Event::PI(_) | Event::DocType(_) | Event::Comment(_) => continue,
+            };
+            return Ok(Some(piece));
+        }
+    }
+
+    fn open(&mut self, at: usize) -> Result<(), Bad> {
+        self.begun = true;
+        self.depth += 1;
+        if self.depth > MOST_DEPTH {
+            return Err(Bad::new(
+                at,
+                format!("more than {MOST_DEPTH} elements deep"),
+            ));
+        }
+        Ok(())
+    }
+}
