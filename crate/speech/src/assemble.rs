@@ -255,7 +255,8 @@ impl Tape<'_> {
             }
             self.sounds.pop_front();
             if sound.background {
-                self.backgrounds.push((self.samples.len(), sound, recording));
+                self.backgrounds
+                    .push((self.samples.len(), sound, recording));
             } else {
                 let loud = recording.samples.iter().map(|s| s * sound.level);
                 self.samples.extend(loud);
@@ -309,10 +310,12 @@ impl Tape<'_> {
         }
         // One pole both ways: soft before a word begins, loud after it has ended.
         let keep = raconteur_base::ops::exp(-3.0 / (DUCK_SECS * self.rate_hz));
-        let mut smooth = |level: &mut dyn Iterator<Item = &mut f64>| {
+        let smooth = |level: &mut dyn Iterator<Item = &mut f64>| {
             let mut now = None;
             for value in level {
-                let next = now.map_or(*value, |now: f64| (now * keep + *value * (1.0 - keep)).min(now.max(*value)));
+                let next = now.map_or(*value, |now: f64| {
+                    (now * keep + *value * (1.0 - keep)).min(now.max(*value))
+                });
                 *value = next;
                 now = Some(next);
             }
@@ -424,7 +427,9 @@ fn emotions(utterance: &mut Utterance, felt: &[Felt]) {
         else {
             continue;
         };
-        let apex = words.get(one.apex_word).map_or(last.end_secs, |w| w.start_secs);
+        let apex = words
+            .get(one.apex_word)
+            .map_or(last.end_secs, |w| w.start_secs);
         utterance.emotions.push(Emotion {
             name: one.name.clone(),
             start_secs: first.start_secs,

@@ -285,7 +285,7 @@ mod tests {
                 activation,
                 ..Place::default()
             };
-            moved_pauses(&plan.sentences, &[spoken.clone()], &|_| place).remove(0)
+            moved_pauses(&plan.sentences, core::slice::from_ref(&spoken), &|_| place).remove(0)
         };
         assert!(count(0.0).is_empty());
         assert_eq!(count(70.0).len(), 1);

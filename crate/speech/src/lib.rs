@@ -10,6 +10,8 @@ pub mod align;
 pub mod assemble;
 pub mod bundle;
 #[cfg(feature = "bake")]
+pub mod compare;
+#[cfg(feature = "bake")]
 pub mod content;
 #[cfg(feature = "bake")]
 pub mod emotion;

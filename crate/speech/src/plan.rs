@@ -178,7 +178,9 @@ impl Planner<'_> {
             // Signs on their own belong to the word before; a dash parts it from the next.
             Item::Punctuation(signs) => match self.waiting.last_mut() {
                 Some(last) => {
-                    let dash = signs.chars().any(|c| matches!(c, '-' | '\u{2013}' | '\u{2014}'));
+                    let dash = signs
+                        .chars()
+                        .any(|c| matches!(c, '-' | '\u{2013}' | '\u{2014}'));
                     last.text.push_str(if dash { "," } else { signs });
                 }
                 None => self.punctuate(signs),
@@ -304,7 +306,8 @@ impl Planner<'_> {
             Some(name) => language::tag(name).unwrap_or_else(|| self.language.to_owned()),
             None => self.language.to_owned(),
         };
-        let read = |words: &[&str]| speakable(words, &language, style.say_as.as_ref(), self.lexicon);
+        let read =
+            |words: &[&str]| speakable(words, &language, style.say_as.as_ref(), self.lexicon);
         let written: Vec<&str> = waiting.iter().map(|w| w.text.as_str()).collect();
         let replaced = first.together.is_some() && (style.instead.is_some() || style.ipa.is_some());
         let mut tokens = match &style.instead {

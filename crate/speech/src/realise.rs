@@ -42,11 +42,7 @@ pub fn emphasis(level: f64) -> (f64, f64, f64) {
     let (low, high) = (EMPHASIS[above - 1], EMPHASIS[above]);
     let share = (level - low.0) / (high.0 - low.0);
     let mix = |a: f64, b: f64| a + (b - a) * share;
-    (
-        mix(low.1, high.1),
-        mix(low.2, high.2),
-        mix(low.3, high.3),
-    )
+    (mix(low.1, high.1), mix(low.2, high.2), mix(low.3, high.3))
 }
 
 /// What the voice does by itself in an utterance: what absolute values are measured against.
@@ -71,9 +67,12 @@ impl Own {
             hz.extend(track.hz.iter().copied().filter(|hz| *hz > 0.0));
             let tokens = spoken.segments.iter().filter_map(|s| s.token);
             words += tokens.max().map_or(0, |last| last + 1);
-            let voiced = |silent: bool| spoken.segments.iter().position(|s| s.is_silent() == silent);
+            let voiced =
+                |silent: bool| spoken.segments.iter().position(|s| s.is_silent() == silent);
             let first = voiced(false).unwrap_or(0);
-            let start = first.checked_sub(1).map_or(0.0, |i| spoken.segments[i].end_secs);
+            let start = first
+                .checked_sub(1)
+                .map_or(0.0, |i| spoken.segments[i].end_secs);
             let end = spoken.segments.iter().rfind(|s| !s.is_silent());
             secs += end.map_or(0.0, |s| s.end_secs - start);
         }
@@ -136,7 +135,9 @@ impl Delivery {
             semitones: semitones(moved * prosody.pitch) + higher,
             range: style.pitch_range.factor_on(own.range_hz) * prosody.range,
             lower,
-            gain: style.volume * prosody.volume * ops::exp(louder * core::f64::consts::LN_10 / 20.0),
+            gain: style.volume
+                * prosody.volume
+                * ops::exp(louder * core::f64::consts::LN_10 / 20.0),
             prosody,
             power: place.power,
         }
@@ -191,7 +192,12 @@ fn glide(values: &mut Vec<f64>) {
 /// A sentence spoken as its styles and emotions ask. `track` is the pitch of its sound,
 /// `styles` holds for each token its style and the emotion's place.
 #[must_use]
-pub fn realise(spoken: &Spoken, track: &PitchTrack, styles: &[(&Style, Place)], own: &Own) -> Spoken {
+pub fn realise(
+    spoken: &Spoken,
+    track: &PitchTrack,
+    styles: &[(&Style, Place)],
+    own: &Own,
+) -> Spoken {
     let deliveries: Vec<Delivery> = styles
         .iter()
         .map(|(style, place)| Delivery::of(style, *place, own))
@@ -214,8 +220,8 @@ pub fn realise(spoken: &Spoken, track: &PitchTrack, styles: &[(&Style, Place)], 
                 if after < 0.0 {
                     after *= Grid::between(&grid.lower, secs);
                 }
-                after = after * Grid::between(&grid.range, secs)
-                    + Grid::between(&grid.semitones, secs);
+                after =
+                    after * Grid::between(&grid.range, secs) + Grid::between(&grid.semitones, secs);
                 if (after - before).abs() < 1e-9 {
                     hz
                 } else {
@@ -361,7 +367,13 @@ fn phrases(grid: &mut Grid, spoken: &Spoken, deliveries: &[Delivery]) {
 }
 
 /// What changes at pitch accents: their height, steepness and shape.
-fn accents(grid: &mut Grid, spoken: &Spoken, track: &PitchTrack, deliveries: &[Delivery], own: &Own) {
+fn accents(
+    grid: &mut Grid,
+    spoken: &Spoken,
+    track: &PitchTrack,
+    deliveries: &[Delivery],
+    own: &Own,
+) {
     let mut rising = true;
     for syllable in spoken.syllables.iter().filter(|s| !s.accent.is_empty()) {
         let (start, end) = span(spoken, syllable.first, syllable.count);
@@ -377,7 +389,11 @@ fn accents(grid: &mut Grid, spoken: &Spoken, track: &PitchTrack, deliveries: &[D
             Some(AccentShape::Falling) => -SHAPE_SEMITONES,
             Some(AccentShape::Alternating) => {
                 rising = !rising;
-                if rising { -SHAPE_SEMITONES } else { SHAPE_SEMITONES }
+                if rising {
+                    -SHAPE_SEMITONES
+                } else {
+                    SHAPE_SEMITONES
+                }
             }
         };
         let around = track.hz_near((start + end) / 2.0, 0.05);

@@ -156,7 +156,7 @@ impl Style {
                     inner.language.clone_from(origin);
                 }
             }
-            Markup::SayAs(kind) => inner.say_as = Some(kind.clone()),
+            Markup::SayAs(kind) => inner.say_as = Some(*kind),
             Markup::Language(language) => inner.language = Some(language.clone()),
             Markup::Speaker(speaker) => {
                 // A named voice is who it is; without a name it is more of what was.

@@ -18,6 +18,7 @@ pub mod intensity;
 pub mod lag;
 pub mod loudness;
 pub mod psola;
+mod resample;
 mod rigid;
 pub mod spectrogram;
 #[cfg(test)]
@@ -25,7 +26,9 @@ mod testing;
 mod time_map;
 
 pub use f0::{PitchOptions, PitchTrack};
+pub use intensity::rms;
 pub use psola::{Change, Changed, change};
+pub use resample::resample;
 pub use time_map::TimeMap;
 
 /// The lowest sampling rate that is worked on, in hertz.
