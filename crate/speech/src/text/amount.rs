@@ -31,6 +31,11 @@ impl Reader<'_> {
         let language = self.language;
         let next = self.next(at);
         if let Some((currency, text)) = money::parted(&word.core) {
+            if let Some((amount, magnitude)) = money::suffixed(&text, language) {
+                let amount = Number::parse(amount, language)?.spoken(language, Form::Alone);
+                let unit = currency.name(false, language);
+                return Some(Reading::one(format!("{amount} {magnitude} {unit}")));
+            }
             let number = Number::parse(&text, language)?;
             // "$3.5 million": the unit comes after the magnitude.
             if let Some(magnitude) = money::magnitude(next, &number, language) {
@@ -178,7 +183,12 @@ impl Reader<'_> {
         let national = self.language == Language::Portuguese
             && widths == [3, 3, 3]
             && starts.starts_with(['2', '3', '8', '9']);
-        code && last > first || national
+        // "Tel. 21 345 67 89"
+        let told = matches!(
+            self.previous(first).to_lowercase().as_str(),
+            "tel" | "telefon" | "telefone" | "telemóvel" | "telephone" | "phone" | "fax"
+        ) && widths.iter().sum::<usize>() > 5;
+        code && last > first || national || told
     }
 
     /// A telephone number, or one written group of it.
@@ -192,7 +202,9 @@ impl Reader<'_> {
         let grouped = self.language == Language::English
             && core.split('-').all(all_digits)
             && matches!(widths.as_slice(), [3, 4] | [3, 3, 4] | [1, 3, 3, 4]);
-        let whole = others && (core.starts_with('+') && digits >= 7 || grouped);
+        // An area code: 030/123456.
+        let area = core.starts_with('0') && digits >= 7 && core.matches(['/', '-']).count() == 1;
+        let whole = others && (core.starts_with('+') && digits >= 7 || grouped || area);
         let bracketed = self.language == Language::English
             && word.opens
             && word.closes

@@ -193,6 +193,17 @@ const UNITS: &[Unit] = &[
             ["metro por segundo", "metros por segundo"],
         ],
     ),
+    unit(
+        "m/s\u{b2}",
+        [
+            ["metre per second squared", "metres per second squared"],
+            ["Meter pro Sekunde zum Quadrat"; 2],
+            [
+                "metro por segundo ao quadrado",
+                "metros por segundo ao quadrado",
+            ],
+        ],
+    ),
     gendered(
         "mph",
         [true, true],

@@ -39,6 +39,11 @@ impl Reader<'_> {
             Language::Portuguese => {
                 let grammar = self.language.grammar();
                 let ending = match rest {
+                    ".os" | "os" | ".as" | "as" => {
+                        let ending = if rest.ends_with("os") { "o" } else { "a" };
+                        let words = grammar.ordinal(n, ending).replace(' ', "s ");
+                        return Some(Reading::one(words + "s"));
+                    }
                     "º" | ".º" | "o" | ".o" => "o",
                     "ª" | ".ª" | "a" | ".a" => "a",
                     _ => return None,
@@ -54,13 +59,22 @@ impl Reader<'_> {
         if rest.eq_ignore_ascii_case(english_suffix(n)) {
             return Some(Reading::one(ordinal));
         }
-        if matches!(rest, "s" | "'s" | "\u{2019}s") && n.is_multiple_of(10) && n > 10 {
-            let year = if n < 1000 {
+        if matches!(rest, "s" | "'s" | "\u{2019}s") {
+            let decade = n.is_multiple_of(10) && (20..100).contains(&n)
+                || n.is_multiple_of(10) && (1100..2100).contains(&n);
+            let count = if n < 1000 {
                 grammar.cardinal(n, Form::Alone)
             } else {
                 grammar.year(n)
             };
-            return Some(Reading::one(english::plural(&year)));
+            return match n {
+                _ if decade => Some(Reading::one(english::plural(&count))),
+                100 | 1000 => Some(Reading::one(english::plural(
+                    count.trim_start_matches("one "),
+                ))),
+                _ if rest == "s" => None,
+                _ => Some(Reading::one(count + "'s")),
+            };
         }
         let day = rest.is_empty() && (1..=31).contains(&n);
         let abbreviated = |word: &str| {
@@ -73,7 +87,10 @@ impl Reader<'_> {
         {
             return Some(Reading::one(ordinal));
         }
-        if day && date::is_month(self.next(at), self.language) {
+        if day
+            && (date::is_month(self.next(at), self.language)
+                || abbreviated(self.next_after_stop(at)))
+        {
             let article = if self.previous(at).eq_ignore_ascii_case("the") {
                 ""
             } else {
@@ -175,11 +192,19 @@ impl Reader<'_> {
         let shaped = number.whole.len() == 4 && !number.grouped;
         let Some(n) = number
             .natural()
-            .filter(|n| shaped && (1100..2100).contains(n))
+            .filter(|n| shaped && (1000..2100).contains(n))
         else {
             return false;
         };
         let next = self.next(at);
+        // Few years of the eleventh century are met without saying so.
+        let led = matches!(
+            self.previous(at).to_lowercase().as_str(),
+            "year" | "in" | "since" | "until" | "before" | "after" | "of" | "by"
+        );
+        if n < 1100 && !led {
+            return false;
+        }
         match self.language {
             // "1998 people" is a count; so is a number before a plural.
             Language::English => {

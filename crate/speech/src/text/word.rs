@@ -72,6 +72,18 @@ pub(super) fn is_joiner(c: char) -> bool {
     matches!(c, '\'' | '\u{2019}' | '-' | '\u{2010}' | '\u{2011}')
 }
 
+/// Makes an ellipsis before a small letter a comma: it ends no sentence.
+pub(super) fn soften_ellipses(words: &mut [Word<'_>]) {
+    for at in 1..words.len() {
+        let goes_on = words[at].core.starts_with(char::is_lowercase);
+        let word = &mut words[at - 1];
+        let ellipsis = word.raw.contains('\u{2026}') || word.raw.contains("...");
+        if goes_on && ellipsis && word.end == "." {
+            word.end = ",".to_owned();
+        }
+    }
+}
+
 /// Signs that mean something at a word's edge.
 fn means(c: char) -> bool {
     is_letter(c) || c.is_alphanumeric() || "+−$€£¥₹¢@#§°%‰=<>^×÷±√∞≠≤≥≈&/~".contains(c)
