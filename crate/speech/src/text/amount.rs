@@ -107,7 +107,7 @@ impl Reader<'_> {
                 .half_after(at)
                 .filter(|_| hour <= 12 && self.language == Language::English)?;
             let said = if half == time::Half::Morning {
-                "ay em"
+                "eigh em"
             } else {
                 "pee em"
             };
@@ -332,6 +332,19 @@ impl Reader<'_> {
     /// "10-20" as from one to the other, years as years.
     fn range_of(&self, text: &str) -> Option<String> {
         let grammar = self.language.grammar();
+        if let Some((from, to)) = text.split_once('/') {
+            // "1848/49": a winter, a season, a school year.
+            let years = from.len() == 4 && to.len() == 2 && all_digits(from) && all_digits(to);
+            let (from, to) = (from.parse().ok()?, to.parse().ok()?);
+            let follows = (1100..2100).contains(&from) && (from + 1) % 100 == to;
+            return (years && follows).then(|| {
+                format!(
+                    "{} {}",
+                    grammar.year(from),
+                    grammar.cardinal(to, Form::Alone)
+                )
+            });
+        }
         let (from, to) = text.split_once(['-', '\u{2013}', '\u{2212}'])?;
         if !all_digits(from) || !all_digits(to) {
             let (from, to) = (
@@ -402,24 +415,21 @@ impl Reader<'_> {
     }
 
     /// How many of the next words continue a number grouped by spaces: "20 000". English
-    /// groups by commas.
+    /// groups by commas; only zeros are clear there.
     fn groups_after(&self, at: usize, word: &Word<'_>) -> usize {
         let head = word
             .core
             .strip_prefix(number::is_minus)
             .unwrap_or(&word.core);
-        if self.language == Language::English
-            || !all_digits(head)
-            || head.len() > 3
-            || head.starts_with('0')
-        {
+        if !all_digits(head) || head.len() > 3 || head.starts_with('0') {
             return 0;
         }
         // Five groups of three reach 10^18, beyond which no number has a name.
         (0..5)
             .take_while(|group| {
                 let next = self.next(at + group);
-                next.len() == 3 && all_digits(next)
+                let spaced = self.language != Language::English || next == "000";
+                spaced && next.len() == 3 && all_digits(next)
             })
             .count()
     }

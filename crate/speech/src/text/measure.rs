@@ -45,6 +45,12 @@ const UNITS: &[Unit] = &[
         "\u{2030}",
         [["per mille"; 2], ["Promille"; 2], ["por mil"; 2]],
     ),
+    Unit {
+        sign: "x",
+        names: [["time", "times"], ["mal"; 2], ["vez", "vezes"]],
+        feminine: [false, true],
+        apart: false,
+    },
     unit(
         "km",
         [

@@ -193,6 +193,10 @@ fn punctuate(
     if !dot {
         end = end.strip_prefix('.').unwrap_or(end);
     }
+    // "it...", and then a comma: the comma tells more.
+    if end.len() > 1 {
+        end = end.strip_prefix('.').unwrap_or(end);
+    }
     if end.is_empty() && word.closes {
         end = ",";
     }

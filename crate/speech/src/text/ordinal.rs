@@ -33,6 +33,19 @@ impl Reader<'_> {
     /// A number written as an ordinal, a day beside a month, or a decade.
     pub(super) fn ordinal(&self, at: usize, word: &Word<'_>) -> Option<Reading> {
         let (n, rest) = digits_and_rest(&word.core)?;
+        // "19th-century", "1980er-Jahre": the ordinal alone, then the rest.
+        if let Some((head, tail)) = word.core.split_once('-')
+            && !rest.starts_with('-')
+            && tail.starts_with(char::is_alphabetic)
+        {
+            let head = Word::parse(head);
+            let Reading { spoken, .. } = self.ordinal(at, &head)?;
+            return Some(Reading::one(format!(
+                "{} {}",
+                spoken.concat(),
+                self.runs(tail, false)
+            )));
+        }
         match self.language {
             Language::English => self.english_ordinal(at, n, rest),
             Language::German => self.german_ordinal(at, word, n, rest),
@@ -111,23 +124,26 @@ impl Reader<'_> {
         {
             return Some(Reading::one(grammar.ordinal(n, ending)));
         }
-        if matches!(rest, "er" | "ern") {
-            let year = grammar.year(n);
-            let plural =
-                if year.ends_with("ig") || year.ends_with("zehn") || year.ends_with("hundert") {
-                    rest
-                } else {
-                    return None;
-                };
-            return Some(Reading::one(year + plural));
+        if matches!(rest, "er" | "ern") && n % 100 != 1 {
+            return Some(Reading::one(grammar.year(n) + rest));
         }
         if !rest.is_empty() || word.end != "." {
             return None;
         }
         // "Ich habe 3." ends a sentence; "am 3. Oktober" and "der 3. Mann" do not.
         let next = self.next_after_stop(at);
-        let previous = self.previous(at);
-        let before = at.checked_sub(1).map_or("", |at| self.previous(at));
+        // "am 1. und 2. Mai": the article of the first is the second's too.
+        let mut anchor = at;
+        while anchor > 2
+            && matches!(self.previous(anchor), "und" | "oder" | "bis")
+            && self
+                .previous(anchor - 1)
+                .starts_with(|c: char| c.is_ascii_digit())
+        {
+            anchor -= 2;
+        }
+        let previous = self.previous(anchor);
+        let before = anchor.checked_sub(1).map_or("", |at| self.previous(at));
         let noun = next.chars().next().is_some_and(char::is_uppercase);
         let article = [
             "der", "die", "das", "den", "dem", "des", "am", "vom", "zum", "zur", "im", "beim",

@@ -135,6 +135,12 @@ impl<'a> Word<'a> {
                 end.push(sign);
             }
         }
+        // "5,- €" has no hundredths.
+        let round = tail.starts_with(",-") || tail.starts_with(",\u{2013}");
+        if round && core.ends_with(|c: char| c.is_ascii_digit()) {
+            end.clear();
+            closes = false;
+        }
         let core = core.to_owned();
         Self {
             core,
