@@ -31,6 +31,11 @@ impl Reader<'_> {
         let language = self.language;
         let next = self.next(at);
         if let Some((currency, text)) = money::parted(&word.core) {
+            if let Some((amount, magnitude)) = money::suffixed(&text, language) {
+                let amount = Number::parse(amount, language)?.spoken(language, Form::Alone);
+                let unit = currency.name(false, language);
+                return Some(Reading::one(format!("{amount} {magnitude} {unit}")));
+            }
             let number = Number::parse(&text, language)?;
             // "$3.5 million": the unit comes after the magnitude.
             if let Some(magnitude) = money::magnitude(next, &number, language) {
@@ -102,7 +107,7 @@ impl Reader<'_> {
                 .half_after(at)
                 .filter(|_| hour <= 12 && self.language == Language::English)?;
             let said = if half == time::Half::Morning {
-                "ay em"
+                "eigh em"
             } else {
                 "pee em"
             };
@@ -178,7 +183,12 @@ impl Reader<'_> {
         let national = self.language == Language::Portuguese
             && widths == [3, 3, 3]
             && starts.starts_with(['2', '3', '8', '9']);
-        code && last > first || national
+        // "Tel. 21 345 67 89"
+        let told = matches!(
+            self.previous(first).to_lowercase().as_str(),
+            "tel" | "telefon" | "telefone" | "telemóvel" | "telephone" | "phone" | "fax"
+        ) && widths.iter().sum::<usize>() > 5;
+        code && last > first || national || told
     }
 
     /// A telephone number, or one written group of it.
@@ -192,7 +202,9 @@ impl Reader<'_> {
         let grouped = self.language == Language::English
             && core.split('-').all(all_digits)
             && matches!(widths.as_slice(), [3, 4] | [3, 3, 4] | [1, 3, 3, 4]);
-        let whole = others && (core.starts_with('+') && digits >= 7 || grouped);
+        // An area code: 030/123456.
+        let area = core.starts_with('0') && digits >= 7 && core.matches(['/', '-']).count() == 1;
+        let whole = others && (core.starts_with('+') && digits >= 7 || grouped || area);
         let bracketed = self.language == Language::English
             && word.opens
             && word.closes
@@ -320,6 +332,19 @@ impl Reader<'_> {
     /// "10-20" as from one to the other, years as years.
     fn range_of(&self, text: &str) -> Option<String> {
         let grammar = self.language.grammar();
+        if let Some((from, to)) = text.split_once('/') {
+            // "1848/49": a winter, a season, a school year.
+            let years = from.len() == 4 && to.len() == 2 && all_digits(from) && all_digits(to);
+            let (from, to) = (from.parse().ok()?, to.parse().ok()?);
+            let follows = (1100..2100).contains(&from) && (from + 1) % 100 == to;
+            return (years && follows).then(|| {
+                format!(
+                    "{} {}",
+                    grammar.year(from),
+                    grammar.cardinal(to, Form::Alone)
+                )
+            });
+        }
         let (from, to) = text.split_once(['-', '\u{2013}', '\u{2212}'])?;
         if !all_digits(from) || !all_digits(to) {
             let (from, to) = (
@@ -390,24 +415,21 @@ impl Reader<'_> {
     }
 
     /// How many of the next words continue a number grouped by spaces: "20 000". English
-    /// groups by commas.
+    /// groups by commas; only zeros are clear there.
     fn groups_after(&self, at: usize, word: &Word<'_>) -> usize {
         let head = word
             .core
             .strip_prefix(number::is_minus)
             .unwrap_or(&word.core);
-        if self.language == Language::English
-            || !all_digits(head)
-            || head.len() > 3
-            || head.starts_with('0')
-        {
+        if !all_digits(head) || head.len() > 3 || head.starts_with('0') {
             return 0;
         }
         // Five groups of three reach 10^18, beyond which no number has a name.
         (0..5)
             .take_while(|group| {
                 let next = self.next(at + group);
-                next.len() == 3 && all_digits(next)
+                let spaced = self.language != Language::English || next == "000";
+                spaced && next.len() == 3 && all_digits(next)
             })
             .count()
     }

@@ -206,7 +206,7 @@ impl Grammar for English {
             spoken += &format!(" and {} {noun}", below_hundred(second));
         }
         match clock.half {
-            Some(Half::Morning) => spoken + " ay em",
+            Some(Half::Morning) => spoken + " eigh em",
             Some(Half::Afternoon) => spoken + " pee em",
             None => spoken,
         }

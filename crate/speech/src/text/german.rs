@@ -123,7 +123,7 @@ fn down_to_hundreds(n: u64) -> String {
     if n >= 1000 {
         word = below_thousand(n / 1000) + "tausend";
     }
-    if n / 100 % 10 > 0 {
+    if !(n / 100).is_multiple_of(10) {
         word += &below_thousand(n % 1000 / 100 * 100);
     }
     word

@@ -45,6 +45,12 @@ const UNITS: &[Unit] = &[
         "\u{2030}",
         [["per mille"; 2], ["Promille"; 2], ["por mil"; 2]],
     ),
+    Unit {
+        sign: "x",
+        names: [["time", "times"], ["mal"; 2], ["vez", "vezes"]],
+        feminine: [false, true],
+        apart: false,
+    },
     unit(
         "km",
         [
@@ -191,6 +197,17 @@ const UNITS: &[Unit] = &[
             ["metre per second", "metres per second"],
             ["Meter pro Sekunde"; 2],
             ["metro por segundo", "metros por segundo"],
+        ],
+    ),
+    unit(
+        "m/s\u{b2}",
+        [
+            ["metre per second squared", "metres per second squared"],
+            ["Meter pro Sekunde zum Quadrat"; 2],
+            [
+                "metro por segundo ao quadrado",
+                "metros por segundo ao quadrado",
+            ],
         ],
     ),
     gendered(

@@ -123,6 +123,7 @@ pub fn speakable(
         // Their signs are read, and are no punctuation too.
         words.iter_mut().for_each(Word::forget_signs);
     }
+    word::soften_ellipses(&mut words);
     let known = Language::of(language);
     let reader = known.map(|known| Reader::new(&words, known, language, say_as));
     let mut spoken: Vec<Vec<Token>> = vec![Vec::new(); words.len()];
@@ -190,6 +191,10 @@ fn punctuate(
     }
     let mut end = word.end.as_str();
     if !dot {
+        end = end.strip_prefix('.').unwrap_or(end);
+    }
+    // "it...", and then a comma: the comma tells more.
+    if end.len() > 1 {
         end = end.strip_prefix('.').unwrap_or(end);
     }
     if end.is_empty() && word.closes {

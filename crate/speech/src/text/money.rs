@@ -137,6 +137,20 @@ pub(super) fn parted(text: &str) -> Option<(&'static Currency, String)> {
     })
 }
 
+/// Parts the letters that English sets after an amount from it: 1.5bn, 3m, 20k.
+pub(super) fn suffixed(text: &str, language: Language) -> Option<(&str, &'static str)> {
+    let end = text.rfind(|c: char| c.is_ascii_digit())? + 1;
+    let (amount, suffix) = text.split_at_checked(end)?;
+    let magnitude = match suffix {
+        "k" | "K" => "thousand",
+        "m" | "M" | "mn" => "million",
+        "b" | "bn" | "B" => "billion",
+        "tn" => "trillion",
+        _ => return None,
+    };
+    (language == Language::English).then_some((amount, magnitude))
+}
+
 /// How a magnitude is read after `number`.
 pub(super) fn magnitude(word: &str, number: &Number, language: Language) -> Option<&'static str> {
     let row = MAGNITUDES[language as usize]

@@ -33,12 +33,30 @@ impl Reader<'_> {
     /// A number written as an ordinal, a day beside a month, or a decade.
     pub(super) fn ordinal(&self, at: usize, word: &Word<'_>) -> Option<Reading> {
         let (n, rest) = digits_and_rest(&word.core)?;
+        // "19th-century", "1980er-Jahre": the ordinal alone, then the rest.
+        if let Some((head, tail)) = word.core.split_once('-')
+            && !rest.starts_with('-')
+            && tail.starts_with(char::is_alphabetic)
+        {
+            let head = Word::parse(head);
+            let Reading { spoken, .. } = self.ordinal(at, &head)?;
+            return Some(Reading::one(format!(
+                "{} {}",
+                spoken.concat(),
+                self.runs(tail, false)
+            )));
+        }
         match self.language {
             Language::English => self.english_ordinal(at, n, rest),
             Language::German => self.german_ordinal(at, word, n, rest),
             Language::Portuguese => {
                 let grammar = self.language.grammar();
                 let ending = match rest {
+                    ".os" | "os" | ".as" | "as" => {
+                        let ending = if rest.ends_with("os") { "o" } else { "a" };
+                        let words = grammar.ordinal(n, ending).replace(' ', "s ");
+                        return Some(Reading::one(words + "s"));
+                    }
                     "º" | ".º" | "o" | ".o" => "o",
                     "ª" | ".ª" | "a" | ".a" => "a",
                     _ => return None,
@@ -54,13 +72,22 @@ impl Reader<'_> {
         if rest.eq_ignore_ascii_case(english_suffix(n)) {
             return Some(Reading::one(ordinal));
         }
-        if matches!(rest, "s" | "'s" | "\u{2019}s") && n.is_multiple_of(10) && n > 10 {
-            let year = if n < 1000 {
+        if matches!(rest, "s" | "'s" | "\u{2019}s") {
+            let decade = n.is_multiple_of(10) && (20..100).contains(&n)
+                || n.is_multiple_of(10) && (1100..2100).contains(&n);
+            let count = if n < 1000 {
                 grammar.cardinal(n, Form::Alone)
             } else {
                 grammar.year(n)
             };
-            return Some(Reading::one(english::plural(&year)));
+            return match n {
+                _ if decade => Some(Reading::one(english::plural(&count))),
+                100 | 1000 => Some(Reading::one(english::plural(
+                    count.trim_start_matches("one "),
+                ))),
+                _ if rest == "s" => None,
+                _ => Some(Reading::one(count + "'s")),
+            };
         }
         let day = rest.is_empty() && (1..=31).contains(&n);
         let abbreviated = |word: &str| {
@@ -73,7 +100,10 @@ impl Reader<'_> {
         {
             return Some(Reading::one(ordinal));
         }
-        if day && date::is_month(self.next(at), self.language) {
+        if day
+            && (date::is_month(self.next(at), self.language)
+                || abbreviated(self.next_after_stop(at)))
+        {
             let article = if self.previous(at).eq_ignore_ascii_case("the") {
                 ""
             } else {
@@ -94,23 +124,26 @@ impl Reader<'_> {
         {
             return Some(Reading::one(grammar.ordinal(n, ending)));
         }
-        if matches!(rest, "er" | "ern") {
-            let year = grammar.year(n);
-            let plural =
-                if year.ends_with("ig") || year.ends_with("zehn") || year.ends_with("hundert") {
-                    rest
-                } else {
-                    return None;
-                };
-            return Some(Reading::one(year + plural));
+        if matches!(rest, "er" | "ern") && n % 100 != 1 {
+            return Some(Reading::one(grammar.year(n) + rest));
         }
         if !rest.is_empty() || word.end != "." {
             return None;
         }
         // "Ich habe 3." ends a sentence; "am 3. Oktober" and "der 3. Mann" do not.
         let next = self.next_after_stop(at);
-        let previous = self.previous(at);
-        let before = at.checked_sub(1).map_or("", |at| self.previous(at));
+        // "am 1. und 2. Mai": the article of the first is the second's too.
+        let mut anchor = at;
+        while anchor > 2
+            && matches!(self.previous(anchor), "und" | "oder" | "bis")
+            && self
+                .previous(anchor - 1)
+                .starts_with(|c: char| c.is_ascii_digit())
+        {
+            anchor -= 2;
+        }
+        let previous = self.previous(anchor);
+        let before = anchor.checked_sub(1).map_or("", |at| self.previous(at));
         let noun = next.chars().next().is_some_and(char::is_uppercase);
         let article = [
             "der", "die", "das", "den", "dem", "des", "am", "vom", "zum", "zur", "im", "beim",
@@ -175,11 +208,19 @@ impl Reader<'_> {
         let shaped = number.whole.len() == 4 && !number.grouped;
         let Some(n) = number
             .natural()
-            .filter(|n| shaped && (1100..2100).contains(n))
+            .filter(|n| shaped && (1000..2100).contains(n))
         else {
             return false;
         };
         let next = self.next(at);
+        // Few years of the eleventh century are met without saying so.
+        let led = matches!(
+            self.previous(at).to_lowercase().as_str(),
+            "year" | "in" | "since" | "until" | "before" | "after" | "of" | "by"
+        );
+        if n < 1100 && !led {
+            return false;
+        }
         match self.language {
             // "1998 people" is a count; so is a number before a plural.
             Language::English => {

@@ -1,6 +1,6 @@
 //! Which kind of text a word is, and who reads it.
 
-use super::language::Language;
+use super::language::{Form, Language};
 use super::word::Word;
 use super::{SayAs, abbreviation, money, number, roman, spelling, time};
 
@@ -55,16 +55,20 @@ impl<'a> Reader<'a> {
     ) -> Self {
         let tag = tag.to_ascii_lowercase();
         let region = tag.split(['-', '_']).skip(1).find(|part| part.len() == 2);
-        let letters = |word: &&Word<'_>| word.is_plain() && word.core.chars().count() > 1;
-        let long = words.iter().filter(letters).count();
-        let capital = |word: &&Word<'_>| letters(word) && !word.core.contains(char::is_lowercase);
-        let shouted = words.iter().filter(capital).count();
+        let plain = words
+            .iter()
+            .filter(|word| !word.core.is_empty() && word.is_plain());
+        let capitals = |word: &&Word<'_>| {
+            word.core.chars().count() > 1 && !word.core.contains(char::is_lowercase)
+        };
+        let (all, shouted) = (plain.clone().count(), plain.filter(capitals).count());
         Self {
             words,
             language,
             month_first: language == Language::English && matches!(region, None | Some("us")),
             say_as,
-            shouted: shouted > 2 && shouted * 2 > long,
+            // A list of acronyms has an article or an "and" among them.
+            shouted: shouted > 2 && shouted * 4 > all * 3,
         }
     }
 
@@ -140,31 +144,72 @@ impl<'a> Reader<'a> {
     /// A word of letters: mostly itself.
     fn plain(&self, at: usize, word: &Word<'_>) -> Reading {
         let core = word.core.as_str();
-        if !word.is_capital() || core.chars().skip(1).any(char::is_lowercase) {
+        let numeral = core.strip_suffix("'s").unwrap_or(core);
+        if !word.is_capital() || numeral.chars().skip(1).any(char::is_lowercase) {
             return Reading::one(self.letters(core));
         }
-        // "I" is a word of English, and "D", "C" or "L" are more often letters.
-        let pronoun =
-            self.language == Language::English && core == "I" && !self.next(at).is_empty();
-        if !pronoun && let Some(numeral) = roman::after(self.previous(at), core, self.language) {
-            // The stop of a German numeral is its own: "Heinrich VIII. war König".
-            let own = self.language == Language::German && at + 1 < self.words.len();
-            return Reading::one(numeral).owning_stop(!own);
+        if core.len() == 3
+            && money::currency(core).is_some()
+            && let Some(reading) = self.lone_sign(at, core)
+        {
+            return reading;
+        }
+        if let Some(numeral) = self.numeral(at, word) {
+            return numeral;
         }
         Reading::one(self.letters(core))
+    }
+
+    /// A Roman numeral, where that is clear.
+    fn numeral(&self, at: usize, word: &Word<'_>) -> Option<Reading> {
+        let language = self.language;
+        let (core, genitive) = match word.core.strip_suffix("'s") {
+            Some(stem) => (stem, "'s"),
+            None => (word.core.as_str(), ""),
+        };
+        let n = roman::value(core)?;
+        let (previous, next) = (self.previous(at), self.next_after_stop(at));
+        // "I" is a word of English.
+        if language == Language::English && core == "I" && !self.next(at).is_empty() {
+            return None;
+        }
+        // The stop of a German numeral is its own: "Heinrich VIII. war König".
+        let own_stop = language == Language::German && at + 1 < self.words.len();
+        if let Some(numeral) = roman::after(previous, core, language) {
+            return Some(Reading::one(numeral + genitive).owning_stop(!own_stop));
+        }
+        let grammar = language.grammar();
+        let noun = next.starts_with(char::is_uppercase);
+        let before = at.checked_sub(1).map_or("", |at| self.previous(at));
+        let article = matches!(previous, "der" | "die" | "das" | "den" | "dem" | "des");
+        if language == Language::German && word.dotted() && own_stop && (noun || article) {
+            let ending = grammar.ending(before, previous, next);
+            return (core.len() > 1 || article)
+                .then(|| Reading::one(grammar.ordinal(n, ending)).owning_stop(false));
+        }
+        // Of two letters and more, those without C, D, L and M are nothing else.
+        if core.len() < 2 || !core.chars().all(|c| matches!(c, 'I' | 'V' | 'X')) {
+            return None;
+        }
+        Some(Reading::one(match language {
+            Language::Portuguese if noun && n <= 10 => {
+                grammar.ordinal(n, grammar.ending(before, previous, next))
+            }
+            _ => grammar.cardinal(n, Form::Alone) + genitive,
+        }))
     }
 
     /// Letters as a word, or by their names where they are an acronym.
     pub(super) fn letters(&self, word: &str) -> String {
         let named = matches!(self.say_as, Some(SayAs::Name));
-        if !named && spelling::is_acronym(word, self.shouted) {
+        if !named && spelling::is_acronym(word, self.shouted, self.language) {
             return spelling::literal(word, self.language);
         }
         // "CDs": the plural of an acronym.
         if let Some(stem) = word.strip_suffix("'s").or_else(|| word.strip_suffix('s'))
             && !named
             && stem.len() > 1
-            && spelling::is_acronym(stem, self.shouted)
+            && spelling::is_acronym(stem, self.shouted, self.language)
         {
             let s = if self.language == Language::German {
                 "s"

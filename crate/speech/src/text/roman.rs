@@ -103,9 +103,11 @@ const RULERS: [&[&str]; 3] = [
 const PARTS: [&[&str]; 3] = [
     &[
         "Chapter", "Part", "Book", "Act", "Scene", "Volume", "War", "Section", "Canto", "Article",
+        "Vol", "Ch", "Fig", "Sec",
     ],
     &[
-        "Kapitel", "Band", "Teil", "Akt", "Buch", "Szene", "Artikel", "Gesang",
+        "Kapitel", "Band", "Teil", "Akt", "Buch", "Szene", "Artikel", "Gesang", "Kap", "Bd", "Art",
+        "Abs",
     ],
     &[
         "Capítulo",
@@ -117,10 +119,13 @@ const PARTS: [&[&str]; 3] = [
         "Tomo",
         "Volume",
         "Artigo",
+        "Cap",
+        "Vol",
+        "Art",
     ],
 ];
 /// Portuguese counts these as rulers up to ten: "século quinto", "século vinte".
-const COUNTED_AS_RULERS: &[&str] = &["século", "canto"];
+const COUNTED_AS_RULERS: &[&str] = &["século", "séc", "canto"];
 
 const DIGITS: [(&str, u64); 13] = [
     ("M", 1000),

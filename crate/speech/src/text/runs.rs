@@ -80,7 +80,7 @@ impl Reader<'_> {
                     // A comma goes after the word before it.
                     match (said, spoken.last_mut()) {
                         (",", Some(last)) if !last.is_empty() && !last.ends_with(',') => {
-                            last.push(',')
+                            last.push(',');
                         }
                         (",", _) => {}
                         (said, _) => spoken.push(said.to_owned()),
@@ -125,7 +125,7 @@ impl Reader<'_> {
             '³' => Some(language.pick(["cubed", "hoch drei", "ao cubo"])),
             ':' if math || digits => Some(language.pick(["to", "zu", "para"])),
             '#' if next.is_ascii_digit() => Some(language.pick(["number", "Nummer", "número"])),
-            '#' => Some(language.pick(["hashtag", "Hashtag", "hashtag"])),
+            '#' if is_letter(next) => Some(language.pick(["hashtag", "Hashtag", "hashtag"])),
             '/' if letters => Some(language.pick(["or", "oder", "ou"])),
             // A dot in a name or a version: "node.js", "1.2.3".
             '.' if (letters || digits) && before != '.' => spelling::sign('.', language),

@@ -135,9 +135,10 @@ impl Reader<'_> {
 
     /// A date in one word, or in two or three words of digits.
     fn marked_date(&self, at: usize, word: &Word<'_>, order: Option<Order>) -> Option<Reading> {
-        let parts: Vec<&str> = self.words.iter().map(|w| w.core.as_str()).collect();
+        // At most four words are looked at: a date has three.
+        let parts: Vec<&str> = self.words.iter().take(4).map(|w| w.core.as_str()).collect();
         let digits = |part: &&str| !part.is_empty() && part.bytes().all(|b| b.is_ascii_digit());
-        if at == 0 && (2..=3).contains(&parts.len()) && parts.iter().all(|part| digits(&part)) {
+        if at == 0 && (2..=3).contains(&parts.len()) && parts.iter().all(digits) {
             let date = date::parse(&parts.join("-"), order, self.language, self.month_first)?;
             let mut spoken = vec![self.say_date(at, &date)];
             spoken.resize(parts.len(), String::new());

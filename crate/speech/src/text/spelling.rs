@@ -161,13 +161,23 @@ const MARKS: &[(char, [&str; 3])] = &[
     ('\u{327}', ["cedilla", "Cedille", "cedilha"]),
 ];
 /// Capitals of up to three letters that are words: shouted ones and names said as words.
-const SAID_AS_WORDS: &[&str] = &[
-    "NO", "YES", "THE", "AND", "NOT", "YOU", "ALL", "OUT", "NOW", "GO", "BUT", "FOR", "ONE", "TWO",
-    "NEW", "OLD", "MY", "ME", "HE", "SHE", "WE", "IN", "ON", "OF", "TO", "AM", "BE", "DO", "SO",
-    "UP", "OH", "WHO", "WHY", "HOW", "PIN", "SIM", "ZIP", "RAM", "GIF", "JA", "NEIN", "DER", "DIE",
-    "DAS", "UND", "ICH", "DU", "WIR", "SIE", "ER", "MIR", "WER", "WAS", "WO", "NIE", "NUR", "SIM",
-    "NÃO", "EU", "TU", "ELE", "ELA", "UM", "UMA", "OS", "AS", "DE", "DA", "QUE", "SEM", "COM",
-    "IVA", "MAS", "IT",
+const SAID_AS_WORDS: [&[&str]; 3] = [
+    &[
+        "NO", "YES", "THE", "AND", "NOT", "YOU", "ALL", "OUT", "NOW", "GO", "BUT", "FOR", "ONE",
+        "TWO", "NEW", "OLD", "MY", "ME", "HE", "SHE", "WE", "IN", "ON", "OF", "TO", "AM", "BE",
+        "DO", "SO", "UP", "OH", "AH", "WHO", "WHY", "HOW", "PIN", "SIM", "ZIP", "RAM", "GIF", "IS",
+        "ARE", "WAS", "HIM", "HER", "BIG", "BAD", "RUN", "SEE", "END", "OR",
+    ],
+    &[
+        "JA", "DER", "DIE", "DAS", "UND", "ICH", "DU", "WIR", "SIE", "ER", "ES", "MIR", "WER",
+        "WAS", "WO", "NIE", "NUR", "DEN", "DEM", "IN", "AN", "AUF", "ZU", "SO", "ACH", "OH", "NUN",
+        "NEU", "GUT", "PIN", "TÜV", "DIN", "IST", "WIE", "EIN",
+    ],
+    &[
+        "SIM", "NÃO", "EU", "TU", "ELE", "ELA", "UM", "UMA", "OS", "AS", "DE", "DA", "DO", "QUE",
+        "SEM", "COM", "IVA", "MAS", "JÁ", "LÁ", "PIN", "VAI", "MEU", "TEU", "SEU", "POR", "EM",
+        "NO", "NA", "ATÉ", "DIA", "LUZ", "MAR", "PAZ",
+    ],
 ];
 /// Top-level domains by which a name with dots is taken for an address.
 const DOMAINS: &[&str] = &[
@@ -328,14 +338,14 @@ fn pronounceable(word: &str) -> bool {
 
 /// Whether capitals are spelled rather than said. `shouted` tells that the words around are
 /// all in capitals too, which then say nothing.
-pub(super) fn is_acronym(word: &str, shouted: bool) -> bool {
+pub(super) fn is_acronym(word: &str, shouted: bool, language: Language) -> bool {
     let letters = word.chars().count();
     if letters < 2 || !word.chars().all(char::is_uppercase) {
         return false;
     }
     match letters {
         2 | 3 if shouted => !pronounceable(word),
-        2 | 3 => !SAID_AS_WORDS.contains(&word),
+        2 | 3 => !language.pick(SAID_AS_WORDS).contains(&word),
         _ => !pronounceable(word),
     }
 }

@@ -72,6 +72,18 @@ pub(super) fn is_joiner(c: char) -> bool {
     matches!(c, '\'' | '\u{2019}' | '-' | '\u{2010}' | '\u{2011}')
 }
 
+/// Makes an ellipsis before a small letter a comma: it ends no sentence.
+pub(super) fn soften_ellipses(words: &mut [Word<'_>]) {
+    for at in 1..words.len() {
+        let goes_on = words[at].core.starts_with(char::is_lowercase);
+        let word = &mut words[at - 1];
+        let ellipsis = word.raw.contains('\u{2026}') || word.raw.contains("...");
+        if goes_on && ellipsis && word.end == "." {
+            word.end = ",".to_owned();
+        }
+    }
+}
+
 /// Signs that mean something at a word's edge.
 fn means(c: char) -> bool {
     is_letter(c) || c.is_alphanumeric() || "+−$€£¥₹¢@#§°%‰=<>^×÷±√∞≠≤≥≈&/~".contains(c)
@@ -122,6 +134,12 @@ impl<'a> Word<'a> {
             if ",.;:!?".contains(sign) && !end.contains(sign) && end.len() < 3 {
                 end.push(sign);
             }
+        }
+        // "5,- €" has no hundredths.
+        let round = tail.starts_with(",-") || tail.starts_with(",\u{2013}");
+        if round && core.ends_with(|c: char| c.is_ascii_digit()) {
+            end.clear();
+            closes = false;
         }
         let core = core.to_owned();
         Self {
