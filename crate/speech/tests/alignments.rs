@@ -204,6 +204,27 @@ fn assert_tiles(alignment: &Alignment) {
     }
 }
 
+/// Festival 2.5.0 wrote the same utterance in three ways; `utt.save.segs` and
+/// `utt.save.words` round to four digits.
+#[test]
+fn an_utterance_of_festival_and_its_label_files_agree() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/align");
+    let whole = |format, name| read(format, &fs::read(folder.join(name)).unwrap()).unwrap();
+    let utterance = whole(Format::FestivalUtterance, "festival/hello_kal_full.utt");
+    let segments = whole(Format::XLabel, "xlabel/hello_kal.segs");
+    let words = whole(Format::XLabel, "xlabel/hello_kal_words.words");
+    assert_eq!(segments.segments.len(), utterance.segments.len());
+    for (a, b) in utterance.segments.iter().zip(&segments.segments) {
+        assert_eq!(a.label, b.label);
+        assert!((a.end_secs - b.end_secs).abs() < 1e-4, "{a:?} {b:?}");
+    }
+    assert_eq!(words.words.len(), utterance.words.len());
+    for (a, b) in utterance.words.iter().zip(&words.words) {
+        assert_eq!(a.label, b.label);
+        assert!((a.end_secs - b.end_secs).abs() < 1e-4, "{a:?} {b:?}");
+    }
+}
+
 #[test]
 fn formats_are_told_by_content_even_without_a_name() {
     for (folder, format) in FORMATS {

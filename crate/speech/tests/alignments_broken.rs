@@ -115,6 +115,8 @@ fn too_much_is_refused() {
     let xml = vec![b' '; MOST_BYTES + 1];
     assert!(read(Format::MaryXml, &xml).is_err());
     assert!(read(Format::RhubarbJson, &xml[..=MOST_JSON_BYTES]).is_err());
+    let long = format!("<maryxml><t sampa='{}'/></maryxml>", "a".repeat(1001));
+    assert!(read(Format::MaryXml, long.as_bytes()).is_err());
     let many = "a 1\n".repeat(1_000_001);
     let fault = read(Format::Mbrola, many.as_bytes()).unwrap_err();
     assert_eq!((fault.line, fault.column), (1_000_001, 1));

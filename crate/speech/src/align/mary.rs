@@ -16,6 +16,9 @@ const PHONE_SECS: f64 = 0.08;
 /// What a boundary without a duration lasts in a file without times.
 const BOUNDARY_SECS: f64 = 0.2;
 
+/// A token's transcription is no longer, in bytes; finding phones in one takes its time.
+const MOST_TRANSCRIPTION: usize = 1000;
+
 /// Two times that differ by less are one: durations are whole milliseconds.
 const SAME_SECS: f64 = 0.0015;
 
@@ -311,6 +314,10 @@ impl Reader<'_> {
     /// Phones of a token from its transcription.
     fn pronounce(&mut self, token: &mut Token) -> Result<(), Bad> {
         let transcription = std::mem::take(&mut token.transcription);
+        if transcription.len() > MOST_TRANSCRIPTION {
+            let message = format!("a transcription of {} bytes", transcription.len());
+            return Err(Bad::new(token.at, message));
+        }
         let mut open: Option<(usize, f64, u8)> = None;
         let phones = sampa::split(&transcription);
         for (i, phone) in phones.iter().enumerate() {

@@ -75,11 +75,12 @@ fn table(name: &str, text: &str) -> Option<Format> {
         rows.pop();
     }
     if let Some(hash) = rows.iter().position(|row| row == &["#"]) {
-        let data = &rows[hash + 1..];
-        let timed = |row: &Vec<&str>| row.len() >= 2 && is_number(row[0]);
-        if data.iter().all(timed) && !rows[..hash].iter().any(|r| is_number(r[0])) {
-            let durations = ends_in("durations") || hash == 0 && data.iter().all(|r| r[1] == "125");
-            let mary = durations && (!data.is_empty() || ends_in("durations"));
+        let (header, data) = (&rows[..hash], &rows[hash + 1..]);
+        let timed = data.iter().all(|row| row.len() >= 2 && is_number(row[0]));
+        let has_header = !header.is_empty() && !header.iter().any(|row| is_number(row[0]));
+        if timed && (header.is_empty() || has_header && !data.is_empty()) {
+            let coloured = !data.is_empty() && data.iter().all(|row| row[1] == "125");
+            let mary = ends_in("durations") || header.is_empty() && coloured;
             return Some(if mary {
                 Format::MaryDurations
             } else {
