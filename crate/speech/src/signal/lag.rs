@@ -90,7 +90,7 @@ fn median(values: &mut [f64]) -> f64 {
     values.sort_by(f64::total_cmp);
     let half = values.len() / 2;
     match (values.get(half), half.checked_sub(1)) {
-        (Some(high), Some(below)) if values.len() % 2 == 0 => 0.5 * (values[below] + high),
+        (Some(high), Some(below)) if values.len().is_multiple_of(2) => 0.5 * (values[below] + high),
         (Some(middle), _) => *middle,
         _ => 0.0,
     }
