@@ -168,10 +168,22 @@ impl Grain {
     }
 }
 
-/// Farthest that unvoiced sound may be from its place before it is spliced, in seconds,
-/// and the farthest where a splice would double or lose a rigid span.
-const DRIFT_SECS: f64 = 0.012;
-const FORCED_DRIFT_SECS: f64 = 0.04;
+/// How far unvoiced sound may be ahead of its place and behind it before it is spliced,
+/// in seconds, where it is stretched: hardly ahead, since the splice would go back and
+/// what had begun too early, a burst most of all, would be heard twice.
+const STRETCHED_SECS: (f64, f64) = (0.003, 0.0205);
+/// The same where it is shortened: splices only leave out.
+const SHORTENED_SECS: (f64, f64) = (0.011, 0.0125);
+
+/// How much louder (as power) than where sound has come to may be what a splice would
+/// repeat: the end of a vowel or a burst, heard again in the quiet after it, is a click.
+const LOUDER: f64 = 3.0;
+
+/// Power relative to the sound's mean below which nothing is loud.
+const QUIET: f64 = 0.003;
+
+/// Farthest where a splice would double or lose a rigid span or repeat something loud.
+const FORCED_SECS: f64 = 0.04;
 
 /// Shortest leap of a splice, in seconds: noise over itself a little later sounds, and
 /// measures, like a tone of that period. Leaps of 2 to 15 ms gave stretched fricatives
@@ -184,13 +196,17 @@ struct Maker<'a> {
     times: &'a TimeMap,
     /// In samples.
     rigid: Vec<(f64, f64)>,
+    /// Sum of squares over two unvoiced steps that is too little to be heard repeated.
+    quiet: f64,
     out: Vec<f64>,
 }
 
 impl<'a> Maker<'a> {
     fn new(samples: &'a [f64], rate_hz: f64, times: &'a TimeMap, rigid: &[(f64, f64)]) -> Self {
         let end = times.after(samples.len() as f64 / rate_hz);
+        let mean = samples.iter().map(|x| x * x).sum::<f64>() / samples.len().max(1) as f64;
         Self {
+            quiet: QUIET * mean * 2.0 * epochs::UNVOICED_STEP_SECS * rate_hz,
             samples,
             rate_hz,
             times,
@@ -273,41 +289,75 @@ impl<'a> Maker<'a> {
         }
     }
 
-    /// The shift of the rigid span that begins one to three steps after a place: sound
+    /// The shift of the rigid span that begins one to four steps after a place: sound
     /// spliced to it there goes into the span at its right time and unbroken.
     fn rigid_ahead(&self, place: f64) -> Option<f64> {
         let step = epochs::UNVOICED_STEP_SECS * self.rate_hz;
         self.rigid.iter().find_map(|r| {
             let start = self.after(r.0);
             let ahead = start - place;
-            (ahead > step && ahead < 3.0 * step).then_some((start - r.0).round())
+            (ahead > step && ahead < 4.0 * step).then_some((start - r.0).round())
         })
     }
 
     /// The shift of an unvoiced grain: that of the grain before as long as it will do.
     fn unvoiced_shift(&self, last: &Grain, place: f64, wanted: f64) -> f64 {
-        let drift = DRIFT_SECS * self.rate_hz;
-        let off = (wanted - last.shift()).abs();
-        if off <= drift {
+        let step = epochs::UNVOICED_STEP_SECS * self.rate_hz;
+        let stretched = self.before(place + step) - self.before(place) < step;
+        let (ahead, behind) = if stretched {
+            STRETCHED_SECS
+        } else {
+            SHORTENED_SECS
+        };
+        let (ahead, behind) = (ahead * self.rate_hz, behind * self.rate_hz);
+        // How far the sound would be behind its place if it ran on.
+        let late = last.shift() - wanted;
+        if (-ahead..=behind).contains(&late) {
             return last.shift();
         }
         // What would be heard twice, or not at all.
-        let (one, other) = (place - last.shift(), place - wanted);
-        let touched = (one.min(other) - drift, one.max(other) + drift);
+        let leap = LEAP_SECS * self.rate_hz;
+        let (low, high) = if late > 0.0 {
+            (-ahead, behind - leap)
+        } else {
+            (leap - ahead, behind)
+        };
+        let one = place - last.shift();
+        let others = (place - wanted - high, place - wanted - low);
+        let touched = (one.min(others.0) - step, one.max(others.1) + step);
         let hits = |r: &(f64, f64)| r.0 < touched.1 && r.1 > touched.0;
-        if off < FORCED_DRIFT_SECS * self.rate_hz && self.rigid.iter().any(hits) {
+        let (from, half) = (one.round() as isize, step as isize);
+        let louder = || {
+            let first = others.0.min(one).round() as isize;
+            let here = self.loudest(from, from, half).max(self.quiet);
+            self.loudest(first, from, half) > LOUDER * here
+        };
+        // The last chance to go back before a burst comes too early. (To do the same
+        // before voiced sound brought back ends of fricatives, which is worse.)
+        let last_chance = || {
+            let soon = one + step..one + 3.0 * step;
+            self.rigid.iter().any(|r| soon.contains(&r.0))
+        };
+        let bad = self.rigid.iter().any(hits) || (late < 0.0 && louder() && !last_chance());
+        if bad && late.abs() < FORCED_SECS * self.rate_hz {
             return last.shift();
         }
-        let half = (epochs::UNVOICED_STEP_SECS * self.rate_hz) as isize;
-        let from = (place - last.shift()).round() as isize;
-        let centre = (place - wanted).round() as isize;
-        let reach = drift as isize;
-        let leap = (LEAP_SECS * self.rate_hz) as usize;
-        let best = (-reach..=reach)
-            .filter(|d| from.abs_diff(centre + d) >= leap)
-            .map(|d| (d, self.likeness(from, centre + d, half)))
-            .max_by(|a, b| a.1.total_cmp(&b.1));
-        place - (centre + best.map_or(0, |b| b.0)) as f64
+        (others.0.round() as isize..=others.1.round() as isize)
+            .map(|other| (other, self.likeness(from, other, half)))
+            .max_by(|a, b| a.1.total_cmp(&b.1))
+            .map_or(wanted, |best| place - best.0 as f64)
+    }
+
+    /// The greatest power within half a step of places from one to another.
+    fn loudest(&self, from: isize, to: isize, half: isize) -> f64 {
+        (from..=to)
+            .step_by(half.max(1) as usize)
+            .map(|at| {
+                (at - half..=at + half)
+                    .map(|i| self.sample(i).powi(2))
+                    .sum()
+            })
+            .fold(0.0, f64::max)
     }
 
     /// Correlation of the sound around two places, −1..1.
