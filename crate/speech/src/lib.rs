@@ -11,6 +11,8 @@ pub mod bundle;
 pub mod content;
 #[cfg(feature = "bake")]
 pub mod emotion;
+#[cfg(feature = "bake")]
+pub mod markup;
 pub mod phones;
 #[cfg(feature = "bake")]
 pub mod resolve;
