@@ -21,6 +21,8 @@ pub mod feel;
 pub mod language;
 #[cfg(feature = "bake")]
 pub mod manner;
+#[cfg(feature = "bake")]
+pub mod markup;
 pub mod phones;
 #[cfg(feature = "bake")]
 pub mod plan;

@@ -1,0 +1,347 @@
+//! Reads SSML.
+
+use super::prosody::{self, Settings, decibels};
+use super::{AGES, GENDERS, KINDS, sampa};
+use crate::content::{Content, Division, Markup, Segment, Setting, Speaker};
+use crate::markup::Problem;
+use crate::markup::build::{self, Meaning, emotion, exact, filled, pause_msec};
+use crate::markup::levels::{self, MODERATE_EMPHASIS};
+use crate::markup::sable::{ORDERS, of_word};
+use crate::markup::xml::{Pieces, Space, Tag};
+use crate::text::SayAs;
+
+/// SSML's strengths of pauses as SABLE's levels: weak is small, medium medium, and x-strong
+/// large; the others lie between.
+const STRENGTHS: [(&str, f64); 6] = [
+    ("none", 0.0),
+    ("x-weak", 0.5),
+    ("weak", 1.0),
+    ("medium", 2.0),
+    ("strong", 2.5),
+    ("x-strong", 3.0),
+];
+
+/// SSML's words for emphasis.
+const EMPHASES: [&str; 4] = ["strong", "moderate", "none", "reduced"];
+
+/// Reads a document of SSML 1.1, or a part of one without its root. A document type may be
+/// named. What is not known, and what cannot be said by a [`Content`], is told and otherwise
+/// ignored; its text is kept. A recording's alternative text is left out.
+///
+/// # Errors
+///
+/// Text that is no well-formed XML, that declares entities, or that is longer, deeper or more
+/// marked up than the limits of [`crate::markup`].
+pub fn read(text: &str) -> Result<(Content, Vec<Problem>), Problem> {
+    build::read(text, false, |tag, pieces| match tag.space {
+        Space::Own => element(tag, pieces),
+        Space::Ours => ours(tag, pieces),
+        Space::Other => unknown(tag, pieces),
+    })
+}
+
+fn unknown(tag: &Tag, pieces: &mut Pieces<'_>) -> Meaning {
+    pieces.tell(
+        tag.at,
+        format!("the element {} is not known; its text is kept", tag.name),
+    );
+    Meaning::default()
+}
+
+fn ours(tag: &Tag, pieces: &mut Pieces<'_>) -> Meaning {
+    match tag.name.as_str() {
+        "emotion" => emotion(tag, pieces).into(),
+        "engine" => match (filled(tag.get("id")), tag.get("data")) {
+            (Some(id), Some(data)) => Markup::Engine {
+                id,
+                data: data.to_owned(),
+            }
+            .into(),
+            _ => {
+                pieces.tell(tag.at, "engine needs an id and data");
+                Meaning::default()
+            }
+        },
+        "pronunciation" => Markup::Pronunciation {
+            ipa: filled(tag.get("ipa")),
+            sub: filled(tag.get("sub")),
+            origin: filled(tag.get("origin")),
+        }
+        .into(),
+        _ => unknown(tag, pieces),
+    }
+}
+
+fn element(tag: &Tag, pieces: &mut Pieces<'_>) -> Meaning {
+    let mut meaning = match tag.name.as_str() {
+        "speak" | "token" | "w" | "lang" => Meaning::default(),
+        "p" | "s" => Meaning {
+            division: Some(if tag.name == "p" {
+                Division::Paragraph
+            } else {
+                Division::Sentence
+            }),
+            ..Meaning::default()
+        },
+        "voice" => voice(tag, pieces).into(),
+        "prosody" => prosody(tag, pieces),
+        "emphasis" => emphasis(tag, pieces).into(),
+        "break" => pause(tag, pieces).into(),
+        "say-as" => say_as(tag, pieces),
+        "phoneme" => phoneme(tag, pieces),
+        "sub" => match filled(tag.get("alias")) {
+            Some(alias) => Markup::Pronunciation {
+                ipa: None,
+                sub: Some(alias),
+                origin: None,
+            }
+            .into(),
+            None => needs(tag, pieces, "an alias"),
+        },
+        "mark" => match filled(tag.get("name")) {
+            Some(name) => Segment::Mark(name).into(),
+            None => needs(tag, pieces, "a name"),
+        },
+        "audio" => return audio(tag, pieces),
+        "desc" => {
+            return Meaning {
+                silent: true,
+                ..Meaning::default()
+            };
+        }
+        "meta" | "metadata" | "lexicon" => {
+            pieces.tell(tag.at, format!("{} is ignored", tag.name));
+            return Meaning {
+                silent: true,
+                ..Meaning::default()
+            };
+        }
+        "lookup" => {
+            pieces.tell(tag.at, "lookup is ignored; its text is kept");
+            Meaning::default()
+        }
+        _ => return unknown(tag, pieces),
+    };
+    // Ours tells a language that is no tag, and that a root's language is not the content's.
+    let language = tag.ours("language").or(tag.get("xml:lang"));
+    match filled(language) {
+        Some(language) => meaning.markups.insert(0, Markup::Language(language)),
+        None if tag.name == "lang" && language.is_none() => {
+            return needs(tag, pieces, "xml:lang");
+        }
+        None => {}
+    }
+    meaning
+}
+
+fn needs(tag: &Tag, pieces: &mut Pieces<'_>, what: &str) -> Meaning {
+    pieces.tell(tag.at, format!("{} needs {what}", tag.name));
+    Meaning::default()
+}
+
+/// What an attribute means; what cannot be read is told.
+fn word<T>(
+    tag: &Tag,
+    pieces: &mut Pieces<'_>,
+    name: &str,
+    read: impl Fn(&str) -> Option<T>,
+) -> Option<T> {
+    let text = tag.get(name)?;
+    let value = read(text);
+    if value.is_none() {
+        pieces.tell(tag.at, format!("{name}=\"{text}\" is not understood"));
+    }
+    value
+}
+
+/// The settings of an attribute, or those of ours where they are exact.
+fn settings(
+    tag: &Tag,
+    pieces: &mut Pieces<'_>,
+    (name, ours): (&str, &str),
+    read: fn(&str) -> Option<Settings>,
+) -> Vec<Setting> {
+    if let Some(exact) = tag.ours(ours).and_then(exact) {
+        return exact;
+    }
+    let Some((settings, note)) = word(tag, pieces, name, read) else {
+        return Vec::new();
+    };
+    if let Some(note) = note {
+        pieces.tell(tag.at, note);
+    }
+    settings
+}
+
+fn prosody(tag: &Tag, pieces: &mut Pieces<'_>) -> Meaning {
+    for name in ["contour", "duration"] {
+        if tag.get(name).is_some() {
+            pieces.tell(tag.at, format!("{name} is ignored"));
+        }
+    }
+    let base = tag.ours("base").and_then(exact).unwrap_or_default();
+    let middle = settings(tag, pieces, ("pitch", "middle"), prosody::height);
+    let range = settings(tag, pieces, ("range", "range"), prosody::height);
+    let rate = settings(tag, pieces, ("rate", "rate"), prosody::rate);
+    let volume = settings(tag, pieces, ("volume", "volume"), prosody::loudness);
+    let mut markups = build::pitch(&base, &middle, &range);
+    markups.extend(rate.into_iter().map(Markup::Rate));
+    markups.extend(volume.into_iter().map(Markup::Volume));
+    Meaning {
+        markups,
+        ..Meaning::default()
+    }
+}
+
+fn emphasis(tag: &Tag, pieces: &mut Pieces<'_>) -> Markup {
+    if let Some(level) = tag.ours("level").and_then(levels::emphasis) {
+        return Markup::Emphasis(level);
+    }
+    let level = word(tag, pieces, "level", |text| {
+        let known = EMPHASES.contains(&text.trim());
+        levels::emphasis(text).filter(|_| known)
+    });
+    Markup::Emphasis(level.unwrap_or(MODERATE_EMPHASIS))
+}
+
+fn pause(tag: &Tag, pieces: &mut Pieces<'_>) -> Segment {
+    let strength = word(tag, pieces, "strength", |w| of_word(&STRENGTHS, w));
+    let time = word(tag, pieces, "time", msec);
+    let medium = levels::pause_of_level(2.0);
+    let of_strength = strength.map_or(medium, levels::pause_of_level);
+    let (msec, is_cut) = pause_msec(time.unwrap_or(of_strength));
+    if is_cut {
+        pieces.tell(tag.at, format!("a pause is cut to {msec} ms"));
+    }
+    Segment::Break {
+        msec,
+        boundary: tag.ours("type").and_then(levels::boundary),
+    }
+}
+
+/// A length in seconds or milliseconds, as milliseconds.
+fn msec(text: &str) -> Option<f64> {
+    let text = text.trim();
+    let (digits, exponent) = match text.strip_suffix("ms") {
+        Some(digits) => (digits, 0),
+        None => (text.strip_suffix('s')?, 3),
+    };
+    levels::shifted(digits.trim_end(), exponent).filter(|msec| *msec >= 0.0)
+}
+
+fn voice(tag: &Tag, pieces: &mut Pieces<'_>) -> Markup {
+    for name in ["languages", "variant", "required", "ordering"] {
+        if tag.get(name).is_some() {
+            pieces.tell(tag.at, format!("{name} of a voice is ignored"));
+        }
+    }
+    let gender = |text: &str| {
+        if text.trim().is_empty() {
+            Some(None)
+        } else {
+            of_word(&GENDERS, text)
+        }
+    };
+    let age = word(tag, pieces, "age", |text| {
+        let years = levels::number(text.trim()).filter(|years| *years >= 0.0)?;
+        AGES.iter().find(|(_, _, below)| years < *below)
+    });
+    // A list of names, the best first.
+    let mut names = tag.get("name").unwrap_or_default().split_ascii_whitespace();
+    let first = names.next().map(str::to_owned);
+    let name = filled(tag.ours("name")).or(first);
+    if tag.ours("name").is_none() && names.next().is_some() {
+        pieces.tell(tag.at, "only the first name of a voice counts");
+    }
+    Markup::Speaker(Speaker {
+        gender: word(tag, pieces, "gender", gender).flatten(),
+        age: age.map(|(age, _, _)| *age),
+        name,
+    })
+}
+
+fn say_as(tag: &Tag, pieces: &mut Pieces<'_>) -> Meaning {
+    let Some(text) = tag.get("interpret-as") else {
+        return needs(tag, pieces, "interpret-as");
+    };
+    let Some(kind) = of_word(&KINDS, text) else {
+        pieces.tell(tag.at, format!("interpret-as=\"{text}\" is not known"));
+        return Meaning::default();
+    };
+    if tag.get("detail").is_some() {
+        pieces.tell(tag.at, "detail is ignored");
+    }
+    let format = tag.get("format").map(str::to_ascii_lowercase);
+    let formatted = match (&kind, format.as_deref()) {
+        (_, None) => Some(kind.clone()),
+        (SayAs::Date(_), Some(order)) => of_word(&ORDERS, order).map(|o| SayAs::Date(Some(o))),
+        (SayAs::Time, Some("hms12" | "hms24" | "hm" | "hms")) => Some(SayAs::Time),
+        (SayAs::Net { .. }, Some("email")) => Some(SayAs::Net { email: true }),
+        (SayAs::Net { .. }, Some("uri" | "url")) => Some(SayAs::Net { email: false }),
+        (SayAs::Literal, Some("characters" | "glyphs")) => Some(SayAs::Literal),
+        (SayAs::Cardinal, Some("ordinal")) => Some(SayAs::Ordinal),
+        (SayAs::Cardinal, Some("telephone")) => Some(SayAs::Phone),
+        (SayAs::Cardinal, Some("cardinal")) => Some(SayAs::Cardinal),
+        _ => None,
+    };
+    if formatted.is_none() {
+        let format = format.unwrap_or_default();
+        pieces.tell(tag.at, format!("format=\"{format}\" is ignored"));
+    }
+    Markup::SayAs(formatted.unwrap_or(kind)).into()
+}
+
+fn phoneme(tag: &Tag, pieces: &mut Pieces<'_>) -> Meaning {
+    let Some(ph) = filled(tag.get("ph")) else {
+        return needs(tag, pieces, "ph");
+    };
+    let alphabet = tag.get("alphabet").unwrap_or("ipa").to_ascii_lowercase();
+    let ipa = match alphabet.as_str() {
+        "ipa" => Some(ph),
+        "x-sampa" | "xsampa" => sampa::to_ipa(&ph),
+        _ => None,
+    };
+    if ipa.is_none() {
+        let message = format!("a pronunciation in {alphabet:?} is not understood");
+        pieces.tell(tag.at, message);
+        return Meaning::default();
+    }
+    Markup::Pronunciation {
+        ipa,
+        sub: None,
+        origin: None,
+    }
+    .into()
+}
+
+fn audio(tag: &Tag, pieces: &mut Pieces<'_>) -> Meaning {
+    // Without an address its content is spoken.
+    let Some(src) = filled(tag.get("src")) else {
+        return Meaning::default();
+    };
+    for name in [
+        "clipBegin",
+        "clipEnd",
+        "repeatCount",
+        "repeatDur",
+        "speed",
+        "fetchtimeout",
+    ] {
+        if tag.get(name).is_some() {
+            pieces.tell(tag.at, format!("{name} of a recording is ignored"));
+        }
+    }
+    let of_ours = tag
+        .ours("level")
+        .and_then(|text| levels::number(text.trim()));
+    let of_sound = word(tag, pieces, "soundLevel", decibels);
+    Meaning {
+        points: vec![Segment::Audio {
+            src,
+            background: tag.ours("mode") == Some("background"),
+            level: of_ours.or(of_sound).unwrap_or(1.0).max(0.0),
+        }],
+        silent: true,
+        ..Meaning::default()
+    }
+}

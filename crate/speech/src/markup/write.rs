@@ -1,0 +1,207 @@
+//! Writes tags and texts.
+
+use core::fmt::Write as _;
+
+use super::divisions::{DivisionTag, tags};
+use super::xml::legal;
+use super::{NAMESPACE, build};
+use crate::content::{Content, Division, Markup, Segment, Setting};
+use crate::style::MOST_FACTOR;
+
+/// Attributes that are written: name and value.
+pub(crate) type Attributes = Vec<(&'static str, String)>;
+
+/// An element that is written.
+#[derive(Default)]
+pub(crate) struct Element {
+    pub(crate) name: &'static str,
+    pub(crate) attributes: Attributes,
+}
+
+impl Element {
+    /// An element without attributes.
+    pub(crate) fn new(name: &'static str) -> Self {
+        Self {
+            name,
+            attributes: Vec::new(),
+        }
+    }
+
+    /// The same with an attribute.
+    pub(crate) fn with(mut self, name: &'static str, value: impl Into<String>) -> Self {
+        self.attributes.push((name, value.into()));
+        self
+    }
+
+    /// The same with an attribute, if it says something.
+    pub(crate) fn with_some(self, name: &'static str, value: Option<&str>) -> Self {
+        match value {
+            Some(value) if !value.is_empty() => self.with(name, value),
+            _ => self,
+        }
+    }
+
+    /// The same with a setting: as `text` and, where that is read as something else than the
+    /// setting, exactly in `ours`.
+    pub(crate) fn with_setting(
+        self,
+        (name, ours): (&'static str, &'static str),
+        setting: Setting,
+        text: Option<String>,
+        read: impl Fn(&str) -> Option<Vec<Setting>>,
+    ) -> Self {
+        let is_exact = text.as_deref().and_then(read) == Some(vec![setting]);
+        let element = match text {
+            Some(text) => self.with(name, text),
+            None => self,
+        };
+        if is_exact {
+            element
+        } else {
+            element.with(ours, build::exact_text(setting))
+        }
+    }
+}
+
+/// How a language writes what a content has.
+pub(crate) trait Language {
+    /// The element of a markup; `None` where nothing needs to be written.
+    fn markup(&mut self, markup: &Markup) -> Option<Element>;
+    /// The element of a pause, a recording or a mark.
+    fn point(&mut self, segment: &Segment) -> Option<Element>;
+    /// The markup that was written last ends.
+    fn end(&mut self);
+    /// The element of a division.
+    fn division(&self, division: Division) -> Element;
+}
+
+/// The content as elements, without a root.
+pub(crate) fn body(content: &Content, language: &mut impl Language) -> String {
+    let mut out = String::new();
+    // Names of the open elements; `None` for markup that is not written.
+    let mut open: Vec<Option<&'static str>> = Vec::new();
+    let divisions = tags(&content.segments);
+    for (segment, tags) in content.segments.iter().zip(divisions) {
+        match segment {
+            Segment::Text(text) => escape(&mut out, text, false),
+            Segment::Open(markup) => {
+                let element = language.markup(markup);
+                if let Some(element) = &element {
+                    start(&mut out, element, ">");
+                }
+                open.push(element.map(|e| e.name));
+            }
+            Segment::Close => {
+                if let Some(name) = open.pop() {
+                    language.end();
+                    end(&mut out, name);
+                }
+            }
+            Segment::Division(_) => {
+                for tag in tags {
+                    match tag {
+                        DivisionTag::Start(d) => start(&mut out, &language.division(d), ">"),
+                        DivisionTag::End(d) => end(&mut out, Some(language.division(d).name)),
+                        DivisionTag::Empty(d) => start(&mut out, &language.division(d), "/>"),
+                    }
+                }
+            }
+            point => {
+                if let Some(element) = language.point(point) {
+                    start(&mut out, &element, "/>");
+                }
+            }
+        }
+    }
+    while let Some(name) = open.pop() {
+        end(&mut out, name);
+    }
+    out
+}
+
+/// The declaration of our namespace for a root element, if the body needs it.
+pub(crate) fn declaration(body: &str) -> String {
+    if body.contains(" r:") || body.contains("<r:") {
+        format!(" xmlns:r=\"{NAMESPACE}\"")
+    } else {
+        String::new()
+    }
+}
+
+fn start(out: &mut String, element: &Element, close: &str) {
+    // Writing into a string cannot fail.
+    let _ = write!(out, "<{}", element.name);
+    for (name, value) in &element.attributes {
+        let _ = write!(out, " {name}=\"");
+        escape(out, value, true);
+        out.push('"');
+    }
+    out.push_str(close);
+}
+
+fn end(out: &mut String, name: Option<&str>) {
+    if let Some(name) = name {
+        let _ = write!(out, "</{name}>");
+    }
+}
+
+/// Adds a text with what XML would take for something else as references.
+pub(crate) fn escape(out: &mut String, text: &str, is_value: bool) {
+    for c in legal(text).chars() {
+        match c {
+            '&' => out.push_str("&amp;"),
+            '<' => out.push_str("&lt;"),
+            '>' => out.push_str("&gt;"),
+            '"' if is_value => out.push_str("&quot;"),
+            '\r' => out.push_str("&#13;"),
+            '\n' if is_value => out.push_str("&#10;"),
+            '\t' if is_value => out.push_str("&#9;"),
+            _ => out.push(c),
+        }
+    }
+}
+
+/// The element of an emotion, which is ours.
+pub(crate) fn emotion(markup: &Markup) -> Option<Element> {
+    let Markup::Emotion {
+        name,
+        activation,
+        evaluation,
+        power,
+    } = markup
+    else {
+        return None;
+    };
+    let axis = |x: &f64| {
+        if x.is_finite() {
+            x.clamp(-100.0, 100.0)
+        } else {
+            0.0
+        }
+    };
+    Some(
+        Element::new("r:emotion")
+            .with("name", name.as_str())
+            .with("activation", axis(activation).to_string())
+            .with("evaluation", axis(evaluation).to_string())
+            .with("power", axis(power).to_string()),
+    )
+}
+
+/// A setting of the loudness without infinities: no gain goes beyond the loudest.
+pub(crate) fn loudness(setting: Setting) -> Setting {
+    match setting {
+        Setting::Value(gain) if gain > MOST_FACTOR => Setting::Value(MOST_FACTOR),
+        Setting::Factor(f64::INFINITY) => Setting::Value(MOST_FACTOR),
+        setting => setting,
+    }
+}
+
+/// The amplitude of a recording; what is none counts as silence.
+pub(crate) fn gain(level: f64) -> f64 {
+    if level.is_finite() {
+        level.max(0.0)
+    } else {
+        0.0
+    }
+}

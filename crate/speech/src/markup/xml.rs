@@ -1,0 +1,324 @@
+//! Tags and texts of a document, with `quick-xml` as the tokenizer: bounded, without a DTD,
+//! and with the place of everything.
+
+use quick_xml::Reader;
+use quick_xml::XmlVersion;
+use quick_xml::events::{BytesStart, Event};
+
+use super::{LONGEST, NAMESPACE, Problem};
+
+/// How many elements may be inside each other. What is written for the deepest markup, with
+/// its sentences and paragraphs, stays below.
+const DEEPEST_ELEMENT: usize = 400;
+/// How many elements a document may have.
+const MOST_ELEMENTS: usize = 200_000;
+/// How many attributes an element may have.
+const MOST_ATTRIBUTES: usize = 32;
+/// How many prefixes may be declared at one place.
+const MOST_PREFIXES: usize = 64;
+/// The longest value of an attribute, bytes: each word's style may keep some.
+const LONGEST_VALUE: usize = 1000;
+/// How many problems are told.
+const MOST_PROBLEMS: usize = 100;
+
+const SSML: &str = "http://www.w3.org/2001/10/synthesis";
+
+/// A piece of a document.
+pub(crate) enum Token {
+    Start(Tag),
+    End,
+    Text(String),
+}
+
+/// A start tag.
+pub(crate) struct Tag {
+    /// Without its prefix.
+    pub(crate) name: String,
+    /// Of which vocabulary it is.
+    pub(crate) space: Space,
+    pub(crate) attributes: Vec<Attribute>,
+    /// Byte where it begins.
+    pub(crate) at: usize,
+}
+
+/// An attribute of a tag.
+pub(crate) struct Attribute {
+    /// Without its prefix, except `xml:`.
+    pub(crate) name: String,
+    pub(crate) space: Space,
+    pub(crate) value: String,
+}
+
+/// Where a name belongs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Space {
+    /// To the document's own language, or to none.
+    Own,
+    /// To [`NAMESPACE`].
+    Ours,
+    /// To something else.
+    Other,
+}
+
+impl Tag {
+    /// The value of an attribute of the document's language, whatever its case.
+    pub(crate) fn get(&self, name: &str) -> Option<&str> {
+        self.find(Space::Own, name)
+    }
+
+    /// The value of an attribute of [`NAMESPACE`].
+    pub(crate) fn ours(&self, name: &str) -> Option<&str> {
+        self.find(Space::Ours, name)
+    }
+
+    fn find(&self, space: Space, name: &str) -> Option<&str> {
+        let is = |a: &&Attribute| a.space == space && a.name.eq_ignore_ascii_case(name);
+        Some(&self.attributes.iter().find(is)?.value)
+    }
+}
+
+/// Reads a document piece by piece.
+pub(crate) struct Pieces<'a> {
+    source: &'a str,
+    reader: Reader<&'a [u8]>,
+    /// Names of the open elements as they are written.
+    open: Vec<String>,
+    /// Whether `</emph>` ends `<EMPH>`.
+    any_case: bool,
+    /// Prefixes in scope with the depth of their element.
+    prefixes: Vec<(String, Space, usize)>,
+    elements: usize,
+    problems: Vec<Problem>,
+}
+
+impl<'a> Pieces<'a> {
+    /// At the start of a document.
+    pub(crate) fn new(source: &'a str, any_case: bool) -> Result<Self, Problem> {
+        let source = source.strip_prefix('\u{feff}').unwrap_or(source);
+        let mut reader = Reader::from_str(source);
+        let config = reader.config_mut();
+        config.expand_empty_elements = true;
+        config.check_end_names = false;
+        config.allow_unmatched_ends = true;
+        let pieces = Self {
+            source,
+            reader,
+            open: Vec::new(),
+            any_case,
+            prefixes: Vec::new(),
+            elements: 0,
+            problems: Vec::new(),
+        };
+        if source.len() > LONGEST {
+            return Err(pieces.problem(0, format!("longer than {LONGEST} bytes")));
+        }
+        Ok(pieces)
+    }
+
+    /// The next piece; `None` at the end.
+    pub(crate) fn next(&mut self) -> Result<Option<Token>, Problem> {
+        loop {
+            let at = self.position();
+            let event = match self.reader.read_event() {
+                Ok(event) => event,
+                Err(error) => {
+                    let at = usize::try_from(self.reader.error_position()).unwrap_or(at);
+                    return Err(self.problem(at, error.to_string()));
+                }
+            };
+            return Ok(Some(match event {
+                Event::Start(tag) | Event::Empty(tag) => Token::Start(self.start(&tag, at)?),
+                Event::End(tag) => {
+                    self.end(tag.name().0, at)?;
+                    Token::End
+                }
+                Event::Text(text) => Token::Text(legal(&text.xml10_content())),
+                Event::CData(text) => Token::Text(legal(&text.xml10_content())),
+                Event::GeneralRef(reference) => {
+                    let name = reference.xml10_content();
+                    let c = match reference.resolve_char_ref() {
+                        Ok(Some(c)) => c,
+                        Ok(None) => self.entity(&name, at)?,
+                        Err(error) => return Err(self.problem(at, error.to_string())),
+                    };
+                    Token::Text(legal(c.encode_utf8(&mut [0; 4])))
+                }
+                Event::DocType(text) => {
+                    self.doctype(&text.into_inner(), at)?;
+                    continue;
+                }
+                Event::Comment(_) | Event::PI(_) | Event::Decl(_) => continue,
+                Event::Eof => {
+                    return match self.open.last() {
+                        Some(name) => Err(self.problem(at, format!("<{name}> is not closed"))),
+                        None => Ok(None),
+                    };
+                }
+            }));
+        }
+    }
+
+    /// Tells what is wrong at a byte, and goes on.
+    pub(crate) fn tell(&mut self, at: usize, message: impl Into<String>) {
+        if self.problems.len() < MOST_PROBLEMS {
+            let problem = self.problem(at, message);
+            self.problems.push(problem);
+        }
+    }
+
+    /// What is wrong at a byte.
+    pub(crate) fn problem(&self, at: usize, message: impl Into<String>) -> Problem {
+        let before = self.source.as_bytes().get(..at).unwrap_or_default();
+        let begin = before
+            .iter()
+            .rposition(|&b| b == b'\n')
+            .map_or(0, |i| i + 1);
+        // Bytes that begin a character.
+        let characters = before[begin..].iter().filter(|&&b| b & 0xc0 != 0x80);
+        Problem {
+            line: 1 + before.iter().filter(|&&b| b == b'\n').count(),
+            column: 1 + characters.count(),
+            message: message.into(),
+        }
+    }
+
+    /// What was told.
+    pub(crate) fn into_problems(self) -> Vec<Problem> {
+        self.problems
+    }
+
+    fn position(&self) -> usize {
+        usize::try_from(self.reader.buffer_position()).unwrap_or(usize::MAX)
+    }
+
+    fn start(&mut self, tag: &BytesStart<'_>, at: usize) -> Result<Tag, Problem> {
+        self.elements += 1;
+        if self.elements > MOST_ELEMENTS {
+            return Err(self.problem(at, format!("more than {MOST_ELEMENTS} elements")));
+        }
+        if self.open.len() >= DEEPEST_ELEMENT {
+            return Err(self.problem(at, format!("more than {DEEPEST_ELEMENT} elements deep")));
+        }
+        let written = tag.name().0;
+        self.open.push(written.to_owned());
+        let mut found: Vec<(String, String)> = Vec::new();
+        for attribute in tag.attributes().with_checks(false) {
+            let attribute = attribute.map_err(|e| self.problem(at, e.to_string()))?;
+            let name = attribute.key.0;
+            if found.len() >= MOST_ATTRIBUTES {
+                let message = format!("more than {MOST_ATTRIBUTES} attributes");
+                return Err(self.problem(at, message));
+            }
+            if found.iter().any(|(n, _)| n == name) {
+                return Err(self.problem(at, format!("the attribute {name} is given twice")));
+            }
+            if attribute.value.len() > LONGEST_VALUE {
+                self.tell(
+                    at,
+                    format!("{name} is longer than {LONGEST_VALUE} bytes, and ignored"),
+                );
+                continue;
+            }
+            let value = attribute
+                .normalized_value(XmlVersion::Implicit1_0)
+                .map_err(|e| self.problem(at, e.to_string()))?;
+            found.push((name.to_owned(), legal(&value)));
+        }
+        for (name, value) in &found {
+            let prefix = match name.split_once(':') {
+                Some(("xmlns", prefix)) => prefix,
+                _ => continue,
+            };
+            if self.prefixes.len() >= MOST_PREFIXES {
+                let message = format!("more than {MOST_PREFIXES} prefixes");
+                return Err(self.problem(at, message));
+            }
+            let space = match value.as_str() {
+                NAMESPACE => Space::Ours,
+                SSML => Space::Own,
+                _ => Space::Other,
+            };
+            self.prefixes
+                .push((prefix.to_owned(), space, self.open.len()));
+        }
+        let attributes = found
+            .into_iter()
+            .filter(|(name, _)| name != "xmlns" && !name.starts_with("xmlns:"))
+            .map(|(name, value)| {
+                let (space, local) = self.place(&name);
+                Attribute {
+                    name: local.to_owned(),
+                    space,
+                    value,
+                }
+            })
+            .collect();
+        let (space, name) = self.place(written);
+        Ok(Tag {
+            name: name.to_owned(),
+            space,
+            attributes,
+            at,
+        })
+    }
+
+    /// Where a name belongs, and the name without its prefix.
+    fn place<'n>(&self, name: &'n str) -> (Space, &'n str) {
+        match name.split_once(':') {
+            None | Some(("xml", _)) => (Space::Own, name),
+            Some((prefix, local)) => {
+                let known = self.prefixes.iter().rev().find(|(p, _, _)| p == prefix);
+                (known.map_or(Space::Other, |(_, space, _)| *space), local)
+            }
+        }
+    }
+
+    fn end(&mut self, name: &str, at: usize) -> Result<(), Problem> {
+        let depth = self.open.len();
+        self.prefixes.retain(|(_, _, d)| *d < depth);
+        let Some(open) = self.open.pop() else {
+            return Err(self.problem(at, format!("</{name}> closes nothing")));
+        };
+        let same = open == name || (self.any_case && open.eq_ignore_ascii_case(name));
+        if !same {
+            return Err(self.problem(at, format!("</{name}> where <{open}> is open")));
+        }
+        Ok(())
+    }
+
+    fn entity(&self, name: &str, at: usize) -> Result<char, Problem> {
+        Ok(match name {
+            "amp" => '&',
+            "lt" => '<',
+            "gt" => '>',
+            "quot" => '"',
+            "apos" => '\'',
+            _ => return Err(self.problem(at, format!("&{name}; is not known"))),
+        })
+    }
+
+    /// A document type may be named, with nothing declared in it; Festival's own examples
+    /// have an empty pair of brackets.
+    fn doctype(&self, text: &str, at: usize) -> Result<(), Problem> {
+        let outside_quotes = text.split(['"', '\'']).step_by(2);
+        let declares = outside_quotes
+            .flat_map(str::chars)
+            .skip_while(|&c| c != '[')
+            .any(|c| !matches!(c, '[' | ']') && !c.is_whitespace());
+        if declares || text.contains("<!") {
+            return Err(self.problem(at, "declarations in the document type are refused"));
+        }
+        Ok(())
+    }
+}
+
+/// A text with U+FFFD for each character that XML cannot hold.
+pub(crate) fn legal(text: &str) -> String {
+    text.chars()
+        .map(|c| match c {
+            '\t' | '\n' | '\r' => c,
+            '\u{0}'..='\u{1f}' | '\u{fffe}' | '\u{ffff}' => char::REPLACEMENT_CHARACTER,
+            _ => c,
+        })
+        .collect()
+}
