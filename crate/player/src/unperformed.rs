@@ -78,7 +78,7 @@ mod tests {
     fn what_is_not_performed_is_told_once_each() {
         let text = "<eml xmlns:r='urn:raconteur:eml:1'><head><r:performer figure='nuno'/></head>\
                     <body><voice-text time='0'>a <pitch base='low'>b</pitch>\
-                    </voice-text><r:light time='1' valence='positive'/><r:light time='2'/>\
+                    </voice-text><r:light time='1' color='#ffeedd'/><r:light time='2' color='#ffeedd'/>\
                     <r:emotion time='1' type='joy'/></body></eml>";
         let parsed = parse(text);
         assert_eq!(parsed.diagnostics, []);

@@ -6,7 +6,7 @@ use raconteur_speech::content::{
     Age, Boundary, Content, Division, Gender, Markup, Segment, Setting, Speaker,
 };
 use raconteur_speech::emotion::{self, Place};
-use raconteur_speech::markup::levels;
+use raconteur_speech::markup::levels::{self, Property};
 use raconteur_speech::text::{Order, SayAs};
 
 use super::{Manner, each_said, key};
@@ -145,17 +145,17 @@ fn markup_of(markup: &eml::Markup) -> Markup {
             data: engine.data.clone(),
         },
         eml::Markup::Pitch(pitch) => Markup::Pitch {
-            base: pitch.base.map(|l| setting(l, levels::pitch)),
-            middle: pitch.middle.map(|l| setting(l, levels::pitch)),
-            range: pitch.range.map(|l| setting(l, levels::range)),
+            base: pitch.base.map(|l| setting(l, Property::Height)),
+            middle: pitch.middle.map(|l| setting(l, Property::Height)),
+            range: pitch.range.map(|l| setting(l, Property::Range)),
         },
         eml::Markup::Pron(pron) => Markup::Pronunciation {
             ipa: pron.ipa.clone(),
             sub: pron.sub.clone(),
             origin: pron.origin.clone(),
         },
-        eml::Markup::Rate(rate) => Markup::Rate(setting(rate.speed, levels::rate)),
-        eml::Markup::Volume(volume) => Markup::Volume(setting(volume.level, levels::volume)),
+        eml::Markup::Rate(rate) => Markup::Rate(setting(rate.speed, Property::Speed)),
+        eml::Markup::Volume(volume) => Markup::Volume(setting(volume.level, Property::Loudness)),
         eml::Markup::SayAs(say) => Markup::SayAs(say_as(say)),
         eml::Markup::Language(language) => Markup::Language(language.id.clone()),
         eml::Markup::Speaker(speaker) => Markup::Speaker(Speaker {
@@ -175,13 +175,14 @@ fn markup_of(markup: &eml::Markup) -> Markup {
     }
 }
 
-/// A level of EML; `named` knows the words that its attribute allows.
-fn setting(level: eml::Level, named: fn(&str) -> Option<Setting>) -> Setting {
-    match level {
-        eml::Level::Word(word) => named(word).unwrap_or(Setting::Default),
-        eml::Level::Percent(percent) => Setting::Factor(1.0 + percent / 100.0),
-        eml::Level::Number(number) => Setting::Value(number),
-    }
+/// A level of EML. What cannot be, such as a pace of nothing, is the voice's own.
+fn setting(level: eml::Level, property: Property) -> Setting {
+    let setting = match level {
+        eml::Level::Word(word) => property.word(word),
+        eml::Level::Percent(percent) => property.percent(percent),
+        eml::Level::Number(number) => property.number(number),
+    };
+    setting.unwrap_or(Setting::Default)
 }
 
 fn say_as(say: &eml::SayAs) -> SayAs {
@@ -238,7 +239,7 @@ mod tests {
             "un<emph>be</emph>lievable <tm name='x'/> stuff",
             "one<break msec='200'/> two <div>three</div>four",
             "  - dash , comma &amp; and <tm name='e'/>",
-            "nicht :-o irdisch ;-) mehr :-oh : - o, :- o : o o :-O. x",
+            "nicht :-o irdisch ;-) mehr :-oh : - o :- o : o o :-O x ;- ) . :-).",
             "a<audio src='a.wav'/>b",
             "",
         ] {

@@ -243,7 +243,7 @@ fn say_as(tag: &Tag, pieces: &mut Pieces<'_>) -> Meaning {
         .get("MODETYPE")
         .map(|kind| kind.trim().to_ascii_lowercase());
     let known = match (&mode, kind.as_deref()) {
-        (_, None) => Some(mode.clone()),
+        (_, None) => Some(mode),
         (SayAs::Date(_), Some(order)) => of_word(&ORDERS, order).map(|o| SayAs::Date(Some(o))),
         (SayAs::Time, Some("hm" | "hms")) => Some(SayAs::Time),
         (SayAs::Net { .. }, Some("email")) => Some(SayAs::Net { email: true }),

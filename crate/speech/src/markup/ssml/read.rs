@@ -273,7 +273,7 @@ fn say_as(tag: &Tag, pieces: &mut Pieces<'_>) -> Meaning {
     }
     let format = tag.get("format").map(str::to_ascii_lowercase);
     let formatted = match (&kind, format.as_deref()) {
-        (_, None) => Some(kind.clone()),
+        (_, None) => Some(kind),
         (SayAs::Date(_), Some(order)) => of_word(&ORDERS, order).map(|o| SayAs::Date(Some(o))),
         (SayAs::Time, Some("hms12" | "hms24" | "hm" | "hms")) => Some(SayAs::Time),
         (SayAs::Net { .. }, Some("email")) => Some(SayAs::Net { email: true }),
