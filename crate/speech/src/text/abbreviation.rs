@@ -85,6 +85,9 @@ const GERMAN: &[Row] = &[
     ("Fr", "Frau", Title, false),
     ("Dr", "Doktor", Title, true),
     ("Prof", "Professor", Title, true),
+    ("med", "med", Title, false),
+    ("phil", "phil", Title, false),
+    ("jur", "jur", Title, false),
     ("St", "Sankt", Title, false),
     ("Dipl.-Ing", "Diplomingenieur", Title, false),
     ("z.B", "zum Beispiel", Inner, false),
@@ -100,7 +103,7 @@ const GERMAN: &[Row] = &[
     ("evtl", "eventuell", Inner, false),
     ("ggf", "gegebenenfalls", Inner, false),
     ("sog", "sogenannte", Inner, false),
-    ("geb", "geborene", Inner, false),
+    ("geb", "geboren", Inner, false),
     ("gest", "gestorben", Inner, false),
     ("v.Chr", "vor Christus", Any, false),
     ("n.Chr", "nach Christus", Any, false),
@@ -162,6 +165,7 @@ const PORTUGUESE: &[Row] = &[
     ("nº", "número", BeforeNumber, true),
     ("n.os", "números", BeforeNumber, true),
     ("p", "página", BeforeNumber, false),
+    ("pp", "páginas", BeforeNumber, false),
     ("pág", "página", BeforeNumber, false),
     ("págs", "páginas", BeforeNumber, false),
     ("cap", "capítulo", BeforeNumber, false),
@@ -170,6 +174,11 @@ const PORTUGUESE: &[Row] = &[
     ("art", "artigo", BeforeNumber, false),
     ("tel", "telefone", BeforeNumber, false),
     ("séc", "século", Inner, false),
+];
+
+/// Words that, with a capital, rather begin a sentence than follow a name.
+const STARTERS: &[&str] = &[
+    "The", "He", "She", "It", "They", "We", "In", "A", "I", "Then", "And", "But",
 ];
 
 /// What an abbreviation is read as.
@@ -218,7 +227,12 @@ pub(super) fn expand(words: &[Word<'_>], at: usize, language: Language) -> Optio
     let single = word.core.chars().count() == 1;
     let name_next = next.is_some_and(Word::is_capital) && matches!(word.end.as_str(), "" | ".");
     // "Mr. and Mrs. Brown"
-    let joined = next.is_some_and(|w| matches!(w.core.as_str(), "and" | "und" | "e" | "&"));
+    let joined = next.is_some_and(|w| {
+        matches!(
+            w.core.as_str(),
+            "and" | "und" | "e" | "&" | "med" | "phil" | "jur"
+        )
+    });
     let found = row(&word.core, language).filter(|(_, _, place, bare)| {
         (word.dotted() || *bare || word.core.contains('.'))
             && match place {
@@ -297,16 +311,12 @@ fn street(
         (w.is_capital() || w.core.ends_with("th")) && w.end.is_empty() && w.core.chars().count() > 2
     });
     // A word that begins a sentence after it has its capital too: a common one tells that.
-    let starts = next.is_some_and(|w| {
-        matches!(
-            w.core.as_str(),
-            "The" | "He" | "She" | "It" | "They" | "We" | "In" | "A" | "I" | "Then" | "And" | "But"
-        )
-    });
-    let last = next.is_none_or(|w| !w.is_capital()) || starts;
+    let starts = next.is_some_and(|w| STARTERS.contains(&w.core.as_str()));
+    let quarter = next.is_some_and(|w| matches!(w.core.as_str(), "NW" | "NE" | "SW" | "SE"));
+    let last = next.is_none_or(|w| !w.is_capital()) || starts || quarter;
     (language == Language::English && named && last).then(|| Expansion {
         spoken: vec![spoken.to_owned()],
-        ends: next.is_none_or(Word::is_capital),
+        ends: next.is_none_or(Word::is_capital) && !quarter,
     })
 }
 

@@ -124,6 +124,7 @@ pub fn speakable(
         words.iter_mut().for_each(Word::forget_signs);
     }
     word::soften_ellipses(&mut words);
+    word::mark_sums(&mut words);
     let known = Language::of(language);
     let reader = known.map(|known| Reader::new(&words, known, language, say_as));
     let mut spoken: Vec<Vec<Token>> = vec![Vec::new(); words.len()];

@@ -5,7 +5,7 @@ use super::language::{Form, Language};
 use super::number::Number;
 use super::read::{Reader, Reading};
 use super::word::Word;
-use super::{english, roman};
+use super::{Order, english, roman};
 
 fn digits_and_rest(text: &str) -> Option<(u64, &str)> {
     let end = text
@@ -132,19 +132,16 @@ impl Reader<'_> {
         }
         // "Ich habe 3." ends a sentence; "am 3. Oktober" and "der 3. Mann" do not.
         let next = self.next_after_stop(at);
-        // "am 1. und 2. Mai": the article of the first is the second's too.
-        let mut anchor = at;
-        while anchor > 2
-            && matches!(self.previous(anchor), "und" | "oder" | "bis")
-            && self
-                .previous(anchor - 1)
-                .starts_with(|c: char| c.is_ascii_digit())
-        {
-            anchor -= 2;
-        }
-        let previous = self.previous(anchor);
-        let before = anchor.checked_sub(1).map_or("", |at| self.previous(at));
-        let noun = next.chars().next().is_some_and(char::is_uppercase);
+        let (before, previous) = self.led_by(at);
+        let noun = next.starts_with(char::is_uppercase);
+        // A small letter after the stop: the sentence goes on, "er wurde 1. und sie 2.".
+        let goes_on = next.starts_with(char::is_lowercase);
+        // "Es war der 3. Es regnete": such a word rather begins a sentence.
+        let starts = [
+            "Es", "Er", "Sie", "Ich", "Wir", "Du", "Ihr", "Das", "Die", "Der", "Dann", "Und",
+            "Aber", "In", "Im", "Am", "Da", "So", "Ein", "Eine", "Doch", "Nun",
+        ]
+        .contains(&next);
         let article = [
             "der", "die", "das", "den", "dem", "des", "am", "vom", "zum", "zur", "im", "beim",
             "ein", "eine", "einen", "einem", "einer", "jeder", "jede", "jedes", "jeden", "jedem",
@@ -162,31 +159,52 @@ impl Reader<'_> {
             );
         }
         let month = date::is_month(next, self.language) || next == "Jh" || next == "Jahrhundert";
-        if !(month || noun && (article || at == 0) || article && !next.is_empty()) {
+        if !(month || goes_on || noun && (article || at == 0)) {
             return None;
         }
         let ending = grammar.ending(before, previous, next);
-        Some(Reading::one(grammar.ordinal(n, ending)).owning_stop(false))
+        Some(Reading::one(grammar.ordinal(n, ending)).owning_stop(starts))
+    }
+
+    /// The two words before the one at `at`; in "am 1. und 2. Mai" the article of the first
+    /// day is the second's too.
+    fn led_by(&self, at: usize) -> (&str, &str) {
+        let mut anchor = at;
+        // Nobody shares an article among more.
+        for _ in 0..4 {
+            let joined = matches!(self.previous(anchor), "und" | "oder" | "bis");
+            let day = |at: usize| self.previous(at).starts_with(|c: char| c.is_ascii_digit());
+            if !joined || anchor < 3 || !day(anchor - 1) {
+                break;
+            }
+            anchor -= 2;
+        }
+        let before = anchor.checked_sub(1).map_or("", |at| self.previous(at));
+        (before, self.previous(anchor))
     }
 
     /// A date in digits, with the ending of the German day by the words before it.
     pub(super) fn date(&self, at: usize, word: &Word<'_>) -> Option<Reading> {
         let german = self.language == Language::German;
         // "25.12." has its stop as its own.
-        let short = german && word.dotted() && word.core.contains('.');
-        let order = short.then_some(super::Order::Dmy);
-        let mut date = date::parse(&word.core, order, self.language, self.month_first);
-        let mut own_stop = false;
-        if date.is_none() && short {
-            let (day, month) = word.core.split_once('.')?;
-            date = date::parse(
-                &format!("{month}.{day}"),
-                Some(super::Order::Md),
-                self.language,
-                false,
-            );
-            own_stop = true;
-        }
+        let short = (german && word.dotted())
+            .then(|| word.core.split_once('.'))
+            .flatten()
+            .filter(|(_, month)| month.len() <= 2);
+        // "n.º 12/2008" is no December.
+        let numbered = matches!(
+            self.previous(at).to_lowercase().as_str(),
+            "n.º" | "nº" | "n" | "no" | "nr" | "número" | "nummer" | "number" | "lei"
+        );
+        let own_stop = short.is_some();
+        let date = match short {
+            Some((day, month)) => {
+                let text = format!("{month}.{day}");
+                date::parse(&text, Some(Order::Md), self.language, false)
+            }
+            None if numbered => None,
+            None => date::parse(&word.core, None, self.language, self.month_first),
+        };
         let date = date?;
         Some(
             Reading::one(self.say_date(at, &date))
@@ -197,10 +215,10 @@ impl Reader<'_> {
     /// A date in words.
     pub(super) fn say_date(&self, at: usize, date: &Date) -> String {
         let grammar = self.language.grammar();
-        let before = at.checked_sub(1).map_or("", |at| self.previous(at));
+        let (before, previous) = self.led_by(at);
         let month = date.month.and_then(|m| date::MONTHS.get(m as usize - 1));
         let month = month.map_or("", |row| self.language.pick(*row));
-        grammar.date(date, grammar.ending(before, self.previous(at), month))
+        grammar.date(date, grammar.ending(before, previous, month))
     }
 
     /// A plain number that is a year by its size and its neighbours.

@@ -84,6 +84,29 @@ pub(super) fn soften_ellipses(words: &mut [Word<'_>]) {
     }
 }
 
+/// Makes lone hyphens, colons and slashes between numbers minuses and divisions, where an
+/// equals sign shows that this is a sum.
+pub(super) fn mark_sums(words: &mut [Word<'_>]) {
+    if !words.iter().any(|word| word.core == "=") {
+        return;
+    }
+    let number = |word: &Word<'_>| word.core.starts_with(|c: char| c.is_ascii_digit());
+    for at in 1..words.len().saturating_sub(1) {
+        if !number(&words[at - 1]) || !number(&words[at + 1]) {
+            continue;
+        }
+        let word = &mut words[at];
+        let sign = match word.raw.as_ref() {
+            "-" | "\u{2013}" => "\u{2212}",
+            ":" | "/" => "÷",
+            "·" | "*" => "×",
+            _ => continue,
+        };
+        word.core = sign.to_owned();
+        word.forget_signs();
+    }
+}
+
 /// Signs that mean something at a word's edge.
 fn means(c: char) -> bool {
     is_letter(c) || c.is_alphanumeric() || "+−$€£¥₹¢@#§°%‰=<>^×÷±√∞≠≤≥≈&/~".contains(c)
