@@ -37,9 +37,8 @@ pub fn rhubarb_viseme(shape: &str) -> Option<&'static str> {
 }
 
 /// A phone of the set `radio` that has the shape, so that the mouth of
-/// [`crate::phones::find`] can follow visemes: of each class the member whose lips are most
-/// its own (s rather than z plays no part; the targets are the same). Silence is `""` or
-/// `sil`. `None` for a shape that the set does not have.
+/// [`crate::phones::find`] can follow visemes. Silence is `""`, `sil` or `X`. `None` for a
+/// shape that the set does not have.
 #[must_use]
 pub fn phone_of_viseme(set: VisemeSet, shape: &str) -> Option<&'static str> {
     if shape.is_empty() {
