@@ -15,7 +15,7 @@ use std::f64::consts::PI;
 use raconteur_base::ops;
 
 use super::rigid::time_map;
-use super::{PitchTrack, TimeMap, epochs, is_rate};
+use super::{PitchTrack, TimeMap, bursts, epochs, is_rate};
 
 mod level;
 mod taps;
@@ -79,7 +79,16 @@ pub fn change(samples: &[f64], rate_hz: f64, track: &PitchTrack, change: &Change
     let mut changed = if same_times && same_pitch {
         unchanged()
     } else {
-        let mut maker = Maker::new(samples, rate_hz, &times, change.rigid);
+        // Bursts must not be doubled even where they may be stretched. Where sound is
+        // shortened nothing is doubled, and to guard them there moves splices to worse
+        // places.
+        let free = |span: &(f64, f64)| !change.rigid.iter().any(|r| r.0 < span.1 && r.1 > span.0);
+        let stretched =
+            |span: &(f64, f64)| times.after(span.1) - times.after(span.0) > span.1 - span.0;
+        let bursts = bursts::rigid_spans(&bursts::all(samples, rate_hz));
+        let mut guarded = change.rigid.to_vec();
+        guarded.extend(bursts.iter().filter(|b| free(b) && stretched(b)));
+        let mut maker = Maker::new(samples, rate_hz, &times, &guarded);
         maker.lay(&runs);
         let out = maker.out;
         // Harmonics that moved over a formant made the sound louder or softer.
@@ -180,9 +189,9 @@ const SHORTENED_SECS: (f64, f64) = (0.011, 0.0125);
 const LOUDER: f64 = 3.0;
 
 /// Power relative to the sound's mean below which nothing is loud.
-const QUIET: f64 = 0.003;
+const QUIET: f64 = 0.0003;
 
-/// Farthest where a splice would double or lose a rigid span or repeat something loud.
+/// Farthest where a splice would double or lose a guarded span or repeat something loud.
 const FORCED_SECS: f64 = 0.04;
 
 /// Shortest leap of a splice, in seconds: noise over itself a little later sounds, and
@@ -194,15 +203,15 @@ struct Maker<'a> {
     samples: &'a [f64],
     rate_hz: f64,
     times: &'a TimeMap,
-    /// In samples.
-    rigid: Vec<(f64, f64)>,
+    /// Spans that no splice may double or lose, in samples.
+    guarded: Vec<(f64, f64)>,
     /// Sum of squares over two unvoiced steps that is too little to be heard repeated.
     quiet: f64,
     out: Vec<f64>,
 }
 
 impl<'a> Maker<'a> {
-    fn new(samples: &'a [f64], rate_hz: f64, times: &'a TimeMap, rigid: &[(f64, f64)]) -> Self {
+    fn new(samples: &'a [f64], rate_hz: f64, times: &'a TimeMap, guarded: &[(f64, f64)]) -> Self {
         let end = times.after(samples.len() as f64 / rate_hz);
         let mean = samples.iter().map(|x| x * x).sum::<f64>() / samples.len().max(1) as f64;
         Self {
@@ -210,7 +219,7 @@ impl<'a> Maker<'a> {
             samples,
             rate_hz,
             times,
-            rigid: rigid
+            guarded: guarded
                 .iter()
                 .map(|r| (r.0 * rate_hz, r.1 * rate_hz))
                 .collect(),
@@ -273,7 +282,7 @@ impl<'a> Maker<'a> {
         };
         let step = epochs::UNVOICED_STEP_SECS * self.rate_hz;
         for place in epochs::between(last.place, to, step) {
-            let shift = match self.rigid_ahead(place) {
+            let shift = match self.guarded_ahead(place) {
                 Some(shift) => shift,
                 None => self.unvoiced_shift(&last, place, place - self.before(place)),
             };
@@ -289,11 +298,11 @@ impl<'a> Maker<'a> {
         }
     }
 
-    /// The shift of the rigid span that begins one to four steps after a place: sound
+    /// The shift of the guarded span that begins one to four steps after a place: sound
     /// spliced to it there goes into the span at its right time and unbroken.
-    fn rigid_ahead(&self, place: f64) -> Option<f64> {
+    fn guarded_ahead(&self, place: f64) -> Option<f64> {
         let step = epochs::UNVOICED_STEP_SECS * self.rate_hz;
-        self.rigid.iter().find_map(|r| {
+        self.guarded.iter().find_map(|r| {
             let start = self.after(r.0);
             let ahead = start - place;
             (ahead > step && ahead < 4.0 * step).then_some((start - r.0).round())
@@ -336,9 +345,9 @@ impl<'a> Maker<'a> {
         // before voiced sound brought back ends of fricatives, which is worse.)
         let last_chance = || {
             let soon = one + step..one + 3.0 * step;
-            self.rigid.iter().any(|r| soon.contains(&r.0))
+            self.guarded.iter().any(|r| soon.contains(&r.0))
         };
-        let bad = self.rigid.iter().any(hits) || (late < 0.0 && louder() && !last_chance());
+        let bad = self.guarded.iter().any(hits) || (late < 0.0 && louder() && !last_chance());
         if bad && late.abs() < FORCED_SECS * self.rate_hz {
             return last.shift();
         }
