@@ -18,6 +18,8 @@ pub(crate) struct Meaning {
     pub(crate) division: Option<Division>,
     /// Its content is not spoken.
     pub(crate) silent: bool,
+    /// Its content is a word, even where no white space parts it from the next such one.
+    pub(crate) is_token: bool,
 }
 
 impl From<Markup> for Meaning {
@@ -43,6 +45,7 @@ struct Frame {
     closes: usize,
     division: Option<Division>,
     silent: bool,
+    is_token: bool,
 }
 
 /// Reads a document; `meaning` says what each tag means.
@@ -56,18 +59,20 @@ pub(crate) fn read(
     let mut frames: Vec<Frame> = Vec::new();
     let mut depth = 0;
     let mut count = 0;
+    let mut is_behind_token = false;
     while let Some(token) = pieces.next()? {
         let is_silent = frames.last().is_some_and(|f| f.silent);
         match token {
             Token::Text(_) if is_silent => {}
-            Token::Text(text) => match segments.last_mut() {
-                Some(Segment::Text(before)) => before.push_str(&text),
-                _ => segments.push(Segment::Text(text)),
-            },
+            Token::Text(text) => {
+                is_behind_token = false;
+                say(&mut segments, text);
+            }
             Token::Start(_) if is_silent => frames.push(Frame {
                 closes: 0,
                 division: None,
                 silent: true,
+                is_token: false,
             }),
             Token::Start(tag) => {
                 let Meaning {
@@ -75,6 +80,7 @@ pub(crate) fn read(
                     markups,
                     division,
                     silent,
+                    is_token,
                 } = meaning(&tag, &mut pieces);
                 depth += markups.len();
                 count += points.len() + markups.len() + usize::from(division.is_some());
@@ -86,6 +92,9 @@ pub(crate) fn read(
                     let message = format!("more than {MOST_SEGMENTS} markups");
                     return Err(pieces.problem(tag.at, message));
                 }
+                if is_token && is_behind_token {
+                    say(&mut segments, " ".to_owned());
+                }
                 segments.extend(points);
                 if let Some(division) = division {
                     divide(&mut segments, division);
@@ -94,12 +103,14 @@ pub(crate) fn read(
                     closes: markups.len(),
                     division,
                     silent,
+                    is_token,
                 });
                 segments.extend(markups.into_iter().map(Segment::Open));
             }
             Token::End => {
                 // The pieces end with as many ends as there were starts.
                 if let Some(frame) = frames.pop() {
+                    is_behind_token |= frame.is_token;
                     depth -= frame.closes;
                     segments.extend(core::iter::repeat_n(Segment::Close, frame.closes));
                     if let Some(division) = frame.division {
@@ -110,6 +121,13 @@ pub(crate) fn read(
         }
     }
     Ok((Content { segments }, pieces.into_problems()))
+}
+
+fn say(segments: &mut Vec<Segment>, text: String) {
+    match segments.last_mut() {
+        Some(Segment::Text(before)) => before.push_str(&text),
+        _ => segments.push(Segment::Text(text)),
+    }
 }
 
 /// Adds a division. One right behind another is the same, and of a paragraph where one of

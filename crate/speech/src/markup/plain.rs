@@ -3,6 +3,7 @@
 use crate::content::{Boundary, Content, Division, Segment};
 
 use super::levels::PAUSES;
+use super::xml::legal;
 
 /// Lines of verse are shorter, characters. Prose is broken near 72 or not at all.
 const VERSE: usize = 60;
@@ -10,10 +11,11 @@ const VERSE: usize = 60;
 /// Reads a plain text. Blank lines part paragraphs. A line end inside a paragraph of short
 /// lines is a small pause as before a comma, unless the line ends with punctuation of a
 /// sentence, or of a part of one, already. Any line ends are read, and a byte order mark.
+/// Characters that no document could hold become U+FFFD.
 #[must_use]
 pub fn read(text: &str) -> Content {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-    let text = text.replace("\r\n", "\n").replace('\r', "\n");
+    let text = legal(text).replace("\r\n", "\n").replace('\r', "\n");
     let mut segments = Vec::new();
     let lines: Vec<&str> = text.split('\n').map(str::trim).collect();
     for paragraph in lines.split(|line| line.is_empty()) {

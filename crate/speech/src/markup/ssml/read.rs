@@ -74,7 +74,11 @@ fn ours(tag: &Tag, pieces: &mut Pieces<'_>) -> Meaning {
 
 fn element(tag: &Tag, pieces: &mut Pieces<'_>) -> Meaning {
     let mut meaning = match tag.name.as_str() {
-        "speak" | "token" | "w" | "lang" => Meaning::default(),
+        "speak" | "lang" => Meaning::default(),
+        "token" | "w" => Meaning {
+            is_token: true,
+            ..Meaning::default()
+        },
         "p" | "s" => Meaning {
             division: Some(if tag.name == "p" {
                 Division::Paragraph
