@@ -1,0 +1,366 @@
+//! libespeak-ng, loaded while the program runs: only its events tell when each phone and
+//! each word begins, which the program `espeak-ng` does not print.
+//!
+//! Layouts and numbers are those of `speak_lib.h` of espeak-ng 1.51 (API revision 12, the
+//! same since revision 7 of 2011).
+#![allow(unsafe_code, reason = "calls a library of C that is loaded at run time")]
+
+use core::cell::RefCell;
+use core::ffi::{CStr, c_char, c_int, c_short, c_uint, c_void};
+use std::ffi::CString;
+use std::path::PathBuf;
+use std::sync::{Mutex, PoisonError};
+
+use anyhow::{Context as _, Result, anyhow, ensure};
+use libloading::Library;
+
+/// What the library may be called.
+const NAMES: [&str; 5] = [
+    "libespeak-ng.so.1",
+    "libespeak-ng.so",
+    "libespeak-ng.1.dylib",
+    "libespeak-ng.dylib",
+    "libespeak-ng.dll",
+];
+
+const AUDIO_OUTPUT_SYNCHRONOUS: c_int = 2;
+const INITIALIZE_PHONEME_EVENTS: c_int = 1;
+const INITIALIZE_DONT_EXIT: c_int = 0x8000;
+const POS_CHARACTER: c_int = 1;
+const CHARS_UTF8: c_uint = 1;
+const PHONEMES: c_uint = 0x100;
+
+/// Mnemonics, with [`SEPARATOR`] between them.
+const PHONEME_MODE: c_int = (SEPARATOR as c_int) << 8;
+/// No mnemonic has it.
+const SEPARATOR: u8 = 1;
+
+/// Most clauses that one text may have.
+const MOST_CLAUSES: usize = 1_000;
+
+const EVENT_LIST_TERMINATED: c_int = 0;
+const EVENT_WORD: c_int = 1;
+const EVENT_END: c_int = 5;
+const EVENT_PHONEME: c_int = 7;
+
+/// Most samples that one text may become: ten minutes at 22,050 Hz.
+const MOST_SAMPLES: usize = 600 * 22_050;
+
+/// `espeak_EVENT`.
+#[repr(C)]
+struct RawEvent {
+    kind: c_int,
+    unique_identifier: c_uint,
+    text_position: c_int,
+    length: c_int,
+    audio_position: c_int,
+    sample: c_int,
+    user_data: *mut c_void,
+    /// A union of a number, a pointer and these characters.
+    id: Id,
+}
+
+#[repr(C)]
+union Id {
+    name: *const c_char,
+    string: [u8; 8],
+}
+
+type Callback = extern "C" fn(*mut c_short, c_int, *mut RawEvent) -> c_int;
+type Initialize = unsafe extern "C" fn(c_int, c_int, *const c_char, c_int) -> c_int;
+type SetSynthCallback = unsafe extern "C" fn(Callback);
+type SetVoiceByName = unsafe extern "C" fn(*const c_char) -> c_int;
+type Synth = unsafe extern "C" fn(
+    *const c_void,
+    usize,
+    c_uint,
+    c_int,
+    c_uint,
+    c_uint,
+    *mut c_uint,
+    *mut c_void,
+) -> c_int;
+type TextToPhonemes = unsafe extern "C" fn(*mut *const c_void, c_int, c_int) -> *const c_char;
+type Terminate = unsafe extern "C" fn() -> c_int;
+type Info = unsafe extern "C" fn(*mut *const c_char) -> *const c_char;
+
+/// What happens at a moment of the sound.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) enum What {
+    /// A word begins, at this character of the text, counted from 1.
+    Word(usize),
+    /// A phone begins: its mnemonic, with marks of stress.
+    Phone(String),
+    /// A sentence or a clause ends.
+    End,
+}
+
+/// A moment of the sound.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Event {
+    /// Samples from the start.
+    pub(super) sample: usize,
+    /// What happens then.
+    pub(super) what: What,
+}
+
+/// What was said.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(super) struct Said {
+    /// Mono.
+    pub(super) samples: Vec<i16>,
+    /// Samples a second.
+    pub(super) rate_hz: u32,
+    /// In the order in which the library tells.
+    pub(super) events: Vec<Event>,
+    /// The mnemonics of the phones as they were before they met their neighbours, with
+    /// marks of stress, which events do not have.
+    pub(super) marked: Vec<String>,
+}
+
+/// The library holds its state in global variables: one call at a time.
+static LIBRARY: Mutex<Option<Espeak>> = Mutex::new(None);
+
+thread_local! {
+    /// Where the callback puts what it is given; the library calls it on the thread that
+    /// called the library.
+    static SAID: RefCell<Said> = RefCell::new(Said::default());
+}
+
+struct Espeak {
+    initialize: Initialize,
+    set_callback: SetSynthCallback,
+    set_voice: SetVoiceByName,
+    synth: Synth,
+    to_phonemes: TextToPhonemes,
+    terminate: Terminate,
+    info: Info,
+    /// Holds the functions; dropped after them.
+    _library: Library,
+}
+
+impl Espeak {
+    fn load() -> Result<Self> {
+        let library = NAMES
+            .iter()
+            // SAFETY: loading runs the library's initialisers, as any program linked to it does.
+            .find_map(|name| unsafe { Library::new(name) }.ok())
+            .ok_or_else(|| {
+                anyhow!(
+                    "this needs the library libespeak-ng, which is not installed; on Debian and Ubuntu: apt-get install libespeak-ng1 espeak-ng-data"
+                )
+            })?;
+        let told = "libespeak-ng is not as it should be";
+        // SAFETY: the types are those that `speak_lib.h` declares for these names, and the
+        // library lives as long as the functions.
+        unsafe {
+            Ok(Self {
+                initialize: *library.get::<Initialize>(b"espeak_Initialize\0").context(told)?,
+                set_callback: *library
+                    .get::<SetSynthCallback>(b"espeak_SetSynthCallback\0")
+                    .context(told)?,
+                set_voice: *library
+                    .get::<SetVoiceByName>(b"espeak_SetVoiceByName\0")
+                    .context(told)?,
+                synth: *library.get::<Synth>(b"espeak_Synth\0").context(told)?,
+                to_phonemes: *library
+                    .get::<TextToPhonemes>(b"espeak_TextToPhonemes\0")
+                    .context(told)?,
+                terminate: *library.get::<Terminate>(b"espeak_Terminate\0").context(told)?,
+                info: *library.get::<Info>(b"espeak_Info\0").context(told)?,
+                _library: library,
+            })
+        }
+    }
+
+    /// Version and folder of data.
+    fn about(&self) -> (String, PathBuf) {
+        let mut path: *const c_char = core::ptr::null();
+        // SAFETY: both results are strings of the library that end in 0, or null.
+        let (version, path) = unsafe { (text((self.info)(&mut path)), text(path)) };
+        (version, PathBuf::from(path))
+    }
+}
+
+/// A copy of a string of C; empty for null.
+///
+/// # Safety
+/// `pointer` is null or points to characters that end in 0.
+unsafe fn text(pointer: *const c_char) -> String {
+    if pointer.is_null() {
+        return String::new();
+    }
+    // SAFETY: as the caller promises.
+    unsafe { CStr::from_ptr(pointer) }
+        .to_string_lossy()
+        .into_owned()
+}
+
+/// Takes sound and events. Returns 1 to stop.
+extern "C" fn take(wave: *mut c_short, count: c_int, events: *mut RawEvent) -> c_int {
+    let stop = 1;
+    SAID.with(|said| {
+        let Ok(mut said) = said.try_borrow_mut() else {
+            return stop;
+        };
+        if !wave.is_null()
+            && let Ok(count) = usize::try_from(count)
+        {
+            if said.samples.len() + count > MOST_SAMPLES {
+                return stop;
+            }
+            // SAFETY: the library gives `count` samples at `wave`.
+            said.samples
+                .extend_from_slice(unsafe { core::slice::from_raw_parts(wave, count) });
+        }
+        let mut at = events;
+        while !at.is_null() {
+            // SAFETY: the list goes on until an event of the kind 0.
+            let event = unsafe { &*at };
+            let what = match event.kind {
+                EVENT_LIST_TERMINATED => break,
+                EVENT_WORD => {
+                    Some(What::Word(usize::try_from(event.text_position).unwrap_or(0)))
+                }
+                EVENT_PHONEME => {
+                    // SAFETY: events of phonemes hold the characters, and any bytes are.
+                    let bytes = unsafe { event.id.string };
+                    let end = bytes.iter().position(|b| *b == 0).unwrap_or(bytes.len());
+                    let name = String::from_utf8_lossy(&bytes[..end]);
+                    Some(What::Phone(name.trim().to_owned()))
+                }
+                EVENT_END => Some(What::End),
+                _ => None,
+            };
+            said.events.extend(what.map(|what| Event {
+                sample: usize::try_from(event.sample).unwrap_or(0),
+                what,
+            }));
+            // SAFETY: this event was not the last.
+            at = unsafe { at.add(1) };
+        }
+        0
+    })
+}
+
+/// Does something with the library, alone.
+fn with<T>(act: impl FnOnce(&Espeak) -> Result<T>) -> Result<T> {
+    let mut guard = LIBRARY.lock().unwrap_or_else(PoisonError::into_inner);
+    if guard.is_none() {
+        *guard = Some(Espeak::load()?);
+    }
+    match guard.as_ref() {
+        Some(espeak) => act(espeak),
+        None => Err(anyhow!("libespeak-ng is not loaded")),
+    }
+}
+
+/// The library's version and where its data lies.
+///
+/// # Errors
+/// When it is not installed.
+pub(super) fn about() -> Result<(String, PathBuf)> {
+    with(|espeak| {
+        start(espeak)?;
+        let about = espeak.about();
+        // SAFETY: it was initialised, and nobody else is using it.
+        unsafe { (espeak.terminate)() };
+        Ok(about)
+    })
+}
+
+/// Initialises the library and returns its rate.
+fn start(espeak: &Espeak) -> Result<u32> {
+    // SAFETY: a null path is the usual one; the options are those of the header.
+    let rate_hz = unsafe {
+        (espeak.initialize)(
+            AUDIO_OUTPUT_SYNCHRONOUS,
+            0,
+            core::ptr::null(),
+            INITIALIZE_PHONEME_EVENTS | INITIALIZE_DONT_EXIT,
+        )
+    };
+    u32::try_from(rate_hz)
+        .ok()
+        .filter(|r| *r > 0)
+        .context("libespeak-ng does not find its data; on Debian and Ubuntu: apt-get install espeak-ng-data")
+}
+
+/// Says texts in a voice: one [`Said`] for each. The library begins anew for every text, so
+/// that none sounds different after another. In texts, `[[` and `]]` enclose mnemonics.
+///
+/// # Errors
+/// When the library or the voice is not there, or when it fails.
+pub(super) fn say(voice: &str, texts: &[String]) -> Result<Vec<Said>> {
+    let name = CString::new(voice).context("the name of the voice")?;
+    let mut out = Vec::with_capacity(texts.len());
+    for text in texts {
+        let text = CString::new(text.as_str()).context("the text")?;
+        out.push(with(|espeak| say_one(espeak, &name, &text))?);
+    }
+    Ok(out)
+}
+
+fn say_one(espeak: &Espeak, voice: &CStr, text: &CStr) -> Result<Said> {
+    SAID.with(|said| said.replace(Said::default()));
+    let rate_hz = start(espeak)?;
+    // SAFETY: the strings end in 0 and live until the calls return; the size counts the 0;
+    // the callback is a function. Mode "synchronous" does all work before it returns.
+    let (found, done, marked) = unsafe {
+        (espeak.set_callback)(take);
+        let found = (espeak.set_voice)(voice.as_ptr());
+        let done = if found == 0 {
+            (espeak.synth)(
+                text.as_ptr().cast(),
+                text.count_bytes() + 1,
+                0,
+                POS_CHARACTER,
+                0,
+                CHARS_UTF8 | PHONEMES,
+                core::ptr::null_mut(),
+                core::ptr::null_mut(),
+            )
+        } else {
+            0
+        };
+        let marked = if found == 0 {
+            marked(espeak, text)
+        } else {
+            Vec::new()
+        };
+        (espeak.terminate)();
+        (found, done, marked)
+    };
+    ensure!(found == 0, "espeak-ng has no voice {voice:?}");
+    ensure!(done == 0, "espeak-ng failed with {done}");
+    let mut said = SAID.with(RefCell::take);
+    said.rate_hz = rate_hz;
+    said.marked = marked;
+    Ok(said)
+}
+
+/// Translates a text, clause by clause.
+///
+/// # Safety
+/// The library is initialised, has a voice, and nobody else is using it.
+unsafe fn marked(espeak: &Espeak, text: &CStr) -> Vec<String> {
+    let mut rest: *const c_void = text.as_ptr().cast();
+    let mut out = Vec::new();
+    for _ in 0..MOST_CLAUSES {
+        if rest.is_null() {
+            break;
+        }
+        // SAFETY: `rest` is in the text, where the library moves it, until it makes it null;
+        // what it returns is its own, until the next call, and copied at once.
+        let clause = unsafe {
+            self::text((espeak.to_phonemes)(
+                &mut rest,
+                CHARS_UTF8 as c_int,
+                PHONEME_MODE,
+            ))
+        };
+        let parted = clause.split([char::from(SEPARATOR), ' ', '\n']);
+        out.extend(parted.filter(|p| !p.is_empty()).map(str::to_owned));
+    }
+    out
+}
