@@ -11,7 +11,7 @@ use raconteur_player::speech::language;
 use super::engine::{self, Engine, EngineOptions, VoiceInfo};
 
 /// A voice and the engine that has it.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Role {
     /// The engine's name.
     pub(crate) engine: String,

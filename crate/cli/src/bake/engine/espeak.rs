@@ -52,7 +52,7 @@ impl Engine for Espeak {
         texts
             .iter()
             .zip(said)
-            .map(|(text, said)| text.spoken(said, set))
+            .map(|(text, said)| text.spoken(&said, voice, set))
             .collect()
     }
 }
@@ -187,12 +187,14 @@ impl Text {
         Some(self.starts.get(after.checked_sub(1)?)?.1)
     }
 
-    fn spoken(&self, said: Said, set: Set) -> Result<Spoken> {
+    fn spoken(&self, said: &Said, voice: &str, set: Set) -> Result<Spoken> {
         let rate_hz = f64::from(said.rate_hz);
         if said.samples.is_empty() || self.starts.is_empty() {
             return Ok(labels::nothing(rate_hz, phone_set(set)));
         }
-        let labels = self.labels(&said, set)?;
+        let mut labels = self.labels(said);
+        self.part(&mut labels, voice, set)?;
+        syllables(&mut labels, &said.marked, set)?;
         let wave = Wave {
             samples: said.samples.iter().map(|s| f64::from(*s) / 32_768.0).collect(),
             rate_hz,
@@ -200,7 +202,8 @@ impl Text {
         labels::finish(&labels, wave, phone_set(set), 0.0)
     }
 
-    fn labels(&self, said: &Said, set: Set) -> Result<Labels> {
+    /// The phones and where they belong, as far as events tell.
+    fn labels(&self, said: &Said) -> Labels {
         let mut labels = Labels::default();
         let mut starts: Vec<usize> = Vec::new();
         let (mut token, mut word) = (None, None);
@@ -230,13 +233,90 @@ impl Text {
                 }
             }
         }
+        share(&mut starts, &labels.phones);
         let end = said.samples.len();
         for (i, phone) in labels.phones.iter_mut().enumerate() {
             let next = starts.get(i + 1).copied().unwrap_or(end).min(end);
             phone.end_secs = next as f64 / f64::from(said.rate_hz);
         }
-        syllables(&mut labels, &said.marked, set)?;
-        Ok(labels)
+        labels
+    }
+
+    /// Gives tokens their phones that the library reads together with the token before
+    /// (*of a*, *on the*): as it says them alone tells where they part.
+    fn part(&self, labels: &mut Labels, voice: &str, set: Set) -> Result<()> {
+        let tokens: Vec<usize> = self.starts.iter().map(|s| s.1).collect();
+        let has = |labels: &Labels, t: usize| labels.phones.iter().any(|p| p.token == Some(t));
+        let mut at = 0;
+        while at < tokens.len() {
+            let silent = tokens[at + 1..].iter().take_while(|t| !has(labels, **t)).count();
+            if silent > 0 && has(labels, tokens[at]) {
+                let words: Vec<String> = (at..=at + silent).map(|i| self.word(i)).collect();
+                let said = library::say(voice, &words)?;
+                let known: Vec<(usize, String)> = said
+                    .iter()
+                    .enumerate()
+                    .flat_map(|(i, s)| s.marked.iter().map(move |m| (at + i, bare(m))))
+                    .collect();
+                let heard: Vec<usize> = (0..labels.phones.len())
+                    .filter(|i| labels.phones[*i].token == Some(tokens[at]))
+                    .collect();
+                let pairs = matching::matched(&known, &heard, |k, h| {
+                    unlike(&k.1, &bare(&labels.phones[*h].symbol), set)
+                })?;
+                let mut token = tokens[at];
+                for (index, pair) in heard.into_iter().zip(pairs) {
+                    token = pair.map_or(token, |k| tokens[known[k].0]);
+                    labels.phones[index].token = Some(token);
+                }
+            }
+            at += 1 + silent;
+        }
+        Ok(())
+    }
+
+    /// What is written of one of [`Text::starts`].
+    fn word(&self, index: usize) -> String {
+        let start = self.starts[index].0;
+        let end = self.starts.get(index + 1).map_or(usize::MAX, |s| s.0);
+        self.written
+            .chars()
+            .skip(start)
+            .take(end - start)
+            .collect()
+    }
+}
+
+/// Gives phones time that begin where the next one does: the library lets a vowel end as the
+/// nasal or lateral after it and tells of that only at its end. It gets the last third of
+/// the vowel. *Designed*.
+fn share(starts: &mut [usize], phones: &[Phone]) {
+    for i in 1..starts.len().saturating_sub(1) {
+        let sounds = |p: &Phone| !labels::is_silence(&p.symbol);
+        if starts[i + 1] == starts[i]
+            && sounds(&phones[i])
+            && !phones[i].symbol.starts_with('_')
+            && sounds(&phones[i - 1])
+            && phones[i - 1].token == phones[i].token
+        {
+            starts[i] -= (starts[i] - starts[i - 1].min(starts[i])) / 3;
+        }
+    }
+}
+
+/// A mnemonic without marks of stress and length.
+fn bare(name: &str) -> String {
+    name.trim_matches(['\'', ',', '%', '=']).to_owned()
+}
+
+/// How much two mnemonics differ.
+fn unlike(a: &str, b: &str, set: Set) -> u32 {
+    if a == b {
+        0
+    } else if ipa::is_vowel(a, set) == ipa::is_vowel(b, set) {
+        2
+    } else {
+        5
     }
 }
 
@@ -247,7 +327,6 @@ fn syllables(labels: &mut Labels, marked: &[String], set: Set) -> Result<()> {
         Some(b',') => 2,
         _ => 0,
     };
-    let bare = |name: &str| name.trim_matches(['\'', ',', '%', '=']).to_owned();
     let known: Vec<(String, u8)> = marked
         .iter()
         .filter(|m| !m.starts_with(['_', '(']))
@@ -260,14 +339,7 @@ fn syllables(labels: &mut Labels, marked: &[String], set: Set) -> Result<()> {
         .filter(|(_, p)| p.token.is_some() && !p.symbol.starts_with('_'))
         .map(|(i, p)| (i, bare(&p.symbol)))
         .collect();
-    let pairs = matching::matched(&known, &heard, |k, h| {
-        let same_class = ipa::is_vowel(&k.0, set) == ipa::is_vowel(&h.1, set);
-        match (k.0 == h.1, same_class) {
-            (true, _) => 0,
-            (_, true) => 2,
-            _ => 5,
-        }
-    })?;
+    let pairs = matching::matched(&known, &heard, |k, h| unlike(&k.0, &h.1, set))?;
     let mut at = 0;
     while at < heard.len() {
         let token = labels.phones[heard[at].0].token;
@@ -329,4 +401,131 @@ fn mnemonics(ipa: &str, set: Set) -> Result<String> {
     }
     out.push_str("]]");
     Ok(out)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use raconteur_player::speech::bundle::SentenceKind;
+    use raconteur_player::speech::spoken::Token;
+
+    fn sentence(words: &[&str]) -> Sentence {
+        let tokens = words.iter().map(|w| Token {
+            text: (*w).to_owned(),
+            ..Token::default()
+        });
+        Sentence {
+            tokens: tokens.collect(),
+            kind: SentenceKind::Question,
+            ..Sentence::default()
+        }
+    }
+
+    fn events(told: &[(usize, &str)]) -> Vec<Event> {
+        let of = |(sample, what): &(usize, &str)| Event {
+            sample: *sample,
+            what: match what.strip_prefix('#') {
+                Some("end") => What::End,
+                Some(position) => What::Word(position.parse().unwrap()),
+                None => What::Phone((*what).to_owned()),
+            },
+        };
+        told.iter().map(of).collect()
+    }
+
+    #[test]
+    fn events_become_phones_of_tokens() {
+        let text = Text::of(&sentence(&["It's", "-", "25"]), Set::Espeak).unwrap();
+        assert_eq!(text.written, "It's 25? ");
+        assert_eq!(text.starts, [(0, 0), (5, 2)]);
+        let said = Said {
+            samples: vec![0; 2000],
+            rate_hz: 1000,
+            events: events(&[
+                (0, "#1"),
+                (0, "I"),
+                (100, "t"),
+                (200, "#6"),
+                (250, "t"),
+                (300, "(en)"),
+                (310, "E"),
+                (610, "n"),
+                (610, "t"),
+                (700, "_:"),
+                (800, "_"),
+                (800, "#end"),
+            ]),
+            marked: ["'I", "t", "t", "'E", "n", "t"].map(str::to_owned).to_vec(),
+        };
+        let mut labels = text.labels(&said);
+        syllables(&mut labels, &said.marked, Set::Espeak).unwrap();
+        let told: Vec<_> = labels
+            .phones
+            .iter()
+            .map(|p| (p.symbol.as_str(), (p.end_secs * 1e3).round() as usize, p.token))
+            .collect();
+        assert_eq!(
+            told,
+            [
+                ("I", 100, Some(0)),
+                ("t", 200, Some(0)),
+                ("t", 310, Some(2)),
+                ("E", 510, Some(2)),
+                ("n", 610, Some(2)),
+                ("t", 700, Some(2)),
+                ("_:", 800, None),
+                ("_", 2000, None),
+            ]
+        );
+        assert_eq!(labels.syllables, [(1, String::new()), (1, String::new())]);
+        assert_eq!(labels.breaks, [(2, String::new())]);
+    }
+
+    #[test]
+    fn texts_cannot_become_phones_or_commands() {
+        for nasty in ["[[f@]]", "<speak>", "a_b|c", "x\u{0}\n"] {
+            let text = Text::of(&sentence(&[nasty]), Set::Espeak).unwrap();
+            assert!(
+                !text.written.contains(['[', ']', '<', '>', '_', '|', '\0', '\n']),
+                "{nasty}"
+            );
+        }
+        assert_eq!(readable("na\u{ef}ve"), "na\u{ef}ve");
+        assert_eq!(readable("it\u{2019}s"), "it's");
+        assert_eq!(readable("\u{2014}"), "");
+    }
+
+    #[test]
+    fn pronunciations_are_mnemonics_with_stress_before_vowels() {
+        assert_eq!(
+            mnemonics("t\u{259}\u{2c8}m\u{251}\u{2d0}to\u{28a}", Set::Espeak).unwrap(),
+            "[[t|@|m|'A:|t|oU|]]"
+        );
+        assert!(mnemonics("]] x", Set::Espeak).is_err());
+    }
+
+    #[test]
+    fn voices_are_languages_with_variants_that_exist() {
+        let data = tempfile::tempdir().unwrap();
+        let folder = data.path().join("voices").join("!v");
+        fs::create_dir_all(&folder).unwrap();
+        fs::write(folder.join("f2"), "").unwrap();
+        assert_eq!(known("de", data.path()).unwrap(), "de");
+        assert_eq!(known("en-us+f2", data.path()).unwrap(), "en-us");
+        for bad in ["", "+f2", "de+f9", "../x", "de+../f2", "a b", "de+f2+f2"] {
+            assert!(known(bad, data.path()).is_err(), "{bad}");
+        }
+    }
+
+    #[test]
+    fn a_file_tells_of_its_voice() {
+        let about = "name English (America)\nlanguage en-us 2\nlanguage en 3\ngender female 30\n";
+        let voice = voice_of("en-US", about).unwrap();
+        assert_eq!(
+            (voice.name.as_str(), voice.language.as_str(), voice.gender),
+            ("en-us", "en-US", Some(Gender::Female))
+        );
+        assert!(voice_of("x", "maintainer nobody").is_none());
+        assert_eq!(tag("zh-latn-pinyin"), "zh-latn-pinyin");
+    }
 }

@@ -118,8 +118,13 @@ pub(super) struct Said {
     pub(super) marked: Vec<String>,
 }
 
+unsafe extern "C" {
+    /// Of the C library.
+    fn srand(seed: c_uint);
+}
+
 /// The library holds its state in global variables: one call at a time.
-static LIBRARY: Mutex<Option<Espeak>> = Mutex::new(None);
+static ALONE: Mutex<()> = Mutex::new(());
 
 thread_local! {
     /// Where the callback puts what it is given; the library calls it on the thread that
@@ -127,7 +132,12 @@ thread_local! {
     static SAID: RefCell<Said> = RefCell::new(Said::default());
 }
 
+/// The library once it has begun. It keeps state from text to text (of noise, of flutter, of
+/// where in a buffer it is), so that the same text sounds different the second time. It is
+/// therefore loaded anew for every text, and ended exactly once: if it begins again after
+/// its end, the second end waits for ever for a thread of its own (*seen* with 1.51).
 struct Espeak {
+    rate_hz: u32,
     initialize: Initialize,
     set_callback: SetSynthCallback,
     set_voice: SetVoiceByName,
@@ -153,8 +163,9 @@ impl Espeak {
         let told = "libespeak-ng is not as it should be";
         // SAFETY: the types are those that `speak_lib.h` declares for these names, and the
         // library lives as long as the functions.
-        unsafe {
-            Ok(Self {
+        let mut espeak = unsafe {
+            Self {
+                rate_hz: 0,
                 initialize: *library.get::<Initialize>(b"espeak_Initialize\0").context(told)?,
                 set_callback: *library
                     .get::<SetSynthCallback>(b"espeak_SetSynthCallback\0")
@@ -169,8 +180,27 @@ impl Espeak {
                 terminate: *library.get::<Terminate>(b"espeak_Terminate\0").context(told)?,
                 info: *library.get::<Info>(b"espeak_Info\0").context(told)?,
                 _library: library,
-            })
-        }
+            }
+        };
+        espeak.rate_hz = espeak.start()?;
+        Ok(espeak)
+    }
+
+    /// Initialises the library and returns its rate.
+    fn start(&self) -> Result<u32> {
+        // SAFETY: a null path is the usual one; the options are those of the header.
+        let rate_hz = unsafe {
+            (self.initialize)(
+                AUDIO_OUTPUT_SYNCHRONOUS,
+                0,
+                core::ptr::null(),
+                INITIALIZE_PHONEME_EVENTS | INITIALIZE_DONT_EXIT,
+            )
+        };
+        u32::try_from(rate_hz)
+            .ok()
+            .filter(|r| *r > 0)
+            .context("libespeak-ng does not find its data; on Debian and Ubuntu: apt-get install espeak-ng-data")
     }
 
     /// Version and folder of data.
@@ -243,16 +273,23 @@ extern "C" fn take(wave: *mut c_short, count: c_int, events: *mut RawEvent) -> c
     })
 }
 
+impl Drop for Espeak {
+    fn drop(&mut self) {
+        // SAFETY: it was initialised once, and nobody else is using it.
+        unsafe { (self.terminate)() };
+    }
+}
+
 /// Does something with the library, alone.
 fn with<T>(act: impl FnOnce(&Espeak) -> Result<T>) -> Result<T> {
-    let mut guard = LIBRARY.lock().unwrap_or_else(PoisonError::into_inner);
-    if guard.is_none() {
-        *guard = Some(Espeak::load()?);
-    }
-    match guard.as_ref() {
-        Some(espeak) => act(espeak),
-        None => Err(anyhow!("libespeak-ng is not loaded")),
-    }
+    let guard = ALONE.lock().unwrap_or_else(PoisonError::into_inner);
+    let espeak = Espeak::load()?;
+    // SAFETY: any seed is one. The library takes its noise from the C library.
+    unsafe { srand(1) };
+    let done = act(&espeak);
+    drop(espeak);
+    drop(guard);
+    done
 }
 
 /// The library's version and where its data lies.
@@ -260,30 +297,7 @@ fn with<T>(act: impl FnOnce(&Espeak) -> Result<T>) -> Result<T> {
 /// # Errors
 /// When it is not installed.
 pub(super) fn about() -> Result<(String, PathBuf)> {
-    with(|espeak| {
-        start(espeak)?;
-        let about = espeak.about();
-        // SAFETY: it was initialised, and nobody else is using it.
-        unsafe { (espeak.terminate)() };
-        Ok(about)
-    })
-}
-
-/// Initialises the library and returns its rate.
-fn start(espeak: &Espeak) -> Result<u32> {
-    // SAFETY: a null path is the usual one; the options are those of the header.
-    let rate_hz = unsafe {
-        (espeak.initialize)(
-            AUDIO_OUTPUT_SYNCHRONOUS,
-            0,
-            core::ptr::null(),
-            INITIALIZE_PHONEME_EVENTS | INITIALIZE_DONT_EXIT,
-        )
-    };
-    u32::try_from(rate_hz)
-        .ok()
-        .filter(|r| *r > 0)
-        .context("libespeak-ng does not find its data; on Debian and Ubuntu: apt-get install espeak-ng-data")
+    with(|espeak| Ok(espeak.about()))
 }
 
 /// Says texts in a voice: one [`Said`] for each. The library begins anew for every text, so
@@ -303,7 +317,6 @@ pub(super) fn say(voice: &str, texts: &[String]) -> Result<Vec<Said>> {
 
 fn say_one(espeak: &Espeak, voice: &CStr, text: &CStr) -> Result<Said> {
     SAID.with(|said| said.replace(Said::default()));
-    let rate_hz = start(espeak)?;
     // SAFETY: the strings end in 0 and live until the calls return; the size counts the 0;
     // the callback is a function. Mode "synchronous" does all work before it returns.
     let (found, done, marked) = unsafe {
@@ -328,13 +341,12 @@ fn say_one(espeak: &Espeak, voice: &CStr, text: &CStr) -> Result<Said> {
         } else {
             Vec::new()
         };
-        (espeak.terminate)();
         (found, done, marked)
     };
     ensure!(found == 0, "espeak-ng has no voice {voice:?}");
     ensure!(done == 0, "espeak-ng failed with {done}");
     let mut said = SAID.with(RefCell::take);
-    said.rate_hz = rate_hz;
+    said.rate_hz = espeak.rate_hz;
     said.marked = marked;
     Ok(said)
 }

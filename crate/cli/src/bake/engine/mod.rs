@@ -9,6 +9,7 @@
 mod espeak;
 mod espeak_library;
 mod festival;
+mod flite;
 mod ipa;
 mod labels;
 mod matching;
@@ -18,22 +19,15 @@ mod wave;
 use anyhow::{Result, bail};
 
 use raconteur_player::speech::bundle::SentenceKind;
+pub(crate) use raconteur_player::speech::content::Gender;
+use raconteur_player::speech::plan::Plan;
 use raconteur_player::speech::spoken::{Sentence, Spoken, Token};
 
 /// Most tokens that a token's text may have in characters; the baker parts longer ones.
 const MOST_CHARACTERS: usize = 40;
 
-/// The sex that a voice sounds like.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Gender {
-    /// As of a woman.
-    Female,
-    /// As of a man.
-    Male,
-}
-
 /// A voice that an engine has.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct VoiceInfo {
     /// As its engine knows it.
     pub(crate) name: String,
@@ -69,18 +63,76 @@ pub(crate) trait Engine: Sync {
     /// # Errors
     /// When the engine or the voice is not installed, or when what comes back makes no sense.
     fn speak(&self, voice: &str, sentences: &[Sentence]) -> Result<Vec<Spoken>>;
+
+    /// A voice that [`Engine::voices`] does not list, for engines that can vary theirs.
+    ///
+    /// # Errors
+    /// As [`Engine::version`].
+    fn voice(&self, name: &str) -> Result<Option<VoiceInfo>> {
+        let _ = name;
+        Ok(None)
+    }
+
+    /// An utterance that was recorded, found by its key or its place in the story: the sound of
+    /// all of its sentences. `None` for engines that speak.
+    ///
+    /// # Errors
+    /// When it is not there, or not of what is to be said.
+    fn recorded(&self, key: u64, place: usize, plan: &Plan) -> Result<Option<Spoken>> {
+        let _ = (key, place, plan);
+        Ok(None)
+    }
+
+    /// What stands for the files that an utterance is taken from.
+    ///
+    /// # Errors
+    /// As [`Engine::recorded`].
+    fn state(&self, key: u64, place: usize) -> Result<String> {
+        let _ = (key, place);
+        Ok(String::new())
+    }
+}
+
+/// Where engines find what they need.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct EngineOptions {
+    /// Address of a MaryTTS server.
+    pub(crate) server: String,
+    /// Folder of recordings.
+    pub(crate) recordings: Option<std::path::PathBuf>,
+}
+
+/// Which engine has a voice of this name; `ENGINE:VOICE` says it.
+pub(crate) fn find_voice(name: &str) -> Option<(String, String)> {
+    if let Some((engine, voice)) = name.split_once(':') {
+        return ENGINES.contains(&engine).then(|| (engine.to_owned(), voice.to_owned()));
+    }
+    ENGINES.iter().find_map(|engine| {
+        let voices = by_name(engine, &EngineOptions::default()).ok()?.voices().ok()?;
+        voices.iter().any(|v| v.name == name).then(|| ((*engine).to_owned(), name.to_owned()))
+    })
+}
+
+/// The samples of a WAV file, one channel, and how many there are in a second.
+///
+/// # Errors
+/// When it is none.
+pub(crate) fn read_wave(path: &std::path::Path) -> Result<(Vec<f64>, f64)> {
+    let wave = wave::read(path)?;
+    Ok((wave.samples, wave.rate_hz))
 }
 
 /// The names that [`by_name`] knows.
-pub(crate) const ENGINES: [&str; 2] = ["festival", "espeak-ng"];
+pub(crate) const ENGINES: [&str; 3] = ["festival", "flite", "espeak-ng"];
 
 /// The engine of a name.
 ///
 /// # Errors
 /// When there is none.
-pub(crate) fn by_name(name: &str) -> Result<Box<dyn Engine>> {
+pub(crate) fn by_name(name: &str, _options: &EngineOptions) -> Result<Box<dyn Engine>> {
     Ok(match name {
         "festival" => Box::new(festival::Festival),
+        "flite" => Box::new(flite::Flite),
         "espeak-ng" => Box::new(espeak::Espeak),
         _ => bail!("no engine {name:?}; there are {}", ENGINES.join(", ")),
     })

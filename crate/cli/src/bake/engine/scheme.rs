@@ -170,7 +170,7 @@ pub(super) fn script(sentences: &[Sentence], voice: &str, set: Set) -> Result<St
 }
 
 /// A number in the letters a to j.
-fn letters(number: usize) -> String {
+pub(super) fn letters(number: usize) -> String {
     number
         .to_string()
         .bytes()
