@@ -49,11 +49,11 @@ const MODES: [(&str, SayAs); 13] = [
 ];
 
 /// What a word stands for, in any case.
-pub(in crate::markup) fn of_word<T: Clone>(table: &[(&str, T)], word: &str) -> Option<T> {
+pub(in crate::markup) fn of_word<T: Copy>(table: &[(&str, T)], word: &str) -> Option<T> {
     let found = table
         .iter()
         .find(|(w, _)| w.eq_ignore_ascii_case(word.trim()));
-    found.map(|(_, value)| value.clone())
+    found.map(|(_, value)| *value)
 }
 
 /// The word for a value.

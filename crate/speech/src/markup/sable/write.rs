@@ -6,7 +6,7 @@ use crate::markup::levels::{EMPHASES, Property, boundary_sign};
 use crate::markup::write::{Element, Language, body, declaration, emotion, gain, loudness};
 use crate::text::SayAs;
 
-/// Writes a document of SABLE 1.0. [`super::read`] makes of it a content whose words have the
+/// Writes a document of SABLE 1.0. [`super::read()`] makes of it a content whose words have the
 /// same styles. What SABLE cannot say (emotions, changes that percents cannot say exactly)
 /// is in [`crate::markup::NAMESPACE`]. Characters that XML cannot hold become U+FFFD; empty
 /// texts of attributes count as none.

@@ -15,7 +15,7 @@ use crate::style::Style;
 use crate::text::SayAs;
 
 /// Writes a document of SSML 1.1. `language` is the BCP 47 tag of what is in no other
-/// language. [`super::read`] makes of it a content whose words have the same styles: where
+/// language. [`super::read()`] makes of it a content whose words have the same styles: where
 /// SSML cannot say a thing, or only nearly, attributes and elements in
 /// [`crate::markup::NAMESPACE`] say it exactly beside what comes nearest. Characters that XML
 /// cannot hold become U+FFFD; empty texts of attributes count as none.
