@@ -51,6 +51,8 @@ enum Command {
     Render(commands::render::Render),
     /// Make or refresh the speech bundles of stories.
     Bake(commands::bake::Bake),
+    /// Measure voices and look at them.
+    Voice(commands::voice::Voice),
     /// Play stories without pixels and report what a viewer would notice.
     Sweep(commands::sweep::Sweep),
     /// Play a score on the built-in synthesiser.
@@ -78,6 +80,7 @@ fn main() -> ExitCode {
         Command::Pose(c) => c.run(),
         Command::Render(c) => c.run(),
         Command::Bake(c) => c.run(),
+        Command::Voice(c) => c.run(),
         Command::Sweep(c) => c.run(),
         Command::Compose(c) => c.run(),
         Command::Serve(c) => c.run(),

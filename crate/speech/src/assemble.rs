@@ -1,6 +1,8 @@
 //! Puts the sentences of an utterance together: one sound with silences and recordings where
 //! they belong, and the times of all that is in it.
 
+use raconteur_base::ops;
+
 use crate::bundle::{
     Accent, Emotion, FRAME_SECS, Phone, Phrase, SILENCE, SOUND, Sentence, Syllable, Utterance,
     Word, code_of_db, code_of_hz,
@@ -30,6 +32,8 @@ const DUCK_SECS: f64 = 0.25;
 
 /// No sample goes beyond this: −1.5 dB, which leaves the encoders half a decibel below −1.
 const PEAK: f64 = 0.84;
+/// From here on peaks are rounded off: the sharp ones of loud voices, once in a period.
+const KNEE: f64 = 0.7;
 
 /// The window of intensity, seconds: two periods of a low voice.
 const INTENSITY_WINDOW_SECS: f64 = 0.032;
@@ -309,7 +313,7 @@ impl Tape<'_> {
             start = mark.end;
         }
         // One pole both ways: soft before a word begins, loud after it has ended.
-        let keep = raconteur_base::ops::exp(-3.0 / (DUCK_SECS * self.rate_hz));
+        let keep = ops::exp(-3.0 / (DUCK_SECS * self.rate_hz));
         let smooth = |level: &mut dyn Iterator<Item = &mut f64>| {
             let mut now = None;
             for value in level {
@@ -344,9 +348,12 @@ impl Tape<'_> {
         let length = (length_msec * milli).round() as usize;
         self.samples.resize(length, 0.0);
         self.mix();
-        let peak = self.samples.iter().fold(0.0, |m: f64, s| m.max(s.abs()));
-        if peak > PEAK {
-            self.samples.iter_mut().for_each(|s| *s *= PEAK / peak);
+        for sample in &mut self.samples {
+            let over = sample.abs() - KNEE;
+            if over > 0.0 {
+                let rounded = (PEAK - KNEE) * (1.0 - ops::exp(-over / (PEAK - KNEE)));
+                *sample = (KNEE + rounded).copysign(*sample);
+            }
         }
         let msec = |index: usize| (index as f64 / milli).round();
         utterance.duration_secs = length_msec / 1000.0;

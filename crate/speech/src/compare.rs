@@ -6,7 +6,7 @@ use core::f64::consts::{LN_2, LN_10};
 use raconteur_base::ops;
 
 use crate::assemble::Track;
-use crate::bundle::{FRAME_SECS, Phone, Utterance};
+use crate::bundle::{FRAME_SECS, Phone, Syllable, Utterance};
 use crate::manner::{Manner, manner};
 use crate::signal::f0::{self, PitchOptions, PitchTrack};
 use crate::signal::intensity::span_db;
@@ -21,7 +21,22 @@ pub struct Difference {
     pub sonorant_duration: f64,
     /// Factor on the length of plosives and fricatives.
     pub obstruent_duration: f64,
-    /// How much higher it is, semitones, on the mean.
+    /// How much higher it is on the mean, semitones.
+    pub semitones: f64,
+    /// How much louder it is, decibels.
+    pub db: f64,
+    /// Factor on the length of pauses between words that are there in both.
+    pub pause_duration: f64,
+    /// Pauses between words, before and after.
+    pub pauses: (usize, usize),
+    /// How its melody differs; `None` where too little is voiced to tell.
+    pub melody: Option<Melody>,
+}
+
+/// How a melody differs from the plain one, each part with the others taken out.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Melody {
+    /// How much higher it is, semitones.
     pub semitones: f64,
     /// Factor on the range of the pitch around its mean.
     pub range: f64,
@@ -29,24 +44,27 @@ pub struct Difference {
     pub rise: f64,
     /// Factor by which the range grows from the begin of a phrase to its end.
     pub range_growth: f64,
-    /// How much higher accented syllables are, over what all are, semitones.
+    /// How much higher the middles of accented syllables are, semitones.
     pub accent: f64,
-    /// How much louder it is, decibels.
-    pub db: f64,
-    /// Factor on the length of pauses between words that are there in both.
-    pub pause_duration: f64,
-    /// Pauses between words, before and after.
-    pub pauses: (usize, usize),
+    /// Factor on the steepness in accented syllables.
+    pub accent_slope: f64,
+    /// By how much accented syllables rise more, from end to end of their middle, semitones.
+    pub accent_tilt: f64,
+    /// How much higher phrases end, semitones.
+    pub end: f64,
 }
 
-/// A place where both can be heard: a point of a vowel.
+/// A moment where both are voiced.
 struct Point {
     /// Semitones over 100 Hz, plain and changed.
     plain: f64,
     changed: f64,
     /// Place in its phrase, −0.5 to 0.5.
     along: f64,
-    accented: bool,
+    /// Place in its syllable, 0 to 1, and the pitch in the middle of that, where accented.
+    accent: Option<(f64, f64)>,
+    /// Place in the last syllable of its phrase, 0 to 1; 0 before it.
+    ending: f64,
 }
 
 /// Compares the words from `first` to `last`. `None` when the two do not have the same
@@ -61,66 +79,133 @@ pub fn compare(
 ) -> Option<Difference> {
     let pairs = pairs(&plain.utterance, &changed.utterance, first, last)?;
     let tracks = [plain, changed].map(pitch);
-    let (mut lengths, mut levels) = ([[0.0; 2]; 2], [0.0; 2]);
+    let mut lengths = [[0.0; 2]; 2];
+    let (mut db, mut weight) = (0.0, 0.0);
     let mut points = Vec::new();
     for (i, a, b) in &pairs {
-        let class = match manner(phone_set, &a.symbol) {
+        let kind = manner(phone_set, &a.symbol);
+        let class = match kind {
             Manner::Vowel | Manner::Sonorant => 0,
             Manner::Plosive | Manner::Fricative => 1,
             Manner::Silence => continue,
         };
-        lengths[class][0] += a.end_secs - a.start_secs;
+        let secs = a.end_secs - a.start_secs;
+        lengths[class][0] += secs;
         lengths[class][1] += b.end_secs - b.start_secs;
-        if manner(phone_set, &a.symbol) == Manner::Vowel {
+        if class == 0 {
+            points_of(&plain.utterance, *i, a, b, &tracks, &mut points);
+        }
+        if kind == Manner::Vowel {
             // By length, so that a stretched vowel counts as it did.
-            let weight = a.end_secs - a.start_secs;
-            levels[0] += weight * level(plain, a);
-            levels[1] += weight * level(changed, b);
-            points.extend(points_of(&plain.utterance, *i, a, b, &tracks));
+            db += secs * (level(changed, b) - level(plain, a));
+            weight += secs;
         }
     }
-    if points.len() < 3 {
+    if points.is_empty() {
         return None;
     }
     let words = |u: &Utterance| u.words[last].end_secs - u.words[first].start_secs;
-    let weight: f64 = pairs
-        .iter()
-        .filter(|(_, a, _)| manner(phone_set, &a.symbol) == Manner::Vowel)
-        .map(|(_, a, _)| a.end_secs - a.start_secs)
-        .sum();
-    let mean = |f: &dyn Fn(&Point) -> f64, of: &dyn Fn(&Point) -> bool| {
-        let kept: Vec<f64> = points.iter().filter(|p| of(p)).map(f).collect();
-        kept.iter().sum::<f64>() / kept.len().max(1) as f64
-    };
-    let all = |_: &Point| true;
-    let [plain_mean, changed_mean] = [mean(&|p| p.plain, &all), mean(&|p| p.changed, &all)];
-    // Lines through the points: what is asked against what is there.
-    let moved = |p: &Point| p.changed - changed_mean - (p.plain - plain_mean);
-    let rise = line(points.iter().map(|p| (p.along, moved(p))));
-    let spread = |of: &dyn Fn(&Point) -> bool, f: &dyn Fn(&Point) -> f64| {
-        let centre = mean(f, of);
-        mean(&|p| (f(p) - centre) * (f(p) - centre), of).sqrt()
-    };
-    let growth = |of: &dyn Fn(&Point) -> bool| {
-        spread(of, &|p| p.changed) / spread(of, &|p| p.plain).max(1e-9)
-    };
     let pauses = [&plain.utterance, &changed.utterance].map(|u| pauses(u, first, last));
     let both = pauses[0]
         .iter()
         .filter_map(|(w, a)| Some((a, &pauses[1].iter().find(|(v, _)| v == w)?.1)));
     let (before, after) = both.fold((0.0, 0.0), |sum, (a, b)| (sum.0 + a, sum.1 + b));
+    let higher: f64 = points.iter().map(|p| p.changed - p.plain).sum();
     Some(Difference {
         duration: words(&changed.utterance) / words(&plain.utterance),
         sonorant_duration: lengths[0][1] / lengths[0][0].max(1e-9),
         obstruent_duration: lengths[1][1] / lengths[1][0].max(1e-9),
-        semitones: changed_mean - plain_mean,
-        range: line(points.iter().map(|p| (p.plain, p.changed))),
-        rise,
-        range_growth: growth(&|p| p.along > 0.0) / growth(&|p| p.along <= 0.0).max(1e-9),
-        accent: mean(&moved, &|p| p.accented) - mean(&moved, &|p| !p.accented),
-        db: (levels[1] - levels[0]) / weight.max(1e-9),
+        semitones: higher / points.len() as f64,
+        db: db / f64::max(weight, 1e-9),
         pause_duration: after / f64::max(before, 1e-9),
         pauses: (pauses[0].len(), pauses[1].len()),
+        melody: melody(&points),
+    })
+}
+
+/// Parts of a melody: a linear model of the changed pitch, fitted by least squares twice, the
+/// second time without what errs by more than three semitones (slips of an octave).
+fn melody(points: &[Point]) -> Option<Melody> {
+    const PARTS: usize = 8;
+    let mean = points.iter().map(|p| p.plain).sum::<f64>() / points.len().max(1) as f64;
+    let row = |p: &Point| -> [f64; PARTS] {
+        let plain = p.plain - mean;
+        let (inside, slope, tilt) = p.accent.map_or((0.0, 0.0, 0.0), |(place, centre)| {
+            let inside = 0.5 - 0.5 * ops::cos(2.0 * core::f64::consts::PI * place);
+            let tilt = inside * 2.0 * (place - 0.5);
+            (inside, inside * (p.plain - centre), tilt)
+        });
+        [
+            1.0,
+            plain,
+            p.along,
+            plain * p.along,
+            inside,
+            slope,
+            tilt,
+            p.ending,
+        ]
+    };
+    let mut kept: Vec<&Point> = points.iter().collect();
+    let mut fit = [0.0; PARTS];
+    for _ in 0..2 {
+        if kept.len() < 5 * PARTS {
+            return None;
+        }
+        let mut matrix = [[0.0; PARTS + 1]; PARTS];
+        for p in &kept {
+            let row = row(p);
+            for i in 0..PARTS {
+                for k in 0..PARTS {
+                    matrix[i][k] += row[i] * row[k];
+                }
+                matrix[i][PARTS] += row[i] * (p.changed - mean);
+            }
+        }
+        fit = solve(matrix);
+        let error = |p: &Point| {
+            let model: f64 = row(p).iter().zip(&fit).map(|(x, c)| x * c).sum();
+            (p.changed - mean - model).abs()
+        };
+        kept.retain(|p| error(p) < 3.0);
+    }
+    let range = fit[1].max(1e-3);
+    Some(Melody {
+        semitones: fit[0],
+        range,
+        rise: fit[2],
+        range_growth: ops::exp(fit[3] / range),
+        accent: fit[4],
+        accent_slope: 1.0 + fit[5] / range,
+        accent_tilt: fit[6],
+        end: fit[7],
+    })
+}
+
+/// Solves a symmetric system by elimination; parts that nothing tells of are 0.
+fn solve<const N: usize, const M: usize>(mut matrix: [[f64; M]; N]) -> [f64; N] {
+    let scale: [f64; N] = core::array::from_fn(|i| matrix[i][i].abs());
+    for pivot in 0..N {
+        if matrix[pivot][pivot].abs() <= 1e-9 * scale[pivot].max(1.0) {
+            matrix[pivot] = [0.0; M];
+            continue;
+        }
+        let row = matrix[pivot];
+        for (i, other) in matrix.iter_mut().enumerate() {
+            if i != pivot {
+                let factor = other[pivot] / row[pivot];
+                for (x, y) in other.iter_mut().zip(&row) {
+                    *x -= factor * y;
+                }
+            }
+        }
+    }
+    core::array::from_fn(|i| {
+        if matrix[i][i] == 0.0 {
+            0.0
+        } else {
+            matrix[i][N] / matrix[i][i]
+        }
     })
 }
 
@@ -159,56 +244,59 @@ fn pairs<'a>(
         .then(|| a.iter().zip(&b).map(|(x, y)| (x.0, x.1, y.1)).collect())
 }
 
-/// Three points of a vowel, where both are voiced.
+/// Points of a phone, where both are voiced.
 fn points_of(
     plain: &Utterance,
     index: usize,
     a: &Phone,
     b: &Phone,
     tracks: &[PitchTrack; 2],
-) -> Vec<Point> {
+    points: &mut Vec<Point>,
+) {
     let word = a.word.unwrap_or(0);
     let phrase = plain
         .phrases
         .iter()
         .find(|p| (p.first_word..p.first_word + p.words).contains(&word));
-    let span = phrase.and_then(|p| {
-        let words = plain.words.get(p.first_word..p.first_word + p.words)?;
-        Some((words.first()?.start_secs, words.last()?.end_secs))
+    let words = phrase.and_then(|p| plain.words.get(p.first_word..p.first_word + p.words));
+    let (from, to) = words
+        .and_then(|w| Some((w.first()?.start_secs, w.last()?.end_secs)))
+        .unwrap_or((a.start_secs, a.end_secs));
+    let span = |s: &Syllable| {
+        let phones = &plain.phones[s.first_phone..s.first_phone + s.phones];
+        (phones[0].start_secs, phones[phones.len() - 1].end_secs)
+    };
+    let accented = plain.accents.iter().find_map(|accent| {
+        let syllable = plain.syllables.get(accent.syllable)?;
+        let inside =
+            (syllable.first_phone..syllable.first_phone + syllable.phones).contains(&index);
+        inside.then(|| span(syllable))
     });
-    let (from, to) = span.unwrap_or((a.start_secs, a.end_secs));
-    let accented = plain.accents.iter().any(|accent| {
-        let syllable = plain.syllables.get(accent.syllable);
-        syllable.is_some_and(|s| (s.first_phone..s.first_phone + s.phones).contains(&index))
-    });
-    [0.3, 0.5, 0.7]
+    let last = plain
+        .syllables
         .iter()
-        .filter_map(|share| {
-            let at = |p: &Phone| p.start_secs + share * (p.end_secs - p.start_secs);
-            let hz = [tracks[0].hz_at(at(a)), tracks[1].hz_at(at(b))];
-            let semitones = |hz: f64| 12.0 * ops::ln(hz / 100.0) / LN_2;
-            (hz[0] > 0.0 && hz[1] > 0.0).then(|| Point {
-                plain: semitones(hz[0]),
-                changed: semitones(hz[1]),
-                along: (at(a) - from) / (to - from).max(1e-9) - 0.5,
-                accented,
-            })
-        })
-        .collect()
-}
-
-/// The slope of the line through points, by least squares.
-fn line(points: impl Iterator<Item = (f64, f64)>) -> f64 {
-    let points: Vec<(f64, f64)> = points.collect();
-    let count = points.len().max(1) as f64;
-    let (x, y) = points
-        .iter()
-        .fold((0.0, 0.0), |s, p| (s.0 + p.0, s.1 + p.1));
-    let (x, y) = (x / count, y / count);
-    let (xy, xx) = points.iter().fold((0.0, 0.0), |s, p| {
-        (s.0 + (p.0 - x) * (p.1 - y), s.1 + (p.0 - x) * (p.0 - x))
-    });
-    xy / f64::max(xx, 1e-12)
+        .map(span)
+        .rfind(|(_, end)| *end <= to + 1e-6);
+    for share in [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9] {
+        let at = |p: &Phone| p.start_secs + share * (p.end_secs - p.start_secs);
+        let [before, after] = [tracks[0].hz_at(at(a)), tracks[1].hz_at(at(b))];
+        if before <= 0.0 || after <= 0.0 {
+            continue;
+        }
+        let semitones = |hz: f64| 12.0 * ops::ln(hz / 100.0) / LN_2;
+        let place = |(start, end): (f64, f64)| (at(a) - start) / f64::max(end - start, 1e-9);
+        points.push(Point {
+            plain: semitones(before),
+            changed: semitones(after),
+            along: place((from, to)) - 0.5,
+            accent: accented.map(|span| {
+                let centre = tracks[0].hz_near((span.0 + span.1) / 2.0, 0.05);
+                let centre = if centre > 0.0 { centre } else { before };
+                (place(span), semitones(centre))
+            }),
+            ending: last.map_or(0.0, |span| place(span).clamp(0.0, 1.0)),
+        });
+    }
 }
 
 /// Pauses between words: the word before and the length, seconds.

@@ -14,15 +14,15 @@ use crate::style::{NO_EMPHASIS, Style};
 /// Changes are functions of time that are known every so often, seconds.
 const STEP_SECS: f64 = 0.005;
 /// Pitch passes from one word's to the next one's within this time, seconds.
-const GLIDE_SECS: f64 = 0.06;
+const GLIDE_SECS: f64 = 0.04;
 /// The height of an accent over its surroundings, semitones: *designed*, in the middle of
 /// the two to six that accents of read speech have.
-const ACCENT_SEMITONES: f64 = 3.0;
+pub const ACCENT_SEMITONES: f64 = 3.0;
 /// Half the way that a preferred shape moves over an accented syllable, semitones. *Designed*.
-const SHAPE_SEMITONES: f64 = 1.0;
+pub const SHAPE_SEMITONES: f64 = 1.0;
 /// By how much a preferred boundary moves the end of a phrase at full power, semitones.
 /// *Designed*.
-const BOUNDARY_SEMITONES: f64 = 6.0;
+pub const BOUNDARY_SEMITONES: f64 = 6.0;
 
 /// What emphasis does: SABLE's level, factor of duration, semitones, decibels. *Designed*
 /// around what listeners call emphasis: a tenth to a quarter longer, two to four semitones
@@ -244,9 +244,9 @@ fn retime(spoken: &mut Spoken, times: &TimeMap) {
     }
 }
 
-/// The releases of plosives, which do not grow when a voice slows down: their last 25 ms.
+/// The releases of plosives, which do not grow when a voice slows down: their last 15 ms.
 fn releases(spoken: &Spoken) -> Vec<(f64, f64)> {
-    const RELEASE_SECS: f64 = 0.025;
+    const RELEASE_SECS: f64 = 0.015;
     let mut start_secs = 0.0;
     let mut out = Vec::new();
     for segment in &spoken.segments {

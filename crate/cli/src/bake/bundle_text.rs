@@ -84,7 +84,11 @@ fn utterance(u: &Utterance) -> String {
         .map(|p| format!("[{}, {}]", text(&p.tone), p.words));
     let sentences = u.sentences.iter().map(|s| {
         let mark = SentenceKind::MARKS.iter().find(|(kind, _)| *kind == s.kind);
-        format!("[{}, {}]", text(mark.map_or(".", |(_, mark)| mark)), s.words)
+        format!(
+            "[{}, {}]",
+            text(mark.map_or(".", |(_, mark)| mark)),
+            s.words
+        )
     });
     let emotions = u.emotions.iter().map(|e| {
         format!(

@@ -89,7 +89,9 @@ impl Cast {
         known.engine.voice(name)?.with_context(|| {
             let names: Vec<&str> = known.voices.iter().map(|v| v.name.as_str()).collect();
             let some = names[..names.len().min(12)].join(", ");
-            format!("{engine} has no voice {name}; it has {some} (see raconteur bake --list-voices)")
+            format!(
+                "{engine} has no voice {name}; it has {some} (see raconteur bake --list-voices)"
+            )
         })
     }
 
@@ -133,7 +135,8 @@ impl Cast {
             Some(name) => self.named(name)?,
             None => usual.clone(),
         };
-        let speaks = |voice: &VoiceInfo| language::primary(&voice.language) == language::primary(tag);
+        let speaks =
+            |voice: &VoiceInfo| language::primary(&voice.language) == language::primary(tag);
         let fits = |voice: &VoiceInfo| {
             speaker.gender.is_none() || voice.gender.is_none() || voice.gender == speaker.gender
         };

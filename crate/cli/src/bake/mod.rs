@@ -10,6 +10,8 @@ mod bundle_text;
 mod cast;
 mod encode;
 pub(crate) mod engine;
+pub(crate) mod measure;
+pub(crate) mod picture;
 pub(crate) mod program;
 mod sounds;
 mod speak;

@@ -40,7 +40,14 @@ pub(crate) fn read(path: &Path, rate_hz: f64) -> Result<Recording> {
     command
         .args(["-v", "error", "-nostdin", "-y", "-i"])
         .arg(path)
-        .args(["-t", &LONGEST_SECS.to_string(), "-ac", "1", "-sample_fmt", "s16"])
+        .args([
+            "-t",
+            &LONGEST_SECS.to_string(),
+            "-ac",
+            "1",
+            "-sample_fmt",
+            "s16",
+        ])
         .arg(&wave);
     FFMPEG.run(command)?;
     let (samples, own_hz) = super::engine::read_wave(&wave)?;

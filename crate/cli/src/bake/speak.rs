@@ -10,14 +10,14 @@ use raconteur_player::speech::realise::{Own, realise};
 use raconteur_player::speech::signal::f0::{self, PitchOptions, PitchTrack};
 use raconteur_player::speech::signal::{resample, rms};
 use raconteur_player::speech::spoken::{Sentence, Spoken};
-use raconteur_player::speech::style::Style;
+use raconteur_player::speech::style::{NO_EMPHASIS, Style};
 use raconteur_player::speech::text::Lexicon;
 
 use super::cast::{Cast, Role};
 
 /// Loudness of plain speech without its pauses, root mean square against full scale: as loud
 /// as leaves room for what is spoken twice as loud.
-const LOUDNESS: f64 = 0.08;
+const LOUDNESS: f64 = 0.065;
 
 /// How a voice of a grown-up becomes another's: factors on the resonances of the mouth, on
 /// the pitch of a man's and of a woman's voice, and on the pace. Resonances follow the length
@@ -77,7 +77,12 @@ pub(crate) fn speak(
 ) -> Result<Track> {
     let Casting { plan, roles } = casting;
     let mut spoken = by_role(&plan.sentences, roles, cast)?;
-    let rate_hz = spoken.iter().fold(16_000.0, |most: f64, s| most.max(s.rate_hz));
+    for (one, planned) in spoken.iter_mut().zip(&plan.sentences) {
+        accents(one, planned);
+    }
+    let rate_hz = spoken
+        .iter()
+        .fold(16_000.0, |most: f64, s| most.max(s.rate_hz));
     for (one, role) in spoken.iter_mut().zip(roles) {
         one.samples = resample(&one.samples, one.rate_hz, rate_hz);
         one.rate_hz = rate_hz;
@@ -127,7 +132,13 @@ pub(crate) fn speak(
             moved_pauses,
         });
     }
-    Ok(assemble(plan, &parts, &recordings(rate_hz)?, &felt, rate_hz))
+    Ok(assemble(
+        plan,
+        &parts,
+        &recordings(rate_hz)?,
+        &felt,
+        rate_hz,
+    ))
 }
 
 /// The factor on pauses that nobody asked for: slow speech pauses longer.
@@ -139,7 +150,27 @@ fn pauses(styled: &[(&Style, Place)], own: &Own) -> f64 {
     styled.iter().map(one).sum::<f64>() / styled.len().max(1) as f64
 }
 
-/// Runs of sentences by one voice are spoken together.
+/// Emphasised words are accented where they are stressed, and reduced ones are not. An engine
+/// that tells no accents at all has them where words are stressed.
+fn accents(spoken: &mut Spoken, planned: &Planned) {
+    let untold = spoken.syllables.iter().all(|s| s.accent.is_empty());
+    for syllable in &mut spoken.syllables {
+        let token = spoken.segments.get(syllable.first).and_then(|s| s.token);
+        let token = token.and_then(|t| planned.sentence.tokens.get(t));
+        let emphasis = token.map_or(NO_EMPHASIS, |t| t.emphasis);
+        if emphasis < NO_EMPHASIS {
+            syllable.accent.clear();
+        } else if syllable.accent.is_empty()
+            && syllable.stress == 1
+            && (untold || emphasis > NO_EMPHASIS)
+        {
+            "*".clone_into(&mut syllable.accent);
+        }
+    }
+}
+
+/// Runs of sentences by one voice are spoken together. Emphasis is realised in the sound: what
+/// an engine makes of it is its own affair, and so it is not told.
 fn by_role(sentences: &[Planned], roles: &[Role], cast: &Cast) -> Result<Vec<Spoken>> {
     let mut out = Vec::with_capacity(sentences.len());
     let mut from = 0;
@@ -148,7 +179,12 @@ fn by_role(sentences: &[Planned], roles: &[Role], cast: &Cast) -> Result<Vec<Spo
         let to = from + roles[from..].iter().take_while(|r| *r == role).count();
         let asked: Vec<Sentence> = sentences[from..to]
             .iter()
-            .map(|s| s.sentence.clone())
+            .map(|s| {
+                let mut sentence = s.sentence.clone();
+                let tokens = sentence.tokens.iter_mut();
+                tokens.for_each(|t| t.emphasis = NO_EMPHASIS);
+                sentence
+            })
             .collect();
         let spoken = cast
             .engine(role)?
@@ -222,7 +258,11 @@ impl Voicing {
         if self.resonance == 1.0 {
             return;
         }
-        spoken.samples = resample(&spoken.samples, spoken.rate_hz * self.resonance, spoken.rate_hz);
+        spoken.samples = resample(
+            &spoken.samples,
+            spoken.rate_hz * self.resonance,
+            spoken.rate_hz,
+        );
         for segment in &mut spoken.segments {
             segment.end_secs /= self.resonance;
         }

@@ -188,7 +188,10 @@ impl Bake {
         }
         let mut out = io::stdout().lock();
         if self.format == Format::Json {
-            let voices: Vec<_> = rows.iter().map(|(engine, voice)| row(engine, voice)).collect();
+            let voices: Vec<_> = rows
+                .iter()
+                .map(|(engine, voice)| row(engine, voice))
+                .collect();
             writeln!(out, "{}", serde_json::to_string(&voices)?)?;
             return Ok(Outcome::Fine);
         }

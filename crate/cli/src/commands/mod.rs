@@ -10,3 +10,4 @@ pub(crate) mod render;
 pub(crate) mod serve;
 pub(crate) mod sweep;
 pub(crate) mod timeline;
+pub(crate) mod voice;

@@ -140,12 +140,13 @@ fn voice_of(file: &str, about: &str) -> Option<VoiceInfo> {
 
 /// A BCP 47 tag with the usual capitals.
 fn tag(language: &str) -> String {
-    let parts = language.split('-').enumerate().map(|(i, part)| {
-        match (i, part.len()) {
+    let parts = language
+        .split('-')
+        .enumerate()
+        .map(|(i, part)| match (i, part.len()) {
             (1.., 2) => part.to_uppercase(),
             _ => part.to_owned(),
-        }
-    });
+        });
     parts.collect::<Vec<_>>().join("-")
 }
 
@@ -196,7 +197,11 @@ impl Text {
         self.part(&mut labels, voice, set)?;
         syllables(&mut labels, &said.marked, set)?;
         let wave = Wave {
-            samples: said.samples.iter().map(|s| f64::from(*s) / 32_768.0).collect(),
+            samples: said
+                .samples
+                .iter()
+                .map(|s| f64::from(*s) / 32_768.0)
+                .collect(),
             rate_hz,
         };
         labels::finish(&labels, wave, phone_set(set), 0.0)
@@ -249,7 +254,10 @@ impl Text {
         let has = |labels: &Labels, t: usize| labels.phones.iter().any(|p| p.token == Some(t));
         let mut at = 0;
         while at < tokens.len() {
-            let silent = tokens[at + 1..].iter().take_while(|t| !has(labels, **t)).count();
+            let silent = tokens[at + 1..]
+                .iter()
+                .take_while(|t| !has(labels, **t))
+                .count();
             if silent > 0 && has(labels, tokens[at]) {
                 let words: Vec<String> = (at..=at + silent).map(|i| self.word(i)).collect();
                 let said = library::say(voice, &words)?;
@@ -279,11 +287,7 @@ impl Text {
     fn word(&self, index: usize) -> String {
         let start = self.starts[index].0;
         let end = self.starts.get(index + 1).map_or(usize::MAX, |s| s.0);
-        self.written
-            .chars()
-            .skip(start)
-            .take(end - start)
-            .collect()
+        self.written.chars().skip(start).take(end - start).collect()
     }
 }
 
@@ -378,7 +382,10 @@ fn readable(text: &str) -> String {
         })
         .take(super::MOST_CHARACTERS)
         .collect();
-    if kept.chars().any(|c| c.is_alphanumeric() || "%&+@€$£°".contains(c)) {
+    if kept
+        .chars()
+        .any(|c| c.is_alphanumeric() || "%&+@€$£°".contains(c))
+    {
         kept
     } else {
         String::new()
@@ -392,7 +399,11 @@ fn mnemonics(ipa: &str, set: Set) -> Result<String> {
         for phone in &syllable.phones {
             // Marks of stress stand before the vowel.
             if ipa::is_vowel(phone, set) {
-                out.push_str(["", "'", ","].get(usize::from(syllable.stress)).unwrap_or(&""));
+                out.push_str(
+                    ["", "'", ","]
+                        .get(usize::from(syllable.stress))
+                        .unwrap_or(&""),
+                );
             }
             out.push_str(phone);
             // What could be read as one mnemonic with the next.
@@ -462,7 +473,13 @@ mod tests {
         let told: Vec<_> = labels
             .phones
             .iter()
-            .map(|p| (p.symbol.as_str(), (p.end_secs * 1e3).round() as usize, p.token))
+            .map(|p| {
+                (
+                    p.symbol.as_str(),
+                    (p.end_secs * 1e3).round() as usize,
+                    p.token,
+                )
+            })
             .collect();
         assert_eq!(
             told,
@@ -486,7 +503,9 @@ mod tests {
         for nasty in ["[[f@]]", "<speak>", "a_b|c", "x\u{0}\n"] {
             let text = Text::of(&sentence(&[nasty]), Set::Espeak).unwrap();
             assert!(
-                !text.written.contains(['[', ']', '<', '>', '_', '|', '\0', '\n']),
+                !text
+                    .written
+                    .contains(['[', ']', '<', '>', '_', '|', '\0', '\n']),
                 "{nasty}"
             );
         }

@@ -5,10 +5,10 @@ use std::fs;
 use anyhow::{Context as _, Error, Result, bail, ensure};
 use raconteur_player::speech::spoken::{Sentence, Spoken};
 
+use super::super::program::Program;
 use super::ipa::Set;
 use super::labels::{self, Labels, Phone};
 use super::{Engine, Gender, VoiceInfo, scheme, wave};
-use super::super::program::Program;
 
 const FESTIVAL: Program = Program {
     name: "festival",
@@ -50,7 +50,10 @@ impl Engine for Festival {
         if sentences.is_empty() {
             return Ok(Vec::new());
         }
-        let set = if sentences.iter().any(|s| s.tokens.iter().any(|t| t.ipa.is_some())) {
+        let set = if sentences
+            .iter()
+            .any(|s| s.tokens.iter().any(|t| t.ipa.is_some()))
+        {
             ipa_set(voice)?
         } else {
             Set::Radio
@@ -71,10 +74,10 @@ impl Engine for Festival {
             .map(|(s, _)| s.clone())
             .collect();
         let mut spoken = speak(voice, &said, set)?.into_iter();
-        let silence = spoken
-            .as_slice()
-            .first()
-            .map_or_else(|| (16_000.0, "radio".to_owned()), |s| (s.rate_hz, s.phone_set.clone()));
+        let silence = spoken.as_slice().first().map_or_else(
+            || (16_000.0, "radio".to_owned()),
+            |s| (s.rate_hz, s.phone_set.clone()),
+        );
         Ok(heard
             .into_iter()
             .filter_map(|heard| {
@@ -159,7 +162,10 @@ fn speak(voice: &str, sentences: &[Sentence], set: Set) -> Result<Vec<Spoken>> {
         .map(|(i, (phone_set, labels))| {
             let last = sentences[i].tokens.len();
             ensure!(
-                labels.phones.iter().all(|p| p.token.is_none_or(|t| t < last))
+                labels
+                    .phones
+                    .iter()
+                    .all(|p| p.token.is_none_or(|t| t < last))
                     && labels.breaks.iter().all(|b| b.0 < last),
                 "Festival tells of more than {last} tokens"
             );
@@ -200,7 +206,9 @@ fn read(said: &str) -> Result<Vec<(&'static str, Labels)>> {
             }
             ["break", token, tone] => {
                 let (_, labels) = sentences.last_mut().context("a break outside a sentence")?;
-                let token = number(token)?.checked_sub(1).context("a break before words")?;
+                let token = number(token)?
+                    .checked_sub(1)
+                    .context("a break before words")?;
                 let tone = if *tone == "NONE" { "" } else { tone };
                 labels.breaks.push((token, tone.to_owned()));
             }
@@ -293,8 +301,11 @@ mod tests {
     #[test]
     fn syllables_accents_and_phrases_are_read() {
         let (_, labels) = read(SAID).unwrap().swap_remove(1);
-        let syllables: Vec<(u8, &str)> =
-            labels.syllables.iter().map(|(s, a)| (*s, a.as_str())).collect();
+        let syllables: Vec<(u8, &str)> = labels
+            .syllables
+            .iter()
+            .map(|(s, a)| (*s, a.as_str()))
+            .collect();
         assert_eq!(syllables, [(1, "H*"), (1, "H*"), (0, ""), (1, "")]);
         let of: Vec<Option<usize>> = labels.phones.iter().map(|p| p.syllable).collect();
         let expected = [0, 0, 0, 1, 1, 1, 1, 2, 2, 3, 3, 3].map(Some);

@@ -21,11 +21,29 @@ const FLITE: Program = Program {
 /// Its general voices: name, sex, samples a second, how they are made, and by how much their
 /// sound is later than their labels, seconds.
 const VOICES: [(&str, Gender, f64, &str, f64); 5] = [
-    ("awb", Gender::Male, 16_000.0, "statistical, from clusters", 0.0),
+    (
+        "awb",
+        Gender::Male,
+        16_000.0,
+        "statistical, from clusters",
+        0.0,
+    ),
     ("kal", Gender::Male, 8_000.0, "diphones", 0.0),
     ("kal16", Gender::Male, 16_000.0, "diphones", 0.0),
-    ("rms", Gender::Male, 16_000.0, "statistical, from clusters", 0.0),
-    ("slt", Gender::Female, 16_000.0, "statistical, from clusters", 0.0),
+    (
+        "rms",
+        Gender::Male,
+        16_000.0,
+        "statistical, from clusters",
+        0.0,
+    ),
+    (
+        "slt",
+        Gender::Female,
+        16_000.0,
+        "statistical, from clusters",
+        0.0,
+    ),
 ];
 
 /// flite.
@@ -70,7 +88,10 @@ impl Engine for Flite {
     fn speak(&self, voice: &str, sentences: &[Sentence]) -> Result<Vec<Spoken>> {
         let Some((_, _, rate_hz, _, lag_secs)) = VOICES.iter().find(|v| v.0 == voice) else {
             let names: Vec<&str> = VOICES.iter().map(|v| v.0).collect();
-            anyhow::bail!("flite has no voice {voice:?}; there are {}", names.join(", "));
+            anyhow::bail!(
+                "flite has no voice {voice:?}; there are {}",
+                names.join(", ")
+            );
         };
         let folder = tempfile::tempdir().context("making a folder for the engine")?;
         sentences
@@ -136,7 +157,13 @@ impl Text {
 
     fn spoken(&self, voice: &str, folder: &tempfile::TempDir, lag_secs: f64) -> Result<Spoken> {
         let sound = folder.path().join("said.wav");
-        let timed = self.run(voice, folder, &self.written, "-psdur", &sound.to_string_lossy())?;
+        let timed = self.run(
+            voice,
+            folder,
+            &self.written,
+            "-psdur",
+            &sound.to_string_lossy(),
+        )?;
         let heard = timed_phones(&timed)?;
         // Two empty lines part what is said alone.
         let words: Vec<&str> = self.words.iter().map(|(_, w)| w.as_str()).collect();
@@ -208,7 +235,10 @@ fn joined(known: &[(usize, &str)], heard: Vec<(String, f64)>) -> Result<Labels> 
         .collect();
     let pairs = matching::matched(known, &sounds, |(_, k), h| {
         let h = heard[*h].0.as_str();
-        match (*k == h, ipa::is_vowel(k, Set::Radio) == ipa::is_vowel(h, Set::Radio)) {
+        match (
+            *k == h,
+            ipa::is_vowel(k, Set::Radio) == ipa::is_vowel(h, Set::Radio),
+        ) {
             (true, _) => 0,
             (_, true) => 2,
             _ => 5,
@@ -240,7 +270,10 @@ fn syllables(labels: &mut Labels) {
     let mut at = 0;
     while at < labels.phones.len() {
         let token = labels.phones[at].token;
-        let count = labels.phones[at..].iter().take_while(|p| p.token == token).count();
+        let count = labels.phones[at..]
+            .iter()
+            .take_while(|p| p.token == token)
+            .count();
         let Some(token) = token else {
             // A silence ends a phrase, unless it is the first.
             if let Some(last) = labels.phones[..at].last().and_then(|p| p.token) {
@@ -274,14 +307,21 @@ mod tests {
     #[test]
     fn phones_of_a_sentence_find_their_tokens() {
         // Alone, "the" is said with another vowel, and 25 has a t more.
-        let alone = [(0, "hh ax l ow"), (2, "dh iy"), (3, "t w eh n t t iy f ay v")];
+        let alone = [
+            (0, "hh ax l ow"),
+            (2, "dh iy"),
+            (3, "t w eh n t t iy f ay v"),
+        ];
         let known: Vec<(usize, &str)> = alone
             .iter()
             .flat_map(|(t, phones)| phones.split_whitespace().map(|p| (*t, p)))
             .collect();
         let labels = joined(&known, timed_phones(SAID).unwrap()).unwrap();
         let of = |token| labels.phones.iter().filter(|p| p.token == token).count();
-        assert_eq!([of(Some(0)), of(Some(2)), of(Some(3)), of(None)], [4, 2, 9, 3]);
+        assert_eq!(
+            [of(Some(0)), of(Some(2)), of(Some(3)), of(None)],
+            [4, 2, 9, 3]
+        );
         assert_eq!(labels.breaks, [(0, String::new()), (3, String::new())]);
         assert_eq!(labels.syllables.len(), 2 + 1 + 3);
     }

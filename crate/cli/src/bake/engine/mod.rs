@@ -105,11 +105,19 @@ pub(crate) struct EngineOptions {
 /// Which engine has a voice of this name; `ENGINE:VOICE` says it.
 pub(crate) fn find_voice(name: &str) -> Option<(String, String)> {
     if let Some((engine, voice)) = name.split_once(':') {
-        return ENGINES.contains(&engine).then(|| (engine.to_owned(), voice.to_owned()));
+        return ENGINES
+            .contains(&engine)
+            .then(|| (engine.to_owned(), voice.to_owned()));
     }
     ENGINES.iter().find_map(|engine| {
-        let voices = by_name(engine, &EngineOptions::default()).ok()?.voices().ok()?;
-        voices.iter().any(|v| v.name == name).then(|| ((*engine).to_owned(), name.to_owned()))
+        let voices = by_name(engine, &EngineOptions::default())
+            .ok()?
+            .voices()
+            .ok()?;
+        voices
+            .iter()
+            .any(|v| v.name == name)
+            .then(|| ((*engine).to_owned(), name.to_owned()))
     })
 }
 

@@ -278,7 +278,11 @@ mod tests {
             "\u{e9}\u{201d}\u{ff08}",
         ] {
             let (strings, forms) = of(nasty).unwrap();
-            assert_eq!((strings.len(), forms), (usual.0.len(), usual.1), "{nasty:?}");
+            assert_eq!(
+                (strings.len(), forms),
+                (usual.0.len(), usual.1),
+                "{nasty:?}"
+            );
             let kept = plain(nasty);
             assert!(!kept.is_empty() && !kept.contains(['"', '\\', ' ']));
             assert_eq!(
@@ -305,14 +309,19 @@ mod tests {
         assert_eq!(plain("na\u{ef}ve"), "naive");
         assert_eq!(plain("dog's"), "dog's");
         let script = script(&[sentence("-", None)], "v", Set::Radio).unwrap();
-        assert!(script.ends_with("(raconteur_say '() \"0.wav\")\n"), "{script}");
+        assert!(
+            script.ends_with("(raconteur_say '() \"0.wav\")\n"),
+            "{script}"
+        );
     }
 
     #[test]
     fn a_pronunciation_is_a_word_of_the_lexicon() {
         let said = script(&[sentence("tomato", Some("təˈmɑːtoʊ"))], "v", Set::Radio).unwrap();
         assert!(
-            said.contains("(lex.add.entry '(\"raconteurxaxa\" nil ((( t ax) 0)(( m aa) 1)(( t ow) 0))))"),
+            said.contains(
+                "(lex.add.entry '(\"raconteurxaxa\" nil ((( t ax) 0)(( m aa) 1)(( t ow) 0))))"
+            ),
             "{said}"
         );
         assert!(read(&said).is_some() && !said.contains("tomato"));

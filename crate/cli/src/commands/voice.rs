@@ -1,0 +1,125 @@
+//! `raconteur voice`: what a voice does, in figures and as a picture.
+
+use std::io::{self, Write as _};
+use std::path::PathBuf;
+
+use anyhow::Result;
+use clap::{Args, Subcommand};
+use serde_json::json;
+
+use crate::bake::engine::{ENGINES, EngineOptions};
+use crate::bake::measure::{self, Row};
+use crate::bake::{Cast, picture};
+use crate::{Format, Outcome};
+
+/// Measure voices and look at them.
+#[derive(Args)]
+pub(crate) struct Voice {
+    #[command(subcommand)]
+    what: What,
+}
+
+#[derive(Subcommand)]
+enum What {
+    /// Measure what markup and emotions do to a voice; fail when something is not as asked.
+    Measure(Measure),
+    /// Draw a sentence: its spectrum with words, phones and pitch over it.
+    Picture(Picture),
+}
+
+/// Whose voice.
+#[derive(Args)]
+struct Who {
+    /// The speech engine.
+    #[arg(long, default_value = "festival", value_parser = ENGINES)]
+    engine: String,
+    /// The voice, as its engine calls it; without it, the engine's first.
+    #[arg(long)]
+    voice: Option<String>,
+}
+
+impl Who {
+    fn cast(&self) -> Result<Cast> {
+        Cast::new(
+            &self.engine,
+            self.voice.as_deref(),
+            EngineOptions::default(),
+        )
+    }
+}
+
+#[derive(Args)]
+struct Measure {
+    #[command(flatten)]
+    who: Who,
+    /// How to report.
+    #[arg(long, value_enum, default_value = "text")]
+    format: Format,
+}
+
+#[derive(Args)]
+struct Picture {
+    #[command(flatten)]
+    who: Who,
+    /// What it says; SABLE's markup is understood.
+    text: String,
+    /// The SVG file.
+    #[arg(short, long)]
+    out: PathBuf,
+}
+
+impl Voice {
+    pub(crate) fn run(&self) -> Result<Outcome> {
+        match &self.what {
+            What::Measure(measure) => measure.run(),
+            What::Picture(picture) => picture.run(),
+        }
+    }
+}
+
+impl Measure {
+    fn run(&self) -> Result<Outcome> {
+        let rows = measure::measure(&self.who.cast()?)?;
+        let mut out = io::stdout().lock();
+        if self.format == Format::Json {
+            let rows: Vec<_> = rows.iter().map(row).collect();
+            writeln!(out, "{}", serde_json::to_string(&rows)?)?;
+        } else {
+            for row in &rows {
+                writeln!(
+                    out,
+                    "{:24} {:24} asked {:6.3} heard {:6.3} {:5.1} %{}",
+                    row.setting,
+                    row.property,
+                    row.asked,
+                    row.heard,
+                    row.error() * 100.0,
+                    if row.is_met() { "" } else { "  NOT AS ASKED" }
+                )?;
+            }
+        }
+        Ok(if rows.iter().all(Row::is_met) {
+            Outcome::Fine
+        } else {
+            Outcome::Errors
+        })
+    }
+}
+
+fn row(row: &Row) -> serde_json::Value {
+    json!({
+        "setting": row.setting,
+        "property": row.property,
+        "asked": row.asked,
+        "heard": row.heard,
+        "error": row.error(),
+        "ok": row.is_met(),
+    })
+}
+
+impl Picture {
+    fn run(&self) -> Result<Outcome> {
+        picture::draw(&self.who.cast()?, &self.text, &self.out)?;
+        Ok(Outcome::Fine)
+    }
+}
