@@ -5,13 +5,20 @@ use std::fs;
 use std::path::Path;
 
 use anyhow::{Context as _, Result, bail, ensure};
+use raconteur_player::speech::content::Gender;
 use raconteur_player::speech::spoken::{Sentence, Spoken};
 
 use super::espeak_library::{self as library, Event, Said, What};
 use super::ipa::{self, Set};
 use super::labels::{self, Labels, Phone};
 use super::wave::Wave;
-use super::{Engine, Gender, VoiceInfo, matching, punctuation};
+use super::{Engine, VoiceInfo, matching, punctuation};
+
+/// Loudest sample of a closure. *Designed*: a hundredth of the usual level.
+const QUIET: u16 = 100;
+
+/// Longest closure, seconds. *Designed*.
+const LONGEST_CLOSURE_SECS: f64 = 0.12;
 
 /// espeak-ng.
 pub(super) struct Espeak;
@@ -38,6 +45,20 @@ impl Engine for Espeak {
         }
         out.sort_by(|a, b| a.name.cmp(&b.name));
         Ok(out)
+    }
+
+    fn voice(&self, name: &str) -> Result<Option<VoiceInfo>> {
+        let (_, data) = library::about()?;
+        let base = known(name, &data)?;
+        let found = self.voices()?.into_iter().find(|v| v.name == base);
+        Ok(found.map(|voice| VoiceInfo {
+            gender: match name.split_once('+') {
+                Some((_, variant)) => variant_gender(variant, &data).or(voice.gender),
+                None => voice.gender,
+            },
+            name: name.to_owned(),
+            ..voice
+        }))
     }
 
     fn speak(&self, voice: &str, sentences: &[Sentence]) -> Result<Vec<Spoken>> {
@@ -96,6 +117,19 @@ fn known<'a>(voice: &'a str, data: &Path) -> Result<&'a str> {
     Ok(base)
 }
 
+/// The sex that a variant, whose name was checked, gives a voice.
+fn variant_gender(variant: &str, data: &Path) -> Option<Gender> {
+    let about = fs::read_to_string(data.join("voices").join("!v").join(variant)).ok()?;
+    let line = about
+        .lines()
+        .find_map(|l| l.trim().strip_prefix("gender"))?;
+    match line.split_whitespace().next()? {
+        "female" => Some(Gender::Female),
+        "male" => Some(Gender::Male),
+        _ => None,
+    }
+}
+
 /// The phones of a language.
 fn set(language: &str) -> Set {
     match language.split('-').next() {
@@ -140,12 +174,13 @@ fn voice_of(file: &str, about: &str) -> Option<VoiceInfo> {
 
 /// A BCP 47 tag with the usual capitals.
 fn tag(language: &str) -> String {
-    let parts = language.split('-').enumerate().map(|(i, part)| {
-        match (i, part.len()) {
+    let parts = language
+        .split('-')
+        .enumerate()
+        .map(|(i, part)| match (i, part.len()) {
             (1.., 2) => part.to_uppercase(),
             _ => part.to_owned(),
-        }
-    });
+        });
     parts.collect::<Vec<_>>().join("-")
 }
 
@@ -196,7 +231,11 @@ impl Text {
         self.part(&mut labels, voice, set)?;
         syllables(&mut labels, &said.marked, set)?;
         let wave = Wave {
-            samples: said.samples.iter().map(|s| f64::from(*s) / 32_768.0).collect(),
+            samples: said
+                .samples
+                .iter()
+                .map(|s| f64::from(*s) / 32_768.0)
+                .collect(),
             rate_hz,
         };
         labels::finish(&labels, wave, phone_set(set), 0.0)
@@ -234,6 +273,7 @@ impl Text {
             }
         }
         share(&mut starts, &labels.phones);
+        closures(&mut starts, &labels.phones, &said.samples, said.rate_hz);
         let end = said.samples.len();
         for (i, phone) in labels.phones.iter_mut().enumerate() {
             let next = starts.get(i + 1).copied().unwrap_or(end).min(end);
@@ -249,7 +289,10 @@ impl Text {
         let has = |labels: &Labels, t: usize| labels.phones.iter().any(|p| p.token == Some(t));
         let mut at = 0;
         while at < tokens.len() {
-            let silent = tokens[at + 1..].iter().take_while(|t| !has(labels, **t)).count();
+            let silent = tokens[at + 1..]
+                .iter()
+                .take_while(|t| !has(labels, **t))
+                .count();
             if silent > 0 && has(labels, tokens[at]) {
                 let words: Vec<String> = (at..=at + silent).map(|i| self.word(i)).collect();
                 let said = library::say(voice, &words)?;
@@ -279,11 +322,7 @@ impl Text {
     fn word(&self, index: usize) -> String {
         let start = self.starts[index].0;
         let end = self.starts.get(index + 1).map_or(usize::MAX, |s| s.0);
-        self.written
-            .chars()
-            .skip(start)
-            .take(end - start)
-            .collect()
+        self.written.chars().skip(start).take(end - start).collect()
     }
 }
 
@@ -301,6 +340,30 @@ fn share(starts: &mut [usize], phones: &[Phone]) {
         {
             starts[i] -= (starts[i] - starts[i - 1].min(starts[i])) / 3;
         }
+    }
+}
+
+/// Lets stops begin with their closure. Their events are at the burst, and the silence of
+/// some 40 ms before it (*measured*: vowels sound until 39 ms before the event of a
+/// voiceless stop) would belong to the phone before.
+fn closures(starts: &mut [usize], phones: &[Phone], samples: &[i16], rate_hz: u32) {
+    let longest = (LONGEST_CLOSURE_SECS * f64::from(rate_hz)) as usize;
+    for i in 1..starts.len().min(phones.len()) {
+        let stop = phones[i]
+            .symbol
+            .starts_with(['p', 't', 'k', 'b', 'd', 'g', 'c']);
+        if !stop || labels::is_silence(&phones[i - 1].symbol) {
+            continue;
+        }
+        let (before, burst) = (starts[i - 1], starts[i].min(samples.len()));
+        // At least half of the phone before stays.
+        let earliest = burst.saturating_sub(longest).max(before.midpoint(burst));
+        let quiet = samples[earliest.min(burst)..burst]
+            .iter()
+            .rev()
+            .take_while(|s| s.unsigned_abs() <= QUIET)
+            .count();
+        starts[i] = burst - quiet;
     }
 }
 
@@ -378,7 +441,10 @@ fn readable(text: &str) -> String {
         })
         .take(super::MOST_CHARACTERS)
         .collect();
-    if kept.chars().any(|c| c.is_alphanumeric() || "%&+@€$£°".contains(c)) {
+    if kept
+        .chars()
+        .any(|c| c.is_alphanumeric() || "%&+@€$£°".contains(c))
+    {
         kept
     } else {
         String::new()
@@ -392,7 +458,11 @@ fn mnemonics(ipa: &str, set: Set) -> Result<String> {
         for phone in &syllable.phones {
             // Marks of stress stand before the vowel.
             if ipa::is_vowel(phone, set) {
-                out.push_str(["", "'", ","].get(usize::from(syllable.stress)).unwrap_or(&""));
+                out.push_str(
+                    ["", "'", ","]
+                        .get(usize::from(syllable.stress))
+                        .unwrap_or(&""),
+                );
             }
             out.push_str(phone);
             // What could be read as one mnemonic with the next.
@@ -439,7 +509,7 @@ mod tests {
         assert_eq!(text.written, "It's 25? ");
         assert_eq!(text.starts, [(0, 0), (5, 2)]);
         let said = Said {
-            samples: vec![0; 2000],
+            samples: vec![500; 2000],
             rate_hz: 1000,
             events: events(&[
                 (0, "#1"),
@@ -462,7 +532,13 @@ mod tests {
         let told: Vec<_> = labels
             .phones
             .iter()
-            .map(|p| (p.symbol.as_str(), (p.end_secs * 1e3).round() as usize, p.token))
+            .map(|p| {
+                (
+                    p.symbol.as_str(),
+                    (p.end_secs * 1e3).round() as usize,
+                    p.token,
+                )
+            })
             .collect();
         assert_eq!(
             told,
@@ -486,7 +562,9 @@ mod tests {
         for nasty in ["[[f@]]", "<speak>", "a_b|c", "x\u{0}\n"] {
             let text = Text::of(&sentence(&[nasty]), Set::Espeak).unwrap();
             assert!(
-                !text.written.contains(['[', ']', '<', '>', '_', '|', '\0', '\n']),
+                !text
+                    .written
+                    .contains(['[', ']', '<', '>', '_', '|', '\0', '\n']),
                 "{nasty}"
             );
         }

@@ -3,7 +3,10 @@
 //!
 //! Layouts and numbers are those of `speak_lib.h` of espeak-ng 1.51 (API revision 12, the
 //! same since revision 7 of 2011).
-#![allow(unsafe_code, reason = "calls a library of C that is loaded at run time")]
+#![allow(
+    unsafe_code,
+    reason = "calls a library of C that is loaded at run time"
+)]
 
 use core::cell::RefCell;
 use core::ffi::{CStr, c_char, c_int, c_short, c_uint, c_void};
@@ -166,7 +169,9 @@ impl Espeak {
         let mut espeak = unsafe {
             Self {
                 rate_hz: 0,
-                initialize: *library.get::<Initialize>(b"espeak_Initialize\0").context(told)?,
+                initialize: *library
+                    .get::<Initialize>(b"espeak_Initialize\0")
+                    .context(told)?,
                 set_callback: *library
                     .get::<SetSynthCallback>(b"espeak_SetSynthCallback\0")
                     .context(told)?,
@@ -177,7 +182,9 @@ impl Espeak {
                 to_phonemes: *library
                     .get::<TextToPhonemes>(b"espeak_TextToPhonemes\0")
                     .context(told)?,
-                terminate: *library.get::<Terminate>(b"espeak_Terminate\0").context(told)?,
+                terminate: *library
+                    .get::<Terminate>(b"espeak_Terminate\0")
+                    .context(told)?,
                 info: *library.get::<Info>(b"espeak_Info\0").context(told)?,
                 _library: library,
             }
@@ -249,9 +256,9 @@ extern "C" fn take(wave: *mut c_short, count: c_int, events: *mut RawEvent) -> c
             let event = unsafe { &*at };
             let what = match event.kind {
                 EVENT_LIST_TERMINATED => break,
-                EVENT_WORD => {
-                    Some(What::Word(usize::try_from(event.text_position).unwrap_or(0)))
-                }
+                EVENT_WORD => Some(What::Word(
+                    usize::try_from(event.text_position).unwrap_or(0),
+                )),
                 EVENT_PHONEME => {
                     // SAFETY: events of phonemes hold the characters, and any bytes are.
                     let bytes = unsafe { event.id.string };

@@ -377,7 +377,13 @@ mod tests {
         let syllables = syllables(ipa, set).unwrap();
         let told: Vec<String> = syllables
             .iter()
-            .map(|s| format!("{}{}", s.phones.join(" "), ["", "1", "2"][usize::from(s.stress)]))
+            .map(|s| {
+                format!(
+                    "{}{}",
+                    s.phones.join(" "),
+                    ["", "1", "2"][usize::from(s.stress)]
+                )
+            })
             .collect();
         told.join(".")
     }

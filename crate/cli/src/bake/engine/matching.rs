@@ -32,7 +32,11 @@ pub(super) fn matched<A, B>(
         for (i, k) in known.iter().enumerate() {
             let (pair, left, up) = (above[i] + cost(k, h), row[i] + GAP, above[i + 1] + GAP);
             let best = pair.min(left).min(up);
-            let step = if best == pair { 0 } else { 1 + u8::from(best != left) };
+            let step = if best == pair {
+                0
+            } else {
+                1 + u8::from(best != left)
+            };
             steps[(j + 1) * width + i + 1] = step;
             row.push(best);
         }

@@ -150,7 +150,7 @@ pub(super) fn script(sentences: &[Sentence], voice: &str, set: Set) -> Result<St
             let name = match &token.ipa {
                 Some(ipa) => {
                     // A word that no lexicon has, in letters alone: digits would be read.
-                    let name = format!("raconteurx{}x{}", letters(i), letters(t));
+                    let name = format!("raconteuri{}ki{}", spelled(i), spelled(t));
                     entry(&mut out, &name, ipa, set)
                         .with_context(|| format!("the word {:?}", token.text))?;
                     name
@@ -169,12 +169,14 @@ pub(super) fn script(sentences: &[Sentence], voice: &str, set: Set) -> Result<St
     Ok(out)
 }
 
-/// A number in the letters a to j.
-pub(super) fn letters(number: usize) -> String {
+/// A number in syllables, one a digit. What cannot be pronounced, flite would spell.
+pub(super) fn spelled(number: usize) -> String {
+    const DIGITS: [&str; 10] = ["ba", "be", "bi", "bo", "bu", "da", "de", "di", "do", "du"];
     number
         .to_string()
         .bytes()
-        .map(|b| char::from(b - b'0' + b'a'))
+        .filter_map(|b| DIGITS.get(usize::from(b.wrapping_sub(b'0'))))
+        .copied()
         .collect()
 }
 
@@ -278,7 +280,11 @@ mod tests {
             "\u{e9}\u{201d}\u{ff08}",
         ] {
             let (strings, forms) = of(nasty).unwrap();
-            assert_eq!((strings.len(), forms), (usual.0.len(), usual.1), "{nasty:?}");
+            assert_eq!(
+                (strings.len(), forms),
+                (usual.0.len(), usual.1),
+                "{nasty:?}"
+            );
             let kept = plain(nasty);
             assert!(!kept.is_empty() && !kept.contains(['"', '\\', ' ']));
             assert_eq!(
@@ -305,14 +311,19 @@ mod tests {
         assert_eq!(plain("na\u{ef}ve"), "naive");
         assert_eq!(plain("dog's"), "dog's");
         let script = script(&[sentence("-", None)], "v", Set::Radio).unwrap();
-        assert!(script.ends_with("(raconteur_say '() \"0.wav\")\n"), "{script}");
+        assert!(
+            script.ends_with("(raconteur_say '() \"0.wav\")\n"),
+            "{script}"
+        );
     }
 
     #[test]
     fn a_pronunciation_is_a_word_of_the_lexicon() {
         let said = script(&[sentence("tomato", Some("təˈmɑːtoʊ"))], "v", Set::Radio).unwrap();
         assert!(
-            said.contains("(lex.add.entry '(\"raconteurxaxa\" nil ((( t ax) 0)(( m aa) 1)(( t ow) 0))))"),
+            said.contains(
+                "(lex.add.entry '(\"raconteuribakiba\" nil ((( t ax) 0)(( m aa) 1)(( t ow) 0))))"
+            ),
             "{said}"
         );
         assert!(read(&said).is_some() && !said.contains("tomato"));
