@@ -23,10 +23,10 @@ mod wave;
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
-use anyhow::{Context as _, Result, bail};
+use anyhow::{Context as _, Result, bail, ensure};
 
 use raconteur_player::speech::bundle::SentenceKind;
-use raconteur_player::speech::content::Gender;
+pub(crate) use raconteur_player::speech::content::Gender;
 use raconteur_player::speech::plan::Plan;
 use raconteur_player::speech::spoken::{Sentence, Spoken, Token};
 
@@ -107,10 +107,10 @@ pub(crate) const ENGINES: [&str; 5] = ["festival", "flite", "espeak-ng", "marytt
 /// What some engines need to know.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct EngineOptions {
-    /// Address of a MARY server, `host:port`.
-    pub(crate) server: Option<String>,
+    /// Address of a MARY server, `host:port`; empty where there is none.
+    pub(crate) server: String,
     /// Folder of recordings.
-    pub(crate) folder: Option<PathBuf>,
+    pub(crate) recordings: Option<PathBuf>,
 }
 
 /// Reads a WAV of any width and rate: mono samples, −1 to 1, and samples a second.
@@ -132,14 +132,17 @@ pub(crate) fn by_name(name: &str, options: &EngineOptions) -> Result<Box<dyn Eng
         "flite" => Box::new(flite::Flite),
         "espeak-ng" => Box::new(espeak::Espeak),
         "marytts" => {
-            Box::new(mary::Mary::new(options.server.as_deref().context(
-                "the engine marytts needs the address of a server, host:port",
-            )?)?)
+            ensure!(
+                !options.server.is_empty(),
+                "the engine marytts needs the address of a server, host:port"
+            );
+            Box::new(mary::Mary::new(&options.server)?)
         }
         "recordings" => {
-            Box::new(recording::Recordings::new(options.folder.clone().context(
-                "the engine recordings needs the folder that they lie in",
-            )?))
+            let folder = options.recordings.clone();
+            let folder =
+                folder.context("the engine recordings needs the folder that they lie in")?;
+            Box::new(recording::Recordings::new(folder))
         }
         _ => bail!("no engine {name:?}; there are {}", ENGINES.join(", ")),
     })
@@ -212,8 +215,8 @@ mod tests {
             assert!(by_name(name, &options).is_err(), "{name}");
         }
         let options = EngineOptions {
-            server: Some("localhost:59125".to_owned()),
-            folder: Some(PathBuf::from("voices")),
+            server: "localhost:59125".to_owned(),
+            recordings: Some(PathBuf::from("voices")),
         };
         assert!(ENGINES.iter().all(|name| by_name(name, &options).is_ok()));
     }
