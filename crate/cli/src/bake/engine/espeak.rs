@@ -49,7 +49,7 @@ impl Engine for Espeak {
 
     fn voice(&self, name: &str) -> Result<Option<VoiceInfo>> {
         let (_, data) = library::about()?;
-        let base = known(name, &data)?;
+        let base = file_of(known(name, &data)?);
         let found = self.voices()?.into_iter().find(|v| v.name == base);
         Ok(found.map(|voice| VoiceInfo {
             gender: match name.split_once('+') {
@@ -63,7 +63,9 @@ impl Engine for Espeak {
 
     fn speak(&self, voice: &str, sentences: &[Sentence]) -> Result<Vec<Spoken>> {
         let (_, data) = library::about()?;
-        let set = set(known(voice, &data)?);
+        let base = known(voice, &data)?;
+        let set = set(base);
+        let voice = &voice.replacen(base, &file_of(base), 1);
         let mut texts = Vec::with_capacity(sentences.len());
         for sentence in sentences {
             texts.push(Text::of(sentence, set)?);
@@ -127,6 +129,17 @@ fn variant_gender(variant: &str, data: &Path) -> Option<Gender> {
         "female" => Some(Gender::Female),
         "male" => Some(Gender::Male),
         _ => None,
+    }
+}
+
+/// The voice of a language tag: small letters, and without the region where the language's
+/// main voice is of it.
+fn file_of(tag: &str) -> String {
+    match tag.to_ascii_lowercase().as_str() {
+        "en-gb" => "en".to_owned(),
+        "pt-pt" => "pt".to_owned(),
+        "de-de" => "de".to_owned(),
+        name => name.to_owned(),
     }
 }
 
@@ -258,7 +271,8 @@ impl Text {
                     // A stop's event is its burst; that of its word comes before its closure.
                     starts.push(word.take().unwrap_or(*sample));
                     labels.phones.push(Phone {
-                        symbol: symbol.clone(),
+                        // A t that a vowel after it may change; the sound is that of t.
+                        symbol: if symbol == "t2" { "t" } else { symbol }.to_owned(),
                         token: token.filter(|_| !labels::is_silence(symbol)),
                         ..Phone::default()
                     });
@@ -604,6 +618,8 @@ mod tests {
             ("en-us", "en-US", Some(Gender::Female))
         );
         assert!(voice_of("x", "maintainer nobody").is_none());
+        assert_eq!(file_of("en-GB"), "en");
+        assert_eq!(file_of("en-US"), "en-us");
         assert_eq!(tag("zh-latn-pinyin"), "zh-latn-pinyin");
     }
 }
