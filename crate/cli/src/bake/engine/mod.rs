@@ -6,24 +6,31 @@
 //! Does not: change rate, pitch, loudness or the length of pauses. Engines speak plainly; the
 //! baker does that afterwards in the sound.
 
+mod aligned;
 mod espeak;
 mod espeak_library;
 mod festival;
 mod flite;
+mod http;
 mod ipa;
 mod labels;
+mod mary;
 mod matching;
+mod recording;
 mod scheme;
 mod wave;
 
-use anyhow::{Result, bail};
+use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
+
+use anyhow::{Context as _, Result, bail, ensure};
 
 use raconteur_player::speech::bundle::SentenceKind;
 pub(crate) use raconteur_player::speech::content::Gender;
 use raconteur_player::speech::plan::Plan;
 use raconteur_player::speech::spoken::{Sentence, Spoken, Token};
 
-/// Most tokens that a token's text may have in characters; the baker parts longer ones.
+/// Most characters that are read of a token; the baker parts longer ones.
 const MOST_CHARACTERS: usize = 40;
 
 /// A voice that an engine has.
@@ -64,85 +71,111 @@ pub(crate) trait Engine: Sync {
     /// When the engine or the voice is not installed, or when what comes back makes no sense.
     fn speak(&self, voice: &str, sentences: &[Sentence]) -> Result<Vec<Spoken>>;
 
-    /// A voice that [`Engine::voices`] does not list, for engines that can vary theirs.
+    /// A voice of this name, whether or not [`Engine::voices`] lists it.
     ///
     /// # Errors
     /// As [`Engine::version`].
     fn voice(&self, name: &str) -> Result<Option<VoiceInfo>> {
-        let _ = name;
-        Ok(None)
+        Ok(self.voices()?.into_iter().find(|v| v.name == name))
     }
 
-    /// An utterance that was recorded, found by its key or its place in the story: the sound of
-    /// all of its sentences. `None` for engines that speak.
+    /// The recording of a whole utterance, for engines that do not speak: of its key or of
+    /// its place in the story, from 0. What comes back counts the tokens of all sentences in
+    /// order. `None` when there is no recording.
     ///
     /// # Errors
-    /// When it is not there, or not of what is to be said.
+    /// When there is a recording that cannot be read, or that is of other words.
     fn recorded(&self, key: u64, place: usize, plan: &Plan) -> Result<Option<Spoken>> {
         let _ = (key, place, plan);
         Ok(None)
     }
 
-    /// What stands for the files that an utterance is taken from.
+    /// What [`Engine::recorded`] of an utterance depends on besides the utterance, in a few
+    /// letters; empty for engines that speak.
     ///
     /// # Errors
-    /// As [`Engine::recorded`].
+    /// When a recording cannot be read.
     fn state(&self, key: u64, place: usize) -> Result<String> {
         let _ = (key, place);
         Ok(String::new())
     }
 }
 
-/// Where engines find what they need.
-#[derive(Clone, Debug, Default)]
+/// The names that [`by_name`] knows.
+pub(crate) const ENGINES: [&str; 5] = ["festival", "flite", "espeak-ng", "marytts", "recordings"];
+
+/// What some engines need to know.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct EngineOptions {
-    /// Address of a MaryTTS server.
+    /// Address of a MARY server, `host:port`; empty where there is none.
     pub(crate) server: String,
     /// Folder of recordings.
-    pub(crate) recordings: Option<std::path::PathBuf>,
+    pub(crate) recordings: Option<PathBuf>,
 }
 
-/// Which engine has a voice of this name; `ENGINE:VOICE` says it.
-pub(crate) fn find_voice(name: &str) -> Option<(String, String)> {
-    if let Some((engine, voice)) = name.split_once(':') {
-        return ENGINES
-            .contains(&engine)
-            .then(|| (engine.to_owned(), voice.to_owned()));
-    }
-    ENGINES.iter().find_map(|engine| {
-        let voices = by_name(engine, &EngineOptions::default())
-            .ok()?
-            .voices()
-            .ok()?;
-        voices
-            .iter()
-            .any(|v| v.name == name)
-            .then(|| ((*engine).to_owned(), name.to_owned()))
-    })
-}
-
-/// The samples of a WAV file, one channel, and how many there are in a second.
+/// Reads a WAV of any width and rate: mono samples, −1 to 1, and samples a second.
 ///
 /// # Errors
-/// When it is none.
-pub(crate) fn read_wave(path: &std::path::Path) -> Result<(Vec<f64>, f64)> {
+/// When there is no such file, or it is no whole WAV.
+pub(crate) fn read_wave(path: &Path) -> Result<(Vec<f64>, f64)> {
     let wave = wave::read(path)?;
     Ok((wave.samples, wave.rate_hz))
 }
 
-/// The names that [`by_name`] knows.
-pub(crate) const ENGINES: [&str; 3] = ["festival", "flite", "espeak-ng"];
-
 /// The engine of a name.
 ///
 /// # Errors
-/// When there is none.
-pub(crate) fn by_name(name: &str, _options: &EngineOptions) -> Result<Box<dyn Engine>> {
+/// When there is none, or when it lacks an option.
+pub(crate) fn by_name(name: &str, options: &EngineOptions) -> Result<Box<dyn Engine>> {
     Ok(match name {
         "festival" => Box::new(festival::Festival),
         "flite" => Box::new(flite::Flite),
         "espeak-ng" => Box::new(espeak::Espeak),
+        "marytts" => {
+            ensure!(
+                !options.server.is_empty(),
+                "the engine marytts needs the address of a server, host:port"
+            );
+            Box::new(mary::Mary::new(&options.server)?)
+        }
+        "recordings" => {
+            let folder = options.recordings.clone();
+            let folder =
+                folder.context("the engine recordings needs the folder that they lie in")?;
+            Box::new(recording::Recordings::new(folder))
+        }
         _ => bail!("no engine {name:?}; there are {}", ENGINES.join(", ")),
+    })
+}
+
+/// The engine that has a voice of this name, and the name that the engine knows it by.
+/// `ENGINE:VOICE` names both. Otherwise the engines that are installed on this machine are
+/// asked, in the order of [`ENGINES`]; `None` when none has it.
+pub(crate) fn find_voice(name: &str) -> Option<(String, String)> {
+    if let Some((engine, voice)) = name.split_once(':') {
+        let engine = ENGINES.into_iter().find(|e| *e == engine)?;
+        return Some((engine.to_owned(), voice.to_owned()));
+    }
+    static INSTALLED: OnceLock<Vec<(&'static str, Vec<VoiceInfo>)>> = OnceLock::new();
+    let installed = INSTALLED.get_or_init(|| {
+        let asked: [(&str, &dyn Engine); 3] = [
+            ("festival", &festival::Festival),
+            ("flite", &flite::Flite),
+            ("espeak-ng", &espeak::Espeak),
+        ];
+        // An engine that is not installed has no voices.
+        asked
+            .map(|(n, e)| (n, e.voices().unwrap_or_default()))
+            .into()
+    });
+    installed.iter().find_map(|(engine, voices)| {
+        // Variants of espeak-ng: `de+f3`.
+        let base = match name.split_once('+') {
+            Some((base, _)) if *engine == "espeak-ng" => base,
+            _ => name,
+        };
+        let has = voices.iter().any(|v| v.name == base);
+        has.then(|| ((*engine).to_owned(), name.to_owned()))
     })
 }
 
@@ -171,6 +204,31 @@ pub(super) fn punctuation(token: &Token, ends: Option<SentenceKind>) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn engines_have_names_and_some_need_options() {
+        let options = EngineOptions::default();
+        for name in ["festival", "flite", "espeak-ng"] {
+            assert!(by_name(name, &options).is_ok(), "{name}");
+        }
+        for name in ["marytts", "recordings", "sapi", ""] {
+            assert!(by_name(name, &options).is_err(), "{name}");
+        }
+        let options = EngineOptions {
+            server: "localhost:59125".to_owned(),
+            recordings: Some(PathBuf::from("voices")),
+        };
+        assert!(ENGINES.iter().all(|name| by_name(name, &options).is_ok()));
+    }
+
+    #[test]
+    fn a_voice_may_name_its_engine() {
+        let found = |name| find_voice(name).map(|(e, v)| format!("{e} {v}"));
+        assert_eq!(found("espeak-ng:de+f2").as_deref(), Some("espeak-ng de+f2"));
+        assert_eq!(found("marytts:cmu-slt").as_deref(), Some("marytts cmu-slt"));
+        assert_eq!(found("sapi:Anna"), None);
+        assert_eq!(found("no_such_diphone"), None);
+    }
 
     #[test]
     fn what_is_not_written_is_heard_from_the_kind_of_sentence() {

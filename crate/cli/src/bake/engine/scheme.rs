@@ -150,7 +150,7 @@ pub(super) fn script(sentences: &[Sentence], voice: &str, set: Set) -> Result<St
             let name = match &token.ipa {
                 Some(ipa) => {
                     // A word that no lexicon has, in letters alone: digits would be read.
-                    let name = format!("raconteurx{}x{}", letters(i), letters(t));
+                    let name = format!("raconteuri{}ki{}", spelled(i), spelled(t));
                     entry(&mut out, &name, ipa, set)
                         .with_context(|| format!("the word {:?}", token.text))?;
                     name
@@ -169,12 +169,14 @@ pub(super) fn script(sentences: &[Sentence], voice: &str, set: Set) -> Result<St
     Ok(out)
 }
 
-/// A number in the letters a to j.
-pub(super) fn letters(number: usize) -> String {
+/// A number in syllables, one a digit. What cannot be pronounced, flite would spell.
+pub(super) fn spelled(number: usize) -> String {
+    const DIGITS: [&str; 10] = ["ba", "be", "bi", "bo", "bu", "da", "de", "di", "do", "du"];
     number
         .to_string()
         .bytes()
-        .map(|b| char::from(b - b'0' + b'a'))
+        .filter_map(|b| DIGITS.get(usize::from(b.wrapping_sub(b'0'))))
+        .copied()
         .collect()
 }
 
@@ -320,7 +322,7 @@ mod tests {
         let said = script(&[sentence("tomato", Some("təˈmɑːtoʊ"))], "v", Set::Radio).unwrap();
         assert!(
             said.contains(
-                "(lex.add.entry '(\"raconteurxaxa\" nil ((( t ax) 0)(( m aa) 1)(( t ow) 0))))"
+                "(lex.add.entry '(\"raconteuribakiba\" nil ((( t ax) 0)(( m aa) 1)(( t ow) 0))))"
             ),
             "{said}"
         );

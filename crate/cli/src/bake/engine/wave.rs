@@ -26,6 +26,14 @@ pub(super) struct Wave {
 /// # Errors
 /// As [`decode`], and when there is no such file.
 pub(super) fn read(path: &Path) -> Result<Wave> {
+    decode(&bytes(path)?).with_context(|| format!("reading the sound {}", path.display()))
+}
+
+/// The bytes of a file.
+///
+/// # Errors
+/// When there is no such file, or it is too long.
+pub(super) fn bytes(path: &Path) -> Result<Vec<u8>> {
     let told = || format!("reading the sound {}", path.display());
     let length = fs::metadata(path).with_context(told)?.len();
     ensure!(
@@ -33,7 +41,7 @@ pub(super) fn read(path: &Path) -> Result<Wave> {
         "the sound {} has {length} bytes; at most {MOST_BYTES} are read",
         path.display()
     );
-    decode(&fs::read(path).with_context(told)?).with_context(told)
+    fs::read(path).with_context(told)
 }
 
 /// Reads a WAV of 8 to 32 bits or float, of any rate; channels become their mean. What is
