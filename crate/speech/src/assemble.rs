@@ -10,7 +10,7 @@ use crate::bundle::{
 use crate::feel::Felt;
 use crate::plan::{Plan, Sound};
 use crate::realise::phrases_of;
-use crate::signal::f0::{self, PitchOptions};
+use crate::signal::f0;
 use crate::signal::intensity;
 use crate::spoken::Spoken;
 
@@ -373,14 +373,7 @@ impl Tape<'_> {
         }
         words(&mut utterance, plan);
         emotions(&mut utterance, felt);
-        let track = f0::track(
-            &self.samples,
-            self.rate_hz,
-            &PitchOptions {
-                step_secs: FRAME_SECS,
-                ..PitchOptions::default()
-            },
-        );
+        let track = f0::track_voice(&self.samples, self.rate_hz, FRAME_SECS);
         let db = intensity::intensity(
             &self.samples,
             self.rate_hz,

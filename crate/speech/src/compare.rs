@@ -8,7 +8,8 @@ use raconteur_base::ops;
 use crate::assemble::Track;
 use crate::bundle::{FRAME_SECS, Phone, Syllable, Utterance};
 use crate::manner::{Manner, manner};
-use crate::signal::f0::{self, PitchOptions, PitchTrack};
+use crate::realise::accent_windows;
+use crate::signal::f0::{self, PitchTrack};
 use crate::signal::intensity::span_db;
 
 /// How a sound differs from the plain one. Only words with an index in the span that was
@@ -82,7 +83,7 @@ pub fn compare(
     let mut lengths = [[0.0; 2]; 2];
     let (mut db, mut weight) = (0.0, 0.0);
     let mut points = Vec::new();
-    for (i, a, b) in &pairs {
+    for (a, b) in &pairs {
         let kind = manner(phone_set, &a.symbol);
         let class = match kind {
             Manner::Vowel | Manner::Sonorant => 0,
@@ -93,7 +94,7 @@ pub fn compare(
         lengths[class][0] += secs;
         lengths[class][1] += b.end_secs - b.start_secs;
         if class == 0 {
-            points_of(&plain.utterance, *i, a, b, &tracks, &mut points);
+            points_of(&plain.utterance, a, b, &tracks, &mut points);
         }
         if kind == Manner::Vowel {
             // By length, so that a stretched vowel counts as it did.
@@ -210,11 +211,7 @@ fn solve<const N: usize, const M: usize>(mut matrix: [[f64; M]; N]) -> [f64; N] 
 }
 
 fn pitch(track: &Track) -> PitchTrack {
-    let options = PitchOptions {
-        step_secs: FRAME_SECS / 2.0,
-        ..PitchOptions::default()
-    };
-    f0::track(&track.samples, track.rate_hz, &options)
+    f0::track_voice(&track.samples, track.rate_hz, FRAME_SECS / 2.0)
 }
 
 fn level(track: &Track, phone: &Phone) -> f64 {
@@ -226,28 +223,26 @@ fn level(track: &Track, phone: &Phone) -> f64 {
     )
 }
 
-/// Phones of both that belong together, with the index in the plain one.
+/// Phones of both that belong together.
 fn pairs<'a>(
     plain: &'a Utterance,
     changed: &'a Utterance,
     first: usize,
     last: usize,
-) -> Option<Vec<(usize, &'a Phone, &'a Phone)>> {
+) -> Option<Vec<(&'a Phone, &'a Phone)>> {
     let of = |u: &'a Utterance| {
         let inside = |p: &Phone| p.word.is_some_and(|w| (first..=last).contains(&w));
-        let phones = u.phones.iter().enumerate();
-        phones.filter(move |(_, p)| inside(p)).collect::<Vec<_>>()
+        u.phones.iter().filter(|p| inside(p)).collect::<Vec<_>>()
     };
     let (a, b) = (of(plain), of(changed));
-    let same = a.len() == b.len() && a.iter().zip(&b).all(|(x, y)| x.1.symbol == y.1.symbol);
+    let same = a.len() == b.len() && a.iter().zip(&b).all(|(x, y)| x.symbol == y.symbol);
     (same && last < plain.words.len() && last < changed.words.len())
-        .then(|| a.iter().zip(&b).map(|(x, y)| (x.0, x.1, y.1)).collect())
+        .then(|| a.into_iter().zip(b).collect())
 }
 
 /// Points of a phone, where both are voiced.
 fn points_of(
     plain: &Utterance,
-    index: usize,
     a: &Phone,
     b: &Phone,
     tracks: &[PitchTrack; 2],
@@ -266,12 +261,13 @@ fn points_of(
         let phones = &plain.phones[s.first_phone..s.first_phone + s.phones];
         (phones[0].start_secs, phones[phones.len() - 1].end_secs)
     };
-    let accented = plain.accents.iter().find_map(|accent| {
-        let syllable = plain.syllables.get(accent.syllable)?;
-        let inside =
-            (syllable.first_phone..syllable.first_phone + syllable.phones).contains(&index);
-        inside.then(|| span(syllable))
-    });
+    let spans: Vec<(f64, f64)> = plain
+        .accents
+        .iter()
+        .filter_map(|accent| plain.syllables.get(accent.syllable))
+        .map(span)
+        .collect();
+    let accents = accent_windows(&spans);
     let last = plain
         .syllables
         .iter()
@@ -289,11 +285,15 @@ fn points_of(
             plain: semitones(before),
             changed: semitones(after),
             along: place((from, to)) - 0.5,
-            accent: accented.map(|span| {
-                let centre = tracks[0].hz_near((span.0 + span.1) / 2.0, 0.05);
-                let centre = if centre > 0.0 { centre } else { before };
-                (place(span), semitones(centre))
-            }),
+            accent: accents
+                .iter()
+                .copied()
+                .find(|span| (0.0..1.0).contains(&place(*span)))
+                .map(|span| {
+                    let centre = tracks[0].hz_near((span.0 + span.1) / 2.0, 0.05);
+                    let centre = if centre > 0.0 { centre } else { before };
+                    (place(span), semitones(centre))
+                }),
             ending: last.map_or(0.0, |span| place(span).clamp(0.0, 1.0)),
         });
     }

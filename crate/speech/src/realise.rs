@@ -8,7 +8,7 @@ use raconteur_base::ops;
 use crate::emotion::{AccentShape, Place, Prosody};
 use crate::manner::{Manner, manner};
 use crate::signal::{Change, PitchTrack, TimeMap, change};
-use crate::spoken::Spoken;
+use crate::spoken::{Spoken, SpokenSyllable};
 use crate::style::{NO_EMPHASIS, Style};
 
 /// Changes are functions of time that are known every so often, seconds.
@@ -18,6 +18,8 @@ const GLIDE_SECS: f64 = 0.04;
 /// The height of an accent over its surroundings, semitones: *designed*, in the middle of
 /// the two to six that accents of read speech have.
 pub const ACCENT_SEMITONES: f64 = 3.0;
+/// How long an accent begins before its syllable and ends after it, seconds. *Designed*.
+const ACCENT_MARGIN_SECS: f64 = 0.04;
 /// Half the way that a preferred shape moves over an accented syllable, semitones. *Designed*.
 pub const SHAPE_SEMITONES: f64 = 1.0;
 /// By how much a preferred boundary moves the end of a phrase at full power, semitones.
@@ -206,7 +208,6 @@ pub fn realise(
         return spoken.clone();
     }
     let grid = grid(spoken, track, &deliveries, own);
-    let rigid = releases(spoken);
     let changed = change(
         &spoken.samples,
         spoken.rate_hz,
@@ -229,7 +230,7 @@ pub fn realise(
                 }
             },
             gain: &|secs| grid.gain[grid.index(secs)],
-            rigid: &rigid,
+            rigid: &[],
         },
     );
     let mut out = spoken.clone();
@@ -244,21 +245,20 @@ fn retime(spoken: &mut Spoken, times: &TimeMap) {
     }
 }
 
-/// The releases of plosives, which do not grow when a voice slows down: their last 15 ms.
-fn releases(spoken: &Spoken) -> Vec<(f64, f64)> {
-    const RELEASE_SECS: f64 = 0.015;
-    let mut start_secs = 0.0;
-    let mut out = Vec::new();
-    for segment in &spoken.segments {
-        let length_secs = segment.end_secs - start_secs;
-        if manner(&spoken.phone_set, &segment.symbol) == Manner::Plosive
-            && length_secs > 2.0 * RELEASE_SECS
-        {
-            out.push((segment.end_secs - RELEASE_SECS, segment.end_secs));
-        }
-        start_secs = segment.end_secs;
+/// Releases of plosives do not grow when a voice slows down; this long before their ends.
+const RELEASE_SECS: f64 = 0.015;
+
+/// The factor on the length of a plosive at a time: all of it is the closure's. `length` is
+/// the plosive's, `left` what of it is still to come, seconds.
+fn plosive_factor(factor: f64, length: f64, left: f64) -> f64 {
+    let closure = length - RELEASE_SECS;
+    if closure < RELEASE_SECS {
+        factor
+    } else if left <= RELEASE_SECS {
+        1.0
+    } else {
+        ((length * factor - RELEASE_SECS) / closure).max(0.2)
     }
-    out
 }
 
 /// Start and end of a span of segments.
@@ -291,13 +291,20 @@ fn grid(spoken: &Spoken, track: &PitchTrack, deliveries: &[Delivery], own: &Own)
         let here = &spoken.segments[segment];
         token = here.token.unwrap_or(token);
         let how = &deliveries[token.min(deliveries.len() - 1)];
-        let class = match manner(&spoken.phone_set, &here.symbol) {
-            Manner::Vowel | Manner::Sonorant => how.prosody.sonorant_duration,
-            Manner::Plosive | Manner::Fricative => how.prosody.obstruent_duration,
-            // Pauses get their length when sentences are put together.
-            Manner::Silence => 1.0 / how.duration,
-        };
-        grid.duration.push(how.duration * class);
+        grid.duration
+            .push(match manner(&spoken.phone_set, &here.symbol) {
+                Manner::Vowel | Manner::Sonorant => how.duration * how.prosody.sonorant_duration,
+                Manner::Fricative => how.duration * how.prosody.obstruent_duration,
+                Manner::Plosive => {
+                    let start = segment
+                        .checked_sub(1)
+                        .map_or(0.0, |i| spoken.segments[i].end_secs);
+                    let factor = how.duration * how.prosody.obstruent_duration;
+                    plosive_factor(factor, here.end_secs - start, here.end_secs - secs)
+                }
+                // Pauses get their length when sentences are put together.
+                Manner::Silence => 1.0,
+            });
         grid.gain.push(how.gain);
         grid.range.push(how.range);
         grid.lower.push(how.lower);
@@ -366,6 +373,25 @@ fn phrases(grid: &mut Grid, spoken: &Spoken, deliveries: &[Delivery]) {
     }
 }
 
+/// When accents move the melody: from a little before their syllables until a little after
+/// them, half of the way at most towards the next one. `spans` are syllables in order.
+#[must_use]
+pub fn accent_windows(spans: &[(f64, f64)]) -> Vec<(f64, f64)> {
+    let gap = |i: usize| (spans[i + 1].0 - spans[i].1).max(0.0);
+    (0..spans.len())
+        .map(|i| {
+            let margin = |gap: Option<f64>| {
+                gap.map_or(ACCENT_MARGIN_SECS, |gap| {
+                    (gap / 2.0).min(ACCENT_MARGIN_SECS)
+                })
+            };
+            let before = margin(i.checked_sub(1).map(gap));
+            let after = margin((i + 1 < spans.len()).then(|| gap(i)));
+            (spans[i].0 - before, spans[i].1 + after)
+        })
+        .collect()
+}
+
 /// What changes at pitch accents: their height, steepness and shape.
 fn accents(
     grid: &mut Grid,
@@ -375,14 +401,22 @@ fn accents(
     own: &Own,
 ) {
     let mut rising = true;
-    for syllable in spoken.syllables.iter().filter(|s| !s.accent.is_empty()) {
-        let (start, end) = span(spoken, syllable.first, syllable.count);
+    let accented: Vec<&SpokenSyllable> = spoken
+        .syllables
+        .iter()
+        .filter(|s| !s.accent.is_empty() && s.count > 0)
+        .collect();
+    let spans: Vec<(f64, f64)> = accented
+        .iter()
+        .map(|s| span(spoken, s.first, s.count))
+        .collect();
+    for (syllable, (start, end)) in accented.into_iter().zip(accent_windows(&spans)) {
         let token = spoken.segments.get(syllable.first).and_then(|s| s.token);
         let Some(how) = token.and_then(|t| deliveries.get(t)) else {
             continue;
         };
         let prosody = &how.prosody;
-        let (from, to) = (grid.index(start), grid.index(end));
+        let (from, to) = (grid.index(start.max(0.0)), grid.index(end));
         let tilt = match prosody.accent_shape {
             None => 0.0,
             Some(AccentShape::Rising) => SHAPE_SEMITONES,

@@ -22,7 +22,10 @@ const TEXTS: [(&str, [&str; 3]); 3] = [
         [
             "When we were young, our mother would",
             "always",
-            "read to me by the warm yellow lamp in the garden room, and nobody knew why.",
+            "read to me by the warm yellow lamp in the garden room, and nobody knew why. \
+             The old man lived alone in a yellow house near the river. \
+             In the evening he would carry his lantern down to the water, and wait there for \
+             a little boat to bring him news of his brother.",
         ],
     ),
     (
@@ -30,7 +33,10 @@ const TEXTS: [(&str, [&str; 3]); 3] = [
         [
             "Als wir noch Kinder waren, las uns die Mutter",
             "immer",
-            "wieder am gelben Licht der Lampe vor, und niemand wusste, warum.",
+            "wieder am gelben Licht der Lampe vor, und niemand wusste, warum. \
+             Der alte Mann wohnte allein in einem gelben Haus am Wasser. \
+             Am Abend trug er seine Laterne zum Ufer hinunter, und wartete dort auf ein \
+             kleines Boot, das ihm von seinem Bruder Nachricht bringen sollte.",
         ],
     ),
     (
@@ -38,13 +44,29 @@ const TEXTS: [(&str, [&str; 3]); 3] = [
         [
             "Quando a gente era nova, a nossa m\u{e3}e lia",
             "sempre",
-            "uma hist\u{f3}ria longa na luz amarela da sala, e ningu\u{e9}m sabia o motivo.",
+            "uma hist\u{f3}ria longa na luz amarela da sala, e ningu\u{e9}m sabia o motivo. \
+             O velho morava sozinho numa casa amarela na margem do rio. \
+             De noite levava a lanterna para a \u{e1}gua, e ali ficava \u{e0} espera de um \
+             barco pequeno com not\u{ed}cias do irm\u{e3}o.",
         ],
     ),
 ];
 
-/// How far from what was asked a setting may end, as a share of the change that was asked.
+/// How far from what was asked a setting may end, as a share of that.
 pub(crate) const TOLERANCE: f64 = 0.15;
+
+/// What figures count.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Unit {
+    /// A factor on what the voice does by itself.
+    Factor,
+    /// Semitones more than that.
+    Semitones,
+    /// Decibels more than that.
+    Decibels,
+    /// Seconds.
+    Seconds,
+}
 
 /// One setting.
 #[derive(Clone, Debug, PartialEq)]
@@ -57,36 +79,47 @@ pub(crate) struct Row {
     pub(crate) asked: f64,
     /// What was heard.
     pub(crate) heard: f64,
-    /// What it would be without the setting.
-    neutral: f64,
+    unit: Unit,
 }
 
 impl Row {
-    fn factor(setting: &str, property: &'static str, asked: f64, heard: f64) -> Self {
+    fn new(setting: &str, property: &'static str, unit: Unit, asked: f64, heard: f64) -> Self {
         Self {
             setting: setting.to_owned(),
             property,
             asked,
             heard,
-            neutral: 1.0,
+            unit,
         }
     }
 
-    fn sum(setting: &str, property: &'static str, asked: f64, heard: f64) -> Self {
-        Self {
-            neutral: 0.0,
-            ..Self::factor(setting, property, asked, heard)
-        }
+    fn factor(setting: &str, property: &'static str, asked: f64, heard: f64) -> Self {
+        Self::new(setting, property, Unit::Factor, asked, heard)
     }
 
-    /// How far from what was asked it is, as a share of the change that was asked.
+    /// What is heard over what was asked, less one: of frequencies and amplitudes where
+    /// figures are semitones and decibels.
     pub(crate) fn error(&self) -> f64 {
-        ((self.heard - self.asked) / (self.asked - self.neutral)).abs()
+        let ratio = match self.unit {
+            Unit::Factor | Unit::Seconds => self.heard / self.asked,
+            Unit::Semitones => frequency(self.heard - self.asked),
+            Unit::Decibels => amplitude(self.heard - self.asked),
+        };
+        (ratio - 1.0).abs()
     }
 
-    /// Whether that is near enough, in the right direction.
+    /// How much of the change that was asked is missing, or too much: a stricter measure,
+    /// since small changes are asked as well.
+    pub(crate) fn missing(&self) -> f64 {
+        let neutral = f64::from(u8::from(self.unit == Unit::Factor));
+        ((self.heard - self.asked) / (self.asked - neutral)).abs()
+    }
+
+    /// Whether it is near enough, in the right direction.
     pub(crate) fn is_met(&self) -> bool {
-        self.error() <= TOLERANCE
+        let neutral = f64::from(u8::from(self.unit == Unit::Factor));
+        let same_way = (self.heard - neutral) * (self.asked - neutral) > 0.0;
+        same_way && self.error() <= TOLERANCE
     }
 }
 
@@ -248,8 +281,20 @@ impl Lab<'_> {
             let level = raconteur_player::speech::markup::levels::emphasis(level).unwrap_or(1.0);
             let (longer, higher, louder) = realise::emphasis(level);
             rows.push(Row::factor(&setting, "length", longer, heard.duration));
-            rows.push(Row::sum(&setting, "semitones", higher, heard.semitones));
-            rows.push(Row::sum(&setting, "decibels", louder, heard.db));
+            rows.push(Row::new(
+                &setting,
+                "semitones",
+                Unit::Semitones,
+                higher,
+                heard.semitones,
+            ));
+            rows.push(Row::new(
+                &setting,
+                "decibels",
+                Unit::Decibels,
+                louder,
+                heard.db,
+            ));
         }
         Ok(rows)
     }
@@ -267,7 +312,13 @@ impl Lab<'_> {
         ] {
             let spoken = self.speak(&format!("{before} {word} <{setting}/> {after}"), None)?;
             let index = before.split_whitespace().count();
-            rows.push(Row::sum(setting, "seconds", secs, silence(&spoken, index)));
+            rows.push(Row::new(
+                setting,
+                "seconds",
+                Unit::Seconds,
+                secs,
+                silence(&spoken, index),
+            ));
         }
         Ok(rows)
     }
@@ -348,7 +399,7 @@ impl Lab<'_> {
             }
             for (property, asked, heard) in sums {
                 if asked.abs() > 1e-9 {
-                    rows.push(Row::sum(&setting, property, asked, heard));
+                    rows.push(Row::new(&setting, property, Unit::Semitones, asked, heard));
                 }
             }
         }

@@ -2,14 +2,15 @@
 
 use anyhow::{Context as _, Result};
 use raconteur_player::speech::assemble::{Part, Recording, Track, assemble};
+use raconteur_player::speech::bundle::FRAME_SECS;
 use raconteur_player::speech::content::{Age, Content, Gender, Setting};
 use raconteur_player::speech::emotion::{Place, Prosody};
 use raconteur_player::speech::feel::{felt, moved_pauses, place_of, word_phrases};
 use raconteur_player::speech::plan::{Plan, Planned, plan};
 use raconteur_player::speech::realise::{Own, realise};
-use raconteur_player::speech::signal::f0::{self, PitchOptions, PitchTrack};
+use raconteur_player::speech::signal::f0::{self, PitchTrack};
 use raconteur_player::speech::signal::{resample, rms};
-use raconteur_player::speech::spoken::{Sentence, Spoken};
+use raconteur_player::speech::spoken::{Sentence, Spoken, SpokenSyllable};
 use raconteur_player::speech::style::{NO_EMPHASIS, Style};
 use raconteur_player::speech::text::Lexicon;
 
@@ -77,9 +78,6 @@ pub(crate) fn speak(
 ) -> Result<Track> {
     let Casting { plan, roles } = casting;
     let mut spoken = by_role(&plan.sentences, roles, cast)?;
-    for (one, planned) in spoken.iter_mut().zip(&plan.sentences) {
-        accents(one, planned);
-    }
     let rate_hz = spoken
         .iter()
         .fold(16_000.0, |most: f64, s| most.max(s.rate_hz));
@@ -101,11 +99,13 @@ pub(crate) fn speak(
     for (one, voicing) in spoken.iter_mut().zip(&ages) {
         voicing.resize(one);
     }
-    let options = PitchOptions::default();
     let tracks: Vec<PitchTrack> = spoken
         .iter()
-        .map(|s| f0::track(&s.samples, s.rate_hz, &options))
+        .map(|s| f0::track_voice(&s.samples, s.rate_hz, FRAME_SECS))
         .collect();
+    for ((one, planned), track) in spoken.iter_mut().zip(&plan.sentences).zip(&tracks) {
+        accents(one, planned, track);
+    }
     let phrases = word_phrases(&plan.sentences, &spoken);
     let felt = felt(plan, &phrases, work.emotion);
     let place = |word: usize| place_of(&felt, word);
@@ -151,8 +151,12 @@ fn pauses(styled: &[(&Style, Place)], own: &Own) -> f64 {
 }
 
 /// Emphasised words are accented where they are stressed, and reduced ones are not. An engine
-/// that tells no accents at all has them where words are stressed.
-fn accents(spoken: &mut Spoken, planned: &Planned) {
+/// that tells no accents at all has them where words are stressed; one that tells no stress
+/// either, on the highest syllable of each word of more than three phones.
+fn accents(spoken: &mut Spoken, planned: &Planned, track: &PitchTrack) {
+    if spoken.syllables.iter().all(|s| s.stress == 0) {
+        stress_highest(spoken, track);
+    }
     let untold = spoken.syllables.iter().all(|s| s.accent.is_empty());
     for syllable in &mut spoken.syllables {
         let token = spoken.segments.get(syllable.first).and_then(|s| s.token);
@@ -165,6 +169,32 @@ fn accents(spoken: &mut Spoken, planned: &Planned) {
             && (untold || emphasis > NO_EMPHASIS)
         {
             "*".clone_into(&mut syllable.accent);
+        }
+    }
+}
+
+fn stress_highest(spoken: &mut Spoken, track: &PitchTrack) {
+    let tokens = spoken.segments.iter().filter_map(|s| s.token).max();
+    for token in 0..=tokens.unwrap_or(0) {
+        let phones = spoken.segments.iter().filter(|s| s.token == Some(token));
+        if phones.count() <= 3 {
+            continue;
+        }
+        let height = |s: &SpokenSyllable| {
+            let end = |i: usize| spoken.segments.get(i).map_or(0.0, |s| s.end_secs);
+            let start = s.first.checked_sub(1).map_or(0.0, end);
+            let stop = end((s.first + s.count).max(1) - 1);
+            let own = spoken.segments.get(s.first).and_then(|s| s.token);
+            (own == Some(token)).then(|| track.hz_near((start + stop) / 2.0, 0.05))
+        };
+        let highest = spoken
+            .syllables
+            .iter()
+            .enumerate()
+            .filter_map(|(i, s)| Some((height(s)?, i)))
+            .max_by(|a, b| a.0.total_cmp(&b.0));
+        if let Some((_, highest)) = highest {
+            spoken.syllables[highest].stress = 1;
         }
     }
 }

@@ -88,12 +88,13 @@ impl Measure {
             for row in &rows {
                 writeln!(
                     out,
-                    "{:24} {:24} asked {:6.3} heard {:6.3} {:5.1} %{}",
+                    "{:24} {:24} asked {:6.3} heard {:6.3}, off by {:4.1} % ({:3.0} % of the change){}",
                     row.setting,
                     row.property,
                     row.asked,
                     row.heard,
                     row.error() * 100.0,
+                    row.missing() * 100.0,
                     if row.is_met() { "" } else { "  NOT AS ASKED" }
                 )?;
             }
@@ -113,6 +114,7 @@ fn row(row: &Row) -> serde_json::Value {
         "asked": row.asked,
         "heard": row.heard,
         "error": row.error(),
+        "missing": row.missing(),
         "ok": row.is_met(),
     })
 }

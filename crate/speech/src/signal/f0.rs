@@ -453,6 +453,30 @@ fn best_path(frames: &[Vec<Candidate>], options: &PitchOptions, step_secs: f64) 
     path
 }
 
+/// The frequency with limits that suit the voice: a first pass finds its middle, a second one
+/// seeks around that (De Looze and Hirst, Speech Prosody 2008: from three quarters of the lower
+/// quartile to one and a half of the upper one; wider here, for melodies are changed).
+#[must_use]
+pub fn track_voice(samples: &[f64], rate_hz: f64, step_secs: f64) -> PitchTrack {
+    let options = PitchOptions {
+        step_secs,
+        ..PitchOptions::default()
+    };
+    let first = track(samples, rate_hz, &options);
+    let mut hz: Vec<f64> = first.hz.iter().copied().filter(|hz| *hz > 0.0).collect();
+    if hz.len() < 20 {
+        return first;
+    }
+    hz.sort_by(f64::total_cmp);
+    let quartile = |share: usize| hz[hz.len() * share / 4];
+    let narrowed = PitchOptions {
+        min_hz: (0.6 * quartile(1)).max(options.min_hz),
+        max_hz: (2.0 * quartile(3)).min(options.max_hz),
+        ..options
+    };
+    track(samples, rate_hz, &narrowed)
+}
+
 #[cfg(test)]
 mod tests {
     use super::super::testing::{self, Part};
