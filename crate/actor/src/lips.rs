@@ -74,17 +74,16 @@ struct Segment {
 }
 
 impl LipTrack {
-    /// From an utterance's phones (seconds from its start, ascending) and the name of
-    /// their phone set. Symbols that the set does not have move the mouth as a schwa
-    /// does. The utterance is taken to have silence on both sides.
+    /// From an utterance's phones, by the names of their rows in [`phones`] (seconds from its
+    /// start, ascending). Names that the table does not have move the mouth as a schwa does. The utterance is taken to have silence on both sides.
     #[must_use]
-    pub fn new(phones: &[Phone], phone_set: &str) -> Self {
+    pub fn new(phones: &[Phone]) -> Self {
         let mut segments = Vec::with_capacity(phones.len() + 8);
         let first = phones.first().map_or(0.0, |p| p.start_secs);
         let last = phones.last().map_or(0.0, |p| p.end_secs);
         segments.push(Segment::new(phones::silence(), first - MARGIN_SECS, first));
         for phone in phones {
-            let targets = phones::find(phone_set, &phone.symbol).unwrap_or_else(phones::neutral);
+            let targets = phones::by_name(&phone.symbol).unwrap_or_else(phones::neutral);
             let (start, end) = (phone.start_secs, phone.end_secs.max(phone.start_secs));
             match targets.glide() {
                 Some(glide) => {
@@ -274,7 +273,7 @@ mod tests {
     #[test]
     fn one_segment_alone_returns_its_own_target() {
         for symbol in ["aa", "iy", "uw", "s", "w"] {
-            let targets = phones::find("radio", symbol).unwrap_or_else(phones::silence);
+            let targets = phones::by_name(symbol).unwrap_or_else(phones::silence);
             let track = LipTrack::from_segments(vec![Segment::new(targets, 0.0, 0.2)]);
             for i in -20..40 {
                 let m = track.at(f64::from(i) * 0.01);
@@ -289,7 +288,7 @@ mod tests {
     fn bilabials_close_the_lips_in_any_context() {
         for (k, every) in ["p", "b", "m"].into_iter().cycle().take(60).enumerate() {
             let list = random(every, k as u64);
-            let track = LipTrack::new(&list, "radio");
+            let track = LipTrack::new(&list);
             for p in list.iter().filter(|p| p.symbol == every) {
                 let share = if every == "m" { 1.0 } else { RELEASE_AT };
                 for i in 0..=10 {
@@ -314,7 +313,7 @@ mod tests {
     #[test]
     fn labiodentals_bring_the_lip_to_the_teeth() {
         let list = random("f", 4);
-        let track = LipTrack::new(&list, "radio");
+        let track = LipTrack::new(&list);
         for p in list.iter().filter(|p| p.symbol == "f") {
             let m = track.at(0.5 * (p.start_secs + p.end_secs));
             assert!(m.bite > 0.89 && m.channel(Channel::LipOpen) < 0.16, "{m:?}");
@@ -327,7 +326,7 @@ mod tests {
         let t = list.last().map_or(0.0, |p| p.end_secs);
         list.push(phone("pau", t, t + 0.5));
         list.push(phone("aa", t + 0.5, t + 0.8));
-        let track = LipTrack::new(&list, "radio");
+        let track = LipTrack::new(&list);
         for t in [t + 0.15, t + 0.25, t + 0.35, -0.5, t + 1.3] {
             let m = track.at(t);
             assert!(
@@ -335,10 +334,7 @@ mod tests {
                 "{t} {m:?}"
             );
         }
-        assert_eq!(
-            LipTrack::new(&[], "radio").at(0.3).channel(Channel::Jaw),
-            0.0
-        );
+        assert_eq!(LipTrack::new(&[]).at(0.3).channel(Channel::Jaw), 0.0);
     }
 
     #[test]
@@ -346,7 +342,7 @@ mod tests {
         let mut worst: f64 = 0.0;
         for seed in 0..40 {
             let list = random(["p", "pau", "f", "m"][seed as usize % 4], seed);
-            let track = LipTrack::new(&list, "radio");
+            let track = LipTrack::new(&list);
             let end = list.last().map_or(0.0, |p| p.end_secs) + 0.6;
             let mut last = track.at(-0.6);
             for i in 0..((end + 0.6) * 1000.0) as i32 {
@@ -368,7 +364,7 @@ mod tests {
             phone("t", 0.1, 0.17),
             phone("uw", 0.17, 0.35),
         ];
-        let track = LipTrack::new(&list, "radio");
+        let track = LipTrack::new(&list);
         assert!(track.at(0.26).channel(Channel::Protrude) > 0.6);
         assert!(track.at(0.08).channel(Channel::Protrude) > 0.15);
         let between = LipTrack::new(
@@ -377,10 +373,9 @@ mod tests {
                 phone("aa", 0.08, 0.22),
                 phone("b", 0.22, 0.3),
             ],
-            "radio",
         );
         assert!(between.at(0.15).channel(Channel::Jaw) > 0.35);
-        let open = LipTrack::new(&[phone("k", 0.0, 0.08), phone("aa", 0.08, 0.25)], "radio");
+        let open = LipTrack::new(&[phone("k", 0.0, 0.08), phone("aa", 0.08, 0.25)]);
         assert!(open.at(0.165).channel(Channel::Jaw) > 0.45);
     }
 }

@@ -43,8 +43,6 @@ pub struct SpokenUtterance {
     pub start_secs: f64,
     /// Length, seconds.
     pub duration_secs: f64,
-    /// Name of the phone set, for example `radio`.
-    pub phone_set: String,
     /// Phones, seconds from the start of the utterance.
     pub phones: Vec<Phone>,
     /// Words, seconds from the start of the utterance.
@@ -179,7 +177,7 @@ impl Actor {
             blinks: Blinks::new(&pauses, seed, amount),
             lips: speech
                 .iter()
-                .map(|u| (u.start_secs, LipTrack::new(&u.phones, &u.phone_set)))
+                .map(|u| (u.start_secs, LipTrack::new(&u.phones)))
                 .collect(),
             skull_zero: rotation_of(&world_from_bone(skeleton, &Pose::zero(), Bone::Skull)),
             seed,
@@ -523,7 +521,7 @@ fn beats_of(u: &SpokenUtterance, seed: u64, id: u64) -> Vec<Beat> {
 /// Beginnings of the pauses of an utterance, its end among them, story time.
 fn pauses_of(u: &SpokenUtterance) -> impl Iterator<Item = f64> + '_ {
     let silent = |p: &&Phone| {
-        let class = phones::find(&u.phone_set, &p.symbol).map(|t| t.class);
+        let class = phones::by_name(&p.symbol).map(|t| t.class);
         class == Some(Class::Silence) && p.end_secs - p.start_secs >= PAUSE_SECS
     };
     let inner = u
@@ -540,7 +538,7 @@ fn pauses_of(u: &SpokenUtterance) -> impl Iterator<Item = f64> + '_ {
 fn clause_starts_of(u: &SpokenUtterance) -> impl Iterator<Item = f64> + '_ {
     let last = u.phones.len().saturating_sub(1);
     let after = u.phones.iter().enumerate().filter(move |(i, p)| {
-        let class = phones::find(&u.phone_set, &p.symbol).map(|t| t.class);
+        let class = phones::by_name(&p.symbol).map(|t| t.class);
         *i < last && class == Some(Class::Silence) && p.end_secs - p.start_secs >= PAUSE_SECS
     });
     core::iter::once(u.start_secs).chain(after.map(|(_, p)| u.start_secs + p.end_secs))

@@ -340,7 +340,6 @@ fn speech() -> SpokenUtterance {
     SpokenUtterance {
         start_secs: 30.0,
         duration_secs: 6.0,
-        phone_set: "radio".to_owned(),
         phones: (0..30).map(phone).collect(),
         ..SpokenUtterance::default()
     }

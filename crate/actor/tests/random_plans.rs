@@ -86,7 +86,6 @@ fn random_speech(seed: u64) -> Vec<SpokenUtterance> {
             SpokenUtterance {
                 start_secs: 1.0 + 8.0 * i as f64,
                 duration_secs: t,
-                phone_set: "radio".to_owned(),
                 phones,
                 words: Vec::new(),
                 accents: (0..6)

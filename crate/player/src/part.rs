@@ -8,6 +8,7 @@ use raconteur_actor::{
 };
 use raconteur_base::order::sort_by_number;
 use raconteur_base::{DVec3, Side};
+use raconteur_speech::bundle::Voice;
 use raconteur_speech::{Phone, Word};
 
 use crate::cues::{self, Cue, UtteranceCue};
@@ -141,12 +142,10 @@ fn spoken(script: &Script, cue: &UtteranceCue) -> SpokenUtterance {
     SpokenUtterance {
         start_secs: cue.start_secs,
         duration_secs: cue.duration_secs,
-        phones: if phones.is_empty() {
-            murmured(cue)
-        } else {
-            phones.to_vec()
+        phones: match script.voice(cue.clause) {
+            Some(voice) => phones.iter().map(|p| seen(p, voice)).collect(),
+            None => murmured(cue),
         },
-        phone_set: script.phone_set(cue.clause).to_owned(),
         words: cue
             .words
             .iter()
@@ -165,6 +164,14 @@ fn spoken(script: &Script, cue: &UtteranceCue) -> SpokenUtterance {
                 strength: EMPHASIS_ACCENT,
             })
             .collect(),
+    }
+}
+
+/// A phone as the mouth knows it.
+fn seen(phone: &Phone, voice: &Voice) -> Phone {
+    Phone {
+        symbol: voice.row(&phone.symbol).to_owned(),
+        ..phone.clone()
     }
 }
 

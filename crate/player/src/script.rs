@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use raconteur_actor::Library;
 use raconteur_eml::{ClauseId, ClauseKind, Diagnostic, Document, Parsed, Span, Timeline, parse};
+use raconteur_speech::bundle::Voice;
 use raconteur_speech::{Bundle, Phone, Utterance};
 
 use crate::motion;
@@ -141,11 +142,10 @@ impl Script {
         self.utterance(clause).map_or(&[], |u| &u.phones)
     }
 
-    /// The phone set of what a clause says; Festival's where it was not baked.
-    pub(crate) fn phone_set(&self, clause: ClauseId) -> &str {
-        let voice = self.utterance(clause).map(|u| u.voice);
-        let bundle = voice.zip(self.bundle.as_ref());
-        bundle.map_or("radio", |(voice, bundle)| &bundle.voices[voice].phone_set)
+    /// Who says it.
+    pub(crate) fn voice(&self, clause: ClauseId) -> Option<&Voice> {
+        let utterance = self.utterance(clause)?;
+        self.bundle.as_ref()?.voices.get(utterance.voice)
     }
 }
 

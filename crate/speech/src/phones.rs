@@ -6,13 +6,22 @@
 //! depressor labii inferioris, with jaw and tongue parameters, and an aperture of the
 //! lips for faces without muscles. Her numbers are not published: **targets and
 //! dominances are designed**. Bilabials get a dominance that keeps neighbours 80 ms away
-//! within a few hundredths of closed; rounding begins early and decays slowly. Symbols:
-//! Festival's `radio_phones.scm` and `mrpa_phones.scm`, SAMPA, and espeak-ng's English.
-//! Phones of the other two languages are rows of the same table by another name: see
-//! `phones/names.rs`. Visemes are the fifteen of OpenXR's `XR_META_face_tracking_visemes`.
+//! within a few hundredths of closed; rounding begins early and decays slowly. Visemes are
+//! the fifteen of OpenXR's `XR_META_face_tracking_visemes`.
+//!
+//! A player knows rows by their names; which row is whose symbol, bakers know ([`find`]), and
+//! bundles tell.
 
+#[cfg(feature = "bake")]
+mod columns;
+#[cfg(feature = "bake")]
 mod names;
+#[cfg(feature = "bake")]
+mod sets;
 mod table;
+
+#[cfg(feature = "bake")]
+pub use sets::{PHONE_SETS, find};
 
 use table::{SCHWA, SILENCE, TABLE};
 
@@ -72,7 +81,8 @@ pub enum Class {
 /// Visual targets of one phone.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PhoneTargets {
-    symbols: [&'static str; 4],
+    /// What the row is called: Festival's symbol, or SAMPA's where Festival has none.
+    pub name: &'static str,
     /// Viseme: one of sil PP FF TH DD kk CH SS nn RR aa E ih oh ou.
     pub viseme: &'static str,
     /// Manner.
@@ -102,57 +112,14 @@ impl PhoneTargets {
             "E" => "eh",
             _ => return None,
         };
-        find("radio", symbol)
+        by_name(symbol)
     }
 }
 
-/// Names of the phone sets that [`find`] knows. SAMPA names a phone the same in all three
-/// languages; espeak-ng does not, hence a set for its German and one for its Portuguese.
-pub const PHONE_SETS: [&str; 6] = ["radio", "sampa", "espeak", "mrpa", "espeak-de", "espeak-pt"];
-
-/// Targets of a symbol in a phone set (one of [`PHONE_SETS`]; any other name is read as
-/// `radio`). Upper case and stress digits of the CMU dictionary are understood in `radio`;
-/// leading stress marks in espeak-ng's sets. `sampa` and `espeak` know the symbols of
-/// English, then those of German, then of Portuguese; `espeak-de` and `espeak-pt` ask their
-/// language first. `None` for an unknown symbol.
+/// Targets by the name of their row; `None` for another name.
 #[must_use]
-pub fn find(phone_set: &str, symbol: &str) -> Option<&'static PhoneTargets> {
-    let set = PHONE_SETS.iter().position(|s| *s == phone_set).unwrap_or(0);
-    let column = if set < 4 { set } else { 2 };
-    let bare = match column {
-        0 => symbol.trim_end_matches(|c: char| c.is_ascii_digit()),
-        2 => symbol.trim_start_matches(['\'', ',', '%', '=']),
-        _ => symbol,
-    };
-    let languages = match set {
-        1 | 2 => [names::ENGLISH, names::GERMAN, names::PORTUGUESE],
-        4 => [names::GERMAN, "", names::ENGLISH],
-        5 => [names::PORTUGUESE, "", names::ENGLISH],
-        _ => ["", "", ""],
-    };
-    // The table's own symbols are those of English.
-    if set < 4
-        && let Some(row) = own(column, bare)
-    {
-        return Some(row);
-    }
-    for language in languages {
-        if let Some(sampa) = names::sampa(language, column, bare) {
-            return own(1, sampa);
-        }
-    }
-    own(column, bare)
-}
-
-/// The row whose own symbol in a column this is.
-fn own(column: usize, symbol: &str) -> Option<&'static PhoneTargets> {
-    if symbol.is_empty() {
-        return None;
-    }
-    TABLE.iter().find(|row| {
-        let own = row.symbols[column];
-        own == symbol || column == 0 && own.eq_ignore_ascii_case(symbol)
-    })
+pub fn by_name(name: &str) -> Option<&'static PhoneTargets> {
+    TABLE.iter().find(|row| row.name == name)
 }
 
 /// Silence: the closed mouth at rest.
@@ -172,107 +139,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_symbol_of_the_radio_set_is_known() {
-        let radio = "aa ae ah ao aw ax axr ay b ch d dh dx eh el em en er ey f g hh hv ih iy jh k l m n \
-                     ng nx ow oy p r s sh t th uh uw v w y z zh pau brth h#";
-        for symbol in radio.split_whitespace() {
-            assert!(find("radio", symbol).is_some(), "{symbol}");
-        }
-        assert_eq!(find("radio", "AH0"), find("radio", "ah"));
-        assert_eq!(find("espeak", "'i:").map(|p| p.viseme), Some("ih"));
-        assert!(find("radio", "xyzzy").is_none());
-    }
-
-    /// What espeak-ng 1.51 wrote (`-x --sep`) for some hundred words of each voice; words of
-    /// other languages among them are pronounced by those languages' rules.
-    const EMITTED: [(&str, &str); 5] = [
-        (
-            "espeak-de",
-            "0 3 3: ; @ A A: A~ C E E: I N O OY R S T U UR W W~ Y: _! _: _| a aI aU b d dZ e: eI \
-             f g h i i: j k l m n o: oU p pF r s t ts u: v x y y: z",
-        ),
-        (
-            "espeak-pt",
-            "& &U~ &~ * ; @- A E EI EU N O OI R S U Z a aI aU b d e eI eU f g i iU j k l l^ m n \
-             n^ o oI oU o~ p r- s s# t u uI u~ v w x y z",
-        ),
-        (
-            "espeak-pt",
-            "& &U~ &~ * ; @- E EI EU N O OI R S U Z a aI aU b d dZ e eI eU f g i iU j k l l^ m n \
-             n^ o oI o~ p r s t tS u uI u~ v w x y z",
-        ),
-        (
-            "espeak",
-            "0 3 3: ; ? @ @- @2 @L A: A@ A~ D E I I# I2 N O2 O: O@ OI S T U U@ V Z _! _: a a# aI \
-             aI3 aU aa b d dZ e@ eI f g h i i: i@ i@3 j k l m n n- o@ oU p r r- s t t# tS u: v w \
-             x z",
-        ),
-        (
-            "espeak",
-            "0 3 3: ; @ @- @L A: A@ A~ D E I I2 N O: O@ OI S T U U@ V Z _! _: a a# aI aI@ aU aa b \
-             d dZ e@ eI f g h i i: i@ i@3 j k l m n o@ oU p r r- s t tS u: v w x z",
-        ),
-    ];
-
-    #[test]
-    fn every_mnemonic_that_espeak_ng_writes_is_known() {
-        for (set, mnemonics) in EMITTED {
-            for symbol in mnemonics.split_whitespace() {
-                assert!(find(set, symbol).is_some(), "{set}: {symbol}");
-                assert!(find("espeak", symbol).is_some(), "espeak: {symbol}");
-            }
-        }
-    }
-
-    #[test]
-    fn names_of_other_languages_are_triples_of_rows_that_exist() {
-        for language in [names::ENGLISH, names::GERMAN, names::PORTUGUESE] {
-            let words: Vec<&str> = language.split_whitespace().collect();
-            assert_eq!(words.len() % 3, 0, "{language}");
-            for (i, triple) in words.chunks(3).enumerate() {
-                assert!(own(1, triple[2]).is_some(), "{triple:?}");
-                for column in 0..2 {
-                    let again = |other: &&[&str]| other[column] == triple[column];
-                    let once =
-                        triple[column] == "-" || !words.chunks(3).skip(i + 1).any(|t| again(&t));
-                    assert!(once, "{triple:?}");
-                }
-            }
-        }
-    }
-
-    #[test]
-    fn a_language_names_its_own_phone_first() {
-        // German [a] is open, English "a" the vowel of trap; r is a velar there.
-        assert_eq!(find("espeak-de", "a"), find("radio", "aa"));
-        assert_eq!(find("espeak", "a"), find("radio", "ae"));
-        assert_eq!(find("espeak-de", "r"), find("radio", "k"));
-        assert_eq!(find("espeak-de", "'Y:"), find("radio", "uw"));
-        assert_eq!(find("espeak-pt", "y"), find("radio", "ix"));
-        assert_eq!(find("sampa", "2:"), find("radio", "uw"));
-        assert_eq!(
-            find("sampa", "pf").map(|p| p.class),
-            Some(Class::BilabialStop)
-        );
-        assert_eq!(
-            find("espeak-pt", "eU").and_then(PhoneTargets::glide),
-            find("radio", "uh")
-        );
-        assert!(find("espeak-de", "xyzzy").is_none() && find("sampa", "-").is_none());
-    }
-
-    #[test]
-    fn the_same_letter_means_another_vowel_in_another_set() {
-        assert_eq!(find("mrpa", "uh"), find("radio", "ah"));
-        assert_eq!(find("mrpa", "oo"), find("radio", "ao"));
-    }
-
-    #[test]
     fn silence_is_closed_and_the_fallback_is_a_schwa() {
         assert_eq!(silence().class, Class::Silence);
         assert_eq!(silence().channels, [0.0; CHANNELS]);
-        assert_eq!(find("radio", "pau"), Some(silence()));
-        assert_eq!(find("radio", "ax"), Some(neutral()));
+        assert_eq!(by_name("pau"), Some(silence()));
+        assert_eq!(by_name("ax"), Some(neutral()));
     }
 
     #[test]
@@ -282,7 +153,7 @@ mod tests {
                 row.class == Class::Diphthong,
                 row.glide().is_some(),
                 "{:?}",
-                row.symbols
+                row.name
             );
         }
     }
@@ -296,7 +167,7 @@ mod tests {
                 } else {
                     0.0
                 };
-                assert!((low..=1.0).contains(v), "{:?}", row.symbols);
+                assert!((low..=1.0).contains(v), "{:?}", row.name);
             }
             assert!(
                 row.alphas.iter().all(|a| *a > 0.0) && row.thetas_per_s.iter().all(|t| *t > 0.0)

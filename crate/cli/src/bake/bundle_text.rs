@@ -24,12 +24,27 @@ fn text(text: &str) -> String {
 
 fn voice(voice: &Voice) -> String {
     format!(
-        "\n    {{\"engine\": {}, \"voice\": {}, \"language\": {}, \"phone_set\": {}}}",
+        "\n    {{\"engine\": {}, \"voice\": {}, \"language\": {}, \"phone_set\": {}{}}}",
         text(&voice.engine),
         text(&voice.voice),
         text(&voice.language),
-        text(&voice.phone_set)
+        text(&voice.phone_set),
+        mouth(voice)
     )
+}
+
+/// The member that tells the mouth's rows, if any has another name.
+fn mouth(voice: &Voice) -> String {
+    let pairs: Vec<String> = voice
+        .mouth
+        .iter()
+        .map(|(symbol, row)| format!("{symbol} {row}"))
+        .collect();
+    if pairs.is_empty() {
+        String::new()
+    } else {
+        format!(", \"mouth\": {}", text(&pairs.join(" ")))
+    }
 }
 
 /// Whole milliseconds.
@@ -211,6 +226,7 @@ mod tests {
             voice: "v".to_owned(),
             language: "en-US".to_owned(),
             phone_set: "radio".to_owned(),
+            mouth: vec![("i:".to_owned(), "iy".to_owned())],
         };
         for utterances in [vec![], vec![utterance.clone()], vec![utterance; 2]] {
             let bundle = Bundle {

@@ -28,6 +28,7 @@ use anyhow::{Context as _, Result, anyhow, bail, ensure};
 use raconteur_player::speech::bundle::{Bundle, Utterance, Voice};
 use raconteur_player::speech::content::Content;
 use raconteur_player::speech::markup::{plain, sable};
+use raconteur_player::speech::phones;
 use raconteur_player::speech::text::Lexicon;
 use raconteur_player::{Said, Source};
 
@@ -147,6 +148,7 @@ pub(crate) fn bake(
             voice: wanted.role.voice.name.clone(),
             language: wanted.role.voice.language.clone(),
             phone_set: wanted.role.voice.phone_set.clone(),
+            mouth: Vec::new(),
         };
         let mut utterance = match made {
             Some(made) => made,
@@ -164,6 +166,10 @@ pub(crate) fn bake(
         report.duration_secs += utterance.duration_secs;
         bundle.utterances.push(utterance);
     }
+    for index in 0..bundle.voices.len() {
+        let mouth = mouth(&bundle, index);
+        bundle.voices[index].mouth = mouth;
+    }
     report.text_bytes = store.write(&bundle)?;
     report.removed = store.remove_unused(&bundle)?;
     for audio in bundle.utterances.iter().flat_map(|u| &u.audio) {
@@ -174,6 +180,24 @@ pub(crate) fn bake(
         }
     }
     Ok(report)
+}
+
+/// By which rows of the player's table the symbols of a voice move the lips, where they are
+/// called otherwise. What nobody knows is left to the player, who shows a schwa.
+fn mouth(bundle: &Bundle, voice: usize) -> Vec<(String, String)> {
+    let phone_set = &bundle.voices[voice].phone_set;
+    let spoken = bundle.utterances.iter().filter(|u| u.voice == voice);
+    let symbols: BTreeSet<&str> = spoken
+        .flat_map(|u| &u.phones)
+        .map(|p| p.symbol.as_str())
+        .collect();
+    let row = |symbol: &str| Some(phones::find(phone_set, symbol)?.name);
+    symbols
+        .into_iter()
+        .filter_map(|symbol| Some((symbol, row(symbol)?)))
+        .filter(|(symbol, row)| symbol != row)
+        .map(|(symbol, row)| (symbol.to_owned(), row.to_owned()))
+        .collect()
 }
 
 /// Reads, casts and plans one utterance.

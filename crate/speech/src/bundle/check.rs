@@ -18,9 +18,18 @@ impl Utterance {
             let name: String = bad.file.chars().flat_map(char::escape_default).collect();
             return Err(["\"", &name, "\" is not a plain file name"].concat());
         }
+        if self.voice >= voices {
+            return Err("its voice is not there".to_owned());
+        }
+        #[cfg(feature = "bake")]
+        self.check_melody()?;
+        Ok(())
+    }
+
+    #[cfg(feature = "bake")]
+    fn check_melody(&self) -> Result<(), String> {
         let words = |first: usize, words: usize| first.saturating_add(words) <= self.words.len();
         let wrong = [
-            (self.voice >= voices, "its voice is not there"),
             (
                 self.syllables.iter().any(|s| {
                     s.phones == 0 || s.first_phone.saturating_add(s.phones) > self.phones.len()

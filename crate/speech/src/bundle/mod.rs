@@ -2,11 +2,15 @@
 //! described in `docs/speech-bundle.md`.
 
 mod check;
+#[cfg(feature = "bake")]
 mod frames;
+#[cfg(feature = "bake")]
+mod melody;
 mod read;
 #[cfg(test)]
 mod tests;
 
+#[cfg(feature = "bake")]
 pub use frames::{
     FRAME_SECS, code_of_db, code_of_hz, db_of_code, from_base64, hz_of_code, to_base64,
 };
@@ -39,8 +43,23 @@ pub struct Voice {
     pub voice: String,
     /// BCP 47 language tag, for example `en-US`.
     pub language: String,
-    /// The phone set, one of [`crate::phones::PHONE_SETS`].
+    /// The phone set, for example `radio` or `espeak-de`.
     pub phone_set: String,
+    /// By which rows of [`crate::phones`] its symbols move the lips, where they are not called
+    /// alike: symbol and name.
+    pub mouth: Vec<(String, String)>,
+}
+
+impl Voice {
+    /// The name of the row of [`crate::phones`] for a symbol.
+    #[must_use]
+    pub fn row<'a>(&'a self, symbol: &'a str) -> &'a str {
+        if symbol == SOUND {
+            return SILENCE;
+        }
+        let other = self.mouth.iter().find(|(own, _)| own == symbol);
+        other.map_or(symbol, |(_, name)| name)
+    }
 }
 
 /// One utterance.
@@ -65,7 +84,8 @@ pub struct Utterance {
     pub text_starts: Vec<usize>,
     /// Phones in order; they tile [0, duration] without gaps.
     pub phones: Vec<Phone>,
-    /// Syllables in order.
+    /// Syllables in order. These and what follows are read with the feature `bake` alone: a
+    /// player does not look at them yet, and need not download their reader.
     pub syllables: Vec<Syllable>,
     /// Pitch accents, by syllable.
     pub accents: Vec<Accent>,

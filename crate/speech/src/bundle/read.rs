@@ -3,10 +3,7 @@
 
 use raconteur_base::json::{Fault, Json};
 
-use super::{
-    Accent, AudioFile, Bundle, Emotion, Phone, Phrase, SILENCE, Sentence, SentenceKind, Syllable,
-    Utterance, VERSION, Voice, Word, from_base64,
-};
+use super::{AudioFile, Bundle, Phone, SILENCE, Utterance, VERSION, Voice, Word};
 
 /// Why a bundle was refused.
 #[derive(Debug, thiserror::Error)]
@@ -99,36 +96,14 @@ fn list<'v, 'a, T>(
     items.iter().map(one).collect()
 }
 
-/// The rows of a table that may be absent: lists that begin with a text, which may be empty,
-/// and go on with numbers.
-fn table<'v>(
-    object: &'v Json<'_>,
-    name: &str,
-    columns: usize,
-) -> Result<Vec<(&'v str, Vec<f64>)>, Fault> {
-    let row = |row: &'v Json<'_>| {
-        let (label, numbers) = row.items().split_first()?;
-        let numbers: Option<Vec<f64>> = numbers.iter().map(Json::number).collect();
-        Some((label.text()?, numbers.filter(|n| n.len() == columns)?))
-    };
-    let rows = object.get(name).items().iter();
-    rows.map(|one| row(one).ok_or_else(|| one.fault(["a row of `", name, "` is none"].concat())))
-        .collect()
-}
-
-/// A number that counts; anything else becomes more than there can be.
-#[expect(
-    clippy::cast_possible_truncation,
-    clippy::cast_sign_loss,
-    reason = "whole numbers of 32 bits stay what they are, and others become the last index"
-)]
-fn count(number: f64) -> usize {
-    let whole = number as u32;
-    if f64::from(whole) == number {
-        whole as usize
-    } else {
-        usize::MAX
+/// Words by two.
+fn pairs(text: &str) -> Vec<(String, String)> {
+    let mut words = text.split_ascii_whitespace().map(str::to_owned);
+    let mut pairs = Vec::new();
+    while let (Some(one), Some(other)) = (words.next(), words.next()) {
+        pairs.push((one, other));
     }
+    pairs
 }
 
 impl Voice {
@@ -138,6 +113,7 @@ impl Voice {
             voice: text(json, "voice")?,
             language: text(json, "language")?,
             phone_set: text(json, "phone_set")?,
+            mouth: pairs(json.get("mouth").text().unwrap_or_default()),
         })
     }
 }
@@ -152,7 +128,7 @@ impl AudioFile {
 }
 
 /// Milliseconds as seconds.
-fn secs(msec: f64) -> f64 {
+pub(super) fn secs(msec: f64) -> f64 {
     msec / 1000.0
 }
 
@@ -164,58 +140,12 @@ impl Utterance {
             voice: index(json, "voice")?,
             text: text(json, "text")?,
             audio: list(json, "audio", AudioFile::of)?,
-            f0: frames(json, "f0")?,
-            intensity: frames(json, "intensity")?,
             ..Self::default()
         };
         utterance.read_phones(json)?;
         utterance.read_words(json)?;
-        for (label, row) in table(json, "syllables", 3)? {
-            if !label.is_empty() {
-                utterance.accents.push(Accent {
-                    syllable: utterance.syllables.len(),
-                    label: label.to_owned(),
-                });
-            }
-            utterance.syllables.push(Syllable {
-                first_phone: count(row[0]),
-                phones: count(row[1]),
-                stress: count(row[2]).min(3) as u8,
-            });
-        }
-        let mut first_word = 0_usize;
-        for (label, row) in table(json, "phrases", 1)? {
-            let words = count(row[0]);
-            let tone = label.to_owned();
-            utterance.phrases.push(Phrase {
-                first_word,
-                words,
-                tone,
-            });
-            first_word = first_word.saturating_add(words);
-        }
-        let mut first_word = 0_usize;
-        for (label, row) in table(json, "sentences", 1)? {
-            let words = count(row[0]);
-            let known = SentenceKind::MARKS.iter().find(|(_, mark)| *mark == label);
-            utterance.sentences.push(Sentence {
-                first_word,
-                words,
-                kind: known.map_or(SentenceKind::Statement, |(kind, _)| *kind),
-            });
-            first_word = first_word.saturating_add(words);
-        }
-        for (label, row) in table(json, "emotions", 6)? {
-            utterance.emotions.push(Emotion {
-                name: label.to_owned(),
-                start_secs: secs(row[0]),
-                apex_secs: secs(row[1]),
-                end_secs: secs(row[2]),
-                activation: row[3],
-                evaluation: row[4],
-                power: row[5],
-            });
-        }
+        #[cfg(feature = "bake")]
+        utterance.read_melody(json)?;
         Ok(utterance)
     }
 
@@ -293,13 +223,4 @@ impl Utterance {
         }
         Ok(())
     }
-}
-
-fn frames(json: &Json<'_>, name: &str) -> Result<Vec<u8>, Fault> {
-    let member = json.get(name);
-    if member.is_null() {
-        return Ok(Vec::new());
-    }
-    let bytes = member.text().and_then(from_base64);
-    bytes.ok_or_else(|| member.fault(["`", name, "` is not base64"].concat()))
 }
