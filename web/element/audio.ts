@@ -2,6 +2,7 @@
 
 import { stretch } from './stretch.js';
 import type { Music } from './music.js';
+import type { Spoken } from './spoken.js';
 import type { Piece, Utterance } from './types.js';
 
 /** What keeps the time of a performance and lets it be heard. Source time is in seconds. */
@@ -14,8 +15,8 @@ export interface Voice {
   unlock(): Promise<boolean>;
   /** Plays from story time `position` at `rate`, beginning at the source's moment `at`. */
   start(position: number, rate: number, at: number): void;
-  /** Silence. */
-  stop(): void;
+  /** Silence; when it only `waits` to be ready, what takes longer than its time may finish. */
+  stop(waits?: boolean): void;
   /** Fetches, decodes and plans what comes soon after `position`; called a few times a second. */
   prepare(position: number): void;
   /** Whether the sound at `position` is there, or known to be missing. */
@@ -23,6 +24,11 @@ export interface Voice {
   setVolume(volume: number): void;
   /** The music under the words; `library` is the folder of its pieces. */
   setMusic(pieces: readonly Piece[], library: URL): void;
+  /**
+   * Has the browser's own voice say what has no recording; `language` is that of the page. Its
+   * name, or undefined where the browser has none that speaks the language.
+   */
+  substitute(language: string): Promise<string | undefined>;
   close(): void;
 }
 
@@ -82,6 +88,10 @@ export class RecordedVoice implements Voice {
   #music: Music | undefined;
   /** What plays music is being fetched. */
   #awaited = false;
+  /** Says what has no recording, once it is known whether it can. */
+  #spoken: Spoken | undefined;
+  #finding: Promise<void> | undefined;
+  #found = true;
 
   /**
    * `utterances` may come and go, in any order; `folder` is where the recordings lie; `onMissing`
@@ -126,6 +136,7 @@ export class RecordedVoice implements Voice {
     this.#volume = volume;
     this.#master?.gain.setTargetAtTime(volume, context().currentTime, 0.015);
     this.#music?.setVolume(volume);
+    this.#spoken?.setVolume(volume);
   }
 
   setMusic(pieces: readonly Piece[], library: URL): void {
@@ -147,8 +158,27 @@ export class RecordedVoice implements Voice {
     this.#awaited = false;
   }
 
+  async substitute(language: string): Promise<string | undefined> {
+    if ('speechSynthesis' in window) await (this.#finding ??= this.#findVoice(language));
+    return this.#spoken?.name;
+  }
+
+  async #findVoice(language: string): Promise<void> {
+    this.#found = false;
+    try {
+      const { Spoken } = await import('./spoken.js');
+      const spoken = await Spoken.find(this.#utterances, language, (why) => this.#onMissing(undefined, why));
+      if (!this.#abort.signal.aborted) this.#spoken = spoken;
+      spoken.setVolume(this.#volume);
+      if (this.#run) spoken.start(this.#run.rate);
+    } catch {
+      this.#finding = undefined;
+    }
+    this.#found = true;
+  }
+
   start(position: number, rate: number, at: number): void {
-    this.stop();
+    this.#silence();
     this.#run = { position, rate, at };
     if (rate !== this.#stretchedRate) {
       this.#stretched.clear();
@@ -156,11 +186,17 @@ export class RecordedVoice implements Voice {
     }
     this.prepare(position);
     this.#music?.start(position, rate, at);
+    this.#spoken?.start(rate);
   }
 
-  stop(): void {
+  stop(waits = false): void {
     this.#run = undefined;
     this.#music?.stop();
+    this.#spoken?.stop(waits);
+    this.#silence();
+  }
+
+  #silence(): void {
     for (const [, { source, gain }] of this.#playing) {
       const now = context().currentTime;
       gain.gain.cancelScheduledValues(now);
@@ -172,6 +208,7 @@ export class RecordedVoice implements Voice {
 
   prepare(position: number): void {
     this.#music?.prepare(position);
+    this.#spoken?.prepare(position);
     const rate = this.#run?.rate ?? 1;
     for (const utterance of this.#utterances) {
       const end = utterance.startSecs + utterance.durationSecs;
@@ -192,15 +229,16 @@ export class RecordedVoice implements Voice {
       const offset = position - utterance.startSecs;
       if (offset < 0 || offset >= utterance.durationSecs) continue;
       const sound = this.#sounds.get(utterance);
-      if (sound === undefined || sound === 'pending') return false;
+      if (sound === undefined || sound === 'pending' || (!this.#found && utterance.audio.length === 0)) return false;
     }
-    return !this.#awaited && (this.#music?.ready(position) ?? true);
+    return !this.#awaited && (this.#music?.ready(position) ?? true) && (this.#spoken?.ready(position) ?? true);
   }
 
   close(): void {
     this.#abort.abort();
     this.stop();
     this.#music?.close();
+    this.#spoken?.stop();
     this.#sounds.clear();
     this.#stretched.clear();
     // The fade of stop() is let out before the voice is unplugged.
@@ -251,10 +289,13 @@ export class RecordedVoice implements Voice {
     const run = this.#run;
     if (run === undefined || this.#master === undefined || this.#playing.has(utterance)) return;
     const audio = context();
-    let when = run.at + (utterance.startSecs - run.position) / run.rate;
+    // In whole samples: between them a browser interpolates, which dulls the sound, and what
+    // joins another would not follow it sample by sample.
+    const whole = (secs: number) => Math.round(secs * audio.sampleRate) / audio.sampleRate;
+    let when = whole(run.at + (utterance.startSecs - run.position) / run.rate);
     let offset = 0;
     // A little room, so that the browser has the start before it is due.
-    const earliest = Math.max(run.at, audio.currentTime + 0.005);
+    const earliest = whole(Math.max(run.at, audio.currentTime + 0.005));
     if (when < earliest) {
       offset = earliest - when;
       when = earliest;
@@ -316,5 +357,10 @@ export class SilentVoice implements Voice {
 
   setVolume(): void {}
   setMusic(): void {}
+
+  substitute(): Promise<undefined> {
+    return Promise.resolve(undefined);
+  }
+
   close(): void {}
 }
