@@ -121,6 +121,8 @@ export class RaconteurPlayer extends LitElement {
   readonly #pulse = new Pulse(
     () => this.#advance(),
     () => {
+      // Pictures may come slowly; sound is not to wait for them.
+      this.#show?.voice.prepare(this.currentTime);
       if (!this.paused) this.dispatchEvent(new Event('timeupdate'));
       this.requestUpdate();
     },

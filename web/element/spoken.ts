@@ -17,6 +17,8 @@ const MOST_WAIT = { secs: 1.5, share: 0.5 } as const;
 const PACE = { min: 0.6, max: 1.8 } as const;
 /** The browser takes a moment to begin. */
 const EARLY_SECS = 0.05;
+/** What begins no later than this is said from its first word on. */
+const LATE_SECS = 0.3;
 
 /** What is being said. */
 interface Now {
@@ -24,10 +26,10 @@ interface Now {
   readonly speech: SpeechSynthesisUtterance;
   /** Length of what is to be said, seconds of the page's time. */
   readonly secs: number;
-  /** When it began, on the page's clock; 0 before. */
-  startedMs: number;
-  /** Since when it is waited for; 0 before its end. */
-  lateMs: number;
+  /** When it began, on the page's clock. */
+  startedMs?: number;
+  /** Since when it is waited for. */
+  lateMs?: number;
 }
 
 /** Speaks utterances that have no recording, one after another. */
@@ -110,15 +112,15 @@ export class Spoken {
     const now = this.#now;
     if (now === undefined || position < now.utterance.startSecs + now.utterance.durationSecs) return true;
     const ms = performance.now();
-    now.lateMs ||= ms;
+    now.lateMs ??= ms;
     if (ms - now.lateMs < (MOST_WAIT.secs + MOST_WAIT.share * now.secs) * 1000) return false;
     this.#cancel();
     return true;
   }
 
-  /** Says an utterance from the word at `position` on. */
+  /** Says an utterance, from the word at `position` on when that is in its middle. */
   #say(utterance: Utterance, position: number, rate: number): void {
-    const words = utterance.words.filter((word) => word.endSecs > position);
+    const words = utterance.words.filter((word) => word.endSecs > position || position < utterance.startSecs + LATE_SECS);
     const voice = this.#voiceOf(utterance);
     if (words.length === 0 || voice === undefined) {
       this.#over.add(utterance);
@@ -131,7 +133,7 @@ export class Spoken {
     speech.rate = rate * this.#pace;
     const end = utterance.startSecs + utterance.durationSecs;
     const from = Math.max(position, utterance.startSecs);
-    const now: Now = { utterance, speech, secs: (end - from) / rate, startedMs: 0, lateMs: 0 };
+    const now: Now = { utterance, speech, secs: (end - from) / rate };
     speech.onstart = () => (now.startedMs = performance.now());
     speech.onend = () => this.#ended(now);
     speech.onerror = ({ error }) => {
@@ -150,9 +152,10 @@ export class Spoken {
     if (this.#now !== now) return;
     this.#now = undefined;
     this.#over.add(now.utterance);
+    if (now.startedMs === undefined) return;
     const took = (performance.now() - now.startedMs) / 1000;
     // The pauses of a word or two tell nothing.
-    if (now.startedMs === 0 || now.secs < 1 || took < 0.2) return;
+    if (now.secs < 1 || took < 0.2) return;
     // Half the way, so that one odd utterance does not turn the next one around.
     this.#pace = Math.min(PACE.max, Math.max(PACE.min, this.#pace * Math.sqrt(took / now.secs)));
   }

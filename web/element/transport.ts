@@ -142,7 +142,7 @@ export class Transport {
 
   #run(): void {
     const position = this.#latest;
-    this.#voice.prepare(position);
+    this.#voice.prepare(position, this.#rate);
     if (!this.#voice.ready(position)) {
       if (!this.#waiting) this.#emit('waiting');
       this.#waiting = true;
