@@ -62,6 +62,18 @@ test('utterances that follow each other join without a gap or a click, and those
     { text: 'Three', msec: 640, samples: part(1.2, 1.84) },
     { text: 'Over', msec: 100, samples: new Float32Array(samplesAt(0.1)).fill(0.25) },
   ]);
+  // What is not decoded in time is waited for, with a gap: here it has its time.
+  await page.evaluate(() => {
+    window.decoded = 0;
+    const decode = BaseAudioContext.prototype.decodeAudioData;
+    BaseAudioContext.prototype.decodeAudioData = async function (...args: [ArrayBuffer]) {
+      const sound = await decode.apply(this, args);
+      window.decoded += 1;
+      return sound;
+    };
+  });
+  await stage.seek(0);
+  await page.waitForFunction(() => window.decoded === 4);
   await stage.play();
   await page.waitForFunction(() => document.querySelector('raconteur-player')?.ended);
   const { samples } = await heard(page);
@@ -180,6 +192,8 @@ test('voice-say: what is waited for, what is not, and what is only made ready', 
 
 declare global {
   interface Window {
+    /** How many recordings were decoded. */
+    decoded: number;
     /** What the browser was asked to say, and what became of it. */
     said: { text: string; voice: string; lang: string; rate: number; volume: number; end: string; secs: number }[];
   }
