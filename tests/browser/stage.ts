@@ -7,17 +7,52 @@ import type { RaconteurPlayer } from '../../web/element/element.js';
 
 export { expect };
 
-/** The words of a story as its speech bundle has them; times from the start of their utterance. */
+/** What is said, and when; times from the start of the utterance. */
+export interface Span {
+  text: string;
+  start_secs: number;
+  end_secs: number;
+}
+
+/** The words and phones of a story as its speech bundle has them. */
 export interface BundleUtterance {
   text: string;
   duration_secs: number;
-  words: { text: string; start_secs: number; end_secs: number }[];
+  audio: { file: string; mime: string }[];
+  words: Span[];
+  phones: Span[];
 }
 
 /** The speech bundle of a story of the library. */
 export function bundle(story: string): BundleUtterance[] {
   const path = join(import.meta.dirname, '../../assets/stories', story, 'voice/speech.json');
-  return (JSON.parse(readFileSync(path, 'utf8')) as { utterances: BundleUtterance[] }).utterances;
+  const { utterances } = JSON.parse(readFileSync(path, 'utf8')) as { utterances: Written[] };
+  return utterances.map(readUtterance);
+}
+
+/** An utterance as it is written: phones with their lengths, words as text and phones. */
+interface Written {
+  text: string;
+  audio: { file: string; mime: string }[];
+  phones: string;
+  msecs: number[];
+  words: [start: number, bytes: number, firstPhone: number, phones: number][];
+}
+
+function readUtterance({ text, audio, phones, msecs, words }: Written): BundleUtterance {
+  let end = 0;
+  const spans = phones.split(' ').map((symbol, i) => {
+    const start = end;
+    end += msecs[i] ?? 0;
+    return { text: symbol, start_secs: start / 1000, end_secs: end / 1000 };
+  });
+  const bytes = Buffer.from(text);
+  const spoken = words.map(([start, length, first, count]) => ({
+    text: bytes.subarray(start, start + length).toString(),
+    start_secs: spans[first]?.start_secs ?? 0,
+    end_secs: spans[first + count - 1]?.end_secs ?? 0,
+  }));
+  return { text, audio, duration_secs: end / 1000, words: spoken, phones: spans };
 }
 
 /** What the page records for the tests. */
@@ -64,7 +99,7 @@ function listen(): void {
       return device;
     };
   }
-  const types = ['play', 'playing', 'pause', 'waiting', 'seeking', 'seeked', 'ended', 'error', 'ratechange', 'volumechange', 'timeupdate', 'loadedmetadata', 'word', 'clause', 'storyevent', 'diagnostic'];
+  const types = ['play', 'playing', 'pause', 'waiting', 'seeking', 'seeked', 'ended', 'error', 'ratechange', 'volumechange', 'timeupdate', 'loadedmetadata', 'word', 'phone', 'utterance', 'clause', 'storyevent', 'diagnostic'];
   for (const type of types) {
     document.addEventListener(
       type,

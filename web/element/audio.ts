@@ -2,6 +2,7 @@
 
 import { stretch } from './stretch.js';
 import type { Music } from './music.js';
+import type { Spoken } from './spoken.js';
 import type { Piece, Utterance } from './types.js';
 
 /** What keeps the time of a performance and lets it be heard. Source time is in seconds. */
@@ -14,15 +15,23 @@ export interface Voice {
   unlock(): Promise<boolean>;
   /** Plays from story time `position` at `rate`, beginning at the source's moment `at`. */
   start(position: number, rate: number, at: number): void;
-  /** Silence. */
-  stop(): void;
-  /** Fetches, decodes and plans what comes soon after `position`; called a few times a second. */
-  prepare(position: number): void;
+  /** Silence; when it only `waits` to be ready, what takes longer than its time may finish. */
+  stop(waits?: boolean): void;
+  /**
+   * Fetches, decodes and plans what comes soon after `position`; called a few times a second, and
+   * with the speed just before a start, for what takes time then.
+   */
+  prepare(position: number, rate?: number): void;
   /** Whether the sound at `position` is there, or known to be missing. */
   ready(position: number): boolean;
   setVolume(volume: number): void;
   /** The music under the words; `library` is the folder of its pieces. */
   setMusic(pieces: readonly Piece[], library: URL): void;
+  /**
+   * Has the browser's own voice say what has no recording; `language` is that of the page. Its
+   * name, or undefined where the browser has none that speaks the language.
+   */
+  substitute(language: string): Promise<string | undefined>;
   close(): void;
 }
 
@@ -82,6 +91,10 @@ export class RecordedVoice implements Voice {
   #music: Music | undefined;
   /** What plays music is being fetched. */
   #awaited = false;
+  /** Says what has no recording, once it is known whether it can. */
+  #spoken: Spoken | undefined;
+  #finding: Promise<void> | undefined;
+  #found = true;
 
   /**
    * `utterances` may come and go, in any order; `folder` is where the recordings lie; `onMissing`
@@ -101,11 +114,13 @@ export class RecordedVoice implements Voice {
     const audio = context();
     const coarse = audio.currentTime - (audio.outputLatency || audio.baseLatency || 0);
     // The time stamp is finer than currentTime, which moves in the device's steps; but some
-    // browsers leave it at zero or far off, and then the coarse value stands.
+    // browsers leave it at zero or far off, and a device that stumbles leaves it behind: it
+    // is believed as far as a third of a step.
     const stamp = audio.getOutputTimestamp();
     if (!stamp.contextTime || !stamp.performanceTime) return coarse;
     const fine = stamp.contextTime + (performance.now() - stamp.performanceTime) / 1000;
-    return Math.abs(fine - coarse) < 0.06 ? fine : coarse;
+    const most = Math.max(0.003, 0.3 * audio.baseLatency);
+    return Math.abs(fine - coarse) < 0.06 ? Math.min(coarse + most, Math.max(coarse - most, fine)) : coarse;
   }
 
   async unlock(): Promise<boolean> {
@@ -126,6 +141,7 @@ export class RecordedVoice implements Voice {
     this.#volume = volume;
     this.#master?.gain.setTargetAtTime(volume, context().currentTime, 0.015);
     this.#music?.setVolume(volume);
+    this.#spoken?.setVolume(volume);
   }
 
   setMusic(pieces: readonly Piece[], library: URL): void {
@@ -147,20 +163,42 @@ export class RecordedVoice implements Voice {
     this.#awaited = false;
   }
 
-  start(position: number, rate: number, at: number): void {
-    this.stop();
-    this.#run = { position, rate, at };
-    if (rate !== this.#stretchedRate) {
-      this.#stretched.clear();
-      this.#stretchedRate = rate;
-    }
-    this.prepare(position);
-    this.#music?.start(position, rate, at);
+  async substitute(language: string): Promise<string | undefined> {
+    if ('speechSynthesis' in window) await (this.#finding ??= this.#findVoice(language));
+    return this.#spoken?.name;
   }
 
-  stop(): void {
+  async #findVoice(language: string): Promise<void> {
+    this.#found = false;
+    try {
+      const { Spoken } = await import('./spoken.js');
+      const spoken = await Spoken.find(this.#utterances, language, (why) => this.#onMissing(undefined, why));
+      if (!this.#abort.signal.aborted) this.#spoken = spoken;
+      spoken.setVolume(this.#volume);
+      if (this.#run) spoken.start(this.#run.rate);
+    } catch {
+      this.#finding = undefined;
+    }
+    this.#found = true;
+  }
+
+  start(position: number, rate: number, at: number): void {
+    this.#silence();
+    this.#run = { position, rate, at };
+    this.prepare(position);
+    this.#music?.start(position, rate, at);
+    this.#spoken?.start(rate);
+    this.#spoken?.prepare(position);
+  }
+
+  stop(waits = false): void {
     this.#run = undefined;
     this.#music?.stop();
+    this.#spoken?.stop(waits);
+    this.#silence();
+  }
+
+  #silence(): void {
     for (const [, { source, gain }] of this.#playing) {
       const now = context().currentTime;
       gain.gain.cancelScheduledValues(now);
@@ -170,15 +208,19 @@ export class RecordedVoice implements Voice {
     this.#playing.clear();
   }
 
-  prepare(position: number): void {
+  prepare(position: number, soon = 1): void {
     this.#music?.prepare(position);
-    const rate = this.#run?.rate ?? 1;
+    this.#spoken?.prepare(position);
+    const rate = this.#run?.rate ?? soon;
     for (const utterance of this.#utterances) {
       const end = utterance.startSecs + utterance.durationSecs;
       if (end >= position && utterance.startSecs <= position + AHEAD_SECS * rate) {
         const sound = this.#sounds.get(utterance);
         if (sound === undefined) void this.#fetch(utterance);
-        else if (sound !== null && sound !== 'pending') this.#plan(utterance, sound);
+        else if (sound !== null && sound !== 'pending') {
+          if (this.#run) this.#plan(utterance, sound);
+          else if (utterance.startSecs <= position) this.#paced(utterance, sound, rate);
+        }
       } else if (end < position - KEEP_SECS || utterance.startSecs > position + KEEP_SECS * rate) {
         if (this.#sounds.get(utterance) !== 'pending') this.#sounds.delete(utterance);
         this.#stretched.delete(utterance);
@@ -192,15 +234,16 @@ export class RecordedVoice implements Voice {
       const offset = position - utterance.startSecs;
       if (offset < 0 || offset >= utterance.durationSecs) continue;
       const sound = this.#sounds.get(utterance);
-      if (sound === undefined || sound === 'pending') return false;
+      if (sound === undefined || sound === 'pending' || (!this.#found && utterance.audio.length === 0)) return false;
     }
-    return !this.#awaited && (this.#music?.ready(position) ?? true);
+    return !this.#awaited && (this.#music?.ready(position) ?? true) && (this.#spoken?.ready(position) ?? true);
   }
 
   close(): void {
     this.#abort.abort();
     this.stop();
     this.#music?.close();
+    this.#spoken?.stop();
     this.#sounds.clear();
     this.#stretched.clear();
     // The fade of stop() is let out before the voice is unplugged.
@@ -250,20 +293,27 @@ export class RecordedVoice implements Voice {
   #plan(utterance: Utterance, sound: AudioBuffer): void {
     const run = this.#run;
     if (run === undefined || this.#master === undefined || this.#playing.has(utterance)) return;
+    // This takes a while, which must be over when the time is read.
+    const buffer = this.#paced(utterance, sound, run.rate);
     const audio = context();
-    let when = run.at + (utterance.startSecs - run.position) / run.rate;
+    // In whole samples: between them a browser interpolates, which dulls the sound, and what
+    // joins another would not follow it sample by sample.
+    const whole = (secs: number) => Math.round(secs * audio.sampleRate) / audio.sampleRate;
+    let when = whole(run.at + (utterance.startSecs - run.position) / run.rate);
     let offset = 0;
-    // A little room, so that the browser has the start before it is due.
-    const earliest = Math.max(run.at, audio.currentTime + 0.005);
+    // A little room, so that the browser has the start before it is due: one that comes late
+    // begins late, and in the middle of its fade.
+    const earliest = whole(Math.max(run.at, audio.currentTime + 0.02));
     if (when < earliest) {
       offset = earliest - when;
       when = earliest;
     }
-    const buffer = run.rate === 1 ? sound : this.#stretch(utterance, sound, run.rate);
     if (offset >= buffer.duration) return;
     const gain = audio.createGain();
     gain.connect(this.#master);
     if (offset > 0) {
+      // Silent until then as well: the ramp may be found to begin a moment after the sample.
+      gain.gain.value = 0;
       gain.gain.setValueAtTime(0, when);
       gain.gain.linearRampToValueAtTime(1, when + FADE_SECS);
     }
@@ -275,7 +325,13 @@ export class RecordedVoice implements Voice {
     this.#playing.set(utterance, { source, gain });
   }
 
-  #stretch(utterance: Utterance, sound: AudioBuffer, rate: number): AudioBuffer {
+  /** A sound at a speed. */
+  #paced(utterance: Utterance, sound: AudioBuffer, rate: number): AudioBuffer {
+    if (rate !== this.#stretchedRate) {
+      this.#stretched.clear();
+      this.#stretchedRate = rate;
+    }
+    if (rate === 1) return sound;
     const known = this.#stretched.get(utterance);
     if (known !== undefined) return known;
     const channels = Array.from({ length: sound.numberOfChannels }, (_, c) =>
@@ -316,5 +372,10 @@ export class SilentVoice implements Voice {
 
   setVolume(): void {}
   setMusic(): void {}
+
+  substitute(): Promise<undefined> {
+    return Promise.resolve(undefined);
+  }
+
   close(): void {}
 }

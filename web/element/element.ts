@@ -11,15 +11,13 @@ import type { MindLink } from './mind.js';
 import { handleKey, type KeyActions } from './keyboard.js';
 import type { FigureFile } from './figure.js';
 import { LiveScript } from './live.js';
+import { Idle } from './idle.js';
 import { fetchFigure, fetchStory, readFigure, type Progress, type StoryFiles } from './loader.js';
 import { Picture } from './picture.js';
+import { Pulse } from './pulse.js';
 import { Transport, type TransportEvent } from './transport.js';
 import { PlayerError, type Answer, type Backend, type Cue, type Diagnostic, type MindState, type PlayerEventMap, type Quality, type Statistics, type Story, type View } from './types.js';
 
-/** The controls hide after this long without a pointer or key, while playing. */
-const HIDE_CONTROLS_MS = 2600;
-/** `timeupdate`, and everything while the page is hidden, comes this often; media elements do about the same. */
-const BEAT_MS = 250;
 /** Senders of fragments, as the engine tells them apart. */
 const PAGE = 0;
 const MIND = 1;
@@ -43,6 +41,8 @@ interface Show {
   readonly picture: Picture;
   readonly voice: Voice;
   readonly transport: Transport;
+  /** What has no recording was given to the browser's voice. */
+  lent?: boolean;
 }
 
 /** The custom element. Attributes mirror properties; events follow `HTMLMediaElement`. */
@@ -118,11 +118,20 @@ export class RaconteurPlayer extends LitElement {
   #announcement = '';
   #canvas: HTMLCanvasElement | undefined;
   #onScreen = false;
-  #animation = 0;
-  #beat: ReturnType<typeof setInterval> | undefined;
-  #idle = false;
-  #tapWoke = false;
-  #idleTimer: ReturnType<typeof setTimeout> | undefined;
+  readonly #pulse = new Pulse(
+    () => this.#advance(),
+    () => {
+      // Pictures may come slowly; sound is not to wait for them.
+      this.#show?.voice.prepare(this.currentTime);
+      if (!this.paused) this.dispatchEvent(new Event('timeupdate'));
+      this.requestUpdate();
+    },
+  );
+  readonly #idle = new Idle(
+    // Controls that hold the keyboard's focus stay.
+    () => this.paused || this.renderRoot.querySelector('.bar :focus-visible') !== null,
+    () => this.requestUpdate(),
+  );
   #caption: ReturnType<typeof captionAt>;
   readonly #resized = new ResizeObserver(() => this.#resize());
   readonly #seen = new IntersectionObserver((entries) => this.#appeared(entries), { rootMargin: '200px' });
@@ -138,7 +147,7 @@ export class RaconteurPlayer extends LitElement {
     this.volume = 1;
     this.playbackRate = 1;
     this.addEventListener('keydown', (event) => this.#onKey(event));
-    for (const type of ['pointermove', 'pointerup', 'focusin']) this.addEventListener(type, () => this.#wake());
+    for (const type of ['pointermove', 'pointerup', 'focusin']) this.addEventListener(type, () => this.#idle.wake());
     this.addEventListener('fullscreenchange', () => this.requestUpdate());
   }
 
@@ -265,6 +274,7 @@ export class RaconteurPlayer extends LitElement {
     const performed = show.picture.perform(mind, String(fragment), nowSecs);
     if (performed === undefined) return [{ kind: 'failed', timeSecs: nowSecs, code: 'live::absent', message: 'The storyteller is away for a moment.' }];
     if (performed.utterances.length > 0) show.captions = captionsOf(show.script.add(performed, nowSecs));
+    void this.#lendVoice(show);
     this.#hearMusic(show);
     if (performed.endSecs > show.transport.endSecs) {
       show.transport.extend(performed.endSecs);
@@ -445,6 +455,7 @@ export class RaconteurPlayer extends LitElement {
     show.captions = captionsOf(story.utterances);
     show.transport.replace(story.durationSecs, spoken);
     this.#hearMusic(show);
+    void this.#lendVoice(show);
     this.#diagnostics = [...this.#diagnostics.filter((d) => !anew || d.start === undefined), ...story.diagnostics].slice(0, MOST_DIAGNOSTICS);
     this.dispatchEvent(new Event('durationchange'));
     if (this.paused) this.#advance();
@@ -497,9 +508,19 @@ export class RaconteurPlayer extends LitElement {
     }
   }
 
+  /** Has the browser's own voice say what has no recording, and tells whether there is one. */
+  async #lendVoice(show: Show): Promise<void> {
+    if (show.lent || [...show.script].every(({ audio, words }) => audio.length > 0 || words.length === 0)) return;
+    show.lent = true;
+    const name = await show.voice.substitute(this.closest<HTMLElement>('[lang]')?.lang || navigator.language);
+    if (this.#show !== show) return;
+    const what = show.files.bundle === undefined ? 'This story has no recorded voice' : 'Some of what is said has no recording';
+    const how = name === undefined ? 'it is told in captions' : `the browser's voice “${name}” speaks it, at guessed times`;
+    this.#report({ code: 'voice-missing', severity: 'warning', message: `${what}; ${how}.`, hints: ['Run “raconteur bake” on the story to make one.'] });
+  }
+
   #open(story: Story, picture: Picture, files: StoryFiles, sinceMs: number): void {
     const { voiceFolder, figure } = files;
-    const recorded = files.bundle !== undefined;
     const script = new LiveScript(story.utterances);
     const voice = hasAudio()
       ? new RecordedVoice(script, voiceFolder, (utterance, why) => {
@@ -514,9 +535,7 @@ export class RaconteurPlayer extends LitElement {
     this.#started = false;
     this.#resize();
     for (const diagnostic of [...story.diagnostics, ...figure.diagnostics]) this.#report(diagnostic);
-    if (!recorded && story.utterances.length > 0) {
-      this.#report({ code: 'voice-missing', severity: 'warning', message: 'This story has no recorded voice; it is told in captions.', hints: ['Run “raconteur bake” on the story to make one.'] });
-    }
+    void this.#lendVoice(this.#show);
     this.requestUpdate();
     this.dispatchEvent(new Event('durationchange'));
     this.dispatchEvent(new Event('loadedmetadata'));
@@ -581,29 +600,7 @@ export class RaconteurPlayer extends LitElement {
 
   /** Runs the loops that are needed now, and no others. */
   #keepTime(): void {
-    const playing = this.isConnected && this.#show !== undefined && !this.paused;
-    if (playing && this.#beat === undefined) {
-      this.#beat = setInterval(() => {
-        // Without pictures (a hidden page, a player scrolled away) the beat alone carries the story.
-        if (this.#animation === 0 || document.hidden) this.#advance();
-        if (!this.paused) this.dispatchEvent(new Event('timeupdate'));
-        this.requestUpdate();
-      }, BEAT_MS);
-    } else if (!playing) {
-      clearInterval(this.#beat);
-      this.#beat = undefined;
-    }
-    const animate = playing && this.#onScreen;
-    if (animate && this.#animation === 0) {
-      const frame = () => {
-        this.#animation = requestAnimationFrame(frame);
-        this.#advance();
-      };
-      this.#animation = requestAnimationFrame(frame);
-    } else if (!animate) {
-      cancelAnimationFrame(this.#animation);
-      this.#animation = 0;
-    }
+    this.#pulse.keep(this.isConnected && this.#show !== undefined && !this.paused, this.#onScreen);
   }
 
   /** Shows what is heard now. */
@@ -617,7 +614,7 @@ export class RaconteurPlayer extends LitElement {
       this.dispatchEvent(new Event('durationchange'));
     }
     const secs = show.transport.update();
-    for (const cue of show.picture.show(secs, this.paused && !this.ended, this.#animation !== 0 && !document.hidden)) this.#pass(cue, show);
+    for (const cue of show.picture.show(secs, this.paused && !this.ended, this.#pulse.drawing)) this.#pass(cue, show);
     const now = captionAt(show.captions, secs);
     if (now?.caption !== this.#caption?.caption || now?.word !== this.#caption?.word) {
       this.#caption = now;
@@ -630,10 +627,8 @@ export class RaconteurPlayer extends LitElement {
     if (cue.kind === 'word') {
       const word = show.script.at(cue.utterance)?.words[cue.word];
       if (word !== undefined) this.#fire('word', { word, utterance: cue.utterance, index: cue.word });
-    } else if (cue.kind === 'clause') {
-      this.#fire('clause', cue);
-    } else if (cue.kind === 'storyevent') {
-      this.#fire('storyevent', cue);
+    } else if (cue.kind === 'clause' || cue.kind === 'storyevent' || cue.kind === 'phone' || cue.kind === 'utterance') {
+      this.#fire(cue.kind, cue);
     } else if (cue.kind === 'failed' || cue.kind === 'warning') {
       const { code, message, hints = [] } = cue;
       this.#report({ code, severity: cue.kind === 'failed' ? 'error' : 'warning', message, hints });
@@ -646,7 +641,7 @@ export class RaconteurPlayer extends LitElement {
       return;
     }
     if (event === 'play') this.#started = true;
-    if (event === 'play' || event === 'pause') this.#wake();
+    if (event === 'play' || event === 'pause') this.#idle.wake();
     if (event === 'play') this.#say('Playing');
     if (event === 'pause') this.#say(this.ended ? 'The story has ended' : 'Paused');
     if (event === 'seeked') {
@@ -714,28 +709,9 @@ export class RaconteurPlayer extends LitElement {
   }
 
   #onKey(event: KeyboardEvent): void {
-    this.#wake();
+    this.#idle.wake();
     if (event.defaultPrevented || !this.controls) return;
     if (handleKey(event, event.composedPath()[0], this.#actions)) event.preventDefault();
-  }
-
-  #wake(): void {
-    clearTimeout(this.#idleTimer);
-    if (this.#idle) {
-      this.#idle = false;
-      this.requestUpdate();
-    }
-    this.#idleTimer = setTimeout(() => {
-      // Controls that hold the keyboard's focus stay.
-      if (this.paused || this.renderRoot.querySelector('.bar :focus-visible')) return;
-      this.#idle = true;
-      this.requestUpdate();
-    }, HIDE_CONTROLS_MS);
-  }
-
-  /** A finger's first tap on hidden controls only shows them. */
-  #onTap(event: PointerEvent): void {
-    this.#tapWoke = event.pointerType === 'touch' && this.#idle && !this.paused;
   }
 
   #say(text: string): void {
@@ -752,7 +728,7 @@ export class RaconteurPlayer extends LitElement {
     const show = this.#show;
     const before = show !== undefined && this.paused && (!this.#started || this.ended);
     return html`
-      <div class=${classMap({ stage: true, shown: show !== undefined && this.#lost === 'no', 'hide-cursor': this.#idle })} part="stage" @pointerdown=${(event: PointerEvent) => this.#onTap(event)} @click=${() => show && !this.#tapWoke && this.#actions.toggle()}>
+      <div class=${classMap({ stage: true, shown: show !== undefined && this.#lost === 'no', 'hide-cursor': this.#idle.is })} part="stage" @pointerdown=${(event: PointerEvent) => this.#idle.tap(event, this.paused)} @click=${() => show && !this.#idle.tapWoke && this.#actions.toggle()}>
         ${this.#canvas}
       </div>
       ${this.poster && !this.#started ? html`<img class="poster" part="poster" src=${this.poster} alt="" />` : nothing}
@@ -765,7 +741,7 @@ export class RaconteurPlayer extends LitElement {
       </div>
       <div class="notes">
         ${this.#lost !== 'no' ? parts.pictureLost(this.#lost === 'recovering', () => void show?.picture.recover(true)) : nothing}
-        ${this.controls && (this.paused || !this.#idle) ? parts.diagnosticList(this.#diagnostics) : nothing}
+        ${this.controls && (this.paused || !this.#idle.is) ? parts.diagnosticList(this.#diagnostics) : nothing}
       </div>
       ${this.#error ? parts.failure(this.#error.message, () => this.#retry()) : nothing}
       <div class="unseen" role="status">${this.#announcement}</div>
@@ -785,7 +761,7 @@ export class RaconteurPlayer extends LitElement {
         captions: this.captions,
         fullscreen: this.#isFullscreen,
         canFullscreen: document.fullscreenEnabled,
-        gone: this.#idle && !this.paused,
+        gone: this.#idle.is && !this.paused,
       },
       this.#actions,
     );

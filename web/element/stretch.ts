@@ -3,13 +3,14 @@
  * after Verhelst & Roelands 1993, doi:10.1109/ICASSP.1993.319366.
  *
  * Windows of the sound are laid down at even steps; each is taken from near where the new
- * speed says, at the offset that continues the last window best.
+ * speed says, at the offset that continues the last window best. The middles of windows are
+ * what the speed is counted by, so that every moment stays within the search of its place.
  */
 
 /** Long enough for two periods of a low voice (80 Hz). */
 const WINDOW_SECS = 0.025;
-/** How far a window may move to fit; a period of a low voice. */
-const SEARCH_SECS = 0.0125;
+/** How far a window may move to fit, either way: together a period of a low voice. */
+const SEARCH_SECS = 0.00625;
 /** The first search looks at each fourth offset and sample; then it is made exact. */
 const COARSE = 4;
 
@@ -27,30 +28,28 @@ export function stretch(input: Float32Array, sampleRate: number, rate: number): 
   const window = new Float32Array(size);
   for (let i = 0; i < size; i++) window[i] = 0.5 - 0.5 * Math.cos((2 * Math.PI * i) / size);
   const search = Math.round(SEARCH_SECS * sampleRate);
-  const last = input.length - size;
 
-  let taken = 0;
-  for (let at = 0; at < length; at += step) {
-    if (at > 0) {
+  // The first window has its middle at the start, and the last reaches beyond the end: there is silence.
+  let taken = -step;
+  for (let at = -step; at < length; at += step) {
+    if (at >= 0) {
       // Where the last window would go on by itself, and where the speed wants to be.
-      const natural = Math.min(last, taken + step);
-      const wanted = Math.min(last, Math.round(at * rate));
-      taken = Math.abs(natural - wanted) <= 1 ? natural : best(input, natural, wanted, search, size, last);
+      const natural = taken + step;
+      const wanted = Math.round((at + step) * rate) - step;
+      taken = Math.abs(natural - wanted) <= 1 ? natural : best(input, natural, wanted, search, size);
     }
     const end = Math.min(size, length - at);
-    // The first window has no earlier one to fade in over.
-    for (let i = 0; i < end; i++) {
-      const gain = at === 0 && i < step ? 1 : (window[i] ?? 0);
-      output[at + i] = (output[at + i] ?? 0) + gain * (input[taken + i] ?? 0);
+    for (let i = Math.max(0, -at); i < end; i++) {
+      output[at + i] = (output[at + i] ?? 0) + (window[i] ?? 0) * (input[taken + i] ?? 0);
     }
   }
   return output;
 }
 
 /** The place within `search` of `wanted` that looks most like `natural`. */
-function best(input: Float32Array, natural: number, wanted: number, search: number, size: number, last: number): number {
-  const from = Math.max(0, wanted - search);
-  const to = Math.min(last, wanted + search);
+function best(input: Float32Array, natural: number, wanted: number, search: number, size: number): number {
+  const from = wanted - search;
+  const to = wanted + search;
   let place = wanted;
   let score = -Infinity;
   const look = (start: number, stop: number, by: number, stride: number) => {

@@ -129,20 +129,20 @@ export class Transport {
     this.#voice.prepare(position);
     if (this.#waiting) {
       if (this.#voice.ready(position)) this.#run();
-    } else if (position >= this.#endSecs && !this.openEnded) {
-      this.#finish();
     } else if (!this.#voice.ready(position)) {
       // Better a pause than sound and lips that drift apart.
-      this.#rest();
+      this.#rest(true);
       this.#waiting = true;
       this.#emit('waiting');
+    } else if (position >= this.#endSecs && !this.openEnded) {
+      this.#finish();
     }
     return position;
   }
 
   #run(): void {
     const position = this.#latest;
-    this.#voice.prepare(position);
+    this.#voice.prepare(position, this.#rate);
     if (!this.#voice.ready(position)) {
       if (!this.#waiting) this.#emit('waiting');
       this.#waiting = true;
@@ -155,9 +155,9 @@ export class Transport {
     this.#emit('playing');
   }
 
-  #rest(): void {
+  #rest(waits = false): void {
     const position = this.position;
-    this.#voice.stop();
+    this.#voice.stop(waits);
     this.#latest = position;
     this.#clock.rest(position);
   }

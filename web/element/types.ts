@@ -51,6 +51,8 @@ export interface Utterance {
   readonly words: readonly Word[];
   /** The times were guessed because no recording was found. */
   readonly estimated: boolean;
+  /** BCP 47 tag, where the bundle or the story's markup tells it. */
+  readonly language?: string;
 }
 
 /** A story that was read. */
@@ -79,8 +81,10 @@ export type Cue = {
   /** The live fragment that it belongs to; absent for the story's own. */
   readonly fragment?: number;
 } & (
-  | { readonly kind: 'word'; readonly utterance: number; readonly word: number; readonly text: string }
-  | { readonly kind: 'phone'; readonly utterance: number; readonly symbol: string }
+  | { readonly kind: 'word'; readonly utterance: number; readonly word: number; readonly text: string; readonly endSecs: number }
+  /** A phone begins; `symbol` is of the phone set that `phoneSet` names. Only what was baked has phones. */
+  | { readonly kind: 'phone'; readonly utterance: number; readonly symbol: string; readonly phoneSet: string; readonly endSecs: number }
+  | { readonly kind: 'utterance'; readonly phase: 'start' | 'end'; readonly utterance: number; readonly text: string; readonly startSecs: number; readonly endSecs: number }
   /** A moment that the story names by `timeId` or `tm`. */
   | { readonly kind: 'mark'; readonly name: string }
   | ({ readonly kind: 'clause'; readonly phase: 'start' | 'end' } & ClauseRef)
@@ -244,6 +248,8 @@ export type Backend = 'webgpu' | 'webgl';
 /** The events of the element besides those of a media element. */
 export interface PlayerEventMap {
   word: CustomEvent<{ word: Word; utterance: number; index: number }>;
+  phone: CustomEvent<Extract<Cue, { kind: 'phone' }>>;
+  utterance: CustomEvent<Extract<Cue, { kind: 'utterance' }>>;
   clause: CustomEvent<Extract<Cue, { kind: 'clause' }>>;
   storyevent: CustomEvent<Extract<Cue, { kind: 'storyevent' }>>;
   diagnostic: CustomEvent<Diagnostic>;

@@ -19,6 +19,7 @@ class FakeVoice implements Voice {
   ready = (position: number) => position < this.missingFrom;
   setVolume = () => undefined;
   setMusic = () => undefined;
+  substitute = () => Promise.resolve(undefined);
   close = () => undefined;
 }
 

@@ -1,7 +1,7 @@
 //! What a page is told while a story plays: words, clauses and the story's own events.
 
 use raconteur_base::order::sort_by_number;
-use raconteur_eml::{Clause, ClauseId, ClauseKind, Piece, VoiceText, WordTime};
+use raconteur_eml::{Clause, ClauseId, ClauseKind, Markup, Piece, VoiceText, WordTime};
 use raconteur_speech::AudioFile;
 
 use crate::Script;
@@ -34,6 +34,18 @@ pub enum CueKind {
         utterance: usize,
         /// Its symbol in the voice's phone set.
         symbol: String,
+        /// When it ends, story time, seconds.
+        end_secs: f64,
+    },
+    /// An utterance begins.
+    UtteranceStart {
+        /// Its index.
+        utterance: usize,
+    },
+    /// An utterance ends.
+    UtteranceEnd {
+        /// Its index.
+        utterance: usize,
     },
     /// A named moment comes.
     Mark {
@@ -90,6 +102,11 @@ pub struct UtteranceCue {
     pub words: Vec<WordCue>,
     /// Whether the times are guessed because it was not baked.
     pub estimated: bool,
+    /// BCP 47 tag of its language: of the voice that was baked, or of the markup that all of
+    /// it stands in; none where only the page knows.
+    pub language: Option<String>,
+    /// The phone set of its voice, one of [`raconteur_speech::phones::PHONE_SETS`].
+    pub phone_set: String,
     /// Its place in the document.
     pub clause: ClauseId,
 }
@@ -145,10 +162,31 @@ pub(crate) fn utterances(script: &Script) -> Vec<UtteranceCue> {
                 audio: utterance.map(|u| u.audio.clone()).unwrap_or_default(),
                 words,
                 estimated: timing.estimated,
+                language: script
+                    .language(timed.clause)
+                    .or_else(|| marked_language(&voice))
+                    .map(str::to_owned),
+                phone_set: script.phone_set(timed.clause).to_owned(),
                 clause: timed.clause,
             })
         })
         .collect()
+}
+
+/// The language of the markup that opens before the first word.
+fn marked_language(voice: &VoiceText) -> Option<&str> {
+    let opens = |piece: &Piece| match piece {
+        Piece::Text { text, .. } => text.trim().is_empty(),
+        _ => true,
+    };
+    let mut before = voice.pieces.iter().take_while(|piece| opens(piece));
+    before.find_map(|piece| match piece {
+        Piece::Start { markup, .. } => match &**markup {
+            Markup::Language(language) => Some(&*language.id),
+            _ => None,
+        },
+        _ => None,
+    })
 }
 
 /// Every cue of a script, by time; at the same time ends come before starts, but for
@@ -193,6 +231,10 @@ pub(crate) fn cues(
     }
     for (index, cue) in utterances.iter().enumerate() {
         let utterance = first_utterance + index;
+        push(2, cue.start_secs, CueKind::UtteranceStart { utterance });
+        let end_secs = cue.start_secs + cue.duration_secs;
+        let end_rank = if cue.duration_secs > 0.0 { 0 } else { 3 };
+        push(end_rank, end_secs, CueKind::UtteranceEnd { utterance });
         for (word, w) in cue.words.iter().enumerate() {
             push(2, w.start_secs, CueKind::Word { utterance, word });
         }
@@ -213,8 +255,12 @@ pub(crate) fn cues(
         // What is only guessed has no phones to tell of.
         for phone in script.phones(cue.clause) {
             let symbol = phone.symbol.clone();
-            let at = cue.start_secs + phone.start_secs;
-            push(2, at, CueKind::Phone { utterance, symbol });
+            let phone_event = CueKind::Phone {
+                utterance,
+                symbol,
+                end_secs: cue.start_secs + phone.end_secs,
+            };
+            push(2, cue.start_secs + phone.start_secs, phone_event);
         }
     }
     for (name, &at) in script.timeline.marks.iter() {

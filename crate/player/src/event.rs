@@ -29,6 +29,8 @@ pub enum Event {
         word: usize,
         /// As written, punctuation attached.
         text: String,
+        /// When it ends, story time, seconds.
+        end_secs: f64,
     },
     /// A phone begins.
     Phone {
@@ -41,6 +43,28 @@ pub enum Event {
         utterance: usize,
         /// Its symbol in the voice's phone set.
         symbol: String,
+        /// The name of that set.
+        phone_set: String,
+        /// When it ends, story time, seconds.
+        end_secs: f64,
+    },
+    /// An utterance begins or ends.
+    Utterance {
+        /// Story time, seconds.
+        time_secs: f64,
+        /// The live fragment that it belongs to; none: the story's own.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        fragment: Option<u32>,
+        /// `start` or `end`.
+        phase: &'static str,
+        /// Its index.
+        utterance: usize,
+        /// What is said, as written.
+        text: String,
+        /// When it starts, story time, seconds.
+        start_secs: f64,
+        /// When it ends, story time, seconds.
+        end_secs: f64,
     },
     /// A named moment comes.
     Mark {
@@ -166,20 +190,45 @@ impl Event {
             element: named.element,
             id: named.id.clone(),
         };
-        Some(match &cue.kind {
-            &CueKind::Word { utterance, word } => Self::Word {
+        let utterance = |phase, utterance| {
+            let said = player.utterance(utterance)?;
+            let words: Vec<&str> = said.words.iter().map(|w| &*w.text).collect();
+            Some(Self::Utterance {
                 time_secs,
                 fragment,
+                phase,
                 utterance,
-                word,
-                text: player.utterance(utterance)?.words.get(word)?.text.clone(),
-            },
-            CueKind::Phone { utterance, symbol } => Self::Phone {
+                text: words.join(" "),
+                start_secs: said.start_secs,
+                end_secs: said.start_secs + said.duration_secs,
+            })
+        };
+        Some(match &cue.kind {
+            &CueKind::Word { utterance, word } => {
+                let said = player.utterance(utterance)?.words.get(word)?;
+                Self::Word {
+                    time_secs,
+                    fragment,
+                    utterance,
+                    word,
+                    text: said.text.clone(),
+                    end_secs: said.end_secs,
+                }
+            }
+            CueKind::Phone {
+                utterance,
+                symbol,
+                end_secs,
+            } => Self::Phone {
                 time_secs,
                 fragment,
                 utterance: *utterance,
                 symbol: symbol.clone(),
+                phone_set: player.utterance(*utterance)?.phone_set.clone(),
+                end_secs: *end_secs,
             },
+            &CueKind::UtteranceStart { utterance: index } => utterance("start", index)?,
+            &CueKind::UtteranceEnd { utterance: index } => utterance("end", index)?,
             CueKind::Mark { name } => Self::Mark {
                 time_secs,
                 fragment,

@@ -142,10 +142,20 @@ impl Script {
         self.utterance(clause).map_or(&[], |u| &u.phones)
     }
 
-    /// Who says it.
+    /// The phone set of what a clause says; Festival's where it was not baked.
+    pub(crate) fn phone_set(&self, clause: ClauseId) -> &str {
+        self.voice(clause).map_or("radio", |voice| &voice.phone_set)
+    }
+
+    /// The language of what a clause says, where it was baked.
+    pub(crate) fn language(&self, clause: ClauseId) -> Option<&str> {
+        self.voice(clause).map(|voice| &*voice.language)
+    }
+
+    /// Who says a clause, where it was baked.
     pub(crate) fn voice(&self, clause: ClauseId) -> Option<&Voice> {
-        let utterance = self.utterance(clause)?;
-        self.bundle.as_ref()?.voices.get(utterance.voice)
+        let voice = self.utterance(clause)?.voice;
+        self.bundle.as_ref()?.voices.get(voice)
     }
 }
 
@@ -240,7 +250,7 @@ fn missing_speech(
                 Diagnostic::warning(
                     "player::no-bundle",
                     span,
-                    "this story has no speech bundle; it plays silently with captions and guessed times",
+                    "this story has no speech bundle; it plays with captions and guessed times, silently where there is no other voice",
                 )
                 .hint("make one with: raconteur bake")
             })
@@ -256,7 +266,7 @@ fn missing_speech(
             Diagnostic::warning(
                 "player::not-baked",
                 span,
-                "the speech bundle does not hold this text; it plays silently with captions",
+                "the speech bundle does not hold this text; it plays with captions, silently where there is no other voice",
             )
             .hint("bake the story again: raconteur bake")
         })

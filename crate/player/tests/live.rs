@@ -47,6 +47,7 @@ fn outline(events: &[Event]) -> Vec<String> {
         Event::Phone { symbol, .. } => format!("phone {symbol}"),
         Event::Mark { name, .. } => format!("mark {name}"),
         Event::Clause { phase, element, .. } => format!("{phase} {element}"),
+        Event::Utterance { phase, text, .. } => format!("{phase} “{text}”"),
         Event::StoryEvent { kind, payload, .. } => format!("event {kind:?} {payload}"),
         Event::Failed { code, .. } => format!("failed {code}"),
         other => format!("{other:?}"),
@@ -71,6 +72,7 @@ fn a_waiting_figure_speaks_a_baked_line_and_tells_of_it() {
         outline(&events),
         [
             "start voice-text",
+            "start “Hello world!”",
             "phone pau",
             "mark v",
             "word Hello",
@@ -86,6 +88,7 @@ fn a_waiting_figure_speaks_a_baked_line_and_tells_of_it() {
             "phone d",
             "phone pau",
             "end voice-text",
+            "end “Hello world!”",
         ]
     );
     assert_eq!(player.end_secs(), 8.0);

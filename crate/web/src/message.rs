@@ -47,6 +47,8 @@ pub struct Utterance {
     audio: Vec<AudioFile>,
     words: Vec<Word>,
     estimated: bool,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    language: Option<String>,
 }
 
 #[derive(Debug, Serialize)]
@@ -161,6 +163,7 @@ impl Utterance {
             audio: cue.audio.iter().map(audio).collect(),
             words: cue.words.iter().map(word).collect(),
             estimated: cue.estimated,
+            language: cue.language.clone(),
         }
     }
 }

@@ -1,0 +1,190 @@
+/**
+ * The audio clock and the story's: what is heard is recorded where it leaves Web Audio, and found
+ * again in the story's recordings.
+ */
+
+import type { RaconteurPlayer } from '../../web/element/element.js';
+import type { PlayerEventMap } from '../../web/element/types.js';
+import { stretch } from '../../web/element/stretch.js';
+import { find, loudness } from './sought.js';
+import { bundle, expect, test } from './stage.js';
+import { captured, decoded, tapInto } from './tap.js';
+
+/** Seeks, and how long is played after each. */
+const SEEKS = 20;
+const PLAYED_MS = 3000;
+/** How far the engine may be from what is heard, on the audio clock. */
+const MOST_SECS = 0.01;
+/** How much sound is looked for; about two phones. */
+const PIECE_SECS = 0.16;
+/** Where a piece is looked for, around where the story says; ten times what is allowed and more. */
+const SEARCH_SECS = 0.3;
+/** From a turn to sound that is all of the new place: lead and fade. */
+const SETTLED_SECS = 0.06;
+/** Pieces that are found have at least this likeness; 1 is the same sound. */
+const LIKENESS = 0.95;
+
+declare global {
+  interface Window {
+    /** Moments that the engine asked about: on the audio clock, less its latency. */
+    asked: number[];
+    /** Phones that it told, with the moment that it had asked about before. */
+    phones: { clock: number; utterance: number; startSecs: number; endSecs: number; symbol: string }[];
+    /** When the sound changed its place or pace. */
+    turns: { type: string; clock: number; rate: number }[];
+    /** The story's time at moments of the audio clock. */
+    positions: { clock: number; position: number }[];
+  }
+}
+
+/** Runs before the page's own scripts. */
+function listen(): void {
+  window.asked = [];
+  window.phones = [];
+  window.positions = [];
+  window.turns = [];
+  // Between two readings of the clock a busy machine may do something else: so it is the engine's
+  // own reading that is noted.
+  const last = { currentTime: NaN, outputLatency: NaN };
+  // Listeners ask as well: what counts is what was asked first when a picture was due.
+  let task = 0;
+  const begins = <A extends unknown[]>(work: (...args: A) => void) => (...args: A) => {
+    task = window.asked.length;
+    work(...args);
+  };
+  const [frame, interval] = [window.requestAnimationFrame, window.setInterval];
+  window.requestAnimationFrame = (work) => frame.call(window, begins(work));
+  window.setInterval = ((work: () => void, ms: number) => interval.call(window, begins(work), ms)) as typeof window.setInterval;
+  // The context of these tests is made of the browser's own.
+  const own = Object.getPrototypeOf(AudioContext.prototype) as AudioContext;
+  for (const [prototype, name] of [[BaseAudioContext.prototype, 'currentTime'], [own, 'outputLatency']] as const) {
+    const { get } = Object.getOwnPropertyDescriptor(prototype, name) ?? {};
+    Object.defineProperty(prototype, name, { configurable: true, get(this: AudioContext) { return (last[name] = get?.call(this) as number); } });
+  }
+  const stamp = AudioContext.prototype.getOutputTimestamp;
+  AudioContext.prototype.getOutputTimestamp = function () {
+    window.asked.push(last.currentTime - last.outputLatency);
+    return stamp.call(this);
+  };
+  for (const type of ['seeking', 'ratechange', 'waiting', 'playing']) {
+    document.addEventListener(type, () => window.turns.push({ type, clock: window.tap.context?.currentTime ?? 0, rate: (document.querySelector('raconteur-player')?.playbackRate ?? 1) }), true);
+  }
+  document.addEventListener('phone', (event) => {
+    const { timeSecs, endSecs, utterance, symbol } = (event as PlayerEventMap['phone']).detail;
+    window.phones.push({ clock: window.asked[task] ?? NaN, utterance, startSecs: timeSecs, endSecs, symbol });
+  });
+}
+
+/** The same numbers in each run, from 0 to 1. */
+function random(seed: number): () => number {
+  let state = seed;
+  return () => (state = (state * 1_103_515_245 + 12_345) % 2 ** 31) / 2 ** 31;
+}
+
+test('for a minute with twenty seeks, the phone that the engine thinks is heard is heard', async ({ stage, page }) => {
+  test.setTimeout(400_000);
+  await tapInto(page);
+  await page.addInitScript(listen);
+  // A small picture, so that pictures drawn in software come often.
+  await stage.open('<raconteur-player src="/assets/stories/white-rabbit/story.eml" quality="low"></raconteur-player>', {
+    'test.css': 'raconteur-player { width: 48px; height: 48px; aspect-ratio: auto }',
+  });
+  await stage.ready();
+  const duration = await stage.player.evaluate((p: RaconteurPlayer) => p.duration);
+  await stage.play();
+  await page.waitForFunction(() => window.tap.ready);
+  await page.evaluate(() => {
+    const player = document.querySelector('raconteur-player');
+    setInterval(() => {
+      const { context } = window.tap;
+      if (context === undefined || player === null || player.paused || player.readyState < 4) return;
+      const position = player.currentTime;
+      window.positions.push({ clock: window.asked.at(-1) ?? NaN, position });
+    }, 50);
+  });
+
+  // --- a minute of playing ---
+  const next = random(6);
+  for (let i = 0; i < SEEKS; i++) {
+    const rate = [1, 1, 1, 1.5, 1, 1, 0.75, 1, 1, 2, 1, 1, 0.5, 1][i % 14] ?? 1;
+    const to = next() * (duration - 2 * (PLAYED_MS / 1000) * rate);
+    await stage.player.evaluate((p: RaconteurPlayer, [secs, speed]) => {
+      p.currentTime = secs;
+      p.playbackRate = speed;
+    }, [to, rate] as const);
+    await page.waitForTimeout(PLAYED_MS);
+  }
+  await stage.pause();
+  await page.waitForTimeout(300);
+
+  // --- what was heard ---
+  const heard = await captured(page);
+  expect(heard.samples.length / heard.sampleRate).toBeGreaterThan(SEEKS * PLAYED_MS / 1000);
+  const { phones, positions, turns } = await page.evaluate(() => ({ phones: window.phones, positions: window.positions, turns: window.turns }));
+  expect(turns.filter((t) => t.type === 'seeking')).toHaveLength(SEEKS);
+  const utterances = bundle('white-rabbit');
+  const starts = await page.evaluate(() => window.record.events.filter((e) => e.type === 'utterance').map((e) => e.detail as { utterance: number; startSecs: number; phase: string }));
+  const startOf = new Map(starts.map((s) => [s.utterance, s.startSecs]));
+  const sounds = new Map<string, Float32Array>();
+  const soundOf = async (index: number, rate: number): Promise<Float32Array> => {
+    const file = utterances[index]?.audio[0]?.file ?? '';
+    const whole = sounds.get(file) ?? decoded(await page.evaluate(async ([url, sampleRate]) => {
+      const bytes = await (await fetch(url)).arrayBuffer();
+      const sound = await new OfflineAudioContext(1, 1, sampleRate).decodeAudioData(bytes);
+      return window.coded(sound.getChannelData(0));
+    }, [`/assets/stories/white-rabbit/voice/${file}`, heard.sampleRate] as const));
+    sounds.set(file, whole);
+    const key = `${file} ${rate}`;
+    const sound = sounds.get(key) ?? (rate === 1 ? whole : stretch(whole, heard.sampleRate, rate));
+    sounds.set(key, sound);
+    return sound;
+  };
+  /** The moment of an utterance that left Web Audio at a moment of the clock; undefined in pauses and where a seek lies near. */
+  const truth = async (clock: number, utterance: number, guess: number): Promise<{ at: number; rate: number } | undefined> => {
+    const run = turns.findLast((t) => t.clock < clock);
+    const first = Math.round(clock * heard.sampleRate) - heard.first;
+    const half = Math.round((PIECE_SECS / 2) * heard.sampleRate);
+    const following = turns.find((t) => t.clock >= clock);
+    if (run === undefined || clock - PIECE_SECS / 2 < run.clock + SETTLED_SECS || (following?.clock ?? Infinity) < clock + PIECE_SECS / 2 + SETTLED_SECS) return undefined;
+    const piece = heard.samples.subarray(first - half, first + half);
+    if (piece.length < 2 * half || loudness(piece) < 0.01) return undefined;
+    const sound = await soundOf(utterance, run.rate);
+    const middle = (guess / run.rate) * heard.sampleRate - half;
+    const search = SEARCH_SECS * heard.sampleRate;
+    const found = find(piece, sound, Math.round(middle - search), Math.round(middle + search));
+    return found.likeness < LIKENESS ? undefined : { at: ((found.at + half) / heard.sampleRate) * run.rate, rate: run.rate };
+  };
+
+  // --- the phone that was told last before each moment that the engine asked about ---
+  const told = phones.filter((p, i) => phones[i + 1]?.clock !== p.clock);
+  const amiss: number[] = [];
+  for (const { clock, utterance, startSecs, endSecs } of told) {
+    const start = startOf.get(utterance);
+    if (start === undefined) continue;
+    const there = await truth(clock, utterance, startSecs - start);
+    if (there !== undefined) amiss.push(Math.max(0, startSecs - start - there.at, there.at - (endSecs - start)) / there.rate);
+  }
+  // --- and the story's time itself, as pages read it ---
+  const drifts: { clock: number; secs: number }[] = [];
+  for (const { clock, position } of positions) {
+    const utterance = [...startOf].filter(([, start]) => start <= position).sort((a, b) => b[1] - a[1])[0];
+    if (utterance === undefined) continue;
+    const there = await truth(clock, utterance[0], position - utterance[1]);
+    if (there !== undefined) drifts.push({ clock, secs: (position - utterance[1] - there.at) / there.rate });
+  }
+  const sorted = (numbers: readonly number[]) => [...numbers].sort((a, b) => a - b);
+  const median = (numbers: readonly number[]) => sorted(numbers)[numbers.length >> 1] ?? NaN;
+  const third = Math.floor(drifts.length / 3);
+  const drift = median(drifts.slice(-third).map((d) => d.secs)) - median(drifts.slice(0, third).map((d) => d.secs));
+  const off = sorted(drifts.map((d) => Math.abs(d.secs)));
+  const ms = (secs: number | undefined) => ((secs ?? NaN) * 1000).toFixed(2);
+  console.log(
+    `${amiss.length} of ${told.length} phones found, worst ${ms(Math.max(...amiss))} ms beyond the phone; ` +
+      `${drifts.length} of ${positions.length} times found: median ${ms(median(drifts.map((d) => d.secs)))} ms, 95 % ${ms(off[Math.floor(off.length * 0.95)])} ms, worst ${ms(off.at(-1))} ms, drift ${ms(drift)} ms`,
+  );
+  expect(amiss.length).toBeGreaterThan(100);
+  expect(Math.max(...amiss)).toBeLessThan(MOST_SECS);
+  expect(drifts.length).toBeGreaterThan(300);
+  expect(off.at(-1)).toBeLessThan(MOST_SECS);
+  expect(Math.abs(drift)).toBeLessThan(0.001);
+});

@@ -1,0 +1,47 @@
+/** Whether the user is there: controls hide while nobody touches them. */
+
+/** The controls hide after this long without a pointer or key, while playing. */
+const HIDE_CONTROLS_MS = 2600;
+
+/** Knows how long nobody has done anything. */
+export class Idle {
+  readonly #busy: () => boolean;
+  readonly #changed: () => void;
+  #timer: ReturnType<typeof setTimeout> | undefined;
+  #tapWoke = false;
+  #is = false;
+
+  /** While `busy` says so, controls stay; `changed` is called when they come or go. */
+  constructor(busy: () => boolean, changed: () => void) {
+    this.#busy = busy;
+    this.#changed = changed;
+  }
+
+  /** Nobody has done anything for a while. */
+  get is(): boolean {
+    return this.#is;
+  }
+
+  /** Somebody did something. */
+  wake(): void {
+    clearTimeout(this.#timer);
+    this.#set(false);
+    this.#timer = setTimeout(() => this.#set(!this.#busy()), HIDE_CONTROLS_MS);
+  }
+
+  /** A finger's first tap on hidden controls only shows them. */
+  tap(event: PointerEvent, paused: boolean): void {
+    this.#tapWoke = event.pointerType === 'touch' && this.#is && !paused;
+  }
+
+  /** The last tap only showed the controls. */
+  get tapWoke(): boolean {
+    return this.#tapWoke;
+  }
+
+  #set(is: boolean): void {
+    if (is === this.#is) return;
+    this.#is = is;
+    this.#changed();
+  }
+}
