@@ -163,7 +163,10 @@ pub fn moved_pauses(
             }
             token = segment.token.or(token);
         }
-        let inside = planned.pauses.split_last().map_or(&[][..], |(_, inside)| inside);
+        let inside = planned
+            .pauses
+            .split_last()
+            .map_or(&[][..], |(_, inside)| inside);
         asked += inside.iter().filter(|p| p.is_some_and(|p| p > 0.0)).count();
         for token in &planned.sentence.tokens {
             words += 1.0;
