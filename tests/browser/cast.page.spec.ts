@@ -31,6 +31,19 @@ test('a figure is chosen with the keyboard, and the address names it', async ({ 
   await expect.poll(() => current(page), { timeout: 60_000 }).toBe('papous');
 });
 
+test('a poem comes with the figure whose voice it has, unless another is asked for', async ({ stage, page }) => {
+  expect(stage.backend).toBe('page');
+  await open(page, '#zwei-parallelen');
+  await expect.poll(() => current(page), { timeout: 60_000 }).toBe('nuno');
+  await page.getByRole('button', { name: /Lusíadas/ }).click();
+  await expect.poll(() => current(page), { timeout: 60_000 }).toBe('sofia');
+  await expect(page).toHaveURL(/#os-lusiadas$/);
+  await page.getByRole('button', { name: 'Nuno' }).click();
+  await expect(page).toHaveURL(/#os-lusiadas\/nuno$/);
+  await page.reload();
+  await expect.poll(() => current(page), { timeout: 60_000 }).toBe('nuno');
+});
+
 test('a file of the user performs, and a broken one says what is wrong', async ({ stage, page }) => {
   expect(stage.backend).toBe('page');
   await open(page);

@@ -11,12 +11,22 @@ const buttons = [...document.querySelectorAll<HTMLButtonElement>('[data-story]')
 /** Who tells it. */
 let figure = 'sofia';
 
+/** Puts a figure of the library on the stage. */
+let chooseFigure: (name: string) => void = () => undefined;
+
 const address = (story: string): string => `assets/stories/${story}/story.eml`;
 
+/** What the address calls a story: its own folder's name, wherever that is. */
+const short = (button: HTMLButtonElement): string => button.dataset['story']?.split('/').at(-1) ?? '';
+
+/** Whom a story is told by when nobody is asked for: a poem's voice suits one figure. */
+const usual = (button: HTMLButtonElement | undefined): string => button?.dataset['teller'] ?? 'sofia';
+
 /** Puts a story on the stage; `#white-rabbit` in the address names one, too, and `#white-rabbit/papous` who tells it. */
-function choose(story: string): void {
-  const button = buttons.find((b) => b.dataset['story'] === story);
-  if (button === undefined || player === null) return;
+function choose(name: string): void {
+  const button = buttons.find((b) => short(b) === name);
+  const story = button?.dataset['story'];
+  if (button === undefined || story === undefined || player === null) return;
   for (const b of buttons) b.setAttribute('aria-pressed', String(b === button));
   player.label = button.dataset['title'] ?? story;
   player.src = address(story);
@@ -38,8 +48,8 @@ async function readScript(): Promise<void> {
 
 for (const button of buttons) {
   button.addEventListener('click', () => {
-    const story = button.dataset['story'] ?? '';
-    choose(story);
+    choose(short(button));
+    if (button.dataset['teller'] !== undefined) chooseFigure(usual(button));
     remember();
     player?.play().catch(() => undefined);
   });
@@ -48,16 +58,18 @@ script?.closest('details')?.addEventListener('toggle', () => void readScript());
 
 /** The address names what is on stage, so that it can be handed on. */
 function remember(): void {
-  const story = buttons.find((b) => b.getAttribute('aria-pressed') === 'true')?.dataset['story'] ?? '';
-  history.replaceState(null, '', `#${story}${figure === 'sofia' ? '' : `/${figure}`}`);
+  const button = buttons.find((b) => b.getAttribute('aria-pressed') === 'true');
+  const story = button === undefined ? '' : short(button);
+  history.replaceState(null, '', `#${story}${figure === usual(button) ? '' : `/${figure}`}`);
 }
 
 const [story = '', teller = ''] = location.hash.slice(1).split('/');
 choose(story);
 if (player !== null) {
-  const chooseFigure = cast(player, (name) => {
+  chooseFigure = cast(player, (name) => {
     figure = name;
     remember();
   });
-  if (teller !== '') chooseFigure(teller);
+  const asked = teller === '' ? usual(buttons.find((b) => short(b) === story)) : teller;
+  if (asked !== figure) chooseFigure(asked);
 }

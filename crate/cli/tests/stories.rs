@@ -13,17 +13,20 @@ fn story(name: &str) -> PathBuf {
 }
 
 fn timeline(name: &str) -> Value {
+    let (timeline, told) = timeline_and_told(name);
+    assert!(told.is_empty(), "{told}");
+    timeline
+}
+
+/// The timeline, and what is wrong with the story.
+fn timeline_and_told(name: &str) -> (Value, String) {
     let out = Command::new(env!("CARGO_BIN_EXE_raconteur"))
         .args(["timeline", "--format", "json"])
         .arg(story(name))
         .output()
         .expect("the program runs");
-    assert!(
-        out.stderr.is_empty(),
-        "{}",
-        String::from_utf8_lossy(&out.stderr)
-    );
-    serde_json::from_slice(&out.stdout).expect("JSON")
+    let told = String::from_utf8_lossy(&out.stderr).into_owned();
+    (serde_json::from_slice(&out.stdout).expect("JSON"), told)
 }
 
 fn starts(timeline: &Value, element: &str) -> Vec<f64> {
@@ -156,6 +159,9 @@ fn shipped_stories_are_silent_under_check() {
         "white-rabbit",
         "step-lesson",
         "mathematical-dance",
+        "virtual-poets/jabberwocky",
+        "virtual-poets/os-lusiadas",
+        "virtual-poets/zwei-parallelen",
     ] {
         let out = Command::new(env!("CARGO_BIN_EXE_raconteur"))
             .arg("check")
@@ -168,4 +174,120 @@ fn shipped_stories_are_silent_under_check() {
             String::from_utf8_lossy(&out.stderr)
         );
     }
+}
+
+/// What a script's voice-texts say, without markup, by their timeId.
+fn spoken(name: &str) -> Vec<(String, String)> {
+    let text = std::fs::read_to_string(story(name)).expect("the script");
+    let one = |clause: &str| {
+        let (id, rest) = clause.split_once("timeId='")?.1.split_once('\'')?;
+        let inside = rest.split_once('>')?.1.split_once("</voice-text>")?.0;
+        let mut words = String::new();
+        for (i, part) in inside.split('<').enumerate() {
+            let bare = if i == 0 {
+                part
+            } else {
+                part.split_once('>')?.1
+            };
+            words.push_str(bare);
+        }
+        let words: Vec<&str> = words.split_whitespace().collect();
+        Some((id.to_owned(), words.join(" ")))
+    };
+    text.split("<voice-text").skip(1).filter_map(one).collect()
+}
+
+#[test]
+fn jabberwocky_is_said_twice_in_the_same_words() {
+    let all = spoken("virtual-poets/jabberwocky");
+    let poem = |first: char| -> Vec<String> {
+        all.iter()
+            .filter(|(id, _)| id.len() == 2 && id.starts_with(first))
+            .map(|(_, words)| words.to_lowercase())
+            .collect()
+    };
+    let (book, told) = (poem('b'), poem('s'));
+    assert_eq!(book.len(), 7);
+    assert_eq!(book, told);
+    assert_eq!(book[0], book[6]);
+    // The plain one has no more markup than whose voice it is and where its lines end.
+    let text = std::fs::read_to_string(story("virtual-poets/jabberwocky")).expect("the script");
+    let (plain, told) = text.split_once("And as he tells it").expect("two parts");
+    for element in ["<pitch", "<rate", "<volume", "<emph"] {
+        assert!(!plain.contains(element), "{element}");
+        assert!(told.matches(element).count() > 3, "{element}");
+    }
+}
+
+#[test]
+fn the_emoticons_stand_where_the_thesis_has_them() {
+    // F&H table 4.2.
+    let all = spoken("virtual-poets/zwei-parallelen");
+    let words: Vec<&str> = all.iter().flat_map(|(_, w)| w.split(' ')).collect();
+    let sign = |word: &str| word.starts_with([':', ';']) && word.len() == 3;
+    let near: Vec<String> = (1..words.len())
+        .filter(|i| sign(words[*i]))
+        .map(|i| {
+            let next = words.get(i + 1).copied().unwrap_or_default();
+            format!("{} {} {next}", words[i - 1], words[i])
+        })
+        .collect();
+    assert_eq!(
+        near,
+        [
+            "ins ;-) Endlose",
+            "nicht :-( schneiden",
+            "Grab: :-( Das",
+            "nicht :-o irdisch",
+            "sie :-o eins",
+            "Seraphim. :-) "
+        ]
+    );
+}
+
+#[test]
+fn a_poem_whose_text_is_not_there_is_told_of_and_framed() {
+    let name = "virtual-poets/the-road-not-taken";
+    let out = Command::new(env!("CARGO_BIN_EXE_raconteur"))
+        .arg("check")
+        .arg(story(name))
+        .output()
+        .expect("the program runs");
+    let told = String::from_utf8_lossy(&out.stderr);
+    assert!(out.status.success(), "{told}");
+    assert_eq!(told.matches("warning[").count(), 1, "{told}");
+    assert!(told.contains("the-road-not-taken.txt"), "{told}");
+    let (all, _) = timeline_and_told(name);
+    let voice = starts(&all, "voice-text");
+    let poem = starts(&all, "voice-say")[0];
+    assert!(voice[0] < poem && poem < voice[1], "{voice:?} {poem}");
+}
+
+#[test]
+fn a_file_that_is_not_there_keeps_nothing_else_from_being_baked() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let script = folder.path().join("story.eml");
+    let eml = "<eml><body><voice-say time='0' voiceOperation='file' \
+               isResourcesRelativeFilePath='false'>poem.txt</voice-say></body></eml>";
+    std::fs::write(&script, eml).expect("the script");
+    let out = Command::new(env!("CARGO_BIN_EXE_raconteur"))
+        .args([
+            "bake",
+            "--engine",
+            "recordings",
+            "--voice",
+            "me",
+            "--recordings",
+        ])
+        .arg(folder.path())
+        .arg(&script)
+        .output()
+        .expect("the program runs");
+    let told = String::from_utf8_lossy(&out.stderr);
+    assert!(out.status.success(), "{told}");
+    assert!(
+        told.contains("poem.txt; nothing is said in its place"),
+        "{told}"
+    );
+    assert!(!folder.path().join("voice").exists());
 }

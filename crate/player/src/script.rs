@@ -262,13 +262,22 @@ fn missing_speech(
     }
     speaking(document)
         .filter(|(id, _)| voices.of(*id, bundle).is_none())
-        .map(|(_, span)| {
-            Diagnostic::warning(
+        .map(|(id, span)| match &document.clause(id).kind {
+            ClauseKind::VoiceSay(say) if say.is_file() => Diagnostic::warning(
+                "player::not-baked",
+                span,
+                format!(
+                    "the speech bundle does not hold what {} says; the story goes on without it",
+                    say.content
+                ),
+            )
+            .hint("put the file where the story looks for it, then: raconteur bake"),
+            _ => Diagnostic::warning(
                 "player::not-baked",
                 span,
                 "the speech bundle does not hold this text; it plays with captions, silently where there is no other voice",
             )
-            .hint("bake the story again: raconteur bake")
+            .hint("bake the story again: raconteur bake"),
         })
         .collect()
 }

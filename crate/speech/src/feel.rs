@@ -148,7 +148,7 @@ pub fn moved_pauses(
     let mut moved = vec![Vec::new(); sentences.len()];
     // Those that are there, with their lengths: sentence, token, seconds.
     let mut own: Vec<(usize, usize, f64)> = Vec::new();
-    let (mut words, mut factor) = (0.0, 0.0);
+    let (mut words, mut factor, mut asked) = (0.0, 0.0, 0);
     for (i, (planned, spoken)) in sentences.iter().zip(spoken).enumerate() {
         let (mut start, mut token) = (0.0, None);
         for segment in &spoken.segments {
@@ -163,6 +163,11 @@ pub fn moved_pauses(
             }
             token = segment.token.or(token);
         }
+        let inside = planned
+            .pauses
+            .split_last()
+            .map_or(&[][..], |(_, inside)| inside);
+        asked += inside.iter().filter(|p| p.is_some_and(|p| p > 0.0)).count();
         for token in &planned.sentence.tokens {
             words += 1.0;
             factor += Prosody::of(places(token.word)).number_of_pauses;
@@ -175,8 +180,9 @@ pub fn moved_pauses(
     if (factor - 1.0).abs() < 1e-9 {
         return moved;
     }
-    let usual = (own.len() as f64).max(words / WORDS_A_PAUSE);
-    let wanted = (usual * factor).round() as usize;
+    // Where the author pauses often enough, as in verse, a voice makes none besides.
+    let usual = ((own.len() + asked) as f64).max(words / WORDS_A_PAUSE);
+    let wanted = ((usual * factor).round() as usize).saturating_sub(asked);
     if wanted < own.len() {
         own.sort_by(|a, b| a.2.total_cmp(&b.2));
         for (sentence, token, _) in &own[..own.len() - wanted] {
@@ -223,7 +229,7 @@ pub fn moved_pauses(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::content::Content;
+    use crate::content::{Content, Segment};
     use crate::plan::plan;
     use crate::text::Lexicon;
 
@@ -256,6 +262,37 @@ mod tests {
         assert_eq!((felt[0].first_word, felt[0].last_word), (0, 2));
         assert_eq!(place_of(&felt, 1).activation, 60.0);
         assert!(place_of(&felt, 3).is_neutral());
+    }
+
+    #[test]
+    fn pauses_of_the_author_are_pauses_already() {
+        let pause = || Segment::Break {
+            msec: 200,
+            boundary: None,
+        };
+        let line = |text: &str| Segment::Text(text.to_owned());
+        let content = Content {
+            segments: vec![
+                line("one two three four"),
+                pause(),
+                line("five six seven eight"),
+                pause(),
+                line("nine ten eleven twelve"),
+            ],
+        };
+        let plan = plan(&content, "en", "test", &Lexicon::default()).unwrap();
+        let spoken = Spoken::default();
+        let added = |activation| {
+            let place = Place {
+                activation,
+                ..Place::default()
+            };
+            moved_pauses(&plan.sentences, core::slice::from_ref(&spoken), &|_| place)
+                .concat()
+                .len()
+        };
+        // Two pauses are as many as they should be, one more is half as many again.
+        assert_eq!([added(10.0), added(70.0), added(-70.0)], [0, 1, 0]);
     }
 
     #[test]

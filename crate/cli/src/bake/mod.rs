@@ -19,6 +19,7 @@ mod store;
 
 use std::collections::BTreeSet;
 use std::fs;
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
@@ -67,6 +68,8 @@ pub(crate) struct BakeReport {
     pub(crate) utterances: usize,
     /// What was spoken anew, or with `check` would have to be; the others were up to date.
     pub(crate) synthesised: Vec<String>,
+    /// Files that were to be said and are not there; what needs them is left out.
+    pub(crate) absent: Vec<PathBuf>,
     /// Sound files of earlier bakes that nothing uses any more and that were removed.
     pub(crate) removed: usize,
     /// All utterances together, seconds.
@@ -115,10 +118,14 @@ pub(crate) fn bake(
     let store = Store::open(folder.join("voice"));
     let mut seen = BTreeSet::new();
     let mut wanted = Vec::new();
+    let mut absent = Vec::new();
     for (place, said) in said.iter().enumerate() {
         // Two clauses that say the same share an utterance; the first keeps its place.
         if seen.insert(said.key) {
-            wanted.push(want(said, place, folder, options, library)?);
+            match content(said, folder, library)? {
+                Ok(content) => wanted.push(want(said, content, place, folder, options)?),
+                Err(file) => absent.push(file),
+            }
         }
     }
     // A dance without a word has no voice.
@@ -128,6 +135,7 @@ pub(crate) fn bake(
     let mut report = BakeReport {
         utterances: wanted.len(),
         synthesised: texts.map(|(w, _)| w.content.plain_text()).collect(),
+        absent,
         ..BakeReport::default()
     };
     let left_over = store.others(wanted.iter().map(|w| w.key));
@@ -200,15 +208,14 @@ fn mouth(bundle: &Bundle, voice: usize) -> Vec<(String, String)> {
         .collect()
 }
 
-/// Reads, casts and plans one utterance.
-fn want<'a>(
-    said: &'a Said,
-    place: usize,
+/// What is to be said, or the path of the file beside the story that should say it: its
+/// absence does not keep the rest from being told, as whoever has the text may bring it later.
+fn content(
+    said: &Said,
     folder: &Path,
-    options: &BakeOptions,
     library: &dyn Fn(&str) -> Result<PathBuf>,
-) -> Result<Wanted<'a>> {
-    let content = match &said.source {
+) -> Result<Result<Content, PathBuf>> {
+    Ok(Ok(match &said.source {
         Source::Content(content) => content.clone(),
         Source::Sable(text) => sable_document("the document in the script", text)?,
         Source::File {
@@ -222,15 +229,32 @@ fn want<'a>(
             } else {
                 folder.join(path)
             };
-            let text = fs::read_to_string(&file)
-                .with_context(|| format!("cannot read what is to be said, {}", file.display()))?;
+            let text = match fs::read_to_string(&file) {
+                Ok(text) => text,
+                Err(error) if error.kind() == ErrorKind::NotFound => return Ok(Err(file)),
+                Err(error) => {
+                    return Err(error).with_context(|| {
+                        format!("cannot read what is to be said, {}", file.display())
+                    });
+                }
+            };
             if *sable {
                 sable_document(path, &text)?
             } else {
                 plain::read(&text)
             }
         }
-    };
+    }))
+}
+
+/// Casts and plans one utterance.
+fn want<'a>(
+    said: &'a Said,
+    content: Content,
+    place: usize,
+    folder: &Path,
+    options: &BakeOptions,
+) -> Result<Wanted<'a>> {
     let role = match &said.voice {
         Some(name) => options.cast.named(name)?,
         None => options.cast.lead.clone(),

@@ -78,9 +78,7 @@ pub(crate) fn speak(
 ) -> Result<Track> {
     let Casting { plan, roles } = casting;
     let mut spoken = by_role(&plan.sentences, roles, cast)?;
-    let rate_hz = spoken
-        .iter()
-        .fold(16_000.0, |most: f64, s| most.max(s.rate_hz));
+    let rate_hz = rate_of(spoken.iter().map(|s| s.rate_hz));
     for (one, role) in spoken.iter_mut().zip(roles) {
         one.samples = resample(&one.samples, one.rate_hz, rate_hz);
         one.rate_hz = rate_hz;
@@ -199,6 +197,12 @@ fn stress_highest(spoken: &mut Spoken, track: &PitchTrack) {
     }
 }
 
+/// The rate of an utterance: one that MPEG-1 layer III has, which browsers read everywhere.
+fn rate_of(rates: impl Iterator<Item = f64>) -> f64 {
+    let most = rates.fold(0.0, f64::max);
+    if most > 32_000.0 { 48_000.0 } else { 32_000.0 }
+}
+
 /// Runs of sentences by one voice are spoken together. Emphasis is realised in the sound: what
 /// an engine makes of it is its own affair, and so it is not told.
 fn by_role(sentences: &[Planned], roles: &[Role], cast: &Cast) -> Result<Vec<Spoken>> {
@@ -301,8 +305,17 @@ impl Voicing {
     fn applied(&self, style: &Style, pace: f64) -> Style {
         let mut style = style.clone();
         let pitch = Setting::Factor(self.pitch / self.resonance);
-        // Asked values are of the voice that is heard, not of the one that is changed.
-        for amount in [&mut style.pitch_base, &mut style.pitch_middle] {
+        // Asked values are of the voice that is heard, not of the one that is changed. A base
+        // line alone takes everything with it and is to stay alone.
+        let lines = match (
+            style.pitch_base.is_default(),
+            style.pitch_middle.is_default(),
+        ) {
+            (false, true) => vec![&mut style.pitch_base],
+            (true, _) => vec![&mut style.pitch_middle],
+            (false, false) => vec![&mut style.pitch_base, &mut style.pitch_middle],
+        };
+        for amount in lines {
             if amount.value.is_none() && self.pitch != self.resonance {
                 *amount = amount.with(pitch);
             }
@@ -322,7 +335,9 @@ pub(crate) fn recorded(
     mut spoken: Spoken,
     elicited: Option<&(String, Place)>,
 ) -> Track {
-    let rate_hz = spoken.rate_hz;
+    let rate_hz = rate_of([spoken.rate_hz].into_iter());
+    spoken.samples = resample(&spoken.samples, spoken.rate_hz, rate_hz);
+    spoken.rate_hz = rate_hz;
     let role = Role::default();
     level(core::slice::from_mut(&mut spoken), &[role]);
     let whole = Planned {

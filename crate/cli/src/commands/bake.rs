@@ -110,6 +110,14 @@ impl Bake {
             )
             .with_context(|| format!("baking {name}"))?;
             bar.finish_and_clear();
+            for file in &baked.absent {
+                writeln!(
+                    io::stderr(),
+                    "{name}: there is no {}; nothing is said in its place until it is there and \
+                     the story is baked again",
+                    file.display()
+                )?;
+            }
             if self.check && (!baked.synthesised.is_empty() || baked.removed > 0) {
                 worst = Outcome::Errors;
             }
@@ -120,6 +128,7 @@ impl Bake {
                     "utterances": baked.utterances,
                     "stale": baked.synthesised,
                     "removed": baked.removed,
+                    "absent": baked.absent.iter().map(|p| p.display().to_string()).collect::<Vec<_>>(),
                     "duration": baked.duration_secs,
                     "bytes": {
                         "opus": baked.opus_bytes,
