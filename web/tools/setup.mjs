@@ -1,8 +1,9 @@
 // Prepares a bare clone. `node web/tools/setup.mjs [page|test]`; what is done is skipped.
 //   page: packages, Rust's wasm target, both wasm builds, the built page in dist/
-//   test: all of that, and a browser with software rendering
+//   test: all of that, a browser with software rendering, and speech engines
 // Only Node's own modules: this installs the others.
 
+import { spawnSync } from 'node:child_process';
 import { existsSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
@@ -84,20 +85,44 @@ export async function browser() {
   if (process.platform === 'linux' && icd === undefined && !drivers.some((d) => existsSync(d))) {
     missing.push('mesa-vulkan-drivers', 'libvulkan1');
   }
-  if (missing.length === 0) return;
-  const debian = existsSync('/etc/debian_version') && ask('apt-get', ['--version']) !== undefined;
-  if (debian && process.getuid?.() === 0) {
-    const wanted = ['chromium', 'mesa-vulkan-drivers', 'libvulkan1', 'libegl1', 'libgl1-mesa-dri'];
-    const env = { ...process.env, DEBIAN_FRONTEND: 'noninteractive' };
-    run('apt-get', ['update', '-qq'], { env, why: 'Updating the package lists' });
-    run('apt-get', ['install', '-y', '-qq', '--no-install-recommends', ...wanted], { env, why: `Installing ${wanted.join(', ')}` });
-    return;
-  }
+  if (missing.length === 0 || installed(['chromium', 'mesa-vulkan-drivers', 'libvulkan1', 'libegl1', 'libgl1-mesa-dri'])) return;
   throw new Stop(
     `The tests need ${missing.join(', ')}: install ${missing.length > 1 ? 'them' : 'it'} with your system's packages` +
       (missing.includes('chromium') ? ' (or run "npx playwright install chromium")' : '') +
       ', then run this again.',
   );
+}
+
+/** Speech engines with voices to measure, and what encodes their sound. */
+export async function engines() {
+  const runs = (program, ...args) => spawnSync(program, args, { stdio: 'ignore' }).error === undefined;
+  const festival = ask('festival', ['-b', '(print (voice.list))']) ?? '';
+  const packages = {
+    festival: runs('festival', '--version'),
+    'festvox-us-slt-hts': festival.includes('cmu_us_slt_arctic_hts'),
+    'festvox-kallpc16k': festival.includes('kal_diphone'),
+    'festvox-kdlpc16k': festival.includes('ked_diphone'),
+    flite: runs('flite', '--version'),
+    // The program brings its library, which is what speaks.
+    'espeak-ng': runs('espeak-ng', '--version'),
+    'opus-tools': runs('opusenc', '--version'),
+    ffmpeg: runs('ffmpeg', '-version'),
+  };
+  const missing = Object.keys(packages).filter((name) => !packages[name]);
+  if (missing.length === 0 || installed([...Object.keys(packages), 'libespeak-ng1'])) return;
+  throw new Stop(
+    `Measuring voices needs ${missing.join(', ')} (names of Debian's packages): install ${missing.length > 1 ? 'them' : 'it'}, then run this again.`,
+  );
+}
+
+/** Installs packages where that can be done: on Debian and its kin, as root. Tells whether it was. */
+function installed(packages) {
+  const debian = existsSync('/etc/debian_version') && ask('apt-get', ['--version']) !== undefined;
+  if (!debian || process.getuid?.() !== 0) return false;
+  const env = { ...process.env, DEBIAN_FRONTEND: 'noninteractive' };
+  run('apt-get', ['update', '-qq'], { env, why: 'Updating the package lists' });
+  run('apt-get', ['install', '-y', '-qq', '--no-install-recommends', ...packages], { env, why: `Installing ${packages.join(', ')}` });
+  return true;
 }
 
 /** The browser for the tests: the system's, or Playwright's own download. */
@@ -111,7 +136,10 @@ export function chromium() {
 if (import.meta.url === pathToFileURL(process.argv[1] ?? '').href) {
   await main(async () => {
     await page();
-    if (process.argv[2] !== 'page') await browser();
+    if (process.argv[2] !== 'page') {
+      await browser();
+      await engines();
+    }
     console.log('Everything is in place.');
   });
 }

@@ -2,7 +2,7 @@
 // `npm test -- NAME…` runs only the named checks.
 
 import { main, run, Stop } from './steps.mjs';
-import { browser, packages, page, rust } from './setup.mjs';
+import { browser, engines, packages, page, rust } from './setup.mjs';
 import { backends, buildWasm } from './wasm.mjs';
 
 const cargo = (...args) => run('cargo', args);
@@ -19,6 +19,10 @@ const checks = {
     }
   },
   rust: () => cargo('test', '--locked', '--workspace'),
+  voices: async () => {
+    await engines();
+    node('web/tools/voices.mjs', '--check');
+  },
   wasm: () => buildWasm(),
   types: () => node('node_modules/typescript/bin/tsc', '--noEmit'),
   unit: () => {

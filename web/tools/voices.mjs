@@ -1,0 +1,118 @@
+// What markup and emotions do to voices, measured: `node web/tools/voices.mjs` writes the tables
+// of docs/voices.md anew, `--check` only measures. Both fail when something is not as asked.
+// Needs the engines (see `engines` in setup.mjs). Only Node's own modules.
+
+import { execFile } from 'node:child_process';
+import { readFileSync, writeFileSync } from 'node:fs';
+import { availableParallelism } from 'node:os';
+import { join, resolve } from 'node:path';
+import { main, root, run, Stop } from './steps.mjs';
+
+/** Engine, voice, and how a column is headed. */
+const voices = [
+  ['festival', 'cmu_us_slt_arctic_hts', 'Festival<br>slt_hts'],
+  ['festival', 'kal_diphone', 'Festival<br>kal'],
+  ['flite', 'rms', 'flite<br>rms'],
+  ['flite', 'slt', 'flite<br>slt'],
+  ['espeak-ng', 'en-us', 'espeak<br>en-us'],
+  ['espeak-ng', 'de', 'espeak<br>de'],
+  ['espeak-ng', 'pt', 'espeak<br>pt'],
+];
+
+const document = join(root, 'docs/voices.md');
+const begin = '<!-- measured: begin -->';
+const end = '<!-- measured: end -->';
+
+/** Rows of emotions are named by a dimension and its value, the others by their markup. */
+const isEmotion = (row) => /^(activation|evaluation|power) /.test(row.setting);
+
+/** Measures a voice: rows of `setting`, `property`, `asked`, `heard`, `error` and `ok`. */
+function measure(program, [engine, voice]) {
+  const args = ['voice', 'measure', '--engine', engine, '--voice', voice, '--format', 'json'];
+  return new Promise((done, fail) => {
+    execFile(program, args, { cwd: root, maxBuffer: 1 << 24 }, (error, stdout, stderr) => {
+      // The status also tells that something is not as asked, which the rows say better.
+      try {
+        const rows = JSON.parse(stdout);
+        console.log(`  ${engine}:${voice}: ${rows.filter((row) => row.ok).length} of ${rows.length} settings as asked`);
+        done(rows);
+      } catch {
+        fail(new Stop(`${engine}:${voice} was not measured: ${stderr.trim() || (error?.message ?? 'it printed nothing')}`));
+      }
+    });
+  });
+}
+
+/** Measures all voices, as many at a time as there are processors; in their order. */
+async function measureAll(program) {
+  const measured = new Array(voices.length);
+  let next = 0;
+  const work = async () => {
+    for (let i = next++; i < voices.length; i = next++) measured[i] = await measure(program, voices[i]);
+  };
+  await Promise.all(Array.from({ length: Math.min(availableParallelism(), voices.length) }, work));
+  return measured;
+}
+
+/** A number of three digits, with a proper minus. */
+const figure = (x) => Number(x.toFixed(Math.abs(x) < 10 ? 2 : 1)).toString().replace('-', '−');
+
+/** What is not a number comes as null. */
+function cell(row) {
+  if (row === undefined) return '–';
+  const heard = row.heard === null || row.error === null ? '?' : `${figure(row.heard)}, ${Math.round(row.error * 100)} %`;
+  return row.ok ? heard : `**${heard}**`;
+}
+
+/** A table of the rows that are wanted: one a setting, one column a voice. */
+function table(measured, wanted) {
+  const name = (row) => `${row.setting}\0${row.property}`;
+  const asked = new Map();
+  for (const row of measured.flat()) if (wanted(row) && !asked.has(name(row))) asked.set(name(row), row);
+  const head = ['setting', 'property', 'asked', ...voices.map(([, , title]) => title)];
+  const lines = [...asked].map(([key, row]) => {
+    const setting = isEmotion(row) ? row.setting.replace('-', '−') : `\`${row.setting}\``;
+    const heard = measured.map((rows) => cell(rows.find((other) => name(other) === key)));
+    return [setting, row.property, figure(row.asked), ...heard];
+  });
+  return [head, head.map((_, i) => (i < 2 ? '---' : '--:')), ...lines].map((fields) => `| ${fields.join(' | ')} |`).join('\n');
+}
+
+/** What stands between the two marks of the document. */
+function tables(measured) {
+  return `## Measured
+
+Each field says what was heard and by how much it is off what was asked. What is not as asked is bold;
+a dash is a setting that the voice was not asked for. Lengths, paces, pitches, ranges and amplitudes are
+factors on the plain voice. For semitones and decibels the bound is wide, 15 % of a frequency are 2.4
+semitones and of an amplitude 1.2 decibels; what was asked and heard tells how much of a change arrives.
+Not measured are the number of pauses and accents that alternate.
+
+### Markup
+
+${table(measured, (row) => !isEmotion(row))}
+
+### Emotions
+
+One dimension alone, half way up and down.
+
+${table(measured, isEmotion)}`;
+}
+
+await main(async () => {
+  const [mode, ...rest] = process.argv.slice(2);
+  if (rest.length > 0 || (mode !== undefined && mode !== '--check')) throw new Stop('Usage: node web/tools/voices.mjs [--check]');
+  run('cargo', ['build', '--locked', '--release', '--package', 'raconteur-cli'], { why: 'Building the command line' });
+  const target = resolve(root, process.env['CARGO_TARGET_DIR'] ?? 'target');
+  const program = join(target, 'release', process.platform === 'win32' ? 'raconteur.exe' : 'raconteur');
+  const measured = await measureAll(program);
+  if (mode === undefined) {
+    const text = readFileSync(document, 'utf8');
+    const [from, to] = [text.indexOf(begin), text.indexOf(end)];
+    if (from < 0 || to < from) throw new Stop('docs/voices.md has lost the marks between which the tables stand.');
+    writeFileSync(document, `${text.slice(0, from + begin.length)}\n\n${tables(measured)}\n\n${text.slice(to)}`);
+  }
+  const missed = measured.flatMap((rows, i) => rows.filter((row) => !row.ok).map((row) =>
+    `${voices[i][0]}:${voices[i][1]}: ${row.setting}, ${row.property}: asked ${row.asked}, heard ${row.heard}`));
+  if (missed.length > 0) throw new Stop(`Not as asked:\n${missed.join('\n')}`);
+});
