@@ -367,13 +367,11 @@ mod tests {
         let track = LipTrack::new(&list);
         assert!(track.at(0.26).channel(Channel::Protrude) > 0.6);
         assert!(track.at(0.08).channel(Channel::Protrude) > 0.15);
-        let between = LipTrack::new(
-            &[
-                phone("b", 0.0, 0.08),
-                phone("aa", 0.08, 0.22),
-                phone("b", 0.22, 0.3),
-            ],
-        );
+        let between = LipTrack::new(&[
+            phone("b", 0.0, 0.08),
+            phone("aa", 0.08, 0.22),
+            phone("b", 0.22, 0.3),
+        ]);
         assert!(between.at(0.15).channel(Channel::Jaw) > 0.35);
         let open = LipTrack::new(&[phone("k", 0.0, 0.08), phone("aa", 0.08, 0.25)]);
         assert!(open.at(0.165).channel(Channel::Jaw) > 0.45);

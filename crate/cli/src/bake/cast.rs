@@ -50,12 +50,15 @@ impl Cast {
         };
         cast.lead.voice = match voice {
             Some(voice) => cast.voice(engine, voice)?,
-            None => cast
-                .known(engine)?
-                .voices
-                .first()
-                .with_context(|| format!("{engine} has no voice"))?
-                .clone(),
+            None => {
+                let known = cast.known(engine)?;
+                // Recordings have no voices, and one that stands for all of them.
+                let first = known.voices.first().cloned();
+                let any = || known.engine.voice("recorded").ok().flatten();
+                first
+                    .or_else(any)
+                    .with_context(|| format!("{engine} has no voice"))?
+            }
         };
         Ok(cast)
     }

@@ -6,6 +6,7 @@ use raconteur_player::speech::bundle::FRAME_SECS;
 use raconteur_player::speech::content::{Age, Content, Gender, Setting};
 use raconteur_player::speech::emotion::{Place, Prosody};
 use raconteur_player::speech::feel::{felt, moved_pauses, place_of, word_phrases};
+use raconteur_player::speech::phones::find;
 use raconteur_player::speech::plan::{Plan, Planned, plan};
 use raconteur_player::speech::realise::{Own, realise};
 use raconteur_player::speech::signal::f0::{self, PitchTrack};
@@ -338,6 +339,14 @@ pub(crate) fn recorded(
     let rate_hz = rate_of([spoken.rate_hz].into_iter());
     spoken.samples = resample(&spoken.samples, spoken.rate_hz, rate_hz);
     spoken.rate_hz = rate_hz;
+    // Alignments come in many phone sets; the bundle's voice has one.
+    for segment in &mut spoken.segments {
+        if let Some(row) = find(&spoken.phone_set, &segment.symbol)
+            && !segment.is_silent()
+        {
+            row.name.clone_into(&mut segment.symbol);
+        }
+    }
     let role = Role::default();
     level(core::slice::from_mut(&mut spoken), &[role]);
     let whole = Planned {
