@@ -1,6 +1,5 @@
 /** The voice: the utterances' recordings, played through Web Audio at their places in the story. */
 
-import { stretch } from './stretch.js';
 import type { Music } from './music.js';
 import type { Spoken } from './spoken.js';
 import type { Piece, Utterance } from './types.js';
@@ -84,6 +83,11 @@ export class RecordedVoice implements Voice {
   /** Stretched copies for the present rate. */
   readonly #stretched = new Map<Utterance, AudioBuffer>();
   #stretchedRate = 1;
+  /** What keeps the pitch at other speeds, once one is asked for; null where it cannot be had. */
+  #stretcher: ((sound: AudioBuffer, rate: number) => AudioBuffer) | null | undefined;
+  #stretching = false;
+  /** The speed that was asked for last. */
+  #rate = 1;
   readonly #playing = new Map<Utterance, Playing>();
   #run: Run | undefined;
   #master: GainNode | undefined;
@@ -185,6 +189,8 @@ export class RecordedVoice implements Voice {
   start(position: number, rate: number, at: number): void {
     this.#silence();
     this.#run = { position, rate, at };
+    this.#rate = rate;
+    if (rate !== 1) void this.#fetchStretcher();
     this.prepare(position);
     this.#music?.start(position, rate, at);
     this.#spoken?.start(rate);
@@ -236,6 +242,7 @@ export class RecordedVoice implements Voice {
       const sound = this.#sounds.get(utterance);
       if (sound === undefined || sound === 'pending' || (!this.#found && utterance.audio.length === 0)) return false;
     }
+    if (this.#rate !== 1 && this.#stretcher === undefined) return false;
     return !this.#awaited && (this.#music?.ready(position) ?? true) && (this.#spoken?.ready(position) ?? true);
   }
 
@@ -293,8 +300,11 @@ export class RecordedVoice implements Voice {
   #plan(utterance: Utterance, sound: AudioBuffer): void {
     const run = this.#run;
     if (run === undefined || this.#master === undefined || this.#playing.has(utterance)) return;
+    if (run.rate !== 1 && this.#stretcher === undefined) return;
     // This takes a while, which must be over when the time is read.
     const buffer = this.#paced(utterance, sound, run.rate);
+    // Without the stretcher a voice at another speed is at least heard, if higher or lower.
+    const speed = buffer === sound ? run.rate : 1;
     const audio = context();
     // In whole samples: between them a browser interpolates, which dulls the sound, and what
     // joins another would not follow it sample by sample.
@@ -308,7 +318,7 @@ export class RecordedVoice implements Voice {
       offset = earliest - when;
       when = earliest;
     }
-    if (offset >= buffer.duration) return;
+    if (offset * speed >= buffer.duration) return;
     const gain = audio.createGain();
     gain.connect(this.#master);
     if (offset > 0) {
@@ -319,10 +329,25 @@ export class RecordedVoice implements Voice {
     }
     const source = audio.createBufferSource();
     source.buffer = buffer;
+    source.playbackRate.value = speed;
     source.connect(gain);
     source.onended = () => gain.disconnect();
-    source.start(when, offset);
+    source.start(when, offset * speed);
     this.#playing.set(utterance, { source, gain });
+  }
+
+  async #fetchStretcher(): Promise<void> {
+    if (this.#stretching) return;
+    this.#stretching = true;
+    try {
+      this.#stretcher = (await import('./stretch.js')).paced;
+    } catch {
+      this.#stretcher = null;
+      this.#onMissing(undefined, 'What keeps the pitch at other speeds could not be fetched.');
+    }
+    if (this.#run && !this.#abort.signal.aborted) {
+      for (const [utterance, sound] of this.#sounds) if (sound !== null && sound !== 'pending') this.#plan(utterance, sound);
+    }
   }
 
   /** A sound at a speed. */
@@ -331,18 +356,10 @@ export class RecordedVoice implements Voice {
       this.#stretched.clear();
       this.#stretchedRate = rate;
     }
-    if (rate === 1) return sound;
+    if (rate === 1 || !this.#stretcher) return sound;
     const known = this.#stretched.get(utterance);
     if (known !== undefined) return known;
-    const channels = Array.from({ length: sound.numberOfChannels }, (_, c) =>
-      stretch(sound.getChannelData(c), sound.sampleRate, rate),
-    );
-    const buffer = new AudioBuffer({
-      length: channels[0]?.length ?? 1,
-      numberOfChannels: Math.max(1, channels.length),
-      sampleRate: sound.sampleRate,
-    });
-    channels.forEach((samples, c) => buffer.copyToChannel(samples, c));
+    const buffer = this.#stretcher(sound, rate);
     this.#stretched.set(utterance, buffer);
     return buffer;
   }

@@ -14,6 +14,18 @@ const SEARCH_SECS = 0.00625;
 /** The first search looks at each fourth offset and sample; then it is made exact. */
 const COARSE = 4;
 
+/** A recording at a speed, with its pitch. */
+export function paced(sound: AudioBuffer, rate: number): AudioBuffer {
+  const channels = Array.from({ length: sound.numberOfChannels }, (_, c) => stretch(sound.getChannelData(c), sound.sampleRate, rate));
+  const buffer = new AudioBuffer({
+    length: channels[0]?.length ?? 1,
+    numberOfChannels: Math.max(1, channels.length),
+    sampleRate: sound.sampleRate,
+  });
+  channels.forEach((samples, c) => buffer.copyToChannel(samples, c));
+  return buffer;
+}
+
 /** The samples of `input` in `1 / rate` of their time. */
 export function stretch(input: Float32Array, sampleRate: number, rate: number): Float32Array<ArrayBuffer> {
   const step = Math.max(16, Math.round((WINDOW_SECS * sampleRate) / 2));

@@ -111,9 +111,13 @@ fn counts_fall_on_the_beat() {
             .as_array()
             .into_iter()
             .flatten()
-            .find(|u| u["words"][0]["text"] == word)
+            .find(|u| u["text"] == word)
             .expect("it was baked");
-        let onset = spoken["words"][0]["start_secs"].as_f64().expect("a time");
+        // Its first phone, and how long those before it last.
+        let first = spoken["words"][0][2].as_u64().expect("a phone") as usize;
+        let lengths = spoken["msecs"].as_array().expect("lengths").iter();
+        let before: u64 = lengths.take(first).filter_map(Value::as_u64).sum();
+        let onset = before as f64 / 1000.0;
         let heard = clause["start"].as_f64().expect("a time") + onset;
         let off = heard / 0.5 - (heard / 0.5).round();
         // Times in the script are rounded to the millisecond.

@@ -239,15 +239,14 @@ pub(crate) fn cues(
             push(2, w.start_secs, CueKind::Word { utterance, word });
         }
         if let ClauseKind::VoiceText(voice) = &script.document.clause(cue.clause).kind {
-            for (place, piece) in voice.pieces.iter().enumerate() {
-                let Piece::Marker { mark, .. } = piece else {
+            let words = voice.words();
+            for piece in &voice.pieces {
+                let Piece::Marker { mark, span } = piece else {
                     continue;
                 };
-                let before = VoiceText {
-                    pieces: voice.pieces[..place].to_vec(),
-                };
+                let before = words.partition_point(|w| w.span.start < span.start);
                 // The moment of the next word, or the end.
-                let next = cue.words.get(before.words().len());
+                let next = cue.words.get(before);
                 let at = next.map_or(cue.start_secs + cue.duration_secs, |w| w.start_secs);
                 push(2, at, CueKind::Mark { name: mark.clone() });
             }

@@ -8,7 +8,7 @@ use raconteur_base::ops;
 use crate::assemble::Track;
 use crate::bundle::{FRAME_SECS, Phone, Syllable, Utterance};
 use crate::manner::{Manner, manner};
-use crate::realise::accent_windows;
+use crate::realise::{accent_windows, steepened};
 use crate::signal::f0::{self, PitchTrack};
 use crate::signal::intensity::span_db;
 
@@ -28,7 +28,7 @@ pub struct Difference {
     pub db: f64,
     /// Factor on the length of pauses between words that are there in both.
     pub pause_duration: f64,
-    /// Pauses between words, before and after.
+    /// Pauses inside sentences, before and after.
     pub pauses: (usize, usize),
     /// How its melody differs; `None` where too little is voiced to tell.
     pub melody: Option<Melody>,
@@ -51,6 +51,8 @@ pub struct Melody {
     pub accent_slope: f64,
     /// By how much accented syllables rise more, from end to end of their middle, semitones.
     pub accent_tilt: f64,
+    /// By how much every other accented syllable rises more, and those between rise less.
+    pub accent_alternation: f64,
     /// How much higher phrases end, semitones.
     pub end: f64,
 }
@@ -62,10 +64,21 @@ struct Point {
     changed: f64,
     /// Place in its phrase, −0.5 to 0.5.
     along: f64,
-    /// Place in its syllable, 0 to 1, and the pitch in the middle of that, where accented.
-    accent: Option<(f64, f64)>,
+    /// Where it is in an accent.
+    accent: Option<InAccent>,
     /// Place in the last syllable of its phrase, 0 to 1; 0 before it.
     ending: f64,
+}
+
+/// A place in the window of an accent.
+#[derive(Clone, Copy)]
+struct InAccent {
+    /// Which accent of its sentence.
+    index: usize,
+    /// From 0 to 1.
+    place: f64,
+    /// The pitch in the middle, semitones over 100 Hz.
+    centre: f64,
 }
 
 /// Compares the words from `first` to `last`. `None` when the two do not have the same
@@ -119,22 +132,29 @@ pub fn compare(
         semitones: higher / points.len() as f64,
         db: db / f64::max(weight, 1e-9),
         pause_duration: after / f64::max(before, 1e-9),
-        pauses: (pauses[0].len(), pauses[1].len()),
+        pauses: (
+            inside(&plain.utterance, &pauses[0]),
+            inside(&changed.utterance, &pauses[1]),
+        ),
         melody: melody(&points),
     })
 }
 
-/// Parts of a melody: a linear model of the changed pitch, fitted by least squares twice, the
-/// second time without what errs by more than three semitones (slips of an octave).
+/// Parts of a melody: a model of the changed pitch, fitted by least squares a few times: how
+/// the range grows bends the rest of it, and what errs by more than three semitones (slips of
+/// an octave) is left out once there is a fit to err from.
 fn melody(points: &[Point]) -> Option<Melody> {
-    const PARTS: usize = 8;
+    const PARTS: usize = 9;
     let mean = points.iter().map(|p| p.plain).sum::<f64>() / points.len().max(1) as f64;
-    let row = |p: &Point| -> [f64; PARTS] {
-        let plain = p.plain - mean;
-        let (inside, slope, tilt) = p.accent.map_or((0.0, 0.0, 0.0), |(place, centre)| {
-            let inside = 0.5 - 0.5 * ops::cos(2.0 * core::f64::consts::PI * place);
-            let tilt = inside * 2.0 * (place - 0.5);
-            (inside, inside * (p.plain - centre), tilt)
+    let row = |p: &Point, growth: f64| -> [f64; PARTS] {
+        let bend = ops::exp(growth * p.along);
+        let plain = (p.plain - mean) * bend;
+        let (inside, slope, tilt, other_way) = p.accent.map_or((0.0, 0.0, 0.0, 0.0), |accent| {
+            let inside = 0.5 - 0.5 * ops::cos(2.0 * core::f64::consts::PI * accent.place);
+            let tilt = inside * 2.0 * (accent.place - 0.5);
+            let sign = if accent.index % 2 == 0 { 1.0 } else { -1.0 };
+            let steep = steepened(accent.place) * (p.plain - accent.centre) * bend;
+            (inside, steep, tilt, sign * tilt)
         });
         [
             1.0,
@@ -144,18 +164,19 @@ fn melody(points: &[Point]) -> Option<Melody> {
             inside,
             slope,
             tilt,
+            other_way,
             p.ending,
         ]
     };
     let mut kept: Vec<&Point> = points.iter().collect();
-    let mut fit = [0.0; PARTS];
-    for _ in 0..2 {
+    let (mut fit, mut growth) = ([0.0; PARTS], 0.0_f64);
+    for _ in 0..5 {
         if kept.len() < 5 * PARTS {
             return None;
         }
         let mut matrix = [[0.0; PARTS + 1]; PARTS];
         for p in &kept {
-            let row = row(p);
+            let row = row(p, growth);
             for i in 0..PARTS {
                 for k in 0..PARTS {
                     matrix[i][k] += row[i] * row[k];
@@ -165,21 +186,23 @@ fn melody(points: &[Point]) -> Option<Melody> {
         }
         fit = solve(matrix);
         let error = |p: &Point| {
-            let model: f64 = row(p).iter().zip(&fit).map(|(x, c)| x * c).sum();
+            let model: f64 = row(p, growth).iter().zip(&fit).map(|(x, c)| x * c).sum();
             (p.changed - mean - model).abs()
         };
         kept.retain(|p| error(p) < 3.0);
+        growth = (growth + fit[3] / fit[1].max(1e-3)).clamp(-2.0, 2.0);
     }
     let range = fit[1].max(1e-3);
     Some(Melody {
         semitones: fit[0],
         range,
         rise: fit[2],
-        range_growth: ops::exp(fit[3] / range),
+        range_growth: ops::exp(growth),
         accent: fit[4],
         accent_slope: 1.0 + fit[5] / range,
         accent_tilt: fit[6],
-        end: fit[7],
+        accent_alternation: fit[7],
+        end: fit[8],
     })
 }
 
@@ -210,8 +233,17 @@ fn solve<const N: usize, const M: usize>(mut matrix: [[f64; M]; N]) -> [f64; N] 
     })
 }
 
+/// The pitch of a sound, its jitter evened out over 25 ms: what jitters cannot be compared.
 fn pitch(track: &Track) -> PitchTrack {
-    f0::track_voice(&track.samples, track.rate_hz, FRAME_SECS / 2.0)
+    let mut pitch = f0::track_voice(&track.samples, track.rate_hz, FRAME_SECS / 2.0);
+    for (first, past) in pitch.voiced_runs() {
+        let run = pitch.hz[first..past].to_vec();
+        for (i, hz) in pitch.hz[first..past].iter_mut().enumerate() {
+            let near = &run[i.saturating_sub(2)..(i + 3).min(run.len())];
+            *hz = near.iter().sum::<f64>() / near.len() as f64;
+        }
+    }
+    pitch
 }
 
 fn level(track: &Track, phone: &Phone) -> f64 {
@@ -268,6 +300,14 @@ fn points_of(
         .map(span)
         .collect();
     let accents = accent_windows(&spans);
+    let sentence = plain
+        .sentences
+        .iter()
+        .find(|s| (s.first_word..s.first_word + s.words).contains(&word));
+    let begins_secs = sentence
+        .and_then(|s| plain.words.get(s.first_word))
+        .map_or(0.0, |w| w.start_secs);
+    let first_accent = spans.partition_point(|(start, _)| *start < begins_secs - 1e-6);
     let last = plain
         .syllables
         .iter()
@@ -287,12 +327,16 @@ fn points_of(
             along: place((from, to)) - 0.5,
             accent: accents
                 .iter()
-                .copied()
-                .find(|span| (0.0..1.0).contains(&place(*span)))
-                .map(|span| {
+                .position(|span| (0.0..1.0).contains(&place(*span)))
+                .map(|index| {
+                    let span = accents[index];
                     let centre = tracks[0].hz_near((span.0 + span.1) / 2.0, 0.05);
                     let centre = if centre > 0.0 { centre } else { before };
-                    (place(span), semitones(centre))
+                    InAccent {
+                        index: index - first_accent.min(index),
+                        place: place(span),
+                        centre: semitones(centre),
+                    }
                 }),
             ending: last.map_or(0.0, |span| place(span).clamp(0.0, 1.0)),
         });
@@ -307,6 +351,12 @@ fn pauses(u: &Utterance, first: usize, last: usize) -> Vec<(usize, f64)> {
             (secs > 0.02).then_some((word, secs))
         })
         .collect()
+}
+
+/// How many pauses are inside sentences.
+fn inside(u: &Utterance, pauses: &[(usize, f64)]) -> usize {
+    let ends = |word: usize| u.sentences.iter().any(|s| s.first_word == word + 1);
+    pauses.iter().filter(|(word, _)| !ends(*word)).count()
 }
 
 /// Decibels as a factor of amplitude.

@@ -132,7 +132,7 @@ pub fn word_phrases(sentences: &[Planned], spoken: &[Spoken]) -> Vec<(usize, usi
 /// The pause that an emotion adds, seconds: Festival's mean one.
 const ADDED_PAUSE_SECS: f64 = 0.2;
 /// Without pauses, a voice is taken to make one in so many words. *Designed*.
-const WORDS_A_PAUSE: f64 = 8.0;
+pub const WORDS_A_PAUSE: f64 = 8.0;
 /// Pauses stand no nearer to each other, or to an end, than so many tokens.
 const LEAST_TOKENS: usize = 2;
 

@@ -21,7 +21,7 @@ mod sets;
 mod table;
 
 #[cfg(feature = "bake")]
-pub use sets::{PHONE_SETS, find};
+pub use sets::{PHONE_SETS, find, translate};
 
 use table::{SCHWA, SILENCE, TABLE};
 

@@ -373,6 +373,13 @@ fn phrases(grid: &mut Grid, spoken: &Spoken, deliveries: &[Delivery]) {
     }
 }
 
+/// How much of an accent's steepness holds at a place in it, 0 to 1: all but at its edges,
+/// where the melody is furthest from its middle.
+#[must_use]
+pub fn steepened(place: f64) -> f64 {
+    (6.0 * place.min(1.0 - place)).clamp(0.0, 1.0)
+}
+
 /// When accents move the melody: from a little before their syllables until a little after
 /// them, half of the way at most towards the next one. `spans` are syllables in order.
 #[must_use]
@@ -443,7 +450,10 @@ fn accents(
             grid.semitones[i] += inside
                 * (ACCENT_SEMITONES * (prosody.accent_prominence - 1.0)
                     + tilt * 2.0 * (along - 0.5));
-            grid.slope[i] = (centre, 1.0 + (prosody.accent_slope - 1.0) * inside);
+            grid.slope[i] = (
+                centre,
+                1.0 + (prosody.accent_slope - 1.0) * steepened(along),
+            );
         }
     }
 }

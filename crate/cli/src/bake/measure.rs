@@ -7,6 +7,7 @@ use raconteur_player::speech::bundle::{SILENCE, db_of_code};
 use raconteur_player::speech::compare::{Difference, amplitude, compare, frequency};
 use raconteur_player::speech::content::Content;
 use raconteur_player::speech::emotion::{AccentShape, Place, Prosody};
+use raconteur_player::speech::feel;
 use raconteur_player::speech::language;
 use raconteur_player::speech::markup::sable;
 use raconteur_player::speech::realise;
@@ -54,6 +55,11 @@ const TEXTS: [(&str, [&str; 3]); 3] = [
 
 /// How far from what was asked a setting may end, as a share of that.
 pub(crate) const TOLERANCE: f64 = 0.15;
+
+/// Fewer semitones or decibels than these are noticed by nobody in speech: differences of
+/// pitch from 1.5 semitones on ('t Hart 1981, doi:10.1121/1.385592), of loudness from one
+/// decibel on.
+const UNNOTICED: f64 = 0.33;
 
 /// What figures count.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -119,7 +125,14 @@ impl Row {
     pub(crate) fn is_met(&self) -> bool {
         let neutral = f64::from(u8::from(self.unit == Unit::Factor));
         let same_way = (self.heard - neutral) * (self.asked - neutral) > 0.0;
-        same_way && self.error() <= TOLERANCE
+        let near = match self.unit {
+            Unit::Factor | Unit::Seconds => self.error() <= TOLERANCE,
+            Unit::Semitones | Unit::Decibels => {
+                let most = (TOLERANCE * self.asked.abs()).max(UNNOTICED);
+                (self.heard - self.asked).abs() <= most
+            }
+        };
+        same_way && near
     }
 }
 
@@ -352,6 +365,11 @@ impl Lab<'_> {
                 Some(AccentShape::Falling) => -realise::SHAPE_SEMITONES,
                 _ => 0.0,
             };
+            // The first of a sentence rises.
+            let alternation = match asked.accent_shape {
+                Some(AccentShape::Alternating) => realise::SHAPE_SEMITONES,
+                _ => 0.0,
+            };
             let end = match asked.ends_high {
                 Some(high) => {
                     let sign = if high { 1.0 } else { -1.0 };
@@ -391,7 +409,25 @@ impl Lab<'_> {
                 ("accent prominence, st", accent, melody.accent),
                 ("accent shape, st", tilt, melody.accent_tilt),
                 ("phrase ends, st", end, melody.end),
+                (
+                    "accents alternate, st",
+                    alternation,
+                    melody.accent_alternation,
+                ),
             ];
+            // Pauses come and go by whole ones.
+            let before = heard.pauses.0 as f64;
+            let usual = before.max(self.words() as f64 / feel::WORDS_A_PAUSE);
+            let wanted = (usual * asked.number_of_pauses).round();
+            if wanted != before && asked.number_of_pauses != 1.0 {
+                let heard = heard.pauses.1 as f64 / before.max(1.0);
+                rows.push(Row::factor(
+                    &setting,
+                    "number of pauses",
+                    wanted / before.max(1.0),
+                    heard,
+                ));
+            }
             for (property, asked, heard) in factors {
                 if (asked - 1.0).abs() > 1e-9 {
                     rows.push(Row::factor(&setting, property, asked, heard));

@@ -6,7 +6,7 @@ use raconteur_player::speech::bundle::FRAME_SECS;
 use raconteur_player::speech::content::{Age, Content, Gender, Setting};
 use raconteur_player::speech::emotion::{Place, Prosody};
 use raconteur_player::speech::feel::{felt, moved_pauses, place_of, word_phrases};
-use raconteur_player::speech::phones::find;
+use raconteur_player::speech::phones::{find, translate};
 use raconteur_player::speech::plan::{Plan, Planned, plan};
 use raconteur_player::speech::realise::{Own, realise};
 use raconteur_player::speech::signal::f0::{self, PitchTrack};
@@ -125,8 +125,10 @@ pub(crate) fn speak(
             .zip(&planned.sentence.tokens)
             .map(|(style, token)| (style, place(token.word)))
             .collect();
+        let mut spoken = realise(&spoken[i], &tracks[i], &styled, &own);
+        guest(&mut spoken, &work.role.voice.phone_set);
         parts.push(Part {
-            spoken: realise(&spoken[i], &tracks[i], &styled, &own),
+            spoken,
             pauses: pauses(&styled, &own),
             moved_pauses,
         });
@@ -138,6 +140,20 @@ pub(crate) fn speak(
         &felt,
         rate_hz,
     ))
+}
+
+/// Gives the phones of a guest, who may speak another language, the symbols of the bundle's
+/// voice, as far as that has any for them.
+fn guest(spoken: &mut Spoken, phone_set: &str) {
+    if spoken.phone_set == phone_set {
+        return;
+    }
+    for segment in spoken.segments.iter_mut().filter(|s| !s.is_silent()) {
+        if let Some(symbol) = translate(&spoken.phone_set, &segment.symbol, phone_set) {
+            symbol.clone_into(&mut segment.symbol);
+        }
+    }
+    phone_set.clone_into(&mut spoken.phone_set);
 }
 
 /// The factor on pauses that nobody asked for: slow speech pauses longer.

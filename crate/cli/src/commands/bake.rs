@@ -21,9 +21,9 @@ pub(crate) struct Bake {
     /// Scripts, or folders that hold a story.eml.
     #[arg(required_unless_present = "list_voices")]
     files: Vec<PathBuf>,
-    /// The speech engine: festival, flite, espeak-ng, marytts or recordings.
-    #[arg(long, default_value = "festival", value_parser = ENGINES)]
-    engine: String,
+    /// The speech engine; without it, festival.
+    #[arg(long, value_parser = ENGINES)]
+    engine: Option<String>,
     /// The voice of what names no other, as its engine calls it; without it, the engine's
     /// first.
     #[arg(long)]
@@ -42,7 +42,7 @@ pub(crate) struct Bake {
     #[arg(long)]
     lexicon: Option<PathBuf>,
     /// Address of a MaryTTS server.
-    #[arg(long, default_value = "http://localhost:59125")]
+    #[arg(long, default_value = "localhost:59125")]
     server: String,
     /// Folder of recordings, with their alignments beside them.
     #[arg(long)]
@@ -84,7 +84,7 @@ impl Bake {
             let folder = files.script.parent().unwrap_or(Path::new(""));
             let lexicon_text = self.lexicon_text(folder)?;
             let bake_options = BakeOptions {
-                cast: Cast::new(&self.engine, self.voice.as_deref(), options.clone())?,
+                cast: Cast::new(self.engine(), self.voice.as_deref(), options.clone())?,
                 pace: self.pace,
                 lexicon: Lexicon::parse(&lexicon_text).context("reading the lexicon")?,
                 lexicon_text,
@@ -144,6 +144,10 @@ impl Bake {
         Ok(worst)
     }
 
+    fn engine(&self) -> &str {
+        self.engine.as_deref().unwrap_or("festival")
+    }
+
     fn lexicon_text(&self, folder: &Path) -> Result<String> {
         let beside = folder.join("lexicon.txt");
         let path = match &self.lexicon {
@@ -187,12 +191,14 @@ impl Bake {
     /// Lists voices: of the engine that was asked for, else of every installed one.
     fn list(&self, options: &EngineOptions) -> Result<Outcome> {
         let mut rows = Vec::new();
-        for engine in ENGINES {
-            // What is not installed or not running has no voices; of the chosen one it is told.
-            match Cast::voices_of(engine, options) {
-                Ok(voices) => rows.extend(voices.into_iter().map(|v| (engine, v))),
-                Err(error) if engine == self.engine => return Err(error),
-                Err(_) => {}
+        if let Some(engine) = &self.engine {
+            let voices = Cast::voices_of(engine, options)?;
+            rows.extend(voices.into_iter().map(|v| (engine.as_str(), v)));
+        } else {
+            // What is not installed or not running has no voices.
+            for engine in ENGINES {
+                let voices = Cast::voices_of(engine, options).unwrap_or_default();
+                rows.extend(voices.into_iter().map(|v| (engine, v)));
             }
         }
         let mut out = io::stdout().lock();

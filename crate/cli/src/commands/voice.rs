@@ -36,6 +36,9 @@ struct Who {
     /// The voice, as its engine calls it; without it, the engine's first.
     #[arg(long)]
     voice: Option<String>,
+    /// Address of a MaryTTS server.
+    #[arg(long, default_value = "localhost:59125")]
+    server: String,
 }
 
 impl Who {
@@ -43,7 +46,10 @@ impl Who {
         Cast::new(
             &self.engine,
             self.voice.as_deref(),
-            EngineOptions::default(),
+            EngineOptions {
+                server: self.server.clone(),
+                recordings: None,
+            },
         )
     }
 }

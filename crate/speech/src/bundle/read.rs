@@ -108,9 +108,14 @@ fn pairs(text: &str) -> Vec<(String, String)> {
 
 impl Voice {
     fn of(json: &Json<'_>) -> Result<Self, Fault> {
+        // A player needs not know who they are.
+        #[cfg(feature = "bake")]
+        let (engine, voice) = (text(json, "engine")?, text(json, "voice")?);
+        #[cfg(not(feature = "bake"))]
+        let (engine, voice) = Default::default();
         Ok(Self {
-            engine: text(json, "engine")?,
-            voice: text(json, "voice")?,
+            engine,
+            voice,
             language: text(json, "language")?,
             phone_set: text(json, "phone_set")?,
             mouth: pairs(json.get("mouth").text().unwrap_or_default()),
@@ -136,6 +141,7 @@ impl Utterance {
     fn of(json: &Json<'_>) -> Result<Self, Fault> {
         let mut utterance = Self {
             key: field(json, "key", digest)?,
+            #[cfg(feature = "bake")]
             content: field(json, "content", digest)?,
             voice: index(json, "voice")?,
             text: text(json, "text")?,
@@ -219,6 +225,7 @@ impl Utterance {
                 start_secs,
                 end_secs,
             });
+            #[cfg(feature = "bake")]
             self.text_starts.push(*text_start);
         }
         Ok(())

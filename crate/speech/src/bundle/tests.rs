@@ -23,10 +23,6 @@ fn fault(json: &str) -> String {
 fn times_come_from_the_phones() {
     let bundle = read(SAMPLE).unwrap();
     let u = &bundle.utterances[bundle.find(255).unwrap()];
-    assert_eq!(
-        (u.content, u.text_starts.as_slice()),
-        (0x0123_4567_89ab_cdef, &[0, 4, 8][..])
-    );
     assert_eq!(u.duration_secs, 1.0);
     let words: Vec<_> = u
         .words
@@ -49,6 +45,9 @@ fn times_come_from_the_phones() {
 fn melody_is_read() {
     let bundle = read(SAMPLE).unwrap();
     let u = &bundle.utterances[0];
+    assert_eq!(u.text_starts, [0, 4, 8]);
+    assert_eq!(u.content, 0x0123_4567_89ab_cdef);
+    assert_eq!(bundle.voices[0].engine, "test 1");
     assert_eq!(
         (u.accents[0].syllable, u.accents[0].label.as_str()),
         (0, "H*")

@@ -44,6 +44,16 @@ pub fn find(phone_set: &str, symbol: &str) -> Option<&'static PhoneTargets> {
     own(column, bare)
 }
 
+/// A symbol of a phone set for a phone of another one: one that moves the lips alike. `None`
+/// where there is none.
+#[must_use]
+pub fn translate(from: &str, symbol: &str, to: &str) -> Option<&'static str> {
+    let row = find(from, symbol)?;
+    let place = TABLE.iter().position(|other| core::ptr::eq(other, row))?;
+    let mut symbols = COLUMNS[place].into_iter();
+    symbols.find(|s| find(to, s).is_some_and(|other| core::ptr::eq(other, row)))
+}
+
 /// The row whose own symbol in a column this is.
 fn own(column: usize, symbol: &str) -> Option<&'static PhoneTargets> {
     if symbol.is_empty() {
@@ -155,6 +165,23 @@ mod tests {
     fn the_same_letter_means_another_vowel_in_another_set() {
         assert_eq!(find("mrpa", "uh"), find("radio", "ah"));
         assert_eq!(find("mrpa", "oo"), find("radio", "ao"));
+    }
+
+    #[test]
+    fn a_guest_in_another_language_has_a_mouth() {
+        for (from, symbol, to, expected) in [
+            ("espeak-pt", "oI", "radio", Some("oy")),
+            ("espeak-de", "y:", "radio", Some("uw")),
+            ("radio", "iy", "espeak-de", Some("i:")),
+            ("radio", "aa", "radio", Some("aa")),
+            ("radio", "xyzzy", "espeak", None),
+        ] {
+            assert_eq!(
+                translate(from, symbol, to),
+                expected,
+                "{from} {symbol} {to}"
+            );
+        }
     }
 
     #[test]
