@@ -85,7 +85,7 @@ function tables(measured) {
 
 Each field says what was heard and by how much it is off what was asked. What is not as asked is bold;
 a dash is a setting that the voice was not asked for. Lengths, paces, pitches, ranges and amplitudes are
-factors on the plain voice. Of semitones and decibels 15 % of what was asked may be missing, or a third
+factors on the plain voice. Of semitones and decibels 15 % of what was asked may be missing, or half
 of one, which is less than listeners notice.
 
 ### Markup

@@ -233,26 +233,15 @@ fn solve<const N: usize, const M: usize>(mut matrix: [[f64; M]; N]) -> [f64; N] 
     })
 }
 
-/// The pitch of a sound, its jitter evened out over 25 ms: what jitters cannot be compared.
 fn pitch(track: &Track) -> PitchTrack {
-    let mut pitch = f0::track_voice(&track.samples, track.rate_hz, FRAME_SECS / 2.0);
-    for (first, past) in pitch.voiced_runs() {
-        let run = pitch.hz[first..past].to_vec();
-        for (i, hz) in pitch.hz[first..past].iter_mut().enumerate() {
-            let near = &run[i.saturating_sub(2)..(i + 3).min(run.len())];
-            *hz = near.iter().sum::<f64>() / near.len() as f64;
-        }
-    }
-    pitch
+    f0::track_voice(&track.samples, track.rate_hz, FRAME_SECS / 2.0)
 }
 
+/// The level of a phone without its edges, where it passes into its neighbours.
 fn level(track: &Track, phone: &Phone) -> f64 {
-    span_db(
-        &track.samples,
-        track.rate_hz,
-        phone.start_secs,
-        phone.end_secs,
-    )
+    let edge = 0.15 * (phone.end_secs - phone.start_secs);
+    let (from, to) = (phone.start_secs + edge, phone.end_secs - edge);
+    span_db(&track.samples, track.rate_hz, from, to)
 }
 
 /// Phones of both that belong together.

@@ -59,7 +59,7 @@ pub(crate) const TOLERANCE: f64 = 0.15;
 /// Fewer semitones or decibels than these are noticed by nobody in speech: differences of
 /// pitch from 1.5 semitones on ('t Hart 1981, doi:10.1121/1.385592), of loudness from one
 /// decibel on.
-const UNNOTICED: f64 = 0.33;
+const UNNOTICED: f64 = 0.5;
 
 /// What figures count.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -209,7 +209,15 @@ impl Lab<'_> {
         let height: Heard = |d| d.melody.map_or(f64::NAN, |m| frequency(m.semitones));
         let range: Heard = |d| d.melody.map_or(f64::NAN, |m| m.range);
         let gain: Heard = |d| amplitude(d.db);
-        let settings: [(&str, &str, &'static str, Heard, &[(&str, f64)]); 5] = [
+        /// Element, attribute, what of the sound, how it is heard, and values with their factors.
+        type Setting = (
+            &'static str,
+            &'static str,
+            &'static str,
+            Heard,
+            &'static [(&'static str, f64)],
+        );
+        let settings: [Setting; 5] = [
             (
                 "RATE",
                 "SPEED",
