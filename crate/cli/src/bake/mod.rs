@@ -28,7 +28,7 @@ use std::thread;
 use anyhow::{Context as _, Result, anyhow, bail, ensure};
 use raconteur_player::speech::bundle::{Bundle, Utterance, Voice};
 use raconteur_player::speech::content::Content;
-use raconteur_player::speech::markup::{plain, sable};
+use raconteur_player::speech::markup::{Problem, plain, sable, ssml};
 use raconteur_player::speech::phones;
 use raconteur_player::speech::text::Lexicon;
 use raconteur_player::{Said, Source};
@@ -240,6 +240,8 @@ fn content(
             };
             if *sable {
                 sable_document(path, &text)?
+            } else if path.ends_with(".ssml") {
+                document(path, ssml::read(&text))?
             } else {
                 plain::read(&text)
             }
@@ -296,7 +298,12 @@ fn want<'a>(
 }
 
 fn sable_document(name: &str, text: &str) -> Result<Content> {
-    let (content, problems) = sable::read(text).map_err(|p| anyhow!("{name}: {p}"))?;
+    document(name, sable::read(text))
+}
+
+/// What was read of a document; its problems are told.
+fn document(name: &str, read: Result<(Content, Vec<Problem>), Problem>) -> Result<Content> {
+    let (content, problems) = read.map_err(|p| anyhow!("{name}: {p}"))?;
     for problem in problems {
         eprintln!("{name}: {problem}");
     }

@@ -3,13 +3,16 @@
 use std::io::{self, Write as _};
 use std::path::PathBuf;
 
-use anyhow::Result;
+use anyhow::{Result, anyhow};
 use clap::{Args, Subcommand};
+use raconteur_player::Source;
+use raconteur_player::speech::markup::{sable, ssml};
 use serde_json::json;
 
 use crate::bake::engine::{ENGINES, EngineOptions};
 use crate::bake::measure::{self, Row};
 use crate::bake::{Cast, picture};
+use crate::story::StoryFiles;
 use crate::{Format, Outcome};
 
 /// Measure voices and look at them.
@@ -25,6 +28,34 @@ enum What {
     Measure(Measure),
     /// Draw a sentence: its spectrum with words, phones and pitch over it.
     Picture(Picture),
+    /// Print what a story says as documents of SSML 1.1, one after the other.
+    Ssml(Ssml),
+}
+
+#[derive(Args)]
+struct Ssml {
+    /// The script, or the folder that holds a story.eml.
+    story: PathBuf,
+    /// The language of what names no other, a BCP 47 tag.
+    #[arg(long, default_value = "en-US")]
+    language: String,
+}
+
+impl Ssml {
+    /// What lies in files is left to them.
+    fn run(&self) -> Result<Outcome> {
+        let files = StoryFiles::read(&self.story)?;
+        let mut out = io::stdout().lock();
+        for said in files.script().said() {
+            let content = match said.source {
+                Source::Content(content) => content,
+                Source::Sable(text) => sable::read(&text).map_err(|p| anyhow!("{p}"))?.0,
+                Source::File { .. } => continue,
+            };
+            writeln!(out, "{}", ssml::write(&content, &self.language))?;
+        }
+        Ok(Outcome::Fine)
+    }
 }
 
 /// Whose voice.
@@ -79,6 +110,7 @@ impl Voice {
         match &self.what {
             What::Measure(measure) => measure.run(),
             What::Picture(picture) => picture.run(),
+            What::Ssml(ssml) => ssml.run(),
         }
     }
 }
