@@ -237,11 +237,13 @@ fn pitch(track: &Track) -> PitchTrack {
     f0::track_voice(&track.samples, track.rate_hz, FRAME_SECS / 2.0)
 }
 
-/// The level of a phone without its edges, where it passes into its neighbours.
 fn level(track: &Track, phone: &Phone) -> f64 {
-    let edge = 0.15 * (phone.end_secs - phone.start_secs);
-    let (from, to) = (phone.start_secs + edge, phone.end_secs - edge);
-    span_db(&track.samples, track.rate_hz, from, to)
+    span_db(
+        &track.samples,
+        track.rate_hz,
+        phone.start_secs,
+        phone.end_secs,
+    )
 }
 
 /// Phones of both that belong together.
