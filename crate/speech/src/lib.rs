@@ -18,6 +18,8 @@ pub mod emotion;
 #[cfg(feature = "bake")]
 pub mod feel;
 #[cfg(feature = "bake")]
+pub mod hear;
+#[cfg(feature = "bake")]
 pub mod language;
 #[cfg(feature = "bake")]
 pub mod manner;

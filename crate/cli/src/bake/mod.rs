@@ -28,8 +28,10 @@ use std::thread;
 use anyhow::{Context as _, Result, anyhow, bail, ensure};
 use raconteur_player::speech::bundle::{Bundle, Utterance, Voice};
 use raconteur_player::speech::content::Content;
+use raconteur_player::speech::hear::{Heard, hear};
 use raconteur_player::speech::markup::{Problem, plain, sable, ssml};
 use raconteur_player::speech::phones;
+use raconteur_player::speech::signal::loudness::integrated_lufs;
 use raconteur_player::speech::text::Lexicon;
 use raconteur_player::{Said, Source};
 
@@ -70,6 +72,8 @@ pub(crate) struct BakeReport {
     pub(crate) synthesised: Vec<String>,
     /// Files that were to be said and are not there; what needs them is left out.
     pub(crate) absent: Vec<PathBuf>,
+    /// What was heard in them.
+    pub(crate) sound: Sound,
     /// Sound files of earlier bakes that nothing uses any more and that were removed.
     pub(crate) removed: usize,
     /// All utterances together, seconds.
@@ -80,6 +84,32 @@ pub(crate) struct BakeReport {
     pub(crate) mp3_bytes: u64,
     /// Bytes of the bundle's text.
     pub(crate) text_bytes: u64,
+}
+
+/// What was heard in utterances that were spoken anew.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Sound {
+    /// Against what they tell.
+    pub(crate) heard: Heard,
+    /// The softest and the loudest of them, LUFS; none of silence.
+    pub(crate) lufs: Option<(f64, f64)>,
+}
+
+impl Sound {
+    fn add(&mut self, heard: &Heard, lufs: Option<f64>) {
+        self.heard.add(heard);
+        if let Some(lufs) = lufs {
+            let (least, most) = self.lufs.unwrap_or((lufs, lufs));
+            self.lufs = Some((least.min(lufs), most.max(lufs)));
+        }
+    }
+}
+
+/// An utterance as it was made.
+struct Made {
+    utterance: Utterance,
+    heard: Heard,
+    lufs: Option<f64>,
 }
 
 /// An utterance that is wanted.
@@ -159,7 +189,10 @@ pub(crate) fn bake(
             mouth: Vec::new(),
         };
         let mut utterance = match made {
-            Some(made) => made,
+            Some(made) => {
+                report.sound.add(&made.heard, made.lufs);
+                made.utterance
+            }
             None => store
                 .get(wanted.key)
                 .context("an utterance has gone while it was needed")?,
@@ -322,10 +355,10 @@ fn make(
     options: &BakeOptions,
     store: &Store,
     progress: &(dyn Fn(usize, usize, &str) + Sync),
-) -> Result<Vec<Option<Utterance>>> {
+) -> Result<Vec<Option<Made>>> {
     let todo: Vec<usize> = (0..wanted.len()).filter(|i| stale[*i]).collect();
     let (next, done) = (AtomicUsize::new(0), AtomicUsize::new(0));
-    let made: Mutex<Vec<(usize, Result<Utterance>)>> = Mutex::new(Vec::new());
+    let made: Mutex<Vec<(usize, Result<Made>)>> = Mutex::new(Vec::new());
     let lock = || made.lock().unwrap_or_else(PoisonError::into_inner);
     progress(wanted.len() - todo.len(), wanted.len(), "");
     thread::scope(|scope| {
@@ -347,7 +380,7 @@ fn make(
             });
         }
     });
-    let mut out: Vec<Option<Utterance>> = wanted.iter().map(|_| None).collect();
+    let mut out: Vec<Option<Made>> = wanted.iter().map(|_| None).collect();
     let mut made = made.into_inner().unwrap_or_else(PoisonError::into_inner);
     made.sort_by_key(|(i, _)| *i);
     for (i, result) in made {
@@ -360,7 +393,7 @@ fn make(
 }
 
 /// Speaks one utterance and writes its sound.
-fn utterance(wanted: &Wanted<'_>, options: &BakeOptions, store: &Store) -> Result<Utterance> {
+fn utterance(wanted: &Wanted<'_>, options: &BakeOptions, store: &Store) -> Result<Made> {
     let work = Work {
         content: &wanted.content,
         role: &wanted.role,
@@ -380,5 +413,10 @@ fn utterance(wanted: &Wanted<'_>, options: &BakeOptions, store: &Store) -> Resul
     utterance.key = wanted.key;
     utterance.content = wanted.digest;
     utterance.audio = store.encode(wanted.key, &track.samples, track.rate_hz)?;
-    Ok(utterance)
+    let phone_set = &wanted.role.voice.phone_set;
+    Ok(Made {
+        heard: hear(&utterance, phone_set, &track.samples, track.rate_hz),
+        lufs: integrated_lufs(&[&track.samples], track.rate_hz),
+        utterance,
+    })
 }

@@ -128,6 +128,12 @@ impl Bake {
                     "utterances": baked.utterances,
                     "stale": baked.synthesised,
                     "removed": baked.removed,
+                    "heard": baked.sound.lufs.map(|(softest, loudest)| json!({
+                        "bursts": baked.sound.heard.bursts.percent(),
+                        "vowels": baked.sound.heard.vowels.percent(),
+                        "pauses_under_db": baked.sound.heard.pauses_under_db(),
+                        "lufs": [softest, loudest],
+                    })),
                     "absent": baked.absent.iter().map(|p| p.display().to_string()).collect::<Vec<_>>(),
                     "duration": baked.duration_secs,
                     "bytes": {
@@ -185,6 +191,19 @@ impl Bake {
             each(baked.mp3_bytes),
             each(baked.text_bytes),
         )?;
+        let heard = &baked.sound.heard;
+        if let Some((softest, loudest)) = baked.sound.lufs {
+            writeln!(
+                out,
+                "  heard in what was spoken anew: {:.1} % of {} bursts at their phones, {:.1} % of {} \
+                 vowels voiced, pauses {:.0} dB under speech, {softest:.1} to {loudest:.1} LUFS",
+                heard.bursts.percent(),
+                heard.bursts.of,
+                heard.vowels.percent(),
+                heard.vowels.of,
+                heard.pauses_under_db(),
+            )?;
+        }
         Ok(())
     }
 

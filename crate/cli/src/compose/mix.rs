@@ -3,7 +3,7 @@
 use std::f64::consts::FRAC_1_SQRT_2;
 
 use super::instrument::{Instrument, Stereo};
-use super::loudness::integrated_lufs;
+use super::lufs;
 use super::score::{Part, Score, gain};
 use super::signal::{Filter, Noise, RATE_HZ, sine};
 
@@ -71,7 +71,7 @@ pub(crate) fn mix(score: &Score, parts: &[Part]) -> Stereo {
     }
     // Limiting takes a little loudness away, so it is set twice.
     for _ in 0..2 {
-        let louder = gain(score.loudness - integrated_lufs(&dry));
+        let louder = gain(score.loudness - lufs(&dry));
         dry.iter_mut().flatten().for_each(|x| *x *= louder);
         limit(&mut dry);
     }

@@ -8,7 +8,6 @@ mod drum;
 mod encode;
 mod harmony;
 mod instrument;
-mod loudness;
 mod mix;
 mod score;
 mod signal;
@@ -16,6 +15,7 @@ mod signal;
 use std::path::Path;
 
 use anyhow::Result;
+use raconteur_player::speech::signal::loudness::integrated_lufs;
 
 pub(crate) use score::Score;
 
@@ -34,6 +34,12 @@ pub(crate) fn play(score: &Score) -> Result<Music> {
     })
 }
 
+/// Integrated loudness, LUFS (BS.1770-4); that of silence is -120.
+fn lufs(sound: &instrument::Stereo) -> f64 {
+    let channels = sound.each_ref().map(Vec::as_slice);
+    integrated_lufs(&channels, signal::RATE_HZ).unwrap_or(-120.0)
+}
+
 impl Music {
     /// Length, seconds.
     pub(crate) fn length_secs(&self) -> f64 {
@@ -42,7 +48,7 @@ impl Music {
 
     /// Integrated loudness, LUFS (BS.1770-4).
     pub(crate) fn loudness_lufs(&self) -> f64 {
-        loudness::integrated_lufs(&self.sound)
+        lufs(&self.sound)
     }
 
     /// The highest sample, dB below full scale.

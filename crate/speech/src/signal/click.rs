@@ -4,13 +4,13 @@ use super::is_rate;
 
 /// The worst place of a sound.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Click {
+pub(super) struct Click {
     /// When, in seconds.
-    pub secs: f64,
+    pub(super) secs: f64,
     /// The second difference there over its root mean square nearby. Speech has values
     /// up to about 10 at strong glottal pulses and bursts: compare with the sound
     /// before a change, not with a constant.
-    pub ratio: f64,
+    pub(super) ratio: f64,
 }
 
 /// Reach of "nearby" to either side, in seconds, and what is left out around the place
@@ -25,7 +25,7 @@ const FLOOR: f64 = 0.1;
 /// The largest second difference relative to the level of second differences around
 /// it; none for silence or an unusable rate.
 #[must_use]
-pub fn click_measure(samples: &[f64], rate_hz: f64) -> Option<Click> {
+pub(super) fn click_measure(samples: &[f64], rate_hz: f64) -> Option<Click> {
     if samples.len() < 3 || !is_rate(rate_hz) {
         return None;
     }

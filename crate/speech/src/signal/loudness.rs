@@ -1,4 +1,4 @@
-//! Loudness of a whole sound: ITU-R BS.1770-4 (2015), annex 1, for one channel.
+//! Loudness of a whole sound: ITU-R BS.1770-4 (2015), annex 1, for channels in front.
 
 use std::f64::consts::PI;
 
@@ -12,12 +12,13 @@ use super::is_rate;
 const BLOCK_SECS: f64 = 0.4;
 const STEP_SECS: f64 = 0.1;
 
-/// Integrated loudness in LUFS: K-weighted, gated at −70 LUFS and at 10 LU below what
-/// passes that. None where nothing passes: silence, or sound of an unusable rate. Sound
-/// shorter than a block is judged as one block.
+/// Integrated loudness of channels of one length in LUFS: K-weighted, gated at −70 LUFS and
+/// at 10 LU below what passes that. None where nothing passes: silence, or sound of an
+/// unusable rate. Sound shorter than a block is judged as one block.
 #[must_use]
-pub fn integrated_lufs(samples: &[f64], rate_hz: f64) -> Option<f64> {
-    if samples.is_empty() || !is_rate(rate_hz) {
+pub fn integrated_lufs(channels: &[&[f64]], rate_hz: f64) -> Option<f64> {
+    let length = channels.iter().map(|c| c.len()).max().unwrap_or(0);
+    if length == 0 || !is_rate(rate_hz) {
         return None;
     }
     // Near half a low rate the transform bends the shelf: the gain at 997 Hz, where the
@@ -25,13 +26,19 @@ pub fn integrated_lufs(samples: &[f64], rate_hz: f64) -> Option<f64> {
     let gain =
         |rate: f64| shelf(rate).power_gain(997.0, rate) * high_pass(rate).power_gain(997.0, rate);
     let correction = gain(48_000.0) / gain(rate_hz);
-    let weighted = high_pass(rate_hz).run(&shelf(rate_hz).run(samples));
-    let mut sums = vec![0.0; weighted.len() + 1];
-    for (i, y) in weighted.iter().enumerate() {
-        sums[i + 1] = sums[i] + correction * y * y;
+    let mut squares = vec![0.0; length];
+    for channel in channels {
+        let weighted = high_pass(rate_hz).run(&shelf(rate_hz).run(channel));
+        for (square, y) in squares.iter_mut().zip(weighted) {
+            *square += correction * y * y;
+        }
     }
-    let block = ((BLOCK_SECS * rate_hz) as usize).min(weighted.len());
-    let last = (weighted.len() - block) as f64 / (STEP_SECS * rate_hz);
+    let mut sums = vec![0.0; length + 1];
+    for (i, square) in squares.iter().enumerate() {
+        sums[i + 1] = sums[i] + square;
+    }
+    let block = ((BLOCK_SECS * rate_hz) as usize).min(length);
+    let last = (length - block) as f64 / (STEP_SECS * rate_hz);
     let powers: Vec<f64> = (0..=last as usize)
         .map(|k| {
             let from = (k as f64 * STEP_SECS * rate_hz) as usize;
@@ -120,7 +127,7 @@ mod tests {
     #[test]
     fn a_full_tone_of_997_hz_is_at_minus_3_01_at_any_rate() {
         for rate in [8000.0, 16_000.0, 22_050.0, 44_100.0, 48_000.0] {
-            let loud = integrated_lufs(&tone(rate, 997.0, 1.0, 3.0), rate);
+            let loud = integrated_lufs(&[&tone(rate, 997.0, 1.0, 3.0)], rate);
             assert!(
                 loud.is_some_and(|l| (l + 3.01).abs() < 0.1),
                 "{rate}: {loud:?}"
@@ -132,14 +139,19 @@ mod tests {
     fn pauses_do_not_count() {
         let rate = 16_000.0;
         let mut sound = tone(rate, 997.0, 0.1, 4.0);
-        let alone = integrated_lufs(&sound, rate).unwrap_or(0.0);
+        let alone = integrated_lufs(&[&sound], rate).unwrap_or(0.0);
         sound.extend(vec![0.0; 64_000]);
         sound.extend(tone(rate, 997.0, 0.003, 4.0));
-        let with_pauses = integrated_lufs(&sound, rate).unwrap_or(0.0);
+        let with_pauses = integrated_lufs(&[&sound], rate).unwrap_or(0.0);
         // The blocks that straddle the end are quieter and still over the gate.
         assert!((alone + 23.01).abs() < 0.1 && (with_pauses - alone).abs() < 0.25);
-        assert_eq!(integrated_lufs(&[0.0; 9999], rate), None);
-        assert_eq!(integrated_lufs(&[0.5; 9], f64::NAN), None);
-        assert!(integrated_lufs(&tone(rate, 997.0, 1.0, 0.1), rate).is_some());
+        // One channel of two in front reads the same, both read 3 dB more.
+        let (full, still) = (tone(rate, 997.0, 1.0, 5.0), vec![0.0; 5 * rate as usize]);
+        let of = |channels: &[&[f64]]| integrated_lufs(channels, rate).unwrap_or(0.0);
+        assert!((of(&[&full, &still]) + 3.01).abs() < 0.02);
+        assert!((of(&[&full, &full]) - of(&[&full]) - 3.01).abs() < 0.01);
+        assert_eq!(integrated_lufs(&[&[0.0; 9999]], rate), None);
+        assert_eq!(integrated_lufs(&[&[0.5; 9]], f64::NAN), None);
+        assert!(integrated_lufs(&[&tone(rate, 997.0, 1.0, 0.1)], rate).is_some());
     }
 }

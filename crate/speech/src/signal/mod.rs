@@ -5,17 +5,17 @@
 //! panic; a rate that is no rate (not finite, or below [`MIN_RATE_HZ`]) gives what
 //! silence of no length gives.
 //!
-//! Does: fundamental frequency, level, loudness, glottal epochs, bursts, clicks, a
-//! spectrogram as data, the offset of labels; changes of duration, pitch and gain.
+//! Does: fundamental frequency, level, loudness, glottal epochs, bursts, a
+//! spectrogram as data; changes of duration, pitch and gain.
 //! Does not: read or write sound files, draw, or decide what a voice should sound like.
 
 pub mod bursts;
-pub mod click;
+#[cfg(test)]
+mod click;
 pub mod epochs;
 pub mod f0;
 mod filter;
 pub mod intensity;
-pub mod lag;
 pub mod loudness;
 pub mod psola;
 mod resample;
