@@ -105,7 +105,7 @@ pub struct UtteranceCue {
     /// BCP 47 tag of its language: of the voice that was baked, or of the markup that all of
     /// it stands in; none where only the page knows.
     pub language: Option<String>,
-    /// The phone set of its voice, one of [`raconteur_speech::phones::PHONE_SETS`].
+    /// The phone set of its voice, for example `radio`.
     pub phone_set: String,
     /// Its place in the document.
     pub clause: ClauseId,

@@ -83,20 +83,21 @@ impl Timeline {
             Some(start + moment.offset_secs + lead_in_secs)
         });
         timeline.voices = found.voices;
-        // What nothing waits for is heard to its end all the same.
-        for timed in &timeline.clauses {
-            if matches!(
-                document.clause(timed.clause).kind,
-                crate::ClauseKind::VoiceSay(_)
-            ) {
-                let said = timeline.voices.get(&timed.clause);
-                let end_secs = timed.start_secs + said.map_or(0.0, |v| v.duration_secs);
-                timeline.duration_secs = timeline.duration_secs.max(end_secs);
-            }
+        if found.asynchronous {
+            timeline.hear_out();
         }
         Resolved {
             timeline,
             diagnostics: sink.finish(),
+        }
+    }
+
+    /// Goes on until what nothing waits for has been heard to its end.
+    fn hear_out(&mut self) {
+        for timed in &self.clauses {
+            let said = self.voices.get(&timed.clause);
+            let end_secs = timed.start_secs + said.map_or(0.0, |v| v.duration_secs);
+            self.duration_secs = self.duration_secs.max(end_secs);
         }
     }
 

@@ -29,6 +29,8 @@ pub(super) struct Found {
     pub(super) groups: Vec<ClauseId>,
     /// The clauses whose start names moments.
     pub(super) absolute: Vec<ClauseId>,
+    /// Something is spoken that nothing waits for.
+    pub(super) asynchronous: bool,
 }
 
 /// Every name of a document.
@@ -61,6 +63,7 @@ impl Names {
         sink: &mut Sink,
     ) -> Found {
         let mut voices = Vec::new();
+        let mut asynchronous = false;
         let mut groups = Vec::new();
         let mut absolute = Vec::new();
         let mut moments: Vec<(Name, Moment)> = Vec::new();
@@ -82,6 +85,8 @@ impl Names {
             let Some(text) = clause.kind.spoken() else {
                 continue;
             };
+            asynchronous |=
+                matches!(&clause.kind, crate::ClauseKind::VoiceSay(say) if !say.is_waited_for());
             let mut timing = durations.voice(id, &text);
             // Lengths that are no lengths count as 0.
             if !(timing.duration_secs >= 0.0 && timing.duration_secs.is_finite()) {
@@ -124,6 +129,7 @@ impl Names {
             names: Self { moments, order },
             groups,
             absolute,
+            asynchronous,
         }
     }
 
