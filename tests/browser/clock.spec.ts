@@ -21,8 +21,8 @@ const PIECE_SECS = 0.16;
 const SEARCH_SECS = 0.3;
 /** From a turn to sound that is all of the new place: lead and fade. */
 const SETTLED_SECS = 0.06;
-/** Pieces that are found have at least this likeness; 1 is the same sound. */
-const LIKENESS = 0.95;
+/** Pieces that are found are the same sound, to the last bits of mixing it; a place one period away is less alike. */
+const LIKENESS = 0.999;
 
 declare global {
   interface Window {

@@ -15,7 +15,7 @@ declare global {
   interface Window {
     /** What was heard, in blocks by their first sample on the audio clock. */
     tap: { context: AudioContext | undefined; ready: boolean; blocks: { from: number; samples: Float32Array }[] };
-    /** Samples as text: 16 bits each, base64. */
+    /** Samples as text: single precision, base64. */
     coded(samples: Float32Array): string;
   }
 }
@@ -67,7 +67,8 @@ export async function tapInto(page: Page): Promise<void> {
   await page.addInitScript(listen);
   await page.addInitScript(() => {
     window.coded = (samples) => {
-      const bytes = new Uint8Array(Int16Array.from(samples, (x) => Math.round(Math.min(1, Math.max(-1, x)) * 32767)).buffer);
+      // Nothing is rounded: which periods a slower voice repeats may hang on the last bit.
+      const bytes = new Uint8Array(samples.slice().buffer);
       let text = '';
       for (let i = 0; i < bytes.length; i += 30_000) text += btoa(String.fromCharCode(...bytes.subarray(i, i + 30_000)));
       return text;
@@ -93,5 +94,5 @@ export async function captured(page: Page): Promise<Captured> {
 /** The samples that `coded` wrote. */
 export function decoded(text: string): Float32Array {
   const bytes = Buffer.from(text, 'base64');
-  return Float32Array.from({ length: bytes.length / 2 }, (_, i) => bytes.readInt16LE(2 * i) / 32767);
+  return Float32Array.from({ length: bytes.length / 4 }, (_, i) => bytes.readFloatLE(4 * i));
 }

@@ -6,37 +6,14 @@
 
 #![cfg(feature = "bake")]
 
+mod support;
+
 use std::fmt::Write;
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use raconteur_speech::align::{Alignment, Format, Units, VisemeSet, detect, read};
-
-const FORMATS: [(&str, Format); 12] = [
-    ("textgrid", Format::TextGrid),
-    ("rhubarb_tsv", Format::RhubarbTsv),
-    ("rhubarb_json", Format::RhubarbJson),
-    ("rhubarb_xml", Format::RhubarbXml),
-    ("xlabel", Format::XLabel),
-    ("htk", Format::Htk),
-    ("festival", Format::FestivalUtterance),
-    ("mary_xml", Format::MaryXml),
-    ("mary_durations", Format::MaryDurations),
-    ("mbrola", Format::Mbrola),
-    ("webvtt", Format::WebVtt),
-    ("talking_head", Format::TalkingHead),
-];
-
-fn files(folder: &str) -> Vec<PathBuf> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("tests/align")
-        .join(folder);
-    let entries = fs::read_dir(folder).unwrap();
-    let mut paths: Vec<PathBuf> = entries.map(|e| e.unwrap().path()).collect();
-    paths.retain(|path| path.extension().is_some_and(|e| e != "told"));
-    paths.sort();
-    paths
-}
+use support::{FORMATS, files, folder};
 
 /// A time to the microsecond without noughts at its end.
 fn t(secs: f64) -> String {
@@ -122,14 +99,11 @@ fn told(alignment: &Alignment) -> String {
 #[test]
 fn files_of_every_format_tell_what_is_written_beside_them() {
     let update = std::env::var_os("UPDATE").is_some();
-    for (folder, format) in FORMATS {
-        let paths = files(folder);
+    for (set, format) in FORMATS {
+        let paths = files(&folder(set));
         let good = paths.iter().filter(|p| !name(p).starts_with("bad_"));
-        assert!(good.count() >= 5, "{folder}");
-        assert!(
-            paths.iter().any(|p| name(p).starts_with("bad_")),
-            "{folder}"
-        );
+        assert!(good.count() >= 5, "{set}");
+        assert!(paths.iter().any(|p| name(p).starts_with("bad_")), "{set}");
         for path in paths {
             let read = read(format, &fs::read(&path).unwrap());
             let is_bad = name(&path).starts_with("bad_");
@@ -227,8 +201,8 @@ fn an_utterance_of_festival_and_its_label_files_agree() {
 
 #[test]
 fn formats_are_told_by_content_even_without_a_name() {
-    for (folder, format) in FORMATS {
-        for path in files(folder)
+    for (set, format) in FORMATS {
+        for path in files(&folder(set))
             .iter()
             .filter(|p| !name(p).starts_with("bad_"))
         {

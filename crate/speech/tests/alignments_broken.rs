@@ -3,44 +3,25 @@
 
 #![cfg(feature = "bake")]
 
+mod support;
+
 use std::fs;
 use std::path::Path;
 
 use proptest::prelude::*;
 use raconteur_speech::align::{Format, MOST_BYTES, MOST_JSON_BYTES, detect, read};
+use support::{FORMATS, files, folder};
 
-const FORMATS: [(&str, Format); 12] = [
-    ("textgrid", Format::TextGrid),
-    ("rhubarb_tsv", Format::RhubarbTsv),
-    ("rhubarb_json", Format::RhubarbJson),
-    ("rhubarb_xml", Format::RhubarbXml),
-    ("xlabel", Format::XLabel),
-    ("htk", Format::Htk),
-    ("festival", Format::FestivalUtterance),
-    ("mary_xml", Format::MaryXml),
-    ("mary_durations", Format::MaryDurations),
-    ("mbrola", Format::Mbrola),
-    ("webvtt", Format::WebVtt),
-    ("talking_head", Format::TalkingHead),
-];
-
-fn contents(folder: &Path) -> Vec<Vec<u8>> {
-    let mut paths: Vec<_> = fs::read_dir(folder)
-        .unwrap()
-        .map(|e| e.unwrap().path())
-        .collect();
-    paths.retain(|path| path.extension().is_none_or(|e| e != "told"));
-    paths.sort();
-    paths.iter().map(|path| fs::read(path).unwrap()).collect()
+fn contents(folder: &Path) -> impl Iterator<Item = Vec<u8>> + use<> {
+    files(folder)
+        .into_iter()
+        .map(|path| fs::read(path).unwrap())
 }
 
 fn originals() -> Vec<(Format, Vec<u8>)> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/align");
     let of = |(name, format): &(&str, Format)| {
         let format = *format;
-        contents(&folder.join(name))
-            .into_iter()
-            .map(move |bytes| (format, bytes))
+        contents(&folder(name)).map(move |bytes| (format, bytes))
     };
     FORMATS.iter().flat_map(of).collect()
 }
@@ -101,8 +82,8 @@ fn every_file_as_every_format_is_refused_or_read() {
 
 #[test]
 fn what_fuzzing_has_kept_is_refused_or_read() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fuzz/saved/alignment");
-    let saved = contents(&folder);
+    let saved = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fuzz/saved/alignment");
+    let saved: Vec<_> = contents(&saved).collect();
     assert!(saved.len() >= 10, "only {} inputs", saved.len());
     for input in saved {
         let (choice, bytes) = input.split_first().unwrap();

@@ -149,6 +149,27 @@ pub(crate) fn is_blank(segment: &Segment) -> bool {
     matches!(segment, Segment::Text(text) if text.chars().all(is_space))
 }
 
+/// Tells that an element lacks something, and so means nothing.
+pub(crate) fn needs(tag: &Tag, pieces: &mut Pieces<'_>, what: &str) -> Meaning {
+    pieces.tell(tag.at, format!("{} needs {what}", tag.name));
+    Meaning::default()
+}
+
+/// What an attribute means; what cannot be read is told.
+pub(crate) fn word<T>(
+    tag: &Tag,
+    pieces: &mut Pieces<'_>,
+    name: &str,
+    read: impl Fn(&str) -> Option<T>,
+) -> Option<T> {
+    let text = tag.get(name)?;
+    let value = read(text);
+    if value.is_none() {
+        pieces.tell(tag.at, format!("{name}=\"{text}\" is not understood"));
+    }
+    value
+}
+
 /// The exact settings that an attribute of ours lists: `default`, `=90`, `*1.2`.
 pub(crate) fn exact(text: &str) -> Option<Vec<Setting>> {
     text.split(is_space)

@@ -3,7 +3,7 @@
 use super::{AGES, GENDERS, MODES, ORDERS, of_word};
 use crate::content::{Content, Division, Markup, Segment, Setting, Speaker};
 use crate::markup::Problem;
-use crate::markup::build::{self, Meaning, emotion, exact, filled, pause_msec};
+use crate::markup::build::{self, Meaning, emotion, exact, filled, needs, pause_msec, word};
 use crate::markup::levels::{self, MODERATE_EMPHASIS, Property};
 use crate::markup::xml::{Pieces, Space, Tag};
 use crate::text::SayAs;
@@ -126,31 +126,11 @@ fn element(tag: &Tag, pieces: &mut Pieces<'_>, is_first: bool) -> Meaning {
     }
 }
 
-fn needs(tag: &Tag, pieces: &mut Pieces<'_>, what: &str) -> Meaning {
-    pieces.tell(tag.at, format!("{} needs {what}", tag.name));
-    Meaning::default()
-}
-
 fn all(settings: Vec<Setting>, markup: fn(Setting) -> Markup) -> Meaning {
     Meaning {
         markups: settings.into_iter().map(markup).collect(),
         ..Meaning::default()
     }
-}
-
-/// What an attribute's word means; a word that means nothing is told.
-fn word<T>(
-    tag: &Tag,
-    pieces: &mut Pieces<'_>,
-    name: &str,
-    read: impl Fn(&str) -> Option<T>,
-) -> Option<T> {
-    let text = tag.get(name)?;
-    let value = read(text);
-    if value.is_none() {
-        pieces.tell(tag.at, format!("{name}=\"{text}\" is not understood"));
-    }
-    value
 }
 
 /// A property's settings from an attribute, or from ours where it is exact.

@@ -4,7 +4,7 @@ use super::prosody::{self, Settings, decibels};
 use super::{AGES, GENDERS, KINDS, sampa};
 use crate::content::{Content, Division, Markup, Segment, Setting, Speaker};
 use crate::markup::Problem;
-use crate::markup::build::{self, Meaning, emotion, exact, filled, pause_msec};
+use crate::markup::build::{self, Meaning, emotion, exact, filled, needs, pause_msec, word};
 use crate::markup::levels::{self, MODERATE_EMPHASIS};
 use crate::markup::sable::{ORDERS, of_word};
 use crate::markup::xml::{Pieces, Space, Tag};
@@ -136,26 +136,6 @@ fn element(tag: &Tag, pieces: &mut Pieces<'_>) -> Meaning {
         None => {}
     }
     meaning
-}
-
-fn needs(tag: &Tag, pieces: &mut Pieces<'_>, what: &str) -> Meaning {
-    pieces.tell(tag.at, format!("{} needs {what}", tag.name));
-    Meaning::default()
-}
-
-/// What an attribute means; what cannot be read is told.
-fn word<T>(
-    tag: &Tag,
-    pieces: &mut Pieces<'_>,
-    name: &str,
-    read: impl Fn(&str) -> Option<T>,
-) -> Option<T> {
-    let text = tag.get(name)?;
-    let value = read(text);
-    if value.is_none() {
-        pieces.tell(tag.at, format!("{name}=\"{text}\" is not understood"));
-    }
-    value
 }
 
 /// The settings of an attribute, or those of ours where they are exact.
