@@ -9,6 +9,7 @@
 //! Frames: right-handed, metres, radians; +x is the character's left, +y up, +z front.
 
 pub mod annotation;
+pub mod face;
 pub mod figure;
 #[cfg(feature = "generator")]
 pub mod generator;
