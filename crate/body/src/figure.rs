@@ -2,6 +2,7 @@
 
 use raconteur_base::DAffine3;
 
+use crate::face::{Binding, Tissue};
 use crate::skeleton::Skeleton;
 
 /// Jaw angle at which the whole of the morph target `mouthClose` just closes the lips,
@@ -157,6 +158,8 @@ pub struct Mesh {
     pub indices: Vec<u32>,
     /// Morph targets that touch this mesh.
     pub morphs: Vec<Morph>,
+    /// What of it follows the tissue.
+    pub binding: Option<Binding>,
 }
 
 /// A figure ready to be posed and drawn.
@@ -176,6 +179,8 @@ pub struct Figure {
     pub lid_closure_rad: [f64; 2],
     /// Sex of the body, 0 male to 1 female, where the file tells: joints have other limits.
     pub sex: Option<f64>,
+    /// What moves under the skin of its face, where the file has it.
+    pub tissue: Option<Tissue>,
     /// Pictures of the materials.
     pub images: Vec<Image>,
 }

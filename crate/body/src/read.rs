@@ -98,6 +98,7 @@ pub fn read_figure(name: &str, glb: &[u8]) -> Result<Figure, ReadError> {
         morph_names: morph_names(&root),
         lid_closure_rad: root.lid_closure_rad.unwrap_or([0.0; 2]),
         sex: root.sex,
+        tissue: None,
         images: read_images(&mut source)?,
     };
     for node in &root.nodes {
@@ -411,6 +412,7 @@ fn read_primitive(
         name: mesh.name.clone(),
         material: read_material(source.root, primitive)?,
         morphs: read_morphs(source, mesh, primitive, count, to_world, figure)?,
+        binding: None,
         positions: raw
             .into_iter()
             .map(|p| narrow(to_world.transform_point3(widen(p))))

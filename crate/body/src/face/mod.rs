@@ -2,9 +2,17 @@
 //! 3.1.2).
 
 mod binding;
+mod contact;
 mod controls;
 mod muscle;
+mod muscles;
+mod network;
+mod springs;
+pub mod tissue;
 
 pub use binding::{Binding, NodeState};
+pub use contact::Depths;
 pub use controls::{FaceControls, Jaw};
 pub use muscle::{MUSCLES, Muscle};
+pub use network::Network;
+pub use tissue::Tissue;

@@ -7,6 +7,7 @@ use raconteur_base::{DAffine3, DQuat, DVec3};
 use super::part::{Part, PartVertex};
 use super::subdivide::vertex_normals;
 use super::write::weights_in_255ths;
+use crate::face::Binding;
 use crate::figure::{Figure, Image, Maps, Material, MaterialKind, Mesh, Morph};
 use crate::skeleton::{Bone, FacePlaces, Skeleton};
 
@@ -96,6 +97,7 @@ pub fn assemble(blueprint: &Blueprint) -> Figure {
         morph_names,
         lid_closure_rad: blueprint.lid_closure_rad,
         sex: None,
+        tissue: None,
         images: blueprint.images.clone(),
     }
 }
@@ -139,6 +141,7 @@ fn empty_mesh(name: &str, material: &Material) -> Mesh {
         weights: Vec::new(),
         indices: Vec::new(),
         morphs: Vec::new(),
+        binding: None,
     }
 }
 
@@ -222,8 +225,35 @@ fn append(mesh: &mut Mesh, piece: &Piece, skeleton: &Skeleton, morph_names: &[St
             }
         }
     }
+    if !part.bound.is_empty() {
+        let binding = mesh.binding.get_or_insert_with(|| Binding {
+            starts: vec![0],
+            ..Binding::default()
+        });
+        bind(binding, base, &part.bound);
+    }
     mesh.morphs.retain(|m| !m.vertices.is_empty());
     mesh.morphs.sort_by_key(|m| m.target);
+}
+
+/// Nodes that one vertex follows at most: those of the smallest weights are left out.
+const NODES: usize = 12;
+
+/// Adds rows for the vertices of a part.
+fn bind(binding: &mut Binding, base: u32, bound: &[(u32, Vec<(u32, f64)>)]) {
+    for (vertex, row) in bound {
+        let mut row = row.clone();
+        let whole: f64 = row.iter().map(|r| r.1).sum();
+        row.sort_by(|a, b| b.1.total_cmp(&a.1).then(a.0.cmp(&b.0)));
+        row.truncate(NODES);
+        let kept: f64 = row.iter().map(|r| r.1).sum();
+        binding.vertices.push(base + vertex);
+        for (node, weight) in row {
+            binding.nodes.push(node as u16);
+            binding.weights.push((weight * whole / kept) as f32);
+        }
+        binding.starts.push(binding.nodes.len() as u32);
+    }
 }
 
 /// Kinds whose shading reads texture coordinates; for the others they would only take room.

@@ -3,6 +3,7 @@
 use raconteur_base::curve::smooth;
 use raconteur_base::{DAffine3, DQuat, DVec3, Side};
 
+use super::bones;
 use super::assemble::{Blueprint, Piece, assemble};
 use super::cloth::finish::openness;
 use super::cloth::{Wearer, dress};
@@ -12,8 +13,10 @@ use super::head::{self, Head};
 use super::part::{Part, PartVertex};
 use super::people::FigureParams;
 use super::skin::{self, HandSheet};
+use super::tissue;
 use super::torso::{CM, Cage, Field, Joints, Regions, Shell};
 use crate::annotation::{Annotations, Landmark, Segment};
+use crate::face::Tissue;
 use crate::figure::{Figure, Maps, Material, MaterialKind};
 use crate::skeleton::{Bone, FacePlaces, zero_frames};
 
@@ -98,11 +101,24 @@ pub fn build(params: &FigureParams) -> Built {
         images: vec![maps.colour, maps.normal],
     });
     figure.sex = Some(params.person.sex);
+    figure.tissue = Some(face_tissue(&head, world_from_head, &figure));
     let annotations = annotations(&head, &figure);
     Built {
         figure,
         annotations,
     }
+}
+
+/// What moves under the skin of the face.
+fn face_tissue(head: &Head, place: DAffine3, figure: &Figure) -> Tissue {
+    let mut rigid: Vec<Part> = head.parts.clone();
+    rigid.retain(|p| matches!(p.name.as_str(), "teeth" | "gums"));
+    for v in rigid.iter_mut().flat_map(|p| &mut p.vertices) {
+        v.position = place.transform_point3(v.position);
+    }
+    let hinge = place.transform_point3(head.jaw_hinge);
+    let rigid: Vec<&Part> = rigid.iter().collect();
+    tissue::tissue(&head.soft, &place, &bones::of_head(figure), &rigid, hinge)
 }
 
 /// The head's names on the mesh that its skin became: that mesh begins with the head.
@@ -286,6 +302,7 @@ fn plain_part(
             .collect(),
         faces: shell.faces.clone(),
         morphs: Vec::new(),
+        bound: Vec::new(),
     }
 }
 

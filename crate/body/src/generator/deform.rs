@@ -59,6 +59,7 @@ fn sofia() -> &'static Case {
                 .collect(),
             faces: shell.faces.clone(),
             morphs: Vec::new(),
+            bound: Vec::new(),
         };
         let body = assemble(&Blueprint {
             name: "body".to_owned(),

@@ -23,6 +23,7 @@ pub mod skin;
 mod soundness;
 pub mod statistics;
 pub mod subdivide;
+pub(crate) mod tissue;
 pub mod torso;
 pub mod yardstick;
 pub use crate::{annotation, write};

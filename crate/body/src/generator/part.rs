@@ -44,4 +44,6 @@ pub struct Part {
     pub faces: Vec<Vec<u32>>,
     /// Morph targets.
     pub morphs: Vec<PartMorph>,
+    /// Vertices that follow the tissue, rising, each with the nodes and weights it follows.
+    pub bound: Vec<(u32, Vec<(u32, f64)>)>,
 }

@@ -132,6 +132,7 @@ pub fn import_figure(name: &str, bytes: &[u8]) -> Result<Imported, ImportError> 
             // Foreign lids are moved by morph targets.
             lid_closure_rad: [0.0; 2],
             sex: None,
+            tissue: None,
             images,
         },
         diagnostics: notes.into_list(),

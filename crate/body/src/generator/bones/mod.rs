@@ -133,6 +133,7 @@ fn part(name: &str, solid: Solid, joint: impl Fn(DVec3) -> Vec<(JointRef, f64)>)
         vertices,
         faces: solid.faces,
         morphs: Vec::new(),
+        bound: Vec::new(),
     }
 }
 
@@ -152,6 +153,11 @@ pub fn build(params: &FigureParams, built: &Built) -> Vec<Part> {
         parts.extend(hand_parts(params, &frame, side));
     }
     parts
+}
+
+/// Skull and lower jaw of a figure, in the bind pose, world frame, metres.
+pub(crate) fn of_head(figure: &Figure) -> Vec<Part> {
+    skull::parts(figure)
 }
 
 /// The 27 bones of a hand, placed as the hand's skin is.

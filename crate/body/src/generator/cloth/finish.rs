@@ -143,6 +143,7 @@ pub fn cloth_part(
         vertices: Vec::new(),
         faces: Vec::new(),
         morphs: Vec::new(),
+        bound: Vec::new(),
     };
     // A vertex is doubled where charts meet and where a chart closes on itself.
     let mut made: BTreeMap<(u32, usize, i32), u32> = BTreeMap::new();
@@ -203,6 +204,7 @@ pub fn plain_part(name: &str, shell: &Shell, field: &Field, fabric: Fabric) -> P
             .collect(),
         faces: shell.faces.clone(),
         morphs: Vec::new(),
+        bound: Vec::new(),
     }
 }
 

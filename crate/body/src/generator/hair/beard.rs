@@ -238,6 +238,7 @@ pub(super) fn beard(
         }
     }
     part.morphs = ride.morphs(&holds, STILL);
+    part.bound = ride.bound(&holds);
     Piece {
         part,
         normals: Some(normals),

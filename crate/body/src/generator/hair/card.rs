@@ -60,6 +60,7 @@ pub(super) fn empty(name: &str, material: &Material) -> Part {
         vertices: Vec::new(),
         faces: Vec::new(),
         morphs: Vec::new(),
+        bound: Vec::new(),
     }
 }
 

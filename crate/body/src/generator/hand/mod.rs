@@ -258,6 +258,7 @@ pub fn build(params: &HandParams, side: Side) -> Hand {
         vertices,
         faces: place.faces(&chart.faces),
         morphs: Vec::new(),
+        bound: Vec::new(),
     };
 
     let world = BIND_ANGLES.left_world();
@@ -328,6 +329,7 @@ fn nails(anatomy: &Anatomy, place: &Placement, base: DVec3, letter: &str) -> Par
         vertices,
         faces: place.faces(&faces),
         morphs: Vec::new(),
+        bound: Vec::new(),
     }
 }
 

@@ -94,6 +94,7 @@ fn part(
         vertices,
         faces: dome.faces,
         morphs: Vec::new(),
+        bound: Vec::new(),
     }
 }
 

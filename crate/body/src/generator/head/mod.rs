@@ -24,6 +24,7 @@ mod ride;
 mod rig;
 mod scalp;
 mod segment;
+mod soft;
 pub(crate) mod solve;
 mod strands;
 mod surface;
@@ -43,6 +44,7 @@ pub(crate) use self::paint::Coordinates;
 use self::paint::coordinates;
 use self::points::Individual;
 pub(crate) use self::ride::{Holds, Ride};
+pub(crate) use self::soft::{LipPlace, Soft};
 use self::scalp::hairline;
 pub use self::scalp::{Ear, Proportions, Scalp, ScalpPoint};
 pub use self::segment::HeadSegment;
@@ -53,7 +55,7 @@ use super::part::{Part, PartMorph, PartVertex};
 use super::people::Person;
 use super::skin::HeadSheet;
 use crate::figure::{Maps, Material, MaterialKind};
-use crate::generator::subdivide::vertex_normals;
+use crate::generator::subdivide::{Stencil, vertex_normals};
 
 /// What tells one head from another of the same sex and age.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -114,6 +116,8 @@ pub struct Head {
     pub landmarks: Vec<(String, u32)>,
     /// Segments of the first part, the skin.
     pub segments: Vec<HeadSegment>,
+    /// What moves under the skin.
+    pub(crate) soft: Soft,
 }
 
 /// The shape of a head before it is painted, millimetres.
@@ -187,6 +191,8 @@ pub fn build(person: &Person, params: &HeadParams, hair_colour: [f64; 3]) -> Hea
     } = &shape;
     let globe = *globe;
     let normals = vertex_normals(positions, &surface.faces);
+    let (soft, follow) = soft::soft(cage, solved, &rig.shares, individual);
+    let rows: Vec<Stencil> = surface.fine().iter().map(|&v| follow.row(v)).collect();
     let warp = points::warp(individual);
     let proportions = Proportions::of(positions, coordinates);
     let hair: Vec<f64> = positions
@@ -272,7 +278,14 @@ pub fn build(person: &Person, params: &HeadParams, hair_colour: [f64; 3]) -> Hea
         })
         .collect();
     let cut = |name: &str, kind, roughness, from: &[PartVertex], keep: &dyn Fn(Zone) -> bool| {
-        cut_part(name, kind, roughness, surface, chart, from, &moved, keep)
+        let mut part = cut_part(name, kind, roughness, surface, chart, from, &moved, keep);
+        let source = behind(&part, positions);
+        part.bound = (0u32..)
+            .zip(&source)
+            .filter_map(|(i, &v)| Some((i, rows.get(v as usize)?.clone())))
+            .filter(|(_, row)| !row.is_empty())
+            .collect();
+        part
     };
     let mut parts = vec![
         cut("head", MaterialKind::Skin, 0.48, &vertices, &|z| !bag(z)),
@@ -345,6 +358,7 @@ pub fn build(person: &Person, params: &HeadParams, hair_colour: [f64; 3]) -> Hea
             })
             .collect(),
         segments: segment::segments(&shape, &drawn),
+        soft,
     }
 }
 
@@ -423,6 +437,7 @@ fn cut_part(
             .collect(),
         faces,
         morphs,
+        bound: Vec::new(),
     }
 }
 

@@ -81,6 +81,7 @@ fn empty(name: &str, kind: MaterialKind, roughness: f32) -> Part {
         vertices: Vec::new(),
         faces: Vec::new(),
         morphs: Vec::new(),
+        bound: Vec::new(),
     }
 }
 

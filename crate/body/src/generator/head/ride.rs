@@ -1,5 +1,7 @@
 //! What grows on skin moves with it: joint weights and morphs are those of the skin beneath.
 
+use std::collections::BTreeMap;
+
 use raconteur_base::DVec3;
 
 use super::surface::nearest;
@@ -12,6 +14,8 @@ pub(crate) struct Ride {
     pub(crate) normals: Vec<DVec3>,
     weights: Vec<Vec<(JointRef, f64)>>,
     morphs: Vec<(String, Vec<DVec3>)>,
+    /// What of the tissue each vertex follows.
+    bound: Vec<Vec<(u32, f64)>>,
 }
 
 /// Vertices of the skin with their shares.
@@ -27,7 +31,12 @@ impl Ride {
             }
             (m.name.clone(), all)
         };
+        let mut bound = vec![Vec::new(); positions.len()];
+        for (v, row) in &skin.bound {
+            bound[*v as usize].clone_from(row);
+        }
         Self {
+            bound,
             normals: vertex_normals(&positions, &skin.faces),
             weights: skin.vertices.iter().map(|v| v.weights.clone()).collect(),
             morphs: skin.morphs.iter().map(dense).collect(),
@@ -52,6 +61,21 @@ impl Ride {
             }
         }
         weights
+    }
+
+    /// What of the tissue the vertices of a part follow that are held so.
+    pub(crate) fn bound(&self, holds: &[Holds]) -> Vec<(u32, Vec<(u32, f64)>)> {
+        let row = |h: &Holds| {
+            let mut sums: BTreeMap<u32, f64> = BTreeMap::new();
+            for &(v, share) in h {
+                for &(node, weight) in &self.bound[v as usize] {
+                    *sums.entry(node).or_insert(0.0) += share * weight;
+                }
+            }
+            sums.into_iter().collect::<Vec<_>>()
+        };
+        let rows = (0u32..).zip(holds.iter().map(row));
+        rows.filter(|(_, row)| !row.is_empty()).collect()
     }
 
     /// Morphs of a part whose vertices are held so; movements below `least` metres are

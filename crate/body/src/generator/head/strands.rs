@@ -292,6 +292,7 @@ fn part(name: String, cards: &[Card], ride: &Ride, near: usize, color: [f64; 3])
         vertices: Vec::new(),
         faces: Vec::new(),
         morphs: Vec::new(),
+        bound: Vec::new(),
     };
     let mut roots: Vec<Holds> = Vec::new();
     for card in cards {
@@ -324,6 +325,7 @@ fn part(name: String, cards: &[Card], ride: &Ride, near: usize, color: [f64; 3])
         part.faces.push(vec![a, a + 1, a + 2]);
     }
     part.morphs = ride.morphs(&roots, STILL);
+    part.bound = ride.bound(&roots);
     part
 }
 

@@ -106,6 +106,11 @@ impl Surface {
         }
     }
 
+    /// The vertex of the cage subdivided twice behind each drawn vertex.
+    pub(crate) fn fine(&self) -> &[u32] {
+        &self.used
+    }
+
     /// How many vertices there are.
     pub(crate) fn len(&self) -> usize {
         self.used.len()

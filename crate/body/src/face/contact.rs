@@ -1,0 +1,171 @@
+//! What skin does not pass through: the other lip, the teeth, the bone.
+
+use super::springs::{Springs, Vector};
+use super::tissue::{Arch, Tissue};
+
+/// Least room between a lip and the teeth, metres: the lip's inner skin.
+const BEFORE_TEETH_M: f32 = 0.0004;
+/// Least skin over a bone, metres.
+const OVER_BONE_M: f32 = 0.0012;
+
+/// A rigid movement of the lower jaw against the bind pose.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct JawPlace {
+    /// Rows of the rotation.
+    turn: [[f32; 3]; 3],
+    hinge: [f32; 3],
+    slide: [f32; 3],
+}
+
+impl JawPlace {
+    /// Pitch about the figure's left after yaw about up, both at the hinge; metres.
+    pub(super) fn new(hinge: [f32; 3], pitch_rad: f64, yaw_rad: f64, slide: [f32; 3]) -> Self {
+        let (sp, cp) = raconteur_base::ops::sincos(pitch_rad);
+        let (sy, cy) = raconteur_base::ops::sincos(yaw_rad);
+        let [sp, cp, sy, cy] = [sp, cp, sy, cy].map(|x| x as f32);
+        Self {
+            turn: [
+                [cy, sy * sp, sy * cp],
+                [0.0, cp, -sp],
+                [-sy, cy * sp, cy * cp],
+            ],
+            hinge,
+            slide,
+        }
+    }
+
+    pub(super) fn turned(&self, v: [f32; 3]) -> [f32; 3] {
+        self.turn.map(|r| r[0] * v[0] + r[1] * v[1] + r[2] * v[2])
+    }
+
+    /// Where a place of the jaw has gone.
+    pub(super) fn moved(&self, p: [f32; 3]) -> [f32; 3] {
+        let v = self.turned([0, 1, 2].map(|k| p[k] - self.hinge[k]));
+        [0, 1, 2].map(|k| self.hinge[k] + v[k] + self.slide[k])
+    }
+
+    /// Where on the jaw a place of the world lies.
+    fn unmoved(&self, p: Vector) -> [f32; 3] {
+        let v = [0, 1, 2].map(|k| p[k] - self.hinge[k] - self.slide[k]);
+        [0, 1, 2].map(|k| {
+            self.hinge[k] + self.turn[0][k] * v[0] + self.turn[1][k] * v[1] + self.turn[2][k] * v[2]
+        })
+    }
+}
+
+impl Arch {
+    /// How far a place would have to go away from the axis to lie before the teeth, and the
+    /// way there; `None` where it does, or where there are none.
+    fn inside(&self, p: [f32; 3]) -> Option<(f32, [f32; 2])> {
+        let (x, z) = (p[0] - self.origin[0], p[2] - self.origin[2]);
+        let (rows, columns) = (usize::from(self.rows), usize::from(self.columns));
+        let up = (p[1] - self.origin[1]) / self.step_m;
+        let along = 0.5 * (Self::direction(x, z) + 1.0) * (columns as f32 - 1.0);
+        if z <= 0.0 || !(up >= 0.0 && up < rows as f32 - 1.0) || !(along >= 0.0) {
+            return None;
+        }
+        let (row, column) = (up as usize, (along as usize).min(columns - 2));
+        let (u, v) = (up - row as f32, along - column as f32);
+        let at = |r: usize, c: usize| self.radii[r * columns + c];
+        let corners = [
+            at(row, column),
+            at(row, column + 1),
+            at(row + 1, column),
+            at(row + 1, column + 1),
+        ];
+        // Beyond the edge of the teeth there is nothing to keep out of.
+        if corners.contains(&0.0) {
+            return None;
+        }
+        let low = corners[0] + (corners[1] - corners[0]) * v;
+        let high = corners[2] + (corners[3] - corners[2]) * v;
+        let face = low + (high - low) * u + BEFORE_TEETH_M;
+        let own = (x * x + z * z).sqrt();
+        (own < face && own > 1e-6).then(|| (face - own, [x / own, z / own]))
+    }
+}
+
+/// How deep the deepest of each kind is in what it should keep out of, metres.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Depths {
+    /// A lip in the other.
+    pub lips_m: f32,
+    /// A lip in the teeth or gums.
+    pub teeth_m: f32,
+    /// Skin in a bone.
+    pub bone_m: f32,
+}
+
+/// Which nodes keep out of what.
+#[derive(Clone, Debug)]
+pub(super) struct Contacts {
+    /// Nodes with bone under them, with the room they have at rest above the least.
+    over_bone: Vec<(u16, f32)>,
+}
+
+impl Contacts {
+    pub(super) fn new(tissue: &Tissue) -> Self {
+        let mut is_lip = vec![false; tissue.rest.len()];
+        for node in &tissue.before_teeth {
+            is_lip[usize::from(*node)] = true;
+        }
+        for lip in &tissue.lips {
+            is_lip[usize::from(lip.node)] = true;
+        }
+        let over_bone = (0u16..)
+            .zip(&tissue.depth)
+            .filter(|(node, _)| !is_lip[usize::from(*node)])
+            .map(|(node, depth)| (node, (depth - OVER_BONE_M).max(0.0)))
+            .collect();
+        Self { over_bone }
+    }
+
+    /// Puts nodes out of what they have got into; tells how deep they were.
+    pub(super) fn resolve(
+        &self,
+        tissue: &Tissue,
+        springs: &mut Springs,
+        bones: &[[Vector; 2]],
+        jaw: &JawPlace,
+    ) -> Depths {
+        let mut depths = Depths::default();
+        for &(node, room) in &self.over_bone {
+            let i = usize::from(node);
+            let [place, outwards] = bones[i];
+            let p = springs.places[i];
+            let height = (p[0] - place[0]) * outwards[0]
+                + (p[1] - place[1]) * outwards[1]
+                + (p[2] - place[2]) * outwards[2];
+            let deep = -room - height;
+            if deep > 0.0 {
+                depths.bone_m = depths.bone_m.max(deep);
+                springs.shift(i, outwards.map(|x| x * deep));
+            }
+        }
+        for &node in &tissue.before_teeth {
+            let i = usize::from(node);
+            let p = springs.places[i];
+            if let Some((deep, [x, z])) = tissue.arches[0].inside([p[0], p[1], p[2]]) {
+                depths.teeth_m = depths.teeth_m.max(deep);
+                springs.shift(i, [x * deep, 0.0, z * deep, 0.0]);
+            }
+            let p = springs.places[i];
+            if let Some((deep, [x, z])) = tissue.arches[1].inside(jaw.unmoved(p)) {
+                depths.teeth_m = depths.teeth_m.max(deep);
+                let [x, y, z] = jaw.turned([x * deep, 0.0, z * deep]);
+                springs.shift(i, [x, y, z, 0.0]);
+            }
+        }
+        for [above, below] in &tissue.pairs {
+            let (a, b) = (usize::from(*above), usize::from(*below));
+            let least = (tissue.rest[a][1] - tissue.rest[b][1]).max(0.0);
+            let deep = least - (springs.places[a][1] - springs.places[b][1]);
+            if deep > 0.0 {
+                depths.lips_m = depths.lips_m.max(deep);
+                springs.shift(a, [0.0, 0.4 * deep, 0.0, 0.0]);
+                springs.shift(b, [0.0, -0.6 * deep, 0.0, 0.0]);
+            }
+        }
+        depths
+    }
+}

@@ -1,0 +1,323 @@
+//! A face in motion: controls move muscles and jaw, these the network, and that the skin.
+
+use super::contact::{Contacts, Depths, JawPlace};
+use super::muscles::Muscles;
+use super::springs::{Hold, STEPS_PER_S, Springs, Vector};
+use super::{FaceControls, Muscle, NodeState, Tissue};
+
+/// Ranges of the jaw's degrees of freedom, radians and metres.
+const PITCH_RAD: [f64; 2] = [0.0, 0.4];
+const YAW_RAD: [f64; 2] = [-0.12, 0.12];
+const FORWARD_M: [f64; 2] = [-0.004, 0.008];
+const DOWN_M: [f64; 2] = [0.0, 0.004];
+/// Sealed lips press each other by this, metres on the reference head; what stops them is
+/// each other.
+const PRESS_M: f32 = 0.0012;
+
+/// Which channel of the wrinkle map a muscle folds the skin into, and how strongly.
+fn folds(muscle: Muscle) -> Option<(usize, f32)> {
+    use Muscle as M;
+    match muscle {
+        M::FrontalisMedialLeft
+        | M::FrontalisMedialRight
+        | M::FrontalisLateralLeft
+        | M::FrontalisLateralRight => Some((0, 1.0)),
+        M::CorrugatorLeft
+        | M::CorrugatorRight
+        | M::OrbicularisOculiLeft
+        | M::OrbicularisOculiRight => Some((1, 1.0)),
+        M::DepressorSuperciliiLeft | M::DepressorSuperciliiRight => Some((1, 0.6)),
+        M::ZygomaticusMajorLeft | M::ZygomaticusMajorRight | M::RisoriusLeft | M::RisoriusRight => {
+            Some((1, 0.9))
+        }
+        M::ZygomaticusMinorLeft
+        | M::ZygomaticusMinorRight
+        | M::LevatorLabiiLeft
+        | M::LevatorLabiiRight => Some((1, 0.7)),
+        M::Procerus
+        | M::LevatorLabiiAlaequeLeft
+        | M::LevatorLabiiAlaequeRight
+        | M::NasalisLeft
+        | M::NasalisRight => Some((2, 1.0)),
+        M::OrbicularisOrisUpper | M::OrbicularisOrisLower | M::MentalisLeft | M::MentalisRight => {
+            Some((2, 0.8))
+        }
+        _ => None,
+    }
+}
+
+/// The tissue of one face, moving. Everything in it follows from the controls it was given
+/// since [`Network::reset`]; a step allocates nothing.
+#[derive(Clone, Debug)]
+pub struct Network {
+    muscles: Muscles,
+    springs: Springs,
+    contacts: Contacts,
+    /// Way outwards of each node at rest.
+    outwards: Vec<Vector>,
+    holds: Vec<Hold>,
+    earlier: Vec<Hold>,
+    /// Where what lies under each node has come, without muscles.
+    bones: Vec<[Vector; 2]>,
+    jaw: JawPlace,
+    /// Gap of each column of the lips before they are sealed, and the way of its lower lip
+    /// to the teeth.
+    gaps: Vec<[[f32; 3]; 2]>,
+    /// What each point of a fibre folds: channel and strength.
+    folding: Vec<Option<(u8, f32, u8)>>,
+    contraction: [f64; super::MUSCLES],
+    blush: f32,
+    depths: Depths,
+    normals: Vec<[f32; 3]>,
+}
+
+impl Network {
+    /// A face at rest.
+    #[must_use]
+    pub fn new(tissue: &Tissue) -> Self {
+        let places: Vec<Vector> = tissue
+            .rest
+            .iter()
+            .map(|p| [p[0], p[1], p[2], 0.0])
+            .collect();
+        let mut normals = vec![[0.0; 3]; places.len()];
+        normals_of(&tissue.quads, &places, &mut normals);
+        let outwards: Vec<Vector> = normals.iter().map(|n| [n[0], n[1], n[2], 0.0]).collect();
+        let holds: Vec<Hold> = places
+            .iter()
+            .zip(&outwards)
+            .map(|(&place, &outwards)| Hold { place, outwards })
+            .collect();
+        let mut folding = vec![None; tissue.points.len()];
+        for fibre in &tissue.fibres {
+            let first = usize::from(fibre.first);
+            let fold = folds(fibre.muscle);
+            for point in &mut folding[first..first + usize::from(fibre.count)] {
+                *point = fold.map(|(channel, k)| (channel as u8, k, fibre.muscle.index() as u8));
+            }
+        }
+        Self {
+            muscles: Muscles::new(tissue),
+            springs: Springs::new(&tissue.rest, &tissue.quads, &tissue.depth, &tissue.grip),
+            contacts: Contacts::new(tissue),
+            earlier: holds.clone(),
+            bones: places
+                .iter()
+                .zip(&outwards)
+                .map(|(&p, &n)| [p, n])
+                .collect(),
+            jaw: JawPlace::new(tissue.hinge, 0.0, 0.0, [0.0; 3]),
+            gaps: vec![[[0.0; 3]; 2]; tissue.columns.len()],
+            folding,
+            contraction: [0.0; super::MUSCLES],
+            blush: 0.0,
+            depths: Depths::default(),
+            outwards,
+            holds,
+            normals,
+        }
+    }
+
+    /// Puts everything where `controls` hold it, moving as from `earlier`, a step before.
+    pub fn reset(&mut self, tissue: &Tissue, controls: &FaceControls, earlier: &FaceControls) {
+        self.hold(tissue, earlier);
+        self.hold(tissue, controls);
+        self.springs.reset(&self.holds, &self.earlier);
+        self.depths = self
+            .contacts
+            .resolve(tissue, &mut self.springs, &self.bones, &self.jaw);
+    }
+
+    /// Lets a 120th of a second pass, at whose end the controls are these.
+    pub fn step(&mut self, tissue: &Tissue, controls: &FaceControls) {
+        self.hold(tissue, controls);
+        self.springs.step(&self.holds, &self.earlier);
+        self.depths = self
+            .contacts
+            .resolve(tissue, &mut self.springs, &self.bones, &self.jaw);
+    }
+
+    /// Brings muscles and jaw to the controls and finds where each node is held.
+    fn hold(&mut self, tissue: &Tissue, controls: &FaceControls) {
+        core::mem::swap(&mut self.holds, &mut self.earlier);
+        self.contraction = controls.contraction;
+        self.blush = controls.blush.clamp(-1.0, 1.0) as f32;
+        self.muscles.contract(tissue, controls);
+        let within = |x: f64, [low, high]: [f64; 2]| x.clamp(low, high);
+        let jaw = controls.jaw;
+        self.jaw = JawPlace::new(
+            tissue.hinge,
+            within(jaw.pitch_rad, PITCH_RAD),
+            within(jaw.yaw_rad, YAW_RAD),
+            [
+                0.0,
+                -within(jaw.down_m, DOWN_M) as f32 * tissue.scale,
+                within(jaw.forward_m, FORWARD_M) as f32 * tissue.scale,
+            ],
+        );
+        for (i, &rest) in tissue.rest.iter().enumerate() {
+            let share = tissue.jaw[i];
+            let mut place = [rest[0], rest[1], rest[2], 0.0];
+            let mut outwards = self.outwards[i];
+            if share > 0.0 {
+                let moved = self.jaw.moved(rest);
+                let turned = self.jaw.turned([outwards[0], outwards[1], outwards[2]]);
+                for k in 0..3 {
+                    place[k] += (moved[k] - rest[k]) * share;
+                    outwards[k] += (turned[k] - outwards[k]) * share;
+                }
+            }
+            self.bones[i] = [place, outwards];
+            let own = tissue.starts[i] as usize..tissue.starts[i + 1] as usize;
+            for hold in &tissue.attachments[own] {
+                let at = usize::from(hold.point);
+                let (a, b) = (self.muscles.moved[at], self.muscles.moved[at + 1]);
+                for k in 0..3 {
+                    place[k] += (a[k] + (b[k] - a[k]) * hold.on) * hold.weight;
+                }
+            }
+            self.holds[i] = Hold { place, outwards };
+        }
+        self.close(tissue, controls);
+    }
+
+    /// Brings the lips together and the lower lip to the teeth.
+    fn close(&mut self, tissue: &Tissue, controls: &FaceControls) {
+        let seal = controls.seal.clamp(0.0, 1.0) as f32;
+        let bite = controls.bite.clamp(0.0, 1.0) as f32;
+        if seal == 0.0 && bite == 0.0 {
+            return;
+        }
+        for (gap, column) in self.gaps.iter_mut().zip(&tissue.columns) {
+            let [above, below] = column.contact.map(usize::from);
+            let off = |i: usize| {
+                let (p, rest) = (self.holds[i].place, tissue.rest[i]);
+                [p[0] - rest[0], p[1] - rest[1], p[2] - rest[2]]
+            };
+            let (upper, lower) = (off(above), off(below));
+            let mut apart = [0, 1, 2].map(|k| upper[k] - lower[k]);
+            apart[1] += PRESS_M * tissue.scale;
+            let lip = self.holds[below].place;
+            let to_teeth = [0, 1, 2].map(|k| (column.edge[k] - lip[k]) * column.bites);
+            *gap = [apart.map(|x| x * seal), to_teeth.map(|x| x * bite)];
+        }
+        for lip in &tissue.lips {
+            let [apart, to_teeth] = self.gaps[usize::from(lip.column)];
+            let place = &mut self.holds[usize::from(lip.node)].place;
+            let bites = if lip.closes > 0.0 {
+                lip.closes / 0.64
+            } else {
+                0.0
+            };
+            for k in 0..3 {
+                place[k] += apart[k] * lip.closes + to_teeth[k] * bites;
+            }
+        }
+    }
+
+    /// The nodes between the last two steps: 0 the one before, 1 the last. `nodes` has room
+    /// for all.
+    pub fn write(&mut self, tissue: &Tissue, share: f32, nodes: &mut [NodeState]) {
+        // What the places were before is not needed any more once it is mixed.
+        let between = |i: usize| -> Vector {
+            let (a, b) = (self.springs.before[i], self.springs.places[i]);
+            core::array::from_fn(|k| a[k] + (b[k] - a[k]) * share)
+        };
+        for (i, node) in nodes.iter_mut().enumerate() {
+            let (p, rest) = (between(i), tissue.rest[i]);
+            node.displacement = [p[0] - rest[0], p[1] - rest[1], p[2] - rest[2]];
+            node.wrinkles = [0.0; 3];
+            let own = tissue.starts[i] as usize..tissue.starts[i + 1] as usize;
+            for hold in &tissue.attachments[own] {
+                if let Some((channel, k, muscle)) = self.folding[usize::from(hold.point)] {
+                    let c = self.contraction[usize::from(muscle)].clamp(0.0, 1.0) as f32;
+                    let strength = &mut node.wrinkles[usize::from(channel)];
+                    *strength = (*strength + hold.weight * c * k).min(1.0);
+                }
+            }
+            node.blush = self.blush * tissue.flush[i];
+        }
+        normals_between(&tissue.quads, &self.springs, share, &mut self.normals);
+        for (i, node) in nodes.iter_mut().enumerate() {
+            let (n, rest) = (self.normals[i], self.outwards[i]);
+            node.normal_delta = [n[0] - rest[0], n[1] - rest[1], n[2] - rest[2]];
+        }
+    }
+
+    /// How many point masses and springs the network has.
+    #[must_use]
+    pub fn size(&self) -> (usize, usize) {
+        (self.springs.places.len(), self.springs.count())
+    }
+
+    /// How deep anything was in what it should keep out of at the end of the last step,
+    /// before it was put out.
+    #[must_use]
+    pub fn depths(&self) -> Depths {
+        self.depths
+    }
+
+    /// The fastest node, metres a second.
+    #[must_use]
+    pub fn fastest_m_per_s(&self) -> f32 {
+        self.springs.fastest()
+    }
+
+    /// The most that an edge or diagonal of the skin is stretched, against its length at rest.
+    #[must_use]
+    pub fn most_stretched(&self) -> f32 {
+        self.springs.most_stretched()
+    }
+
+    /// Where a node is now, bind pose, metres.
+    #[must_use]
+    pub fn place(&self, node: usize) -> [f32; 3] {
+        let p = self.springs.places[node];
+        [p[0], p[1], p[2]]
+    }
+
+    /// Steps of the network a second.
+    #[must_use]
+    pub fn steps_per_s() -> f64 {
+        f64::from(STEPS_PER_S)
+    }
+}
+
+fn normals_of(quads: &[[u16; 4]], places: &[Vector], normals: &mut [[f32; 3]]) {
+    sum_normals(quads, |i| places[i], normals);
+}
+
+fn normals_between(quads: &[[u16; 4]], springs: &Springs, share: f32, normals: &mut [[f32; 3]]) {
+    let at = |i: usize| -> Vector {
+        let (a, b) = (springs.before[i], springs.places[i]);
+        core::array::from_fn(|k| a[k] + (b[k] - a[k]) * share)
+    };
+    sum_normals(quads, at, normals);
+}
+
+/// Unit normals of nodes, by area of the faces around.
+fn sum_normals(quads: &[[u16; 4]], at: impl Fn(usize) -> Vector, normals: &mut [[f32; 3]]) {
+    normals.fill([0.0; 3]);
+    for quad in quads {
+        let [a, b, c, d] = quad.map(|i| at(usize::from(i)));
+        let (u, v) = (
+            [0, 1, 2].map(|k| c[k] - a[k]),
+            [0, 1, 2].map(|k| d[k] - b[k]),
+        );
+        let area = [
+            u[1] * v[2] - u[2] * v[1],
+            u[2] * v[0] - u[0] * v[2],
+            u[0] * v[1] - u[1] * v[0],
+        ];
+        for i in quad {
+            let n = &mut normals[usize::from(*i)];
+            for k in 0..3 {
+                n[k] += area[k];
+            }
+        }
+    }
+    for n in normals {
+        let length = (n[0] * n[0] + n[1] * n[1] + n[2] * n[2]).sqrt().max(1e-12);
+        *n = n.map(|x| x / length);
+    }
+}

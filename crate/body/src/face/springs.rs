@@ -1,0 +1,202 @@
+//! The mass-spring network of the skin (F&H section 3.1.2, "Mass Spring Network"), in its
+//! own small world: point masses of 1, seconds, metres.
+//!
+//! Stiffnesses are per mass, 1/s². A step is a 120th of a second; leapfrog Verlet integration
+//! is stable while the stiffest mode stays under (2 / step)² = 57,600, which
+//! [`SKIN_PER_S2`] and [`CONNECTING_PER_S2`] keep with a margin.
+
+/// Steps of the network a second.
+pub(super) const STEPS_PER_S: f32 = 120.0;
+const STEP_SECS: f32 = 1.0 / STEPS_PER_S;
+
+/// Of the edges of the skin; diagonals, which resist shear, have a part of it. Designed.
+const SKIN_PER_S2: f32 = 900.0;
+const DIAGONAL: f32 = 0.5;
+/// Skin that is stretched beyond this resists more (biphasic). F&H gives no numbers; skin
+/// stiffens at 10 to 20 %.
+const SLACK: f32 = 1.15;
+/// How much more.
+const STIFFER: f32 = 3.0;
+/// Of each of the two springs that hold a node over its place: to what lies under it, and
+/// mirrored outwards.
+const CONNECTING_PER_S2: f32 = 6000.0;
+/// Friction between the skin and what it lies on, 1/s. It acts on the difference of their
+/// velocities, so that skin does not lag behind a muscle that moves evenly. Designed: near
+/// critical for a node that is held firmly.
+const FRICTION_PER_S: f32 = 110.0;
+
+/// Four numbers a node, the last unused: a processor takes them in one go.
+pub(super) type Vector = [f32; 4];
+
+fn minus(a: Vector, b: Vector) -> Vector {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2], a[3] - b[3]]
+}
+
+fn plus(a: Vector, b: Vector) -> Vector {
+    [a[0] + b[0], a[1] + b[1], a[2] + b[2], a[3] + b[3]]
+}
+
+fn times(a: Vector, k: f32) -> Vector {
+    [a[0] * k, a[1] * k, a[2] * k, a[3] * k]
+}
+
+fn length(a: Vector) -> f32 {
+    (a[0] * a[0] + a[1] * a[1] + a[2] * a[2]).sqrt()
+}
+
+/// A spring of the skin.
+#[derive(Clone, Copy, Debug)]
+struct Spring {
+    ends: [u16; 2],
+    stiffness: f32,
+    rest: f32,
+}
+
+/// Where a node is held now.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Hold {
+    /// Where it would be if nothing else pulled.
+    pub(super) place: Vector,
+    /// Way outwards there, unit length.
+    pub(super) outwards: Vector,
+}
+
+/// Masses and springs.
+#[derive(Clone, Debug)]
+pub(super) struct Springs {
+    springs: Vec<Spring>,
+    /// Distance to the ends of the connecting springs, and their length at rest.
+    connecting: Vec<[f32; 2]>,
+    pub(super) places: Vec<Vector>,
+    /// Places one step ago.
+    pub(super) before: Vec<Vector>,
+    velocities: Vec<Vector>,
+    forces: Vec<Vector>,
+}
+
+impl Springs {
+    /// From places at rest, faces, and for each node the distance to what lies under it and
+    /// its grip; lists of one length, indices within.
+    pub(super) fn new(rest: &[[f32; 3]], quads: &[[u16; 4]], depth: &[f32], grip: &[f32]) -> Self {
+        let places: Vec<Vector> = rest.iter().map(|p| [p[0], p[1], p[2], 0.0]).collect();
+        let mut pairs: Vec<([u16; 2], f32)> = Vec::with_capacity(quads.len() * 4);
+        for q in quads {
+            for k in 0..4 {
+                let (a, b) = (q[k], q[(k + 1) % 4]);
+                pairs.push(([a.min(b), a.max(b)], SKIN_PER_S2));
+            }
+            pairs.push(([q[0], q[2]], SKIN_PER_S2 * DIAGONAL));
+            pairs.push(([q[1], q[3]], SKIN_PER_S2 * DIAGONAL));
+        }
+        // Most edges belong to two faces.
+        pairs.sort_unstable_by_key(|(ends, _)| *ends);
+        pairs.dedup_by_key(|(ends, _)| *ends);
+        let springs = pairs
+            .into_iter()
+            .filter_map(|(ends, stiffness)| {
+                let [a, b] = ends.map(|i| places[usize::from(i)]);
+                let rest = length(minus(b, a));
+                // Doubled nodes need no spring.
+                (rest > 1e-6).then_some(Spring {
+                    ends,
+                    stiffness,
+                    rest,
+                })
+            })
+            .collect();
+        let connecting = depth
+            .iter()
+            .zip(grip)
+            .map(|(&d, &g)| {
+                let d = d.clamp(0.001, 0.05);
+                [d, d * (1.0 - g.clamp(0.05, 1.0))]
+            })
+            .collect();
+        let still = vec![[0.0; 4]; places.len()];
+        Self {
+            springs,
+            connecting,
+            before: places.clone(),
+            velocities: still.clone(),
+            forces: still,
+            places,
+        }
+    }
+
+    /// How many springs there are, with those that hold the nodes.
+    pub(super) fn count(&self) -> usize {
+        self.springs.len() + 2 * self.connecting.len()
+    }
+
+    /// Puts every node where it is held, moving as its hold does.
+    pub(super) fn reset(&mut self, holds: &[Hold], earlier: &[Hold]) {
+        for (i, (hold, earlier)) in holds.iter().zip(earlier).enumerate() {
+            self.places[i] = hold.place;
+            self.before[i] = earlier.place;
+            self.velocities[i] = times(minus(hold.place, earlier.place), STEPS_PER_S);
+        }
+    }
+
+    /// One step, from where the nodes were held before it to where they are held now.
+    pub(super) fn step(&mut self, holds: &[Hold], earlier: &[Hold]) {
+        self.forces.fill([0.0; 4]);
+        for spring in &self.springs {
+            let [a, b] = spring.ends.map(usize::from);
+            let way = minus(self.places[b], self.places[a]);
+            let now = length(way).max(1e-9);
+            let beyond = (now - SLACK * spring.rest).max(0.0);
+            let pull = spring.stiffness * (now - spring.rest + STIFFER * beyond) / now;
+            let force = times(way, pull);
+            self.forces[a] = plus(self.forces[a], force);
+            self.forces[b] = minus(self.forces[b], force);
+        }
+        const DRAG: f32 = FRICTION_PER_S * STEP_SECS;
+        let held = holds.iter().zip(earlier).zip(&self.connecting);
+        let nodes = self.places.iter_mut().zip(&mut self.before);
+        let moving = self.velocities.iter_mut().zip(&self.forces);
+        for (((hold, earlier), &[deep, rest]), ((place, before), (velocity, force))) in
+            held.zip(nodes.zip(moving))
+        {
+            let off = minus(hold.place, *place);
+            let down = times(hold.outwards, deep);
+            let mut pull = *force;
+            for end in [minus(off, down), plus(off, down)] {
+                let now = length(end).max(1e-9);
+                pull = plus(pull, times(end, CONNECTING_PER_S2 * (now - rest) / now));
+            }
+            let along = minus(hold.place, earlier.place);
+            let sped = plus(*velocity, times(pull, STEP_SECS));
+            *velocity = times(
+                plus(sped, times(along, DRAG * STEPS_PER_S)),
+                1.0 / (1.0 + DRAG),
+            );
+            *before = *place;
+            *place = plus(*place, times(*velocity, STEP_SECS));
+        }
+    }
+
+    /// Moves a node that may not be where the step left it.
+    pub(super) fn shift(&mut self, node: usize, by: Vector) {
+        self.places[node] = plus(self.places[node], by);
+        self.velocities[node] = plus(self.velocities[node], times(by, STEPS_PER_S));
+    }
+
+    /// The fastest node, metres a second.
+    pub(super) fn fastest(&self) -> f32 {
+        self.velocities
+            .iter()
+            .map(|v| length(*v))
+            .fold(0.0, f32::max)
+    }
+
+    /// The most that a spring of the skin is stretched, against its length at rest.
+    pub(super) fn most_stretched(&self) -> f32 {
+        self.springs
+            .iter()
+            .map(|s| {
+                let [a, b] = s.ends.map(|i| self.places[usize::from(i)]);
+                length(minus(b, a)) / s.rest
+            })
+            .fold(0.0, f32::max)
+    }
+}

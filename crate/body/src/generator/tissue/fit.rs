@@ -1,0 +1,325 @@
+//! Fits muscles between skull and skin, and finds which skin hangs on them.
+
+use raconteur_base::{DAffine3, DVec3, Side};
+
+use super::layout::{AROUND_EYE, EYE_CENTRE, EYE_RING, STRANDS, Strand};
+use super::{narrow, ramp};
+use crate::face::tissue::{Attachment, Course, Fibre, FibrePoint, Link, Tissue};
+use crate::face::{Muscle};
+use crate::generator::head::Soft;
+use crate::generator::part::Part;
+
+/// Points of a linear fibre.
+const POINTS: usize = 7;
+/// Depth of soft tissue where no bone lies under the skin (cheek, floor of the mouth), metres.
+const FLESH_M: f64 = 0.011;
+/// Depth of what lies inside mouth and nose, metres.
+const LINING_M: f64 = 0.003;
+/// Thickness of a lip to its lining, metres.
+const LIP_M: f64 = 0.005;
+/// Holds weaker than this are left out.
+const LEAST_HOLD: f64 = 0.02;
+
+/// The skin's nodes in the world, and the bones under them.
+pub(super) struct Skin {
+    pub(super) places: Vec<DVec3>,
+    pub(super) normals: Vec<DVec3>,
+    pub(super) depths: Vec<f64>,
+}
+
+impl Skin {
+    pub(super) fn new(soft: &Soft, place: &DAffine3, bones: &[Part]) -> Self {
+        let places: Vec<DVec3> = soft
+            .nodes
+            .iter()
+            .map(|n| place.transform_point3(n.place))
+            .collect();
+        let quads: Vec<Vec<u32>> = soft.quads.iter().map(|q| q.to_vec()).collect();
+        let normals = crate::generator::subdivide::vertex_normals(&places, &quads);
+        let triangles: Vec<[DVec3; 3]> = bones
+            .iter()
+            .flat_map(|part| {
+                let at = |v: u32| part.vertices[v as usize].position;
+                part.faces
+                    .iter()
+                    .flat_map(move |f| f[1..].windows(2).map(move |w| [at(f[0]), at(w[0]), at(w[1])]))
+            })
+            .collect();
+        let depths = soft
+            .nodes
+            .iter()
+            .zip(places.iter().zip(&normals))
+            .map(|(node, (&p, &n))| {
+                if node.is_inside {
+                    return LINING_M;
+                }
+                if node.lip.is_some_and(|lip| lip.ring > 1) {
+                    return LIP_M;
+                }
+                let hits = triangles.iter().filter_map(|t| hit(t, p, -n));
+                hits.fold(FLESH_M, f64::min).max(0.0025)
+            })
+            .collect();
+        Self {
+            places,
+            normals,
+            depths,
+        }
+    }
+
+    /// The nearest node that is no lining.
+    fn nearest(&self, soft: &Soft, p: DVec3) -> usize {
+        let outside = (0..self.places.len()).filter(|&i| !soft.nodes[i].is_inside);
+        let distance = |i: &usize| self.places[*i].distance_squared(p);
+        outside
+            .min_by(|a, b| distance(a).total_cmp(&distance(b)))
+            .unwrap_or(0)
+    }
+
+    /// Puts a place under the skin, at a share of the way to the bone.
+    fn sunk(&self, soft: &Soft, mut p: DVec3, share: f64) -> FibrePoint {
+        let mut i = self.nearest(soft, p);
+        for _ in 0..4 {
+            let height = (p - self.places[i]).dot(self.normals[i]);
+            p -= self.normals[i] * (height + share * self.depths[i]);
+            // Over a curved skin the nearest node may have become another.
+            let next = self.nearest(soft, p);
+            if next == i {
+                break;
+            }
+            i = next;
+        }
+        FibrePoint {
+            rest: narrow(p),
+            outwards: narrow(self.normals[i]),
+            jaw: soft.nodes[i].jaw as f32,
+        }
+    }
+}
+
+/// Distance along a ray to a triangle.
+fn hit(t: &[DVec3; 3], from: DVec3, way: DVec3) -> Option<f64> {
+    let (e1, e2) = (t[1] - t[0], t[2] - t[0]);
+    let p = way.cross(e2);
+    let det = e1.dot(p);
+    if det.abs() < 1e-14 {
+        return None;
+    }
+    let s = from - t[0];
+    let u = s.dot(p) / det;
+    let q = s.cross(e1);
+    let v = way.dot(q) / det;
+    let d = e2.dot(q) / det;
+    (u >= 0.0 && v >= 0.0 && u + v <= 1.0 && d > 0.0).then_some(d)
+}
+
+/// A line through places, cut into pieces of one length.
+fn even(line: &[DVec3], count: usize) -> Vec<DVec3> {
+    let lengths: Vec<f64> = line.windows(2).map(|w| w[0].distance(w[1])).collect();
+    let whole: f64 = lengths.iter().sum();
+    (0..count)
+        .map(|k| {
+            let mut rest = whole * k as f64 / (count - 1) as f64;
+            for (w, length) in line.windows(2).zip(&lengths) {
+                if rest <= *length {
+                    return w[0].lerp(w[1], rest / length.max(1e-9));
+                }
+                rest -= length;
+            }
+            line[line.len() - 1]
+        })
+        .collect()
+}
+
+/// The nearest place of a chain of points: the point before it, how far on, and the distance.
+pub(super) fn nearest_on(points: &[FibrePoint], p: DVec3) -> (usize, f64, f64) {
+    let at = |k: usize| DVec3::from_array(points[k].rest.map(f64::from));
+    let mut best = (0, 0.0, f64::MAX);
+    for k in 0..points.len() - 1 {
+        let (a, b) = (at(k), at(k + 1));
+        let on = ((p - a).dot(b - a) / (b - a).length_squared().max(1e-12)).clamp(0.0, 1.0);
+        let distance = p.distance(a.lerp(b, on));
+        if distance < best.2 {
+            best = (k, on, distance);
+        }
+    }
+    best
+}
+
+/// Adds a fibre to the tissue; gives the index of its first point.
+pub(super) fn push(out: &mut Tissue, muscle: Muscle, course: Course, points: &[FibrePoint]) -> usize {
+    let first = out.points.len();
+    out.points.extend_from_slice(points);
+    out.fibres.push(Fibre {
+        muscle,
+        course,
+        first: first as u16,
+        count: points.len() as u8,
+    });
+    first
+}
+
+/// Muscles that draw along a line.
+pub(super) fn linear(
+    soft: &Soft,
+    skin: &Skin,
+    carried: &dyn Fn([f64; 3]) -> DVec3,
+    out: &mut Tissue,
+    holds: &mut [Vec<Attachment>],
+) {
+    for strand in STRANDS {
+        let sides: &[Side] = if strand.muscle.side().is_some() {
+            &Side::BOTH
+        } else {
+            &[Side::Left]
+        };
+        for &side in sides {
+            one(strand, side, soft, skin, carried, out, holds);
+        }
+    }
+}
+
+fn one(
+    strand: &Strand,
+    side: Side,
+    soft: &Soft,
+    skin: &Skin,
+    carried: &dyn Fn([f64; 3]) -> DVec3,
+    out: &mut Tissue,
+    holds: &mut [Vec<Attachment>],
+) {
+    let muscle = match side {
+        Side::Left => strand.muscle,
+        Side::Right => strand.muscle.mirrored(),
+    };
+    let mut fibres: Vec<(usize, Vec<FibrePoint>)> = Vec::new();
+    // One in the middle is as wide on both sides.
+    for fibre in strand.fibres {
+        let line: Vec<DVec3> = fibre
+            .iter()
+            .map(|p| carried([p[0] * side.sign(), p[1], p[2]]))
+            .collect();
+        let points: Vec<FibrePoint> = even(&line, POINTS)
+            .into_iter()
+            .enumerate()
+            .map(|(k, p)| {
+                // From the bone to under the skin.
+                let t = k as f64 / (POINTS - 1) as f64;
+                skin.sunk(soft, p, 0.8 - 0.45 * ramp(0.0, 0.6, t))
+            })
+            .collect();
+        let first = push(out, muscle, Course::Linear, &points);
+        if let Some([middle, half]) = strand.ring {
+            let weight = strand.pull / strand.fibres.len() as f64;
+            link(out, side, first + POINTS - 1, middle, half, weight);
+        }
+        fibres.push((first, points));
+    }
+    let mm = f64::from(out.scale) * 1e-3;
+    let [whole, none] = strand.reach.map(|r| r * mm);
+    for (i, node) in soft.nodes.iter().enumerate() {
+        if node.lip.is_some() {
+            continue;
+        }
+        let p = skin.places[i];
+        // The muscle of the other side has its own skin.
+        let near = fibres
+            .iter()
+            .map(|(first, points)| (first, nearest_on(points, p)))
+            .min_by(|a, b| a.1.2.total_cmp(&b.1.2));
+        let Some((first, (point, on, distance))) = near else {
+            continue;
+        };
+        let free = if strand.ring.is_some() { 1.0 - ring_share(out, &holds[i]).min(1.0) } else { 1.0 };
+        let weight = strand.pull * node.mobility * free * (1.0 - ramp(whole, none, distance));
+        if weight > LEAST_HOLD {
+            holds[i].push(Attachment {
+                point: (first + point) as u16,
+                on: on as f32,
+                weight: weight as f32,
+            });
+        }
+    }
+}
+
+/// How much of a node hangs on the ring of the mouth.
+fn ring_share(out: &Tissue, holds: &[Attachment]) -> f64 {
+    let is_ring = |h: &&Attachment| {
+        let point = h.point;
+        out.fibres.iter().any(|f| {
+            matches!(f.course, Course::Oris { .. })
+                && (f.first..f.first + u16::from(f.count)).contains(&point)
+        })
+    };
+    holds.iter().filter(is_ring).map(|h| f64::from(h.weight)).sum()
+}
+
+/// Grows the end of a fibre into the ring of the mouth about a place of it.
+fn link(out: &mut Tissue, side: Side, end: usize, middle: f64, half: f64, weight: f64) {
+    let rings: Vec<(usize, usize, bool)> = out
+        .fibres
+        .iter()
+        .filter_map(|f| match f.course {
+            Course::Oris { is_lower, .. } => {
+                Some((usize::from(f.first), usize::from(f.count), is_lower))
+            }
+            _ => None,
+        })
+        .collect();
+    for (first, count, is_lower) in rings {
+        for k in 0..count {
+            // Points run from the right corner to the left; positions count from the middle
+            // of the upper lip to that of the lower, and beyond it on the other side.
+            let aside = k as f64 - (count - 1) as f64 / 2.0;
+            let own = aside * side.sign();
+            let position = if is_lower { 24.0 - own } else { own };
+            let share = 1.0 - ramp(0.0, 1.0, (position - middle).abs() / half);
+            if share * weight > LEAST_HOLD {
+                out.links.push(Link {
+                    end: end as u16,
+                    ring: (first + k) as u16,
+                    weight: (share * weight) as f32,
+                });
+            }
+        }
+    }
+}
+
+/// The rings about the eyes.
+pub(super) fn around_eyes(
+    soft: &Soft,
+    skin: &Skin,
+    carried: &dyn Fn([f64; 3]) -> DVec3,
+    out: &mut Tissue,
+    holds: &mut [Vec<Attachment>],
+) {
+    let ([whole, none], pull) = AROUND_EYE;
+    let mm = f64::from(out.scale) * 1e-3;
+    for (side, muscle) in Side::BOTH
+        .into_iter()
+        .zip([Muscle::OrbicularisOculiLeft, Muscle::OrbicularisOculiRight])
+    {
+        let flip = |p: [f64; 3]| carried([p[0] * side.sign(), p[1], p[2]]);
+        let mut points: Vec<FibrePoint> = EYE_RING
+            .iter()
+            .map(|p| skin.sunk(soft, flip(*p), 0.4))
+            .collect();
+        points.push(points[0]);
+        let course = Course::Towards(narrow(flip(EYE_CENTRE)));
+        let first = push(out, muscle, course, &points);
+        for (i, node) in soft.nodes.iter().enumerate() {
+            if node.lip.is_some() || node.is_inside {
+                continue;
+            }
+            let (point, on, distance) = nearest_on(&points, skin.places[i]);
+            let weight = pull * node.mobility * (1.0 - ramp(whole * mm, none * mm, distance));
+            if weight > LEAST_HOLD {
+                holds[i].push(Attachment {
+                    point: (first + point) as u16,
+                    on: on as f32,
+                    weight: weight as f32,
+                });
+            }
+        }
+    }
+}
