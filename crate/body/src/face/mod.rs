@@ -4,6 +4,7 @@
 mod binding;
 mod contact;
 mod controls;
+pub mod file;
 mod muscle;
 mod muscles;
 mod network;

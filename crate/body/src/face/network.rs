@@ -126,6 +126,7 @@ impl Network {
         self.depths = self
             .contacts
             .resolve(tissue, &mut self.springs, &self.bones, &self.jaw);
+        self.springs.limit();
     }
 
     /// Lets a 120th of a second pass, at whose end the controls are these.
@@ -135,6 +136,7 @@ impl Network {
         self.depths = self
             .contacts
             .resolve(tissue, &mut self.springs, &self.bones, &self.jaw);
+        self.springs.limit();
     }
 
     /// Brings muscles and jaw to the controls and finds where each node is held.
@@ -267,6 +269,12 @@ impl Network {
     #[must_use]
     pub fn most_stretched(&self) -> f32 {
         self.springs.most_stretched()
+    }
+
+    /// x
+    #[must_use]
+    pub fn worst_springs(&self, n: usize) -> Vec<(usize, usize, f32)> {
+        self.springs.worst(n)
     }
 
     /// Where a node is now, bind pose, metres.

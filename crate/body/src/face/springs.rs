@@ -15,11 +15,19 @@ const DIAGONAL: f32 = 0.5;
 /// Skin that is stretched beyond this resists more (biphasic). F&H gives no numbers; skin
 /// stiffens at 10 to 20 %.
 const SLACK: f32 = 1.15;
+/// No spring of the skin is left longer than this, against its length at rest: what a step
+/// has stretched more is shortened at once (Provot 1995, "Deformation Constraints in a
+/// Mass-Spring Model to Describe Rigid Cloth Behavior").
+const LONGEST: f32 = 2.3;
+/// How often those are gone through, as shortening one stretches its neighbours.
+const ROUNDS: usize = 24;
 /// How much more.
 const STIFFER: f32 = 3.0;
 /// Of each of the two springs that hold a node over its place: to what lies under it, and
 /// mirrored outwards.
 const CONNECTING_PER_S2: f32 = 6000.0;
+/// Below this grip those springs are softer.
+const FIRM_GRIP: f32 = 0.3;
 /// Friction between the skin and what it lies on, 1/s. It acts on the difference of their
 /// velocities, so that skin does not lag behind a muscle that moves evenly. Designed: near
 /// critical for a node that is held firmly.
@@ -65,8 +73,8 @@ pub(super) struct Hold {
 #[derive(Clone, Debug)]
 pub(super) struct Springs {
     springs: Vec<Spring>,
-    /// Distance to the ends of the connecting springs, and their length at rest.
-    connecting: Vec<[f32; 2]>,
+    /// Distance to the ends of the connecting springs, their length at rest, and stiffness.
+    connecting: Vec<[f32; 3]>,
     pub(super) places: Vec<Vector>,
     /// Places one step ago.
     pub(super) before: Vec<Vector>,
@@ -103,22 +111,24 @@ impl Springs {
                     rest,
                 })
             })
-            .collect();
+            .collect::<Vec<Spring>>();
         let connecting = depth
             .iter()
             .zip(grip)
             .map(|(&d, &g)| {
                 let d = d.clamp(0.001, 0.05);
-                [d, d * (1.0 - g.clamp(0.05, 1.0))]
+                // What is hardly gripped lies in a fold, and follows its neighbours.
+                let firm = (g / FIRM_GRIP).clamp(0.1, 1.0);
+                [d, d * (1.0 - g.clamp(0.05, 1.0)), CONNECTING_PER_S2 * firm]
             })
             .collect();
         let still = vec![[0.0; 4]; places.len()];
         Self {
-            springs,
             connecting,
             before: places.clone(),
             velocities: still.clone(),
             forces: still,
+            springs,
             places,
         }
     }
@@ -154,7 +164,7 @@ impl Springs {
         let held = holds.iter().zip(earlier).zip(&self.connecting);
         let nodes = self.places.iter_mut().zip(&mut self.before);
         let moving = self.velocities.iter_mut().zip(&self.forces);
-        for (((hold, earlier), &[deep, rest]), ((place, before), (velocity, force))) in
+        for (((hold, earlier), &[deep, rest, stiffness]), ((place, before), (velocity, force))) in
             held.zip(nodes.zip(moving))
         {
             let off = minus(hold.place, *place);
@@ -162,7 +172,7 @@ impl Springs {
             let mut pull = *force;
             for end in [minus(off, down), plus(off, down)] {
                 let now = length(end).max(1e-9);
-                pull = plus(pull, times(end, CONNECTING_PER_S2 * (now - rest) / now));
+                pull = plus(pull, times(end, stiffness * (now - rest) / now));
             }
             let along = minus(hold.place, earlier.place);
             let sped = plus(*velocity, times(pull, STEP_SECS));
@@ -172,6 +182,32 @@ impl Springs {
             );
             *before = *place;
             *place = plus(*place, times(*velocity, STEP_SECS));
+        }
+    }
+
+    /// Shortens what is too long.
+    pub(super) fn limit(&mut self) {
+        let last = self.springs.len();
+        for round in 0..ROUNDS {
+            let mut is_done = true;
+            for i in 0..last {
+                // There and back, or a chain would pass what it has too much on one way only.
+                let spring = self.springs[if round % 2 == 0 { i } else { last - 1 - i }];
+                let [a, b] = spring.ends.map(usize::from);
+                let way = minus(self.places[b], self.places[a]);
+                let most = LONGEST * spring.rest;
+                let square = way[0] * way[0] + way[1] * way[1] + way[2] * way[2];
+                if square > most * most {
+                    let now = square.sqrt();
+                    let by = times(way, 0.5 * (now - most) / now);
+                    self.shift(a, by);
+                    self.shift(b, minus([0.0; 4], by));
+                    is_done = false;
+                }
+            }
+            if is_done {
+                break;
+            }
         }
     }
 
@@ -187,6 +223,11 @@ impl Springs {
             .iter()
             .map(|v| length(*v))
             .fold(0.0, f32::max)
+    }
+
+    pub(super) fn worst(&self, n: usize) -> Vec<(usize, usize, f32)> {
+        let mut v: Vec<_> = self.springs.iter().map(|s| { let [a, b] = s.ends.map(usize::from); (a, b, length(minus(self.places[a], self.places[b])) / s.rest) }).collect();
+        v.sort_by(|x, y| y.2.total_cmp(&x.2)); v.truncate(n); v
     }
 
     /// The most that a spring of the skin is stretched, against its length at rest.

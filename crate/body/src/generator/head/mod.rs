@@ -44,7 +44,7 @@ pub(crate) use self::paint::Coordinates;
 use self::paint::coordinates;
 use self::points::Individual;
 pub(crate) use self::ride::{Holds, Ride};
-pub(crate) use self::soft::{LipPlace, Soft};
+pub(crate) use self::soft::{LipPlace, Soft, SoftNode};
 use self::scalp::hairline;
 pub use self::scalp::{Ear, Proportions, Scalp, ScalpPoint};
 pub use self::segment::HeadSegment;

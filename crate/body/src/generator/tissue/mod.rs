@@ -12,7 +12,7 @@ use raconteur_base::{DAffine3, DVec3, Side};
 use self::fit::Skin;
 use self::layout::FLUSH;
 use self::warp::Warp;
-use super::head::Soft;
+use super::head::{LipPlace, Soft, SoftNode};
 use super::part::Part;
 use crate::face::Tissue;
 use crate::face::tissue::Attachment;
@@ -27,6 +27,17 @@ fn narrow(p: DVec3) -> [f32; 3] {
 /// 0 below `low`, 1 above `high`, smooth between.
 fn ramp(low: f64, high: f64, x: f64) -> f64 {
     raconteur_base::curve::smooth((x - low) / (high - low))
+}
+
+/// How firmly a node is held. Inside the corner of the mouth, where the rings of both lips
+/// crowd, the lining follows its neighbours.
+fn grip(node: &SoftNode) -> f64 {
+    let is_fold = |lip: LipPlace| lip.ring >= 8 && (11..=13).contains(&lip.position);
+    if node.lip.is_some_and(is_fold) {
+        0.05
+    } else {
+        node.grip
+    }
 }
 
 /// The tissue of a head that stands at `place` (world from head). `bones` are its skull and
@@ -52,7 +63,7 @@ pub(crate) fn tissue(
         rest: skin.places.iter().map(|&p| narrow(p)).collect(),
         jaw: soft.nodes.iter().map(|n| n.jaw as f32).collect(),
         depth: skin.depths.iter().map(|&d| d as f32).collect(),
-        grip: soft.nodes.iter().map(|n| n.grip as f32).collect(),
+        grip: soft.nodes.iter().map(|n| grip(n) as f32).collect(),
         quads: soft.quads.iter().map(|q| q.map(|i| i as u16)).collect(),
         ..Tissue::default()
     };
