@@ -12,7 +12,7 @@ pub fn world_from_bone(skeleton: &Skeleton, pose: &Pose, bone: Bone) -> DAffine3
         let joint = &skeleton.joints()[i];
         let local = DAffine3::from_rotation_translation(
             joint.zero_rotation * pose.joint_rotation(joint.drive),
-            joint.translation_in_parent,
+            joint.translation_in_parent + pose.joint_offset(joint.drive),
         );
         world = local * world;
         at = joint.parent;

@@ -2,8 +2,9 @@
 //!
 //! Does: animation players with their clips, arm inverse kinematics, limbs and head as
 //! manipulators, palm orientation, gesture plans with preparation, hold
-//! and retraction, idle life (breath, sway, gaze, blinks), lip synchronisation, and the
-//! face's morph weights; [`Actor`] evaluates them all into a pose.
+//! and retraction, idle life (breath, sway, gaze, blinks), lip synchronisation, and from
+//! what a face is asked to do its jaw, lids and morph weights; [`Actor`] evaluates them all
+//! into a pose.
 //! Does not: know EML, draw, play sound, or keep state between evaluations: seeking to a
 //! time and playing to it give the same pose.
 //!
@@ -13,6 +14,7 @@
 
 pub mod animation;
 pub mod arm_ik;
+pub mod articulation;
 pub mod face;
 pub mod gesture;
 pub mod idle;

@@ -1,13 +1,15 @@
 //! Everything that one figure does in a story, evaluated at one time.
 
 use raconteur_base::{DAffine3, DQuat, DVec3, Side, noise};
+use raconteur_body::face::{FaceControls, Muscle};
 use raconteur_body::{Bone, Pose, Skeleton};
 use raconteur_speech::phones::{self, Class};
 use raconteur_speech::{Phone, Word};
 
 use crate::animation::{Animated, Library, PlayerScript};
 use crate::arm_ik::{ArmGoal, ArmRig, ArmSolution};
-use crate::face::{Expression, FaceRig};
+use crate::articulation::{ORDINARY_LOUDNESS, articulate, hold_closures};
+use crate::face::FaceRig;
 use crate::gesture::contact::{Contact, PlacedHand};
 use crate::gesture::{ArmPlan, ArmScript, BodySpace, HandTarget, TrunkShape};
 use crate::idle::blink::Blinks;
@@ -107,6 +109,8 @@ pub struct Report {
     pub led: [Option<DAffine3>; 4],
     /// The mouth.
     pub mouth: MouthTargets,
+    /// What the face is asked to do.
+    pub controls: FaceControls,
 }
 
 /// A performance made ready for one figure. Evaluation is a function of time: it keeps
@@ -273,16 +277,8 @@ impl Actor {
         }
         let eye_pitch_rad = self.eyes(skeleton, face, t, listener, pose);
         let mouth = self.mouth(t);
-        let expression = self.expression(t);
-        let closure = self.blinks.closure(t);
-        face.write(
-            &mouth,
-            &expression,
-            closure,
-            eye_pitch_rad,
-            pose,
-            morph_weights,
-        );
+        let controls = self.face(&mouth, t);
+        face.write(&controls, eye_pitch_rad, pose, morph_weights);
         if let Some(moved) = &moved {
             let turned = rotation_of(moved);
             pose.root_rotation = (turned * pose.root_rotation).normalize();
@@ -296,7 +292,33 @@ impl Actor {
             wrist_errors_m,
             led,
             mouth,
+            controls,
         }
+    }
+
+    /// What the face is asked to do at a story time: one face for figures of every kind.
+    /// Every value is within its range.
+    #[must_use]
+    pub fn controls(&self, time_secs: f64) -> FaceControls {
+        let t = if time_secs.is_finite() {
+            time_secs
+        } else {
+            0.0
+        };
+        self.face(&self.mouth(t), t)
+    }
+
+    /// Speech first, then all else that moves a face, each adding to what is there
+    /// (F&H section 4.3.5: contractions are summed, then limited).
+    fn face(&self, mouth: &MouthTargets, t: f64) -> FaceControls {
+        let mut controls = FaceControls::default();
+        articulate(mouth, ORDINARY_LOUDNESS, &mut controls);
+        self.expression(t, &mut controls);
+        // Closures have their way with the sum, and a blink, which closes the lids whatever
+        // else they do, with the lids.
+        hold_closures(&mut controls);
+        controls.close_lids(self.blinks.closure(t));
+        controls
     }
 
     /// Legs and spine as they stand and sway, on a pose of zero.
@@ -457,7 +479,8 @@ impl Actor {
         }
     }
 
-    fn expression(&self, t: f64) -> Expression {
+    /// Adds a resting smile, and brows that rise on accents.
+    fn expression(&self, t: f64, controls: &mut FaceControls) {
         let n =
             |id: u64, hz: f64| noise::perlin(self.seed, stream::FACE + id, hz * t) * self.amount;
         // The left brow moves with the strength of the accent, the right by the same amount
@@ -477,12 +500,22 @@ impl Actor {
         let (left, right) = (raise(true), raise(false));
         let speaking = self.rhythm.speaking(t) * self.amount;
         let smile = RESTING_SMILE + 0.05 * n(0, 0.11) - 0.03 * speaking;
-        Expression {
-            smile: [smile + 0.012 * n(1, 0.2), smile - 0.012 * n(1, 0.2)],
-            brow_inner: 0.6 * left + 0.05 * n(2, 0.3).max(0.0) + 0.03 * speaking,
-            brow_outer: [0.8 * left, 0.8 * right],
-            brow_down: 0.05 * (-n(2, 0.3)).max(0.0),
-            squint: 0.04 + 0.03 * n(3, 0.17),
+        let smile = [smile + 0.012 * n(1, 0.2), smile - 0.012 * n(1, 0.2)];
+        let inner = 0.6 * left + 0.05 * n(2, 0.3).max(0.0) + 0.03 * speaking;
+        let outer = [0.8 * left, 0.8 * right];
+        let down = 0.05 * (-n(2, 0.3)).max(0.0);
+        let squint = 0.04 + 0.03 * n(3, 0.17);
+        for i in 0..2 {
+            for (muscle, contraction) in [
+                (Muscle::ZygomaticusMajorLeft, smile[i]),
+                (Muscle::OrbicularisOculiLeft, squint + 0.25 * smile[i]),
+                (Muscle::FrontalisMedialLeft, inner),
+                (Muscle::FrontalisLateralLeft, outer[i]),
+                (Muscle::CorrugatorLeft, 0.8 * down),
+                (Muscle::DepressorSuperciliiLeft, 0.8 * down),
+            ] {
+                controls.contraction[muscle.index() + i] += contraction;
+            }
         }
     }
 }

@@ -7,7 +7,8 @@ use crate::skeleton::{Bone, Drive};
 /// Local rotations of the 54 bones relative to the zero pose (arms stretched out
 /// sideways, palms down), the root's placement, and the face's rigid parts.
 ///
-/// World from joint is parent · translation · `zero_rotation` · rotation.
+/// World from joint is parent · translation · `zero_rotation` · rotation; the lower jaw's
+/// translation has its slide added.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pose {
     /// Displacement of the whole figure, world, metres.
@@ -16,6 +17,9 @@ pub struct Pose {
     pub root_rotation: DQuat,
     /// One local rotation a bone, in [`Bone::ALL`]'s order.
     pub rotations: [DQuat; Bone::COUNT],
+    /// How far the lower jaw has slid out of its joint, in the skull bone's frame (x up, y
+    /// front, z left), metres.
+    pub jaw_offset_in_skull: DVec3,
     /// Gaze of the left and right eye in the skull's zero axes (x left, y up, z front);
     /// identity looks straight ahead.
     pub eyes: [DQuat; 2],
@@ -34,6 +38,7 @@ impl Pose {
             root_offset_in_world: DVec3::ZERO,
             root_rotation: DQuat::IDENTITY,
             rotations: [DQuat::IDENTITY; Bone::COUNT],
+            jaw_offset_in_skull: DVec3::ZERO,
             eyes: [DQuat::IDENTITY; 2],
             upper_lid_rad: [0.0; 2],
             lower_lid_rad: [0.0; 2],
@@ -49,6 +54,16 @@ impl Pose {
     /// Sets the local rotation of a bone.
     pub fn set(&mut self, bone: Bone, rotation: DQuat) {
         self.rotations[bone.index()] = rotation;
+    }
+
+    /// How far a joint with this drive is from its place, in its parent's frame, metres.
+    #[must_use]
+    pub fn joint_offset(&self, drive: Drive) -> DVec3 {
+        if drive == Drive::Bone(Bone::Chin) {
+            self.jaw_offset_in_skull
+        } else {
+            DVec3::ZERO
+        }
     }
 
     /// The local rotation of a joint with this drive.

@@ -688,7 +688,8 @@ impl Skeleton {
                 .drive
                 .bone()
                 .map_or(DQuat::IDENTITY, |b| pose.rotation(b));
-            let local = self.local(joint, pose.joint_rotation(joint.drive), turn);
+            let mut local = self.local(joint, pose.joint_rotation(joint.drive), turn);
+            local.translation += pose.joint_offset(joint.drive);
             let world = match joint.parent {
                 None => {
                     DAffine3::from_rotation_translation(
@@ -769,6 +770,35 @@ mod tests {
             l.z > 0.15 && (mirror_vector(l) - r).length() < 1e-9,
             "{l} {r}"
         );
+    }
+
+    #[test]
+    fn the_jaw_slides_forwards_and_down_and_takes_nothing_along() {
+        let skeleton = Skeleton::example();
+        let mut pose = Pose::zero();
+        pose.root_rotation = DQuat::from_rotation_y(0.3);
+        pose.rotations[Bone::Skull.index()] = DQuat::from_rotation_z(0.2);
+        let solve = |pose: &Pose| {
+            let mut world = Vec::new();
+            skeleton.solve(pose, &mut world);
+            world
+        };
+        let before = solve(&pose);
+        pose.jaw_offset_in_skull = DVec3::new(-0.004, 0.008, 0.001);
+        let after = solve(&pose);
+        let chin = Bone::Chin.index();
+        for (i, (a, b)) in before.iter().zip(&after).enumerate() {
+            assert!(i == chin || a == b, "{}", skeleton.joints()[i].name);
+        }
+        let slid = after[chin].translation - before[chin].translation;
+        // Seen from the head as the zero pose has it: left, up, front.
+        let skull = Bone::Skull.index();
+        let slid = zero_frames()[skull] * (before[skull].matrix3.transpose() * slid);
+        assert!(
+            (slid - DVec3::new(0.001, -0.004, 0.008)).length() < 1e-12,
+            "{slid}"
+        );
+        assert_eq!(before[chin].matrix3, after[chin].matrix3);
     }
 
     #[test]

@@ -123,6 +123,7 @@ impl Layers {
         for layer in &self.later[alone..begun] {
             self.morph_weights.copy_from_slice(morph_weights);
             let (other, weights) = (&mut self.pose, &mut self.morph_weights);
+            let before = report.controls;
             report = layer
                 .actor
                 .evaluate(skeleton, face, time_secs, other, weights);
@@ -130,6 +131,7 @@ impl Layers {
             let body = minimum_jerk(since_secs / BODY_SECS);
             let face = minimum_jerk(since_secs / FACE_SECS);
             ease(pose, other, body, face);
+            report.controls = before.lerp(&report.controls, face);
             for (weight, to) in morph_weights.iter_mut().zip(weights) {
                 *weight = lerp(f64::from(*weight), f64::from(*to), face) as f32;
             }
@@ -148,6 +150,7 @@ fn ease(pose: &mut Pose, to: &Pose, body: f64, face: f64) {
         let share = if bone == Bone::Chin { face } else { body };
         pose.set(bone, pose.rotation(bone).slerp(to.rotation(bone), share));
     }
+    pose.jaw_offset_in_skull = pose.jaw_offset_in_skull.lerp(to.jaw_offset_in_skull, face);
     for i in 0..2 {
         pose.eyes[i] = pose.eyes[i].slerp(to.eyes[i], face);
         pose.upper_lid_rad[i] = lerp(pose.upper_lid_rad[i], to.upper_lid_rad[i], face);

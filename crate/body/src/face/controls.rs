@@ -1,5 +1,7 @@
 //! What a face is asked to do at one moment.
 
+use raconteur_base::curve::lerp;
+
 use super::MUSCLES;
 
 /// The four degrees of freedom of the lower jaw in speech (F&H section 3.1.1): pitch and yaw,
@@ -14,6 +16,15 @@ pub struct Jaw {
     pub forward_m: f64,
     /// Slide downwards, metres, 0 to 0.004.
     pub down_m: f64,
+}
+
+impl Jaw {
+    /// Least and greatest pitch and yaw, radians, and slide forwards and downwards, metres.
+    /// Designed: an adult's jaw opens by some 30° and slides by a centimetre at most.
+    pub const RANGES: [[f64; 2]; 4] = [[0.0, 0.35], [-0.1, 0.1], [-0.004, 0.008], [0.0, 0.004]];
+
+    /// The farthest that its joint slides from its place, metres.
+    pub const MOST_SLIDE_M: f64 = 0.009;
 }
 
 /// What a face is asked to do at one moment: contractions of its muscles, and direct
@@ -63,6 +74,129 @@ impl Default for FaceControls {
             tongue_back: 0.0,
             tongue_out: 0.0,
             blush: 0.0,
+        }
+    }
+}
+
+/// What becomes of a value, given another face's and its own range.
+type Change<'a> = &'a dyn Fn(f64, f64, [f64; 2]) -> f64;
+
+impl FaceControls {
+    /// Brings every value into its range. Contractions of all who move the face are summed
+    /// (F&H section 4.3.5); this is what limits the sums. What is not a number becomes 0.
+    pub fn limit(&mut self) {
+        let own = *self;
+        self.change(&own, &|value, _, [low, high]| {
+            if value.is_nan() {
+                0.0
+            } else {
+                value.clamp(low, high)
+            }
+        });
+    }
+
+    /// A share (0 to 1) of the way from this face to another, value by value.
+    #[must_use]
+    pub fn lerp(&self, to: &Self, share: f64) -> Self {
+        let mut between = *self;
+        between.change(to, &|from, to, _| lerp(from, to, share));
+        between
+    }
+
+    /// Takes both upper lids a share (0 to 1) of the way from where they are to closed: a
+    /// blink, which closes them from any expression. For whoever comes last.
+    pub fn close_lids(&mut self, share: f64) {
+        self.upper_lid = self.upper_lid.map(|lid| lerp(lid, 1.0, share));
+    }
+
+    fn change(&mut self, other: &Self, to: Change<'_>) {
+        let (share, signed) = ([0.0, 1.0], [-1.0, 1.0]);
+        let each = |values: &mut [f64], others: &[f64], range: [f64; 2]| {
+            for (value, other) in values.iter_mut().zip(others) {
+                *value = to(*value, *other, range);
+            }
+        };
+        each(&mut self.contraction, &other.contraction, share);
+        each(&mut self.protrusion, &other.protrusion, signed);
+        each(&mut self.upper_lid, &other.upper_lid, signed);
+        each(&mut self.lower_lid, &other.lower_lid, share);
+        let jaw = &other.jaw;
+        for (value, other, range) in [
+            (&mut self.seal, other.seal, share),
+            (&mut self.bite, other.bite, share),
+            (&mut self.tongue_tip, other.tongue_tip, share),
+            (&mut self.tongue_back, other.tongue_back, share),
+            (&mut self.tongue_out, other.tongue_out, share),
+            (&mut self.blush, other.blush, signed),
+            (&mut self.jaw.pitch_rad, jaw.pitch_rad, Jaw::RANGES[0]),
+            (&mut self.jaw.yaw_rad, jaw.yaw_rad, Jaw::RANGES[1]),
+            (&mut self.jaw.forward_m, jaw.forward_m, Jaw::RANGES[2]),
+            (&mut self.jaw.down_m, jaw.down_m, Jaw::RANGES[3]),
+        ] {
+            *value = to(*value, other, range);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A face of which every value is `value`.
+    fn all(value: f64) -> FaceControls {
+        let mut face = FaceControls::default();
+        face.change(&FaceControls::default(), &|_, _, _| value);
+        face
+    }
+
+    #[test]
+    fn every_value_is_brought_into_its_range() {
+        let [mut low, mut high, mut none] = [-9.0, 9.0, f64::NAN].map(all);
+        low.limit();
+        high.limit();
+        none.limit();
+        assert_eq!(none, FaceControls::default());
+        assert_eq!(
+            (low.contraction, high.contraction),
+            ([0.0; MUSCLES], [1.0; MUSCLES])
+        );
+        assert_eq!((low.protrusion, high.protrusion), ([-1.0; 2], [1.0; 2]));
+        assert_eq!((low.upper_lid, low.lower_lid), ([-1.0; 2], [0.0; 2]));
+        assert_eq!((low.blush, low.seal, high.bite), (-1.0, 0.0, 1.0));
+        assert_eq!(
+            (high.tongue_tip, high.tongue_back, high.tongue_out),
+            (1.0, 1.0, 1.0)
+        );
+        let jaw = |face: FaceControls| {
+            let Jaw {
+                pitch_rad,
+                yaw_rad,
+                forward_m,
+                down_m,
+            } = face.jaw;
+            [pitch_rad, yaw_rad, forward_m, down_m]
+        };
+        assert_eq!(jaw(low), Jaw::RANGES.map(|[least, _]| least));
+        assert_eq!(jaw(high), Jaw::RANGES.map(|[_, most]| most));
+        let slides = [low, high].map(|face| f64::hypot(face.jaw.forward_m, face.jaw.down_m));
+        assert!(slides.into_iter().all(|slide| slide < Jaw::MOST_SLIDE_M));
+    }
+
+    #[test]
+    fn a_mixture_lies_between_and_ends_where_it_should() {
+        let (a, b) = (all(0.25), all(0.75));
+        assert_eq!(a.lerp(&b, 0.5), all(0.5));
+        assert_eq!((a.lerp(&b, 0.0), a.lerp(&b, 1.0)), (a, b));
+    }
+
+    #[test]
+    fn a_blink_closes_wide_eyes_too() {
+        for lid in [-1.0, 0.0, 0.4, 1.0] {
+            let mut face = all(lid);
+            face.close_lids(0.5);
+            assert!((face.upper_lid[0] - (lid + 1.0) / 2.0).abs() < 1e-12);
+            face.close_lids(1.0);
+            assert_eq!(face.upper_lid, [1.0; 2]);
         }
     }
 }

@@ -106,12 +106,15 @@ const OVER_JAW: f64 = MOUTH_CLOSE_RAD / JAW_OPEN_RAD;
 /// file has is taken as it is) and the region of the last of them. Factors are designed: a
 /// viseme holds the opening of its vowel, which the jaw channel adds already and which is
 /// taken off again.
-const RECIPES: [(&str, &[Sum], Region); 37] = [
+const RECIPES: [(&str, &[Sum], Region); 52] = [
     (
         "jawOpen",
         &[&[("aa", WIDEST)], &[("mouthOpen", WIDEST)]],
         Region::Everywhere,
     ),
+    ("jawForward", &[], Region::Everywhere),
+    ("jawLeft", &[], Region::Everywhere),
+    ("jawRight", &[], Region::Everywhere),
     (
         "mouthClose",
         &[
@@ -146,6 +149,11 @@ const RECIPES: [(&str, &[Sum], Region); 37] = [
     ("mouthRollLower", &[&[("FF", 1.2)]], Region::Everywhere),
     ("mouthRollUpper", &[], Region::Everywhere),
     ("mouthShrugLower", &[], Region::Everywhere),
+    ("mouthShrugUpper", &[], Region::Everywhere),
+    ("mouthLeft", &[], Region::Everywhere),
+    ("mouthRight", &[], Region::Everywhere),
+    ("mouthDimpleLeft", &[], Region::Everywhere),
+    ("mouthDimpleRight", &[], Region::Everywhere),
     ("mouthLowerDownLeft", &[], Region::Everywhere),
     ("mouthLowerDownRight", &[], Region::Everywhere),
     ("mouthUpperUpLeft", &[], Region::Everywhere),
@@ -160,16 +168,23 @@ const RECIPES: [(&str, &[Sum], Region); 37] = [
         &[&[("mouthSmile", 0.5)], &[("happy", 0.35)]],
         Region::Mouth,
     ),
+    ("mouthFrownLeft", &[&[("sad", 0.35)]], Region::Mouth),
+    ("mouthFrownRight", &[&[("sad", 0.35)]], Region::Mouth),
     ("tongueOut", &[&[("TH", 0.6)]], Region::Everywhere),
     ("browInnerUp", &[&[("surprised", 0.6)]], Region::Brows),
     ("browOuterUpLeft", &[], Region::Everywhere),
     ("browOuterUpRight", &[], Region::Everywhere),
     ("browDownLeft", &[&[("angry", 0.5)]], Region::Brows),
     ("browDownRight", &[&[("angry", 0.5)]], Region::Brows),
+    ("noseSneerLeft", &[], Region::Everywhere),
+    ("noseSneerRight", &[], Region::Everywhere),
+    ("cheekPuff", &[], Region::Everywhere),
     ("cheekSquintLeft", &[], Region::Everywhere),
     ("cheekSquintRight", &[], Region::Everywhere),
     ("eyeSquintLeft", &[], Region::Everywhere),
     ("eyeSquintRight", &[], Region::Everywhere),
+    ("eyeWideLeft", &[], Region::Everywhere),
+    ("eyeWideRight", &[], Region::Everywhere),
     ("eyeBlinkLeft", &[&[("blink", 0.5)]], Region::Everywhere),
     ("eyeBlinkRight", &[&[("blink", 0.5)]], Region::Everywhere),
     ("eyeLookUpLeft", &[], Region::Everywhere),
@@ -361,7 +376,7 @@ fn channel(sources: &Sources, name: &'static str, sums: &[Sum], region: Region) 
         .filter_map(|(k, f)| scaled(k, *f))
         .flatten()
         .collect();
-    let whole_face = !matches!(sum[0].0, "happy" | "surprised" | "angry");
+    let whole_face = !matches!(sum[0].0, "happy" | "surprised" | "angry" | "sad");
     Some(Channel {
         name,
         parts,
@@ -463,6 +478,25 @@ mod tests {
             assert_eq!(recognise(name), None, "{name}");
         }
         assert_eq!(recognise_expression("Blink_L"), Some("eyeBlinkLeft"));
+    }
+
+    #[test]
+    fn every_target_of_arkit_is_known_by_its_name() {
+        let arkit = "eyeBlinkLeft eyeLookDownLeft eyeLookInLeft eyeLookOutLeft eyeLookUpLeft \
+            eyeSquintLeft eyeWideLeft eyeBlinkRight eyeLookDownRight eyeLookInRight \
+            eyeLookOutRight eyeLookUpRight eyeSquintRight eyeWideRight jawForward jawLeft \
+            jawRight jawOpen mouthClose mouthFunnel mouthPucker mouthLeft mouthRight \
+            mouthSmileLeft mouthSmileRight mouthFrownLeft mouthFrownRight mouthDimpleLeft \
+            mouthDimpleRight mouthStretchLeft mouthStretchRight mouthRollLower mouthRollUpper \
+            mouthShrugLower mouthShrugUpper mouthPressLeft mouthPressRight mouthLowerDownLeft \
+            mouthLowerDownRight mouthUpperUpLeft mouthUpperUpRight browDownLeft browDownRight \
+            browInnerUp browOuterUpLeft browOuterUpRight cheekPuff cheekSquintLeft \
+            cheekSquintRight noseSneerLeft noseSneerRight tongueOut";
+        assert_eq!(arkit.split_whitespace().count(), RECIPES.len());
+        for name in arkit.split_whitespace() {
+            assert_eq!(recognise(name), Some(name));
+            assert_eq!(recognise(&format!("Head.{name}")), Some(name));
+        }
     }
 
     #[test]

@@ -299,6 +299,20 @@ fn vrm_expressions_speak_and_blink() {
 }
 
 #[test]
+fn a_sad_expression_lends_its_mouth_to_frowns() {
+    let avatar = Avatar {
+        morphs: vec!["shape.one", "shape.two"],
+        expressions: vec![("aa", 0), ("sad", 1)],
+        ..Avatar::new(Dialect::Vrm1)
+    };
+    let figure = import(&make(&avatar)).figure;
+    for name in ["mouthFrownLeft", "mouthFrownRight"] {
+        near(moved(&figure, name), delta(1) * 0.35);
+    }
+    assert_eq!(figure.morph_index("mouthSmileLeft"), None);
+}
+
+#[test]
 fn a_face_without_targets_is_told() {
     let imported = import(&make(&Avatar::new(Dialect::Vrm1)));
     let d = imported

@@ -12,6 +12,7 @@ use raconteur_actor::gesture::contact::Capsule;
 use raconteur_actor::manipulator::{Sex, rig::LimbRig};
 use raconteur_actor::wrist;
 use raconteur_base::{DAffine3, DQuat, DVec3, Side, ops};
+use raconteur_body::face::Jaw;
 use raconteur_body::{Bone, Figure};
 
 use crate::Player;
@@ -197,7 +198,11 @@ impl Sweep {
             if let Some(parent) = bone.parent() {
                 let from = world_from_joint[parent.index()].translation;
                 let length = joint.translation.distance(from);
-                let stretched = (length - self.lengths_m[bone.index()]).abs();
+                let mut stretched = (length - self.lengths_m[bone.index()]).abs();
+                if bone == Bone::Chin {
+                    // The jaw slides in its joint, but not out of it.
+                    stretched -= Jaw::MOST_SLIDE_M;
+                }
                 self.length.meet(1e3 * stretched, bone, t);
             }
         }

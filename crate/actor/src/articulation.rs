@@ -1,0 +1,280 @@
+//! From the channels of the mouth to muscles, jaw and tongue (F&H section 3.1.3).
+//!
+//! Speech moves few muscles: both halves of the ring of the mouth, which contract, protrude
+//! and retract; mentalis, risorius and depressor of the lower lip; here also the upper lip's
+//! own levators, a little. What else the face shows is added to theirs, and closures keep
+//! what they need of the sum.
+
+use raconteur_base::Side;
+use raconteur_base::curve::lerp;
+use raconteur_body::face::{FaceControls, Muscle};
+use raconteur_speech::phones::Channel;
+
+use crate::lips::MouthTargets;
+
+use Muscle as M;
+
+/// Loudness of ordinary speech, of 0 (as quiet as can be) to 1 (shouted).
+pub const ORDINARY_LOUDNESS: f64 = 0.5;
+/// Pitch of the jaw at a channel value of 1, radians. Speech opens the mouth less than it
+/// can (F&H's jaw channel is the whole range): the widest vowel turns the jaw by 9°, as one
+/// who speaks to a room does. Designed.
+pub const JAW_RAD: f64 = 0.245;
+/// Lip aperture that a jaw channel of 1 opens by itself, as a lip channel. Designed.
+const LIPS_OF_JAW: f64 = 0.9;
+/// By how much the openings of vowels grow from ordinary speech to the loudest, and shrink
+/// to the quietest, as a share. Designed.
+const LOUDER: f64 = 0.4;
+/// Channels of jaw and lips up to which consonants open the mouth, in the table of phones:
+/// how loud one speaks changes only what is beyond.
+const CONSONANT_JAW: f64 = 0.18;
+const CONSONANT_LIPS: f64 = 0.25;
+/// How far the jaw comes forward for a sibilant, metres. Designed: its teeth meet edge to
+/// edge.
+const SIBILANT_M: f64 = 0.002;
+
+/// Adds what the mouth does in speech to a face: contractions, jaw, tongue, and how far
+/// closures hold the lips. `loudness` is that of the voice, 0 to 1 with
+/// [`ORDINARY_LOUDNESS`] in the middle; it scales how far vowels open the mouth, never
+/// closures.
+pub fn articulate(mouth: &MouthTargets, loudness: f64, controls: &mut FaceControls) {
+    let value = |channel: Channel| mouth.channel(channel);
+    let free = 1.0 - mouth.press.max(mouth.bite);
+    let louder = if loudness.is_nan() {
+        0.0
+    } else {
+        2.0 * LOUDER * (loudness.clamp(0.0, 1.0) - ORDINARY_LOUDNESS) * free
+    };
+    let voiced = |opening: f64, consonant: f64| opening + louder * (opening - consonant).max(0.0);
+    let jaw = voiced(value(Channel::Jaw), CONSONANT_JAW);
+    let open = voiced(value(Channel::LipOpen), CONSONANT_LIPS);
+    controls.jaw.pitch_rad += JAW_RAD * jaw;
+    // Of the sounds with the tip of the tongue raised, sibilants have the jaw nearly closed
+    // and the lips open.
+    let hiss = value(Channel::TongueTip)
+        * (1.0 - value(Channel::Jaw) / 0.15).clamp(0.0, 1.0)
+        * (open / 0.2).clamp(0.0, 1.0);
+    controls.jaw.forward_m += SIBILANT_M * hiss * free;
+
+    let round = value(Channel::Protrude);
+    for (i, half) in [M::OrbicularisOrisUpper, M::OrbicularisOrisLower]
+        .into_iter()
+        .enumerate()
+    {
+        controls.contraction[half.index()] += value(Channel::OoContract);
+        controls.protrusion[i] += round;
+    }
+    // What the lips open beyond the jaw they do themselves; rounded lips hide the teeth.
+    let own = (open - LIPS_OF_JAW * jaw).max(0.0);
+    let bare = 1.0 - 0.6 * round.max(0.0);
+    let raised = (0.55 * own + 0.11 * open) * bare;
+    for (muscle, contraction) in [
+        (
+            M::DepressorLabiiLeft,
+            (0.5 * own + 0.15 * value(Channel::DeprLabii)) * bare,
+        ),
+        (M::LevatorLabiiLeft, raised),
+        (M::ZygomaticusMinorLeft, 0.5 * raised),
+        (M::RisoriusLeft, 0.5 * value(Channel::Spread)),
+        (
+            M::MentalisLeft,
+            0.5 * value(Channel::Mentalis) * (1.0 - mouth.bite),
+        ),
+    ] {
+        for side in Side::BOTH {
+            controls.contraction[muscle.index() + side.index()] += contraction;
+        }
+    }
+    controls.seal += mouth.press;
+    controls.bite += mouth.bite;
+    controls.tongue_tip += value(Channel::TongueTip);
+    controls.tongue_back += value(Channel::TongueBack);
+    controls.tongue_out += value(Channel::TongueOut);
+}
+
+/// Muscles that pull the lips apart (left ones of pairs), and how much of each a closure
+/// takes off, percent: sealed lips, the lower lip at the teeth. Designed: what raises or lowers the
+/// red of the lips yields, what draws the corners yields in part.
+const APART: [(Muscle, u8, u8); 8] = [
+    (M::LevatorLabiiAlaequeLeft, 100, 0),
+    (M::LevatorLabiiLeft, 100, 0),
+    (M::ZygomaticusMinorLeft, 100, 0),
+    (M::ZygomaticusMajorLeft, 30, 20),
+    (M::LevatorAnguliLeft, 30, 20),
+    (M::RisoriusLeft, 30, 20),
+    (M::DepressorLabiiLeft, 100, 100),
+    (M::PlatysmaLeft, 60, 60),
+];
+/// Pitch of the jaw beyond which lips do not stay sealed, nor the lower lip at the teeth,
+/// radians. Designed: lips of a usual build reach each other over a third of a full opening.
+const SEALED_RAD: f64 = 0.12;
+const BITTEN_RAD: f64 = 0.03;
+
+/// Lets closures have their way in a face that several have moved: within a seal or a bite,
+/// what pulls lips apart is taken back, and so is a jaw too far open. For whoever adds last;
+/// brings the face into its ranges first ([`FaceControls::limit`]).
+pub fn hold_closures(controls: &mut FaceControls) {
+    controls.limit();
+    let (seal, bite) = (controls.seal, controls.bite);
+    for (muscle, by_seal, by_bite) in APART {
+        let sealed = 1.0 - 0.01 * f64::from(by_seal) * seal;
+        let bitten = 1.0 - 0.01 * f64::from(by_bite) * bite;
+        for side in Side::BOTH {
+            controls.contraction[muscle.index() + side.index()] *= sealed.min(bitten);
+        }
+    }
+    let pitch = &mut controls.jaw.pitch_rad;
+    for (share, most) in [(seal, SEALED_RAD), (bite, BITTEN_RAD)] {
+        *pitch = lerp(*pitch, pitch.min(most), share);
+    }
+    controls.jaw.down_m *= 1.0 - seal.max(bite);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use raconteur_base::noise;
+    use raconteur_body::face::MUSCLES;
+    use raconteur_speech::Phone;
+    use raconteur_speech::phones;
+
+    use crate::lips::LipTrack;
+
+    /// What a phone's own targets make of a face at rest.
+    fn face(symbol: &str, loudness: f64) -> FaceControls {
+        let mut mouth = MouthTargets {
+            channels: phones::by_name(symbol).expect("a phone").channels,
+            ..MouthTargets::default()
+        };
+        match symbol {
+            "p" | "b" | "m" => mouth.press = 1.0,
+            "f" | "v" => mouth.bite = 0.9,
+            _ => {}
+        }
+        let mut controls = FaceControls::default();
+        articulate(&mouth, loudness, &mut controls);
+        controls
+    }
+
+    fn of(controls: &FaceControls, muscle: Muscle) -> f64 {
+        controls.contraction[muscle.index()]
+    }
+
+    #[test]
+    fn phones_move_what_makes_them() {
+        let ordinary = |symbol: &str| face(symbol, ORDINARY_LOUDNESS);
+        let [aa, iy, uw, s, sh, n, k, th, p, f] =
+            ["aa", "iy", "uw", "s", "sh", "n", "k", "th", "p", "f"].map(ordinary);
+        assert!((aa.jaw.pitch_rad - 0.65 * JAW_RAD).abs() < 1e-12);
+        assert!(of(&iy, M::RisoriusLeft) > 4.0 * of(&aa, M::RisoriusLeft));
+        assert!(uw.protrusion[0] > 0.7 && of(&uw, M::OrbicularisOrisLower) > 0.5);
+        assert!(of(&iy, M::DepressorLabiiRight) > 0.1 && of(&iy, M::LevatorLabiiRight) > 0.1);
+        assert!(s.jaw.forward_m > 5e-4 && sh.jaw.forward_m > 3e-4, "{s:?}");
+        for other in [&aa, &iy, &uw, &n, &k, &p, &f] {
+            assert!(other.jaw.forward_m < 1e-4, "{other:?}");
+        }
+        assert_eq!(
+            (n.tongue_tip, k.tongue_back, th.tongue_out),
+            (1.0, 1.0, 0.35)
+        );
+        assert!(p.seal == 1.0 && f.bite == 0.9 && p.bite == 0.0 && f.seal == 0.0);
+        assert!(of(&p, M::MentalisLeft) > of(&aa, M::MentalisLeft));
+        assert_eq!(ordinary("pau"), FaceControls::default());
+    }
+
+    #[test]
+    fn speech_is_the_same_on_both_sides() {
+        for symbol in ["aa", "iy", "uw", "s", "p", "f", "m", "th"] {
+            let controls = face(symbol, 0.8);
+            for muscle in Muscle::all() {
+                assert_eq!(of(&controls, muscle), of(&controls, muscle.mirrored()));
+            }
+            assert!(
+                controls.jaw.yaw_rad == 0.0 && controls.protrusion[0] == controls.protrusion[1]
+            );
+        }
+    }
+
+    #[test]
+    fn a_loud_voice_opens_vowels_and_no_closure() {
+        for symbol in ["aa", "ae", "ao", "eh"] {
+            let [quiet, ordinary, loud] = [0.0, 0.5, 1.0].map(|l| face(symbol, l).jaw.pitch_rad);
+            assert!(quiet < 0.9 * ordinary && loud > 1.1 * ordinary, "{symbol}");
+        }
+        for symbol in ["p", "b", "m", "f", "v", "t", "s", "pau"] {
+            assert_eq!(face(symbol, 0.0), face(symbol, 1.0), "{symbol}");
+        }
+        assert_eq!(face("aa", f64::NAN), face("aa", ORDINARY_LOUDNESS));
+        assert_eq!(face("aa", 7.0), face("aa", 1.0));
+    }
+
+    /// An utterance of random phones in which every third is `every`.
+    fn utterance(every: &str, seed: u64) -> Vec<Phone> {
+        let others = ["aa", "iy", "uw", "s", "ae", "l", "ow", "k", "sh"];
+        (0..45)
+            .map(|i| {
+                let pick = (noise::unit(seed, 2, i) * others.len() as f64) as usize;
+                let symbol = if i % 3 == 1 { every } else { others[pick] };
+                Phone {
+                    symbol: symbol.to_owned(),
+                    start_secs: 0.09 * i as f64,
+                    end_secs: 0.09 * (i + 1) as f64,
+                    word: None,
+                }
+            })
+            .collect()
+    }
+
+    #[test]
+    fn closures_have_their_way_in_any_context_with_any_expression() {
+        for (seed, every) in ["p", "b", "m", "f", "v"]
+            .into_iter()
+            .cycle()
+            .take(40)
+            .enumerate()
+        {
+            let list = utterance(every, seed as u64);
+            let track = LipTrack::new(&list);
+            for (i, phone) in list.iter().enumerate().filter(|(_, p)| p.symbol == every) {
+                let middle = 0.5 * (phone.start_secs + phone.end_secs);
+                let mut controls = FaceControls::default();
+                articulate(&track.at(middle), 1.0, &mut controls);
+                for k in 0..MUSCLES {
+                    controls.contraction[k] += noise::unit(seed as u64, k as u64, i as i64);
+                }
+                controls.jaw.pitch_rad += 0.35;
+                controls.jaw.down_m += 0.004;
+                hold_closures(&mut controls);
+                let most = 1.0 - controls.seal.max(controls.bite);
+                assert!(of(&controls, M::DepressorLabiiLeft) <= most);
+                if matches!(every, "f" | "v") {
+                    assert!(controls.bite > 0.89, "{every} {}", controls.bite);
+                    assert!(controls.jaw.pitch_rad < 0.07, "{}", controls.jaw.pitch_rad);
+                } else {
+                    assert!(controls.seal > 0.97, "{every} {}", controls.seal);
+                    assert!(of(&controls, M::LevatorLabiiRight) <= most);
+                    assert!(controls.jaw.pitch_rad < 0.13, "{}", controls.jaw.pitch_rad);
+                    // A smile stays, less of it.
+                    let smile = of(&controls, M::ZygomaticusMajorLeft);
+                    let felt = noise::unit(seed as u64, M::ZygomaticusMajorLeft as u64, i as i64);
+                    assert!(
+                        (0.69 * felt..=0.72 * felt).contains(&smile),
+                        "{smile} {felt}"
+                    );
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn without_a_closure_the_sum_is_only_limited() {
+        let mut controls = FaceControls::default();
+        controls.contraction = [0.6; MUSCLES];
+        controls.contraction[M::MentalisLeft.index()] = 1.7;
+        controls.jaw.pitch_rad = 0.3;
+        let mut limited = controls;
+        limited.limit();
+        hold_closures(&mut controls);
+        assert_eq!(controls, limited);
+    }
+}

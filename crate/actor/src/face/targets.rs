@@ -1,0 +1,241 @@
+//! From what a face is asked to do to the weights of morph targets.
+//!
+//! Figures without tissue have targets by ARKit's names, drawn or composed when they were
+//! made; this is what stands for their muscles. Most of it is linear, a sparse table; what
+//! the lips do over an open jaw is not.
+
+use raconteur_body::face::{FaceControls, Jaw, MUSCLES, Muscle};
+use raconteur_body::figure::{JAW_OPEN_RAD, MOUTH_CLOSE_RAD};
+
+use Muscle as M;
+use Target as T;
+
+/// How far in front of the jaw's hinge the lips are, metres: what slides down opens them as
+/// a turn by the slide over this does. Designed.
+const LIPS_M: f64 = 0.09;
+
+/// A morph target, or the pair of its left and right halves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(u8)]
+pub(super) enum Target {
+    JawOpen,
+    JawForward,
+    /// To the left and to the right.
+    Jaw,
+    Blink,
+    LookUp,
+    LookDown,
+    LookIn,
+    LookOut,
+    Wide,
+    Squint,
+    CheekSquint,
+    CheekPuff,
+    Sneer,
+    BrowDown,
+    BrowInner,
+    BrowOuter,
+    Close,
+    Funnel,
+    Pucker,
+    /// To the left and to the right.
+    Mouth,
+    Smile,
+    Frown,
+    Dimple,
+    Stretch,
+    RollLower,
+    RollUpper,
+    ShrugLower,
+    ShrugUpper,
+    Press,
+    LowerDown,
+    UpperUp,
+    TongueUp,
+    TongueOut,
+}
+
+impl Target {
+    pub(super) const COUNT: usize = Self::TongueOut as usize + 1;
+
+    /// Targets that stand for a joint of the face: nothing of them may be written where the
+    /// joint itself carries skin.
+    pub(super) const OF_JAW: [Self; 3] = [T::JawOpen, T::JawForward, T::Jaw];
+    pub(super) const OF_LIDS: [Self; 1] = [T::Blink];
+    pub(super) const OF_EYES: [Self; 4] = [T::LookUp, T::LookDown, T::LookIn, T::LookOut];
+    /// Targets that move something else than skin.
+    pub(super) const OF_TONGUE: [Self; 2] = [T::TongueUp, T::TongueOut];
+}
+
+/// ARKit's names without `Left` and `Right`, in the order of [`Target`]; the tongue's first
+/// is our own.
+pub(super) const NAMES: [&str; T::COUNT] = [
+    "jawOpen",
+    "jawForward",
+    "jaw",
+    "eyeBlink",
+    "eyeLookUp",
+    "eyeLookDown",
+    "eyeLookIn",
+    "eyeLookOut",
+    "eyeWide",
+    "eyeSquint",
+    "cheekSquint",
+    "cheekPuff",
+    "noseSneer",
+    "browDown",
+    "browInnerUp",
+    "browOuterUp",
+    "mouthClose",
+    "mouthFunnel",
+    "mouthPucker",
+    "mouth",
+    "mouthSmile",
+    "mouthFrown",
+    "mouthDimple",
+    "mouthStretch",
+    "mouthRollLower",
+    "mouthRollUpper",
+    "mouthShrugLower",
+    "mouthShrugUpper",
+    "mouthPress",
+    "mouthLowerDown",
+    "mouthUpperUp",
+    "tongueUp",
+    "tongueOut",
+];
+
+/// By how much a muscle that is fully contracted (of a pair the left one) moves a target of
+/// its side, percent. Designed, after what the muscles do (F&H section 3.1.1) and the action
+/// units that ARKit's targets are named for. Nasalis and depressor septi have none: no
+/// target moves the nostrils alone. The frontal belly's target is one for both sides and
+/// takes their mean.
+static TABLE: [(Muscle, Target, u8); 37] = [
+    (M::FrontalisMedialLeft, T::BrowInner, 100),
+    (M::FrontalisLateralLeft, T::BrowOuter, 100),
+    (M::CorrugatorLeft, T::BrowDown, 60),
+    (M::DepressorSuperciliiLeft, T::BrowDown, 60),
+    (M::Procerus, T::BrowDown, 35),
+    (M::Procerus, T::Sneer, 10),
+    (M::OrbicularisOculiLeft, T::Squint, 100),
+    (M::OrbicularisOculiLeft, T::CheekSquint, 60),
+    (M::LevatorLabiiAlaequeLeft, T::Sneer, 100),
+    (M::LevatorLabiiAlaequeLeft, T::UpperUp, 40),
+    (M::LevatorLabiiLeft, T::UpperUp, 70),
+    (M::LevatorLabiiLeft, T::Sneer, 15),
+    (M::ZygomaticusMinorLeft, T::UpperUp, 35),
+    (M::ZygomaticusMinorLeft, T::Smile, 10),
+    (M::ZygomaticusMinorLeft, T::CheekSquint, 15),
+    (M::ZygomaticusMajorLeft, T::Smile, 100),
+    (M::ZygomaticusMajorLeft, T::CheekSquint, 30),
+    (M::LevatorAnguliLeft, T::Smile, 50),
+    (M::LevatorAnguliLeft, T::UpperUp, 10),
+    (M::RisoriusLeft, T::Stretch, 90),
+    (M::RisoriusLeft, T::Smile, 24),
+    (M::RisoriusLeft, T::Dimple, 10),
+    (M::RisoriusLeft, T::Mouth, 25),
+    (M::BuccinatorLeft, T::Dimple, 90),
+    (M::BuccinatorLeft, T::Mouth, 25),
+    (M::DepressorAnguliLeft, T::Frown, 100),
+    (M::DepressorLabiiLeft, T::LowerDown, 100),
+    (M::MentalisLeft, T::ShrugLower, 80),
+    (M::MentalisLeft, T::ShrugUpper, 30),
+    (M::OrbicularisOrisUpper, T::Pucker, 6),
+    (M::OrbicularisOrisLower, T::Pucker, 6),
+    (M::OrbicularisOrisUpper, T::Press, 15),
+    (M::OrbicularisOrisLower, T::Press, 15),
+    (M::OrbicularisOrisUpper, T::RollUpper, 10),
+    (M::OrbicularisOrisLower, T::RollLower, 10),
+    (M::PlatysmaLeft, T::Stretch, 40),
+    (M::PlatysmaLeft, T::LowerDown, 25),
+];
+
+/// Weights of all targets, left and right; of one in the middle both are the same.
+pub(super) type Weights = [[f64; 2]; T::COUNT];
+
+/// Weights of what muscles, jaw and tongue move; lids that blink and eyes that turn are
+/// [`FaceRig`](super::FaceRig)'s. Values of `controls` are in their ranges.
+pub(super) fn of_controls(controls: &FaceControls) -> Weights {
+    let mut weights = linear(&controls.contraction);
+    let w = &mut weights;
+    let mean = |pair: [f64; 2]| 0.5 * (pair[0] + pair[1]);
+    let round = mean(controls.protrusion.map(|p| p.max(0.0)));
+    let back = controls.protrusion.map(|p| (-p).max(0.0));
+    let ring = mean(
+        [M::OrbicularisOrisUpper, M::OrbicularisOrisLower].map(|m| controls.contraction[m.index()]),
+    );
+    let (seal, bite) = (controls.seal, controls.bite);
+
+    let Jaw {
+        pitch_rad,
+        yaw_rad,
+        forward_m,
+        down_m,
+    } = controls.jaw;
+    let open_rad = pitch_rad + down_m / LIPS_M;
+    w[T::JawOpen as usize] = [open_rad / JAW_OPEN_RAD; 2];
+    w[T::JawForward as usize] = [forward_m / Jaw::RANGES[2][1]; 2];
+    let aside = yaw_rad / Jaw::RANGES[1][1];
+    w[T::Jaw as usize] = [aside, -aside];
+
+    // The jaw takes the lips apart; the ring of the mouth lets them keep some of that.
+    let kept = (1.0 - seal) * (1.0 - 0.35 * ring) * (1.0 - 0.3 * round);
+    w[T::Close as usize] = [(1.0 - kept) * open_rad / MOUTH_CLOSE_RAD; 2];
+    // Lips that are pushed forward make a funnel when open and a kiss when not.
+    let opening = (kept * open_rad / MOUTH_CLOSE_RAD).min(1.0);
+    let puff = mean([0, 1].map(|i| controls.contraction[M::BuccinatorLeft.index() + i]));
+    for (target, keep, more) in [
+        (T::Pucker, 1.0, 1.15 * round * (1.0 - 0.4 * opening)),
+        (T::Funnel, 0.0, 0.9 * round * opening),
+        (T::RollUpper, 1.0 - round, 0.6 * back[0] + 0.1 * seal),
+        (
+            T::RollLower,
+            1.0 - round,
+            0.6 * back[1] + 0.12 * seal + 0.75 * bite,
+        ),
+        (T::Press, 1.0 - round, 0.35 * seal),
+        (T::ShrugLower, 1.0 - bite, 0.0),
+        (T::UpperUp, 1.0, 0.25 * bite),
+        // Rounded lips cannot smile.
+        (T::Smile, 1.0 - 0.75 * round, 0.0),
+        // Cheeks pressed against air that sealed lips hold puff; else they draw in the
+        // corners.
+        (T::CheekPuff, 0.0, seal * puff),
+        (T::Dimple, 1.0 - seal, 0.0),
+    ] {
+        w[target as usize] = w[target as usize].map(|weight| weight * keep + more);
+    }
+    // What takes lips apart gives way to what closes them.
+    for (target, most) in [
+        (T::UpperUp, 1.0 - seal),
+        (T::Sneer, 1.0 - seal),
+        (T::LowerDown, 1.0 - seal.max(bite)),
+    ] {
+        w[target as usize] = w[target as usize].map(|weight| weight.min(most));
+    }
+    let [left, right] = w[T::Mouth as usize];
+    w[T::Mouth as usize] = [left - right, right - left];
+
+    for (i, lid) in controls.lower_lid.into_iter().enumerate() {
+        w[T::Squint as usize][i] += 0.7 * lid;
+    }
+    w[T::TongueUp as usize] = [controls.tongue_tip; 2];
+    w[T::TongueOut as usize] = [controls.tongue_out * (1.0 - seal); 2];
+    weights
+}
+
+/// The table's part.
+fn linear(contraction: &[f64; MUSCLES]) -> Weights {
+    let mut weights = [[0.0; 2]; T::COUNT];
+    for &(muscle, target, percent) in &TABLE {
+        let middle = matches!(
+            muscle,
+            M::Procerus | M::OrbicularisOrisUpper | M::OrbicularisOrisLower
+        );
+        for (side, weight) in weights[target as usize].iter_mut().enumerate() {
+            let own = muscle.index() + if middle { 0 } else { side };
+            *weight += 0.01 * f64::from(percent) * contraction[own];
+        }
+    }
+    weights
+}
