@@ -11,6 +11,7 @@
 pub mod curve;
 pub mod decimal;
 pub mod json;
+mod node;
 pub mod noise;
 pub mod ops;
 pub mod order;
@@ -18,6 +19,7 @@ pub mod profile;
 
 pub use glam;
 pub use glam::{DAffine3, DMat3, DMat4, DQuat, DVec2, DVec3};
+pub use node::NodeState;
 
 /// Metres in one inch; the unit of GEVH's skeleton table is inch-like
 /// (standing height about 77). Exact by definition.

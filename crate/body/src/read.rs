@@ -8,6 +8,8 @@ pub(crate) mod document;
 
 use raconteur_base::{DAffine3, DMat4, DQuat, DVec3, Side};
 
+use crate::face::Tissue;
+use crate::face::file::{self, TissueError};
 use crate::figure::{Figure, Image, Maps, Material, MaterialKind, Mesh, Morph};
 use crate::skeleton::{Bone, FacePlaces, Skeleton};
 use accessor::Source;
@@ -68,6 +70,9 @@ pub enum ReadError {
     /// A skin uses a joint that is neither a bone nor a known helper.
     #[error("the skin uses an unknown joint, {0}")]
     UnknownJoint(String),
+    /// What moves under the skin of the face cannot be read.
+    #[error("the tissue of the face cannot be read: {0}")]
+    Tissue(#[from] TissueError),
     /// There is no mesh with a skin.
     #[error("the file has no skinned mesh")]
     NoMesh,
@@ -98,7 +103,7 @@ pub fn read_figure(name: &str, glb: &[u8]) -> Result<Figure, ReadError> {
         morph_names: morph_names(&root),
         lid_closure_rad: root.lid_closure_rad.unwrap_or([0.0; 2]),
         sex: root.sex,
-        tissue: None,
+        tissue: read_tissue(&mut source)?,
         images: read_images(&mut source)?,
     };
     for node in &root.nodes {
@@ -465,6 +470,14 @@ fn read_morphs(
         });
     }
     Ok(morphs)
+}
+
+fn read_tissue(source: &mut Source<'_>) -> Result<Option<Tissue>, ReadError> {
+    let Some(view) = source.root.tissue else {
+        return Ok(None);
+    };
+    let bytes = source.view_bytes(view, "the tissue of the face")?;
+    Ok(Some(file::from_bytes(bytes)?))
 }
 
 fn read_images(source: &mut Source<'_>) -> Result<Vec<Image>, ReadError> {

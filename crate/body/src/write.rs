@@ -9,6 +9,7 @@ use raconteur_base::{DAffine3, DVec3};
 use serde_json::{Map, Value, json};
 
 use crate::annotation::Annotations;
+use crate::face::file;
 use crate::figure::{Figure, Material, MaterialKind, Mesh, Morph};
 use crate::skeleton::{Bone, Drive};
 
@@ -474,6 +475,11 @@ pub fn to_annotated_glb(figure: &Figure, annotations: &Annotations) -> Vec<u8> {
         .collect();
     let textures: Vec<Value> = (0..images.len()).map(|i| json!({ "source": i })).collect();
 
+    let tissue = figure
+        .tissue
+        .as_ref()
+        .map(|t| buffer.view(&file::to_bytes(t), None, None));
+
     let mut document = json!({
         "asset": { "version": "2.0", "generator": "raconteur" },
         "extensionsUsed": ["KHR_mesh_quantization"],
@@ -502,6 +508,9 @@ pub fn to_annotated_glb(figure: &Figure, annotations: &Annotations) -> Vec<u8> {
     if let Some(extras) = document["scenes"][0]["extras"].as_object_mut() {
         if let Some(sex) = figure.sex {
             extras.insert("sex".to_owned(), number(sex));
+        }
+        if let Some(view) = tissue {
+            extras.insert("tissue".to_owned(), json!(view));
         }
         if *annotations != Annotations::default() {
             extras.extend(annotations.to_json());

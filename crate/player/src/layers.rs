@@ -8,6 +8,7 @@
 use raconteur_actor::performance::Report;
 use raconteur_actor::{Actor, FaceRig};
 use raconteur_base::curve::{lerp, minimum_jerk};
+use raconteur_body::face::FaceControls;
 use raconteur_body::{Bone, Pose, Skeleton};
 use raconteur_stage::Room;
 
@@ -98,6 +99,25 @@ impl Layers {
                 half_width_m: lerp(room.half_width_m, layer.room.half_width_m, s),
             }
         })
+    }
+
+    /// What the face is asked to do at a time; allocates nothing.
+    pub(crate) fn controls(&self, time_secs: f64) -> FaceControls {
+        let begun = self.later.partition_point(|l| l.from_secs < time_secs);
+        let done = self
+            .later
+            .partition_point(|l| l.from_secs + FACE_SECS <= time_secs);
+        let base = match done.checked_sub(1) {
+            Some(i) => &self.later[i],
+            None => &self.first,
+        };
+        let first = base.actor.controls(time_secs);
+        self.later[done..begun]
+            .iter()
+            .fold(first, |controls, layer| {
+                let share = minimum_jerk((time_secs - layer.from_secs) / FACE_SECS);
+                controls.lerp(&layer.actor.controls(time_secs), share)
+            })
     }
 
     /// As [`Actor::evaluate`]; allocates nothing.

@@ -21,6 +21,7 @@ mod music;
 mod part;
 mod performer;
 mod script;
+mod soft;
 pub mod sweep;
 mod units;
 mod unperformed;

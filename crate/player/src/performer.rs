@@ -8,6 +8,7 @@ use raconteur_actor::performance::Report;
 use raconteur_actor::{Actor, FaceRig, Library, Sex};
 use raconteur_base::order::sort_by_number;
 use raconteur_base::{DVec3, Side};
+use raconteur_body::face::{FaceControls, Network, NodeState, Tissue};
 use raconteur_body::{Figure, Pose};
 use raconteur_eml::{Diagnostic, Timeline};
 use raconteur_stage::{Camera, Frame, Room, Shot, SpeechNow, View};
@@ -22,6 +23,7 @@ use crate::motion;
 use crate::music::{self, MusicClause, MusicCue};
 use crate::part::{self, Part};
 use crate::script::Script;
+use crate::soft::SoftFace;
 use crate::units::Units;
 use crate::views::Views;
 
@@ -101,6 +103,8 @@ pub struct Player {
     story: Part,
     live: Live,
     layers: Layers,
+    /// Where the figure's face has tissue.
+    soft: Option<SoftFace>,
     geometry: Geometry,
     view: Option<View>,
     views: Views,
@@ -170,6 +174,7 @@ impl Player {
             story,
             live,
             layers: Layers::new(actor, room, morphs),
+            soft: figure.tissue.as_ref().map(SoftFace::new),
             geometry,
             view: None,
             passed_secs: -1.0,
@@ -177,7 +182,12 @@ impl Player {
             open_ended: false,
             open_until_secs: 0.0,
             pose: Pose::zero(),
-            frame: Frame::with_capacity(figure.skeleton.joints().len(), morphs),
+            frame: {
+                let mut frame = Frame::with_capacity(figure.skeleton.joints().len(), morphs);
+                let nodes = figure.tissue.as_ref().map_or(0, |t| t.rest.len());
+                frame.tissue = vec![NodeState::default(); nodes];
+                frame
+            },
             figure,
         };
         Loaded {
@@ -310,6 +320,7 @@ impl Player {
             self.views = Views::new(self.options.shot, shots);
             let (actor, room) = self.rehearse_all(self.layers.last_room());
             self.layers.change(base_secs, actor, room);
+            self.forget_face();
             if let Some(fragment) = self.live.parts().last() {
                 self.geometry.join(&fragment.geometry);
             }
@@ -395,7 +406,41 @@ impl Player {
             let from_secs = self.passed_secs.max(self.layers.last_change_secs());
             self.layers.change(from_secs.max(0.0), actor, room);
         }
+        self.forget_face();
         diagnostics
+    }
+
+    /// The tissue of the face and its network as they were for the last frame; none where the
+    /// figure has none.
+    pub(crate) fn face(&self) -> Option<(&Tissue, &Network)> {
+        Some((self.figure.tissue.as_ref()?, self.soft.as_ref()?.network()))
+    }
+
+    /// What the face is asked to do at a story time: contractions of its muscles, jaw, lids,
+    /// tongue.
+    #[must_use]
+    pub fn face_controls(&self, time_secs: f64) -> FaceControls {
+        self.layers.controls(time_secs)
+    }
+
+    /// The name of the row of [`raconteur_speech::phones`] by which a symbol of an utterance of
+    /// the script moves the mouth.
+    pub(crate) fn row<'a>(&'a self, utterance: usize, symbol: &'a str) -> &'a str {
+        let cue = self.story.utterances.get(utterance);
+        let voice = cue.and_then(|u| self.script.voice(u.clause));
+        voice.map_or(symbol, |v| v.row(symbol))
+    }
+
+    /// Upper lids of the last frame, radians: where they are and where they are closed.
+    pub(crate) fn lids_rad(&self) -> ([f64; 2], [f64; 2]) {
+        (self.pose.upper_lid_rad, self.figure.lid_closure_rad)
+    }
+
+    /// The face is asked for something else from now on.
+    fn forget_face(&mut self) {
+        if let Some(soft) = &mut self.soft {
+            soft.forget();
+        }
     }
 
     /// Whether a mind may send a fragment at a story time without being refused for its pace.
@@ -491,6 +536,10 @@ impl Player {
         self.figure
             .skeleton
             .solve(&self.pose, &mut self.frame.world_from_joint);
+        if let (Some(tissue), Some(soft)) = (&self.figure.tissue, &mut self.soft) {
+            let controls = |t: f64| self.layers.controls(t);
+            soft.at(tissue, t, &controls, &mut self.frame.tissue);
+        }
         self.frame.speech = self.speech_at(t);
         self.frame.shown = self.geometry.at(t);
         self.frame.handles.clear();
@@ -547,8 +596,8 @@ impl Player {
             .collect()
     }
 
-    /// FNV-1a (64 bits) over the bits of every joint's transform and every morph weight at a
-    /// time, little-endian: equal digests mean equal poses to the last bit.
+    /// FNV-1a (64 bits) over the bits of every joint's transform, every morph weight and every
+    /// node of the face at a time, little-endian: equal digests mean equal poses to the last bit.
     pub fn digest(&mut self, time_secs: f64) -> u64 {
         self.evaluate(time_secs);
         let mut hash: u64 = 0xcbf2_9ce4_8422_2325;
@@ -565,6 +614,11 @@ impl Player {
         }
         for weight in &self.frame.morph_weights {
             eat(&weight.to_le_bytes());
+        }
+        for node in &self.frame.tissue {
+            for value in node.displacement.iter().chain(&node.normal_delta) {
+                eat(&value.to_le_bytes());
+            }
         }
         hash
     }

@@ -1,6 +1,6 @@
 //! One moment of the performance.
 
-use raconteur_base::DAffine3;
+use raconteur_base::{DAffine3, NodeState};
 
 use crate::{Camera, Lighting, Set, Shown};
 
@@ -16,6 +16,8 @@ pub struct Frame {
     pub world_from_joint: Vec<DAffine3>,
     /// Weight of each of the figure's morph targets, usually 0..1.
     pub morph_weights: Vec<f32>,
+    /// The nodes of the tissue of the figure's face; none where it has no tissue.
+    pub tissue: Vec<NodeState>,
     /// Where the picture is taken from.
     pub camera: Camera,
     /// What lights it.
@@ -39,6 +41,7 @@ impl Frame {
             time_secs: 0.0,
             world_from_joint: Vec::with_capacity(joints),
             morph_weights: vec![0.0; morphs],
+            tissue: Vec::new(),
             camera: Camera::default(),
             lighting: Lighting::default(),
             set: Set::default(),

@@ -60,6 +60,9 @@ impl FaceRig {
         if carries(|d| matches!(d, Drive::Eye(_))) {
             rig.forget(&T::OF_EYES);
         }
+        if figure.tissue.is_some() {
+            rig = rig.without_skin();
+        }
         rig
     }
 
@@ -93,7 +96,7 @@ impl FaceRig {
     /// The rig of a figure whose skin follows the tissue: it moves jaw, lids, eyes and tongue,
     /// and leaves alone all morph targets that move skin.
     #[must_use]
-    pub fn without_skin(mut self) -> Self {
+    fn without_skin(mut self) -> Self {
         for (target, slots) in self.slots.iter_mut().enumerate() {
             if !T::OF_TONGUE.iter().any(|t| *t as usize == target) {
                 *slots = [None; 3];

@@ -1,9 +1,7 @@
 //! The tissue in a figure's file: one block of little-endian numbers, version first. Lengths
 //! and indices are checked when it is read, so that whoever moves the face need not.
 
-use super::tissue::{
-    Arch, Attachment, Column, Course, Fibre, FibrePoint, Link, LipNode, Tissue,
-};
+use super::tissue::{Arch, Attachment, Column, Course, Fibre, FibrePoint, Link, LipNode, Tissue};
 use super::{MUSCLES, Muscle};
 
 /// What [`from_bytes`] reads.

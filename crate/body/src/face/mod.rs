@@ -11,9 +11,10 @@ mod network;
 mod springs;
 pub mod tissue;
 
-pub use binding::{Binding, NodeState};
+pub use binding::Binding;
 pub use contact::Depths;
 pub use controls::{FaceControls, Jaw};
 pub use muscle::{MUSCLES, Muscle};
 pub use network::Network;
+pub use raconteur_base::NodeState;
 pub use tissue::Tissue;

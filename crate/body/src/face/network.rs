@@ -3,13 +3,9 @@
 use super::contact::{Contacts, Depths, JawPlace};
 use super::muscles::Muscles;
 use super::springs::{Hold, STEPS_PER_S, Springs, Vector};
-use super::{FaceControls, Muscle, NodeState, Tissue};
+use super::tissue::Column;
+use super::{FaceControls, Jaw, Muscle, NodeState, Tissue};
 
-/// Ranges of the jaw's degrees of freedom, radians and metres.
-const PITCH_RAD: [f64; 2] = [0.0, 0.4];
-const YAW_RAD: [f64; 2] = [-0.12, 0.12];
-const FORWARD_M: [f64; 2] = [-0.004, 0.008];
-const DOWN_M: [f64; 2] = [0.0, 0.004];
 /// Sealed lips press each other by this, metres on the reference head; what stops them is
 /// each other.
 const PRESS_M: f32 = 0.0012;
@@ -145,18 +141,16 @@ impl Network {
         self.contraction = controls.contraction;
         self.blush = controls.blush.clamp(-1.0, 1.0) as f32;
         self.muscles.contract(tissue, controls);
-        let within = |x: f64, [low, high]: [f64; 2]| x.clamp(low, high);
         let jaw = controls.jaw;
-        self.jaw = JawPlace::new(
-            tissue.hinge,
-            within(jaw.pitch_rad, PITCH_RAD),
-            within(jaw.yaw_rad, YAW_RAD),
-            [
-                0.0,
-                -within(jaw.down_m, DOWN_M) as f32 * tissue.scale,
-                within(jaw.forward_m, FORWARD_M) as f32 * tissue.scale,
-            ],
-        );
+        let asked = [jaw.pitch_rad, jaw.yaw_rad, jaw.forward_m, jaw.down_m];
+        let [pitch, yaw, forward, down]: [f64; 4] =
+            core::array::from_fn(|k| asked[k].clamp(Jaw::RANGES[k][0], Jaw::RANGES[k][1]));
+        let slide = [
+            0.0,
+            -down as f32 * tissue.scale,
+            forward as f32 * tissue.scale,
+        ];
+        self.jaw = JawPlace::new(tissue.hinge, pitch, yaw, slide);
         for (i, &rest) in tissue.rest.iter().enumerate() {
             let share = tissue.jaw[i];
             let mut place = [rest[0], rest[1], rest[2], 0.0];
@@ -259,6 +253,38 @@ impl Network {
         self.depths
     }
 
+    /// How deep anything still is in what it should keep out of, after the last step. For
+    /// those who look closely: it takes a copy of the network.
+    #[must_use]
+    pub fn left(&self, tissue: &Tissue) -> Depths {
+        let mut springs = self.springs.clone();
+        self.contacts
+            .resolve(tissue, &mut springs, &self.bones, &self.jaw)
+    }
+
+    /// How far the lips are apart where they are farthest, more than at rest, upwards; metres.
+    #[must_use]
+    pub fn lips_apart_m(&self, tissue: &Tissue) -> f32 {
+        let apart = |c: &Column| {
+            let [above, below] = c.contact.map(usize::from);
+            let now = self.springs.places[above][1] - self.springs.places[below][1];
+            now - (tissue.rest[above][1] - tissue.rest[below][1])
+        };
+        tissue.columns.iter().map(apart).fold(0.0, f32::max)
+    }
+
+    /// How far the lower lip is from where it touches the upper teeth, in the middle; metres.
+    #[must_use]
+    pub fn lip_to_teeth_m(&self, tissue: &Tissue) -> f32 {
+        let from_teeth = |c: &Column| {
+            let lip = self.springs.places[usize::from(c.contact[1])];
+            let way = [0, 1, 2].map(|k| lip[k] - c.edge[k]);
+            (way[0] * way[0] + way[1] * way[1] + way[2] * way[2]).sqrt()
+        };
+        let middle = tissue.columns.iter().filter(|c| c.bites > 0.99);
+        middle.map(from_teeth).fold(0.0, f32::max)
+    }
+
     /// The fastest node, metres a second.
     #[must_use]
     pub fn fastest_m_per_s(&self) -> f32 {
@@ -269,12 +295,6 @@ impl Network {
     #[must_use]
     pub fn most_stretched(&self) -> f32 {
         self.springs.most_stretched()
-    }
-
-    /// x
-    #[must_use]
-    pub fn worst_springs(&self, n: usize) -> Vec<(usize, usize, f32)> {
-        self.springs.worst(n)
     }
 
     /// Where a node is now, bind pose, metres.

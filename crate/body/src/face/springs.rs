@@ -225,11 +225,6 @@ impl Springs {
             .fold(0.0, f32::max)
     }
 
-    pub(super) fn worst(&self, n: usize) -> Vec<(usize, usize, f32)> {
-        let mut v: Vec<_> = self.springs.iter().map(|s| { let [a, b] = s.ends.map(usize::from); (a, b, length(minus(self.places[a], self.places[b])) / s.rest) }).collect();
-        v.sort_by(|x, y| y.2.total_cmp(&x.2)); v.truncate(n); v
-    }
-
     /// The most that a spring of the skin is stretched, against its length at rest.
     pub(super) fn most_stretched(&self) -> f32 {
         self.springs

@@ -3,8 +3,8 @@
 use raconteur_base::curve::smooth;
 use raconteur_base::{DAffine3, DQuat, DVec3, Side};
 
-use super::bones;
 use super::assemble::{Blueprint, Piece, assemble};
+use super::bones;
 use super::cloth::finish::openness;
 use super::cloth::{Wearer, dress};
 use super::hair::{self, HairParams};
@@ -102,6 +102,7 @@ pub fn build(params: &FigureParams) -> Built {
     });
     figure.sex = Some(params.person.sex);
     figure.tissue = Some(face_tissue(&head, world_from_head, &figure));
+    figure.leave_to_tissue();
     let annotations = annotations(&head, &figure);
     Built {
         figure,

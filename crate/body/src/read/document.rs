@@ -140,6 +140,8 @@ pub(crate) struct Document<'a> {
     pub(crate) stature_m: Option<f64>,
     pub(crate) lid_closure_rad: Option<[f64; 2]>,
     pub(crate) sex: Option<f64>,
+    /// The view that holds the tissue of the face.
+    pub(crate) tissue: Option<usize>,
     pub(crate) nodes: Vec<Node>,
     pub(crate) skins: Vec<Skin>,
     pub(crate) meshes: Vec<Mesh>,
@@ -367,6 +369,7 @@ impl<'a> Document<'a> {
             stature_m: extras["statureMetres"].number(),
             lid_closure_rad: numbers(extras, "lidClosureRadians"),
             sex: extras["sex"].number(),
+            tissue: index(extras, "tissue"),
             nodes: all("nodes").map(node).collect(),
             skins: all("skins").map(skin).collect(),
             meshes: all("meshes").map(mesh).collect(),

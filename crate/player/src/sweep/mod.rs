@@ -2,9 +2,10 @@
 //!
 //! A sweep looks at 120 frames a second of a [`Player`] and measures each of them: lengths of
 //! bones, rotations, speeds of joints, hands in the body or in each other, limits of joints,
-//! and whether strokes begin when the script says. The worst of each is told with its place
+//! whether strokes begin when the script says, and whether the face closes what speech closes. The worst of each is told with its place
 //! and time.
 
+mod face;
 mod solids;
 
 use raconteur_actor::arm_ik::ELBOW_MAX_DEG;
@@ -16,6 +17,7 @@ use raconteur_body::face::Jaw;
 use raconteur_body::{Bone, Figure};
 
 use crate::Player;
+use face::FaceSweep;
 use solids::{Body, Hand, local_rotation};
 
 /// Frames a second that a sweep looks at.
@@ -38,7 +40,7 @@ pub struct Check {
     pub limit: f64,
     /// Unit of both, for example `rad/s`.
     pub unit: &'static str,
-    /// Where: a bone by its name; empty when nothing was found.
+    /// Where: a bone or a phone by its name; empty when nothing was found.
     pub part: &'static str,
     /// When, story time, seconds.
     pub at_secs: f64,
@@ -63,8 +65,12 @@ impl Check {
     }
 
     fn meet(&mut self, value: f64, part: Bone, at_secs: f64) {
+        self.meet_part(value, part.name(), at_secs);
+    }
+
+    fn meet_part(&mut self, value: f64, part: &'static str, at_secs: f64) {
         if value > self.worst || value.is_nan() {
-            (self.worst, self.part, self.at_secs) = (value, part.name(), at_secs);
+            (self.worst, self.part, self.at_secs) = (value, part, at_secs);
         }
     }
 }
@@ -74,15 +80,23 @@ impl Check {
 #[must_use]
 pub fn sweep(player: &mut Player) -> Vec<Check> {
     let mut sweep = Sweep::new(player.figure());
+    let mut face = player.face().is_some().then(|| FaceSweep::new(player));
     let frames = (player.end_secs() * RATE_HZ).floor() as u64;
     for i in 0..=frames {
         let t = i as f64 / RATE_HZ;
         let frame = player.frame(t, 1.6);
         sweep.look(&frame.world_from_joint, t);
+        if let (Some(face), Some(tissue)) = (&mut face, player.face()) {
+            let controls = player.face_controls(t);
+            face.look(tissue, &controls, t);
+            face.look_at_lids(&controls, player.lids_rad(), t);
+        }
     }
     let late = late_strokes(player);
     let mut checks = sweep.checks();
     checks.push(late);
+    checks.extend(face.into_iter().flat_map(FaceSweep::checks));
+    checks.extend(face::fast(player));
     checks
 }
 

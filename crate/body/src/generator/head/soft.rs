@@ -215,7 +215,12 @@ pub(super) fn soft(
     let own = points::points(individual);
     let landmarks = mean
         .iter()
-        .filter(|(key, _)| matches!(key, Key::Grid(..) | Key::Mouth(0..=4, _) | Key::Eye(0..=3, _)))
+        .filter(|(key, _)| {
+            matches!(
+                key,
+                Key::Grid(..) | Key::Mouth(0..=4, _) | Key::Eye(0..=3, _)
+            )
+        })
         .filter_map(|(key, &at)| Some((at, *own.get(key)?)))
         .collect();
     (

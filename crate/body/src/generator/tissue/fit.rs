@@ -4,8 +4,8 @@ use raconteur_base::{DAffine3, DVec3, Side};
 
 use super::layout::{AROUND_EYE, EYE_CENTRE, EYE_RING, STRANDS, Strand};
 use super::{narrow, ramp};
+use crate::face::Muscle;
 use crate::face::tissue::{Attachment, Course, Fibre, FibrePoint, Link, Tissue};
-use crate::face::{Muscle};
 use crate::generator::head::Soft;
 use crate::generator::part::Part;
 
@@ -40,9 +40,11 @@ impl Skin {
             .iter()
             .flat_map(|part| {
                 let at = |v: u32| part.vertices[v as usize].position;
-                part.faces
-                    .iter()
-                    .flat_map(move |f| f[1..].windows(2).map(move |w| [at(f[0]), at(w[0]), at(w[1])]))
+                part.faces.iter().flat_map(move |f| {
+                    f[1..]
+                        .windows(2)
+                        .map(move |w| [at(f[0]), at(w[0]), at(w[1])])
+                })
             })
             .collect();
         let depths = soft
@@ -147,7 +149,12 @@ pub(super) fn nearest_on(points: &[FibrePoint], p: DVec3) -> (usize, f64, f64) {
 }
 
 /// Adds a fibre to the tissue; gives the index of its first point.
-pub(super) fn push(out: &mut Tissue, muscle: Muscle, course: Course, points: &[FibrePoint]) -> usize {
+pub(super) fn push(
+    out: &mut Tissue,
+    muscle: Muscle,
+    course: Course,
+    points: &[FibrePoint],
+) -> usize {
     let first = out.points.len();
     out.points.extend_from_slice(points);
     out.fibres.push(Fibre {
@@ -230,7 +237,11 @@ fn one(
         let Some((first, (point, on, distance))) = near else {
             continue;
         };
-        let free = if strand.ring.is_some() { 1.0 - ring_share(out, &holds[i]).min(1.0) } else { 1.0 };
+        let free = if strand.ring.is_some() {
+            1.0 - ring_share(out, &holds[i]).min(1.0)
+        } else {
+            1.0
+        };
         let weight = strand.pull * node.mobility * free * (1.0 - ramp(whole, none, distance));
         if weight > LEAST_HOLD {
             holds[i].push(Attachment {
@@ -251,7 +262,11 @@ fn ring_share(out: &Tissue, holds: &[Attachment]) -> f64 {
                 && (f.first..f.first + u16::from(f.count)).contains(&point)
         })
     };
-    holds.iter().filter(is_ring).map(|h| f64::from(h.weight)).sum()
+    holds
+        .iter()
+        .filter(is_ring)
+        .map(|h| f64::from(h.weight))
+        .sum()
 }
 
 /// Grows the end of a fibre into the ring of the mouth about a place of it.

@@ -42,8 +42,17 @@ pub(super) fn mouth(
         .filter_map(|(i, n)| Some((n.lip?, i)))
         .collect();
     let node = |ring: u8, position: u8, side: Side| {
-        let side = if position == 0 || position == LAST { Side::Left } else { side };
-        lips.get(&LipPlace { ring, position, side }).copied()
+        let side = if position == 0 || position == LAST {
+            Side::Left
+        } else {
+            side
+        };
+        lips.get(&LipPlace {
+            ring,
+            position,
+            side,
+        })
+        .copied()
     };
     // --- fibres ---
     let mut firsts = [[0usize; 3]; 2];
@@ -73,7 +82,11 @@ pub(super) fn mouth(
     // --- what hangs on them ---
     let hold = |lip: LipPlace, r: usize, weight: f64| {
         let is_lower = lip.position > CORNER;
-        let k = if is_lower { LAST - lip.position } else { lip.position };
+        let k = if is_lower {
+            LAST - lip.position
+        } else {
+            lip.position
+        };
         let aside = i32::from(k) * if lip.side == Side::Left { 1 } else { -1 };
         let point = (aside + i32::from(CORNER)) as usize;
         // A hold lies between two points.
@@ -161,7 +174,11 @@ pub(super) fn mouth(
         };
         let ring = f64::from(lip.ring);
         let much = (0.5 + 0.5 * ramp(0.0, 5.0, ring)) * (1.0 - ramp(11.0, 15.0, ring));
-        let closes = if lip.position < CORNER { -UPPER_CLOSES } else { 1.0 - UPPER_CLOSES };
+        let closes = if lip.position < CORNER {
+            -UPPER_CLOSES
+        } else {
+            1.0 - UPPER_CLOSES
+        };
         if much > 0.01 {
             out.lips.push(LipNode {
                 node: i as u16,
@@ -175,7 +192,9 @@ pub(super) fn mouth(
     }
     beyond_the_lips(soft, skin, &lips, &columns, mm, out);
     let part = |bone: Bone| {
-        arch(rigid, |v| v.weights.iter().any(|(j, _)| j.0 == Drive::Bone(bone)))
+        arch(rigid, |v| {
+            v.weights.iter().any(|(j, _)| j.0 == Drive::Bone(bone))
+        })
     };
     out.arches = [part(Bone::Skull), part(Bone::Chin)];
 }
@@ -199,7 +218,9 @@ fn beyond_the_lips(
             continue;
         }
         let distance = |at: &(LipPlace, usize)| skin.places[at.1].distance(skin.places[i]);
-        let near = rim.iter().min_by(|a, b| distance(a).total_cmp(&distance(b)));
+        let near = rim
+            .iter()
+            .min_by(|a, b| distance(a).total_cmp(&distance(b)));
         let Some(near) = near else { continue };
         let k = near.0.position.min(LAST - near.0.position);
         let side = if k == 0 { Side::Left } else { near.0.side };
@@ -207,7 +228,11 @@ fn beyond_the_lips(
             continue;
         };
         let much = 0.5 * n.mobility * (1.0 - ramp(0.0, 13.0 * mm, distance(near)));
-        let closes = if near.0.position < CORNER { -UPPER_CLOSES } else { 1.0 - UPPER_CLOSES };
+        let closes = if near.0.position < CORNER {
+            -UPPER_CLOSES
+        } else {
+            1.0 - UPPER_CLOSES
+        };
         if much > 0.02 {
             out.lips.push(LipNode {
                 node: i as u16,
@@ -224,12 +249,20 @@ fn teeth_edge(rigid: &[&Part]) -> impl Fn(f64) -> DVec3 {
         .iter()
         .filter(|part| part.name == "teeth")
         .flat_map(|part| &part.vertices)
-        .filter(|v| v.weights.iter().any(|(j, _)| j.0 == Drive::Bone(Bone::Skull)))
+        .filter(|v| {
+            v.weights
+                .iter()
+                .any(|(j, _)| j.0 == Drive::Bone(Bone::Skull))
+        })
         .map(|v| v.position)
         .collect();
     move |x: f64| {
         let near = |p: &&DVec3| (p.x - x).abs() < 0.003 && p.z > 0.0;
-        let low = upper.iter().filter(near).map(|p| p.y).fold(f64::MAX, f64::min);
+        let low = upper
+            .iter()
+            .filter(near)
+            .map(|p| p.y)
+            .fold(f64::MAX, f64::min);
         // The foremost of what lies near the edge.
         let edge = upper.iter().filter(near).filter(|p| p.y < low + 0.0015);
         let z = edge.map(|p| p.z).fold(f64::MIN, f64::max);

@@ -63,7 +63,13 @@ mod tests {
     #[test]
     fn landmarks_go_to_landmarks_and_what_lies_between_lies_between() {
         let bend = |p: DVec3| DVec3::new(1.1 * p.x, p.y + 0.002 * p.x * p.x, 0.9 * p.z + 3.0);
-        let at = |i: i32| DVec3::new(f64::from(i % 5) * 9.0, f64::from(i / 5) * 9.0, f64::from((i * 7) % 11));
+        let at = |i: i32| {
+            DVec3::new(
+                f64::from(i % 5) * 9.0,
+                f64::from(i / 5) * 9.0,
+                f64::from((i * 7) % 11),
+            )
+        };
         let pairs: Vec<(DVec3, DVec3)> = (0..25).map(|i| (at(i), bend(at(i)))).collect();
         let warp = Warp::new(&pairs);
         for (from, to) in &pairs {

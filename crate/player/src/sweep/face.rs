@@ -1,0 +1,211 @@
+//! What a viewer would notice of the face: lips that stay apart in a closure, lids that do not
+//! meet, skin in skin, teeth or bone.
+
+use raconteur_body::face::{FaceControls, Network, Tissue};
+use raconteur_speech::phones::{self, Class};
+
+use super::{Check, RATE_HZ};
+use crate::cues::CueKind;
+use crate::performer::Player;
+
+/// How much faster than they were spoken words are looked at as well.
+const FAST: f64 = 1.5;
+/// Share of a plosive in which its lips are closed; what follows is its release.
+const CLOSED: f64 = 0.75;
+/// Silence takes this long to close the mouth, and leaves it this long to open, seconds.
+const SILENCE_CLOSES_SECS: f64 = 0.2;
+const SILENCE_OPENS_SECS: f64 = 0.15;
+/// Radius of the globe that lids slide over, millimetres.
+const GLOBE_MM: f64 = 12.2;
+/// A face that is asked for this much of something is asked for it: a blink at its apex.
+const FULL: f64 = 0.999;
+/// Most that a face in silence may be moved by something else for its lips to be looked at.
+const STILL: f64 = 0.35;
+
+/// A time in which something must hold.
+struct Moment {
+    from_secs: f64,
+    to_secs: f64,
+    what: Kind,
+    phone: &'static str,
+}
+
+#[derive(Clone, Copy, PartialEq)]
+enum Kind {
+    Bilabial,
+    Labiodental,
+    Silence,
+}
+
+/// Moments of everything that is said, by time.
+fn moments(player: &Player) -> Vec<Moment> {
+    let mut all = Vec::new();
+    for cue in player.cues() {
+        let CueKind::Phone {
+            utterance,
+            symbol,
+            end_secs,
+        } = &cue.kind
+        else {
+            continue;
+        };
+        let Some(target) = phones::by_name(player.row(*utterance, symbol)) else {
+            continue;
+        };
+        let (start, end) = (cue.time_secs, *end_secs);
+        let (what, from_secs, to_secs) = match target.class {
+            Class::BilabialStop => (Kind::Bilabial, start, start + CLOSED * (end - start)),
+            Class::BilabialNasal => (Kind::Bilabial, start, end),
+            Class::Labiodental => (Kind::Labiodental, start, end),
+            Class::Silence => (
+                Kind::Silence,
+                start + SILENCE_CLOSES_SECS,
+                end - SILENCE_OPENS_SECS,
+            ),
+            _ => continue,
+        };
+        if to_secs > from_secs {
+            all.push(Moment {
+                from_secs,
+                to_secs,
+                what,
+                phone: target.name,
+            });
+        }
+    }
+    all
+}
+
+/// Checks of one pass over a story.
+pub(super) struct FaceSweep {
+    moments: Vec<Moment>,
+    next: usize,
+    bilabial: Check,
+    labiodental: Check,
+    silence: Check,
+    lids: Check,
+    lips: Check,
+    teeth: Check,
+    bone: Check,
+    stretch: Check,
+}
+
+impl FaceSweep {
+    pub(super) fn new(player: &Player) -> Self {
+        Self {
+            moments: moments(player),
+            next: 0,
+            bilabial: Check::new("lips-apart", 0.5, "mm"),
+            labiodental: Check::new("lip-from-teeth", 1.0, "mm"),
+            silence: Check::new("mouth-open-in-silence", 1.0, "mm"),
+            lids: Check::new("lids-apart", 0.5, "mm"),
+            lips: Check::new("lip-in-lip", 1.0, "mm"),
+            teeth: Check::new("lip-in-teeth", 1.0, "mm"),
+            bone: Check::new("skin-in-bone", 1.0, "mm"),
+            stretch: Check::new("skin-stretched", 2.5, ""),
+        }
+    }
+
+    /// Looks at a moment; times rise.
+    pub(super) fn look(
+        &mut self,
+        (tissue, network): (&Tissue, &Network),
+        controls: &FaceControls,
+        t: f64,
+    ) {
+        while self.moments.get(self.next).is_some_and(|m| m.to_secs < t) {
+            self.next += 1;
+        }
+        let apart_mm = 1e3 * f64::from(network.lips_apart_m(tissue));
+        for moment in &self.moments[self.next..] {
+            if moment.from_secs > t {
+                break;
+            }
+            if t > moment.to_secs {
+                continue;
+            }
+            match moment.what {
+                Kind::Bilabial => self.bilabial.meet_part(apart_mm, moment.phone, t),
+                Kind::Labiodental => {
+                    let from_mm = 1e3 * f64::from(network.lip_to_teeth_m(tissue));
+                    self.labiodental.meet_part(from_mm, moment.phone, t);
+                }
+                // An open mouth may be an expression.
+                Kind::Silence if controls.contraction.iter().all(|c| *c < STILL) => {
+                    self.silence.meet_part(apart_mm, moment.phone, t);
+                }
+                Kind::Silence => {}
+            }
+        }
+        let depths = network.left(tissue);
+        for (check, depth) in [
+            (&mut self.lips, depths.lips_m),
+            (&mut self.teeth, depths.teeth_m),
+            (&mut self.bone, depths.bone_m),
+        ] {
+            check.meet_part(1e3 * f64::from(depth), "face", t);
+        }
+        self.stretch
+            .meet_part(f64::from(network.most_stretched()), "face", t);
+    }
+
+    /// Looks at the lids: those that were asked to close.
+    pub(super) fn look_at_lids(
+        &mut self,
+        controls: &FaceControls,
+        (are_rad, closed_rad): ([f64; 2], [f64; 2]),
+        t: f64,
+    ) {
+        for i in 0..2 {
+            if controls.upper_lid[i] > FULL {
+                let apart = (closed_rad[i] - are_rad[i]).max(0.0);
+                self.lids.meet_part(GLOBE_MM * apart, "lid", t);
+            }
+        }
+    }
+
+    pub(super) fn checks(self) -> Vec<Check> {
+        vec![
+            self.bilabial,
+            self.labiodental,
+            self.silence,
+            self.lids,
+            self.lips,
+            self.teeth,
+            self.bone,
+            self.stretch,
+        ]
+    }
+}
+
+/// The same story, spoken faster than its skin is: what must close, closes then too.
+pub(super) fn fast(player: &Player) -> Vec<Check> {
+    let Some((tissue, _)) = player.face() else {
+        return Vec::new();
+    };
+    let mut sweep = FaceSweep::new(player);
+    let mut network = Network::new(tissue);
+    let rest = player.face_controls(0.0);
+    network.reset(tissue, &rest, &rest);
+    let steps = (player.end_secs() * RATE_HZ / FAST).floor() as u64;
+    for i in 0..=steps {
+        let t = i as f64 * FAST / RATE_HZ;
+        let controls = player.face_controls(t);
+        network.step(tissue, &controls);
+        sweep.look((tissue, &network), &controls, t);
+    }
+    let mut checks = sweep.checks();
+    checks.retain(|c| c.name != "lids-apart");
+    for check in &mut checks {
+        check.name = match check.name {
+            "lips-apart" => "lips-apart-fast",
+            "lip-from-teeth" => "lip-from-teeth-fast",
+            "mouth-open-in-silence" => "mouth-open-in-silence-fast",
+            "lip-in-lip" => "lip-in-lip-fast",
+            "lip-in-teeth" => "lip-in-teeth-fast",
+            "skin-in-bone" => "skin-in-bone-fast",
+            _ => "skin-stretched-fast",
+        };
+    }
+    checks
+}
