@@ -47,6 +47,17 @@ pub struct MouthTargets {
 }
 
 impl MouthTargets {
+    /// A mouth that is all one phone.
+    #[must_use]
+    pub fn of(phone: &PhoneTargets) -> Self {
+        let held = |classes: &[Class]| f64::from(u8::from(classes.contains(&phone.class)));
+        Self {
+            channels: phone.channels,
+            press: held(&[Class::BilabialStop, Class::BilabialNasal]),
+            bite: held(&[Class::Labiodental]),
+        }
+    }
+
     /// One channel.
     #[must_use]
     pub fn channel(&self, channel: Channel) -> f64 {

@@ -1,7 +1,9 @@
 //! Where the vertices of a posed figure are, for what is written or drawn without a device.
 
 use raconteur_player::base::{DAffine3, DMat3, DVec3};
-use raconteur_player::body::{Figure, Mesh};
+use raconteur_player::body::{Bone, Figure, Mesh};
+
+use crate::sheet::Posed;
 
 /// Vertices of one mesh in the world.
 pub(crate) struct Skinned {
@@ -20,13 +22,19 @@ pub(crate) fn world_from_bind(figure: &Figure, world_from_joint: &[DAffine3]) ->
         .collect()
 }
 
-/// Applies morphs, then the blend of the joints, as the renderer does.
-pub(crate) fn skin(mesh: &Mesh, world_from_bind: &[DAffine3], morph_weights: &[f32]) -> Skinned {
+/// Applies morphs and tissue, then the blend of the joints, as the renderer does.
+pub(crate) fn skin(mesh: &Mesh, world_from_bind: &[DAffine3], posed: &Posed) -> Skinned {
     let wide = |v: &[f32; 3]| DVec3::from_array(v.map(f64::from));
     let mut positions: Vec<DVec3> = mesh.positions.iter().map(wide).collect();
     let mut normals: Vec<DVec3> = mesh.normals.iter().map(wide).collect();
     for morph in &mesh.morphs {
-        let weight = f64::from(morph_weights.get(morph.target).copied().unwrap_or(0.0));
+        let weight = f64::from(
+            posed
+                .morph_weights
+                .get(morph.target)
+                .copied()
+                .unwrap_or(0.0),
+        );
         if weight == 0.0 {
             continue;
         }
@@ -36,15 +44,30 @@ pub(crate) fn skin(mesh: &Mesh, world_from_bind: &[DAffine3], morph_weights: &[f
             normals[v as usize] += wide(normal) * weight;
         }
     }
-    let places = positions.iter_mut().zip(&mut normals);
-    for ((position, normal), (joints, weights)) in places.zip(mesh.joints.iter().zip(&mesh.weights))
+    // What follows the tissue has the jaw's turn from it.
+    let mut is_bound = vec![false; positions.len()];
+    if let Some(binding) = mesh.binding.as_ref().filter(|_| !posed.tissue.is_empty()) {
+        for (v, moved, turned) in binding.apply(&posed.tissue) {
+            positions[v] += wide(&moved);
+            normals[v] += wide(&turned);
+            is_bound[v] = true;
+        }
+    }
+    let places = positions.iter_mut().zip(&mut normals).zip(is_bound);
+    for (((position, normal), is_bound), (joints, weights)) in
+        places.zip(mesh.joints.iter().zip(&mesh.weights))
     {
         let mut blend = DAffine3 {
             matrix3: DMat3::ZERO,
             translation: DVec3::ZERO,
         };
         for (&joint, &weight) in joints.iter().zip(weights) {
-            let matrix = &world_from_bind[usize::from(joint)];
+            let joint = if is_bound && usize::from(joint) == Bone::Chin.index() {
+                Bone::Skull.index()
+            } else {
+                usize::from(joint)
+            };
+            let matrix = &world_from_bind[joint];
             blend.matrix3 += matrix.matrix3 * f64::from(weight);
             blend.translation += matrix.translation * f64::from(weight);
         }

@@ -32,6 +32,7 @@ pub use cues::{ClauseRef, Cue, CueKind, UtteranceCue, WordCue};
 pub use event::{Accepted, Event};
 pub use music::MusicCue;
 pub use performer::{Loaded, Manipulator, Options, Player, StoryInput};
+pub use raconteur_actor as actor;
 pub use raconteur_actor::Library;
 pub use raconteur_base as base;
 pub use raconteur_body as body;

@@ -6,6 +6,8 @@ use super::springs::{Hold, STEPS_PER_S, Springs, Vector};
 use super::tissue::Column;
 use super::{FaceControls, Jaw, Muscle, NodeState, Tissue};
 
+/// Steps after which a face is at rest, whatever is asked of it.
+const SETTLES: usize = 90;
 /// Sealed lips press each other by this, metres on the reference head; what stops them is
 /// each other.
 const PRESS_M: f32 = 0.0012;
@@ -125,6 +127,14 @@ impl Network {
         self.springs.limit();
     }
 
+    /// Puts the face where these controls keep it, at rest.
+    pub fn settle(&mut self, tissue: &Tissue, controls: &FaceControls) {
+        self.reset(tissue, controls, controls);
+        for _ in 0..SETTLES {
+            self.step(tissue, controls);
+        }
+    }
+
     /// Lets a 120th of a second pass, at whose end the controls are these.
     pub fn step(&mut self, tissue: &Tissue, controls: &FaceControls) {
         self.hold(tissue, controls);
@@ -145,11 +155,7 @@ impl Network {
         let asked = [jaw.pitch_rad, jaw.yaw_rad, jaw.forward_m, jaw.down_m];
         let [pitch, yaw, forward, down]: [f64; 4] =
             core::array::from_fn(|k| asked[k].clamp(Jaw::RANGES[k][0], Jaw::RANGES[k][1]));
-        let slide = [
-            0.0,
-            -down as f32 * tissue.scale,
-            forward as f32 * tissue.scale,
-        ];
+        let slide = [0.0, -down as f32, forward as f32];
         self.jaw = JawPlace::new(tissue.hinge, pitch, yaw, slide);
         for (i, &rest) in tissue.rest.iter().enumerate() {
             let share = tissue.jaw[i];

@@ -41,6 +41,10 @@ pub(crate) enum Part {
     Poses,
     /// Teeth, jaw open, smile.
     Mouth,
+    /// Each muscle of the face alone; not part of all.
+    Muscles,
+    /// The fifteen visemes; not part of all.
+    Visemes,
     /// The face in every light.
     Lights,
     /// Edges of the triangles, without hair.
@@ -56,7 +60,11 @@ const COLUMNS: u32 = 5;
 pub(crate) fn tiles(figure: &Figure, parts: &[Part], light: Lighting) -> Vec<Tile> {
     let wanted = |part: Part| {
         parts.contains(&part)
-            || (parts.contains(&Part::All) && !matches!(part, Part::Shapes | Part::Silhouette))
+            || (parts.contains(&Part::All)
+                && !matches!(
+                    part,
+                    Part::Shapes | Part::Silhouette | Part::Muscles | Part::Visemes
+                ))
     };
     Part::value_variants()
         .iter()
@@ -91,6 +99,7 @@ pub(crate) fn draw(
             .world_from_joint
             .clone_from(&tile.posed.world_from_joint);
         frame.morph_weights.clone_from(&tile.posed.morph_weights);
+        frame.tissue.clone_from(&tile.posed.tissue);
         frame.camera = tile.camera;
         frame.lighting = tile.lighting;
         let size = (width, height);

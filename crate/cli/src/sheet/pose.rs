@@ -83,6 +83,7 @@ impl PoseName {
             return Posed {
                 world_from_joint: figure.inverse_bind.iter().map(|m| m.inverse()).collect(),
                 morph_weights: vec![0.0; figure.morph_names.len()],
+                tissue: Vec::new(),
             };
         }
         self.posture(figure).posed()

@@ -1,14 +1,16 @@
 //! Poses for a contact sheet, made without a story.
 
-use raconteur_player::base::{DAffine3, DMat3, DQuat, DVec3, Side};
+use raconteur_player::actor::FaceRig;
+use raconteur_player::base::{DAffine3, DMat3, DQuat, DVec3, NodeState, Side};
+use raconteur_player::body::face::{FaceControls, Network};
 use raconteur_player::body::skeleton::zero_frames;
 use raconteur_player::body::{Bone, Figure, HandShape, Pose, Skeleton};
 
-/// A pose being built, with the morphs that go with it.
+/// A pose being built, with what the face is asked to do in it.
 pub(crate) struct Posture<'a> {
     figure: &'a Figure,
     pose: Pose,
-    morphs: Vec<f32>,
+    face: FaceControls,
 }
 
 /// A pose ready to be drawn.
@@ -17,6 +19,8 @@ pub(crate) struct Posed {
     pub(crate) world_from_joint: Vec<DAffine3>,
     /// One for each of the figure's morphs.
     pub(crate) morph_weights: Vec<f32>,
+    /// The nodes of its face's tissue; none where it has none.
+    pub(crate) tissue: Vec<NodeState>,
 }
 
 /// Directions for the left side; the right mirrors them.
@@ -37,7 +41,7 @@ impl<'a> Posture<'a> {
         let mut posture = Self {
             figure,
             pose: Pose::zero(),
-            morphs: vec![0.0; figure.morph_names.len()],
+            face: FaceControls::default(),
         };
         for side in Side::BOTH {
             posture.arm(side, [0.20, -0.98, -0.04], [0.10, -0.95, 0.16]);
@@ -89,41 +93,36 @@ impl<'a> Posture<'a> {
         self.pose.root_rotation = DQuat::from_rotation_y(yaw_rad);
     }
 
-    /// Drops the chin, radians.
-    pub(crate) fn jaw(&mut self, rad: f64) {
-        self.pose.set(Bone::Chin, DQuat::from_rotation_z(rad));
-    }
-
     /// Closes the lids by a share.
     pub(crate) fn lids(&mut self, share: f64) {
-        self.pose.upper_lid_rad = self.figure.lid_closure_rad.map(|r| r * share);
-        if let Some(blink) = self.figure.morph_index("eyeBlinkLeft") {
-            self.morphs[blink] = share as f32;
-        }
-        if let Some(blink) = self.figure.morph_index("eyeBlinkRight") {
-            self.morphs[blink] = share as f32;
-        }
+        self.face.upper_lid = [share; 2];
     }
 
-    /// Sets every morph whose name begins so: a figure may have one for both sides or one
-    /// for each.
-    pub(crate) fn morph(&mut self, beginning: &str, weight: f32) {
-        for (name, slot) in self.figure.morph_names.iter().zip(&mut self.morphs) {
-            if name.starts_with(beginning) {
-                *slot = weight;
-            }
-        }
+    /// What the face is asked to do.
+    pub(crate) fn face(&mut self, controls: FaceControls) {
+        self.face = controls;
     }
 
     /// Solves the joints.
-    pub(crate) fn posed(self) -> Posed {
+    pub(crate) fn posed(mut self) -> Posed {
+        let mut morph_weights = vec![0.0; self.figure.morph_names.len()];
+        let rig = FaceRig::new(self.figure);
+        rig.write(&self.face, [0.0; 2], &mut self.pose, &mut morph_weights);
+        let mut tissue = Vec::new();
+        if let Some(soft) = &self.figure.tissue {
+            tissue.resize(soft.rest.len(), NodeState::default());
+            let mut network = Network::new(soft);
+            network.settle(soft, &self.face);
+            network.write(soft, 1.0, &mut tissue);
+        }
         let mut world_from_joint = Vec::new();
         self.figure
             .skeleton
             .solve(&self.pose, &mut world_from_joint);
         Posed {
             world_from_joint,
-            morph_weights: self.morphs,
+            morph_weights,
+            tissue,
         }
     }
 

@@ -2,8 +2,12 @@
 
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
+use raconteur_player::actor::articulation::{ORDINARY_LOUDNESS, articulate, hold_closures};
+use raconteur_player::actor::lips::MouthTargets;
 use raconteur_player::base::{DVec3, Side};
+use raconteur_player::body::face::{FaceControls, Muscle};
 use raconteur_player::body::{Figure, HandShape};
+use raconteur_player::speech::phones;
 use raconteur_player::stage::{Camera, Lighting};
 
 use super::pose::{FIST, PoseName};
@@ -62,6 +66,8 @@ pub(super) fn of(figure: &Figure, part: Part, lighting: Lighting) -> Vec<Tile> {
         Part::Shapes => maker.shapes(),
         Part::Poses => maker.poses(),
         Part::Mouth => maker.mouth(),
+        Part::Muscles => maker.muscles(),
+        Part::Visemes => maker.visemes(),
         Part::Lights => maker.lights(),
         Part::Wireframe => maker.wireframe(),
         Part::Silhouette => maker.silhouette(),
@@ -274,30 +280,71 @@ impl<'a> Maker<'a> {
         }]
     }
 
+    /// The lower half of a face that is asked for something.
+    fn lips(&self, caption: &str, controls: FaceControls) -> Tile {
+        let mut posture = self.standing();
+        posture.face(controls);
+        self.tile(caption, 1.0, posture, |at| {
+            let d = at.pupils_m();
+            before(at.between_eyes() - DVec3::Y * (1.2 * d), 0.72 * d, 0.0, 0.0)
+        })
+    }
+
     fn mouth(&self) -> Vec<Tile> {
-        let near = |caption, jaw_deg: f64, morphs: &[(&str, f32)]| {
-            let mut posture = self.standing();
-            posture.jaw(jaw_deg.to_radians());
-            for &(name, weight) in morphs {
-                posture.morph(name, weight);
-            }
-            self.tile(caption, 1.0, posture, |at| {
-                let d = at.pupils_m();
-                before(at.between_eyes() - DVec3::Y * (1.2 * d), 0.72 * d, 0.0, 0.0)
-            })
+        let of = |jaw_deg: f64, protrusion: f64, muscles: &[(Muscle, f64)]| {
+            let mut controls = contracted(muscles);
+            controls.jaw.pitch_rad = jaw_deg.to_radians();
+            controls.protrusion = [protrusion; 2];
+            controls
         };
         let retracted = [
-            ("mouthUpperUp", 1.0),
-            ("mouthLowerDown", 1.0),
-            ("mouthStretch", 0.6),
+            (Muscle::LevatorLabiiLeft, 1.0),
+            (Muscle::DepressorLabiiLeft, 1.0),
+            (Muscle::RisoriusLeft, 0.6),
+        ];
+        let smile = [
+            (Muscle::ZygomaticusMajorLeft, 0.8),
+            (Muscle::OrbicularisOculiLeft, 0.4),
+        ];
+        let ring = [
+            (Muscle::OrbicularisOrisUpper, 0.7),
+            (Muscle::OrbicularisOrisLower, 0.7),
         ];
         vec![
-            near("lips at rest", 0.0, &[]),
-            near("teeth, lips retracted", 8.0, &retracted),
-            near("jaw open", 24.0, &[]),
-            near("smile", 0.0, &[("mouthSmile", 0.8)]),
-            near("pucker", 3.0, &[("mouthPucker", 0.9)]),
+            self.lips("lips at rest", of(0.0, 0.0, &[])),
+            self.lips("teeth, lips retracted", of(8.0, 0.0, &retracted)),
+            self.lips("jaw open", of(20.0, 0.0, &[])),
+            self.lips("smile", of(0.0, 0.0, &smile)),
+            self.lips("pucker", of(3.0, 0.9, &ring)),
         ]
+    }
+
+    /// Every muscle on both sides.
+    fn muscles(&self) -> Vec<Tile> {
+        Muscle::all()
+            .filter(|m| m.side() != Some(Side::Right))
+            .map(|muscle| {
+                let mut posture = self.standing();
+                posture.facing(0.3);
+                posture.face(contracted(&[(muscle, 1.0)]));
+                let name = muscle.name();
+                self.head(name.strip_suffix("Left").unwrap_or(name), posture)
+            })
+            .collect()
+    }
+
+    fn visemes(&self) -> Vec<Tile> {
+        VISEMES
+            .iter()
+            .map(|&(viseme, phone)| {
+                let mut controls = FaceControls::default();
+                if let Some(row) = phones::by_name(phone) {
+                    articulate(&MouthTargets::of(row), ORDINARY_LOUDNESS, &mut controls);
+                }
+                hold_closures(&mut controls);
+                self.lips(viseme, controls)
+            })
+            .collect()
     }
 
     fn lights(&self) -> Vec<Tile> {
@@ -313,6 +360,35 @@ impl<'a> Maker<'a> {
             })
             .collect()
     }
+}
+
+/// The visemes of OpenXR's `XR_META_face_tracking_visemes`, each with a phone that has it.
+const VISEMES: [(&str, &str); 15] = [
+    ("sil", "pau"),
+    ("PP", "p"),
+    ("FF", "f"),
+    ("TH", "th"),
+    ("DD", "d"),
+    ("kk", "k"),
+    ("CH", "ch"),
+    ("SS", "s"),
+    ("nn", "n"),
+    ("RR", "r"),
+    ("aa", "aa"),
+    ("E", "eh"),
+    ("ih", "iy"),
+    ("oh", "ao"),
+    ("ou", "uw"),
+];
+
+/// A face of which muscles are contracted, on both sides.
+fn contracted(muscles: &[(Muscle, f64)]) -> FaceControls {
+    let mut controls = FaceControls::default();
+    for (muscle, contraction) in muscles {
+        controls.contraction[muscle.index()] = *contraction;
+        controls.contraction[muscle.mirrored().index()] = *contraction;
+    }
+    controls
 }
 
 fn middle_of_head(at: &Places<'_>) -> DVec3 {

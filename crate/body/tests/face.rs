@@ -1,0 +1,246 @@
+//! The soft faces of the shipped figures: they rest, they stay whole whatever is asked of
+//! them, and each muscle does what anatomy says.
+
+use raconteur_base::noise;
+use raconteur_body::Figure;
+use raconteur_body::face::{FaceControls, Muscle, Network, NodeState, Tissue};
+use raconteur_body::read::read_figure;
+
+use Muscle as M;
+
+const FIGURES: [&str; 3] = ["sofia", "papous", "nuno"];
+/// Half a second.
+const HALF_A_SECOND: usize = 60;
+
+fn figure(name: &str) -> Figure {
+    let path = format!(
+        "{}/../../assets/figures/{name}.glb",
+        env!("CARGO_MANIFEST_DIR")
+    );
+    read_figure(name, &std::fs::read(path).expect("a figure")).expect("a figure")
+}
+
+fn tissue(name: &str) -> Tissue {
+    figure(name).tissue.expect("a face with tissue")
+}
+
+/// A face that has settled.
+fn settled(tissue: &Tissue, controls: &FaceControls) -> Network {
+    let mut network = Network::new(tissue);
+    let rest = FaceControls::default();
+    network.reset(tissue, &rest, &rest);
+    for _ in 0..2 * HALF_A_SECOND {
+        network.step(tissue, controls);
+    }
+    network
+}
+
+/// A face of which everything is asked by chance, as far as it goes.
+fn random(seed: u64, i: i64) -> FaceControls {
+    let u = |id: u64| noise::unit(seed, id, i);
+    let mut c = FaceControls::default();
+    for (k, x) in (0u64..).zip(&mut c.contraction) {
+        if u(500 + k) < 0.3 {
+            *x = u(k);
+        }
+    }
+    c.protrusion = [2.0 * u(100) - 1.0, 2.0 * u(101) - 1.0];
+    c.seal = if u(102) < 0.3 { u(103) } else { 0.0 };
+    c.bite = if u(104) < 0.2 { u(105) } else { 0.0 };
+    if u(106) < 0.6 {
+        c.jaw.pitch_rad = 0.35 * u(107);
+        c.jaw.yaw_rad = 0.2 * u(108) - 0.1;
+        c.jaw.forward_m = 0.012 * u(109) - 0.004;
+        c.jaw.down_m = 0.004 * u(110);
+    }
+    c
+}
+
+/// The farthest that a node is from where it rests, metres.
+fn farthest_m(tissue: &Tissue, network: &Network) -> f32 {
+    (0..tissue.rest.len())
+        .map(|i| distance(network.place(i), tissue.rest[i]))
+        .fold(0.0, f32::max)
+}
+
+fn distance(a: [f32; 3], b: [f32; 3]) -> f32 {
+    (0..3)
+        .map(|k| (a[k] - b[k]) * (a[k] - b[k]))
+        .sum::<f32>()
+        .sqrt()
+}
+
+#[test]
+fn the_whole_head_is_a_network_of_thousands() {
+    for name in FIGURES {
+        let tissue = tissue(name);
+        let (nodes, springs) = Network::new(&tissue).size();
+        assert!(
+            nodes >= 2000 && (18_000..=30_000).contains(&springs),
+            "{name}: {nodes}, {springs}"
+        );
+    }
+}
+
+#[test]
+fn a_face_of_which_nothing_is_asked_does_not_drift() {
+    for name in FIGURES {
+        let tissue = tissue(name);
+        let network = settled(&tissue, &FaceControls::default());
+        assert!(farthest_m(&tissue, &network) < 1e-6, "{name}");
+        assert!(network.fastest_m_per_s() < 1e-5, "{name}");
+    }
+}
+
+#[test]
+fn ten_thousand_jumps_leave_the_skin_whole_and_what_is_let_go_comes_to_rest() {
+    for (seed, name) in (0u64..).zip(FIGURES) {
+        let tissue = tissue(name);
+        let rest = FaceControls::default();
+        let mut network = Network::new(&tissue);
+        network.reset(&tissue, &rest, &rest);
+        let mut nodes = vec![NodeState::default(); tissue.rest.len()];
+        for i in 0..10_000 {
+            let controls = random(seed, i);
+            for _ in 0..=(noise::unit(seed, 900, i) * 3.0) as usize {
+                network.step(&tissue, &controls);
+            }
+            let stretched = network.most_stretched();
+            assert!(stretched <= 2.5, "{name}: {stretched} at {i}");
+            if i % 250 == 0 {
+                let mut released = network.clone();
+                for _ in 0..HALF_A_SECOND {
+                    released.step(&tissue, &rest);
+                }
+                let off = farthest_m(&tissue, &released);
+                assert!(
+                    off < 1e-4 && released.fastest_m_per_s() < 1e-3,
+                    "{name}: {off} at {i}"
+                );
+                network.write(&tissue, 0.5, &mut nodes);
+                for node in &nodes {
+                    let all = node
+                        .displacement
+                        .iter()
+                        .chain(&node.normal_delta)
+                        .chain(&node.wrinkles);
+                    assert!(all.chain([&node.blush]).all(|x| x.is_finite()));
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn sealed_lips_touch_whatever_pulls_at_them() {
+    for name in FIGURES {
+        let tissue = tissue(name);
+        for i in 0..40 {
+            let mut controls = random(7, i);
+            for (k, c) in (0u64..).zip(&mut controls.contraction) {
+                *c *= 0.5 * noise::unit(8, k, i);
+            }
+            controls.jaw.pitch_rad = controls.jaw.pitch_rad.min(0.12);
+            controls.protrusion = controls.protrusion.map(|p| 0.6 * p);
+            controls.bite = 0.0;
+            controls.seal = 1.0;
+            let network = settled(&tissue, &controls);
+            let apart = 1e3 * network.lips_apart_m(&tissue);
+            assert!(apart < 0.5, "{name}: {apart} mm at {i}");
+        }
+    }
+}
+
+#[test]
+fn the_lower_lip_reaches_the_upper_teeth() {
+    for name in FIGURES {
+        let tissue = tissue(name);
+        for pitch_rad in [0.0, 0.015, 0.03] {
+            let mut controls = FaceControls {
+                bite: 1.0,
+                ..FaceControls::default()
+            };
+            controls.jaw.pitch_rad = pitch_rad;
+            let from = 1e3 * settled(&tissue, &controls).lip_to_teeth_m(&tissue);
+            assert!(from < 1.0, "{name}: {from} mm at {pitch_rad}");
+        }
+    }
+}
+
+/// A muscle (its left one), where its effect is looked at, and what it does there: the least
+/// movement, millimetres, and its main direction.
+type Effect = (Muscle, &'static str, f32, [f32; 3]);
+
+/// What mimic muscles do (F&H section 3.1.1), at landmarks of the left half or the middle.
+const EFFECTS: [Effect; 22] = [
+    (M::FrontalisMedialLeft, "g", 1.0, [0.0, 1.0, 0.0]),
+    (M::FrontalisMedialLeft, "sci_l", 0.8, [0.0, 1.0, 0.0]),
+    (M::FrontalisLateralLeft, "sci_l", 1.0, [0.0, 1.0, 0.0]),
+    (M::CorrugatorLeft, "sci_l", 0.5, [-1.0, 0.0, 0.0]),
+    (M::DepressorSuperciliiLeft, "gl'", 0.2, [0.0, -1.0, 0.0]),
+    (M::Procerus, "gl'", 0.8, [0.0, -1.0, 0.0]),
+    (M::NasalisLeft, "al_l", 0.2, [1.0, 0.0, 0.0]),
+    (M::DepressorSepti, "c", 0.4, [0.0, -1.0, 0.0]),
+    (M::LevatorLabiiAlaequeLeft, "al_l", 0.8, [0.0, 1.0, 0.0]),
+    (M::LevatorLabiiLeft, "cph_l", 1.5, [0.0, 1.0, 0.0]),
+    (M::ZygomaticusMinorLeft, "mlfs_l", 1.0, [0.0, 1.0, 0.0]),
+    (M::ZygomaticusMajorLeft, "ch_l", 3.0, [1.0, 0.0, 0.0]),
+    (M::ZygomaticusMajorLeft, "ch_l", 3.0, [0.0, 1.0, 0.0]),
+    (M::LevatorAnguliLeft, "ch_l", 1.5, [0.0, 1.0, 0.0]),
+    (M::RisoriusLeft, "ch_l", 2.0, [1.0, 0.0, 0.0]),
+    (M::BuccinatorLeft, "ch_l", 1.0, [1.0, 0.0, 0.0]),
+    (M::DepressorAnguliLeft, "ch_l", 2.0, [0.0, -1.0, 0.0]),
+    (M::DepressorLabiiLeft, "li", 1.0, [0.0, -1.0, 0.0]),
+    (M::MentalisLeft, "pg", 0.6, [0.0, 1.0, 0.0]),
+    (M::OrbicularisOrisUpper, "cph_l", 1.0, [-1.0, 0.0, 0.0]),
+    (M::OrbicularisOrisLower, "mvi_l", 1.0, [-1.0, 0.0, 0.0]),
+    (M::PlatysmaLeft, "ch_l", 0.3, [0.0, -1.0, 0.0]),
+];
+
+#[test]
+fn each_muscle_moves_the_skin_as_anatomy_says() {
+    for name in FIGURES {
+        let path = format!(
+            "{}/../../assets/figures/{name}.glb",
+            env!("CARGO_MANIFEST_DIR")
+        );
+        let names =
+            raconteur_body::annotation::annotations(&std::fs::read(path).expect("a figure"))
+                .expect("annotations");
+        let figure = figure(name);
+        let tissue = figure.tissue.as_ref().expect("tissue");
+        for (muscle, landmark, least_mm, way) in EFFECTS {
+            let mut controls = FaceControls::default();
+            controls.contraction[muscle.index()] = 1.0;
+            let network = settled(tissue, &controls);
+            let at = names.landmark(landmark).expect(landmark);
+            let place = figure.meshes[at.mesh].positions[at.vertex as usize];
+            let nearest = (0..tissue.rest.len())
+                .min_by(|a, b| {
+                    distance(tissue.rest[*a], place).total_cmp(&distance(tissue.rest[*b], place))
+                })
+                .expect("a node");
+            let (now, rest) = (network.place(nearest), tissue.rest[nearest]);
+            let moved: f32 = (0..3).map(|k| 1e3 * (now[k] - rest[k]) * way[k]).sum();
+            assert!(
+                moved >= least_mm * tissue.scale,
+                "{name}: {muscle:?} moves {landmark} by {moved} mm"
+            );
+        }
+    }
+}
+
+#[test]
+fn more_contraction_is_more_movement() {
+    let tissue = tissue("sofia");
+    for muscle in Muscle::all() {
+        let mut last = 0.0;
+        for step in 1..=4 {
+            let mut controls = FaceControls::default();
+            controls.contraction[muscle.index()] = 0.25 * f64::from(step);
+            let far = farthest_m(&tissue, &settled(&tissue, &controls));
+            assert!(far > last, "{muscle:?}");
+            last = far;
+        }
+    }
+}
