@@ -139,6 +139,7 @@ fn empty_mesh(name: &str, material: &Material) -> Mesh {
         weights: Vec::new(),
         indices: Vec::new(),
         morphs: Vec::new(),
+        binding: None,
     }
 }
 
