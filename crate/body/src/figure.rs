@@ -95,7 +95,20 @@ pub struct Maps {
     pub base_color: Option<usize>,
     /// Normals in tangent space as glTF has them: +y along growing −v.
     pub normal: Option<usize>,
+    /// Heights of expressive wrinkles, a kind of them in each of red, green and blue: 128 is
+    /// the surface, a step of a 127th is [`WRINKLE_HEIGHT_M`] / 127. How much of each is
+    /// seen, [`NodeState::wrinkles`](crate::face::NodeState::wrinkles) tells.
+    ///
+    /// Red: lines across the forehead (frontalis). Green: between the brows (corrugator),
+    /// crow's feet (orbicularis oculi), the furrows beside nose, mouth and on the cheek
+    /// (zygomaticus, levators). Blue: across the root of the nose and on its flanks
+    /// (procerus, nasalis), about the lips (orbicularis oris), dimples of the chin (mentalis).
+    pub wrinkles: Option<usize>,
 }
+
+/// Height that the brightest texel of a map of wrinkles stands for, metres. Designed: twice
+/// what profilometry finds in deep lines of old faces.
+pub const WRINKLE_HEIGHT_M: f32 = 0.001;
 
 /// A compressed picture that came with a figure. Whoever draws has it decoded: a browser
 /// does that better than we could.
@@ -158,8 +171,37 @@ pub struct Mesh {
     pub indices: Vec<u32>,
     /// Morph targets that touch this mesh.
     pub morphs: Vec<Morph>,
-    /// What of it follows the tissue.
+    /// How its vertices follow the tissue of the face, where they do.
     pub binding: Option<Binding>,
+}
+
+impl Mesh {
+    /// What is wrong with the mesh's binding: `None` when it has none, or one whose
+    /// vertices are the mesh's and rise, whose rows are in order, and whose weights are
+    /// 0..1. Node indices can only be checked against a tissue.
+    #[must_use]
+    pub fn binding_fault(&self) -> Option<&'static str> {
+        let b = self.binding.as_ref()?;
+        let rises = |v: &[u32]| v.windows(2).all(|w| w[0] < w[1]);
+        if b.starts.len() != b.vertices.len() + 1 || b.weights.len() != b.nodes.len() {
+            Some("its binding's lists differ in length")
+        } else if !rises(&b.vertices)
+            || b.vertices
+                .last()
+                .is_some_and(|&v| v as usize >= self.positions.len())
+        {
+            Some("its binding's vertices do not rise within the mesh")
+        } else if b.starts.first() != Some(&0)
+            || b.starts.windows(2).any(|w| w[0] > w[1])
+            || b.starts.last().map(|&end| end as usize) != Some(b.nodes.len())
+        {
+            Some("its binding's rows are not in order")
+        } else if b.weights.iter().any(|w| !(0.0..=1.0).contains(w)) {
+            Some("its binding has a weight beyond 0 to 1")
+        } else {
+            None
+        }
+    }
 }
 
 /// A figure ready to be posed and drawn.

@@ -4,6 +4,7 @@
 //! generator writes them. Every fault of the file is a [`ReadError`]; none panics.
 
 pub(crate) mod accessor;
+mod binding;
 pub(crate) mod document;
 
 use raconteur_base::{DAffine3, DMat4, DQuat, DVec3, Side};
@@ -417,7 +418,7 @@ fn read_primitive(
         name: mesh.name.clone(),
         material: read_material(source.root, primitive)?,
         morphs: read_morphs(source, mesh, primitive, count, to_world, figure)?,
-        binding: None,
+        binding: binding::read(source, mesh, count)?,
         positions: raw
             .into_iter()
             .map(|p| narrow(to_world.transform_point3(widen(p))))
@@ -532,6 +533,7 @@ fn read_material(
         maps: Maps {
             base_color: map_of(root, m.base_color_texture)?,
             normal: map_of(root, m.normal_texture)?,
+            wrinkles: map_of(root, m.wrinkle_texture)?,
         },
     })
 }

@@ -5,6 +5,8 @@
 //! matrices, which is where glTF wants it for skinned meshes. The same figure always gives
 //! the same bytes.
 
+mod binding;
+
 use raconteur_base::{DAffine3, DVec3};
 use serde_json::{Map, Value, json};
 
@@ -336,6 +338,9 @@ fn material(m: &Material) -> Value {
     if let Some(i) = m.maps.normal {
         value["normalTexture"] = json!({ "index": i });
     }
+    if let Some(i) = m.maps.wrinkles {
+        value["extras"]["wrinkleTexture"] = json!({ "index": i });
+    }
     value
 }
 
@@ -362,6 +367,9 @@ fn mesh(buffer: &mut Buffer, grid: &Grid, figure: &Figure, mesh: &Mesh, material
         primitive["attributes"]["TEXCOORD_0"] = json!(buffer.uvs(mesh));
     }
     let mut value = json!({ "name": mesh.name });
+    if let Some(b) = &mesh.binding {
+        value["extras"] = json!({ "binding": binding::write(buffer, b, mesh.positions.len()) });
+    }
     if !mesh.morphs.is_empty() {
         let targets: Vec<Value> = mesh
             .morphs
@@ -374,7 +382,7 @@ fn mesh(buffer: &mut Buffer, grid: &Grid, figure: &Figure, mesh: &Mesh, material
             .map(|m| &figure.morph_names[m.target])
             .collect();
         primitive["targets"] = json!(targets);
-        value["extras"] = json!({ "targetNames": names });
+        value["extras"]["targetNames"] = json!(names);
         value["weights"] = json!(vec![0.0; names.len()]);
     }
     value["primitives"] = json!([primitive]);

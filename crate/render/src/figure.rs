@@ -1,4 +1,4 @@
-//! A figure on the GPU: two vertex streams, indices, joints and materials.
+//! A figure on the GPU: vertex streams, indices, joints and materials.
 
 use std::ops::Range;
 
@@ -6,11 +6,12 @@ use bytemuck::{Pod, Zeroable};
 use glam::{Vec2, Vec3};
 use raconteur_base::order::sort_by_number;
 use raconteur_base::{DAffine3, Side};
-use raconteur_body::figure::{Figure, Maps, Material, MaterialKind, Mesh};
-use raconteur_body::skeleton::Drive;
+use raconteur_body::figure::{Figure, Maps, MaterialKind, Mesh};
+use raconteur_body::skeleton::{Bone, Drive};
 
 use crate::RenderError;
 use crate::morph::{MorphedMesh, ShapeVertex, shape_vertex};
+use crate::tissue::{BoundMesh, Nodes};
 
 /// Joints that the shader's table holds: 128 of 48 bytes fit the 16 KiB that every
 /// WebGL2 device has, and joints are numbered by one byte in the vertices.
@@ -73,10 +74,13 @@ pub(crate) struct Look {
     pub(crate) kind: MaterialKind,
     pub(crate) double_sided: bool,
     pub(crate) layer: Layer,
+    /// Its vertices follow tissue.
+    pub(crate) bound: bool,
 }
 
 impl Look {
-    fn of(figure: &Figure, material: &Material) -> Self {
+    fn of(figure: &Figure, mesh: &Mesh) -> Self {
+        let material = &mesh.material;
         let kind = material.kind;
         let layer = match kind {
             MaterialKind::Hair | MaterialKind::Lash => Layer::Cut,
@@ -99,6 +103,7 @@ impl Look {
             kind: kind.weave().map_or(kind, |_| MaterialKind::Cloth),
             double_sided: material.double_sided,
             layer,
+            bound: mesh.binding.is_some(),
         }
     }
 
@@ -130,6 +135,10 @@ pub(crate) struct FigureData {
     pub(crate) materials: Vec<u8>,
     pub(crate) meshes: Vec<DrawnMesh>,
     pub(crate) morphed: Vec<MorphedMesh>,
+    pub(crate) bound: Vec<BoundMesh>,
+    /// How many vertices, the first ones, belong to meshes that are bound.
+    pub(crate) bound_vertices: usize,
+    pub(crate) nodes: Nodes,
 }
 
 /// Meshes of the same surface, before they are laid one behind the other.
@@ -165,11 +174,17 @@ impl FigureData {
             materials: Vec::new(),
             meshes: Vec::new(),
             morphed: Vec::new(),
+            bound: Vec::new(),
+            bound_vertices: 0,
+            nodes: Nodes::of(figure.meshes.iter()),
         };
         let mut batches: Vec<Batch> = Vec::new();
-        for mesh in &figure.meshes {
+        // The stream of what follows tissue need only be as long as the meshes that do.
+        let (bound, free): (Vec<&Mesh>, Vec<&Mesh>) =
+            figure.meshes.iter().partition(|m| m.binding.is_some());
+        for mesh in bound.into_iter().chain(free) {
             check(mesh, joints)?;
-            let look = Look::of(figure, &mesh.material);
+            let look = Look::of(figure, mesh);
             let material = MaterialUniform {
                 base: mesh.material.base_color,
                 params: [
@@ -205,7 +220,8 @@ impl FigureData {
         sort_by_number(&mut batches, |b| {
             let wet = u32::from(b.look.kind == MaterialKind::Cornea);
             let (layer, shadow) = (b.look.layer as u32, b.look.shadow() as u32);
-            f64::from(((layer * 8 + shadow) * 2 + wet) * 32 + b.look.kind as u32)
+            let bound = u32::from(b.look.bound);
+            f64::from((((layer * 8 + shadow) * 2 + bound) * 2 + wet) * 32 + b.look.kind as u32)
         });
         for batch in batches {
             data.lay(&batch);
@@ -232,6 +248,18 @@ impl FigureData {
             });
         }
         self.morphed.extend(MorphedMesh::new(mesh, base));
+        if let Some(binding) = &mesh.binding {
+            self.bound_vertices = self.shape.len();
+            self.bound.extend(BoundMesh::new(mesh, base));
+            // The nodes bring the jaw's turn.
+            for &vertex in &binding.vertices {
+                for joint in &mut self.fixed[base + vertex as usize].joint {
+                    if usize::from(*joint) == Bone::Chin.index() {
+                        *joint = Bone::Skull.index() as u8;
+                    }
+                }
+            }
+        }
         // WebGL2 has no base vertex: the offset goes into the indices.
         let indices = mesh.indices.iter().map(|i| i + base as u32);
         if layer != Layer::Cut || mesh.material.kind == MaterialKind::Plain {
@@ -317,6 +345,8 @@ fn check(mesh: &Mesh, joints: usize) -> Result<(), RenderError> {
         .any(|&v| v as usize >= n)
     {
         "a morph moves a vertex beyond the mesh"
+    } else if let Some(fault) = mesh.binding_fault() {
+        fault
     } else {
         return Ok(());
     };
@@ -409,6 +439,7 @@ pub(crate) fn joint_rows(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use raconteur_body::Material;
 
     fn card() -> Mesh {
         Mesh {
@@ -433,6 +464,7 @@ mod tests {
             weights: vec![[1.0, 0.0, 0.0, 0.0]; 4],
             indices: vec![0, 2, 1, 1, 2, 3],
             morphs: Vec::new(),
+            binding: None,
         }
     }
 

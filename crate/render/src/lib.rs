@@ -15,11 +15,13 @@ pub mod error;
 pub mod options;
 pub mod pace;
 pub mod renderer;
+pub mod tissue;
 
 mod device;
 mod environment;
 mod figure;
 mod lid;
+mod lines;
 mod morph;
 mod overlay;
 mod pipeline;

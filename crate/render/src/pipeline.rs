@@ -8,9 +8,11 @@ use wgpu::{
 };
 
 use crate::figure::{FixedVertex, Layer, Look, MaterialUniform, Shadow};
+use crate::lines::SentLine;
 use crate::morph::ShapeVertex;
 use crate::overlay::OverVertex;
 use crate::target::{DEPTH_FORMAT, TargetKind};
+use crate::tissue::TissueVertex;
 use crate::{Quality, uniform::FrameUniform};
 
 const FRAME: &str = include_str!(concat!(env!("OUT_DIR"), "/frame.wgsl"));
@@ -40,7 +42,7 @@ pub(crate) struct Layouts {
     pub(crate) lit: BindGroupLayout,
     /// Joints and one material.
     pub(crate) figure: BindGroupLayout,
-    /// A material's colour and normal pictures and their sampler.
+    /// A material's pictures of colour, normals and wrinkles, and their sampler.
     pub(crate) maps: BindGroupLayout,
     /// The frame, the finished picture and its sampler.
     pub(crate) last: BindGroupLayout,
@@ -94,7 +96,10 @@ impl Layouts {
                     uniform(1, both, true, size_of::<MaterialUniform>() as u64),
                 ],
             ),
-            maps: layout("maps", &[picture(0), picture(1), sampler(2, filtering)]),
+            maps: layout(
+                "maps",
+                &[picture(0), picture(1), sampler(2, filtering), picture(3)],
+            ),
             last: layout("last", &[frame, picture(1), sampler(2, filtering)]),
         }
     }
@@ -164,12 +169,15 @@ pub(crate) struct Pipelines {
     constants: Vec<(&'static str, f64)>,
     /// Those that figures have used.
     looks: Vec<(Look, RenderPipeline)>,
-    /// Those of the shadow map, by the light's number.
-    shadows: Vec<(u32, Shadow, RenderPipeline)>,
-    /// What draws figures without materials, by fill and whether their paint is used.
-    bare: Vec<(Fill, bool, RenderPipeline)>,
+    /// Those of the shadow map, by the light's number and whether vertices follow tissue.
+    shadows: Vec<(u32, Shadow, bool, RenderPipeline)>,
+    /// What draws figures without materials, by fill, whether their paint is used, and
+    /// whether vertices follow tissue.
+    bare: Vec<(Fill, bool, bool, RenderPipeline)>,
     /// What draws over figures, once it was wanted.
     pub(crate) overlay: Option<RenderPipeline>,
+    /// What draws lines over figures, once they were wanted: those behind, those before.
+    pub(crate) lines: Option<[RenderPipeline; 2]>,
 }
 
 const SHAPE_ATTRIBUTES: [VertexAttribute; 2] =
@@ -181,9 +189,16 @@ const FIXED_ATTRIBUTES: [VertexAttribute; 5] = [
     attribute(VertexFormat::Unorm16x4, 16, 5),
     attribute(VertexFormat::Snorm8x4, 24, 6),
 ];
+const TISSUE_ATTRIBUTES: [VertexAttribute; 3] = [
+    attribute(VertexFormat::Snorm16x4, 0, 7),
+    attribute(VertexFormat::Snorm16x2, 8, 8),
+    attribute(VertexFormat::Unorm8x4, 12, 9),
+];
 
 const OVER_ATTRIBUTES: [VertexAttribute; 2] =
     wgpu::vertex_attr_array![0 => Float32x3, 1 => Unorm8x4];
+const LINE_ATTRIBUTES: [VertexAttribute; 4] =
+    wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3, 2 => Unorm8x4, 3 => Float32];
 
 /// Whether a figure's own materials are not what draws it.
 pub(crate) fn is_bare(shown: &Shown) -> bool {
@@ -198,7 +213,8 @@ const fn attribute(format: VertexFormat, offset: u64, shader_location: u32) -> V
     }
 }
 
-fn vertex_buffers() -> [Option<VertexBufferLayout<'static>>; 2] {
+/// The streams of a figure; the last one only where vertices follow tissue.
+fn vertex_buffers() -> [Option<VertexBufferLayout<'static>>; 3] {
     let buffer = |stride: usize, attributes| {
         Some(VertexBufferLayout {
             array_stride: stride as u64,
@@ -209,7 +225,13 @@ fn vertex_buffers() -> [Option<VertexBufferLayout<'static>>; 2] {
     [
         buffer(size_of::<ShapeVertex>(), &SHAPE_ATTRIBUTES),
         buffer(size_of::<FixedVertex>(), &FIXED_ATTRIBUTES),
+        buffer(size_of::<TissueVertex>(), &TISSUE_ATTRIBUTES),
     ]
+}
+
+/// How many of the streams there are.
+fn stream_count(bound: bool) -> usize {
+    2 + usize::from(bound)
 }
 
 /// What differs between pipelines.
@@ -364,6 +386,7 @@ impl Pipelines {
             shadows: Vec::new(),
             bare: Vec::new(),
             overlay: None,
+            lines: None,
         }
     }
 
@@ -379,9 +402,9 @@ impl Pipelines {
             return;
         }
         for light in 0..lights {
-            if self.shadow(light, shadow).is_none() {
-                let pipeline = make_shadow(device, kit, light, shadow);
-                self.shadows.push((light, shadow, pipeline));
+            if self.shadow(light, shadow, look.bound).is_none() {
+                let pipeline = make_shadow(device, kit, light, shadow, look.bound);
+                self.shadows.push((light, shadow, look.bound, pipeline));
             }
         }
     }
@@ -396,8 +419,8 @@ impl Pipelines {
             module: &kit.stage,
             layout: &pipeline_layout(device, "figure", &[lit, figure, maps]),
             constants: &self.constants,
-            vertex: "vs_figure",
-            buffers: &vertex_buffers(),
+            vertex: figure_entry(look.bound),
+            buffers: &vertex_buffers()[..stream_count(look.bound)],
             fragment: Some(fragment_entry(look.kind)),
             target: Some(self.target.format),
             blend: clear.then_some(BlendState::PREMULTIPLIED_ALPHA_BLENDING),
@@ -411,26 +434,44 @@ impl Pipelines {
         .build(device)
     }
 
-    /// Compiles what `shown` needs beyond materials, if nothing has needed it yet.
-    pub(crate) fn prepare_shown(&mut self, device: &Device, kit: &Kit, shown: &Shown) {
-        if shown.body && is_bare(shown) && self.bare(shown).is_none() {
-            let pipeline = self.make_bare(device, kit, shown);
-            self.bare.push((shown.fill, shown.materials, pipeline));
+    /// Compiles what `shown` needs beyond materials, if nothing has needed it yet, for a
+    /// figure that `has_tissue` or not.
+    pub(crate) fn prepare_shown(
+        &mut self,
+        device: &Device,
+        kit: &Kit,
+        shown: &Shown,
+        has_tissue: bool,
+    ) {
+        for bound in [false, true] {
+            let wanted = shown.body && is_bare(shown) && (has_tissue || !bound);
+            if wanted && self.bare(shown, bound).is_none() {
+                let pipeline = self.make_bare(device, kit, shown, bound);
+                self.bare
+                    .push((shown.fill, shown.materials, bound, pipeline));
+            }
         }
         if shown.has_overlay() && self.overlay.is_none() {
             self.overlay = Some(self.make_overlay(device, kit));
         }
     }
 
-    /// What draws a figure by edges, by corners or in clay; `None` before
-    /// [`Self::prepare_shown`].
-    pub(crate) fn bare(&self, shown: &Shown) -> Option<&RenderPipeline> {
+    /// Compiles what lines over figures need, if nothing has needed it yet.
+    pub(crate) fn prepare_lines(&mut self, device: &Device, kit: &Kit) {
+        if self.lines.is_none() {
+            self.lines = Some([true, false].map(|behind| self.make_lines(device, kit, behind)));
+        }
+    }
+
+    /// What draws meshes by edges, by corners or in clay, those that are `bound` to tissue or
+    /// those that are not; `None` before [`Self::prepare_shown`].
+    pub(crate) fn bare(&self, shown: &Shown, bound: bool) -> Option<&RenderPipeline> {
         let mut made = self.bare.iter();
-        let found = made.find(|(f, m, _)| (*f, *m) == (shown.fill, shown.materials));
+        let found = made.find(|(f, m, b, _)| (*f, *m, *b) == (shown.fill, shown.materials, bound));
         found.map(|(.., pipeline)| pipeline)
     }
 
-    fn make_bare(&self, device: &Device, kit: &Kit, shown: &Shown) -> RenderPipeline {
+    fn make_bare(&self, device: &Device, kit: &Kit, shown: &Shown, bound: bool) -> RenderPipeline {
         let Layouts {
             lit, figure, maps, ..
         } = &kit.layouts;
@@ -440,8 +481,8 @@ impl Pipelines {
         constants.push(("THIN", flag(shown.fill != Fill::Solid)));
         Recipe {
             constants: &constants,
-            vertex: "vs_figure",
-            buffers: &vertex_buffers(),
+            vertex: figure_entry(bound),
+            buffers: &vertex_buffers()[..stream_count(bound)],
             blend: (shown.fill != Fill::Solid).then_some(BlendState::ALPHA_BLENDING),
             topology: match shown.fill {
                 Fill::Solid => PrimitiveTopology::TriangleList,
@@ -472,6 +513,36 @@ impl Pipelines {
                 &kit.stage,
                 &pipeline_layout(device, "overlay", &[&kit.layouts.lit]),
                 "fs_over",
+            )
+        }
+        .build(device)
+    }
+
+    fn make_lines(&self, device: &Device, kit: &Kit, behind: bool) -> RenderPipeline {
+        let lines = VertexBufferLayout {
+            array_stride: size_of::<SentLine>() as u64,
+            step_mode: wgpu::VertexStepMode::Instance,
+            attributes: &LINE_ATTRIBUTES,
+        };
+        let mut constants = self.constants.clone();
+        constants.push(("BEHIND", f64::from(u8::from(behind))));
+        let compare = if behind {
+            CompareFunction::Greater
+        } else {
+            CompareFunction::LessEqual
+        };
+        Recipe {
+            constants: &constants,
+            vertex: "vs_line",
+            buffers: &[Some(lines)],
+            blend: Some(BlendState::PREMULTIPLIED_ALPHA_BLENDING),
+            topology: PrimitiveTopology::TriangleStrip,
+            depth: Some((compare, false)),
+            ..self.plainly(
+                "lines",
+                &kit.stage,
+                &pipeline_layout(device, "lines", &[&kit.layouts.lit]),
+                "fs_line",
             )
         }
         .build(device)
@@ -511,16 +582,27 @@ impl Pipelines {
     }
 
     /// The pipeline of a shadow; `None` before [`Self::prepare`].
-    pub(crate) fn shadow(&self, light: u32, shadow: Shadow) -> Option<&RenderPipeline> {
+    pub(crate) fn shadow(
+        &self,
+        light: u32,
+        shadow: Shadow,
+        bound: bool,
+    ) -> Option<&RenderPipeline> {
         let found = self
             .shadows
             .iter()
-            .find(|(l, s, _)| (*l, *s) == (light, shadow));
-        found.map(|(_, _, pipeline)| pipeline)
+            .find(|(l, s, b, _)| (*l, *s, *b) == (light, shadow, bound));
+        found.map(|(.., pipeline)| pipeline)
     }
 }
 
-fn make_shadow(device: &Device, kit: &Kit, light: u32, shadow: Shadow) -> RenderPipeline {
+fn make_shadow(
+    device: &Device,
+    kit: &Kit,
+    light: u32,
+    shadow: Shadow,
+    bound: bool,
+) -> RenderPipeline {
     let Layouts {
         frame,
         figure,
@@ -537,8 +619,12 @@ fn make_shadow(device: &Device, kit: &Kit, light: u32, shadow: Shadow) -> Render
         module: &kit.stage,
         layout: &pipeline_layout(device, "shadow", groups),
         constants: &[("LIGHT", f64::from(light))],
-        vertex: "vs_shadow",
-        buffers: &vertex_buffers(),
+        vertex: if bound {
+            "vs_bound_shadow"
+        } else {
+            "vs_shadow"
+        },
+        buffers: &vertex_buffers()[..stream_count(bound)],
         fragment,
         target: None,
         blend: None,
@@ -555,6 +641,10 @@ fn make_shadow(device: &Device, kit: &Kit, light: u32, shadow: Shadow) -> Render
         },
     }
     .build(device)
+}
+
+fn figure_entry(bound: bool) -> &'static str {
+    if bound { "vs_bound" } else { "vs_figure" }
 }
 
 fn fragment_entry(kind: MaterialKind) -> &'static str {

@@ -5,6 +5,7 @@ use raconteur_stage::{Fill, Frame, Shown};
 use wgpu::{Buffer, BufferUsages, Device, Queue, TextureFormat, TextureView};
 
 use crate::figure::{Layer, Look, MAX_JOINTS};
+use crate::lines::Lines;
 use crate::overlay::Overlay;
 use crate::pipeline::{Kit, is_bare};
 use crate::refusal::Refusal;
@@ -36,6 +37,8 @@ pub struct Renderer {
     rows: Vec<[f32; 4]>,
     /// What is drawn over figures, once it was wanted.
     overlay: Option<Overlay>,
+    /// Lines over figures, once there were any.
+    lines: Option<Lines>,
     info: RenderInfo,
     /// What the driver refused, if anything; told by the next picture.
     refused: Refusal,
@@ -87,6 +90,7 @@ impl Renderer {
             targets: None,
             figure: None,
             overlay: None,
+            lines: None,
             rows: Vec::with_capacity(3 * MAX_JOINTS),
             info: RenderInfo {
                 options,
@@ -187,7 +191,7 @@ impl Renderer {
 
     /// Draws a frame into `view`, a texture of the renderer's format and of `size` pixels.
     ///
-    /// Joints and morph weights that the frame lacks stay at rest. In a steady state
+    /// Joints, morph weights and nodes of the tissue that the frame lacks stay at rest. In a steady state
     /// (same figure and size) nothing is allocated on this side of wgpu.
     ///
     /// # Errors
@@ -277,12 +281,7 @@ impl Renderer {
         self.queue
             .write_buffer(&self.frame_buffer, 0, bytemuck::bytes_of(&uniform));
         if let Some(figure) = &mut self.figure {
-            figure.pose(
-                &self.queue,
-                &frame.world_from_joint,
-                &frame.morph_weights,
-                &mut self.rows,
-            );
+            figure.pose(&self.queue, frame, &mut self.rows);
         }
     }
 
@@ -290,7 +289,15 @@ impl Renderer {
     fn send_shown(&mut self, frame: &Frame) {
         let (device, queue) = (&self.device, &self.queue);
         let pipelines = &mut self.tier.pipelines;
-        pipelines.prepare_shown(device, &self.kit, &frame.shown);
+        let has_tissue = self.figure.as_ref().is_some_and(SentFigure::has_tissue);
+        pipelines.prepare_shown(device, &self.kit, &frame.shown, has_tissue);
+        if !frame.lines.is_empty() {
+            pipelines.prepare_lines(device, &self.kit);
+        }
+        if !frame.lines.is_empty() || self.lines.is_some() {
+            let lines = self.lines.get_or_insert_with(|| Lines::new(device));
+            lines.send(device, queue, &frame.lines);
+        }
         let stature_m = match &mut self.figure {
             Some(figure) => {
                 if frame.shown.fill == Fill::Wireframe {
@@ -328,8 +335,8 @@ impl Renderer {
         let side = self.tier.shadow_texels as f32;
         for light in 0..self.tier.lights {
             pass.set_viewport(side * light as f32, 0.0, side, side, 0.0, 1.0);
-            figure.draw_shadow(&mut pass, counts, |shadow| {
-                self.tier.pipelines.shadow(light, shadow)
+            figure.draw_shadow(&mut pass, counts, |shadow, bound| {
+                self.tier.pipelines.shadow(light, shadow, bound)
             });
         }
     }
@@ -365,7 +372,8 @@ impl Renderer {
         });
         pass.set_bind_group(0, &self.tier.lit_group, &[]);
         let pipelines = &self.tier.pipelines;
-        let bare = pipelines.bare(shown).filter(|_| is_bare(shown));
+        let is_bare = is_bare(shown);
+        let bare = |look: Look| pipelines.bare(shown, look.bound).filter(|_| is_bare);
         let solid = |look: Look| look.layer != Layer::Clear;
         let clear = |look: Look| look.layer == Layer::Clear;
         let thin = shown.fill != Fill::Solid;
@@ -374,7 +382,7 @@ impl Renderer {
         let figure = self.figure.as_ref().filter(|_| shown.body);
         if let Some(figure) = figure.filter(|_| !thin) {
             figure.draw(&mut pass, counts, shown, solid, |look| {
-                bare.or_else(|| pipelines.look(look))
+                bare(look).or_else(|| pipelines.look(look))
             });
         }
         pass.set_pipeline(&pipelines.theatre);
@@ -382,9 +390,20 @@ impl Renderer {
         counts.add(1);
         if let Some(figure) = figure {
             if thin {
-                figure.draw(&mut pass, counts, shown, solid, |_| bare);
-            } else if bare.is_none() {
+                figure.draw(&mut pass, counts, shown, solid, bare);
+            } else if !is_bare {
                 figure.draw(&mut pass, counts, shown, clear, |look| pipelines.look(look));
+            }
+        }
+        if let (Some(lines), Some(both)) = (
+            self.lines.as_ref().filter(|l| l.count() > 0),
+            &pipelines.lines,
+        ) {
+            pass.set_vertex_buffer(0, lines.buffer.slice(..));
+            for pipeline in both {
+                pass.set_pipeline(pipeline);
+                pass.draw(0..4, 0..lines.count());
+                counts.add(2 * lines.count());
             }
         }
         if let (true, Some(overlay), Some(pipeline)) = (

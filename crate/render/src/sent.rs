@@ -1,8 +1,9 @@
 //! A figure as it lies on the device: buffers, pictures, and what to draw of them.
 
 use raconteur_base::DAffine3;
+use raconteur_body::face::NodeState;
 use raconteur_body::figure::{Figure, Maps};
-use raconteur_stage::{Fill, Shown};
+use raconteur_stage::{Fill, Frame, Shown};
 use wgpu::{Buffer, BufferUsages, Device, Queue, TextureView};
 
 use crate::RenderError;
@@ -12,6 +13,7 @@ use crate::morph::MorphedMesh;
 use crate::pipeline::Layouts;
 use crate::renderer::{Counts, bind_group, binding, empty_buffer};
 use crate::texture::{self, Role};
+use crate::tissue::{BoundMesh, Nodes, TissueVertex};
 
 /// A figure on the device.
 pub(crate) struct SentFigure {
@@ -29,17 +31,40 @@ pub(crate) struct SentFigure {
     group: wgpu::BindGroup,
     meshes: Vec<DrawnMesh>,
     morphed: Vec<MorphedMesh>,
-    /// Colour and normals of each of the figure's pictures, as far as they are wanted and
-    /// have come.
-    pictures: Vec<[Option<TextureView>; 2]>,
+    tissue: Option<SentTissue>,
+    /// Colour, normals and heights of each of the figure's pictures, as far as they are
+    /// wanted and have come.
+    pictures: Vec<[Option<TextureView>; 3]>,
     /// Groups of the pictures that meshes use together.
     maps: Vec<(Maps, wgpu::BindGroup)>,
+}
+
+/// The vertices that follow tissue: those of some meshes, which lie before all others.
+struct SentTissue {
+    vertices: Buffer,
+    nodes: Nodes,
+    meshes: Vec<BoundMesh>,
+}
+
+impl SentTissue {
+    /// Sends the state of the nodes at a moment, if it has changed.
+    fn follow(&mut self, queue: &Queue, states: &[NodeState]) {
+        if !self.nodes.take(states) {
+            return;
+        }
+        for mesh in &mut self.meshes {
+            mesh.apply(&self.nodes);
+            let offset = (mesh.first_vertex * size_of::<TissueVertex>()) as u64;
+            queue.write_buffer(&self.vertices, offset, bytemuck::cast_slice(&mesh.current));
+        }
+    }
 }
 
 /// What stands in for pictures, and how they are read.
 pub(crate) struct Blank {
     white: TextureView,
     flat: TextureView,
+    level: TextureView,
     sampler: wgpu::Sampler,
 }
 
@@ -53,6 +78,7 @@ impl Blank {
         Self {
             white: dot(Role::Color, [255; 4]),
             flat: dot(Role::Normal, [128, 128, 255, 255]),
+            level: dot(Role::Height, [128; 4]),
             sampler: device.create_sampler(&wgpu::SamplerDescriptor {
                 address_mode_u: wgpu::AddressMode::Repeat,
                 address_mode_v: wgpu::AddressMode::Repeat,
@@ -113,6 +139,14 @@ impl SentFigure {
                 ),
             ],
         );
+        let tissue = (data.bound_vertices > 0).then(|| {
+            let rest = vec![TissueVertex::REST; data.bound_vertices];
+            SentTissue {
+                vertices: filled("tissue", bytemuck::cast_slice(&rest), BufferUsages::VERTEX),
+                nodes: data.nodes,
+                meshes: data.bound,
+            }
+        });
         let mut sent = Self {
             stature_m: figure.skeleton.stature_m(),
             joint_from_bind: figure.inverse_bind.clone(),
@@ -126,7 +160,8 @@ impl SentFigure {
             group,
             meshes: data.meshes,
             morphed: data.morphed,
-            pictures: vec![[None, None]; figure.images.len()],
+            tissue,
+            pictures: vec![[None, None, None]; figure.images.len()],
             maps: Vec::new(),
         };
         sent.group_maps(device, layouts, blank);
@@ -147,6 +182,7 @@ impl SentFigure {
             };
             let color = come(wanted.base_color, 0).unwrap_or(&blank.white);
             let normal = come(wanted.normal, 1).unwrap_or(&blank.flat);
+            let wrinkles = come(wanted.wrinkles, 2).unwrap_or(&blank.level);
             let group = bind_group(
                 device,
                 "maps",
@@ -155,6 +191,7 @@ impl SentFigure {
                     binding(0, wgpu::BindingResource::TextureView(color)),
                     binding(1, wgpu::BindingResource::TextureView(normal)),
                     binding(2, wgpu::BindingResource::Sampler(&blank.sampler)),
+                    binding(3, wgpu::BindingResource::TextureView(wrinkles)),
                 ],
             );
             self.maps.push((wanted, group));
@@ -199,6 +236,7 @@ impl SentFigure {
         for (slot, role, shown) in [
             (0, Role::Color, shown(|m| m.base_color)),
             (1, Role::Normal, shown(|m| m.normal)),
+            (2, Role::Height, shown(|m| m.wrinkles)),
         ] {
             if shown {
                 slots[slot] = Some(texture::upload(device, queue, role, width, height, rgba));
@@ -219,27 +257,32 @@ impl SentFigure {
             .map(|lid| LidEdge::plane(lid, world_from_joint, &self.joint_from_bind))
     }
 
-    /// Sends joints and morphs of a moment; `rows` is room to work in.
-    pub(crate) fn pose(
-        &mut self,
-        queue: &Queue,
-        world_from_joint: &[DAffine3],
-        morph_weights: &[f32],
-        rows: &mut Vec<[f32; 4]>,
-    ) {
-        joint_rows(world_from_joint, &self.joint_from_bind, rows);
+    /// Sends joints, morphs and tissue of a moment; `rows` is room to work in.
+    pub(crate) fn pose(&mut self, queue: &Queue, frame: &Frame, rows: &mut Vec<[f32; 4]>) {
+        joint_rows(&frame.world_from_joint, &self.joint_from_bind, rows);
         queue.write_buffer(&self.joints, 0, bytemuck::cast_slice(rows));
         for mesh in &mut self.morphed {
-            if mesh.apply(morph_weights) {
+            if mesh.apply(&frame.morph_weights) {
                 let offset = (mesh.first_vertex * size_of_val(&mesh.current[0])) as u64;
                 queue.write_buffer(&self.shape, offset, bytemuck::cast_slice(&mesh.current));
             }
         }
+        if let Some(tissue) = &mut self.tissue {
+            tissue.follow(queue, &frame.tissue);
+        }
+    }
+
+    /// Whether some of its vertices follow tissue.
+    pub(crate) fn has_tissue(&self) -> bool {
+        self.tissue.is_some()
     }
 
     fn bind(&self, pass: &mut wgpu::RenderPass<'_>) {
         pass.set_vertex_buffer(0, self.shape.slice(..));
         pass.set_vertex_buffer(1, self.fixed.slice(..));
+        if let Some(tissue) = &self.tissue {
+            pass.set_vertex_buffer(2, tissue.vertices.slice(..));
+        }
         pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint32);
     }
 
@@ -285,19 +328,20 @@ impl SentFigure {
         &self,
         pass: &mut wgpu::RenderPass<'_>,
         counts: &mut Counts,
-        pipeline: impl Fn(Shadow) -> Option<&'p wgpu::RenderPipeline>,
+        pipeline: impl Fn(Shadow, bool) -> Option<&'p wgpu::RenderPipeline>,
     ) {
         self.bind(pass);
         let mut rest = self.meshes.as_slice();
         while let Some(first) = rest.first() {
-            let shadow = first.look.shadow();
+            let (shadow, bound) = (first.look.shadow(), first.look.bound);
             let alike = |m: &&DrawnMesh| {
-                m.look.shadow() == shadow && (shadow != Shadow::Picture || m.maps == first.maps)
+                (m.look.shadow(), m.look.bound) == (shadow, bound)
+                    && (shadow != Shadow::Picture || m.maps == first.maps)
             };
             let count = rest.iter().take_while(alike).count();
             let (run, after) = rest.split_at(count);
             rest = after;
-            let (Some(last), Some(pipeline)) = (run.last(), pipeline(shadow)) else {
+            let (Some(last), Some(pipeline)) = (run.last(), pipeline(shadow, bound)) else {
                 continue;
             };
             pass.set_pipeline(pipeline);

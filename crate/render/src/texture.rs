@@ -20,6 +20,8 @@ pub(crate) enum Role {
     Color,
     /// Normals in tangent space.
     Normal,
+    /// Heights, one in each channel.
+    Height,
 }
 
 /// One mip level: width, height and RGBA bytes.
@@ -86,7 +88,7 @@ pub(crate) fn upload(
         dimension: wgpu::TextureDimension::D2,
         format: match role {
             Role::Color => TextureFormat::Rgba8UnormSrgb,
-            Role::Normal => TextureFormat::Rgba8Unorm,
+            Role::Normal | Role::Height => TextureFormat::Rgba8Unorm,
         },
         usage: wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST,
         view_formats: &[],
@@ -129,7 +131,7 @@ pub fn srgb_to_linear(byte: f64) -> f32 {
 }
 
 /// A picture of half the size: each pixel the mean of four, colours in linear light and
-/// by their cover, normals made unit again.
+/// by their cover, normals made unit again, heights as they are.
 fn halved(width: u32, height: u32, rgba: &[u8], role: Role) -> Level {
     let (w, h) = ((width / 2).max(1), (height / 2).max(1));
     let mut out = Vec::with_capacity((4 * w * h) as usize);
@@ -143,6 +145,7 @@ fn halved(width: u32, height: u32, rgba: &[u8], role: Role) -> Level {
             out.extend(match role {
                 Role::Color => mean_color(&corners),
                 Role::Normal => mean_normal(&corners),
+                Role::Height => mean(&corners),
             });
         }
     }
@@ -167,6 +170,13 @@ fn mean_color(corners: &[[u8; 4]; 4]) -> [u8; 4] {
         BETWEEN.partition_point(|&t| t <= light) as u8
     };
     [mean(0), mean(1), mean(2), (alpha / 4.0).round() as u8]
+}
+
+fn mean(corners: &[[u8; 4]; 4]) -> [u8; 4] {
+    std::array::from_fn(|c| {
+        let sum: u16 = corners.iter().map(|p| u16::from(p[c])).sum();
+        ((sum + 2) / 4) as u8
+    })
 }
 
 fn mean_normal(corners: &[[u8; 4]; 4]) -> [u8; 4] {

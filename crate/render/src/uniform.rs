@@ -152,7 +152,10 @@ impl FrameUniform {
                     .world_from_joint
                     .get(Bone::Skull.index())
                     .map_or(DVec3::Y, |head| head.matrix3.y_axis.normalize_or(DVec3::Y)),
-                0.0,
+                frame
+                    .camera
+                    .eye_in_world
+                    .distance(frame.camera.target_in_world) as f32,
             ),
             lids: [[0.0; 4]; 4],
         }

@@ -170,6 +170,7 @@ fn clay_has_one_colour_and_no_pictures_leave_the_paint() {
     ball.material.maps = Maps {
         base_color: Some(0),
         normal: None,
+        wrinkles: None,
     };
     ball.colors.fill([255; 4]);
     let joint = Bone::Thoracic.index() as u16;

@@ -36,6 +36,7 @@ fn square(kind: MaterialKind) -> Figure {
     mesh.material.maps = Maps {
         base_color: Some(0),
         normal: Some(1),
+        wrinkles: None,
     };
     figure.meshes = vec![mesh];
     let image = Image {

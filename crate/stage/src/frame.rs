@@ -2,7 +2,7 @@
 
 use raconteur_base::{DAffine3, NodeState};
 
-use crate::{Camera, Lighting, Set, Shown};
+use crate::{Camera, Lighting, Line, Set, Shown};
 
 /// Manipulators that a figure has: arms, legs and head (GEVH 3.3).
 const MANIPULATORS: usize = 5;
@@ -16,7 +16,8 @@ pub struct Frame {
     pub world_from_joint: Vec<DAffine3>,
     /// Weight of each of the figure's morph targets, usually 0..1.
     pub morph_weights: Vec<f32>,
-    /// The nodes of the tissue of the figure's face; none where it has no tissue.
+    /// State of each node of the figure's tissue, in the order that the bindings of its
+    /// meshes count; those that are not there are at rest. Empty for figures without tissue.
     pub tissue: Vec<NodeState>,
     /// Where the picture is taken from.
     pub camera: Camera,
@@ -29,6 +30,8 @@ pub struct Frame {
     /// World from the place and frame that each manipulator is sent to; drawn when
     /// [`Shown::manipulators`] says so.
     pub handles: Vec<DAffine3>,
+    /// What else is drawn over the body by lines and dots: muscles, springs.
+    pub lines: Vec<Line>,
     /// The utterance being spoken, if any.
     pub speech: Option<SpeechNow>,
 }
@@ -47,6 +50,7 @@ impl Frame {
             set: Set::default(),
             shown: Shown::default(),
             handles: Vec::with_capacity(MANIPULATORS),
+            lines: Vec::new(),
             speech: None,
         }
     }

@@ -9,11 +9,13 @@
 pub mod camera;
 pub mod frame;
 pub mod light;
+pub mod line;
 pub mod set;
 pub mod shown;
 
 pub use camera::{Camera, Room, Shot, View};
 pub use frame::{Frame, SpeechNow};
 pub use light::{DirectedLight, Lighting};
+pub use line::Line;
 pub use set::Set;
 pub use shown::{Fill, Shown};

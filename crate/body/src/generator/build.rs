@@ -33,6 +33,7 @@ pub struct Built {
 const SKIN_MAPS: Maps = Maps {
     base_color: Some(0),
     normal: Some(1),
+    wrinkles: Some(2),
 };
 
 /// Builds a figure. The same parameters give the same figure to the bit.
@@ -98,7 +99,7 @@ pub fn build(params: &FigureParams) -> Built {
         stature_m: stature,
         lid_closure_rad: head.lid_closure_rad,
         pieces,
-        images: vec![maps.colour, maps.normal],
+        images: vec![maps.colour, maps.normal, maps.wrinkles],
     });
     figure.sex = Some(params.person.sex);
     figure.tissue = Some(face_tissue(&head, world_from_head, &figure));

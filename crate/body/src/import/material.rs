@@ -222,6 +222,7 @@ pub(super) fn surface(
             maps: Maps {
                 base_color: color_map,
                 normal: normal_map,
+                wrinkles: None,
             },
         },
         uv_set: uv_set(leading),

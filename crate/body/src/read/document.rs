@@ -32,6 +32,7 @@ pub(crate) struct Skin {
 pub(crate) struct Mesh {
     pub(crate) name: String,
     pub(crate) target_names: Vec<String>,
+    pub(crate) binding: Option<Binding>,
     pub(crate) primitives: Vec<Primitive>,
 }
 
@@ -42,6 +43,14 @@ pub(crate) struct Primitive {
     pub(crate) mode: u64,
     pub(crate) material: Option<usize>,
     pub(crate) targets: Vec<Target>,
+}
+
+/// Where the binding of a mesh lies: accessors.
+pub(crate) struct Binding {
+    pub(crate) version: u64,
+    pub(crate) counts: usize,
+    pub(crate) nodes: usize,
+    pub(crate) weights: usize,
 }
 
 impl Primitive {
@@ -66,6 +75,7 @@ pub(crate) struct Material {
     pub(crate) double_sided: bool,
     pub(crate) base_color_texture: Option<usize>,
     pub(crate) normal_texture: Option<usize>,
+    pub(crate) wrinkle_texture: Option<usize>,
 }
 
 /// A picture in the binary chunk.
@@ -247,22 +257,32 @@ fn primitive(v: &Json<'_>) -> Primitive {
 }
 
 fn mesh(v: &Json<'_>) -> Mesh {
+    let extras = &v["extras"];
+    let binding = &extras["binding"];
     Mesh {
         name: text(v, "name"),
-        target_names: texts(&v["extras"], "targetNames"),
+        target_names: texts(extras, "targetNames"),
+        binding: binding.is_object().then(|| Binding {
+            version: whole(binding, "version"),
+            counts: needed_index(binding, "counts"),
+            nodes: needed_index(binding, "nodes"),
+            weights: needed_index(binding, "weights"),
+        }),
         primitives: items(v, "primitives").iter().map(primitive).collect(),
     }
 }
 
 fn material(v: &Json<'_>) -> Material {
     let pbr = &v["pbrMetallicRoughness"];
+    let extras = &v["extras"];
     Material {
-        kind: text(&v["extras"], "kind"),
+        kind: text(extras, "kind"),
         base_color: numbers(pbr, "baseColorFactor").unwrap_or([1.0; 4]),
         roughness: pbr["roughnessFactor"].number().unwrap_or(1.0),
         double_sided: v["doubleSided"].truth().unwrap_or(false),
         base_color_texture: index(&pbr["baseColorTexture"], "index"),
         normal_texture: index(&v["normalTexture"], "index"),
+        wrinkle_texture: index(&extras["wrinkleTexture"], "index"),
     }
 }
 

@@ -32,6 +32,50 @@ fn vs_over(@location(0) p: vec3<f32>, @location(1) color: vec4<f32>) -> OverOut 
     return OverOut(frame.clip_from_world * vec4<f32>(p, 1.0), color);
 }
 
+// 1: of lines, what lies behind something.
+override BEHIND: u32 = 0u;
+
+// A line's four corners: a band of its width in pixels, ends a little longer, so that a line
+// without length is a dot.
+@vertex
+fn vs_line(
+    @builtin(vertex_index) corner: u32,
+    @location(0) line_from: vec3<f32>,
+    @location(1) line_to: vec3<f32>,
+    @location(2) color: vec4<f32>,
+    @location(3) width: f32,
+) -> OverOut {
+    var a = frame.clip_from_world * vec4<f32>(line_from, 1.0);
+    var b = frame.clip_from_world * vec4<f32>(line_to, 1.0);
+    // What is beside or behind the eye is cut off.
+    let near = 0.02;
+    if max(a.w, b.w) < near {
+        return OverOut(vec4<f32>(0.0, 0.0, 2.0, 1.0), vec4<f32>(0.0));
+    }
+    if a.w < near {
+        a = mix(a, b, (near - a.w) / max(b.w - a.w, 1e-6));
+    }
+    if b.w < near {
+        b = mix(b, a, (near - b.w) / max(a.w - b.w, 1e-6));
+    }
+    let run = (b.xy / b.w - a.xy / a.w) * frame.viewport.xy;
+    let along = select(vec2<f32>(1.0, 0.0), normalize(run), dot(run, run) > 1e-6);
+    let beyond = select(-along, along, corner > 1u);
+    let aside = vec2<f32>(-along.y, along.x) * select(-1.0, 1.0, (corner & 1u) == 1u);
+    var p = select(a, b, corner > 1u);
+    // Fainter towards the far side of what is looked at.
+    let fade = 1.0 - 0.85 * smoothstep(-0.02, 0.10, p.w - frame.head_up.w);
+    p = vec4<f32>(p.xy + (beyond + aside) * (width * frame.viewport.zw * p.w), p.zw);
+    let cover = color.a * fade * select(1.0, 0.4, BEHIND == 1u);
+    return OverOut(p, vec4<f32>(color.rgb, cover));
+}
+
+@fragment
+fn fs_line(v: OverOut) -> @location(0) vec4<f32> {
+    let light = v.color.rgb / max(frame.ground.w, 1e-3);
+    return written(light * v.color.a, v.color.a, v.clip.xy);
+}
+
 // Drawn as bright in every light: exposure is taken back.
 @fragment
 fn fs_over(v: OverOut) -> @location(0) vec4<f32> {

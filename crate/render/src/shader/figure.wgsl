@@ -33,6 +33,7 @@ struct VertexOut {
     @location(4) uv: vec2<f32>,
     @location(5) color: vec4<f32>,
     @location(6) bend: f32,          // root of the curvature, -1..1; 1 is a bead of 4 mm radius
+    @location(7) complexion: vec4<f32>, // strengths of three kinds of wrinkles, 0..1; blush, -1..1
 };
 
 struct Blend {
@@ -56,17 +57,40 @@ fn place(m: Blend, p: vec4<f32>) -> vec3<f32> {
     return vec3<f32>(dot(m.x, p), dot(m.y, p), dot(m.z, p));
 }
 
+// What tissue does to a vertex.
+struct TissueIn {
+    @location(7) moved: vec4<f32>,   // displacement; w: x of what is added to the normal
+    @location(8) turned: vec2<f32>,  // y and z of it
+    @location(9) complexion: vec4<f32>,
+};
+
+// As REACH_M and TURN of tissue.rs say.
+fn displacement(t: TissueIn) -> vec3<f32> { return t.moved.xyz * 0.125; }
+fn turn(t: TissueIn) -> vec3<f32> { return vec3<f32>(t.moved.w, t.turned) * 2.0; }
+
 @vertex
 fn vs_figure(v: VertexIn) -> VertexOut {
+    return placed(v, v.position, v.normal, vec4<f32>(0.0));
+}
+
+@vertex
+fn vs_bound(v: VertexIn, t: TissueIn) -> VertexOut {
+    let c = t.complexion;
+    let blush = (c.w * 255.0 - 128.0) / 127.0;
+    return placed(v, v.position + displacement(t), v.normal + turn(t), vec4<f32>(c.xyz, blush));
+}
+
+fn placed(v: VertexIn, position: vec3<f32>, normal: vec3<f32>, complexion: vec4<f32>) -> VertexOut {
     let m = blend(v.joint, v.weight);
     var o: VertexOut;
-    o.world = place(m, vec4<f32>(v.position, 1.0));
-    o.normal = place(m, vec4<f32>(v.normal, 0.0));
+    o.world = place(m, vec4<f32>(position, 1.0));
+    o.normal = place(m, vec4<f32>(normal, 0.0));
     o.along = place(m, vec4<f32>(v.along.xyz, 0.0));
     o.bind = v.position;
     o.uv = v.uv;
     o.color = v.color;
     o.bend = v.along.w;
+    o.complexion = complexion;
     o.clip = frame.clip_from_world * vec4<f32>(o.world, 1.0);
     return o;
 }
@@ -82,9 +106,18 @@ override LIGHT: u32 = 0u;
 
 @vertex
 fn vs_shadow(v: VertexIn) -> ShadowOut {
+    return shadowed(v, v.position);
+}
+
+@vertex
+fn vs_bound_shadow(v: VertexIn, t: TissueIn) -> ShadowOut {
+    return shadowed(v, v.position + displacement(t));
+}
+
+fn shadowed(v: VertexIn, position: vec3<f32>) -> ShadowOut {
     let m = blend(v.joint, v.weight);
     var o: ShadowOut;
-    o.clip = frame.shadow_from_world[LIGHT] * vec4<f32>(place(m, vec4<f32>(v.position, 1.0)), 1.0);
+    o.clip = frame.shadow_from_world[LIGHT] * vec4<f32>(place(m, vec4<f32>(position, 1.0)), 1.0);
     o.uv = v.uv;
     o.bind = v.position;
     return o;

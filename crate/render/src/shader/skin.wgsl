@@ -38,19 +38,84 @@ fn oiliness(bind: vec3<f32>) -> f32 {
     return select(0.0, max(middle, 0.5 * brow), material.face.w > 0.0 && q.z > -0.6);
 }
 
+// Expressive wrinkles (F&H section 3.1.2), from a map of their heights that contracting muscles
+// bring forth: xyz the slope of the skin along itself, w its height in millimetres.
+fn wrinkled(v: VertexOut, n: vec3<f32>) -> vec4<f32> {
+    let px = dpdx(v.world);
+    let py = dpdy(v.world);
+    let tx = dpdx(v.uv);
+    let ty = dpdy(v.uv);
+    let strength = saturate(v.complexion.xyz);
+    if max(strength.x, max(strength.y, strength.z)) < 0.004 {
+        return vec4<f32>(0.0);
+    }
+    // A texel to the right and to the left, below and above; the map repeats no more often
+    // than the skin, so the level of the mip chain is that of the pixel.
+    let texel = 1.0 / vec2<f32>(textureDimensions(wrinkle_map));
+    let du = vec2<f32>(texel.x, 0.0);
+    let dv = vec2<f32>(0.0, texel.y);
+    let right = dot(textureSampleGrad(wrinkle_map, map_sampler, v.uv + du, tx, ty).rgb, strength);
+    let left = dot(textureSampleGrad(wrinkle_map, map_sampler, v.uv - du, tx, ty).rgb, strength);
+    let below = dot(textureSampleGrad(wrinkle_map, map_sampler, v.uv + dv, tx, ty).rgb, strength);
+    let above = dot(textureSampleGrad(wrinkle_map, map_sampler, v.uv - dv, tx, ty).rgb, strength);
+    let mm = 255.0 / 127.0;
+    let height = mm * (0.25 * (right + left + below + above) - dot(strength, vec3<f32>(128.0 / 255.0)));
+    let rise = (0.0005 * mm) * vec2<f32>(right - left, below - above) / texel;
+    // Gradients of u and v over the surface, from how the screen shows them (Mikkelsen 2010,
+    // "Bump mapping unparametrized surfaces on the GPU").
+    let across = cross(py, n);
+    let down = cross(n, px);
+    let area = dot(px, across);
+    let whole = select(-1.0, 1.0, area >= 0.0) * max(abs(area), 1e-14);
+    let slope = (across * dot(tx, rise) + down * dot(ty, rise)) / whole;
+    // Edge-on, differences over a pixel say little.
+    return vec4<f32>(slope * min(1.0, 1.2 / max(length(slope), 1e-4)), height);
+}
+
+// How much of a blush shows at a place, 0..1: most on the cheeks, the tip of the nose and the
+// ears, less on the forehead and the neck. Chosen by eye.
+fn blushing(bind: vec3<f32>) -> f32 {
+    let q = (bind - material.face.xyz) / max(material.face.w, 1e-3);
+    let side = abs(q.x);
+    let c = vec2<f32>(side - 0.80, q.y + 0.55) / vec2<f32>(0.42, 0.40);
+    let cheek = exp(-dot(c, c)) * smoothstep(-0.9, -0.3, q.z);
+    let t = vec2<f32>(q.x / 0.26, (q.y + 0.52) / 0.22);
+    let nose = 0.75 * exp(-dot(t, t)) * smoothstep(0.1, 0.35, q.z);
+    let ear = smoothstep(1.05, 1.25, side) * smoothstep(-0.7, -1.1, q.z) * smoothstep(-1.0, -0.7, q.y);
+    let forehead = 0.38 * smoothstep(0.3, 0.9, q.y);
+    return select(0.0, max(max(cheek, nose), max(0.85 * ear, max(forehead, 0.28))), material.face.w > 0.0);
+}
+
+// Colour of skin that holds e^x times its usual blood, relative to what it was. Haemoglobin
+// takes green and blue; the epidermis lies over it as a filter, so that dark skin changes by the
+// same share, of less light. Closed form of pigment.rs in the figures' generator, for 1.1 %
+// of blood; a test there holds it to 3 %.
+fn flushed(x: f32) -> vec3<f32> {
+    return exp(vec3<f32>(-0.15, -0.65, -0.62) * (exp(0.5 * x) - 1.0));
+}
+
 @fragment
 fn fs_skin(v: VertexOut, @builtin(front_facing) front: bool) -> @location(0) vec4<f32> {
     let footprint = length(fwidth(v.bind));
     let view = to_eye(v.world);
-    let ng = facing_normal(v.normal, front);
+    let fold = wrinkled(v, facing_normal(v.normal, front));
+    let ng = bumped(facing_normal(v.normal, front), fold.xyz);
     var n = mapped_normal(v, ng);
     var albedo = painted(v).rgb;
-    let ao = v.color.a;
+    // Less light reaches a furrow, and what does has passed more blood.
+    let furrow = smoothstep(0.0, 0.5, -fold.w);
+    let ao = v.color.a * (1.0 - 0.45 * furrow);
     let oil = oiliness(v.bind);
     // Lips are redder than any other skin, smoother, and moist.
     let lip = smoothstep(0.36, 0.52, (albedo.r - albedo.g) / (albedo.r + albedo.g + 1e-4))
         * select(0.0, 1.0, material.face.w > 0.0 && abs(v.bind.x - material.face.x) < 0.6 * material.face.w);
     var rough = max(material.params.x, 0.5) - 0.05 * oil - 0.12 * lip;
+    // White hairs of a beard do not blush.
+    let bare = smoothstep(0.06, 0.2, (albedo.r - albedo.b) / (albedo.r + albedo.b + 1e-4));
+    let blood = 0.5 * furrow + v.complexion.w * bare * mix(1.1 * blushing(v.bind), 0.6, lip);
+    if abs(blood) > 0.002 {
+        albedo *= flushed(blood);
+    }
 
     // A picture of normals brings its own pores; what is computed then only adds grain.
     let own = mix(1.0, 0.35, material.params.w);

@@ -1,8 +1,9 @@
-// Pictures of a surface: colour and alpha, and normals in tangent space.
+// Pictures of a surface: colour and alpha, normals in tangent space, heights of wrinkles.
 
 @group(2) @binding(0) var color_map: texture_2d<f32>;
 @group(2) @binding(1) var normal_map: texture_2d<f32>;
 @group(2) @binding(2) var map_sampler: sampler;
+@group(2) @binding(3) var wrinkle_map: texture_2d<f32>;
 
 // Colour and alpha of the surface, linear: material, vertex and picture. The vertex's own
 // alpha is occlusion.

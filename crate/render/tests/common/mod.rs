@@ -63,6 +63,7 @@ pub(crate) fn empty(kind: MaterialKind) -> Mesh {
         weights: Vec::new(),
         indices: Vec::new(),
         morphs: Vec::new(),
+        binding: None,
     }
 }
 

@@ -1,7 +1,7 @@
 //! From the surface to two pictures: every texel's tissue is evaluated where it lies on the
 //! body, its height becomes a normal, and both are filled out and encoded.
 
-use jpeg_encoder::{ColorType, Encoder, SamplingFactor};
+use jpeg_encoder::{ColorType, Encoder, QuantizationTableType, SamplingFactor};
 use raconteur_base::{DVec2, DVec3, ops};
 
 use super::params::OXYGEN;
@@ -9,7 +9,7 @@ use super::pigment::Palette;
 use super::raster::{Hit, Raster, SIZE, fill};
 use super::texture::mix;
 use super::{HandSheet, HeadSheet, SkinParams};
-use crate::figure::Image;
+use crate::figure::{Image, WRINKLE_HEIGHT_M};
 
 /// Skin at a texel.
 #[derive(Clone, Copy, Debug)]
@@ -21,6 +21,8 @@ pub(super) struct Tissue {
     pub(super) oxygen: f64,
     /// Height over the mesh, mm.
     pub(super) height_mm: f64,
+    /// Heights of expressive wrinkles of each kind when they are fully there, mm.
+    pub(super) folds_mm: [f64; 3],
     /// What lies over or in the skin (hair's roots, wet margins): linear RGB and share.
     pub(super) cover: ([f64; 3], f64),
     /// Share of light that reaches the place, 1 in the open.
@@ -34,6 +36,7 @@ impl Tissue {
             ln_blood: skin.ln_blood(),
             oxygen: OXYGEN,
             height_mm: 0.0,
+            folds_mm: [0.0; 3],
             cover: ([0.0; 3], 0.0),
             light: 1.0,
         }
@@ -64,13 +67,15 @@ pub(super) struct Layer<'a> {
     pub(super) tissue: &'a (dyn Fn([u32; 3], &Hit) -> Tissue + Sync),
 }
 
-/// Colour and normal map of a person's skin.
+/// Colour, normals and expressive wrinkles of a person's skin.
 #[derive(Clone, Debug)]
 pub(crate) struct SkinMaps {
     /// sRGB.
     pub(crate) colour: Image,
     /// Tangent space, glTF's convention.
     pub(crate) normal: Image,
+    /// Heights as [`Maps::wrinkles`](crate::figure::Maps::wrinkles) has them.
+    pub(crate) wrinkles: Image,
 }
 
 /// Slopes are held to this: beyond, a texel's width and the light make artefacts of them.
@@ -79,6 +84,7 @@ const STEEPEST: f64 = 0.9;
 /// Quality of the encoder, of 100.
 const COLOUR_QUALITY: u8 = 86;
 const NORMAL_QUALITY: u8 = 72;
+const WRINKLE_QUALITY: u8 = 88;
 
 /// Makes the maps. The result does not depend on how many threads take part.
 pub(crate) fn bake(skin: &SkinParams, head: &HeadSheet, hand: &HandSheet) -> SkinMaps {
@@ -108,17 +114,37 @@ pub(crate) fn bake(skin: &SkinParams, head: &HeadSheet, hand: &HandSheet) -> Ski
         .flatten()
         .map(|&x| (127.0 * x + 128.0).round().clamp(0.0, 255.0) as u8)
         .collect();
+    let seen = QuantizationTableType::Default;
+    // Three heights are no colour: an eye's coarse view of hues would lose most of them.
+    let even = QuantizationTableType::Flat;
     SkinMaps {
-        colour: jpeg(&colour, COLOUR_QUALITY, SamplingFactor::R_4_2_0),
-        normal: jpeg(&normal, NORMAL_QUALITY, SamplingFactor::R_4_4_4),
+        colour: jpeg(&colour, COLOUR_QUALITY, SamplingFactor::R_4_2_0, &seen),
+        normal: jpeg(&normal, NORMAL_QUALITY, SamplingFactor::R_4_4_4, &seen),
+        wrinkles: jpeg(
+            &heights(&pictures.folds_mm),
+            WRINKLE_QUALITY,
+            SamplingFactor::R_4_4_4,
+            &even,
+        ),
     }
 }
 
-/// Both maps before they are encoded: linear RGB, unit normals.
+/// The heights of wrinkles, mm, as the map has them.
+fn heights(folds_mm: &[[f32; 3]]) -> Vec<u8> {
+    const STEPS: f32 = 127.0 / (WRINKLE_HEIGHT_M * 1000.0);
+    let step = |mm: &f32| (128.0 + STEPS * mm).round().clamp(0.0, 255.0) as u8;
+    folds_mm.iter().flatten().map(step).collect()
+}
+
+/// The maps before they are encoded: linear RGB, unit normals, heights in millimetres.
 pub(super) struct Pictures {
     pub(super) colour: Vec<[f32; 3]>,
     pub(super) normal: Vec<[f32; 3]>,
+    pub(super) folds_mm: Vec<[f32; 3]>,
 }
+
+/// Colour, height and heights of wrinkles of a texel.
+type Texel = ([f32; 3], f32, [f32; 3]);
 
 pub(super) fn evaluate(layers: &[Layer<'_>]) -> Pictures {
     let mut uv = Vec::new();
@@ -147,10 +173,11 @@ pub(super) fn evaluate(layers: &[Layer<'_>]) -> Pictures {
             (
                 tissue.rgb(&palette).map(|x| x as f32),
                 tissue.height_mm as f32,
+                tissue.folds_mm.map(|x| x as f32),
             )
         })
     };
-    let mut texels: Vec<Option<([f32; 3], f32)>> = vec![None; SIZE * SIZE];
+    let mut texels: Vec<Option<Texel>> = vec![None; SIZE * SIZE];
     // Interleaved strips, so that two threads get like shares of face and empty space.
     const STRIP: usize = 32 * SIZE;
     std::thread::scope(|scope| {
@@ -202,6 +229,7 @@ pub(super) fn evaluate(layers: &[Layer<'_>]) -> Pictures {
     Pictures {
         colour: colour.into_iter().flatten().collect(),
         normal,
+        folds_mm: texels.iter().map(|t| t.map_or([0.0; 3], |t| t.2)).collect(),
     }
 }
 
@@ -256,10 +284,11 @@ fn srgb(x: f32) -> u8 {
 /// # Panics
 /// Never: writing to memory does not fail and the size fits the format.
 #[allow(clippy::expect_used, reason = "writes to memory at a fixed size")]
-fn jpeg(rgb: &[u8], quality: u8, sampling: SamplingFactor) -> Image {
+fn jpeg(rgb: &[u8], quality: u8, sampling: SamplingFactor, table: &QuantizationTableType) -> Image {
     let mut bytes = Vec::new();
     let mut encoder = Encoder::new(&mut bytes, quality);
     encoder.set_sampling_factor(sampling);
+    encoder.set_quantization_tables(table.clone(), table.clone());
     encoder.set_progressive(true);
     encoder.set_optimized_huffman_tables(true);
     encoder

@@ -7,6 +7,7 @@ use raconteur_base::{DVec3, ops};
 
 use super::SkinParams;
 use super::bake::Tissue;
+use super::expression_lines::ExpressionMarks;
 use super::face_lines::{FaceMarks, face_marks};
 use super::raster::Hit;
 use super::texture::{cells, mix, rise, space_noise};
@@ -105,6 +106,7 @@ pub(super) struct FacePainter<'a> {
     skin: &'a SkinParams,
     sheet: &'a HeadSheet,
     marks: FaceMarks,
+    expression: Option<ExpressionMarks>,
     base: Tissue,
     /// 0 young to 1 old, for what changes slowly.
     old: f64,
@@ -126,6 +128,7 @@ impl HeadSheet {
             marks: self
                 .places
                 .map_or_else(FaceMarks::default, |p| face_marks(skin, p, self)),
+            expression: self.places.map(|p| ExpressionMarks::new(skin, p)),
             base: Tissue::new(skin),
             old: rise(28.0, 78.0, skin.age_years),
             hair_stain: darkness(self.hair_colour),
@@ -211,6 +214,11 @@ impl FacePainter<'_> {
             tissue.light *= 1.0 - lost * ops::exp(-0.5 * d.length_squared());
         }
         tissue.height_mm += self.cord(half);
+        if let Some(expression) = &self.expression {
+            // Neither under the brows nor behind the lashes.
+            let bare = (1.0 - brow) * (1.0 - rise(3.2, 4.2, eye)) * (1.0 - rise(0.3, 1.5, nostril));
+            tissue.folds_mm = expression.heights_mm(q, p, normal).map(|h| h * bare);
+        }
 
         tissue.lay(s.brow_colour, 0.58 * brow * self.brow_stain);
         let roots = 0.75 + 0.25 * space_noise(seed + 30, p / 1.1);

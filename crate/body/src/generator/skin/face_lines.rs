@@ -24,26 +24,48 @@ pub(super) struct FaceMarks {
 }
 
 /// Draws with seeded chance.
-struct Scribe<'a> {
-    places: &'a Places,
-    skin: &'a SkinParams,
+pub(super) struct Scribe<'a> {
+    pub(super) places: &'a Places,
+    pub(super) skin: &'a SkinParams,
     marks: Marks,
     drawn: u64,
 }
 
-impl Scribe<'_> {
+impl<'a> Scribe<'a> {
+    /// `first` tells the chances of one drawing from those of another.
+    pub(super) fn new(places: &'a Places, skin: &'a SkinParams, first: u64) -> Self {
+        Self {
+            places,
+            skin,
+            marks: Marks::default(),
+            drawn: first,
+        }
+    }
+
+    /// What was drawn since last asked.
+    pub(super) fn take(&mut self) -> Marks {
+        core::mem::take(&mut self.marks).finish()
+    }
+
     /// A number 0..1 that differs for each line and each use.
-    fn chance(&mut self) -> f64 {
+    pub(super) fn chance(&mut self) -> f64 {
         self.drawn += 1;
         noise::unit(self.skin.seed, 0x77A1, self.drawn as i64)
     }
 
-    fn between(&mut self, a: f64, b: f64) -> f64 {
+    pub(super) fn between(&mut self, a: f64, b: f64) -> f64 {
         a + (b - a) * self.chance()
     }
 
     /// A line on one side.
-    fn line(&mut self, side: Side, through: &[DVec3], strength: f64, width: f64, broken: f64) {
+    pub(super) fn line(
+        &mut self,
+        side: Side,
+        through: &[DVec3],
+        strength: f64,
+        width: f64,
+        broken: f64,
+    ) {
         self.drawn += 1;
         let pen = Pen {
             strength,
@@ -61,7 +83,7 @@ impl Scribe<'_> {
     }
 
     /// A place by column, also negative (the right half), and row.
-    fn grid(&self, column: f64, row: f64) -> DVec3 {
+    pub(super) fn grid(&self, column: f64, row: f64) -> DVec3 {
         let p = self.places.grid(column.abs(), row);
         if column < 0.0 { mirror_vector(p) } else { p }
     }
@@ -361,12 +383,7 @@ fn scatter(
 
 /// All marks of a face.
 pub(super) fn face_marks(skin: &SkinParams, places: &Places, sheet: &HeadSheet) -> FaceMarks {
-    let mut scribe = Scribe {
-        places,
-        skin,
-        marks: Marks::default(),
-        drawn: 0,
-    };
+    let mut scribe = Scribe::new(places, skin, 0);
     scribe.forehead();
     scribe.glabella();
     for side in Side::BOTH {
@@ -377,9 +394,9 @@ pub(super) fn face_marks(skin: &SkinParams, places: &Places, sheet: &HeadSheet) 
         scribe.cheeks(side);
     }
     scribe.neck();
-    let wrinkles = core::mem::take(&mut scribe.marks).finish();
+    let wrinkles = scribe.take();
     scribe.vessels();
-    let vessels = core::mem::take(&mut scribe.marks).finish();
+    let vessels = scribe.take();
 
     let mut freckles = Marks::default();
     if skin.freckles > 0.0 {

@@ -1,7 +1,8 @@
-//! The skin's surface: one atlas for head and hands, a colour and a normal map in it, made
-//! from pigments, blood, age and lines rather than painted.
+//! The skin's surface: one atlas for head and hands; a colour map, a normal map and heights
+//! of expressive wrinkles in it, made from pigments, blood, age and lines rather than painted.
 
 mod bake;
+mod expression_lines;
 mod face;
 mod face_lines;
 mod hand;

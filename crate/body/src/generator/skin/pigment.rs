@@ -267,6 +267,26 @@ mod tests {
     }
 
     #[test]
+    fn a_blush_has_a_closed_form() {
+        // The shader of the skin computes with it: `flushed` of the renderer's skin.wgsl.
+        let closed = |x: f64| [0.15, 0.65, 0.62].map(|k| ops::exp(-k * (ops::exp(x / 2.0) - 1.0)));
+        // Blood that flows faster holds more oxygen.
+        for (x, oxygen) in [(-1.2, 0.70), (-0.4, 0.72), (0.5, 0.80), (1.15, 0.86)] {
+            for melanosomes in [0.02, 0.06, 0.2] {
+                let rest = colour(&skin(melanosomes, 0.011));
+                let now = colour(&Pigments {
+                    oxygen,
+                    ..skin(melanosomes, 0.011 * ops::exp(x))
+                });
+                for (c, share) in closed(x).into_iter().enumerate() {
+                    let error = now[c] / rest[c] / share - 1.0;
+                    assert!(error.abs() < 0.03, "{x} {melanosomes} {c}: {error}");
+                }
+            }
+        }
+    }
+
+    #[test]
     fn the_table_agrees_with_the_model() {
         let palette = Palette::new();
         for m in [0.012, 0.033, 0.11] {

@@ -5,6 +5,7 @@ use std::sync::OnceLock;
 use raconteur_base::{DVec2, DVec3, Side};
 
 use super::bake::{SkinMaps, bake};
+use super::expression_lines::ExpressionMarks;
 use super::raster::{Raster, SIZE};
 use super::{HandSheet, HeadSheet, SkinParams};
 use crate::generator::hand;
@@ -199,10 +200,86 @@ fn the_maps_keep_their_budget_and_are_the_same_each_time() {
         maps.normal.bytes.len()
     );
     assert!(bytes <= 550_000, "{bytes}");
-    for image in [&maps.colour, &maps.normal] {
+    println!("wrinkles {}", maps.wrinkles.bytes.len());
+    assert!(maps.wrinkles.bytes.len() <= 120_000);
+    for image in [&maps.colour, &maps.normal, &maps.wrinkles] {
         assert_eq!(image.mime_type, "image/jpeg");
         assert_eq!(image.bytes[..3], [0xFF, 0xD8, 0xFF]);
     }
     let again = bake(&elder(), &sheets().0, &sheets().1);
     assert!(again.colour == maps.colour && again.normal == maps.normal);
+    assert!(again.wrinkles == maps.wrinkles);
+}
+
+/// The deepest fold of each kind on the seen skin where `wanted`, mm.
+fn deepest(age_years: f64, wanted: impl Fn(DVec3) -> bool) -> [f64; 3] {
+    let (head, _) = sheets();
+    let skin = SkinParams {
+        age_years,
+        ..elder()
+    };
+    let places = head.places.expect("places");
+    let marks = ExpressionMarks::new(&skin, places);
+    let mut deepest = [0.0f64; 3];
+    for t in &head.triangles {
+        // Between the corners as well: furrows are narrower than triangles.
+        for i in 0..6 {
+            for j in 0..6 - i {
+                let (x, y) = (f64::from(i) / 5.0, f64::from(j) / 5.0);
+                let [q, p, n] = [&head.mean, &head.at, &head.normals].map(|list| {
+                    let [a, b, c] = t.map(|v| list[v as usize]);
+                    a + (b - a) * x + (c - a) * y
+                });
+                if wanted(q) {
+                    let heights = marks.heights_mm(q, p, n.normalize_or_zero());
+                    for (d, h) in deepest.iter_mut().zip(heights) {
+                        *d = d.max(-h);
+                    }
+                }
+            }
+        }
+    }
+    deepest
+}
+
+#[test]
+fn expressive_wrinkles_lie_where_their_muscles_fold_the_skin() {
+    let none = |d: f64| d < 0.02;
+    let front = |q: DVec3| q.z > 40.0;
+    let forehead = deepest(70.0, |q| front(q) && q.y > 52.0 && q.x.abs() < 30.0);
+    assert!(forehead[0] > 0.45 && none(forehead[2]), "{forehead:?}");
+    let brows = deepest(70.0, |q| {
+        front(q) && q.x.abs() < 12.0 && (30.0..50.0).contains(&q.y)
+    });
+    assert!(brows[1] > 0.4, "{brows:?}");
+    let temple = deepest(70.0, |q| q.x.abs() > 46.0 && (8.0..34.0).contains(&q.y));
+    assert!(temple[1] > 0.35 && none(temple[2]), "{temple:?}");
+    let cheek = deepest(70.0, |q| {
+        front(q) && (20.0..50.0).contains(&q.x.abs()) && (-60.0..-20.0).contains(&q.y)
+    });
+    assert!(none(cheek[0]) && cheek[1] > 0.45, "{cheek:?}");
+    let lips = deepest(70.0, |q| {
+        front(q) && q.x.abs() < 15.0 && (-62.0..-30.0).contains(&q.y)
+    });
+    assert!(none(lips[0]) && none(lips[1]) && lips[2] > 0.2, "{lips:?}");
+    let chin = deepest(70.0, |q| {
+        front(q) && q.x.abs() < 12.0 && (-88.0..-72.0).contains(&q.y)
+    });
+    assert!(chin[2] > 0.15, "{chin:?}");
+    // The nape and the crown have none.
+    let rest = deepest(70.0, |q| q.z < 0.0);
+    assert!(rest.into_iter().all(none), "{rest:?}");
+}
+
+#[test]
+fn expressive_wrinkles_deepen_with_age() {
+    let all = [9.0, 35.0, 70.0].map(|age| deepest(age, |q| q.z > 40.0));
+    for kind in 0..3 {
+        let [boy, woman, man] = all.map(|d| d[kind]);
+        assert!(
+            boy > 0.05 && boy < 0.6 * woman && woman < 0.85 * man,
+            "{boy} {woman} {man}"
+        );
+        assert!(man < 1.0, "the map holds a millimetre: {man}");
+    }
 }

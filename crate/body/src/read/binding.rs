@@ -1,0 +1,63 @@
+//! How a mesh follows the tissue of its face, from three accessors that the mesh's extras
+//! name: nodes and weights, row by row, and how many belong to each vertex.
+
+use super::accessor::Source;
+use super::document::Mesh;
+use super::{ReadError, same_count};
+use crate::face::Binding;
+
+/// The arrangement that is understood.
+const VERSION: u64 = 1;
+
+/// What is said of faults.
+const BINDING: &str = "a binding to tissue";
+
+/// The binding of a mesh of `count` vertices, if it has one. Rows sum to at most 1.
+pub(super) fn read(
+    source: &mut Source<'_>,
+    mesh: &Mesh,
+    count: usize,
+) -> Result<Option<Binding>, ReadError> {
+    let Some(b) = &mesh.binding else {
+        return Ok(None);
+    };
+    if b.version != VERSION {
+        return Err(ReadError::Type { what: BINDING });
+    }
+    let counts = same_count(source.integers::<1>(b.counts, BINDING)?, count, BINDING)?;
+    let nodes = source.integers::<1>(b.nodes, BINDING)?;
+    let weights = same_count(
+        source.integers::<1>(b.weights, BINDING)?,
+        nodes.len(),
+        BINDING,
+    )?;
+    let out_of_range = || ReadError::OutOfRange { what: BINDING };
+    let mut out = Binding {
+        starts: vec![0],
+        ..Binding::default()
+    };
+    let mut end = 0usize;
+    for (vertex, [size]) in (0u32..).zip(counts) {
+        if size == 0 {
+            continue;
+        }
+        let start = end;
+        end = end.saturating_add(size as usize);
+        let row = weights.get(start..end).ok_or_else(out_of_range)?;
+        // In 255ths.
+        if row.iter().map(|[w]| u64::from(*w)).sum::<u64>() > 255 {
+            return Err(out_of_range());
+        }
+        out.vertices.push(vertex);
+        out.starts.push(end as u32);
+    }
+    if end != nodes.len() {
+        return Err(ReadError::Count { what: BINDING });
+    }
+    for [node] in nodes {
+        out.nodes
+            .push(u16::try_from(node).map_err(|_| out_of_range())?);
+    }
+    out.weights = weights.iter().map(|[w]| *w as f32 / 255.0).collect();
+    Ok(Some(out))
+}

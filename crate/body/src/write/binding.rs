@@ -1,0 +1,91 @@
+//! How a mesh follows the tissue of its face, as three accessors: for each vertex how many
+//! nodes it follows (0: none), and row by row the nodes and their weights in 255ths. No
+//! vertex attribute and no extension, so that other readers take the file as before.
+
+use serde_json::{Value, json};
+
+use super::{Buffer, UNSIGNED_BYTE, UNSIGNED_SHORT};
+use crate::face::Binding;
+
+/// The arrangement, told in the file.
+const VERSION: u32 = 1;
+
+/// Writes a sound binding of a mesh of `count` vertices; returns what its extras hold.
+pub(super) fn write(buffer: &mut Buffer, binding: &Binding, count: usize) -> Value {
+    let mut counts = vec![0u8; count];
+    let mut nodes = Vec::new();
+    let mut weights = Vec::new();
+    for (&vertex, ends) in binding.vertices.iter().zip(binding.starts.windows(2)) {
+        let row = ends[0] as usize..ends[1] as usize;
+        let bound = binding.nodes[row.clone()].iter().copied();
+        let mut heavy: Vec<(u16, f32)> = bound.zip(binding.weights[row].iter().copied()).collect();
+        if heavy.is_empty() {
+            heavy.push((0, 0.0));
+        }
+        // A byte counts them.
+        heavy.sort_by(|a, b| b.1.total_cmp(&a.1));
+        heavy.truncate(255);
+        let quantised = row_in_255ths(&heavy);
+        // Those of no weight are left out; but one stays, for a bound vertex does not follow
+        // the jaw.
+        let kept = quantised.iter().filter(|w| **w > 0).count().max(1);
+        counts[vertex as usize] = kept as u8;
+        for ((node, _), weight) in heavy.iter().zip(quantised).take(kept) {
+            nodes.extend(node.to_le_bytes());
+            weights.push(weight);
+        }
+    }
+    let entries = weights.len();
+    let mut list = |bytes: &[u8], component: u32, count: usize, normalized: bool| {
+        let view = buffer.view(bytes, None, None);
+        buffer.accessor(json!({
+            "bufferView": view, "componentType": component, "count": count, "type": "SCALAR",
+            "normalized": normalized,
+        }))
+    };
+    json!({
+        "version": VERSION,
+        "counts": list(&counts, UNSIGNED_BYTE, count, false),
+        "nodes": list(&nodes, UNSIGNED_SHORT, entries, false),
+        "weights": list(&weights, UNSIGNED_BYTE, entries, true),
+    })
+}
+
+/// Weights, heaviest first, in 255ths whose sum is the sum's own 255ths: what is lost by
+/// rounding down goes to those that lost most (largest remainders), which keeps the order.
+fn row_in_255ths(row: &[(u16, f32)]) -> Vec<u8> {
+    let exact: Vec<f64> = row.iter().map(|(_, w)| f64::from(*w) * 255.0).collect();
+    let total = exact.iter().sum::<f64>().round().min(255.0) as usize;
+    let mut out: Vec<u8> = exact.iter().map(|x| x.floor() as u8).collect();
+    let given: usize = out.iter().map(|w| usize::from(*w)).sum();
+    let mut order: Vec<usize> = (0..row.len()).collect();
+    order.sort_by(|&a, &b| exact[b].fract().total_cmp(&exact[a].fract()));
+    for &i in order.iter().take(total.saturating_sub(given)) {
+        out[i] = out[i].saturating_add(1);
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rows_keep_their_sum_and_their_order() {
+        let row = |weights: &[f32]| -> Vec<u8> {
+            row_in_255ths(&weights.iter().map(|w| (0, *w)).collect::<Vec<_>>())
+        };
+        let sum = |row: &[u8]| row.iter().map(|w| u32::from(*w)).sum::<u32>();
+        assert_eq!(row(&[1.0]), [255]);
+        assert_eq!(row(&[1.0 / 3.0; 3]), [85; 3]);
+        let seventh = row(&[1.0 / 7.0; 7]);
+        assert_eq!(sum(&seventh), 255);
+        assert!(seventh.iter().all(|w| (36..=37).contains(w)));
+        // Half a row stays half.
+        assert_eq!(sum(&row(&[0.3, 0.2])), 128);
+        let many = row(&[0.5, 0.2, 0.1, 0.1, 0.0951, 0.003, 0.0019]);
+        assert_eq!(sum(&many), 255);
+        assert!(many.is_sorted_by(|a, b| a >= b), "{many:?}");
+        assert!(row(&[]).is_empty());
+    }
+}

@@ -1,0 +1,65 @@
+//! Lines and dots over a figure: muscles and springs of its face.
+
+use bytemuck::{Pod, Zeroable};
+use raconteur_stage::Line;
+use wgpu::{Buffer, BufferUsages, Device, Queue};
+
+use crate::renderer::empty_buffer;
+
+/// A line as the shader takes it: one instance.
+#[repr(C)]
+#[derive(Clone, Copy, Pod, Zeroable)]
+pub(crate) struct SentLine {
+    from: [f32; 3],
+    to: [f32; 3],
+    color: [u8; 4],
+    width: f32,
+}
+
+/// Lines that are drawn at most: twice the springs of a face. Beyond, they are left out.
+const MOST: usize = 1 << 16;
+
+/// Lines on the device.
+pub(crate) struct Lines {
+    sent: Vec<SentLine>,
+    /// How many the buffer holds.
+    room: usize,
+    pub(crate) buffer: Buffer,
+}
+
+impl Lines {
+    pub(crate) fn new(device: &Device) -> Self {
+        let room = 1024;
+        Self {
+            sent: Vec::new(),
+            room,
+            buffer: buffer_for(device, room),
+        }
+    }
+
+    /// How many there are to draw.
+    pub(crate) fn count(&self) -> u32 {
+        self.sent.len() as u32
+    }
+
+    /// Sends the lines of a moment. Allocates only when there are more than ever before.
+    pub(crate) fn send(&mut self, device: &Device, queue: &Queue, lines: &[Line]) {
+        self.sent.clear();
+        self.sent.extend(lines.iter().take(MOST).map(|l| SentLine {
+            from: l.from_in_world,
+            to: l.to_in_world,
+            color: l.color,
+            width: l.width_px,
+        }));
+        if self.sent.len() > self.room {
+            self.room = self.sent.len().next_power_of_two();
+            self.buffer = buffer_for(device, self.room);
+        }
+        queue.write_buffer(&self.buffer, 0, bytemuck::cast_slice(&self.sent));
+    }
+}
+
+fn buffer_for(device: &Device, room: usize) -> Buffer {
+    let bytes = (room * size_of::<SentLine>()) as u64;
+    empty_buffer(device, "lines", bytes, BufferUsages::VERTEX)
+}

@@ -1,0 +1,170 @@
+//! Vertices that follow the tissue of a face, moved on the CPU: each by a few of some two
+//! thousand nodes. What comes of it is a vertex stream of its own, so that meshes without
+//! tissue have none, and the rest shape, which the grain of the skin sticks to, stays.
+
+use bytemuck::{Pod, Zeroable};
+use glam::Vec4;
+use raconteur_body::Mesh;
+use raconteur_body::face::NodeState;
+
+/// Displacement that the stream can tell, metres: what is further is held to it. A step is
+/// 4 µm. A jaw opens by 40 mm.
+pub const REACH_M: f32 = 0.125;
+
+/// Change of a unit normal that the stream can tell: it cannot change by more.
+const TURN: f32 = 2.0;
+
+/// What tissue does to a vertex.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Pod, Zeroable)]
+pub struct TissueVertex {
+    /// Displacement in 32767ths of [`REACH_M`], then what is added to the normal, in 32767ths
+    /// of 2.
+    pub moved: [i16; 6],
+    /// Three strengths of wrinkles, 0..255; blush, 1 to 255 with 128 for none.
+    pub complexion: [u8; 4],
+}
+
+impl TissueVertex {
+    /// At rest.
+    pub const REST: Self = Self {
+        moved: [0; 6],
+        complexion: [0, 0, 0, 128],
+    };
+
+    /// From a weighted sum of nodes.
+    fn of(sum: &Node) -> Self {
+        // Added to one and a half times 2²³, a number's nearest integer stands in the lowest
+        // bits: no conversion, which compilers guard against what was ruled out already.
+        const ROUND: Vec4 = Vec4::splat(12_582_912.0);
+        let bits = |v: Vec4, low: Vec4, high: Vec4| {
+            (v.clamp(low, high) + ROUND).to_array().map(f32::to_bits)
+        };
+        let full = Vec4::splat(32767.0);
+        // The second four have two of either kind.
+        let low = Vec4::new(-32767.0, -32767.0, 0.0, 0.0);
+        let high = Vec4::new(32767.0, 32767.0, 255.0, 255.0);
+        let [x, y, z, i] = bits(sum[0], -full, full);
+        let [j, k, a, b] = bits(sum[1], low, high);
+        let [c, blush, ..] = bits(
+            sum[2],
+            Vec4::new(0.0, -127.0, 0.0, 0.0),
+            Vec4::new(255.0, 127.0, 0.0, 0.0),
+        );
+        Self {
+            moved: [x, y, z, i, j, k].map(|bits| bits as i16),
+            complexion: [a, b, c, blush.wrapping_add(128)].map(|bits| bits as u8),
+        }
+    }
+}
+
+/// A node's state in the steps of [`TissueVertex`], in the order of its numbers.
+type Node = [Vec4; 3];
+
+/// The nodes as the meshes of a figure follow them.
+#[derive(Clone, Debug, Default)]
+pub struct Nodes {
+    scaled: Vec<Node>,
+}
+
+impl Nodes {
+    /// Nodes at rest, as many as the bindings of these meshes name.
+    #[must_use]
+    pub fn of<'m>(meshes: impl Iterator<Item = &'m Mesh>) -> Self {
+        let named = meshes
+            .filter_map(|m| m.binding.as_ref())
+            .flat_map(|b| &b.nodes);
+        let count = named.max().map_or(0, |n| usize::from(*n) + 1);
+        Self {
+            scaled: vec![[Vec4::ZERO; 3]; count],
+        }
+    }
+
+    /// Takes the state of the nodes at a moment and tells whether anything changed. Those
+    /// that are not given, or hold a number that is not finite, are at rest. Allocates nothing.
+    pub fn take(&mut self, states: &[NodeState]) -> bool {
+        let mut changed = false;
+        let mut states = states.iter();
+        for slot in &mut self.scaled {
+            let node = states.next().map_or([Vec4::ZERO; 3], scaled);
+            changed |= *slot != node;
+            *slot = node;
+        }
+        changed
+    }
+}
+
+fn scaled(state: &NodeState) -> Node {
+    let [x, y, z] = state.displacement.map(|d| d * (32767.0 / REACH_M));
+    let [i, j, k] = state.normal_delta.map(|n| n * (32767.0 / TURN));
+    let [a, b, c] = state.wrinkles.map(|w| w * 255.0);
+    let node = [
+        Vec4::new(x, y, z, i),
+        Vec4::new(j, k, a, b),
+        Vec4::new(c, state.blush * 127.0, 0.0, 0.0),
+    ];
+    if node.iter().all(|v| v.is_finite()) {
+        node
+    } else {
+        [Vec4::ZERO; 3]
+    }
+}
+
+/// The vertices of a mesh that follow nodes.
+#[derive(Clone, Debug)]
+pub struct BoundMesh {
+    /// First vertex of the touched stretch, in the figure's vertex buffer.
+    pub first_vertex: usize,
+    /// The touched stretch as drawn.
+    pub current: Vec<TissueVertex>,
+    /// Bound vertices within the stretch, and where the row of each ends.
+    rows: Vec<(u32, u32)>,
+    nodes: Vec<u16>,
+    weights: Vec<f32>,
+}
+
+impl BoundMesh {
+    /// The bound vertices of a mesh whose vertices begin at `base` in the figure's buffer;
+    /// `None` where none is bound, or the binding has a
+    /// [fault](raconteur_body::Mesh::binding_fault).
+    #[must_use]
+    pub fn new(mesh: &Mesh, base: usize) -> Option<Self> {
+        let b = mesh.binding.as_ref()?;
+        if mesh.binding_fault().is_some() {
+            return None;
+        }
+        let (low, high) = (*b.vertices.first()?, *b.vertices.last()?);
+        let ends = b.starts.iter().skip(1);
+        Some(Self {
+            first_vertex: base + low as usize,
+            current: vec![TissueVertex::REST; (high - low) as usize + 1],
+            rows: b
+                .vertices
+                .iter()
+                .map(|v| v - low)
+                .zip(ends.copied())
+                .collect(),
+            nodes: b.nodes.clone(),
+            weights: b.weights.clone(),
+        })
+    }
+
+    /// Brings `current` to the nodes, which are [those of](Nodes::of) this mesh among others.
+    /// Allocates nothing.
+    pub fn apply(&mut self, nodes: &Nodes) {
+        let mut start = 0;
+        for &(vertex, end) in &self.rows {
+            let row = start..end as usize;
+            start = row.end;
+            let mut sum = [Vec4::ZERO; 3];
+            for (&node, &weight) in self.nodes[row.clone()].iter().zip(&self.weights[row]) {
+                if let Some(node) = nodes.scaled.get(usize::from(node)) {
+                    sum[0] += node[0] * weight;
+                    sum[1] += node[1] * weight;
+                    sum[2] += node[2] * weight;
+                }
+            }
+            self.current[vertex as usize] = TissueVertex::of(&sum);
+        }
+    }
+}
