@@ -54,7 +54,7 @@ const MECHANICS: [([Muscle; 2], f32, f32); 20] = [
     ([M::MentalisLeft, M::MentalisRight], 0.4, 1.4),
     (
         [M::OrbicularisOrisUpper, M::OrbicularisOrisLower],
-        0.44,
+        0.6,
         0.5,
     ),
     ([M::PlatysmaLeft, M::PlatysmaRight], 0.1, 0.8),
@@ -63,7 +63,7 @@ const MECHANICS: [([Muscle; 2], f32, f32); 20] = [
 /// How far the reddest part of the lips comes forward at full protrusion, and the outermost
 /// fibres; and how far they go back at full retraction. Millimetres on the reference head.
 /// Designed.
-const FORWARD_MM: [f32; 2] = [7.0, 3.6];
+const FORWARD_MM: [f32; 2] = [8.0, 4.0];
 const BACK_MM: [f32; 2] = [3.2, 0.8];
 /// The corners come forward further, as the ring gets shorter.
 const CORNER_FORWARD_MM: f32 = 2.4;

@@ -216,8 +216,8 @@ fn one(
             })
             .collect();
         let first = push(out, muscle, Course::Linear, &points);
-        if let Some([middle, half]) = strand.ring {
-            let weight = strand.pull / strand.fibres.len() as f64;
+        if let Some([middle, half, taken]) = strand.ring {
+            let weight = taken / strand.fibres.len() as f64;
             link(out, side, first + POINTS - 1, middle, half, weight);
         }
         fibres.push((first, points));

@@ -21,8 +21,9 @@ pub(super) struct Strand {
     /// How much of the fibre's movement the skin over it takes.
     pub(super) pull: f64,
     /// Whether its ends are grown into the ring of the mouth: middle of the place along it,
-    /// as [`crate::generator::head::LipPlace::position`] counts, and half its width there.
-    pub(super) ring: Option<[f64; 2]>,
+    /// as [`crate::generator::head::LipPlace::position`] counts, half its width there, and how
+    /// much of its movement the ring takes.
+    pub(super) ring: Option<[f64; 3]>,
 }
 
 /// Linear muscles.
@@ -55,42 +56,42 @@ pub(super) const STRANDS: &[Strand] = &[
     Strand { muscle: M::LevatorLabiiAlaequeLeft, reach: [3.5, 10.0], pull: 0.85, ring: None, fibres: &[
         &[[9.0, 14.0, 95.0], [12.0, 3.0, 98.0], [15.0, -7.0, 98.5], [17.5, -17.0, 101.0]],
     ] },
-    Strand { muscle: M::LevatorLabiiAlaequeLeft, reach: [3.5, 9.0], pull: 0.8, ring: Some([4.0, 7.0]), fibres: &[
+    Strand { muscle: M::LevatorLabiiAlaequeLeft, reach: [3.5, 9.0], pull: 0.8, ring: Some([4.0, 7.0, 0.8]), fibres: &[
         &[[11.0, 12.0, 92.5], [16.0, -3.0, 93.5], [19.5, -19.0, 94.5], [15.0, -36.0, 103.5]],
     ] },
-    Strand { muscle: M::LevatorLabiiLeft, reach: [4.5, 12.0], pull: 0.8, ring: Some([5.0, 9.0]), fibres: &[
+    Strand { muscle: M::LevatorLabiiLeft, reach: [4.5, 12.0], pull: 0.8, ring: Some([5.0, 9.0, 0.8]), fibres: &[
         &[[26.0, -3.0, 87.5], [23.5, -14.0, 92.0], [21.0, -26.0, 94.0], [16.0, -38.0, 102.5]],
         &[[35.0, -3.0, 85.5], [30.0, -15.0, 90.0], [25.5, -28.0, 93.0], [20.0, -40.0, 99.5]],
     ] },
-    Strand { muscle: M::ZygomaticusMinorLeft, reach: [4.5, 12.0], pull: 0.8, ring: Some([8.0, 6.0]), fibres: &[
+    Strand { muscle: M::ZygomaticusMinorLeft, reach: [4.5, 12.0], pull: 0.8, ring: Some([8.0, 6.0, 0.8]), fibres: &[
         &[[48.0, -5.0, 81.0], [40.0, -17.0, 87.0], [31.0, -29.0, 91.5], [23.0, -41.0, 98.0]],
     ] },
-    Strand { muscle: M::ZygomaticusMajorLeft, reach: [6.0, 16.0], pull: 0.8, ring: Some([12.0, 7.5]), fibres: &[
+    Strand { muscle: M::ZygomaticusMajorLeft, reach: [6.0, 16.0], pull: 0.8, ring: Some([12.0, 7.5, 0.8]), fibres: &[
         &[[58.0, -4.0, 72.0], [49.0, -18.0, 82.0], [39.0, -32.0, 88.0], [27.5, -46.5, 92.5]],
         &[[61.0, -9.0, 69.0], [52.0, -23.0, 79.0], [41.0, -37.0, 86.0], [28.0, -49.0, 91.5]],
     ] },
-    Strand { muscle: M::LevatorAnguliLeft, reach: [4.0, 11.0], pull: 0.75, ring: Some([11.0, 6.5]), fibres: &[
+    Strand { muscle: M::LevatorAnguliLeft, reach: [4.0, 11.0], pull: 0.75, ring: Some([11.0, 6.5, 0.75]), fibres: &[
         &[[28.0, -14.0, 90.5], [28.5, -25.0, 91.5], [28.5, -36.0, 92.0], [27.0, -47.0, 92.0]],
     ] },
-    Strand { muscle: M::RisoriusLeft, reach: [5.0, 14.0], pull: 0.8, ring: Some([12.0, 7.5]), fibres: &[
+    Strand { muscle: M::RisoriusLeft, reach: [5.0, 14.0], pull: 0.8, ring: Some([12.0, 7.5, 0.8]), fibres: &[
         &[[60.0, -45.0, 58.0], [50.0, -47.5, 71.0], [39.0, -48.5, 84.5], [27.5, -48.7, 91.0]],
         &[[58.0, -52.0, 58.0], [48.5, -53.0, 71.0], [38.0, -52.0, 84.0], [27.5, -50.5, 91.0]],
     ] },
-    Strand { muscle: M::BuccinatorLeft, reach: [8.0, 20.0], pull: 0.6, ring: Some([12.0, 3.5]), fibres: &[
+    Strand { muscle: M::BuccinatorLeft, reach: [8.0, 20.0], pull: 0.6, ring: Some([12.0, 3.5, 0.6]), fibres: &[
         &[[62.0, -36.0, 56.0], [52.0, -40.0, 70.0], [40.0, -44.0, 84.0], [28.0, -48.0, 91.0]],
     ] },
-    Strand { muscle: M::DepressorAnguliLeft, reach: [5.0, 13.0], pull: 0.8, ring: Some([13.0, 6.5]), fibres: &[
+    Strand { muscle: M::DepressorAnguliLeft, reach: [5.0, 13.0], pull: 0.8, ring: Some([13.0, 6.5, 0.8]), fibres: &[
         &[[36.0, -77.0, 74.0], [34.0, -68.0, 83.0], [31.5, -59.0, 89.0], [28.0, -50.0, 91.5]],
         &[[28.0, -80.0, 84.0], [28.5, -70.0, 89.5], [29.0, -60.0, 91.0], [27.5, -51.0, 92.0]],
     ] },
-    Strand { muscle: M::DepressorLabiiLeft, reach: [5.0, 12.0], pull: 0.85, ring: Some([19.0, 9.0]), fibres: &[
+    Strand { muscle: M::DepressorLabiiLeft, reach: [5.0, 12.0], pull: 0.85, ring: Some([19.0, 9.0, 0.85]), fibres: &[
         &[[24.0, -80.0, 89.0], [20.0, -73.0, 94.5], [16.5, -65.0, 96.5], [12.0, -57.5, 101.0]],
         &[[14.0, -82.0, 97.5], [12.5, -75.0, 99.0], [10.0, -67.0, 98.5], [7.0, -58.5, 102.5]],
     ] },
-    Strand { muscle: M::MentalisLeft, reach: [5.0, 12.0], pull: 0.85, ring: Some([23.0, 7.0]), fibres: &[
+    Strand { muscle: M::MentalisLeft, reach: [6.0, 15.0], pull: 0.7, ring: Some([22.0, 10.0, 0.3]), fibres: &[
         &[[5.0, -65.5, 98.5], [5.5, -70.0, 99.0], [6.5, -76.0, 101.0], [8.0, -83.0, 100.5]],
     ] },
-    Strand { muscle: M::PlatysmaLeft, reach: [9.0, 20.0], pull: 0.7, ring: Some([14.0, 6.0]), fibres: &[
+    Strand { muscle: M::PlatysmaLeft, reach: [9.0, 20.0], pull: 0.7, ring: Some([14.0, 6.0, 0.4]), fibres: &[
         &[[34.0, -104.0, 38.0], [37.0, -88.0, 62.0], [38.5, -74.0, 75.0], [34.0, -58.0, 87.0]],
         &[[18.0, -98.0, 50.0], [22.0, -91.0, 68.0], [27.0, -80.0, 84.0], [28.0, -64.0, 90.5]],
     ] },
