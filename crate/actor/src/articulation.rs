@@ -268,8 +268,10 @@ mod tests {
 
     #[test]
     fn without_a_closure_the_sum_is_only_limited() {
-        let mut controls = FaceControls::default();
-        controls.contraction = [0.6; MUSCLES];
+        let mut controls = FaceControls {
+            contraction: [0.6; MUSCLES],
+            ..FaceControls::default()
+        };
         controls.contraction[M::MentalisLeft.index()] = 1.7;
         controls.jaw.pitch_rad = 0.3;
         let mut limited = controls;
