@@ -204,6 +204,18 @@ mod tests {
         for symbol in ["p", "b", "m", "f", "v", "t", "s", "pau"] {
             assert_eq!(face(symbol, 0.0), face(symbol, 1.0), "{symbol}");
         }
+        // Nor one that a vowel's opening has not left yet.
+        let mouth = MouthTargets {
+            channels: phones::by_name("aa").expect("a phone").channels,
+            press: 1.0,
+            bite: 0.0,
+        };
+        let [quiet, loud] = [0.0, 1.0].map(|loudness| {
+            let mut controls = FaceControls::default();
+            articulate(&mouth, loudness, &mut controls);
+            controls
+        });
+        assert_eq!(quiet, loud);
         assert_eq!(face("aa", f64::NAN), face("aa", ORDINARY_LOUDNESS));
         assert_eq!(face("aa", 7.0), face("aa", 1.0));
     }
@@ -268,8 +280,10 @@ mod tests {
 
     #[test]
     fn without_a_closure_the_sum_is_only_limited() {
-        let mut controls = FaceControls::default();
-        controls.contraction = [0.6; MUSCLES];
+        let mut controls = FaceControls {
+            contraction: [0.6; MUSCLES],
+            ..FaceControls::default()
+        };
         controls.contraction[M::MentalisLeft.index()] = 1.7;
         controls.jaw.pitch_rad = 0.3;
         let mut limited = controls;

@@ -18,6 +18,7 @@
 
 use raconteur_base::{DAffine3, DMat3, DQuat, DVec3, Side, mirror_vector};
 
+use crate::face::Jaw;
 use crate::pose::{Pose, twist_about_x};
 
 /// A bone of GEVH appendix A, in the order of its tree (A.2).
@@ -670,6 +671,20 @@ impl Skeleton {
         self.joints[bone.index()].translation_in_parent.length()
     }
 
+    /// How far from its parent a bone is that should not be, metres: of `distance_m`, what
+    /// its length does not account for. The lower jaw slides in its joint, but not out of it.
+    #[must_use]
+    pub fn stretched_m(&self, bone: Bone, distance_m: f64) -> f64 {
+        let slack = if bone == Bone::Chin {
+            Jaw::MOST_SLIDE_M
+        } else {
+            0.0
+        };
+        // What is not a number stays so.
+        let off = (distance_m - self.offset_length_m(bone)).abs() - slack;
+        if off < 0.0 { 0.0 } else { off }
+    }
+
     /// Parent from joint for a joint that is turned by `own` from the zero pose while its
     /// bone is turned by `turn`.
     #[must_use]
@@ -705,108 +720,4 @@ impl Skeleton {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn local_x_runs_along_the_bone() {
-        let frames = zero_frames();
-        // The thesis's foot, scapula and thumb rows are not along the line to the next joint.
-        for (bone, child) in [
-            (Bone::LShoulder, Bone::LElbow),
-            (Bone::LElbow, Bone::LWrist),
-            (Bone::RShoulder, Bone::RElbow),
-            (Bone::RElbow, Bone::RWrist),
-            (Bone::LIndex0, Bone::LIndex1),
-            (Bone::RIndex0, Bone::RIndex1),
-            (Bone::RMiddle1, Bone::RMiddle2),
-            (Bone::LHip, Bone::LKnee),
-            (Bone::RHip, Bone::RKnee),
-            (Bone::Lumbar, Bone::Thoracic),
-        ] {
-            let d = (child.example_position_m() - bone.example_position_m()).normalize();
-            let along = (frames[bone.index()] * DVec3::X).dot(d);
-            assert!(along > 0.995, "{}: {along}", bone.name());
-        }
-    }
-
-    #[test]
-    fn frames_are_proper_and_mirror_each_other() {
-        let frames = zero_frames();
-        for bone in Bone::ALL {
-            let (f, m) = (frames[bone.index()], frames[bone.mirrored().index()]);
-            assert!(f.is_normalized());
-            if bone.side().is_some() {
-                for (axis, sign) in [(DVec3::X, 1.0), (DVec3::Y, 1.0), (DVec3::Z, -1.0)] {
-                    let d = mirror_vector(f * axis) - m * axis * sign;
-                    assert!(d.length() < 1e-9, "{} {axis}", bone.name());
-                }
-            }
-        }
-    }
-
-    #[test]
-    fn the_zero_pose_of_the_example_reproduces_its_positions() {
-        let skeleton = Skeleton::example();
-        let mut world = Vec::new();
-        skeleton.solve(&Pose::zero(), &mut world);
-        for bone in Bone::ALL {
-            let d = world[bone.index()].translation - bone.example_position_m();
-            assert!(d.length() < 1e-9, "{}", bone.name());
-        }
-    }
-
-    #[test]
-    fn flexing_both_elbows_alike_brings_both_hands_forward() {
-        let skeleton = Skeleton::example();
-        let mut pose = Pose::zero();
-        pose.rotations[Bone::LElbow.index()] = DQuat::from_rotation_z(1.0);
-        pose.rotations[Bone::RElbow.index()] = DQuat::from_rotation_z(1.0);
-        let mut world = Vec::new();
-        skeleton.solve(&pose, &mut world);
-        let l = world[Bone::LWrist.index()].translation;
-        let r = world[Bone::RWrist.index()].translation;
-        assert!(
-            l.z > 0.15 && (mirror_vector(l) - r).length() < 1e-9,
-            "{l} {r}"
-        );
-    }
-
-    #[test]
-    fn the_jaw_slides_forwards_and_down_and_takes_nothing_along() {
-        let skeleton = Skeleton::example();
-        let mut pose = Pose::zero();
-        pose.root_rotation = DQuat::from_rotation_y(0.3);
-        pose.rotations[Bone::Skull.index()] = DQuat::from_rotation_z(0.2);
-        let solve = |pose: &Pose| {
-            let mut world = Vec::new();
-            skeleton.solve(pose, &mut world);
-            world
-        };
-        let before = solve(&pose);
-        pose.jaw_offset_in_skull = DVec3::new(-0.004, 0.008, 0.001);
-        let after = solve(&pose);
-        let chin = Bone::Chin.index();
-        for (i, (a, b)) in before.iter().zip(&after).enumerate() {
-            assert!(i == chin || a == b, "{}", skeleton.joints()[i].name);
-        }
-        let slid = after[chin].translation - before[chin].translation;
-        // Seen from the head as the zero pose has it: left, up, front.
-        let skull = Bone::Skull.index();
-        let slid = zero_frames()[skull] * (before[skull].matrix3.transpose() * slid);
-        assert!(
-            (slid - DVec3::new(0.001, -0.004, 0.008)).length() < 1e-12,
-            "{slid}"
-        );
-        assert_eq!(before[chin].matrix3, after[chin].matrix3);
-    }
-
-    #[test]
-    fn fingers_bend_towards_the_palm_about_minus_z() {
-        let frames = zero_frames();
-        for bone in [Bone::LIndex1, Bone::RIndex1, Bone::LPinky0, Bone::RRing2] {
-            let tip = frames[bone.index()] * (DQuat::from_rotation_z(-0.5) * DVec3::X);
-            assert!(tip.y < -0.3, "{} {tip}", bone.name());
-        }
-    }
-}
+mod tests;

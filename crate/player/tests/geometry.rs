@@ -17,6 +17,7 @@ fn perform(clauses: &str) -> Player {
         lid_closure_rad: [0.0; 2],
         sex: None,
         images: Vec::new(),
+        tissue: None,
     };
     let Loaded {
         player,

@@ -28,7 +28,6 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use raconteur_player::base::{DAffine3, DVec3, ops};
-use raconteur_player::body::face::Jaw;
 use raconteur_player::body::read::read_figure;
 use raconteur_player::body::{Bone, Figure, Skeleton};
 use raconteur_player::eml::LineIndex;
@@ -107,6 +106,7 @@ fn figure(name: &str) -> Arc<Figure> {
             lid_closure_rad: [0.0; 2],
             sex: None,
             images: Vec::new(),
+            tissue: None,
         });
     }
     let path = Path::new(env!("CARGO_MANIFEST_DIR"))
@@ -324,14 +324,7 @@ impl Case {
             for b in Bone::ALL {
                 let Some(parent) = b.parent() else { continue };
                 let [at, from] = [b, parent].map(|b| frame.world_from_joint[b.index()].translation);
-                let length = self.figure.skeleton.offset_length_m(b);
-                // The jaw slides in its joint, but not out of it.
-                let slack = if b == Bone::Chin {
-                    Jaw::MOST_SLIDE_M
-                } else {
-                    0.0
-                };
-                let stretched = (at.distance(from) - length).abs() - slack;
+                let stretched = self.figure.skeleton.stretched_m(b, at.distance(from));
                 if stretched.is_nan() || stretched > 1e-9 {
                     wrong.push(format!(
                         "{}: {} is stretched at {}",

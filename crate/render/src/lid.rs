@@ -138,6 +138,7 @@ mod tests {
             lid_closure_rad: [0.6; 2],
             sex: None,
             images: Vec::new(),
+            tissue: None,
         };
         (figure, centre)
     }

@@ -178,7 +178,8 @@ mod tests {
         };
         assert_eq!(jaw(low), Jaw::RANGES.map(|[least, _]| least));
         assert_eq!(jaw(high), Jaw::RANGES.map(|[_, most]| most));
-        let slides = [low, high].map(|face| f64::hypot(face.jaw.forward_m, face.jaw.down_m));
+        let slides =
+            [low, high].map(|face| raconteur_base::ops::hypot(face.jaw.forward_m, face.jaw.down_m));
         assert!(slides.into_iter().all(|slide| slide < Jaw::MOST_SLIDE_M));
     }
 

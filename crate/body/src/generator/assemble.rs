@@ -428,6 +428,7 @@ mod tests {
                     (2, DVec3::new(0.01, 0.0, 0.0)),
                 ],
             }],
+            bound: Vec::new(),
         };
         assemble(&Blueprint {
             name: "box".to_owned(),

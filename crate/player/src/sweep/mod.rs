@@ -13,8 +13,7 @@ use raconteur_actor::gesture::contact::Capsule;
 use raconteur_actor::manipulator::{Sex, rig::LimbRig};
 use raconteur_actor::wrist;
 use raconteur_base::{DAffine3, DQuat, DVec3, Side, ops};
-use raconteur_body::face::Jaw;
-use raconteur_body::{Bone, Figure};
+use raconteur_body::{Bone, Figure, Skeleton};
 
 use crate::Player;
 use face::FaceSweep;
@@ -102,7 +101,7 @@ pub fn sweep(player: &mut Player) -> Vec<Check> {
 
 /// What is measured on every frame.
 struct Sweep {
-    lengths_m: Vec<f64>,
+    skeleton: Skeleton,
     zero_rotations: Vec<DQuat>,
     body: Body,
     hands: [Hand; 2],
@@ -125,10 +124,7 @@ struct Sweep {
 impl Sweep {
     fn new(figure: &Figure) -> Self {
         Self {
-            lengths_m: Bone::ALL
-                .iter()
-                .map(|b| figure.skeleton.offset_length_m(*b))
-                .collect(),
+            skeleton: figure.skeleton.clone(),
             zero_rotations: figure
                 .skeleton
                 .joints()
@@ -212,11 +208,7 @@ impl Sweep {
             if let Some(parent) = bone.parent() {
                 let from = world_from_joint[parent.index()].translation;
                 let length = joint.translation.distance(from);
-                let mut stretched = (length - self.lengths_m[bone.index()]).abs();
-                if bone == Bone::Chin {
-                    // The jaw slides in its joint, but not out of it.
-                    stretched -= Jaw::MOST_SLIDE_M;
-                }
+                let stretched = self.skeleton.stretched_m(bone, length);
                 self.length.meet(1e3 * stretched, bone, t);
             }
         }

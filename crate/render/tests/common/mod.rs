@@ -244,6 +244,7 @@ pub(crate) fn figure() -> Figure {
         lid_closure_rad: [0.6; 2],
         sex: None,
         images: Vec::new(),
+        tissue: None,
     }
 }
 
