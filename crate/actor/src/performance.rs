@@ -9,6 +9,7 @@ use raconteur_speech::{Phone, Word};
 use crate::animation::{Animated, Library, PlayerScript};
 use crate::arm_ik::{ArmGoal, ArmRig, ArmSolution};
 use crate::articulation::{ORDINARY_LOUDNESS, articulate, hold_closures};
+use crate::emotion::{EmotionSpan, EmotionTrack};
 use crate::face::FaceRig;
 use crate::gesture::contact::{Contact, PlacedHand};
 use crate::gesture::{ArmPlan, ArmScript, BodySpace, HandTarget, TrunkShape};
@@ -21,6 +22,7 @@ use crate::kinematics::{rotation_of, world_from_bone};
 use crate::lips::{LipTrack, MouthTargets};
 use crate::manipulator::{ManipulatorScript, Sex};
 use crate::motion::{self, Motion};
+use crate::parameters::{ParameterScript, ParameterTrack};
 
 /// A pause in speech at least this long may blink, seconds.
 const PAUSE_SECS: f64 = 0.15;
@@ -68,6 +70,10 @@ pub struct Performance {
     pub library: Library,
     /// What is said, in any order.
     pub speech: Vec<SpokenUtterance>,
+    /// What is felt, in any order.
+    pub emotions: Vec<EmotionSpan>,
+    /// What control parameters are asked for.
+    pub parameters: ParameterScript,
     /// Seed of everything that nobody scripted.
     pub seed: u64,
     /// How lively the idle motion is, 0 (still) to 1.
@@ -87,6 +93,8 @@ impl Default for Performance {
             players: PlayerScript::default(),
             library: Library::default(),
             speech: Vec::new(),
+            emotions: Vec::new(),
+            parameters: ParameterScript::default(),
             seed: 0,
             motion_amount: 1.0,
             listener_in_world: DVec3::new(0.0, 1.6, 2.5),
@@ -130,6 +138,8 @@ pub struct Actor {
     blinks: Blinks,
     /// Start of each utterance, ascending, and its lips.
     lips: Vec<(f64, LipTrack)>,
+    emotions: EmotionTrack,
+    parameters: ParameterTrack,
     skull_zero: DQuat,
     seed: u64,
     amount: f64,
@@ -166,7 +176,11 @@ impl Actor {
         let is_moved = !(way.moves.is_empty()
             && way.commands.is_empty()
             && performance.players.commands.is_empty());
+        let library = |name: &str| performance.library.parameters(name);
+        let parameters = ParameterTrack::new(&performance.parameters, &library);
         let mut actor = Self {
+            emotions: EmotionTrack::new(&performance.emotions, parameters.emotions()),
+            parameters,
             plans: Side::BOTH.map(|side| {
                 ArmPlan::new(&arms[side.index()], skeleton, &space, side, seed, amount)
             }),
@@ -204,6 +218,18 @@ impl Actor {
     /// Moves the listener, for example with the camera; holds for evaluations to come.
     pub fn look_at(&mut self, listener_in_world: DVec3) {
         self.listener_in_world = listener_in_world;
+    }
+
+    /// What is felt.
+    #[must_use]
+    pub fn emotions(&self) -> &EmotionTrack {
+        &self.emotions
+    }
+
+    /// The control parameters.
+    #[must_use]
+    pub fn parameters(&self) -> &ParameterTrack {
+        &self.parameters
     }
 
     /// The plan of one arm.
