@@ -81,6 +81,7 @@ struct Effect {
     mixture: Mixture,
     signs: Signs,
     place: Place,
+    strength: f64,
 }
 
 impl Effect {
@@ -90,8 +91,10 @@ impl Effect {
             mixture: Mixture::of(place, space),
             signs: Signs::of(place),
             place,
+            strength: 0.0,
         };
         effect.add(&full, intensity);
+        effect.strength = 1.0;
         effect
     }
 
@@ -101,6 +104,7 @@ impl Effect {
         self.place.activation += factor * other.place.activation;
         self.place.evaluation += factor * other.place.evaluation;
         self.place.power += factor * other.place.power;
+        self.strength += factor * other.strength;
     }
 }
 
@@ -208,10 +212,8 @@ impl EmotionTrack {
     /// All that is felt at a time.
     fn sum(&self, t: f64) -> Effect {
         let mut sum = Effect::default();
-        let mut strengths = 0.0;
         let mut take = |effect: &Effect, strength: f64| {
             if strength > 0.0 {
-                strengths += strength;
                 sum.add(effect, strength);
             }
         };
@@ -224,9 +226,9 @@ impl EmotionTrack {
         for (effect, curve) in &self.scripted {
             take(effect, curve.at(t));
         }
-        if strengths > 1.0 {
+        if sum.strength > 1.0 {
             let mut mean = Effect::default();
-            mean.add(&sum, 1.0 / strengths);
+            mean.add(&sum, 1.0 / sum.strength);
             return mean;
         }
         sum
@@ -244,6 +246,12 @@ impl EmotionTrack {
     #[must_use]
     pub fn at(&self, time_secs: f64) -> Place {
         self.sum(time_secs).place.scaled(1.0)
+    }
+
+    /// How much is felt, 0 (calm) to 1 (one emotion in full, or several together).
+    #[must_use]
+    pub fn strength(&self, time_secs: f64) -> f64 {
+        self.sum(time_secs).strength
     }
 
     /// Factor on how much one moves without being asked to, by the emotion: 1 in calm.
@@ -342,12 +350,14 @@ mod tests {
             assert_eq!(apart(&face(&track, t), &rest), 0.0, "{t}");
             assert_eq!(track.at(t), Place::default());
             assert_eq!((track.liveliness(t), track.breath(t).depth), (1.0, 1.0));
+            assert_eq!(track.strength(t), 0.0);
         }
         assert!(apart(&face(&track, 3.0), &full(Basic::Joy)) < 1e-12);
         let middle = face(&track, 2.0).contraction
             [raconteur_body::face::Muscle::ZygomaticusMajorLeft.index()];
         assert!((middle - 0.4).abs() < 1e-12, "{middle}");
         assert!((track.at(3.0).evaluation - 42.2).abs() < 1e-9);
+        assert_eq!((track.strength(2.0), track.strength(3.0)), (0.5, 1.0));
     }
 
     #[test]

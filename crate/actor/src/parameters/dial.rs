@@ -1,7 +1,7 @@
 //! What of a face can be asked for by itself: its muscles, and the direct parameters of what
 //! no muscle moves.
 
-use raconteur_body::face::{FaceControls, MUSCLES, Muscle};
+use raconteur_body::face::{FaceControls, Jaw, MUSCLES, Muscle};
 
 /// Largest turn of the eyes that a script asks for, radians: beyond, a head must follow.
 /// Designed.
@@ -103,13 +103,19 @@ impl Dial {
             controls.contraction[self.index()] += value;
             return;
         };
-        // The ends of the ranges that [`raconteur_body::face::Jaw`] gives.
         let jaw = &mut controls.jaw;
+        let to_end = |[least, most]: [f64; 2]| {
+            if value < 0.0 {
+                -value * least
+            } else {
+                value * most
+            }
+        };
         match place {
-            0 => jaw.pitch_rad += 0.35 * value,
-            1 => jaw.yaw_rad += 0.1 * value,
-            2 => jaw.forward_m += value * if value < 0.0 { 0.004 } else { 0.008 },
-            3 => jaw.down_m += 0.004 * value,
+            0 => jaw.pitch_rad += to_end(Jaw::RANGES[0]),
+            1 => jaw.yaw_rad += to_end(Jaw::RANGES[1]),
+            2 => jaw.forward_m += to_end(Jaw::RANGES[2]),
+            3 => jaw.down_m += to_end(Jaw::RANGES[3]),
             4 | 5 => controls.upper_lid[place - 4] += value,
             6 | 7 => controls.lower_lid[place - 6] += value,
             8 | 9 => controls.protrusion[place - 8] += value,
@@ -184,5 +190,8 @@ mod tests {
         assert_eq!(asked.jaw.forward_m, 0.008);
         assert_eq!((asked.upper_lid, asked.blush), ([1.0; 2], 1.0));
         assert!(asked.contraction.iter().all(|v| *v == 1.0));
+        let mut limited = asked;
+        limited.limit();
+        assert_eq!(limited, asked);
     }
 }
