@@ -3,7 +3,8 @@
 use raconteur_actor::EmotionSpan;
 use raconteur_base::order::sort_by_number;
 use raconteur_eml::{ClauseId, ClauseKind, Emotion, EmotionKind};
-use raconteur_speech::emotion::place;
+use raconteur_speech::bundle::Emotion as Spoken;
+use raconteur_speech::emotion::{Place, place};
 
 use crate::cues::UtteranceCue;
 use crate::script::Script;
@@ -60,29 +61,34 @@ pub(crate) fn spans(script: &Script, utterances: &[UtteranceCue]) -> Vec<Emotion
     }
     for utterance in utterances {
         let elicited = spoken_in(&elicited, utterance).map(|i| elicited[i].emotion.kind.word());
-        let own = script.utterance(utterance.clause);
-        for emotion in own.iter().flat_map(|u| &u.emotions) {
-            // What the script elicits is baked as there from the first word on, and is a span
-            // of its own already.
-            if elicited == Some(&*emotion.name) && emotion.apex_secs <= emotion.start_secs {
-                continue;
-            }
-            let at = |secs: f64| utterance.start_secs + secs;
-            spans.push(EmotionSpan {
-                start_secs: at(emotion.start_secs),
-                apex_secs: at(emotion.apex_secs),
-                until_secs: at(emotion.apex_secs),
-                end_secs: at(emotion.end_secs),
-                place: raconteur_speech::emotion::Place {
-                    activation: emotion.activation,
-                    evaluation: emotion.evaluation,
-                    power: emotion.power,
-                },
-                intensity: 1.0,
-            });
+        if let Some(own) = script.utterance(utterance.clause) {
+            let emotions = own.emotions.iter();
+            let felt = emotions.filter_map(|e| spoken(e, utterance.start_secs, elicited));
+            spans.extend(felt);
         }
     }
     spans
+}
+
+/// An emotion that is baked into an utterance of a begin, story seconds. `elicited` is the
+/// word of the one that the script elicits for all of it: that one is baked as there from the
+/// first word on, and is a span of its own already.
+fn spoken(emotion: &Spoken, start_secs: f64, elicited: Option<&str>) -> Option<EmotionSpan> {
+    if elicited == Some(&*emotion.name) && emotion.apex_secs <= emotion.start_secs {
+        return None;
+    }
+    Some(EmotionSpan {
+        start_secs: start_secs + emotion.start_secs,
+        apex_secs: start_secs + emotion.apex_secs,
+        until_secs: start_secs + emotion.apex_secs,
+        end_secs: start_secs + emotion.end_secs,
+        place: Place {
+            activation: emotion.activation,
+            evaluation: emotion.evaluation,
+            power: emotion.power,
+        },
+        intensity: 1.0,
+    })
 }
 
 /// The emotions that a script elicits, `neutral` among them, by their clauses and of one
@@ -162,6 +168,35 @@ mod tests {
                 (34.0, [400.0, 460.0, 600.0, 680.0], 1.0),
             ]
         );
+    }
+
+    #[test]
+    fn emoticons_are_full_where_they_stand_and_what_is_elicited_is_not_felt_twice() {
+        let emoticon = Spoken {
+            name: "joy".to_owned(),
+            start_secs: 0.2,
+            apex_secs: 0.9,
+            end_secs: 2.0,
+            activation: 17.3,
+            evaluation: 42.2,
+            power: 12.5,
+        };
+        let span = spoken(&emoticon, 10.0, Some("joy")).expect("a span");
+        let times = [
+            span.start_secs,
+            span.apex_secs,
+            span.until_secs,
+            span.end_secs,
+        ];
+        assert_eq!(times, [10.2, 10.9, 10.9, 12.0]);
+        assert_eq!(Some(span.place), place("joy"));
+        let throughout = Spoken {
+            apex_secs: 0.2,
+            ..emoticon
+        };
+        assert_eq!(spoken(&throughout, 10.0, Some("joy")), None);
+        assert!(spoken(&throughout, 10.0, Some("fear")).is_some());
+        assert!(spoken(&throughout, 10.0, None).is_some());
     }
 
     #[test]
