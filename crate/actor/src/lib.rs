@@ -2,9 +2,9 @@
 //!
 //! Does: animation players with their clips, arm inverse kinematics, limbs and head as
 //! manipulators, palm orientation, gesture plans with preparation, hold
-//! and retraction, idle life (breath, sway, gaze, blinks), lip synchronisation, and from
-//! what a face is asked to do its jaw, lids and morph weights; [`Actor`] evaluates them all
-//! into a pose.
+//! and retraction, idle life (breath, sway, gaze, blinks), lip synchronisation, emotion,
+//! control parameters, and from what a face is asked to do its jaw, lids and morph weights;
+//! [`Actor`] evaluates them all into a pose.
 //! Does not: know EML, draw, play sound, or keep state between evaluations: seeking to a
 //! time and playing to it give the same pose.
 //!
@@ -15,6 +15,7 @@
 pub mod animation;
 pub mod arm_ik;
 pub mod articulation;
+pub mod emotion;
 pub mod face;
 pub mod gesture;
 pub mod idle;
@@ -23,13 +24,16 @@ pub mod lips;
 pub mod manipulator;
 mod motion;
 pub mod palm;
+pub mod parameters;
 pub mod performance;
 pub mod wrist;
 
 pub use animation::{Library, PlayerScript, Players};
 pub use arm_ik::{ArmGoal, ArmRig, ArmSolution};
+pub use emotion::{EmotionSpan, EmotionTrack};
 pub use face::FaceRig;
 pub use gesture::{ArmScript, GestureStroke, HandKey, Span};
 pub use lips::{LipTrack, MouthTargets};
 pub use manipulator::{ManipulatorScript, Manipulators, Sex};
+pub use parameters::{ParameterScript, ParameterTrack};
 pub use performance::{Accent, Actor, Performance, SpokenUtterance};

@@ -9,6 +9,7 @@ use raconteur_speech::{Phone, Word};
 use crate::animation::{Animated, Library, PlayerScript};
 use crate::arm_ik::{ArmGoal, ArmRig, ArmSolution};
 use crate::articulation::{ORDINARY_LOUDNESS, articulate, hold_closures};
+use crate::emotion::{EmotionSpan, EmotionTrack};
 use crate::face::FaceRig;
 use crate::gesture::contact::{Contact, PlacedHand};
 use crate::gesture::{ArmPlan, ArmScript, BodySpace, HandTarget, TrunkShape};
@@ -21,6 +22,7 @@ use crate::kinematics::{rotation_of, world_from_bone};
 use crate::lips::{LipTrack, MouthTargets};
 use crate::manipulator::{ManipulatorScript, Sex};
 use crate::motion::{self, Motion};
+use crate::parameters::{ParameterScript, ParameterTrack};
 
 /// A pause in speech at least this long may blink, seconds.
 const PAUSE_SECS: f64 = 0.15;
@@ -68,6 +70,10 @@ pub struct Performance {
     pub library: Library,
     /// What is said, in any order.
     pub speech: Vec<SpokenUtterance>,
+    /// What is felt, in any order.
+    pub emotions: Vec<EmotionSpan>,
+    /// What control parameters are asked for.
+    pub parameters: ParameterScript,
     /// Seed of everything that nobody scripted.
     pub seed: u64,
     /// How lively the idle motion is, 0 (still) to 1.
@@ -87,6 +93,8 @@ impl Default for Performance {
             players: PlayerScript::default(),
             library: Library::default(),
             speech: Vec::new(),
+            emotions: Vec::new(),
+            parameters: ParameterScript::default(),
             seed: 0,
             motion_amount: 1.0,
             listener_in_world: DVec3::new(0.0, 1.6, 2.5),
@@ -130,6 +138,8 @@ pub struct Actor {
     blinks: Blinks,
     /// Start of each utterance, ascending, and its lips.
     lips: Vec<(f64, LipTrack)>,
+    emotions: EmotionTrack,
+    parameters: ParameterTrack,
     skull_zero: DQuat,
     seed: u64,
     amount: f64,
@@ -166,7 +176,11 @@ impl Actor {
         let is_moved = !(way.moves.is_empty()
             && way.commands.is_empty()
             && performance.players.commands.is_empty());
+        let library = |name: &str| performance.library.parameters(name);
+        let parameters = ParameterTrack::new(&performance.parameters, &library);
         let mut actor = Self {
+            emotions: EmotionTrack::new(&performance.emotions, parameters.emotions()),
+            parameters,
             plans: Side::BOTH.map(|side| {
                 ArmPlan::new(&arms[side.index()], skeleton, &space, side, seed, amount)
             }),
@@ -204,6 +218,18 @@ impl Actor {
     /// Moves the listener, for example with the camera; holds for evaluations to come.
     pub fn look_at(&mut self, listener_in_world: DVec3) {
         self.listener_in_world = listener_in_world;
+    }
+
+    /// What is felt.
+    #[must_use]
+    pub fn emotions(&self) -> &EmotionTrack {
+        &self.emotions
+    }
+
+    /// The control parameters.
+    #[must_use]
+    pub fn parameters(&self) -> &ParameterTrack {
+        &self.parameters
     }
 
     /// The plan of one arm.
@@ -314,6 +340,8 @@ impl Actor {
         let mut controls = FaceControls::default();
         articulate(mouth, ORDINARY_LOUDNESS, &mut controls);
         self.expression(t, &mut controls);
+        self.emotions.add(t, &mut controls);
+        self.parameters.add(t, &mut controls);
         // Closures have their way with the sum, and a blink, which closes the lids whatever
         // else they do, with the lids.
         hold_closures(&mut controls);
@@ -430,8 +458,9 @@ impl Actor {
         let [yaw, pitch] = angles_of(axes.inverse() * (listener - eyes));
         let motion = self.trunk.head_motion(&self.rhythm, t, self.amount);
         let aside = self.gaze.head_away(t, self.amount);
-        let pitch = (HEAD_SHARE * pitch).clamp(-0.4, 0.4) + motion.x + aside[1];
-        let yaw = (HEAD_SHARE * yaw).clamp(-0.7, 0.7) + motion.z + aside[0];
+        let felt = self.emotions.head(t);
+        let pitch = (HEAD_SHARE * pitch).clamp(-0.4, 0.4) + motion.x + aside[1] + felt[1];
+        let yaw = (HEAD_SHARE * yaw).clamp(-0.7, 0.7) + motion.z + aside[0] + felt[0];
         // Neck and skull share the turn.
         pose.set(
             Bone::Cervical,
@@ -456,7 +485,9 @@ impl Actor {
             rotation_of(&skull) * self.skull_zero.inverse(),
             skull.translation,
         );
+        let (felt, asked) = (self.emotions.gaze(t), self.parameters.gaze(t));
         let away = self.gaze.away(t, self.rhythm.speaking(t), self.amount);
+        let away = [0, 1].map(|k| away[k] + felt[k] + asked[k]);
         let mut pitch = [0.0; 2];
         for (i, eye) in face.eyes_in_skull().into_iter().enumerate() {
             let eye_in_world = skull.transform_point3(eye);
@@ -465,7 +496,19 @@ impl Actor {
         pitch
     }
 
+    /// The mouth of what is said, and of visemes that the script asks for.
     fn mouth(&self, t: f64) -> MouthTargets {
+        let mut mouth = self.spoken_mouth(t);
+        if let Some(asked) = self.parameters.visemes(t) {
+            let channels = mouth.channels.iter_mut().zip(asked.channels);
+            channels.for_each(|(value, more)| *value += more);
+            mouth.press = (mouth.press + asked.press).min(1.0);
+            mouth.bite = (mouth.bite + asked.bite).min(1.0);
+        }
+        mouth
+    }
+
+    fn spoken_mouth(&self, t: f64) -> MouthTargets {
         let i = self.lips.partition_point(|(start, _)| *start <= t);
         let track = |i: usize| self.lips.get(i).map(|(start, track)| (t - start, track));
         // The one that has begun, else the one about to.
@@ -499,7 +542,9 @@ impl Actor {
         };
         let (left, right) = (raise(true), raise(false));
         let speaking = self.rhythm.speaking(t) * self.amount;
-        let smile = RESTING_SMILE + 0.05 * n(0, 0.11) - 0.03 * speaking;
+        // One does not smile to oneself in tears.
+        let resting = RESTING_SMILE * (1.0 - self.emotions.strength(t));
+        let smile = resting + 0.05 * n(0, 0.11) - 0.03 * speaking;
         let smile = [smile + 0.012 * n(1, 0.2), smile - 0.012 * n(1, 0.2)];
         let inner = 0.6 * left + 0.05 * n(2, 0.3).max(0.0) + 0.03 * speaking;
         let outer = [0.8 * left, 0.8 * right];

@@ -64,7 +64,9 @@ impl StoryFiles {
             for name in wanted {
                 // What is missing or broken is told by those who perform.
                 if let Some(text) = find_animation(&name, &self.script) {
-                    let _ = library.add(&name, &text);
+                    if library.add(&name, &text).is_err() {
+                        let _ = library.add_parameters(&name, &text);
+                    }
                 }
             }
             script.retime(&library);

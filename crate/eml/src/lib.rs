@@ -75,6 +75,7 @@ pub use parse::{
 pub use smol_str::SmolStr as Name;
 pub use sorted::SortedMap;
 pub use span::{LineIndex, Position, Span};
+pub use suggest::{nearest, quoted};
 pub use time_expr::{NameTerm, TimeExpr};
 pub use timeline::{Resolved, TimedClause, Timeline};
 pub use voice::{DivKind, Mark, MarkEvent, Piece, VoiceText, Word};

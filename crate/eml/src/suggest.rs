@@ -7,10 +7,8 @@ const LONGEST: usize = 48;
 
 /// The candidate nearest to `name` by edit distance without regard to case, when
 /// it is near enough to be what was meant: one edit in three characters.
-pub(crate) fn nearest<'c>(
-    name: &str,
-    candidates: impl IntoIterator<Item = &'c str>,
-) -> Option<&'c str> {
+#[must_use]
+pub fn nearest<'c>(name: &str, candidates: impl IntoIterator<Item = &'c str>) -> Option<&'c str> {
     if name.len() > LONGEST {
         return None;
     }
@@ -49,7 +47,8 @@ fn distance(a: &str, b: &str) -> usize {
 
 /// A name in backticks for a message: shortened when it is very long, and with control
 /// characters made visible, so that a file cannot write to a terminal.
-pub(crate) fn quoted(name: &str) -> String {
+#[must_use]
+pub fn quoted(name: &str) -> String {
     let (shown, more) = match name.char_indices().nth(40) {
         Some((cut, _)) => (&name[..cut], "…"),
         None => (name, ""),

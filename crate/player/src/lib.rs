@@ -10,6 +10,7 @@
 
 mod animations;
 mod cues;
+mod emotions;
 mod event;
 mod geometry;
 mod gestures;
@@ -18,6 +19,7 @@ pub mod live;
 mod manipulators;
 mod motion;
 mod music;
+mod parameters;
 mod part;
 mod performer;
 mod script;

@@ -2,9 +2,10 @@
 
 use raconteur_actor::animation::PlayerCommand;
 use raconteur_actor::gesture::TrunkShape;
+use raconteur_actor::parameters::ParameterCommand;
 use raconteur_actor::{
-    Accent, ArmScript, GestureStroke, Library, ManipulatorScript, Performance, PlayerScript, Sex,
-    SpokenUtterance,
+    Accent, ArmScript, EmotionSpan, GestureStroke, Library, ManipulatorScript, ParameterScript,
+    Performance, PlayerScript, Sex, SpokenUtterance,
 };
 use raconteur_base::order::sort_by_number;
 use raconteur_base::{DVec3, Side};
@@ -12,10 +13,12 @@ use raconteur_speech::bundle::Voice;
 use raconteur_speech::{Phone, Word};
 
 use crate::cues::{self, Cue, UtteranceCue};
+use crate::emotions;
 use crate::geometry::{self, Switch};
 use crate::gestures;
 use crate::motion;
 use crate::music::{self, MusicClause};
+use crate::parameters;
 use crate::performer::Options;
 use crate::script::Script;
 use crate::units::Units;
@@ -37,6 +40,12 @@ pub(crate) struct Part {
     /// What of the figure is drawn, by time.
     pub(crate) geometry: Vec<Switch>,
     speech: Vec<SpokenUtterance>,
+    /// What is felt.
+    emotions: Vec<EmotionSpan>,
+    /// What control parameters are asked for, by time.
+    pub(crate) parameters: Vec<(f64, ParameterCommand)>,
+    /// The names of the animations of parameters that it needs.
+    pub(crate) parameter_clips: Vec<String>,
     /// Shots of the camera, by time.
     pub(crate) shots: Vec<ShotCue>,
     /// Music, by time.
@@ -70,6 +79,12 @@ impl Part {
             players,
             geometry: geometry::switches(document, timeline),
             speech: utterances.iter().map(|u| spoken(script, u)).collect(),
+            emotions: emotions::spans(script, &utterances),
+            parameters: parameters::commands(document, timeline),
+            parameter_clips: parameters::wanted(document)
+                .into_iter()
+                .map(|(name, _)| name.to_owned())
+                .collect(),
             shots: views::shots(script),
             music: music::clauses(script),
             cues: cues::cues(script, &utterances, first_utterance, fragment),
@@ -78,11 +93,19 @@ impl Part {
     }
 }
 
-/// What the figure does when all parts are performed together. `carried` is what animation
-/// players were asked for by parts that are forgotten.
+/// What parts that are forgotten have asked for and what stays, by time.
+#[derive(Default)]
+pub(crate) struct Carried {
+    /// Of animation players.
+    pub(crate) players: Vec<(f64, PlayerCommand)>,
+    /// Of control parameters.
+    pub(crate) parameters: Vec<(f64, ParameterCommand)>,
+}
+
+/// What the figure does when all parts are performed together.
 pub(crate) fn performance<'a>(
     parts: impl Iterator<Item = &'a Part> + Clone,
-    carried: &[(f64, PlayerCommand)],
+    carried: &Carried,
     library: &Library,
     options: &Options,
     trunk: TrunkShape,
@@ -96,9 +119,22 @@ pub(crate) fn performance<'a>(
     sort_by_number(&mut switches, |(time_secs, _)| *time_secs);
     let on = gestures::on_spans(&switches);
     let players = parts.clone().flat_map(|p| p.players.iter());
+    let parameters = parts.clone().flat_map(|p| p.parameters.iter());
     Performance {
         players: PlayerScript {
-            commands: carried.iter().chain(players).cloned().collect(),
+            commands: carried.players.iter().chain(players).cloned().collect(),
+        },
+        emotions: parts
+            .clone()
+            .flat_map(|p| p.emotions.iter().copied())
+            .collect(),
+        parameters: ParameterScript {
+            commands: carried
+                .parameters
+                .iter()
+                .chain(parameters)
+                .cloned()
+                .collect(),
         },
         library: library.clone(),
         arms: Side::BOTH.map(|side| ArmScript {

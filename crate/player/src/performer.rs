@@ -21,7 +21,8 @@ use crate::layers::Layers;
 use crate::live::{self, Live, Performed, Scene};
 use crate::motion;
 use crate::music::{self, MusicClause, MusicCue};
-use crate::part::{self, Part};
+use crate::parameters;
+use crate::part::{self, Carried, Part};
 use crate::script::Script;
 use crate::soft::SoftFace;
 use crate::units::Units;
@@ -152,7 +153,7 @@ impl Player {
             trunk,
             input.options.room,
             &library,
-            &[],
+            &Carried::default(),
             [&story].into_iter(),
         );
         let plans = Side::BOTH.map(|side| actor.plan(side));
@@ -350,7 +351,7 @@ impl Player {
     pub fn wanted_animations(&self) -> Vec<String> {
         let mut wanted: Vec<String> = Vec::new();
         let parts = [&self.story].into_iter().chain(self.live.parts());
-        for (_, command) in parts.flat_map(|p| &p.players) {
+        for (_, command) in parts.clone().flat_map(|p| &p.players) {
             if let PlayerCommand::Operate {
                 operation: Operation::Push(name, _) | Operation::Exchange(name, _),
                 ..
@@ -362,32 +363,61 @@ impl Player {
                 wanted.push(name.clone());
             }
         }
+        for name in parts.flat_map(|p| &p.parameter_clips) {
+            if self.library.parameters(name).is_none()
+                && !self.missing.contains(name)
+                && !wanted.contains(name)
+            {
+                wanted.push(name.clone());
+            }
+        }
         wanted
     }
 
-    /// Takes animations by name with their text (JSON of `docs/animation.md`), or none where
+    /// Takes animations by name with their text (JSON of `docs/animation.md`, or that of
+    /// [`ParameterClip`](raconteur_actor::parameters::ParameterClip) for those of control
+    /// parameters), or none where
     /// it could not be had; the story's times follow their lengths. Tells which are missing or
     /// broken; the rest plays. What comes while the story plays eases in.
     pub fn provide_animations(&mut self, clips: &[(&str, Option<&str>)]) -> Vec<Diagnostic> {
         let mut diagnostics = Vec::new();
-        if !self.options.motion {
+        let parts = [&self.story].into_iter().chain(self.live.parts());
+        let faces: Vec<String> = parts.flat_map(|p| p.parameter_clips.clone()).collect();
+        if faces.is_empty() && !self.options.motion {
             return diagnostics;
         }
         for (name, text) in clips {
+            let is_of_face = faces.iter().any(|n| n == name);
+            if !is_of_face && !self.options.motion {
+                continue;
+            }
             let problem = match text {
-                Some(text) => motion::learn(&mut self.library, name, text)
-                    .err()
-                    .map(|why| {
+                Some(text) => {
+                    let learnt = if is_of_face {
+                        self.library.add_parameters(name, text)
+                    } else {
+                        motion::learn(&mut self.library, name, text)
+                    };
+                    learnt.err().map(|why| {
                         let message = format!("the animation `{name}` cannot be read: {why}");
                         ("player::bad-animation", message)
-                    }),
+                    })
+                }
                 None => {
                     let message = format!("the animation `{name}` was not found; it is left out");
                     Some(("player::no-animation", message))
                 }
             };
+            if is_of_face && problem.is_none() {
+                // Should a player want one of that name, it cannot be had.
+                self.missing.push((*name).to_owned());
+            }
             if let Some((code, message)) = problem {
-                let wanted = motion::wanted(&self.script.document);
+                let wanted = if is_of_face {
+                    parameters::wanted(&self.script.document)
+                } else {
+                    motion::wanted(&self.script.document)
+                };
                 let used = wanted.into_iter().find(|(n, _)| n == name);
                 let span = used.map(|(_, span)| span).unwrap_or_default();
                 self.missing.push((*name).to_owned());
@@ -632,7 +662,7 @@ fn rehearse<'a>(
     trunk: TrunkShape,
     held: Room,
     library: &Library,
-    carried: &[(f64, PlayerCommand)],
+    carried: &Carried,
     parts: impl Iterator<Item = &'a Part> + Clone,
 ) -> (Actor, Room) {
     let stature_m = figure.skeleton.stature_m();

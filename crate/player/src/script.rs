@@ -7,8 +7,8 @@ use raconteur_eml::{ClauseId, ClauseKind, Diagnostic, Document, Parsed, Span, Ti
 use raconteur_speech::bundle::Voice;
 use raconteur_speech::{Bundle, Phone, Utterance};
 
-use crate::motion;
 use crate::voice::{KnownDurations, Voices};
+use crate::{motion, parameters};
 
 /// A script with everything resolved that needs no figure.
 #[derive(Clone, Debug)]
@@ -88,6 +88,7 @@ impl Script {
             voice_was_given,
         ));
         diagnostics.extend(crate::unperformed::report(&document));
+        diagnostics.extend(parameters::problems(&document));
         raconteur_base::order::sort_by_number(&mut diagnostics, |d| f64::from(d.span.start));
         Self {
             moves: asked(&document).is_some(),
@@ -125,11 +126,12 @@ impl Script {
     /// and the player need the texts of.
     #[must_use]
     pub fn wanted_animations(&self) -> Vec<String> {
-        if !self.moves {
-            return Vec::new();
+        let mut wanted = parameters::wanted(&self.document);
+        if self.moves {
+            wanted.extend(motion::wanted(&self.document));
         }
-        let wanted = motion::wanted(&self.document).into_iter();
-        wanted.map(|(name, _)| name.to_owned()).collect()
+        let names = wanted.into_iter();
+        names.map(|(name, _)| name.to_owned()).collect()
     }
 
     /// The baked utterance of a clause, if there is one.

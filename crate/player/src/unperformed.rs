@@ -24,7 +24,7 @@ pub(crate) fn report(document: &Document) -> Vec<Diagnostic> {
         .into_iter()
         .map(|(name, span, count)| {
             let message = match count {
-                _ if name == "emotion" => "`emotion` is in the voice only; face, camera and light \
+                _ if name == "emotion" => "`emotion` is in voice and face only; camera and light \
                                            do not follow it yet"
                     .to_owned(),
                 1 => format!("`{name}` is not performed yet"),
@@ -60,6 +60,10 @@ impl Found {
             | ClauseKind::Event { .. }
             | ClauseKind::Camera(_)
             | ClauseKind::Music(_)
+            | ClauseKind::SetControlParameter(_)
+            | ClauseKind::AdsrControlParameter(_)
+            | ClauseKind::LoadControlParameterAnimation(_)
+            | ClauseKind::AnimateControlParameter(_)
             | ClauseKind::Null
             | ClauseKind::Seq(_)
             | ClauseKind::Par(_) => {}
@@ -91,7 +95,7 @@ mod tests {
             [
                 "`performer` is not performed yet",
                 "`light` is not performed yet; it occurs 2 times",
-                "`emotion` is in the voice only; face, camera and light do not follow it yet",
+                "`emotion` is in voice and face only; camera and light do not follow it yet",
             ]
         );
     }

@@ -56,6 +56,17 @@ const GESTURES: &str = "<eml xmlns:r='urn:raconteur:eml:1'><body>
     <gesture-key time='3' duration='1' handedness='both' r:phase='retraction'/>
     <null time='6'/></body></eml>";
 
+/// Emotions one after the other and together, and control parameters of every kind.
+const FACE: &str = "<eml xmlns:r='urn:raconteur:eml:1'><body>
+    <r:emotion time='0' type='joy'/><r:emotion time='1' type='fear' duration='2'/>
+    <r:emotion time='1' type='hate'/>
+    <body-set-control-parameter time='0.5' parameterId='Surprise' value='0.7'/>
+    <body-set-control-parameter time='0.5' parameterId='PP' value='1'/>
+    <body-set-control-parameter time='2' parameterId='GazeX' value='1'/>
+    <body-animate-ADSR-control-parameter time='2' parameterId='Frontalis'
+        attackDurationTime='1' releaseDurationTime='1'/>
+    <null time='6'/></body></eml>";
+
 /// Allocations while a story is played at 60 frames a second, the first frame aside.
 fn allocations(mut player: Player) -> usize {
     player.frame(0.0, 1.6);
@@ -87,4 +98,10 @@ fn a_frame_of_a_story_allocates_nothing() {
         let player = story(name, figure(), Options::default()).player;
         assert_eq!(allocations(player), 0, "{name}");
     }
+}
+
+#[test]
+fn a_frame_of_a_face_that_feels_allocates_nothing() {
+    let player = perform(FACE, None, figure(), Options::default()).player;
+    assert_eq!(allocations(player), 0);
 }

@@ -1,6 +1,7 @@
 //! Speech that was computed ahead: bundles of audio with words, phones and melody, phone sets
-//! and what a mouth does for each phone. Behind `bake`: what is to be said and how, and the
-//! means to make its sound: markup, text, signal, alignments of other programs.
+//! and what a mouth does for each phone; words for emotions. Behind `bake`: what is to be
+//! said and how, and the means to make its sound: markup, text, signal, alignments of other
+//! programs.
 //!
 //! Does not: run speech engines (the command line does) or move a face (`actor`).
 
@@ -13,7 +14,6 @@ pub mod bundle;
 pub mod compare;
 #[cfg(feature = "bake")]
 pub mod content;
-#[cfg(feature = "bake")]
 pub mod emotion;
 #[cfg(feature = "bake")]
 pub mod feel;

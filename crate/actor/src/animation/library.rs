@@ -6,11 +6,13 @@ use raconteur_body::HandShape;
 
 use super::clip::Clip;
 use super::keyframes::read_clip;
+use crate::parameters::ParameterClip;
 
 /// The animations that a story may use. Copies share the clips.
 #[derive(Clone, Debug, Default)]
 pub struct Library {
     clips: Vec<(String, Arc<Clip>)>,
+    parameters: Vec<(String, Arc<ParameterClip>)>,
 }
 
 /// Names of the stances that every library has: the hand shapes of the dictionary by number.
@@ -29,6 +31,27 @@ impl Library {
         Ok(())
     }
 
+    /// Reads an animation of control parameters (see [`ParameterClip::read`]) and keeps it
+    /// under a name, in the place of one that has it.
+    ///
+    /// # Errors
+    /// A sentence that says what is wrong with the text; the library is as it was.
+    pub fn add_parameters(&mut self, name: &str, text: &str) -> Result<(), String> {
+        let clip = Arc::new(ParameterClip::read(text)?);
+        self.parameters.retain(|(n, _)| n != name);
+        self.parameters.push((name.to_owned(), clip));
+        Ok(())
+    }
+
+    /// The animation of control parameters of a name: its own, or that of its file without
+    /// folders and ending.
+    #[must_use]
+    pub fn parameters(&self, name: &str) -> Option<Arc<ParameterClip>> {
+        let own = self.parameters.iter().find(|(n, _)| n == name);
+        let of_file = || self.parameters.iter().rev().find(|(n, _)| stem(n) == name);
+        own.or_else(of_file).map(|(_, clip)| Arc::clone(clip))
+    }
+
     /// The animation of a name. `hand-shape-0` to `hand-shape-60` are always there.
     #[must_use]
     pub fn get(&self, name: &str) -> Option<Arc<Clip>> {
@@ -37,5 +60,40 @@ impl Library {
         }
         let id = name.strip_prefix(HAND_SHAPE)?.parse().ok()?;
         HandShape::get(id).map(|shape| Arc::new(Clip::of_hand_shape(shape)))
+    }
+}
+
+/// The name of a file without folders and ending.
+#[must_use]
+pub fn stem(path: &str) -> &str {
+    let file = path.rsplit('/').next().unwrap_or(path);
+    match file.rsplit_once('.') {
+        Some((stem, _)) if !stem.is_empty() => stem,
+        _ => file,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn animations_of_parameters_are_known_by_their_files() {
+        let mut library = Library::default();
+        let text = r#"{"seconds": 1, "parameters": {"Joy": {"times": [0], "values": [1]}}}"#;
+        assert_eq!(library.add_parameters("faces/wink.json", text), Ok(()));
+        assert!(library.add_parameters("faces/grin.json", "{}").is_err());
+        for (name, is_there) in [
+            ("wink", true),
+            ("faces/wink.json", true),
+            ("wink.json", false),
+            ("grin", false),
+        ] {
+            assert_eq!(library.parameters(name).is_some(), is_there, "{name}");
+        }
+        assert_eq!(
+            ["a/b.c.json", "b", ".b", "a/"].map(stem),
+            ["b.c", "b", ".b", ""]
+        );
     }
 }

@@ -26,7 +26,7 @@ mod script;
 pub use clip::Clip;
 pub use groups::{BODY_GROUPS, BoneSet, body_group};
 pub use keyframes::read_clip;
-pub use library::Library;
+pub use library::{Library, stem};
 pub use playback::Playback;
 pub use players::{Animated, Players};
 pub use schedule::AT_ONCE_SECS;

@@ -72,3 +72,15 @@ record! {
         gain: f64 = "value",
     }
 }
+
+impl AnimateControlParameter {
+    /// How long it plays, seconds: `length` tells the length of one pass.
+    pub(crate) fn length_secs(&self, length: impl Fn(&str) -> Option<f64>) -> f64 {
+        let passes = match self.style {
+            Style::Forward | Style::Reverse => 1.0,
+            Style::PingPong | Style::ReversePingPong => 2.0,
+        };
+        let known = length(&self.animation).filter(|secs| (0.0..=3600.0).contains(secs));
+        known.map_or(0.0, |secs| secs * passes)
+    }
+}

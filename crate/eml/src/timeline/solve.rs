@@ -333,6 +333,9 @@ impl Solver<'_, '_> {
             ClauseKind::DeterministicPrimitive(primitive) => {
                 primitive.length_secs(|name| self.durations.animation(name))
             }
+            ClauseKind::AnimateControlParameter(animate) => {
+                animate.length_secs(|name| self.durations.animation(name))
+            }
             kind => kind.own_length_secs(),
         };
         start + length

@@ -18,7 +18,7 @@ use raconteur_speech::Bundle;
 use crate::cues::{ClauseRef, Cue, CueKind, UtteranceCue};
 use crate::gestures::{Reach, out_of_reach};
 use crate::motion;
-use crate::part::Part;
+use crate::part::{Carried, Part};
 use crate::script::{Script, Sources, delayed};
 use crate::units::Units;
 
@@ -33,7 +33,8 @@ pub mod limits {
     /// Finished fragments are remembered this long for seeking back, and for their names, but
     /// only while there is room; seconds.
     pub const REMEMBERED_SECS: f64 = 300.0;
-    /// Commands to animation players that outlive their fragments; beyond, the oldest are lost.
+    /// Commands to animation players, and as many to control parameters, that outlive their
+    /// fragments; beyond, the oldest are lost.
     pub const CARRIED_COMMANDS: usize = 1024;
     /// How far ahead of now a fragment may reach, seconds.
     pub const AHEAD_SECS: f64 = 3600.0;
@@ -118,8 +119,8 @@ pub(crate) struct Live {
     fragments_begun: u32,
     utterances_begun: usize,
     allowances: Vec<Allowance>,
-    /// What forgotten fragments asked of animation players, by time: players stay.
-    carried: Vec<(f64, PlayerCommand)>,
+    /// What forgotten fragments asked of animation players and control parameters: both stay.
+    carried: Carried,
     /// Clauses that a seek has passed over, not yet told.
     skipped: Vec<Cue>,
 }
@@ -132,7 +133,7 @@ impl Live {
             fragments_begun: 0,
             utterances_begun: utterances,
             allowances: Vec::new(),
-            carried: Vec::new(),
+            carried: Carried::default(),
             skipped: Vec::new(),
         }
     }
@@ -142,8 +143,8 @@ impl Live {
         self.fragments.iter().map(|f| &f.part)
     }
 
-    /// What forgotten fragments asked of animation players.
-    pub(crate) fn carried(&self) -> &[(f64, PlayerCommand)] {
+    /// What forgotten fragments asked for and what stays.
+    pub(crate) fn carried(&self) -> &Carried {
         &self.carried
     }
 
@@ -341,13 +342,20 @@ impl Live {
         }
     }
 
-    /// Forgets a fragment, but not the animation players that it left behind.
+    /// Forgets a fragment, but not the animation players and the control parameters that it
+    /// left behind.
     fn forget(&mut self, index: usize) {
         let forgotten = self.fragments.remove(index);
-        self.carried.extend(forgotten.part.players);
-        sort_by_number(&mut self.carried, |(time_secs, _)| *time_secs);
+        let parameters = &mut self.carried.parameters;
+        parameters.extend(forgotten.part.parameters);
+        sort_by_number(parameters, |(time_secs, _)| *time_secs);
+        let surplus = parameters.len().saturating_sub(limits::CARRIED_COMMANDS);
+        parameters.drain(..surplus);
+        let players = &mut self.carried.players;
+        players.extend(forgotten.part.players);
+        sort_by_number(players, |(time_secs, _)| *time_secs);
         // What came before all players went has no effect any more.
-        let last = self.carried.iter().rposition(|(_, command)| {
+        let last = players.iter().rposition(|(_, command)| {
             matches!(
                 command,
                 PlayerCommand::Clear
@@ -357,9 +365,9 @@ impl Live {
                     }
             )
         });
-        let surplus = self.carried.len().saturating_sub(limits::CARRIED_COMMANDS);
+        let surplus = players.len().saturating_sub(limits::CARRIED_COMMANDS);
         let (keep, mut place) = (last.unwrap_or(0).max(surplus), 0);
-        self.carried.retain(|(_, command)| {
+        players.retain(|(_, command)| {
             place += 1;
             let lasting = matches!(command, PlayerCommand::Configure { .. });
             place > keep || (lasting && place > surplus)

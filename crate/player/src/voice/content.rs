@@ -9,11 +9,8 @@ use raconteur_speech::emotion::{self, Place};
 use raconteur_speech::markup::levels::{self, Property};
 use raconteur_speech::text::{Order, SayAs};
 
-use super::{Manner, each_said, key};
+use super::{Manner, PLAIN_POTENTIAL, each_said, key};
 use crate::Script;
-
-/// The potential at which an emotion has the strength of F&H table 4.4.
-const PLAIN_POTENTIAL: f64 = 5.0;
 
 /// Something that a script says.
 #[derive(Clone, Debug, PartialEq)]

@@ -15,6 +15,9 @@ use raconteur_eml::{
 };
 use raconteur_speech::{Bundle, Utterance};
 
+/// The potential at which an emotion has the strength of F&H table 4.4.
+pub(crate) const PLAIN_POTENTIAL: f64 = 5.0;
+
 /// Who speaks a clause, and how: the last `voice-change` and the last emotion before it, as
 /// one reads the document.
 #[derive(Clone, Copy, Debug, Default)]
@@ -96,7 +99,9 @@ pub(crate) struct KnownDurations<'a> {
 
 impl Durations for KnownDurations<'_> {
     fn animation(&self, name: &str) -> Option<f64> {
-        self.library.get(name).map(|clip| clip.duration_secs())
+        let body = self.library.get(name).map(|clip| clip.duration_secs());
+        let face = || self.library.parameters(name).map(|c| c.duration_secs());
+        body.or_else(face)
     }
 
     fn voice(&self, clause: ClauseId, text: &VoiceText) -> VoiceTiming {

@@ -1,0 +1,162 @@
+//! The six basic expressions (Ekman; F&H section 4.4.3).
+//!
+//! Which muscles take part follows the prototypes of the Facial Action Coding System (Ekman &
+//! Friesen 1978, Facial Action Coding System, Consulting Psychologists Press; Ekman, Friesen &
+//! Hager 2002, FACS Investigator's Guide, chapter 12) and of EMFACS (Friesen & Ekman 1983,
+//! unpublished manual, University of California, San Francisco), each action unit (AU) done by
+//! the muscles that the FACS manual gives for it. How much each contracts is *designed*: about
+//! as in a strong, not an extreme display, which leaves room for stronger ones.
+
+use raconteur_body::face::Muscle as M;
+use raconteur_speech::emotion::Place;
+
+use crate::parameters::Dial;
+
+/// How many basic emotions there are.
+pub const BASICS: usize = 6;
+
+/// A basic emotion, in the order of their angles on the disc of activation and evaluation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(usize)]
+pub enum Basic {
+    /// F&H's joy.
+    Joy,
+    /// Full activation and nothing else (F&H section 4.4.3).
+    Surprise,
+    /// F&H's hate.
+    Disgust,
+    /// F&H's anger.
+    Anger,
+    /// F&H's fear.
+    Fear,
+    /// F&H's sorry-for.
+    Sadness,
+}
+
+/// A share of a dial in percent. What is given for the left side holds for the right as well:
+/// none of the six is lopsided.
+pub(super) type Share = (Dial, i8);
+
+const fn m(muscle: M, percent: i8) -> Share {
+    (Dial::of(muscle), percent)
+}
+
+/// AU 6, 12 and a little 25 and 26.
+const JOY: &[Share] = &[
+    m(M::ZygomaticusMajorLeft, 80),
+    m(M::ZygomaticusMinorLeft, 25),
+    m(M::LevatorAnguliLeft, 20),
+    m(M::LevatorLabiiLeft, 10),
+    m(M::OrbicularisOculiLeft, 55),
+    (Dial::LOWER_LID_LEFT, 30),
+    (Dial::JAW, 10),
+];
+
+/// AU 1, 2, 5, 26.
+const SURPRISE: &[Share] = &[
+    m(M::FrontalisMedialLeft, 85),
+    m(M::FrontalisLateralLeft, 85),
+    (Dial::UPPER_LID_LEFT, -75),
+    (Dial::JAW, 45),
+];
+
+/// AU 9, 10, 17 with 4 and 7, as a wrinkled nose brings them along, and a little 15.
+const DISGUST: &[Share] = &[
+    m(M::LevatorLabiiAlaequeLeft, 80),
+    m(M::LevatorLabiiLeft, 60),
+    m(M::ZygomaticusMinorLeft, 15),
+    m(M::NasalisLeft, 50),
+    m(M::Procerus, 45),
+    m(M::CorrugatorLeft, 35),
+    m(M::DepressorSuperciliiLeft, 35),
+    m(M::OrbicularisOculiLeft, 40),
+    m(M::MentalisLeft, 50),
+    m(M::DepressorAnguliLeft, 30),
+    (Dial::LOWER_LID_LEFT, 35),
+    (Dial::UPPER_LID_LEFT, 10),
+];
+
+/// AU 4, 5, 7, 23, 24 with a little 17 and 38, jaw forwards (AU 29).
+const ANGER: &[Share] = &[
+    m(M::CorrugatorLeft, 85),
+    m(M::DepressorSuperciliiLeft, 70),
+    m(M::Procerus, 55),
+    m(M::OrbicularisOculiLeft, 30),
+    m(M::OrbicularisOrisUpper, 55),
+    m(M::OrbicularisOrisLower, 60),
+    m(M::MentalisLeft, 25),
+    m(M::NasalisLeft, 20),
+    m(M::LevatorLabiiAlaequeLeft, 10),
+    (Dial::LOWER_LID_LEFT, 50),
+    (Dial::UPPER_LID_LEFT, -35),
+    (Dial::JAW_FORWARD, 25),
+];
+
+/// AU 1, 2, 4, 5, 20, 26, the lips a little parted (AU 25).
+const FEAR: &[Share] = &[
+    m(M::FrontalisMedialLeft, 80),
+    m(M::FrontalisLateralLeft, 55),
+    m(M::CorrugatorLeft, 50),
+    m(M::RisoriusLeft, 65),
+    m(M::PlatysmaLeft, 45),
+    m(M::BuccinatorLeft, 15),
+    m(M::DepressorLabiiLeft, 30),
+    (Dial::UPPER_LID_LEFT, -80),
+    (Dial::LOWER_LID_LEFT, 25),
+    (Dial::JAW, 25),
+];
+
+/// AU 1, 4, 15, 17 with a little 6, the lids low.
+const SADNESS: &[Share] = &[
+    m(M::FrontalisMedialLeft, 75),
+    m(M::CorrugatorLeft, 55),
+    m(M::DepressorSuperciliiLeft, 10),
+    m(M::DepressorAnguliLeft, 60),
+    m(M::MentalisLeft, 45),
+    m(M::OrbicularisOculiLeft, 12),
+    (Dial::UPPER_LID_LEFT, 25),
+    (Dial::LOWER_LID_LEFT, 10),
+];
+
+impl Basic {
+    /// All, by their angles.
+    pub const ALL: [Self; BASICS] = [
+        Self::Joy,
+        Self::Surprise,
+        Self::Disgust,
+        Self::Anger,
+        Self::Fear,
+        Self::Sadness,
+    ];
+
+    /// Its word in the table of F&H (section 4.4.3 names the closest correlates).
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Joy => "joy",
+            Self::Surprise => "surprise",
+            Self::Disgust => "hate",
+            Self::Anger => "anger",
+            Self::Fear => "fear",
+            Self::Sadness => "sorry-for",
+        }
+    }
+
+    /// Where it lies: the place of its word (F&H table 4.4).
+    #[must_use]
+    pub fn place(self) -> Place {
+        raconteur_speech::emotion::place(self.word()).unwrap_or_default()
+    }
+
+    /// What takes part in its expression at its place, in percent.
+    pub(super) fn shares(self) -> &'static [Share] {
+        match self {
+            Self::Joy => JOY,
+            Self::Surprise => SURPRISE,
+            Self::Disgust => DISGUST,
+            Self::Anger => ANGER,
+            Self::Fear => FEAR,
+            Self::Sadness => SADNESS,
+        }
+    }
+}

@@ -1,0 +1,193 @@
+//! From a place in the space of emotions to what it takes of each basic expression: by the
+//! disc of activation and evaluation (F&H equations 4.6 to 4.10), or by the sphere that has
+//! power as well, which F&H section 4.4.4 proposes.
+
+use raconteur_base::ops;
+use raconteur_base::{DVec3, curve::smooth};
+use raconteur_speech::emotion::Place;
+
+use super::basic::{BASICS, Basic};
+use super::expression::Expression;
+
+/// In which space basic emotions are neighbours.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Space {
+    /// Activation and evaluation (F&H section 4.4.3).
+    Disc,
+    /// With power (F&H section 4.4.4).
+    #[default]
+    Sphere,
+}
+
+/// A basic emotion counts among the neighbours of a direction while the nearest is more than
+/// this much as near, measured by the tangents of half their angles. Designed.
+const FAR: f64 = 0.3;
+
+/// How much each basic emotion counts when it is near: disgust and anger lie in one
+/// direction (2° apart), so that they count as one. Designed.
+const COUNTS: [f64; BASICS] = [1.0, 1.0, 0.5, 0.5, 1.0, 1.0];
+
+/// How much an expression takes of each basic one, by [`Basic::ALL`].
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Mixture {
+    /// By muscles that have no antagonist, and by all else.
+    pub free: [f64; BASICS],
+    /// By muscles that have antagonists, before they are set against each other.
+    pub bound: [f64; BASICS],
+}
+
+/// Angle on the disc, radians from full evaluation towards full activation, and distance
+/// from its middle.
+#[must_use]
+pub fn polar(place: Place) -> [f64; 2] {
+    [
+        ops::atan2(place.activation, place.evaluation),
+        ops::hypot(place.activation, place.evaluation),
+    ]
+}
+
+impl Mixture {
+    /// A basic emotion scaled by the ratio of distances from the middle (F&H equations 4.6
+    /// and 4.7).
+    #[must_use]
+    pub fn scaled(basic: Basic, ratio: f64) -> Self {
+        let mut mixture = Self::default();
+        mixture.free[basic as usize] = ratio;
+        mixture.bound[basic as usize] = ratio;
+        mixture
+    }
+
+    /// Between two basic emotions, as printed (F&H equations 4.8 to 4.10). `share` is that of
+    /// the second, 0 to 1, by the angles: (ω − ω₁) / (ω₂ − ω₁). `ratios` are the distances
+    /// from the middle by those of the two.
+    ///
+    /// Muscles with antagonists take the plain sums of equation 4.10 whatever the share: they
+    /// jump where another basic emotion becomes a neighbour. [`Mixture::on_disc`] mends that.
+    #[must_use]
+    pub fn printed(between: [Basic; 2], share: f64, ratios: [f64; 2]) -> Self {
+        let mut mixture = Self::default();
+        for (k, weight) in [1.0 - share, share].into_iter().enumerate() {
+            mixture.free[between[k] as usize] += weight * ratios[k];
+            mixture.bound[between[k] as usize] += ratios[k];
+        }
+        mixture
+    }
+
+    /// The expression of a place on the disc, whatever its power: of the two neighbours by
+    /// angle. In the sums of equation 4.10 the farther neighbour fades by the ratio of the
+    /// shares: midway between the two stands the equation as printed, at either stands
+    /// equation 4.7, and nothing jumps.
+    #[must_use]
+    pub fn on_disc(place: Place) -> Self {
+        let [angle, radius] = polar(place);
+        if !(radius > 0.0 && radius.is_finite()) {
+            return Self::default();
+        }
+        let turned = |from: f64, to: f64| {
+            let turn = ops::wrap_angle(to - from);
+            if turn < 0.0 {
+                turn + core::f64::consts::TAU
+            } else {
+                turn
+            }
+        };
+        let ends = Basic::ALL.map(|basic| polar(basic.place()));
+        // The last basic emotion that the turn has passed is the first neighbour.
+        let mut first = BASICS - 1;
+        for i in 0..BASICS {
+            if turned(ends[i][0], angle) < turned(ends[first][0], angle) {
+                first = i;
+            }
+        }
+        let second = (first + 1) % BASICS;
+        let sector = turned(ends[first][0], ends[second][0]);
+        let share = (turned(ends[first][0], angle) / sector).clamp(0.0, 1.0);
+        let ratios = [radius / ends[first][1], radius / ends[second][1]];
+        let between = [Basic::ALL[first], Basic::ALL[second]];
+        let mut mixture = Self::printed(between, share, ratios);
+        let most = share.max(1.0 - share);
+        mixture.bound[first] *= (1.0 - share) / most;
+        mixture.bound[second] *= share / most;
+        mixture
+    }
+
+    /// The expression of a place by its direction on the sphere, of as many neighbours as are
+    /// near, scaled by its distance from the middle. The nearest rules; the others have part
+    /// as they are nearly as near. Sums of equation 4.10 fade as they do on the disc.
+    #[must_use]
+    pub fn on_sphere(place: Place) -> Self {
+        let sites = Basic::ALL.map(|basic| vector(basic.place()));
+        let length = vector(place).length();
+        let mut near = COUNTS;
+        nearness(vector(place), &sites, &mut near);
+        let sum: f64 = near.iter().sum();
+        let most = near.iter().fold(0.0, |a: f64, n| a.max(*n));
+        let mut mixture = Self::default();
+        if sum > 0.0 {
+            for i in 0..BASICS {
+                let ratio = length / sites[i].length();
+                mixture.free[i] = ratio * near[i] / sum;
+                mixture.bound[i] = ratio * near[i] / most;
+            }
+        }
+        mixture
+    }
+
+    /// The expression of a place in a space.
+    #[must_use]
+    pub fn of(place: Place, space: Space) -> Self {
+        match space {
+            Space::Disc => Self::on_disc(place),
+            Space::Sphere => Self::on_sphere(place),
+        }
+    }
+
+    /// Adds so much of another.
+    pub(super) fn add(&mut self, other: &Self, factor: f64) {
+        for i in 0..BASICS {
+            self.free[i] += factor * other.free[i];
+            self.bound[i] += factor * other.bound[i];
+        }
+    }
+
+    /// What the face does: antagonists set against each other, nothing beyond its range.
+    #[must_use]
+    pub fn expression(&self) -> Expression {
+        let mut expression = Expression::default();
+        for basic in Basic::ALL {
+            let (free, bound) = (self.free[basic as usize], self.bound[basic as usize]);
+            if free != 0.0 || bound != 0.0 {
+                expression.gather(basic, free, bound);
+            }
+        }
+        expression.settle();
+        expression.limit();
+        expression
+    }
+}
+
+/// A place as a vector.
+pub(super) fn vector(place: Place) -> DVec3 {
+    DVec3::new(place.evaluation, place.activation, place.power)
+}
+
+/// How near sites are to a direction: each entry of `near` is multiplied by 1 for the nearest
+/// and by less for those farther, down to 0. Where the direction is that of a site, all
+/// others are 0; in the middle of the space, which has no direction, all are.
+pub(super) fn nearness(direction: DVec3, sites: &[DVec3], near: &mut [f64]) {
+    let Some(direction) = direction.try_normalize() else {
+        near.fill(0.0);
+        return;
+    };
+    // The tangent of half the angle to a site; infinite on the other side.
+    let away = |site: &DVec3| {
+        let site = site.normalize_or_zero();
+        (direction - site).length() / (direction + site).length()
+    };
+    let nearest = sites.iter().map(away).fold(f64::INFINITY, f64::min);
+    for (near, site) in near.iter_mut().zip(sites) {
+        let away = away(site);
+        let ratio = if away > nearest { nearest / away } else { 1.0 };
+        *near *= smooth((ratio - FAR) / (1.0 - FAR));
+    }
+}

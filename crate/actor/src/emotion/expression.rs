@@ -1,0 +1,153 @@
+//! An expression: what each muscle and each direct parameter does, and which of them pull
+//! against each other (F&H table 4.6).
+
+use raconteur_body::face::{FaceControls, Muscle as M};
+
+use super::basic::Basic;
+use crate::parameters::{DIALS, Dial};
+
+/// Muscles that pull against each other (F&H table 4.6); what they call one muscle is here
+/// its fibres or sides that are controlled apart.
+pub const ANTAGONISTS: [(&[M], &[M]); 4] = [
+    (&[M::ZygomaticusMajorLeft], &[M::DepressorAnguliLeft]),
+    (&[M::ZygomaticusMajorRight], &[M::DepressorAnguliRight]),
+    (
+        &[M::OrbicularisOrisUpper, M::OrbicularisOrisLower],
+        &[M::RisoriusLeft, M::RisoriusRight],
+    ),
+    (
+        &[M::MentalisLeft, M::MentalisRight],
+        &[M::DepressorLabiiLeft, M::DepressorLabiiRight],
+    ),
+];
+
+/// Whether a dial is of a muscle that has antagonists.
+#[must_use]
+pub fn has_antagonist(dial: Dial) -> bool {
+    let muscles = ANTAGONISTS.iter().flat_map(|(a, b)| a.iter().chain(*b));
+    muscles.into_iter().any(|m| Dial::of(*m) == dial)
+}
+
+/// The value of each dial, −1 to 1; muscles 0 to 1.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Expression {
+    /// In the order of [`Dial::index`].
+    pub values: [f64; DIALS],
+}
+
+impl Default for Expression {
+    fn default() -> Self {
+        Self {
+            values: [0.0; DIALS],
+        }
+    }
+}
+
+impl Expression {
+    /// That of a basic emotion at its place.
+    #[must_use]
+    pub fn of(basic: Basic) -> Self {
+        let mut expression = Self::default();
+        expression.gather(basic, 1.0, 1.0);
+        expression
+    }
+
+    /// Adds a basic expression, free muscles and those with antagonists by factors of their
+    /// own.
+    pub(super) fn gather(&mut self, basic: Basic, free: f64, bound: f64) {
+        for (dial, percent) in basic.shares() {
+            let factor = if has_antagonist(*dial) { bound } else { free };
+            let value = factor * f64::from(*percent) * 0.01;
+            self.values[dial.index()] += value;
+            let right = dial.also_right();
+            if right != *dial {
+                self.values[right.index()] += value;
+            }
+        }
+    }
+
+    /// Takes sums of muscles with antagonists to contractions: of two sets that pull against
+    /// each other the stronger keeps what it has more, shared out as its muscles contribute
+    /// (F&H equation 4.10).
+    pub(super) fn settle(&mut self) {
+        for (one, other) in ANTAGONISTS {
+            let sum = |set: &[M]| set.iter().map(|m| self.values[m.index()]).sum::<f64>();
+            let (plus, minus) = (sum(one), sum(other));
+            for (set, own, against) in [(one, plus, minus), (other, minus, plus)] {
+                let left = if own > against {
+                    (own - against) / own
+                } else {
+                    0.0
+                };
+                set.iter().for_each(|m| self.values[m.index()] *= left);
+            }
+        }
+    }
+
+    /// Weakens it as a whole until no value is beyond its range, so that what it consists of
+    /// keeps its proportions.
+    pub(super) fn limit(&mut self) {
+        let most = self.values.iter().fold(1.0_f64, |a, v| a.max(v.abs()));
+        if most > 1.0 {
+            self.values.iter_mut().for_each(|v| *v /= most);
+        }
+    }
+
+    /// The value of a dial.
+    #[must_use]
+    pub fn value(&self, dial: Dial) -> f64 {
+        self.values[dial.index()]
+    }
+
+    /// Adds it to what a face is asked to do.
+    pub fn add(&self, controls: &mut FaceControls) {
+        for (i, value) in self.values.iter().enumerate() {
+            if *value != 0.0
+                && let Some(dial) = Dial::at(i)
+            {
+                dial.add(*value, controls);
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn basic_expressions_are_symmetric_in_range_and_at_peace_with_themselves() {
+        for basic in Basic::ALL {
+            let face = Expression::of(basic);
+            for m in M::all() {
+                let value = face.values[m.index()];
+                assert!((0.0..=1.0).contains(&value), "{basic:?} {m:?}");
+                assert_eq!(value, face.values[m.mirrored().index()], "{basic:?} {m:?}");
+            }
+            let mut settled = face;
+            settled.settle();
+            settled.limit();
+            assert_eq!(settled, face, "{basic:?}");
+            // What moves the eyes is said elsewhere.
+            for i in 0..DIALS {
+                let dial = Dial::at(i).expect("a dial");
+                assert!(!dial.name().starts_with("Gaze") || face.value(dial) == 0.0);
+            }
+        }
+    }
+
+    #[test]
+    fn the_stronger_of_two_keeps_what_it_has_more() {
+        let mut face = Expression::default();
+        let set = |face: &mut Expression, m: M, v: f64| face.values[m.index()] = v;
+        set(&mut face, M::OrbicularisOrisUpper, 0.6);
+        set(&mut face, M::OrbicularisOrisLower, 0.2);
+        set(&mut face, M::RisoriusLeft, 0.3);
+        set(&mut face, M::RisoriusRight, 0.1);
+        face.settle();
+        // Sums 0.8 and 0.4: half of the first is left, nothing of the second.
+        assert!((face.values[M::OrbicularisOrisUpper.index()] - 0.3).abs() < 1e-12);
+        assert!((face.values[M::OrbicularisOrisLower.index()] - 0.1).abs() < 1e-12);
+        assert_eq!(face.values[M::RisoriusLeft.index()], 0.0);
+    }
+}

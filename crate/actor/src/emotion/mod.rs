@@ -1,0 +1,17 @@
+//! Emotion in the face (F&H section 4.4): six basic expressions, all others between them by
+//! their place in the space of activation, evaluation and power, and how they come and go.
+
+mod basic;
+mod blend;
+mod expression;
+mod signs;
+mod track;
+
+pub use basic::{BASICS, Basic};
+pub use blend::{Mixture, Space, polar};
+pub use expression::{ANTAGONISTS, Expression, has_antagonist};
+pub use signs::Signs;
+pub use track::{Breathing, EmotionSpan, EmotionTrack, SHORTEST_SECS};
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,500 @@
+//! Emotions over the time of a story (F&H sections 4.3.5 and 4.4.4).
+
+use raconteur_base::curve::{last_at_or_before, smooth};
+use raconteur_base::order::sort_by_number;
+use raconteur_body::face::FaceControls;
+use raconteur_speech::emotion::Place;
+
+use super::blend::{Mixture, Space};
+use super::signs::Signs;
+use crate::parameters::{Curve, SET_SECS};
+
+/// An emotion neither comes nor goes in less, seconds. Designed: the quickest onsets of
+/// expressions that are felt.
+pub const SHORTEST_SECS: f64 = 0.25;
+/// The most that an emotion is stronger than in its place.
+const STRONGEST: f64 = 4.0;
+/// Emotions of spans that are in force at once; more are left out. Nobody feels as many, and
+/// it bounds the work.
+const LANES: usize = 16;
+
+/// An emotion in force.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct EmotionSpan {
+    /// When it begins to grow, story seconds.
+    pub start_secs: f64,
+    /// When it is there in full.
+    pub apex_secs: f64,
+    /// Until when it stays so; at or before the apex: no longer than that.
+    pub until_secs: f64,
+    /// When it is gone.
+    pub end_secs: f64,
+    /// Where it is in the space of emotions.
+    pub place: Place,
+    /// How strong, 1 being that of its place.
+    pub intensity: f64,
+}
+
+impl EmotionSpan {
+    /// The same with times in their order, no time to grow or to fade less than
+    /// [`SHORTEST_SECS`]; none when a time or a place is no number.
+    fn ordered(self) -> Option<Self> {
+        let all = [
+            self.start_secs,
+            self.apex_secs,
+            self.end_secs,
+            self.intensity,
+            self.place.activation,
+            self.place.evaluation,
+            self.place.power,
+        ];
+        if !all.iter().all(|x| x.is_finite()) {
+            return None;
+        }
+        let until_secs = if self.until_secs.is_finite() {
+            self.until_secs.max(self.apex_secs)
+        } else {
+            self.apex_secs
+        };
+        Some(Self {
+            start_secs: self.start_secs.min(self.apex_secs - SHORTEST_SECS),
+            end_secs: self.end_secs.max(until_secs + SHORTEST_SECS),
+            until_secs,
+            intensity: self.intensity.clamp(0.0, STRONGEST),
+            place: self.place.scaled(1.0),
+            ..self
+        })
+    }
+
+    /// How much of it is there, 0 to 1: straight from the start to the apex and from there
+    /// to the end (F&H section 4.3.5), eased.
+    fn strength(&self, t: f64) -> f64 {
+        let up = (t - self.start_secs) / (self.apex_secs - self.start_secs);
+        let down = (self.end_secs - t) / (self.end_secs - self.until_secs);
+        smooth(up.min(down))
+    }
+}
+
+/// What an emotion does in full: computed once.
+#[derive(Clone, Copy, Debug, Default)]
+struct Effect {
+    mixture: Mixture,
+    signs: Signs,
+    place: Place,
+    strength: f64,
+}
+
+impl Effect {
+    fn of(place: Place, intensity: f64, space: Space) -> Self {
+        let mut effect = Self::default();
+        let full = Self {
+            mixture: Mixture::of(place, space),
+            signs: Signs::of(place),
+            place,
+            strength: 0.0,
+        };
+        effect.add(&full, intensity);
+        effect.strength = 1.0;
+        effect
+    }
+
+    fn add(&mut self, other: &Self, factor: f64) {
+        self.mixture.add(&other.mixture, factor);
+        self.signs.add(&other.signs, factor);
+        self.place.activation += factor * other.place.activation;
+        self.place.evaluation += factor * other.place.evaluation;
+        self.place.power += factor * other.place.power;
+        self.strength += factor * other.strength;
+    }
+}
+
+/// How one breathes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Breathing {
+    /// By how many seconds breath is ahead of what it would be in calm: the phase at a time
+    /// is that of calm breath at the time and this. It grows at the rate of breath less 1.
+    pub lead_secs: f64,
+    /// Factor on the depth.
+    pub depth: f64,
+}
+
+/// The emotions of a performance, made ready. Evaluation is a function of time and allocates
+/// nothing.
+///
+/// Emotions that are in force together are mixed by their strengths, which are never more
+/// than 1 together; where their muscles pull against each other the stronger ones win (F&H
+/// equation 4.10).
+#[derive(Clone, Debug, Default)]
+pub struct EmotionTrack {
+    /// Spans one after the other: each begins when the one before it in its lane is over.
+    lanes: Vec<Vec<(EmotionSpan, Effect)>>,
+    /// Emotions that are set by name.
+    scripted: Vec<(Effect, Curve)>,
+    /// Times between which the rate of breath goes straight, rising; the rates less 1, and
+    /// their integral up to each.
+    knots: Vec<f64>,
+    rates: Vec<f64>,
+    leads: Vec<f64>,
+}
+
+impl EmotionTrack {
+    /// From emotions in any order and those that are set by name (see
+    /// [`ParameterTrack::emotions`](crate::parameters::ParameterTrack::emotions)), with
+    /// expressions from the sphere. What is no number is left out.
+    #[must_use]
+    pub fn new(spans: &[EmotionSpan], scripted: &[(Place, Curve)]) -> Self {
+        Self::in_space(spans, scripted, Space::default())
+    }
+
+    /// As [`new`](Self::new), with expressions from this space.
+    #[must_use]
+    pub fn in_space(spans: &[EmotionSpan], scripted: &[(Place, Curve)], space: Space) -> Self {
+        let mut spans: Vec<EmotionSpan> = spans.iter().filter_map(|s| s.ordered()).collect();
+        sort_by_number(&mut spans, |span| span.start_secs);
+        let mut lanes: Vec<Vec<(EmotionSpan, Effect)>> = Vec::new();
+        for span in spans {
+            let is_free = |lane: &Vec<(EmotionSpan, Effect)>| {
+                let last = lane.last();
+                last.is_none_or(|(last, _)| last.end_secs <= span.start_secs)
+            };
+            let free = lanes.iter().position(is_free).unwrap_or(lanes.len());
+            if free == lanes.len() && free < LANES {
+                lanes.push(Vec::new());
+            }
+            if let Some(lane) = lanes.get_mut(free) {
+                lane.push((span, Effect::of(span.place, span.intensity, space)));
+            }
+        }
+        let mut track = Self {
+            lanes,
+            scripted: scripted
+                .iter()
+                .map(|(place, curve)| (Effect::of(*place, 1.0, space), curve.clone()))
+                .collect(),
+            ..Self::default()
+        };
+        track.plan_breath();
+        track
+    }
+
+    /// Integrates the rate of breath, taken as straight between the times at which something
+    /// begins or ends.
+    fn plan_breath(&mut self) {
+        let spans = self.lanes.iter().flatten().flat_map(|(s, _)| {
+            let half = |a: f64, b: f64| a + 0.5 * (b - a);
+            [
+                s.start_secs,
+                half(s.start_secs, s.apex_secs),
+                s.apex_secs,
+                s.until_secs,
+                half(s.until_secs, s.end_secs),
+                s.end_secs,
+            ]
+        });
+        let courses = self.scripted.iter().flat_map(|(_, curve)| curve.starts());
+        let courses = courses.flat_map(|start| [*start, start + SET_SECS]);
+        let mut knots: Vec<f64> = spans.chain(courses).collect();
+        sort_by_number(&mut knots, |t| *t);
+        knots.dedup();
+        let rate = |t: f64| self.sum(t).signs.limited().breath_rate;
+        let rates: Vec<f64> = knots.iter().map(|t| rate(*t)).collect();
+        let mut lead = 0.0;
+        let leads = (0..knots.len()).map(|i| {
+            if i > 0 {
+                lead += 0.5 * (rates[i - 1] + rates[i]) * (knots[i] - knots[i - 1]);
+            }
+            lead
+        });
+        self.leads = leads.collect();
+        (self.knots, self.rates) = (knots, rates);
+    }
+
+    /// All that is felt at a time.
+    fn sum(&self, t: f64) -> Effect {
+        let mut sum = Effect::default();
+        let mut take = |effect: &Effect, strength: f64| {
+            if strength > 0.0 {
+                sum.add(effect, strength);
+            }
+        };
+        for lane in &self.lanes {
+            let begun = lane.partition_point(|(span, _)| span.start_secs <= t);
+            if let Some((span, effect)) = begun.checked_sub(1).and_then(|i| lane.get(i)) {
+                take(effect, span.strength(t));
+            }
+        }
+        for (effect, curve) in &self.scripted {
+            take(effect, curve.at(t));
+        }
+        if sum.strength > 1.0 {
+            let mut mean = Effect::default();
+            mean.add(&sum, 1.0 / sum.strength);
+            return mean;
+        }
+        sum
+    }
+
+    /// Adds the expression, the lids and the blood in the skin at a time to what a face is
+    /// asked to do.
+    pub fn add(&self, time_secs: f64, controls: &mut FaceControls) {
+        let sum = self.sum(time_secs);
+        sum.mixture.expression().add(controls);
+        controls.blush += sum.signs.limited().blush;
+    }
+
+    /// Where one is in the space of emotions; its middle when one is calm.
+    #[must_use]
+    pub fn at(&self, time_secs: f64) -> Place {
+        self.sum(time_secs).place.scaled(1.0)
+    }
+
+    /// How much is felt, 0 (calm) to 1 (one emotion in full, or several together).
+    #[must_use]
+    pub fn strength(&self, time_secs: f64) -> f64 {
+        self.sum(time_secs).strength
+    }
+
+    /// Factor on how much one moves without being asked to, by the emotion: 1 in calm.
+    #[must_use]
+    pub fn liveliness(&self, time_secs: f64) -> f64 {
+        1.0 + self.sum(time_secs).signs.limited().liveliness
+    }
+
+    /// By how much the eyes turn from where they look else: yaw to the figure's left and
+    /// pitch down, radians.
+    #[must_use]
+    pub fn gaze(&self, time_secs: f64) -> [f64; 2] {
+        [0.0, self.sum(time_secs).signs.limited().gaze_down_rad]
+    }
+
+    /// The same for the head.
+    #[must_use]
+    pub fn head(&self, time_secs: f64) -> [f64; 2] {
+        [0.0, self.sum(time_secs).signs.limited().head_down_rad]
+    }
+
+    /// How one breathes.
+    #[must_use]
+    pub fn breath(&self, time_secs: f64) -> Breathing {
+        let lead_secs = match last_at_or_before(&self.knots, time_secs) {
+            None => 0.0,
+            Some(i) => {
+                let since = time_secs - self.knots[i];
+                let slope = match (self.knots.get(i + 1), self.rates.get(i + 1)) {
+                    (Some(knot), Some(rate)) => (rate - self.rates[i]) / (knot - self.knots[i]),
+                    _ => 0.0,
+                };
+                self.leads[i] + since * (self.rates[i] + 0.5 * slope * since)
+            }
+        };
+        Breathing {
+            lead_secs,
+            depth: 1.0 + self.sum(time_secs).signs.limited().breath_depth,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::basic::Basic;
+    use super::super::expression::{ANTAGONISTS, Expression};
+    use super::*;
+    use crate::parameters::ParameterTrack;
+    use crate::parameters::{DIALS, Dial, Parameter, ParameterCommand, ParameterScript};
+    use raconteur_base::noise;
+    use raconteur_speech::emotion::{WORDS, place};
+
+    fn span(word: &str, times: [f64; 4]) -> EmotionSpan {
+        let [start_secs, apex_secs, until_secs, end_secs] = times;
+        EmotionSpan {
+            start_secs,
+            apex_secs,
+            until_secs,
+            end_secs,
+            place: place(word).expect(word),
+            intensity: 1.0,
+        }
+    }
+
+    fn face(track: &EmotionTrack, t: f64) -> FaceControls {
+        let mut controls = FaceControls::default();
+        track.add(t, &mut controls);
+        controls
+    }
+
+    fn full(basic: Basic) -> FaceControls {
+        let mut controls = FaceControls::default();
+        Expression::of(basic).add(&mut controls);
+        controls.blush = Signs::of(basic.place()).blush;
+        controls
+    }
+
+    /// Largest difference of two faces in contractions, lids, jaw (as a share) and blood.
+    fn apart(a: &FaceControls, b: &FaceControls) -> f64 {
+        let pairs = a.contraction.iter().zip(&b.contraction);
+        let lids = a.upper_lid.iter().zip(&b.upper_lid);
+        let others = [
+            (&a.lower_lid[0], &b.lower_lid[0]),
+            (&a.blush, &b.blush),
+            (&a.jaw.pitch_rad, &b.jaw.pitch_rad),
+        ];
+        let all = pairs.chain(lids).chain(others);
+        all.fold(0.0, |most, (a, b)| most.max((a - b).abs()))
+    }
+
+    #[test]
+    fn an_emotion_is_full_at_its_apex_and_gone_at_its_borders() {
+        let track = EmotionTrack::new(&[span("joy", [1.0, 3.0, 3.0, 4.0])], &[]);
+        let rest = FaceControls::default();
+        for t in [-5.0, 1.0, 4.0, 90.0] {
+            assert_eq!(apart(&face(&track, t), &rest), 0.0, "{t}");
+            assert_eq!(track.at(t), Place::default());
+            assert_eq!((track.liveliness(t), track.breath(t).depth), (1.0, 1.0));
+            assert_eq!(track.strength(t), 0.0);
+        }
+        assert!(apart(&face(&track, 3.0), &full(Basic::Joy)) < 1e-12);
+        let middle = face(&track, 2.0).contraction
+            [raconteur_body::face::Muscle::ZygomaticusMajorLeft.index()];
+        assert!((middle - 0.4).abs() < 1e-12, "{middle}");
+        assert!((track.at(3.0).evaluation - 42.2).abs() < 1e-9);
+        assert_eq!((track.strength(2.0), track.strength(3.0)), (0.5, 1.0));
+    }
+
+    #[test]
+    fn one_emotion_passes_into_another_without_a_jump() {
+        let track = EmotionTrack::new(
+            &[
+                span("sorry-for", [0.0, 1.0, 1.5, 3.0]),
+                span("joy", [1.0, 2.5, 2.5, 4.0]),
+                span("anger", [2.4, 2.4, 2.4, 2.4]),
+            ],
+            &[],
+        );
+        let mut worst: f64 = 0.0;
+        let mut last = face(&track, -1.0);
+        for i in 0..6000 {
+            let t = -1.0 + f64::from(i) * 1e-3;
+            let now = face(&track, t);
+            worst = worst.max(apart(&now, &last));
+            for (one, other) in ANTAGONISTS {
+                let most = |set: &[raconteur_body::face::Muscle]| {
+                    set.iter()
+                        .map(|m| now.contraction[m.index()])
+                        .fold(0.0, f64::max)
+                };
+                assert!(most(one) == 0.0 || most(other) == 0.0, "at {t}");
+            }
+            last = now;
+        }
+        // The fastest of them comes within 0.25 s: 1.5 times the mean speed, and as much
+        // again as what it takes the place of goes.
+        assert!(worst < 2.0 * 1.5 / 250.0, "{worst} a millisecond");
+    }
+
+    #[test]
+    fn any_number_of_emotions_stays_within_the_ranges() {
+        for seed in 0..60 {
+            let unit = |k: u64, i: i64| noise::unit(seed, k, i);
+            let spans: Vec<EmotionSpan> = (0..12)
+                .map(|i| {
+                    let (word, _) = WORDS[(unit(1, i) * 27.0) as usize % 27];
+                    let start = 6.0 * unit(2, i);
+                    let times = [0.0, 3.0 * unit(3, i), 4.0 * unit(4, i), 6.0 * unit(5, i)];
+                    EmotionSpan {
+                        intensity: 4.0 * unit(6, i),
+                        ..span(word, times.map(|t| start + t))
+                    }
+                })
+                .collect();
+            let track = EmotionTrack::new(&spans, &[]);
+            let mut last_breath = 0.0;
+            for i in 0..140 {
+                let t = f64::from(i) * 0.1;
+                let face = face(&track, t);
+                let within = |v: &f64| (0.0..=1.0 + 1e-12).contains(v);
+                assert!(face.contraction.iter().all(within), "{face:?}");
+                assert!(face.upper_lid[0].abs() <= 1.0 + 1e-12 && face.blush.abs() <= 1.0);
+                assert!((0.3..2.0).contains(&track.liveliness(t)));
+                let breath = t + track.breath(t).lead_secs;
+                assert!(i == 0 || breath > last_breath, "breath goes on");
+                last_breath = breath;
+            }
+        }
+    }
+
+    #[test]
+    fn breath_goes_faster_in_fear_and_nothing_jumps() {
+        let track = EmotionTrack::new(&[span("fear", [2.0, 4.0, 14.0, 16.0])], &[]);
+        assert_eq!(track.breath(1.0).lead_secs, 0.0);
+        let gained = track.breath(14.0).lead_secs - track.breath(4.0).lead_secs;
+        assert!((gained - 5.0).abs() < 1e-9, "half as fast again: {gained}");
+        assert!(track.breath(9.0).depth < 0.8);
+        let after = track.breath(16.0).lead_secs;
+        assert!((track.breath(60.0).lead_secs - after).abs() < 1e-12);
+        for i in 0..20_000 {
+            let t = f64::from(i) * 1e-3;
+            let gained = track.breath(t + 1e-3).lead_secs - track.breath(t).lead_secs;
+            assert!((0.0..=0.5e-3 + 1e-12).contains(&gained), "{t} {gained}");
+        }
+    }
+
+    #[test]
+    fn emotions_are_set_by_name() {
+        let disgust = Parameter::named("Disgust").next().expect("a word");
+        let script = ParameterScript {
+            commands: vec![(1.0, ParameterCommand::Set(disgust, 1.0))],
+        };
+        let parameters = ParameterTrack::new(&script, &|_| None);
+        let track = EmotionTrack::new(&[], parameters.emotions());
+        assert_eq!(apart(&face(&track, 1.0), &FaceControls::default()), 0.0);
+        assert!(apart(&face(&track, 2.0), &full(Basic::Disgust)) < 1e-12);
+        let joyful = span("joy", [1.5, 2.0, 3.0, 4.0]);
+        let track = EmotionTrack::new(&[joyful], parameters.emotions());
+        // Half of both: joy's and disgust's corners of the mouth pull against each other.
+        let mixed = face(&track, 2.5).contraction;
+        let zygomaticus = raconteur_body::face::Muscle::ZygomaticusMajorLeft.index();
+        assert!((mixed[zygomaticus] - 0.5 * (0.8 - 0.3)).abs() < 1e-12);
+    }
+
+    #[test]
+    fn every_word_of_the_table_gives_a_face_of_its_own_strength() {
+        for space in [Space::Disc, Space::Sphere] {
+            for (word, _) in WORDS {
+                let full = span(word, [0.0, 1.0, 1.0, 2.0]);
+                let half = EmotionSpan {
+                    intensity: 0.5,
+                    ..full
+                };
+                let values = |span: EmotionSpan| {
+                    let track = EmotionTrack::in_space(&[span], &[], space);
+                    track.sum(1.0).mixture.expression().values
+                };
+                let (full, half) = (values(full), values(half));
+                let most = full.iter().fold(0.0, |a: f64, v| a.max(v.abs()));
+                assert!((0.2..=1.0).contains(&most), "{space:?} {word} {most}");
+                for i in 0..DIALS {
+                    let (dial, wanted) = (Dial::at(i).expect("a dial"), 0.5 * full[i]);
+                    // A face at its limits is more than twice the half of it.
+                    let near = (half[i] - wanted).abs() < 1e-12 || most > 1.0 - 1e-9;
+                    assert!(near, "{word} {}", dial.name());
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_no_number_is_left_out() {
+        let broken = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
+        let spans: Vec<EmotionSpan> = broken
+            .iter()
+            .flat_map(|bad| (0..4).map(move |k| (*bad, k)))
+            .map(|(bad, k)| {
+                let mut times = [0.0, 1.0, 1.0, 2.0];
+                times[[0, 1, 3, 3][k]] = bad;
+                span("joy", times)
+            })
+            .collect();
+        let track = EmotionTrack::new(&spans, &[]);
+        assert_eq!(apart(&face(&track, 1.0), &FaceControls::default()), 0.0);
+    }
+}

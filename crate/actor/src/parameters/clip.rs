@@ -1,0 +1,209 @@
+//! Animations of control parameters (GEVH D.3.29): JSON with key times and values by the
+//! names of parameters.
+//!
+//! ```json
+//! {
+//!   "seconds": 1.5,
+//!   "times": [0, 0.3, 1.5],
+//!   "parameters": {
+//!     "Joy": { "values": [0, 1, 0], "ease": "smooth" },
+//!     "UpperLidLeft": { "times": [0.4, 0.45, 0.6], "values": [0, 1, 0] }
+//!   }
+//! }
+//! ```
+//!
+//! `seconds` is the length of one pass. Tracks without `times` have those of the whole. From
+//! key to key values go straight (`linear`, the default) or rest at each key (`smooth`).
+
+use raconteur_base::curve::{last_at_or_before, lerp, smooth};
+use raconteur_base::json::Json;
+
+use super::name::Parameter;
+
+/// The longest text that is read, bytes.
+const MOST_BYTES: usize = 1 << 20;
+/// The longest animation, seconds.
+const LONGEST_SECS: f64 = 3600.0;
+/// Most keys of a track.
+const MOST_KEYS: usize = 1 << 14;
+
+/// An animation of control parameters.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct ParameterClip {
+    seconds: f64,
+    tracks: Vec<(Parameter, Keys)>,
+}
+
+/// Values over time.
+#[derive(Clone, Debug, Default, PartialEq)]
+struct Keys {
+    times: Vec<f64>,
+    values: Vec<f64>,
+    smooth: bool,
+}
+
+impl ParameterClip {
+    /// Reads an animation.
+    ///
+    /// # Errors
+    /// A sentence that says what is wrong, and with which parameter.
+    pub fn read(text: &str) -> Result<Self, String> {
+        if text.len() > MOST_BYTES {
+            return Err("it is larger than 1 MB".to_owned());
+        }
+        let root = Json::read(text.as_bytes()).map_err(|e| e.to_string())?;
+        if !root["parameters"].is_object() {
+            return Err("it has no parameters".to_owned());
+        }
+        let seconds = root["seconds"].number().unwrap_or(-1.0);
+        if !(0.0..=LONGEST_SECS).contains(&seconds) {
+            return Err("its seconds are not between 0 and an hour".to_owned());
+        }
+        let mut clip = Self {
+            seconds,
+            tracks: Vec::new(),
+        };
+        for (name, track) in root["parameters"].members() {
+            let keys = Keys::read(track, &root, seconds);
+            let keys = keys.map_err(|why| format!("in the parameter {name}, {why}"))?;
+            let before = clip.tracks.len();
+            for parameter in Parameter::named(name) {
+                clip.tracks.retain(|(known, _)| *known != parameter);
+                clip.tracks.push((parameter, keys.clone()));
+            }
+            if clip.tracks.len() == before && Parameter::named(name).next().is_none() {
+                return Err(format!("there is no parameter {name}"));
+            }
+        }
+        Ok(clip)
+    }
+
+    /// Length of one pass, seconds.
+    #[must_use]
+    pub fn duration_secs(&self) -> f64 {
+        self.seconds
+    }
+
+    /// What it moves, each with its place.
+    pub(super) fn parameters(&self) -> impl Iterator<Item = (usize, Parameter)> + '_ {
+        let tracks = self.tracks.iter().enumerate();
+        tracks.map(|(place, (parameter, _))| (place, *parameter))
+    }
+
+    /// The value of the parameter at a place, so many seconds after the begin. O(log n).
+    pub(super) fn value(&self, place: usize, secs: f64) -> f64 {
+        self.tracks
+            .get(place)
+            .map_or(0.0, |(_, keys)| keys.at(secs))
+    }
+}
+
+impl Keys {
+    fn read(track: &Json<'_>, root: &Json<'_>, end_secs: f64) -> Result<Self, String> {
+        let numbers = |list: &Json<'_>| -> Vec<f64> {
+            let read: Option<Vec<f64>> = list.items().iter().map(Json::number).collect();
+            read.unwrap_or_default()
+        };
+        let own = &track["times"];
+        let times = numbers(if own.is_null() { &root["times"] } else { own });
+        let values = numbers(&track["values"]);
+        let rising = times.windows(2).all(|w| w[1] > w[0]);
+        if times.is_empty() || times.len() > MOST_KEYS || !rising {
+            return Err("the times do not rise".to_owned());
+        }
+        if times[0] < 0.0 || times[times.len() - 1] > end_secs {
+            return Err("the times are not between 0 and the end".to_owned());
+        }
+        if values.len() != times.len() {
+            return Err("there is not one value for each time".to_owned());
+        }
+        if !values.iter().all(|v| (-1.0..=1.0).contains(v)) {
+            return Err("the values are not between -1 and 1".to_owned());
+        }
+        let smooth = match track["ease"].text() {
+            None if track["ease"].is_null() => false,
+            Some("linear") => false,
+            Some("smooth") => true,
+            _ => return Err("ease is not linear or smooth".to_owned()),
+        };
+        Ok(Self {
+            times,
+            values,
+            smooth,
+        })
+    }
+
+    fn at(&self, secs: f64) -> f64 {
+        let Some(i) = last_at_or_before(&self.times, secs) else {
+            return self.values.first().copied().unwrap_or(0.0);
+        };
+        let Some(next) = self.times.get(i + 1) else {
+            return self.values[i];
+        };
+        let s = (secs - self.times[i]) / (next - self.times[i]);
+        let s = if self.smooth { smooth(s) } else { s };
+        lerp(self.values[i], self.values[i + 1], s)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SMILE: &str = r#"{"seconds": 1.5, "times": [0, 0.5, 1.5], "parameters": {
+        "Joy": {"values": [0, 1, 0.2]},
+        "UpperLid": {"times": [0.4], "values": [-0.5]},
+        "GazeX": {"times": [0, 1], "values": [-1, 1], "ease": "smooth"}}}"#;
+
+    fn value(clip: &ParameterClip, name: &str, secs: f64) -> f64 {
+        let found = clip.parameters().find(|(_, p)| p.name() == name);
+        clip.value(found.expect(name).0, secs)
+    }
+
+    #[test]
+    fn keys_are_read_and_passed() {
+        let clip = ParameterClip::read(SMILE).expect("a clip");
+        assert_eq!(clip.duration_secs(), 1.5);
+        for (secs, joy) in [
+            (-1.0, 0.0),
+            (0.0, 0.0),
+            (0.25, 0.5),
+            (0.5, 1.0),
+            (1.0, 0.6),
+            (9.0, 0.2),
+        ] {
+            assert!((value(&clip, "joy", secs) - joy).abs() < 1e-12, "{secs}");
+        }
+        assert_eq!(value(&clip, "UpperLidRight", 0.0), -0.5);
+        assert_eq!(value(&clip, "GazeX", 0.25), -1.0 + 2.0 * smooth(0.25));
+    }
+
+    #[test]
+    fn what_is_wrong_is_told() {
+        for (from, to, why) in [
+            ("1.5,", "-1,", "its seconds"),
+            (
+                "[0, 1, 0.2]",
+                "[0, 1]",
+                "in the parameter Joy, there is not one value",
+            ),
+            ("[0, 1, 0.2]", "[0, 1, 2]", "the values are not"),
+            ("[0, 1, 0.2]", "[0, 1, \"x\"]", "there is not one value"),
+            ("[0.4]", "[]", "the times do not rise"),
+            ("[0.4]", "[1.6]", "the times are not between"),
+            ("[0, 0.5, 1.5]", "[0, 0.5, 0.5]", "the times do not rise"),
+            ("\"smooth\"", "\"soft\"", "ease is not"),
+            ("\"smooth\"", "1", "ease is not"),
+            ("\"Joy\"", "\"Bliss\"", "there is no parameter Bliss"),
+            ("\"parameters\"", "\"tracks\"", "it has no parameters"),
+            ("{", "", "line 1"),
+        ] {
+            let text = SMILE.replacen(from, to, 1);
+            assert_ne!(text, SMILE);
+            let told = ParameterClip::read(&text).expect_err(&text);
+            assert!(told.contains(why), "{told}");
+        }
+        let long = " ".repeat(MOST_BYTES + 1);
+        assert!(ParameterClip::read(&long).is_err());
+    }
+}

@@ -1,0 +1,158 @@
+//! The course of one parameter through a story.
+
+use std::sync::Arc;
+
+use raconteur_base::curve::{lerp, smooth};
+
+use super::clip::ParameterClip;
+use super::script::Style;
+
+/// How long a value that is set takes to come, and an animation to take over, seconds.
+/// Designed: what is set at once is reached at once to the eye, and no muscle jumps.
+pub const SET_SECS: f64 = 0.15;
+/// The shortest time in which a phase changes the value, seconds: one frame of film.
+pub const STEP_SECS: f64 = 0.04;
+
+/// What a parameter does from some time on.
+#[derive(Clone, Debug)]
+pub(super) enum Course {
+    /// Eases to a value in [`SET_SECS`] and keeps it.
+    Ease(f64),
+    /// Goes straight to a value in this time, seconds, and keeps it.
+    Line(f64, f64),
+    /// Follows a track of an animation, and keeps its last value.
+    Clip {
+        clip: Arc<ParameterClip>,
+        place: usize,
+        style: Style,
+        gain: f64,
+    },
+}
+
+/// A parameter over the time of a story; 0 before anything is asked of it. What comes later
+/// takes over from wherever the parameter is.
+#[derive(Clone, Debug, Default)]
+pub struct Curve {
+    /// When each course begins, rising.
+    starts: Vec<f64>,
+    /// The value that each begins with.
+    values: Vec<f64>,
+    courses: Vec<Course>,
+    /// The least value; the greatest is 1.
+    least: f64,
+}
+
+impl Curve {
+    pub(super) fn new(least: f64) -> Self {
+        Self {
+            least,
+            ..Self::default()
+        }
+    }
+
+    /// Lets the parameter do something from a time on; whatever else it was to do from then
+    /// on is forgotten.
+    pub(super) fn push(&mut self, start_secs: f64, course: Course) {
+        let value = self.at(start_secs);
+        while self.starts.pop_if(|s| *s >= start_secs).is_some() {
+            self.values.pop();
+            self.courses.pop();
+        }
+        self.starts.push(start_secs);
+        self.values.push(value);
+        self.courses.push(course);
+    }
+
+    /// Leads it straight through values, each to be reached at its time; a value takes at
+    /// least [`STEP_SECS`] to change.
+    pub(super) fn lead(&mut self, start_secs: f64, keys: &[(f64, f64)]) {
+        let mut now = start_secs;
+        for (at, value) in keys {
+            let from = self.at(now);
+            let least = if (from - value).abs() > 1e-9 {
+                STEP_SECS
+            } else {
+                0.0
+            };
+            let end = at.max(now + least);
+            self.push(now, Course::Line(*value, end - now));
+            now = end;
+        }
+    }
+
+    /// The value at a time. O(log n), no allocation.
+    #[must_use]
+    pub fn at(&self, time_secs: f64) -> f64 {
+        let Some(i) = raconteur_base::curve::last_at_or_before(&self.starts, time_secs) else {
+            return 0.0;
+        };
+        let (since, from) = (time_secs - self.starts[i], self.values[i]);
+        let eased = smooth(since / SET_SECS);
+        let value = match &self.courses[i] {
+            Course::Ease(to) => lerp(from, *to, eased),
+            Course::Line(to, secs) if since < *secs => lerp(from, *to, since / secs),
+            Course::Line(to, _) => *to,
+            Course::Clip {
+                clip,
+                place,
+                style,
+                gain,
+            } => {
+                let at = style.place(since, clip.duration_secs());
+                lerp(from, gain * clip.value(*place, at), eased)
+            }
+        };
+        value.clamp(self.least, 1.0)
+    }
+
+    /// The times at which its courses begin, rising, seconds.
+    pub(crate) fn starts(&self) -> &[f64] {
+        &self.starts
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_comes_later_takes_over_from_where_the_value_is() {
+        let mut curve = Curve::new(0.0);
+        curve.lead(1.0, &[(2.0, 1.0), (4.0, 0.0)]);
+        curve.push(3.0, Course::Ease(0.8));
+        for (t, value) in [
+            (0.0, 0.0),
+            (1.5, 0.5),
+            (2.0, 1.0),
+            (2.5, 0.75),
+            (3.0, 0.5),
+            (3.0 + 0.5 * SET_SECS, 0.65),
+            (3.2, 0.8),
+            (9.0, 0.8),
+        ] {
+            assert!((curve.at(t) - value).abs() < 1e-12, "{t}: {}", curve.at(t));
+        }
+    }
+
+    #[test]
+    fn steps_take_a_frame_and_the_phase_after_them_ends_when_it_should() {
+        let mut curve = Curve::new(0.0);
+        curve.lead(1.0, &[(1.0, 1.0), (1.5, 0.5), (1.5, 0.5), (1.5, 0.0)]);
+        assert!((curve.at(1.0 + STEP_SECS) - 1.0).abs() < 1e-12);
+        assert!((curve.at(1.5) - 0.5).abs() < 1e-12);
+        assert!(curve.at(1.5 + STEP_SECS).abs() < 1e-12);
+    }
+
+    #[test]
+    fn values_stay_in_their_range() {
+        let mut curve = Curve::new(0.0);
+        curve.push(0.0, Course::Ease(7.0));
+        curve.push(1.0, Course::Ease(-7.0));
+        for i in 0..200 {
+            assert!((0.0..=1.0).contains(&curve.at(f64::from(i) * 0.01)));
+        }
+        let mut both = Curve::new(-1.0);
+        both.push(0.0, Course::Ease(-0.5));
+        assert_eq!(both.at(1.0), -0.5);
+    }
+}

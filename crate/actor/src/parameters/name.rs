@@ -1,0 +1,219 @@
+//! The control parameters and their names (GEVH 3.2.4).
+
+use raconteur_body::face::MUSCLES;
+use raconteur_speech::emotion::{Place, WORDS};
+use raconteur_speech::phones::{self, PhoneTargets};
+
+use super::dial::{DIALS, Dial};
+
+/// The fifteen visemes, each with a phone that looks like it.
+const VISEMES: [(&str, &str); 15] = [
+    ("sil", "pau"),
+    ("PP", "p"),
+    ("FF", "f"),
+    ("TH", "th"),
+    ("DD", "d"),
+    ("kk", "k"),
+    ("CH", "ch"),
+    ("SS", "s"),
+    ("nn", "n"),
+    ("RR", "r"),
+    ("aa", "aa"),
+    ("E", "eh"),
+    ("ih", "ih"),
+    ("oh", "o"),
+    ("ou", "uw"),
+];
+
+/// Ekman's names of two of the six, which the table of F&H calls otherwise (section 4.4.3).
+/// The other four are words of the table.
+const EKMAN: [(&str, &str); 2] = [("Disgust", "hate"), ("Sadness", "sorry-for")];
+
+/// What may follow a name in those of several parameters that it stands for together.
+const PARTS: [&str; 6] = ["Left", "Right", "Upper", "Lower", "Medial", "Lateral"];
+
+/// A control parameter: something of the face, a viseme, or an emotion.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Parameter(u8);
+
+/// What a parameter asks for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Asks {
+    /// A muscle, or a direct parameter of the face.
+    Dial(Dial),
+    /// The mouth of a phone.
+    Viseme(&'static PhoneTargets),
+    /// An emotion at its place in the table.
+    Emotion(Place),
+}
+
+impl Parameter {
+    /// How many there are.
+    pub(super) const COUNT: usize = DIALS + VISEMES.len() + WORDS.len();
+
+    /// Every parameter that a name stands for, letters great or small; none for a name that
+    /// there is not. `ZygomaticusMajorLeft` is one muscle, `ZygomaticusMajor` both,
+    /// `Frontalis` all four; visemes are called `PP` or `VisemePP`.
+    pub fn named(name: &str) -> impl Iterator<Item = Self> {
+        let name = EKMAN
+            .iter()
+            .find(|(ekman, _)| ekman.eq_ignore_ascii_case(name))
+            .map_or(name, |(_, word)| word);
+        Self::all().filter(move |parameter| parameter.is_called(name))
+    }
+
+    fn is_called(self, name: &str) -> bool {
+        let own = self.name();
+        if own.eq_ignore_ascii_case(name) {
+            return true;
+        }
+        match self.asks() {
+            Asks::Dial(_) => {
+                let begins = own
+                    .get(..name.len())
+                    .is_some_and(|begin| begin.eq_ignore_ascii_case(name));
+                begins && is_of_parts(&own[name.len()..])
+            }
+            Asks::Viseme(_) => {
+                let rest = name.get(6..).filter(|rest| rest.eq_ignore_ascii_case(own));
+                rest.is_some() && name[..6].eq_ignore_ascii_case("viseme")
+            }
+            Asks::Emotion(_) => false,
+        }
+    }
+
+    /// All of them: those of the face, visemes, emotions.
+    pub fn all() -> impl Iterator<Item = Self> {
+        (0..Self::COUNT as u8).map(Self)
+    }
+
+    /// Its place among all.
+    pub(super) fn index(self) -> usize {
+        usize::from(self.0)
+    }
+
+    /// Its name.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        let index = self.index();
+        if let Some(dial) = Dial::at(index) {
+            return dial.name();
+        }
+        let index = index - DIALS;
+        match index.checked_sub(VISEMES.len()) {
+            None => VISEMES[index].0,
+            Some(word) => WORDS[word].0,
+        }
+    }
+
+    /// What it asks for.
+    #[must_use]
+    pub fn asks(self) -> Asks {
+        let index = self.index();
+        if let Some(dial) = Dial::at(index) {
+            return Asks::Dial(dial);
+        }
+        let index = index - DIALS;
+        match index.checked_sub(VISEMES.len()) {
+            None => {
+                let phone = phones::by_name(VISEMES[index].1);
+                Asks::Viseme(phone.unwrap_or_else(phones::silence))
+            }
+            Some(word) => {
+                let [activation, evaluation, power] = WORDS[word].1;
+                Asks::Emotion(Place {
+                    activation,
+                    evaluation,
+                    power,
+                })
+            }
+        }
+    }
+
+    /// The least value that it takes; the greatest is 1.
+    #[must_use]
+    pub fn least(self) -> f64 {
+        let dial = Dial::at(self.index());
+        if dial.is_some_and(Dial::is_signed) {
+            -1.0
+        } else {
+            0.0
+        }
+    }
+
+    /// All names that there are, those that stand for several aside: muscles first.
+    pub fn names() -> impl Iterator<Item = &'static str> {
+        let ekman = EKMAN.iter().map(|(name, _)| *name);
+        Self::all().map(Self::name).chain(ekman)
+    }
+}
+
+/// Whether a name goes on with nothing but sides and parts.
+fn is_of_parts(mut rest: &str) -> bool {
+    while !rest.is_empty() {
+        match PARTS.iter().find_map(|part| rest.strip_prefix(part)) {
+            Some(after) => rest = after,
+            None => return false,
+        }
+    }
+    true
+}
+
+// Parameters are counted in a byte.
+const _: () = assert!(Parameter::COUNT <= 256 && MUSCLES <= DIALS);
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn names(name: &str) -> Vec<&'static str> {
+        Parameter::named(name).map(Parameter::name).collect()
+    }
+
+    #[test]
+    fn every_name_finds_its_own_and_a_bare_one_both_sides() {
+        for name in Parameter::names() {
+            let found = names(&name.to_uppercase());
+            assert_eq!(found.len(), 1, "{name} stands for {found:?}");
+        }
+        assert_eq!(
+            names("zygomaticusMajor"),
+            ["ZygomaticusMajorLeft", "ZygomaticusMajorRight"]
+        );
+        assert_eq!(names("Frontalis").len(), 4);
+        assert_eq!(names("UpperLid"), ["UpperLidLeft", "UpperLidRight"]);
+        assert_eq!(
+            names("LipProtrusion"),
+            ["LipProtrusionUpper", "LipProtrusionLower"]
+        );
+        assert_eq!(names("Jaw"), ["Jaw"]);
+        assert_eq!(names("VisemePP"), ["PP"]);
+        assert_eq!(names("visemesil"), ["sil"]);
+        assert_eq!(names("Disgust"), ["hate"]);
+        assert_eq!(names("Sadness"), ["sorry-for"]);
+        assert_eq!(names("Happy-For"), ["happy-for"]);
+        for unknown in [
+            "", "Zyg", "Left", "Viseme", "Smile", "VisemeX", "é", "LipX", "Lip",
+        ] {
+            assert_eq!(names(unknown), [""; 0], "{unknown}");
+        }
+    }
+
+    #[test]
+    fn visemes_are_those_of_their_phones_and_emotions_those_of_the_table() {
+        for (name, _) in VISEMES {
+            let parameter = Parameter::named(name).next().expect("a viseme");
+            let Asks::Viseme(targets) = parameter.asks() else {
+                panic!("{name}")
+            };
+            assert_eq!(targets.viseme, name);
+        }
+        let fear = Parameter::named("FEAR").next().expect("a word").asks();
+        assert_eq!(
+            fear,
+            Asks::Emotion(raconteur_speech::emotion::place("fear").expect("a word"))
+        );
+        assert_eq!(Parameter::named("Blush").next().expect("one").least(), -1.0);
+        assert_eq!(Parameter::named("Jaw").next().expect("one").least(), 0.0);
+    }
+}

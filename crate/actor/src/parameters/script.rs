@@ -1,0 +1,107 @@
+//! What a story asks of control parameters (GEVH D.3.27 to D.3.30).
+
+use super::name::Parameter;
+
+/// In which direction an animation plays.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Style {
+    /// From its begin to its end.
+    #[default]
+    Forward,
+    /// From its end to its begin.
+    Reverse,
+    /// Forward, then back.
+    PingPong,
+    /// Back, then forward.
+    ReversePingPong,
+}
+
+impl Style {
+    /// Where in an animation of so many seconds one is, so many seconds after it began to
+    /// play; it stays where it ends.
+    #[must_use]
+    pub fn place(self, since_secs: f64, length_secs: f64) -> f64 {
+        let there = since_secs.clamp(0.0, length_secs);
+        let back = (since_secs - length_secs).clamp(0.0, length_secs);
+        match self {
+            Self::Forward => there,
+            Self::Reverse => length_secs - there,
+            Self::PingPong => there - back,
+            Self::ReversePingPong => length_secs - there + back,
+        }
+    }
+}
+
+/// Four phases (GEVH D.3.28): from the value that the parameter has straight to that of the
+/// attack, to that of the decay, then that of the sustain held, and to that of the release,
+/// which stays.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Adsr {
+    /// How long each phase takes, seconds: attack, decay, sustain, release.
+    pub secs: [f64; 4],
+    /// The value of each.
+    pub values: [f64; 4],
+}
+
+impl Adsr {
+    /// The values with the times at which they are reached, seconds from the begin. Times
+    /// that are no times count as none.
+    pub(super) fn keys(&self) -> [(f64, f64); 5] {
+        let mut sum = 0.0;
+        let ends = self.secs.map(|secs| {
+            if secs.is_finite() {
+                sum += secs.max(0.0);
+            }
+            sum
+        });
+        let [attack, decay, sustain, release] = self.values;
+        [
+            (ends[0], attack),
+            (ends[1], decay),
+            (ends[1], sustain),
+            (ends[2], sustain),
+            (ends[3], release),
+        ]
+    }
+}
+
+/// One thing that is asked.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ParameterCommand {
+    /// A parameter takes a value.
+    Set(Parameter, f64),
+    /// A parameter goes through four phases.
+    Lead(Parameter, Adsr),
+    /// An animation plays.
+    Play {
+        /// Its name in the library.
+        animation: String,
+        /// In which direction.
+        style: Style,
+        /// By what its values are multiplied.
+        gain: f64,
+    },
+}
+
+/// All that is asked, with its times, story seconds, in any order; of what comes at one time
+/// the last counts.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct ParameterScript {
+    /// What is asked.
+    pub commands: Vec<(f64, ParameterCommand)>,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn styles_lead_through_an_animation() {
+        let at = |style: Style| [-1.0, 0.5, 2.0, 3.5, 9.0].map(|t| style.place(t, 2.0));
+        assert_eq!(at(Style::Forward), [0.0, 0.5, 2.0, 2.0, 2.0]);
+        assert_eq!(at(Style::Reverse), [2.0, 1.5, 0.0, 0.0, 0.0]);
+        assert_eq!(at(Style::PingPong), [0.0, 0.5, 2.0, 0.5, 0.0]);
+        assert_eq!(at(Style::ReversePingPong), [2.0, 1.5, 0.0, 1.5, 2.0]);
+        assert_eq!(Style::PingPong.place(3.0, 0.0), 0.0);
+    }
+}
