@@ -2,9 +2,9 @@
 //!
 //! Does: animation players with their clips, arm inverse kinematics, limbs and head as
 //! manipulators, palm orientation, gesture plans with preparation, hold
-//! and retraction, idle life (breath, sway, gaze, blinks), lip synchronisation, emotion,
-//! control parameters, and from what a face is asked to do its jaw, lids and morph weights;
-//! [`Actor`] evaluates them all into a pose.
+//! and retraction, idle life (breath, sway), what accompanies speech (gaze, blinks, brows,
+//! nods), lip synchronisation, emotion, control parameters, and from what a face is asked to do
+//! its jaw, lids and morph weights; [`Actor`] evaluates them all into a pose.
 //! Does not: know EML, draw, play sound, or keep state between evaluations: seeking to a
 //! time and playing to it give the same pose.
 //!
@@ -23,6 +23,7 @@ pub mod kinematics;
 pub mod lips;
 pub mod manipulator;
 mod motion;
+pub mod nonverbal;
 pub mod palm;
 pub mod parameters;
 pub mod performance;
@@ -35,5 +36,6 @@ pub use face::FaceRig;
 pub use gesture::{ArmScript, GestureStroke, HandKey, Span};
 pub use lips::{LipTrack, MouthTargets};
 pub use manipulator::{ManipulatorScript, Manipulators, Sex};
+pub use nonverbal::{Manner, NonVerbal};
 pub use parameters::{ParameterScript, ParameterTrack};
 pub use performance::{Accent, Actor, Performance, SpokenUtterance};

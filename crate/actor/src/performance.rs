@@ -3,41 +3,41 @@
 use raconteur_base::{DAffine3, DQuat, DVec3, Side, noise};
 use raconteur_body::face::{FaceControls, Muscle};
 use raconteur_body::{Bone, Pose, Skeleton};
-use raconteur_speech::phones::{self, Class};
+use raconteur_speech::bundle::{Emotion, Phrase, Sentence};
 use raconteur_speech::{Phone, Word};
 
 use crate::animation::{Animated, Library, PlayerScript};
 use crate::arm_ik::{ArmGoal, ArmRig, ArmSolution};
-use crate::articulation::{ORDINARY_LOUDNESS, articulate, hold_closures};
+use crate::articulation::{articulate, hold_closures};
 use crate::emotion::{EmotionSpan, EmotionTrack};
 use crate::face::FaceRig;
 use crate::gesture::contact::{Contact, PlacedHand};
 use crate::gesture::{ArmPlan, ArmScript, BodySpace, HandTarget, TrunkShape};
-use crate::idle::blink::Blinks;
-use crate::idle::gaze::{Gaze, HEAD_SHARE, angles_of, eye_towards};
+use crate::idle::gaze::{HEAD_SHARE, angles_of, eye_towards};
 use crate::idle::stance::Stance;
 use crate::idle::stream;
-use crate::idle::trunk::{Beat, SpeechRhythm, Trunk, bump, spine};
+use crate::idle::trunk::{SpeechRhythm, Trunk, spine};
 use crate::kinematics::{rotation_of, world_from_bone};
 use crate::lips::{LipTrack, MouthTargets};
 use crate::manipulator::{ManipulatorScript, Sex};
 use crate::motion::{self, Motion};
+use crate::nonverbal::{Manner, NonVerbal};
 use crate::parameters::{ParameterScript, ParameterTrack};
 
-/// A pause in speech at least this long may blink, seconds.
-const PAUSE_SECS: f64 = 0.15;
 /// Smile of a figure that has nothing else to show. Designed: friendly, not grinning.
 const RESTING_SMILE: f64 = 0.14;
-/// Brow raise on a full accent. Designed.
-const BROW_ACCENT: f64 = 0.32;
 
-/// A moment of prominence in an utterance.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// An accented syllable of an utterance.
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Accent {
     /// Seconds from the start of the utterance.
-    pub offset_secs: f64,
+    pub start_secs: f64,
+    /// Seconds from the start of the utterance.
+    pub end_secs: f64,
     /// 0..2; 1 is an ordinary accent.
     pub strength: f64,
+    /// Its name in ToBI, for example `H*`; empty or `*` where it is not known.
+    pub label: String,
 }
 
 /// An utterance at its place in the story.
@@ -51,8 +51,19 @@ pub struct SpokenUtterance {
     pub phones: Vec<Phone>,
     /// Words, seconds from the start of the utterance.
     pub words: Vec<Word>,
-    /// Accents; empty where they are not known: nods then fall on some of the words.
+    /// Accents by time; empty where they are not known: some of the words count as accented.
     pub accents: Vec<Accent>,
+    /// Intonational phrases of its words, in order; empty where they are not known.
+    pub phrases: Vec<Phrase>,
+    /// Sentences of its words, in order; where there are none, punctuation tells.
+    pub sentences: Vec<Sentence>,
+    /// Emotions in force, seconds from the start of the utterance.
+    pub emotions: Vec<Emotion>,
+    /// Fundamental frequency, a code for each 10 ms as in a bundle; empty where it is not
+    /// known.
+    pub f0: Vec<u8>,
+    /// Intensity, likewise.
+    pub intensity: Vec<u8>,
 }
 
 /// What one figure is asked for over a whole story.
@@ -78,6 +89,8 @@ pub struct Performance {
     pub seed: u64,
     /// How lively the idle motion is, 0 (still) to 1.
     pub motion_amount: f64,
+    /// How the figure accompanies its speech; the amounts count beside `motion_amount`.
+    pub manner: Manner,
     /// Whom the figure speaks to, world, metres: usually the camera.
     pub listener_in_world: DVec3,
     /// What of its body hands keep out of; without this, an average build.
@@ -97,6 +110,7 @@ impl Default for Performance {
             parameters: ParameterScript::default(),
             seed: 0,
             motion_amount: 1.0,
+            manner: Manner::default(),
             listener_in_world: DVec3::new(0.0, 1.6, 2.5),
             trunk: None,
         }
@@ -134,8 +148,7 @@ pub struct Actor {
     stance: Stance,
     trunk: Trunk,
     rhythm: SpeechRhythm,
-    gaze: Gaze,
-    blinks: Blinks,
+    nonverbal: NonVerbal,
     /// Start of each utterance, ascending, and its lips.
     lips: Vec<(f64, LipTrack)>,
     emotions: EmotionTrack,
@@ -147,7 +160,7 @@ pub struct Actor {
 }
 
 impl Actor {
-    /// Makes a performance ready: plans the arms, resolves phones, places blinks and glances.
+    /// Makes a performance ready: plans the arms, resolves phones, plans what accompanies speech.
     #[must_use]
     pub fn new(performance: &Performance, skeleton: &Skeleton) -> Self {
         let seed = performance.seed;
@@ -157,17 +170,17 @@ impl Actor {
             .iter()
             .map(|u| (u.start_secs, u.start_secs + u.duration_secs))
             .collect();
-        let beats: Vec<Beat> = speech
-            .iter()
-            .enumerate()
-            .flat_map(|(i, u)| beats_of(u, seed, i as u64))
-            .collect();
-        let pauses: Vec<f64> = speech.iter().flat_map(|u| pauses_of(u)).collect();
-        let clauses: Vec<f64> = speech.iter().flat_map(|u| clause_starts_of(u)).collect();
         let amount = if performance.motion_amount.is_finite() {
             performance.motion_amount.clamp(0.0, 1.0)
         } else {
             1.0
+        };
+        let manner = Manner {
+            head: amount * performance.manner.head,
+            brows: amount * performance.manner.brows,
+            blinks: amount * performance.manner.blinks,
+            gaze: amount * performance.manner.gaze,
+            ..performance.manner
         };
         let space = BodySpace::new(skeleton, performance.trunk);
         let way = &performance.manipulators;
@@ -190,9 +203,8 @@ impl Actor {
             space,
             stance: Stance::new(skeleton, seed),
             trunk: Trunk { seed },
-            rhythm: SpeechRhythm::new(&spans, &beats),
-            gaze: Gaze::new(&clauses, seed),
-            blinks: Blinks::new(&pauses, seed, amount),
+            rhythm: SpeechRhythm::new(&spans),
+            nonverbal: NonVerbal::new(&performance.speech, seed, &manner),
             lips: speech
                 .iter()
                 .map(|u| (u.start_secs, LipTrack::new(&u.phones)))
@@ -338,14 +350,16 @@ impl Actor {
     /// (F&H section 4.3.5: contractions are summed, then limited).
     fn face(&self, mouth: &MouthTargets, t: f64) -> FaceControls {
         let mut controls = FaceControls::default();
-        articulate(mouth, ORDINARY_LOUDNESS, &mut controls);
+        articulate(mouth, self.nonverbal.loudness(t), &mut controls);
         self.expression(t, &mut controls);
+        self.nonverbal
+            .face(t, self.emotions.liveliness(t), &mut controls);
         self.emotions.add(t, &mut controls);
         self.parameters.add(t, &mut controls);
         // Closures have their way with the sum, and a blink, which closes the lids whatever
         // else they do, with the lids.
         hold_closures(&mut controls);
-        controls.close_lids(self.blinks.closure(t));
+        controls.close_lids(self.nonverbal.closure(t));
         controls
     }
 
@@ -457,16 +471,15 @@ impl Actor {
         let eyes = head.translation + axes * DVec3::new(0.0, 0.07, 0.08);
         let [yaw, pitch] = angles_of(axes.inverse() * (listener - eyes));
         let motion = self.trunk.head_motion(&self.rhythm, t, self.amount);
-        let aside = self.gaze.head_away(t, self.amount);
+        let aside = self.nonverbal.gaze(t).head;
         let felt = self.emotions.head(t);
-        let pitch = (HEAD_SHARE * pitch).clamp(-0.4, 0.4) + motion.x + aside[1] + felt[1];
-        let yaw = (HEAD_SHARE * yaw).clamp(-0.7, 0.7) + motion.z + aside[0] + felt[0];
+        let [nod, turn, tilt] = self.nonverbal.head(t, self.emotions.liveliness(t));
+        let pitch = (HEAD_SHARE * pitch).clamp(-0.4, 0.4) + motion.x + aside[1] + nod + felt[1];
+        let yaw = (HEAD_SHARE * yaw).clamp(-0.7, 0.7) + motion.z + aside[0] + turn + felt[0];
+        let roll = motion.y + tilt;
         // Neck and skull share the turn.
-        pose.set(
-            Bone::Cervical,
-            spine(0.4 * pitch, 0.4 * motion.y, 0.4 * yaw),
-        );
-        pose.set(Bone::Skull, spine(0.6 * pitch, 0.6 * motion.y, 0.6 * yaw));
+        pose.set(Bone::Cervical, spine(0.4 * pitch, 0.4 * roll, 0.4 * yaw));
+        pose.set(Bone::Skull, spine(0.6 * pitch, 0.6 * roll, 0.6 * yaw));
         for (bone, played) in moved.into_iter().flatten() {
             pose.set(bone, (played * pose.rotation(bone)).normalize());
         }
@@ -486,8 +499,8 @@ impl Actor {
             skull.translation,
         );
         let (felt, asked) = (self.emotions.gaze(t), self.parameters.gaze(t));
-        let away = self.gaze.away(t, self.rhythm.speaking(t), self.amount);
-        let away = [0, 1].map(|k| away[k] + felt[k] + asked[k]);
+        let looked = self.nonverbal.gaze(t).eyes;
+        let away = [0, 1].map(|k| looked[k] + felt[k] + asked[k]);
         let mut pitch = [0.0; 2];
         for (i, eye) in face.eyes_in_skull().into_iter().enumerate() {
             let eye_in_world = skull.transform_point3(eye);
@@ -522,40 +535,23 @@ impl Actor {
         }
     }
 
-    /// Adds a resting smile, and brows that rise on accents.
+    /// Adds a resting smile and a little unrest.
     fn expression(&self, t: f64, controls: &mut FaceControls) {
         let n =
             |id: u64, hz: f64| noise::perlin(self.seed, stream::FACE + id, hz * t) * self.amount;
-        // The left brow moves with the strength of the accent, the right by the same amount
-        // each time (Cavé et al. 1996 in F&H section 4.2.1).
-        let raise = |by_strength: bool| {
-            let sum = self.rhythm.sum_beats(t, |since, id| {
-                let chosen = noise::unit(self.seed, stream::FACE + 8, id) < 0.55;
-                let size = if by_strength { 1.0 } else { 0.8 };
-                if chosen {
-                    size * bump(since - 0.03, 0.42)
-                } else {
-                    0.0
-                }
-            });
-            BROW_ACCENT * sum.clamp(0.0, 1.5) * self.amount
-        };
-        let (left, right) = (raise(true), raise(false));
         let speaking = self.rhythm.speaking(t) * self.amount;
         // One does not smile to oneself in tears.
         let resting = RESTING_SMILE * (1.0 - self.emotions.strength(t));
         let smile = resting + 0.05 * n(0, 0.11) - 0.03 * speaking;
         let smile = [smile + 0.012 * n(1, 0.2), smile - 0.012 * n(1, 0.2)];
-        let inner = 0.6 * left + 0.05 * n(2, 0.3).max(0.0) + 0.03 * speaking;
-        let outer = [0.8 * left, 0.8 * right];
+        let inner = 0.05 * n(2, 0.3).max(0.0) + 0.03 * speaking;
         let down = 0.05 * (-n(2, 0.3)).max(0.0);
         let squint = 0.04 + 0.03 * n(3, 0.17);
-        for i in 0..2 {
+        for (i, smile) in smile.into_iter().enumerate() {
             for (muscle, contraction) in [
-                (Muscle::ZygomaticusMajorLeft, smile[i]),
-                (Muscle::OrbicularisOculiLeft, squint + 0.25 * smile[i]),
+                (Muscle::ZygomaticusMajorLeft, smile),
+                (Muscle::OrbicularisOculiLeft, squint + 0.25 * smile),
                 (Muscle::FrontalisMedialLeft, inner),
-                (Muscle::FrontalisLateralLeft, outer[i]),
                 (Muscle::CorrugatorLeft, 0.8 * down),
                 (Muscle::DepressorSuperciliiLeft, 0.8 * down),
             ] {
@@ -563,61 +559,4 @@ impl Actor {
             }
         }
     }
-}
-
-/// Beats of an utterance: its accents, or else some of its longer words.
-fn beats_of(u: &SpokenUtterance, seed: u64, id: u64) -> Vec<Beat> {
-    if u.accents.is_empty() {
-        return u
-            .words
-            .iter()
-            .enumerate()
-            .filter(|(i, w)| {
-                let chance = if w.end_secs - w.start_secs > 0.3 {
-                    0.5
-                } else {
-                    0.1
-                };
-                noise::unit(seed ^ id, stream::NOD + 4, *i as i64) < chance
-            })
-            .map(|(_, w)| Beat {
-                time_secs: u.start_secs + w.start_secs + 0.1,
-                strength: 0.6,
-            })
-            .collect();
-    }
-    u.accents
-        .iter()
-        .filter(|a| a.offset_secs.is_finite() && a.strength.is_finite())
-        .map(|a| Beat {
-            time_secs: u.start_secs + a.offset_secs,
-            strength: a.strength,
-        })
-        .collect()
-}
-
-/// Beginnings of the pauses of an utterance, its end among them, story time.
-fn pauses_of(u: &SpokenUtterance) -> impl Iterator<Item = f64> + '_ {
-    let silent = |p: &&Phone| {
-        let class = phones::by_name(&p.symbol).map(|t| t.class);
-        class == Some(Class::Silence) && p.end_secs - p.start_secs >= PAUSE_SECS
-    };
-    let inner = u
-        .phones
-        .iter()
-        .filter(silent)
-        .filter(|p| p.start_secs > 0.0);
-    inner
-        .map(|p| u.start_secs + p.start_secs)
-        .chain([u.start_secs + u.duration_secs])
-}
-
-/// Beginnings of its clauses: of itself, and after each pause, story time.
-fn clause_starts_of(u: &SpokenUtterance) -> impl Iterator<Item = f64> + '_ {
-    let last = u.phones.len().saturating_sub(1);
-    let after = u.phones.iter().enumerate().filter(move |(i, p)| {
-        let class = phones::by_name(&p.symbol).map(|t| t.class);
-        *i < last && class == Some(Class::Silence) && p.end_secs - p.start_secs >= PAUSE_SECS
-    });
-    core::iter::once(u.start_secs).chain(after.map(|(_, p)| u.start_secs + p.end_secs))
 }

@@ -90,10 +90,14 @@ fn random_speech(seed: u64) -> Vec<SpokenUtterance> {
                 words: Vec::new(),
                 accents: (0..6)
                     .map(|k| Accent {
-                        offset_secs: 0.5 * f64::from(k),
+                        start_secs: 0.5 * f64::from(k),
+                        end_secs: 0.5 * f64::from(k) + 0.2,
                         strength: 1.0,
+                        label: String::new(),
                     })
                     .collect(),
+                f0: (0..300).map(|k| (60 + (k * 7) % 40) as u8).collect(),
+                ..SpokenUtterance::default()
             }
         })
         .collect()

@@ -36,6 +36,7 @@ pub use music::MusicCue;
 pub use performer::{Loaded, Manipulator, Options, Player, StoryInput};
 pub use raconteur_actor as actor;
 pub use raconteur_actor::Library;
+pub use raconteur_actor::nonverbal::{Manner, Way};
 pub use raconteur_base as base;
 pub use raconteur_body as body;
 pub use raconteur_eml as eml;

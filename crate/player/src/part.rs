@@ -10,7 +10,7 @@ use raconteur_actor::{
 use raconteur_base::order::sort_by_number;
 use raconteur_base::{DVec3, Side};
 use raconteur_speech::bundle::Voice;
-use raconteur_speech::{Phone, Word};
+use raconteur_speech::{Phone, Utterance, Word};
 
 use crate::cues::{self, Cue, UtteranceCue};
 use crate::emotions;
@@ -24,8 +24,10 @@ use crate::script::Script;
 use crate::units::Units;
 use crate::views::{self, ShotCue};
 
-/// How strongly the actor marks an emphasised word, 0..1. Designed.
-const EMPHASIS_ACCENT: f64 = 1.0;
+/// How strong the accents of an emphasised word are; 1 is an ordinary accent. Designed.
+const EMPHASIS_ACCENT: f64 = 1.4;
+/// How long a syllable is at most in a word that was not baked, seconds. Designed.
+const SYLLABLE_SECS: f64 = 0.3;
 
 /// A story, or a fragment of a live performance, at its times.
 pub(crate) struct Part {
@@ -148,6 +150,7 @@ pub(crate) fn performance<'a>(
         speech: parts.flat_map(|p| p.speech.iter().cloned()).collect(),
         seed: options.seed,
         motion_amount: options.motion_amount,
+        manner: options.manner,
         listener_in_world,
         sex,
         trunk: Some(trunk),
@@ -172,9 +175,12 @@ pub(crate) fn is_asked(script: &ManipulatorScript) -> bool {
     !(script.commands.is_empty() && script.moves.is_empty())
 }
 
-/// What the actor needs to know of an utterance: phones for the lips, words, accents.
+/// What the actor needs to know of an utterance: phones for the lips, words, and what the
+/// bundle tells of its melody.
 fn spoken(script: &Script, cue: &UtteranceCue) -> SpokenUtterance {
     let phones = script.phones(cue.clause);
+    let baked = script.utterance(cue.clause);
+    let melody = baked.cloned().unwrap_or_default();
     SpokenUtterance {
         start_secs: cue.start_secs,
         duration_secs: cue.duration_secs,
@@ -191,16 +197,51 @@ fn spoken(script: &Script, cue: &UtteranceCue) -> SpokenUtterance {
                 end_secs: w.end_secs - cue.start_secs,
             })
             .collect(),
-        accents: cue
-            .words
-            .iter()
-            .filter(|w| w.emphasized)
-            .map(|w| Accent {
-                offset_secs: w.start_secs - cue.start_secs,
-                strength: EMPHASIS_ACCENT,
-            })
-            .collect(),
+        accents: accents(baked, cue),
+        phrases: melody.phrases,
+        sentences: melody.sentences,
+        emotions: melody.emotions,
+        f0: melody.f0,
+        intensity: melody.intensity,
     }
+}
+
+/// Accented syllables; where none are known, the beginnings of emphasised words.
+fn accents(baked: Option<&Utterance>, cue: &UtteranceCue) -> Vec<Accent> {
+    let is_emphasized = |word: usize| cue.words.get(word).is_some_and(|w| w.emphasized);
+    let known = baked.into_iter().flat_map(|u| {
+        u.accents.iter().filter_map(move |accent| {
+            let syllable = u.syllables.get(accent.syllable)?;
+            let phones = u
+                .phones
+                .get(syllable.first_phone..)?
+                .get(..syllable.phones)?;
+            let (first, last) = phones.first().zip(phones.last())?;
+            let strong = first.word.is_some_and(is_emphasized);
+            Some(Accent {
+                start_secs: first.start_secs,
+                end_secs: last.end_secs,
+                strength: if strong { EMPHASIS_ACCENT } else { 1.0 },
+                label: accent.label.clone(),
+            })
+        })
+    });
+    let known: Vec<Accent> = known.collect();
+    if !known.is_empty() {
+        return known;
+    }
+    let written = cue.words.iter().filter(|w| w.emphasized);
+    written
+        .map(|w| {
+            let start_secs = w.start_secs - cue.start_secs;
+            Accent {
+                start_secs,
+                end_secs: start_secs + (w.end_secs - w.start_secs).min(SYLLABLE_SECS),
+                strength: EMPHASIS_ACCENT,
+                label: String::new(),
+            }
+        })
+        .collect()
 }
 
 /// A phone as the mouth knows it.
@@ -247,4 +288,48 @@ fn murmured(cue: &UtteranceCue) -> Vec<Phone> {
     }
     push("pau", now, cue.duration_secs, None);
     phones
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use raconteur_body::Skeleton;
+    use raconteur_speech::bundle::SentenceKind;
+
+    /// The speech of a story that is shipped.
+    fn speech(eml: &str, bundle: Option<&str>) -> Vec<SpokenUtterance> {
+        let script = Script::read(eml, bundle.map(str::as_bytes));
+        Part::new(&script, &Units::of(&Skeleton::example()), 0, None).speech
+    }
+
+    #[test]
+    fn the_actor_learns_the_melody_of_what_was_baked() {
+        let eml = include_str!("../../../assets/stories/hello-world/story.eml");
+        let json = include_str!("../../../assets/stories/hello-world/voice/speech.json");
+        let speech = speech(eml, Some(json));
+        let u = &speech[0];
+        assert_eq!(u.accents.len(), 2);
+        for (accent, word) in u.accents.iter().zip(&u.words) {
+            assert_eq!(accent.label, "H*");
+            assert!(word.start_secs <= accent.start_secs && accent.end_secs <= word.end_secs);
+        }
+        assert_eq!(
+            (u.phrases.len(), u.sentences[0].kind),
+            (1, SentenceKind::Exclamation)
+        );
+        let frames = 100.0 * u.duration_secs;
+        for track in [&u.f0, &u.intensity] {
+            assert!((track.len() as f64 - frames).abs() < 3.0);
+        }
+    }
+
+    #[test]
+    fn what_was_not_baked_has_the_accents_that_are_written() {
+        let eml = "<eml><body><voice-text>one <emph>two</emph> three</voice-text></body></eml>";
+        let speech = speech(eml, None);
+        let u = &speech[0];
+        assert_eq!(u.accents.len(), 1);
+        assert_eq!(u.accents[0].start_secs, u.words[1].start_secs);
+        assert!(u.accents[0].strength > 1.0 && u.f0.is_empty());
+    }
 }

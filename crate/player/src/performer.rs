@@ -5,7 +5,7 @@ use std::sync::Arc;
 use raconteur_actor::animation::{Operation, PlayerCommand};
 use raconteur_actor::gesture::TrunkShape;
 use raconteur_actor::performance::Report;
-use raconteur_actor::{Actor, FaceRig, Library, Sex};
+use raconteur_actor::{Actor, FaceRig, Library, Manner, Sex};
 use raconteur_base::order::sort_by_number;
 use raconteur_base::{DVec3, Side};
 use raconteur_body::face::{FaceControls, Network, NodeState, Tissue};
@@ -35,6 +35,8 @@ pub struct Options {
     pub seed: u64,
     /// Idle life, from 0 (still) to 1.
     pub motion_amount: f64,
+    /// How the figure accompanies its speech with face and head.
+    pub manner: Manner,
     /// How much of the speaker is in the picture until the script says otherwise.
     pub shot: Shot,
     /// No less room than this is kept for gestures, however small the script's own are:
@@ -50,6 +52,7 @@ impl Default for Options {
         Self {
             seed: 1,
             motion_amount: 1.0,
+            manner: Manner::default(),
             shot: Shot::Medium,
             room: Room::default(),
             motion: true,

@@ -1,6 +1,5 @@
-//! Life that nobody scripts: sway, breath, gaze, blinks, nods.
+//! Life that nobody scripts: sway, breath, how eyes turn to what is looked at.
 
-pub mod blink;
 pub mod gaze;
 pub mod stance;
 pub mod trunk;
@@ -13,7 +12,12 @@ pub(crate) mod stream {
     pub(crate) const SACCADE: u64 = 0x130;
     pub(crate) const GLANCE: u64 = 0x140;
     pub(crate) const BLINK: u64 = 0x150;
-    pub(crate) const NOD: u64 = 0x160;
     pub(crate) const BREATH: u64 = 0x170;
     pub(crate) const FACE: u64 = 0x180;
+    pub(crate) const ACCENT: u64 = 0x190;
+    pub(crate) const RAISE: u64 = 0x1A0;
+    pub(crate) const GAZE: u64 = 0x1B0;
+    pub(crate) const THINK: u64 = 0x1C0;
+    pub(crate) const LICK: u64 = 0x1D0;
+    pub(crate) const LISTEN: u64 = 0x1E0;
 }

@@ -1,4 +1,4 @@
-//! Spine, neck and shoulders: posture, noise, breath and the head's part in speech.
+//! Spine, neck and shoulders: posture, noise, breath and the head's own unrest.
 
 use raconteur_base::curve::last_at_or_before;
 use raconteur_base::order::sort_by_number;
@@ -11,21 +11,8 @@ use super::stream;
 const BREATH_HZ: f64 = 0.25;
 /// How many more while speaking, Hz. Designed.
 const BREATH_SPEAKING_HZ: f64 = 0.07;
-/// Nod of the head on a full accent, radians; F&H section 4.2.1 keeps to 3°.
-const NOD_RAD: f64 = 0.052;
-/// Half length of a nod, seconds. Designed.
-const NOD_SECS: f64 = 0.34;
 
-/// A moment of prominence in what is said.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Beat {
-    /// Story time, seconds.
-    pub time_secs: f64,
-    /// 0..2; 1 is an ordinary accent.
-    pub strength: f64,
-}
-
-/// What the trunk needs of the speech: when there is any, and where its accents are.
+/// What the trunk needs of the speech: when there is any.
 #[derive(Clone, Debug, Default)]
 pub struct SpeechRhythm {
     /// Beginning of each utterance, ascending, seconds.
@@ -33,13 +20,12 @@ pub struct SpeechRhythm {
     ends: Vec<f64>,
     /// Seconds of speech before each utterance.
     spoken: Vec<f64>,
-    beats: Vec<Beat>,
 }
 
 impl SpeechRhythm {
-    /// From spans of speech (seconds, any order) and beats.
+    /// From spans of speech (seconds, any order).
     #[must_use]
-    pub fn new(spans: &[(f64, f64)], beats: &[Beat]) -> Self {
+    pub fn new(spans: &[(f64, f64)]) -> Self {
         let mut spans = spans.to_vec();
         sort_by_number(&mut spans, |s| s.0);
         let mut rhythm = Self::default();
@@ -50,8 +36,6 @@ impl SpeechRhythm {
             rhythm.spoken.push(total);
             total += (end - start).max(0.0);
         }
-        rhythm.beats = beats.to_vec();
-        sort_by_number(&mut rhythm.beats, |b| b.time_secs);
         rhythm
     }
 
@@ -76,28 +60,6 @@ impl SpeechRhythm {
         let after = if i < self.starts.len() { near(i) } else { 0.0 };
         before.max(after)
     }
-
-    /// Sum over the beats near a time of strength × `kernel(seconds since the beat, hash id)`.
-    pub fn sum_beats(&self, time_secs: f64, kernel: impl Fn(f64, i64) -> f64) -> f64 {
-        let first = self
-            .beats
-            .partition_point(|b| b.time_secs < time_secs - 1.5);
-        self.beats[first..]
-            .iter()
-            .take_while(|b| b.time_secs <= time_secs + 1.5)
-            .enumerate()
-            .map(|(k, b)| {
-                b.strength.clamp(0.0, 2.0) * kernel(time_secs - b.time_secs, (first + k) as i64)
-            })
-            .sum()
-    }
-}
-
-/// A smooth bump of height 1, 0 from `half` before to `half` after.
-#[must_use]
-pub fn bump(since_secs: f64, half_secs: f64) -> f64 {
-    let u = 1.0 - (since_secs / half_secs) * (since_secs / half_secs);
-    if u <= 0.0 { 0.0 } else { u * u * u }
 }
 
 /// The trunk's own motion.
@@ -150,8 +112,8 @@ impl Trunk {
         amount * (0.011 * self.breath(rhythm, time_secs) + 0.014 * slow)
     }
 
-    /// The head's rotation against the chest from noise and accents: pitch (positive
-    /// down), roll and yaw, radians.
+    /// The head's rotation against the chest from noise: pitch (positive down), roll and
+    /// yaw, radians.
     #[must_use]
     pub fn head_motion(&self, rhythm: &SpeechRhythm, time_secs: f64, amount: f64) -> DVec3 {
         let n = |id: u64, hz: f64| noise::perlin(self.seed, stream::HEAD + id, hz * time_secs);
@@ -159,20 +121,7 @@ impl Trunk {
         let pitch = 0.022 * n(0, 0.37) + 0.009 * n(1, 1.1);
         let roll = 0.024 * n(2, 0.27) + 0.006 * n(3, 0.9);
         let yaw = 0.034 * n(4, 0.31) + 0.010 * n(5, 0.8);
-        // A little up before the accent, down on it.
-        let nod = rhythm.sum_beats(time_secs, |since, id| {
-            let size = 0.45 + 0.55 * noise::unit(self.seed, stream::NOD, id);
-            size * (bump(since - 0.05, NOD_SECS) - 0.45 * bump(since + 0.30, NOD_SECS))
-        });
-        let tilt = rhythm.sum_beats(time_secs, |since, id| {
-            let r = noise::signed(self.seed, stream::NOD + 1, id);
-            r * r * r * bump(since - 0.1, 0.6)
-        });
-        DVec3::new(
-            pitch * lively + NOD_RAD * nod.clamp(-1.0, 1.5),
-            roll * lively + 0.045 * tilt.clamp(-1.0, 1.0),
-            yaw * lively + 0.03 * tilt.clamp(-1.0, 1.0),
-        ) * amount
+        DVec3::new(pitch, roll, yaw) * lively * amount
     }
 }
 
@@ -207,14 +156,14 @@ mod tests {
             (1..24_000).filter(|i| at(*i) && !at(i - 1)).count()
         };
         let silent = count(&SpeechRhythm::default());
-        let talking = count(&SpeechRhythm::new(&[(0.0, 240.0)], &[]));
+        let talking = count(&SpeechRhythm::new(&[(0.0, 240.0)]));
         assert!((55..=66).contains(&silent), "{silent}");
         assert!(talking > silent + 12, "{talking}");
     }
 
     #[test]
     fn speech_fades_in_and_out() {
-        let r = SpeechRhythm::new(&[(1.0, 2.0), (5.0, 6.0)], &[]);
+        let r = SpeechRhythm::new(&[(1.0, 2.0), (5.0, 6.0)]);
         assert_eq!(r.speaking(1.5), 1.0);
         assert_eq!(r.speaking(3.5), 0.0);
         assert!(r.speaking(2.25) > 0.4 && r.speaking(4.75) > 0.4);

@@ -52,11 +52,7 @@ const MECHANICS: [([Muscle; 2], f32, f32); 20] = [
     ([M::DepressorAnguliLeft, M::DepressorAnguliRight], 0.22, 1.0),
     ([M::DepressorLabiiLeft, M::DepressorLabiiRight], 0.24, 0.8),
     ([M::MentalisLeft, M::MentalisRight], 0.4, 1.4),
-    (
-        [M::OrbicularisOrisUpper, M::OrbicularisOrisLower],
-        0.6,
-        0.5,
-    ),
+    ([M::OrbicularisOrisUpper, M::OrbicularisOrisLower], 0.6, 0.5),
     ([M::PlatysmaLeft, M::PlatysmaRight], 0.1, 0.8),
 ];
 

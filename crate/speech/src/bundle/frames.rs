@@ -20,6 +20,13 @@ pub fn hz_of_code(code: u8) -> Option<f64> {
     (code > 0).then(|| LOWEST_HZ * ops::exp((f64::from(code) - 1.0) / CODES_AN_OCTAVE * LN_2))
 }
 
+/// The pitch that a code stands for, semitones above the lowest code; `None` where nothing is
+/// voiced. Differences of it are musical intervals, whoever speaks.
+#[must_use]
+pub fn semitones_of_code(code: u8) -> Option<f64> {
+    (code > 0).then(|| (f64::from(code) - 1.0) * (12.0 / CODES_AN_OCTAVE))
+}
+
 /// The code of a frequency in hertz: 0 for none, else from 40 to 752 Hz.
 #[must_use]
 #[expect(
@@ -128,6 +135,8 @@ mod tests {
             let hz = f64::from(tenth) / 10.0;
             let back = hz_of_code(code_of_hz(hz)).unwrap();
             assert!((back / hz - 1.0).abs() < 0.006, "{hz} {back}");
+            let octaves = semitones_of_code(code_of_hz(hz)).unwrap() / 12.0;
+            assert!((LOWEST_HZ * ops::exp(octaves * LN_2) - back).abs() < 1e-9);
         }
         for tenth in -1_000..200 {
             let db = f64::from(tenth) / 10.0;

@@ -2,24 +2,42 @@
 
 use raconteur_base::json::{Fault, Json};
 
+use super::frames::from_base64;
 use super::read::secs;
-use super::{Accent, Emotion, Phrase, Sentence, SentenceKind, Syllable, Utterance, from_base64};
+use super::{Accent, Emotion, Phrase, Sentence, SentenceKind, Syllable, Utterance};
 
-/// The rows of a table that may be absent: lists that begin with a text, which may be empty,
-/// and go on with numbers.
-fn table<'v>(
-    object: &'v Json<'_>,
+/// What is wrong with a row, if anything.
+type Fits = Result<(), &'static str>;
+
+/// Shows the rows of a table that may be absent: lists that begin with a text, which may be
+/// empty, and go on with as many numbers as there are columns, at most six. One function for all
+/// tables keeps the page small.
+fn table(
+    object: &Json<'_>,
     name: &str,
     columns: usize,
-) -> Result<Vec<(&'v str, Vec<f64>)>, Fault> {
-    let row = |row: &'v Json<'_>| {
-        let (label, numbers) = row.items().split_first()?;
-        let numbers: Option<Vec<f64>> = numbers.iter().map(Json::number).collect();
-        Some((label.text()?, numbers.filter(|n| n.len() == columns)?))
-    };
-    let rows = object.get(name).items().iter();
-    rows.map(|one| row(one).ok_or_else(|| one.fault(["a row of `", name, "` is none"].concat())))
-        .collect()
+    take: &mut dyn FnMut(&str, &[f64; 6]) -> Fits,
+) -> Result<(), Fault> {
+    for row in object.get(name).items() {
+        let mut numbers = [0.0; 6];
+        let Some(label) = cells(row, columns, &mut numbers) else {
+            return Err(row.fault(["a row of `", name, "` is none"].concat()));
+        };
+        take(label, &numbers).map_err(|what| row.fault(what.to_owned()))?;
+    }
+    Ok(())
+}
+
+/// The text that begins a row; the numbers behind it are filled in.
+fn cells<'v>(row: &'v Json<'_>, columns: usize, numbers: &mut [f64; 6]) -> Option<&'v str> {
+    let (label, items) = row.items().split_first()?;
+    if items.len() != columns {
+        return None;
+    }
+    for (number, item) in numbers.iter_mut().zip(items) {
+        *number = item.number()?;
+    }
+    label.text()
 }
 
 /// A number that counts; anything else becomes more than there can be.
@@ -37,58 +55,82 @@ fn count(number: f64) -> usize {
     }
 }
 
+/// The first of so many items behind those before them, if there are as many in all.
+fn part(taken: &mut usize, items: usize, all: usize) -> Option<usize> {
+    let first = *taken;
+    *taken = first.saturating_add(items);
+    (*taken <= all).then_some(first)
+}
+
 impl Utterance {
-    /// Reads what may be absent.
+    /// Reads what may be absent, after phones and words.
     pub(super) fn read_melody(&mut self, json: &Json<'_>) -> Result<(), Fault> {
         self.f0 = frames(json, "f0")?;
         self.intensity = frames(json, "intensity")?;
-        for (label, row) in table(json, "syllables", 3)? {
+        let (phones, words) = (self.phones.len(), self.words.len());
+        table(json, "syllables", 3, &mut |label, row| {
+            let syllable = Syllable {
+                first_phone: count(row[0]),
+                phones: count(row[1]),
+                stress: count(row[2]).min(3) as u8,
+            };
+            let end = syllable.first_phone.saturating_add(syllable.phones);
+            if syllable.phones == 0 || end > phones {
+                return Err("a syllable has phones that are not there");
+            }
             if !label.is_empty() {
                 self.accents.push(Accent {
                     syllable: self.syllables.len(),
                     label: label.to_owned(),
                 });
             }
-            self.syllables.push(Syllable {
-                first_phone: count(row[0]),
-                phones: count(row[1]),
-                stress: count(row[2]).min(3) as u8,
-            });
-        }
-        let mut first_word = 0_usize;
-        for (label, row) in table(json, "phrases", 1)? {
-            let words = count(row[0]);
-            let tone = label.to_owned();
+            self.syllables.push(syllable);
+            Ok(())
+        })?;
+        let mut taken = 0;
+        table(json, "phrases", 1, &mut |label, row| {
+            let count = count(row[0]);
             self.phrases.push(Phrase {
-                first_word,
-                words,
-                tone,
+                first_word: part(&mut taken, count, words)
+                    .ok_or("a phrase has words that are not there")?,
+                words: count,
+                tone: label.to_owned(),
             });
-            first_word = first_word.saturating_add(words);
-        }
-        let mut first_word = 0_usize;
-        for (label, row) in table(json, "sentences", 1)? {
-            let words = count(row[0]);
+            Ok(())
+        })?;
+        let mut taken = 0;
+        table(json, "sentences", 1, &mut |label, row| {
+            let count = count(row[0]);
             let known = SentenceKind::MARKS.iter().find(|(_, mark)| *mark == label);
             self.sentences.push(Sentence {
-                first_word,
-                words,
+                first_word: part(&mut taken, count, words)
+                    .ok_or("a sentence has words that are not there")?,
+                words: count,
                 kind: known.map_or(SentenceKind::Statement, |(kind, _)| *kind),
             });
-            first_word = first_word.saturating_add(words);
-        }
-        for (label, row) in table(json, "emotions", 6)? {
+            Ok(())
+        })?;
+        table(json, "emotions", 6, &mut |label, row| {
+            let [start_secs, apex_secs, end_secs] = [secs(row[0]), secs(row[1]), secs(row[2])];
+            // 1 ms forgives rounding; the numbers of a file are finite.
+            let fine = 0.0 <= start_secs
+                && start_secs <= apex_secs
+                && apex_secs <= end_secs
+                && end_secs <= self.duration_secs + 1e-3;
+            if !fine {
+                return Err("an emotion is out of the utterance");
+            }
             self.emotions.push(Emotion {
                 name: label.to_owned(),
-                start_secs: secs(row[0]),
-                apex_secs: secs(row[1]),
-                end_secs: secs(row[2]),
+                start_secs,
+                apex_secs,
+                end_secs,
                 activation: row[3],
                 evaluation: row[4],
                 power: row[5],
             });
-        }
-        Ok(())
+            Ok(())
+        })
     }
 }
 

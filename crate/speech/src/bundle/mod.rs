@@ -2,17 +2,15 @@
 //! described in `docs/speech-bundle.md`.
 
 mod check;
-#[cfg(feature = "bake")]
 mod frames;
-#[cfg(feature = "bake")]
 mod melody;
 mod read;
 #[cfg(test)]
 mod tests;
 
-#[cfg(feature = "bake")]
 pub use frames::{
-    FRAME_SECS, code_of_db, code_of_hz, db_of_code, from_base64, hz_of_code, to_base64,
+    FRAME_SECS, code_of_db, code_of_hz, db_of_code, from_base64, hz_of_code, semitones_of_code,
+    to_base64,
 };
 pub use read::BundleError;
 
@@ -84,8 +82,7 @@ pub struct Utterance {
     pub text_starts: Vec<usize>,
     /// Phones in order; they tile [0, duration] without gaps.
     pub phones: Vec<Phone>,
-    /// Syllables in order. These and what follows are read with the feature `bake` alone: a
-    /// player does not look at them yet, and need not download their reader.
+    /// Syllables in order.
     pub syllables: Vec<Syllable>,
     /// Pitch accents, by syllable.
     pub accents: Vec<Accent>,

@@ -150,7 +150,6 @@ impl Utterance {
         };
         utterance.read_phones(json)?;
         utterance.read_words(json)?;
-        #[cfg(feature = "bake")]
         utterance.read_melody(json)?;
         Ok(utterance)
     }

@@ -1,0 +1,370 @@
+//! Where a speaker looks: at the listener, aside, away or at what is thought of (F&H
+//! sections 4.2.1 and 4.3.5).
+//!
+//! Speech makes demands: to look at the listener or not over an accent, a pause, a question.
+//! The eyes jump between them, never during one, so that the gaze of an accent is never
+//! farther away at its end than at its beginning. Durations and directions of saccades are
+//! those of Lee, Badler and Badler 2002 ("Eyes Alive", doi:10.1145/566654.566629); their
+//! magnitudes are smaller, as F&H want small differences between consecutive positions.
+
+use raconteur_base::order::sort_by_number;
+use raconteur_base::{noise, ops};
+
+use super::Manner;
+use super::heard::{Break, Heard};
+use super::think::Thought;
+use super::track::Track;
+use crate::idle::stream;
+
+/// What is looked at within this angle of the listener is the listener, radians: from the
+/// chin to the hair at 2 m.
+pub const AT_LISTENER_RAD: f64 = 0.03;
+/// Small offsets while looking at the listener, radians: from eye to eye to mouth. Designed.
+const ON_FACE_RAD: f64 = 0.012;
+/// Least and greatest distance of a look aside, radians, and the mean of what is above the
+/// least. Designed; Lee et al. have a mean of 6.9° with the head's part in it.
+const ASIDE_RAD: [f64; 3] = [0.06, 0.2, 0.05];
+/// Mean length of a small step aside, radians. Designed.
+const STEP_RAD: f64 = 0.025;
+/// Time of a saccade of no length, seconds, and per radian (Lee et al. 2002: 20 to 30 ms and
+/// 2 to 2.7 ms a degree).
+const SACCADE_SECS: [f64; 2] = [0.025, 0.0024 * 180.0 / core::f64::consts::PI];
+/// How often saccades go to the right, up right, up and so on against the clock, in percent
+/// (Lee et al. 2002, table 1).
+const DIRECTIONS: [f64; 8] = [15.54, 6.46, 17.69, 7.44, 16.80, 7.89, 20.38, 7.80];
+/// How alike neighbouring accents are in whether they have a glance. Designed: with 0.7 of
+/// the accents this makes glances of 3 s on average, as Lee et al. measured in speakers
+/// (94 frames of 30 a second at the listener, 28 away).
+const PERSISTENCE: f64 = 1.0 / 3.0;
+/// By how much a glance too many lowers the share of the next. Designed.
+const CORRECTION: f64 = 0.15;
+/// Between two demands the eyes go aside in this time or not at all, seconds.
+const LEAST_GAP_SECS: f64 = 0.12;
+/// Time for a small movement, seconds.
+const STEP_SECS: f64 = 0.05;
+/// Small movements between two demands at most; more are in no pause of a turn.
+const MOST_ROVES: usize = 6;
+/// A question begins with a look of this time at least, seconds. Designed.
+const ASKING_SECS: f64 = 0.3;
+/// How long before a turn the speaker looks away, and until when after, seconds. Designed.
+const TURN_SECS: [f64; 2] = [0.35, 0.6];
+/// How long a speaker who has ended looks at the listener, seconds. Designed.
+const AFTER_TURN_SECS: f64 = 1.2;
+/// Share of the head in a look aside, away, and in thought. Designed.
+const HEAD_ASIDE: f64 = 0.25;
+const HEAD_AWAY: f64 = 0.5;
+/// Time that the head takes, seconds. Designed.
+const HEAD_SECS: f64 = 0.45;
+/// Who looks for a word moves more slowly (F&H section 4.2.1), as a factor.
+const THINKING_SLOWER: f64 = 1.8;
+
+/// What a demand is for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Want {
+    /// Look at the listener.
+    Listener,
+    /// Do not; the eyes are aside when it begins.
+    Aside,
+    /// Do not; the eyes may go aside when it begins.
+    AsideNow,
+    /// Turn away.
+    Away,
+    /// A fixed place, yaw (left) and pitch (down).
+    Place([f64; 2]),
+}
+
+/// Where to look over a span of time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Demand {
+    start_secs: f64,
+    end_secs: f64,
+    want: Want,
+    /// Of two at a time the higher one counts.
+    rank: u8,
+}
+
+/// The gaze over the turns of a story: yaw (left) and pitch (down) from the listener.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Gaze {
+    /// The whole of it.
+    pub(super) eyes: [Track; 2],
+    /// The head's part.
+    pub(super) head: [Track; 2],
+}
+
+impl Gaze {
+    /// Plans the gaze of all turns.
+    pub(super) fn new(heard: &Heard, thoughts: &[Thought], manner: &Manner, seed: u64) -> Self {
+        let demands = resolved(demands(heard, thoughts, manner, seed));
+        let mut way = Way {
+            gaze: Self::default(),
+            at: [0.0; 2],
+            seed,
+            count: 0,
+            amount: manner.gaze,
+        };
+        let mut free_secs = f64::NEG_INFINITY;
+        for (i, demand) in demands.iter().enumerate() {
+            way.meet(demand, free_secs);
+            free_secs = demand.end_secs;
+            // Back before a long silence, in which others decide.
+            let silent_secs = demands
+                .get(i + 1)
+                .map_or(f64::INFINITY, |d| d.start_secs - free_secs);
+            if silent_secs > AFTER_TURN_SECS {
+                way.look(free_secs, [0.0; 2], 0.0, 1.0);
+            }
+        }
+        way.gaze
+    }
+}
+
+/// Everything that is demanded, by time.
+fn demands(heard: &Heard, thoughts: &[Thought], manner: &Manner, seed: u64) -> Vec<Demand> {
+    let mut all = Vec::new();
+    let mut demand = |span: [f64; 2], want: Want, rank: u8| {
+        all.push(Demand {
+            start_secs: span[0],
+            end_secs: span[1],
+            want,
+            rank,
+        });
+    };
+    // Accents and pauses in one row: the eyes leave the listener only where there is time
+    // to, and what is forced by that is made good elsewhere.
+    let accents = heard
+        .stresses
+        .iter()
+        .map(|s| (s.start_secs, s.end_secs, true));
+    let pauses = heard.pauses.iter().filter_map(|p| {
+        let part = matches!(p.parts, Break::Phrases | Break::Sentences);
+        part.then_some((p.start_secs, p.end_secs, false))
+    });
+    let mut moments: Vec<(f64, f64, bool)> = accents.chain(pauses).collect();
+    sort_by_number(&mut moments, |m| m.0);
+    let (mut looks, mut excess, mut free_secs) = (true, 0.0, f64::NEG_INFINITY);
+    for (i, (start, end, is_accent)) in moments.into_iter().enumerate() {
+        let chance = noise::unit(seed, stream::GLANCE, i as i64);
+        if heard.question_at(start).is_some() {
+            (looks, free_secs) = (true, end);
+            demand([start, end], Want::Listener, 2);
+        } else if is_accent {
+            let same = if looks { PERSISTENCE } else { 0.0 };
+            let share = manner.accent_glances * (1.0 - PERSISTENCE) + same - CORRECTION * excess;
+            looks = chance < share || looks && start - free_secs < LEAST_GAP_SECS;
+            excess += f64::from(u8::from(looks)) - manner.accent_glances;
+            excess = excess.clamp(-5.0, 5.0);
+            let want = if looks { Want::Listener } else { Want::Aside };
+            free_secs = end;
+            demand([start, end], want, 2);
+        } else {
+            looks = chance < manner.pause_glances;
+            let want = if looks {
+                Want::Listener
+            } else {
+                Want::AsideNow
+            };
+            // Time to go aside before the next word.
+            free_secs = end - LEAST_GAP_SECS.min(0.4 * (end - start));
+            demand([start, free_secs], want, 2);
+        }
+    }
+    for thought in thoughts {
+        demand(
+            [thought.start_secs, thought.end_secs],
+            Want::Place(thought.place),
+            3,
+        );
+    }
+    for question in &heard.questions {
+        let (start, end) = (question.start_secs, question.end_secs);
+        let last_word = question.last_word_secs[0].max(start + ASKING_SECS);
+        demand([start, start + ASKING_SECS], Want::Listener, 4);
+        demand([last_word, end], Want::Listener, 4);
+    }
+    for [start, last_word, end] in &heard.turns {
+        demand([start - TURN_SECS[0], start + TURN_SECS[1]], Want::Away, 1);
+        demand([*last_word, end + AFTER_TURN_SECS], Want::Listener, 4);
+    }
+    sort_by_number(&mut all, |d| d.start_secs);
+    all
+}
+
+/// Demands that do not overlap: of two at a time the one of higher rank, else the earlier.
+fn resolved(all: Vec<Demand>) -> Vec<Demand> {
+    /// Less than this of a demand is none, seconds.
+    const LEAST_SECS: f64 = 0.02;
+    let mut kept: Vec<Demand> = Vec::with_capacity(all.len());
+    for mut demand in all {
+        while let Some(last) = kept.last_mut() {
+            if last.end_secs <= demand.start_secs {
+                break;
+            }
+            if demand.rank <= last.rank {
+                demand.start_secs = last.end_secs;
+                break;
+            }
+            last.end_secs = demand.start_secs;
+            if last.end_secs - last.start_secs >= LEAST_SECS {
+                break;
+            }
+            kept.pop();
+        }
+        if demand.end_secs - demand.start_secs >= LEAST_SECS {
+            kept.push(demand);
+        }
+    }
+    kept
+}
+
+/// The gaze while it is planned.
+struct Way {
+    gaze: Gaze,
+    /// Where the eyes are.
+    at: [f64; 2],
+    seed: u64,
+    count: i64,
+    amount: f64,
+}
+
+impl Way {
+    fn unit(&mut self) -> f64 {
+        self.count += 1;
+        noise::unit(self.seed, stream::GAZE, self.count)
+    }
+
+    /// Brings the eyes to where a demand wants them. They are free to move from a time on.
+    fn meet(&mut self, demand: &Demand, free_secs: f64) {
+        let start = demand.start_secs;
+        let gap_secs = start - free_secs;
+        // Before a turn one listens.
+        if demand.want != Want::Away {
+            self.rove(free_secs, start - LEAST_GAP_SECS);
+        }
+        let is_away = self.is_away();
+        // A random moment before the demand, early enough to be there when it begins.
+        let early = |way: &mut Self, lead_secs: f64| {
+            let room_secs = gap_secs.min(0.5) - lead_secs;
+            (room_secs >= 0.0).then(|| start - lead_secs - way.unit() * room_secs)
+        };
+        match demand.want {
+            Want::Listener if is_away => {
+                let to = self.on_face();
+                self.look(start, to, 0.0, 1.0);
+            }
+            Want::Listener => {
+                if let Some(from) = early(self, STEP_SECS) {
+                    let to = self.on_face();
+                    self.look(from, to, 0.0, 1.0);
+                }
+            }
+            Want::Aside => {
+                if let Some(from) = early(self, LEAST_GAP_SECS)
+                    && !is_away
+                {
+                    let to = self.aside(false);
+                    self.look(from, to, HEAD_ASIDE, 1.0);
+                }
+            }
+            Want::AsideNow => {
+                let to = self.aside(is_away);
+                self.look(start, to, HEAD_ASIDE, 1.0);
+            }
+            Want::Away => {
+                let side = if self.unit() < 0.5 { -1.0 } else { 1.0 };
+                let to = [side * (0.2 + 0.1 * self.unit()), 0.05 + 0.07 * self.unit()];
+                let to = to.map(|a| a * self.amount);
+                self.look(start, to, HEAD_AWAY, 1.0);
+            }
+            Want::Place(to) => {
+                self.look(
+                    start,
+                    to.map(|a| a * self.amount),
+                    HEAD_AWAY,
+                    THINKING_SLOWER,
+                );
+            }
+        }
+    }
+
+    /// Small movements while nothing is demanded, so that the eyes are never still for long:
+    /// over the face, or from place to place aside.
+    fn rove(&mut self, from_secs: f64, to_secs: f64) {
+        let mut at_secs = from_secs;
+        for _ in 0..MOST_ROVES {
+            at_secs += 0.08 + 0.6 * self.unit();
+            if at_secs >= to_secs - STEP_SECS || !at_secs.is_finite() {
+                return;
+            }
+            if self.is_away() {
+                let to = self.aside(true);
+                self.look(at_secs, to, HEAD_ASIDE, 1.0);
+            } else {
+                let to = self.on_face();
+                self.look(at_secs, to, 0.0, 1.0);
+            }
+        }
+    }
+
+    fn is_away(&self) -> bool {
+        ops::hypot(self.at[0], self.at[1]) > AT_LISTENER_RAD
+    }
+
+    /// Moves eyes and head.
+    fn look(&mut self, from_secs: f64, to: [f64; 2], head_share: f64, slower: f64) {
+        // After the movement before.
+        let from_secs = from_secs.max(self.gaze.eyes[0].end_secs());
+        let way = ops::hypot(to[0] - self.at[0], to[1] - self.at[1]);
+        let secs = slower * (SACCADE_SECS[0] + SACCADE_SECS[1] * way);
+        for (track, to) in self.gaze.eyes.iter_mut().zip(to) {
+            track.go(from_secs, secs, to);
+        }
+        for (track, to) in self.gaze.head.iter_mut().zip(to) {
+            track.go(from_secs + 0.04, slower * HEAD_SECS, head_share * to);
+        }
+        self.at = to;
+    }
+
+    /// Somewhere on the listener's face.
+    fn on_face(&mut self) -> [f64; 2] {
+        [0, 1].map(|_| ON_FACE_RAD * (2.0 * self.unit() - 1.0) * self.amount.min(1.0))
+    }
+
+    /// A place aside: near to where the eyes are, if they are aside already.
+    fn aside(&mut self, is_away: bool) -> [f64; 2] {
+        let [least, most, mean] = ASIDE_RAD;
+        let mean = if is_away { STEP_RAD } else { mean };
+        let length = -mean * ops::ln(1.0 - 0.98 * self.unit());
+        let (sin, cos) = ops::sincos(self.direction());
+        let from = if is_away {
+            self.at
+        } else {
+            [least * cos, least * sin]
+        };
+        let to = [from[0] + length * cos, from[1] + length * sin];
+        let distance = ops::hypot(to[0], to[1]);
+        if distance < 1e-6 {
+            return [least * self.amount, 0.0];
+        }
+        let amount = if is_away { 1.0 } else { self.amount };
+        let [least, most] = [least, most].map(|a| a * self.amount);
+        let fitted = (amount * distance).clamp(least, most.max(least));
+        to.map(|a| a * fitted / distance)
+    }
+
+    /// The direction of a saccade as an angle from the left to below, radians.
+    fn direction(&mut self) -> f64 {
+        let mut left = self.unit() * DIRECTIONS.iter().sum::<f64>();
+        let mut eighth = 0.0;
+        for share in DIRECTIONS {
+            if left < share {
+                break;
+            }
+            left -= share;
+            eighth += 1.0;
+        }
+        // The table turns from the right over up; yaw is positive to the left and pitch down.
+        let turned = (eighth + self.unit() - 0.5) * core::f64::consts::FRAC_PI_4;
+        core::f64::consts::PI + turned
+    }
+}

@@ -1,0 +1,463 @@
+//! What is said as planners need it: phone boundaries, pauses, accents, turns and questions
+//! on the clock of the story.
+
+use raconteur_base::noise;
+use raconteur_base::order::sort_by_number;
+use raconteur_speech::bundle::SentenceKind;
+use raconteur_speech::phones::{self, Class};
+
+use super::LATEST_SECS;
+use crate::idle::stream;
+use crate::performance::SpokenUtterance;
+
+/// Silence at least this long is a pause, seconds. Designed: closures of stops are shorter.
+const PAUSE_SECS: f64 = 0.15;
+/// Silence at least this long ends a turn, seconds. Designed: a second or two are a pause
+/// in a story.
+const TURN_SECS: f64 = 3.0;
+/// What speakers fill pauses with, in the languages that we speak.
+const FILLERS: [&str; 9] = ["uh", "uhm", "erm", "hm", "mhm", "äh", "ähm", "öhm", "hã"];
+/// What is one only when it is drawn out, because it is a word as well.
+const DRAWN_FILLERS: [&str; 5] = ["er", "um", "eh", "ah", "m"];
+
+/// What a pause parts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Break {
+    /// Words of one phrase.
+    Words,
+    /// Intonational phrases of one sentence.
+    Phrases,
+    /// Sentences.
+    Sentences,
+    /// Turns.
+    Turns,
+}
+
+/// A silence, or a filler that stands for one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Pause {
+    pub(super) start_secs: f64,
+    pub(super) end_secs: f64,
+    pub(super) parts: Break,
+    pub(super) is_filled: bool,
+}
+
+/// An accented syllable.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Stress {
+    pub(super) start_secs: f64,
+    pub(super) end_secs: f64,
+    /// 0 to 2; 1 is an ordinary accent.
+    pub(super) strength: f64,
+}
+
+/// A question with the pause behind it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Question {
+    pub(super) start_secs: f64,
+    /// When its last word begins and ends.
+    pub(super) last_word_secs: [f64; 2],
+    pub(super) end_secs: f64,
+}
+
+/// All that is said.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Heard {
+    /// Phone boundaries, ascending.
+    pub(super) boundaries: Vec<f64>,
+    pub(super) pauses: Vec<Pause>,
+    pub(super) stresses: Vec<Stress>,
+    pub(super) questions: Vec<Question>,
+    /// Start of the first sound, start of the last word and end of the last sound of each
+    /// turn.
+    pub(super) turns: Vec<[f64; 3]>,
+}
+
+/// The last sound heard so far.
+struct Last {
+    end_secs: f64,
+    /// What ends with it.
+    parts: Break,
+    /// Its question, if it ends one, by index.
+    question: Option<usize>,
+}
+
+impl Heard {
+    /// From utterances by time, times of which are finite.
+    pub(super) fn new(utterances: &[&SpokenUtterance], seed: u64) -> Self {
+        let mut heard = Self::default();
+        let mut last: Option<Last> = None;
+        for (i, u) in utterances.iter().enumerate() {
+            heard.add(u, &mut last);
+            heard.add_stresses(u, seed.wrapping_add(i as u64));
+        }
+        if let Some(question) = last.and_then(|l| l.question) {
+            heard.questions[question].end_secs += 1.0;
+        }
+        sort_by_number(&mut heard.boundaries, |t| *t);
+        heard.boundaries.dedup();
+        sort_by_number(&mut heard.stresses, |s| s.start_secs);
+        sort_by_number(&mut heard.pauses, |p| p.start_secs);
+        // A filler with the silence around it is one pause.
+        heard.pauses.dedup_by(|later, earlier| {
+            let joins = later.start_secs <= earlier.end_secs;
+            if joins {
+                earlier.end_secs = earlier.end_secs.max(later.end_secs);
+                earlier.parts = earlier.parts.max(later.parts);
+                earlier.is_filled |= later.is_filled;
+            }
+            joins
+        });
+        heard
+    }
+
+    /// Adds what is heard of an utterance.
+    fn add(&mut self, u: &SpokenUtterance, last: &mut Option<Last>) {
+        let (ends, questions) = ends_of(u);
+        let at = |secs: f64| u.start_secs + secs;
+        let first_question = self.questions.len();
+        for &(first, word) in &questions {
+            let [first, last] = [&u.words[first], &u.words[word]];
+            self.questions.push(Question {
+                start_secs: at(first.start_secs),
+                last_word_secs: [at(last.start_secs), at(last.end_secs)],
+                end_secs: at(last.end_secs),
+            });
+        }
+        for phone in &u.phones {
+            let (start_secs, end_secs) = (at(phone.start_secs), at(phone.end_secs));
+            let fits = start_secs.abs() < LATEST_SECS && end_secs.abs() < LATEST_SECS;
+            if !fits || end_secs <= start_secs {
+                continue;
+            }
+            self.boundaries.extend([start_secs, end_secs]);
+            if phones::by_name(&phone.symbol).is_some_and(|p| p.class == Class::Silence) {
+                continue;
+            }
+            let word = phone.word.filter(|w| *w < u.words.len());
+            let word_start_secs = word.map_or(start_secs, |w| at(u.words[w].start_secs));
+            self.sound(start_secs, end_secs, word_start_secs, last.as_ref());
+            // What is no word's ends nothing.
+            let parts = word.map_or(Break::Words, |w| ends[w]);
+            let question = word.and_then(|w| questions.binary_search_by_key(&w, |q| q.1).ok());
+            *last = Some(Last {
+                end_secs,
+                parts,
+                question: question.map(|q| first_question + q),
+            });
+        }
+        for (i, word) in u.words.iter().enumerate() {
+            let (start_secs, end_secs) = (at(word.start_secs), at(word.end_secs));
+            if is_filler(&word.text) && start_secs < end_secs && end_secs < LATEST_SECS {
+                self.pauses.push(Pause {
+                    start_secs,
+                    end_secs,
+                    parts: ends[i].min(Break::Phrases),
+                    is_filled: true,
+                });
+            }
+        }
+        // An utterance ends a sentence, unless it says that it goes on.
+        if let Some(last) = last.as_mut() {
+            let goes_on = u
+                .sentences
+                .last()
+                .is_some_and(|s| s.kind == SentenceKind::Continuation);
+            last.parts = if goes_on {
+                Break::Phrases
+            } else {
+                last.parts.max(Break::Sentences)
+            };
+        }
+    }
+
+    /// A sound after the last one: there may be a pause between.
+    fn sound(&mut self, start_secs: f64, end_secs: f64, word_secs: f64, last: Option<&Last>) {
+        let turn = self.turns.last_mut();
+        if let Some((last, turn)) = last.zip(turn) {
+            let silent_secs = start_secs - last.end_secs;
+            let is_turn = silent_secs >= TURN_SECS;
+            if silent_secs >= PAUSE_SECS {
+                self.pauses.push(Pause {
+                    start_secs: last.end_secs,
+                    end_secs: start_secs,
+                    parts: if is_turn { Break::Turns } else { last.parts },
+                    is_filled: false,
+                });
+                if let Some(question) = last.question {
+                    self.questions[question].end_secs += silent_secs.min(1.0);
+                }
+            }
+            if !is_turn {
+                if word_secs > turn[1] && word_secs <= start_secs {
+                    turn[1] = word_secs;
+                }
+                turn[2] = turn[2].max(end_secs);
+                return;
+            }
+        }
+        self.turns.push([start_secs, start_secs, end_secs]);
+    }
+
+    /// Adds the accents of an utterance, or else some of its longer words.
+    fn add_stresses(&mut self, u: &SpokenUtterance, seed: u64) {
+        let mut add = |start: f64, end: f64, strength: f64| {
+            let [start_secs, end_secs] = [start, end].map(|secs| u.start_secs + secs);
+            if start_secs < end_secs && start_secs.abs() < LATEST_SECS && end_secs < LATEST_SECS {
+                self.stresses.push(Stress {
+                    start_secs,
+                    end_secs,
+                    strength,
+                });
+            }
+        };
+        for accent in &u.accents {
+            add(
+                accent.start_secs,
+                accent.end_secs,
+                accent.strength.clamp(0.0, 2.0),
+            );
+        }
+        if u.accents.is_empty() {
+            for (i, word) in u.words.iter().enumerate() {
+                let length_secs = word.end_secs - word.start_secs;
+                let share = if length_secs > 0.3 { 0.5 } else { 0.1 };
+                if noise::unit(seed, stream::ACCENT, i as i64) < share {
+                    add(word.start_secs, word.start_secs + length_secs.min(0.3), 0.6);
+                }
+            }
+        }
+    }
+
+    /// The question that is being asked at a time, with the pause behind it.
+    pub(super) fn question_at(&self, time_secs: f64) -> Option<&Question> {
+        let begun = self
+            .questions
+            .partition_point(|q| q.start_secs <= time_secs);
+        let last = &self.questions[begun.checked_sub(1)?];
+        (time_secs < last.end_secs).then_some(last)
+    }
+
+    /// The phone boundary nearest to a time, if one is from a time to another.
+    pub(super) fn boundary_within(&self, at_secs: f64, from: f64, to: f64) -> Option<f64> {
+        let next = self.boundaries.partition_point(|b| *b < at_secs);
+        let distance = |b: &f64| (b - at_secs).abs();
+        let [before, after] = [next.wrapping_sub(1), next].map(|i| self.boundaries.get(i));
+        let near = match (before, after) {
+            (Some(a), Some(b)) if distance(a) <= distance(b) => a,
+            (a, b) => b.or(a)?,
+        };
+        // The nearest may be too near to what came before while the one behind is not.
+        let within = |b: &&f64| from <= **b && **b <= to;
+        [Some(near), before, after]
+            .into_iter()
+            .flatten()
+            .find(within)
+            .copied()
+    }
+
+    /// The same of any phone boundary; the time itself without one near.
+    pub(super) fn snapped(&self, at_secs: f64) -> f64 {
+        const NEAR_SECS: f64 = 0.2;
+        let (from, to) = (at_secs - NEAR_SECS, at_secs + NEAR_SECS);
+        self.boundary_within(at_secs, from, to).unwrap_or(at_secs)
+    }
+}
+
+/// What ends with each word of an utterance, and the first and last word of each question.
+/// Sentences that nobody told of are known by their punctuation.
+fn ends_of(u: &SpokenUtterance) -> (Vec<Break>, Vec<(usize, usize)>) {
+    let mut ends = vec![Break::Words; u.words.len()];
+    let mut questions = Vec::new();
+    for phrase in &u.phrases {
+        let end = phrase.first_word.saturating_add(phrase.words);
+        if let Some(end) = end.checked_sub(1).and_then(|last| ends.get_mut(last)) {
+            *end = Break::Phrases;
+        }
+    }
+    let mut first = 0;
+    let mut end = |last: usize, kind: SentenceKind| {
+        if last < ends.len() && first <= last {
+            ends[last] = match kind {
+                SentenceKind::Continuation => Break::Phrases,
+                _ => Break::Sentences,
+            };
+            if kind == SentenceKind::Question {
+                questions.push((first, last));
+            }
+            first = last + 1;
+        }
+    };
+    for sentence in &u.sentences {
+        let after = sentence.first_word.saturating_add(sentence.words);
+        if let Some(last) = after.checked_sub(1) {
+            end(last, sentence.kind);
+        }
+    }
+    if u.sentences.is_empty() {
+        for (i, word) in u.words.iter().enumerate() {
+            let text = word
+                .text
+                .trim_end_matches(['"', '\'', '”', '’', '»', '«', '“', ')']);
+            if text.ends_with('?') {
+                end(i, SentenceKind::Question);
+            } else if text.ends_with(['.', '!', '…']) {
+                end(i, SentenceKind::Statement);
+            }
+        }
+    }
+    (ends, questions)
+}
+
+/// Whether a word fills a pause: "errr", "ähm".
+fn is_filler(text: &str) -> bool {
+    let mut letters = ['\0'; 4];
+    let (mut count, mut run, mut is_drawn) = (0, 0, false);
+    for letter in text.chars().filter(|c| c.is_alphabetic()) {
+        let letter = match letter {
+            'Ä' => 'ä',
+            'Ö' => 'ö',
+            'Ã' => 'ã',
+            other => other.to_ascii_lowercase(),
+        };
+        if count > 0 && letters[count - 1] == letter {
+            run += 1;
+            is_drawn |= run >= 3;
+            continue;
+        }
+        if count == letters.len() {
+            return false;
+        }
+        letters[count] = letter;
+        (count, run) = (count + 1, 1);
+    }
+    let said = |filler: &str| filler.chars().eq(letters[..count].iter().copied());
+    FILLERS.iter().any(|f| said(f)) || is_drawn && DRAWN_FILLERS.iter().any(|f| said(f))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use raconteur_speech::bundle::{Phrase, Sentence};
+    use raconteur_speech::{Phone, Word};
+
+    /// An utterance of words of one phone, and of silence where a length is negative.
+    fn say(start_secs: f64, words: &[(&str, f64)]) -> SpokenUtterance {
+        let mut u = SpokenUtterance {
+            start_secs,
+            ..SpokenUtterance::default()
+        };
+        let mut now = 0.0;
+        for (text, secs) in words {
+            let end_secs = now + secs.abs();
+            let word = (*secs > 0.0).then_some(u.words.len());
+            u.phones.push(Phone {
+                symbol: if word.is_some() { "aa" } else { "pau" }.to_owned(),
+                start_secs: now,
+                end_secs,
+                word,
+            });
+            if word.is_some() {
+                u.words.push(Word {
+                    text: (*text).to_owned(),
+                    start_secs: now,
+                    end_secs,
+                });
+            }
+            now = end_secs;
+        }
+        u.duration_secs = now;
+        u
+    }
+
+    #[test]
+    fn pauses_part_words_phrases_sentences_and_turns() {
+        let mut first = say(
+            1.0,
+            &[
+                ("a", 0.2),
+                ("", -0.3),
+                ("b", 0.2),
+                ("", -0.4),
+                ("c", 0.2),
+                ("", -0.1),
+                ("d", 0.3),
+                ("", -0.5),
+            ],
+        );
+        first.phrases = vec![
+            Phrase {
+                first_word: 0,
+                words: 2,
+                tone: String::new(),
+            },
+            Phrase {
+                first_word: 2,
+                words: 2,
+                tone: String::new(),
+            },
+        ];
+        first.sentences = vec![Sentence {
+            first_word: 0,
+            words: 4,
+            kind: SentenceKind::Statement,
+        }];
+        let second = say(4.0, &[("e", 0.5), ("", -0.5)]);
+        let third = say(9.0, &[("f?", 0.5)]);
+        let heard = Heard::new(&[&first, &second, &third], 1);
+        let parts: Vec<Break> = heard.pauses.iter().map(|p| p.parts).collect();
+        assert_eq!(
+            parts,
+            [Break::Words, Break::Phrases, Break::Sentences, Break::Turns]
+        );
+        let third_pause = heard.pauses[2];
+        assert!((third_pause.start_secs - 2.7).abs() < 1e-9 && third_pause.end_secs == 4.0);
+        assert_eq!(heard.turns, [[1.0, 4.0, 4.5], [9.0, 9.0, 9.5]]);
+        // What is asked waits for an answer.
+        assert_eq!(heard.questions.len(), 1);
+        assert_eq!(heard.questions[0].end_secs, 10.5);
+    }
+
+    #[test]
+    fn fillers_are_pauses_with_the_silence_around_them() {
+        let words = [
+            ("something", 0.4),
+            ("", -0.2),
+            ("errr...", 0.5),
+            ("", -0.3),
+            ("else", 0.4),
+        ];
+        let heard = Heard::new(&[&say(0.0, &words)], 1);
+        assert_eq!(heard.pauses.len(), 1);
+        let pause = heard.pauses[0];
+        assert!(pause.is_filled && (pause.start_secs - 0.4).abs() < 1e-9);
+        assert!((pause.end_secs - 1.4).abs() < 1e-9);
+        for (text, is) in [
+            ("Uhm,", true),
+            ("ÄHM", true),
+            ("hmmm", true),
+            ("ummm", true),
+            // Words of German and Portuguese.
+            ("er", false),
+            ("um", false),
+            ("eh", false),
+            ("error", false),
+            ("", false),
+        ] {
+            assert_eq!(is_filler(text), is, "{text}");
+        }
+    }
+
+    #[test]
+    fn the_nearest_boundary_within_bounds_is_found() {
+        let heard = Heard {
+            boundaries: vec![1.0, 2.0, 3.0],
+            ..Heard::default()
+        };
+        assert_eq!(heard.boundary_within(1.4, 0.0, 9.0), Some(1.0));
+        assert_eq!(heard.boundary_within(1.4, 1.2, 9.0), Some(2.0));
+        assert_eq!(heard.boundary_within(1.4, 1.2, 1.9), None);
+        assert_eq!(heard.snapped(2.9), 3.0);
+        assert_eq!(heard.snapped(2.5), 2.5);
+    }
+}

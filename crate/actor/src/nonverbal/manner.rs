@@ -1,0 +1,108 @@
+//! How one character accompanies speech: how much and how often.
+
+/// What the plan of expressions is made from (F&H sections 4.2 and 4.3).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Way {
+    /// From the sound: fundamental frequency and pauses (section 4.2). An utterance of
+    /// which no frequency is known goes the other way.
+    #[default]
+    Audio,
+    /// From what is known of the text: accents, phrases and kinds of sentences (section 4.3).
+    Text,
+}
+
+/// Amounts and frequencies of a character's expressions. The default has the published
+/// numbers, where there are any; other numbers make other temperaments (section 4.2.2).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Manner {
+    /// What the plan is made from.
+    pub way: Way,
+    /// How far the head is raised and tilted, 0 to 1: at 1 a highest pitch raises it by
+    /// [`HEAD_RAISE_RAD`](super::HEAD_RAISE_RAD).
+    pub head: f64,
+    /// In which share of the raises the head tilts to a side (section 4.3.5: 0.75).
+    pub tilt_share: f64,
+    /// How far the brows are raised and drawn together, 0 to 2.
+    pub brows: f64,
+    /// At which share of the highest pitches the brows are raised (section 4.3.5 after Cavé
+    /// et al. 1996: 0.71).
+    pub brow_share: f64,
+    /// How much a highest pitch stands out from the lowest ones beside it to be shown,
+    /// semitones. Designed; F&H tell it as dependent on the speaker.
+    pub pitch_threshold: f64,
+    /// Blinks, as a multiple of the natural frequency (one in 4.8 s), 0 to 4.
+    pub blinks: f64,
+    /// How far the gaze goes aside, 0 to 2.
+    pub gaze: f64,
+    /// On which share of accented syllables the speaker looks at the listener (section
+    /// 4.3.5: 0.7).
+    pub accent_glances: f64,
+    /// The same of pauses between intonational phrases (section 4.3.5: 0.7).
+    pub pause_glances: f64,
+    /// From which length on a pause inside a sentence is one for thinking, seconds.
+    /// Designed; F&H tell it as dependent on the speaker.
+    pub thinking_secs: f64,
+    /// Which share of such pauses shows it.
+    pub thinking_share: f64,
+    /// Which share of these is a look at the floor with a frown, and not one up with raised
+    /// brows (section 4.2.1: 0.25).
+    pub frown_share: f64,
+    /// Mean time between two moistenings of the lips in speech, seconds. Designed.
+    pub lick_secs: f64,
+    /// How far the loudness rules the head's raises, 0 to 1 (section 4.2.1). Designed.
+    pub head_by_loudness: f64,
+    /// The same for the brows.
+    pub brows_by_loudness: f64,
+}
+
+impl Default for Manner {
+    fn default() -> Self {
+        Self {
+            way: Way::Audio,
+            head: 1.0,
+            tilt_share: 0.75,
+            brows: 1.0,
+            brow_share: 0.71,
+            pitch_threshold: 2.5,
+            blinks: 1.0,
+            gaze: 1.0,
+            accent_glances: 0.7,
+            pause_glances: 0.7,
+            thinking_secs: 0.7,
+            thinking_share: 1.0,
+            frown_share: 0.25,
+            lick_secs: 25.0,
+            head_by_loudness: 0.4,
+            brows_by_loudness: 0.25,
+        }
+    }
+}
+
+impl Manner {
+    /// The same within its ranges; what is no number becomes the least.
+    #[must_use]
+    pub(super) fn in_range(mut self) -> Self {
+        // A NaN compares as nothing and so becomes the least.
+        let within = |x: f64, least: f64, most: f64| if x > least { x.min(most) } else { least };
+        for (amount, most) in [
+            (&mut self.head, 1.0),
+            (&mut self.tilt_share, 1.0),
+            (&mut self.brows, 2.0),
+            (&mut self.brow_share, 1.0),
+            (&mut self.blinks, 4.0),
+            (&mut self.gaze, 2.0),
+            (&mut self.accent_glances, 1.0),
+            (&mut self.pause_glances, 1.0),
+            (&mut self.thinking_share, 1.0),
+            (&mut self.frown_share, 1.0),
+            (&mut self.head_by_loudness, 1.0),
+            (&mut self.brows_by_loudness, 1.0),
+        ] {
+            *amount = within(*amount, 0.0, most);
+        }
+        self.pitch_threshold = within(self.pitch_threshold, 0.1, 24.0);
+        self.thinking_secs = within(self.thinking_secs, 0.15, 60.0);
+        self.lick_secs = within(self.lick_secs, 1.0, 3600.0);
+        self
+    }
+}

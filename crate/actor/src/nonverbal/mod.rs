@@ -1,0 +1,193 @@
+//! What a face and a head do besides speaking (F&H sections 4.1 to 4.3): raises of head and
+//! brows with the pitch, blinks, gaze, thought, lips moistened, and loudness.
+//!
+//! Everything is planned once, from what is said and a seed, as keys on the clock of the
+//! story; any time can then be asked for, in any order, without allocation.
+//!
+//! Does: illustrators, punctuators, regulators and manipulators (section 4.1.1). Does not:
+//! emblems and affect displays, which need to know what the words mean; lips.
+
+mod blink;
+mod contour;
+mod gaze;
+mod heard;
+mod listen;
+mod loudness;
+mod manner;
+mod pitch;
+mod raise;
+#[cfg(test)]
+mod tests;
+mod text;
+mod think;
+mod track;
+
+use raconteur_base::order::sort_by_number;
+use raconteur_body::face::{FaceControls, Muscle};
+
+use crate::performance::SpokenUtterance;
+use blink::Blinks;
+use gaze::Gaze;
+use heard::Heard;
+use listen::Listening;
+use raise::Raises;
+use track::Track;
+
+pub use blink::{CLOSED_SECS, CLOSING_SECS, INTERVAL_SECS, OPENING_SECS};
+pub use gaze::AT_LISTENER_RAD;
+pub use manner::{Manner, Way};
+pub use raise::HEAD_RAISE_RAD;
+
+/// Times beyond this are none, seconds: thirty years, of which a double still tells
+/// microseconds.
+const LATEST_SECS: f64 = 1e9;
+/// Contraction of the frontalis in thought, and of corrugator and procerus. Designed.
+const THOUGHT_BROWS: f64 = 0.5;
+const FROWN: [f64; 2] = [0.45, 0.25];
+/// Tilt of the head to the right while it is raised in thought, radians (figure 4.2).
+const THOUGHT_TILT_RAD: f64 = 0.035;
+/// Share of the medial frontalis where the lateral one is raised. Designed.
+const MEDIAL: f64 = 0.85;
+/// Tongue and ring of the mouth while the lips are moistened. Designed.
+const LICK: [f64; 2] = [0.6, 0.2];
+/// Before and after a turn the gaze is still planned with it, seconds.
+const AROUND_TURN_SECS: [f64; 2] = [0.6, 1.5];
+
+/// Where the gaze is, against one straight at the listener.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Away {
+    /// The eyes in all: yaw (left) and pitch (down), radians.
+    pub eyes: [f64; 2],
+    /// The head's part in it.
+    pub head: [f64; 2],
+}
+
+/// The non-verbal signals of one figure over a story.
+#[derive(Clone, Debug)]
+pub struct NonVerbal {
+    raises: Raises,
+    /// Brows in thought: 1 raised, −1 drawn together.
+    thought: Track,
+    lick: Track,
+    loudness: Track,
+    gaze: Gaze,
+    listening: Listening,
+    blinks: Blinks,
+}
+
+impl NonVerbal {
+    /// Plans everything for what is said, in any order. The same seed gives the same plan,
+    /// another one another. Utterances of impossible times are passed over.
+    #[must_use]
+    pub fn new(speech: &[SpokenUtterance], seed: u64, manner: &Manner) -> Self {
+        let manner = manner.in_range();
+        let fits = |u: &&SpokenUtterance| u.start_secs.abs() < LATEST_SECS;
+        let mut utterances: Vec<&SpokenUtterance> = speech.iter().filter(fits).collect();
+        sort_by_number(&mut utterances, |u| u.start_secs);
+        let heard = Heard::new(&utterances, seed);
+        let loudness = loudness::track(&utterances);
+        let mut extremes = Vec::new();
+        for u in &utterances {
+            let from_sound = manner.way == Way::Audio
+                && pitch::extremes(u, manner.pitch_threshold, &mut extremes);
+            if !from_sound {
+                text::extremes(u, &mut extremes);
+            }
+        }
+        let thoughts = think::thoughts(&heard, &manner, seed);
+        let [before, after] = AROUND_TURN_SECS;
+        let turns = heard
+            .turns
+            .iter()
+            .map(|[start, _, end]| [start - before, end + after]);
+        Self {
+            raises: Raises::new(&extremes, &heard, &loudness, &manner, seed),
+            thought: think::brows(&thoughts),
+            lick: think::licks(&heard, &thoughts, &manner, seed),
+            gaze: Gaze::new(&heard, &thoughts, &manner, seed),
+            listening: Listening::new(turns.collect(), manner.gaze, seed),
+            blinks: Blinks::new(&heard, manner.blinks, seed),
+            loudness,
+        }
+    }
+
+    /// Adds to what a face is asked to do at a time: brows raised or drawn together, lips
+    /// moistened. `liveliness` scales it, 1 as planned.
+    pub fn face(&self, time_secs: f64, liveliness: f64, face: &mut FaceControls) {
+        use Muscle as M;
+        let time_secs = possible(time_secs);
+        let mut add = |muscle: M, contraction: f64| face.contraction[muscle.index()] += contraction;
+        let thought = liveliness * self.thought.at(time_secs);
+        let [left, right] = self
+            .raises
+            .brows
+            .each_ref()
+            .map(|brow| (liveliness * brow.at(time_secs)).max(THOUGHT_BROWS * thought));
+        add(M::FrontalisLateralLeft, left);
+        add(M::FrontalisLateralRight, right);
+        add(M::FrontalisMedialLeft, MEDIAL * left);
+        add(M::FrontalisMedialRight, MEDIAL * right);
+        let frown = (-thought).max(0.0);
+        add(M::CorrugatorLeft, FROWN[0] * frown);
+        add(M::CorrugatorRight, FROWN[0] * frown);
+        add(M::Procerus, FROWN[1] * frown);
+        let lick = self.lick(time_secs);
+        add(M::OrbicularisOrisUpper, LICK[1] * lick);
+        add(M::OrbicularisOrisLower, LICK[1] * lick);
+        face.tongue_out += LICK[0] * lick;
+    }
+
+    /// How far the lips are being moistened at a time, 0 to 1.
+    #[must_use]
+    pub fn lick(&self, time_secs: f64) -> f64 {
+        self.lick.at(possible(time_secs))
+    }
+
+    /// How far a blink closes the lids at a time, 0 to 1.
+    #[must_use]
+    pub fn closure(&self, time_secs: f64) -> f64 {
+        self.blinks.closure(possible(time_secs))
+    }
+
+    /// The head's rotation with the pitch and in thought at a time: pitch (positive down,
+    /// never beyond [`HEAD_RAISE_RAD`]), yaw (positive to the left) and roll (positive to
+    /// the left), radians. `liveliness` scales it, 1 as planned.
+    #[must_use]
+    pub fn head(&self, time_secs: f64, liveliness: f64) -> [f64; 3] {
+        let time_secs = possible(time_secs);
+        let raise = (liveliness * self.raises.head.at(time_secs)).min(HEAD_RAISE_RAD);
+        let tilt = liveliness * self.raises.tilt.at(time_secs);
+        let thought = liveliness * self.thought.at(time_secs).abs();
+        [-raise, 0.5 * tilt, tilt - THOUGHT_TILT_RAD * thought]
+    }
+
+    /// Where the gaze is at a time.
+    #[must_use]
+    pub fn gaze(&self, time_secs: f64) -> Away {
+        let time_secs = possible(time_secs);
+        let [eyes, head] = [&self.gaze.eyes, &self.gaze.head]
+            .map(|tracks| tracks.each_ref().map(|track| track.at(time_secs)));
+        let other = self.listening.away(time_secs);
+        Away {
+            eyes: [eyes[0] + other[0], eyes[1] + other[1]],
+            head,
+        }
+    }
+
+    /// Relative loudness of the speech around a time: 0 the quietest, 1 the loudest, and
+    /// [`ORDINARY_LOUDNESS`](crate::articulation::ORDINARY_LOUDNESS) the mean, also where
+    /// nothing is known of it.
+    #[must_use]
+    pub fn loudness(&self, time_secs: f64) -> f64 {
+        self.loudness.at(possible(time_secs))
+    }
+}
+
+/// A time that can be, or 0.
+fn possible(time_secs: f64) -> f64 {
+    if time_secs.abs() < LATEST_SECS {
+        time_secs
+    } else {
+        0.0
+    }
+}

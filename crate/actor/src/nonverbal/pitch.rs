@@ -1,0 +1,181 @@
+//! Where the voice rises and falls: extrema of the fundamental frequency (F&H section
+//! 4.2.1, "Facial Expressions from Pitch").
+
+use raconteur_base::curve::lerp;
+use raconteur_speech::bundle::{FRAME_SECS, semitones_of_code};
+
+use super::contour::{Extremum, approximate, between_turning_points, extrema};
+use super::raise::Extreme;
+use crate::performance::SpokenUtterance;
+
+/// Fewer voiced frames than this are no melody.
+const FEWEST_FRAMES: usize = 10;
+/// A voice counts as moving within at least this range, semitones, so that a monotonous
+/// speaker nods little. Designed.
+const LEAST_RANGE: f64 = 6.0;
+/// The least height of a maximum, as a share of the range: it has stood out already.
+const LEAST_HEIGHT: f64 = 0.15;
+
+/// Adds the pitch extrema of an utterance that stand out by a threshold (semitones): maxima
+/// by their height in the speaker's range, minima with none. False where too little of the
+/// sound is known.
+///
+/// Heights are on a scale of semitones and not of hertz as in the thesis, so that one
+/// threshold fits low and high voices.
+pub(super) fn extremes(u: &SpokenUtterance, threshold: f64, out: &mut Vec<Extreme>) -> bool {
+    let Some(frames) = bridged(&u.f0) else {
+        return false;
+    };
+    let curve = approximate(&frames);
+    let [low, high] = range(&u.f0);
+    // What does not stand out by the threshold from the last that did is passed over, so
+    // that a ripple in a valley does not keep the head up.
+    let mut prominent: Vec<(Extremum, f64)> = Vec::new();
+    for extremum in extrema(&curve) {
+        let (extremum, pitch) = measured(extremum, &curve, &u.f0);
+        let sign = if extremum.is_max { 1.0 } else { -1.0 };
+        match prominent.last_mut() {
+            Some((last, before)) if last.is_max == extremum.is_max => {
+                if sign * pitch > sign * *before {
+                    (*last, *before) = (extremum, pitch);
+                }
+            }
+            Some((_, before)) if sign * (pitch - *before) <= threshold => {}
+            _ => prominent.push((extremum, pitch)),
+        }
+    }
+    // One alone is a voice that does not move.
+    if prominent.len() > 1 {
+        out.extend(prominent.iter().map(|(extremum, pitch)| {
+            let height = ((pitch - low) / (high - low)).clamp(LEAST_HEIGHT, 1.0);
+            Extreme {
+                at_secs: u.start_secs + extremum.frame as f64 * FRAME_SECS,
+                height: if extremum.is_max { height } else { 0.0 },
+                is_question: false,
+            }
+        }));
+    }
+    true
+}
+
+/// The measured frame that an extremum of the curve stands for, and its pitch: the highest
+/// or lowest one between the curve's turning points.
+fn measured(extremum: Extremum, curve: &[f64], f0: &[u8]) -> (Extremum, f64) {
+    let (first, last) = between_turning_points(curve, extremum);
+    let sign = if extremum.is_max { 1.0 } else { -1.0 };
+    let mut best = (extremum.frame, None);
+    for (frame, code) in f0.iter().enumerate().take(last + 1).skip(first) {
+        if let Some(pitch) = semitones_of_code(*code)
+            && best.1.is_none_or(|most| sign * pitch > sign * most)
+        {
+            best = (frame, Some(pitch));
+        }
+    }
+    let (frame, pitch) = best;
+    (
+        Extremum { frame, ..extremum },
+        pitch.unwrap_or(curve[frame]),
+    )
+}
+
+/// Pitch at every frame in semitones, straight over what is not voiced.
+fn bridged(f0: &[u8]) -> Option<Vec<f64>> {
+    let mut frames: Vec<f64> = Vec::with_capacity(f0.len());
+    let (mut voiced, mut last) = (0, None);
+    for (i, code) in f0.iter().enumerate() {
+        let Some(pitch) = semitones_of_code(*code) else {
+            continue;
+        };
+        voiced += 1;
+        let from = frames.len();
+        let before = last.unwrap_or(pitch);
+        let steps = (i + 1 - from) as f64;
+        frames.extend((from..=i).map(|k| lerp(before, pitch, (k + 1 - from) as f64 / steps)));
+        last = Some(pitch);
+    }
+    frames.resize(f0.len(), last.unwrap_or_default());
+    (voiced >= FEWEST_FRAMES).then_some(frames)
+}
+
+/// The pitches under which a tenth and above which a twentieth of the voiced frames lie: a
+/// voice's range without its errors.
+fn range(f0: &[u8]) -> [f64; 2] {
+    let mut counts = [0_usize; 256];
+    for code in f0.iter().filter(|code| **code > 0) {
+        counts[usize::from(*code)] += 1;
+    }
+    let all: usize = counts.iter().sum();
+    let quantile = |tenths: f64| {
+        let mut left = (all as f64 * tenths) as usize;
+        let code = counts.iter().position(|count| {
+            let is_here = left < *count;
+            left = left.saturating_sub(*count);
+            is_here
+        });
+        semitones_of_code(code.unwrap_or_default() as u8).unwrap_or_default()
+    };
+    let low = quantile(0.1);
+    [low, quantile(0.95).max(low + LEAST_RANGE)]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use raconteur_base::ops;
+    use raconteur_speech::bundle::code_of_hz;
+
+    #[test]
+    fn hills_of_the_voice_are_found_where_they_are_measured() {
+        // Three hills of 6 semitones, the second too low; unvoiced every fifth of a second.
+        let hill = |t: f64, at: f64| ops::exp(-(t - at) * (t - at) / 0.02);
+        let code = |i: u32| {
+            let t = f64::from(i) * 0.01;
+            let semitones = 6.0 * hill(t, 0.5) + 0.8 * hill(t, 1.2) + 6.0 * hill(t, 1.9);
+            if i % 20 < 4 {
+                0
+            } else {
+                code_of_hz(120.0 * ops::exp(semitones / 12.0 * 0.693))
+            }
+        };
+        let u = SpokenUtterance {
+            start_secs: 10.0,
+            duration_secs: 2.4,
+            f0: (0..240).map(code).collect(),
+            ..SpokenUtterance::default()
+        };
+        let mut out = Vec::new();
+        assert!(extremes(&u, 2.0, &mut out));
+        let maxima: Vec<f64> = out
+            .iter()
+            .filter(|e| e.height > 0.0)
+            .map(|e| e.at_secs)
+            .collect();
+        assert_eq!(maxima.len(), 2, "{out:?}");
+        assert!(
+            (maxima[0] - 10.5).abs() < 0.03 && (maxima[1] - 11.9).abs() < 0.05,
+            "{maxima:?}"
+        );
+        assert!(
+            out.iter()
+                .any(|e| e.height == 0.0 && e.at_secs > 10.6 && e.at_secs < 11.8)
+        );
+    }
+
+    #[test]
+    fn a_sound_without_voice_has_no_melody() {
+        for f0 in [vec![], vec![0; 500], vec![9; 3]] {
+            let u = SpokenUtterance {
+                f0,
+                ..SpokenUtterance::default()
+            };
+            let mut out = Vec::new();
+            assert!(!extremes(&u, 2.0, &mut out) && out.is_empty());
+        }
+        let flat = SpokenUtterance {
+            f0: vec![90; 300],
+            ..SpokenUtterance::default()
+        };
+        let mut out = Vec::new();
+        assert!(extremes(&flat, 2.0, &mut out) && out.is_empty());
+    }
+}

@@ -1,0 +1,228 @@
+//! Speech for tests: made up, and that of the shipped stories.
+
+use std::path::Path;
+
+use raconteur_base::{noise, ops};
+use raconteur_speech::bundle::{Phrase, Sentence, SentenceKind, code_of_db, code_of_hz};
+use raconteur_speech::{Bundle, Phone, Utterance, Word};
+
+use crate::performance::{Accent, SpokenUtterance};
+
+/// One hour, seconds.
+pub(crate) const HOUR_SECS: f64 = 3600.0;
+
+/// An hour of somebody who talks: sentences of phrases with accents, questions, searches for
+/// words, and now and then the turn of another.
+pub(crate) fn hour(seed: u64) -> Vec<SpokenUtterance> {
+    let mut all = Vec::new();
+    let mut at_secs = 1.0;
+    while at_secs < HOUR_SECS {
+        let id = all.len() as i64;
+        let u = Maker::new(seed, id).utterance(at_secs);
+        let r = noise::unit(seed, 90, id);
+        at_secs += u.duration_secs + if r < 0.1 { 4.0 + 10.0 * r } else { 0.2 + r };
+        all.push(u);
+    }
+    all
+}
+
+/// An utterance while it is made.
+struct Maker {
+    seed: u64,
+    id: i64,
+    count: i64,
+    now_secs: f64,
+    u: SpokenUtterance,
+    /// Middle of each accent.
+    hills: Vec<f64>,
+    /// Start of each phrase.
+    falls: Vec<f64>,
+}
+
+impl Maker {
+    fn new(seed: u64, id: i64) -> Self {
+        Self {
+            seed,
+            id,
+            count: 0,
+            now_secs: 0.0,
+            u: SpokenUtterance::default(),
+            hills: Vec::new(),
+            falls: Vec::new(),
+        }
+    }
+
+    fn unit(&mut self) -> f64 {
+        self.count += 1;
+        noise::unit(self.seed ^ (self.id as u64) << 20, 91, self.count)
+    }
+
+    fn phone(&mut self, symbol: &str, secs: f64, word: Option<usize>) {
+        // Bundles tell times in milliseconds.
+        let end_secs = ((self.now_secs + secs) * 1000.0).round() / 1000.0;
+        self.u.phones.push(Phone {
+            symbol: symbol.to_owned(),
+            start_secs: self.now_secs,
+            end_secs,
+            word,
+        });
+        self.now_secs = end_secs;
+    }
+
+    fn utterance(mut self, start_secs: f64) -> SpokenUtterance {
+        self.u.start_secs = start_secs;
+        self.phone("pau", 0.12, None);
+        let sentences = 1 + (self.unit() * 3.0) as usize;
+        for s in 0..sentences {
+            if s > 0 {
+                let secs = 0.35 + 0.4 * self.unit();
+                self.phone("pau", secs, None);
+            }
+            self.sentence();
+        }
+        self.phone("pau", 0.15, None);
+        self.u.duration_secs = self.now_secs;
+        self.measure();
+        self.u
+    }
+
+    fn sentence(&mut self) {
+        let first_word = self.u.words.len();
+        let phrases = 1 + (self.unit() * 3.0) as usize;
+        for p in 0..phrases {
+            if p > 0 && self.unit() < 0.7 {
+                let secs = 0.18 + 0.3 * self.unit();
+                self.phone("pau", secs, None);
+            }
+            let first_word = self.u.words.len();
+            self.falls.push(self.now_secs);
+            let words = 2 + (self.unit() * 5.0) as usize;
+            for w in 0..words {
+                if w > 0 && self.unit() < 0.02 {
+                    let secs = 0.8 + self.unit();
+                    self.phone("pau", secs, None);
+                }
+                self.word();
+            }
+            self.u.phrases.push(Phrase {
+                first_word,
+                words,
+                tone: "L-L%".to_owned(),
+            });
+        }
+        let kind = if self.unit() < 0.08 {
+            SentenceKind::Question
+        } else {
+            SentenceKind::Statement
+        };
+        let words = self.u.words.len() - first_word;
+        self.u.sentences.push(Sentence {
+            first_word,
+            words,
+            kind,
+        });
+    }
+
+    fn word(&mut self) {
+        let (word, start_secs) = (self.u.words.len(), self.now_secs);
+        let is_accented = self.unit() < 0.45;
+        for s in 0..1 + (self.unit() * 3.0) as usize {
+            let start_secs = self.now_secs;
+            let consonant = ["s", "m", "t", "l", "p"][(self.unit() * 5.0) as usize];
+            let secs = 0.05 + 0.05 * self.unit();
+            self.phone(consonant, secs, Some(word));
+            let secs = 0.06 + 0.06 * self.unit() + if is_accented && s == 0 { 0.05 } else { 0.0 };
+            self.phone("aa", secs, Some(word));
+            if is_accented && s == 0 {
+                self.hills.push(self.now_secs - 0.5 * secs);
+                self.u.accents.push(Accent {
+                    start_secs,
+                    end_secs: self.now_secs,
+                    strength: 1.0,
+                    label: "H*".to_owned(),
+                });
+            }
+        }
+        self.u.words.push(Word {
+            text: "word".to_owned(),
+            start_secs,
+            end_secs: self.now_secs,
+        });
+    }
+
+    /// A voice that falls through each phrase, with a hill on each accent, and the level of
+    /// its phones.
+    fn measure(&mut self) {
+        let frames = (self.u.duration_secs * 100.0) as usize;
+        let mut phone = 0;
+        for i in 0..frames {
+            let t = i as f64 * 0.01;
+            while self.u.phones[phone].end_secs <= t {
+                phone += 1;
+            }
+            let fall = self.falls.iter().rev().find(|start| **start <= t);
+            let fall = fall.map_or(0.0, |start| 2.0 * ops::exp(-(t - start)));
+            let hill = |at: &f64| 4.0 * ops::exp(-(t - at) * (t - at) / 0.012);
+            let tones = fall + self.hills.iter().map(hill).sum::<f64>();
+            let hz = 110.0 * ops::exp(tones / 12.0 * core::f64::consts::LN_2);
+            let (voiced, db) = match self.u.phones[phone].symbol.as_str() {
+                "aa" => (true, -18.0 + tones),
+                "m" | "l" => (true, -26.0),
+                "pau" => (false, -90.0),
+                _ => (false, -35.0),
+            };
+            self.u.f0.push(if voiced { code_of_hz(hz) } else { 0 });
+            self.u.intensity.push(code_of_db(db));
+        }
+    }
+}
+
+/// The speech of all shipped stories, one behind the other.
+pub(crate) fn shipped() -> Vec<SpokenUtterance> {
+    let stories = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../assets/stories");
+    let mut all = Vec::new();
+    let mut at_secs = 1.0;
+    for name in [
+        "hello-world",
+        "white-rabbit",
+        "step-lesson",
+        "virtual-poets/jabberwocky",
+        "virtual-poets/os-lusiadas",
+        "virtual-poets/the-road-not-taken",
+        "virtual-poets/zwei-parallelen",
+    ] {
+        let json = std::fs::read(stories.join(name).join("voice/speech.json")).unwrap();
+        let bundle = Bundle::from_json(&json).unwrap();
+        for u in &bundle.utterances {
+            all.push(spoken(u, at_secs));
+            at_secs += u.duration_secs + 0.3;
+        }
+        at_secs += 5.0;
+    }
+    all
+}
+
+fn spoken(u: &Utterance, start_secs: f64) -> SpokenUtterance {
+    let accents = u.accents.iter().map(|accent| {
+        let syllable = u.syllables[accent.syllable];
+        let phones = &u.phones[syllable.first_phone..][..syllable.phones];
+        Accent {
+            start_secs: phones[0].start_secs,
+            end_secs: phones[phones.len() - 1].end_secs,
+            strength: 1.0,
+            label: accent.label.clone(),
+        }
+    });
+    SpokenUtterance {
+        start_secs,
+        duration_secs: u.duration_secs,
+        phones: u.phones.clone(),
+        words: u.words.clone(),
+        accents: accents.collect(),
+        phrases: u.phrases.clone(),
+        sentences: u.sentences.clone(),
+        emotions: u.emotions.clone(),
+        f0: u.f0.clone(),
+        intensity: u.intensity.clone(),
+    }
+}

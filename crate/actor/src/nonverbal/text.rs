@@ -1,0 +1,143 @@
+//! Where the voice will rise and fall, told from the text: accents, phrases and their
+//! boundary tones (F&H section 4.3.5, "Expressions linked to intonation").
+
+use raconteur_base::curve::ramp;
+use raconteur_speech::bundle::Phrase;
+
+use super::raise::Extreme;
+use crate::performance::SpokenUtterance;
+
+/// From an accent to the lowest pitch behind it, seconds at most. Designed.
+const FALL_SECS: f64 = 0.45;
+/// Accents nearer to each other than this have no lowest pitch between, seconds. Designed.
+const NEAR_SECS: f64 = 0.45;
+/// How much lower the last accent of a phrase is than its first, as a share: declination.
+/// Designed.
+const DECLINATION: f64 = 0.3;
+
+/// How high an accent of a ToBI label is in the speaker's range, 0 to 1; `None` of one that
+/// is a low. Designed after the labels' meanings (Beckman and Ayers 1997).
+fn height_of(label: &str) -> Option<f64> {
+    if label.starts_with("L*") {
+        None
+    } else if label.contains('!') {
+        Some(0.5)
+    } else if label.starts_with("L+") {
+        Some(1.0)
+    } else {
+        Some(0.75)
+    }
+}
+
+/// How high a phrase ends that rises at its end, by the label of its boundary tone.
+fn rise_of(tone: &str) -> Option<f64> {
+    let is_rising = tone.ends_with("H%");
+    is_rising.then_some(if tone.starts_with('H') { 0.9 } else { 0.5 })
+}
+
+/// Adds what the pitch of an utterance may be taken to do: a maximum in the middle of each
+/// accented syllable and at the end of each rising phrase, with minima between.
+pub(super) fn extremes(u: &SpokenUtterance, out: &mut Vec<Extreme>) {
+    let mut maxima: Vec<(f64, f64)> = Vec::with_capacity(u.accents.len());
+    for accent in &u.accents {
+        if let Some(height) = height_of(&accent.label) {
+            let at_secs = 0.5 * (accent.start_secs + accent.end_secs);
+            let lower = 1.0 - DECLINATION * share_of_phrase(u, at_secs);
+            let height = height * lower * accent.strength;
+            maxima.push((at_secs, height.clamp(0.15, 1.0)));
+        }
+    }
+    for phrase in &u.phrases {
+        let last = phrase
+            .first_word
+            .saturating_add(phrase.words)
+            .checked_sub(1);
+        let word = last.and_then(|last| u.words.get(last));
+        if let Some((word, height)) = word.zip(rise_of(&phrase.tone)) {
+            maxima.push((word.end_secs, height));
+        }
+    }
+    raconteur_base::order::sort_by_number(&mut maxima, |m| m.0);
+    let mut push = |at_secs: f64, height: f64| {
+        out.push(Extreme {
+            at_secs: u.start_secs + at_secs,
+            height,
+            is_question: false,
+        });
+    };
+    for (i, (at_secs, height)) in maxima.iter().enumerate() {
+        push(*at_secs, *height);
+        let gap_secs = maxima
+            .get(i + 1)
+            .map_or(f64::INFINITY, |next| next.0 - at_secs);
+        if gap_secs >= NEAR_SECS {
+            push(at_secs + FALL_SECS.min(0.5 * gap_secs), 0.0);
+        }
+    }
+}
+
+/// How far into its phrase a time is, 0 to 1; 0 where no phrases are known.
+fn share_of_phrase(u: &SpokenUtterance, at_secs: f64) -> f64 {
+    let start = |phrase: &Phrase| u.words.get(phrase.first_word).map(|w| w.start_secs);
+    let begun = u
+        .phrases
+        .partition_point(|p| start(p).is_some_and(|start| start <= at_secs));
+    let Some(phrase) = begun.checked_sub(1).map(|i| &u.phrases[i]) else {
+        return 0.0;
+    };
+    let last = phrase
+        .first_word
+        .saturating_add(phrase.words)
+        .checked_sub(1);
+    let end = last.and_then(|last| u.words.get(last)).map(|w| w.end_secs);
+    start(phrase)
+        .zip(end)
+        .map_or(0.0, |(from, to)| ramp(from, to, at_secs))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::performance::Accent;
+    use raconteur_speech::Word;
+
+    #[test]
+    fn accents_raise_and_their_labels_tell_how_far() {
+        let accent = |start_secs: f64, label: &str| Accent {
+            start_secs,
+            end_secs: start_secs + 0.2,
+            strength: 1.0,
+            label: label.to_owned(),
+        };
+        let word = |start_secs: f64, end_secs: f64| Word {
+            text: "word".to_owned(),
+            start_secs,
+            end_secs,
+        };
+        let u = SpokenUtterance {
+            start_secs: 5.0,
+            duration_secs: 3.0,
+            words: vec![word(0.0, 1.0), word(1.0, 2.9)],
+            accents: ["L+H*", "L*", "!H*"]
+                .iter()
+                .zip([0.0, 0.5, 2.0])
+                .map(|(l, t)| accent(t, l))
+                .collect(),
+            phrases: vec![Phrase {
+                first_word: 0,
+                words: 2,
+                tone: "L-H%".to_owned(),
+            }],
+            ..SpokenUtterance::default()
+        };
+        let mut out = Vec::new();
+        extremes(&u, &mut out);
+        let times: Vec<f64> = out.iter().map(|e| e.at_secs - 5.0).collect();
+        let heights: Vec<bool> = out.iter().map(|e| e.height > 0.0).collect();
+        assert_eq!(heights, [true, false, true, false, true, false]);
+        for (time, wanted) in times.iter().zip([0.1, 0.55, 2.1, 2.5, 2.9, 3.35]) {
+            assert!((time - wanted).abs() < 1e-9, "{times:?}");
+        }
+        assert!(out[0].height > out[2].height);
+    }
+}
