@@ -61,7 +61,8 @@ impl Arch {
         let (rows, columns) = (usize::from(self.rows), usize::from(self.columns));
         let up = (p[1] - self.origin[1]) / self.step_m;
         let along = 0.5 * (Self::direction(x, z) + 1.0) * (columns as f32 - 1.0);
-        if z <= 0.0 || !(up >= 0.0 && up < rows as f32 - 1.0) || !(along >= 0.0) {
+        let is_beside = (0.0..rows as f32 - 1.0).contains(&up) && (0.0..).contains(&along);
+        if z <= 0.0 || !is_beside {
             return None;
         }
         let (row, column) = (up as usize, (along as usize).min(columns - 2));
