@@ -142,6 +142,12 @@ impl Mixture {
         }
     }
 
+    /// Makes it stronger or weaker by a factor (F&H equation 4.7).
+    pub fn scale(&mut self, factor: f64) {
+        let own = core::mem::take(self);
+        self.add(&own, factor);
+    }
+
     /// Adds so much of another.
     pub(super) fn add(&mut self, other: &Self, factor: f64) {
         for i in 0..BASICS {

@@ -206,4 +206,25 @@ mod tests {
         let long = " ".repeat(MOST_BYTES + 1);
         assert!(ParameterClip::read(&long).is_err());
     }
+
+    #[test]
+    fn any_change_of_a_text_is_refused_or_gives_values_in_range() {
+        let mut read = 0;
+        for place in 0..SMILE.len() {
+            for by in ["", "0", "9", "-", "e9", ",", "[", "}", "\"", "x"] {
+                let text = [&SMILE[..place], by, &SMILE[place + 1..]].concat();
+                let Ok(clip) = ParameterClip::read(&text) else {
+                    continue;
+                };
+                read += 1;
+                for (track, _) in clip.parameters() {
+                    for secs in [-1.0, 0.0, 0.45, 1e9, f64::NAN] {
+                        let value = clip.value(track, secs);
+                        assert!((-1.0..=1.0).contains(&value), "{text} {secs} {value}");
+                    }
+                }
+            }
+        }
+        assert!(read > 100, "{read}");
+    }
 }

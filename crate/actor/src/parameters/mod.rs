@@ -11,6 +11,6 @@ mod track;
 pub use clip::ParameterClip;
 pub use curve::{Curve, SET_SECS, STEP_SECS};
 pub use dial::{DIALS, Dial};
-pub use name::{Asks, Parameter};
+pub use name::{Asks, Parameter, VISEMES};
 pub use script::{Adsr, ParameterCommand, ParameterScript, Style};
 pub use track::ParameterTrack;

@@ -6,8 +6,9 @@ use raconteur_speech::phones::{self, PhoneTargets};
 
 use super::dial::{DIALS, Dial};
 
-/// The fifteen visemes, each with a phone that looks like it.
-const VISEMES: [(&str, &str); 15] = [
+/// The visemes of OpenXR's `XR_META_face_tracking_visemes`, each with a phone that has it, by
+/// the name of its row in [`phones`].
+pub const VISEMES: [(&str, &str); 15] = [
     ("sil", "pau"),
     ("PP", "p"),
     ("FF", "f"),
@@ -20,8 +21,8 @@ const VISEMES: [(&str, &str); 15] = [
     ("RR", "r"),
     ("aa", "aa"),
     ("E", "eh"),
-    ("ih", "ih"),
-    ("oh", "o"),
+    ("ih", "iy"),
+    ("oh", "ao"),
     ("ou", "uw"),
 ];
 

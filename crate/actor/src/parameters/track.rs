@@ -5,7 +5,7 @@ use std::sync::Arc;
 use raconteur_base::order::sort_by_number;
 use raconteur_body::face::FaceControls;
 use raconteur_speech::emotion::Place;
-use raconteur_speech::phones::{CHANNELS, Class, PhoneTargets};
+use raconteur_speech::phones::PhoneTargets;
 
 use super::clip::ParameterClip;
 use super::curve::{Course, Curve};
@@ -109,16 +109,13 @@ impl ParameterTrack {
         let mut mouth = MouthTargets::default();
         let mut sum = 0.0;
         for (targets, curve) in &self.visemes {
-            let weight = curve.at(time_secs);
+            let (weight, one) = (curve.at(time_secs), MouthTargets::of(targets));
             sum += weight;
-            for c in 0..CHANNELS {
-                mouth.channels[c] += weight * targets.channels[c];
+            for (channel, more) in mouth.channels.iter_mut().zip(one.channels) {
+                *channel += weight * more;
             }
-            match targets.class {
-                Class::BilabialStop | Class::BilabialNasal => mouth.press += weight,
-                Class::Labiodental => mouth.bite += weight,
-                _ => {}
-            }
+            mouth.press += weight * one.press;
+            mouth.bite += weight * one.bite;
         }
         if sum > 1.0 {
             mouth.channels.iter_mut().for_each(|c| *c /= sum);

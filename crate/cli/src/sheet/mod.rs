@@ -45,6 +45,8 @@ pub(crate) enum Part {
     Muscles,
     /// The fifteen visemes; not part of all.
     Visemes,
+    /// The six basic emotions at three strengths, and eight between them; not part of all.
+    Emotions,
     /// The face in every light.
     Lights,
     /// Edges of the triangles, without hair.
@@ -63,7 +65,11 @@ pub(crate) fn tiles(figure: &Figure, parts: &[Part], light: Lighting) -> Vec<Til
             || (parts.contains(&Part::All)
                 && !matches!(
                     part,
-                    Part::Shapes | Part::Silhouette | Part::Muscles | Part::Visemes
+                    Part::Shapes
+                        | Part::Silhouette
+                        | Part::Muscles
+                        | Part::Visemes
+                        | Part::Emotions
                 ))
     };
     Part::value_variants()

@@ -3,10 +3,13 @@
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
 use raconteur_player::actor::articulation::{ORDINARY_LOUDNESS, articulate, hold_closures};
+use raconteur_player::actor::emotion::{Basic, Mixture, Signs, Space};
 use raconteur_player::actor::lips::MouthTargets;
-use raconteur_player::base::{DVec3, Side};
+use raconteur_player::actor::parameters::VISEMES;
+use raconteur_player::base::{DQuat, DVec3, Side};
 use raconteur_player::body::face::{FaceControls, Muscle};
-use raconteur_player::body::{Figure, HandShape};
+use raconteur_player::body::{Bone, Figure, HandShape};
+use raconteur_player::speech::emotion::place;
 use raconteur_player::speech::phones;
 use raconteur_player::stage::{Camera, Lighting};
 
@@ -68,6 +71,7 @@ pub(super) fn of(figure: &Figure, part: Part, lighting: Lighting) -> Vec<Tile> {
         Part::Mouth => maker.mouth(),
         Part::Muscles => maker.muscles(),
         Part::Visemes => maker.visemes(),
+        Part::Emotions => maker.emotions(),
         Part::Lights => maker.lights(),
         Part::Wireframe => maker.wireframe(),
         Part::Silhouette => maker.silhouette(),
@@ -347,6 +351,31 @@ impl<'a> Maker<'a> {
             .collect()
     }
 
+    /// The six basic expressions at three strengths, and eight between them.
+    fn emotions(&self) -> Vec<Tile> {
+        let one = |word: &str, share: f64| {
+            let place = place(word).unwrap_or_default();
+            let mut controls = FaceControls::default();
+            let mut mixture = Mixture::of(place, Space::default());
+            mixture.scale(share);
+            mixture.expression().add(&mut controls);
+            let signs = Signs::of(place);
+            controls.blush = share * signs.blush;
+            hold_closures(&mut controls);
+            let mut posture = self.standing();
+            posture.facing(0.3);
+            let bowed = DQuat::from_rotation_x(share * signs.head_down_rad);
+            posture.turn(Bone::Skull, bowed);
+            posture.face(controls);
+            self.head(&format!("{word} {:.0} %", 100.0 * share), posture)
+        };
+        let basics = Basic::ALL.iter().flat_map(|b| {
+            let shares = [1.0 / 3.0, 2.0 / 3.0, 1.0];
+            shares.map(|share| one(b.word(), share))
+        });
+        basics.chain(BETWEEN.map(|word| one(word, 1.0))).collect()
+    }
+
     fn lights(&self) -> Vec<Tile> {
         light::names()
             .into_iter()
@@ -362,23 +391,16 @@ impl<'a> Maker<'a> {
     }
 }
 
-/// The visemes of OpenXR's `XR_META_face_tracking_visemes`, each with a phone that has it.
-const VISEMES: [(&str, &str); 15] = [
-    ("sil", "pau"),
-    ("PP", "p"),
-    ("FF", "f"),
-    ("TH", "th"),
-    ("DD", "d"),
-    ("kk", "k"),
-    ("CH", "ch"),
-    ("SS", "s"),
-    ("nn", "n"),
-    ("RR", "r"),
-    ("aa", "aa"),
-    ("E", "eh"),
-    ("ih", "iy"),
-    ("oh", "ao"),
-    ("ou", "uw"),
+/// Emotions between the six basic ones.
+const BETWEEN: [&str; 8] = [
+    "pride",
+    "gloating",
+    "hope",
+    "gratitude",
+    "disappointment",
+    "resentment",
+    "reproach",
+    "disliking",
 ];
 
 /// A face of which muscles are contracted, on both sides.
