@@ -137,12 +137,13 @@ impl Blinks {
 
 #[cfg(test)]
 mod tests {
+    use super::super::Manner;
     use super::super::tests::speech::{hour, shipped};
     use super::*;
     use crate::performance::SpokenUtterance;
 
     fn plan(speech: &[SpokenUtterance]) -> (Heard, Blinks) {
-        let heard = Heard::new(&speech.iter().collect::<Vec<_>>(), 1);
+        let heard = Heard::new(&speech.iter().collect::<Vec<_>>(), &Manner::default(), 1);
         let blinks = Blinks::new(&heard, 1.0, 1);
         (heard, blinks)
     }

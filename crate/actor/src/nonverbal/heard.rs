@@ -1,13 +1,12 @@
-//! What is said as planners need it: phone boundaries, pauses, accents, turns and questions
-//! on the clock of the story.
+//! What is said as planners need it: phone boundaries, pauses, accents, the melody, turns and
+//! questions on the clock of the story.
 
-use raconteur_base::noise;
 use raconteur_base::order::sort_by_number;
 use raconteur_speech::bundle::SentenceKind;
 use raconteur_speech::phones::{self, Class};
 
-use super::LATEST_SECS;
-use crate::idle::stream;
+use super::raise::Extreme;
+use super::{LATEST_SECS, Manner, Way, pitch, text};
 use crate::performance::SpokenUtterance;
 
 /// Silence at least this long is a pause, seconds. Designed: closures of stops are shorter.
@@ -47,8 +46,6 @@ pub(super) struct Pause {
 pub(super) struct Stress {
     pub(super) start_secs: f64,
     pub(super) end_secs: f64,
-    /// 0 to 2; 1 is an ordinary accent.
-    pub(super) strength: f64,
 }
 
 /// A question with the pause behind it.
@@ -67,6 +64,8 @@ pub(super) struct Heard {
     pub(super) boundaries: Vec<f64>,
     pub(super) pauses: Vec<Pause>,
     pub(super) stresses: Vec<Stress>,
+    /// Where the voice rises and falls, utterance by utterance.
+    pub(super) extremes: Vec<Extreme>,
     pub(super) questions: Vec<Question>,
     /// Start of the first sound, start of the last word and end of the last sound of each
     /// turn.
@@ -84,12 +83,12 @@ struct Last {
 
 impl Heard {
     /// From utterances by time, times of which are finite.
-    pub(super) fn new(utterances: &[&SpokenUtterance], seed: u64) -> Self {
+    pub(super) fn new(utterances: &[&SpokenUtterance], manner: &Manner, seed: u64) -> Self {
         let mut heard = Self::default();
         let mut last: Option<Last> = None;
         for (i, u) in utterances.iter().enumerate() {
             heard.add(u, &mut last);
-            heard.add_stresses(u, seed.wrapping_add(i as u64));
+            heard.add_melody(u, manner, seed.wrapping_add(i as u64));
         }
         if let Some(question) = last.and_then(|l| l.question) {
             heard.questions[question].end_secs += 1.0;
@@ -199,32 +198,33 @@ impl Heard {
         self.turns.push([start_secs, start_secs, end_secs]);
     }
 
-    /// Adds the accents of an utterance, or else some of its longer words.
-    fn add_stresses(&mut self, u: &SpokenUtterance, seed: u64) {
-        let mut add = |start: f64, end: f64, strength: f64| {
-            let [start_secs, end_secs] = [start, end].map(|secs| u.start_secs + secs);
+    /// Adds where the voice rises and falls, and the accents of an utterance. Accents that
+    /// nobody told of are where the voice is highest, or on some of the longer words.
+    fn add_melody(&mut self, u: &SpokenUtterance, manner: &Manner, seed: u64) {
+        let before = self.extremes.len();
+        let from_sound = manner.way == Way::Audio
+            && pitch::extremes(u, manner.pitch_threshold, &mut self.extremes);
+        let guessed = match &self.extremes[before..] {
+            _ if !u.accents.is_empty() => Vec::new(),
+            extremes if from_sound => pitch::accents(u, extremes),
+            _ => text::accents(u, seed),
+        };
+        let accents = if u.accents.is_empty() {
+            &guessed
+        } else {
+            &u.accents
+        };
+        if !from_sound {
+            text::extremes(u, accents, &mut self.extremes);
+        }
+        for accent in accents {
+            let [start_secs, end_secs] =
+                [accent.start_secs, accent.end_secs].map(|secs| u.start_secs + secs);
             if start_secs < end_secs && start_secs.abs() < LATEST_SECS && end_secs < LATEST_SECS {
                 self.stresses.push(Stress {
                     start_secs,
                     end_secs,
-                    strength,
                 });
-            }
-        };
-        for accent in &u.accents {
-            add(
-                accent.start_secs,
-                accent.end_secs,
-                accent.strength.clamp(0.0, 2.0),
-            );
-        }
-        if u.accents.is_empty() {
-            for (i, word) in u.words.iter().enumerate() {
-                let length_secs = word.end_secs - word.start_secs;
-                let share = if length_secs > 0.3 { 0.5 } else { 0.1 };
-                if noise::unit(seed, stream::ACCENT, i as i64) < share {
-                    add(word.start_secs, word.start_secs + length_secs.min(0.3), 0.6);
-                }
             }
         }
     }
@@ -404,7 +404,7 @@ mod tests {
         }];
         let second = say(4.0, &[("e", 0.5), ("", -0.5)]);
         let third = say(9.0, &[("f?", 0.5)]);
-        let heard = Heard::new(&[&first, &second, &third], 1);
+        let heard = Heard::new(&[&first, &second, &third], &Manner::default(), 1);
         let parts: Vec<Break> = heard.pauses.iter().map(|p| p.parts).collect();
         assert_eq!(
             parts,
@@ -427,7 +427,7 @@ mod tests {
             ("", -0.3),
             ("else", 0.4),
         ];
-        let heard = Heard::new(&[&say(0.0, &words)], 1);
+        let heard = Heard::new(&[&say(0.0, &words)], &Manner::default(), 1);
         assert_eq!(heard.pauses.len(), 1);
         let pause = heard.pauses[0];
         assert!(pause.is_filled && (pause.start_secs - 0.4).abs() < 1e-9);

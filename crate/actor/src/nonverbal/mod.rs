@@ -84,16 +84,8 @@ impl NonVerbal {
         let fits = |u: &&SpokenUtterance| u.start_secs.abs() < LATEST_SECS;
         let mut utterances: Vec<&SpokenUtterance> = speech.iter().filter(fits).collect();
         sort_by_number(&mut utterances, |u| u.start_secs);
-        let heard = Heard::new(&utterances, seed);
+        let heard = Heard::new(&utterances, &manner, seed);
         let loudness = loudness::track(&utterances);
-        let mut extremes = Vec::new();
-        for u in &utterances {
-            let from_sound = manner.way == Way::Audio
-                && pitch::extremes(u, manner.pitch_threshold, &mut extremes);
-            if !from_sound {
-                text::extremes(u, &mut extremes);
-            }
-        }
         let thoughts = think::thoughts(&heard, &manner, seed);
         let [before, after] = AROUND_TURN_SECS;
         let turns = heard
@@ -101,7 +93,7 @@ impl NonVerbal {
             .iter()
             .map(|[start, _, end]| [start - before, end + after]);
         Self {
-            raises: Raises::new(&extremes, &heard, &loudness, &manner, seed),
+            raises: Raises::new(&heard, &loudness, &manner, seed),
             thought: think::brows(&thoughts),
             lick: think::licks(&heard, &thoughts, &manner, seed),
             gaze: Gaze::new(&heard, &thoughts, &manner, seed),

@@ -6,13 +6,15 @@ use raconteur_speech::bundle::{FRAME_SECS, semitones_of_code};
 
 use super::contour::{Extremum, approximate, between_turning_points, extrema};
 use super::raise::Extreme;
-use crate::performance::SpokenUtterance;
+use crate::performance::{Accent, SpokenUtterance};
 
 /// Fewer voiced frames than this are no melody.
 const FEWEST_FRAMES: usize = 10;
 /// A voice counts as moving within at least this range, semitones, so that a monotonous
 /// speaker nods little. Designed.
 const LEAST_RANGE: f64 = 6.0;
+/// Length of a syllable that is only known by its pitch, seconds. Designed.
+const SYLLABLE_SECS: f64 = 0.2;
 /// The least height of a maximum, as a share of the range: it has stood out already.
 const LEAST_HEIGHT: f64 = 0.15;
 
@@ -56,6 +58,19 @@ pub(super) fn extremes(u: &SpokenUtterance, threshold: f64, out: &mut Vec<Extrem
         }));
     }
     true
+}
+
+/// Accents of an utterance of which none are known: around the maxima of its pitch.
+pub(super) fn accents(u: &SpokenUtterance, extremes: &[Extreme]) -> Vec<Accent> {
+    let maxima = extremes.iter().filter(|e| e.height > 0.0);
+    maxima
+        .map(|e| Accent {
+            start_secs: e.at_secs - u.start_secs - SYLLABLE_SECS / 2.0,
+            end_secs: e.at_secs - u.start_secs + SYLLABLE_SECS / 2.0,
+            strength: 1.0,
+            label: String::new(),
+        })
+        .collect()
 }
 
 /// The measured frame that an extremum of the curve stands for, and its pitch: the highest

@@ -52,16 +52,10 @@ pub(super) struct Raises {
 }
 
 impl Raises {
-    /// From extrema by time.
-    pub(super) fn new(
-        extremes: &[Extreme],
-        heard: &Heard,
-        loudness: &Track,
-        manner: &Manner,
-        seed: u64,
-    ) -> Self {
+    /// From the melody of what is said.
+    pub(super) fn new(heard: &Heard, loudness: &Track, manner: &Manner, seed: u64) -> Self {
         let mut raises = Self::default();
-        for (i, extreme) in keys(extremes, heard).iter().enumerate() {
+        for (i, extreme) in keys(heard).iter().enumerate() {
             let Extreme {
                 at_secs,
                 height,
@@ -109,7 +103,8 @@ fn push(track: &mut Track, at_secs: f64, value: f64) {
 
 /// The extrema as they are shown: at phone boundaries, those of questions in place of what
 /// the pitch does there, with a way down behind each utterance.
-fn keys(extremes: &[Extreme], heard: &Heard) -> Vec<Extreme> {
+fn keys(heard: &Heard) -> Vec<Extreme> {
+    let extremes = &heard.extremes;
     let mut all: Vec<Extreme> = Vec::with_capacity(extremes.len() + 4 * heard.questions.len());
     let in_question = |at_secs: f64| {
         let after = heard
@@ -165,23 +160,23 @@ fn keys(extremes: &[Extreme], heard: &Heard) -> Vec<Extreme> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::Way;
     use super::super::tests::speech::{hour, shipped};
-    use super::super::{pitch, text};
     use super::*;
 
     #[test]
     fn head_and_brows_turn_on_phone_boundaries() {
-        for (speech, by_text) in [(hour(8), false), (hour(8), true), (shipped(), false)] {
-            let heard = Heard::new(&speech.iter().collect::<Vec<_>>(), 1);
-            let mut extremes = Vec::new();
-            for u in &speech {
-                if by_text {
-                    text::extremes(u, &mut extremes);
-                } else {
-                    assert!(pitch::extremes(u, 1.5, &mut extremes));
-                }
-            }
-            let keys = keys(&extremes, &heard);
+        for (speech, way) in [
+            (hour(8), Way::Audio),
+            (hour(8), Way::Text),
+            (shipped(), Way::Audio),
+        ] {
+            let manner = Manner {
+                way,
+                ..Manner::default()
+            };
+            let heard = Heard::new(&speech.iter().collect::<Vec<_>>(), &manner, 1);
+            let keys = keys(&heard);
             assert!(keys.len() > speech.len());
             for pair in keys.windows(2) {
                 assert!(pair[1].at_secs - pair[0].at_secs >= LEAST_SECS - 1e-9);
@@ -214,25 +209,20 @@ mod tests {
         };
         let heard = Heard {
             boundaries: vec![1.0, 1.5, 2.04, 2.6, 9.0],
+            extremes: vec![
+                key(1.05, 0.0),
+                key(1.46, 1.0),
+                key(2.0, 0.0),
+                key(2.07, 0.4),
+                key(9.0, 0.5),
+            ],
             ..Heard::default()
         };
-        let extremes = [
-            key(1.05, 0.0),
-            key(1.46, 1.0),
-            key(2.0, 0.0),
-            key(2.07, 0.4),
-            key(9.0, 0.5),
-        ];
-        let raises = Raises::new(
-            &extremes,
-            &heard,
-            &Track::default(),
-            &Manner {
-                head_by_loudness: 0.0,
-                ..Manner::default()
-            },
-            4,
-        );
+        let manner = Manner {
+            head_by_loudness: 0.0,
+            ..Manner::default()
+        };
+        let raises = Raises::new(&heard, &Track::default(), &manner, 4);
         let head = |t: f64| raises.head.at(t) / HEAD_RAISE_RAD;
         assert_eq!(head(1.0), 0.0);
         assert!((head(1.5) - 1.0).abs() < 1e-12);

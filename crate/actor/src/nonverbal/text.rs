@@ -2,15 +2,21 @@
 //! boundary tones (F&H section 4.3.5, "Expressions linked to intonation").
 
 use raconteur_base::curve::ramp;
+use raconteur_base::noise;
+use raconteur_speech::Word;
 use raconteur_speech::bundle::Phrase;
 
 use super::raise::Extreme;
-use crate::performance::SpokenUtterance;
+use crate::idle::stream;
+use crate::performance::{Accent, SpokenUtterance};
 
 /// From an accent to the lowest pitch behind it, seconds at most. Designed.
 const FALL_SECS: f64 = 0.45;
 /// Accents nearer to each other than this have no lowest pitch between, seconds. Designed.
 const NEAR_SECS: f64 = 0.45;
+/// A word longer than this has an accent more often, and a guessed accent is no longer,
+/// seconds. Designed.
+const LONG_WORD_SECS: f64 = 0.3;
 /// How much lower the last accent of a phrase is than its first, as a share: declination.
 /// Designed.
 const DECLINATION: f64 = 0.3;
@@ -35,11 +41,30 @@ fn rise_of(tone: &str) -> Option<f64> {
     is_rising.then_some(if tone.starts_with('H') { 0.9 } else { 0.5 })
 }
 
+/// Accents of an utterance of which none are known: on some of the longer words, where most
+/// accents are (F&H section 4.3.2: on content words).
+pub(super) fn accents(u: &SpokenUtterance, seed: u64) -> Vec<Accent> {
+    let is_accented = |(i, word): &(usize, &Word)| {
+        let is_long = word.end_secs - word.start_secs > LONG_WORD_SECS;
+        let share = if is_long { 0.5 } else { 0.1 };
+        noise::unit(seed, stream::ACCENT, *i as i64) < share
+    };
+    let words = u.words.iter().enumerate().filter(is_accented);
+    words
+        .map(|(_, word)| Accent {
+            start_secs: word.start_secs,
+            end_secs: word.end_secs.min(word.start_secs + LONG_WORD_SECS),
+            strength: 0.8,
+            label: String::new(),
+        })
+        .collect()
+}
+
 /// Adds what the pitch of an utterance may be taken to do: a maximum in the middle of each
 /// accented syllable and at the end of each rising phrase, with minima between.
-pub(super) fn extremes(u: &SpokenUtterance, out: &mut Vec<Extreme>) {
-    let mut maxima: Vec<(f64, f64)> = Vec::with_capacity(u.accents.len());
-    for accent in &u.accents {
+pub(super) fn extremes(u: &SpokenUtterance, accents: &[Accent], out: &mut Vec<Extreme>) {
+    let mut maxima: Vec<(f64, f64)> = Vec::with_capacity(accents.len());
+    for accent in accents {
         if let Some(height) = height_of(&accent.label) {
             let at_secs = 0.5 * (accent.start_secs + accent.end_secs);
             let lower = 1.0 - DECLINATION * share_of_phrase(u, at_secs);
@@ -98,8 +123,6 @@ fn share_of_phrase(u: &SpokenUtterance, at_secs: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::performance::Accent;
-    use raconteur_speech::Word;
 
     #[test]
     fn accents_raise_and_their_labels_tell_how_far() {
@@ -131,7 +154,7 @@ mod tests {
             ..SpokenUtterance::default()
         };
         let mut out = Vec::new();
-        extremes(&u, &mut out);
+        extremes(&u, &u.accents, &mut out);
         let times: Vec<f64> = out.iter().map(|e| e.at_secs - 5.0).collect();
         let heights: Vec<bool> = out.iter().map(|e| e.height > 0.0).collect();
         assert_eq!(heights, [true, false, true, false, true, false]);

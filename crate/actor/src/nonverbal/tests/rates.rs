@@ -27,7 +27,7 @@ struct Counts {
 
 impl Counts {
     fn add(&mut self, speech: &[SpokenUtterance], plan: &NonVerbal, seed: u64) {
-        let heard = Heard::new(&speech.iter().collect::<Vec<_>>(), seed);
+        let heard = Heard::new(&speech.iter().collect::<Vec<_>>(), &Manner::default(), seed);
         let end_secs = speech
             .last()
             .map_or(0.0, |u| u.start_secs + u.duration_secs);
@@ -146,7 +146,7 @@ fn a_quarter_of_the_thoughts_frown() {
     for seed in 0..20 {
         let speech = hour(seed);
         let plan = NonVerbal::new(&speech, seed, &Manner::default());
-        let heard = Heard::new(&speech.iter().collect::<Vec<_>>(), seed);
+        let heard = Heard::new(&speech.iter().collect::<Vec<_>>(), &Manner::default(), seed);
         for pause in heard.pauses.iter().filter(|p| is_thinking(p)) {
             let asks =
                 |q: &Question| q.start_secs <= pause.start_secs && pause.start_secs < q.end_secs;
@@ -263,7 +263,7 @@ fn nothing_jumps_and_the_head_is_raised_by_three_degrees_at_most() {
 fn speakers_look_away_as_they_begin_and_at_the_listener_as_they_end_and_ask() {
     let speech = hour(6);
     let plan = NonVerbal::new(&speech, 9, &Manner::default());
-    let heard = Heard::new(&speech.iter().collect::<Vec<_>>(), 9);
+    let heard = Heard::new(&speech.iter().collect::<Vec<_>>(), &Manner::default(), 9);
     assert!(heard.turns.len() > 20 && heard.questions.len() > 20);
     for [start, _, end] in &heard.turns {
         assert!(distance(&plan, start - 0.05) > 0.15);
@@ -294,7 +294,7 @@ fn only_the_left_brow_follows_the_pitch() {
         ..Manner::default()
     };
     let plan = NonVerbal::new(&speech, 2, &manner);
-    let heard = Heard::new(&speech.iter().collect::<Vec<_>>(), 2);
+    let heard = Heard::new(&speech.iter().collect::<Vec<_>>(), &Manner::default(), 2);
     let mut tops: [Vec<f64>; 2] = [Vec::new(), Vec::new()];
     for accent in &heard.stresses {
         let at = |i: i32| accent.start_secs - 0.1 + f64::from(i) * 0.01;
@@ -320,4 +320,35 @@ fn only_the_left_brow_follows_the_pitch() {
         "{}",
         spread(&tops[1])
     );
+}
+
+#[test]
+fn speech_of_which_little_is_known_is_accompanied_too() {
+    let all = hour(5);
+    for (f0, accents) in [(true, false), (false, true), (false, false)] {
+        let mut speech = all[..40].to_vec();
+        for u in &mut speech {
+            if !f0 {
+                u.f0.clear();
+            }
+            if !accents {
+                u.accents.clear();
+            }
+        }
+        let plan = NonVerbal::new(&speech, 1, &Manner::default());
+        let last = &speech[39];
+        let end_secs = last.start_secs + last.duration_secs;
+        let at = |i: usize| i as f64 * 0.01;
+        let head = |i: usize| -plan.head(at(i), 1.0)[0];
+        let glances = |i: usize| is_at_listener(&plan, at(i));
+        let (mut raises, mut returns) = (0, 0);
+        for i in 1..(end_secs * 100.0) as usize {
+            raises +=
+                usize::from(head(i) > head(i - 1) && head(i) >= head(i + 1) && head(i) > 0.003);
+            returns += usize::from(glances(i) && !glances(i - 1));
+        }
+        let minutes = end_secs / 60.0;
+        println!("{f0} {accents}: {raises} raises, {returns} glances in {minutes} minutes");
+        assert!(raises as f64 > 12.0 * minutes && returns as f64 > 8.0 * minutes);
+    }
 }
