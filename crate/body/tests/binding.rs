@@ -132,27 +132,28 @@ fn broken_bindings_in_files_are_refused() {
         number("\"nodes\":"),
         number("\"weights\":"),
     );
-    let refer = |key: &str, from: usize, to: usize| {
+    let refer = |key: &str, from: usize, to: &str| {
         let width = from.to_string().len();
         swapped(
             &glb,
             &format!("\"{key}\":{from}"),
-            &format!("\"{key}\":{to:0>width$}"),
+            &format!("\"{key}\":{to:>width$}"),
         )
     };
     // Counts for each entry instead of each vertex; entries that differ in number; none.
     assert!(matches!(
-        fault(&refer("counts", counts, nodes)),
+        fault(&refer("counts", counts, &nodes.to_string())),
         ReadError::Count { .. }
     ));
-    assert!(read_figure("x", &refer("nodes", nodes, counts)).is_err());
-    assert!(read_figure("x", &refer("weights", weights, counts)).is_err());
+    assert!(read_figure("x", &refer("nodes", nodes, &counts.to_string())).is_err());
+    assert!(read_figure("x", &refer("weights", weights, &counts.to_string())).is_err());
     // Nodes as weights sum to far more than 1.
     assert!(matches!(
-        fault(&refer("weights", weights, nodes)),
+        fault(&refer("weights", weights, &nodes.to_string())),
         ReadError::OutOfRange { .. }
     ));
-    let beyond = refer("weights", weights, 999);
+    // One that points nowhere.
+    let beyond = refer("weights", weights, "-1");
     assert!(matches!(fault(&beyond), ReadError::OutOfRange { .. }));
 }
 

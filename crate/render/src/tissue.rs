@@ -35,25 +35,17 @@ impl TissueVertex {
     /// From a weighted sum of nodes.
     fn of(sum: &Node) -> Self {
         // Added to one and a half times 2²³, a number's nearest integer stands in the lowest
-        // bits: no conversion, which compilers guard against what was ruled out already.
-        const ROUND: Vec4 = Vec4::splat(12_582_912.0);
-        let bits = |v: Vec4, low: Vec4, high: Vec4| {
-            (v.clamp(low, high) + ROUND).to_array().map(f32::to_bits)
-        };
-        let full = Vec4::splat(32767.0);
-        // The second four have two of either kind.
-        let low = Vec4::new(-32767.0, -32767.0, 0.0, 0.0);
-        let high = Vec4::new(32767.0, 32767.0, 255.0, 255.0);
-        let [x, y, z, i] = bits(sum[0], -full, full);
-        let [j, k, a, b] = bits(sum[1], low, high);
-        let [c, blush, ..] = bits(
-            sum[2],
-            Vec4::new(0.0, -127.0, 0.0, 0.0),
-            Vec4::new(255.0, 127.0, 0.0, 0.0),
-        );
+        // bits: no conversion, which compilers guard against what was ruled out already. Four
+        // at a time would be slower where there are no vectors, as in a page.
+        const ROUND: f32 = 12_582_912.0;
+        let bits = |x: f32, low: f32, high: f32| (x.clamp(low, high) + ROUND).to_bits();
+        let moved = |x: f32| bits(x, -32767.0, 32767.0) as i16;
+        let strength = |x: f32| bits(x, 0.0, 255.0) as u8;
+        let [p, q, r] = sum;
+        let blush = bits(r.y, -127.0, 127.0).wrapping_add(128) as u8;
         Self {
-            moved: [x, y, z, i, j, k].map(|bits| bits as i16),
-            complexion: [a, b, c, blush.wrapping_add(128)].map(|bits| bits as u8),
+            moved: [p.x, p.y, p.z, p.w, q.x, q.y].map(moved),
+            complexion: [strength(q.z), strength(q.w), strength(r.x), blush],
         }
     }
 }

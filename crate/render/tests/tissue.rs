@@ -298,16 +298,16 @@ fn wrinkles_rise_by_their_channel_and_their_strength() {
     frame.lighting.key.towards_light_in_world = DVec3::new(1.0, 0.0, 1.0).normalize();
     frame.tissue = state([1.0; 3], 0.0);
     let level = draw(&mut device, &frame);
-    // Red rises to the right from −1 to 1 mm over 40 mm, ten times; green falls so.
-    let side = 320;
+    // Over the middle 10 mm of 40, red rises to the right from −1 to 1 mm; green falls so.
+    let side = 320_u32;
     let ramp: Vec<u8> = (0..side * side)
         .flat_map(|i| {
-            let t = (i % side % 32) as u8 * 8;
-            [t, 255 - t, 128, 255]
+            let t = (128.0 + (f64::from(i % side) - 159.5) * 254.0 / 80.0).clamp(1.0, 255.0) as u8;
+            [t, 255 - (t - 1), 128, 255]
         })
         .collect();
     device
-        .set_image(0, side as u32, side as u32, &ramp)
+        .set_image(0, side, side, &ramp)
         .expect("a sound picture");
     frame.tissue.clear();
     let rest = draw(&mut device, &frame);

@@ -77,13 +77,13 @@ fn wrinkled(v: VertexOut, n: vec3<f32>) -> vec4<f32> {
 fn blushing(bind: vec3<f32>) -> f32 {
     let q = (bind - material.face.xyz) / max(material.face.w, 1e-3);
     let side = abs(q.x);
-    let c = vec2<f32>(side - 0.80, q.y + 0.55) / vec2<f32>(0.42, 0.40);
+    let c = vec2<f32>(side - 0.78, q.y + 0.58) / vec2<f32>(0.50, 0.46);
     let cheek = exp(-dot(c, c)) * smoothstep(-0.9, -0.3, q.z);
     let t = vec2<f32>(q.x / 0.26, (q.y + 0.52) / 0.22);
-    let nose = 0.75 * exp(-dot(t, t)) * smoothstep(0.1, 0.35, q.z);
+    let nose = 0.85 * exp(-dot(t, t)) * smoothstep(0.1, 0.35, q.z);
     let ear = smoothstep(1.05, 1.25, side) * smoothstep(-0.7, -1.1, q.z) * smoothstep(-1.0, -0.7, q.y);
     let forehead = 0.38 * smoothstep(0.3, 0.9, q.y);
-    return select(0.0, max(max(cheek, nose), max(0.85 * ear, max(forehead, 0.28))), material.face.w > 0.0);
+    return select(0.0, max(max(cheek, nose), max(0.85 * ear, max(forehead, 0.34))), material.face.w > 0.0);
 }
 
 // Colour of skin that holds e^x times its usual blood, relative to what it was. Haemoglobin
@@ -112,7 +112,9 @@ fn fs_skin(v: VertexOut, @builtin(front_facing) front: bool) -> @location(0) vec
     var rough = max(material.params.x, 0.5) - 0.05 * oil - 0.12 * lip;
     // White hairs of a beard do not blush.
     let bare = smoothstep(0.06, 0.2, (albedo.r - albedo.b) / (albedo.r + albedo.b + 1e-4));
-    let blood = 0.5 * furrow + v.complexion.w * bare * mix(1.1 * blushing(v.bind), 0.6, lip);
+    // Vessels widen further than they narrow.
+    let most = select(0.70, 1.05, v.complexion.w > 0.0) * blushing(v.bind);
+    let blood = 0.5 * furrow + v.complexion.w * bare * mix(most, 0.5, lip);
     if abs(blood) > 0.002 {
         albedo *= flushed(blood);
     }

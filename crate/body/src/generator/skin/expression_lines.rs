@@ -10,17 +10,17 @@ use raconteur_base::{DVec3, Side, ops};
 
 use super::SkinParams;
 use super::face_lines::Scribe;
-use super::marks::Marks;
-use super::texture::{cells, rise, space_noise};
+use super::marks::{Marks, Pen};
+use super::texture::{rise, space_noise};
 use crate::generator::head::Places;
 
 /// Where the chance of these lines begins, apart from those that stay.
 const FIRST: u64 = 100_000;
 
 /// Skin that the mentalis dimples: middle and radii on the mean head, mm.
-const CHIN: [DVec3; 2] = [DVec3::new(0.0, -80.0, 99.0), DVec3::new(17.0, 11.0, 16.0)];
-/// Distance between its dimples, mm.
-const DIMPLES_MM: f64 = 3.6;
+const CHIN: [DVec3; 2] = [DVec3::new(0.0, -79.0, 98.0), DVec3::new(20.0, 13.0, 18.0)];
+/// Size of its dimples, mm.
+const DIMPLES_MM: f64 = 2.7;
 
 /// The expressive wrinkles of a face. Strengths are depths in mm.
 pub(super) struct ExpressionMarks {
@@ -55,7 +55,7 @@ impl ExpressionMarks {
         let blue = scribe.take();
         Self {
             kinds: [red, green, blue],
-            dimples_mm: 0.55 * deep,
+            dimples_mm: 0.60 * deep,
             seed: skin.seed << 8,
         }
     }
@@ -68,100 +68,121 @@ impl ExpressionMarks {
             0.45 * felt.bank - felt.core
         });
         let d = (q - CHIN[0]) / CHIN[1];
-        let share = rise(1.0, 0.35, d.length());
+        let share = rise(1.0, 0.25, d.length());
         if share > 0.0 {
-            let wander = DVec3::new(
-                space_noise(self.seed + 61, p / 4.0),
-                space_noise(self.seed + 62, p / 4.0),
-                0.0,
-            );
-            let (first, second, name) = cells(self.seed + 63, p / DIMPLES_MM + wander * 0.25);
-            let pit = ops::exp(-(first / 0.36) * (first / 0.36)) * (0.45 + 0.55 * name);
-            let between = rise(0.0, 0.5, second - first) - 0.5;
-            heights[2] += self.dimples_mm * share * (0.25 * between - pit);
+            // Soft pits of uneven size, as the short bundles of the muscle pull the skin in.
+            let wide = space_noise(self.seed + 61, p / DIMPLES_MM);
+            let fine = space_noise(self.seed + 62, p / (0.45 * DIMPLES_MM));
+            let pit = rise(-0.15, 0.75, wide + 0.35 * fine);
+            heights[2] -= self.dimples_mm * share * (pit - 0.25);
         }
         heights
     }
 }
 
+/// A fold: as a line that stays, but calm and whole, for the skin between folds is in one
+/// piece.
+fn fold(scribe: &mut Scribe<'_>, side: Side, through: &[DVec3], strength: f64, width: f64) {
+    scribe.draw(
+        side,
+        through,
+        Pen {
+            strength,
+            width,
+            wander: 0.12 + 0.14 * width,
+            broken: 0.0,
+            unsteady: 0.18,
+            seed: 0,
+        },
+    );
+}
+
 /// Across the forehead, from the hairline to above the brows: they dip between the brows and
 /// outwards, as the muscle's two bellies pull.
 fn forehead(scribe: &mut Scribe<'_>, deep: f64) {
-    let lines = 5;
-    for i in 0..lines {
-        let row = 0.85 + 0.60 * f64::from(i) + scribe.between(-0.08, 0.08);
-        let centre = 1.0 - (f64::from(i) - 2.3).abs() / 4.2;
-        let strength = deep * centre * scribe.between(0.85, 1.1);
-        let reach = 4.2 + 2.6 * centre;
-        let (shift, beat) = (scribe.between(-0.6, 0.6), scribe.between(0.7, 1.3));
-        let ends = [scribe.between(0.8, 1.0), scribe.between(0.8, 1.0)];
+    for i in 0..4 {
+        let row = 0.90 + 0.82 * f64::from(i) + scribe.between(-0.10, 0.10);
+        // The middle ones are the longest and the deepest.
+        let centre = 1.0 - (f64::from(i) - 1.6).abs() / 4.0;
+        let strength = deep * centre * scribe.between(0.95, 1.15);
+        let reach = 4.6 + 3.6 * centre;
+        let (shift, beat) = (scribe.between(-0.6, 0.6), scribe.between(0.5, 0.9));
+        let ends = [scribe.between(0.75, 1.0), scribe.between(0.75, 1.0)];
         let through: Vec<DVec3> = (0..=16)
             .map(|k| {
                 let t = f64::from(k) / 16.0;
                 let c = reach * (t * (ends[0] + ends[1]) - ends[0]);
-                let dip = 0.16 * ops::exp(-(c / 1.6) * (c / 1.6)) + 0.30 * (c / 7.0) * (c / 7.0);
-                let wave = 0.05 * ops::sin(beat * c + 4.0 * shift);
+                let dip = 0.20 * ops::exp(-(c / 1.8) * (c / 1.8)) + 0.34 * (c / 7.0) * (c / 7.0);
+                let wave = 0.09 * ops::sin(beat * c + 4.0 * shift);
                 scribe.grid(c, row + dip + wave)
             })
             .collect();
-        scribe.line(Side::Left, &through, strength, 1.15, 0.15);
-        // A short one between two long ones.
-        let from = scribe.between(-4.5, 1.5);
-        let to = from + scribe.between(1.6, 3.4);
+        fold(scribe, Side::Left, &through, strength, 1.35);
+        // Some fork: a short one leaves a long one.
+        let from = scribe.between(-5.0, 2.5);
+        let to = from + scribe.between(1.5, 2.5);
         let short: Vec<DVec3> = (0..=6)
             .map(|k| {
-                let c = from + (to - from) * f64::from(k) / 6.0;
-                scribe.grid(c, row + 0.31 + 0.30 * (c / 7.0) * (c / 7.0))
+                let t = f64::from(k) / 6.0;
+                let c = from + (to - from) * t;
+                scribe.grid(c, row + 0.15 + 0.3 * t + 0.34 * (c / 7.0) * (c / 7.0))
             })
             .collect();
-        scribe.line(Side::Left, &short, 0.45 * strength, 0.8, 0.1);
+        if scribe.chance() < 0.6 {
+            fold(scribe, Side::Left, &short, 0.40 * strength, 0.8);
+        }
     }
 }
 
 /// Upright between the brows.
 fn glabella(scribe: &mut Scribe<'_>, side: Side, deep: f64) {
-    let (a, b) = (scribe.between(0.62, 0.85), scribe.between(0.8, 1.05));
-    let top = scribe.between(2.7, 3.1);
+    let (a, b) = (scribe.between(1.0, 1.2), scribe.between(1.25, 1.45));
+    let top = scribe.between(3.1, 3.4);
     let through = [
         scribe.grid(b, top),
-        scribe.grid(a, 3.9),
-        scribe.grid(0.85 * a, 4.8),
-        scribe.grid(0.8 * a, 5.5),
+        scribe.grid(a, 4.1),
+        scribe.grid(0.9 * a, 4.9),
+        scribe.grid(0.95 * a, 5.5),
     ];
-    scribe.line(side, &through, 1.1 * deep, 1.1, 0.05);
-    let out = scribe.between(1.5, 1.8);
+    fold(scribe, side, &through, 1.0 * deep, 1.2);
+    let inner = scribe.between(0.25, 0.4);
     let through = [
-        scribe.grid(out + 0.3, top + 0.35),
-        scribe.grid(out, 3.9),
-        scribe.grid(out - 0.35, 4.5),
+        scribe.grid(inner, 3.9),
+        scribe.grid(inner, 4.6),
+        scribe.grid(0.9 * inner, 5.2),
     ];
-    scribe.line(side, &through, 0.5 * deep, 0.8, 0.1);
+    fold(scribe, side, &through, 0.35 * deep, 0.8);
 }
 
 /// A fan from the outer corner of the eye, and what a squint lays under it.
 fn crows_feet(scribe: &mut Scribe<'_>, side: Side, deep: f64) {
     for i in 0..5 {
-        let fan = (f64::from(i) - 2.0) / 2.2 + scribe.between(-0.1, 0.1);
-        let start = scribe.between(8.2, 8.6);
-        let end = start + scribe.between(1.7, 2.8) * (1.0 - 0.25 * fan.abs());
-        let row = 6.1 + 0.7 * fan;
-        let fall = 1.3 * fan + 0.15 + scribe.between(-0.2, 0.2);
-        let bow = scribe.between(-0.1, 0.15);
+        let fan = (f64::from(i) - 2.0) / 2.0 + scribe.between(-0.1, 0.1);
+        let from = scribe
+            .places
+            .eye(scribe.between(1.3, 2.1), 8.0 + 0.75 * fan);
+        let end = 8.9 + scribe.between(0.2, 1.3) * (1.0 - 0.3 * fan.abs());
+        let row = 6.15 + 0.75 * fan;
+        let fall = 0.75 * fan + 0.1 + scribe.between(-0.15, 0.15);
         let through = [
-            scribe.grid(start, row),
-            scribe.grid((start + end) / 2.0, row + 0.42 * fall + bow),
+            from,
+            scribe.grid(8.15, row),
+            scribe.grid((8.15 + end) / 2.0, row + 0.45 * fall),
             scribe.grid(end, row + fall),
         ];
-        let strength = 0.9 * deep * scribe.between(0.7, 1.05) * (1.0 - 0.25 * fan.abs());
-        scribe.line(side, &through, strength, 0.75, 0.1);
+        let strength = 0.85 * deep * scribe.between(0.75, 1.05) * (1.0 - 0.25 * fan.abs());
+        fold(scribe, side, &through, strength, 0.8);
     }
-    for i in 0..4 {
-        let ring = 0.35 + 0.62 * f64::from(i) + scribe.between(-0.1, 0.1);
-        let (a, b) = (scribe.between(8.9, 9.8), scribe.between(12.2, 14.4));
+    for (ring, a, b) in [(2.7, 10.2, 12.6), (2.0, 9.2, 11.6), (1.35, 10.8, 13.4)] {
+        let (a, b) = (a + scribe.between(-0.3, 0.3), b + scribe.between(-0.4, 0.4));
+        let lean = scribe.between(-0.25, 0.1);
         let through: Vec<DVec3> = (0..=6)
-            .map(|k| scribe.places.eye(ring, a + (b - a) * f64::from(k) / 6.0))
+            .map(|k| {
+                let t = f64::from(k) / 6.0;
+                scribe.places.eye(ring + lean * t, a + (b - a) * t)
+            })
             .collect();
-        scribe.line(side, &through, 0.42 * deep, 0.6, 0.15);
+        fold(scribe, side, &through, 0.36 * deep, 0.65);
     }
 }
 
@@ -169,60 +190,60 @@ fn crows_feet(scribe: &mut Scribe<'_>, side: Side, deep: f64) {
 /// cheek, and what goes on below the corner.
 fn cheek(scribe: &mut Scribe<'_>, side: Side, deep: f64) {
     let through = [
-        scribe.grid(3.75, 13.2),
-        scribe.grid(4.35, 14.8),
-        scribe.grid(4.85, 16.4),
-        scribe.grid(5.25, 18.0),
-        scribe.grid(5.35, 19.3),
+        scribe.grid(3.8, 13.2),
+        scribe.grid(4.6, 14.7),
+        scribe.grid(5.35, 16.2),
+        scribe.grid(5.9, 17.8),
+        scribe.grid(6.05, 19.2),
     ];
-    scribe.line(side, &through, 1.25 * deep, 1.6, 0.0);
+    fold(scribe, side, &through, 0.95 * deep, 1.5);
     for i in 0..2 {
-        let out = 6.1 + 0.8 * f64::from(i) + scribe.between(-0.1, 0.1);
-        let (top, end) = (scribe.between(14.8, 15.8), scribe.between(18.8, 20.2));
+        let out = 7.0 + 0.85 * f64::from(i) + scribe.between(-0.1, 0.1);
+        let (top, end) = (scribe.between(15.0, 16.0), scribe.between(18.8, 20.0));
         let through = [
-            scribe.grid(out - 0.3, top),
-            scribe.grid(out + 0.25, (top + end) / 2.0),
+            scribe.grid(out - 0.45, top),
+            scribe.grid(out + 0.2, (top + end) / 2.0),
             scribe.grid(out, end),
         ];
-        let strength = (0.62 - 0.22 * f64::from(i)) * deep;
-        scribe.line(side, &through, strength, 1.2, 0.1);
+        let strength = (0.5 - 0.2 * f64::from(i)) * deep;
+        fold(scribe, side, &through, strength, 1.1);
     }
     let through = [
-        scribe.grid(4.5, 19.3),
-        scribe.grid(4.75, 20.5),
-        scribe.grid(4.5, 22.2),
+        scribe.grid(4.75, 19.6),
+        scribe.grid(4.95, 20.7),
+        scribe.grid(4.75, 22.0),
     ];
-    scribe.line(side, &through, 0.8 * deep, 1.2, 0.05);
+    fold(scribe, side, &through, 0.42 * deep, 1.1);
 }
 
 /// Across the root of the nose.
 fn nose_root(scribe: &mut Scribe<'_>, deep: f64) {
     for i in 0..3 {
-        let row = 5.35 + 0.62 * f64::from(i) + scribe.between(-0.1, 0.1);
-        let reach = scribe.between(0.95, 1.25);
-        let through: Vec<DVec3> = (0..=6)
+        let row = 5.25 + 0.62 * f64::from(i) + scribe.between(-0.08, 0.08);
+        let reach = scribe.between(1.5, 1.8);
+        let through: Vec<DVec3> = (0..=8)
             .map(|k| {
-                let c = reach * (f64::from(k) / 3.0 - 1.0);
-                scribe.grid(c, row - 0.25 * c * c)
+                let c = reach * (f64::from(k) / 4.0 - 1.0);
+                scribe.grid(c, row + 0.10 * c * c)
             })
             .collect();
-        let strength = deep * (0.9 - 0.18 * f64::from(i));
-        scribe.line(Side::Left, &through, strength, 0.9, 0.05);
+        let strength = deep * (1.0 - 0.18 * f64::from(i));
+        fold(scribe, Side::Left, &through, strength, 1.0);
     }
 }
 
 /// From the bridge over the flank of the nose, down and outwards.
 fn bunny(scribe: &mut Scribe<'_>, side: Side, deep: f64) {
     for i in 0..3 {
-        let row = 7.5 + 0.75 * f64::from(i) + scribe.between(-0.12, 0.12);
-        let end = scribe.between(2.2, 2.7);
+        let row = 7.5 + 0.8 * f64::from(i) + scribe.between(-0.12, 0.12);
+        let end = scribe.between(2.5, 3.0);
         let through = [
-            scribe.grid(0.55, row),
-            scribe.grid(1.35, row + 0.45),
-            scribe.grid(end, row + 1.25),
+            scribe.grid(0.5, row),
+            scribe.grid(1.5, row + 0.45),
+            scribe.grid(end, row + 1.35),
         ];
-        let strength = deep * (0.75 - 0.12 * f64::from(i));
-        scribe.line(side, &through, strength, 0.8, 0.1);
+        let strength = deep * (0.9 - 0.12 * f64::from(i));
+        fold(scribe, side, &through, strength, 0.85);
     }
 }
 
@@ -235,14 +256,14 @@ fn lips(scribe: &mut Scribe<'_>, side: Side, deep: f64) {
             let lean = scribe.between(-0.15, 0.15);
             let out = scribe.between(0.0, 0.35);
             let through = [
-                scribe.places.mouth(1.75, k),
+                scribe.places.mouth(1.6, k),
                 scribe.places.mouth(1.1, k + 0.3 * lean),
                 scribe.places.mouth(0.7, k + 0.7 * lean),
                 scribe.places.mouth(out, k + lean),
             ];
-            let strength = 0.55 * deep * scribe.between(0.55, 1.05);
-            scribe.line(side, &through, strength, 0.6, 0.05);
+            let strength = 0.62 * deep * scribe.between(0.55, 1.05);
+            fold(scribe, side, &through, strength, 0.6);
         }
-        k += scribe.between(0.38, 0.62);
+        k += scribe.between(0.40, 0.62);
     }
 }

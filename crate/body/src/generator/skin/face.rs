@@ -217,7 +217,10 @@ impl FacePainter<'_> {
         if let Some(expression) = &self.expression {
             // Neither under the brows nor behind the lashes.
             let bare = (1.0 - brow) * (1.0 - rise(3.2, 4.2, eye)) * (1.0 - rise(0.3, 1.5, nostril));
-            tissue.folds_mm = expression.heights_mm(q, p, normal).map(|h| h * bare);
+            let [red, green, blue] = expression.heights_mm(q, p, normal).map(|h| h * bare);
+            // The furrows of the cheek end before the lips.
+            let off_lips = 1.0 - rise(0.05, 0.6, mouth);
+            tissue.folds_mm = [red, green * off_lips, blue * (1.0 - rise(1.2, 2.2, mouth))];
         }
 
         tissue.lay(s.brow_colour, 0.58 * brow * self.brow_stain);

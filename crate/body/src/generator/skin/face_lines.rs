@@ -58,21 +58,27 @@ impl<'a> Scribe<'a> {
     }
 
     /// A line on one side.
-    pub(super) fn line(
-        &mut self,
-        side: Side,
-        through: &[DVec3],
-        strength: f64,
-        width: f64,
-        broken: f64,
-    ) {
+    fn line(&mut self, side: Side, through: &[DVec3], strength: f64, width: f64, broken: f64) {
+        self.draw(
+            side,
+            through,
+            Pen {
+                strength,
+                width,
+                wander: 0.35 + 0.5 * width,
+                broken,
+                unsteady: 0.45,
+                seed: 0,
+            },
+        );
+    }
+
+    /// A line on one side with a pen of any kind; it gets a seed of its own.
+    pub(super) fn draw(&mut self, side: Side, through: &[DVec3], pen: Pen) {
         self.drawn += 1;
         let pen = Pen {
-            strength,
-            width,
-            wander: 0.35 + 0.5 * width,
-            broken,
             seed: self.skin.seed.wrapping_mul(0x9E37).wrapping_add(self.drawn),
+            ..pen
         };
         if side == Side::Left {
             self.marks.line(through, pen);

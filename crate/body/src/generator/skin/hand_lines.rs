@@ -15,6 +15,7 @@ pub(super) fn draw(lines: &[HandLine], scale: f64, seed: u64) -> Marks {
             width: line.width,
             wander: 0.25 + 0.4 * line.width,
             broken: line.broken,
+            unsteady: 0.45,
             seed: seed.wrapping_mul(0x9E37).wrapping_add(i),
         };
         marks.line(&line.through, pen);

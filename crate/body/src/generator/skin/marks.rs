@@ -43,6 +43,8 @@ pub(crate) struct Pen {
     pub(crate) wander: f64,
     /// Share of its length that is lost to gaps, 0..1.
     pub(crate) broken: f64,
+    /// How much its strength differs along it, 0..1.
+    pub(crate) unsteady: f64,
     /// Tells one line from another.
     pub(crate) seed: u64,
 }
@@ -88,7 +90,7 @@ impl Marks {
                 + DVec3::new(wave(4, 2.3), wave(5, 2.3), wave(6, 2.3)) * (0.3 * pen.wander);
             let taper = (ops::sin(core::f64::consts::PI * t.clamp(0.0, 1.0)).max(0.0)).sqrt();
             let gap = 1.0 - 1.6 * pen.broken * (0.55 + wave(7, 9.0)).clamp(0.0, 1.0);
-            let vary = 1.0 + 0.45 * wave(8, 4.0);
+            let vary = 1.0 + pen.unsteady * wave(8, 4.0);
             let strength = pen.strength * taper * gap.clamp(0.0, 1.0) * vary;
             let now = (p + sway, strength);
             if let Some(before) = last {
@@ -226,6 +228,7 @@ mod tests {
             width: 0.5,
             wander: 0.0,
             broken: 0.0,
+            unsteady: 0.45,
             seed: 1,
         };
         marks.line(&[DVec3::ZERO, DVec3::X * 20.0], pen);
