@@ -28,6 +28,8 @@ const STIFFER: f32 = 3.0;
 const CONNECTING_PER_S2: f32 = 6000.0;
 /// Below this grip those springs are softer.
 const FIRM_GRIP: f32 = 0.3;
+/// How much stiffer they are at the lips, which must follow speech.
+const LIP: f32 = 0.8;
 /// Friction between the skin and what it lies on, 1/s. It acts on the difference of their
 /// velocities, so that skin does not lag behind a muscle that moves evenly. Designed: near
 /// critical for a node that is held firmly.
@@ -118,7 +120,9 @@ impl Springs {
             .map(|(&d, &g)| {
                 let d = d.clamp(0.001, 0.05);
                 // What is hardly gripped lies in a fold, and follows its neighbours.
-                let firm = (g / FIRM_GRIP).clamp(0.1, 1.0);
+                // Lips are held by muscle on all sides.
+                let lip = 1.0 + LIP * ((g - 0.75) / 0.1).clamp(0.0, 1.0);
+                let firm = (g / FIRM_GRIP).clamp(0.1, 1.0) * lip;
                 [d, d * (1.0 - g.clamp(0.05, 1.0)), CONNECTING_PER_S2 * firm]
             })
             .collect();
