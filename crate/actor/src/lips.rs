@@ -172,7 +172,9 @@ impl LipTrack {
     /// Holds the closures near a time.
     fn close(&self, t: f64, now: usize, mut channels: [f64; CHANNELS]) -> MouthTargets {
         let mut out = MouthTargets::default();
-        let near = now.saturating_sub(2)..(now + 3).min(self.segments.len());
+        // Parts of a diphthong may be as short as 20 ms: three and the rest of the one being
+        // heard last longer than lips take to close.
+        let near = now.saturating_sub(2)..(now + 5).min(self.segments.len());
         for segment in &self.segments[near] {
             let gate = segment.gate(t);
             if gate <= 0.0 {
