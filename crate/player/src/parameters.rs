@@ -229,7 +229,7 @@ mod tests {
                     (4.2, "DepressorSeptiNasi", 1.0),
                     (9.0, "jaw", 0.0),
                     // Half of disgust stays when the animation is over.
-                    (9.0, "NasalisLeft", 0.25),
+                    (9.0, "NasalisLeft", 0.3),
                 ],
             ),
             (
@@ -238,7 +238,7 @@ mod tests {
                  <body-set-control-parameter time='2' parameterId='surprise' value='0'/>",
                 &[
                     // A third of the one and two of the other.
-                    (1.0, "FrontalisLateralLeft", 0.85 * 2.0 / 3.0),
+                    (1.0, "FrontalisLateralLeft", 0.95 * 2.0 / 3.0),
                     (3.0, "FrontalisLateralLeft", 0.0),
                     (3.0, "DepressorAnguliOrisRight", 0.3),
                 ],

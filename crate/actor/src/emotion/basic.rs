@@ -47,41 +47,41 @@ const JOY: &[Share] = &[
     m(M::ZygomaticusMinorLeft, 25),
     m(M::LevatorAnguliLeft, 20),
     m(M::LevatorLabiiLeft, 10),
-    m(M::OrbicularisOculiLeft, 55),
+    m(M::OrbicularisOculiLeft, 65),
     (Dial::LOWER_LID_LEFT, 30),
     (Dial::JAW, 10),
 ];
 
 /// AU 1, 2, 5, 26.
 const SURPRISE: &[Share] = &[
-    m(M::FrontalisMedialLeft, 85),
-    m(M::FrontalisLateralLeft, 85),
+    m(M::FrontalisMedialLeft, 95),
+    m(M::FrontalisLateralLeft, 95),
     (Dial::UPPER_LID_LEFT, -75),
     (Dial::JAW, 45),
 ];
 
 /// AU 9, 10, 17 with 4 and 7, as a wrinkled nose brings them along, and a little 15.
 const DISGUST: &[Share] = &[
-    m(M::LevatorLabiiAlaequeLeft, 80),
-    m(M::LevatorLabiiLeft, 60),
-    m(M::ZygomaticusMinorLeft, 15),
-    m(M::NasalisLeft, 50),
-    m(M::Procerus, 45),
-    m(M::CorrugatorLeft, 35),
-    m(M::DepressorSuperciliiLeft, 35),
-    m(M::OrbicularisOculiLeft, 40),
-    m(M::MentalisLeft, 50),
-    m(M::DepressorAnguliLeft, 30),
+    m(M::LevatorLabiiAlaequeLeft, 70),
+    m(M::LevatorLabiiLeft, 40),
+    m(M::ZygomaticusMinorLeft, 10),
+    m(M::NasalisLeft, 60),
+    m(M::Procerus, 55),
+    m(M::CorrugatorLeft, 40),
+    m(M::DepressorSuperciliiLeft, 50),
+    m(M::OrbicularisOculiLeft, 50),
+    m(M::MentalisLeft, 20),
+    m(M::DepressorAnguliLeft, 20),
     (Dial::LOWER_LID_LEFT, 35),
     (Dial::UPPER_LID_LEFT, 10),
 ];
 
 /// AU 4, 5, 7, 23, 24 with a little 17 and 38, jaw forwards (AU 29).
 const ANGER: &[Share] = &[
-    m(M::CorrugatorLeft, 85),
-    m(M::DepressorSuperciliiLeft, 70),
-    m(M::Procerus, 55),
-    m(M::OrbicularisOculiLeft, 30),
+    m(M::CorrugatorLeft, 90),
+    m(M::DepressorSuperciliiLeft, 85),
+    m(M::Procerus, 70),
+    m(M::OrbicularisOculiLeft, 40),
     m(M::OrbicularisOrisUpper, 55),
     m(M::OrbicularisOrisLower, 60),
     m(M::MentalisLeft, 25),
@@ -94,8 +94,8 @@ const ANGER: &[Share] = &[
 
 /// AU 1, 2, 4, 5, 20, 26, the lips a little parted (AU 25).
 const FEAR: &[Share] = &[
-    m(M::FrontalisMedialLeft, 80),
-    m(M::FrontalisLateralLeft, 55),
+    m(M::FrontalisMedialLeft, 90),
+    m(M::FrontalisLateralLeft, 60),
     m(M::CorrugatorLeft, 50),
     m(M::RisoriusLeft, 65),
     m(M::PlatysmaLeft, 45),
@@ -108,11 +108,10 @@ const FEAR: &[Share] = &[
 
 /// AU 1, 4, 15, 17 with a little 6, the lids low.
 const SADNESS: &[Share] = &[
-    m(M::FrontalisMedialLeft, 75),
-    m(M::CorrugatorLeft, 55),
-    m(M::DepressorSuperciliiLeft, 10),
+    m(M::FrontalisMedialLeft, 90),
+    m(M::CorrugatorLeft, 50),
     m(M::DepressorAnguliLeft, 60),
-    m(M::MentalisLeft, 45),
+    m(M::MentalisLeft, 40),
     m(M::OrbicularisOculiLeft, 12),
     (Dial::UPPER_LID_LEFT, 25),
     (Dial::LOWER_LID_LEFT, 10),

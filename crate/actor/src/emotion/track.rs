@@ -453,7 +453,7 @@ mod tests {
         // Half of both: joy's and disgust's corners of the mouth pull against each other.
         let mixed = face(&track, 2.5).contraction;
         let zygomaticus = raconteur_body::face::Muscle::ZygomaticusMajorLeft.index();
-        assert!((mixed[zygomaticus] - 0.5 * (0.8 - 0.3)).abs() < 1e-12);
+        assert!((mixed[zygomaticus] - 0.5 * (0.8 - 0.2)).abs() < 1e-12);
     }
 
     #[test]
