@@ -174,10 +174,10 @@ type Effect = (Muscle, &'static str, f32, [f32; 3]);
 /// What mimic muscles do (F&H section 3.1.1), at landmarks of the left half or the middle.
 const EFFECTS: [Effect; 22] = [
     (M::FrontalisMedialLeft, "g", 1.0, [0.0, 1.0, 0.0]),
-    (M::FrontalisMedialLeft, "sci_l", 0.8, [0.0, 1.0, 0.0]),
-    (M::FrontalisLateralLeft, "sci_l", 1.0, [0.0, 1.0, 0.0]),
+    (M::FrontalisMedialLeft, "sc_l", 1.5, [0.0, 1.0, 0.0]),
+    (M::FrontalisLateralLeft, "os_l", 1.0, [0.0, 1.0, 0.0]),
     (M::CorrugatorLeft, "sci_l", 0.5, [-1.0, 0.0, 0.0]),
-    (M::DepressorSuperciliiLeft, "gl'", 0.2, [0.0, -1.0, 0.0]),
+    (M::DepressorSuperciliiLeft, "sc_l", 0.3, [0.0, -1.0, 0.0]),
     (M::Procerus, "gl'", 0.8, [0.0, -1.0, 0.0]),
     (M::NasalisLeft, "al_l", 0.2, [1.0, 0.0, 0.0]),
     (M::DepressorSepti, "c", 0.4, [0.0, -1.0, 0.0]),

@@ -3,11 +3,13 @@
 use super::contact::{Contacts, Depths, JawPlace};
 use super::muscles::Muscles;
 use super::springs::{Hold, STEPS_PER_S, Springs, Vector};
-use super::tissue::Column;
+use super::tissue::{Column, LipNode};
 use super::{FaceControls, Jaw, Muscle, NodeState, Tissue};
 
 /// Steps after which a face is at rest, whatever is asked of it.
 const SETTLES: usize = 90;
+/// Share of a gap that the lower lip closes where it closes most; see [`LipNode::closes`].
+const LOWER_CLOSES: f32 = 0.64;
 /// Sealed lips press each other by this, metres on the reference head; what stops them is
 /// each other.
 const PRESS_M: f32 = 0.0012;
@@ -58,9 +60,8 @@ pub struct Network {
     /// Where what lies under each node has come, without muscles.
     bones: Vec<[Vector; 2]>,
     jaw: JawPlace,
-    /// Gap of each column of the lips before they are sealed, and the way of its lower lip
-    /// to the teeth.
-    gaps: Vec<[[f32; 3]; 2]>,
+    /// How far the lips of each column have to move, while they are closed.
+    gaps: Vec<[f32; 3]>,
     /// What each point of a fibre folds: channel and strength.
     folding: Vec<Option<(u8, f32, u8)>>,
     contraction: [f64; super::MUSCLES],
@@ -105,7 +106,7 @@ impl Network {
                 .map(|(&p, &n)| [p, n])
                 .collect(),
             jaw: JawPlace::new(tissue.hinge, 0.0, 0.0, [0.0; 3]),
-            gaps: vec![[[0.0; 3]; 2]; tissue.columns.len()],
+            gaps: vec![[0.0; 3]; tissue.columns.len()],
             folding,
             contraction: [0.0; super::MUSCLES],
             blush: 0.0,
@@ -125,6 +126,7 @@ impl Network {
             .contacts
             .resolve(tissue, &mut self.springs, &self.bones, &self.jaw);
         self.springs.limit();
+        self.springs.follow();
     }
 
     /// Puts the face where these controls keep it, at rest.
@@ -143,6 +145,7 @@ impl Network {
             .contacts
             .resolve(tissue, &mut self.springs, &self.bones, &self.jaw);
         self.springs.limit();
+        self.springs.follow();
     }
 
     /// Brings muscles and jaw to the controls and finds where each node is held.
@@ -190,29 +193,30 @@ impl Network {
         if seal == 0.0 && bite == 0.0 {
             return;
         }
+        // What bites is not sealed.
+        let seal = seal * (1.0 - bite);
+        let press = [0.0, PRESS_M * tissue.scale, 0.0];
         for (gap, column) in self.gaps.iter_mut().zip(&tissue.columns) {
             let [above, below] = column.contact.map(usize::from);
-            let off = |i: usize| {
-                let (p, rest) = (self.holds[i].place, tissue.rest[i]);
-                [p[0] - rest[0], p[1] - rest[1], p[2] - rest[2]]
-            };
-            let (upper, lower) = (off(above), off(below));
-            let mut apart = [0, 1, 2].map(|k| upper[k] - lower[k]);
-            apart[1] += PRESS_M * tissue.scale;
-            let lip = self.holds[below].place;
-            let to_teeth = [0, 1, 2].map(|k| (column.edge[k] - lip[k]) * column.bites);
-            *gap = [apart.map(|x| x * seal), to_teeth.map(|x| x * bite)];
+            let off = |i: usize, k: usize| self.holds[i].place[k] - tissue.rest[i][k];
+            *gap = [0, 1, 2].map(|k| (off(above, k) - off(below, k) + press[k]) * seal);
         }
+        self.move_lips(tissue, |lip| lip.closes);
+        for (gap, column) in self.gaps.iter_mut().zip(&tissue.columns) {
+            let lip = self.holds[usize::from(column.contact[1])].place;
+            *gap = [0, 1, 2].map(|k| (column.edge[k] - lip[k]) * column.bites * bite);
+        }
+        // The lower lip alone goes to the teeth, all of its red as far.
+        self.move_lips(tissue, |lip| lip.closes.max(0.0) / LOWER_CLOSES);
+    }
+
+    /// Moves the nodes of the lips by a share of what is set for their columns.
+    fn move_lips(&mut self, tissue: &Tissue, share: impl Fn(&LipNode) -> f32) {
         for lip in &tissue.lips {
-            let [apart, to_teeth] = self.gaps[usize::from(lip.column)];
+            let gap = self.gaps[usize::from(lip.column)];
             let place = &mut self.holds[usize::from(lip.node)].place;
-            let bites = if lip.closes > 0.0 {
-                lip.closes / 0.64
-            } else {
-                0.0
-            };
             for k in 0..3 {
-                place[k] += apart[k] * lip.closes + to_teeth[k] * bites;
+                place[k] += gap[k] * share(lip);
             }
         }
     }

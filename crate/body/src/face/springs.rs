@@ -30,10 +30,11 @@ const CONNECTING_PER_S2: f32 = 6000.0;
 const FIRM_GRIP: f32 = 0.3;
 /// How much stiffer they are at the lips, which must follow speech.
 const LIP: f32 = 0.8;
-/// Friction between the skin and what it lies on, 1/s. It acts on the difference of their
-/// velocities, so that skin does not lag behind a muscle that moves evenly. Designed: near
-/// critical for a node that is held firmly.
-const FRICTION_PER_S: f32 = 110.0;
+/// Friction between the skin and what it lies on, against the critical damping of how a node is
+/// held sideways, and the least of it, 1/s. It acts on the difference of their velocities, so
+/// that skin does not lag behind a muscle that moves evenly. Designed.
+const FRICTION: f32 = 0.55;
+const LEAST_FRICTION_PER_S: f32 = 60.0;
 
 /// Four numbers a node, the last unused: a processor takes them in one go.
 pub(super) type Vector = [f32; 4];
@@ -71,15 +72,41 @@ pub(super) struct Hold {
     pub(super) outwards: Vector,
 }
 
+/// Nodes nearer to each other than this are one mass, metres: in the corners of the mouth the
+/// rings of both lips crowd, and between springs of a tenth of a millimetre none would be
+/// short enough to hold.
+const APART_M: f32 = 0.0007;
+
+/// For each node the one that leads it: of those that edges too short for springs join, the
+/// first.
+fn leaders(places: &[Vector], edges: impl Iterator<Item = [u16; 2]>) -> Vec<u16> {
+    let mut leaders: Vec<u16> = (0..places.len() as u16).collect();
+    for ends in edges {
+        let [a, b] = ends.map(usize::from);
+        if length(minus(places[a], places[b])) < APART_M {
+            let (from, to) = (leaders[a].max(leaders[b]), leaders[a].min(leaders[b]));
+            for leader in &mut leaders {
+                if *leader == from {
+                    *leader = to;
+                }
+            }
+        }
+    }
+    leaders
+}
+
 /// Masses and springs.
 #[derive(Clone, Debug)]
 pub(super) struct Springs {
     springs: Vec<Spring>,
-    /// Distance to the ends of the connecting springs, their length at rest, and stiffness.
-    connecting: Vec<[f32; 3]>,
+    /// Distance to the ends of the connecting springs, their length at rest, their stiffness,
+    /// and the friction of a step.
+    connecting: Vec<[f32; 4]>,
     pub(super) places: Vec<Vector>,
     /// Places one step ago.
     pub(super) before: Vec<Vector>,
+    /// Nodes that go with another, which leads them, and their way from it.
+    led: Vec<([u16; 2], Vector)>,
     velocities: Vec<Vector>,
     forces: Vec<Vector>,
 }
@@ -98,6 +125,11 @@ impl Springs {
             pairs.push(([q[0], q[2]], SKIN_PER_S2 * DIAGONAL));
             pairs.push(([q[1], q[3]], SKIN_PER_S2 * DIAGONAL));
         }
+        let leaders = leaders(&places, pairs.iter().map(|(ends, _)| *ends));
+        for (ends, _) in &mut pairs {
+            let [a, b] = ends.map(|i| leaders[usize::from(i)]);
+            *ends = [a.min(b), a.max(b)];
+        }
         // Most edges belong to two faces.
         pairs.sort_unstable_by_key(|(ends, _)| *ends);
         pairs.dedup_by_key(|(ends, _)| *ends);
@@ -106,8 +138,8 @@ impl Springs {
             .filter_map(|(ends, stiffness)| {
                 let [a, b] = ends.map(|i| places[usize::from(i)]);
                 let rest = length(minus(b, a));
-                // Doubled nodes need no spring.
-                (rest > 1e-6).then_some(Spring {
+                // A node needs no spring to itself.
+                (ends[0] != ends[1]).then_some(Spring {
                     ends,
                     stiffness,
                     rest,
@@ -123,13 +155,27 @@ impl Springs {
                 // Lips are held by muscle on all sides.
                 let lip = 1.0 + LIP * ((g - 0.75) / 0.1).clamp(0.0, 1.0);
                 let firm = (g / FIRM_GRIP).clamp(0.1, 1.0) * lip;
-                [d, d * (1.0 - g.clamp(0.05, 1.0)), CONNECTING_PER_S2 * firm]
+                {
+                    let (stiffness, grip) = (CONNECTING_PER_S2 * firm, g.clamp(0.05, 1.0));
+                    let critical = 2.0 * (2.0 * stiffness * grip).sqrt();
+                    let friction = (FRICTION * critical).max(LEAST_FRICTION_PER_S);
+                    [d, d * (1.0 - grip), stiffness, friction * STEP_SECS]
+                }
+            })
+            .collect();
+        let led = (0u16..)
+            .zip(&leaders)
+            .filter(|(i, leader)| i != *leader)
+            .map(|(i, &leader)| {
+                let off = minus(places[usize::from(i)], places[usize::from(leader)]);
+                ([i, leader], off)
             })
             .collect();
         let still = vec![[0.0; 4]; places.len()];
         Self {
             connecting,
             before: places.clone(),
+            led,
             velocities: still.clone(),
             forces: still,
             springs,
@@ -164,12 +210,13 @@ impl Springs {
             self.forces[a] = plus(self.forces[a], force);
             self.forces[b] = minus(self.forces[b], force);
         }
-        const DRAG: f32 = FRICTION_PER_S * STEP_SECS;
         let held = holds.iter().zip(earlier).zip(&self.connecting);
         let nodes = self.places.iter_mut().zip(&mut self.before);
         let moving = self.velocities.iter_mut().zip(&self.forces);
-        for (((hold, earlier), &[deep, rest, stiffness]), ((place, before), (velocity, force))) in
-            held.zip(nodes.zip(moving))
+        for (
+            ((hold, earlier), &[deep, rest, stiffness, drag]),
+            ((place, before), (velocity, force)),
+        ) in held.zip(nodes.zip(moving))
         {
             let off = minus(hold.place, *place);
             let down = times(hold.outwards, deep);
@@ -181,11 +228,21 @@ impl Springs {
             let along = minus(hold.place, earlier.place);
             let sped = plus(*velocity, times(pull, STEP_SECS));
             *velocity = times(
-                plus(sped, times(along, DRAG * STEPS_PER_S)),
-                1.0 / (1.0 + DRAG),
+                plus(sped, times(along, drag * STEPS_PER_S)),
+                1.0 / (1.0 + drag),
             );
             *before = *place;
             *place = plus(*place, times(*velocity, STEP_SECS));
+        }
+    }
+
+    /// Puts the nodes that are led where their leaders are.
+    pub(super) fn follow(&mut self) {
+        for ([node, leader], off) in &self.led {
+            let (node, leader) = (usize::from(*node), usize::from(*leader));
+            self.places[node] = plus(self.places[leader], *off);
+            self.before[node] = plus(self.before[leader], *off);
+            self.velocities[node] = self.velocities[leader];
         }
     }
 

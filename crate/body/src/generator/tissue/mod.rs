@@ -34,7 +34,7 @@ fn ramp(low: f64, high: f64, x: f64) -> f64 {
 fn grip(node: &SoftNode) -> f64 {
     let is_fold = |lip: LipPlace| lip.ring >= 8 && (11..=13).contains(&lip.position);
     if node.lip.is_some_and(is_fold) {
-        0.05
+        0.15
     } else {
         node.grip
     }
