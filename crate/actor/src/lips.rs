@@ -30,7 +30,7 @@ const CLOSING_SECS: f64 = 0.055;
 const OPENING_SECS: f64 = 0.05;
 /// Closures are complete this long before they are heard, seconds: skin follows muscles with
 /// a delay of about this. Designed.
-const AHEAD_SECS: f64 = 0.012;
+const AHEAD_SECS: f64 = 0.016;
 /// Silence takes this long to close the mouth, and is left this long before the next
 /// sound, seconds. Designed.
 const SILENCE_CLOSES_SECS: f64 = 0.10;

@@ -180,7 +180,7 @@ const EFFECTS: [Effect; 22] = [
     (M::DepressorSuperciliiLeft, "sc_l", 0.3, [0.0, -1.0, 0.0]),
     (M::Procerus, "gl'", 0.8, [0.0, -1.0, 0.0]),
     (M::NasalisLeft, "al_l", 0.2, [1.0, 0.0, 0.0]),
-    (M::DepressorSepti, "c", 0.4, [0.0, -1.0, 0.0]),
+    (M::DepressorSepti, "c", 0.3, [0.0, -1.0, 0.0]),
     (M::LevatorLabiiAlaequeLeft, "al_l", 0.8, [0.0, 1.0, 0.0]),
     (M::LevatorLabiiLeft, "cph_l", 1.5, [0.0, 1.0, 0.0]),
     (M::ZygomaticusMinorLeft, "mlfs_l", 1.0, [0.0, 1.0, 0.0]),

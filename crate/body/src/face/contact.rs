@@ -157,16 +157,23 @@ impl Contacts {
                 springs.shift(i, [x, y, z, 0.0]);
             }
         }
+        depths.lips_m = Self::part_lips(tissue, springs);
+        depths
+    }
+
+    /// Puts the lips out of each other; tells how deep they were.
+    pub(super) fn part_lips(tissue: &Tissue, springs: &mut Springs) -> f32 {
+        let mut deepest: f32 = 0.0;
         for [above, below] in &tissue.pairs {
             let (a, b) = (usize::from(*above), usize::from(*below));
             let least = (tissue.rest[a][1] - tissue.rest[b][1]).max(0.0);
             let deep = least - (springs.places[a][1] - springs.places[b][1]);
             if deep > 0.0 {
-                depths.lips_m = depths.lips_m.max(deep);
+                deepest = deepest.max(deep);
                 springs.shift(a, [0.0, 0.4 * deep, 0.0, 0.0]);
                 springs.shift(b, [0.0, -0.6 * deep, 0.0, 0.0]);
             }
         }
-        depths
+        deepest
     }
 }

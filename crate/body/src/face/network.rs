@@ -6,6 +6,10 @@ use super::springs::{Hold, STEPS_PER_S, Springs, Vector};
 use super::tissue::{Column, LipNode};
 use super::{FaceControls, Jaw, Muscle, NodeState, Tissue};
 
+/// How often the lips are parted in a step at most, and how deep in each other they need not
+/// be, metres.
+const TURNS: usize = 4;
+const NEAR_M: f32 = 5e-5;
 /// Steps after which a face is at rest, whatever is asked of it.
 const SETTLES: usize = 90;
 /// Share of a gap that the lower lip closes where it closes most; see [`LipNode::closes`].
@@ -125,8 +129,7 @@ impl Network {
         self.depths = self
             .contacts
             .resolve(tissue, &mut self.springs, &self.bones, &self.jaw);
-        self.springs.limit();
-        self.springs.follow();
+        self.make_whole(tissue);
     }
 
     /// Puts the face where these controls keep it, at rest.
@@ -144,6 +147,18 @@ impl Network {
         self.depths = self
             .contacts
             .resolve(tissue, &mut self.springs, &self.bones, &self.jaw);
+        self.make_whole(tissue);
+    }
+
+    /// Shortens what is too long, and parts the lips again where that has brought them
+    /// together; each undoes a little of the other.
+    fn make_whole(&mut self, tissue: &Tissue) {
+        for _ in 0..TURNS {
+            self.springs.limit();
+            if Contacts::part_lips(tissue, &mut self.springs) <= NEAR_M {
+                break;
+            }
+        }
         self.springs.limit();
         self.springs.follow();
     }
@@ -193,8 +208,6 @@ impl Network {
         if seal == 0.0 && bite == 0.0 {
             return;
         }
-        // What bites is not sealed.
-        let seal = seal * (1.0 - bite);
         let press = [0.0, PRESS_M * tissue.scale, 0.0];
         for (gap, column) in self.gaps.iter_mut().zip(&tissue.columns) {
             let [above, below] = column.contact.map(usize::from);
@@ -208,6 +221,15 @@ impl Network {
         }
         // The lower lip alone goes to the teeth, all of its red as far.
         self.move_lips(tissue, |lip| lip.closes.max(0.0) / LOWER_CLOSES);
+        if seal > 0.0 && bite > 0.0 {
+            // Between m and f the lower lip is at the teeth already, and the upper one on it.
+            for (gap, column) in self.gaps.iter_mut().zip(&tissue.columns) {
+                let [above, below] = column.contact.map(usize::from);
+                let off = |i: usize| self.holds[i].place[1] - tissue.rest[i][1];
+                *gap = [0.0, (off(above) - off(below) + press[1]) * seal, 0.0];
+            }
+            self.move_lips(tissue, |lip| lip.closes.min(0.0) / (1.0 - LOWER_CLOSES));
+        }
     }
 
     /// Moves the nodes of the lips by a share of what is set for their columns.
@@ -267,9 +289,15 @@ impl Network {
     /// those who look closely: it takes a copy of the network.
     #[must_use]
     pub fn left(&self, tissue: &Tissue) -> Depths {
+        // Each kind on a copy of its own: putting one right moves the others.
+        let lips_m = Contacts::part_lips(tissue, &mut self.springs.clone());
         let mut springs = self.springs.clone();
-        self.contacts
-            .resolve(tissue, &mut springs, &self.bones, &self.jaw)
+        Depths {
+            lips_m,
+            ..self
+                .contacts
+                .resolve(tissue, &mut springs, &self.bones, &self.jaw)
+        }
     }
 
     /// How far the lips are apart where they are farthest, more than at rest, upwards; metres.

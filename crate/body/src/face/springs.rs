@@ -18,9 +18,9 @@ const SLACK: f32 = 1.15;
 /// No spring of the skin is left longer than this, against its length at rest: what a step
 /// has stretched more is shortened at once (Provot 1995, "Deformation Constraints in a
 /// Mass-Spring Model to Describe Rigid Cloth Behavior").
-const LONGEST: f32 = 2.3;
+const LONGEST: f32 = 2.15;
 /// How often those are gone through, as shortening one stretches its neighbours.
-const ROUNDS: usize = 24;
+const ROUNDS: usize = 40;
 /// How much more.
 const STIFFER: f32 = 3.0;
 /// Of each of the two springs that hold a node over its place: to what lies under it, and
@@ -75,7 +75,7 @@ pub(super) struct Hold {
 /// Nodes nearer to each other than this are one mass, metres: in the corners of the mouth the
 /// rings of both lips crowd, and between springs of a tenth of a millimetre none would be
 /// short enough to hold.
-const APART_M: f32 = 0.0007;
+const APART_M: f32 = 0.001;
 
 /// For each node the one that leads it: of those that edges too short for springs join, the
 /// first.
