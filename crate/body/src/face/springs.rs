@@ -20,7 +20,7 @@ const SLACK: f32 = 1.15;
 /// Mass-Spring Model to Describe Rigid Cloth Behavior").
 const LONGEST: f32 = 2.15;
 /// How often those are gone through, as shortening one stretches its neighbours.
-const ROUNDS: usize = 40;
+const ROUNDS: usize = 64;
 /// How much more.
 const STIFFER: f32 = 3.0;
 /// Of each of the two springs that hold a node over its place: to what lies under it, and
