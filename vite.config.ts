@@ -97,6 +97,7 @@ export default defineConfig({
         index: join(root, 'index.html'),
         viewer: join(root, 'viewer/index.html'),
         gestures: join(root, 'gestures/index.html'),
+        face: join(root, 'face/index.html'),
         'raconteur-player': join(root, 'web/element/index.ts'),
       },
       // The element has an address that a page can name.

@@ -166,6 +166,18 @@ export interface View {
   readonly up: number;
 }
 
+/** What a page needs to draw how a face speaks. */
+export interface FaceCourse {
+  /** What the face is asked to do at even times. */
+  readonly curves: Float32Array;
+  /** What the mouth goes through. */
+  readonly segments: Float32Array;
+  readonly names: readonly string[];
+}
+
+/** What accompanies speech is made from: its sound, or what is known of its text (F&H 4.2 and 4.3). */
+export type Way = 'audio' | 'text';
+
 /** One storyteller: the class `Player` of `crate/web`. */
 export interface Engine {
   /**
@@ -187,6 +199,13 @@ export interface Engine {
   pose(): Float32Array;
   /** The names of what `pose` tells: joints, then manipulators. */
   poseNames(): string[];
+  /** What the face is asked to do at `count` times: the numbers that `web/pages/face/course.ts` reads. */
+  faceCurves(from: number, to: number, count: number): Float32Array;
+  /** What the mouth goes through, 10 numbers a segment, and the names of its phones; `web/pages/face/course.ts` reads them. */
+  segments(): Float32Array;
+  segmentNames(): string[];
+  /** What accompanies speech is made from its text, not its sound, in texts that are read from now on. */
+  setTextWay(text: boolean): void;
   /** Shows the moment `timeSecs`; a `TickStatus`. Cues passed since the last tick or seek are kept for `drainEvents`. */
   tick(timeSecs: number): number;
   /** Moves without passing what lies between. */

@@ -117,6 +117,19 @@ impl LipTrack {
         Self { segments, starts }
     }
 
+    /// The segments in order, for those who draw dominance: name of the phone's row, start,
+    /// end, and between which times it is at its peak (seconds from the utterance's start),
+    /// its magnitudes for opening, rounding, spreading and tongue, and the rates at which it
+    /// rises before and falls after the peak, 1/s: α·exp(−θ·|τ|) (F&H 3.1.3).
+    pub fn segments(&self) -> impl Iterator<Item = (&'static str, [f64; 10])> {
+        self.segments.iter().map(|s| {
+            let ([held, until], [o, r, w, g]) = (s.held, s.alphas);
+            let [before, after] = s.targets.thetas_per_s;
+            let numbers = [s.start, s.end, held, until, o, r, w, g, before, after];
+            (s.targets.name, numbers)
+        })
+    }
+
     /// Whether the mouth may move at this offset.
     #[must_use]
     pub fn covers(&self, offset_secs: f64) -> bool {

@@ -521,6 +521,12 @@ impl Actor {
         mouth
     }
 
+    /// Everything that is said: when it begins, story seconds, and its lips.
+    #[must_use]
+    pub fn lips(&self) -> &[(f64, LipTrack)] {
+        &self.lips
+    }
+
     fn spoken_mouth(&self, t: f64) -> MouthTargets {
         let i = self.lips.partition_point(|(start, _)| *start <= t);
         let track = |i: usize| self.lips.get(i).map(|(start, track)| (t - start, track));

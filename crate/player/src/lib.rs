@@ -12,6 +12,7 @@ mod animations;
 mod cues;
 mod emotions;
 mod event;
+mod fibres;
 mod geometry;
 mod gestures;
 mod layers;

@@ -5,16 +5,17 @@ use std::sync::Arc;
 use raconteur_actor::animation::{Operation, PlayerCommand};
 use raconteur_actor::gesture::TrunkShape;
 use raconteur_actor::performance::Report;
-use raconteur_actor::{Actor, FaceRig, Library, Manner, Sex};
+use raconteur_actor::{Actor, FaceRig, Library, LipTrack, Manner, Sex};
 use raconteur_base::order::sort_by_number;
 use raconteur_base::{DVec3, Side};
 use raconteur_body::face::{FaceControls, Network, NodeState, Tissue};
-use raconteur_body::{Figure, Pose};
+use raconteur_body::{Bone, Figure, Pose};
 use raconteur_eml::{Diagnostic, Timeline};
 use raconteur_stage::{Camera, Frame, Room, Shot, SpeechNow, View};
 
 use crate::cues::{Cue, UtteranceCue};
 use crate::event::Event;
+use crate::fibres;
 use crate::geometry::Geometry;
 use crate::gestures::{self, Reach};
 use crate::layers::Layers;
@@ -456,6 +457,12 @@ impl Player {
         self.layers.controls(time_secs)
     }
 
+    /// Everything that is said: when it begins, story seconds, and its lips.
+    #[must_use]
+    pub fn lips(&self) -> &[(f64, LipTrack)] {
+        self.layers.actor().lips()
+    }
+
     /// The name of the row of [`raconteur_speech::phones`] by which a symbol of an utterance of
     /// the script moves the mouth.
     pub(crate) fn row<'a>(&'a self, utterance: usize, symbol: &'a str) -> &'a str {
@@ -575,9 +582,35 @@ impl Player {
         }
         self.frame.speech = self.speech_at(t);
         self.frame.shown = self.geometry.at(t);
+        self.draw_tissue();
         self.frame.handles.clear();
         self.frame.handles.extend(report.led.into_iter().flatten());
         report
+    }
+
+    /// Lines of the face's tissue, where they are shown.
+    fn draw_tissue(&mut self) {
+        self.frame.lines.clear();
+        let shown = self.frame.shown;
+        if !(shown.springs || shown.muscles) {
+            return;
+        }
+        let skull = Bone::Skull.index();
+        let ends = (
+            self.frame.world_from_joint.get(skull),
+            self.figure.inverse_bind.get(skull),
+        );
+        if let (Some(tissue), Some(soft), (Some(world), Some(bind))) =
+            (&self.figure.tissue, &self.soft, ends)
+        {
+            fibres::draw(
+                shown,
+                (tissue, soft.network()),
+                &self.frame.tissue,
+                *world * *bind,
+                &mut self.frame.lines,
+            );
+        }
     }
 
     /// What is being said at a time; of several, what was begun last.

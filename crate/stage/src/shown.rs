@@ -16,7 +16,7 @@ pub enum Fill {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[allow(
     clippy::struct_excessive_bools,
-    reason = "seven switches that know nothing of each other"
+    reason = "switches that know nothing of each other"
 )]
 pub struct Shown {
     /// What of the body's surface is drawn.
@@ -35,6 +35,10 @@ pub struct Shown {
     pub textures: bool,
     /// Where the manipulators are sent, over the body: [`Frame::handles`](crate::Frame).
     pub manipulators: bool,
+    /// The springs of the face's tissue, over the body: [`Frame::lines`](crate::Frame).
+    pub springs: bool,
+    /// The fibres of the face's muscles, over the body: [`Frame::lines`](crate::Frame).
+    pub muscles: bool,
 }
 
 impl Default for Shown {
@@ -48,6 +52,8 @@ impl Default for Shown {
             materials: true,
             textures: true,
             manipulators: false,
+            springs: false,
+            muscles: false,
         }
     }
 }

@@ -38,7 +38,8 @@ impl Player {
             top_m: REACH_UP * stature_m,
             half_width_m: REACH_OUT * stature_m,
         };
-        let (mut performer, story) = read(eml, bundle.as_deref(), figure, motion, room);
+        let options = self.options(motion, room);
+        let (mut performer, story) = read(eml, bundle.as_deref(), figure, options);
         performer.set_view(self.view);
         self.performer = Some(performer);
         plain(&story)

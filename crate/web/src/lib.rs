@@ -38,6 +38,8 @@ pub use avatar::{convert, convert_animation};
 #[cfg(all(target_arch = "wasm32", not(feature = "avatar")))]
 mod clips;
 #[cfg(all(target_arch = "wasm32", not(feature = "avatar")))]
+mod curves;
+#[cfg(all(target_arch = "wasm32", not(feature = "avatar")))]
 mod edit;
 #[cfg(all(target_arch = "wasm32", not(feature = "avatar")))]
 mod measure;

@@ -7,7 +7,7 @@ use raconteur_player::body::Figure;
 use raconteur_player::body::figure::Image;
 use raconteur_player::body::read::read_figure;
 use raconteur_player::stage::{Room, View};
-use raconteur_player::{Options, Player as Performer, StoryInput, asks_for_motion};
+use raconteur_player::{Manner, Options, Player as Performer, StoryInput, asks_for_motion};
 use raconteur_render::{Backend, CanvasTarget, Pace, Quality, RenderOptions, RenderStatus};
 use serde::Serialize;
 use serde_wasm_bindgen::Serializer;
@@ -49,6 +49,8 @@ pub struct Player {
     pub(crate) aspect: f64,
     /// From where a page looks that looks behind the scenes.
     pub(crate) view: Option<View>,
+    /// How speech is accompanied.
+    pub(crate) manner: Manner,
     sized: bool,
 }
 
@@ -77,6 +79,7 @@ impl Player {
             resting: true,
             aspect: 1.0,
             view: None,
+            manner: Manner::default(),
             sized: false,
         })
     }
@@ -92,7 +95,8 @@ impl Player {
         motion: f64,
     ) -> Result<JsValue, JsError> {
         let figure = Arc::new(read_figure(figure, glb)?);
-        let (mut performer, story) = read(eml, bundle.as_deref(), figure, motion, Room::default());
+        let options = self.options(motion, Room::default());
+        let (mut performer, story) = read(eml, bundle.as_deref(), figure, options);
         performer.set_view(self.view);
         if let Some(picture) = &mut self.picture {
             picture.set_figure(performer.figure())?;
@@ -304,8 +308,11 @@ pub fn pose_digests(
     times_secs: &[f64],
 ) -> Result<Vec<String>, JsError> {
     let figure = Arc::new(read_figure(figure, glb)?);
-    let motion = Options::default().motion_amount;
-    let (mut performer, _) = read(eml, bundle.as_deref(), figure, motion, Room::default());
+    let options = Options {
+        motion: MOTION.load(Ordering::Relaxed),
+        ..Options::default()
+    };
+    let (mut performer, _) = read(eml, bundle.as_deref(), figure, options);
     if !names.is_empty() {
         clips::provide(&mut performer, &names, &texts);
     }
@@ -315,29 +322,18 @@ pub fn pose_digests(
         .collect())
 }
 
-/// Has a figure read a story, with no less room in the picture than `room`.
+/// Has a figure read a story.
 pub(crate) fn read(
     eml: &str,
     bundle: Option<&[u8]>,
     figure: Arc<Figure>,
-    motion: f64,
-    room: Room,
+    options: Options,
 ) -> (Performer, Story) {
-    let motion_amount = if motion.is_nan() {
-        1.0
-    } else {
-        motion.clamp(0.0, 1.0)
-    };
     let loaded = Performer::load(StoryInput {
         eml,
         bundle,
         figure,
-        options: Options {
-            motion_amount,
-            room,
-            motion: MOTION.load(Ordering::Relaxed),
-            ..Options::default()
-        },
+        options,
     });
     let performer = loaded.player;
     let story = Story::new(
@@ -350,6 +346,22 @@ pub(crate) fn read(
 }
 
 impl Player {
+    /// How a story is performed, with this amount of idle life and no less room in the
+    /// picture than `room`.
+    pub(crate) fn options(&self, motion: f64, room: Room) -> Options {
+        Options {
+            motion_amount: if motion.is_nan() {
+                1.0
+            } else {
+                motion.clamp(0.0, 1.0)
+            },
+            manner: self.manner,
+            room,
+            motion: MOTION.load(Ordering::Relaxed),
+            ..Options::default()
+        }
+    }
+
     /// What the canvas draws with, and what its last picture took.
     pub(crate) fn picture_info(&self) -> Option<&raconteur_render::RenderInfo> {
         self.picture.as_ref().map(CanvasTarget::info)

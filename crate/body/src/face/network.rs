@@ -342,6 +342,20 @@ impl Network {
         [p[0], p[1], p[2]]
     }
 
+    /// Where a point of a fibre ([`Tissue::points`]) is now, bind pose, metres.
+    #[must_use]
+    pub fn fibre_place(&self, tissue: &Tissue, point: usize) -> [f32; 3] {
+        let (p, moved) = (&tissue.points[point], self.muscles.moved[point]);
+        let with_jaw = self.jaw.moved(p.rest);
+        [0, 1, 2].map(|k| p.rest[k] + (with_jaw[k] - p.rest[k]) * p.jaw + moved[k])
+    }
+
+    /// How far a muscle is contracted now, 0 to 1.
+    #[must_use]
+    pub fn contraction(&self, muscle: Muscle) -> f64 {
+        self.contraction[muscle.index()].clamp(0.0, 1.0)
+    }
+
     /// Steps of the network a second.
     #[must_use]
     pub fn steps_per_s() -> f64 {

@@ -43,5 +43,9 @@ record! {
         textures_active: Option<bool> = "areTexturesActive",
         /// Whether the manipulators are drawn.
         manipulators_visible: Option<bool> = "areManipulatorsVisible",
+        /// Whether the springs of the face are drawn (extension).
+        springs_visible: Option<bool> = "areSpringsVisible",
+        /// Whether the muscles of the face are drawn (extension).
+        muscles_visible: Option<bool> = "areMusclesVisible",
     }
 }

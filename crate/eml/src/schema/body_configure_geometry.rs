@@ -32,6 +32,16 @@ pub(super) static ELEMENT: Element = Element {
             "areManipulatorsVisible",
             doc!("Whether the manipulators are drawn."),
         ),
+        Attribute::flag(
+            "areSpringsVisible",
+            doc!("Whether the springs of the face's tissue are drawn."),
+        )
+        .extension(),
+        Attribute::flag(
+            "areMusclesVisible",
+            doc!("Whether the muscles of the face are drawn."),
+        )
+        .extension(),
     ],
     ..Element::record("body-configure-geometry", || {
         ClauseKind::ConfigureGeometry(Default::default())

@@ -1,0 +1,110 @@
+/** The disc of emotions as a picture to drag on: activation upwards, evaluation to the right (F&H figure 4.5). */
+
+import { html, nothing, svg, type TemplateResult } from 'lit';
+import { keySteps, vars } from '../fields.js';
+import { follow } from '../gestures/fields.js';
+import { numberField } from '../viewer/fields.js';
+import type { App } from './app.js';
+import { inWords, NEUTRAL, OUTLINE, sharesAt, within, WORDS, type EmotionWord, type Place } from './disc.js';
+
+/** Half of the picture, in units of the disc. */
+const HALF = 108;
+
+/** Where words are written, so that none lies over another: evaluation, activation, and which end of the word is there. */
+const LABELS: Readonly<Record<string, readonly [number, number, 'start' | 'end' | 'middle']>> = {
+  surprise: [6, 97, 'start'],
+  hate: [-64, 65, 'middle'],
+  anger: [-39, 39, 'end'],
+  disliking: [-62, 27, 'end'],
+  fear: [-62, 15, 'end'],
+  shame: [-18, 13, 'start'],
+  disappointment: [-17, 3, 'start'],
+  resentment: [-62, 0, 'end'],
+  reproach: [-24, -11, 'start'],
+  distress: [-62, -17, 'end'],
+  'fears-confirmed': [-54, -38, 'middle'],
+  gloating: [34, 50, 'start'],
+  pride: [58, 41, 'start'],
+  admiration: [62, 30, 'start'],
+  gratitude: [62, 20, 'start'],
+  joy: [62, 10, 'start'],
+  love: [62, 0, 'start'],
+  relief: [62, -10, 'start'],
+  satisfaction: [42, -22, 'start'],
+  hope: [12, 25, 'end'],
+};
+
+const round = (n: number): number => Math.round(n * 10) / 10;
+
+function mark(word: EmotionWord, chosen: boolean): TemplateResult {
+  const [x, y, anchor] = LABELS[word.word] ?? [word.evaluation, word.activation, 'start'];
+  const gap = anchor === 'start' ? -2 : anchor === 'end' ? 2 : 0;
+  return svg`<g class=${chosen ? 'word felt' : 'word'}>
+    <line x1=${word.evaluation} y1=${-word.activation} x2=${x + gap} y2=${-y} />
+    <circle cx=${word.evaluation} cy=${-word.activation} r="1.8" />
+    <text x=${x} y=${2.4 - y} text-anchor=${anchor}>${word.word}</text>
+  </g>`;
+}
+
+/** The disc, its handle, and the same by words and numbers. */
+export function disc(app: App): TemplateResult {
+  const { emotion } = app.state;
+  const shares = sharesAt(emotion);
+  const said = inWords(shares);
+  const to = (place: Partial<Place>): void => app.change((s) => Object.assign(s.emotion, place, within({ ...s.emotion, ...place })));
+  const press = (event: PointerEvent): void => {
+    const frame = event.currentTarget as HTMLElement;
+    const move = ({ x, y }: { x: number; y: number }, rect: DOMRect): void =>
+      to({ evaluation: round(((2 * x) / rect.width - 1) * HALF), activation: round((1 - (2 * y) / rect.height) * HALF) });
+    const rect = frame.getBoundingClientRect();
+    if (event.button === 0) move({ x: event.clientX - rect.left, y: event.clientY - rect.top }, rect);
+    follow(event, frame, move, () => app.done());
+  };
+  const key = (event: KeyboardEvent): void => {
+    if (event.key === 'Home') to({ ...NEUTRAL });
+    else {
+      const by = keySteps(event);
+      if (by === undefined) return;
+      const limit = (n: number): number => Math.min(100, Math.max(-100, n));
+      to({ evaluation: emotion.evaluation + 2 * by[0], activation: emotion.activation + 2 * by[1], power: limit(emotion.power + 5 * by[2]) });
+    }
+    event.preventDefault();
+    app.done();
+  };
+  const number = (key: keyof Place, label: string): TemplateResult =>
+    numberField({ label, value: emotion[key], min: -100, max: 100, step: 1, text: `${Math.round(emotion[key])}: ${said}`, set: (value) => to({ [key]: value }), done: () => app.done() });
+  const place = { '--left': `${(50 + (50 * emotion.evaluation) / HALF).toFixed(2)}%`, '--top': `${(50 - (50 * emotion.activation) / HALF).toFixed(2)}%` };
+  const outline = OUTLINE.map(([e, a]) => `${e},${-a}`).join(' ');
+  return html`<button type="button" class="disc" @pointerdown=${press} @keydown=${key} aria-label="Emotion: ${said}. Arrow keys move it on the disc, page up and page down change its power, Home is neutral.">
+      <svg viewBox="${-HALF} ${-HALF} ${2 * HALF} ${2 * HALF}" aria-hidden="true">
+        <circle class="rim" r="100" />
+        <circle class="ring" r="50" />
+        <path class="axes" d="M-100 0H100M0-100V100" />
+        <polygon class="reach" points=${outline} />
+        <text class="axis" x="4" y="-6" transform="rotate(-90 4 -6) translate(44 -2)">active</text>
+        <text class="axis" x="-4" y="92" text-anchor="end">passive</text>
+        <text class="axis" x="-98" y="-4" >negative</text>
+        <text class="axis" x="98" y="-44" text-anchor="end">positive</text>
+        ${WORDS.map((word) => mark(word, shares.some((s) => s.word === word)))}
+      </svg>
+      <span class="thumb" ${vars(place)}></span>
+    </button>
+    <p class="felt" aria-hidden="true">${said}</p>
+    <div class="row two">
+      <label class="select"><span>Word</span>
+        <select aria-label="Word of emotion" @change=${(event: Event) => choose(app, (event.target as HTMLSelectElement).value)}>
+          <option value="" .selected=${shares.length !== 1}>${shares.length === 0 ? 'neutral' : '–'}</option>
+          ${WORDS.flatMap((word) => [word.word, ...word.also].map((name, i) => html`<option value=${name} .selected=${i === 0 && shares.length === 1 && shares[0]?.word === word}>${name}</option>`))}
+        </select></label>
+      <button type="button" class="plain" ?disabled=${shares.length === 0 && emotion.power === 0} @click=${() => app.set((s) => (s.emotion = { ...NEUTRAL }))}>Neutral</button>
+    </div>
+    <div class="numbers">${number('evaluation', 'Evaluation')}${number('activation', 'Activation')}${number('power', 'Power')}</div>
+    ${shares.length > 0 ? nothing : html`<p class="about">Drag on the disc, or choose a word. Words are where F&amp;H table 4.4 has them; the face follows within their outline.</p>`}`;
+}
+
+/** Goes to a word's own place. */
+function choose(app: App, name: string): void {
+  const word = WORDS.find((w) => w.word === name || w.also.includes(name));
+  const { activation, evaluation, power } = word ?? NEUTRAL;
+  app.set((s) => (s.emotion = { activation, evaluation, power }));
+}

@@ -1,0 +1,134 @@
+/** The disc of emotions: words at their places in activation, evaluation and power, and how a place is written by words (F&H 4.4). */
+
+/** A place in the space of emotions; each from -100 to 100. */
+export interface Place {
+  activation: number;
+  evaluation: number;
+  power: number;
+}
+
+export interface EmotionWord extends Place {
+  readonly word: string;
+  /** Others that the table puts at the same place. */
+  readonly also: readonly string[];
+}
+
+const word = (name: string, activation: number, evaluation: number, power: number, ...also: string[]): EmotionWord => ({ word: name, activation, evaluation, power, also });
+
+/** F&H table 4.4 (NECA), with surprise as full activation (F&H 4.4.3); `WORDS` in `crate/speech/src/emotion.rs`, each place once. */
+export const WORDS: readonly EmotionWord[] = [
+  word('joy', 17.3, 42.2, 12.5, 'happy-for'),
+  word('distress', -17.2, -40.1, -52.4, 'sorry-for'),
+  word('gloating', 40, 30, 30),
+  word('resentment', 0, -40, -20),
+  word('hope', 20, 20, -10),
+  word('fear', 14.8, -44.4, -79.4),
+  word('satisfaction', -14.9, 33.1, 12.2, 'liking', 'gratification'),
+  word('relief', 3, 33, -3),
+  word('fears-confirmed', -30, -50, -70),
+  word('disappointment', 2.4, -24.9, -37.2),
+  word('pride', 30, 40, 30),
+  word('admiration', 27, 53, 17),
+  word('shame', 4.6, -26.3, -62.3, 'remorse'),
+  word('reproach', -3, -30, 43),
+  word('disliking', 15, -35, -10, 'disgusted'),
+  word('gratitude', 20, 40, -30),
+  word('anger', 34, -35.6, 20),
+  word('love', 1.2, 33.3, 14.9),
+  word('hate', 60, -60, 30),
+  word('surprise', 100, 0, 0),
+];
+
+/** How much of a word is felt, 0 to 1. */
+export interface Share {
+  readonly word: EmotionWord;
+  readonly value: number;
+}
+
+export const NEUTRAL: Readonly<Place> = { activation: 0, evaluation: 0, power: 0 };
+
+const square = (a: Place, b: Place): number => (a.activation - b.activation) ** 2 + (a.evaluation - b.evaluation) ** 2 + (a.power - b.power) ** 2;
+
+/** Less of a word than this is not seen. */
+const LEAST = 0.005;
+/** How much it counts that the words of a mixture are near to its place, against how near the mixture's power is to that asked for. Designed: neighbours, unless others fit the power clearly better. */
+const NEAR = 0.12;
+
+/**
+ * The words whose mixture lies at a place of the disc, and as near to its power as any: two at most,
+ * their shares no more than 1 together, so that the player adds them up as they are. A place
+ * outside of all words is brought in first.
+ */
+export function sharesAt(wanted: Place): readonly Share[] {
+  const place = { ...wanted, ...within(wanted) };
+  const { activation: a, evaluation: e } = place;
+  if (Math.hypot(a, e) < 0.5) return [];
+  let best: readonly Share[] = [];
+  let least = Infinity;
+  const consider = (shares: readonly Share[]): void => {
+    const cost = (at(shares).power - place.power) ** 2 + NEAR * shares.reduce((sum, s) => sum + s.value * square(s.word, place), 0);
+    if (cost < least) [best, least] = [shares, cost];
+  };
+  WORDS.forEach((first, i) => {
+    for (const second of WORDS.slice(i + 1)) {
+      const area = first.evaluation * second.activation - first.activation * second.evaluation;
+      if (Math.abs(area) < 1e-6) continue;
+      const x = (e * second.activation - a * second.evaluation) / area;
+      const y = (first.evaluation * a - first.activation * e) / area;
+      if (x < -1e-9 || y < -1e-9 || x + y > 1 + 1e-6) continue;
+      consider([{ word: first, value: Math.min(1, x) }, { word: second, value: Math.min(1, y) }].filter((s) => s.value > LEAST));
+    }
+  });
+  return best;
+}
+
+/** Where a mixture lies. */
+export function at(shares: readonly Share[]): Place {
+  const sum = (key: keyof Place): number => shares.reduce((total, { word: w, value }) => total + value * w[key], 0);
+  return { activation: sum('activation'), evaluation: sum('evaluation'), power: sum('power') };
+}
+
+type Point = readonly [evaluation: number, activation: number];
+const turn = (o: Point, a: Point, b: Point): number => (a[0] - o[0]) * (b[1] - o[1]) - (a[1] - o[1]) * (b[0] - o[0]);
+
+/** The outline of all words on the disc, counterclockwise: what words can say (the monotone chain of Andrew). */
+export const OUTLINE: readonly Point[] = ((): Point[] => {
+  const points = WORDS.map((w): Point => [w.evaluation, w.activation]).sort((a, b) => a[0] - b[0] || a[1] - b[1]);
+  const chain = (list: readonly Point[]): Point[] => {
+    const hull: Point[] = [];
+    for (const p of list) {
+      for (;;) {
+        const [o, a] = hull.slice(-2);
+        if (o === undefined || a === undefined || turn(o, a, p) > 0) break;
+        hull.pop();
+      }
+      hull.push(p);
+    }
+    return hull.slice(0, -1);
+  };
+  return [...chain(points), ...chain([...points].reverse())];
+})();
+
+/** The nearest place of the disc that words can say. */
+export function within({ evaluation, activation }: Pick<Place, 'evaluation' | 'activation'>): Pick<Place, 'evaluation' | 'activation'> {
+  const p: Point = [evaluation, activation];
+  const edges = OUTLINE.map((from, i) => [from, OUTLINE[(i + 1) % OUTLINE.length] ?? from] as const);
+  if (edges.every(([from, to]) => turn(from, to, p) >= -1e-9)) return { evaluation, activation };
+  let nearest: Point = p;
+  let least = Infinity;
+  for (const [from, to] of edges) {
+    const way = [to[0] - from[0], to[1] - from[1]] as const;
+    const along = ((p[0] - from[0]) * way[0] + (p[1] - from[1]) * way[1]) / (way[0] ** 2 + way[1] ** 2);
+    const t = Math.min(1, Math.max(0, along));
+    const q: Point = [from[0] + t * way[0], from[1] + t * way[1]];
+    const far = (q[0] - p[0]) ** 2 + (q[1] - p[1]) ** 2;
+    if (far < least) [nearest, least] = [q, far];
+  }
+  return { evaluation: nearest[0], activation: nearest[1] };
+}
+
+/** A place in words, for people. */
+export function inWords(shares: readonly Share[]): string {
+  if (shares.length === 0) return 'neutral';
+  return [...shares].sort((a, b) => b.value - a.value).map(({ word: w, value }) => `${Math.round(100 * value)} % ${w.word}`).join(' and ');
+}

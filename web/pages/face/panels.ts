@@ -1,0 +1,55 @@
+/** Sliders of muscles, of what no muscle moves, and of visemes. */
+
+import { html, nothing, type TemplateResult } from 'lit';
+import { check, numberField } from '../viewer/fields.js';
+import type { App } from './app.js';
+import { namesOf, type Dial, type Region } from './dials.js';
+
+function slider(app: App, dial: Dial, names: readonly string[], label: string): TemplateResult {
+  const value = app.state.values[names[0] ?? ''] ?? 0;
+  const set = (to: number): void =>
+    app.change((s) => {
+      for (const name of names) {
+        if (to === 0) delete s.values[name];
+        else s.values[name] = to;
+      }
+    });
+  return html`<div class=${value === 0 ? 'dial' : 'dial used'} title=${dial.note}>
+    ${numberField({ label, value, min: dial.signed ? -1 : 0, max: 1, step: 0.01, text: `${Math.round(100 * value)} percent, ${dial.note}`, set, done: () => app.done() })}
+  </div>`;
+}
+
+/** A dial: one slider for both sides while they are linked, else one each. */
+function control(app: App, dial: Dial): TemplateResult {
+  const names = namesOf(dial);
+  if (!dial.paired || app.state.linked) return slider(app, dial, names, dial.label);
+  return html`${names.map((name) => slider(app, dial, [name], `${dial.label}, ${name.endsWith('Left') ? 'left' : 'right'}`))}`;
+}
+
+/** Regions of a tab, each open to all that it has. */
+export function regions(app: App, list: readonly Region[], note: string): TemplateResult {
+  const { values, linked } = app.state;
+  const all = list.flatMap((region) => region.dials);
+  const used = all.flatMap(namesOf).filter((name) => values[name]);
+  return html`<div class="row bar">
+      ${all.some((d) => d.paired) ? check('Left and right together', linked, (on) => link(app, on)) : nothing}
+      <button type="button" class="plain" ?disabled=${used.length === 0} @click=${() => app.set((s) => used.forEach((name) => delete s.values[name]))}>All to rest</button>
+    </div>
+    <p class="about">${note}</p>
+    ${list.map(
+      (region) => html`<section class="region" aria-label=${region.title}>
+        <h3>${region.title}</h3>
+        <div class="numbers">${region.dials.map((dial) => control(app, dial))}</div>
+      </section>`,
+    )}`;
+}
+
+/** Linked sides are equal: the right one follows the left. */
+function link(app: App, on: boolean): void {
+  app.set((s) => {
+    s.linked = on;
+    if (!on) return;
+    for (const name of Object.keys(s.values).filter((n) => n.endsWith('Right') && s.values[n.replace(/Right$/, 'Left')] === undefined)) delete s.values[name];
+    for (const [name, value] of Object.entries(s.values)) if (name.endsWith('Left')) s.values[name.replace(/Left$/, 'Right')] = value;
+  });
+}

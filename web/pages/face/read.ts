@@ -1,0 +1,66 @@
+/** From EML to what the face's controls can show of it. */
+
+import { attribute, read as parse, removeElement, setAttribute, apply, within, type Element } from '../gestures/source.js';
+import { ALL, namesOf } from './dials.js';
+import { at, WORDS, type Share } from './disc.js';
+import type { Line, State } from './state.js';
+
+/** Emotion and control parameters that a script sets at its beginning; what the page has no control for is left out. */
+export function read(eml: string): Pick<State, 'emotion' | 'values'> {
+  const shares: Share[] = [];
+  const values: Record<string, number> = {};
+  for (const element of within(parse(eml))) {
+    if (element.name !== 'body-set-control-parameter') continue;
+    const name = attribute(element, 'parameterId')?.toLowerCase() ?? '';
+    const value = Number(attribute(element, 'value'));
+    if (!Number.isFinite(value)) continue;
+    const word = WORDS.find((w) => [w.word, ...w.also].includes(name));
+    if (word !== undefined) shares.push({ word, value: Math.min(1, Math.max(0, value)) });
+    for (const dial of ALL) {
+      const names = namesOf(dial);
+      const meant = dial.name.toLowerCase() === name ? names : names.filter((n) => n.toLowerCase() === name);
+      for (const own of meant) values[own] = Math.min(1, Math.max(dial.signed ? -1 : 0, value));
+    }
+  }
+  return { emotion: at(shares), values };
+}
+
+/** How much of a sentence is shown in a menu. */
+const LABEL = 72;
+
+/** The sentences of a story, each with what its voice depends on, its marks and times taken off: nothing else of the story waits for them. */
+export function lines(eml: string): readonly Line[] {
+  const all = [...within(parse(eml))];
+  const head = all.find((e) => e.name === 'head');
+  const voices: Element[] = [];
+  let feeling: Element | undefined;
+  const found: Line[] = [];
+  const source = (e: Element): string => unindent(eml.slice(e.from, e.to));
+  for (const element of all) {
+    if (element.name === 'voice-change') voices.push(element);
+    if (element.name === 'r:emotion') feeling = element;
+    if (element.name !== 'voice-text') continue;
+    const own = source(element);
+    const [top] = parse(own);
+    if (top === undefined) continue;
+    const marks = [...within(top.children)].filter((e) => e.name === 'tm').map((e) => removeElement(own, e));
+    const markup = apply(own, [...marks, ...setAttribute(top, 'time', undefined), ...setAttribute(top, 'timeId', undefined)]);
+    const words = markup.replace(/<[^>]*>/g, ' ').replace(/\s+/g, ' ').replace(/ ([.,;:!?])/g, '$1').trim();
+    const label = words.length > LABEL ? `${words.slice(0, LABEL).replace(/\s+\S*$/, '')} …` : words;
+    const before = [...voices.slice(-1), ...(feeling === undefined ? [] : [feeling])].map((e) => atStart(source(e)));
+    if (label !== '') found.push({ label, markup, before, head: head === undefined ? '' : source(head) });
+  }
+  return found;
+}
+
+/** A clause at the very beginning, where marks of the story mean nothing. */
+function atStart(markup: string): string {
+  const [top] = parse(markup);
+  return top === undefined ? '' : apply(markup, setAttribute(top, 'time', '0'));
+}
+
+/** Lines with as much less white space before them as the last one has. */
+function unindent(markup: string): string {
+  const indent = /\n([ \t]*)[^\n]*$/.exec(markup)?.[1] ?? '';
+  return markup.replaceAll(`\n${indent}`, '\n');
+}

@@ -1,0 +1,51 @@
+/** What the controls of the face are set to: everything that its EML says, and by which way speech is accompanied. */
+
+import type { Way } from '../../element/index.js';
+import { NEUTRAL, type Place } from './disc.js';
+
+/** What is drawn of the head. */
+export interface Layers {
+  skin: boolean;
+  springs: boolean;
+  muscles: boolean;
+  bones: boolean;
+}
+
+/** A sentence of a story as its script has it. */
+export interface Line {
+  /** Its words, for people. */
+  readonly label: string;
+  /** Its `voice-text` or `voice-say`, without a time. */
+  readonly markup: string;
+  /** What else of the script its voice depends on: language, voice, emotion. */
+  readonly before: readonly string[];
+  /** What of the script's head it depends on. */
+  readonly head: string;
+}
+
+/** What is said: nothing, a text of one's own, or a sentence of a story in its voice. */
+export type Speech = { kind: 'none' } | { kind: 'text'; text: string } | { kind: 'story'; line: Line };
+
+export interface State {
+  emotion: Place;
+  /** Control parameters that are not 0, by their names in EML; of two sides each for itself. */
+  values: Record<string, number>;
+  /** Left and right move together. */
+  linked: boolean;
+  speech: Speech;
+  /** Address of the story whose voice is at hand; empty for none. */
+  story: string;
+  way: Way;
+  layers: Layers;
+}
+
+/** What a new page shows. */
+export const beginning = (): State => ({
+  emotion: { ...NEUTRAL },
+  values: {},
+  linked: true,
+  speech: { kind: 'none' },
+  story: '',
+  way: 'audio',
+  layers: { skin: true, springs: false, muscles: false, bones: false },
+});

@@ -1,0 +1,61 @@
+/** The face's settings as EML. */
+
+import { tag } from '../markup.js';
+import { ALL, namesOf, type Dial } from './dials.js';
+import { sharesAt } from './disc.js';
+import type { Layers, State } from './state.js';
+
+/** How long a face that says nothing is shown, seconds; then it begins again. */
+const LENGTH_SECS = 600;
+/** When one begins to speak, and how long the picture stays after it, seconds. */
+export const SPEAKS_SECS = 0.5;
+const AFTER_SECS = 1;
+
+const set = (parameterId: string, value: number): string => tag('body-set-control-parameter', { time: 0, parameterId, value });
+
+/** A dial's clauses: both sides in one where they are equal. */
+function dial(own: Dial, values: State['values']): string[] {
+  const [left, right] = namesOf(own).map((name) => values[name] ?? 0);
+  if (left === right && left !== 0 && left !== undefined) return [set(own.name, left)];
+  return namesOf(own).flatMap((name) => (values[name] ? [set(name, values[name])] : []));
+}
+
+function layers({ skin, springs, muscles, bones }: Layers): string[] {
+  const attributes = {
+    time: 0,
+    fillMode: skin ? undefined : 'wireframe',
+    visibleMeshes: bones ? (skin ? 'both' : 'bones') : undefined,
+    'r:areSpringsVisible': springs || undefined,
+    'r:areMusclesVisible': muscles || undefined,
+  };
+  return Object.values(attributes).filter((value) => value !== undefined).length > 1 ? [tag('body-configure-geometry', attributes)] : [];
+}
+
+/** What is said, what it depends on, and where it ends. */
+function speech({ speech: said }: State): { head: string; clauses: string[] } {
+  const end = (time: string | number): string => tag('null', { time });
+  const ends = `said+${AFTER_SECS}s`;
+  switch (said.kind) {
+    case 'none':
+      return { head: '', clauses: [end(LENGTH_SECS)] };
+    case 'text':
+      return { head: '', clauses: [tag('voice-text', { time: SPEAKS_SECS }, [escapeText(said.text), tag('tm', { name: 'said' })]), end(ends)] };
+    case 'story': {
+      const { markup, before, head } = said.line;
+      const timed = markup.replace(/^<([\w:-]+)/, `<$1 time="${SPEAKS_SECS}"`).replace(/<\/([\w:-]+)>$/, '  <tm name="said"/>\n</$1>');
+      return { head, clauses: [...before, timed, end(ends)] };
+    }
+  }
+}
+
+const escapeText = (text: string): string => text.replace(/&/g, '&amp;').replace(/</g, '&lt;');
+
+/** A whole script that sets everything at its beginning. */
+export function write(state: State): string {
+  const { head, clauses: said } = speech(state);
+  const felt = sharesAt(state.emotion).map(({ word, value }) => set(word.word, Number(value.toFixed(2))));
+  const clauses = [...layers(state.layers), ...felt, ...ALL.flatMap((own) => dial(own, state.values)), ...said];
+  const extended = [head, ...clauses].some((clause) => /[< ]r:/.test(clause));
+  const parts = [...(head === '' ? [] : [head]), tag('body', {}, clauses)];
+  return `${tag('eml', { 'xmlns:r': extended ? 'urn:raconteur:eml:1' : undefined, name: 'face' }, parts)}\n`;
+}
