@@ -84,6 +84,7 @@ fn turn(shown: &mut Shown, switch: &ConfigureGeometry) {
         (&mut shown.materials, switch.materials_active),
         (&mut shown.textures, switch.textures_active),
         (&mut shown.manipulators, switch.manipulators_visible),
+        (&mut shown.body, switch.body_visible),
         (&mut shown.springs, switch.springs_visible),
         (&mut shown.muscles, switch.muscles_visible),
     ] {

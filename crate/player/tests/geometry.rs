@@ -23,7 +23,9 @@ fn perform(clauses: &str) -> Player {
         player,
         diagnostics,
     } = Player::load(StoryInput {
-        eml: &format!("<eml><body>{clauses}<null time='10'/></body></eml>"),
+        eml: &format!(
+            "<eml xmlns:r='urn:raconteur:eml:1'><body>{clauses}<null time='10'/></body></eml>"
+        ),
         bundle: None,
         figure: Arc::new(figure),
         options: Options::default(),
@@ -39,7 +41,7 @@ fn shown(player: &mut Player, time_secs: f64) -> Shown {
 #[test]
 fn every_attribute_switches_from_its_time_on() {
     type Expected = fn(&mut Shown);
-    let cases: [(&str, Expected); 10] = [
+    let cases: [(&str, Expected); 13] = [
         ("fillMode='wireframe'", |s| s.fill = Fill::Wireframe),
         ("fillMode='point'", |s| s.fill = Fill::Points),
         ("visibleMeshes='bones'", |s| {
@@ -53,6 +55,9 @@ fn every_attribute_switches_from_its_time_on() {
         ("areMaterialsActive='false'", |s| s.materials = false),
         ("areTexturesActive='false'", |s| s.textures = false),
         ("areManipulatorsVisible='true'", |s| s.manipulators = true),
+        ("r:isBodyVisible='false'", |s| s.body = false),
+        ("r:areSpringsVisible='true'", |s| s.springs = true),
+        ("r:areMusclesVisible='true'", |s| s.muscles = true),
     ];
     for (attribute, change) in cases {
         let mut player = perform(&format!("<body-configure-geometry time='2' {attribute}/>"));

@@ -15,14 +15,17 @@ export const SETTLED_SECS = 2;
 /** Ways to look at the head: turns about it, radians. */
 export const SIDES = { 'Three-quarter': 0.6, Front: 0, Left: Math.PI / 2, Right: -Math.PI / 2 } as const;
 /** So near that the head fills the picture. */
-const NEAR = 5.6;
-/** From the skull's joint to the middle of the head, metres. */
-const MIDDLE_M = 0.075;
+const NEAR = 7;
+/** From the skull's joint to the middle of the head, metres: left, up, front. */
+const MIDDLE_M = [0, 0.025, 0.03] as const;
+
+/** From where one looks at the head: how far around it and from how far above, radians, and how near. */
+export type Look = Pick<View, 'turn' | 'tilt' | 'zoom'>;
 
 export class App {
   state: State = beginning();
   tab: Tab = 'emotion';
-  view: View = { turn: SIDES['Three-quarter'], tilt: 0.02, zoom: NEAR, right: 0, up: 0.72 };
+  from: Look = { turn: SIDES['Three-quarter'], tilt: 0.02, zoom: NEAR };
   diagnostics: readonly Diagnostic[] = [];
   eml = write(this.state);
   /** What is being fetched or read that may take more than a moment; empty for nothing. */
@@ -35,6 +38,9 @@ export class App {
   #behind = false;
   #drawn = 0;
   #begins = false;
+  /** The middle of the head, from what the shot of the whole figure looks at; until it is known, that of somebody of middle height. */
+  #head: readonly [number, number, number] = [0, 0.72, 0.05];
+  #view: View = { ...this.from, right: 0, up: 0 };
 
   constructor(
     readonly player: RaconteurPlayer,
@@ -94,28 +100,39 @@ export class App {
     this.#follow();
   }
 
-  /** Looks from elsewhere. */
-  look(view: Partial<View>): void {
-    const next = { ...this.view, ...view };
-    this.view = {
-      ...next,
+  /** Looks from elsewhere; the head stays in the middle. */
+  look(look: Partial<Look>): void {
+    const next = { ...this.from, ...look };
+    this.from = {
       turn: Math.atan2(Math.sin(next.turn), Math.cos(next.turn)),
       tilt: Math.min(1.2, Math.max(-0.8, next.tilt)),
-      zoom: Math.min(8, Math.max(1.5, next.zoom)),
+      zoom: Math.min(12, Math.max(1.5, next.zoom)),
     };
-    this.player.look(this.view);
+    this.#aim();
     this.redraw();
   }
 
-  /** Brings the middle of the head into that of the picture; figures are of different height. */
+  /** Turns the camera: its middle moves in the plane of the picture, which turns with it. */
+  #aim(): void {
+    const { turn } = this.from;
+    const [x, y, z] = this.#head;
+    this.#view = { ...this.from, right: x * Math.cos(turn) - z * Math.sin(turn), up: y };
+    this.player.look(this.#view);
+  }
+
+  /** Finds where the head is, and brings it into the middle: figures are of different height. Read it when a picture has been drawn since the last look. */
   centre(): void {
     const pose = readPose(this.player);
     const skull = pose?.joints.find((joint) => joint.name === 'bone_skull');
-    const told = this.player.pose();
-    if (skull === undefined || told === undefined) return;
-    // The fifth number of the camera is the height of what it looks at.
-    const off = skull.position[1] + MIDDLE_M - (told.numbers[4] ?? 0);
-    if (Math.abs(off) > 0.01) this.look({ up: this.view.up + off });
+    // After its eye, the camera tells what it looks at.
+    const target = this.player.pose()?.numbers.slice(3, 6);
+    const [tx, ty, tz] = target ?? [];
+    if (skull === undefined || tx === undefined || ty === undefined || tz === undefined) return;
+    const { turn, right, up } = this.#view;
+    const shot = [tx - Math.cos(turn) * right, ty - up, tz + Math.sin(turn) * right] as const;
+    const head = MIDDLE_M.map((m, i) => (skull.position[i] ?? 0) + m - (shot[i] ?? 0));
+    this.#head = [head[0] ?? 0, head[1] ?? 0, head[2] ?? 0];
+    this.#aim();
   }
 
   /** Says what is to be said, from its beginning; when the text is read. */

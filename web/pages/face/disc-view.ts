@@ -12,24 +12,24 @@ const HALF = 108;
 
 /** Where words are written, so that none lies over another: evaluation, activation, and which end of the word is there. */
 const LABELS: Readonly<Record<string, readonly [number, number, 'start' | 'end' | 'middle']>> = {
-  surprise: [6, 97, 'start'],
-  hate: [-64, 65, 'middle'],
+  surprise: [7, 93, 'start'],
+  hate: [-52, 66, 'start'],
   anger: [-39, 39, 'end'],
-  disliking: [-62, 27, 'end'],
-  fear: [-62, 15, 'end'],
-  shame: [-18, 13, 'start'],
-  disappointment: [-17, 3, 'start'],
-  resentment: [-62, 0, 'end'],
-  reproach: [-24, -11, 'start'],
-  distress: [-62, -17, 'end'],
-  'fears-confirmed': [-54, -38, 'middle'],
+  disliking: [-57, 26, 'end'],
+  fear: [-57, 14, 'end'],
+  shame: [-18, 9, 'start'],
+  disappointment: [-17, -9, 'start'],
+  resentment: [-54, 0, 'end'],
+  reproach: [-27, -27, 'middle'],
+  distress: [-57, -17, 'end'],
+  'fears-confirmed': [-50, -42, 'middle'],
   gloating: [34, 50, 'start'],
-  pride: [58, 41, 'start'],
-  admiration: [62, 30, 'start'],
-  gratitude: [62, 20, 'start'],
-  joy: [62, 10, 'start'],
-  love: [62, 0, 'start'],
-  relief: [62, -10, 'start'],
+  pride: [52, 41, 'start'],
+  admiration: [58, 30, 'start'],
+  gratitude: [58, 20, 'start'],
+  joy: [58, 10, 'start'],
+  love: [58, 0, 'start'],
+  relief: [58, -10, 'start'],
   satisfaction: [42, -22, 'start'],
   hope: [12, 25, 'end'],
 };
@@ -81,10 +81,10 @@ export function disc(app: App): TemplateResult {
         <circle class="ring" r="50" />
         <path class="axes" d="M-100 0H100M0-100V100" />
         <polygon class="reach" points=${outline} />
-        <text class="axis" x="4" y="-6" transform="rotate(-90 4 -6) translate(44 -2)">active</text>
-        <text class="axis" x="-4" y="92" text-anchor="end">passive</text>
-        <text class="axis" x="-98" y="-4" >negative</text>
-        <text class="axis" x="98" y="-44" text-anchor="end">positive</text>
+        <text class="axis" x="-4" y="-88" text-anchor="end">active</text>
+        <text class="axis" x="-4" y="94" text-anchor="end">passive</text>
+        <text class="axis" x="-62" y="66" text-anchor="middle">negative</text>
+        <text class="axis" x="62" y="66" text-anchor="middle">positive</text>
         ${WORDS.map((word) => mark(word, shares.some((s) => s.word === word)))}
       </svg>
       <span class="thumb" ${vars(place)}></span>

@@ -14,6 +14,8 @@ import { beginning } from './state.js';
 import { follow, measure, strip, type Strip } from './strip.js';
 
 const SPEEDS = [0.1, 0.25, 0.5, 1, 1.5, 2];
+/** By then a picture that was asked for is shown. */
+const SHOWN_MS = 250;
 /** Problems that are listed; the rest is counted. */
 const MOST_PROBLEMS = 5;
 
@@ -133,9 +135,17 @@ onUndoKeys(
 for (const type of ['play', 'pause', 'seeked', 'ratechange', 'loadedmetadata', 'durationchange']) player.addEventListener(type, () => app.redraw());
 player.addEventListener('durationchange', () => (drawn = measure(app)));
 // A figure of another height has its head elsewhere.
-player.addEventListener('figurechange', () => requestAnimationFrame(() => app.centre()));
+player.addEventListener('figurechange', () => centreSoon());
 cast(player, () => undefined);
 lookAround(app, places.pad);
+
+/** Brings the head into the middle when the picture of now is there. */
+function centreSoon(): void {
+  setTimeout(() => app.centre(), SHOWN_MS);
+}
+
+// Another size of the picture takes another shot.
+new ResizeObserver(centreSoon).observe(player);
 
 /** While the clock runs, the line of the present goes along. */
 function keepUp(): void {
@@ -146,10 +156,10 @@ function keepUp(): void {
 /** Opens the stage at a moment at which everybody has come to their place. */
 async function open(): Promise<void> {
   draw();
-  player.look(app.view);
+  app.look({});
   await app.rehearse();
   player.currentTime = SETTLED_SECS;
-  app.centre();
+  centreSoon();
   if (!matchMedia('(prefers-reduced-motion: reduce)').matches) await player.play().catch(() => undefined);
   app.redraw();
 }

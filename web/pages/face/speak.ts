@@ -21,7 +21,7 @@ const MOST_LETTERS = 300;
 /** Sentences of the stories that were fetched, by address. */
 const fetched = new Map<string, readonly Line[]>();
 
-const address = (story: string): string => `../assets/stories/${story}`;
+const address = (story: string): string => `../assets/stories/${story}/story.eml`;
 
 /** Fetches a story's script; its sentences are offered when it is there. */
 async function offer(app: App, story: string, say: (text: string) => void): Promise<void> {
@@ -30,7 +30,7 @@ async function offer(app: App, story: string, say: (text: string) => void): Prom
     app.busy = 'The story is being fetched…';
     app.redraw();
     try {
-      const response = await fetch(`${src}/story.eml`);
+      const response = await fetch(src);
       if (!response.ok) throw new Error(`the server answered ${response.status}`);
       fetched.set(src, lines(await response.text()));
     } catch (error) {

@@ -12,7 +12,7 @@ const MOST_SAMPLES = 1500;
 /** Curves that are drawn. */
 const MOST_CURVES = 12;
 /** Pixels of a second, of the row of phones, of dominance, and of one curve. */
-const SECOND = 150;
+const SECOND = 220;
 const PHONES = 26;
 const DOMINANCE = 56;
 const ROW = 30;
@@ -57,7 +57,7 @@ function phone(segment: Segment, secs: number): TemplateResult {
   const width = Math.min(secs, segment.end) * SECOND - from;
   const silent = segment.name === 'pau';
   return svg`<g class=${silent ? 'phone silent' : 'phone'}><rect x=${n(from)} y="1" width=${n(Math.max(0, width - 1))} height=${PHONES - 4} rx="4" />
-    ${width > 12 && !silent ? svg`<text x=${n(from + width / 2)} y=${PHONES / 2 + 3}>${segment.name}</text>` : nothing}</g>`;
+    ${width > 9 && !silent ? svg`<text x=${n(from + width / 2)} y=${PHONES / 2 + 3}>${segment.name}</text>` : nothing}</g>`;
 }
 
 function curve({ values }: Curve, i: number, secs: number): TemplateResult {

@@ -23,8 +23,8 @@ function dial(own: Dial, values: State['values']): string[] {
 function layers({ skin, springs, muscles, bones }: Layers): string[] {
   const attributes = {
     time: 0,
-    fillMode: skin ? undefined : 'wireframe',
-    visibleMeshes: bones ? (skin ? 'both' : 'bones') : undefined,
+    visibleMeshes: bones ? 'both' : undefined,
+    'r:isBodyVisible': skin ? undefined : false,
     'r:areSpringsVisible': springs || undefined,
     'r:areMusclesVisible': muscles || undefined,
   };
@@ -55,7 +55,7 @@ export function write(state: State): string {
   const { head, clauses: said } = speech(state);
   const felt = sharesAt(state.emotion).map(({ word, value }) => set(word.word, Number(value.toFixed(2))));
   const clauses = [...layers(state.layers), ...felt, ...ALL.flatMap((own) => dial(own, state.values)), ...said];
-  const extended = [head, ...clauses].some((clause) => /[< ]r:/.test(clause));
+  const extended = [head, ...clauses].some((clause) => /<(?:[^>]*\s)?r:/.test(clause));
   const parts = [...(head === '' ? [] : [head]), tag('body', {}, clauses)];
   return `${tag('eml', { 'xmlns:r': extended ? 'urn:raconteur:eml:1' : undefined, name: 'face' }, parts)}\n`;
 }

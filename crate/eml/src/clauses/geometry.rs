@@ -43,6 +43,8 @@ record! {
         textures_active: Option<bool> = "areTexturesActive",
         /// Whether the manipulators are drawn.
         manipulators_visible: Option<bool> = "areManipulatorsVisible",
+        /// Whether the body is drawn, whatever the meshes (extension).
+        body_visible: Option<bool> = "isBodyVisible",
         /// Whether the springs of the face are drawn (extension).
         springs_visible: Option<bool> = "areSpringsVisible",
         /// Whether the muscles of the face are drawn (extension).

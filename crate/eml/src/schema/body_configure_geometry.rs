@@ -33,6 +33,11 @@ pub(super) static ELEMENT: Element = Element {
             doc!("Whether the manipulators are drawn."),
         ),
         Attribute::flag(
+            "isBodyVisible",
+            doc!("Whether the body is drawn, without bones in its place."),
+        )
+        .extension(),
+        Attribute::flag(
             "areSpringsVisible",
             doc!("Whether the springs of the face's tissue are drawn."),
         )

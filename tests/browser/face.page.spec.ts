@@ -1,0 +1,163 @@
+/** The face: emotions on the disc, muscles, speech over time, and the layers under the skin. */
+
+import type { Page } from '@playwright/test';
+import type { RaconteurPlayer } from '../../web/element/element.js';
+import { expectNoBarriers, LOOKS } from './access.js';
+import { expect, ready, test } from './stage.js';
+
+/** Opens the page standing still, two seconds into its script. */
+async function open(page: Page): Promise<void> {
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+  await page.setViewportSize({ width: 1280, height: 900 });
+  await page.goto('/face/');
+  const player = page.locator('raconteur-player');
+  await ready(player);
+  await expect.poll(() => player.evaluate((p: RaconteurPlayer) => p.currentTime)).toBe(2);
+}
+
+const eml = (page: Page): Promise<string> => page.locator('#eml').evaluate((code) => code.textContent ?? '');
+
+/** What the face is asked to do now: contractions of 38 muscles, then the direct parameters. */
+const controls = (page: Page): Promise<number[]> =>
+  page.locator('raconteur-player').evaluate((p: RaconteurPlayer) => [...(p.course(p.currentTime, p.currentTime, 1)?.curves ?? [])]);
+
+/** Places among them. */
+const [INNER_BROW, SMILE_LEFT, SMILE_RIGHT, JAW, BLUSH] = [0, 20, 21, 38, 53];
+
+const control = async (page: Page, place: number): Promise<number> => (await controls(page))[place] ?? NaN;
+
+/** Presses a button without waiting for a picture drawn in software. */
+const press = (page: Page, name: string): Promise<void> => page.getByRole('button', { name, exact: true }).evaluate((b: HTMLElement) => b.click());
+const turnTo = (page: Page, tab: string): Promise<void> => page.getByRole('tab', { name: tab }).evaluate((b: HTMLElement) => b.click());
+const slide = (page: Page, name: string, value: number): Promise<void> => page.getByRole('slider', { name, exact: true }).fill(String(value));
+
+test('the disc is dragged and moved by keys, and the face follows', async ({ stage, page }) => {
+  expect(stage.backend).toBe('page');
+  await open(page);
+  const before = await control(page, SMILE_LEFT);
+  const disc = page.getByRole('button', { name: /^Emotion:/ });
+  const box = await disc.boundingBox();
+  if (box === null) throw new Error('no disc');
+  // Joy lies at an evaluation of 42 and an activation of 17, of 108 to every side.
+  const spot = (e: number, a: number): [number, number] => [box.x + (box.width * (1 + e / 108)) / 2, box.y + (box.height * (1 - a / 108)) / 2];
+  await page.mouse.move(...spot(0, 0));
+  await page.mouse.down();
+  await page.mouse.move(...spot(20, 9));
+  await page.mouse.move(...spot(41, 17));
+  await page.mouse.up();
+  await expect.poll(() => eml(page)).toMatch(/parameterId="(joy|love|pride|admiration|gratitude|satisfaction)"/);
+  await expect.poll(() => control(page, SMILE_LEFT)).toBeGreaterThan(before + 0.4);
+  // One drag is one step.
+  await press(page, 'Undo');
+  await expect.poll(() => eml(page)).not.toContain('parameterId');
+  await expect.poll(() => control(page, SMILE_LEFT)).toBeLessThan(before + 0.05);
+
+  await disc.focus();
+  for (let i = 0; i < 9; i++) await page.keyboard.press('Shift+ArrowUp');
+  await expect(disc).toHaveAttribute('aria-label', /9\d? % surprise/);
+  await expect.poll(() => control(page, INNER_BROW)).toBeGreaterThan(0.5);
+  await page.keyboard.press('Home');
+  await expect(disc).toHaveAttribute('aria-label', /^Emotion: neutral/);
+
+  await page.getByLabel('Word of emotion').selectOption('fear');
+  await expect.poll(() => eml(page)).toContain('parameterId="fear" value="1"');
+  await expect(page.getByRole('slider', { name: 'Power' })).toHaveValue('-79');
+  await expect(page.locator('#problems')).toBeEmpty();
+});
+
+test('every muscle has a slider, both sides together or each for itself', async ({ stage, page }) => {
+  expect(stage.backend).toBe('page');
+  await open(page);
+  await turnTo(page, 'Muscles');
+  await expect(page.locator('.dial')).toHaveCount(21);
+  await slide(page, 'Zygomaticus major', 0.9);
+  await expect.poll(() => eml(page)).toContain('parameterId="ZygomaticusMajor" value="0.9"');
+  await expect.poll(() => control(page, SMILE_RIGHT)).toBeGreaterThan(0.85);
+  await page.getByLabel('Left and right together').evaluate((b: HTMLElement) => b.click());
+  await expect(page.locator('.dial')).toHaveCount(38);
+  await slide(page, 'Zygomaticus major, right', 0);
+  await expect.poll(() => eml(page)).toContain('parameterId="ZygomaticusMajorLeft" value="0.9"');
+  await expect.poll(() => control(page, SMILE_RIGHT)).toBeLessThan(0.2);
+  expect(await control(page, SMILE_LEFT)).toBeGreaterThan(0.85);
+  await press(page, 'All to rest');
+  await expect.poll(() => eml(page)).not.toContain('Zygomaticus');
+
+  await turnTo(page, 'Jaw & more');
+  await slide(page, 'Open', 1);
+  await slide(page, 'Blush', -1);
+  await expect.poll(() => control(page, JAW)).toBeGreaterThan(0.3);
+  await expect.poll(() => control(page, BLUSH)).toBeLessThan(-0.9);
+  await turnTo(page, 'Visemes');
+  await expect(page.locator('.dial')).toHaveCount(15);
+  await slide(page, 'PP', 1);
+  await expect.poll(() => eml(page)).toContain('parameterId="VisemePP" value="1"');
+  await expect(page.locator('#problems')).toBeEmpty();
+  await page.keyboard.press('Control+z');
+  await expect.poll(() => eml(page)).not.toContain('Viseme');
+});
+
+test('a sentence of a story is spoken in its voice, with phones and curves under it', async ({ stage, page }) => {
+  expect(stage.backend).toBe('page');
+  await open(page);
+  const player = page.locator('raconteur-player');
+  await page.getByLabel('Story', { exact: true }).selectOption('white-rabbit');
+  await expect.poll(() => eml(page)).toContain('white rabbit');
+  await expect(page.locator('.phone')).not.toHaveCount(0);
+  await player.evaluate((p: RaconteurPlayer) => p.pause());
+  expect(await page.locator('.phone').count()).toBeGreaterThan(60);
+  await expect(page.locator('.phone text').filter({ hasText: /^w$/ })).not.toHaveCount(0);
+  await expect(page.locator('.curve')).toHaveCount(12);
+  await expect(page.locator('.names')).toContainText('Lips sealed');
+  // The bundle is at hand: nothing is guessed.
+  await expect(page.locator('#problems')).toBeEmpty();
+
+  // What accompanies it follows the sound or the text.
+  const brows = (): Promise<number[]> => player.evaluate((p: RaconteurPlayer) => [...(p.course(0, p.duration, 200)?.curves ?? [])].filter((_, i) => i % 54 === 0));
+  const bySound = await brows();
+  await page.getByText('By its text').evaluate((b: HTMLElement) => b.click());
+  await expect.poll(async () => (await brows()).some((v, i) => Math.abs(v - (bySound[i] ?? 0)) > 0.05)).toBe(true);
+
+  await page.getByLabel('A line of your own').fill('Peter Piper');
+  await press(page, 'Speak');
+  await expect.poll(() => eml(page)).toContain('Peter Piper');
+  await expect.poll(() => page.locator('.phone').count()).toBeLessThan(30);
+  await press(page, 'Silence');
+  await expect(page.locator('.strip')).toHaveCount(0);
+});
+
+test('layers show springs and muscles, over the skin and without it', async ({ stage, page }) => {
+  expect(stage.backend).toBe('page');
+  await open(page);
+  const picture = async (): Promise<Buffer> => (await stage.picture()).png;
+  // The head has come into the middle.
+  await page.waitForTimeout(1500);
+  const seen = [await picture()];
+  for (const layer of ['Muscles', 'Springs', 'Skin']) {
+    await press(page, layer);
+    const png = await picture();
+    for (const other of seen) expect(await stage.difference(png, other), layer).toBeGreaterThan(0.2);
+    seen.push(png);
+  }
+  expect(await eml(page)).toContain('r:isBodyVisible="false" r:areSpringsVisible="true" r:areMusclesVisible="true"');
+  await expect(page.locator('#problems')).toBeEmpty();
+  await press(page, 'Reset');
+  await expect.poll(() => eml(page)).not.toContain('geometry');
+  await press(page, 'Front');
+  await expect(page.getByRole('button', { name: 'Front', exact: true })).toHaveAttribute('aria-pressed', 'true');
+});
+
+for (const { colorScheme, device, width, height } of LOOKS) {
+  test(`the face is accessible in ${colorScheme} on a ${device}, without a sideways scroll`, async ({ stage, page }) => {
+    expect(stage.backend).toBe('page');
+    await page.emulateMedia({ colorScheme });
+    await open(page);
+    await page.setViewportSize({ width, height });
+    await page.getByLabel('Story', { exact: true }).selectOption('hello-world');
+    await expect(page.locator('.phone')).not.toHaveCount(0);
+    await page.locator('raconteur-player').evaluate((p: RaconteurPlayer) => p.pause());
+    for (const tab of ['Emotion', 'Muscles', 'Jaw & more', 'Visemes']) {
+      await turnTo(page, tab);
+      await expectNoBarriers(page, tab);
+    }
+  });
+}
