@@ -26,8 +26,12 @@ const [INNER_BROW, SMILE_LEFT, SMILE_RIGHT, JAW, BLUSH] = [0, 20, 21, 38, 53];
 
 const control = async (page: Page, place: number): Promise<number> => (await controls(page))[place] ?? NaN;
 
-/** Presses a button without waiting for a picture drawn in software. */
-const press = (page: Page, name: string): Promise<void> => page.getByRole('button', { name, exact: true }).evaluate((b: HTMLElement) => b.click());
+/** Presses a button as soon as it can be, without waiting for a picture drawn in software. */
+async function press(page: Page, name: string): Promise<void> {
+  const button = page.getByRole('button', { name, exact: true });
+  await expect(button).toBeEnabled();
+  await button.evaluate((b: HTMLElement) => b.click());
+}
 const turnTo = (page: Page, tab: string): Promise<void> => page.getByRole('tab', { name: tab }).evaluate((b: HTMLElement) => b.click());
 const slide = (page: Page, name: string, value: number): Promise<void> => page.getByRole('slider', { name, exact: true }).fill(String(value));
 

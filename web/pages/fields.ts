@@ -1,6 +1,6 @@
-/** What the inputs of the viewer and of the workshop for gestures have in common. */
+/** What the inputs of the viewer, of the workshop for gestures and of the face have in common. */
 
-import { html, type TemplateResult } from 'lit';
+import { html, nothing, type TemplateResult } from 'lit';
 import { Directive, directive, type ElementPart } from 'lit/directive.js';
 import { live } from 'lit/directives/live.js';
 
@@ -33,6 +33,33 @@ export interface NumberField extends Sink<number> {
   readonly unit?: string;
   /** What a screen reader says instead of the slider's number. */
   readonly text?: string;
+}
+
+interface OwnedField extends NumberField {
+  /** What the number is said to belong to, where the label alone is not enough. */
+  readonly of?: string;
+}
+
+/** A slider with its number beside it, which stays between the slider's ends. */
+export function numberField(field: OwnedField): TemplateResult {
+  const { label, value, min, max, step, unit = '', text, of } = field;
+  const shown = Number(value.toFixed(2));
+  const name = of === undefined ? label : `${label}, ${of}`;
+  const take = (event: Event): void => {
+    const { value: typed } = event.target as HTMLInputElement;
+    const number = Number(typed);
+    if (typed !== '' && Number.isFinite(number)) field.set(Math.min(max, Math.max(min, number)));
+  };
+  return html`<div class="number">
+    <span class="name" aria-hidden="true">${label}</span>
+    <input type="range" aria-label=${name} aria-valuetext=${text ?? `${shown} ${unit}`.trim()} min=${min} max=${max} step=${step} .value=${live(String(shown))} @input=${take} @change=${() => field.done()} />
+    <span class="exact"><input type="number" aria-label="${name}, exactly" min=${min} max=${max} step=${step} .value=${String(shown)} @change=${(event: Event) => { take(event); field.done(); }} />${unit === '' ? nothing : html`<span aria-hidden="true">${unit}</span>`}</span>
+  </div>`;
+}
+
+/** On or off. */
+export function check(label: string, on: boolean, set: (on: boolean) => void, note?: string): TemplateResult {
+  return html`<label class="check"><input type="checkbox" .checked=${live(on)} @change=${(event: Event) => set((event.target as HTMLInputElement).checked)} /><span>${label}${note === undefined ? nothing : html`<small>${note}</small>`}</span></label>`;
 }
 
 /** One of a few words, side by side. */

@@ -1,9 +1,8 @@
 /** The disc of emotions as a picture to drag on: activation upwards, evaluation to the right (F&H figure 4.5). */
 
 import { html, nothing, svg, type TemplateResult } from 'lit';
-import { keySteps, vars } from '../fields.js';
+import { keySteps, numberField, vars } from '../fields.js';
 import { follow } from '../gestures/fields.js';
-import { numberField } from '../viewer/fields.js';
 import type { App } from './app.js';
 import { inWords, NEUTRAL, OUTLINE, sharesAt, within, WORDS, type EmotionWord, type Place } from './disc.js';
 
@@ -83,8 +82,8 @@ export function disc(app: App): TemplateResult {
         <polygon class="reach" points=${outline} />
         <text class="axis" x="-4" y="-88" text-anchor="end">active</text>
         <text class="axis" x="-4" y="94" text-anchor="end">passive</text>
-        <text class="axis" x="-62" y="66" text-anchor="middle">negative</text>
-        <text class="axis" x="62" y="66" text-anchor="middle">positive</text>
+        <text class="axis" x="-91" y="34">negative</text>
+        <text class="axis" x="91" y="34" text-anchor="end">positive</text>
         ${WORDS.map((word) => mark(word, shares.some((s) => s.word === word)))}
       </svg>
       <span class="thumb" ${vars(place)}></span>

@@ -1,7 +1,7 @@
 /** Sliders of muscles, of what no muscle moves, and of visemes. */
 
 import { html, nothing, type TemplateResult } from 'lit';
-import { check, numberField } from '../viewer/fields.js';
+import { check, numberField } from '../fields.js';
 import type { App } from './app.js';
 import { namesOf, type Dial, type Region } from './dials.js';
 

@@ -1,10 +1,10 @@
 /** The panel of animations: weighted layers, body groups, or two stances (GEVH 3.2). */
 
 import { html, nothing, type TemplateResult } from 'lit';
-import { choice } from '../fields.js';
+import { choice, numberField } from '../fields.js';
 import type { App } from './app.js';
 import { aboutClip, clipTitle } from './clips.js';
-import { clipMenu, menu, numberField } from './fields.js';
+import { clipMenu, menu } from './fields.js';
 import { ends, GROUP_NAMES, GROUPS, MOST_LAYERS, track, type Mechanism, type State, type Style, type Track } from './state.js';
 
 const MECHANISMS: Readonly<Record<Mechanism, string>> = { layers: 'Layers', groups: 'Body groups', stances: 'Stances', none: 'None' };

@@ -1,9 +1,8 @@
 /** The panel of looks: what of the figure is drawn (GEVH D.3.4). */
 
 import { html, type TemplateResult } from 'lit';
-import { choice } from '../fields.js';
+import { check, choice } from '../fields.js';
 import type { App } from './app.js';
-import { check } from './fields.js';
 import { LOOK, type Fill, type Look } from './state.js';
 
 const FILLS: Readonly<Record<Fill, string>> = { solid: 'Solid', wireframe: 'Wireframe', point: 'Points' };

@@ -1,9 +1,9 @@
 /** The panel of manipulators: a limb, what leads it, and the numbers of that (GEVH 3.3). */
 
 import { html, nothing, type TemplateResult } from 'lit';
-import { choice } from '../fields.js';
+import { check, choice, numberField } from '../fields.js';
 import type { App } from './app.js';
-import { check, menu, numberField } from './fields.js';
+import { menu } from './fields.js';
 import { LIMB_NAMES, RANGES, type Lead, type Limb, type State, type Way } from './state.js';
 
 const LEADS: Readonly<Record<Lead, string>> = { free: 'Nobody', place: 'A target', joints: 'Its joints' };
