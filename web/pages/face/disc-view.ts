@@ -89,6 +89,7 @@ export function disc(app: App): TemplateResult {
       <span class="thumb" ${vars(place)}></span>
     </button>
     <p class="felt" aria-hidden="true">${said}</p>
+    <div class="numbers">${number('power', 'Power')}</div>
     <div class="row two">
       <label class="select"><span>Word</span>
         <select aria-label="Word of emotion" @change=${(event: Event) => choose(app, (event.target as HTMLSelectElement).value)}>
@@ -97,7 +98,7 @@ export function disc(app: App): TemplateResult {
         </select></label>
       <button type="button" class="plain" ?disabled=${shares.length === 0 && emotion.power === 0} @click=${() => app.set((s) => (s.emotion = { ...NEUTRAL }))}>Neutral</button>
     </div>
-    <div class="numbers">${number('evaluation', 'Evaluation')}${number('activation', 'Activation')}${number('power', 'Power')}</div>
+    <div class="numbers">${number('evaluation', 'Evaluation')}${number('activation', 'Activation')}</div>
     ${shares.length > 0 ? nothing : html`<p class="about">Drag on the disc, or choose a word. Words are where F&amp;H table 4.4 has them; the face follows within their outline.</p>`}`;
 }
 
