@@ -110,8 +110,8 @@ export default defineConfig({
         },
         // All builds call their file the same; the folder tells them apart.
         assetFileNames: (asset) => {
-          const [, build, part] = asset.originalFileNames.map((name) => /pkg\/(webgpu|webgl|avatar)\/raconteur_(bg|motion)/.exec(name)).find(Boolean) ?? [];
-          return `app/${part === 'motion' ? 'motion-' : ''}${build ?? '[name]'}-[hash][extname]`;
+          const [, build, part] = asset.originalFileNames.map((name) => /pkg\/(webgpu|webgl|avatar)\/raconteur_(bg|more|face)/.exec(name)).find(Boolean) ?? [];
+          return `app/${part === undefined || part === 'bg' ? '' : `${part}-`}${build ?? '[name]'}-[hash][extname]`;
         },
       },
     },

@@ -76,7 +76,7 @@ const MOVE = `<vh-move time='0' functionName='segment'><function-args><arg name=
 test('players and manipulators are fetched only for who asks for them', async ({ stage, page }) => {
   const asked: string[] = [];
   page.on('request', (request) => asked.push(new URL(request.url()).pathname));
-  const motion = () => asked.filter((path) => path.includes('/motion-')).length;
+  const motion = () => asked.filter((path) => path.includes('/more-')).length;
   await open(stage, { 'story.eml': story('<voice-text id="v">Here I stand.</voice-text>'), 'moves.eml': story(MOVE) });
   await stage.ready();
   expect(motion()).toBe(0);
@@ -88,10 +88,19 @@ test('players and manipulators are fetched only for who asks for them', async ({
 });
 
 test('a story whose players and manipulators cannot be fetched is told without them', async ({ stage, page }) => {
-  await page.route('**/app/motion-*', (route) => route.abort());
+  await page.route('**/app/more-*', (route) => route.abort());
   await open(stage, { 'story.eml': story(`${MOVE}<voice-text id="v">Here I stand.</voice-text>`) });
   await stage.ready();
   expect(await stage.player.evaluate((p: RaconteurPlayer) => p.diagnostics.map((d) => d.code))).toContain('player::no-motion');
+  await stage.play();
+  await page.waitForFunction(() => window.record.events.some((e) => e.type === 'word'));
+});
+
+test('a story plays where what moves the face cannot be fetched', async ({ stage, page }) => {
+  await page.route('**/app/face-*.wasm', (route) => route.abort());
+  await open(stage, { 'story.eml': story('<voice-text id="v">Here I stand.</voice-text>') });
+  await stage.ready();
+  expect(await stage.player.evaluate((p: RaconteurPlayer) => p.diagnostics.map((d) => d.code))).toContain('player::no-face');
   await stage.play();
   await page.waitForFunction(() => window.record.events.some((e) => e.type === 'word'));
 });

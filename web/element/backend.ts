@@ -1,15 +1,18 @@
 /** Chooses between the two wasm builds and makes engines from them. */
 
 import webglUrl from '../pkg/webgl/raconteur_bg.wasm?url';
-import webglMotionUrl from '../pkg/webgl/raconteur_motion.wasm?url';
+import webglFaceUrl from '../pkg/webgl/raconteur_face.wasm?url';
+import webglMoreUrl from '../pkg/webgl/raconteur_more.wasm?url';
 import webgpuUrl from '../pkg/webgpu/raconteur_bg.wasm?url';
-import webgpuMotionUrl from '../pkg/webgpu/raconteur_motion.wasm?url';
+import webgpuFaceUrl from '../pkg/webgpu/raconteur_face.wasm?url';
+import webgpuMoreUrl from '../pkg/webgpu/raconteur_more.wasm?url';
 import { PlayerError, type Backend, type Engine } from './types.js';
 
 /** What the JavaScript side of a build gives for one instance. */
 interface Instance {
   (source: { module_or_path: WebAssembly.Module }): Promise<WebAssembly.ModuleImports>;
-  motionJoined(): void;
+  faceJoined(): void;
+  moreJoined(): void;
   Player: { create(canvas: HTMLCanvasElement | undefined): Promise<Engine> };
 }
 
@@ -18,13 +21,17 @@ const scripts: Record<Backend, () => Promise<{ default: () => unknown }>> = {
   webgl: () => import('../pkg/webgl/raconteur.js'),
 };
 const urls: Record<Backend, string> = { webgpu: webgpuUrl, webgl: webglUrl };
-/** What moves the body by players and manipulators is in a file of its own: few stories need it. */
-const motionUrls: Record<Backend, string> = { webgpu: webgpuMotionUrl, webgl: webglMotionUrl };
+/** What is in files of its own: what moves a face besides its lips, and what only some stories need. */
+export type Part = 'face' | 'more';
+const partUrls: Record<Part, Record<Backend, string>> = {
+  face: { webgpu: webgpuFaceUrl, webgl: webglFaceUrl },
+  more: { webgpu: webgpuMoreUrl, webgl: webglMoreUrl },
+};
 
 /** Compiled once a page, by address; each player has an instance of its own. */
 const modules = new Map<string, Promise<WebAssembly.Module>>();
-/** How the code for motion joins an engine. */
-const joins = new WeakMap<Engine, () => Promise<void>>();
+/** How a part joins an engine. */
+const joins = new WeakMap<Engine, (part: Part) => Promise<void>>();
 
 /** WebGPU where the browser really has an adapter, else WebGL2. */
 export async function chooseBackend(): Promise<Backend> {
@@ -39,7 +46,7 @@ export async function chooseBackend(): Promise<Backend> {
 
 /** Begins to fetch a build while the story is fetched, too; an engine made later says what went wrong. */
 export function warmUp(backend: Backend): void {
-  Promise.all([scripts[backend](), compile(urls[backend])]).catch(() => undefined);
+  Promise.all([scripts[backend](), compile(urls[backend]), compile(partUrls.face[backend])]).catch(() => undefined);
 }
 
 /** A fresh engine that draws on `canvas`, or one without a picture. */
@@ -48,23 +55,22 @@ export async function createEngine(backend: Backend, canvas: HTMLCanvasElement |
   const instance = script.default() as Instance;
   const exports = await instance({ module_or_path: module });
   const engine = await instance.Player.create(canvas);
-  const join = async () => {
-    await WebAssembly.instantiate(await compile(motionUrls[backend]), { '.': exports });
-    instance.motionJoined();
-  };
   // Whoever asks waits for the same, so that they go on in the order in which they came.
-  let joined: Promise<void> | undefined;
-  joins.set(engine, () => (joined ??= join().catch((error: unknown) => {
+  const joined: Partial<Record<Part, Promise<void>>> = {};
+  joins.set(engine, (part) => (joined[part] ??= (async () => {
+    await WebAssembly.instantiate(await compile(partUrls[part][backend]), { '.': exports });
+    instance[`${part}Joined`]();
+  })().catch((error: unknown) => {
     // The network may come back.
-    joined = undefined;
+    delete joined[part];
     throw error;
   })));
   return engine;
 }
 
-/** Fetches the code for players and manipulators into an engine: texts that it reads later are performed whole. */
-export async function joinMotion(engine: Engine): Promise<void> {
-  await joins.get(engine)?.();
+/** Fetches a part into an engine: texts that it reads later are performed with it. */
+export async function joinPart(engine: Engine, part: Part): Promise<void> {
+  await joins.get(engine)?.(part);
 }
 
 function compile(url: string): Promise<WebAssembly.Module> {

@@ -1,6 +1,6 @@
 /** The picture: an engine on a canvas, its size, and what happens when the graphics card goes away. */
 
-import { createEngine, joinMotion } from './backend.js';
+import { createEngine, joinPart, type Part } from './backend.js';
 import { showImages, unusable, type FigureFile } from './figure.js';
 import type { StoryFiles } from './loader.js';
 import { PlayerError, TickStatus, type Backend, type Cue, type Diagnostic, type Engine, type FaceCourse, type Performance, type PictureStatistics, type Piece, type Quality, type Story, type View, type Way } from './types.js';
@@ -140,18 +140,22 @@ export class Picture {
   }
 
   async #equip(engine: Engine, eml: string | undefined): Promise<void> {
+    if (this.#equipped || (eml !== undefined && engine.lacksMore(eml))) await this.#join(engine, 'more');
+  }
+
+  async #join(engine: Engine, part: Part): Promise<void> {
     try {
-      if (this.#equipped || (eml !== undefined && engine.lacksMotion(eml))) await joinMotion(engine);
+      await joinPart(engine, part);
     } catch (error) {
       // The engine tells what it leaves out.
-      console.warn('raconteur: no players and manipulators', error);
+      console.warn(`raconteur: no ${part}`, error);
     }
   }
 
   /** A fresh engine that has the code for the story. */
   async #engineOn(canvas: HTMLCanvasElement | undefined): Promise<Engine> {
     const engine = await createEngine(this.#backend, canvas);
-    await this.#equip(engine, this.#files.eml);
+    await Promise.all([this.#join(engine, 'face'), this.#equip(engine, this.#files.eml)]);
     return engine;
   }
 

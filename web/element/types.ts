@@ -186,7 +186,7 @@ export interface Engine {
    */
   load(eml: string, bundle: Uint8Array | undefined, figure: string, glb: Uint8Array, motion: number): Story;
   /** Whether a text asks for code that has not joined the engine: what is read without it leaves that out. */
-  lacksMotion(eml: string): boolean;
+  lacksMore(eml: string): boolean;
   /** Has the figure that `load` put on stage read another text; undefined when nobody is there. */
   rehearse(eml: string, bundle: Uint8Array | undefined, motion: number): Story | undefined;
   /** Names of animations that are played and have not been provided. */

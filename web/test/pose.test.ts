@@ -13,7 +13,8 @@ const times = Array.from({ length: 20 }, (_, i) => 0.137 + i * 7.391);
 /** As much of the JavaScript side as is used here. */
 interface Instance {
   (source: { module_or_path: WebAssembly.Module }): Promise<WebAssembly.ModuleImports>;
-  motionJoined(): void;
+  faceJoined(): void;
+  moreJoined(): void;
   poseDigests(eml: string, bundle: Uint8Array | undefined, figure: string, glb: Uint8Array, names: string[], texts: string[], times: Float64Array): string[];
 }
 
@@ -34,9 +35,11 @@ async function browser(backend: string, story: string, joined: boolean): Promise
   const { default: instantiate } = (await import(join(folder, 'raconteur.js'))) as { default: () => unknown };
   const instance = instantiate() as Instance;
   const exports = await instance({ module_or_path: await WebAssembly.compile(readFileSync(join(folder, 'raconteur_bg.wasm'))) });
+  await WebAssembly.instantiate(readFileSync(join(folder, 'raconteur_face.wasm')), { '.': exports });
+  instance.faceJoined();
   if (joined) {
-    await WebAssembly.instantiate(readFileSync(join(folder, 'raconteur_motion.wasm')), { '.': exports });
-    instance.motionJoined();
+    await WebAssembly.instantiate(readFileSync(join(folder, 'raconteur_more.wasm')), { '.': exports });
+    instance.moreJoined();
   }
   const voice = file(story, 'voice/speech.json');
   const eml = readFileSync(file(story, 'story.eml'), 'utf8');

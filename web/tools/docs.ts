@@ -4,7 +4,7 @@ import { copyFileSync, existsSync, mkdirSync, readFileSync, writeFileSync } from
 import { basename, join } from 'node:path';
 import { Marked } from 'marked';
 
-const documents = ['README.md', 'ARCHITECTURE.md', 'CONTRIBUTING.md', 'CHANGELOG.md', 'docs/figures.md', 'docs/gestures.md', 'docs/live.md'];
+const documents = ['README.md', 'ARCHITECTURE.md', 'CONTRIBUTING.md', 'CHANGELOG.md', 'docs/face.md', 'docs/figures.md', 'docs/gestures.md', 'docs/live.md'];
 
 /** A document's page, beside those of the others. */
 const page = (name: string): string => `${basename(name, '.md').toLowerCase()}.html`;

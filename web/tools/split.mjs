@@ -1,4 +1,4 @@
-// Cuts a module in two: what only some stories need goes into a file of its own.
+// Cuts a module in two: what is needed only by some stories, or later, goes into a file of its own.
 //
 // Doors are functions that the rest of the program calls only once it knows that the other
 // file is there; what can be reached through doors alone goes with them. In their place stay
@@ -54,9 +54,10 @@ function byTable(name, signature, place) {
 
 /**
  * Cuts the text of a module at the functions whose names match `door`: the text of the module
- * without them, and of the one that has them, whose imports are the first one's exports.
+ * without them, and of the one that has them, whose imports are the first one's exports. Their
+ * names begin with `mark`, so that a module can be cut again.
  */
-export function cut(text, door) {
+export function cut(text, door, mark = '') {
   const all = forms(text);
   const bodies = new Map();
   const signatures = new Map();
@@ -84,7 +85,7 @@ export function cut(text, door) {
   // A function that was there for nobody goes with neither.
   const called = new Set();
   for (const name of moved) for (const other of calls.get(name)) if (!moved.has(other)) called.add(other);
-  const names = new Map([...called].map((name, i) => [name, short(i)]));
+  const names = new Map([...called].map((name, i) => [name, mark + short(i)]));
 
   let first;
   let globals = [];
@@ -106,14 +107,15 @@ export function cut(text, door) {
   const movedBodies = [...moved].map((name) => bodies.get(name));
   globals = globals.filter((name) => movedBodies.some((body) => body.includes(`${name}\n`) || body.includes(`${name})`) || body.includes(`${name} `)));
   const exports = [
-    ' (export "0" (table $0))',
-    ...globals.map((name, i) => ` (export "${i + 1}" (global ${name}))`),
+    ` (export "${mark}0" (table $0))`,
+    ...globals.map((name, i) => ` (export "${mark}${i + 1}" (global ${name}))`),
     ...[...names].map(([name, as]) => ` (export "${as}" (func ${name}))`),
   ];
   const imports = [
     ` (import "." "memory" ${memory.trim()})`,
-    ` (import "." "0" (table $0 ${first + doors.length} ${first + doors.length} funcref))`,
-    ...globals.map((name, i) => ` (import "." "${i + 1}" (global ${name} (mut i32)))`),
+    // No upper limit: another cut makes the table longer.
+    ` (import "." "${mark}0" (table $0 ${first + doors.length} funcref))`,
+    ...globals.map((name, i) => ` (import "." "${mark}${i + 1}" (global ${name} (mut i32)))`),
     ...[...names].map(([name, as]) => ` (import "." "${as}" (func ${name}${signatures.get(name)}))`),
   ];
   const types = all.filter((form) => form.startsWith(' (type') || form.startsWith(' (rec'));
@@ -122,9 +124,16 @@ export function cut(text, door) {
   return [module([...rest, ...exports]), module([...types, ...imports, places, ...movedBodies])];
 }
 
-/** Cuts the module in the text file `file`; the second module's text goes to `other`. */
-export function split(file, other, door) {
-  const [rest, moved] = cut(readFileSync(file, 'utf8'), door);
+/**
+ * Cuts the module in the text file `file` as often as there are `parts`: each has its doors, the
+ * mark of its names and the text file that it goes to.
+ */
+export function split(file, parts) {
+  let rest = readFileSync(file, 'utf8');
+  for (const { doors, mark, to } of parts) {
+    let moved;
+    [rest, moved] = cut(rest, doors, mark);
+    writeFileSync(to, moved);
+  }
   writeFileSync(file, rest);
-  writeFileSync(other, moved);
 }

@@ -21,8 +21,10 @@ await main(async () => {
     const instance = instantiate();
     const module = await WebAssembly.compile(readFileSync(join(folder, 'raconteur_bg.wasm')));
     const exports = await instance({ module_or_path: module });
-    await WebAssembly.instantiate(readFileSync(join(folder, 'raconteur_motion.wasm')), { '.': exports });
-    instance.motionJoined();
+    for (const part of ['face', 'more']) {
+      await WebAssembly.instantiate(readFileSync(join(folder, `raconteur_${part}.wasm`)), { '.': exports });
+      instance[`${part}Joined`]();
+    }
     const run = (ticks) => {
       const times = Float64Array.from({ length: ticks }, (_, i) => i / 60);
       const start = performance.now();

@@ -1,6 +1,6 @@
 // Builds the player twice from one source: for WebGPU (small) and for WebGL2, each with what
-// only some stories need in a second file; and the importer of foreign avatars, which a page
-// loads only when it meets one.
+// only some stories need and what moves a face in files of their own; and the importer of foreign
+// avatars, which a page loads only when it meets one.
 // Only Node's own modules.
 
 import { copyFileSync, existsSync, mkdirSync, rmSync } from 'node:fs';
@@ -14,8 +14,15 @@ import { once, root, run, Stop } from './steps.mjs';
 /** The back ends, each with a build of its own. */
 export const backends = ['webgpu', 'webgl'];
 
-/** Functions that the rest calls only where a story asks for players or manipulators. */
-const doors = /^\$"<?raconteur_(actor|player)\[\w+\]::motion::/;
+/**
+ * Files beside the first, each with the functions that the rest calls only where the file is there: what
+ * only some stories need (players and manipulators, animations, fragments that come later, music),
+ * and what moves a face besides its lips.
+ */
+const parts = {
+  more: { doors: /^\$"<?raconteur_((actor|player)\[\w+\]::motion|web\[\w+\]::more)::/, mark: '' },
+  face: { doors: /^\$"<?raconteur_(actor\[\w+\]::feeling|body\[\w+\]::read::soft|player\[\w+\]::(feelings|soft|fibres)|speech\[\w+\]::bundle::melody::read\b|web\[\w+\]::drawn)/, mark: 'A' },
+};
 
 /** Every build: cargo's feature and the folder in web/pkg/. */
 const builds = [...backends, 'avatar'];
@@ -29,7 +36,7 @@ export async function buildWasm() {
     const folder = `web/pkg/${feature}`;
     const inputs = ['crate', 'Cargo.toml', 'Cargo.lock', 'rust-toolchain.toml', 'web/tools/bindgen', ...tools];
     const outputs = [`${folder}/raconteur.js`, `${folder}/raconteur_bg.wasm`];
-    if (backends.includes(feature)) outputs.push(`${folder}/raconteur_motion.wasm`);
+    if (backends.includes(feature)) outputs.push(...Object.keys(parts).map((part) => `${folder}/raconteur_${part}.wasm`));
     await once(`wasm-${feature}`, { inputs, outputs }, () => build(feature, folder));
   }
 }
@@ -62,18 +69,20 @@ function build(feature, folder) {
   const module = join(root, folder, 'raconteur_bg.wasm');
   const modules = [module];
   if (backends.includes(feature)) {
-    const motion = join(root, folder, 'raconteur_motion.wasm');
-    const texts = modules.concat(motion).map((path) => path.replace(/wasm$/, 'wat'));
-    binaryen('wasm-dis', module, '-o', texts[0]);
-    split(...texts, doors);
-    modules.push(motion);
-    modules.forEach((path, i) => binaryen('wasm-as', texts[i], '-o', path));
-    texts.forEach((path) => rmSync(path));
+    const text = (path) => path.replace(/wasm$/, 'wat');
+    modules.push(...Object.keys(parts).map((part) => join(root, folder, `raconteur_${part}.wasm`)));
+    binaryen('wasm-dis', module, '-o', text(module));
+    split(text(module), Object.values(parts).map((part, i) => ({ ...part, to: text(modules[i + 1]) })));
+    for (const path of modules) {
+      binaryen('wasm-as', text(path), '-o', path);
+      rmSync(text(path));
+    }
   }
   for (const path of modules) {
     // Nothing lives below 1024 (the end of the stack is there), so offsets fold into loads.
-    // What few fetch may be fast rather than small.
-    binaryen('wasm-opt', path, '-o', path, path === module ? '-Oz' : '-O3', '--low-memory-unused');
+    // What joins later may be fast rather than small.
+    const passes = path === module ? ['--flatten', '--rereloop', '-Oz', '-Oz'] : ['-O3'];
+    binaryen('wasm-opt', path, '-o', path, ...passes, '--low-memory-unused');
     nameByLikeness(path);
     binaryen('wasm-opt', path, '-o', path, '--reorder-functions-by-name');
   }

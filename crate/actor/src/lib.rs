@@ -17,6 +17,7 @@ pub mod arm_ik;
 pub mod articulation;
 pub mod emotion;
 pub mod face;
+mod feeling;
 pub mod gesture;
 pub mod idle;
 pub mod kinematics;

@@ -8,9 +8,10 @@ use raconteur_speech::{Phone, Word};
 
 use crate::animation::{Animated, Library, PlayerScript};
 use crate::arm_ik::{ArmGoal, ArmRig, ArmSolution};
-use crate::articulation::{articulate, hold_closures};
-use crate::emotion::{EmotionSpan, EmotionTrack};
+use crate::articulation::{ORDINARY_LOUDNESS, articulate, hold_closures};
+use crate::emotion::{Breathing, EmotionSpan};
 use crate::face::FaceRig;
+use crate::feeling::Feeling;
 use crate::gesture::contact::{Contact, PlacedHand};
 use crate::gesture::{ArmPlan, ArmScript, BodySpace, HandTarget, TrunkShape};
 use crate::idle::gaze::{HEAD_SHARE, angles_of, eye_towards};
@@ -21,8 +22,8 @@ use crate::kinematics::{rotation_of, world_from_bone};
 use crate::lips::{LipTrack, MouthTargets};
 use crate::manipulator::{ManipulatorScript, Sex};
 use crate::motion::{self, Motion};
-use crate::nonverbal::{Manner, NonVerbal};
-use crate::parameters::{ParameterScript, ParameterTrack};
+use crate::nonverbal::Manner;
+use crate::parameters::ParameterScript;
 
 /// Smile of a figure that has nothing else to show. Designed: friendly, not grinning.
 const RESTING_SMILE: f64 = 0.14;
@@ -91,6 +92,9 @@ pub struct Performance {
     pub motion_amount: f64,
     /// How the figure accompanies its speech; the amounts count beside `motion_amount`.
     pub manner: Manner,
+    /// Face and head accompany speech and show what is felt and asked for; not, only where a
+    /// browser lacks the code. Lips move either way.
+    pub feels: bool,
     /// Whom the figure speaks to, world, metres: usually the camera.
     pub listener_in_world: DVec3,
     /// What of its body hands keep out of; without this, an average build.
@@ -111,6 +115,7 @@ impl Default for Performance {
             seed: 0,
             motion_amount: 1.0,
             manner: Manner::default(),
+            feels: true,
             listener_in_world: DVec3::new(0.0, 1.6, 2.5),
             trunk: None,
         }
@@ -148,11 +153,10 @@ pub struct Actor {
     stance: Stance,
     trunk: Trunk,
     rhythm: SpeechRhythm,
-    nonverbal: NonVerbal,
+    /// Unless the performance does without.
+    feeling: Option<Box<Feeling>>,
     /// Start of each utterance, ascending, and its lips.
     lips: Vec<(f64, LipTrack)>,
-    emotions: EmotionTrack,
-    parameters: ParameterTrack,
     skull_zero: DQuat,
     seed: u64,
     amount: f64,
@@ -189,11 +193,7 @@ impl Actor {
         let is_moved = !(way.moves.is_empty()
             && way.commands.is_empty()
             && performance.players.commands.is_empty());
-        let library = |name: &str| performance.library.parameters(name);
-        let parameters = ParameterTrack::new(&performance.parameters, &library);
         let mut actor = Self {
-            emotions: EmotionTrack::new(&performance.emotions, parameters.emotions()),
-            parameters,
             plans: Side::BOTH.map(|side| {
                 ArmPlan::new(&arms[side.index()], skeleton, &space, side, seed, amount)
             }),
@@ -204,7 +204,9 @@ impl Actor {
             stance: Stance::new(skeleton, seed),
             trunk: Trunk { seed },
             rhythm: SpeechRhythm::new(&spans),
-            nonverbal: NonVerbal::new(&performance.speech, seed, &manner),
+            feeling: performance
+                .feels
+                .then(|| Feeling::new(performance, &manner)),
             lips: speech
                 .iter()
                 .map(|u| (u.start_secs, LipTrack::new(&u.phones)))
@@ -230,18 +232,6 @@ impl Actor {
     /// Moves the listener, for example with the camera; holds for evaluations to come.
     pub fn look_at(&mut self, listener_in_world: DVec3) {
         self.listener_in_world = listener_in_world;
-    }
-
-    /// What is felt.
-    #[must_use]
-    pub fn emotions(&self) -> &EmotionTrack {
-        &self.emotions
-    }
-
-    /// The control parameters.
-    #[must_use]
-    pub fn parameters(&self) -> &ParameterTrack {
-        &self.parameters
     }
 
     /// The plan of one arm.
@@ -350,16 +340,19 @@ impl Actor {
     /// (F&H section 4.3.5: contractions are summed, then limited).
     fn face(&self, mouth: &MouthTargets, t: f64) -> FaceControls {
         let mut controls = FaceControls::default();
-        articulate(mouth, self.nonverbal.loudness(t), &mut controls);
+        let feeling = self.feeling.as_deref();
+        let loudness = feeling.map_or(ORDINARY_LOUDNESS, |f| f.loudness(t));
+        articulate(mouth, loudness, &mut controls);
         self.expression(t, &mut controls);
-        self.nonverbal
-            .face(t, self.emotions.liveliness(t), &mut controls);
-        self.emotions.add(t, &mut controls);
-        self.parameters.add(t, &mut controls);
+        if let Some(feeling) = feeling {
+            feeling.add(t, &mut controls);
+        }
         // Closures have their way with the sum, and a blink, which closes the lids whatever
         // else they do, with the lids.
         hold_closures(&mut controls);
-        controls.close_lids(self.nonverbal.closure(t));
+        if let Some(feeling) = feeling {
+            controls.close_lids(feeling.closure(t));
+        }
         controls
     }
 
@@ -368,7 +361,14 @@ impl Actor {
         *pose = Pose::zero();
         self.stance.apply(skeleton, t, self.amount, pose);
         let weight = self.stance.weight_at(t);
-        self.trunk.apply(&self.rhythm, t, weight, self.amount, pose);
+        let breathing = self.breathing(t);
+        self.trunk
+            .apply(&self.rhythm, t, weight, self.amount, &breathing, pose);
+    }
+
+    fn breathing(&self, t: f64) -> Breathing {
+        let feeling = self.feeling.as_ref();
+        feeling.map_or(Breathing::CALM, |f| f.breath(t))
     }
 
     fn arms(
@@ -385,12 +385,15 @@ impl Actor {
         let turned = rotation_of(&moved);
         let mut hands =
             Side::BOTH.map(|side| self.place(side, &targets[side.index()], &moved, turned));
+        let breathing = self.breathing(t);
         let solve = |side: Side, hand: &PlacedHand| {
             let i = side.index();
             let goal = ArmGoal {
                 wrist_in_world: hand.wrist,
                 hand_in_world: Some(hand.hand),
-                shrug_rad: self.trunk.shrug(&self.rhythm, t, i as u64, self.amount),
+                shrug_rad: self
+                    .trunk
+                    .shrug(&self.rhythm, t, i as u64, self.amount, &breathing),
             };
             self.rigs[i].solve(&thorax, &goal)
         };
@@ -471,12 +474,15 @@ impl Actor {
         let eyes = head.translation + axes * DVec3::new(0.0, 0.07, 0.08);
         let [yaw, pitch] = angles_of(axes.inverse() * (listener - eyes));
         let motion = self.trunk.head_motion(&self.rhythm, t, self.amount);
-        let aside = self.nonverbal.gaze(t).head;
-        let felt = self.emotions.head(t);
-        let [nod, turn, tilt] = self.nonverbal.head(t, self.emotions.liveliness(t));
-        let pitch = (HEAD_SHARE * pitch).clamp(-0.4, 0.4) + motion.x + aside[1] + nod + felt[1];
-        let yaw = (HEAD_SHARE * yaw).clamp(-0.7, 0.7) + motion.z + aside[0] + turn + felt[0];
-        let roll = motion.y + tilt;
+        let mut pitch = (HEAD_SHARE * pitch).clamp(-0.4, 0.4) + motion.x;
+        let mut yaw = (HEAD_SHARE * yaw).clamp(-0.7, 0.7) + motion.z;
+        let mut roll = motion.y;
+        if let Some(feeling) = &self.feeling {
+            let moved = feeling.head(t);
+            pitch += moved.pitch;
+            yaw += moved.yaw;
+            roll += moved.roll;
+        }
         // Neck and skull share the turn.
         pose.set(Bone::Cervical, spine(0.4 * pitch, 0.4 * roll, 0.4 * yaw));
         pose.set(Bone::Skull, spine(0.6 * pitch, 0.6 * roll, 0.6 * yaw));
@@ -498,9 +504,7 @@ impl Actor {
             rotation_of(&skull) * self.skull_zero.inverse(),
             skull.translation,
         );
-        let (felt, asked) = (self.emotions.gaze(t), self.parameters.gaze(t));
-        let looked = self.nonverbal.gaze(t).eyes;
-        let away = [0, 1].map(|k| looked[k] + felt[k] + asked[k]);
+        let away = self.feeling.as_ref().map_or([0.0; 2], |f| f.eyes(t));
         let mut pitch = [0.0; 2];
         for (i, eye) in face.eyes_in_skull().into_iter().enumerate() {
             let eye_in_world = skull.transform_point3(eye);
@@ -512,7 +516,8 @@ impl Actor {
     /// The mouth of what is said, and of visemes that the script asks for.
     fn mouth(&self, t: f64) -> MouthTargets {
         let mut mouth = self.spoken_mouth(t);
-        if let Some(asked) = self.parameters.visemes(t) {
+        let feeling = self.feeling.as_ref();
+        if let Some(asked) = feeling.and_then(|f| f.visemes(t)) {
             let channels = mouth.channels.iter_mut().zip(asked.channels);
             channels.for_each(|(value, more)| *value += more);
             mouth.press = (mouth.press + asked.press).min(1.0);
@@ -547,7 +552,7 @@ impl Actor {
             |id: u64, hz: f64| noise::perlin(self.seed, stream::FACE + id, hz * t) * self.amount;
         let speaking = self.rhythm.speaking(t) * self.amount;
         // One does not smile to oneself in tears.
-        let resting = RESTING_SMILE * (1.0 - self.emotions.strength(t));
+        let resting = RESTING_SMILE * (1.0 - self.feeling.as_ref().map_or(0.0, |f| f.strength(t)));
         let smile = resting + 0.05 * n(0, 0.11) - 0.03 * speaking;
         let smile = [smile + 0.012 * n(1, 0.2), smile - 0.012 * n(1, 0.2)];
         let inner = 0.05 * n(2, 0.3).max(0.0) + 0.03 * speaking;

@@ -4,13 +4,12 @@
 //! generator writes them. Every fault of the file is a [`ReadError`]; none panics.
 
 pub(crate) mod accessor;
-mod binding;
 pub(crate) mod document;
+mod soft;
 
 use raconteur_base::{DAffine3, DMat4, DQuat, DVec3, Side};
 
-use crate::face::Tissue;
-use crate::face::file::{self, TissueError};
+use crate::face::file::TissueError;
 use crate::figure::{Figure, Image, Maps, Material, MaterialKind, Mesh, Morph};
 use crate::skeleton::{Bone, FacePlaces, Skeleton};
 use accessor::Source;
@@ -84,6 +83,15 @@ pub enum ReadError {
 /// # Errors
 /// A [`ReadError`] that names the first fault found.
 pub fn read_figure(name: &str, glb: &[u8]) -> Result<Figure, ReadError> {
+    read_with(name, glb, true)
+}
+
+/// As [`read_figure`], but a figure that is not `soft` comes without the tissue of its face,
+/// which then moves as far as jaw and lids move it.
+///
+/// # Errors
+/// As those of [`read_figure`].
+pub fn read_with(name: &str, glb: &[u8], soft: bool) -> Result<Figure, ReadError> {
     let root = Document::read(glb)?;
     if let Some(e) = root
         .extensions_required
@@ -104,7 +112,11 @@ pub fn read_figure(name: &str, glb: &[u8]) -> Result<Figure, ReadError> {
         morph_names: morph_names(&root),
         lid_closure_rad: root.lid_closure_rad.unwrap_or([0.0; 2]),
         sex: root.sex,
-        tissue: read_tissue(&mut source)?,
+        tissue: if soft {
+            soft::tissue(&mut source)?
+        } else {
+            None
+        },
         images: read_images(&mut source)?,
     };
     for node in &root.nodes {
@@ -114,7 +126,7 @@ pub fn read_figure(name: &str, glb: &[u8]) -> Result<Figure, ReadError> {
                 what: "a node's mesh",
             })?;
             for primitive in &mesh.primitives {
-                let read = read_primitive(&mut source, mesh, primitive, &binding, &figure)?;
+                let read = read_primitive(&mut source, mesh, primitive, &binding, &figure, soft)?;
                 figure.meshes.push(read);
             }
         }
@@ -328,6 +340,7 @@ fn read_primitive(
     primitive: &document::Primitive,
     binding: &Binding,
     figure: &Figure,
+    soft: bool,
 ) -> Result<Mesh, ReadError> {
     let find = |name: &str| primitive.attribute(name);
     let need = |name: &str, what| find(name).ok_or(ReadError::OutOfRange { what });
@@ -418,7 +431,11 @@ fn read_primitive(
         name: mesh.name.clone(),
         material: read_material(source.root, primitive)?,
         morphs: read_morphs(source, mesh, primitive, count, to_world, figure)?,
-        binding: binding::read(source, mesh, count)?,
+        binding: if soft {
+            soft::binding(source, mesh, count)?
+        } else {
+            None
+        },
         positions: raw
             .into_iter()
             .map(|p| narrow(to_world.transform_point3(widen(p))))
@@ -471,14 +488,6 @@ fn read_morphs(
         });
     }
     Ok(morphs)
-}
-
-fn read_tissue(source: &mut Source<'_>) -> Result<Option<Tissue>, ReadError> {
-    let Some(view) = source.root.tissue else {
-        return Ok(None);
-    };
-    let bytes = source.view_bytes(view, "the tissue of the face")?;
-    Ok(Some(file::from_bytes(bytes)?))
 }
 
 fn read_images(source: &mut Source<'_>) -> Result<Vec<Image>, ReadError> {

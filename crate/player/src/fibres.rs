@@ -15,6 +15,7 @@ const MUSCLE_PX: f32 = 2.0;
 /// Fills `lines` with what is shown of a tissue; empty where nothing is. Of the springs are
 /// drawn the edges of the skin, each once or, at a border, not at all: diagonals and what ties
 /// the skin to what lies under it would hide them.
+#[inline(never)]
 pub(crate) fn draw(
     shown: Shown,
     (tissue, network): (&Tissue, &Network),

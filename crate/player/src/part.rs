@@ -4,8 +4,8 @@ use raconteur_actor::animation::PlayerCommand;
 use raconteur_actor::gesture::TrunkShape;
 use raconteur_actor::parameters::ParameterCommand;
 use raconteur_actor::{
-    Accent, ArmScript, EmotionSpan, GestureStroke, Library, ManipulatorScript, ParameterScript,
-    Performance, PlayerScript, Sex, SpokenUtterance,
+    Accent, ArmScript, GestureStroke, Library, ManipulatorScript, ParameterScript, Performance,
+    PlayerScript, Sex, SpokenUtterance,
 };
 use raconteur_base::order::sort_by_number;
 use raconteur_base::{DVec3, Side};
@@ -13,12 +13,11 @@ use raconteur_speech::bundle::Voice;
 use raconteur_speech::{Phone, Utterance, Word};
 
 use crate::cues::{self, Cue, UtteranceCue};
-use crate::emotions;
+use crate::feelings::{self, Felt};
 use crate::geometry::{self, Switch};
 use crate::gestures;
 use crate::motion;
 use crate::music::{self, MusicClause};
-use crate::parameters;
 use crate::performer::Options;
 use crate::script::Script;
 use crate::units::Units;
@@ -42,12 +41,8 @@ pub(crate) struct Part {
     /// What of the figure is drawn, by time.
     pub(crate) geometry: Vec<Switch>,
     speech: Vec<SpokenUtterance>,
-    /// What is felt.
-    emotions: Vec<EmotionSpan>,
-    /// What control parameters are asked for, by time.
-    pub(crate) parameters: Vec<(f64, ParameterCommand)>,
-    /// The names of the animations of parameters that it needs.
-    pub(crate) parameter_clips: Vec<String>,
+    /// What is felt, and what control parameters are asked for.
+    pub(crate) felt: Felt,
     /// Shots of the camera, by time.
     pub(crate) shots: Vec<ShotCue>,
     /// Music, by time.
@@ -81,12 +76,11 @@ impl Part {
             players,
             geometry: geometry::switches(document, timeline),
             speech: utterances.iter().map(|u| spoken(script, u)).collect(),
-            emotions: emotions::spans(script, &utterances),
-            parameters: parameters::commands(document, timeline),
-            parameter_clips: parameters::wanted(document)
-                .into_iter()
-                .map(|(name, _)| name.to_owned())
-                .collect(),
+            felt: if script.feels {
+                feelings::lower(script, &utterances)
+            } else {
+                Felt::default()
+            },
             shots: views::shots(script),
             music: music::clauses(script),
             cues: cues::cues(script, &utterances, first_utterance, fragment),
@@ -121,14 +115,14 @@ pub(crate) fn performance<'a>(
     sort_by_number(&mut switches, |(time_secs, _)| *time_secs);
     let on = gestures::on_spans(&switches);
     let players = parts.clone().flat_map(|p| p.players.iter());
-    let parameters = parts.clone().flat_map(|p| p.parameters.iter());
+    let parameters = parts.clone().flat_map(|p| p.felt.parameters.iter());
     Performance {
         players: PlayerScript {
             commands: carried.players.iter().chain(players).cloned().collect(),
         },
         emotions: parts
             .clone()
-            .flat_map(|p| p.emotions.iter().copied())
+            .flat_map(|p| p.felt.emotions.iter().copied())
             .collect(),
         parameters: ParameterScript {
             commands: carried
@@ -151,6 +145,7 @@ pub(crate) fn performance<'a>(
         seed: options.seed,
         motion_amount: options.motion_amount,
         manner: options.manner,
+        feels: options.feels,
         listener_in_world,
         sex,
         trunk: Some(trunk),

@@ -10,11 +10,12 @@ use raconteur_base::order::sort_by_number;
 use raconteur_base::{DVec3, Side};
 use raconteur_body::face::{FaceControls, Network, NodeState, Tissue};
 use raconteur_body::{Bone, Figure, Pose};
-use raconteur_eml::{Diagnostic, Timeline};
+use raconteur_eml::{Diagnostic, Span, Timeline};
 use raconteur_stage::{Camera, Frame, Room, Shot, SpeechNow, View};
 
 use crate::cues::{Cue, UtteranceCue};
 use crate::event::Event;
+use crate::feelings;
 use crate::fibres;
 use crate::geometry::Geometry;
 use crate::gestures::{self, Reach};
@@ -22,7 +23,6 @@ use crate::layers::Layers;
 use crate::live::{self, Live, Performed, Scene};
 use crate::motion;
 use crate::music::{self, MusicClause, MusicCue};
-use crate::parameters;
 use crate::part::{self, Carried, Part};
 use crate::script::Script;
 use crate::soft::SoftFace;
@@ -46,6 +46,9 @@ pub struct Options {
     /// What moves the body by players and manipulators is there; a browser fetches its code
     /// only for stories that ask for it.
     pub motion: bool,
+    /// What moves the face besides lips and lids is there, and its tissue; a browser fetches
+    /// its code in a file of its own.
+    pub feels: bool,
 }
 
 impl Default for Options {
@@ -57,6 +60,7 @@ impl Default for Options {
             shot: Shot::Medium,
             room: Room::default(),
             motion: true,
+            feels: true,
         }
     }
 }
@@ -132,7 +136,8 @@ impl Player {
     /// Reads a story and prepares its performance. Never fails; see [`Loaded::diagnostics`].
     #[must_use]
     pub fn load(input: StoryInput<'_>) -> Loaded {
-        let mut script = Script::read(input.eml, input.bundle);
+        let feels = input.options.feels;
+        let mut script = Script::read_with(input.eml, input.bundle, feels);
         if !input.options.motion {
             script.hold_still();
         }
@@ -142,6 +147,13 @@ impl Player {
         let reach = Reach::of(&figure.skeleton);
         let mut diagnostics = script.diagnostics.clone();
         diagnostics.extend(gestures::out_of_reach(&script.document, &units, &reach));
+        if script.feels {
+            diagnostics.extend(feelings::problems(&script.document));
+        } else {
+            let message = "what moves the face is not there; only its lips will";
+            let missing = Diagnostic::warning("player::no-face", Span::default(), message);
+            diagnostics.push(missing);
+        }
         if script.moves {
             diagnostics.extend(motion::problems(&script, &units, &reach));
             diagnostics.extend(motion::without_effect(&script, &figure.skeleton));
@@ -179,7 +191,10 @@ impl Player {
             story,
             live,
             layers: Layers::new(actor, room, morphs),
-            soft: figure.tissue.as_ref().map(SoftFace::new),
+            soft: {
+                let tissue = figure.tissue.as_ref();
+                tissue.filter(|_| feels).map(SoftFace::new)
+            },
             geometry,
             view: None,
             passed_secs: -1.0,
@@ -317,6 +332,7 @@ impl Player {
             sets: &self.script.document.sets,
             actor: self.layers.actor(),
             motion: self.options.motion,
+            feels: self.options.feels,
         };
         let performed = self.live.admit(mind, fragment, now_secs, base_secs, &scene);
         if !performed.clauses.is_empty() {
@@ -367,7 +383,7 @@ impl Player {
                 wanted.push(name.clone());
             }
         }
-        for name in parts.flat_map(|p| &p.parameter_clips) {
+        for name in parts.flat_map(|p| &p.felt.clips) {
             if self.library.parameters(name).is_none()
                 && !self.missing.contains(name)
                 && !wanted.contains(name)
@@ -386,7 +402,7 @@ impl Player {
     pub fn provide_animations(&mut self, clips: &[(&str, Option<&str>)]) -> Vec<Diagnostic> {
         let mut diagnostics = Vec::new();
         let parts = [&self.story].into_iter().chain(self.live.parts());
-        let faces: Vec<String> = parts.flat_map(|p| p.parameter_clips.clone()).collect();
+        let faces: Vec<String> = parts.flat_map(|p| p.felt.clips.clone()).collect();
         if faces.is_empty() && !self.options.motion {
             return diagnostics;
         }
@@ -398,7 +414,7 @@ impl Player {
             let problem = match text {
                 Some(text) => {
                     let learnt = if is_of_face {
-                        self.library.add_parameters(name, text)
+                        feelings::learn(&mut self.library, name, text)
                     } else {
                         motion::learn(&mut self.library, name, text)
                     };
@@ -418,7 +434,7 @@ impl Player {
             }
             if let Some((code, message)) = problem {
                 let wanted = if is_of_face {
-                    parameters::wanted(&self.script.document)
+                    feelings::wanted(&self.script.document)
                 } else {
                     motion::wanted(&self.script.document)
                 };
@@ -682,7 +698,8 @@ impl Player {
             eat(&weight.to_le_bytes());
         }
         for node in &self.frame.tissue {
-            for value in node.displacement.iter().chain(&node.normal_delta) {
+            let moved = node.displacement.iter().chain(&node.normal_delta);
+            for value in moved.chain(&node.wrinkles).chain([&node.blush]) {
                 eat(&value.to_le_bytes());
             }
         }

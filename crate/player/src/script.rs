@@ -8,7 +8,7 @@ use raconteur_speech::bundle::Voice;
 use raconteur_speech::{Bundle, Phone, Utterance};
 
 use crate::voice::{KnownDurations, Voices};
-use crate::{motion, parameters};
+use crate::{feelings, motion};
 
 /// A script with everything resolved that needs no figure.
 #[derive(Clone, Debug)]
@@ -25,6 +25,8 @@ pub struct Script {
     voices: Voices,
     /// It asks for players, manipulators or motions of the figure, and they are there.
     pub(crate) moves: bool,
+    /// What shows emotions and control parameters is there.
+    pub(crate) feels: bool,
 }
 
 /// What a script takes from outside to know its times.
@@ -38,8 +40,13 @@ impl Script {
     /// what is wrong is in [`Script::diagnostics`], and the rest plays.
     #[must_use]
     pub fn read(eml: &str, bundle_json: Option<&[u8]>) -> Self {
+        Self::read_with(eml, bundle_json, true)
+    }
+
+    /// The same for a player who has what shows emotions and control parameters, or not.
+    pub(crate) fn read_with(eml: &str, bundle_json: Option<&[u8]>, feels: bool) -> Self {
         let mut parsed = parse(eml);
-        let bundle = bundle_json.and_then(|json| match Bundle::from_json(json) {
+        let bundle = bundle_json.and_then(|json| match Bundle::read_with(json, feels) {
             Ok(bundle) => Some(Arc::new(bundle)),
             Err(error) => {
                 parsed.diagnostics.push(
@@ -59,6 +66,7 @@ impl Script {
         };
         let mut script = Self::resolve(parsed, sources, bundle_json.is_some());
         script.timeline = with_run_up(&script.document, script.timeline);
+        script.feels = feels;
         script
     }
 
@@ -88,10 +96,10 @@ impl Script {
             voice_was_given,
         ));
         diagnostics.extend(crate::unperformed::report(&document));
-        diagnostics.extend(parameters::problems(&document));
         raconteur_base::order::sort_by_number(&mut diagnostics, |d| f64::from(d.span.start));
         Self {
             moves: asked(&document).is_some(),
+            feels: true,
             document,
             timeline: resolved.timeline,
             diagnostics,
@@ -102,9 +110,9 @@ impl Script {
 
     /// Leaves out what is asked of players and manipulators, because they are not there.
     pub(crate) fn hold_still(&mut self) {
-        if let Some(span) = asked(&self.document) {
-            let message = "what moves the body by players and manipulators is not there; \
-                           it is left out";
+        if let Some(span) = asked_for_more(&self.document) {
+            let message = "a part of the player is not there: animations, manipulators and \
+                           music are left out";
             let missing = Diagnostic::warning("player::no-motion", span, message);
             self.diagnostics.push(missing);
         }
@@ -126,7 +134,10 @@ impl Script {
     /// and the player need the texts of.
     #[must_use]
     pub fn wanted_animations(&self) -> Vec<String> {
-        let mut wanted = parameters::wanted(&self.document);
+        let mut wanted = Vec::new();
+        if self.feels {
+            wanted.extend(feelings::wanted(&self.document));
+        }
         if self.moves {
             wanted.extend(motion::wanted(&self.document));
         }
@@ -191,11 +202,26 @@ pub(crate) fn asked(document: &Document) -> Option<Span> {
     found.map(|(_, clause)| clause.tag_span)
 }
 
+/// Where a document first asks for what a browser may not have fetched.
+fn asked_for_more(document: &Document) -> Option<Span> {
+    let more = |kind: &ClauseKind| {
+        moves(kind)
+            || matches!(
+                kind,
+                ClauseKind::LoadControlParameterAnimation(_)
+                    | ClauseKind::AnimateControlParameter(_)
+                    | ClauseKind::Music(_)
+            )
+    };
+    let found = document.iter().find(|(_, clause)| more(&clause.kind));
+    found.map(|(_, clause)| clause.tag_span)
+}
+
 /// Whether a text asks for what a browser may not have fetched, see
 /// [`Options::motion`](crate::Options::motion).
 #[must_use]
-pub fn asks_for_motion(eml: &str) -> bool {
-    asked(&parse(eml).document).is_some()
+pub fn asks_for_more(eml: &str) -> bool {
+    asked_for_more(&parse(eml).document).is_some()
 }
 
 /// The time that an arm needs to come from rest to any first stroke, seconds. Longest

@@ -5,13 +5,13 @@
 //! controls since a fixed moment before it, where it begins at rest under them: the
 //! difference to what came before has died away long before the segment begins (to less than
 //! a thousandth of a millimetre). While one segment plays, the way into the next is walked a
-//! step at a time; a seek walks at most a second.
+//! step at a time; a seek walks at most a segment with its way and the way into the next, 1.2 s.
 
 use core::mem::swap;
 
 use raconteur_body::face::{FaceControls, Network, NodeState, Tissue};
 
-/// Steps of a segment, and of the way into it: together one second.
+/// Steps of a segment, and of the way into it.
 const SEGMENT: i64 = 96;
 const INTO: i64 = 24;
 
@@ -58,6 +58,7 @@ pub(crate) struct SoftFace {
 const NEVER: i64 = i64::MIN;
 
 impl SoftFace {
+    #[inline(never)]
     pub(crate) fn new(tissue: &Tissue) -> Self {
         let walk = Walk {
             network: Network::new(tissue),
@@ -71,17 +72,20 @@ impl SoftFace {
     }
 
     /// The network as it was at the last step that was asked for.
+    #[inline(never)]
     pub(crate) fn network(&self) -> &Network {
         &self.now.network
     }
 
     /// Forgets what the controls were: they are others from now on.
+    #[inline(never)]
     pub(crate) fn forget(&mut self) {
         self.now.segment = NEVER;
         self.next.segment = NEVER;
     }
 
     /// Brings the nodes to a time. `nodes` has room for all; allocates nothing.
+    #[inline(never)]
     pub(crate) fn at(
         &mut self,
         tissue: &Tissue,

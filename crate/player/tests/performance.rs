@@ -5,7 +5,7 @@ mod common;
 use common::{figure, perform, story};
 use raconteur_base::noise;
 use raconteur_player::body::Bone;
-use raconteur_player::{CueKind, Loaded, Options, Player, asks_for_motion};
+use raconteur_player::{CueKind, Loaded, Options, Player, asks_for_more};
 
 fn load(name: &str) -> Loaded {
     story(name, figure(), Options::default())
@@ -178,5 +178,5 @@ fn what_is_not_there_is_told_once_and_the_rest_performs() {
     };
     assert!(moved(&mut without.player) < 0.02);
     assert!(moved(&mut with.player) > 0.1);
-    assert!(asks_for_motion(eml) && !asks_for_motion("<eml><body/></eml>"));
+    assert!(asks_for_more(eml) && !asks_for_more("<eml><body/></eml>"));
 }

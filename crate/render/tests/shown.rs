@@ -52,6 +52,8 @@ const NOTHING: Shown = Shown {
     materials: true,
     textures: true,
     manipulators: false,
+    springs: false,
+    muscles: false,
 };
 
 #[test]

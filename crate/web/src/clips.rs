@@ -1,26 +1,9 @@
 //! Animations that a story plays, fetched by the page.
 
-use raconteur_player::Player as Performer;
-use raconteur_player::eml::Diagnostic;
 use wasm_bindgen::prelude::*;
 
-use crate::message::Story;
-use crate::player::{Player, plain};
-
-/// Hands a performer animations by name, an empty text for what was not found; what is wrong
-/// with them.
-pub(crate) fn provide(
-    performer: &mut Performer,
-    names: &[String],
-    texts: &[String],
-) -> Vec<Diagnostic> {
-    let clips: Vec<(&str, Option<&str>)> = names
-        .iter()
-        .zip(texts)
-        .map(|(name, text)| (name.as_str(), Some(text.as_str()).filter(|t| !t.is_empty())))
-        .collect();
-    performer.provide_animations(&clips)
-}
+use crate::more;
+use crate::player::{Player, has_more};
 
 #[wasm_bindgen]
 #[allow(clippy::needless_pass_by_value, reason = "lists arrive as owned only")]
@@ -29,8 +12,8 @@ impl Player {
     /// provided: of the library, or paths in the story's folder.
     #[wasm_bindgen(js_name = wantedAnimations)]
     pub fn wanted_animations(&self) -> Vec<String> {
-        let performer = self.performer.as_ref();
-        performer.map_or_else(Vec::new, Performer::wanted_animations)
+        let performer = self.performer.as_ref().filter(|_| has_more());
+        performer.map_or_else(Vec::new, more::wanted)
     }
 
     /// Takes animations by name with their texts, an empty one for what was not found. The
@@ -43,15 +26,9 @@ impl Player {
         names: Vec<String>,
         texts: Vec<String>,
     ) -> Result<JsValue, JsError> {
-        let Some(performer) = &mut self.performer else {
-            return Ok(JsValue::UNDEFINED);
-        };
-        let problems = provide(performer, &names, &texts);
-        plain(&Story::new(
-            eml,
-            performer.duration_secs(),
-            performer.utterances(),
-            problems,
-        ))
+        match &mut self.performer {
+            Some(performer) if has_more() => more::retell(performer, eml, &names, &texts),
+            _ => Ok(JsValue::UNDEFINED),
+        }
     }
 }

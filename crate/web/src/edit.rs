@@ -6,7 +6,8 @@ use std::sync::Arc;
 use raconteur_player::stage::{Room, View};
 use wasm_bindgen::prelude::*;
 
-use crate::player::{Player, plain, read};
+use crate::drawn;
+use crate::player::{Player, has_face, plain, read};
 
 /// Room for every place that a fingertip reaches, as shares of stature: shoulders at 0.82 and
 /// 0.11 (ANSUR), an arm of 0.30 (GEVH table A.1) and a hand of 0.11. With it the picture stands
@@ -74,43 +75,14 @@ impl Player {
     ///   its transform, 13 together;
     /// - for each manipulator its target and how far from there it ended, 4 together.
     pub fn pose(&mut self) -> Vec<f32> {
-        let mut numbers = Vec::new();
-        let Some(performer) = &mut self.performer else {
-            return numbers;
-        };
-        let manipulators = performer.manipulators(performer.last_frame().time_secs);
-        let mut put = |values: &[f64]| numbers.extend(values.iter().map(|&v| v as f32));
-        let frame = performer.last_frame();
-        let camera = &frame.camera;
-        put(&camera.eye_in_world.to_array());
-        put(&camera.target_in_world.to_array());
-        put(&[camera.fov_y_rad, self.aspect, camera.near_m, camera.far_m]);
-        let units = performer.units();
-        put(&units.speaker_point([0.0; 3]).to_array());
-        let joints = performer.figure().skeleton.joints();
-        put(&[units.world_point([1.0, 0.0, 0.0]).x, joints.len() as f64]);
-        for (joint, world) in joints.iter().zip(&frame.world_from_joint) {
-            put(&[joint.parent.map_or(-1.0, |p| p as f64)]);
-            put(&world.to_cols_array());
-        }
-        for manipulator in &manipulators {
-            put(&manipulator.target_in_world.to_array());
-            put(&[manipulator.error_m]);
-        }
-        numbers
+        let performer = self.performer.as_mut().filter(|_| has_face());
+        performer.map_or_else(Vec::new, |p| drawn::pose(p, self.aspect))
     }
 
     /// Names of the joints in the order of `pose`, then those of the manipulators.
     #[wasm_bindgen(js_name = poseNames)]
     pub fn pose_names(&mut self) -> Vec<String> {
-        let Some(performer) = &mut self.performer else {
-            return Vec::new();
-        };
-        let manipulators = performer.manipulators(performer.last_frame().time_secs);
-        let joints = performer.figure().skeleton.joints().iter();
-        joints
-            .map(|j| j.name.clone())
-            .chain(manipulators.iter().map(|m| m.name.to_owned()))
-            .collect()
+        let performer = self.performer.as_mut().filter(|_| has_face());
+        performer.map_or_else(Vec::new, drawn::pose_names)
     }
 }

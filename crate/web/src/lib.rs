@@ -40,10 +40,14 @@ mod clips;
 #[cfg(all(target_arch = "wasm32", not(feature = "avatar")))]
 mod curves;
 #[cfg(all(target_arch = "wasm32", not(feature = "avatar")))]
+mod drawn;
+#[cfg(all(target_arch = "wasm32", not(feature = "avatar")))]
 mod edit;
 #[cfg(all(target_arch = "wasm32", not(feature = "avatar")))]
 mod measure;
 #[cfg(all(target_arch = "wasm32", not(feature = "avatar")))]
+mod more;
+#[cfg(all(target_arch = "wasm32", not(feature = "avatar")))]
 mod player;
 #[cfg(all(target_arch = "wasm32", not(feature = "avatar")))]
-pub use player::{Player, motion_joined, pose_digests};
+pub use player::{Player, face_joined, more_joined, pose_digests};

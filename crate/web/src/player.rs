@@ -5,17 +5,18 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use raconteur_player::body::Figure;
 use raconteur_player::body::figure::Image;
-use raconteur_player::body::read::read_figure;
+use raconteur_player::body::read::read_with;
 use raconteur_player::stage::{Room, View};
-use raconteur_player::{Manner, Options, Player as Performer, StoryInput, asks_for_motion};
+use raconteur_player::{Manner, Options, Player as Performer, StoryInput, asks_for_more};
 use raconteur_render::{Backend, CanvasTarget, Pace, Quality, RenderOptions, RenderStatus};
 use serde::Serialize;
 use serde_wasm_bindgen::Serializer;
 use wasm_bindgen::prelude::*;
 use web_sys::HtmlCanvasElement;
 
-use crate::clips;
-use crate::message::{Performance, Piece, Story, Utterance};
+use crate::drawn;
+use crate::message::Story;
+use crate::more;
 
 #[cfg(not(any(feature = "webgpu", feature = "webgl")))]
 compile_error!("a build for the browser needs the feature `webgpu` or `webgl`");
@@ -23,9 +24,13 @@ compile_error!("a build for the browser needs the feature `webgpu` or `webgl`");
 /// Largest side of the canvas, device pixels: 8K, and no more memory than that.
 const MOST_PIXELS: f64 = 8192.0;
 
-/// Whether what moves the body by players and manipulators has joined this instance: its code
-/// is in a file of its own, see `web/tools/split.mjs`.
-static MOTION: AtomicBool = AtomicBool::new(false);
+/// Whether what only some stories need has joined this instance: players and manipulators,
+/// animations, fragments that come later, music. Its code is in a file of its own, see
+/// `web/tools/split.mjs`.
+static MORE: AtomicBool = AtomicBool::new(false);
+
+/// Whether what moves a face besides its lips has joined, likewise.
+static FACE: AtomicBool = AtomicBool::new(false);
 
 /// What became of a tick; `TickStatus` in `web/element/types.ts`.
 #[derive(Clone, Copy)]
@@ -94,7 +99,7 @@ impl Player {
         glb: &[u8],
         motion: f64,
     ) -> Result<JsValue, JsError> {
-        let figure = Arc::new(read_figure(figure, glb)?);
+        let figure = Arc::new(read_with(figure, glb, has_face())?);
         let options = self.options(motion, Room::default());
         let (mut performer, story) = read(eml, bundle.as_deref(), figure, options);
         performer.set_view(self.view);
@@ -107,9 +112,9 @@ impl Player {
 
     /// Whether a text asks for code that has not joined this instance; without it, that is
     /// left out, and told.
-    #[wasm_bindgen(js_name = lacksMotion)]
-    pub fn lacks_motion(&self, eml: &str) -> bool {
-        !MOTION.load(Ordering::Relaxed) && asks_for_motion(eml)
+    #[wasm_bindgen(js_name = lacksMore)]
+    pub fn lacks_more(&self, eml: &str) -> bool {
+        !has_more() && asks_for_more(eml)
     }
 
     /// How many pictures the figure has, for the page to decode.
@@ -199,25 +204,18 @@ impl Player {
     }
 
     /// Performs a fragment of EML, `now_secs` being the story time from which plain times
-    /// count; a `Performance`. `mind` tells senders apart.
+    /// count; a `Performance`, or nothing where the code for it is not there. `mind` tells senders
+    /// apart.
     pub fn perform(
         &mut self,
         mind: u32,
         fragment: &str,
         now_secs: f64,
     ) -> Result<JsValue, JsError> {
-        let Some(performer) = &mut self.performer else {
-            return Ok(JsValue::UNDEFINED);
-        };
-        // It may have joined since the story was read.
-        performer.set_motion(MOTION.load(Ordering::Relaxed));
-        let performed = performer.perform(mind, fragment, now_secs);
-        plain(&Performance {
-            events: performed.events(fragment, now_secs),
-            utterances: performed.utterances.iter().map(Utterance::new).collect(),
-            first_utterance: performed.first_utterance,
-            end_secs: performer.end_secs(),
-        })
+        match &mut self.performer {
+            Some(performer) if has_more() => more::perform(performer, mind, fragment, now_secs),
+            _ => Ok(JsValue::UNDEFINED),
+        }
     }
 
     /// Whether the clock may pass the end of the story, because a mind may send more.
@@ -254,8 +252,10 @@ impl Player {
 
     /// The music under what is performed; `Piece`s.
     pub fn music(&self) -> Result<JsValue, JsError> {
-        let music = self.performer.as_ref().map_or(Vec::new(), Performer::music);
-        plain(&music.into_iter().map(Piece::from).collect::<Vec<_>>())
+        match &self.performer {
+            Some(performer) if has_more() => more::music(performer),
+            _ => plain(&[(); 0]),
+        }
     }
 
     /// The cues passed since the last call.
@@ -284,15 +284,33 @@ impl Player {
     }
 }
 
-/// The code for players and manipulators has joined this instance: texts read from now on
-/// use it.
-#[wasm_bindgen(js_name = motionJoined)]
-pub fn motion_joined() {
-    MOTION.store(true, Ordering::Relaxed);
+/// The code that only some stories need has joined this instance: texts read from now on use
+/// it.
+#[wasm_bindgen(js_name = moreJoined)]
+pub fn more_joined() {
+    MORE.store(true, Ordering::Relaxed);
+}
+
+/// Whether it has.
+pub(crate) fn has_more() -> bool {
+    MORE.load(Ordering::Relaxed)
+}
+
+/// The code for what moves a face besides its lips has joined this instance: texts read from
+/// now on use it.
+#[wasm_bindgen(js_name = faceJoined)]
+pub fn face_joined() {
+    FACE.store(true, Ordering::Relaxed);
+}
+
+/// Whether it has.
+pub(crate) fn has_face() -> bool {
+    FACE.load(Ordering::Relaxed)
 }
 
 /// Digests of a story's poses at some times, in hexadecimal: equal ones mean that native
-/// and wasm agree to the last bit. Animations come by name with their texts.
+/// and wasm agree to the last bit. Animations come by name with their texts. None before
+/// [`face_joined`].
 #[wasm_bindgen(js_name = poseDigests)]
 #[allow(
     clippy::needless_pass_by_value,
@@ -307,19 +325,21 @@ pub fn pose_digests(
     texts: Vec<String>,
     times_secs: &[f64],
 ) -> Result<Vec<String>, JsError> {
-    let figure = Arc::new(read_figure(figure, glb)?);
+    let figure = Arc::new(read_with(figure, glb, has_face())?);
     let options = Options {
-        motion: MOTION.load(Ordering::Relaxed),
+        motion: has_more(),
+        feels: has_face(),
         ..Options::default()
     };
     let (mut performer, _) = read(eml, bundle.as_deref(), figure, options);
     if !names.is_empty() {
-        clips::provide(&mut performer, &names, &texts);
+        more::provide(&mut performer, &names, &texts);
     }
-    Ok(times_secs
-        .iter()
-        .map(|&t| format!("{:016x}", performer.digest(t)))
-        .collect())
+    Ok(if has_face() {
+        drawn::digests(&mut performer, times_secs)
+    } else {
+        Vec::new()
+    })
 }
 
 /// Has a figure read a story.
@@ -357,7 +377,8 @@ impl Player {
             },
             manner: self.manner,
             room,
-            motion: MOTION.load(Ordering::Relaxed),
+            motion: has_more(),
+            feels: has_face(),
             ..Options::default()
         }
     }

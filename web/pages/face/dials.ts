@@ -38,7 +38,7 @@ export const MUSCLES: readonly Region[] = [
     title: 'Eyes and nose',
     dials: [
       two('OrbicularisOculi', 'Orbicularis oculi', 'squeezes the eye'),
-      two('Nasalis', 'Nasalis', 'narrows the nostril'),
+      two('Nasalis', 'Nasalis', 'widens the nostril'),
       one('DepressorSeptiNasi', 'Depressor septi nasi', 'pulls the tip of the nose down'),
       two('LevatorLabiiSuperiorisAlaequeNasi', 'Levator labii alaeque nasi', 'wrinkles the nose'),
     ],

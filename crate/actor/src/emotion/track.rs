@@ -118,6 +118,14 @@ pub struct Breathing {
     pub depth: f64,
 }
 
+impl Breathing {
+    /// As one breathes who feels nothing.
+    pub const CALM: Self = Self {
+        lead_secs: 0.0,
+        depth: 1.0,
+    };
+}
+
 /// The emotions of a performance, made ready. Evaluation is a function of time and allocates
 /// nothing.
 ///

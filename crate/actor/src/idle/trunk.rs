@@ -6,6 +6,7 @@ use raconteur_base::{DQuat, DVec3, noise, ops};
 use raconteur_body::{Bone, Pose};
 
 use super::stream;
+use crate::emotion::Breathing;
 
 /// Breaths at rest, Hz (12 to 18 a minute is the adult norm).
 const BREATH_HZ: f64 = 0.25;
@@ -70,15 +71,15 @@ pub struct Trunk {
 }
 
 impl Trunk {
-    /// Depth of breath at a time, −1 out to 1 in.
+    /// Depth of breath at a time: −1 out to 1 in where `breathing` is calm.
     #[must_use]
-    pub fn breath(&self, rhythm: &SpeechRhythm, time_secs: f64) -> f64 {
-        let turns = BREATH_HZ * time_secs
+    pub fn breath(&self, rhythm: &SpeechRhythm, time_secs: f64, breathing: &Breathing) -> f64 {
+        let turns = BREATH_HZ * (time_secs + breathing.lead_secs)
             + BREATH_SPEAKING_HZ * rhythm.spoken_before(time_secs)
             + 0.12 * noise::perlin(self.seed, stream::BREATH, 0.21 * time_secs);
         // In faster than out.
         let phase = core::f64::consts::TAU * turns;
-        ops::sin(phase + 0.35 * ops::sin(phase))
+        breathing.depth * ops::sin(phase + 0.35 * ops::sin(phase))
     }
 
     /// Turns spine and neck; the head's gaze comes later. `weight` is the stance's,
@@ -89,10 +90,11 @@ impl Trunk {
         time_secs: f64,
         weight: f64,
         amount: f64,
+        breathing: &Breathing,
         pose: &mut Pose,
     ) {
         let n = |id: u64, hz: f64| noise::perlin(self.seed, stream::SPINE + id, hz * time_secs);
-        let breath = self.breath(rhythm, time_secs);
+        let breath = self.breath(rhythm, time_secs, breathing);
         let lively = 0.6 + 0.4 * rhythm.speaking(time_secs);
         // The spine rights what the pelvis tilts, so that the head stays over the feet.
         let lean = amount * (0.012 * n(0, 0.23) * lively) + 0.012;
@@ -107,9 +109,17 @@ impl Trunk {
 
     /// Rise of one shoulder, radians; `side_id` 0 or 1.
     #[must_use]
-    pub fn shrug(&self, rhythm: &SpeechRhythm, time_secs: f64, side_id: u64, amount: f64) -> f64 {
+    pub fn shrug(
+        &self,
+        rhythm: &SpeechRhythm,
+        time_secs: f64,
+        side_id: u64,
+        amount: f64,
+        breathing: &Breathing,
+    ) -> f64 {
+        let breath = self.breath(rhythm, time_secs, breathing);
         let slow = noise::perlin(self.seed, stream::SPINE + 8 + side_id, 0.14 * time_secs);
-        amount * (0.011 * self.breath(rhythm, time_secs) + 0.014 * slow)
+        amount * (0.011 * breath + 0.014 * slow)
     }
 
     /// The head's rotation against the chest from noise: pitch (positive down), roll and
@@ -152,7 +162,7 @@ mod tests {
     fn breath_is_faster_in_speech() {
         let count = |rhythm: &SpeechRhythm| {
             let trunk = Trunk { seed: 3 };
-            let at = |i: i32| trunk.breath(rhythm, f64::from(i) * 0.01) > 0.0;
+            let at = |i: i32| trunk.breath(rhythm, f64::from(i) * 0.01, &Breathing::CALM) > 0.0;
             (1..24_000).filter(|i| at(*i) && !at(i - 1)).count()
         };
         let silent = count(&SpeechRhythm::default());

@@ -120,7 +120,7 @@ fn print(out: &mut impl io::Write, check: &Check) -> io::Result<()> {
     let (worst, limit) = (show(check.worst), show(check.limit));
     write!(
         out,
-        "  {mark} {name:<14} {worst:>8} of {limit:>8} {unit:<5}"
+        "  {mark} {name:<26} {worst:>8} of {limit:>8} {unit:<5}"
     )?;
     if !check.part.is_empty() {
         write!(out, " at {:.3} s, {}", check.at_secs, check.part)?;

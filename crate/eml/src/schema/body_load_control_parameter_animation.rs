@@ -5,10 +5,12 @@ use crate::ClauseKind;
 
 pub(super) static ELEMENT: Element = Element {
     doc: doc!("Loads an animation of control parameters into the library."),
-    decision: doc!("The format of the file is not documented. Paths never leave their folder."),
+    decision: doc!(
+        "The format of the file is not documented; ours is JSON, described in docs/face.md. Paths never leave their folder."
+    ),
     source: doc!("GEVH D.3.29"),
     example: doc!(
-        "<body-load-control-parameter-animation time='5' file='visemes-1.xml' isResourcesRelative='true'/>"
+        "<body-load-control-parameter-animation time='5' file='yawn.json' isResourcesRelative='true'/>"
     ),
     attributes: &[
         Attribute::new("file", Kind::Path, doc!("The path of the file.")).required(),

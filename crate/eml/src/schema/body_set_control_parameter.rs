@@ -9,7 +9,13 @@ pub(super) static ELEMENT: Element = Element {
     example: doc!("<body-set-control-parameter time='0' parameterId='Disgust' value='1.0'/>"),
     attributes: &[
         Attribute::identifier("parameterId", doc!("The parameter, such as Disgust.")).required(),
-        Attribute::number("value", doc!("Its value; 0 is none, 1 is full.")).required(),
+        Attribute::number(
+            "value",
+            doc!(
+                "Its value; 0 is none, 1 is full. What goes both ways, such as JawYaw, goes to -1."
+            ),
+        )
+        .required(),
     ],
     ..Element::record("body-set-control-parameter", || {
         ClauseKind::SetControlParameter(Default::default())

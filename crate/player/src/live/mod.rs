@@ -16,6 +16,7 @@ use raconteur_eml::{Diagnostic, Name, Set, Severity, SortedMap, Span, parse_frag
 use raconteur_speech::Bundle;
 
 use crate::cues::{ClauseRef, Cue, CueKind, UtteranceCue};
+use crate::feelings;
 use crate::gestures::{Reach, out_of_reach};
 use crate::motion;
 use crate::part::{Carried, Part};
@@ -110,6 +111,8 @@ pub(crate) struct Scene<'a> {
     pub(crate) actor: &'a Actor,
     /// Players and manipulators are there.
     pub(crate) motion: bool,
+    /// As [`Options::feels`](crate::Options::feels).
+    pub(crate) feels: bool,
 }
 
 /// The live part of a performance.
@@ -252,10 +255,15 @@ impl Live {
         if !scene.motion {
             script.hold_still();
         }
+        script.feels = scene.feels;
         performed.diagnostics.append(&mut script.diagnostics);
         let (document, units) = (&script.document, scene.units);
         let far = out_of_reach(document, units, scene.reach);
         performed.diagnostics.extend(far);
+        if script.feels {
+            let unknown = feelings::problems(document);
+            performed.diagnostics.extend(unknown);
+        }
         if script.moves {
             let limbs = motion::problems(&script, units, scene.reach);
             performed.diagnostics.extend(limbs);
@@ -347,7 +355,7 @@ impl Live {
     fn forget(&mut self, index: usize) {
         let forgotten = self.fragments.remove(index);
         let parameters = &mut self.carried.parameters;
-        parameters.extend(forgotten.part.parameters);
+        parameters.extend(forgotten.part.felt.parameters);
         sort_by_number(parameters, |(time_secs, _)| *time_secs);
         let surplus = parameters.len().saturating_sub(limits::CARRIED_COMMANDS);
         parameters.drain(..surplus);

@@ -62,9 +62,16 @@ fn part(taken: &mut usize, items: usize, all: usize) -> Option<usize> {
     (*taken <= all).then_some(first)
 }
 
+/// Reads what may be absent, after phones and words. A browser fetches the code for it in a file of
+/// its own: `web/tools/split.mjs` cuts here, and so it is never inlined.
+#[inline(never)]
+pub(super) fn read(utterances: &mut [Utterance], from: &[Json<'_>]) -> Result<(), Fault> {
+    let mut both = utterances.iter_mut().zip(from);
+    both.try_for_each(|(utterance, json)| utterance.read_melody(json))
+}
+
 impl Utterance {
-    /// Reads what may be absent, after phones and words.
-    pub(super) fn read_melody(&mut self, json: &Json<'_>) -> Result<(), Fault> {
+    fn read_melody(&mut self, json: &Json<'_>) -> Result<(), Fault> {
         self.f0 = frames(json, "f0")?;
         self.intensity = frames(json, "intensity")?;
         let (phones, words) = (self.phones.len(), self.words.len());

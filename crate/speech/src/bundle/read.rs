@@ -39,16 +39,27 @@ impl Bundle {
     /// When the text is not a bundle, has another version, or holds impossible times or
     /// file names that leave the folder.
     pub fn from_json(json: &[u8]) -> Result<Self, BundleError> {
+        Self::read_with(json, true)
+    }
+
+    /// As [`Bundle::from_json`], but without the melody of its utterances where that is not wanted.
+    ///
+    /// # Errors
+    /// As those of [`Bundle::from_json`], but for the melody's.
+    pub fn read_with(json: &[u8], melody: bool) -> Result<Self, BundleError> {
         let json = Json::read(json)?;
         let format = text(&json, "format")?;
         let version = field(&json, "version", |v| u32::try_from(v.whole()?).ok())?;
         if format != "raconteur-speech" || version != VERSION {
             return Err(BundleError::Version { format, version });
         }
-        let bundle = Self {
+        let mut bundle = Self {
             voices: list(&json, "voices", Voice::of)?,
             utterances: list(&json, "utterances", Utterance::of)?,
         };
+        if melody {
+            super::melody::read(&mut bundle.utterances, json.get("utterances").items())?;
+        }
         for (utterance, u) in bundle.utterances.iter().enumerate() {
             u.check(bundle.voices.len())
                 .map_err(|what| BundleError::Invalid { utterance, what })?;
@@ -150,7 +161,6 @@ impl Utterance {
         };
         utterance.read_phones(json)?;
         utterance.read_words(json)?;
-        utterance.read_melody(json)?;
         Ok(utterance)
     }
 

@@ -14,7 +14,8 @@ use crate::picture;
 use crate::sheet::{self, Part};
 use crate::story::find_figure;
 
-/// Draw a figure's contact sheet: face, eyes, body, hands, poses, mouth, lights, wireframe.
+/// Draw a figure's contact sheet: face, eyes, body, hands, poses, mouth, lights, wireframe,
+/// muscles, visemes, emotions.
 #[derive(Args)]
 pub(super) struct Sheet {
     /// A figure's name, or the path of a .glb file.

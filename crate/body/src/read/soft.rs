@@ -1,10 +1,14 @@
-//! How a mesh follows the tissue of its face, from three accessors that the mesh's extras
-//! name: nodes and weights, row by row, and how many belong to each vertex.
+//! The tissue of a face, and how meshes follow it: from three accessors that a mesh's extras
+//! name, nodes and weights, row by row, and how many belong to each vertex.
+//!
+//! A browser fetches the code for it in a file of its own: `web/tools/split.mjs` cuts here, and so
+//! these functions are never inlined.
 
 use super::accessor::Source;
 use super::document::Mesh;
 use super::{ReadError, same_count};
-use crate::face::Binding;
+use crate::face::file::from_bytes;
+use crate::face::{Binding, Tissue};
 
 /// The arrangement that is understood.
 const VERSION: u64 = 1;
@@ -12,8 +16,19 @@ const VERSION: u64 = 1;
 /// What is said of faults.
 const BINDING: &str = "a binding to tissue";
 
+/// The tissue, if there is one.
+#[inline(never)]
+pub(super) fn tissue(source: &mut Source<'_>) -> Result<Option<Tissue>, ReadError> {
+    let Some(view) = source.root.tissue else {
+        return Ok(None);
+    };
+    let bytes = source.view_bytes(view, "the tissue of the face")?;
+    Ok(Some(from_bytes(bytes)?))
+}
+
 /// The binding of a mesh of `count` vertices, if it has one. Rows sum to at most 1.
-pub(super) fn read(
+#[inline(never)]
+pub(super) fn binding(
     source: &mut Source<'_>,
     mesh: &Mesh,
     count: usize,

@@ -1,0 +1,104 @@
+//! What face and head do besides lips and idle life: what accompanies speech, what is felt, and
+//! what control parameters ask for.
+//!
+//! A browser fetches its code in a file of its own, so everybody else reaches it through this
+//! module alone, and only where a performance has it: `web/tools/split.mjs` cuts there. Its
+//! functions are never inlined, or the code would come along.
+
+use raconteur_body::face::FaceControls;
+
+use crate::emotion::{Breathing, EmotionTrack};
+use crate::lips::MouthTargets;
+use crate::nonverbal::{Away, Manner, NonVerbal};
+use crate::parameters::ParameterTrack;
+use crate::performance::Performance;
+
+/// All of it over one performance. Evaluation is a function of time.
+#[derive(Clone, Debug)]
+pub(crate) struct Feeling {
+    nonverbal: NonVerbal,
+    emotions: EmotionTrack,
+    parameters: ParameterTrack,
+}
+
+/// How the head moves with speech and emotion, radians.
+pub(crate) struct Moved {
+    /// Down, to the left side, to the left about the vertical.
+    pub(crate) pitch: f64,
+    pub(crate) roll: f64,
+    pub(crate) yaw: f64,
+}
+
+impl Feeling {
+    /// Plans what accompanies speech in a manner, and makes the rest ready.
+    #[inline(never)]
+    pub(crate) fn new(performance: &Performance, manner: &Manner) -> Box<Self> {
+        let library = |name: &str| performance.library.parameters(name);
+        let parameters = ParameterTrack::new(&performance.parameters, &library);
+        Box::new(Self {
+            nonverbal: NonVerbal::new(&performance.speech, performance.seed, manner),
+            emotions: EmotionTrack::new(&performance.emotions, parameters.emotions()),
+            parameters,
+        })
+    }
+
+    /// As [`NonVerbal::loudness`].
+    #[inline(never)]
+    pub(crate) fn loudness(&self, t: f64) -> f64 {
+        self.nonverbal.loudness(t)
+    }
+
+    /// Adds to what a face is asked to do.
+    #[inline(never)]
+    pub(crate) fn add(&self, t: f64, controls: &mut FaceControls) {
+        let liveliness = self.emotions.liveliness(t);
+        self.nonverbal.face(t, liveliness, controls);
+        self.emotions.add(t, controls);
+        self.parameters.add(t, controls);
+    }
+
+    /// As [`NonVerbal::closure`].
+    #[inline(never)]
+    pub(crate) fn closure(&self, t: f64) -> f64 {
+        self.nonverbal.closure(t)
+    }
+
+    /// As [`EmotionTrack::strength`].
+    #[inline(never)]
+    pub(crate) fn strength(&self, t: f64) -> f64 {
+        self.emotions.strength(t)
+    }
+
+    /// As [`EmotionTrack::breath`].
+    #[inline(never)]
+    pub(crate) fn breath(&self, t: f64) -> Breathing {
+        self.emotions.breath(t)
+    }
+
+    /// Rotations of the head.
+    #[inline(never)]
+    pub(crate) fn head(&self, t: f64) -> Moved {
+        let Away { head: aside, .. } = self.nonverbal.gaze(t);
+        let felt = self.emotions.head(t);
+        let [nod, turn, tilt] = self.nonverbal.head(t, self.emotions.liveliness(t));
+        Moved {
+            pitch: aside[1] + nod + felt[1],
+            roll: tilt,
+            yaw: aside[0] + turn + felt[0],
+        }
+    }
+
+    /// Where the eyes look besides the listener: to the left and up, radians.
+    #[inline(never)]
+    pub(crate) fn eyes(&self, t: f64) -> [f64; 2] {
+        let (felt, asked) = (self.emotions.gaze(t), self.parameters.gaze(t));
+        let looked = self.nonverbal.gaze(t).eyes;
+        [0, 1].map(|k| looked[k] + felt[k] + asked[k])
+    }
+
+    /// As [`ParameterTrack::visemes`].
+    #[inline(never)]
+    pub(crate) fn visemes(&self, t: f64) -> Option<MouthTargets> {
+        self.parameters.visemes(t)
+    }
+}
