@@ -24,6 +24,8 @@ const SHORTENED: f32 = 2.1;
 /// How often what may be too long is gone through, as shortening one spring stretches its
 /// neighbours.
 const ROUNDS: usize = 256;
+/// What a node moves by, against the mean of what its springs that are too long ask for.
+const BOLDER: f32 = 1.5;
 /// How much more.
 const STIFFER: f32 = 3.0;
 /// Of each of the two springs that hold a node over its place: to what lies under it, and
@@ -80,14 +82,24 @@ pub(super) struct Hold {
 /// short enough to hold.
 const APART_M: f32 = 0.001;
 
+/// Of nodes equally far in front the upper one counts as foremost.
+const ASLANT: f32 = 0.37;
+
 /// For each node the one that leads it: of those that edges too short for springs join, the
-/// first.
+/// foremost. Which one that is does not change in a mirror, as their order does.
 fn leaders(places: &[Vector], edges: impl Iterator<Item = [u16; 2]>) -> Vec<u16> {
     let mut leaders: Vec<u16> = (0..places.len() as u16).collect();
+    let ahead = |i: u16| {
+        let p = places[usize::from(i)];
+        p[2] + ASLANT * p[1]
+    };
     for ends in edges {
         let [a, b] = ends.map(usize::from);
-        if length(minus(places[a], places[b])) < APART_M {
-            let (from, to) = (leaders[a].max(leaders[b]), leaders[a].min(leaders[b]));
+        if length(minus(places[a], places[b])) < APART_M && leaders[a] != leaders[b] {
+            let (mut from, mut to) = (leaders[a], leaders[b]);
+            if ahead(from) > ahead(to) {
+                (from, to) = (to, from);
+            }
             for leader in &mut leaders {
                 if *leader == from {
                     *leader = to;
@@ -157,6 +169,7 @@ pub(super) struct Springs {
     /// Which node leads each, itself or another, and the way from that one.
     leaders: Vec<(u16, Vector)>,
     velocities: Vec<Vector>,
+    /// Of a step, or how far the springs that are too long pull, and how many; else 0.
     forces: Vec<Vector>,
     /// Where the springs of each node begin in `around`; one more for the end.
     starts: Vec<u32>,
@@ -166,6 +179,8 @@ pub(super) struct Springs {
     suspects: Chosen,
     /// Those of the round before.
     looked_at: Chosen,
+    /// Nodes at the ends of those that are too long.
+    pulled: Chosen,
 }
 
 impl Springs {
@@ -203,8 +218,8 @@ impl Springs {
             let [a, b] = ends.map(|i| leaders[usize::from(i)]);
             *ends = [a.min(b), a.max(b)];
         }
-        // Most edges belong to two faces.
-        pairs.sort_unstable_by_key(|(ends, _)| *ends);
+        // Most edges belong to two faces; of what lies between the same nodes, the stiffest.
+        pairs.sort_unstable_by(|(a, k), (b, l)| a.cmp(b).then(l.total_cmp(k)));
         pairs.dedup_by_key(|(ends, _)| *ends);
         let springs = pairs
             .into_iter()
@@ -269,6 +284,7 @@ impl Springs {
             has_stepped: true,
             suspects: Chosen::of(count),
             looked_at: Chosen::of(count),
+            pulled: Chosen::of(places.len()),
             edges,
             starts,
             around,
@@ -300,7 +316,6 @@ impl Springs {
     /// One step, from where the nodes were held before it to where they are held now.
     pub(super) fn step(&mut self, holds: &[Hold], earlier: &[Hold]) {
         self.has_stepped = true;
-        self.forces.fill([0.0; 4]);
         for spring in &self.springs {
             let [a, b] = spring.ends.map(usize::from);
             let way = minus(self.places[b], self.places[a]);
@@ -313,7 +328,7 @@ impl Springs {
         }
         let held = holds.iter().zip(earlier).zip(&self.connecting);
         let nodes = self.places.iter_mut().zip(&mut self.before);
-        let moving = self.velocities.iter_mut().zip(&self.forces);
+        let moving = self.velocities.iter_mut().zip(&mut self.forces);
         for (
             ((hold, earlier), &[deep, rest, stiffness, drag]),
             ((place, before), (velocity, force)),
@@ -321,7 +336,7 @@ impl Springs {
         {
             let off = minus(hold.place, *place);
             let down = times(hold.outwards, deep);
-            let mut pull = *force;
+            let mut pull = core::mem::take(force);
             for end in [minus(off, down), plus(off, down)] {
                 let now = length(end).max(1e-9);
                 pull = plus(pull, times(end, stiffness * (now - rest) / now));
@@ -372,23 +387,30 @@ impl Springs {
             }
         }
         let mut was_any = false;
-        for round in 0..ROUNDS {
+        for _ in 0..ROUNDS {
             core::mem::swap(&mut self.suspects, &mut self.looked_at);
             self.suspects.clear();
-            let last = self.looked_at.count;
-            if last == 0 {
+            if self.looked_at.count == 0 {
                 break;
             }
-            for k in 0..last {
-                // There and back, or a chain would pass what it has too much on one way only.
-                let k = if round % 2 == 0 { k } else { last - 1 - k };
+            for k in 0..self.looked_at.count {
                 let i = self.looked_at.items[k] as usize;
-                if let Some(([a, b], by)) = self.too_long(i) {
-                    self.shift(a, by);
-                    self.shift(b, minus([0.0; 4], by));
+                if let Some((ends, by)) = self.too_long(i) {
+                    for (end, way) in ends.into_iter().zip([1.0, -1.0]) {
+                        let by = [way * by[0], way * by[1], way * by[2], 1.0];
+                        self.forces[end] = plus(self.forces[end], by);
+                        self.pulled.put(end as u32);
+                    }
                     was_any = true;
                 }
             }
+            // All at once, or the order of springs would make halves of a face differ.
+            for k in 0..self.pulled.count {
+                let node = self.pulled.items[k] as usize;
+                let [x, y, z, count] = core::mem::take(&mut self.forces[node]);
+                self.shift(node, times([x, y, z, 0.0], BOLDER / count));
+            }
+            self.pulled.clear();
         }
         was_any
     }
