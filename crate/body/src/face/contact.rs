@@ -105,7 +105,7 @@ pub(super) struct Contacts {
 }
 
 impl Contacts {
-    pub(super) fn new(tissue: &Tissue) -> Self {
+    pub(super) fn new(tissue: &Tissue, springs: &Springs) -> Self {
         let mut is_lip = vec![false; tissue.rest.len()];
         for node in &tissue.before_teeth {
             is_lip[usize::from(*node)] = true;
@@ -115,7 +115,10 @@ impl Contacts {
         }
         let over_bone = (0u16..)
             .zip(&tissue.depth)
-            .filter(|(node, _)| !is_lip[usize::from(*node)])
+            .filter(|(node, _)| {
+                let node = usize::from(*node);
+                !is_lip[node] && !springs.is_led(node)
+            })
             .map(|(node, depth)| (node, (depth - OVER_BONE_M).max(0.0)))
             .collect();
         Self { over_bone }
@@ -145,12 +148,12 @@ impl Contacts {
         }
         for &node in &tissue.before_teeth {
             let i = usize::from(node);
-            let p = springs.places[i];
+            let p = springs.at(i);
             if let Some((deep, [x, z])) = tissue.arches[0].inside([p[0], p[1], p[2]]) {
                 depths.teeth_m = depths.teeth_m.max(deep);
                 springs.shift(i, [x * deep, 0.0, z * deep, 0.0]);
             }
-            let p = springs.places[i];
+            let p = springs.at(i);
             if let Some((deep, [x, z])) = tissue.arches[1].inside(jaw.unmoved(p)) {
                 depths.teeth_m = depths.teeth_m.max(deep);
                 let [x, y, z] = jaw.turned([x * deep, 0.0, z * deep]);
@@ -167,7 +170,7 @@ impl Contacts {
         for [above, below] in &tissue.pairs {
             let (a, b) = (usize::from(*above), usize::from(*below));
             let least = (tissue.rest[a][1] - tissue.rest[b][1]).max(0.0);
-            let deep = least - (springs.places[a][1] - springs.places[b][1]);
+            let deep = least - (springs.at(a)[1] - springs.at(b)[1]);
             if deep > 0.0 {
                 deepest = deepest.max(deep);
                 springs.shift(a, [0.0, 0.4 * deep, 0.0, 0.0]);

@@ -6,10 +6,10 @@ use super::springs::{Hold, STEPS_PER_S, Springs, Vector};
 use super::tissue::{Column, LipNode};
 use super::{FaceControls, Jaw, Muscle, NodeState, Tissue};
 
-/// How often the lips are parted in a step at most, and how deep in each other they need not
-/// be, metres.
-const TURNS: usize = 4;
-const NEAR_M: f32 = 5e-5;
+/// How often what is too long is shortened in a step at most, and what that brings into
+/// something put out again. A face that speaks takes one turn; muscles that jump as far as
+/// they go take some ten, and skin is then within half a millimetre of where it may be.
+const TURNS: usize = 64;
 /// Steps after which a face is at rest, whatever is asked of it.
 const SETTLES: usize = 90;
 /// Share of a gap that the lower lip closes where it closes most; see [`LipNode::closes`].
@@ -99,10 +99,11 @@ impl Network {
                 *point = fold.map(|(channel, k)| (channel as u8, k, fibre.muscle.index() as u8));
             }
         }
+        let springs = Springs::new(&tissue.rest, &tissue.quads, &tissue.depth, &tissue.grip);
         Self {
             muscles: Muscles::new(tissue),
-            springs: Springs::new(&tissue.rest, &tissue.quads, &tissue.depth, &tissue.grip),
-            contacts: Contacts::new(tissue),
+            contacts: Contacts::new(tissue, &springs),
+            springs,
             earlier: holds.clone(),
             bones: places
                 .iter()
@@ -150,16 +151,15 @@ impl Network {
         self.make_whole(tissue);
     }
 
-    /// Shortens what is too long, and parts the lips again where that has brought them
-    /// together; each undoes a little of the other.
+    /// Shortens what is too long, and puts out again what that has brought into something;
+    /// each undoes a little of the other.
     fn make_whole(&mut self, tissue: &Tissue) {
-        for _ in 0..TURNS {
-            self.springs.limit();
-            if Contacts::part_lips(tissue, &mut self.springs) <= NEAR_M {
-                break;
-            }
+        let mut turns = 0;
+        while self.springs.limit() && turns < TURNS {
+            self.contacts
+                .resolve(tissue, &mut self.springs, &self.bones, &self.jaw);
+            turns += 1;
         }
-        self.springs.limit();
         self.springs.follow();
     }
 

@@ -19,8 +19,13 @@ const SLACK: f32 = 1.15;
 /// has stretched more is shortened at once (Provot 1995, "Deformation Constraints in a
 /// Mass-Spring Model to Describe Rigid Cloth Behavior").
 const LONGEST: f32 = 2.15;
-/// How often those are gone through, as shortening one stretches its neighbours.
-const ROUNDS: usize = 64;
+/// What it is shortened to: a little less, so that it is soon done with.
+const SHORTENED: f32 = 2.1;
+/// How often what may be too long is gone through, as shortening one spring stretches its
+/// neighbours.
+const ROUNDS: usize = 256;
+/// What a node moves by, against the mean of what its springs that are too long ask for.
+const BOLDER: f32 = 1.5;
 /// How much more.
 const STIFFER: f32 = 3.0;
 /// Of each of the two springs that hold a node over its place: to what lies under it, and
@@ -77,14 +82,24 @@ pub(super) struct Hold {
 /// short enough to hold.
 const APART_M: f32 = 0.001;
 
+/// Of nodes equally far in front the upper one counts as foremost.
+const ASLANT: f32 = 0.37;
+
 /// For each node the one that leads it: of those that edges too short for springs join, the
-/// first.
+/// foremost. Which one that is does not change in a mirror, as their order does.
 fn leaders(places: &[Vector], edges: impl Iterator<Item = [u16; 2]>) -> Vec<u16> {
     let mut leaders: Vec<u16> = (0..places.len() as u16).collect();
+    let ahead = |i: u16| {
+        let p = places[usize::from(i)];
+        p[2] + ASLANT * p[1]
+    };
     for ends in edges {
         let [a, b] = ends.map(usize::from);
-        if length(minus(places[a], places[b])) < APART_M {
-            let (from, to) = (leaders[a].max(leaders[b]), leaders[a].min(leaders[b]));
+        if length(minus(places[a], places[b])) < APART_M && leaders[a] != leaders[b] {
+            let (mut from, mut to) = (leaders[a], leaders[b]);
+            if ahead(from) > ahead(to) {
+                (from, to) = (to, from);
+            }
             for leader in &mut leaders {
                 if *leader == from {
                     *leader = to;
@@ -95,20 +110,77 @@ fn leaders(places: &[Vector], edges: impl Iterator<Item = [u16; 2]>) -> Vec<u16>
     leaders
 }
 
+/// An edge or diagonal of the skin of which at least one end is led by another node. Between
+/// their leaders there is a spring; this one may not get too long either.
+#[derive(Clone, Copy, Debug)]
+struct Edge {
+    leaders: [u16; 2],
+    /// From one end to the other, while their leaders are at one place.
+    off: Vector,
+    rest: f32,
+}
+
+/// Some of a number of things, each once; with room for all, also in a copy.
+#[derive(Clone, Debug)]
+struct Chosen {
+    items: Vec<u32>,
+    count: usize,
+    is_in: Vec<bool>,
+}
+
+impl Chosen {
+    fn of(all: usize) -> Self {
+        Self {
+            items: vec![0; all],
+            count: 0,
+            is_in: vec![false; all],
+        }
+    }
+
+    fn put(&mut self, item: u32) {
+        let is_in = &mut self.is_in[item as usize];
+        if !*is_in {
+            *is_in = true;
+            self.items[self.count] = item;
+            self.count += 1;
+        }
+    }
+
+    fn clear(&mut self) {
+        for &item in &self.items[..self.count] {
+            self.is_in[item as usize] = false;
+        }
+        self.count = 0;
+    }
+}
+
 /// Masses and springs.
 #[derive(Clone, Debug)]
 pub(super) struct Springs {
     springs: Vec<Spring>,
+    /// Counted after the springs where both are meant.
+    edges: Vec<Edge>,
     /// Distance to the ends of the connecting springs, their length at rest, their stiffness,
     /// and the friction of a step.
     connecting: Vec<[f32; 4]>,
     pub(super) places: Vec<Vector>,
     /// Places one step ago.
     pub(super) before: Vec<Vector>,
-    /// Nodes that go with another, which leads them, and their way from it.
-    led: Vec<([u16; 2], Vector)>,
+    /// Which node leads each, itself or another, and the way from that one.
+    leaders: Vec<(u16, Vector)>,
     velocities: Vec<Vector>,
+    /// Of a step, or how far the springs that are too long pull, and how many; else 0.
     forces: Vec<Vector>,
+    /// Where the springs of each node begin in `around`; one more for the end.
+    starts: Vec<u32>,
+    around: Vec<u32>,
+    /// Whether any spring may be too long, or only `suspects`.
+    has_stepped: bool,
+    suspects: Chosen,
+    /// Those of the round before.
+    looked_at: Chosen,
+    /// Nodes at the ends of those that are too long.
+    pulled: Chosen,
 }
 
 impl Springs {
@@ -126,12 +198,28 @@ impl Springs {
             pairs.push(([q[1], q[3]], SKIN_PER_S2 * DIAGONAL));
         }
         let leaders = leaders(&places, pairs.iter().map(|(ends, _)| *ends));
+        let mut led_pairs: Vec<[u16; 2]> = pairs.iter().map(|(ends, _)| *ends).collect();
+        led_pairs.sort_unstable();
+        led_pairs.dedup();
+        let edges: Vec<Edge> = led_pairs
+            .into_iter()
+            .filter_map(|ends| {
+                let [a, b] = ends.map(usize::from);
+                let own = [leaders[a], leaders[b]];
+                let off = |i: usize| minus(places[i], places[usize::from(leaders[i])]);
+                (own != ends && own[0] != own[1]).then(|| Edge {
+                    leaders: own,
+                    off: minus(off(b), off(a)),
+                    rest: length(minus(places[b], places[a])),
+                })
+            })
+            .collect();
         for (ends, _) in &mut pairs {
             let [a, b] = ends.map(|i| leaders[usize::from(i)]);
             *ends = [a.min(b), a.max(b)];
         }
-        // Most edges belong to two faces.
-        pairs.sort_unstable_by_key(|(ends, _)| *ends);
+        // Most edges belong to two faces; of what lies between the same nodes, the stiffest.
+        pairs.sort_unstable_by(|(a, k), (b, l)| a.cmp(b).then(l.total_cmp(k)));
         pairs.dedup_by_key(|(ends, _)| *ends);
         let springs = pairs
             .into_iter()
@@ -163,19 +251,46 @@ impl Springs {
                 }
             })
             .collect();
-        let led = (0u16..)
-            .zip(&leaders)
-            .filter(|(i, leader)| i != *leader)
-            .map(|(i, &leader)| {
-                let off = minus(places[usize::from(i)], places[usize::from(leader)]);
-                ([i, leader], off)
+        let leaders = (0..places.len())
+            .map(|i| {
+                (
+                    leaders[i],
+                    minus(places[i], places[usize::from(leaders[i])]),
+                )
             })
             .collect();
         let still = vec![[0.0; 4]; places.len()];
+        let ends = || {
+            let springs = springs.iter().map(|s| s.ends);
+            springs.chain(edges.iter().map(|e| e.leaders))
+        };
+        let count = springs.len() + edges.len();
+        let mut starts = vec![0; places.len() + 1];
+        for i in ends().flatten() {
+            starts[usize::from(i) + 1] += 1;
+        }
+        for i in 1..starts.len() {
+            starts[i] += starts[i - 1];
+        }
+        let mut filled = starts.clone();
+        let mut around = vec![0; 2 * count];
+        for (own, ends) in (0u32..).zip(ends()) {
+            for i in ends.map(usize::from) {
+                around[filled[i] as usize] = own;
+                filled[i] += 1;
+            }
+        }
         Self {
+            has_stepped: true,
+            suspects: Chosen::of(count),
+            looked_at: Chosen::of(count),
+            pulled: Chosen::of(places.len()),
+            edges,
+            starts,
+            around,
             connecting,
             before: places.clone(),
-            led,
+            leaders,
             velocities: still.clone(),
             forces: still,
             springs,
@@ -190,6 +305,7 @@ impl Springs {
 
     /// Puts every node where it is held, moving as its hold does.
     pub(super) fn reset(&mut self, holds: &[Hold], earlier: &[Hold]) {
+        self.has_stepped = true;
         for (i, (hold, earlier)) in holds.iter().zip(earlier).enumerate() {
             self.places[i] = hold.place;
             self.before[i] = earlier.place;
@@ -199,7 +315,7 @@ impl Springs {
 
     /// One step, from where the nodes were held before it to where they are held now.
     pub(super) fn step(&mut self, holds: &[Hold], earlier: &[Hold]) {
-        self.forces.fill([0.0; 4]);
+        self.has_stepped = true;
         for spring in &self.springs {
             let [a, b] = spring.ends.map(usize::from);
             let way = minus(self.places[b], self.places[a]);
@@ -212,7 +328,7 @@ impl Springs {
         }
         let held = holds.iter().zip(earlier).zip(&self.connecting);
         let nodes = self.places.iter_mut().zip(&mut self.before);
-        let moving = self.velocities.iter_mut().zip(&self.forces);
+        let moving = self.velocities.iter_mut().zip(&mut self.forces);
         for (
             ((hold, earlier), &[deep, rest, stiffness, drag]),
             ((place, before), (velocity, force)),
@@ -220,7 +336,7 @@ impl Springs {
         {
             let off = minus(hold.place, *place);
             let down = times(hold.outwards, deep);
-            let mut pull = *force;
+            let mut pull = core::mem::take(force);
             for end in [minus(off, down), plus(off, down)] {
                 let now = length(end).max(1e-9);
                 pull = plus(pull, times(end, stiffness * (now - rest) / now));
@@ -238,44 +354,94 @@ impl Springs {
 
     /// Puts the nodes that are led where their leaders are.
     pub(super) fn follow(&mut self) {
-        for ([node, leader], off) in &self.led {
-            let (node, leader) = (usize::from(*node), usize::from(*leader));
-            self.places[node] = plus(self.places[leader], *off);
-            self.before[node] = plus(self.before[leader], *off);
-            self.velocities[node] = self.velocities[leader];
+        for (node, (leader, off)) in self.leaders.iter().enumerate() {
+            let leader = usize::from(*leader);
+            if leader != node {
+                self.places[node] = plus(self.places[leader], *off);
+                self.before[node] = plus(self.before[leader], *off);
+                self.velocities[node] = self.velocities[leader];
+            }
         }
     }
 
-    /// Shortens what is too long.
-    pub(super) fn limit(&mut self) {
-        let last = self.springs.len();
-        for round in 0..ROUNDS {
-            let mut is_done = true;
-            for i in 0..last {
-                // There and back, or a chain would pass what it has too much on one way only.
-                let spring = self.springs[if round % 2 == 0 { i } else { last - 1 - i }];
-                let [a, b] = spring.ends.map(usize::from);
-                let way = minus(self.places[b], self.places[a]);
-                let most = LONGEST * spring.rest;
-                let square = way[0] * way[0] + way[1] * way[1] + way[2] * way[2];
-                if square > most * most {
-                    let now = square.sqrt();
-                    let by = times(way, 0.5 * (now - most) / now);
-                    self.shift(a, by);
-                    self.shift(b, minus([0.0; 4], by));
-                    is_done = false;
+    /// Whether a node goes with another one.
+    pub(super) fn is_led(&self, node: usize) -> bool {
+        usize::from(self.leaders[node].0) != node
+    }
+
+    /// Where a node is, or will be once it has followed its leader.
+    pub(super) fn at(&self, node: usize) -> Vector {
+        let (leader, off) = self.leaders[node];
+        plus(self.places[usize::from(leader)], off)
+    }
+
+    /// Shortens what is too long, and what that has made too long, until nothing is; tells
+    /// whether anything was.
+    pub(super) fn limit(&mut self) -> bool {
+        if self.has_stepped {
+            self.has_stepped = false;
+            for i in 0..self.springs.len() + self.edges.len() {
+                if self.too_long(i).is_some() {
+                    self.suspects.put(i as u32);
                 }
             }
-            if is_done {
+        }
+        let mut was_any = false;
+        for _ in 0..ROUNDS {
+            core::mem::swap(&mut self.suspects, &mut self.looked_at);
+            self.suspects.clear();
+            if self.looked_at.count == 0 {
                 break;
             }
+            for k in 0..self.looked_at.count {
+                let i = self.looked_at.items[k] as usize;
+                if let Some((ends, by)) = self.too_long(i) {
+                    for (end, way) in ends.into_iter().zip([1.0, -1.0]) {
+                        let by = [way * by[0], way * by[1], way * by[2], 1.0];
+                        self.forces[end] = plus(self.forces[end], by);
+                        self.pulled.put(end as u32);
+                    }
+                    was_any = true;
+                }
+            }
+            // All at once, or the order of springs would make halves of a face differ.
+            for k in 0..self.pulled.count {
+                let node = self.pulled.items[k] as usize;
+                let [x, y, z, count] = core::mem::take(&mut self.forces[node]);
+                self.shift(node, times([x, y, z, 0.0], BOLDER / count));
+            }
+            self.pulled.clear();
         }
+        was_any
     }
 
-    /// Moves a node that may not be where the step left it.
+    /// The ends of a spring or edge that is too long, and what each has to move by, the first
+    /// one's way.
+    fn too_long(&self, i: usize) -> Option<([usize; 2], Vector)> {
+        let (ends, off, rest) = if let Some(spring) = self.springs.get(i) {
+            (spring.ends, [0.0; 4], spring.rest)
+        } else {
+            let edge = self.edges[i - self.springs.len()];
+            (edge.leaders, edge.off, edge.rest)
+        };
+        let [a, b] = ends.map(usize::from);
+        let way = plus(minus(self.places[b], self.places[a]), off);
+        let square = way[0] * way[0] + way[1] * way[1] + way[2] * way[2];
+        let most = LONGEST * rest;
+        (square > most * most).then(|| {
+            let now = square.sqrt();
+            ([a, b], times(way, 0.5 * (now - SHORTENED * rest) / now))
+        })
+    }
+
+    /// Moves a node that may not be where the step left it, by its leader.
     pub(super) fn shift(&mut self, node: usize, by: Vector) {
+        let node = usize::from(self.leaders[node].0);
         self.places[node] = plus(self.places[node], by);
         self.velocities[node] = plus(self.velocities[node], times(by, STEPS_PER_S));
+        for i in self.starts[node]..self.starts[node + 1] {
+            self.suspects.put(self.around[i as usize]);
+        }
     }
 
     /// The fastest node, metres a second.
@@ -286,13 +452,15 @@ impl Springs {
             .fold(0.0, f32::max)
     }
 
-    /// The most that a spring of the skin is stretched, against its length at rest.
+    /// The most that a spring or an edge of the skin is stretched, against its length at rest.
     pub(super) fn most_stretched(&self) -> f32 {
-        self.springs
-            .iter()
-            .map(|s| {
-                let [a, b] = s.ends.map(|i| self.places[usize::from(i)]);
-                length(minus(b, a)) / s.rest
+        let springs = self.springs.iter().map(|s| (s.ends, [0.0; 4], s.rest));
+        let edges = self.edges.iter().map(|e| (e.leaders, e.off, e.rest));
+        springs
+            .chain(edges)
+            .map(|(ends, off, rest)| {
+                let [a, b] = ends.map(|i| self.places[usize::from(i)]);
+                length(plus(minus(b, a), off)) / rest
             })
             .fold(0.0, f32::max)
     }

@@ -47,6 +47,8 @@ pub(crate) enum Part {
     Visemes,
     /// The six basic emotions at three strengths, and eight between them; not part of all.
     Emotions,
+    /// One blink, frame by frame; not part of all.
+    Blink,
     /// The face in every light.
     Lights,
     /// Edges of the triangles, without hair.
@@ -70,6 +72,7 @@ pub(crate) fn tiles(figure: &Figure, parts: &[Part], light: Lighting) -> Vec<Til
                         | Part::Muscles
                         | Part::Visemes
                         | Part::Emotions
+                        | Part::Blink
                 ))
     };
     Part::value_variants()

@@ -5,7 +5,9 @@ use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 use raconteur_player::actor::articulation::{ORDINARY_LOUDNESS, articulate, hold_closures};
 use raconteur_player::actor::emotion::{Basic, Mixture, Signs, Space};
 use raconteur_player::actor::lips::MouthTargets;
+use raconteur_player::actor::nonverbal::{CLOSED_SECS, CLOSING_SECS, OPENING_SECS};
 use raconteur_player::actor::parameters::VISEMES;
+use raconteur_player::base::curve::smooth;
 use raconteur_player::base::{DQuat, DVec3, Side};
 use raconteur_player::body::face::{FaceControls, Muscle};
 use raconteur_player::body::{Bone, Figure, HandShape};
@@ -72,6 +74,7 @@ pub(super) fn of(figure: &Figure, part: Part, lighting: Lighting) -> Vec<Tile> {
         Part::Muscles => maker.muscles(),
         Part::Visemes => maker.visemes(),
         Part::Emotions => maker.emotions(),
+        Part::Blink => maker.blink(),
         Part::Lights => maker.lights(),
         Part::Wireframe => maker.wireframe(),
         Part::Silhouette => maker.silhouette(),
@@ -376,6 +379,34 @@ impl<'a> Maker<'a> {
         basics.chain(BETWEEN.map(|word| one(word, 1.0))).collect()
     }
 
+    /// The eyes in a blink of three phases, at 60 frames a second.
+    fn blink(&self) -> Vec<Tile> {
+        let closed = CLOSING_SECS + CLOSED_SECS;
+        let open = closed + OPENING_SECS;
+        let frames = (open * FRAMES_PER_S).ceil() as u32;
+        (0..=frames)
+            .map(|i| {
+                let time = f64::from(i) / FRAMES_PER_S;
+                let phase = if time < CLOSING_SECS {
+                    "closing"
+                } else if time < closed {
+                    "closed"
+                } else {
+                    "opening"
+                };
+                let mut controls = FaceControls::default();
+                let shut = smooth(time / CLOSING_SECS);
+                controls.close_lids(shut - smooth((time - closed) / OPENING_SECS));
+                let mut posture = self.standing();
+                posture.face(controls);
+                let caption = format!("{:.0} ms {phase}", 1e3 * time);
+                self.tile(&caption, 2.0, posture, |at| {
+                    before(at.between_eyes(), 0.5 * at.pupils_m(), 0.0, 0.0)
+                })
+            })
+            .collect()
+    }
+
     fn lights(&self) -> Vec<Tile> {
         light::names()
             .into_iter()
@@ -390,6 +421,9 @@ impl<'a> Maker<'a> {
             .collect()
     }
 }
+
+/// Of the blink's tiles.
+const FRAMES_PER_S: f64 = 60.0;
 
 /// Emotions between the six basic ones.
 const BETWEEN: [&str; 8] = [
