@@ -74,24 +74,18 @@ export function choice<T extends string>(name: string, label: string, value: T |
   </fieldset>`;
 }
 
+const WAYS: Readonly<Record<string, [right: number, up: number, ahead: number]>> = {
+  ArrowLeft: [-1, 0, 0],
+  ArrowRight: [1, 0, 0],
+  ArrowUp: [0, 1, 0],
+  ArrowDown: [0, -1, 0],
+  PageUp: [0, 0, 1],
+  PageDown: [0, 0, -1],
+};
+
 /** Arrow keys as steps to the right, upwards, and (page up and down) ahead: 1, or 5 with the shift key. */
 export function keySteps(event: KeyboardEvent): [right: number, up: number, ahead: number] | undefined {
-  if (event.ctrlKey || event.metaKey || event.altKey) return undefined;
+  const way = event.ctrlKey || event.metaKey || event.altKey ? undefined : WAYS[event.key];
   const step = event.shiftKey ? 5 : 1;
-  switch (event.key) {
-    case 'ArrowLeft':
-      return [-step, 0, 0];
-    case 'ArrowRight':
-      return [step, 0, 0];
-    case 'ArrowUp':
-      return [0, step, 0];
-    case 'ArrowDown':
-      return [0, -step, 0];
-    case 'PageUp':
-      return [0, 0, step];
-    case 'PageDown':
-      return [0, 0, -step];
-    default:
-      return undefined;
-  }
+  return way && [way[0] * step, way[1] * step, way[2] * step];
 }

@@ -1,7 +1,7 @@
 /** What lies over the picture: where the wrists go, and the handle that moves the place that is edited. */
 
 import { html, nothing, svg, type TemplateResult } from 'lit';
-import type { PoseNow, Spot, Vector } from '../pose.js';
+import { along, type PoseNow, type Spot, type Vector } from '../pose.js';
 import type { App } from './app.js';
 import { handle } from './fields.js';
 import { mirror, mirrored, trackOf, HANDS, type Track, type Triple } from './gesture.js';
@@ -25,8 +25,6 @@ function nearestAxis(direction: Vector): Vector {
   const axis = (i: number): number => (i === most ? Math.sign(direction[i] ?? 1) : 0);
   return [axis(0), axis(1), axis(2)];
 }
-
-const along = (point: Vector, axis: Vector, metres: number): Vector => [point[0] + axis[0] * metres, point[1] + axis[1] * metres, point[2] + axis[2] * metres];
 
 const tenths = (place: Triple): Triple => [Math.round(place[0] * 10) / 10, Math.round(place[1] * 10) / 10, Math.round(place[2] * 10) / 10];
 

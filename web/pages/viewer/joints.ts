@@ -4,18 +4,20 @@
  * `crate/actor/src/manipulator`), so that joints are led on from where they are.
  */
 
-import type { PosedJoint, PoseNow, Vector } from '../pose.js';
+import { cross, dot, minus, type PosedJoint, type PoseNow, type Vector } from '../pose.js';
 import { RANGES, type JointRange, type LimbName } from './state.js';
+import { bonesOf } from './turns.js';
 
 /** The columns of a rotation. */
 type Axes = PosedJoint['axes'];
 
-const dot = (a: Vector, b: Vector): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-const cross = (a: Vector, b: Vector): Vector => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+const X: Vector = [1, 0, 0];
+const Y: Vector = [0, 1, 0];
+const Z: Vector = [0, 0, 1];
 /** A vector in the axes of a rotation, and back. */
 const within = ([x, y, z]: Axes, v: Vector): Vector => [dot(x, v), dot(y, v), dot(z, v)];
 const turned = (axes: Axes, v: Vector): Vector => within(back(axes), v);
-const times = (...all: readonly Axes[]): Axes => all.reduceRight((after, m) => [turned(m, after[0]), turned(m, after[1]), turned(m, after[2])]);
+const times = (...all: readonly Axes[]): Axes => all.reduceRight((after, m) => after.map((v) => turned(m, v)) as [Vector, Vector, Vector]);
 const back = ([x, y, z]: Axes): Axes => [
   [x[0], y[0], z[0]],
   [x[1], y[1], z[1]],
@@ -25,11 +27,8 @@ const back = ([x, y, z]: Axes): Axes => [
 function about(axis: Vector, angle: number): Axes {
   const [sin, cos] = [Math.sin(angle), Math.cos(angle)];
   const column = (v: Vector): Vector => within(back([v, cross(axis, v), axis]), [cos, sin, dot(axis, v) * (1 - cos)]);
-  return [column([1, 0, 0]), column([0, 1, 0]), column([0, 0, 1])];
+  return [column(X), column(Y), column(Z)];
 }
-const X: Vector = [1, 0, 0];
-const Y: Vector = [0, 1, 0];
-const Z: Vector = [0, 0, 1];
 const QUARTER = Math.PI / 2;
 const wrapped = (angle: number): number => Math.atan2(Math.sin(angle), Math.cos(angle));
 
@@ -93,7 +92,7 @@ class Rig {
     const bend = times(back(this.#lowerFromUpper), back(upper.axes), lower.axes);
     const [x, y, z] = bend;
     const flexion = Math.atan2(dot([y[2] - z[1], z[0] - x[2], x[1] - y[0]], this.#hinge), x[0] + y[1] + z[2] - 1);
-    const reach: Vector = [end.position[0] - upper.position[0], end.position[1] - upper.position[1], end.position[2] - upper.position[2]];
+    const reach = minus(end.position, upper.position);
     // The end from the first joint: in the second frame of the table, and in the base.
     const own = turned(this.#linkFromUpper, within(upper.axes, reach));
     const to = within(base, reach);
@@ -149,20 +148,9 @@ const RIGS: Readonly<Record<Exclude<LimbName, 'head'>, Rig>> = {
   rightLeg: new Rig(false, false, RANGES.rightLeg),
 };
 
-/** Trunk and bones of each limb. */
-const BONES: Readonly<Record<LimbName, readonly string[]>> = {
-  leftArm: ['thoracic', 'l_shoulder', 'l_elbow', 'l_wrist'],
-  rightArm: ['thoracic', 'r_shoulder', 'r_elbow', 'r_wrist'],
-  leftLeg: ['sacroiliac', 'l_hip', 'l_knee', 'l_subtalar'],
-  rightLeg: ['sacroiliac', 'r_hip', 'r_knee', 'r_subtalar'],
-  head: ['thoracic', 'cervical', 'skull'],
-};
-
 /** The angles of a limb's joints as it stands now, whole degrees; undefined where the figure lacks a bone. */
 export function jointsNow(pose: PoseNow, name: LimbName): number[] | undefined {
-  const bones = BONES[name].flatMap((bone) => pose.joints.find((joint) => joint.name === `bone_${bone}`) ?? []);
-  const [trunk, first, second, third] = bones;
-  if (trunk === undefined || first === undefined || second === undefined) return undefined;
-  if (name === 'head') return headJoints(trunk, first, second);
-  return third && RIGS[name].joints(trunk, first, second, third);
+  const [trunk, first, second, third] = bonesOf(pose, name);
+  if (!trunk || !first || !second) return undefined;
+  return name === 'head' ? headJoints(trunk, first, second) : third && RIGS[name].joints(trunk, first, second, third);
 }

@@ -2,7 +2,7 @@
 
 import { html, nothing, svg, type TemplateResult } from 'lit';
 import { keySteps, vars } from '../fields.js';
-import type { PoseNow, Spot, Vector } from '../pose.js';
+import { along, type PoseNow, type Spot, type Vector } from '../pose.js';
 import { FRONT, type App } from './app.js';
 import { LIMB_NAMES, LIMBS, type LimbName, type Triple } from './state.js';
 import { endOf, toPlace, toWorld } from './turns.js';
@@ -30,8 +30,8 @@ function follow(event: PointerEvent, move: (event: PointerEvent) => void, done: 
 
 /** Steps of the keyboard: right, up, nearer. */
 function steps(event: KeyboardEvent): Triple | undefined {
-  const [right, up, ahead] = keySteps(event) ?? [];
-  return right === undefined || up === undefined || ahead === undefined ? undefined : [right, up, -ahead];
+  const by = keySteps(event);
+  return by && [by[0], by[1], -by[2]];
 }
 
 /** Where a limb's handle is in the world: at its target, else at its end. */
@@ -40,7 +40,7 @@ function handlePlace(app: App, pose: PoseNow, name: LimbName): Vector | undefine
   const end = endOf(pose, name);
   if (name === 'head') {
     // In the middle of the face, not where the skull hangs on the neck.
-    return end && [end.position[0] + 0.08 * end.axes[0][0], end.position[1] + 0.08 * end.axes[0][1], end.position[2] + 0.08 * end.axes[0][2]];
+    return end && along(end.position, end.axes[0], 0.08);
   }
   return limb.lead === 'place' ? toWorld(pose, limb.place) : end?.position;
 }

@@ -23,19 +23,20 @@ export function anglesOf([x, y, z]: readonly [Vector, Vector, Vector]): Triple {
   return [degrees(-Math.atan2(z[0], z[2])), degrees(-pitch), degrees(Math.atan2(x[1], y[1]))];
 }
 
-/** The joint at the end of each limb. */
-const ENDS: Readonly<Record<LimbName, string>> = {
-  leftArm: 'bone_l_wrist',
-  rightArm: 'bone_r_wrist',
-  leftLeg: 'bone_l_subtalar',
-  rightLeg: 'bone_r_subtalar',
-  head: 'bone_skull',
+/** Trunk and bones of each limb. */
+const BONES: Readonly<Record<LimbName, readonly string[]>> = {
+  leftArm: ['thoracic', 'l_shoulder', 'l_elbow', 'l_wrist'],
+  rightArm: ['thoracic', 'r_shoulder', 'r_elbow', 'r_wrist'],
+  leftLeg: ['sacroiliac', 'l_hip', 'l_knee', 'l_subtalar'],
+  rightLeg: ['sacroiliac', 'r_hip', 'r_knee', 'r_subtalar'],
+  head: ['thoracic', 'cervical', 'skull'],
 };
 
-/** The joint at the end of a limb as it is now. */
-export const endOf = (pose: PoseNow, name: LimbName): PosedJoint | undefined => pose.joints.find((joint) => joint.name === ENDS[name]);
+/** Those as they are now, as far as the figure has them. */
+export const bonesOf = (pose: PoseNow, name: LimbName): PosedJoint[] => BONES[name].flatMap((bone) => pose.joints.find((joint) => joint.name === `bone_${bone}`) ?? []);
 
-const opposite = (a: Vector): Vector => [-a[0], -a[1], -a[2]];
+/** The joint at the end of a limb as it is now. */
+export const endOf = (pose: PoseNow, name: LimbName): PosedJoint | undefined => bonesOf(pose, name).at(-1);
 
 /** The target that a limb is at now. Feet are sent flat: their joint's frame leans with the instep. */
 export function targetNow(pose: PoseNow, name: LimbName): { place: Triple; angles: Triple } | undefined {
@@ -46,5 +47,5 @@ export function targetNow(pose: PoseNow, name: LimbName): { place: Triple; angle
   if (name === 'head') return { place, angles: anglesOf([z, x, y]) };
   if (name === 'leftLeg' || name === 'rightLeg') return { place, angles: [0, 0, -90] };
   // A hand's joint has y to the back of the hand, its target z (GEVH table 3.1).
-  return { place, angles: anglesOf([x, opposite(z), y]) };
+  return { place, angles: anglesOf([x, [-z[0], -z[1], -z[2]], y]) };
 }
