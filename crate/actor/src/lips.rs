@@ -31,6 +31,8 @@ const OPENING_SECS: f64 = 0.05;
 /// Closures are complete this long before they are heard, seconds: skin follows muscles with
 /// a delay of about this. Designed.
 const AHEAD_SECS: f64 = 0.016;
+/// The same of a lower lip that goes to the teeth, which is a longer way. Designed.
+const BITE_AHEAD_SECS: f64 = 0.026;
 /// Silence takes this long to close the mouth, and is left this long before the next
 /// sound, seconds. Designed.
 const SILENCE_CLOSES_SECS: f64 = 0.10;
@@ -247,16 +249,20 @@ impl Segment {
 
     /// How firmly the segment's closure rules, 0..1.
     fn gate(&self, t: f64) -> f64 {
+        let mut ahead = AHEAD_SECS;
         let (firm, closing, opening) = match self.targets.class {
             Class::BilabialStop | Class::BilabialNasal => (1.0, CLOSING_SECS, OPENING_SECS),
-            Class::Labiodental => (1.0, CLOSING_SECS, OPENING_SECS),
+            Class::Labiodental => {
+                ahead = BITE_AHEAD_SECS;
+                (1.0, CLOSING_SECS, OPENING_SECS)
+            }
             // Only a real pause; the mouth closes over its first tenth of a second.
             Class::Silence if self.end - self.start > SILENCE_CLOSES_SECS + SILENCE_OPENS_SECS => {
                 (1.0, 1.6 * SILENCE_CLOSES_SECS, 1.2 * SILENCE_OPENS_SECS)
             }
             _ => return 0.0,
         };
-        let early = smooth((t - self.held[0] + closing + AHEAD_SECS) / closing);
+        let early = smooth((t - self.held[0] + closing + ahead) / closing);
         let late = 1.0 - smooth((t - self.held[1]) / opening);
         firm * early * late
     }

@@ -34,7 +34,7 @@ const CONNECTING_PER_S2: f32 = 6000.0;
 /// Below this grip those springs are softer.
 const FIRM_GRIP: f32 = 0.3;
 /// How much stiffer they are at the lips, which must follow speech.
-const LIP: f32 = 0.8;
+const LIP: f32 = 1.0;
 /// Friction between the skin and what it lies on, against the critical damping of how a node is
 /// held sideways, and the least of it, 1/s. It acts on the difference of their velocities, so
 /// that skin does not lag behind a muscle that moves evenly. Designed.
