@@ -166,7 +166,7 @@ mod tests {
         let find = |name: &str| library.parameters(name);
         let parameters = ParameterTrack::new(&ParameterScript { commands }, &find);
         let emotions = EmotionTrack::new(&[], parameters.emotions());
-        (parameters, emotions, script.diagnostics)
+        (parameters, emotions, problems(&script.document))
     }
 
     /// What is looked at in a face.

@@ -43,8 +43,8 @@ pub struct Options {
     /// No less room than this is kept for gestures, however small the script's own are:
     /// while one edits a script the picture stands still.
     pub room: Room,
-    /// What moves the body by players and manipulators is there; a browser fetches its code
-    /// only for stories that ask for it.
+    /// What moves the body by players and manipulators is there, and what reads animations; a
+    /// browser fetches its code only for stories that ask for it.
     pub motion: bool,
     /// What moves the face besides lips and lids is there, and its tissue; a browser fetches
     /// its code in a file of its own.
@@ -370,6 +370,9 @@ impl Player {
     #[must_use]
     pub fn wanted_animations(&self) -> Vec<String> {
         let mut wanted: Vec<String> = Vec::new();
+        if !self.options.motion {
+            return wanted;
+        }
         let parts = [&self.story].into_iter().chain(self.live.parts());
         for (_, command) in parts.clone().flat_map(|p| &p.players) {
             if let PlayerCommand::Operate {
@@ -403,14 +406,11 @@ impl Player {
         let mut diagnostics = Vec::new();
         let parts = [&self.story].into_iter().chain(self.live.parts());
         let faces: Vec<String> = parts.flat_map(|p| p.felt.clips.clone()).collect();
-        if faces.is_empty() && !self.options.motion {
+        if !self.options.motion {
             return diagnostics;
         }
         for (name, text) in clips {
             let is_of_face = faces.iter().any(|n| n == name);
-            if !is_of_face && !self.options.motion {
-                continue;
-            }
             let problem = match text {
                 Some(text) => {
                     let learnt = if is_of_face {
