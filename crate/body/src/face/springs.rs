@@ -24,7 +24,8 @@ const SHORTENED: f32 = 2.1;
 /// How often what may be too long is gone through, as shortening one spring stretches its
 /// neighbours.
 const ROUNDS: usize = 256;
-/// What a node moves by, against the mean of what its springs that are too long ask for.
+/// What a node moves by, against the mean of what its springs that are too long ask for, in
+/// which each counts as much as it asks for.
 const BOLDER: f32 = 1.5;
 /// How much more.
 const STIFFER: f32 = 3.0;
@@ -169,7 +170,7 @@ pub(super) struct Springs {
     /// Which node leads each, itself or another, and the way from that one.
     leaders: Vec<(u16, Vector)>,
     velocities: Vec<Vector>,
-    /// Of a step, or how far the springs that are too long pull, and how many; else 0.
+    /// Of a step, or how far the springs that are too long pull, and their weight; else 0.
     forces: Vec<Vector>,
     /// Where the springs of each node begin in `around`; one more for the end.
     starts: Vec<u32>,
@@ -381,7 +382,7 @@ impl Springs {
         if self.has_stepped {
             self.has_stepped = false;
             for i in 0..self.springs.len() + self.edges.len() {
-                if self.too_long(i).is_some() {
+                if self.too_long(i, SHORTENED).is_some() {
                     self.suspects.put(i as u32);
                 }
             }
@@ -390,34 +391,40 @@ impl Springs {
         for _ in 0..ROUNDS {
             core::mem::swap(&mut self.suspects, &mut self.looked_at);
             self.suspects.clear();
-            if self.looked_at.count == 0 {
+            let looked_at = &self.looked_at.items[..self.looked_at.count];
+            let is_too_long = |&i: &u32| self.too_long(i as usize, LONGEST).is_some();
+            if !looked_at.iter().any(is_too_long) {
                 break;
             }
+            was_any = true;
+            // With them those that are nearly as long, and each by how much it asks for: what a
+            // node does must not jump where a spring hardly is or hardly is not too long, or
+            // the last digits would make halves of a face differ.
             for k in 0..self.looked_at.count {
                 let i = self.looked_at.items[k] as usize;
-                if let Some((ends, by)) = self.too_long(i) {
+                if let Some((ends, by)) = self.too_long(i, SHORTENED) {
+                    let much = length(by);
                     for (end, way) in ends.into_iter().zip([1.0, -1.0]) {
                         let by = [way * by[0], way * by[1], way * by[2], 1.0];
-                        self.forces[end] = plus(self.forces[end], by);
+                        self.forces[end] = plus(self.forces[end], times(by, much));
                         self.pulled.put(end as u32);
                     }
-                    was_any = true;
                 }
             }
             // All at once, or the order of springs would make halves of a face differ.
             for k in 0..self.pulled.count {
                 let node = self.pulled.items[k] as usize;
-                let [x, y, z, count] = core::mem::take(&mut self.forces[node]);
-                self.shift(node, times([x, y, z, 0.0], BOLDER / count));
+                let [x, y, z, much] = core::mem::take(&mut self.forces[node]);
+                self.shift(node, times([x, y, z, 0.0], BOLDER / much.max(1e-12)));
             }
             self.pulled.clear();
         }
         was_any
     }
 
-    /// The ends of a spring or edge that is too long, and what each has to move by, the first
-    /// one's way.
-    fn too_long(&self, i: usize) -> Option<([usize; 2], Vector)> {
+    /// The ends of a spring or edge that is longer than `longest` times its length at rest, and
+    /// what each has to move by, the first one's way.
+    fn too_long(&self, i: usize, longest: f32) -> Option<([usize; 2], Vector)> {
         let (ends, off, rest) = if let Some(spring) = self.springs.get(i) {
             (spring.ends, [0.0; 4], spring.rest)
         } else {
@@ -427,7 +434,7 @@ impl Springs {
         let [a, b] = ends.map(usize::from);
         let way = plus(minus(self.places[b], self.places[a]), off);
         let square = way[0] * way[0] + way[1] * way[1] + way[2] * way[2];
-        let most = LONGEST * rest;
+        let most = longest * rest;
         (square > most * most).then(|| {
             let now = square.sqrt();
             ([a, b], times(way, 0.5 * (now - SHORTENED * rest) / now))

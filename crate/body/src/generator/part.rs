@@ -47,3 +47,30 @@ pub struct Part {
     /// Vertices that follow the tissue, rising, each with the nodes and weights it follows.
     pub bound: Vec<(u32, Vec<(u32, f64)>)>,
 }
+
+impl Part {
+    /// The surface as triangles, those of a quad about its middle: unlike its halves beside
+    /// one of the diagonals, they are the same in a mirror.
+    pub(crate) fn triangles_about_middles(
+        &self,
+        own: impl Fn(&PartVertex) -> bool,
+    ) -> Vec<[DVec3; 3]> {
+        let mut out = Vec::new();
+        let vertex = |v: &u32| &self.vertices[*v as usize];
+        for face in &self.faces {
+            if !face.iter().all(|v| own(vertex(v))) {
+                continue;
+            }
+            let corners: Vec<DVec3> = face.iter().map(|v| vertex(v).position).collect();
+            if let [a, b, c] = corners[..] {
+                out.push([a, b, c]);
+                continue;
+            }
+            let middle = corners.iter().sum::<DVec3>() / corners.len() as f64;
+            for (k, &a) in corners.iter().enumerate() {
+                out.push([a, corners[(k + 1) % corners.len()], middle]);
+            }
+        }
+        out
+    }
+}

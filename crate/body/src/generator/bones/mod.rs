@@ -14,6 +14,7 @@ mod tests;
 
 use raconteur_base::{DQuat, DVec3, Side};
 
+pub(crate) use self::skull::hit;
 use self::solid::Solid;
 use super::assemble::{Blueprint, Piece, assemble};
 use super::build::Built;

@@ -115,16 +115,31 @@ impl Skin {
     /// Distance to the nearest skin no farther than [`CELL_M`], and whether the point lies
     /// behind it; `None` where all skin is farther.
     fn nearest(&self, p: DVec3) -> Option<(f64, bool)> {
-        let mut best: Option<(f64, bool)> = None;
+        // Distance, and how far before the triangle's plane.
+        let mut best: Option<(f64, f64)> = None;
         for t in self.cells.get(&cell(p))? {
             let t = &self.triangles[*t as usize];
             let d = to_triangle(t, p);
-            if d < best.map_or(CELL_M, |b| b.0) {
-                let normal = (t[1] - t[0]).cross(t[2] - t[0]);
-                best = Some((d, normal.dot(p - t[0]) <= 0.0));
+            if d >= CELL_M {
+                continue;
+            }
+            let normal = (t[1] - t[0]).cross(t[2] - t[0]);
+            let before = normal.dot(p - t[0]) / normal.length().max(1e-12);
+            // Where an edge is nearest, whichever of its triangles is seen more steeply tells
+            // on which side the point is.
+            let is_nearer = best.is_none_or(|(least, plane)| {
+                let is_same = (d - least).abs() < SAME_M;
+                if is_same {
+                    before.abs() > plane.abs()
+                } else {
+                    d < least
+                }
+            });
+            if is_nearer {
+                best = Some((d, before));
             }
         }
-        best
+        best.map(|(d, before)| (d, before <= 0.0))
     }
 
     /// Distance from a centre to the outermost skin in every direction of the skull's map.
@@ -173,6 +188,8 @@ fn way(ring: usize, column: usize) -> DVec3 {
 
 /// Side of the cells in which nearby skin is looked up, metres.
 const CELL_M: f64 = 0.006;
+/// Triangles whose distances differ by less are equally near, metres.
+const SAME_M: f64 = 1e-9;
 
 fn cell(p: DVec3) -> [i32; 3] {
     (p / CELL_M).floor().to_array().map(|x| x as i32)
@@ -197,7 +214,7 @@ fn cells_of(triangles: &[[DVec3; 3]]) -> BTreeMap<[i32; 3], Vec<u32>> {
 }
 
 /// Distance along a ray to a triangle (Möller and Trumbore's test).
-fn hit(t: &[DVec3; 3], from: DVec3, way: DVec3) -> Option<f64> {
+pub(crate) fn hit(t: &[DVec3; 3], from: DVec3, way: DVec3) -> Option<f64> {
     let (e1, e2) = (t[1] - t[0], t[2] - t[0]);
     let p = way.cross(e2);
     let det = e1.dot(p);

@@ -16,18 +16,11 @@ const PIECES: usize = 8;
 pub(super) fn arch(rigid: &[&Part], own: impl Fn(&PartVertex) -> bool) -> Arch {
     let mut points: Vec<DVec3> = Vec::new();
     for part in rigid {
-        for face in &part.faces {
-            if !face.iter().all(|&v| own(&part.vertices[v as usize])) {
-                continue;
-            }
-            let at = |v: u32| part.vertices[v as usize].position;
-            for w in face[1..].windows(2) {
-                let [a, b, c] = [at(face[0]), at(w[0]), at(w[1])];
-                for i in 0..=PIECES {
-                    for j in 0..=PIECES - i {
-                        let (u, v) = (i as f64 / PIECES as f64, j as f64 / PIECES as f64);
-                        points.push(a * (1.0 - u - v) + b * u + c * v);
-                    }
+        for [a, b, c] in part.triangles_about_middles(&own) {
+            for i in 0..=PIECES {
+                for j in 0..=PIECES - i {
+                    let (u, v) = (i as f64 / PIECES as f64, j as f64 / PIECES as f64);
+                    points.push(a * (1.0 - u - v) + b * u + c * v);
                 }
             }
         }
@@ -48,9 +41,16 @@ pub(super) fn arch(rigid: &[&Part], own: impl Fn(&PartVertex) -> bool) -> Arch {
             continue;
         }
         let along = f64::from(Arch::direction(d.x as f32, d.z as f32));
-        let column = (0.5 * (along + 1.0) * (COLUMNS as f64 - 1.0)).round() as usize;
+        // Rounded from the middle outwards, so that both halves are rounded alike.
+        let half = COLUMNS / 2;
+        let aside = ((along.abs() * half as f64).round() as usize).min(half);
+        let column = if along < 0.0 {
+            half - aside
+        } else {
+            half + aside
+        };
         let row = ((p.y - low) / STEP_M).round() as usize;
-        let r = &mut radii[row.min(rows - 1) * COLUMNS + column.min(COLUMNS - 1)];
+        let r = &mut radii[row.min(rows - 1) * COLUMNS + column];
         *r = r.max(d.with_y(0.0).length() as f32);
     }
     // Gaps between two samples of a row are no gaps between teeth.

@@ -6,6 +6,7 @@ use super::layout::{AROUND_EYE, EYE_CENTRE, EYE_RING, STRANDS, Strand};
 use super::{narrow, ramp};
 use crate::face::Muscle;
 use crate::face::tissue::{Attachment, Course, Fibre, FibrePoint, Link, Tissue};
+use crate::generator::bones::hit;
 use crate::generator::head::Soft;
 use crate::generator::part::Part;
 
@@ -17,6 +18,8 @@ const FLESH_M: f64 = 0.011;
 const LINING_M: f64 = 0.003;
 /// Thickness of a lip to its lining, metres.
 const LIP_M: f64 = 0.005;
+/// Nodes that are farther than the nearest by less than this have a say too, metres.
+const ABOUT_AS_NEAR_M: f64 = 5e-4;
 /// Holds weaker than this are left out.
 const LEAST_HOLD: f64 = 0.02;
 
@@ -38,14 +41,7 @@ impl Skin {
         let normals = crate::generator::subdivide::vertex_normals(&places, &quads);
         let triangles: Vec<[DVec3; 3]> = bones
             .iter()
-            .flat_map(|part| {
-                let at = |v: u32| part.vertices[v as usize].position;
-                part.faces.iter().flat_map(move |f| {
-                    f[1..]
-                        .windows(2)
-                        .map(move |w| [at(f[0]), at(w[0]), at(w[1])])
-                })
-            })
+            .flat_map(|part| part.triangles_about_middles(|_| true))
             .collect();
         let depths = soft
             .nodes
@@ -69,50 +65,59 @@ impl Skin {
         }
     }
 
-    /// The nearest node that is no lining.
-    fn nearest(&self, soft: &Soft, p: DVec3) -> usize {
-        let outside = (0..self.places.len()).filter(|&i| !soft.nodes[i].is_inside);
-        let distance = |i: &usize| self.places[*i].distance_squared(p);
-        outside
-            .min_by(|a, b| distance(a).total_cmp(&distance(b)))
-            .unwrap_or(0)
+    /// The skin about a place: of the nearest node that is no lining, mixed with those about
+    /// as near, so that none has to be chosen where halves of the face meet.
+    fn nearest(&self, soft: &Soft, p: DVec3) -> Near {
+        let outside = || {
+            let nodes = (0..self.places.len()).filter(|&i| !soft.nodes[i].is_inside);
+            nodes.map(|i| (i, self.places[i].distance(p)))
+        };
+        let least = outside().map(|(_, d)| d).fold(f64::MAX, f64::min);
+        let mut near = Near::default();
+        let mut sum = 0.0;
+        for (i, distance) in outside() {
+            let weight = 1.0 - ramp(0.0, ABOUT_AS_NEAR_M, distance - least);
+            if weight > 0.0 {
+                sum += weight;
+                near.height += (p - self.places[i]).dot(self.normals[i]) * weight;
+                near.normal += self.normals[i] * weight;
+                near.depth += self.depths[i] * weight;
+                near.jaw += soft.nodes[i].jaw * weight;
+            }
+        }
+        if sum > 0.0 {
+            near.height /= sum;
+            near.depth /= sum;
+            near.jaw /= sum;
+        }
+        near.normal = near.normal.normalize_or_zero();
+        near
     }
 
     /// Puts a place under the skin, at a share of the way to the bone.
     fn sunk(&self, soft: &Soft, mut p: DVec3, share: f64) -> FibrePoint {
-        let mut i = self.nearest(soft, p);
+        let mut near = self.nearest(soft, p);
+        // Over a curved skin other nodes become the nearest on the way.
         for _ in 0..4 {
-            let height = (p - self.places[i]).dot(self.normals[i]);
-            p -= self.normals[i] * (height + share * self.depths[i]);
-            // Over a curved skin the nearest node may have become another.
-            let next = self.nearest(soft, p);
-            if next == i {
-                break;
-            }
-            i = next;
+            p -= near.normal * (near.height + share * near.depth);
+            near = self.nearest(soft, p);
         }
         FibrePoint {
             rest: narrow(p),
-            outwards: narrow(self.normals[i]),
-            jaw: soft.nodes[i].jaw as f32,
+            outwards: narrow(near.normal),
+            jaw: near.jaw as f32,
         }
     }
 }
 
-/// Distance along a ray to a triangle.
-fn hit(t: &[DVec3; 3], from: DVec3, way: DVec3) -> Option<f64> {
-    let (e1, e2) = (t[1] - t[0], t[2] - t[0]);
-    let p = way.cross(e2);
-    let det = e1.dot(p);
-    if det.abs() < 1e-14 {
-        return None;
-    }
-    let s = from - t[0];
-    let u = s.dot(p) / det;
-    let q = s.cross(e1);
-    let v = way.dot(q) / det;
-    let d = e2.dot(q) / det;
-    (u >= 0.0 && v >= 0.0 && u + v <= 1.0 && d > 0.0).then_some(d)
+/// The skin about a place.
+#[derive(Clone, Copy, Debug, Default)]
+struct Near {
+    /// How far the place is above it, metres.
+    height: f64,
+    normal: DVec3,
+    depth: f64,
+    jaw: f64,
 }
 
 /// A line through places, cut into pieces of one length.

@@ -119,25 +119,36 @@ pub(super) fn mouth(
         let first = firsts[usize::from(low)][outermost];
         (first, out.points[first..first + count].to_vec())
     });
+    let middle = usize::from(CORNER);
+    let nearer = |halves: &[(usize, f64, f64); 2]| halves[0].2.min(halves[1].2);
     for (i, n) in soft.nodes.iter().enumerate() {
         if n.lip.is_some() || n.is_inside {
             continue;
         }
         let near = chains
             .iter()
-            .map(|(first, points)| (first, nearest_on(points, skin.places[i])))
-            .min_by(|a, b| a.1.2.total_cmp(&b.1.2));
-        let Some((first, (point, on, distance))) = near else {
+            .map(|(first, points)| {
+                let halves = [&points[..=middle], &points[middle..]];
+                (first, halves.map(|half| nearest_on(half, skin.places[i])))
+            })
+            .min_by(|a, b| nearer(&a.1).total_cmp(&nearer(&b.1)));
+        let Some((first, halves)) = near else {
             continue;
         };
-        let beyond = (distance - UNDER_M).max(0.0);
-        let weight = n.mobility * (1.0 - ramp(0.0, BEYOND_MM * mm, beyond));
-        if weight > 0.02 {
-            holds[i].push(Attachment {
-                point: (first + point) as u16,
-                on: on as f32,
-                weight: weight as f32,
-            });
+        let beyond = (nearer(&halves) - UNDER_M).max(0.0);
+        let whole = n.mobility * (1.0 - ramp(0.0, BEYOND_MM * mm, beyond));
+        let left = share_of_left(halves[0].2, halves[1].2, mm);
+        for ((point, on, _), (before, share)) in
+            halves.into_iter().zip([(0, 1.0 - left), (middle, left)])
+        {
+            let weight = whole * share;
+            if weight > 0.01 {
+                holds[i].push(Attachment {
+                    point: (first + before + point) as u16,
+                    on: on as f32,
+                    weight: weight as f32,
+                });
+            }
         }
     }
     // --- lips that meet ---
@@ -218,29 +229,50 @@ fn beyond_the_lips(
             continue;
         }
         let distance = |at: &(LipPlace, usize)| skin.places[at.1].distance(skin.places[i]);
-        let near = rim
-            .iter()
-            .min_by(|a, b| distance(a).total_cmp(&distance(b)));
-        let Some(near) = near else { continue };
-        let k = near.0.position.min(LAST - near.0.position);
-        let side = if k == 0 { Side::Left } else { near.0.side };
-        let Some(&column) = columns.get(&(k, side)) else {
+        let nearest = |side: Side| {
+            rim.iter()
+                .filter(|(lip, _)| lip.side == side || matches!(lip.position, 0 | LAST))
+                .min_by(|a, b| distance(a).total_cmp(&distance(b)))
+        };
+        let (Some(right), Some(left)) = (nearest(Side::Right), nearest(Side::Left)) else {
             continue;
         };
-        let much = 0.5 * n.mobility * (1.0 - ramp(0.0, 13.0 * mm, distance(near)));
-        let closes = if near.0.position < CORNER {
-            -UPPER_CLOSES
+        let least = distance(right).min(distance(left));
+        let whole = 0.5 * n.mobility * (1.0 - ramp(0.0, 13.0 * mm, least));
+        let share = if left.1 == right.1 {
+            0.0
         } else {
-            1.0 - UPPER_CLOSES
+            share_of_left(distance(right), distance(left), mm)
         };
-        if much > 0.02 {
-            out.lips.push(LipNode {
-                node: i as u16,
-                column,
-                closes: (closes * much) as f32,
-            });
+        for ((lip, _), share) in [(right, 1.0 - share), (left, share)] {
+            let k = lip.position.min(LAST - lip.position);
+            let side = if k == 0 { Side::Left } else { lip.side };
+            let Some(&column) = columns.get(&(k, side)) else {
+                continue;
+            };
+            let much = whole * share;
+            let closes = if lip.position < CORNER {
+                -UPPER_CLOSES
+            } else {
+                1.0 - UPPER_CLOSES
+            };
+            if much > 0.01 {
+                out.lips.push(LipNode {
+                    node: i as u16,
+                    column,
+                    closes: (closes * much) as f32,
+                });
+            }
         }
     }
+}
+
+/// How much of what hangs on both halves of the mouth hangs on the left one, from the
+/// distances of the right and of the left one: in the middle both have the same, and none has
+/// to be chosen.
+fn share_of_left(right: f64, left: f64, mm: f64) -> f64 {
+    let apart = 0.5 * mm;
+    ramp(-apart, apart, right - left)
 }
 
 /// Where the edge of the upper teeth lies at a distance from the middle, world.
