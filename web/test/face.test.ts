@@ -107,7 +107,7 @@ describe('the text of the face', () => {
   });
 
   it('declares the extensions where it uses them, and lets nobody write markup by a line', () => {
-    const layers = written((s) => (s.layers = { skin: false, springs: true, muscles: true, bones: false }));
+    const layers = written((s) => (s.layers = { skin: false, springs: true, muscles: true, skull: false }));
     expect(layers).toContain('xmlns:r="urn:raconteur:eml:1"');
     expect(layers).toContain('<body-configure-geometry time="0" r:isBodyVisible="false" r:areSpringsVisible="true" r:areMusclesVisible="true"/>');
     const text = written((s) => (s.speech = { kind: 'text', text: 'a < b & <null time="9"/> r:x' }));

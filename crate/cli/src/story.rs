@@ -63,10 +63,10 @@ impl StoryFiles {
             let mut library = raconteur_player::Library::default();
             for name in wanted {
                 // What is missing or broken is told by those who perform.
-                if let Some(text) = find_animation(&name, &self.script) {
-                    if library.add(&name, &text).is_err() {
-                        let _ = library.add_parameters(&name, &text);
-                    }
+                if let Some(text) = find_animation(&name, &self.script)
+                    && library.add(&name, &text).is_err()
+                {
+                    let _ = library.add_parameters(&name, &text);
                 }
             }
             script.retime(&library);

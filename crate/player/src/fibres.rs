@@ -1,4 +1,5 @@
-//! The tissue of a face as lines over the body: springs of the skin and fibres of the muscles.
+//! The tissue of a face as lines over the body: springs of the skin, fibres of the muscles, and the
+//! bone under them.
 
 use raconteur_base::{DAffine3, DVec3, NodeState};
 use raconteur_body::face::{Network, Tissue};
@@ -7,6 +8,10 @@ use raconteur_stage::{Line, Shown};
 /// Of the springs: cool and thin, so that muscles stand out before them.
 const SPRING: [u8; 4] = [20, 90, 130, 150];
 const SPRING_PX: f32 = 1.0;
+/// Of the bone.
+const BONE: [u8; 4] = [232, 222, 196, 230];
+/// Skin that is longer between two nodes spans a hole, as between the jaws, metres.
+const HOLE_M: f32 = 0.0095;
 /// Of a muscle at rest and of one in full contraction.
 const SLACK: [u8; 4] = [110, 14, 10, 210];
 const TENSE: [u8; 4] = [255, 70, 20, 255];
@@ -27,6 +32,27 @@ pub(crate) fn draw(
         let p = DVec3::from_array(p.map(f64::from));
         world_from_bind.transform_point3(p).as_vec3().to_array()
     };
+    if shown.skull {
+        for quad in &tissue.quads {
+            let under = |k: usize| network.bone_under(tissue, usize::from(quad[k]));
+            for k in 0..2 {
+                let ends = [k, k + 1].map(|k| tissue.rest[usize::from(quad[k])]);
+                let long = (0..3)
+                    .map(|i| (ends[1][i] - ends[0][i]).powi(2))
+                    .sum::<f32>();
+                if let (Some(from), Some(to), true) =
+                    (under(k), under(k + 1), long < HOLE_M * HOLE_M)
+                {
+                    lines.push(Line {
+                        from_in_world: place(from),
+                        to_in_world: place(to),
+                        color: BONE,
+                        width_px: SPRING_PX,
+                    });
+                }
+            }
+        }
+    }
     if shown.springs {
         let node = |i: u16| {
             let i = usize::from(i);

@@ -87,6 +87,7 @@ fn turn(shown: &mut Shown, switch: &ConfigureGeometry) {
         (&mut shown.body, switch.body_visible),
         (&mut shown.springs, switch.springs_visible),
         (&mut shown.muscles, switch.muscles_visible),
+        (&mut shown.skull, switch.skull_visible),
     ] {
         *flag = said.unwrap_or(*flag);
     }

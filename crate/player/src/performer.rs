@@ -608,7 +608,7 @@ impl Player {
     fn draw_tissue(&mut self) {
         self.frame.lines.clear();
         let shown = self.frame.shown;
-        if !(shown.springs || shown.muscles) {
+        if !(shown.springs || shown.muscles || shown.skull) {
             return;
         }
         let skull = Bone::Skull.index();

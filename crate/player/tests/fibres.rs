@@ -58,6 +58,26 @@ fn every_spring_and_fibre_is_drawn_where_the_face_is() {
 }
 
 #[test]
+fn bone_lies_under_the_skin_and_goes_with_the_jaw() {
+    let show = "<body-configure-geometry time='0' r:isSkullVisible='true'/>";
+    let open = "<body-set-control-parameter time='0' parameterId='Jaw' value='1'/>";
+    let mut rest = perform(show);
+    let mut opened = perform(&format!("{show}{open}"));
+    let (rest, opened) = (lines(&mut rest, 3.0), lines(&mut opened, 3.0));
+    assert!(
+        rest.len() > 4000 && rest.len() == opened.len(),
+        "{}",
+        rest.len()
+    );
+    let both = rest.iter().zip(&opened);
+    let drops = both.map(|(a, b)| a.from_in_world[1] - b.from_in_world[1]);
+    // The chin drops by a centimetre and more; the forehead stays.
+    assert!(drops.fold(0.0, f32::max) > 0.01);
+    let highest = |all: &[Line]| all.iter().map(|l| l.from_in_world[1]).fold(0.0, f32::max);
+    assert!((highest(&rest) - highest(&opened)).abs() < 1e-3);
+}
+
+#[test]
 fn a_muscle_that_contracts_is_shorter_and_brighter() {
     let figure = figure();
     let tissue = figure.tissue.as_ref().expect("a tissue");

@@ -41,7 +41,7 @@ fn shown(player: &mut Player, time_secs: f64) -> Shown {
 #[test]
 fn every_attribute_switches_from_its_time_on() {
     type Expected = fn(&mut Shown);
-    let cases: [(&str, Expected); 13] = [
+    let cases: [(&str, Expected); 14] = [
         ("fillMode='wireframe'", |s| s.fill = Fill::Wireframe),
         ("fillMode='point'", |s| s.fill = Fill::Points),
         ("visibleMeshes='bones'", |s| {
@@ -58,6 +58,7 @@ fn every_attribute_switches_from_its_time_on() {
         ("r:isBodyVisible='false'", |s| s.body = false),
         ("r:areSpringsVisible='true'", |s| s.springs = true),
         ("r:areMusclesVisible='true'", |s| s.muscles = true),
+        ("r:isSkullVisible='true'", |s| s.skull = true),
     ];
     for (attribute, change) in cases {
         let mut player = perform(&format!("<body-configure-geometry time='2' {attribute}/>"));

@@ -54,6 +54,7 @@ const NOTHING: Shown = Shown {
     manipulators: false,
     springs: false,
     muscles: false,
+    skull: false,
 };
 
 #[test]

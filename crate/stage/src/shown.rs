@@ -39,6 +39,8 @@ pub struct Shown {
     pub springs: bool,
     /// The fibres of the face's muscles, over the body: [`Frame::lines`](crate::Frame).
     pub muscles: bool,
+    /// The bone under the face's tissue, over the body: [`Frame::lines`](crate::Frame).
+    pub skull: bool,
 }
 
 impl Default for Shown {
@@ -54,6 +56,7 @@ impl Default for Shown {
             manipulators: false,
             springs: false,
             muscles: false,
+            skull: false,
         }
     }
 }

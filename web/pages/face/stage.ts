@@ -8,7 +8,7 @@ import type { Layers } from './state.js';
 /** Turn of the view for each pixel that the pointer goes, radians. */
 const TURN = 0.008;
 
-const LAYERS: Readonly<Record<keyof Layers, string>> = { skin: 'Skin', springs: 'Springs', muscles: 'Muscles', bones: 'Bones' };
+const LAYERS: Readonly<Record<keyof Layers, string>> = { skin: 'Skin', springs: 'Springs', muscles: 'Muscles', skull: 'Skull' };
 
 /** Dragging and arrow keys turn the head's picture. */
 export function lookAround(app: App, pad: HTMLElement): void {

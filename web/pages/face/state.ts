@@ -8,7 +8,7 @@ export interface Layers {
   skin: boolean;
   springs: boolean;
   muscles: boolean;
-  bones: boolean;
+  skull: boolean;
 }
 
 /** A sentence of a story as its script has it. */
@@ -47,5 +47,5 @@ export const beginning = (): State => ({
   speech: { kind: 'none' },
   story: '',
   way: 'audio',
-  layers: { skin: true, springs: false, muscles: false, bones: false },
+  layers: { skin: true, springs: false, muscles: false, skull: false },
 });

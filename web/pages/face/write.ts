@@ -20,13 +20,13 @@ function dial(own: Dial, values: State['values']): string[] {
   return namesOf(own).flatMap((name) => (values[name] ? [set(name, values[name])] : []));
 }
 
-function layers({ skin, springs, muscles, bones }: Layers): string[] {
+function layers({ skin, springs, muscles, skull }: Layers): string[] {
   const attributes = {
     time: 0,
-    visibleMeshes: bones ? 'both' : undefined,
     'r:isBodyVisible': skin ? undefined : false,
     'r:areSpringsVisible': springs || undefined,
     'r:areMusclesVisible': muscles || undefined,
+    'r:isSkullVisible': skull || undefined,
   };
   return Object.values(attributes).filter((value) => value !== undefined).length > 1 ? [tag('body-configure-geometry', attributes)] : [];
 }

@@ -124,6 +124,14 @@ impl Contacts {
         Self { over_bone }
     }
 
+    /// Whether a node lies over a bone.
+    pub(super) fn is_over_bone(&self, node: usize) -> bool {
+        let known = &self.over_bone;
+        known
+            .binary_search_by_key(&node, |(n, _)| usize::from(*n))
+            .is_ok()
+    }
+
     /// Puts nodes out of what they have got into; tells how deep they were.
     pub(super) fn resolve(
         &self,

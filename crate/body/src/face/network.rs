@@ -10,6 +10,8 @@ use super::{FaceControls, Jaw, Muscle, NodeState, Tissue};
 /// something put out again. A face that speaks takes one turn; muscles that jump as far as
 /// they go take some ten, and skin is then within half a millimetre of where it may be.
 const TURNS: usize = 64;
+/// Bone farther than this under the skin is not its own, metres.
+const FAR_M: f32 = 0.018;
 /// Steps after which a face is at rest, whatever is asked of it.
 const SETTLES: usize = 90;
 /// Share of a gap that the lower lip closes where it closes most; see [`LipNode::closes`].
@@ -321,6 +323,18 @@ impl Network {
         };
         let middle = tissue.columns.iter().filter(|c| c.bites > 0.99);
         middle.map(from_teeth).fold(0.0, f32::max)
+    }
+
+    /// Where the bone under a node is, as the jaw has moved it, in the axes of the figure at rest;
+    /// none under the lips, where there are teeth, nor where it is far.
+    #[must_use]
+    pub fn bone_under(&self, tissue: &Tissue, node: usize) -> Option<[f32; 3]> {
+        let [place, outwards] = self.bones.get(node)?;
+        let depth = self
+            .contacts
+            .is_over_bone(node)
+            .then_some(tissue.depth[node])?;
+        Some([0, 1, 2].map(|k| place[k] - depth * outwards[k]))
     }
 
     /// The fastest node, metres a second.

@@ -49,5 +49,7 @@ record! {
         springs_visible: Option<bool> = "areSpringsVisible",
         /// Whether the muscles of the face are drawn (extension).
         muscles_visible: Option<bool> = "areMusclesVisible",
+        /// Whether the bone under the face is drawn (extension).
+        skull_visible: Option<bool> = "isSkullVisible",
     }
 }

@@ -47,6 +47,11 @@ pub(super) static ELEMENT: Element = Element {
             doc!("Whether the muscles of the face are drawn."),
         )
         .extension(),
+        Attribute::flag(
+            "isSkullVisible",
+            doc!("Whether the bone under the tissue of the face is drawn."),
+        )
+        .extension(),
     ],
     ..Element::record("body-configure-geometry", || {
         ClauseKind::ConfigureGeometry(Default::default())
