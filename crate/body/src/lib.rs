@@ -8,6 +8,10 @@
 //!
 //! Frames: right-handed, metres, radians; +x is the character's left, +y up, +z front.
 
+// A download is compiled for size; what steps thousands of springs, for speed. The attribute is
+// unstable, and only the build for the browser asks for it, by the feature `speed`.
+#![cfg_attr(feature = "speed", feature(optimize_attribute))]
+
 pub mod annotation;
 pub mod face;
 pub mod figure;
