@@ -28,7 +28,7 @@ const MECHANICS: [([Muscle; 2], f32, f32); 20] = [
         0.13,
         1.2,
     ),
-    ([M::NasalisLeft, M::NasalisRight], 0.3, 0.6),
+    ([M::NasalisLeft, M::NasalisRight], 0.34, 0.6),
     ([M::DepressorSepti, M::DepressorSepti], 0.22, 0.0),
     (
         [M::LevatorLabiiAlaequeLeft, M::LevatorLabiiAlaequeRight],
