@@ -18,8 +18,9 @@ const FLESH_M: f64 = 0.011;
 const LINING_M: f64 = 0.003;
 /// Thickness of a lip to its lining, metres.
 const LIP_M: f64 = 0.005;
-/// Nodes that are farther than the nearest by less than this have a say too, metres.
-const ABOUT_AS_NEAR_M: f64 = 5e-4;
+/// Nodes that are farther than the nearest by less than this have a say too, metres. More would
+/// mix what lies on both sides of a fold, as beside the wings of the nose.
+const ABOUT_AS_NEAR_M: f64 = 1e-4;
 /// Holds weaker than this are left out.
 const LEAST_HOLD: f64 = 0.02;
 
