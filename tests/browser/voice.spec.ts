@@ -107,8 +107,8 @@ test('pausing, seeking and changing the speed in the middle of a word do not cli
   expect(Math.abs((starts[0]?.offset ?? 0) - 2.34567)).toBeLessThan(1 / SAMPLE_RATE);
   const { samples } = await heard(page);
   expect(loudness(samples.filter((x) => !Number.isNaN(x)))).toBeGreaterThan(0.05);
-  // A fade of 6 ms adds its own slope, half the height over 264 samples; the stretched tone may
-  // be out of phase by a little where windows cross.
+  // A fade with a time constant of 2 ms adds its own slope, half the height over 88 samples: 1.38
+  // of the tone's. The stretched tone may be out of phase by a little where windows cross.
   console.log(`steepest ${steepest(samples).toFixed(4)}, of the tone ${STEEPEST.toFixed(4)}`);
   expect(steepest(samples)).toBeLessThan(STEEPEST * 1.6);
 });

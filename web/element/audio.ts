@@ -42,6 +42,12 @@ const KEEP_SECS = 60;
 const PATIENCE_MS = 20_000;
 /** A start or stop inside a sound fades over this, so that it does not click. */
 const FADE_SECS = 0.006;
+/**
+ * A sound that fades out goes on in silence for this long. Browsers compute sound in bursts of up
+ * to some tens of milliseconds, so that what is asked now may be heeded that much later: the fade
+ * begins then, but a sound whose end has passed is cut off at once.
+ */
+const CUT_SECS = 0.25;
 
 let shared: AudioContext | undefined;
 
@@ -209,7 +215,7 @@ export class RecordedVoice implements Voice {
       const now = context().currentTime;
       gain.gain.cancelScheduledValues(now);
       gain.gain.setTargetAtTime(0, now, FADE_SECS / 3);
-      source.stop(now + FADE_SECS * 2);
+      source.stop(now + CUT_SECS);
     }
     this.#playing.clear();
   }
