@@ -39,11 +39,18 @@ function listen(): void {
     const node = context.createScriptProcessor(16_384, 2, 1);
     node.onaudioprocess = ({ inputBuffer }) => {
       const counted = inputBuffer.getChannelData(1);
-      const at = counted.findIndex((x) => x > 0);
-      if (at < 0) return;
-      const index = Math.round((counted[at] ?? 0) * 2 ** 24) - 1;
-      tap.blocks.push({ from: Math.round(start * context.sampleRate) + index, samples: inputBuffer.getChannelData(0).slice(at) });
-      tap.ready = true;
+      const heard = inputBuffer.getChannelData(0);
+      const index = (i: number) => Math.round((counted[i] ?? 0) * 2 ** 24) - 1;
+      // A page that was busy for long finds a block that is being written again: what is not
+      // counted in one go is not one block.
+      for (let at = 0, end = 0; at < counted.length; at = end) {
+        end = at + 1;
+        if (index(at) < 0) continue;
+        while (end < counted.length && index(end) === index(end - 1) + 1) end += 1;
+        tap.blocks.push({ from: Math.round(start * context.sampleRate) + index(at), samples: heard.slice(at, end) });
+      }
+      tap.blocks.sort((a, b) => a.from - b.from);
+      tap.ready = tap.blocks.length > 0;
     };
     connect.call(counter, merger, 0, 1);
     connect.call(merger, node);
