@@ -39,6 +39,8 @@ export class Spoken {
   readonly #language: string;
   readonly #onMissing: (message: string) => void;
   #rate: number | undefined;
+  /** Up to where the story was looked at, while it plays. */
+  #from: number | undefined;
   #volume = 1;
   #pace = 1;
   #now: Now | undefined;
@@ -90,6 +92,7 @@ export class Spoken {
   stop(waits = false): void {
     this.#rate = undefined;
     if (waits) return;
+    this.#from = undefined;
     this.#cancel();
     this.#over.clear();
   }
@@ -97,12 +100,17 @@ export class Spoken {
   /** Begins what is due at the story time `position`. */
   prepare(position: number): void {
     const rate = this.#rate;
-    if (rate === undefined || this.#now !== undefined || this.#volume === 0) return;
+    if (rate === undefined) return;
+    // A page that was busy for long may find that something was due and should be over by now:
+    // it is said as well, and waited for.
+    const from = Math.min(position, this.#from ?? position);
+    this.#from = position;
+    if (this.#now !== undefined || this.#volume === 0) return;
     const due = position + EARLY_SECS * rate;
     for (const utterance of this.#utterances) {
       const { startSecs, durationSecs } = utterance;
-      if (startSecs > due || startSecs + durationSecs <= position || this.#over.has(utterance) || !isSilent(utterance)) continue;
-      this.#say(utterance, position, rate);
+      if (startSecs > due || startSecs + durationSecs <= from || this.#over.has(utterance) || !isSilent(utterance)) continue;
+      this.#say(utterance, startSecs >= from ? Math.min(position, startSecs) : position, rate);
       return;
     }
   }
