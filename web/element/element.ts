@@ -16,7 +16,7 @@ import { fetchFigure, fetchStory, readFigure, type Progress, type StoryFiles } f
 import { Picture } from './picture.js';
 import { Pulse } from './pulse.js';
 import { Transport, type TransportEvent } from './transport.js';
-import { PlayerError, type Answer, type Backend, type Cue, type Diagnostic, type FaceCourse, type MindState, type PlayerEventMap, type Quality, type Statistics, type Story, type View, type Way } from './types.js';
+import { PlayerError, type Answer, type Backend, type Cue, type Diagnostic, type FaceCourse, type MindState, type PlayerEventMap, type Quality, type Statistics, type Story, type View } from './types.js';
 
 /** Senders of fragments, as the engine tells them apart. */
 const PAGE = 0;
@@ -109,7 +109,6 @@ export class RaconteurPlayer extends LitElement {
   /** A file that the user gave, under its name in `figure`. */
   #given: File | undefined;
   #view: View | undefined;
-  #way: Way = 'audio';
   /** A text that takes the place of the story's file. */
   #text: string | undefined;
   #error: PlayerError | undefined;
@@ -398,7 +397,6 @@ export class RaconteurPlayer extends LitElement {
       });
       picture = opened.picture;
       if (this.#view !== undefined) picture.look(this.#view);
-      picture.accompany(this.#way);
       signal.throwIfAborted();
       this.#open(opened.story, opened.picture, files, sinceMs);
       for (const missing of opened.missing) this.#report(missing);
@@ -474,12 +472,6 @@ export class RaconteurPlayer extends LitElement {
   /** What a page needs to draw over the picture shown last; read it with `web/pages/pose.ts`. Undefined without a story. */
   pose(): { readonly names: readonly string[]; readonly numbers: Float32Array } | undefined {
     return this.#show?.picture.pose();
-  }
-
-  /** Accompanies speech by its sound or by its text, for pages that show the difference; the next `rehearse` follows it. */
-  accompany(way: Way): void {
-    this.#way = way;
-    this.#show?.picture.accompany(way);
   }
 
   /** What a page needs to draw how the face speaks from one time to another; read it with `web/pages/face/course.ts`. Undefined without a story. */

@@ -3,7 +3,7 @@
 import { createEngine, joinPart, type Part } from './backend.js';
 import { showImages, unusable, type FigureFile } from './figure.js';
 import type { StoryFiles } from './loader.js';
-import { PlayerError, TickStatus, type Backend, type Cue, type Diagnostic, type Engine, type FaceCourse, type Performance, type PictureStatistics, type Piece, type Quality, type Story, type View, type Way } from './types.js';
+import { PlayerError, TickStatus, type Backend, type Cue, type Diagnostic, type Engine, type FaceCourse, type Performance, type PictureStatistics, type Piece, type Quality, type Story, type View } from './types.js';
 
 /** More device pixels than this for a CSS pixel cost time and are not seen. */
 const MOST_DPR = 2;
@@ -46,7 +46,6 @@ export class Picture {
   #holding = false;
   #quality: Quality = 'auto';
   #view: View | undefined;
-  #way: Way = 'audio';
   #openEnded = false;
   /** Whatever comes will find its code. */
   #equipped = false;
@@ -107,12 +106,6 @@ export class Picture {
   look(view: View): void {
     this.#view = view;
     this.#guard((engine) => applyView(engine, view));
-  }
-
-  /** Accompanies speech another way, in texts that are read from now on. */
-  accompany(way: Way): void {
-    this.#way = way;
-    this.#guard((engine) => engine.setTextWay(way === 'text'));
   }
 
   /** What the face does from one time to another, at so many times, and what its mouth goes through. */
@@ -336,7 +329,6 @@ export class Picture {
   #read(engine: Engine, files = this.#files): Story {
     const { eml, bundle, figure, edited } = files;
     applyView(engine, this.#view);
-    engine.setTextWay(this.#way === 'text');
     try {
       const story = engine.load(eml, bundle, figure.name, figure.glb, motionAmount());
       engine.setOpenEnded(this.#openEnded);

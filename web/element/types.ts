@@ -175,9 +175,6 @@ export interface FaceCourse {
   readonly names: readonly string[];
 }
 
-/** What accompanies speech is made from: its sound, or what is known of its text (F&H 4.2 and 4.3). */
-export type Way = 'audio' | 'text';
-
 /** One storyteller: the class `Player` of `crate/web`. */
 export interface Engine {
   /**
@@ -204,8 +201,6 @@ export interface Engine {
   /** What the mouth goes through, 10 numbers a segment, and the names of its phones; `web/pages/face/course.ts` reads them. */
   segments(): Float32Array;
   segmentNames(): string[];
-  /** What accompanies speech is made from its text, not its sound, in texts that are read from now on. */
-  setTextWay(text: boolean): void;
   /** Shows the moment `timeSecs`; a `TickStatus`. Cues passed since the last tick or seek are kept for `drainEvents`. */
   tick(timeSecs: number): number;
   /** Moves without passing what lies between. */

@@ -20,6 +20,17 @@ const written = (edit: (state: State) => void): string => {
 /** Even points all over the disc, further than words reach. */
 const places = Array.from({ length: 41 * 41 }, (_, i) => ({ evaluation: -100 + 5 * (i % 41), activation: -100 + 5 * Math.floor(i / 41) }));
 
+describe('the way of expressions', () => {
+  const line = (head: string) => ({ kind: 'story', line: { label: 'a', markup: '<voice-text>a</voice-text>', before: [], head } }) as const;
+  it.each(['', '<head/>', '<head>\n  <null/>\n</head>', '<head><r:performer figure="nuno"/></head>'])('stands in a head that was %j', (head) => {
+    const text = written((s) => Object.assign(s, { way: 'text', speech: line(head) }));
+    expect(text.match(/<head/g)).toHaveLength(1);
+    expect(text).toMatch(/<head>[^]*<r:performer [^>]*expressions="text"[^]*<\/head>/);
+    expect(text).toContain('xmlns:r=');
+    expect(written((s) => Object.assign(s, { speech: line(head) }))).not.toContain('expressions');
+  });
+});
+
 describe('the disc of emotions', () => {
   it('has the words and numbers that the player has', () => {
     const table = /WORDS: \[[^=]*= \[([\s\S]*?)\n\];/.exec(source('crate/speech/src/emotion.rs'))?.[1] ?? '';
@@ -72,7 +83,7 @@ describe('the disc of emotions', () => {
 
 describe('the text of the face', () => {
   it('names every control parameter that the player has, each once', () => {
-    const muscles = [...source('crate/body/src/face/muscle.rs').matchAll(/^ *(?:\(?M::\w+, )?"(\w+)"\)?,/gm)].map(([, name]) => name ?? '');
+    const muscles = [...source('crate/tissue/src/muscle.rs').matchAll(/^ *(?:\(?M::\w+, )?"(\w+)"\)?,/gm)].map(([, name]) => name ?? '');
     expect(muscles.length).toBe(38);
     expect(MUSCLES.flatMap((r) => r.dials).flatMap(namesOf).sort()).toEqual([...muscles].sort());
     const table = /DIRECT: \[[^=]*= \[([\s\S]*?)\n\];/.exec(source('crate/actor/src/parameters/dial.rs'))?.[1] ?? '';

@@ -8,12 +8,7 @@
 //!
 //! Frames: right-handed, metres, radians; +x is the character's left, +y up, +z front.
 
-// A download is compiled for size; what steps thousands of springs, for speed. The attribute is
-// unstable, and only the build for the browser asks for it, by the feature `speed`.
-#![cfg_attr(feature = "speed", feature(optimize_attribute))]
-
 pub mod annotation;
-pub mod face;
 pub mod figure;
 #[cfg(feature = "generator")]
 pub mod generator;
@@ -25,6 +20,9 @@ pub mod read;
 pub mod skeleton;
 #[cfg(feature = "write")]
 pub mod write;
+
+/// The face as a machine.
+pub use raconteur_tissue as face;
 
 pub use figure::{Figure, Material, MaterialKind, Mesh, Morph};
 pub use hand_shape::HandShape;

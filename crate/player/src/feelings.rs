@@ -5,9 +5,10 @@
 //! `web/tools/split.mjs` cuts there. Its functions are never inlined, or the code would come
 //! along.
 
+use raconteur_actor::nonverbal::Way;
 use raconteur_actor::parameters::ParameterCommand;
-use raconteur_actor::{EmotionSpan, Library};
-use raconteur_eml::{Diagnostic, Document, Span};
+use raconteur_actor::{EmotionSpan, Library, Manner};
+use raconteur_eml::{Diagnostic, Document, Expressions, Performer, Span};
 
 use crate::cues::UtteranceCue;
 use crate::script::Script;
@@ -22,6 +23,8 @@ pub(crate) struct Felt {
     pub(crate) parameters: Vec<(f64, ParameterCommand)>,
     /// The names of the animations of parameters that it needs.
     pub(crate) clips: Vec<String>,
+    /// How the character does what accompanies speech.
+    pub(crate) character: Option<Performer>,
 }
 
 /// All of a script.
@@ -32,6 +35,24 @@ pub(crate) fn lower(script: &Script, utterances: &[UtteranceCue]) -> Felt {
         emotions: emotions::spans(script, utterances),
         parameters: parameters::commands(&script.document, &script.timeline),
         clips: clips.map(|(name, _)| name.to_owned()).collect(),
+        character: script.document.performer.clone(),
+    }
+}
+
+/// How a character accompanies speech: as its script says, and for the rest as `otherwise`.
+#[inline(never)]
+pub(crate) fn manner(character: &Performer, otherwise: Manner) -> Manner {
+    Manner {
+        way: match character.expressions {
+            Some(Expressions::Sound) => Way::Audio,
+            Some(Expressions::Text) => Way::Text,
+            None => otherwise.way,
+        },
+        head: character.head.unwrap_or(otherwise.head),
+        brows: character.brows.unwrap_or(otherwise.brows),
+        blinks: character.blinks.unwrap_or(otherwise.blinks),
+        gaze: character.gaze.unwrap_or(otherwise.gaze),
+        ..otherwise
     }
 }
 
@@ -51,4 +72,31 @@ pub(crate) fn wanted(document: &Document) -> Vec<(&str, Span)> {
 #[inline(never)]
 pub(crate) fn learn(library: &mut Library, name: &str, text: &str) -> Result<(), String> {
     library.add_parameters(name, text)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_character_is_as_its_script_says_and_else_as_whoever_shows_it() {
+        let text = "<eml xmlns:r='urn:raconteur:eml:1'><head><r:performer expressions='text' \
+                    brows='0.5'/></head><body><voice-text time='0'>a</voice-text></body></eml>";
+        let script = Script::read_with(text, None, true);
+        let character = lower(&script, &[]).character.expect("a character");
+        let shown = Manner {
+            gaze: 0.25,
+            brows: 2.0,
+            ..Manner::default()
+        };
+        let expected = Manner {
+            way: Way::Text,
+            brows: 0.5,
+            ..shown
+        };
+        assert_eq!(manner(&character, shown), expected);
+        let plain = Script::read_with(&text.replace("expressions='text'", ""), None, true);
+        let character = lower(&plain, &[]).character.expect("a character");
+        assert_eq!(manner(&character, shown).way, Way::Audio);
+    }
 }

@@ -114,6 +114,7 @@ pub(crate) fn performance<'a>(
         .collect();
     sort_by_number(&mut switches, |(time_secs, _)| *time_secs);
     let on = gestures::on_spans(&switches);
+    let character = parts.clone().find_map(|p| p.felt.character.as_ref());
     let players = parts.clone().flat_map(|p| p.players.iter());
     let parameters = parts.clone().flat_map(|p| p.felt.parameters.iter());
     Performance {
@@ -144,7 +145,7 @@ pub(crate) fn performance<'a>(
         speech: parts.flat_map(|p| p.speech.iter().cloned()).collect(),
         seed: options.seed,
         motion_amount: options.motion_amount,
-        manner: options.manner,
+        manner: character.map_or(options.manner, |of| feelings::manner(of, options.manner)),
         feels: options.feels,
         listener_in_world,
         sex,

@@ -9,7 +9,8 @@ use crate::script::moves;
 /// its first place.
 pub(crate) fn report(document: &Document) -> Vec<Diagnostic> {
     let mut found = Found::default();
-    if document.performer.is_some() {
+    let chosen = document.performer.as_ref();
+    if chosen.is_some_and(|p| p.figure.is_some() || p.voice.is_some() || p.language.is_some()) {
         let start = document
             .clauses
             .first()

@@ -1,6 +1,5 @@
 //! For the page of the face: what it does over a time, and why.
 
-use raconteur_player::{Manner, Way};
 use wasm_bindgen::prelude::*;
 
 use crate::drawn;
@@ -31,15 +30,5 @@ impl Player {
     pub fn segment_names(&self) -> Vec<String> {
         let performer = self.performer.as_ref().filter(|_| has_face());
         performer.map_or_else(Vec::new, drawn::names)
-    }
-
-    /// Whether what accompanies speech is made from its text instead of its sound, in texts
-    /// that are read from now on.
-    #[wasm_bindgen(js_name = setTextWay)]
-    pub fn set_text_way(&mut self, text: bool) {
-        self.manner = Manner {
-            way: if text { Way::Text } else { Way::Audio },
-            ..self.manner
-        };
     }
 }

@@ -7,7 +7,7 @@ use raconteur_player::body::Figure;
 use raconteur_player::body::figure::Image;
 use raconteur_player::body::read::read_with;
 use raconteur_player::stage::{Room, View};
-use raconteur_player::{Manner, Options, Player as Performer, StoryInput, asks_for_more};
+use raconteur_player::{Options, Player as Performer, StoryInput, asks_for_more};
 use raconteur_render::{Backend, CanvasTarget, Pace, Quality, RenderOptions, RenderStatus};
 use serde::Serialize;
 use serde_wasm_bindgen::Serializer;
@@ -54,8 +54,6 @@ pub struct Player {
     pub(crate) aspect: f64,
     /// From where a page looks that looks behind the scenes.
     pub(crate) view: Option<View>,
-    /// How speech is accompanied.
-    pub(crate) manner: Manner,
     sized: bool,
 }
 
@@ -84,7 +82,6 @@ impl Player {
             resting: true,
             aspect: 1.0,
             view: None,
-            manner: Manner::default(),
             sized: false,
         })
     }
@@ -375,7 +372,6 @@ impl Player {
             } else {
                 motion.clamp(0.0, 1.0)
             },
-            manner: self.manner,
             room,
             motion: has_more(),
             feels: has_face(),

@@ -7,11 +7,12 @@ use std::path::PathBuf;
 use toml::Table;
 
 /// Crate, and the workspace crates it may use. ARCHITECTURE.md explains the table.
-const ALLOWED: [(&str, &[&str]); 11] = [
+const ALLOWED: [(&str, &[&str]); 12] = [
     ("base", &[]),
     ("eml", &["base"]),
     ("speech", &["base"]),
-    ("body", &["base"]),
+    ("tissue", &["base"]),
+    ("body", &["base", "tissue"]),
     ("faces", &["base", "body"]),
     ("actor", &["base", "speech", "body"]),
     ("stage", &["base", "body"]),

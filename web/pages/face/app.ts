@@ -151,7 +151,6 @@ export class App {
 
   #follow(): void {
     this.eml = write(this.state);
-    this.player.accompany(this.state.way);
     if ((this.player.src ?? '') !== this.state.story) this.player.src = this.state.story === '' ? undefined : this.state.story;
     void this.rehearse();
     this.redraw();

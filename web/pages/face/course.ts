@@ -56,7 +56,7 @@ const DIRECT: readonly (readonly [name: string, full: number])[] = [
   ['Blush', 1],
 ];
 
-/** The order of `Muscle` in `crate/body/src/face/muscle.rs`. */
+/** The order of `Muscle` in `crate/tissue/src/muscle.rs`. */
 const ORDER = [
   'FrontalisMedial', 'FrontalisLateral', 'CorrugatorSupercilii', 'DepressorSupercilii', 'Procerus', 'OrbicularisOculi', 'Nasalis', 'DepressorSeptiNasi',
   'LevatorLabiiSuperiorisAlaequeNasi', 'LevatorLabiiSuperioris', 'ZygomaticusMinor', 'ZygomaticusMajor', 'LevatorAnguliOris', 'Risorius', 'Buccinator',

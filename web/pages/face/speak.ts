@@ -1,11 +1,10 @@
 /** What is said: a line of one's own, or a sentence of a story in its voice. */
 
 import { html, nothing, type TemplateResult } from 'lit';
-import type { Way } from '../../element/index.js';
 import { choice } from '../fields.js';
 import type { App } from './app.js';
 import { lines } from './read.js';
-import type { Line } from './state.js';
+import type { Line, Way } from './state.js';
 
 const STORIES: Readonly<Record<string, string>> = {
   'white-rabbit': 'The White Rabbit',
@@ -14,7 +13,7 @@ const STORIES: Readonly<Record<string, string>> = {
   'virtual-poets/zwei-parallelen': 'Die zwei Parallelen',
   'virtual-poets/os-lusiadas': 'Os Lusíadas',
 };
-const WAYS: Readonly<Record<Way, string>> = { audio: 'By its sound', text: 'By its text' };
+const WAYS: Readonly<Record<Way, string>> = { sound: 'By its sound', text: 'By its text' };
 /** As long as a line is. */
 const MOST_LETTERS = 300;
 

@@ -1,6 +1,5 @@
-/** What the controls of the face are set to: everything that its EML says, and by which way speech is accompanied. */
+/** What the controls of the face are set to: everything that its EML says. */
 
-import type { Way } from '../../element/index.js';
 import { NEUTRAL, type Place } from './disc.js';
 
 /** What is drawn of the head. */
@@ -26,6 +25,9 @@ export interface Line {
 /** What is said: nothing, a text of one's own, or a sentence of a story in its voice. */
 export type Speech = { kind: 'none' } | { kind: 'text'; text: string } | { kind: 'story'; line: Line };
 
+/** What expressions beside speech are made from, as EML has it. */
+export type Way = 'sound' | 'text';
+
 export interface State {
   emotion: Place;
   /** Control parameters that are not 0, by their names in EML; of two sides each for itself. */
@@ -46,6 +48,6 @@ export const beginning = (): State => ({
   linked: true,
   speech: { kind: 'none' },
   story: '',
-  way: 'audio',
+  way: 'sound',
   layers: { skin: true, springs: false, muscles: false, skull: false },
 });

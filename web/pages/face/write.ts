@@ -1,5 +1,6 @@
 /** The face's settings as EML. */
 
+import { apply, insertInto, read as parse, setAttribute } from '../gestures/source.js';
 import { tag } from '../markup.js';
 import { ALL, namesOf, type Dial } from './dials.js';
 import { sharesAt } from './disc.js';
@@ -50,9 +51,19 @@ function speech({ speech: said }: State): { head: string; clauses: string[] } {
 
 const escapeText = (text: string): string => text.replace(/&/g, '&amp;').replace(/</g, '&lt;');
 
+/** A head in which speech is accompanied by its text. */
+function byText(head: string): string {
+  const performer = tag('r:performer', { expressions: 'text' });
+  const [top] = parse(head);
+  if (top === undefined) return tag('head', {}, [performer]);
+  const own = top.children.find((e) => e.name === 'r:performer');
+  return apply(head, own === undefined ? [insertInto(head, top, performer)] : setAttribute(own, 'expressions', 'text'));
+}
+
 /** A whole script that sets everything at its beginning. */
 export function write(state: State): string {
-  const { head, clauses: said } = speech(state);
+  const { head: needed, clauses: said } = speech(state);
+  const head = state.way === 'text' ? byText(needed) : needed;
   const felt = sharesAt(state.emotion).map(({ word, value }) => set(word.word, Number(value.toFixed(2))));
   const clauses = [...layers(state.layers), ...felt, ...ALL.flatMap((own) => dial(own, state.values)), ...said];
   const extended = [head, ...clauses].some((clause) => /<(?:[^>]*\s)?r:/.test(clause));

@@ -86,6 +86,12 @@ impl NonVerbal {
         sort_by_number(&mut utterances, |u| u.start_secs);
         let heard = Heard::new(&utterances, &manner, seed);
         let loudness = loudness::track(&utterances);
+        // Whoever goes by the text does not know how loud it is said; the mouth does.
+        let unknown = loudness::track(&[]);
+        let by_sound = match manner.way {
+            Way::Audio => &loudness,
+            Way::Text => &unknown,
+        };
         let thoughts = think::thoughts(&heard, &manner, seed);
         let [before, after] = AROUND_TURN_SECS;
         let turns = heard
@@ -93,7 +99,7 @@ impl NonVerbal {
             .iter()
             .map(|[start, _, end]| [start - before, end + after]);
         Self {
-            raises: Raises::new(&heard, &loudness, &manner, seed),
+            raises: Raises::new(&heard, by_sound, &manner, seed),
             thought: think::brows(&thoughts),
             lick: think::licks(&heard, &thoughts, &manner, seed),
             gaze: Gaze::new(&heard, &thoughts, &manner, seed),

@@ -3,8 +3,18 @@
 
 use crate::record::{record, words};
 
+words! {
+    /// What expressions beside speech are made from.
+    Expressions {
+        /// The sound: its pitch and pauses (F&H section 4.2).
+        Sound = "sound",
+        /// The text: accents, phrases and kinds of sentences (F&H section 4.3).
+        Text = "text",
+    }
+}
+
 record! {
-    /// Who performs the script, and in what voice and language.
+    /// Who performs the script, in what voice and language, and in which manner.
     Performer = "performer" {
         /// The figure's name.
         figure: Option<String> = "figure",
@@ -12,6 +22,16 @@ record! {
         voice: Option<String> = "voice",
         /// The language of the speech, as in BCP 47.
         language: Option<String> = "language",
+        /// What expressions beside speech are made from.
+        expressions: Option<Expressions> = "expressions",
+        /// How far the head is raised and tilted with speech.
+        head: Option<f64> = "head",
+        /// How far the brows are.
+        brows: Option<f64> = "brows",
+        /// How often the eyes blink, against the natural frequency.
+        blinks: Option<f64> = "blinks",
+        /// How far the gaze goes aside.
+        gaze: Option<f64> = "gaze",
     }
 }
 

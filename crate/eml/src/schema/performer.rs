@@ -1,17 +1,30 @@
-//! `performer`: who performs, in what voice and language.
+//! `performer`: who performs, in what voice, language and manner.
 
 use super::{Attribute, Element};
+use crate::Expressions;
 
 pub(super) static ELEMENT: Element = Element {
     doc: doc!(
-        "Says who performs the script, and in what voice and language. Whoever shows the story may choose otherwise."
+        "Says who performs the script, in what voice and language, and how much the character moves its face and head when it speaks. Whoever shows the story may choose another figure, voice and language."
     ),
-    source: doc!("Extension; GEVH 3.1, 3.4"),
+    decision: doc!(
+        "What accompanies speech is made from its sound where the writer says nothing (F&H section 4.2), and an utterance whose pitch is not known from its text (4.3). Amounts are shares of what F&H publish; none, also of zero, changes the lips."
+    ),
+    source: doc!("Extension; GEVH 3.1, 3.4; F&H 4.2, 4.3"),
     example: doc!(
-        "<eml xmlns:r='urn:raconteur:eml:1'><head><r:performer figure='papous' language='en'/></head><body><null time='1'/></body></eml>"
+        "<eml xmlns:r='urn:raconteur:eml:1'><head><r:performer figure='papous' expressions='text' brows='0.6'/></head><body><null time='1'/></body></eml>"
     ),
     extension: true,
-    one_of: &["figure", "voice", "language"],
+    one_of: &[
+        "figure",
+        "voice",
+        "language",
+        "expressions",
+        "head",
+        "brows",
+        "blinks",
+        "gaze",
+    ],
     most_per_parent: Some(1),
     attributes: &[
         Attribute::identifier("figure", doc!("The figure's name.")),
@@ -20,22 +33,47 @@ pub(super) static ELEMENT: Element = Element {
             "language",
             doc!("The language of the speech, as in BCP 47."),
         ),
+        Attribute::choice(
+            "expressions",
+            Expressions::WORDS,
+            doc!("What expressions beside speech are made from: its sound or its text."),
+        ),
+        Attribute::between(
+            "head",
+            0.0,
+            1.0,
+            doc!("How far the head is raised and tilted, against the published amount."),
+        ),
+        Attribute::between(
+            "brows",
+            0.0,
+            2.0,
+            doc!("How far the brows are raised and drawn together."),
+        ),
+        Attribute::between(
+            "blinks",
+            0.0,
+            4.0,
+            doc!("How often the eyes blink, against once in 4.8 seconds."),
+        ),
+        Attribute::between("gaze", 0.0, 2.0, doc!("How far the gaze goes aside.")),
     ],
     ..Element::part("performer", &["head"])
 };
 
 #[cfg(test)]
 mod tests {
+    use crate::Expressions;
 
     #[test]
     fn the_choice_is_kept() {
-        let text = "<eml xmlns:x='urn:raconteur:eml:1'><head><x:performer figure='papous'/></head>\
+        let text = "<eml xmlns:x='urn:raconteur:eml:1'><head><x:performer figure='papous' expressions='text' brows='2'/></head>\
                     <body><null time='1'/></body></eml>";
         let parsed = crate::parse(text);
         assert_eq!(parsed.diagnostics, []);
-        assert_eq!(
-            parsed.document.performer.unwrap().figure.as_deref(),
-            Some("papous")
-        );
+        let performer = parsed.document.performer.unwrap();
+        assert_eq!(performer.figure.as_deref(), Some("papous"));
+        assert_eq!(performer.expressions, Some(Expressions::Text));
+        assert_eq!((performer.brows, performer.gaze), (Some(2.0), None));
     }
 }

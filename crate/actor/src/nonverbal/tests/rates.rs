@@ -352,3 +352,28 @@ fn speech_of_which_little_is_known_is_accompanied_too() {
         assert!(raises as f64 > 12.0 * minutes && returns as f64 > 8.0 * minutes);
     }
 }
+
+#[test]
+fn by_its_text_speech_is_accompanied_alike_however_loud_it_is() {
+    let speech = hour(2);
+    let silent: Vec<_> = speech
+        .iter()
+        .cloned()
+        .map(|mut u| {
+            u.intensity.fill(0);
+            u
+        })
+        .collect();
+    for (way, is_alike) in [(Way::Text, true), (Way::Audio, false)] {
+        let manner = Manner {
+            way,
+            ..Manner::default()
+        };
+        let plans = [&speech, &silent].map(|s| NonVerbal::new(s, 5, &manner));
+        let heads = plans.map(|plan| {
+            let times = (0..36_000).map(|i| f64::from(i) * 0.1);
+            times.map(|t| plan.head(t, 1.0)).collect::<Vec<_>>()
+        });
+        assert_eq!(heads[0] == heads[1], is_alike, "{way:?}");
+    }
+}

@@ -45,22 +45,18 @@ const LEAST_FRICTION_PER_S: f32 = 60.0;
 /// Four numbers a node, the last unused: a processor takes them in one go.
 pub(super) type Vector = [f32; 4];
 
-#[cfg_attr(feature = "speed", optimize(speed))]
 fn minus(a: Vector, b: Vector) -> Vector {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2], a[3] - b[3]]
 }
 
-#[cfg_attr(feature = "speed", optimize(speed))]
 fn plus(a: Vector, b: Vector) -> Vector {
     [a[0] + b[0], a[1] + b[1], a[2] + b[2], a[3] + b[3]]
 }
 
-#[cfg_attr(feature = "speed", optimize(speed))]
 fn times(a: Vector, k: f32) -> Vector {
     [a[0] * k, a[1] * k, a[2] * k, a[3] * k]
 }
 
-#[cfg_attr(feature = "speed", optimize(speed))]
 fn length(a: Vector) -> f32 {
     (a[0] * a[0] + a[1] * a[1] + a[2] * a[2]).sqrt()
 }
@@ -142,7 +138,6 @@ impl Chosen {
         }
     }
 
-    #[cfg_attr(feature = "speed", optimize(speed))]
     fn put(&mut self, item: u32) {
         let is_in = &mut self.is_in[item as usize];
         if !*is_in {
@@ -152,7 +147,6 @@ impl Chosen {
         }
     }
 
-    #[cfg_attr(feature = "speed", optimize(speed))]
     fn clear(&mut self) {
         for &item in &self.items[..self.count] {
             self.is_in[item as usize] = false;
@@ -311,7 +305,6 @@ impl Springs {
     }
 
     /// Puts every node where it is held, moving as its hold does.
-    #[cfg_attr(feature = "speed", optimize(speed))]
     pub(super) fn reset(&mut self, holds: &[Hold], earlier: &[Hold]) {
         self.has_stepped = true;
         for (i, (hold, earlier)) in holds.iter().zip(earlier).enumerate() {
@@ -322,7 +315,6 @@ impl Springs {
     }
 
     /// One step, from where the nodes were held before it to where they are held now.
-    #[cfg_attr(feature = "speed", optimize(speed))]
     pub(super) fn step(&mut self, holds: &[Hold], earlier: &[Hold]) {
         self.has_stepped = true;
         for spring in &self.springs {
@@ -362,7 +354,6 @@ impl Springs {
     }
 
     /// Puts the nodes that are led where their leaders are.
-    #[cfg_attr(feature = "speed", optimize(speed))]
     pub(super) fn follow(&mut self) {
         for (node, (leader, off)) in self.leaders.iter().enumerate() {
             let leader = usize::from(*leader);
@@ -380,7 +371,6 @@ impl Springs {
     }
 
     /// Where a node is, or will be once it has followed its leader.
-    #[cfg_attr(feature = "speed", optimize(speed))]
     pub(super) fn at(&self, node: usize) -> Vector {
         let (leader, off) = self.leaders[node];
         plus(self.places[usize::from(leader)], off)
@@ -388,7 +378,6 @@ impl Springs {
 
     /// Shortens what is too long, and what that has made too long, until nothing is; tells
     /// whether anything was.
-    #[cfg_attr(feature = "speed", optimize(speed))]
     pub(super) fn limit(&mut self) -> bool {
         if self.has_stepped {
             self.has_stepped = false;
@@ -435,7 +424,6 @@ impl Springs {
 
     /// The ends of a spring or edge that is longer than `longest` times its length at rest, and
     /// what each has to move by, the first one's way.
-    #[cfg_attr(feature = "speed", optimize(speed))]
     fn too_long(&self, i: usize, longest: f32) -> Option<([usize; 2], Vector)> {
         let (ends, off, rest) = if let Some(spring) = self.springs.get(i) {
             (spring.ends, [0.0; 4], spring.rest)
@@ -454,7 +442,6 @@ impl Springs {
     }
 
     /// Moves a node that may not be where the step left it, by its leader.
-    #[cfg_attr(feature = "speed", optimize(speed))]
     pub(super) fn shift(&mut self, node: usize, by: Vector) {
         let node = usize::from(self.leaders[node].0);
         self.places[node] = plus(self.places[node], by);

@@ -34,20 +34,17 @@ impl JawPlace {
         }
     }
 
-    #[cfg_attr(feature = "speed", optimize(speed))]
     pub(super) fn turned(&self, v: [f32; 3]) -> [f32; 3] {
         self.turn.map(|r| r[0] * v[0] + r[1] * v[1] + r[2] * v[2])
     }
 
     /// Where a place of the jaw has gone.
-    #[cfg_attr(feature = "speed", optimize(speed))]
     pub(super) fn moved(&self, p: [f32; 3]) -> [f32; 3] {
         let v = self.turned([0, 1, 2].map(|k| p[k] - self.hinge[k]));
         [0, 1, 2].map(|k| self.hinge[k] + v[k] + self.slide[k])
     }
 
     /// Where on the jaw a place of the world lies.
-    #[cfg_attr(feature = "speed", optimize(speed))]
     fn unmoved(&self, p: Vector) -> [f32; 3] {
         let v = [0, 1, 2].map(|k| p[k] - self.hinge[k] - self.slide[k]);
         [0, 1, 2].map(|k| {
@@ -59,7 +56,6 @@ impl JawPlace {
 impl Arch {
     /// How far a place would have to go away from the axis to lie before the teeth, and the
     /// way there; `None` where it does, or where there are none.
-    #[cfg_attr(feature = "speed", optimize(speed))]
     fn inside(&self, p: [f32; 3]) -> Option<(f32, [f32; 2])> {
         let (x, z) = (p[0] - self.origin[0], p[2] - self.origin[2]);
         let (rows, columns) = (usize::from(self.rows), usize::from(self.columns));
@@ -137,7 +133,6 @@ impl Contacts {
     }
 
     /// Puts nodes out of what they have got into; tells how deep they were.
-    #[cfg_attr(feature = "speed", optimize(speed))]
     pub(super) fn resolve(
         &self,
         tissue: &Tissue,
@@ -178,7 +173,6 @@ impl Contacts {
     }
 
     /// Puts the lips out of each other; tells how deep they were.
-    #[cfg_attr(feature = "speed", optimize(speed))]
     pub(super) fn part_lips(tissue: &Tissue, springs: &mut Springs) -> f32 {
         let mut deepest: f32 = 0.0;
         for [above, below] in &tissue.pairs {

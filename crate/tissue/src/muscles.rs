@@ -84,14 +84,12 @@ pub(super) struct Muscles {
     pub(super) moved: Vec<[f32; 3]>,
 }
 
-#[cfg_attr(feature = "speed", optimize(speed))]
 fn add(a: &mut [f32; 3], b: [f32; 3], share: f32) {
     for (a, b) in a.iter_mut().zip(b) {
         *a += b * share;
     }
 }
 
-#[cfg_attr(feature = "speed", optimize(speed))]
 fn less(a: [f32; 3], b: [f32; 3]) -> [f32; 3] {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
@@ -121,7 +119,6 @@ impl Muscles {
     }
 
     /// Moves the points as the controls say. Values beyond their ranges are cut.
-    #[cfg_attr(feature = "speed", optimize(speed))]
     pub(super) fn contract(&mut self, tissue: &Tissue, controls: &FaceControls) {
         let of = |muscle: Muscle| controls.contraction[muscle.index()].clamp(0.0, 1.0) as f32;
         for fibre in &tissue.fibres {
@@ -179,7 +176,6 @@ fn points_of<'a>(tissue: &'a Tissue, fibre: &Fibre) -> &'a [FibrePoint] {
 }
 
 /// Points go along the fibre towards its first; its middle bulges.
-#[cfg_attr(feature = "speed", optimize(speed))]
 fn linear(points: &[FibrePoint], shorter: f32, bulge: f32, moved: &mut [[f32; 3]]) {
     let last = points.len() - 1;
     for (k, moved) in moved.iter_mut().enumerate() {
@@ -228,7 +224,7 @@ impl Lip {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::face::MUSCLES;
+    use crate::MUSCLES;
 
     #[test]
     fn every_muscle_has_its_mechanics() {

@@ -142,7 +142,6 @@ impl Network {
     }
 
     /// Lets a 120th of a second pass, at whose end the controls are these.
-    #[cfg_attr(feature = "speed", optimize(speed))]
     pub fn step(&mut self, tissue: &Tissue, controls: &FaceControls) {
         self.hold(tissue, controls);
         self.springs.step(&self.holds, &self.earlier);
@@ -154,7 +153,6 @@ impl Network {
 
     /// Shortens what is too long, and puts out again what that has brought into something;
     /// each undoes a little of the other.
-    #[cfg_attr(feature = "speed", optimize(speed))]
     fn make_whole(&mut self, tissue: &Tissue) {
         let mut turns = 0;
         while self.springs.limit() && turns < TURNS {
@@ -166,7 +164,6 @@ impl Network {
     }
 
     /// Brings muscles and jaw to the controls and finds where each node is held.
-    #[cfg_attr(feature = "speed", optimize(speed))]
     fn hold(&mut self, tissue: &Tissue, controls: &FaceControls) {
         core::mem::swap(&mut self.holds, &mut self.earlier);
         self.contraction = controls.contraction;
@@ -205,7 +202,6 @@ impl Network {
     }
 
     /// Brings the lips together and the lower lip to the teeth.
-    #[cfg_attr(feature = "speed", optimize(speed))]
     fn close(&mut self, tissue: &Tissue, controls: &FaceControls) {
         let seal = controls.seal.clamp(0.0, 1.0) as f32;
         let bite = controls.bite.clamp(0.0, 1.0) as f32;
@@ -237,7 +233,6 @@ impl Network {
     }
 
     /// Moves the nodes of the lips by a share of what is set for their columns.
-    #[cfg_attr(feature = "speed", optimize(speed))]
     fn move_lips(&mut self, tissue: &Tissue, share: impl Fn(&LipNode) -> f32) {
         for lip in &tissue.lips {
             let gap = self.gaps[usize::from(lip.column)];
@@ -250,7 +245,6 @@ impl Network {
 
     /// The nodes between the last two steps: 0 the one before, 1 the last. `nodes` has room
     /// for all.
-    #[cfg_attr(feature = "speed", optimize(speed))]
     pub fn write(&mut self, tissue: &Tissue, share: f32, nodes: &mut [NodeState]) {
         // What the places were before is not needed any more once it is mixed.
         let between = |i: usize| -> Vector {
@@ -385,7 +379,6 @@ fn normals_of(quads: &[[u16; 4]], places: &[Vector], normals: &mut [[f32; 3]]) {
     sum_normals(quads, |i| places[i], normals);
 }
 
-#[cfg_attr(feature = "speed", optimize(speed))]
 fn normals_between(quads: &[[u16; 4]], springs: &Springs, share: f32, normals: &mut [[f32; 3]]) {
     let at = |i: usize| -> Vector {
         let (a, b) = (springs.before[i], springs.places[i]);
@@ -395,7 +388,6 @@ fn normals_between(quads: &[[u16; 4]], springs: &Springs, share: f32, normals: &
 }
 
 /// Unit normals of nodes, by area of the faces around.
-#[cfg_attr(feature = "speed", optimize(speed))]
 fn sum_normals(quads: &[[u16; 4]], at: impl Fn(usize) -> Vector, normals: &mut [[f32; 3]]) {
     normals.fill([0.0; 3]);
     for quad in quads {
