@@ -175,7 +175,7 @@ mod tests {
         }
         assert_eq!(
             (n.tongue_tip, k.tongue_back, th.tongue_out),
-            (1.0, 1.0, 0.35)
+            (1.0, 1.0, 0.65)
         );
         assert!(p.seal == 1.0 && f.bite == 0.9 && p.bite == 0.0 && f.seal == 0.0);
         assert!(of(&p, M::MentalisLeft) > of(&aa, M::MentalisLeft));
