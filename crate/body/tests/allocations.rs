@@ -1,53 +1,12 @@
 //! A step of the soft face allocates nothing: counted by the allocator.
 
-use std::alloc::{GlobalAlloc, Layout, System};
-use std::cell::Cell;
+#[path = "common/counting.rs"]
+mod counting;
 
+use counting::counted;
 use raconteur_base::noise;
 use raconteur_body::face::{FaceControls, Network, NodeState};
 use raconteur_body::read::read_figure;
-
-thread_local! {
-    static COUNT: Cell<usize> = const { Cell::new(0) };
-}
-
-/// The system's allocator, which counts what this thread asks for.
-struct Counting;
-
-#[expect(unsafe_code, reason = "an allocator cannot be written without")]
-// SAFETY: everything is passed on to the system's allocator as it comes.
-unsafe impl GlobalAlloc for Counting {
-    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
-        let _ = COUNT.try_with(|count| count.set(count.get() + 1));
-        // SAFETY: the caller's promises are the system allocator's.
-        unsafe { System.alloc(layout) }
-    }
-
-    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
-        // SAFETY: as above.
-        unsafe { System.dealloc(pointer, layout) }
-    }
-
-    unsafe fn realloc(&self, pointer: *mut u8, layout: Layout, size: usize) -> *mut u8 {
-        let _ = COUNT.try_with(|count| count.set(count.get() + 1));
-        // SAFETY: as above.
-        unsafe { System.realloc(pointer, layout, size) }
-    }
-}
-
-#[global_allocator]
-static ALLOCATOR: Counting = Counting;
-
-fn counted(what: impl FnOnce()) -> usize {
-    let before = COUNT.with(Cell::get);
-    what();
-    COUNT.with(Cell::get) - before
-}
-
-#[test]
-fn the_count_counts() {
-    assert_eq!(counted(|| drop(std::hint::black_box(Box::new(1)))), 1);
-}
 
 #[test]
 fn a_face_that_jumps_allocates_nothing_and_neither_does_its_copy() {

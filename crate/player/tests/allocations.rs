@@ -1,43 +1,12 @@
 //! Playing allocates nothing: counted by the allocator.
 
 mod common;
-
-use std::alloc::{GlobalAlloc, Layout, System};
-use std::cell::Cell;
+#[path = "../../body/tests/common/counting.rs"]
+mod counting;
 
 use common::{figure, perform, story};
+use counting::counted;
 use raconteur_player::{Options, Player};
-
-thread_local! {
-    static COUNT: Cell<usize> = const { Cell::new(0) };
-}
-
-/// The system's allocator, which counts what this thread asks for.
-struct Counting;
-
-#[expect(unsafe_code, reason = "an allocator cannot be written without")]
-// SAFETY: everything is passed on to the system's allocator as it comes.
-unsafe impl GlobalAlloc for Counting {
-    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
-        let _ = COUNT.try_with(|count| count.set(count.get() + 1));
-        // SAFETY: the caller's promises are the system allocator's.
-        unsafe { System.alloc(layout) }
-    }
-
-    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
-        // SAFETY: as above.
-        unsafe { System.dealloc(pointer, layout) }
-    }
-
-    unsafe fn realloc(&self, pointer: *mut u8, layout: Layout, size: usize) -> *mut u8 {
-        let _ = COUNT.try_with(|count| count.set(count.get() + 1));
-        // SAFETY: as above.
-        unsafe { System.realloc(pointer, layout, size) }
-    }
-}
-
-#[global_allocator]
-static ALLOCATOR: Counting = Counting;
 
 /// Gestures with everything that they may have: courses, phases, mixed shapes, hands that
 /// meet.
@@ -71,18 +40,11 @@ const FACE: &str = "<eml xmlns:r='urn:raconteur:eml:1'><body>
 fn allocations(mut player: Player) -> usize {
     player.frame(0.0, 1.6);
     let frames = (player.end_secs() * 60.0) as u32;
-    let before = COUNT.with(Cell::get);
-    for i in 0..frames {
-        player.frame(f64::from(i) / 60.0, 1.6);
-    }
-    COUNT.with(Cell::get) - before
-}
-
-#[test]
-fn the_count_counts() {
-    let before = COUNT.with(Cell::get);
-    drop(std::hint::black_box(Box::new(1)));
-    assert_eq!(COUNT.with(Cell::get) - before, 1);
+    counted(|| {
+        for i in 0..frames {
+            player.frame(f64::from(i) / 60.0, 1.6);
+        }
+    })
 }
 
 #[test]

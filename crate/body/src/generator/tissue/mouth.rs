@@ -178,24 +178,13 @@ pub(super) fn mouth(
         }
     }
     for (&lip, &i) in &lips {
-        let k = lip.position.min(LAST - lip.position);
-        let side = if k == 0 { Side::Left } else { lip.side };
-        let Some(&column) = columns.get(&(k, side)) else {
-            continue;
-        };
         let ring = f64::from(lip.ring);
         let much = (0.5 + 0.5 * ramp(0.0, 5.0, ring)) * (1.0 - ramp(11.0, 15.0, ring));
-        let closes = if lip.position < CORNER {
-            -UPPER_CLOSES
-        } else {
-            1.0 - UPPER_CLOSES
+        let Some(closing) = closing(lip, i, much, &columns) else {
+            continue;
         };
-        if much > 0.01 {
-            out.lips.push(LipNode {
-                node: i as u16,
-                column,
-                closes: (closes * much) as f32,
-            });
+        if much > LEAST_CLOSING {
+            out.lips.push(closing);
         }
         if (4..=11).contains(&lip.ring) {
             out.before_teeth.push(i as u16);
@@ -208,6 +197,31 @@ pub(super) fn mouth(
         })
     };
     out.arches = [part(Bone::Skull), part(Bone::Chin)];
+}
+
+/// What closes less than this stays where it is.
+const LEAST_CLOSING: f64 = 0.01;
+
+/// How a node closes with a place of the lips, by this much of it; none without a column.
+fn closing(
+    lip: LipPlace,
+    node: usize,
+    much: f64,
+    columns: &BTreeMap<(u8, Side), u16>,
+) -> Option<LipNode> {
+    let k = lip.position.min(LAST - lip.position);
+    let side = if k == 0 { Side::Left } else { lip.side };
+    let column = *columns.get(&(k, side))?;
+    let closes = if lip.position < CORNER {
+        -UPPER_CLOSES
+    } else {
+        1.0 - UPPER_CLOSES
+    };
+    Some(LipNode {
+        node: node as u16,
+        column,
+        closes: (closes * much) as f32,
+    })
 }
 
 /// Skin about the lips goes with them a part of the way when they close.
@@ -245,24 +259,9 @@ fn beyond_the_lips(
             share_of_left(distance(right), distance(left), mm)
         };
         for ((lip, _), share) in [(right, 1.0 - share), (left, share)] {
-            let k = lip.position.min(LAST - lip.position);
-            let side = if k == 0 { Side::Left } else { lip.side };
-            let Some(&column) = columns.get(&(k, side)) else {
-                continue;
-            };
             let much = whole * share;
-            let closes = if lip.position < CORNER {
-                -UPPER_CLOSES
-            } else {
-                1.0 - UPPER_CLOSES
-            };
-            if much > 0.01 {
-                out.lips.push(LipNode {
-                    node: i as u16,
-                    column,
-                    closes: (closes * much) as f32,
-                });
-            }
+            let closing = closing(*lip, i, much, columns);
+            out.lips.extend(closing.filter(|_| much > LEAST_CLOSING));
         }
     }
 }
