@@ -620,7 +620,8 @@ export class RaconteurPlayer extends LitElement {
     }
     const secs = show.transport.update();
     for (const cue of show.picture.show(secs, this.paused && !this.ended, this.#pulse.drawing)) this.#pass(cue, show);
-    const now = captionAt(show.captions, secs);
+    // A picture may have taken long; what is read follows what is heard.
+    const now = captionAt(show.captions, show.transport.position);
     if (now?.caption !== this.#caption?.caption || now?.word !== this.#caption?.word) {
       this.#caption = now;
       this.requestUpdate();
