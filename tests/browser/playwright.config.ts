@@ -19,7 +19,7 @@ const args = [
   '--autoplay-policy=no-user-gesture-required',
 ];
 
-const port = 4173 + 100;
+const port = Number(process.env['TEST_PORT'] ?? 4173 + 100);
 
 export default defineConfig({
   testDir: '.',

@@ -7,10 +7,10 @@ import { basename, join } from 'node:path';
 import { brotliCompressSync, gzipSync } from 'node:zlib';
 import { main, root, Stop } from './steps.mjs';
 
-/** KB of 1,000 bytes, gzip. */
-const budgets = { webgpu: 290, webgl: 900 };
+/** KB of 1,000 bytes, gzip: JavaScript and wasm of one player that speaks and feels. */
+const budgets = { webgpu: 600, webgl: 1200 };
 /** Scripts of pages, KB; most of the gestures' is the editor. */
-const pages = { gestures: 170, viewer: 16, face: 18 };
+const pages = { gestures: 180, viewer: 24, face: 24 };
 
 /** Node's own deflate gives up 2 % of size for speed, so the usual program is asked where it is there. */
 function gzip9(part) {
@@ -43,20 +43,18 @@ await main(async () => {
     return [...found].filter((path) => /\.(js|wasm)$/.test(path));
   };
   // What only some players fetch: the importer of foreign avatars, what connects to a mind, what
-  // plays music, the browser's own voice, what keeps the pitch at other speeds, and what else only some stories need;
-  // and what moves a face besides its lips, which nearly all fetch, beside the figure and ten times smaller.
+  // plays music, the browser's own voice, what keeps the pitch at other speeds, and what else only some stories need.
   for (const [backend, budget] of Object.entries(budgets)) {
     const other = backend === 'webgpu' ? 'webgl' : 'webgpu';
-    measure(backend, reach(entry, new RegExp(`^(avatar|mind|music|spoken|stretch|more|face|${other})-`)), budget);
+    measure(backend, reach(entry, new RegExp(`^(avatar|mind|music|spoken|stretch|more|(face-)?${other})-`)), budget);
   }
   measure('avatar', named(/^avatar-/), 250);
-  measure('mind', named(/^mind-/), 4);
-  measure('music', named(/^music-/), 3);
-  measure('spoken', named(/^spoken-/), 3);
-  measure('stretch', named(/^stretch-/), 2);
+  measure('mind', named(/^mind-/), 6);
+  measure('music', named(/^music-/), 5);
+  measure('spoken', named(/^spoken-/), 5);
+  measure('stretch', named(/^stretch-/), 4);
   for (const backend of Object.keys(budgets)) {
-    measure(`more ${backend}`, named(new RegExp(`^more-${backend}-`)), 68);
-    measure(`face ${backend}`, named(new RegExp(`^face-${backend}-.*wasm$`)), 45);
+    measure(`more ${backend}`, named(new RegExp(`^more-${backend}-`)), 90);
   }
   // What pages of their own add to the player.
   const player = reach(entry, /^$/);
