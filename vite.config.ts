@@ -1,8 +1,10 @@
-import { cpSync, readdirSync, readFileSync } from 'node:fs';
+import { cpSync, existsSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import type { Plugin } from 'vite';
 import { defineConfig } from 'vitest/config';
 import { buildDocs } from './web/tools/docs.js';
+import { deadLinks } from './web/tools/links.js';
+import { notices } from './web/tools/notices.js';
 
 const root = import.meta.dirname;
 
@@ -26,14 +28,41 @@ const headers = {
   'Referrer-Policy': 'no-referrer',
 };
 
-/** Stories and figures are served as they are, under the same address as in the repository; documents become pages. */
+/**
+ * Stories and figures are served as they are, under the same address as in the repository; documents
+ * become pages. A link that leads nowhere ends the build.
+ */
 function library(): Plugin {
+  const site = join(root, 'dist');
   return {
     name: 'raconteur-library',
     apply: 'build',
     closeBundle() {
-      cpSync(join(root, 'assets'), join(root, 'dist/assets'), { recursive: true });
-      buildDocs(root, join(root, 'dist'));
+      cpSync(join(root, 'assets'), join(site, 'assets'), { recursive: true });
+      cpSync(join(root, 'web/pages/favicon.ico'), join(site, 'favicon.ico'));
+      for (const name of ['LICENSE-MIT', 'LICENSE-APACHE']) cpSync(join(root, name), join(site, name));
+      writeFileSync(join(site, 'THIRD-PARTY-NOTICES.txt'), notices(root));
+      buildDocs(root, site);
+      const dead = deadLinks(site);
+      if (dead.length > 0) throw new Error(`Dead links:\n${dead.map(({ page, href }) => `  ${page}: ${href}`).join('\n')}`);
+    },
+  };
+}
+
+/** Sends who asks for a folder without its slash to where its page is, as servers of files do. */
+function folders(): Plugin {
+  return {
+    name: 'raconteur-folders',
+    configurePreviewServer(server) {
+      server.middlewares.use((request, response, next) => {
+        const [path = '', query] = (request.url ?? '').split('?');
+        if (path.endsWith('/') || path.includes('..') || !existsSync(join(root, 'dist', path, 'index.html'))) {
+          next();
+          return;
+        }
+        // Only the last part of the path, so that the address of another host cannot be made from it.
+        response.writeHead(301, { ...headers, Location: `./${path.split('/').at(-1)}/${query === undefined ? '' : `?${query}`}` }).end();
+      });
     },
   };
 }
@@ -86,7 +115,7 @@ export default defineConfig({
   // A missing file is answered 404, not with the page.
   appType: 'mpa',
   publicDir: false,
-  plugins: [parts(), library(), clips()],
+  plugins: [parts(), library(), folders(), clips()],
   build: {
     target: 'es2022',
     assetsDir: 'app',

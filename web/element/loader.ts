@@ -6,6 +6,8 @@ import { PlayerError } from './types.js';
 
 /** Beyond this a story is not a story, and the page would freeze; the white rabbit has 20 KB. */
 const MOST_STORY_BYTES = 16e6;
+/** What an element begins with that says something. */
+const SPEAKS = /<([\w.-]+:)?voice-(text|say)\b/;
 /** Figures have a budget of 3 MB; a user's own avatar may be larger. */
 const MOST_FIGURE_BYTES = 100e6;
 
@@ -42,17 +44,22 @@ export async function fetchStory(
     shares[i] = share;
     progress(shares.reduce((sum, s, k) => sum + s * (weights[k] ?? 0), 0));
   };
-  const [eml, bundle, who] = await Promise.all([
-    text ?? fetchBytes(story, 'The story', MOST_STORY_BYTES, signal, part(0)).then((bytes) => new TextDecoder().decode(bytes)),
-    src && fetchBytes(new URL('speech.json', voiceFolder), 'The voice', MOST_STORY_BYTES, signal, part(1)).catch((error: unknown) => {
+  const eml = text === undefined ? fetchBytes(story, 'The story', MOST_STORY_BYTES, signal, part(0)).then((bytes) => new TextDecoder().decode(bytes)) : Promise.resolve(text);
+  const voice = async (): Promise<Uint8Array | undefined> => {
+    // A story in which nobody speaks has no voice to ask for.
+    if (!src || !SPEAKS.test(await eml)) {
+      part(1)(1);
+      return undefined;
+    }
+    return await fetchBytes(new URL('speech.json', voiceFolder), 'The voice', MOST_STORY_BYTES, signal, part(1)).catch((error: unknown) => {
       // A story without a recorded voice is told in captions.
       if (error instanceof PlayerError) return undefined;
       throw error;
-    }),
-    figure(part(2)),
-  ]);
+    });
+  };
+  const [read, bundle, who] = await Promise.all([eml, voice(), figure(part(2))]);
   signal.throwIfAborted();
-  return { eml, bundle: bundle || undefined, figure: who, voiceFolder, animations: new Animations(library, story), edited: text !== undefined };
+  return { eml: read, bundle, figure: who, voiceFolder, animations: new Animations(library, story), edited: text !== undefined };
 }
 
 /** A bare name is a figure of the library; anything else is an address. */

@@ -1,66 +1,187 @@
 // Turns the repository's documents into pages of the site, in the page's own look.
 
-import { copyFileSync, existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
-import { basename, join } from 'node:path';
+import { copyFileSync, existsSync, mkdirSync, readFileSync, statSync, writeFileSync } from 'node:fs';
+import { basename, dirname, join, posix } from 'node:path';
 import { Marked } from 'marked';
 
-const documents = ['README.md', 'ARCHITECTURE.md', 'CONTRIBUTING.md', 'CHANGELOG.md', 'docs/face.md', 'docs/figures.md', 'docs/gestures.md', 'docs/live.md'];
+/** A document: its path in the repository, what it is called in lists, and what it is about. */
+type Document = readonly [path: string, label: string, about: string];
+
+/** All documents of the site, in the order of the menu. */
+const groups: readonly (readonly [title: string, documents: readonly Document[]])[] = [
+  ['Start', [['README.md', 'Read me', 'What Raconteur is, two commands to try it, and how to put it on a page.']]],
+  [
+    'Write stories',
+    [
+      ['docs/eml.md', 'EML', 'Every element and attribute of the language, with examples.'],
+      ['docs/gestures.md', 'Gestures', 'Gestures by dragging: the page on which they are built.'],
+      ['docs/animation.md', 'Animations', 'The format of animations, and how to write one.'],
+      ['docs/face.md', 'The face', 'Muscles, speech, emotions and control parameters.'],
+      ['docs/voices.md', 'Voices', 'Speech engines, markup, emotions in the voice.'],
+    ],
+  ],
+  [
+    'On your page',
+    [
+      ['docs/live.md', 'Live', 'Minds that send EML while a story plays.'],
+      ['docs/figures.md', 'Figures', 'The figures of the library and how they are made.'],
+      ['docs/avatars.md', 'Avatars', 'Your own glTF and VRM files.'],
+    ],
+  ],
+  [
+    'Tools',
+    [
+      ['docs/cli.md', 'Command line', 'The program raconteur, command by command.'],
+      ['docs/speech-bundle.md', 'Speech bundles', 'What a baked voice consists of.'],
+    ],
+  ],
+  [
+    'Library',
+    [
+      ['assets/stories/README.md', 'Stories', 'The stories that are shipped.'],
+      ['assets/animations/README.md', 'Shipped animations', 'The animations that are shipped.'],
+      ['assets/figures/README.md', 'Shipped figures', 'Where the figures come from.'],
+      ['assets/hand-shapes/README.md', 'Hand shapes', 'The pictures of the 61 hand shapes.'],
+      ['assets/music/README.md', 'Music', 'Scores, and how they are played.'],
+    ],
+  ],
+  [
+    'Project',
+    [
+      ['ARCHITECTURE.md', 'Architecture', 'How it is built, and what is deliberately absent.'],
+      ['CONTRIBUTING.md', 'Contributing', 'How to add to it.'],
+      ['SECURITY.md', 'Security', 'What is trusted, what is not, and how to report a hole.'],
+      ['CHANGELOG.md', 'Changes', 'What is new.'],
+    ],
+  ],
+];
+
+/** Files that documents may show or offer beside pages. */
+const FILE = /\.(png|webp|svg|json|rng)$/;
 
 /** A document's page, beside those of the others. */
-const page = (name: string): string => `${basename(name, '.md').toLowerCase()}.html`;
-const title = (name: string): string => basename(name, '.md').replace(/^(.)(.*)$/, (_, first: string, rest: string) => first.toUpperCase() + rest.toLowerCase());
+export function pageOf(path: string): string {
+  const folder = /^assets\/([\w-]+)\/README\.md$/.exec(path)?.[1];
+  return folder === undefined ? `${basename(path, '.md').toLowerCase()}.html` : `library-${folder}.html`;
+}
 
 /** A heading's text as a name for links, as code hosts make it. */
 const slug = (text: string): string => text.toLowerCase().replace(/<[^>]*>|&[a-z]+;/g, '').replace(/[^\w\- ]/g, '').trim().replace(/ /g, '-');
 
-const marked = new Marked({
-  renderer: {
-    heading({ tokens, depth }) {
-      const text = this.parser.parseInline(tokens);
-      return `<h${depth} id="${slug(text)}">${text}</h${depth}>\n`;
-    },
-    // A wide block scrolls by itself, also with the keyboard.
-    code({ text }) {
-      return `<pre tabindex="0"><code>${text.replace(/&/g, '&amp;').replace(/</g, '&lt;')}</code></pre>\n`;
-    },
-    link({ href, tokens }) {
-      const [path = '', place] = href.split('#');
-      const target = documents.find((name) => basename(name) === basename(path));
-      const to = target ? `${page(target)}${place ? `#${place}` : ''}` : href;
-      return `<a href="${to}">${this.parser.parseInline(tokens)}</a>`;
-    },
-  },
-});
+const escaped = (text: string): string => text.replace(/&/g, '&amp;').replace(/</g, '&lt;').replace(/"/g, '&quot;');
 
-/** Writes `docs/*.html` into the built site; documents that are not there are left out. */
-export function buildDocs(root: string, site: string): void {
-  const present = documents.filter((name) => existsSync(join(root, name)));
-  const folder = join(site, 'docs');
-  mkdirSync(folder, { recursive: true });
-  copyFileSync(join(root, 'web/pages/page.css'), join(folder, 'page.css'));
-  for (const name of present) {
-    const links = present.map((other) => `<a href="${page(other)}"${other === name ? ' aria-current="page"' : ''}>${title(other)}</a>`);
-    const body = marked.parse(readFileSync(join(root, name), 'utf8'), { async: false });
-    writeFileSync(
-      join(folder, page(name)),
-      `<!doctype html>
+/** Reads one document as HTML; `file` takes the path of a file it refers to and gives its address. */
+function bodyOf(path: string, text: string, pages: ReadonlySet<string>, file: (path: string) => string): string {
+  const slugs = new Map<string, number>();
+  /** An address in the document as one on the site. */
+  const address = (href: string): string => {
+    if (/^([a-z]+:|#|\/)/.test(href)) return href;
+    const [to = '', place] = href.split('#');
+    const target = posix.join(dirname(path), to);
+    const name = pages.has(target) ? pageOf(target) : file(target);
+    return place ? `${name}#${place}` : name;
+  };
+  const marked = new Marked({
+    renderer: {
+      heading({ tokens, depth }) {
+        const inner = this.parser.parseInline(tokens);
+        const name = slug(inner);
+        const seen = slugs.get(name) ?? 0;
+        slugs.set(name, seen + 1);
+        return `<h${depth} id="${name}${seen > 0 ? `-${seen}` : ''}">${inner}</h${depth}>\n`;
+      },
+      // A wide block scrolls by itself, also with the keyboard.
+      code({ text: code }) {
+        return `<pre tabindex="0"><code>${code.replace(/&/g, '&amp;').replace(/</g, '&lt;')}</code></pre>\n`;
+      },
+      link({ href, tokens }) {
+        return `<a href="${escaped(address(href))}">${this.parser.parseInline(tokens)}</a>`;
+      },
+      image({ href, text: alt }) {
+        return `<img src="${escaped(address(href))}" alt="${escaped(alt)}" loading="lazy" />`;
+      },
+    },
+  });
+  return marked.parse(text, { async: false });
+}
+
+/** The list of all documents; `current` is marked. */
+function menu(root: string, current: string): string {
+  return groups
+    .map(([title, documents]) => {
+      const items = documents
+        .filter(([path]) => existsSync(join(root, path)))
+        .map(([path, label]) => `<li><a href="${pageOf(path)}"${path === current ? ' aria-current="page"' : ''}>${label}</a></li>`);
+      return `<h2>${title}</h2>\n<ul>${items.join('')}</ul>`;
+    })
+    .join('\n');
+}
+
+/** The first page of the documents: every one with a line on what it is about. */
+function overview(root: string): string {
+  const sections = groups.map(([title, documents]) => {
+    const items = documents
+      .filter(([path]) => existsSync(join(root, path)))
+      .map(([path, label, about]) => `<li><a href="${pageOf(path)}">${label}</a><span>${about}</span></li>`);
+    return `<section><h2>${title}</h2><ul>${items.join('')}</ul></section>`;
+  });
+  return `<h1>Documents</h1>\n<div class="overview">${sections.join('\n')}</div>`;
+}
+
+function layout(title: string, links: string, body: string): string {
+  return `<!doctype html>
 <html lang="en">
   <head>
     <meta charset="utf-8" />
     <meta name="viewport" content="width=device-width, initial-scale=1" />
     <meta name="color-scheme" content="light dark" />
-    <title>${title(name)}, Raconteur</title>
+    <title>${title}, Raconteur</title>
+    <link rel="icon" href="icon.svg" type="image/svg+xml" />
     <link rel="stylesheet" href="page.css" />
   </head>
   <body>
+    <a class="skip" href="#text">Skip to the text</a>
     <header class="top">
-      <a class="brand" href="../">Raconteur</a>
-      <nav aria-label="Documents">${links.join(' ')}</nav>
+      <a class="brand" href="../" aria-label="Raconteur, home">
+        <svg viewBox="0 0 32 32" aria-hidden="true"><use href="icon.svg#mark" /></svg>
+        <span>Raconteur</span>
+      </a>
+      <nav aria-label="Sections">
+        <a href="../">Stories</a>
+        <a href="../viewer/">Viewer</a>
+        <a href="../gestures/">Gestures</a>
+        <a href="../face/">Face</a>
+        <a href="./" aria-current="true">Docs</a>
+      </nav>
     </header>
-    <main><article class="document">${body}</article></main>
+    <main class="library">
+      <article class="document" id="text">${body}</article>
+      <nav class="documents" aria-label="Documents">${links}</nav>
+    </main>
   </body>
 </html>
-`,
-    );
+`;
+}
+
+/**
+ * Writes the documents into `docs/` of the built site, with the files that they show or offer.
+ * Throws where a document refers to a file that is not there.
+ */
+export function buildDocs(root: string, site: string): void {
+  const present = groups.flatMap(([, documents]) => documents).filter(([path]) => existsSync(join(root, path)));
+  const pages = new Set(present.map(([path]) => path));
+  const folder = join(site, 'docs');
+  mkdirSync(folder, { recursive: true });
+  for (const name of ['page.css', 'icon.svg']) copyFileSync(join(root, 'web/pages', name), join(folder, name));
+  writeFileSync(join(folder, 'index.html'), layout('Documents', menu(root, ''), overview(root)));
+  for (const [path, label] of present) {
+    const file = (target: string): string => {
+      const from = join(root, target);
+      if (!FILE.test(target) || !existsSync(from) || !statSync(from).isFile()) throw new Error(`${path} refers to ${target}, which is not there or not published.`);
+      copyFileSync(from, join(folder, basename(target)));
+      return basename(target);
+    };
+    const body = bodyOf(path, readFileSync(join(root, path), 'utf8'), pages, file);
+    writeFileSync(join(folder, pageOf(path)), layout(label, menu(root, path), body));
   }
 }

@@ -65,8 +65,8 @@ export async function page() {
   await once(
     'page',
     {
-      inputs: ['index.html', 'gestures', 'viewer', 'face', 'vite.config.ts', 'package-lock.json', 'web/element', 'web/pages', 'web/tools/docs.ts', 'assets',
-        'README.md', 'ARCHITECTURE.md', 'CONTRIBUTING.md', 'CHANGELOG.md', 'docs/face.md', 'docs/figures.md', 'docs/gestures.md', 'docs/live.md', '.setup/wasm-webgpu', '.setup/wasm-webgl', '.setup/wasm-avatar'],
+      inputs: ['index.html', 'gestures', 'viewer', 'face', 'vite.config.ts', 'package-lock.json', 'web/element', 'web/pages', 'web/tools/docs.ts', 'web/tools/links.ts', 'web/tools/notices.ts', 'assets',
+        'README.md', 'ARCHITECTURE.md', 'CONTRIBUTING.md', 'CHANGELOG.md', 'SECURITY.md', 'docs', '.setup/wasm-webgpu', '.setup/wasm-webgl', '.setup/wasm-avatar'],
       outputs: ['dist/index.html'],
     },
     async () => {

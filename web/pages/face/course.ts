@@ -93,3 +93,13 @@ export function liveliest({ curves }: FaceCourse, most: number): readonly Curve[
     .sort((a, b) => b.range - a.range)
     .slice(0, most);
 }
+
+/** The first moment from a time on, within a blink's length, in which the eyes are open; that time itself where they are not told of. */
+export function openEyesAt(player: { course(from: number, to: number, count: number): FaceCourse | undefined }, secs: number): number {
+  const lid = NAMES.findIndex(([name]) => name === 'Upper lid, left');
+  const STEP_SECS = 0.02;
+  const STEPS = 30;
+  const curves = player.course(secs, secs + STEPS * STEP_SECS, STEPS + 1)?.curves ?? [];
+  for (let i = 0; i <= STEPS; i++) if ((curves[i * WIDTH + lid] ?? 0) < 0.25) return secs + i * STEP_SECS;
+  return secs;
+}

@@ -3,6 +3,7 @@
 import type { View } from '../../element/index.js';
 import '../../element/index.js';
 import { html, nothing, render, type TemplateResult } from 'lit';
+import { openEyesAt } from '../face/course.js';
 import { copyText, onUndoKeys, part } from '../workbench.js';
 import { App } from './app.js';
 import { EXAMPLES } from './examples.js';
@@ -159,6 +160,9 @@ async function open(): Promise<void> {
   await app.rehearse();
   const tab = app.tab;
   app.selectTab(tab);
+  // A first look at somebody who happens to blink is no good beginning.
+  const open = openEyesAt(player!, player!.currentTime);
+  if (open !== player!.currentTime) player!.currentTime = open;
   if (!matchMedia('(prefers-reduced-motion: reduce)').matches) return;
   say('The gesture stands still until you play it.');
 }

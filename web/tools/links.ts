@@ -1,0 +1,58 @@
+// Follows every link of the built site, so that none is dead.
+
+import { existsSync, readdirSync, readFileSync, statSync } from 'node:fs';
+import { join, relative } from 'node:path';
+
+/** A link that leads nowhere: the page that has it, and its address as it stands there. */
+export interface DeadLink {
+  readonly page: string;
+  readonly href: string;
+}
+
+function* filesOf(folder: string): Generator<string> {
+  for (const name of readdirSync(folder)) {
+    const path = join(folder, name);
+    if (statSync(path).isDirectory()) yield* filesOf(path);
+    else yield path;
+  }
+}
+
+/** Addresses that a page names: links, pictures, scripts, styles. What stands in code is text, not markup. */
+function addressesOf(html: string): string[] {
+  const markup = html.replace(/<!--[\s\S]*?-->/g, '');
+  return [...markup.matchAll(/<[a-z][^>]*?\s(?:href|src|poster|assets)="([^"]*)"[^>]*>/g)].flatMap(([tag]) =>
+    [...tag.matchAll(/\s(?:href|src|poster|assets)="([^"]*)"/g)].map(([, address = '']) => address.replace(/&amp;/g, '&')),
+  );
+}
+
+/** Links within the site in `folder` to files or places of a page that are not there. Other sites are not asked. */
+export function deadLinks(folder: string): DeadLink[] {
+  const dead: DeadLink[] = [];
+  const texts = new Map<string, string>();
+  const read = (path: string): string => {
+    const text = texts.get(path) ?? readFileSync(path, 'utf8');
+    texts.set(path, text);
+    return text;
+  };
+  const base = 'http://site.invalid/';
+  for (const path of filesOf(folder)) {
+    if (!path.endsWith('.html')) continue;
+    const page = relative(folder, path).replaceAll('\\', '/');
+    for (const href of new Set(addressesOf(read(path)))) {
+      const url = new URL(href, base + page);
+      if (!url.href.startsWith(base)) continue;
+      let target = join(folder, decodeURIComponent(url.pathname));
+      // A folder without a slash is redirected by some servers and lost by others.
+      const isFolder = existsSync(target) && statSync(target).isDirectory();
+      if (isFolder && url.pathname.endsWith('/')) {
+        // A folder of files, such as the asset library, has no page of its own.
+        if (!existsSync(join(target, 'index.html')) && /\bassets\/$/.test(url.pathname)) continue;
+        target = join(target, 'index.html');
+      }
+      const place = decodeURIComponent(url.hash.slice(1));
+      const found = existsSync(target) && statSync(target).isFile() && (place === '' || !/\.(html|svg)$/.test(target) || read(target).includes(`id="${place}"`));
+      if (!found) dead.push({ page, href });
+    }
+  }
+  return dead;
+}

@@ -1,0 +1,98 @@
+// The licences of everything that is built into the site: Rust's crates in the wasm files, npm's packages
+// in the scripts. Both are read from where the package managers have put them.
+
+import { spawnSync } from 'node:child_process';
+import { existsSync, readdirSync, readFileSync } from 'node:fs';
+import { dirname, join } from 'node:path';
+
+/** Something of others that is part of the site. */
+interface Component {
+  readonly name: string;
+  readonly version: string;
+  /** As an SPDX expression. */
+  readonly license: string;
+  readonly source: string;
+  /** Licence and notice files, as they stand in the package. */
+  readonly texts: readonly string[];
+}
+
+const LICENSE_FILE = /^(licen[sc]e|copying|notice|copyright)/i;
+
+function textsIn(folder: string): string[] {
+  const files = readdirSync(folder, { withFileTypes: true }).filter((entry) => entry.isFile() && LICENSE_FILE.test(entry.name));
+  return files.map(({ name }) => readFileSync(join(folder, name), 'utf8').replaceAll('\r\n', '\n').trim()).sort();
+}
+
+interface Metadata {
+  readonly packages: readonly { id: string; name: string; version: string; license: string | null; repository: string | null; source: string | null; manifest_path: string }[];
+  readonly resolve: { readonly nodes: readonly { id: string; deps: readonly { pkg: string; dep_kinds: readonly { kind: string | null }[] }[] }[] };
+}
+
+/** Crates that are compiled into the wasm files. */
+function crates(root: string): Component[] {
+  const found = new Map<string, Component>();
+  for (const feature of ['webgpu', 'webgl', 'avatar']) {
+    const { status, stdout, stderr } = spawnSync(
+      'cargo',
+      ['metadata', '--locked', '--format-version', '1', '--filter-platform', 'wasm32-unknown-unknown', '--manifest-path', join(root, 'crate/web/Cargo.toml'), '--no-default-features', '--features', feature],
+      { cwd: root, encoding: 'utf8', maxBuffer: 1e8 },
+    );
+    if (status !== 0) throw new Error(`cargo metadata failed: ${stderr}`);
+    const { packages, resolve } = JSON.parse(stdout) as Metadata;
+    const nodes = new Map(resolve.nodes.map((node) => [node.id, node]));
+    const start = packages.find(({ name }) => name === 'raconteur-web');
+    if (start === undefined) throw new Error('cargo metadata does not name raconteur-web.');
+    // What only builds or tests it is not part of it.
+    const reached = new Set([start.id]);
+    for (const id of reached) {
+      for (const { pkg, dep_kinds } of nodes.get(id)?.deps ?? []) if (dep_kinds.some(({ kind }) => kind === null)) reached.add(pkg);
+    }
+    for (const { id, name, version, license, repository, source, manifest_path } of packages) {
+      if (!reached.has(id) || source === null) continue;
+      const texts = textsIn(dirname(manifest_path));
+      found.set(id, { name, version, license: license ?? 'see below', source: repository ?? 'https://crates.io', texts });
+    }
+  }
+  return [...found.values()];
+}
+
+/** Packages that are bundled into the scripts: the project's dependencies and theirs. */
+function packages(root: string): Component[] {
+  const found = new Map<string, Component>();
+  const visit = (folder: string): void => {
+    const { dependencies = {} } = JSON.parse(readFileSync(join(folder, 'package.json'), 'utf8')) as { dependencies?: Record<string, string> };
+    for (const name of Object.keys(dependencies)) {
+      const own = join(folder, 'node_modules', name);
+      const place = existsSync(own) ? own : join(root, 'node_modules', name);
+      if (found.has(place)) continue;
+      // Types are no part of what runs.
+      if (name.startsWith('@types/')) continue;
+      const { version, license, repository } = JSON.parse(readFileSync(join(place, 'package.json'), 'utf8')) as {
+        version: string; license?: string; repository?: string | { url: string };
+      };
+      const source = typeof repository === 'string' ? repository : (repository?.url ?? 'https://www.npmjs.com');
+      found.set(place, { name, version, license: license ?? 'see below', source, texts: textsIn(place) });
+      visit(place);
+    }
+  };
+  visit(root);
+  return [...found.values()];
+}
+
+/** The notices as one text. Equal licence texts stand once, under all that they are of. */
+export function notices(root: string): string {
+  const rust: Component = {
+    name: 'The Rust standard library', version: 'as in rust-toolchain.toml', license: 'MIT OR Apache-2.0', source: 'https://github.com/rust-lang/rust', texts: [],
+  };
+  const all = [rust, ...crates(root), ...packages(root)].sort((a, b) => (a.name < b.name ? -1 : a.name > b.name ? 1 : 0));
+  const list = all.map(({ name, version, license, source }) => `${name} ${version}: ${license} (${source})`);
+  const owners = new Map<string, string[]>();
+  for (const { name, texts } of all) for (const text of texts) owners.set(text, [...(owners.get(text) ?? []), name]);
+  const texts = [...owners].map(([text, names]) => `${'='.repeat(78)}\n${[...new Set(names)].join(', ')}\n${'-'.repeat(78)}\n${text}\n`);
+  return [
+    'Raconteur is licensed under MIT or Apache-2.0. What its built files contain of others:\n',
+    ...list,
+    '\nTheir licences and notices:\n',
+    ...texts,
+  ].join('\n');
+}
