@@ -102,7 +102,8 @@ function bodyOf(path: string, text: string, pages: ReadonlySet<string>, file: (p
       },
     },
   });
-  return marked.parse(text, { async: false });
+  // A wide table scrolls by itself, as code does; an empty corner heads nothing.
+  return marked.parse(text, { async: false }).replaceAll('<table>', '<table tabindex="0">').replaceAll('<th></th>', '<td></td>');
 }
 
 /** The list of all documents; `current` is marked. */
