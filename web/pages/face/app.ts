@@ -170,12 +170,10 @@ export class App {
       } while (this.#behind);
       // Who changes a standing picture wants to see where it leads.
       if (this.player.paused && this.player.currentTime < SETTLED_SECS && this.state.speech.kind === 'none') this.player.currentTime = SETTLED_SECS;
-    } catch (error) {
-      // Another story took the place of the one that was read: its text follows.
-      if (!(error instanceof DOMException)) throw error;
-    } finally {
-      this.#reading = false;
+    } catch {
+      // The player shows what is wrong; where another story took the place of the one that was read, its text follows.
     }
+    this.#reading = false;
     if (this.#begins && !this.#reading) {
       this.#begins = false;
       this.player.currentTime = 0;
