@@ -16,13 +16,15 @@ const LONGEST_SECS: f64 = 600.0;
 /// Where a recording of a story lies.
 ///
 /// # Errors
-/// When there is none, or the path leaves the story's folder.
+/// When there is none, the path leaves the story's folder, or it is no sound.
 pub(crate) fn find(folder: &Path, src: &str) -> Result<PathBuf> {
-    inside::find(folder, src)
-        .and_then(|found| {
-            found.with_context(|| format!("there is no {}", folder.join(src).display()))
-        })
-        .with_context(|| format!("the recording {src:?}"))
+    let told = || format!("the recording {src:?}");
+    let path = inside::find(folder, src)
+        .with_context(told)?
+        .with_context(|| format!("there is no {}", folder.join(src).display()))
+        .with_context(told)?;
+    Sound::open(&path).with_context(told)?;
+    Ok(path)
 }
 
 /// Decodes a recording to one channel of so many samples a second.

@@ -241,7 +241,11 @@ impl Bake {
             // What is not installed or not running has no voices.
             match Cast::voices_of(engine, options) {
                 Ok(voices) => rows.extend(voices.into_iter().map(|v| (engine, v))),
-                Err(error) => missing.add(&Missing::of(&error)),
+                // Servers and recordings are only there for those who ask for them.
+                Err(error) if self.engine.is_some() || error.is::<Missing>() => {
+                    missing.add(&Missing::of(&error));
+                }
+                Err(_) => {}
             }
         }
         if rows.is_empty() && !missing.is_empty() {
