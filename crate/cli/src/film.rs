@@ -9,12 +9,17 @@ use std::process::{Child, ChildStdin, Command, Stdio};
 use anyhow::{Context as _, Result, bail};
 
 use crate::commands::render::write_png;
+use crate::disk::Part;
 use crate::soundtrack::Soundtrack;
 
 /// Where frames go.
 pub(crate) enum Sink {
-    /// A running ffmpeg.
-    Ffmpeg { child: Child, frames: ChildStdin },
+    /// A running ffmpeg and what it writes.
+    Ffmpeg {
+        child: Child,
+        frames: ChildStdin,
+        film: Part,
+    },
     /// A folder of numbered pictures.
     Folder {
         folder: PathBuf,
@@ -53,9 +58,8 @@ impl Sink {
         for sound in soundtrack.sounds() {
             // A sound that has already begun is entered in its middle.
             let skip = (-sound.start_secs).max(0.0);
-            command
-                .args(["-ss", &format!("{skip:.6}"), "-i"])
-                .arg(&sound.file);
+            command.args(["-ss", &format!("{skip:.6}")]);
+            sound.file.input(&mut command);
         }
         if let Some(filter) = soundtrack.filter() {
             command.args(["-filter_complex", &filter, "-map", "0:v", "-map", "[mix]"]);
@@ -67,11 +71,23 @@ impl Sink {
             "-pix_fmt",
             "yuv420p",
         ]);
-        command.args(["-t", &format!("{length_secs:.6}")]).arg(path);
+        // A name with a number in it stands for a file a frame.
+        let film = if path.to_string_lossy().contains('%') {
+            Part::direct(path)
+        } else {
+            Part::beside(path)?
+        };
+        command
+            .args(["-t", &format!("{length_secs:.6}")])
+            .arg(film.path());
         match command.stdin(Stdio::piped()).spawn() {
             Ok(mut child) => {
                 let frames = child.stdin.take().context("ffmpeg takes no input")?;
-                Ok(Self::Ffmpeg { child, frames })
+                Ok(Self::Ffmpeg {
+                    child,
+                    frames,
+                    film,
+                })
             }
             Err(error) if error.kind() == std::io::ErrorKind::NotFound => {
                 let folder = path.with_extension("");
@@ -104,12 +120,18 @@ impl Sink {
 
     /// Ends the film.
     pub(crate) fn close(self) -> Result<()> {
-        if let Self::Ffmpeg { mut child, frames } = self {
+        if let Self::Ffmpeg {
+            mut child,
+            frames,
+            film,
+        } = self
+        {
             drop(frames);
             let status = child.wait()?;
             if !status.success() {
                 bail!("ffmpeg could not write the film ({status})");
             }
+            film.commit()?;
         }
         Ok(())
     }

@@ -6,7 +6,10 @@
 mod bake;
 mod commands;
 mod compose;
+mod disk;
 mod film;
+mod inside;
+mod media;
 mod picture;
 mod report;
 mod serve;

@@ -1,6 +1,6 @@
 //! What is heard in a film: utterances as they were baked, and music at its level.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use anyhow::{Context as _, Result};
 use raconteur_player::{MusicCue, Player};
@@ -8,6 +8,7 @@ use tempfile::TempDir;
 
 use crate::bake::program::FFMPEG;
 use crate::story::find_asset;
+use crate::{inside, media};
 
 /// Samples a second of music.
 const RATE_HZ: u32 = 48_000;
@@ -16,10 +17,16 @@ const LEVEL_STEP: usize = 240;
 
 /// A sound and when it starts in the film; negative when the film begins within it.
 pub(crate) struct Sound {
-    /// Where it lies.
-    pub(crate) file: PathBuf,
+    /// What is heard.
+    pub(crate) file: media::Sound,
     /// Seconds from the start of the film.
     pub(crate) start_secs: f64,
+}
+
+/// A sound of the story's folder.
+fn sound(folder: &Path, path: &str) -> Result<media::Sound> {
+    let found = inside::find(folder, path)?;
+    media::Sound::open(&found.with_context(|| format!("there is no {path}"))?)
 }
 
 /// The sounds of a film.
@@ -38,20 +45,20 @@ impl Soundtrack {
     /// message: a film goes on without it.
     pub(crate) fn of(player: &Player, script: &Path, from_secs: f64, length_secs: f64) -> Self {
         let folder = script.parent().unwrap_or(Path::new(""));
-        let voice = folder.join("voice");
-        let voices = player
-            .utterances()
-            .iter()
-            .filter(|u| u.start_secs + u.duration_secs > from_secs)
-            .filter_map(|u| {
-                Some(Sound {
-                    // The bundle's reader has made sure that the name stays in the folder.
-                    file: voice.join(&u.audio.first()?.file),
+        let mut voices = Vec::new();
+        for u in player.utterances() {
+            let heard = u.start_secs + u.duration_secs > from_secs;
+            let Some(audio) = u.audio.first().filter(|_| heard) else {
+                continue;
+            };
+            match sound(folder, &format!("voice/{}", audio.file)) {
+                Ok(file) => voices.push(Sound {
+                    file,
                     start_secs: u.start_secs - from_secs,
-                })
-            })
-            .filter(|s| s.file.is_file())
-            .collect();
+                }),
+                Err(error) => eprintln!("what is said is not heard: {error:#}"),
+            }
+        }
         let mut track = Self {
             voices,
             music: Vec::new(),
@@ -71,11 +78,10 @@ impl Soundtrack {
 
     /// Decodes a piece, sets its level and keeps it for the film.
     fn add_music(&mut self, cue: &MusicCue, script: &Path, from: f64, end: f64) -> Result<()> {
-        // EML's reader has made sure that the path stays in its folder.
         let file = if cue.library {
-            find_asset(&format!("music/{}", cue.file), script)?
+            media::Sound::open(&find_asset(&format!("music/{}", cue.file), script)?)?
         } else {
-            script.parent().unwrap_or(Path::new("")).join(&cue.file)
+            sound(script.parent().unwrap_or(Path::new("")), &cue.file)?
         };
         let scratch = match self._scratch.take() {
             Some(scratch) => scratch,
@@ -92,10 +98,9 @@ impl Soundtrack {
             command.args(["-stream_loop", "-1"]);
         }
         let heard_secs = cue.end_secs.min(end) - cue.start_secs;
+        file.input(&mut command);
         command
-            .arg("-i")
-            .arg(&file)
-            .args(["-t", &format!("{heard_secs:.6}")])
+            .args(["-vn", "-sn", "-dn", "-t", &format!("{heard_secs:.6}")])
             .args(["-f", "s16le", "-ac", "2", "-ar", &RATE_HZ.to_string()])
             .arg(&raw);
         FFMPEG.run(command)?;
@@ -124,7 +129,7 @@ impl Soundtrack {
         }
         writer.finalize()?;
         self.music.push(Sound {
-            file: wave,
+            file: media::Sound::open(&wave)?,
             start_secs: cue.start_secs - from,
         });
         Ok(())

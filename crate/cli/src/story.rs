@@ -9,6 +9,8 @@ use raconteur_player::body::{Figure, import};
 use raconteur_player::stage::Shot;
 use raconteur_player::{Loaded, Options, Player, StoryInput};
 
+use crate::inside;
+
 /// The largest story file that is read, bytes; the parser's own limit is lower.
 const LARGEST_STORY: u64 = 64 << 20;
 
@@ -52,7 +54,9 @@ impl StoryFiles {
 
     /// The bundle's description, if the story has one.
     pub(crate) fn bundle(&self) -> Option<Vec<u8>> {
-        fs::read(self.voice().join("speech.json")).ok()
+        let folder = self.script.parent().unwrap_or(Path::new(""));
+        let path = inside::find(folder, "voice/speech.json").ok()??;
+        fs::read(path).ok()
     }
 
     /// The story with its voice, without a figure: enough for times and diagnostics.
@@ -112,11 +116,12 @@ impl StoryFiles {
 pub(crate) fn find_asset(path: &str, story: &Path) -> Result<PathBuf> {
     let near = story.canonicalize().unwrap_or_else(|_| story.to_owned());
     let here = std::env::current_dir().unwrap_or_default();
-    near.ancestors()
-        .chain(here.ancestors())
-        .map(|folder| folder.join("assets").join(path))
-        .find(|p| p.is_file())
-        .with_context(|| format!("no {path} in an assets folder"))
+    for folder in near.ancestors().chain(here.ancestors()) {
+        if let Some(found) = inside::find(&folder.join("assets"), path)? {
+            return Ok(found);
+        }
+    }
+    bail!("no {path} in an assets folder")
 }
 
 /// The text of an animation: of a bare name, `NAME.json` in `assets/animations` of the folders
@@ -128,14 +133,9 @@ fn find_animation(name: &str, story: &Path) -> Option<String> {
         return fs::read_to_string(path).ok();
     }
     let (path, part) = name.split_once('#').unwrap_or((name, ""));
-    let relative = Path::new(path);
     // A story reaches no file outside its folder.
-    let inside = |c: std::path::Component<'_>| matches!(c, std::path::Component::Normal(_));
-    if !relative.components().all(inside) {
-        return None;
-    }
-    let bytes = fs::read(story.parent()?.join(relative)).ok()?;
-    if relative.extension().is_some_and(|e| e == "json") {
+    let bytes = fs::read(inside::find(story.parent()?, path).ok()??).ok()?;
+    if Path::new(path).extension().is_some_and(|e| e == "json") {
         return String::from_utf8(bytes).ok();
     }
     import::convert_animation(part, &bytes).ok()

@@ -374,24 +374,29 @@ impl Tape<'_> {
         words(&mut utterance, plan);
         emotions(&mut utterance, felt);
         let track = f0::track_voice(&self.samples, self.rate_hz, FRAME_SECS);
-        let db = intensity::intensity(
-            &self.samples,
-            self.rate_hz,
-            FRAME_SECS,
-            INTENSITY_WINDOW_SECS,
-        );
         let frames = (utterance.duration_secs / FRAME_SECS).floor() as usize + 1;
-        for i in 0..frames {
-            let secs = i as f64 * FRAME_SECS;
-            utterance.f0.push(code_of_hz(track.hz_at(secs)));
-            utterance.intensity.push(code_of_db(db.db_at(secs)));
-        }
+        let secs = |i: usize| i as f64 * FRAME_SECS;
+        utterance.f0 = (0..frames)
+            .map(|i| code_of_hz(track.hz_at(secs(i))))
+            .collect();
+        utterance.intensity = intensity_codes(&self.samples, self.rate_hz, utterance.duration_secs);
         Track {
             samples: self.samples,
             rate_hz: self.rate_hz,
             utterance,
         }
     }
+}
+
+/// What a bundle tells of the intensity of a sound, a code for each [`FRAME_SECS`] of its
+/// length in seconds.
+#[must_use]
+pub fn intensity_codes(samples: &[f64], rate_hz: f64, duration_secs: f64) -> Vec<u8> {
+    let db = intensity::intensity(samples, rate_hz, FRAME_SECS, INTENSITY_WINDOW_SECS);
+    let frames = (duration_secs / FRAME_SECS).floor() as usize + 1;
+    (0..frames)
+        .map(|i| code_of_db(db.db_at(i as f64 * FRAME_SECS)))
+        .collect()
 }
 
 /// Times of words from those of their phones, and their places in the text.

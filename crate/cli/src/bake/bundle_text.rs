@@ -58,8 +58,11 @@ fn list(items: impl Iterator<Item = String>) -> String {
 
 fn utterance(u: &Utterance) -> String {
     let audio = u.audio.iter().map(|a| {
+        let holds = a.holds.as_ref().map_or(String::new(), |h| {
+            format!(", \"bytes\": {}, \"sha256\": {}", h.bytes, text(&h.sha256))
+        });
         format!(
-            "{{\"file\": {}, \"mime\": {}}}",
+            "{{\"file\": {}, \"mime\": {}{holds}}}",
             text(&a.file),
             text(&a.mime)
         )
@@ -120,6 +123,10 @@ fn utterance(u: &Utterance) -> String {
     let fields = [
         ("key", format!("\"{:016x}\"", u.key)),
         ("content", format!("\"{:016x}\"", u.content)),
+        (
+            "source",
+            u.source.map_or(String::new(), |s| format!("\"{s:016x}\"")),
+        ),
         ("voice", u.voice.to_string()),
         ("text", text(&u.text)),
         ("audio", list(audio)),
@@ -135,7 +142,7 @@ fn utterance(u: &Utterance) -> String {
     ];
     let lines: Vec<String> = fields
         .iter()
-        .filter(|(name, value)| !(*name == "emotions" && value == "[]"))
+        .filter(|(name, value)| !(value.is_empty() || *name == "emotions" && value == "[]"))
         .map(|(name, value)| format!("      \"{name}\": {value}"))
         .collect();
     format!("\n    {{\n{}\n    }}", lines.join(",\n"))
@@ -145,7 +152,7 @@ fn utterance(u: &Utterance) -> String {
 mod tests {
     use super::*;
     use raconteur_player::speech::bundle::{
-        Accent, AudioFile, Emotion, Phone, Phrase, Sentence, Syllable, Word,
+        Accent, AudioFile, Emotion, Holds, Phone, Phrase, Sentence, Syllable, Word,
     };
 
     #[test]
@@ -164,12 +171,17 @@ mod tests {
         let utterance = Utterance {
             key: 0x0123_4567_89ab_cdef,
             content: 7,
+            source: Some(u64::MAX),
             voice: 1,
             text: "\u{201c}Hi\u{201d} \\ \"you\"".to_owned(),
             duration_secs: 1.234,
             audio: vec![AudioFile {
                 file: "a.opus".to_owned(),
                 mime: "audio/ogg; codecs=opus".to_owned(),
+                holds: Some(Holds {
+                    bytes: 1 << 40,
+                    sha256: "0a".repeat(32),
+                }),
             }],
             words: vec![
                 word("\u{201c}Hi\u{201d}", 0.1, 0.3),
@@ -228,7 +240,10 @@ mod tests {
             phone_set: "radio".to_owned(),
             mouth: vec![("i:".to_owned(), "iy".to_owned())],
         };
-        for utterances in [vec![], vec![utterance.clone()], vec![utterance; 2]] {
+        let mut untold = utterance.clone();
+        untold.source = None;
+        untold.audio[0].holds = None;
+        for utterances in [vec![], vec![utterance.clone()], vec![utterance, untold]] {
             let bundle = Bundle {
                 voices: vec![voice("e"), voice("f")],
                 utterances,

@@ -2,13 +2,14 @@
 //! sentence is for.
 
 use std::collections::BTreeMap;
-use std::sync::Mutex;
+use std::sync::{Mutex, PoisonError};
 
-use anyhow::{Context as _, Result, anyhow};
+use anyhow::{Context as _, Result, anyhow, bail};
 use raconteur_player::speech::content::{Gender, Speaker};
 use raconteur_player::speech::language;
 
-use super::engine::{self, Engine, EngineOptions, VoiceInfo};
+use super::engine::{self, Absent, Engine, EngineOptions, VoiceInfo};
+use super::program::Missing;
 
 /// A voice and the engine that has it.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -19,12 +20,18 @@ pub(crate) struct Role {
     pub(crate) voice: VoiceInfo,
 }
 
-/// Engines that have been asked for once are kept: asking them takes time.
+/// Engines that have been asked for once are kept: asking them takes time. One that is missing
+/// is stood for, so that everything that is missing can be told at once.
 pub(crate) struct Cast {
     options: EngineOptions,
     known: Mutex<BTreeMap<String, &'static Known>>,
+    missing: Mutex<Missing>,
     /// The story's own voice.
     pub(crate) lead: Role,
+    /// The engine that somebody chose, and the voice if they chose one.
+    pub(crate) chosen: Option<Role>,
+    /// What the usual engine lacks, where the lead is of another because nobody asked for it.
+    pub(crate) instead_of: Option<Missing>,
 }
 
 struct Known {
@@ -33,34 +40,109 @@ struct Known {
     voices: Vec<VoiceInfo>,
 }
 
+/// The engine of a story for which nobody chose one, a voice of it if not the first is meant,
+/// and what the usual engine lacks.
+fn usual(voice: Option<&str>) -> (String, Option<String>, Option<Missing>) {
+    let [festival, others @ ..] = engine::local();
+    let name = festival.0.to_owned();
+    let lacks = match &festival.1 {
+        Ok(_) => return (name, None, None),
+        Err(lacks) => Some(lacks.clone()),
+    };
+    if let Some(voice) = voice {
+        return match engine::find_voice(voice) {
+            Some((engine, _)) => (engine, None, lacks),
+            None => (name, None, None),
+        };
+    }
+    let there = others.iter().find_map(|(engine, voices)| {
+        let voices = voices.as_ref().ok()?;
+        let english = voices
+            .iter()
+            .find(|v| v.language.eq_ignore_ascii_case("en-US"));
+        let voice = english.or(voices.first())?.name.clone();
+        Some(((*engine).to_owned(), voice))
+    });
+    match there {
+        Some((engine, voice)) => (engine, Some(voice), lacks),
+        None => (name, None, None),
+    }
+}
+
+impl Known {
+    fn ask(name: &str, options: &EngineOptions) -> Result<Self> {
+        let engine = engine::by_name(name, options)?;
+        Ok(Self {
+            version: engine.version()?,
+            voices: engine.voices()?,
+            engine,
+        })
+    }
+}
+
 impl Cast {
-    /// A cast whose lead speaks with a voice of an engine; without a name, with the first that
-    /// the engine has.
+    /// A cast whose lead speaks with a voice of an engine. Without a voice, with the first that
+    /// the engine has; without an engine, with Festival or, where that is not installed,
+    /// the first that is.
     ///
     /// # Errors
-    /// When the engine is not installed or has no such voice.
-    pub(crate) fn new(engine: &str, voice: Option<&str>, options: EngineOptions) -> Result<Self> {
+    /// When the engine has no such voice, or needs an option.
+    pub(crate) fn new(
+        engine: Option<&str>,
+        voice: Option<&str>,
+        options: EngineOptions,
+    ) -> Result<Self> {
+        let (name, usual, instead_of) = match engine {
+            Some(engine) => (engine.to_owned(), None, None),
+            None => usual(voice),
+        };
         let mut cast = Self {
             options,
             known: Mutex::new(BTreeMap::new()),
+            missing: Mutex::default(),
             lead: Role {
-                engine: engine.to_owned(),
+                engine: name.clone(),
                 voice: VoiceInfo::default(),
             },
+            chosen: engine.or(voice).map(|_| Role {
+                engine: name.clone(),
+                voice: VoiceInfo {
+                    name: voice.unwrap_or_default().to_owned(),
+                    ..VoiceInfo::default()
+                },
+            }),
+            instead_of,
         };
-        cast.lead.voice = match voice {
-            Some(voice) => cast.voice(engine, voice)?,
+        // An engine that lacks an option is an error, one that is not installed is not.
+        engine::by_name(&name, &cast.options)?;
+        cast.lead.voice = match voice.map(str::to_owned).or(usual) {
+            Some(voice) => cast.voice(&name, &voice)?,
             None => {
-                let known = cast.known(engine)?;
+                let known = cast.known(&name)?;
+                if known.version.is_empty() {
+                    cast.lead.voice = known.engine.voice("")?.unwrap_or_default();
+                    return Ok(cast);
+                }
                 // Recordings have no voices, and one that stands for all of them.
                 let first = known.voices.first().cloned();
                 let any = || known.engine.voice("recorded").ok().flatten();
                 first
                     .or_else(any)
-                    .with_context(|| format!("{engine} has no voice"))?
+                    .with_context(|| format!("{name} has no voice"))?
             }
         };
         Ok(cast)
+    }
+
+    /// What was asked for so far and is missing.
+    pub(crate) fn missing(&self) -> Missing {
+        let missing = self.missing.lock();
+        missing.unwrap_or_else(PoisonError::into_inner).clone()
+    }
+
+    fn note(&self, missing: &Missing) {
+        let all = self.missing.lock();
+        all.unwrap_or_else(PoisonError::into_inner).add(missing);
     }
 
     fn known(&self, name: &str) -> Result<&'static Known> {
@@ -71,12 +153,18 @@ impl Cast {
         if let Some(one) = known.get(name) {
             return Ok(one);
         }
-        let engine = engine::by_name(name, &self.options)?;
-        let one = Known {
-            version: engine.version()?,
-            voices: engine.voices()?,
-            engine,
-        };
+        let one = Known::ask(name, &self.options).unwrap_or_else(|error| {
+            let missing = Missing::of(&error);
+            self.note(&missing);
+            Known {
+                version: String::new(),
+                voices: Vec::new(),
+                engine: Box::new(Absent {
+                    missing,
+                    by_language: name == "espeak-ng",
+                }),
+            }
+        });
         // A handful of engines live as long as the program; so threads need not share a lock.
         let one: &'static Known = Box::leak(Box::new(one));
         known.insert(name.to_owned(), one);
@@ -119,9 +207,27 @@ impl Cast {
     /// # Errors
     /// When there is none of that name; the message says what to do.
     pub(crate) fn named(&self, name: &str) -> Result<Role> {
-        let (engine, voice) = engine::find_voice(name).with_context(|| {
-            format!("no engine has a voice {name} (see raconteur bake --list-voices)")
-        })?;
+        let told = || format!("no engine has a voice {name} (see raconteur bake --list-voices)");
+        let Some((engine, voice)) = engine::find_voice(name) else {
+            // It may be a voice of one that is not installed.
+            let mut missing = Missing::default();
+            let absent = engine::local().iter().filter_map(|(_, v)| v.as_ref().err());
+            absent.for_each(|one| missing.add(one));
+            if missing.is_empty() || name.contains(':') {
+                bail!(told());
+            }
+            missing.add(&Missing::of(&anyhow!(
+                "no engine that is here has a voice {name}"
+            )));
+            self.note(&missing);
+            return Ok(Role {
+                engine: self.lead.engine.clone(),
+                voice: VoiceInfo {
+                    name: name.to_owned(),
+                    ..self.lead.voice.clone()
+                },
+            });
+        };
         Ok(Role {
             voice: self.voice(&engine, &voice)?,
             engine,

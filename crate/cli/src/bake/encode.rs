@@ -3,27 +3,22 @@
 use std::fs;
 use std::path::Path;
 
-use anyhow::{Context as _, Result};
+use anyhow::{Context as _, Result, ensure};
 
-use super::program::{FFMPEG, OPUSENC};
+use super::program::{FFMPEG, OPUSENC, Program};
 
-/// File endings of what [`encode`] writes.
-pub(crate) const ENDINGS: [&str; 2] = ["opus", "mp3"];
+/// File endings and MIME types of what [`encode`] makes, the preferred first.
+pub(crate) const FORMATS: [(&str, &str); 2] =
+    [("opus", "audio/ogg; codecs=opus"), ("mp3", "audio/mpeg")];
 
-/// Writes the sound to `folder` and returns file names with MIME types, preferred first.
+/// The bytes of the sound in each of [`FORMATS`].
 ///
 /// # Errors
 /// When an encoder is missing or fails.
-pub(crate) fn encode(
-    samples: &[f64],
-    rate_hz: u32,
-    stem: &str,
-    folder: &Path,
-) -> Result<Vec<(String, &'static str)>> {
+pub(crate) fn encode(samples: &[f64], rate_hz: u32) -> Result<[Vec<u8>; 2]> {
     let scratch = tempfile::tempdir().context("making a folder for the sound")?;
     let wave = scratch.path().join("sound.wav");
     write_wave(&wave, samples, rate_hz)?;
-    let [opus, mp3] = ENDINGS.map(|ending| format!("{stem}.{ending}"));
 
     // A fixed serial number and no picture or comment: the same sound gives the same file.
     let made = scratch.path().join("sound.opus");
@@ -42,7 +37,7 @@ pub(crate) fn encode(
         .arg(&wave)
         .arg(&made);
     OPUSENC.run(command)?;
-    publish(&made, &folder.join(&opus))?;
+    let opus = made_by(&OPUSENC, &made)?;
 
     // The header that libmp3lame writes tells players how much silence it added.
     let made = scratch.path().join("sound.mp3");
@@ -61,9 +56,9 @@ pub(crate) fn encode(
         ])
         .arg(&made);
     FFMPEG.run(command)?;
-    publish(&made, &folder.join(&mp3))?;
+    let mp3 = made_by(&FFMPEG, &made)?;
 
-    Ok(vec![(opus, "audio/ogg; codecs=opus"), (mp3, "audio/mpeg")])
+    Ok([opus, mp3])
 }
 
 fn write_wave(path: &Path, samples: &[f64], rate_hz: u32) -> Result<()> {
@@ -81,8 +76,9 @@ fn write_wave(path: &Path, samples: &[f64], rate_hz: u32) -> Result<()> {
     writer.finalize().context("writing the sound")
 }
 
-/// Copies a finished file to its place. A half-written one never stands there.
-fn publish(made: &Path, place: &Path) -> Result<()> {
-    fs::copy(made, place).with_context(|| format!("writing {}", place.display()))?;
-    Ok(())
+/// What an encoder has written. Some end well on a full disk.
+fn made_by(program: &Program, path: &Path) -> Result<Vec<u8>> {
+    let bytes = fs::read(path).with_context(|| format!("reading what {} made", program.name))?;
+    ensure!(!bytes.is_empty(), "{} made an empty sound", program.name);
+    Ok(bytes)
 }

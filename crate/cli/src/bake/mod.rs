@@ -6,39 +6,45 @@
 //! is a function over plain data. The same story gives the same bundle, byte for byte, with
 //! the same programs installed.
 
+mod adopt;
 mod bundle_text;
 mod cast;
+mod digest;
 mod encode;
 pub(crate) mod engine;
+mod lock;
 pub(crate) mod measure;
 pub(crate) mod picture;
 pub(crate) mod program;
 mod sounds;
 mod speak;
 mod store;
+mod want;
 
 use std::collections::BTreeSet;
-use std::fs;
-use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::thread;
 
-use anyhow::{Context as _, Result, anyhow, bail, ensure};
+use anyhow::{Context as _, Result, bail, ensure};
+use raconteur_player::Said;
 use raconteur_player::speech::bundle::{Bundle, Utterance, Voice};
-use raconteur_player::speech::content::Content;
 use raconteur_player::speech::hear::{Heard, hear};
-use raconteur_player::speech::markup::{Problem, plain, sable, ssml};
 use raconteur_player::speech::phones;
 use raconteur_player::speech::signal::loudness::integrated_lufs;
 use raconteur_player::speech::text::Lexicon;
-use raconteur_player::{Said, Source};
 
 pub(crate) use cast::Cast;
 use cast::Role;
-use speak::{Casting, Work};
-use store::{Digest, Store};
+use lock::Lock;
+use program::{FFMPEG, Missing, OPUSENC};
+use speak::Work;
+pub(crate) use store::{Sound as SoundFile, Store};
+use want::{Wanted, short};
+
+use crate::disk::Real;
+use crate::inside;
 
 /// Raise it when the sound or the times of the same text change, so that every story is
 /// baked afresh.
@@ -84,6 +90,26 @@ pub(crate) struct BakeReport {
     pub(crate) mp3_bytes: u64,
     /// Bytes of the bundle's text.
     pub(crate) text_bytes: u64,
+    /// What is missing on this machine, when the texts were compared and not what engines make
+    /// of them.
+    pub(crate) compared_without: Option<Missing>,
+}
+
+impl BakeReport {
+    /// Counts what is in a bundle.
+    fn count(&mut self, bundle: &Bundle) {
+        self.text_bytes = bundle_text::write(bundle).len() as u64;
+        for utterance in &bundle.utterances {
+            self.duration_secs += utterance.duration_secs;
+            for audio in &utterance.audio {
+                let bytes = audio.holds.as_ref().map_or(0, |h| h.bytes);
+                match audio.mime.as_str() {
+                    "audio/mpeg" => self.mp3_bytes += bytes,
+                    _ => self.opus_bytes += bytes,
+                }
+            }
+        }
+    }
 }
 
 /// What was heard in utterances that were spoken anew.
@@ -112,27 +138,16 @@ struct Made {
     lufs: Option<f64>,
 }
 
-/// An utterance that is wanted.
-struct Wanted<'a> {
-    key: u64,
-    /// Stands for everything that goes into its sound.
-    digest: u64,
-    /// Its place among what the story says, from 0.
-    place: usize,
-    content: Content,
-    said: &'a Said,
-    role: Role,
-    casting: Casting,
-    sounds: Vec<PathBuf>,
-}
-
 /// Makes or refreshes the bundle of the story in `folder` so that it holds all that is `said`.
 /// `library` finds files of the asset library; `progress` hears how many utterances are done,
 /// of how many, and what was said last.
 ///
+/// Nothing is changed, and no program is needed, where all is up to date. Otherwise the folder
+/// is locked, and the old bundle stays whole until the new one is.
+///
 /// # Errors
-/// When a program is missing (the message names its Debian package), when it fails, or
-/// when the folder cannot be written.
+/// When programs are missing (the message names all, with their Debian packages), when one fails,
+/// when another bake is at work, or when the folder cannot be written.
 pub(crate) fn bake(
     said: &[Said],
     folder: &Path,
@@ -145,41 +160,121 @@ pub(crate) fn bake(
         "a pace of {} is outside 0.5 to 2",
         options.pace
     );
-    let store = Store::open(folder.join("voice"));
-    let mut seen = BTreeSet::new();
-    let mut wanted = Vec::new();
-    let mut absent = Vec::new();
-    for (place, said) in said.iter().enumerate() {
-        // Two clauses that say the same share an utterance; the first keeps its place.
-        if seen.insert(said.key) {
-            match content(said, folder, library)? {
-                Ok(content) => wanted.push(want(said, content, place, folder, options)?),
-                Err(file) => absent.push(file),
-            }
-        }
-    }
-    // A dance without a word has no voice.
-    wanted.retain(|w| !w.content.words().is_empty() || !w.sounds.is_empty());
-    let stale: Vec<bool> = wanted.iter().map(|w| !store.has(w.key, w.digest)).collect();
-    let texts = wanted.iter().zip(&stale).filter(|(_, stale)| **stale);
+    let voice = folder.join("voice");
+    inside::check_folder(folder, &voice)?;
+    let (wanted, absent) = want::all(said, folder, options, library)?;
     let mut report = BakeReport {
         utterances: wanted.len(),
-        synthesised: texts.map(|(w, _)| w.content.plain_text()).collect(),
         absent,
         ..BakeReport::default()
     };
+    let store = Store::open(voice.clone(), &Real);
     let left_over = store.others(wanted.iter().map(|w| w.key));
-    if options.check {
+    let missing = without(&options.cast);
+    let stale: Vec<&Wanted<'_>> = wanted
+        .iter()
+        .filter(|w| match &missing {
+            Some(_) => !is_of_this_story(&store, w, &options.cast),
+            None => !store.has(w.key, w.digest),
+        })
+        .collect();
+    report.synthesised = stale.iter().map(|w| w.content.plain_text()).collect();
+    if options.check || missing.is_some() && stale.is_empty() && left_over == 0 {
         report.removed = left_over;
+        report.compared_without = missing;
         return Ok(report);
     }
+    let settled = missing.is_none() && stale.is_empty();
+    let mut missing = options.cast.missing();
+    if !settled {
+        missing.add(&Missing::among(&[&OPUSENC, &FFMPEG]));
+    }
+    missing.none()?;
+    if settled && !wanted.is_empty() {
+        let bundle = bundle_of(&wanted, &store, Vec::new(), options)?;
+        if store.is(&bundle)? {
+            report.count(&bundle);
+            return Ok(report);
+        }
+    }
+    if wanted.is_empty() && !voice.is_dir() {
+        return Ok(report);
+    }
+    let _lock = Lock::take(&voice)?;
+    // Another bake may have ended since.
+    renew(
+        &wanted,
+        Store::open(voice, &Real),
+        options,
+        progress,
+        report,
+    )
+}
+
+/// What is missing, where only the texts can be compared: engines that the story asks for, or
+/// the usual one when nobody chose another.
+fn without(cast: &Cast) -> Option<Missing> {
+    let mut missing = cast.missing();
+    if let Some(usual) = &cast.instead_of {
+        missing.add(usual);
+    }
+    (!missing.is_empty()).then_some(missing)
+}
+
+/// Whether an utterance was made of the same story, and by the engine and voice that were chosen,
+/// as far as can be told without asking them.
+fn is_of_this_story(store: &Store<'_>, wanted: &Wanted<'_>, cast: &Cast) -> bool {
+    let spoken = |chosen: &Role| {
+        store.voice(wanted.key).is_some_and(|voice| {
+            voice.engine.split(' ').next() == Some(chosen.engine.as_str())
+                && (chosen.voice.name.is_empty() || chosen.voice.name == voice.voice)
+        })
+    };
+    store.has_source(wanted.key, wanted.source)
+        && (wanted.said.voice.is_some() || cast.chosen.as_ref().is_none_or(spoken))
+}
+
+/// Makes the bundle anew in a folder that is locked.
+fn renew(
+    wanted: &[Wanted<'_>],
+    mut store: Store<'_>,
+    options: &BakeOptions,
+    progress: &(dyn Fn(usize, usize, &str) + Sync),
+    mut report: BakeReport,
+) -> Result<BakeReport> {
     if wanted.is_empty() {
         report.removed = store.clear()?;
         return Ok(report);
     }
-    store.prepare()?;
-    let made = make(&wanted, &stale, options, &store, progress)?;
+    for one in wanted {
+        store
+            .adopt(one.key, one.digest, &adopt::is_sound_of)
+            .with_context(|| format!("keeping {:?}", short(&one.content.plain_text())))?;
+    }
+    let stale: Vec<bool> = wanted.iter().map(|w| !store.has(w.key, w.digest)).collect();
+    let texts = wanted.iter().zip(&stale).filter(|(_, stale)| **stale);
+    report.synthesised = texts.map(|(w, _)| w.content.plain_text()).collect();
+    let made = make(wanted, &stale, options, &store, progress)?;
+    for made in made.iter().flatten() {
+        report.sound.add(&made.heard, made.lufs);
+    }
+    let made = made.into_iter().map(|m| m.map(|m| m.utterance)).collect();
+    let bundle = bundle_of(wanted, &store, made, options)?;
+    store.write(&bundle)?;
+    report.removed = store.remove_unused(&bundle)?;
+    report.count(&bundle);
+    Ok(report)
+}
+
+/// The bundle of what was made, and of what is kept where nothing was.
+fn bundle_of(
+    wanted: &[Wanted<'_>],
+    store: &Store<'_>,
+    made: Vec<Option<Utterance>>,
+    options: &BakeOptions,
+) -> Result<Bundle> {
     let mut bundle = Bundle::default();
+    let made = made.into_iter().chain(core::iter::repeat(None));
     for (wanted, made) in wanted.iter().zip(made) {
         let voice = Voice {
             engine: options.cast.version(&wanted.role)?.to_owned(),
@@ -188,15 +283,10 @@ pub(crate) fn bake(
             phone_set: wanted.role.voice.phone_set.clone(),
             mouth: Vec::new(),
         };
-        let mut utterance = match made {
-            Some(made) => {
-                report.sound.add(&made.heard, made.lufs);
-                made.utterance
-            }
-            None => store
-                .get(wanted.key)
-                .context("an utterance has gone while it was needed")?,
-        };
+        let mut utterance = made
+            .or_else(|| store.get(wanted.key))
+            .context("an utterance has gone while it was needed")?;
+        utterance.source = Some(wanted.source);
         utterance.voice = match bundle.voices.iter().position(|v| *v == voice) {
             Some(known) => known,
             None => {
@@ -204,23 +294,13 @@ pub(crate) fn bake(
                 bundle.voices.len() - 1
             }
         };
-        report.duration_secs += utterance.duration_secs;
         bundle.utterances.push(utterance);
     }
     for index in 0..bundle.voices.len() {
         let mouth = mouth(&bundle, index);
         bundle.voices[index].mouth = mouth;
     }
-    report.text_bytes = store.write(&bundle)?;
-    report.removed = store.remove_unused(&bundle)?;
-    for audio in bundle.utterances.iter().flat_map(|u| &u.audio) {
-        let bytes = store.size(&audio.file)?;
-        match audio.mime.as_str() {
-            "audio/mpeg" => report.mp3_bytes += bytes,
-            _ => report.opus_bytes += bytes,
-        }
-    }
-    Ok(report)
+    Ok(bundle)
 }
 
 /// By which rows of the player's table the symbols of a voice move the lips, where they are
@@ -241,119 +321,12 @@ fn mouth(bundle: &Bundle, voice: usize) -> Vec<(String, String)> {
         .collect()
 }
 
-/// What is to be said, or the path of the file beside the story that should say it: its
-/// absence does not keep the rest from being told, as whoever has the text may bring it later.
-fn content(
-    said: &Said,
-    folder: &Path,
-    library: &dyn Fn(&str) -> Result<PathBuf>,
-) -> Result<Result<Content, PathBuf>> {
-    Ok(Ok(match &said.source {
-        Source::Content(content) => content.clone(),
-        Source::Sable(text) => sable_document("the document in the script", text)?,
-        Source::File {
-            path,
-            sable,
-            library: from_library,
-        } => {
-            // The library, and for files beside the story that folder as well.
-            let file = if *from_library && !folder.join(path).is_file() {
-                library(path)?
-            } else {
-                folder.join(path)
-            };
-            let text = match fs::read_to_string(&file) {
-                Ok(text) => text,
-                Err(error) if error.kind() == ErrorKind::NotFound => return Ok(Err(file)),
-                Err(error) => {
-                    return Err(error).with_context(|| {
-                        format!("cannot read what is to be said, {}", file.display())
-                    });
-                }
-            };
-            if *sable {
-                sable_document(path, &text)?
-            } else if path.ends_with(".ssml") {
-                document(path, ssml::read(&text))?
-            } else {
-                plain::read(&text)
-            }
-        }
-    }))
-}
-
-/// Casts and plans one utterance.
-fn want<'a>(
-    said: &'a Said,
-    content: Content,
-    place: usize,
-    folder: &Path,
-    options: &BakeOptions,
-) -> Result<Wanted<'a>> {
-    let role = match &said.voice {
-        Some(name) => options.cast.named(name)?,
-        None => options.cast.lead.clone(),
-    };
-    let work = Work {
-        content: &content,
-        role: &role,
-        emotion: said.emotion.as_ref(),
-        pace: options.pace,
-    };
-    let casting = speak::cast(&work, &options.cast, &options.lexicon)
-        .with_context(|| format!("planning {:?}", short(&content.plain_text())))?;
-    let mut sounds = Vec::new();
-    let mut digest = Digest::new();
-    digest.number(u64::from(REVISION));
-    digest.text(&format!("{} {:?}", options.pace, said.emotion));
-    digest.text(&options.lexicon_text);
-    digest.text(&format!("{:?}", casting.plan));
-    for role in [&role].into_iter().chain(&casting.roles) {
-        digest.text(options.cast.version(role)?);
-        digest.text(&role.voice.name);
-        digest.text(&options.cast.engine(role)?.state(said.key, place)?);
-    }
-    for sound in &casting.plan.sounds {
-        let path = sounds::find(folder, &sound.src)?;
-        digest.bytes(&fs::read(&path)?);
-        sounds.push(path);
-    }
-    Ok(Wanted {
-        key: said.key,
-        digest: digest.value(),
-        place,
-        content,
-        said,
-        role,
-        casting,
-        sounds,
-    })
-}
-
-fn sable_document(name: &str, text: &str) -> Result<Content> {
-    document(name, sable::read(text))
-}
-
-/// What was read of a document; its problems are told.
-fn document(name: &str, read: Result<(Content, Vec<Problem>), Problem>) -> Result<Content> {
-    let (content, problems) = read.map_err(|p| anyhow!("{name}: {p}"))?;
-    for problem in problems {
-        eprintln!("{name}: {problem}");
-    }
-    Ok(content)
-}
-
-/// The begin of a text, for messages.
-fn short(text: &str) -> String {
-    text.chars().take(60).collect()
-}
-
 /// Makes what is stale, several utterances at a time; `None` for what is up to date.
 fn make(
     wanted: &[Wanted<'_>],
     stale: &[bool],
     options: &BakeOptions,
-    store: &Store,
+    store: &Store<'_>,
     progress: &(dyn Fn(usize, usize, &str) + Sync),
 ) -> Result<Vec<Option<Made>>> {
     let todo: Vec<usize> = (0..wanted.len()).filter(|i| stale[*i]).collect();
@@ -393,7 +366,7 @@ fn make(
 }
 
 /// Speaks one utterance and writes its sound.
-fn utterance(wanted: &Wanted<'_>, options: &BakeOptions, store: &Store) -> Result<Made> {
+fn utterance(wanted: &Wanted<'_>, options: &BakeOptions, store: &Store<'_>) -> Result<Made> {
     let work = Work {
         content: &wanted.content,
         role: &wanted.role,
@@ -412,7 +385,13 @@ fn utterance(wanted: &Wanted<'_>, options: &BakeOptions, store: &Store) -> Resul
     let mut utterance = track.utterance;
     utterance.key = wanted.key;
     utterance.content = wanted.digest;
-    utterance.audio = store.encode(wanted.key, &track.samples, track.rate_hz)?;
+    utterance.source = Some(wanted.source);
+    let encodings = encode::encode(&track.samples, track.rate_hz.round() as u32)?;
+    utterance.audio = encodings
+        .iter()
+        .zip(encode::FORMATS)
+        .map(|(bytes, (ending, mime))| store.add(bytes, ending, mime))
+        .collect::<Result<_>>()?;
     let phone_set = &wanted.role.voice.phone_set;
     Ok(Made {
         heard: hear(&utterance, phone_set, &track.samples, track.rate_hz),

@@ -2,7 +2,6 @@
 //! phones and the pitch drawn over it, as SVG.
 
 use core::fmt::Write as _;
-use std::fs;
 use std::path::Path;
 
 use anyhow::{Context as _, Result, anyhow};
@@ -14,6 +13,7 @@ use raconteur_player::speech::text::Lexicon;
 
 use super::cast::Cast;
 use super::speak::{self, Work};
+use crate::disk;
 
 /// Width of a second, pixels.
 const SECOND: f64 = 420.0;
@@ -47,7 +47,7 @@ pub(crate) fn draw(cast: &Cast, text: &str, out: &Path) -> Result<()> {
     let casting = speak::cast(&work, cast, &Lexicon::default())?;
     let track = speak::speak(&work, &casting, cast, &|_| Ok(Vec::new()))?;
     let title = format!("{}: {}", cast.lead.engine, cast.lead.voice.name);
-    fs::write(out, svg(&track, &title)?).with_context(|| format!("writing {}", out.display()))
+    disk::replace(out, svg(&track, &title)?.as_bytes())
 }
 
 fn svg(track: &Track, title: &str) -> Result<String> {

@@ -1,5 +1,7 @@
 //! Runs the programs that baking and composing need.
 
+use core::fmt;
+use std::collections::BTreeSet;
 use std::io::{ErrorKind, Read as _};
 use std::process::{Command, Stdio};
 use std::thread;
@@ -21,6 +23,93 @@ pub(crate) const FFMPEG: Program = Program {
     package: "ffmpeg",
 };
 
+/// What is missing on this machine, and what brings it: all of it at once, so that one line
+/// installs it.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Missing {
+    /// Programs, libraries and voices.
+    names: BTreeSet<&'static str>,
+    /// Debian's packages.
+    packages: BTreeSet<&'static str>,
+    /// What no package brings: why a server cannot be asked.
+    others: BTreeSet<String>,
+}
+
+impl Missing {
+    /// One thing and the packages that bring it, parted by spaces.
+    pub(crate) fn one(name: &'static str, packages: &'static str) -> Self {
+        Self {
+            names: [name].into(),
+            packages: packages.split(' ').collect(),
+            others: BTreeSet::new(),
+        }
+    }
+
+    /// What an error tells to be missing, or that it happened.
+    pub(crate) fn of(error: &anyhow::Error) -> Self {
+        error.downcast_ref().cloned().unwrap_or_else(|| Self {
+            others: [format!("{error:#}")].into(),
+            ..Self::default()
+        })
+    }
+
+    /// Adds what else is missing.
+    pub(crate) fn add(&mut self, other: &Self) {
+        self.names.extend(&other.names);
+        self.packages.extend(&other.packages);
+        self.others.extend(other.others.iter().cloned());
+    }
+
+    /// Whether nothing is missing.
+    pub(crate) fn is_empty(&self) -> bool {
+        *self == Self::default()
+    }
+
+    /// Those of these programs that are not on the path.
+    pub(crate) fn among(programs: &[&Program]) -> Self {
+        let mut missing = Self::default();
+        for program in programs.iter().filter(|p| !p.is_there()) {
+            missing.add(&Self::one(program.name, program.package));
+        }
+        missing
+    }
+
+    /// # Errors
+    /// When anything is missing.
+    pub(crate) fn none(self) -> Result<()> {
+        if self.is_empty() {
+            Ok(())
+        } else {
+            Err(self.into())
+        }
+    }
+}
+
+impl fmt::Display for Missing {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let list = |items: &BTreeSet<&'static str>, between: &str| {
+            items.iter().copied().collect::<Vec<_>>().join(between)
+        };
+        let mut between = "";
+        if !self.names.is_empty() {
+            write!(
+                f,
+                "this needs {}, which this machine does not have; on Debian and Ubuntu: apt-get install {}",
+                list(&self.names, ", "),
+                list(&self.packages, " ")
+            )?;
+            between = "; ";
+        }
+        for other in &self.others {
+            write!(f, "{between}{other}")?;
+            between = "; ";
+        }
+        Ok(())
+    }
+}
+
+impl std::error::Error for Missing {}
+
 /// A program and the Debian package that brings it.
 pub(crate) struct Program {
     /// What is run, found on the path.
@@ -30,6 +119,15 @@ pub(crate) struct Program {
 }
 
 impl Program {
+    /// Whether it is on the path.
+    pub(crate) fn is_there(&self) -> bool {
+        let path = std::env::var_os("PATH").unwrap_or_default();
+        std::env::split_paths(&path).any(|folder| {
+            let file = folder.join(self.name);
+            file.is_file() || cfg!(windows) && file.with_extension("exe").is_file()
+        })
+    }
+
     /// A command for it. Arguments go to it as they are: no shell reads them.
     pub(crate) fn command(&self) -> Command {
         let mut command = Command::new(self.name);
@@ -46,11 +144,7 @@ impl Program {
     /// When the program is missing, fails or does not end.
     pub(crate) fn run(&self, mut command: Command) -> Result<String> {
         let mut child = command.spawn().map_err(|error| match error.kind() {
-            ErrorKind::NotFound => anyhow!(
-                "this needs the program {}, which is not installed; on Debian and Ubuntu: apt-get install {}",
-                self.name,
-                self.package
-            ),
+            ErrorKind::NotFound => Missing::one(self.name, self.package).into(),
             _ => anyhow!(error).context(format!("starting {}", self.name)),
         })?;
         // Both pipes are drained at once: a full one would stop the program.
@@ -107,5 +201,27 @@ mod tests {
                 && error.contains("apt-get install no-such-package"),
             "{error}"
         );
+    }
+
+    #[test]
+    fn all_that_is_missing_is_told_at_once() {
+        let none = |name, package| Program { name, package };
+        let (one, two) = (
+            none("raconteur-no-such", "that other"),
+            none("raconteur-nor-such", "this that"),
+        );
+        let mut missing = Missing::among(&[&one, &two]);
+        missing.add(&Missing::of(
+            &anyhow!("nobody answers").context("asking a server"),
+        ));
+        missing.add(&Missing::of(
+            &anyhow!(Missing::one("libx", "x-data")).context("a voice"),
+        ));
+        assert_eq!(
+            missing.none().unwrap_err().to_string(),
+            "this needs libx, raconteur-no-such, raconteur-nor-such, which this machine does not have; \
+             on Debian and Ubuntu: apt-get install other that this x-data; asking a server: nobody answers"
+        );
+        assert!(Missing::among(&[]).none().is_ok());
     }
 }

@@ -1,12 +1,14 @@
 //! Recordings that a text asks for.
 
-use std::path::{Component, Path, PathBuf};
+use std::path::{Path, PathBuf};
 
-use anyhow::{Context as _, Result, bail, ensure};
+use anyhow::{Context as _, Result};
 use raconteur_player::speech::assemble::Recording;
 use raconteur_player::speech::signal::resample;
 
 use super::program::FFMPEG;
+use crate::inside;
+use crate::media::Sound;
 
 /// The longest recording, seconds.
 const LONGEST_SECS: f64 = 600.0;
@@ -14,44 +16,43 @@ const LONGEST_SECS: f64 = 600.0;
 /// Where a recording of a story lies.
 ///
 /// # Errors
-/// When the path leaves the story's folder, or is an address.
+/// When there is none, the path leaves the story's folder, or it is no sound.
 pub(crate) fn find(folder: &Path, src: &str) -> Result<PathBuf> {
-    ensure!(
-        !src.contains(':') && !src.contains('\\'),
-        "the recording {src:?} is not beside the story; put it there and name its path"
-    );
-    let path = Path::new(src);
-    if !path.components().all(|c| matches!(c, Component::Normal(_))) {
-        bail!("the path {src:?} leaves the story's folder");
-    }
-    let path = folder.join(path);
-    ensure!(path.is_file(), "there is no recording {}", path.display());
+    let told = || format!("the recording {src:?}");
+    let path = inside::find(folder, src)
+        .with_context(told)?
+        .with_context(|| format!("there is no {}", folder.join(src).display()))
+        .with_context(told)?;
+    Sound::open(&path).with_context(told)?;
     Ok(path)
 }
 
 /// Decodes a recording to one channel of so many samples a second.
 ///
 /// # Errors
-/// When it cannot be decoded, or is too long.
+/// As [`decode`].
 pub(crate) fn read(path: &Path, rate_hz: f64) -> Result<Recording> {
-    let scratch = tempfile::tempdir().context("making a folder for a recording")?;
-    let wave = scratch.path().join("sound.wav");
-    let mut command = FFMPEG.command();
-    command
-        .args(["-v", "error", "-nostdin", "-y", "-i"])
-        .arg(path)
-        .args([
-            "-t",
-            &LONGEST_SECS.to_string(),
-            "-ac",
-            "1",
-            "-sample_fmt",
-            "s16",
-        ])
-        .arg(&wave);
-    FFMPEG.run(command)?;
-    let (samples, own_hz) = super::engine::read_wave(&wave)?;
+    let (samples, own_hz) = decode(path)?;
     Ok(Recording {
         samples: resample(&samples, own_hz, rate_hz),
     })
+}
+
+/// One channel of a sound, and its samples a second.
+///
+/// # Errors
+/// When it is no sound of a known format, or cannot be decoded.
+pub(crate) fn decode(path: &Path) -> Result<(Vec<f64>, f64)> {
+    let sound = Sound::open(path)?;
+    let scratch = tempfile::tempdir().context("making a folder for a recording")?;
+    let wave = scratch.path().join("sound.wav");
+    let mut command = FFMPEG.command();
+    command.args(["-v", "error", "-nostdin", "-y"]);
+    sound.input(&mut command);
+    command
+        .args(["-vn", "-sn", "-dn", "-t", &LONGEST_SECS.to_string()])
+        .args(["-ac", "1", "-sample_fmt", "s16"])
+        .arg(&wave);
+    FFMPEG.run(command)?;
+    super::engine::read_wave(&wave)
 }

@@ -2,75 +2,137 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
-use std::path::PathBuf;
+use std::io::ErrorKind;
+use std::path::{Path, PathBuf};
 
 use anyhow::{Context as _, Result};
-use raconteur_player::speech::bundle::{AudioFile, Bundle, Utterance};
+use raconteur_player::speech::bundle::{AudioFile, Bundle, Holds, Utterance, Voice};
+use sha2::Digest as _;
 
 use super::{bundle_text, encode};
+use crate::disk::{self, Disk};
+use crate::{inside, media};
 
-/// FNV-1a, 64 bits.
-pub(crate) struct Digest(u64);
+/// Whether the sound of an utterance is there.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Sound {
+    /// Each file holds what the bundle tells of it.
+    Whole,
+    /// The files are there, and the bundle does not tell what they hold.
+    Untold,
+    /// A file is missing, or holds something else.
+    Wrong,
+}
 
-impl Digest {
-    pub(crate) fn new() -> Self {
-        Self(0xcbf2_9ce4_8422_2325)
+struct Kept {
+    utterance: Utterance,
+    sound: Sound,
+}
+
+/// The folder, and the utterances of an earlier bake.
+///
+/// A sound's name tells what it holds, and so no sound is ever changed: new ones are put beside
+/// those of the old bundle, then `speech.json` is replaced, and then what is no longer used is
+/// removed. Whoever stops this at any moment finds the old bundle or the new one.
+pub(crate) struct Store<'d> {
+    folder: PathBuf,
+    disk: &'d dyn Disk,
+    text: Vec<u8>,
+    voices: Vec<Voice>,
+    old: BTreeMap<u64, Kept>,
+}
+
+/// Most bytes of `speech.json`.
+const MOST_TEXT: u64 = 256 << 20;
+
+/// SHA-256 in hexadecimal digits.
+fn sha256(bytes: &[u8]) -> String {
+    use core::fmt::Write as _;
+    let mut out = String::with_capacity(64);
+    for byte in sha2::Sha256::digest(bytes) {
+        let _ = write!(out, "{byte:02x}");
     }
+    out
+}
 
-    pub(crate) fn bytes(&mut self, bytes: &[u8]) {
-        for byte in bytes {
-            self.0 ^= u64::from(*byte);
-            self.0 = self.0.wrapping_mul(0x0100_0000_01b3);
+fn holds(bytes: &[u8]) -> Holds {
+    Holds {
+        bytes: bytes.len() as u64,
+        sha256: sha256(bytes),
+    }
+}
+
+/// What is at the place of a sound.
+fn sound_at(folder: &Path, audio: &AudioFile) -> Sound {
+    let found = inside::find(folder, &audio.file).ok().flatten();
+    match (found, &audio.holds) {
+        (None, _) => Sound::Wrong,
+        (Some(_), None) => Sound::Untold,
+        (Some(path), Some(told)) => match inside::read(&path, told.bytes) {
+            Ok(bytes) if holds(&bytes) == *told => Sound::Whole,
+            _ => Sound::Wrong,
+        },
+    }
+}
+
+impl<'d> Store<'d> {
+    /// Reads what is there. A bundle that cannot be read, or of another version, holds
+    /// nothing: everything is baked again.
+    pub(crate) fn open(folder: PathBuf, disk: &'d dyn Disk) -> Self {
+        let path = inside::find(&folder, SPEECH).ok().flatten();
+        let text = path.and_then(|path| inside::read(&path, MOST_TEXT).ok());
+        let text = text.unwrap_or_default();
+        let bundle = Bundle::from_json(&text).unwrap_or_default();
+        let sound = |u: &Utterance| {
+            let all: Vec<Sound> = u.audio.iter().map(|a| sound_at(&folder, a)).collect();
+            match () {
+                () if all.is_empty() || all.contains(&Sound::Wrong) => Sound::Wrong,
+                () if all.contains(&Sound::Untold) => Sound::Untold,
+                () => Sound::Whole,
+            }
+        };
+        let kept = |utterance: Utterance| {
+            let sound = sound(&utterance);
+            (utterance.key, Kept { utterance, sound })
+        };
+        let old = bundle.utterances.into_iter().map(kept).collect();
+        Self {
+            folder,
+            disk,
+            text,
+            voices: bundle.voices,
+            old,
         }
     }
 
-    pub(crate) fn number(&mut self, number: u64) {
-        self.bytes(&number.to_le_bytes());
-    }
-
-    /// A text and that it ends.
-    pub(crate) fn text(&mut self, text: &str) {
-        self.bytes(text.as_bytes());
-        self.bytes(&[0xff]);
-    }
-
-    pub(crate) fn value(&self) -> u64 {
-        self.0
-    }
-}
-
-/// The folder, and the utterances of an earlier bake whose sound is there.
-pub(crate) struct Store {
-    folder: PathBuf,
-    old: BTreeMap<u64, Utterance>,
-}
-
-impl Store {
-    /// Reads what is there. A bundle that cannot be read, or of another version, holds
-    /// nothing: everything is baked again.
-    pub(crate) fn open(folder: PathBuf) -> Self {
-        let json = fs::read(folder.join("speech.json")).unwrap_or_default();
-        let bundle = Bundle::from_json(&json).unwrap_or_default();
-        let whole = |u: &Utterance| {
-            !u.audio.is_empty() && u.audio.iter().all(|a| folder.join(&a.file).is_file())
-        };
-        let old = bundle
-            .utterances
-            .into_iter()
-            .filter(whole)
-            .map(|u| (u.key, u))
-            .collect();
-        Self { folder, old }
+    fn whole(&self, key: u64) -> Option<&Utterance> {
+        let kept = self.old.get(&key).filter(|k| k.sound == Sound::Whole);
+        kept.map(|k| &k.utterance)
     }
 
     /// Whether an utterance is there, made of just this.
     pub(crate) fn has(&self, key: u64, digest: u64) -> bool {
-        self.old.get(&key).is_some_and(|u| u.content == digest)
+        self.whole(key).is_some_and(|u| u.content == digest)
+    }
+
+    /// Whether an utterance is there, made of the same story by whatever engine.
+    pub(crate) fn has_source(&self, key: u64, source: u64) -> bool {
+        self.whole(key).is_some_and(|u| u.source == Some(source))
     }
 
     /// An utterance of the earlier bake.
     pub(crate) fn get(&self, key: u64) -> Option<Utterance> {
-        self.old.get(&key).cloned()
+        self.whole(key).cloned()
+    }
+
+    /// Who spoke an utterance of the earlier bake.
+    pub(crate) fn voice(&self, key: u64) -> Option<&Voice> {
+        self.voices.get(self.whole(key)?.voice)
+    }
+
+    /// What is known of the sound of an utterance of the earlier bake.
+    pub(crate) fn sound(&self, key: u64) -> Option<Sound> {
+        self.old.get(&key).map(|k| k.sound)
     }
 
     /// How many utterances of the earlier bake are none of these.
@@ -79,135 +141,152 @@ impl Store {
         self.old.keys().filter(|key| !keys.contains(key)).count()
     }
 
-    /// Makes the folder.
-    pub(crate) fn prepare(&self) -> Result<()> {
-        fs::create_dir_all(&self.folder)
-            .with_context(|| format!("making {}", self.folder.display()))
+    /// Keeps sounds of an utterance made of just this whose files the bundle did not tell of,
+    /// under the names that tell it, if all are what the utterance says.
+    ///
+    /// # Errors
+    /// When they cannot be decoded or written.
+    pub(crate) fn adopt(
+        &mut self,
+        key: u64,
+        digest: u64,
+        is_sound_of: &dyn Fn(&Utterance, &Path) -> Result<bool>,
+    ) -> Result<()> {
+        let found = self.old.get(&key).filter(|k| k.sound == Sound::Untold);
+        let Some(kept) = found.filter(|k| k.utterance.content == digest) else {
+            return Ok(());
+        };
+        let mut utterance = kept.utterance.clone();
+        for audio in &mut utterance.audio {
+            let Some(path) = inside::find(&self.folder, &audio.file)? else {
+                return Ok(());
+            };
+            if !is_sound_of(&kept.utterance, &path)? {
+                return Ok(());
+            }
+            let bytes = inside::read(&path, media::MOST_BYTES)?;
+            let ending = Path::new(&audio.file).extension().unwrap_or_default();
+            let mime = audio.mime.clone();
+            *audio = self.add(&bytes, &ending.to_string_lossy(), &mime)?;
+        }
+        let sound = Sound::Whole;
+        self.old.insert(key, Kept { utterance, sound });
+        Ok(())
     }
 
-    /// Writes the sound of an utterance in all encodings.
-    pub(crate) fn encode(&self, key: u64, samples: &[f64], rate_hz: f64) -> Result<Vec<AudioFile>> {
-        let stem = format!("{key:016x}");
-        let files = encode::encode(samples, rate_hz.round() as u32, &stem, &self.folder)?;
-        let named = |(file, mime): (String, &'static str)| AudioFile {
-            file,
+    /// Puts a sound into the folder, under a name that tells what it holds.
+    ///
+    /// # Errors
+    /// When it cannot be written.
+    pub(crate) fn add(&self, bytes: &[u8], ending: &str, mime: &str) -> Result<AudioFile> {
+        let holds = holds(bytes);
+        let audio = AudioFile {
+            file: format!("{}.{ending}", &holds.sha256[..NAME_DIGITS]),
             mime: mime.to_owned(),
+            holds: Some(holds),
         };
-        Ok(files.into_iter().map(named).collect())
+        // What is there may be cut off: a disk that lost its power keeps names without content.
+        if sound_at(&self.folder, &audio) != Sound::Whole {
+            disk::replace_on(self.disk, &self.folder.join(&audio.file), bytes)?;
+        }
+        Ok(audio)
+    }
+
+    /// Whether the bundle is there already, word for word, and nothing else of a bake.
+    ///
+    /// # Errors
+    /// When the folder cannot be read.
+    pub(crate) fn is(&self, bundle: &Bundle) -> Result<bool> {
+        let text = bundle_text::write(bundle);
+        Ok(self.text == text.as_bytes() && self.unused(bundle)?.is_empty())
     }
 
     /// Writes the bundle's text, unless it is there already, so that bakes do not disturb
-    /// build tools. Returns its length.
-    pub(crate) fn write(&self, bundle: &Bundle) -> Result<u64> {
-        let path = self.folder.join("speech.json");
+    /// build tools. All its sounds are in the folder.
+    ///
+    /// # Errors
+    /// When it cannot be written.
+    pub(crate) fn write(&self, bundle: &Bundle) -> Result<()> {
         let text = bundle_text::write(bundle);
-        if fs::read(&path).ok().as_deref() != Some(text.as_bytes()) {
-            fs::write(&path, &text).with_context(|| format!("writing {}", path.display()))?;
+        if self.text == text.as_bytes() {
+            return Ok(());
         }
-        Ok(text.len() as u64)
+        disk::replace_on(self.disk, &self.folder.join(SPEECH), text.as_bytes())
     }
 
-    /// Bytes of a file.
-    pub(crate) fn size(&self, file: &str) -> Result<u64> {
-        Ok(fs::metadata(self.folder.join(file))?.len())
-    }
-
-    /// Removes everything that a bake made, and the folder if that empties it.
+    /// Removes everything that a bake made; the text first, so that it never names what is gone.
+    ///
+    /// # Errors
+    /// When something cannot be removed.
     pub(crate) fn clear(&self) -> Result<usize> {
-        if !self.folder.join("speech.json").is_file() {
-            return Ok(0);
+        let path = self.folder.join(SPEECH);
+        if fs::symlink_metadata(&path).is_ok() {
+            let told = || format!("removing {}", path.display());
+            self.disk.remove(&path).with_context(told)?;
+            self.disk.sync_folder(&self.folder).with_context(told)?;
         }
-        let removed = self.remove_unused(&Bundle::default())?;
-        fs::remove_file(self.folder.join("speech.json"))?;
-        // Somebody else's files stay, and their folder with them.
-        let _ = fs::remove_dir(&self.folder);
-        Ok(removed)
+        self.remove_unused(&Bundle::default())
     }
 
-    /// Removes sound files that a bake made and that the bundle no longer names. Only names
-    /// that a bake gives (a key and a known ending) are touched.
+    /// Removes sound files that a bake made and that the bundle no longer names, and what bakes
+    /// that were stopped have left. Only names that a bake gives are touched. Returns how many
+    /// sounds there were.
+    ///
+    /// # Errors
+    /// When something cannot be removed.
     pub(crate) fn remove_unused(&self, bundle: &Bundle) -> Result<usize> {
-        let mut removed = 0;
-        for entry in fs::read_dir(&self.folder)? {
-            let entry = entry?;
-            let name = entry.file_name();
+        let unused = self.unused(bundle)?;
+        for name in &unused {
+            let path = self.folder.join(name);
+            self.disk
+                .remove(&path)
+                .with_context(|| format!("removing {}", path.display()))?;
+        }
+        Ok(unused.iter().filter(|name| is_sound(name)).count())
+    }
+
+    /// Names of files that a bake made and this bundle does not name.
+    fn unused(&self, bundle: &Bundle) -> Result<Vec<String>> {
+        let used: BTreeSet<&str> = bundle
+            .utterances
+            .iter()
+            .flat_map(|u| &u.audio)
+            .map(|a| a.file.as_str())
+            .collect();
+        let told = || format!("reading {}", self.folder.display());
+        let entries = match fs::read_dir(&self.folder) {
+            Ok(entries) => entries,
+            Err(error) if error.kind() == ErrorKind::NotFound => return Ok(Vec::new()),
+            Err(error) => return Err(error).with_context(told),
+        };
+        let mut names = Vec::new();
+        for entry in entries {
+            let name = entry.with_context(told)?.file_name();
             let Some(name) = name.to_str() else { continue };
-            let ours = name.split_once('.').is_some_and(|(stem, ending)| {
-                stem.len() == 16
-                    && stem.bytes().all(|b| b.is_ascii_hexdigit())
-                    && encode::ENDINGS.contains(&ending)
-            });
-            let used = bundle
-                .utterances
-                .iter()
-                .flat_map(|u| &u.audio)
-                .any(|a| a.file == name);
-            if ours && !used {
-                fs::remove_file(entry.path())
-                    .with_context(|| format!("removing {}", entry.path().display()))?;
-                removed += 1;
+            if !used.contains(name) && (is_sound(name) || disk::is_part(name)) {
+                names.push(name.to_owned());
             }
         }
-        Ok(removed)
+        names.sort();
+        Ok(names)
     }
+}
+
+/// The bundle's text.
+const SPEECH: &str = "speech.json";
+
+/// Digits of a sound's SHA-256 in its name: 128 bits.
+const NAME_DIGITS: usize = 32;
+
+/// Is this the name of a sound that a bake made? Earlier bakes named them after the 16 digits of
+/// their key.
+fn is_sound(name: &str) -> bool {
+    name.split_once('.').is_some_and(|(stem, ending)| {
+        [16, NAME_DIGITS].contains(&stem.len())
+            && stem.bytes().all(|b| b.is_ascii_hexdigit())
+            && encode::FORMATS.iter().any(|(known, _)| *known == ending)
+    })
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use raconteur_player::speech::bundle::Voice;
-
-    fn utterance(key: u64, content: u64, file: &str) -> Utterance {
-        Utterance {
-            key,
-            content,
-            audio: vec![AudioFile {
-                file: file.to_owned(),
-                mime: "a".to_owned(),
-            }],
-            ..Utterance::default()
-        }
-    }
-
-    #[test]
-    fn only_unused_files_that_a_bake_made_are_removed() {
-        let dir = tempfile::tempdir().unwrap();
-        for name in [
-            "0123456789abcdef.opus",
-            "00000000000000aa.mp3",
-            "drum.mp3",
-            "notes.txt",
-        ] {
-            fs::write(dir.path().join(name), "x").unwrap();
-        }
-        let bundle = Bundle {
-            voices: Vec::new(),
-            utterances: vec![utterance(0xaa, 0, "00000000000000aa.mp3")],
-        };
-        let store = Store::open(dir.path().to_owned());
-        assert_eq!(store.remove_unused(&bundle).unwrap(), 1);
-        assert!(!dir.path().join("0123456789abcdef.opus").exists());
-        assert!(dir.path().join("00000000000000aa.mp3").exists());
-        assert!(dir.path().join("drum.mp3").exists());
-    }
-
-    #[test]
-    fn an_utterance_is_kept_while_its_sound_is_there_and_it_is_made_of_the_same() {
-        let dir = tempfile::tempdir().unwrap();
-        let bundle = Bundle {
-            voices: vec![Voice::default()],
-            utterances: vec![utterance(1, 2, "k.opus")],
-        };
-        let store = Store::open(dir.path().to_owned());
-        store.write(&bundle).unwrap();
-        let open = || Store::open(dir.path().to_owned());
-        assert!(!open().has(1, 2), "its sound is missing");
-        fs::write(dir.path().join("k.opus"), "x").unwrap();
-        assert!(open().has(1, 2));
-        assert!(!open().has(1, 3) && !open().has(2, 2));
-        assert_eq!(open().others([1].into_iter()), 0);
-        assert_eq!(open().others([2].into_iter()), 1);
-        fs::write(dir.path().join("speech.json"), "{").unwrap();
-        assert!(!open().has(1, 2));
-    }
-}
+mod tests;

@@ -2,7 +2,7 @@
 
 use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
-use std::{fs, thread};
+use std::thread;
 
 use anyhow::{Context as _, Result};
 use clap::Args;
@@ -11,7 +11,9 @@ use raconteur_player::speech::text::Lexicon;
 use serde_json::json;
 
 use crate::bake::engine::{ENGINES, EngineOptions, VoiceInfo};
+use crate::bake::program::Missing;
 use crate::bake::{self, BakeOptions, BakeReport, Cast, STORY_PACE};
+use crate::inside;
 use crate::story::{StoryFiles, find_asset};
 use crate::{Format, Outcome, report};
 
@@ -21,7 +23,8 @@ pub(crate) struct Bake {
     /// Scripts, or folders that hold a story.eml.
     #[arg(required_unless_present = "list_voices")]
     files: Vec<PathBuf>,
-    /// The speech engine; without it, festival.
+    /// The speech engine; without it, festival, or where that is not installed the first of
+    /// flite and espeak-ng that is.
     #[arg(long, value_parser = ENGINES)]
     engine: Option<String>,
     /// The voice of what names no other, as its engine calls it; without it, the engine's
@@ -84,7 +87,11 @@ impl Bake {
             let folder = files.script.parent().unwrap_or(Path::new(""));
             let lexicon_text = self.lexicon_text(folder)?;
             let bake_options = BakeOptions {
-                cast: Cast::new(self.engine(), self.voice.as_deref(), options.clone())?,
+                cast: Cast::new(
+                    self.engine.as_deref(),
+                    self.voice.as_deref(),
+                    options.clone(),
+                )?,
                 pace: self.pace,
                 lexicon: Lexicon::parse(&lexicon_text).context("reading the lexicon")?,
                 lexicon_text,
@@ -118,6 +125,7 @@ impl Bake {
                     file.display()
                 )?;
             }
+            self.tell_of_engines(&name, &baked, &bake_options.cast)?;
             if self.check && (!baked.synthesised.is_empty() || baked.removed > 0) {
                 worst = Outcome::Errors;
             }
@@ -150,18 +158,33 @@ impl Bake {
         Ok(worst)
     }
 
-    fn engine(&self) -> &str {
-        self.engine.as_deref().unwrap_or("festival")
+    fn lexicon_text(&self, folder: &Path) -> Result<String> {
+        // One that the user names may lie anywhere.
+        let path = match &self.lexicon {
+            Some(path) => Some(path.clone()),
+            None => inside::find(folder, "lexicon.txt")?,
+        };
+        path.map_or(Ok(String::new()), |path| inside::read_text(&path))
     }
 
-    fn lexicon_text(&self, folder: &Path) -> Result<String> {
-        let beside = folder.join("lexicon.txt");
-        let path = match &self.lexicon {
-            Some(path) => path,
-            None if beside.is_file() => &beside,
-            None => return Ok(String::new()),
-        };
-        fs::read_to_string(path).with_context(|| format!("reading {}", path.display()))
+    /// What another engine than the usual one means, or that none could be asked.
+    fn tell_of_engines(&self, name: &str, baked: &BakeReport, cast: &Cast) -> Result<()> {
+        let mut err = io::stderr();
+        if let Some(missing) = &baked.compared_without {
+            writeln!(
+                err,
+                "{name}: only texts and sounds were compared, not the versions of engines: {missing}"
+            )?;
+        } else if let Some(usual) = &cast.instead_of
+            && !baked.synthesised.is_empty()
+        {
+            writeln!(
+                err,
+                "{name}: spoken by {} with the voice {}, as festival is not here: {usual}",
+                cast.lead.engine, cast.lead.voice.name
+            )?;
+        }
+        Ok(())
     }
 
     fn tell(&self, name: &str, baked: &BakeReport) -> Result<()> {
@@ -210,15 +233,23 @@ impl Bake {
     /// Lists voices: of the engine that was asked for, else of every installed one.
     fn list(&self, options: &EngineOptions) -> Result<Outcome> {
         let mut rows = Vec::new();
-        if let Some(engine) = &self.engine {
-            let voices = Cast::voices_of(engine, options)?;
-            rows.extend(voices.into_iter().map(|v| (engine.as_str(), v)));
-        } else {
+        let mut missing = Missing::default();
+        let asked = ENGINES
+            .into_iter()
+            .filter(|e| self.engine.as_ref().is_none_or(|engine| engine == e));
+        for engine in asked {
             // What is not installed or not running has no voices.
-            for engine in ENGINES {
-                let voices = Cast::voices_of(engine, options).unwrap_or_default();
-                rows.extend(voices.into_iter().map(|v| (engine, v)));
+            match Cast::voices_of(engine, options) {
+                Ok(voices) => rows.extend(voices.into_iter().map(|v| (engine, v))),
+                // Servers and recordings are only there for those who ask for them.
+                Err(error) if self.engine.is_some() || error.is::<Missing>() => {
+                    missing.add(&Missing::of(&error));
+                }
+                Err(_) => {}
             }
+        }
+        if rows.is_empty() && !missing.is_empty() {
+            writeln!(io::stderr(), "there is no voice here: {missing}")?;
         }
         let mut out = io::stdout().lock();
         if self.format == Format::Json {

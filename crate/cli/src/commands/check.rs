@@ -8,6 +8,8 @@ use clap::Args;
 use raconteur_player::eml::Diagnostic;
 use raconteur_player::stage::Shot;
 
+use crate::bake::{SoundFile, Store};
+use crate::disk::Real;
 use crate::report;
 use crate::story::StoryFiles;
 use crate::{Format, Outcome};
@@ -34,7 +36,8 @@ impl Check {
         let mut json = Vec::new();
         for path in &self.files {
             let files = StoryFiles::read(path)?;
-            let diagnostics = self.diagnostics(&files)?;
+            let mut diagnostics = self.diagnostics(&files)?;
+            diagnostics.extend(wrong_sounds(&files));
             let name = files.script.display().to_string();
             if report::outcome(&diagnostics) == Outcome::Errors {
                 worst = Outcome::Errors;
@@ -67,4 +70,23 @@ impl Check {
             }
         }
     }
+}
+
+/// Utterances of the bundle that are said and whose sound is not the one that was baked.
+fn wrong_sounds(files: &StoryFiles) -> Vec<Diagnostic> {
+    let store = Store::open(files.voice(), &Real);
+    let said = files.script().said();
+    let wrong = said
+        .iter()
+        .filter(|said| store.sound(said.key) == Some(SoundFile::Wrong));
+    wrong
+        .map(|said| {
+            Diagnostic::error(
+                "voice::wrong-sound",
+                said.span,
+                "the sound of this is missing, or is not the one that the bundle tells of",
+            )
+            .hint("bake the story again: raconteur bake")
+        })
+        .collect()
 }

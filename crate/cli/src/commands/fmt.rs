@@ -1,15 +1,14 @@
 //! `raconteur fmt`.
 
-use std::fs;
 use std::io::{self, Write as _};
 use std::path::PathBuf;
 
-use anyhow::{Context as _, Result};
+use anyhow::Result;
 use clap::Args;
 use raconteur_player::eml::{Diagnostic, HARMLESS, parse, write_with_comments};
 
 use crate::story::StoryFiles;
-use crate::{Outcome, report};
+use crate::{Outcome, disk, report};
 
 /// Write stories in their canonical form. Comments stay, before their clause. A story that
 /// would lose something is left as it is, with a message.
@@ -46,8 +45,7 @@ impl Fmt {
                 writeln!(out, "{name}: not in canonical form")?;
                 worst = Outcome::Errors;
             } else {
-                fs::write(&files.script, formatted)
-                    .with_context(|| format!("cannot write {name}"))?;
+                disk::replace(&files.script, formatted.as_bytes())?;
             }
         }
         Ok(worst)

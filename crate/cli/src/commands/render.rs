@@ -1,7 +1,5 @@
 //! `raconteur render`.
 
-use std::fs;
-use std::io::BufWriter;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context as _, Result, bail};
@@ -13,6 +11,7 @@ use raconteur_render::RenderOptions;
 use raconteur_render::headless::Headless;
 
 use crate::Outcome;
+use crate::disk;
 use crate::film;
 use crate::picture;
 use crate::report;
@@ -147,17 +146,15 @@ impl Render {
 
 /// Writes an RGBA picture; the old file stays whole if that fails.
 pub(crate) fn write_png(path: &Path, (width, height): (u32, u32), rgba: &[u8]) -> Result<()> {
-    let part = path.with_extension("png.part");
-    let write = || -> Result<()> {
-        let file = BufWriter::new(fs::File::create(&part)?);
-        let mut encoder = png::Encoder::new(file, width, height);
+    let mut bytes = Vec::new();
+    let mut encode = || -> Result<()> {
+        let mut encoder = png::Encoder::new(&mut bytes, width, height);
         encoder.set_color(png::ColorType::Rgba);
         encoder.set_depth(png::BitDepth::Eight);
         let mut writer = encoder.write_header()?;
         writer.write_image_data(rgba)?;
-        writer.finish()?;
-        fs::rename(&part, path)?;
-        Ok(())
+        Ok(writer.finish()?)
     };
-    write().with_context(|| format!("cannot write {}", path.display()))
+    encode().with_context(|| format!("cannot write {}", path.display()))?;
+    disk::replace(path, &bytes)
 }

@@ -61,9 +61,9 @@ impl Ssml {
 /// Whose voice.
 #[derive(Args)]
 struct Who {
-    /// The speech engine.
-    #[arg(long, default_value = "festival", value_parser = ENGINES)]
-    engine: String,
+    /// The speech engine; without it, festival or the first that is installed.
+    #[arg(long, value_parser = ENGINES)]
+    engine: Option<String>,
     /// The voice, as its engine calls it; without it, the engine's first.
     #[arg(long)]
     voice: Option<String>,
@@ -74,14 +74,16 @@ struct Who {
 
 impl Who {
     fn cast(&self) -> Result<Cast> {
-        Cast::new(
-            &self.engine,
+        let cast = Cast::new(
+            self.engine.as_deref(),
             self.voice.as_deref(),
             EngineOptions {
                 server: self.server.clone(),
                 recordings: None,
             },
-        )
+        )?;
+        cast.missing().none()?;
+        Ok(cast)
     }
 }
 

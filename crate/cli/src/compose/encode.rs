@@ -8,6 +8,7 @@ use anyhow::{Context as _, Result, bail};
 use super::instrument::Stereo;
 use super::signal::{Noise, RATE_HZ};
 use crate::bake::program::{FFMPEG, OPUSENC};
+use crate::disk;
 
 /// kbit/s, both channels.
 const OPUS_RATE: &str = "56";
@@ -49,8 +50,7 @@ pub(crate) fn encode(sound: &Stereo, path: &Path) -> Result<()> {
         }
         _ => bail!("{}: write a .wav, .opus or .mp3", path.display()),
     }
-    fs::copy(&made, path).with_context(|| format!("writing {}", path.display()))?;
-    Ok(())
+    disk::replace(path, &fs::read(&made).context("reading what was made")?)
 }
 
 fn write_wave(path: &Path, sound: &Stereo) -> Result<()> {

@@ -68,6 +68,9 @@ pub struct Utterance {
     /// By which a baker knows whether it is up to date: stands for everything that went into
     /// its sound.
     pub content: u64,
+    /// The share of the story in [`Utterance::content`]: by this a baker that lacks the engines
+    /// knows whether the text is still the same. `None` in bundles that do not tell.
+    pub source: Option<u64>,
     /// Index of its voice in [`Bundle::voices`].
     pub voice: usize,
     /// What is said as plain text.
@@ -100,12 +103,24 @@ pub struct Utterance {
 }
 
 /// One encoding of an utterance's sound.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct AudioFile {
     /// File name in the bundle's folder: letters, digits, `.`, `_`, `-` only.
     pub file: String,
     /// MIME type with codecs.
     pub mime: String,
+    /// What the file holds, where the bundle tells. Read with the feature `bake` alone.
+    pub holds: Option<Holds>,
+}
+
+/// What a sound file holds: by this a baker knows that a sound is the one that was made for its
+/// utterance.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Holds {
+    /// Its length in bytes.
+    pub bytes: u64,
+    /// SHA-256 of its bytes (FIPS 180-4), 64 hexadecimal digits in small letters.
+    pub sha256: String,
 }
 
 /// One spoken word.

@@ -139,7 +139,28 @@ impl AudioFile {
         Ok(Self {
             file: text(json, "file")?,
             mime: text(json, "mime")?,
+            #[cfg(feature = "bake")]
+            holds: super::Holds::of(json)?,
+            #[cfg(not(feature = "bake"))]
+            holds: None,
         })
+    }
+}
+
+#[cfg(feature = "bake")]
+impl super::Holds {
+    /// Both members or neither.
+    fn of(json: &Json<'_>) -> Result<Option<Self>, Fault> {
+        if json.get("bytes").is_null() && json.get("sha256").is_null() {
+            return Ok(None);
+        }
+        let is_digit = |b: u8| matches!(b, b'0'..=b'9' | b'a'..=b'f');
+        let sha256 = text(json, "sha256")?;
+        if sha256.len() != 64 || !sha256.bytes().all(is_digit) {
+            return Err(json["sha256"].fault("this is no SHA-256 in small letters".to_owned()));
+        }
+        let bytes = field(json, "bytes", Json::whole)?;
+        Ok(Some(Self { bytes, sha256 }))
     }
 }
 
@@ -154,6 +175,12 @@ impl Utterance {
             key: field(json, "key", digest)?,
             #[cfg(feature = "bake")]
             content: field(json, "content", digest)?,
+            #[cfg(feature = "bake")]
+            source: if json.get("source").is_null() {
+                None
+            } else {
+                Some(field(json, "source", digest)?)
+            },
             voice: index(json, "voice")?,
             text: text(json, "text")?,
             audio: list(json, "audio", AudioFile::of)?,

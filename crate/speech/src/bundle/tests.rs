@@ -48,6 +48,42 @@ fn what_only_bakers_ask_for_is_read() {
     assert_eq!(u.text_starts, [0, 4, 8]);
     assert_eq!(u.content, 0x0123_4567_89ab_cdef);
     assert_eq!(bundle.voices[0].engine, "test 1");
+    // Bundles of before told neither.
+    assert_eq!((u.source, &u.audio[0].holds), (None, &None));
+}
+
+#[cfg(feature = "bake")]
+#[test]
+fn what_a_sound_holds_is_told_wholly_or_not_at_all() {
+    let told = |members: &str| {
+        SAMPLE.replace(
+            "\"mime\": \"audio/ogg\"",
+            &["\"mime\": \"audio/ogg\", ", members].concat(),
+        )
+    };
+    let sha256 = "0123456789abcdef".repeat(4);
+    let whole = told(&format!("\"bytes\": 7, \"sha256\": \"{sha256}\"")).replace(
+        "\"voice\": 0",
+        "\"source\": \"00000000000000fe\", \"voice\": 0",
+    );
+    let u = &read(&whole).unwrap().utterances[0];
+    assert_eq!(u.source, Some(254));
+    assert_eq!(
+        u.audio[0].holds,
+        Some(Holds {
+            bytes: 7,
+            sha256: sha256.clone()
+        })
+    );
+    for bad in [
+        "\"bytes\": 7".to_owned(),
+        format!("\"sha256\": \"{sha256}\""),
+        format!("\"bytes\": -1, \"sha256\": \"{sha256}\""),
+        format!("\"bytes\": 7, \"sha256\": \"{}\"", &sha256[1..]),
+        format!("\"bytes\": 7, \"sha256\": \"{}\"", sha256.to_uppercase()),
+    ] {
+        assert!(read(&told(&bad)).is_err(), "{bad}");
+    }
 }
 
 #[test]

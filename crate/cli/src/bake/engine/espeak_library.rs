@@ -14,8 +14,10 @@ use std::ffi::CString;
 use std::path::PathBuf;
 use std::sync::{Mutex, PoisonError};
 
-use anyhow::{Context as _, Result, anyhow, ensure};
+use anyhow::{Context as _, Result, ensure};
 use libloading::Library;
+
+use super::super::program::Missing;
 
 /// What the library may be called.
 const NAMES: [&str; 5] = [
@@ -158,11 +160,7 @@ impl Espeak {
             .iter()
             // SAFETY: loading runs the library's initialisers, as any program linked to it does.
             .find_map(|name| unsafe { Library::new(name) }.ok())
-            .ok_or_else(|| {
-                anyhow!(
-                    "this needs the library libespeak-ng, which is not installed; on Debian and Ubuntu: apt-get install libespeak-ng1 espeak-ng-data"
-                )
-            })?;
+            .ok_or_else(|| Missing::one("libespeak-ng", "libespeak-ng1 espeak-ng-data"))?;
         let told = "libespeak-ng is not as it should be";
         // SAFETY: the types are those that `speak_lib.h` declares for these names, and the
         // library lives as long as the functions.
@@ -207,7 +205,7 @@ impl Espeak {
         u32::try_from(rate_hz)
             .ok()
             .filter(|r| *r > 0)
-            .context("libespeak-ng does not find its data; on Debian and Ubuntu: apt-get install espeak-ng-data")
+            .ok_or_else(|| Missing::one("the data of libespeak-ng", "espeak-ng-data").into())
     }
 
     /// Version and folder of data.

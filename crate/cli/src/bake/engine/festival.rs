@@ -6,7 +6,7 @@ use anyhow::{Context as _, Error, Result, bail, ensure};
 use raconteur_player::speech::content::Gender;
 use raconteur_player::speech::spoken::{Sentence, Spoken};
 
-use super::super::program::Program;
+use super::super::program::{Missing, Program};
 use super::ipa::Set;
 use super::labels::{self, Labels, Phone};
 use super::{Engine, VoiceInfo, scheme, wave};
@@ -46,7 +46,11 @@ impl Engine for Festival {
 
     fn voices(&self) -> Result<Vec<VoiceInfo>> {
         let folder = tempfile::tempdir().context("making a folder for the engine")?;
-        Ok(voices(&run(scheme::VOICES, &folder)?))
+        let voices = voices(&run(scheme::VOICES, &folder)?);
+        if voices.is_empty() {
+            return Err(Missing::one("a voice of festival", "festvox-us-slt-hts").into());
+        }
+        Ok(voices)
     }
 
     fn speak(&self, voice: &str, sentences: &[Sentence]) -> Result<Vec<Spoken>> {

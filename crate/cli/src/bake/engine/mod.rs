@@ -6,6 +6,7 @@
 //! Does not: change rate, pitch, loudness or the length of pauses. Engines speak plainly; the
 //! baker does that afterwards in the sound.
 
+mod absent;
 mod aligned;
 mod espeak;
 mod espeak_library;
@@ -20,6 +21,8 @@ mod recording;
 mod scheme;
 mod wave;
 
+pub(crate) use absent::Absent;
+
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
@@ -29,6 +32,8 @@ use raconteur_player::speech::bundle::SentenceKind;
 pub(crate) use raconteur_player::speech::content::Gender;
 use raconteur_player::speech::plan::Plan;
 use raconteur_player::speech::spoken::{Sentence, Spoken, Token};
+
+use super::program::Missing;
 
 /// Most characters that are read of a token; the baker parts longer ones.
 const MOST_CHARACTERS: usize = 40;
@@ -148,6 +153,23 @@ pub(crate) fn by_name(name: &str, options: &EngineOptions) -> Result<Box<dyn Eng
     })
 }
 
+/// An engine that runs on this machine: its name, and its voices or what it lacks.
+type Local = (&'static str, Result<Vec<VoiceInfo>, Missing>);
+
+/// The engines that run on this machine, in the order in which they are preferred. They are asked
+/// once.
+pub(crate) fn local() -> &'static [Local; 3] {
+    static LOCAL: OnceLock<[Local; 3]> = OnceLock::new();
+    LOCAL.get_or_init(|| {
+        let asked: [(&str, &dyn Engine); 3] = [
+            ("festival", &festival::Festival),
+            ("flite", &flite::Flite),
+            ("espeak-ng", &espeak::Espeak),
+        ];
+        asked.map(|(n, e)| (n, e.voices().map_err(|error| Missing::of(&error))))
+    })
+}
+
 /// The engine that has a voice of this name, and the name that the engine knows it by.
 /// `ENGINE:VOICE` names both. Otherwise the engines that are installed on this machine are
 /// asked, in the order of [`ENGINES`]; `None` when none has it.
@@ -156,25 +178,13 @@ pub(crate) fn find_voice(name: &str) -> Option<(String, String)> {
         let engine = ENGINES.into_iter().find(|e| *e == engine)?;
         return Some((engine.to_owned(), voice.to_owned()));
     }
-    static INSTALLED: OnceLock<Vec<(&'static str, Vec<VoiceInfo>)>> = OnceLock::new();
-    let installed = INSTALLED.get_or_init(|| {
-        let asked: [(&str, &dyn Engine); 3] = [
-            ("festival", &festival::Festival),
-            ("flite", &flite::Flite),
-            ("espeak-ng", &espeak::Espeak),
-        ];
-        // An engine that is not installed has no voices.
-        asked
-            .map(|(n, e)| (n, e.voices().unwrap_or_default()))
-            .into()
-    });
-    installed.iter().find_map(|(engine, voices)| {
+    local().iter().find_map(|(engine, voices)| {
         // Variants of espeak-ng: `de+f3`.
         let base = match name.split_once('+') {
             Some((base, _)) if *engine == "espeak-ng" => base,
             _ => name,
         };
-        let has = voices.iter().any(|v| v.name == base);
+        let has = voices.iter().flatten().any(|v| v.name == base);
         has.then(|| ((*engine).to_owned(), name.to_owned()))
     })
 }

@@ -1,15 +1,15 @@
 //! Recordings of people: a folder with a sound for each utterance and, beside it, what
 //! another program says of its times.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 
-use anyhow::{Context as _, Result, bail, ensure};
+use anyhow::{Context as _, Result, bail};
 use raconteur_player::speech::align::{MOST_BYTES, detect, read};
 use raconteur_player::speech::plan::Plan;
 use raconteur_player::speech::spoken::{Sentence, Spoken};
 
 use super::{Engine, VoiceInfo, aligned, wave};
+use crate::inside;
 
 /// What an alignment's name ends in, the most telling first.
 const ENDINGS: [&str; 8] = ["TextGrid", "utt", "xml", "lab", "pho", "json", "tsv", "vtt"];
@@ -26,16 +26,20 @@ impl Recordings {
 
     /// The sound of an utterance: `KEY.wav` of sixteen hexadecimal digits, or its place
     /// from 1 with or without a leading zero (`07.wav`, `7.wav`).
-    fn sound(&self, key: u64, place: usize) -> Option<PathBuf> {
-        let number = place.checked_add(1)?;
-        [
+    fn sound(&self, key: u64, place: usize) -> Result<Option<PathBuf>> {
+        let number = place.saturating_add(1);
+        let names = [
             format!("{key:016x}"),
             format!("{number:02}"),
             number.to_string(),
-        ]
-        .into_iter()
-        .map(|name| self.folder.join(format!("{name}.wav")))
-        .find(|path| path.is_file())
+        ];
+        for name in names {
+            let found = inside::find(&self.folder, &format!("{name}.wav"))?;
+            if found.is_some() {
+                return Ok(found);
+            }
+        }
+        Ok(None)
     }
 }
 
@@ -70,7 +74,7 @@ impl Engine for Recordings {
     }
 
     fn state(&self, key: u64, place: usize) -> Result<String> {
-        let Some(sound) = self.sound(key, place) else {
+        let Some(sound) = self.sound(key, place)? else {
             return Ok(String::new());
         };
         let (name, times) = beside(&sound)?;
@@ -83,7 +87,7 @@ impl Engine for Recordings {
     }
 
     fn recorded(&self, key: u64, place: usize, plan: &Plan) -> Result<Option<Spoken>> {
-        let Some(sound) = self.sound(key, place) else {
+        let Some(sound) = self.sound(key, place)? else {
             return Ok(None);
         };
         let told = || format!("the recording {}", sound.display());
@@ -113,19 +117,13 @@ fn digest(bytes: &[u8]) -> u64 {
 /// The alignment beside a sound: its name and content.
 fn beside(sound: &Path) -> Result<(String, Vec<u8>)> {
     for ending in ENDINGS {
-        let path = sound.with_extension(ending);
-        let Ok(about) = fs::metadata(&path) else {
-            continue;
-        };
-        ensure!(
-            about.len() <= MOST_BYTES as u64,
-            "{} has {} bytes; at most {MOST_BYTES} are read",
-            path.display(),
-            about.len()
-        );
-        let bytes = fs::read(&path).with_context(|| format!("reading {}", path.display()))?;
-        let name = path.file_name().unwrap_or_default().to_string_lossy();
-        return Ok((name.into_owned(), bytes));
+        let name = sound.with_extension(ending);
+        let name = name.file_name().unwrap_or_default().to_string_lossy();
+        let folder = sound.parent().unwrap_or(Path::new("."));
+        if let Some(path) = inside::find(folder, &name)? {
+            let bytes = inside::read(&path, MOST_BYTES as u64)?;
+            return Ok((name.into_owned(), bytes));
+        }
     }
     bail!(
         "it has no alignment beside it; its name may end in .{}",
@@ -138,6 +136,7 @@ mod tests {
     use super::*;
     use raconteur_player::speech::plan::Planned;
     use raconteur_player::speech::spoken::Token;
+    use std::fs;
 
     const GRID: &str = "File type = \"ooTextFile\"\nObject class = \"TextGrid\"\n\n0\n0.5\n<exists>\n2\n\
         \"IntervalTier\"\n\"words\"\n0\n0.5\n3\n0\n0.1\n\"\"\n0.1\n0.3\n\"me\"\n0.3\n0.5\n\"too\"\n\

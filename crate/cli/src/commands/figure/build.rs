@@ -9,9 +9,9 @@ use clap::Args;
 use indicatif::ProgressBar;
 use raconteur_player::body::{generator, write};
 
-use super::file::replace;
 use super::params;
 use crate::Outcome;
+use crate::disk::replace;
 
 /// Generate a figure and write it as glTF binary.
 #[derive(Args)]

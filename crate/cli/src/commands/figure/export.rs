@@ -10,9 +10,9 @@ use raconteur_player::body::generator::{self, bones};
 use raconteur_player::body::{Figure, write};
 use serde_json::{Value, json};
 
-use super::file::replace;
 use super::{obj, params};
 use crate::Outcome;
+use crate::disk::replace;
 use crate::sheet::PoseName;
 use crate::story::find_figure;
 

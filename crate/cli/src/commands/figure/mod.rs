@@ -2,7 +2,6 @@
 
 mod build;
 mod export;
-mod file;
 mod measure;
 mod obj;
 mod params;

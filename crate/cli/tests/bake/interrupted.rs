@@ -1,0 +1,139 @@
+//! Whatever stops a bake, the bundle is the old one or the new one, whole, and the check knows
+//! which.
+
+use std::fs;
+use std::process::{Command, Stdio};
+
+use crate::workshop::{UTTERANCES, Workshop, said};
+
+/// Encoders that run in a bake.
+const STEPS: usize = 2 * UTTERANCES;
+
+fn whole(workshop: &Workshop) -> String {
+    let pace = workshop.pace_of_bundle();
+    for other in ["1.0", "1.5"] {
+        assert_eq!(workshop.is_up_to_date(other), other == pace, "{other}");
+    }
+    pace
+}
+
+#[test]
+fn a_bake_that_is_stopped_leaves_a_whole_bundle() {
+    for step in 0..=STEPS + 1 {
+        let signal = ["-INT", "-KILL"][step % 2];
+        let workshop = Workshop::new();
+        assert!(workshop.bake("1.0", &[]).status().unwrap().success());
+        assert_eq!(whole(&workshop), "1.0");
+        fs::remove_file(workshop.path("log")).unwrap();
+        let mut bake = workshop.bake("1.5", &[]);
+        bake.env("WAIT", "0.02")
+            .stdout(Stdio::null())
+            .stderr(Stdio::null());
+        let mut child = bake.spawn().unwrap();
+        workshop.until_begun(step, &mut child);
+        let number = child.id().to_string();
+        // It may have ended by itself, after the last step.
+        let _ = Command::new("kill")
+            .args([signal, &number])
+            .stderr(Stdio::null())
+            .status();
+        let ended = child.wait().unwrap();
+        let pace = whole(&workshop);
+        assert!(!ended.success() || pace == "1.5", "step {step}");
+        // The next bake goes on as if nothing had been, and cleans up.
+        assert!(workshop.bake("1.5", &[]).status().unwrap().success());
+        assert_eq!(whole(&workshop), "1.5");
+        assert_eq!(workshop.names().len(), STEPS + 1, "{:?}", workshop.names());
+    }
+}
+
+#[test]
+fn a_second_bake_is_told_to_wait() {
+    let workshop = Workshop::new();
+    let mut first = workshop.bake("1.0", &[]);
+    first.env("WAIT", "0.2");
+    let mut child = first.spawn().unwrap();
+    workshop.until_begun(1, &mut child);
+    let second = workshop.bake("1.5", &[]).output().unwrap();
+    // On a busy machine the first may have ended by now.
+    if !second.status.success() {
+        let told = format!("process {} is baking this story", child.id());
+        assert!(said(&second).contains(&told), "{}", said(&second));
+    }
+    assert!(child.wait().unwrap().success());
+    whole(&workshop);
+}
+
+#[test]
+fn several_bakes_at_once_leave_a_whole_bundle() {
+    let workshop = Workshop::new();
+    for _ in 0..3 {
+        let bakes: Vec<_> = ["1.0", "1.5", "1.0", "1.5"]
+            .into_iter()
+            .map(|pace| workshop.bake(pace, &[]).spawn().unwrap())
+            .collect();
+        let ended: Vec<_> = bakes
+            .into_iter()
+            .map(|b| b.wait_with_output().unwrap())
+            .collect();
+        assert!(ended.iter().any(|out| out.status.success()));
+        for out in ended.iter().filter(|out| !out.status.success()) {
+            assert!(said(out).contains("is baking this story"), "{}", said(out));
+        }
+        whole(&workshop);
+        assert_eq!(workshop.names().len(), STEPS + 1, "{:?}", workshop.names());
+    }
+}
+
+#[test]
+fn a_changed_sound_is_found_and_made_anew() {
+    let workshop = Workshop::new();
+    assert!(workshop.bake("1.0", &[]).status().unwrap().success());
+    let sounds = workshop.names();
+    // What the earlier fault left behind: the sound of another bake under the same name.
+    let sound = workshop.path("story/voice").join(&sounds[0]);
+    let mut bytes = fs::read(&sound).unwrap();
+    let last = bytes.len() - 1;
+    bytes[last] ^= 1;
+    for other in [&bytes[..], &bytes[..last], b""] {
+        fs::write(&sound, other).unwrap();
+        assert!(!workshop.is_up_to_date("1.0"));
+        let out = workshop.command(&["check", "story"]).output().unwrap();
+        assert!(
+            !out.status.success() && said(&out).contains("wrong-sound"),
+            "{}",
+            said(&out)
+        );
+        let before = workshop.begun();
+        assert!(workshop.bake("1.0", &[]).status().unwrap().success());
+        assert_eq!(workshop.begun(), before + 2, "one utterance alone");
+        assert_eq!(whole(&workshop), "1.0");
+        assert_eq!(workshop.names(), sounds);
+    }
+}
+
+#[test]
+fn an_up_to_date_story_is_not_touched() {
+    let workshop = Workshop::new();
+    assert!(workshop.bake("1.0", &[]).status().unwrap().success());
+    let voice = workshop.path("story/voice");
+    let times = || {
+        let mut times: Vec<_> = fs::read_dir(&voice)
+            .unwrap()
+            .map(|e| e.unwrap())
+            .map(|e| (e.file_name(), e.metadata().unwrap().modified().unwrap()))
+            .collect();
+        times.push((
+            ".".into(),
+            fs::metadata(&voice).unwrap().modified().unwrap(),
+        ));
+        times
+    };
+    let before = times();
+    assert!(workshop.bake("1.0", &[]).status().unwrap().success());
+    assert_eq!(times(), before);
+    // A story that falls silent loses its bundle.
+    workshop.tell("<null time='1'/>");
+    assert!(workshop.bake("1.0", &[]).status().unwrap().success());
+    assert!(!voice.exists());
+}

@@ -1,0 +1,111 @@
+//! What a machine lacks.
+
+use std::fs;
+
+use crate::workshop::{Workshop, said};
+
+#[test]
+fn all_missing_programs_are_named_in_one_line() {
+    let workshop = Workshop::new();
+    let nothing = workshop.path("nothing");
+    for (engine, named, packages) in [
+        ("recordings", vec!["ffmpeg", "opusenc"], "ffmpeg opus-tools"),
+        (
+            "flite",
+            vec!["ffmpeg", "flite", "opusenc"],
+            "ffmpeg flite opus-tools",
+        ),
+        (
+            "festival",
+            vec!["festival", "ffmpeg", "opusenc"],
+            "festival festvox-us-slt-hts ffmpeg opus-tools",
+        ),
+    ] {
+        let arguments = ["bake", "story", "--recordings", "takes", "--engine", engine];
+        let mut bake = workshop.command(&arguments);
+        let out = bake.env("PATH", &nothing).output().unwrap();
+        let told = said(&out);
+        assert!(!out.status.success());
+        let list = format!("this needs {}, which", named.join(", "));
+        assert!(told.contains(&list), "{told}");
+        assert!(
+            told.trim_end()
+                .ends_with(&format!("apt-get install {packages}")),
+            "{told}"
+        );
+        assert!(!workshop.path("story/voice").exists(), "nothing was begun");
+    }
+}
+
+#[test]
+fn voices_of_the_script_are_named_with_the_others() {
+    let workshop = Workshop::new();
+    workshop.tell(
+        "<voice-change time='0' voice='flite:rms'/><voice-text time='1'>One.</voice-text>\
+         <voice-change time='2' voice='marytts:x'/><voice-text time='3'>Two.</voice-text>",
+    );
+    let arguments = [
+        "bake",
+        "story",
+        "--engine",
+        "festival",
+        "--server",
+        "localhost:1",
+    ];
+    let mut bake = workshop.command(&arguments);
+    let out = bake.env("PATH", workshop.path("nothing")).output().unwrap();
+    let told = said(&out);
+    assert!(
+        told.contains("this needs festival, ffmpeg, flite, opusenc, which"),
+        "{told}"
+    );
+    assert!(told.contains("localhost:1"), "{told}");
+}
+
+#[test]
+fn voices_can_be_listed_without_any_engine() {
+    let workshop = Workshop::new();
+    for more in [&[][..], &["--engine", "flite"], &["--engine", "festival"]] {
+        let arguments = [&["bake", "--list-voices", "--format", "json"], more].concat();
+        let mut list = workshop.command(&arguments);
+        let out = list.env("PATH", workshop.path("nothing")).output().unwrap();
+        assert!(out.status.success(), "{}", said(&out));
+        assert!(out.stdout.starts_with(b"["));
+        if !more.is_empty() {
+            assert_eq!(out.stdout, b"[]\n");
+            assert!(said(&out).contains("apt-get install"), "{}", said(&out));
+        }
+    }
+}
+
+/// Stories of a folder.
+fn stories(folder: &std::path::Path, found: &mut Vec<std::path::PathBuf>) {
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.join("story.eml").is_file() {
+            found.push(path);
+        } else if path.is_dir() {
+            stories(&path, found);
+        }
+    }
+}
+
+#[test]
+fn shipped_stories_are_up_to_date_without_engines() {
+    let workshop = Workshop::new();
+    let mut found = Vec::new();
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../assets/stories");
+    stories(&folder, &mut found);
+    assert!(found.len() >= 6);
+    for story in found {
+        for check in [&["--check"][..], &[]] {
+            let mut bake = workshop.command(&[&["bake"], check].concat());
+            let out = bake
+                .env("PATH", workshop.path("nothing"))
+                .arg(&story)
+                .output()
+                .unwrap();
+            assert!(out.status.success(), "{}: {}", story.display(), said(&out));
+        }
+    }
+}
