@@ -6,8 +6,8 @@ use anyhow::{Context as _, Result};
 use raconteur_player::{MusicCue, Player};
 use tempfile::TempDir;
 
+use crate::assets;
 use crate::bake::program::FFMPEG;
-use crate::story::find_asset;
 
 /// Samples a second of music.
 const RATE_HZ: u32 = 48_000;
@@ -73,7 +73,7 @@ impl Soundtrack {
     fn add_music(&mut self, cue: &MusicCue, script: &Path, from: f64, end: f64) -> Result<()> {
         // EML's reader has made sure that the path stays in its folder.
         let file = if cue.library {
-            find_asset(&format!("music/{}", cue.file), script)?
+            assets::find(&format!("music/{}", cue.file), script)?
         } else {
             script.parent().unwrap_or(Path::new("")).join(&cue.file)
         };

@@ -19,7 +19,6 @@ mod store;
 
 use std::collections::BTreeSet;
 use std::fs;
-use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
@@ -29,12 +28,13 @@ use anyhow::{Context as _, Result, anyhow, bail, ensure};
 use raconteur_player::speech::bundle::{Bundle, Utterance, Voice};
 use raconteur_player::speech::content::Content;
 use raconteur_player::speech::hear::{Heard, hear};
-use raconteur_player::speech::markup::{Problem, plain, sable, ssml};
+use raconteur_player::speech::markup::{self, Problem, plain, sable, ssml};
 use raconteur_player::speech::phones;
 use raconteur_player::speech::signal::loudness::integrated_lufs;
 use raconteur_player::speech::text::Lexicon;
 use raconteur_player::{Said, Source};
 
+use crate::input;
 pub(crate) use cast::Cast;
 use cast::Role;
 use speak::{Casting, Work};
@@ -262,15 +262,10 @@ fn content(
             } else {
                 folder.join(path)
             };
-            let text = match fs::read_to_string(&file) {
-                Ok(text) => text,
-                Err(error) if error.kind() == ErrorKind::NotFound => return Ok(Err(file)),
-                Err(error) => {
-                    return Err(error).with_context(|| {
-                        format!("cannot read what is to be said, {}", file.display())
-                    });
-                }
-            };
+            if !file.exists() {
+                return Ok(Err(file));
+            }
+            let text = input::text(&file, markup::LONGEST as u64).context("what is to be said")?;
             if *sable {
                 sable_document(path, &text)?
             } else if path.ends_with(".ssml") {

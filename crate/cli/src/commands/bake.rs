@@ -2,7 +2,7 @@
 
 use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
-use std::{fs, thread};
+use std::thread;
 
 use anyhow::{Context as _, Result};
 use clap::Args;
@@ -12,8 +12,8 @@ use serde_json::json;
 
 use crate::bake::engine::{ENGINES, EngineOptions, VoiceInfo};
 use crate::bake::{self, BakeOptions, BakeReport, Cast, STORY_PACE};
-use crate::story::{StoryFiles, find_asset};
-use crate::{Format, Outcome, report};
+use crate::story::StoryFiles;
+use crate::{Format, Outcome, assets, input, report};
 
 /// Make or refresh the speech bundles of stories.
 #[derive(Args)]
@@ -101,7 +101,7 @@ impl Bake {
                 &script.said(),
                 folder,
                 &bake_options,
-                &|path| find_asset(path, &files.script),
+                &|path| assets::find(path, &files.script),
                 &|done, of, text| {
                     bar.set_length(of as u64);
                     bar.set_position(done as u64);
@@ -161,7 +161,7 @@ impl Bake {
             None if beside.is_file() => &beside,
             None => return Ok(String::new()),
         };
-        fs::read_to_string(path).with_context(|| format!("reading {}", path.display()))
+        input::text(path, input::LONGEST_TEXT).context("the lexicon")
     }
 
     fn tell(&self, name: &str, baked: &BakeReport) -> Result<()> {

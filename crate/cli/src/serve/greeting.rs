@@ -46,7 +46,9 @@ pub(crate) fn read(bytes: &[u8]) -> Greeting<'_> {
     match bytes.strip_suffix(b"\n") {
         Some(line) => {
             let line = line.strip_suffix(b"\r").unwrap_or(line);
-            let token = line.get(OPENING.len()..).and_then(|t| str::from_utf8(t).ok());
+            let token = line
+                .get(OPENING.len()..)
+                .and_then(|t| str::from_utf8(t).ok());
             token.map_or(Greeting::Other, Greeting::Told)
         }
         None if bytes.len() >= LONGEST => Greeting::Other,
@@ -70,11 +72,21 @@ mod tests {
     #[test]
     fn only_the_line_is_a_greeting() {
         let told = |stream: &'static str| found(stream.as_bytes()).map(|(greeting, _)| greeting);
-        assert_eq!(told("raconteur 1 abc\n<null/>"), Some(Greeting::Told("abc")));
+        assert_eq!(
+            told("raconteur 1 abc\n<null/>"),
+            Some(Greeting::Told("abc"))
+        );
         assert_eq!(told("raconteur 1 abc\r\n"), Some(Greeting::Told("abc")));
         assert_eq!(told("raconteur 1 \n"), Some(Greeting::Told("")));
         assert_eq!(told("raconteur 1 abc"), None);
-        for other in ["raconteur 2 abc\n", "raconteur\n", "abc\n", "\n", "<null/>\n", "\u{16}\u{3}\u{1}"] {
+        for other in [
+            "raconteur 2 abc\n",
+            "raconteur\n",
+            "abc\n",
+            "\n",
+            "<null/>\n",
+            "\u{16}\u{3}\u{1}",
+        ] {
             assert_eq!(told(other), Some(Greeting::Other), "{other:?}");
         }
         assert_eq!(told("POST / HTTP/1.1\r\n"), Some(Greeting::Http));

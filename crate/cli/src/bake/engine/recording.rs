@@ -1,15 +1,15 @@
 //! Recordings of people: a folder with a sound for each utterance and, beside it, what
 //! another program says of its times.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 
-use anyhow::{Context as _, Result, bail, ensure};
+use anyhow::{Context as _, Result, bail};
 use raconteur_player::speech::align::{MOST_BYTES, detect, read};
 use raconteur_player::speech::plan::Plan;
 use raconteur_player::speech::spoken::{Sentence, Spoken};
 
 use super::{Engine, VoiceInfo, aligned, wave};
+use crate::input;
 
 /// What an alignment's name ends in, the most telling first.
 const ENDINGS: [&str; 8] = ["TextGrid", "utt", "xml", "lab", "pho", "json", "tsv", "vtt"];
@@ -114,16 +114,10 @@ fn digest(bytes: &[u8]) -> u64 {
 fn beside(sound: &Path) -> Result<(String, Vec<u8>)> {
     for ending in ENDINGS {
         let path = sound.with_extension(ending);
-        let Ok(about) = fs::metadata(&path) else {
+        if !path.exists() {
             continue;
-        };
-        ensure!(
-            about.len() <= MOST_BYTES as u64,
-            "{} has {} bytes; at most {MOST_BYTES} are read",
-            path.display(),
-            about.len()
-        );
-        let bytes = fs::read(&path).with_context(|| format!("reading {}", path.display()))?;
+        }
+        let bytes = input::bytes(&path, MOST_BYTES as u64).context("the alignment")?;
         let name = path.file_name().unwrap_or_default().to_string_lossy();
         return Ok((name.into_owned(), bytes));
     }
@@ -138,6 +132,7 @@ mod tests {
     use super::*;
     use raconteur_player::speech::plan::Planned;
     use raconteur_player::speech::spoken::Token;
+    use std::fs;
 
     const GRID: &str = "File type = \"ooTextFile\"\nObject class = \"TextGrid\"\n\n0\n0.5\n<exists>\n2\n\
         \"IntervalTier\"\n\"words\"\n0\n0.5\n3\n0\n0.1\n\"\"\n0.1\n0.3\n\"me\"\n0.3\n0.5\n\"too\"\n\
