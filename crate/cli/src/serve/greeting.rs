@@ -56,6 +56,22 @@ pub(crate) fn read(bytes: &[u8]) -> Greeting<'_> {
     }
 }
 
+/// What must hold whatever the bytes: they are decided in bounded length, and a token is one
+/// line's rest.
+#[cfg(any(test, fuzzing))]
+pub(crate) fn holds(bytes: &[u8]) {
+    for n in 0..=bytes.len().min(LONGEST) {
+        match read(&bytes[..n]) {
+            Greeting::Begun => assert!(n < LONGEST),
+            Greeting::Told(token) => {
+                assert!(bytes.starts_with(line(token).as_bytes()));
+                return;
+            }
+            Greeting::Http | Greeting::Other => return,
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
