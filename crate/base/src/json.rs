@@ -78,6 +78,12 @@ impl<'a> Json<'a> {
     /// When the text is not UTF-8 or not JSON, has numbers beyond those of `f64`, or lies
     /// deeper than [`MOST_DEPTH`].
     pub fn read(text: &'a [u8]) -> Result<Self, Fault> {
+        if crate::encoding::is_utf16(text) {
+            return Err(Fault {
+                what: "this is UTF-16 text, not UTF-8; save the file as UTF-8".to_owned(),
+                place: Place { line: 1, column: 1 },
+            });
+        }
         let (whole, broken) = match str::from_utf8(text) {
             Ok(whole) => (whole, false),
             Err(e) => {

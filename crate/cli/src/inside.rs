@@ -1,8 +1,8 @@
 //! Files that a story may make the program read: those of its own folder and of the asset
 //! library. A story comes from strangers, and so do its folder and the links in it.
 
-use std::fs::{self, File};
-use std::io::{ErrorKind, Read as _};
+use std::fs;
+use std::io::ErrorKind;
 use std::path::{Component, Path, PathBuf};
 
 use anyhow::{Context as _, Result, bail, ensure};
@@ -78,37 +78,6 @@ fn is_absent(kind: ErrorKind) -> bool {
     matches!(kind, ErrorKind::NotFound | ErrorKind::NotADirectory)
 }
 
-/// The bytes of a file, `most` at the most.
-///
-/// # Errors
-/// When it cannot be read or is longer.
-pub(crate) fn read(path: &Path, most: u64) -> Result<Vec<u8>> {
-    let told = || format!("reading {}", path.display());
-    let mut bytes = Vec::new();
-    // One byte more tells that there is more; a length that was asked for may be wrong by now.
-    File::open(path)
-        .and_then(|file| file.take(most.saturating_add(1)).read_to_end(&mut bytes))
-        .with_context(told)?;
-    ensure!(
-        bytes.len() as u64 <= most,
-        "{} has more than {most} bytes, which is the limit",
-        path.display()
-    );
-    Ok(bytes)
-}
-
-/// Most bytes of a text: what is to be said, or a lexicon.
-pub(crate) const MOST_TEXT_BYTES: u64 = 16 << 20;
-
-/// The text of a file, in UTF-8, 16 MiB at the most.
-///
-/// # Errors
-/// As [`read`], and when it is not UTF-8.
-pub(crate) fn read_text(path: &Path) -> Result<String> {
-    String::from_utf8(read(path, MOST_TEXT_BYTES)?)
-        .map_err(|_| anyhow::anyhow!("{} is not text in UTF-8", path.display()))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -165,16 +134,5 @@ mod tests {
         symlink("story", folder.path().join("link")).unwrap();
         assert!(find(&folder.path().join("link"), "a").unwrap().is_some());
         assert!(find(Path::new("/dev"), "zero").is_err());
-    }
-
-    #[test]
-    fn files_are_read_up_to_a_limit() {
-        let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("a");
-        fs::write(&path, "12345").unwrap();
-        assert_eq!(read(&path, 5).unwrap(), b"12345");
-        assert!(read(&path, 4).is_err());
-        fs::write(&path, [0xff, 0xfe]).unwrap();
-        assert!(read_text(&path).is_err());
     }
 }

@@ -3,11 +3,14 @@
 //! Errors go to stderr as `file:line:column: severity[code]: message` with an excerpt and a
 //! hint. Exit status: 0 fine, 1 errors in the input, 2 wrong usage.
 
+mod assets;
 mod bake;
 mod commands;
 mod compose;
 mod disk;
+mod excerpt;
 mod film;
+mod input;
 mod inside;
 mod media;
 mod picture;
@@ -18,9 +21,11 @@ mod skinning;
 mod soundtrack;
 mod story;
 
-use std::io;
+use std::path::PathBuf;
 use std::process::ExitCode;
+use std::{env, io};
 
+use anyhow::Result;
 use clap::{Parser, Subcommand, ValueEnum};
 
 /// Raconteur, a virtual storyteller.
@@ -29,6 +34,10 @@ use clap::{Parser, Subcommand, ValueEnum};
 struct Arguments {
     #[command(subcommand)]
     command: Command,
+    /// The folder of figures, animations and music. Without it, a folder `assets` above the
+    /// story, the working folder or the program; figures and animations are also in the program.
+    #[arg(long, global = true, value_name = "FOLDER")]
+    assets: Option<PathBuf>,
 }
 
 /// How a command reports.
@@ -42,6 +51,8 @@ pub(crate) enum Format {
 
 #[derive(Subcommand)]
 enum Command {
+    /// Make the folder of a new story that plays.
+    New(commands::new::New),
     /// Report problems in stories.
     Check(commands::check::Check),
     /// Write stories in their canonical form.
@@ -66,6 +77,25 @@ enum Command {
     Figure(commands::figure::Figure),
 }
 
+impl Command {
+    fn run(self) -> Result<Outcome> {
+        match self {
+            Self::New(c) => c.run(),
+            Self::Check(c) => c.run(),
+            Self::Fmt(c) => c.run(),
+            Self::Timeline(c) => c.run(),
+            Self::Pose(c) => c.run(),
+            Self::Render(c) => c.run(),
+            Self::Bake(c) => c.run(),
+            Self::Voice(c) => c.run(),
+            Self::Sweep(c) => c.run(),
+            Self::Compose(c) => c.run(),
+            Self::Serve(c) => c.run(),
+            Self::Figure(c) => c.run(),
+        }
+    }
+}
+
 /// What a command found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Outcome {
@@ -75,20 +105,28 @@ pub(crate) enum Outcome {
     Errors,
 }
 
+/// Mesa's Vulkan layer that chooses among graphics cards asks the Wayland session, and where
+/// there is none complains on the standard error, which is for diagnostics. Nothing is drawn on
+/// a screen here, so nobody misses the layer's choice.
+#[allow(
+    unsafe_code,
+    reason = "the program has no other thread yet that could read the environment"
+)]
+fn calm_device_layer() {
+    const NO_LAYER: &str = "NODEVICE_SELECT";
+    if env::var_os("XDG_RUNTIME_DIR").is_none() && env::var_os(NO_LAYER).is_none() {
+        // SAFETY: see above; this is the first thing that the program does.
+        unsafe { env::set_var(NO_LAYER, "1") };
+    }
+}
+
 fn main() -> ExitCode {
-    let outcome = match Arguments::parse().command {
-        Command::Check(c) => c.run(),
-        Command::Fmt(c) => c.run(),
-        Command::Timeline(c) => c.run(),
-        Command::Pose(c) => c.run(),
-        Command::Render(c) => c.run(),
-        Command::Bake(c) => c.run(),
-        Command::Voice(c) => c.run(),
-        Command::Sweep(c) => c.run(),
-        Command::Compose(c) => c.run(),
-        Command::Serve(c) => c.run(),
-        Command::Figure(c) => c.run(),
-    };
+    calm_device_layer();
+    let arguments = Arguments::parse();
+    let outcome = arguments
+        .assets
+        .map_or(Ok(()), assets::look_into)
+        .and_then(|()| arguments.command.run());
     match outcome {
         Ok(Outcome::Fine) => ExitCode::SUCCESS,
         Ok(Outcome::Errors) => ExitCode::from(1),

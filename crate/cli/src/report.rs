@@ -4,12 +4,12 @@ use std::io::{self, Write as _};
 
 use anyhow::Result;
 use codespan_reporting::diagnostic::{Diagnostic as Shown, Label, LabelStyle, Severity as Level};
-use codespan_reporting::files::{Files as _, SimpleFile};
 use codespan_reporting::term::{self, Config};
 use raconteur_player::eml::{Diagnostic, LineIndex, Severity};
 use serde::Serialize;
 
 use crate::Outcome;
+use crate::excerpt::Excerpt;
 
 /// A place in a file. Lines and columns count from 1, columns in characters.
 #[derive(Serialize)]
@@ -79,18 +79,20 @@ pub(crate) fn outcome(diagnostics: &[Diagnostic]) -> Outcome {
 /// Writes diagnostics to standard error: `file:line:column: severity[code]: message`, the
 /// excerpt with carets, and hints.
 pub(crate) fn print(file: &str, source: &str, diagnostics: &[Diagnostic]) -> Result<()> {
-    let source_file = SimpleFile::new(file, source);
+    let index = LineIndex::new(source);
     let config = Config::default();
     let mut stderr = io::stderr().lock();
     for diagnostic in diagnostics {
-        let range = |span: raconteur_player::eml::Span| {
-            // An empty span still gets one caret.
-            let end = (span.end as usize).min(source.len());
-            (span.start as usize).min(end)..end
-        };
-        let mut labels = vec![Label::new(LabelStyle::Primary, (), range(diagnostic.span))];
+        let spans = diagnostic.related.iter().map(|(span, _)| *span);
+        let excerpt = Excerpt::of(file, &index, diagnostic.span, spans);
+        let mut labels = vec![Label::new(
+            LabelStyle::Primary,
+            (),
+            excerpt.range(diagnostic.span),
+        )];
         for (span, message) in &diagnostic.related {
-            labels.push(Label::new(LabelStyle::Secondary, (), range(*span)).with_message(message));
+            let range = excerpt.range(*span);
+            labels.push(Label::new(LabelStyle::Secondary, (), range).with_message(message));
         }
         let level = match diagnostic.severity {
             Severity::Error => Level::Error,
@@ -107,13 +109,9 @@ pub(crate) fn print(file: &str, source: &str, diagnostics: &[Diagnostic]) -> Res
                     .map(|h| format!("hint: {h}"))
                     .collect(),
             );
-        let text = term::emit_into_string(&config, &source_file, &shown)?;
-        let at = source_file.location((), range(diagnostic.span).start)?;
-        write!(
-            stderr,
-            "{file}:{}:{}: {text}",
-            at.line_number, at.column_number
-        )?;
+        let text = term::emit_into_string(&config, &excerpt, &shown)?;
+        let at = index.position(diagnostic.span.start);
+        write!(stderr, "{file}:{}:{}: {text}", at.line, at.column)?;
     }
     Ok(())
 }

@@ -6,8 +6,8 @@ use anyhow::{Context as _, Result};
 use raconteur_player::{MusicCue, Player};
 use tempfile::TempDir;
 
+use crate::assets;
 use crate::bake::program::FFMPEG;
-use crate::story::find_asset;
 use crate::{inside, media};
 
 /// Samples a second of music.
@@ -79,7 +79,7 @@ impl Soundtrack {
     /// Decodes a piece, sets its level and keeps it for the film.
     fn add_music(&mut self, cue: &MusicCue, script: &Path, from: f64, end: f64) -> Result<()> {
         let file = if cue.library {
-            media::Sound::open(&find_asset(&format!("music/{}", cue.file), script)?)?
+            media::Sound::open(&assets::find(&format!("music/{}", cue.file), script)?)?
         } else {
             sound(script.parent().unwrap_or(Path::new("")), &cue.file)?
         };

@@ -1,18 +1,22 @@
 //! Finding and reading a story and what it needs.
 
-use std::fs;
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
-use anyhow::{Context as _, Result, bail};
+use anyhow::{Context as _, Result};
+use raconteur_player::base::encoding;
 use raconteur_player::body::{Figure, import};
 use raconteur_player::stage::Shot;
 use raconteur_player::{Loaded, Options, Player, StoryInput};
 
-use crate::inside;
+use crate::{assets, input, inside};
 
 /// The largest story file that is read, bytes; the parser's own limit is lower.
 const LARGEST_STORY: u64 = 64 << 20;
+/// The largest description of a speech bundle that is read, bytes.
+const LARGEST_BUNDLE: u64 = 256 << 20;
+/// The largest figure that is read, bytes.
+const LARGEST_FIGURE: u64 = 512 << 20;
 
 /// A story's files, found from a path that names the script or its folder.
 pub(crate) struct StoryFiles {
@@ -30,18 +34,8 @@ impl StoryFiles {
         } else {
             path.to_owned()
         };
-        let size = fs::metadata(&script)
-            .with_context(|| format!("cannot read the story {}", script.display()))?
-            .len();
-        if size > LARGEST_STORY {
-            bail!(
-                "the story {} is {size} bytes long; the limit is {LARGEST_STORY}",
-                script.display()
-            );
-        }
-        let bytes = fs::read(&script)
-            .with_context(|| format!("cannot read the story {}", script.display()))?;
-        // What is not UTF-8 is replaced, so that the parser can still say where it stands.
+        let bytes = input::bytes(&script, LARGEST_STORY).context("the story")?;
+        // What is not UTF-8 is replaced: the parser says where it stands.
         let text = String::from_utf8(bytes)
             .unwrap_or_else(|e| String::from_utf8_lossy(e.as_bytes()).into_owned());
         Ok(Self { script, text })
@@ -56,7 +50,7 @@ impl StoryFiles {
     pub(crate) fn bundle(&self) -> Option<Vec<u8>> {
         let folder = self.script.parent().unwrap_or(Path::new(""));
         let path = inside::find(folder, "voice/speech.json").ok()??;
-        fs::read(path).ok()
+        told(input::bytes(&path, LARGEST_BUNDLE))
     }
 
     /// The story with its voice, without a figure: enough for times and diagnostics.
@@ -111,55 +105,51 @@ impl StoryFiles {
     }
 }
 
-/// A file of the asset library, from the folder `assets` of the folders above the story or
-/// the working folder; `path` does not leave it.
-pub(crate) fn find_asset(path: &str, story: &Path) -> Result<PathBuf> {
-    let near = story.canonicalize().unwrap_or_else(|_| story.to_owned());
-    let here = std::env::current_dir().unwrap_or_default();
-    for folder in near.ancestors().chain(here.ancestors()) {
-        if let Some(found) = inside::find(&folder.join("assets"), path)? {
-            return Ok(found);
-        }
-    }
-    bail!("no {path} in an assets folder")
+/// What could be read; else why not goes to the standard error, and the story does without.
+fn told<T>(read: Result<T>) -> Option<T> {
+    // A closed pipe must not end the program.
+    read.inspect_err(|why| drop(writeln!(std::io::stderr(), "raconteur: {why:#}")))
+        .ok()
 }
 
-/// The text of an animation: of a bare name, `NAME.json` in `assets/animations` of the folders
-/// above the story or the working folder; else of a file in the story's folder, JSON or glTF
-/// (`FILE.glb#NAME` for one of several animations).
+/// The text of an animation: of a bare name, `animations/NAME.json` of the asset library; else
+/// of a file in the story's folder, JSON or glTF (`FILE.glb#NAME` for one of several
+/// animations). None where there is no such file.
 fn find_animation(name: &str, story: &Path) -> Option<String> {
     if !name.contains(['/', '.', '\\']) {
-        let path = find_asset(&format!("animations/{name}.json"), story).ok()?;
-        return fs::read_to_string(path).ok();
+        let bytes = assets::read(&format!("animations/{name}.json"), story).ok()?;
+        let text = encoding::utf8(&bytes).map(str::to_owned);
+        return told(text.with_context(|| format!("the animation {name}")));
     }
     let (path, part) = name.split_once('#').unwrap_or((name, ""));
     // A story reaches no file outside its folder.
-    let bytes = fs::read(inside::find(story.parent()?, path).ok()??).ok()?;
-    if Path::new(path).extension().is_some_and(|e| e == "json") {
-        return String::from_utf8(bytes).ok();
+    let path = inside::find(story.parent()?, path).ok()??;
+    if path.extension().is_some_and(|e| e == "json") {
+        return told(input::text(&path, input::LONGEST_TEXT));
     }
-    import::convert_animation(part, &bytes).ok()
+    let bytes = told(input::bytes(&path, LARGEST_FIGURE))?;
+    let text = import::convert_animation(part, &bytes);
+    told(text.with_context(|| format!("the animation {name}")))
 }
 
 /// Endings of files that hold a figure.
 const FIGURE_ENDINGS: [&str; 3] = ["glb", "vrm", "gltf"];
 
-/// A figure by name, from `assets/figures` of the folders above the story or the working
-/// folder, or by the path of a `.glb`, `.vrm` or `.gltf` file of any origin. What of a
+/// A figure by name, from the asset library, or by the path of a `.glb`, `.vrm` or `.gltf` file of any origin. What of a
 /// foreign file could not be kept goes to the standard error.
 pub(crate) fn find_figure(name: &str, near: &Path) -> Result<Figure> {
     let by_path = Path::new(name);
     let ending = by_path.extension().map(std::ffi::OsStr::to_ascii_lowercase);
-    let path = if ending.is_some_and(|e| FIGURE_ENDINGS.iter().any(|f| e == *f)) {
-        by_path.to_owned()
+    let bytes = if ending.is_some_and(|e| FIGURE_ENDINGS.iter().any(|f| e == *f)) {
+        input::bytes(by_path, LARGEST_FIGURE)
+            .context("the figure")?
+            .into()
     } else {
-        find_asset(&format!("figures/{name}.glb"), near)?
+        assets::read(&format!("figures/{name}.glb"), near)?
     };
-    let bytes =
-        fs::read(&path).with_context(|| format!("cannot read the figure {}", path.display()))?;
-    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
-    let imported = import::open_figure(&stem, &bytes)
-        .with_context(|| format!("the figure {}", path.display()))?;
+    let stem = by_path.file_stem().unwrap_or_default().to_string_lossy();
+    let imported =
+        import::open_figure(&stem, &bytes).with_context(|| format!("the figure {name}"))?;
     for d in &imported.diagnostics {
         let hint = if d.hint.is_empty() {
             String::new()
@@ -169,8 +159,7 @@ pub(crate) fn find_figure(name: &str, near: &Path) -> Result<Figure> {
         // A closed pipe must not end the program.
         let _ = writeln!(
             std::io::stderr(),
-            "the figure {}: {}{hint} [{}]",
-            path.display(),
+            "the figure {name}: {}{hint} [{}]",
             d.message,
             d.code
         );

@@ -148,11 +148,139 @@ fn wrong_usage_has_its_own_exit_status() {
 }
 
 #[test]
-fn text_that_is_not_utf8_is_reported_and_does_not_stop_the_rest() {
-    let scratch = Scratch::new("latin1");
-    let mut text = wrapped("<voice-text time='0'>caf?</voice-text>").into_bytes();
+fn text_that_is_not_utf8_is_named_and_does_not_stop_the_rest() {
+    let line = "<voice-text time='0'>caf?</voice-text>";
+    let mut text = wrapped(line).into_bytes();
     let at = text.iter().position(|b| *b == b'?').expect("the mark");
     text[at] = 0xE9;
-    let out = raconteur(&["timeline", "--format", "json"], &scratch.story(text));
+    let column = expect("latin1", &text, "eml::not-utf8", 3);
+    assert_eq!(column, 1 + line.find('?').expect("the mark") as u64);
+    let scratch = Scratch::new("latin1-timeline");
+    let file = scratch.story(&text);
+    let (list, code) = diagnostics(&file);
+    let found = list.iter().find(|d| d["code"] == "eml::not-utf8").expect("one");
+    assert_eq!((&found["start"]["offset"], code), (&Value::from(at), 1));
+    assert!(found["hints"].to_string().contains("UTF-8"), "{found}");
+    let out = raconteur(&["timeline", "--format", "json"], &file);
     assert!(String::from_utf8_lossy(&out.stdout).contains("voice-text"));
+}
+
+#[test]
+fn utf16_is_one_error_with_a_hint() {
+    let text = wrapped("<voice-text time='0'>Olá</voice-text>");
+    for (mark, big) in [(true, false), (true, true), (false, false), (false, true)] {
+        let marked = format!("{}{text}", if mark { "\u{feff}" } else { "" });
+        let unit = |u: u16| if big { u.to_be_bytes() } else { u.to_le_bytes() };
+        let bytes: Vec<u8> = marked.encode_utf16().flat_map(unit).collect();
+        let scratch = Scratch::new("utf16");
+        let (list, code) = diagnostics(&scratch.story(bytes));
+        assert_eq!((list.len(), code), (1, 1), "{list:#?}");
+        assert_eq!(list[0]["code"], "eml::not-utf8");
+        assert!(list[0]["hints"].to_string().contains("UTF-8"));
+    }
+}
+
+#[test]
+fn devices_and_pipes_are_not_read() {
+    let scratch = Scratch::new("devices");
+    let pipe = scratch.0.join("pipe.eml");
+    let made = Command::new("mkfifo").arg(&pipe).status();
+    let pipe = made.is_ok_and(|status| status.success()).then_some((pipe, "a pipe"));
+    let device = Path::new("/dev/zero").to_owned();
+    let device = device.exists().then_some((device, "a device"));
+    for (path, kind) in [pipe, device].into_iter().flatten() {
+        for arguments in [
+            &["check"][..],
+            &["timeline"],
+            &["fmt"],
+            &["compose", "-o", "x.wav"],
+            &["figure", "build", "-o", "x.glb", "--params"],
+        ] {
+            let out = raconteur(arguments, &path);
+            assert!(!out.status.success(), "{arguments:?}");
+            let told = String::from_utf8_lossy(&out.stderr).into_owned();
+            assert!(told.contains(kind), "{arguments:?}: {told}");
+        }
+    }
+}
+
+/// However long the lines and however many the mistakes: what is printed is bounded.
+#[test]
+fn what_is_told_of_a_hostile_story_is_short() {
+    let n = 100_000;
+    let distinct: String = (0..n).map(|i| format!(" a{i}='1'")).collect();
+    let far = "<key x='0' y='900' z='0'/>".repeat(21);
+    let gestures = format!(
+        "<gesture-key time='1' duration='9'><motion>{far}</motion></gesture-key>"
+    );
+    let shapes = [
+        format!("<null time='1'{distinct}/>"),
+        format!("<null time='1'{}/>", " a='1'".repeat(n)),
+        format!("<null time='1'{}/>", " a".repeat(n)),
+        "<oops/>".repeat(n),
+        format!("<null time='{}'/>", "x".repeat(n)),
+        format!("<voice-text time='0'>{}</voice-text>", "<zz>é</zz>".repeat(n)),
+        "&".repeat(n),
+        gestures.repeat(500),
+    ];
+    for (i, shape) in shapes.iter().enumerate() {
+        let scratch = Scratch::new("hostile");
+        let file = scratch.story(format!("<eml><body>{shape}</body></eml>"));
+        let out = raconteur(&["check"], &file);
+        let told = String::from_utf8_lossy(&out.stderr).into_owned();
+        let longest = told.lines().map(|line| line.chars().count()).max();
+        assert!(longest.unwrap_or(0) <= 700, "{i}: {longest:?}");
+        assert!(told.len() < 200_000, "{i}: {} bytes", told.len());
+        let (list, _) = diagnostics(&file);
+        for diagnostic in &list {
+            assert!(diagnostic.to_string().len() < 4000, "{i}");
+            let code = &diagnostic["code"];
+            let alike = list.iter().filter(|d| d["code"] == *code).count();
+            assert!(alike <= 20 || code == "eml::more", "{i}: {alike} {code}");
+        }
+        if i == 0 {
+            assert!(list.iter().any(|d| d["code"] == "eml::too-many-attributes"));
+        }
+    }
+}
+
+/// A phone that lasts 50 days: the bundle is refused, and says where.
+#[test]
+fn impossible_lengths_in_a_bundle_are_named() {
+    let scratch = Scratch::new("msecs");
+    let file = scratch.story(wrapped("<voice-text time='0'>Hi</voice-text>"));
+    let voice = scratch.0.join("voice");
+    fs::create_dir_all(&voice).expect("a folder");
+    let bundle = r#"{"format": "raconteur-speech", "version": 2,
+        "voices": [{"engine": "e", "voice": "v", "language": "en", "phone_set": "radio"}],
+        "utterances": [{"key": "00000000000000ff", "content": "00000000000000ff", "voice": 0,
+        "text": "Hi", "audio": [], "words": [[0, 2, 0, 1]], "phones": "ay", "msecs": [4294967295]}]}"#;
+    fs::write(voice.join("speech.json"), bundle).expect("a bundle");
+    let (list, _) = diagnostics(&file);
+    let found = list.iter().find(|d| d["code"] == "player::bad-bundle");
+    let message = found.map(|d| d["message"].to_string()).unwrap_or_default();
+    assert!(message.contains("4294967295 ms"), "{list:#?}");
+}
+
+/// Far from any library: the figure is in the program.
+#[test]
+fn a_new_story_plays_wherever_it_is() {
+    let far = tempfile::tempdir().expect("a folder");
+    let run = |arguments: &[&str]| {
+        Command::new(env!("CARGO_BIN_EXE_raconteur"))
+            .args(arguments)
+            .current_dir(far.path())
+            .output()
+            .expect("the program runs")
+    };
+    let made = run(&["new", "first"]);
+    assert!(made.status.success(), "{}", String::from_utf8_lossy(&made.stderr));
+    let checked = run(&["check", "first"]);
+    let told = String::from_utf8_lossy(&checked.stderr).into_owned();
+    assert!(checked.status.success() && told.is_empty(), "{told}");
+    let posed = run(&["pose", "first", "--at", "1", "--digest"]);
+    assert!(posed.status.success());
+    // What is there is not written over.
+    assert!(!run(&["new", "first"]).status.success());
+    assert!(!run(&["--assets", "nowhere", "check", "first"]).status.success());
 }

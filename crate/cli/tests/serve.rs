@@ -39,6 +39,8 @@ struct Server {
     child: Child,
     /// Where it says that it listens, in order.
     addresses: Vec<String>,
+    /// What it says that a mind by TCP says first, with the end of the line.
+    greeting: String,
 }
 
 impl Server {
@@ -48,8 +50,13 @@ impl Server {
         let stderr = child.stderr.take().expect("standard error");
         let mut lines = BufReader::new(stderr).lines();
         let mut addresses = Vec::new();
-        while addresses.len() < ways {
+        let mut greeting = String::new();
+        let by_tcp = arguments.contains(&"--tcp");
+        while addresses.len() < ways || (by_tcp && greeting.is_empty()) {
             let line = lines.next().expect("an address").expect("text");
+            if let Some((_, first)) = line.split_once("its first line is: ") {
+                greeting = format!("{first}\n");
+            }
             let Some((_, at)) = line.split_once(" at ") else {
                 continue;
             };
@@ -58,7 +65,19 @@ impl Server {
         }
         // What else it says must find a reader.
         std::thread::spawn(move || lines.count());
-        Self { child, addresses }
+        Self {
+            child,
+            addresses,
+            greeting,
+        }
+    }
+
+    /// A mind by TCP that is let in.
+    fn mind(&self) -> Tcp {
+        let address = self.addresses.last().expect("an address");
+        let mut mind = Tcp::connect(address);
+        mind.send(&self.greeting);
+        mind
     }
 }
 
@@ -196,7 +215,7 @@ fn the_recorded_session_is_what_happens() {
 fn a_mind_by_tcp_is_told_what_it_causes() {
     let story = "assets/stories/hello-world";
     let server = Server::start(&[story, "--tcp", "0", "--speed", "4"], 1);
-    let mut mind = Tcp::connect(&server.addresses[0]);
+    let mut mind = server.mind();
     let hello = mind.next().expect("a greeting");
     assert!(is(&hello, "hello") && hello["marks"]["t2"].is_number());
     // Pretty-printed over lines, then garbage, then another.
@@ -231,7 +250,7 @@ fn a_mind_by_tcp_is_told_what_it_causes() {
 fn minds_share_one_storyteller() {
     let server = Server::start(&["--port", "0", "--tcp", "0", "--speed", "4"], 2);
     let mut first = websocket(&format!("ws://{}/", server.addresses[0]), None).expect("let in");
-    let mut second = Tcp::connect(&server.addresses[1]);
+    let mut second = server.mind();
     assert!(is(&hear(&mut first), "hello"));
     assert!(second.next().is_some_and(|l| is(&l, "hello")));
     first
@@ -268,8 +287,8 @@ fn minds_share_one_storyteller() {
 #[test]
 fn a_flood_slows_the_mind_that_sends_it() {
     let server = Server::start(&["--tcp", "0"], 1);
-    let mut calm = Tcp::connect(&server.addresses[0]);
-    let mut wild = Tcp::connect(&server.addresses[0]);
+    let mut calm = server.mind();
+    let mut wild = server.mind();
     wild.stream
         .set_write_timeout(Some(Duration::from_millis(200)))
         .expect("a timeout");
@@ -310,7 +329,7 @@ fn binary_garbage_harms_nobody() {
     let _ = stream.write_all(&bytes);
     stream.set_read_timeout(Some(LONG)).expect("a timeout");
     let _ = stream.read(&mut [0; 64]);
-    let mut calm = Tcp::connect(&server.addresses[1]);
+    let mut calm = server.mind();
     calm.send("<event time='0'>still here</event>\n");
     calm.until(|l| l["payload"] == "still here");
 }
@@ -330,16 +349,144 @@ fn a_token_keeps_strangers_out() {
     );
     assert!(websocket(&format!("{url}?x=1&token=s3cret"), None).is_ok());
     assert!(websocket(&url, Some(("authorization", "Bearer s3cret"))).is_ok());
-    let mut stranger = Tcp::connect(&server.addresses[1]);
-    stranger.send("<null time='0'/>\n");
-    assert_eq!(
-        stranger.next().map(|l| l["code"].clone()),
-        Some("serve::token".into())
-    );
-    assert!(stranger.next().is_none());
-    let mut friend = Tcp::connect(&server.addresses[1]);
-    friend.send("s3cret\n<event time='0'>in</event>\n");
+    assert_eq!(server.greeting, "raconteur 1 s3cret\n");
+    for wrong in [
+        "s3cret\n",
+        "<null time='0'/>\n",
+        "raconteur 1 s3cre\n",
+        "raconteur 1 \n",
+    ] {
+        let mut stranger = Tcp::connect(&server.addresses[1]);
+        stranger.send(wrong);
+        let told = stranger.next().map(|l| l["code"].clone());
+        assert_eq!(told, Some("serve::token".into()), "{wrong:?}");
+        assert!(stranger.next().is_none());
+    }
+    let mut friend = server.mind();
+    friend.send("<event time='0'>in</event>\n");
     friend.until(|l| l["payload"] == "in");
+}
+
+#[test]
+fn what_a_page_makes_a_browser_send_is_not_performed() {
+    let server = Server::start(&["--tcp", "0"], 1);
+    assert_ne!(server.greeting, Server::start(&["--tcp", "0"], 1).greeting);
+    // A form's body is of the page's choice, and may hold lines that look like a greeting.
+    let body = "raconteur 1 x\n<event time='0'>from a page</event>\n";
+    for method in ["POST", "GET", "OPTIONS", "PUT"] {
+        let mut page = Tcp::connect(&server.addresses[0]);
+        let length = body.len();
+        page.send(&format!(
+            "{method} / HTTP/1.1\r\nhost: localhost\r\ncontent-type: text/plain\r\n\
+             content-length: {length}\r\n\r\n{body}"
+        ));
+        let mut answer = String::new();
+        let read = page.lines.read_to_string(&mut answer);
+        assert!(
+            read.is_ok() && answer.starts_with("HTTP/1.1 400 "),
+            "{answer}"
+        );
+    }
+    let mut friend = server.mind();
+    friend.send("<event time='0.2'>mine</event>\n");
+    let event = friend.until(|l| is(l, "storyevent"));
+    assert_eq!(event["payload"], "mine");
+}
+
+/// Strangers who open connections without end and drip a byte now and then, and minds who come
+/// meanwhile: those are all heard, and none of the strangers is kept.
+#[test]
+fn dripping_strangers_keep_nobody_out() {
+    let server = Server::start(&["--port", "0", "--tcp", "0"], 2);
+    let connect = |address: &String| TcpStream::connect(address).expect("a connection");
+    let mut strangers: Vec<TcpStream> = (0..100)
+        .flat_map(|_| server.addresses.iter().map(connect))
+        .collect();
+    let url = format!("ws://{}/", server.addresses[0]);
+    for round in 0..4 {
+        for stranger in &mut strangers {
+            // Those that were turned out do not take it.
+            let _ =
+                stranger.write_all(&[b"GET ra".as_slice(), b"racont"][round % 2][round..=round]);
+        }
+        strangers.extend(server.addresses.iter().map(connect));
+        let mut socket = websocket(&url, None).expect("let in");
+        assert!(is(&hear(&mut socket), "hello"));
+        let mut mind = server.mind();
+        mind.send("<event time='0'>heard</event>\n");
+        mind.until(|l| l["payload"] == "heard");
+    }
+    for mut stranger in strangers {
+        stranger.set_read_timeout(Some(LONG)).expect("a timeout");
+        let mut answer = Vec::new();
+        match stranger.read_to_end(&mut answer) {
+            Ok(_) => {}
+            Err(e) => assert_eq!(e.kind(), ErrorKind::ConnectionReset),
+        }
+    }
+}
+
+/// How a WebSocket is closed.
+fn closing(socket: &mut WebSocket<TcpStream>) -> Option<u16> {
+    loop {
+        match socket.read() {
+            Ok(Message::Close(frame)) => return frame.map(|f| f.code.into()),
+            Ok(_) => {}
+            Err(e) => panic!("{e}"),
+        }
+    }
+}
+
+#[test]
+fn a_websocket_is_told_why_it_is_closed() {
+    let server = Server::start(&["--port", "0", "--tcp", "0"], 2);
+    let url = format!("ws://{}/", server.addresses[0]);
+    // Too long for a message.
+    let mut long = websocket(&url, None).expect("let in");
+    long.send(Message::text("a ".repeat(200_000)))
+        .expect("sent");
+    assert_eq!(closing(&mut long), Some(1009));
+    drop(long);
+    // No places left, whichever way they came.
+    let mut minds = Vec::new();
+    for _ in 0..40 {
+        let mut mind = server.mind();
+        let hello = mind.next().expect("an answer");
+        if is(&hello, "hello") {
+            minds.push(mind);
+        } else {
+            assert_eq!(hello["code"], "serve::full");
+        }
+    }
+    assert_eq!(minds.len(), 32);
+    let mut late = websocket(&url, None).expect("let in");
+    assert_eq!(closing(&mut late), Some(1013));
+    // One who leaves makes room.
+    drop(minds.pop());
+    let again = std::iter::repeat_with(|| websocket(&url, None).expect("let in"));
+    let mut again = again.map(|mut socket| socket.read());
+    let is_hello = |m: &Message| m.to_text().is_ok_and(|t| t.contains("hello"));
+    assert!(again.any(|m| m.is_ok_and(|m| is_hello(&m))));
+}
+
+#[test]
+fn who_answers_pings_stays() {
+    let server = Server::start(&["--port", "0", "--tcp", "0", "--idle", "12"], 2);
+    let mut silent = server.mind();
+    let mut awake = server.mind();
+    let url = format!("ws://{}/", server.addresses[0]);
+    // Its library answers pings while it reads.
+    let mut socket = websocket(&url, None).expect("let in");
+    std::thread::spawn(move || while socket.read().is_ok() {});
+    for _ in 0..2 {
+        awake.until(|l| is(l, "ping"));
+        awake.send("\n");
+    }
+    let told = silent.until(|l| is(l, "failed"));
+    assert_eq!(told["code"], "serve::idle");
+    assert!(silent.next().is_none());
+    awake.send("<event time='0'>awake</event>\n");
+    awake.until(|l| l["payload"] == "awake");
 }
 
 #[test]
@@ -348,6 +495,7 @@ fn pages_of_other_hosts_are_not_let_in_without_a_token() {
     let url = format!("ws://{}/", server.addresses[0]);
     let from = |origin| websocket(&url, Some(("origin", origin)));
     assert_eq!(from("https://evil.example").err(), Some(403));
+    assert_eq!(from("null").err(), Some(403));
     assert!(from("http://localhost:4173").is_ok());
 }
 
@@ -375,6 +523,7 @@ fn wrong_usage_is_named() {
     for arguments in [
         &["--speed", "0"][..],
         &["--token", "two words"],
+        &["--idle", "0.1"],
         &["no/such/story"],
     ] {
         let out = command(arguments).output().expect("the program runs");

@@ -1,6 +1,7 @@
 //! Problems in a document, as data.
 
 use crate::Span;
+use std::collections::BTreeMap;
 
 /// How bad a problem is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -48,7 +49,7 @@ impl Diagnostic {
             code,
             severity: Severity::Error,
             span,
-            message: message.into(),
+            message: clipped(message.into()),
             hints: Vec::new(),
             related: Vec::new(),
         }
@@ -66,7 +67,7 @@ impl Diagnostic {
     /// The same with one more hint.
     #[must_use]
     pub fn hint(mut self, hint: impl Into<String>) -> Self {
-        self.hints.push(hint.into());
+        self.hints.push(clipped(hint.into()));
         self
     }
 
@@ -78,14 +79,51 @@ impl Diagnostic {
     }
 }
 
-/// Collects diagnostics up to a limit and counts the rest, so that a hostile file
-/// cannot fill the memory with complaints.
+/// The longest message, characters: what a text says at length is not told as long.
+const LONGEST_MESSAGE: usize = 400;
+
+fn clipped(mut message: String) -> String {
+    if let Some((end, _)) = message.char_indices().nth(LONGEST_MESSAGE) {
+        message.truncate(end);
+        message.push('…');
+    }
+    message
+}
+
+/// How many diagnostics of one kind are told one by one.
+pub const MOST_OF_A_KIND: usize = 20;
+
+/// The code of what counts those that are not told.
+const MORE: &str = "eml::more";
+
+/// Thins what several readers have found in one document: of each kind the first
+/// [`MOST_OF_A_KIND`] stay, and `eml::more` counts the others. In the order of the text.
+#[must_use]
+pub fn thinned(mut diagnostics: Vec<Diagnostic>) -> Vec<Diagnostic> {
+    raconteur_base::order::sort_by_number(&mut diagnostics, |d| f64::from(d.span.start));
+    let mut sink = Sink::new(usize::MAX);
+    diagnostics.into_iter().for_each(|d| sink.push(d));
+    sink.finish()
+}
+
+/// Those of one kind.
+#[derive(Debug, Default)]
+struct Kind {
+    told: usize,
+    left_out: usize,
+    /// The worst severity of those left out.
+    worst: Option<Severity>,
+    /// Where the last of them is.
+    last: Span,
+}
+
+/// Collects diagnostics up to a limit, in all and of each kind, and counts the rest, so that
+/// a hostile file cannot fill the memory with complaints.
 #[derive(Debug)]
 pub(crate) struct Sink {
     list: Vec<Diagnostic>,
     limit: usize,
-    left_out: usize,
-    last: Span,
+    kinds: BTreeMap<&'static str, Kind>,
 }
 
 impl Sink {
@@ -93,34 +131,47 @@ impl Sink {
         Self {
             list: Vec::new(),
             limit,
-            left_out: 0,
-            last: Span::default(),
+            kinds: BTreeMap::new(),
         }
     }
 
     pub(crate) fn push(&mut self, diagnostic: Diagnostic) {
-        if self.is_full() {
-            self.left_out += 1;
-            self.last = diagnostic.span;
+        if diagnostic.code == MORE {
+            self.list.push(diagnostic);
+            return;
+        }
+        let is_full = self.is_full_of(diagnostic.code);
+        let kind = self.kinds.entry(diagnostic.code).or_default();
+        if is_full {
+            kind.left_out += 1;
+            // Errors come first in the order of severities.
+            let worst = kind.worst.unwrap_or(diagnostic.severity);
+            kind.worst = Some(worst.min(diagnostic.severity));
+            kind.last = kind.last.max(diagnostic.span);
         } else {
+            kind.told += 1;
             self.list.push(diagnostic);
         }
     }
 
-    /// Whether further diagnostics are only counted, so that what they say does not matter.
-    pub(crate) fn is_full(&self) -> bool {
-        self.list.len() >= self.limit
+    /// Whether further diagnostics of a kind are only counted, so that what they say does not
+    /// matter.
+    pub(crate) fn is_full_of(&self, code: &'static str) -> bool {
+        let told = self.kinds.get(code).map_or(0, |kind| kind.told);
+        self.list.len() >= self.limit || told >= MOST_OF_A_KIND
     }
 
-    /// The diagnostics in the order of the text, then the count of those left out.
+    /// The diagnostics in the order of the text, then the counts of those left out.
     pub(crate) fn finish(mut self) -> Vec<Diagnostic> {
         raconteur_base::order::sort_by_number(&mut self.list, |d| f64::from(d.span.start));
-        if self.left_out > 0 {
-            self.list.push(Diagnostic::warning(
-                "eml::more",
-                self.last,
-                format!("and {} more", self.left_out),
-            ));
+        for (code, kind) in self.kinds {
+            if let Some(worst) = kind.worst {
+                let message = format!("and {} more of the kind {code}", kind.left_out);
+                self.list.push(Diagnostic {
+                    severity: worst,
+                    ..Diagnostic::warning(MORE, kind.last, message)
+                });
+            }
         }
         self.list
     }
@@ -129,6 +180,49 @@ impl Sink {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        /// Whatever comes: few of a kind are told, none is lost in the counts, and an error
+        /// that is not told leaves one behind.
+        #[test]
+        fn all_are_told_or_counted(
+            kinds in prop::collection::vec((0_usize..4, any::<bool>(), 0_u32..99), 0..300),
+            limit in 0_usize..100,
+        ) {
+            const CODES: [&str; 4] = ["a", "b", "c", "d"];
+            let mut sink = Sink::new(limit);
+            let one = |&(kind, bad, at): &(usize, bool, u32)| {
+                let make = if bad { Diagnostic::error } else { Diagnostic::warning };
+                make(CODES[kind], Span::new(at, at), String::new())
+            };
+            kinds.iter().for_each(|kind| sink.push(one(kind)));
+            // Thinning again what is thin changes nothing but the order of the counts.
+            let told = sink.finish();
+            prop_assert_eq!(thinned(told.clone()).len(), told.len());
+            prop_assert!(told.iter().filter(|d| d.code != MORE).count() <= limit);
+            for code in CODES {
+                let of_kind = told.iter().filter(|d| d.code == code).count();
+                prop_assert!(of_kind <= MOST_OF_A_KIND);
+                let suffix = format!(" more of the kind {code}");
+                let counted = told.iter().filter(|d| d.code == MORE).find_map(|d| {
+                    d.message.strip_prefix("and ")?.strip_suffix(&suffix)?.parse::<usize>().ok()
+                });
+                let all = kinds.iter().filter(|(kind, ..)| CODES[*kind] == code).count();
+                prop_assert_eq!(of_kind + counted.unwrap_or(0), all);
+            }
+            let any_error = |list: &[Diagnostic]| list.iter().any(|d| d.severity == Severity::Error);
+            prop_assert_eq!(any_error(&told), kinds.iter().any(|(_, bad, _)| *bad));
+        }
+    }
+
+    #[test]
+    fn messages_are_not_as_long_as_what_they_quote() {
+        let long =
+            Diagnostic::error("a", Span::default(), "é".repeat(10_000)).hint("x".repeat(999));
+        assert_eq!(long.message.chars().count(), LONGEST_MESSAGE + 1);
+        assert_eq!(long.hints[0].len(), LONGEST_MESSAGE + '…'.len_utf8());
+    }
 
     #[test]
     fn a_full_sink_says_how_many_it_left_out() {
@@ -141,7 +235,7 @@ mod tests {
         assert_eq!((list[0].span.start, list[1].span.start), (3, 4));
         assert_eq!(
             (list[2].code, list[2].message.as_str()),
-            ("eml::more", "and 3 more")
+            ("eml::more", "and 3 more of the kind eml::test")
         );
     }
 }

@@ -61,7 +61,7 @@ pub use clauses::speech::{
     Rate, SayAs, SayAsMode, SayAsType, Speaker, UtteranceKind, VoiceChange, VoiceOperation,
     VoiceSay, Volume,
 };
-pub use diagnostic::{Diagnostic, Severity};
+pub use diagnostic::{Diagnostic, MOST_OF_A_KIND, Severity, thinned};
 pub use document::{Clause, ClauseId, ClauseKind, Document, Group};
 pub use durations::{Durations, EstimatedDurations, PhoneTime, VoiceTiming, WordTime};
 pub use gesture::{

@@ -6,6 +6,7 @@ use crate::schema::{self, Content, Context, Element, Fields, Role, Tally};
 use crate::suggest::quoted;
 use crate::syntax::{self, NodeKind};
 use crate::{Clause, ClauseId, ClauseKind, Diagnostic, Document, Span, TimeExpr};
+use raconteur_base::encoding;
 
 /// Bounds on what a document may cost.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -74,28 +75,11 @@ pub fn parse_fragment_with(source: &str, limits: &Limits) -> Parsed {
     read(source, limits, true)
 }
 
-/// Reads a script from bytes that should be UTF-8. The spans count in those bytes.
+/// Reads a script from bytes that should be UTF-8. What is not becomes U+FFFD and is
+/// reported; the spans count in the text with those.
 #[must_use]
 pub fn parse_bytes(bytes: &[u8], limits: &Limits) -> Parsed {
-    match std::str::from_utf8(bytes) {
-        Ok(source) => parse_with(source, limits),
-        Err(error) => {
-            let at = error.valid_up_to();
-            let hint = match bytes {
-                [0xff, 0xfe, ..] | [0xfe, 0xff, ..] => "this looks like UTF-16; save it as UTF-8",
-                _ => "save the file as UTF-8",
-            };
-            let diagnostic = Diagnostic::error(
-                "eml::not-utf8",
-                Span::of(at, at + 1),
-                "this is not UTF-8 text",
-            );
-            Parsed {
-                document: Document::default(),
-                diagnostics: vec![diagnostic.hint(hint)],
-            }
-        }
-    }
+    parse_with(&String::from_utf8_lossy(bytes), limits)
 }
 
 fn read(source: &str, limits: &Limits, fragment: bool) -> Parsed {
@@ -117,6 +101,21 @@ fn read(source: &str, limits: &Limits, fragment: bool) -> Parsed {
             diagnostics: sink.finish(),
         };
     }
+    if encoding::is_utf16(source.as_bytes()) {
+        sink.push(
+            Diagnostic::error(
+                "eml::not-utf8",
+                Span::new(0, 0),
+                "this is UTF-16 text, not UTF-8; nothing of it is read",
+            )
+            .hint(encoding::SAVE_AS_UTF8),
+        );
+        return Parsed {
+            document,
+            diagnostics: sink.finish(),
+        };
+    }
+    report_undecoded(source, &mut sink);
     report_controls(source, &mut sink);
     let mut taken = Taken::default();
     let mut namespaces = Namespaces::new(source);
@@ -157,6 +156,24 @@ fn read(source: &str, limits: &Limits, fragment: bool) -> Parsed {
 struct Taken {
     tally: Option<Tally>,
     told_clauses: bool,
+}
+
+/// Reports the first of the characters that stand for bytes which are not UTF-8, and how many
+/// there are. Up to there, offsets are those of the bytes.
+fn report_undecoded(source: &str, sink: &mut Sink) {
+    let mut places = source.match_indices(char::REPLACEMENT_CHARACTER);
+    let Some((at, found)) = places.next() else {
+        return;
+    };
+    let more = match places.count() {
+        0 => String::new(),
+        1 => ", and at one more place".to_owned(),
+        n => format!(", and at {n} more places"),
+    };
+    let message = format!("byte {at} is not UTF-8 text{more}; what stood there is lost");
+    let span = Span::of(at, at + found.len());
+    let diagnostic = Diagnostic::error("eml::not-utf8", span, message);
+    sink.push(diagnostic.hint(encoding::SAVE_AS_UTF8));
 }
 
 /// Reports the first control character that XML does not allow: a sign of a file

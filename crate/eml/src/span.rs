@@ -53,12 +53,37 @@ pub struct Position {
     pub column: u32,
 }
 
-/// Finds lines and columns of byte offsets: O(n) to build, O(log lines + line
-/// length) a question.
+/// Finds lines and columns of byte offsets: O(n) to build, O(log lines) a question, however
+/// long a line is.
 #[derive(Clone, Debug)]
 pub struct LineIndex<'a> {
     source: &'a str,
     line_starts: Vec<u32>,
+    /// What is before every [`STRIDE`]th byte.
+    counts: Vec<Count>,
+}
+
+/// Bytes between two counts.
+const STRIDE: usize = 1024;
+
+/// Characters and UTF-16 code units.
+#[derive(Clone, Copy, Debug, Default)]
+struct Count {
+    characters: usize,
+    units: usize,
+}
+
+impl Count {
+    /// With those that begin in more bytes.
+    fn and(self, bytes: &[u8]) -> Self {
+        let begin = bytes.iter().filter(|&&b| b & 0xc0 != 0x80).count();
+        // Four bytes in UTF-8 are two units in UTF-16.
+        let pairs = bytes.iter().filter(|&&b| b >= 0xf0).count();
+        Self {
+            characters: self.characters + begin,
+            units: self.units + begin + pairs,
+        }
+    }
 }
 
 impl<'a> LineIndex<'a> {
@@ -73,9 +98,14 @@ impl<'a> LineIndex<'a> {
                 .filter(|&(_, b)| b == b'\n')
                 .filter_map(|(i, _)| u32::try_from(i + 1).ok()),
         );
+        let mut counts = vec![Count::default()];
+        for bytes in source.as_bytes().chunks_exact(STRIDE) {
+            counts.push(counts[counts.len() - 1].and(bytes));
+        }
         Self {
             source,
             line_starts,
+            counts,
         }
     }
 
@@ -83,21 +113,31 @@ impl<'a> LineIndex<'a> {
     /// end counts as the end, one inside a character as the start of it.
     #[must_use]
     pub fn position(&self, offset: u32) -> Position {
-        let (line, before) = self.split(offset);
+        let (line, start, end) = self.split(offset);
+        let column = self.before(end).characters - self.before(start).characters;
         Position {
             line,
-            column: 1 + count(before.chars().count()),
+            column: count(column).saturating_add(1),
         }
     }
 
     /// Line and column in UTF-16 code units, as browsers and editors count.
     #[must_use]
     pub fn position_utf16(&self, offset: u32) -> Position {
-        let (line, before) = self.split(offset);
+        let (line, start, end) = self.split(offset);
+        let column = self.before(end).units - self.before(start).units;
         Position {
             line,
-            column: 1 + count(before.chars().map(char::len_utf16).sum()),
+            column: count(column).saturating_add(1),
         }
+    }
+
+    /// The offset at which a line, from 1, starts; the end of the text where there is none.
+    #[must_use]
+    pub fn line_start(&self, line: u32) -> u32 {
+        let index = line.saturating_sub(1) as usize;
+        let start = self.line_starts.get(index).copied();
+        start.unwrap_or_else(|| count(self.source.len()))
     }
 
     /// The text of a line, from 1, without its line end.
@@ -114,14 +154,22 @@ impl<'a> LineIndex<'a> {
         self.source[start as usize..end].trim_end_matches(['\n', '\r'])
     }
 
-    fn split(&self, offset: u32) -> (u32, &'a str) {
+    /// What begins before a byte.
+    fn before(&self, at: usize) -> Count {
+        let counted = at / STRIDE;
+        self.counts[counted].and(&self.source.as_bytes()[counted * STRIDE..at])
+    }
+
+    /// The line, from 1, of an offset, where the line starts, and the offset brought to the
+    /// start of its character.
+    fn split(&self, offset: u32) -> (u32, usize, usize) {
         let mut end = (offset as usize).min(self.source.len());
         while !self.source.is_char_boundary(end) {
             end -= 1;
         }
         let line = self.line_starts.partition_point(|&s| s as usize <= end);
         let start = self.line_starts[line - 1] as usize;
-        (count(line), &self.source[start..end])
+        (count(line), start, end)
     }
 }
 
@@ -132,6 +180,7 @@ fn count(n: usize) -> u32 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use proptest::prelude::*;
 
     #[test]
     fn columns_count_characters_or_utf16_units() {
@@ -152,6 +201,28 @@ mod tests {
                 column: 12
             }
         );
+    }
+
+    proptest! {
+        /// As counted character by character, in lines of any length.
+        #[test]
+        fn positions_are_those_of_the_naive_count(
+            text in "([a-zé€😀]{0,40}|\n|\r\n){0,200}", at in any::<prop::sample::Index>(),
+        ) {
+            let lines = LineIndex::new(&text);
+            let mut end = at.index(text.len() + 1);
+            let offset = u32::try_from(end).unwrap();
+            while !text.is_char_boundary(end) {
+                end -= 1;
+            }
+            let start = text[..end].rfind('\n').map_or(0, |i| i + 1);
+            let before = &text[start..end];
+            let line = 1 + count(text[..end].matches('\n').count());
+            let characters = 1 + count(before.chars().count());
+            let units = 1 + count(before.encode_utf16().count());
+            prop_assert_eq!(lines.position(offset), Position { line, column: characters });
+            prop_assert_eq!(lines.position_utf16(offset), Position { line, column: units });
+        }
     }
 
     #[test]

@@ -7,7 +7,7 @@ mod holds;
 use edits::{apply, edit};
 use proptest::prelude::*;
 use raconteur_eml::{
-    Diagnostic, EstimatedDurations, Limits, Severity, Timeline, parse, parse_bytes,
+    Diagnostic, EstimatedDurations, Limits, MOST_OF_A_KIND, Severity, Timeline, parse, parse_bytes, schema,
 };
 use std::fs;
 use std::path::Path;
@@ -144,11 +144,11 @@ fn ten_thousand_deep_nesting_is_one_diagnostic() {
 fn diagnostics_are_capped() {
     let source = format!("<eml><body>{}</body></eml>", "<oops/>".repeat(1000));
     let parsed = parse(&source);
-    assert_eq!(parsed.diagnostics.len(), 201);
+    assert_eq!(parsed.diagnostics.len(), MOST_OF_A_KIND + 1);
     let last = parsed.diagnostics.last().expect("a last diagnostic");
     assert_eq!(
         (last.code, last.message.as_str()),
-        ("eml::more", "and 800 more")
+        ("eml::more", "and 980 more of the kind eml::unknown-element")
     );
 }
 
@@ -163,6 +163,46 @@ fn long_chains_of_names_resolve_without_recursion() {
     let resolved = Timeline::resolve(&parsed.document, &EstimatedDurations);
     assert_eq!(resolved.diagnostics, []);
     assert_eq!(resolved.timeline.duration_secs, f64::from(n));
+}
+
+/// An extension's name without its prefix, with a slip, or as a word of a longer name.
+#[test]
+fn extensions_are_suggested_under_near_names() {
+    for element in schema::ELEMENTS.iter().filter(|e| e.extension && e.is_clause()) {
+        let name = element.name;
+        let slip = format!("{}{}", &name[..2], &name[3..]);
+        for written in [name.to_owned(), slip, format!("expression-{name}")] {
+            let parsed = parse(&format!("<eml><body><{written} time='1'/></body></eml>"));
+            let unknown = parsed.diagnostics.iter().find(|d| d.code == "eml::unknown-element");
+            let hints = unknown.map(|d| d.hints.join(" ")).unwrap_or_default();
+            let meant = format!("r:{name}");
+            assert!(hints.contains(&meant) && hints.contains("xmlns:r="), "{written}: {hints}");
+        }
+    }
+    let script = "<eml xmlns:r='urn:raconteur:eml:1'><body><r:null time='1'/></body></eml>";
+    let hints = &parse(script).diagnostics[0].hints;
+    assert!(hints[0].contains("without the prefix"), "{hints:?}");
+}
+
+/// So many attributes, each of its own name.
+fn distinct(name: &str, n: usize) -> String {
+    (0..n).map(|i| format!("{name}{i}='1' ")).collect()
+}
+
+#[test]
+fn attributes_beyond_the_limit_are_one_diagnostic() {
+    for n in [65, 1000, 100_000] {
+        let parsed = parse(&format!(
+            "<eml><body><null {}/></body></eml>",
+            distinct("a", n)
+        ));
+        let about_all = codes(&parsed.diagnostics);
+        let told = about_all
+            .iter()
+            .filter(|c| **c == "eml::too-many-attributes");
+        assert_eq!(told.count(), 1);
+        assert!(about_all.len() <= MOST_OF_A_KIND + 3, "{about_all:?}");
+    }
 }
 
 /// Inputs whose naive treatment takes quadratic time or memory; at these sizes that
@@ -190,6 +230,9 @@ fn hostile_shapes_stay_linear() {
         ),
         format!("<eml><body><null time='{}'/></body></eml>", "+1".repeat(n)),
         format!("<eml><body><null {}/></body></eml>", "a='1' ".repeat(n)),
+        format!("<eml><body><null {}/></body></eml>", distinct("a", n)),
+        format!("<eml><body><null {}/></body></eml>", distinct("xmlns:a", n)),
+        format!("<eml {}><body/></eml>", distinct("r:a", n)),
     ];
     for shape in shapes {
         let parsed = parse(&shape);

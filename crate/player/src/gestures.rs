@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use raconteur_actor::gesture::{ArmPlan, Course, Phase as ArmPhase, Space as CourseSpace};
 use raconteur_actor::{GestureStroke, HandKey, Span as TimeSpan, palm};
 use raconteur_base::decimal::fixed;
+use raconteur_base::order::sort_by_number;
 use raconteur_base::profile::Profile as Pace;
 use raconteur_base::{DVec3, Side, mirror_vector};
 use raconteur_body::hand_shape::HandAngles;
@@ -279,6 +280,7 @@ pub(crate) fn out_of_reach(document: &Document, units: &Units, reach: &Reach) ->
         let ClauseKind::GestureKey(gesture) = &clause.kind else {
             continue;
         };
+        let mut far = Vec::new();
         for side in Side::BOTH
             .into_iter()
             .filter(|s| gesture.handedness.includes(*s))
@@ -299,23 +301,32 @@ pub(crate) fn out_of_reach(document: &Document, units: &Units, reach: &Reach) ->
                     - reach.arm_m;
                 // A tenth of a millimetre is below what rounding in a script can mean.
                 if beyond > 1e-4 {
-                    found.push(
-                        Diagnostic::warning(
-                            "player::out-of-reach",
-                            key.span,
-                            format!(
-                                "this place is {} cm beyond the reach of the {} arm",
-                                fixed(beyond * 100.0, 0),
-                                if side == Side::Left { "left" } else { "right" },
-                            ),
-                        )
-                        .hint("the hand goes as far towards it as it can"),
-                    );
+                    far.push((beyond, key.span, side));
                 }
             }
         }
+        found.extend(farthest(&far));
     }
     found
+}
+
+/// One warning a clause: at the place that is farthest beyond reach, metres, of all.
+fn farthest(far: &[(f64, Span, Side)]) -> Option<Diagnostic> {
+    let (beyond, span, side) = far.iter().max_by(|a, b| a.0.total_cmp(&b.0))?;
+    let arm = if *side == Side::Left { "left" } else { "right" };
+    let others = match far.len() {
+        1 => String::new(),
+        2 => "; another one of this gesture is, too".to_owned(),
+        n => format!("; {} others of this gesture are, too", n - 1),
+    };
+    let message = format!(
+        "this place is {} cm beyond the reach of the {arm} arm{others}",
+        fixed(beyond * 100.0, 0),
+    );
+    Some(
+        Diagnostic::warning("player::out-of-reach", *span, message)
+            .hint("the hand goes as far towards it as it can"),
+    )
 }
 
 /// Lateness that nobody sees, seconds (half of what must hold for strokes).
@@ -328,23 +339,24 @@ pub(crate) fn late(
     timeline: &Timeline,
     plans: [&ArmPlan; 2],
 ) -> Vec<Diagnostic> {
-    let mut found: Vec<(Span, f64)> = Vec::new();
+    let mut found: BTreeMap<Span, f64> = BTreeMap::new();
     for side in Side::BOTH {
         let planned = plans[side.index()].keys().iter();
-        let late: Vec<_> = planned
+        let mut late: Vec<_> = planned
             .filter(|k| k.arrives_secs - k.time_secs > UNSEEN_SECS)
             .collect();
+        sort_by_number(&mut late, |k| k.time_secs);
         if late.is_empty() {
             continue;
         }
         let mut check = |secs: f64, span: Span| {
-            let near = late.iter().filter(|k| (k.time_secs - secs).abs() < 1e-6);
+            let first = late.partition_point(|k| k.time_secs <= secs - 1e-6);
+            let near = late[first..]
+                .iter()
+                .take_while(|k| k.time_secs < secs + 1e-6);
             for key in near {
-                let delay = key.arrives_secs - key.time_secs;
-                match found.iter_mut().find(|(s, _)| *s == span) {
-                    Some((_, worst)) => *worst = worst.max(delay),
-                    None => found.push((span, delay)),
-                }
+                let worst = found.entry(span).or_default();
+                *worst = worst.max(key.arrives_secs - key.time_secs);
             }
         };
         for timed in &timeline.clauses {

@@ -10,7 +10,7 @@ use raconteur_base::order::sort_by_number;
 use raconteur_base::{DVec3, Side};
 use raconteur_body::face::{FaceControls, Network, NodeState, Tissue};
 use raconteur_body::{Bone, Figure, Pose};
-use raconteur_eml::{Diagnostic, Span, Timeline};
+use raconteur_eml::{Diagnostic, Span, Timeline, thinned};
 use raconteur_stage::{Camera, Frame, Room, Shot, SpeechNow, View};
 
 use crate::cues::{Cue, UtteranceCue};
@@ -174,7 +174,7 @@ impl Player {
         );
         let plans = Side::BOTH.map(|side| actor.plan(side));
         diagnostics.extend(gestures::late(&script.document, &script.timeline, plans));
-        sort_by_number(&mut diagnostics, |d| f64::from(d.span.start));
+        let diagnostics = thinned(diagnostics);
         let mut geometry = Geometry::default();
         geometry.retell(&story.geometry);
         let morphs = figure.morph_names.len();
@@ -457,7 +457,7 @@ impl Player {
             self.layers.change(from_secs.max(0.0), actor, room);
         }
         self.forget_face();
-        diagnostics
+        thinned(diagnostics)
     }
 
     /// The tissue of the face and its network as they were for the last frame; none where the

@@ -3,7 +3,9 @@
 use std::sync::Arc;
 
 use raconteur_actor::Library;
-use raconteur_eml::{ClauseId, ClauseKind, Diagnostic, Document, Parsed, Span, Timeline, parse};
+use raconteur_eml::{
+    ClauseId, ClauseKind, Diagnostic, Document, Parsed, Span, Timeline, parse, thinned,
+};
 use raconteur_speech::bundle::Voice;
 use raconteur_speech::{Bundle, Phone, Utterance};
 
@@ -96,7 +98,7 @@ impl Script {
             voice_was_given,
         ));
         diagnostics.extend(crate::unperformed::report(&document));
-        raconteur_base::order::sort_by_number(&mut diagnostics, |d| f64::from(d.span.start));
+        let diagnostics = thinned(diagnostics);
         Self {
             moves: asked(&document).is_some(),
             feels: true,

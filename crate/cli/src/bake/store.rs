@@ -11,7 +11,7 @@ use sha2::Digest as _;
 
 use super::{bundle_text, encode};
 use crate::disk::{self, Disk};
-use crate::{inside, media};
+use crate::{input, inside, media};
 
 /// Whether the sound of an utterance is there.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -68,7 +68,7 @@ fn sound_at(folder: &Path, audio: &AudioFile) -> Sound {
     match (found, &audio.holds) {
         (None, _) => Sound::Wrong,
         (Some(_), None) => Sound::Untold,
-        (Some(path), Some(told)) => match inside::read(&path, told.bytes) {
+        (Some(path), Some(told)) => match input::bytes(&path, told.bytes) {
             Ok(bytes) if holds(&bytes) == *told => Sound::Whole,
             _ => Sound::Wrong,
         },
@@ -80,7 +80,7 @@ impl<'d> Store<'d> {
     /// nothing: everything is baked again.
     pub(crate) fn open(folder: PathBuf, disk: &'d dyn Disk) -> Self {
         let path = inside::find(&folder, SPEECH).ok().flatten();
-        let text = path.and_then(|path| inside::read(&path, MOST_TEXT).ok());
+        let text = path.and_then(|path| input::bytes(&path, MOST_TEXT).ok());
         let text = text.unwrap_or_default();
         let bundle = Bundle::from_json(&text).unwrap_or_default();
         let sound = |u: &Utterance| {
@@ -164,7 +164,7 @@ impl<'d> Store<'d> {
             if !is_sound_of(&kept.utterance, &path)? {
                 return Ok(());
             }
-            let bytes = inside::read(&path, media::MOST_BYTES)?;
+            let bytes = input::bytes(&path, media::MOST_BYTES)?;
             let ending = Path::new(&audio.file).extension().unwrap_or_default();
             let mime = audio.mime.clone();
             *audio = self.add(&bytes, &ending.to_string_lossy(), &mime)?;

@@ -12,7 +12,7 @@ use super::cast::Role;
 use super::digest::Digest;
 use super::speak::{self, Casting, Work};
 use super::{BakeOptions, REVISION, sounds};
-use crate::{inside, media};
+use crate::{input, inside, media};
 
 /// An utterance that is wanted.
 pub(super) struct Wanted<'a> {
@@ -81,7 +81,7 @@ fn content(
                 None if *from_library => library(path)?,
                 None => return Ok(Err(folder.join(path))),
             };
-            let text = inside::read_text(&file).with_context(told)?;
+            let text = input::text(&file, input::LONGEST_TEXT).with_context(told)?;
             if *sable {
                 sable_document(path, &text)?
             } else if path.ends_with(".ssml") {
@@ -128,7 +128,7 @@ fn want<'a>(
     }
     for sound in &casting.plan.sounds {
         let path = sounds::find(folder, &sound.src)?;
-        let bytes = inside::read(&path, media::MOST_BYTES)?;
+        let bytes = input::bytes(&path, media::MOST_BYTES)?;
         digest.bytes(&bytes);
         source.bytes(&bytes);
         sounds.push(path);

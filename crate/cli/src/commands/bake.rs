@@ -13,9 +13,8 @@ use serde_json::json;
 use crate::bake::engine::{ENGINES, EngineOptions, VoiceInfo};
 use crate::bake::program::Missing;
 use crate::bake::{self, BakeOptions, BakeReport, Cast, STORY_PACE};
-use crate::inside;
-use crate::story::{StoryFiles, find_asset};
-use crate::{Format, Outcome, report};
+use crate::story::StoryFiles;
+use crate::{Format, Outcome, assets, input, inside, report};
 
 /// Make or refresh the speech bundles of stories.
 #[derive(Args)]
@@ -108,7 +107,7 @@ impl Bake {
                 &script.said(),
                 folder,
                 &bake_options,
-                &|path| find_asset(path, &files.script),
+                &|path| assets::find(path, &files.script),
                 &|done, of, text| {
                     bar.set_length(of as u64);
                     bar.set_position(done as u64);
@@ -164,7 +163,9 @@ impl Bake {
             Some(path) => Some(path.clone()),
             None => inside::find(folder, "lexicon.txt")?,
         };
-        path.map_or(Ok(String::new()), |path| inside::read_text(&path))
+        path.map_or(Ok(String::new()), |path| {
+            input::text(&path, input::LONGEST_TEXT).context("the lexicon")
+        })
     }
 
     /// What another engine than the usual one means, or that none could be asked.

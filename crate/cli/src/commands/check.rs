@@ -21,7 +21,7 @@ pub(crate) struct Check {
     #[arg(required = true)]
     files: Vec<PathBuf>,
     /// The figure whose reach is checked: a name, or the path of a .glb file. Without this,
-    /// sofia where she is found.
+    /// sofia.
     #[arg(long)]
     figure: Option<String>,
     /// How to report.
@@ -59,16 +59,7 @@ impl Check {
 
     fn diagnostics(&self, files: &StoryFiles) -> Result<Vec<Diagnostic>> {
         let name = self.figure.as_deref().unwrap_or("sofia");
-        match files.player(name, Shot::Medium) {
-            Ok(loaded) => Ok(loaded.diagnostics),
-            Err(error) if self.figure.is_some() => Err(error),
-            Err(_) => {
-                eprintln!(
-                    "raconteur: no figure at hand, so nobody's reach is checked; name one with --figure"
-                );
-                Ok(files.script().diagnostics)
-            }
-        }
+        Ok(files.player(name, Shot::Medium)?.diagnostics)
     }
 }
 

@@ -1,14 +1,13 @@
 //! `raconteur compose`.
 
-use std::fs;
 use std::io::{self, Write as _};
 use std::path::PathBuf;
 
 use anyhow::{Context as _, Result};
 use clap::Args;
 
-use crate::Outcome;
 use crate::compose::{self, Score};
+use crate::{Outcome, input};
 
 /// Play a score on the built-in synthesiser.
 #[derive(Args)]
@@ -22,8 +21,7 @@ pub(crate) struct Compose {
 
 impl Compose {
     pub(crate) fn run(&self) -> Result<Outcome> {
-        let text = fs::read_to_string(&self.score)
-            .with_context(|| format!("cannot read the score {}", self.score.display()))?;
+        let text = input::text(&self.score, input::LONGEST_TEXT).context("the score")?;
         let score = Score::read(&text).with_context(|| self.score.display().to_string())?;
         let music = compose::play(&score).with_context(|| self.score.display().to_string())?;
         let mut out = io::stdout().lock();

@@ -5,6 +5,7 @@ pub(crate) mod check;
 pub(crate) mod compose;
 pub(crate) mod figure;
 pub(crate) mod fmt;
+pub(crate) mod new;
 pub(crate) mod pose;
 pub(crate) mod render;
 pub(crate) mod serve;

@@ -2,6 +2,7 @@
 
 use std::net::{IpAddr, SocketAddr};
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 use anyhow::{Result, bail};
 use clap::Args;
@@ -14,6 +15,10 @@ use crate::{Outcome, report};
 
 /// Where WebSockets are taken when nothing else is asked for.
 const USUAL_PORT: u16 = 7373;
+
+/// The range of `--idle`, seconds.
+const LEAST_IDLE_SECS: f64 = 1.0;
+const MOST_IDLE_SECS: f64 = 86_400.0;
 
 /// Perform what minds send, and tell them what happens as JSON lines.
 ///
@@ -39,9 +44,15 @@ pub(crate) struct Serve {
     /// Listen at this address. Any but a loopback one opens the door to other machines.
     #[arg(long, default_value = "127.0.0.1")]
     listen: IpAddr,
-    /// What a mind must know: `?token=` or a bearer header by WebSocket, the first line by TCP.
+    /// What a mind must know: `raconteur 1 TOKEN` is the first line by TCP; `?token=` or a
+    /// bearer header by WebSocket. Without this one is made up and told; then WebSockets of
+    /// this machine need none.
     #[arg(long)]
     token: Option<String>,
+    /// A mind from which nothing has come for so long is gone, seconds. It is asked for a
+    /// sign of life after a third of it.
+    #[arg(long, default_value_t = 90.0)]
+    idle: f64,
     /// Story seconds a second.
     #[arg(long, default_value_t = 1.0)]
     speed: f64,
@@ -55,17 +66,17 @@ impl Serve {
         if !(self.speed.is_finite() && self.speed > 0.0) {
             bail!("--speed takes a positive number, not {}", self.speed);
         }
+        if !(LEAST_IDLE_SECS..=MOST_IDLE_SECS).contains(&self.idle) {
+            bail!(
+                "--idle takes {LEAST_IDLE_SECS} to {MOST_IDLE_SECS} seconds, not {}",
+                self.idle
+            );
+        }
         let token = self.token.as_deref();
         if token.is_some_and(|t| t.is_empty() || !t.bytes().all(|b| b.is_ascii_graphic())) {
             bail!("--token takes ASCII letters, digits and signs, without spaces");
         }
         let player = self.player()?;
-        if !self.listen.is_loopback() && token.is_none() {
-            eprintln!(
-                "raconteur: anybody who reaches {} may send; see --token",
-                self.listen
-            );
-        }
         let no_way = self.port.is_none() && self.tcp.is_none() && !self.stdin;
         let at = |port| SocketAddr::new(self.listen, port);
         let ways = Ways {
@@ -73,6 +84,7 @@ impl Serve {
             tcp: self.tcp.map(at),
             stdin: self.stdin,
             token: self.token.clone(),
+            idle: Duration::from_secs_f64(self.idle),
         };
         let clock = if self.r#virtual {
             Clock::Virtual

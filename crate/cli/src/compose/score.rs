@@ -9,6 +9,11 @@ use serde::Deserialize;
 use super::harmony::{Chord, chord, pitch};
 use super::instrument::Instrument;
 
+/// The longest piece without its tail, seconds.
+const LONGEST_SECS: f64 = 1200.0;
+/// The most notes and cells in a piece; a cell that holds notes counts for each.
+const MOST_WORK: usize = 1_000_000;
+
 /// A piece as it is written.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -128,10 +133,18 @@ impl Score {
             "tail is 0 to 30 s, not {}",
             score.tail
         );
+        for track in &score.tracks {
+            let shares = [track.room, track.echo, track.duck, track.pan.abs()];
+            ensure!(
+                (-120.0..=24.0).contains(&track.level) && shares.iter().all(|s| (0.0..=1.0).contains(s)),
+                "track {}: level is -120 to 24 dB, pan -1 to 1, room, echo and duck 0 to 1",
+                track.name
+            );
+        }
         let length = score.length_secs();
         ensure!(
-            length <= 1200.0,
-            "the piece is {length} s long; 1200 is the limit"
+            length <= LONGEST_SECS,
+            "the piece is {length} s long; {LONGEST_SECS} is the limit"
         );
         Ok(score)
     }
@@ -142,8 +155,8 @@ impl Score {
 
     /// Length without the tail, seconds.
     pub(crate) fn length_secs(&self) -> f64 {
-        let bars: u32 = self.form.iter().map(|s| s.bars).sum();
-        f64::from(bars) * self.bar_secs()
+        let bars: f64 = self.form.iter().map(|s| f64::from(s.bars)).sum();
+        bars * self.bar_secs()
     }
 
     /// Names of the sections and when they begin, seconds.
@@ -160,10 +173,11 @@ impl Score {
     /// The notes of every track.
     ///
     /// # Errors
-    /// Where a name, a chord or a cell means nothing.
+    /// Where a name, a chord or a cell means nothing, or there are too many notes.
     pub(crate) fn parts(&self) -> Result<Vec<Part>> {
         let mut parts: Vec<Part> = self.tracks.iter().cloned().map(Part::new).collect();
         let mut first_bar = 0;
+        let mut work = 0;
         for section in &self.form {
             let chords = section.chords()?;
             for entry in &section.play {
@@ -199,8 +213,15 @@ impl Score {
                                 f64::from(bar) + i as f64 / cells.len() as f64,
                             ),
                         };
+                        let (notes_before, held_before) = (part.notes.len(), held.len());
                         at.play(cell, &mut held, &mut part.notes)
                             .with_context(|| format!("pattern {name}, bar {text:?}"))?;
+                        // Cells and notes that are held cost time, too.
+                        work += 1 + held_before + (part.notes.len() - notes_before);
+                        ensure!(
+                            work <= MOST_WORK,
+                            "pattern {name}: more than {MOST_WORK} notes and cells"
+                        );
                     }
                 }
             }
@@ -324,9 +345,40 @@ impl Cell<'_> {
     }
 }
 
+/// What must hold whatever the text: it is refused, or its notes lie in the piece.
+#[cfg(any(test, fuzzing))]
+pub(crate) fn holds(text: &str) {
+    let Ok((score, parts)) = Score::read(text).and_then(|s| s.parts().map(|p| (s, p))) else {
+        return;
+    };
+    let end_secs = score.length_secs() + 1e-6;
+    assert!(end_secs.is_finite() && score.sections().iter().all(|(_, at)| *at <= end_secs));
+    for note in parts.iter().flat_map(|part| &part.notes) {
+        assert!(note.start_secs >= 0.0 && note.start_secs <= end_secs, "{note:?}");
+        assert!(note.length_secs >= 0.0 && note.length_secs <= end_secs, "{note:?}");
+        assert!(note.pitch.is_finite() && note.velocity.is_finite(), "{note:?}");
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn saved_scores_are_refused_or_hold_together() {
+        let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+        let mut texts = 0;
+        for folder in ["fuzz/saved/score", "assets/music"] {
+            for entry in std::fs::read_dir(root.join(folder)).expect("a folder of scores") {
+                let path = entry.expect("an entry").path();
+                if path.extension().is_none_or(|e| e == "json") {
+                    holds(&std::fs::read_to_string(path).expect("a score"));
+                    texts += 1;
+                }
+            }
+        }
+        assert!(texts >= 4, "only {texts} scores");
+    }
 
     const SCORE: &str = r#"{
         "title": "t", "bpm": 120, "beats": 4, "seed": 1, "loudness": -20, "tail": 0,

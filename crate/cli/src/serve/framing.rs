@@ -136,9 +136,49 @@ impl Framer {
     }
 }
 
+/// What must hold whatever the bytes and however they are cut into packets: the same fragments,
+/// none empty, none longer than the limit.
+#[cfg(any(test, fuzzing))]
+pub(crate) fn holds(bytes: &[u8]) {
+    const LIMIT: usize = 64;
+    let fragments = |packet: usize| {
+        let mut framer = Framer::new(LIMIT);
+        let mut all: Vec<String> = bytes.chunks(packet).flat_map(|p| framer.push(p)).collect();
+        all.extend(framer.finish());
+        all
+    };
+    let whole = fragments(bytes.len().max(1));
+    for packet in [1, 2, 7] {
+        assert_eq!(whole, fragments(packet));
+    }
+    for fragment in &whole {
+        // A byte that is not UTF-8 becomes three.
+        assert!(!fragment.trim().is_empty() && fragment.len() <= 3 * (LIMIT + 1));
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use proptest::prelude::*;
+
+    #[test]
+    fn saved_streams_hold_together() {
+        let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR"))
+            .join("../../fuzz/saved/serve_framing");
+        for entry in std::fs::read_dir(folder).expect("a folder of streams") {
+            let bytes = std::fs::read(entry.expect("an entry").path()).expect("a stream");
+            holds(&bytes);
+            super::super::greeting::holds(&bytes);
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn streams_of_markup_hold_together(bytes in "([<>/!?'\"a\n\r -]|<!--|-->|<!\\[CDATA\\[|\\]\\]>){0,80}") {
+            holds(bytes.as_bytes());
+        }
+    }
 
     /// The same however the stream is cut into packets.
     fn frames(stream: &str) -> Vec<String> {

@@ -8,16 +8,18 @@ use std::time::Duration;
 
 use serde::Serialize;
 
+use super::lobby::Lobby;
+
 /// Fragments of one mind that wait to be performed; a mind that sends more is not read.
 const WAITING: usize = 16;
 /// Lines that wait to be sent to one mind; one that does not read them misses the rest.
 const UNREAD: usize = 1024;
-/// Minds connected at once, those whose token is still awaited among them.
+/// Minds connected at once.
 const MOST_MINDS: usize = 32;
 /// How often a connection looks for lines to send while it waits for fragments.
 pub(crate) const TURN: Duration = Duration::from_millis(20);
-/// A mind that has not said its token by then, or takes longer to read a line, is gone.
-pub(crate) const PATIENCE: Duration = Duration::from_secs(10);
+/// A mind that has not greeted by then, or takes longer to read a line, is gone.
+pub(crate) const PATIENCE: Duration = Duration::from_secs(5);
 
 /// A line for a mind, without the end of line.
 pub(crate) type Line = Arc<str>;
@@ -47,7 +49,13 @@ pub(crate) struct Link {
 /// Where connections come in.
 #[derive(Clone)]
 pub(crate) struct Door {
-    pub(crate) token: Option<Arc<str>>,
+    token: Arc<str>,
+    /// Whether every WebSocket must say the token, too: those of this machine as well.
+    pub(crate) guarded: bool,
+    /// A mind that is silent for so long is gone.
+    pub(crate) idle: Duration,
+    /// Where connections wait before they come in.
+    pub(crate) lobby: Lobby,
     arrivals: SyncSender<Mind>,
     connected: Arc<AtomicUsize>,
 }
@@ -72,17 +80,20 @@ enum Note {
 
 impl Door {
     /// A door, and where those who came through it are found.
-    pub(crate) fn new(token: Option<&str>) -> (Self, Receiver<Mind>) {
+    pub(crate) fn new(token: &str, guarded: bool, idle: Duration) -> (Self, Receiver<Mind>) {
         let (arrivals, arrived) = sync_channel(MOST_MINDS);
         let door = Self {
-            token: token.map(Arc::from),
+            token: token.into(),
+            guarded,
+            idle,
+            lobby: Lobby::default(),
             arrivals,
             connected: Arc::default(),
         };
         (door, arrived)
     }
 
-    /// A place for a connection, unless all are taken.
+    /// A place for a mind, unless all are taken.
     pub(crate) fn place(&self) -> Option<Place> {
         let before = self.connected.fetch_add(1, Ordering::Relaxed);
         let place = Place(Arc::clone(&self.connected));
@@ -91,11 +102,9 @@ impl Door {
 
     /// Whether a token opens the door. The time that this takes tells nothing but lengths.
     pub(crate) fn opens(&self, token: &str) -> bool {
-        self.token.as_deref().is_none_or(|wanted| {
-            let pairs = wanted.bytes().zip(token.bytes());
-            let differences = pairs.fold(0, |sum, (a, b)| sum | (a ^ b));
-            differences == 0 && wanted.len() == token.len()
-        })
+        let pairs = self.token.bytes().zip(token.bytes());
+        let differences = pairs.fold(0, |sum, (a, b)| sum | (a ^ b));
+        differences == 0 && self.token.len() == token.len()
     }
 
     /// Brings a mind in.

@@ -5,7 +5,10 @@
 //! one that does not listen misses lines, and the performance waits for neither.
 
 mod framing;
+mod greeting;
+mod lobby;
 mod mind;
+mod pulse;
 mod tcp;
 mod websocket;
 
@@ -22,7 +25,7 @@ use serde::Serialize;
 use std::collections::BTreeMap;
 
 use framing::Framer;
-use mind::{Door, Gone, Line, Mind, Place};
+use mind::{Door, Gone, Line, Mind};
 
 /// Between two looks at the clock and at what has come.
 const STEP: Duration = Duration::from_millis(10);
@@ -37,8 +40,10 @@ pub(crate) struct Ways {
     pub(crate) tcp: Option<SocketAddr>,
     /// Whether the standard input is a mind.
     pub(crate) stdin: bool,
-    /// What they must know.
+    /// What they must know; without one it is made up and told.
     pub(crate) token: Option<String>,
+    /// A mind that is silent for so long is gone.
+    pub(crate) idle: Duration,
 }
 
 /// What makes story time pass.
@@ -68,19 +73,26 @@ struct Hello<'a> {
 
 /// Performs until the standard input has ended, where it is the only way in; else for ever.
 pub(crate) fn run(mut player: Player, ways: &Ways, clock: Clock) -> Result<()> {
-    let (door, arrivals) = Door::new(ways.token.as_deref());
+    let token = ways.token.clone().map_or_else(token, Ok)?;
+    let open_to_others = ways.websocket.is_some_and(|at| !at.ip().is_loopback());
+    let guarded = ways.token.is_some() || open_to_others;
+    let (door, arrivals) = Door::new(&token, guarded, ways.idle);
     if let Some(address) = ways.websocket {
         let at = listen(address, &door, |stream, door| {
             // A connection that breaks is the mind's affair.
             let _ = websocket::serve(stream, door);
         })?;
         eprintln!("raconteur: WebSocket at ws://{at}/");
+        if open_to_others && ways.token.is_none() {
+            eprintln!("raconteur: it takes those who add ?token={token}");
+        }
     }
     if let Some(address) = ways.tcp {
         let at = listen(address, &door, |stream, door| {
-            let _ = tcp::serve(&stream, door);
+            let _ = tcp::serve(stream, door);
         })?;
         eprintln!("raconteur: TCP at {at}");
+        eprintln!("raconteur: its first line is: {}", greeting::line(&token));
     }
     if ways.stdin {
         read_input(&door);
@@ -101,6 +113,13 @@ pub(crate) fn run(mut player: Player, ways: &Ways, clock: Clock) -> Result<()> {
     }
 }
 
+/// A token that nobody can guess: 128 random bits.
+fn token() -> Result<String> {
+    let mut bytes = [0; 16];
+    getrandom::fill(&mut bytes).context("no random numbers for a token; name one with --token")?;
+    Ok(bytes.iter().map(|b| format!("{b:02x}")).collect())
+}
+
 /// Takes connections in threads of their own; the address, with the port that was chosen.
 fn listen(
     address: SocketAddr,
@@ -113,16 +132,16 @@ fn listen(
     let door = door.clone();
     thread::spawn(move || {
         for stream in listener.incoming() {
-            let (Ok(stream), Some(place)) = (stream, door.place()) else {
-                // No files or no places left: the next one may have more luck.
+            let Ok(stream) = stream else {
+                // No handles left: the next one may have more luck.
                 thread::sleep(STEP);
                 continue;
             };
             let door = door.clone();
-            thread::spawn(move || {
-                let _place: Place = place;
-                serve(stream, &door);
-            });
+            let thread = thread::Builder::new().spawn(move || serve(stream, &door));
+            if thread.is_err() {
+                thread::sleep(STEP);
+            }
         }
     });
     Ok(at)

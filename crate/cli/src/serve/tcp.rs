@@ -1,4 +1,4 @@
-//! Minds that connect by plain TCP: fragments in, JSON lines out.
+//! Minds that connect by plain TCP: a greeting and fragments in, JSON lines out.
 
 use std::collections::VecDeque;
 use std::io::{self, ErrorKind, Read as _, Write as _};
@@ -8,88 +8,136 @@ use std::time::Instant;
 use raconteur_player::live::limits;
 
 use super::framing::Framer;
+use super::greeting::{self, Greeting};
+use super::lobby::Timed;
 use super::mind::{Door, Gone, Link, PATIENCE, TURN};
+use super::pulse::{Beat, Pulse};
 
-/// The longest token line, bytes.
-const LONGEST_TOKEN: usize = 1024;
-/// What a wrong token is answered.
-const REFUSED: &str =
-    r#"{"kind":"failed","code":"serve::token","message":"the first line must be the token"}"#;
+/// What a wrong greeting is answered.
+const REFUSED: &str = r#"{"kind":"failed","code":"serve::token","message":"the first line must be: raconteur 1 TOKEN"}
+"#;
+/// What a request of HTTP is answered.
+const NO_PAGES: &str = "HTTP/1.1 400 Bad Request\r\ncontent-type: text/plain\r\nconnection: close\r\n\r\n\
+                        This port takes no HTTP. A mind says first: raconteur 1 TOKEN\n";
+/// What a mind is answered for which there is no place.
+const FULL: &str = r#"{"kind":"failed","code":"serve::full","message":"all places are taken; try again later"}
+"#;
+/// Asks a silent mind for a line; an empty one will do.
+const PING: &str = "{\"kind\":\"ping\"}\n";
+/// What a mind is told that did not answer.
+const IDLE: &str = r#"{"kind":"failed","code":"serve::idle","message":"nothing came for too long; an empty line answers a ping"}
+"#;
 
 /// Serves one connection until it ends.
-pub(crate) fn serve(stream: &TcpStream, door: &Door) -> io::Result<()> {
-    stream.set_read_timeout(Some(TURN))?;
+pub(crate) fn serve(stream: TcpStream, door: &Door) -> io::Result<()> {
+    let stay = door.lobby.enter(&stream)?;
     stream.set_write_timeout(Some(PATIENCE))?;
     stream.set_nodelay(true)?;
-    let mut wire = stream;
-    if door.token.is_some() {
-        let token = first_line(stream)?;
-        if !token.is_some_and(|t| door.opens(&t)) {
-            return writeln!(wire, "{REFUSED}");
-        }
-    }
-    let Ok(link) = door.enter() else {
-        return Ok(());
+    let mut wire = Timed::new(stream, PATIENCE);
+    let refusal = match greet(&mut wire, door) {
+        Ok(()) => None,
+        Err(Refusal::Silent(error)) => return Err(error),
+        Err(Refusal::Told(why)) => Some(why),
     };
-    talk(stream, link)
+    drop(stay);
+    let (refusal, place) = match (refusal, door.place()) {
+        (Some(why), _) => (Some(why), None),
+        (None, None) => (Some(FULL), None),
+        (None, place) => (None, place),
+    };
+    if let Some(why) = refusal {
+        wire.write_all(why.as_bytes())?;
+        wire.farewell();
+        return Ok(());
+    }
+    wire.settle(TURN)?;
+    let ended = match door.enter() {
+        Ok(link) => talk(&mut wire, link, door),
+        Err(Gone) => Ok(()),
+    };
+    drop(place);
+    ended
 }
 
-fn talk(mut stream: &TcpStream, mut link: Link) -> io::Result<()> {
+/// Why a connection is not let in.
+enum Refusal {
+    /// It is told so.
+    Told(&'static str),
+    /// It is gone, or out of time.
+    Silent(io::Error),
+}
+
+/// Waits for the greeting, byte by byte so that nothing after it is taken.
+fn greet(wire: &mut Timed, door: &Door) -> Result<(), Refusal> {
+    let mut bytes = Vec::new();
+    let mut byte = [0];
+    loop {
+        match wire.read(&mut byte) {
+            Ok(0) => return Err(Refusal::Silent(ErrorKind::UnexpectedEof.into())),
+            Ok(_) => bytes.push(byte[0]),
+            Err(e) if e.kind() == ErrorKind::Interrupted => continue,
+            Err(e) if waits(&e) => return Err(Refusal::Told(REFUSED)),
+            Err(e) => return Err(Refusal::Silent(e)),
+        }
+        match greeting::read(&bytes) {
+            Greeting::Begun => {}
+            Greeting::Told(token) if door.opens(token) => return Ok(()),
+            Greeting::Told(_) | Greeting::Other => return Err(Refusal::Told(REFUSED)),
+            Greeting::Http => return Err(Refusal::Told(NO_PAGES)),
+        }
+    }
+}
+
+fn talk(wire: &mut Timed, mut link: Link, door: &Door) -> io::Result<()> {
     let mut framer = Framer::new(limits::FRAGMENT_BYTES);
     let mut read: VecDeque<String> = VecDeque::new();
     let mut bytes = [0; 4096];
     let mut ended = false;
+    let mut pulse = Pulse::new(door.idle, Instant::now());
     loop {
         loop {
             match link.line() {
-                Ok(Some(line)) => stream.write_all(format!("{line}\n").as_bytes())?,
+                Ok(Some(line)) => wire.write_all(format!("{line}\n").as_bytes())?,
                 Ok(None) => break,
                 Err(Gone) => return Ok(()),
             }
         }
         match link.is_free() {
             Err(Gone) => return Ok(()),
-            Ok(false) => std::thread::sleep(TURN),
+            Ok(false) => {
+                // Not to be read is not to be silent.
+                pulse.heard(Instant::now());
+                std::thread::sleep(TURN);
+                continue;
+            }
             Ok(true) => match read.pop_front() {
                 Some(fragment) => {
                     if link.give(fragment).is_err() {
                         return Ok(());
                     }
+                    continue;
                 }
                 None if ended => return Ok(()),
-                None => match stream.read(&mut bytes) {
+                None => match wire.read(&mut bytes) {
                     Ok(0) => {
                         ended = true;
                         read.extend(framer.finish());
                     }
-                    Ok(n) => read.extend(framer.push(&bytes[..n])),
+                    Ok(n) => {
+                        pulse.heard(Instant::now());
+                        read.extend(framer.push(&bytes[..n]));
+                    }
                     Err(e) if waits(&e) => {}
                     Err(e) => return Err(e),
                 },
             },
         }
-    }
-}
-
-/// The first line, read byte by byte so that nothing after it is taken; none when it is too
-/// long or does not come.
-fn first_line(mut stream: &TcpStream) -> io::Result<Option<String>> {
-    let since = Instant::now();
-    let mut line = Vec::new();
-    let mut byte = [0];
-    while line.len() < LONGEST_TOKEN && since.elapsed() < PATIENCE {
-        match stream.read(&mut byte) {
-            Ok(0) => return Ok(None),
-            Ok(_) if byte == *b"\n" => {
-                let line = String::from_utf8_lossy(&line);
-                return Ok(Some(line.trim_end_matches('\r').to_owned()));
-            }
-            Ok(_) => line.push(byte[0]),
-            Err(e) if waits(&e) => {}
-            Err(e) => return Err(e),
+        match pulse.beat(Instant::now()) {
+            Beat::Steady => {}
+            Beat::Ask => wire.write_all(PING.as_bytes())?,
+            Beat::Dead => return wire.write_all(IDLE.as_bytes()),
         }
     }
-    Ok(None)
 }
 
 /// Whether a read found nothing yet, rather than failed.

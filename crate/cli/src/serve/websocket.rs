@@ -1,14 +1,19 @@
 //! Minds that connect by WebSocket: a fragment a message in, a JSON object a message out.
 
 use std::net::TcpStream;
+use std::time::Instant;
 
 use raconteur_player::live::limits;
+use tungstenite::error::ProtocolError;
 use tungstenite::handshake::server::{Request, Response};
 use tungstenite::http::{HeaderMap, Response as HttpResponse, StatusCode};
-use tungstenite::protocol::WebSocketConfig;
-use tungstenite::{Error, Message, accept_hdr_with_config};
+use tungstenite::protocol::frame::coding::CloseCode;
+use tungstenite::protocol::{CloseFrame, WebSocketConfig};
+use tungstenite::{Bytes, Error, Message, Utf8Bytes, WebSocket, accept_hdr_with_config};
 
-use super::mind::{Door, Gone, PATIENCE, TURN};
+use super::lobby::Timed;
+use super::mind::{Door, Gone, Link, PATIENCE, TURN};
+use super::pulse::{Beat, Pulse};
 use super::tcp::waits;
 
 /// A longer message ends the connection; those between are refused one by one.
@@ -16,7 +21,7 @@ const LONGEST_MESSAGE: usize = 4 * limits::FRAGMENT_BYTES;
 
 /// Serves one connection until it ends.
 pub(crate) fn serve(stream: TcpStream, door: &Door) -> Result<(), Error> {
-    stream.set_read_timeout(Some(PATIENCE))?;
+    let stay = door.lobby.enter(&stream)?;
     stream.set_write_timeout(Some(PATIENCE))?;
     stream.set_nodelay(true)?;
     let config = WebSocketConfig::default()
@@ -34,66 +39,114 @@ pub(crate) fn serve(stream: TcpStream, door: &Door) -> Result<(), Error> {
             Err(refusal)
         }
     };
+    let wire = Timed::new(stream, PATIENCE);
     // Those who are refused have had their answer.
-    let Ok(mut socket) = accept_hdr_with_config(stream, greet, Some(config)) else {
+    let Ok(mut socket) = accept_hdr_with_config(wire, greet, Some(config)) else {
         return Ok(());
     };
-    socket.get_ref().set_read_timeout(Some(TURN))?;
-    let Ok(mut link) = door.enter() else {
+    drop(stay);
+    socket.get_mut().settle(TURN)?;
+    let place = door.place();
+    let ended = if place.is_none() {
+        Err(End::with(CloseCode::Again, "all places are taken"))
+    } else {
+        let link = door.enter().map_err(End::from);
+        link.and_then(|link| talk(&mut socket, link, door))
+    };
+    let Err(End::Told(code, why)) = ended else {
         return Ok(());
     };
+    let frame = CloseFrame {
+        code,
+        reason: Utf8Bytes::from_static(why),
+    };
+    socket.close(Some(frame))?;
+    drop(place);
+    socket.into_inner().farewell();
+    Ok(())
+}
+
+/// How a conversation ends.
+enum End {
+    /// The mind is told why.
+    Told(CloseCode, &'static str),
+    /// The mind has left.
+    Left,
+}
+
+impl End {
+    fn with(code: CloseCode, why: &'static str) -> Self {
+        Self::Told(code, why)
+    }
+}
+
+impl From<Gone> for End {
+    fn from(_: Gone) -> Self {
+        Self::with(CloseCode::Away, "the performance is over")
+    }
+}
+
+impl From<Error> for End {
+    fn from(error: Error) -> Self {
+        match error {
+            Error::Capacity(_) => Self::with(CloseCode::Size, "the message is too long"),
+            Error::Utf8(_) => Self::with(CloseCode::Invalid, "the text is not UTF-8"),
+            Error::Protocol(ProtocolError::ResetWithoutClosingHandshake) => Self::Left,
+            Error::Protocol(_) => Self::with(CloseCode::Protocol, "this is no WebSocket"),
+            _ => Self::Left,
+        }
+    }
+}
+
+fn talk(socket: &mut WebSocket<Timed>, mut link: Link, door: &Door) -> Result<(), End> {
+    let mut pulse = Pulse::new(door.idle, Instant::now());
     loop {
-        loop {
-            match link.line() {
-                Ok(Some(line)) => socket.write(Message::text(&*line))?,
-                Ok(None) => break,
-                Err(Gone) => return Ok(()),
-            }
+        while let Some(line) = link.line()? {
+            socket.write(Message::text(&*line))?;
         }
         socket.flush()?;
-        match link.is_free() {
-            Err(Gone) => return Ok(()),
-            Ok(false) => std::thread::sleep(TURN),
-            Ok(true) => match socket.read() {
-                Ok(Message::Text(text)) => {
-                    if link.give(text.to_string()).is_err() {
-                        return Ok(());
+        if !link.is_free()? {
+            // Not to be read is not to be silent.
+            pulse.heard(Instant::now());
+            std::thread::sleep(TURN);
+            continue;
+        }
+        match socket.read() {
+            Ok(message) => {
+                pulse.heard(Instant::now());
+                match message {
+                    Message::Text(text) => link.give(text.to_string())?,
+                    Message::Binary(bytes) => {
+                        link.give(String::from_utf8_lossy(&bytes).into_owned())?;
                     }
+                    // The library has answered.
+                    _ => {}
                 }
-                Ok(Message::Binary(bytes)) => {
-                    let text = String::from_utf8_lossy(&bytes).into_owned();
-                    if link.give(text).is_err() {
-                        return Ok(());
-                    }
-                }
-                Ok(_) => {}
-                Err(Error::Io(e)) if waits(&e) => {}
-                Err(Error::ConnectionClosed) => return Ok(()),
-                Err(error) => return Err(error),
-            },
+            }
+            Err(Error::Io(e)) if waits(&e) => {}
+            Err(error) => return Err(error.into()),
+        }
+        match pulse.beat(Instant::now()) {
+            Beat::Steady => {}
+            Beat::Ask => socket.write(Message::Ping(Bytes::new()))?,
+            Beat::Dead => return Err(End::with(CloseCode::Away, "no answer to pings")),
         }
     }
 }
 
 /// Whether a request may come in, or why not. Browsers let any page connect to any address,
-/// the loopback one included, but say which page: without a token only local pages may.
+/// the loopback one included, but say which page: without the token only local pages and
+/// programs may, and those only where the door is not guarded.
 fn admit(request: &Request, door: &Door) -> Result<(), &'static str> {
     let headers = request.headers();
-    if door.token.is_none() {
-        return match header(headers, "origin") {
-            Some(origin) if !is_local(origin) => {
-                Err("pages of other hosts need a token: raconteur serve --token")
-            }
-            _ => Ok(()),
-        };
-    }
     let in_query = request
         .uri()
         .query()
         .and_then(|q| q.split('&').find_map(|pair| pair.strip_prefix("token=")));
     let in_header = header(headers, "authorization").and_then(|a| a.strip_prefix("Bearer "));
-    match in_header.or(in_query) {
-        Some(token) if door.opens(token) => Ok(()),
+    match (in_header.or(in_query), header(headers, "origin")) {
+        (Some(token), _) if door.opens(token) => Ok(()),
+        (None, origin) if !door.guarded && origin.is_none_or(is_local) => Ok(()),
         _ => Err("the token is missing or wrong: ?token=… or Authorization: Bearer …"),
     }
 }

@@ -130,7 +130,10 @@ pub const CODES: &[(&str, &str)] = &[
         "eml::missing-time",
         "A clause right in the body has no time; it starts at 0.",
     ),
-    ("eml::more", "There were more problems than are listed."),
+    (
+        "eml::more",
+        "There were more problems of a kind than are listed one by one.",
+    ),
     (
         "eml::no-root",
         "Clauses stand without `eml` and `body` around them; they are read as a script.",
@@ -139,7 +142,10 @@ pub const CODES: &[(&str, &str)] = &[
         "eml::no-time",
         "A clause is left out because a moment that its time counts from has no time.",
     ),
-    ("eml::not-utf8", "The file is not UTF-8 text."),
+    (
+        "eml::not-utf8",
+        "The text is not UTF-8: a place in it, or, as UTF-16, all of it.",
+    ),
     ("eml::not-xml", "There is no element at all."),
     (
         "eml::out-of-range",

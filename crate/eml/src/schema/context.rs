@@ -272,23 +272,10 @@ impl<'t> Context<'t> {
             "it is dropped"
         };
         let message = format!("unknown element {}; {what}", quoted(written));
-        let same = |e: &&&Element| e.extension == (owner == Owner::Extensions);
-        let all = super::ELEMENTS.iter().filter(same);
-        let fitting = all.clone().filter(|e| e.may_stand_in(parent.name));
-        let hint = match (owner, find_extension(local)) {
-            // Nobody will read it.
-            _ if self.sink.is_full() => None,
-            (Owner::Language, Some(element)) => Some(format!(
-                "`{}` is an extension: write {prefix}:{} and bind xmlns:{prefix}='{}' on `eml`",
-                element.name,
-                element.name,
-                namespaces::EXTENSIONS,
-                prefix = namespaces::EXTENSIONS_PREFIX,
-            )),
-            _ => nearest(local, fitting.map(|e| e.name))
-                .or_else(|| nearest(local, all.map(|e| e.name)))
-                .map(|near| format!("did you mean `{near}`?")),
-        };
+        // Where nobody will read it, it is not looked for.
+        let hint = (!self.sink.is_full_of("eml::unknown-element"))
+            .then(|| element_meant(local, owner == Owner::Extensions, parent))
+            .flatten();
         self.push_with_hint(
             Diagnostic::warning("eml::unknown-element", span, message),
             hint,
@@ -433,7 +420,7 @@ impl<'t> Context<'t> {
             .find(|a| a.extension && !extension && a.name.eq_ignore_ascii_case(local));
         let hint = match meant {
             // Nobody will read it.
-            _ if self.sink.is_full() => None,
+            _ if self.sink.is_full_of("eml::unknown-attribute") => None,
             Some(a) => Some(format!(
                 "`{}` is an extension: write {prefix}:{} and bind xmlns:{prefix}='{}' on `eml`",
                 a.name,
@@ -496,6 +483,45 @@ impl<'t> Context<'t> {
             .map(|_| "spoken text goes into `voice-text`".to_owned());
         self.push_with_hint(diagnostic, hint);
     }
+}
+
+/// A hint at the element that an unknown one was meant to be: its name without the prefix,
+/// whether it was written as an extension, and where it stands.
+fn element_meant(local: &str, extended: bool, parent: &Element) -> Option<String> {
+    let of = |extension: bool| {
+        let all = super::ELEMENTS.iter();
+        all.filter(move |e| e.extension == extension)
+    };
+    let near = |extension: bool| {
+        let fitting = of(extension).filter(|e| e.may_stand_in(parent.name));
+        nearest(local, fitting.map(|e| e.name))
+            .or_else(|| nearest(local, of(extension).map(|e| e.name)))
+    };
+    if extended {
+        let plain = find(local).filter(|e| !e.extension);
+        return plain
+            .map(|e| format!("`{}` is no extension: write it without the prefix", e.name))
+            .or_else(|| near(true).map(|name| format!("did you mean `{name}`?")));
+    }
+    let prefix = namespaces::EXTENSIONS_PREFIX;
+    let bind = format!("bind xmlns:{prefix}='{}' on `eml`", namespaces::EXTENSIONS);
+    if let Some(Element { name, .. }) = find_extension(local) {
+        return Some(format!(
+            "`{name}` is an extension: write {prefix}:{name} and {bind}"
+        ));
+    }
+    // Such as the thesis's `expression-emotion`, which is ours to give a meaning.
+    let is_word = |e: &&&Element| {
+        local
+            .split('-')
+            .any(|word| word.eq_ignore_ascii_case(e.name))
+    };
+    let meant = |name: &str| format!("did you mean the extension `{prefix}:{name}`? {bind}");
+    of(true)
+        .find(is_word)
+        .map(|e| meant(e.name))
+        .or_else(|| near(false).map(|name| format!("did you mean `{name}`?")))
+        .or_else(|| near(true).map(meant))
 }
 
 /// What an element has had of its children so far.

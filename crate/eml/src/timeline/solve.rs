@@ -386,7 +386,7 @@ impl Solver<'_, '_> {
     /// that nothing has.
     fn chain(&self, from: ClauseId) -> String {
         let mut steps: Vec<String> = Vec::new();
-        let mut at = Some(from).filter(|_| !self.sink.is_full());
+        let mut at = Some(from).filter(|_| !self.sink.is_full_of("eml::no-time"));
         while let Some(id) = at {
             let clause = self.document.clause(id);
             if let Ok(found) = self.unknown.binary_search_by_key(&id, |&(id, _)| id) {

@@ -42,7 +42,7 @@ fn holds(source: &[u8], parsed: &Parsed) {
     for Diagnostic { span, related, .. } in parsed.diagnostics.iter().chain(&resolved.diagnostics) {
         for span in related.iter().map(|(span, _)| span).chain([span]) {
             assert!(
-                span.start <= span.end && span.end as usize <= source.len() + 1,
+                span.start <= span.end && span.end as usize <= text.len() + 1,
                 "{span:?}"
             );
             assert!(lines.position(span.start).line >= 1);

@@ -163,6 +163,10 @@ impl super::Holds {
         Ok(Some(Self { bytes, sha256 }))
     }
 }
+/// The longest phone or pause, milliseconds: ten times the longest pause that markup can ask for.
+const LONGEST_PHONE_MSEC: u32 = 600_000;
+/// The longest utterance, milliseconds: a day, as much as alignments may tell of.
+const LONGEST_MSEC: f64 = 86_400_000.0;
 
 /// Milliseconds as seconds.
 pub(super) fn secs(msec: f64) -> f64 {
@@ -198,14 +202,24 @@ impl Utterance {
                 .and_then(|msec| u32::try_from(msec).ok())
                 .ok_or_else(|| v.fault("this is no number of milliseconds".to_owned()))
         })?;
-        let mut end_msec = 0.0;
+        let mut end_msec: f64 = 0.0;
         let mut lengths_left = lengths.iter();
         for symbol in symbols {
             let Some(&length) = lengths_left.next() else {
                 return Err(json["msecs"].fault("there are more phones than lengths".to_owned()));
             };
             let start_secs = secs(end_msec);
+            if length > LONGEST_PHONE_MSEC {
+                return Err(json["msecs"].fault(format!(
+                    "a phone or pause of {length} ms is longer than {LONGEST_PHONE_MSEC}"
+                )));
+            }
             end_msec += f64::from(length);
+            if end_msec > LONGEST_MSEC {
+                return Err(
+                    json["msecs"].fault(format!("the utterance is longer than {LONGEST_MSEC} ms"))
+                );
+            }
             self.phones.push(Phone {
                 symbol: symbol.to_owned(),
                 start_secs,

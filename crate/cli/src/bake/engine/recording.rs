@@ -9,7 +9,7 @@ use raconteur_player::speech::plan::Plan;
 use raconteur_player::speech::spoken::{Sentence, Spoken};
 
 use super::{Engine, VoiceInfo, aligned, wave};
-use crate::inside;
+use crate::{inside, input};
 
 /// What an alignment's name ends in, the most telling first.
 const ENDINGS: [&str; 8] = ["TextGrid", "utt", "xml", "lab", "pho", "json", "tsv", "vtt"];
@@ -121,7 +121,7 @@ fn beside(sound: &Path) -> Result<(String, Vec<u8>)> {
         let name = name.file_name().unwrap_or_default().to_string_lossy();
         let folder = sound.parent().unwrap_or(Path::new("."));
         if let Some(path) = inside::find(folder, &name)? {
-            let bytes = inside::read(&path, MOST_BYTES as u64)?;
+            let bytes = input::bytes(&path, MOST_BYTES as u64).context("the alignment")?;
             return Ok((name.into_owned(), bytes));
         }
     }

@@ -1,10 +1,11 @@
 //! Reads the sounds that engines and people make.
 
-use std::fs;
 use std::io::Cursor;
 use std::path::Path;
 
 use anyhow::{Context as _, Result, ensure};
+
+use crate::input;
 
 /// Most bytes of sound that are read: half an hour of stereo at 48 kHz and 24 bits.
 pub(super) const MOST_BYTES: u64 = 512 << 20;
@@ -34,14 +35,7 @@ pub(super) fn read(path: &Path) -> Result<Wave> {
 /// # Errors
 /// When there is no such file, or it is too long.
 pub(super) fn bytes(path: &Path) -> Result<Vec<u8>> {
-    let told = || format!("reading the sound {}", path.display());
-    let length = fs::metadata(path).with_context(told)?.len();
-    ensure!(
-        length <= MOST_BYTES,
-        "the sound {} has {length} bytes; at most {MOST_BYTES} are read",
-        path.display()
-    );
-    fs::read(path).with_context(told)
+    input::bytes(path, MOST_BYTES).context("the sound")
 }
 
 /// Reads a WAV of 8 to 32 bits or float, of any rate; channels become their mean. What is

@@ -1,6 +1,5 @@
 //! `raconteur figure measure`.
 
-use std::fs;
 use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
 
@@ -14,7 +13,11 @@ use raconteur_player::body::generator::{self, Built, FigureParams, people};
 use raconteur_player::body::{Figure, read::read_figure};
 use serde_json::json;
 
-use crate::{Format, Outcome};
+use crate::{Format, Outcome, input};
+
+/// The largest figure, and the largest table of measures, that is read, bytes.
+const LARGEST_FIGURE: u64 = 512 << 20;
+const LARGEST_YARDSTICK: u64 = 256 << 20;
 
 /// Take a figure's measures and set them beside the population's.
 #[derive(Args)]
@@ -89,7 +92,7 @@ impl Measure {
             return Ok((built, Some(params)));
         }
         let path = Path::new(&self.figure);
-        let glb = fs::read(path).with_context(|| format!("cannot read {}", path.display()))?;
+        let glb = input::bytes(path, LARGEST_FIGURE).context("the figure")?;
         let name = path
             .file_stem()
             .map_or_else(String::new, |s| s.to_string_lossy().into_owned());
@@ -104,8 +107,7 @@ impl Measure {
 }
 
 fn compare(path: &Path, figure: &Figure, names: &Annotations) -> Result<Deviation> {
-    let read =
-        |p: &Path| fs::read_to_string(p).with_context(|| format!("cannot read {}", p.display()));
+    let read = |p: &Path| input::text(p, LARGEST_YARDSTICK);
     let list = path.with_file_name("vertex_indices.json");
     let yardstick = Yardstick::read(&read(path)?, &read(&list)?)
         .with_context(|| format!("in {}", path.display()))?;

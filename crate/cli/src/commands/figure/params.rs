@@ -1,6 +1,5 @@
 //! Descriptions of figures: a figure of the library, changed where a JSON file says so.
 
-use std::fs;
 use std::io::{self, Write as _};
 use std::path::Path;
 
@@ -9,7 +8,7 @@ use clap::Args;
 use raconteur_player::body::generator::people::{self, FigureParams};
 use serde_json::Value;
 
-use crate::Outcome;
+use crate::{Outcome, input};
 
 /// Print the description of a figure of the library, as JSON.
 #[derive(Args)]
@@ -40,8 +39,7 @@ pub(super) fn preset(name: &str) -> Result<FigureParams> {
 
 /// Reads a description from a file.
 pub(super) fn read(path: &Path) -> Result<FigureParams> {
-    let text = fs::read_to_string(path)
-        .with_context(|| format!("cannot read the description {}", path.display()))?;
+    let text = input::text(path, LARGEST as u64).context("the description")?;
     parse(&text).with_context(|| path.display().to_string())
 }
 

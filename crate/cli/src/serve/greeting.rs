@@ -1,0 +1,130 @@
+//! What a mind by TCP says first: `raconteur 1 TOKEN`, a line.
+//!
+//! Any web page can make a browser send bytes to any port of this machine, the body of a form
+//! for one, and cannot read what comes back. It cannot make them begin with this line: a
+//! browser's bytes begin with its own, and no page knows the token.
+
+/// What the line begins with: the program and the version of what follows.
+const OPENING: &str = "raconteur 1 ";
+/// The longest line, bytes.
+const LONGEST: usize = 1024;
+/// How requests of HTTP begin.
+const METHODS: [&str; 10] = [
+    "GET ", "HEAD ", "POST ", "PUT ", "DELETE ", "CONNECT ", "OPTIONS ", "TRACE ", "PATCH ", "PRI ",
+];
+
+/// What the bytes so far are.
+#[derive(Debug, PartialEq, Eq)]
+pub(crate) enum Greeting<'a> {
+    /// Perhaps the line, when more has come.
+    Begun,
+    /// The line, with this token.
+    Told(&'a str),
+    /// A request of HTTP.
+    Http,
+    /// Something else.
+    Other,
+}
+
+/// The greeting's line for a token, without its end.
+pub(crate) fn line(token: &str) -> String {
+    format!("{OPENING}{token}")
+}
+
+/// Looks at the bytes that have come, of which none after the end of the line are.
+pub(crate) fn read(bytes: &[u8]) -> Greeting<'_> {
+    let alike = |whole: &str| bytes.iter().zip(whole.as_bytes()).all(|(a, b)| a == b);
+    if !alike(OPENING) {
+        let method = METHODS.into_iter().find(|method| alike(method));
+        return match method {
+            Some(method) if bytes.len() >= method.len() => Greeting::Http,
+            // It can only become a request; it is refused when it is known to be one.
+            Some(_) => Greeting::Begun,
+            None => Greeting::Other,
+        };
+    }
+    match bytes.strip_suffix(b"\n") {
+        Some(line) => {
+            let line = line.strip_suffix(b"\r").unwrap_or(line);
+            let token = line
+                .get(OPENING.len()..)
+                .and_then(|t| str::from_utf8(t).ok());
+            token.map_or(Greeting::Other, Greeting::Told)
+        }
+        None if bytes.len() >= LONGEST => Greeting::Other,
+        None => Greeting::Begun,
+    }
+}
+
+/// What must hold whatever the bytes: they are decided in bounded length, and a token is one
+/// line's rest.
+#[cfg(any(test, fuzzing))]
+pub(crate) fn holds(bytes: &[u8]) {
+    for n in 0..=bytes.len().min(LONGEST) {
+        match read(&bytes[..n]) {
+            Greeting::Begun => assert!(n < LONGEST),
+            Greeting::Told(token) => {
+                assert!(bytes.starts_with(line(token).as_bytes()));
+                return;
+            }
+            Greeting::Http | Greeting::Other => return,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    /// What a stream is found to be, read byte by byte, and after how many bytes.
+    fn found(stream: &[u8]) -> Option<(Greeting<'_>, usize)> {
+        (1..=stream.len()).find_map(|n| match read(&stream[..n]) {
+            Greeting::Begun => None,
+            greeting => Some((greeting, n)),
+        })
+    }
+
+    #[test]
+    fn only_the_line_is_a_greeting() {
+        let told = |stream: &'static str| found(stream.as_bytes()).map(|(greeting, _)| greeting);
+        assert_eq!(
+            told("raconteur 1 abc\n<null/>"),
+            Some(Greeting::Told("abc"))
+        );
+        assert_eq!(told("raconteur 1 abc\r\n"), Some(Greeting::Told("abc")));
+        assert_eq!(told("raconteur 1 \n"), Some(Greeting::Told("")));
+        assert_eq!(told("raconteur 1 abc"), None);
+        for other in [
+            "raconteur 2 abc\n",
+            "raconteur\n",
+            "abc\n",
+            "\n",
+            "<null/>\n",
+            "\u{16}\u{3}\u{1}",
+        ] {
+            assert_eq!(told(other), Some(Greeting::Other), "{other:?}");
+        }
+        assert_eq!(told("POST / HTTP/1.1\r\n"), Some(Greeting::Http));
+        let long = format!("raconteur 1 {}", "x".repeat(LONGEST));
+        assert_eq!(found(long.as_bytes()), Some((Greeting::Other, LONGEST)));
+    }
+
+    proptest! {
+        #[test]
+        fn requests_are_known_by_their_method(method in 0..METHODS.len(), rest in "[ -~\r\n]{0,200}") {
+            let request = format!("{}{rest}", METHODS[method]);
+            prop_assert_eq!(
+                found(request.as_bytes()),
+                Some((Greeting::Http, METHODS[method].len()))
+            );
+        }
+
+        #[test]
+        fn every_stream_is_decided_in_bounded_bytes(
+            stream in prop::collection::vec(any::<u8>(), LONGEST..LONGEST + 8)
+        ) {
+            prop_assert!(found(&stream).is_some());
+        }
+    }
+}

@@ -1,0 +1,82 @@
+//! Whether somebody is still there.
+
+use std::time::{Duration, Instant};
+
+/// Watches one connection: after a silence it is to be asked for a sign of life, and after a
+/// longer one it is taken for dead, so that what is left of a mind keeps no place.
+pub(crate) struct Pulse {
+    heard: Instant,
+    asked: bool,
+    idle: Duration,
+}
+
+/// What is to be done.
+#[derive(Debug, PartialEq, Eq)]
+pub(crate) enum Beat {
+    /// Nothing.
+    Steady,
+    /// Ask for a sign of life; told once a silence.
+    Ask,
+    /// End the connection.
+    Dead,
+}
+
+impl Pulse {
+    /// Whoever is silent for `idle` is dead; he is asked after a third of it.
+    pub(crate) fn new(idle: Duration, now: Instant) -> Self {
+        Self {
+            heard: now,
+            asked: false,
+            idle,
+        }
+    }
+
+    /// Something came.
+    pub(crate) fn heard(&mut self, now: Instant) {
+        self.heard = now;
+        self.asked = false;
+    }
+
+    /// What is to be done now.
+    pub(crate) fn beat(&mut self, now: Instant) -> Beat {
+        let silent = now.saturating_duration_since(self.heard);
+        if silent >= self.idle {
+            Beat::Dead
+        } else if silent >= self.idle / 3 && !self.asked {
+            self.asked = true;
+            Beat::Ask
+        } else {
+            Beat::Steady
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        /// However signs of life and looks lie: nobody is dead who was heard within the time,
+        /// and nobody lives on who was not; one silence is asked about once, before its end.
+        #[test]
+        fn who_is_heard_lives(steps in prop::collection::vec((0_u64..60, any::<bool>()), 1..100)) {
+            let begin = Instant::now();
+            let idle = Duration::from_secs(90);
+            let mut pulse = Pulse::new(idle, begin);
+            let (mut now, mut heard, mut asked) = (begin, begin, 0);
+            for (secs, speaks) in steps {
+                now += Duration::from_secs(secs);
+                if speaks {
+                    pulse.heard(now);
+                    (heard, asked) = (now, 0);
+                }
+                let silent = now - heard;
+                let beat = pulse.beat(now);
+                prop_assert_eq!(beat == Beat::Dead, silent >= idle);
+                asked += u32::from(beat == Beat::Ask);
+                prop_assert!(asked <= 1 && (asked == 1 || silent < idle / 3 || beat == Beat::Dead));
+            }
+        }
+    }
+}

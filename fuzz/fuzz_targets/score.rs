@@ -1,0 +1,15 @@
+//! Text as a score of music: notes, without the sound of them.
+#![no_main]
+
+/// The command line has no library, so the modules are taken as they lie there.
+#[allow(dead_code, reason = "the sound of notes is not made here")]
+#[path = "../../crate/cli/src/compose"]
+mod compose {
+    mod drum;
+    mod harmony;
+    pub(crate) mod instrument;
+    pub(crate) mod score;
+    pub(crate) mod signal;
+}
+
+libfuzzer_sys::fuzz_target!(|text: &str| compose::score::holds(text));
