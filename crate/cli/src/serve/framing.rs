@@ -164,8 +164,8 @@ mod tests {
 
     #[test]
     fn saved_streams_hold_together() {
-        let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR"))
-            .join("../../fuzz/saved/serve_framing");
+        let folder =
+            std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fuzz/saved/serve_framing");
         for entry in std::fs::read_dir(folder).expect("a folder of streams") {
             let bytes = std::fs::read(entry.expect("an entry").path()).expect("a stream");
             holds(&bytes);
