@@ -299,7 +299,9 @@ fn a_new_story_plays_wherever_it_is() {
     let posed = run(&["pose", "first", "--at", "1", "--digest"]);
     assert!(posed.status.success());
     // Nor do others' complaints get among what is told, for one that there is no session.
-    let drawn = run(&["render", "first", "--at", "1", "--size", "32x32", "-o", "x.png"]);
+    let drawn = run(&[
+        "render", "first", "--at", "1", "--size", "32x32", "-o", "x.png",
+    ]);
     let told = String::from_utf8_lossy(&drawn.stderr).into_owned();
     assert!(drawn.status.success() && told.is_empty(), "{told}");
     // What is there is not written over.

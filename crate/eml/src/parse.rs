@@ -23,7 +23,8 @@ pub struct Limits {
     pub timed_clauses: usize,
     /// Attributes an element; later ones are ignored. Default 64.
     pub attributes: usize,
-    /// Diagnostics; the rest is counted. Default 200.
+    /// Diagnostics, of one kind at most [`crate::MOST_OF_A_KIND`]; the rest is counted. Default
+    /// 200.
     pub diagnostics: usize,
 }
 
