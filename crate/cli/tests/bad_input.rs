@@ -158,7 +158,10 @@ fn text_that_is_not_utf8_is_named_and_does_not_stop_the_rest() {
     let scratch = Scratch::new("latin1-timeline");
     let file = scratch.story(&text);
     let (list, code) = diagnostics(&file);
-    let found = list.iter().find(|d| d["code"] == "eml::not-utf8").expect("one");
+    let found = list
+        .iter()
+        .find(|d| d["code"] == "eml::not-utf8")
+        .expect("one");
     assert_eq!((&found["start"]["offset"], code), (&Value::from(at), 1));
     assert!(found["hints"].to_string().contains("UTF-8"), "{found}");
     let out = raconteur(&["timeline", "--format", "json"], &file);
@@ -170,7 +173,13 @@ fn utf16_is_one_error_with_a_hint() {
     let text = wrapped("<voice-text time='0'>Olá</voice-text>");
     for (mark, big) in [(true, false), (true, true), (false, false), (false, true)] {
         let marked = format!("{}{text}", if mark { "\u{feff}" } else { "" });
-        let unit = |u: u16| if big { u.to_be_bytes() } else { u.to_le_bytes() };
+        let unit = |u: u16| {
+            if big {
+                u.to_be_bytes()
+            } else {
+                u.to_le_bytes()
+            }
+        };
         let bytes: Vec<u8> = marked.encode_utf16().flat_map(unit).collect();
         let scratch = Scratch::new("utf16");
         let (list, code) = diagnostics(&scratch.story(bytes));
@@ -185,7 +194,9 @@ fn devices_and_pipes_are_not_read() {
     let scratch = Scratch::new("devices");
     let pipe = scratch.0.join("pipe.eml");
     let made = Command::new("mkfifo").arg(&pipe).status();
-    let pipe = made.is_ok_and(|status| status.success()).then_some((pipe, "a pipe"));
+    let pipe = made
+        .is_ok_and(|status| status.success())
+        .then_some((pipe, "a pipe"));
     let device = Path::new("/dev/zero").to_owned();
     let device = device.exists().then_some((device, "a device"));
     for (path, kind) in [pipe, device].into_iter().flatten() {
@@ -210,18 +221,20 @@ fn what_is_told_of_a_hostile_story_is_short() {
     let n = 100_000;
     let distinct: String = (0..n).map(|i| format!(" a{i}='1'")).collect();
     let far = "<key x='0' y='900' z='0'/>".repeat(21);
-    let gestures = format!(
-        "<gesture-key time='1' duration='9'><motion>{far}</motion></gesture-key>"
-    );
+    let gestures =
+        format!("<gesture-key time='1' duration='9'><motion>{far}</motion></gesture-key>");
     let shapes = [
         format!("<null time='1'{distinct}/>"),
         format!("<null time='1'{}/>", " a='1'".repeat(n)),
         format!("<null time='1'{}/>", " a".repeat(n)),
         "<oops/>".repeat(n),
         format!("<null time='{}'/>", "x".repeat(n)),
-        format!("<voice-text time='0'>{}</voice-text>", "<zz>é</zz>".repeat(n)),
+        format!(
+            "<voice-text time='0'>{}</voice-text>",
+            "<zz>é </zz>".repeat(n / 100)
+        ),
         "&".repeat(n),
-        gestures.repeat(500),
+        gestures.repeat(100),
     ];
     for (i, shape) in shapes.iter().enumerate() {
         let scratch = Scratch::new("hostile");
@@ -270,17 +283,32 @@ fn a_new_story_plays_wherever_it_is() {
         Command::new(env!("CARGO_BIN_EXE_raconteur"))
             .args(arguments)
             .current_dir(far.path())
+            .env_remove("XDG_RUNTIME_DIR")
             .output()
             .expect("the program runs")
     };
     let made = run(&["new", "first"]);
-    assert!(made.status.success(), "{}", String::from_utf8_lossy(&made.stderr));
+    assert!(
+        made.status.success(),
+        "{}",
+        String::from_utf8_lossy(&made.stderr)
+    );
     let checked = run(&["check", "first"]);
     let told = String::from_utf8_lossy(&checked.stderr).into_owned();
     assert!(checked.status.success() && told.is_empty(), "{told}");
     let posed = run(&["pose", "first", "--at", "1", "--digest"]);
     assert!(posed.status.success());
+    // Nor do others' complaints get among what is told, for one that there is no session.
+    let drawn = run(&[
+        "render", "first", "--at", "1", "--size", "32x32", "-o", "x.png",
+    ]);
+    let told = String::from_utf8_lossy(&drawn.stderr).into_owned();
+    assert!(drawn.status.success() && told.is_empty(), "{told}");
     // What is there is not written over.
     assert!(!run(&["new", "first"]).status.success());
-    assert!(!run(&["--assets", "nowhere", "check", "first"]).status.success());
+    assert!(
+        !run(&["--assets", "nowhere", "check", "first"])
+            .status
+            .success()
+    );
 }

@@ -404,10 +404,10 @@ fn dripping_strangers_keep_nobody_out() {
         .collect();
     let url = format!("ws://{}/", server.addresses[0]);
     for round in 0..4 {
-        for stranger in &mut strangers {
+        for (i, stranger) in strangers.iter_mut().enumerate() {
+            let greeting: &[u8] = [b"GET /", b"racon"][i % 2];
             // Those that were turned out do not take it.
-            let _ =
-                stranger.write_all(&[b"GET ra".as_slice(), b"racont"][round % 2][round..=round]);
+            let _ = stranger.write_all(&greeting[round..=round]);
         }
         strangers.extend(server.addresses.iter().map(connect));
         let mut socket = websocket(&url, None).expect("let in");

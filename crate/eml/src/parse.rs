@@ -23,7 +23,8 @@ pub struct Limits {
     pub timed_clauses: usize,
     /// Attributes an element; later ones are ignored. Default 64.
     pub attributes: usize,
-    /// Diagnostics; the rest is counted. Default 200.
+    /// Diagnostics, of one kind at most [`crate::MOST_OF_A_KIND`]; the rest is counted. Default
+    /// 200.
     pub diagnostics: usize,
 }
 
@@ -101,15 +102,10 @@ fn read(source: &str, limits: &Limits, fragment: bool) -> Parsed {
             diagnostics: sink.finish(),
         };
     }
-    if encoding::is_utf16(source.as_bytes()) {
-        sink.push(
-            Diagnostic::error(
-                "eml::not-utf8",
-                Span::new(0, 0),
-                "this is UTF-16 text, not UTF-8; nothing of it is read",
-            )
-            .hint(encoding::SAVE_AS_UTF8),
-        );
+    if let Some(what) = no_utf8_at_all(source) {
+        let message = format!("this is {what}, not UTF-8 text; nothing of it is read");
+        let diagnostic = Diagnostic::error("eml::not-utf8", Span::new(0, 0), message);
+        sink.push(diagnostic.hint(encoding::SAVE_AS_UTF8));
         return Parsed {
             document,
             diagnostics: sink.finish(),
@@ -156,6 +152,17 @@ fn read(source: &str, limits: &Limits, fragment: bool) -> Parsed {
 struct Taken {
     tally: Option<Tally>,
     told_clauses: bool,
+}
+
+/// What a text is that need not be read, by its begin.
+fn no_utf8_at_all(source: &str) -> Option<&'static str> {
+    if encoding::is_utf16(source.as_bytes()) {
+        return Some("UTF-16");
+    }
+    let mut begin = source.chars().take(256);
+    let is_binary =
+        begin.clone().any(|c| c == '\0') && begin.any(|c| c == char::REPLACEMENT_CHARACTER);
+    is_binary.then_some("a binary file")
 }
 
 /// Reports the first of the characters that stand for bytes which are not UTF-8, and how many

@@ -7,7 +7,8 @@ mod holds;
 use edits::{apply, edit};
 use proptest::prelude::*;
 use raconteur_eml::{
-    Diagnostic, EstimatedDurations, Limits, MOST_OF_A_KIND, Severity, Timeline, parse, parse_bytes, schema,
+    Diagnostic, EstimatedDurations, Limits, MOST_OF_A_KIND, Severity, Timeline, parse, parse_bytes,
+    schema,
 };
 use std::fs;
 use std::path::Path;
@@ -168,15 +169,24 @@ fn long_chains_of_names_resolve_without_recursion() {
 /// An extension's name without its prefix, with a slip, or as a word of a longer name.
 #[test]
 fn extensions_are_suggested_under_near_names() {
-    for element in schema::ELEMENTS.iter().filter(|e| e.extension && e.is_clause()) {
+    for element in schema::ELEMENTS
+        .iter()
+        .filter(|e| e.extension && e.is_clause())
+    {
         let name = element.name;
         let slip = format!("{}{}", &name[..2], &name[3..]);
         for written in [name.to_owned(), slip, format!("expression-{name}")] {
             let parsed = parse(&format!("<eml><body><{written} time='1'/></body></eml>"));
-            let unknown = parsed.diagnostics.iter().find(|d| d.code == "eml::unknown-element");
+            let unknown = parsed
+                .diagnostics
+                .iter()
+                .find(|d| d.code == "eml::unknown-element");
             let hints = unknown.map(|d| d.hints.join(" ")).unwrap_or_default();
             let meant = format!("r:{name}");
-            assert!(hints.contains(&meant) && hints.contains("xmlns:r="), "{written}: {hints}");
+            assert!(
+                hints.contains(&meant) && hints.contains("xmlns:r="),
+                "{written}: {hints}"
+            );
         }
     }
     let script = "<eml xmlns:r='urn:raconteur:eml:1'><body><r:null time='1'/></body></eml>";

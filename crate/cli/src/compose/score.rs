@@ -136,7 +136,8 @@ impl Score {
         for track in &score.tracks {
             let shares = [track.room, track.echo, track.duck, track.pan.abs()];
             ensure!(
-                (-120.0..=24.0).contains(&track.level) && shares.iter().all(|s| (0.0..=1.0).contains(s)),
+                (-120.0..=24.0).contains(&track.level)
+                    && shares.iter().all(|s| (0.0..=1.0).contains(s)),
                 "track {}: level is -120 to 24 dB, pan -1 to 1, room, echo and duck 0 to 1",
                 track.name
             );
@@ -346,7 +347,7 @@ impl Cell<'_> {
 }
 
 /// What must hold whatever the text: it is refused, or its notes lie in the piece.
-#[cfg(any(test, fuzzing))]
+#[allow(dead_code, reason = "tests and fuzz targets ask it")]
 pub(crate) fn holds(text: &str) {
     let Ok((score, parts)) = Score::read(text).and_then(|s| s.parts().map(|p| (s, p))) else {
         return;
@@ -354,9 +355,18 @@ pub(crate) fn holds(text: &str) {
     let end_secs = score.length_secs() + 1e-6;
     assert!(end_secs.is_finite() && score.sections().iter().all(|(_, at)| *at <= end_secs));
     for note in parts.iter().flat_map(|part| &part.notes) {
-        assert!(note.start_secs >= 0.0 && note.start_secs <= end_secs, "{note:?}");
-        assert!(note.length_secs >= 0.0 && note.length_secs <= end_secs, "{note:?}");
-        assert!(note.pitch.is_finite() && note.velocity.is_finite(), "{note:?}");
+        assert!(
+            note.start_secs >= 0.0 && note.start_secs <= end_secs,
+            "{note:?}"
+        );
+        assert!(
+            note.length_secs >= 0.0 && note.length_secs <= end_secs,
+            "{note:?}"
+        );
+        assert!(
+            note.pitch.is_finite() && note.velocity.is_finite(),
+            "{note:?}"
+        );
     }
 }
 

@@ -138,7 +138,7 @@ impl Framer {
 
 /// What must hold whatever the bytes and however they are cut into packets: the same fragments,
 /// none empty, none longer than the limit.
-#[cfg(any(test, fuzzing))]
+#[allow(dead_code, reason = "tests and fuzz targets ask it")]
 pub(crate) fn holds(bytes: &[u8]) {
     const LIMIT: usize = 64;
     let fragments = |packet: usize| {
@@ -164,8 +164,8 @@ mod tests {
 
     #[test]
     fn saved_streams_hold_together() {
-        let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR"))
-            .join("../../fuzz/saved/serve_framing");
+        let folder =
+            std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fuzz/saved/serve_framing");
         for entry in std::fs::read_dir(folder).expect("a folder of streams") {
             let bytes = std::fs::read(entry.expect("an entry").path()).expect("a stream");
             holds(&bytes);

@@ -492,16 +492,17 @@ fn element_meant(local: &str, extended: bool, parent: &Element) -> Option<String
         let all = super::ELEMENTS.iter();
         all.filter(move |e| e.extension == extension)
     };
-    let near = |extension: bool| {
-        let fitting = of(extension).filter(|e| e.may_stand_in(parent.name));
-        nearest(local, fitting.map(|e| e.name))
-            .or_else(|| nearest(local, of(extension).map(|e| e.name)))
+    let fitting = |extension: bool| {
+        let all = of(extension).filter(|e| e.may_stand_in(parent.name));
+        nearest(local, all.map(|e| e.name))
     };
+    let any = |extension: bool| nearest(local, of(extension).map(|e| e.name));
+    let plain = |name: &str| format!("did you mean `{name}`?");
     if extended {
-        let plain = find(local).filter(|e| !e.extension);
-        return plain
+        let unprefixed = find(local).filter(|e| !e.extension);
+        return unprefixed
             .map(|e| format!("`{}` is no extension: write it without the prefix", e.name))
-            .or_else(|| near(true).map(|name| format!("did you mean `{name}`?")));
+            .or_else(|| fitting(true).or_else(|| any(true)).map(plain));
     }
     let prefix = namespaces::EXTENSIONS_PREFIX;
     let bind = format!("bind xmlns:{prefix}='{}' on `eml`", namespaces::EXTENSIONS);
@@ -520,8 +521,10 @@ fn element_meant(local: &str, extended: bool, parent: &Element) -> Option<String
     of(true)
         .find(is_word)
         .map(|e| meant(e.name))
-        .or_else(|| near(false).map(|name| format!("did you mean `{name}`?")))
-        .or_else(|| near(true).map(meant))
+        .or_else(|| fitting(false).map(plain))
+        .or_else(|| fitting(true).map(meant))
+        .or_else(|| any(false).map(plain))
+        .or_else(|| any(true).map(meant))
 }
 
 /// What an element has had of its children so far.

@@ -201,3 +201,31 @@ fn a_fault_of_the_json_names_what_is_wrong_and_where() {
         "the speech bundle cannot be read: `mime` is missing at line 4 column 13"
     );
 }
+
+proptest::proptest! {
+    /// Whatever a phone's length: it is refused, or the utterance is no longer than a day.
+    #[test]
+    fn lengths_are_bounded(
+        msec in proptest::prop_oneof![0..1_300_000_u32, proptest::prelude::any::<u32>()],
+        copies in 1_usize..400,
+    ) {
+        let phones = vec!["ay"; copies].join(" ");
+        let lengths = vec![msec.to_string(); copies].join(", ");
+        let json = format!(
+            r#"{{"format": "raconteur-speech", "version": 2,
+            "voices": [{{"engine": "e", "voice": "v", "language": "en", "phone_set": "radio"}}],
+            "utterances": [{{"key": "00000000000000ff", "content": "00000000000000ff", "voice": 0,
+            "text": "", "audio": [], "words": [], "phones": "{phones}", "msecs": [{lengths}]}}]}}"#
+        );
+        let fits = msec <= 600_000 && msec as usize * copies <= 86_400_000;
+        match read(&json) {
+            Ok(bundle) => {
+                proptest::prop_assert!(fits && bundle.utterances[0].duration_secs <= 86_400.0);
+            }
+            Err(error) => {
+                let told = error.to_string();
+                proptest::prop_assert!(!fits && told.contains(" ms"), "{told}");
+            }
+        }
+    }
+}
