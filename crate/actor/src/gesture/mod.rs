@@ -11,6 +11,7 @@
 
 pub mod contact;
 mod fingers;
+mod pace;
 mod path;
 mod phrase;
 mod plan;
