@@ -2,12 +2,18 @@
 //! the next takes place within the hold, at a speed that people have, and nothing comes late
 //! where there is time enough.
 
-use raconteur_actor::gesture::{ArmPlan, ArmScript, BodySpace, GestureStroke, HandKey};
+use raconteur_actor::gesture::{ArmPlan, ArmScript, BodySpace, GestureStroke, HandKey, Life};
 use raconteur_actor::palm;
 use raconteur_base::{DVec3, Side, noise};
 use raconteur_body::Skeleton;
 use raconteur_body::hand_shape::HandShape;
 
+/// No idle life.
+const STILL: Life = Life {
+    seed: 1,
+    amount: 0.0,
+    dominant: Side::Right,
+};
 const RATE_HZ: f64 = 480.0;
 /// Peak over mean speed of a movement of minimum jerk, and its greatest acceleration in units
 /// of way over the square of time (Flash and Hogan 1985,
@@ -195,7 +201,7 @@ fn plan(case: &Case) -> ArmPlan {
     };
     let skeleton = Skeleton::example();
     let space = BodySpace::new(&skeleton, None);
-    ArmPlan::new(&script, &skeleton, &space, case.side, 1, 0.0)
+    ArmPlan::new(&script, &skeleton, &space, case.side, &STILL)
 }
 
 /// Whether the arm can be wherever it is asked to be.

@@ -37,7 +37,7 @@ mod write;
 pub(crate) use raconteur_base::decimal;
 
 pub use clauses::environment::{
-    Camera, CameraAngle, Emotion, EmotionKind, Expressions, Light, Music, Performer, ShotKind,
+    Camera, CameraAngle, Emotion, EmotionKind, Expressions, Light, Music, Performer, PreferredHand, ShotKind,
     Valence,
 };
 pub use clauses::functions::{Arg, ArgValue, FunctionArgs, VhMove};
