@@ -202,9 +202,8 @@ impl Actor {
             && way.commands.is_empty()
             && performance.players.commands.is_empty());
         let mut actor = Self {
-            plans: Side::BOTH.map(|side| {
-                ArmPlan::new(&arms[side.index()], skeleton, &space, side, &life)
-            }),
+            plans: Side::BOTH
+                .map(|side| ArmPlan::new(&arms[side.index()], skeleton, &space, side, &life)),
             rigs: Side::BOTH.map(|side| ArmRig::new(skeleton, side)),
             motion: is_moved.then(|| Motion::new(performance, skeleton)),
             contact: Contact::new(skeleton, &space, life.dominant),

@@ -37,7 +37,9 @@ impl Hands {
     /// By the choice of who shows the story, else the story's, else the figure's.
     pub(crate) fn of(document: &Document, shown: Option<Side>, figure: Side) -> Self {
         let performer = document.performer.as_ref();
-        let story = performer.and_then(|p| p.handedness).map(PreferredHand::side);
+        let story = performer
+            .and_then(|p| p.handedness)
+            .map(PreferredHand::side);
         Self {
             written_for: story.unwrap_or(Side::Right),
             dominant: shown.or(story).unwrap_or(figure),

@@ -100,7 +100,10 @@ fn hands_behind_are_joined_at_the_small_of_the_back() {
         for wrist in wrists {
             let from = wrist - waist;
             assert!(from.z < -0.1 * scale, "{who}: {from} is not behind");
-            assert!(from.y.abs() < 0.15 * scale, "{who}: {from} is not at the small of the back");
+            assert!(
+                from.y.abs() < 0.15 * scale,
+                "{who}: {from} is not at the small of the back"
+            );
         }
     }
 }

@@ -269,11 +269,7 @@ mod tests {
     #[test]
     fn hands_that_want_one_place_are_parted_and_slide() {
         let skeleton = Skeleton::example();
-        let contact = Contact::new(
-            &skeleton,
-            &BodySpace::new(&skeleton, None),
-            Side::Right,
-        );
+        let contact = Contact::new(&skeleton, &BodySpace::new(&skeleton, None), Side::Right);
         for (fingers, normal) in [
             (DVec3::Z, DVec3::X),
             (DVec3::new(1.0, -0.2, 0.2), DVec3::NEG_Z),

@@ -9,8 +9,8 @@ use core::f64::consts::{FRAC_PI_2, PI};
 
 use raconteur_base::{DAffine3, DQuat, DVec3, Side, ops};
 
-use super::{Frame, Joints};
 use super::rig::{Base, LimbRig};
+use super::{Frame, Joints};
 use crate::arm_ik::{TRUNK_HALF_AXES_M, natural_elbow};
 
 /// Swivels that are weighed: the first, radians from the natural direction (positive lifts

@@ -97,7 +97,7 @@ pub fn assemble(blueprint: &Blueprint) -> Figure {
         morph_names,
         lid_closure_rad: blueprint.lid_closure_rad,
         sex: None,
-            dominant_hand: Side::Right,
+        dominant_hand: Side::Right,
         tissue: None,
         images: blueprint.images.clone(),
     }

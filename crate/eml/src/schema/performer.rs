@@ -37,7 +37,9 @@ pub(super) static ELEMENT: Element = Element {
         Attribute::choice(
             "handedness",
             PreferredHand::WORDS,
-            doc!("The dominant hand, which the script is written for; right when left out. Whoever shows the story may choose the other one, and so may the figure where the script does not say: gestures of the dominant and the other hand are then mirrored."),
+            doc!(
+                "The dominant hand, which the script is written for; right when left out. Whoever shows the story may choose the other one, and so may the figure where the script does not say: gestures of the dominant and the other hand are then mirrored."
+            ),
         ),
         Attribute::choice(
             "expressions",
