@@ -160,12 +160,12 @@ pub const CODES: &[(&str, &str)] = &[
     ("eml::stray-end", "An end tag closes nothing."),
     ("eml::stray-text", "Text stands where it means nothing."),
     (
-        "eml::surplus-joints",
-        "More joint angles are preferred than the manipulator has joints; the rest is ignored.",
-    ),
-    (
         "eml::surplus-element",
         "There are more elements of a kind than their parent may hold.",
+    ),
+    (
+        "eml::surplus-joints",
+        "More joint angles are preferred than the manipulator has joints; the rest is ignored.",
     ),
     (
         "eml::time-cycle",

@@ -200,7 +200,11 @@ pub(super) fn add<K>(
         cx.sink.push(Diagnostic::warning(
             "eml::handedness",
             track.span,
-            "this hand takes no part in the gesture; the track is ignored",
+            if handedness.is_relative() {
+                "which hand is dominant is the speaker's; the track of one hand is ignored"
+            } else {
+                "this hand takes no part in the gesture; the track is ignored"
+            },
         ));
         return;
     }
