@@ -16,7 +16,7 @@ import { fetchFigure, fetchStory, readFigure, type Progress, type StoryFiles } f
 import { Picture } from './picture.js';
 import { Pulse } from './pulse.js';
 import { Transport, type TransportEvent } from './transport.js';
-import { PlayerError, type Answer, type Backend, type Cue, type Diagnostic, type FaceCourse, type MindState, type PlayerEventMap, type Quality, type Statistics, type Story, type View } from './types.js';
+import { PlayerError, type Answer, type Backend, type Cue, type Diagnostic, type FaceCourse, type Hand, type MindState, type PlayerEventMap, type Quality, type Statistics, type Story, type View } from './types.js';
 
 /** Senders of fragments, as the engine tells them apart. */
 const PAGE = 0;
@@ -51,6 +51,7 @@ export class RaconteurPlayer extends LitElement {
   static override properties = {
     src: { reflect: true },
     figure: { reflect: true },
+    handedness: { reflect: true },
     mind: { reflect: true },
     assets: { reflect: true },
     poster: { reflect: true },
@@ -74,6 +75,8 @@ export class RaconteurPlayer extends LitElement {
    * on stage until this one is ready, and for good when it cannot be used.
    */
   declare figure: string;
+  /** The dominant hand of who performs; otherwise the story says it, or else the figure. */
+  declare handedness: Hand | undefined;
   /** Address (`ws:` or `wss:`) of a mind: EML that it sends is performed, and it is told what happens. See docs/live.md. */
   declare mind: string | undefined;
   /** Address of the asset library, which holds `figures/`. */
@@ -338,7 +341,7 @@ export class RaconteurPlayer extends LitElement {
     if (changed.has('src')) this.#text = undefined;
     if (changed.has('label')) this.setAttribute('aria-label', this.label);
     const replaced = (['src', 'backend', 'assets'] as const).some((name) => changed.has(name));
-    const figure = changed.has('figure') && this.hasUpdated;
+    const figure = (changed.has('figure') || changed.has('handedness')) && this.hasUpdated;
     if (figure && !replaced && this.#show !== undefined) {
       void this.#changeFigure(this.#show);
     } else if ((replaced || figure) && this.hasUpdated) {
@@ -411,9 +414,10 @@ export class RaconteurPlayer extends LitElement {
   }
 
   /** The figure that is asked for now: one of the library, of an address, or the user's own. */
-  #fetchFigure(progress: Progress): Promise<FigureFile> {
-    if (this.#given?.name === this.figure) return readFigure(this.#given);
-    return fetchFigure(this.figure, this.#library, progress);
+  async #fetchFigure(progress: Progress): Promise<FigureFile> {
+    const { figure, handedness } = this;
+    const file = this.#given?.name === figure ? readFigure(this.#given) : fetchFigure(figure, this.#library, progress);
+    return { ...(await file), handedness };
   }
 
   get #library(): URL {
@@ -484,7 +488,7 @@ export class RaconteurPlayer extends LitElement {
     this.#coming?.abort();
     this.#coming = undefined;
     // Back to the figure that is still on stage.
-    if (this.figure === show.figure) return;
+    if (this.figure === show.figure && this.handedness === show.files.figure.handedness) return;
     const { signal } = (this.#coming = new AbortController());
     try {
       const figure = await this.#fetchFigure(() => undefined);

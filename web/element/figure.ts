@@ -1,6 +1,6 @@
 /** Who performs: the bytes of a figure, and its pictures once it is read. */
 
-import { PlayerError, type Diagnostic, type Engine } from './types.js';
+import { PlayerError, type Diagnostic, type Engine, type Hand } from './types.js';
 
 /** A figure as it came, ready for an engine. */
 export interface FigureFile {
@@ -11,6 +11,8 @@ export interface FigureFile {
   readonly glb: Uint8Array;
   /** What of a foreign avatar could not be used. */
   readonly diagnostics: readonly Diagnostic[];
+  /** The dominant hand, where the page chooses it. */
+  readonly handedness?: Hand | undefined;
 }
 
 /** Why a figure cannot be used, with the file's name. */

@@ -4,6 +4,6 @@ import { RaconteurPlayer } from './element.js';
 
 export { RaconteurPlayer };
 export { PlayerError } from './types.js';
-export type { AudioFile, Backend, Cue, Diagnostic, FaceCourse, Place, PlayerEventMap, Quality, Statistics, Story, Utterance, View, Word } from './types.js';
+export type { AudioFile, Backend, Cue, Diagnostic, FaceCourse, Hand, Place, PlayerEventMap, Quality, Statistics, Story, Utterance, View, Word } from './types.js';
 
 if (customElements.get('raconteur-player') === undefined) customElements.define('raconteur-player', RaconteurPlayer);

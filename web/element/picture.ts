@@ -329,6 +329,7 @@ export class Picture {
   #read(engine: Engine, files = this.#files): Story {
     const { eml, bundle, figure, edited } = files;
     applyView(engine, this.#view);
+    engine.setHandedness(figure.handedness ?? '');
     try {
       const story = engine.load(eml, bundle, figure.name, figure.glb, motionAmount());
       engine.setOpenEnded(this.#openEnded);

@@ -190,6 +190,8 @@ export interface Engine {
   wantedAnimations(): string[];
   /** Takes animations by name, an empty text for what was not found; the story `eml` with its new times, and what is wrong with these animations. */
   provideAnimations(eml: string, names: string[], texts: string[]): Story | undefined;
+  /** The dominant hand, `left` or `right`, in texts that are read later; by any other name, as story and figure have it. */
+  setHandedness(hand: string): void;
   /** Shows the whole figure from another side, in this text and those rehearsed later. Radians and metres. */
   setView(turn: number, tilt: number, zoom: number, right: number, up: number): void;
   /** The moment shown last as numbers, in the order that `web/pages/pose.ts` reads; empty when nobody is there. */
@@ -231,6 +233,9 @@ export interface Engine {
   statistics(): PictureStatistics | undefined;
   free(): void;
 }
+
+/** A hand of the character. */
+export type Hand = 'left' | 'right';
 
 /** How much work goes into a picture. */
 export type Quality = 'auto' | 'low' | 'medium' | 'high';

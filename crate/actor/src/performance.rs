@@ -13,7 +13,7 @@ use crate::emotion::{Breathing, EmotionSpan};
 use crate::face::FaceRig;
 use crate::feeling::Feeling;
 use crate::gesture::contact::{Contact, PlacedHand};
-use crate::gesture::{ArmPlan, ArmScript, BodySpace, HandTarget, TrunkShape};
+use crate::gesture::{ArmPlan, ArmScript, BodySpace, HandTarget, Life, TrunkShape};
 use crate::idle::gaze::{HEAD_SHARE, angles_of, eye_towards};
 use crate::idle::stance::Stance;
 use crate::idle::stream;
@@ -76,6 +76,8 @@ pub struct Performance {
     pub manipulators: ManipulatorScript,
     /// Whose joint limits hold.
     pub sex: Sex,
+    /// The dominant hand.
+    pub dominant: Side,
     /// Animation players.
     pub players: PlayerScript,
     /// The animations that they may play.
@@ -107,6 +109,7 @@ impl Default for Performance {
             arms: [ArmScript::default(), ArmScript::default()],
             manipulators: ManipulatorScript::default(),
             sex: Sex::default(),
+            dominant: Side::Right,
             players: PlayerScript::default(),
             library: Library::default(),
             speech: Vec::new(),
@@ -186,6 +189,11 @@ impl Actor {
             gaze: amount * performance.manner.gaze,
             ..performance.manner
         };
+        let life = Life {
+            seed,
+            amount,
+            dominant: performance.dominant,
+        };
         let space = BodySpace::new(skeleton, performance.trunk);
         let way = &performance.manipulators;
         let seen = (!way.moves.is_empty()).then(|| motion::seen_on_the_way(performance));
@@ -194,12 +202,11 @@ impl Actor {
             && way.commands.is_empty()
             && performance.players.commands.is_empty());
         let mut actor = Self {
-            plans: Side::BOTH.map(|side| {
-                ArmPlan::new(&arms[side.index()], skeleton, &space, side, seed, amount)
-            }),
+            plans: Side::BOTH
+                .map(|side| ArmPlan::new(&arms[side.index()], skeleton, &space, side, &life)),
             rigs: Side::BOTH.map(|side| ArmRig::new(skeleton, side)),
             motion: is_moved.then(|| Motion::new(performance, skeleton)),
-            contact: Contact::new(skeleton, &space),
+            contact: Contact::new(skeleton, &space, life.dominant),
             space,
             stance: Stance::new(skeleton, seed),
             trunk: Trunk { seed },

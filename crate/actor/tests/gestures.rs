@@ -1,7 +1,7 @@
 //! What single gestures look like: courses, phases, the speed of free movements, stillness.
 
 use raconteur_actor::gesture::{
-    ArmPlan, ArmScript, BodySpace, Course, GestureStroke, HandKey, HandState, Phase, Space,
+    ArmPlan, ArmScript, BodySpace, Course, GestureStroke, HandKey, HandState, Life, Phase, Space,
 };
 use raconteur_actor::kinematics::world_from_bone;
 use raconteur_actor::{Actor, FaceRig, Performance, SpokenUtterance, palm};
@@ -11,6 +11,12 @@ use raconteur_body::hand_shape::HandShape;
 use raconteur_body::{Bone, Pose, Skeleton};
 use raconteur_speech::Phone;
 
+/// No idle life.
+const STILL: Life = Life {
+    seed: 1,
+    amount: 0.0,
+    dominant: Side::Right,
+};
 const FROM: DVec3 = DVec3::new(-0.16, 1.25, 0.33);
 const TO: DVec3 = DVec3::new(-0.36, 1.42, 0.26);
 
@@ -53,7 +59,7 @@ fn plan(strokes: &[GestureStroke]) -> ArmPlan {
     };
     let skeleton = Skeleton::example();
     let space = BodySpace::new(&skeleton, None);
-    ArmPlan::new(&script, &skeleton, &space, Side::Right, 1, 0.0)
+    ArmPlan::new(&script, &skeleton, &space, Side::Right, &STILL)
 }
 
 /// A stroke of one second from [`FROM`] to [`TO`] with a course.

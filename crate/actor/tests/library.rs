@@ -115,10 +115,10 @@ fn figure(name: &str) -> Skeleton {
     read_figure(name, &bytes).expect("a figure").skeleton
 }
 
-/// Every animation, performed by a woman and by a man.
+/// Every animation, performed by a woman, a man and a child.
 fn each(mut check: impl FnMut(&str, &Stage)) {
     let animations = shipped();
-    for who in ["sofia", "papous"] {
+    for who in ["sofia", "papous", "nuno"] {
         let skeleton = figure(who);
         for (name, text) in &animations {
             let stage = Stage::new(name, text, &skeleton);

@@ -370,10 +370,12 @@ fn random_script(seed: u64, wild: f64) -> ManipulatorScript {
         };
         let motion = match (12.0 * unit(18, i)) as usize {
             0 => Motion::Configure {
+                preferred: (unit(23, i) < 0.5).then(|| vec![r(24, i), r(25, i)]),
                 is_on: Some(unit(19, i) < 0.5),
                 limits: None,
             },
             1 => Motion::Configure {
+                preferred: None,
                 is_on: Some(true),
                 limits: Some(unit(19, i) < 0.6),
             },

@@ -1,6 +1,6 @@
 //! A figure as it is at run time: skeleton, meshes and morphs.
 
-use raconteur_base::DAffine3;
+use raconteur_base::{DAffine3, Side};
 
 use crate::face::{Binding, Tissue};
 use crate::skeleton::Skeleton;
@@ -221,6 +221,8 @@ pub struct Figure {
     pub lid_closure_rad: [f64; 2],
     /// Sex of the body, 0 male to 1 female, where the file tells: joints have other limits.
     pub sex: Option<f64>,
+    /// The hand that it prefers: the right one where the file does not tell.
+    pub dominant_hand: Side,
     /// What moves under the skin of its face, where the file has it.
     pub tissue: Option<Tissue>,
     /// Pictures of the materials.

@@ -112,6 +112,11 @@ pub fn read_with(name: &str, glb: &[u8], soft: bool) -> Result<Figure, ReadError
         morph_names: morph_names(&root),
         lid_closure_rad: root.lid_closure_rad.unwrap_or([0.0; 2]),
         sex: root.sex,
+        dominant_hand: if root.is_left_handed {
+            Side::Left
+        } else {
+            Side::Right
+        },
         tissue: if soft {
             soft::tissue(&mut source)?
         } else {

@@ -7,7 +7,7 @@
 
 mod binding;
 
-use raconteur_base::{DAffine3, DVec3};
+use raconteur_base::{DAffine3, DVec3, Side};
 use serde_json::{Map, Value, json};
 
 use crate::annotation::Annotations;
@@ -514,6 +514,9 @@ pub fn to_annotated_glb(figure: &Figure, annotations: &Annotations) -> Vec<u8> {
         "buffers": [{ "byteLength": buffer.bytes.len() }],
     });
     if let Some(extras) = document["scenes"][0]["extras"].as_object_mut() {
+        if figure.dominant_hand == Side::Left {
+            extras.insert("handedness".to_owned(), "left".into());
+        }
         if let Some(sex) = figure.sex {
             extras.insert("sex".to_owned(), number(sex));
         }

@@ -102,17 +102,39 @@ pub enum Handedness {
     Left,
     /// The right hand.
     Right,
+    /// The speaker's dominant hand, whichever that is (extension). Values are written for the
+    /// hand that the script takes to be dominant, and mirrored for the other.
+    Dominant,
+    /// The speaker's other hand, likewise (extension).
+    NonDominant,
 }
 
 impl Handedness {
-    /// Whether this hand takes part.
+    /// Every value with its word.
+    pub(crate) const WORDS: [(Self, &'static str); 5] = [
+        (Self::Both, "both"),
+        (Self::Left, "left"),
+        (Self::Right, "right"),
+        (Self::Dominant, "dominant"),
+        (Self::NonDominant, "non-dominant"),
+    ];
+
+    /// Whether this hand of a speaker with a dominant hand takes part.
     #[must_use]
-    pub fn includes(self, side: Side) -> bool {
+    pub fn includes(self, side: Side, dominant: Side) -> bool {
         match self {
             Self::Both => true,
             Self::Left => side == Side::Left,
             Self::Right => side == Side::Right,
+            Self::Dominant => side == dominant,
+            Self::NonDominant => side != dominant,
         }
+    }
+
+    /// Whether which hand it is depends on the speaker.
+    #[must_use]
+    pub fn is_relative(self) -> bool {
+        matches!(self, Self::Dominant | Self::NonDominant)
     }
 }
 

@@ -37,8 +37,8 @@ mod write;
 pub(crate) use raconteur_base::decimal;
 
 pub use clauses::environment::{
-    Camera, CameraAngle, Emotion, EmotionKind, Expressions, Light, Music, Performer, ShotKind,
-    Valence,
+    Camera, CameraAngle, Emotion, EmotionKind, Expressions, Light, Music, Performer, PreferredHand,
+    ShotKind, Valence,
 };
 pub use clauses::functions::{Arg, ArgValue, FunctionArgs, VhMove};
 pub use clauses::geometry::{ConfigureGeometry, FillMode, VisibleMeshes};

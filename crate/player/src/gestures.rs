@@ -12,7 +12,7 @@ use raconteur_body::hand_shape::HandAngles;
 use raconteur_body::{Bone, HandShape, Pose, Skeleton};
 use raconteur_eml::{
     ClauseKind, Coords, Diagnostic, Document, GestureKey, Handedness, Interpolator, Key, MotionKey,
-    PalmKey, Phase, Profile, ShapeKey, Space, Span, Timeline, Track,
+    PalmKey, Phase, PreferredHand, Profile, ShapeKey, Space, Span, Timeline, Track,
 };
 
 use raconteur_stage::Room;
@@ -25,19 +25,51 @@ fn moment(offset_secs: f64) -> u64 {
     (offset_secs.max(0.0) * 1e6).round() as u64
 }
 
+/// Which hand is dominant: for whoever wrote a script, and for who performs it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Hands {
+    /// The hand that common values are written for (GEVH 3.5.1, D.5.4).
+    pub(crate) written_for: Side,
+    /// The performer's.
+    pub(crate) dominant: Side,
+}
+
+impl Hands {
+    /// By the choice of who shows the story, else the story's, else the figure's.
+    pub(crate) fn of(document: &Document, shown: Option<Side>, figure: Side) -> Self {
+        let performer = document.performer.as_ref();
+        let story = performer
+            .and_then(|p| p.handedness)
+            .map(PreferredHand::side);
+        Self {
+            written_for: story.unwrap_or(Side::Right),
+            dominant: shown.or(story).unwrap_or(figure),
+        }
+    }
+
+    /// Whether values of a common track must be mirrored for a hand that takes part.
+    fn mirrors(self, side: Side, handedness: Handedness) -> bool {
+        match handedness {
+            Handedness::Both => side != self.written_for,
+            Handedness::Left | Handedness::Right => false,
+            Handedness::Dominant | Handedness::NonDominant => self.dominant != self.written_for,
+        }
+    }
+}
+
 /// The track that moves this hand: its own, else the common one. True when the common
-/// one's values are meant for the other hand and must be mirrored (GEVH D.5.4: the
-/// dominant hand is the right).
+/// one's values are meant for the other hand and must be mirrored.
 fn track_for<K>(
     tracks: &[Track<K>],
     side: Side,
     handedness: Handedness,
+    hands: Hands,
 ) -> Option<(&Track<K>, bool)> {
     if let Some(own) = tracks.iter().find(|t| t.hand == Some(side)) {
         return Some((own, false));
     }
     let common = tracks.iter().find(|t| t.hand.is_none())?;
-    Some((common, handedness == Handedness::Both && side == Side::Left))
+    Some((common, hands.mirrors(side, handedness)))
 }
 
 fn position(key: &Key<MotionKey>, mirrored: bool, units: &Units) -> DVec3 {
@@ -111,7 +143,13 @@ fn offset_secs<K>(gesture: &GestureKey, track: &Track<K>, key: &Key<K>) -> f64 {
 
 /// One hand's keys of one gesture, merged by time; empty when the gesture says nothing
 /// about this hand.
-fn keys(gesture: &GestureKey, side: Side, start_secs: f64, units: &Units) -> Vec<HandKey> {
+fn keys(
+    gesture: &GestureKey,
+    side: Side,
+    start_secs: f64,
+    units: &Units,
+    hands: Hands,
+) -> Vec<HandKey> {
     let mut by_time: BTreeMap<u64, HandKey> = BTreeMap::new();
     let mut at = |offset_secs: f64, set: &mut dyn FnMut(&mut HandKey)| {
         let key = by_time
@@ -122,7 +160,7 @@ fn keys(gesture: &GestureKey, side: Side, start_secs: f64, units: &Units) -> Vec
             });
         set(key);
     };
-    if let Some((track, _)) = track_for(&gesture.hand_shapes, side, gesture.handedness) {
+    if let Some((track, _)) = track_for(&gesture.hand_shapes, side, gesture.handedness, hands) {
         for key in &track.keys {
             at(offset_secs(gesture, track, key), &mut |k| {
                 k.shape = hand_shape(&key.value);
@@ -130,7 +168,7 @@ fn keys(gesture: &GestureKey, side: Side, start_secs: f64, units: &Units) -> Vec
             });
         }
     }
-    if let Some((track, mirrored)) = track_for(&gesture.palms, side, gesture.handedness) {
+    if let Some((track, mirrored)) = track_for(&gesture.palms, side, gesture.handedness, hands) {
         for key in &track.keys {
             at(offset_secs(gesture, track, key), &mut |k| {
                 k.hand_in_world = hand_rotation(&key.value, side, mirrored);
@@ -138,7 +176,7 @@ fn keys(gesture: &GestureKey, side: Side, start_secs: f64, units: &Units) -> Vec
             });
         }
     }
-    if let Some((track, mirrored)) = track_for(&gesture.motions, side, gesture.handedness) {
+    if let Some((track, mirrored)) = track_for(&gesture.motions, side, gesture.handedness, hands) {
         for key in &track.keys {
             let p = position(key, mirrored, units);
             at(offset_secs(gesture, track, key), &mut |k| {
@@ -198,6 +236,7 @@ pub(crate) fn strokes(
     timeline: &Timeline,
     side: Side,
     units: &Units,
+    hands: Hands,
 ) -> Vec<GestureStroke> {
     timeline
         .clauses
@@ -206,7 +245,7 @@ pub(crate) fn strokes(
             let ClauseKind::GestureKey(gesture) = &document.clause(timed.clause).kind else {
                 return None;
             };
-            if !gesture.handedness.includes(side) {
+            if !gesture.handedness.includes(side, hands.dominant) {
                 return None;
             }
             let phase = match gesture.phase {
@@ -216,7 +255,7 @@ pub(crate) fn strokes(
                 Some(Phase::Retraction) => ArmPhase::Retraction,
                 Some(Phase::PartialRetraction) => ArmPhase::PartialRetraction,
             };
-            let keys = keys(gesture, side, timed.start_secs, units);
+            let keys = keys(gesture, side, timed.start_secs, units, hands);
             // A phase may do without keys: a hold, a way back.
             (gesture.phase.is_some() || !keys.is_empty()).then_some(GestureStroke {
                 phase,
@@ -270,7 +309,12 @@ impl Reach {
 /// A warning for every position that the arm cannot reach; the hand goes as far towards it
 /// as it can (GEVH fig. 3.6).
 #[must_use]
-pub(crate) fn out_of_reach(document: &Document, units: &Units, reach: &Reach) -> Vec<Diagnostic> {
+pub(crate) fn out_of_reach(
+    document: &Document,
+    units: &Units,
+    reach: &Reach,
+    hands: Hands,
+) -> Vec<Diagnostic> {
     let mut found = Vec::new();
     // Nobody's reach says anything of a place of the world to which the figure may go.
     let goes = document
@@ -283,9 +327,10 @@ pub(crate) fn out_of_reach(document: &Document, units: &Units, reach: &Reach) ->
         let mut far = Vec::new();
         for side in Side::BOTH
             .into_iter()
-            .filter(|s| gesture.handedness.includes(*s))
+            .filter(|s| gesture.handedness.includes(*s, hands.dominant))
         {
-            let Some((track, mirrored)) = track_for(&gesture.motions, side, gesture.handedness)
+            let Some((track, mirrored)) =
+                track_for(&gesture.motions, side, gesture.handedness, hands)
             else {
                 continue;
             };
@@ -397,6 +442,11 @@ mod tests {
     use super::*;
     use raconteur_eml::{EstimatedDurations, parse};
 
+    const RIGHT: Hands = Hands {
+        written_for: Side::Right,
+        dominant: Side::Right,
+    };
+
     fn resolved(body: &str) -> (Document, Timeline) {
         let source = format!("<eml><body>{body}</body></eml>");
         let parsed = parse(&source);
@@ -408,7 +458,7 @@ mod tests {
     fn strokes_of(body: &str, side: Side) -> Vec<GestureStroke> {
         let (document, timeline) = resolved(body);
         let units = Units::of(&Skeleton::example());
-        strokes(&document, &timeline, side, &units)
+        strokes(&document, &timeline, side, &units, RIGHT)
     }
 
     #[test]

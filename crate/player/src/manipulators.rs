@@ -205,6 +205,10 @@ fn motion(kind: &ClauseKind, units: &Units) -> Option<(Manipulator, Motion)> {
             Motion::Configure {
                 is_on: c.is_on,
                 limits: c.joint_limits_active,
+                preferred: c.preferred_deg.as_ref().map(|preferred| {
+                    let angles = preferred.iter().map(|a| bounded(*a).to_radians());
+                    angles.collect()
+                }),
             },
         ),
         ClauseKind::ForwardKinematics(fk) => {

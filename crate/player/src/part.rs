@@ -15,7 +15,7 @@ use raconteur_speech::{Phone, Utterance, Word};
 use crate::cues::{self, Cue, UtteranceCue};
 use crate::feelings::{self, Felt};
 use crate::geometry::{self, Switch};
-use crate::gestures;
+use crate::gestures::{self, Hands};
 use crate::motion;
 use crate::music::{self, MusicClause};
 use crate::performer::Options;
@@ -59,6 +59,7 @@ impl Part {
     pub(crate) fn new(
         script: &Script,
         units: &Units,
+        hands: Hands,
         first_utterance: usize,
         fragment: Option<u32>,
     ) -> Self {
@@ -70,7 +71,8 @@ impl Part {
             Default::default()
         };
         Self {
-            strokes: Side::BOTH.map(|side| gestures::strokes(document, timeline, side, units)),
+            strokes: Side::BOTH
+                .map(|side| gestures::strokes(document, timeline, side, units, hands)),
             manipulators,
             switches: gestures::switches(document, timeline),
             players,
@@ -149,6 +151,7 @@ pub(crate) fn performance<'a>(
         feels: options.feels,
         listener_in_world,
         sex,
+        dominant: options.handedness.unwrap_or(Side::Right),
         trunk: Some(trunk),
     }
 }
@@ -295,7 +298,8 @@ mod tests {
     /// The speech of a story that is shipped.
     fn speech(eml: &str, bundle: Option<&str>) -> Vec<SpokenUtterance> {
         let script = Script::read(eml, bundle.map(str::as_bytes));
-        Part::new(&script, &Units::of(&Skeleton::example()), 0, None).speech
+        let hands = Hands::of(&script.document, None, Side::Right);
+        Part::new(&script, &Units::of(&Skeleton::example()), hands, 0, None).speech
     }
 
     #[test]

@@ -18,7 +18,7 @@ use crate::event::Event;
 use crate::feelings;
 use crate::fibres;
 use crate::geometry::Geometry;
-use crate::gestures::{self, Reach};
+use crate::gestures::{self, Hands, Reach};
 use crate::layers::Layers;
 use crate::live::{self, Live, Performed, Scene};
 use crate::motion;
@@ -38,6 +38,8 @@ pub struct Options {
     pub motion_amount: f64,
     /// How the figure accompanies its speech with face and head.
     pub manner: Manner,
+    /// The dominant hand; none: as the story says, else as the figure is.
+    pub handedness: Option<Side>,
     /// How much of the speaker is in the picture until the script says otherwise.
     pub shot: Shot,
     /// No less room than this is kept for gestures, however small the script's own are:
@@ -57,6 +59,7 @@ impl Default for Options {
             seed: 1,
             motion_amount: 1.0,
             manner: Manner::default(),
+            handedness: None,
             shot: Shot::Medium,
             room: Room::default(),
             motion: true,
@@ -105,6 +108,7 @@ pub struct Player {
     reach: Reach,
     trunk: TrunkShape,
     options: Options,
+    hands: Hands,
     script: Script,
     library: Library,
     /// Animations that were asked for in vain.
@@ -144,9 +148,20 @@ impl Player {
         let figure = input.figure;
         let units = Units::of(&figure.skeleton);
 
+        let shown = input.options.handedness;
+        let hands = Hands::of(&script.document, shown, figure.dominant_hand);
+        let options = Options {
+            handedness: Some(hands.dominant),
+            ..input.options
+        };
         let reach = Reach::of(&figure.skeleton);
         let mut diagnostics = script.diagnostics.clone();
-        diagnostics.extend(gestures::out_of_reach(&script.document, &units, &reach));
+        diagnostics.extend(gestures::out_of_reach(
+            &script.document,
+            &units,
+            &reach,
+            hands,
+        ));
         if script.feels {
             diagnostics.extend(feelings::problems(&script.document));
         } else {
@@ -159,13 +174,13 @@ impl Player {
             diagnostics.extend(motion::without_effect(&script, &figure.skeleton));
         }
 
-        let story = Part::new(&script, &units, 0, None);
+        let story = Part::new(&script, &units, hands, 0, None);
         let live = Live::new(story.utterances.len());
         let trunk = TrunkShape::of(&figure);
         let library = Library::default();
         let (actor, room) = rehearse(
             &figure,
-            &input.options,
+            &options,
             trunk,
             input.options.room,
             &library,
@@ -184,7 +199,8 @@ impl Player {
             units,
             reach,
             trunk,
-            options: input.options,
+            options,
+            hands,
             script,
             library,
             missing: Vec::new(),
@@ -326,6 +342,7 @@ impl Player {
         let scene = Scene {
             units: &self.units,
             reach: &self.reach,
+            hands: self.hands,
             bundle: self.script.bundle.as_ref(),
             library: &self.library,
             marks: &self.script.timeline.marks,
@@ -445,7 +462,7 @@ impl Player {
             }
         }
         self.script.retime(&self.library);
-        self.story = Part::new(&self.script, &self.units, 0, None);
+        self.story = Part::new(&self.script, &self.units, self.hands, 0, None);
         self.geometry.retell(&self.story.geometry);
         let parts = [&self.story].into_iter().chain(self.live.parts());
         self.views = Views::new(self.options.shot, parts.flat_map(|p| p.shots.iter()));

@@ -16,6 +16,7 @@ fn perform(clauses: &str) -> Player {
         morph_names: Vec::new(),
         lid_closure_rad: [0.0; 2],
         sex: None,
+        dominant_hand: raconteur_player::base::Side::Right,
         images: Vec::new(),
         tissue: None,
     };

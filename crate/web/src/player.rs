@@ -3,6 +3,7 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use raconteur_player::base::Side;
 use raconteur_player::body::Figure;
 use raconteur_player::body::figure::Image;
 use raconteur_player::body::read::read_with;
@@ -54,6 +55,8 @@ pub struct Player {
     pub(crate) aspect: f64,
     /// From where a page looks that looks behind the scenes.
     pub(crate) view: Option<View>,
+    /// The dominant hand, where the page chooses it.
+    handedness: Option<Side>,
     sized: bool,
 }
 
@@ -82,6 +85,7 @@ impl Player {
             resting: true,
             aspect: 1.0,
             view: None,
+            handedness: None,
             sized: false,
         })
     }
@@ -105,6 +109,17 @@ impl Player {
         }
         self.performer = Some(performer);
         plain(&story)
+    }
+
+    /// The dominant hand, `left` or `right`, in texts that are read from now on; by any other
+    /// name, as the story says or else as the figure is.
+    #[wasm_bindgen(js_name = setHandedness)]
+    pub fn set_handedness(&mut self, hand: &str) {
+        self.handedness = match hand {
+            "left" => Some(Side::Left),
+            "right" => Some(Side::Right),
+            _ => None,
+        };
     }
 
     /// Whether a text asks for code that has not joined this instance; without it, that is
@@ -373,6 +388,7 @@ impl Player {
                 motion.clamp(0.0, 1.0)
             },
             room,
+            handedness: self.handedness,
             motion: has_more(),
             feels: has_face(),
             ..Options::default()

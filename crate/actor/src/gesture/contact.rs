@@ -142,15 +142,21 @@ pub struct PlacedHand {
 pub struct Contact {
     hands: [HandSolid; 2],
     space: BodySpace,
+    /// 1 where the left hand goes behind the right, −1 where it goes before it.
+    left_behind: f64,
 }
 
 impl Contact {
-    /// Measures a figure.
+    /// Measures a figure with a dominant hand, which goes before the other.
     #[must_use]
-    pub fn new(skeleton: &Skeleton, space: &BodySpace) -> Self {
+    pub fn new(skeleton: &Skeleton, space: &BodySpace, dominant: Side) -> Self {
         Self {
             hands: Side::BOTH.map(|side| HandSolid::new(skeleton, side)),
             space: *space,
+            left_behind: match dominant {
+                Side::Right => 1.0,
+                Side::Left => -1.0,
+            },
         }
     }
 
@@ -189,8 +195,9 @@ impl Contact {
         if ca.distance(cb) > reach(&a, ca) + reach(&b, cb) + touch {
             return DVec3::ZERO;
         }
-        // Where fingers cross, their pushes cancel: then to the sides, the left hand behind.
-        let bias = (left * 0.8 - front * 0.6) * BIAS;
+        // Where fingers cross, their pushes cancel: then to the sides, the dominant hand before
+        // the other.
+        let bias = (left * 0.8 - front * (0.6 * self.left_behind)) * BIAS;
         let mut parted = DVec3::ZERO;
         for _ in 0..STEPS {
             let mut sum = DVec3::ZERO;
@@ -262,7 +269,7 @@ mod tests {
     #[test]
     fn hands_that_want_one_place_are_parted_and_slide() {
         let skeleton = Skeleton::example();
-        let contact = Contact::new(&skeleton, &BodySpace::new(&skeleton, None));
+        let contact = Contact::new(&skeleton, &BodySpace::new(&skeleton, None), Side::Right);
         for (fingers, normal) in [
             (DVec3::Z, DVec3::X),
             (DVec3::new(1.0, -0.2, 0.2), DVec3::NEG_Z),

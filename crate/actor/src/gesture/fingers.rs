@@ -6,13 +6,11 @@ use raconteur_base::profile::Profile;
 use raconteur_body::hand_shape::HandAngles;
 
 use super::Rest;
+use super::pace::FASTEST_FINGER_RAD_S;
 use super::tracks::piece_at;
 
 /// Fingers form a little before the hand arrives: they take this share less of the time.
 const EARLY: f64 = 1.2;
-/// Fastest mean speed of a finger joint, radians a second: a fist closes in a tenth of a
-/// second at best. Designed.
-const FASTEST_RAD_S: f64 = 18.0;
 /// How far a profile may overshoot the way between two shapes: fingers have little room
 /// beyond theirs.
 const OVERSHOOT: f64 = 0.15;
@@ -79,7 +77,7 @@ impl FingerTrack {
         let mut time_secs = time_secs;
         if let (Some(t), Some(last)) = (self.times.last(), self.nodes.last_mut()) {
             let turn_rad = last.angles().greatest_difference(&node.angles());
-            time_secs = time_secs.max(t + turn_rad / FASTEST_RAD_S);
+            time_secs = time_secs.max(t + turn_rad / FASTEST_FINGER_RAD_S);
             last.profile = profile;
         }
         self.times.push(time_secs);

@@ -11,6 +11,7 @@
 
 pub mod contact;
 mod fingers;
+mod pace;
 mod path;
 mod phrase;
 mod plan;
@@ -20,7 +21,7 @@ mod space;
 mod tracks;
 
 use raconteur_base::profile::Profile;
-use raconteur_base::{DAffine3, DQuat, DVec3};
+use raconteur_base::{DAffine3, DQuat, DVec3, Side};
 use raconteur_body::hand_shape::HandAngles;
 
 pub use plan::{ArmPlan, HandState, HandTarget, PlannedKey};
@@ -113,6 +114,18 @@ pub struct Span {
     pub start_secs: f64,
     /// End; may be infinite.
     pub end_secs: f64,
+}
+
+/// How a figure moves its arms where nobody says.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Life {
+    /// Seed of all that is left to chance.
+    pub seed: u64,
+    /// Liveliness, 0 (still) to 1.
+    pub amount: f64,
+    /// The dominant hand: it lies before the other where both rest, and leaves first. A
+    /// left-hander is the mirror image of a right-hander.
+    pub dominant: Side,
 }
 
 /// All that a script asks of one arm.

@@ -4,6 +4,7 @@
 use raconteur_base::order::sort_by_number;
 use raconteur_base::{DQuat, DVec3};
 
+use super::pace::Needed;
 use super::{ArmScript, HandKey, Phase, Span};
 
 /// Two keys this close are one moment, seconds.
@@ -23,9 +24,14 @@ pub(super) struct Phrase {
 }
 
 impl Phrase {
+    /// A feature's first key, if it has one.
+    pub(super) fn first_key(&self, has: fn(&HandKey) -> bool) -> Option<&HandKey> {
+        self.keys.iter().find(|k| has(k))
+    }
+
     /// When a feature's first key is, if it has one.
     pub(super) fn first(&self, has: fn(&HandKey) -> bool) -> Option<f64> {
-        self.keys.iter().find(|k| has(k)).map(|k| k.time_secs)
+        self.first_key(has).map(|k| k.time_secs)
     }
 
     /// Whether the way to a feature's first key is part of the script, from the beginning of
@@ -121,6 +127,9 @@ pub(super) fn phrases(script: &ArmScript) -> Vec<Phrase> {
     sort_by_number(&mut all, Phrase::begins);
     let mut out: Vec<Phrase> = Vec::with_capacity(all.len());
     for phrase in all {
+        if let Some(before) = out.last_mut() {
+            before.turn_back_for(&phrase);
+        }
         match out.last_mut() {
             Some(before) if before.meets(&phrase) => {
                 if let Some(phrase) = before.give_way(phrase) {
@@ -158,6 +167,31 @@ impl Phrase {
             .zip(next.keys.first())
             .is_some_and(|(a, b)| a.wrist_in_world != b.wrist_in_world);
         gap < -SAME_SECS || (gap <= SAME_SECS && strokes && elsewhere)
+    }
+
+    /// A stroke that ends elsewhere than the next one begins at that very moment, as one does
+    /// that is repeated, comes to its end earlier by the time of the way back: as much as the
+    /// way back takes unhurried, or its share of what there is since the last key but one.
+    /// Where that is too little for both ways, or the stroke has one key only, nothing changes.
+    fn turn_back_for(&mut self, next: &Self) {
+        let [.., before, last] = &mut self.keys[..] else {
+            return;
+        };
+        let Some(first) = next.keys.first() else {
+            return;
+        };
+        let at_once = (last.time_secs - next.begins()).abs() <= SAME_SECS
+            && (first.time_secs - last.time_secs).abs() <= SAME_SECS;
+        if !at_once || self.phase != Phase::Stroke || next.phase != Phase::Stroke {
+            return;
+        }
+        let (there, back) = (before.needs_to(last), last.needs_to(first));
+        let secs = last.time_secs - before.time_secs;
+        if back.least_secs <= 0.0 || there.least_secs + back.least_secs > secs {
+            return;
+        }
+        let share = back.least_secs / (there.least_secs + back.least_secs);
+        last.time_secs -= back.easy_secs.min(share * secs);
     }
 
     /// Makes way for a phrase that begins before this one is over: of each feature that both
@@ -232,6 +266,17 @@ impl Phrase {
 }
 
 impl HandKey {
+    /// The time to another key, in all that both say.
+    fn needs_to(&self, to: &Self) -> Needed {
+        let wrist = self.wrist_in_world.zip(to.wrist_in_world);
+        let hand = self.hand_in_world.zip(to.hand_in_world);
+        let fingers = self.shape.as_ref().zip(to.shape.as_ref());
+        let wrist = wrist.map_or_else(Needed::default, |(a, b)| Needed::by_wrist(a, b));
+        let hand = hand.map_or_else(Needed::default, |(a, b)| Needed::by_hand(a, b));
+        let fingers = fingers.map_or_else(Needed::default, |(a, b)| Needed::by_fingers(a, b));
+        wrist.and(hand).and(fingers)
+    }
+
     /// Takes over what another key of the same moment says.
     fn take(&mut self, other: &Self) {
         if other.wrist_in_world.is_some() {

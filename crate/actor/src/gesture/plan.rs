@@ -10,7 +10,7 @@ use super::fingers::FingerTrack;
 use super::path::reach_secs;
 use super::planner::Planner;
 use super::tracks::{HandTrack, WristTrack, piece_at};
-use super::{ArmScript, Rest};
+use super::{ArmScript, Life, Rest};
 use crate::ArmRig;
 use crate::gesture::space::BodySpace;
 
@@ -78,20 +78,19 @@ pub struct ArmPlan {
 }
 
 impl ArmPlan {
-    /// Plans one arm of a figure with its body in the way. Keys at impossible times or places (not finite) are left out. `amount`
-    /// is the liveliness of what nobody scripts, 0 (still) to 1.
+    /// Plans one arm of a figure with its body in the way. Keys at impossible times or places
+    /// (not finite) are left out.
     #[must_use]
     pub fn new(
         script: &ArmScript,
         skeleton: &Skeleton,
         space: &BodySpace,
         side: Side,
-        seed: u64,
-        amount: f64,
+        life: &Life,
     ) -> Self {
         let rig = ArmRig::new(skeleton, side);
-        let rest = Rest::new(skeleton, &rig, space, side, seed, amount);
-        let planned = Planner::new(&rig, space, &rest, side, amount).plan(script);
+        let rest = Rest::new(skeleton, &rig, space, side, life);
+        let planned = Planner::new(&rig, space, &rest, side, life.amount).plan(script);
         let mut paces: Vec<Pace> = script
             .strokes
             .iter()

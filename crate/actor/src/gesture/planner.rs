@@ -5,11 +5,12 @@ use raconteur_base::curve::smooth;
 use raconteur_base::{DQuat, DVec3, Side};
 
 use super::fingers::FingerTrack;
+use super::pace::{FASTEST_M_S, FASTEST_TURN_RAD_S, Needed, SAME_PLACE_M, SHAPING_SECS};
 use super::path::{Bow, reach_secs};
 use super::phrase::{HAND, Phrase, SHAPE, WRIST, has_hand, has_shape, has_wrist, phrases};
 use super::plan::PlannedKey;
 use super::tracks::{HandTrack, WristTrack};
-use super::{ArmScript, Course, Phase, Rest};
+use super::{ArmScript, Course, HandKey, Phase, Rest};
 use crate::ArmRig;
 use crate::gesture::space::BodySpace;
 
@@ -33,16 +34,11 @@ const RETURN_LEAST_SECS: f64 = 0.35;
 /// around the body.
 const ARCH_SHARE: f64 = 0.08;
 const ARCH_PER_M: f64 = 0.09;
-/// A key that repeats the place of the one before within this distance keeps it, metres.
-const SAME_PLACE_M: f64 = 1e-6;
-/// Fastest mean speed of a wrist, metres a second: with the peak of a free movement 4.1 m/s, as
-/// in brisk conversation. What a script wants faster comes later.
-const FASTEST_M_S: f64 = 2.2;
-/// Shortest and longest time in which fingers form before a stroke, seconds. Designed.
-const SHAPING_SECS: [f64; 2] = [0.35, 0.9];
-/// Fastest mean turn of a hand, radians a second: half a turn takes a fifth of a second.
-/// Designed.
-const FASTEST_TURN_RAD_S: f64 = 15.0;
+/// Longest time in which fingers form before a stroke, seconds. Designed.
+const LONGEST_SHAPING_SECS: f64 = 0.9;
+/// A hand waits before it leaves for the next stroke, so that the way there takes no longer
+/// than this, seconds. Designed.
+const LONGEST_WAY_SECS: f64 = 0.85;
 
 /// The course of everything that a script leaves to the planner.
 const FREE: Course = Course {
@@ -99,13 +95,15 @@ impl<'a> Planner<'a> {
 
     /// Plans a script.
     pub(super) fn plan(mut self, script: &ArmScript) -> Planned {
-        for phrase in phrases(script) {
+        let phrases = phrases(script);
+        for (i, phrase) in phrases.iter().enumerate() {
+            let next = phrases.get(i + 1);
             match phrase.phase {
-                Phase::Hold if phrase.keys.is_empty() => self.hold_on(&phrase),
+                Phase::Hold if phrase.keys.is_empty() => self.hold_on(phrase, next),
                 Phase::Retraction | Phase::PartialRetraction if self.out.wrist.last().is_some() => {
-                    self.go_back(&phrase);
+                    self.go_back(phrase, next);
                 }
-                _ => self.perform(&phrase),
+                _ => self.perform(phrase, next),
             }
             self.must_end = phrase.must_end;
         }
@@ -113,14 +111,14 @@ impl<'a> Planner<'a> {
         self.out
     }
 
-    /// Performs a phrase after what is there.
-    fn perform(&mut self, phrase: &Phrase) {
+    /// Performs a phrase after what is there, and before what comes next.
+    fn perform(&mut self, phrase: &Phrase, next: Option<&Phrase>) {
         let leads = phrase.leads(WRIST) || phrase.leads(HAND);
         let firsts = [phrase.first(has_wrist), phrase.first(has_hand)];
         if let Some(first) = firsts.into_iter().flatten().reduce(f64::min) {
             let begins = if leads { phrase.start } else { first };
             self.take_back_returns(begins);
-            let flows = self.leave(begins);
+            let flows = self.leave(begins, phrase);
             if !flows {
                 self.set_out(phrase, leads);
             } else if leads {
@@ -136,7 +134,42 @@ impl<'a> Planner<'a> {
         } else {
             1.0
         };
-        self.settle(phrase.hold_until, sink);
+        self.settle(self.held_until(phrase, next), sink);
+    }
+
+    /// Until when the hand holds what it has reached in a phrase: to its end, or until it has
+    /// to set out for the next phrase, whose preparation takes place within the hold.
+    fn held_until(&self, phrase: &Phrase, next: Option<&Phrase>) -> f64 {
+        let sets_out = next.map_or(f64::INFINITY, |next| self.sets_out_secs(next));
+        phrase.hold_until.min(sets_out)
+    }
+
+    /// When the hand has to leave where it is at the latest to begin a phrase in time and
+    /// unhurried. Infinite where the phrase says itself when to set out, or nothing moves.
+    fn sets_out_secs(&self, next: &Phrase) -> f64 {
+        let mut latest = f64::INFINITY;
+        let mut meet = |feature: usize, key: Option<&HandKey>, way: &dyn Fn(&HandKey) -> Needed| {
+            if let Some(key) = key
+                && !next.leads(feature)
+            {
+                latest = latest.min(key.time_secs - way(key).easy_secs);
+            }
+        };
+        meet(WRIST, next.first_key(has_wrist), &|key| {
+            let ends = self.out.wrist.last().zip(key.wrist_in_world);
+            ends.map_or_else(Needed::default, |(from, to)| {
+                Needed::by_wrist(from, self.reachable(to))
+            })
+        });
+        meet(HAND, next.first_key(has_hand), &|key| {
+            let ends = self.out.hand.last().zip(key.hand_in_world);
+            ends.map_or_else(Needed::default, |(from, to)| Needed::by_hand(from, to))
+        });
+        meet(SHAPE, next.first_key(has_shape), &|key| {
+            let ends = self.out.fingers.last().zip(key.shape);
+            ends.map_or_else(Needed::default, |(from, to)| Needed::by_fingers(&from, &to))
+        });
+        latest
     }
 
     /// A return to rest that cannot be finished before `first` is not begun.
@@ -157,9 +190,9 @@ impl<'a> Planner<'a> {
         self.out.wrist.last_secs().max(self.out.hand.last_secs())
     }
 
-    /// Leaves what is held towards a stroke at `next`. Whether the stroke flows from there;
-    /// otherwise the hand is at rest.
-    fn leave(&mut self, next: f64) -> bool {
+    /// Leaves what is held towards a phrase that begins at `next`. Whether the phrase flows
+    /// from there; otherwise the hand is at rest.
+    fn leave(&mut self, next: f64, phrase: &Phrase) -> bool {
         let Some(place) = self.out.wrist.last() else {
             return false;
         };
@@ -171,7 +204,9 @@ impl<'a> Planner<'a> {
         }
         if gap <= FLOW_SECS {
             // Hold until it is time to go.
-            let depart = (next - 0.85).max(held_until + 0.35 * gap);
+            let depart = (next - LONGEST_WAY_SECS)
+                .max(held_until + 0.35 * gap)
+                .min(self.sets_out_secs(phrase));
             if depart > held_until + 0.05 {
                 self.settle(depart, 1.0);
             }
@@ -278,7 +313,7 @@ impl<'a> Planner<'a> {
                 let leaves = moves.find(|t| **t < time - 0.05).copied();
                 let leaves = leaves
                     .unwrap_or(time)
-                    .clamp(time - SHAPING_SECS[1], time - SHAPING_SECS[0]);
+                    .clamp(time - LONGEST_SHAPING_SECS, time - SHAPING_SECS);
                 let leaves = if prepared { leaves } else { phrase.start };
                 if leaves > self.out.fingers.last_secs() {
                     let held = self.out.fingers.last();
@@ -358,20 +393,20 @@ impl<'a> Planner<'a> {
     }
 
     /// A hold that a script asks for.
-    fn hold_on(&mut self, phrase: &Phrase) {
+    fn hold_on(&mut self, phrase: &Phrase, next: Option<&Phrase>) {
         if phrase.start - self.planned_secs() <= FLOW_SECS {
-            self.settle(phrase.hold_until, 0.0);
+            self.settle(self.held_until(phrase, next), 0.0);
         }
     }
 
     /// A return that a script asks for: after its keys to rest, or half-way there, by its end.
-    fn go_back(&mut self, phrase: &Phrase) {
+    fn go_back(&mut self, phrase: &Phrase, next: Option<&Phrase>) {
         self.settle(phrase.start, 1.0);
         self.push_wrists(phrase, true);
         self.push_hands(phrase);
         self.push_shapes(phrase);
         let last = phrase.keys.last().map_or(phrase.start, |k| k.time_secs);
-        let end = phrase.hold_until.max(self.planned_secs());
+        let end = self.held_until(phrase, next).max(self.planned_secs());
         self.returning = true;
         if phrase.phase == Phase::Retraction && end > last + 0.05 {
             self.arrive_at_rest(end);

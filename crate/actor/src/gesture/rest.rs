@@ -9,6 +9,7 @@ use raconteur_base::{DQuat, DVec3, Side, noise};
 use raconteur_body::hand_shape::HandAngles;
 use raconteur_body::{HandShape, Skeleton};
 
+use super::Life;
 use crate::gesture::space::BodySpace;
 use crate::{ArmRig, palm};
 
@@ -36,23 +37,19 @@ pub struct Rest {
     hanging: RestHand,
     in_front: RestHand,
     ready: DVec3,
-    seed: u64,
     side: Side,
-    /// Liveliness, 0 (still) to 1.
-    amount: f64,
+    life: Life,
 }
 
 impl Rest {
-    /// Places the postures on a figure. `amount` is how lively they change and drift, 0 (not
-    /// at all) to 1.
+    /// Places the postures on a figure.
     #[must_use]
     pub fn new(
         skeleton: &Skeleton,
         rig: &ArmRig,
         space: &BodySpace,
         side: Side,
-        seed: u64,
-        amount: f64,
+        life: &Life,
     ) -> Self {
         let scale = skeleton.stature_m() / 1.7;
         let sign = side.sign();
@@ -68,8 +65,8 @@ impl Rest {
         );
         let waist = space.waist_m();
         let front = space.front_m(waist);
-        // In front: the fingertips nearly meet, the right hand a little before the left.
-        let nearer = if side == Side::Right { 0.02 } else { 0.0 };
+        // In front: the fingertips nearly meet, the dominant hand a little before the other.
+        let nearer = if side == life.dominant { 0.02 } else { 0.0 };
         let in_front = DVec3::new(
             sign * 0.16 * scale,
             waist - nearer * 0.3 * scale,
@@ -92,9 +89,8 @@ impl Rest {
                 waist + 0.06 * scale,
                 front + 0.14 * scale,
             ),
-            seed,
             side,
-            amount,
+            life: *life,
         }
     }
 
@@ -102,10 +98,16 @@ impl Rest {
     #[must_use]
     pub fn at(&self, time_secs: f64) -> RestHand {
         let s = self.front_share(time_secs);
-        let size = 0.004 * self.amount;
-        let drift = |id| size * noise::perlin(self.seed ^ RANDOM_DRIFT, id, 0.23 * time_secs);
-        let k = 3 * self.side.index() as u64;
-        let drift = DVec3::new(drift(k), drift(k + 1), drift(k + 2));
+        let size = 0.004 * self.life.amount;
+        let seed = self.life.seed ^ RANDOM_DRIFT;
+        let drift = |id| size * noise::perlin(seed, id, 0.23 * time_secs);
+        // A left-hander drifts as a right-hander does in a mirror.
+        let (side, sign) = match self.life.dominant {
+            Side::Right => (self.side, 1.0),
+            Side::Left => (self.side.opposite(), -1.0),
+        };
+        let k = 3 * side.index() as u64;
+        let drift = DVec3::new(sign * drift(k), drift(k + 1), drift(k + 2));
         RestHand {
             wrist: self.hanging.wrist.lerp(self.in_front.wrist, s) + drift,
             hand: self.hanging.hand.slerp(self.in_front.hand, s),
@@ -128,16 +130,20 @@ impl Rest {
     /// 0 hanging, 1 in front.
     fn front_share(&self, time_secs: f64) -> f64 {
         let posture = |bucket: i64| {
-            let u = noise::unit(self.seed, RANDOM_POSTURE, bucket);
+            let u = noise::unit(self.life.seed, RANDOM_POSTURE, bucket);
             if u < HANGING_SHARE { 0.0 } else { 1.0 }
         };
         // A story does not begin with a change; the less lively, the longer a posture lasts.
-        let phase = time_secs * self.amount + 0.4 * KEEP_SECS;
+        let phase = time_secs * self.life.amount + 0.4 * KEEP_SECS;
         let bucket = (phase / KEEP_SECS).floor();
-        let since = (phase - bucket * KEEP_SECS) / self.amount.max(1e-6);
+        let since = (phase - bucket * KEEP_SECS) / self.life.amount.max(1e-6);
         let bucket = bucket as i64;
         // One arm follows the other by a tenth of a second.
-        let lag = if self.side == Side::Left { 0.1 } else { 0.0 };
+        let lag = if self.side == self.life.dominant {
+            0.0
+        } else {
+            0.1
+        };
         let s = minimum_jerk((since - lag) / CHANGE_SECS);
         let before = posture(bucket.wrapping_sub(1));
         before + (posture(bucket) - before) * s

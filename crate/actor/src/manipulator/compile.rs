@@ -93,7 +93,8 @@ impl Manipulators {
             if let Motion::Configure {
                 is_on: switch,
                 limits,
-            } = command.motion
+                preferred,
+            } = &command.motion
             {
                 let track = &mut self.tracks[command.limb.index()];
                 *on = switch.unwrap_or(*on);
@@ -101,7 +102,10 @@ impl Manipulators {
                     track.switch_control(at, false);
                 }
                 if let Some(limited) = limits {
-                    track.switch_limits(at, limited);
+                    track.switch_limits(at, *limited);
+                }
+                if let Some(preferred) = preferred {
+                    track.prefer(at, preferred);
                 }
             } else if *on {
                 let next = commands[i + 1..]
@@ -364,6 +368,7 @@ impl Manipulators {
             limited: f64::from(u8::from(limited)),
             set_in: 1.0,
             swivel_rad: None,
+            preference: self.tracks[limb.index()].preference(time_secs),
         };
         let met = self.meet(
             limb,

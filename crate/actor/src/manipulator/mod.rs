@@ -122,6 +122,9 @@ pub enum Motion {
         is_on: Option<bool>,
         /// Whether joints stay within their limits. They do until told otherwise.
         limits: Option<bool>,
+        /// Angles of the first joints, radians, that solutions are preferred near: the user's
+        /// preference of GEVH 3.3.2.1. An empty list leaves the choice to the limb again.
+        preferred: Option<Vec<f64>>,
     },
     /// Turns joints to angles at once, which takes as long as a quick movement does; joints
     /// without an angle stay (GEVH D.3.20).

@@ -10,7 +10,7 @@ use super::limits::{self, Limit};
 use super::rig::{Base, LimbRig, Posed, ROLL};
 use super::root::RootTrack;
 use super::solve::{AT_EASE, Choice, Solutions, choose, matrix_error};
-use super::swivel::Obstacles;
+use super::swivel::{Obstacles, Preference};
 use super::track::{Goal, Track};
 use super::{Frame, Joints, Limb, ManipulatorScript, Sex, lean};
 use crate::arm_ik::{ARM_BONES, ArmRig};
@@ -72,6 +72,8 @@ pub(super) struct Terms {
     pub(super) set_in: f64,
     /// The swivel from the natural direction; none: the best one.
     pub(super) swivel_rad: Option<f64>,
+    /// What the user prefers.
+    pub(super) preference: Preference,
 }
 
 /// A goal met as far as it can be.
@@ -332,6 +334,7 @@ impl Manipulators {
             limited: track.limited(time_secs) * set_in,
             set_in,
             swivel_rad: None,
+            preference: track.preference(time_secs),
         }
     }
 
@@ -365,6 +368,7 @@ impl Manipulators {
         let trunk = self.trunk(limb, skeleton, pose);
         let (_, _, base) = self.stand(limb, goal, terms.set_in, &trunk, pose);
         let obstacles = self.obstacles(limb, &trunk, skeleton, pose);
+        let preference = &terms.preference;
         let mut mean = 0.0;
         for (at, weight) in recent {
             let frame = match at.as_ref().unwrap_or(goal) {
@@ -372,7 +376,7 @@ impl Manipulators {
                 Goal::Frame { frame, .. } => *frame,
             };
             let near = self.projected(limb, &frame, &base, terms.limited);
-            mean += weight * rig.swivel_for(&near, &base, obstacles.as_ref());
+            mean += weight * rig.swivel_by(&near, &base, obstacles.as_ref(), preference);
         }
         Some(mean)
     }
@@ -431,7 +435,10 @@ impl Manipulators {
                 let near = self.projected(limb, frame, &base, terms.limited);
                 let swivel = terms.swivel_rad.unwrap_or_else(|| {
                     let obstacles = self.obstacles(limb, &trunk, skeleton, pose);
-                    self.swivel_for(limb, &near, &base, obstacles.as_ref())
+                    let rig = self.limbs.get(limb.index());
+                    rig.map_or(0.0, |rig| {
+                        rig.swivel_by(&near, &base, obstacles.as_ref(), &terms.preference)
+                    })
                 });
                 let found = self.solutions(limb, &near, &base, swivel + swivel_rad);
                 let error = |raw: &Joints, kept: &Joints| match self.limbs.get(limb.index()) {
@@ -483,17 +490,6 @@ impl Manipulators {
             }
             None => self.head.solutions(target, base, true),
         }
-    }
-
-    fn swivel_for(
-        &self,
-        limb: Limb,
-        target: &Frame,
-        base: &Base,
-        obstacles: Option<&Obstacles>,
-    ) -> f64 {
-        let rig = self.limbs.get(limb.index());
-        rig.map_or(0.0, |rig| rig.swivel_for(target, base, obstacles))
     }
 
     /// The bone that a limb stands on, figure axes.

@@ -9,8 +9,8 @@ use core::f64::consts::{FRAC_PI_2, PI};
 
 use raconteur_base::{DAffine3, DQuat, DVec3, Side, ops};
 
-use super::Frame;
 use super::rig::{Base, LimbRig};
+use super::{Frame, Joints};
 use crate::arm_ik::{TRUNK_HALF_AXES_M, natural_elbow};
 
 /// Swivels that are weighed: the first, radians from the natural direction (positive lifts
@@ -42,6 +42,17 @@ const LIMITS: f64 = 8.0;
 /// Sine of the angle to the back below which every upper arm is within its limits: a little
 /// less than the flexion overhead of table B.1 goes beyond 180°.
 const BACKWARDS: f64 = 0.45;
+
+/// Effort of an elbow or knee that points away from where the user prefers it. Designed: more
+/// than any strain, less than to go through the body or beyond limits.
+const PREFERRED: f64 = 3.0;
+/// Swivels that are weighed where there is a preference: the first, and how many.
+const PREFERRED_FIRST_RAD: f64 = -1.75;
+const PREFERRED_CANDIDATES: usize = 18;
+
+/// Joint angles that the user prefers, and how much each set counts, 0 to 1.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Preference(pub [(Option<Joints>, f64); 2]);
 
 /// What an arm must keep clear of, figure axes.
 #[derive(Clone, Copy, Debug)]
@@ -226,7 +237,25 @@ impl LimbRig {
     /// obstacles nothing is in the way.
     #[must_use]
     pub fn swivel_for(&self, target: &Frame, base: &Base, obstacles: Option<&Obstacles>) -> f64 {
-        let [direction, first, second] = self.axes_for(target, base);
+        self.swivel_by(target, base, obstacles, &Preference::default())
+    }
+
+    /// The same by the user's preference, which goes before comfort (GEVH 3.3.2.1).
+    #[must_use]
+    pub fn swivel_by(
+        &self,
+        target: &Frame,
+        base: &Base,
+        obstacles: Option<&Obstacles>,
+        preference: &Preference,
+    ) -> f64 {
+        let axes = self.axes_for(target, base);
+        let [direction, first, second] = axes;
+        let preferred = preference.0.map(|(joints, weight)| {
+            let joints = joints.filter(|_| weight > 0.0)?;
+            Some((self.hinge_across(&joints, base, axes), weight))
+        });
+        let is_preferred = preferred.iter().any(Option::is_some);
         let distance = (target.position - base.origin).length();
         let [flexion, _] = self.chain.flexions_for(distance);
         let hinge = self.chain.hinge();
@@ -254,13 +283,23 @@ impl LimbRig {
         });
         let (mut sum, mut weights) = (0.0, 0.0);
         let ([mut s, mut c], [step_s, step_c]) = (FIRST_SIN_COS, STEP_SIN_COS);
-        let (mut swivel, mut outwards) = (FIRST_RAD, first * c + second * s);
-        for _ in 0..CANDIDATES {
+        let (mut swivel, mut count) = (FIRST_RAD, CANDIDATES);
+        if is_preferred {
+            (swivel, count) = (PREFERRED_FIRST_RAD, PREFERRED_CANDIDATES);
+            (s, c) = ops::sincos(swivel);
+        }
+        let mut outwards = first * c + second * s;
+        for _ in 0..count {
             let mut effort = 0.16 * swivel * swivel + self.strain(&circle, outwards);
             let elbow = circle.elbow(outwards);
             let upper = elbow - base.origin;
             if self.is_arm && upper.dot(back) >= most_back_m {
                 effort += LIMITS * self.beyond(to_base * upper);
+            }
+            for ([along_first, along_second], weight) in preferred.into_iter().flatten() {
+                let aside = ops::hypot(along_first, along_second);
+                let off = aside - (along_first * c + along_second * s);
+                effort += PREFERRED * weight * off;
             }
             if let Some((clearance, [shoulder, wrist])) = clearance {
                 let arm = [circle.shoulder, elbow, circle.wrist];
@@ -274,6 +313,16 @@ impl LimbRig {
             swivel += STEP_RAD;
         }
         sum / weights
+    }
+
+    /// Where elbow or knee are with these joints, across the line to a target: along the two
+    /// axes that a swivel turns in, shares of the upper limb.
+    fn hinge_across(&self, joints: &Joints, base: &Base, axes: [DVec3; 3]) -> [f64; 2] {
+        let upper = base.rotation * self.link(joints) * self.link_from_upper;
+        let hinge = upper * self.chain.hinge();
+        let unit = hinge.try_normalize().unwrap_or(DVec3::ZERO);
+        let [_, first, second] = axes;
+        [unit.dot(first), unit.dot(second)]
     }
 
     /// Square of the angle by which an upper arm (base axes, any length) is beyond the limits of

@@ -5,6 +5,8 @@ use raconteur_base::curve::{lerp, minimum_jerk};
 use raconteur_base::{DAffine3, DQuat, DVec3};
 
 use super::path::Curve;
+use super::solve::AT_EASE;
+use super::swivel::Preference;
 use super::{Frame, Joints};
 
 /// Time in which a limb that is stopped comes to rest, seconds. Designed: as fast as muscles
@@ -172,6 +174,8 @@ pub(super) struct Track {
     segments: Vec<Segment>,
     control: Vec<Switch>,
     limits: Vec<Switch>,
+    /// Joint angles that are preferred from a time on; none: those at ease.
+    preferred: Vec<(f64, Option<Joints>)>,
 }
 
 impl Track {
@@ -258,6 +262,29 @@ impl Track {
             on,
             before,
         });
+    }
+
+    /// Prefers solutions near angles of the first joints, radians; near none if there are none.
+    pub(super) fn prefer(&mut self, time_secs: f64, angles_rad: &[f64]) {
+        let mut joints = AT_EASE;
+        for (joint, angle) in joints.iter_mut().zip(angles_rad) {
+            *joint = *angle;
+        }
+        let is_said = !angles_rad.is_empty();
+        self.preferred.push((time_secs, is_said.then_some(joints)));
+    }
+
+    /// What is preferred at a time; elbow or knee take their new way as slowly as after a
+    /// change of motion.
+    pub(super) fn preference(&self, time_secs: f64) -> Preference {
+        let said = self.preferred.partition_point(|(t, _)| *t <= time_secs);
+        let nth = |i: Option<usize>| i.and_then(|i| self.preferred.get(i));
+        let Some((since, now)) = nth(said.checked_sub(1)) else {
+            return Preference::default();
+        };
+        let before = nth(said.checked_sub(2)).and_then(|(_, joints)| *joints);
+        let share = minimum_jerk((time_secs - since) / SETTLE_SECS);
+        Preference([(before, 1.0 - share), (*now, share)])
     }
 
     /// Whether limits were last turned on.

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use raconteur_base::{DAffine3, DQuat, DVec3};
+use raconteur_base::{DAffine3, DQuat, DVec3, Side};
 
 use super::part::{Part, PartVertex};
 use super::subdivide::vertex_normals;
@@ -97,6 +97,7 @@ pub fn assemble(blueprint: &Blueprint) -> Figure {
         morph_names,
         lid_closure_rad: blueprint.lid_closure_rad,
         sex: None,
+        dominant_hand: Side::Right,
         tissue: None,
         images: blueprint.images.clone(),
     }
@@ -461,6 +462,13 @@ mod tests {
         };
         let back_again = read_figure("box", &to_glb(&woman)).unwrap();
         assert_eq!(back_again.sex, Some(1.0));
+        assert_eq!(back.dominant_hand, Side::Right);
+        let left = Figure {
+            dominant_hand: Side::Left,
+            ..figure.clone()
+        };
+        let back_left = read_figure("box", &to_glb(&left)).unwrap();
+        assert_eq!(back_left.dominant_hand, Side::Left);
         assert!((back.skeleton.stature_m() - 1.956).abs() < 1e-6);
         for (a, b) in back.skeleton.joints().iter().zip(figure.skeleton.joints()) {
             assert_eq!((&a.name, a.drive, a.parent), (&b.name, b.drive, b.parent));

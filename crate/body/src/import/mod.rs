@@ -22,7 +22,7 @@ mod material;
 mod names;
 mod unposed;
 
-use raconteur_base::DVec3;
+use raconteur_base::{DVec3, Side};
 
 use crate::figure::Figure;
 use crate::read::accessor::Source;
@@ -132,6 +132,7 @@ pub fn import_figure(name: &str, bytes: &[u8]) -> Result<Imported, ImportError> 
             // Foreign lids are moved by morph targets.
             lid_closure_rad: [0.0; 2],
             sex: None,
+            dominant_hand: Side::Right,
             tissue: None,
             images,
         },

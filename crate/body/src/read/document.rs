@@ -150,6 +150,7 @@ pub(crate) struct Document<'a> {
     pub(crate) stature_m: Option<f64>,
     pub(crate) lid_closure_rad: Option<[f64; 2]>,
     pub(crate) sex: Option<f64>,
+    pub(crate) is_left_handed: bool,
     /// The view that holds the tissue of the face.
     pub(crate) tissue: Option<usize>,
     pub(crate) nodes: Vec<Node>,
@@ -389,6 +390,7 @@ impl<'a> Document<'a> {
             stature_m: extras["statureMetres"].number(),
             lid_closure_rad: numbers(extras, "lidClosureRadians"),
             sex: extras["sex"].number(),
+            is_left_handed: extras["handedness"].text() == Some("left"),
             tissue: index(extras, "tissue"),
             nodes: all("nodes").map(node).collect(),
             skins: all("skins").map(skin).collect(),

@@ -2,6 +2,7 @@
 //! (GEVH 3.5.4 describes them without a syntax).
 
 use crate::record::{record, words};
+use raconteur_base::Side;
 
 words! {
     /// What expressions beside speech are made from.
@@ -10,6 +11,27 @@ words! {
         Sound = "sound",
         /// The text: accents, phrases and kinds of sentences (F&H section 4.3).
         Text = "text",
+    }
+}
+
+words! {
+    /// The hand that somebody writes and points with.
+    PreferredHand {
+        /// The left one.
+        Left = "left",
+        /// The right one.
+        Right = "right",
+    }
+}
+
+impl PreferredHand {
+    /// Its side.
+    #[must_use]
+    pub fn side(self) -> Side {
+        match self {
+            Self::Left => Side::Left,
+            Self::Right => Side::Right,
+        }
     }
 }
 
@@ -22,6 +44,8 @@ record! {
         voice: Option<String> = "voice",
         /// The language of the speech, as in BCP 47.
         language: Option<String> = "language",
+        /// The dominant hand.
+        handedness: Option<PreferredHand> = "handedness",
         /// What expressions beside speech are made from.
         expressions: Option<Expressions> = "expressions",
         /// How far the head is raised and tilted with speech.

@@ -37,6 +37,9 @@ record! {
         is_on: Option<bool> = "isOn",
         /// Whether its joints have limits.
         joint_limits_active: Option<bool> = "jointLimitsActive",
+        /// Joint angles, degrees, that solutions are preferred near (extension); an empty list
+        /// takes a preference back.
+        preferred_deg: Option<Vec<f64>> = "preferred",
     }
 }
 

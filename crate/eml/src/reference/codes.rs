@@ -170,6 +170,10 @@ pub const CODES: &[(&str, &str)] = &[
         "There are more elements of a kind than their parent may hold.",
     ),
     (
+        "eml::surplus-joints",
+        "More joint angles are preferred than the manipulator has joints; the rest is ignored.",
+    ),
+    (
         "eml::time-cycle",
         "Times wait for each other; the chain is printed.",
     ),

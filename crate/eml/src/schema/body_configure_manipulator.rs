@@ -1,15 +1,15 @@
 //! `body-configure-manipulator`: switches a manipulator.
 
 use super::common::MANIPULATOR;
-use super::{Attribute, Element};
-use crate::ClauseKind;
+use super::{Attribute, Context, Element, Fields, Kind};
+use crate::{ClauseKind, ConfigureManipulator, Diagnostic};
 
 pub(super) static ELEMENT: Element = Element {
     doc: doc!("Switches a manipulator and its joint limits."),
     decision: doc!(
-        "The manipulators are leftArm, rightArm, leftLeg, rightLeg and head; what is left out stays as it is."
+        "The manipulators are leftArm, rightArm, leftLeg, rightLeg and head; what is left out stays as it is. Of several solutions for a target the one that meets it best is taken, then the one with the least variation of joints; preferred joints are the third filter that GEVH 3.3.2.1 names, and go before comfort: they say where elbow or knee point."
     ),
-    source: doc!("GEVH D.3.19"),
+    source: doc!("GEVH D.3.19, 3.3.2.1"),
     example: doc!(
         "<body-configure-manipulator time='0' manipulator='leftArm' isOn='true' jointLimitsActive='false'/>"
     ),
@@ -17,11 +17,38 @@ pub(super) static ELEMENT: Element = Element {
         MANIPULATOR,
         Attribute::flag("isOn", doc!("Whether it moves its limb.")).aliases(&["is0n"]),
         Attribute::flag("jointLimitsActive", doc!("Whether its joints have limits.")),
+        Attribute::new(
+            "preferred",
+            Kind::Numbers,
+            doc!("Joint angles, j1 to j6 as in body-non-deterministic-fk, of which the first few will do: of several ways to reach a target the limb takes the one nearest to them. Nothing between the quotes leaves the choice to the limb again."),
+        )
+        .unit("°")
+        .extension(),
     ],
-    ..Element::record("body-configure-manipulator", || {
-        ClauseKind::ConfigureManipulator(Default::default())
-    })
+    ..Element::clause("body-configure-manipulator", build)
 };
+
+fn build(cx: &mut Context<'_>, node: usize, fields: &Fields<'_>) -> Option<ClauseKind> {
+    let mut configure = ConfigureManipulator::default();
+    if !cx.record(node, fields, &mut configure) {
+        return None;
+    }
+    let joints = configure.manipulator.joints();
+    if let Some(preferred) = &mut configure.preferred_deg
+        && preferred.len() > joints
+    {
+        let message = format!(
+            "{} has {joints} joints, not {}",
+            configure.manipulator.word(),
+            preferred.len()
+        );
+        let span = fields.span_of("preferred");
+        cx.sink
+            .push(Diagnostic::warning("eml::surplus-joints", span, message));
+        preferred.truncate(joints);
+    }
+    Some(ClauseKind::ConfigureManipulator(configure))
+}
 
 #[cfg(test)]
 mod tests {
@@ -39,6 +66,30 @@ mod tests {
         assert_eq!(c.manipulator, Manipulator::RightLeg);
         assert_eq!((c.is_on, c.joint_limits_active), (None, Some(false)));
     }
+
+    #[test]
+    fn preferred_joints_are_kept_as_far_as_there_are_joints() {
+        let text = |n: &str| {
+            format!(
+                "<eml xmlns:x='urn:raconteur:eml:1'><body><body-configure-manipulator time='0' \
+                 manipulator='head' x:preferred='{n}'/></body></eml>"
+            )
+        };
+        let preferred = |n: &str| {
+            let parsed = crate::parse(&text(n));
+            let ClauseKind::ConfigureManipulator(c) = &parsed.document.clauses[0].kind else {
+                panic!()
+            };
+            let codes: Vec<_> = parsed.diagnostics.iter().map(|d| d.code).collect();
+            (c.preferred_deg.clone(), codes)
+        };
+        assert_eq!(preferred("30 -20.5"), (Some(vec![30.0, -20.5]), vec![]));
+        assert_eq!(preferred(""), (Some(vec![]), vec![]));
+        let (kept, codes) = preferred("1 2 3 4 5 6 7");
+        assert_eq!(kept.map(|k| k.len()), Some(5));
+        assert_eq!(codes, ["eml::surplus-joints"]);
+    }
+
     #[test]
     fn only_known_limbs_are_manipulators() {
         assert_eq!(

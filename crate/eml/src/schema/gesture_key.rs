@@ -11,7 +11,7 @@ pub(super) static ELEMENT: Element = Element {
         "Moves the hands through shapes, palm orientations and positions. A feature that is left out keeps its value."
     ),
     decision: doc!(
-        "The default of handedness is not given; both is assumed. A track for a hand that takes no part is ignored with a warning. In a preparation or retraction a lone key lies at the end of the phase, elsewhere at its beginning."
+        "The default of handedness is not given; both is assumed. A track for a hand that takes no part is ignored with a warning, and so is one for the left or right hand in a gesture of the dominant or the other hand. In a preparation or retraction a lone key lies at the end of the phase, elsewhere at its beginning."
     ),
     source: doc!("GEVH D.5.2"),
     example: doc!(
@@ -22,8 +22,8 @@ pub(super) static ELEMENT: Element = Element {
         Attribute::seconds("duration", doc!("The length of the gesture.")).required(),
         Attribute::choice(
             "handedness",
-            &["both", "left", "right"],
-            doc!("The hands that take part."),
+            &["both", "left", "right", "dominant", "non-dominant"],
+            doc!("The hands that take part. dominant and non-dominant (an extension) are those of the speaker: palms and motion are written for the hand that r:performer says, and mirrored where the speaker has the other."),
         )
         .default("both"),
         Attribute::choice(
@@ -44,11 +44,9 @@ pub(super) static ELEMENT: Element = Element {
 };
 
 fn build(cx: &mut Context<'_>, node: usize, fields: &Fields<'_>) -> Option<ClauseKind> {
-    let handedness = match cx.choice(fields, "handedness") {
-        Some("left") => Handedness::Left,
-        Some("right") => Handedness::Right,
-        _ => Handedness::Both,
-    };
+    let word = cx.choice(fields, "handedness");
+    let known = Handedness::WORDS.iter().find(|(_, w)| Some(*w) == word);
+    let handedness = known.map_or(Handedness::Both, |(handedness, _)| *handedness);
     let duration_secs = cx.number(fields, "duration")?;
     let mut phase: Option<Phase> = None;
     phase.set(cx.value(fields, "phase"));

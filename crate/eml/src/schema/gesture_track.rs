@@ -188,13 +188,23 @@ pub(super) fn add<K>(
 ) {
     let Some(track) = track else { return };
     let covers = |track: &Track<K>, side: Side| {
-        handedness.includes(side) && track.hand.is_none_or(|hand| hand == side)
+        // Whose hand is meant by dominant nobody knows yet; no track may say it by itself.
+        let takes_part = if handedness.is_relative() {
+            track.hand.is_none()
+        } else {
+            handedness.includes(side, Side::Right)
+        };
+        takes_part && track.hand.is_none_or(|hand| hand == side)
     };
     if !Side::BOTH.iter().any(|&side| covers(&track, side)) {
         cx.sink.push(Diagnostic::warning(
             "eml::handedness",
             track.span,
-            "this hand takes no part in the gesture; the track is ignored",
+            if handedness.is_relative() {
+                "which hand is dominant is the speaker's; the track of one hand is ignored"
+            } else {
+                "this hand takes no part in the gesture; the track is ignored"
+            },
         ));
         return;
     }

@@ -1,7 +1,7 @@
 //! `performer`: who performs, in what voice, language and manner.
 
 use super::{Attribute, Element};
-use crate::Expressions;
+use crate::{Expressions, PreferredHand};
 
 pub(super) static ELEMENT: Element = Element {
     doc: doc!(
@@ -19,6 +19,7 @@ pub(super) static ELEMENT: Element = Element {
         "figure",
         "voice",
         "language",
+        "handedness",
         "expressions",
         "head",
         "brows",
@@ -32,6 +33,13 @@ pub(super) static ELEMENT: Element = Element {
         Attribute::identifier(
             "language",
             doc!("The language of the speech, as in BCP 47."),
+        ),
+        Attribute::choice(
+            "handedness",
+            PreferredHand::WORDS,
+            doc!(
+                "The dominant hand, which the script is written for; right when left out. Whoever shows the story may choose the other one, and so may the figure where the script does not say: gestures of the dominant and the other hand are then mirrored."
+            ),
         ),
         Attribute::choice(
             "expressions",

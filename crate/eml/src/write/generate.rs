@@ -215,7 +215,7 @@ impl Dice {
     }
 
     fn gesture(&mut self) -> GestureKey {
-        let handedness = self.pick(&[Handedness::Both, Handedness::Left, Handedness::Right]);
+        let handedness = self.pick(&Handedness::WORDS).0;
         let mut phase: Option<Phase> = None;
         if self.one_in(2) {
             phase.set(self.value(Kind::Choice(Phase::WORDS)));
@@ -225,7 +225,7 @@ impl Dice {
             Handedness::Left => vec![Some(Side::Left)],
             Handedness::Right => vec![None],
             Handedness::Both if self.one_in(2) => vec![Some(Side::Right), Some(Side::Left)],
-            Handedness::Both => vec![None],
+            Handedness::Both | Handedness::Dominant | Handedness::NonDominant => vec![None],
         };
         let (shapes, palms, motions) = (sides(), sides(), sides());
         GestureKey {

@@ -125,12 +125,9 @@ impl Tag {
     /// Adds what a gesture-key holds. All times of keys are given, so that none is spread.
     pub(super) fn gesture(&mut self, gesture: &GestureKey) {
         self.number("duration", Some(gesture.duration_secs));
-        let handedness = match gesture.handedness {
-            Handedness::Both => "both",
-            Handedness::Left => "left",
-            Handedness::Right => "right",
-        };
-        self.word("handedness", Some(handedness));
+        let words = Handedness::WORDS.iter();
+        let mut word = words.filter(|(handedness, _)| *handedness == gesture.handedness);
+        self.word("handedness", word.next().map(|(_, word)| *word));
         self.word("phase", gesture.phase.map(crate::Phase::word));
         self.profile(gesture.pace.as_deref());
         for track in &gesture.hand_shapes {

@@ -17,7 +17,7 @@ use raconteur_speech::Bundle;
 
 use crate::cues::{ClauseRef, Cue, CueKind, UtteranceCue};
 use crate::feelings;
-use crate::gestures::{Reach, out_of_reach};
+use crate::gestures::{Hands, Reach, out_of_reach};
 use crate::motion;
 use crate::part::{Carried, Part};
 use crate::script::{Script, Sources, delayed};
@@ -101,6 +101,7 @@ struct Allowance {
 pub(crate) struct Scene<'a> {
     pub(crate) units: &'a Units,
     pub(crate) reach: &'a Reach,
+    pub(crate) hands: Hands,
     pub(crate) bundle: Option<&'a Arc<Bundle>>,
     pub(crate) library: &'a Library,
     /// The story's named sets of tracks, for fragments that have none.
@@ -258,7 +259,7 @@ impl Live {
         script.feels = scene.feels;
         performed.diagnostics.append(&mut script.diagnostics);
         let (document, units) = (&script.document, scene.units);
-        let far = out_of_reach(document, units, scene.reach);
+        let far = out_of_reach(document, units, scene.reach, scene.hands);
         performed.diagnostics.extend(far);
         if script.feels {
             let unknown = feelings::problems(document);
@@ -269,7 +270,7 @@ impl Live {
             performed.diagnostics.extend(limbs);
         }
         script.timeline = delayed(script.timeline, base_secs);
-        let sudden = Part::new(&script, scene.units, 0, None);
+        let sudden = Part::new(&script, scene.units, scene.hands, 0, None);
         let run_up_secs = run_up(&sudden, scene.actor, base_secs);
         script.timeline = delayed(script.timeline, run_up_secs);
         let lead_in_secs = script.timeline.lead_in_secs - base_secs;
@@ -302,6 +303,7 @@ impl Live {
         let part = Part::new(
             &script,
             scene.units,
+            scene.hands,
             first_utterance,
             Some(performed.fragment),
         );

@@ -243,6 +243,7 @@ pub(crate) fn figure() -> Figure {
         morph_names: vec!["jawOpen".to_owned()],
         lid_closure_rad: [0.6; 2],
         sex: None,
+        dominant_hand: raconteur_base::Side::Right,
         images: Vec::new(),
         tissue: None,
     }

@@ -1,0 +1,81 @@
+//! How long hands need from one key to another.
+
+use raconteur_base::{DQuat, DVec3};
+use raconteur_body::hand_shape::HandAngles;
+
+use super::path::reach_secs;
+
+/// Fastest mean speed of a wrist, metres a second: with the peak of a free movement 4.1 m/s, as
+/// in brisk conversation. What a script wants faster comes later.
+pub(super) const FASTEST_M_S: f64 = 2.2;
+/// Fastest mean turn of a hand, radians a second: half a turn takes a fifth of a second.
+/// Designed.
+pub(super) const FASTEST_TURN_RAD_S: f64 = 15.0;
+/// Fastest mean speed of a finger joint, radians a second: a fist closes in a tenth of a
+/// second at best. Designed.
+pub(super) const FASTEST_FINGER_RAD_S: f64 = 18.0;
+/// A key that repeats the place of the one before within this distance keeps it, metres.
+pub(super) const SAME_PLACE_M: f64 = 1e-6;
+/// Turns and finger angles within this are one, radians.
+const SAME_RAD: f64 = 1e-6;
+/// Time of an unhurried turn: for setting it going, and for each radian, seconds. Designed:
+/// half a turn takes 0.7 s, as long as a reach of 20 cm.
+const TURN_SECS: [f64; 2] = [0.2, 0.16];
+/// Time in which fingers form another shape unhurried, seconds. Designed.
+pub(super) const SHAPING_SECS: f64 = 0.35;
+
+/// Times for a way, seconds.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Needed {
+    /// The shortest that the planner plans.
+    pub(super) least_secs: f64,
+    /// What people take who are not pressed.
+    pub(super) easy_secs: f64,
+}
+
+impl Needed {
+    /// For a wrist.
+    pub(super) fn by_wrist(from: DVec3, to: DVec3) -> Self {
+        let way_m = from.distance(to);
+        if way_m <= SAME_PLACE_M {
+            return Self::default();
+        }
+        let least_secs = way_m / FASTEST_M_S;
+        Self {
+            least_secs,
+            easy_secs: reach_secs(way_m).max(least_secs),
+        }
+    }
+
+    /// For the turn of a hand.
+    pub(super) fn by_hand(from: DQuat, to: DQuat) -> Self {
+        let turn_rad = from.angle_between(to);
+        if turn_rad <= SAME_RAD {
+            return Self::default();
+        }
+        Self {
+            least_secs: turn_rad / FASTEST_TURN_RAD_S,
+            easy_secs: TURN_SECS[0] + TURN_SECS[1] * turn_rad,
+        }
+    }
+
+    /// For the fingers.
+    pub(super) fn by_fingers(from: &HandAngles, to: &HandAngles) -> Self {
+        let turn_rad = from.greatest_difference(to);
+        if turn_rad <= SAME_RAD {
+            return Self::default();
+        }
+        Self {
+            least_secs: turn_rad / FASTEST_FINGER_RAD_S,
+            easy_secs: SHAPING_SECS,
+        }
+    }
+
+    /// For two things at once.
+    pub(super) fn and(self, other: Self) -> Self {
+        Self {
+            least_secs: self.least_secs.max(other.least_secs),
+            easy_secs: self.easy_secs.max(other.easy_secs),
+        }
+    }
+}
