@@ -30,7 +30,7 @@ export async function fetchStory(
   src: string | undefined,
   text: string | undefined,
   library: URL,
-  figure: (progress: Progress) => Promise<FigureFile>,
+  figure: (eml: Promise<string>, progress: Progress) => Promise<FigureFile>,
   signal: AbortSignal,
   progress: Progress,
 ): Promise<StoryFiles> {
@@ -42,14 +42,15 @@ export async function fetchStory(
     shares[i] = share;
     progress(shares.reduce((sum, s, k) => sum + s * (weights[k] ?? 0), 0));
   };
+  const told = text === undefined ? fetchBytes(story, 'The story', MOST_STORY_BYTES, signal, part(0)).then((bytes) => new TextDecoder().decode(bytes)) : Promise.resolve(text);
   const [eml, bundle, who] = await Promise.all([
-    text ?? fetchBytes(story, 'The story', MOST_STORY_BYTES, signal, part(0)).then((bytes) => new TextDecoder().decode(bytes)),
+    told,
     src && fetchBytes(new URL('speech.json', voiceFolder), 'The voice', MOST_STORY_BYTES, signal, part(1)).catch((error: unknown) => {
       // A story without a recorded voice is told in captions.
       if (error instanceof PlayerError) return undefined;
       throw error;
     }),
-    figure(part(2)),
+    figure(told, part(2)),
   ]);
   signal.throwIfAborted();
   return { eml, bundle: bundle || undefined, figure: who, voiceFolder, animations: new Animations(library, story), edited: text !== undefined };
@@ -63,9 +64,8 @@ function urlOfFigure(figure: string, library: URL): URL {
 /** Figures are the largest files and are shared by the players of a page. */
 const figures = new Map<string, Promise<Uint8Array>>();
 
-/** A figure by its name in the library or its address. */
-export async function fetchFigure(figure: string, library: URL, progress: Progress): Promise<FigureFile> {
-  const url = urlOfFigure(figure, library);
+/** A figure by its name in the library or its address, or where it lies for certain. */
+export async function fetchFigure(figure: string, library: URL, progress: Progress, url = urlOfFigure(figure, library)): Promise<FigureFile> {
   return await prepareFigure(figure, shown(url), await fetchShared(url, progress));
 }
 

@@ -107,6 +107,12 @@ impl Sink {
         }
     }
 
+    /// Whether a problem within a place has been told.
+    pub(crate) fn tells_of(&self, place: Span) -> bool {
+        let within = |d: &Diagnostic| place.start <= d.span.start && d.span.end <= place.end;
+        self.list.iter().any(within)
+    }
+
     /// Whether further diagnostics are only counted, so that what they say does not matter.
     pub(crate) fn is_full(&self) -> bool {
         self.list.len() >= self.limit

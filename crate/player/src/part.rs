@@ -150,6 +150,7 @@ pub(crate) fn performance<'a>(
         listener_in_world,
         sex,
         trunk: Some(trunk),
+        welcomes: false,
     }
 }
 

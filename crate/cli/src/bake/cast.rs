@@ -25,6 +25,8 @@ pub(crate) struct Cast {
     known: Mutex<BTreeMap<String, &'static Known>>,
     /// The story's own voice.
     pub(crate) lead: Role,
+    /// The story's own language, a tag of BCP 47; none: that of the voice.
+    pub(crate) language: Option<String>,
 }
 
 struct Known {
@@ -47,6 +49,7 @@ impl Cast {
                 engine: engine.to_owned(),
                 voice: VoiceInfo::default(),
             },
+            language: None,
         };
         cast.lead.voice = match voice {
             Some(voice) => cast.voice(engine, voice)?,
@@ -61,6 +64,17 @@ impl Cast {
             }
         };
         Ok(cast)
+    }
+
+    /// What names no other language is said in this one, a tag of BCP 47; by another voice
+    /// where the lead's does not speak it.
+    ///
+    /// # Errors
+    /// When no voice speaks it.
+    pub(crate) fn speak_in(&mut self, tag: String) -> Result<()> {
+        self.lead = self.role(&self.lead, &Speaker::default(), &tag)?;
+        self.language = Some(tag);
+        Ok(())
     }
 
     fn known(&self, name: &str) -> Result<&'static Known> {
@@ -93,7 +107,8 @@ impl Cast {
             let names: Vec<&str> = known.voices.iter().map(|v| v.name.as_str()).collect();
             let some = names[..names.len().min(12)].join(", ");
             format!(
-                "{engine} has no voice {name}; it has {some} (see raconteur bake --list-voices)"
+                "{engine} has no voice {name}; it has {some}; {}",
+                engine::hint_among(name, &names)
             )
         })
     }
@@ -120,7 +135,7 @@ impl Cast {
     /// When there is none of that name; the message says what to do.
     pub(crate) fn named(&self, name: &str) -> Result<Role> {
         let (engine, voice) = engine::find_voice(name).with_context(|| {
-            format!("no engine has a voice {name} (see raconteur bake --list-voices)")
+            format!("no engine has a voice {name}; {}", engine::voice_hint(name))
         })?;
         Ok(Role {
             voice: self.voice(&engine, &voice)?,

@@ -19,7 +19,7 @@ pub(crate) struct Check {
     #[arg(required = true)]
     files: Vec<PathBuf>,
     /// The figure whose reach is checked: a name, or the path of a .glb file. Without this,
-    /// sofia where she is found.
+    /// the one that the story chooses, else sofia, where they are found.
     #[arg(long)]
     figure: Option<String>,
     /// How to report.
@@ -55,8 +55,7 @@ impl Check {
     }
 
     fn diagnostics(&self, files: &StoryFiles) -> Result<Vec<Diagnostic>> {
-        let name = self.figure.as_deref().unwrap_or("sofia");
-        match files.player(name, Shot::Medium) {
+        match files.player(self.figure.as_deref(), Shot::Medium) {
             Ok(loaded) => Ok(loaded.diagnostics),
             Err(error) if self.figure.is_some() => Err(error),
             Err(_) => {

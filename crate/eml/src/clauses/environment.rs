@@ -16,7 +16,7 @@ words! {
 record! {
     /// Who performs the script, in what voice and language, and in which manner.
     Performer = "performer" {
-        /// The figure's name.
+        /// The figure: a name of the library, or a file beside the story.
         figure: Option<String> = "figure",
         /// The voice's name.
         voice: Option<String> = "voice",

@@ -25,6 +25,7 @@ use std::sync::OnceLock;
 
 use anyhow::{Context as _, Result, bail, ensure};
 
+use raconteur_player::eml::nearest;
 use raconteur_player::speech::bundle::SentenceKind;
 pub(crate) use raconteur_player::speech::content::Gender;
 use raconteur_player::speech::plan::Plan;
@@ -148,16 +149,10 @@ pub(crate) fn by_name(name: &str, options: &EngineOptions) -> Result<Box<dyn Eng
     })
 }
 
-/// The engine that has a voice of this name, and the name that the engine knows it by.
-/// `ENGINE:VOICE` names both. Otherwise the engines that are installed on this machine are
-/// asked, in the order of [`ENGINES`]; `None` when none has it.
-pub(crate) fn find_voice(name: &str) -> Option<(String, String)> {
-    if let Some((engine, voice)) = name.split_once(':') {
-        let engine = ENGINES.into_iter().find(|e| *e == engine)?;
-        return Some((engine.to_owned(), voice.to_owned()));
-    }
+/// The voices of the engines that are installed on this machine, in the order of [`ENGINES`].
+fn installed() -> &'static [(&'static str, Vec<VoiceInfo>)] {
     static INSTALLED: OnceLock<Vec<(&'static str, Vec<VoiceInfo>)>> = OnceLock::new();
-    let installed = INSTALLED.get_or_init(|| {
+    INSTALLED.get_or_init(|| {
         let asked: [(&str, &dyn Engine); 3] = [
             ("festival", &festival::Festival),
             ("flite", &flite::Flite),
@@ -167,8 +162,39 @@ pub(crate) fn find_voice(name: &str) -> Option<(String, String)> {
         asked
             .map(|(n, e)| (n, e.voices().unwrap_or_default()))
             .into()
-    });
-    installed.iter().find_map(|(engine, voices)| {
+    })
+}
+
+/// What to do about a voice that no engine has.
+pub(crate) fn voice_hint(name: &str) -> String {
+    if let Some((engine, _)) = name.split_once(':')
+        && !ENGINES.contains(&engine)
+    {
+        return hint_among(engine, &ENGINES);
+    }
+    let all = installed().iter().flat_map(|(_, voices)| voices);
+    let names: Vec<&str> = all.map(|v| v.name.as_str()).collect();
+    hint_among(name, &names)
+}
+
+/// The name that is meant, where one is near, and where all of them are listed.
+pub(crate) fn hint_among(name: &str, known: &[&str]) -> String {
+    let list = "see raconteur bake --list-voices";
+    match nearest(name, known.iter().copied()) {
+        Some(near) => format!("did you mean {near}? ({list})"),
+        None => list.to_owned(),
+    }
+}
+
+/// The engine that has a voice of this name, and the name that the engine knows it by.
+/// `ENGINE:VOICE` names both. Otherwise the engines that are installed on this machine are
+/// asked, in the order of [`ENGINES`]; `None` when none has it.
+pub(crate) fn find_voice(name: &str) -> Option<(String, String)> {
+    if let Some((engine, voice)) = name.split_once(':') {
+        let engine = ENGINES.into_iter().find(|e| *e == engine)?;
+        return Some((engine.to_owned(), voice.to_owned()));
+    }
+    installed().iter().find_map(|(engine, voices)| {
         // Variants of espeak-ng: `de+f3`.
         let base = match name.split_once('+') {
             Some((base, _)) if *engine == "espeak-ng" => base,
