@@ -1,7 +1,7 @@
 /** The voice: the utterances' recordings, played through Web Audio at their places in the story. */
 
 import type { Music } from './music.js';
-import type { Spoken } from './spoken.js';
+import type { Manner, Spoken } from './spoken.js';
 import type { Piece, Utterance } from './types.js';
 
 /** What keeps the time of a performance and lets it be heard. Source time is in seconds. */
@@ -27,10 +27,10 @@ export interface Voice {
   /** The music under the words; `library` is the folder of its pieces. */
   setMusic(pieces: readonly Piece[], library: URL): void;
   /**
-   * Has the browser's own voice say what has no recording; `language` is that of the page. Its
-   * name, or undefined where the browser has none that speaks the language.
+   * Has the browser's own voice say what has no recording, `usual` being how, where the story does
+   * not tell. Its name, or undefined where the browser has none that speaks the language.
    */
-  substitute(language: string): Promise<string | undefined>;
+  substitute(usual: Manner): Promise<string | undefined>;
   close(): void;
 }
 
@@ -173,16 +173,16 @@ export class RecordedVoice implements Voice {
     this.#awaited = false;
   }
 
-  async substitute(language: string): Promise<string | undefined> {
-    if ('speechSynthesis' in window) await (this.#finding ??= this.#findVoice(language));
+  async substitute(usual: Manner): Promise<string | undefined> {
+    if ('speechSynthesis' in window) await (this.#finding ??= this.#findVoice(usual));
     return this.#spoken?.name;
   }
 
-  async #findVoice(language: string): Promise<void> {
+  async #findVoice(usual: Manner): Promise<void> {
     this.#found = false;
     try {
       const { Spoken } = await import('./spoken.js');
-      const spoken = await Spoken.find(this.#utterances, language, (why) => this.#onMissing(undefined, why));
+      const spoken = await Spoken.find(this.#utterances, usual, (why) => this.#onMissing(undefined, why));
       if (!this.#abort.signal.aborted) this.#spoken = spoken;
       spoken.setVolume(this.#volume);
       if (this.#run) spoken.start(this.#run.rate);

@@ -6,11 +6,12 @@ import webglMoreUrl from '../pkg/webgl/raconteur_more.wasm?url';
 import webgpuUrl from '../pkg/webgpu/raconteur_bg.wasm?url';
 import webgpuFaceUrl from '../pkg/webgpu/raconteur_face.wasm?url';
 import webgpuMoreUrl from '../pkg/webgpu/raconteur_more.wasm?url';
-import { PlayerError, type Backend, type Engine } from './types.js';
+import { PlayerError, type Backend, type Engine, type Performer } from './types.js';
 
 /** What the JavaScript side of a build gives for one instance. */
 interface Instance {
   (source: { module_or_path: WebAssembly.Module }): Promise<WebAssembly.ModuleImports>;
+  performerOf(eml: string): Performer;
   faceJoined(): void;
   moreJoined(): void;
   Player: { create(canvas: HTMLCanvasElement | undefined): Promise<Engine> };
@@ -66,6 +67,14 @@ export async function createEngine(backend: Backend, canvas: HTMLCanvasElement |
     throw error;
   })));
   return engine;
+}
+
+/** Whom a text chooses to perform it, by an instance of its own: nobody is on stage yet. */
+export async function performerOf(backend: Backend, eml: string): Promise<Performer> {
+  const [script, module] = await Promise.all([scripts[backend](), compile(urls[backend])]);
+  const instance = script.default() as Instance;
+  await instance({ module_or_path: module });
+  return instance.performerOf(eml);
 }
 
 /** Fetches a part into an engine: texts that it reads later are performed with it. */

@@ -4,19 +4,21 @@ import { html, LitElement, nothing, unsafeCSS, type PropertyValues } from 'lit';
 import { classMap } from 'lit/directives/class-map.js';
 import { hasAudio, RecordedVoice, SilentVoice, wakeAudio, type Voice } from './audio.js';
 import { chooseBackend, warmUp } from './backend.js';
+import { fetchChoice, figureOf, refusal, USUAL_FIGURE } from './cast.js';
 import { captionAt, captionsOf, type Caption } from './captions.js';
 import * as parts from './controls.js';
 import look from './element.css?inline';
 import type { MindLink } from './mind.js';
 import { handleKey, type KeyActions } from './keyboard.js';
-import type { FigureFile } from './figure.js';
+import { FigureError, type FigureFile } from './figure.js';
 import { LiveScript } from './live.js';
 import { Idle } from './idle.js';
 import { fetchFigure, fetchStory, readFigure, type Progress, type StoryFiles } from './loader.js';
-import { Picture } from './picture.js';
+import { Picture, trapped, type PictureEvents } from './picture.js';
 import { Pulse } from './pulse.js';
 import { Transport, type TransportEvent } from './transport.js';
 import { PlayerError, type Answer, type Backend, type Cue, type Diagnostic, type FaceCourse, type Hand, type MindState, type PlayerEventMap, type Quality, type Statistics, type Story, type View } from './types.js';
+import { Welcome } from './welcome.js';
 
 /** Senders of fragments, as the engine tells them apart. */
 const PAGE = 0;
@@ -32,6 +34,8 @@ interface Show {
   story: Story;
   /** Name of the figure on stage. */
   figure: string;
+  /** The figure that the story chooses. */
+  choice: string | undefined;
   files: StoryFiles;
   /** When loading began, on the page's clock. */
   readonly sinceMs: number;
@@ -71,10 +75,11 @@ export class RaconteurPlayer extends LitElement {
   /** Address of the story's EML file; its voice lies in `voice/` beside it. */
   declare src: string | undefined;
   /**
-   * Name of a figure of the library, or the address of a `.glb` or `.vrm`. The figure before stays
-   * on stage until this one is ready, and for good when it cannot be used.
+   * Name of a figure of the library, or the address of a `.glb` or `.vrm`. Without it the figure that
+   * the story chooses performs (`r:performer`), else `sofia`; `currentFigure` tells who does. The
+   * figure before stays on stage until this one is ready, and for good when it cannot be used.
    */
-  declare figure: string;
+  declare figure: string | undefined;
   /** The dominant hand of who performs; otherwise the story says it, or else the figure. */
   declare handedness: Hand | undefined;
   /** Address (`ws:` or `wss:`) of a mind: EML that it sends is performed, and it is told what happens. See docs/live.md. */
@@ -130,6 +135,7 @@ export class RaconteurPlayer extends LitElement {
       this.requestUpdate();
     },
   );
+  readonly #welcome = new Welcome(() => this.#advance());
   readonly #idle = new Idle(
     // Controls that hold the keyboard's focus stay.
     () => this.paused || this.renderRoot.querySelector('.bar :focus-visible') !== null,
@@ -141,7 +147,6 @@ export class RaconteurPlayer extends LitElement {
 
   constructor() {
     super();
-    this.figure = 'sofia';
     this.quality = 'auto';
     this.assets = 'assets/';
     this.label = 'Story';
@@ -382,21 +387,27 @@ export class RaconteurPlayer extends LitElement {
     let picture: Picture | undefined;
     try {
       if (!this.src && this.#text === undefined) throw new PlayerError('No story is given: set the attribute src.');
-      const [files, backend] = await Promise.all([
-        fetchStory(this.src, this.#text, this.#library, (part) => this.#fetchFigure(part), signal, progress),
-        Promise.resolve(this.backend ?? chooseBackend()).then((chosen) => {
-          warmUp(chosen);
-          return chosen;
-        }),
-      ]);
+      const choosing = Promise.resolve(this.backend ?? chooseBackend()).then((chosen) => {
+        warmUp(chosen);
+        return chosen;
+      });
+      const cast = (eml: Promise<string>, part: Progress) => this.#fetchFigure(eml, choosing, part);
+      let [files, backend] = await Promise.all([fetchStory(this.src, this.#text, this.#library, cast, signal, progress), choosing]);
       signal.throwIfAborted();
       // An adapter is no promise of a device; WebGL2 may still have one.
       const backends: [Backend, ...Backend[]] = this.backend || backend === 'webgl' ? [backend] : [backend, 'webgl'];
-      const opened = await Picture.open(backends, files, {
+      const events: PictureEvents = {
         canvas: (canvas) => this.#setCanvas(canvas, signal),
         lost: (recovering) => this.#setLost(recovering ? 'recovering' : 'yes', signal),
         back: () => this.#setLost('no', signal),
         retold: (story, live, anew) => (live ? story.diagnostics.forEach((d) => this.#report(d)) : this.#retell(story, anew)),
+      };
+      const opened = await Picture.open(backends, files, events).catch(async (error: unknown) => {
+        // Whom the page asks for, nobody else takes the place of.
+        if (!(error instanceof FigureError) || trapped(error) || this.figure || files.figure.name === USUAL_FIGURE) throw error;
+        this.#report(refusal(error.message));
+        files = { ...files, figure: await fetchFigure(USUAL_FIGURE, this.#library, () => undefined) };
+        return await Picture.open(backends, files, events);
       });
       picture = opened.picture;
       if (this.#view !== undefined) picture.look(this.#view);
@@ -413,11 +424,24 @@ export class RaconteurPlayer extends LitElement {
     }
   }
 
-  /** The figure that is asked for now: one of the library, of an address, or the user's own. */
-  async #fetchFigure(progress: Progress): Promise<FigureFile> {
+  /** The figure that is asked for now: one of the library, of an address, or the user's own; else the one that the story chooses. */
+  async #fetchFigure(eml: Promise<string>, backend: Promise<Backend>, progress: Progress): Promise<FigureFile> {
     const { figure, handedness } = this;
-    const file = this.#given?.name === figure ? readFigure(this.#given) : fetchFigure(figure, this.#library, progress);
-    return { ...(await file), handedness };
+    const fetched = !figure
+      ? this.#fetchChoice(await figureOf(await eml, () => backend), progress)
+      : this.#given?.name === figure
+        ? readFigure(this.#given)
+        : fetchFigure(figure, this.#library, progress);
+    return { ...(await fetched), handedness };
+  }
+
+  async #fetchChoice(choice: Parameters<typeof fetchChoice>[0], progress: Progress): Promise<FigureFile> {
+    return await fetchChoice(choice, this.#address, this.#library, progress, (d) => this.#report(d));
+  }
+
+  /** Where the story lies; a text that has no file lies where the page does. */
+  get #address(): URL {
+    return new URL(this.src ?? '', document.baseURI);
   }
 
   get #library(): URL {
@@ -437,6 +461,7 @@ export class RaconteurPlayer extends LitElement {
   async rehearse(eml: string): Promise<readonly Diagnostic[]> {
     await this.updateComplete;
     const text = (this.#text = String(eml));
+    this.#keepTime();
     await this.load();
     const show = this.#show;
     if (show === undefined) throw this.#error ?? new DOMException('The story was replaced.', 'AbortError');
@@ -463,6 +488,7 @@ export class RaconteurPlayer extends LitElement {
     this.#diagnostics = [...this.#diagnostics.filter((d) => !anew || d.start === undefined), ...story.diagnostics].slice(0, MOST_DIAGNOSTICS);
     this.dispatchEvent(new Event('durationchange'));
     if (this.paused) this.#advance();
+    if (!this.figure && story.performer.figure !== show.choice) void this.#changeFigure(show);
     this.requestUpdate();
   }
 
@@ -470,6 +496,7 @@ export class RaconteurPlayer extends LitElement {
   look(view: View): void {
     this.#view = view;
     this.#show?.picture.look(view);
+    this.#keepTime();
     if (this.paused) this.#advance();
   }
 
@@ -487,12 +514,15 @@ export class RaconteurPlayer extends LitElement {
   async #changeFigure(show: Show): Promise<void> {
     this.#coming?.abort();
     this.#coming = undefined;
+    show.choice = show.story.performer.figure;
     // Back to the figure that is still on stage.
-    if (this.figure === show.figure && this.handedness === show.files.figure.handedness) return;
+    if ((this.figure || show.choice || USUAL_FIGURE) === show.figure && this.handedness === show.files.figure.handedness) return;
     const { signal } = (this.#coming = new AbortController());
     try {
-      const figure = await this.#fetchFigure(() => undefined);
+      const figure = await this.#fetchFigure(Promise.resolve(show.files.eml), Promise.resolve(show.picture.backend), () => undefined);
       signal.throwIfAborted();
+      // The one who performs where the story's choice cannot is there already.
+      if (figure.name === show.figure && figure.handedness === show.files.figure.handedness) return;
       const { story, missing } = await show.picture.setFigure(figure);
       signal.throwIfAborted();
       Object.assign(show, { story, figure: figure.name, files: { ...show.files, figure } });
@@ -521,7 +551,9 @@ export class RaconteurPlayer extends LitElement {
   async #lendVoice(show: Show): Promise<void> {
     if (show.lent || [...show.script].every(({ audio, words }) => audio.length > 0 || words.length === 0)) return;
     show.lent = true;
-    const name = await show.voice.substitute(this.closest<HTMLElement>('[lang]')?.lang || navigator.language);
+    // What the page says of this player, then of the story, then of itself.
+    const { language, voice } = show.story.performer;
+    const name = await show.voice.substitute({ language: this.lang || language || this.closest<HTMLElement>('[lang]')?.lang || navigator.language, voice });
     if (this.#show !== show) return;
     const what = show.files.bundle === undefined ? 'This story has no recorded voice' : 'Some of what is said has no recording';
     const how = name === undefined ? 'it is told in captions' : `the browser's voice “${name}” speaks it, at guessed times`;
@@ -539,7 +571,7 @@ export class RaconteurPlayer extends LitElement {
         })
       : new SilentVoice();
     const transport = new Transport(voice, story.durationSecs, (event) => this.#onTransport(event));
-    this.#show = { story, figure: figure.name, files, sinceMs, picture, voice, transport, script, captions: captionsOf(story.utterances) };
+    this.#show = { story, figure: figure.name, choice: story.performer.figure, files, sinceMs, picture, voice, transport, script, captions: captionsOf(story.utterances) };
     this.#hearMusic(this.#show);
     this.#started = false;
     this.#resize();
@@ -610,6 +642,12 @@ export class RaconteurPlayer extends LitElement {
   /** Runs the loops that are needed now, and no others. */
   #keepTime(): void {
     this.#pulse.keep(this.isConnected && this.#show !== undefined && !this.paused, this.#onScreen);
+    this.#welcome.keep(this.isConnected && this.#onScreen && this.#waits);
+  }
+
+  /** The story has not begun: the figure waits. A page that edits, or looks from elsewhere, wants its first moment. */
+  get #waits(): boolean {
+    return this.#show !== undefined && this.paused && !this.#started && this.#text === undefined && this.#view === undefined;
   }
 
   /** Shows what is heard now. */
@@ -623,7 +661,8 @@ export class RaconteurPlayer extends LitElement {
       this.dispatchEvent(new Event('durationchange'));
     }
     const secs = show.transport.update();
-    for (const cue of show.picture.show(secs, this.paused && !this.ended, this.#pulse.drawing)) this.#pass(cue, show);
+    if (this.#waits) show.picture.welcome(this.#welcome.secs);
+    else for (const cue of show.picture.show(secs, this.paused && !this.ended, this.#pulse.drawing)) this.#pass(cue, show);
     // A picture may have taken long; what is read follows what is heard.
     const now = captionAt(show.captions, show.transport.position);
     if (now?.caption !== this.#caption?.caption || now?.word !== this.#caption?.word) {

@@ -15,10 +15,13 @@ export interface FigureFile {
   readonly handedness?: Hand | undefined;
 }
 
+/** A figure is not one that can be used. */
+export class FigureError extends PlayerError {}
+
 /** Why a figure cannot be used, with the file's name. */
-export function unusable(where: string, error: unknown): PlayerError {
+export function unusable(where: string, error: unknown): FigureError {
   const reason = (error instanceof Error ? error.message : String(error)).replace(/[.\s]+$/, '');
-  return new PlayerError(`The figure ${where} cannot be used: ${reason}.`, { cause: error });
+  return new FigureError(`The figure ${where} cannot be used: ${reason}.`, { cause: error });
 }
 
 const GLB_MAGIC = 0x46546c67;

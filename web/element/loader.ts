@@ -32,7 +32,7 @@ export async function fetchStory(
   src: string | undefined,
   text: string | undefined,
   library: URL,
-  figure: (progress: Progress) => Promise<FigureFile>,
+  figure: (eml: Promise<string>, progress: Progress) => Promise<FigureFile>,
   signal: AbortSignal,
   progress: Progress,
 ): Promise<StoryFiles> {
@@ -44,10 +44,10 @@ export async function fetchStory(
     shares[i] = share;
     progress(shares.reduce((sum, s, k) => sum + s * (weights[k] ?? 0), 0));
   };
-  const eml = text === undefined ? fetchBytes(story, 'The story', MOST_STORY_BYTES, signal, part(0)).then((bytes) => new TextDecoder().decode(bytes)) : Promise.resolve(text);
+  const told = text === undefined ? fetchBytes(story, 'The story', MOST_STORY_BYTES, signal, part(0)).then((bytes) => new TextDecoder().decode(bytes)) : Promise.resolve(text);
   const voice = async (): Promise<Uint8Array | undefined> => {
     // A story in which nobody speaks has no voice to ask for.
-    if (!src || !SPEAKS.test(await eml)) {
+    if (!src || !SPEAKS.test(await told)) {
       part(1)(1);
       return undefined;
     }
@@ -57,9 +57,9 @@ export async function fetchStory(
       throw error;
     });
   };
-  const [read, bundle, who] = await Promise.all([eml, voice(), figure(part(2))]);
+  const [eml, bundle, who] = await Promise.all([told, voice(), figure(told, part(2))]);
   signal.throwIfAborted();
-  return { eml: read, bundle, figure: who, voiceFolder, animations: new Animations(library, story), edited: text !== undefined };
+  return { eml, bundle, figure: who, voiceFolder, animations: new Animations(library, story), edited: text !== undefined };
 }
 
 /** A bare name is a figure of the library; anything else is an address. */
@@ -70,9 +70,8 @@ function urlOfFigure(figure: string, library: URL): URL {
 /** Figures are the largest files and are shared by the players of a page. */
 const figures = new Map<string, Promise<Uint8Array>>();
 
-/** A figure by its name in the library or its address. */
-export async function fetchFigure(figure: string, library: URL, progress: Progress): Promise<FigureFile> {
-  const url = urlOfFigure(figure, library);
+/** A figure by its name in the library or its address, or where it lies for certain. */
+export async function fetchFigure(figure: string, library: URL, progress: Progress, url = urlOfFigure(figure, library)): Promise<FigureFile> {
   return await prepareFigure(figure, shown(url), await fetchShared(url, progress));
 }
 

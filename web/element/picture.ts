@@ -247,12 +247,26 @@ export class Picture {
         if (this.#holding) return [];
         if (resting !== this.#resting) engine.setResting((this.#resting = resting));
         this.#keepPace(engine, running);
-        const status = engine.tick(secs);
-        if (status === TickStatus.Lost && !this.#lost) void this.recover();
-        if (status === TickStatus.Shown) this.firstShownMs ??= performance.now();
+        this.#shown(engine.tick(secs));
         return resting ? [] : engine.drainEvents();
       }) ?? []
     );
+  }
+
+  /** Shows how the figure waits for the story to be played, since so many seconds. */
+  welcome(waitedSecs: number): void {
+    this.#guard((engine) => {
+      if (this.#holding) return;
+      // Few pictures, so each has the time for every pixel.
+      if (!this.#resting) engine.setResting((this.#resting = true));
+      this.#keepPace(engine, false);
+      this.#shown(engine.welcome(waitedSecs));
+    });
+  }
+
+  #shown(status: number): void {
+    if (status === TickStatus.Lost && !this.#lost) void this.recover();
+    if (status === TickStatus.Shown) this.firstShownMs ??= performance.now();
   }
 
   /** Tries to bring the picture back; by itself only so often. */
@@ -387,7 +401,7 @@ function applyView(engine: Engine, view: View | undefined): void {
 const motionAmount = (): number => (matchMedia('(prefers-reduced-motion: reduce)').matches ? REDUCED_MOTION : 1);
 
 /** Whether an engine died of what it was asked. */
-function trapped(error: unknown): boolean {
+export function trapped(error: unknown): boolean {
   return error instanceof Error && error.cause instanceof WebAssembly.RuntimeError;
 }
 

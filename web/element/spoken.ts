@@ -20,6 +20,14 @@ const EARLY_SECS = 0.05;
 /** What begins no later than this is said from its first word on. */
 const LATE_SECS = 0.3;
 
+/** How what tells neither its language nor its voice is said. */
+export interface Manner {
+  /** BCP 47 tag. */
+  readonly language: string;
+  /** Name of a voice of the browser, where one is asked for. */
+  readonly voice?: string | undefined;
+}
+
 /** What is being said. */
 interface Now {
   readonly utterance: Utterance;
@@ -36,7 +44,7 @@ interface Now {
 export class Spoken {
   readonly #utterances: Iterable<Utterance>;
   readonly #voices: readonly SpeechSynthesisVoice[];
-  readonly #language: string;
+  readonly #usual: Manner;
   readonly #onMissing: (message: string) => void;
   #rate: number | undefined;
   /** Up to where the story was looked at, while it plays. */
@@ -47,15 +55,15 @@ export class Spoken {
   readonly #over = new Set<Utterance>();
   #complained = false;
 
-  private constructor(utterances: Iterable<Utterance>, voices: readonly SpeechSynthesisVoice[], language: string, onMissing: (message: string) => void) {
+  private constructor(utterances: Iterable<Utterance>, voices: readonly SpeechSynthesisVoice[], usual: Manner, onMissing: (message: string) => void) {
     this.#utterances = utterances;
     this.#voices = voices;
-    this.#language = language;
+    this.#usual = usual;
     this.#onMissing = onMissing;
   }
 
-  /** Waits for the browser to know its voices. `language` is of utterances that do not tell theirs. */
-  static async find(utterances: Iterable<Utterance>, language: string, onMissing: (message: string) => void): Promise<Spoken> {
+  /** Waits for the browser to know its voices. `usual` is of utterances that do not tell theirs. */
+  static async find(utterances: Iterable<Utterance>, usual: Manner, onMissing: (message: string) => void): Promise<Spoken> {
     let voices = speechSynthesis.getVoices();
     if (voices.length === 0) {
       await new Promise<void>((done) => {
@@ -64,7 +72,7 @@ export class Spoken {
       });
       voices = speechSynthesis.getVoices();
     }
-    return new Spoken(utterances, voices, language, onMissing);
+    return new Spoken(utterances, voices, usual, onMissing);
   }
 
   /** Name of the voice that says the first utterance that can be said; undefined when there is none. */
@@ -174,18 +182,22 @@ export class Spoken {
     speechSynthesis.cancel();
   }
 
-  #voiceOf({ language = this.#language }: Utterance): SpeechSynthesisVoice | undefined {
-    const wanted = tag(language);
-    const short = wanted.split('-')[0] ?? '';
+  #voiceOf({ language, voice: named = this.#usual.voice }: Utterance): SpeechSynthesisVoice | undefined {
+    // The one that is named, unless what is said is in another language.
+    const name = named?.toLowerCase();
+    const own = this.#voices.find((voice) => voice.name.toLowerCase() === name);
+    if (own !== undefined && (language === undefined || primary(own.lang) === primary(language))) return own;
+    const wanted = tag(language ?? this.#usual.language);
     /** The same region counts most; then a voice of this machine, which tells nobody what is said. */
     const rank = (voice: SpeechSynthesisVoice) => 4 * Number(tag(voice.lang) === wanted) + 2 * Number(voice.localService) + Number(voice.default);
-    const able = this.#voices.filter((voice) => tag(voice.lang).split('-')[0] === short);
+    const able = this.#voices.filter((voice) => primary(voice.lang) === primary(wanted));
     return able.sort((a, b) => rank(b) - rank(a))[0];
   }
 }
 
 /** Some systems write tags with a low line. */
 const tag = (language: string) => language.toLowerCase().replaceAll('_', '-');
+const primary = (language: string) => tag(language).split('-')[0];
 
 function isSilent({ audio, words }: Utterance): boolean {
   return audio.length === 0 && words.length > 0;

@@ -53,10 +53,23 @@ export interface Utterance {
   readonly estimated: boolean;
   /** BCP 47 tag, where the bundle or the story's markup tells it. */
   readonly language?: string;
+  /** Name of the voice that the story asks for here; absent where it is the story's own. */
+  readonly voice?: string;
+}
+
+/** Whom a story chooses to perform it. */
+export interface Performer {
+  /** A name of the library, or a file in the story's folder. */
+  readonly figure?: string;
+  /** Name of a voice, of the browser or of those who bake. */
+  readonly voice?: string;
+  /** BCP 47 tag. */
+  readonly language?: string;
 }
 
 /** A story that was read. */
 export interface Story {
+  readonly performer: Performer;
   readonly durationSecs: number;
   readonly utterances: readonly Utterance[];
   readonly diagnostics: readonly Diagnostic[];
@@ -205,6 +218,8 @@ export interface Engine {
   segmentNames(): string[];
   /** Shows the moment `timeSecs`; a `TickStatus`. Cues passed since the last tick or seek are kept for `drainEvents`. */
   tick(timeSecs: number): number;
+  /** Shows the figure as it waits for the story to be played, for so many seconds already; a `TickStatus`. The next `tick` goes on from there. */
+  welcome(waitedSecs: number): number;
   /** Moves without passing what lies between. */
   seek(timeSecs: number): void;
   /** Size of the canvas in CSS pixels, and device pixels for each of them. */

@@ -12,7 +12,7 @@ export function cast(player: RaconteurPlayer, changed: (figure: string) => void)
 
   /** Marks the figure on stage, and the one that is on its way. */
   const mark = (): void => {
-    const onStage = player.currentFigure ?? player.figure;
+    const onStage = player.currentFigure ?? player.figure ?? 'sofia';
     for (const button of buttons) {
       const figure = button.dataset['figure'];
       button.setAttribute('aria-pressed', String(figure === onStage));
@@ -51,7 +51,7 @@ export function cast(player: RaconteurPlayer, changed: (figure: string) => void)
     // The figure before is still on stage, so it is the one that is chosen.
     if (trouble !== null) trouble.textContent = `${detail.message} ${detail.hints.join(' ')}`;
     if (name !== null && !buttons.some((b) => b.dataset['figure'] === player.figure)) name.textContent = 'Yours';
-    player.figure = player.currentFigure ?? player.figure;
+    if (player.figure !== undefined) player.figure = player.currentFigure;
     mark();
   });
 

@@ -8,19 +8,13 @@ const player = document.querySelector('raconteur-player');
 const script = document.querySelector('#script');
 const buttons = [...document.querySelectorAll<HTMLButtonElement>('[data-story]')];
 
-/** Who tells it. */
-let figure = 'sofia';
-
-/** Puts a figure of the library on the stage. */
-let chooseFigure: (name: string) => void = () => undefined;
+/** Who tells it, where the visitor and not the story chooses. */
+let figure = '';
 
 const address = (story: string): string => `assets/stories/${story}/story.eml`;
 
 /** What the address calls a story: its own folder's name, wherever that is. */
 const short = (button: HTMLButtonElement): string => button.dataset['story']?.split('/').at(-1) ?? '';
-
-/** Whom a story is told by when nobody is asked for: a poem's voice suits one figure. */
-const usual = (button: HTMLButtonElement | undefined): string => button?.dataset['teller'] ?? 'sofia';
 
 /** Puts a story on the stage; `#white-rabbit` in the address names one, too, and `#white-rabbit/papous` who tells it. */
 function choose(name: string): void {
@@ -49,7 +43,9 @@ async function readScript(): Promise<void> {
 for (const button of buttons) {
   button.addEventListener('click', () => {
     choose(short(button));
-    if (button.dataset['teller'] !== undefined) chooseFigure(usual(button));
+    // Each story has its own storyteller until another is asked for.
+    figure = '';
+    if (player !== null) player.figure = undefined;
     remember();
     player?.play().catch(() => undefined);
   });
@@ -60,16 +56,15 @@ script?.closest('details')?.addEventListener('toggle', () => void readScript());
 function remember(): void {
   const button = buttons.find((b) => b.getAttribute('aria-pressed') === 'true');
   const story = button === undefined ? '' : short(button);
-  history.replaceState(null, '', `#${story}${figure === usual(button) ? '' : `/${figure}`}`);
+  history.replaceState(null, '', `#${story}${figure === '' ? '' : `/${figure}`}`);
 }
 
 const [story = '', teller = ''] = location.hash.slice(1).split('/');
 choose(story);
 if (player !== null) {
-  chooseFigure = cast(player, (name) => {
+  const chooseFigure = cast(player, (name) => {
     figure = name;
     remember();
   });
-  const asked = teller === '' ? usual(buttons.find((b) => short(b) === story)) : teller;
-  if (asked !== figure) chooseFigure(asked);
+  if (teller !== '') chooseFigure(teller);
 }

@@ -48,7 +48,25 @@ function utterance(startSecs: number, text: string, more: Partial<Utterance> = {
   return { startSecs, durationSecs: 2, audio: [], words, estimated: true, ...more };
 }
 
-const find = (utterances: Utterance[], language = 'en-GB') => Spoken.find(utterances, language, (why) => told.push(why));
+const find = (utterances: Utterance[], language = 'en-GB', voice?: string) => Spoken.find(utterances, { language, voice }, (why) => told.push(why));
+
+test('the voice that a story names says it, unless a part is in another language or names another', async () => {
+  const all = [utterance(1, 'One'), utterance(4, 'Two', { voice: 'ann' }), utterance(7, 'Drei', { language: 'de' }), utterance(10, 'Four', { voice: 'nobody' })];
+  const by = async (voice?: string) => {
+    const spoken = await find(all, 'en-GB', voice);
+    said.length = 0;
+    spoken.start(1);
+    for (const { startSecs } of all) {
+      spoken.prepare(startSecs);
+      said.at(-1)?.onend?.();
+    }
+    spoken.stop();
+    return said.map((s) => s.voice?.name);
+  };
+  expect(await by()).toEqual(['Ann', 'Ann', 'Max', 'Ann']);
+  // A voice of another language is what was asked for, too.
+  expect(await by('Max')).toEqual(['Max', 'Ann', 'Max', 'Ann']);
+});
 
 test('each utterance is said when its time comes, by a voice of its language', async () => {
   const spoken = await find([utterance(1, 'One two'), utterance(4, 'Drei vier', { language: 'de' }), utterance(7, 'Cinq six', { language: 'fr' })]);

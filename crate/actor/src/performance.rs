@@ -28,6 +28,11 @@ use crate::parameters::ParameterScript;
 /// Smile of a figure that has nothing else to show. Designed: friendly, not grinning.
 const RESTING_SMILE: f64 = 0.14;
 
+/// Smile of a figure that waits to begin. Designed: it is glad of whoever comes.
+const WELCOME_SMILE: f64 = 0.34;
+/// How far its head is tilted, radians. Designed.
+const WELCOME_TILT_RAD: f64 = 0.045;
+
 /// An accented syllable of an utterance.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Accent {
@@ -101,6 +106,9 @@ pub struct Performance {
     pub listener_in_world: DVec3,
     /// What of its body hands keep out of; without this, an average build.
     pub trunk: Option<TrunkShape>,
+    /// The figure waits to begin: what it does with nothing to do is a welcome, with open
+    /// arms, its head a little to the side, and a smile.
+    pub welcomes: bool,
 }
 
 impl Default for Performance {
@@ -121,6 +129,7 @@ impl Default for Performance {
             feels: true,
             listener_in_world: DVec3::new(0.0, 1.6, 2.5),
             trunk: None,
+            welcomes: false,
         }
     }
 }
@@ -164,6 +173,7 @@ pub struct Actor {
     seed: u64,
     amount: f64,
     listener_in_world: DVec3,
+    welcomes: bool,
 }
 
 impl Actor {
@@ -222,7 +232,11 @@ impl Actor {
             seed,
             amount,
             listener_in_world: performance.listener_in_world,
+            welcomes: performance.welcomes,
         };
+        if actor.welcomes {
+            actor.plans.iter_mut().for_each(|p| p.welcome(skeleton));
+        }
         if let Some(motion) = &actor.motion {
             let idle = |t: f64, pose: &mut Pose| {
                 actor.trunk(skeleton, t, pose);
@@ -483,7 +497,7 @@ impl Actor {
         let motion = self.trunk.head_motion(&self.rhythm, t, self.amount);
         let mut pitch = (HEAD_SHARE * pitch).clamp(-0.4, 0.4) + motion.x;
         let mut yaw = (HEAD_SHARE * yaw).clamp(-0.7, 0.7) + motion.z;
-        let mut roll = motion.y;
+        let mut roll = motion.y + if self.welcomes { WELCOME_TILT_RAD } else { 0.0 };
         if let Some(feeling) = &self.feeling {
             let moved = feeling.head(t);
             pitch += moved.pitch;
@@ -559,7 +573,12 @@ impl Actor {
             |id: u64, hz: f64| noise::perlin(self.seed, stream::FACE + id, hz * t) * self.amount;
         let speaking = self.rhythm.speaking(t) * self.amount;
         // One does not smile to oneself in tears.
-        let resting = RESTING_SMILE * (1.0 - self.feeling.as_ref().map_or(0.0, |f| f.strength(t)));
+        let resting = if self.welcomes {
+            WELCOME_SMILE
+        } else {
+            RESTING_SMILE
+        };
+        let resting = resting * (1.0 - self.feeling.as_ref().map_or(0.0, |f| f.strength(t)));
         let smile = resting + 0.05 * n(0, 0.11) - 0.03 * speaking;
         let smile = [smile + 0.012 * n(1, 0.2), smile - 0.012 * n(1, 0.2)];
         let inner = 0.05 * n(2, 0.3).max(0.0) + 0.03 * speaking;

@@ -6,10 +6,14 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context as _, Result};
 use raconteur_player::base::encoding;
 use raconteur_player::body::{Figure, import};
+use raconteur_player::eml::{Diagnostic, nearest, quoted};
 use raconteur_player::stage::Shot;
 use raconteur_player::{Loaded, Options, Player, StoryInput};
 
 use crate::{assets, input, inside};
+
+/// Who performs when nobody is asked for, as in the element.
+pub(crate) const USUAL_FIGURE: &str = "sofia";
 
 /// The largest story file that is read, bytes; the parser's own limit is lower.
 const LARGEST_STORY: u64 = 64 << 20;
@@ -72,9 +76,61 @@ impl StoryFiles {
         script
     }
 
-    /// The story ready to be performed by a figure.
-    pub(crate) fn player(&self, figure: &str, shot: Shot) -> Result<Loaded> {
-        let figure = find_figure(figure, &self.script)?;
+    /// The figure that performs: the one of this name, else the one that the story chooses, else
+    /// the usual one; and what is wrong with the story's choice.
+    fn figure(&self, asked: Option<&str>) -> Result<(Figure, Option<Diagnostic>)> {
+        if let Some(name) = asked {
+            return Ok((find_figure(name, &self.script)?, None));
+        }
+        let document = raconteur_player::eml::parse(&self.text).document;
+        let usual = || find_figure(USUAL_FIGURE, &self.script);
+        let Some(name) = document.performer.and_then(|p| p.figure) else {
+            return Ok((usual()?, None));
+        };
+        // A story reaches no file outside its folder.
+        let beside = self.script.parent().unwrap_or(Path::new("")).join(&name);
+        let path = beside.to_string_lossy();
+        let chosen = if Path::new(&name).extension().is_some() {
+            find_figure(&path, &self.script)
+        } else {
+            find_figure(&name, &self.script)
+        };
+        match chosen {
+            Ok(figure) => Ok((figure, None)),
+            Err(error) => {
+                let message = format!(
+                    "the figure {} cannot be used: {error:#}; {USUAL_FIGURE} performs",
+                    quoted(&name)
+                );
+                let span = document.performer_span;
+                let mut warning = Diagnostic::warning("player::no-figure", span, message);
+                let known = self.figures();
+                if let Some(near) = nearest(&name, known.iter().map(String::as_str)) {
+                    warning = warning.hint(format!("did you mean `{near}`?"));
+                }
+                Ok((usual()?, Some(warning)))
+            }
+        }
+    }
+
+    /// The names of the figures of the library.
+    fn figures(&self) -> Vec<String> {
+        let usual = find_asset(&format!("figures/{USUAL_FIGURE}.glb"), &self.script);
+        let folder = usual.ok().and_then(|p| fs::read_dir(p.parent()?).ok());
+        let files = folder.into_iter().flatten().flatten();
+        let names = files.filter_map(|f| {
+            let name = f.file_name().into_string().ok()?;
+            name.strip_suffix(".glb").map(str::to_owned)
+        });
+        let mut names: Vec<String> = names.collect();
+        names.sort();
+        names
+    }
+
+    /// The story ready to be performed: by the figure of this name, else by the one that the
+    /// story chooses, else by the usual one.
+    pub(crate) fn player(&self, figure: Option<&str>, shot: Shot) -> Result<Loaded> {
+        let (figure, trouble) = self.figure(figure)?;
         let mut loaded = Player::load(StoryInput {
             eml: &self.text,
             bundle: self.bundle().as_deref(),
@@ -84,6 +140,7 @@ impl StoryFiles {
                 ..Options::default()
             },
         });
+        loaded.diagnostics.splice(0..0, trouble);
         let found: Vec<(String, Option<String>)> = loaded
             .player
             .wanted_animations()

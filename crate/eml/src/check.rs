@@ -4,7 +4,7 @@
 use crate::clauses::functions::FunctionArgs;
 use crate::clauses::manipulators::JOINTS;
 use crate::clauses::players::{PlayerKind, PrimitiveKind, TrackProperty};
-use crate::clauses::sets::{BODY_GROUPS, Member, MemberKind, Set, SetKind};
+use crate::clauses::sets::{BODY_GROUPS, BONES, Member, MemberKind, Set, SetKind, layer_number};
 use crate::diagnostic::Sink;
 use crate::suggest::{nearest, quoted};
 use crate::{Clause, ClauseKind, Diagnostic, Document, Span};
@@ -15,6 +15,9 @@ const MOST_HINTS: usize = 256;
 
 /// Where the set of each name is.
 type Index<'d> = BTreeMap<&'d str, usize>;
+
+/// Where the player of each name is added.
+type Starts<'d> = BTreeMap<&'d str, Span>;
 
 /// Reports attributes that mean nothing beside others, clauses that lack what they need,
 /// and, in a whole script, references to nothing.
@@ -27,9 +30,11 @@ pub(crate) fn clauses(document: &Document, is_fragment: bool, sink: &mut Sink) {
             playing.push(clause);
         }
     }
-    // What a mind refers to may have been made by the script that plays.
-    if !is_fragment {
-        references(&document.sets, &playing, sink);
+    // What a mind refers to may have been made by the script that plays, but for what every
+    // figure has.
+    let own = (!is_fragment).then(|| (sets(&document.sets, sink), players(&playing, sink)));
+    for clause in playing {
+        references(clause, own.as_ref(), sink);
     }
 }
 
@@ -61,6 +66,9 @@ fn meaning(clause: &Clause, sink: &mut Sink) {
         }
         _ => {}
     }
+    let unnamed =
+        matches!(&clause.kind, ClauseKind::DeterministicPrimitive(p) if p.animation.is_none());
+    let is_told = unnamed && sink.tells_of(clause.tag_span);
     let mut ignored = |message: &str| {
         sink.push(Diagnostic::warning(
             "eml::ignored-attribute",
@@ -89,7 +97,8 @@ fn meaning(clause: &Clause, sink: &mut Sink) {
             );
             let word = primitive.primitive.word();
             match &primitive.animation {
-                None if needs => {
+                // One that is written and no name has been told.
+                None if needs && !is_told => {
                     let message = format!("primitive='{word}' needs `animationSetName`");
                     let span = clause.tag_span;
                     sink.push(Diagnostic::error("eml::missing-attribute", span, message));
@@ -154,49 +163,39 @@ fn is_playing(kind: &ClauseKind) -> bool {
     )
 }
 
-/// Checks the references between the parts of a document.
-fn references(all_sets: &[Set], playing: &[&Clause], sink: &mut Sink) {
-    let index = sets(all_sets, sink);
-    let players = players(playing, sink);
-    for clause in playing {
-        let span = clause.tag_span;
-        let (player, members) = match &clause.kind {
-            ClauseKind::PlayerAdd(add) => (None, add.bones.as_ref().map(|b| &b.members)),
-            ClauseKind::PlayerSetExclusive(set) => (None, set.bones.as_ref().map(|b| &b.members)),
-            ClauseKind::PlayerChangePriority(change) => (change.name.as_ref(), None),
-            ClauseKind::PlayerRemove(remove) => (remove.name.as_ref(), None),
-            ClauseKind::DeterministicTrackProperty(property) => (
-                property.player.as_ref(),
-                property.tracks.as_ref().map(|t| &t.members),
-            ),
-            ClauseKind::DeterministicPrimitive(primitive) => (
-                primitive.player.as_ref(),
-                primitive.tracks.as_ref().map(|t| &t.members),
-            ),
-            _ => continue,
-        };
-        if let Some(name) = player
-            && !players.contains_key(name.as_str())
-        {
-            let message = format!("no clause adds a player {}", quoted(name));
-            unknown(
-                "eml::unknown-player",
-                span,
-                message,
-                name,
-                players.keys().copied(),
-                sink,
-            );
-        }
-        for member in members.into_iter().flatten() {
-            check_member(member, &index, span, sink);
-        }
+/// Checks what a clause refers to; players and sets only where all of them are known.
+fn references(clause: &Clause, own: Option<&(Index<'_>, Starts<'_>)>, sink: &mut Sink) {
+    let span = clause.tag_span;
+    let (player, members) = match &clause.kind {
+        ClauseKind::PlayerAdd(add) => (None, add.bones.as_ref().map(|b| &b.members)),
+        ClauseKind::PlayerSetExclusive(set) => (None, set.bones.as_ref().map(|b| &b.members)),
+        ClauseKind::PlayerChangePriority(change) => (change.name.as_ref(), None),
+        ClauseKind::PlayerRemove(remove) => (remove.name.as_ref(), None),
+        ClauseKind::DeterministicTrackProperty(property) => (
+            property.player.as_ref(),
+            property.tracks.as_ref().map(|t| &t.members),
+        ),
+        ClauseKind::DeterministicPrimitive(primitive) => (
+            primitive.player.as_ref(),
+            primitive.tracks.as_ref().map(|t| &t.members),
+        ),
+        _ => return,
+    };
+    if let (Some(name), Some((_, players))) = (player, own)
+        && !players.contains_key(name.as_str())
+    {
+        let message = format!("no clause adds a player {}", quoted(name));
+        let known = players.keys().copied();
+        unknown("eml::unknown-player", span, message, name, known, sink);
+    }
+    for member in members.into_iter().flatten() {
+        check_member(member, own.map(|(sets, _)| sets), span, sink);
     }
 }
 
 /// The names of all players; one name is for one player.
-fn players<'d>(playing: &[&'d Clause], sink: &mut Sink) -> BTreeMap<&'d str, Span> {
-    let mut players: BTreeMap<&str, Span> = BTreeMap::new();
+fn players<'d>(playing: &[&'d Clause], sink: &mut Sink) -> Starts<'d> {
+    let mut players = Starts::new();
     // A player that is removed may come back under its name.
     let mut removed = false;
     for clause in playing {
@@ -248,10 +247,10 @@ fn sets<'d>(sets: &'d [Set], sink: &mut Sink) -> Index<'d> {
     }
     for set in sets {
         for member in &set.members {
-            if member.kind == MemberKind::Set {
-                check_member(member, &index, set.span, sink);
-            } else if set.kind == SetKind::BodyGroup {
-                check_group(&member.name, set.span, sink);
+            match (member.kind, set.kind) {
+                (MemberKind::Set, _) => check_member(member, Some(&index), set.span, sink),
+                (_, SetKind::BodyGroup) => check_group(&member.name, set.span, sink),
+                (_, SetKind::Multiple) => check_layer(&member.name, set.span, sink),
             }
         }
     }
@@ -309,21 +308,25 @@ fn cycles(sets: &[Set], index: &Index<'_>) -> Vec<Vec<usize>> {
     found
 }
 
-fn check_member(member: &Member, index: &Index<'_>, span: Span, sink: &mut Sink) {
+fn check_member(member: &Member, sets: Option<&Index<'_>>, span: Span, sink: &mut Sink) {
     let name = member.name.as_str();
-    match member.kind {
-        MemberKind::Set if !index.contains_key(name) => {
+    if name.is_empty() {
+        // The reader of attributes has told.
+        return;
+    }
+    match (member.kind, sets) {
+        (MemberKind::Set, Some(sets)) if !sets.contains_key(name) => {
             let message = format!("there is no set {}; it counts as empty", quoted(name));
-            unknown(
-                "eml::unknown-set",
-                span,
-                message,
-                name,
-                index.keys().copied(),
-                sink,
-            );
+            let known = sets.keys().copied();
+            unknown("eml::unknown-set", span, message, name, known, sink);
         }
-        MemberKind::Group => check_group(name, span, sink),
+        (MemberKind::Group, _) => check_group(name, span, sink),
+        (MemberKind::Layer, _) => check_layer(name, span, sink),
+        (MemberKind::Bone, _) if !BONES.contains(&name) => {
+            let message = format!("there is no bone {}", quoted(name));
+            let known = BONES.iter().copied();
+            unknown("eml::unknown-bone", span, message, name, known, sink);
+        }
         _ => {}
     }
 }
@@ -333,6 +336,14 @@ fn check_group(name: &str, span: Span, sink: &mut Sink) {
         let message = format!("there is no body group {}", quoted(name));
         let known = BODY_GROUPS.iter().copied();
         unknown("eml::unknown-body-group", span, message, name, known, sink);
+    }
+}
+
+fn check_layer(name: &str, span: Span, sink: &mut Sink) {
+    if layer_number(name).is_none() {
+        let message = format!("{} names no layer", quoted(name));
+        let hint = "a layer is meant by the number that ends its name, such as layer1";
+        sink.push(Diagnostic::warning("eml::unknown-layer", span, message).hint(hint));
     }
 }
 

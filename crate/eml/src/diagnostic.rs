@@ -154,6 +154,12 @@ impl Sink {
         }
     }
 
+    /// Whether a problem within a place has been told.
+    pub(crate) fn tells_of(&self, place: Span) -> bool {
+        let within = |d: &Diagnostic| place.start <= d.span.start && d.span.end <= place.end;
+        self.list.iter().any(within)
+    }
+
     /// Whether further diagnostics of a kind are only counted, so that what they say does not
     /// matter.
     pub(crate) fn is_full_of(&self, code: &'static str) -> bool {

@@ -41,6 +41,8 @@ pub struct Document {
     pub name: Option<String>,
     /// Who performs it (extension).
     pub performer: Option<Performer>,
+    /// The start tag that says so; empty where none does.
+    pub performer_span: Span,
     /// The named sets of tracks (GEVH D.3.3).
     pub sets: Vec<Set>,
     /// Every clause, nested ones included, each group before its children.

@@ -55,7 +55,9 @@ pub use clauses::players::{
     DeterministicTrackProperty, PlaybackStyle, PlayerAdd, PlayerChangePriority, PlayerKind,
     PlayerRemove, PlayerSetExclusive, PrimitiveKind, TrackProperty, Tracks, Transition,
 };
-pub use clauses::sets::{BODY_GROUPS, Member, MemberKind, Set, SetKind, items_of};
+pub use clauses::sets::{
+    BODY_GROUPS, BONES, Member, MemberKind, Set, SetKind, items_of, layer_number,
+};
 pub use clauses::speech::{
     Age, Audio, AudioMode, Boundary, Emph, Engine, Gender, Language, Level, Markup, Pitch, Pron,
     Rate, SayAs, SayAsMode, SayAsType, Speaker, UtteranceKind, VoiceChange, VoiceOperation,

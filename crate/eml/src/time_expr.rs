@@ -1,6 +1,7 @@
 //! Time expressions: `t1+2.5s-1m` (GEVH D.2.1 to D.2.3).
 
 use crate::{Name, Span};
+use std::borrow::Cow;
 
 /// A sum of seconds and named moments.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -45,7 +46,7 @@ pub(crate) struct Problem {
     pub(crate) start: usize,
     pub(crate) end: usize,
     pub(crate) message: String,
-    pub(crate) hint: &'static str,
+    pub(crate) hint: Cow<'static, str>,
 }
 
 /// Whether a `timeId` or a `tm` may use this name: a letter or `_`, then letters,
@@ -108,7 +109,7 @@ pub(crate) fn parse(text: &str, start: u32) -> Result<TimeExpr, Problem> {
                     start: term_start,
                     end: lexer.position,
                     message: format!("`{name}` is not a finite number"),
-                    hint: "",
+                    hint: "".into(),
                 });
             }
             if !is_name(name) {
@@ -181,7 +182,7 @@ pub(crate) fn parse_secs(text: &str) -> Result<f64, Problem> {
                 "expected a length in seconds, found {}",
                 crate::suggest::quoted(text)
             ),
-            hint: "write seconds, such as 1.5 or 1.5s",
+            hint: "write seconds, such as 1.5 or 1.5s".into(),
         });
     }
     Ok(expr.offset_secs)
@@ -237,13 +238,13 @@ impl<'a> Lexer<'a> {
             self.take(|c| c.is_ascii_digit());
         }
         let number = &self.text[start..self.position];
-        let problem = |code, end, message: String, hint| {
+        let problem = |code, end, message: String, hint: &'static str| {
             Err(Problem {
                 code,
                 start,
                 end,
                 message,
-                hint,
+                hint: hint.into(),
             })
         };
         let value = match crate::decimal::parse(number) {
@@ -287,7 +288,8 @@ impl<'a> Lexer<'a> {
             hint: match next {
                 Some(',') => "decimals are written with a point",
                 _ => "times look like 2.5, t1, t1-0.1s or 5+t1",
-            },
+            }
+            .into(),
         }
     }
 }

@@ -9,6 +9,7 @@ use raconteur_body::{Bone, Skeleton};
 use raconteur_eml::{
     AnimationStyle, Bones, ClauseKind, DeterministicPrimitive, Diagnostic, Document, Member,
     MemberKind, PlaybackStyle, PrimitiveKind, Set, Span, Timeline, TrackProperty, items_of,
+    layer_number, nearest,
 };
 
 /// Layers of a player of which a script does not tell how many it has.
@@ -146,8 +147,7 @@ fn track(name: &str) -> Option<TrackRef> {
     if let Some(i) = BODY_GROUPS.iter().position(|(group, _)| *group == name) {
         return Some(TrackRef::Group(i));
     }
-    let digits = name.trim_start_matches(|c: char| !c.is_ascii_digit());
-    digits.parse().ok().map(TrackRef::Layer)
+    layer_number(name).map(TrackRef::Layer)
 }
 
 /// The names of the animations that a script plays, each once, with where each is first used.
@@ -165,6 +165,79 @@ pub(crate) fn wanted(document: &Document) -> Vec<(&str, Span)> {
     wanted
 }
 
+/// The animations of the library that is shipped, for hints.
+const SHIPPED: &[&str] = &[
+    "applaud",
+    "arms-clap",
+    "arms-curl",
+    "arms-open-close",
+    "arms-overhead-clap",
+    "arms-press",
+    "arms-punch",
+    "arms-raise-front",
+    "arms-raise-side",
+    "arms-roll",
+    "arms-row",
+    "arms-swing",
+    "arms-triceps",
+    "bow",
+    "breathe",
+    "hands-behind",
+    "hands-on-hips",
+    "listen",
+    "look-around",
+    "nod",
+    "point",
+    "roll-shoulders",
+    "shake",
+    "shift-weight",
+    "shrug",
+    "sit",
+    "sit-down",
+    "stand",
+    "stand-left",
+    "stand-right",
+    "stand-wide",
+    "step-a",
+    "step-box",
+    "step-charleston",
+    "step-end",
+    "step-grapevine",
+    "step-heel-dig",
+    "step-jack",
+    "step-jog",
+    "step-kick",
+    "step-knee-lift",
+    "step-leg-curl",
+    "step-leg-lift",
+    "step-lunge",
+    "step-mambo",
+    "step-march",
+    "step-side-lunge",
+    "step-side-tap",
+    "step-squat",
+    "step-stance",
+    "step-sway",
+    "step-toe-tap",
+    "step-touch",
+    "step-twist",
+    "step-two-step",
+    "step-v",
+    "stretch-calf",
+    "stretch-side",
+    "think",
+    "tilt-head",
+    "walk",
+    "wave",
+    "welcome",
+];
+
+/// What to do about an animation that was not found: the name of the library that is meant.
+pub(crate) fn hint(name: &str) -> Option<String> {
+    let near = nearest(name, SHIPPED.iter().copied())?;
+    Some(format!("did you mean `{near}`?"))
+}
+
 /// What commands of a script cannot do. Animations are missing only once nobody will bring
 /// them: they are told elsewhere.
 pub(crate) fn problems(
@@ -178,8 +251,14 @@ pub(crate) fn problems(
     }
     let script = PlayerScript { commands };
     let (_, problems) = Players::new(&script, &Library::default(), skeleton);
+    // That no clause adds a player at all, the checks of the language have told.
+    let adds = |name: &str| {
+        let mut commands = script.commands.iter();
+        commands.any(|(_, c)| matches!(c, PlayerCommand::Add { name: n, .. } if n == name))
+    };
     let told = problems.into_iter().filter_map(|problem| {
         let message = match problem.kind {
+            ProblemKind::NoPlayer(Some(name)) if !adds(&name) => return None,
             ProblemKind::NoPlayer(Some(name)) => {
                 format!("there is no animation player `{name}` at this time")
             }
@@ -196,4 +275,34 @@ pub(crate) fn problems(
         Some(Diagnostic::warning("player::no-effect", span, message))
     });
     told.collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn hints_know_every_animation_that_is_shipped() {
+        let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../assets/animations");
+        let files = std::fs::read_dir(folder).expect("the library");
+        let names = files.filter_map(|file| {
+            let name = file.expect("a file").file_name().into_string().ok()?;
+            name.strip_suffix(".json").map(str::to_owned)
+        });
+        let mut names: Vec<String> = names.collect();
+        names.sort();
+        assert_eq!(names, SHIPPED);
+        assert_eq!(hint("applaudd").as_deref(), Some("did you mean `applaud`?"));
+    }
+
+    #[test]
+    fn the_language_knows_the_bones_and_body_groups_of_the_figure() {
+        let bones: Vec<&str> = Bone::ALL.iter().map(|b| &b.name()[5..]).collect();
+        assert_eq!(raconteur_eml::BONES, bones);
+        let groups: Vec<&str> = BODY_GROUPS.iter().map(|(name, _)| *name).collect();
+        let mut known = raconteur_eml::BODY_GROUPS.to_vec();
+        assert!(groups.iter().all(|g| known.contains(g)), "{groups:?}");
+        known.retain(|g| !groups.contains(g));
+        assert_eq!(known, [""; 0]);
+    }
 }

@@ -105,6 +105,9 @@ pub struct UtteranceCue {
     /// BCP 47 tag of its language: of the voice that was baked, or of the markup that all of
     /// it stands in; none where only the page knows.
     pub language: Option<String>,
+    /// The voice that the script names for it alone or by `voice-change`; none where it is the
+    /// story's own.
+    pub voice: Option<String>,
     /// The phone set of its voice, for example `radio`.
     pub phone_set: String,
     /// Its place in the document.
@@ -166,6 +169,7 @@ pub(crate) fn utterances(script: &Script) -> Vec<UtteranceCue> {
                     .language(timed.clause)
                     .or_else(|| marked_language(&voice))
                     .map(str::to_owned),
+                voice: script.named_voice(timed.clause).map(str::to_owned),
                 phone_set: script.phone_set(timed.clause).to_owned(),
                 clause: timed.clause,
             })

@@ -161,7 +161,7 @@ impl Layers {
 }
 
 /// Takes a pose a share of the way to another.
-fn ease(pose: &mut Pose, to: &Pose, body: f64, face: f64) {
+pub(crate) fn ease(pose: &mut Pose, to: &Pose, body: f64, face: f64) {
     pose.root_offset_in_world = pose
         .root_offset_in_world
         .lerp(to.root_offset_in_world, body);

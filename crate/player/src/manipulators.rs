@@ -10,6 +10,7 @@ use raconteur_base::DVec3;
 use raconteur_base::decimal::fixed;
 use raconteur_eml::{
     ArgValue, ClauseKind, Diagnostic, Document, FunctionArgs, Manipulator, Span, Target, Timeline,
+    nearest, quoted,
 };
 use raconteur_stage::Room;
 
@@ -333,14 +334,15 @@ pub(crate) fn problems(document: &Document, units: &Units, reach: &Reach) -> Vec
 fn function(name: &str, args: Option<&FunctionArgs>, span: Span, into: &mut Vec<Diagnostic>) {
     let Some((_, leads, own)) = FUNCTIONS.iter().find(|(n, ..)| *n == name) else {
         let known: Vec<&str> = FUNCTIONS.iter().map(|(n, ..)| *n).collect();
-        into.push(
-            Diagnostic::warning(
-                "player::unknown-function",
-                span,
-                format!("there is no function `{name}`; nothing moves"),
-            )
-            .hint(format!("the functions are {}", known.join(", "))),
+        let mut warning = Diagnostic::warning(
+            "player::unknown-function",
+            span,
+            format!("there is no function {}; nothing moves", quoted(name)),
         );
+        if let Some(near) = nearest(name, known.iter().copied()) {
+            warning = warning.hint(format!("did you mean `{near}`?"));
+        }
+        into.push(warning.hint(format!("the functions are {}", known.join(", "))));
         return;
     };
     let ends = |rest: Option<&str>, ends: [&str; 3]| rest.is_some_and(|r| ends.contains(&r));

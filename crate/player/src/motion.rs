@@ -47,6 +47,12 @@ pub(crate) fn wanted(document: &Document) -> Vec<(&str, Span)> {
     animations::wanted(document)
 }
 
+/// As [`animations::hint`].
+#[inline(never)]
+pub(crate) fn hint(name: &str) -> Option<String> {
+    animations::hint(name)
+}
+
 /// As [`Library::add`].
 #[inline(never)]
 pub(crate) fn learn(library: &mut Library, name: &str, text: &str) -> Result<(), String> {

@@ -2,6 +2,7 @@
 
 use raconteur_actor::animation::stem;
 use raconteur_actor::parameters::{Adsr, Parameter, ParameterCommand, Style};
+use raconteur_base::decimal::shortest;
 use raconteur_eml::{
     AdsrControlParameter, ClauseKind, Diagnostic, Document, LoadControlParameterAnimation, Span,
     Timeline, nearest, quoted,
@@ -108,33 +109,51 @@ fn add_once<'d>(wanted: &mut Vec<(&'d str, Span)>, name: &'d str, span: Span) {
     }
 }
 
-/// A warning for each name of a parameter that there is not, at its first place.
+/// A warning for each name of a parameter that there is not, at its first place, and for each
+/// clause whose values are beyond the range of what it names.
 pub(crate) fn problems(document: &Document) -> Vec<Diagnostic> {
     let mut told: Vec<&str> = Vec::new();
     let mut problems = Vec::new();
     for (_, clause) in document.iter() {
-        let name: &str = match &clause.kind {
-            ClauseKind::SetControlParameter(set) => &set.parameter,
-            ClauseKind::AdsrControlParameter(adsr) => &adsr.parameter,
+        let (name, values): (&str, [f64; 4]) = match &clause.kind {
+            ClauseKind::SetControlParameter(set) => (&set.parameter, [set.value; 4]),
+            ClauseKind::AdsrControlParameter(adsr) => (&adsr.parameter, phases(adsr).values),
             _ => continue,
         };
-        if told.contains(&name) || told.len() == MOST || Parameter::named(name).next().is_some() {
-            continue;
+        let least = Parameter::named(name).map(Parameter::least);
+        if let Some(least) = least.reduce(f64::min) {
+            problems.extend(beyond(name, &values, least, clause.tag_span));
+        } else if !told.contains(&name) && told.len() < MOST {
+            told.push(name);
+            problems.push(unknown(name, clause.tag_span));
         }
-        told.push(name);
-        let hint = match nearest(name, Parameter::names()) {
-            Some(near) => format!("did you mean `{near}`?"),
-            None => "there are muscles such as `ZygomaticusMajorLeft` (without a side: both), \
-                     `Jaw`, `JawYaw`, `JawForward`, `JawDown`, `UpperLid`, `LowerLid`, `GazeX`, \
-                     `GazeY`, `LipProtrusion`, `LipSeal`, `LipBite`, `TongueTip`, `TongueBack`, \
-                     `TongueOut`, `Blush`; visemes such as `PP`; emotions such as `Joy`"
-                .to_owned(),
-        };
-        let message = format!("there is no control parameter {}", quoted(name));
-        let warning = Diagnostic::warning("player::no-parameter", clause.tag_span, message);
-        problems.push(warning.hint(hint));
     }
     problems
+}
+
+fn beyond(name: &str, values: &[f64], least: f64, span: Span) -> Option<Diagnostic> {
+    let value = values.iter().find(|v| !(least..=1.0).contains(*v))?;
+    let message = format!(
+        "{} goes from {} to 1, so {} is as much as {}",
+        quoted(name),
+        shortest(least),
+        shortest(*value),
+        shortest(value.clamp(least, 1.0))
+    );
+    Some(Diagnostic::warning("player::out-of-range", span, message))
+}
+
+fn unknown(name: &str, span: Span) -> Diagnostic {
+    let hint = match nearest(name, Parameter::names()) {
+        Some(near) => format!("did you mean `{near}`?"),
+        None => "there are muscles such as `ZygomaticusMajorLeft` (without a side: both), \
+                 `Jaw`, `JawYaw`, `JawForward`, `JawDown`, `UpperLid`, `LowerLid`, `GazeX`, \
+                 `GazeY`, `LipProtrusion`, `LipSeal`, `LipBite`, `TongueTip`, `TongueBack`, \
+                 `TongueOut`, `Blush`; visemes such as `PP`; emotions such as `Joy`"
+            .to_owned(),
+    };
+    let message = format!("there is no control parameter {}", quoted(name));
+    Diagnostic::warning("player::no-parameter", span, message).hint(hint)
 }
 
 #[cfg(test)]

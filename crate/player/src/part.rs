@@ -153,6 +153,7 @@ pub(crate) fn performance<'a>(
         sex,
         dominant: options.handedness.unwrap_or(Side::Right),
         trunk: Some(trunk),
+        welcomes: false,
     }
 }
 

@@ -10,7 +10,7 @@ use raconteur_base::order::sort_by_number;
 use raconteur_base::{DVec3, Side};
 use raconteur_body::face::{FaceControls, Network, NodeState, Tissue};
 use raconteur_body::{Bone, Figure, Pose};
-use raconteur_eml::{Diagnostic, Span, Timeline, thinned};
+use raconteur_eml::{Diagnostic, Performer, Span, Timeline, thinned};
 use raconteur_stage::{Camera, Frame, Room, Shot, SpeechNow, View};
 
 use crate::cues::{Cue, UtteranceCue};
@@ -28,6 +28,10 @@ use crate::script::Script;
 use crate::soft::SoftFace;
 use crate::units::Units;
 use crate::views::Views;
+
+mod welcome;
+
+use welcome::Welcome;
 
 /// How a story is performed.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -118,6 +122,8 @@ pub struct Player {
     layers: Layers,
     /// Where the figure's face has tissue.
     soft: Option<SoftFace>,
+    /// How the figure waits, while it does and until it has left off.
+    welcome: Option<Box<Welcome>>,
     geometry: Geometry,
     view: Option<View>,
     views: Views,
@@ -211,6 +217,7 @@ impl Player {
                 let tissue = figure.tissue.as_ref();
                 tissue.filter(|_| feels).map(SoftFace::new)
             },
+            welcome: None,
             geometry,
             view: None,
             passed_secs: -1.0,
@@ -273,6 +280,13 @@ impl Player {
     #[must_use]
     pub fn last_frame(&self) -> &Frame {
         &self.frame
+    }
+
+    /// Whom the script chooses to perform it, in what voice and language; who does is
+    /// [`Player::figure`].
+    #[must_use]
+    pub fn choice(&self) -> Option<&Performer> {
+        self.script.document.performer.as_ref()
     }
 
     /// When everything in the script happens.
@@ -458,7 +472,11 @@ impl Player {
                 let used = wanted.into_iter().find(|(n, _)| n == name);
                 let span = used.map(|(_, span)| span).unwrap_or_default();
                 self.missing.push((*name).to_owned());
-                diagnostics.push(Diagnostic::warning(code, span, message));
+                let mut warning = Diagnostic::warning(code, span, message);
+                if text.is_none() {
+                    warning.hints.extend(motion::hint(name));
+                }
+                diagnostics.push(warning);
             }
         }
         self.script.retime(&self.library);
@@ -543,6 +561,7 @@ impl Player {
             -1.0
         };
         self.live.skip(self.told_secs, to_secs);
+        self.forget_welcome();
         self.passed_secs = to_secs;
         self.told_secs = to_secs;
     }
@@ -564,6 +583,7 @@ impl Player {
     /// the story show its first or last moment, unless it is open-ended; a time that is not a
     /// number, the first.
     pub fn frame(&mut self, time_secs: f64, aspect: f64) -> &Frame {
+        self.leave_welcome(time_secs);
         self.evaluate(time_secs);
         self.frame.camera = self.camera(aspect);
         &self.frame
@@ -606,11 +626,25 @@ impl Player {
             &mut self.pose,
             &mut self.frame.morph_weights,
         );
+        if let Some(welcome) = &mut self.welcome {
+            let weights = &mut self.frame.morph_weights;
+            welcome.blend(
+                &self.figure.skeleton,
+                &self.face,
+                t,
+                &mut self.pose,
+                weights,
+            );
+        }
         self.figure
             .skeleton
             .solve(&self.pose, &mut self.frame.world_from_joint);
         if let (Some(tissue), Some(soft)) = (&self.figure.tissue, &mut self.soft) {
-            let controls = |t: f64| self.layers.controls(t);
+            let controls = |t: f64| {
+                let controls = self.layers.controls(t);
+                let welcome = self.welcome.as_ref();
+                welcome.map_or(controls, |w| w.controls(t, &controls))
+            };
             soft.at(tissue, t, &controls, &mut self.frame.tissue);
         }
         self.frame.speech = self.speech_at(t);
@@ -698,6 +732,7 @@ impl Player {
     /// FNV-1a (64 bits) over the bits of every joint's transform, every morph weight and every
     /// node of the face at a time, little-endian: equal digests mean equal poses to the last bit.
     pub fn digest(&mut self, time_secs: f64) -> u64 {
+        self.forget_welcome();
         self.evaluate(time_secs);
         let mut hash: u64 = 0xcbf2_9ce4_8422_2325;
         let mut eat = |bytes: &[u8]| {

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use raconteur_actor::Library;
 use raconteur_eml::{
-    ClauseId, ClauseKind, Diagnostic, Document, Parsed, Span, Timeline, parse, thinned,
+    ClauseId, ClauseKind, Diagnostic, Document, Parsed, Performer, Span, Timeline, parse, thinned,
 };
 use raconteur_speech::bundle::Voice;
 use raconteur_speech::{Bundle, Phone, Utterance};
@@ -167,6 +167,11 @@ impl Script {
         self.voice(clause).map(|voice| &*voice.language)
     }
 
+    /// The voice that the script names for a clause.
+    pub(crate) fn named_voice(&self, clause: ClauseId) -> Option<&str> {
+        self.voices.named(clause)
+    }
+
     /// Who says a clause, where it was baked.
     pub(crate) fn voice(&self, clause: ClauseId) -> Option<&Voice> {
         let voice = self.utterance(clause)?.voice;
@@ -224,6 +229,13 @@ fn asked_for_more(document: &Document) -> Option<Span> {
 #[must_use]
 pub fn asks_for_more(eml: &str) -> bool {
     asked_for_more(&parse(eml).document).is_some()
+}
+
+/// Whom a text chooses to perform it, in what voice and language; nothing where it does not
+/// say.
+#[must_use]
+pub fn performer_of(eml: &str) -> Performer {
+    parse(eml).document.performer.unwrap_or_default()
 }
 
 /// The time that an arm needs to come from rest to any first stroke, seconds. Longest

@@ -9,14 +9,6 @@ use crate::script::moves;
 /// its first place.
 pub(crate) fn report(document: &Document) -> Vec<Diagnostic> {
     let mut found = Found::default();
-    let chosen = document.performer.as_ref();
-    if chosen.is_some_and(|p| p.figure.is_some() || p.voice.is_some() || p.language.is_some()) {
-        let start = document
-            .clauses
-            .first()
-            .map_or(Span::new(0, 0), |c| c.tag_span);
-        found.add("performer", start);
-    }
     for (_, clause) in document.iter() {
         found.clause(clause);
     }
@@ -94,7 +86,6 @@ mod tests {
         assert_eq!(
             messages,
             [
-                "`performer` is not performed yet",
                 "`light` is not performed yet; it occurs 2 times",
                 "`emotion` is in voice and face only; camera and light do not follow it yet",
             ]

@@ -36,6 +36,8 @@ mod avatar;
 #[cfg(all(target_arch = "wasm32", feature = "avatar"))]
 pub use avatar::{convert, convert_animation};
 #[cfg(all(target_arch = "wasm32", not(feature = "avatar")))]
+mod cast;
+#[cfg(all(target_arch = "wasm32", not(feature = "avatar")))]
 mod clips;
 #[cfg(all(target_arch = "wasm32", not(feature = "avatar")))]
 mod curves;
@@ -49,5 +51,7 @@ mod measure;
 mod more;
 #[cfg(all(target_arch = "wasm32", not(feature = "avatar")))]
 mod player;
+#[cfg(all(target_arch = "wasm32", not(feature = "avatar")))]
+pub use cast::performer;
 #[cfg(all(target_arch = "wasm32", not(feature = "avatar")))]
 pub use player::{Player, face_joined, more_joined, pose_digests};

@@ -12,8 +12,33 @@ pub struct Story {
     pub duration_secs: f64,
     /// What is said, by time.
     pub utterances: Vec<Utterance>,
+    /// Whom it chooses to perform it.
+    pub performer: Performer,
     /// Problems of the text, by place.
     pub diagnostics: Vec<Diagnostic>,
+}
+
+/// Whom a story chooses, in what voice and language.
+#[derive(Debug, Default, Serialize)]
+pub struct Performer {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    figure: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    voice: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    language: Option<String>,
+}
+
+impl Performer {
+    /// As the language has it.
+    #[must_use]
+    pub fn of(performer: Option<&eml::Performer>) -> Self {
+        performer.map_or_else(Self::default, |p| Self {
+            figure: p.figure.clone(),
+            voice: p.voice.clone(),
+            language: p.language.clone(),
+        })
+    }
 }
 
 /// A problem of the story's text.
@@ -49,6 +74,8 @@ pub struct Utterance {
     estimated: bool,
     #[serde(skip_serializing_if = "Option::is_none")]
     language: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    voice: Option<String>,
 }
 
 #[derive(Debug, Serialize)]
@@ -110,12 +137,14 @@ impl Story {
         source: &str,
         duration_secs: f64,
         utterances: &[UtteranceCue],
+        performer: Option<&eml::Performer>,
         diagnostics: Vec<eml::Diagnostic>,
     ) -> Self {
         let lines = LineIndex::new(source);
         Self {
             duration_secs,
             utterances: utterances.iter().map(Utterance::new).collect(),
+            performer: Performer::of(performer),
             diagnostics: diagnostics
                 .into_iter()
                 .map(|d| Diagnostic::new(d, &lines))
@@ -164,6 +193,7 @@ impl Utterance {
             words: cue.words.iter().map(word).collect(),
             estimated: cue.estimated,
             language: cue.language.clone(),
+            voice: cue.voice.clone(),
         }
     }
 }
@@ -178,12 +208,13 @@ mod tests {
         let source = "<eml>\n<x y='😀' bad/>";
         let at = u32::try_from(source.find("bad").unwrap()).unwrap();
         let diagnostic = eml::Diagnostic::error("eml::test", eml::Span::new(at, at + 3), "No.");
-        let story = Story::new(source, 1.5, &[], vec![diagnostic.hint("Try.")]);
+        let story = Story::new(source, 1.5, &[], None, vec![diagnostic.hint("Try.")]);
         assert_eq!(
             serde_json::to_value(story).unwrap(),
             json!({
                 "durationSecs": 1.5,
                 "utterances": [],
+                "performer": {},
                 "diagnostics": [{
                     "code": "eml::test",
                     "severity": "error",

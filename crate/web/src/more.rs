@@ -67,6 +67,7 @@ pub(crate) fn retell(
         eml,
         performer.duration_secs(),
         performer.utterances(),
+        performer.choice(),
         problems,
     ))
 }

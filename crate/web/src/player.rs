@@ -7,7 +7,7 @@ use raconteur_player::base::Side;
 use raconteur_player::body::Figure;
 use raconteur_player::body::figure::Image;
 use raconteur_player::body::read::read_with;
-use raconteur_player::stage::{Room, View};
+use raconteur_player::stage::{Frame, Room, View};
 use raconteur_player::{Options, Player as Performer, StoryInput, asks_for_more};
 use raconteur_render::{Backend, CanvasTarget, Pace, Quality, RenderOptions, RenderStatus};
 use serde::Serialize;
@@ -170,18 +170,13 @@ impl Player {
             return Ok(TickStatus::Skipped as u32);
         };
         performer.advance(time_secs);
-        let Some(picture) = &mut self.picture else {
-            return Ok(TickStatus::NoPicture as u32);
-        };
-        if !self.sized {
-            return Ok(TickStatus::Skipped as u32);
-        }
-        let status = match picture.render(performer.frame(time_secs, self.aspect))? {
-            RenderStatus::Drawn => TickStatus::Shown,
-            RenderStatus::Skipped => TickStatus::Skipped,
-            RenderStatus::DeviceLost => TickStatus::Lost,
-        };
-        Ok(status as u32)
+        self.draw(|performer, aspect| performer.frame(time_secs, aspect))
+    }
+
+    /// Shows the figure as it waits for the story to be played, for so many seconds already; a
+    /// `TickStatus`. The next `tick` goes on from there, unless a `seek` comes first.
+    pub fn welcome(&mut self, waited_secs: f64) -> Result<u32, JsError> {
+        self.draw(|performer, aspect| performer.welcome(waited_secs, aspect))
     }
 
     /// Draws at `low`, `medium` or `high` quality; by any other name, as well as frames
@@ -281,6 +276,23 @@ impl Player {
 }
 
 impl Player {
+    /// Draws a frame of whoever is on stage.
+    fn draw(&mut self, frame: impl FnOnce(&mut Performer, f64) -> &Frame) -> Result<u32, JsError> {
+        let status = match (&mut self.performer, &mut self.picture) {
+            (None, _) => TickStatus::Skipped,
+            (_, None) => TickStatus::NoPicture,
+            _ if !self.sized => TickStatus::Skipped,
+            (Some(performer), Some(picture)) => {
+                match picture.render(frame(performer, self.aspect))? {
+                    RenderStatus::Drawn => TickStatus::Shown,
+                    RenderStatus::Skipped => TickStatus::Skipped,
+                    RenderStatus::DeviceLost => TickStatus::Lost,
+                }
+            }
+        };
+        Ok(status as u32)
+    }
+
     fn follow_pace(&mut self) {
         if let Some(picture) = &mut self.picture {
             let options = self.pace.options();
@@ -372,6 +384,7 @@ pub(crate) fn read(
         eml,
         performer.duration_secs(),
         performer.utterances(),
+        performer.choice(),
         loaded.diagnostics,
     );
     (performer, story)

@@ -71,7 +71,7 @@ function tools(): TemplateResult {
       <select @change=${begin}><option value="">Choose…</option>${Object.keys(EXAMPLES).map((name) => html`<option>${name}</option>`)}</select></label>
     <label class="select"><span>On stage</span>
       <select @change=${(event: Event) => (player!.figure = (event.target as HTMLSelectElement).value)}>
-        ${Object.entries(FIGURES).map(([id, name]) => html`<option value=${id} .selected=${id === player!.figure}>${name}</option>`)}
+        ${Object.entries(FIGURES).map(([id, name]) => html`<option value=${id} .selected=${id === (player!.figure ?? player!.currentFigure)}>${name}</option>`)}
       </select></label>
     <span class="group">
       <button type="button" class="plain" ?disabled=${!app.editor.canUndo} @click=${() => app.editor.undo()} title="Undo (Ctrl Z)">Undo</button>

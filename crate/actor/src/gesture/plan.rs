@@ -154,6 +154,11 @@ impl ArmPlan {
         &self.keys
     }
 
+    /// As [`Rest::welcome`].
+    pub(crate) fn welcome(&mut self, skeleton: &Skeleton) {
+        self.rest.welcome(skeleton);
+    }
+
     /// The time that the hand needs from where it is at `from_secs`, or from rest, to the
     /// first key of a stroke that nobody saw coming, seconds. `None` for a key that moves the
     /// fingers only.

@@ -94,6 +94,21 @@ impl Rest {
         }
     }
 
+    /// Rests from now on in one posture alone, a welcome: the arms a little away from the
+    /// sides, the forearms before them, the palms turned to whoever comes. Near enough to the
+    /// hanging arm that a story may begin with that.
+    pub(crate) fn welcome(&mut self, skeleton: &Skeleton) {
+        let scale = skeleton.stature_m() / 1.7;
+        let sign = self.side.sign();
+        let out = |x: f64, y: f64, z: f64| DVec3::new(x * sign, y, z);
+        let hand = palm::from_directions(self.side, out(0.22, -0.72, 0.62), out(-0.62, 0.35, 0.62));
+        let open = RestHand {
+            wrist: self.hanging.wrist + out(0.045, 0.085, 0.11) * scale,
+            hand: hand.unwrap_or(self.hanging.hand),
+        };
+        (self.hanging, self.in_front) = (open, open);
+    }
+
     /// The hand at rest at a time, relative to the trunk of the zero pose.
     #[must_use]
     pub fn at(&self, time_secs: f64) -> RestHand {

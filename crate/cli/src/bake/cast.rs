@@ -32,6 +32,8 @@ pub(crate) struct Cast {
     pub(crate) chosen: Option<Role>,
     /// What the usual engine lacks, where the lead is of another because nobody asked for it.
     pub(crate) instead_of: Option<Missing>,
+    /// The story's own language, a tag of BCP 47; none: that of the voice.
+    pub(crate) language: Option<String>,
 }
 
 struct Known {
@@ -112,6 +114,7 @@ impl Cast {
                 },
             }),
             instead_of,
+            language: None,
         };
         // An engine that lacks an option is an error, one that is not installed is not.
         engine::by_name(&name, &cast.options)?;
@@ -132,6 +135,17 @@ impl Cast {
             }
         };
         Ok(cast)
+    }
+
+    /// What names no other language is said in this one, a tag of BCP 47; by another voice
+    /// where the lead's does not speak it.
+    ///
+    /// # Errors
+    /// When no voice speaks it.
+    pub(crate) fn speak_in(&mut self, tag: String) -> Result<()> {
+        self.lead = self.role(&self.lead, &Speaker::default(), &tag)?;
+        self.language = Some(tag);
+        Ok(())
     }
 
     /// What was asked for so far and is missing.
@@ -181,7 +195,8 @@ impl Cast {
             let names: Vec<&str> = known.voices.iter().map(|v| v.name.as_str()).collect();
             let some = names[..names.len().min(12)].join(", ");
             format!(
-                "{engine} has no voice {name}; it has {some} (see raconteur bake --list-voices)"
+                "{engine} has no voice {name}; it has {some}; {}",
+                engine::hint_among(name, &names)
             )
         })
     }
@@ -207,14 +222,13 @@ impl Cast {
     /// # Errors
     /// When there is none of that name; the message says what to do.
     pub(crate) fn named(&self, name: &str) -> Result<Role> {
-        let told = || format!("no engine has a voice {name} (see raconteur bake --list-voices)");
         let Some((engine, voice)) = engine::find_voice(name) else {
             // It may be a voice of one that is not installed.
             let mut missing = Missing::default();
             let absent = engine::local().iter().filter_map(|(_, v)| v.as_ref().err());
             absent.for_each(|one| missing.add(one));
             if missing.is_empty() || name.contains(':') {
-                bail!(told());
+                bail!("no engine has a voice {name}; {}", engine::voice_hint(name));
             }
             missing.add(&Missing::of(&anyhow!(
                 "no engine that is here has a voice {name}"

@@ -57,7 +57,9 @@ pub(crate) struct Casting {
 /// # Errors
 /// When it cannot be planned, or an engine is missing.
 pub(crate) fn cast(work: &Work<'_>, cast: &Cast, lexicon: &Lexicon) -> Result<Casting> {
-    let language = &work.role.voice.language;
+    // A voice that a clause names speaks its own language.
+    let own = cast.language.as_ref().filter(|_| *work.role == cast.lead);
+    let language = own.unwrap_or(&work.role.voice.language);
     let plan = plan(work.content, language, &work.role.engine, lexicon)?;
     let roles = plan
         .sentences

@@ -7,10 +7,12 @@ use std::thread;
 use anyhow::{Context as _, Result};
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
+use raconteur_player::Script;
+use raconteur_player::speech::language;
 use raconteur_player::speech::text::Lexicon;
 use serde_json::json;
 
-use crate::bake::engine::{ENGINES, EngineOptions, VoiceInfo};
+use crate::bake::engine::{self, ENGINES, EngineOptions, VoiceInfo};
 use crate::bake::program::Missing;
 use crate::bake::{self, BakeOptions, BakeReport, Cast, STORY_PACE};
 use crate::story::StoryFiles;
@@ -22,12 +24,12 @@ pub(crate) struct Bake {
     /// Scripts, or folders that hold a story.eml.
     #[arg(required_unless_present = "list_voices")]
     files: Vec<PathBuf>,
-    /// The speech engine; without it, festival, or where that is not installed the first of
-    /// flite and espeak-ng that is.
+    /// The speech engine; without it, the one of the story's voice, else festival, or where that
+    /// is not installed the first of flite and espeak-ng that is.
     #[arg(long, value_parser = ENGINES)]
     engine: Option<String>,
-    /// The voice of what names no other, as its engine calls it; without it, the engine's
-    /// first.
+    /// The voice of what names no other, as its engine calls it; without it, the one that the
+    /// story chooses (`r:performer`), else the engine's first.
     #[arg(long)]
     voice: Option<String>,
     /// List the voices of the engine, or of all that are installed.
@@ -86,11 +88,7 @@ impl Bake {
             let folder = files.script.parent().unwrap_or(Path::new(""));
             let lexicon_text = self.lexicon_text(folder)?;
             let bake_options = BakeOptions {
-                cast: Cast::new(
-                    self.engine.as_deref(),
-                    self.voice.as_deref(),
-                    options.clone(),
-                )?,
+                cast: self.cast(&script, options.clone())?,
                 pace: self.pace,
                 lexicon: Lexicon::parse(&lexicon_text).context("reading the lexicon")?,
                 lexicon_text,
@@ -155,6 +153,36 @@ impl Bake {
             writeln!(io::stdout(), "{}", serde_json::to_string(&reports)?)?;
         }
         Ok(worst)
+    }
+
+    /// Who speaks: the engine and voice that are asked for, else those that the story chooses.
+    fn cast(&self, script: &Script, options: EngineOptions) -> Result<Cast> {
+        let performer = script.document.performer.as_ref();
+        let (engine, voice) = (self.engine.as_deref(), self.voice.as_deref());
+        let named = performer.and_then(|p| p.voice.as_deref());
+        let mut cast = match named.filter(|_| voice.is_none()) {
+            Some(named) => match engine::find_voice(named) {
+                Some((of, voice)) if engine.is_none_or(|asked| asked == of) => {
+                    Cast::new(Some(&of), Some(&voice), options)?
+                }
+                Some(_) => Cast::new(engine, None, options)?,
+                None => {
+                    let mut cast = Cast::new(engine, None, options)?;
+                    cast.lead = cast.named(named).context("the story chooses its voice")?;
+                    cast
+                }
+            },
+            None => Cast::new(engine, voice, options)?,
+        };
+        // A voice that is asked for speaks its own language.
+        let language = performer.and_then(|p| p.language.as_deref());
+        if let Some(name) = language.filter(|_| voice.is_none()) {
+            let tag = language::tag(name).with_context(|| {
+                format!("the story asks for the language {name}, which is no tag of BCP 47")
+            })?;
+            cast.speak_in(tag)?;
+        }
+        Ok(cast)
     }
 
     fn lexicon_text(&self, folder: &Path) -> Result<String> {

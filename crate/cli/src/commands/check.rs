@@ -21,7 +21,7 @@ pub(crate) struct Check {
     #[arg(required = true)]
     files: Vec<PathBuf>,
     /// The figure whose reach is checked: a name, or the path of a .glb file. Without this,
-    /// sofia.
+    /// the one that the story chooses, else sofia.
     #[arg(long)]
     figure: Option<String>,
     /// How to report.
@@ -58,8 +58,7 @@ impl Check {
     }
 
     fn diagnostics(&self, files: &StoryFiles) -> Result<Vec<Diagnostic>> {
-        let name = self.figure.as_deref().unwrap_or("sofia");
-        Ok(files.player(name, Shot::Medium)?.diagnostics)
+        Ok(files.player(self.figure.as_deref(), Shot::Medium)?.diagnostics)
     }
 }
 

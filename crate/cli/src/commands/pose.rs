@@ -20,9 +20,9 @@ pub(crate) struct Pose {
     /// Times in seconds, separated by commas.
     #[arg(long, value_delimiter = ',', required = true)]
     at: Vec<f64>,
-    /// A figure's name, or the path of a .glb file.
-    #[arg(long, default_value = "sofia")]
-    figure: String,
+    /// A figure's name, or the path of a .glb file; without it, the story's choice, else sofia.
+    #[arg(long)]
+    figure: Option<String>,
     /// Print only a digest of every joint and morph for each time.
     #[arg(long)]
     digest: bool,
@@ -66,7 +66,7 @@ impl Pose {
             bail!("--at takes times of 0 s or later, not {bad}");
         }
         let files = StoryFiles::read(&self.file)?;
-        let mut loaded = files.player(&self.figure, Shot::Medium)?;
+        let mut loaded = files.player(self.figure.as_deref(), Shot::Medium)?;
         report::print(
             &files.script.display().to_string(),
             &files.text,

@@ -54,9 +54,9 @@ pub(crate) struct Render {
     /// How much of the speaker is in the picture.
     #[arg(long, value_enum, default_value = "medium")]
     shot: ShotName,
-    /// A figure's name, or the path of a .glb file.
-    #[arg(long, default_value = "sofia")]
-    figure: String,
+    /// A figure's name, or the path of a .glb file; without it, the story's choice, else sofia.
+    #[arg(long)]
+    figure: Option<String>,
 }
 
 /// Largest side of a picture, pixels; what every adapter can draw.
@@ -89,7 +89,7 @@ impl Render {
             ShotName::Medium => Shot::Medium,
             ShotName::Close => Shot::Close,
         };
-        let mut loaded = files.player(&self.figure, shot)?;
+        let mut loaded = files.player(self.figure.as_deref(), shot)?;
         report::print(
             &files.script.display().to_string(),
             &files.text,

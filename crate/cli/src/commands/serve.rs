@@ -10,7 +10,7 @@ use raconteur_player::stage::Shot;
 use raconteur_player::{Options, Player, StoryInput};
 
 use crate::serve::{Clock, Ways, run};
-use crate::story::{StoryFiles, find_figure};
+use crate::story::{StoryFiles, USUAL_FIGURE, find_figure};
 use crate::{Outcome, report};
 
 /// Where WebSockets are taken when nothing else is asked for.
@@ -29,9 +29,9 @@ pub(crate) struct Serve {
     /// A script, or a folder that holds a story.eml, to perform meanwhile; its speech bundle
     /// is the figure's voice. Without one a figure waits, silent.
     story: Option<PathBuf>,
-    /// A figure's name, or the path of a .glb file.
-    #[arg(long, default_value = "sofia")]
-    figure: String,
+    /// A figure's name, or the path of a .glb file; without it, the story's choice, else sofia.
+    #[arg(long)]
+    figure: Option<String>,
     /// Take WebSockets at this port; 0 chooses one. 7373 where no way is given.
     #[arg(long)]
     port: Option<u16>,
@@ -97,7 +97,8 @@ impl Serve {
 
     fn player(&self) -> Result<Player> {
         let Some(story) = &self.story else {
-            let figure = find_figure(&self.figure, Path::new("."))?;
+            let name = self.figure.as_deref().unwrap_or(USUAL_FIGURE);
+            let figure = find_figure(name, Path::new("."))?;
             return Ok(Player::load(StoryInput {
                 eml: "<eml><body/></eml>",
                 bundle: None,
@@ -107,7 +108,7 @@ impl Serve {
             .player);
         };
         let files = StoryFiles::read(story)?;
-        let loaded = files.player(&self.figure, Shot::Medium)?;
+        let loaded = files.player(self.figure.as_deref(), Shot::Medium)?;
         let name = files.script.display().to_string();
         report::print(&name, &files.text, &loaded.diagnostics)?;
         Ok(loaded.player)

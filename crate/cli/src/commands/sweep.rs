@@ -19,9 +19,9 @@ pub(crate) struct Sweep {
     /// Scripts, or folders that hold a story.eml.
     #[arg(required = true)]
     files: Vec<PathBuf>,
-    /// Who performs: a name, or the path of a figure.
-    #[arg(long, default_value = "sofia")]
-    figure: String,
+    /// Who performs: a name, or the path of a figure; without it, the story's choice, else sofia.
+    #[arg(long)]
+    figure: Option<String>,
     /// How to report.
     #[arg(long, value_enum, default_value = "text")]
     format: Format,
@@ -69,7 +69,7 @@ impl Sweep {
         for path in &self.files {
             let files = StoryFiles::read(path)?;
             let file = files.script.display().to_string();
-            let mut loaded = files.player(&self.figure, Shot::Medium)?;
+            let mut loaded = files.player(self.figure.as_deref(), Shot::Medium)?;
             report::print(&file, &files.text, &loaded.diagnostics)?;
             if report::outcome(&loaded.diagnostics) == Outcome::Errors {
                 worst = Outcome::Errors;

@@ -38,7 +38,7 @@ impl PreferredHand {
 record! {
     /// Who performs the script, in what voice and language, and in which manner.
     Performer = "performer" {
-        /// The figure's name.
+        /// The figure: a name of the library, or a file beside the story.
         figure: Option<String> = "figure",
         /// The voice's name.
         voice: Option<String> = "voice",

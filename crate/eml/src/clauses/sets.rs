@@ -15,6 +15,72 @@ pub const BODY_GROUPS: &[&str] = &[
     "right_leg",
 ];
 
+/// The bones that every figure has (GEVH appendix A), without the `bone_` before their names.
+pub const BONES: &[&str] = &[
+    "sacroiliac",
+    "r_hip",
+    "r_knee",
+    "r_subtalar",
+    "r_midtarsal",
+    "r_metatarsal",
+    "l_hip",
+    "l_knee",
+    "l_subtalar",
+    "l_midtarsal",
+    "l_metatarsal",
+    "lumbar",
+    "thoracic",
+    "r_scapula",
+    "r_shoulder",
+    "r_elbow",
+    "r_wrist",
+    "r_index0",
+    "r_index1",
+    "r_index2",
+    "r_middle0",
+    "r_middle1",
+    "r_middle2",
+    "r_ring0",
+    "r_ring1",
+    "r_ring2",
+    "r_pinky0",
+    "r_pinky1",
+    "r_pinky2",
+    "r_thumb0",
+    "r_thumb1",
+    "r_thumb2",
+    "l_scapula",
+    "l_shoulder",
+    "l_elbow",
+    "l_wrist",
+    "l_index0",
+    "l_index1",
+    "l_index2",
+    "l_middle0",
+    "l_middle1",
+    "l_middle2",
+    "l_ring0",
+    "l_ring1",
+    "l_ring2",
+    "l_pinky0",
+    "l_pinky1",
+    "l_pinky2",
+    "l_thumb0",
+    "l_thumb1",
+    "l_thumb2",
+    "cervical",
+    "skull",
+    "chin",
+];
+
+/// The number of a layer by its name, which ends in it (`layer1`) or is it (`1`); none when it
+/// names no layer.
+#[must_use]
+pub fn layer_number(name: &str) -> Option<usize> {
+    let digits = name.trim_start_matches(|c: char| !c.is_ascii_digit());
+    digits.parse().ok()
+}
+
 words! {
     /// What a set consists of.
     SetKind {

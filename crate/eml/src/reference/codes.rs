@@ -205,6 +205,7 @@ pub const CODES: &[(&str, &str)] = &[
         "An element does not have this attribute.",
     ),
     ("eml::unknown-body-group", "No figure has this body group."),
+    ("eml::unknown-bone", "No figure has this bone."),
     (
         "eml::unknown-element",
         "The language does not have this element.",
@@ -216,6 +217,10 @@ pub const CODES: &[(&str, &str)] = &[
     (
         "eml::unknown-hand-shape",
         "There is no hand shape of this number.",
+    ),
+    (
+        "eml::unknown-layer",
+        "A name of a layer does not end in its number.",
     ),
     ("eml::unknown-name", "A time expression names no moment."),
     (

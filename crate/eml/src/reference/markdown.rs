@@ -113,9 +113,14 @@ fn table<'a>(out: &mut String, attributes: impl Iterator<Item = &'a Attribute>) 
             .iter()
             .map(|(alias, word)| format!(" `{alias}` is read as `{word}`."))
             .collect();
+        let beside: String = attribute
+            .beside
+            .iter()
+            .map(|b| format!(" With {}='{}': {}.", b.attribute, b.word, kind(b.kind)))
+            .collect();
         let _ = writeln!(
             out,
-            "| `{}`{aliases} | {value} | {default} | {}{words} |",
+            "| `{}`{aliases} | {value} | {default} | {}{beside}{words} |",
             shown(attribute.extension, attribute.name),
             attribute.doc
         );

@@ -11,6 +11,9 @@ pub struct Attribute {
     pub kind: Kind,
     /// Other words for those of a choice, accepted with a warning.
     pub word_aliases: &'static [(&'static str, &'static str)],
+    /// What it may hold beside a word of another attribute of the element: then this counts
+    /// instead of `kind`.
+    pub beside: &'static [Beside],
     /// What counts when it is left out.
     pub default: Presence,
     /// The unit of its numbers; empty when there is none.
@@ -19,6 +22,17 @@ pub struct Attribute {
     pub extension: bool,
     /// What it means; empty without the feature `reference`.
     pub doc: &'static str,
+}
+
+/// What an attribute may hold where another one has a certain word.
+#[derive(Clone, Copy, Debug)]
+pub struct Beside {
+    /// The other attribute, a choice.
+    pub attribute: &'static str,
+    /// Its word.
+    pub word: &'static str,
+    /// What may be held then.
+    pub kind: Kind,
 }
 
 /// What counts when an attribute is left out.
@@ -98,6 +112,7 @@ impl Attribute {
             aliases: &[],
             kind,
             word_aliases: &[],
+            beside: &[],
             default: Presence::Optional,
             unit: "",
             extension: false,
@@ -181,6 +196,11 @@ impl Attribute {
         aliases: &'static [(&'static str, &'static str)],
     ) -> Self {
         self.word_aliases = aliases;
+        self
+    }
+
+    pub(super) const fn beside(mut self, kinds: &'static [Beside]) -> Self {
+        self.beside = kinds;
         self
     }
 

@@ -1,7 +1,34 @@
 //! `body-configure-deterministic-track-property`: speed, weight or switch of tracks.
 
-use super::{Attribute, Content, Element, Kind};
+use super::{Attribute, Beside, Content, Element, Kind};
 use crate::{ClauseKind, TrackProperty, Transition};
+
+const fn value(word: &'static str, kind: Kind) -> Beside {
+    Beside {
+        attribute: "property",
+        word,
+        kind,
+    }
+}
+
+/// The values of each property; nothing plays faster than a hundred times its pace.
+const VALUES: &[Beside] = &[
+    value(
+        "speed",
+        Kind::Number {
+            least: -100.0,
+            most: 100.0,
+        },
+    ),
+    value(
+        "weight",
+        Kind::Number {
+            least: 0.0,
+            most: 1.0,
+        },
+    ),
+    value("enable", Kind::Bool),
+];
 
 pub(super) static ELEMENT: Element = Element {
     doc: doc!("Sets the speed, the weight or the switch of tracks."),
@@ -16,12 +43,9 @@ pub(super) static ELEMENT: Element = Element {
     required_children: &["tracks"],
     attributes: &[
         Attribute::choice("property", TrackProperty::WORDS, doc!("Which property.")).required(),
-        Attribute::new(
-            "newValue",
-            Kind::NumberOrBool,
-            doc!("Its new value; for enable true, false, 1 or 0."),
-        )
-        .required(),
+        Attribute::new("newValue", Kind::NumberOrBool, doc!("Its new value."))
+            .beside(VALUES)
+            .required(),
         Attribute::identifier(
             "player",
             doc!("The player; the first one when it is left out."),
@@ -54,6 +78,28 @@ mod tests {
         assert_eq!((property.new_value, property.duration_secs), (0.5, 2.0));
         assert_eq!(property.property, TrackProperty::Weight);
     }
+
+    #[test]
+    fn each_property_has_a_range_of_its_own() {
+        let property = |word: &str, value: &str| {
+            clause_codes(&format!(
+                "<body-configure-deterministic-track-property time='0' property='{word}' \
+                 newValue='{value}'><tracks><bg name='head'/></tracks>\
+                 </body-configure-deterministic-track-property>"
+            ))
+        };
+        for (word, fine, beyond, code) in [
+            ("speed", "-100", "101", "eml::out-of-range"),
+            ("weight", "1", "1.01", "eml::out-of-range"),
+            ("weight", "0", "-0.01", "eml::out-of-range"),
+            ("Enable", "true", "0.5", "eml::bad-boolean"),
+        ] {
+            let codes = property(word, fine);
+            assert!(codes.iter().all(|c| *c == "eml::letter-case"), "{codes:?}");
+            assert_eq!(property(word, beyond), [code]);
+        }
+    }
+
     #[test]
     fn tracks_are_needed_and_a_switch_takes_no_time() {
         assert_eq!(

@@ -29,6 +29,7 @@ pub(crate) fn read(cx: &mut Context<'_>, node: usize, element: &'static Element)
         "performer" => {
             if cx.record(node, &fields, &mut performer) {
                 cx.document.performer = Some(performer);
+                cx.document.performer_span = fields.tag;
             }
         }
         // The head and what only groups in it; the table bounds the depth.

@@ -32,7 +32,7 @@ mod tests {
     #[test]
     fn a_number_is_as_good_as_a_name() {
         let kind = one(
-            "<body-deterministic-primitive time='0' primitive='pop'><tracks><ly name='a'/><ly index='7'/></tracks></body-deterministic-primitive>",
+            "<body-deterministic-primitive time='0' primitive='pop'><tracks><ly name='a1'/><ly index='7'/></tracks></body-deterministic-primitive>",
         );
         let ClauseKind::DeterministicPrimitive(primitive) = kind else {
             panic!("{kind:?}")
@@ -40,7 +40,7 @@ mod tests {
         let members = primitive.tracks.unwrap().members;
         assert_eq!(
             (members[0].name.as_str(), members[1].name.as_str()),
-            ("a", "7")
+            ("a1", "7")
         );
     }
     #[test]

@@ -96,7 +96,7 @@ use crate::ClauseKind;
 use crate::clauses::speech::Markup;
 #[cfg(feature = "reference")]
 pub(crate) use attribute::MAX_NUMBER;
-pub use attribute::{Attribute, Kind, Presence};
+pub use attribute::{Attribute, Beside, Kind, Presence};
 pub(crate) use context::{Context, Fields, Tally};
 #[cfg(test)]
 pub(crate) use emph::number as emphasis;

@@ -1,14 +1,14 @@
 //! `performer`: who performs, in what voice, language and manner.
 
-use super::{Attribute, Element};
+use super::{Attribute, Element, Kind};
 use crate::{Expressions, PreferredHand};
 
 pub(super) static ELEMENT: Element = Element {
     doc: doc!(
-        "Says who performs the script, in what voice and language, and how much the character moves its face and head when it speaks. Whoever shows the story may choose another figure, voice and language."
+        "Says who performs the script, in what voice and language, and how much the character moves its face and head when it speaks. Whoever shows or bakes the story may choose another figure, voice and language."
     ),
     decision: doc!(
-        "What accompanies speech is made from its sound where the writer says nothing (F&H section 4.2), and an utterance whose pitch is not known from its text (4.3). Amounts are shares of what F&H publish; none, also of zero, changes the lips."
+        "What accompanies speech is made from its sound where the writer says nothing (F&H section 4.2), and an utterance whose pitch is not known from its text (4.3). Amounts are shares of what F&H publish; none, also of zero, changes the lips. Where a figure cannot be had, the one that performs when none is named does."
     ),
     source: doc!("Extension; GEVH 3.1, 3.4; F&H 4.2, 4.3"),
     example: doc!(
@@ -28,11 +28,20 @@ pub(super) static ELEMENT: Element = Element {
     ],
     most_per_parent: Some(1),
     attributes: &[
-        Attribute::identifier("figure", doc!("The figure's name.")),
-        Attribute::identifier("voice", doc!("The voice's name.")),
+        Attribute::new(
+            "figure",
+            Kind::Path,
+            doc!("The figure: a name of the library, or a file beside the story."),
+        ),
+        Attribute::identifier(
+            "voice",
+            doc!(
+                "The voice of what names no other: VOICE or ENGINE:VOICE for the baker, or the name of a voice of the browser."
+            ),
+        ),
         Attribute::identifier(
             "language",
-            doc!("The language of the speech, as in BCP 47."),
+            doc!("The language of what names no other, as in BCP 47."),
         ),
         Attribute::choice(
             "handedness",

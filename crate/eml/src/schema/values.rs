@@ -29,15 +29,16 @@ impl Context<'_> {
         let Some((attribute, written)) = fields.get(name) else {
             return Value::None;
         };
+        let kind = beside(attribute, fields);
         let default = || match attribute.default {
-            Presence::Default(text) => parse(attribute.kind, text).unwrap_or(Value::None),
+            Presence::Default(text) => parse(kind, text).unwrap_or(Value::None),
             Presence::Required | Presence::Optional => Value::None,
         };
         let Some(written) = written else {
             return default();
         };
         if written.is_plain
-            && let Some(number) = usual_number(attribute.kind, written.value)
+            && let Some(number) = usual_number(kind, written.value)
         {
             return Value::Number(number);
         }
@@ -48,14 +49,21 @@ impl Context<'_> {
             resolved = syntax::resolve(written, self.sink);
             &*resolved
         };
-        let text = match attribute.kind {
+        let text = match kind {
             Kind::Text => text,
             _ => self.unaliased(attribute, trimmed(text), written.value_span()),
         };
-        parse(attribute.kind, text).unwrap_or_else(|problem| {
-            self.report(problem, written.value_span());
-            default()
-        })
+        match parse(kind, text) {
+            // A switch among numbers is a number.
+            Ok(Value::Flag(flag)) if attribute.kind == Kind::NumberOrBool => {
+                Value::Number(f64::from(u8::from(flag)))
+            }
+            Ok(value) => value,
+            Err(problem) => {
+                self.report(problem, written.value_span());
+                default()
+            }
+        }
     }
 
     /// The table's word for another one.
@@ -156,9 +164,20 @@ impl Context<'_> {
     }
 
     fn report(&mut self, problem: Problem, span: Span) {
-        let hint = (!problem.hint.is_empty()).then(|| problem.hint.to_owned());
+        let hint = (!problem.hint.is_empty()).then(|| problem.hint.into_owned());
         self.push_with_hint(Diagnostic::error(problem.code, span, problem.message), hint);
     }
+}
+
+/// What an attribute may hold beside what else is written.
+fn beside(attribute: &Attribute, fields: &Fields<'_>) -> Kind {
+    let has = |other: &str, word: &str| {
+        let written = fields.get(other).and_then(|(_, written)| written);
+        written.is_some_and(|w| w.value.trim().eq_ignore_ascii_case(word))
+    };
+    let mut kinds = attribute.beside.iter();
+    let found = kinds.find(|b| has(b.attribute, b.word));
+    found.map_or(attribute.kind, |b| b.kind)
 }
 
 /// A number as nearly every one is written; none for all that needs a closer look. Numbers
@@ -203,7 +222,8 @@ pub(crate) fn parse(kind: Kind, text: &str) -> Result<Value, Problem> {
     match kind {
         Kind::Text => Ok(Value::Text(text.into())),
         Kind::Name if !time_expr::is_name(text) => Err(Problem {
-            hint: "a name is a letter followed by letters, digits, `_` and `.`; `-` is a minus",
+            hint: "a name is a letter followed by letters, digits, `_` and `.`; `-` is a minus"
+                .into(),
             ..problem(
                 "eml::bad-name",
                 format!("{} cannot name a moment", quoted(text)),
@@ -211,7 +231,7 @@ pub(crate) fn parse(kind: Kind, text: &str) -> Result<Value, Problem> {
         }),
         Kind::Identifier if text.is_empty() => wrong("eml::bad-name", "a name"),
         Kind::Path if !is_inner_path(text) => Err(Problem {
-            hint: "paths are relative, without `..`, `:` and `\\`",
+            hint: "paths are relative, without `..`, `:` and `\\`".into(),
             ..problem(
                 "eml::bad-path",
                 format!("{} does not stay in its folder", quoted(text)),
@@ -316,7 +336,7 @@ fn number(text: &str) -> Result<f64, Problem> {
     match crate::decimal::parse(text) {
         Some(value) if value.abs() <= MAX_NUMBER => Ok(value),
         Some(value) if value.is_finite() => Err(Problem {
-            hint: "the largest is 1000000",
+            hint: "the largest is 1000000".into(),
             ..problem(code, format!("{} is too large", quoted(text)))
         }),
         Some(_) => Err(problem(
@@ -325,9 +345,9 @@ fn number(text: &str) -> Result<f64, Problem> {
         )),
         None => Err(Problem {
             hint: if text.contains(',') {
-                "decimals are written with a point"
+                "decimals are written with a point".into()
             } else {
-                ""
+                "".into()
             },
             ..problem(code, format!("{} is not a number", quoted(text)))
         }),
@@ -354,7 +374,7 @@ fn problem(code: &'static str, message: String) -> Problem {
         start: 0,
         end: 0,
         message,
-        hint: "",
+        hint: "".into(),
     }
 }
 
@@ -370,9 +390,7 @@ fn word(words: &'static [&'static str], text: &str) -> Option<Value> {
 fn no_word(text: &str, words: &'static [&'static str]) -> Problem {
     let mut problem = unexpected("eml::bad-choice", text, &list(words));
     if let Some(near) = nearest(text, words.iter().copied()) {
-        problem
-            .message
-            .push_str(&format!(" (did you mean `{near}`?)"));
+        problem.hint = format!("did you mean `{near}`?").into();
     }
     problem
 }

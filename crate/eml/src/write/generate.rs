@@ -107,7 +107,8 @@ impl Dice {
                 1 => Value::Number(self.number(0.0, 300.0)),
                 _ => Value::Word(self.pick(words)),
             },
-            Kind::NumberOrBool => Value::Number(self.number(0.0, 2.0)),
+            // A switch is among what such a number may be.
+            Kind::NumberOrBool => Value::Number(self.below(2) as f64),
             Kind::NumberOrText if self.one_in(2) => Value::Text("left&'".into()),
             Kind::NumberOrText => Value::Number(self.number(-100.0, 100.0)),
             Kind::Numbers => Value::Numbers((0..4).map(|_| self.number(-2.0, 2.0)).collect()),

@@ -8,6 +8,7 @@ use crate::{ClauseKind, Document, Piece, Span, Track};
 pub fn normal_form(document: &Document) -> Document {
     let mut document = document.clone();
     let nowhere = Span::default();
+    document.performer_span = nowhere;
     for set in &mut document.sets {
         set.span = nowhere;
     }

@@ -52,16 +52,19 @@ pub(crate) fn each_said<'d>(
 pub(crate) struct Voices {
     /// By clause; only what was baked.
     found: Vec<(ClauseId, usize)>,
+    /// The voices that the script names, by clause.
+    named: Vec<(ClauseId, String)>,
 }
 
 impl Voices {
     /// Finds what was baked for a document.
     pub(crate) fn find(document: &Document, bundle: Option<&Bundle>) -> Self {
-        let mut found = Vec::new();
-        let Some(bundle) = bundle else {
-            return Self { found };
-        };
+        let (mut found, mut named) = (Vec::new(), Vec::new());
         each_said(document, &mut |id, kind, manner| {
+            if let Some(voice) = manner.voice {
+                named.push((id, voice.to_owned()));
+            }
+            let Some(bundle) = bundle else { return };
             let index = bundle.find(key::of(kind, manner));
             // The words of a text are those of its utterance, or marks would be amiss.
             let fits = |index: &usize| match kind {
@@ -74,7 +77,14 @@ impl Voices {
                 found.push((id, index));
             }
         });
-        Self { found }
+        Self { found, named }
+    }
+
+    /// The voice that the script names for a clause.
+    pub(crate) fn named(&self, clause: ClauseId) -> Option<&str> {
+        let place = self.named.partition_point(|(id, _)| *id < clause);
+        let (_, voice) = self.named.get(place).filter(|(id, _)| *id == clause)?;
+        Some(voice)
     }
 
     /// The utterance of a clause.

@@ -28,6 +28,7 @@ use std::sync::OnceLock;
 
 use anyhow::{Context as _, Result, bail, ensure};
 
+use raconteur_player::eml::nearest;
 use raconteur_player::speech::bundle::SentenceKind;
 pub(crate) use raconteur_player::speech::content::Gender;
 use raconteur_player::speech::plan::Plan;
@@ -168,6 +169,27 @@ pub(crate) fn local() -> &'static [Local; 3] {
         ];
         asked.map(|(n, e)| (n, e.voices().map_err(|error| Missing::of(&error))))
     })
+}
+
+/// What to do about a voice that no engine has.
+pub(crate) fn voice_hint(name: &str) -> String {
+    if let Some((engine, _)) = name.split_once(':')
+        && !ENGINES.contains(&engine)
+    {
+        return hint_among(engine, &ENGINES);
+    }
+    let all = local().iter().filter_map(|(_, voices)| voices.as_ref().ok());
+    let names: Vec<&str> = all.flatten().map(|v| v.name.as_str()).collect();
+    hint_among(name, &names)
+}
+
+/// The name that is meant, where one is near, and where all of them are listed.
+pub(crate) fn hint_among(name: &str, known: &[&str]) -> String {
+    let list = "see raconteur bake --list-voices";
+    match nearest(name, known.iter().copied()) {
+        Some(near) => format!("did you mean {near}? ({list})"),
+        None => list.to_owned(),
+    }
 }
 
 /// The engine that has a voice of this name, and the name that the engine knows it by.

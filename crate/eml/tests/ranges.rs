@@ -1,0 +1,112 @@
+//! Every attribute that the table bounds is held to its bounds: a value beyond them is told
+//! exactly once, whatever the element. The elements' own examples are the texts.
+
+use raconteur_eml::parse;
+use raconteur_eml::reference::whole_example;
+use raconteur_eml::schema::{Attribute, ELEMENTS, Element, Kind};
+
+/// Values that an attribute of a kind does not take.
+fn beyond(kind: Kind) -> Vec<String> {
+    let all = |values: &[&str]| values.iter().map(|v| (*v).to_owned()).collect();
+    match kind {
+        Kind::Number { least, most } => {
+            let step = (most - least) / 8.0;
+            vec![(least - step).to_string(), (most + step).to_string()]
+        }
+        Kind::Integer { least, most } => {
+            let mut values = vec![(least as f64 - 1.0).to_string()];
+            // Numbers of hand shapes have words of their own for it.
+            if most < i64::MAX {
+                values.push((most as f64 + 1.0).to_string());
+            }
+            values
+        }
+        Kind::Seconds | Kind::KeyTime => all(&["-1", "1e9"]),
+        Kind::Level { percent: true, .. } => all(&["-1", "-101%", "2e6"]),
+        Kind::Level { .. } => all(&["-1", "2e6"]),
+        Kind::Bool => all(&["2", "-1"]),
+        Kind::Choice(_) => all(&["none-of-these-words"]),
+        Kind::Color => all(&["#fffff", "#ggffff"]),
+        Kind::Path => all(&["../x", "/x"]),
+        Kind::Url => all(&["file:///x"]),
+        // What is named by others, and what is read together with others.
+        Kind::Name | Kind::Identifier | Kind::Text | Kind::Time => Vec::new(),
+        Kind::NumberOrBool | Kind::NumberOrText | Kind::Numbers => Vec::new(),
+    }
+}
+
+/// Where the start tag of an element begins in its example, and its name there.
+fn tag_of(element: &Element, text: &str) -> (usize, String) {
+    let prefix = if element.extension { "r:" } else { "" };
+    let name = format!("<{prefix}{}", element.name);
+    let parents = element.parents.iter();
+    // One of several with a name is found in its own parent.
+    let within = parents.filter_map(|p| text.find(&format!("<{p}"))).min();
+    let from = if element.name == "key" {
+        within.unwrap_or(0)
+    } else {
+        0
+    };
+    let mut places = text[from..].match_indices(&name).map(|(i, _)| i + from);
+    let ends =
+        |i: &usize| !text[i + name.len()..].starts_with(|c: char| c.is_alphanumeric() || c == '-');
+    (
+        places.find(ends).expect("an example uses its element"),
+        name,
+    )
+}
+
+/// The example of an element with an attribute set to a value.
+fn with(element: &Element, attribute: &Attribute, value: &str) -> String {
+    let mut text = whole_example(element.example);
+    let needs_prefix = attribute.extension && !element.extension;
+    let prefix = if needs_prefix { "r:" } else { "" };
+    let name = format!(" {prefix}{}='", attribute.name);
+    let (start, tag) = tag_of(element, &text);
+    let end = start + text[start..].find('>').expect("a tag ends");
+    match text[start..end].find(&name) {
+        Some(place) => {
+            let from = start + place + name.len();
+            let to = from + text[from..].find('\'').expect("a value ends");
+            text.replace_range(from..to, value);
+        }
+        None => text.insert_str(start + tag.len(), &format!("{name}{value}'")),
+    }
+    if needs_prefix && !text.contains("xmlns:r=") {
+        text = text.replacen("<eml", "<eml xmlns:r='urn:raconteur:eml:1'", 1);
+    }
+    text
+}
+
+fn one_problem(text: &str) {
+    let found = parse(text).diagnostics;
+    assert_eq!(found.len(), 1, "{text}\n{found:#?}");
+}
+
+#[test]
+fn a_value_beyond_its_range_is_told_once() {
+    let mut checked = 0;
+    for element in ELEMENTS {
+        for attribute in element.all_attributes() {
+            for value in beyond(attribute.kind) {
+                one_problem(&with(element, attribute, &value));
+                checked += 1;
+            }
+            for beside in attribute.beside {
+                let text = whole_example(element.example);
+                assert!(text.contains(beside.attribute), "{text}");
+                for value in beyond(beside.kind) {
+                    let text = with(element, attribute, &value);
+                    let (place, _) = tag_of(element, &text);
+                    let other = format!(" {}='", beside.attribute);
+                    let from =
+                        place + text[place..].find(&other).expect("it is there") + other.len();
+                    let to = from + text[from..].find('\'').expect("a value ends");
+                    one_problem(&[&text[..from], beside.word, &text[to..]].concat());
+                    checked += 1;
+                }
+            }
+        }
+    }
+    assert!(checked > 150, "{checked}");
+}

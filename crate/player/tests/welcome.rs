@@ -1,0 +1,146 @@
+//! Before a story is played the figure waits, alive and on a clock of its own; of that nothing
+//! is left in the story.
+
+mod common;
+
+use common::{figure, read, story};
+use raconteur_player::base::{DQuat, DVec3};
+use raconteur_player::body::Bone;
+use raconteur_player::stage::Frame;
+use raconteur_player::{Options, Player};
+
+const ASPECT: f64 = 16.0 / 9.0;
+const STEP_SECS: f64 = 1.0 / 60.0;
+
+fn player(name: &str) -> Player {
+    story(name, figure(), Options::default()).player
+}
+
+/// Everything of a frame that is seen of the figure.
+fn seen(frame: &Frame) -> Vec<f64> {
+    let joints = frame
+        .world_from_joint
+        .iter()
+        .flat_map(|j| j.to_cols_array());
+    let nodes = frame.tissue.iter().flat_map(|n| n.displacement);
+    joints.chain(nodes.map(f64::from)).collect()
+}
+
+fn joint(frame: &Frame, bone: Bone) -> DVec3 {
+    frame.world_from_joint[bone.index()].translation
+}
+
+/// The farthest that any joint is from where it was, metres.
+fn moved(a: &Frame, b: &Frame) -> f64 {
+    let pairs = a.world_from_joint.iter().zip(&b.world_from_joint);
+    let distances = pairs.map(|(a, b)| a.translation.distance(b.translation));
+    distances.fold(0.0, f64::max)
+}
+
+#[test]
+fn waiting_changes_nothing_of_the_story() {
+    for name in ["white-rabbit", "mathematical-dance"] {
+        let (mut fresh, mut waited) = (player(name), player(name));
+        for i in 0..40 {
+            waited.welcome(f64::from(i) * 0.37, ASPECT);
+        }
+        // Played: half a second later the frames are the same to the last bit.
+        for i in 0..90 {
+            let t = f64::from(i) * STEP_SECS;
+            let (a, b) = (seen(fresh.frame(t, ASPECT)), seen(waited.frame(t, ASPECT)));
+            assert_eq!(a == b, t >= 0.5, "{name} at {t}");
+        }
+        // Sought: at once.
+        for t in [0.0, 0.1, 7.3, 0.2] {
+            waited.welcome(5.0, ASPECT);
+            waited.seek(t);
+            let a = seen(fresh.frame(t, ASPECT));
+            assert!(a == seen(waited.frame(t, ASPECT)), "{name} at {t}");
+        }
+        waited.welcome(5.0, ASPECT);
+        assert_eq!(fresh.digest(0.1), waited.digest(0.1));
+    }
+}
+
+#[test]
+fn the_figure_goes_into_the_story_without_a_jump() {
+    for name in ["papous", "sofia", "nuno"] {
+        for waited_secs in [0.0, 3.7, 41.0] {
+            let mut player = story("white-rabbit", read(name), Options::default()).player;
+            let mut last = player.welcome(waited_secs, ASPECT).clone();
+            let mut story = story("white-rabbit", read(name), Options::default()).player;
+            let way = moved(&last, story.frame(0.15, ASPECT));
+            assert!(way < 0.4, "{name}: the welcome is {way} m from the story");
+            for i in 0..36 {
+                let frame = player.frame(f64::from(i) * STEP_SECS, ASPECT).clone();
+                let limit = if i == 0 {
+                    // It goes on from the very picture that it waited in.
+                    1e-9
+                } else {
+                    // Nothing goes faster than 1.9 times the mean speed (minimum jerk), on an
+                    // arc that is up to a tenth longer than the way, besides the story's own
+                    // 0.2 m/s.
+                    (1.1 * 1.9 * way / 0.3 + 0.2) * STEP_SECS
+                };
+                let far = moved(&last, &frame);
+                assert!(far <= limit, "{name} {waited_secs} step {i}: {far} m");
+                let nodes = last.tissue.iter().zip(&frame.tissue);
+                let far = nodes.map(|(a, b)| {
+                    let [x, y, z] = [0, 1, 2].map(|k| a.displacement[k] - b.displacement[k]);
+                    (x * x + y * y + z * z).sqrt()
+                });
+                // A blink carries a lid 11 mm in 85 ms; the tissue begins anew where the
+                // story does, to a hundredth of a millimetre.
+                let (far, limit) = (far.fold(0.0, f32::max), if i == 0 { 1e-4 } else { 4e-3 });
+                assert!(
+                    far <= limit,
+                    "{name} {waited_secs} step {i}: {far} m of the face"
+                );
+                last = frame;
+            }
+        }
+    }
+}
+
+#[test]
+fn it_breathes_shifts_its_weight_blinks_and_looks() {
+    let mut player = player("white-rabbit");
+    let first = player.welcome(0.0, ASPECT).clone();
+    let (mut chest, mut hips, mut head) = (0.0_f64, 0.0_f64, 0.0_f64);
+    let mut closed = 0.0_f64;
+    let skeleton = figure();
+    let joints = skeleton.skeleton.joints();
+    let upper = joints.iter().position(|j| j.name == "helper_l_upper_lid");
+    let upper = upper.expect("a lid");
+    // How far the lid is down, radians.
+    let lid = |frame: &Frame| {
+        let lid = frame.world_from_joint[upper].matrix3;
+        let skull = frame.world_from_joint[Bone::Skull.index()].matrix3;
+        DQuat::from_mat3(&(skull.transpose() * lid)).angle_between(DQuat::IDENTITY)
+    };
+    for i in 1..600 {
+        let frame = player.welcome(f64::from(i) * 0.067, ASPECT);
+        let far = |bone| joint(frame, bone).distance(joint(&first, bone));
+        chest = chest.max(far(Bone::RScapula));
+        hips = hips.max(far(Bone::Sacroiliac));
+        head = head.max(far(Bone::Skull));
+        closed = closed.max((lid(frame) - lid(&first)).abs());
+        assert_eq!((frame.time_secs, frame.speech), (0.0, None));
+    }
+    // It is alive, and stays where it is.
+    assert!((0.002..0.1).contains(&chest), "{chest} m");
+    assert!((0.005..0.08).contains(&hips), "{hips} m");
+    assert!((0.005..0.15).contains(&head), "{head} m");
+    assert!(closed > 0.3, "lids: {closed} rad");
+    // The same wait is the same picture, whatever came between.
+    assert!(seen(&first) == seen(player.welcome(0.0, ASPECT)));
+}
+
+#[test]
+fn any_wait_is_a_picture() {
+    let mut player = player("hello-world");
+    for waited in [f64::NAN, f64::INFINITY, -1.0, 1e300, 86_399.9] {
+        let frame = player.welcome(waited, ASPECT);
+        assert!(seen(frame).iter().all(|n| n.is_finite()), "{waited}");
+    }
+}

@@ -1,0 +1,13 @@
+//! Whom a story chooses, before anybody is on stage.
+
+use raconteur_player::performer_of;
+use wasm_bindgen::prelude::*;
+
+use crate::message::Performer;
+use crate::player::plain;
+
+/// The figure, voice and language that a text chooses; a `Performer`.
+#[wasm_bindgen(js_name = performerOf)]
+pub fn performer(eml: &str) -> Result<JsValue, JsError> {
+    plain(&Performer::of(Some(&performer_of(eml))))
+}

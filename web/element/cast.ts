@@ -1,0 +1,47 @@
+/** Who performs: whom the page asks for, else whom the story chooses, else the usual figure. */
+
+import { performerOf } from './backend.js';
+import type { FigureFile } from './figure.js';
+import { fetchFigure, type Progress } from './loader.js';
+import { PlayerError, type Backend, type Diagnostic } from './types.js';
+
+/** Who performs when nobody is asked for; `raconteur` on the command line has the same. */
+export const USUAL_FIGURE = 'sofia';
+
+/** Only an element of this name chooses, and nothing in XML writes a name otherwise. */
+const MAY_CHOOSE = /performer/i;
+
+/** The figure that a text chooses; undefined where it leaves that to others. */
+export async function figureOf(eml: string, backend: () => Promise<Backend>): Promise<string | undefined> {
+  return MAY_CHOOSE.test(eml) ? (await performerOf(await backend(), eml)).figure : undefined;
+}
+
+/**
+ * The figure that a story chooses: a name of the library, or a file in the story's folder. Where it
+ * cannot be had, the usual one, and `report` is told.
+ */
+export async function fetchChoice(choice: string | undefined, story: URL, library: URL, progress: Progress, report: (diagnostic: Diagnostic) => void): Promise<FigureFile> {
+  if (choice !== undefined) {
+    try {
+      return await fetchFigure(choice, library, progress, inside(choice, story));
+    } catch (error) {
+      if (!(error instanceof PlayerError)) throw error;
+      report(refusal(error.message));
+    }
+  }
+  return await fetchFigure(USUAL_FIGURE, library, progress);
+}
+
+/** What is told where a story's figure cannot be used. */
+export function refusal(message: string): Diagnostic {
+  return { code: 'figure-unusable', severity: 'warning', message, hints: [`“${USUAL_FIGURE}” performs instead of the figure that the story chooses.`] };
+}
+
+/** Where a story's own figure lies; a story reaches no file outside its folder. */
+function inside(choice: string, story: URL): URL | undefined {
+  if (/^[\w-]+$/.test(choice)) return undefined;
+  const folder = new URL('.', story);
+  const file = new URL(choice, folder);
+  if (!file.href.startsWith(folder.href)) throw new PlayerError(`The figure ${choice} is not in the story's folder.`);
+  return file;
+}
