@@ -322,6 +322,16 @@ impl Curve {
         }
     }
 
+    /// How long it takes, with the way to its beginning, seconds; infinite in a loop.
+    #[must_use]
+    pub fn secs(&self) -> f64 {
+        if self.looping {
+            f64::INFINITY
+        } else {
+            self.period_secs.max(self.lag.secs)
+        }
+    }
+
     /// Where it is some seconds after its beginning.
     #[must_use]
     pub fn at(&self, secs: f64) -> Frame {

@@ -1,0 +1,256 @@
+//! How fast limbs led by manipulators turn: no snap, whatever is asked of them.
+
+use core::f64::consts::FRAC_PI_2;
+
+use raconteur_actor::manipulator::path::rotation_from;
+use raconteur_actor::manipulator::{
+    Command, Frame, Limb, ManipulatorScript, Motion, Pace, Path, Place, Shape,
+};
+use raconteur_actor::{Actor, FaceRig, Performance};
+use raconteur_base::{DQuat, DVec3, noise};
+use raconteur_body::{Bone, Pose, Skeleton};
+
+const RATE_HZ: f64 = 480.0;
+const UNIT_M: f64 = 0.0254;
+/// Bones of each limb in the order of [`Limb::ALL`].
+const BONES: [&[Bone]; 5] = [
+    &[Bone::LScapula, Bone::LShoulder, Bone::LElbow, Bone::LWrist],
+    &[Bone::RScapula, Bone::RShoulder, Bone::RElbow, Bone::RWrist],
+    &[Bone::LHip, Bone::LKnee, Bone::LSubtalar],
+    &[Bone::RHip, Bone::RKnee, Bone::RSubtalar],
+    &[Bone::Cervical, Bone::Skull],
+];
+
+fn actor(commands: Vec<Command>, seed: u64) -> Actor {
+    let performance = Performance {
+        manipulators: ManipulatorScript {
+            commands,
+            moves: Vec::new(),
+        },
+        seed,
+        ..Performance::default()
+    };
+    Actor::new(&performance, &Skeleton::example())
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Worst {
+    rad_per_sec: f64,
+    bone: Bone,
+    secs: f64,
+}
+
+/// The fastest turn of the limbs' bones from 0 on.
+fn fastest(actor: &Actor, until_secs: f64) -> Worst {
+    let skeleton = Skeleton::example();
+    let face = FaceRig::from_parts(&skeleton, &[], [0.8; 2]);
+    let mut worst = Worst {
+        rad_per_sec: 0.0,
+        bone: Bone::Sacroiliac,
+        secs: 0.0,
+    };
+    let (mut last, mut pose) = (Pose::zero(), Pose::zero());
+    actor.evaluate(&skeleton, &face, 0.0, &mut last, &mut []);
+    for i in 1..=(until_secs * RATE_HZ) as u32 {
+        let secs = f64::from(i) / RATE_HZ;
+        actor.evaluate(&skeleton, &face, secs, &mut pose, &mut []);
+        for bone in BONES.iter().flat_map(|bones| bones.iter()) {
+            let [a, b] = [&last, &pose].map(|p| p.rotation(*bone));
+            let rad_per_sec = a.angle_between(b) * RATE_HZ;
+            if !(rad_per_sec <= worst.rad_per_sec) {
+                worst = Worst {
+                    rad_per_sec,
+                    bone: *bone,
+                    secs,
+                };
+            }
+        }
+        core::mem::swap(&mut last, &mut pose);
+    }
+    worst
+}
+
+/// A target as a script writes it: units (x left, y up, z back) and degrees.
+fn target(position: [f64; 3], [yaw, pitch, roll]: [f64; 3]) -> Frame {
+    let [x, y, z] = position;
+    let angles = [-yaw, -pitch, roll].map(f64::to_radians);
+    Frame {
+        position: DVec3::new(x, y, -z) * UNIT_M,
+        rotation: rotation_from(angles),
+    }
+}
+
+fn line(time_secs: f64, limb: Limb, to: Frame, secs: f64) -> Command {
+    Command {
+        time_secs,
+        limb,
+        motion: Motion::FrameInterpolation { to, secs },
+    }
+}
+
+/// Target frames of a hand that points to the front palm down, of a standing foot and of a
+/// head that is upright, in the order of the limbs.
+fn easy(limb: Limb) -> DQuat {
+    match limb {
+        Limb::LeftArm => DQuat::from_rotation_y(-FRAC_PI_2),
+        Limb::RightArm => {
+            DQuat::from_rotation_y(FRAC_PI_2) * DQuat::from_rotation_z(2.0 * FRAC_PI_2)
+        }
+        Limb::LeftLeg | Limb::RightLeg => DQuat::from_rotation_z(-FRAC_PI_2),
+        Limb::Head => DQuat::IDENTITY,
+    }
+}
+
+/// Anywhere a script may send a limb: some in easy reach, some beyond it, behind the back,
+/// inside the trunk, twisted any way.
+fn place(limb: Limb, seed: u64, i: i64) -> Frame {
+    let r = |k: u64| noise::signed(seed, 20 + k, i);
+    let wild = noise::unit(seed, 40, i) < 0.4;
+    let v = DVec3::new(r(0), r(1), r(2));
+    let side = limb.side().map_or(0.0, |(side, _)| side.sign());
+    let position = match limb {
+        Limb::Head => DVec3::new(0.0, 1.75, 0.0) + v * 0.1,
+        Limb::LeftArm | Limb::RightArm => {
+            DVec3::new(0.2 * side, 1.3, 0.25) + v * if wild { 0.8 } else { 0.35 }
+        }
+        Limb::LeftLeg | Limb::RightLeg => {
+            let by = if wild { 0.8 } else { 0.4 };
+            let v = v * by;
+            DVec3::new(0.12 * side, if wild { 0.7 } else { 0.3 }, 0.1) + v
+        }
+    };
+    let rotation = match (4.0 * noise::unit(seed, 41, i)) as usize {
+        // As often scripts write it: as the leg of GEVH's examples.
+        0 => DQuat::from_rotation_z(-FRAC_PI_2),
+        1 => DQuat::from_xyzw(r(3), r(4), r(5), r(6)).normalize(),
+        _ => DQuat::from_scaled_axis(DVec3::new(r(3), r(4), r(5)) * 0.8) * easy(limb),
+    };
+    Frame { position, rotation }
+}
+
+fn path(to: &Frame, seed: u64, i: i64) -> Path {
+    let r = |k: u64| noise::signed(seed, 50 + k, i);
+    let unit = |k: u64| noise::unit(seed, 60 + k, i);
+    let shape = match (4.0 * unit(0)) as usize {
+        0 => Shape::Segment,
+        1 => Shape::Sinusoid {
+            across: DVec3::new(r(0), r(1), r(2)) * 0.15,
+            cycles: 2.0,
+        },
+        2 => Shape::Round {
+            centre: Place::default(),
+            normal: DVec3::new(r(0), r(1), r(2)),
+            radii: [0.1, 0.2],
+            from_rad: 3.0 * r(3),
+            turns: 2.0 * r(4),
+            rise: 0.2 * r(5),
+        },
+        _ => Shape::Lemniscate {
+            centre: Place::default(),
+            normal: DVec3::new(r(0), r(1), r(2)),
+            half_width: 0.2,
+            tilt_rad: r(3),
+            turns: 1.0,
+        },
+    };
+    let p = to.position;
+    Path {
+        shape,
+        from: Place::default(),
+        to: Place {
+            position: [Some(p.x), Some(p.y), Some(p.z)],
+            angles: [(unit(1) < 0.5).then(|| r(6)), None, None],
+        },
+        period_secs: 0.8 + 1.5 * unit(2),
+        looping: unit(3) < 0.3,
+    }
+}
+
+/// A random move of a limb by one of the primitives.
+fn motion(limb: Limb, seed: u64, i: i64) -> Motion {
+    let unit = |k: u64| noise::unit(seed, 80 + k, i);
+    let r = |k: u64| noise::signed(seed, 90 + k, i);
+    let to = place(limb, seed, i);
+    let secs = 0.4 + 1.6 * unit(0);
+    match (20.0 * unit(1)) as usize {
+        0..=6 => Motion::FrameInterpolation { to, secs },
+        7..=9 => Motion::JointInterpolation {
+            to,
+            pace: Pace::Secs(secs),
+        },
+        10 => Motion::JointInterpolation {
+            to,
+            pace: Pace::RadPerSec(0.5 + 2.0 * unit(2)),
+        },
+        11..=12 => Motion::Joints([0, 1, 2, 3, 4, 5].map(|k| (unit(3 + k) < 0.6).then(|| r(k)))),
+        13..=15 => Motion::Function(Box::new(path(&to, seed, i))),
+        16..=17 => Motion::JacobianTarget(to),
+        18 => Motion::JacobianVelocity {
+            linear: DVec3::new(r(0), r(1), r(2)) * 0.4,
+            angular: DVec3::new(r(3), r(4), r(5)),
+        },
+        _ => {
+            if unit(2) < 0.5 {
+                Motion::Lock(unit(3) < 0.7)
+            } else {
+                Motion::Stop
+            }
+        }
+    }
+}
+
+/// Two to four moves of each limb; some begin while the one before is on its way, some after
+/// a hold. The commands, how many they are, and when to stop looking.
+fn chain(seed: u64) -> (Vec<Command>, f64) {
+    let mut commands = Vec::new();
+    let mut end: f64 = 0.0;
+    for limb in Limb::ALL {
+        let of = seed * 5 + limb.index() as u64;
+        let count = 2 + (3.0 * noise::unit(of, 1, 0)) as i64;
+        let mut time_secs = 0.2 + noise::unit(of, 2, 0);
+        for i in 0..count {
+            commands.push(Command {
+                time_secs,
+                limb,
+                motion: motion(limb, of, i),
+            });
+            time_secs += 0.3 + 2.4 * noise::unit(of, 3, i);
+        }
+        end = end.max(time_secs + 2.0);
+    }
+    (commands, end)
+}
+
+#[test]
+fn probe() {
+    let leg = [20.0, 30.0, 40.0].map(|y| {
+        let to = target([4.0, y, -15.0], [0.0, 0.0, -90.0]);
+        fastest(&actor(vec![line(1.0, Limb::LeftLeg, to, 1.0)], 0), 8.0)
+    });
+    println!("leg {leg:?}");
+    let first = target([-9.0, 60.0, -7.0], [0.0, 0.0, -90.0]);
+    let second = target([-10.0, 35.0, 8.0], [0.0, 0.0, 0.0]);
+    let arm = vec![
+        line(1.0, Limb::RightArm, first, 1.0),
+        line(3.0, Limb::RightArm, second, 1.0),
+    ];
+    println!("arm {:?}", fastest(&actor(arm, 0), 8.0));
+    let count: u64 = std::env::var("LIMB_MOVES").map_or(60, |n| n.parse().expect("a number"));
+    let (mut moves, mut seed) = (0, 0);
+    let mut over = 0;
+    let began = std::time::Instant::now();
+    while moves < count {
+        let (commands, end) = chain(seed);
+        moves += commands.len() as u64;
+        let a = actor(commands.clone(), seed);
+        let worst = fastest(&a, end);
+        if worst.rad_per_sec > 20.0 {
+            over += 1;
+            let limb = BONES.iter().position(|b| b.contains(&worst.bone)).expect("one");
+            let last = commands.iter().filter(|c| c.limb.index() == limb && c.time_secs <= worst.secs);
+            println!("{seed} {worst:?} {:?}", last.last());
+        }
+        seed += 1;
+    }
+    println!("{over} of {seed} over, {:?}", began.elapsed());
+}
