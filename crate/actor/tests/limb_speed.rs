@@ -4,9 +4,9 @@ use core::f64::consts::FRAC_PI_2;
 
 use raconteur_actor::manipulator::path::rotation_from;
 use raconteur_actor::manipulator::{
-    Command, Frame, Limb, ManipulatorScript, Motion, Pace, Path, Place, Shape,
+    Command, Frame, Limb, MOST_RAD_PER_S, ManipulatorScript, Motion, Pace, Path, Place, Shape,
 };
-use raconteur_actor::{Actor, FaceRig, Performance};
+use raconteur_actor::{Actor, FaceRig, Manipulators, Performance, Sex};
 use raconteur_base::{DQuat, DVec3, noise};
 use raconteur_body::{Bone, Pose, Skeleton};
 
@@ -40,24 +40,23 @@ struct Worst {
     secs: f64,
 }
 
-/// The fastest turn of the limbs' bones from 0 on.
-fn fastest(actor: &Actor, until_secs: f64) -> Worst {
-    let skeleton = Skeleton::example();
-    let face = FaceRig::from_parts(&skeleton, &[], [0.8; 2]);
+/// The fastest turn of a limb's bones from 0 on, of poses given by time.
+fn fastest(until_secs: f64, pose_at: &dyn Fn(f64, &mut Pose)) -> Worst {
     let mut worst = Worst {
         rad_per_sec: 0.0,
         bone: Bone::Sacroiliac,
         secs: 0.0,
     };
     let (mut last, mut pose) = (Pose::zero(), Pose::zero());
-    actor.evaluate(&skeleton, &face, 0.0, &mut last, &mut []);
+    pose_at(0.0, &mut last);
     for i in 1..=(until_secs * RATE_HZ) as u32 {
         let secs = f64::from(i) / RATE_HZ;
-        actor.evaluate(&skeleton, &face, secs, &mut pose, &mut []);
+        pose_at(secs, &mut pose);
         for bone in BONES.iter().flat_map(|bones| bones.iter()) {
             let [a, b] = [&last, &pose].map(|p| p.rotation(*bone));
             let rad_per_sec = a.angle_between(b) * RATE_HZ;
-            if !(rad_per_sec <= worst.rad_per_sec) {
+            // What is no number is the worst of all.
+            if rad_per_sec.is_nan() || rad_per_sec > worst.rad_per_sec {
                 worst = Worst {
                     rad_per_sec,
                     bone: *bone,
@@ -68,6 +67,14 @@ fn fastest(actor: &Actor, until_secs: f64) -> Worst {
         core::mem::swap(&mut last, &mut pose);
     }
     worst
+}
+
+fn fastest_of(actor: &Actor, until_secs: f64) -> Worst {
+    let skeleton = Skeleton::example();
+    let face = FaceRig::from_parts(&skeleton, &[], [0.8; 2]);
+    fastest(until_secs, &|secs, pose| {
+        actor.evaluate(&skeleton, &face, secs, pose, &mut []);
+    })
 }
 
 /// A target as a script writes it: units (x left, y up, z back) and degrees.
@@ -221,36 +228,91 @@ fn chain(seed: u64) -> (Vec<Command>, f64) {
     (commands, end)
 }
 
-#[test]
-fn probe() {
-    let leg = [20.0, 30.0, 40.0].map(|y| {
-        let to = target([4.0, y, -15.0], [0.0, 0.0, -90.0]);
-        fastest(&actor(vec![line(1.0, Limb::LeftLeg, to, 1.0)], 0), 8.0)
-    });
-    println!("leg {leg:?}");
-    let first = target([-9.0, 60.0, -7.0], [0.0, 0.0, -90.0]);
-    let second = target([-10.0, 35.0, 8.0], [0.0, 0.0, 0.0]);
-    let arm = vec![
-        line(1.0, Limb::RightArm, first, 1.0),
-        line(3.0, Limb::RightArm, second, 1.0),
-    ];
-    println!("arm {:?}", fastest(&actor(arm, 0), 8.0));
-    let count: u64 = std::env::var("LIMB_MOVES").map_or(60, |n| n.parse().expect("a number"));
-    let (mut moves, mut seed) = (0, 0);
-    let mut over = 0;
-    let began = std::time::Instant::now();
-    while moves < count {
-        let (commands, end) = chain(seed);
-        moves += commands.len() as u64;
-        let a = actor(commands.clone(), seed);
-        let worst = fastest(&a, end);
-        if worst.rad_per_sec > 20.0 {
-            over += 1;
-            let limb = BONES.iter().position(|b| b.contains(&worst.bone)).expect("one");
-            let last = commands.iter().filter(|c| c.limb.index() == limb && c.time_secs <= worst.secs);
-            println!("{seed} {worst:?} {:?}", last.last());
+/// A figure that stands and sways, which costs little to pose.
+struct Swaying {
+    standing: Pose,
+    seed: u64,
+}
+
+impl Swaying {
+    fn new(skeleton: &Skeleton, seed: u64) -> Self {
+        let face = FaceRig::from_parts(skeleton, &[], [0.8; 2]);
+        let mut standing = Pose::zero();
+        actor(Vec::new(), seed).evaluate(skeleton, &face, 0.0, &mut standing, &mut []);
+        Self { standing, seed }
+    }
+
+    fn pose(&self, secs: f64, pose: &mut Pose) {
+        pose.clone_from(&self.standing);
+        let sway = |k: u64| noise::perlin(self.seed, 700 + k, 0.4 * secs);
+        pose.root_offset_in_world += DVec3::new(sway(0), 0.3 * sway(1), sway(2)) * 0.04;
+        for (k, bone) in [Bone::Lumbar, Bone::Thoracic].into_iter().enumerate() {
+            let k = 3 * k as u64;
+            let turn = DVec3::new(sway(3 + k), sway(4 + k), sway(5 + k)) * 0.06;
+            pose.set(bone, pose.rotation(bone) * DQuat::from_scaled_axis(turn));
         }
+    }
+}
+
+/// The fastest turn in a chain of random moves of every limb, and how many they are.
+fn fastest_in_chain(skeleton: &Skeleton, seed: u64) -> (Worst, usize) {
+    let (commands, end) = chain(seed);
+    let count = commands.len();
+    let script = ManipulatorScript {
+        commands,
+        moves: Vec::new(),
+    };
+    let swaying = Swaying::new(skeleton, seed);
+    let idle = |secs: f64, pose: &mut Pose| swaying.pose(secs, pose);
+    let manipulators = Manipulators::new(&script, skeleton, Sex::Male, &idle);
+    let worst = fastest(end, &|secs, pose| {
+        swaying.pose(secs, pose);
+        manipulators.lean(skeleton, secs, pose);
+        manipulators.limbs(skeleton, secs, pose);
+        manipulators.head(skeleton, secs, pose);
+    });
+    (worst, count)
+}
+
+#[test]
+fn no_random_move_of_any_limb_snaps() {
+    let most: usize = std::env::var("LIMB_MOVES").map_or(75, |n| n.parse().expect("a number"));
+    let from: u64 = std::env::var("LIMB_SEED").map_or(0, |n| n.parse().expect("a number"));
+    let skeleton = Skeleton::example();
+    let (mut moves, mut seed) = (0, from);
+    let mut over = Vec::new();
+    while moves < most {
+        let (worst, count) = fastest_in_chain(&skeleton, seed);
+        if worst.rad_per_sec.is_nan() || worst.rad_per_sec > MOST_RAD_PER_S {
+            println!("{seed}: {worst:?}");
+            over.push((seed, worst));
+        }
+        moves += count;
         seed += 1;
     }
-    println!("{over} of {seed} over, {:?}", began.elapsed());
+    println!("{moves} moves in {} chains, {} too fast", seed - from, over.len());
+    assert!(over.is_empty(), "{over:?}");
+}
+
+#[test]
+fn a_leg_that_cannot_lift_its_foot_higher_holds_still() {
+    for y in [20.0, 30.0, 40.0] {
+        let to = target([4.0, y, -15.0], [0.0, 0.0, -90.0]);
+        let worst = fastest_of(&actor(vec![line(1.0, Limb::LeftLeg, to, 1.0)], 0), 6.0);
+        assert!(worst.rad_per_sec < 6.0, "{y}: {worst:?}");
+    }
+}
+
+#[test]
+fn an_arm_passes_its_shoulder_without_a_flip() {
+    let first = target([-9.0, 60.0, -7.0], [0.0, 0.0, -90.0]);
+    for angles in [[0.0, 0.0, 0.0], [0.0, 0.0, -90.0]] {
+        let second = target([-10.0, 35.0, 8.0], angles);
+        let commands = vec![
+            line(1.0, Limb::RightArm, first, 1.0),
+            line(3.0, Limb::RightArm, second, 1.0),
+        ];
+        let worst = fastest_of(&actor(commands, 0), 6.0);
+        assert!(worst.rad_per_sec < MOST_RAD_PER_S, "{worst:?}");
+    }
 }

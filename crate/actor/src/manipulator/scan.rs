@@ -21,8 +21,14 @@ const STRETCHED_RAD: f64 = 0.4;
 const STILL_RAD: f64 = 0.003;
 /// Turns between even times, and their change, below which nobody would see a snap, radians.
 const UNSEEN_RAD: f64 = 0.03;
-/// Halvings of an even step to the time in which a snap is looked for, 2 ms.
+/// The shortest time in which a snap is looked for, seconds, and how often it is doubled to an
+/// even step.
+const LEAST_SECS: f64 = 1.0 / 480.0;
 const HALVINGS: u32 = 4;
+/// Mean speed below which an even motion does not hide a snap.
+const SLOW_RAD_PER_S: f64 = 4.0;
+/// Times that a step by the joints is shortened to its bones' speed.
+const SHORTENINGS: usize = 4;
 /// Joints this near to those of the target have caught up, radians.
 const CAUGHT_RAD: f64 = 1e-6;
 /// Longest time that joints are given to catch up when all else rests, and the pause in which
@@ -254,10 +260,19 @@ impl Manipulators {
         let own = (CATCH_UP_HZ * left).clamp(SLOWEST_RAD_PER_S, FASTEST_RAD_PER_S);
         let most = (own + along_rad_per_s).min(SNAP_RAD_PER_S) / EVEN_HZ;
         if left <= most {
-            to
-        } else {
-            toward(last, &to, most / left, limited)
+            return to;
         }
+        // Bones may turn farther by their joints than the shortest way.
+        let mut share = most / left;
+        let mut joints = toward(last, &to, share, limited);
+        for _ in 0..SHORTENINGS {
+            let turned = self.turned(limb, last, &joints);
+            if turned > most {
+                share *= most / turned;
+                joints = toward(last, &to, share, limited);
+            }
+        }
+        joints
     }
 
     /// Whether a limb's target makes it snap on the way to an even time.
@@ -265,44 +280,57 @@ impl Manipulators {
         &self,
         limb: Limb,
         even: i64,
-        [before, target]: [&Joints; 2],
+        ends: [&Joints; 2],
         turned_before: f64,
         scene: &Scene<'_>,
     ) -> bool {
-        let mut turned = self.turned(limb, before, target);
-        let mut step_secs = 1.0 / EVEN_HZ;
-        if turned > SNAP_RAD_PER_S * step_secs {
+        let turned = self.turned(limb, ends[0], ends[1]);
+        let is_stretched = limb != Limb::Head && ends[0][2].min(ends[1][2]) < STRETCHED_RAD;
+        let is_uneven = turned > UNSEEN_RAD && (turned - turned_before).abs() > UNSEEN_RAD;
+        if turned > SNAP_RAD_PER_S / EVEN_HZ {
             return true;
         }
-        let is_stretched = limb != Limb::Head && before[2].min(target[2]) < STRETCHED_RAD;
-        let is_uneven = turned > UNSEEN_RAD && (turned - turned_before).abs() > UNSEEN_RAD;
-        if !(is_uneven || is_stretched && turned > STILL_RAD) {
+        let is_suspect = is_uneven || is_stretched && turned > STILL_RAD;
+        is_suspect
+            && self.snaps_between(limb, ends, (even - 1) as f64 / EVEN_HZ, HALVINGS, scene)
+    }
+
+    /// Whether a limb's target makes it snap in one of 2 to the power of `halvings` parts of the
+    /// 480th of a second that follow a time.
+    fn snaps_between(
+        &self,
+        limb: Limb,
+        [a, b]: [&Joints; 2],
+        from_secs: f64,
+        halvings: u32,
+        scene: &Scene<'_>,
+    ) -> bool {
+        let half_secs = f64::from(1_u32 << halvings) * 0.5 * LEAST_SECS;
+        let turned = self.turned(limb, a, b);
+        if turned > SNAP_RAD_PER_S * 2.0 * half_secs {
+            return true;
+        }
+        let middle_secs = from_secs + half_secs;
+        if halvings == 0 {
             return false;
         }
-        let mut from_secs = (even - 1) as f64 / EVEN_HZ;
-        let [mut a, mut b] = [*before, *target];
-        for _ in 0..HALVINGS {
-            step_secs *= 0.5;
-            let Some(middle) = self.alone_at(limb, from_secs + step_secs, scene) else {
-                return false;
-            };
-            let halves = [self.turned(limb, &a, &middle), self.turned(limb, &middle, &b)];
-            if halves[0] + halves[1] > turned + UNSEEN_RAD {
-                // There and back.
-                return true;
-            }
-            if (halves[0] - halves[1]).abs() < UNSEEN_RAD {
-                // It moves evenly.
-                return halves[0].max(halves[1]) > SNAP_RAD_PER_S * step_secs;
-            }
-            if halves[0] > halves[1] {
-                (b, turned) = (middle, halves[0]);
-            } else {
-                (a, turned) = (middle, halves[1]);
-                from_secs += step_secs;
-            }
+        let Some(middle) = self.alone_at(limb, middle_secs, scene) else {
+            return false;
+        };
+        let halves = [self.turned(limb, a, &middle), self.turned(limb, &middle, b)];
+        if halves[0] + halves[1] > turned + UNSEEN_RAD {
+            // There and back.
+            return true;
         }
-        turned > SNAP_RAD_PER_S * step_secs
+        let is_even = (halves[0] - halves[1]).abs() < UNSEEN_RAD;
+        if is_even && halves[0].max(halves[1]) < SLOW_RAD_PER_S * half_secs {
+            return false;
+        }
+        let parts = [(a, &middle, from_secs), (&middle, b, middle_secs)];
+        parts.into_iter().zip(halves).any(|((a, b, from_secs), turned)| {
+            turned > 0.5 * UNSEEN_RAD
+                && self.snaps_between(limb, [a, b], from_secs, halvings - 1, scene)
+        })
     }
 
     /// The joints of a limb's target alone at a time.
