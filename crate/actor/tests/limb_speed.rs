@@ -196,13 +196,14 @@ fn motion(limb: Limb, seed: u64, i: i64) -> Motion {
             linear: DVec3::new(r(0), r(1), r(2)) * 0.4,
             angular: DVec3::new(r(3), r(4), r(5)),
         },
-        _ => {
-            if unit(2) < 0.5 {
-                Motion::Lock(unit(3) < 0.7)
-            } else {
-                Motion::Stop
-            }
-        }
+        _ => match (4.0 * unit(2)) as usize {
+            0 => Motion::Stop,
+            1 => Motion::Configure {
+                is_on: Some(true),
+                limits: Some(unit(3) < 0.5),
+            },
+            _ => Motion::Lock(unit(3) < 0.7),
+        },
     }
 }
 

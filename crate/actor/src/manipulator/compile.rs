@@ -301,9 +301,9 @@ impl Manipulators {
             current: None,
             preferred: &AT_EASE,
         };
-        let limits = self.limits(limb);
+        let keep = |raw: &Joints| limits::keep(self.limits(limb), 1.0, raw);
         // Angles that have to be bent are worse the more they are.
-        let chosen = choose(&found, limits, &choice, &|raw, kept| {
+        let chosen = choose(&found, &choice, &keep, &|raw, kept| {
             let bends = raw
                 .iter()
                 .zip(kept)
@@ -312,7 +312,7 @@ impl Manipulators {
         });
         let index = chosen.map_or(0, |(index, _)| index);
         let raw = found.as_slice().get(index).copied().unwrap_or_default();
-        limits::keep(limits, 0.0, &raw)
+        limits::keep(self.limits(limb), 0.0, &raw)
     }
 
     /// Joint angles set, those that are given.

@@ -18,9 +18,11 @@ use crate::arm_ik::{ARM_BONES, ArmRig};
 use crate::kinematics::{rotation_of, world_from_bone};
 
 /// Joints that are bent by so much in all, radians, take the mean of the last goals.
-const FORCED: f64 = 0.2;
+pub(super) const FORCED: f64 = 0.2;
 /// Joints of wrist or ankle.
 pub(super) const END: core::ops::Range<usize> = 3..ROLL;
+/// Less than this is nothing to make up for, radians.
+const MENDED: f64 = 1e-3;
 /// How many metres off its target count as a radian.
 const FORCED_M: f64 = 0.15;
 /// Even times whose goals are taken, seconds apart: a limb passes from one way of not
@@ -71,9 +73,9 @@ pub(super) struct Met {
     pub(super) base: Base,
     /// How much the upper bone had to be brought to its limits, and a target that is too near
     /// out to where the bent limb comes: radians, and lengths as [`FORCED_M`] to a radian.
-    pub(super) forced: f64,
+    forced: f64,
     /// How much wrist or ankle had to be brought to their limits, radians.
-    pub(super) forced_end: f64,
+    forced_end: f64,
     pub(super) posed: Posed,
     /// The scapula's rotation, of an arm.
     pub(super) scapula: Option<DQuat>,
@@ -85,9 +87,9 @@ pub(super) struct Met {
 }
 
 impl Met {
-    /// Whether limits or reach keep the limb from its target, and its end.
-    pub(super) fn is_unmet(&self) -> [bool; 2] {
-        [self.forced >= FORCED, self.forced.max(self.forced_end) >= FORCED]
+    /// How far limits or reach keep the limb from its target, and its end, radians.
+    pub(super) fn forced_by(&self) -> [f64; 2] {
+        [self.forced, self.forced.max(self.forced_end)]
     }
 }
 
@@ -271,8 +273,11 @@ impl Manipulators {
         let rig = self.limbs.get(limb.index());
         if let Some(lead) = self.steady[limb.index()].at(time_secs, rig) {
             let near = nearest(&lead.joints, &met.joints, rig);
-            let share = |forced: f64| lead.weight.max(lead.weight_unmet * smooth(forced / FORCED));
-            let [even, even_end] = [met.forced, met.forced.max(met.forced_end)].map(share);
+            let [limb_forced, end_forced] = met.forced_by();
+            let share = |i: usize, forced: f64| {
+                lead.weights[i].max(lead.weight_unmet * smooth(forced / FORCED))
+            };
+            let (even, even_end) = (share(0, limb_forced), share(1, end_forced));
             for (i, (joint, near)) in met.joints.iter_mut().zip(near).enumerate() {
                 let even = if END.contains(&i) { even_end } else { even };
                 *joint += even * (near - *joint);
@@ -339,8 +344,14 @@ impl Manipulators {
             for (joint, mend) in met.joints.iter_mut().zip(mend.joints) {
                 *joint += mend;
             }
+            // What it makes up for keeps it from its target as limits do.
+            let turn = mend.upper.angle_between(DQuat::IDENTITY);
+            let off = mend.joints.iter().fold(turn, |sum, joint| sum + joint.abs());
+            if off > MENDED {
+                met.forced += off;
+            }
         }
-        met.joints = limits::keep(self.limits(limb), terms.limited, &met.joints);
+        met.joints = self.keep(limb, terms.limited, &met.joints);
         met.posed = self.posed(limb, &met.joints, &met.base);
         met
     }
@@ -472,14 +483,16 @@ impl Manipulators {
                     Some(rig) => rig.error(raw, kept, &near, &base),
                     None => matrix_error(&self.head.posed(kept, &base).frame, &near),
                 };
-                let chosen = choose(&found, self.limits(limb), &choice, &error);
+                let keep = |raw: &Joints| self.keep(limb, terms.limited, raw);
+                let chosen = choose(&found, &choice, &keep, &error);
                 let (index, joints) = chosen.unwrap_or((0, AT_EASE));
-                if let (Some(raw), true) = (found.as_slice().get(index), limb != Limb::Head) {
-                    let bend = |i: usize| ops::wrap_angle(raw[i] - joints[i]).abs();
+                let rig = self.limbs.get(limb.index());
+                if let (Some(raw), Some(rig)) = (found.as_slice().get(index), rig) {
                     let inside = (near.position - base.origin).length()
                         - (frame.position - base.origin).length();
-                    forced = bend(0) + bend(1) + inside.max(0.0) / FORCED_M;
-                    forced_end = END.map(bend).sum();
+                    let bent = rig.bent(raw, &joints);
+                    forced = bent[0] + inside.max(0.0) / FORCED_M;
+                    forced_end = bent[1];
                 }
                 (joints, Some(*frame))
             }
@@ -548,6 +561,14 @@ impl Manipulators {
             }
             (Some(rig), None) => rig.base(trunk, None),
             _ => self.head.base(trunk),
+        }
+    }
+
+    /// Joints a share of the way to being within their limits.
+    pub(super) fn keep(&self, limb: Limb, share: f64, joints: &Joints) -> Joints {
+        match self.limbs.get(limb.index()) {
+            Some(rig) => rig.keep(share, joints),
+            None => limits::keep(self.head.limits(), share, joints),
         }
     }
 

@@ -2,8 +2,8 @@
 //! joints where their targets would make them snap ([`super::steady`]).
 
 use super::compile::Scene;
-use super::perform::{END, Manipulators, Met};
-use super::steady::{EVEN_HZ, MOST_RAD_PER_S, Sample, Stretch, toward};
+use super::perform::{END, FORCED, Manipulators, Met};
+use super::steady::{EVEN_HZ, MOST_RAD_PER_S, Sample, Stretch, nearest, toward};
 use super::{Joints, Limb};
 
 /// How joints catch up with a target after a snap: a share of what is left in a second, not
@@ -127,9 +127,13 @@ impl Manipulators {
                 };
                 let met = self.meet_at(limb, &goal, secs, scene.skeleton, &pose);
                 let lead = self.steady[limb.index()].at(secs, self.limbs.get(limb.index()));
+                let leads = lead.map_or([false; 2], |lead| {
+                    let forced = met.forced_by();
+                    [0, 1].map(|i| lead.weights[i] > 0.0 || forced[i] > 0.0)
+                });
                 samples[limb.index()].push(Sample {
                     joints: met.joints,
-                    leads: lead.is_some_and(|lead| lead.weight > 0.0 || met.forced_end > 0.0 || met.forced > 0.0),
+                    leads,
                 });
                 self.place(limb, &met, weight, &mut pose);
             }
@@ -141,7 +145,7 @@ impl Manipulators {
                     first: at - 3,
                     samples,
                     rests: true,
-                    lead_to: at,
+                    lead_to: [at; 2],
                 });
             }
         }
@@ -165,7 +169,7 @@ impl Manipulators {
                     };
                     last.rests = !(scan.loops[i] || scan.figure_loops);
                     // Where no joints lead the last ones are enough.
-                    if last.samples.iter().all(|s| !s.leads) {
+                    if last.samples.iter().all(|s| !s.leads[1]) {
                         let keep = last.samples.len().saturating_sub(1);
                         last.samples.drain(..keep);
                         last.first += keep as i64;
@@ -219,11 +223,12 @@ impl Manipulators {
             return *target;
         };
         let (before, turned_before) = followed.target.unwrap_or((last, 0.0));
-        let turned = self.turned(limb, &before, target);
+        let turned = self.way(limb, &before, target);
         let was = followed.is_behind;
         let snaps = self.snaps(limb, even, [&before, target], turned_before, scene);
         followed.target = Some((*target, turned));
-        let [stays, end_stays] = met.is_unmet().map(|unmet| unmet && rests && !was);
+        let forced = met.forced_by();
+        let [stays, end_stays] = forced.map(|forced| forced >= FORCED && rests && !was);
         let mut joints = *target;
         if stays {
             joints = last;
@@ -235,9 +240,10 @@ impl Manipulators {
             joints[END].copy_from_slice(&last[END]);
         }
         let is_off = self.turned(limb, &joints, target) > CAUGHT_RAD;
-        followed.is_behind = is_off && !stays && !end_stays;
+        followed.is_behind = is_off && (was || snaps && !stays);
         if let Some(stretch) = self.steady[i].stretches.last_mut() {
-            stretch.push(joints, is_off || snaps || was);
+            // Where the target is not met nothing is lost by it.
+            stretch.push(joints, forced.map(|f| f > 0.0 || is_off || snaps || was));
         }
         joints
     }
@@ -253,10 +259,11 @@ impl Manipulators {
         limited: bool,
     ) -> Joints {
         let to = match self.limbs.get(limb.index()) {
-            Some(rig) => rig.alike(target, last, limited),
-            None => *target,
+            Some(rig) if limited => rig.alike(target, last, true),
+            None if limited => *target,
+            rig => nearest(target, last, rig),
         };
-        let left = self.turned(limb, last, &to);
+        let left = self.way(limb, last, &to);
         let own = (CATCH_UP_HZ * left).clamp(SLOWEST_RAD_PER_S, FASTEST_RAD_PER_S);
         let most = (own + along_rad_per_s).min(SNAP_RAD_PER_S) / EVEN_HZ;
         if left <= most {
@@ -266,7 +273,7 @@ impl Manipulators {
         let mut share = most / left;
         let mut joints = toward(last, &to, share, limited);
         for _ in 0..SHORTENINGS {
-            let turned = self.turned(limb, last, &joints);
+            let turned = self.way(limb, last, &joints);
             if turned > most {
                 share *= most / turned;
                 joints = toward(last, &to, share, limited);
@@ -284,7 +291,7 @@ impl Manipulators {
         turned_before: f64,
         scene: &Scene<'_>,
     ) -> bool {
-        let turned = self.turned(limb, ends[0], ends[1]);
+        let turned = self.way(limb, ends[0], ends[1]);
         let is_stretched = limb != Limb::Head && ends[0][2].min(ends[1][2]) < STRETCHED_RAD;
         let is_uneven = turned > UNSEEN_RAD && (turned - turned_before).abs() > UNSEEN_RAD;
         if turned > SNAP_RAD_PER_S / EVEN_HZ {
@@ -341,6 +348,20 @@ impl Manipulators {
         self.first_limbs(limb.index(), scene.skeleton, time_secs, &mut pose);
         let met = self.meet_alone(limb, &goal, time_secs, scene.skeleton, &pose);
         Some(met.joints)
+    }
+
+    /// How far the bones of a limb turn on their way by the joints to others, radians.
+    fn way(&self, limb: Limb, from: &Joints, to: &Joints) -> f64 {
+        const PARTS: u32 = 4;
+        let to = nearest(to, from, self.limbs.get(limb.index()));
+        let mut at = *from;
+        let mut sum = 0.0;
+        for part in 1..=PARTS {
+            let next = toward(from, &to, f64::from(part) / f64::from(PARTS), true);
+            sum += self.turned(limb, &at, &next);
+            at = next;
+        }
+        sum
     }
 
     /// How far the bones of a limb turn from joints to others, the most of them, radians.

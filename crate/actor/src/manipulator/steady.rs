@@ -9,11 +9,14 @@
 //! written down. Evaluation follows what is written down there, by a uniform cubic B-spline,
 //! whose speed is a mean of the speeds between the even times, and the target everywhere else.
 
+use core::f64::consts::PI;
+
 use raconteur_base::curve::smooth;
 use raconteur_base::ops;
 
 use super::Joints;
 use super::rig::{LimbRig, ROLL};
+use super::solve::variation;
 
 /// Fastest turn of a bone that a manipulator leads, radians a second. People's knees and
 /// elbows reach 10 to 20 rad/s when they move fast without a run-up; only throws and kicks
@@ -40,8 +43,9 @@ pub(super) fn spline(u: f64) -> [f64; 4] {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Sample {
     pub(super) joints: Joints,
-    /// Whether the joints lead there, and not the target.
-    pub(super) leads: bool,
+    /// Whether the joints lead there, and not the target: those of the whole limb, and those of
+    /// its end.
+    pub(super) leads: [bool; 2],
 }
 
 /// Even times without a gap, from one on which a limb moves to one on which it rests.
@@ -55,16 +59,16 @@ pub(super) struct Stretch {
     /// Whether the limb rests at its end; else it goes on in a loop, which nobody has followed
     /// farther.
     pub(super) rests: bool,
-    /// The last even time at which the joints lead whatever comes.
-    pub(super) lead_to: i64,
+    /// The last even times at which the joints lead whatever comes.
+    pub(super) lead_to: [i64; 2],
 }
 
 /// What leads a limb beside its target at one time.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Lead {
     pub(super) joints: Joints,
-    /// How much they do, 0 to 1.
-    pub(super) weight: f64,
+    /// How much those of the whole limb and those of its end do, 0 to 1.
+    pub(super) weights: [f64; 2],
     /// How much they do where the target cannot be met: a limb that rests then keeps its
     /// joints, or the sway of the body would have it change its way of not meeting it.
     pub(super) weight_unmet: f64,
@@ -102,25 +106,26 @@ impl Stretch {
             first,
             samples: vec![Sample {
                 joints,
-                leads: false,
+                leads: [false; 2],
             }],
             rests: true,
-            lead_to: first,
+            lead_to: [first; 2],
         }
     }
 
     /// Goes on by an even time.
-    pub(super) fn push(&mut self, joints: Joints, leads: bool) {
-        if leads {
-            let recent = self.samples.len().saturating_sub(Self::AROUND);
+    pub(super) fn push(&mut self, joints: Joints, leads: [bool; 2]) {
+        let next = self.next();
+        let recent = self.samples.len().saturating_sub(Self::AROUND);
+        for (i, _) in leads.iter().enumerate().filter(|(_, leads)| **leads) {
             for sample in &mut self.samples[recent..] {
-                sample.leads = true;
+                sample.leads[i] = true;
             }
-            self.lead_to = self.next() + Self::AROUND as i64;
+            self.lead_to[i] = next + Self::AROUND as i64;
         }
         self.samples.push(Sample {
             joints,
-            leads: self.next() <= self.lead_to,
+            leads: self.lead_to.map(|to| next <= to),
         });
     }
 
@@ -145,32 +150,46 @@ impl Stretch {
         let weights = spline(at - index as f64);
         let mut lead = Lead {
             joints: self.samples[around[1]].joints,
-            weight: 0.0,
+            weights: [0.0; 2],
             weight_unmet,
         };
         for (i, weight) in around.into_iter().zip(weights) {
-            lead.weight += weight * f64::from(u8::from(self.samples[i].leads));
+            for (sum, leads) in lead.weights.iter_mut().zip(self.samples[i].leads) {
+                *sum += weight * f64::from(u8::from(leads));
+            }
         }
-        if lead.weight > 0.0 {
-            let own = lead.joints;
+        if lead.weights[1] > 0.0 {
+            let [a, b, c, d] = around.map(|i| &self.samples[i].joints);
+            let c = nearest(c, b, rig);
+            let around = [nearest(a, b, rig), *b, c, nearest(d, &c, rig)];
             lead.joints = Joints::default();
-            for (i, weight) in around.into_iter().zip(weights) {
-                let near = nearest(&self.samples[i].joints, &own, rig);
-                for (sum, joint) in lead.joints.iter_mut().zip(near) {
+            for (joints, weight) in around.iter().zip(weights) {
+                for (sum, joint) in lead.joints.iter_mut().zip(joints) {
                     *sum += weight * joint;
                 }
             }
         }
-        (lead.weight > 0.0 || weight_unmet > 0.0).then_some(lead)
+        (lead.weights[1] > 0.0 || weight_unmet > 0.0).then_some(lead)
     }
 }
 
 /// Joints that turn the bones alike, in the one of their ways that is nearest to others.
 pub(super) fn nearest(joints: &Joints, to: &Joints, rig: Option<&LimbRig>) -> Joints {
-    let mut near = match rig {
-        Some(rig) => rig.alike(joints, to, false),
-        None => *joints,
+    let mut near = *joints;
+    // Three joints in one place turn alike in two ways, here those of wrist, ankle or skull.
+    let end = if let Some(rig) = rig {
+        near = rig.alike(joints, to, false);
+        3
+    } else {
+        2
     };
+    let mut turned = near;
+    turned[end] += PI;
+    turned[end + 1] = PI - near[end + 1];
+    turned[end + 2] += PI;
+    if variation(&turned, to) < variation(&near, to) {
+        near = turned;
+    }
     for (joint, to) in near.iter_mut().zip(to) {
         *joint = to + ops::wrap_angle(*joint - to);
     }
