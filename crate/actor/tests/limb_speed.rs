@@ -2,9 +2,10 @@
 
 use core::f64::consts::FRAC_PI_2;
 
+use raconteur_actor::kinematics::rotation_of;
 use raconteur_actor::manipulator::path::rotation_from;
 use raconteur_actor::manipulator::{
-    Command, Frame, Limb, MOST_RAD_PER_S, ManipulatorScript, Motion, Pace, Path, Place, Shape,
+    Command, Frame, Limb, MOST_RAD_PER_S, ManipulatorScript, Motion, Move, Pace, Path, Place, Shape,
 };
 use raconteur_actor::{Actor, FaceRig, Manipulators, Performance, Sex};
 use raconteur_base::{DQuat, DVec3, noise};
@@ -315,5 +316,64 @@ fn an_arm_passes_its_shoulder_without_a_flip() {
         ];
         let worst = fastest_of(&actor(commands, 0), 6.0);
         assert!(worst.rad_per_sec < MOST_RAD_PER_S, "{worst:?}");
+    }
+}
+
+/// A random path of the whole figure.
+fn way(seed: u64, i: i64) -> Path {
+    let r = |k: u64| noise::signed(seed, 200 + k, i);
+    let unit = |k: u64| noise::unit(seed, 220 + k, i);
+    let place = |k: u64| Place {
+        position: [0, 1, 2].map(|j| (unit(k + j) < 0.6).then(|| r(k + j))),
+        angles: [8.0, 1.5, 3.0].map(|most| (unit(k + 3) < 0.6).then(|| most * r(k + 4))),
+    };
+    let shape = match i % 3 {
+        0 => Shape::Segment,
+        1 => Shape::Sinusoid {
+            across: DVec3::X * 0.2,
+            cycles: 1.0,
+        },
+        _ => Shape::Round {
+            centre: Place::default(),
+            normal: DVec3::Y,
+            radii: [0.5, 0.3],
+            from_rad: r(0),
+            turns: r(1),
+            rise: 0.0,
+        },
+    };
+    Path {
+        shape,
+        from: place(2),
+        to: place(9),
+        period_secs: 3.0 * (unit(16) - 0.2).max(0.0),
+        looping: unit(17) < 0.3,
+    }
+}
+
+#[test]
+fn no_random_move_of_the_figure_snaps() {
+    let skeleton = Skeleton::example();
+    let idle = |_: f64, pose: &mut Pose| pose.clone_from(&Pose::zero());
+    for seed in 0..200 {
+        let mut script = ManipulatorScript::default();
+        let mut time_secs = 0.3;
+        for i in 0..4 {
+            script.moves.push(Move {
+                time_secs,
+                path: way(seed, i),
+            });
+            time_secs += 2.5 * noise::unit(seed, 240, i);
+        }
+        let manipulators = Manipulators::new(&script, &skeleton, Sex::Male, &idle);
+        let turned = |secs: f64| {
+            let moved = manipulators.world_from_figure(secs).expect("it moves");
+            rotation_of(&moved)
+        };
+        for i in 0..(6.0 * RATE_HZ) as u32 {
+            let [a, b] = [i, i + 1].map(|i| turned(f64::from(i) / RATE_HZ));
+            let rad_per_sec = a.angle_between(b) * RATE_HZ;
+            assert!(rad_per_sec < MOST_RAD_PER_S, "{seed} at {i}: {rad_per_sec}");
+        }
     }
 }

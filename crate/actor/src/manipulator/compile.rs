@@ -120,6 +120,7 @@ impl Manipulators {
                     .find(|c| c.limb == command.limb && c.motion.moves());
                 let until = next.map_or(f64::INFINITY, |c| c.time_secs);
                 self.wake(&mut scan, at, &scene);
+                self.take(&scan, command.limb, &scene);
                 self.begin(command, until - at, &scene);
                 let secs = self.tracks[command.limb.index()].rests_after_secs(at);
                 scan.limb_moves(command.limb, at, secs);
@@ -289,7 +290,7 @@ impl Manipulators {
 
     /// The joint angles of a limb's bones in a pose: of all that turn them so, those within
     /// the limits and nearest to ease, as equal angles near the middle of their ranges.
-    fn configuration(&self, limb: Limb, pose: &Pose, base: &Base) -> Joints {
+    pub(super) fn configuration(&self, limb: Limb, pose: &Pose, base: &Base) -> Joints {
         let found: Solutions = match self.limbs.get(limb.index()) {
             Some(rig) => rig.joints_of(rig.bones.map(|b| pose.rotation(b)), base),
             None => self

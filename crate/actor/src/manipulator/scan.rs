@@ -5,6 +5,7 @@ use super::compile::Scene;
 use super::perform::{END, FORCED, Manipulators, Met};
 use super::steady::{EVEN_HZ, MOST_RAD_PER_S, Sample, Stretch, nearest, toward};
 use super::{Joints, Limb};
+use crate::arm_ik::ARM_BONES;
 
 /// How joints catch up with a target after a snap: a share of what is left in a second, not
 /// faster and not slower than this. Designed: as a quick movement that ends softly.
@@ -149,6 +150,29 @@ impl Manipulators {
                 });
             }
         }
+    }
+
+    /// Follows a limb from where the figure has it, before a command takes it.
+    pub(super) fn take(&mut self, scan: &Scan, limb: Limb, scene: &Scene<'_>) {
+        let i = limb.index();
+        let Some(next) = scan.next else {
+            return;
+        };
+        if self.steady[i].stretches.last().is_some_and(|s| s.next() == next) {
+            return;
+        }
+        let samples = (next - 3..next).map(|even| Sample {
+            joints: self.alone_at(limb, even as f64 / EVEN_HZ, scene),
+            leads: [false; 2],
+        });
+        let stretch = Stretch {
+            from: next - 1,
+            first: next - 3,
+            samples: samples.collect(),
+            rests: true,
+            lead_to: [next - 1; 2],
+        };
+        self.steady[i].stretches.push(stretch);
     }
 
     /// Follows up to a time.
@@ -321,9 +345,7 @@ impl Manipulators {
         if halvings == 0 {
             return false;
         }
-        let Some(middle) = self.alone_at(limb, middle_secs, scene) else {
-            return false;
-        };
+        let middle = self.alone_at(limb, middle_secs, scene);
         let halves = [self.turned(limb, a, &middle), self.turned(limb, &middle, b)];
         if halves[0] + halves[1] > turned + UNSEEN_RAD {
             // There and back.
@@ -340,14 +362,23 @@ impl Manipulators {
         })
     }
 
-    /// The joints of a limb's target alone at a time.
-    fn alone_at(&self, limb: Limb, time_secs: f64, scene: &Scene<'_>) -> Option<Joints> {
-        let (goal, _) = self.goal(limb, time_secs)?;
+    /// The joints of a limb's target alone at a time, or those that it has without one.
+    fn alone_at(&self, limb: Limb, time_secs: f64, scene: &Scene<'_>) -> Joints {
         let mut pose = scene.idle(time_secs);
         self.lean(scene.skeleton, time_secs, &mut pose);
         self.first_limbs(limb.index(), scene.skeleton, time_secs, &mut pose);
-        let met = self.meet_alone(limb, &goal, time_secs, scene.skeleton, &pose);
-        Some(met.joints)
+        match self.goal(limb, time_secs) {
+            Some((goal, _)) => {
+                let met = self.meet_alone(limb, &goal, time_secs, scene.skeleton, &pose);
+                met.joints
+            }
+            None => {
+                let trunk = self.trunk(limb, scene.skeleton, &pose);
+                let scapula = ARM_BONES.get(limb.index()).map(|b| pose.rotation(b[0]));
+                let base = self.base(limb, &trunk, scapula);
+                self.configuration(limb, &pose, &base)
+            }
+        }
     }
 
     /// How far the bones of a limb turn on their way by the joints to others, radians.

@@ -161,7 +161,14 @@ impl Stretch {
         if lead.weights[1] > 0.0 {
             let [a, b, c, d] = around.map(|i| &self.samples[i].joints);
             let c = nearest(c, b, rig);
-            let around = [nearest(a, b, rig), *b, c, nearest(d, &c, rig)];
+            let mut a = nearest(a, b, rig);
+            if index == 0 {
+                // Nothing is known of before: it begins where the first one is.
+                for ((a, b), c) in a.iter_mut().zip(b).zip(c) {
+                    *a = 2.0 * b - c;
+                }
+            }
+            let around = [a, *b, c, nearest(d, &c, rig)];
             lead.joints = Joints::default();
             for (joints, weight) in around.iter().zip(weights) {
                 for (sum, joint) in lead.joints.iter_mut().zip(joints) {
