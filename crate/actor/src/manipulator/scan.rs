@@ -152,13 +152,16 @@ impl Manipulators {
         }
     }
 
-    /// Follows a limb from where the figure has it, before a command takes it.
+    /// Follows a limb from where the figure has it, before a command takes it on.
     pub(super) fn take(&mut self, scan: &Scan, limb: Limb, scene: &Scene<'_>) {
         let i = limb.index();
         let Some(next) = scan.next else {
             return;
         };
-        if self.steady[i].stretches.last().is_some_and(|s| s.next() == next) {
+        let open = self.steady[i].stretches.last_mut();
+        if let Some(open) = open.filter(|s| s.next() == next) {
+            // Where joints lead, the command begins with them.
+            open.lead_on();
             return;
         }
         let samples = (next - 3..next).map(|even| Sample {

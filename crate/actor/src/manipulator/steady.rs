@@ -129,6 +129,18 @@ impl Stretch {
         });
     }
 
+    /// Lets joints that lead do so some time longer.
+    pub(super) fn lead_on(&mut self) {
+        let to = self.next() + Self::AROUND as i64;
+        if let Some(last) = self.samples.last() {
+            for (lead_to, leads) in self.lead_to.iter_mut().zip(last.leads) {
+                if leads {
+                    *lead_to = to;
+                }
+            }
+        }
+    }
+
     /// The even time after the last sample.
     pub(super) fn next(&self) -> i64 {
         self.first + self.samples.len() as i64
