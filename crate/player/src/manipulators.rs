@@ -3,10 +3,12 @@
 //! Targets are in the figure's own world coordinates: units from the floor under it, which
 //! `vh-move` carries along.
 
+use core::f64::consts::{FRAC_PI_2, PI};
+
 use raconteur_actor::ManipulatorScript;
 use raconteur_actor::manipulator::path::rotation_from;
 use raconteur_actor::manipulator::{Command, Frame, Limb, Motion, Move, Pace, Path, Place, Shape};
-use raconteur_base::DVec3;
+use raconteur_base::{DVec3, ops};
 use raconteur_base::decimal::fixed;
 use raconteur_eml::{
     ArgValue, ClauseKind, Diagnostic, Document, FunctionArgs, Manipulator, Span, Target, Timeline,
@@ -251,6 +253,21 @@ fn motion(kind: &ClauseKind, units: &Units) -> Option<(Manipulator, Motion)> {
     })
 }
 
+/// A place of the whole figure as its root's frame has it. That frame is turned by half a turn
+/// in table A.1 of GEVH (the sacroiliac's first angle is 178.7°), and in the example of D.1.6,
+/// whose pitch is 180° from its beginning to its end, the figure stands. So a pitch beyond a
+/// right angle is counted from there.
+fn upright(place: &mut Place) {
+    let [_, pitch, roll] = &mut place.angles;
+    if let Some(pitch) = pitch
+        && ops::wrap_angle(*pitch).abs() > FRAC_PI_2
+    {
+        *pitch = ops::wrap_angle(*pitch + PI);
+        // Turned over, the axis of the roll points the other way.
+        *roll = roll.map(|roll| -roll);
+    }
+}
+
 /// What a script asks of manipulators.
 pub(crate) fn script(document: &Document, timeline: &Timeline, units: &Units) -> ManipulatorScript {
     let mut script = ManipulatorScript::default();
@@ -258,7 +275,9 @@ pub(crate) fn script(document: &Document, timeline: &Timeline, units: &Units) ->
         let kind = &document.clause(timed.clause).kind;
         let time_secs = timed.start_secs;
         if let ClauseKind::VhMove(m) = kind {
-            if let Some(path) = path(&m.function, m.is_looping, m.args.as_ref(), units) {
+            if let Some(mut path) = path(&m.function, m.is_looping, m.args.as_ref(), units) {
+                upright(&mut path.from);
+                upright(&mut path.to);
                 script.moves.push(Move { time_secs, path });
             }
         } else if let Some((manipulator, motion)) = motion(kind, units) {

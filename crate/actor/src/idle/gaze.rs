@@ -1,5 +1,8 @@
 //! How eyes and head turn to what is looked at.
 
+use core::f64::consts::PI;
+
+use raconteur_base::curve::smooth;
 use raconteur_base::{DAffine3, DQuat, DVec3, ops};
 
 /// Largest turn of an eye, radians (some 35° before the head must follow).
@@ -7,12 +10,22 @@ const EYE_MAX_RAD: f64 = 0.6;
 /// Share of a direction that head and neck take. Designed.
 pub const HEAD_SHARE: f64 = 0.55;
 
-/// Yaw (left) and pitch (down) of a direction in axes x left, y up, z front, radians.
+/// Yaw from which nobody turns farther after what goes on behind the back, radians.
+const ASIDE_RAD: f64 = 1.4;
+/// Share of a direction's length below which it is overhead or below the feet, and has no side.
+const OVERHEAD: f64 = 0.3;
+
+/// Yaw (left) and pitch (down) to look in a direction in axes x left, y up, z front, radians.
+/// What passes behind the back, overhead or below the feet is let go on one side and taken up
+/// on the other: the yaw is 0 there, and no small step of it turns the head round.
 #[must_use]
 pub fn angles_of(direction: DVec3) -> [f64; 2] {
     let flat = ops::hypot(direction.x, direction.z);
+    let yaw = ops::atan2(direction.x, direction.z);
+    let behind = smooth((yaw.abs() - ASIDE_RAD) / (PI - ASIDE_RAD));
+    let sideways = smooth(flat / (OVERHEAD * direction.length().max(1e-12)));
     [
-        ops::atan2(direction.x, direction.z),
+        yaw * (1.0 - behind) * sideways,
         -ops::atan2(direction.y, flat),
     ]
 }
@@ -55,6 +68,23 @@ fn soft(angle: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_goes_round_is_followed_without_a_jump() {
+        // Round the figure, and over its head a little aside.
+        for tilt in [0.0, 0.3, 1.2, 1.5] {
+            let around = DQuat::from_rotation_z(tilt);
+            let at = |i: i32| {
+                let (s, c) = ops::sincos(f64::from(i) * 1e-3);
+                angles_of(around * DVec3::new(s, 0.0, c))
+            };
+            for i in 0..6300 {
+                let ([yaw, pitch], [next_yaw, next_pitch]) = (at(i), at(i + 1));
+                assert!((next_yaw - yaw).abs() < 0.02, "{tilt} {i}: {yaw} {next_yaw}");
+                assert!((next_pitch - pitch).abs() < 0.02);
+            }
+        }
+    }
 
     #[test]
     fn an_eye_looks_at_its_target() {

@@ -11,8 +11,9 @@ use super::limits;
 use super::path::Curve;
 use super::perform::{Manipulators, Terms};
 use super::rig::{Base, ROLL};
+use super::scan::Scan;
 use super::solve::{AT_EASE, Choice, Solutions, choose};
-use super::track::{BRAKE_SECS, Course, Goal, Held, Kind, Mend, even_secs};
+use super::track::{BRAKE_SECS, Course, Goal, Held, Kind, Mend, SETTLE_SECS, Track, even_secs};
 use super::{Command, Frame, Joints, Limb, ManipulatorScript, Motion, Pace};
 use crate::arm_ik::ARM_BONES;
 
@@ -61,13 +62,13 @@ impl Now {
 }
 
 /// What commands are resolved with.
-struct Scene<'a> {
-    skeleton: &'a Skeleton,
+pub(super) struct Scene<'a> {
+    pub(super) skeleton: &'a Skeleton,
     idle: &'a dyn Fn(f64, &mut Pose),
 }
 
 impl Scene<'_> {
-    fn idle(&self, time_secs: f64) -> Pose {
+    pub(super) fn idle(&self, time_secs: f64) -> Pose {
         let mut pose = Pose::zero();
         (self.idle)(time_secs, &mut pose);
         pose
@@ -87,8 +88,14 @@ impl Manipulators {
         let mut commands: Vec<&Command> = script.commands.iter().filter(finite).collect();
         sort_by_number(&mut commands, |c| c.time_secs);
         let mut is_on = [true; 5];
+        let mut scan = Scan::new();
+        let mut figure = self.root.motions().into_iter().peekable();
         for (i, command) in commands.iter().enumerate() {
             let at = command.time_secs;
+            while let Some((from_secs, secs)) = figure.next_if(|(from_secs, _)| *from_secs <= at) {
+                self.figure_moves(&mut scan, from_secs, secs, &scene);
+            }
+            self.follow_to(&mut scan, at, &scene);
             let on = &mut is_on[command.limb.index()];
             if let Motion::Configure {
                 is_on: switch,
@@ -96,8 +103,12 @@ impl Manipulators {
                 preferred,
             } = &command.motion
             {
-                let track = &mut self.tracks[command.limb.index()];
                 *on = switch.unwrap_or(*on);
+                if !*on || limits.is_some() {
+                    self.wake(&mut scan, at, &scene);
+                    scan.limb_moves(command.limb, at, SETTLE_SECS);
+                }
+                let track = &mut self.tracks[command.limb.index()];
                 if !*on {
                     track.switch_control(at, false);
                 }
@@ -112,8 +123,24 @@ impl Manipulators {
                     .iter()
                     .find(|c| c.limb == command.limb && c.motion.moves());
                 let until = next.map_or(f64::INFINITY, |c| c.time_secs);
+                self.wake(&mut scan, at, &scene);
+                self.take(&scan, command.limb, &scene);
                 self.begin(command, until - at, &scene);
+                let secs = self.tracks[command.limb.index()].rests_after_secs(at);
+                scan.limb_moves(command.limb, at, secs);
             }
+        }
+        for (from_secs, secs) in figure {
+            self.figure_moves(&mut scan, from_secs, secs, &scene);
+        }
+        self.follow_to(&mut scan, f64::INFINITY, &scene);
+    }
+
+    fn figure_moves(&mut self, scan: &mut Scan, from_secs: f64, secs: f64, scene: &Scene<'_>) {
+        self.follow_to(scan, from_secs, scene);
+        if self.tracks.iter().any(Track::in_control) {
+            self.wake(scan, from_secs, scene);
+            scan.figure_moves(from_secs, secs);
         }
     }
 
@@ -195,7 +222,7 @@ impl Manipulators {
             let Some((goal, _)) = self.goal(limb, at) else {
                 return;
             };
-            let met = self.meet_at(limb, &goal, at, scene.skeleton, &now.pose);
+            let met = self.meet_alone(limb, &goal, at, scene.skeleton, &now.pose);
             let limited = self.tracks[limb.index()].has_limits();
             let mut off = Mend::default();
             for (i, off) in off.joints.iter_mut().enumerate() {
@@ -267,7 +294,7 @@ impl Manipulators {
 
     /// The joint angles of a limb's bones in a pose: of all that turn them so, those within
     /// the limits and nearest to ease, as equal angles near the middle of their ranges.
-    fn configuration(&self, limb: Limb, pose: &Pose, base: &Base) -> Joints {
+    pub(super) fn configuration(&self, limb: Limb, pose: &Pose, base: &Base) -> Joints {
         let found: Solutions = match self.limbs.get(limb.index()) {
             Some(rig) => rig.joints_of(rig.bones.map(|b| pose.rotation(b)), base),
             None => self
@@ -279,9 +306,9 @@ impl Manipulators {
             current: None,
             preferred: &AT_EASE,
         };
-        let limits = self.limits(limb);
+        let keep = |raw: &Joints| limits::keep(self.limits(limb), 1.0, raw);
         // Angles that have to be bent are worse the more they are.
-        let chosen = choose(&found, limits, &choice, &|raw, kept| {
+        let chosen = choose(&found, &choice, &keep, &|raw, kept| {
             let bends = raw
                 .iter()
                 .zip(kept)
@@ -290,7 +317,7 @@ impl Manipulators {
         });
         let index = chosen.map_or(0, |(index, _)| index);
         let raw = found.as_slice().get(index).copied().unwrap_or_default();
-        limits::keep(limits, 0.0, &raw)
+        limits::keep(self.limits(limb), 0.0, &raw)
     }
 
     /// Joint angles set, those that are given.

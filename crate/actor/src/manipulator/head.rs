@@ -68,13 +68,23 @@ impl HeadRig {
         DQuat::from_rotation_z(-joints[0]) * DQuat::from_rotation_x(joints[1])
     }
 
+    fn skull_turn(joints: &Joints) -> DQuat {
+        DQuat::from_rotation_y(joints[2])
+            * DQuat::from_rotation_x(joints[3])
+            * DQuat::from_rotation_z(-joints[4])
+    }
+
+    /// How far bones turn from joints to others, the most of them, radians.
+    pub(super) fn turned(&self, from: &Joints, to: &Joints) -> f64 {
+        let neck = Self::neck_turn(from).angle_between(Self::neck_turn(to));
+        neck.max(Self::skull_turn(from).angle_between(Self::skull_turn(to)))
+    }
+
     /// Forward kinematics: local rotations of neck and skull, and where the skull comes.
     #[must_use]
     pub fn posed(&self, joints: &Joints, base: &Base) -> Posed {
         let neck = Self::neck_turn(joints);
-        let turn = DQuat::from_rotation_y(joints[2])
-            * DQuat::from_rotation_x(joints[3])
-            * DQuat::from_rotation_z(-joints[4]);
+        let turn = Self::skull_turn(joints);
         let neck_in_figure = base.rotation * neck * self.body_from_neck;
         let local = self.body_from_skull.inverse() * turn * self.body_from_skull;
         Posed {

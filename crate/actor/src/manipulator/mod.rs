@@ -22,7 +22,9 @@ pub mod path;
 mod perform;
 pub mod rig;
 mod root;
+mod scan;
 pub mod solve;
+mod steady;
 pub mod swivel;
 mod track;
 
@@ -33,6 +35,7 @@ pub use path::{Path, Place, Shape};
 pub use perform::{Manipulators, Reached};
 pub use rig::LimbRig;
 pub use solve::Solutions;
+pub use steady::MOST_RAD_PER_S;
 
 /// What a manipulator moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

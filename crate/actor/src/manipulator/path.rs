@@ -47,6 +47,11 @@ pub fn rotation_from([yaw, pitch, roll]: [f64; 3]) -> DQuat {
     DQuat::from_rotation_y(yaw) * DQuat::from_rotation_x(pitch) * DQuat::from_rotation_z(roll)
 }
 
+/// What pitch and roll turn.
+fn tilt_of([_, pitch, roll]: [f64; 3]) -> DQuat {
+    rotation_from([0.0, pitch, roll])
+}
+
 /// A rotation as yaw, pitch and roll, radians, the pitch in −π/2..π/2.
 #[must_use]
 pub fn angles_of(rotation: DQuat) -> [f64; 3] {
@@ -178,13 +183,19 @@ const GATHER_SHARE: f64 = 1.0 / 3.0;
 const HURRY_M_PER_S: f64 = 0.9;
 const HURRY_RAD_PER_S: f64 = 3.0;
 
+/// Peak speed of [`eased`] to its mean.
+const EASED_PEAK: f64 = 4.0 / 3.0;
+/// Fastest that a figure turns along its way, radians a second: the round and a half a second
+/// of a dancer's pirouette.
+pub const MOST_TURN_RAD_PER_S: f64 = 1.5 * TAU;
+
 /// A path ready to be followed.
 #[derive(Clone, Debug)]
 pub struct Curve {
     form: Form,
     from_angles: [f64; 3],
     to_angles: [f64; 3],
-    /// Whether it turns by the angles, however often round, or the shortest way.
+    /// Whether it turns by the yaw, however often round, or the shortest way.
     by_angles: bool,
     period_secs: f64,
     looping: bool,
@@ -229,8 +240,9 @@ impl Lag {
 
 impl Curve {
     /// Fills in what a path leaves open from where the limb or figure is. `by_angles` turns
-    /// from the angles at the beginning to those at the end, however often round, as a figure
-    /// may; without it the shortest way, as a hand does.
+    /// by the yaw from the beginning to the end, however often round, as a figure may, and tilts
+    /// the shortest way; it takes longer than its period where it would turn faster than
+    /// [`MOST_TURN_RAD_PER_S`]. Without it all goes the shortest way, as a hand does.
     #[must_use]
     pub fn new(path: &Path, now: &Frame, by_angles: bool) -> Self {
         let now_angles = angles_of(now.rotation);
@@ -291,7 +303,19 @@ impl Curve {
             lag: none,
             seam: none,
         };
+        if by_angles {
+            let (from, to) = (curve.from_angles, curve.to_angles);
+            let tilt = tilt_of(from).angle_between(tilt_of(to));
+            let turn = (to[0] - from[0]).abs() + tilt;
+            let least_secs = EASED_PEAK * turn / MOST_TURN_RAD_PER_S;
+            curve.period_secs = curve.period_secs.max(least_secs);
+        }
         let (first, last) = (curve.on_form(0.0), curve.on_form(1.0));
+        if by_angles && curve.looping {
+            // Time to turn back in half a round.
+            let back = first.rotation.angle_between(last.rotation);
+            curve.period_secs = curve.period_secs.max(2.0 * back / HURRY_RAD_PER_S);
+        }
         let most = if curve.looping {
             0.5 * curve.period_secs
         } else {
@@ -311,7 +335,10 @@ impl Curve {
     fn on_form(&self, share: f64) -> Frame {
         let (from, to) = (self.from_angles, self.to_angles);
         let rotation = if self.by_angles {
-            rotation_from([0, 1, 2].map(|i| lerp(from[i], to[i], share)))
+            // The tilt goes the shortest way: its two angles apart would not.
+            let [from_tilt, to_tilt] = [from, to].map(tilt_of);
+            let yaw = DQuat::from_rotation_y(lerp(from[0], to[0], share));
+            (yaw * from_tilt.slerp(to_tilt, share)).normalize()
         } else {
             let (from, to) = (rotation_from(from), rotation_from(to));
             from.slerp(to, share).normalize()
@@ -319,6 +346,16 @@ impl Curve {
         Frame {
             position: self.form.at(share),
             rotation,
+        }
+    }
+
+    /// How long it takes, with the way to its beginning, seconds; infinite in a loop.
+    #[must_use]
+    pub fn secs(&self) -> f64 {
+        if self.looping {
+            f64::INFINITY
+        } else {
+            self.period_secs.max(self.lag.secs)
         }
     }
 

@@ -10,6 +10,7 @@ use super::limits::{self, Limit};
 use super::rig::{Base, LimbRig, Posed, ROLL};
 use super::root::RootTrack;
 use super::solve::{AT_EASE, Choice, Solutions, choose, matrix_error};
+use super::steady::{Steady, nearest, spline};
 use super::swivel::{Obstacles, Preference};
 use super::track::{Goal, Track};
 use super::{Frame, Joints, Limb, ManipulatorScript, Sex, lean};
@@ -17,27 +18,17 @@ use crate::arm_ik::{ARM_BONES, ArmRig};
 use crate::kinematics::{rotation_of, world_from_bone};
 
 /// Joints that are bent by so much in all, radians, take the mean of the last goals.
-const FORCED: f64 = 0.2;
+pub(super) const FORCED: f64 = 0.2;
 /// Joints of wrist or ankle.
-const END: core::ops::Range<usize> = 3..ROLL;
+pub(super) const END: core::ops::Range<usize> = 3..ROLL;
+/// Less than this is nothing to make up for, radians.
+const MENDED: f64 = 1e-3;
 /// How many metres off its target count as a radian.
 const FORCED_M: f64 = 0.15;
 /// Even times whose goals are taken, seconds apart: a limb passes from one way of not
 /// meeting its target to another in some three of them, and lags by two. Designed: as quick
 /// as a quick movement.
 const EVEN_SECS: f64 = 1.0 / 20.0;
-
-/// Weights of the uniform cubic B-spline for the even times around a share of a step.
-fn spline(u: f64) -> [f64; 4] {
-    let v = 1.0 - u;
-    let (u2, u3) = (u * u, u * u * u);
-    [
-        v * v * v / 6.0,
-        (3.0 * u3 - 6.0 * u2 + 4.0) / 6.0,
-        (-3.0 * u3 + 3.0 * u2 + 3.0 * u + 1.0) / 6.0,
-        u3 / 6.0,
-    ]
-}
 
 /// Where a limb was sent and how near it came.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -56,6 +47,8 @@ pub struct Manipulators {
     pub(super) head: HeadRig,
     pub(super) tracks: [Track; 5],
     pub(super) root: RootTrack,
+    /// Joints that lead the limbs where their targets would make them snap.
+    pub(super) steady: [Steady; 5],
     /// From the skull's joint to the middle of the head, skull axes, metres.
     head_middle: DVec3,
     thorax_zero: DAffine3,
@@ -79,7 +72,7 @@ pub(super) struct Terms {
 /// A goal met as far as it can be.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Met {
-    base: Base,
+    pub(super) base: Base,
     /// How much the upper bone had to be brought to its limits, and a target that is too near
     /// out to where the bent limb comes: radians, and lengths as [`FORCED_M`] to a radian.
     forced: f64,
@@ -93,6 +86,13 @@ pub(super) struct Met {
     /// What the girdle followed, trunk axes, metres.
     pub(super) cue: DVec3,
     pub(super) target: Frame,
+}
+
+impl Met {
+    /// How far limits or reach keep the limb from its target, and its end, radians.
+    pub(super) fn forced_by(&self) -> [f64; 2] {
+        [self.forced, self.forced.max(self.forced_end)]
+    }
 }
 
 impl Manipulators {
@@ -130,8 +130,13 @@ impl Manipulators {
             ]
             .map(|(side, is_arm)| LimbRig::new(skeleton, side, is_arm, sex)),
             head: HeadRig::new(skeleton, sex),
-            tracks: Default::default(),
+            // A neck has no twist as a manipulator.
+            tracks: Limb::ALL.map(|limb| match limb {
+                Limb::Head => Track::setting_in(),
+                _ => Track::default(),
+            }),
             root: RootTrack::default(),
+            steady: Default::default(),
             head_middle: skull.inverse() * DVec3::new(0.0, 0.08, 0.02) * scale,
             thorax_zero: at(Bone::Thoracic),
             shoulders: (shoulders[0] + shoulders[1]) * 0.5,
@@ -217,8 +222,8 @@ impl Manipulators {
         pose: &mut Pose,
     ) -> [Option<Reached>; 4] {
         let mut reached = [None; 4];
-        let limbs = Limb::ALL.into_iter().zip(&self.limbs).take(count);
-        for (index, (limb, rig)) in limbs.enumerate() {
+        let limbs = Limb::ALL.into_iter().take(count.min(self.limbs.len()));
+        for (index, limb) in limbs.enumerate() {
             let Some((goal, weight)) = self.goal(limb, time_secs) else {
                 continue;
             };
@@ -229,14 +234,23 @@ impl Manipulators {
                     error_m: met.posed.frame.position.distance(met.target.position),
                 });
             }
-            if let (Some(scapula), Some(bones)) = (met.scapula, ARM_BONES.get(index)) {
-                blend(pose, bones[0], scapula, weight);
-            }
-            for (bone, rotation) in rig.bones.into_iter().zip(met.posed.rotations) {
-                blend(pose, bone, rotation, weight);
-            }
+            self.place(limb, &met, weight, pose);
         }
         reached
+    }
+
+    /// Turns the bones of a limb a share of the way to where it meets its goal.
+    pub(super) fn place(&self, limb: Limb, met: &Met, weight: f64, pose: &mut Pose) {
+        if let (Some(scapula), Some(bones)) = (met.scapula, ARM_BONES.get(limb.index())) {
+            blend(pose, bones[0], scapula, weight);
+        }
+        let bones = match self.limbs.get(limb.index()) {
+            Some(rig) => &rig.bones[..],
+            None => &HEAD_BONES,
+        };
+        for (bone, rotation) in bones.iter().zip(met.posed.rotations) {
+            blend(pose, *bone, rotation, weight);
+        }
     }
 
     /// Turns the head; after gaze has turned it.
@@ -245,18 +259,43 @@ impl Manipulators {
             return;
         };
         let met = self.meet_at(Limb::Head, &goal, time_secs, skeleton, pose);
-        for (bone, rotation) in HEAD_BONES.into_iter().zip(met.posed.rotations) {
-            blend(pose, bone, rotation, weight);
-        }
+        self.place(Limb::Head, &met, weight, pose);
     }
 
-    /// Meets the goal of a limb at a time.
+    /// Meets the goal of a limb at a time, or goes its [steady](super::steady) way.
+    pub(super) fn meet_at(
+        &self,
+        limb: Limb,
+        goal: &Goal,
+        time_secs: f64,
+        skeleton: &Skeleton,
+        pose: &Pose,
+    ) -> Met {
+        let mut met = self.meet_alone(limb, goal, time_secs, skeleton, pose);
+        let rig = self.limbs.get(limb.index());
+        if let Some(lead) = self.steady[limb.index()].at(time_secs, rig) {
+            let near = nearest(&lead.joints, &met.joints, rig);
+            let [limb_forced, end_forced] = met.forced_by();
+            let share = |i: usize, forced: f64| {
+                lead.weights[i].max(lead.weight_unmet * smooth(forced / FORCED))
+            };
+            let (even, even_end) = (share(0, limb_forced), share(1, end_forced));
+            for (i, (joint, near)) in met.joints.iter_mut().zip(near).enumerate() {
+                let even = if END.contains(&i) { even_end } else { even };
+                *joint += even * (near - *joint);
+            }
+            met.posed = self.posed(limb, &met.joints, &met.base);
+        }
+        met
+    }
+
+    /// Meets the goal of a limb at a time by that goal alone.
     ///
     /// Joints that meet their target turn as steadily as it does. Those that cannot, because
     /// of their limits or their reach, may have to change from one way of not meeting it to
     /// another; then they take the mean of the last goals, by a cubic B-spline over
     /// even times. It is smooth whatever lies between, and stays within limits.
-    pub(super) fn meet_at(
+    pub(super) fn meet_alone(
         &self,
         limb: Limb,
         goal: &Goal,
@@ -307,8 +346,14 @@ impl Manipulators {
             for (joint, mend) in met.joints.iter_mut().zip(mend.joints) {
                 *joint += mend;
             }
+            // What it makes up for keeps it from its target as limits do.
+            let turn = mend.upper.angle_between(DQuat::IDENTITY);
+            let off = mend.joints.iter().fold(turn, |sum, joint| sum + joint.abs());
+            if off > MENDED {
+                met.forced += off;
+            }
         }
-        met.joints = limits::keep(self.limits(limb), terms.limited, &met.joints);
+        met.joints = self.keep(limb, terms.limited, &met.joints);
         met.posed = self.posed(limb, &met.joints, &met.base);
         met
     }
@@ -445,14 +490,16 @@ impl Manipulators {
                     Some(rig) => rig.error(raw, kept, &near, &base),
                     None => matrix_error(&self.head.posed(kept, &base).frame, &near),
                 };
-                let chosen = choose(&found, self.limits(limb), &choice, &error);
+                let keep = |raw: &Joints| self.keep(limb, terms.limited, raw);
+                let chosen = choose(&found, &choice, &keep, &error);
                 let (index, joints) = chosen.unwrap_or((0, AT_EASE));
-                if let (Some(raw), true) = (found.as_slice().get(index), limb != Limb::Head) {
-                    let bend = |i: usize| ops::wrap_angle(raw[i] - joints[i]).abs();
+                let rig = self.limbs.get(limb.index());
+                if let (Some(raw), Some(rig)) = (found.as_slice().get(index), rig) {
                     let inside = (near.position - base.origin).length()
                         - (frame.position - base.origin).length();
-                    forced = bend(0) + bend(1) + inside.max(0.0) / FORCED_M;
-                    forced_end = END.map(bend).sum();
+                    let bent = rig.bent(raw, &joints);
+                    forced = bent[0] + inside.max(0.0) / FORCED_M;
+                    forced_end = bent[1];
                 }
                 (joints, Some(*frame))
             }
@@ -510,6 +557,14 @@ impl Manipulators {
             }
             (Some(rig), None) => rig.base(trunk, None),
             _ => self.head.base(trunk),
+        }
+    }
+
+    /// Joints a share of the way to being within their limits.
+    pub(super) fn keep(&self, limb: Limb, share: f64, joints: &Joints) -> Joints {
+        match self.limbs.get(limb.index()) {
+            Some(rig) => rig.keep(share, joints),
+            None => limits::keep(self.head.limits(), share, joints),
         }
     }
 

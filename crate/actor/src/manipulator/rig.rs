@@ -180,6 +180,14 @@ impl LimbRig {
             * DQuat::from_rotation_z(s[5] * joints[5])
     }
 
+    /// How far bones turn from joints to others, the most of them, radians.
+    pub(super) fn turned(&self, from: &Joints, to: &Joints) -> f64 {
+        let upper = self.link(from).angle_between(self.link(to));
+        let end = self.turn(from).angle_between(self.turn(to));
+        let bend = ops::wrap_angle(from[2] - to[2]).abs();
+        upper.max(end).max(bend)
+    }
+
     /// Forward kinematics: the bones and the end for joint angles.
     #[must_use]
     pub fn posed(&self, joints: &Joints, base: &Base) -> Posed {

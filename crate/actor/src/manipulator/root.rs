@@ -20,7 +20,8 @@ const HOME: Frame = Frame {
 
 impl RootTrack {
     pub(super) fn new(moves: &[Move]) -> Self {
-        let mut order: Vec<&Move> = moves.iter().collect();
+        let finite = |m: &&Move| m.time_secs.is_finite();
+        let mut order: Vec<&Move> = moves.iter().filter(finite).collect();
         sort_by_number(&mut order, |m| m.time_secs);
         let mut track = Self::default();
         for m in order {
@@ -43,6 +44,11 @@ impl RootTrack {
             Some((at, curve)) => curve.at(time_secs - at),
             None => HOME,
         }
+    }
+
+    /// When each motion begins and how long it takes, seconds; infinite in a loop.
+    pub(super) fn motions(&self) -> Vec<(f64, f64)> {
+        self.moves.iter().map(|(at, curve)| (*at, curve.secs())).collect()
     }
 
     /// World from figure axes; none where the figure never moves.

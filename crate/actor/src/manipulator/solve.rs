@@ -9,7 +9,7 @@ use core::f64::consts::PI;
 use raconteur_base::{DMat3, DQuat, DVec3, METRES_PER_INCH, ops};
 
 use super::rig::{Base, LimbRig, ROLL};
-use super::{Frame, Joints, Limit, limits};
+use super::{Frame, Joints, limits};
 
 /// Most sets of joint angles for one target: two flexions, two ways to turn the shoulder
 /// and two for the wrist.
@@ -168,7 +168,34 @@ impl LimbRig {
         choice: &Choice<'_>,
     ) -> Option<Joints> {
         let error = |raw: &Joints, kept: &Joints| self.error(raw, kept, target, base);
-        choose(solutions, &self.limits, choice, &error).map(|(_, kept)| kept)
+        let keep = |raw: &Joints| self.keep(choice.limited, raw);
+        choose(solutions, choice, &keep, &error).map(|(_, kept)| kept)
+    }
+
+    /// Joints a share of the way to being within their limits. A shoulder or hip that was brought
+    /// back turns its bone about itself so that elbow or knee stay where they were as far as they
+    /// can: where the bone points along the first axis, that one may be anything, and the bone
+    /// must not turn with it.
+    #[must_use]
+    pub fn keep(&self, share: f64, joints: &Joints) -> Joints {
+        let mut kept = limits::keep(&self.limits, share, joints);
+        if !(same(kept[0], joints[0]) && same(kept[1], joints[1])) {
+            let off = self.link(&kept).inverse() * self.link(joints);
+            kept[ROLL] += self.sign * 2.0 * ops::atan2(off.x, off.w);
+        }
+        kept
+    }
+
+    /// How far the upper bone and the end are turned by bringing joints within their limits,
+    /// radians: 0 and not nearly so where they are.
+    pub(super) fn bent(&self, raw: &Joints, kept: &Joints) -> [f64; 2] {
+        let is_kept = |joints: &[usize]| joints.iter().all(|&i| same(raw[i], kept[i]));
+        let upper = || self.link(raw).angle_between(self.link(kept));
+        let end = || self.turn(raw).angle_between(self.turn(kept));
+        [
+            if is_kept(&[0, 1, ROLL]) { 0.0 } else { upper() },
+            if is_kept(&[3, 4, 5]) { 0.0 } else { end() },
+        ]
     }
 
     /// Joints with the shoulder or hip turned in the one of its two ways that is nearer to other
@@ -220,21 +247,21 @@ fn same(a: f64, b: f64) -> bool {
 }
 
 /// Chooses among solutions: first by matrix error once the joints are within their limits
-/// (`error` gives it for joints of a solution and those that they had to become), then by least variation or,
+/// (`keep` brings them there as far as those count, `error` gives it for joints of a solution and those that they had to become), then by least variation or,
 /// without a current configuration, by preference. The solution's index, and its angles
 /// within the limits as far as those count; none without solutions.
 #[must_use]
 pub fn choose(
     solutions: &Solutions,
-    limits: &[Limit; 7],
     choice: &Choice<'_>,
+    keep: &dyn Fn(&Joints) -> Joints,
     error: &dyn Fn(&Joints, &Joints) -> f64,
 ) -> Option<(usize, Joints)> {
     let near = choice.current.unwrap_or(choice.preferred);
     let (mut least, mut varied) = (f64::INFINITY, f64::INFINITY);
     let mut best = None;
     for (index, joints) in solutions.as_slice().iter().enumerate() {
-        let kept = limits::keep(limits, choice.limited, joints);
+        let kept = keep(joints);
         let within = kept.iter().zip(joints).all(|(a, b)| same(*a, *b));
         let off = if within {
             0.0
@@ -266,7 +293,7 @@ pub fn matrix_error(a: &Frame, b: &Frame) -> f64 {
 }
 
 /// Sum of the squared differences of joint angles, each the short way round.
-fn variation(a: &Joints, b: &Joints) -> f64 {
+pub(super) fn variation(a: &Joints, b: &Joints) -> f64 {
     let square = |(a, b): (&f64, &f64)| {
         let d = ops::wrap_angle(a - b);
         d * d

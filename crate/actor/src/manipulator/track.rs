@@ -13,7 +13,7 @@ use super::{Frame, Joints};
 /// brake.
 pub(super) const BRAKE_SECS: f64 = 0.2;
 /// Time in which elbow and girdle take their own way again after a change of motion, seconds.
-const SETTLE_SECS: f64 = 0.6;
+pub(super) const SETTLE_SECS: f64 = 0.6;
 /// Time in which a limb is given back, seconds.
 const RELEASE_SECS: f64 = 0.5;
 /// Time in which limits and the girdle's own motion set in, seconds.
@@ -80,6 +80,18 @@ pub(super) enum Kind {
     Samples { held: Vec<Held>, step_secs: f64 },
     /// A place in the world.
     Lock(Frame),
+}
+
+impl Kind {
+    /// How long it moves, seconds; infinite for a loop.
+    fn secs(&self) -> f64 {
+        match self {
+            Self::Joints { secs, .. } | Self::Line { secs, .. } => *secs,
+            Self::Curve(curve) => curve.secs(),
+            Self::Samples { held, step_secs } => held.len() as f64 * step_secs,
+            Self::Lock(_) => 0.0,
+        }
+    }
 }
 
 /// A motion from where the limb was.
@@ -176,15 +188,27 @@ pub(super) struct Track {
     limits: Vec<Switch>,
     /// Joint angles that are preferred from a time on; none: those at ease.
     preferred: Vec<(f64, Option<Joints>)>,
+    /// Whether control sets in by and by.
+    sets_in: bool,
 }
 
 impl Track {
+    /// The track of a limb whose joints are not all of those of its bones, so that no motion
+    /// can begin quite where it is: control sets in by and by.
+    pub(super) fn setting_in() -> Self {
+        Self {
+            sets_in: true,
+            ..Self::default()
+        }
+    }
+
     /// How far the limb is under control at a time, 0 to 1. It is at once when a motion
-    /// begins, since that begins where the limb is.
+    /// begins, since that begins where the limb is, unless it can't.
     pub(super) fn weight(&self, time_secs: f64) -> f64 {
         match last(&self.control, time_secs) {
             None => 0.0,
-            Some(s) if s.on => 1.0,
+            Some(s) if s.on && !self.sets_in => 1.0,
+            Some(s) if s.on => s.at(time_secs, SET_IN_SECS),
             Some(s) => s.at(time_secs, RELEASE_SECS),
         }
     }
@@ -319,6 +343,19 @@ impl Track {
                 brakes: true,
             });
         }
+    }
+
+    /// How long after a time the limb still moves by itself, seconds; infinite for a loop.
+    pub(super) fn rests_after_secs(&self, time_secs: f64) -> f64 {
+        let Some(segment) = self.segment(time_secs) else {
+            return 0.0;
+        };
+        let left = if segment.brakes {
+            BRAKE_SECS
+        } else {
+            self.courses[segment.course].kind.secs() - segment.run(time_secs)
+        };
+        left.max(0.0) + SETTLE_SECS
     }
 
     /// Whether the end is locked to a place from some time before this one.

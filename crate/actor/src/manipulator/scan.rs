@@ -1,0 +1,408 @@
+//! Follows limbs over even times when a script is compiled, and writes down a way through the
+//! joints where their targets would make them snap ([`super::steady`]).
+
+use super::compile::Scene;
+use super::perform::{END, FORCED, Manipulators, Met};
+use super::steady::{EVEN_HZ, MOST_RAD_PER_S, Sample, Stretch, nearest, toward};
+use super::{Joints, Limb};
+use crate::arm_ik::ARM_BONES;
+
+/// How joints catch up with a target after a snap: a share of what is left in a second, not
+/// faster and not slower than this. Designed: as a quick movement that ends softly.
+const CATCH_UP_HZ: f64 = 6.0;
+const FASTEST_RAD_PER_S: f64 = 10.0;
+const SLOWEST_RAD_PER_S: f64 = 2.0;
+/// Mean speed between even times from which it is looked at as a snap: in between it may be
+/// some more.
+const SNAP_RAD_PER_S: f64 = 0.7 * MOST_RAD_PER_S;
+/// Flexion of elbow or knee below which they may stretch and bend between even times, radians:
+/// near the reach a small way of the end is a large one of theirs.
+const STRETCHED_RAD: f64 = 0.4;
+/// Turn between even times below which nothing happens between them, radians.
+const STILL_RAD: f64 = 0.003;
+/// Turns between even times, and their change, below which nobody would see a snap, radians.
+const UNSEEN_RAD: f64 = 0.03;
+/// The shortest time in which a snap is looked for, seconds, and how often it is doubled to an
+/// even step.
+const LEAST_SECS: f64 = 1.0 / 480.0;
+const HALVINGS: u32 = 4;
+/// Mean speed below which an even motion does not hide a snap.
+const SLOW_RAD_PER_S: f64 = 4.0;
+/// Times that a step by the joints is shortened to its bones' speed.
+const SHORTENINGS: usize = 4;
+/// Joints this near to those of the target have caught up, radians.
+const CAUGHT_RAD: f64 = 1e-6;
+/// Longest time that joints are given to catch up when all else rests, and the pause in which
+/// limbs are not followed, seconds.
+const AFTER_SECS: f64 = 3.0;
+const PAUSE_SECS: f64 = 0.5;
+/// Time for which a loop is followed, seconds.
+const LOOP_SECS: f64 = 60.0;
+/// Times farther than this from the story's beginning are nobody's, seconds.
+const FARTHEST_SECS: f64 = 1e9;
+/// Even times followed in one performance at most, 20 minutes of motion: what comes after
+/// them follows the targets alone, so that no script takes time without bound.
+const MOST_STEPS: u32 = 36_000;
+
+/// What is known of one limb while it is followed.
+#[derive(Clone, Copy, Debug, Default)]
+struct Followed {
+    /// Joints of the target at the last even time, and how far the bones turned to it.
+    target: Option<(Joints, f64)>,
+    /// Whether the joints have not caught up with the target.
+    is_behind: bool,
+}
+
+/// The state of following.
+#[derive(Debug)]
+pub(super) struct Scan {
+    limbs: [Followed; 5],
+    /// From when on each limb's motion is over, seconds.
+    rests_from: [f64; 5],
+    /// From when on everything is, seconds.
+    busy_until: f64,
+    /// Limbs that move in a loop, and whether the figure does: they never rest.
+    loops: [bool; 5],
+    figure_loops: bool,
+    /// The next even time; none while everything rests.
+    next: Option<i64>,
+    steps: u32,
+}
+
+impl Scan {
+    pub(super) fn new() -> Self {
+        Self {
+            limbs: Default::default(),
+            rests_from: [f64::NEG_INFINITY; 5],
+            busy_until: f64::NEG_INFINITY,
+            loops: [false; 5],
+            figure_loops: false,
+            next: None,
+            steps: 0,
+        }
+    }
+
+    /// A limb begins to move: for some seconds, or without end.
+    pub(super) fn limb_moves(&mut self, limb: Limb, from_secs: f64, secs: f64) {
+        let until_secs = from_secs + followed_secs(secs);
+        self.busy_until = self.busy_until.max(until_secs);
+        self.rests_from[limb.index()] = until_secs;
+        self.loops[limb.index()] = secs.is_infinite();
+    }
+
+    /// The figure begins to move, and all limbs with it.
+    pub(super) fn figure_moves(&mut self, from_secs: f64, secs: f64) {
+        let until_secs = from_secs + followed_secs(secs);
+        self.busy_until = self.busy_until.max(until_secs);
+        for rests_from in &mut self.rests_from {
+            *rests_from = rests_from.max(until_secs);
+        }
+        self.figure_loops = secs.is_infinite();
+    }
+}
+
+/// For how long a motion of so many seconds is followed.
+fn followed_secs(secs: f64) -> f64 {
+    if secs.is_finite() { secs } else { LOOP_SECS }
+}
+
+impl Manipulators {
+    /// Begins to follow, shortly before a time.
+    pub(super) fn wake(&mut self, scan: &mut Scan, time_secs: f64, scene: &Scene<'_>) {
+        let is_far = time_secs.abs() > FARTHEST_SECS;
+        if scan.next.is_some() || scan.steps >= MOST_STEPS || is_far {
+            return;
+        }
+        let at = (time_secs * EVEN_HZ).floor() as i64;
+        scan.next = Some(at + 1);
+        scan.limbs = Default::default();
+        // What the limbs did until then.
+        let mut samples: [Vec<Sample>; 5] = Default::default();
+        for even in at - 3..=at {
+            let secs = even as f64 / EVEN_HZ;
+            let mut pose = scene.idle(secs);
+            self.lean(scene.skeleton, secs, &mut pose);
+            for limb in Limb::ALL {
+                let Some((goal, weight)) = self.goal(limb, secs) else {
+                    continue;
+                };
+                let met = self.meet_at(limb, &goal, secs, scene.skeleton, &pose);
+                let lead = self.steady[limb.index()].at(secs, self.limbs.get(limb.index()));
+                let leads = lead.map_or([false; 2], |lead| {
+                    let forced = met.forced_by();
+                    [0, 1].map(|i| lead.weights[i] > 0.0 || forced[i] > 0.0)
+                });
+                samples[limb.index()].push(Sample {
+                    joints: met.joints,
+                    leads,
+                });
+                self.place(limb, &met, weight, &mut pose);
+            }
+        }
+        for (limb, samples) in Limb::ALL.into_iter().zip(samples) {
+            if samples.len() == 4 {
+                self.steady[limb.index()].stretches.push(Stretch {
+                    from: at - 1,
+                    first: at - 3,
+                    samples,
+                    rests: true,
+                    lead_to: [at; 2],
+                });
+            }
+        }
+    }
+
+    /// Follows a limb from where the figure has it, before a command takes it on.
+    pub(super) fn take(&mut self, scan: &Scan, limb: Limb, scene: &Scene<'_>) {
+        let i = limb.index();
+        let Some(next) = scan.next else {
+            return;
+        };
+        let open = self.steady[i].stretches.last_mut();
+        if let Some(open) = open.filter(|s| s.next() == next) {
+            // Where joints lead, the command begins with them.
+            open.lead_on();
+            return;
+        }
+        let samples = (next - 3..next).map(|even| Sample {
+            joints: self.alone_at(limb, even as f64 / EVEN_HZ, scene),
+            leads: [false; 2],
+        });
+        let stretch = Stretch {
+            from: next - 1,
+            first: next - 3,
+            samples: samples.collect(),
+            rests: true,
+            lead_to: [next - 1; 2],
+        };
+        self.steady[i].stretches.push(stretch);
+    }
+
+    /// Follows up to a time.
+    pub(super) fn follow_to(&mut self, scan: &mut Scan, time_secs: f64, scene: &Scene<'_>) {
+        while let Some(even) = scan.next {
+            let secs = even as f64 / EVEN_HZ;
+            if secs > time_secs {
+                return;
+            }
+            let is_behind = scan.limbs.iter().any(|limb| limb.is_behind);
+            let over = secs - scan.busy_until;
+            let waits = over < PAUSE_SECS || is_behind && over < AFTER_SECS;
+            if !waits && time_secs - secs > PAUSE_SECS || scan.steps >= MOST_STEPS {
+                scan.next = None;
+                for (i, steady) in self.steady.iter_mut().enumerate() {
+                    let Some(last) = steady.stretches.last_mut() else {
+                        continue;
+                    };
+                    last.rests = !(scan.loops[i] || scan.figure_loops);
+                    // Where no joints lead the last ones are enough.
+                    if last.samples.iter().all(|s| !s.leads[1]) {
+                        let keep = last.samples.len().saturating_sub(1);
+                        last.samples.drain(..keep);
+                        last.first += keep as i64;
+                        last.from = last.from.max(last.first);
+                    }
+                }
+                return;
+            }
+            self.follow_at(scan, even, scene);
+            scan.steps += 1;
+            scan.next = Some(even + 1);
+        }
+    }
+
+    fn follow_at(&mut self, scan: &mut Scan, even: i64, scene: &Scene<'_>) {
+        let secs = even as f64 / EVEN_HZ;
+        let mut pose = scene.idle(secs);
+        self.lean(scene.skeleton, secs, &mut pose);
+        for limb in Limb::ALL {
+            let i = limb.index();
+            let Some((goal, weight)) = self.goal(limb, secs) else {
+                scan.limbs[i] = Followed::default();
+                continue;
+            };
+            let mut met = self.meet_alone(limb, &goal, secs, scene.skeleton, &pose);
+            let rests = secs >= scan.rests_from[i];
+            met.joints = self.step(limb, even, &mut scan.limbs[i], &met, rests, scene);
+            met.posed = self.posed(limb, &met.joints, &met.base);
+            self.place(limb, &met, weight, &mut pose);
+        }
+    }
+
+    /// Writes down the joints of a limb at an even time.
+    fn step(
+        &mut self,
+        limb: Limb,
+        even: i64,
+        followed: &mut Followed,
+        met: &Met,
+        rests: bool,
+        scene: &Scene<'_>,
+    ) -> Joints {
+        let i = limb.index();
+        let target = &met.joints;
+        let open = self.steady[i].stretches.last();
+        let last = open.filter(|s| s.next() == even).and_then(|s| s.samples.last());
+        let Some(last) = last.map(|s| s.joints) else {
+            // The limb comes under control where it is.
+            self.steady[i].stretches.push(Stretch::new(even, even, *target));
+            followed.target = Some((*target, 0.0));
+            return *target;
+        };
+        let (before, turned_before) = followed.target.unwrap_or((last, 0.0));
+        let turned = self.way(limb, &before, target);
+        let was = followed.is_behind;
+        let snaps = self.snaps(limb, even, [&before, target], turned_before, scene);
+        followed.target = Some((*target, turned));
+        let forced = met.forced_by();
+        let [stays, end_stays] = forced.map(|forced| forced >= FORCED && rests && !was);
+        let mut joints = *target;
+        if stays {
+            joints = last;
+        } else if was || snaps {
+            let limited = self.tracks[i].limited(even as f64 / EVEN_HZ) >= 0.5;
+            let along = if snaps { 0.0 } else { turned * EVEN_HZ };
+            joints = self.catch_up(limb, &last, target, along, limited);
+        } else if end_stays {
+            joints[END].copy_from_slice(&last[END]);
+        }
+        let is_off = self.turned(limb, &joints, target) > CAUGHT_RAD;
+        followed.is_behind = is_off && (was || snaps && !stays);
+        if let Some(stretch) = self.steady[i].stretches.last_mut() {
+            // Where the target is not met nothing is lost by it.
+            stretch.push(joints, forced.map(|f| f > 0.0 || is_off || snaps || was));
+        }
+        joints
+    }
+
+    /// Joints an even time after others on their way to those of a target, which turn at a
+    /// speed themselves, radians a second.
+    fn catch_up(
+        &self,
+        limb: Limb,
+        last: &Joints,
+        target: &Joints,
+        along_rad_per_s: f64,
+        limited: bool,
+    ) -> Joints {
+        let to = match self.limbs.get(limb.index()) {
+            Some(rig) if limited => rig.alike(target, last, true),
+            None if limited => *target,
+            rig => nearest(target, last, rig),
+        };
+        let left = self.way(limb, last, &to);
+        let own = (CATCH_UP_HZ * left).clamp(SLOWEST_RAD_PER_S, FASTEST_RAD_PER_S);
+        let most = (own + along_rad_per_s).min(SNAP_RAD_PER_S) / EVEN_HZ;
+        if left <= most {
+            return to;
+        }
+        // Bones may turn farther by their joints than the shortest way.
+        let mut share = most / left;
+        let mut joints = toward(last, &to, share, limited);
+        for _ in 0..SHORTENINGS {
+            let turned = self.way(limb, last, &joints);
+            if turned > most {
+                share *= most / turned;
+                joints = toward(last, &to, share, limited);
+            }
+        }
+        joints
+    }
+
+    /// Whether a limb's target makes it snap on the way to an even time.
+    fn snaps(
+        &self,
+        limb: Limb,
+        even: i64,
+        ends: [&Joints; 2],
+        turned_before: f64,
+        scene: &Scene<'_>,
+    ) -> bool {
+        let turned = self.way(limb, ends[0], ends[1]);
+        let is_stretched = limb != Limb::Head && ends[0][2].min(ends[1][2]) < STRETCHED_RAD;
+        let is_uneven = turned > UNSEEN_RAD && (turned - turned_before).abs() > UNSEEN_RAD;
+        if turned > SNAP_RAD_PER_S / EVEN_HZ {
+            return true;
+        }
+        let is_suspect = is_uneven || is_stretched && turned > STILL_RAD;
+        is_suspect
+            && self.snaps_between(limb, ends, (even - 1) as f64 / EVEN_HZ, HALVINGS, scene)
+    }
+
+    /// Whether a limb's target makes it snap in one of 2 to the power of `halvings` parts of the
+    /// 480th of a second that follow a time.
+    fn snaps_between(
+        &self,
+        limb: Limb,
+        [a, b]: [&Joints; 2],
+        from_secs: f64,
+        halvings: u32,
+        scene: &Scene<'_>,
+    ) -> bool {
+        let half_secs = f64::from(1_u32 << halvings) * 0.5 * LEAST_SECS;
+        let turned = self.turned(limb, a, b);
+        if turned > SNAP_RAD_PER_S * 2.0 * half_secs {
+            return true;
+        }
+        let middle_secs = from_secs + half_secs;
+        if halvings == 0 {
+            return false;
+        }
+        let middle = self.alone_at(limb, middle_secs, scene);
+        let halves = [self.turned(limb, a, &middle), self.turned(limb, &middle, b)];
+        if halves[0] + halves[1] > turned + UNSEEN_RAD {
+            // There and back.
+            return true;
+        }
+        let is_even = (halves[0] - halves[1]).abs() < UNSEEN_RAD;
+        if is_even && halves[0].max(halves[1]) < SLOW_RAD_PER_S * half_secs {
+            return false;
+        }
+        let parts = [(a, &middle, from_secs), (&middle, b, middle_secs)];
+        parts.into_iter().zip(halves).any(|((a, b, from_secs), turned)| {
+            turned > 0.5 * UNSEEN_RAD
+                && self.snaps_between(limb, [a, b], from_secs, halvings - 1, scene)
+        })
+    }
+
+    /// The joints of a limb's target alone at a time, or those that it has without one.
+    fn alone_at(&self, limb: Limb, time_secs: f64, scene: &Scene<'_>) -> Joints {
+        let mut pose = scene.idle(time_secs);
+        self.lean(scene.skeleton, time_secs, &mut pose);
+        self.first_limbs(limb.index(), scene.skeleton, time_secs, &mut pose);
+        match self.goal(limb, time_secs) {
+            Some((goal, _)) => {
+                let met = self.meet_alone(limb, &goal, time_secs, scene.skeleton, &pose);
+                met.joints
+            }
+            None => {
+                let trunk = self.trunk(limb, scene.skeleton, &pose);
+                let scapula = ARM_BONES.get(limb.index()).map(|b| pose.rotation(b[0]));
+                let base = self.base(limb, &trunk, scapula);
+                self.configuration(limb, &pose, &base)
+            }
+        }
+    }
+
+    /// How far the bones of a limb turn on their way by the joints to others, radians.
+    fn way(&self, limb: Limb, from: &Joints, to: &Joints) -> f64 {
+        const PARTS: u32 = 4;
+        let to = nearest(to, from, self.limbs.get(limb.index()));
+        let mut at = *from;
+        let mut sum = 0.0;
+        for part in 1..=PARTS {
+            let next = toward(from, &to, f64::from(part) / f64::from(PARTS), true);
+            sum += self.turned(limb, &at, &next);
+            at = next;
+        }
+        sum
+    }
+
+    /// How far the bones of a limb turn from joints to others, the most of them, radians.
+    fn turned(&self, limb: Limb, from: &Joints, to: &Joints) -> f64 {
+        match self.limbs.get(limb.index()) {
+            Some(rig) => rig.turned(from, to),
+            None => self.head.turned(from, to),
+        }
+    }
+}

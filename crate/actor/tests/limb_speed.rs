@@ -1,0 +1,379 @@
+//! How fast limbs led by manipulators turn: no snap, whatever is asked of them.
+
+use core::f64::consts::FRAC_PI_2;
+
+use raconteur_actor::kinematics::rotation_of;
+use raconteur_actor::manipulator::path::rotation_from;
+use raconteur_actor::manipulator::{
+    Command, Frame, Limb, MOST_RAD_PER_S, ManipulatorScript, Motion, Move, Pace, Path, Place, Shape,
+};
+use raconteur_actor::{Actor, FaceRig, Manipulators, Performance, Sex};
+use raconteur_base::{DQuat, DVec3, noise};
+use raconteur_body::{Bone, Pose, Skeleton};
+
+const RATE_HZ: f64 = 480.0;
+const UNIT_M: f64 = 0.0254;
+/// Bones of each limb in the order of [`Limb::ALL`].
+const BONES: [&[Bone]; 5] = [
+    &[Bone::LScapula, Bone::LShoulder, Bone::LElbow, Bone::LWrist],
+    &[Bone::RScapula, Bone::RShoulder, Bone::RElbow, Bone::RWrist],
+    &[Bone::LHip, Bone::LKnee, Bone::LSubtalar],
+    &[Bone::RHip, Bone::RKnee, Bone::RSubtalar],
+    &[Bone::Cervical, Bone::Skull],
+];
+
+fn actor(commands: Vec<Command>, seed: u64) -> Actor {
+    let performance = Performance {
+        manipulators: ManipulatorScript {
+            commands,
+            moves: Vec::new(),
+        },
+        seed,
+        ..Performance::default()
+    };
+    Actor::new(&performance, &Skeleton::example())
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Worst {
+    rad_per_sec: f64,
+    bone: Bone,
+    secs: f64,
+}
+
+/// The fastest turn of a limb's bones from 0 on, of poses given by time.
+fn fastest(until_secs: f64, pose_at: &dyn Fn(f64, &mut Pose)) -> Worst {
+    let mut worst = Worst {
+        rad_per_sec: 0.0,
+        bone: Bone::Sacroiliac,
+        secs: 0.0,
+    };
+    let (mut last, mut pose) = (Pose::zero(), Pose::zero());
+    pose_at(0.0, &mut last);
+    for i in 1..=(until_secs * RATE_HZ) as u32 {
+        let secs = f64::from(i) / RATE_HZ;
+        pose_at(secs, &mut pose);
+        for bone in BONES.iter().flat_map(|bones| bones.iter()) {
+            let [a, b] = [&last, &pose].map(|p| p.rotation(*bone));
+            let rad_per_sec = a.angle_between(b) * RATE_HZ;
+            // What is no number is the worst of all.
+            if rad_per_sec.is_nan() || rad_per_sec > worst.rad_per_sec {
+                worst = Worst {
+                    rad_per_sec,
+                    bone: *bone,
+                    secs,
+                };
+            }
+        }
+        core::mem::swap(&mut last, &mut pose);
+    }
+    worst
+}
+
+fn fastest_of(actor: &Actor, until_secs: f64) -> Worst {
+    let skeleton = Skeleton::example();
+    let face = FaceRig::from_parts(&skeleton, &[], [0.8; 2]);
+    fastest(until_secs, &|secs, pose| {
+        actor.evaluate(&skeleton, &face, secs, pose, &mut []);
+    })
+}
+
+/// A target as a script writes it: units (x left, y up, z back) and degrees.
+fn target(position: [f64; 3], [yaw, pitch, roll]: [f64; 3]) -> Frame {
+    let [x, y, z] = position;
+    let angles = [-yaw, -pitch, roll].map(f64::to_radians);
+    Frame {
+        position: DVec3::new(x, y, -z) * UNIT_M,
+        rotation: rotation_from(angles),
+    }
+}
+
+fn line(time_secs: f64, limb: Limb, to: Frame, secs: f64) -> Command {
+    Command {
+        time_secs,
+        limb,
+        motion: Motion::FrameInterpolation { to, secs },
+    }
+}
+
+/// Target frames of a hand that points to the front palm down, of a standing foot and of a
+/// head that is upright, in the order of the limbs.
+fn easy(limb: Limb) -> DQuat {
+    match limb {
+        Limb::LeftArm => DQuat::from_rotation_y(-FRAC_PI_2),
+        Limb::RightArm => {
+            DQuat::from_rotation_y(FRAC_PI_2) * DQuat::from_rotation_z(2.0 * FRAC_PI_2)
+        }
+        Limb::LeftLeg | Limb::RightLeg => DQuat::from_rotation_z(-FRAC_PI_2),
+        Limb::Head => DQuat::IDENTITY,
+    }
+}
+
+/// Anywhere a script may send a limb: some in easy reach, some beyond it, behind the back,
+/// inside the trunk, twisted any way.
+fn place(limb: Limb, seed: u64, i: i64) -> Frame {
+    let r = |k: u64| noise::signed(seed, 20 + k, i);
+    let wild = noise::unit(seed, 40, i) < 0.4;
+    let v = DVec3::new(r(0), r(1), r(2));
+    let side = limb.side().map_or(0.0, |(side, _)| side.sign());
+    let position = match limb {
+        Limb::Head => DVec3::new(0.0, 1.75, 0.0) + v * 0.1,
+        Limb::LeftArm | Limb::RightArm => {
+            DVec3::new(0.2 * side, 1.3, 0.25) + v * if wild { 0.8 } else { 0.35 }
+        }
+        Limb::LeftLeg | Limb::RightLeg => {
+            let by = if wild { 0.8 } else { 0.4 };
+            let v = v * by;
+            DVec3::new(0.12 * side, if wild { 0.7 } else { 0.3 }, 0.1) + v
+        }
+    };
+    let rotation = match (4.0 * noise::unit(seed, 41, i)) as usize {
+        // As often scripts write it: as the leg of GEVH's examples.
+        0 => DQuat::from_rotation_z(-FRAC_PI_2),
+        1 => DQuat::from_xyzw(r(3), r(4), r(5), r(6)).normalize(),
+        _ => DQuat::from_scaled_axis(DVec3::new(r(3), r(4), r(5)) * 0.8) * easy(limb),
+    };
+    Frame { position, rotation }
+}
+
+fn path(to: &Frame, seed: u64, i: i64) -> Path {
+    let r = |k: u64| noise::signed(seed, 50 + k, i);
+    let unit = |k: u64| noise::unit(seed, 60 + k, i);
+    let shape = match (4.0 * unit(0)) as usize {
+        0 => Shape::Segment,
+        1 => Shape::Sinusoid {
+            across: DVec3::new(r(0), r(1), r(2)) * 0.15,
+            cycles: 2.0,
+        },
+        2 => Shape::Round {
+            centre: Place::default(),
+            normal: DVec3::new(r(0), r(1), r(2)),
+            radii: [0.1, 0.2],
+            from_rad: 3.0 * r(3),
+            turns: 2.0 * r(4),
+            rise: 0.2 * r(5),
+        },
+        _ => Shape::Lemniscate {
+            centre: Place::default(),
+            normal: DVec3::new(r(0), r(1), r(2)),
+            half_width: 0.2,
+            tilt_rad: r(3),
+            turns: 1.0,
+        },
+    };
+    let p = to.position;
+    Path {
+        shape,
+        from: Place::default(),
+        to: Place {
+            position: [Some(p.x), Some(p.y), Some(p.z)],
+            angles: [(unit(1) < 0.5).then(|| r(6)), None, None],
+        },
+        period_secs: 0.8 + 1.5 * unit(2),
+        looping: unit(3) < 0.3,
+    }
+}
+
+/// A random move of a limb by one of the primitives.
+fn motion(limb: Limb, seed: u64, i: i64) -> Motion {
+    let unit = |k: u64| noise::unit(seed, 80 + k, i);
+    let r = |k: u64| noise::signed(seed, 90 + k, i);
+    let to = place(limb, seed, i);
+    let secs = 0.4 + 1.6 * unit(0);
+    match (20.0 * unit(1)) as usize {
+        0..=6 => Motion::FrameInterpolation { to, secs },
+        7..=9 => Motion::JointInterpolation {
+            to,
+            pace: Pace::Secs(secs),
+        },
+        10 => Motion::JointInterpolation {
+            to,
+            pace: Pace::RadPerSec(0.5 + 2.0 * unit(2)),
+        },
+        11..=12 => Motion::Joints([0, 1, 2, 3, 4, 5].map(|k| (unit(3 + k) < 0.6).then(|| r(k)))),
+        13..=15 => Motion::Function(Box::new(path(&to, seed, i))),
+        16..=17 => Motion::JacobianTarget(to),
+        18 => Motion::JacobianVelocity {
+            linear: DVec3::new(r(0), r(1), r(2)) * 0.4,
+            angular: DVec3::new(r(3), r(4), r(5)),
+        },
+        _ => match (4.0 * unit(2)) as usize {
+            0 => Motion::Stop,
+            1 => Motion::Configure {
+                is_on: Some(true),
+                limits: Some(unit(3) < 0.5),
+            },
+            _ => Motion::Lock(unit(3) < 0.7),
+        },
+    }
+}
+
+/// Two to four moves of each limb; some begin while the one before is on its way, some after
+/// a hold. The commands, how many they are, and when to stop looking.
+fn chain(seed: u64) -> (Vec<Command>, f64) {
+    let mut commands = Vec::new();
+    let mut end: f64 = 0.0;
+    for limb in Limb::ALL {
+        let of = seed * 5 + limb.index() as u64;
+        let count = 2 + (3.0 * noise::unit(of, 1, 0)) as i64;
+        let mut time_secs = 0.2 + noise::unit(of, 2, 0);
+        for i in 0..count {
+            commands.push(Command {
+                time_secs,
+                limb,
+                motion: motion(limb, of, i),
+            });
+            time_secs += 0.3 + 2.4 * noise::unit(of, 3, i);
+        }
+        end = end.max(time_secs + 2.0);
+    }
+    (commands, end)
+}
+
+/// A figure that stands and sways, which costs little to pose.
+struct Swaying {
+    standing: Pose,
+    seed: u64,
+}
+
+impl Swaying {
+    fn new(skeleton: &Skeleton, seed: u64) -> Self {
+        let face = FaceRig::from_parts(skeleton, &[], [0.8; 2]);
+        let mut standing = Pose::zero();
+        actor(Vec::new(), seed).evaluate(skeleton, &face, 0.0, &mut standing, &mut []);
+        Self { standing, seed }
+    }
+
+    fn pose(&self, secs: f64, pose: &mut Pose) {
+        pose.clone_from(&self.standing);
+        let sway = |k: u64| noise::perlin(self.seed, 700 + k, 0.4 * secs);
+        pose.root_offset_in_world += DVec3::new(sway(0), 0.3 * sway(1), sway(2)) * 0.04;
+        for (k, bone) in [Bone::Lumbar, Bone::Thoracic].into_iter().enumerate() {
+            let k = 3 * k as u64;
+            let turn = DVec3::new(sway(3 + k), sway(4 + k), sway(5 + k)) * 0.06;
+            pose.set(bone, pose.rotation(bone) * DQuat::from_scaled_axis(turn));
+        }
+    }
+}
+
+/// The fastest turn in a chain of random moves of every limb, and how many they are.
+fn fastest_in_chain(skeleton: &Skeleton, seed: u64) -> (Worst, usize) {
+    let (commands, end) = chain(seed);
+    let count = commands.len();
+    let script = ManipulatorScript {
+        commands,
+        moves: Vec::new(),
+    };
+    let swaying = Swaying::new(skeleton, seed);
+    let idle = |secs: f64, pose: &mut Pose| swaying.pose(secs, pose);
+    let manipulators = Manipulators::new(&script, skeleton, Sex::Male, &idle);
+    let worst = fastest(end, &|secs, pose| {
+        swaying.pose(secs, pose);
+        manipulators.lean(skeleton, secs, pose);
+        manipulators.limbs(skeleton, secs, pose);
+        manipulators.head(skeleton, secs, pose);
+    });
+    (worst, count)
+}
+
+#[test]
+fn no_random_move_of_any_limb_snaps() {
+    let most: usize = std::env::var("LIMB_MOVES").map_or(75, |n| n.parse().expect("a number"));
+    let from: u64 = std::env::var("LIMB_SEED").map_or(0, |n| n.parse().expect("a number"));
+    let skeleton = Skeleton::example();
+    let (mut moves, mut seed) = (0, from);
+    let mut over = Vec::new();
+    while moves < most {
+        let (worst, count) = fastest_in_chain(&skeleton, seed);
+        if worst.rad_per_sec.is_nan() || worst.rad_per_sec > MOST_RAD_PER_S {
+            println!("{seed}: {worst:?}");
+            over.push((seed, worst));
+        }
+        moves += count;
+        seed += 1;
+    }
+    println!("{moves} moves in {} chains, {} too fast", seed - from, over.len());
+    assert!(over.is_empty(), "{over:?}");
+}
+
+#[test]
+fn a_leg_that_cannot_lift_its_foot_higher_holds_still() {
+    for y in [20.0, 30.0, 40.0] {
+        let to = target([4.0, y, -15.0], [0.0, 0.0, -90.0]);
+        let worst = fastest_of(&actor(vec![line(1.0, Limb::LeftLeg, to, 1.0)], 0), 6.0);
+        assert!(worst.rad_per_sec < 6.0, "{y}: {worst:?}");
+    }
+}
+
+#[test]
+fn an_arm_passes_its_shoulder_without_a_flip() {
+    let first = target([-9.0, 60.0, -7.0], [0.0, 0.0, -90.0]);
+    for angles in [[0.0, 0.0, 0.0], [0.0, 0.0, -90.0]] {
+        let second = target([-10.0, 35.0, 8.0], angles);
+        let commands = vec![
+            line(1.0, Limb::RightArm, first, 1.0),
+            line(3.0, Limb::RightArm, second, 1.0),
+        ];
+        let worst = fastest_of(&actor(commands, 0), 6.0);
+        assert!(worst.rad_per_sec < MOST_RAD_PER_S, "{worst:?}");
+    }
+}
+
+/// A random path of the whole figure.
+fn way(seed: u64, i: i64) -> Path {
+    let r = |k: u64| noise::signed(seed, 200 + k, i);
+    let unit = |k: u64| noise::unit(seed, 220 + k, i);
+    let place = |k: u64| Place {
+        position: [0, 1, 2].map(|j| (unit(k + j) < 0.6).then(|| r(k + j))),
+        angles: [8.0, 1.5, 3.0].map(|most| (unit(k + 3) < 0.6).then(|| most * r(k + 4))),
+    };
+    let shape = match i % 3 {
+        0 => Shape::Segment,
+        1 => Shape::Sinusoid {
+            across: DVec3::X * 0.2,
+            cycles: 1.0,
+        },
+        _ => Shape::Round {
+            centre: Place::default(),
+            normal: DVec3::Y,
+            radii: [0.5, 0.3],
+            from_rad: r(0),
+            turns: r(1),
+            rise: 0.0,
+        },
+    };
+    Path {
+        shape,
+        from: place(2),
+        to: place(9),
+        period_secs: 3.0 * (unit(16) - 0.2).max(0.0),
+        looping: unit(17) < 0.3,
+    }
+}
+
+#[test]
+fn no_random_move_of_the_figure_snaps() {
+    let skeleton = Skeleton::example();
+    let idle = |_: f64, pose: &mut Pose| pose.clone_from(&Pose::zero());
+    for seed in 0..200 {
+        let mut script = ManipulatorScript::default();
+        let mut time_secs = 0.3;
+        for i in 0..4 {
+            script.moves.push(Move {
+                time_secs,
+                path: way(seed, i),
+            });
+            time_secs += 2.5 * noise::unit(seed, 240, i);
+        }
+        let manipulators = Manipulators::new(&script, &skeleton, Sex::Male, &idle);
+        let turned = |secs: f64| {
+            let moved = manipulators.world_from_figure(secs).expect("it moves");
+            rotation_of(&moved)
+        };
+        for i in 0..(6.0 * RATE_HZ) as u32 {
+            let [a, b] = [i, i + 1].map(|i| turned(f64::from(i) / RATE_HZ));
+            let rad_per_sec = a.angle_between(b) * RATE_HZ;
+            assert!(rad_per_sec < MOST_RAD_PER_S, "{seed} at {i}: {rad_per_sec}");
+        }
+    }
+}
