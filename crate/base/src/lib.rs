@@ -2,7 +2,7 @@
 //!
 //! Does: the `glam` types in double precision, trigonometry through `libm` so
 //! that native and wasm agree bit for bit, motion curves, hash-based noise, decimal numbers
-//! and JSON read in so little code that every page can load it.
+//! and JSON read in so little code that every page can load it; which signs in a text are emoticons.
 //! Does not: know anything of stories, bodies or time-keeping.
 //!
 //! Frames: right-handed, metres, radians, seconds; +x is the character's left,
@@ -10,6 +10,7 @@
 
 pub mod curve;
 pub mod decimal;
+pub mod emoticon;
 pub mod json;
 mod node;
 pub mod noise;

@@ -16,6 +16,7 @@ mod clauses;
 mod diagnostic;
 mod document;
 mod durations;
+mod feeling;
 mod gesture;
 mod namespaces;
 mod parse;
@@ -79,6 +80,7 @@ pub use span::{LineIndex, Position, Span};
 pub use suggest::{nearest, quoted};
 pub use time_expr::{NameTerm, TimeExpr};
 pub use timeline::{Resolved, TimedClause, Timeline};
+pub use feeling::Emoticon;
 pub use voice::{DivKind, Mark, MarkEvent, Piece, VoiceText, Word};
 #[cfg(any(test, feature = "write"))]
 pub use write::{HARMLESS, normal_form, write, write_with_comments};
