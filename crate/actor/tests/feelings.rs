@@ -13,7 +13,7 @@ fn felt(word: &str) -> EmotionSpan {
         apex_secs: 2.0,
         until_secs: 4.0,
         end_secs: 6.0,
-        place: place(word).expect(word),
+        affect: Affect::named(word).expect(word),
         intensity: 1.0,
     }
 }
