@@ -38,8 +38,8 @@ mod write;
 pub(crate) use raconteur_base::decimal;
 
 pub use clauses::environment::{
-    Camera, CameraAngle, Emotion, EmotionKind, Expressions, Light, Music, Performer, ShotKind,
-    Valence,
+    Camera, CameraAngle, Emotion, EmotionKind, EmotionSpace, Expressions, Light, Music, Performer,
+    ShotKind, Valence,
 };
 pub use clauses::functions::{Arg, ArgValue, FunctionArgs, VhMove};
 pub use clauses::geometry::{ConfigureGeometry, FillMode, VisibleMeshes};
@@ -65,6 +65,7 @@ pub use clauses::speech::{
 pub use diagnostic::{Diagnostic, Severity};
 pub use document::{Clause, ClauseId, ClauseKind, Document, Group};
 pub use durations::{Durations, EstimatedDurations, PhoneTime, VoiceTiming, WordTime};
+pub use feeling::Emoticon;
 pub use gesture::{
     Coords, GestureKey, Handedness, Interpolator, Key, MotionKey, PalmKey, Phase, Profile,
     ShapeKey, Space, Track,
@@ -80,7 +81,6 @@ pub use span::{LineIndex, Position, Span};
 pub use suggest::{nearest, quoted};
 pub use time_expr::{NameTerm, TimeExpr};
 pub use timeline::{Resolved, TimedClause, Timeline};
-pub use feeling::Emoticon;
 pub use voice::{DivKind, Mark, MarkEvent, Piece, VoiceText, Word};
 #[cfg(any(test, feature = "write"))]
 pub use write::{HARMLESS, normal_form, write, write_with_comments};

@@ -282,7 +282,9 @@ impl Walk<'_> {
         }
         let [before, after] = emoticon::of_emoji(&text);
         let bare = emoticon::without_emoji(&text).unwrap_or(text);
-        self.out.items.extend(before.into_iter().map(Item::Emoticon));
+        self.out
+            .items
+            .extend(before.into_iter().map(Item::Emoticon));
         if let Some((style, together)) = word {
             self.out.items.push(Item::Word {
                 text: bare,

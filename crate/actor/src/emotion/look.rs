@@ -10,7 +10,7 @@ use super::basic::{BASICS, Basic, Share, m};
 use crate::parameters::Dial;
 
 /// How many looks there are.
-pub const LOOKS: usize = BASICS + 8;
+pub const LOOKS: usize = BASICS + 9;
 
 /// A way to look: a basic expression, or one of a word's own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -29,6 +29,8 @@ pub enum Look {
     Satisfaction,
     /// Relieved.
     Relief,
+    /// Tender.
+    Love,
     /// Joking.
     Kidding,
     /// One eye closed, with the cheek raised to it; it comes with kidding, for a moment.
@@ -121,6 +123,16 @@ const RELIEF: &[Share] = &[
     (Dial::LIP_PROTRUSION_LOWER, 20),
 ];
 
+/// A felt smile (AU 6, 12) with the head inclined to the other: Gonzaga et al. 2001,
+/// doi:10.1037/0022-3514.81.2.247. Raised inner brows and soft lids are *designed*.
+const LOVE: &[Share] = &[
+    m(M::ZygomaticusMajorLeft, 55),
+    m(M::OrbicularisOculiLeft, 40),
+    m(M::FrontalisMedialLeft, 45),
+    (Dial::UPPER_LID_LEFT, 22),
+    (Dial::LOWER_LID_LEFT, 25),
+];
+
 /// A smile that is stronger on the side of the wink, one brow raised on the other. *Designed*:
 /// F&H figure 4.7 shows it as a smile with a wink.
 const KIDDING: &[Share] = &[
@@ -161,6 +173,7 @@ impl Look {
         Self::Resentment,
         Self::Satisfaction,
         Self::Relief,
+        Self::Love,
         Self::Kidding,
         Self::Wink,
     ];
@@ -181,6 +194,7 @@ impl Look {
             Self::Resentment => (RESENTMENT, RESENTMENT_RIGHT),
             Self::Satisfaction => (SATISFACTION, &[]),
             Self::Relief => (RELIEF, &[]),
+            Self::Love => (LOVE, &[]),
             Self::Kidding => (KIDDING, KIDDING_RIGHT),
             Self::Wink => (&[], WINK_LEFT),
         };
@@ -191,7 +205,8 @@ impl Look {
                 visit(right, *percent);
             }
         }
-        one.iter().for_each(|(dial, percent)| visit(*dial, *percent));
+        one.iter()
+            .for_each(|(dial, percent)| visit(*dial, *percent));
     }
 }
 
@@ -199,7 +214,8 @@ impl Look {
 /// that has the expression of its place. The two that Ortony, Clore and Collins (1988) make
 /// of two others, gratification of pride and joy, remorse of shame and distress, are half of
 /// each; gratitude, which they make of admiration and joy, is joy with the bow of thanks
-/// (see [`Signs`](super::Signs)). Anxiety and panic are fear scaled by the ratio of distances
+/// (see [`Signs`](super::Signs)). Liking is a weaker joy than its place, which it shares with
+/// satisfaction, would have it (*designed*). Anxiety and panic are fear scaled by the ratio of distances
 /// from the middle of the disc (F&H equation 4.7, figure 4.17).
 pub(super) fn of_word(word: &str) -> Option<&'static [(Look, f64)]> {
     const FEAR: Look = Look::Basic(Basic::Fear);
@@ -212,6 +228,8 @@ pub(super) fn of_word(word: &str) -> Option<&'static [(Look, f64)]> {
         "resentment" => &[(Look::Resentment, 1.0)],
         "satisfaction" => &[(Look::Satisfaction, 1.0)],
         "relief" => &[(Look::Relief, 1.0)],
+        "love" => &[(Look::Love, 1.0)],
+        "liking" => &[(JOY, 0.6)],
         "kidding" => &[(Look::Kidding, 1.0), (Look::Wink, 1.0)],
         "gratification" => &[(Look::Pride, 0.5), (JOY, 0.5)],
         "remorse" => &[(Look::Shame, 0.5), (SADNESS, 0.5)],

@@ -120,6 +120,14 @@ fn of_look(look: Look) -> Signs {
             liveliness: -0.2,
             ..CALM
         },
+        Look::Love => Signs {
+            blush: 0.25,
+            head_down_rad: 0.05,
+            head_tilt_rad: 0.14,
+            breath_rate: 0.05,
+            breath_depth: 0.15,
+            ..CALM
+        },
         Look::Kidding => Signs {
             blush: 0.05,
             head_down_rad: 0.04,
@@ -195,12 +203,28 @@ impl Signs {
         self.liveliness += factor * other.liveliness;
     }
 
+    /// The same so much stronger or weaker, within what people show.
+    #[must_use]
+    pub fn scaled(&self, factor: f64) -> Self {
+        let mut scaled = CALM;
+        scaled.add(self, factor);
+        scaled.limited()
+    }
+
+    /// How the head turns: yaw to the figure's left, pitch down, roll to the left, radians.
+    #[must_use]
+    pub fn head(&self) -> [f64; 3] {
+        [-self.head_turn_rad, self.head_down_rad, self.head_tilt_rad]
+    }
+
     /// The same where no sign is beyond what people show: each grows with the emotion all
     /// the way, but ever less near its end.
     pub(super) fn limited(self) -> Self {
         let to = |sign: f64, least: f64, most: f64| {
-            let end = if sign < 0.0 { least } else { most };
-            end.abs() * within(sign / end.abs())
+            let end: f64 = if sign < 0.0 { least } else { most };
+            let (share, end) = (sign / end.abs(), end.abs());
+            let shown = within(share);
+            if shown == share { sign } else { end * shown }
         };
         Self {
             blush: to(self.blush, -1.0, 1.0),

@@ -342,9 +342,7 @@ fn seen(word: &str, intensity: f64) -> Vec<f64> {
     let affect = Affect::named(word).expect(word);
     let mut mixture = Mixture::felt(affect);
     mixture.scale(intensity);
-    let mut signs = Signs::default();
-    signs.add(&Signs::felt(affect), intensity);
-    let signs = signs.limited();
+    let signs = Signs::felt(affect).scaled(intensity);
     let angles = [
         signs.gaze_down_rad,
         signs.head_down_rad,
@@ -368,7 +366,9 @@ fn no_two_words_look_alike() {
     for (i, (one, _)) in WORDS.iter().enumerate() {
         for (other, _) in &WORDS[..i] {
             let apart = distance(&seen(one, 1.0), &seen(other, 1.0));
-            let is_same = SAME.iter().any(|same| same.contains(one) && same.contains(other));
+            let is_same = SAME
+                .iter()
+                .any(|same| same.contains(one) && same.contains(other));
             assert!(!is_same || apart < 1e-9, "{one} {other}: {apart}");
             if !is_same {
                 pairs.push((apart, *one, *other));

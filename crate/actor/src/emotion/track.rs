@@ -8,7 +8,7 @@ use raconteur_speech::emotion::Place;
 use super::blend::{Affect, Mixture};
 use super::signs::Signs;
 use super::wink;
-use crate::parameters::{Curve, SET_SECS};
+use crate::parameters::{Curve, Dial, SET_SECS};
 
 /// An emotion neither comes nor goes in less, seconds. Designed: the quickest onsets of
 /// expressions that are felt.
@@ -259,13 +259,16 @@ impl EmotionTrack {
     /// asked to do.
     pub fn add(&self, time_secs: f64, controls: &mut FaceControls) {
         let mut sum = self.sum(time_secs);
+        let mut expression = sum.mixture.expression();
         if sum.wink > 0.0 {
+            let lid = expression.value(Dial::UPPER_LID_LEFT);
             sum.mixture.wink(sum.wink);
+            expression = sum.mixture.expression();
+            // The lid has a way of its own: all the way, from wherever it is.
+            expression.values[Dial::UPPER_LID_LEFT.index()] = lid;
         }
-        sum.mixture.expression().add(controls);
-        if sum.wink > 0.0 {
-            wink::close(sum.wink, controls);
-        }
+        expression.add(controls);
+        wink::close(sum.wink, controls);
         controls.blush += sum.signs.limited().blush;
     }
 
@@ -297,8 +300,7 @@ impl EmotionTrack {
     /// How the head turns: yaw to the figure's left, pitch down, roll to the left, radians.
     #[must_use]
     pub fn head(&self, time_secs: f64) -> [f64; 3] {
-        let signs = self.sum(time_secs).signs.limited();
-        [-signs.head_turn_rad, signs.head_down_rad, signs.head_tilt_rad]
+        self.sum(time_secs).signs.limited().head()
     }
 
     /// How one breathes.

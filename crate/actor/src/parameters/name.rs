@@ -121,9 +121,7 @@ impl Parameter {
                 let phone = phones::by_name(VISEMES[index].1);
                 Asks::Viseme(phone.unwrap_or_else(phones::silence))
             }
-            Some(word) => {
-                Asks::Emotion(Affect::named(WORDS[word].0).unwrap_or_default())
-            }
+            Some(word) => Asks::Emotion(Affect::named(WORDS[word].0).unwrap_or_default()),
         }
     }
 
@@ -186,7 +184,7 @@ mod tests {
         assert_eq!(names("Jaw"), ["Jaw"]);
         assert_eq!(names("VisemePP"), ["PP"]);
         assert_eq!(names("visemesil"), ["sil"]);
-        assert_eq!(names("Disgust"), ["hate"]);
+        assert_eq!(names("Disgust"), ["disgust"]);
         assert_eq!(names("Sadness"), ["sorry-for"]);
         assert_eq!(names("Happy-For"), ["happy-for"]);
         for unknown in [
@@ -206,10 +204,7 @@ mod tests {
             assert_eq!(targets.viseme, name);
         }
         let fear = Parameter::named("FEAR").next().expect("a word").asks();
-        assert_eq!(
-            fear,
-            Asks::Emotion(Affect::named("fear").expect("a word"))
-        );
+        assert_eq!(fear, Asks::Emotion(Affect::named("fear").expect("a word")));
         assert_eq!(Parameter::named("Blush").next().expect("one").least(), -1.0);
         assert_eq!(Parameter::named("Jaw").next().expect("one").least(), 0.0);
     }

@@ -2,9 +2,9 @@
 
 use std::sync::Arc;
 
+use crate::emotion::Affect;
 use raconteur_base::order::sort_by_number;
 use raconteur_body::face::FaceControls;
-use crate::emotion::Affect;
 use raconteur_speech::phones::PhoneTargets;
 
 use super::clip::ParameterClip;
