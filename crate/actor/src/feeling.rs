@@ -83,7 +83,7 @@ impl Feeling {
         let [nod, turn, tilt] = self.nonverbal.head(t, self.emotions.liveliness(t));
         Moved {
             pitch: aside[1] + nod + felt[1],
-            roll: tilt,
+            roll: tilt + felt[2],
             yaw: aside[0] + turn + felt[0],
         }
     }

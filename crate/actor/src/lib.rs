@@ -32,7 +32,7 @@ pub mod wrist;
 
 pub use animation::{Library, PlayerScript, Players};
 pub use arm_ik::{ArmGoal, ArmRig, ArmSolution};
-pub use emotion::{EmotionSpan, EmotionTrack};
+pub use emotion::{Affect, EmotionSpan, EmotionTrack};
 pub use face::FaceRig;
 pub use gesture::{ArmScript, GestureStroke, HandKey, Span};
 pub use lips::{LipTrack, MouthTargets};

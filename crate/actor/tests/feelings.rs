@@ -1,11 +1,10 @@
 //! Emotions and control parameters in a whole actor: what a figure's face, head and eyes do.
 
 use raconteur_actor::parameters::{Adsr, Parameter, ParameterCommand};
-use raconteur_actor::{Actor, EmotionSpan, FaceRig, ParameterScript, Performance};
+use raconteur_actor::{Actor, Affect, EmotionSpan, FaceRig, ParameterScript, Performance};
 use raconteur_base::{DQuat, DVec3, ops};
 use raconteur_body::face::{FaceControls, Muscle};
 use raconteur_body::{Bone, Pose, Skeleton};
-use raconteur_speech::emotion::place;
 
 fn felt(word: &str) -> EmotionSpan {
     EmotionSpan {
@@ -13,7 +12,7 @@ fn felt(word: &str) -> EmotionSpan {
         apex_secs: 2.0,
         until_secs: 4.0,
         end_secs: 6.0,
-        place: place(word).expect(word),
+        affect: Affect::named(word).expect(word),
         intensity: 1.0,
     }
 }

@@ -2,7 +2,8 @@
 //!
 //! Does: the `glam` types in double precision, trigonometry through `libm` so
 //! that native and wasm agree bit for bit, motion curves, hash-based noise, decimal numbers
-//! and JSON read in so little code that every page can load it, encodings of text.
+//! and JSON read in so little code that every page can load it, encodings of text, which signs in
+//! a text are emoticons.
 //! Does not: know anything of stories, bodies or time-keeping.
 //!
 //! Frames: right-handed, metres, radians, seconds; +x is the character's left,
@@ -11,6 +12,7 @@
 pub mod curve;
 pub mod decimal;
 pub mod encoding;
+pub mod emoticon;
 pub mod json;
 mod node;
 pub mod noise;

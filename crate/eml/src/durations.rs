@@ -2,6 +2,7 @@
 
 use crate::voice::{Item, is_letter};
 use crate::{ClauseId, Piece, VoiceText};
+use raconteur_base::emoticon;
 use std::ops::ControlFlow;
 
 /// Knows how long spoken texts and animations take. The player answers from a speech bundle
@@ -89,8 +90,14 @@ impl Durations for EstimatedDurations {
         // Where silence after the last word ends; the utterance ends with the word.
         let mut resume = 0.0_f64;
         let _ = text.scan(&mut |item| {
-            let Item::Word(word) = item else {
-                return ControlFlow::Continue(());
+            let word = match item {
+                Item::Word(word) => word,
+                // Punctuation that stands behind an emoticon or alone is the last word's.
+                Item::Signs(signs) | Item::Emoticon { rest: signs, .. } if now > 0.0 => {
+                    resume = resume.max(now + pause_after(signs));
+                    return ControlFlow::Continue(());
+                }
+                _ => return ControlFlow::Continue(()),
             };
             while let Some((_, secs)) = next_break.filter(|&(at, _)| at < word.span.start) {
                 resume += secs;
@@ -126,7 +133,9 @@ fn pause_after(word: &str) -> f64 {
     if word.bytes().next_back().is_some_and(is_letter) {
         return 0.0;
     }
-    let bare = word.trim_end_matches(['"', '\'', ')', '”', '’', '»']);
+    let is_around =
+        |c: char| matches!(c, '"' | '\'' | ')' | '”' | '’' | '»') || emoticon::is_emoji(c);
+    let bare = word.trim_end_matches(is_around);
     match bare.chars().next_back() {
         Some('.' | '!' | '?' | '…') => SENTENCE_SECS,
         Some(',' | ';' | ':') => COMMA_SECS,
@@ -153,6 +162,21 @@ mod tests {
         let timing = timing(text);
         let pace = timing.words.len() as f64 / timing.duration_secs;
         assert!((2.4..3.0).contains(&pace), "{pace}");
+    }
+
+    #[test]
+    fn emoticons_take_no_time_and_punctuation_behind_them_pauses() {
+        let plain = timing("One two. Three");
+        for text in [
+            "One :-) two. Three",
+            "One 😀 two. 😀 Three",
+            "One two 😂. Three",
+            "One :D two :o). Three",
+            "One two.😀 Three",
+            "One two : - ) . Three",
+        ] {
+            assert_eq!(timing(text), plain, "{text}");
+        }
     }
 
     #[test]

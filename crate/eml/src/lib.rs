@@ -16,6 +16,7 @@ mod clauses;
 mod diagnostic;
 mod document;
 mod durations;
+mod feeling;
 mod gesture;
 mod namespaces;
 mod parse;
@@ -37,7 +38,8 @@ mod write;
 pub(crate) use raconteur_base::decimal;
 
 pub use clauses::environment::{
-    Camera, CameraAngle, Emotion, EmotionKind, Expressions, Light, Music, Performer, PreferredHand,
+    Camera, CameraAngle, Emotion, EmotionKind, EmotionSpace, Expressions, Light, Music, Performer,
+    PreferredHand,
     ShotKind, Valence,
 };
 pub use clauses::functions::{Arg, ArgValue, FunctionArgs, VhMove};
@@ -66,6 +68,7 @@ pub use clauses::speech::{
 pub use diagnostic::{Diagnostic, MOST_OF_A_KIND, Severity, thinned};
 pub use document::{Clause, ClauseId, ClauseKind, Document, Group};
 pub use durations::{Durations, EstimatedDurations, PhoneTime, VoiceTiming, WordTime};
+pub use feeling::Emoticon;
 pub use gesture::{
     Coords, GestureKey, Handedness, Interpolator, Key, MotionKey, PalmKey, Phase, Profile,
     ShapeKey, Space, Track,

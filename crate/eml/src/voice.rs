@@ -3,6 +3,7 @@
 use crate::clauses::speech::{Audio, Boundary, Markup};
 use crate::work::step;
 use crate::{Name, Span};
+use raconteur_base::emoticon::{self, Spaced};
 use std::ops::ControlFlow;
 
 /// SABLE's level of text that nobody emphasised.
@@ -103,10 +104,10 @@ pub enum MarkEvent {
     OnPhone(Box<Name>),
 }
 
-/// A spoken word: a token between white space that holds a letter or a digit.
+/// A spoken word: a token between white space that holds a letter or a digit and is no emoticon.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Word {
-    /// The token, punctuation attached.
+    /// The token, punctuation attached, without emoji.
     pub text: String,
     /// From its first to its last byte in the source; markup inside is included.
     pub span: Span,
@@ -136,7 +137,7 @@ impl VoiceText {
         let _ = self.scan(&mut |item| {
             if let Item::Word(token) = item {
                 words.push(Word {
-                    text: token.text().to_owned(),
+                    text: token.spoken_text(),
                     span: token.span,
                     emphasized: token.emphasized,
                 });
@@ -282,6 +283,8 @@ impl VoiceText {
                 | Piece::DivStart { .. }
                 | Piece::DivEnd => {
                     token.finish(&mut words, visit)?;
+                    token.spaced.part();
+                    visit(Item::Gap)?;
                 }
                 Piece::Marker { .. } | Piece::Start { .. } | Piece::End => {}
             }
@@ -305,16 +308,6 @@ fn pass_marks<'v>(pieces: &'v [Piece], word: usize, visit: &mut Visit<'v, '_>) -
         }
     }
     ControlFlow::Continue(())
-}
-
-/// Whether a token ends the only emoticon with a letter (F&H table 4.1), which is no word;
-/// table 4.2 writes it with spaces. `sign` is how much of it came just before.
-fn is_surprise(token: &str, sign: u8) -> bool {
-    match token {
-        ":-o" | ":-O" => true,
-        "o" => sign == 2,
-        _ => false,
-    }
 }
 
 /// Whether a text holds a letter or a digit.
@@ -352,10 +345,23 @@ const fn is_space(b: u8) -> bool {
     matches!(b, b' ' | b'\t' | b'\n' | b'\r')
 }
 
-/// What a spoken text consists of for those who time it.
+/// What a spoken text consists of for those who time it and those who feel it.
 pub(crate) enum Item<'i, 'v> {
     Word(&'i Token<'v>),
     Mark(Mark),
+    /// A token without a letter or a digit, emoji aside.
+    Signs(&'i str),
+    /// An emoticon or an emoji.
+    Emoticon {
+        /// The word of its emotion.
+        name: &'static str,
+        /// How many items of signs before it belong to it.
+        parts: usize,
+        /// Punctuation right behind it.
+        rest: &'i str,
+    },
+    /// A pause, a recording, or the border of a division.
+    Gap,
 }
 
 /// Takes what a spoken text consists of, until it has had enough.
@@ -372,8 +378,8 @@ pub(crate) struct Token<'v> {
     /// How many letters and digits it holds.
     pub(crate) letters: usize,
     emphasized: bool,
-    /// How many signs of a spaced emoticon the tokens before it are.
-    sign: u8,
+    /// What before it may be of an emoticon with it.
+    spaced: Spaced,
 }
 
 impl<'v> Token<'v> {
@@ -384,6 +390,12 @@ impl<'v> Token<'v> {
         } else {
             &self.whole
         }
+    }
+
+    /// The token as it is spoken and captioned: without markup and emoji.
+    fn spoken_text(&self) -> String {
+        let text = self.text();
+        emoticon::without_emoji(text).unwrap_or_else(|| text.to_owned())
     }
 
     fn add(&mut self, part: &'v str, span: Span, letters: usize, emphasis: f64) {
@@ -405,24 +417,64 @@ impl<'v> Token<'v> {
         if self.first.is_empty() {
             return ControlFlow::Continue(());
         }
-        if self.letters == 0 {
-            self.sign = match (self.sign, self.text()) {
-                (_, ":") => 1,
-                (1, "-") | (_, ":-") => 2,
-                _ => 0,
-            };
-        } else {
-            let sign = core::mem::take(&mut self.sign);
-            if self.letters > 1 || !is_surprise(self.text(), sign) {
-                *words += 1;
-                visit(Item::Word(self))?;
-            }
-        }
+        let flow = self.hand_on(words, visit);
         self.first = "";
         self.whole.clear();
         self.letters = 0;
         self.emphasized = false;
-        ControlFlow::Continue(())
+        flow
+    }
+
+    fn hand_on(&mut self, words: &mut usize, visit: &mut Visit<'v, '_>) -> ControlFlow<()> {
+        // No emoticon holds more than one letter.
+        if self.letters > 1 {
+            self.spaced.part();
+        } else {
+            let mut spaced = core::mem::take(&mut self.spaced);
+            let sign = match emoticon::whole(self.text()) {
+                Some((name, rest)) => Some((0, name, rest)),
+                None => spaced
+                    .take(self.text(), self.letters > 0)
+                    .map(|(parts, name)| (parts, name, "")),
+            };
+            if let Some((parts, name, rest)) = sign {
+                // Nothing before it belongs to what follows.
+                return visit(Item::Emoticon { name, parts, rest });
+            }
+            self.spaced = spaced;
+        }
+        let is_ascii = self.text().is_ascii();
+        let [before, after] = if is_ascii {
+            [const { Vec::new() }; 2]
+        } else {
+            emoticon::of_emoji(self.text())
+        };
+        let mut tell = |names: &[&'static str]| {
+            names.iter().try_for_each(|name| {
+                visit(Item::Emoticon {
+                    name,
+                    parts: 0,
+                    rest: "",
+                })
+            })
+        };
+        tell(&before)?;
+        if self.letters > 0 {
+            *words += 1;
+            visit(Item::Word(self))?;
+            return after.iter().try_for_each(|name| {
+                visit(Item::Emoticon {
+                    name,
+                    parts: 0,
+                    rest: "",
+                })
+            });
+        }
+        match emoticon::without_emoji(self.text()) {
+            Some(rest) if rest.is_empty() => ControlFlow::Continue(()),
+            Some(rest) => visit(Item::Signs(&rest)),
+            None => visit(Item::Signs(self.text())),
+        }
     }
 }
 

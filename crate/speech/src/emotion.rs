@@ -1,14 +1,10 @@
 //! Emotions: words with their place in the space of activation, evaluation and power (F&H
-//! 4.4.1). What they do to a voice, and the emoticons that stand for them, only those who bake
-//! need.
+//! 4.4.1). What they do to a voice only those who bake need. Emoticons that stand for them are in
+//! [`raconteur_base::emoticon`].
 
-#[cfg(feature = "bake")]
-mod emoticon;
 #[cfg(feature = "bake")]
 mod prosody;
 
-#[cfg(feature = "bake")]
-pub use emoticon::{EMOTICONS, is_emoticon, of_emoticon};
 #[cfg(feature = "bake")]
 pub use prosody::{AccentShape, Prosody};
 
@@ -23,11 +19,12 @@ pub struct Place {
     pub power: f64,
 }
 
-/// The words of F&H table 4.4 (NECA's working model), with `surprise`, which F&H 4.4.3 adds
-/// as full activation and nothing else, and the two of the emoticons that the table lacks:
-/// `kidding`, *designed* as gloating's mildness, and `disgusted`, as disliking (F&H 4.4.1
-/// finds anger and disgust too near to tell apart).
-pub const WORDS: [(&str, [f64; 3]); 27] = [
+/// The words of F&H table 4.4 (NECA's working model), and those that F&H name besides:
+/// `surprise`, which 4.4.3 adds as full activation and nothing else; `disgust`, whose place
+/// 4.4.3 takes to be that of hate; `anxiety` and `panic`, the same as fear at half and at twice
+/// its distance from the middle of the disc (figure 4.17; the amounts are *designed*, and
+/// panic's power ends at −100); and `kidding` of table 4.1, *designed* as gloating's mildness.
+pub const WORDS: [(&str, [f64; 3]); 29] = [
     ("joy", [17.3, 42.2, 12.5]),
     ("distress", [-17.2, -40.1, -52.4]),
     ("happy-for", [17.3, 42.2, 12.5]),
@@ -54,7 +51,9 @@ pub const WORDS: [(&str, [f64; 3]); 27] = [
     ("hate", [60.0, -60.0, 30.0]),
     ("surprise", [100.0, 0.0, 0.0]),
     ("kidding", [20.0, 30.0, 15.0]),
-    ("disgusted", [15.0, -35.0, -10.0]),
+    ("disgust", [60.0, -60.0, 30.0]),
+    ("anxiety", [7.4, -22.2, -39.7]),
+    ("panic", [29.6, -88.8, -100.0]),
 ];
 
 /// The place of an emotion's word; `None` for a word that is not in the table.
@@ -91,6 +90,18 @@ impl Place {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use raconteur_base::emoticon::{EMOJI, EMOTICONS, whole};
+
+    #[test]
+    fn every_emoticon_has_a_word_of_the_table() {
+        for (sign, word) in EMOTICONS {
+            assert_eq!(whole(sign), Some((word, "")));
+            assert!(place(word).is_some(), "{word}");
+        }
+        for (word, _) in EMOJI {
+            assert!(place(word).is_some(), "{word}");
+        }
+    }
 
     #[test]
     fn the_table_is_the_thesis() {
@@ -103,6 +114,7 @@ mod tests {
             })
         );
         assert_eq!(place("calm"), None);
+        assert_eq!(place("disgust"), place("hate"));
         assert!(
             WORDS
                 .iter()

@@ -7,8 +7,8 @@ use std::collections::BTreeMap;
 use std::hash::DefaultHasher;
 
 use crate::content::{Boundary, Content, Division, Markup, Segment, is_space};
-use crate::emotion::{is_emoticon, of_emoticon};
 use crate::style::Style;
+use raconteur_base::emoticon::{self, Spaced};
 
 /// Markup further inside than this changes nothing.
 const DEEPEST: usize = 1000;
@@ -38,7 +38,7 @@ pub enum Item {
     },
     /// A token without a letter or digit, such as a dash, that is no emoticon.
     Punctuation(String),
-    /// An emoticon (F&H table 4.1); its word of [`crate::emotion::WORDS`].
+    /// An emoticon (F&H table 4.1) or an emoji; its word of [`crate::emotion::WORDS`].
     Emoticon(&'static str),
     /// A pause.
     Break {
@@ -99,6 +99,7 @@ pub fn resolve(content: &Content, engine: &str) -> Resolved {
         too_deep: 0,
         openings: 0,
         token: Token::default(),
+        spaced: Spaced::default(),
     };
     for segment in &content.segments {
         walk.segment(segment);
@@ -140,6 +141,8 @@ struct Walk<'a> {
     too_deep: usize,
     openings: usize,
     token: Token,
+    /// What before the token may be of an emoticon with it.
+    spaced: Spaced,
 }
 
 impl Walk<'_> {
@@ -182,6 +185,7 @@ impl Walk<'_> {
 
     fn between(&mut self, item: Item) {
         self.end_token();
+        self.spaced.part();
         self.out.items.push(item);
     }
 
@@ -254,57 +258,53 @@ impl Walk<'_> {
 
     fn end_token(&mut self) {
         let Token { text, word, marks } = core::mem::take(&mut self.token);
-        if let Some(emotion) = of_emoticon(&text) {
-            self.out.items.push(Item::Emoticon(emotion));
-        } else if let Some((parts, emotion)) = self.spaced_emoticon(&text) {
-            let left = self.out.items.len() - parts;
-            self.out.items.truncate(left);
-            self.out.items.push(Item::Emoticon(emotion));
-        } else if let Some((style, together)) = word {
-            self.out.items.push(Item::Word {
-                text,
-                style,
-                together,
-            });
-        } else if !text.is_empty() {
-            // A sentence may end right behind an emoticon.
-            let sign = text.trim_end_matches(['.', ',', ';', ':', '!', '?']);
-            if is_emoticon(sign) {
-                let rest = text[sign.len()..].to_owned();
-                self.out.items.extend(of_emoticon(sign).map(Item::Emoticon));
-                self.out.items.push(Item::Punctuation(rest));
-            } else {
-                self.out.items.push(Item::Punctuation(text));
-            }
-        }
+        self.token_read(text, word);
         self.out.items.extend(marks.into_iter().map(Item::Mark));
     }
 
-    /// The emoticon that a token ends, with how many tokens before it belong to it: F&H
-    /// table 4.2 writes them with spaces.
-    fn spaced_emoticon(&self, last: &str) -> Option<(usize, &'static str)> {
-        // As long as the longest sign.
-        const LONGEST: usize = 4;
-        if last.len() > LONGEST {
-            return None;
+    fn token_read(&mut self, text: String, word: Option<(usize, Option<usize>)>) {
+        if text.is_empty() {
+            return;
         }
-        let mut sign = last.to_owned();
-        let mut found = None;
-        let before = self.out.items.iter().rev().take(LONGEST - 1);
-        for (parts, item) in before.enumerate() {
-            let Item::Punctuation(part) = item else {
-                break;
-            };
-            if sign.len() + part.len() > LONGEST {
-                break;
+        if let Some((emotion, rest)) = emoticon::whole(&text) {
+            self.spaced.part();
+            self.out.items.push(Item::Emoticon(emotion));
+            // A sentence may end right behind an emoticon.
+            if !rest.is_empty() {
+                self.out.items.push(Item::Punctuation(rest.to_owned()));
             }
-            sign.insert_str(0, part);
-            // A capital that stands alone begins a sentence.
-            if !sign.contains('O') {
-                found = of_emoticon(&sign).map(|e| (parts + 1, e)).or(found);
+            return;
+        }
+        if let Some((parts, emotion)) = self.spaced.take(&text, word.is_some()) {
+            self.take_back(parts);
+            self.out.items.push(Item::Emoticon(emotion));
+            return;
+        }
+        let [before, after] = emoticon::of_emoji(&text);
+        let bare = emoticon::without_emoji(&text).unwrap_or(text);
+        self.out
+            .items
+            .extend(before.into_iter().map(Item::Emoticon));
+        if let Some((style, together)) = word {
+            self.out.items.push(Item::Word {
+                text: bare,
+                style,
+                together,
+            });
+        } else if !bare.is_empty() {
+            self.out.items.push(Item::Punctuation(bare));
+        }
+        self.out.items.extend(after.into_iter().map(Item::Emoticon));
+    }
+
+    /// Takes back the last tokens without a letter or a digit: they are of an emoticon.
+    fn take_back(&mut self, parts: usize) {
+        for _ in 0..parts {
+            let is_sign = |item: &Item| matches!(item, Item::Punctuation(_));
+            if let Some(last) = self.out.items.iter().rposition(is_sign) {
+                self.out.items.remove(last);
             }
         }
-        found
     }
 }
 

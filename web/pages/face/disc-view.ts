@@ -17,6 +17,9 @@ const LABELS: Readonly<Record<string, readonly [number, number, 'start' | 'end' 
   disliking: [-57, 26, 'end'],
   fear: [-57, 14, 'end'],
   shame: [-18, 9, 'start'],
+  anxiety: [-15, 18, 'start'],
+  panic: [-86, 38, 'middle'],
+  kidding: [27, 36, 'end'],
   disappointment: [-17, -9, 'start'],
   resentment: [-54, 0, 'end'],
   reproach: [-27, -27, 'middle'],
@@ -49,8 +52,8 @@ function mark(word: EmotionWord, chosen: boolean): TemplateResult {
 export function disc(app: App): TemplateResult {
   const { emotion } = app.state;
   const shares = sharesAt(emotion);
-  const said = inWords(shares);
-  const to = (place: Partial<Place>): void => app.change((s) => Object.assign(s.emotion, place, within({ ...s.emotion, ...place })));
+  const said = app.state.word === '' ? inWords(shares) : `100 % ${app.state.word}`;
+  const to = (place: Partial<Place>): void => app.change((s) => Object.assign(s, { word: '', emotion: { ...s.emotion, ...place, ...within({ ...s.emotion, ...place }) } }));
   const press = (event: PointerEvent): void => {
     const frame = event.currentTarget as HTMLElement;
     const move = ({ x, y }: { x: number; y: number }, rect: DOMRect): void =>
@@ -94,17 +97,17 @@ export function disc(app: App): TemplateResult {
       <label class="select"><span>Word</span>
         <select aria-label="Word of emotion" @change=${(event: Event) => choose(app, (event.target as HTMLSelectElement).value)}>
           <option value="" .selected=${shares.length !== 1}>${shares.length === 0 ? 'neutral' : '–'}</option>
-          ${WORDS.flatMap((word) => [word.word, ...word.also].map((name, i) => html`<option value=${name} .selected=${i === 0 && shares.length === 1 && shares[0]?.word === word}>${name}</option>`))}
+          ${WORDS.flatMap((word) => [word.word, ...word.also].map((name, i) => html`<option value=${name} .selected=${app.state.word === '' ? i === 0 && shares.length === 1 && shares[0]?.word === word : name === app.state.word}>${name}</option>`))}
         </select></label>
-      <button type="button" class="plain" ?disabled=${shares.length === 0 && emotion.power === 0} @click=${() => app.set((s) => (s.emotion = { ...NEUTRAL }))}>Neutral</button>
+      <button type="button" class="plain" ?disabled=${shares.length === 0 && emotion.power === 0} @click=${() => choose(app, '')}>Neutral</button>
     </div>
     <div class="numbers">${number('evaluation', 'Evaluation')}${number('activation', 'Activation')}</div>
     ${shares.length > 0 ? nothing : html`<p class="about">Drag on the disc, or choose a word. Words are where F&amp;H table 4.4 has them; the face follows within their outline.</p>`}`;
 }
 
-/** Goes to a word's own place. */
+/** Goes to a word's own place; words at one place may look different. */
 function choose(app: App, name: string): void {
   const word = WORDS.find((w) => w.word === name || w.also.includes(name));
   const { activation, evaluation, power } = word ?? NEUTRAL;
-  app.set((s) => (s.emotion = { activation, evaluation, power }));
+  app.set((s) => Object.assign(s, { word: word === undefined ? '' : name, emotion: { activation, evaluation, power } }));
 }

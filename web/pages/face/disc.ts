@@ -15,7 +15,7 @@ export interface EmotionWord extends Place {
 
 const word = (name: string, activation: number, evaluation: number, power: number, ...also: string[]): EmotionWord => ({ word: name, activation, evaluation, power, also });
 
-/** F&H table 4.4 (NECA), with surprise as full activation (F&H 4.4.3); `WORDS` in `crate/speech/src/emotion.rs`, each place once. */
+/** F&H table 4.4 (NECA), with the words that F&H name besides; `WORDS` in `crate/speech/src/emotion.rs`, each place once. */
 export const WORDS: readonly EmotionWord[] = [
   word('joy', 17.3, 42.2, 12.5, 'happy-for'),
   word('distress', -17.2, -40.1, -52.4, 'sorry-for'),
@@ -23,6 +23,8 @@ export const WORDS: readonly EmotionWord[] = [
   word('resentment', 0, -40, -20),
   word('hope', 20, 20, -10),
   word('fear', 14.8, -44.4, -79.4),
+  word('anxiety', 7.4, -22.2, -39.7),
+  word('panic', 29.6, -88.8, -100),
   word('satisfaction', -14.9, 33.1, 12.2, 'liking', 'gratification'),
   word('relief', 3, 33, -3),
   word('fears-confirmed', -30, -50, -70),
@@ -31,12 +33,13 @@ export const WORDS: readonly EmotionWord[] = [
   word('admiration', 27, 53, 17),
   word('shame', 4.6, -26.3, -62.3, 'remorse'),
   word('reproach', -3, -30, 43),
-  word('disliking', 15, -35, -10, 'disgusted'),
+  word('disliking', 15, -35, -10),
   word('gratitude', 20, 40, -30),
   word('anger', 34, -35.6, 20),
   word('love', 1.2, 33.3, 14.9),
-  word('hate', 60, -60, 30),
+  word('hate', 60, -60, 30, 'disgust'),
   word('surprise', 100, 0, 0),
+  word('kidding', 20, 30, 15),
 ];
 
 /** How much of a word is felt, 0 to 1. */
@@ -48,6 +51,9 @@ export interface Share {
 export const NEUTRAL: Readonly<Place> = { activation: 0, evaluation: 0, power: 0 };
 
 const square = (a: Place, b: Place): number => (a.activation - b.activation) ** 2 + (a.evaluation - b.evaluation) ** 2 + (a.power - b.power) ** 2;
+
+/** Words that others are blended of: half a wink is none. */
+const BLENDED = WORDS.filter((w) => w.word !== 'kidding');
 
 /** Less of a word than this is not seen. */
 const LEAST = 0.005;
@@ -63,14 +69,16 @@ export function sharesAt(wanted: Place): readonly Share[] {
   const place = { ...wanted, ...within(wanted) };
   const { activation: a, evaluation: e } = place;
   if (Math.hypot(a, e) < 0.5) return [];
+  const own = WORDS.find((w) => square(w, place) < 1e-6);
+  if (own !== undefined) return [{ word: own, value: 1 }];
   let best: readonly Share[] = [];
   let least = Infinity;
   const consider = (shares: readonly Share[]): void => {
     const cost = (at(shares).power - place.power) ** 2 + NEAR * shares.reduce((sum, s) => sum + s.value * square(s.word, place), 0);
     if (cost < least) [best, least] = [shares, cost];
   };
-  WORDS.forEach((first, i) => {
-    for (const second of WORDS.slice(i + 1)) {
+  BLENDED.forEach((first, i) => {
+    for (const second of BLENDED.slice(i + 1)) {
       const area = first.evaluation * second.activation - first.activation * second.evaluation;
       if (Math.abs(area) < 1e-6) continue;
       const x = (e * second.activation - a * second.evaluation) / area;

@@ -6,8 +6,9 @@ import { at, WORDS, type Share } from './disc.js';
 import type { Line, State } from './state.js';
 
 /** Emotion and control parameters that a script sets at its beginning; what the page has no control for is left out. */
-export function read(eml: string): Pick<State, 'emotion' | 'values'> {
+export function read(eml: string): Pick<State, 'emotion' | 'word' | 'values'> {
   const shares: Share[] = [];
+  let named = '';
   const values: Record<string, number> = {};
   for (const element of within(parse(eml))) {
     if (element.name !== 'body-set-control-parameter') continue;
@@ -15,14 +16,17 @@ export function read(eml: string): Pick<State, 'emotion' | 'values'> {
     const value = Number(attribute(element, 'value'));
     if (!Number.isFinite(value)) continue;
     const word = WORDS.find((w) => [w.word, ...w.also].includes(name));
-    if (word !== undefined) shares.push({ word, value: Math.min(1, Math.max(0, value)) });
+    if (word !== undefined) {
+      shares.push({ word, value: Math.min(1, Math.max(0, value)) });
+      named = shares.length === 1 && value >= 1 ? name : '';
+    }
     for (const dial of ALL) {
       const names = namesOf(dial);
       const meant = dial.name.toLowerCase() === name ? names : names.filter((n) => n.toLowerCase() === name);
       for (const own of meant) values[own] = Math.min(1, Math.max(dial.signed ? -1 : 0, value));
     }
   }
-  return { emotion: at(shares), values };
+  return { emotion: at(shares), word: named, values };
 }
 
 /** How much of a sentence is shown in a menu. */

@@ -30,6 +30,8 @@ export type Way = 'sound' | 'text';
 
 export interface State {
   emotion: Place;
+  /** The word that was chosen for it; empty where only its place was. */
+  word: string;
   /** Control parameters that are not 0, by their names in EML; of two sides each for itself. */
   values: Record<string, number>;
   /** Left and right move together. */
@@ -44,6 +46,7 @@ export interface State {
 /** What a new page shows. */
 export const beginning = (): State => ({
   emotion: { ...NEUTRAL },
+  word: '',
   values: {},
   linked: true,
   speech: { kind: 'none' },

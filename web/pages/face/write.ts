@@ -64,7 +64,8 @@ function byText(head: string): string {
 export function write(state: State): string {
   const { head: needed, clauses: said } = speech(state);
   const head = state.way === 'text' ? byText(needed) : needed;
-  const felt = sharesAt(state.emotion).map(({ word, value }) => set(word.word, Number(value.toFixed(2))));
+  const blended = sharesAt(state.emotion).map(({ word, value }) => set(word.word, Number(value.toFixed(2))));
+  const felt = state.word === '' ? blended : [set(state.word, 1)];
   const clauses = [...layers(state.layers), ...felt, ...ALL.flatMap((own) => dial(own, state.values)), ...said];
   const extended = [head, ...clauses].some((clause) => /<(?:[^>]*\s)?r:/.test(clause));
   const parts = [...(head === '' ? [] : [head]), tag('body', {}, clauses)];

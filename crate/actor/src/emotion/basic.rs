@@ -33,11 +33,10 @@ pub enum Basic {
     Sadness,
 }
 
-/// A share of a dial in percent. What is given for the left side holds for the right as well:
-/// none of the six is lopsided.
+/// A share of a dial in percent. What is given for the left side holds for the right as well.
 pub(super) type Share = (Dial, i8);
 
-const fn m(muscle: M, percent: i8) -> Share {
+pub(super) const fn m(muscle: M, percent: i8) -> Share {
     (Dial::of(muscle), percent)
 }
 
@@ -147,7 +146,7 @@ impl Basic {
         raconteur_speech::emotion::place(self.word()).unwrap_or_default()
     }
 
-    /// What takes part in its expression at its place, in percent.
+    /// What takes part in its expression at its place, in percent: on both sides.
     pub(super) fn shares(self) -> &'static [Share] {
         match self {
             Self::Joy => JOY,

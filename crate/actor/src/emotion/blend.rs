@@ -4,10 +4,11 @@
 
 use raconteur_base::ops;
 use raconteur_base::{DVec3, curve::smooth};
-use raconteur_speech::emotion::Place;
+use raconteur_speech::emotion::{self, Place};
 
 use super::basic::{BASICS, Basic};
 use super::expression::Expression;
+use super::look::{self, LOOKS, Look};
 
 /// In which space basic emotions are neighbours.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -19,6 +20,41 @@ pub enum Space {
     Sphere,
 }
 
+/// An emotion: where it lies, by which word it is called, if by any, and how it is blended.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Affect {
+    /// Where it lies.
+    pub place: Place,
+    /// Its word in [`raconteur_speech::emotion::WORDS`]; it may have a look of its own.
+    pub word: Option<&'static str>,
+    /// In which space its expression is blended of the basic ones.
+    pub space: Space,
+}
+
+impl Affect {
+    /// That of a word; none when there is no such word.
+    #[must_use]
+    pub fn named(word: &str) -> Option<Self> {
+        let (own, _) = emotion::WORDS
+            .iter()
+            .find(|(own, _)| own.eq_ignore_ascii_case(word))?;
+        Some(Self {
+            place: emotion::place(own)?,
+            word: Some(own),
+            space: Space::default(),
+        })
+    }
+
+    /// That of a place without a word.
+    #[must_use]
+    pub fn at(place: Place) -> Self {
+        Self {
+            place,
+            ..Self::default()
+        }
+    }
+}
+
 /// A basic emotion counts among the neighbours of a direction while the nearest is more than
 /// this much as near, measured by the tangents of half their angles. Designed.
 const FAR: f64 = 0.3;
@@ -27,13 +63,14 @@ const FAR: f64 = 0.3;
 /// direction (2° apart), so that they count as one. Designed.
 const COUNTS: [f64; BASICS] = [1.0, 1.0, 0.5, 0.5, 1.0, 1.0];
 
-/// How much an expression takes of each basic one, by [`Basic::ALL`].
+/// How much an expression takes of each look, by [`Look::ALL`]: of the basic ones first, by
+/// [`Basic::ALL`].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Mixture {
     /// By muscles that have no antagonist, and by all else.
-    pub free: [f64; BASICS],
+    pub free: [f64; LOOKS],
     /// By muscles that have antagonists, before they are set against each other.
-    pub bound: [f64; BASICS],
+    pub bound: [f64; LOOKS],
 }
 
 /// Angle on the disc, radians from full evaluation towards full activation, and distance
@@ -142,6 +179,39 @@ impl Mixture {
         }
     }
 
+    /// The expression of an emotion. A word that has a look of its own has it on the sphere; on the
+    /// disc every emotion is blended of the six by its place, as in F&H.
+    #[must_use]
+    pub fn felt(affect: Affect) -> Self {
+        let looks = affect.word.and_then(look::of_word);
+        match looks.filter(|_| affect.space == Space::Sphere) {
+            Some(looks) => {
+                let mut mixture = Self::default();
+                for (look, share) in looks {
+                    mixture.free[look.index()] = *share;
+                    mixture.bound[look.index()] = *share;
+                }
+                mixture
+            }
+            None => Self::of(affect.place, affect.space),
+        }
+    }
+
+    /// The same without the wink, and how much of a wink is in it.
+    pub(super) fn parted(mut self) -> (Self, f64) {
+        let wink = Look::Wink.index();
+        self.bound[wink] = 0.0;
+        let amount = core::mem::take(&mut self.free[wink]);
+        (self, amount)
+    }
+
+    /// Adds so much of a wink.
+    pub(super) fn wink(&mut self, amount: f64) {
+        let wink = Look::Wink.index();
+        self.free[wink] += amount;
+        self.bound[wink] += amount;
+    }
+
     /// Makes it stronger or weaker by a factor (F&H equation 4.7).
     pub fn scale(&mut self, factor: f64) {
         let own = core::mem::take(self);
@@ -150,7 +220,7 @@ impl Mixture {
 
     /// Adds so much of another.
     pub(super) fn add(&mut self, other: &Self, factor: f64) {
-        for i in 0..BASICS {
+        for i in 0..LOOKS {
             self.free[i] += factor * other.free[i];
             self.bound[i] += factor * other.bound[i];
         }
@@ -160,10 +230,10 @@ impl Mixture {
     #[must_use]
     pub fn expression(&self) -> Expression {
         let mut expression = Expression::default();
-        for basic in Basic::ALL {
-            let (free, bound) = (self.free[basic as usize], self.bound[basic as usize]);
+        for (i, look) in Look::ALL.into_iter().enumerate() {
+            let (free, bound) = (self.free[i], self.bound[i]);
             if free != 0.0 || bound != 0.0 {
-                expression.gather(basic, free, bound);
+                expression.gather(look, free, bound);
             }
         }
         expression.settle();

@@ -4,6 +4,7 @@
 use raconteur_body::face::{FaceControls, Muscle as M};
 
 use super::basic::Basic;
+use super::look::Look;
 use crate::parameters::{DIALS, Dial};
 
 /// Muscles that pull against each other (F&H table 4.6); what they call one muscle is here
@@ -43,27 +44,38 @@ impl Default for Expression {
     }
 }
 
+/// Up to here a value is what it is asked to be; beyond, there is room for all that is
+/// asked for on the way to 1. As far as any of the six basic expressions goes at its place,
+/// so that none of them is changed there.
+const ROOM_FROM: f64 = 0.95;
+
+/// A value of any size brought into −1 to 1: it always grows with what is asked for, and is the
+/// same up to [`ROOM_FROM`].
+#[must_use]
+pub(super) fn within(value: f64) -> f64 {
+    let over = value.abs() - ROOM_FROM;
+    if over <= 0.0 {
+        return value;
+    }
+    let room = 1.0 - ROOM_FROM;
+    (ROOM_FROM + room * over / (room + over)).copysign(value)
+}
+
 impl Expression {
     /// That of a basic emotion at its place.
     #[must_use]
     pub fn of(basic: Basic) -> Self {
         let mut expression = Self::default();
-        expression.gather(basic, 1.0, 1.0);
+        expression.gather(Look::Basic(basic), 1.0, 1.0);
         expression
     }
 
-    /// Adds a basic expression, free muscles and those with antagonists by factors of their
-    /// own.
-    pub(super) fn gather(&mut self, basic: Basic, free: f64, bound: f64) {
-        for (dial, percent) in basic.shares() {
-            let factor = if has_antagonist(*dial) { bound } else { free };
-            let value = factor * f64::from(*percent) * 0.01;
-            self.values[dial.index()] += value;
-            let right = dial.also_right();
-            if right != *dial {
-                self.values[right.index()] += value;
-            }
-        }
+    /// Adds a look, free muscles and those with antagonists by factors of their own.
+    pub(super) fn gather(&mut self, look: Look, free: f64, bound: f64) {
+        look.each(&mut |dial, percent| {
+            let factor = if has_antagonist(dial) { bound } else { free };
+            self.values[dial.index()] += factor * f64::from(percent) * 0.01;
+        });
     }
 
     /// Takes sums of muscles with antagonists to contractions: of two sets that pull against
@@ -84,13 +96,10 @@ impl Expression {
         }
     }
 
-    /// Weakens it as a whole until no value is beyond its range, so that what it consists of
-    /// keeps its proportions.
+    /// Brings every value into its range, each by itself: the stronger an emotion, the stronger
+    /// all that is of it.
     pub(super) fn limit(&mut self) {
-        let most = self.values.iter().fold(1.0_f64, |a, v| a.max(v.abs()));
-        if most > 1.0 {
-            self.values.iter_mut().for_each(|v| *v /= most);
-        }
+        self.values.iter_mut().for_each(|v| *v = within(*v));
     }
 
     /// The value of a dial.
@@ -133,6 +142,42 @@ mod tests {
                 let dial = Dial::at(i).expect("a dial");
                 assert!(!dial.name().starts_with("Gaze") || face.value(dial) == 0.0);
             }
+        }
+    }
+
+    #[test]
+    fn every_look_is_in_range_and_at_peace_with_itself() {
+        for look in Look::ALL {
+            let mut face = Expression::default();
+            face.gather(look, 1.0, 1.0);
+            assert_eq!(Look::ALL[look.index()], look);
+            for (i, value) in face.values.iter().enumerate() {
+                let least = if Dial::at(i).is_some_and(Dial::is_signed) {
+                    -1.0
+                } else {
+                    0.0
+                };
+                assert!((least..=1.0).contains(value), "{look:?} {i}");
+            }
+            let mut settled = face;
+            settled.settle();
+            let lost = face.values.iter().zip(&settled.values);
+            let lost = lost.fold(0.0, |most: f64, (a, b)| most.max((a - b).abs()));
+            assert!(lost < 1e-12, "{look:?} pulls against itself");
+        }
+    }
+
+    #[test]
+    fn values_grow_with_what_is_asked_for_and_never_leave_their_range() {
+        let mut before = 0.0;
+        for i in 1..4000 {
+            let asked = f64::from(i) * 0.001;
+            let value = within(asked);
+            assert!(value > before && value < 1.0, "{asked}");
+            assert!(value - before < 1.001e-3, "{asked}");
+            assert_eq!(within(-asked), -value);
+            assert!(asked > 0.95 || value == asked);
+            before = value;
         }
     }
 

@@ -4,7 +4,9 @@
 use raconteur_base::DVec3;
 use raconteur_speech::emotion::{self, Place};
 
-use super::blend::{nearness, vector};
+use super::blend::{Affect, Space, nearness, vector};
+use super::expression::within;
+use super::look::{self, Look};
 
 /// Signs of an emotion; all 0 when one is calm.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -15,6 +17,10 @@ pub struct Signs {
     pub gaze_down_rad: f64,
     /// The head bowed, radians.
     pub head_down_rad: f64,
+    /// The head turned from whom one speaks to, to the figure's right, radians; the eyes stay.
+    pub head_turn_rad: f64,
+    /// The head tilted to the figure's left, radians.
+    pub head_tilt_rad: f64,
     /// How much faster one breathes, as a share.
     pub breath_rate: f64,
     /// How much deeper, as a share.
@@ -44,7 +50,118 @@ const KNOWN: [(&str, [i8; 6]); 8] = [
     ("pride", [10, -2, -8, -5, 20, 10]),
 ];
 
+/// How far one bows who thanks, radians.
+const BOW_RAD: f64 = 0.18;
+
+/// Signs of nothing.
+const CALM: Signs = Signs {
+    blush: 0.0,
+    gaze_down_rad: 0.0,
+    head_down_rad: 0.0,
+    head_turn_rad: 0.0,
+    head_tilt_rad: 0.0,
+    breath_rate: 0.0,
+    breath_depth: 0.0,
+    liveliness: 0.0,
+};
+
+/// Those of a look of its own. Head and gaze of shame and pride are of the sources of their
+/// looks, in pride about 20°; in disliking and resentment the head turns from whom the eyes
+/// stay with; relief sighs. Amounts, and all of the rest, are *designed*.
+fn of_look(look: Look) -> Signs {
+    match look {
+        Look::Basic(basic) => Signs::of(basic.place()),
+        Look::Shame => Signs {
+            blush: 0.8,
+            gaze_down_rad: 0.33,
+            head_down_rad: 0.26,
+            head_turn_rad: 0.08,
+            breath_rate: 0.1,
+            breath_depth: -0.15,
+            liveliness: -0.35,
+            ..CALM
+        },
+        Look::Pride => Signs {
+            blush: 0.1,
+            head_down_rad: -0.34,
+            breath_rate: -0.05,
+            breath_depth: 0.2,
+            liveliness: 0.1,
+            ..CALM
+        },
+        Look::Disliking => Signs {
+            head_down_rad: -0.08,
+            head_turn_rad: 0.2,
+            liveliness: -0.1,
+            ..CALM
+        },
+        Look::Resentment => Signs {
+            blush: 0.2,
+            head_down_rad: 0.14,
+            head_turn_rad: 0.08,
+            head_tilt_rad: -0.04,
+            breath_depth: 0.1,
+            liveliness: -0.15,
+            ..CALM
+        },
+        Look::Satisfaction => Signs {
+            blush: 0.1,
+            head_down_rad: 0.04,
+            head_tilt_rad: 0.08,
+            breath_rate: -0.15,
+            breath_depth: 0.15,
+            liveliness: -0.15,
+            ..CALM
+        },
+        Look::Relief => Signs {
+            head_down_rad: -0.06,
+            breath_rate: -0.2,
+            breath_depth: 0.6,
+            liveliness: -0.2,
+            ..CALM
+        },
+        Look::Love => Signs {
+            blush: 0.25,
+            head_down_rad: 0.05,
+            head_tilt_rad: 0.14,
+            breath_rate: 0.05,
+            breath_depth: 0.15,
+            ..CALM
+        },
+        Look::Kidding => Signs {
+            blush: 0.05,
+            head_down_rad: 0.04,
+            head_tilt_rad: 0.12,
+            breath_depth: 0.05,
+            liveliness: 0.25,
+            ..CALM
+        },
+        Look::Wink => CALM,
+    }
+}
+
 impl Signs {
+    /// Those of an emotion: of the looks of its word, where it shows these, else of its place.
+    /// Who thanks bows (*designed*).
+    #[must_use]
+    pub fn felt(affect: Affect) -> Self {
+        let word = affect.word.filter(|_| affect.space == Space::Sphere);
+        let mut signs = match word.and_then(look::of_word) {
+            Some(looks) => {
+                let mut signs = CALM;
+                for (look, share) in looks {
+                    signs.add(&of_look(*look), *share);
+                }
+                signs
+            }
+            None => Self::of(affect.place),
+        };
+        if word == Some("gratitude") {
+            signs.head_down_rad = BOW_RAD;
+        }
+        signs
+    }
+
     /// Those of a place: of the known emotions that are near in direction, by distance.
     #[must_use]
     pub fn of(place: Place) -> Self {
@@ -62,6 +179,8 @@ impl Signs {
                     blush,
                     gaze_down_rad: gaze,
                     head_down_rad: head,
+                    head_turn_rad: 0.0,
+                    head_tilt_rad: 0.0,
                     breath_rate: rate,
                     breath_depth: depth,
                     liveliness: lively,
@@ -77,20 +196,45 @@ impl Signs {
         self.blush += factor * other.blush;
         self.gaze_down_rad += factor * other.gaze_down_rad;
         self.head_down_rad += factor * other.head_down_rad;
+        self.head_turn_rad += factor * other.head_turn_rad;
+        self.head_tilt_rad += factor * other.head_tilt_rad;
         self.breath_rate += factor * other.breath_rate;
         self.breath_depth += factor * other.breath_depth;
         self.liveliness += factor * other.liveliness;
     }
 
-    /// The same where no sign is beyond what people show.
+    /// The same so much stronger or weaker, within what people show.
+    #[must_use]
+    pub fn scaled(&self, factor: f64) -> Self {
+        let mut scaled = CALM;
+        scaled.add(self, factor);
+        scaled.limited()
+    }
+
+    /// How the head turns: yaw to the figure's left, pitch down, roll to the left, radians.
+    #[must_use]
+    pub fn head(&self) -> [f64; 3] {
+        [-self.head_turn_rad, self.head_down_rad, self.head_tilt_rad]
+    }
+
+    /// The same where no sign is beyond what people show: each grows with the emotion all
+    /// the way, but ever less near its end.
     pub(super) fn limited(self) -> Self {
+        let to = |sign: f64, least: f64, most: f64| {
+            let end: f64 = if sign < 0.0 { least } else { most };
+            let (share, end) = (sign / end.abs(), end.abs());
+            let shown = within(share);
+            if shown == share { sign } else { end * shown }
+        };
         Self {
-            blush: self.blush.clamp(-1.0, 1.0),
-            gaze_down_rad: self.gaze_down_rad.clamp(-0.15, 0.35),
-            head_down_rad: self.head_down_rad.clamp(-0.15, 0.25),
-            breath_rate: self.breath_rate.clamp(-0.3, 0.8),
-            breath_depth: self.breath_depth.clamp(-0.5, 0.8),
-            liveliness: self.liveliness.clamp(-0.6, 0.8),
+            blush: to(self.blush, -1.0, 1.0),
+            gaze_down_rad: to(self.gaze_down_rad, -0.15, 0.45),
+            head_down_rad: to(self.head_down_rad, -0.45, 0.4),
+            head_turn_rad: to(self.head_turn_rad, -0.4, 0.4),
+            head_tilt_rad: to(self.head_tilt_rad, -0.2, 0.2),
+            breath_rate: to(self.breath_rate, -0.3, 0.8),
+            breath_depth: to(self.breath_depth, -0.5, 0.8),
+            liveliness: to(self.liveliness, -0.6, 0.8),
         }
     }
 }
@@ -101,6 +245,10 @@ mod tests {
 
     fn of(word: &str) -> Signs {
         Signs::of(emotion::place(word).expect(word))
+    }
+
+    fn felt(word: &str) -> Signs {
+        Signs::felt(Affect::named(word).expect(word))
     }
 
     #[test]
@@ -125,7 +273,9 @@ mod tests {
         assert!(of("shame").blush > 0.5 && of("joy").blush > 0.1 && of("anger").blush > 0.3);
         assert!(of("fear").blush < -0.3);
         assert!(of("sorry-for").gaze_down_rad > 0.1 && of("fears-confirmed").gaze_down_rad > 0.1);
-        assert!(of("pride").head_down_rad < -0.05 && of("remorse").head_down_rad > 0.1);
+        assert!(felt("pride").head_down_rad < -0.3 && felt("remorse").head_down_rad > 0.1);
+        assert!(felt("shame").gaze_down_rad > 0.3 && felt("shame").head_down_rad > 0.2);
+        assert!(felt("panic").blush < of("fear").blush && felt("anxiety").blush > of("fear").blush);
         assert!(of("distress").liveliness < -0.3 && of("anger").liveliness > 0.3);
     }
 }

@@ -202,7 +202,7 @@ fn the_equations_as_printed_by_hand() {
     let mut face = Expression::default();
     for basic in [Basic::Anger, Basic::Fear] {
         let i = basic as usize;
-        face.gather(basic, mixture.free[i], mixture.bound[i]);
+        face.gather(Look::Basic(basic), mixture.free[i], mixture.bound[i]);
     }
     face.settle();
     let value = |m: Muscle| face.values[m.index()];
@@ -297,7 +297,7 @@ fn power_tells_anger_from_fear_where_the_disc_cannot() {
     let reproach = place("reproach").expect("a word");
     let shares = |space: Space| Mixture::of(reproach, space).free;
     let (disc, sphere) = (shares(Space::Disc), shares(Space::Sphere));
-    let of = |shares: [f64; BASICS], b: Basic| shares[b as usize];
+    let of = |shares: [f64; LOOKS], b: Basic| shares[b as usize];
     assert!(of(disc, Basic::Fear) > 0.1 && of(disc, Basic::Anger) == 0.0);
     assert!(
         of(sphere, Basic::Anger) > 0.2 && of(sphere, Basic::Fear) == 0.0,
@@ -329,12 +329,116 @@ fn the_middle_of_the_space_is_calm() {
     }
 }
 
+/// Words that F&H give one face: table 4.4 has them at one place, or section 4.4.3 takes one for
+/// the other.
+const SAME: [[&str; 2]; 3] = [
+    ["joy", "happy-for"],
+    ["distress", "sorry-for"],
+    ["hate", "disgust"],
+];
+
+/// What a stranger sees of an emotion, with angles against those that are plain to see.
+fn seen(word: &str, intensity: f64) -> Vec<f64> {
+    let affect = Affect::named(word).expect(word);
+    let mut mixture = Mixture::felt(affect);
+    mixture.scale(intensity);
+    let signs = Signs::felt(affect).scaled(intensity);
+    let angles = [
+        signs.gaze_down_rad,
+        signs.head_down_rad,
+        signs.head_turn_rad,
+        signs.head_tilt_rad,
+    ];
+    let mut all = mixture.expression().values.to_vec();
+    all.push(signs.blush);
+    all.extend(angles.map(|angle| angle / 0.35));
+    all
+}
+
+fn distance(a: &[f64], b: &[f64]) -> f64 {
+    let squares = a.iter().zip(b).map(|(a, b)| (a - b) * (a - b));
+    squares.sum::<f64>().sqrt()
+}
+
+#[test]
+fn no_two_words_look_alike() {
+    let mut pairs = Vec::new();
+    for (i, (one, _)) in WORDS.iter().enumerate() {
+        for (other, _) in &WORDS[..i] {
+            let apart = distance(&seen(one, 1.0), &seen(other, 1.0));
+            let is_same = SAME
+                .iter()
+                .any(|same| same.contains(one) && same.contains(other));
+            assert!(!is_same || apart < 1e-9, "{one} {other}: {apart}");
+            if !is_same {
+                pairs.push((apart, *one, *other));
+            }
+        }
+    }
+    pairs.sort_by(|a, b| a.0.total_cmp(&b.0));
+    for (apart, one, other) in &pairs[..24] {
+        println!("{apart:.3} {one} {other}");
+    }
+    // A third of a face: one muscle of both sides by a quarter of its range.
+    assert!(pairs[0].0 > 0.35, "{:?}", pairs[0]);
+}
+
+#[test]
+fn every_word_grows_with_its_potential_all_the_way() {
+    for (word, _) in WORDS {
+        let mut before = vec![0.0; seen(word, 0.0).len()];
+        let none = before.clone();
+        for tenth in 1..=100 {
+            // A potential of 5 is the strength of the table.
+            let now = seen(word, 0.02 * f64::from(tenth));
+            let grown = distance(&now, &none) - distance(&before, &none);
+            assert!(grown > 1e-4, "{word} at {tenth}: {grown}");
+            assert!(now[..DIALS].iter().all(|v| v.abs() <= 1.0), "{word}");
+            before = now;
+        }
+        let [seven, ten] = [1.4, 2.0].map(|intensity| seen(word, intensity));
+        let apart = distance(&seven, &ten);
+        println!("{word}: {apart:.2} from 7 to 10");
+        assert!(apart > 0.15, "{word}: {apart}");
+    }
+}
+
+#[test]
+fn up_to_their_own_strength_the_basic_six_are_what_they_were_given() {
+    for basic in Basic::ALL {
+        let named = Mixture::felt(Affect::named(basic.word()).expect("a word"));
+        assert_eq!(named.expression(), Expression::of(basic), "{basic:?}");
+    }
+    // What emoticons stand for (F&H table 4.1, section 4.3.5: 100 %).
+    for (word, basic) in [
+        ("joy", Basic::Joy),
+        ("distress", Basic::Sadness),
+        ("surprise", Basic::Surprise),
+        ("anger", Basic::Anger),
+        ("disgust", Basic::Disgust),
+    ] {
+        let face = Mixture::felt(Affect::named(word).expect("a word")).expression();
+        assert!(apart(&face, &Expression::of(basic)) < 1e-9, "{word}");
+    }
+    // Anxiety and panic are fear, scaled (F&H figure 4.17).
+    for (word, ratio) in [("anxiety", 0.5), ("panic", 2.0)] {
+        let own = Mixture::felt(Affect::named(word).expect("a word"));
+        assert_eq!(own, Mixture::scaled(Basic::Fear, ratio), "{word}");
+        let disc = Mixture::on_disc(place(word).expect("a word")).expression();
+        assert!(apart(&disc, &own.expression()) < 1e-2, "{word}");
+    }
+}
+
 #[test]
 fn faces_of_all_words() {
-    // What each word takes of the six, for people to read with --nocapture.
+    // What each word takes of the six by its place, for people to read with --nocapture.
     for (word, _) in WORDS {
         let place = place(word).expect("a word");
-        let percent = |s: Space| Mixture::of(place, s).free.map(|f| (100.0 * f).round());
+        let percent = |s: Space| {
+            let free = Mixture::of(place, s).free;
+            let six: Vec<f64> = free[..BASICS].iter().map(|f| (100.0 * f).round()).collect();
+            six
+        };
         let (disc, sphere) = (percent(Space::Disc), percent(Space::Sphere));
         println!("{word:16} disc {disc:?} sphere {sphere:?}");
         assert!(sphere.iter().sum::<f64>() > 10.0, "{word}");

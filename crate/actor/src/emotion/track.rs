@@ -5,9 +5,10 @@ use raconteur_base::order::sort_by_number;
 use raconteur_body::face::FaceControls;
 use raconteur_speech::emotion::Place;
 
-use super::blend::{Mixture, Space};
+use super::blend::{Affect, Mixture};
 use super::signs::Signs;
-use crate::parameters::{Curve, SET_SECS};
+use super::wink;
+use crate::parameters::{Curve, Dial, SET_SECS};
 
 /// An emotion neither comes nor goes in less, seconds. Designed: the quickest onsets of
 /// expressions that are felt.
@@ -29,8 +30,8 @@ pub struct EmotionSpan {
     pub until_secs: f64,
     /// When it is gone.
     pub end_secs: f64,
-    /// Where it is in the space of emotions.
-    pub place: Place,
+    /// Which one it is.
+    pub affect: Affect,
     /// How strong, 1 being that of its place.
     pub intensity: f64,
 }
@@ -44,9 +45,9 @@ impl EmotionSpan {
             self.apex_secs,
             self.end_secs,
             self.intensity,
-            self.place.activation,
-            self.place.evaluation,
-            self.place.power,
+            self.affect.place.activation,
+            self.affect.place.evaluation,
+            self.affect.place.power,
         ];
         if !all.iter().all(|x| x.is_finite()) {
             return None;
@@ -61,7 +62,10 @@ impl EmotionSpan {
             end_secs: self.end_secs.max(until_secs + SHORTEST_SECS),
             until_secs,
             intensity: self.intensity.clamp(0.0, STRONGEST),
-            place: self.place.scaled(1.0),
+            affect: Affect {
+                place: self.affect.place.scaled(1.0),
+                ..self.affect
+            },
             ..self
         })
     }
@@ -82,20 +86,32 @@ struct Effect {
     signs: Signs,
     place: Place,
     strength: f64,
+    /// How far one eye winks; of a span at its apex. It is no part of sums.
+    wink: f64,
 }
 
 impl Effect {
-    fn of(place: Place, intensity: f64, space: Space) -> Self {
+    /// An emotion that comes and goes: its wink has a time of its own.
+    fn of(affect: Affect, intensity: f64) -> Self {
         let mut effect = Self::default();
-        let full = Self {
-            mixture: Mixture::of(place, space),
-            signs: Signs::of(place),
-            place,
-            strength: 0.0,
-        };
+        let mut full = Self::held(affect);
+        let (mixture, share) = full.mixture.parted();
+        full.mixture = mixture;
         effect.add(&full, intensity);
         effect.strength = 1.0;
+        effect.wink = wink::amount(share, intensity);
         effect
+    }
+
+    /// An emotion that somebody holds: with its wink, if it has one.
+    fn held(affect: Affect) -> Self {
+        Self {
+            mixture: Mixture::felt(affect),
+            signs: Signs::felt(affect),
+            place: affect.place,
+            strength: 1.0,
+            wink: 0.0,
+        }
     }
 
     fn add(&mut self, other: &Self, factor: f64) {
@@ -147,16 +163,10 @@ pub struct EmotionTrack {
 
 impl EmotionTrack {
     /// From emotions in any order and those that are set by name (see
-    /// [`ParameterTrack::emotions`](crate::parameters::ParameterTrack::emotions)), with
-    /// expressions from the sphere. What is no number is left out.
+    /// [`ParameterTrack::emotions`](crate::parameters::ParameterTrack::emotions)). What is no
+    /// number is left out.
     #[must_use]
-    pub fn new(spans: &[EmotionSpan], scripted: &[(Place, Curve)]) -> Self {
-        Self::in_space(spans, scripted, Space::default())
-    }
-
-    /// As [`new`](Self::new), with expressions from this space.
-    #[must_use]
-    pub fn in_space(spans: &[EmotionSpan], scripted: &[(Place, Curve)], space: Space) -> Self {
+    pub fn new(spans: &[EmotionSpan], scripted: &[(Affect, Curve)]) -> Self {
         let mut spans: Vec<EmotionSpan> = spans.iter().filter_map(|s| s.ordered()).collect();
         sort_by_number(&mut spans, |span| span.start_secs);
         let mut lanes: Vec<Vec<(EmotionSpan, Effect)>> = Vec::new();
@@ -170,14 +180,14 @@ impl EmotionTrack {
                 lanes.push(Vec::new());
             }
             if let Some(lane) = lanes.get_mut(free) {
-                lane.push((span, Effect::of(span.place, span.intensity, space)));
+                lane.push((span, Effect::of(span.affect, span.intensity)));
             }
         }
         let mut track = Self {
             lanes,
             scripted: scripted
                 .iter()
-                .map(|(place, curve)| (Effect::of(*place, 1.0, space), curve.clone()))
+                .map(|(affect, curve)| (Effect::held(*affect), curve.clone()))
                 .collect(),
             ..Self::default()
         };
@@ -220,6 +230,7 @@ impl EmotionTrack {
     /// All that is felt at a time.
     fn sum(&self, t: f64) -> Effect {
         let mut sum = Effect::default();
+        let mut winks: f64 = 0.0;
         let mut take = |effect: &Effect, strength: f64| {
             if strength > 0.0 {
                 sum.add(effect, strength);
@@ -229,6 +240,7 @@ impl EmotionTrack {
             let begun = lane.partition_point(|(span, _)| span.start_secs <= t);
             if let Some((span, effect)) = begun.checked_sub(1).and_then(|i| lane.get(i)) {
                 take(effect, span.strength(t));
+                winks = winks.max(effect.wink * wink::closure(t - span.apex_secs));
             }
         }
         for (effect, curve) in &self.scripted {
@@ -237,16 +249,26 @@ impl EmotionTrack {
         if sum.strength > 1.0 {
             let mut mean = Effect::default();
             mean.add(&sum, 1.0 / sum.strength);
-            return mean;
+            sum = mean;
         }
+        sum.wink = winks;
         sum
     }
 
     /// Adds the expression, the lids and the blood in the skin at a time to what a face is
     /// asked to do.
     pub fn add(&self, time_secs: f64, controls: &mut FaceControls) {
-        let sum = self.sum(time_secs);
-        sum.mixture.expression().add(controls);
+        let mut sum = self.sum(time_secs);
+        let mut expression = sum.mixture.expression();
+        if sum.wink > 0.0 {
+            let lid = expression.value(Dial::UPPER_LID_LEFT);
+            sum.mixture.wink(sum.wink);
+            expression = sum.mixture.expression();
+            // The lid has a way of its own: all the way, from wherever it is.
+            expression.values[Dial::UPPER_LID_LEFT.index()] = lid;
+        }
+        expression.add(controls);
+        wink::close(sum.wink, controls);
         controls.blush += sum.signs.limited().blush;
     }
 
@@ -275,10 +297,10 @@ impl EmotionTrack {
         [0.0, self.sum(time_secs).signs.limited().gaze_down_rad]
     }
 
-    /// The same for the head.
+    /// How the head turns: yaw to the figure's left, pitch down, roll to the left, radians.
     #[must_use]
-    pub fn head(&self, time_secs: f64) -> [f64; 2] {
-        [0.0, self.sum(time_secs).signs.limited().head_down_rad]
+    pub fn head(&self, time_secs: f64) -> [f64; 3] {
+        self.sum(time_secs).signs.limited().head()
     }
 
     /// How one breathes.
@@ -308,9 +330,9 @@ mod tests {
     use super::super::expression::{ANTAGONISTS, Expression};
     use super::*;
     use crate::parameters::ParameterTrack;
-    use crate::parameters::{DIALS, Dial, Parameter, ParameterCommand, ParameterScript};
+    use crate::parameters::{Parameter, ParameterCommand, ParameterScript};
     use raconteur_base::noise;
-    use raconteur_speech::emotion::{WORDS, place};
+    use raconteur_speech::emotion::WORDS;
 
     fn span(word: &str, times: [f64; 4]) -> EmotionSpan {
         let [start_secs, apex_secs, until_secs, end_secs] = times;
@@ -319,7 +341,7 @@ mod tests {
             apex_secs,
             until_secs,
             end_secs,
-            place: place(word).expect(word),
+            affect: Affect::named(word).expect(word),
             intensity: 1.0,
         }
     }
@@ -405,7 +427,7 @@ mod tests {
             let unit = |k: u64, i: i64| noise::unit(seed, k, i);
             let spans: Vec<EmotionSpan> = (0..12)
                 .map(|i| {
-                    let (word, _) = WORDS[(unit(1, i) * 27.0) as usize % 27];
+                    let (word, _) = WORDS[(unit(1, i) * WORDS.len() as f64) as usize % WORDS.len()];
                     let start = 6.0 * unit(2, i);
                     let times = [0.0, 3.0 * unit(3, i), 4.0 * unit(4, i), 6.0 * unit(5, i)];
                     EmotionSpan {
@@ -465,27 +487,30 @@ mod tests {
     }
 
     #[test]
-    fn every_word_of_the_table_gives_a_face_of_its_own_strength() {
-        for space in [Space::Disc, Space::Sphere] {
-            for (word, _) in WORDS {
-                let full = span(word, [0.0, 1.0, 1.0, 2.0]);
-                let half = EmotionSpan {
-                    intensity: 0.5,
-                    ..full
-                };
-                let values = |span: EmotionSpan| {
-                    let track = EmotionTrack::in_space(&[span], &[], space);
-                    track.sum(1.0).mixture.expression().values
-                };
-                let (full, half) = (values(full), values(half));
-                let most = full.iter().fold(0.0, |a: f64, v| a.max(v.abs()));
-                assert!((0.2..=1.0).contains(&most), "{space:?} {word} {most}");
-                for i in 0..DIALS {
-                    let (dial, wanted) = (Dial::at(i).expect("a dial"), 0.5 * full[i]);
-                    // A face at its limits is more than twice the half of it.
-                    let near = (half[i] - wanted).abs() < 1e-12 || most > 1.0 - 1e-9;
-                    assert!(near, "{word} {}", dial.name());
-                }
+    fn who_kids_winks_at_the_apex_with_one_eye_and_smiles_throughout() {
+        for intensity in [0.4, 1.0, 2.0] {
+            let kidding = EmotionSpan {
+                intensity,
+                ..span("kidding", [0.0, 2.0, 2.0, 4.0])
+            };
+            let track = EmotionTrack::new(&[kidding], &[]);
+            let lids = |t: f64| face(&track, t).upper_lid;
+            assert_eq!(lids(2.1)[0], 1.0);
+            for t in [0.5, 1.0, 1.8, 2.6, 3.0] {
+                assert!(lids(t)[0].abs() < 1e-9, "{t}");
+            }
+            let smile = raconteur_body::face::Muscle::ZygomaticusMajorLeft.index();
+            for i in 1..40 {
+                let t = 0.1 * f64::from(i);
+                assert!(face(&track, t).contraction[smile] > 0.0, "{t}");
+                assert!(lids(t)[1].abs() < 1e-9, "the other eye stays open at {t}");
+            }
+            let mut before = lids(1.0)[0];
+            for i in 0..1000 {
+                let now = lids(1.0 + 0.002 * f64::from(i))[0];
+                // 1.5 times the mean speed of closing.
+                assert!((now - before).abs() < 1.51 * 0.002 / 0.12);
+                before = now;
             }
         }
     }

@@ -33,7 +33,7 @@ use listen::Listening;
 use raise::Raises;
 use track::Track;
 
-pub use blink::{CLOSED_SECS, CLOSING_SECS, INTERVAL_SECS, OPENING_SECS};
+pub use blink::{CLOSED_SECS, CLOSING_SECS, MOST_APART_SECS, OPENING_SECS};
 pub use gaze::AT_LISTENER_RAD;
 pub use manner::{Manner, Way};
 pub use raise::HEAD_RAISE_RAD;

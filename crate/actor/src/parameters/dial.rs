@@ -47,6 +47,9 @@ impl Dial {
     /// The jaw forwards (positive) or back.
     pub const JAW_FORWARD: Self = Self::direct(2);
 
+    /// The lower lip pushed forwards (positive) or drawn back.
+    pub const LIP_PROTRUSION_LOWER: Self = Self::direct(9);
+
     const fn direct(place: usize) -> Self {
         Self((MUSCLES + place) as u8)
     }

@@ -1,10 +1,11 @@
 //! The control parameters and their names (GEVH 3.2.4).
 
 use raconteur_body::face::MUSCLES;
-use raconteur_speech::emotion::{Place, WORDS};
+use raconteur_speech::emotion::WORDS;
 use raconteur_speech::phones::{self, PhoneTargets};
 
 use super::dial::{DIALS, Dial};
+use crate::emotion::Affect;
 
 /// The visemes of OpenXR's `XR_META_face_tracking_visemes`, each with a phone that has it, by
 /// the name of its row in [`phones`].
@@ -26,9 +27,9 @@ pub const VISEMES: [(&str, &str); 15] = [
     ("ou", "uw"),
 ];
 
-/// Ekman's names of two of the six, which the table of F&H calls otherwise (section 4.4.3).
-/// The other four are words of the table.
-const EKMAN: [(&str, &str); 2] = [("Disgust", "hate"), ("Sadness", "sorry-for")];
+/// Ekman's name of one of the six, which the table of F&H calls otherwise (section 4.4.3). The
+/// other five are words of the table.
+const EKMAN: [(&str, &str); 1] = [("Sadness", "sorry-for")];
 
 /// What may follow a name in those of several parameters that it stands for together.
 const PARTS: [&str; 6] = ["Left", "Right", "Upper", "Lower", "Medial", "Lateral"];
@@ -44,8 +45,8 @@ pub enum Asks {
     Dial(Dial),
     /// The mouth of a phone.
     Viseme(&'static PhoneTargets),
-    /// An emotion at its place in the table.
-    Emotion(Place),
+    /// An emotion of the table.
+    Emotion(Affect),
 }
 
 impl Parameter {
@@ -120,14 +121,7 @@ impl Parameter {
                 let phone = phones::by_name(VISEMES[index].1);
                 Asks::Viseme(phone.unwrap_or_else(phones::silence))
             }
-            Some(word) => {
-                let [activation, evaluation, power] = WORDS[word].1;
-                Asks::Emotion(Place {
-                    activation,
-                    evaluation,
-                    power,
-                })
-            }
+            Some(word) => Asks::Emotion(Affect::named(WORDS[word].0).unwrap_or_default()),
         }
     }
 
@@ -190,7 +184,7 @@ mod tests {
         assert_eq!(names("Jaw"), ["Jaw"]);
         assert_eq!(names("VisemePP"), ["PP"]);
         assert_eq!(names("visemesil"), ["sil"]);
-        assert_eq!(names("Disgust"), ["hate"]);
+        assert_eq!(names("Disgust"), ["disgust"]);
         assert_eq!(names("Sadness"), ["sorry-for"]);
         assert_eq!(names("Happy-For"), ["happy-for"]);
         for unknown in [
@@ -210,10 +204,7 @@ mod tests {
             assert_eq!(targets.viseme, name);
         }
         let fear = Parameter::named("FEAR").next().expect("a word").asks();
-        assert_eq!(
-            fear,
-            Asks::Emotion(raconteur_speech::emotion::place("fear").expect("a word"))
-        );
+        assert_eq!(fear, Asks::Emotion(Affect::named("fear").expect("a word")));
         assert_eq!(Parameter::named("Blush").next().expect("one").least(), -1.0);
         assert_eq!(Parameter::named("Jaw").next().expect("one").least(), 0.0);
     }

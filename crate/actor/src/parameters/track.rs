@@ -2,9 +2,9 @@
 
 use std::sync::Arc;
 
+use crate::emotion::Affect;
 use raconteur_base::order::sort_by_number;
 use raconteur_body::face::FaceControls;
-use raconteur_speech::emotion::Place;
 use raconteur_speech::phones::PhoneTargets;
 
 use super::clip::ParameterClip;
@@ -20,7 +20,7 @@ use crate::lips::MouthTargets;
 pub struct ParameterTrack {
     dials: Vec<(Dial, Curve)>,
     visemes: Vec<(&'static PhoneTargets, Curve)>,
-    emotions: Vec<(Place, Curve)>,
+    emotions: Vec<(Affect, Curve)>,
 }
 
 impl ParameterTrack {
@@ -79,7 +79,7 @@ impl ParameterTrack {
             match parameter.asks() {
                 Asks::Dial(dial) => track.dials.push((dial, curve)),
                 Asks::Viseme(targets) => track.visemes.push((targets, curve)),
-                Asks::Emotion(place) => track.emotions.push((place, curve)),
+                Asks::Emotion(affect) => track.emotions.push((affect, curve)),
             }
         }
         track
@@ -128,7 +128,7 @@ impl ParameterTrack {
     /// The emotions that are set by name with their courses, for
     /// [`EmotionTrack::new`](crate::emotion::EmotionTrack::new).
     #[must_use]
-    pub fn emotions(&self) -> &[(Place, Curve)] {
+    pub fn emotions(&self) -> &[(Affect, Curve)] {
         &self.emotions
     }
 }

@@ -45,7 +45,7 @@ pub(crate) enum Part {
     Muscles,
     /// The fifteen visemes; not part of all.
     Visemes,
-    /// The six basic emotions at three strengths, and eight between them; not part of all.
+    /// Every word of emotion, and fear at four strengths; not part of all.
     Emotions,
     /// One blink, frame by frame; not part of all.
     Blink,

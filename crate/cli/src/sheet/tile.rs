@@ -2,8 +2,9 @@
 
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
+use raconteur_player::actor::Affect;
 use raconteur_player::actor::articulation::{ORDINARY_LOUDNESS, articulate, hold_closures};
-use raconteur_player::actor::emotion::{Basic, Mixture, Signs, Space};
+use raconteur_player::actor::emotion::{Mixture, Signs};
 use raconteur_player::actor::lips::MouthTargets;
 use raconteur_player::actor::nonverbal::{CLOSED_SECS, CLOSING_SECS, OPENING_SECS};
 use raconteur_player::actor::parameters::VISEMES;
@@ -11,7 +12,7 @@ use raconteur_player::base::curve::smooth;
 use raconteur_player::base::{DQuat, DVec3, Side};
 use raconteur_player::body::face::{FaceControls, Muscle};
 use raconteur_player::body::{Bone, Figure, HandShape};
-use raconteur_player::speech::emotion::place;
+use raconteur_player::speech::emotion::WORDS;
 use raconteur_player::speech::phones;
 use raconteur_player::stage::{Camera, Lighting};
 
@@ -354,29 +355,31 @@ impl<'a> Maker<'a> {
             .collect()
     }
 
-    /// The six basic expressions at three strengths, and eight between them.
+    /// Every word at the strength of the table, and fear at four.
     fn emotions(&self) -> Vec<Tile> {
-        let one = |word: &str, share: f64| {
-            let place = place(word).unwrap_or_default();
+        let one = |word: &str, potential: f64| {
+            let affect = Affect::named(word).unwrap_or_default();
+            let share = potential / PLAIN_POTENTIAL;
             let mut controls = FaceControls::default();
-            let mut mixture = Mixture::of(place, Space::default());
+            let mut mixture = Mixture::felt(affect);
             mixture.scale(share);
             mixture.expression().add(&mut controls);
-            let signs = Signs::of(place);
-            controls.blush = share * signs.blush;
+            let signs = Signs::felt(affect).scaled(share);
+            controls.blush = signs.blush;
             hold_closures(&mut controls);
             let mut posture = self.standing();
             posture.facing(0.3);
-            let bowed = DQuat::from_rotation_x(share * signs.head_down_rad);
-            posture.turn(Bone::Skull, bowed);
+            let [turned, down, tilted] = signs.head();
+            let moved = DQuat::from_rotation_y(turned)
+                * DQuat::from_rotation_x(down)
+                * DQuat::from_rotation_z(-tilted);
+            posture.turn(Bone::Skull, moved);
             posture.face(controls);
-            self.head(&format!("{word} {:.0} %", 100.0 * share), posture)
+            self.head(&format!("{word} {potential:.0}"), posture)
         };
-        let basics = Basic::ALL.iter().flat_map(|b| {
-            let shares = [1.0 / 3.0, 2.0 / 3.0, 1.0];
-            shares.map(|share| one(b.word(), share))
-        });
-        basics.chain(BETWEEN.map(|word| one(word, 1.0))).collect()
+        let words = WORDS.map(|(word, _)| one(word, PLAIN_POTENTIAL));
+        let strengths = [2.0, 5.0, 7.0, 10.0].map(|potential| one("fear", potential));
+        words.into_iter().chain(strengths).collect()
     }
 
     /// The eyes in a blink of three phases, at 60 frames a second.
@@ -425,17 +428,8 @@ impl<'a> Maker<'a> {
 /// Of the blink's tiles.
 const FRAMES_PER_S: f64 = 60.0;
 
-/// Emotions between the six basic ones.
-const BETWEEN: [&str; 8] = [
-    "pride",
-    "gloating",
-    "hope",
-    "gratitude",
-    "disappointment",
-    "resentment",
-    "reproach",
-    "disliking",
-];
+/// At which an emotion has the strength of its place.
+const PLAIN_POTENTIAL: f64 = 5.0;
 
 /// A face of which muscles are contracted, on both sides.
 fn contracted(muscles: &[(Muscle, f64)]) -> FaceControls {

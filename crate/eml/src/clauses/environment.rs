@@ -60,7 +60,7 @@ record! {
 }
 
 words! {
-    /// The emotions of Ortony, Clore and Collins, and `neutral`.
+    /// The emotions of Ortony, Clore and Collins, those that F&H name besides, and `neutral`.
     EmotionKind {
         /// None in particular.
         Neutral = "neutral",
@@ -112,14 +112,42 @@ words! {
         Liking = "liking",
         /// Disliking.
         Disliking = "disliking",
+        /// Surprise (F&H section 4.4.3).
+        Surprise = "surprise",
+        /// Disgust (F&H table 4.1).
+        Disgust = "disgust",
+        /// Joking, with a wink (F&H table 4.1).
+        Kidding = "kidding",
+        /// A weak fear (F&H figure 4.17).
+        Anxiety = "anxiety",
+        /// A strong fear (F&H figure 4.17).
+        Panic = "panic",
+    }
+}
+
+words! {
+    /// In which space an expression is blended of the six basic ones.
+    EmotionSpace {
+        /// Activation, evaluation and power (F&H section 4.4.4).
+        Sphere = "sphere",
+        /// Activation and evaluation (F&H section 4.4.3).
+        Disc = "disc",
     }
 }
 
 record! {
     /// Elicits an emotion.
     Emotion = "emotion" {
-        /// Which one.
-        kind: EmotionKind = "type",
+        /// Which one; none: a place without a word.
+        kind: Option<EmotionKind> = "type",
+        /// Passive to active, −100 to 100; none: that of its word.
+        activation: Option<f64> = "activation",
+        /// Negative to positive, likewise.
+        evaluation: Option<f64> = "evaluation",
+        /// Submissive to dominant, likewise.
+        power: Option<f64> = "power",
+        /// Where its expression is blended.
+        space: EmotionSpace = "space",
         /// Its potential, 0 to 10 (GEVH 3.5.4.1).
         potential: f64 = "potential",
         /// How long it is kept up, in seconds.

@@ -5,11 +5,11 @@ use raconteur_eml::{ClauseKind, Piece, VoiceText};
 use raconteur_speech::content::{
     Age, Boundary, Content, Division, Gender, Markup, Segment, Setting, Speaker,
 };
-use raconteur_speech::emotion::{self, Place};
+use raconteur_speech::emotion::Place;
 use raconteur_speech::markup::levels::{self, Property};
 use raconteur_speech::text::{Order, SayAs};
 
-use super::{Manner, PLAIN_POTENTIAL, each_said, key};
+use super::{Manner, PLAIN_POTENTIAL, each_said, key, place_of, word_of};
 use crate::Script;
 
 /// Something that a script says.
@@ -67,9 +67,8 @@ impl Script {
 
 fn felt(manner: Manner<'_>) -> Option<(String, Place)> {
     let emotion = manner.emotion?;
-    let word = emotion.kind.word();
-    let place = emotion::place(word)?.scaled(emotion.potential / PLAIN_POTENTIAL);
-    Some((word.to_owned(), place))
+    let place = place_of(emotion)?.scaled(emotion.potential / PLAIN_POTENTIAL);
+    Some((word_of(emotion).unwrap_or_default().to_owned(), place))
 }
 
 fn source_of(kind: &ClauseKind) -> Option<Source> {
@@ -244,6 +243,78 @@ mod tests {
             let words: Vec<String> = v.words().into_iter().map(|w| w.text).collect();
             assert_eq!(content_of(&v).words(), words, "{body}");
         }
+    }
+
+    #[test]
+    fn bakers_and_the_face_find_the_same_words_and_emoticons() {
+        const PIECES: [&str; 40] = [
+            "one",
+            "Two,",
+            "three.",
+            "go!",
+            "a:o",
+            "http://x",
+            "8:0",
+            ":oh",
+            "o",
+            "O",
+            ":-)",
+            ":)",
+            ":-(",
+            ";-)",
+            ";)",
+            ":D",
+            ":-D",
+            ":o",
+            ":O.",
+            ":-o",
+            ":-|",
+            ":|,",
+            "&gt;:-&lt;",
+            "(:-)",
+            ":",
+            "-",
+            ":-",
+            ")",
+            "(",
+            "|",
+            "😀",
+            "Hi😂!",
+            "😱no",
+            "❤\u{fe0f}",
+            "🐇",
+            "<break msec='50'/>",
+            "<div>in</div>",
+            "&gt;",
+            "&lt;",
+            "<emph>big</emph>",
+        ];
+        let mut felt = 0;
+        for seed in 0..3000 {
+            let unit = |i: i64| raconteur_base::noise::unit(seed, 1, i);
+            let length = 1 + (12.0 * unit(-1)) as i64;
+            let pick = |i| PIECES[(unit(i) * PIECES.len() as f64) as usize % PIECES.len()];
+            let text = (0..length).map(pick).collect::<Vec<_>>().join(" ");
+            let voice = voice(&text);
+            let content = content_of(&voice);
+            let words: Vec<String> = voice.words().into_iter().map(|w| w.text).collect();
+            assert_eq!(content.words(), words, "{text}");
+            let lexicon = raconteur_speech::text::Lexicon::default();
+            let plan = raconteur_speech::plan::plan(&content, "en", "test", &lexicon);
+            let plan = plan.expect("little to say");
+            let found = voice.emoticons();
+            let shown: Vec<_> = found.iter().map(|e| (e.before, e.name)).collect();
+            assert_eq!(plan.emoticons, shown, "{text}");
+            let tokens = plan.sentences.iter().flat_map(|s| &s.sentence.tokens);
+            for token in tokens {
+                assert!(
+                    !token.text.contains(raconteur_base::emoticon::is_emoji),
+                    "{text}"
+                );
+            }
+            felt += shown.len();
+        }
+        assert!(felt > 3000, "{felt}");
     }
 
     #[test]

@@ -58,8 +58,16 @@ pub(super) fn of(kind: &ClauseKind, manner: Manner<'_>) -> u64 {
     let mut hash = Hash(0xcbf2_9ce4_8422_2325);
     hash.optional(manner.voice);
     if let Some(emotion) = manner.emotion {
-        hash.text(emotion.kind.word());
+        hash.text(emotion.kind.map_or("", raconteur_eml::EmotionKind::word));
         hash.number(emotion.potential);
+        // Nothing for what is not given, so that a word alone keeps its key.
+        let given = [emotion.activation, emotion.evaluation, emotion.power];
+        for (sign, value) in (0xf5..).zip(given) {
+            if let Some(value) = value {
+                hash.bytes(&[sign]);
+                hash.number(value);
+            }
+        }
     }
     match kind {
         ClauseKind::VoiceText(text) => voice_text(&mut hash, text),
@@ -238,11 +246,17 @@ mod tests {
              <voice-say time='0' voiceOperation='file'>Hello</voice-say>\
              <voice-change time='0' voice='kal'/><voice-text time='0'>Hello</voice-text>\
              <r:emotion time='0' type='joy'/><voice-text time='0'>Hello</voice-text>\
+             <r:emotion time='0' type='joy' power='9'/><voice-text time='0'>Hello</voice-text>\
+             <r:emotion time='0' type='joy' space='disc'/><voice-text time='0'>Hello</voice-text>\
+             <r:emotion time='0' activation='9'/><voice-text time='0'>Hello</voice-text>\
+             <r:emotion time='0' evaluation='9'/><voice-text time='0'>Hello</voice-text>\
              <r:emotion time='0' type='neutral'/><voice-text time='0'>Hello</voice-text>",
         );
         assert_eq!(all[0], all[1]);
-        assert_eq!(all[4], all[6]);
+        assert_eq!(all[4], all[10]);
+        // Voices know no space.
+        assert_eq!(all[5], all[7]);
         let different: std::collections::BTreeSet<u64> = all.iter().copied().collect();
-        assert_eq!(different.len(), 5);
+        assert_eq!(different.len(), 8);
     }
 }

@@ -10,13 +10,34 @@ pub use content::{Said, Source, content_of};
 
 use raconteur_actor::Library;
 use raconteur_eml::{
-    ClauseId, ClauseKind, Document, Durations, Emotion, EmotionKind, EstimatedDurations, PhoneTime,
-    VoiceText, VoiceTiming, WordTime,
+    ClauseId, ClauseKind, Document, Durations, Emotion, EstimatedDurations, PhoneTime, VoiceText,
+    VoiceTiming, WordTime,
 };
+use raconteur_speech::emotion::{Place, place};
 use raconteur_speech::{Bundle, Utterance};
 
 /// The potential at which an emotion has the strength of F&H table 4.4.
 pub(crate) const PLAIN_POTENTIAL: f64 = 5.0;
+
+/// Where an emotion of a script lies; none for neutral. A dimension that is given takes the place
+/// of that of the word.
+pub(crate) fn place_of(emotion: &Emotion) -> Option<Place> {
+    let word = emotion.kind.and_then(|kind| place(kind.word()));
+    let of_word = word.unwrap_or_default();
+    let place = Place {
+        activation: emotion.activation.unwrap_or(of_word.activation),
+        evaluation: emotion.evaluation.unwrap_or(of_word.evaluation),
+        power: emotion.power.unwrap_or(of_word.power),
+    };
+    (!place.is_neutral()).then_some(place)
+}
+
+/// The word of an emotion that is there as the table has it; none where a dimension was given.
+pub(crate) fn word_of(emotion: &Emotion) -> Option<&'static str> {
+    let given = [emotion.activation, emotion.evaluation, emotion.power];
+    let kind = emotion.kind?;
+    given.iter().all(Option::is_none).then(|| kind.word())
+}
 
 /// Who speaks a clause, and how: the last `voice-change` and the last emotion before it, as
 /// one reads the document.
@@ -38,7 +59,7 @@ pub(crate) fn each_said<'d>(
         match &clause.kind {
             ClauseKind::VoiceChange(change) => manner.voice = Some(&change.voice),
             ClauseKind::Emotion(emotion) => {
-                let felt = emotion.kind != EmotionKind::Neutral && emotion.potential > 0.0;
+                let felt = place_of(emotion).is_some() && emotion.potential > 0.0;
                 manner.emotion = felt.then_some(emotion);
             }
             ClauseKind::VoiceText(_) | ClauseKind::VoiceSay(_) => visit(id, &clause.kind, manner),

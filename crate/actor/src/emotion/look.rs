@@ -1,0 +1,240 @@
+//! Expressions that a word has of its own, where what is known of its display is more than a
+//! blend of the six basic ones can show.
+//!
+//! Which units take part, and where head and gaze go, has a source at each; how much each muscle
+//! contracts is *designed*, as it is of the six: a clear, not an extreme display.
+
+use raconteur_body::face::Muscle as M;
+
+use super::basic::{BASICS, Basic, Share, m};
+use crate::parameters::Dial;
+
+/// How many looks there are.
+pub const LOOKS: usize = BASICS + 9;
+
+/// A way to look: a basic expression, or one of a word's own.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Look {
+    /// One of the six.
+    Basic(Basic),
+    /// Ashamed.
+    Shame,
+    /// Proud.
+    Pride,
+    /// Repelled by somebody or something.
+    Disliking,
+    /// Grudging.
+    Resentment,
+    /// Content.
+    Satisfaction,
+    /// Relieved.
+    Relief,
+    /// Tender.
+    Love,
+    /// Joking.
+    Kidding,
+    /// One eye closed, with the cheek raised to it; it comes with kidding, for a moment.
+    Wink,
+}
+
+/// Head and gaze go down (AU 54, 64) and nobody smiles: Keltner 1995,
+/// doi:10.1037/0022-3514.68.3.441. Lips pressed (AU 24) and their corners lowered are of the
+/// same display held back: Keltner & Buswell 1996, doi:10.1080/026999396380312.
+const SHAME: &[Share] = &[
+    m(M::FrontalisMedialLeft, 40),
+    m(M::CorrugatorLeft, 15),
+    m(M::OrbicularisOrisUpper, 40),
+    m(M::OrbicularisOrisLower, 45),
+    m(M::DepressorAnguliLeft, 25),
+    m(M::MentalisLeft, 35),
+    (Dial::UPPER_LID_LEFT, 35),
+];
+
+/// A small smile (AU 12 without 6) with the head tilted back: Tracy & Robins 2004,
+/// doi:10.1111/j.0956-7976.2004.01503008.x; 2007, doi:10.1037/1528-3542.7.4.789. The lids are
+/// a little lower, for one looks down at others.
+const PRIDE: &[Share] = &[
+    m(M::ZygomaticusMajorLeft, 42),
+    m(M::LevatorAnguliLeft, 25),
+    m(M::BuccinatorLeft, 25),
+    m(M::FrontalisLateralLeft, 30),
+    (Dial::UPPER_LID_LEFT, 22),
+    (Dial::LOWER_LID_LEFT, 15),
+];
+
+/// The upper lip raised (AU 10), which of the faces of disgust is the one towards persons and what
+/// they do: Rozin, Lowery & Ebert 1994, doi:10.1037/0022-3514.66.5.870; more on one side, as
+/// in contempt (Ekman & Friesen 1986, doi:10.1007/BF00992253), with AU 15 and the head
+/// drawn away.
+const DISLIKING: &[Share] = &[
+    m(M::CorrugatorLeft, 35),
+    m(M::DepressorSuperciliiLeft, 30),
+    m(M::DepressorAnguliLeft, 50),
+    m(M::MentalisLeft, 30),
+    m(M::OrbicularisOculiLeft, 15),
+    (Dial::UPPER_LID_LEFT, 18),
+    (Dial::LOWER_LID_LEFT, 30),
+];
+const DISLIKING_RIGHT: &[Share] = &[
+    m(M::LevatorLabiiRight, 65),
+    m(M::LevatorLabiiAlaequeRight, 35),
+    m(M::ZygomaticusMinorRight, 35),
+    m(M::NasalisRight, 20),
+];
+
+/// One corner of the mouth tightened (AU 14), as in contempt (Ekman & Friesen 1986,
+/// doi:10.1007/BF00992253; Matsumoto & Ekman 2004, doi:10.1037/0022-3514.87.4.529), with
+/// the lowered brows, narrow lids and pressed lips (AU 4, 7, 24) of an anger that is kept in.
+const RESENTMENT: &[Share] = &[
+    m(M::CorrugatorLeft, 50),
+    m(M::DepressorSuperciliiLeft, 65),
+    m(M::OrbicularisOrisUpper, 35),
+    m(M::OrbicularisOrisLower, 40),
+    m(M::OrbicularisOculiLeft, 20),
+    (Dial::LOWER_LID_LEFT, 55),
+    (Dial::UPPER_LID_LEFT, 22),
+];
+const RESENTMENT_RIGHT: &[Share] = &[
+    m(M::BuccinatorRight, 80),
+    m(M::LevatorAnguliRight, 40),
+    m(M::ZygomaticusMajorRight, 15),
+];
+
+/// A slight smile under lowered lids (AU 12, 43): Cordaro et al. 2018, doi:10.1037/emo0000302
+/// (contentment).
+const SATISFACTION: &[Share] = &[
+    m(M::ZygomaticusMajorLeft, 45),
+    m(M::OrbicularisOculiLeft, 25),
+    m(M::OrbicularisOrisLower, 15),
+    (Dial::UPPER_LID_LEFT, 50),
+    (Dial::LOWER_LID_LEFT, 20),
+];
+
+/// A sigh: it marks relief (Vlemincx et al. 2009, doi:10.1111/j.1469-8986.2009.00842.x). No
+/// prototype of its face is agreed on; *designed*: lids nearly closed, brows let go upwards,
+/// breath through parted lips (AU 43, 1, 25, 26), a weak smile.
+const RELIEF: &[Share] = &[
+    m(M::FrontalisMedialLeft, 50),
+    m(M::FrontalisLateralLeft, 20),
+    m(M::ZygomaticusMajorLeft, 25),
+    m(M::DepressorLabiiLeft, 15),
+    (Dial::UPPER_LID_LEFT, 65),
+    (Dial::JAW, 38),
+    (Dial::LIP_PROTRUSION_LOWER, 20),
+];
+
+/// A felt smile (AU 6, 12) with the head inclined to the other: Gonzaga et al. 2001,
+/// doi:10.1037/0022-3514.81.2.247. Raised inner brows and soft lids are *designed*.
+const LOVE: &[Share] = &[
+    m(M::ZygomaticusMajorLeft, 55),
+    m(M::OrbicularisOculiLeft, 40),
+    m(M::FrontalisMedialLeft, 45),
+    (Dial::UPPER_LID_LEFT, 22),
+    (Dial::LOWER_LID_LEFT, 25),
+];
+
+/// A smile that is stronger on the side of the wink, one brow raised on the other. *Designed*:
+/// F&H figure 4.7 shows it as a smile with a wink.
+const KIDDING: &[Share] = &[
+    m(M::ZygomaticusMajorLeft, 50),
+    m(M::OrbicularisOculiLeft, 25),
+    m(M::LevatorAnguliLeft, 15),
+    (Dial::LOWER_LID_LEFT, 15),
+];
+const KIDDING_RIGHT: &[Share] = &[
+    m(M::FrontalisLateralRight, 55),
+    m(M::FrontalisMedialRight, 20),
+];
+
+/// AU 46 with AU 6 and 12 of its side. The left eye closes: two people in three look with
+/// the right one (Bourassa, McManus & Bryden 1996, doi:10.1080/713754206), which stays on
+/// whom the wink is for.
+const WINK_LEFT: &[Share] = &[
+    m(M::OrbicularisOculiLeft, 60),
+    m(M::ZygomaticusMajorLeft, 25),
+    m(M::ZygomaticusMinorLeft, 30),
+    m(M::DepressorSuperciliiLeft, 30),
+    (Dial::UPPER_LID_LEFT, 100),
+    (Dial::LOWER_LID_LEFT, 70),
+];
+
+impl Look {
+    /// All, in the order of [`Look::index`].
+    pub const ALL: [Self; LOOKS] = [
+        Self::Basic(Basic::Joy),
+        Self::Basic(Basic::Surprise),
+        Self::Basic(Basic::Disgust),
+        Self::Basic(Basic::Anger),
+        Self::Basic(Basic::Fear),
+        Self::Basic(Basic::Sadness),
+        Self::Shame,
+        Self::Pride,
+        Self::Disliking,
+        Self::Resentment,
+        Self::Satisfaction,
+        Self::Relief,
+        Self::Love,
+        Self::Kidding,
+        Self::Wink,
+    ];
+
+    /// Its place among all; basic ones first, by [`Basic::ALL`].
+    #[must_use]
+    pub fn index(self) -> usize {
+        Self::ALL.iter().position(|l| *l == self).unwrap_or(0)
+    }
+
+    /// Shows what takes part in it, in percent.
+    pub(super) fn each(self, visit: &mut dyn FnMut(Dial, i8)) {
+        let (both, one): (&[Share], &[Share]) = match self {
+            Self::Basic(basic) => (basic.shares(), &[]),
+            Self::Shame => (SHAME, &[]),
+            Self::Pride => (PRIDE, &[]),
+            Self::Disliking => (DISLIKING, DISLIKING_RIGHT),
+            Self::Resentment => (RESENTMENT, RESENTMENT_RIGHT),
+            Self::Satisfaction => (SATISFACTION, &[]),
+            Self::Relief => (RELIEF, &[]),
+            Self::Love => (LOVE, &[]),
+            Self::Kidding => (KIDDING, KIDDING_RIGHT),
+            Self::Wink => (&[], WINK_LEFT),
+        };
+        for (dial, percent) in both {
+            visit(*dial, *percent);
+            let right = dial.also_right();
+            if right != *dial {
+                visit(right, *percent);
+            }
+        }
+        one.iter()
+            .for_each(|(dial, percent)| visit(*dial, *percent));
+    }
+}
+
+/// How much an emotion of a word takes of each look at the strength of its place; none for a word
+/// that has the expression of its place. The two that Ortony, Clore and Collins (1988) make
+/// of two others, gratification of pride and joy, remorse of shame and distress, are half of
+/// each; gratitude, which they make of admiration and joy, is joy with the bow of thanks
+/// (see [`Signs`](super::Signs)). Liking is a weaker joy than its place, which it shares with
+/// satisfaction, would have it (*designed*). Anxiety and panic are fear scaled by the ratio of distances
+/// from the middle of the disc (F&H equation 4.7, figure 4.17).
+pub(super) fn of_word(word: &str) -> Option<&'static [(Look, f64)]> {
+    const FEAR: Look = Look::Basic(Basic::Fear);
+    const JOY: Look = Look::Basic(Basic::Joy);
+    const SADNESS: Look = Look::Basic(Basic::Sadness);
+    Some(match word {
+        "shame" => &[(Look::Shame, 1.0)],
+        "pride" => &[(Look::Pride, 1.0)],
+        "disliking" => &[(Look::Disliking, 1.0)],
+        "resentment" => &[(Look::Resentment, 1.0)],
+        "satisfaction" => &[(Look::Satisfaction, 1.0)],
+        "relief" => &[(Look::Relief, 1.0)],
+        "love" => &[(Look::Love, 1.0)],
+        "liking" => &[(JOY, 0.6)],
+        "kidding" => &[(Look::Kidding, 1.0), (Look::Wink, 1.0)],
+        "gratification" => &[(Look::Pride, 0.5), (JOY, 0.5)],
+        "remorse" => &[(Look::Shame, 0.5), (SADNESS, 0.5)],
+        "anxiety" => &[(FEAR, 0.5)],
+        "panic" => &[(FEAR, 2.0)],
+        _ => return None,
+    })
+}

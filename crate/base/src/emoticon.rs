@@ -1,0 +1,296 @@
+//! Emoticons and emoji in texts, each with the word of an emotion (F&H section 4.3.2).
+//!
+//! Whoever counts words, shows captions, speaks or feels a text must agree on what is no word, so
+//! all of them ask here.
+
+/// F&H table 4.1. These may also be written with spaces between their signs, as table 4.2 does.
+pub const EMOTICONS: [(&str, &str); 6] = [
+    (":-)", "joy"),
+    (":-(", "distress"),
+    (":-o", "surprise"),
+    (";-)", "kidding"),
+    (">:-<", "anger"),
+    (":-|", "disgust"),
+];
+
+/// Common ways to write the same; these have no spaces.
+const VARIANTS: [(&str, &str); 14] = [
+    (":)", "joy"),
+    (":D", "joy"),
+    (":-D", "joy"),
+    (":o)", "joy"),
+    (":(", "distress"),
+    (":'(", "distress"),
+    (":'-(", "distress"),
+    (":o", "surprise"),
+    (":O", "surprise"),
+    (":-O", "surprise"),
+    (";)", "kidding"),
+    (":|", "disgust"),
+    (">:(", "anger"),
+    (">:-(", "anger"),
+];
+
+/// Emoji by the word that they stand for, without variation selectors and tones of skin.
+pub const EMOJI: [(&str, &[&str]); 19] = [
+    (
+        "joy",
+        &[
+            "😀", "😃", "😄", "😁", "😆", "😅", "😂", "🤣", "🙂", "😊", "☺", "😇", "🥳", "😸", "😹",
+        ],
+    ),
+    (
+        "distress",
+        &["😢", "😭", "😥", "🙁", "☹", "😿", "🥺", "😩", "😫"],
+    ),
+    ("disappointment", &["😞", "😔", "😕"]),
+    ("anger", &["😠", "😡", "🤬", "😤"]),
+    ("surprise", &["😮", "😯", "😲", "🙀"]),
+    ("panic", &["😱"]),
+    ("fear", &["😨", "😧"]),
+    ("anxiety", &["😟", "😰"]),
+    ("kidding", &["😉", "😜", "😝", "😛", "🤪"]),
+    ("disgust", &["🤢", "🤮"]),
+    ("disliking", &["😐", "😑", "😒", "🙄"]),
+    ("shame", &["😳"]),
+    ("relief", &["😌", "😮\u{200d}💨"]),
+    ("pride", &["😎"]),
+    ("gloating", &["😏", "😈"]),
+    ("hope", &["🤞"]),
+    ("gratitude", &["🙏"]),
+    ("admiration", &["🤩", "👏"]),
+    (
+        "love",
+        &["❤", "♥", "😍", "🥰", "😘", "💕", "💖", "💗", "💓"],
+    ),
+];
+
+/// What may stand before a sign in its token, and behind it.
+const OPENING: [char; 8] = ['(', '[', '"', '\'', '“', '„', '‘', '«'];
+const CLOSING: [char; 14] = [
+    '.', ',', ';', ':', '!', '?', '…', ')', ']', '"', '\'', '”', '’', '»',
+];
+
+/// Joins emoji into one.
+const JOINER: char = '\u{200d}';
+
+/// Whether a character belongs to an emoji: it is seen, but neither spoken nor part of a word.
+#[must_use]
+pub fn is_emoji(c: char) -> bool {
+    matches!(c,
+        '\u{1f1e6}'..='\u{1f1ff}' | '\u{1f300}'..='\u{1faff}' | '\u{2600}'..='\u{27bf}'
+        | '\u{fe0f}' | '\u{20e3}' | JOINER)
+        && !c.is_alphanumeric()
+}
+
+/// Tones of skin and the wish for a coloured picture change no meaning.
+fn is_variation(c: char) -> bool {
+    matches!(c, '\u{fe0e}' | '\u{fe0f}' | '\u{1f3fb}'..='\u{1f3ff}')
+}
+
+/// The emotion of a token that is an emoticon with at most punctuation around it, and the
+/// punctuation behind it.
+#[must_use]
+pub fn whole(token: &str) -> Option<(&'static str, &str)> {
+    // No sign is empty, and none begins otherwise.
+    let sign = token.trim_start_matches(OPENING);
+    if !sign.starts_with([':', ';', '>']) {
+        return None;
+    }
+    let all = EMOTICONS.iter().chain(&VARIANTS);
+    let fits = all.filter_map(|(own, word)| {
+        let rest = sign.strip_prefix(own)?;
+        rest.chars()
+            .all(|c| CLOSING.contains(&c))
+            .then_some((*word, rest))
+    });
+    // Of two that fit, the longer: it leaves less.
+    fits.min_by_key(|(_, rest)| rest.len())
+}
+
+/// Shows the emoji of a token: the word of each that has one, where its first byte is.
+fn each_emoji(token: &str, visit: &mut dyn FnMut(&'static str, usize)) {
+    let mut chars = token.char_indices().peekable();
+    while let Some((at, c)) = chars.next() {
+        if !is_emoji(c) || is_variation(c) || c == JOINER {
+            continue;
+        }
+        let mut end = at + c.len_utf8();
+        while let Some((next, c)) = chars.next_if(|(_, c)| is_variation(*c) || *c == JOINER) {
+            end = next + c.len_utf8();
+            if c == JOINER
+                && let Some((next, c)) = chars.next()
+            {
+                end = next + c.len_utf8();
+            }
+        }
+        let sign = || token[at..end].chars().filter(|c| !is_variation(*c));
+        let known = EMOJI
+            .iter()
+            .find(|(_, own)| own.iter().any(|own| own.chars().eq(sign())));
+        if let Some((word, _)) = known {
+            visit(word, at);
+        }
+    }
+}
+
+/// The emotions of the emoji of a token, before its first letter or digit and behind it; the
+/// same one several times in a row is one.
+#[must_use]
+pub fn of_emoji(token: &str) -> [Vec<&'static str>; 2] {
+    let mut found = [Vec::new(), Vec::new()];
+    let letter = token.find(char::is_alphanumeric).unwrap_or(token.len());
+    each_emoji(token, &mut |word, at| {
+        let list = &mut found[usize::from(at > letter)];
+        if list.last() != Some(&word) {
+            list.push(word);
+        }
+    });
+    found
+}
+
+/// A token without its emoji; none when it has none.
+#[must_use]
+pub fn without_emoji(token: &str) -> Option<String> {
+    if token.is_ascii() || !token.contains(is_emoji) {
+        return None;
+    }
+    Some(token.chars().filter(|c| !is_emoji(*c)).collect())
+}
+
+/// Finds emoticons of F&H table 4.1 that are written with spaces: remembers the last tokens.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Spaced {
+    /// The last tokens without a letter or a digit, one behind the other.
+    signs: [u8; Self::LONGEST - 1],
+    /// How long each of them is, the last one last; 0 for none.
+    lengths: [u8; Self::LONGEST - 1],
+}
+
+impl Spaced {
+    /// As long as the longest sign.
+    const LONGEST: usize = 4;
+
+    /// Something that is no token parts what is before it from what follows.
+    pub fn part(&mut self) {
+        *self = Self::default();
+    }
+
+    /// Takes the next token. When it ends an emoticon: how many tokens before it belong to it,
+    /// at least one, and its word. `is_word` tells a token with a letter or a digit.
+    pub fn take(&mut self, token: &str, is_word: bool) -> Option<(usize, &'static str)> {
+        let found = self.ended_by(token);
+        if is_word || found.is_some() || token.len() >= Self::LONGEST {
+            self.part();
+        } else {
+            self.push(token.as_bytes());
+        }
+        found
+    }
+
+    fn held(&self) -> usize {
+        self.lengths.iter().map(|n| usize::from(*n)).sum()
+    }
+
+    fn ended_by(&self, token: &str) -> Option<(usize, &'static str)> {
+        let held = self.held();
+        let (mut before, mut found) = (0, None);
+        for (parts, length) in self.lengths.iter().rev().enumerate() {
+            before += usize::from(*length);
+            if *length == 0 || before + token.len() > Self::LONGEST {
+                break;
+            }
+            let signs = &self.signs[held - before..held];
+            let is = |own: &str| own.as_bytes().strip_prefix(signs) == Some(token.as_bytes());
+            if let Some((_, word)) = EMOTICONS.iter().find(|(own, _)| is(own)) {
+                found = Some((parts + 1, *word));
+            }
+        }
+        found
+    }
+
+    fn push(&mut self, token: &[u8]) {
+        // The first ones go as far as there is no room.
+        while self.held() + token.len() > self.signs.len() || self.lengths[0] > 0 {
+            let first = self.lengths.iter().position(|n| *n > 0).unwrap_or(0);
+            let gone = usize::from(core::mem::take(&mut self.lengths[first]));
+            if gone == 0 {
+                break;
+            }
+            self.signs.rotate_left(gone);
+        }
+        let held = self.held();
+        self.signs[held..held + token.len()].copy_from_slice(token);
+        self.lengths.rotate_left(1);
+        self.lengths[Self::LONGEST - 2] = token.len() as u8;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn whole_tokens_are_emoticons_and_parts_of_others_are_not() {
+        for (token, word, rest) in [
+            (":-)", "joy", ""),
+            (":-).", "joy", "."),
+            ("(:-)", "joy", ""),
+            (":))", "joy", ")"),
+            ("\";-)\"", "kidding", "\""),
+            (":D!", "joy", "!"),
+            (":o", "surprise", ""),
+            (":O?", "surprise", "?"),
+            (":o)", "joy", ""),
+            (":-o,", "surprise", ","),
+            (">:-<", "anger", ""),
+            (":|", "disgust", ""),
+            (":'(", "distress", ""),
+        ] {
+            assert_eq!(whole(token), Some((word, rest)), "{token}");
+        }
+        for token in [
+            "a:o", "http://", "8:0", "x:)", ":oh", ":-oh", ":", ":-", ":/", "o", ")", "", "::",
+            ":D4", "C:D", "1:)", ":)a", ";", "(", ":d",
+        ] {
+            assert_eq!(whole(token), None, "{token}");
+        }
+    }
+
+    #[test]
+    fn emoji_are_found_around_a_word_and_taken_from_it() {
+        let of = |token: &str| of_emoji(token);
+        assert_eq!(of("😀"), [vec!["joy"], vec![]]);
+        assert_eq!(of("😂😂😂"), [vec!["joy"], vec![]]);
+        assert_eq!(of("😢Oh😱!"), [vec!["distress"], vec!["panic"]]);
+        assert_eq!(of("❤\u{fe0f}"), [vec!["love"], vec![]]);
+        assert_eq!(of("🙏🏽"), [vec!["gratitude"], vec![]]);
+        assert_eq!(of("😮\u{200d}💨"), [vec!["relief"], vec![]]);
+        // Joined to something else it is something else.
+        assert_eq!(of("❤\u{fe0f}\u{200d}🔥"), [Vec::<&str>::new(), vec![]]);
+        assert_eq!(without_emoji("Hi🐇!").as_deref(), Some("Hi!"));
+        assert_eq!(without_emoji("wörld"), None);
+        assert_eq!(without_emoji("plain"), None);
+    }
+
+    #[test]
+    fn signs_with_spaces_are_joined() {
+        let parts = |text: &str| -> Vec<(usize, &'static str)> {
+            let mut spaced = Spaced::default();
+            let is_word = |t: &str| t.contains(char::is_alphanumeric);
+            let tokens = text.split(' ');
+            tokens
+                .filter_map(|token| spaced.take(token, is_word(token)))
+                .collect()
+        };
+        assert_eq!(parts(": - )"), [(2, "joy")]);
+        assert_eq!(parts("a :- o b"), [(1, "surprise")]);
+        assert_eq!(parts(": -o"), [(1, "surprise")]);
+        assert_eq!(parts("> : - <"), [(3, "anger")]);
+        assert_eq!(parts("- - : - ( : - |"), [(2, "distress"), (2, "disgust")]);
+        assert_eq!(parts("! !! ; - )"), [(2, "kidding")]);
+        for none in [": )", ": o", "- o", ": - O", ": - x )", ": - a"] {
+            assert_eq!(parts(none), [], "{none}");
+        }
+    }
+}

@@ -1,0 +1,144 @@
+//! Where a spoken text feels something: its emoticons, and the phrases in which they stand
+//! (F&H section 4.3.5).
+
+use crate::VoiceText;
+use crate::voice::Item;
+use raconteur_base::emoticon::is_emoji;
+use std::ops::ControlFlow;
+
+/// An emoticon or an emoji of a spoken text. Words are indices of [`VoiceText::words`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Emoticon {
+    /// The word of its emotion.
+    pub name: &'static str,
+    /// It stands before this word; at the end, the number of words.
+    pub before: usize,
+    /// Its emotion begins with this word …
+    pub first_word: usize,
+    /// … and ends with this one: the borders of its phrase, or, between two phrases, of both.
+    pub last_word: usize,
+}
+
+/// A border of phrases, as long as it is not known whether the signs that make it are an emoticon.
+struct Border {
+    words: usize,
+    ends: bool,
+    is_sign: bool,
+}
+
+impl VoiceText {
+    /// The emoticons and emoji in order. A phrase ends, as far as a text tells it, with
+    /// punctuation, a dash, a pause, a recording or a division: the same whether the text was
+    /// baked or not. In a text without words, first and last word are 0.
+    #[must_use]
+    pub fn emoticons(&self) -> Vec<Emoticon> {
+        let mut found: Vec<(&'static str, usize)> = Vec::new();
+        let mut borders: Vec<Border> = Vec::new();
+        let mut words = 0;
+        let _ = self.scan(&mut |item| {
+            let (ends, is_sign) = match item {
+                Item::Word(token) => {
+                    words += 1;
+                    (ends_phrase(token.text()), false)
+                }
+                Item::Signs(signs) => (is_border(signs), true),
+                Item::Gap => (true, false),
+                Item::Emoticon { name, parts, rest } => {
+                    for _ in 0..parts {
+                        borders.pop_if(|border| border.is_sign);
+                    }
+                    found.push((name, words));
+                    (is_border(rest), false)
+                }
+                Item::Mark(_) => return ControlFlow::Continue(()),
+            };
+            borders.push(Border {
+                words,
+                ends,
+                is_sign,
+            });
+            ControlFlow::Continue(())
+        });
+        let ends = borders.iter().filter(|border| border.ends);
+        let mut ends: Vec<usize> = ends.map(|border| border.words).collect();
+        ends.push(words);
+        let phrase_of = |word: usize| {
+            let next = ends.partition_point(|end| *end <= word);
+            let first = next.checked_sub(1).map_or(0, |i| ends[i]);
+            (word < words).then(|| (first, ends[next] - 1))
+        };
+        let phrases = |(name, before): (&'static str, usize)| {
+            let left = before.checked_sub(1).and_then(phrase_of);
+            let right = phrase_of(before);
+            Emoticon {
+                name,
+                before,
+                first_word: left.or(right).map_or(0, |(first, _)| first),
+                last_word: right.or(left).map_or(0, |(_, last)| last),
+            }
+        };
+        found.into_iter().map(phrases).collect()
+    }
+}
+
+/// Whether signs that stand alone, or behind an emoticon, end a phrase.
+fn is_border(signs: &str) -> bool {
+    signs.contains(['.', ',', ';', ':', '!', '?', '…', '-', '–', '—'])
+}
+
+/// Whether a word ends its phrase.
+fn ends_phrase(word: &str) -> bool {
+    let is_around =
+        |c: char| matches!(c, '"' | '\'' | ')' | ']' | '”' | '“' | '’' | '»' | '«') || is_emoji(c);
+    let bare = word.trim_end_matches(is_around);
+    bare.ends_with(['.', ',', ';', ':', '!', '?', '…', '–', '—'])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{ClauseKind, parse};
+
+    fn of(text: &str) -> Vec<(&'static str, usize, usize, usize)> {
+        let source = format!("<eml><body><voice-text time='0'>{text}</voice-text></body></eml>");
+        let Some(ClauseKind::VoiceText(voice)) =
+            parse(&source).document.clauses.pop().map(|c| c.kind)
+        else {
+            panic!("{text}")
+        };
+        let found = voice.emoticons();
+        found
+            .iter()
+            .map(|e| (e.name, e.before, e.first_word, e.last_word))
+            .collect()
+    }
+
+    #[test]
+    fn an_emoticon_has_its_phrase_or_the_two_between_which_it_stands() {
+        // F&H figure 4.7 and table 4.2.
+        assert_eq!(
+            of("Hi! ;-) Can you show me the way to the conference hall? :-)"),
+            [("kidding", 1, 0, 10), ("joy", 11, 1, 10)]
+        );
+        assert_eq!(
+            of("Es gingen zwei Parallelen <break msec='9'/>ins ;-) Endlose hinaus, zwei"),
+            [("kidding", 5, 4, 6)]
+        );
+        assert_eq!(
+            of("bis an ihr seliges Grab: :-( Das war nun einmal"),
+            [("distress", 5, 0, 8)]
+        );
+    }
+
+    #[test]
+    fn signs_of_an_emoticon_end_no_phrase_and_others_do() {
+        assert_eq!(of("one : - ) two"), [("joy", 1, 0, 1)]);
+        assert_eq!(of("one - two :-) three"), [("joy", 2, 1, 2)]);
+        assert_eq!(of("one :-), two"), [("joy", 1, 0, 1)]);
+        assert_eq!(of("one 😀. Two three"), [("joy", 1, 0, 2)]);
+        assert_eq!(of("one two😢 three. Four"), [("distress", 2, 0, 2)]);
+        assert_eq!(of("😀One 😱"), [("joy", 0, 0, 0), ("panic", 1, 0, 0)]);
+        assert_eq!(of(":-) "), [("joy", 0, 0, 0)]);
+        assert_eq!(of("at 8:0, http://a:o a:o :oh"), []);
+    }
+}
