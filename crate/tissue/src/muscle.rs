@@ -124,6 +124,27 @@ mod tests {
         assert_eq!(ARKIT.len(), shares);
     }
 
+    /// `UPDATE=1` writes the table of `docs/face.md` anew.
+    #[test]
+    fn the_reference_lists_every_muscle() {
+        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/face.md");
+        let page = std::fs::read_to_string(path).expect("the page of the face");
+        let (begin, end) = ("<!-- muscles -->\n", "<!-- /muscles -->\n");
+        let (before, rest) = page.split_once(begin).expect("the table's begin");
+        let (_, after) = rest.split_once(end).expect("the table's end");
+        let mut table = "| muscle | | |\n|---|---|---|\n".to_owned();
+        for line in include_str!("muscles.tsv").lines().skip(1) {
+            let cells: Vec<&str> = line.split('\t').collect();
+            let sides = if cells[1] == "pair" { "…" } else { "" };
+            table += &format!("| `{}{sides}` | {} | {} |\n", cells[0], cells[8], cells[9]);
+        }
+        let wanted = format!("{before}{begin}{table}{end}{after}");
+        if std::env::var_os("UPDATE").is_some() {
+            std::fs::write(path, &wanted).expect("the page is written");
+        }
+        assert!(page == wanted, "run it again with UPDATE=1 to write docs/face.md");
+    }
+
     #[test]
     fn a_broken_table_is_told() {
         let head = "name\tsides\tcode\tshortens\tbulge_mm\tfold\tarkit\n";

@@ -60,7 +60,7 @@ fn key_share(p: vec3<f32>, n: vec3<f32>, at: vec2<f32>) -> f32 {
     let above = q - vec3<f32>(0.0, 0.0, 0.04 * frame.shadow.w);
     let shift = tap_shift(at);
     let far = taps(0u, above, frame.shadow.x * 4.4, 24, shift);
-    let near = taps(0u, above, frame.shadow.x * 1.1, 8, shift) - taps(0u, q, frame.shadow.x * 1.1, 8, shift);
+    let near = taps(0u, above, frame.shadow.x * 1.1, 12, shift) - taps(0u, q, frame.shadow.x * 1.1, 12, shift);
     return far * (1.0 - saturate1(near));
 }
 

@@ -221,8 +221,10 @@ fn fs_nail(v: VertexOut, @builtin(front_facing) front: bool) -> @location(0) vec
     var light = albedo * (frame.key.xyz * under_skin(vec3<f32>(dot(n, frame.key_dir.xyz)), share, share, 0.7)
         + frame.fill.xyz * under_skin(vec3<f32>(dot(n, frame.fill_dir.xyz)), 1.0, 1.0, 0.7) * occlusion
         + ambient(n) * occlusion);
-    let f = fresnel(0.045, dot(n, view));
     let gloss = filtered_roughness(n, 0.34);
+    // A rough plate mirrors less at grazing angles than Schlick's smooth surface, and its edge,
+    // which is less than a pixel wide, is seen at no other.
+    let f = mix(0.045, fresnel(0.045, dot(n, view)), 0.3 * (1.0 - gloss));
     light += (frame.key.xyz * (specular(n, view, frame.key_dir.xyz, gloss) * share)
         + frame.fill.xyz * (specular(n, view, frame.fill_dir.xyz, gloss) * v.color.a)) * (f * PI);
     light += mirrored(reflect(-view, n)) * (f * v.color.a);

@@ -2,6 +2,7 @@
 //! head, collar and hands.
 
 use raconteur_base::{DQuat, DVec3, Side, ops};
+use raconteur_body::face::{FaceControls, Network, NodeState};
 use raconteur_body::figure::Image;
 use raconteur_body::read::read_figure;
 use raconteur_body::skeleton::{Drive, zero_frames};
@@ -90,6 +91,20 @@ fn standing() -> Pose {
     pose
 }
 
+/// Nodes of a face at rest that opens its mouth by an angle, radians.
+fn mouth(figure: &Figure, open_rad: f64) -> Vec<NodeState> {
+    let Some(tissue) = &figure.tissue else {
+        return Vec::new();
+    };
+    let mut controls = FaceControls::default();
+    controls.jaw.pitch_rad = open_rad;
+    let mut network = Network::new(tissue);
+    network.settle(tissue, &controls);
+    let mut nodes = vec![NodeState::default(); tissue.rest.len()];
+    network.write(tissue, 1.0, &mut nodes);
+    nodes
+}
+
 /// A frame of a figure that stands, from `yaw` and `pitch` (radians: to its left, from above)
 /// about what is looked at.
 pub(crate) fn frame(figure: &Figure, light: Lighting, at: At, yaw: f64, pitch: f64) -> Frame {
@@ -99,6 +114,8 @@ pub(crate) fn frame(figure: &Figure, light: Lighting, at: At, yaw: f64, pitch: f
         .skeleton
         .solve(&standing(), &mut frame.world_from_joint);
     frame.lighting = light;
+    // In mid-word: what a jaw shades is seen best below an open one.
+    frame.tissue = mouth(figure, 0.12);
     let eye = |side| {
         let i = joints.iter().position(|j| j.drive == Drive::Eye(side));
         frame.world_from_joint[i.expect("an eye")].translation
