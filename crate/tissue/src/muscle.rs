@@ -142,7 +142,10 @@ mod tests {
         if std::env::var_os("UPDATE").is_some() {
             std::fs::write(path, &wanted).expect("the page is written");
         }
-        assert!(page == wanted, "run it again with UPDATE=1 to write docs/face.md");
+        assert!(
+            page == wanted,
+            "run it again with UPDATE=1 to write docs/face.md"
+        );
     }
 
     #[test]

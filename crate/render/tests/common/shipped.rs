@@ -1,5 +1,5 @@
 //! The shipped figures seen from near: their pictures decoded, arms hanging, cameras about
-//! head, collar and hands.
+//! head and hands.
 
 use raconteur_base::{DQuat, DVec3, Side, ops};
 use raconteur_body::face::{FaceControls, Network, NodeState};
@@ -73,15 +73,14 @@ pub(crate) enum At {
     Jaw,
     /// The left ear.
     Ear,
-    /// The neck where the clothes begin.
-    Collar,
     /// The left hand's nails.
     Nails,
 }
 
-/// Standing with the arms down.
+/// Standing with the arms down and the mouth open.
 fn standing() -> Pose {
     let mut pose = Pose::zero();
+    pose.set(Bone::Chin, DQuat::from_rotation_z(OPEN_RAD));
     for side in Side::BOTH {
         let shoulder = Bone::on(side, "shoulder");
         let zero = zero_frames()[shoulder.index()];
@@ -91,13 +90,16 @@ fn standing() -> Pose {
     pose
 }
 
-/// Nodes of a face at rest that opens its mouth by an angle, radians.
-fn mouth(figure: &Figure, open_rad: f64) -> Vec<NodeState> {
+/// How far the mouth is open, radians, as in mid-word: what a jaw shades is seen best below it.
+const OPEN_RAD: f64 = 0.12;
+
+/// Nodes of a face at rest but for its open mouth.
+fn mouth(figure: &Figure) -> Vec<NodeState> {
     let Some(tissue) = &figure.tissue else {
         return Vec::new();
     };
     let mut controls = FaceControls::default();
-    controls.jaw.pitch_rad = open_rad;
+    controls.jaw.pitch_rad = OPEN_RAD;
     let mut network = Network::new(tissue);
     network.settle(tissue, &controls);
     let mut nodes = vec![NodeState::default(); tissue.rest.len()];
@@ -114,8 +116,7 @@ pub(crate) fn frame(figure: &Figure, light: Lighting, at: At, yaw: f64, pitch: f
         .skeleton
         .solve(&standing(), &mut frame.world_from_joint);
     frame.lighting = light;
-    // In mid-word: what a jaw shades is seen best below an open one.
-    frame.tissue = mouth(figure, 0.12);
+    frame.tissue = mouth(figure);
     let eye = |side| {
         let i = joints.iter().position(|j| j.drive == Drive::Eye(side));
         frame.world_from_joint[i.expect("an eye")].translation
@@ -129,7 +130,6 @@ pub(crate) fn frame(figure: &Figure, light: Lighting, at: At, yaw: f64, pitch: f
         At::Nose => (off(0.0, -0.75, 0.3), 0.75 * d),
         At::Jaw => (off(0.0, -1.9, -0.4), 1.1 * d),
         At::Ear => (off(1.15, -0.35, -1.25), 0.75 * d),
-        At::Collar => (off(0.0, -2.7, -0.9), 1.5 * d),
         At::Nails => (
             bone(Bone::LIndex2).lerp(bone(Bone::LRing2), 0.5) - DVec3::Y * 0.012,
             0.040,
