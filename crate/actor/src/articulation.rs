@@ -268,7 +268,11 @@ mod tests {
                     assert!(controls.jaw.pitch_rad < 0.13, "{}", controls.jaw.pitch_rad);
                     // A smile stays, less of it.
                     let smile = of(&controls, M::ZygomaticusMajorLeft);
-                    let felt = noise::unit(seed as u64, M::ZygomaticusMajorLeft as u64, i as i64);
+                    let felt = noise::unit(
+                        seed as u64,
+                        M::ZygomaticusMajorLeft.index() as u64,
+                        i as i64,
+                    );
                     assert!(
                         (0.69 * felt..=0.72 * felt).contains(&smile),
                         "{smile} {felt}"

@@ -35,7 +35,7 @@ impl Quality {
         if self == Self::Low { 1 } else { 2 }
     }
 
-    /// Reach of the shadow filter, taps: 1 is a cross of 5, 2 a diamond of 13.
+    /// The shadow filter: 1 is a disc of 7 taps, 2 one of 24 that sharpens towards contact.
     pub(crate) fn shadow_reach(self) -> u32 {
         if self == Self::High { 2 } else { 1 }
     }

@@ -14,16 +14,19 @@ mod binding;
 mod contact;
 mod controls;
 pub mod file;
+mod junction;
 mod muscle;
 mod muscles;
 mod network;
 mod springs;
+#[cfg(test)]
+mod table;
 pub mod tissue;
 
 pub use binding::Binding;
 pub use contact::Depths;
 pub use controls::{FaceControls, Jaw};
-pub use muscle::{MUSCLES, Muscle};
+pub use muscle::{ARKIT, MUSCLES, Muscle};
 pub use network::Network;
 pub use raconteur_base::NodeState;
 pub use tissue::Tissue;

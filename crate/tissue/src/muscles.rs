@@ -1,60 +1,13 @@
 //! Muscles at work: where the points of their fibres go (F&H section 3.1.2, "Muscle
 //! Deformation").
 
-use super::tissue::{Course, Fibre, FibrePoint, Tissue};
+use core::ops::Range;
+
+use super::junction::{Junctions, own_share};
+use super::tissue::{Attachment, Course, Fibre, FibrePoint, Tissue};
 use super::{FaceControls, Muscle};
 
 use Muscle as M;
-
-/// How a muscle contracts: share of its length that it loses at full contraction, and how
-/// much thicker its middle becomes, millimetres on the reference head. Designed: by what the
-/// skin at its end was seen to travel.
-const MECHANICS: [([Muscle; 2], f32, f32); 20] = [
-    ([M::FrontalisMedialLeft, M::FrontalisMedialRight], 0.24, 0.4),
-    (
-        [M::FrontalisLateralLeft, M::FrontalisLateralRight],
-        0.24,
-        0.4,
-    ),
-    ([M::CorrugatorLeft, M::CorrugatorRight], 0.26, 1.6),
-    (
-        [M::DepressorSuperciliiLeft, M::DepressorSuperciliiRight],
-        0.2,
-        0.6,
-    ),
-    ([M::Procerus, M::Procerus], 0.16, 0.6),
-    (
-        [M::OrbicularisOculiLeft, M::OrbicularisOculiRight],
-        0.13,
-        1.2,
-    ),
-    ([M::NasalisLeft, M::NasalisRight], 0.34, 0.6),
-    ([M::DepressorSepti, M::DepressorSepti], 0.22, 0.0),
-    (
-        [M::LevatorLabiiAlaequeLeft, M::LevatorLabiiAlaequeRight],
-        0.2,
-        1.0,
-    ),
-    ([M::LevatorLabiiLeft, M::LevatorLabiiRight], 0.26, 1.2),
-    (
-        [M::ZygomaticusMinorLeft, M::ZygomaticusMinorRight],
-        0.22,
-        1.8,
-    ),
-    (
-        [M::ZygomaticusMajorLeft, M::ZygomaticusMajorRight],
-        0.24,
-        2.8,
-    ),
-    ([M::LevatorAnguliLeft, M::LevatorAnguliRight], 0.22, 0.8),
-    ([M::RisoriusLeft, M::RisoriusRight], 0.22, 0.6),
-    ([M::BuccinatorLeft, M::BuccinatorRight], 0.14, -1.6),
-    ([M::DepressorAnguliLeft, M::DepressorAnguliRight], 0.22, 1.0),
-    ([M::DepressorLabiiLeft, M::DepressorLabiiRight], 0.24, 0.8),
-    ([M::MentalisLeft, M::MentalisRight], 0.4, 1.4),
-    ([M::OrbicularisOrisUpper, M::OrbicularisOrisLower], 0.6, 0.5),
-    ([M::PlatysmaLeft, M::PlatysmaRight], 0.1, 0.8),
-];
 
 /// How far the reddest part of the lips comes forward at full protrusion, and the outermost
 /// fibres; and how far they go back at full retraction. Millimetres on the reference head.
@@ -66,12 +19,9 @@ const CORNER_FORWARD_MM: f32 = 2.4;
 /// How far protruding lips turn out and retracted ones roll in.
 const ROLL_MM: f32 = 0.9;
 
-fn mechanics(muscle: Muscle) -> (f32, f32) {
-    let found = MECHANICS.iter().find(|(pair, ..)| pair.contains(&muscle));
-    found.map_or((0.0, 0.0), |(_, shortens, bulges)| {
-        (*shortens, *bulges * 1e-3)
-    })
-}
+/// Thickness of a mimic muscle, by which stretching thins it: millimetres on the reference head.
+/// Designed, within the 1 to 4 mm that ultrasound shows of them.
+const THICK_MM: f32 = 2.5;
 
 /// The muscles of a face, and where contractions bring them.
 #[derive(Clone, Debug)]
@@ -80,8 +30,17 @@ pub(super) struct Muscles {
     mouth: [f32; 3],
     /// Half its width.
     half_width: f32,
+    junctions: Junctions,
+    /// Of each fibre's muscle: by what share it shortens, and by how much it bulges, metres.
+    mechanics: Vec<(f32, f32)>,
     /// How far each point of a fibre has moved, without the jaw.
     pub(super) moved: Vec<[f32; 3]>,
+    /// Share of that which the point's own muscle pulled for, 0 to 1; the rest was done to it.
+    pub(super) own: Vec<f32>,
+    /// How strongly each point asks to be where its own muscle has it, 0 to 1.
+    tension: Vec<f32>,
+    /// Places of the points of one fibre.
+    scratch: Vec<[f32; 3]>,
 }
 
 fn add(a: &mut [f32; 3], b: [f32; 3], share: f32) {
@@ -90,12 +49,21 @@ fn add(a: &mut [f32; 3], b: [f32; 3], share: f32) {
     }
 }
 
+fn plus(a: [f32; 3], b: [f32; 3]) -> [f32; 3] {
+    [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
+}
+
 fn less(a: [f32; 3], b: [f32; 3]) -> [f32; 3] {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
 impl Muscles {
     pub(super) fn new(tissue: &Tissue) -> Self {
+        Self::with(tissue, Muscle::mechanics)
+    }
+
+    /// With muscles that contract as `mechanics` tells.
+    fn with(tissue: &Tissue, mechanics: impl Fn(Muscle) -> (f32, f32)) -> Self {
         let mut low = [f32::MAX; 3];
         let mut high = [f32::MIN; 3];
         for fibre in &tissue.fibres {
@@ -114,78 +82,258 @@ impl Muscles {
         Self {
             mouth: core::array::from_fn(|k| 0.5 * (low[k] + high[k])),
             half_width: (0.5 * (high[0] - low[0])).max(1e-3),
+            junctions: Junctions::new(tissue),
+            mechanics: tissue.fibres.iter().map(|f| mechanics(f.muscle)).collect(),
             moved: vec![[0.0; 3]; tissue.points.len()],
+            own: vec![1.0; tissue.points.len()],
+            tension: vec![0.0; tissue.points.len()],
+            scratch: Vec::with_capacity(usize::from(u8::MAX)),
         }
     }
 
     /// Moves the points as the controls say. Values beyond their ranges are cut.
+    ///
+    /// First every muscle does what its own contraction asks for; then what is grown together
+    /// finds a place between what its members ask for, and linear muscles reach from their
+    /// origins to there (F&H section 3.1.2, "Muscle Deformation"). Nothing depends on the order
+    /// of fibres and links, or on earlier controls.
     pub(super) fn contract(&mut self, tissue: &Tissue, controls: &FaceControls) {
         let of = |muscle: Muscle| controls.contraction[muscle.index()].clamp(0.0, 1.0) as f32;
+        let lips = Lips {
+            contraction: [M::OrbicularisOrisUpper, M::OrbicularisOrisLower].map(of),
+            protrusion: controls.protrusion.map(|p| p.clamp(-1.0, 1.0) as f32),
+        };
+        for (k, fibre) in tissue.fibres.iter().enumerate() {
+            self.ask(tissue, k, of(fibre.muscle), &lips);
+        }
+        self.junctions.meet(&self.tension, &mut self.moved);
         for fibre in &tissue.fibres {
-            let first = usize::from(fibre.first);
-            let points = points_of(tissue, fibre);
-            let (shortens, bulges) = mechanics(fibre.muscle);
-            let moved = &mut self.moved[first..first + points.len()];
-            match fibre.course {
-                Course::Linear => {
-                    let c = of(fibre.muscle);
-                    linear(points, c * shortens, c * bulges * tissue.scale, moved);
+            if let Course::Oris { out, .. } = fibre.course {
+                self.thin_out(tissue, fibre, out);
+            }
+        }
+        for (k, fibre) in tissue.fibres.iter().enumerate() {
+            if fibre.course == Course::Linear {
+                self.reach(tissue, k, of(fibre.muscle));
+            }
+        }
+    }
+
+    /// How far fibres move the skin that these attachments hold to them. What muscles do
+    /// by themselves adds up; what is done to them moves skin only as far as what pulls leaves
+    /// free, or fibres that are grown together would each bring the same movement along.
+    pub(super) fn pull(&self, attachments: &[Attachment]) -> [f32; 3] {
+        let (mut by, mut done) = ([0.0; 3], [0.0; 3]);
+        let (mut pulling, mut following) = (0.0, 0.0);
+        for hold in attachments {
+            let at = usize::from(hold.point);
+            let (a, b) = (self.moved[at], self.moved[at + 1]);
+            let own = self.own[at] * hold.weight;
+            let rest = hold.weight - own;
+            for k in 0..3 {
+                let moved = a[k] + (b[k] - a[k]) * hold.on;
+                by[k] += moved * own;
+                done[k] += moved * rest;
+            }
+            pulling += own;
+            following += rest;
+        }
+        if following > 1e-6 {
+            let share = following.min((1.0 - pulling).max(0.0)) / following;
+            add(&mut by, done, share);
+        }
+        by
+    }
+
+    /// Moves the points of a fibre to where its own muscle wants them.
+    fn ask(&mut self, tissue: &Tissue, k: usize, contraction: f32, lips: &Lips) {
+        let (fibre, (shortens, bulges)) = (&tissue.fibres[k], self.mechanics[k]);
+        let own = range_of(fibre);
+        let (moved, tension) = (&mut self.moved[own.clone()], &mut self.tension[own]);
+        let points = points_of(tissue, fibre);
+        tension.fill(contraction);
+        self.own[range_of(fibre)].fill(match fibre.course {
+            Course::Oris { .. } => 1.0,
+            Course::Linear | Course::Towards(_) => own_share(contraction),
+        });
+        match fibre.course {
+            Course::Linear => along_course(points, contraction * shortens, moved),
+            Course::Towards(centre) => {
+                for (point, moved) in points.iter().zip(moved) {
+                    let way = less(centre, point.rest);
+                    *moved = way.map(|x| x * contraction * shortens);
+                    add(moved, point.outwards, contraction * bulges * tissue.scale);
                 }
-                Course::Towards(centre) => {
-                    let c = of(fibre.muscle);
-                    for (point, moved) in points.iter().zip(moved) {
-                        let way = less(centre, point.rest);
-                        *moved = way.map(|x| x * c * shortens);
-                        add(moved, point.outwards, c * bulges * tissue.scale);
-                    }
-                }
-                Course::Oris { is_lower, out } => {
-                    let lips = [M::OrbicularisOrisUpper, M::OrbicularisOrisLower].map(of);
-                    let protrusion = controls.protrusion.map(|p| p.clamp(-1.0, 1.0) as f32);
-                    let (own, other) = if is_lower { (1, 0) } else { (0, 1) };
-                    for (point, moved) in points.iter().zip(moved) {
-                        let aside =
-                            ((point.rest[0] - self.mouth[0]) / self.half_width).clamp(-1.0, 1.0);
-                        // At the corner the halves of the ring are one.
-                        let shared = 0.5 * aside * aside * aside * aside;
-                        let mix = |v: [f32; 2]| v[own] + (v[other] - v[own]) * shared;
-                        let lip = Lip {
-                            contraction: mix(lips) * shortens,
-                            protrusion: mix(protrusion),
-                            bulge: mix(lips) * bulges * tissue.scale,
-                            down: if is_lower { -1.0 } else { 1.0 },
-                            out,
-                            corner: aside * aside,
-                        };
-                        *moved =
-                            lip.moved(less(point.rest, self.mouth), point.outwards, tissue.scale);
-                    }
+            }
+            Course::Oris { is_lower, out } => {
+                for ((point, moved), tension) in points.iter().zip(moved).zip(tension) {
+                    let aside =
+                        ((point.rest[0] - self.mouth[0]) / self.half_width).clamp(-1.0, 1.0);
+                    let [contraction, protrusion] = lips.at(is_lower, aside);
+                    *tension = contraction.max(protrusion.abs());
+                    let lip = Lip {
+                        contraction: contraction * shortens,
+                        protrusion,
+                        bulge: contraction * bulges * tissue.scale,
+                        down: if is_lower { -1.0 } else { 1.0 },
+                        out,
+                        corner: aside * aside,
+                    };
+                    *moved = lip.moved(less(point.rest, self.mouth), point.outwards, tissue.scale);
                 }
             }
         }
-        for link in &tissue.links {
-            let end = self.moved[usize::from(link.end)];
-            add(&mut self.moved[usize::from(link.ring)], end, link.weight);
+    }
+
+    /// Brings a linear fibre from its origin to where its end has come, and lets it bulge by
+    /// its contraction and get thinner by its stretching.
+    fn reach(&mut self, tissue: &Tissue, k: usize, contraction: f32) {
+        let (fibre, (shortens, bulges)) = (&tissue.fibres[k], self.mechanics[k]);
+        let own = range_of(fibre);
+        let points = points_of(tissue, fibre);
+        let end = self.junctions.end(own.end - 1, contraction, &self.moved);
+        let moved = &mut self.moved[own.clone()];
+        let mut thinner = 0.0;
+        if let Some((end, pulled)) = end {
+            let asked = length_of(points, |k| points[k].rest) * (1.0 - contraction * shortens);
+            let longer = stretched(points, asked, end, moved, &mut self.scratch);
+            thinner = thinning(longer) * tissue.scale;
+            self.own[own].fill(pulled);
+        }
+        let thicker = contraction * bulges * tissue.scale - thinner;
+        let last = (points.len() - 1) as f32;
+        for (k, (point, moved)) in points.iter().zip(moved).enumerate() {
+            let t = k as f32 / last;
+            add(moved, point.outwards, thicker * 4.0 * t * (1.0 - t));
+        }
+    }
+
+    /// Makes a fibre of the ring thinner, evenly, by how much the muscles that pull at it have
+    /// made it longer.
+    fn thin_out(&mut self, tissue: &Tissue, fibre: &Fibre, out: f32) {
+        let points = points_of(tissue, fibre);
+        let moved = &mut self.moved[range_of(fibre)];
+        let rest = length_of(points, |k| points[k].rest);
+        let now = length_of(points, |k| plus(points[k].rest, moved[k]));
+        let thinner = thinning(now / rest.max(1e-6)) * tissue.scale * (1.0 - out);
+        if thinner == 0.0 {
+            return;
+        }
+        for (point, moved) in points.iter().zip(moved) {
+            // At the corners the halves of the ring are one, and look away from each other.
+            let aside = ((point.rest[0] - self.mouth[0]) / self.half_width).clamp(-1.0, 1.0);
+            add(moved, point.outwards, -thinner * (1.0 - aside * aside));
         }
     }
 }
 
-fn points_of<'a>(tissue: &'a Tissue, fibre: &Fibre) -> &'a [FibrePoint] {
+fn range_of(fibre: &Fibre) -> Range<usize> {
     let first = usize::from(fibre.first);
-    &tissue.points[first..first + usize::from(fibre.count)]
+    first..first + usize::from(fibre.count)
 }
 
-/// Points go along the fibre towards its first; its middle bulges.
-fn linear(points: &[FibrePoint], shorter: f32, bulge: f32, moved: &mut [[f32; 3]]) {
+fn points_of<'a>(tissue: &'a Tissue, fibre: &Fibre) -> &'a [FibrePoint] {
+    &tissue.points[range_of(fibre)]
+}
+
+fn distance(a: [f32; 3], b: [f32; 3]) -> f32 {
+    let d = less(b, a);
+    (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]).sqrt()
+}
+
+/// Length of a fibre whose points are at these places.
+fn length_of(points: &[FibrePoint], at: impl Fn(usize) -> [f32; 3]) -> f32 {
+    (1..points.len()).map(|k| distance(at(k - 1), at(k))).sum()
+}
+
+/// By how much a muscle that is `longer` than it would be by itself is thinner, metres on the
+/// reference head: its volume stays.
+fn thinning(longer: f32) -> f32 {
+    if longer > 1.0 {
+        THICK_MM * 1e-3 * (1.0 - 1.0 / longer.sqrt())
+    } else {
+        0.0
+    }
+}
+
+/// Points go along the fibre's course towards its first by a share of its length.
+fn along_course(points: &[FibrePoint], shorter: f32, moved: &mut [[f32; 3]]) {
     let last = points.len() - 1;
     for (k, moved) in moved.iter_mut().enumerate() {
         let at = k as f32 * (1.0 - shorter);
         let before = (at as usize).min(last - 1);
         let on = at - before as f32;
         let (a, b) = (points[before].rest, points[before + 1].rest);
-        let t = k as f32 / last as f32;
         *moved = core::array::from_fn(|c| a[c] + (b[c] - a[c]) * on - points[k].rest[c]);
-        add(moved, points[k].outwards, bulge * 4.0 * t * (1.0 - t));
+    }
+}
+
+/// Moves the points of a linear fibre, which are where its muscle wants them and which would
+/// then be `asked` long, so that it begins at its origin and its last point has moved by
+/// `end`. What is too long for its muscle leaves the course and straightens out before it
+/// stretches; its segments keep the proportions of their lengths. Gives the length against
+/// what was asked.
+fn stretched(
+    points: &[FibrePoint],
+    asked: f32,
+    end: [f32; 3],
+    moved: &mut [[f32; 3]],
+    places: &mut Vec<[f32; 3]>,
+) -> f32 {
+    let last = points.len() - 1;
+    let off = less(end, moved[last]);
+    let origin = points[0].rest;
+    let to = plus(points[last].rest, end);
+    let along = |k: usize| k as f32 / last as f32;
+    places.clear();
+    places.extend((0..=last).map(|k| {
+        let place = plus(points[k].rest, moved[k]);
+        [0, 1, 2].map(|c| place[c] + off[c] * along(k))
+    }));
+    let (curved, straight) = (length_of(points, |k| places[k]), distance(origin, to));
+    let slack = (curved - straight).max(1e-6);
+    let straight_share = ((curved - asked) / slack).clamp(0.0, 1.0);
+    for (k, place) in places.iter_mut().enumerate() {
+        for c in 0..3 {
+            let line = origin[c] + (to[c] - origin[c]) * along(k);
+            place[c] += (line - place[c]) * straight_share;
+        }
+    }
+    let now = length_of(points, |k| places[k]);
+    let rest = length_of(points, |k| points[k].rest);
+    let scale = now / rest.max(1e-6);
+    // Along what it is now, at the same shares of the length as at rest.
+    let (mut wanted, mut before, mut passed) = (0.0, 0, 0.0);
+    for k in 1..last {
+        wanted += distance(points[k - 1].rest, points[k].rest) * scale;
+        let mut piece = distance(places[before], places[before + 1]);
+        while passed + piece < wanted && before + 2 <= last {
+            passed += piece;
+            before += 1;
+            piece = distance(places[before], places[before + 1]);
+        }
+        let on = ((wanted - passed) / piece.max(1e-9)).min(1.0);
+        let (a, b) = (places[before], places[before + 1]);
+        moved[k] = [0, 1, 2].map(|c| a[c] + (b[c] - a[c]) * on - points[k].rest[c]);
+    }
+    moved[0] = [0.0; 3];
+    moved[last] = end;
+    now / asked.max(1e-6)
+}
+
+/// What is asked of both lips, upper and lower.
+struct Lips {
+    contraction: [f32; 2],
+    protrusion: [f32; 2],
+}
+
+impl Lips {
+    /// Contraction and protrusion at a place from the right corner, −1, to the left, 1.
+    fn at(&self, is_lower: bool, aside: f32) -> [f32; 2] {
+        let (own, other) = if is_lower { (1, 0) } else { (0, 1) };
+        // At the corner the halves of the ring are one.
+        let shared = 0.5 * aside * aside * aside * aside;
+        [self.contraction, self.protrusion].map(|v| v[own] + (v[other] - v[own]) * shared)
     }
 }
 
@@ -222,34 +370,4 @@ impl Lip {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::MUSCLES;
-
-    #[test]
-    fn every_muscle_has_its_mechanics() {
-        assert_eq!(Muscle::all().count(), MUSCLES);
-        for muscle in Muscle::all() {
-            assert!(mechanics(muscle).0 > 0.0, "{muscle:?}");
-        }
-    }
-
-    #[test]
-    fn a_linear_fibre_gets_shorter_towards_its_origin() {
-        let points: Vec<FibrePoint> = (0..6u8)
-            .map(|k| FibrePoint {
-                rest: [0.01 * f32::from(k), 0.0, 0.0],
-                outwards: [0.0, 0.0, 1.0],
-                jaw: 0.0,
-            })
-            .collect();
-        let mut moved = vec![[0.0; 3]; 6];
-        linear(&points, 0.3, 0.002, &mut moved);
-        for (k, m) in moved.iter().enumerate() {
-            let travelled = 0.3 * 0.01 * k as f32;
-            assert!((m[0] + travelled).abs() < 1e-7, "{k} {m:?}");
-            assert!(m[2] >= 0.0 && m[2] < 0.0021);
-        }
-        assert_eq!(moved[0], [0.0; 3]);
-    }
-}
+mod tests;

@@ -18,38 +18,6 @@ const LOWER_CLOSES: f32 = 0.64;
 /// each other.
 const PRESS_M: f32 = 0.0012;
 
-/// Which channel of the wrinkle map a muscle folds the skin into, and how strongly.
-fn folds(muscle: Muscle) -> Option<(usize, f32)> {
-    use Muscle as M;
-    match muscle {
-        M::FrontalisMedialLeft
-        | M::FrontalisMedialRight
-        | M::FrontalisLateralLeft
-        | M::FrontalisLateralRight => Some((0, 1.0)),
-        M::CorrugatorLeft
-        | M::CorrugatorRight
-        | M::OrbicularisOculiLeft
-        | M::OrbicularisOculiRight => Some((1, 1.0)),
-        M::DepressorSuperciliiLeft | M::DepressorSuperciliiRight => Some((1, 0.6)),
-        M::ZygomaticusMajorLeft | M::ZygomaticusMajorRight | M::RisoriusLeft | M::RisoriusRight => {
-            Some((1, 0.9))
-        }
-        M::ZygomaticusMinorLeft
-        | M::ZygomaticusMinorRight
-        | M::LevatorLabiiLeft
-        | M::LevatorLabiiRight => Some((1, 0.7)),
-        M::Procerus
-        | M::LevatorLabiiAlaequeLeft
-        | M::LevatorLabiiAlaequeRight
-        | M::NasalisLeft
-        | M::NasalisRight => Some((2, 1.0)),
-        M::OrbicularisOrisUpper | M::OrbicularisOrisLower | M::MentalisLeft | M::MentalisRight => {
-            Some((2, 0.8))
-        }
-        _ => None,
-    }
-}
-
 /// The tissue of one face, moving. Everything in it follows from the controls it was given
 /// since [`Network::reset`]; a step allocates nothing.
 #[derive(Clone, Debug)]
@@ -94,9 +62,9 @@ impl Network {
         let mut folding = vec![None; tissue.points.len()];
         for fibre in &tissue.fibres {
             let first = usize::from(fibre.first);
-            let fold = folds(fibre.muscle);
+            let fold = fibre.muscle.fold();
             for point in &mut folding[first..first + usize::from(fibre.count)] {
-                *point = fold.map(|(channel, k)| (channel as u8, k, fibre.muscle.index() as u8));
+                *point = fold.map(|(channel, k)| (channel, k, fibre.muscle.index() as u8));
             }
         }
         let springs = Springs::new(&tissue.rest, &tissue.quads, &tissue.depth, &tissue.grip);
@@ -189,12 +157,9 @@ impl Network {
             }
             self.bones[i] = [place, outwards];
             let own = tissue.starts[i] as usize..tissue.starts[i + 1] as usize;
-            for hold in &tissue.attachments[own] {
-                let at = usize::from(hold.point);
-                let (a, b) = (self.muscles.moved[at], self.muscles.moved[at + 1]);
-                for k in 0..3 {
-                    place[k] += (a[k] + (b[k] - a[k]) * hold.on) * hold.weight;
-                }
+            let by = self.muscles.pull(&tissue.attachments[own]);
+            for k in 0..3 {
+                place[k] += by[k];
             }
             self.holds[i] = Hold { place, outwards };
         }

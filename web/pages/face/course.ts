@@ -1,7 +1,7 @@
 /** How a face speaks, as numbers of the player: the order is that of `crate/web/src/curves.rs`. */
 
 import type { FaceCourse } from '../../element/index.js';
-import { MUSCLES, namesOf } from './dials.js';
+import { MUSCLE_ORDER, namesOf } from './dials.js';
 
 /** A phone, or a part of a diphthong, as it moves the mouth. Story seconds. */
 export interface Segment {
@@ -56,20 +56,11 @@ const DIRECT: readonly (readonly [name: string, full: number])[] = [
   ['Blush', 1],
 ];
 
-/** The order of `Muscle` in `crate/tissue/src/muscle.rs`. */
-const ORDER = [
-  'FrontalisMedial', 'FrontalisLateral', 'CorrugatorSupercilii', 'DepressorSupercilii', 'Procerus', 'OrbicularisOculi', 'Nasalis', 'DepressorSeptiNasi',
-  'LevatorLabiiSuperiorisAlaequeNasi', 'LevatorLabiiSuperioris', 'ZygomaticusMinor', 'ZygomaticusMajor', 'LevatorAnguliOris', 'Risorius', 'Buccinator',
-  'DepressorAnguliOris', 'DepressorLabiiInferioris', 'Mentalis', 'OrbicularisOrisUpper', 'OrbicularisOrisLower', 'Platysma',
-];
-
 /** What each number of a sample is, and what of it is 1. */
 const NAMES: readonly (readonly [name: string, full: number])[] = [
-  ...ORDER.flatMap((name): (readonly [string, number])[] => {
-    const dial = MUSCLES.flatMap((region) => region.dials).find((d) => d.name === name);
-    if (dial === undefined) return [];
-    return namesOf(dial).map((own) => [dial.paired ? `${dial.label}, ${own.endsWith('Left') ? 'left' : 'right'}` : dial.label, 1]);
-  }),
+  ...MUSCLE_ORDER.flatMap((dial) =>
+    namesOf(dial).map((own): readonly [string, number] => [dial.paired ? `${dial.label}, ${own.endsWith('Left') ? 'left' : 'right'}` : dial.label, 1]),
+  ),
   ...DIRECT,
 ];
 

@@ -1,5 +1,7 @@
 /** What of a face can be asked for by name: the control parameters of `crate/actor/src/parameters`, as the page groups them. */
 
+import table from '../../../crate/tissue/src/muscles.tsv?raw';
+
 /** One slider: a muscle or a direct parameter, alone or left and right. */
 export interface Dial {
   /** Its name in EML, without the side where there are two. */
@@ -22,50 +24,24 @@ export interface Region {
 const one = (name: string, label: string, note: string, signed = false): Dial => ({ name, label, note, paired: false, signed });
 const two = (name: string, label: string, note: string, signed = false): Dial => ({ name, label, note, paired: true, signed });
 
-/** The 38 muscles by region (F&H table 3.1). */
-export const MUSCLES: readonly Region[] = [
-  {
-    title: 'Brows and forehead',
-    dials: [
-      two('FrontalisMedial', 'Frontalis, inner', 'raises the inner brow'),
-      two('FrontalisLateral', 'Frontalis, outer', 'raises the outer brow'),
-      two('CorrugatorSupercilii', 'Corrugator supercilii', 'draws the brows together'),
-      two('DepressorSupercilii', 'Depressor supercilii', 'lowers the inner brow'),
-      one('Procerus', 'Procerus', 'pulls the brows down'),
-    ],
-  },
-  {
-    title: 'Eyes and nose',
-    dials: [
-      two('OrbicularisOculi', 'Orbicularis oculi', 'squeezes the eye'),
-      two('Nasalis', 'Nasalis', 'widens the nostril'),
-      one('DepressorSeptiNasi', 'Depressor septi nasi', 'pulls the tip of the nose down'),
-      two('LevatorLabiiSuperiorisAlaequeNasi', 'Levator labii alaeque nasi', 'wrinkles the nose'),
-    ],
-  },
-  {
-    title: 'Cheeks and upper lip',
-    dials: [
-      two('LevatorLabiiSuperioris', 'Levator labii superioris', 'raises the upper lip'),
-      two('ZygomaticusMinor', 'Zygomaticus minor', 'raises the upper lip outwards'),
-      two('ZygomaticusMajor', 'Zygomaticus major', 'smiles'),
-      two('LevatorAnguliOris', 'Levator anguli oris', 'raises the corner of the mouth'),
-      two('Risorius', 'Risorius', 'widens the mouth'),
-      two('Buccinator', 'Buccinator', 'presses the cheek in'),
-    ],
-  },
-  {
-    title: 'Lower lip, chin and neck',
-    dials: [
-      one('OrbicularisOrisUpper', 'Orbicularis oris, upper', 'tightens the upper lip'),
-      one('OrbicularisOrisLower', 'Orbicularis oris, lower', 'tightens the lower lip'),
-      two('DepressorAnguliOris', 'Depressor anguli oris', 'pulls the corner of the mouth down'),
-      two('DepressorLabiiInferioris', 'Depressor labii inferioris', 'pulls the lower lip down'),
-      two('Mentalis', 'Mentalis', 'pushes the chin up'),
-      two('Platysma', 'Platysma', 'stretches neck and chin'),
-    ],
-  },
-];
+/** A row of the table of muscles, `crate/tissue/src/muscles.tsv`: what this page shows of it. */
+const rows = table
+  .trimEnd()
+  .split('\n')
+  .slice(1)
+  .map((line) => {
+    const [name = '', sides = '', , , , , , title = '', label = '', note = ''] = line.split('\t');
+    return { title, dial: sides === 'pair' ? two(name, label, note) : one(name, label, note) };
+  });
+
+/** The muscles in the order of the table, pairs once: that of the numbers that the player tells. */
+export const MUSCLE_ORDER: readonly Dial[] = rows.map((row) => row.dial);
+
+/** The muscles by region (F&H table 3.1). */
+export const MUSCLES: readonly Region[] = [...new Set(rows.map((row) => row.title))].map((title) => ({
+  title,
+  dials: rows.filter((row) => row.title === title).map((row) => row.dial),
+}));
 
 /** What no muscle moves here. */
 export const DIRECT: readonly Region[] = [

@@ -5,7 +5,7 @@ import { html, nothing, render, type TemplateResult } from 'lit';
 import { cast } from '../home-cast.js';
 import { copyText, onUndoKeys, part } from '../workbench.js';
 import { App, SETTLED_SECS, type Tab } from './app.js';
-import { DIRECT, MUSCLES, VISEMES } from './dials.js';
+import { DIRECT, MUSCLES, VISEMES, namesOf } from './dials.js';
 import { disc } from './disc-view.js';
 import { regions } from './panels.js';
 import { speaking } from './speak.js';
@@ -27,7 +27,7 @@ let drawn: Strip | undefined;
 const app = new App(player, draw, () => (drawn = measure(app)));
 const panels: Readonly<Record<Tab, (app: App) => TemplateResult>> = {
   emotion: disc,
-  muscles: (app) => regions(app, MUSCLES, 'Contraction of each of the 38 mimic muscles, from relaxed to full.'),
+  muscles: (app) => regions(app, MUSCLES, `Contraction of each of the ${MUSCLES.flatMap((region) => region.dials).flatMap(namesOf).length} mimic muscles, from relaxed to full.`),
   direct: (app) => regions(app, DIRECT, 'What no muscle moves here: jaw, lips as a ring, lids and eyes, tongue and the blood in the skin.'),
   visemes: (app) => regions(app, VISEMES, 'Mouths of the sounds of speech; the player blends them by dominance when it speaks.'),
 };

@@ -4,7 +4,7 @@
 //! made; this is what stands for their muscles. Most of it is linear, a sparse table; what
 //! the lips do over an open jaw is not.
 
-use raconteur_body::face::{FaceControls, Jaw, MUSCLES, Muscle};
+use raconteur_body::face::{ARKIT, FaceControls, Jaw, MUSCLES, Muscle};
 use raconteur_body::figure::{JAW_OPEN_RAD, MOUTH_CLOSE_RAD};
 
 use Muscle as M;
@@ -105,50 +105,40 @@ pub(super) const NAMES: [&str; T::COUNT] = [
     "tongueOut",
 ];
 
+/// The place of a target by ARKit's name. The compiler asks, and refuses a name that there is not.
+const fn place(name: &str) -> usize {
+    let mut k = 0;
+    while k < NAMES.len() {
+        if is_same(NAMES[k].as_bytes(), name.as_bytes()) {
+            return k;
+        }
+        k += 1;
+    }
+    panic!("the table of muscles names a target that there is not")
+}
+
+const fn is_same(a: &[u8], b: &[u8]) -> bool {
+    let mut k = 0;
+    while k < a.len() && k < b.len() && a[k] == b[k] {
+        k += 1;
+    }
+    k == a.len() && k == b.len()
+}
+
 /// By how much a muscle that is fully contracted (of a pair the left one) moves a target of
-/// its side, percent. Designed, after what the muscles do (F&H section 3.1.1) and the action
-/// units that ARKit's targets are named for. Nasalis and depressor septi have none: no
-/// target moves the nostrils alone. The frontal belly's target is one for both sides and
-/// takes their mean.
-static TABLE: [(Muscle, Target, u8); 37] = [
-    (M::FrontalisMedialLeft, T::BrowInner, 100),
-    (M::FrontalisLateralLeft, T::BrowOuter, 100),
-    (M::CorrugatorLeft, T::BrowDown, 60),
-    (M::DepressorSuperciliiLeft, T::BrowDown, 60),
-    (M::Procerus, T::BrowDown, 35),
-    (M::Procerus, T::Sneer, 10),
-    (M::OrbicularisOculiLeft, T::Squint, 100),
-    (M::OrbicularisOculiLeft, T::CheekSquint, 60),
-    (M::LevatorLabiiAlaequeLeft, T::Sneer, 100),
-    (M::LevatorLabiiAlaequeLeft, T::UpperUp, 40),
-    (M::LevatorLabiiLeft, T::UpperUp, 70),
-    (M::LevatorLabiiLeft, T::Sneer, 15),
-    (M::ZygomaticusMinorLeft, T::UpperUp, 35),
-    (M::ZygomaticusMinorLeft, T::Smile, 10),
-    (M::ZygomaticusMinorLeft, T::CheekSquint, 15),
-    (M::ZygomaticusMajorLeft, T::Smile, 100),
-    (M::ZygomaticusMajorLeft, T::CheekSquint, 30),
-    (M::LevatorAnguliLeft, T::Smile, 50),
-    (M::LevatorAnguliLeft, T::UpperUp, 10),
-    (M::RisoriusLeft, T::Stretch, 90),
-    (M::RisoriusLeft, T::Smile, 24),
-    (M::RisoriusLeft, T::Dimple, 10),
-    (M::RisoriusLeft, T::Mouth, 25),
-    (M::BuccinatorLeft, T::Dimple, 90),
-    (M::BuccinatorLeft, T::Mouth, 25),
-    (M::DepressorAnguliLeft, T::Frown, 100),
-    (M::DepressorLabiiLeft, T::LowerDown, 100),
-    (M::MentalisLeft, T::ShrugLower, 80),
-    (M::MentalisLeft, T::ShrugUpper, 30),
-    (M::OrbicularisOrisUpper, T::Pucker, 6),
-    (M::OrbicularisOrisLower, T::Pucker, 6),
-    (M::OrbicularisOrisUpper, T::Press, 15),
-    (M::OrbicularisOrisLower, T::Press, 15),
-    (M::OrbicularisOrisUpper, T::RollUpper, 10),
-    (M::OrbicularisOrisLower, T::RollLower, 10),
-    (M::PlatysmaLeft, T::Stretch, 40),
-    (M::PlatysmaLeft, T::LowerDown, 25),
-];
+/// its side, percent, as the table of muscles says ([`ARKIT`]). Nasalis and depressor septi have
+/// none: no target moves the nostrils alone. The frontal belly's target is one for both sides
+/// and takes their mean.
+static TABLE: [(Muscle, usize, u8); ARKIT.len()] = {
+    let mut table = [(ARKIT[0].0, 0, 0); ARKIT.len()];
+    let mut k = 0;
+    while k < table.len() {
+        let (muscle, target, percent) = ARKIT[k];
+        table[k] = (muscle, place(target), percent);
+        k += 1;
+    }
+    table
+};
 
 /// Weights of all targets, left and right; of one in the middle both are the same.
 pub(super) type Weights = [[f64; 2]; T::COUNT];
@@ -228,12 +218,8 @@ pub(super) fn of_controls(controls: &FaceControls) -> Weights {
 fn linear(contraction: &[f64; MUSCLES]) -> Weights {
     let mut weights = [[0.0; 2]; T::COUNT];
     for &(muscle, target, percent) in &TABLE {
-        let middle = matches!(
-            muscle,
-            M::Procerus | M::OrbicularisOrisUpper | M::OrbicularisOrisLower
-        );
-        for (side, weight) in weights[target as usize].iter_mut().enumerate() {
-            let own = muscle.index() + if middle { 0 } else { side };
+        for (side, weight) in weights[target].iter_mut().enumerate() {
+            let own = muscle.index() + muscle.side().map_or(0, |_| side);
             *weight += 0.01 * f64::from(percent) * contraction[own];
         }
     }

@@ -57,7 +57,7 @@ impl Dial {
     /// That of a muscle.
     #[must_use]
     pub const fn of(muscle: Muscle) -> Self {
-        Self(muscle as u8)
+        Self(muscle.index() as u8)
     }
 
     /// That of a place in the order of all; `None` beyond the last.

@@ -105,8 +105,9 @@ fn fs_cloth(v: VertexOut, @builtin(front_facing) front: bool) -> @location(0) ve
     return written(light, 1.0, v.clip.xy);
 }
 
-fn polished(v: VertexOut, n: vec3<f32>, albedo: vec3<f32>, rough: f32) -> vec3<f32> {
+fn polished(v: VertexOut, n: vec3<f32>, albedo: vec3<f32>, roughness: f32) -> vec3<f32> {
     let view = to_eye(v.world);
+    let rough = filtered_roughness(n, roughness);
     let share = key_share(v.world, n, v.clip.xy);
     let occlusion = tinted_occlusion(v.color.a, albedo);
     var light = albedo * (frame.key.xyz * (saturate1(dot(n, frame.key_dir.xyz)) * share)

@@ -24,16 +24,19 @@ struct VertexIn {
     @location(6) along: vec4<f32>,
 };
 
+// What light depends on is taken where the triangle covers the pixel: at its middle, past an
+// outline, it would be that of no place on the surface, and light up. What patterns take their
+// sizes from is not, as its differences between pixels would jump at every edge.
 struct VertexOut {
     @builtin(position) clip: vec4<f32>,
     @location(0) world: vec3<f32>,
-    @location(1) normal: vec3<f32>,
-    @location(2) along: vec3<f32>,   // direction of growing v, world
+    @location(1) @interpolate(perspective, centroid) normal: vec3<f32>,
+    @location(2) @interpolate(perspective, centroid) along: vec3<f32>,   // direction of growing v, world
     @location(3) bind: vec3<f32>,    // position in the bind pose; noise sticks to it
     @location(4) uv: vec2<f32>,
-    @location(5) color: vec4<f32>,
-    @location(6) bend: f32,          // root of the curvature, -1..1; 1 is a bead of 4 mm radius
-    @location(7) complexion: vec4<f32>, // strengths of three kinds of wrinkles, 0..1; blush, -1..1
+    @location(5) @interpolate(perspective, centroid) color: vec4<f32>,
+    @location(6) @interpolate(perspective, centroid) bend: f32,          // root of the curvature, -1..1; 1 is a bead of 4 mm radius
+    @location(7) @interpolate(perspective, centroid) complexion: vec4<f32>, // strengths of three kinds of wrinkles, 0..1; blush, -1..1
 };
 
 struct Blend {

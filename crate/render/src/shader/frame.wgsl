@@ -38,7 +38,7 @@ struct Frame {
 override EARLY_ENCODE: u32 = 0u;
 // 1: pores, weave and fibres are computed.
 override FINE_DETAIL: u32 = 1u;
-// Reach of the shadow filter in taps: 1 is a cross of 5, 2 a diamond of 13.
+// The shadow filter: 1 is a disc of 7 taps, 2 one of 24 that sharpens towards contact.
 override SHADOW_REACH: i32 = 1;
 // Lights with a shadow: the key, then the rim; their maps lie side by side.
 override SHADOWS: u32 = 2u;

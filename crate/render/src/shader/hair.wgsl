@@ -126,7 +126,7 @@ fn hair_light(v: VertexOut, n: vec3<f32>, tone: vec3<f32>, s: Strand) -> vec3<f3
     // A small filter: strands break up the shadow's edge by themselves. Light seeps
     // through hair, so its own shadow is never black.
     let pale = saturate1(2.0 * tone.g);
-    let share = mix(mix(0.36, 0.60, pale), 1.0, filtered_share(v.world, n, v.clip.xy, 1));
+    let share = mix(mix(0.36, 0.60, pale), 1.0, filtered_share(v.world, n, v.clip.xy));
     let wobble = (s.id - 0.5) * 0.22;
     let key_in = share * saturate1(0.28 + 0.72 * dot(n, frame.key_dir.xyz));
     let fill_in = saturate1(0.3 + 0.7 * dot(n, frame.fill_dir.xyz));

@@ -24,26 +24,29 @@ fn lit_at(light: u32, uv: vec2<f32>, depth: f32) -> f32 {
     return textureSampleCompareLevel(shadow_map, shadow_sampler, at, depth);
 }
 
-// Share of lit taps in a diamond; `step` is the distance between taps, in map widths.
-fn taps(light: u32, q: vec3<f32>, step: f32, reach: i32, shift: vec2<f32>) -> f32 {
+// Share of lit taps on a disc, evenly spread in a spiral (Vogel 1979, "A better way to construct
+// the sunflower head"): from no direction do two taps lie in one line, so that a shadow's edge
+// has as many steps as there are taps, and none is seen as a band. `radius` is in map widths.
+fn taps(light: u32, q: vec3<f32>, radius: f32, count: i32, shift: vec2<f32>) -> f32 {
     var sum = 0.0;
     var total = 0.0;
-    for (var y = -reach; y <= reach; y++) {
-        let across = reach - abs(y);
-        for (var x = -across; x <= across; x++) {
-            let o = vec2<f32>(f32(x), f32(y)) + shift;
-            let w = 1.0 / (1.0 + 0.4 * dot(o, o));
-            sum += w * lit_at(light, q.xy + o * step, q.z);
-            total += w;
-        }
+    var way = vec2<f32>(1.0, 0.0);
+    for (var i = 0; i < count; i++) {
+        let r2 = (f32(i) + 0.5) / f32(count);
+        let w = 1.0 - 0.65 * r2;
+        sum += w * lit_at(light, q.xy + (way * sqrt(r2) + shift) * radius, q.z);
+        total += w;
+        // On by the golden angle.
+        way = vec2<f32>(-0.7373688 * way.x - 0.6754903 * way.y, 0.6754903 * way.x - 0.7373688 * way.y);
     }
     return sum / total;
 }
 
-// A shift by part of a tap turns the bands between taps into fine grain.
+// A shift by part of a tap hides the steps that are left. More would be seen as grain, as no
+// later picture evens it out.
 fn tap_shift(at: vec2<f32>) -> vec2<f32> {
     let grain = pixel_noise(at);
-    return vec2<f32>(grain, fract(grain * 7.31 + 0.37)) * 0.5 - 0.25;
+    return (vec2<f32>(grain, fract(grain * 7.31 + 0.37)) - 0.5) * 0.12;
 }
 
 // Share of the key light that arrives, 0..1, at the pixel `at`. Shadows are soft from
@@ -51,19 +54,26 @@ fn tap_shift(at: vec2<f32>) -> vec2<f32> {
 // narrowly, all else widely.
 fn key_share(p: vec3<f32>, n: vec3<f32>, at: vec2<f32>) -> f32 {
     if SHADOW_REACH < 2 {
-        return filtered_share(p, n, at, SHADOW_REACH);
+        return filtered_share(p, n, at);
     }
     let q = off_surface(0u, p, n, frame.key_dir.xyz) - vec3<f32>(0.0, 0.0, frame.shadow.z);
     let above = q - vec3<f32>(0.0, 0.0, 0.04 * frame.shadow.w);
     let shift = tap_shift(at);
-    let far = taps(0u, above, frame.shadow.x * 2.2, SHADOW_REACH, shift);
-    let near = taps(0u, above, frame.shadow.x * 0.8, 1, shift) - taps(0u, q, frame.shadow.x * 0.8, 1, shift);
+    let far = taps(0u, above, frame.shadow.x * 4.4, 24, shift);
+    let near = taps(0u, above, frame.shadow.x * 1.1, 12, shift) - taps(0u, q, frame.shadow.x * 1.1, 12, shift);
     return far * (1.0 - saturate1(near));
 }
 
-fn filtered_share(p: vec3<f32>, n: vec3<f32>, at: vec2<f32>, reach: i32) -> f32 {
+fn filtered_share(p: vec3<f32>, n: vec3<f32>, at: vec2<f32>) -> f32 {
     let q = off_surface(0u, p, n, frame.key_dir.xyz) - vec3<f32>(0.0, 0.0, frame.shadow.z);
-    return taps(0u, q, frame.shadow.x, reach, tap_shift(at));
+    return taps(0u, q, frame.shadow.x * 1.4, 7, tap_shift(at));
+}
+
+// Whether a point that lies `lift` metres off the surface gets light: 0 where something else
+// than the surface's own bend keeps it off, 0..1 at such a shadow's edge.
+fn lifted_share(light: u32, p: vec3<f32>, n: vec3<f32>, lift: f32, at: vec2<f32>) -> f32 {
+    let q = in_map(light, p + n * lift) - vec3<f32>(0.0, 0.0, frame.shadow.z);
+    return taps(light, q, frame.shadow.x * 1.4, 7, tap_shift(at));
 }
 
 // Share of the rim light that arrives, 0..1; always 1 where only the key has a shadow.
@@ -72,7 +82,7 @@ fn rim_share(p: vec3<f32>, n: vec3<f32>, at: vec2<f32>) -> f32 {
         return 1.0;
     }
     let q = off_surface(1u, p, n, frame.rim_dir.xyz) - vec3<f32>(0.0, 0.0, frame.shadow.z);
-    return taps(1u, q, frame.shadow.x, 1, tap_shift(at));
+    return taps(1u, q, frame.shadow.x * 1.4, 7, tap_shift(at));
 }
 
 // How easily light gets through what lies between p and the lamp, 0..1: how near to p, of
@@ -100,6 +110,18 @@ fn specular(n: vec3<f32>, v: vec3<f32>, l: vec3<f32>, roughness: f32) -> f32 {
     let d = ndh * ndh * (a2 - 1.0) + 1.0;
     let visibility = 0.5 / max(mix(2.0 * ndl * ndv, ndl + ndv, alpha), 1e-4);
     return min(a2 / (PI * d * d) * visibility * ndl, 24.0);
+}
+
+// Roughness of a surface whose normal varies within the pixel as much as its derivatives say: a
+// lobe never gets narrower than what one sample can tell (Tokuyoshi and Kaplanyan 2019,
+// "Improved geometric specular antialiasing", eq. 3 with their variance 0.25 and threshold
+// 0.18). Without it a sharp bend lights up single pixels.
+fn filtered_roughness(n: vec3<f32>, roughness: f32) -> f32 {
+    let dx = dpdx(n);
+    let dy = dpdy(n);
+    let kernel = min(0.5 * (dot(dx, dx) + dot(dy, dy)), 0.18);
+    let alpha = roughness * roughness;
+    return sqrt(sqrt(min(alpha * alpha + kernel, 1.0)));
 }
 
 fn fresnel(f0: f32, cosine: f32) -> f32 {

@@ -1,11 +1,15 @@
 // Skin, nails.
 
+// How far off a bend of the skin's own a point must be to see the lamp just past the
+// terminator, metres: of a cheek, a bow of 80 mm, 3 mm at its end.
+const BEND_LIFT = 0.005;
+
 // Light that has travelled under the skin: the cosine wraps around the terminator by
 // channel, red furthest, and further where the surface bends sharply (Penner 2011,
 // "Pre-integrated skin shading", SIGGRAPH course; here in closed form). The reach by
 // channel follows the widths of d'Eon and Luebke 2007 (GPU Gems 3, ch. 14): red scatters
 // over 2.7 mm, green and blue over about 1.2 and 0.8 mm.
-fn under_skin(ndl: vec3<f32>, share: f32, bend: f32) -> vec3<f32> {
+fn under_skin(ndl: vec3<f32>, share: f32, lifted: f32, bend: f32) -> vec3<f32> {
     // Root of the curvature's share of 250/m; a hollow scatters no further than a plane.
     let curve = 250.0 * max(bend, 0.0) * max(bend, 0.0);
     let wrap = vec3<f32>(0.10, 0.05, 0.035) + min(vec3<f32>(0.0027, 0.0012, 0.0008) * curve, vec3<f32>(0.40, 0.20, 0.14));
@@ -13,15 +17,30 @@ fn under_skin(ndl: vec3<f32>, share: f32, bend: f32) -> vec3<f32> {
     // Rounded foot, and the energy of a cosine.
     let lit = mix(t, t * t * (1.5 - 0.5 * t), 0.5) / (1.0 + 0.35 * wrap);
     // A shadow's edge bleeds red. Where the surface turns from the lamp its own shadow
-    // must not cut off the wrapped light.
-    let s = max(share, 1.0 - smoothstep(-0.25, 0.10, ndl.x));
+    // must not cut off the wrapped light; that of something else, as of the jaw on the
+    // throat, must.
+    let s = max(share, lifted * (1.0 - smoothstep(-0.25, 0.10, ndl.x)));
     return lit * vec3<f32>(pow(s, 0.80), s, mix(s, s * s, 0.15));
 }
 
+// How far light is let through a place from behind, 0..1: ears and the wings of the nose, which
+// are flesh and cartilage alone. Under the rest of the head lies bone, and along the edge of a
+// jaw the way through the mesh is short all the same. What has no face is hand or foot.
+fn lets_through(bind: vec3<f32>) -> f32 {
+    let q = (bind - material.face.xyz) / max(material.face.w, 1e-3);
+    let side = abs(q.x);
+    let ear = smoothstep(1.05, 1.2, side) * smoothstep(-0.6, -0.9, q.z);
+    let t = vec3<f32>(side - 0.24, q.y + 0.62, q.z - 0.45) / vec3<f32>(0.16, 0.22, 0.35);
+    let wing = exp(-dot(t, t));
+    // Head and hands are apart by more than a few widths of the eyes.
+    let beyond = smoothstep(4.0, 5.0, max(side, abs(q.y)));
+    return select(1.0, max(ear * smoothstep(-1.7, -1.4, q.y), max(wing, beyond)), material.face.w > 0.0);
+}
+
 // Light that shines through thin flesh from behind: red, as blood lets it.
-fn shone_through(light: u32, p: vec3<f32>, n: vec3<f32>, l: vec3<f32>, at: vec2<f32>) -> vec3<f32> {
+fn shone_through(light: u32, p: vec3<f32>, n: vec3<f32>, l: vec3<f32>, at: vec2<f32>, through: f32) -> vec3<f32> {
     // Past the edge of shadow only: there even thick parts are thin.
-    let away = smoothstep(0.22, 0.75, -dot(n, l));
+    let away = smoothstep(0.22, 0.75, -dot(n, l)) * through;
     if away <= 0.0 {
         return vec3<f32>(0.0);
     }
@@ -146,6 +165,15 @@ fn fs_skin(v: VertexOut, @builtin(front_facing) front: bool) -> @location(0) vec
     let rim_l = frame.rim_dir.xyz;
     let share = key_share(v.world, ng, v.clip.xy);
     let rim_in = rim_share(v.world, ng, v.clip.xy);
+    // Past the terminator alone: elsewhere the light itself tells.
+    var key_lifted = 1.0;
+    if dot(ng, key_l) < 0.10 {
+        key_lifted = lifted_share(0u, v.world, ng, BEND_LIFT, v.clip.xy);
+    }
+    var rim_lifted = 1.0;
+    if SHADOWS > 1u && dot(ng, rim_l) < 0.10 {
+        rim_lifted = lifted_share(1u, v.world, ng, BEND_LIFT, v.clip.xy);
+    }
     let occlusion = tinted_occlusion(ao, albedo);
     // Bumps show less in the light from below the skin than in the shine, in red least.
     let soft = vec3<f32>(0.35, 0.65, 0.8);
@@ -153,24 +181,27 @@ fn fs_skin(v: VertexOut, @builtin(front_facing) front: bool) -> @location(0) vec
     let fill_n = mix(vec3<f32>(dot(ng, fill_l)), vec3<f32>(dot(n, fill_l)), soft);
     let rim_n = mix(vec3<f32>(dot(ng, rim_l)), vec3<f32>(dot(n, rim_l)), soft);
 
-    var diffuse = frame.key.xyz * under_skin(key_n, share, v.bend) * mix(1.0, ao, 0.35);
-    diffuse += frame.fill.xyz * under_skin(fill_n, 1.0, v.bend) * occlusion;
+    var diffuse = frame.key.xyz * under_skin(key_n, share, key_lifted, v.bend) * mix(1.0, ao, 0.35);
+    diffuse += frame.fill.xyz * under_skin(fill_n, 1.0, 1.0, v.bend) * occlusion;
     // Where the rim light only grazes, the coarse map would cut it into patches.
     let grazed = smoothstep(0.05, 0.45, dot(ng, rim_l));
-    diffuse += frame.rim.xyz * under_skin(rim_n, rim_in, v.bend) * (occlusion * occlusion * grazed);
+    diffuse += frame.rim.xyz * under_skin(rim_n, rim_in, rim_lifted, v.bend) * (occlusion * occlusion * grazed);
     diffuse += ambient(normalize(mix(ng, n, 0.5))) * occlusion;
-    diffuse += (frame.key.xyz * shone_through(0u, v.world, ng, key_l, v.clip.xy)
-        + frame.rim.xyz * shone_through(1u, v.world, ng, rim_l, v.clip.xy)) * ao;
+    let through = lets_through(v.bind);
+    diffuse += (frame.key.xyz * shone_through(0u, v.world, ng, key_l, v.clip.xy, through)
+        + frame.rim.xyz * shone_through(1u, v.world, ng, rim_l, v.clip.xy, through)) * ao;
 
     // Two lobes, oily film over rough skin, f0 0.028 (d'Eon and Luebke 2007).
     // Rough skin mirrors less at grazing angles than Schlick's smooth surface.
     let f = mix(0.028, fresnel(0.028, dot(n, view)), 0.40);
-    let tight = rough * 0.62;
+    let tight = filtered_roughness(n, rough * 0.62);
+    rough = filtered_roughness(n, rough);
     let film = 0.10 + 0.09 * oil + 0.30 * lip;
     let key_s = mix(specular(n, view, key_l, rough), specular(n, view, key_l, tight), film);
     let fill_s = specular(n, view, fill_l, rough);
     let rim_s = specular(n, view, rim_l, rough);
-    var shine = frame.key.xyz * (key_s * share) + frame.fill.xyz * fill_s
+    // The fill has no shadow of its own: hollows keep it out.
+    var shine = frame.key.xyz * (key_s * share) + frame.fill.xyz * (fill_s * ao)
         + frame.rim.xyz * (rim_s * rim_in * ao);
     shine *= f * PI * 0.75 * ao * ao;
     // Of the room little is mirrored: more would lie on the skin as a grey haze.
@@ -187,13 +218,15 @@ fn fs_nail(v: VertexOut, @builtin(front_facing) front: bool) -> @location(0) vec
     let share = key_share(v.world, n, v.clip.xy);
     let occlusion = tinted_occlusion(v.color.a, albedo);
     // The bed glows through the plate: light reaches far under it.
-    var light = albedo * (frame.key.xyz * under_skin(vec3<f32>(dot(n, frame.key_dir.xyz)), share, 0.7)
-        + frame.fill.xyz * under_skin(vec3<f32>(dot(n, frame.fill_dir.xyz)), 1.0, 0.7) * occlusion
+    var light = albedo * (frame.key.xyz * under_skin(vec3<f32>(dot(n, frame.key_dir.xyz)), share, share, 0.7)
+        + frame.fill.xyz * under_skin(vec3<f32>(dot(n, frame.fill_dir.xyz)), 1.0, 1.0, 0.7) * occlusion
         + ambient(n) * occlusion);
-    let f = fresnel(0.045, dot(n, view));
-    let gloss = 0.30;
+    let gloss = filtered_roughness(n, 0.34);
+    // A rough plate mirrors less at grazing angles than Schlick's smooth surface, and its edge,
+    // which is less than a pixel wide, is seen at no other.
+    let f = mix(0.045, fresnel(0.045, dot(n, view)), 0.3 * (1.0 - gloss));
     light += (frame.key.xyz * (specular(n, view, frame.key_dir.xyz, gloss) * share)
-        + frame.fill.xyz * specular(n, view, frame.fill_dir.xyz, gloss)) * (f * PI);
+        + frame.fill.xyz * (specular(n, view, frame.fill_dir.xyz, gloss) * v.color.a)) * (f * PI);
     light += mirrored(reflect(-view, n)) * (f * v.color.a);
     return written(light, 1.0, v.clip.xy);
 }

@@ -15,7 +15,13 @@ const EYES: [DVec3; 2] = [
 ];
 
 /// An ellipsoid whose pole points to +z; uv as on an eye.
-fn ball(kind: MaterialKind, color: [u8; 4], joint: u16, centre: Vec3, radii: Vec3) -> Mesh {
+pub(crate) fn ball(
+    kind: MaterialKind,
+    color: [u8; 4],
+    joint: u16,
+    centre: Vec3,
+    radii: Vec3,
+) -> Mesh {
     let (rings, sectors) = (16_u32, 24_u32);
     let mut mesh = empty(kind);
     for i in 0..=rings {

@@ -1,0 +1,220 @@
+//! Where muscles are grown together (F&H section 3.1.2, "Properties" and "Muscle
+//! Deformation"): linked points meet at a centre in which those of more contracted muscles
+//! weigh more, and keep their distances from it.
+
+use core::ops::Range;
+
+use super::Muscle;
+use super::tissue::{Fibre, Tissue};
+
+/// How much a relaxed muscle pulls, against 1 of one that is contracted in full. Designed: only
+/// so much that the centre of relaxed muscles is where they rest.
+const AT_REST: f32 = 0.005;
+/// From this sum of its links on, a muscle's end is wholly grown into the ring of the mouth and
+/// keeps its distance from it; below, part of its fibres end in the skin and give. Designed:
+/// above mentalis and platysma, at the least of the others.
+const WHOLE: f32 = 0.6;
+/// By which power of their links points of the ring count in the place that an end is grown to:
+/// those next to it nearly alone. Designed.
+const NEXT_TO: i32 = 4;
+
+/// How much a point pulls at those it is grown together with: more than in proportion to its
+/// muscle's tension, 0 to 1, so that the stronger one nearly has its way.
+fn pull(tension: f32) -> f32 {
+    (AT_REST + tension) * (AT_REST + tension)
+}
+
+/// Share of a free muscle's movement that is its own doing, by its contraction.
+pub(super) fn own_share(contraction: f32) -> f32 {
+    let pulled = contraction * contraction;
+    pulled / (pulled + AT_REST * AT_REST)
+}
+
+/// A linear fibre's end at a point of the ring.
+#[derive(Clone, Debug)]
+struct Join {
+    end: usize,
+    weight: f32,
+    /// Links of the end's whole muscle to that point.
+    of_muscle: f32,
+}
+
+/// A point of the ring with the ends that are grown to it.
+#[derive(Clone, Debug)]
+struct Meeting {
+    ring: usize,
+    joins: Range<usize>,
+    /// What all its members pull with, now.
+    pulls: f32,
+}
+
+/// A point of the ring as part of the place that an end is grown to.
+#[derive(Clone, Debug)]
+struct Anchor {
+    meeting: usize,
+    /// Share of the place; shares of an end sum to 1.
+    share: f32,
+    /// Links of the end's whole muscle to that point.
+    weight: f32,
+}
+
+/// The end of a linear fibre in the ring.
+#[derive(Clone, Debug)]
+struct End {
+    point: usize,
+    /// How much of it is grown in, 0 to 1.
+    grown: f32,
+    anchors: Range<usize>,
+}
+
+/// All places where muscles of a face are grown together.
+#[derive(Clone, Debug)]
+pub(super) struct Junctions {
+    meetings: Vec<Meeting>,
+    joins: Vec<Join>,
+    ends: Vec<End>,
+    anchors: Vec<Anchor>,
+}
+
+impl Junctions {
+    pub(super) fn new(tissue: &Tissue) -> Self {
+        // Whose each end is; what is no fibre's last point is nobody's.
+        let owner = |end: usize| -> Option<Muscle> {
+            let is_last = |f: &&Fibre| usize::from(f.first) + usize::from(f.count) == end + 1;
+            tissue.fibres.iter().find(is_last).map(|f| f.muscle)
+        };
+        let mut links: Vec<(usize, usize, f32)> = tissue
+            .links
+            .iter()
+            .map(|l| (usize::from(l.ring), usize::from(l.end), l.weight))
+            .collect();
+        // By places, so that nothing depends on the order in which links are listed.
+        links.sort_by(|a, b| (a.0, a.1).cmp(&(b.0, b.1)).then(a.2.total_cmp(&b.2)));
+        let mut meetings: Vec<Meeting> = Vec::new();
+        for (i, &(ring, ..)) in links.iter().enumerate() {
+            match meetings.last_mut() {
+                Some(last) if last.ring == ring => last.joins.end = i + 1,
+                _ => meetings.push(Meeting {
+                    ring,
+                    joins: i..i + 1,
+                    pulls: 1.0,
+                }),
+            }
+        }
+        let mut points: Vec<usize> = links.iter().map(|l| l.1).collect();
+        points.sort_unstable();
+        points.dedup();
+        let mut anchors = Vec::new();
+        let ends = points
+            .iter()
+            .map(|&point| {
+                let muscle = owner(point);
+                let first = anchors.len();
+                let mut greatest = 0.0_f32;
+                for (m, meeting) in meetings.iter().enumerate() {
+                    let joins = &links[meeting.joins.clone()];
+                    let Some(own) = joins.iter().find(|l| l.1 == point) else {
+                        continue;
+                    };
+                    let of_muscle = joins.iter().filter(|l| owner(l.1) == muscle);
+                    let weight = of_muscle.map(|l| l.2).sum();
+                    greatest = greatest.max(weight);
+                    anchors.push(Anchor {
+                        meeting: m,
+                        share: own.2.powi(NEXT_TO),
+                        weight,
+                    });
+                }
+                let sum: f32 = anchors[first..].iter().map(|a| a.share).sum();
+                for anchor in &mut anchors[first..] {
+                    anchor.share /= sum.max(1e-12);
+                }
+                End {
+                    point,
+                    grown: (greatest / WHOLE).min(1.0),
+                    anchors: first..anchors.len(),
+                }
+            })
+            .collect();
+        let join = |&(ring, end, weight): &(usize, usize, f32)| {
+            let muscle = owner(end);
+            let same = links.iter().filter(|l| l.0 == ring && owner(l.1) == muscle);
+            Join {
+                end,
+                weight,
+                of_muscle: same.map(|l| l.2).sum(),
+            }
+        };
+        Self {
+            joins: links.iter().map(join).collect(),
+            meetings,
+            ends,
+            anchors,
+        }
+    }
+
+    /// Moves the points of the ring to where they and what is grown to them meet: of their
+    /// weighted centre as much as the links say. `moved` holds what every point asks for by
+    /// itself and `tension` how strongly, 0 to 1.
+    pub(super) fn meet(&mut self, tension: &[f32], moved: &mut [[f32; 3]]) {
+        for meeting in &mut self.meetings {
+            let asked = moved[meeting.ring];
+            let mut pulls = pull(tension[meeting.ring]);
+            let mut centre = asked.map(|x| x * pulls);
+            // How much of the centre's movement the ring takes: as its links say, those of
+            // muscles that pull more counting more.
+            let (mut held, mut joined) = (0.0, 0.0);
+            for join in &self.joins[meeting.joins.clone()] {
+                let by = join.weight * pull(tension[join.end]);
+                pulls += by;
+                joined += by;
+                for k in 0..3 {
+                    centre[k] += moved[join.end][k] * by;
+                }
+                held += by * join.of_muscle.min(1.0);
+            }
+            let held = held / joined.max(1e-12);
+            moved[meeting.ring] =
+                [0, 1, 2].map(|k| asked[k] + (centre[k] / pulls - asked[k]) * held);
+            meeting.pulls = pulls;
+        }
+    }
+
+    /// For the end of a linear fibre: how far the place moved that it is grown to, so that
+    /// their distance is restored, and how much of that its own muscle pulled for. `None` for an
+    /// end that is free. To be asked after [`Self::meet`].
+    pub(super) fn end(
+        &self,
+        point: usize,
+        tension: f32,
+        moved: &[[f32; 3]],
+    ) -> Option<([f32; 3], f32)> {
+        let at = self.ends.binary_search_by_key(&point, |e| e.point).ok()?;
+        let end = &self.ends[at];
+        let mut to = moved[point].map(|x| x * (1.0 - end.grown));
+        let mut own = own_share(tension) * (1.0 - end.grown);
+        for anchor in &self.anchors[end.anchors.clone()] {
+            let meeting = &self.meetings[anchor.meeting];
+            let share = anchor.share * end.grown;
+            for k in 0..3 {
+                to[k] += moved[meeting.ring][k] * share;
+            }
+            own += share * anchor.weight * pull(tension) / meeting.pulls;
+        }
+        Some((to, own.min(1.0)))
+    }
+
+    /// Ends that are wholly grown in, each with the place it is grown to: points of the ring and
+    /// their shares.
+    #[cfg(test)]
+    pub(super) fn whole_ends(&self) -> impl Iterator<Item = (usize, Vec<(usize, f32)>)> + '_ {
+        let whole = self.ends.iter().filter(|e| e.grown >= 1.0);
+        whole.map(|end| {
+            let anchors = &self.anchors[end.anchors.clone()];
+            let places = anchors
+                .iter()
+                .map(|a| (self.meetings[a.meeting].ring, a.share));
+            (end.point, places.collect())
+        })
+    }
+}
