@@ -40,6 +40,8 @@ mod clips;
 #[cfg(all(target_arch = "wasm32", not(feature = "avatar")))]
 mod curves;
 #[cfg(all(target_arch = "wasm32", not(feature = "avatar")))]
+mod doing;
+#[cfg(all(target_arch = "wasm32", not(feature = "avatar")))]
 mod drawn;
 #[cfg(all(target_arch = "wasm32", not(feature = "avatar")))]
 mod edit;
@@ -49,5 +51,7 @@ mod measure;
 mod more;
 #[cfg(all(target_arch = "wasm32", not(feature = "avatar")))]
 mod player;
+#[cfg(all(target_arch = "wasm32", not(feature = "avatar")))]
+pub use doing::doing;
 #[cfg(all(target_arch = "wasm32", not(feature = "avatar")))]
 pub use player::{Player, face_joined, more_joined, pose_digests};

@@ -14,6 +14,7 @@ use serde_wasm_bindgen::Serializer;
 use wasm_bindgen::prelude::*;
 use web_sys::HtmlCanvasElement;
 
+use crate::doing::{Doing, Noted, note};
 use crate::drawn;
 use crate::message::Story;
 use crate::more;
@@ -96,15 +97,28 @@ impl Player {
         glb: &[u8],
         motion: f64,
     ) -> Result<JsValue, JsError> {
+        let _noted = Noted::new(Doing::Figure);
         let figure = Arc::new(read_with(figure, glb, has_face())?);
         let options = self.options(motion, Room::default());
         let (mut performer, story) = read(eml, bundle.as_deref(), figure, options);
         performer.set_view(self.view);
+        note(Doing::Figure);
         if let Some(picture) = &mut self.picture {
             picture.set_figure(performer.figure())?;
         }
         self.performer = Some(performer);
         plain(&story)
+    }
+
+    /// Reads another story for the figure that is on stage, which keeps its pictures: the device
+    /// is sent nothing. The arguments and the answer are those of `load`. Nothing before a `load`.
+    pub fn tell(
+        &mut self,
+        eml: &str,
+        bundle: Option<Vec<u8>>,
+        motion: f64,
+    ) -> Result<JsValue, JsError> {
+        self.read_again(eml, bundle.as_deref(), motion, Room::default())
     }
 
     /// Whether a text asks for code that has not joined this instance; without it, that is
@@ -143,6 +157,7 @@ impl Player {
         height: u32,
         rgba: &[u8],
     ) -> Result<(), JsError> {
+        let _noted = Noted::new(Doing::Figure);
         if let Some(picture) = &mut self.picture {
             picture.set_image(index, width, height, rgba)?;
         }
@@ -154,6 +169,7 @@ impl Player {
         let Some(performer) = &mut self.performer else {
             return Ok(TickStatus::Skipped as u32);
         };
+        let _noted = Noted::new(Doing::Pose);
         performer.advance(time_secs);
         let Some(picture) = &mut self.picture else {
             return Ok(TickStatus::NoPicture as u32);
@@ -161,7 +177,9 @@ impl Player {
         if !self.sized {
             return Ok(TickStatus::Skipped as u32);
         }
-        let status = match picture.render(performer.frame(time_secs, self.aspect))? {
+        let frame = performer.frame(time_secs, self.aspect);
+        note(Doing::Drawing);
+        let status = match picture.render(frame)? {
             RenderStatus::Drawn => TickStatus::Shown,
             RenderStatus::Skipped => TickStatus::Skipped,
             RenderStatus::DeviceLost => TickStatus::Lost,
@@ -209,6 +227,7 @@ impl Player {
         fragment: &str,
         now_secs: f64,
     ) -> Result<JsValue, JsError> {
+        let _noted = Noted::new(Doing::Fragment);
         match &mut self.performer {
             Some(performer) if has_more() => more::perform(performer, mind, fragment, now_secs),
             _ => Ok(JsValue::UNDEFINED),
@@ -266,6 +285,25 @@ impl Player {
 }
 
 impl Player {
+    /// Has the figure on stage read a text, with no less room in the picture than `room`.
+    pub(crate) fn read_again(
+        &mut self,
+        eml: &str,
+        bundle: Option<&[u8]>,
+        motion: f64,
+        room: Room,
+    ) -> Result<JsValue, JsError> {
+        let Some(before) = &self.performer else {
+            return Ok(JsValue::UNDEFINED);
+        };
+        let _noted = Noted::new(Doing::Story);
+        let figure = Arc::clone(before.figure());
+        let (mut performer, story) = read(eml, bundle, figure, self.options(motion, room));
+        performer.set_view(self.view);
+        self.performer = Some(performer);
+        plain(&story)
+    }
+
     fn follow_pace(&mut self) {
         if let Some(picture) = &mut self.picture {
             let options = self.pace.options();
@@ -346,12 +384,13 @@ pub(crate) fn read(
     figure: Arc<Figure>,
     options: Options,
 ) -> (Performer, Story) {
-    let loaded = Performer::load(StoryInput {
+    let input = StoryInput {
         eml,
         bundle,
         figure,
         options,
-    });
+    };
+    let loaded = Performer::load_telling(input, &mut |reading| note(reading.into()));
     let performer = loaded.player;
     let story = Story::new(
         eml,
