@@ -13,6 +13,8 @@ interface Instance {
   (source: { module_or_path: WebAssembly.Module }): Promise<WebAssembly.ModuleImports>;
   faceJoined(): void;
   moreJoined(): void;
+  /** What the instance was at when it trapped; 0 for nothing. */
+  doing(): number;
   Player: { create(canvas: HTMLCanvasElement | undefined): Promise<Engine> };
 }
 
@@ -32,6 +34,7 @@ const partUrls: Record<Part, Record<Backend, string>> = {
 const modules = new Map<string, Promise<WebAssembly.Module>>();
 /** How a part joins an engine. */
 const joins = new WeakMap<Engine, (part: Part) => Promise<void>>();
+const instances = new WeakMap<Engine, Instance>();
 
 /** WebGPU where the browser really has an adapter, else WebGL2. */
 export async function chooseBackend(): Promise<Backend> {
@@ -55,6 +58,7 @@ export async function createEngine(backend: Backend, canvas: HTMLCanvasElement |
   const instance = script.default() as Instance;
   const exports = await instance({ module_or_path: module });
   const engine = await instance.Player.create(canvas);
+  instances.set(engine, instance);
   // Whoever asks waits for the same, so that they go on in the order in which they came.
   const joined: Partial<Record<Part, Promise<void>>> = {};
   joins.set(engine, (part) => (joined[part] ??= (async () => {
@@ -66,6 +70,16 @@ export async function createEngine(backend: Backend, canvas: HTMLCanvasElement |
     throw error;
   })));
   return engine;
+}
+
+/** What an engine was at when it trapped: a number of `Doing` in `trap.ts`. */
+export function doingOf(engine: Engine): number {
+  try {
+    return instances.get(engine)?.doing() ?? 0;
+  } catch {
+    // Its memory is suspect.
+    return 0;
+  }
 }
 
 /** Fetches a part into an engine: texts that it reads later are performed with it. */
