@@ -149,6 +149,12 @@ export class Stage {
       if (path === '') return route.fulfill({ body: html, contentType: 'text/html', headers: { 'Content-Security-Policy': policy } });
       const file = all[path];
       if (file === undefined) return route.fulfill({ status: 404, body: 'not here' });
+      // Browsers seek in a sound by asking for its parts.
+      const [, from, to] = /^bytes=(\d+)-(\d*)$/.exec(route.request().headers()['range'] ?? '') ?? [];
+      if (from !== undefined && Buffer.isBuffer(file)) {
+        const end = to ? Number(to) + 1 : file.length;
+        return route.fulfill({ status: 206, body: file.subarray(Number(from), end), headers: { 'Content-Range': `bytes ${from}-${end - 1}/${file.length}`, 'Content-Type': 'audio/wav' } });
+      }
       return route.fulfill({ body: file, contentType: path.endsWith('.css') ? 'text/css' : 'application/octet-stream' });
     });
     // Files of a test come from no address at all, so Chromium asks before they reach one of this machine.

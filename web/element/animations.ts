@@ -38,6 +38,9 @@ async function converted(url: URL, response: Response): Promise<string> {
 
 /** The animations that an engine wants, as far as they have come. */
 export class Animations {
+  /** Names of those that were handed over last. */
+  provided: readonly string[] = [];
+
   constructor(
     readonly library: URL,
     readonly story: URL,
@@ -47,6 +50,7 @@ export class Animations {
   provide(engine: Engine, eml: string): Story | undefined {
     const text = (name: string) => texts.get(addressOf(name, this.library, this.story)?.href ?? '');
     const names = engine.wantedAnimations().filter((name) => text(name) !== undefined || addressOf(name, this.library, this.story) === undefined);
+    this.provided = names;
     return names.length === 0 ? undefined : engine.provideAnimations(eml, names, names.map((name) => text(name) ?? ''));
   }
 

@@ -1,6 +1,7 @@
 /** The voice: the utterances' recordings, played through Web Audio at their places in the story. */
 
 import type { Music } from './music.js';
+import type { Permission } from './playback.js';
 import type { Manner, Spoken } from './spoken.js';
 import type { Piece, Utterance } from './types.js';
 
@@ -10,8 +11,8 @@ export interface Voice {
   now(): number;
   /** The moment of the source that the listener hears now. */
   heard(): number;
-  /** Makes the source run; false where the browser wants a gesture of the user first. */
-  unlock(): Promise<boolean>;
+  /** Whether the source runs; while it does not, its moments stand still. */
+  readonly running: boolean;
   /** Plays from story time `position` at `rate`, beginning at the source's moment `at`. */
   start(position: number, rate: number, at: number): void;
   /** Silence; when it only `waits` to be ready, what takes longer than its time may finish. */
@@ -40,6 +41,8 @@ const AHEAD_SECS = 20;
 const KEEP_SECS = 60;
 /** A recording that has not come after this long is given up, and the story goes on in captions. */
 const PATIENCE_MS = 20_000;
+/** A browser that allows sound starts it within this, even on a busy machine. */
+const REFUSAL_MS = 2000;
 /** A start or stop inside a sound fades over this, so that it does not click. */
 const FADE_SECS = 0.006;
 /**
@@ -51,16 +54,27 @@ const CUT_SECS = 0.25;
 
 let shared: AudioContext | undefined;
 
-/** One context for all players of a page: browsers allow only a few. */
+/** One context for all players of a page: browsers allow only a few. Another one in the place of one that was closed. */
 function context(): AudioContext {
-  shared ??= new AudioContext({ latencyHint: 'interactive' });
+  if (shared === undefined || shared.state === 'closed') shared = new AudioContext({ latencyHint: 'interactive' });
   return shared;
 }
 
-/** Starts the page's sound; call it straight from a click or key, before waiting for anything. */
-export function wakeAudio(): void {
-  if (hasAudio()) void context().resume();
-}
+/** The page's sound. Call `wake` straight from a click or key, before waiting for anything. */
+export const pageSound: Permission = {
+  get likely() {
+    return !hasAudio() || shared?.state === 'running' || (navigator.userActivation?.hasBeenActive ?? false);
+  },
+  async wake() {
+    if (!hasAudio()) return true;
+    const audio = context();
+    if (audio.state === 'running') return true;
+    // resume() stays pending until the user does something, so a refusal is a matter of time.
+    const patience = navigator.userActivation?.hasBeenActive ? PATIENCE_MS : REFUSAL_MS;
+    await Promise.race([audio.resume().catch(() => undefined), new Promise((done) => setTimeout(done, patience))]);
+    return (audio.state as AudioContextState) === 'running';
+  },
+};
 
 /** Whether there is Web Audio at all. */
 export function hasAudio(): boolean {
@@ -97,8 +111,12 @@ export class RecordedVoice implements Voice {
   readonly #playing = new Map<Utterance, Playing>();
   #run: Run | undefined;
   #master: GainNode | undefined;
+  /** The context that was asked to run. */
+  #asked: AudioContext | undefined;
   #volume = 1;
   #music: Music | undefined;
+  /** What music there is to play. */
+  #score: { readonly pieces: readonly Piece[]; readonly library: URL } | undefined;
   /** What plays music is being fetched. */
   #awaited = false;
   /** Says what has no recording, once it is known whether it can. */
@@ -133,28 +151,36 @@ export class RecordedVoice implements Voice {
     return Math.abs(fine - coarse) < 0.06 ? Math.min(coarse + most, Math.max(coarse - most, fine)) : coarse;
   }
 
-  async unlock(): Promise<boolean> {
+  get running(): boolean {
     const audio = context();
-    if (this.#master === undefined) {
+    // One that was made anew has not been asked to run; it may, where the user has done something.
+    if (audio !== this.#asked) {
+      this.#asked = audio;
+      void pageSound.wake();
+    }
+    return audio.state === 'running';
+  }
+
+  /** Where all sounds of the voice go; made anew with the context. */
+  #output(): GainNode {
+    const audio = context();
+    if (this.#master?.context !== audio) {
       this.#master = audio.createGain();
       this.#master.gain.value = this.#volume;
       this.#master.connect(audio.destination);
     }
-    if (audio.state === 'running') return true;
-    // resume() stays pending until the user does something, so a refusal is a matter of time.
-    const patience = navigator.userActivation?.hasBeenActive ? 3000 : 400;
-    await Promise.race([audio.resume(), new Promise((done) => setTimeout(done, patience))]);
-    return (audio.state as AudioContextState) === 'running';
+    return this.#master;
   }
 
   setVolume(volume: number): void {
     this.#volume = volume;
-    this.#master?.gain.setTargetAtTime(volume, context().currentTime, 0.015);
+    this.#master?.gain.setTargetAtTime(volume, this.#master.context.currentTime, 0.015);
     this.#music?.setVolume(volume);
     this.#spoken?.setVolume(volume);
   }
 
   setMusic(pieces: readonly Piece[], library: URL): void {
+    this.#score = { pieces, library };
     if (this.#music !== undefined) this.#music.set(pieces);
     else if (pieces.length > 0) void this.#accompany(pieces, library);
   }
@@ -171,6 +197,13 @@ export class RecordedVoice implements Voice {
       this.#onMissing(undefined, 'What plays music could not be fetched.');
     }
     this.#awaited = false;
+  }
+
+  /** The music of a context that was closed is heard no more. */
+  #replaceMusic(): void {
+    this.#music?.close();
+    this.#music = undefined;
+    if (this.#score !== undefined) void this.#accompany(this.#score.pieces, this.#score.library);
   }
 
   async substitute(usual: Manner): Promise<string | undefined> {
@@ -198,6 +231,7 @@ export class RecordedVoice implements Voice {
     this.#rate = rate;
     if (rate !== 1) void this.#fetchStretcher();
     this.prepare(position);
+    if (this.#music !== undefined && this.#music.audio !== context()) this.#replaceMusic();
     this.#music?.start(position, rate, at);
     this.#spoken?.start(rate);
     this.#spoken?.prepare(position);
@@ -212,7 +246,7 @@ export class RecordedVoice implements Voice {
 
   #silence(): void {
     for (const [, { source, gain }] of this.#playing) {
-      const now = context().currentTime;
+      const now = gain.context.currentTime;
       gain.gain.cancelScheduledValues(now);
       gain.gain.setTargetAtTime(0, now, FADE_SECS / 3);
       source.stop(now + CUT_SECS);
@@ -305,7 +339,7 @@ export class RecordedVoice implements Voice {
   /** Plans a decoded sound on the audio clock, once for each run. */
   #plan(utterance: Utterance, sound: AudioBuffer): void {
     const run = this.#run;
-    if (run === undefined || this.#master === undefined || this.#playing.has(utterance)) return;
+    if (run === undefined || this.#playing.has(utterance)) return;
     if (run.rate !== 1 && this.#stretcher === undefined) return;
     // This takes a while, which must be over when the time is read.
     const buffer = this.#paced(utterance, sound, run.rate);
@@ -326,7 +360,7 @@ export class RecordedVoice implements Voice {
     }
     if (offset * speed >= buffer.duration) return;
     const gain = audio.createGain();
-    gain.connect(this.#master);
+    gain.connect(this.#output());
     if (offset > 0) {
       // Silent until then as well: the ramp may be found to begin a moment after the sample.
       gain.gain.value = 0;
@@ -381,9 +415,7 @@ export class SilentVoice implements Voice {
     return this.now();
   }
 
-  unlock(): Promise<boolean> {
-    return Promise.resolve(true);
-  }
+  readonly running = true;
 
   start(): void {}
   stop(): void {}

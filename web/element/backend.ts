@@ -14,6 +14,8 @@ interface Instance {
   performerOf(eml: string): Performer;
   faceJoined(): void;
   moreJoined(): void;
+  /** What the instance was at when it trapped; 0 for nothing. */
+  doing(): number;
   Player: { create(canvas: HTMLCanvasElement | undefined): Promise<Engine> };
 }
 
@@ -33,6 +35,7 @@ const partUrls: Record<Part, Record<Backend, string>> = {
 const modules = new Map<string, Promise<WebAssembly.Module>>();
 /** How a part joins an engine. */
 const joins = new WeakMap<Engine, (part: Part) => Promise<void>>();
+const instances = new WeakMap<Engine, Instance>();
 
 /** WebGPU where the browser really has an adapter, else WebGL2. */
 export async function chooseBackend(): Promise<Backend> {
@@ -56,6 +59,7 @@ export async function createEngine(backend: Backend, canvas: HTMLCanvasElement |
   const instance = script.default() as Instance;
   const exports = await instance({ module_or_path: module });
   const engine = await instance.Player.create(canvas);
+  instances.set(engine, instance);
   // Whoever asks waits for the same, so that they go on in the order in which they came.
   const joined: Partial<Record<Part, Promise<void>>> = {};
   joins.set(engine, (part) => (joined[part] ??= (async () => {
@@ -75,6 +79,16 @@ export async function performerOf(backend: Backend, eml: string): Promise<Perfor
   const instance = script.default() as Instance;
   await instance({ module_or_path: module });
   return instance.performerOf(eml);
+}
+
+/** What an engine was at when it trapped: a number of `Doing` in `trap.ts`. */
+export function doingOf(engine: Engine): number {
+  try {
+    return instances.get(engine)?.doing() ?? 0;
+  } catch {
+    // Its memory is suspect.
+    return 0;
+  }
 }
 
 /** Fetches a part into an engine: texts that it reads later are performed with it. */

@@ -32,11 +32,19 @@ export function captionsOf(utterances: readonly Utterance[]): Caption[] {
   });
 }
 
+/** A sentence ends with the word. */
+const ENDS = /[.!?…]["'”’)]*$/;
+/** So does a part of one. */
+const PAUSES = /[,;:–—]["'”’)]*$/;
+/** No sign of punctuation and closing is longer: what comes before need not be looked at. */
+const TAIL = 16;
+
 /** Cuts words into lines: at sentence ends and commas where possible, at the limit where not. */
 function linesOf(words: readonly Word[]): Word[][] {
   const lines: Word[][] = [];
   let line: Word[] = [];
   let length = 0;
+  const rests = sentenceRests(words);
   const flush = () => {
     if (line.length > 0) lines.push(line);
     line = [];
@@ -46,24 +54,25 @@ function linesOf(words: readonly Word[]): Word[][] {
     if (length > 0 && length + 1 + word.text.length > MOST_CHARACTERS) flush();
     line.push(word);
     length += (length > 0 ? 1 : 0) + word.text.length;
-    const ends = /[.!?…]["'”’)]*$/.test(word.text);
-    const pauses = /[,;:–—]["'”’)]*$/.test(word.text);
-    const alone = length >= SHORT_CHARACTERS || length + 1 + sentenceLength(words, i + 1) > MOST_CHARACTERS;
-    if ((ends && alone) || (pauses && length >= ENOUGH_CHARACTERS)) flush();
+    const tail = word.text.slice(-TAIL);
+    const alone = length >= SHORT_CHARACTERS || length + 1 + (rests[i + 1] ?? 0) > MOST_CHARACTERS;
+    if ((ENDS.test(tail) && alone) || (PAUSES.test(tail) && length >= ENOUGH_CHARACTERS)) flush();
   });
   flush();
   return lines;
 }
 
-/** Characters from word `from` to the end of its sentence; 0 at the end of the text. */
-function sentenceLength(words: readonly Word[], from: number): number {
-  let length = 0;
-  for (let i = from; i < words.length; i++) {
+/** For each word, the characters from it to the end of its sentence: counted once, from the end. */
+function sentenceRests(words: readonly Word[]): Uint32Array {
+  const rests = new Uint32Array(words.length);
+  let after = 0;
+  for (let i = words.length - 1; i >= 0; i--) {
     const text = words[i]?.text ?? '';
-    length += (length > 0 ? 1 : 0) + text.length;
-    if (/[.!?…]["'”’)]*$/.test(text)) break;
+    const ends = ENDS.test(text.slice(-TAIL));
+    after = text.length + (ends || after === 0 ? 0 : 1 + after);
+    rests[i] = after;
   }
-  return length;
+  return rests;
 }
 
 /** The caption at a time, and the index in it of the word being spoken (-1 in a pause). */

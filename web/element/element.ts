@@ -2,7 +2,7 @@
 
 import { html, LitElement, nothing, unsafeCSS, type PropertyValues } from 'lit';
 import { classMap } from 'lit/directives/class-map.js';
-import { hasAudio, RecordedVoice, SilentVoice, wakeAudio, type Voice } from './audio.js';
+import { hasAudio, pageSound, RecordedVoice, SilentVoice, type Voice } from './audio.js';
 import { chooseBackend, warmUp } from './backend.js';
 import { fetchChoice, figureOf, refusal, USUAL_FIGURE } from './cast.js';
 import { captionAt, captionsOf, type Caption } from './captions.js';
@@ -13,10 +13,14 @@ import { handleKey, type KeyActions } from './keyboard.js';
 import { FigureError, type FigureFile } from './figure.js';
 import { LiveScript } from './live.js';
 import { Idle } from './idle.js';
+import { PictureKeeper } from './keeper.js';
 import { fetchFigure, fetchStory, readFigure, type Progress, type StoryFiles } from './loader.js';
-import { Picture, trapped, type PictureEvents } from './picture.js';
+import { addStates, checkedRate, checkedVolume, rateFrom, volumeFrom, type MediaStates } from './media.js';
+import type { Picture, PictureEvents } from './picture.js';
+import { Playback, type PlaybackEvent } from './playback.js';
 import { Pulse } from './pulse.js';
 import { Transport, type TransportEvent } from './transport.js';
+import { isTrap } from './trap.js';
 import { PlayerError, type Answer, type Backend, type Cue, type Diagnostic, type FaceCourse, type Hand, type MindState, type PlayerEventMap, type Quality, type Statistics, type Story, type View } from './types.js';
 import { Welcome } from './welcome.js';
 
@@ -49,8 +53,12 @@ interface Show {
   lent?: boolean;
 }
 
+export interface RaconteurPlayer extends MediaStates {}
+
 /** The custom element. Attributes mirror properties; events follow `HTMLMediaElement`. */
 export class RaconteurPlayer extends LitElement {
+  /** Where the asset library is when the attribute `assets` does not say: set by the script that a page names. */
+  static library = 'assets/';
   static override styles = unsafeCSS(look);
   static override properties = {
     src: { reflect: true },
@@ -68,8 +76,8 @@ export class RaconteurPlayer extends LitElement {
     autoplay: { type: Boolean, reflect: true },
     muted: { type: Boolean, reflect: true },
     loop: { type: Boolean, reflect: true },
-    volume: { type: Number, reflect: true },
-    playbackRate: { type: Number, reflect: true, attribute: 'playback-rate' },
+    volume: { reflect: true, converter: volumeFrom },
+    playbackRate: { reflect: true, attribute: 'playback-rate', converter: rateFrom },
   };
 
   /** Address of the story's EML file; its voice lies in `voice/` beside it. */
@@ -84,7 +92,7 @@ export class RaconteurPlayer extends LitElement {
   declare handedness: Hand | undefined;
   /** Address (`ws:` or `wss:`) of a mind: EML that it sends is performed, and it is told what happens. See docs/live.md. */
   declare mind: string | undefined;
-  /** Address of the asset library, which holds `figures/`. */
+  /** Address of the asset library, which holds `figures/`; by default the folder `assets/` beside the script. */
   declare assets: string;
   /** A picture to show before the story is loaded. */
   declare poster: string | undefined;
@@ -102,13 +110,11 @@ export class RaconteurPlayer extends LitElement {
   declare autoplay: boolean;
   declare muted: boolean;
   declare loop: boolean;
-  /** 0 to 1. */
-  declare volume: number;
-  /** 0.5 to 2; the pitch stays. */
-  declare playbackRate: number;
 
+  #volume = 1;
+  #rate = 1;
   #show: Show | undefined;
-  #loading: { readonly abort: AbortController; readonly done: Promise<void>; share: number } | undefined;
+  #loading: { readonly abort: AbortController; done: Promise<void>; share: number } | undefined;
   /** The figure that is to come next. */
   #coming: AbortController | undefined;
   #link: MindLink | undefined;
@@ -126,6 +132,14 @@ export class RaconteurPlayer extends LitElement {
   #announcement = '';
   #canvas: HTMLCanvasElement | undefined;
   #onScreen = false;
+  /** Listeners may be called in the middle of an update. */
+  #updating = false;
+  readonly #keeper = new PictureKeeper();
+  readonly #playback = new Playback(
+    pageSound,
+    (event) => this.#onPlayback(event),
+    () => void this.#ensure(),
+  );
   readonly #pulse = new Pulse(
     () => this.#advance(),
     () => {
@@ -148,12 +162,10 @@ export class RaconteurPlayer extends LitElement {
   constructor() {
     super();
     this.quality = 'auto';
-    this.assets = 'assets/';
+    this.assets = RaconteurPlayer.library;
     this.label = 'Story';
     this.loading = 'lazy';
     this.controls = this.captions = this.autoplay = this.muted = this.loop = false;
-    this.volume = 1;
-    this.playbackRate = 1;
     this.addEventListener('keydown', (event) => this.#onKey(event));
     for (const type of ['pointermove', 'pointerup', 'focusin']) this.addEventListener(type, () => this.#idle.wake());
     this.addEventListener('fullscreenchange', () => this.requestUpdate());
@@ -181,7 +193,25 @@ export class RaconteurPlayer extends LitElement {
   }
 
   get paused(): boolean {
-    return this.#show?.transport.paused ?? true;
+    return this.#playback.paused;
+  }
+
+  /** Loudness, 0 to 1. Throws `IndexSizeError` beyond, and `TypeError` for what is not a number. */
+  get volume(): number {
+    return this.#volume;
+  }
+
+  set volume(value: number) {
+    this.#volume = checkedVolume(value);
+  }
+
+  /** Speed, 0.5 to 2; the pitch stays. Throws `NotSupportedError` beyond, and `TypeError` for what is not a number. */
+  get playbackRate(): number {
+    return this.#rate;
+  }
+
+  set playbackRate(value: number) {
+    this.#rate = checkedRate(value);
   }
 
   get ended(): boolean {
@@ -193,10 +223,17 @@ export class RaconteurPlayer extends LitElement {
     return this.#error ?? null;
   }
 
-  /** 0 nothing, 1 the story is known, 2 waiting for sound, 4 playing can go on: as for media elements. */
+  /** `HAVE_NOTHING` before a story is there, `HAVE_CURRENT_DATA` while its sound is waited for, else `HAVE_ENOUGH_DATA`: as for media elements. */
   get readyState(): number {
-    if (this.#show === undefined) return this.#loading === undefined ? 0 : 1;
-    return this.#show.transport.waiting ? 2 : 4;
+    if (this.#show === undefined) return this.HAVE_NOTHING;
+    return this.#show.transport.waiting ? this.HAVE_CURRENT_DATA : this.HAVE_ENOUGH_DATA;
+  }
+
+  /** `NETWORK_NO_SOURCE` when the story cannot be had, `NETWORK_LOADING` while it is fetched: as for media elements. */
+  get networkState(): number {
+    if (this.#error !== undefined) return this.NETWORK_NO_SOURCE;
+    if (this.#loading !== undefined) return this.NETWORK_LOADING;
+    return this.#show === undefined ? this.NETWORK_EMPTY : this.NETWORK_IDLE;
   }
 
   /** What is wrong with the story; the rest of it plays. */
@@ -236,32 +273,51 @@ export class RaconteurPlayer extends LitElement {
     return this.#show?.picture.backend;
   }
 
-  /** Begins or goes on; rejects with `NotAllowedError` where the browser wants a gesture of the user first. */
-  async play(): Promise<void> {
-    // Within the click: some browsers start sound only from there.
-    wakeAudio();
-    // A new src takes effect with the next update.
-    await this.updateComplete;
-    await this.load();
-    const show = this.#show;
-    if (show === undefined) throw this.#error ?? new DOMException('The story was replaced.', 'AbortError');
-    if (!(await show.transport.play())) {
-      throw new DOMException('The browser allows sound only after the user has done something.', 'NotAllowedError');
-    }
+  /**
+   * Begins or goes on; resolves when it plays. Rejects with `AbortError` when `pause()` or another
+   * story comes first, with `NotAllowedError` where the browser wants a gesture of the user first, and
+   * with `NotSupportedError` when the story cannot be played.
+   */
+  play(): Promise<void> {
+    this.#settleAttributes();
+    if (this.#error !== undefined) return Promise.reject(new DOMException(this.#error.message, 'NotSupportedError'));
+    return this.#playback.play();
   }
 
   pause(): void {
-    this.#show?.transport.pause();
+    this.#settleAttributes();
+    this.#playback.pause();
   }
 
-  /** Loads the story if it is not loaded; a lazy player does it by itself when it comes near the window. */
-  load(): Promise<void> {
-    if (this.#show !== undefined || this.#error !== undefined) return Promise.resolve();
+  /** Lets go of the story and loads it anew, also after an error; a player that comes near the window loads by itself. */
+  async load(): Promise<void> {
+    this.#settleAttributes();
+    this.#close();
+    await this.#ensure();
+  }
+
+  /** A change of `src` takes effect with the next update: now, for whoever asks for what follows from it. */
+  #settleAttributes(): void {
+    if (this.hasUpdated && this.isUpdatePending && !this.#updating) this.performUpdate();
+  }
+
+  protected override performUpdate(): void {
+    this.#updating = true;
+    super.performUpdate();
+    this.#updating = false;
+  }
+
+  /** Loads the story if it is not loaded and there was no error. */
+  async #ensure(): Promise<void> {
+    // A new src takes effect with the next update.
+    await this.updateComplete;
+    if (this.#show !== undefined || this.#error !== undefined) return;
     if (this.#loading === undefined) {
       const abort = new AbortController();
-      this.#loading = { abort, share: 0, done: this.#load(abort.signal) };
+      this.#loading = { abort, share: 0, done: Promise.resolve() };
+      this.#loading.done = this.#load(abort.signal);
     }
-    return this.#loading.done;
+    await this.#loading?.done;
   }
 
   /**
@@ -269,8 +325,7 @@ export class RaconteurPlayer extends LitElement {
    * what is accepted and what is not; rejects only when there is no story.
    */
   async perform(fragment: string): Promise<readonly Answer[]> {
-    await this.updateComplete;
-    await this.load();
+    await this.#ensure();
     const show = this.#show;
     if (show === undefined) throw this.#error ?? new DOMException('The story was replaced.', 'AbortError');
     await show.picture.equip();
@@ -337,7 +392,9 @@ export class RaconteurPlayer extends LitElement {
     this.#seen.disconnect();
     // Moving an element disconnects it for a moment.
     setTimeout(() => {
-      if (!this.isConnected) this.#close();
+      if (this.isConnected) return;
+      this.#close();
+      this.#keeper.close();
     });
   }
 
@@ -351,14 +408,13 @@ export class RaconteurPlayer extends LitElement {
       void this.#changeFigure(this.#show);
     } else if ((replaced || figure) && this.hasUpdated) {
       this.#close();
-      if ((this.#onScreen && this.#hasStory) || this.loading === 'eager') void this.load();
+      if ((this.#onScreen && this.#hasStory) || this.loading === 'eager') void this.#ensure();
     } else if (changed.has('loading') && this.loading === 'eager') {
-      void this.load();
+      void this.#ensure();
     }
-    const clamped = Number.isFinite(this.volume) ? Math.min(1, Math.max(0, this.volume)) : 1;
-    if (clamped !== this.volume) this.volume = clamped;
     this.#show?.voice.setVolume(this.muted ? 0 : this.volume);
     if ((changed.has('volume') || changed.has('muted')) && this.hasUpdated) this.dispatchEvent(new Event('volumechange'));
+    if (changed.has('playbackRate') && this.hasUpdated && this.#show === undefined) this.dispatchEvent(new Event('ratechange'));
     if (this.#show !== undefined) {
       this.#show.transport.loop = this.loop;
       this.#show.transport.setRate(this.playbackRate);
@@ -368,7 +424,7 @@ export class RaconteurPlayer extends LitElement {
 
   #appeared(entries: readonly IntersectionObserverEntry[]): void {
     this.#onScreen = entries.at(-1)?.isIntersecting ?? false;
-    if (this.#onScreen && this.#hasStory) void this.load();
+    if (this.#onScreen && this.#hasStory) void this.#ensure();
     this.#keepTime();
   }
 
@@ -384,7 +440,6 @@ export class RaconteurPlayer extends LitElement {
       if (this.#loading && !signal.aborted) this.#loading.share = share;
       this.requestUpdate();
     };
-    let picture: Picture | undefined;
     try {
       if (!this.src && this.#text === undefined) throw new PlayerError('No story is given: set the attribute src.');
       const choosing = Promise.resolve(this.backend ?? chooseBackend()).then((chosen) => {
@@ -401,21 +456,19 @@ export class RaconteurPlayer extends LitElement {
         lost: (recovering) => this.#setLost(recovering ? 'recovering' : 'yes', signal),
         back: () => this.#setLost('no', signal),
         retold: (story, live, anew) => (live ? story.diagnostics.forEach((d) => this.#report(d)) : this.#retell(story, anew)),
+        failed: (message) => this.#report({ code: 'engine-failed', severity: 'error', message, hints: [] }),
       };
-      const opened = await Picture.open(backends, files, events).catch(async (error: unknown) => {
+      const opened = await this.#keeper.open(backends, files, events, signal).catch(async (error: unknown) => {
         // Whom the page asks for, nobody else takes the place of.
-        if (!(error instanceof FigureError) || trapped(error) || this.figure || files.figure.name === USUAL_FIGURE) throw error;
+        if (!(error instanceof FigureError) || isTrap(error) || this.figure || files.figure.name === USUAL_FIGURE) throw error;
         this.#report(refusal(error.message));
         files = { ...files, figure: await fetchFigure(USUAL_FIGURE, this.#library, () => undefined) };
-        return await Picture.open(backends, files, events);
+        return await this.#keeper.open(backends, files, events, signal);
       });
-      picture = opened.picture;
-      if (this.#view !== undefined) picture.look(this.#view);
-      signal.throwIfAborted();
+      if (this.#view !== undefined) opened.picture.look(this.#view);
       this.#open(opened.story, opened.picture, files, sinceMs);
       for (const missing of opened.missing) this.#report(missing);
     } catch (error) {
-      picture?.close();
       if (signal.aborted) return;
       this.#fail(error);
     } finally {
@@ -462,7 +515,7 @@ export class RaconteurPlayer extends LitElement {
     await this.updateComplete;
     const text = (this.#text = String(eml));
     this.#keepTime();
-    await this.load();
+    await this.#ensure();
     const show = this.#show;
     if (show === undefined) throw this.#error ?? new DOMException('The story was replaced.', 'AbortError');
     await show.picture.equip(text);
@@ -570,7 +623,7 @@ export class RaconteurPlayer extends LitElement {
           this.#report({ code: 'sound-missing', severity: 'warning', message, hints: [] });
         })
       : new SilentVoice();
-    const transport = new Transport(voice, story.durationSecs, (event) => this.#onTransport(event));
+    const transport = new Transport(voice, story.durationSecs, (event) => this.#onTransport(event), this.playbackRate);
     this.#show = { story, figure: figure.name, choice: story.performer.figure, files, sinceMs, picture, voice, transport, script, captions: captionsOf(story.utterances) };
     this.#hearMusic(this.#show);
     this.#started = false;
@@ -579,17 +632,21 @@ export class RaconteurPlayer extends LitElement {
     void this.#lendVoice(this.#show);
     this.requestUpdate();
     this.dispatchEvent(new Event('durationchange'));
-    this.dispatchEvent(new Event('loadedmetadata'));
-    this.dispatchEvent(new Event('canplay'));
+    for (const event of ['loadedmetadata', 'loadeddata', 'canplay', 'canplaythrough']) this.dispatchEvent(new Event(event));
+    // A listener may have asked for another story.
+    if (this.#show?.transport !== transport) return;
+    this.#playback.attach(transport);
     void this.#connect(this.#show);
     this.#keepTime();
     this.#advance();
-    if (this.autoplay && !matchMedia('(prefers-reduced-motion: reduce)').matches) {
+    if (this.autoplay && this.#playback.mayAutoplay && !matchMedia('(prefers-reduced-motion: reduce)').matches) {
       this.play().catch(() => this.#say('Press play to begin'));
     }
   }
 
+  /** Lets go of the story; the picture is kept for the next. */
   #close(): void {
+    const before = this.networkState;
     this.#loading?.abort.abort();
     this.#loading = undefined;
     this.#coming?.abort();
@@ -598,8 +655,8 @@ export class RaconteurPlayer extends LitElement {
     this.#link = undefined;
     this.#awaited = false;
     this.#show?.voice.close();
-    this.#show?.picture.close();
     this.#show = undefined;
+    this.#playback.detach();
     this.#error = undefined;
     this.#diagnostics = [];
     this.#lost = 'no';
@@ -607,6 +664,8 @@ export class RaconteurPlayer extends LitElement {
     this.#canvas = undefined;
     this.#keepTime();
     this.requestUpdate();
+    if (before === this.NETWORK_IDLE || before === this.NETWORK_LOADING) this.dispatchEvent(new Event('abort'));
+    if (before !== this.NETWORK_EMPTY) this.dispatchEvent(new Event('emptied'));
   }
 
   #fail(error: unknown): void {
@@ -615,6 +674,7 @@ export class RaconteurPlayer extends LitElement {
         ? error
         : new PlayerError(error instanceof Error ? error.message : String(error), { cause: error });
     this.dispatchEvent(new ErrorEvent('error', { message: this.#error.message, error: this.#error }));
+    this.#playback.fail(this.#error.message);
   }
 
   #report(diagnostic: Diagnostic): void {
@@ -684,6 +744,12 @@ export class RaconteurPlayer extends LitElement {
     }
   }
 
+  /** Playing without a story, as far as it goes. */
+  #onPlayback(event: PlaybackEvent): void {
+    this.dispatchEvent(new Event(event));
+    this.requestUpdate();
+  }
+
   #onTransport(event: TransportEvent): void {
     if (event === 'seeking') {
       this.dispatchEvent(new Event('seeking'));
@@ -698,8 +764,9 @@ export class RaconteurPlayer extends LitElement {
       this.#advance();
     }
     this.#link?.tell({ kind: 'transport', event, timeSecs: this.currentTime });
-    this.dispatchEvent(new Event(event));
     if (event === 'seeked' || event === 'pause') this.dispatchEvent(new Event('timeupdate'));
+    this.dispatchEvent(new Event(event));
+    if (event === 'playing') this.#playback.started();
     this.#keepTime();
     this.requestUpdate();
   }
@@ -769,14 +836,13 @@ export class RaconteurPlayer extends LitElement {
   }
 
   #retry(): void {
-    this.#close();
     void this.load();
   }
 
   protected override render() {
     const show = this.#show;
     const before = show !== undefined && this.paused && (!this.#started || this.ended);
-    return html`
+    return html`<div class="frame">
       <div class=${classMap({ stage: true, shown: show !== undefined && this.#lost === 'no', 'hide-cursor': this.#idle.is })} part="stage" @pointerdown=${(event: PointerEvent) => this.#idle.tap(event, this.paused)} @click=${() => show && !this.#idle.tapWoke && this.#actions.toggle()}>
         ${this.#canvas}
       </div>
@@ -794,7 +860,7 @@ export class RaconteurPlayer extends LitElement {
       </div>
       ${this.#error ? parts.failure(this.#error.message, () => this.#retry()) : nothing}
       <div class="unseen" role="status">${this.#announcement}</div>
-    `;
+    </div>`;
   }
 
   #bar(show: Show) {
@@ -816,6 +882,8 @@ export class RaconteurPlayer extends LitElement {
     );
   }
 }
+
+addStates(RaconteurPlayer);
 
 declare global {
   interface HTMLElementTagNameMap {

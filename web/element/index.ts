@@ -1,9 +1,13 @@
 /** What a page imports: registers `<raconteur-player>` and hands on its types. */
 
-import { RaconteurPlayer } from './element.js';
+import { register } from './register.js';
 
-export { RaconteurPlayer };
+export { RaconteurPlayer } from './element.js';
 export { PlayerError } from './types.js';
 export type { AudioFile, Backend, Cue, Diagnostic, FaceCourse, Hand, Place, PlayerEventMap, Quality, Statistics, Story, Utterance, View, Word } from './types.js';
 
-if (customElements.get('raconteur-player') === undefined) customElements.define('raconteur-player', RaconteurPlayer);
+// The library lies beside the script, wherever that comes from. A name of its own for the script, so
+// that the build leaves the folder alone; and nothing else may import this file, which would then be
+// part of a script in another folder.
+const script = import.meta.url;
+register(new URL('assets/', script).href);

@@ -14,6 +14,8 @@ const MOST_FIGURE_BYTES = 100e6;
 /** Everything that a story needs, as it came. */
 export interface StoryFiles {
   readonly eml: string;
+  /** Where the text is; the page, when it has no file. */
+  readonly story: URL;
   /** The text of `voice/speech.json`; undefined when the story has no recorded voice. */
   readonly bundle: Uint8Array | undefined;
   readonly figure: FigureFile;
@@ -59,7 +61,7 @@ export async function fetchStory(
   };
   const [eml, bundle, who] = await Promise.all([told, voice(), figure(told, part(2))]);
   signal.throwIfAborted();
-  return { eml, bundle, figure: who, voiceFolder, animations: new Animations(library, story), edited: text !== undefined };
+  return { eml, story, bundle, figure: who, voiceFolder, animations: new Animations(library, story), edited: text !== undefined };
 }
 
 /** A bare name is a figure of the library; anything else is an address. */

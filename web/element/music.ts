@@ -51,7 +51,8 @@ interface Playing {
 
 /** Plays the music of a story. */
 export class Music {
-  readonly #audio: AudioContext;
+  /** What it is played with. */
+  readonly audio: AudioContext;
   readonly #roots: { readonly story: URL; readonly library: URL };
   readonly #onMissing: (message: string) => void;
   readonly #master: GainNode;
@@ -61,7 +62,7 @@ export class Music {
 
   /** `story` and `library` are the folders that files are looked for in. */
   constructor(audio: AudioContext, volume: number, roots: { story: URL; library: URL }, onMissing: (message: string) => void) {
-    this.#audio = audio;
+    this.audio = audio;
     this.#roots = roots;
     this.#onMissing = onMissing;
     this.#master = audio.createGain();
@@ -77,7 +78,7 @@ export class Music {
   }
 
   setVolume(volume: number): void {
-    this.#master.gain.setTargetAtTime(volume, this.#audio.currentTime, 0.015);
+    this.#master.gain.setTargetAtTime(volume, this.audio.currentTime, 0.015);
   }
 
   start(position: number, rate: number, at: number): void {
@@ -89,7 +90,7 @@ export class Music {
   stop(): void {
     this.#run = undefined;
     for (const { sound, gain } of this.#playing.values()) {
-      gain.gain.setTargetAtTime(0, this.#audio.currentTime, FOLLOW_SECS / 4);
+      gain.gain.setTargetAtTime(0, this.audio.currentTime, FOLLOW_SECS / 4);
       sound.pause();
     }
   }
@@ -140,9 +141,9 @@ export class Music {
     sound.preload = 'auto';
     sound.loop = piece.library;
     sound.preservesPitch = true;
-    const gain = this.#audio.createGain();
+    const gain = this.audio.createGain();
     gain.gain.value = 0;
-    this.#audio.createMediaElementSource(sound).connect(gain).connect(this.#master);
+    this.audio.createMediaElementSource(sound).connect(gain).connect(this.#master);
     const playing: Playing = { piece, sound, gain, sinceMs: performance.now(), settled: false, missing: false, setMs: 0, inTime: false };
     const root = piece.library ? this.#roots.library : this.#roots.story;
     const files = piece.file.endsWith('.opus') ? [piece.file, piece.file.replace(/opus$/, 'mp3')] : [piece.file];
@@ -167,7 +168,7 @@ export class Music {
   #follow(playing: Playing, run: { position: number; rate: number; at: number }): void {
     const { piece, sound, gain } = playing;
     if (!playing.settled || playing.missing) return;
-    const now = this.#audio.currentTime;
+    const now = this.audio.currentTime;
     const story = run.position + run.rate * (now - run.at);
     let place = story - piece.startSecs;
     if (piece.library && sound.duration > 0) place = ((place % sound.duration) + sound.duration) % sound.duration;

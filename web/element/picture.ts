@@ -3,6 +3,8 @@
 import { createEngine, joinPart, type Part } from './backend.js';
 import { showImages, unusable, type FigureFile } from './figure.js';
 import type { StoryFiles } from './loader.js';
+import { giveBack } from './graphics.js';
+import { isTrap, trapError } from './trap.js';
 import { PlayerError, TickStatus, type Backend, type Cue, type Diagnostic, type Engine, type FaceCourse, type Performance, type PictureStatistics, type Piece, type Quality, type Story, type View } from './types.js';
 
 /** More device pixels than this for a CSS pixel cost time and are not seen. */
@@ -24,13 +26,15 @@ export interface PictureEvents {
   back(): void;
   /** Animations have come: the story has other times, and problems that are told alone. `live`: they are of live clauses, the story stays. `anew`: the story was read again, and tells all of its problems. */
   retold(story: Story, live: boolean, anew: boolean): void;
+  /** The engine died, for the reason given as a sentence; another one takes its place. */
+  failed(message: string): void;
 }
 
 /** Owns the engine of one player. A trap in it costs the picture, not the story. */
 export class Picture {
   #backend: Backend;
   #files: StoryFiles;
-  readonly #events: PictureEvents;
+  #events: PictureEvents;
   #engine: Engine | undefined;
   #canvas: HTMLCanvasElement | undefined;
   #size = { width: 0, height: 0 };
@@ -44,6 +48,8 @@ export class Picture {
   #lastShown = 0;
   /** A figure's pictures are still being decoded: the canvas keeps what it shows. */
   #holding = false;
+  /** What of the figure is missing, once its pictures are decoded. */
+  #decoded: Promise<Diagnostic[]> = Promise.resolve([]);
   #quality: Quality = 'auto';
   #view: View | undefined;
   #openEnded = false;
@@ -74,7 +80,7 @@ export class Picture {
         return { picture, ...(await picture.#create()) };
       } catch (error) {
         // A figure that cannot be read is no better on another back end.
-        if (error instanceof PlayerError && !trapped(error)) throw error;
+        if (error instanceof PlayerError && !isTrap(error)) throw error;
         console.warn(`raconteur: no picture from ${backend}`, error);
       }
     }
@@ -84,6 +90,46 @@ export class Picture {
     picture.#lost = true;
     events.lost(false);
     return { picture, story, missing: [] };
+  }
+
+  /**
+   * Tells another story with the device, the pipelines and, if it is the same one, the figure that are
+   * here; undefined when the engine died of it. Throws, and may be asked again, when the figure cannot
+   * be read.
+   */
+  async tell(files: StoryFiles, events: PictureEvents): Promise<{ story: Story; missing: Diagnostic[] } | undefined> {
+    const engine = this.#engine;
+    if (engine === undefined || this.#canvas === undefined) return undefined;
+    const before = this.#files.figure;
+    const same = before.glb === files.figure.glb && before.name === files.figure.name;
+    // Its pictures may still be decoded: they are those of this very figure.
+    const told = same ? { ...files, figure: before } : files;
+    this.#events = events;
+    this.#equipped = false;
+    await this.#equip(engine, told.eml);
+    this.#openEnded = false;
+    let story: Story;
+    try {
+      story = this.#read(engine, told, same);
+      this.#files = told;
+      await told.animations.fetch(engine);
+      story = this.#animate(engine, story) ?? story;
+    } catch (error) {
+      if (!isTrap(error)) throw error;
+      console.warn('raconteur: the engine failed', error);
+      return undefined;
+    }
+    this.#restart(engine);
+    events.canvas(this.#canvas);
+    return { story, missing: await (same ? this.#decoded : this.#decode(engine)) };
+  }
+
+  /** As if nothing had been shown yet. */
+  #restart(engine: Engine): void {
+    this.#lastShown = this.#lastAsked = this.#recoveries = 0;
+    this.firstShownMs = undefined;
+    engine.setResting((this.#resting = true));
+    engine.seek(0);
   }
 
   /** The build in use. */
@@ -190,7 +236,7 @@ export class Picture {
       story = this.#read(engine, files);
     } catch (error) {
       // A trap may have left anything behind; an error has left everything as it was.
-      if (trapped(error)) {
+      if (isTrap(error)) {
         this.#engine = undefined;
         void this.recover();
       }
@@ -202,7 +248,11 @@ export class Picture {
   }
 
   /** The canvas keeps its last picture until those of the figure are decoded: a face without its skin is not shown. */
-  async #decode(engine: Engine): Promise<Diagnostic[]> {
+  #decode(engine: Engine): Promise<Diagnostic[]> {
+    return (this.#decoded = this.#decodeNow(engine));
+  }
+
+  async #decodeNow(engine: Engine): Promise<Diagnostic[]> {
     const figure = this.#files.figure;
     const current = () => figure === this.#files.figure && !this.#closed;
     this.#holding = true;
@@ -281,9 +331,10 @@ export class Picture {
     await new Promise((done) => setTimeout(done, RECOVERY_DELAY_MS));
     if (this.#closed) return;
     try {
-      const old = this.#engine;
+      const [old, canvas] = [this.#engine, this.#canvas];
       await this.#create();
       if (old !== undefined) release(old);
+      if (canvas !== undefined) giveBack(canvas, this.#backend);
       if (this.#closed) return this.close();
       this.seek(this.#lastShown);
       this.#lost = false;
@@ -313,8 +364,11 @@ export class Picture {
     this.#closed = true;
     if (this.#engine !== undefined) release(this.#engine);
     this.#engine = undefined;
-    this.#canvas?.remove();
+    const canvas = this.#canvas;
+    // Its loss is no news now.
     this.#canvas = undefined;
+    canvas?.remove();
+    if (canvas !== undefined) giveBack(canvas, this.#backend);
   }
 
   /** A lost canvas keeps its dead context, so each try has a canvas of its own. */
@@ -326,31 +380,42 @@ export class Picture {
       if (canvas === this.#canvas) void this.recover();
     });
     this.#events.canvas(canvas);
-    const engine = await this.#engineOn(canvas);
-    let story = this.#read(engine);
-    // Nobody is seen waiting for an animation.
-    await this.#files.animations.fetch(engine);
-    story = this.#animate(engine, story) ?? story;
-    engine.setQuality(this.#quality);
-    engine.setResting(this.#resting);
-    const missing = await this.#decode(engine);
-    this.#engine = engine;
-    this.#canvas = canvas;
-    this.#fit(engine);
-    return { story, missing };
+    let engine: Engine | undefined;
+    try {
+      engine = await this.#engineOn(canvas);
+      let story = this.#read(engine);
+      // Nobody is seen waiting for an animation.
+      await this.#files.animations.fetch(engine);
+      story = this.#animate(engine, story) ?? story;
+      engine.setQuality(this.#quality);
+      engine.setResting(this.#resting);
+      const missing = await this.#decode(engine);
+      this.#engine = engine;
+      this.#canvas = canvas;
+      this.#fit(engine);
+      return { story, missing };
+    } catch (error) {
+      if (engine !== undefined) release(engine);
+      giveBack(canvas, this.#backend);
+      throw error;
+    }
   }
 
-  #read(engine: Engine, files = this.#files): Story {
+  /** `kept`: the figure is on stage already. */
+  #read(engine: Engine, files = this.#files, kept = false): Story {
     const { eml, bundle, figure, edited } = files;
     applyView(engine, this.#view);
     engine.setHandedness(figure.handedness ?? '');
     try {
-      const story = engine.load(eml, bundle, figure.name, figure.glb, motionAmount());
+      const told = kept ? engine.tell(eml, bundle, motionAmount()) : undefined;
+      const story = told ?? engine.load(eml, bundle, figure.name, figure.glb, motionAmount());
       engine.setOpenEnded(this.#openEnded);
       // An edited text is shown with room for what it may become.
       return edited ? this.#reread(engine, files) : (this.#animate(engine, story) ?? story);
     } catch (error) {
-      throw unusable(figure.where, error);
+      // An engine throws for a figure alone; all else is in diagnostics.
+      if (error instanceof PlayerError) throw error;
+      throw isTrap(error) ? trapError(engine, files, error) : unusable(figure.where, error);
     }
   }
 
@@ -385,7 +450,9 @@ export class Picture {
     try {
       return use(engine);
     } catch (error) {
-      console.error('raconteur: the engine failed', error);
+      const failure = isTrap(error) ? trapError(engine, this.#files, error) : error;
+      console.error('raconteur: the engine failed', failure);
+      this.#events.failed(failure instanceof Error ? failure.message : String(failure));
       this.#engine = undefined;
       void this.recover();
       return undefined;
@@ -399,11 +466,6 @@ function applyView(engine: Engine, view: View | undefined): void {
 
 /** How much idle life. */
 const motionAmount = (): number => (matchMedia('(prefers-reduced-motion: reduce)').matches ? REDUCED_MOTION : 1);
-
-/** Whether an engine died of what it was asked. */
-export function trapped(error: unknown): boolean {
-  return error instanceof Error && error.cause instanceof WebAssembly.RuntimeError;
-}
 
 /** Gives an engine's memory back; one that trapped may refuse. */
 function release(engine: Engine): void {

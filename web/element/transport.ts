@@ -25,10 +25,11 @@ export class Transport {
   /** The clock may pass the end, because more may come. */
   openEnded = false;
 
-  constructor(voice: Voice, durationSecs: number, emit: (event: TransportEvent) => void) {
+  constructor(voice: Voice, durationSecs: number, emit: (event: TransportEvent) => void, rate = 1) {
     this.#voice = voice;
     this.#endSecs = durationSecs;
     this.#emit = emit;
+    this.#rate = clampRate(rate);
   }
 
   get paused(): boolean {
@@ -79,17 +80,14 @@ export class Transport {
     if (running && spoken) this.#run();
   }
 
-  /** Plays; false where the browser does not allow sound before the user acts. */
-  async play(): Promise<boolean> {
-    if (!this.#paused) return true;
-    if (!(await this.#voice.unlock())) return false;
-    if (!this.#paused) return true;
-    if (this.#ended) this.#moveTo(0);
+  /** Plays, or waits until there is sound; again from the start after the end. `announced`: whoever listens knows that playing was asked for. */
+  play(announced = false): void {
+    if (!this.#paused) return;
+    if (this.#ended) this.seek(0);
     this.#paused = false;
-    this.#ended = false;
-    this.#emit('play');
+    this.#waiting = announced;
+    if (!announced) this.#emit('play');
     this.#run();
-    return true;
   }
 
   pause(): void {
@@ -128,8 +126,8 @@ export class Transport {
     if (this.#paused) return position;
     this.#voice.prepare(position);
     if (this.#waiting) {
-      if (this.#voice.ready(position)) this.#run();
-    } else if (!this.#voice.ready(position)) {
+      if (this.#mayRun(position)) this.#run();
+    } else if (!this.#mayRun(position)) {
       // Better a pause than sound and lips that drift apart.
       this.#rest(true);
       this.#waiting = true;
@@ -140,10 +138,15 @@ export class Transport {
     return position;
   }
 
+  /** The sound at a place is there, and so is what plays it: a browser may suspend or close that at any time. */
+  #mayRun(position: number): boolean {
+    return this.#voice.running && this.#voice.ready(position);
+  }
+
   #run(): void {
     const position = this.#latest;
     this.#voice.prepare(position, this.#rate);
-    if (!this.#voice.ready(position)) {
+    if (!this.#mayRun(position)) {
       if (!this.#waiting) this.#emit('waiting');
       this.#waiting = true;
       return;

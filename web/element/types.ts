@@ -195,6 +195,8 @@ export interface Engine {
    * idle life from 0 to 1. Throws a readable `Error` when the figure cannot be read.
    */
   load(eml: string, bundle: Uint8Array | undefined, figure: string, glb: Uint8Array, motion: number): Story;
+  /** Has the figure that `load` put on stage tell another story, as `load` would; undefined when nobody is there. */
+  tell(eml: string, bundle: Uint8Array | undefined, motion: number): Story | undefined;
   /** Whether a text asks for code that has not joined the engine: what is read without it leaves that out. */
   lacksMore(eml: string): boolean;
   /** Has the figure that `load` put on stage read another text; undefined when nobody is there. */

@@ -1,6 +1,7 @@
 /** Who tells the story: the figures of the library, or a file of the user's own. */
 
-import type { Diagnostic, RaconteurPlayer } from '../element/index.js';
+import type { RaconteurPlayer } from '../element/element.js';
+import type { Diagnostic } from '../element/types.js';
 
 /** Connects the row of faces with a player; `changed` is told the name of a chosen figure of the library. */
 export function cast(player: RaconteurPlayer, changed: (figure: string) => void): (figure: string) => void {

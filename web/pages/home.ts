@@ -1,6 +1,6 @@
 /** The first page: one player; the story and who tells it are chosen. */
 
-import '../element/index.js';
+import './player.js';
 import './home-code.js';
 import { cast } from './home-cast.js';
 

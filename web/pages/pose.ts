@@ -1,6 +1,6 @@
 /** What a page draws over a player's picture: where joints and targets are, and how points of the world lie on the canvas. */
 
-import type { RaconteurPlayer } from '../element/index.js';
+import type { RaconteurPlayer } from '../element/element.js';
 
 /** A point or direction: x to the character's left, y up, z to the front; world, metres. */
 export type Vector = readonly [x: number, y: number, z: number];

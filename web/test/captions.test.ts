@@ -37,6 +37,51 @@ test('no caption is longer than two lines, even without punctuation', () => {
   for (const line of all) expect(line.length).toBeLessThanOrEqual(84);
 });
 
+/** What the captions of earlier versions were, one word after another: slow, and right. */
+function slowly(words: readonly { text: string }[]): string[] {
+  const ends = (text: string) => /[.!?…]["'”’)]*$/.test(text);
+  const lines: string[] = [];
+  let line: string[] = [];
+  words.forEach(({ text }, i) => {
+    const together = (more: string) => [...line, more].join(' ').length;
+    if (line.length > 0 && together(text) > 84) line = lines.push(line.join(' ')) > 0 ? [] : line;
+    line.push(text);
+    const rest = words.slice(i + 1);
+    const sentence = rest.slice(0, (rest.findIndex((w) => ends(w.text)) + 1 || rest.length)).map((w) => w.text);
+    const length = line.join(' ').length;
+    const alone = length >= 32 || length + 1 + sentence.join(' ').length > 84;
+    if ((ends(text) && alone) || (/[,;:–—]["'”’)]*$/.test(text) && length >= 42)) line = lines.push(line.join(' ')) > 0 ? [] : line;
+  });
+  return line.length > 0 ? [...lines, line.join(' ')] : lines;
+}
+
+test('lines are the same as when each is looked for by itself, in 500 random texts', () => {
+  let state = 7;
+  const random = (most: number) => Math.floor(((state = (state * 1_103_515_245 + 12_345) % 2 ** 31) / 2 ** 31) * most);
+  for (let i = 0; i < 500; i++) {
+    const text = Array.from({ length: 1 + random(80) }, () => 'x'.repeat(1 + random(random(9) === 0 ? 100 : 9)) + (['.', '?”', ',', ';', '…'][random(14)] ?? '')).join(' ');
+    expect(lines(text)).toEqual(slowly(text.split(' ').map((word) => ({ text: word }))));
+  }
+});
+
+test('each word is looked at a bounded number of times, however long the clause', () => {
+  const looks = [20_000, 200_000].map((count) => {
+    let reads = 0;
+    const words = Array.from({ length: count }, (_, i) => ({
+      get text() {
+        reads += 1;
+        return 'word';
+      },
+      startSecs: i,
+      endSecs: i + 0.5,
+      emphasized: false,
+    }));
+    captionsOf([{ startSecs: 0, durationSecs: count, audio: [], words, estimated: false }]);
+    return reads / count;
+  });
+  for (const each of looks) expect(each).toBeLessThan(10);
+});
+
 test('the word at a time is the one being spoken, and none in a pause', () => {
   const captions = captionsOf([say('Hello big world!', 1)]);
   expect(captionAt(captions, 0.9)).toBeUndefined();

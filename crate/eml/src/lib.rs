@@ -31,6 +31,7 @@ mod syntax;
 mod time_expr;
 mod timeline;
 mod voice;
+mod words;
 mod work;
 #[cfg(any(test, feature = "write"))]
 mod write;

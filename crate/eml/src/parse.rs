@@ -21,6 +21,11 @@ pub struct Limits {
     /// beyond play once. A document with more clauses than that plays all of them once.
     /// Default 200 000.
     pub timed_clauses: usize,
+    /// Words that one clause speaks; later ones are not spoken. Default 20 000: more than two hours.
+    pub clause_words: usize,
+    /// Words that the whole document speaks; later ones are not spoken. Default 200 000: a long
+    /// novel, a day and a night of speech.
+    pub words: usize,
     /// Attributes an element; later ones are ignored. Default 64.
     pub attributes: usize,
     /// Diagnostics, of one kind at most [`crate::MOST_OF_A_KIND`]; the rest is counted. Default
@@ -35,6 +40,8 @@ impl Default for Limits {
             depth: 64,
             clauses: 200_000,
             timed_clauses: 200_000,
+            clause_words: 20_000,
+            words: 200_000,
             attributes: 64,
             diagnostics: 200,
         }
@@ -140,6 +147,7 @@ fn read(source: &str, limits: &Limits, fragment: bool) -> Parsed {
         told_clauses: taken.told_clauses,
     };
     cx.root(fragment, taken);
+    crate::words::hold(&mut document, limits, &mut sink);
     crate::check::clauses(&document, fragment, &mut sink);
     Parsed {
         document,

@@ -82,7 +82,7 @@ mod tests {
     fn a_character_is_as_its_script_says_and_else_as_whoever_shows_it() {
         let text = "<eml xmlns:r='urn:raconteur:eml:1'><head><r:performer expressions='text' \
                     brows='0.5'/></head><body><voice-text time='0'>a</voice-text></body></eml>";
-        let script = Script::read_with(text, None, true);
+        let script = Script::read_with(text, None, true, &mut |_| ());
         let character = lower(&script, &[]).character.expect("a character");
         let shown = Manner {
             gaze: 0.25,
@@ -95,7 +95,12 @@ mod tests {
             ..shown
         };
         assert_eq!(manner(&character, shown), expected);
-        let plain = Script::read_with(&text.replace("expressions='text'", ""), None, true);
+        let plain = Script::read_with(
+            &text.replace("expressions='text'", ""),
+            None,
+            true,
+            &mut |_| (),
+        );
         let character = lower(&plain, &[]).character.expect("a character");
         assert_eq!(manner(&character, shown).way, Way::Audio);
     }

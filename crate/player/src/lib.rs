@@ -44,7 +44,7 @@ pub use raconteur_body as body;
 pub use raconteur_eml as eml;
 pub use raconteur_speech as speech;
 pub use raconteur_stage as stage;
-pub use script::{Script, asks_for_more, performer_of};
+pub use script::{Reading, Script, asks_for_more, performer_of};
 pub use units::Units;
 #[cfg(feature = "bake")]
 pub use voice::{Said, Source, content_of};

@@ -24,7 +24,7 @@ use crate::live::{self, Live, Performed, Scene};
 use crate::motion;
 use crate::music::{self, MusicClause, MusicCue};
 use crate::part::{self, Carried, Part};
-use crate::script::Script;
+use crate::script::{Reading, Script};
 use crate::soft::SoftFace;
 use crate::units::Units;
 use crate::views::Views;
@@ -146,8 +146,15 @@ impl Player {
     /// Reads a story and prepares its performance. Never fails; see [`Loaded::diagnostics`].
     #[must_use]
     pub fn load(input: StoryInput<'_>) -> Loaded {
+        Self::load_telling(input, &mut |_| ())
+    }
+
+    /// [`Player::load`]; `told` hears of each part of the story as its reading begins.
+    #[must_use]
+    pub fn load_telling(input: StoryInput<'_>, told: &mut dyn FnMut(Reading)) -> Loaded {
         let feels = input.options.feels;
-        let mut script = Script::read_with(input.eml, input.bundle, feels);
+        let mut script = Script::read_with(input.eml, input.bundle, feels, told);
+        told(Reading::Performance);
         if !input.options.motion {
             script.hold_still();
         }

@@ -31,6 +31,18 @@ pub struct Script {
     pub(crate) feels: bool,
 }
 
+/// What of a story is being read: told as it begins, so that whoever reads hostile input can say
+/// what was read last.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Reading {
+    /// The script's text.
+    Story,
+    /// The JSON of the speech bundle.
+    Speech,
+    /// All that is performed is planned.
+    Performance,
+}
+
 /// What a script takes from outside to know its times.
 pub(crate) struct Sources<'a> {
     pub(crate) bundle: Option<Arc<Bundle>>,
@@ -42,12 +54,22 @@ impl Script {
     /// what is wrong is in [`Script::diagnostics`], and the rest plays.
     #[must_use]
     pub fn read(eml: &str, bundle_json: Option<&[u8]>) -> Self {
-        Self::read_with(eml, bundle_json, true)
+        Self::read_with(eml, bundle_json, true, &mut |_| ())
     }
 
-    /// The same for a player who has what shows emotions and control parameters, or not.
-    pub(crate) fn read_with(eml: &str, bundle_json: Option<&[u8]>, feels: bool) -> Self {
+    /// The same for a player who has what shows emotions and control parameters, or not;
+    /// `told` hears of each part as its reading begins.
+    pub(crate) fn read_with(
+        eml: &str,
+        bundle_json: Option<&[u8]>,
+        feels: bool,
+        told: &mut dyn FnMut(Reading),
+    ) -> Self {
+        told(Reading::Story);
         let mut parsed = parse(eml);
+        if bundle_json.is_some() {
+            told(Reading::Speech);
+        }
         let bundle = bundle_json.and_then(|json| match Bundle::read_with(json, feels) {
             Ok(bundle) => Some(Arc::new(bundle)),
             Err(error) => {
@@ -62,6 +84,7 @@ impl Script {
                 None
             }
         });
+        told(Reading::Story);
         let sources = Sources {
             bundle,
             library: &Library::default(),

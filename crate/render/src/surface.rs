@@ -200,6 +200,14 @@ impl CanvasTarget {
     }
 }
 
+impl Drop for CanvasTarget {
+    /// Gives the device and all that was made on it back now. wgpu does nothing when a device of
+    /// WebGPU is dropped, and the browser keeps its memory until it collects garbage.
+    fn drop(&mut self) {
+        self.device.destroy();
+    }
+}
+
 /// The context that wgpu made for the canvas: asking again returns the same one.
 #[cfg(feature = "webgl")]
 fn webgl_context(canvas: &web_sys::HtmlCanvasElement) -> Option<web_sys::WebGl2RenderingContext> {

@@ -2,6 +2,7 @@
 
 use wasm_bindgen::prelude::*;
 
+use crate::doing::{Doing, Noted};
 use crate::more;
 use crate::player::{Player, has_more};
 
@@ -26,6 +27,7 @@ impl Player {
         names: Vec<String>,
         texts: Vec<String>,
     ) -> Result<JsValue, JsError> {
+        let _noted = Noted::new(Doing::Animation);
         match &mut self.performer {
             Some(performer) if has_more() => more::retell(performer, eml, &names, &texts),
             _ => Ok(JsValue::UNDEFINED),

@@ -1,13 +1,11 @@
 //! For pages that edit: another text for whoever is on stage, and what to draw over the
 //! picture.
 
-use std::sync::Arc;
-
 use raconteur_player::stage::{Room, View};
 use wasm_bindgen::prelude::*;
 
 use crate::drawn;
-use crate::player::{Player, has_face, plain, read};
+use crate::player::{Player, has_face};
 
 /// Room for every place that a fingertip reaches, as shares of stature: shoulders at 0.82 and
 /// 0.11 (ANSUR), an arm of 0.30 (GEVH table A.1) and a hand of 0.11. With it the picture stands
@@ -33,17 +31,12 @@ impl Player {
         let Some(before) = &self.performer else {
             return Ok(JsValue::UNDEFINED);
         };
-        let figure = Arc::clone(before.figure());
-        let stature_m = figure.skeleton.stature_m();
+        let stature_m = before.figure().skeleton.stature_m();
         let room = Room {
             top_m: REACH_UP * stature_m,
             half_width_m: REACH_OUT * stature_m,
         };
-        let options = self.options(motion, room);
-        let (mut performer, story) = read(eml, bundle.as_deref(), figure, options);
-        performer.set_view(self.view);
-        self.performer = Some(performer);
-        plain(&story)
+        self.read_again(eml, bundle.as_deref(), motion, room)
     }
 
     /// Shows the whole figure from another side, in this text and those rehearsed later:

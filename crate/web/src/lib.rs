@@ -42,6 +42,8 @@ mod clips;
 #[cfg(all(target_arch = "wasm32", not(feature = "avatar")))]
 mod curves;
 #[cfg(all(target_arch = "wasm32", not(feature = "avatar")))]
+mod doing;
+#[cfg(all(target_arch = "wasm32", not(feature = "avatar")))]
 mod drawn;
 #[cfg(all(target_arch = "wasm32", not(feature = "avatar")))]
 mod edit;
@@ -53,5 +55,6 @@ mod more;
 mod player;
 #[cfg(all(target_arch = "wasm32", not(feature = "avatar")))]
 pub use cast::performer;
+pub use doing::doing;
 #[cfg(all(target_arch = "wasm32", not(feature = "avatar")))]
 pub use player::{Player, face_joined, more_joined, pose_digests};

@@ -15,6 +15,7 @@ use serde_wasm_bindgen::Serializer;
 use wasm_bindgen::prelude::*;
 use web_sys::HtmlCanvasElement;
 
+use crate::doing::{Doing, Noted, note};
 use crate::drawn;
 use crate::message::Story;
 use crate::more;
@@ -100,10 +101,12 @@ impl Player {
         glb: &[u8],
         motion: f64,
     ) -> Result<JsValue, JsError> {
+        let _noted = Noted::new(Doing::Figure);
         let figure = Arc::new(read_with(figure, glb, has_face())?);
         let options = self.options(motion, Room::default());
         let (mut performer, story) = read(eml, bundle.as_deref(), figure, options);
         performer.set_view(self.view);
+        note(Doing::Figure);
         if let Some(picture) = &mut self.picture {
             picture.set_figure(performer.figure())?;
         }
@@ -120,6 +123,17 @@ impl Player {
             "right" => Some(Side::Right),
             _ => None,
         };
+    }
+
+    /// Reads another story for the figure that is on stage, which keeps its pictures: the device
+    /// is sent nothing. The arguments and the answer are those of `load`. Nothing before a `load`.
+    pub fn tell(
+        &mut self,
+        eml: &str,
+        bundle: Option<Vec<u8>>,
+        motion: f64,
+    ) -> Result<JsValue, JsError> {
+        self.read_again(eml, bundle.as_deref(), motion, Room::default())
     }
 
     /// Whether a text asks for code that has not joined this instance; without it, that is
@@ -158,6 +172,7 @@ impl Player {
         height: u32,
         rgba: &[u8],
     ) -> Result<(), JsError> {
+        let _noted = Noted::new(Doing::Figure);
         if let Some(picture) = &mut self.picture {
             picture.set_image(index, width, height, rgba)?;
         }
@@ -169,6 +184,7 @@ impl Player {
         let Some(performer) = &mut self.performer else {
             return Ok(TickStatus::Skipped as u32);
         };
+        let _noted = Noted::new(Doing::Pose);
         performer.advance(time_secs);
         self.draw(|performer, aspect| performer.frame(time_secs, aspect))
     }
@@ -176,6 +192,7 @@ impl Player {
     /// Shows the figure as it waits for the story to be played, for so many seconds already; a
     /// `TickStatus`. The next `tick` goes on from there, unless a `seek` comes first.
     pub fn welcome(&mut self, waited_secs: f64) -> Result<u32, JsError> {
+        let _noted = Noted::new(Doing::Pose);
         self.draw(|performer, aspect| performer.welcome(waited_secs, aspect))
     }
 
@@ -219,6 +236,7 @@ impl Player {
         fragment: &str,
         now_secs: f64,
     ) -> Result<JsValue, JsError> {
+        let _noted = Noted::new(Doing::Fragment);
         match &mut self.performer {
             Some(performer) if has_more() => more::perform(performer, mind, fragment, now_secs),
             _ => Ok(JsValue::UNDEFINED),
@@ -283,7 +301,9 @@ impl Player {
             (_, None) => TickStatus::NoPicture,
             _ if !self.sized => TickStatus::Skipped,
             (Some(performer), Some(picture)) => {
-                match picture.render(frame(performer, self.aspect))? {
+                let frame = frame(performer, self.aspect);
+                note(Doing::Drawing);
+                match picture.render(frame)? {
                     RenderStatus::Drawn => TickStatus::Shown,
                     RenderStatus::Skipped => TickStatus::Skipped,
                     RenderStatus::DeviceLost => TickStatus::Lost,
@@ -291,6 +311,25 @@ impl Player {
             }
         };
         Ok(status as u32)
+    }
+
+    /// Has the figure on stage read a text, with no less room in the picture than `room`.
+    pub(crate) fn read_again(
+        &mut self,
+        eml: &str,
+        bundle: Option<&[u8]>,
+        motion: f64,
+        room: Room,
+    ) -> Result<JsValue, JsError> {
+        let Some(before) = &self.performer else {
+            return Ok(JsValue::UNDEFINED);
+        };
+        let _noted = Noted::new(Doing::Story);
+        let figure = Arc::clone(before.figure());
+        let (mut performer, story) = read(eml, bundle, figure, self.options(motion, room));
+        performer.set_view(self.view);
+        self.performer = Some(performer);
+        plain(&story)
     }
 
     fn follow_pace(&mut self) {
@@ -373,12 +412,13 @@ pub(crate) fn read(
     figure: Arc<Figure>,
     options: Options,
 ) -> (Performer, Story) {
-    let loaded = Performer::load(StoryInput {
+    let input = StoryInput {
         eml,
         bundle,
         figure,
         options,
-    });
+    };
+    let loaded = Performer::load_telling(input, &mut |reading| note(reading.into()));
     let performer = loaded.player;
     let story = Story::new(
         eml,

@@ -1,6 +1,7 @@
 /** The state of the face's page: what the controls say, the text that follows from it, and the picture that follows from that. */
 
-import type { Diagnostic, RaconteurPlayer, View } from '../../element/index.js';
+import type { RaconteurPlayer } from '../../element/element.js';
+import type { Diagnostic, View } from '../../element/types.js';
 import { readPose } from '../pose.js';
 import { beginning, type State } from './state.js';
 import { write } from './write.js';

@@ -1,6 +1,6 @@
 /** How a face speaks, as numbers of the player: the order is that of `crate/web/src/curves.rs`. */
 
-import type { FaceCourse } from '../../element/index.js';
+import type { FaceCourse } from '../../element/types.js';
 import { MUSCLE_ORDER, namesOf } from './dials.js';
 
 /** A phone, or a part of a diphthong, as it moves the mouth. Story seconds. */

@@ -1,7 +1,7 @@
 /** What is said over time: phones, their dominance over the mouth, and what the face does for it. */
 
 import { html, nothing, svg, type TemplateResult } from 'lit';
-import type { RaconteurPlayer } from '../../element/index.js';
+import type { RaconteurPlayer } from '../../element/element.js';
 import { vars } from '../fields.js';
 import type { App } from './app.js';
 import { dominance, liveliest, segmentsOf, type Curve, type Segment } from './course.js';

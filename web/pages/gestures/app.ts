@@ -1,6 +1,7 @@
 /** The page's state: the text, what it says, what is selected, and what is on stage. */
 
-import type { Diagnostic, RaconteurPlayer } from '../../element/index.js';
+import type { RaconteurPlayer } from '../../element/element.js';
+import type { Diagnostic } from '../../element/types.js';
 import { readPose, type PoseNow } from '../pose.js';
 import { Editor } from './editor.js';
 import { setValue } from './edit.js';

@@ -11,7 +11,7 @@ import { lintGutter, setDiagnostics, type Diagnostic as Mark } from '@codemirror
 import { Annotation, EditorState, Transaction } from '@codemirror/state';
 import { drawSelection, EditorView, highlightActiveLine, highlightSpecialChars, keymap, lineNumbers } from '@codemirror/view';
 import { tags } from '@lezer/highlight';
-import type { Diagnostic, Place } from '../../element/index.js';
+import type { Diagnostic, Place } from '../../element/types.js';
 import type { Change } from './source.js';
 
 const look = EditorView.theme({

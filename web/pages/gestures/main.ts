@@ -1,7 +1,7 @@
 /** The workshop for gestures: wires the stage, the timeline, the steps and the text to one state. */
 
-import type { View } from '../../element/index.js';
-import '../../element/index.js';
+import type { View } from '../../element/types.js';
+import '../player.js';
 import { html, nothing, render, type TemplateResult } from 'lit';
 import { openEyesAt } from '../face/course.js';
 import { copyText, onUndoKeys, part } from '../workbench.js';

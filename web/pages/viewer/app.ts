@@ -1,6 +1,7 @@
 /** The viewer's state: what the controls say, the text that follows from it, and the picture that follows from that. */
 
-import type { Diagnostic, RaconteurPlayer, View } from '../../element/index.js';
+import type { RaconteurPlayer } from '../../element/element.js';
+import type { Diagnostic, View } from '../../element/types.js';
 import { readPose, type PoseNow } from '../pose.js';
 import { jointsNow } from './joints.js';
 import { Paces } from './paces.js';

@@ -1,6 +1,6 @@
 /** The viewer: wires the stage, the panels and the text to one state. */
 
-import '../../element/index.js';
+import '../player.js';
 import { html, nothing, render, type TemplateResult } from 'lit';
 import { cast } from '../home-cast.js';
 import { copyText, onUndoKeys, part } from '../workbench.js';

@@ -196,6 +196,10 @@ pub const CODES: &[(&str, &str)] = &[
         "Repetitions come to too many clauses; they play once.",
     ),
     (
+        "eml::too-many-words",
+        "A clause or the whole story speaks too many words.",
+    ),
+    (
         "eml::unbound-prefix",
         "No xmlns binds the prefix of a name.",
     ),

@@ -11,6 +11,8 @@ const LIMITS: Limits = Limits {
     depth: 6,
     clauses: 1000,
     timed_clauses: 1000,
+    clause_words: 1000,
+    words: 1000,
     attributes: 3,
     diagnostics: 1000,
 };

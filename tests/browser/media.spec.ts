@@ -1,0 +1,327 @@
+/** The element beside a media element of the browser: the same is asked of both, and the answers are compared. */
+
+import type { RaconteurPlayer } from '../../web/element/element.js';
+import { story, voiceFiles } from './fixture.js';
+import { expect, test, type Stage } from './stage.js';
+
+/** What both have; what is asked of one, runs in the page. */
+type Media = HTMLMediaElement | RaconteurPlayer;
+
+interface Kit {
+  readonly media: Media;
+  /** Two things to play, and one that is not there. */
+  readonly good: string;
+  readonly other: string;
+  readonly absent: string;
+  /** A speed beyond what it can. */
+  readonly fast: number;
+  /** What became of a promise: nothing or the error's name. */
+  settle(promise: Promise<unknown> | void): Promise<string>;
+  /** The name of what is thrown. */
+  thrown(work: () => void): string;
+  event(type: string): Promise<unknown>;
+  /** The names of the events since the last call; those that come by themselves are left out. */
+  events(): string[];
+}
+
+declare global {
+  interface Window {
+    /** One of the questions. */
+    ask(kit: Kit): unknown;
+  }
+}
+
+/** What is asked; the answers must be the same. */
+const QUESTIONS: { [name: string]: (kit: Kit) => unknown } = {
+  'before there is anything': ({ media }) => [media.paused, media.ended, media.readyState, media.networkState, media.currentTime, Number.isNaN(media.duration), media.error, media.playbackRate, media.volume, media.muted],
+  constants: ({ media }) => ['NETWORK_EMPTY', 'NETWORK_IDLE', 'NETWORK_LOADING', 'NETWORK_NO_SOURCE', 'HAVE_NOTHING', 'HAVE_METADATA', 'HAVE_CURRENT_DATA', 'HAVE_FUTURE_DATA', 'HAVE_ENOUGH_DATA'].map((name) => [
+    (media as unknown as Record<string, number>)[name],
+    (media.constructor as unknown as Record<string, number>)[name],
+  ]),
+  'speeds that cannot be': ({ media, thrown, fast }) => [fast, -fast, NaN, Infinity, 'quick' as unknown as number, undefined as unknown as number].map((rate) => [thrown(() => (media.playbackRate = rate)), media.playbackRate]),
+  'speeds that can': ({ media, thrown }) => [0.5, 1.25, 2, '1.5' as unknown as number].map((rate) => [thrown(() => (media.playbackRate = rate)), media.playbackRate]),
+  'a speed is kept when another is refused': ({ media, thrown, fast }) => {
+    media.playbackRate = 1.5;
+    return [thrown(() => (media.playbackRate = fast)), media.playbackRate, thrown(() => (media.playbackRate = NaN)), media.playbackRate];
+  },
+  'a speed is told': async ({ media, event }) => {
+    const told = event('ratechange');
+    media.playbackRate = 1.5;
+    return (await told) !== undefined;
+  },
+  loudness: ({ media, thrown }) => [0.5, 2, -1, NaN, Infinity, 'loud' as unknown as number, 0, 1].map((volume) => [thrown(() => (media.volume = volume)), media.volume]),
+  'loading tells what is known, in order': async ({ media, good, event, events }) => {
+    const there = event('canplaythrough');
+    media.src = good;
+    const before = [media.readyState, media.paused];
+    await there;
+    return [before, events(), media.readyState, media.networkState, media.paused, media.currentTime];
+  },
+  'nothing is known before it is there': async ({ media, good, event }) => {
+    const seen: number[] = [];
+    const there = event('loadedmetadata');
+    media.addEventListener('loadstart', () => seen.push(media.readyState, media.networkState));
+    media.src = good;
+    await there;
+    return [seen, media.readyState >= 1];
+  },
+  'play() before there is anything is kept': async ({ media, good, settle }) => {
+    media.src = good;
+    const played = media.play();
+    const at = [media.paused, media.readyState];
+    return [at, await settle(played), media.paused, media.readyState >= 3];
+  },
+  'play() and pause() before there is anything': async ({ media, good, settle, event }) => {
+    media.src = good;
+    const played = media.play();
+    media.pause();
+    const at = media.paused;
+    const there = event('canplay');
+    const became = await settle(played);
+    await there;
+    await new Promise((done) => setTimeout(done, 300));
+    return [at, became, media.paused, media.currentTime];
+  },
+  'play() and pause() once it is there': async ({ media, good, settle, event, events }) => {
+    const there = event('canplaythrough');
+    media.src = good;
+    await there;
+    await media.play();
+    media.pause();
+    events();
+    // It plays at once, so the promise is kept.
+    const first = media.play();
+    media.pause();
+    const became = await settle(first);
+    const second = await settle(media.play());
+    media.pause();
+    return [became, second, media.paused, events()];
+  },
+  'play() many times is kept many times': async ({ media, good, settle }) => {
+    media.src = good;
+    const both = await Promise.all([settle(media.play()), settle(media.play())]);
+    return [...both, await settle(media.play()), media.paused];
+  },
+  'play() and load()': async ({ media, good, settle, events }) => {
+    media.src = good;
+    const played = settle(media.play());
+    media.load();
+    return [await played, media.paused, media.currentTime, events().includes('emptied')];
+  },
+  'another source while it plays': async ({ media, good, other, settle, event, events }) => {
+    media.src = good;
+    await media.play();
+    events();
+    const there = event('canplay');
+    const gone = event('emptied');
+    media.src = other;
+    await gone;
+    const at = media.paused;
+    await there;
+    return [at, events().slice(0, 3), media.paused, media.currentTime, await settle(media.play())];
+  },
+  'what is not there': async ({ media, absent, settle, event }) => {
+    const failed = event('error');
+    media.src = absent;
+    const became = await settle(media.play());
+    await failed;
+    return [became, media.error !== null, media.networkState, media.readyState, await settle(media.play())];
+  },
+  'load() after an error': async ({ media, absent, good, settle, event }) => {
+    const failed = event('error');
+    media.src = absent;
+    media.load();
+    await failed;
+    const again = event('error');
+    media.load();
+    const between = media.error;
+    await again;
+    media.src = good;
+    return [between, await settle(media.play()), media.error, media.paused];
+  },
+  'pausing keeps the place, and events come in their order': async ({ media, good, event, events }) => {
+    const there = event('canplaythrough');
+    media.src = good;
+    await there;
+    events();
+    await media.play();
+    while (media.currentTime === 0) await new Promise((done) => setTimeout(done, 50));
+    const told = event('pause');
+    media.pause();
+    await told;
+    const at = media.currentTime;
+    await new Promise((done) => setTimeout(done, 200));
+    return [media.currentTime === at, at > 0, events()];
+  },
+  'seeking is told, and the place is there at once': async ({ media, good, event, events }) => {
+    const there = event('canplaythrough');
+    media.src = good;
+    await there;
+    events();
+    const sought = event('seeked');
+    media.currentTime = 0.5;
+    const at = media.currentTime;
+    await sought;
+    return [at, events()];
+  },
+  'it ends, and plays again from the start': async ({ media, good, event, events }) => {
+    const there = event('canplaythrough');
+    media.src = good;
+    await there;
+    media.currentTime = media.duration - 0.1;
+    await media.play();
+    events();
+    const over = event('ended');
+    await over;
+    const at = [media.paused, media.ended, media.currentTime === media.duration];
+    const told = events();
+    await media.play();
+    return [at, told, media.paused, media.ended, media.currentTime < 0.5];
+  },
+};
+
+/** Asks the page's question of one kind of element. */
+async function answers(stage: Stage, kind: 'audio' | 'raconteur-player'): Promise<unknown> {
+  return await stage.page.evaluate(async ([tag, backend]) => {
+    document.querySelector('main')?.replaceChildren();
+    const media = document.createElement(tag) as Media;
+    if (tag === 'raconteur-player') {
+      for (const [key, value] of Object.entries({ backend, loading: 'eager', assets: '/assets/', quality: 'low' })) media.setAttribute(key, value);
+    } else {
+      (media as HTMLMediaElement).preload = 'auto';
+    }
+    const told: string[] = [];
+    const types = ['loadstart', 'loadedmetadata', 'loadeddata', 'canplay', 'canplaythrough', 'play', 'playing', 'pause', 'ended', 'seeking', 'seeked', 'emptied', 'abort', 'error', 'ratechange'];
+    for (const type of types) {
+      // A browser tells after each seek that it can play.
+      media.addEventListener(type, () => told.push(type), { once: type.startsWith('canplay') });
+    }
+    document.querySelector('main')?.append(media);
+    // A media element is there at once; ours is drawn once first.
+    await (media as RaconteurPlayer).updateComplete;
+    const ours = tag === 'raconteur-player';
+    const kit: Kit = {
+      media,
+      good: ours ? 'good/story.eml' : 'good/voice/u0.wav',
+      other: ours ? 'other/story.eml' : 'other/voice/u0.wav',
+      absent: ours ? 'absent/story.eml' : 'absent.wav',
+      fast: ours ? 9 : 99,
+      settle: async (promise) => await Promise.resolve(promise).then(() => 'kept', (error: Error) => error.name),
+      thrown: (work) => {
+        try {
+          work();
+          return 'nothing';
+        } catch (error) {
+          return (error as Error).name;
+        }
+      },
+      event: (type) => new Promise((done) => media.addEventListener(type, done, { once: true })),
+      events: () => told.splice(0),
+    };
+    const answer = await window.ask(kit);
+    media.pause();
+    media.remove();
+    return JSON.parse(JSON.stringify(answer ?? null)) as unknown;
+  }, [kind, stage.backend] as const);
+}
+
+test.describe('as a media element', () => {
+  for (const name of Object.keys(QUESTIONS)) {
+    test(name, async ({ stage, page }) => {
+      const made = [{ text: 'One two three', msec: 1500, samples: new Float32Array(66_150) }];
+      const files = (folder: string) => Object.fromEntries(Object.entries({ ...voiceFiles(made), 'story.eml': story("<voice-text time='0'>One two three</voice-text>") }).map(([path, file]) => [`${folder}/${path}`, file]));
+      // No picture is asked after, and to make one takes longer than all the rest.
+      await page.addInitScript(() => (HTMLCanvasElement.prototype.getContext = () => null));
+      await page.addInitScript({ content: `window.ask = ${QUESTIONS[name]?.toString()};` });
+      await stage.open('<main></main>', { 'test.css': 'main * { width: 48px; height: 48px; aspect-ratio: auto }', ...files('good'), ...files('other') });
+      await page.waitForFunction(() => customElements.get('raconteur-player') !== undefined);
+      // Whoever has clicked may hear.
+      await page.mouse.click(300, 300);
+      const expected = await answers(stage, 'audio');
+      expect(await answers(stage, 'raconteur-player')).toEqual(expected);
+    });
+  }
+});
+
+/** Opens a small story with a voice and plays it. */
+async function play(stage: Stage): Promise<void> {
+  const made = [{ text: 'One two three', msec: 20_000, samples: new Float32Array(882_000) }];
+  await stage.open('<raconteur-player src="story.eml" quality="low"></raconteur-player>', {
+    'test.css': 'raconteur-player { width: 48px; height: 48px; aspect-ratio: auto }',
+    'story.eml': story("<voice-text time='0'>One two three</voice-text>"),
+    ...voiceFiles(made),
+  });
+  await stage.ready();
+}
+
+const state = (stage: Stage) => stage.player.evaluate((p: RaconteurPlayer) => [p.paused, p.readyState] as const);
+
+test('a context that is suspended is waited for', async ({ stage, page }) => {
+  await play(stage);
+  await stage.play();
+  await page.evaluate(() => window.record.contexts[0]?.suspend());
+  await expect.poll(() => state(stage)).toEqual([false, 2]);
+  expect((await stage.events()).at(-1)).toBe('waiting');
+  const at = await stage.time();
+  await page.evaluate(() => window.record.contexts[0]?.resume());
+  await expect.poll(() => state(stage)).toEqual([false, 4]);
+  await stage.until(at + 0.2);
+});
+
+test('a context that is closed is replaced, at rest and in play', async ({ stage, page }) => {
+  await play(stage);
+  await stage.play();
+  await stage.until(0.3);
+  const at = await stage.time();
+  await page.evaluate(() => window.record.contexts[0]?.close());
+  await stage.until(at + 0.3);
+  expect(await page.evaluate(() => window.record.contexts.map((c) => c.state))).toEqual(['closed', 'running']);
+  // It goes on where it was, with sound.
+  const starts = await page.evaluate(() => window.record.starts);
+  expect(starts.at(-1)?.offset).toBeGreaterThanOrEqual(at - 0.05);
+  await stage.pause();
+  await page.evaluate(() => window.record.contexts[1]?.close());
+  const later = await stage.time();
+  await stage.play();
+  await stage.until(later + 0.2);
+  expect(await page.evaluate(() => window.record.contexts.length)).toBe(3);
+});
+
+test('a browser that forbids sound rejects play(), and nothing has happened', async ({ stage, page }) => {
+  await page.addInitScript(() => {
+    // As before anybody has done anything: suspended, and resume() waits for ever.
+    const own = window.AudioContext;
+    window.AudioContext = class extends own {
+      override get state(): AudioContextState {
+        return 'suspended';
+      }
+      override resume(): Promise<void> {
+        return new Promise(() => undefined);
+      }
+    };
+  });
+  await play(stage);
+  const name = await stage.player.evaluate((p: RaconteurPlayer) => p.play().then(() => 'kept', (error: Error) => error.name));
+  expect(name).toBe('NotAllowedError');
+  expect(await stage.player.evaluate((p: RaconteurPlayer) => p.paused)).toBe(true);
+  expect((await stage.events()).filter((e) => e === 'playing')).toEqual([]);
+  // And one that is paused meanwhile is not started later.
+  const broken = await stage.player.evaluate((p: RaconteurPlayer) => {
+    const played = p.play().then(() => 'kept', (error: Error) => error.name);
+    p.pause();
+    return played;
+  });
+  expect(broken).toBe('AbortError');
+});
+
+test('an attribute that is no speed or loudness counts as none', async ({ stage }) => {
+  await stage.open('<raconteur-player playback-rate="9" volume="-3"></raconteur-player>');
+  const read = () => stage.player.evaluate((p: RaconteurPlayer) => [p.playbackRate, p.volume] as const);
+  await expect.poll(read).toEqual([1, 1]);
+  await stage.player.evaluate((p) => (p.setAttribute('playback-rate', '1.5'), p.setAttribute('volume', '0.25')));
+  expect(await read()).toEqual([1.5, 0.25]);
+  await stage.player.evaluate((p: RaconteurPlayer) => (p.playbackRate = 2));
+  await expect(stage.player).toHaveAttribute('playback-rate', '2');
+  await stage.player.evaluate((p) => (p.setAttribute('playback-rate', 'quick'), p.removeAttribute('volume')));
+  expect(await read()).toEqual([1, 1]);
+});

@@ -1,0 +1,131 @@
+/**
+ * Playing as a media element promises it (HTML, section 4.8.11.8 “Playing the media resource”):
+ * `paused` changes at once, and what `play()` gave is kept when playing begins and broken by
+ * `pause()`, `load()` or an error.
+ */
+
+import type { Transport } from './transport.js';
+
+/** The page's sound, which the user may have to allow. */
+export interface Permission {
+  /** Whether sound may begin, as far as can be known at once. */
+  readonly likely: boolean;
+  /** Makes the sound run; false where the browser wants the user to do something first. */
+  wake(): Promise<boolean>;
+}
+
+/** Events of playing without a story; with one, the transport tells them. */
+export type PlaybackEvent = 'play' | 'waiting' | 'pause';
+
+interface Pending {
+  resolve(): void;
+  reject(error: DOMException): void;
+}
+
+/** Whether playing is asked for, and who waits for it. */
+export class Playback {
+  readonly #permission: Permission;
+  readonly #emit: (event: PlaybackEvent) => void;
+  readonly #ensure: () => void;
+  #transport: Transport | undefined;
+  #wanted = false;
+  #pending: Pending[] = [];
+  /** Changes when what was asked for before is settled. */
+  #turn = {};
+  /** The attribute `autoplay` counts: nobody has played or paused since the story was asked for. */
+  mayAutoplay = true;
+
+  /** `ensure` begins to load what is not there; it must not throw. */
+  constructor(permission: Permission, emit: (event: PlaybackEvent) => void, ensure: () => void) {
+    this.#permission = permission;
+    this.#emit = emit;
+    this.#ensure = ensure;
+  }
+
+  get paused(): boolean {
+    return this.#transport?.paused ?? !this.#wanted;
+  }
+
+  /** Plays; resolves when it really does. */
+  play(): Promise<void> {
+    this.mayAutoplay = false;
+    const kept = new Promise<void>((resolve, reject) => this.#pending.push({ resolve, reject }));
+    const turn = this.#turn;
+    // Within the click: some browsers start sound only from there.
+    const woken = this.#permission.wake();
+    if (this.#permission.likely) this.#begin();
+    this.#ensure();
+    void woken.then((allowed) => {
+      if (turn !== this.#turn) return;
+      if (allowed) this.#begin();
+      else this.#refuse();
+    });
+    return kept;
+  }
+
+  pause(): void {
+    this.mayAutoplay = false;
+    this.#rest();
+    this.#break('AbortError', 'The call of play() was interrupted by a call of pause().');
+  }
+
+  /** A story is there. */
+  attach(transport: Transport): void {
+    this.#transport = transport;
+    if (this.#wanted) transport.play(true);
+  }
+
+  /** The story goes, or is not wanted any more: whoever waits is told, nothing is paused aloud. */
+  detach(): void {
+    this.#transport = undefined;
+    this.#wanted = false;
+    this.mayAutoplay = true;
+    this.#break('AbortError', 'The call of play() was interrupted by a new load.');
+  }
+
+  /** There is no story to play. */
+  fail(message: string): void {
+    this.#break('NotSupportedError', message);
+  }
+
+  /** The sound has begun. */
+  started(): void {
+    const pending = this.#settle();
+    for (const { resolve } of pending) resolve();
+  }
+
+  #begin(): void {
+    const transport = this.#transport;
+    if (transport !== undefined) {
+      if (transport.paused) transport.play();
+      else if (!transport.waiting) this.started();
+    } else if (!this.#wanted) {
+      this.#emit('play');
+      this.#emit('waiting');
+    }
+    this.#wanted = true;
+  }
+
+  #rest(): void {
+    const transport = this.#transport;
+    if (transport !== undefined) transport.pause();
+    else if (this.#wanted) this.#emit('pause');
+    this.#wanted = false;
+  }
+
+  #refuse(): void {
+    this.#rest();
+    this.#break('NotAllowedError', 'The browser allows sound only after the user has done something.');
+  }
+
+  #break(name: string, message: string): void {
+    for (const { reject } of this.#settle()) reject(new DOMException(message, name));
+  }
+
+  #settle(): Pending[] {
+    this.#turn = {};
+    const pending = this.#pending;
+    this.#pending = [];
+    return pending;
+  }
+}

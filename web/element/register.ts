@@ -1,0 +1,10 @@
+/** Makes `<raconteur-player>` an element of the page. */
+
+import { RaconteurPlayer } from './element.js';
+
+/** Makes elements of this name players. `library`: where the asset library is for those that do not say. */
+export function register(library?: string): void {
+  // Elements that stand in the page become players at once, so what they need is said before.
+  if (library !== undefined) RaconteurPlayer.library = library;
+  if (customElements.get('raconteur-player') === undefined) customElements.define('raconteur-player', RaconteurPlayer);
+}
