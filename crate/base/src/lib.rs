@@ -11,8 +11,8 @@
 
 pub mod curve;
 pub mod decimal;
-pub mod encoding;
 pub mod emoticon;
+pub mod encoding;
 pub mod json;
 mod node;
 pub mod noise;

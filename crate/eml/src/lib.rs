@@ -40,8 +40,7 @@ pub(crate) use raconteur_base::decimal;
 
 pub use clauses::environment::{
     Camera, CameraAngle, Emotion, EmotionKind, EmotionSpace, Expressions, Light, Music, Performer,
-    PreferredHand,
-    ShotKind, Valence,
+    PreferredHand, ShotKind, Valence,
 };
 pub use clauses::functions::{Arg, ArgValue, FunctionArgs, VhMove};
 pub use clauses::geometry::{ConfigureGeometry, FillMode, VisibleMeshes};

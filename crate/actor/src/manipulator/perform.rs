@@ -348,7 +348,10 @@ impl Manipulators {
             }
             // What it makes up for keeps it from its target as limits do.
             let turn = mend.upper.angle_between(DQuat::IDENTITY);
-            let off = mend.joints.iter().fold(turn, |sum, joint| sum + joint.abs());
+            let off = mend
+                .joints
+                .iter()
+                .fold(turn, |sum, joint| sum + joint.abs());
             if off > MENDED {
                 met.forced += off;
             }

@@ -84,10 +84,10 @@ impl Steady {
     /// What leads at a time; none where the limb is not followed, or no joints ever lead.
     pub(super) fn at(&self, time_secs: f64, rig: Option<&LimbRig>) -> Option<Lead> {
         let even = (time_secs * EVEN_HZ).floor();
-        let begun = self
-            .stretches
-            .partition_point(|s| s.from as f64 <= even);
-        self.stretches.get(begun.checked_sub(1)?)?.at(time_secs, rig)
+        let begun = self.stretches.partition_point(|s| s.from as f64 <= even);
+        self.stretches
+            .get(begun.checked_sub(1)?)?
+            .at(time_secs, rig)
     }
 }
 

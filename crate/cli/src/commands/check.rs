@@ -58,7 +58,9 @@ impl Check {
     }
 
     fn diagnostics(&self, files: &StoryFiles) -> Result<Vec<Diagnostic>> {
-        Ok(files.player(self.figure.as_deref(), Shot::Medium)?.diagnostics)
+        Ok(files
+            .player(self.figure.as_deref(), Shot::Medium)?
+            .diagnostics)
     }
 }
 

@@ -178,7 +178,9 @@ pub(crate) fn voice_hint(name: &str) -> String {
     {
         return hint_among(engine, &ENGINES);
     }
-    let all = local().iter().filter_map(|(_, voices)| voices.as_ref().ok());
+    let all = local()
+        .iter()
+        .filter_map(|(_, voices)| voices.as_ref().ok());
     let names: Vec<&str> = all.flatten().map(|v| v.name.as_str()).collect();
     hint_among(name, &names)
 }

@@ -9,7 +9,7 @@ use raconteur_player::speech::plan::Plan;
 use raconteur_player::speech::spoken::{Sentence, Spoken};
 
 use super::{Engine, VoiceInfo, aligned, wave};
-use crate::{inside, input};
+use crate::{input, inside};
 
 /// What an alignment's name ends in, the most telling first.
 const ENDINGS: [&str; 8] = ["TextGrid", "utt", "xml", "lab", "pho", "json", "tsv", "vtt"];
