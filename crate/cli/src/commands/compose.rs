@@ -8,6 +8,7 @@ use anyhow::{Context as _, Result};
 use clap::Args;
 
 use crate::Outcome;
+use crate::bake::program::{FFMPEG, Missing, OPUSENC, Program};
 use crate::compose::{self, Score};
 
 /// Play a score on the built-in synthesiser.
@@ -22,6 +23,16 @@ pub(crate) struct Compose {
 
 impl Compose {
     pub(crate) fn run(&self) -> Result<Outcome> {
+        let programs: Vec<&Program> = self
+            .output
+            .iter()
+            .filter_map(|path| match path.extension()?.to_str()? {
+                "opus" => Some(&OPUSENC),
+                "mp3" => Some(&FFMPEG),
+                _ => None,
+            })
+            .collect();
+        Missing::among(&programs).none()?;
         let text = fs::read_to_string(&self.score)
             .with_context(|| format!("cannot read the score {}", self.score.display()))?;
         let score = Score::read(&text).with_context(|| self.score.display().to_string())?;
