@@ -3,7 +3,6 @@
 
 use std::path::Path;
 
-use anyhow::Result;
 use raconteur_player::speech::assemble::intensity_codes;
 use raconteur_player::speech::bundle::{Utterance, db_of_code};
 
@@ -19,13 +18,10 @@ const ALIKE_DB: f64 = 3.0;
 /// Least share of frames that are alike.
 const LEAST_ALIKE: f64 = 0.9;
 
-/// Whether a sound is as long and as loud, moment by moment, as its utterance says.
-///
-/// # Errors
-/// When it cannot be decoded.
-pub(crate) fn is_sound_of(utterance: &Utterance, path: &Path) -> Result<bool> {
-    let (samples, rate_hz) = sounds::decode(path)?;
-    Ok(fits(utterance, &samples, rate_hz))
+/// Whether a sound is as long and as loud, moment by moment, as its utterance says. One that
+/// cannot be decoded, because a bake was stopped while it wrote it, is not.
+pub(crate) fn is_sound_of(utterance: &Utterance, path: &Path) -> bool {
+    sounds::decode(path).is_ok_and(|(samples, rate_hz)| fits(utterance, &samples, rate_hz))
 }
 
 fn fits(utterance: &Utterance, samples: &[f64], rate_hz: f64) -> bool {

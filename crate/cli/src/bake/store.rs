@@ -145,12 +145,12 @@ impl<'d> Store<'d> {
     /// under the names that tell it, if all are what the utterance says.
     ///
     /// # Errors
-    /// When they cannot be decoded or written.
+    /// When they cannot be read or written.
     pub(crate) fn adopt(
         &mut self,
         key: u64,
         digest: u64,
-        is_sound_of: &dyn Fn(&Utterance, &Path) -> Result<bool>,
+        is_sound_of: &dyn Fn(&Utterance, &Path) -> bool,
     ) -> Result<()> {
         let found = self.old.get(&key).filter(|k| k.sound == Sound::Untold);
         let Some(kept) = found.filter(|k| k.utterance.content == digest) else {
@@ -161,7 +161,7 @@ impl<'d> Store<'d> {
             let Some(path) = inside::find(&self.folder, &audio.file)? else {
                 return Ok(());
             };
-            if !is_sound_of(&kept.utterance, &path)? {
+            if !is_sound_of(&kept.utterance, &path) {
                 return Ok(());
             }
             let bytes = input::bytes(&path, media::MOST_BYTES)?;

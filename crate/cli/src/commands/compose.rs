@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use anyhow::{Context as _, Result};
 use clap::Args;
 
+use crate::bake::program::{FFMPEG, Missing, OPUSENC, Program};
 use crate::compose::{self, Score};
 use crate::{Outcome, input};
 
@@ -21,6 +22,16 @@ pub(crate) struct Compose {
 
 impl Compose {
     pub(crate) fn run(&self) -> Result<Outcome> {
+        let programs: Vec<&Program> = self
+            .output
+            .iter()
+            .filter_map(|path| match path.extension()?.to_str()? {
+                "opus" => Some(&OPUSENC),
+                "mp3" => Some(&FFMPEG),
+                _ => None,
+            })
+            .collect();
+        Missing::among(&programs).none()?;
         let text = input::text(&self.score, input::LONGEST_TEXT).context("the score")?;
         let score = Score::read(&text).with_context(|| self.score.display().to_string())?;
         let music = compose::play(&score).with_context(|| self.score.display().to_string())?;
