@@ -3,7 +3,8 @@
 //! Anybody can open a connection and say nothing, or a byte now and then. Such connections
 //! wait here, apart from the minds' places: at most [`MOST`] at once, each until
 //! [`super::mind::PATIENCE`] is over. One more turns out the one that has waited longest. So
-//! strangers hold no mind's place, and whoever greets at once is heard at once.
+//! strangers hold no mind's place, and whoever greets at once is heard at once. Those who are
+//! refused stay until they have read why.
 
 use std::collections::VecDeque;
 use std::io::{self, ErrorKind, Read, Write};
@@ -14,7 +15,7 @@ use std::time::{Duration, Instant};
 /// Greetings that are awaited at once, on all ports together.
 const MOST: usize = 64;
 /// How long what a refused peer still sends is read, so that it gets to read why.
-const FAREWELL: Duration = Duration::from_millis(500);
+const FAREWELL: Duration = Duration::from_secs(3);
 /// How much of it is read, bytes.
 const FAREWELL_BYTES: usize = 1 << 20;
 

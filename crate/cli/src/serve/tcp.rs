@@ -39,17 +39,14 @@ pub(crate) fn serve(stream: TcpStream, door: &Door) -> io::Result<()> {
         Err(Refusal::Silent(error)) => return Err(error),
         Err(Refusal::Told(why)) => Some(why),
     };
-    drop(stay);
-    let (refusal, place) = match (refusal, door.place()) {
-        (Some(why), _) => (Some(why), None),
-        (None, None) => (Some(FULL), None),
-        (None, place) => (None, place),
-    };
-    if let Some(why) = refusal {
+    // Who is refused takes no place, not even for a moment.
+    let place = refusal.is_none().then(|| door.place()).flatten();
+    if let Some(why) = refusal.or(place.is_none().then_some(FULL)) {
         wire.write_all(why.as_bytes())?;
         wire.farewell();
         return Ok(());
     }
+    drop(stay);
     wire.settle(TURN)?;
     let ended = match door.enter() {
         Ok(link) => talk(&mut wire, link, door),

@@ -44,12 +44,12 @@ pub(crate) fn serve(stream: TcpStream, door: &Door) -> Result<(), Error> {
     let Ok(mut socket) = accept_hdr_with_config(wire, greet, Some(config)) else {
         return Ok(());
     };
-    drop(stay);
     socket.get_mut().settle(TURN)?;
     let place = door.place();
     let ended = if place.is_none() {
         Err(End::with(CloseCode::Again, "all places are taken"))
     } else {
+        drop(stay);
         let link = door.enter().map_err(End::from);
         link.and_then(|link| talk(&mut socket, link, door))
     };
