@@ -44,11 +44,9 @@ const LIMITS: f64 = 8.0;
 const BACKWARDS: f64 = 0.45;
 
 /// Effort of an elbow or knee that points away from where the user prefers it. Designed: more
-/// than any strain, less than to go through the body or beyond limits.
-const PREFERRED: f64 = 3.0;
-/// Swivels that are weighed where there is a preference: the first, and how many.
-const PREFERRED_FIRST_RAD: f64 = -1.75;
-const PREFERRED_CANDIDATES: usize = 18;
+/// than to be raised or lowered, less than to strain the wrist to its limits, to go through the
+/// body or beyond the limits of the shoulder.
+const PREFERRED: f64 = 1.5;
 
 /// Joint angles that the user prefers, and how much each set counts, 0 to 1.
 #[derive(Clone, Copy, Debug, Default)]
@@ -255,7 +253,6 @@ impl LimbRig {
             let joints = joints.filter(|_| weight > 0.0)?;
             Some((self.hinge_across(&joints, base, axes), weight))
         });
-        let is_preferred = preferred.iter().any(Option::is_some);
         let distance = (target.position - base.origin).length();
         let [flexion, _] = self.chain.flexions_for(distance);
         let hinge = self.chain.hinge();
@@ -283,13 +280,8 @@ impl LimbRig {
         });
         let (mut sum, mut weights) = (0.0, 0.0);
         let ([mut s, mut c], [step_s, step_c]) = (FIRST_SIN_COS, STEP_SIN_COS);
-        let (mut swivel, mut count) = (FIRST_RAD, CANDIDATES);
-        if is_preferred {
-            (swivel, count) = (PREFERRED_FIRST_RAD, PREFERRED_CANDIDATES);
-            (s, c) = ops::sincos(swivel);
-        }
-        let mut outwards = first * c + second * s;
-        for _ in 0..count {
+        let (mut swivel, mut outwards) = (FIRST_RAD, first * c + second * s);
+        for _ in 0..CANDIDATES {
             let mut effort = 0.16 * swivel * swivel + self.strain(&circle, outwards);
             let elbow = circle.elbow(outwards);
             let upper = elbow - base.origin;
