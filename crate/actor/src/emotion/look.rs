@@ -41,11 +41,11 @@ pub enum Look {
 /// doi:10.1037/0022-3514.68.3.441. Lips pressed (AU 24) and their corners lowered are of the
 /// same display held back: Keltner & Buswell 1996, doi:10.1080/026999396380312.
 const SHAME: &[Share] = &[
-    m(M::FrontalisMedialLeft, 40),
-    m(M::CorrugatorLeft, 15),
-    m(M::OrbicularisOrisUpper, 40),
-    m(M::OrbicularisOrisLower, 45),
-    m(M::DepressorAnguliLeft, 25),
+    m(M::FrontalisMedialLeft, 55),
+    m(M::CorrugatorLeft, 35),
+    m(M::OrbicularisOrisUpper, 45),
+    m(M::OrbicularisOrisLower, 50),
+    m(M::DepressorAnguliLeft, 35),
     m(M::MentalisLeft, 35),
     (Dial::UPPER_LID_LEFT, 35),
 ];
@@ -76,9 +76,9 @@ const DISLIKING: &[Share] = &[
     (Dial::LOWER_LID_LEFT, 30),
 ];
 const DISLIKING_RIGHT: &[Share] = &[
-    m(M::LevatorLabiiRight, 65),
-    m(M::LevatorLabiiAlaequeRight, 35),
-    m(M::ZygomaticusMinorRight, 35),
+    m(M::LevatorLabiiRight, 38),
+    m(M::LevatorLabiiAlaequeRight, 30),
+    m(M::ZygomaticusMinorRight, 20),
     m(M::NasalisRight, 20),
 ];
 
@@ -86,16 +86,17 @@ const DISLIKING_RIGHT: &[Share] = &[
 /// doi:10.1007/BF00992253; Matsumoto & Ekman 2004, doi:10.1037/0022-3514.87.4.529), with
 /// the lowered brows, narrow lids and pressed lips (AU 4, 7, 24) of an anger that is kept in.
 const RESENTMENT: &[Share] = &[
-    m(M::CorrugatorLeft, 50),
-    m(M::DepressorSuperciliiLeft, 65),
-    m(M::OrbicularisOrisUpper, 35),
-    m(M::OrbicularisOrisLower, 40),
+    m(M::CorrugatorLeft, 75),
+    m(M::DepressorSuperciliiLeft, 80),
+    m(M::OrbicularisOrisUpper, 45),
+    m(M::OrbicularisOrisLower, 50),
+    m(M::MentalisLeft, 25),
     m(M::OrbicularisOculiLeft, 20),
     (Dial::LOWER_LID_LEFT, 55),
     (Dial::UPPER_LID_LEFT, 22),
 ];
 const RESENTMENT_RIGHT: &[Share] = &[
-    m(M::BuccinatorRight, 80),
+    m(M::BuccinatorRight, 90),
     m(M::LevatorAnguliRight, 40),
     m(M::ZygomaticusMajorRight, 15),
 ];
@@ -117,9 +118,8 @@ const RELIEF: &[Share] = &[
     m(M::FrontalisMedialLeft, 50),
     m(M::FrontalisLateralLeft, 20),
     m(M::ZygomaticusMajorLeft, 25),
-    m(M::DepressorLabiiLeft, 15),
     (Dial::UPPER_LID_LEFT, 65),
-    (Dial::JAW, 38),
+    (Dial::JAW, 24),
     (Dial::LIP_PROTRUSION_LOWER, 20),
 ];
 
