@@ -15,6 +15,10 @@ use Target as T;
 const LIPS_M: f64 = 0.09;
 
 /// A morph target, or the pair of its left and right halves.
+#[allow(
+    dead_code,
+    reason = "the table of muscles alone names some, by their names"
+)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u8)]
 pub(super) enum Target {
