@@ -87,6 +87,8 @@ interface Playing {
 }
 
 interface Run {
+  /** Where the times are of: what was planned on a context that was closed is heard no more. */
+  readonly audio: AudioContext;
   readonly position: number;
   readonly rate: number;
   readonly at: number;
@@ -158,7 +160,7 @@ export class RecordedVoice implements Voice {
       this.#asked = audio;
       void pageSound.wake();
     }
-    return audio.state === 'running';
+    return audio.state === 'running' && (this.#run === undefined || this.#run.audio === audio);
   }
 
   /** Where all sounds of the voice go; made anew with the context. */
@@ -227,7 +229,7 @@ export class RecordedVoice implements Voice {
 
   start(position: number, rate: number, at: number): void {
     this.#silence();
-    this.#run = { position, rate, at };
+    this.#run = { audio: context(), position, rate, at };
     this.#rate = rate;
     if (rate !== 1) void this.#fetchStretcher();
     this.prepare(position);

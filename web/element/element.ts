@@ -399,8 +399,8 @@ export class RaconteurPlayer extends LitElement {
       void this.#changeFigure(this.#show);
     } else if ((replaced || figure) && this.hasUpdated) {
       this.#close();
-      if ((this.#onScreen && this.#hasStory) || this.loading === 'eager') void this.#ensure();
-    } else if (changed.has('loading') && this.loading === 'eager') {
+      if ((this.#onScreen || this.loading === 'eager') && this.#hasStory) void this.#ensure();
+    } else if (changed.has('loading') && this.loading === 'eager' && this.#hasStory) {
       void this.#ensure();
     }
     this.#show?.voice.setVolume(this.muted ? 0 : this.volume);
