@@ -3,7 +3,7 @@
 import type { Music } from './music.js';
 import type { Permission } from './playback.js';
 import type { Spoken } from './spoken.js';
-import type { Piece, Utterance } from './types.js';
+import type { Diagnostic, Piece, Utterance } from './types.js';
 
 /** What keeps the time of a performance and lets it be heard. Source time is in seconds. */
 export interface Voice {
@@ -77,7 +77,7 @@ export const pageSound: Permission = {
 };
 
 /** Whether there is Web Audio at all. */
-export function hasAudio(): boolean {
+function hasAudio(): boolean {
   return typeof AudioContext !== 'undefined';
 }
 
@@ -435,4 +435,20 @@ export class SilentVoice implements Voice {
   }
 
   close(): void {}
+}
+
+/** What lets a story be heard, or keeps its time where there is no Web Audio; `report` hears of what cannot be played. */
+export function openVoice(utterances: Iterable<Utterance>, folder: URL, report: (message: string) => void): Voice {
+  if (!hasAudio()) return new SilentVoice();
+  return new RecordedVoice(utterances, folder, (utterance, why) => {
+    const words = utterance?.words.slice(0, 4).map((w) => w.text).join(' ');
+    report(words === undefined ? why : `The recording of “${words} …” cannot be played (${why}); its captions are shown.`);
+  });
+}
+
+/** Tells that a story has no recorded voice, or not for all that it says, and whose voice speaks instead, if any does. */
+export function voiceMissing(some: boolean, name: string | undefined): Diagnostic {
+  const what = some ? 'Some of what is said has no recording' : 'This story has no recorded voice';
+  const how = name === undefined ? 'it is told in captions' : `the browser's voice “${name}” speaks it, at guessed times`;
+  return { code: 'voice-missing', severity: 'warning', message: `${what}; ${how}.`, hints: ['Run “raconteur bake” on the story to make one.'] };
 }
