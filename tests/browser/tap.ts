@@ -103,3 +103,33 @@ export function decoded(text: string): Float32Array {
   const bytes = Buffer.from(text, 'base64');
   return Float32Array.from({ length: bytes.length / 4 }, (_, i) => bytes.readFloatLE(4 * i));
 }
+
+/**
+ * Lets the audio clock of a page that is opened next stand still within a task, so that all that
+ * reads it in one task, and in what follows from it before the next, reads the same moment: a
+ * caption and the time that it was chosen for can be compared, however busy the machine is.
+ */
+export async function steadyClock(page: Page): Promise<void> {
+  await page.addInitScript(() => {
+    const known = new Map<string, number>();
+    const { port1, port2 } = new MessageChannel();
+    // A message is a task of its own.
+    port1.onmessage = () => known.clear();
+    for (const [prototype, name] of [[BaseAudioContext.prototype, 'currentTime'], [AudioContext.prototype, 'outputLatency']] as const) {
+      const own = (Object.getOwnPropertyDescriptor(prototype, name) ?? Object.getOwnPropertyDescriptor(Object.getPrototypeOf(prototype), name))?.get;
+      Object.defineProperty(prototype, name, {
+        configurable: true,
+        get(this: AudioContext) {
+          let value = known.get(name);
+          if (value === undefined) {
+            if (known.size === 0) port2.postMessage(null);
+            known.set(name, (value = own?.call(this) as number));
+          }
+          return value;
+        },
+      });
+    }
+    // Finer than the clock, and never twice the same.
+    AudioContext.prototype.getOutputTimestamp = () => ({ contextTime: 0, performanceTime: 0 });
+  });
+}

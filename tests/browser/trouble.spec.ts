@@ -121,6 +121,37 @@ test('nothing is fetched from outside the story and the library', async ({ stage
   expect(asked.filter((path) => path.includes('secret'))).toEqual([]);
 });
 
+/** What an instance says that it was at when it trapped, and what the error must name. */
+const TRAPS: readonly (readonly [doing: number, named: RegExp])[] = [
+  [1, /reading the figure \/assets\/figures\/sofia\.glb: unreachable/],
+  [2, /reading the story \/assets\/stories\/hello-world\/story\.eml: unreachable/],
+  [3, /reading the speech \/assets\/stories\/hello-world\/voice\/speech\.json: unreachable/],
+  [4, /planning the performance of the story \/assets\/stories\/hello-world\/story\.eml: unreachable/],
+];
+
+test('a trap names what was being read, and its file', async ({ stage, page }) => {
+  await page.addInitScript(() => {
+    // No code of ours is known to trap: here reading a story does.
+    const { instantiate } = WebAssembly;
+    WebAssembly.instantiate = (async (source: WebAssembly.Module, imports?: WebAssembly.Imports) => {
+      const made = (await instantiate.call(WebAssembly, source, imports)) as unknown as WebAssembly.Instance;
+      if (made.exports['player_load'] === undefined) return made;
+      const trap = () => {
+        throw new WebAssembly.RuntimeError('unreachable');
+      };
+      const doing = () => Number(new URLSearchParams(document.querySelector('raconteur-player')?.getAttribute('src')?.split('?')[1]).get('doing'));
+      return Object.create(WebAssembly.Instance.prototype, { exports: { value: { ...made.exports, player_load: trap, doing } } }) as WebAssembly.Instance;
+    }) as typeof WebAssembly.instantiate;
+    // Nothing is drawn before it.
+    HTMLCanvasElement.prototype.getContext = () => null;
+  });
+  await stage.open('<raconteur-player assets="/assets/"></raconteur-player>');
+  for (const [doing, named] of TRAPS) {
+    await stage.player.evaluate((p: RaconteurPlayer, n) => void (p.src = `/assets/stories/hello-world/story.eml?doing=${n}`), doing);
+    await expect.poll(() => stage.player.evaluate((p: RaconteurPlayer) => p.error?.message ?? '')).toMatch(named);
+  }
+});
+
 /** Takes the graphics away, as a driver's reset does. */
 async function loseThePicture(stage: Stage): Promise<void> {
   await stage.player.evaluate((p) => {

@@ -3,7 +3,7 @@
 import type { Music } from './music.js';
 import type { Permission } from './playback.js';
 import type { Manner, Spoken } from './spoken.js';
-import type { Piece, Utterance } from './types.js';
+import type { Diagnostic, Piece, Utterance } from './types.js';
 
 /** What keeps the time of a performance and lets it be heard. Source time is in seconds. */
 export interface Voice {
@@ -77,7 +77,7 @@ export const pageSound: Permission = {
 };
 
 /** Whether there is Web Audio at all. */
-export function hasAudio(): boolean {
+function hasAudio(): boolean {
   return typeof AudioContext !== 'undefined';
 }
 
@@ -87,6 +87,8 @@ interface Playing {
 }
 
 interface Run {
+  /** Where the times are of: what was planned on a context that was closed is heard no more. */
+  readonly audio: AudioContext;
   readonly position: number;
   readonly rate: number;
   readonly at: number;
@@ -158,7 +160,7 @@ export class RecordedVoice implements Voice {
       this.#asked = audio;
       void pageSound.wake();
     }
-    return audio.state === 'running';
+    return audio.state === 'running' && (this.#run === undefined || this.#run.audio === audio);
   }
 
   /** Where all sounds of the voice go; made anew with the context. */
@@ -227,7 +229,7 @@ export class RecordedVoice implements Voice {
 
   start(position: number, rate: number, at: number): void {
     this.#silence();
-    this.#run = { position, rate, at };
+    this.#run = { audio: context(), position, rate, at };
     this.#rate = rate;
     if (rate !== 1) void this.#fetchStretcher();
     this.prepare(position);
@@ -433,4 +435,20 @@ export class SilentVoice implements Voice {
   }
 
   close(): void {}
+}
+
+/** What lets a story be heard, or keeps its time where there is no Web Audio; `report` hears of what cannot be played. */
+export function openVoice(utterances: Iterable<Utterance>, folder: URL, report: (message: string) => void): Voice {
+  if (!hasAudio()) return new SilentVoice();
+  return new RecordedVoice(utterances, folder, (utterance, why) => {
+    const words = utterance?.words.slice(0, 4).map((w) => w.text).join(' ');
+    report(words === undefined ? why : `The recording of “${words} …” cannot be played (${why}); its captions are shown.`);
+  });
+}
+
+/** Tells that a story has no recorded voice, or not for all that it says, and whose voice speaks instead, if any does. */
+export function voiceMissing(some: boolean, name: string | undefined): Diagnostic {
+  const what = some ? 'Some of what is said has no recording' : 'This story has no recorded voice';
+  const how = name === undefined ? 'it is told in captions' : `the browser's voice “${name}” speaks it, at guessed times`;
+  return { code: 'voice-missing', severity: 'warning', message: `${what}; ${how}.`, hints: ['Run “raconteur bake” on the story to make one.'] };
 }

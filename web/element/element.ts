@@ -2,14 +2,15 @@
 
 import { html, LitElement, nothing, unsafeCSS, type PropertyValues } from 'lit';
 import { classMap } from 'lit/directives/class-map.js';
-import { hasAudio, pageSound, RecordedVoice, SilentVoice, type Voice } from './audio.js';
+import { openVoice, pageSound, voiceMissing, type Voice } from './audio.js';
 import { chooseBackend, warmUp } from './backend.js';
 import { fetchChoice, figureOf, refusal, USUAL_FIGURE } from './cast.js';
 import { captionAt, captionsOf, type Caption } from './captions.js';
+import { actionsOf } from './actions.js';
 import * as parts from './controls.js';
 import look from './element.css?inline';
 import type { MindLink } from './mind.js';
-import { handleKey, type KeyActions } from './keyboard.js';
+import { handleKey } from './keyboard.js';
 import { FigureError, type FigureFile } from './figure.js';
 import { LiveScript } from './live.js';
 import { Idle } from './idle.js';
@@ -17,7 +18,7 @@ import { PictureKeeper } from './keeper.js';
 import { fetchFigure, fetchStory, readFigure, type Progress, type StoryFiles } from './loader.js';
 import { addStates, checkedRate, checkedVolume, rateFrom, volumeFrom, type MediaStates } from './media.js';
 import type { Picture, PictureEvents } from './picture.js';
-import { Playback, type PlaybackEvent } from './playback.js';
+import { Playback } from './playback.js';
 import { Pulse } from './pulse.js';
 import { Transport, type TransportEvent } from './transport.js';
 import { isTrap } from './trap.js';
@@ -137,7 +138,7 @@ export class RaconteurPlayer extends LitElement {
   readonly #keeper = new PictureKeeper();
   readonly #playback = new Playback(
     pageSound,
-    (event) => this.#onPlayback(event),
+    (event) => this.dispatchEvent(new Event(event)),
     () => void this.#ensure(),
   );
   readonly #pulse = new Pulse(
@@ -408,8 +409,8 @@ export class RaconteurPlayer extends LitElement {
       void this.#changeFigure(this.#show);
     } else if ((replaced || figure) && this.hasUpdated) {
       this.#close();
-      if ((this.#onScreen && this.#hasStory) || this.loading === 'eager') void this.#ensure();
-    } else if (changed.has('loading') && this.loading === 'eager') {
+      if ((this.#onScreen || this.loading === 'eager') && this.#hasStory) void this.#ensure();
+    } else if (changed.has('loading') && this.loading === 'eager' && this.#hasStory) {
       void this.#ensure();
     }
     this.#show?.voice.setVolume(this.muted ? 0 : this.volume);
@@ -608,21 +609,13 @@ export class RaconteurPlayer extends LitElement {
     const { language, voice } = show.story.performer;
     const name = await show.voice.substitute({ language: this.lang || language || this.closest<HTMLElement>('[lang]')?.lang || navigator.language, voice });
     if (this.#show !== show) return;
-    const what = show.files.bundle === undefined ? 'This story has no recorded voice' : 'Some of what is said has no recording';
-    const how = name === undefined ? 'it is told in captions' : `the browser's voice “${name}” speaks it, at guessed times`;
-    this.#report({ code: 'voice-missing', severity: 'warning', message: `${what}; ${how}.`, hints: ['Run “raconteur bake” on the story to make one.'] });
+    this.#report(voiceMissing(show.files.bundle !== undefined, name));
   }
 
   #open(story: Story, picture: Picture, files: StoryFiles, sinceMs: number): void {
     const { voiceFolder, figure } = files;
     const script = new LiveScript(story.utterances);
-    const voice = hasAudio()
-      ? new RecordedVoice(script, voiceFolder, (utterance, why) => {
-          const words = utterance?.words.slice(0, 4).map((w) => w.text).join(' ');
-          const message = words === undefined ? why : `The recording of “${words} …” cannot be played (${why}); its captions are shown.`;
-          this.#report({ code: 'sound-missing', severity: 'warning', message, hints: [] });
-        })
-      : new SilentVoice();
+    const voice = openVoice(script, voiceFolder, (message) => this.#report({ code: 'sound-missing', severity: 'warning', message, hints: [] }));
     const transport = new Transport(voice, story.durationSecs, (event) => this.#onTransport(event), this.playbackRate);
     this.#show = { story, figure: figure.name, choice: story.performer.figure, files, sinceMs, picture, voice, transport, script, captions: captionsOf(story.utterances) };
     this.#hearMusic(this.#show);
@@ -744,12 +737,6 @@ export class RaconteurPlayer extends LitElement {
     }
   }
 
-  /** Playing without a story, as far as it goes. */
-  #onPlayback(event: PlaybackEvent): void {
-    this.dispatchEvent(new Event(event));
-    this.requestUpdate();
-  }
-
   #onTransport(event: TransportEvent): void {
     if (event === 'seeking') {
       this.dispatchEvent(new Event('seeking'));
@@ -785,40 +772,7 @@ export class RaconteurPlayer extends LitElement {
 
   // --- the user ---
 
-  readonly #actions: KeyActions & parts.BarActions = {
-    toggle: () => {
-      if (this.paused) this.play().catch(() => this.#say('The story could not be started'));
-      else this.pause();
-    },
-    seekTo: (secs) => (this.currentTime = secs),
-    seekBy: (secs) => (this.currentTime += secs),
-    seekToShare: (share) => {
-      if (Number.isFinite(this.duration)) this.currentTime = this.duration * share;
-    },
-    setVolume: (volume) => {
-      this.volume = volume;
-      this.muted = false;
-    },
-    volumeBy: (step) => this.#actions.setVolume(Math.min(1, Math.max(0, Math.round((this.volume + step) * 20) / 20))),
-    setRate: (rate) => (this.playbackRate = rate),
-    toggleMuted: () => (this.muted = !this.muted),
-    toggleCaptions: () => {
-      this.captions = !this.captions;
-      this.#say(this.captions ? 'Captions on' : 'Captions off');
-    },
-    toggleFullscreen: () => {
-      const change = this.#isFullscreen ? document.exitFullscreen() : this.requestFullscreen();
-      // A browser may refuse; the player stays as it is.
-      change.catch(() => undefined);
-    },
-    dismiss: () => {
-      const open = this.renderRoot.querySelector('details[open]');
-      if (open instanceof HTMLDetailsElement) open.open = false;
-      else if (this.#isFullscreen) this.#actions.toggleFullscreen();
-      else return false;
-      return true;
-    },
-  };
+  readonly #actions = actionsOf(this, (text) => this.#say(text));
 
   get #isFullscreen(): boolean {
     return document.fullscreenElement === this;
@@ -833,10 +787,6 @@ export class RaconteurPlayer extends LitElement {
   #say(text: string): void {
     this.#announcement = text;
     this.requestUpdate();
-  }
-
-  #retry(): void {
-    void this.load();
   }
 
   protected override render() {
@@ -858,7 +808,7 @@ export class RaconteurPlayer extends LitElement {
         ${this.#lost !== 'no' ? parts.pictureLost(this.#lost === 'recovering', () => void show?.picture.recover(true)) : nothing}
         ${this.controls && (this.paused || !this.#idle.is) ? parts.diagnosticList(this.#diagnostics) : nothing}
       </div>
-      ${this.#error ? parts.failure(this.#error.message, () => this.#retry()) : nothing}
+      ${this.#error ? parts.failure(this.#error.message, () => void this.load()) : nothing}
       <div class="unseen" role="status">${this.#announcement}</div>
     </div>`;
   }

@@ -25,7 +25,7 @@ interface Pending {
 /** Whether playing is asked for, and who waits for it. */
 export class Playback {
   readonly #permission: Permission;
-  readonly #emit: (event: PlaybackEvent) => void;
+  readonly #emit: (event: PlaybackEvent) => unknown;
   readonly #ensure: () => void;
   #transport: Transport | undefined;
   #wanted = false;
@@ -36,7 +36,7 @@ export class Playback {
   mayAutoplay = true;
 
   /** `ensure` begins to load what is not there; it must not throw. */
-  constructor(permission: Permission, emit: (event: PlaybackEvent) => void, ensure: () => void) {
+  constructor(permission: Permission, emit: (event: PlaybackEvent) => unknown, ensure: () => void) {
     this.#permission = permission;
     this.#emit = emit;
     this.#ensure = ensure;

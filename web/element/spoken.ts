@@ -13,6 +13,8 @@ import type { Utterance } from './types.js';
 const VOICES_MS = 1000;
 /** An utterance that is not over at its end is waited for: this long, and this share of its own length. */
 const MOST_WAIT = { secs: 1.5, share: 0.5 } as const;
+/** A page that is not busy looks at least this often. */
+const LOOK_MS = 300;
 /** The utterances so far change the speed by no more than this. */
 const PACE = { min: 0.6, max: 1.8 } as const;
 /** The browser takes a moment to begin. */
@@ -36,8 +38,10 @@ interface Now {
   readonly secs: number;
   /** When it began, on the page's clock. */
   startedMs?: number;
-  /** Since when it is waited for. */
+  /** When it was waited for last. */
   lateMs?: number;
+  /** How long it has been waited for. */
+  waitedMs: number;
 }
 
 /** Speaks utterances that have no recording, one after another. */
@@ -128,8 +132,10 @@ export class Spoken {
     const now = this.#now;
     if (now === undefined || position < now.utterance.startSecs + now.utterance.durationSecs) return true;
     const ms = performance.now();
-    now.lateMs ??= ms;
-    if (ms - now.lateMs < (MOST_WAIT.secs + MOST_WAIT.share * now.secs) * 1000) return false;
+    // A page that was busy could not be told that it is over: that counts as one look.
+    now.waitedMs += Math.min(ms - (now.lateMs ?? ms), LOOK_MS);
+    now.lateMs = ms;
+    if (now.waitedMs < (MOST_WAIT.secs + MOST_WAIT.share * now.secs) * 1000) return false;
     this.#cancel();
     return true;
   }
@@ -149,7 +155,7 @@ export class Spoken {
     speech.rate = rate * this.#pace;
     const end = utterance.startSecs + utterance.durationSecs;
     const from = Math.max(position, utterance.startSecs);
-    const now: Now = { utterance, speech, secs: (end - from) / rate };
+    const now: Now = { utterance, speech, secs: (end - from) / rate, waitedMs: 0 };
     speech.onstart = () => (now.startedMs = performance.now());
     speech.onend = () => this.#ended(now);
     speech.onerror = ({ error }) => {

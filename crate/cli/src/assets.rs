@@ -5,6 +5,7 @@
 //! and the animations, is in the program as well, so that it works wherever it is.
 
 use std::borrow::Cow;
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
@@ -74,6 +75,18 @@ pub(crate) fn read(path: &str, story: &Path) -> Result<Cow<'static, [u8]>> {
             inside.map(|file| file.contents().into()).ok_or(error)
         }
     }
+}
+
+/// The names of the library's figures: those in the program, and those on disk near a story.
+pub(crate) fn figure_names(story: &Path) -> BTreeSet<String> {
+    let on_disk = find("figures/sofia.glb", story).ok();
+    let listed = on_disk.and_then(|file| std::fs::read_dir(file.parent()?).ok());
+    let listed = listed.into_iter().flatten().flatten().map(|f| f.path());
+    let held = FIGURES.files().map(|file| file.path().to_owned());
+    let models = held.chain(listed).filter(|p| p.extension().is_some_and(|e| e == "glb"));
+    models
+        .filter_map(|path| Some(path.file_stem()?.to_str()?.to_owned()))
+        .collect()
 }
 
 #[cfg(test)]

@@ -88,10 +88,11 @@ impl StoryFiles {
             return Ok((usual()?, None));
         };
         // A story reaches no file outside its folder.
-        let beside = self.script.parent().unwrap_or(Path::new("")).join(&name);
-        let path = beside.to_string_lossy();
+        let folder = self.script.parent().unwrap_or(Path::new(""));
         let chosen = if Path::new(&name).extension().is_some() {
-            find_figure(&path, &self.script)
+            inside::find(folder, &name)
+                .and_then(|path| path.context("there is no such file beside the story"))
+                .and_then(|path| find_figure(&path.to_string_lossy(), &self.script))
         } else {
             find_figure(&name, &self.script)
         };
@@ -104,27 +105,13 @@ impl StoryFiles {
                 );
                 let span = document.performer_span;
                 let mut warning = Diagnostic::warning("player::no-figure", span, message);
-                let known = self.figures();
+                let known = assets::figure_names(&self.script);
                 if let Some(near) = nearest(&name, known.iter().map(String::as_str)) {
                     warning = warning.hint(format!("did you mean `{near}`?"));
                 }
                 Ok((usual()?, Some(warning)))
             }
         }
-    }
-
-    /// The names of the figures of the library.
-    fn figures(&self) -> Vec<String> {
-        let usual = find_asset(&format!("figures/{USUAL_FIGURE}.glb"), &self.script);
-        let folder = usual.ok().and_then(|p| fs::read_dir(p.parent()?).ok());
-        let files = folder.into_iter().flatten().flatten();
-        let names = files.filter_map(|f| {
-            let name = f.file_name().into_string().ok()?;
-            name.strip_suffix(".glb").map(str::to_owned)
-        });
-        let mut names: Vec<String> = names.collect();
-        names.sort();
-        names
     }
 
     /// The story ready to be performed: by the figure of this name, else by the one that the

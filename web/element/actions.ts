@@ -1,0 +1,45 @@
+/** What the controls and the keys of a player do. */
+
+import type { BarActions } from './controls.js';
+import type { RaconteurPlayer } from './element.js';
+import type { KeyActions } from './keyboard.js';
+
+/** The actions of a player; `say` tells screen readers what has changed. */
+export function actionsOf(player: RaconteurPlayer, say: (text: string) => void): KeyActions & BarActions {
+  const isFullscreen = () => document.fullscreenElement === player;
+  const actions: KeyActions & BarActions = {
+    toggle: () => {
+      if (player.paused) player.play().catch((error: Error) => error.name !== 'AbortError' && say('The story could not be started'));
+      else player.pause();
+    },
+    seekTo: (secs) => (player.currentTime = secs),
+    seekBy: (secs) => (player.currentTime += secs),
+    seekToShare: (share) => {
+      if (Number.isFinite(player.duration)) player.currentTime = player.duration * share;
+    },
+    setVolume: (volume) => {
+      player.volume = volume;
+      player.muted = false;
+    },
+    volumeBy: (step) => actions.setVolume(Math.min(1, Math.max(0, Math.round((player.volume + step) * 20) / 20))),
+    setRate: (rate) => (player.playbackRate = rate),
+    toggleMuted: () => (player.muted = !player.muted),
+    toggleCaptions: () => {
+      player.captions = !player.captions;
+      say(player.captions ? 'Captions on' : 'Captions off');
+    },
+    toggleFullscreen: () => {
+      const change = isFullscreen() ? document.exitFullscreen() : player.requestFullscreen();
+      // A browser may refuse; the player stays as it is.
+      change.catch(() => undefined);
+    },
+    dismiss: () => {
+      const open = player.renderRoot.querySelector('details[open]');
+      if (open instanceof HTMLDetailsElement) open.open = false;
+      else if (isFullscreen()) actions.toggleFullscreen();
+      else return false;
+      return true;
+    },
+  };
+  return actions;
+}
