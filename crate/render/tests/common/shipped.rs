@@ -65,8 +65,6 @@ pub(crate) fn send(device: &mut Headless, figure: &Figure) {
 /// What is looked at.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum At {
-    /// The whole head.
-    Head,
     /// Nose and mouth.
     Nose,
     /// The jaw and the throat below it.
@@ -126,7 +124,6 @@ pub(crate) fn frame(figure: &Figure, light: Lighting, at: At, yaw: f64, pitch: f
     let bone = |b: Bone| frame.world_from_joint[b.index()].translation;
     let off = |x: f64, y: f64, z: f64| middle + DVec3::new(x, y, z) * d;
     let (target, half) = match at {
-        At::Head => (off(0.0, -0.3, -0.4), 2.4 * d),
         At::Nose => (off(0.0, -0.75, 0.3), 0.75 * d),
         At::Jaw => (off(0.0, -1.9, -0.4), 1.1 * d),
         At::Ear => (off(1.15, -0.35, -1.25), 0.75 * d),
