@@ -83,7 +83,9 @@ pub(crate) fn figure_names(story: &Path) -> BTreeSet<String> {
     let listed = on_disk.and_then(|file| std::fs::read_dir(file.parent()?).ok());
     let listed = listed.into_iter().flatten().flatten().map(|f| f.path());
     let held = FIGURES.files().map(|file| file.path().to_owned());
-    let models = held.chain(listed).filter(|p| p.extension().is_some_and(|e| e == "glb"));
+    let models = held
+        .chain(listed)
+        .filter(|p| p.extension().is_some_and(|e| e == "glb"));
     models
         .filter_map(|path| Some(path.file_stem()?.to_str()?.to_owned()))
         .collect()

@@ -55,6 +55,7 @@ mod more;
 mod player;
 #[cfg(all(target_arch = "wasm32", not(feature = "avatar")))]
 pub use cast::performer;
+#[cfg(all(target_arch = "wasm32", not(feature = "avatar")))]
 pub use doing::doing;
 #[cfg(all(target_arch = "wasm32", not(feature = "avatar")))]
 pub use player::{Player, face_joined, more_joined, pose_digests};
