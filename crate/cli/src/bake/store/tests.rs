@@ -1,6 +1,5 @@
 use super::*;
-use crate::disk::Real;
-use crate::disk::faulty::{Faulty, Then};
+use crate::disk::faulty::{Faulty, Then, Unsynced as Real};
 
 fn utterance(key: u64, content: u64, audio: Vec<AudioFile>) -> Utterance {
     Utterance {
@@ -79,7 +78,7 @@ fn some(next: &mut impl FnMut(u64) -> u64) -> Sounds {
 #[test]
 fn wherever_a_bake_is_stopped_the_bundle_is_the_old_or_the_new_one() {
     let mut stops = 0;
-    for seed in 0..12 {
+    for seed in 0..6 {
         let mut next = numbers(seed);
         let (old, new) = (some(&mut next), some(&mut next));
         for then in [Then::Killed, Then::GoesOn] {
@@ -106,7 +105,7 @@ fn wherever_a_bake_is_stopped_the_bundle_is_the_old_or_the_new_one() {
             }
         }
     }
-    assert!(stops > 200, "{stops}");
+    assert!(stops > 100, "{stops}");
 }
 
 #[test]
