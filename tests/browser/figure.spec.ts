@@ -35,6 +35,8 @@ const trouble = (stage: Stage) => stage.player.evaluate((p: RaconteurPlayer) => 
 async function open(stage: Stage, files: { [path: string]: string | Buffer }): Promise<void> {
   await stage.open('<raconteur-player src="/assets/stories/hello-world/story.eml" controls captions></raconteur-player>', files);
   await stage.ready();
+  // Before anybody has played or sought, the figure moves.
+  await stage.seek(0);
 }
 
 /** A GLB whose JSON chunk says this. */
