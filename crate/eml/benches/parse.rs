@@ -29,6 +29,8 @@ const LIMITS: Limits = Limits {
     depth: 64,
     attributes: 64,
     diagnostics: 200,
+    clause_words: usize::MAX,
+    words: usize::MAX,
 };
 
 fn bare(source: &str) -> usize {
