@@ -292,7 +292,11 @@ fn no_random_move_of_any_limb_snaps() {
         moves += count;
         seed += 1;
     }
-    println!("{moves} moves in {} chains, {} too fast", seed - from, over.len());
+    println!(
+        "{moves} moves in {} chains, {} too fast",
+        seed - from,
+        over.len()
+    );
     assert!(over.is_empty(), "{over:?}");
 }
 

@@ -8,8 +8,8 @@ use core::f64::consts::{FRAC_PI_2, PI};
 use raconteur_actor::ManipulatorScript;
 use raconteur_actor::manipulator::path::rotation_from;
 use raconteur_actor::manipulator::{Command, Frame, Limb, Motion, Move, Pace, Path, Place, Shape};
-use raconteur_base::{DVec3, ops};
 use raconteur_base::decimal::fixed;
+use raconteur_base::{DVec3, ops};
 use raconteur_eml::{
     ArgValue, ClauseKind, Diagnostic, Document, FunctionArgs, Manipulator, Span, Target, Timeline,
 };

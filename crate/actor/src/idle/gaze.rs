@@ -80,7 +80,10 @@ mod tests {
             };
             for i in 0..6300 {
                 let ([yaw, pitch], [next_yaw, next_pitch]) = (at(i), at(i + 1));
-                assert!((next_yaw - yaw).abs() < 0.02, "{tilt} {i}: {yaw} {next_yaw}");
+                assert!(
+                    (next_yaw - yaw).abs() < 0.02,
+                    "{tilt} {i}: {yaw} {next_yaw}"
+                );
                 assert!((next_pitch - pitch).abs() < 0.02);
             }
         }

@@ -48,7 +48,10 @@ impl RootTrack {
 
     /// When each motion begins and how long it takes, seconds; infinite in a loop.
     pub(super) fn motions(&self) -> Vec<(f64, f64)> {
-        self.moves.iter().map(|(at, curve)| (*at, curve.secs())).collect()
+        self.moves
+            .iter()
+            .map(|(at, curve)| (*at, curve.secs()))
+            .collect()
     }
 
     /// World from figure axes; none where the figure never moves.

@@ -242,10 +242,14 @@ impl Manipulators {
         let i = limb.index();
         let target = &met.joints;
         let open = self.steady[i].stretches.last();
-        let last = open.filter(|s| s.next() == even).and_then(|s| s.samples.last());
+        let last = open
+            .filter(|s| s.next() == even)
+            .and_then(|s| s.samples.last());
         let Some(last) = last.map(|s| s.joints) else {
             // The limb comes under control where it is.
-            self.steady[i].stretches.push(Stretch::new(even, even, *target));
+            self.steady[i]
+                .stretches
+                .push(Stretch::new(even, even, *target));
             followed.target = Some((*target, 0.0));
             return *target;
         };
@@ -325,8 +329,7 @@ impl Manipulators {
             return true;
         }
         let is_suspect = is_uneven || is_stretched && turned > STILL_RAD;
-        is_suspect
-            && self.snaps_between(limb, ends, (even - 1) as f64 / EVEN_HZ, HALVINGS, scene)
+        is_suspect && self.snaps_between(limb, ends, (even - 1) as f64 / EVEN_HZ, HALVINGS, scene)
     }
 
     /// Whether a limb's target makes it snap in one of 2 to the power of `halvings` parts of the
@@ -359,10 +362,13 @@ impl Manipulators {
             return false;
         }
         let parts = [(a, &middle, from_secs), (&middle, b, middle_secs)];
-        parts.into_iter().zip(halves).any(|((a, b, from_secs), turned)| {
-            turned > 0.5 * UNSEEN_RAD
-                && self.snaps_between(limb, [a, b], from_secs, halvings - 1, scene)
-        })
+        parts
+            .into_iter()
+            .zip(halves)
+            .any(|((a, b, from_secs), turned)| {
+                turned > 0.5 * UNSEEN_RAD
+                    && self.snaps_between(limb, [a, b], from_secs, halvings - 1, scene)
+            })
     }
 
     /// The joints of a limb's target alone at a time, or those that it has without one.
