@@ -10,7 +10,7 @@ use super::limits::{self, Limit};
 use super::rig::{Base, LimbRig, Posed, ROLL};
 use super::root::RootTrack;
 use super::solve::{AT_EASE, Choice, Solutions, choose, matrix_error};
-use super::steady::{Steady, nearest, spline};
+use super::steady::{Steady, spline};
 use super::swivel::{Obstacles, Preference};
 use super::track::{Goal, Track};
 use super::{Frame, Joints, Limb, ManipulatorScript, Sex, lean};
@@ -260,33 +260,6 @@ impl Manipulators {
         };
         let met = self.meet_at(Limb::Head, &goal, time_secs, skeleton, pose);
         self.place(Limb::Head, &met, weight, pose);
-    }
-
-    /// Meets the goal of a limb at a time, or goes its [steady](super::steady) way.
-    pub(super) fn meet_at(
-        &self,
-        limb: Limb,
-        goal: &Goal,
-        time_secs: f64,
-        skeleton: &Skeleton,
-        pose: &Pose,
-    ) -> Met {
-        let mut met = self.meet_alone(limb, goal, time_secs, skeleton, pose);
-        let rig = self.limbs.get(limb.index());
-        if let Some(lead) = self.steady[limb.index()].at(time_secs, rig) {
-            let near = nearest(&lead.joints, &met.joints, rig);
-            let [limb_forced, end_forced] = met.forced_by();
-            let share = |i: usize, forced: f64| {
-                lead.weights[i].max(lead.weight_unmet * smooth(forced / FORCED))
-            };
-            let (even, even_end) = (share(0, limb_forced), share(1, end_forced));
-            for (i, (joint, near)) in met.joints.iter_mut().zip(near).enumerate() {
-                let even = if END.contains(&i) { even_end } else { even };
-                *joint += even * (near - *joint);
-            }
-            met.posed = self.posed(limb, &met.joints, &met.base);
-        }
-        met
     }
 
     /// Meets the goal of a limb at a time by that goal alone.
