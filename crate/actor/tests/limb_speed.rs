@@ -202,6 +202,7 @@ fn motion(limb: Limb, seed: u64, i: i64) -> Motion {
             1 => Motion::Configure {
                 is_on: Some(true),
                 limits: Some(unit(3) < 0.5),
+                preferred: None,
             },
             _ => Motion::Lock(unit(3) < 0.7),
         },
