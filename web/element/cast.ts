@@ -1,7 +1,7 @@
 /** Who performs: whom the page asks for, else whom the story chooses, else the usual figure. */
 
 import { performerOf } from './backend.js';
-import type { FigureFile } from './figure.js';
+import { FigureError, type FigureFile } from './figure.js';
 import { fetchFigure, type Progress } from './loader.js';
 import { PlayerError, type Backend, type Diagnostic } from './types.js';
 
@@ -32,8 +32,20 @@ export async function fetchChoice(choice: string | undefined, story: URL, librar
   return await fetchFigure(USUAL_FIGURE, library, progress);
 }
 
+/** Opens a stage for the figure of a story's choice; where it is no figure, for the usual one, and `report` is told. */
+export async function openOrUsual<T>(open: (figure: FigureFile) => Promise<T>, chosen: FigureFile, library: URL, report: (diagnostic: Diagnostic) => void): Promise<T> {
+  try {
+    return await open(chosen);
+  } catch (error) {
+    // A trap has another cause than the file.
+    if (!(error instanceof FigureError) || error.cause instanceof WebAssembly.RuntimeError || chosen.name === USUAL_FIGURE) throw error;
+    report(refusal(error.message));
+    return await open(await fetchFigure(USUAL_FIGURE, library, () => undefined));
+  }
+}
+
 /** What is told where a story's figure cannot be used. */
-export function refusal(message: string): Diagnostic {
+function refusal(message: string): Diagnostic {
   return { code: 'figure-unusable', severity: 'warning', message, hints: [`“${USUAL_FIGURE}” performs instead of the figure that the story chooses.`] };
 }
 

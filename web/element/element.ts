@@ -4,17 +4,17 @@ import { html, LitElement, nothing, unsafeCSS, type PropertyValues } from 'lit';
 import { classMap } from 'lit/directives/class-map.js';
 import { hasAudio, RecordedVoice, SilentVoice, wakeAudio, type Voice } from './audio.js';
 import { chooseBackend, warmUp } from './backend.js';
-import { fetchChoice, figureOf, refusal, USUAL_FIGURE } from './cast.js';
+import { fetchChoice, figureOf, openOrUsual, USUAL_FIGURE } from './cast.js';
 import { captionAt, captionsOf, type Caption } from './captions.js';
 import * as parts from './controls.js';
 import look from './element.css?inline';
 import type { MindLink } from './mind.js';
 import { handleKey, type KeyActions } from './keyboard.js';
-import { FigureError, type FigureFile } from './figure.js';
+import type { FigureFile } from './figure.js';
 import { LiveScript } from './live.js';
 import { Idle } from './idle.js';
 import { fetchFigure, fetchStory, readFigure, type Progress, type StoryFiles } from './loader.js';
-import { Picture, trapped, type PictureEvents } from './picture.js';
+import { Picture, type PictureEvents } from './picture.js';
 import { Pulse } from './pulse.js';
 import { Transport, type TransportEvent } from './transport.js';
 import { PlayerError, type Answer, type Backend, type Cue, type Diagnostic, type FaceCourse, type MindState, type PlayerEventMap, type Quality, type Statistics, type Story, type View } from './types.js';
@@ -34,7 +34,6 @@ interface Show {
   story: Story;
   /** Name of the figure on stage. */
   figure: string;
-  /** The figure that the story chooses. */
   choice: string | undefined;
   files: StoryFiles;
   /** When loading began, on the page's clock. */
@@ -384,12 +383,9 @@ export class RaconteurPlayer extends LitElement {
     let picture: Picture | undefined;
     try {
       if (!this.src && this.#text === undefined) throw new PlayerError('No story is given: set the attribute src.');
-      const choosing = Promise.resolve(this.backend ?? chooseBackend()).then((chosen) => {
-        warmUp(chosen);
-        return chosen;
-      });
-      const cast = (eml: Promise<string>, part: Progress) => this.#fetchFigure(eml, choosing, part);
-      let [files, backend] = await Promise.all([fetchStory(this.src, this.#text, this.#library, cast, signal, progress), choosing]);
+      const choosing = Promise.resolve(this.backend ?? chooseBackend());
+      void choosing.then(warmUp);
+      let [files, backend] = await Promise.all([fetchStory(this.src, this.#text, this.#library, (eml, part) => this.#fetchFigure(eml, choosing, part), signal, progress), choosing]);
       signal.throwIfAborted();
       // An adapter is no promise of a device; WebGL2 may still have one.
       const backends: [Backend, ...Backend[]] = this.backend || backend === 'webgl' ? [backend] : [backend, 'webgl'];
@@ -399,13 +395,9 @@ export class RaconteurPlayer extends LitElement {
         back: () => this.#setLost('no', signal),
         retold: (story, live, anew) => (live ? story.diagnostics.forEach((d) => this.#report(d)) : this.#retell(story, anew)),
       };
-      const opened = await Picture.open(backends, files, events).catch(async (error: unknown) => {
-        // Whom the page asks for, nobody else takes the place of.
-        if (!(error instanceof FigureError) || trapped(error) || this.figure || files.figure.name === USUAL_FIGURE) throw error;
-        this.#report(refusal(error.message));
-        files = { ...files, figure: await fetchFigure(USUAL_FIGURE, this.#library, () => undefined) };
-        return await Picture.open(backends, files, events);
-      });
+      const open = (figure: FigureFile) => Picture.open(backends, (files = { ...files, figure }), events);
+      // Whom the page asks for, nobody else takes the place of.
+      const opened = await (this.figure ? open(files.figure) : openOrUsual(open, files.figure, this.#library, (d) => this.#report(d)));
       picture = opened.picture;
       if (this.#view !== undefined) picture.look(this.#view);
       signal.throwIfAborted();
@@ -426,12 +418,7 @@ export class RaconteurPlayer extends LitElement {
     if (this.figure && this.#given?.name === this.figure) return await readFigure(this.#given);
     if (this.figure) return await fetchFigure(this.figure, this.#library, progress);
     const choice = await figureOf(await eml, () => backend);
-    return await fetchChoice(choice, this.#address, this.#library, progress, (d) => this.#report(d));
-  }
-
-  /** Where the story lies; a text that has no file lies where the page does. */
-  get #address(): URL {
-    return new URL(this.src ?? '', document.baseURI);
+    return await fetchChoice(choice, new URL(this.src ?? '', document.baseURI), this.#library, progress, (d) => this.#report(d));
   }
 
   get #library(): URL {
@@ -485,8 +472,8 @@ export class RaconteurPlayer extends LitElement {
   /** Shows the whole figure from another side, for pages that look behind the scenes. */
   look(view: View): void {
     this.#view = view;
-    this.#show?.picture.look(view);
     this.#keepTime();
+    this.#show?.picture.look(view);
     if (this.paused) this.#advance();
   }
 
@@ -511,7 +498,6 @@ export class RaconteurPlayer extends LitElement {
     try {
       const figure = await this.#fetchFigure(Promise.resolve(show.files.eml), Promise.resolve(show.picture.backend), () => undefined);
       signal.throwIfAborted();
-      // The one who performs where the story's choice cannot is there already.
       if (figure.name === show.figure) return;
       const { story, missing } = await show.picture.setFigure(figure);
       signal.throwIfAborted();
@@ -541,7 +527,6 @@ export class RaconteurPlayer extends LitElement {
   async #lendVoice(show: Show): Promise<void> {
     if (show.lent || [...show.script].every(({ audio, words }) => audio.length > 0 || words.length === 0)) return;
     show.lent = true;
-    // What the page says of this player, then of the story, then of itself.
     const { language, voice } = show.story.performer;
     const name = await show.voice.substitute({ language: this.lang || language || this.closest<HTMLElement>('[lang]')?.lang || navigator.language, voice });
     if (this.#show !== show) return;

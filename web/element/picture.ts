@@ -400,7 +400,7 @@ function applyView(engine: Engine, view: View | undefined): void {
 const motionAmount = (): number => (matchMedia('(prefers-reduced-motion: reduce)').matches ? REDUCED_MOTION : 1);
 
 /** Whether an engine died of what it was asked. */
-export function trapped(error: unknown): boolean {
+function trapped(error: unknown): boolean {
   return error instanceof Error && error.cause instanceof WebAssembly.RuntimeError;
 }
 
