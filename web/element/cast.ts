@@ -1,9 +1,10 @@
 /** Who performs: whom the page asks for, else whom the story chooses, else the usual figure. */
 
 import { performerOf } from './backend.js';
-import type { FigureFile } from './figure.js';
-import { fetchFigure, type Progress } from './loader.js';
-import { PlayerError, type Backend, type Diagnostic } from './types.js';
+import { FigureError, type FigureFile } from './figure.js';
+import { fetchFigure, readFigure, type Progress } from './loader.js';
+import { isTrap } from './trap.js';
+import { PlayerError, type Backend, type Diagnostic, type Hand } from './types.js';
 
 /** Who performs when nobody is asked for; `raconteur` on the command line has the same. */
 export const USUAL_FIGURE = 'sofia';
@@ -14,6 +15,29 @@ const MAY_CHOOSE = /performer/i;
 /** The figure that a text chooses; undefined where it leaves that to others. */
 export async function figureOf(eml: string, backend: () => Promise<Backend>): Promise<string | undefined> {
   return MAY_CHOOSE.test(eml) ? (await performerOf(await backend(), eml)).figure : undefined;
+}
+
+/** Whom the page asks for. */
+export interface Wish {
+  /** A name of the library, an address, or the name of `given`; nobody lets the story choose. */
+  readonly figure: string | undefined;
+  readonly handedness: Hand | undefined;
+  /** A file of the user's own. */
+  readonly given: File | undefined;
+  readonly library: URL;
+  /** Where the story lies; a text that has no file lies where the page does. */
+  readonly story: URL;
+}
+
+/** The figure that is to perform a text. */
+export async function castFigure(wish: Wish, eml: Promise<string>, backend: Promise<Backend>, progress: Progress, report: (diagnostic: Diagnostic) => void): Promise<FigureFile> {
+  const { figure, given, handedness, library, story } = wish;
+  const fetched = !figure
+    ? fetchChoice(await figureOf(await eml, () => backend), story, library, progress, report)
+    : given?.name === figure
+      ? readFigure(given)
+      : fetchFigure(figure, library, progress);
+  return { ...(await fetched), handedness };
 }
 
 /**
@@ -32,8 +56,20 @@ export async function fetchChoice(choice: string | undefined, story: URL, librar
   return await fetchFigure(USUAL_FIGURE, library, progress);
 }
 
+/** Opens a stage for the figure of a story's choice; where it is no figure, for the usual one, and `report` is told. */
+export async function openOrUsual<T>(open: (figure: FigureFile) => Promise<T>, chosen: FigureFile, library: URL, report: (diagnostic: Diagnostic) => void): Promise<T> {
+  try {
+    return await open(chosen);
+  } catch (error) {
+    // A trap has another cause than the file.
+    if (!(error instanceof FigureError) || isTrap(error) || chosen.name === USUAL_FIGURE) throw error;
+    report(refusal(error.message));
+    return await open({ ...(await fetchFigure(USUAL_FIGURE, library, () => undefined)), handedness: chosen.handedness });
+  }
+}
+
 /** What is told where a story's figure cannot be used. */
-export function refusal(message: string): Diagnostic {
+function refusal(message: string): Diagnostic {
   return { code: 'figure-unusable', severity: 'warning', message, hints: [`“${USUAL_FIGURE}” performs instead of the figure that the story chooses.`] };
 }
 

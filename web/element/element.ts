@@ -4,24 +4,24 @@ import { html, LitElement, nothing, unsafeCSS, type PropertyValues } from 'lit';
 import { classMap } from 'lit/directives/class-map.js';
 import { openVoice, pageSound, voiceMissing, type Voice } from './audio.js';
 import { chooseBackend, warmUp } from './backend.js';
-import { fetchChoice, figureOf, refusal, USUAL_FIGURE } from './cast.js';
+import { castFigure, openOrUsual, USUAL_FIGURE } from './cast.js';
 import { captionAt, captionsOf, type Caption } from './captions.js';
 import { actionsOf } from './actions.js';
 import * as parts from './controls.js';
 import look from './element.css?inline';
 import type { MindLink } from './mind.js';
 import { handleKey } from './keyboard.js';
-import { FigureError, type FigureFile } from './figure.js';
+import type { FigureFile } from './figure.js';
 import { LiveScript } from './live.js';
 import { Idle } from './idle.js';
 import { PictureKeeper } from './keeper.js';
-import { fetchFigure, fetchStory, readFigure, type Progress, type StoryFiles } from './loader.js';
+import { fetchStory, type Progress, type StoryFiles } from './loader.js';
 import { addStates, checkedRate, checkedVolume, rateFrom, volumeFrom, type MediaStates } from './media.js';
 import type { Picture, PictureEvents } from './picture.js';
 import { Playback } from './playback.js';
 import { Pulse } from './pulse.js';
+import type { Show } from './show.js';
 import { Transport, type TransportEvent } from './transport.js';
-import { isTrap } from './trap.js';
 import { PlayerError, type Answer, type Backend, type Cue, type Diagnostic, type FaceCourse, type Hand, type MindState, type PlayerEventMap, type Quality, type Statistics, type Story, type View } from './types.js';
 import { Welcome } from './welcome.js';
 
@@ -32,27 +32,6 @@ const MIND = 1;
 const LIVE_LEAD_SECS = 0.1;
 /** A mind that sends garbage does not fill the page with complaints. */
 const MOST_DIAGNOSTICS = 200;
-
-/** What is loaded and playing. */
-interface Show {
-  /** As the present figure tells it. */
-  story: Story;
-  /** Name of the figure on stage. */
-  figure: string;
-  /** The figure that the story chooses. */
-  choice: string | undefined;
-  files: StoryFiles;
-  /** When loading began, on the page's clock. */
-  readonly sinceMs: number;
-  /** What the story and live fragments say. */
-  readonly script: LiveScript;
-  captions: readonly Caption[];
-  readonly picture: Picture;
-  readonly voice: Voice;
-  readonly transport: Transport;
-  /** What has no recording was given to the browser's voice. */
-  lent?: boolean;
-}
 
 export interface RaconteurPlayer extends MediaStates {}
 
@@ -443,12 +422,9 @@ export class RaconteurPlayer extends LitElement {
     };
     try {
       if (!this.src && this.#text === undefined) throw new PlayerError('No story is given: set the attribute src.');
-      const choosing = Promise.resolve(this.backend ?? chooseBackend()).then((chosen) => {
-        warmUp(chosen);
-        return chosen;
-      });
-      const cast = (eml: Promise<string>, part: Progress) => this.#fetchFigure(eml, choosing, part);
-      let [files, backend] = await Promise.all([fetchStory(this.src, this.#text, this.#library, cast, signal, progress), choosing]);
+      const choosing = Promise.resolve(this.backend ?? chooseBackend());
+      void choosing.then(warmUp);
+      let [files, backend] = await Promise.all([fetchStory(this.src, this.#text, this.#library, (eml, part) => this.#fetchFigure(eml, choosing, part), signal, progress), choosing]);
       signal.throwIfAborted();
       // An adapter is no promise of a device; WebGL2 may still have one.
       const backends: [Backend, ...Backend[]] = this.backend || backend === 'webgl' ? [backend] : [backend, 'webgl'];
@@ -459,13 +435,9 @@ export class RaconteurPlayer extends LitElement {
         retold: (story, live, anew) => (live ? story.diagnostics.forEach((d) => this.#report(d)) : this.#retell(story, anew)),
         failed: (message) => this.#report({ code: 'engine-failed', severity: 'error', message, hints: [] }),
       };
-      const opened = await this.#keeper.open(backends, files, events, signal).catch(async (error: unknown) => {
-        // Whom the page asks for, nobody else takes the place of.
-        if (!(error instanceof FigureError) || isTrap(error) || this.figure || files.figure.name === USUAL_FIGURE) throw error;
-        this.#report(refusal(error.message));
-        files = { ...files, figure: await fetchFigure(USUAL_FIGURE, this.#library, () => undefined) };
-        return await this.#keeper.open(backends, files, events, signal);
-      });
+      const open = (figure: FigureFile) => this.#keeper.open(backends, (files = { ...files, figure }), events, signal);
+      // Whom the page asks for, nobody else takes the place of.
+      const opened = await (this.figure ? open(files.figure) : openOrUsual(open, files.figure, this.#library, (d) => this.#report(d)));
       if (this.#view !== undefined) opened.picture.look(this.#view);
       this.#open(opened.story, opened.picture, files, sinceMs);
       for (const missing of opened.missing) this.#report(missing);
@@ -481,21 +453,8 @@ export class RaconteurPlayer extends LitElement {
   /** The figure that is asked for now: one of the library, of an address, or the user's own; else the one that the story chooses. */
   async #fetchFigure(eml: Promise<string>, backend: Promise<Backend>, progress: Progress): Promise<FigureFile> {
     const { figure, handedness } = this;
-    const fetched = !figure
-      ? this.#fetchChoice(await figureOf(await eml, () => backend), progress)
-      : this.#given?.name === figure
-        ? readFigure(this.#given)
-        : fetchFigure(figure, this.#library, progress);
-    return { ...(await fetched), handedness };
-  }
-
-  async #fetchChoice(choice: Parameters<typeof fetchChoice>[0], progress: Progress): Promise<FigureFile> {
-    return await fetchChoice(choice, this.#address, this.#library, progress, (d) => this.#report(d));
-  }
-
-  /** Where the story lies; a text that has no file lies where the page does. */
-  get #address(): URL {
-    return new URL(this.src ?? '', document.baseURI);
+    const wish = { figure, handedness, given: this.#given, library: this.#library, story: new URL(this.src ?? '', document.baseURI) };
+    return await castFigure(wish, eml, backend, progress, (d) => this.#report(d));
   }
 
   get #library(): URL {
@@ -549,8 +508,8 @@ export class RaconteurPlayer extends LitElement {
   /** Shows the whole figure from another side, for pages that look behind the scenes. */
   look(view: View): void {
     this.#view = view;
-    this.#show?.picture.look(view);
     this.#keepTime();
+    this.#show?.picture.look(view);
     if (this.paused) this.#advance();
   }
 
@@ -605,7 +564,6 @@ export class RaconteurPlayer extends LitElement {
   async #lendVoice(show: Show): Promise<void> {
     if (show.lent || [...show.script].every(({ audio, words }) => audio.length > 0 || words.length === 0)) return;
     show.lent = true;
-    // What the page says of this player, then of the story, then of itself.
     const { language, voice } = show.story.performer;
     const name = await show.voice.substitute({ language: this.lang || language || this.closest<HTMLElement>('[lang]')?.lang || navigator.language, voice });
     if (this.#show !== show) return;

@@ -1,0 +1,29 @@
+/** What a player has loaded and plays. */
+
+import type { Voice } from './audio.js';
+import type { Caption } from './captions.js';
+import type { LiveScript } from './live.js';
+import type { StoryFiles } from './loader.js';
+import type { Picture } from './picture.js';
+import type { Transport } from './transport.js';
+import type { Story } from './types.js';
+
+/** What is loaded and playing. */
+export interface Show {
+  /** As the present figure tells it. */
+  story: Story;
+  /** Name of the figure on stage. */
+  figure: string;
+  choice: string | undefined;
+  files: StoryFiles;
+  /** When loading began, on the page's clock. */
+  readonly sinceMs: number;
+  /** What the story and live fragments say. */
+  readonly script: LiveScript;
+  captions: readonly Caption[];
+  readonly picture: Picture;
+  readonly voice: Voice;
+  readonly transport: Transport;
+  /** What has no recording was given to the browser's voice. */
+  lent?: boolean;
+}
