@@ -2,10 +2,10 @@
 
 import { html, LitElement, nothing, unsafeCSS, type PropertyValues } from 'lit';
 import { classMap } from 'lit/directives/class-map.js';
-import { openVoice, pageSound, voiceMissing, type Voice } from './audio.js';
+import { openVoice, pageSound, voiceMissing } from './audio.js';
 import { chooseBackend, warmUp } from './backend.js';
 import { castFigure, openOrUsual, USUAL_FIGURE } from './cast.js';
-import { captionAt, captionsOf, type Caption } from './captions.js';
+import { captionAt, captionsOf } from './captions.js';
 import { actionsOf } from './actions.js';
 import * as parts from './controls.js';
 import look from './element.css?inline';

@@ -287,7 +287,10 @@ fn no_random_move_of_any_limb_snaps() {
     while moves < most {
         let (worst, count) = fastest_in_chain(&skeleton, seed);
         if worst.rad_per_sec.is_nan() || worst.rad_per_sec > MOST_RAD_PER_S {
-            println!("{seed}: {worst:?}");
+            println!(
+                "{seed}: {:.1} rad/s, {:?} at {:.3} s",
+                worst.rad_per_sec, worst.bone, worst.secs
+            );
             over.push((seed, worst));
         }
         moves += count;

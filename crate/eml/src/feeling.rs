@@ -96,7 +96,6 @@ fn ends_phrase(word: &str) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use crate::{ClauseKind, parse};
 
     fn of(text: &str) -> Vec<(&'static str, usize, usize, usize)> {

@@ -137,7 +137,7 @@ mod tests {
             morph_names: Vec::new(),
             lid_closure_rad: [0.6; 2],
             sex: None,
-            dominant_hand: raconteur_base::Side::Right,
+            dominant_hand: Side::Right,
             images: Vec::new(),
             tissue: None,
         };

@@ -23,7 +23,7 @@ Attribute::seconds("duration", doc!("How long it is kept up before it decays."))
 #[cfg(test)]
 mod tests {
     use crate::schema::testing::extended;
-    use crate::{ClauseKind, EmotionKind};
+    use crate::{ClauseKind, EmotionKind, EmotionSpace};
 
     #[test]
     fn emotions_are_read() {
