@@ -116,7 +116,8 @@ impl Workshop {
             "--recordings",
             "takes",
         ];
-        let mut command = self.command(&[&usual, &["--pace", pace, "--jobs", "1"], more].concat());
+        let mut command =
+            self.command(&[&usual[..], &["--pace", pace, "--jobs", "1"][..], more].concat());
         command.env("TAG", pace);
         command
     }
