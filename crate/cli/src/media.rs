@@ -83,7 +83,7 @@ impl Sound {
             text.get(..mark.len())
                 .is_some_and(|t| t.eq_ignore_ascii_case(mark.as_bytes()))
         };
-        if PLAYLISTS.iter().any(|mark| is(&mark)) {
+        if PLAYLISTS.iter().any(is) {
             bail!(
                 "{} is a playlist, which names other files, and no sound; put the sound itself there",
                 path.display()

@@ -64,7 +64,7 @@ mod tests {
                 0.02 + 0.3 * next()
             };
             let count = 1_500 + (4_000.0 * next()) as usize;
-            samples.extend((0..count).map(|i| level * (0.3 * i as f64).sin()));
+            samples.extend((0..count).map(|i| level * libm::sin(0.3 * i as f64)));
         }
         samples.truncate(32_000);
         samples

@@ -66,7 +66,7 @@ fn voices_of_the_script_are_named_with_the_others() {
 fn voices_can_be_listed_without_any_engine() {
     let workshop = Workshop::new();
     for more in [&[][..], &["--engine", "flite"], &["--engine", "festival"]] {
-        let arguments = [&["bake", "--list-voices", "--format", "json"], more].concat();
+        let arguments = [&["bake", "--list-voices", "--format", "json"][..], more].concat();
         let mut list = workshop.command(&arguments);
         let out = list.env("PATH", workshop.path("nothing")).output().unwrap();
         assert!(out.status.success(), "{}", said(&out));
@@ -99,7 +99,7 @@ fn shipped_stories_are_up_to_date_without_engines() {
     assert!(found.len() >= 6);
     for story in found {
         for check in [&["--check"][..], &[]] {
-            let mut bake = workshop.command(&[&["bake"], check].concat());
+            let mut bake = workshop.command(&[&["bake"][..], check].concat());
             let out = bake
                 .env("PATH", workshop.path("nothing"))
                 .arg(&story)

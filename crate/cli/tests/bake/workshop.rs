@@ -117,7 +117,7 @@ impl Workshop {
             "takes",
         ];
         let mut command =
-            self.command(&[&usual[..], &["--pace", pace, "--jobs", "1"], more].concat());
+            self.command(&[&usual[..], &["--pace", pace, "--jobs", "1"][..], more].concat());
         command.env("TAG", pace);
         command
     }
