@@ -39,6 +39,9 @@ pub(crate) fn animation(text: &str) {
         let mut pose = Pose::zero();
         let _ = players.apply(&skeleton, t, &mut pose);
         skeleton.solve(&pose, &mut world);
-        assert!(world.iter().all(|joint| joint.is_finite()), "at {t} s");
+        assert!(
+            world.iter().all(raconteur_base::DAffine3::is_finite),
+            "at {t} s"
+        );
     }
 }
