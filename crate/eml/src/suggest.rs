@@ -19,8 +19,13 @@ pub fn nearest<'c>(name: &str, candidates: impl IntoIterator<Item = &'c str>) ->
             let longer = name.len().max(c.len());
             d < longer && d <= (longer / 3).max(1)
         })
-        .min_by_key(|&(d, _)| d)
+        // Of names that differ in their case alone, the one written as `name` is.
+        .min_by_key(|&(d, c)| (d, capitals(name).abs_diff(capitals(c))))
         .map(|(_, c)| c)
+}
+
+fn capitals(name: &str) -> usize {
+    name.bytes().filter(u8::is_ascii_uppercase).count()
 }
 
 /// Edit distance with neighbouring swaps as one edit (optimal string alignment), over
@@ -75,6 +80,8 @@ mod tests {
         assert_eq!(nearest("gesture-kye", names), Some("gesture-key"));
         assert_eq!(nearest("handshapes", names), Some("hand-shapes"));
         assert_eq!(nearest("smile", names), None);
+        assert_eq!(nearest("Jyo", ["joy", "Joy"]), Some("Joy"));
+        assert_eq!(nearest("jyo", ["Joy", "joy"]), Some("joy"));
         assert_eq!(nearest(";", ["?", "!"]), None);
         assert_eq!(nearest(&"x".repeat(10_000), names), None);
     }

@@ -136,6 +136,8 @@ fn limits(source: &str) -> Limits {
             "depth" => limits.depth = number,
             "clauses" => limits.clauses = number,
             "attributes" => limits.attributes = number,
+            "clause_words" => limits.clause_words = number,
+            "words" => limits.words = number,
             "diagnostics" => limits.diagnostics = number,
             _ => panic!("there is no limit {name}"),
         }

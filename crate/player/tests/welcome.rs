@@ -21,7 +21,7 @@ fn seen(frame: &Frame) -> Vec<f64> {
     let joints = frame
         .world_from_joint
         .iter()
-        .flat_map(|j| j.to_cols_array());
+        .flat_map(raconteur_player::base::DAffine3::to_cols_array);
     let nodes = frame.tissue.iter().flat_map(|n| n.displacement);
     joints.chain(nodes.map(f64::from)).collect()
 }
