@@ -1,6 +1,6 @@
 //! From commands to courses: each command is resolved where the limb is when it comes.
 
-use raconteur_base::curve::smooth;
+use raconteur_base::curve::{minimum_jerk, smooth};
 use raconteur_base::order::sort_by_number;
 use raconteur_base::{DAffine3, DVec3, ops};
 use raconteur_body::{Pose, Skeleton};
@@ -457,11 +457,12 @@ impl Manipulators {
                 state.joints = limits::keep(self.limits(limb), 1.0, &state.joints);
             }
             // The girdle follows, and moves the base under the arm.
-            state.cue = now.trunk.inverse().transform_point3(frame.position);
-            let scapula = self
-                .girdles
-                .get(limb.index())
-                .map(|girdle| girdle.scapula_for(&now.trunk, frame.position, 0.0));
+            let left = 1.0 - minimum_jerk(step as f64 / (SETTLE_SECS * STEPS_HZ));
+            let place = now.trunk.inverse().transform_point3(frame.position);
+            state.cue = place + now.cue_lag * left;
+            let cue = now.trunk.transform_point3(state.cue);
+            let girdle = self.girdles.get(limb.index());
+            let scapula = girdle.map(|girdle| girdle.scapula_for(&now.trunk, cue, 0.0));
             let before = base.origin;
             base = self.base(limb, &now.trunk, scapula);
             carried = (base.origin - before) * STEPS_HZ;

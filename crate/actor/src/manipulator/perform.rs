@@ -439,7 +439,7 @@ impl Manipulators {
     ) -> Met {
         let trunk = self.trunk(limb, skeleton, pose);
         let (cue, scapula, base) = self.stand(limb, goal, terms.set_in, &trunk, pose);
-        let (mut forced, mut forced_end) = (0.0, 0.0);
+        let mut forced = [0.0; 2];
         let (joints, target) = match goal {
             Goal::Joints(held) => {
                 let joints = limits::keep(self.limits(limb), terms.limited, &held.joints);
@@ -469,13 +469,14 @@ impl Manipulators {
                 let keep = |raw: &Joints| self.keep(limb, terms.limited, raw);
                 let chosen = choose(&found, &choice, &keep, &error);
                 let (index, joints) = chosen.unwrap_or((0, AT_EASE));
-                let rig = self.limbs.get(limb.index());
-                if let (Some(raw), Some(rig)) = (found.as_slice().get(index), rig) {
-                    let inside = (near.position - base.origin).length()
-                        - (frame.position - base.origin).length();
-                    let bent = rig.bent(raw, &joints);
-                    forced = bent[0] + inside.max(0.0) / FORCED_M;
-                    forced_end = bent[1];
+                if let Some(raw) = found.as_slice().get(index) {
+                    let off_m = |frame: &Frame| frame.position.distance(base.origin);
+                    let inside = (off_m(&near) - off_m(frame)).max(0.0) / FORCED_M;
+                    forced = match self.limbs.get(limb.index()) {
+                        Some(rig) => rig.bent(raw, &joints),
+                        None => [self.head.turned(raw, &joints); 2],
+                    };
+                    forced[0] += if limb == Limb::Head { 0.0 } else { inside };
                 }
                 (joints, Some(*frame))
             }
@@ -483,8 +484,8 @@ impl Manipulators {
         let posed = self.posed(limb, &joints, &base);
         Met {
             base,
-            forced,
-            forced_end,
+            forced: forced[0],
+            forced_end: forced[1],
             joints,
             cue,
             scapula,

@@ -18,16 +18,16 @@ const SNAP_RAD_PER_S: f64 = 0.7 * MOST_RAD_PER_S;
 /// Flexion of elbow or knee below which they may stretch and bend between even times, radians:
 /// near the reach a small way of the end is a large one of theirs.
 const STRETCHED_RAD: f64 = 0.4;
-/// Turn between even times below which nothing happens between them, radians.
+/// Turn between even times below which nothing happens between them, radians: of elbows and
+/// knees that are stretched, and of all others.
 const STILL_RAD: f64 = 0.003;
-/// Turns between even times, and their change, below which nobody would see a snap, radians.
-const UNSEEN_RAD: f64 = 0.03;
+const UNSEEN_RAD: f64 = 0.02;
 /// The shortest time in which a snap is looked for, seconds, and how often it is doubled to an
 /// even step.
 const LEAST_SECS: f64 = 1.0 / 480.0;
 const HALVINGS: u32 = 4;
-/// Mean speed below which an even motion does not hide a snap.
-const SLOW_RAD_PER_S: f64 = 4.0;
+/// Turn that hides no snap, whatever part of it is at once, radians.
+const HARMLESS_RAD: f64 = SNAP_RAD_PER_S * LEAST_SECS;
 /// Times that a step by the joints is shortened to its bones' speed.
 const SHORTENINGS: usize = 4;
 /// Joints this near to those of the target have caught up, radians.
@@ -47,8 +47,8 @@ const MOST_STEPS: u32 = 36_000;
 /// What is known of one limb while it is followed.
 #[derive(Clone, Copy, Debug, Default)]
 struct Followed {
-    /// Joints of the target at the last even time, and how far the bones turned to it.
-    target: Option<(Joints, f64)>,
+    /// Joints of the target at the last even time.
+    target: Option<Joints>,
     /// Whether the joints have not caught up with the target.
     is_behind: bool,
 }
@@ -147,6 +147,7 @@ impl Manipulators {
                     samples,
                     rests: true,
                     lead_to: [at; 2],
+                    takes: false,
                 });
             }
         }
@@ -174,6 +175,7 @@ impl Manipulators {
             samples: samples.collect(),
             rests: true,
             lead_to: [next - 1; 2],
+            takes: true,
         };
         self.steady[i].stretches.push(stretch);
     }
@@ -250,31 +252,45 @@ impl Manipulators {
             self.steady[i]
                 .stretches
                 .push(Stretch::new(even, even, *target));
-            followed.target = Some((*target, 0.0));
+            followed.target = Some(*target);
             return *target;
         };
-        let (before, turned_before) = followed.target.unwrap_or((last, 0.0));
+        let before = followed.target.unwrap_or(last);
         let turned = self.way(limb, &before, target);
         let was = followed.is_behind;
-        let snaps = self.snaps(limb, even, [&before, target], turned_before, scene);
-        followed.target = Some((*target, turned));
+        let mut snaps = self.snaps(limb, even, [&before, target], turned, scene);
+        followed.target = Some(*target);
         let forced = met.forced_by();
         let [stays, end_stays] = forced.map(|forced| forced >= FORCED && rests && !was);
         let mut joints = *target;
         if stays {
             joints = last;
-        } else if was || snaps {
-            let limited = self.tracks[i].limited(even as f64 / EVEN_HZ) >= 0.5;
-            let along = if snaps { 0.0 } else { turned * EVEN_HZ };
-            joints = self.catch_up(limb, &last, target, along, limited);
         } else if end_stays {
             joints[END].copy_from_slice(&last[END]);
+        }
+        // What a resting limb has held it does not let go of at once either.
+        snaps |= !stays && !was && self.way(limb, &last, &joints) > SNAP_RAD_PER_S / EVEN_HZ;
+        if (was || snaps) && !stays {
+            let limited = self.tracks[i].limited(even as f64 / EVEN_HZ) >= 0.5;
+            let along = if snaps { 0.0 } else { turned * EVEN_HZ };
+            let open = self.steady[i].stretches.last_mut();
+            let waited = open.and_then(|stretch| stretch.wait(self.limbs.get(i)));
+            let (last, waits) = waited.unwrap_or((last, false));
+            joints = if waits {
+                last
+            } else {
+                self.catch_up(limb, &last, target, along, limited)
+            };
         }
         let is_off = self.turned(limb, &joints, target) > CAUGHT_RAD;
         followed.is_behind = is_off && (was || snaps && !stays);
         if let Some(stretch) = self.steady[i].stretches.last_mut() {
             // Where the target is not met nothing is lost by it.
-            stretch.push(joints, forced.map(|f| f > 0.0 || is_off || snaps || was));
+            let begins = stretch.begins();
+            stretch.push(
+                joints,
+                forced.map(|f| f > 0.0 && !begins || is_off || snaps || was),
+            );
         }
         joints
     }
@@ -319,17 +335,16 @@ impl Manipulators {
         limb: Limb,
         even: i64,
         ends: [&Joints; 2],
-        turned_before: f64,
+        turned: f64,
         scene: &Scene<'_>,
     ) -> bool {
-        let turned = self.way(limb, ends[0], ends[1]);
         let is_stretched = limb != Limb::Head && ends[0][2].min(ends[1][2]) < STRETCHED_RAD;
-        let is_uneven = turned > UNSEEN_RAD && (turned - turned_before).abs() > UNSEEN_RAD;
         if turned > SNAP_RAD_PER_S / EVEN_HZ {
             return true;
         }
-        let is_suspect = is_uneven || is_stretched && turned > STILL_RAD;
-        is_suspect && self.snaps_between(limb, ends, (even - 1) as f64 / EVEN_HZ, HALVINGS, scene)
+        let still = if is_stretched { STILL_RAD } else { UNSEEN_RAD };
+        turned > still
+            && self.snaps_between(limb, ends, (even - 1) as f64 / EVEN_HZ, HALVINGS, scene)
     }
 
     /// Whether a limb's target makes it snap in one of 2 to the power of `halvings` parts of the
@@ -353,20 +368,12 @@ impl Manipulators {
         }
         let middle = self.alone_at(limb, middle_secs, scene);
         let halves = [self.turned(limb, a, &middle), self.turned(limb, &middle, b)];
-        if halves[0] + halves[1] > turned + UNSEEN_RAD {
-            // There and back.
-            return true;
-        }
-        let is_even = (halves[0] - halves[1]).abs() < UNSEEN_RAD;
-        if is_even && halves[0].max(halves[1]) < SLOW_RAD_PER_S * half_secs {
-            return false;
-        }
         let parts = [(a, &middle, from_secs), (&middle, b, middle_secs)];
         parts
             .into_iter()
             .zip(halves)
             .any(|((a, b, from_secs), turned)| {
-                turned > 0.5 * UNSEEN_RAD
+                turned > HARMLESS_RAD
                     && self.snaps_between(limb, [a, b], from_secs, halvings - 1, scene)
             })
     }

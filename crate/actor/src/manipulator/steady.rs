@@ -64,6 +64,8 @@ pub(super) struct Stretch {
     pub(super) rests: bool,
     /// The last even times at which the joints lead whatever comes.
     pub(super) lead_to: [i64; 2],
+    /// Whether a command takes the limb on in it, just after `from`.
+    pub(super) takes: bool,
 }
 
 /// What leads a limb beside its target at one time.
@@ -113,6 +115,7 @@ impl Stretch {
             }],
             rests: true,
             lead_to: [first; 2],
+            takes: false,
         }
     }
 
@@ -142,6 +145,43 @@ impl Stretch {
                 }
             }
         }
+    }
+
+    /// Whether a command took the limb on so shortly before the next even time that joints which
+    /// lead there do so already when it comes.
+    pub(super) fn begins(&self) -> bool {
+        self.takes && self.next() - self.from <= 2 * Self::AROUND as i64
+    }
+
+    /// Has a limb that snaps just after a command took it on go on as it did before, for as long
+    /// as the spline looks ahead from there: so it begins where the limb is. The last joints of
+    /// that, and whether they are those of the next even time; none if no command took it on.
+    pub(super) fn wait(&mut self, rig: Option<&LimbRig>) -> Option<(Joints, bool)> {
+        let taken = usize::try_from(self.from - self.first).ok()?;
+        let done = self.samples.len().checked_sub(taken + 1)?;
+        if !self.begins() {
+            return None;
+        }
+        let last = self.samples[taken].joints;
+        let before = nearest(&self.samples[taken.checked_sub(1)?].joints, &last, rig);
+        let on = |steps: usize| {
+            let mut joints = last;
+            for (joint, (last, before)) in joints.iter_mut().zip(last.iter().zip(&before)) {
+                *joint += steps.min(Self::AROUND) as f64 * (last - before);
+            }
+            joints
+        };
+        for (i, sample) in self.samples[taken..].iter_mut().enumerate() {
+            *sample = Sample {
+                joints: on(i),
+                leads: [true; 2],
+            };
+        }
+        Some(if done < Self::AROUND {
+            (on(done + 1), true)
+        } else {
+            (on(done), false)
+        })
     }
 
     /// The even time after the last sample.
