@@ -104,7 +104,7 @@ impl Manipulators {
             } = &command.motion
             {
                 *on = switch.unwrap_or(*on);
-                if !*on || limits.is_some() {
+                if !*on || limits.is_some() || preferred.is_some() {
                     self.wake(&mut scan, at, &scene);
                     scan.limb_moves(command.limb, at, SETTLE_SECS);
                 }

@@ -213,6 +213,10 @@ impl Stretch {
                 *sum += weight * f64::from(u8::from(leads));
             }
         }
+        // A limb that rests is led by its target again as far as that can be met.
+        for sum in &mut lead.weights {
+            *sum *= 1.0 - weight_unmet;
+        }
         if lead.weights[1] > 0.0 {
             let [a, b, c, d] = around.map(|i| &self.samples[i].joints);
             let c = nearest(c, b, rig);
