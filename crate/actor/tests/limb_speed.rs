@@ -287,7 +287,8 @@ fn no_random_move_of_any_limb_snaps() {
     while moves < most {
         let (worst, count) = fastest_in_chain(&skeleton, seed);
         if worst.rad_per_sec.is_nan() || worst.rad_per_sec > MOST_RAD_PER_S {
-            println!("{seed}: {worst:?}");
+            let (fastest, bone, secs) = (worst.rad_per_sec, worst.bone, worst.secs);
+            println!("{seed}: {bone:?} turns {fastest:.1} rad/s at {secs:.4} s");
             over.push((seed, worst));
         }
         moves += count;
