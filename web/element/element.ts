@@ -424,7 +424,7 @@ export class RaconteurPlayer extends LitElement {
       if (!this.src && this.#text === undefined) throw new PlayerError('No story is given: set the attribute src.');
       const choosing = Promise.resolve(this.backend ?? chooseBackend());
       void choosing.then(warmUp);
-      let [files, backend] = await Promise.all([fetchStory(this.src, this.#text, this.#library, (eml, part) => this.#fetchFigure(eml, choosing, part), signal, progress), choosing]);
+      let [files, backend] = await Promise.all([fetchStory({ src: this.src, text: this.#text, expectsLines: this.mind !== undefined }, this.#library, (eml, part) => this.#fetchFigure(eml, choosing, part), signal, progress), choosing]);
       signal.throwIfAborted();
       // An adapter is no promise of a device; WebGL2 may still have one.
       const backends: [Backend, ...Backend[]] = this.backend || backend === 'webgl' ? [backend] : [backend, 'webgl'];

@@ -29,10 +29,18 @@ export interface StoryFiles {
 /** Receives how much of the work is done, 0 to 1. */
 export type Progress = (share: number) => void;
 
-/** A story's folder is where its file is; its voice lies in `voice/` beside it. A `text` takes the file's place; without a file it has no voice. */
+/** Which story is asked for. */
+export interface StoryWish {
+  readonly src: string | undefined;
+  /** Takes the file's place. */
+  readonly text: string | undefined;
+  /** Lines may come that the story's own text does not have. */
+  readonly expectsLines: boolean;
+}
+
+/** A story's folder is where its file is; its voice lies in `voice/` beside it. Without a file it has no voice. */
 export async function fetchStory(
-  src: string | undefined,
-  text: string | undefined,
+  { src, text, expectsLines }: StoryWish,
   library: URL,
   figure: (eml: Promise<string>, progress: Progress) => Promise<FigureFile>,
   signal: AbortSignal,
@@ -49,7 +57,7 @@ export async function fetchStory(
   const told = text === undefined ? fetchBytes(story, 'The story', MOST_STORY_BYTES, signal, part(0)).then((bytes) => new TextDecoder().decode(bytes)) : Promise.resolve(text);
   const voice = async (): Promise<Uint8Array | undefined> => {
     // A story in which nobody speaks has no voice to ask for.
-    if (!src || !SPEAKS.test(await told)) {
+    if (!src || (!expectsLines && !SPEAKS.test(await told))) {
       part(1)(1);
       return undefined;
     }
