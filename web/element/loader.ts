@@ -6,8 +6,8 @@ import { PlayerError } from './types.js';
 
 /** Beyond this a story is not a story, and the page would freeze; the white rabbit has 20 KB. */
 const MOST_STORY_BYTES = 16e6;
-/** What an element begins with that says something. */
-const SPEAKS = /<([\w.-]+:)?voice-(text|say)\b/;
+/** What a story has in which something is said, or in which a figure waits for lines. */
+const SPEAKS = /<([\w.-]+:)?(voice-(text|say)\b|body\s*(\/>|>\s*<\/))/;
 /** Figures have a budget of 3 MB; a user's own avatar may be larger. */
 const MOST_FIGURE_BYTES = 100e6;
 
