@@ -85,7 +85,7 @@ const SLIPS: &[(&str, &str, &str)] = &[
     (
         "player::no-parameter",
         "<body-set-control-parameter time='1' parameterId='Disgsut' value='1'/>",
-        "Disgust",
+        "disgust",
     ),
     (
         "player::no-parameter",
