@@ -4,6 +4,7 @@
 use raconteur_eml::{Clause, ClauseKind, Diagnostic, Document, Span};
 
 use crate::script::moves;
+use crate::voice::place_of;
 
 /// One warning for each element and extension of the document that is not performed, at
 /// its first place.
@@ -60,6 +61,9 @@ impl Found {
             | ClauseKind::Null
             | ClauseKind::Seq(_)
             | ClauseKind::Par(_) => {}
+            // One whose word is none has been told of.
+            ClauseKind::Emotion(emotion)
+                if place_of(emotion).is_none() && emotion.kind.is_none() => {}
             kind if moves(kind) => {}
             kind => self.add(kind.name(), clause.tag_span),
         }
