@@ -63,6 +63,8 @@ export function disc(app: App): TemplateResult {
     follow(event, frame, move, () => app.done());
   };
   const key = (event: KeyboardEvent): void => {
+    // Keys may come faster than the page is drawn: the place of now, not the one drawn last.
+    const { emotion } = app.state;
     if (event.key === 'Home') to({ ...NEUTRAL });
     else {
       const by = keySteps(event);
