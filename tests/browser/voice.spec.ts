@@ -54,8 +54,9 @@ test('utterances that follow each other join without a gap or a click, and those
   const whole = tone(1.84);
   const samplesAt = (secs: number) => Math.round(secs * SAMPLE_RATE);
   const part = (from: number, to: number) => whole.slice(samplesAt(from), samplesAt(to));
-  const body = `<voice-text time='0.4'>One</voice-text><voice-text time='0.91'>Two</voice-text>
-    <voice-text time='1.6'>Three</voice-text><voice-text time='1.9'>Over</voice-text>`;
+  // The first comes when what listens has surely begun: that opens with the sound itself.
+  const body = `<voice-text time='1.4'>One</voice-text><voice-text time='1.91'>Two</voice-text>
+    <voice-text time='2.6'>Three</voice-text><voice-text time='2.9'>Over</voice-text>`;
   await open(stage, body, [
     { text: 'One', msec: 510, samples: part(0, 0.51) },
     { text: 'Two', msec: 690, samples: part(0.51, 1.2) },
