@@ -10,7 +10,7 @@ import { main, root, Stop } from './steps.mjs';
 /** KB of 1,000 bytes, gzip: JavaScript and wasm of one player that speaks and feels. */
 const budgets = { webgpu: 600, webgl: 1200 };
 /** Scripts of pages, KB; most of the gestures' is the editor. */
-const pages = { gestures: 180, viewer: 24, face: 24 };
+const pages = { gestures: 170, viewer: 17, face: 18 };
 
 /** Node's own deflate gives up 2 % of size for speed, so the usual program is asked where it is there. */
 function gzip9(part) {
@@ -49,10 +49,10 @@ await main(async () => {
     measure(backend, reach(entry, new RegExp(`^(avatar|mind|music|spoken|stretch|more|(face-)?${other})-`)), budget);
   }
   measure('avatar', named(/^avatar-/), 250);
-  measure('mind', named(/^mind-/), 6);
-  measure('music', named(/^music-/), 5);
-  measure('spoken', named(/^spoken-/), 5);
-  measure('stretch', named(/^stretch-/), 4);
+  measure('mind', named(/^mind-/), 4);
+  measure('music', named(/^music-/), 3);
+  measure('spoken', named(/^spoken-/), 3);
+  measure('stretch', named(/^stretch-/), 2);
   for (const backend of Object.keys(budgets)) {
     measure(`more ${backend}`, named(new RegExp(`^more-${backend}-`)), 90);
   }
