@@ -5,6 +5,7 @@ import { defineConfig } from 'vitest/config';
 import { buildDocs } from './web/tools/docs.js';
 import { deadLinks } from './web/tools/links.js';
 import { notices } from './web/tools/notices.js';
+import { withParts } from './web/tools/parts.js';
 
 const root = import.meta.dirname;
 
@@ -77,13 +78,7 @@ function parts(): Plugin {
     transformIndexHtml: {
       // Before addresses are read: those of a part begin at the root and are made relative with the rest.
       order: 'pre',
-      handler: (page, { path }) =>
-        page.replace(/^( *)<!-- part: ([\w-]+) -->$/gm, (_, indent: string, name: string) =>
-          readFileSync(join(root, 'web/pages/parts', `${name}.html`), 'utf8')
-            .trimEnd()
-            .replace(/^/gm, indent)
-            .replace(`href="..${dirname(path)}/"`, '$& aria-current="page"'),
-        ),
+      handler: (page, { path }) => withParts(page).replace(`href="..${dirname(path)}/"`, '$& aria-current="page"'),
     },
   };
 }
@@ -98,7 +93,9 @@ function clips(): Plugin {
     load(id) {
       if (id !== `\0${CLIPS}`) return undefined;
       const folder = join(root, 'assets/animations');
-      const files = readdirSync(folder).filter((name) => name.endsWith('.json')).sort();
+      const files = readdirSync(folder)
+        .filter((name) => name.endsWith('.json'))
+        .sort();
       const list = files.map((file) => {
         const { about = '' } = JSON.parse(readFileSync(join(folder, file), 'utf8')) as { about?: string };
         return { name: file.replace(/\.json$/, ''), about };
@@ -139,8 +136,8 @@ export default defineConfig({
         },
         // All builds call their file the same; the folder tells them apart.
         assetFileNames: (asset) => {
-          const [, build, part] = asset.originalFileNames.map((name) => /pkg\/(webgpu|webgl|avatar)\/raconteur_(bg|more|face)/.exec(name)).find(Boolean) ?? [];
-          return `app/${part === undefined || part === 'bg' ? '' : `${part}-`}${build ?? '[name]'}-[hash][extname]`;
+          const [, build] = asset.originalFileNames.map((name) => /pkg\/(webgpu|webgl|avatar)\//.exec(name)).find(Boolean) ?? [];
+          return `app/${build ?? '[name]'}-[hash][extname]`;
         },
       },
     },

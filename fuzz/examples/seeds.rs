@@ -2,7 +2,7 @@
 //! code that makes them for the importer's tests. Takes the folder to write to.
 
 #[allow(dead_code, reason = "the importer's tests use the rest")]
-#[path = "../../crate/body/tests/avatars/made.rs"]
+#[path = "../../crate/avatar/tests/avatars/made.rs"]
 mod made;
 
 use made::{Avatar, Dialect, make};
@@ -28,7 +28,7 @@ fn main() -> std::io::Result<()> {
             let name = format!("{dialect:?}-{fingers}");
             std::fs::write(folder.join(format!("{name}.glb")), file.glb())?;
             std::fs::write(folder.join(format!("{name}.gltf")), file.gltf())?;
-            if let Ok((own, _)) = raconteur_body::import::convert("seed", &file.glb()) {
+            if let Ok((own, _)) = raconteur_avatar::convert("seed", &file.glb()) {
                 std::fs::write(folder.join(format!("{name}-own.glb")), own)?;
             }
         }

@@ -1,7 +1,7 @@
 //! Bytes as an alignment in the format that the first byte chooses.
 #![no_main]
 
-use raconteur_speech::align::{Format, detect, read};
+use raconteur_voice::align::{Format, detect, read};
 
 const FORMATS: [Format; 12] = [
     Format::TextGrid,

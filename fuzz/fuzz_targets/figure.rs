@@ -2,7 +2,7 @@
 #![no_main]
 
 use raconteur_body::annotation::annotations;
-use raconteur_body::import::{convert, open_figure};
+use raconteur_avatar::{convert, open_figure};
 
 libfuzzer_sys::fuzz_target!(|bytes: &[u8]| {
     let _ = annotations(bytes);

@@ -8,6 +8,7 @@ mod compose {
     mod drum;
     mod harmony;
     pub(crate) mod instrument;
+    pub(crate) mod note;
     pub(crate) mod score;
     pub(crate) mod signal;
 }

@@ -2,9 +2,9 @@
 //! read again, and every word has the same style.
 #![no_main]
 
-use raconteur_speech::content::{Content, Division};
-use raconteur_speech::markup::{plain, sable, ssml};
-use raconteur_speech::resolve::{Item, resolve};
+use raconteur_voice::content::{Content, Division};
+use raconteur_voice::markup::{plain, sable, ssml};
+use raconteur_voice::resolve::{Item, resolve};
 
 /// What is heard, with each word's style. Divisions one behind the other are one.
 fn heard(content: &Content) -> Vec<String> {

@@ -51,18 +51,28 @@ function listen(): void {
   const last = { currentTime: NaN, outputLatency: NaN };
   // Listeners ask as well: what counts is what was asked first when a picture was due.
   let task = 0;
-  const begins = <A extends unknown[]>(work: (...args: A) => void) => (...args: A) => {
-    task = window.asked.length;
-    work(...args);
-  };
+  const begins =
+    <A extends unknown[]>(work: (...args: A) => void) =>
+    (...args: A) => {
+      task = window.asked.length;
+      work(...args);
+    };
   const [frame, interval] = [window.requestAnimationFrame, window.setInterval];
   window.requestAnimationFrame = (work) => frame.call(window, begins(work));
   window.setInterval = ((work: () => void, ms: number) => interval.call(window, begins(work), ms)) as typeof window.setInterval;
   // The context of these tests is made of the browser's own.
   const own = Object.getPrototypeOf(AudioContext.prototype) as AudioContext;
-  for (const [prototype, name] of [[BaseAudioContext.prototype, 'currentTime'], [own, 'outputLatency']] as const) {
+  for (const [prototype, name] of [
+    [BaseAudioContext.prototype, 'currentTime'],
+    [own, 'outputLatency'],
+  ] as const) {
     const { get } = Object.getOwnPropertyDescriptor(prototype, name) ?? {};
-    Object.defineProperty(prototype, name, { configurable: true, get(this: AudioContext) { return (last[name] = get?.call(this) as number); } });
+    Object.defineProperty(prototype, name, {
+      configurable: true,
+      get(this: AudioContext) {
+        return (last[name] = get?.call(this) as number);
+      },
+    });
   }
   const stamp = AudioContext.prototype.getOutputTimestamp;
   AudioContext.prototype.getOutputTimestamp = function () {
@@ -70,7 +80,11 @@ function listen(): void {
     return stamp.call(this);
   };
   for (const type of ['seeking', 'ratechange', 'waiting', 'playing']) {
-    document.addEventListener(type, () => window.turns.push({ type, clock: window.tap.context?.currentTime ?? 0, rate: (document.querySelector('raconteur-player')?.playbackRate ?? 1) }), true);
+    document.addEventListener(
+      type,
+      () => window.turns.push({ type, clock: window.tap.context?.currentTime ?? 0, rate: document.querySelector('raconteur-player')?.playbackRate ?? 1 }),
+      true,
+    );
   }
   // The engine is asked for a picture of a moment: lips, tissue and all.
   const { instantiate } = WebAssembly;
@@ -123,10 +137,13 @@ test('for a minute with twenty seeks, the phone that the engine thinks is heard 
   for (let i = 0; i < SEEKS; i++) {
     const rate = [1, 1, 1, 1.5, 1, 1, 0.75, 1, 1, 2, 1, 1, 0.5, 1][i % 14] ?? 1;
     const to = next() * (duration - 2 * (PLAYED_MS / 1000) * rate);
-    await stage.player.evaluate((p: RaconteurPlayer, [secs, speed]) => {
-      p.currentTime = secs;
-      p.playbackRate = speed;
-    }, [to, rate] as const);
+    await stage.player.evaluate(
+      (p: RaconteurPlayer, [secs, speed]) => {
+        p.currentTime = secs;
+        p.playbackRate = speed;
+      },
+      [to, rate] as const,
+    );
     await page.waitForTimeout(PLAYED_MS);
   }
   await stage.pause();
@@ -134,20 +151,34 @@ test('for a minute with twenty seeks, the phone that the engine thinks is heard 
 
   // --- what was heard ---
   const heard = await captured(page);
-  expect(heard.samples.length / heard.sampleRate).toBeGreaterThan(SEEKS * PLAYED_MS / 1000);
-  const { phones, positions, pictures, turns } = await page.evaluate(() => ({ phones: window.phones, positions: window.positions, pictures: window.pictures, turns: window.turns }));
+  expect(heard.samples.length / heard.sampleRate).toBeGreaterThan((SEEKS * PLAYED_MS) / 1000);
+  const { phones, positions, pictures, turns } = await page.evaluate(() => ({
+    phones: window.phones,
+    positions: window.positions,
+    pictures: window.pictures,
+    turns: window.turns,
+  }));
   expect(turns.filter((t) => t.type === 'seeking')).toHaveLength(SEEKS);
   const utterances = bundle('white-rabbit');
-  const starts = await page.evaluate(() => window.record.events.filter((e) => e.type === 'utterance').map((e) => e.detail as { utterance: number; startSecs: number; phase: string }));
+  const starts = await page.evaluate(() =>
+    window.record.events.filter((e) => e.type === 'utterance').map((e) => e.detail as { utterance: number; startSecs: number; phase: string }),
+  );
   const startOf = new Map(starts.map((s) => [s.utterance, s.startSecs]));
   const sounds = new Map<string, Float32Array>();
   const soundOf = async (index: number, rate: number): Promise<Float32Array> => {
     const file = utterances[index]?.audio[0]?.file ?? '';
-    const whole = sounds.get(file) ?? decoded(await page.evaluate(async ([url, sampleRate]) => {
-      const bytes = await (await fetch(url)).arrayBuffer();
-      const sound = await new OfflineAudioContext(1, 1, sampleRate).decodeAudioData(bytes);
-      return window.coded(sound.getChannelData(0));
-    }, [`/assets/stories/white-rabbit/voice/${file}`, heard.sampleRate] as const));
+    const whole =
+      sounds.get(file) ??
+      decoded(
+        await page.evaluate(
+          async ([url, sampleRate]) => {
+            const bytes = await (await fetch(url)).arrayBuffer();
+            const sound = await new OfflineAudioContext(1, 1, sampleRate).decodeAudioData(bytes);
+            return window.coded(sound.getChannelData(0));
+          },
+          [`/assets/stories/white-rabbit/voice/${file}`, heard.sampleRate] as const,
+        ),
+      );
     sounds.set(file, whole);
     const key = `${file} ${rate}`;
     const sound = sounds.get(key) ?? (rate === 1 ? whole : stretch(whole, heard.sampleRate, rate));

@@ -1,6 +1,8 @@
 /** The face: emotions on the disc, muscles, speech over time, and the layers under the skin. */
 
+import { readFileSync } from 'node:fs';
 import type { Page } from '@playwright/test';
+import { curvesOf, type DirectControl, type FaceCurves } from '../../web/element/course.js';
 import type { RaconteurPlayer } from '../../web/element/element.js';
 import { expectNoBarriers, LOOKS } from './access.js';
 import { expect, ready, test } from './stage.js';
@@ -17,14 +19,34 @@ async function open(page: Page): Promise<void> {
 
 const eml = (page: Page): Promise<string> => page.locator('#eml').evaluate((code) => code.textContent ?? '');
 
-/** What the face is asked to do now: contractions of 38 muscles, then the direct parameters. */
-const controls = (page: Page): Promise<number[]> =>
-  page.locator('raconteur-player').evaluate((p: RaconteurPlayer) => [...(p.course(p.currentTime, p.currentTime, 1)?.curves ?? [])]);
+/** Muscles by name, as the table has them; pairs are left and right. */
+const PAIRS = readFileSync(new URL('../../crate/tissue/src/muscles.tsv', import.meta.url), 'utf8')
+  .trimEnd()
+  .split('\n')
+  .slice(1)
+  .map((row) => row.split('\t').slice(0, 2));
+const MUSCLES = PAIRS.flatMap(([name = '', sides]) => (sides === 'pair' ? [`${name}Left`, `${name}Right`] : [name]));
+
+/** What the face is asked to do at `count` times. */
+async function curves(page: Page, times: (p: RaconteurPlayer) => readonly [from: number, to: number, count: number]): Promise<FaceCurves> {
+  const player = page.locator('raconteur-player');
+  const [from, to, count] = await player.evaluate(times);
+  const told = await player.evaluate((p: RaconteurPlayer, [a, b, n]) => [...(p.course(a, b, n)?.curves ?? [])], [from, to, count] as const);
+  return curvesOf({ curves: Float32Array.from(told) }, count);
+}
 
 /** Places among them. */
-const [INNER_BROW, SMILE_LEFT, SMILE_RIGHT, JAW, BLUSH] = [0, 20, 21, 38, 53];
+const [INNER_BROW, SMILE_LEFT, SMILE_RIGHT] = ['FrontalisMedialLeft', 'ZygomaticusMajorLeft', 'ZygomaticusMajorRight'].map((name) => MUSCLES.indexOf(name)) as [
+  number,
+  number,
+  number,
+];
 
-const control = async (page: Page, place: number): Promise<number> => (await controls(page))[place] ?? NaN;
+/** What a muscle, or a control that is none, is asked to do now. */
+async function control(page: Page, which: number | DirectControl): Promise<number> {
+  const { muscles, direct } = await curves(page, (p) => [p.currentTime, p.currentTime, 1]);
+  return (typeof which === 'number' ? muscles[which] : direct[which])?.[0] ?? NaN;
+}
 
 /** Presses a button as soon as it can be, without waiting for a picture drawn in software. */
 async function press(page: Page, name: string): Promise<void> {
@@ -73,12 +95,12 @@ test('every muscle has a slider, both sides together or each for itself', async 
   expect(stage.backend).toBe('page');
   await open(page);
   await turnTo(page, 'Muscles');
-  await expect(page.locator('.dial')).toHaveCount(21);
+  await expect(page.locator('.dial')).toHaveCount(PAIRS.length);
   await slide(page, 'Zygomaticus major', 0.9);
   await expect.poll(() => eml(page)).toContain('parameterId="ZygomaticusMajor" value="0.9"');
   await expect.poll(() => control(page, SMILE_RIGHT)).toBeGreaterThan(0.85);
   await page.getByLabel('Left and right together').evaluate((b: HTMLElement) => b.click());
-  await expect(page.locator('.dial')).toHaveCount(38);
+  await expect(page.locator('.dial')).toHaveCount(MUSCLES.length);
   await slide(page, 'Zygomaticus major, right', 0);
   await expect.poll(() => eml(page)).toContain('parameterId="ZygomaticusMajorLeft" value="0.9"');
   await expect.poll(() => control(page, SMILE_RIGHT)).toBeLessThan(0.2);
@@ -89,8 +111,8 @@ test('every muscle has a slider, both sides together or each for itself', async 
   await turnTo(page, 'Jaw & more');
   await slide(page, 'Open', 1);
   await slide(page, 'Blush', -1);
-  await expect.poll(() => control(page, JAW)).toBeGreaterThan(0.3);
-  await expect.poll(() => control(page, BLUSH)).toBeLessThan(-0.9);
+  await expect.poll(() => control(page, 'jawPitch')).toBeGreaterThan(0.3);
+  await expect.poll(() => control(page, 'blush')).toBeLessThan(-0.9);
   await turnTo(page, 'Visemes');
   await expect(page.locator('.dial')).toHaveCount(15);
   await slide(page, 'PP', 1);
@@ -116,7 +138,7 @@ test('a sentence of a story is spoken in its voice, with phones and curves under
   await expect(page.locator('#problems')).toBeEmpty();
 
   // What accompanies it follows the sound or the text.
-  const brows = (): Promise<number[]> => player.evaluate((p: RaconteurPlayer) => [...(p.course(0, p.duration, 200)?.curves ?? [])].filter((_, i) => i % 54 === 0));
+  const brows = async (): Promise<readonly number[]> => (await curves(page, (p) => [0, p.duration, 200])).muscles[INNER_BROW] ?? [];
   const bySound = await brows();
   await page.getByText('By its text').evaluate((b: HTMLElement) => b.click());
   await expect.poll(async () => (await brows()).some((v, i) => Math.abs(v - (bySound[i] ?? 0)) > 0.05)).toBe(true);

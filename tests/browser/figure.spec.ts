@@ -20,11 +20,16 @@ async function look(stage: Stage): Promise<Buffer> {
   });
   // A picture that stands still is drawn once more with every pixel.
   let png = (await stage.picture()).png;
-  await expect.poll(async () => {
-    const last = png;
-    png = (await stage.picture()).png;
-    return await stage.difference(last, png);
-  }, { timeout: 20_000, intervals: [700] }).toBeLessThan(0.01);
+  await expect
+    .poll(
+      async () => {
+        const last = png;
+        png = (await stage.picture()).png;
+        return await stage.difference(last, png);
+      },
+      { timeout: 20_000, intervals: [700] },
+    )
+    .toBeLessThan(0.01);
   return png;
 }
 

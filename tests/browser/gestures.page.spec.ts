@@ -3,7 +3,7 @@
 import type { Locator, Page } from '@playwright/test';
 import type { RaconteurPlayer } from '../../web/element/element.js';
 import { expectNoBarriers, LOOKS } from './access.js';
-import { expect, ready, test } from './stage.js';
+import { expect, poseOf, ready, test } from './stage.js';
 
 /** The text as the page keeps it. */
 const text = (page: Page) => page.evaluate(() => sessionStorage.getItem('raconteur.gestures') ?? '');
@@ -17,7 +17,11 @@ async function open(page: Page, width = 1440, height = 900): Promise<void> {
 }
 
 const step = (page: Page, name: string) => page.getByRole('tab', { name, exact: true }).click();
-const phase = (page: Page, name: string) => page.locator('.phase').getByRole('button', { name: new RegExp(`^${name}`) }).first();
+const phase = (page: Page, name: string) =>
+  page
+    .locator('.phase')
+    .getByRole('button', { name: new RegExp(`^${name}`) })
+    .first();
 
 /** Presses in the middle of something and takes it along. */
 async function drag(page: Page, what: Locator, right: number, down: number): Promise<{ x: number; y: number }> {
@@ -32,14 +36,10 @@ async function drag(page: Page, what: Locator, right: number, down: number): Pro
 }
 
 /** Where the right arm is sent, world, metres. */
-const target = (page: Page) =>
-  page.locator('raconteur-player').evaluate((p: RaconteurPlayer) => {
-    const told = p.pose();
-    if (told === undefined) return [];
-    const joints = told.numbers[14] ?? 0;
-    const at = 15 + 13 * joints + 4 * (told.names.indexOf('rightArm') - joints);
-    return [...told.numbers.slice(at, at + 3)];
-  });
+async function target(page: Page): Promise<number[]> {
+  const targets = (await poseOf(page.locator('raconteur-player')))?.targets ?? [];
+  return [...(targets.find(({ name }) => name === 'rightArm')?.position ?? [])];
+}
 
 /** Types a whole text in place of the one that is there. */
 async function type(page: Page, eml: string): Promise<void> {

@@ -13,7 +13,10 @@ async function open(page: Page, path: string): Promise<void> {
   if (STAGES.includes(path)) await ready(page.locator('raconteur-player'));
 }
 
-for (const { width, height } of [{ width: 1440, height: 900 }, { width: 1024, height: 768 }]) {
+for (const { width, height } of [
+  { width: 1440, height: 900 },
+  { width: 1024, height: 768 },
+]) {
   test(`who tells a story is chosen without scrolling at ${width} × ${height}`, async ({ stage, page }) => {
     expect(stage.backend).toBe('page');
     await page.setViewportSize({ width, height });

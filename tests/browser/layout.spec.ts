@@ -26,20 +26,26 @@ const PLACES: { [name: string]: readonly [around: string, own: string] } = {
 
 test('in every layout it is as large as a video would be', async ({ stage, page }) => {
   // The policy of the page allows no style but that of a file.
-  const rules = Object.values(PLACES).map(([around, own], i) => `.around${i} { ${around} } .own${i} { ${own} }`).join('\n');
+  const rules = Object.values(PLACES)
+    .map(([around, own], i) => `.around${i} { ${around} } .own${i} { ${own} }`)
+    .join('\n');
   await stage.open('<main></main>', { 'test.css': `body { margin: 0; width: 900px }\n${rules}` });
   await page.waitForFunction(() => customElements.get('raconteur-player') !== undefined);
   for (const [i, name] of Object.keys(PLACES).entries()) {
-    const sizes = await page.evaluate((at) => ['video', 'raconteur-player'].map((tag) => {
-      const around = document.createElement('div');
-      around.className = `around${at}`;
-      const media = document.createElement(tag);
-      media.className = `own${at}`;
-      around.append(media);
-      document.querySelector('main')?.replaceChildren(around);
-      const { width, height } = media.getBoundingClientRect();
-      return { width, height };
-    }), i);
+    const sizes = await page.evaluate(
+      (at) =>
+        ['video', 'raconteur-player'].map((tag) => {
+          const around = document.createElement('div');
+          around.className = `around${at}`;
+          const media = document.createElement(tag);
+          media.className = `own${at}`;
+          around.append(media);
+          document.querySelector('main')?.replaceChildren(around);
+          const { width, height } = media.getBoundingClientRect();
+          return { width, height };
+        }),
+      i,
+    );
     const [video = { width: 0, height: 0 }, ours] = sizes;
     // A video without a picture is 300 by 150 and has no shape yet; ours is 16 by 9.
     const [width, height] = [video.width, (video.width * 9) / 16];

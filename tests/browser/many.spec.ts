@@ -29,7 +29,9 @@ function listen(): void {
 /** How many devices and contexts were made so far, and how many of them are still there. */
 function graphics(page: Page): Promise<{ made: number; held: number }> {
   return page.evaluate(async () => {
-    const gone = await Promise.all(window.record.devices.map((d) => Promise.race([(d as unknown as { lost: Promise<unknown> }).lost.then(() => true), new Promise((done) => setTimeout(done, 50, false))])));
+    const gone = await Promise.all(
+      window.record.devices.map((d) => Promise.race([(d as unknown as { lost: Promise<unknown> }).lost.then(() => true), new Promise((done) => setTimeout(done, 50, false))])),
+    );
     const lost = [...gone, ...window.contexts.map((context) => context.isContextLost())];
     return { made: lost.length, held: lost.filter((is) => !is).length };
   });
@@ -88,7 +90,9 @@ test(`${PLAYERS} players that come and go, at any moment of their loading, leave
   test.setTimeout(600_000);
   await page.addInitScript(listen);
   await page.addInitScript(serve, files);
-  await stage.open('<main></main><raconteur-player id="model" src="s0/story.eml" quality="low"></raconteur-player>', { 'test.css': `${small['test.css']} #model { display: none }` });
+  await stage.open('<main></main><raconteur-player id="model" src="s0/story.eml" quality="low"></raconteur-player>', {
+    'test.css': `${small['test.css']} #model { display: none }`,
+  });
   for (let from = 0; from < PLAYERS; from += 10) {
     await page.evaluate(async (first) => {
       const model = document.querySelector('#model');

@@ -16,7 +16,7 @@ interface Kit {
   /** A speed beyond what it can. */
   readonly fast: number;
   /** What became of a promise: nothing or the error's name. */
-  settle(promise: Promise<unknown> | void): Promise<string>;
+  settle(promise: Promise<unknown> | undefined): Promise<string>;
   /** The name of what is thrown. */
   thrown(work: () => void): string;
   event(type: string): Promise<unknown>;
@@ -33,12 +33,24 @@ declare global {
 
 /** What is asked; the answers must be the same. */
 const QUESTIONS: { [name: string]: (kit: Kit) => unknown } = {
-  'before there is anything': ({ media }) => [media.paused, media.ended, media.readyState, media.networkState, media.currentTime, Number.isNaN(media.duration), media.error, media.playbackRate, media.volume, media.muted],
-  constants: ({ media }) => ['NETWORK_EMPTY', 'NETWORK_IDLE', 'NETWORK_LOADING', 'NETWORK_NO_SOURCE', 'HAVE_NOTHING', 'HAVE_METADATA', 'HAVE_CURRENT_DATA', 'HAVE_FUTURE_DATA', 'HAVE_ENOUGH_DATA'].map((name) => [
-    (media as unknown as Record<string, number>)[name],
-    (media.constructor as unknown as Record<string, number>)[name],
-  ]),
-  'speeds that cannot be': ({ media, thrown, fast }) => [fast, -fast, NaN, Infinity, 'quick' as unknown as number, undefined as unknown as number].map((rate) => [thrown(() => (media.playbackRate = rate)), media.playbackRate]),
+  'before there is anything': ({ media }) => [
+    media.paused,
+    media.ended,
+    media.readyState,
+    media.networkState,
+    media.currentTime,
+    Number.isNaN(media.duration),
+    media.error,
+    media.playbackRate,
+    media.volume,
+    media.muted,
+  ],
+  constants: ({ media }) =>
+    ['NETWORK_EMPTY', 'NETWORK_IDLE', 'NETWORK_LOADING', 'NETWORK_NO_SOURCE', 'HAVE_NOTHING', 'HAVE_METADATA', 'HAVE_CURRENT_DATA', 'HAVE_FUTURE_DATA', 'HAVE_ENOUGH_DATA'].map(
+      (name) => [(media as unknown as Record<string, number>)[name], (media.constructor as unknown as Record<string, number>)[name]],
+    ),
+  'speeds that cannot be': ({ media, thrown, fast }) =>
+    [fast, -fast, NaN, Infinity, 'quick' as unknown as number, undefined as unknown as number].map((rate) => [thrown(() => (media.playbackRate = rate)), media.playbackRate]),
   'speeds that can': ({ media, thrown }) => [0.5, 1.25, 2, '1.5' as unknown as number].map((rate) => [thrown(() => (media.playbackRate = rate)), media.playbackRate]),
   'a speed is kept when another is refused': ({ media, thrown, fast }) => {
     media.playbackRate = 1.5;
@@ -186,54 +198,80 @@ const QUESTIONS: { [name: string]: (kit: Kit) => unknown } = {
 
 /** Asks the page's question of one kind of element. */
 async function answers(stage: Stage, kind: 'audio' | 'raconteur-player'): Promise<unknown> {
-  return await stage.page.evaluate(async ([tag, backend]) => {
-    document.querySelector('main')?.replaceChildren();
-    const media = document.createElement(tag) as Media;
-    if (tag === 'raconteur-player') {
-      for (const [key, value] of Object.entries({ backend, loading: 'eager', assets: '/assets/', quality: 'low' })) media.setAttribute(key, value);
-    } else {
-      (media as HTMLMediaElement).preload = 'auto';
-    }
-    const told: string[] = [];
-    const types = ['loadstart', 'loadedmetadata', 'loadeddata', 'canplay', 'canplaythrough', 'play', 'playing', 'pause', 'ended', 'seeking', 'seeked', 'emptied', 'abort', 'error', 'ratechange'];
-    for (const type of types) {
-      // A browser tells after each seek that it can play.
-      media.addEventListener(type, () => told.push(type), { once: type.startsWith('canplay') });
-    }
-    document.querySelector('main')?.append(media);
-    // A media element is there at once; ours is drawn once first.
-    await (media as RaconteurPlayer).updateComplete;
-    const ours = tag === 'raconteur-player';
-    const kit: Kit = {
-      media,
-      good: ours ? 'good/story.eml' : 'good/voice/u0.wav',
-      other: ours ? 'other/story.eml' : 'other/voice/u0.wav',
-      absent: ours ? 'absent/story.eml' : 'absent.wav',
-      fast: ours ? 9 : 99,
-      settle: async (promise) => await Promise.resolve(promise).then(() => 'kept', (error: Error) => error.name),
-      thrown: (work) => {
-        try {
-          work();
-          return 'nothing';
-        } catch (error) {
-          return (error as Error).name;
-        }
-      },
-      event: (type) => new Promise((done) => media.addEventListener(type, done, { once: true })),
-      events: () => told.splice(0),
-    };
-    const answer = await window.ask(kit);
-    media.pause();
-    media.remove();
-    return JSON.parse(JSON.stringify(answer ?? null)) as unknown;
-  }, [kind, stage.backend] as const);
+  return await stage.page.evaluate(
+    async ([tag, backend]) => {
+      document.querySelector('main')?.replaceChildren();
+      const media = document.createElement(tag) as Media;
+      if (tag === 'raconteur-player') {
+        for (const [key, value] of Object.entries({ backend, loading: 'eager', assets: '/assets/', quality: 'low' })) media.setAttribute(key, value);
+      } else {
+        (media as HTMLMediaElement).preload = 'auto';
+      }
+      const told: string[] = [];
+      const types = [
+        'loadstart',
+        'loadedmetadata',
+        'loadeddata',
+        'canplay',
+        'canplaythrough',
+        'play',
+        'playing',
+        'pause',
+        'ended',
+        'seeking',
+        'seeked',
+        'emptied',
+        'abort',
+        'error',
+        'ratechange',
+      ];
+      for (const type of types) {
+        // A browser tells after each seek that it can play.
+        media.addEventListener(type, () => told.push(type), { once: type.startsWith('canplay') });
+      }
+      document.querySelector('main')?.append(media);
+      // A media element is there at once; ours is drawn once first.
+      await (media as RaconteurPlayer).updateComplete;
+      const ours = tag === 'raconteur-player';
+      const kit: Kit = {
+        media,
+        good: ours ? 'good/story.eml' : 'good/voice/u0.wav',
+        other: ours ? 'other/story.eml' : 'other/voice/u0.wav',
+        absent: ours ? 'absent/story.eml' : 'absent.wav',
+        fast: ours ? 9 : 99,
+        settle: async (promise) =>
+          await Promise.resolve(promise).then(
+            () => 'kept',
+            (error: Error) => error.name,
+          ),
+        thrown: (work) => {
+          try {
+            work();
+            return 'nothing';
+          } catch (error) {
+            return (error as Error).name;
+          }
+        },
+        event: (type) => new Promise((done) => media.addEventListener(type, done, { once: true })),
+        events: () => told.splice(0),
+      };
+      const answer = await window.ask(kit);
+      media.pause();
+      media.remove();
+      return JSON.parse(JSON.stringify(answer ?? null)) as unknown;
+    },
+    [kind, stage.backend] as const,
+  );
 }
 
 test.describe('as a media element', () => {
   for (const name of Object.keys(QUESTIONS)) {
     test(name, async ({ stage, page }) => {
       const made = [{ text: 'One two three', msec: 1500, samples: new Float32Array(66_150) }];
-      const files = (folder: string) => Object.fromEntries(Object.entries({ ...voiceFiles(made), 'story.eml': story("<voice-text time='0'>One two three</voice-text>") }).map(([path, file]) => [`${folder}/${path}`, file]));
+      const files = (folder: string) =>
+        Object.fromEntries(
+          Object.entries({ ...voiceFiles(made), 'story.eml': story("<voice-text time='0'>One two three</voice-text>") }).map(([path, file]) => [`${folder}/${path}`, file]),
+        );
       // No picture is asked after, and to make one takes longer than all the rest.
       await page.addInitScript(() => (HTMLCanvasElement.prototype.getContext = () => null));
       await page.addInitScript({ content: `window.ask = ${QUESTIONS[name]?.toString()};` });
@@ -306,13 +344,21 @@ test('a browser that forbids sound rejects play(), and nothing has happened', as
     };
   });
   await play(stage);
-  const name = await stage.player.evaluate((p: RaconteurPlayer) => p.play().then(() => 'kept', (error: Error) => error.name));
+  const name = await stage.player.evaluate((p: RaconteurPlayer) =>
+    p.play().then(
+      () => 'kept',
+      (error: Error) => error.name,
+    ),
+  );
   expect(name).toBe('NotAllowedError');
   expect(await stage.player.evaluate((p: RaconteurPlayer) => p.paused)).toBe(true);
   expect((await stage.events()).filter((e) => e === 'playing')).toEqual([]);
   // And one that is paused meanwhile is not started later.
   const broken = await stage.player.evaluate((p: RaconteurPlayer) => {
-    const played = p.play().then(() => 'kept', (error: Error) => error.name);
+    const played = p.play().then(
+      () => 'kept',
+      (error: Error) => error.name,
+    );
     p.pause();
     return played;
   });
@@ -323,10 +369,16 @@ test('an attribute that is no speed or loudness counts as none', async ({ stage 
   await stage.open('<raconteur-player playback-rate="9" volume="-3"></raconteur-player>');
   const read = () => stage.player.evaluate((p: RaconteurPlayer) => [p.playbackRate, p.volume] as const);
   await expect.poll(read).toEqual([1, 1]);
-  await stage.player.evaluate((p) => (p.setAttribute('playback-rate', '1.5'), p.setAttribute('volume', '0.25')));
+  await stage.player.evaluate((p) => {
+    p.setAttribute('playback-rate', '1.5');
+    p.setAttribute('volume', '0.25');
+  });
   expect(await read()).toEqual([1.5, 0.25]);
   await stage.player.evaluate((p: RaconteurPlayer) => (p.playbackRate = 2));
   await expect(stage.player).toHaveAttribute('playback-rate', '2');
-  await stage.player.evaluate((p) => (p.setAttribute('playback-rate', 'quick'), p.removeAttribute('volume')));
+  await stage.player.evaluate((p) => {
+    p.setAttribute('playback-rate', 'quick');
+    p.removeAttribute('volume');
+  });
   expect(await read()).toEqual([1, 1]);
 });

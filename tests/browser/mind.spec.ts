@@ -8,6 +8,7 @@ const LINE = '<voice-text time="0" timeId="v"><div>Hello <emph><tm name="w"/>wor
 const HAND = '<gesture-key time="0" timeId="hand" duration="1.5" handedness="right"><motion><key x="-14" y="40" z="-6"/></motion></gesture-key>';
 
 const test = base.extend<{ mind: Mind }>({
+  // biome-ignore lint/correctness/noEmptyPattern: Playwright reads from it which fixtures this one needs.
   mind: async ({}, use) => {
     const mind = await Mind.listen();
     await use(mind);

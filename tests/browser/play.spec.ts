@@ -32,7 +32,7 @@ test('plays with sound, captions and a moving picture', async ({ stage, page }) 
   expect(first).toBeDefined();
   const clause = await page.evaluate(() => window.record.events.find((e) => e.type === 'clause' && (e.detail as { element: string }).element === 'voice-text'));
   const heard = context - (first?.when ?? 0) + (first?.offset ?? 0);
-  const spoken = now - (clause?.detail as { timeSecs: number }).timeSecs;
+  const spoken = now - ((clause?.detail as { timeSecs: number } | undefined)?.timeSecs ?? NaN);
   expect(Math.abs(heard - spoken)).toBeLessThan(0.06);
   expect(await stage.events()).toEqual(expect.arrayContaining(['loadedmetadata', 'play', 'playing', 'timeupdate', 'word', 'clause']));
 });
@@ -61,10 +61,12 @@ test('the caption marks the word being spoken', async ({ stage, page }) => {
   const told = await page.evaluate(() =>
     window.record.events.filter((e) => e.type === 'utterance').map(({ detail }) => detail as { phase: string; text: string; startSecs: number }),
   );
-  const spoken = told.filter(({ phase }) => phase === 'start').flatMap(({ text, startSecs }) => {
-    const utterance = bundle('white-rabbit').find((u) => u.text === text);
-    return (utterance?.words ?? []).map((w) => ({ text: w.text, from: startSecs + w.start_secs, to: startSecs + w.end_secs }));
-  });
+  const spoken = told
+    .filter(({ phase }) => phase === 'start')
+    .flatMap(({ text, startSecs }) => {
+      const utterance = bundle('white-rabbit').find((u) => u.text === text);
+      return (utterance?.words ?? []).map((w) => ({ text: w.text, from: startSecs + w.start_secs, to: startSecs + w.end_secs }));
+    });
   const start = told[0]?.startSecs ?? NaN;
   for (const { text, at } of marked) {
     // Times of words are sums: the last bits may differ, in favour of what is shown.
@@ -169,8 +171,7 @@ test('two players on one page keep their own time', async ({ stage, page }) => {
 
 test('the controls and the keys do what they say', async ({ stage, page }) => {
   await stage.load('white-rabbit');
-  const state = () =>
-    stage.player.evaluate((p: RaconteurPlayer) => ({ paused: p.paused, muted: p.muted, captions: p.captions, volume: p.volume, time: p.currentTime }));
+  const state = () => stage.player.evaluate((p: RaconteurPlayer) => ({ paused: p.paused, muted: p.muted, captions: p.captions, volume: p.volume, time: p.currentTime }));
   await stage.player.focus();
   await page.keyboard.press('Space');
   await expect.poll(async () => (await state()).paused).toBe(false);

@@ -1,22 +1,19 @@
 /** Another text for whoever is on stage, and what a page draws over the picture. */
 
+import type { Locator } from '@playwright/test';
 import type { RaconteurPlayer } from '../../web/element/element.js';
-import { expect, test } from './stage.js';
+import { expect, poseOf, test } from './stage.js';
 
 /** The right hand at a place, from 1 to 3 s. */
 const text = (x: number) => `<eml><body><gesture-is-on time="0" isOn="true"/>
   <gesture-key time="1" duration="2" handedness="right"><motion><key time="0" x="${x}" y="20" z="-14"/><key time="2" x="${x}" y="20" z="-14"/></motion></gesture-key>
 </body></eml>`;
 
-/** Where the right arm is sent, world, metres: the numbers that `pose` ends with. */
-const target = (player: RaconteurPlayer): number[] | undefined => {
-  const told = player.pose();
-  if (told === undefined) return undefined;
-  const joints = told.numbers[14] ?? 0;
-  const right = told.names.indexOf('rightArm') - joints;
-  const at = 15 + 13 * joints + 4 * right;
-  return [...told.numbers.slice(at, at + 4)];
-};
+/** Where the right arm is sent, world, metres, and how far from there it ended. */
+async function target(player: Locator): Promise<readonly number[] | undefined> {
+  const arm = (await poseOf(player))?.targets.find(({ name }) => name === 'rightArm');
+  return arm && [...arm.position, arm.error];
+}
 
 test('a text is put on stage without a file, and changed in place', async ({ stage }) => {
   await stage.open('<raconteur-player></raconteur-player>');
@@ -24,12 +21,12 @@ test('a text is put on stage without a file, and changed in place', async ({ sta
   expect(await player.evaluate((p: RaconteurPlayer, eml) => p.rehearse(eml), text(-10))).toEqual([]);
   await stage.ready();
   await stage.seek(2);
-  const [before, canvas] = [await player.evaluate(target), await player.locator('canvas').elementHandle()];
+  const [before, canvas] = [await target(player), await player.locator('canvas').elementHandle()];
   expect(before?.[3]).toBeLessThan(0.001);
   const first = await stage.picture();
 
   await player.evaluate((p: RaconteurPlayer, eml) => p.rehearse(eml), text(-20));
-  const after = await player.evaluate(target);
+  const after = await target(player);
   // Ten units of a figure that stands 77 of them high.
   expect((before?.[0] ?? 0) - (after?.[0] ?? 0)).toBeCloseTo((10 / 77) * 1.66, 1);
   expect(await stage.time()).toBe(2);
@@ -39,7 +36,7 @@ test('a text is put on stage without a file, and changed in place', async ({ sta
 
   // The same again gives the same, so it is the text that changed the picture.
   await player.evaluate((p: RaconteurPlayer, eml) => p.rehearse(eml), text(-10));
-  expect(await player.evaluate(target)).toEqual(before);
+  expect(await target(player)).toEqual(before);
 });
 
 test('while it plays it goes on, and a longer text plays to its end', async ({ stage }) => {

@@ -4,6 +4,7 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test as base, expect, type Locator, type Page } from '@playwright/test';
 import type { RaconteurPlayer } from '../../web/element/element.js';
+import { decodePose, type PoseNow } from '../../web/element/pose.js';
 
 export { expect };
 
@@ -99,7 +100,26 @@ function listen(): void {
       return device;
     };
   }
-  const types = ['play', 'playing', 'pause', 'waiting', 'seeking', 'seeked', 'ended', 'error', 'ratechange', 'volumechange', 'timeupdate', 'loadedmetadata', 'word', 'phone', 'utterance', 'clause', 'storyevent', 'diagnostic'];
+  const types = [
+    'play',
+    'playing',
+    'pause',
+    'waiting',
+    'seeking',
+    'seeked',
+    'ended',
+    'error',
+    'ratechange',
+    'volumechange',
+    'timeupdate',
+    'loadedmetadata',
+    'word',
+    'phone',
+    'utterance',
+    'clause',
+    'storyevent',
+    'diagnostic',
+  ];
   for (const type of types) {
     document.addEventListener(
       type,
@@ -120,6 +140,15 @@ type Files = { [path: string]: string | Buffer };
 /** Waits until a player is loaded. */
 export async function ready(player: Locator): Promise<void> {
   await expect.poll(() => player.evaluate((p: RaconteurPlayer) => p.error?.message ?? p.readyState), { timeout: 60_000 }).toBe(4);
+}
+
+/** The pose that a player shows. */
+export async function poseOf(player: Locator): Promise<PoseNow | undefined> {
+  const told = await player.evaluate((p: RaconteurPlayer) => {
+    const { names, numbers } = p.pose() ?? { names: [], numbers: [] };
+    return { names: [...names], numbers: [...numbers] };
+  });
+  return decodePose(told);
 }
 
 export class Stage {
@@ -153,7 +182,11 @@ export class Stage {
       const [, from, to] = /^bytes=(\d+)-(\d*)$/.exec(route.request().headers()['range'] ?? '') ?? [];
       if (from !== undefined && Buffer.isBuffer(file)) {
         const end = to ? Number(to) + 1 : file.length;
-        return route.fulfill({ status: 206, body: file.subarray(Number(from), end), headers: { 'Content-Range': `bytes ${from}-${end - 1}/${file.length}`, 'Content-Type': 'audio/wav' } });
+        return route.fulfill({
+          status: 206,
+          body: file.subarray(Number(from), end),
+          headers: { 'Content-Range': `bytes ${from}-${end - 1}/${file.length}`, 'Content-Type': 'audio/wav' },
+        });
       }
       return route.fulfill({ body: file, contentType: path.endsWith('.css') ? 'text/css' : 'application/octet-stream' });
     });

@@ -115,7 +115,10 @@ export async function steadyClock(page: Page): Promise<void> {
     const { port1, port2 } = new MessageChannel();
     // A message is a task of its own.
     port1.onmessage = () => known.clear();
-    for (const [prototype, name] of [[BaseAudioContext.prototype, 'currentTime'], [AudioContext.prototype, 'outputLatency']] as const) {
+    for (const [prototype, name] of [
+      [BaseAudioContext.prototype, 'currentTime'],
+      [AudioContext.prototype, 'outputLatency'],
+    ] as const) {
       const own = (Object.getOwnPropertyDescriptor(prototype, name) ?? Object.getOwnPropertyDescriptor(Object.getPrototypeOf(prototype), name))?.get;
       Object.defineProperty(prototype, name, {
         configurable: true,

@@ -48,7 +48,12 @@ test('a story that is not there says so, and can be tried again', async ({ stage
   await open(stage, {});
   await expect(stage.player.getByRole('alert')).toContainText('The story was not found at /test/story.eml.');
   expect(await stage.events()).toContain('error');
-  const message = await stage.player.evaluate((p: RaconteurPlayer) => p.play().then(() => '', (e: Error) => e.message));
+  const message = await stage.player.evaluate((p: RaconteurPlayer) =>
+    p.play().then(
+      () => '',
+      (e: Error) => e.message,
+    ),
+  );
   expect(message).toContain('not found');
   await stage.page.route('**/test/story.eml', (route) => route.fulfill({ body: story('<voice-text id="v">Here I am.</voice-text>') }));
   await stage.player.getByRole('button', { name: 'Try again' }).click();
@@ -71,40 +76,6 @@ test('a recording that cannot be played leaves the captions', async ({ stage, pa
   await page.waitForFunction(() => window.record.events.some((e) => e.type === 'word'));
 });
 
-const MOVE = `<vh-move time='0' functionName='segment'><function-args><arg name='timePeriod' value='1'/><arg name='endY' value='-2'/></function-args></vh-move>`;
-
-test('players and manipulators are fetched only for who asks for them', async ({ stage, page }) => {
-  const asked: string[] = [];
-  page.on('request', (request) => asked.push(new URL(request.url()).pathname));
-  const motion = () => asked.filter((path) => path.includes('/more-')).length;
-  await open(stage, { 'story.eml': story('<voice-text id="v">Here I stand.</voice-text>'), 'moves.eml': story(MOVE) });
-  await stage.ready();
-  expect(motion()).toBe(0);
-  const codes = () => stage.player.evaluate((p: RaconteurPlayer) => p.diagnostics.map((d) => d.code));
-  const answers = await stage.player.evaluate((p: RaconteurPlayer, text) => p.perform(text), MOVE);
-  expect(answers.map((a) => a.kind)).not.toContain('failed');
-  expect(motion()).toBe(1);
-  expect(await codes()).not.toContain('player::no-motion');
-});
-
-test('a story whose players and manipulators cannot be fetched is told without them', async ({ stage, page }) => {
-  await page.route('**/app/more-*', (route) => route.abort());
-  await open(stage, { 'story.eml': story(`${MOVE}<voice-text id="v">Here I stand.</voice-text>`) });
-  await stage.ready();
-  expect(await stage.player.evaluate((p: RaconteurPlayer) => p.diagnostics.map((d) => d.code))).toContain('player::no-motion');
-  await stage.play();
-  await page.waitForFunction(() => window.record.events.some((e) => e.type === 'word'));
-});
-
-test('a story plays where what moves the face cannot be fetched', async ({ stage, page }) => {
-  await page.route('**/app/face-*.wasm', (route) => route.abort());
-  await open(stage, { 'story.eml': story('<voice-text id="v">Here I stand.</voice-text>') });
-  await stage.ready();
-  expect(await stage.player.evaluate((p: RaconteurPlayer) => p.diagnostics.map((d) => d.code))).toContain('player::no-face');
-  await stage.play();
-  await page.waitForFunction(() => window.record.events.some((e) => e.type === 'word'));
-});
-
 test('nothing is fetched from outside the story and the library', async ({ stage, page }) => {
   const asked: string[] = [];
   page.on('request', (request) => asked.push(new URL(request.url()).pathname));
@@ -113,7 +84,7 @@ test('nothing is fetched from outside the story and the library', async ({ stage
   };
   for (const utterance of speech.utterances) utterance.audio = [{ file: '../../secret.opus', mime: 'audio/ogg' }];
   const eml = readFileSync(join(import.meta.dirname, '../../assets/stories/hello-world/story.eml'), 'utf8');
-  const entity = '<!DOCTYPE eml [<!ENTITY x SYSTEM "/test/secret.txt">]>\n' + eml.replace(/<\?xml[^>]*\?>/, '');
+  const entity = `<!DOCTYPE eml [<!ENTITY x SYSTEM "/test/secret.txt">]>\n${eml.replace(/<\?xml[^>]*\?>/, '')}`;
   await open(stage, { 'story.eml': entity, 'voice/speech.json': JSON.stringify(speech), 'secret.txt': 'no', 'secret.opus': 'no' });
   await stage.ready();
   await stage.play();
@@ -177,7 +148,7 @@ test('a lost picture comes back while the story goes on', async ({ stage, page }
   expect((await stage.picture()).spread).toBeGreaterThan(8);
   expect(await stage.player.evaluate((p: RaconteurPlayer) => p.paused)).toBe(false);
   // No word was told twice.
-  const words = await page.evaluate(() => window.record.events.filter((e) => e.type === 'word').map((e) => (e.detail as { index: number; utterance: number })));
+  const words = await page.evaluate(() => window.record.events.filter((e) => e.type === 'word').map((e) => e.detail as { index: number; utterance: number }));
   expect(new Set(words.map((w) => `${w.utterance}.${w.index}`)).size).toBe(words.length);
 });
 

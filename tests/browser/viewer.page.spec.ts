@@ -5,7 +5,7 @@ import { join } from 'node:path';
 import type { Page } from '@playwright/test';
 import type { RaconteurPlayer } from '../../web/element/element.js';
 import { expectNoBarriers, LOOKS } from './access.js';
-import { expect, ready, test, type Stage } from './stage.js';
+import { expect, poseOf, ready, test, type Stage } from './stage.js';
 
 const figures = join(import.meta.dirname, '../../assets/figures');
 
@@ -23,12 +23,10 @@ async function open(page: Page): Promise<void> {
 const eml = (page: Page): Promise<string> => page.locator('#eml').evaluate((code) => code.textContent ?? '');
 
 /** Where a joint is now, world, metres. */
-const joint = (page: Page, name: string): Promise<number[]> =>
-  page.locator('raconteur-player').evaluate((p: RaconteurPlayer, wanted) => {
-    const told = p.pose();
-    const at = 15 + 13 * (told?.names.indexOf(wanted) ?? 0) + 10;
-    return [...(told?.numbers.slice(at, at + 3) ?? [])];
-  }, name);
+async function joint(page: Page, name: string): Promise<number[]> {
+  const joints = (await poseOf(page.locator('raconteur-player')))?.joints ?? [];
+  return [...(joints.find((found) => found.name === name)?.position ?? [])];
+}
 
 const apart = (a: number[], b: number[]): number => Math.hypot(...a.map((x, i) => x - (b[i] ?? 0)));
 
@@ -127,7 +125,10 @@ test('a layer is weighed, and its animation fetched and played', async ({ stage,
   await expect(page.getByRole('slider', { name: 'Weight, layer 2' })).toHaveAttribute('aria-valuetext', /50 percent/);
   await expect.poll(async () => (await knee())[1]).toBeLessThan(1.6);
 
-  for (const [mechanism, type] of [['Body groups', 'bodyGroup'], ['Stances', 'pose']] as const) {
+  for (const [mechanism, type] of [
+    ['Body groups', 'bodyGroup'],
+    ['Stances', 'pose'],
+  ] as const) {
     await page.getByText(mechanism, { exact: true }).click();
     await expect.poll(() => eml(page)).toContain(`type="${type}"`);
   }

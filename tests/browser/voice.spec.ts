@@ -35,10 +35,14 @@ async function open(stage: Stage, body: string, utterances: readonly Made[], att
 /** What is heard once the blocks under way have come. */
 async function heard(page: Page): Promise<Captured> {
   const until = await page.evaluate(() => (window.tap.context?.currentTime ?? 0) + 0.1);
-  await expect.poll(() => page.evaluate(() => {
-    const last = window.tap.blocks.at(-1);
-    return last === undefined ? 0 : (last.from + last.samples.length) / (window.tap.context?.sampleRate ?? 1);
-  })).toBeGreaterThan(until);
+  await expect
+    .poll(() =>
+      page.evaluate(() => {
+        const last = window.tap.blocks.at(-1);
+        return last === undefined ? 0 : (last.from + last.samples.length) / (window.tap.context?.sampleRate ?? 1);
+      }),
+    )
+    .toBeGreaterThan(until);
   return await captured(page);
 }
 
@@ -122,10 +126,17 @@ test('what the browser decodes is as long as the bundle says, in each encoding a
     const sounds: Float32Array[] = [];
     for (const { file } of audio) {
       const name = (await stage.page.request.get(`/assets/stories/hello-world/voice/${file}`)).ok() ? 'hello-world' : 'white-rabbit';
-      sounds.push(decoded(await page.evaluate(async ([url, sampleRate]) => {
-        const bytes = await (await fetch(url)).arrayBuffer();
-        return window.coded((await new OfflineAudioContext(1, 1, sampleRate).decodeAudioData(bytes)).getChannelData(0));
-      }, [`/assets/stories/${name}/voice/${file}`, rate] as const)));
+      sounds.push(
+        decoded(
+          await page.evaluate(
+            async ([url, sampleRate]) => {
+              const bytes = await (await fetch(url)).arrayBuffer();
+              return window.coded((await new OfflineAudioContext(1, 1, sampleRate).decodeAudioData(bytes)).getChannelData(0));
+            },
+            [`/assets/stories/${name}/voice/${file}`, rate] as const,
+          ),
+        ),
+      );
     }
     const [opus, mp3] = sounds;
     if (opus === undefined || mp3 === undefined) throw new Error('a recording has one encoding only');
@@ -133,7 +144,9 @@ test('what the browser decodes is as long as the bundle says, in each encoding a
     const loudest = pieces.sort((a, b) => loudness(opus.subarray(b, b + 12_000)) - loudness(opus.subarray(a, a + 12_000)))[0] ?? 0;
     const found = find(opus.subarray(loudest, loudest + 12_000), mp3, loudest - 4800, loudest + 4800);
     const delay = (found.at - loudest) / rate;
-    console.log(`${duration_secs} s: ${sounds.map((s) => ((s.length / rate - duration_secs) * 1000).toFixed(1)).join(' and ')} ms more, the second ${(delay * 1000).toFixed(2)} ms later`);
+    console.log(
+      `${duration_secs} s: ${sounds.map((s) => ((s.length / rate - duration_secs) * 1000).toFixed(1)).join(' and ')} ms more, the second ${(delay * 1000).toFixed(2)} ms later`,
+    );
     // Neither ends before its last phone, nor is it heard at another time.
     for (const sound of sounds) expect(sound.length / rate).toBeGreaterThan(duration_secs - 0.005);
     expect(Math.abs(delay)).toBeLessThan(0.002);
@@ -144,7 +157,9 @@ test('utterances, words and phones are told with their times', async ({ stage, p
   await open(stage, "<null time='0.3'/><voice-text time='0.3'>One two</voice-text>", [{ text: 'One two', msec: 600 }]);
   await stage.play();
   await page.waitForFunction(() => document.querySelector('raconteur-player')?.ended);
-  const told = await page.evaluate(() => window.record.events.filter((e) => ['utterance', 'word', 'phone'].includes(e.type)).map((e) => ({ type: e.type, ...(e.detail as object) })));
+  const told = await page.evaluate(() =>
+    window.record.events.filter((e) => ['utterance', 'word', 'phone'].includes(e.type)).map((e) => ({ type: e.type, ...(e.detail as object) })),
+  );
   const said = { utterance: 0, text: 'One two', startSecs: 0.3, endSecs: expect.closeTo(0.9, 9), kind: 'utterance', type: 'utterance' };
   const phone = { type: 'phone', kind: 'phone', utterance: 0, symbol: 'aa', phoneSet: 'mrpa' };
   const near = expect.closeTo(0.6, 9);
@@ -166,22 +181,39 @@ test('voice-say: what is waited for, what is not, and what is only made ready', 
     <voice-say time='0' voiceOperation='preprocessFile'>later.txt</voice-say>
     <voice-say time='0' voiceOperation='file'>tale.txt</voice-say>
     <voice-say time='0' voiceOperation='asynchronousFile' type='sable'>song.sable</voice-say></seq>`;
-  await open(stage, body, [
-    { text: 'Aloud', msec: 310 },
-    { text: 'Beside', msec: 320 },
-    { text: 'Later on', msec: 330 },
-    { text: 'Not yet', msec: 340, key: fileKey('later.txt') },
-    { text: 'A tale told', msec: 350, key: fileKey('tale.txt') },
-    { text: 'A song', msec: 360, key: fileKey('song.sable', 'sable') },
-  ], 'captions');
+  await open(
+    stage,
+    body,
+    [
+      { text: 'Aloud', msec: 310 },
+      { text: 'Beside', msec: 320 },
+      { text: 'Later on', msec: 330 },
+      { text: 'Not yet', msec: 340, key: fileKey('later.txt') },
+      { text: 'A tale told', msec: 350, key: fileKey('tale.txt') },
+      { text: 'A song', msec: 360, key: fileKey('song.sable', 'sable') },
+    ],
+    'captions',
+  );
   expect(await stage.player.evaluate((p: RaconteurPlayer) => p.diagnostics)).toEqual([]);
   await stage.play();
   await page.waitForFunction(() => document.querySelector('raconteur-player')?.ended);
   const lengths = () => page.evaluate(() => window.record.starts.map((s) => Math.round(s.secs * 1000)).sort());
   expect(await lengths()).toEqual([310, 320, 350, 360]);
-  const words = () => page.evaluate(() => window.record.events.filter((e) => e.type === 'word').map((e) => (e.detail as { word: { text: string } }).word.text).sort());
+  const words = () =>
+    page.evaluate(() =>
+      window.record.events
+        .filter((e) => e.type === 'word')
+        .map((e) => (e.detail as { word: { text: string } }).word.text)
+        .sort(),
+    );
   expect(await words()).toEqual(['A', 'A', 'Aloud', 'Beside', 'song', 'tale', 'told']);
-  const times = await page.evaluate(() => window.record.events.filter((e) => e.type === 'utterance').map((e) => e.detail as { text: string; phase: string; startSecs: number }).filter((u) => u.phase === 'start').map((u) => [u.text, Math.round(u.startSecs * 1000)] as const));
+  const times = await page.evaluate(() =>
+    window.record.events
+      .filter((e) => e.type === 'utterance')
+      .map((e) => e.detail as { text: string; phase: string; startSecs: number })
+      .filter((u) => u.phase === 'start')
+      .map((u) => [u.text, Math.round(u.startSecs * 1000)] as const),
+  );
   expect(Object.fromEntries(times)).toEqual({ Aloud: 0, Beside: 310, 'A tale told': 310, 'A song': 660 });
   // What was made ready is there when a live clause says it.
   const answers = await stage.player.evaluate((p: RaconteurPlayer) => p.perform("<voice-text time='0'>Later on</voice-text>"));
@@ -222,11 +254,14 @@ function speakers({ voices, msec }: { voices: { name: string; lang: string }[]; 
       const note = { text: speech.text, voice: speech.voice?.name ?? '', lang: speech.lang, rate: speech.rate, volume: speech.volume, end: '', secs: performance.now() / 1000 };
       window.said.push(note);
       setTimeout(() => speech.onstart?.());
-      const timer = setTimeout(() => {
-        note.end = 'over';
-        under = undefined;
-        speech.onend?.();
-      }, (speech.text.length * msec) / speech.rate);
+      const timer = setTimeout(
+        () => {
+          note.end = 'over';
+          under = undefined;
+          speech.onend?.();
+        },
+        (speech.text.length * msec) / speech.rate,
+      );
       under = () => {
         clearTimeout(timer);
         note.end = 'cancelled';
@@ -254,7 +289,13 @@ async function openSilent(stage: Stage, attributes = ''): Promise<void> {
 }
 
 test('without a recording the browser speaks, and the story waits where it is late', async ({ stage, page }) => {
-  await page.addInitScript(speakers, { voices: [{ name: 'Max', lang: 'de-DE' }, { name: 'Ann', lang: 'en-GB' }], msec: 110 });
+  await page.addInitScript(speakers, {
+    voices: [
+      { name: 'Max', lang: 'de-DE' },
+      { name: 'Ann', lang: 'en-GB' },
+    ],
+    msec: 110,
+  });
   await openSilent(stage);
   expect((await missing(stage))[0]).toContain('“Ann” speaks it');
   await stage.play();
@@ -270,8 +311,14 @@ test('without a recording the browser speaks, and the story waits where it is la
   expect((await page.evaluate(() => window.record.events.filter((e) => e.type === 'word'))).length).toBe(11);
 });
 
-test('the browser\'s voice follows pause, seek, speed and mute', async ({ stage, page }) => {
-  await page.addInitScript(speakers, { voices: [{ name: 'Rui', lang: 'pt-PT' }, { name: 'Ann', lang: 'en-GB' }], msec: 60 });
+test("the browser's voice follows pause, seek, speed and mute", async ({ stage, page }) => {
+  await page.addInitScript(speakers, {
+    voices: [
+      { name: 'Rui', lang: 'pt-PT' },
+      { name: 'Ann', lang: 'en-GB' },
+    ],
+    msec: 60,
+  });
   await openSilent(stage, 'lang="pt" playback-rate="0.5"');
   expect((await missing(stage))[0]).toContain('“Rui”');
   await stage.play();

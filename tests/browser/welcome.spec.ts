@@ -44,11 +44,18 @@ test('with reduced motion it stands still', async ({ stage, page }) => {
 });
 
 test('the story chooses its figure, and the page has the last word', async ({ stage }) => {
-  await stage.open('<raconteur-player src="story.eml"></raconteur-player>', { 'story.eml': story("figure='papous'"), 'other.eml': story("figure='nuno'"), 'plain.eml': story("gaze='1'") });
+  await stage.open('<raconteur-player src="story.eml"></raconteur-player>', {
+    'story.eml': story("figure='papous'"),
+    'other.eml': story("figure='nuno'"),
+    'plain.eml': story("gaze='1'"),
+  });
   await ready(stage.player);
   expect(await current(stage)).toBe('papous');
   expect(await stage.player.evaluate((p: RaconteurPlayer) => p.figure)).toBeUndefined();
-  for (const [src, figure] of [['other.eml', 'nuno'], ['plain.eml', 'sofia']] as const) {
+  for (const [src, figure] of [
+    ['other.eml', 'nuno'],
+    ['plain.eml', 'sofia'],
+  ] as const) {
     await stage.player.evaluate((p: RaconteurPlayer, address) => void (p.src = address), src);
     await expect.poll(() => current(stage), { timeout: 60_000 }).toBe(figure);
   }

@@ -24,7 +24,7 @@ async function fetchText(url: URL): Promise<void> {
     const fits = response.ok && Number(response.headers.get('content-length') ?? 0) <= MOST_BYTES;
     if (fits) text = url.pathname.endsWith('.json') ? await response.text() : await converted(url, response);
   } catch {
-    // Told as missing by whoever wants it.
+    // The engine reports it as missing.
   }
   texts.set(url.href, text.length <= MOST_BYTES ? text : '');
   coming.delete(url.href);
@@ -51,7 +51,13 @@ export class Animations {
     const text = (name: string) => texts.get(addressOf(name, this.library, this.story)?.href ?? '');
     const names = engine.wantedAnimations().filter((name) => text(name) !== undefined || addressOf(name, this.library, this.story) === undefined);
     this.provided = names;
-    return names.length === 0 ? undefined : engine.provideAnimations(eml, names, names.map((name) => text(name) ?? ''));
+    return names.length === 0
+      ? undefined
+      : engine.provideAnimations(
+          eml,
+          names,
+          names.map((name) => text(name) ?? ''),
+        );
   }
 
   /** Fetches what has not come; undefined when that is nothing. */

@@ -47,7 +47,7 @@ const REFUSAL_MS = 2000;
 const FADE_SECS = 0.006;
 /**
  * A sound that fades out goes on in silence for this long. Browsers compute sound in bursts of up
- * to some tens of milliseconds, so that what is asked now may be heeded that much later: the fade
+ * to some tens of milliseconds, so that a call may take effect that much later: the fade
  * begins then, but a sound whose end has passed is cut off at once.
  */
 const CUT_SECS = 0.25;
@@ -105,15 +105,15 @@ export class RecordedVoice implements Voice {
   /** Stretched copies for the present rate. */
   readonly #stretched = new Map<Utterance, AudioBuffer>();
   #stretchedRate = 1;
-  /** What keeps the pitch at other speeds, once one is asked for; null where it cannot be had. */
+  /** Keeps the pitch at speeds other than 1, loaded with the first of them; null where it cannot be loaded. */
   #stretcher: ((sound: AudioBuffer, rate: number) => AudioBuffer) | null | undefined;
   #stretching = false;
-  /** The speed that was asked for last. */
+  /** The speed that was set last. */
   #rate = 1;
   readonly #playing = new Map<Utterance, Playing>();
   #run: Run | undefined;
   #master: GainNode | undefined;
-  /** The context that was asked to run. */
+  /** The context on which `resume` was called. */
   #asked: AudioContext | undefined;
   #volume = 1;
   #music: Music | undefined;
@@ -155,7 +155,7 @@ export class RecordedVoice implements Voice {
 
   get running(): boolean {
     const audio = context();
-    // One that was made anew has not been asked to run; it may, where the user has done something.
+    // `resume` was not called yet on one that was made anew; it may run where the user has done something.
     if (audio !== this.#asked) {
       this.#asked = audio;
       void pageSound.wake();
@@ -310,9 +310,7 @@ export class RecordedVoice implements Voice {
     this.#sounds.set(utterance, 'pending');
     const probe = document.createElement('audio');
     // What the browser says it cannot play is tried last: decodeAudioData knows more than it.
-    const ranked = [...utterance.audio].sort(
-      (a, b) => Number(probe.canPlayType(b.mime) !== '') - Number(probe.canPlayType(a.mime) !== ''),
-    );
+    const ranked = [...utterance.audio].sort((a, b) => Number(probe.canPlayType(b.mime) !== '') - Number(probe.canPlayType(a.mime) !== ''));
     let reason = '';
     for (const { file } of ranked) {
       const url = new URL(file, this.#folder);
@@ -441,7 +439,10 @@ export class SilentVoice implements Voice {
 export function openVoice(utterances: Iterable<Utterance>, folder: URL, report: (message: string) => void): Voice {
   if (!hasAudio()) return new SilentVoice();
   return new RecordedVoice(utterances, folder, (utterance, why) => {
-    const words = utterance?.words.slice(0, 4).map((w) => w.text).join(' ');
+    const words = utterance?.words
+      .slice(0, 4)
+      .map((w) => w.text)
+      .join(' ');
     report(words === undefined ? why : `The recording of “${words} …” cannot be played (${why}); its captions are shown.`);
   });
 }

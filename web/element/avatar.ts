@@ -10,6 +10,8 @@ interface Instance {
   convert(name: string, bytes: Uint8Array): { glb: Uint8Array; diagnostics: Diagnostic[] };
   /** `convertAnimation` of the same. */
   convertAnimation(name: string, bytes: Uint8Array): string;
+  /** What the panic said that ended the instance. */
+  panicMessage(): string | undefined;
 }
 
 /** A fresh instance each time: a hostile file can at worst end this one. */
@@ -19,12 +21,23 @@ async function open(): Promise<Instance> {
   return instance;
 }
 
+/** What an instance gives; where it ends by a panic, what that says is the error. */
+async function use<T>(work: (instance: Instance) => T): Promise<T> {
+  const instance = await open();
+  try {
+    return work(instance);
+  } catch (error) {
+    const panic = error instanceof WebAssembly.RuntimeError ? instance.panicMessage() : undefined;
+    throw panic === undefined ? error : new Error(panic, { cause: error });
+  }
+}
+
 /** The figure that an avatar makes; throws an `Error` that says what is wrong with the file. */
 export async function convertAvatar(name: string, bytes: Uint8Array): Promise<{ glb: Uint8Array; diagnostics: Diagnostic[] }> {
-  return (await open()).convert(name, bytes);
+  return await use((instance) => instance.convert(name, bytes));
 }
 
 /** The text of a clip that an animation of a foreign file makes: the one of this name, or the first. Throws an `Error` that says what is wrong. */
 export async function convertAnimation(name: string, bytes: Uint8Array): Promise<string> {
-  return (await open()).convertAnimation(name, bytes);
+  return await use((instance) => instance.convertAnimation(name, bytes));
 }

@@ -1,21 +1,25 @@
 /** Chooses between the two wasm builds and makes engines from them. */
 
 import webglUrl from '../pkg/webgl/raconteur_bg.wasm?url';
-import webglFaceUrl from '../pkg/webgl/raconteur_face.wasm?url';
-import webglMoreUrl from '../pkg/webgl/raconteur_more.wasm?url';
 import webgpuUrl from '../pkg/webgpu/raconteur_bg.wasm?url';
-import webgpuFaceUrl from '../pkg/webgpu/raconteur_face.wasm?url';
-import webgpuMoreUrl from '../pkg/webgpu/raconteur_more.wasm?url';
 import { PlayerError, type Backend, type Engine, type Performer } from './types.js';
 
+/** How the engine reads where a palm looks: `crate/web/src/palm.rs`. */
+export interface PalmFunctions {
+  /** Normal and fingers, 6 numbers; empty for a normal without direction. */
+  handDirections(left: boolean, x: number, y: number, z: number, angle: number): Float64Array;
+  /** Normal and angle, 4 numbers. */
+  palmOf(left: boolean, directions: Float64Array): Float64Array;
+}
+
 /** What the JavaScript side of a build gives for one instance. */
-interface Instance {
-  (source: { module_or_path: WebAssembly.Module }): Promise<WebAssembly.ModuleImports>;
+interface Instance extends PalmFunctions {
+  (source: { module_or_path: WebAssembly.Module }): Promise<unknown>;
   performerOf(eml: string): Performer;
-  faceJoined(): void;
-  moreJoined(): void;
   /** What the instance was at when it trapped; 0 for nothing. */
   doing(): number;
+  /** What the panic said that ended the instance; undefined where it was another trap. */
+  panicMessage(): string | undefined;
   Player: { create(canvas: HTMLCanvasElement | undefined): Promise<Engine> };
 }
 
@@ -24,17 +28,9 @@ const scripts: Record<Backend, () => Promise<{ default: () => unknown }>> = {
   webgl: () => import('../pkg/webgl/raconteur.js'),
 };
 const urls: Record<Backend, string> = { webgpu: webgpuUrl, webgl: webglUrl };
-/** What is in files of its own: what moves a face besides its lips, and what only some stories need. */
-export type Part = 'face' | 'more';
-const partUrls: Record<Part, Record<Backend, string>> = {
-  face: { webgpu: webgpuFaceUrl, webgl: webglFaceUrl },
-  more: { webgpu: webgpuMoreUrl, webgl: webglMoreUrl },
-};
 
 /** Compiled once a page, by address; each player has an instance of its own. */
 const modules = new Map<string, Promise<WebAssembly.Module>>();
-/** How a part joins an engine. */
-const joins = new WeakMap<Engine, (part: Part) => Promise<void>>();
 const instances = new WeakMap<Engine, Instance>();
 
 /** WebGPU where the browser really has an adapter, else WebGL2. */
@@ -50,35 +46,28 @@ export async function chooseBackend(): Promise<Backend> {
 
 /** Begins to fetch a build while the story is fetched, too; an engine made later says what went wrong. */
 export function warmUp(backend: Backend): void {
-  Promise.all([scripts[backend](), compile(urls[backend]), compile(partUrls.face[backend])]).catch(() => undefined);
+  Promise.all([scripts[backend](), compile(urls[backend])]).catch(() => undefined);
+}
+
+/** A fresh instance of a build. */
+export async function openInstance(backend: Backend): Promise<Instance> {
+  const [script, module] = await Promise.all([scripts[backend](), compile(urls[backend])]);
+  const instance = script.default() as Instance;
+  await instance({ module_or_path: module });
+  return instance;
 }
 
 /** A fresh engine that draws on `canvas`, or one without a picture. */
 export async function createEngine(backend: Backend, canvas: HTMLCanvasElement | undefined): Promise<Engine> {
-  const [script, module] = await Promise.all([scripts[backend](), compile(urls[backend])]);
-  const instance = script.default() as Instance;
-  const exports = await instance({ module_or_path: module });
+  const instance = await openInstance(backend);
   const engine = await instance.Player.create(canvas);
   instances.set(engine, instance);
-  // Whoever asks waits for the same, so that they go on in the order in which they came.
-  const joined: Partial<Record<Part, Promise<void>>> = {};
-  joins.set(engine, (part) => (joined[part] ??= (async () => {
-    await WebAssembly.instantiate(await compile(partUrls[part][backend]), { '.': exports });
-    instance[`${part}Joined`]();
-  })().catch((error: unknown) => {
-    // The network may come back.
-    delete joined[part];
-    throw error;
-  })));
   return engine;
 }
 
-/** Whom a text chooses to perform it, by an instance of its own: nobody is on stage yet. */
+/** The performer that a text chooses, read by an instance of its own: there is no engine yet. */
 export async function performerOf(backend: Backend, eml: string): Promise<Performer> {
-  const [script, module] = await Promise.all([scripts[backend](), compile(urls[backend])]);
-  const instance = script.default() as Instance;
-  await instance({ module_or_path: module });
-  return instance.performerOf(eml);
+  return (await openInstance(backend)).performerOf(eml);
 }
 
 /** What an engine was at when it trapped: a number of `Doing` in `trap.ts`. */
@@ -91,9 +80,13 @@ export function doingOf(engine: Engine): number {
   }
 }
 
-/** Fetches a part into an engine: texts that it reads later are performed with it. */
-export async function joinPart(engine: Engine, part: Part): Promise<void> {
-  await joins.get(engine)?.(part);
+/** What an engine's panic said, and where in its source; undefined where it ended otherwise. */
+export function panicOf(engine: Engine): string | undefined {
+  try {
+    return instances.get(engine)?.panicMessage();
+  } catch {
+    return undefined;
+  }
 }
 
 function compile(url: string): Promise<WebAssembly.Module> {

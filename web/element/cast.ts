@@ -1,4 +1,4 @@
-/** Who performs: whom the page asks for, else whom the story chooses, else the usual figure. */
+/** Which figure performs: the one that the page sets, else the one that the story chooses, else the default. */
 
 import { performerOf } from './backend.js';
 import { FigureError, type FigureFile } from './figure.js';
@@ -6,7 +6,7 @@ import { fetchFigure, readFigure, type Progress } from './loader.js';
 import { isTrap } from './trap.js';
 import { PlayerError, type Backend, type Diagnostic, type Hand } from './types.js';
 
-/** Who performs when nobody is asked for; `raconteur` on the command line has the same. */
+/** The default figure; `raconteur` on the command line has the same. */
 export const USUAL_FIGURE = 'sofia';
 
 /** Only an element of this name chooses, and nothing in XML writes a name otherwise. */
@@ -17,9 +17,9 @@ export async function figureOf(eml: string, backend: () => Promise<Backend>): Pr
   return MAY_CHOOSE.test(eml) ? (await performerOf(await backend(), eml)).figure : undefined;
 }
 
-/** Whom the page asks for. */
+/** What the page has set. */
 export interface Wish {
-  /** A name of the library, an address, or the name of `given`; nobody lets the story choose. */
+  /** A name of the library, an address, or the name of `given`; without one the story chooses. */
   readonly figure: string | undefined;
   readonly handedness: Hand | undefined;
   /** A file of the user's own. */
@@ -42,7 +42,7 @@ export async function castFigure(wish: Wish, eml: Promise<string>, backend: Prom
 
 /**
  * The figure that a story chooses: a name of the library, or a file in the story's folder. Where it
- * cannot be had, the usual one, and `report` is told.
+ * cannot be loaded, the default one, and `report` gets a diagnostic.
  */
 export async function fetchChoice(choice: string | undefined, story: URL, library: URL, progress: Progress, report: (diagnostic: Diagnostic) => void): Promise<FigureFile> {
   if (choice !== undefined) {
@@ -56,7 +56,7 @@ export async function fetchChoice(choice: string | undefined, story: URL, librar
   return await fetchFigure(USUAL_FIGURE, library, progress);
 }
 
-/** Opens a stage for the figure of a story's choice; where it is no figure, for the usual one, and `report` is told. */
+/** Opens a picture with the figure that a story chooses; where that is no figure, with the default one, and `report` gets a diagnostic. */
 export async function openOrUsual<T>(open: (figure: FigureFile) => Promise<T>, chosen: FigureFile, library: URL, report: (diagnostic: Diagnostic) => void): Promise<T> {
   try {
     return await open(chosen);
@@ -68,7 +68,7 @@ export async function openOrUsual<T>(open: (figure: FigureFile) => Promise<T>, c
   }
 }
 
-/** What is told where a story's figure cannot be used. */
+/** The diagnostic where a story's figure cannot be used. */
 function refusal(message: string): Diagnostic {
   return { code: 'figure-unusable', severity: 'warning', message, hints: [`“${USUAL_FIGURE}” performs instead of the figure that the story chooses.`] };
 }

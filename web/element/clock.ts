@@ -64,10 +64,6 @@ export function formatTime(secs: number): string {
 export function spokenTime(secs: number): string {
   const whole = Number.isFinite(secs) ? Math.max(0, Math.floor(secs)) : 0;
   const unit = (n: number, name: string) => (n === 0 ? [] : [`${n} ${name}${n === 1 ? '' : 's'}`]);
-  const parts = [
-    ...unit(Math.floor(whole / 3600), 'hour'),
-    ...unit(Math.floor(whole / 60) % 60, 'minute'),
-    ...unit(whole % 60, 'second'),
-  ];
+  const parts = [...unit(Math.floor(whole / 3600), 'hour'), ...unit(Math.floor(whole / 60) % 60, 'minute'), ...unit(whole % 60, 'second')];
   return parts.length === 0 ? '0 seconds' : parts.join(' ');
 }

@@ -109,8 +109,9 @@ export function bar(state: BarState, actions: BarActions): TemplateResult {
     >
       ${icons.captions}
     </button>
-    ${state.canFullscreen
-      ? html`<button
+    ${
+      state.canFullscreen
+        ? html`<button
           part="button fullscreen"
           aria-label=${state.fullscreen ? 'Leave full screen' : 'Full screen'}
           title="${state.fullscreen ? 'Leave full screen' : 'Full screen'} (F)"
@@ -118,7 +119,8 @@ export function bar(state: BarState, actions: BarActions): TemplateResult {
         >
           ${state.fullscreen ? icons.leave : icons.enter}
         </button>`
-      : html`<span></span>`}
+        : html`<span></span>`
+    }
   </div>`;
 }
 

@@ -2,8 +2,7 @@
 
 import { svg, type SVGTemplateResult } from 'lit';
 
-const icon = (path: string): SVGTemplateResult =>
-  svg`<svg viewBox="0 0 24 24" width="24" height="24" aria-hidden="true" focusable="false"><path d=${path} /></svg>`;
+const icon = (path: string): SVGTemplateResult => svg`<svg viewBox="0 0 24 24" width="24" height="24" aria-hidden="true" focusable="false"><path d=${path} /></svg>`;
 
 export const icons = {
   play: icon('M8 5.2v13.6c0 .8.9 1.3 1.6.8l10-6.8c.6-.4.6-1.2 0-1.6l-10-6.8c-.7-.5-1.6 0-1.6.8z'),

@@ -1,9 +1,9 @@
-/** Whether the user is there: controls hide while nobody touches them. */
+/** Whether the user is active: controls hide after a while without a pointer or a key. */
 
 /** The controls hide after this long without a pointer or key, while playing. */
 const HIDE_CONTROLS_MS = 2600;
 
-/** Knows how long nobody has done anything. */
+/** Measures how long there was no input. */
 export class Idle {
   readonly #busy: () => boolean;
   readonly #changed: () => void;
@@ -17,12 +17,12 @@ export class Idle {
     this.#changed = changed;
   }
 
-  /** Nobody has done anything for a while. */
+  /** There was no input for a while. */
   get is(): boolean {
     return this.#is;
   }
 
-  /** Somebody did something. */
+  /** There was input. */
   wake(): void {
     clearTimeout(this.#timer);
     this.#set(false);

@@ -29,7 +29,7 @@ export interface StoryFiles {
 /** Receives how much of the work is done, 0 to 1. */
 export type Progress = (share: number) => void;
 
-/** Which story is asked for. */
+/** Which story is to be fetched. */
 export interface StoryWish {
   readonly src: string | undefined;
   /** Takes the file's place. */
@@ -56,7 +56,7 @@ export async function fetchStory(
   };
   const told = text === undefined ? fetchBytes(story, 'The story', MOST_STORY_BYTES, signal, part(0)).then((bytes) => new TextDecoder().decode(bytes)) : Promise.resolve(text);
   const voice = async (): Promise<Uint8Array | undefined> => {
-    // A story in which nobody speaks has no voice to ask for.
+    // A story without speech has no recordings.
     if (!src || (!expectsLines && !SPEAKS.test(await told))) {
       part(1)(1);
       return undefined;
@@ -108,13 +108,7 @@ function fetchShared(url: URL, progress: Progress): Promise<Uint8Array> {
 const shown = (url: URL): string => (url.origin === location.origin ? url.pathname : url.href);
 const tooLarge = (what: string, most: number) => new PlayerError(`${what} is larger than ${Math.round(most / 1e6)} MB and was not read.`);
 
-async function fetchBytes(
-  url: URL,
-  what: string,
-  most: number,
-  signal: AbortSignal | undefined,
-  progress: Progress,
-): Promise<Uint8Array> {
+async function fetchBytes(url: URL, what: string, most: number, signal: AbortSignal | undefined, progress: Progress): Promise<Uint8Array> {
   const where = shown(url);
   let response: Response;
   try {

@@ -6,7 +6,7 @@ import type { Answer, Cue, Diagnostic, MindState } from './types.js';
 const MOST_CHARACTERS = 65_536;
 /** Fragments refused for their pace, one after another, after which the connection is closed. */
 const MOST_REFUSED = 100;
-/** A mind that does not read is told nothing while this much waits for it. */
+/** While this much is unsent, because the mind does not read, events are dropped and counted. */
 const MOST_UNREAD_BYTES = 1_000_000;
 /** Waits before connecting again: the first, and the longest; each is twice the one before. */
 const WAIT_MS = { first: 500, longest: 30_000 };
@@ -15,11 +15,14 @@ const STEADY_MS = 5_000;
 /** The performance stays open-ended for so long after a mind was lost, or first called. */
 const GRACE_MS = 30_000;
 
-/** What a mind is told besides cues. */
+/** What is sent to a mind besides cues. */
 type Note =
   | { readonly kind: 'hello'; readonly version: 1; readonly timeSecs: number; readonly endSecs: number; readonly figure: string }
   | { readonly kind: 'transport'; readonly event: string; readonly timeSecs: number }
   | { readonly kind: 'lost'; readonly count: number };
+
+/** Whatever is sent to a mind. */
+export type MindEvent = Cue | Answer | Note;
 
 /** The player, as a mind sees it. */
 export interface MindHost {
@@ -54,7 +57,12 @@ export class MindLink {
     // An address relative to the page means its server.
     if (url?.protocol === 'https:' || url?.protocol === 'http:') url.protocol = url.protocol.replace('http', 'ws');
     if (url === undefined || !/^wss?:$/.test(url.protocol) || url.username !== '') {
-      host.report({ code: 'mind-address', severity: 'error', message: 'The address of the mind is not one of a WebSocket.', hints: ['Write mind="wss://…", or a path on this server.'] });
+      host.report({
+        code: 'mind-address',
+        severity: 'error',
+        message: 'The address of the mind is not one of a WebSocket.',
+        hints: ['Write mind="wss://…", or a path on this server.'],
+      });
       return undefined;
     }
     url.hash = '';
@@ -70,7 +78,7 @@ export class MindLink {
   }
 
   /** Tells the mind what happens, if it is there and reads. */
-  tell(event: Cue | Answer | Note): void {
+  tell(event: MindEvent): void {
     const socket = this.#socket;
     if (socket?.readyState !== WebSocket.OPEN) return;
     if (socket.bufferedAmount > MOST_UNREAD_BYTES) {

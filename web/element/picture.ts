@@ -1,17 +1,32 @@
 /** The picture: an engine on a canvas, its size, and what happens when the graphics card goes away. */
 
-import { createEngine, joinPart, type Part } from './backend.js';
+import { createEngine } from './backend.js';
 import { showImages, unusable, type FigureFile } from './figure.js';
 import type { StoryFiles } from './loader.js';
 import { giveBack } from './graphics.js';
 import { isTrap, trapError } from './trap.js';
-import { PlayerError, TickStatus, type Backend, type Cue, type Diagnostic, type Engine, type FaceCourse, type Performance, type PictureStatistics, type Piece, type Quality, type Story, type View } from './types.js';
+import {
+  PlayerError,
+  TickStatus,
+  type Backend,
+  type Cue,
+  type Diagnostic,
+  type Engine,
+  type FaceCourse,
+  type Performance,
+  type PictureStatistics,
+  type Piece,
+  type PoseNumbers,
+  type Quality,
+  type Story,
+  type View,
+} from './types.js';
 
 /** More device pixels than this for a CSS pixel cost time and are not seen. */
 const MOST_DPR = 2;
 /** Idle life for people who ask for less motion; gestures and lips stay, they carry the story. */
 const REDUCED_MOTION = 0.25;
-/** A lost picture is brought back by itself this often; then the user is asked. */
+/** A lost picture is restored without being asked this often; then a button offers it. */
 const MOST_RECOVERIES = 2;
 /** A graphics card that was reset is not back at once. */
 const RECOVERY_DELAY_MS = 600;
@@ -38,7 +53,7 @@ export class Picture {
   #engine: Engine | undefined;
   #canvas: HTMLCanvasElement | undefined;
   #size = { width: 0, height: 0 };
-  /** When the last picture of a running sequence was asked for. */
+  /** When the last picture of a running sequence was requested. */
   #lastAsked = 0;
   #resting = true;
   #recoveries = 0;
@@ -53,8 +68,6 @@ export class Picture {
   #quality: Quality = 'auto';
   #view: View | undefined;
   #openEnded = false;
-  /** Whatever comes will find its code. */
-  #equipped = false;
   /** When the first picture was drawn, on the page's clock. */
   firstShownMs: number | undefined;
 
@@ -68,11 +81,7 @@ export class Picture {
    * Opens a picture with the first back end that gives one, and reads the story; the story is
    * read even where none does.
    */
-  static async open(
-    backends: readonly [Backend, ...Backend[]],
-    files: StoryFiles,
-    events: PictureEvents,
-  ): Promise<{ picture: Picture; story: Story; missing: Diagnostic[] }> {
+  static async open(backends: readonly [Backend, ...Backend[]], files: StoryFiles, events: PictureEvents): Promise<{ picture: Picture; story: Story; missing: Diagnostic[] }> {
     const picture = new Picture(backends[0], files, events);
     for (const backend of backends) {
       picture.#backend = backend;
@@ -84,7 +93,7 @@ export class Picture {
         console.warn(`raconteur: no picture from ${backend}`, error);
       }
     }
-    const engine = await picture.#engineOn(undefined);
+    const engine = await createEngine(picture.#backend, undefined);
     const story = picture.#read(engine);
     picture.#engine = engine;
     picture.#lost = true;
@@ -105,8 +114,6 @@ export class Picture {
     // Its pictures may still be decoded: they are those of this very figure.
     const told = same ? { ...files, figure: before } : files;
     this.#events = events;
-    this.#equipped = false;
-    await this.#equip(engine, told.eml);
     this.#openEnded = false;
     let story: Story;
     try {
@@ -171,34 +178,7 @@ export class Picture {
     this.#guard((engine) => engine.setOpenEnded(openEnded));
   }
 
-  /** Fetches the code that a text asks for, or without one, that any may; call it before. */
-  async equip(eml?: string): Promise<void> {
-    this.#equipped ||= eml === undefined;
-    const engine = this.#engine;
-    if (engine !== undefined) await this.#equip(engine, eml);
-  }
-
-  async #equip(engine: Engine, eml: string | undefined): Promise<void> {
-    if (this.#equipped || (eml !== undefined && engine.lacksMore(eml))) await this.#join(engine, 'more');
-  }
-
-  async #join(engine: Engine, part: Part): Promise<void> {
-    try {
-      await joinPart(engine, part);
-    } catch (error) {
-      // The engine tells what it leaves out.
-      console.warn(`raconteur: no ${part}`, error);
-    }
-  }
-
-  /** A fresh engine that has the code for the story. */
-  async #engineOn(canvas: HTMLCanvasElement | undefined): Promise<Engine> {
-    const engine = await createEngine(this.#backend, canvas);
-    await Promise.all([this.#join(engine, 'face'), this.#equip(engine, this.#files.eml)]);
-    return engine;
-  }
-
-  /** Another text for the figure on stage; undefined while there is nobody to read it, who comes back with it. */
+  /** Another text for the present figure; undefined while there is no engine: the next one reads it. */
   rehearse(eml: string): Story | undefined {
     this.#files = { ...this.#files, eml, edited: true };
     const story = this.#guard((engine) => this.#reread(engine, this.#files));
@@ -207,11 +187,11 @@ export class Picture {
   }
 
   /** What a page needs to draw over the picture, as numbers, and their names. */
-  pose(): { names: readonly string[]; numbers: Float32Array } | undefined {
+  pose(): PoseNumbers | undefined {
     return this.#guard((engine) => ({ names: engine.poseNames(), numbers: engine.pose() }));
   }
 
-  /** Performs a fragment of EML; undefined while there is nobody to do it. */
+  /** Performs a fragment of EML; undefined while there is no engine. */
   perform(mind: number, fragment: string, nowSecs: number): Performance | undefined {
     const performed = this.#guard((engine) => engine.perform(mind, fragment, nowSecs));
     this.#guard((engine) => this.#animate(engine, undefined));
@@ -350,7 +330,7 @@ export class Picture {
   async #withoutPicture(): Promise<void> {
     if (this.#engine !== undefined) return;
     try {
-      const engine = await this.#engineOn(undefined);
+      const engine = await createEngine(this.#backend, undefined);
       this.#read(engine);
       engine.seek(this.#lastShown);
       if (this.#closed) release(engine);
@@ -382,9 +362,9 @@ export class Picture {
     this.#events.canvas(canvas);
     let engine: Engine | undefined;
     try {
-      engine = await this.#engineOn(canvas);
+      engine = await createEngine(this.#backend, canvas);
       let story = this.#read(engine);
-      // Nobody is seen waiting for an animation.
+      // The first picture has its animations.
       await this.#files.animations.fetch(engine);
       story = this.#animate(engine, story) ?? story;
       engine.setQuality(this.#quality);

@@ -22,7 +22,7 @@ interface Pending {
   reject(error: DOMException): void;
 }
 
-/** Whether playing is asked for, and who waits for it. */
+/** Whether playing is wanted, and the promises that wait for it. */
 export class Playback {
   readonly #permission: Permission;
   readonly #emit: (event: PlaybackEvent) => unknown;
@@ -30,9 +30,9 @@ export class Playback {
   #transport: Transport | undefined;
   #wanted = false;
   #pending: Pending[] = [];
-  /** Changes when what was asked for before is settled. */
+  /** Changes when earlier calls are settled. */
   #turn = {};
-  /** The attribute `autoplay` counts: nobody has played or paused since the story was asked for. */
+  /** The attribute `autoplay` counts: neither `play` nor `pause` was called since loading began. */
   mayAutoplay = true;
 
   /** `ensure` begins to load what is not there; it must not throw. */
@@ -75,7 +75,7 @@ export class Playback {
     if (this.#wanted) transport.play(true);
   }
 
-  /** The story goes, or is not wanted any more: whoever waits is told, nothing is paused aloud. */
+  /** The story goes, or is not wanted any more: promises are rejected, and no `pause` is dispatched. */
   detach(): void {
     this.#transport = undefined;
     this.#wanted = false;

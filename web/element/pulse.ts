@@ -16,7 +16,7 @@ export class Pulse {
     this.#onBeat = beat;
   }
 
-  /** Whether pictures are asked for by the screen. */
+  /** Whether the screen requests pictures. */
   get drawing(): boolean {
     return this.#animation !== 0 && !document.hidden;
   }

@@ -6,7 +6,7 @@ import type { LiveScript } from './live.js';
 import type { StoryFiles } from './loader.js';
 import type { Picture } from './picture.js';
 import type { Transport } from './transport.js';
-import type { Story } from './types.js';
+import type { Statistics, Story } from './types.js';
 
 /** What is loaded and playing. */
 export interface Show {
@@ -26,4 +26,16 @@ export interface Show {
   readonly transport: Transport;
   /** What has no recording was given to the browser's voice. */
   lent?: boolean;
+}
+
+/** Times, bytes and draw calls, once a picture was shown. */
+export function statisticsOf({ picture, files, sinceMs }: Show): Statistics | undefined {
+  const drawn = picture.statistics;
+  if (drawn === undefined || picture.firstShownMs === undefined) return undefined;
+  const { eml, bundle, figure } = files;
+  return {
+    ...drawn,
+    firstFrameMs: picture.firstShownMs - sinceMs,
+    bytes: { story: new TextEncoder().encode(eml).length, voice: bundle?.length ?? 0, figure: figure.glb.length },
+  };
 }

@@ -40,7 +40,7 @@ export class Transport {
     return this.#ended;
   }
 
-  /** Playing was asked for, but the sound is not there yet. */
+  /** `play` was called, but the sound is not there yet. */
   get waiting(): boolean {
     return this.#waiting;
   }
@@ -80,7 +80,7 @@ export class Transport {
     if (running && spoken) this.#run();
   }
 
-  /** Plays, or waits until there is sound; again from the start after the end. `announced`: whoever listens knows that playing was asked for. */
+  /** Plays, or waits until there is sound; again from the start after the end. `announced`: `play` was dispatched already. */
   play(announced = false): void {
     if (!this.#paused) return;
     if (this.#ended) this.seek(0);

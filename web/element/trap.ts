@@ -1,6 +1,6 @@
 /** What an engine was at when it trapped, as a sentence with the file's name. */
 
-import { doingOf } from './backend.js';
+import { doingOf, panicOf } from './backend.js';
 import type { StoryFiles } from './loader.js';
 import { PlayerError, type Engine } from './types.js';
 
@@ -26,7 +26,11 @@ export function isTrap(error: unknown): boolean {
 const shown = (url: URL): string => (url.origin === location.origin ? url.pathname : url.href);
 
 /** What was being done, by the number that the engine gives. */
-export function describeDoing(doing: number, { figure, story, voiceFolder, edited }: Pick<StoryFiles, 'figure' | 'story' | 'voiceFolder' | 'edited'>, animations: readonly string[]): string {
+export function describeDoing(
+  doing: number,
+  { figure, story, voiceFolder, edited }: Pick<StoryFiles, 'figure' | 'story' | 'voiceFolder' | 'edited'>,
+  animations: readonly string[],
+): string {
   const text = edited ? 'the text of the page' : shown(story);
   switch (doing) {
     case Doing.Figure:
@@ -52,9 +56,9 @@ export function describeDoing(doing: number, { figure, story, voiceFolder, edite
   }
 }
 
-/** The error for a trap: what the engine was at, and what the browser says. */
+/** The error for a trap: what the engine was at, and what its panic or else the browser says. */
 export function trapError(engine: Engine, files: StoryFiles, error: unknown): PlayerError {
-  const reason = (error instanceof Error ? error.message : String(error)).replace(/[.\s]+$/, '');
+  const reason = (panicOf(engine) ?? (error instanceof Error ? error.message : String(error))).replace(/[.\s]+$/, '');
   const doing = describeDoing(doingOf(engine), files, files.animations.provided);
   return new PlayerError(`The player failed while ${doing}: ${reason}.`, { cause: error });
 }

@@ -128,7 +128,7 @@ interface Failure {
   readonly column?: number;
 }
 
-/** What the sender of a fragment is told at once. */
+/** The immediate answer to the sender of a fragment. */
 export type Answer =
   | Failure
   | {
@@ -179,12 +179,20 @@ export interface View {
   readonly up: number;
 }
 
-/** What a page needs to draw how a face speaks. */
+/** Joints, targets and camera of the moment shown last, as numbers; `readPose` of `pose.ts` decodes them. */
+export interface PoseNumbers {
+  /** Of the joints, then of the manipulators. */
+  readonly names: readonly string[];
+  readonly numbers: Float32Array;
+}
+
+/** How a face speaks, as numbers; `course.ts` decodes them. */
 export interface FaceCourse {
-  /** What the face is asked to do at even times. */
+  /** The controls of the face at even times. */
   readonly curves: Float32Array;
   /** What the mouth goes through. */
   readonly segments: Float32Array;
+  /** The phones of the segments. */
   readonly names: readonly string[];
 }
 
@@ -195,11 +203,9 @@ export interface Engine {
    * idle life from 0 to 1. Throws a readable `Error` when the figure cannot be read.
    */
   load(eml: string, bundle: Uint8Array | undefined, figure: string, glb: Uint8Array, motion: number): Story;
-  /** Has the figure that `load` put on stage tell another story, as `load` would; undefined when nobody is there. */
+  /** Has the figure that `load` put on stage tell another story, as `load` would; undefined before a `load`. */
   tell(eml: string, bundle: Uint8Array | undefined, motion: number): Story | undefined;
-  /** Whether a text asks for code that has not joined the engine: what is read without it leaves that out. */
-  lacksMore(eml: string): boolean;
-  /** Has the figure that `load` put on stage read another text; undefined when nobody is there. */
+  /** Has the figure that `load` put on stage read another text; undefined before a `load`. */
   rehearse(eml: string, bundle: Uint8Array | undefined, motion: number): Story | undefined;
   /** Names of animations that are played and have not been provided. */
   wantedAnimations(): string[];
@@ -209,13 +215,13 @@ export interface Engine {
   setHandedness(hand: string): void;
   /** Shows the whole figure from another side, in this text and those rehearsed later. Radians and metres. */
   setView(turn: number, tilt: number, zoom: number, right: number, up: number): void;
-  /** The moment shown last as numbers, in the order that `web/pages/pose.ts` reads; empty when nobody is there. */
+  /** The moment shown last as numbers, in the order that `pose.ts` reads; empty before a `load`. */
   pose(): Float32Array;
   /** The names of what `pose` tells: joints, then manipulators. */
   poseNames(): string[];
-  /** What the face is asked to do at `count` times: the numbers that `web/pages/face/course.ts` reads. */
+  /** The controls of the face at `count` times, as numbers that `course.ts` decodes. */
   faceCurves(from: number, to: number, count: number): Float32Array;
-  /** What the mouth goes through, 10 numbers a segment, and the names of its phones; `web/pages/face/course.ts` reads them. */
+  /** What the mouth goes through, and the names of its phones; `course.ts` reads them. */
   segments(): Float32Array;
   segmentNames(): string[];
   /** Shows the moment `timeSecs`; a `TickStatus`. Cues passed since the last tick or seek are kept for `drainEvents`. */
@@ -240,7 +246,7 @@ export interface Engine {
   imageBytes(index: number): Uint8Array;
   /** A decoded picture: straight RGBA, rows from the top. Without it the surface has its plain colour. */
   setImage(index: number, width: number, height: number, rgba: Uint8ClampedArray): void;
-  /** How much work goes into a picture; `auto` follows the times that `reportFrame` is told. */
+  /** How much work goes into a picture; `auto` follows the times given to `reportFrame`. */
   setQuality(quality: Quality): void;
   /** A picture that stands still is drawn with every pixel, however slow that is. */
   setResting(resting: boolean): void;

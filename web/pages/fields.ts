@@ -53,7 +53,10 @@ export function numberField(field: OwnedField): TemplateResult {
   return html`<div class="number">
     <span class="name" aria-hidden="true">${label}</span>
     <input type="range" aria-label=${name} aria-valuetext=${text ?? `${shown} ${unit}`.trim()} min=${min} max=${max} step=${step} .value=${live(String(shown))} @input=${take} @change=${() => field.done()} />
-    <span class="exact"><input type="number" aria-label="${name}, exactly" min=${min} max=${max} step=${step} .value=${String(shown)} @change=${(event: Event) => { take(event); field.done(); }} />${unit === '' ? nothing : html`<span aria-hidden="true">${unit}</span>`}</span>
+    <span class="exact"><input type="number" aria-label="${name}, exactly" min=${min} max=${max} step=${step} .value=${String(shown)} @change=${(event: Event) => {
+      take(event);
+      field.done();
+    }} />${unit === '' ? nothing : html`<span aria-hidden="true">${unit}</span>`}</span>
   </div>`;
 }
 

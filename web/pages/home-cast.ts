@@ -3,7 +3,7 @@
 import type { RaconteurPlayer } from '../element/element.js';
 import type { Diagnostic } from '../element/types.js';
 
-/** Connects the row of faces with a player; `changed` is told the name of a chosen figure of the library. */
+/** Connects the row of faces with a player; `changed` is called with the name of a chosen figure of the library. */
 export function cast(player: RaconteurPlayer, changed: (figure: string) => void): (figure: string) => void {
   const buttons = [...document.querySelectorAll<HTMLButtonElement>('[data-figure]')];
   const file = document.querySelector<HTMLInputElement>('#own-figure');

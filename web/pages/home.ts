@@ -43,7 +43,7 @@ async function readScript(): Promise<void> {
 for (const button of buttons) {
   button.addEventListener('click', () => {
     choose(short(button));
-    // Each story has its own storyteller until another is asked for.
+    // Each story has its own storyteller until another is chosen.
     figure = '';
     if (player !== null) player.figure = undefined;
     remember();

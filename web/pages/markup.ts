@@ -1,12 +1,12 @@
 /** EML as text: what the pages write. */
 
 const digits = (n: number): string => String(Number(n.toFixed(4)));
-const escape = (text: string): string => text.replace(/[&<>"']/g, (c) => `&#${c.charCodeAt(0)};`);
+const escaped = (text: string): string => text.replace(/[&<>"']/g, (c) => `&#${c.charCodeAt(0)};`);
 
 /** A tag from its attributes, those that are undefined left out, and its children, each on lines of its own. Numbers have four decimals at most. */
 export function tag(name: string, attributes: Readonly<Record<string, string | number | boolean | undefined>>, children: readonly string[] = []): string {
   const written = Object.entries(attributes).flatMap(([key, value]) =>
-    value === undefined ? [] : ` ${key}="${escape(typeof value === 'number' ? digits(value) : String(value))}"`,
+    value === undefined ? [] : ` ${key}="${escaped(typeof value === 'number' ? digits(value) : String(value))}"`,
   );
   const head = `<${name}${written.join('')}`;
   if (children.length === 0) return `${head}/>`;

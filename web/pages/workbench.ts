@@ -1,13 +1,22 @@
-/** What the scripts of the viewer and of the workshop for gestures have in common. */
+/** What the scripts of the viewer, of the face and of the workshop for gestures have in common. */
 
-/** A part of the page; that it is there is the page's own business. */
-export function part(id: string): HTMLElement {
+import type { RaconteurPlayer } from '../element/element.js';
+
+/** The player of the page. */
+export function findPlayer(): RaconteurPlayer {
+  const found = document.querySelector('raconteur-player');
+  if (found === null) throw new Error('the page has no player');
+  return found;
+}
+
+/** An element of the page; throws where the page lacks it. */
+export function byId(id: string): HTMLElement {
   const element = document.getElementById(id);
   if (element === null) throw new Error(`the page has no #${id}`);
   return element;
 }
 
-/** How long one is told that something was copied. */
+/** How long a copy is reported. */
 const TOLD_MS = 1800;
 
 /** Copies a text; `tell` hears how it went, and nothing when that is no news any more. */

@@ -20,11 +20,7 @@ test('a short text is one caption', () => {
 });
 
 test('captions end at sentences and commas where they can', () => {
-  expect(
-    lines(
-      'Once upon a time, at the very edge of a green garden, there lived a rabbit as white as milk. One morning he went out to fetch cabbages.',
-    ),
-  ).toEqual([
+  expect(lines('Once upon a time, at the very edge of a green garden, there lived a rabbit as white as milk. One morning he went out to fetch cabbages.')).toEqual([
     'Once upon a time, at the very edge of a green garden,',
     'there lived a rabbit as white as milk.',
     'One morning he went out to fetch cabbages.',
@@ -47,7 +43,7 @@ function slowly(words: readonly { text: string }[]): string[] {
     if (line.length > 0 && together(text) > 84) line = lines.push(line.join(' ')) > 0 ? [] : line;
     line.push(text);
     const rest = words.slice(i + 1);
-    const sentence = rest.slice(0, (rest.findIndex((w) => ends(w.text)) + 1 || rest.length)).map((w) => w.text);
+    const sentence = rest.slice(0, rest.findIndex((w) => ends(w.text)) + 1 || rest.length).map((w) => w.text);
     const length = line.join(' ').length;
     const alone = length >= 32 || length + 1 + sentence.join(' ').length > 84;
     if ((ends(text) && alone) || (/[,;:–—]["'”’)]*$/.test(text) && length >= 42)) line = lines.push(line.join(' ')) > 0 ? [] : line;

@@ -26,7 +26,13 @@ const story = new URL('https://x.org/stories/a/story.eml');
 const told: Diagnostic[] = [];
 const choose = async (choice: string | undefined) => {
   told.length = 0;
-  const figure = await fetchChoice(choice, story, new URL('https://x.org/assets/'), () => undefined, (d) => told.push(d));
+  const figure = await fetchChoice(
+    choice,
+    story,
+    new URL('https://x.org/assets/'),
+    () => undefined,
+    (d) => told.push(d),
+  );
   return [figure.name, figure.where];
 };
 
@@ -37,9 +43,12 @@ test('a choice is of the library or of the folder of the story', async () => {
   expect(told).toEqual([]);
 });
 
-test.each(['nobody', '../b/own.glb', '%2e%2e/b/own.glb', '/own.glb', 'https://evil.example/own.glb', '//evil.example/own.glb'])('the usual figure performs where %s cannot', async (choice) => {
-  expect((await choose(choice))[0]).toBe(USUAL_FIGURE);
-  expect(told.map((d) => [d.code, d.severity])).toEqual([['figure-unusable', 'warning']]);
-  // Nothing outside was asked for.
-  for (const [, , , url] of fetchFigure.mock.calls) expect(url?.href ?? story.href).toContain('https://x.org/');
-});
+test.each(['nobody', '../b/own.glb', '%2e%2e/b/own.glb', '/own.glb', 'https://evil.example/own.glb', '//evil.example/own.glb'])(
+  'the usual figure performs where %s cannot',
+  async (choice) => {
+    expect((await choose(choice))[0]).toBe(USUAL_FIGURE);
+    expect(told.map((d) => [d.code, d.severity])).toEqual([['figure-unusable', 'warning']]);
+    // Nothing outside was asked for.
+    for (const [, , , url] of fetchFigure.mock.calls) expect(url?.href ?? story.href).toContain('https://x.org/');
+  },
+);

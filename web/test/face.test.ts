@@ -1,8 +1,9 @@
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { describe, expect, it } from 'vitest';
-import { dominance, liveliest, segmentsOf, WIDTH } from '../pages/face/course.js';
-import { ALL, MUSCLES, namesOf } from '../pages/face/dials.js';
+import { curvesOf, DIRECT_CONTROLS, segmentsOf } from '../element/course.js';
+import { dominance, liveliest } from '../pages/face/course.js';
+import { ALL, MUSCLE_ORDER, MUSCLES, musclesOf, namesOf } from '../pages/face/dials.js';
 import { at, inWords, NEUTRAL, OUTLINE, sharesAt, within, WORDS } from '../pages/face/disc.js';
 import { lines, read } from '../pages/face/read.js';
 import { beginning, type State } from '../pages/face/state.js';
@@ -25,7 +26,7 @@ describe('the way of expressions', () => {
   it.each(['', '<head/>', '<head>\n  <null/>\n</head>', '<head><r:performer figure="nuno"/></head>'])('stands in a head that was %j', (head) => {
     const text = written((s) => Object.assign(s, { way: 'text', speech: line(head) }));
     expect(text.match(/<head/g)).toHaveLength(1);
-    expect(text).toMatch(/<head>[^]*<r:performer [^>]*expressions="text"[^]*<\/head>/);
+    expect(text).toMatch(/<head>[\s\S]*<r:performer [^>]*expressions="text"[\s\S]*<\/head>/);
     expect(text).toContain('xmlns:r=');
     expect(written((s) => Object.assign(s, { speech: line(head) }))).not.toContain('expressions');
   });
@@ -81,10 +82,18 @@ describe('the disc of emotions', () => {
 
 describe('the text of the face', () => {
   it('names every control parameter that the player has, each once', () => {
-    const rows = source('crate/tissue/src/muscles.tsv').trimEnd().split('\n').slice(1).map((line) => line.split('\t'));
+    const rows = source('crate/tissue/src/muscles.tsv')
+      .trimEnd()
+      .split('\n')
+      .slice(1)
+      .map((line) => line.split('\t'));
     const muscles = rows.flatMap(([name = '', sides]) => (sides === 'pair' ? [`${name}Left`, `${name}Right`] : [name]));
     expect(muscles.length).toBeGreaterThan(30);
-    expect(MUSCLES.flatMap((r) => r.dials).flatMap(namesOf).sort()).toEqual([...muscles].sort());
+    expect(
+      MUSCLES.flatMap((r) => r.dials)
+        .flatMap(namesOf)
+        .sort(),
+    ).toEqual([...muscles].sort());
     const table = /DIRECT: \[[^=]*= \[([\s\S]*?)\n\];/.exec(source('crate/actor/src/parameters/dial.rs'))?.[1] ?? '';
     for (const [, name, signed] of table.matchAll(/\("(\w+)", (true|false)\)/g)) {
       const dial = ALL.find((d) => namesOf(d).includes(name ?? ''));
@@ -92,6 +101,15 @@ describe('the text of the face', () => {
     }
     const visemes = /VISEMES: \[[^=]*= \[([\s\S]*?)\n\];/.exec(source('crate/actor/src/parameters/name.rs'))?.[1] ?? '';
     expect([...visemes.matchAll(/\("(\w+)",/g)].map(([, name]) => `Viseme${name}`)).toEqual(ALL.map((d) => d.name).filter((n) => n.startsWith('Viseme')));
+  });
+
+  it('has a slider for a muscle that a row is added for, in its region', () => {
+    const longer = `${source('crate/tissue/src/muscles.tsv')}Wiggler\tpair\tWiggler\t0.2\t1.0\t-\t-\t-\t0\tTemples, ears and jaw\tWiggler\twiggles\n`;
+    const regions = musclesOf(longer);
+    const added = { name: 'Wiggler', label: 'Wiggler', note: 'wiggles', paired: true, signed: false };
+    expect(regions.map((r) => r.title)).toEqual(MUSCLES.map((r) => r.title));
+    expect(regions.flatMap((r) => r.dials).filter((d) => !ALL.some((known) => known.name === d.name))).toEqual([added]);
+    expect(regions.find((r) => r.title === 'Temples, ears and jaw')?.dials.at(-1)).toEqual(added);
   });
 
   it('says nothing of what rests, and both sides in one where they are equal', () => {
@@ -115,7 +133,9 @@ describe('the text of the face', () => {
     const between = { activation: 20, evaluation: 10, power: 5 };
     const back = read(written((s) => (s.emotion = { ...between }))).emotion;
     expect(Math.hypot(back.activation - 20, back.evaluation - 10)).toBeLessThan(1);
-    expect(read('<eml><body><body-set-control-parameter time="0" parameterId="Jaw" value="7"/><body-set-control-parameter parameterId="Ear" value="x"/></body></eml>').values).toEqual({ Jaw: 1 });
+    expect(
+      read('<eml><body><body-set-control-parameter time="0" parameterId="Jaw" value="7"/><body-set-control-parameter parameterId="Ear" value="x"/></body></eml>').values,
+    ).toEqual({ Jaw: 1 });
   });
 
   it('declares the extensions where it uses them, and lets nobody write markup by a line', () => {
@@ -148,6 +168,9 @@ describe('sentences of a story', () => {
   });
 });
 
+/** Numbers of a sample. */
+const WIDTH = MUSCLE_ORDER.flatMap(namesOf).length + DIRECT_CONTROLS.length;
+
 describe('the course of a face', () => {
   const course = {
     names: ['p', 'aa'],
@@ -166,14 +189,22 @@ describe('the course of a face', () => {
 
   it('shows what moves most, two sides as one where they do the same', () => {
     const curves = new Float32Array(3 * WIDTH);
-    // Left and right zygomaticus major, the left corrugator, and a jaw that opens half.
-    for (const [i, v] of [[20, 0.8], [21, 0.8], [4, 0.3], [38, 0.175]] as const) curves[WIDTH + i] = v;
-    expect(WIDTH).toBe(54);
-    expect(liveliest({ ...course, curves }, 9).map((c) => [c.name, Number(c.values[1]?.toFixed(3))])).toEqual([
+    const names = MUSCLE_ORDER.flatMap(namesOf);
+    const place = (name: string): number => names.indexOf(name);
+    // Both smile, the left brow frowns, and a jaw opens half.
+    for (const [i, v] of [
+      [place('ZygomaticusMajorLeft'), 0.8],
+      [place('ZygomaticusMajorRight'), 0.8],
+      [place('CorrugatorSuperciliiLeft'), 0.3],
+      [names.length, 0.175],
+    ] as const)
+      curves[WIDTH + i] = v;
+    expect(WIDTH).toBe(names.length + 16);
+    expect(liveliest(curvesOf({ curves }, 3), 9).map((c) => [c.name, Number(c.values[1]?.toFixed(3))])).toEqual([
       ['Zygomaticus major', 0.8],
       ['Jaw', 0.5],
       ['Corrugator supercilii, left', 0.3],
     ]);
-    expect(liveliest({ ...course, curves }, 1).length).toBe(1);
+    expect(liveliest(curvesOf({ curves }, 3), 1).length).toBe(1);
   });
 });

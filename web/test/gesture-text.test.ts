@@ -44,7 +44,12 @@ test('any text is read: broken tags, ends that nobody waits for, no end at all',
     }
   }
   const closed = [...within(read('<a><b><c></a><d/>'))];
-  expect(closed.map((e) => [e.name, e.parent?.name])).toEqual([['a', undefined], ['b', 'a'], ['c', 'b'], ['d', undefined]]);
+  expect(closed.map((e) => [e.name, e.parent?.name])).toEqual([
+    ['a', undefined],
+    ['b', 'a'],
+    ['c', 'b'],
+    ['d', undefined],
+  ]);
 });
 
 test('a phase is read with its tracks, the times of its keys and their courses', () => {
@@ -52,13 +57,21 @@ test('a phase is read with its tracks, the times of its keys and their courses',
   expect(phase).toMatchObject({ name: 'stroke', startSecs: 1, durationSecs: 2, hands: 'right' });
   expect(phase?.tracks.map((t) => [t.feature, t.course?.kind, t.keys.map((k) => [k.secs, k.written])])).toEqual([
     ['shape', undefined, [[0, 'seconds']]],
-    ['place', 'cosine', [[1, 'percent'], [2, 'nothing']]],
+    [
+      'place',
+      'cosine',
+      [
+        [1, 'percent'],
+        [2, 'nothing'],
+      ],
+    ],
   ]);
   expect(phase?.tracks[1]?.keys[0]?.value).toEqual({ place: [-7, 45, 3] });
 });
 
 test('a lone key without a time lies at the start, and at the end of a phase that goes somewhere', () => {
-  const secs = (name: string) => gesture(eml(`<gesture-key duration="2" r:phase="${name}"><hand-shapes><key id="1"/></hand-shapes></gesture-key>`)).phases[0]?.tracks[0]?.keys[0]?.secs;
+  const secs = (name: string) =>
+    gesture(eml(`<gesture-key duration="2" r:phase="${name}"><hand-shapes><key id="1"/></hand-shapes></gesture-key>`)).phases[0]?.tracks[0]?.keys[0]?.secs;
   expect(['stroke', 'prestroke', 'preparation', 'retraction', 'partial-retraction'].map(secs)).toEqual([0, 0, 2, 2, 2]);
 });
 
@@ -95,7 +108,12 @@ const keyOf = (g: Gesture, feature: 'shape' | 'palm' | 'place', index = 0) => {
 };
 
 test('a value changes in its place, and nothing else does', () => {
-  expect(lines(TWO, changed(TWO, (g) => setValue(g, [keyOf(g, 'place')], { place: [-8.04, 45, 3] })))).toEqual(['        <key time="50%" x="-8" y="45" z="3"/>']);
+  expect(
+    lines(
+      TWO,
+      changed(TWO, (g) => setValue(g, [keyOf(g, 'place')], { place: [-8.04, 45, 3] })),
+    ),
+  ).toEqual(['        <key time="50%" x="-8" y="45" z="3"/>']);
   expect(changed(TWO, (g) => setValue(g, [keyOf(g, 'place')], keyOf(g, 'place').value))).toBe(TWO);
   const mixed = changed(TWO, (g) => setValue(g, [keyOf(g, 'shape')], { shape: { id: 9, second: 3, weight: 0.25 } }));
   expect(mixed).toContain('<key time="0" id="9" r:id2="3" r:weight="0.25"/>');
@@ -106,7 +124,10 @@ test('a value changes in its place, and nothing else does', () => {
 test('times stay as they are written: percent as percent, seconds as seconds', () => {
   expect(changed(TWO, (g) => setKeyTime(phaseOf(g), keyOf(g, 'place'), 0.5))).toContain('<key time="25%" x="-7"');
   expect(changed(TWO, (g) => setKeyTime(phaseOf(g), keyOf(g, 'place', 1), 9))).toContain('<key time="2" x="-15"');
-  const half = changed(changed(TWO, (g) => setKeyTime(phaseOf(g), keyOf(g, 'shape'), 1)), (g) => setDuration(phaseOf(g), 1));
+  const half = changed(
+    changed(TWO, (g) => setKeyTime(phaseOf(g), keyOf(g, 'shape'), 1)),
+    (g) => setDuration(phaseOf(g), 1),
+  );
   expect(gesture(half).phases[0]).toMatchObject({ durationSecs: 1 });
   expect(gesture(half).phases[0]?.tracks.map((t) => t.keys.map((k) => k.secs))).toEqual([[0.5], [0.5, 1]]);
   expect(changed(TWO, (g) => setStart(phaseOf(g), 1.25))).toContain('<gesture-key time="1.25"');
@@ -114,7 +135,11 @@ test('times stay as they are written: percent as percent, seconds as seconds', (
 
 test('keys and tracks come and go, with the others where they were', () => {
   const added = changed(TWO, (g) => addKey(TWO, g, phaseOf(g), 'place', 'right', 1.5, { place: [1, 2, 3] }, false));
-  expect(gesture(added).phases[0]?.tracks[1]?.keys.map((k) => [k.secs, k.value.place?.[0]])).toEqual([[1, -7], [1.5, 1], [2, -15]]);
+  expect(gesture(added).phases[0]?.tracks[1]?.keys.map((k) => [k.secs, k.value.place?.[0]])).toEqual([
+    [1, -7],
+    [1.5, 1],
+    [2, -15],
+  ]);
   const palm = changed(TWO, (g) => addKey(TWO, g, phaseOf(g), 'palm', 'right', 0.5, { palm: { normal: [0, 0, -1], angle: 90 } }, false));
   expect(palm).toContain('      <palms>\n        <key time="0.5" a="90" x="0" y="0" z="-1"/>\n      </palms>\n      <motion');
   expect(palm).toContain('<!-- kept -->');
@@ -128,7 +153,9 @@ test('keys and tracks come and go, with the others where they were', () => {
 test('what is an extension binds its namespace, and only then', () => {
   const plain = '<eml><body><gesture-key time="1" duration="1"><motion><key x="1" y="2" z="3"/></motion></gesture-key></body></eml>';
   const course = changed(plain, (g) => setCourse(g, keyOf(g, 'place'), { kind: 'bezier', controls: [0.4, 0, 0.2, 1.1] }));
-  expect(course).toBe('<eml xmlns:r="urn:raconteur:eml:1"><body><gesture-key time="1" duration="1"><motion><key x="1" y="2" z="3" r:interpolation="bezier" r:controls="0.4 0 0.2 1.1"/></motion></gesture-key></body></eml>');
+  expect(course).toBe(
+    '<eml xmlns:r="urn:raconteur:eml:1"><body><gesture-key time="1" duration="1"><motion><key x="1" y="2" z="3" r:interpolation="bezier" r:controls="0.4 0 0.2 1.1"/></motion></gesture-key></body></eml>',
+  );
   expect(keyOf(gesture(course), 'place').course).toEqual({ kind: 'bezier', controls: [0.4, 0, 0.2, 1.1] });
   expect(changed(plain, (g) => setCourse(g, keyOf(g, 'place'), undefined))).toBe(plain);
   // A document's own prefix is used.
@@ -186,7 +213,13 @@ test('every example is a gesture that the form understands whole', () => {
 
 test('the difference of two texts is small, and makes the one of the other', () => {
   expect(difference('abc', 'abc')).toBeUndefined();
-  for (const [a, b] of [['', 'x'], ['aaa', 'aa'], ['abcd', 'aXcd'], ['abab', 'ab'], ['x', '']] as const) {
+  for (const [a, b] of [
+    ['', 'x'],
+    ['aaa', 'aa'],
+    ['abcd', 'aXcd'],
+    ['abab', 'ab'],
+    ['x', ''],
+  ] as const) {
     const change = difference(a, b);
     expect(change === undefined ? a : apply(a, [change])).toBe(b);
   }

@@ -57,7 +57,7 @@ describe('documents as pages', () => {
   test('a reference to a file that is not there ends the build', () => {
     const other = mkdtempSync(join(tmpdir(), 'raconteur-docs-'));
     mkdirSync(join(other, 'web/pages'), { recursive: true });
-    for (const name of ['page.css', 'icon.svg']) writeFileSync(join(other, 'web/pages', name), '');
+    for (const name of ['page.css', 'docs.css', 'icon.svg']) writeFileSync(join(other, 'web/pages', name), '');
     writeFileSync(join(other, 'README.md'), '![a picture](docs/none.png)');
     expect(() => buildDocs(other, site)).toThrow('docs/none.png');
     rmSync(other, { recursive: true });

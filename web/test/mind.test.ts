@@ -68,7 +68,7 @@ afterEach(() => {
   vi.unstubAllGlobals();
 });
 
-test('addresses are those of WebSockets, or the page\'s own server', () => {
+test("addresses are those of WebSockets, or the page's own server", () => {
   for (const [address, url] of [
     ['wss://minds.example/a#b', 'wss://minds.example/a'],
     ['/mind', 'wss://stories.example/mind'],
@@ -99,7 +99,10 @@ test('what a mind sends is performed, and it is told the answers', () => {
   link?.tell({ kind: 'mark', timeSecs: 1, name: 'b' });
   last().bufferedAmount = 0;
   link?.tell({ kind: 'mark', timeSecs: 1, name: 'c' });
-  expect(last().sent.slice(2)).toEqual([{ kind: 'lost', count: 2 }, { kind: 'mark', timeSecs: 1, name: 'c' }]);
+  expect(last().sent.slice(2)).toEqual([
+    { kind: 'lost', count: 2 },
+    { kind: 'mark', timeSecs: 1, name: 'c' },
+  ]);
 });
 
 test('waits double, up to half a minute, and begin anew after a steady connection', () => {
@@ -142,7 +145,10 @@ test('floods, bytes and endless messages close the connection', () => {
   socket.open();
   for (let i = 0; i < 500; i++) socket.onmessage?.({ data: '<null/>' });
   expect([performed.length, socket.closedWith]).toEqual([100, 4008]);
-  for (const [data, code] of [[new ArrayBuffer(8), 4003], ['x'.repeat(70_000), 4009]] as const) {
+  for (const [data, code] of [
+    [new ArrayBuffer(8), 4003],
+    ['x'.repeat(70_000), 4009],
+  ] as const) {
     vi.advanceTimersByTime(30_000);
     last().open();
     last().onmessage?.({ data });

@@ -32,7 +32,7 @@ beforeEach(() => {
   transport = new Transport(voice, 10, (event) => events.push(event));
 });
 
-test('plays on the voice\'s clock, as it is heard', () => {
+test("plays on the voice's clock, as it is heard", () => {
   transport.play();
   expect(events).toEqual(['play', 'playing']);
   expect(transport.position).toBe(0);

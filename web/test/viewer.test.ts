@@ -5,7 +5,7 @@ import { Paces } from '../pages/viewer/paces.js';
 import { beginning, GROUPS, track, type State } from '../pages/viewer/state.js';
 import { anglesOf, targetNow, toPlace, toWorld } from '../pages/viewer/turns.js';
 import { write } from '../pages/viewer/write.js';
-import type { PoseNow, Vector } from '../pages/pose.js';
+import type { PoseNow, Vector } from '../element/pose.js';
 
 const written = (edit: (state: State) => void): string => {
   const state = beginning();
@@ -28,7 +28,13 @@ function weights(eml: string, layers: number): number[] {
 
 describe('the text of the viewer', () => {
   it('weighs layers as their sliders say, whatever their sum', () => {
-    for (const wanted of [[0.7, 0.3], [1, 1, 1], [0, 0.5, 0.25, 0.25], [0.2, 0, 0.6], [0, 0, 1]]) {
+    for (const wanted of [
+      [0.7, 0.3],
+      [1, 1, 1],
+      [0, 0.5, 0.25, 0.25],
+      [0.2, 0, 0.6],
+      [0, 0, 1],
+    ]) {
       const eml = written((s) => (s.layers = wanted.map((weight) => track('nod', { weight }))));
       const sum = wanted.reduce((a, b) => a + b);
       weights(eml, wanted.length).forEach((weight, i) => expect(weight).toBeCloseTo((wanted[i] ?? 0) / sum, 3));
@@ -46,7 +52,11 @@ describe('the text of the viewer', () => {
   });
 
   it('has a player for each mechanism, and none for none', () => {
-    for (const [mechanism, type] of [['layers', 'multiple'], ['groups', 'bodyGroup'], ['stances', 'pose']] as const) {
+    for (const [mechanism, type] of [
+      ['layers', 'multiple'],
+      ['groups', 'bodyGroup'],
+      ['stances', 'pose'],
+    ] as const) {
       expect(written((s) => (s.mechanism = mechanism))).toContain(`type="${type}"`);
     }
     expect(written((s) => (s.mechanism = 'none'))).not.toContain('player');
@@ -81,7 +91,9 @@ describe('the text of the viewer', () => {
 describe('the speed of an animation', () => {
   /** How far the text lets the animation of a layer come by a time. */
   function phase(eml: string, layer: number, secs: number): number {
-    const set = [...eml.matchAll(/time="([\d.]+)" player="layers" property="speed" newValue="([-\d.]+)">\s*<tracks><ly index="(\d+)"/g)].filter(([, , , index]) => Number(index) === layer);
+    const set = [...eml.matchAll(/time="([\d.]+)" player="layers" property="speed" newValue="([-\d.]+)">\s*<tracks><ly index="(\d+)"/g)].filter(
+      ([, , , index]) => Number(index) === layer,
+    );
     const speeds = [{ at: 0, speed: 1 }, ...set.map(([, at, speed]) => ({ at: Number(at), speed: Number(speed) }))];
     return speeds.reduce((sum, { at, speed }, i) => sum + speed * Math.max(0, Math.min(secs, speeds[i + 1]?.at ?? secs) - at), 0);
   }
@@ -135,7 +147,11 @@ describe('places and turns', () => {
   });
 
   it('are read from the frames of the neutral pose', () => {
-    const [left, up, front]: Vector[] = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
+    const [left, up, front]: Vector[] = [
+      [1, 0, 0],
+      [0, 1, 0],
+      [0, 0, 1],
+    ];
     const down: Vector = [0, -1, 0];
     const back: Vector = [0, 0, -1];
     const right: Vector = [-1, 0, 0];

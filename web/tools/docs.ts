@@ -3,6 +3,7 @@
 import { copyFileSync, existsSync, mkdirSync, readFileSync, statSync, writeFileSync } from 'node:fs';
 import { basename, dirname, join, posix } from 'node:path';
 import { Marked } from 'marked';
+import { withParts } from './parts.js';
 
 /** A document: its path in the repository, what it is called in lists, and what it is about. */
 type Document = readonly [path: string, label: string, about: string];
@@ -66,7 +67,13 @@ export function pageOf(path: string): string {
 }
 
 /** A heading's text as a name for links, as code hosts make it. */
-const slug = (text: string): string => text.toLowerCase().replace(/<[^>]*>|&[a-z]+;/g, '').replace(/[^\w\- ]/g, '').trim().replace(/ /g, '-');
+const slug = (text: string): string =>
+  text
+    .toLowerCase()
+    .replace(/<[^>]*>|&[a-z]+;/g, '')
+    .replace(/[^\w\- ]/g, '')
+    .trim()
+    .replace(/ /g, '-');
 
 const escaped = (text: string): string => text.replace(/&/g, '&amp;').replace(/</g, '&lt;').replace(/"/g, '&quot;');
 
@@ -121,15 +128,18 @@ function menu(root: string, current: string): string {
 /** The first page of the documents: every one with a line on what it is about. */
 function overview(root: string): string {
   const sections = groups.map(([title, documents]) => {
-    const items = documents
-      .filter(([path]) => existsSync(join(root, path)))
-      .map(([path, label, about]) => `<li><a href="${pageOf(path)}">${label}</a><span>${about}</span></li>`);
+    const items = documents.filter(([path]) => existsSync(join(root, path))).map(([path, label, about]) => `<li><a href="${pageOf(path)}">${label}</a><span>${about}</span></li>`);
     return `<section><h2>${title}</h2><ul>${items.join('')}</ul></section>`;
   });
   return `<h1>Documents</h1>\n<div class="overview">${sections.join('\n')}</div>`;
 }
 
-function layout(title: string, links: string, body: string): string {
+/** The top of every page, with addresses as they are in `docs/`. */
+function topOf(): string {
+  return withParts('    <!-- part: top -->').replace('/web/pages/icon.svg', 'icon.svg').replace('href="../docs/"', 'href="./" aria-current="true"');
+}
+
+function layout(top: string, title: string, links: string, body: string): string {
   return `<!doctype html>
 <html lang="en">
   <head>
@@ -139,22 +149,11 @@ function layout(title: string, links: string, body: string): string {
     <title>${title}, Raconteur</title>
     <link rel="icon" href="icon.svg" type="image/svg+xml" />
     <link rel="stylesheet" href="page.css" />
+    <link rel="stylesheet" href="docs.css" />
   </head>
   <body>
     <a class="skip" href="#text">Skip to the text</a>
-    <header class="top">
-      <a class="brand" href="../" aria-label="Raconteur, home">
-        <svg viewBox="0 0 32 32" aria-hidden="true"><use href="icon.svg#mark" /></svg>
-        <span>Raconteur</span>
-      </a>
-      <nav aria-label="Sections">
-        <a href="../">Stories</a>
-        <a href="../viewer/">Viewer</a>
-        <a href="../gestures/">Gestures</a>
-        <a href="../face/">Face</a>
-        <a href="./" aria-current="true">Docs</a>
-      </nav>
-    </header>
+${top}
     <main class="library">
       <article class="document" id="text">${body}</article>
       <nav class="documents" aria-label="Documents">${links}</nav>
@@ -172,9 +171,10 @@ export function buildDocs(root: string, site: string): void {
   const present = groups.flatMap(([, documents]) => documents).filter(([path]) => existsSync(join(root, path)));
   const pages = new Set(present.map(([path]) => path));
   const folder = join(site, 'docs');
+  const top = topOf();
   mkdirSync(folder, { recursive: true });
-  for (const name of ['page.css', 'icon.svg']) copyFileSync(join(root, 'web/pages', name), join(folder, name));
-  writeFileSync(join(folder, 'index.html'), layout('Documents', menu(root, ''), overview(root)));
+  for (const name of ['page.css', 'docs.css', 'icon.svg']) copyFileSync(join(root, 'web/pages', name), join(folder, name));
+  writeFileSync(join(folder, 'index.html'), layout(top, 'Documents', menu(root, ''), overview(root)));
   for (const [path, label] of present) {
     const file = (target: string): string => {
       const from = join(root, target);
@@ -183,6 +183,6 @@ export function buildDocs(root: string, site: string): void {
       return basename(target);
     };
     const body = bodyOf(path, readFileSync(join(root, path), 'utf8'), pages, file);
-    writeFileSync(join(folder, pageOf(path)), layout(label, menu(root, path), body));
+    writeFileSync(join(folder, pageOf(path)), layout(top, label, menu(root, path), body));
   }
 }

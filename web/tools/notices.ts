@@ -31,17 +31,27 @@ interface Metadata {
 /** Crates that are compiled into the wasm files. */
 function crates(root: string): Component[] {
   const found = new Map<string, Component>();
-  for (const feature of ['webgpu', 'webgl', 'avatar']) {
+  for (const [crate, ...features] of [['web', 'webgpu'], ['web', 'webgl'], ['avatar']]) {
     const { status, stdout, stderr } = spawnSync(
       'cargo',
-      ['metadata', '--locked', '--format-version', '1', '--filter-platform', 'wasm32-unknown-unknown', '--manifest-path', join(root, 'crate/web/Cargo.toml'), '--no-default-features', '--features', feature],
+      [
+        'metadata',
+        '--locked',
+        '--format-version',
+        '1',
+        '--filter-platform',
+        'wasm32-unknown-unknown',
+        '--manifest-path',
+        join(root, `crate/${crate}/Cargo.toml`),
+        ...features.flatMap((feature) => ['--features', feature]),
+      ],
       { cwd: root, encoding: 'utf8', maxBuffer: 1e8 },
     );
     if (status !== 0) throw new Error(`cargo metadata failed: ${stderr}`);
     const { packages, resolve } = JSON.parse(stdout) as Metadata;
     const nodes = new Map(resolve.nodes.map((node) => [node.id, node]));
-    const start = packages.find(({ name }) => name === 'raconteur-web');
-    if (start === undefined) throw new Error('cargo metadata does not name raconteur-web.');
+    const start = packages.find(({ name }) => name === `raconteur-${crate}`);
+    if (start === undefined) throw new Error(`cargo metadata does not name raconteur-${crate}.`);
     // What only builds or tests it is not part of it.
     const reached = new Set([start.id]);
     for (const id of reached) {
@@ -68,7 +78,9 @@ function packages(root: string): Component[] {
       // Types are no part of what runs.
       if (name.startsWith('@types/')) continue;
       const { version, license, repository } = JSON.parse(readFileSync(join(place, 'package.json'), 'utf8')) as {
-        version: string; license?: string; repository?: string | { url: string };
+        version: string;
+        license?: string;
+        repository?: string | { url: string };
       };
       const source = typeof repository === 'string' ? repository : (repository?.url ?? 'https://www.npmjs.com');
       found.set(place, { name, version, license: license ?? 'see below', source, texts: textsIn(place) });
@@ -82,17 +94,16 @@ function packages(root: string): Component[] {
 /** The notices as one text. Equal licence texts stand once, under all that they are of. */
 export function notices(root: string): string {
   const rust: Component = {
-    name: 'The Rust standard library', version: 'as in rust-toolchain.toml', license: 'MIT OR Apache-2.0', source: 'https://github.com/rust-lang/rust', texts: [],
+    name: 'The Rust standard library',
+    version: 'as in rust-toolchain.toml',
+    license: 'MIT OR Apache-2.0',
+    source: 'https://github.com/rust-lang/rust',
+    texts: [],
   };
   const all = [rust, ...crates(root), ...packages(root)].sort((a, b) => (a.name < b.name ? -1 : a.name > b.name ? 1 : 0));
   const list = all.map(({ name, version, license, source }) => `${name} ${version}: ${license} (${source})`);
   const owners = new Map<string, string[]>();
   for (const { name, texts } of all) for (const text of texts) owners.set(text, [...(owners.get(text) ?? []), name]);
   const texts = [...owners].map(([text, names]) => `${'='.repeat(78)}\n${[...new Set(names)].join(', ')}\n${'-'.repeat(78)}\n${text}\n`);
-  return [
-    'Raconteur is licensed under MIT or Apache-2.0. What its built files contain of others:\n',
-    ...list,
-    '\nTheir licences and notices:\n',
-    ...texts,
-  ].join('\n');
+  return ['Raconteur is licensed under MIT or Apache-2.0. What its built files contain of others:\n', ...list, '\nTheir licences and notices:\n', ...texts].join('\n');
 }

@@ -22,7 +22,7 @@ export async function packages() {
   );
 }
 
-/** The pinned Rust toolchain with the wasm target and the standard library's sources. */
+/** The pinned Rust toolchain with the wasm target. */
 export async function rust() {
   const channel = /channel\s*=\s*"([^"]+)"/.exec(readFileSync(join(root, 'rust-toolchain.toml'), 'utf8'))?.[1];
   if (channel === undefined) throw new Stop('rust-toolchain.toml names no channel.');
@@ -33,7 +33,7 @@ export async function rust() {
   }
   const installed = ask('rustup', ['toolchain', 'list']) ?? '';
   if (!installed.split('\n').some((line) => line.startsWith(`${channel}-`) || line.startsWith(`${channel} `))) {
-    run('rustup', ['toolchain', 'install', channel, '--profile', 'minimal', '--component', 'clippy', '--component', 'rustfmt', '--component', 'rust-src'], {
+    run('rustup', ['toolchain', 'install', channel, '--profile', 'minimal', '--component', 'clippy', '--component', 'rustfmt'], {
       why: `Installing Rust ${channel}`,
     });
   }
@@ -41,13 +41,6 @@ export async function rust() {
   if (!targets.includes('wasm32-unknown-unknown')) {
     run('rustup', ['target', 'add', 'wasm32-unknown-unknown', '--toolchain', channel], {
       why: 'Adding the wasm target to Rust',
-    });
-  }
-  // The wasm files are built with a standard library of their own (see wasm.mjs).
-  const components = ask('rustup', ['component', 'list', '--installed', '--toolchain', channel]) ?? '';
-  if (!components.includes('rust-src')) {
-    run('rustup', ['component', 'add', 'rust-src', '--toolchain', channel], {
-      why: 'Adding the sources of the standard library to Rust',
     });
   }
 }
@@ -65,7 +58,7 @@ export async function page() {
   await once(
     'page',
     {
-      inputs: ['index.html', 'gestures', 'viewer', 'face', 'vite.config.ts', 'package-lock.json', 'web/element', 'web/pages', 'web/tools/docs.ts', 'web/tools/links.ts', 'web/tools/notices.ts', 'assets',
+      inputs: ['index.html', 'gestures', 'viewer', 'face', 'vite.config.ts', 'package-lock.json', 'web/element', 'web/pages', 'web/tools/docs.ts', 'web/tools/links.ts', 'web/tools/notices.ts', 'web/tools/parts.ts', 'assets',
         'README.md', 'ARCHITECTURE.md', 'CONTRIBUTING.md', 'CHANGELOG.md', 'SECURITY.md', 'docs', '.setup/wasm-webgpu', '.setup/wasm-webgl', '.setup/wasm-avatar'],
       outputs: ['dist/index.html'],
     },

@@ -6,6 +6,7 @@ import { createHash } from 'node:crypto';
 import { existsSync, mkdirSync, readFileSync, readdirSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import { dirname, join, relative } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { parseArgs } from 'node:util';
 
 /** The repository's root. */
 export const root = join(dirname(fileURLToPath(import.meta.url)), '..', '..');
@@ -71,4 +72,14 @@ export async function main(work) {
     console.error(`\nraconteur: ${error.message}`);
     process.exit(1);
   }
+}
+
+/** The options of a program that serves: `--port N`, `--host NAME`, and its own. */
+export function serverOptions(own = {}) {
+  const { values } = parseArgs({ options: { ...own, port: { type: 'string' }, host: { type: 'string' } } });
+  const port = values.port === undefined ? undefined : Number(values.port);
+  if (port !== undefined && !(Number.isInteger(port) && port >= 0 && port < 65536)) {
+    throw new Stop(`--port wants a number from 0 to 65535, not ${values.port}.`);
+  }
+  return { ...values, port };
 }

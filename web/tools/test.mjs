@@ -1,6 +1,8 @@
 // `npm test`: prepares everything, then checks everything, the quick checks first.
-// `npm test -- NAME…` runs only the named checks.
+// `npm test -- NAME…` runs only the named checks, `npm test -- --changed` those that the files need which
+// differ from the branch main, and Rust's tests of the crates that they reach.
 
+import { needed } from './changed.mjs';
 import { main, run, Stop } from './steps.mjs';
 import { browser, engines, packages, page, rust } from './setup.mjs';
 import { backends, buildWasm } from './wasm.mjs';
@@ -18,12 +20,13 @@ const checks = {
         '--features', backend, '--', '--deny', 'warnings');
     }
   },
-  rust: () => cargo('test', '--locked', '--workspace'),
+  rust: (crates) => cargo('test', '--locked', ...(crates?.flatMap((name) => ['--package', name]) ?? ['--workspace'])),
   voices: async () => {
     await engines();
     node('web/tools/voices.mjs', '--check');
   },
   wasm: () => buildWasm(),
+  lint: () => node('node_modules/@biomejs/biome/bin/biome', 'check', '--error-on-warnings', '.'),
   types: () => node('node_modules/typescript/bin/tsc', '--noEmit'),
   unit: () => {
     // The poses of the wasm builds are compared with the command line's.
@@ -44,19 +47,27 @@ const checks = {
 };
 
 await main(async () => {
-  const wanted = process.argv.slice(2);
+  const change = process.argv.includes('--changed') ? needed() : undefined;
+  if (change?.checks.length === 0) {
+    console.log('Nothing differs from main that a check looks at.');
+    return;
+  }
+  const wanted = change?.checks ?? process.argv.slice(2);
   const unknown = wanted.find((name) => !(name in checks));
   if (unknown !== undefined) throw new Stop(`There is no check ${unknown}; there are ${Object.keys(checks).join(', ')}.`);
   await packages();
   await rust();
-  // Rust's own tests draw a picture, so the software Vulkan comes before them.
-  if (wanted.length === 0) await browser();
+  // Rust's own tests draw pictures and bake speech: the software Vulkan and the engines come before them.
+  if (wanted.length === 0 || wanted.includes('rust')) {
+    await browser();
+    await engines();
+  }
   const times = [];
   for (const [name, check] of Object.entries(checks)) {
     if (wanted.length > 0 && !wanted.includes(name)) continue;
     console.log(`\n=== ${name}`);
     const start = Date.now();
-    await check();
+    await check(change?.crates);
     times.push(`${name} ${((Date.now() - start) / 1000).toFixed(0)} s`);
   }
   console.log(`\nAll is well: ${times.join(', ')}.`);

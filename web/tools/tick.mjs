@@ -31,11 +31,7 @@ await main(async () => {
     const { default: instantiate } = await import(join(folder, 'raconteur.js'));
     const instance = instantiate();
     const module = await WebAssembly.compile(readFileSync(join(folder, 'raconteur_bg.wasm')));
-    const exports = await instance({ module_or_path: module });
-    for (const part of ['face', 'more']) {
-      await WebAssembly.instantiate(readFileSync(join(folder, `raconteur_${part}.wasm`)), { '.': exports });
-      instance[`${part}Joined`]();
-    }
+    await instance({ module_or_path: module });
     /** How long each of several lists of moments takes, milliseconds, round by round. */
     const timed = (glb, ...lists) => {
       const run = (times) => {

@@ -7,7 +7,7 @@
 
 use raconteur_base::Side;
 use raconteur_base::curve::lerp;
-use raconteur_body::face::{FaceControls, Muscle};
+use raconteur_body::face::{APART, FaceControls, Muscle};
 use raconteur_speech::phones::Channel;
 
 use crate::lips::MouthTargets;
@@ -92,19 +92,6 @@ pub fn articulate(mouth: &MouthTargets, loudness: f64, controls: &mut FaceContro
     controls.tongue_out += value(Channel::TongueOut);
 }
 
-/// Muscles that pull the lips apart (left ones of pairs), and how much of each a closure
-/// takes off, percent: sealed lips, the lower lip at the teeth. Designed: what raises or lowers the
-/// red of the lips yields, what draws the corners yields in part.
-const APART: [(Muscle, u8, u8); 8] = [
-    (M::LevatorLabiiAlaequeLeft, 100, 0),
-    (M::LevatorLabiiLeft, 100, 0),
-    (M::ZygomaticusMinorLeft, 100, 0),
-    (M::ZygomaticusMajorLeft, 30, 20),
-    (M::LevatorAnguliLeft, 30, 20),
-    (M::RisoriusLeft, 30, 20),
-    (M::DepressorLabiiLeft, 100, 100),
-    (M::PlatysmaLeft, 60, 60),
-];
 /// Pitch of the jaw beyond which lips do not stay sealed, nor the lower lip at the teeth,
 /// radians. Designed: lips of a usual build reach each other over a third of a full opening.
 const SEALED_RAD: f64 = 0.12;
@@ -119,9 +106,7 @@ pub fn hold_closures(controls: &mut FaceControls) {
     for (muscle, by_seal, by_bite) in APART {
         let sealed = 1.0 - 0.01 * f64::from(by_seal) * seal;
         let bitten = 1.0 - 0.01 * f64::from(by_bite) * bite;
-        for side in Side::BOTH {
-            controls.contraction[muscle.index() + side.index()] *= sealed.min(bitten);
-        }
+        controls.contraction[muscle.index()] *= sealed.min(bitten);
     }
     let pitch = &mut controls.jaw.pitch_rad;
     for (share, most) in [(seal, SEALED_RAD), (bite, BITTEN_RAD)] {

@@ -1,9 +1,5 @@
 //! What face and head do besides lips and idle life: what accompanies speech, what is felt, and
 //! what control parameters ask for.
-//!
-//! A browser fetches its code in a file of its own, so everybody else reaches it through this
-//! module alone, and only where a performance has it: `web/tools/split.mjs` cuts there. Its
-//! functions are never inlined, or the code would come along.
 
 use raconteur_body::face::FaceControls;
 
@@ -11,7 +7,7 @@ use crate::emotion::{Breathing, EmotionTrack};
 use crate::lips::MouthTargets;
 use crate::nonverbal::{Away, Manner, NonVerbal};
 use crate::parameters::ParameterTrack;
-use crate::performance::Performance;
+use crate::score::Performance;
 
 /// All of it over one performance. Evaluation is a function of time.
 #[derive(Clone, Debug)]
@@ -31,25 +27,22 @@ pub(crate) struct Moved {
 
 impl Feeling {
     /// Plans what accompanies speech in a manner, and makes the rest ready.
-    #[inline(never)]
-    pub(crate) fn new(performance: &Performance, manner: &Manner) -> Box<Self> {
+    pub(crate) fn new(performance: &Performance, manner: &Manner) -> Self {
         let library = |name: &str| performance.library.parameters(name);
         let parameters = ParameterTrack::new(&performance.parameters, &library);
-        Box::new(Self {
+        Self {
             nonverbal: NonVerbal::new(&performance.speech, performance.seed, manner),
             emotions: EmotionTrack::new(&performance.emotions, parameters.emotions()),
             parameters,
-        })
+        }
     }
 
     /// As [`NonVerbal::loudness`].
-    #[inline(never)]
     pub(crate) fn loudness(&self, t: f64) -> f64 {
         self.nonverbal.loudness(t)
     }
 
     /// Adds to what a face is asked to do.
-    #[inline(never)]
     pub(crate) fn add(&self, t: f64, controls: &mut FaceControls) {
         let liveliness = self.emotions.liveliness(t);
         self.nonverbal.face(t, liveliness, controls);
@@ -58,25 +51,21 @@ impl Feeling {
     }
 
     /// As [`NonVerbal::closure`].
-    #[inline(never)]
     pub(crate) fn closure(&self, t: f64) -> f64 {
         self.nonverbal.closure(t)
     }
 
     /// As [`EmotionTrack::strength`].
-    #[inline(never)]
     pub(crate) fn strength(&self, t: f64) -> f64 {
         self.emotions.strength(t)
     }
 
     /// As [`EmotionTrack::breath`].
-    #[inline(never)]
     pub(crate) fn breath(&self, t: f64) -> Breathing {
         self.emotions.breath(t)
     }
 
     /// Rotations of the head.
-    #[inline(never)]
     pub(crate) fn head(&self, t: f64) -> Moved {
         let Away { head: aside, .. } = self.nonverbal.gaze(t);
         let felt = self.emotions.head(t);
@@ -89,7 +78,6 @@ impl Feeling {
     }
 
     /// Where the eyes look besides the listener: to the left and up, radians.
-    #[inline(never)]
     pub(crate) fn eyes(&self, t: f64) -> [f64; 2] {
         let (felt, asked) = (self.emotions.gaze(t), self.parameters.gaze(t));
         let looked = self.nonverbal.gaze(t).eyes;
@@ -97,7 +85,6 @@ impl Feeling {
     }
 
     /// As [`ParameterTrack::visemes`].
-    #[inline(never)]
     pub(crate) fn visemes(&self, t: f64) -> Option<MouthTargets> {
         self.parameters.visemes(t)
     }

@@ -1,6 +1,6 @@
 //! Frames of single bones and the closed-form two-bone solver that arms and legs share.
 
-use raconteur_base::{DAffine3, DMat3, DQuat, DVec3, ops};
+use raconteur_base::{DAffine3, DMat3, DQuat, DVec3, Length, ops};
 use raconteur_body::{Bone, Pose, Skeleton};
 
 /// World from one bone in a pose, without solving the whole skeleton.
@@ -23,7 +23,7 @@ pub fn world_from_bone(skeleton: &Skeleton, pose: &Pose, bone: Bone) -> DAffine3
 /// The rotation of a rigid transform.
 #[must_use]
 pub fn rotation_of(affine: &DAffine3) -> DQuat {
-    DQuat::from_mat3(&affine.matrix3).normalize()
+    DQuat::from_mat3(&affine.matrix3).normalized()
 }
 
 /// A chain of two bones with a hinge between them: all lengths and directions that do not
@@ -188,15 +188,15 @@ impl TwoBone {
         let own = frame(end, (self.zero * self.axis).cross(end));
         // The end swings towards axis × end, so the hinge stands on the other side.
         let world = frame(direction, -pole);
-        DQuat::from_mat3(&(world * own.transpose())).normalize()
+        DQuat::from_mat3(&(world * own.transpose())).normalized()
     }
 }
 
 /// Orthonormal columns: x along `along`, y in the half-plane of `towards`.
 fn frame(along: DVec3, towards: DVec3) -> DMat3 {
-    let x = along.try_normalize().unwrap_or(DVec3::X);
+    let x = along.try_normalized().unwrap_or(DVec3::X);
     let y = (towards - x * x.dot(towards))
-        .try_normalize()
+        .try_normalized()
         .unwrap_or_else(|| x.any_orthonormal_vector());
     DMat3::from_cols(x, y, x.cross(y))
 }

@@ -12,6 +12,7 @@
 //! +z front. A *hand rotation* turns the hand of the zero pose (arms stretched out
 //! sideways, palms down) into its place, in world axes; see [`palm`].
 
+mod actor;
 pub mod animation;
 pub mod arm_ik;
 pub mod articulation;
@@ -23,13 +24,14 @@ pub mod idle;
 pub mod kinematics;
 pub mod lips;
 pub mod manipulator;
-mod motion;
+mod members;
 pub mod nonverbal;
 pub mod palm;
 pub mod parameters;
-pub mod performance;
+mod score;
 pub mod wrist;
 
+pub use actor::{Actor, Report};
 pub use animation::{Library, PlayerScript, Players};
 pub use arm_ik::{ArmGoal, ArmRig, ArmSolution};
 pub use emotion::{Affect, EmotionSpan, EmotionTrack};
@@ -39,4 +41,4 @@ pub use lips::{LipTrack, MouthTargets};
 pub use manipulator::{ManipulatorScript, Manipulators, Sex};
 pub use nonverbal::{Manner, NonVerbal};
 pub use parameters::{ParameterScript, ParameterTrack};
-pub use performance::{Accent, Actor, Performance, SpokenUtterance};
+pub use score::{Accent, Performance, SpokenUtterance};

@@ -12,7 +12,7 @@
 
 use core::f64::consts::{FRAC_PI_2, PI};
 
-use raconteur_base::{DMat3, DQuat, DVec3, Side};
+use raconteur_base::{DMat3, DQuat, DVec3, Length, Side};
 
 /// Fingers of the zero pose, world, unit.
 #[must_use]
@@ -27,7 +27,7 @@ pub const ZERO_NORMAL: DVec3 = DVec3::NEG_Y;
 /// angle about it by the left-hand rule, radians. `None` for a normal without direction.
 #[must_use]
 pub fn hand_rotation(side: Side, normal_in_world: DVec3, angle_rad: f64) -> Option<DQuat> {
-    let normal = normal_in_world.try_normalize()?;
+    let normal = normal_in_world.try_normalized()?;
     if !angle_rad.is_finite() {
         return None;
     }
@@ -38,7 +38,7 @@ pub fn hand_rotation(side: Side, normal_in_world: DVec3, angle_rad: f64) -> Opti
     } else {
         DQuat::from_rotation_arc(hanging_normal, normal)
     };
-    Some((DQuat::from_axis_angle(normal, -angle_rad) * carry * hanging).normalize())
+    Some((DQuat::from_axis_angle(normal, -angle_rad) * carry * hanging).normalized())
 }
 
 /// Hand rotation with these directions of the fingers and of the palm's normal; the
@@ -46,13 +46,13 @@ pub fn hand_rotation(side: Side, normal_in_world: DVec3, angle_rad: f64) -> Opti
 #[must_use]
 pub fn from_directions(side: Side, fingers: DVec3, normal: DVec3) -> Option<DQuat> {
     let columns = |fingers: DVec3, normal: DVec3| {
-        let f = fingers.try_normalize()?;
-        let n = (normal - f * f.dot(normal)).try_normalize()?;
+        let f = fingers.try_normalized()?;
+        let n = (normal - f * f.dot(normal)).try_normalized()?;
         Some(DMat3::from_cols(f, n, f.cross(n)))
     };
     let zero = columns(zero_fingers(side), ZERO_NORMAL)?;
     let wanted = columns(fingers, normal)?;
-    Some(DQuat::from_mat3(&(wanted * zero.transpose())).normalize())
+    Some(DQuat::from_mat3(&(wanted * zero.transpose())).normalized())
 }
 
 #[cfg(test)]

@@ -7,8 +7,8 @@
 use core::f64::consts::PI;
 
 use raconteur_base::curve::smooth;
-use raconteur_base::{DQuat, DVec3, Side, ops};
-use raconteur_body::pose::twist_about_x;
+use raconteur_base::{DQuat, DVec3, Length, Side, ops};
+use raconteur_body::skeleton::twist_about_x;
 
 use crate::manipulator::limits::{WRIST_DEVIATION_DEG, WRIST_FLEXION_DEG};
 
@@ -43,7 +43,7 @@ impl WristAngles {
     #[must_use]
     pub fn of(side: Side, local: DQuat) -> Self {
         let twist = twist_about_x(local);
-        let swing = (twist.inverse() * local).normalize();
+        let swing = (twist.inverse() * local).normalized();
         Self {
             // A positive turn about x pronates on the left (y front towards z down).
             pronation_rad: side.sign() * 2.0 * ops::atan2(twist.x, twist.w),
@@ -55,7 +55,7 @@ impl WristAngles {
     #[must_use]
     pub fn rotation(&self, side: Side) -> DQuat {
         let twist = DQuat::from_rotation_x(side.sign() * self.pronation_rad);
-        (twist * DQuat::from_scaled_axis(self.swing)).normalize()
+        (twist * DQuat::from_scaled_axis(self.swing)).normalized()
     }
 
     /// Linear interpolation: pronation never goes the long way round.
@@ -135,7 +135,7 @@ pub fn beyond_limits_rad(side: Side, local: DQuat) -> f64 {
 /// Axis times angle of a rotation with w ≥ 0: the angle is at most π.
 pub(crate) fn rotation_vector(q: DQuat) -> DVec3 {
     let v = DVec3::new(q.x, q.y, q.z);
-    let length = v.length();
+    let length = v.magnitude();
     if length < 1e-12 {
         v * 2.0
     } else {

@@ -214,7 +214,7 @@ fn at_the_teeth_the_lower_lip_is_rolled_in_and_not_pulled_away() {
 /// What a muscle that contracts alone does first, and what else it may (F&H section 3.1.1;
 /// action units after Ekman and Friesen).
 #[rustfmt::skip]
-const ANATOMY: [(&str, &str, &str); 21] = [
+const ANATOMY: [(&str, &str, &str); 27] = [
     ("FrontalisMedial", "browInnerUp", ""),
     ("FrontalisLateral", "browOuterUp", ""),
     ("CorrugatorSupercilii", "browDown", ""),
@@ -236,6 +236,12 @@ const ANATOMY: [(&str, &str, &str); 21] = [
     ("OrbicularisOrisUpper", "mouthPress", "mouthPucker mouthRollUpper"),
     ("OrbicularisOrisLower", "mouthPress", "mouthPucker mouthRollLower"),
     ("Platysma", "mouthStretch", "mouthLowerDown"),
+    ("Temporoparietalis", "", ""),
+    ("AuricularisAnterior", "", ""),
+    ("AuricularisSuperior", "", ""),
+    ("AuricularisPosterior", "", ""),
+    ("Masseter", "", ""),
+    ("TransversusMenti", "", ""),
 ];
 
 #[test]

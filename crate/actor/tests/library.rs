@@ -7,8 +7,8 @@ use raconteur_actor::animation::{BoneSet, Library, Players};
 use raconteur_actor::animation::{Operation, Playback, PlayerCommand, PlayerKind, PlayerScript};
 use raconteur_actor::kinematics::{rotation_of, world_from_bone};
 use raconteur_base::{DAffine3, DQuat, DVec3, Side, mirror_vector, ops};
-use raconteur_body::pose::twist_about_x;
 use raconteur_body::read::read_figure;
+use raconteur_body::skeleton::twist_about_x;
 use raconteur_body::{Bone, Pose, Skeleton};
 
 /// The names and texts of all shipped animations.

@@ -1,27 +1,27 @@
-//! Foundations shared by every crate: deterministic maths, curves, seeded noise, texts of numbers.
+//! Foundations shared by every crate: deterministic maths, curves, seeded noise.
 //!
 //! Does: the `glam` types in double precision, trigonometry through `libm` so
-//! that native and wasm agree bit for bit, motion curves, hash-based noise, decimal numbers
-//! and JSON read in so little code that every page can load it, encodings of text, which signs in
-//! a text are emoticons.
+//! that native and wasm agree bit for bit, motion curves, hash-based noise,
+//! encodings of text, which signs in a text are emoticons.
 //! Does not: know anything of stories, bodies or time-keeping.
 //!
 //! Frames: right-handed, metres, radians, seconds; +x is the character's left,
 //! +y up, +z front (glTF's own frame).
 
 pub mod curve;
-pub mod decimal;
 pub mod emoticon;
 pub mod encoding;
-pub mod json;
+mod length;
 mod node;
 pub mod noise;
 pub mod ops;
 pub mod order;
+pub mod panic;
 pub mod profile;
 
 pub use glam;
 pub use glam::{DAffine3, DMat3, DMat4, DQuat, DVec2, DVec3};
+pub use length::Length;
 pub use node::NodeState;
 
 /// Metres in one inch; the unit of GEVH's skeleton table is inch-like

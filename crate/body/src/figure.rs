@@ -230,28 +230,6 @@ pub struct Figure {
 }
 
 impl Figure {
-    /// Drops the morph targets of what follows the tissue: nothing moves it twice.
-    #[cfg(feature = "generator")]
-    pub(crate) fn leave_to_tissue(&mut self) {
-        for mesh in self.meshes.iter_mut().filter(|m| m.binding.is_some()) {
-            mesh.morphs.clear();
-        }
-        let used: Vec<bool> = (0..self.morph_names.len())
-            .map(|i| {
-                self.meshes
-                    .iter()
-                    .any(|m| m.morphs.iter().any(|t| t.target == i))
-            })
-            .collect();
-        let kept = |i: usize| used[..i].iter().filter(|u| **u).count();
-        for morph in self.meshes.iter_mut().flat_map(|m| &mut m.morphs) {
-            morph.target = kept(morph.target);
-        }
-        let mut place = 0..;
-        self.morph_names
-            .retain(|_| place.next().is_some_and(|i| used[i]));
-    }
-
     /// Index of a morph target by name.
     #[must_use]
     pub fn morph_index(&self, name: &str) -> Option<usize> {

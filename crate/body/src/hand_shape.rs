@@ -28,7 +28,7 @@
 
 use std::sync::OnceLock;
 
-use raconteur_base::{DQuat, DVec3, Side};
+use raconteur_base::{DQuat, DVec3, Length, Side};
 
 use crate::pose::Pose;
 use crate::skeleton::{Bone, zero_frames};
@@ -219,7 +219,7 @@ impl HandAngles {
                 let zero_in_parent = zero[i - 1].inverse() * zero[i];
                 zero_in_parent.inverse() * (world[i - 1].inverse() * world[i])
             };
-            let q = local.normalize();
+            let q = local.normalized();
             let mirrored = match side {
                 Side::Left => q,
                 Side::Right => DQuat::from_xyzw(-q.x, -q.y, q.z, q.w),
@@ -231,7 +231,7 @@ impl HandAngles {
     /// Orientation of the left hand's finger bones, world from bone, while the wrist is
     /// in the zero pose (fingers along +x, back of the hand up, thumb to the front).
     #[must_use]
-    pub(crate) fn left_world(&self) -> [DQuat; 15] {
+    pub fn left_world(&self) -> [DQuat; 15] {
         let mut world = [DQuat::IDENTITY; 15];
         for (i, angles) in self.fingers.iter().enumerate() {
             let mut q = DQuat::from_rotation_y(-angles.mcp_abduction)
@@ -250,7 +250,7 @@ impl HandAngles {
         // square to it.
         let axis = DVec3::new(along.x, 0.0, along.z).cross(DVec3::NEG_Y);
         let abducted =
-            DQuat::from_axis_angle(axis.try_normalize().unwrap_or(DVec3::Z), t.cmc_abduction);
+            DQuat::from_axis_angle(axis.try_normalized().unwrap_or(DVec3::Z), t.cmc_abduction);
         let along = abducted * along;
         let rolled = DQuat::from_axis_angle(along, -t.cmc_rotation);
         let roll = DQuat::from_rotation_x(THUMB_ROLL_RAD);

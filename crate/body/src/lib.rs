@@ -2,23 +2,17 @@
 //!
 //! Does: the 54 bones of GEVH appendix A with their frames, forward kinematics with
 //! helper joints, hand shapes, the figure's meshes and morphs, reading them from
-//! glTF binary; with the feature `generator`, making them from anthropometry; with
-//! `import`, taking other people's avatars.
-//! Does not: decide how the figure moves (`actor`) or draw it (`render`).
+//! glTF binary and writing them.
+//! Does not: make figures (`sculpt`), take other people's (`avatar`), decide how the figure moves (`actor`) or draw it (`render`).
 //!
 //! Frames: right-handed, metres, radians; +x is the character's left, +y up, +z front.
 
 pub mod annotation;
 pub mod figure;
-#[cfg(feature = "generator")]
-pub mod generator;
 pub mod hand_shape;
-#[cfg(feature = "import")]
-pub mod import;
 pub mod pose;
 pub mod read;
 pub mod skeleton;
-#[cfg(feature = "write")]
 pub mod write;
 
 /// The face as a machine.

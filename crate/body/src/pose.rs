@@ -1,8 +1,8 @@
-//! What turns each joint at one moment.
+//! What turns each joint at one moment, and where the joints are then.
 
-use raconteur_base::{DQuat, DVec3};
+use raconteur_base::{DAffine3, DQuat, DVec3};
 
-use crate::skeleton::{Bone, Drive};
+use crate::skeleton::{Bone, Drive, Skeleton};
 
 /// Local rotations of the 54 bones relative to the zero pose (arms stretched out
 /// sideways, palms down), the root's placement, and the face's rigid parts.
@@ -82,21 +82,36 @@ impl Pose {
     }
 }
 
-/// The part of a rotation that turns about its own x axis (swing–twist decomposition).
-#[must_use]
-pub fn twist_about_x(q: DQuat) -> DQuat {
-    let norm = raconteur_base::ops::hypot(q.x, q.w);
-    if norm < 1e-12 {
-        return DQuat::IDENTITY;
+impl Skeleton {
+    /// Forward kinematics: world from joint for every joint, into `out` (cleared first,
+    /// so that a kept buffer makes no allocation).
+    pub fn solve(&self, pose: &Pose, out: &mut Vec<DAffine3>) {
+        out.clear();
+        for joint in self.joints() {
+            let turn = joint
+                .drive
+                .bone()
+                .map_or(DQuat::IDENTITY, |b| pose.rotation(b));
+            let mut local = self.local(joint, pose.joint_rotation(joint.drive), turn);
+            local.translation += pose.joint_offset(joint.drive);
+            let world = match joint.parent {
+                None => {
+                    DAffine3::from_rotation_translation(
+                        pose.root_rotation,
+                        pose.root_offset_in_world,
+                    ) * local
+                }
+                Some(p) => out[p] * local,
+            };
+            out.push(world);
+        }
     }
-    // The sign of w picks the short way round.
-    let sign = if q.w < 0.0 { -1.0 } else { 1.0 };
-    DQuat::from_xyzw(sign * q.x / norm, 0.0, 0.0, sign * q.w / norm)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::skeleton::twist_about_x;
 
     #[test]
     fn twist_and_swing_recompose() {

@@ -3,8 +3,9 @@
 //! Takes files whose nodes bear the names of the 54 bones (GEVH appendix A), as the
 //! generator writes them. Every fault of the file is a [`ReadError`]; none panics.
 
-pub(crate) mod accessor;
-pub(crate) mod document;
+pub mod accessor;
+#[allow(missing_docs, reason = "the fields are those of glTF")]
+pub mod document;
 mod soft;
 
 use raconteur_base::{DAffine3, DMat4, DQuat, DVec3, Side};
@@ -83,15 +84,6 @@ pub enum ReadError {
 /// # Errors
 /// A [`ReadError`] that names the first fault found.
 pub fn read_figure(name: &str, glb: &[u8]) -> Result<Figure, ReadError> {
-    read_with(name, glb, true)
-}
-
-/// As [`read_figure`], but a figure that is not `soft` comes without the tissue of its face,
-/// which then moves as far as jaw and lids move it.
-///
-/// # Errors
-/// As those of [`read_figure`].
-pub fn read_with(name: &str, glb: &[u8], soft: bool) -> Result<Figure, ReadError> {
     let root = Document::read(glb)?;
     if let Some(e) = root
         .extensions_required
@@ -117,11 +109,7 @@ pub fn read_with(name: &str, glb: &[u8], soft: bool) -> Result<Figure, ReadError
         } else {
             Side::Right
         },
-        tissue: if soft {
-            soft::tissue(&mut source)?
-        } else {
-            None
-        },
+        tissue: soft::tissue(&mut source)?,
         images: read_images(&mut source)?,
     };
     for node in &root.nodes {
@@ -131,7 +119,7 @@ pub fn read_with(name: &str, glb: &[u8], soft: bool) -> Result<Figure, ReadError
                 what: "a node's mesh",
             })?;
             for primitive in &mesh.primitives {
-                let read = read_primitive(&mut source, mesh, primitive, &binding, &figure, soft)?;
+                let read = read_primitive(&mut source, mesh, primitive, &binding, &figure)?;
                 figure.meshes.push(read);
             }
         }
@@ -153,7 +141,7 @@ fn morph_names(root: &Document<'_>) -> Vec<String> {
 }
 
 /// World from node for every node.
-pub(crate) fn solve_nodes(root: &Document<'_>) -> Result<Vec<DAffine3>, ReadError> {
+pub fn solve_nodes(root: &Document<'_>) -> Result<Vec<DAffine3>, ReadError> {
     let count = root.nodes.len();
     let mut parents: Vec<Option<usize>> = vec![None; count];
     for (i, node) in root.nodes.iter().enumerate() {
@@ -345,7 +333,6 @@ fn read_primitive(
     primitive: &document::Primitive,
     binding: &Binding,
     figure: &Figure,
-    soft: bool,
 ) -> Result<Mesh, ReadError> {
     let find = |name: &str| primitive.attribute(name);
     let need = |name: &str, what| find(name).ok_or(ReadError::OutOfRange { what });
@@ -436,11 +423,7 @@ fn read_primitive(
         name: mesh.name.clone(),
         material: read_material(source.root, primitive)?,
         morphs: read_morphs(source, mesh, primitive, count, to_world, figure)?,
-        binding: if soft {
-            soft::binding(source, mesh, count)?
-        } else {
-            None
-        },
+        binding: soft::binding(source, mesh, count)?,
         positions: raw
             .into_iter()
             .map(|p| narrow(to_world.transform_point3(widen(p))))

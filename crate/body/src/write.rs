@@ -390,7 +390,8 @@ fn mesh(buffer: &mut Buffer, grid: &Grid, figure: &Figure, mesh: &Mesh, material
 }
 
 /// Weights rounded to 255ths whose sum is exactly 255; the largest takes the rounding.
-pub(crate) fn weights_in_255ths(w: [f32; 4]) -> [u8; 4] {
+#[must_use]
+pub fn weights_in_255ths(w: [f32; 4]) -> [u8; 4] {
     let mut q = w.map(|x| (x * 255.0).round() as i32);
     let mut largest = 0;
     for i in 1..4 {

@@ -1,7 +1,5 @@
 //! Bindings to tissue: through a file and back, and broken ones.
 
-#![cfg(feature = "write")]
-
 use std::fs;
 use std::path::PathBuf;
 

@@ -1,12 +1,10 @@
 //! The soft faces of the shipped figures: they rest, they stay whole whatever is asked of
 //! them, and each muscle does what anatomy says.
 
-use raconteur_base::noise;
+use raconteur_base::{Side, noise};
 use raconteur_body::Figure;
 use raconteur_body::face::{FaceControls, Muscle, Network, NodeState, Tissue};
 use raconteur_body::read::read_figure;
-
-use Muscle as M;
 
 const FIGURES: [&str; 3] = ["sofia", "papous", "nuno"];
 /// Half a second.
@@ -214,35 +212,51 @@ fn the_lower_lip_reaches_the_upper_teeth() {
     }
 }
 
-/// A muscle (its left one), where its effect is looked at, and what it does there: the least
-/// movement, millimetres, and its main direction.
-type Effect = (Muscle, &'static str, f32, [f32; 3]);
+/// What a muscle (of a pair the left one) does at a landmark of the left half or the middle: the
+/// least movement, millimetres on the reference head, and its main direction.
+struct Effect {
+    muscle: Muscle,
+    landmark: &'static str,
+    least_mm: f32,
+    way: [f32; 3],
+}
 
-/// What mimic muscles do (F&H section 3.1.1), at landmarks of the left half or the middle.
-const EFFECTS: [Effect; 22] = [
-    (M::FrontalisMedialLeft, "g", 1.0, [0.0, 1.0, 0.0]),
-    (M::FrontalisMedialLeft, "sc_l", 1.5, [0.0, 1.0, 0.0]),
-    (M::FrontalisLateralLeft, "os_l", 1.0, [0.0, 1.0, 0.0]),
-    (M::CorrugatorLeft, "sci_l", 0.5, [-1.0, 0.0, 0.0]),
-    (M::DepressorSuperciliiLeft, "sc_l", 0.3, [0.0, -1.0, 0.0]),
-    (M::Procerus, "gl'", 0.8, [0.0, -1.0, 0.0]),
-    (M::NasalisLeft, "al_l", 0.2, [1.0, 0.0, 0.0]),
-    (M::DepressorSepti, "c", 0.3, [0.0, -1.0, 0.0]),
-    (M::LevatorLabiiAlaequeLeft, "al_l", 0.8, [0.0, 1.0, 0.0]),
-    (M::LevatorLabiiLeft, "cph_l", 1.5, [0.0, 1.0, 0.0]),
-    (M::ZygomaticusMinorLeft, "mlfs_l", 1.0, [0.0, 1.0, 0.0]),
-    (M::ZygomaticusMajorLeft, "ch_l", 3.0, [1.0, 0.0, 0.0]),
-    (M::ZygomaticusMajorLeft, "ch_l", 3.0, [0.0, 1.0, 0.0]),
-    (M::LevatorAnguliLeft, "ch_l", 1.5, [0.0, 1.0, 0.0]),
-    (M::RisoriusLeft, "ch_l", 2.0, [1.0, 0.0, 0.0]),
-    (M::BuccinatorLeft, "ch_l", 1.0, [1.0, 0.0, 0.0]),
-    (M::DepressorAnguliLeft, "ch_l", 2.0, [0.0, -1.0, 0.0]),
-    (M::DepressorLabiiLeft, "li", 1.0, [0.0, -1.0, 0.0]),
-    (M::MentalisLeft, "pg", 0.6, [0.0, 1.0, 0.0]),
-    (M::OrbicularisOrisUpper, "cph_l", 1.0, [-1.0, 0.0, 0.0]),
-    (M::OrbicularisOrisLower, "mvi_l", 1.0, [-1.0, 0.0, 0.0]),
-    (M::PlatysmaLeft, "ch_l", 0.3, [0.0, -1.0, 0.0]),
-];
+/// What mimic muscles do (F&H section 3.1.1, and anatomy where that is silent): `effects.tsv`.
+fn effects() -> Vec<Effect> {
+    let rows = include_str!("effects.tsv").lines().skip(1);
+    rows.map(|row| {
+        let cells: Vec<&'static str> = row.split('\t').collect();
+        let &[muscle, landmark, least_mm, way] = &cells[..] else {
+            panic!("four columns are wanted in {row}")
+        };
+        Effect {
+            muscle: Muscle::by_name(muscle).expect(muscle),
+            landmark,
+            least_mm: least_mm.parse().expect(row),
+            way: match way {
+                "left" => [1.0, 0.0, 0.0],
+                "right" => [-1.0, 0.0, 0.0],
+                "up" => [0.0, 1.0, 0.0],
+                "down" => [0.0, -1.0, 0.0],
+                "front" => [0.0, 0.0, 1.0],
+                "back" => [0.0, 0.0, -1.0],
+                other => panic!("{other} is no way"),
+            },
+        }
+    })
+    .collect()
+}
+
+#[test]
+fn each_muscle_has_an_effect_that_is_looked_at() {
+    let effects = effects();
+    for muscle in Muscle::all() {
+        let own = |e: &Effect| e.muscle == muscle || e.muscle.mirrored() == muscle;
+        assert!(effects.iter().any(own), "{muscle:?}");
+    }
+    let is_left = |e: &Effect| e.muscle.side() != Some(Side::Right);
+    assert!(effects.iter().all(is_left));
+}
 
 #[test]
 fn each_muscle_moves_the_skin_as_anatomy_says() {
@@ -256,21 +270,23 @@ fn each_muscle_moves_the_skin_as_anatomy_says() {
                 .expect("annotations");
         let figure = figure(name);
         let tissue = figure.tissue.as_ref().expect("tissue");
-        for (muscle, landmark, least_mm, way) in EFFECTS {
+        let mut nodes = vec![NodeState::default(); tissue.rest.len()];
+        for effect in effects() {
+            let (muscle, landmark) = (effect.muscle, effect.landmark);
             let mut controls = FaceControls::default();
             controls.contraction[muscle.index()] = 1.0;
-            let network = settled(tissue, &controls);
+            let mut network = settled(tissue, &controls);
+            network.write(tissue, 1.0, &mut nodes);
             let at = names.landmark(landmark).expect(landmark);
-            let place = figure.meshes[at.mesh].positions[at.vertex as usize];
-            let nearest = (0..tissue.rest.len())
-                .min_by(|a, b| {
-                    distance(tissue.rest[*a], place).total_cmp(&distance(tissue.rest[*b], place))
-                })
-                .expect("a node");
-            let (now, rest) = (network.place(nearest), tissue.rest[nearest]);
-            let moved: f32 = (0..3).map(|k| 1e3 * (now[k] - rest[k]) * way[k]).sum();
+            let binding = figure.meshes[at.mesh].binding.as_ref().expect("a binding");
+            let (_, by, _) = binding
+                .apply(&nodes)
+                .find(|(vertex, ..)| *vertex == at.vertex as usize)
+                .expect("a landmark that follows the tissue");
+            let moved: f32 = (0..3).map(|k| 1e3 * by[k] * effect.way[k]).sum();
+            println!("{name}\t{muscle:?}\t{landmark}\t{moved:.2} mm");
             assert!(
-                moved >= least_mm * tissue.scale,
+                moved >= effect.least_mm * tissue.scale,
                 "{name}: {muscle:?} moves {landmark} by {moved} mm"
             );
         }

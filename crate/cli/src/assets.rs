@@ -12,7 +12,7 @@ use std::sync::OnceLock;
 use anyhow::{Result, bail, ensure};
 use include_dir::{Dir, include_dir};
 
-use crate::{input, inside};
+use raconteur_voice::files::{input, inside};
 
 static FIGURES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/../../assets/figures");
 static ANIMATIONS: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/../../assets/animations");

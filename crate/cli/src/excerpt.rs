@@ -4,7 +4,7 @@
 use std::ops::Range;
 
 use codespan_reporting::files::{Error, Files};
-use raconteur_player::eml::{LineIndex, Span};
+use raconteur_eml::{LineIndex, Span};
 
 /// The most characters of a line that are shown, with the marks of what was cut off.
 const COLUMNS: usize = 200;

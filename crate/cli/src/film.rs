@@ -8,9 +8,9 @@ use std::process::{Child, ChildStdin, Command, Stdio};
 
 use anyhow::{Context as _, Result, bail};
 
-use crate::commands::render::write_png;
-use crate::disk::Part;
+use crate::picture::write_png;
 use crate::soundtrack::Soundtrack;
+use raconteur_voice::files::disk::Part;
 
 /// Where frames go.
 pub(crate) enum Sink {

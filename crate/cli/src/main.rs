@@ -4,15 +4,10 @@
 //! hint. Exit status: 0 fine, 1 errors in the input, 2 wrong usage.
 
 mod assets;
-mod bake;
 mod commands;
 mod compose;
-mod disk;
 mod excerpt;
 mod film;
-mod input;
-mod inside;
-mod media;
 mod picture;
 mod report;
 mod serve;

@@ -1,9 +1,12 @@
 //! Pictures of figures, decoded: the renderer takes pixels, and here is no browser.
 
+use std::path::Path;
+
 use anyhow::{Context as _, Result, bail};
-use raconteur_player::body::Figure;
-use raconteur_player::body::figure::Image;
+use raconteur_body::Figure;
+use raconteur_body::figure::Image;
 use raconteur_render::{Headless, LARGEST_SIDE};
+use raconteur_voice::files::disk;
 use zune_jpeg::zune_core::bytestream::ZCursor;
 use zune_jpeg::zune_core::colorspace::ColorSpace;
 use zune_jpeg::zune_core::options::DecoderOptions;
@@ -23,6 +26,21 @@ pub(crate) fn set_figure(headless: &mut Headless, figure: &Figure) -> Result<()>
         headless.set_image(index, width, height, &rgba)?;
     }
     Ok(())
+}
+
+/// Writes an RGBA picture; the old file stays whole if that fails.
+pub(crate) fn write_png(path: &Path, (width, height): (u32, u32), rgba: &[u8]) -> Result<()> {
+    let mut bytes = Vec::new();
+    let mut encode = || -> Result<()> {
+        let mut encoder = png::Encoder::new(&mut bytes, width, height);
+        encoder.set_color(png::ColorType::Rgba);
+        encoder.set_depth(png::BitDepth::Eight);
+        let mut writer = encoder.write_header()?;
+        writer.write_image_data(rgba)?;
+        Ok(writer.finish()?)
+    };
+    encode().with_context(|| format!("cannot write {}", path.display()))?;
+    disk::replace(path, &bytes)
 }
 
 fn decode(image: &Image) -> Result<Pixels> {

@@ -5,7 +5,7 @@ use std::io::{self, Write as _};
 use anyhow::Result;
 use codespan_reporting::diagnostic::{Diagnostic as Shown, Label, LabelStyle, Severity as Level};
 use codespan_reporting::term::{self, Config};
-use raconteur_player::eml::{Diagnostic, LineIndex, Severity};
+use raconteur_eml::{Diagnostic, LineIndex, Severity};
 use serde::Serialize;
 
 use crate::Outcome;

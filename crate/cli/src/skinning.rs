@@ -1,7 +1,7 @@
 //! Where the vertices of a posed figure are, for what is written or drawn without a device.
 
-use raconteur_player::base::{DAffine3, DMat3, DVec3};
-use raconteur_player::body::{Bone, Figure, Mesh};
+use raconteur_base::{DAffine3, DMat3, DVec3};
+use raconteur_body::{Bone, Figure, Mesh};
 
 use crate::sheet::Posed;
 

@@ -7,8 +7,8 @@ use raconteur_player::{MusicCue, Player};
 use tempfile::TempDir;
 
 use crate::assets;
-use crate::bake::program::FFMPEG;
-use crate::{inside, media};
+use raconteur_voice::bake::program::FFMPEG;
+use raconteur_voice::files::{inside, media};
 
 /// Samples a second of music.
 const RATE_HZ: u32 = 48_000;

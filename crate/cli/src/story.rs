@@ -4,13 +4,16 @@ use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context as _, Result};
-use raconteur_player::base::encoding;
-use raconteur_player::body::{Figure, import};
-use raconteur_player::eml::{Diagnostic, nearest, quoted};
-use raconteur_player::stage::Shot;
+use raconteur_avatar as avatar;
+use raconteur_base::encoding;
+use raconteur_body::Figure;
+use raconteur_eml::{Diagnostic, nearest, quoted};
 use raconteur_player::{Loaded, Options, Player, StoryInput};
+use raconteur_stage::Shot;
 
-use crate::{assets, input, inside};
+use raconteur_voice::files::{input, inside};
+
+use crate::assets;
 
 /// Who performs when nobody is asked for, as in the element.
 pub(crate) const USUAL_FIGURE: &str = "sofia";
@@ -82,7 +85,7 @@ impl StoryFiles {
         if let Some(name) = asked {
             return Ok((find_figure(name, &self.script)?, None));
         }
-        let document = raconteur_player::eml::parse(&self.text).document;
+        let document = raconteur_eml::parse(&self.text).document;
         let usual = || find_figure(USUAL_FIGURE, &self.script);
         let Some(name) = document.performer.and_then(|p| p.figure) else {
             return Ok((usual()?, None));
@@ -172,7 +175,7 @@ fn find_animation(name: &str, story: &Path) -> Option<String> {
         return told(input::text(&path, input::LONGEST_TEXT));
     }
     let bytes = told(input::bytes(&path, LARGEST_FIGURE))?;
-    let text = import::convert_animation(part, &bytes);
+    let text = avatar::convert_animation(part, &bytes);
     told(text.with_context(|| format!("the animation {name}")))
 }
 
@@ -193,7 +196,7 @@ pub(crate) fn find_figure(name: &str, near: &Path) -> Result<Figure> {
     };
     let stem = by_path.file_stem().unwrap_or_default().to_string_lossy();
     let imported =
-        import::open_figure(&stem, &bytes).with_context(|| format!("the figure {name}"))?;
+        avatar::open_figure(&stem, &bytes).with_context(|| format!("the figure {name}"))?;
     for d in &imported.diagnostics {
         let hint = if d.hint.is_empty() {
             String::new()

@@ -18,10 +18,10 @@ mod document;
 mod durations;
 mod feeling;
 mod gesture;
+mod limits;
 mod namespaces;
 mod parse;
 mod record;
-#[cfg(feature = "reference")]
 pub mod reference;
 pub mod schema;
 mod sorted;
@@ -33,10 +33,7 @@ mod timeline;
 mod voice;
 mod words;
 mod work;
-#[cfg(any(test, feature = "write"))]
 mod write;
-
-pub(crate) use raconteur_base::decimal;
 
 pub use clauses::environment::{
     Camera, CameraAngle, Emotion, EmotionKind, EmotionSpace, Expressions, Light, Music, Performer,
@@ -45,8 +42,8 @@ pub use clauses::environment::{
 pub use clauses::functions::{Arg, ArgValue, FunctionArgs, VhMove};
 pub use clauses::geometry::{ConfigureGeometry, FillMode, VisibleMeshes};
 pub use clauses::manipulators::{
-    ConfigureManipulator, ForwardKinematics, FrameInterpolation, Jacobian, JointInterpolation,
-    Lock, Manipulator, ManipulatorFunction, Stop, Target,
+    ConfigureManipulator, FARTHEST, ForwardKinematics, FrameInterpolation, Jacobian,
+    JointInterpolation, Lock, Manipulator, ManipulatorFunction, Stop, Target,
 };
 pub use clauses::parameters::{
     AdsrControlParameter, AnimateControlParameter, LoadControlParameterAnimation,
@@ -73,10 +70,9 @@ pub use gesture::{
     Coords, GestureKey, Handedness, Interpolator, Key, MotionKey, PalmKey, Phase, Profile,
     ShapeKey, Space, Track,
 };
+pub use limits::Limits;
 pub use namespaces::{EXTENSIONS, EXTENSIONS_PREFIX};
-pub use parse::{
-    Limits, Parsed, parse, parse_bytes, parse_fragment, parse_fragment_with, parse_with,
-};
+pub use parse::{Parsed, parse, parse_bytes, parse_fragment, parse_fragment_with, parse_with};
 /// A name or another short text: up to 23 bytes need no allocation, and copies are cheap.
 pub use smol_str::SmolStr as Name;
 pub use sorted::SortedMap;
@@ -85,5 +81,4 @@ pub use suggest::{nearest, quoted};
 pub use time_expr::{NameTerm, TimeExpr};
 pub use timeline::{Resolved, TimedClause, Timeline};
 pub use voice::{DivKind, Mark, MarkEvent, Piece, VoiceText, Word};
-#[cfg(any(test, feature = "write"))]
 pub use write::{HARMLESS, normal_form, write, write_with_comments};

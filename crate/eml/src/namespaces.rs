@@ -67,7 +67,7 @@ impl<'a> Namespaces<'a> {
 
     /// Collects the bindings for an element of the body that is read before the body is
     /// complete: node `node`, the last in the tree with what is in it.
-    pub(crate) fn enter(&mut self, tree: &Tree<'a>, node: usize, sink: &mut Sink) {
+    pub(crate) fn enter<E>(&mut self, tree: &Tree<'a, E>, node: usize, sink: &mut Sink) {
         if !self.any {
             return;
         }
@@ -76,7 +76,7 @@ impl<'a> Namespaces<'a> {
             None => {
                 self.collect(tree, 0..node, sink);
                 // The root and the body are still open.
-                let is_element = |n: &Node<'_>| matches!(n.kind, NodeKind::Element(_));
+                let is_element = |n: &Node<'_, E>| matches!(n.kind, NodeKind::Element(_));
                 let root = tree.nodes.iter().position(is_element);
                 let body = tree.taken_from.map(|body| body as usize);
                 for binding in &mut self.bindings {
@@ -91,14 +91,14 @@ impl<'a> Namespaces<'a> {
     }
 
     /// Collects the bindings of a tree that is complete.
-    pub(crate) fn finish(&mut self, tree: &Tree<'a>, sink: &mut Sink) {
+    pub(crate) fn finish<E>(&mut self, tree: &Tree<'a, E>, sink: &mut Sink) {
         self.bindings.clear();
         if self.any {
             self.collect(tree, 0..tree.nodes.len(), sink);
         }
     }
 
-    fn collect(&mut self, tree: &Tree<'a>, nodes: Range<usize>, sink: &mut Sink) {
+    fn collect<E>(&mut self, tree: &Tree<'a, E>, nodes: Range<usize>, sink: &mut Sink) {
         for from in nodes {
             for attribute in tree.attributes_of(from) {
                 let Some(prefix) = bound_by(attribute.name) else {

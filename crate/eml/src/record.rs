@@ -24,14 +24,12 @@ pub(crate) trait Field {
     /// Takes a value of the kind that the table promises.
     fn set(&mut self, value: Value);
     /// The value that it holds.
-    #[cfg(any(test, feature = "write"))]
     fn get(&self) -> Value;
 }
 
 /// An element with attributes and children.
 pub(crate) trait Record {
     /// The name of its element.
-    #[cfg(any(test, feature = "write"))]
     fn element(&self) -> &'static str;
     /// Shows every field and every list of children to the visitor.
     fn visit(&mut self, visitor: &mut dyn Visit);
@@ -52,7 +50,6 @@ pub(crate) trait List {
     /// Takes the last one away again.
     fn remove_last(&mut self);
     /// The child at a place.
-    #[cfg(any(test, feature = "write"))]
     fn at(&mut self, index: usize) -> Option<&mut dyn Record>;
 }
 
@@ -72,7 +69,6 @@ impl<C: Child> List for Vec<C> {
         self.pop();
     }
 
-    #[cfg(any(test, feature = "write"))]
     fn at(&mut self, index: usize) -> Option<&mut dyn Record> {
         self.get_mut(index).map(|child| child as &mut dyn Record)
     }
@@ -88,7 +84,6 @@ impl<C: Child> List for Option<C> {
         *self = None;
     }
 
-    #[cfg(any(test, feature = "write"))]
     fn at(&mut self, index: usize) -> Option<&mut dyn Record> {
         let child = self.as_mut().filter(|_| index == 0);
         child.map(|child| child as &mut dyn Record)
@@ -105,7 +100,6 @@ macro_rules! field {
                 }
             }
 
-            #[cfg(any(test, feature = "write"))]
             fn get(&self) -> Value {
                 let shown: fn(&Self) -> _ = $shown;
                 Value::$kind(shown(self))
@@ -134,7 +128,6 @@ impl<F: Field + Default> Field for Option<F> {
         };
     }
 
-    #[cfg(any(test, feature = "write"))]
     fn get(&self) -> Value {
         self.as_ref().map_or(Value::None, Field::get)
     }
@@ -179,7 +172,6 @@ macro_rules! words {
                 }
             }
 
-            #[cfg(any(test, feature = "write"))]
             fn get(&self) -> $crate::record::Value {
                 $crate::record::Value::Word(self.word())
             }
@@ -204,7 +196,6 @@ macro_rules! record {
         }
 
         impl $crate::record::Record for $name {
-            #[cfg(any(test, feature = "write"))]
             fn element(&self) -> &'static str {
                 $element
             }

@@ -142,9 +142,9 @@ fn moment(text: &str, start: u32) -> Option<TimeExpr> {
     }
     let offset_secs = match rest.as_bytes() {
         [] => 0.0,
-        [sign @ (b'+' | b'-'), number @ ..] => {
-            let number = number.strip_suffix(b"s").unwrap_or(number);
-            let secs = crate::decimal::parse_short(number).filter(|&secs| secs <= MAX_SECS)?;
+        [sign @ (b'+' | b'-'), ..] => {
+            let number = rest[1..].strip_suffix('s').unwrap_or(&rest[1..]);
+            let secs = plain(number)?;
             // A sum from 0 on is never -0.
             0.0 + if *sign == b'-' { -secs } else { secs }
         }
@@ -162,9 +162,15 @@ fn moment(text: &str, start: u32) -> Option<TimeExpr> {
     })
 }
 
+/// A number of digits and a point alone; none for all else.
+pub(crate) fn unsigned(text: &str) -> Option<f64> {
+    let is_plain = text.bytes().all(|b| b.is_ascii_digit() || b == b'.');
+    is_plain.then(|| text.parse().ok()).flatten()
+}
+
 /// The seconds of an expression that is a plain number, as nearly every one is.
 fn plain(text: &str) -> Option<f64> {
-    crate::decimal::parse_short(text.as_bytes()).filter(|&secs| secs <= MAX_SECS)
+    unsigned(text).filter(|&secs| secs <= MAX_SECS)
 }
 
 /// Reads a length: one number with an optional unit.
@@ -247,9 +253,9 @@ impl<'a> Lexer<'a> {
                 hint: hint.into(),
             })
         };
-        let value = match crate::decimal::parse(number) {
-            Some(value) => value,
-            None => {
+        let value: f64 = match number.parse() {
+            Ok(value) => value,
+            Err(_) => {
                 let message = format!("{} is not a number", crate::suggest::quoted(number));
                 return problem("eml::bad-number", self.position, message, "");
             }

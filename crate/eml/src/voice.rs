@@ -1,6 +1,6 @@
 //! Spoken text with its breaks and time markers (GEVH D.4).
 
-use crate::clauses::speech::{Audio, Boundary, Markup};
+use crate::clauses::speech::{Audio, Boundary, Markup, UtteranceKind, VoiceSay};
 use crate::work::step;
 use crate::{Name, Span};
 use raconteur_base::emoticon::{self, Spaced};
@@ -16,6 +16,28 @@ pub(crate) const MODERATE_EMPHASIS: f64 = 1.0;
 pub struct VoiceText {
     /// What it consists of.
     pub pieces: Vec<Piece>,
+}
+
+impl VoiceSay {
+    /// Its text; empty when it is a file or a document of SABLE.
+    #[must_use]
+    pub fn text(&self) -> VoiceText {
+        let mut pieces = Vec::new();
+        if !self.is_file() && self.kind == UtteranceKind::Text {
+            pieces.push(Piece::Text {
+                text: self.content.as_str().into(),
+                emphasis: NO_EMPHASIS,
+                span: self.content_span,
+            });
+        }
+        VoiceText { pieces }
+    }
+
+    /// What is heard: [`VoiceSay::text`], if anything is.
+    #[must_use]
+    pub fn spoken(&self) -> Option<VoiceText> {
+        self.is_heard().then(|| self.text())
+    }
 }
 
 /// A part of spoken text.

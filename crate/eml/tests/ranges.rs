@@ -21,9 +21,17 @@ fn beyond(kind: Kind) -> Vec<String> {
             }
             values
         }
-        Kind::Seconds | Kind::KeyTime => all(&["-1", "1e9"]),
-        Kind::Level { percent: true, .. } => all(&["-1", "-101%", "2e6"]),
-        Kind::Level { .. } => all(&["-1", "2e6"]),
+        Kind::KeyTime => all(&["-1", "1e9"]),
+        Kind::Seconds { most } => vec!["-1".to_owned(), (most * 1.1).to_string()],
+        Kind::Level {
+            numbers, percent, ..
+        } => {
+            let outside = |[least, most]: [f64; 2]| [least - 0.5, most + 0.5];
+            let changes = percent.into_iter().flat_map(outside);
+            let changes = changes.map(|change| format!("{change:+}%"));
+            let numbers = outside(numbers).map(|number| number.to_string());
+            changes.chain(numbers).collect()
+        }
         Kind::Bool => all(&["2", "-1"]),
         Kind::Choice(_) => all(&["none-of-these-words"]),
         Kind::Color => all(&["#fffff", "#ggffff"]),
@@ -85,6 +93,13 @@ fn one_problem(text: &str) {
     let mut found = parse(text).diagnostics;
     found.retain(|d| !CONSEQUENCES.contains(&d.code));
     assert_eq!(found.len(), 1, "{text}\n{found:#?}");
+    if found[0].code == "eml::out-of-range" {
+        let tells = found[0]
+            .hints
+            .iter()
+            .any(|h| h.contains("the nearest value is"));
+        assert!(tells, "{found:#?}");
+    }
 }
 
 #[test]

@@ -23,7 +23,7 @@ fn the_documents_are_up_to_date() {
         let found = fs::read_to_string(&path).unwrap_or_default();
         assert!(
             found == text,
-            "docs/{name} is stale: UPDATE=1 cargo test -p raconteur-eml --features reference --test reference"
+            "docs/{name} is stale: UPDATE=1 cargo test -p raconteur-eml --test reference"
         );
     }
 }

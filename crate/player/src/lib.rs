@@ -8,34 +8,20 @@
 //! With `eml`, this is the only crate that knows EML. It hands its neighbours on, so that
 //! the browser bindings and the command line need no further edge.
 
-mod animations;
-mod cues;
-mod emotions;
-mod event;
-mod feelings;
-mod fibres;
-mod geometry;
-mod gestures;
-mod layers;
 pub mod live;
-mod manipulators;
-mod motion;
-mod music;
-mod parameters;
-mod part;
-mod performer;
-mod script;
-mod soft;
+mod lower;
+mod options;
+mod play;
 pub mod sweep;
-mod units;
-mod unperformed;
-mod views;
-mod voice;
 
-pub use cues::{ClauseRef, Cue, CueKind, UtteranceCue, WordCue};
-pub use event::{Accepted, Event};
-pub use music::MusicCue;
-pub use performer::{Loaded, Manipulator, Options, Player, StoryInput};
+pub use lower::cues::{ClauseRef, Cue, CueKind, UtteranceCue, WordCue};
+pub use lower::music::MusicCue;
+pub use lower::script::{Reading, Script, performer_of};
+pub use lower::units::Units;
+pub use lower::voice::{SpokenClause, spoken_clauses};
+pub use options::Options;
+pub use play::event::{Accepted, Event};
+pub use play::player::{Loaded, Manipulator, Player, StoryInput};
 pub use raconteur_actor as actor;
 pub use raconteur_actor::Library;
 pub use raconteur_actor::nonverbal::{Manner, Way};
@@ -44,7 +30,3 @@ pub use raconteur_body as body;
 pub use raconteur_eml as eml;
 pub use raconteur_speech as speech;
 pub use raconteur_stage as stage;
-pub use script::{Reading, Script, asks_for_more, performer_of};
-pub use units::Units;
-#[cfg(feature = "bake")]
-pub use voice::{Said, Source, content_of};

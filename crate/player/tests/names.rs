@@ -116,6 +116,83 @@ fn an_unknown_name_is_told_once_with_what_is_meant() {
     }
 }
 
+/// A story with a player, and a fragment that comes in its first second.
+fn live(fragment: &str) -> Vec<Diagnostic> {
+    let eml = format!("<eml><body>{PLAYER}<null time='30'/></body></eml>");
+    let mut player = perform(&eml, None, figure(), Options::default()).player;
+    player.set_open_ended(true);
+    player.perform(1, fragment, 1.0).diagnostics
+}
+
+#[test]
+fn a_fragment_knows_the_players_of_the_story_and_no_others() {
+    let slips = SLIPS.iter().filter(|s| s.0 == "eml::unknown-player");
+    assert!(slips.clone().count() >= 4);
+    for (code, clause, meant) in slips {
+        let found = live(clause);
+        let codes: Vec<_> = found.iter().map(|d| d.code).collect();
+        assert_eq!(codes, [*code], "{clause}: {found:?}");
+        let hint = format!("did you mean `{meant}`?");
+        assert!(found[0].hints.contains(&hint), "{clause}: {found:?}");
+        let right = clause.replace("danver", meant);
+        let codes: Vec<_> = live(&right).iter().map(|d| d.code).collect();
+        assert!(!codes.contains(code), "{right}: {codes:?}");
+    }
+    // One that the fragment itself adds is there too.
+    let own = format!(
+        "{}<body-player-remove time='1' name='own'/>",
+        PLAYER.replace("dancer", "own")
+    );
+    assert_eq!(live(&own), []);
+}
+
+/// A function of a manipulator with an argument besides its period.
+fn with_argument(function: &str, argument: &str, value: &str) -> Vec<Diagnostic> {
+    let clause = format!(
+        "<vh-move time='1' functionName='{function}'><function-args>\
+         <arg name='timePeriod' value='1'/><arg name='{argument}' value='{value}'/>\
+         </function-args></vh-move>"
+    );
+    problems("", &clause)
+}
+
+#[test]
+fn arguments_of_functions_are_names_and_have_ranges() {
+    for (function, slip, meant) in [
+        ("segment", "endZz", "endZ"),
+        ("sinusoid", "amplitde", "amplitude"),
+        ("bezier", "contol1X", "control1X"),
+        ("hermite", "startVelocityXX", "startVelocityX"),
+        ("circle", "radus", "radius"),
+        ("ellipse", "radiusW", "radiusX"),
+        ("helix", "ryse", "rise"),
+        ("lemniscate", "centerQ", "centerX"),
+    ] {
+        let found = with_argument(function, slip, "1");
+        assert_eq!(found.len(), 1, "{function}: {found:?}");
+        assert_eq!(found[0].code, "player::bad-argument");
+        let hint = format!("did you mean `{meant}`?");
+        assert!(found[0].hints.contains(&hint), "{function}: {found:?}");
+        let codes = |value: &str| -> Vec<_> {
+            let found = with_argument(function, meant, value);
+            found.iter().map(|d| d.code).collect()
+        };
+        assert_eq!(codes("1"), [""; 0], "{function}");
+        assert_eq!(codes("-200000"), ["player::out-of-range"], "{function}");
+        assert_eq!(codes("north"), ["player::bad-argument"], "{function}");
+    }
+    let period = "<vh-move time='1' functionName='segment'><function-args>\
+                  <arg name='timePeriod' value='-1'/></function-args></vh-move>";
+    let codes: Vec<_> = problems("", period).iter().map(|d| d.code).collect();
+    assert_eq!(codes, ["player::out-of-range"]);
+    // Where none is near, all are listed.
+    let far = with_argument("segment", "colour", "1");
+    assert!(
+        far[0].hints[0].starts_with("its arguments are timePeriod, startYaw"),
+        "{far:?}"
+    );
+}
+
 #[test]
 fn members_of_sets_are_names_like_others() {
     for (kind, item, code) in [

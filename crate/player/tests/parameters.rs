@@ -7,13 +7,9 @@ use raconteur_player::{Options, Player};
 
 const BLINK: &str = r#"{"seconds": 0.3, "parameters": {"UpperLid": {"times": [0, 0.1, 0.3], "values": [0, 1, 0]}}}"#;
 
-fn player(body: &str, motion: bool) -> (Player, Vec<&'static str>) {
+fn player(body: &str) -> (Player, Vec<&'static str>) {
     let eml = format!("<eml xmlns:r='urn:raconteur:eml:1'><body>{body}</body></eml>");
-    let options = Options {
-        motion,
-        ..Options::default()
-    };
-    let loaded = perform(&eml, None, figure(), options);
+    let loaded = perform(&eml, None, figure(), Options::default());
     let codes = loaded.diagnostics.iter().map(|d| d.code).collect();
     (loaded.player, codes)
 }
@@ -27,7 +23,7 @@ const BODY: &str = "<body-load-control-parameter-animation time='0' file='faces/
 
 #[test]
 fn animations_of_parameters_come_as_others_do() {
-    let (mut with, told) = player(BODY, true);
+    let (mut with, told) = player(BODY);
     assert_eq!(told, [""; 0]);
     assert_eq!(with.wanted_animations(), ["faces/blink.json"]);
     assert_eq!(with.timeline().marks.get("after"), Some(&1.0));
@@ -36,40 +32,11 @@ fn animations_of_parameters_come_as_others_do() {
     assert_eq!(with.wanted_animations(), [""; 0]);
     let after = with.timeline().marks.get("after").copied();
     assert!((after.unwrap_or(0.0) - 1.3).abs() < 1e-9, "{after:?}");
-    // Where their code is not there, the rest plays.
-    let (without, told) = player(BODY, false);
-    assert_eq!(told, ["player::no-motion"]);
-    assert_eq!(without.wanted_animations(), [""; 0]);
-    assert!(
-        without
-            .face_controls(4.0)
-            .contraction
-            .iter()
-            .any(|c| *c > 0.5)
-    );
-}
-
-#[test]
-fn without_what_moves_a_face_only_the_lips_do() {
-    let options = Options {
-        feels: false,
-        ..Options::default()
-    };
-    let eml = "<eml xmlns:r='urn:raconteur:eml:1'><body><r:emotion time='0' type='joy'/>
-        <voice-text time='1'>Papa said: come home and be merry.</voice-text></body></eml>";
-    let loaded = perform(eml, None, figure(), options);
-    let told: Vec<_> = loaded.diagnostics.iter().map(|d| d.code).collect();
-    assert!(told.contains(&"player::no-face"), "{told:?}");
-    let controls = |t: f64| loaded.player.face_controls(t);
-    let joy = |t: f64| controls(t).contraction.iter().copied().fold(0.0, f64::max);
-    assert!(joy(0.8) < 0.3, "{}", joy(0.8));
-    let opened = (0..100).map(|i| controls(1.0 + 0.02 * f64::from(i)).jaw.pitch_rad);
-    assert!(opened.fold(0.0, f64::max) > 0.03);
 }
 
 #[test]
 fn missing_and_broken_ones_are_told() {
-    let (mut player, _) = player(BODY, true);
+    let (mut player, _) = player(BODY);
     let told = player.provide_animations(&[("faces/blink.json", None)]);
     assert_eq!(told[0].code, "player::no-animation");
     assert_eq!(player.wanted_animations(), [""; 0]);
@@ -88,7 +55,6 @@ fn seeking_shows_what_playing_shows_and_live_fragments_join() {
          <body-animate-ADSR-control-parameter time='1' parameterId='Jaw'
             attackDurationTime='0.5' sustainDurationTime='1' decayValue='0.5'/>
          <null time='8'/>",
-        true,
     );
     assert_eq!(told, ["player::not-performed"]);
     let fragment = "<body-set-control-parameter time='0' parameterId='TongueOut' value='1'/>";

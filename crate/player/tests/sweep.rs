@@ -2,38 +2,12 @@
 
 mod common;
 
-use std::fs;
 use std::sync::Arc;
 
-use common::{assets, figure, perform, read, story};
+use common::{figure, perform, read, stories, story};
 use raconteur_player::Options;
 use raconteur_player::body::Figure;
 use raconteur_player::sweep::{Check, sweep};
-
-/// The names of the shipped stories, in order: folders with a script, in folders of folders.
-fn stories() -> Vec<String> {
-    let (mut names, mut open) = (Vec::new(), vec![String::new()]);
-    while let Some(folder) = open.pop() {
-        let path = assets().join("stories").join(&folder);
-        if path.join("story.eml").is_file() {
-            names.push(folder);
-            continue;
-        }
-        for entry in fs::read_dir(path).expect("the stories") {
-            let entry = entry.expect("an entry");
-            if entry.path().is_dir() {
-                let name = entry.file_name().into_string().expect("UTF-8");
-                open.push(
-                    format!("{folder}/{name}")
-                        .trim_start_matches('/')
-                        .to_owned(),
-                );
-            }
-        }
-    }
-    names.sort();
-    names
-}
 
 fn swept(name: &str, figure: &Arc<Figure>) -> Vec<Check> {
     let mut player = story(name, Arc::clone(figure), Options::default()).player;

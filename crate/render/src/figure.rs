@@ -1,6 +1,8 @@
 //! A figure on the GPU: vertex streams, indices, joints and materials.
 
+use crate::gpu::attribute;
 use std::ops::Range;
+use wgpu::{VertexBufferLayout, VertexFormat, VertexStepMode};
 
 use bytemuck::{Pod, Zeroable};
 use glam::{Vec2, Vec3};
@@ -33,6 +35,21 @@ pub(crate) struct FixedVertex {
     along: [i8; 4],
 }
 
+impl FixedVertex {
+    /// How the vertex shader reads it.
+    pub(crate) const LAYOUT: VertexBufferLayout<'static> = VertexBufferLayout {
+        array_stride: size_of::<Self>() as u64,
+        step_mode: VertexStepMode::Vertex,
+        attributes: &[
+            attribute(VertexFormat::Float32x2, 0, 2),
+            attribute(VertexFormat::Unorm8x4, 8, 3),
+            attribute(VertexFormat::Uint8x4, 12, 4),
+            attribute(VertexFormat::Unorm16x4, 16, 5),
+            attribute(VertexFormat::Snorm8x4, 24, 6),
+        ],
+    };
+}
+
 /// `Material` of the shaders.
 #[repr(C)]
 #[derive(Clone, Copy, PartialEq, Pod, Zeroable)]
@@ -42,15 +59,15 @@ pub(crate) struct MaterialUniform {
     face: [f32; 4],
 }
 
-/// In which company a mesh is drawn.
+/// How the alpha of a mesh is used; the terms are glTF's.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Layer {
+pub(crate) enum AlphaMode {
     /// Covers what it lies before.
-    Solid,
+    Opaque,
     /// Covers where its picture or its strands do.
-    Cut,
+    Mask,
     /// Lets through what was drawn before it.
-    Clear,
+    Blend,
 }
 
 /// What a mesh's shadow is drawn with.
@@ -70,22 +87,22 @@ pub(crate) enum Shadow {
 
 /// What a pipeline must be made for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Look {
+pub(crate) struct PipelineKey {
     pub(crate) kind: MaterialKind,
     pub(crate) double_sided: bool,
-    pub(crate) layer: Layer,
+    pub(crate) alpha_mode: AlphaMode,
     /// Its vertices follow tissue.
     pub(crate) bound: bool,
 }
 
-impl Look {
+impl PipelineKey {
     fn of(figure: &Figure, mesh: &Mesh) -> Self {
         let material = &mesh.material;
         let kind = material.kind;
-        let layer = match kind {
-            MaterialKind::Hair | MaterialKind::Lash => Layer::Cut,
-            MaterialKind::Cornea => Layer::Clear,
-            MaterialKind::Plain if material.base_color[3] < 0.99 => Layer::Clear,
+        let alpha_mode = match kind {
+            MaterialKind::Hair | MaterialKind::Lash => AlphaMode::Mask,
+            MaterialKind::Cornea => AlphaMode::Blend,
+            MaterialKind::Plain if material.base_color[3] < 0.99 => AlphaMode::Blend,
             // A JPEG has no alpha that could cut.
             MaterialKind::Plain
                 if material
@@ -94,34 +111,34 @@ impl Look {
                     .and_then(|i| figure.images.get(i))
                     .is_some_and(|image| image.mime_type == "image/png") =>
             {
-                Layer::Cut
+                AlphaMode::Mask
             }
-            _ => Layer::Solid,
+            _ => AlphaMode::Opaque,
         };
         Self {
             // All weaves share one shader.
             kind: kind.weave().map_or(kind, |_| MaterialKind::Cloth),
             double_sided: material.double_sided,
-            layer,
+            alpha_mode,
             bound: mesh.binding.is_some(),
         }
     }
 
     pub(crate) fn shadow(self) -> Shadow {
-        match (self.kind, self.layer) {
+        match (self.kind, self.alpha_mode) {
             (MaterialKind::Teeth | MaterialKind::Mouth, _)
             | (MaterialKind::Lash, _)
-            | (_, Layer::Clear) => Shadow::Nothing,
+            | (_, AlphaMode::Blend) => Shadow::Nothing,
             (MaterialKind::Hair, _) => Shadow::Strands,
-            (_, Layer::Cut) => Shadow::Picture,
-            (_, Layer::Solid) => Shadow::Solid,
+            (_, AlphaMode::Mask) => Shadow::Picture,
+            (_, AlphaMode::Opaque) => Shadow::Solid,
         }
     }
 }
 
 /// What is drawn in one call: all meshes of the same surface.
 pub(crate) struct DrawnMesh {
-    pub(crate) look: Look,
+    pub(crate) key: PipelineKey,
     pub(crate) maps: Maps,
     pub(crate) indices: Range<u32>,
     pub(crate) material_offset: u32,
@@ -143,7 +160,7 @@ pub(crate) struct FigureData {
 
 /// Meshes of the same surface, before they are laid one behind the other.
 struct Batch {
-    look: Look,
+    key: PipelineKey,
     maps: Maps,
     material: MaterialUniform,
     indices: Vec<u32>,
@@ -184,13 +201,13 @@ impl FigureData {
             figure.meshes.iter().partition(|m| m.binding.is_some());
         for mesh in bound.into_iter().chain(free) {
             check(mesh, joints)?;
-            let look = Look::of(figure, mesh);
+            let key = PipelineKey::of(figure, mesh);
             let material = MaterialUniform {
                 base: mesh.material.base_color,
                 params: [
                     mesh.material.roughness.clamp(0.05, 1.0),
                     f32::from(u8::from(has_cornea)),
-                    f32::from(u8::from(look.layer == Layer::Clear)),
+                    f32::from(u8::from(key.alpha_mode == AlphaMode::Blend)),
                     // Cloth tells its weave, all else whether it has a picture of normals.
                     mesh.material.kind.weave().map_or(
                         f32::from(u8::from(mesh.material.maps.normal.is_some())),
@@ -200,14 +217,14 @@ impl FigureData {
                 face,
             };
             let maps = mesh.material.maps;
-            let indices = data.push(mesh, look.layer);
+            let indices = data.push(mesh, key.alpha_mode);
             match batches
                 .iter_mut()
-                .find(|b| b.look == look && b.maps == maps && b.material == material)
+                .find(|b| b.key == key && b.maps == maps && b.material == material)
             {
                 Some(batch) => batch.indices.extend(indices),
                 None => batches.push(Batch {
-                    look,
+                    key,
                     maps,
                     material,
                     indices,
@@ -216,12 +233,12 @@ impl FigureData {
         }
         batches.retain(|b| !b.indices.is_empty());
         // Solid ones first, by the way they cast, so that their shadow is one call; the wet
-        // layer of the eyes after other clear ones.
+        // alpha_mode of the eyes after other clear ones.
         sort_by_number(&mut batches, |b| {
-            let wet = u32::from(b.look.kind == MaterialKind::Cornea);
-            let (layer, shadow) = (b.look.layer as u32, b.look.shadow() as u32);
-            let bound = u32::from(b.look.bound);
-            f64::from((((layer * 8 + shadow) * 2 + bound) * 2 + wet) * 32 + b.look.kind as u32)
+            let wet = u32::from(b.key.kind == MaterialKind::Cornea);
+            let (alpha_mode, shadow) = (b.key.alpha_mode as u32, b.key.shadow() as u32);
+            let bound = u32::from(b.key.bound);
+            f64::from((((alpha_mode * 8 + shadow) * 2 + bound) * 2 + wet) * 32 + b.key.kind as u32)
         });
         for batch in batches {
             data.lay(&batch);
@@ -230,7 +247,7 @@ impl FigureData {
     }
 
     /// Adds a mesh's vertices; returns its triangles.
-    fn push(&mut self, mesh: &Mesh, layer: Layer) -> Vec<u32> {
+    fn push(&mut self, mesh: &Mesh, alpha_mode: AlphaMode) -> Vec<u32> {
         let base = self.shape.len();
         let along = growing_v(mesh);
         let curvature = curvature_per_m(mesh);
@@ -262,7 +279,7 @@ impl FigureData {
         }
         // WebGL2 has no base vertex: the offset goes into the indices.
         let indices = mesh.indices.iter().map(|i| i + base as u32);
-        if layer != Layer::Cut || mesh.material.kind == MaterialKind::Plain {
+        if alpha_mode != AlphaMode::Mask || mesh.material.kind == MaterialKind::Plain {
             return indices.collect();
         }
         // Cards are laid from the scalp outwards; drawn from the outside in, the depth
@@ -285,7 +302,7 @@ impl FigureData {
         self.materials
             .resize(material_offset + MATERIAL_STRIDE as usize, 0);
         self.meshes.push(DrawnMesh {
-            look: batch.look,
+            key: batch.key,
             maps: batch.maps,
             indices: first..self.indices.len() as u32,
             material_offset: material_offset as u32,

@@ -6,7 +6,7 @@
 //! Does not: decide what is seen (`stage`), or move anything.
 //!
 //! The picture is formed in linear light in one `Rgba16Float` target, four samples a
-//! pixel where the device can, and encoded in a last pass. What a device cannot do is
+//! pixel where the device can, and encoded in the tone-map pass. What a device cannot do is
 //! replaced and told in [`RenderInfo`], never silently.
 //!
 //! Frames: right-handed, metres, radians; +x is the character's left, +y up, +z front.
@@ -17,21 +17,25 @@ pub mod pace;
 pub mod renderer;
 pub mod tissue;
 
+mod counts;
 mod device;
 mod environment;
 mod figure;
+mod gpu;
+mod gpu_figure;
+mod layouts;
 mod lid;
 mod lines;
 mod morph;
 mod overlay;
 mod pipeline;
 mod refusal;
-mod sent;
 mod shadow;
 mod target;
 mod texture;
 mod tier;
 mod uniform;
+mod view;
 
 #[cfg(all(feature = "native", not(target_arch = "wasm32")))]
 pub mod headless;

@@ -2,18 +2,29 @@
 
 use bytemuck::{Pod, Zeroable};
 use raconteur_stage::Line;
-use wgpu::{Buffer, BufferUsages, Device, Queue};
+use wgpu::{
+    Buffer, BufferUsages, Device, Queue, VertexBufferLayout, VertexStepMode, vertex_attr_array,
+};
 
-use crate::renderer::empty_buffer;
+use crate::gpu::empty_buffer;
 
 /// A line as the shader takes it: one instance.
 #[repr(C)]
 #[derive(Clone, Copy, Pod, Zeroable)]
-pub(crate) struct SentLine {
+pub(crate) struct LineInstance {
     from: [f32; 3],
     to: [f32; 3],
     color: [u8; 4],
     width: f32,
+}
+
+impl LineInstance {
+    /// How the vertex shader reads it.
+    pub(crate) const LAYOUT: VertexBufferLayout<'static> = VertexBufferLayout {
+        array_stride: size_of::<Self>() as u64,
+        step_mode: VertexStepMode::Instance,
+        attributes: &vertex_attr_array![0 => Float32x3, 1 => Float32x3, 2 => Unorm8x4, 3 => Float32],
+    };
 }
 
 /// Lines that are drawn at most: twice the springs of a face. Beyond, they are left out.
@@ -21,7 +32,7 @@ const MOST: usize = 1 << 16;
 
 /// Lines on the device.
 pub(crate) struct Lines {
-    sent: Vec<SentLine>,
+    sent: Vec<LineInstance>,
     /// How many the buffer holds.
     room: usize,
     pub(crate) buffer: Buffer,
@@ -45,12 +56,13 @@ impl Lines {
     /// Sends the lines of a moment. Allocates only when there are more than ever before.
     pub(crate) fn send(&mut self, device: &Device, queue: &Queue, lines: &[Line]) {
         self.sent.clear();
-        self.sent.extend(lines.iter().take(MOST).map(|l| SentLine {
-            from: l.from_in_world,
-            to: l.to_in_world,
-            color: l.color,
-            width: l.width_px,
-        }));
+        self.sent
+            .extend(lines.iter().take(MOST).map(|l| LineInstance {
+                from: l.from_in_world,
+                to: l.to_in_world,
+                color: l.color,
+                width: l.width_px,
+            }));
         if self.sent.len() > self.room {
             self.room = self.sent.len().next_power_of_two();
             self.buffer = buffer_for(device, self.room);
@@ -60,6 +72,6 @@ impl Lines {
 }
 
 fn buffer_for(device: &Device, room: usize) -> Buffer {
-    let bytes = (room * size_of::<SentLine>()) as u64;
+    let bytes = (room * size_of::<LineInstance>()) as u64;
     empty_buffer(device, "lines", bytes, BufferUsages::VERTEX)
 }

@@ -4,9 +4,17 @@
 //! summed here and only the touched stretch of the vertex buffer is sent again.
 
 use raconteur_body::Mesh;
+use wgpu::{VertexBufferLayout, VertexStepMode, vertex_attr_array};
 
 /// Position and normal of one vertex: the stream that morphs change.
 pub(crate) type ShapeVertex = [f32; 6];
+
+/// How the vertex shader reads [`ShapeVertex`].
+pub(crate) const SHAPE_LAYOUT: VertexBufferLayout<'static> = VertexBufferLayout {
+    array_stride: size_of::<ShapeVertex>() as u64,
+    step_mode: VertexStepMode::Vertex,
+    attributes: &vertex_attr_array![0 => Float32x3, 1 => Float32x3],
+};
 
 /// The morphs of one mesh.
 pub(crate) struct MorphedMesh {

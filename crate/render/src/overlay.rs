@@ -6,16 +6,27 @@ use glam::Vec3;
 use raconteur_base::DAffine3;
 use raconteur_body::Bone;
 use raconteur_stage::Frame;
-use wgpu::{Buffer, BufferUsages, Device, Queue};
+use wgpu::{
+    Buffer, BufferUsages, Device, Queue, VertexBufferLayout, VertexStepMode, vertex_attr_array,
+};
 
-use crate::renderer::empty_buffer;
+use crate::gpu::empty_buffer;
 
 /// A corner of a spindle: world, metres, and a linear colour.
 #[repr(C)]
 #[derive(Clone, Copy, Pod, Zeroable)]
-pub(crate) struct OverVertex {
+pub(crate) struct OverlayVertex {
     at: [f32; 3],
     color: [u8; 4],
+}
+
+impl OverlayVertex {
+    /// How the vertex shader reads it.
+    pub(crate) const LAYOUT: VertexBufferLayout<'static> = VertexBufferLayout {
+        array_stride: size_of::<Self>() as u64,
+        step_mode: VertexStepMode::Vertex,
+        attributes: &vertex_attr_array![0 => Float32x3, 1 => Unorm8x4],
+    };
 }
 
 /// Corners of the triangles of one spindle.
@@ -36,7 +47,7 @@ const AXES: [[f32; 3]; 3] = [
 
 /// Spindles on their way to the device.
 pub(crate) struct Overlay {
-    corners: Vec<OverVertex>,
+    corners: Vec<OverlayVertex>,
     pub(crate) buffer: Buffer,
 }
 
@@ -48,7 +59,7 @@ impl Overlay {
             buffer: empty_buffer(
                 device,
                 "overlay",
-                (most * size_of::<OverVertex>()) as u64,
+                (most * size_of::<OverlayVertex>()) as u64,
                 BufferUsages::VERTEX,
             ),
         }
@@ -150,7 +161,7 @@ impl Overlay {
             let [r, g, b_] = color.map(|c| (c * lit) as u8);
             let (a, b) = (middle + a * radius, middle + b * radius);
             for at in [from, a, b, to, b, a] {
-                self.corners.push(OverVertex {
+                self.corners.push(OverlayVertex {
                     at: at.into(),
                     color: [r, g, b_, 255],
                 });

@@ -4,16 +4,17 @@ use raconteur_body::MaterialKind;
 use raconteur_stage::{Fill, Shown};
 use wgpu::{
     BindGroupLayout, BlendState, CompareFunction, Device, Face, PrimitiveTopology, RenderPipeline,
-    ShaderModule, ShaderStages, TextureFormat, VertexAttribute, VertexBufferLayout, VertexFormat,
+    ShaderModule, TextureFormat, VertexBufferLayout,
 };
 
-use crate::figure::{FixedVertex, Layer, Look, MaterialUniform, Shadow};
-use crate::lines::SentLine;
-use crate::morph::ShapeVertex;
-use crate::overlay::OverVertex;
+use crate::Quality;
+use crate::figure::{AlphaMode, FixedVertex, PipelineKey, Shadow};
+use crate::layouts::Layouts;
+use crate::lines::LineInstance;
+use crate::morph::SHAPE_LAYOUT;
+use crate::overlay::OverlayVertex;
 use crate::target::{DEPTH_FORMAT, TargetKind};
 use crate::tissue::TissueVertex;
-use crate::{Quality, uniform::FrameUniform};
 
 const FRAME: &str = include_str!(concat!(env!("OUT_DIR"), "/frame.wgsl"));
 
@@ -32,118 +33,20 @@ const STAGE: [&str; 11] = [
     include_str!(concat!(env!("OUT_DIR"), "/bare.wgsl")),
 ];
 
-const LAST: [&str; 2] = [FRAME, include_str!(concat!(env!("OUT_DIR"), "/last.wgsl"))];
+const TONE_MAP: [&str; 2] = [
+    FRAME,
+    include_str!(concat!(env!("OUT_DIR"), "/tone_map.wgsl")),
+];
 
-/// Bind group layouts, named by what they hold.
-pub(crate) struct Layouts {
-    /// The frame alone.
-    pub(crate) frame: BindGroupLayout,
-    /// The frame, the shadow map and its sampler.
-    pub(crate) lit: BindGroupLayout,
-    /// Joints and one material.
-    pub(crate) figure: BindGroupLayout,
-    /// A material's pictures of colour, normals and wrinkles, and their sampler.
-    pub(crate) maps: BindGroupLayout,
-    /// The frame, the finished picture and its sampler.
-    pub(crate) last: BindGroupLayout,
-}
-
-impl Layouts {
-    fn new(device: &Device) -> Self {
-        let layout = |label, entries: &[wgpu::BindGroupLayoutEntry]| {
-            device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
-                label: Some(label),
-                entries,
-            })
-        };
-        let both = ShaderStages::VERTEX_FRAGMENT;
-        let frame = uniform(0, both, false, size_of::<FrameUniform>() as u64);
-        let texture = |binding, sample_type| {
-            entry(
-                binding,
-                ShaderStages::FRAGMENT,
-                wgpu::BindingType::Texture {
-                    sample_type,
-                    view_dimension: wgpu::TextureViewDimension::D2,
-                    multisampled: false,
-                },
-            )
-        };
-        let picture =
-            |binding| texture(binding, wgpu::TextureSampleType::Float { filterable: true });
-        let sampler = |binding, kind| {
-            entry(
-                binding,
-                ShaderStages::FRAGMENT,
-                wgpu::BindingType::Sampler(kind),
-            )
-        };
-        let filtering = wgpu::SamplerBindingType::Filtering;
-        Self {
-            frame: layout("frame", &[frame]),
-            lit: layout(
-                "lit",
-                &[
-                    frame,
-                    texture(1, wgpu::TextureSampleType::Depth),
-                    sampler(2, wgpu::SamplerBindingType::Comparison),
-                ],
-            ),
-            figure: layout(
-                "figure",
-                &[
-                    uniform(0, ShaderStages::VERTEX, false, 384 * 16),
-                    uniform(1, both, true, size_of::<MaterialUniform>() as u64),
-                ],
-            ),
-            maps: layout(
-                "maps",
-                &[picture(0), picture(1), sampler(2, filtering), picture(3)],
-            ),
-            last: layout("last", &[frame, picture(1), sampler(2, filtering)]),
-        }
-    }
-}
-
-fn entry(
-    binding: u32,
-    visibility: ShaderStages,
-    ty: wgpu::BindingType,
-) -> wgpu::BindGroupLayoutEntry {
-    wgpu::BindGroupLayoutEntry {
-        binding,
-        visibility,
-        ty,
-        count: None,
-    }
-}
-
-fn uniform(
-    binding: u32,
-    stages: ShaderStages,
-    dynamic: bool,
-    size: u64,
-) -> wgpu::BindGroupLayoutEntry {
-    entry(
-        binding,
-        stages,
-        wgpu::BindingType::Buffer {
-            ty: wgpu::BufferBindingType::Uniform,
-            has_dynamic_offset: dynamic,
-            min_binding_size: std::num::NonZeroU64::new(size),
-        },
-    )
-}
-
-/// What every tier of quality shares: it is made once for a device.
-pub(crate) struct Kit {
+/// What every tier of quality shares: made once for a device.
+pub(crate) struct SharedResources {
     pub(crate) layouts: Layouts,
     stage: ShaderModule,
-    last: ShaderModule,
+    tone_map: ShaderModule,
     output: TextureFormat,
 }
 
-impl Kit {
+impl SharedResources {
     /// For targets of `output`.
     pub(crate) fn new(device: &Device, output: TextureFormat) -> Self {
         let module = |label, parts: &[&str]| {
@@ -155,20 +58,20 @@ impl Kit {
         Self {
             layouts: Layouts::new(device),
             stage: module("stage", &STAGE),
-            last: module("last", &LAST),
+            tone_map: module("tone map", &TONE_MAP),
             output,
         }
     }
 }
 
-/// Everything compiled for one tier of quality.
+/// Every pipeline of one tier of quality.
 pub(crate) struct Pipelines {
     pub(crate) theatre: RenderPipeline,
-    pub(crate) last: RenderPipeline,
+    pub(crate) tone_map: RenderPipeline,
     target: TargetKind,
     constants: Vec<(&'static str, f64)>,
-    /// Those that figures have used.
-    looks: Vec<(Look, RenderPipeline)>,
+    /// Those of materials, for the keys that figures have used.
+    materials: Vec<(PipelineKey, RenderPipeline)>,
     /// Those of the shadow map, by the light's number and whether vertices follow tissue.
     shadows: Vec<(u32, Shadow, bool, RenderPipeline)>,
     /// What draws figures without materials, by fill, whether their paint is used, and
@@ -180,52 +83,17 @@ pub(crate) struct Pipelines {
     pub(crate) lines: Option<[RenderPipeline; 2]>,
 }
 
-const SHAPE_ATTRIBUTES: [VertexAttribute; 2] =
-    wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3];
-const FIXED_ATTRIBUTES: [VertexAttribute; 5] = [
-    attribute(VertexFormat::Float32x2, 0, 2),
-    attribute(VertexFormat::Unorm8x4, 8, 3),
-    attribute(VertexFormat::Uint8x4, 12, 4),
-    attribute(VertexFormat::Unorm16x4, 16, 5),
-    attribute(VertexFormat::Snorm8x4, 24, 6),
-];
-const TISSUE_ATTRIBUTES: [VertexAttribute; 3] = [
-    attribute(VertexFormat::Snorm16x4, 0, 7),
-    attribute(VertexFormat::Snorm16x2, 8, 8),
-    attribute(VertexFormat::Unorm8x4, 12, 9),
-];
-
-const OVER_ATTRIBUTES: [VertexAttribute; 2] =
-    wgpu::vertex_attr_array![0 => Float32x3, 1 => Unorm8x4];
-const LINE_ATTRIBUTES: [VertexAttribute; 4] =
-    wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3, 2 => Unorm8x4, 3 => Float32];
-
 /// Whether a figure's own materials are not what draws it.
 pub(crate) fn is_bare(shown: &Shown) -> bool {
     shown.fill != Fill::Solid || !shown.materials
 }
 
-const fn attribute(format: VertexFormat, offset: u64, shader_location: u32) -> VertexAttribute {
-    VertexAttribute {
-        format,
-        offset,
-        shader_location,
-    }
-}
-
 /// The streams of a figure; the last one only where vertices follow tissue.
 fn vertex_buffers() -> [Option<VertexBufferLayout<'static>>; 3] {
-    let buffer = |stride: usize, attributes| {
-        Some(VertexBufferLayout {
-            array_stride: stride as u64,
-            step_mode: wgpu::VertexStepMode::Vertex,
-            attributes,
-        })
-    };
     [
-        buffer(size_of::<ShapeVertex>(), &SHAPE_ATTRIBUTES),
-        buffer(size_of::<FixedVertex>(), &FIXED_ATTRIBUTES),
-        buffer(size_of::<TissueVertex>(), &TISSUE_ATTRIBUTES),
+        Some(SHAPE_LAYOUT),
+        Some(FixedVertex::LAYOUT),
+        Some(TissueVertex::LAYOUT),
     ]
 }
 
@@ -234,8 +102,8 @@ fn stream_count(bound: bool) -> usize {
     2 + usize::from(bound)
 }
 
-/// What differs between pipelines.
-struct Recipe<'a> {
+/// What differs between pipelines; the rest of the descriptor is the same for all.
+struct PipelineDescription<'a> {
     label: &'a str,
     module: &'a ShaderModule,
     layout: &'a wgpu::PipelineLayout,
@@ -254,7 +122,7 @@ struct Recipe<'a> {
     bias: wgpu::DepthBiasState,
 }
 
-impl Recipe<'_> {
+impl PipelineDescription<'_> {
     fn build(&self, device: &Device) -> RenderPipeline {
         let options = wgpu::PipelineCompilationOptions {
             constants: self.constants,
@@ -317,7 +185,12 @@ fn pipeline_layout(
 }
 
 impl Pipelines {
-    pub(crate) fn new(device: &Device, kit: &Kit, target: TargetKind, quality: Quality) -> Self {
+    pub(crate) fn new(
+        device: &Device,
+        shared: &SharedResources,
+        target: TargetKind,
+        quality: Quality,
+    ) -> Self {
         let flag = |b: bool| f64::from(u8::from(b));
         let early = ("EARLY_ENCODE", flag(!target.is_float()));
         let constants = vec![
@@ -329,7 +202,7 @@ impl Pipelines {
         ];
         let full_screen =
             |label, module, layout, constants: &[_], vertex, fragment, format, samples, depth| {
-                Recipe {
+                PipelineDescription {
                     label,
                     module,
                     layout,
@@ -348,11 +221,11 @@ impl Pipelines {
                 }
                 .build(device)
             };
-        let theatre_layout = pipeline_layout(device, "theatre", &[&kit.layouts.lit]);
-        let last_layout = pipeline_layout(device, "last", &[&kit.layouts.last]);
+        let theatre_layout = pipeline_layout(device, "theatre", &[&shared.layouts.lit]);
+        let tone_map_layout = pipeline_layout(device, "tone map", &[&shared.layouts.tone_map]);
         let theatre = full_screen(
             "theatre",
-            &kit.stage,
+            &shared.stage,
             &theatre_layout,
             &constants,
             "vs_theatre",
@@ -361,28 +234,28 @@ impl Pipelines {
             target.samples,
             Some((CompareFunction::LessEqual, false)),
         );
-        let last_constants = [
+        let tone_map_constants = [
             early,
             ("SMOOTH_EDGES", flag(target.samples == 1)),
-            ("TARGET_ENCODES", flag(kit.output.is_srgb())),
+            ("TARGET_ENCODES", flag(shared.output.is_srgb())),
         ];
-        let last = full_screen(
-            "last",
-            &kit.last,
-            &last_layout,
-            &last_constants,
-            "vs_last",
-            "fs_last",
-            kit.output,
+        let tone_map = full_screen(
+            "tone map",
+            &shared.tone_map,
+            &tone_map_layout,
+            &tone_map_constants,
+            "vs_tone_map",
+            "fs_tone_map",
+            shared.output,
             1,
             None,
         );
         Self {
             theatre,
-            last,
+            tone_map,
             target,
             constants,
-            looks: Vec::new(),
+            materials: Vec::new(),
             shadows: Vec::new(),
             bare: Vec::new(),
             overlay: None,
@@ -390,43 +263,54 @@ impl Pipelines {
         }
     }
 
-    /// Compiles what a look needs, with its shadow from `lights` lamps, if no figure has
+    /// Compiles what a key needs, with its shadow from `lights` lamps, if no figure has
     /// used it yet.
-    pub(crate) fn prepare(&mut self, device: &Device, kit: &Kit, look: Look, lights: u32) {
-        if self.look(look).is_none() {
-            let pipeline = self.make_look(device, kit, look);
-            self.looks.push((look, pipeline));
+    pub(crate) fn prepare(
+        &mut self,
+        device: &Device,
+        shared: &SharedResources,
+        key: PipelineKey,
+        lights: u32,
+    ) {
+        if self.material(key).is_none() {
+            let pipeline = self.make_material(device, shared, key);
+            self.materials.push((key, pipeline));
         }
-        let shadow = look.shadow();
+        let shadow = key.shadow();
         if shadow == Shadow::Nothing {
             return;
         }
         for light in 0..lights {
-            if self.shadow(light, shadow, look.bound).is_none() {
-                let pipeline = make_shadow(device, kit, light, shadow, look.bound);
-                self.shadows.push((light, shadow, look.bound, pipeline));
+            if self.shadow(light, shadow, key.bound).is_none() {
+                let pipeline = make_shadow(device, shared, light, shadow, key.bound);
+                self.shadows.push((light, shadow, key.bound, pipeline));
             }
         }
     }
 
-    fn make_look(&self, device: &Device, kit: &Kit, look: Look) -> RenderPipeline {
+    fn make_material(
+        &self,
+        device: &Device,
+        shared: &SharedResources,
+        key: PipelineKey,
+    ) -> RenderPipeline {
         let Layouts {
             lit, figure, maps, ..
-        } = &kit.layouts;
-        let clear = look.layer == Layer::Clear;
-        Recipe {
+        } = &shared.layouts;
+        let clear = key.alpha_mode == AlphaMode::Blend;
+        PipelineDescription {
             label: "material",
-            module: &kit.stage,
+            module: &shared.stage,
             layout: &pipeline_layout(device, "figure", &[lit, figure, maps]),
             constants: &self.constants,
-            vertex: figure_entry(look.bound),
-            buffers: &vertex_buffers()[..stream_count(look.bound)],
-            fragment: Some(fragment_entry(look.kind)),
+            vertex: figure_entry(key.bound),
+            buffers: &vertex_buffers()[..stream_count(key.bound)],
+            fragment: Some(fragment_entry(key.kind)),
             target: Some(self.target.format),
             blend: clear.then_some(BlendState::PREMULTIPLIED_ALPHA_BLENDING),
             samples: self.target.samples,
-            coverage: look.layer == Layer::Cut && self.target.samples > 1,
-            cull: (!look.double_sided).then_some(Face::Back),
+            coverage: key.alpha_mode == AlphaMode::Mask && self.target.samples > 1,
+            cull: (!key.double_sided).then_some(Face::Back),
             topology: PrimitiveTopology::TriangleList,
             depth: Some((CompareFunction::Less, !clear)),
             bias: wgpu::DepthBiasState::default(),
@@ -439,27 +323,27 @@ impl Pipelines {
     pub(crate) fn prepare_shown(
         &mut self,
         device: &Device,
-        kit: &Kit,
+        shared: &SharedResources,
         shown: &Shown,
         has_tissue: bool,
     ) {
         for bound in [false, true] {
             let wanted = shown.body && is_bare(shown) && (has_tissue || !bound);
             if wanted && self.bare(shown, bound).is_none() {
-                let pipeline = self.make_bare(device, kit, shown, bound);
+                let pipeline = self.make_bare(device, shared, shown, bound);
                 self.bare
                     .push((shown.fill, shown.materials, bound, pipeline));
             }
         }
         if shown.has_overlay() && self.overlay.is_none() {
-            self.overlay = Some(self.make_overlay(device, kit));
+            self.overlay = Some(self.make_overlay(device, shared));
         }
     }
 
     /// Compiles what lines over figures need, if nothing has needed it yet.
-    pub(crate) fn prepare_lines(&mut self, device: &Device, kit: &Kit) {
+    pub(crate) fn prepare_lines(&mut self, device: &Device, shared: &SharedResources) {
         if self.lines.is_none() {
-            self.lines = Some([true, false].map(|behind| self.make_lines(device, kit, behind)));
+            self.lines = Some([true, false].map(|behind| self.make_lines(device, shared, behind)));
         }
     }
 
@@ -471,15 +355,21 @@ impl Pipelines {
         found.map(|(.., pipeline)| pipeline)
     }
 
-    fn make_bare(&self, device: &Device, kit: &Kit, shown: &Shown, bound: bool) -> RenderPipeline {
+    fn make_bare(
+        &self,
+        device: &Device,
+        shared: &SharedResources,
+        shown: &Shown,
+        bound: bool,
+    ) -> RenderPipeline {
         let Layouts {
             lit, figure, maps, ..
-        } = &kit.layouts;
+        } = &shared.layouts;
         let mut constants = self.constants.clone();
         let flag = |b: bool| f64::from(u8::from(b));
         constants.push(("CLAY", flag(!shown.materials)));
         constants.push(("THIN", flag(shown.fill != Fill::Solid)));
-        Recipe {
+        PipelineDescription {
             constants: &constants,
             vertex: figure_entry(bound),
             buffers: &vertex_buffers()[..stream_count(bound)],
@@ -491,7 +381,7 @@ impl Pipelines {
             },
             ..self.plainly(
                 "bare",
-                &kit.stage,
+                &shared.stage,
                 &pipeline_layout(device, "figure", &[lit, figure, maps]),
                 "fs_bare",
             )
@@ -499,31 +389,26 @@ impl Pipelines {
         .build(device)
     }
 
-    fn make_overlay(&self, device: &Device, kit: &Kit) -> RenderPipeline {
-        let vertices = VertexBufferLayout {
-            array_stride: size_of::<OverVertex>() as u64,
-            step_mode: wgpu::VertexStepMode::Vertex,
-            attributes: &OVER_ATTRIBUTES,
-        };
-        Recipe {
+    fn make_overlay(&self, device: &Device, shared: &SharedResources) -> RenderPipeline {
+        PipelineDescription {
             vertex: "vs_over",
-            buffers: &[Some(vertices)],
+            buffers: &[Some(OverlayVertex::LAYOUT)],
             ..self.plainly(
                 "overlay",
-                &kit.stage,
-                &pipeline_layout(device, "overlay", &[&kit.layouts.lit]),
+                &shared.stage,
+                &pipeline_layout(device, "overlay", &[&shared.layouts.lit]),
                 "fs_over",
             )
         }
         .build(device)
     }
 
-    fn make_lines(&self, device: &Device, kit: &Kit, behind: bool) -> RenderPipeline {
-        let lines = VertexBufferLayout {
-            array_stride: size_of::<SentLine>() as u64,
-            step_mode: wgpu::VertexStepMode::Instance,
-            attributes: &LINE_ATTRIBUTES,
-        };
+    fn make_lines(
+        &self,
+        device: &Device,
+        shared: &SharedResources,
+        behind: bool,
+    ) -> RenderPipeline {
         let mut constants = self.constants.clone();
         constants.push(("BEHIND", f64::from(u8::from(behind))));
         let compare = if behind {
@@ -531,17 +416,17 @@ impl Pipelines {
         } else {
             CompareFunction::LessEqual
         };
-        Recipe {
+        PipelineDescription {
             constants: &constants,
             vertex: "vs_line",
-            buffers: &[Some(lines)],
+            buffers: &[Some(LineInstance::LAYOUT)],
             blend: Some(BlendState::PREMULTIPLIED_ALPHA_BLENDING),
             topology: PrimitiveTopology::TriangleStrip,
             depth: Some((compare, false)),
             ..self.plainly(
                 "lines",
-                &kit.stage,
-                &pipeline_layout(device, "lines", &[&kit.layouts.lit]),
+                &shared.stage,
+                &pipeline_layout(device, "lines", &[&shared.layouts.lit]),
                 "fs_line",
             )
         }
@@ -555,8 +440,8 @@ impl Pipelines {
         module: &'a ShaderModule,
         layout: &'a wgpu::PipelineLayout,
         fragment: &'a str,
-    ) -> Recipe<'a> {
-        Recipe {
+    ) -> PipelineDescription<'a> {
+        PipelineDescription {
             label,
             module,
             layout,
@@ -575,9 +460,9 @@ impl Pipelines {
         }
     }
 
-    /// The pipeline of a look; `None` before [`Self::prepare`].
-    pub(crate) fn look(&self, look: Look) -> Option<&RenderPipeline> {
-        let found = self.looks.iter().find(|(l, _)| *l == look);
+    /// The pipeline of a material's key; `None` before [`Self::prepare`].
+    pub(crate) fn material(&self, key: PipelineKey) -> Option<&RenderPipeline> {
+        let found = self.materials.iter().find(|(l, _)| *l == key);
         found.map(|(_, pipeline)| pipeline)
     }
 
@@ -598,7 +483,7 @@ impl Pipelines {
 
 fn make_shadow(
     device: &Device,
-    kit: &Kit,
+    shared: &SharedResources,
     light: u32,
     shadow: Shadow,
     bound: bool,
@@ -608,15 +493,15 @@ fn make_shadow(
         figure,
         maps,
         ..
-    } = &kit.layouts;
+    } = &shared.layouts;
     let (groups, fragment): (&[_], _) = match shadow {
         Shadow::Strands => (&[frame, figure], Some("fs_hair_shadow")),
         Shadow::Picture => (&[frame, figure, maps], Some("fs_cut_shadow")),
         Shadow::Solid | Shadow::Nothing => (&[frame, figure], None),
     };
-    Recipe {
+    PipelineDescription {
         label: "shadow",
-        module: &kit.stage,
+        module: &shared.stage,
         layout: &pipeline_layout(device, "shadow", groups),
         constants: &[("LIGHT", f64::from(light))],
         vertex: if bound {

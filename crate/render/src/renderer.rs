@@ -4,16 +4,19 @@ use raconteur_body::Figure;
 use raconteur_stage::{Fill, Frame, Shown};
 use wgpu::{Buffer, BufferUsages, Device, Queue, TextureFormat, TextureView};
 
-use crate::figure::{Layer, Look, MAX_JOINTS};
+use crate::counts::Counts;
+use crate::figure::{AlphaMode, MAX_JOINTS, PipelineKey};
+use crate::gpu::{bind_group, binding, empty_buffer};
+use crate::gpu_figure::{FallbackTextures, GpuFigure};
 use crate::lines::Lines;
 use crate::overlay::Overlay;
-use crate::pipeline::{Kit, is_bare};
+use crate::pipeline::{SharedResources, is_bare};
 use crate::refusal::Refusal;
-use crate::sent::{Blank, SentFigure};
 use crate::shadow::ShadowView;
 use crate::target::{TargetKind, Targets};
 use crate::tier::Tier;
-use crate::uniform::{FrameUniform, View, stand_in_world};
+use crate::uniform::{FrameUniform, stand_in_world};
+use crate::view::View;
 use crate::{Quality, RenderError, RenderInfo, RenderOptions};
 
 /// Share of the depth buffer, from the front, that what is drawn over figures takes. The near
@@ -24,8 +27,8 @@ const OVERLAY_DEPTH: f32 = 0.05;
 pub struct Renderer {
     device: Device,
     queue: Queue,
-    kit: Kit,
-    blank: Blank,
+    shared: SharedResources,
+    fallback: FallbackTextures,
     /// What the adapter draws at each quality.
     target_kinds: [TargetKind; Quality::NAMES.len()],
     tier: Tier,
@@ -33,7 +36,7 @@ pub struct Renderer {
     frame_buffer: Buffer,
     frame_group: wgpu::BindGroup,
     picture_sampler: wgpu::Sampler,
-    figure: Option<SentFigure>,
+    figure: Option<GpuFigure>,
     rows: Vec<[f32; 4]>,
     /// What is drawn over figures, once it was wanted.
     overlay: Option<Overlay>,
@@ -59,7 +62,7 @@ impl Renderer {
 
         let target_kinds =
             Quality::NAMES.map(|(quality, _)| TargetKind::choose(adapter, quality.samples()));
-        let kit = Kit::new(&device, target_format);
+        let shared = SharedResources::new(&device, target_format);
         let frame_buffer = empty_buffer(
             &device,
             "frame",
@@ -69,11 +72,11 @@ impl Renderer {
         let frame_group = bind_group(
             &device,
             "frame",
-            &kit.layouts.frame,
+            &shared.layouts.frame,
             &[binding(0, frame_buffer.as_entire_binding())],
         );
         let kind = target_kinds[options.quality as usize];
-        let tier = Tier::new(&device, &kit, kind, &frame_buffer, options);
+        let tier = Tier::new(&device, &shared, kind, &frame_buffer, options);
         let adapter_info = adapter.get_info();
         let mut renderer = Self {
             picture_sampler: device.create_sampler(&wgpu::SamplerDescriptor {
@@ -81,8 +84,8 @@ impl Renderer {
                 min_filter: wgpu::FilterMode::Linear,
                 ..Default::default()
             }),
-            blank: Blank::new(adapter, &device, &queue),
-            kit,
+            fallback: FallbackTextures::new(adapter, &device, &queue),
+            shared,
             target_kinds,
             tier,
             frame_buffer,
@@ -127,7 +130,13 @@ impl Renderer {
         }
         if old.quality != options.quality {
             let kind = self.target_kinds[options.quality as usize];
-            self.tier = Tier::new(&self.device, &self.kit, kind, &self.frame_buffer, options);
+            self.tier = Tier::new(
+                &self.device,
+                &self.shared,
+                kind,
+                &self.frame_buffer,
+                options,
+            );
             self.targets = None;
             self.prepare();
         }
@@ -146,9 +155,9 @@ impl Renderer {
     fn prepare(&mut self) {
         let Some(figure) = &self.figure else { return };
         let tier = &mut self.tier;
-        for look in figure.looks() {
+        for key in figure.pipeline_keys() {
             tier.pipelines
-                .prepare(&self.device, &self.kit, look, tier.lights);
+                .prepare(&self.device, &self.shared, key, tier.lights);
         }
     }
 
@@ -158,8 +167,8 @@ impl Renderer {
     /// # Errors
     /// When it has more than 128 joints or a mesh contradicts itself; the figure before stays.
     pub fn set_figure(&mut self, figure: &Figure) -> Result<(), RenderError> {
-        let layouts = &self.kit.layouts;
-        self.figure = SentFigure::new(&self.device, &self.queue, layouts, &self.blank, figure)?;
+        let layouts = &self.shared.layouts;
+        self.figure = GpuFigure::new(&self.device, &self.queue, layouts, &self.fallback, figure)?;
         self.prepare();
         Ok(())
     }
@@ -182,7 +191,7 @@ impl Renderer {
         };
         figure.set_image(
             (&self.device, &self.queue),
-            (&self.kit.layouts, &self.blank),
+            (&self.shared.layouts, &self.fallback),
             index,
             (width, height),
             rgba,
@@ -211,7 +220,7 @@ impl Renderer {
         let mut counts = Counts::default();
         self.draw_shadow(&mut encoder, &frame.shown, &mut counts);
         self.draw_stage(&mut encoder, &frame.shown, &mut counts);
-        self.draw_last(&mut encoder, view, &mut counts);
+        self.tone_map(&mut encoder, view, &mut counts);
         self.queue.submit([encoder.finish()]);
         self.info.figure_draw_calls = counts.figure_draw_calls;
         self.info.draw_calls = counts.draw_calls;
@@ -248,8 +257,8 @@ impl Renderer {
         let targets = Targets::new(&self.device, self.tier.target, drawn);
         let group = bind_group(
             &self.device,
-            "last",
-            &self.kit.layouts.last,
+            "tone map",
+            &self.shared.layouts.tone_map,
             &[
                 binding(0, self.frame_buffer.as_entire_binding()),
                 binding(1, wgpu::BindingResource::TextureView(&targets.picture)),
@@ -289,10 +298,10 @@ impl Renderer {
     fn send_shown(&mut self, frame: &Frame) {
         let (device, queue) = (&self.device, &self.queue);
         let pipelines = &mut self.tier.pipelines;
-        let has_tissue = self.figure.as_ref().is_some_and(SentFigure::has_tissue);
-        pipelines.prepare_shown(device, &self.kit, &frame.shown, has_tissue);
+        let has_tissue = self.figure.as_ref().is_some_and(GpuFigure::has_tissue);
+        pipelines.prepare_shown(device, &self.shared, &frame.shown, has_tissue);
         if !frame.lines.is_empty() {
-            pipelines.prepare_lines(device, &self.kit);
+            pipelines.prepare_lines(device, &self.shared);
         }
         if !frame.lines.is_empty() || self.lines.is_some() {
             let lines = self.lines.get_or_insert_with(|| Lines::new(device));
@@ -373,16 +382,16 @@ impl Renderer {
         pass.set_bind_group(0, &self.tier.lit_group, &[]);
         let pipelines = &self.tier.pipelines;
         let is_bare = is_bare(shown);
-        let bare = |look: Look| pipelines.bare(shown, look.bound).filter(|_| is_bare);
-        let solid = |look: Look| look.layer != Layer::Clear;
-        let clear = |look: Look| look.layer == Layer::Clear;
+        let bare = |key: PipelineKey| pipelines.bare(shown, key.bound).filter(|_| is_bare);
+        let opaque = |key: PipelineKey| key.alpha_mode != AlphaMode::Blend;
+        let blended = |key: PipelineKey| key.alpha_mode == AlphaMode::Blend;
         let thin = shown.fill != Fill::Solid;
         // What is solid goes first; then the theatre fills what is left; then what adds light
         // and what lets it through.
         let figure = self.figure.as_ref().filter(|_| shown.body);
         if let Some(figure) = figure.filter(|_| !thin) {
-            figure.draw(&mut pass, counts, shown, solid, |look| {
-                bare(look).or_else(|| pipelines.look(look))
+            figure.draw(&mut pass, counts, shown, opaque, |key| {
+                bare(key).or_else(|| pipelines.material(key))
             });
         }
         pass.set_pipeline(&pipelines.theatre);
@@ -390,9 +399,11 @@ impl Renderer {
         counts.add(1);
         if let Some(figure) = figure {
             if thin {
-                figure.draw(&mut pass, counts, shown, solid, bare);
+                figure.draw(&mut pass, counts, shown, opaque, bare);
             } else if !is_bare {
-                figure.draw(&mut pass, counts, shown, clear, |look| pipelines.look(look));
+                figure.draw(&mut pass, counts, shown, blended, |key| {
+                    pipelines.material(key)
+                });
             }
         }
         if let (Some(lines), Some(both)) = (
@@ -421,7 +432,7 @@ impl Renderer {
         }
     }
 
-    fn draw_last(
+    fn tone_map(
         &self,
         encoder: &mut wgpu::CommandEncoder,
         view: &TextureView,
@@ -431,7 +442,7 @@ impl Renderer {
             return;
         };
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
-            label: Some("last"),
+            label: Some("tone map"),
             color_attachments: &[Some(wgpu::RenderPassColorAttachment {
                 view,
                 depth_slice: None,
@@ -443,57 +454,9 @@ impl Renderer {
             })],
             ..Default::default()
         });
-        pass.set_pipeline(&self.tier.pipelines.last);
+        pass.set_pipeline(&self.tier.pipelines.tone_map);
         pass.set_bind_group(0, group, &[]);
         pass.draw(0..3, 0..1);
         counts.add(1);
     }
-}
-
-#[derive(Default)]
-pub(crate) struct Counts {
-    draw_calls: u32,
-    figure_draw_calls: u32,
-    triangles: u32,
-}
-
-impl Counts {
-    fn add(&mut self, triangles: u32) {
-        self.draw_calls += 1;
-        self.triangles += triangles;
-    }
-
-    pub(crate) fn add_figure(&mut self, triangles: u32) {
-        self.add(triangles);
-        self.figure_draw_calls += 1;
-    }
-}
-
-pub(crate) fn empty_buffer(device: &Device, label: &str, size: u64, usage: BufferUsages) -> Buffer {
-    device.create_buffer(&wgpu::BufferDescriptor {
-        label: Some(label),
-        size,
-        usage: usage | BufferUsages::COPY_DST,
-        mapped_at_creation: false,
-    })
-}
-
-pub(crate) fn binding(
-    binding: u32,
-    resource: wgpu::BindingResource<'_>,
-) -> wgpu::BindGroupEntry<'_> {
-    wgpu::BindGroupEntry { binding, resource }
-}
-
-pub(crate) fn bind_group(
-    device: &Device,
-    label: &str,
-    layout: &wgpu::BindGroupLayout,
-    entries: &[wgpu::BindGroupEntry<'_>],
-) -> wgpu::BindGroup {
-    device.create_bind_group(&wgpu::BindGroupDescriptor {
-        label: Some(label),
-        layout,
-        entries,
-    })
 }

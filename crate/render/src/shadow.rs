@@ -4,7 +4,7 @@ use glam::dcamera::rh::{proj::directx::orthographic, view::look_to_mat4};
 use raconteur_base::{DMat4, DVec3};
 use raconteur_stage::{Camera, DirectedLight};
 
-use crate::uniform::View;
+use crate::view::View;
 
 /// A light as a camera, and the sizes its filter needs.
 #[derive(Clone, Copy, Debug)]

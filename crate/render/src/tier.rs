@@ -3,8 +3,8 @@
 use wgpu::{Buffer, Device, TextureView};
 
 use crate::RenderOptions;
-use crate::pipeline::{Kit, Pipelines};
-use crate::renderer::{bind_group, binding};
+use crate::gpu::{bind_group, binding};
+use crate::pipeline::{Pipelines, SharedResources};
 use crate::target::{DEPTH_FORMAT, TargetKind};
 
 /// All that one quality needs.
@@ -24,7 +24,7 @@ impl Tier {
     /// Makes what `options` ask for, as far as the device can.
     pub(crate) fn new(
         device: &Device,
-        kit: &Kit,
+        shared: &SharedResources,
         target: TargetKind,
         frame: &Buffer,
         options: RenderOptions,
@@ -59,7 +59,7 @@ impl Tier {
         let lit_group = bind_group(
             device,
             "lit",
-            &kit.layouts.lit,
+            &shared.layouts.lit,
             &[
                 binding(0, frame.as_entire_binding()),
                 binding(1, wgpu::BindingResource::TextureView(&shadow_map)),
@@ -69,7 +69,7 @@ impl Tier {
         Self {
             options,
             target,
-            pipelines: Pipelines::new(device, kit, target, quality),
+            pipelines: Pipelines::new(device, shared, target, quality),
             lights,
             shadow_texels,
             shadow_map,

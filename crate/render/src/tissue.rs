@@ -2,10 +2,12 @@
 //! thousand nodes. What comes of it is a vertex stream of its own, so that meshes without
 //! tissue have none, and the rest shape, which the grain of the skin sticks to, stays.
 
+use crate::gpu::attribute;
 use bytemuck::{Pod, Zeroable};
 use glam::Vec4;
 use raconteur_body::Mesh;
 use raconteur_body::face::NodeState;
+use wgpu::{VertexBufferLayout, VertexFormat, VertexStepMode};
 
 /// Displacement that the stream can tell, metres: what is further is held to it. A step is
 /// 4 µm. A jaw opens by 40 mm.
@@ -23,6 +25,19 @@ pub struct TissueVertex {
     pub moved: [i16; 6],
     /// Three strengths of wrinkles, 0..255; blush, 1 to 255 with 128 for none.
     pub complexion: [u8; 4],
+}
+
+impl TissueVertex {
+    /// How the vertex shader reads it.
+    pub(crate) const LAYOUT: VertexBufferLayout<'static> = VertexBufferLayout {
+        array_stride: size_of::<Self>() as u64,
+        step_mode: VertexStepMode::Vertex,
+        attributes: &[
+            attribute(VertexFormat::Snorm16x4, 0, 7),
+            attribute(VertexFormat::Snorm16x2, 8, 8),
+            attribute(VertexFormat::Unorm8x4, 12, 9),
+        ],
+    };
 }
 
 impl TissueVertex {

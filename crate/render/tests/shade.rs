@@ -1,5 +1,5 @@
 //! Shadows on bodies made for it: without grain, and with no light where something stands
-//! before the lamp.
+//! before the lamp. What a face is drawn like, `close` tells.
 
 #![allow(clippy::expect_used, reason = "tests fail by panicking")]
 
@@ -166,7 +166,8 @@ fn light_does_not_reach_round_what_stands_before_the_lamp() {
                 .zip(&as_plain)
                 .map(|(s, p)| s.saturating_sub(*p))
                 .max();
-            assert!(brighter < Some(12), "{quality:?} {towards}: {brighter:?}");
+            // 1 is drawn; where skin let the lamp's light round, it was 5.
+            assert!(brighter < Some(3), "{quality:?} {towards}: {brighter:?}");
         }
     }
 }

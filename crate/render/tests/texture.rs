@@ -100,7 +100,7 @@ fn a_picture_lies_the_right_way_up_on_skin_and_on_plain_surfaces() {
         let frame = before(&figure, 0.9);
         let mut device = headless(Quality::Medium);
         device.set_figure(&figure).expect("a sound figure");
-        let blank = draw(&mut device, &frame);
+        let fallback = draw(&mut device, &frame);
         let pixels: Vec<u8> = (0..32 * 32)
             .flat_map(|i| match (i % 32 < 16, i / 32 < 16) {
                 (true, true) => RED,
@@ -118,7 +118,7 @@ fn a_picture_lies_the_right_way_up_on_skin_and_on_plain_surfaces() {
         assert!(r[0] > r[1] + 40.0 && r[0] > r[2] + 40.0, "{kind:?} {r:?}");
         assert!(g[1] > g[0] + 40.0 && g[1] > g[2] + 40.0, "{kind:?} {g:?}");
         assert!(b[2] > b[0] + 40.0 && b[2] > b[1] + 40.0, "{kind:?} {b:?}");
-        let missing = mean_at(&blank, 0.7, 0.7);
+        let missing = mean_at(&fallback, 0.7, 0.7);
         assert!(
             w.iter().zip(&missing).all(|(a, b)| (a - b).abs() < 3.0),
             "{kind:?}: a missing picture is white: {w:?} {missing:?}"

@@ -1,12 +1,6 @@
 //! Emotions: words with their place in the space of activation, evaluation and power (F&H
-//! 4.4.1). What they do to a voice only those who bake need. Emoticons that stand for them are in
+//! 4.4.1). Emoticons that stand for them are in
 //! [`raconteur_base::emoticon`].
-
-#[cfg(feature = "bake")]
-mod prosody;
-
-#[cfg(feature = "bake")]
-pub use prosody::{AccentShape, Prosody};
 
 /// A place in the space of emotions; each from −100 to 100, 0 is neutral.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

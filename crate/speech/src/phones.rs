@@ -12,15 +12,11 @@
 //! A player knows rows by their names; which row is whose symbol, bakers know ([`find`]), and
 //! bundles tell.
 
-#[cfg(feature = "bake")]
 mod columns;
-#[cfg(feature = "bake")]
 mod names;
-#[cfg(feature = "bake")]
 mod sets;
 mod table;
 
-#[cfg(feature = "bake")]
 pub use sets::{PHONE_SETS, find, translate};
 
 use table::{SCHWA, SILENCE, TABLE};

@@ -7,7 +7,6 @@ use std::path::{Path, PathBuf};
 
 use quick_xml::Reader;
 use quick_xml::events::Event;
-#[cfg(feature = "bake")]
 use raconteur_speech::bundle::FRAME_SECS;
 use raconteur_speech::bundle::{SILENCE, SOUND};
 use raconteur_speech::{Bundle, Utterance};
@@ -225,7 +224,6 @@ fn sound_files_are_there_last_as_long_as_they_should_and_no_other_is() {
     }
 }
 
-#[cfg(feature = "bake")]
 #[test]
 fn every_utterance_tells_its_melody_syllables_phrases_and_sentences() {
     for story in stories() {

@@ -1,6 +1,6 @@
 //! The camera, and shots that frame the speaker.
 
-use raconteur_base::{DQuat, DVec3, ops};
+use raconteur_base::{DQuat, DVec3, Length, ops};
 
 /// A pinhole camera.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -190,7 +190,7 @@ impl View {
     /// The camera that looks this way at what `camera` looks at.
     #[must_use]
     pub fn of(&self, camera: &Camera) -> Camera {
-        let distance = (camera.eye_in_world - camera.target_in_world).length();
+        let distance = (camera.eye_in_world - camera.target_in_world).magnitude();
         let (sin, cos) = ops::sincos(self.turn_rad);
         let (rise, level) = ops::sincos(self.tilt_rad.clamp(-STEEPEST_RAD, STEEPEST_RAD));
         let target_in_world =

@@ -1,6 +1,6 @@
 //! Three-point light: key, fill and rim, with a soft ambient from sky and floor.
 
-use raconteur_base::DVec3;
+use raconteur_base::{DVec3, Length};
 
 /// A light from far away.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -88,7 +88,7 @@ impl Lighting {
 /// A light from a direction of any length.
 fn lamp([x, y, z]: [f64; 3], irradiance: [f32; 3]) -> DirectedLight {
     DirectedLight {
-        towards_light_in_world: DVec3::new(x, y, z).normalize(),
+        towards_light_in_world: DVec3::new(x, y, z).normalized(),
         irradiance,
     }
 }

@@ -2,7 +2,7 @@
 
 use raconteur_base::curve::lerp;
 
-use super::MUSCLES;
+use super::{CLOSES_JAW, MUSCLES};
 
 /// The four degrees of freedom of the lower jaw in speech (F&H section 3.1.1): pitch and yaw,
 /// horizontal and vertical position.
@@ -103,6 +103,20 @@ impl FaceControls {
         between
     }
 
+    /// Closes the lower jaw as far as the muscles that raise it are contracted, whatever else asks
+    /// to open it: one in full closes it by itself. It turns and slides sideways and forwards as
+    /// it was asked to. For whoever adds last.
+    pub fn raise_jaw(&mut self) {
+        for (muscle, percent) in CLOSES_JAW {
+            let contraction = self.contraction[muscle.index()];
+            if contraction > 0.0 {
+                let left = 1.0 - 0.01 * f64::from(percent) * contraction.min(1.0);
+                self.jaw.pitch_rad *= left;
+                self.jaw.down_m *= left;
+            }
+        }
+    }
+
     /// Takes both upper lids a share (0 to 1) of the way from where they are to closed: a
     /// blink, which closes them from any expression. For whoever comes last.
     pub fn close_lids(&mut self, share: f64) {
@@ -188,6 +202,35 @@ mod tests {
         let (a, b) = (all(0.25), all(0.75));
         assert_eq!(a.lerp(&b, 0.5), all(0.5));
         assert_eq!((a.lerp(&b, 0.0), a.lerp(&b, 1.0)), (a, b));
+    }
+
+    #[test]
+    fn one_muscle_that_raises_the_jaw_closes_it_and_two_no_further() {
+        let masseters = CLOSES_JAW.map(|(muscle, _)| muscle.index());
+        for (asked, left) in [
+            ([0.0, 0.0], 1.0),
+            ([0.5, 0.0], 0.5),
+            ([0.0, 0.5], 0.5),
+            ([0.5, 0.5], 0.25),
+            ([1.0, 0.0], 0.0),
+            ([1.0, 1.0], 0.0),
+            ([7.0, f64::NAN], 0.0),
+            ([-1.0, f64::NAN], 1.0),
+        ] {
+            let mut face = all(0.003);
+            for (muscle, asked) in masseters.into_iter().zip(asked) {
+                face.contraction[muscle] = asked;
+            }
+            face.raise_jaw();
+            let Jaw {
+                pitch_rad,
+                yaw_rad,
+                forward_m,
+                down_m,
+            } = face.jaw;
+            assert_eq!([pitch_rad, down_m], [0.003 * left; 2], "{asked:?}");
+            assert_eq!([yaw_rad, forward_m], [0.003; 2]);
+        }
     }
 
     #[test]

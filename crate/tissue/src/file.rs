@@ -217,7 +217,6 @@ pub fn from_bytes(bytes: &[u8]) -> Result<Tissue, TissueError> {
 }
 
 /// Writes a tissue; [`from_bytes`] reads it, places to a thousandth of a millimetre or two.
-#[cfg(feature = "write")]
 #[must_use]
 pub fn to_bytes(tissue: &Tissue) -> Vec<u8> {
     let mut w = Writer(VERSION.to_le_bytes().to_vec());
@@ -295,10 +294,8 @@ pub fn to_bytes(tissue: &Tissue) -> Vec<u8> {
     w.0
 }
 
-#[cfg(feature = "write")]
 struct Writer(Vec<u8>);
 
-#[cfg(feature = "write")]
 impl Writer {
     fn u8(&mut self, x: u8) {
         self.0.push(x);

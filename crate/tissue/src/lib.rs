@@ -10,6 +10,8 @@
 //!
 //! Frames: right-handed, metres, radians; +x is the character's left, +y up, +z front.
 
+#[cfg(test)]
+mod antagonists;
 mod binding;
 mod contact;
 mod controls;
@@ -19,14 +21,13 @@ mod muscle;
 mod muscles;
 mod network;
 mod springs;
-#[cfg(test)]
 mod table;
 pub mod tissue;
 
 pub use binding::Binding;
 pub use contact::Depths;
 pub use controls::{FaceControls, Jaw};
-pub use muscle::{ARKIT, MUSCLES, Muscle};
+pub use muscle::{ANTAGONISTS, APART, ARKIT, Anatomy, CLOSES_JAW, MUSCLES, Muscle};
 pub use network::Network;
 pub use raconteur_base::NodeState;
 pub use tissue::Tissue;

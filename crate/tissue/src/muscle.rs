@@ -1,11 +1,13 @@
 //! The mimic muscles (F&H section 3.1.1, table 3.1 and figure 3.3), as `muscles.tsv` lists them.
 //!
-//! A muscle is a row of that table, and grids on the reference head where it lies (`layout.rs`
-//! of the figures' generator). Names in stories, sliders of pages, mechanics, wrinkles and the
-//! shares of ARKit's targets follow from the row. Rows are added at the end: places of muscles
-//! are kept in figures' files and counted by pages.
+//! A muscle is a row of that table, and rows of `fibres.tsv` of the figures' generator, which tell
+//! where it lies on the reference head. Names in stories, sliders of pages, mechanics, wrinkles,
+//! the shares of ARKit's targets, what closures of the lips take off and what it does to the jaw
+//! follow from the row; `antagonists.tsv` tells what pulls against what. Rows are added at the end:
+//! places of muscles are kept in figures' files and counted by pages.
 
 use core::fmt;
+use std::borrow::Cow;
 
 use raconteur_base::Side;
 
@@ -15,9 +17,10 @@ use raconteur_base::Side;
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Muscle(u8);
 
-/// What the table says of one muscle.
-struct Row {
-    name: &'static str,
+/// What the table says of one muscle: its traits, as far as the tissue asks for them.
+#[derive(Clone, Debug)]
+struct Traits {
+    name: Cow<'static, str>,
     side: Option<Side>,
     shortens: f32,
     bulge_mm: f32,
@@ -28,7 +31,66 @@ include!(concat!(env!("OUT_DIR"), "/muscles.rs"));
 
 impl fmt::Debug for Muscle {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name())
+        match Anatomy::SHIPPED.0.get(self.index()) {
+            Some(traits) => f.write_str(&traits.name),
+            None => write!(f, "muscle {}", self.0),
+        }
+    }
+}
+
+/// The muscles of a table, in its order.
+#[derive(Clone, Debug)]
+pub struct Anatomy(Cow<'static, [Traits]>);
+
+impl Anatomy {
+    /// Those that this program was built with.
+    pub const SHIPPED: Self = Self(Cow::Borrowed(&ROWS));
+
+    /// Those of the text of a table, at most 256 with both sides counted.
+    ///
+    /// # Errors
+    /// What is wrong with the table.
+    pub fn read(text: &str) -> Result<Self, String> {
+        let rows = crate::table::read(text)?;
+        let all = crate::table::each(&rows).map(|(row, side)| Traits {
+            name: Cow::Owned(format!("{}{side}", row.name)),
+            side: Side::BOTH.into_iter().find(|s| format!("{s:?}") == side),
+            shortens: row.shortens,
+            bulge_mm: row.bulge_mm,
+            fold: row.fold,
+        });
+        let all: Vec<Traits> = all.collect();
+        if all.len() > 256 {
+            return Err(format!("{} muscles are too many", all.len()));
+        }
+        Ok(Self(Cow::Owned(all)))
+    }
+
+    /// How many there are.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        self.0.len()
+    }
+
+    /// The muscle of a name; letters may be great or small.
+    #[must_use]
+    pub fn by_name(&self, name: &str) -> Option<Muscle> {
+        let is_it = |traits: &Traits| traits.name.eq_ignore_ascii_case(name);
+        let place = self.0.iter().position(is_it)?;
+        Some(Muscle(place as u8))
+    }
+
+    /// Share of its length that a muscle loses at full contraction, 0 to 1, and how much thicker
+    /// its middle becomes, metres on the reference head. Designed: by what the skin at its end
+    /// was seen to travel. One that is not of this table does nothing.
+    pub(super) fn mechanics(&self, muscle: Muscle) -> (f32, f32) {
+        let traits = self.0.get(muscle.index());
+        traits.map_or((0.0, 0.0), |t| (t.shortens, t.bulge_mm * 1e-3))
+    }
+
+    /// Which channel of the wrinkle map it folds the skin into, and how strongly.
+    pub(super) fn fold(&self, muscle: Muscle) -> Option<(u8, f32)> {
+        self.0.get(muscle.index())?.fold
     }
 }
 
@@ -44,26 +106,22 @@ impl Muscle {
         self.0 as usize
     }
 
-    fn row(self) -> &'static Row {
-        &ROWS[self.index()]
-    }
-
     /// Its name in stories: anatomical, with its side at the end if it has one.
     #[must_use]
     pub fn name(self) -> &'static str {
-        self.row().name
+        &ROWS[self.index()].name
     }
 
     /// The muscle of a name; letters may be great or small.
     #[must_use]
     pub fn by_name(name: &str) -> Option<Self> {
-        Self::all().find(|muscle| muscle.name().eq_ignore_ascii_case(name))
+        Anatomy::SHIPPED.by_name(name)
     }
 
     /// On which side of the face it is; `None` in the middle.
     #[must_use]
     pub fn side(self) -> Option<Side> {
-        self.row().side
+        ROWS[self.index()].side
     }
 
     /// The same muscle of the other side; itself in the middle.
@@ -75,24 +133,12 @@ impl Muscle {
             None => self,
         }
     }
-
-    /// Share of its length that it loses at full contraction, 0 to 1, and how much thicker its
-    /// middle becomes, metres on the reference head. Designed: by what the skin at its end was
-    /// seen to travel.
-    pub(super) fn mechanics(self) -> (f32, f32) {
-        (self.row().shortens, self.row().bulge_mm * 1e-3)
-    }
-
-    /// Which channel of the wrinkle map it folds the skin into, and how strongly.
-    pub(super) fn fold(self) -> Option<(u8, f32)> {
-        self.row().fold
-    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::table;
+    use crate::{antagonists, table};
 
     #[test]
     fn muscles_stand_at_their_index_and_sides_are_mirrored() {
@@ -106,7 +152,7 @@ mod tests {
                 muscle.side().map(Side::opposite),
                 "{muscle:?}"
             );
-            assert!(muscle.mechanics().0 > 0.0, "{muscle:?}");
+            assert!(Anatomy::SHIPPED.mechanics(muscle).0 > 0.0, "{muscle:?}");
         }
     }
 
@@ -117,11 +163,58 @@ mod tests {
         assert_eq!(told.len(), MUSCLES);
         for (muscle, (row, side)) in Muscle::all().zip(told) {
             assert_eq!(muscle.name(), format!("{}{side}", row.name));
-            assert_eq!(muscle.mechanics(), (row.shortens, row.bulge_mm * 1e-3));
-            assert_eq!(muscle.fold(), row.fold);
+            let anatomy = Anatomy::SHIPPED;
+            assert_eq!(
+                anatomy.mechanics(muscle),
+                (row.shortens, row.bulge_mm * 1e-3)
+            );
+            assert_eq!(anatomy.fold(muscle), row.fold);
+            let closed = APART.iter().find(|a| a.0 == muscle).map(|a| [a.1, a.2]);
+            assert_eq!(closed, row.closures);
+            let jaw = CLOSES_JAW.iter().find(|a| a.0 == muscle);
+            assert_eq!(jaw.map_or(0, |a| a.1), row.closes_jaw);
         }
         let shares: usize = rows.iter().map(|r| r.arkit.len()).sum();
         assert_eq!(ARKIT.len(), shares);
+    }
+
+    #[test]
+    fn a_table_read_later_is_the_same_as_one_built_in() {
+        let read = Anatomy::read(include_str!("muscles.tsv")).expect("a table");
+        assert_eq!(read.count(), MUSCLES);
+        for (a, b) in read.0.iter().zip(&ROWS) {
+            assert_eq!(format!("{a:?}"), format!("{b:?}"));
+        }
+    }
+
+    /// F&H table 4.6.
+    #[test]
+    fn antagonists_are_those_of_their_table() {
+        let told: Vec<String> = ANTAGONISTS.map(|sets| format!("{sets:?}")).into();
+        assert_eq!(
+            told,
+            [
+                "([ZygomaticusMajorLeft], [DepressorAnguliOrisLeft])",
+                "([ZygomaticusMajorRight], [DepressorAnguliOrisRight])",
+                "([OrbicularisOrisUpper, OrbicularisOrisLower], [RisoriusLeft, RisoriusRight])",
+                "([MentalisLeft, MentalisRight], \
+                 [DepressorLabiiInferiorisLeft, DepressorLabiiInferiorisRight])",
+            ]
+        );
+    }
+
+    #[test]
+    fn a_broken_table_of_antagonists_is_told() {
+        let rows = table::read(include_str!("muscles.tsv")).expect("a table");
+        for text in [
+            "",
+            "one\tother\n",
+            "one\tother\tsides\nMentalis\tWiggler\tboth\n",
+            "one\tother\tsides\nMentalis\tRisorius\tsome\n",
+            "one\tother\tsides\nMentalis\tRisorius\n",
+        ] {
+            assert!(antagonists::read(text, &rows).is_err(), "{text}");
+        }
     }
 
     /// `UPDATE=1` writes the table of `docs/face.md` anew.
@@ -136,7 +229,10 @@ mod tests {
         for line in include_str!("muscles.tsv").lines().skip(1) {
             let cells: Vec<&str> = line.split('\t').collect();
             let sides = if cells[1] == "pair" { "…" } else { "" };
-            table += &format!("| `{}{sides}` | {} | {} |\n", cells[0], cells[8], cells[9]);
+            table += &format!(
+                "| `{}{sides}` | {} | {} |\n",
+                cells[0], cells[10], cells[11]
+            );
         }
         let wanted = format!("{before}{begin}{table}{end}{after}");
         if std::env::var_os("UPDATE").is_some() {
@@ -150,17 +246,24 @@ mod tests {
 
     #[test]
     fn a_broken_table_is_told() {
-        let head = "name\tsides\tcode\tshortens\tbulge_mm\tfold\tarkit\n";
+        let head = "name\tsides\tcode\tshortens\tbulge_mm\tfold\tarkit\tclosures\tcloses_jaw\n";
+        let row = |cells: &str| format!("{head}{}\n", cells.replace(' ', "\t"));
+        let good = row("A pair A 0.2 1 - - 30:20 5");
+        assert!(table::read(&good).is_ok());
         let bad = [
             "".to_owned(),
             "name\tsides\n".to_owned(),
-            format!("{head}A\tpair\tA\t0.2\n"),
-            format!("{head}A\tboth\tA\t0.2\t1\t-\t-\n"),
-            format!("{head}A\tpair\tA\t1.2\t1\t-\t-\n"),
-            format!("{head}A\tpair\tA\t0.2\tNaN\t-\t-\n"),
-            format!("{head}A\tpair\tA\t0.2\t1\t3:1\t-\n"),
-            format!("{head}A\tpair\tA\t0.2\t1\t-\tjaw\n"),
-            format!("{head}A b\tpair\tA\t0.2\t1\t-\t-\n"),
+            row("A pair A 0.2"),
+            row("A both A 0.2 1 - - - 0"),
+            row("A pair A 1.2 1 - - - 0"),
+            row("A pair A 0.2 NaN - - - 0"),
+            row("A pair A 0.2 1 3:1 - - 0"),
+            row("A pair A 0.2 1 - jaw - 0"),
+            row("A. pair A 0.2 1 - - - 0"),
+            row("A pair A 0.2 1 - - 30 0"),
+            row("A pair A 0.2 1 - - 30:101 0"),
+            row("A pair A 0.2 1 - - - much"),
+            format!("{good}A\tpair\tB\t0.2\t1\t-\t-\t-\t0\n"),
         ];
         for text in bad {
             assert!(table::read(&text).is_err(), "{text}");

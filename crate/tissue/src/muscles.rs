@@ -5,7 +5,7 @@ use core::ops::Range;
 
 use super::junction::{Junctions, own_share};
 use super::tissue::{Attachment, Course, Fibre, FibrePoint, Tissue};
-use super::{FaceControls, Muscle};
+use super::{Anatomy, Muscle};
 
 use Muscle as M;
 
@@ -58,12 +58,7 @@ fn less(a: [f32; 3], b: [f32; 3]) -> [f32; 3] {
 }
 
 impl Muscles {
-    pub(super) fn new(tissue: &Tissue) -> Self {
-        Self::with(tissue, Muscle::mechanics)
-    }
-
-    /// With muscles that contract as `mechanics` tells.
-    fn with(tissue: &Tissue, mechanics: impl Fn(Muscle) -> (f32, f32)) -> Self {
+    pub(super) fn new(tissue: &Tissue, anatomy: &Anatomy) -> Self {
         let mut low = [f32::MAX; 3];
         let mut high = [f32::MIN; 3];
         for fibre in &tissue.fibres {
@@ -83,7 +78,11 @@ impl Muscles {
             mouth: core::array::from_fn(|k| 0.5 * (low[k] + high[k])),
             half_width: (0.5 * (high[0] - low[0])).max(1e-3),
             junctions: Junctions::new(tissue),
-            mechanics: tissue.fibres.iter().map(|f| mechanics(f.muscle)).collect(),
+            mechanics: tissue
+                .fibres
+                .iter()
+                .map(|f| anatomy.mechanics(f.muscle))
+                .collect(),
             moved: vec![[0.0; 3]; tissue.points.len()],
             own: vec![1.0; tissue.points.len()],
             tension: vec![0.0; tissue.points.len()],
@@ -91,17 +90,21 @@ impl Muscles {
         }
     }
 
-    /// Moves the points as the controls say. Values beyond their ranges are cut.
+    /// Moves the points as contractions, by the places of muscles, and protrusion of both lips
+    /// say. Values beyond their ranges are cut.
     ///
     /// First every muscle does what its own contraction asks for; then what is grown together
     /// finds a place between what its members ask for, and linear muscles reach from their
     /// origins to there (F&H section 3.1.2, "Muscle Deformation"). Nothing depends on the order
     /// of fibres and links, or on earlier controls.
-    pub(super) fn contract(&mut self, tissue: &Tissue, controls: &FaceControls) {
-        let of = |muscle: Muscle| controls.contraction[muscle.index()].clamp(0.0, 1.0) as f32;
+    pub(super) fn contract(&mut self, tissue: &Tissue, contraction: &[f64], protrusion: [f64; 2]) {
+        let of = |muscle: Muscle| {
+            let asked = contraction.get(muscle.index());
+            asked.map_or(0.0, |asked| asked.clamp(0.0, 1.0) as f32)
+        };
         let lips = Lips {
             contraction: [M::OrbicularisOrisUpper, M::OrbicularisOrisLower].map(of),
-            protrusion: controls.protrusion.map(|p| p.clamp(-1.0, 1.0) as f32),
+            protrusion: protrusion.map(|p| p.clamp(-1.0, 1.0) as f32),
         };
         for (k, fibre) in tissue.fibres.iter().enumerate() {
             self.ask(tissue, k, of(fibre.muscle), &lips);

@@ -4,14 +4,14 @@ use super::contact::{Contacts, Depths, JawPlace};
 use super::muscles::Muscles;
 use super::springs::{Hold, STEPS_PER_S, Springs, Vector};
 use super::tissue::{Column, LipNode};
-use super::{FaceControls, Jaw, Muscle, NodeState, Tissue};
+use super::{Anatomy, FaceControls, Jaw, Muscle, NodeState, Tissue};
 
 /// How often what is too long is shortened in a step at most, and what that brings into
 /// something put out again. A face that speaks takes one turn; muscles that jump as far as
 /// they go take some ten, and skin is then within half a millimetre of where it may be.
 const TURNS: usize = 64;
 /// Steps after which a face is at rest, whatever is asked of it.
-const SETTLES: usize = 90;
+const WARM_UP_STEPS: usize = 90;
 /// Share of a gap that the lower lip closes where it closes most; see [`LipNode::closes`].
 const LOWER_CLOSES: f32 = 0.64;
 /// Sealed lips press each other by this, metres on the reference head; what stops them is
@@ -36,7 +36,7 @@ pub struct Network {
     gaps: Vec<[f32; 3]>,
     /// What each point of a fibre folds: channel and strength.
     folding: Vec<Option<(u8, f32, u8)>>,
-    contraction: [f64; super::MUSCLES],
+    contraction: Vec<f64>,
     blush: f32,
     depths: Depths,
     normals: Vec<[f32; 3]>,
@@ -46,6 +46,12 @@ impl Network {
     /// A face at rest.
     #[must_use]
     pub fn new(tissue: &Tissue) -> Self {
+        Self::with(tissue, &Anatomy::SHIPPED)
+    }
+
+    /// A face at rest whose muscles are those of a table.
+    #[must_use]
+    pub fn with(tissue: &Tissue, anatomy: &Anatomy) -> Self {
         let places: Vec<Vector> = tissue
             .rest
             .iter()
@@ -62,14 +68,14 @@ impl Network {
         let mut folding = vec![None; tissue.points.len()];
         for fibre in &tissue.fibres {
             let first = usize::from(fibre.first);
-            let fold = fibre.muscle.fold();
+            let fold = anatomy.fold(fibre.muscle);
             for point in &mut folding[first..first + usize::from(fibre.count)] {
                 *point = fold.map(|(channel, k)| (channel, k, fibre.muscle.index() as u8));
             }
         }
         let springs = Springs::new(&tissue.rest, &tissue.quads, &tissue.depth, &tissue.grip);
         Self {
-            muscles: Muscles::new(tissue),
+            muscles: Muscles::new(tissue, anatomy),
             contacts: Contacts::new(tissue, &springs),
             springs,
             earlier: holds.clone(),
@@ -81,7 +87,7 @@ impl Network {
             jaw: JawPlace::new(tissue.hinge, 0.0, 0.0, [0.0; 3]),
             gaps: vec![[0.0; 3]; tissue.columns.len()],
             folding,
-            contraction: [0.0; super::MUSCLES],
+            contraction: vec![0.0; anatomy.count()],
             blush: 0.0,
             depths: Depths::default(),
             outwards,
@@ -92,8 +98,8 @@ impl Network {
 
     /// Puts everything where `controls` hold it, moving as from `earlier`, a step before.
     pub fn reset(&mut self, tissue: &Tissue, controls: &FaceControls, earlier: &FaceControls) {
-        self.hold(tissue, earlier);
-        self.hold(tissue, controls);
+        self.hold(tissue, earlier, &[]);
+        self.hold(tissue, controls, &[]);
         self.springs.reset(&self.holds, &self.earlier);
         self.depths = self
             .contacts
@@ -104,14 +110,20 @@ impl Network {
     /// Puts the face where these controls keep it, at rest.
     pub fn settle(&mut self, tissue: &Tissue, controls: &FaceControls) {
         self.reset(tissue, controls, controls);
-        for _ in 0..SETTLES {
+        for _ in 0..WARM_UP_STEPS {
             self.step(tissue, controls);
         }
     }
 
     /// Lets a 120th of a second pass, at whose end the controls are these.
     pub fn step(&mut self, tissue: &Tissue, controls: &FaceControls) {
-        self.hold(tissue, controls);
+        self.step_with(tissue, controls, &[]);
+    }
+
+    /// As [`step`](Self::step), with contractions of muscles beyond those that this program was
+    /// built with, in the order of their table; 0 where there are fewer than of these.
+    pub fn step_with(&mut self, tissue: &Tissue, controls: &FaceControls, more: &[f64]) {
+        self.hold(tissue, controls, more);
         self.springs.step(&self.holds, &self.earlier);
         self.depths = self
             .contacts
@@ -132,11 +144,16 @@ impl Network {
     }
 
     /// Brings muscles and jaw to the controls and finds where each node is held.
-    fn hold(&mut self, tissue: &Tissue, controls: &FaceControls) {
+    fn hold(&mut self, tissue: &Tissue, controls: &FaceControls, more: &[f64]) {
         core::mem::swap(&mut self.holds, &mut self.earlier);
-        self.contraction = controls.contraction;
+        let asked = controls.contraction.iter().chain(more).copied();
+        let asked = asked.chain(core::iter::repeat(0.0));
+        for (own, asked) in self.contraction.iter_mut().zip(asked) {
+            *own = asked;
+        }
         self.blush = controls.blush.clamp(-1.0, 1.0) as f32;
-        self.muscles.contract(tissue, controls);
+        self.muscles
+            .contract(tissue, &self.contraction, controls.protrusion);
         let jaw = controls.jaw;
         let asked = [jaw.pitch_rad, jaw.yaw_rad, jaw.forward_m, jaw.down_m];
         let [pitch, yaw, forward, down]: [f64; 4] =
@@ -330,7 +347,8 @@ impl Network {
     /// How far a muscle is contracted now, 0 to 1.
     #[must_use]
     pub fn contraction(&self, muscle: Muscle) -> f64 {
-        self.contraction[muscle.index()].clamp(0.0, 1.0)
+        let own = self.contraction.get(muscle.index());
+        own.map_or(0.0, |own| own.clamp(0.0, 1.0))
     }
 
     /// Steps of the network a second.

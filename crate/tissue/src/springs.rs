@@ -23,12 +23,12 @@ const LONGEST: f32 = 2.15;
 const SHORTENED: f32 = 2.1;
 /// How often what may be too long is gone through, as shortening one spring stretches its
 /// neighbours.
-const ROUNDS: usize = 256;
+const MOST_RELAXATIONS: usize = 256;
 /// What a node moves by, against the mean of what its springs that are too long ask for, in
 /// which each counts as much as it asks for.
-const BOLDER: f32 = 1.5;
-/// How much more.
-const STIFFER: f32 = 3.0;
+const OVER_RELAXATION: f32 = 1.5;
+/// How much stiffer a spring is beyond its slack.
+const STRAIN_STIFFENING: f32 = 3.0;
 /// Of each of the two springs that hold a node over its place: to what lies under it, and
 /// mirrored outwards.
 const CONNECTING_PER_S2: f32 = 6000.0;
@@ -322,7 +322,7 @@ impl Springs {
             let way = minus(self.places[b], self.places[a]);
             let now = length(way).max(1e-9);
             let beyond = (now - SLACK * spring.rest).max(0.0);
-            let pull = spring.stiffness * (now - spring.rest + STIFFER * beyond) / now;
+            let pull = spring.stiffness * (now - spring.rest + STRAIN_STIFFENING * beyond) / now;
             let force = times(way, pull);
             self.forces[a] = plus(self.forces[a], force);
             self.forces[b] = minus(self.forces[b], force);
@@ -388,7 +388,7 @@ impl Springs {
             }
         }
         let mut was_any = false;
-        for _ in 0..ROUNDS {
+        for _ in 0..MOST_RELAXATIONS {
             core::mem::swap(&mut self.suspects, &mut self.looked_at);
             self.suspects.clear();
             let looked_at = &self.looked_at.items[..self.looked_at.count];
@@ -415,7 +415,10 @@ impl Springs {
             for k in 0..self.pulled.count {
                 let node = self.pulled.items[k] as usize;
                 let [x, y, z, much] = core::mem::take(&mut self.forces[node]);
-                self.shift(node, times([x, y, z, 0.0], BOLDER / much.max(1e-12)));
+                self.shift(
+                    node,
+                    times([x, y, z, 0.0], OVER_RELAXATION / much.max(1e-12)),
+                );
             }
             self.pulled.clear();
         }

@@ -1,5 +1,6 @@
 //! Reads the table of muscles, `muscles.tsv`. Done where this crate is built (`build.rs`), so
-//! that names are checked by the compiler and nothing is read at run time.
+//! that names are checked by the compiler and nothing is read at run time; by whoever makes
+//! figures, also later.
 
 /// A row of the table: a muscle in the middle of the face, or a pair.
 #[derive(Clone, Debug, PartialEq)]
@@ -18,21 +19,49 @@ pub(crate) struct Row<'a> {
     pub(crate) fold: Option<(u8, f32)>,
     /// Which targets of ARKit it moves, by how many percent.
     pub(crate) arkit: Vec<(&'a str, u8)>,
+    /// How many percent of it closures take off: sealed lips, the lower lip at the teeth.
+    pub(crate) closures: Option<[u8; 2]>,
+    /// How many percent of the jaw's opening it takes off at full contraction.
+    pub(crate) closes_jaw: u8,
 }
 
 /// What the columns are; those after them are for pages and people.
-const COLUMNS: [&str; 7] = [
-    "name", "sides", "code", "shortens", "bulge_mm", "fold", "arkit",
+const COLUMNS: [&str; 9] = [
+    "name",
+    "sides",
+    "code",
+    "shortens",
+    "bulge_mm",
+    "fold",
+    "arkit",
+    "closures",
+    "closes_jaw",
 ];
 
 /// The rows of a table, or what is wrong with it.
 pub(crate) fn read(text: &str) -> Result<Vec<Row<'_>>, String> {
+    let rows = lines(text, &COLUMNS, row)?;
+    for (k, row) in rows.iter().enumerate() {
+        let is_same = |other: &Row<'_>| other.name == row.name || other.code == row.code;
+        if rows[..k].iter().any(is_same) {
+            return Err(format!("{} is there twice", row.name));
+        }
+    }
+    Ok(rows)
+}
+
+/// The rows of any table whose first columns are these.
+pub(crate) fn lines<'a, T>(
+    text: &'a str,
+    columns: &[&str],
+    mut row: impl FnMut(&'a str) -> Result<T, String>,
+) -> Result<Vec<T>, String> {
     let mut lines = text
         .lines()
         .filter(|l| !l.trim().is_empty() && !l.starts_with('#'));
     let head: Vec<&str> = lines.next().unwrap_or_default().split('\t').collect();
-    if !head.starts_with(&COLUMNS) {
-        return Err(format!("the first columns are {COLUMNS:?}, not {head:?}"));
+    if !head.starts_with(columns) {
+        return Err(format!("the first columns are {columns:?}, not {head:?}"));
     }
     lines
         .map(|line| row(line).map_err(|wrong| format!("{wrong} in {line:?}")))
@@ -41,7 +70,19 @@ pub(crate) fn read(text: &str) -> Result<Vec<Row<'_>>, String> {
 
 fn row(line: &str) -> Result<Row<'_>, String> {
     let cells: Vec<&str> = line.split('\t').collect();
-    let &[name, sides, code, shortens, bulge_mm, fold, arkit, ..] = &cells[..] else {
+    let &[
+        name,
+        sides,
+        code,
+        shortens,
+        bulge_mm,
+        fold,
+        arkit,
+        closures,
+        closes_jaw,
+        ..,
+    ] = &cells[..]
+    else {
         return Err("too few columns".to_owned());
     };
     let is_name =
@@ -58,34 +99,43 @@ fn row(line: &str) -> Result<Row<'_>, String> {
     if !(0.0..1.0).contains(&shortens) {
         return Err(format!("no muscle loses {shortens} of its length"));
     }
-    let fold = match fold {
-        "-" => None,
-        some => {
-            let (channel, strength) = share(some)?;
-            let channel = channel.parse().ok().filter(|c| *c < 3);
-            Some((
-                channel.ok_or("there are channels 0 to 2")?,
-                number(strength)?,
-            ))
-        }
-    };
-    let mut targets = Vec::new();
-    for part in arkit.split(' ').filter(|part| *part != "-") {
-        let (target, percent) = share(part)?;
-        let percent = percent
-            .parse()
-            .map_err(|_| format!("{percent} is no percentage"))?;
-        targets.push((target, percent));
-    }
     Ok(Row {
         name,
         is_pair,
         code,
         shortens,
         bulge_mm: number(bulge_mm)?,
-        fold,
-        arkit: targets,
+        fold: fold_of(fold)?,
+        arkit: targets(arkit)?,
+        closures: match closures {
+            "-" => None,
+            some => {
+                let (seal, bite) = share(some)?;
+                Some([percent(seal)?, percent(bite)?])
+            }
+        },
+        closes_jaw: percent(closes_jaw)?,
     })
+}
+
+fn fold_of(cell: &str) -> Result<Option<(u8, f32)>, String> {
+    if cell == "-" {
+        return Ok(None);
+    }
+    let (channel, strength) = share(cell)?;
+    let channel = channel.parse().ok().filter(|c| *c < 3);
+    let channel = channel.ok_or("there are channels 0 to 2")?;
+    Ok(Some((channel, number(strength)?)))
+}
+
+fn targets(cell: &str) -> Result<Vec<(&str, u8)>, String> {
+    let parts = cell.split(' ').filter(|part| *part != "-");
+    parts
+        .map(|part| {
+            let (target, much) = share(part)?;
+            Ok((target, percent(much)?))
+        })
+        .collect()
 }
 
 fn number(text: &str) -> Result<f32, String> {
@@ -93,21 +143,29 @@ fn number(text: &str) -> Result<f32, String> {
     number.ok_or_else(|| format!("{text} is no number"))
 }
 
+fn percent(text: &str) -> Result<u8, String> {
+    let percent = text.parse().ok().filter(|x: &u8| *x <= 100);
+    percent.ok_or_else(|| format!("{text} is no percentage"))
+}
+
 fn share(text: &str) -> Result<(&str, &str), String> {
     text.split_once(':')
         .ok_or_else(|| format!("{text} is not of the form what:how much"))
+}
+
+/// What follows the name of a muscle of a row, for each that there is.
+pub(crate) fn sides(row: &Row<'_>) -> &'static [&'static str] {
+    if row.is_pair {
+        &["Left", "Right"]
+    } else {
+        &[""]
+    }
 }
 
 /// Each muscle of a table by its place: its row, and what follows its names.
 pub(crate) fn each<'t, 'a>(
     rows: &'t [Row<'a>],
 ) -> impl Iterator<Item = (&'t Row<'a>, &'static str)> {
-    rows.iter().flat_map(|row| {
-        let sides: &[&str] = if row.is_pair {
-            &["Left", "Right"]
-        } else {
-            &[""]
-        };
-        sides.iter().map(move |side| (row, *side))
-    })
+    rows.iter()
+        .flat_map(|row| sides(row).iter().map(move |side| (row, *side)))
 }

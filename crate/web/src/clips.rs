@@ -1,10 +1,11 @@
 //! Animations that a story plays, fetched by the page.
 
+use raconteur_player::Player as Performer;
 use wasm_bindgen::prelude::*;
 
 use crate::doing::{Doing, Noted};
-use crate::more;
-use crate::player::{Player, has_more};
+use crate::message::Story;
+use crate::player::{Player, plain, provide};
 
 #[wasm_bindgen]
 #[allow(clippy::needless_pass_by_value, reason = "lists arrive as owned only")]
@@ -13,8 +14,8 @@ impl Player {
     /// provided: of the library, or paths in the story's folder.
     #[wasm_bindgen(js_name = wantedAnimations)]
     pub fn wanted_animations(&self) -> Vec<String> {
-        let performer = self.performer.as_ref().filter(|_| has_more());
-        performer.map_or_else(Vec::new, more::wanted)
+        let performer = self.performer.as_ref();
+        performer.map_or_else(Vec::new, Performer::wanted_animations)
     }
 
     /// Takes animations by name with their texts, an empty one for what was not found. The
@@ -28,9 +29,16 @@ impl Player {
         texts: Vec<String>,
     ) -> Result<JsValue, JsError> {
         let _noted = Noted::new(Doing::Animation);
-        match &mut self.performer {
-            Some(performer) if has_more() => more::retell(performer, eml, &names, &texts),
-            _ => Ok(JsValue::UNDEFINED),
-        }
+        let Some(performer) = &mut self.performer else {
+            return Ok(JsValue::UNDEFINED);
+        };
+        let problems = provide(performer, &names, &texts);
+        plain(&Story::new(
+            eml,
+            performer.duration_secs(),
+            performer.utterances(),
+            performer.choice(),
+            problems,
+        ))
     }
 }

@@ -1,34 +1,79 @@
 //! For the page of the face: what it does over a time, and why.
 
+use raconteur_player::Player as Performer;
+use raconteur_player::body::face::{FaceControls, MUSCLES};
 use wasm_bindgen::prelude::*;
 
-use crate::drawn;
-use crate::player::{Player, has_face};
+use crate::player::Player;
+
+/// Samples that are taken at once at most.
+const MOST: usize = 4096;
+
+/// Appends the numbers of what a face is asked to do.
+fn push_controls(c: &FaceControls, numbers: &mut Vec<f32>) {
+    let mut put = |values: &[f64]| numbers.extend(values.iter().map(|&v| v as f32));
+    let all: &[f64; MUSCLES] = &c.contraction;
+    put(all);
+    put(&[
+        c.jaw.pitch_rad,
+        c.jaw.yaw_rad,
+        c.jaw.forward_m,
+        c.jaw.down_m,
+    ]);
+    put(&c.upper_lid);
+    put(&c.lower_lid);
+    put(&c.protrusion);
+    put(&[
+        c.seal,
+        c.bite,
+        c.tongue_tip,
+        c.tongue_back,
+        c.tongue_out,
+        c.blush,
+    ]);
+}
 
 #[wasm_bindgen]
 impl Player {
     /// What the face is asked to do at `count` times from `from` to `to`, story seconds; for
-    /// each time 54 numbers: contractions of the muscles in their order, then the jaw's pitch
+    /// each time contractions of the muscles in their order, then 16 numbers: the jaw's pitch
     /// and yaw (radians), way forwards and down (metres), upper and lower lids, protrusion,
     /// seal, bite, tip, back and protrusion of the tongue, blush.
     #[wasm_bindgen(js_name = faceCurves)]
     pub fn face_curves(&self, from: f64, to: f64, count: usize) -> Vec<f32> {
-        let performer = self.performer.as_ref().filter(|_| has_face());
-        performer.map_or_else(Vec::new, |p| drawn::controls(p, from, to, count))
+        let mut numbers = Vec::new();
+        let Some(performer) = &self.performer else {
+            return numbers;
+        };
+        let count = count.min(MOST);
+        for i in 0..count {
+            let share = i as f64 / (count - 1).max(1) as f64;
+            let mut controls = performer.face_controls(from + (to - from) * share);
+            controls.limit();
+            push_controls(&controls, &mut numbers);
+        }
+        numbers
     }
 
     /// What the mouth goes through, as 10 numbers for each segment of everything that is said:
     /// start, end, from when to when it dominates fully (story seconds), its dominance over
     /// opening, rounding, spreading and tongue, and its rates before and after, 1/s.
     pub fn segments(&self) -> Vec<f32> {
-        let performer = self.performer.as_ref().filter(|_| has_face());
-        performer.map_or_else(Vec::new, drawn::segments)
+        let mut numbers = Vec::new();
+        for (start, track) in self.performer.iter().flat_map(Performer::lips) {
+            for (_, segment) in track.segments() {
+                let own = segment.iter().enumerate();
+                numbers.extend(own.map(|(k, v)| (v + if k < 4 { *start } else { 0.0 }) as f32));
+            }
+        }
+        numbers
     }
 
     /// The names of the phones of `segments`, as the table of phones has them.
     #[wasm_bindgen(js_name = segmentNames)]
     pub fn segment_names(&self) -> Vec<String> {
-        let performer = self.performer.as_ref().filter(|_| has_face());
-        performer.map_or_else(Vec::new, drawn::names)
+        let tracks = self.performer.iter().flat_map(Performer::lips);
+        let segments = tracks.flat_map(|(_, track)| track.segments());
+        segments.map(|(name, _)| name.to_owned()).collect()
     }
 }

@@ -1,5 +1,5 @@
-//! What an instance is at. A trap leaves no message and no stack to unwind; the page asks here
-//! what the instance had begun and not finished.
+//! What an instance is at. A trap leaves no stack to unwind; the page asks here what the instance had
+//! begun and not finished.
 
 use std::sync::atomic::{AtomicU32, Ordering};
 

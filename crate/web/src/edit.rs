@@ -4,8 +4,7 @@
 use raconteur_player::stage::{Room, View};
 use wasm_bindgen::prelude::*;
 
-use crate::drawn;
-use crate::player::{Player, has_face};
+use crate::player::Player;
 
 /// Room for every place that a fingertip reaches, as shares of stature: shoulders at 0.82 and
 /// 0.11 (ANSUR), an arm of 0.30 (GEVH table A.1) and a hand of 0.11. With it the picture stands
@@ -59,7 +58,7 @@ impl Player {
         }
     }
 
-    /// The moment shown last as numbers, in this order; `web/pages/pose.ts` reads them. World,
+    /// The moment shown last as numbers, in this order; `web/element/pose.ts` reads them. World,
     /// metres and radians; empty before a `load`.
     ///
     /// - 10 of the camera: eye, target, vertical field of view, aspect, near and far plane;
@@ -68,14 +67,43 @@ impl Player {
     ///   its transform, 13 together;
     /// - for each manipulator its target and how far from there it ended, 4 together.
     pub fn pose(&mut self) -> Vec<f32> {
-        let performer = self.performer.as_mut().filter(|_| has_face());
-        performer.map_or_else(Vec::new, |p| drawn::pose(p, self.aspect))
+        let mut numbers = Vec::new();
+        let Some(performer) = &mut self.performer else {
+            return numbers;
+        };
+        let manipulators = performer.manipulators(performer.last_frame().time_secs);
+        let mut put = |values: &[f64]| numbers.extend(values.iter().map(|&v| v as f32));
+        let frame = performer.last_frame();
+        let camera = &frame.camera;
+        put(&camera.eye_in_world.to_array());
+        put(&camera.target_in_world.to_array());
+        put(&[camera.fov_y_rad, self.aspect, camera.near_m, camera.far_m]);
+        let units = performer.units();
+        put(&units.speaker_point([0.0; 3]).to_array());
+        let joints = performer.figure().skeleton.joints();
+        put(&[units.world_point([1.0, 0.0, 0.0]).x, joints.len() as f64]);
+        for (joint, world) in joints.iter().zip(&frame.world_from_joint) {
+            put(&[joint.parent.map_or(-1.0, |p| p as f64)]);
+            put(&world.to_cols_array());
+        }
+        for manipulator in &manipulators {
+            put(&manipulator.target_in_world.to_array());
+            put(&[manipulator.error_m]);
+        }
+        numbers
     }
 
     /// Names of the joints in the order of `pose`, then those of the manipulators.
     #[wasm_bindgen(js_name = poseNames)]
     pub fn pose_names(&mut self) -> Vec<String> {
-        let performer = self.performer.as_mut().filter(|_| has_face());
-        performer.map_or_else(Vec::new, drawn::pose_names)
+        let Some(performer) = &mut self.performer else {
+            return Vec::new();
+        };
+        let manipulators = performer.manipulators(performer.last_frame().time_secs);
+        let joints = performer.figure().skeleton.joints().iter();
+        joints
+            .map(|j| j.name.clone())
+            .chain(manipulators.iter().map(|m| m.name.to_owned()))
+            .collect()
     }
 }

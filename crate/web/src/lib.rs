@@ -5,9 +5,8 @@
 //! Does not: fetch, play sound or keep time; `web/element` does. Nothing is called back
 //! into JavaScript, and an error is a value or an exception, never a trap.
 //!
-//! A page makes one wasm instance for each player, so a trap would end that player alone.
-//! With the feature `avatar` it is another, smaller door: it turns other people's avatars
-//! into figures and plays nothing.
+//! A page makes one wasm instance for each player, so a trap would end that player alone; what a
+//! panic said, its instance still tells.
 
 #![deny(
     clippy::unwrap_used,
@@ -26,36 +25,32 @@
 
 pub mod message;
 
-/// The standard library's own allocator takes two kilobytes more to download.
 #[cfg(target_arch = "wasm32")]
-#[global_allocator]
-static ALLOCATOR: talc::wasm::WasmDynamicTalc = talc::wasm::new_wasm_dynamic_allocator();
+mod last_words;
+#[cfg(target_arch = "wasm32")]
+pub use last_words::{panic_message, start};
 
-#[cfg(all(target_arch = "wasm32", feature = "avatar"))]
-mod avatar;
-#[cfg(all(target_arch = "wasm32", feature = "avatar"))]
-pub use avatar::{convert, convert_animation};
-#[cfg(all(target_arch = "wasm32", not(feature = "avatar")))]
+#[cfg(target_arch = "wasm32")]
 mod cast;
-#[cfg(all(target_arch = "wasm32", not(feature = "avatar")))]
+#[cfg(target_arch = "wasm32")]
 mod clips;
-#[cfg(all(target_arch = "wasm32", not(feature = "avatar")))]
+#[cfg(target_arch = "wasm32")]
 mod curves;
-#[cfg(all(target_arch = "wasm32", not(feature = "avatar")))]
+#[cfg(target_arch = "wasm32")]
 mod doing;
-#[cfg(all(target_arch = "wasm32", not(feature = "avatar")))]
-mod drawn;
-#[cfg(all(target_arch = "wasm32", not(feature = "avatar")))]
+#[cfg(target_arch = "wasm32")]
 mod edit;
-#[cfg(all(target_arch = "wasm32", not(feature = "avatar")))]
+#[cfg(target_arch = "wasm32")]
 mod measure;
-#[cfg(all(target_arch = "wasm32", not(feature = "avatar")))]
-mod more;
-#[cfg(all(target_arch = "wasm32", not(feature = "avatar")))]
+#[cfg(target_arch = "wasm32")]
+mod palm;
+#[cfg(target_arch = "wasm32")]
 mod player;
-#[cfg(all(target_arch = "wasm32", not(feature = "avatar")))]
+#[cfg(target_arch = "wasm32")]
 pub use cast::performer;
-#[cfg(all(target_arch = "wasm32", not(feature = "avatar")))]
+#[cfg(target_arch = "wasm32")]
 pub use doing::doing;
-#[cfg(all(target_arch = "wasm32", not(feature = "avatar")))]
-pub use player::{Player, face_joined, more_joined, pose_digests};
+#[cfg(target_arch = "wasm32")]
+pub use palm::{hand_directions, palm_of};
+#[cfg(target_arch = "wasm32")]
+pub use player::{Player, pose_digests};

@@ -1,14 +1,14 @@
 //! The class that JavaScript holds.
 
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 
 use raconteur_player::base::Side;
 use raconteur_player::body::Figure;
 use raconteur_player::body::figure::Image;
-use raconteur_player::body::read::read_with;
+use raconteur_player::body::read::read_figure;
+use raconteur_player::eml::Diagnostic;
 use raconteur_player::stage::{Frame, Room, View};
-use raconteur_player::{Options, Player as Performer, StoryInput, asks_for_more};
+use raconteur_player::{Options, Player as Performer, StoryInput};
 use raconteur_render::{Backend, CanvasTarget, Pace, Quality, RenderOptions, RenderStatus};
 use serde::Serialize;
 use serde_wasm_bindgen::Serializer;
@@ -16,23 +16,13 @@ use wasm_bindgen::prelude::*;
 use web_sys::HtmlCanvasElement;
 
 use crate::doing::{Doing, Noted, note};
-use crate::drawn;
-use crate::message::Story;
-use crate::more;
+use crate::message::{Performance, Piece, Story, Utterance};
 
 #[cfg(not(any(feature = "webgpu", feature = "webgl")))]
 compile_error!("a build for the browser needs the feature `webgpu` or `webgl`");
 
 /// Largest side of the canvas, device pixels: 8K, and no more memory than that.
 const MOST_PIXELS: f64 = 8192.0;
-
-/// Whether what only some stories need has joined this instance: players and manipulators,
-/// animations, fragments that come later, music. Its code is in a file of its own, see
-/// `web/tools/split.mjs`.
-static MORE: AtomicBool = AtomicBool::new(false);
-
-/// Whether what moves a face besides its lips has joined, likewise.
-static FACE: AtomicBool = AtomicBool::new(false);
 
 /// What became of a tick; `TickStatus` in `web/element/types.ts`.
 #[derive(Clone, Copy)]
@@ -102,7 +92,7 @@ impl Player {
         motion: f64,
     ) -> Result<JsValue, JsError> {
         let _noted = Noted::new(Doing::Figure);
-        let figure = Arc::new(read_with(figure, glb, has_face())?);
+        let figure = Arc::new(read_figure(figure, glb)?);
         let options = self.options(motion, Room::default());
         let (mut performer, story) = read(eml, bundle.as_deref(), figure, options);
         performer.set_view(self.view);
@@ -134,13 +124,6 @@ impl Player {
         motion: f64,
     ) -> Result<JsValue, JsError> {
         self.read_again(eml, bundle.as_deref(), motion, Room::default())
-    }
-
-    /// Whether a text asks for code that has not joined this instance; without it, that is
-    /// left out, and told.
-    #[wasm_bindgen(js_name = lacksMore)]
-    pub fn lacks_more(&self, eml: &str) -> bool {
-        !has_more() && asks_for_more(eml)
     }
 
     /// How many pictures the figure has, for the page to decode.
@@ -228,8 +211,7 @@ impl Player {
     }
 
     /// Performs a fragment of EML, `now_secs` being the story time from which plain times
-    /// count; a `Performance`, or nothing where the code for it is not there. `mind` tells senders
-    /// apart.
+    /// count; a `Performance`, or nothing before a `load`. `mind` tells senders apart.
     pub fn perform(
         &mut self,
         mind: u32,
@@ -237,10 +219,16 @@ impl Player {
         now_secs: f64,
     ) -> Result<JsValue, JsError> {
         let _noted = Noted::new(Doing::Fragment);
-        match &mut self.performer {
-            Some(performer) if has_more() => more::perform(performer, mind, fragment, now_secs),
-            _ => Ok(JsValue::UNDEFINED),
-        }
+        let Some(performer) = &mut self.performer else {
+            return Ok(JsValue::UNDEFINED);
+        };
+        let performed = performer.perform(mind, fragment, now_secs);
+        plain(&Performance {
+            events: performed.events(fragment, now_secs),
+            utterances: performed.utterances.iter().map(Utterance::new).collect(),
+            first_utterance: performed.first_utterance,
+            end_secs: performer.end_secs(),
+        })
     }
 
     /// Whether the clock may pass the end of the story, because a mind may send more.
@@ -277,10 +265,9 @@ impl Player {
 
     /// The music under what is performed; `Piece`s.
     pub fn music(&self) -> Result<JsValue, JsError> {
-        match &self.performer {
-            Some(performer) if has_more() => more::music(performer),
-            _ => plain(&[(); 0]),
-        }
+        let music = self.performer.as_ref().map(Performer::music);
+        let music = music.unwrap_or_default().into_iter();
+        plain(&music.map(Piece::from).collect::<Vec<_>>())
     }
 
     /// The cues passed since the last call.
@@ -347,33 +334,8 @@ impl Player {
     }
 }
 
-/// The code that only some stories need has joined this instance: texts read from now on use
-/// it.
-#[wasm_bindgen(js_name = moreJoined)]
-pub fn more_joined() {
-    MORE.store(true, Ordering::Relaxed);
-}
-
-/// Whether it has.
-pub(crate) fn has_more() -> bool {
-    MORE.load(Ordering::Relaxed)
-}
-
-/// The code for what moves a face besides its lips has joined this instance: texts read from
-/// now on use it.
-#[wasm_bindgen(js_name = faceJoined)]
-pub fn face_joined() {
-    FACE.store(true, Ordering::Relaxed);
-}
-
-/// Whether it has.
-pub(crate) fn has_face() -> bool {
-    FACE.load(Ordering::Relaxed)
-}
-
 /// Digests of a story's poses at some times, in hexadecimal: equal ones mean that native
-/// and wasm agree to the last bit. Animations come by name with their texts. None before
-/// [`face_joined`].
+/// and wasm agree to the last bit. Animations come by name with their texts.
 #[wasm_bindgen(js_name = poseDigests)]
 #[allow(
     clippy::needless_pass_by_value,
@@ -388,21 +350,13 @@ pub fn pose_digests(
     texts: Vec<String>,
     times_secs: &[f64],
 ) -> Result<Vec<String>, JsError> {
-    let figure = Arc::new(read_with(figure, glb, has_face())?);
-    let options = Options {
-        motion: has_more(),
-        feels: has_face(),
-        ..Options::default()
-    };
-    let (mut performer, _) = read(eml, bundle.as_deref(), figure, options);
+    let figure = Arc::new(read_figure(figure, glb)?);
+    let (mut performer, _) = read(eml, bundle.as_deref(), figure, Options::default());
     if !names.is_empty() {
-        more::provide(&mut performer, &names, &texts);
+        provide(&mut performer, &names, &texts);
     }
-    Ok(if has_face() {
-        drawn::digests(&mut performer, times_secs)
-    } else {
-        Vec::new()
-    })
+    let digests = times_secs.iter().map(|&t| performer.digest(t));
+    Ok(digests.map(|digest| format!("{digest:016x}")).collect())
 }
 
 /// Has a figure read a story.
@@ -442,8 +396,6 @@ impl Player {
             },
             room,
             handedness: self.handedness,
-            motion: has_more(),
-            feels: has_face(),
             ..Options::default()
         }
     }
@@ -452,6 +404,21 @@ impl Player {
     pub(crate) fn picture_info(&self) -> Option<&raconteur_render::RenderInfo> {
         self.picture.as_ref().map(CanvasTarget::info)
     }
+}
+
+/// Hands a performer animations by name, an empty text for what was not found; what is wrong
+/// with them.
+pub(crate) fn provide(
+    performer: &mut Performer,
+    names: &[String],
+    texts: &[String],
+) -> Vec<Diagnostic> {
+    let clips: Vec<(&str, Option<&str>)> = names
+        .iter()
+        .zip(texts)
+        .map(|(name, text)| (name.as_str(), Some(text.as_str()).filter(|t| !t.is_empty())))
+        .collect();
+    performer.provide_animations(&clips)
 }
 
 /// An object of plain JavaScript values, as `JSON.parse` would give.

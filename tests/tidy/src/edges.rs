@@ -7,22 +7,33 @@ use std::path::PathBuf;
 use toml::Table;
 
 /// Crate, and the workspace crates it may use. ARCHITECTURE.md explains the table.
-const ALLOWED: [(&str, &[&str]); 12] = [
+const ALLOWED: [(&str, &[&str]); 15] = [
     ("base", &[]),
     ("eml", &["base"]),
     ("speech", &["base"]),
     ("tissue", &["base"]),
     ("body", &["base", "tissue"]),
     ("faces", &["base", "body"]),
-    ("actor", &["base", "speech", "body"]),
+    ("actor", &["base", "speech", "body", "tissue"]),
     ("stage", &["base", "body"]),
     ("render", &["stage", "body", "base"]),
     (
         "player",
-        &["base", "eml", "speech", "body", "faces", "actor", "stage"],
+        &[
+            "base", "eml", "speech", "tissue", "body", "faces", "actor", "stage",
+        ],
     ),
     ("web", &["player", "faces", "render"]),
-    ("cli", &["player", "faces", "render"]),
+    ("voice", &["base", "speech", "eml", "player"]),
+    ("sculpt", &["base", "body", "tissue", "faces"]),
+    ("avatar", &["base", "body", "tissue"]),
+    (
+        "cli",
+        &[
+            "base", "eml", "speech", "tissue", "body", "faces", "actor", "stage", "render",
+            "player", "voice", "sculpt", "avatar",
+        ],
+    ),
 ];
 
 /// Crates that touch a platform, and where they may be named.
@@ -30,7 +41,7 @@ const PLATFORM: [(&str, &[&str]); 5] = [
     ("wgpu", &["render"]),
     ("web-sys", &["render", "web"]),
     ("js-sys", &["render", "web"]),
-    ("wasm-bindgen", &["render", "web"]),
+    ("wasm-bindgen", &["render", "web", "avatar"]),
     ("wasm-bindgen-futures", &["render", "web"]),
 ];
 

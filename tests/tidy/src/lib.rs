@@ -1,7 +1,9 @@
 //! Rules of the workspace that the compiler does not know, checked by `cargo test`:
-//! which crate may use which, where platform crates may appear, how long files grow,
+//! which crate may use which, that no files of a crate need each other, where platform crates may appear, how long files grow,
 //! and that nothing of a maker's machine is left in the tree.
 
+#[cfg(test)]
+mod cycles;
 #[cfg(test)]
 mod edges;
 #[cfg(test)]

@@ -1,29 +1,8 @@
-/** How a face speaks, as numbers of the player: the order is that of `crate/web/src/curves.rs`. */
+/** What the strip draws of a course: dominance, and the curves that move most. */
 
+import { curvesOf, DIRECT_CONTROLS, type DirectControl, type FaceCurves, type Segment } from '../../element/course.js';
 import type { FaceCourse } from '../../element/types.js';
 import { MUSCLE_ORDER, namesOf } from './dials.js';
-
-/** A phone, or a part of a diphthong, as it moves the mouth. Story seconds. */
-export interface Segment {
-  readonly name: string;
-  readonly start: number;
-  readonly end: number;
-  /** Its dominance is full between these. */
-  readonly held: readonly [number, number];
-  /** Magnitude of its dominance over the lips' opening. */
-  readonly alpha: number;
-  /** How fast dominance rises before and falls after, 1/s. */
-  readonly rates: readonly [number, number];
-}
-
-const SEGMENT = 10;
-
-export function segmentsOf({ segments, names }: FaceCourse): readonly Segment[] {
-  return names.map((name, i) => {
-    const [start = 0, end = 0, from = 0, to = 0, alpha = 0, , , , before = 0, after = 0] = segments.slice(i * SEGMENT, (i + 1) * SEGMENT);
-    return { name, start, end, held: [from, to], alpha, rates: [before, after] };
-  });
-}
 
 /** Dominance of a segment at a time: α·exp(−θ·|τ|), full while it is held (F&H 3.1.3). */
 export function dominance({ held, alpha, rates }: Segment, secs: number): number {
@@ -36,44 +15,41 @@ export interface Curve {
   readonly values: readonly number[];
 }
 
-/** What comes after the muscles, and what of it is 1. */
-const DIRECT: readonly (readonly [name: string, full: number])[] = [
-  ['Jaw', 0.35],
-  ['Jaw, sideways', 0.1],
-  ['Jaw, forward', 0.008],
-  ['Jaw, down', 0.004],
-  ['Upper lid, left', 1],
-  ['Upper lid, right', 1],
-  ['Lower lid, left', 1],
-  ['Lower lid, right', 1],
-  ['Upper lip forward', 1],
-  ['Lower lip forward', 1],
-  ['Lips sealed', 1],
-  ['Lip at teeth', 1],
-  ['Tongue’s tip', 1],
-  ['Tongue’s back', 1],
-  ['Tongue out', 1],
-  ['Blush', 1],
-];
+/** What the page calls the controls that are no muscles, and what of each is 1. */
+const DIRECT: Readonly<Record<DirectControl, readonly [name: string, full: number]>> = {
+  jawPitch: ['Jaw', 0.35],
+  jawYaw: ['Jaw, sideways', 0.1],
+  jawForward: ['Jaw, forward', 0.008],
+  jawDown: ['Jaw, down', 0.004],
+  upperLidLeft: ['Upper lid, left', 1],
+  upperLidRight: ['Upper lid, right', 1],
+  lowerLidLeft: ['Lower lid, left', 1],
+  lowerLidRight: ['Lower lid, right', 1],
+  protrusionUpper: ['Upper lip forward', 1],
+  protrusionLower: ['Lower lip forward', 1],
+  lipSeal: ['Lips sealed', 1],
+  lipBite: ['Lip at teeth', 1],
+  tongueTip: ['Tongue’s tip', 1],
+  tongueBack: ['Tongue’s back', 1],
+  tongueOut: ['Tongue out', 1],
+  blush: ['Blush', 1],
+};
 
-/** What each number of a sample is, and what of it is 1. */
-const NAMES: readonly (readonly [name: string, full: number])[] = [
-  ...MUSCLE_ORDER.flatMap((dial) =>
-    namesOf(dial).map((own): readonly [string, number] => [dial.paired ? `${dial.label}, ${own.endsWith('Left') ? 'left' : 'right'}` : dial.label, 1]),
-  ),
-  ...DIRECT,
-];
-
-/** Numbers of a sample. */
-export const WIDTH = NAMES.length;
+/** What the page calls the muscles, in the order of the table. */
+const MUSCLE_NAMES: readonly string[] = MUSCLE_ORDER.flatMap((dial) =>
+  namesOf(dial).map((own) => (dial.paired ? `${dial.label}, ${own.endsWith('Left') ? 'left' : 'right'}` : dial.label)),
+);
 
 /** The curves that move most, the liveliest first; of two sides that do the same, the left one stands for both. */
-export function liveliest({ curves }: FaceCourse, most: number): readonly Curve[] {
-  const count = Math.floor(curves.length / WIDTH);
-  const all = NAMES.map(([name, full], i) => {
-    const values = Array.from({ length: count }, (_, k) => (curves[k * WIDTH + i] ?? 0) / full);
-    return { name, values, range: Math.max(...values, 0) - Math.min(...values, 0) };
-  });
+export function liveliest({ muscles, direct }: FaceCurves, most: number): readonly Curve[] {
+  const named: Curve[] = [
+    ...muscles.map((values, i) => ({ name: MUSCLE_NAMES[i] ?? '', values })),
+    ...DIRECT_CONTROLS.map((control) => {
+      const [name, full] = DIRECT[control];
+      return { name, values: direct[control].map((value) => value / full) };
+    }),
+  ];
+  const all = named.map((curve) => ({ ...curve, range: Math.max(...curve.values, 0) - Math.min(...curve.values, 0) }));
   const same = (i: number): boolean => {
     const [own, left] = [all[i], all[i - 1]];
     return own !== undefined && left !== undefined && own.name.endsWith(', right') && own.values.every((v, k) => Math.abs(v - (left.values[k] ?? 0)) < 0.05);
@@ -85,12 +61,16 @@ export function liveliest({ curves }: FaceCourse, most: number): readonly Curve[
     .slice(0, most);
 }
 
-/** The first moment from a time on, within a blink's length, in which the eyes are open; that time itself where they are not told of. */
+/** A lid that is closed less than this lets one see the eye. */
+const OPEN_LID = 0.25;
+/** A blink is over within so many steps of this length. */
+const BLINK = { stepSecs: 0.02, steps: 30 } as const;
+
+/** The first moment from a time on, within a blink's length, in which the eyes are open; that time itself where nothing is known of them. */
 export function openEyesAt(player: { course(from: number, to: number, count: number): FaceCourse | undefined }, secs: number): number {
-  const lid = NAMES.findIndex(([name]) => name === 'Upper lid, left');
-  const STEP_SECS = 0.02;
-  const STEPS = 30;
-  const curves = player.course(secs, secs + STEPS * STEP_SECS, STEPS + 1)?.curves ?? [];
-  for (let i = 0; i <= STEPS; i++) if ((curves[i * WIDTH + lid] ?? 0) < 0.25) return secs + i * STEP_SECS;
-  return secs;
+  const { stepSecs, steps } = BLINK;
+  const course = player.course(secs, secs + steps * stepSecs, steps + 1);
+  if (course === undefined) return secs;
+  const open = curvesOf(course, steps + 1).direct.upperLidLeft.findIndex((closed) => closed < OPEN_LID);
+  return secs + Math.max(0, open) * stepSecs;
 }

@@ -1,4 +1,4 @@
-/** What of a face can be asked for by name: the control parameters of `crate/actor/src/parameters`, as the page groups them. */
+/** The controls of a face that have names: the control parameters of `crate/actor/src/parameters`, as the page groups them. */
 
 import table from '../../../crate/tissue/src/muscles.tsv?raw';
 
@@ -24,24 +24,36 @@ export interface Region {
 const one = (name: string, label: string, note: string, signed = false): Dial => ({ name, label, note, paired: false, signed });
 const two = (name: string, label: string, note: string, signed = false): Dial => ({ name, label, note, paired: true, signed });
 
-/** A row of the table of muscles, `crate/tissue/src/muscles.tsv`: what this page shows of it. */
-const rows = table
-  .trimEnd()
-  .split('\n')
-  .slice(1)
-  .map((line) => {
-    const [name = '', sides = '', , , , , , title = '', label = '', note = ''] = line.split('\t');
-    return { title, dial: sides === 'pair' ? two(name, label, note) : one(name, label, note) };
-  });
+interface Row {
+  readonly title: string;
+  readonly dial: Dial;
+}
+
+/** The rows of a table of muscles, as `crate/tissue/src/muscles.tsv`: what this page shows of them. */
+const rowsOf = (text: string): readonly Row[] =>
+  text
+    .trimEnd()
+    .split('\n')
+    .slice(1)
+    .map((line) => {
+      const [name = '', sides = '', , , , , , , , title = '', label = '', note = ''] = line.split('\t');
+      return { title, dial: sides === 'pair' ? two(name, label, note) : one(name, label, note) };
+    });
+
+/** The muscles of a table by region, in the order in which regions come first. */
+export function musclesOf(text: string): readonly Region[] {
+  const rows = rowsOf(text);
+  return [...new Set(rows.map((row) => row.title))].map((title) => ({
+    title,
+    dials: rows.filter((row) => row.title === title).map((row) => row.dial),
+  }));
+}
 
 /** The muscles in the order of the table, pairs once: that of the numbers that the player tells. */
-export const MUSCLE_ORDER: readonly Dial[] = rows.map((row) => row.dial);
+export const MUSCLE_ORDER: readonly Dial[] = rowsOf(table).map((row) => row.dial);
 
 /** The muscles by region (F&H table 3.1). */
-export const MUSCLES: readonly Region[] = [...new Set(rows.map((row) => row.title))].map((title) => ({
-  title,
-  dials: rows.filter((row) => row.title === title).map((row) => row.dial),
-}));
+export const MUSCLES: readonly Region[] = musclesOf(table);
 
 /** What no muscle moves here. */
 export const DIRECT: readonly Region[] = [

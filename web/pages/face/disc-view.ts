@@ -4,7 +4,7 @@ import { html, nothing, svg, type TemplateResult } from 'lit';
 import { keySteps, numberField, vars } from '../fields.js';
 import { follow } from '../gestures/fields.js';
 import type { App } from './app.js';
-import { inWords, NEUTRAL, OUTLINE, sharesAt, within, WORDS, type EmotionWord, type Place } from './disc.js';
+import { inWords, NEUTRAL, OUTLINE, sharesAt, within, WORDS, type EmotionWord, type EmotionPoint } from './disc.js';
 
 /** Half of the picture, in units of the disc. */
 const HALF = 108;
@@ -53,7 +53,7 @@ export function disc(app: App): TemplateResult {
   const { emotion } = app.state;
   const shares = sharesAt(emotion);
   const said = app.state.word === '' ? inWords(shares) : `100 % ${app.state.word}`;
-  const to = (place: Partial<Place>): void => app.change((s) => Object.assign(s, { word: '', emotion: { ...s.emotion, ...place, ...within({ ...s.emotion, ...place }) } }));
+  const to = (place: Partial<EmotionPoint>): void => app.change((s) => Object.assign(s, { word: '', emotion: { ...s.emotion, ...place, ...within({ ...s.emotion, ...place }) } }));
   const press = (event: PointerEvent): void => {
     const frame = event.currentTarget as HTMLElement;
     const move = ({ x, y }: { x: number; y: number }, rect: DOMRect): void =>
@@ -75,8 +75,17 @@ export function disc(app: App): TemplateResult {
     event.preventDefault();
     app.done();
   };
-  const number = (key: keyof Place, label: string): TemplateResult =>
-    numberField({ label, value: emotion[key], min: -100, max: 100, step: 1, text: `${Math.round(emotion[key])}: ${said}`, set: (value) => to({ [key]: value }), done: () => app.done() });
+  const number = (key: keyof EmotionPoint, label: string): TemplateResult =>
+    numberField({
+      label,
+      value: emotion[key],
+      min: -100,
+      max: 100,
+      step: 1,
+      text: `${Math.round(emotion[key])}: ${said}`,
+      set: (value) => to({ [key]: value }),
+      done: () => app.done(),
+    });
   const place = { '--left': `${(50 + (50 * emotion.evaluation) / HALF).toFixed(2)}%`, '--top': `${(50 - (50 * emotion.activation) / HALF).toFixed(2)}%` };
   const outline = OUTLINE.map(([e, a]) => `${e},${-a}`).join(' ');
   return html`<button type="button" class="disc" @pointerdown=${press} @keydown=${key} aria-label="Emotion: ${said}. Arrow keys move it on the disc, page up and page down change its power, Home is neutral.">
@@ -89,7 +98,12 @@ export function disc(app: App): TemplateResult {
         <text class="axis" x="-4" y="94" text-anchor="end">passive</text>
         <text class="axis" x="-91" y="34">negative</text>
         <text class="axis" x="91" y="34" text-anchor="end">positive</text>
-        ${WORDS.map((word) => mark(word, shares.some((s) => s.word === word)))}
+        ${WORDS.map((word) =>
+          mark(
+            word,
+            shares.some((s) => s.word === word),
+          ),
+        )}
       </svg>
       <span class="thumb" ${vars(place)}></span>
     </button>

@@ -1,13 +1,13 @@
 /** The disc of emotions: words at their places in activation, evaluation and power, and how a place is written by words (F&H 4.4). */
 
 /** A place in the space of emotions; each from -100 to 100. */
-export interface Place {
+export interface EmotionPoint {
   activation: number;
   evaluation: number;
   power: number;
 }
 
-export interface EmotionWord extends Place {
+export interface EmotionWord extends EmotionPoint {
   readonly word: string;
   /** Others that the table puts at the same place. */
   readonly also: readonly string[];
@@ -48,9 +48,9 @@ export interface Share {
   readonly value: number;
 }
 
-export const NEUTRAL: Readonly<Place> = { activation: 0, evaluation: 0, power: 0 };
+export const NEUTRAL: Readonly<EmotionPoint> = { activation: 0, evaluation: 0, power: 0 };
 
-const square = (a: Place, b: Place): number => (a.activation - b.activation) ** 2 + (a.evaluation - b.evaluation) ** 2 + (a.power - b.power) ** 2;
+const square = (a: EmotionPoint, b: EmotionPoint): number => (a.activation - b.activation) ** 2 + (a.evaluation - b.evaluation) ** 2 + (a.power - b.power) ** 2;
 
 /** Words that others are blended of: half a wink is none. */
 const BLENDED = WORDS.filter((w) => w.word !== 'kidding');
@@ -65,7 +65,7 @@ const NEAR = 0.12;
  * their shares no more than 1 together, so that the player adds them up as they are. A place
  * outside of all words is brought in first.
  */
-export function sharesAt(wanted: Place): readonly Share[] {
+export function sharesAt(wanted: EmotionPoint): readonly Share[] {
   const place = { ...wanted, ...within(wanted) };
   const { activation: a, evaluation: e } = place;
   if (Math.hypot(a, e) < 0.5) return [];
@@ -84,15 +84,20 @@ export function sharesAt(wanted: Place): readonly Share[] {
       const x = (e * second.activation - a * second.evaluation) / area;
       const y = (first.evaluation * a - first.activation * e) / area;
       if (x < -1e-9 || y < -1e-9 || x + y > 1 + 1e-6) continue;
-      consider([{ word: first, value: Math.min(1, x) }, { word: second, value: Math.min(1, y) }].filter((s) => s.value > LEAST));
+      consider(
+        [
+          { word: first, value: Math.min(1, x) },
+          { word: second, value: Math.min(1, y) },
+        ].filter((s) => s.value > LEAST),
+      );
     }
   });
   return best;
 }
 
 /** Where a mixture lies. */
-export function at(shares: readonly Share[]): Place {
-  const sum = (key: keyof Place): number => shares.reduce((total, { word: w, value }) => total + value * w[key], 0);
+export function at(shares: readonly Share[]): EmotionPoint {
+  const sum = (key: keyof EmotionPoint): number => shares.reduce((total, { word: w, value }) => total + value * w[key], 0);
   return { activation: sum('activation'), evaluation: sum('evaluation'), power: sum('power') };
 }
 
@@ -118,7 +123,7 @@ export const OUTLINE: readonly Point[] = ((): Point[] => {
 })();
 
 /** The nearest place of the disc that words can say. */
-export function within({ evaluation, activation }: Pick<Place, 'evaluation' | 'activation'>): Pick<Place, 'evaluation' | 'activation'> {
+export function within({ evaluation, activation }: Pick<EmotionPoint, 'evaluation' | 'activation'>): Pick<EmotionPoint, 'evaluation' | 'activation'> {
   const p: Point = [evaluation, activation];
   const edges = OUTLINE.map((from, i) => [from, OUTLINE[(i + 1) % OUTLINE.length] ?? from] as const);
   if (edges.every(([from, to]) => turn(from, to, p) >= -1e-9)) return { evaluation, activation };
@@ -138,5 +143,8 @@ export function within({ evaluation, activation }: Pick<Place, 'evaluation' | 'a
 /** A place in words, for people. */
 export function inWords(shares: readonly Share[]): string {
   if (shares.length === 0) return 'neutral';
-  return [...shares].sort((a, b) => b.value - a.value).map(({ word: w, value }) => `${Math.round(100 * value)} % ${w.word}`).join(' and ');
+  return [...shares]
+    .sort((a, b) => b.value - a.value)
+    .map(({ word: w, value }) => `${Math.round(100 * value)} % ${w.word}`)
+    .join(' and ');
 }

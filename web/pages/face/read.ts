@@ -49,7 +49,11 @@ export function lines(eml: string): readonly Line[] {
     if (top === undefined) continue;
     const marks = [...within(top.children)].filter((e) => e.name === 'tm').map((e) => removeElement(own, e));
     const markup = apply(own, [...marks, ...setAttribute(top, 'time', undefined), ...setAttribute(top, 'timeId', undefined)]);
-    const words = markup.replace(/<[^>]*>/g, ' ').replace(/\s+/g, ' ').replace(/ ([.,;:!?])/g, '$1').trim();
+    const words = markup
+      .replace(/<[^>]*>/g, ' ')
+      .replace(/\s+/g, ' ')
+      .replace(/ ([.,;:!?])/g, '$1')
+      .trim();
     const label = words.length > LABEL ? `${words.slice(0, LABEL).replace(/\s+\S*$/, '')} …` : words;
     const before = [...voices.slice(-1), ...(feeling === undefined ? [] : [feeling])].map((e) => atStart(source(e)));
     if (label !== '') found.push({ label, markup, before, head: head === undefined ? '' : source(head) });

@@ -72,15 +72,17 @@ export function speaking(app: App, say: (text: string) => void): TemplateResult 
         <option value="" disabled .selected=${story === ''}>Choose one</option>
         ${Object.entries(STORIES).map(([name, title]) => html`<option value=${name} .selected=${story === address(name)}>${title}</option>`)}
       </select></label>
-    ${known.length === 0
-      ? nothing
-      : html`<label class="select sentence"><span>Its sentence</span>
+    ${
+      known.length === 0
+        ? nothing
+        : html`<label class="select sentence"><span>Its sentence</span>
           <select aria-label="Sentence" @change=${(event: Event) => {
             const line = known[Number((event.target as HTMLSelectElement).value)];
             if (line !== undefined) speak(app, story, line);
           }}>
             ${known.map((line, i) => html`<option value=${i} .selected=${speech.kind === 'story' && speech.line.markup === line.markup}>${line.label}</option>`)}
-          </select></label>`}
+          </select></label>`
+    }
     ${choice('way', 'Expressions', way, WAYS, (to) => app.set((s) => (s.way = to)))}
     ${speech.kind === 'none' ? nothing : html`<button type="button" class="plain" @click=${() => app.set((s) => Object.assign(s, { speech: { kind: 'none' }, story: '' }))}>Silence</button>`}
     ${app.busy === '' ? nothing : html`<p class="busy"><progress aria-label=${app.busy}></progress>${app.busy}</p>`}`;

@@ -2,11 +2,9 @@
 
 import { html, type TemplateResult } from 'lit';
 import { keySteps } from '../fields.js';
+import { TURN_PER_PIXEL, zoomByKey, zoomByWheel } from '../pad.js';
 import { SIDES, type App } from './app.js';
 import type { Layers } from './state.js';
-
-/** Turn of the view for each pixel that the pointer goes, radians. */
-const TURN = 0.008;
 
 const LAYERS: Readonly<Record<keyof Layers, string>> = { skin: 'Skin', springs: 'Springs', muscles: 'Muscles', skull: 'Skull' };
 
@@ -19,29 +17,18 @@ export function lookAround(app: App, pad: HTMLElement): void {
     pad.setPointerCapture(event.pointerId);
     const move = (now: PointerEvent): void => {
       if (now.pointerId !== event.pointerId) return;
-      app.look({ turn: app.from.turn - (now.clientX - last.x) * TURN, tilt: app.from.tilt + (now.clientY - last.y) * TURN });
+      app.look({ turn: app.from.turn - (now.clientX - last.x) * TURN_PER_PIXEL, tilt: app.from.tilt + (now.clientY - last.y) * TURN_PER_PIXEL });
       last = { x: now.clientX, y: now.clientY };
     };
     pad.addEventListener('pointermove', move, end);
     for (const type of ['pointerup', 'pointercancel'] as const) pad.addEventListener(type, () => end.abort(), end);
   });
-  pad.addEventListener(
-    'wheel',
-    (event) => {
-      // The page scrolls unless the picture is in use.
-      if (!event.ctrlKey && document.activeElement !== pad) return;
-      event.preventDefault();
-      app.look({ zoom: app.from.zoom * Math.exp(-event.deltaY * 0.0015) });
-    },
-    { passive: false },
-  );
+  zoomByWheel(pad, app);
   pad.addEventListener('keydown', (event) => {
     const by = keySteps(event);
     if (by !== undefined) app.look({ turn: app.from.turn + by[0] * 0.12, tilt: app.from.tilt + by[1] * 0.08, zoom: app.from.zoom * 1.1 ** -by[2] });
-    else if (event.key === '+' || event.key === '=') app.look({ zoom: app.from.zoom * 1.15 });
-    else if (event.key === '-') app.look({ zoom: app.from.zoom / 1.15 });
     else if (event.key === 'Home') app.look({ turn: SIDES['Three-quarter'], tilt: 0.02 });
-    else return;
+    else if (!zoomByKey(event, app)) return;
     event.preventDefault();
   });
 }

@@ -1,6 +1,6 @@
 /** What the controls of the face are set to: everything that its EML says. */
 
-import { NEUTRAL, type Place } from './disc.js';
+import { NEUTRAL, type EmotionPoint } from './disc.js';
 
 /** What is drawn of the head. */
 export interface Layers {
@@ -29,7 +29,7 @@ export type Speech = { kind: 'none' } | { kind: 'text'; text: string } | { kind:
 export type Way = 'sound' | 'text';
 
 export interface State {
-  emotion: Place;
+  emotion: EmotionPoint;
   /** The word that was chosen for it; empty where only its place was. */
   word: string;
   /** Control parameters that are not 0, by their names in EML; of two sides each for itself. */

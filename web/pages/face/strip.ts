@@ -1,10 +1,11 @@
 /** What is said over time: phones, their dominance over the mouth, and what the face does for it. */
 
 import { html, nothing, svg, type TemplateResult } from 'lit';
+import { curvesOf, segmentsOf, type Segment } from '../../element/course.js';
 import type { RaconteurPlayer } from '../../element/element.js';
 import { vars } from '../fields.js';
 import type { App } from './app.js';
-import { dominance, liveliest, segmentsOf, type Curve, type Segment } from './course.js';
+import { dominance, liveliest, type Curve } from './course.js';
 
 /** Samples a second, and as many as the player gives at once. */
 const RATE_HZ = 50;
@@ -26,15 +27,16 @@ export interface Strip {
   readonly curves: readonly Curve[];
 }
 
-/** Asks the player; undefined when nothing is said or nobody is on stage. */
+/** Measures the course; undefined when nothing is said or no story is loaded. */
 export function measure(app: App): Strip | undefined {
   const { player, state } = app;
   if (state.speech.kind === 'none') return undefined;
   const secs = Math.min(player.duration, MOST_SAMPLES / RATE_HZ);
   if (!(secs > 0)) return undefined;
-  const course = player.course(0, secs, Math.ceil(secs * RATE_HZ));
+  const count = Math.ceil(secs * RATE_HZ);
+  const course = player.course(0, secs, count);
   if (course === undefined || course.names.length === 0) return undefined;
-  return { secs, segments: segmentsOf(course).filter((s) => s.start < secs), curves: liveliest(course, MOST_CURVES) };
+  return { secs, segments: segmentsOf(course).filter((s) => s.start < secs), curves: liveliest(curvesOf(course, count), MOST_CURVES) };
 }
 
 const n = (value: number): string => value.toFixed(1);
@@ -71,7 +73,8 @@ function curve({ values }: Curve, i: number, secs: number): TemplateResult {
 
 /** The strip with its names at the side; a press on it goes there. */
 export function strip(app: App, now: Strip | undefined): TemplateResult {
-  if (now === undefined) return html`<p class="about none">Write a line, or take a sentence of a story: its phones, the dominance of each over the opening of the lips, and what the muscles make of it are drawn here.</p>`;
+  if (now === undefined)
+    return html`<p class="about none">Write a line, or take a sentence of a story: its phones, the dominance of each over the opening of the lips, and what the muscles make of it are drawn here.</p>`;
   const { secs, segments, curves } = now;
   const height = PHONES + DOMINANCE + 8 + curves.length * ROW;
   const width = secs * SECOND;

@@ -2,16 +2,17 @@
 
 import type { RaconteurPlayer } from '../../element/element.js';
 import type { Diagnostic } from '../../element/types.js';
-import { readPose, type PoseNow } from '../pose.js';
+import { readPose, type PoseNow } from '../../element/pose.js';
 import { Editor } from './editor.js';
 import { setValue } from './edit.js';
 import { FEATURES, gestureOf, joined, toldApart, trackOf, type Feature, type Gesture, type Hand, type Key, type Phase, type Track, type Value } from './gesture.js';
 import { remember } from './memory.js';
+import type { Palms } from './palm.js';
 import { read, type Change } from './source.js';
 
 export type Tab = 'phase' | Feature | 'course';
 
-/** The time that the player gives an arm to come to a first stroke (`RUN_UP_SECS` in `crate/player/src/script.rs`): what comes earlier is delayed. */
+/** The time that the player gives an arm to come to a first stroke (`RUN_UP_SECS` in `crate/player/src/lower/script.rs`): what comes earlier is delayed. */
 const RUN_UP_SECS = 0.9;
 
 export class App {
@@ -30,6 +31,8 @@ export class App {
   /** Whether the second of two mixed shapes is picked. */
   second = false;
   pose: PoseNow | undefined;
+  /** The engine's reading of palms, once it is there. */
+  palms: Palms | undefined;
   #drawing = 0;
   #rehearsing = false;
   #rehearsed: string | undefined;
@@ -89,7 +92,10 @@ export class App {
   }
 
   selectPhase(index: number): void {
-    if (index === this.phaseIndex) return this.redraw();
+    if (index === this.phaseIndex) {
+      this.redraw();
+      return;
+    }
     this.#phase = index;
     for (const feature of FEATURES) this.#key[feature] = 0;
     this.#showKey();

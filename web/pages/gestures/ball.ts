@@ -1,10 +1,12 @@
 /** A palm on a ball: one rolls it with a finger or the arrow keys, and turns it by its rim. */
 
 import { html, svg, type TemplateResult } from 'lit';
+import { cross, dot } from '../../element/pose.js';
 import { keySteps, type Sink } from '../fields.js';
 import { follow } from './fields.js';
 import type { Hand, Triple } from './gesture.js';
-import { cross, dot, radians, roll, twist, type HandDirections } from './palm.js';
+import type { HandDirections } from './palm.js';
+import { radians, roll, twist } from './roll.js';
 
 /** The outline of a flat hand: its thumb to the right, its fingers up, the palm's middle at 0; the ball has the radius 1. */
 const OUTLINE =
@@ -29,7 +31,10 @@ export function inWords(direction: Triple): string {
     ['to the speaker’s right', [-1, 0, 0]],
   ];
   const strong = names.filter(([, axis]) => dot(axis, direction) > 0.38).sort(([, a], [, b]) => dot(b, direction) - dot(a, direction));
-  return strong.slice(0, 2).map(([name]) => name).join(' and ');
+  return strong
+    .slice(0, 2)
+    .map(([name]) => name)
+    .join(' and ');
 }
 
 /** Degrees of an arrow key. */
@@ -69,9 +74,7 @@ export function ball({ hand, directions, live, set, done }: Ball): TemplateResul
       frame,
       ({ x, y }) => {
         const spot = { x: x - half, y: y - half };
-        now = rim
-          ? twist(now, Math.atan2(last.y, last.x) - Math.atan2(spot.y, spot.x))
-          : roll(now, (spot.x - last.x) / (half * BALL), -(spot.y - last.y) / (half * BALL));
+        now = rim ? twist(now, Math.atan2(last.y, last.x) - Math.atan2(spot.y, spot.x)) : roll(now, (spot.x - last.x) / (half * BALL), -(spot.y - last.y) / (half * BALL));
         last = spot;
         set(now);
       },

@@ -101,19 +101,21 @@ export function courseField({ course, live, set, done }: CourseField): TemplateR
       <span class="axis time" aria-hidden="true">time →</span><span class="axis way" aria-hidden="true">way →</span>
       ${dots}
     </div>
-    ${course?.kind === 'bezier' || course?.kind === 'hermite'
-      ? CONTROL_NAMES[course.kind].map((label, i) => {
-          const time = course.kind === 'bezier' && i % 2 === 0;
-          return numberField({
-            label,
-            value: course.controls[i] ?? 0,
-            min: time ? 0 : course.kind === 'bezier' ? -0.3 : -1.4,
-            max: time ? 1 : course.kind === 'bezier' ? 1.4 : 5,
-            step: 0.01,
-            set: (value) => change(course.controls.map((c, k) => (k === i ? (time ? clamp(value, 0, 1) : value) : c))),
-            done,
-          });
-        })
-      : nothing}
+    ${
+      course?.kind === 'bezier' || course?.kind === 'hermite'
+        ? CONTROL_NAMES[course.kind].map((label, i) => {
+            const time = course.kind === 'bezier' && i % 2 === 0;
+            return numberField({
+              label,
+              value: course.controls[i] ?? 0,
+              min: time ? 0 : course.kind === 'bezier' ? -0.3 : -1.4,
+              max: time ? 1 : course.kind === 'bezier' ? 1.4 : 5,
+              step: 0.01,
+              set: (value) => change(course.controls.map((c, k) => (k === i ? (time ? clamp(value, 0, 1) : value) : c))),
+              done,
+            });
+          })
+        : nothing
+    }
   `;
 }

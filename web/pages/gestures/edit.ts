@@ -1,8 +1,21 @@
 /** Changes of a text that set what its gestures say. Everything else in the text stays as it was. */
 
 import {
-  EXTENSIONS, FEATURES, mirror, mirrored, TRACK_NAMES, trackOf,
-  type Course, type Feature, type Gesture, type Hand, type Key, type Phase, type PhaseName, type Track, type Value,
+  EXTENSIONS,
+  FEATURES,
+  mirror,
+  mirrored,
+  TRACK_NAMES,
+  trackOf,
+  type Course,
+  type Feature,
+  type Gesture,
+  type Hand,
+  type Key,
+  type Phase,
+  type PhaseName,
+  type Track,
+  type Value,
 } from './gesture.js';
 import { attribute, insertInto, removeElement, setAttribute, type Change, type Element } from './source.js';
 
@@ -38,7 +51,9 @@ function setAttributes(element: Element, values: Readonly<Record<string, string 
 
 /** The markup of a key. */
 function keyMarkup(prefix: string, time: string | undefined, value: Value): string {
-  return `<key${time === undefined ? '' : ` time="${time}"`}${Object.entries(attributesOf(value, prefix)).map(([name, v]) => (v === undefined ? '' : ` ${name}="${v}"`)).join('')}/>`;
+  return `<key${time === undefined ? '' : ` time="${time}"`}${Object.entries(attributesOf(value, prefix))
+    .map(([name, v]) => (v === undefined ? '' : ` ${name}="${v}"`))
+    .join('')}/>`;
 }
 
 function attributesOf(value: Value, prefix: string): Record<string, string | undefined> {
@@ -144,13 +159,16 @@ export function setHands(text: string, gesture: Gesture, phase: Phase, wanted: H
     if (wanted === 'apart') {
       const common = tracks.find((t) => t.hand === undefined);
       if (common === undefined) continue;
-      // The hand that is told nothing of its own gets the mirror image of what the other does.
+      // A hand without a track of its own gets the mirror image of the other's.
       changes.push(...setAttribute(common.element, 'hand', pattern));
       const other: Hand = pattern === 'right' ? 'left' : 'right';
       if (!tracks.some((t) => t.hand === other)) changes.push(copyTrack(text, phase, common, other, prefix));
       continue;
     }
-    const source = wanted === 'both' ? (trackOf({ ...phase, hands: 'both' }, feature, pattern) ?? tracks[0]) : (tracks.find((t) => t.hand === wanted) ?? tracks.find((t) => t.hand === undefined) ?? tracks[0]);
+    const source =
+      wanted === 'both'
+        ? (trackOf({ ...phase, hands: 'both' }, feature, pattern) ?? tracks[0])
+        : (tracks.find((t) => t.hand === wanted) ?? tracks.find((t) => t.hand === undefined) ?? tracks[0]);
     if (source === undefined) continue;
     const saidFor: Hand = source.hand ?? pattern;
     const meantFor: Hand = wanted === 'both' ? 'right' : wanted;
@@ -164,10 +182,16 @@ export function setHands(text: string, gesture: Gesture, phase: Phase, wanted: H
 /** A track again for the other hand, mirrored; its other attributes are kept. */
 function copyTrack(text: string, phase: Phase, track: Track, hand: Hand, prefix: string | undefined): Change {
   const { element } = track;
-  const keep = (e: Element, drop: readonly string[]) => e.attributes.filter((a) => !drop.includes(a.name)).map((a) => ` ${text.slice(a.from, a.to)}`).join('');
+  const keep = (e: Element, drop: readonly string[]) =>
+    e.attributes
+      .filter((a) => !drop.includes(a.name))
+      .map((a) => ` ${text.slice(a.from, a.to)}`)
+      .join('');
   const keys = track.keys.map((key) => {
     const values = attributesOf(mirror(key.value), prefix ?? 'r');
-    const own = Object.entries(values).map(([name, value]) => (value === undefined ? '' : ` ${name}="${value}"`)).join('');
+    const own = Object.entries(values)
+      .map(([name, value]) => (value === undefined ? '' : ` ${name}="${value}"`))
+      .join('');
     return `  <key${keep(key.element, Object.keys(values))}${own}/>`;
   });
   const following = phase.element.children[phase.element.children.indexOf(element) + 1];

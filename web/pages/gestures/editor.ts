@@ -24,7 +24,15 @@ const look = EditorView.theme({
   '.cm-activeLine': { backgroundColor: 'rgb(255 255 255 / 5%)' },
   '.cm-selectionBackground, &.cm-focused > .cm-scroller > .cm-selectionLayer .cm-selectionBackground': { background: 'rgb(242 178 92 / 32%)' },
   '.cm-matchingBracket, &.cm-focused .cm-matchingBracket': { backgroundColor: 'rgb(242 178 92 / 28%)' },
-  '.cm-tooltip': { backgroundColor: '#3a2e42', color: 'var(--code-ink)', border: '1px solid #5a4a63', borderRadius: '8px', fontFamily: 'var(--sans)', fontSize: '13.5px', maxWidth: '40ch' },
+  '.cm-tooltip': {
+    backgroundColor: '#3a2e42',
+    color: 'var(--code-ink)',
+    border: '1px solid #5a4a63',
+    borderRadius: '8px',
+    fontFamily: 'var(--sans)',
+    fontSize: '13.5px',
+    maxWidth: '40ch',
+  },
   '.cm-diagnostic': { borderLeft: '3px solid #ff8f70', padding: '6px 10px' },
   '.cm-diagnostic-warning': { borderLeftColor: 'var(--glow)' },
 });
@@ -48,8 +56,7 @@ class Steps {
   #typedAt = -Infinity;
 
   /** Whether a change belongs to the step before. */
-  readonly join = (transaction: Transaction, adjacent: boolean): boolean =>
-    transaction.annotation(goesOn) ?? (adjacent && timeOf(transaction) - this.#typedAt < TYPING_PAUSE_MS);
+  readonly join = (transaction: Transaction, adjacent: boolean): boolean => transaction.annotation(goesOn) ?? (adjacent && timeOf(transaction) - this.#typedAt < TYPING_PAUSE_MS);
 
   /** Takes note of a change that was made. */
   note(transaction: Transaction): void {

@@ -3,7 +3,7 @@
 import { script, tag } from '../markup.js';
 import type { PhaseName } from './gesture.js';
 
-type Place = readonly [x: number, y: number, z: number];
+type Point = readonly [x: number, y: number, z: number];
 /** An angle about a normal. */
 type Palm = readonly [a: number, x: number, y: number, z: number];
 /** The keys of a track by their times; a lone one without a time stands for itself. */
@@ -17,7 +17,7 @@ interface Step {
   readonly after?: number;
   readonly shapes?: Keys<number>;
   readonly palms?: Keys<Palm>;
-  readonly places?: Keys<Place>;
+  readonly places?: Keys<Point>;
   /** How palms and places go from key to key; with controls it is of the places alone. */
   readonly course?: string;
   readonly controls?: string;
@@ -26,11 +26,22 @@ interface Step {
 /** When the first clause begins: no earlier than an arm can be there, so that the player delays nothing. */
 const BEGIN_SECS = 0.9;
 
-function track<T>(name: string, keys: Keys<T> | undefined, attributes: (value: T) => Readonly<Record<string, number>>, course: Readonly<Record<string, string | undefined>> = {}): string[] {
+function track<T>(
+  name: string,
+  keys: Keys<T> | undefined,
+  attributes: (value: T) => Readonly<Record<string, number>>,
+  course: Readonly<Record<string, string | undefined>> = {},
+): string[] {
   if (keys === undefined) return [];
   const timed = typeof keys === 'object' && !Array.isArray(keys);
   const all: [string | undefined, T][] = timed ? Object.entries(keys as Readonly<Record<string, T>>) : [[undefined, keys as T]];
-  return [tag(name, course, all.map(([time, value]) => tag('key', { time, ...attributes(value) })))];
+  return [
+    tag(
+      name,
+      course,
+      all.map(([time, value]) => tag('key', { time, ...attributes(value) })),
+    ),
+  ];
 }
 
 /** A script of one gesture. */

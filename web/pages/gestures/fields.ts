@@ -78,7 +78,13 @@ export function follow(event: PointerEvent, frame: Element, move: (spot: { x: nu
 export function handle(it: Handle): TemplateResult {
   const press = (event: PointerEvent): void => {
     const frame = (event.currentTarget as HTMLElement).closest('.frame');
-    if (frame !== null) follow(event, frame, (spot, rect, e) => it.drag(spot, rect, e), () => it.done());
+    if (frame !== null)
+      follow(
+        event,
+        frame,
+        (spot, rect, e) => it.drag(spot, rect, e),
+        () => it.done(),
+      );
   };
   const key = (event: KeyboardEvent): void => {
     const steps = keySteps(event);

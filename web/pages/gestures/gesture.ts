@@ -9,7 +9,7 @@ export const EXTENSIONS = 'urn:raconteur:eml:1';
 export type Hand = 'right' | 'left';
 export const HANDS: readonly Hand[] = ['right', 'left'];
 
-/** What a hand is told: its shape, where its palm looks, where its wrist is. */
+/** The features of a hand: its shape, where its palm looks, where its wrist is. */
 export type Feature = 'shape' | 'palm' | 'place';
 export const FEATURES: readonly Feature[] = ['shape', 'palm', 'place'];
 /** The elements of the features' tracks. */
@@ -106,12 +106,15 @@ export function gestureOf(top: readonly Element[]): Gesture {
   const courseOf = (element: Element): Course | undefined => {
     const kind = has(['linear', 'cosine', 'bezier', 'hermite'] as const, extension(element, 'interpolation'));
     if (kind === undefined) return undefined;
-    const controls = (extension(element, 'controls') ?? '').split(/[\s,;]+/).filter((word) => word !== '').map(Number);
+    const controls = (extension(element, 'controls') ?? '')
+      .split(/[\s,;]+/)
+      .filter((word) => word !== '')
+      .map(Number);
     const wanted = kind === 'bezier' ? 4 : kind === 'hermite' ? 2 : 0;
     return controls.length === wanted && controls.every(Number.isFinite) ? { kind, controls } : undefined;
   };
 
-  const valueOf = (feature: Feature, key: Element): Value | undefined => {
+  const valueAt = (feature: Feature, key: Element): Value | undefined => {
     const [x, y, z] = ['x', 'y', 'z'].map((axis) => numberOf(key, axis));
     if (feature === 'shape') {
       const id = numberOf(key, 'id');
@@ -128,7 +131,11 @@ export function gestureOf(top: readonly Element[]): Gesture {
 
   const trackOf = (element: Element, feature: Feature, durationSecs: number, goesThere: boolean): Track => {
     const keys = element.children.filter((child) => child.name === 'key');
-    const secs = spread(keys.map((key) => attribute(key, 'time')), durationSecs, goesThere);
+    const secs = spread(
+      keys.map((key) => attribute(key, 'time')),
+      durationSecs,
+      goesThere,
+    );
     return {
       element,
       feature,
@@ -137,7 +144,7 @@ export function gestureOf(top: readonly Element[]): Gesture {
       space: has(['cartesian', 'joint'] as const, extension(element, 'space')),
       course: courseOf(element),
       keys: keys.flatMap((key, i): Key[] => {
-        const value = valueOf(feature, key);
+        const value = valueAt(feature, key);
         const written = attribute(key, 'time')?.trim();
         return value === undefined
           ? []
@@ -186,10 +193,10 @@ function spread(written: readonly (string | undefined)[], durationSecs: number, 
   return secs.map((s) => s ?? 0);
 }
 
-/** Whether both hands are told apart: some track is for one of them. */
+/** Whether the hands differ: some track is for one of them. */
 export const toldApart = (phase: Phase): boolean => phase.hands === 'both' && phase.tracks.some((track) => track.hand !== undefined);
 
-/** What a hand is told of a feature: its own track, else the common one. */
+/** The track of a hand for a feature: its own, else the common one. */
 export function trackOf(phase: Phase, feature: Feature, hand: Hand): Track | undefined {
   if (phase.hands !== 'both' && phase.hands !== hand) return undefined;
   const tracks = phase.tracks.filter((track) => track.feature === feature);

@@ -4,11 +4,12 @@ import type { View } from '../../element/types.js';
 import '../player.js';
 import { html, nothing, render, type TemplateResult } from 'lit';
 import { openEyesAt } from '../face/course.js';
-import { copyText, onUndoKeys, part } from '../workbench.js';
+import { copyText, findPlayer, onUndoKeys, byId } from '../workbench.js';
 import { App } from './app.js';
 import { EXAMPLES } from './examples.js';
 import { remember, remembered } from './memory.js';
 import { overlay } from './overlay.js';
+import { Palms } from './palm.js';
 import { panels } from './panels.js';
 import { difference } from './source.js';
 import { timeline } from './timeline.js';
@@ -29,12 +30,20 @@ const NO_VIEW: View = { turn: NaN, tilt: NaN, zoom: NaN, right: NaN, up: NaN };
 /** Problems that are listed; the rest is counted. */
 const MOST_PROBLEMS = 8;
 
-const player = document.querySelector('raconteur-player');
-if (player === null) throw new Error('the page has no player');
-const places = { tools: part('tools'), overlay: part('overlay'), transport: part('transport'), sides: part('sides'), timeline: part('timeline'), steps: part('steps'), problems: part('problems'), status: part('status') };
-part('waiting').remove();
+const player = findPlayer();
+const places = {
+  tools: byId('tools'),
+  overlay: byId('overlay'),
+  transport: byId('transport'),
+  sides: byId('sides'),
+  timeline: byId('timeline'),
+  steps: byId('steps'),
+  problems: byId('problems'),
+  status: byId('status'),
+};
+byId('waiting').remove();
 const [first = ''] = Object.values(EXAMPLES);
-const app = new App(player, part('editor'), remembered() ?? first, draw);
+const app = new App(player, byId('editor'), remembered() ?? first, draw);
 let copied = '';
 
 function draw(): void {
@@ -70,8 +79,8 @@ function tools(): TemplateResult {
   return html`<label class="select"><span>Begin with</span>
       <select @change=${begin}><option value="">Choose…</option>${Object.keys(EXAMPLES).map((name) => html`<option>${name}</option>`)}</select></label>
     <label class="select"><span>On stage</span>
-      <select @change=${(event: Event) => (player!.figure = (event.target as HTMLSelectElement).value)}>
-        ${Object.entries(FIGURES).map(([id, name]) => html`<option value=${id} .selected=${id === (player!.figure ?? player!.currentFigure)}>${name}</option>`)}
+      <select @change=${(event: Event) => (player.figure = (event.target as HTMLSelectElement).value)}>
+        ${Object.entries(FIGURES).map(([id, name]) => html`<option value=${id} .selected=${id === (player.figure ?? player.currentFigure)}>${name}</option>`)}
       </select></label>
     <span class="group">
       <button type="button" class="plain" ?disabled=${!app.editor.canUndo} @click=${() => app.editor.undo()} title="Undo (Ctrl Z)">Undo</button>
@@ -103,7 +112,7 @@ function download(): void {
 }
 
 function seen(event: Event): void {
-  player!.look(SIDES[(event.target as HTMLSelectElement).value] ?? NO_VIEW);
+  player.look(SIDES[(event.target as HTMLSelectElement).value] ?? NO_VIEW);
   app.redraw();
 }
 
@@ -112,17 +121,17 @@ function sides(): TemplateResult {
 }
 
 function toggle(): void {
-  if (player!.paused) player!.play().catch(() => say('The browser allows playing only after a press.'));
-  else player!.pause();
+  if (player.paused) player.play().catch(() => say('The browser allows playing only after a press.'));
+  else player.pause();
 }
 
 function transport(): TemplateResult {
-  const { paused, loop, playbackRate } = player!;
+  const { paused, loop, playbackRate } = player;
   const secs = Math.max(0, app.secs);
-  return html`<button type="button" class="play" ?disabled=${player!.readyState < 2} @click=${toggle}>${paused ? 'Play' : 'Pause'}</button>
-    <label class="check"><input type="checkbox" .checked=${loop} @change=${(event: Event) => (player!.loop = (event.target as HTMLInputElement).checked)} /> Loop</label>
+  return html`<button type="button" class="play" ?disabled=${player.readyState < 2} @click=${toggle}>${paused ? 'Play' : 'Pause'}</button>
+    <label class="check"><input type="checkbox" .checked=${loop} @change=${(event: Event) => (player.loop = (event.target as HTMLInputElement).checked)} /> Loop</label>
     <label class="select side"><span>Speed</span>
-      <select @change=${(event: Event) => (player!.playbackRate = Number((event.target as HTMLSelectElement).value))}>
+      <select @change=${(event: Event) => (player.playbackRate = Number((event.target as HTMLSelectElement).value))}>
         ${SPEEDS.map((speed) => html`<option value=${speed} .selected=${speed === playbackRate}>${speed}×</option>`)}
       </select></label>
     <span class="clock">${secs.toFixed(2)} / ${app.endSecs.toFixed(2)} s</span>`;
@@ -153,6 +162,15 @@ onUndoKeys(
   () => app.editor.redo(),
 );
 
+/** The build that the player has fetched reads palms, too; where that fails, the next story that is loaded tries again. */
+async function openPalms(): Promise<void> {
+  const backend = player.activeBackend;
+  if (backend === undefined || app.palms !== undefined) return;
+  app.palms = await Palms.open(backend).catch(() => undefined);
+  app.redraw();
+}
+player.addEventListener('loadedmetadata', () => void openPalms());
+
 /** Opens the stage and shows the moment that is edited. */
 async function open(): Promise<void> {
   draw();
@@ -160,9 +178,9 @@ async function open(): Promise<void> {
   await app.rehearse();
   const tab = app.tab;
   app.selectTab(tab);
-  // A first look at somebody who happens to blink is no good beginning.
-  const open = openEyesAt(player!, player!.currentTime);
-  if (open !== player!.currentTime) player!.currentTime = open;
+  // The first picture should not show a blink.
+  const open = openEyesAt(player, player.currentTime);
+  if (open !== player.currentTime) player.currentTime = open;
   if (!matchMedia('(prefers-reduced-motion: reduce)').matches) return;
   say('The gesture stands still until you play it.');
 }

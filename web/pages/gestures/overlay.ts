@@ -1,7 +1,7 @@
 /** What lies over the picture: where the wrists go, and the handle that moves the place that is edited. */
 
 import { html, nothing, svg, type TemplateResult } from 'lit';
-import { along, type PoseNow, type Spot, type Vector } from '../pose.js';
+import { along, type PoseNow, type Spot, type Vector } from '../../element/pose.js';
 import type { App } from './app.js';
 import { handle } from './fields.js';
 import { mirror, mirrored, trackOf, HANDS, type Track, type Triple } from './gesture.js';
@@ -81,15 +81,17 @@ function grip(app: App, pose: PoseNow, track: Track, index: number, spot: (place
       const pressed = toWorld(pose, place, track.world);
       const ahead = nearestAxis(camera.forward);
       // In the plane across the view, through where it was; with the shift key away from it, upwards being farther.
-      const point = event.shiftKey
-        ? along(pressed, ahead, (at.y - to.y) / camera.pixelsPerMetre(pressed, height))
-        : camera.unproject(to, width, height, pressed, ahead);
+      const point = event.shiftKey ? along(pressed, ahead, (at.y - to.y) / camera.pixelsPerMetre(pressed, height)) : camera.unproject(to, width, height, pressed, ahead);
       if (point !== undefined) set(toPlace(pose, point, track.world));
     },
     key: (right, up, nearer) => {
       if (!mine()) app.selectKey(app.phaseIndex, 'place', index);
       const { camera, metresPerUnit } = pose;
-      const steps: [Vector, number][] = [[camera.right, right], [camera.up, up], [camera.forward, -nearer]];
+      const steps: [Vector, number][] = [
+        [camera.right, right],
+        [camera.up, up],
+        [camera.forward, -nearer],
+      ];
       const moved = steps.reduce((point, [axis, units]) => along(point, nearestAxis(axis), units * metresPerUnit), toWorld(pose, live(), track.world));
       set(toPlace(pose, moved, track.world));
       return true;

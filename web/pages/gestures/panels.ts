@@ -2,14 +2,31 @@
 
 import { html, nothing, type TemplateResult } from 'lit';
 import { choice } from '../fields.js';
+import { tabAt } from '../tabs.js';
 import type { App, Tab } from './app.js';
 import { ball, inWords } from './ball.js';
 import { courseField } from './course.js';
-import { addKey, addPhase, inSequence, ownTime, removeKey, removePhase, setCourse, setDuration, setHands, setKeyTime, setPhase, setSpace, setStart, written, type Handedness } from './edit.js';
+import {
+  addKey,
+  addPhase,
+  inSequence,
+  ownTime,
+  removeKey,
+  removePhase,
+  setCourse,
+  setDuration,
+  setHands,
+  setKeyTime,
+  setPhase,
+  setSpace,
+  setStart,
+  written,
+  type Handedness,
+} from './edit.js';
 import { numberField } from './fields.js';
 import { PHASES, toldApart, type Feature, type Key, type Phase, type PhaseName, type Triple, type Value } from './gesture.js';
 import { wristNow } from './overlay.js';
-import { directionsOf, palmOf } from './palm.js';
+import type { Palms } from './palm.js';
 import { shapeName, shapePicker, shapePicture } from './shapes.js';
 import { keyInWords, LANES } from './timeline.js';
 
@@ -20,8 +37,7 @@ export function panels(app: App): TemplateResult {
   const { phase } = app;
   const names = Object.keys(TABS) as Tab[];
   const walk = (event: KeyboardEvent): void => {
-    const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key] ?? 0;
-    const to = event.key === 'Home' ? names[0] : event.key === 'End' ? names.at(-1) : step === 0 ? undefined : names[(names.indexOf(app.tab) + step + names.length) % names.length];
+    const to = tabAt(event.key, names, app.tab);
     if (to === undefined) return;
     event.preventDefault();
     app.selectTab(to);
@@ -29,7 +45,9 @@ export function panels(app: App): TemplateResult {
   };
   return html`<div class="tabs" role="tablist" aria-label="Steps" @keydown=${walk}>
       ${names.map(
-        (tab) => html`<button type="button" role="tab" id="tab-${tab}" aria-selected=${tab === app.tab ? 'true' : 'false'} aria-controls="panel" tabindex=${tab === app.tab ? '0' : '-1'} @click=${() => app.selectTab(tab)}>
+        (
+          tab,
+        ) => html`<button type="button" role="tab" id="tab-${tab}" aria-selected=${tab === app.tab ? 'true' : 'false'} aria-controls="panel" tabindex=${tab === app.tab ? '0' : '-1'} @click=${() => app.selectTab(tab)}>
           ${TABS[tab]}
         </button>`,
       )}
@@ -49,9 +67,11 @@ function panel(app: App, phase: Phase): TemplateResult {
   const key = app.key(feature);
   const name = phase.name === undefined ? 'this gesture' : `the ${PHASES[phase.name].toLowerCase()}`;
   return html`${hands(app, phase)}
-    ${key === undefined
-      ? html`<p class="none">${phase.name === 'retraction' || phase.name === 'partial-retraction' ? `In ${name} the hand goes back to rest by itself.` : `${capital(name)} says nothing here: the ${LANES[feature].toLowerCase()} stays as it was.`}</p>`
-      : keyRow(app, phase, feature, key)}
+    ${
+      key === undefined
+        ? html`<p class="none">${phase.name === 'retraction' || phase.name === 'partial-retraction' ? `In ${name} the hand goes back to rest by itself.` : `${capital(name)} says nothing here: the ${LANES[feature].toLowerCase()} stays as it was.`}</p>`
+        : keyRow(app, phase, feature, key)
+    }
     ${key === undefined ? nothing : feature === 'shape' ? shapePanel(app, key) : feature === 'palm' ? palmPanel(app, key) : placePanel(app, key)}
     ${adding(app, phase, feature, key)}`;
 }
@@ -86,7 +106,14 @@ function keyRow(app: App, phase: Phase, feature: Feature, key: Key): TemplateRes
 
 /** What a new key begins with: what the hand does now. */
 function valueNow(app: App, feature: Feature): Value {
-  const near = app.key(feature)?.value ?? [...app.gesture.phases].slice(0, app.phaseIndex).reverse().flatMap((p) => p.tracks.filter((t) => t.feature === feature)).at(0)?.keys.at(-1)?.value;
+  const near =
+    app.key(feature)?.value ??
+    [...app.gesture.phases]
+      .slice(0, app.phaseIndex)
+      .reverse()
+      .flatMap((p) => p.tracks.filter((t) => t.feature === feature))
+      .at(0)
+      ?.keys.at(-1)?.value;
   if (feature === 'place') return { place: wristNow(app, app.track('place')?.world ?? false) ?? near?.place ?? [-9, 18, -12] };
   if (near !== undefined) return near;
   return feature === 'shape' ? { shape: { id: 0, weight: 0.5 } } : { palm: { normal: [1, 0, 0], angle: 90 } };
@@ -130,14 +157,20 @@ function shapePanel(app: App, key: Key): TemplateResult {
     html`<button type="button" class="slot" aria-pressed=${chosen ? 'true' : 'false'} @click=${choose}>
       ${id === undefined ? html`<span class="picture empty" aria-hidden="true">+</span>` : shapePicture(id)}<span><small>${label}</small> ${id === undefined ? 'nothing' : `${id} ${shapeName(id)}`}</span>
     </button>`;
+  const pick = (mixed: boolean): void => {
+    app.second = mixed;
+    app.redraw();
+  };
   const picking = app.second ? second : shape.id;
   return html`<div class="slots">
-      ${slot('Shape', shape.id, !app.second, () => ((app.second = false), app.redraw()))} ${slot('Mixed with', second, app.second, () => ((app.second = true), app.redraw()))}
+      ${slot('Shape', shape.id, !app.second, () => pick(false))} ${slot('Mixed with', second, app.second, () => pick(true))}
     </div>
-    ${second === undefined
-      ? nothing
-      : html`${numberField({ label: 'Share of the second', value: shape.weight, min: 0, max: 1, step: 0.01, text: `${Math.round(shape.weight * 100)} percent`, set: (weight) => set({ weight: Math.min(1, Math.max(0, weight)) }), done: () => app.done() })}
-          <button type="button" class="plain" @click=${alone}>Do not mix</button>`}
+    ${
+      second === undefined
+        ? nothing
+        : html`${numberField({ label: 'Share of the second', value: shape.weight, min: 0, max: 1, step: 0.01, text: `${Math.round(shape.weight * 100)} percent`, set: (weight) => set({ weight: Math.min(1, Math.max(0, weight)) }), done: () => app.done() })}
+          <button type="button" class="plain" @click=${alone}>Do not mix</button>`
+    }
     ${shapePicker(`shape-${app.second ? 2 : 1}`, app.second ? 'Shape that is mixed in' : 'Shape of the hand', picking, (id) => {
       set(app.second ? { second: id } : { id });
       app.done();
@@ -147,10 +180,33 @@ function shapePanel(app: App, key: Key): TemplateResult {
 /** Where a palm looks most often, as the speaker stands; EML's axes. */
 const WAYS: Readonly<Record<string, Triple>> = { Front: [0, 0, -1], Back: [0, 0, 1], Up: [0, 1, 0], Down: [0, -1, 0], Left: [1, 0, 0], Right: [-1, 0, 0] };
 
+/** The palm on its ball, and where it looks in words. */
+function onBall(app: App, palms: Palms, palm: NonNullable<Value['palm']>, set: (normal: Triple, angle: number) => void): TemplateResult {
+  const { hand } = app;
+  const directions = palms.directionsOf(hand, palm.normal, palm.angle);
+  const field = ball({
+    hand,
+    directions,
+    live: () => {
+      const now = app.key('palm')?.value.palm ?? palm;
+      return palms.directionsOf(hand, now.normal, now.angle);
+    },
+    set: (to) => {
+      const { normal, angle } = palms.palmOf(hand, to);
+      set(normal, angle);
+    },
+    done: () => app.done(),
+  });
+  return html`<div class="palm-ball">
+        ${field}
+        <p class="hint">The ${hand} hand as the audience sees it. Roll the ball, or turn it by its rim.</p>
+      </div>
+      <p class="words">Palm ${inWords(directions.normal)},<br />fingers ${inWords(directions.fingers)}.</p>`;
+}
+
 function palmPanel(app: App, key: Key): TemplateResult {
   const palm = key.value.palm ?? { normal: [1, 0, 0] as Triple, angle: 0 };
-  const { hand } = app;
-  const directions = directionsOf(hand, palm.normal, palm.angle);
+  const { palms } = app;
   const set = (normal: Triple, angle: number): void => {
     if (Math.hypot(...normal) > 1e-6) app.setValue('palm', { palm: { normal, angle } });
   };
@@ -167,26 +223,14 @@ function palmPanel(app: App, key: Key): TemplateResult {
       },
       done: () => app.done(),
     });
+  const choose = (normal: Triple): void => {
+    set(normal, palm.angle);
+    app.done();
+  };
   return html`<div class="palm">
-      <div class="palm-ball">
-        ${ball({
-          hand,
-          directions,
-          live: () => {
-            const now = app.key('palm')?.value.palm ?? palm;
-            return directionsOf(hand, now.normal, now.angle);
-          },
-          set: (to) => {
-            const { normal, angle } = palmOf(hand, to);
-            set(normal, angle);
-          },
-          done: () => app.done(),
-        })}
-        <p class="hint">The ${hand} hand as the audience sees it. Roll the ball, or turn it by its rim.</p>
-      </div>
-      <p class="words">Palm ${inWords(directions.normal)},<br />fingers ${inWords(directions.fingers)}.</p>
+      ${palms === undefined ? nothing : onBall(app, palms, palm, set)}
       <div class="ways" role="group" aria-label="Palm looks">
-        ${Object.entries(WAYS).map(([name, normal]) => html`<button type="button" class="plain" @click=${() => (set(normal, palm.angle), app.done())}>${name}</button>`)}
+        ${Object.entries(WAYS).map(([name, normal]) => html`<button type="button" class="plain" @click=${() => choose(normal)}>${name}</button>`)}
       </div>
     </div>
     ${numberField({ label: 'Turn about the normal', value: palm.angle, min: -180, max: 360, step: 1, unit: '°', set: (angle) => set((app.key('palm')?.value.palm ?? palm).normal, angle), done: () => app.done() })}
@@ -232,13 +276,14 @@ function coursePanel(app: App): TemplateResult {
   const words = { shape: 'the fingers', palm: 'the palm', place: 'the wrist' }[feature];
   const moves = feature === 'shape' ? 'move' : 'moves';
   return html`${choice('course-of', 'Of', feature, LANES, (f) => app.selectKey(app.phaseIndex, (app.courseOf = f), app.keyIndex(f)))}
-    ${track === undefined || key === undefined || of === undefined
-      ? html`<p class="none">This phase says nothing about ${words}, so there is no course to it.</p>`
-      : html`${choice('scope', 'For', app.wholeTrack ? 'track' : 'key', { key: `This key, ${written(key.secs)} s`, track: 'Every key of the phase' }, (scope) => {
-          app.wholeTrack = scope === 'track';
-          app.redraw();
-        })}
-        <p class="hint">${app.wholeTrack ? `How ${words} ${moves} to each key that has no course of its own.` : firstWords(app, feature) ?? `How ${words} ${moves} to ${keyInWords(feature, key)}${key.course === undefined && track.course !== undefined ? `; the phase says ${track.course.kind}` : ''}.`}</p>
+    ${
+      track === undefined || key === undefined || of === undefined
+        ? html`<p class="none">This phase says nothing about ${words}, so there is no course to it.</p>`
+        : html`${choice('scope', 'For', app.wholeTrack ? 'track' : 'key', { key: `This key, ${written(key.secs)} s`, track: 'Every key of the phase' }, (scope) => {
+            app.wholeTrack = scope === 'track';
+            app.redraw();
+          })}
+        <p class="hint">${app.wholeTrack ? `How ${words} ${moves} to each key that has no course of its own.` : (firstWords(app, feature) ?? `How ${words} ${moves} to ${keyInWords(feature, key)}${key.course === undefined && track.course !== undefined ? `; the phase says ${track.course.kind}` : ''}.`)}</p>
         ${courseField({
           course: of.course,
           live: () => live()?.course,
@@ -248,18 +293,23 @@ function coursePanel(app: App): TemplateResult {
           },
           done: () => app.done(),
         })}
-        ${feature === 'shape'
-          ? nothing
-          : choice('space', 'On the way', track.space ?? 'free', { free: 'As is natural', cartesian: 'Straight', joint: 'By the joints' }, (space) =>
-              app.change(setSpace(gesture, track, space === 'free' ? undefined : space)),
-            )}`}`;
+        ${
+          feature === 'shape'
+            ? nothing
+            : choice('space', 'On the way', track.space ?? 'free', { free: 'As is natural', cartesian: 'Straight', joint: 'By the joints' }, (space) =>
+                app.change(setSpace(gesture, track, space === 'free' ? undefined : space)),
+              )
+        }`
+    }`;
 }
 
 /** The first key of a stroke is where it begins: the way there is the preparation's. */
 function firstWords(app: App, feature: Feature): string | undefined {
   const { name } = app.phase ?? {};
   const stroke = name === undefined || name === 'stroke';
-  return stroke && app.keyIndex(feature) === 0 && (app.track(feature)?.keys.length ?? 0) > 1 ? 'The phase begins with this key, so there is no way to it in this phase; choose a later one.' : undefined;
+  return stroke && app.keyIndex(feature) === 0 && (app.track(feature)?.keys.length ?? 0) > 1
+    ? 'The phase begins with this key, so there is no way to it in this phase; choose a later one.'
+    : undefined;
 }
 
 function phasePanel(app: App, phase: Phase): TemplateResult {
@@ -268,9 +318,20 @@ function phasePanel(app: App, phase: Phase): TemplateResult {
   const names = { plain: 'None', ...PHASES };
   return html`${choice('phase-name', 'This phase is a', phase.name ?? 'plain', names, (name) => app.change(setPhase(gesture, phase, name === 'plain' ? undefined : (name as PhaseName))))}
     ${choice('hands', 'Hands', toldApart(phase) ? 'apart' : phase.hands, { right: 'Right', left: 'Left', both: 'Both, mirrored', apart: 'Both, each its own' } as Record<Handedness, string>, (hands) => app.change(setHands(app.editor.text, gesture, phase, hands)))}
-    ${own === undefined
-      ? html`<p class="hint">It starts at a moment that the text names; change it there.</p>`
-      : numberField({ label: inSequence(phase) ? 'Pause before it' : 'Starts at', value: own, min: 0, max: 5, step: 0.05, unit: 's', set: (secs) => app.phase && app.drag(setStart(app.phase, secs)), done: () => app.done() })}
+    ${
+      own === undefined
+        ? html`<p class="hint">It starts at a moment that the text names; change it there.</p>`
+        : numberField({
+            label: inSequence(phase) ? 'Pause before it' : 'Starts at',
+            value: own,
+            min: 0,
+            max: 5,
+            step: 0.05,
+            unit: 's',
+            set: (secs) => app.phase && app.drag(setStart(app.phase, secs)),
+            done: () => app.done(),
+          })
+    }
     ${numberField({ label: 'Length', value: phase.durationSecs, min: 0.05, max: 5, step: 0.05, unit: 's', set: (secs) => app.phase && app.drag(setDuration(app.phase, secs)), done: () => app.done() })}
     <div class="after" role="group" aria-labelledby="after-title">
       <h3 id="after-title">After it, add a</h3>

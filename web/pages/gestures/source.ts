@@ -148,7 +148,7 @@ export function apply(text: string, changes: readonly Change[]): string {
   return sorted.reduce((now, { from, to, insert }) => now.slice(0, from) + insert + now.slice(to), text);
 }
 
-const escape = (value: string): string => value.replace(/&/g, '&amp;').replace(/</g, '&lt;').replace(/"/g, '&quot;').replace(/'/g, '&apos;');
+const escaped = (value: string): string => value.replace(/&/g, '&amp;').replace(/</g, '&lt;').replace(/"/g, '&quot;').replace(/'/g, '&apos;');
 
 /** Sets an attribute, or takes it away where the value is undefined. */
 export function setAttribute(element: Element, name: string, value: string | undefined): Change[] {
@@ -156,11 +156,11 @@ export function setAttribute(element: Element, name: string, value: string | und
   if (present !== undefined) {
     // The space before goes with it.
     if (value === undefined) return [{ from: present.from - 1, to: present.to, insert: '' }];
-    return value === present.value ? [] : [{ from: present.valueFrom, to: present.valueTo, insert: escape(value) }];
+    return value === present.value ? [] : [{ from: present.valueFrom, to: present.valueTo, insert: escaped(value) }];
   }
   if (value === undefined) return [];
   const at = element.attributes.at(-1)?.to ?? element.from + 1 + element.name.length;
-  return [{ from: at, to: at, insert: ` ${name}="${escape(value)}"` }];
+  return [{ from: at, to: at, insert: ` ${name}="${escaped(value)}"` }];
 }
 
 /** The white space that the line of a place begins with; undefined when something stands between. */

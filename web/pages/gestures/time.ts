@@ -73,6 +73,7 @@ export function timesOf(body: Element): Map<Element, number> {
       const count = Number(attribute(clause, 'repetitionCount') ?? attribute(clause, 'repeatCount') ?? 1);
       if (start === undefined || end === undefined) return undefined;
       const round = written === undefined ? end - start : parseSecs(written);
+      // What is not a number counts as once.
       return round === undefined ? undefined : start + round * (count >= 1 ? count : 1);
     }
     if (start === undefined || LENGTHLESS.has(clause.name)) return start;

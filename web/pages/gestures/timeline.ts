@@ -96,7 +96,13 @@ function block(app: App, phase: Phase, index: number, start: number, { percent, 
         app.selectPhase(index);
         // The scale of now: it changes while the end moves.
         const width = lane?.getBoundingClientRect().width ?? 1;
-        if (lane !== null) follow(event, lane, ({ x }) => set(secsOf(x, width)), () => app.done());
+        if (lane !== null)
+          follow(
+            event,
+            lane,
+            ({ x }) => set(secsOf(x, width)),
+            () => app.done(),
+          );
       }}
       @keydown=${(event: KeyboardEvent) => {
         const steps = keySteps(event);
@@ -116,7 +122,7 @@ function block(app: App, phase: Phase, index: number, start: number, { percent, 
   </div>`;
 }
 
-/** The keys of a feature in a phase: of the hand that is edited, or of both where they are told apart. */
+/** The keys of a feature in a phase: of the hand that is edited, or of both where they differ. */
 function keysOf(app: App, phase: Phase, index: number, start: number, feature: Feature, { percent, secsOf }: Scale): TemplateResult[] {
   const apart = toldApart(phase);
   const hands = apart ? HANDS : [phase.hands === 'left' ? ('left' as const) : ('right' as const)];

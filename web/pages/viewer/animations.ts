@@ -32,19 +32,21 @@ export function animations(app: App): TemplateResult {
   return html`${choice('mechanism', 'Play', state.mechanism, MECHANISMS, (mechanism) => app.set((s) => (s.mechanism = mechanism)))}
     <p class="about">${ABOUT[state.mechanism]}</p>
     ${panels[state.mechanism]()}
-    ${state.mechanism === 'none'
-      ? nothing
-      : numberField({
-          label: 'Cross-fade',
-          value: state.swapSecs,
-          min: 0,
-          max: 2,
-          step: 0.05,
-          unit: 's',
-          text: state.swapSecs === 0 ? 'at once' : `${state.swapSecs} seconds`,
-          set: (secs) => app.change((s) => (s.swapSecs = secs)),
-          done: () => app.done(),
-        })}`;
+    ${
+      state.mechanism === 'none'
+        ? nothing
+        : numberField({
+            label: 'Cross-fade',
+            value: state.swapSecs,
+            min: 0,
+            max: 2,
+            step: 0.05,
+            unit: 's',
+            text: state.swapSecs === 0 ? 'at once' : `${state.swapSecs} seconds`,
+            set: (secs) => app.change((s) => (s.swapSecs = secs)),
+            done: () => app.done(),
+          })
+    }`;
 }
 
 /** Puts something else on a track; what ends begins anew, else it might be over already. */
@@ -58,9 +60,11 @@ function playing(app: App, name: string, of: (state: State) => Track): TemplateR
   const { style, times, speed } = of(app.state);
   return html`<div class="row">
       ${menu(`Plays`, style, STYLES, (next) => put(app, of, { style: next }))}
-      ${ends(style)
-        ? html`<label class="select"><span>Times</span><input type="number" min="1" max="100" .value=${String(times)} @change=${(event: Event) => put(app, of, { times: Math.min(100, Math.max(1, Math.round(Number((event.target as HTMLInputElement).value)) || 1)) })} /></label>`
-        : nothing}
+      ${
+        ends(style)
+          ? html`<label class="select"><span>Times</span><input type="number" min="1" max="100" .value=${String(times)} @change=${(event: Event) => put(app, of, { times: Math.min(100, Math.max(1, Math.round(Number((event.target as HTMLInputElement).value)) || 1)) })} /></label>`
+          : nothing
+      }
     </div>
     ${numberField({ label: 'Speed', of: name, value: speed, min: -2, max: 3, step: 0.05, unit: '×', set: (value) => app.change((s) => (of(s).speed = value)), done: () => app.done() })}`;
 }

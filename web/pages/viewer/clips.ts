@@ -27,4 +27,8 @@ export const SHELVED: readonly { readonly shelf: string; readonly clips: readonl
 export const aboutClip = (name: string): string => clips.find((clip) => clip.name === name)?.about ?? '';
 
 /** `step-march` for people. */
-export const clipTitle = (name: string): string => name.replace(/^step-/, '').replaceAll('-', ' ').replace(/^./, (c) => c.toUpperCase());
+export const clipTitle = (name: string): string =>
+  name
+    .replace(/^step-/, '')
+    .replaceAll('-', ' ')
+    .replace(/^./, (c) => c.toUpperCase());

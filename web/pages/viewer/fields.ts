@@ -18,7 +18,8 @@ export function clipMenu(label: string, value: string, none: string | undefined,
     <select aria-label=${label} title=${aboutClip(value)} @change=${(event: Event) => choose((event.target as HTMLSelectElement).value)}>
       ${none === undefined ? nothing : html`<option value="" .selected=${value === ''}>${none}</option>`}
       ${SHELVED.map(
-        ({ shelf, clips }) => html`<optgroup label=${shelf}>${clips.map(({ name }) => html`<option value=${name} .selected=${name === value}>${clipTitle(name)}</option>`)}</optgroup>`,
+        ({ shelf, clips }) =>
+          html`<optgroup label=${shelf}>${clips.map(({ name }) => html`<option value=${name} .selected=${name === value}>${clipTitle(name)}</option>`)}</optgroup>`,
       )}
     </select></label>`;
 }

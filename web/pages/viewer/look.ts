@@ -19,11 +19,16 @@ export function look(app: App): TemplateResult {
   const { look: now } = app.state;
   const set = (change: Partial<Look>): void => app.set((s) => Object.assign(s.look, change));
   const flag = (key: Exclude<keyof Look, 'fill'>, label: string, note?: string): TemplateResult =>
-    check(label, now[key], (on) => {
-      // Somebody is always there: who takes the skin away sees bones, and the other way round.
-      const other = !on && key === 'skin' ? { bones: true } : !on && key === 'bones' ? { skin: true } : {};
-      set({ ...other, [key]: on });
-    }, note);
+    check(
+      label,
+      now[key],
+      (on) => {
+        // Somebody is always there: who takes the skin away sees bones, and the other way round.
+        const other = !on && key === 'skin' ? { bones: true } : !on && key === 'bones' ? { skin: true } : {};
+        set({ ...other, [key]: on });
+      },
+      note,
+    );
   return html`<div class="choice" role="group" aria-label="Ready-made looks">
       <div>
         ${Object.entries(PRESETS).map(([name, change]) => {

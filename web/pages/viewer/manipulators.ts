@@ -29,15 +29,16 @@ export function manipulators(app: App): TemplateResult {
     app.set((s) => (of(s).lead = next));
   };
   return html`${choice('limb', 'Limb', name, LIMB_NAMES, (next) => {
-      app.limb = next;
-      app.redraw();
-    })}
+    app.limb = next;
+    app.redraw();
+  })}
     ${choice('lead', 'Led by', limb.lead, LEADS, lead)}
     <p class="about">${ABOUT[limb.lead]}</p>
     ${limb.lead === 'place' ? target(app, of, who) : limb.lead === 'joints' ? joints(app, of, who) : nothing}
-    ${limb.lead === 'free'
-      ? nothing
-      : html`<div class="row">
+    ${
+      limb.lead === 'free'
+        ? nothing
+        : html`<div class="row">
           ${check('Joint limits', limb.limits, (on) => app.set((s) => (of(s).limits = on)))}
           ${limb.lead === 'place' && name !== 'head' ? check('Hold it there', limb.lock, (on) => app.set((s) => (of(s).lock = on)), ' while the body moves') : nothing}
         </div>
@@ -45,7 +46,8 @@ export function manipulators(app: App): TemplateResult {
           ${limb.lead === 'place' ? menu('Gets there', limb.way, WAYS, (way) => app.set((s) => (of(s).way = way))) : nothing}
           <button type="button" class="plain" @click=${() => watch(app)}>Watch it move</button>
           <button type="button" class="plain" @click=${() => lead('free')}>Let go</button>
-        </div>`}`;
+        </div>`
+    }`;
 }
 
 /** From the beginning, when limbs set out. */

@@ -9,7 +9,7 @@ export interface Pace {
 }
 
 /** What is known of a track. */
-interface Course {
+interface TrackHistory {
   readonly place: string;
   readonly track: Track;
   readonly clip: string;
@@ -28,7 +28,7 @@ const SOON_SECS = 0.05;
 
 /** The paces of all tracks. */
 export class Paces {
-  #courses: readonly Course[] = [];
+  #histories: readonly TrackHistory[] = [];
 
   constructor(state: State) {
     this.follow(state, 0);
@@ -39,9 +39,9 @@ export class Paces {
    * is at `nowSecs` of the script, which goes back only by `restart`.
    */
   follow(state: State, nowSecs: number): void {
-    this.#courses = tracksOf(state).map(([place, track]) => {
+    this.#histories = tracksOf(state).map(([place, track]) => {
       // Undo brings other objects back, which stand in the same places.
-      const before = this.#courses.find((course) => course.track === track) ?? this.#courses.find((course) => course.place === place);
+      const before = this.#histories.find((course) => course.track === track) ?? this.#histories.find((course) => course.place === place);
       const { clip, speed } = track;
       const pace = before?.clip !== clip ? undefined : before.speed === speed ? before.pace : changed(before, nowSecs);
       return { place, track, clip, speed, pace };
@@ -50,19 +50,19 @@ export class Paces {
 
   /** How a track came to the speed that it has; undefined when it always had it. */
   of(track: Track): Pace | undefined {
-    return this.#courses.find((course) => course.track === track)?.pace;
+    return this.#histories.find((course) => course.track === track)?.pace;
   }
 
   /** The script goes on from `nowSecs`: speeds that changed later were never different. True when there were any. */
   restart(nowSecs: number): boolean {
-    const later = ({ pace }: Course): boolean => pace !== undefined && pace.untilSecs > nowSecs;
-    if (!this.#courses.some(later)) return false;
-    this.#courses = this.#courses.map((course) => (later(course) ? { ...course, pace: undefined } : course));
+    const later = ({ pace }: TrackHistory): boolean => pace !== undefined && pace.untilSecs > nowSecs;
+    if (!this.#histories.some(later)) return false;
+    this.#histories = this.#histories.map((course) => (later(course) ? { ...course, pace: undefined } : course));
     return true;
   }
 }
 
-function changed({ speed, pace }: Course, nowSecs: number): Pace | undefined {
+function changed({ speed, pace }: TrackHistory, nowSecs: number): Pace | undefined {
   if (nowSecs < SOON_SECS) return undefined;
   const { untilSecs, speed: first } = pace ?? { untilSecs: 0, speed };
   const covered = first * untilSecs + speed * (nowSecs - untilSecs);

@@ -2,13 +2,12 @@
 
 import { html, nothing, svg, type TemplateResult } from 'lit';
 import { keySteps, vars } from '../fields.js';
-import { along, type PoseNow, type Spot, type Vector } from '../pose.js';
+import { TURN_PER_PIXEL, zoomByKey, zoomByWheel } from '../pad.js';
+import { along, type PoseNow, type Spot, type Vector } from '../../element/pose.js';
 import { FRONT, type App } from './app.js';
 import { LIMB_NAMES, LIMBS, type LimbName, type Triple } from './state.js';
 import { endOf, toPlace, toWorld } from './turns.js';
 
-/** Turn of the view for each pixel that the pointer goes, radians. */
-const TURN = 0.008;
 /** Degrees that the head turns for each pixel that its handle is drawn. */
 const NOD = 0.5;
 
@@ -175,30 +174,19 @@ export function lookAround(app: App, pad: HTMLElement): void {
         } else if (now.shiftKey) {
           shift(app, -dx, dy);
         } else {
-          app.look({ turn: app.view.turn - dx * TURN, tilt: app.view.tilt + dy * TURN });
+          app.look({ turn: app.view.turn - dx * TURN_PER_PIXEL, tilt: app.view.tilt + dy * TURN_PER_PIXEL });
         }
       },
       () => held.delete(event.pointerId),
     );
   });
-  pad.addEventListener(
-    'wheel',
-    (event) => {
-      // The page scrolls unless the picture is in use.
-      if (!event.ctrlKey && document.activeElement !== pad) return;
-      event.preventDefault();
-      app.look({ zoom: app.view.zoom * Math.exp(-event.deltaY * 0.0015) });
-    },
-    { passive: false },
-  );
+  zoomByWheel(pad, app);
   pad.addEventListener('keydown', (event) => {
     const by = steps(event);
     if (by !== undefined && event.shiftKey) shift(app, by[0] * 8, by[1] * 8);
     else if (by !== undefined) app.look({ turn: app.view.turn + by[0] * 0.12, tilt: app.view.tilt + by[1] * 0.08, zoom: app.view.zoom * 1.1 ** by[2] });
-    else if (event.key === '+' || event.key === '=') app.look({ zoom: app.view.zoom * 1.15 });
-    else if (event.key === '-') app.look({ zoom: app.view.zoom / 1.15 });
     else if (event.key === 'Home') app.look(FRONT);
-    else return;
+    else if (!zoomByKey(event, app)) return;
     event.preventDefault();
   });
 }
@@ -219,7 +207,8 @@ export function views(app: App): TemplateResult {
   const sides = { Front: 0, Left: Math.PI / 2, Back: Math.PI, Right: -Math.PI / 2 };
   return html`<div class="group" role="group" aria-label="View">
     ${Object.entries(sides).map(
-      ([name, side]) => html`<button type="button" class="plain" aria-pressed=${near(Math.abs(turn - side) % (2 * Math.PI), 0)} @click=${() => app.look({ ...FRONT, zoom, up, turn: side })}>${name}</button>`,
+      ([name, side]) =>
+        html`<button type="button" class="plain" aria-pressed=${near(Math.abs(turn - side) % (2 * Math.PI), 0)} @click=${() => app.look({ ...FRONT, zoom, up, turn: side })}>${name}</button>`,
     )}
     <button type="button" class="plain" aria-label="Farther" @click=${() => app.look({ zoom: zoom / 1.3 })}>−</button>
     <button type="button" class="plain" aria-label="Nearer" @click=${() => app.look({ zoom: zoom * 1.3 })}>+</button>

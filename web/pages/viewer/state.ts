@@ -27,7 +27,7 @@ export type LimbName = (typeof LIMBS)[number];
 
 export type Triple = [number, number, number];
 
-/** What leads a limb: nobody, a target in space, or its joints. */
+/** What leads a limb: nothing, a target in space, or its joints. */
 export type Lead = 'free' | 'place' | 'joints';
 
 /** How the end of a limb gets to its target (GEVH D.3.21, D.3.22, D.3.24). */

@@ -1,5 +1,6 @@
 /** The viewer's settings as EML. */
 
+import { SETTLED_SECS } from '../page-state.js';
 import { script, tag } from '../markup.js';
 import type { Pace } from './paces.js';
 import { ends, GROUPS, LIMBS, LOOK, track as stand, type Limb, type LimbName, type Look, type State, type Track } from './state.js';
@@ -8,8 +9,6 @@ import { ends, GROUPS, LIMBS, LOOK, track as stand, type Limb, type LimbName, ty
 export const LENGTH_SECS = 600;
 /** How long a limb takes to come to its target, seconds. */
 const MOVE_SECS = 0.6;
-/** By then all limbs are where they were sent. */
-export const SETTLED_SECS = 2;
 
 /** The pace that a track had before its speed changed, if it did. */
 type PaceOf = (track: Track) => Pace | undefined;

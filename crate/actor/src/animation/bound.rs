@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use raconteur_base::curve::smooth;
-use raconteur_base::{DQuat, DVec3, Side, mirror_vector};
+use raconteur_base::{DQuat, DVec3, Length, Side, mirror_vector};
 use raconteur_body::skeleton::zero_frames;
 use raconteur_body::{Bone, Pose, Skeleton};
 
@@ -99,7 +99,7 @@ impl Body {
             at,
             about * tipped * rotation_of(standing),
             DQuat::from_rotation_y(sign * (knee + 0.8 * turn)) * DVec3::Z,
-            (zero.inverse() * flat * zero).normalize(),
+            (zero.inverse() * flat * zero).normalized(),
         )
     }
 }

@@ -1,7 +1,7 @@
 //! Keyed values over the time of a clip: rotations, places and angles alike.
 
-use raconteur_base::DQuat;
 use raconteur_base::curve::hermite;
+use raconteur_base::{DQuat, Length};
 
 /// How a track passes its keys.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -117,7 +117,7 @@ impl Curve {
         }
         let q = DQuat::from_array(self.at(time_secs));
         if q.length_squared() > 1e-12 {
-            q.normalize()
+            q.normalized()
         } else {
             DQuat::IDENTITY
         }

@@ -4,7 +4,7 @@
 //! The zero pose of the skeleton stretches the arms out sideways; authors think of arms that
 //! hang. Only this file knows the difference.
 
-use raconteur_base::{DQuat, DVec3, Side};
+use raconteur_base::{DQuat, DVec3, Length, Side};
 use raconteur_body::Bone;
 use raconteur_body::skeleton::zero_frames;
 
@@ -102,7 +102,7 @@ impl Joint {
             Kind::Hip => x(-a) * z(b) * y(c),
             Kind::Knee | Kind::Ankle => x(a),
         };
-        (zero.inverse() * in_world * zero).normalize()
+        (zero.inverse() * in_world * zero).normalized()
     }
 }
 

@@ -1,16 +1,15 @@
 //! Reads the clip format: JSON keyframes, described in `docs/animation.md`.
-//!
-//! The JSON is taken apart by hand: a page downloads this with the player, and typed
-//! deserialisers weigh more than the format.
 
-use raconteur_base::json::Json;
-use raconteur_base::{DQuat, DVec3, Side};
+use raconteur_base::{DQuat, DVec3, Length, Side};
 use raconteur_body::Bone;
 use raconteur_body::hand_shape::HandShape;
+use serde::Deserialize;
+use serde_json::Value;
 
 use super::clip::{Clip, FootTrack, Reach, ReachKey};
 use super::curve::{Curve, Ease};
 use super::joints;
+use crate::members::{Members, items};
 
 /// The longest text that is read, bytes. Sampled clips of a minute have some 300 KB.
 const MOST_BYTES: usize = 8 << 20;
@@ -24,6 +23,19 @@ const NEAR: f64 = 0.015;
 /// Keys nearer to each other than this count as one time, seconds.
 const SAME_SECS: f64 = 1e-6;
 
+/// What a text says of the whole clip; what has another type says nothing.
+#[derive(Default, Deserialize)]
+#[serde(default)]
+struct Text {
+    tracks: Option<Members>,
+    seconds: Value,
+    #[serde(rename = "loop")]
+    repeats: Value,
+    mirrored: Value,
+    times: Value,
+    ease: Value,
+}
+
 /// Reads a clip.
 ///
 /// # Errors
@@ -32,24 +44,21 @@ pub fn read_clip(text: &str) -> Result<Clip, String> {
     if text.len() > MOST_BYTES {
         return Err("it is larger than 8 MB".to_owned());
     }
-    let root = Json::read(text.as_bytes()).map_err(|e| e.to_string())?;
-    let tracks = &root["tracks"];
-    if !tracks.is_object() {
-        return Err("it has no tracks".to_owned());
-    }
-    let seconds = root["seconds"].number().unwrap_or(0.0);
+    let root: Text = serde_json::from_slice(text.as_bytes()).map_err(|e| e.to_string())?;
+    let tracks = root.tracks.as_ref().ok_or("it has no tracks")?;
+    let seconds = root.seconds.as_f64().unwrap_or(0.0);
     if !(0.0..=LONGEST_SECS).contains(&seconds) {
         return Err("its seconds are not between 0 and an hour".to_owned());
     }
-    let is = |name: &str| root[name].truth().unwrap_or(false);
+    let mirrored = root.mirrored.as_bool().unwrap_or(false);
     let mut reader = Reader {
         root: &root,
         seconds,
-        closed: is("loop") || is("mirrored") || seconds == 0.0,
-        mirrored: is("mirrored"),
+        closed: root.repeats.as_bool().unwrap_or(false) || mirrored || seconds == 0.0,
+        mirrored,
         halves: Vec::new(),
     };
-    for (name, track) in tracks.members() {
+    for (name, track) in &tracks.0 {
         let read = if track.is_object() {
             reader.track(name, track)
         } else {
@@ -116,7 +125,7 @@ impl Part {
 }
 
 struct Reader<'a> {
-    root: &'a Json<'a>,
+    root: &'a Text,
     seconds: f64,
     closed: bool,
     mirrored: bool,
@@ -135,7 +144,7 @@ const FOOT: [(&str, bool, usize); 7] = [
 ];
 
 impl Reader<'_> {
-    fn track(&mut self, name: &str, fields: &Json<'_>) -> Result<(), String> {
+    fn track(&mut self, name: &str, fields: &Value) -> Result<(), String> {
         let times = self.times(fields)?;
         let n = times.len();
         let ease = self.ease(fields)?;
@@ -220,26 +229,20 @@ impl Reader<'_> {
         } else {
             return Err("the name is of no joint, foot, hand or bone".to_owned());
         }
-        let mut names = fields.members().iter().map(|(name, _)| name.as_ref());
-        match names.find(|name| !allowed.contains(name)) {
+        let mut names = fields.as_object().into_iter().flat_map(|all| all.keys());
+        match names.find(|name| !allowed.contains(&name.as_str())) {
             Some(unknown) => Err(format!("there is no {unknown}")),
             None => Ok(()),
         }
     }
 
-    /// What a track says, else what the clip says for all.
-    fn own_or_common<'f>(&'f self, fields: &'f Json<'_>, name: &str) -> &'f Json<'f> {
-        let own = &fields[name];
-        if own.is_null() { &self.root[name] } else { own }
-    }
-
     /// Key times of a track: its own, else the clip's, else one at the beginning.
-    fn times(&self, fields: &Json<'_>) -> Result<Vec<f64>, String> {
-        let list = self.own_or_common(fields, "times");
+    fn times(&self, fields: &Value) -> Result<Vec<f64>, String> {
+        let list = own_or(&fields["times"], &self.root.times);
         if list.is_null() {
             return Ok(vec![0.0]);
         }
-        let times: Option<Vec<f64>> = list.items().iter().map(Json::number).collect();
+        let times: Option<Vec<f64>> = items(list).iter().map(Value::as_f64).collect();
         let times = times.unwrap_or_default();
         // A mirrored clip is written by its first half.
         let end = self.seconds * if self.mirrored { 0.5 } else { 1.0 };
@@ -251,12 +254,12 @@ impl Reader<'_> {
         Ok(times)
     }
 
-    fn ease(&self, fields: &Json<'_>) -> Result<Ease, String> {
-        let word = self.own_or_common(fields, "ease");
+    fn ease(&self, fields: &Value) -> Result<Ease, String> {
+        let word = own_or(&fields["ease"], &self.root.ease);
         if word.is_null() {
             return Ok(Ease::Flow);
         }
-        let found = Ease::WORDS.iter().find(|(w, _)| word.text() == Some(w));
+        let found = Ease::WORDS.iter().find(|(w, _)| word.as_str() == Some(w));
         let found = found.map(|(_, ease)| *ease);
         found.ok_or_else(|| "ease is not flow, rest, linear or step".to_owned())
     }
@@ -385,43 +388,48 @@ fn of_rotation(q: DQuat) -> Values {
     [q.x, q.y, q.z, q.w, 0.0, 0.0, 0.0, 0.0, 0.0]
 }
 
+/// What a track says, else what the clip says for all.
+fn own_or<'v>(own: &'v Value, common: &'v Value) -> &'v Value {
+    if own.is_null() { common } else { own }
+}
+
 /// A column of numbers: a list of `n`, or one for all.
-fn numbers(fields: &Json<'_>, name: &str, n: usize, default: f64) -> Result<Vec<f64>, String> {
+fn numbers(fields: &Value, name: &str, n: usize, default: f64) -> Result<Vec<f64>, String> {
     let value = &fields[name];
     if value.is_null() {
         return Ok(vec![default; n]);
     }
-    let list = if value.is_list() {
-        value.items().iter().map(Json::number).collect()
+    let list = if value.is_array() {
+        items(value).iter().map(Value::as_f64).collect()
     } else {
-        value.number().map(|x| vec![x; n])
+        value.as_f64().map(|x| vec![x; n])
     };
     list.filter(|l: &Vec<f64>| l.len() == n && l.iter().all(|x| x.abs() < 1e6))
         .ok_or_else(|| format!("{name} is not one number or as many as there are times"))
 }
 
 /// A column of lists of `N` numbers, or one such list for all.
-fn rows<const N: usize>(value: &Json<'_>, n: usize) -> Option<Vec<[f64; N]>> {
-    let row = |v: &Json<'_>| -> Option<[f64; N]> {
-        let list = v.items();
+fn rows<const N: usize>(value: &Value, n: usize) -> Option<Vec<[f64; N]>> {
+    let row = |v: &Value| -> Option<[f64; N]> {
+        let list = items(v);
         if list.len() != N {
             return None;
         }
         let mut out = [0.0; N];
         for (o, x) in out.iter_mut().zip(list) {
-            *o = x.number().filter(|x| x.abs() < 1e6)?;
+            *o = x.as_f64().filter(|x| x.abs() < 1e6)?;
         }
         Some(out)
     };
-    let list = value.items();
-    if list.first().is_some_and(|x| x.number().is_some()) {
+    let list = items(value);
+    if list.first().is_some_and(|x| x.as_f64().is_some()) {
         return row(value).map(|r| vec![r; n]);
     }
     let rows: Option<Vec<[f64; N]>> = list.iter().map(row).collect();
     rows.filter(|r| r.len() == n)
 }
 
-fn triples(fields: &Json<'_>, name: &str, n: usize, needed: bool) -> Result<Vec<[f64; 3]>, String> {
+fn triples(fields: &Value, name: &str, n: usize, needed: bool) -> Result<Vec<[f64; 3]>, String> {
     let value = &fields[name];
     let found = if value.is_null() {
         (!needed).then(|| vec![[0.0; 3]; n])
@@ -431,13 +439,13 @@ fn triples(fields: &Json<'_>, name: &str, n: usize, needed: bool) -> Result<Vec<
     found.ok_or_else(|| format!("{name} is not a list of three numbers for each time"))
 }
 
-fn rotations(fields: &Json<'_>, n: usize) -> Result<Vec<Values>, String> {
+fn rotations(fields: &Value, n: usize) -> Result<Vec<Values>, String> {
     let found = rows::<4>(&fields["rotation"], n);
     let mut out = Vec::new();
     for [x, y, z, w] in found.unwrap_or_default() {
         let q = DQuat::from_xyzw(x, y, z, w);
         if q.length_squared() > 1e-6 {
-            out.push(of_rotation(q.normalize()));
+            out.push(of_rotation(q.normalized()));
         }
     }
     if out.len() == n {
@@ -448,7 +456,7 @@ fn rotations(fields: &Json<'_>, n: usize) -> Result<Vec<Values>, String> {
 }
 
 /// Hand shapes by their numbers in the dictionary.
-fn shapes(fields: &Json<'_>, n: usize) -> Result<Vec<&'static HandShape>, String> {
+fn shapes(fields: &Value, n: usize) -> Result<Vec<&'static HandShape>, String> {
     let ids = numbers(fields, "shape", n, 0.0)?;
     let shape = |id: &f64| {
         let whole = (0.0..=255.0).contains(id) && id.fract() == 0.0;

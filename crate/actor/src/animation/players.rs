@@ -1,7 +1,7 @@
 //! Animation players made ready for a figure, and their effect at any time.
 
 use raconteur_base::curve::{minimum_jerk, smooth};
-use raconteur_base::{DAffine3, DQuat, Side};
+use raconteur_base::{DAffine3, DQuat, Length, Side};
 use raconteur_body::hand_shape::finger_bones;
 use raconteur_body::{Bone, Pose, Skeleton};
 
@@ -104,7 +104,7 @@ impl Players {
             } else {
                 below.slerp(own, share)
             };
-            pose.set(bone, rotation.normalize());
+            pose.set(bone, rotation.normalized());
         }
         pose.root_offset_in_world +=
             (layers.root - pose.root_offset_in_world * (1.0 - SWAY_LEFT)) * layers.root_share;
@@ -262,7 +262,7 @@ impl Animated {
             let share = self.layers.shares[i] * rest_share;
             if share > 0.0 {
                 let own = self.layers.rotations[i];
-                pose.set(bone, pose.rotation(bone).slerp(own, share).normalize());
+                pose.set(bone, pose.rotation(bone).slerp(own, share).normalized());
             }
         }
     }

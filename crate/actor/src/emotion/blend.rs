@@ -3,7 +3,7 @@
 //! power as well, which F&H section 4.4.4 proposes.
 
 use raconteur_base::ops;
-use raconteur_base::{DVec3, curve::smooth};
+use raconteur_base::{DVec3, Length, curve::smooth};
 use raconteur_speech::emotion::{self, Place};
 
 use super::basic::{BASICS, Basic};
@@ -154,7 +154,7 @@ impl Mixture {
     #[must_use]
     pub fn on_sphere(place: Place) -> Self {
         let sites = Basic::ALL.map(|basic| vector(basic.place()));
-        let length = vector(place).length();
+        let length = vector(place).magnitude();
         let mut near = COUNTS;
         nearness(vector(place), &sites, &mut near);
         let sum: f64 = near.iter().sum();
@@ -162,7 +162,7 @@ impl Mixture {
         let mut mixture = Self::default();
         if sum > 0.0 {
             for i in 0..BASICS {
-                let ratio = length / sites[i].length();
+                let ratio = length / sites[i].magnitude();
                 mixture.free[i] = ratio * near[i] / sum;
                 mixture.bound[i] = ratio * near[i] / most;
             }
@@ -251,14 +251,14 @@ pub(super) fn vector(place: Place) -> DVec3 {
 /// and by less for those farther, down to 0. Where the direction is that of a site, all
 /// others are 0; in the middle of the space, which has no direction, all are.
 pub(super) fn nearness(direction: DVec3, sites: &[DVec3], near: &mut [f64]) {
-    let Some(direction) = direction.try_normalize() else {
+    let Some(direction) = direction.try_normalized() else {
         near.fill(0.0);
         return;
     };
     // The tangent of half the angle to a site; infinite on the other side.
     let away = |site: &DVec3| {
         let site = site.normalize_or_zero();
-        (direction - site).length() / (direction + site).length()
+        (direction - site).magnitude() / (direction + site).magnitude()
     };
     let nearest = sites.iter().map(away).fold(f64::INFINITY, f64::min);
     for (near, site) in near.iter_mut().zip(sites) {

@@ -1,26 +1,11 @@
 //! An expression: what each muscle and each direct parameter does, and which of them pull
 //! against each other (F&H table 4.6).
 
-use raconteur_body::face::{FaceControls, Muscle as M};
+use raconteur_body::face::{ANTAGONISTS, FaceControls, Muscle as M};
 
 use super::basic::Basic;
 use super::look::Look;
 use crate::parameters::{DIALS, Dial};
-
-/// Muscles that pull against each other (F&H table 4.6); what they call one muscle is here
-/// its fibres or sides that are controlled apart.
-pub const ANTAGONISTS: [(&[M], &[M]); 4] = [
-    (&[M::ZygomaticusMajorLeft], &[M::DepressorAnguliLeft]),
-    (&[M::ZygomaticusMajorRight], &[M::DepressorAnguliRight]),
-    (
-        &[M::OrbicularisOrisUpper, M::OrbicularisOrisLower],
-        &[M::RisoriusLeft, M::RisoriusRight],
-    ),
-    (
-        &[M::MentalisLeft, M::MentalisRight],
-        &[M::DepressorLabiiLeft, M::DepressorLabiiRight],
-    ),
-];
 
 /// Whether a dial is of a muscle that has antagonists.
 #[must_use]

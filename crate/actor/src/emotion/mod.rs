@@ -12,7 +12,7 @@ mod wink;
 
 pub use basic::{BASICS, Basic};
 pub use blend::{Affect, Mixture, Space, polar};
-pub use expression::{ANTAGONISTS, Expression, has_antagonist};
+pub use expression::{Expression, has_antagonist};
 pub use look::{LOOKS, Look};
 pub use signs::Signs;
 pub use track::{Breathing, EmotionSpan, EmotionTrack, SHORTEST_SECS};

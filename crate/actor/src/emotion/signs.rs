@@ -1,7 +1,7 @@
 //! What emotions do besides the muscles: blood in the skin, gaze, head, breath, and how much
 //! one moves at all (F&H section 4.4.4).
 
-use raconteur_base::DVec3;
+use raconteur_base::{DVec3, Length};
 use raconteur_speech::emotion::{self, Place};
 
 use super::blend::{Affect, Space, nearness, vector};
@@ -169,11 +169,11 @@ impl Signs {
             KNOWN.map(|(word, _)| vector(emotion::place(word).unwrap_or_default()));
         let mut near = [1.0; KNOWN.len()];
         nearness(vector(place), &sites, &mut near);
-        let (sum, length) = (near.iter().sum::<f64>(), vector(place).length());
+        let (sum, length) = (near.iter().sum::<f64>(), vector(place).magnitude());
         let mut signs = Self::default();
         if sum > 0.0 {
             for (i, (_, percent)) in KNOWN.iter().enumerate() {
-                let factor = 0.01 * near[i] / sum * length / sites[i].length();
+                let factor = 0.01 * near[i] / sum * length / sites[i].magnitude();
                 let [blush, gaze, head, rate, depth, lively] = percent.map(f64::from);
                 let one = Self {
                     blush,

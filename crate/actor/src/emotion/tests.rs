@@ -3,7 +3,7 @@
 use super::*;
 use crate::parameters::{DIALS, Dial};
 use raconteur_base::{DVec3, noise, ops};
-use raconteur_body::face::Muscle;
+use raconteur_body::face::{ANTAGONISTS, Muscle};
 use raconteur_speech::emotion::{Place, WORDS, place};
 
 fn on_disc(angle_deg: f64, radius: f64) -> Place {

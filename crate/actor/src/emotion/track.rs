@@ -327,11 +327,12 @@ impl EmotionTrack {
 #[cfg(test)]
 mod tests {
     use super::super::basic::Basic;
-    use super::super::expression::{ANTAGONISTS, Expression};
+    use super::super::expression::Expression;
     use super::*;
     use crate::parameters::ParameterTrack;
     use crate::parameters::{Parameter, ParameterCommand, ParameterScript};
     use raconteur_base::noise;
+    use raconteur_body::face::ANTAGONISTS;
     use raconteur_speech::emotion::WORDS;
 
     fn span(word: &str, times: [f64; 4]) -> EmotionSpan {

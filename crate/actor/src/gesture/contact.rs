@@ -3,7 +3,7 @@
 //! A hand is a bundle of capsules about its bones. What is needed to free it is a continuous
 //! function of where the hands are wanted, so that a hand slides along what it meets.
 
-use raconteur_base::{DQuat, DVec3, Side};
+use raconteur_base::{DQuat, DVec3, Length, Side};
 use raconteur_body::hand_shape::finger_bones;
 use raconteur_body::{Bone, Pose, Skeleton};
 
@@ -41,7 +41,7 @@ impl Capsule {
     /// metres.
     #[must_use]
     pub fn depth_m(&self, other: &Self, offset: DVec3) -> f64 {
-        self.radius_m + other.radius_m - self.gap(other, offset).length()
+        self.radius_m + other.radius_m - self.gap(other, offset).magnitude()
     }
 
     /// From the axis of the other, moved by an offset, the shortest way to this one's axis.
@@ -167,14 +167,14 @@ impl Contact {
         let (mut deepest, mut total) = (0.0_f64, 0.0);
         for capsule in self.hands[side.index()].capsules(hand) {
             let out = self.space.way_out(capsule.ends[1], capsule.radius_m);
-            let depth = out.length();
+            let depth = out.magnitude();
             deepest = deepest.max(depth);
             // The deeper, the more it has to say of the way.
             sum += out * depth;
             total += depth * depth;
         }
         if total > 0.0 {
-            sum.try_normalize().unwrap_or(DVec3::ZERO) * deepest
+            sum.try_normalized().unwrap_or(DVec3::ZERO) * deepest
         } else {
             DVec3::ZERO
         }
@@ -189,10 +189,10 @@ impl Contact {
         let [ca, cb] = [&a, &b].map(|c| c[4].ends[1]);
         let reach = |capsules: &[Capsule], centre: DVec3| {
             let ends = capsules.iter().flat_map(|c| c.ends);
-            ends.map(|p| p.distance(centre)).fold(0.0, f64::max)
+            ends.map(|p| p.distance_to(centre)).fold(0.0, f64::max)
         };
         let touch = 2.0 * (self.hands[0].radii_m[1][1] + EDGE_M);
-        if ca.distance(cb) > reach(&a, ca) + reach(&b, cb) + touch {
+        if ca.distance_to(cb) > reach(&a, ca) + reach(&b, cb) + touch {
             return DVec3::ZERO;
         }
         // Where fingers cross, their pushes cancel: then to the sides, the dominant hand before
@@ -206,7 +206,7 @@ impl Contact {
                 for y in &b {
                     // Axes that meet part to the sides.
                     let gap = x.gap(y, -parted) + left * 1e-4;
-                    let length = gap.length();
+                    let length = gap.magnitude();
                     let depth = eased(x.radius_m + y.radius_m - length);
                     if depth > 0.0 {
                         deepest = deepest.max(depth);
@@ -220,7 +220,7 @@ impl Contact {
                 break;
             }
             let way = sum / total + bias;
-            parted += way.try_normalize().unwrap_or(left) * deepest;
+            parted += way.try_normalized().unwrap_or(left) * deepest;
         }
         parted
     }

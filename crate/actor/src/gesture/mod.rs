@@ -24,7 +24,8 @@ use raconteur_base::profile::Profile;
 use raconteur_base::{DAffine3, DQuat, DVec3, Side};
 use raconteur_body::hand_shape::HandAngles;
 
-pub use plan::{ArmPlan, HandState, HandTarget, PlannedKey};
+pub use plan::{ArmPlan, HandState, HandTarget};
+pub use planner::PlannedKey;
 pub use rest::{Rest, RestHand};
 pub use space::{BodySpace, TrunkShape};
 

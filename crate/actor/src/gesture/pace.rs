@@ -1,6 +1,6 @@
 //! How long hands need from one key to another.
 
-use raconteur_base::{DQuat, DVec3};
+use raconteur_base::{DQuat, DVec3, Length};
 use raconteur_body::hand_shape::HandAngles;
 
 use super::path::reach_secs;
@@ -36,7 +36,7 @@ pub(super) struct Needed {
 impl Needed {
     /// For a wrist.
     pub(super) fn by_wrist(from: DVec3, to: DVec3) -> Self {
-        let way_m = from.distance(to);
+        let way_m = from.distance_to(to);
         if way_m <= SAME_PLACE_M {
             return Self::default();
         }

@@ -1,7 +1,7 @@
 //! The way of a wrist between two places.
 
 use raconteur_base::curve::minimum_jerk;
-use raconteur_base::{DVec3, ops};
+use raconteur_base::{DVec3, Length, ops};
 
 /// Abscissae and weights of Gauss and Legendre's quadrature with five points on [0, 1].
 const GAUSS: [(f64, f64); 5] = [
@@ -29,7 +29,7 @@ impl Bow {
     }
 
     fn slope(&self, u: f64) -> f64 {
-        (self.along + self.arch * (4.0 - 8.0 * u)).length()
+        (self.along + self.arch * (4.0 - 8.0 * u)).magnitude()
     }
 
     /// Length of the way up to a parameter.

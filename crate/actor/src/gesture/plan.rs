@@ -2,13 +2,13 @@
 
 use raconteur_base::curve::last_at_or_before;
 use raconteur_base::profile::Profile;
-use raconteur_base::{DQuat, DVec3, Side};
+use raconteur_base::{DQuat, DVec3, Length, Side};
 use raconteur_body::Skeleton;
 use raconteur_body::hand_shape::HandAngles;
 
 use super::fingers::FingerTrack;
 use super::path::reach_secs;
-use super::planner::Planner;
+use super::planner::{PlannedKey, Planner};
 use super::tracks::{HandTrack, WristTrack, piece_at};
 use super::{ArmScript, Life, Rest};
 use crate::ArmRig;
@@ -39,20 +39,6 @@ pub enum HandState {
     Rest,
     /// On its way to a stroke, in it, held, or returning.
     Busy,
-}
-
-/// A place that a script asks for, as it was planned.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PlannedKey {
-    /// When the script wants the hand there, story time, seconds.
-    pub time_secs: f64,
-    /// When it gets there: later where the way is too far for the time.
-    pub arrives_secs: f64,
-    /// Where: the script's place as far as it is in reach and outside the body, metres.
-    /// `None` for keys that only turn the hand or move its fingers.
-    pub wrist_in_world: Option<DVec3>,
-    /// Whether a stroke begins with it.
-    pub begins_stroke: bool,
 }
 
 /// A stretch of time with a pace of its own.
@@ -167,7 +153,7 @@ impl ArmPlan {
         let places = [self.at(from_secs).wrist, self.rest.at(from_secs).wrist];
         let far = |to: DVec3| {
             places
-                .map(|p| p.distance(to))
+                .map(|p| p.distance_to(to))
                 .into_iter()
                 .fold(0.0, f64::max)
         };

@@ -2,13 +2,12 @@
 //! retraction.
 
 use raconteur_base::curve::smooth;
-use raconteur_base::{DQuat, DVec3, Side};
+use raconteur_base::{DQuat, DVec3, Length, Side};
 
 use super::fingers::FingerTrack;
 use super::pace::{FASTEST_M_S, FASTEST_TURN_RAD_S, Needed, SAME_PLACE_M, SHAPING_SECS};
 use super::path::{Bow, reach_secs};
 use super::phrase::{HAND, Phrase, SHAPE, WRIST, has_hand, has_shape, has_wrist, phrases};
-use super::plan::PlannedKey;
 use super::tracks::{HandTrack, WristTrack};
 use super::{ArmScript, Course, HandKey, Phase, Rest};
 use crate::ArmRig;
@@ -52,6 +51,20 @@ pub(super) struct Planned {
     pub(super) hand: HandTrack,
     pub(super) fingers: FingerTrack,
     pub(super) keys: Vec<PlannedKey>,
+}
+
+/// A place that a script asks for, as it was planned.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PlannedKey {
+    /// When the script wants the hand there, story time, seconds.
+    pub time_secs: f64,
+    /// When it gets there: later where the way is too far for the time.
+    pub arrives_secs: f64,
+    /// Where: the script's place as far as it is in reach and outside the body, metres.
+    /// `None` for keys that only turn the hand or move its fingers.
+    pub wrist_in_world: Option<DVec3>,
+    /// Whether a stroke begins with it.
+    pub begins_stroke: bool,
 }
 
 /// Plans one arm, phrase after phrase.
@@ -244,7 +257,7 @@ impl<'a> Planner<'a> {
             None => (first_hand, self.rest.ready()),
         };
         let from = self.rest.at(first - 0.6).wrist;
-        let start = (first - reach_secs(from.distance(to))).min(first_hand - RETURN_LEAST_SECS);
+        let start = (first - reach_secs(from.distance_to(to))).min(first_hand - RETURN_LEAST_SECS);
         let start = if leads { phrase.start } else { start };
         let start = start.max(self.planned_secs());
         self.out.wrist.push(self.rig, start, None, FREE);
@@ -344,7 +357,7 @@ impl<'a> Planner<'a> {
         let mut time = time;
         if let Some(before) = track.times.last().copied() {
             let at = |place: Option<DVec3>, t| place.unwrap_or_else(|| self.rest.at(t).wrist);
-            let way_m = at(track.last(), before).distance(at(place, time));
+            let way_m = at(track.last(), before).distance_to(at(place, time));
             time = time.max(before + way_m / FASTEST_M_S);
         }
         track.push(self.rig, time, place, course);
@@ -427,7 +440,7 @@ impl<'a> Planner<'a> {
         let Some(place) = self.out.wrist.last() else {
             return;
         };
-        let distance = place.distance(self.rest.at(start + 1.0).wrist);
+        let distance = place.distance_to(self.rest.at(start + 1.0).wrist);
         self.arrive_at_rest(start + (reach_secs(distance) * RETRACT_SLOWNESS).min(1.15));
     }
 
@@ -478,14 +491,14 @@ impl<'a> Planner<'a> {
             let [ta, tb, tc] = [i - 1, i, i + 1].map(|k| track.times[k]);
             let (ta, tc) = (tb - ta, tc - tb);
             // A hold begins or ends with the hand at rest.
-            let still = |v: DVec3| v.length() < 2.0 * HOLD_DRIFT_M;
+            let still = |v: DVec3| v.magnitude() < 2.0 * HOLD_DRIFT_M;
             if ta < 1e-3 || tc < 1e-3 || still(before) || still(after) {
                 continue;
             }
-            let (va, vc) = (before.length() / ta, after.length() / tc);
-            let (da, dc) = (before.normalize(), after.normalize());
+            let (va, vc) = (before.magnitude() / ta, after.magnitude() / tc);
+            let (da, dc) = (before.normalized(), after.normalized());
             let agreement = smooth(da.dot(dc).max(0.0));
-            let along = (da + dc).try_normalize().unwrap_or(DVec3::ZERO);
+            let along = (da + dc).try_normalized().unwrap_or(DVec3::ZERO);
             track.nodes[i].velocity = along * (agreement * 2.0 * va * vc / (va + vc));
         }
     }
@@ -499,7 +512,7 @@ impl<'a> Planner<'a> {
         };
         let (p, q) = (at(a), at(b));
         let along = q - p;
-        let length = along.length();
+        let length = along.magnitude();
         if length < SAME_PLACE_M.max(2.0 * HOLD_DRIFT_M) {
             return DVec3::ZERO;
         }
@@ -524,7 +537,7 @@ impl<'a> Planner<'a> {
                     worst = out;
                 }
             }
-            if worst.length() < 0.005 {
+            if worst.magnitude() < 0.005 {
                 break;
             }
             bow.arch += worst.clamp_length_max(0.15);

@@ -4,7 +4,7 @@
 //! front of the column stands out at each height is measured on the figure, where there is one.
 
 use raconteur_base::curve::smooth;
-use raconteur_base::{DVec3, ops};
+use raconteur_base::{DVec3, Length, ops};
 use raconteur_body::figure::MaterialKind;
 use raconteur_body::{Bone, Figure, Pose, Skeleton};
 
@@ -193,7 +193,7 @@ impl BodySpace {
     fn out_of_head(&self, p: DVec3, room: f64) -> DVec3 {
         let half_axes = self.head_half_axes + DVec3::splat(room);
         let v = (p - self.head) / half_axes;
-        let r = v.length();
+        let r = v.magnitude();
         let target = eased(r);
         if target <= r {
             return p;

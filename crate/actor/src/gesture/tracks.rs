@@ -2,7 +2,7 @@
 
 use raconteur_base::curve::{last_at_or_before, minimum_jerk, smooth};
 use raconteur_base::profile::Profile;
-use raconteur_base::{DQuat, DVec3};
+use raconteur_base::{DQuat, DVec3, Length};
 
 use super::path::{Bow, flowing};
 use super::{Course, RestHand, Space};
@@ -245,10 +245,10 @@ fn turned(
     };
     let straight = from.hand.slerp(to.hand, m);
     if by_wrist <= 0.0 {
-        return straight.normalize();
+        return straight.normalized();
     }
     let a = rig.angles_of_hand(from.wrist, from.hand);
     let b = rig.angles_of_hand(to.wrist, to.hand);
     let bent = rig.hand_from_angles(wrist, &a.lerp(&b, m));
-    straight.slerp(bent, by_wrist).normalize()
+    straight.slerp(bent, by_wrist).normalized()
 }

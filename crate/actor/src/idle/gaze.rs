@@ -3,7 +3,7 @@
 use core::f64::consts::PI;
 
 use raconteur_base::curve::smooth;
-use raconteur_base::{DAffine3, DQuat, DVec3, ops};
+use raconteur_base::{DAffine3, DQuat, DVec3, Length, ops};
 
 /// Largest turn of an eye, radians (some 35° before the head must follow).
 const EYE_MAX_RAD: f64 = 0.6;
@@ -23,7 +23,7 @@ pub fn angles_of(direction: DVec3) -> [f64; 2] {
     let flat = ops::hypot(direction.x, direction.z);
     let yaw = ops::atan2(direction.x, direction.z);
     let behind = smooth((yaw.abs() - ASIDE_RAD) / (PI - ASIDE_RAD));
-    let sideways = smooth(flat / (OVERHEAD * direction.length().max(1e-12)));
+    let sideways = smooth(flat / (OVERHEAD * direction.magnitude().max(1e-12)));
     [
         yaw * (1.0 - behind) * sideways,
         -ops::atan2(direction.y, flat),
@@ -40,7 +40,7 @@ pub fn eye_towards(
     away: [f64; 2],
 ) -> (DQuat, f64) {
     let to = world_from_skull_axes.matrix3.transpose() * (target_in_world - eye_in_world);
-    let [yaw, pitch] = if to.length() > 1e-6 {
+    let [yaw, pitch] = if to.magnitude() > 1e-6 {
         angles_of(to)
     } else {
         [0.0; 2]

@@ -4,7 +4,7 @@
 //! follow in closed form.
 
 use raconteur_base::curve::minimum_jerk;
-use raconteur_base::{DAffine3, DQuat, DVec3, Side, noise, ops};
+use raconteur_base::{DAffine3, DQuat, DVec3, Length, Side, noise, ops};
 use raconteur_body::{Bone, Pose, Skeleton};
 
 use super::stream;
@@ -95,7 +95,7 @@ impl Stance {
         let zero = skeleton.joints()[pelvis.index()].zero_rotation;
         pose.root_offset_in_world += DVec3::new(SWAY_M * weight, 0.0, 0.006 * forth) * self.scale
             - DVec3::Y * (SINK_M * amount * self.scale);
-        pose.set(pelvis, (zero.inverse() * turn * tilt * zero).normalize());
+        pose.set(pelvis, (zero.inverse() * turn * tilt * zero).normalized());
 
         // Sink until both legs reach their feet.
         let pelvis_in_world = world_from_bone(skeleton, pose, pelvis);
@@ -171,7 +171,7 @@ impl Leg {
     /// into it, metres.
     pub(crate) fn eased(&self, world_from_pelvis: &DAffine3, ankle: DVec3, spare_m: f64) -> DVec3 {
         let to = ankle - world_from_pelvis.transform_point3(self.hip_in_pelvis);
-        let distance = to.length();
+        let distance = to.magnitude();
         let over = distance - (self.chain.reach_m() - spare_m);
         if over <= 0.0 || spare_m <= 0.0 {
             return ankle;
@@ -197,14 +197,14 @@ impl Leg {
     ) -> [DQuat; 3] {
         let pelvis = rotation_of(world_from_pelvis);
         let to = ankle - world_from_pelvis.transform_point3(self.hip_in_pelvis);
-        let flexion = self.chain.flexion_for(to.length());
-        let direction = to.try_normalize().unwrap_or(DVec3::NEG_Y);
+        let flexion = self.chain.flexion_for(to.magnitude());
+        let direction = to.try_normalized().unwrap_or(DVec3::NEG_Y);
         let hip_in_world = self.chain.aim(flexion, direction, knee);
         let flexed = self.chain.flexed(flexion);
         let shank = hip_in_world * self.knee_zero * flexed;
         let hip = (pelvis * self.hip_zero).inverse() * hip_in_world;
         let ankle = (shank * self.ankle_zero).inverse() * foot;
-        [hip.normalize(), flexed, ankle.normalize()]
+        [hip.normalized(), flexed, ankle.normalized()]
     }
 
     /// World from ankle, and where the knee looks, for local rotations of hip, knee and
@@ -221,7 +221,7 @@ impl Leg {
         let axis = hip_in_world * self.knee_zero * self.chain.axis();
         (
             ankle_at,
-            (shank * self.ankle_zero * ankle).normalize(),
+            (shank * self.ankle_zero * ankle).normalized(),
             (ankle_at - hip_at).cross(axis),
         )
     }

@@ -2,16 +2,18 @@
 
 use raconteur_base::curve::{minimum_jerk, smooth};
 use raconteur_base::order::sort_by_number;
-use raconteur_base::{DAffine3, DVec3, ops};
+use raconteur_base::{DAffine3, DVec3, Length, ops};
 use raconteur_body::{Pose, Skeleton};
 
 use super::head::HEAD_BONES;
 use super::jacobian::{Twist, joint_speeds};
 use super::limits;
+use super::meet::Terms;
 use super::path::Curve;
-use super::perform::{Manipulators, Terms};
+use super::perform::Manipulators;
 use super::rig::{Base, ROLL};
 use super::scan::Scan;
+use super::scene::Scene;
 use super::solve::{AT_EASE, Choice, Solutions, choose};
 use super::track::{BRAKE_SECS, Course, Goal, Held, Kind, Mend, SETTLE_SECS, Track, even_secs};
 use super::{Command, Frame, Joints, Limb, ManipulatorScript, Motion, Pace};
@@ -58,20 +60,6 @@ impl Now {
             cue: self.cue,
             lean: self.lean,
         }
-    }
-}
-
-/// What commands are resolved with.
-pub(super) struct Scene<'a> {
-    pub(super) skeleton: &'a Skeleton,
-    idle: &'a dyn Fn(f64, &mut Pose),
-}
-
-impl Scene<'_> {
-    pub(super) fn idle(&self, time_secs: f64) -> Pose {
-        let mut pose = Pose::zero();
-        (self.idle)(time_secs, &mut pose);
-        pose
     }
 }
 
@@ -437,7 +425,7 @@ impl Manipulators {
         for step in 1..=steps {
             let gathered = smooth(step as f64 / (START_SECS * STEPS_HZ));
             let twist = wanted(&frame);
-            if twist.linear.length() < 3e-5 && twist.angular.length() < 3e-4 {
+            if twist.linear.magnitude() < 3e-5 && twist.angular.magnitude() < 3e-4 {
                 break;
             }
             let axes = match self.limbs.get(limb.index()) {

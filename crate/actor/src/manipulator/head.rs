@@ -3,7 +3,7 @@
 
 use core::f64::consts::PI;
 
-use raconteur_base::{DAffine3, DMat3, DQuat, DVec3, ops};
+use raconteur_base::{DAffine3, DMat3, DQuat, DVec3, Length, ops};
 use raconteur_body::{Bone, Pose, Skeleton};
 
 use super::limits::{self, Limit, Sex};
@@ -89,13 +89,13 @@ impl HeadRig {
         let local = self.body_from_skull.inverse() * turn * self.body_from_skull;
         Posed {
             rotations: [
-                ((base.parent * self.neck_zero).inverse() * neck_in_figure).normalize(),
-                local.normalize(),
+                ((base.parent * self.neck_zero).inverse() * neck_in_figure).normalized(),
+                local.normalized(),
                 DQuat::IDENTITY,
             ],
             frame: Frame {
                 position: base.origin + base.rotation * neck * self.skull_from_neck,
-                rotation: (base.rotation * neck * turn).normalize(),
+                rotation: (base.rotation * neck * turn).normalized(),
             },
         }
     }
@@ -117,9 +117,9 @@ impl HeadRig {
     /// the neck, and whether it had to be.
     #[must_use]
     pub fn projected(&self, from_base: DVec3) -> (DVec3, bool) {
-        let radius = self.skull_from_neck.length();
-        let direction = from_base.try_normalize().unwrap_or(DVec3::Y);
-        let moved = (from_base.length() - radius).abs() > 1e-9;
+        let radius = self.skull_from_neck.magnitude();
+        let direction = from_base.try_normalized().unwrap_or(DVec3::Y);
+        let moved = (from_base.magnitude() - radius).abs() > 1e-9;
         (direction * radius, moved)
     }
 

@@ -1,7 +1,7 @@
 //! Inverse velocity: joint speeds that move a limb's end at given speeds, damped where the
 //! joints cannot follow (GEVH section 3.3.3).
 
-use raconteur_base::DVec3;
+use raconteur_base::{DVec3, Length};
 
 use super::Frame;
 use crate::wrist::rotation_vector;
@@ -27,7 +27,7 @@ impl Twist {
     /// The speeds that would take one frame to another in a second.
     #[must_use]
     pub fn between(from: &Frame, to: &Frame) -> Self {
-        let turn = (to.rotation * from.rotation.inverse()).normalize();
+        let turn = (to.rotation * from.rotation.inverse()).normalized();
         let turn = if turn.w < 0.0 { -turn } else { turn };
         Self {
             linear: to.position - from.position,

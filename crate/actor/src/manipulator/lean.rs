@@ -1,6 +1,6 @@
 //! The spine helps long reaches: it bends and turns so that the shoulder comes nearer.
 
-use raconteur_base::{DQuat, DVec3, ops};
+use raconteur_base::{DQuat, DVec3, Length, ops};
 use raconteur_body::{Bone, Pose, Skeleton};
 
 use crate::kinematics::{rotation_of, world_from_bone};
@@ -19,14 +19,14 @@ const MOST_RAD: f64 = 0.8;
 /// joint is without it, `lumbar` the foot of the spine.
 pub(super) fn wanted(shoulder: DVec3, lumbar: DVec3, target: DVec3, reach_m: f64) -> DVec3 {
     let to = target - shoulder;
-    let distance = to.length();
+    let distance = to.magnitude();
     let soft = SOFT * reach_m;
     let over = (distance - BEGINS * reach_m) / soft;
     // The softened positive part, without overflow.
     let missing = soft * (over.max(0.0) + ops::ln(1.0 + ops::exp(-over.abs())));
     let arm = shoulder - lumbar;
     let turn = arm.cross(to) * (GAIN * missing / (distance.max(1e-9) * arm.length_squared()));
-    turn / (1.0 + turn.length() / MOST_RAD)
+    turn / (1.0 + turn.magnitude() / MOST_RAD)
 }
 
 /// Leans the spine by a rotation vector, half of it at its foot and half in the chest.
@@ -38,7 +38,7 @@ pub(super) fn apply(skeleton: &Skeleton, lean: DVec3, pose: &mut Pose) {
     for bone in [Bone::Lumbar, Bone::Thoracic] {
         let own = rotation_of(&world_from_bone(skeleton, pose, bone));
         let local = own.inverse() * half * own;
-        pose.set(bone, (pose.rotation(bone) * local).normalize());
+        pose.set(bone, (pose.rotation(bone) * local).normalized());
     }
 }
 

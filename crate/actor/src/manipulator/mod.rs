@@ -18,17 +18,19 @@ pub mod head;
 pub mod jacobian;
 mod lean;
 pub mod limits;
+mod meet;
 pub mod path;
 mod perform;
 pub mod rig;
 mod root;
 mod scan;
+mod scene;
 pub mod solve;
 mod steady;
 pub mod swivel;
 mod track;
 
-use raconteur_base::{DAffine3, DQuat, DVec3, Side};
+use raconteur_base::{DAffine3, DQuat, DVec3, Length, Side};
 
 pub use limits::{Limit, Sex};
 pub use path::{Path, Place, Shape};
@@ -102,7 +104,7 @@ impl Frame {
     pub fn toward(&self, to: &Self, share: f64) -> Self {
         Self {
             position: self.position.lerp(to.position, share),
-            rotation: self.rotation.slerp(to.rotation, share).normalize(),
+            rotation: self.rotation.slerp(to.rotation, share).normalized(),
         }
     }
 
@@ -111,7 +113,7 @@ impl Frame {
     pub fn moved(&self, motion: &DAffine3) -> Self {
         Self {
             position: motion.transform_point3(self.position),
-            rotation: (crate::kinematics::rotation_of(motion) * self.rotation).normalize(),
+            rotation: (crate::kinematics::rotation_of(motion) * self.rotation).normalized(),
         }
     }
 }

@@ -6,7 +6,7 @@
 use core::f64::consts::TAU;
 
 use raconteur_base::curve::{lerp, minimum_jerk};
-use raconteur_base::{DMat3, DQuat, DVec3, ops};
+use raconteur_base::{DMat3, DQuat, DVec3, Length, ops};
 
 use super::Frame;
 
@@ -170,8 +170,8 @@ impl Form {
 
 /// Sideways and upwards in the plane that faces a direction, and that direction; unit.
 fn plane(normal: DVec3) -> [DVec3; 3] {
-    let n = normal.try_normalize().unwrap_or(DVec3::Z);
-    let u = DVec3::Y.cross(n).try_normalize().unwrap_or(DVec3::X);
+    let n = normal.try_normalized().unwrap_or(DVec3::Z);
+    let u = DVec3::Y.cross(n).try_normalized().unwrap_or(DVec3::X);
     [u, n.cross(u), n]
 }
 
@@ -216,9 +216,9 @@ struct Lag {
 impl Lag {
     fn between(from: &Frame, to: &Frame, most_secs: f64) -> Self {
         let position = to.position - from.position;
-        let rotation = (to.rotation * from.rotation.inverse()).normalize();
+        let rotation = (to.rotation * from.rotation.inverse()).normalized();
         let turn = rotation.angle_between(DQuat::IDENTITY);
-        let secs = (position.length() / HURRY_M_PER_S).max(turn / HURRY_RAD_PER_S);
+        let secs = (position.magnitude() / HURRY_M_PER_S).max(turn / HURRY_RAD_PER_S);
         Self {
             position,
             rotation,
@@ -233,7 +233,7 @@ impl Lag {
         let left = 1.0 - minimum_jerk(secs / self.secs);
         Frame {
             position: frame.position + self.position * left,
-            rotation: (DQuat::IDENTITY.slerp(self.rotation, left) * frame.rotation).normalize(),
+            rotation: (DQuat::IDENTITY.slerp(self.rotation, left) * frame.rotation).normalized(),
         }
     }
 }
@@ -338,10 +338,10 @@ impl Curve {
             // The tilt goes the shortest way: its two angles apart would not.
             let [from_tilt, to_tilt] = [from, to].map(tilt_of);
             let yaw = DQuat::from_rotation_y(lerp(from[0], to[0], share));
-            (yaw * from_tilt.slerp(to_tilt, share)).normalize()
+            (yaw * from_tilt.slerp(to_tilt, share)).normalized()
         } else {
             let (from, to) = (rotation_from(from), rotation_from(to));
-            from.slerp(to, share).normalize()
+            from.slerp(to, share).normalized()
         };
         Frame {
             position: self.form.at(share),

@@ -9,11 +9,10 @@
 
 use core::f64::consts::{FRAC_PI_2, PI};
 
-use raconteur_base::{DAffine3, DMat3, DQuat, DVec3, Side, ops};
+use raconteur_base::{DAffine3, DMat3, DQuat, DVec3, Length, Side, ops};
 use raconteur_body::{Bone, Pose, Skeleton};
 
 use super::limits::{self, Limit, Sex};
-use super::solve::Solutions;
 use super::{Frame, Joints, Limb};
 use crate::arm_ik::ARM_BONES;
 use crate::idle::stance::LEG_BONES;
@@ -55,11 +54,11 @@ pub struct LimbRig {
     trunk: Bone,
     trunk_zero: DQuat,
     origin_in_trunk: DVec3,
-    upper_zero: DQuat,
+    pub(super) upper_zero: DQuat,
     /// The table's second frame (x along the upper bone, z its hinge) from the upper bone.
     pub(super) link_from_upper: DQuat,
     /// Target frame from end bone.
-    target_from_end: DQuat,
+    pub(super) target_from_end: DQuat,
     /// Target frame from lower bone while joints 4 to 6 are zero.
     pub(super) lower_from_target: DQuat,
 }
@@ -197,28 +196,15 @@ impl LimbRig {
         let turn = self.turn(joints);
         Posed {
             rotations: [
-                ((base.parent * self.upper_zero).inverse() * upper).normalize(),
+                ((base.parent * self.upper_zero).inverse() * upper).normalized(),
                 lower_local,
-                (self.target_from_end.inverse() * turn * self.target_from_end).normalize(),
+                (self.target_from_end.inverse() * turn * self.target_from_end).normalized(),
             ],
             frame: Frame {
                 position: base.origin + upper * self.chain.end_in_upper(joints[2]),
-                rotation: (lower * self.lower_from_target * turn).normalize(),
+                rotation: (lower * self.lower_from_target * turn).normalized(),
             },
         }
-    }
-
-    /// The joint angles of bones, the inverse of [`LimbRig::posed`]: both ways to turn the
-    /// shoulder with both ways to turn the wrist, each angle in −π..π.
-    #[must_use]
-    pub fn joints_of(&self, rotations: [DQuat; 3], base: &Base) -> Solutions {
-        let upper = base.parent * self.upper_zero * rotations[0];
-        let link = base.rotation.inverse() * upper * self.link_from_upper.inverse();
-        let turn = self.target_from_end * rotations[2] * self.target_from_end.inverse();
-        let flexion = self.chain.flexion_of(rotations[1]);
-        let mut found = Solutions::default();
-        found.push_all(self.shoulder_angles(link), flexion, &self.turn_angles(turn));
-        found
     }
 
     /// How far joints 4 to 6 are beyond their limits for a local rotation of the end bone, by

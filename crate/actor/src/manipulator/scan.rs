@@ -1,8 +1,9 @@
 //! Follows limbs over even times when a script is compiled, and writes down a way through the
 //! joints where their targets would make them snap ([`super::steady`]).
 
-use super::compile::Scene;
-use super::perform::{END, FORCED, Manipulators, Met};
+use super::meet::{END, FORCED, Met};
+use super::perform::Manipulators;
+use super::scene::Scene;
 use super::steady::{EVEN_HZ, MOST_RAD_PER_S, Sample, Stretch, nearest, toward};
 use super::{Joints, Limb};
 use crate::arm_ik::ARM_BONES;

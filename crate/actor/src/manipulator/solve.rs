@@ -6,7 +6,7 @@
 
 use core::f64::consts::PI;
 
-use raconteur_base::{DMat3, DQuat, DVec3, METRES_PER_INCH, ops};
+use raconteur_base::{DMat3, DQuat, DVec3, Length, METRES_PER_INCH, ops};
 
 use super::rig::{Base, LimbRig, ROLL};
 use super::{Frame, Joints, limits};
@@ -65,6 +65,19 @@ pub const AT_EASE: Joints = [0.2, 0.2, 0.3, 0.0, 0.0, 0.0, 0.0];
 const ALIKE: f64 = 1e-9;
 
 impl LimbRig {
+    /// The joint angles of bones, the inverse of [`LimbRig::posed`]: both ways to turn the
+    /// shoulder with both ways to turn the wrist, each angle in −π..π.
+    #[must_use]
+    pub fn joints_of(&self, rotations: [DQuat; 3], base: &Base) -> Solutions {
+        let upper = base.parent * self.upper_zero * rotations[0];
+        let link = base.rotation.inverse() * upper * self.link_from_upper.inverse();
+        let turn = self.target_from_end * rotations[2] * self.target_from_end.inverse();
+        let flexion = self.chain.flexion_of(rotations[1]);
+        let mut found = Solutions::default();
+        found.push_all(self.shoulder_angles(link), flexion, &self.turn_angles(turn));
+        found
+    }
+
     /// A place (from the base, metres) moved to the nearest one in reach, and whether it had
     /// to be: to the sphere of the stretched limb, or of the most bent one. `limited` is how
     /// much the limit of the elbow counts, 0 to 1.
@@ -73,11 +86,11 @@ impl LimbRig {
         let free = self.distances_m(false);
         let kept = self.distances_m(true);
         let [shortest, longest] = [0, 1].map(|i| free[i] + limited * (kept[i] - free[i]));
-        let distance = from_base.length();
+        let distance = from_base.magnitude();
         if (shortest..=longest).contains(&distance) {
             return (from_base, false);
         }
-        let direction = from_base.try_normalize().unwrap_or(DVec3::NEG_Y);
+        let direction = from_base.try_normalized().unwrap_or(DVec3::NEG_Y);
         (direction * distance.clamp(shortest, longest), true)
     }
 
@@ -87,7 +100,7 @@ impl LimbRig {
     pub fn table_solutions(&self, target: &Frame, base: &Base) -> Solutions {
         let mut found = Solutions::default();
         let p = base.rotation.inverse() * (target.position - base.origin);
-        for flexion in self.chain.flexions_for(p.length()) {
+        for flexion in self.chain.flexions_for(p.magnitude()) {
             // The end in the table's second frame; off its plane by a hair.
             let end = self.link_from_upper * self.chain.end_in_upper(flexion);
             let level = (end.x * end.x + end.y * end.y).sqrt();
@@ -128,8 +141,8 @@ impl LimbRig {
     ) -> Solutions {
         let mut found = Solutions::default();
         let p = target.position - base.origin;
-        let direction = p.try_normalize().unwrap_or(base.rotation * DVec3::X);
-        let flexions = self.chain.flexions_for(p.length());
+        let direction = p.try_normalized().unwrap_or(base.rotation * DVec3::X);
+        let flexions = self.chain.flexions_for(p.magnitude());
         let ways = if natural_only { 1 } else { 2 };
         for (flexion, side) in flexions.into_iter().zip([1.0, -1.0]).take(ways) {
             let upper = self.chain.aim(flexion, direction, elbow * side);
@@ -216,7 +229,7 @@ impl LimbRig {
     /// Turns the upper bone on, in base axes: of its two sets of angles that is taken which is
     /// within limits, or less beyond them.
     pub(super) fn turn_upper(&self, turn: DQuat, joints: &mut Joints) {
-        let sets = self.shoulder_angles((turn * self.link(joints)).normalize());
+        let sets = self.shoulder_angles((turn * self.link(joints)).normalized());
         let beyond = |set: &[f64; 3]| {
             let off =
                 |i: usize| (self.limits[i].kept(set[i]) - self.limits[i].wrapped(set[i])).abs();

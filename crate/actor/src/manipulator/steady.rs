@@ -13,13 +13,10 @@ use core::f64::consts::PI;
 
 use raconteur_base::curve::smooth;
 use raconteur_base::ops;
-use raconteur_body::{Pose, Skeleton};
 
-use super::perform::{END, FORCED, Manipulators, Met};
+use super::Joints;
 use super::rig::{LimbRig, ROLL};
 use super::solve::variation;
-use super::track::Goal;
-use super::{Joints, Limb};
 
 /// Fastest turn of a bone that a manipulator leads, radians a second. People's knees and
 /// elbows reach 10 to 20 rad/s when they move fast without a run-up; only throws and kicks
@@ -236,35 +233,6 @@ impl Stretch {
             }
         }
         (lead.weights[1] > 0.0 || weight_unmet > 0.0).then_some(lead)
-    }
-}
-
-impl Manipulators {
-    /// Meets the goal of a limb at a time, or goes its steady way.
-    pub(super) fn meet_at(
-        &self,
-        limb: Limb,
-        goal: &Goal,
-        time_secs: f64,
-        skeleton: &Skeleton,
-        pose: &Pose,
-    ) -> Met {
-        let mut met = self.meet_alone(limb, goal, time_secs, skeleton, pose);
-        let rig = self.limbs.get(limb.index());
-        if let Some(lead) = self.steady[limb.index()].at(time_secs, rig) {
-            let near = nearest(&lead.joints, &met.joints, rig);
-            let [limb_forced, end_forced] = met.forced_by();
-            let share = |i: usize, forced: f64| {
-                lead.weights[i].max(lead.weight_unmet * smooth(forced / FORCED))
-            };
-            let (even, even_end) = (share(0, limb_forced), share(1, end_forced));
-            for (i, (joint, near)) in met.joints.iter_mut().zip(near).enumerate() {
-                let even = if END.contains(&i) { even_end } else { even };
-                *joint += even * (near - *joint);
-            }
-            met.posed = self.posed(limb, &met.joints, &met.base);
-        }
-        met
     }
 }
 

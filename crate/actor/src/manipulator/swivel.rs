@@ -7,7 +7,7 @@
 
 use core::f64::consts::{FRAC_PI_2, PI};
 
-use raconteur_base::{DAffine3, DQuat, DVec3, Side, ops};
+use raconteur_base::{DAffine3, DQuat, DVec3, Length, Side, ops};
 
 use super::rig::{Base, LimbRig};
 use super::{Frame, Joints};
@@ -200,7 +200,7 @@ impl LimbRig {
         };
         let across = body * natural;
         let first = (across - direction * direction.dot(across))
-            .try_normalize()
+            .try_normalized()
             .unwrap_or_else(|| direction.any_orthonormal_vector());
         [first, direction.cross(first) * self.sign]
     }
@@ -209,7 +209,7 @@ impl LimbRig {
     /// knee and that direction lifted by a right angle.
     fn axes_for(&self, target: &Frame, base: &Base) -> [DVec3; 3] {
         let direction = (target.position - base.origin)
-            .try_normalize()
+            .try_normalized()
             .unwrap_or(base.rotation * DVec3::X);
         let [first, second] = self.natural(direction, base);
         [direction, first, second]
@@ -253,11 +253,11 @@ impl LimbRig {
             let joints = joints.filter(|_| weight > 0.0)?;
             Some((self.hinge_across(&joints, base, axes), weight))
         });
-        let distance = (target.position - base.origin).length();
+        let distance = (target.position - base.origin).magnitude();
         let [flexion, _] = self.chain.flexions_for(distance);
         let hinge = self.chain.hinge();
         let end = self.chain.end_in_upper(flexion);
-        let along_m = hinge.dot(end) / end.length().max(1e-9);
+        let along_m = hinge.dot(end) / end.magnitude().max(1e-9);
         let radius_m = (hinge.length_squared() - along_m * along_m).max(0.0).sqrt();
         let lower_m = ((distance - along_m) * (distance - along_m) + radius_m * radius_m).sqrt();
         let circle = Circle {
@@ -272,7 +272,7 @@ impl LimbRig {
         let to_base = base.rotation.inverse();
         // Only an upper arm that points to the back is ever beyond its limits.
         let back = base.rotation * DVec3::NEG_Z;
-        let most_back_m = BACKWARDS * hinge.length();
+        let most_back_m = BACKWARDS * hinge.magnitude();
         let clearance = obstacles.map(Clearance::new);
         let clearance = clearance.as_ref().map(|c| {
             let ends = [circle.shoulder, circle.wrist].map(|p| c.in_body(p));
@@ -312,7 +312,7 @@ impl LimbRig {
     fn hinge_across(&self, joints: &Joints, base: &Base, axes: [DVec3; 3]) -> [f64; 2] {
         let upper = base.rotation * self.link(joints) * self.link_from_upper;
         let hinge = upper * self.chain.hinge();
-        let unit = hinge.try_normalize().unwrap_or(DVec3::ZERO);
+        let unit = hinge.try_normalized().unwrap_or(DVec3::ZERO);
         let [_, first, second] = axes;
         [unit.dot(first), unit.dot(second)]
     }
@@ -348,7 +348,7 @@ impl LimbRig {
         let facing = if self.is_arm { 1.0 } else { -1.0 };
         let hinge = circle.direction.cross(outwards) * facing;
         let across = side - fore * fore.dot(side);
-        let twist = (FREE_TWIST - across.dot(hinge) / across.length().max(0.2)).max(0.0);
+        let twist = (FREE_TWIST - across.dot(hinge) / across.magnitude().max(0.2)).max(0.0);
         1.2 * bend * bend + 0.8 * twist * twist
     }
 }

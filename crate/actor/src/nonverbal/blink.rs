@@ -234,7 +234,7 @@ mod tests {
     use super::super::Manner;
     use super::super::tests::speech::{hour, shipped};
     use super::*;
-    use crate::performance::SpokenUtterance;
+    use crate::score::SpokenUtterance;
 
     fn plan(speech: &[SpokenUtterance]) -> (Heard, Blinks) {
         let heard = Heard::new(&speech.iter().collect::<Vec<_>>(), &Manner::default(), 1);

@@ -5,9 +5,9 @@ use raconteur_base::order::sort_by_number;
 use raconteur_speech::bundle::SentenceKind;
 use raconteur_speech::phones::{self, Class};
 
-use super::raise::Extreme;
+use super::extreme::Extreme;
 use super::{LATEST_SECS, Manner, Way, pitch, text};
-use crate::performance::SpokenUtterance;
+use crate::score::SpokenUtterance;
 
 /// Silence at least this long is a pause, seconds. Designed: closures of stops are shorter.
 const PAUSE_SECS: f64 = 0.15;

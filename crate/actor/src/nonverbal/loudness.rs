@@ -6,7 +6,7 @@ use raconteur_speech::bundle::{FRAME_SECS, db_of_code};
 use super::contour::{approximate, extrema};
 use super::track::Track;
 use crate::articulation::ORDINARY_LOUDNESS;
-use crate::performance::SpokenUtterance;
+use crate::score::SpokenUtterance;
 
 /// From the quietest to the loudest at least, decibels, so that even speech is not blown up
 /// to whispers and shouts. Designed.

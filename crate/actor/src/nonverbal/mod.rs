@@ -9,6 +9,7 @@
 
 mod blink;
 mod contour;
+mod extreme;
 mod gaze;
 mod heard;
 mod listen;
@@ -25,7 +26,7 @@ mod track;
 use raconteur_base::order::sort_by_number;
 use raconteur_body::face::{FaceControls, Muscle};
 
-use crate::performance::SpokenUtterance;
+use crate::score::SpokenUtterance;
 use blink::Blinks;
 use gaze::Gaze;
 use heard::Heard;

@@ -5,8 +5,8 @@ use raconteur_base::curve::lerp;
 use raconteur_speech::bundle::{FRAME_SECS, semitones_of_code};
 
 use super::contour::{Extremum, approximate, between_turning_points, extrema};
-use super::raise::Extreme;
-use crate::performance::{Accent, SpokenUtterance};
+use super::extreme::Extreme;
+use crate::score::{Accent, SpokenUtterance};
 
 /// Fewer voiced frames than this are no melody.
 const FEWEST_FRAMES: usize = 10;

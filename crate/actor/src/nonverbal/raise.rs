@@ -5,6 +5,7 @@ use raconteur_base::curve::lerp;
 use raconteur_base::noise;
 
 use super::Manner;
+use super::extreme::Extreme;
 use super::heard::{Break, Heard};
 use super::track::Track;
 use crate::idle::stream;
@@ -28,17 +29,6 @@ const LEAST_SECS: f64 = 0.16;
 const MOST_SECS: f64 = 0.8;
 /// Time in which head and brows come down when nothing more is said, seconds. Designed.
 const DOWN_SECS: f64 = 0.35;
-
-/// An extremum of the pitch.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Extreme {
-    /// Story time, seconds.
-    pub(super) at_secs: f64,
-    /// Of a maximum its height in the speaker's range, above 0 to 1; 0 of a minimum.
-    pub(super) height: f64,
-    /// It marks a question.
-    pub(super) is_question: bool,
-}
 
 /// Head and brows over the story, before the amounts of the moment.
 #[derive(Clone, Debug, Default)]

@@ -6,9 +6,9 @@ use raconteur_base::noise;
 use raconteur_speech::Word;
 use raconteur_speech::bundle::Phrase;
 
-use super::raise::Extreme;
+use super::extreme::Extreme;
 use crate::idle::stream;
-use crate::performance::{Accent, SpokenUtterance};
+use crate::score::{Accent, SpokenUtterance};
 
 /// From an accent to the lowest pitch behind it, seconds at most. Designed.
 const FALL_SECS: f64 = 0.45;

@@ -16,9 +16,11 @@
 //! key to key values go straight (`linear`, the default) or rest at each key (`smooth`).
 
 use raconteur_base::curve::{last_at_or_before, lerp, smooth};
-use raconteur_base::json::Json;
+use serde::Deserialize;
+use serde_json::Value;
 
 use super::name::Parameter;
+use crate::members::{Members, items};
 
 /// The longest text that is read, bytes.
 const MOST_BYTES: usize = 1 << 20;
@@ -32,6 +34,15 @@ const MOST_KEYS: usize = 1 << 14;
 pub struct ParameterClip {
     seconds: f64,
     tracks: Vec<(Parameter, Keys)>,
+}
+
+/// What a text says of the whole; what has another type says nothing.
+#[derive(Default, Deserialize)]
+#[serde(default)]
+struct Text {
+    parameters: Option<Members>,
+    seconds: Value,
+    times: Value,
 }
 
 /// Values over time.
@@ -51,11 +62,9 @@ impl ParameterClip {
         if text.len() > MOST_BYTES {
             return Err("it is larger than 1 MB".to_owned());
         }
-        let root = Json::read(text.as_bytes()).map_err(|e| e.to_string())?;
-        if !root["parameters"].is_object() {
-            return Err("it has no parameters".to_owned());
-        }
-        let seconds = root["seconds"].number().unwrap_or(-1.0);
+        let root: Text = serde_json::from_slice(text.as_bytes()).map_err(|e| e.to_string())?;
+        let parameters = root.parameters.as_ref().ok_or("it has no parameters")?;
+        let seconds = root.seconds.as_f64().unwrap_or(-1.0);
         if !(0.0..=LONGEST_SECS).contains(&seconds) {
             return Err("its seconds are not between 0 and an hour".to_owned());
         }
@@ -63,8 +72,8 @@ impl ParameterClip {
             seconds,
             tracks: Vec::new(),
         };
-        for (name, track) in root["parameters"].members() {
-            let keys = Keys::read(track, &root, seconds);
+        for (name, track) in &parameters.0 {
+            let keys = Keys::read(track, &root.times, seconds);
             let keys = keys.map_err(|why| format!("in the parameter {name}, {why}"))?;
             let before = clip.tracks.len();
             for parameter in Parameter::named(name) {
@@ -99,13 +108,14 @@ impl ParameterClip {
 }
 
 impl Keys {
-    fn read(track: &Json<'_>, root: &Json<'_>, end_secs: f64) -> Result<Self, String> {
-        let numbers = |list: &Json<'_>| -> Vec<f64> {
-            let read: Option<Vec<f64>> = list.items().iter().map(Json::number).collect();
+    /// `times` are those of the whole.
+    fn read(track: &Value, times: &Value, end_secs: f64) -> Result<Self, String> {
+        let numbers = |list: &Value| -> Vec<f64> {
+            let read: Option<Vec<f64>> = items(list).iter().map(Value::as_f64).collect();
             read.unwrap_or_default()
         };
         let own = &track["times"];
-        let times = numbers(if own.is_null() { &root["times"] } else { own });
+        let times = numbers(if own.is_null() { times } else { own });
         let values = numbers(&track["values"]);
         let rising = times.windows(2).all(|w| w[1] > w[0]);
         if times.is_empty() || times.len() > MOST_KEYS || !rising {
@@ -120,7 +130,7 @@ impl Keys {
         if !values.iter().all(|v| (-1.0..=1.0).contains(v)) {
             return Err("the values are not between -1 and 1".to_owned());
         }
-        let smooth = match track["ease"].text() {
+        let smooth = match track["ease"].as_str() {
             None if track["ease"].is_null() => false,
             Some("linear") => false,
             Some("smooth") => true,

@@ -32,7 +32,17 @@ pub const VISEMES: [(&str, &str); 15] = [
 const EKMAN: [(&str, &str); 1] = [("Sadness", "sorry-for")];
 
 /// What may follow a name in those of several parameters that it stands for together.
-const PARTS: [&str; 6] = ["Left", "Right", "Upper", "Lower", "Medial", "Lateral"];
+const PARTS: [&str; 9] = [
+    "Left",
+    "Right",
+    "Upper",
+    "Lower",
+    "Medial",
+    "Lateral",
+    "Anterior",
+    "Superior",
+    "Posterior",
+];
 
 /// A control parameter: something of the face, a viseme, or an emotion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -176,6 +186,9 @@ mod tests {
             ["ZygomaticusMajorLeft", "ZygomaticusMajorRight"]
         );
         assert_eq!(names("Frontalis").len(), 4);
+        assert_eq!(names("Auricularis").len(), 6);
+        assert_eq!(names("LevatorLabii"), [""; 0]);
+        assert_eq!(names("Masseter"), ["MasseterLeft", "MasseterRight"]);
         assert_eq!(names("UpperLid"), ["UpperLidLeft", "UpperLidRight"]);
         assert_eq!(
             names("LipProtrusion"),

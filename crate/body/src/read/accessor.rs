@@ -9,8 +9,9 @@ use super::document::{Accessor, Component, Document, Sparse};
 const MOST_NUMBERS: usize = 1 << 26;
 
 /// A document with its binary chunk.
-pub(crate) struct Source<'a> {
-    pub(crate) root: &'a Document<'a>,
+pub struct Source<'a> {
+    /// The document.
+    pub root: &'a Document<'a>,
     numbers_left: usize,
 }
 
@@ -54,7 +55,8 @@ fn whole(b: &[u8], c: Component) -> u32 {
 }
 
 impl<'a> Source<'a> {
-    pub(crate) fn new(root: &'a Document<'a>) -> Self {
+    /// Reads at most as many numbers as a figure needs.
+    pub fn new(root: &'a Document<'a>) -> Self {
         Self {
             root,
             numbers_left: MOST_NUMBERS,
@@ -95,11 +97,7 @@ impl<'a> Source<'a> {
     }
 
     /// All bytes of a view; they count as numbers, since many may show one view.
-    pub(crate) fn view_bytes(
-        &mut self,
-        index: usize,
-        what: &'static str,
-    ) -> Result<&'a [u8], ReadError> {
+    pub fn view_bytes(&mut self, index: usize, what: &'static str) -> Result<&'a [u8], ReadError> {
         let (bytes, _) = self.view(index, 0, what)?;
         self.spend(bytes.len())?;
         Ok(bytes)
@@ -153,7 +151,7 @@ impl<'a> Source<'a> {
     }
 
     /// An accessor as finite numbers; quantised ones are scaled when they are normalised.
-    pub(crate) fn floats<const N: usize>(
+    pub fn floats<const N: usize>(
         &mut self,
         index: usize,
         what: &'static str,
@@ -164,7 +162,7 @@ impl<'a> Source<'a> {
     }
 
     /// An accessor as unsigned integers.
-    pub(crate) fn integers<const N: usize>(
+    pub fn integers<const N: usize>(
         &mut self,
         index: usize,
         what: &'static str,
@@ -190,7 +188,7 @@ impl<'a> Source<'a> {
 
     /// The elements of a morph target that are not zero: sparse in the file or not.
     #[allow(clippy::type_complexity, reason = "two parallel columns, used once")]
-    pub(crate) fn nonzero(
+    pub fn nonzero(
         &mut self,
         index: usize,
         expected_count: usize,
@@ -249,10 +247,9 @@ impl<'a> Source<'a> {
 }
 
 /// What other people's files store in more ways than ours.
-#[cfg(feature = "import")]
 impl<'a> Source<'a> {
     /// Takes no more numbers than this from the document.
-    pub(crate) fn with_budget(root: &'a Document<'a>, numbers: usize) -> Self {
+    pub fn with_budget(root: &'a Document<'a>, numbers: usize) -> Self {
         Self {
             root,
             numbers_left: numbers,
@@ -260,17 +257,17 @@ impl<'a> Source<'a> {
     }
 
     /// Numbers an element of an accessor has, 0 for an unknown type.
-    pub(crate) fn width(&self, index: usize, what: &'static str) -> Result<usize, ReadError> {
+    pub fn width(&self, index: usize, what: &'static str) -> Result<usize, ReadError> {
         Ok(self.accessor(index, what)?.width)
     }
 
     /// How many elements an accessor claims; nothing is allocated for the claim.
-    pub(crate) fn claimed_count(&self, index: usize, what: &'static str) -> Result<u64, ReadError> {
+    pub fn claimed_count(&self, index: usize, what: &'static str) -> Result<u64, ReadError> {
         Ok(self.accessor(index, what)?.count)
     }
 
     /// An accessor as finite numbers, dense, sparse over a view, or sparse over zeros.
-    pub(crate) fn dense<const N: usize>(
+    pub fn dense<const N: usize>(
         &mut self,
         index: usize,
         what: &'static str,
@@ -295,7 +292,7 @@ impl<'a> Source<'a> {
 
     /// The elements of a morph target that are not zero, however it is stored.
     #[allow(clippy::type_complexity, reason = "two parallel columns")]
-    pub(crate) fn moved(
+    pub fn moved(
         &mut self,
         index: usize,
         expected_count: usize,

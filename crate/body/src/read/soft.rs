@@ -1,8 +1,5 @@
 //! The tissue of a face, and how meshes follow it: from three accessors that a mesh's extras
 //! name, nodes and weights, row by row, and how many belong to each vertex.
-//!
-//! A browser fetches the code for it in a file of its own: `web/tools/split.mjs` cuts here, and so
-//! these functions are never inlined.
 
 use super::accessor::Source;
 use super::document::Mesh;
@@ -17,7 +14,6 @@ const VERSION: u64 = 1;
 const BINDING: &str = "a binding to tissue";
 
 /// The tissue, if there is one.
-#[inline(never)]
 pub(super) fn tissue(source: &mut Source<'_>) -> Result<Option<Tissue>, ReadError> {
     let Some(view) = source.root.tissue else {
         return Ok(None);
@@ -27,7 +23,6 @@ pub(super) fn tissue(source: &mut Source<'_>) -> Result<Option<Tissue>, ReadErro
 }
 
 /// The binding of a mesh of `count` vertices, if it has one. Rows sum to at most 1.
-#[inline(never)]
 pub(super) fn binding(
     source: &mut Source<'_>,
     mesh: &Mesh,

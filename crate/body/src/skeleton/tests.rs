@@ -1,6 +1,9 @@
 //! Frames, forward kinematics, and how the jaw slides.
 
+use raconteur_base::mirror_vector;
+
 use super::*;
+use crate::Pose;
 
 #[test]
 fn local_x_runs_along_the_bone() {

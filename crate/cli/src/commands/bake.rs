@@ -8,15 +8,17 @@ use anyhow::{Context as _, Result};
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 use raconteur_player::Script;
-use raconteur_player::speech::language;
-use raconteur_player::speech::text::Lexicon;
+use raconteur_voice::language;
+use raconteur_voice::text::Lexicon;
 use serde_json::json;
 
-use crate::bake::engine::{self, ENGINES, EngineOptions, VoiceInfo};
-use crate::bake::program::Missing;
-use crate::bake::{self, BakeOptions, BakeReport, Cast, STORY_PACE};
 use crate::story::StoryFiles;
-use crate::{Format, Outcome, assets, input, inside, report};
+use raconteur_voice::files::{input, inside};
+
+use crate::{Format, Outcome, assets, report};
+use raconteur_voice::bake::engine::{self, ENGINES, EngineOptions, VoiceInfo};
+use raconteur_voice::bake::program::Missing;
+use raconteur_voice::bake::{self, BakeOptions, BakeReport, Cast, STORY_PACE};
 
 /// Make or refresh the speech bundles of stories.
 #[derive(Args)]
@@ -102,7 +104,7 @@ impl Bake {
                 "{bar:30} {pos}/{len} {wide_msg}",
             )?);
             let baked = bake::bake(
-                &script.said(),
+                &raconteur_voice::said(&script.document),
                 folder,
                 &bake_options,
                 &|path| assets::find(path, &files.script),

@@ -5,14 +5,14 @@ use std::path::PathBuf;
 
 use anyhow::Result;
 use clap::Args;
-use raconteur_player::eml::Diagnostic;
-use raconteur_player::stage::Shot;
+use raconteur_eml::Diagnostic;
+use raconteur_stage::Shot;
 
-use crate::bake::{SoundFile, Store};
-use crate::disk::Real;
 use crate::report;
 use crate::story::StoryFiles;
 use crate::{Format, Outcome};
+use raconteur_voice::bake::{SoundFile, Store};
+use raconteur_voice::files::disk::Real;
 
 /// Report problems in stories.
 #[derive(Args)]
@@ -67,7 +67,7 @@ impl Check {
 /// Utterances of the bundle that are said and whose sound is not the one that was baked.
 fn wrong_sounds(files: &StoryFiles) -> Vec<Diagnostic> {
     let store = Store::open(files.voice(), &Real);
-    let said = files.script().said();
+    let said = raconteur_voice::said(&files.script().document);
     let wrong = said
         .iter()
         .filter(|said| store.sound(said.key) == Some(SoundFile::Wrong));

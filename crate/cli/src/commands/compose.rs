@@ -6,9 +6,11 @@ use std::path::PathBuf;
 use anyhow::{Context as _, Result};
 use clap::Args;
 
-use crate::bake::program::{FFMPEG, Missing, OPUSENC, Program};
 use crate::compose::{self, Score};
-use crate::{Outcome, input};
+use raconteur_voice::files::input;
+
+use crate::Outcome;
+use raconteur_voice::bake::program::{FFMPEG, Missing, OPUSENC, Program};
 
 /// Play a score on the built-in synthesiser.
 #[derive(Args)]

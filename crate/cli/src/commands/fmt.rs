@@ -5,10 +5,12 @@ use std::path::PathBuf;
 
 use anyhow::Result;
 use clap::Args;
-use raconteur_player::eml::{Diagnostic, HARMLESS, parse, write_with_comments};
+use raconteur_eml::{Diagnostic, HARMLESS, parse, write_with_comments};
 
 use crate::story::StoryFiles;
-use crate::{Outcome, disk, report};
+use raconteur_voice::files::disk;
+
+use crate::{Outcome, report};
 
 /// Write stories in their canonical form. Comments stay, before their clause. A story that
 /// would lose something is left as it is, with a message.

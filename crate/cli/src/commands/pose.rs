@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use anyhow::{Result, bail};
 use clap::Args;
-use raconteur_player::stage::Shot;
+use raconteur_stage::Shot;
 use serde::Serialize;
 
 use crate::report;

@@ -6,14 +6,14 @@ use anyhow::{Context as _, Result, bail};
 use clap::{ArgGroup, Args, ValueEnum};
 use indicatif::{ProgressBar, ProgressStyle};
 use raconteur_player::Player;
-use raconteur_player::stage::Shot;
 use raconteur_render::RenderOptions;
 use raconteur_render::headless::Headless;
+use raconteur_stage::Shot;
 
 use crate::Outcome;
-use crate::disk;
 use crate::film;
 use crate::picture;
+use crate::picture::write_png;
 use crate::report;
 use crate::soundtrack::Soundtrack;
 use crate::story::StoryFiles;
@@ -142,19 +142,4 @@ impl Render {
         bar.finish_and_clear();
         sink.close()
     }
-}
-
-/// Writes an RGBA picture; the old file stays whole if that fails.
-pub(crate) fn write_png(path: &Path, (width, height): (u32, u32), rgba: &[u8]) -> Result<()> {
-    let mut bytes = Vec::new();
-    let mut encode = || -> Result<()> {
-        let mut encoder = png::Encoder::new(&mut bytes, width, height);
-        encoder.set_color(png::ColorType::Rgba);
-        encoder.set_depth(png::BitDepth::Eight);
-        let mut writer = encoder.write_header()?;
-        writer.write_image_data(rgba)?;
-        Ok(writer.finish()?)
-    };
-    encode().with_context(|| format!("cannot write {}", path.display()))?;
-    disk::replace(path, &bytes)
 }

@@ -6,8 +6,8 @@ use std::time::Duration;
 
 use anyhow::{Result, bail};
 use clap::Args;
-use raconteur_player::stage::Shot;
 use raconteur_player::{Options, Player, StoryInput};
+use raconteur_stage::Shot;
 
 use crate::serve::{Clock, Ways, run};
 use crate::story::{StoryFiles, USUAL_FIGURE, find_figure};

@@ -5,8 +5,8 @@ use std::path::PathBuf;
 
 use anyhow::Result;
 use clap::Args;
-use raconteur_player::stage::Shot;
 use raconteur_player::sweep::{Check, RATE_HZ, sweep};
+use raconteur_stage::Shot;
 use serde::Serialize;
 
 use crate::report;

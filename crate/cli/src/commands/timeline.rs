@@ -6,7 +6,7 @@ use std::path::PathBuf;
 
 use anyhow::Result;
 use clap::Args;
-use raconteur_player::eml::LineIndex;
+use raconteur_eml::LineIndex;
 use serde::Serialize;
 
 use crate::report;

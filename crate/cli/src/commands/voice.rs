@@ -5,15 +5,15 @@ use std::path::PathBuf;
 
 use anyhow::{Result, anyhow};
 use clap::{Args, Subcommand};
-use raconteur_player::Source;
-use raconteur_player::speech::markup::{sable, ssml};
+use raconteur_voice::Source;
+use raconteur_voice::markup::{sable, ssml};
 use serde_json::json;
 
-use crate::bake::engine::{ENGINES, EngineOptions};
-use crate::bake::measure::{self, Row};
-use crate::bake::{Cast, picture};
 use crate::story::StoryFiles;
 use crate::{Format, Outcome};
+use raconteur_voice::bake::engine::{ENGINES, EngineOptions};
+use raconteur_voice::bake::measure::{self, Row};
+use raconteur_voice::bake::{Cast, picture};
 
 /// Measure voices and look at them.
 #[derive(Args)]
@@ -46,7 +46,7 @@ impl Ssml {
     fn run(&self) -> Result<Outcome> {
         let files = StoryFiles::read(&self.story)?;
         let mut out = io::stdout().lock();
-        for said in files.script().said() {
+        for said in raconteur_voice::said(&files.script().document) {
             let content = match said.source {
                 Source::Content(content) => content,
                 Source::Sable(text) => sable::read(&text).map_err(|p| anyhow!("{p}"))?.0,

@@ -1,8 +1,7 @@
 //! The drums.
 
-use super::instrument::{Stereo, add};
-use super::score::Note;
-use super::signal::{Filter, Noise, sine};
+use super::note::Note;
+use super::signal::{Filter, Noise, Stereo, add, frequency_hz, sine};
 
 /// A sine that falls in pitch and loudness: from and to in Hz, how fast in 1/s.
 fn thump(note: &Note, out: &mut Stereo, hz: [f64; 2], bend: f64, decay: f64, level: f64) {
@@ -23,7 +22,7 @@ pub(crate) fn kick(note: &Note, out: &mut Stereo) {
 pub(crate) fn tom(note: &Note, out: &mut Stereo) {
     // The pitch is heard where a degree or note was written: C3 is 48.
     let hz = if note.pitch > 0.0 {
-        super::instrument::frequency_hz(note.pitch)
+        frequency_hz(note.pitch)
     } else {
         110.0
     };

@@ -5,10 +5,9 @@ use std::path::Path;
 
 use anyhow::{Context as _, Result, bail};
 
-use super::instrument::Stereo;
-use super::signal::{Noise, RATE_HZ};
-use crate::bake::program::{FFMPEG, OPUSENC};
-use crate::disk;
+use super::signal::{Noise, RATE_HZ, Stereo};
+use raconteur_voice::bake::program::{FFMPEG, OPUSENC};
+use raconteur_voice::files::disk;
 
 /// kbit/s, both channels.
 const OPUS_RATE: &str = "56";

@@ -2,10 +2,10 @@
 
 use std::f64::consts::FRAC_1_SQRT_2;
 
-use super::instrument::{Instrument, Stereo};
+use super::instrument::Instrument;
 use super::lufs;
 use super::score::{Part, Score, gain};
-use super::signal::{Filter, Noise, RATE_HZ, sine};
+use super::signal::{Filter, Noise, RATE_HZ, Stereo, sine};
 
 /// No sample is beyond this, dB below full scale: encoders overshoot a little.
 const CEILING_DB: f64 = -1.5;

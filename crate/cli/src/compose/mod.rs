@@ -9,19 +9,20 @@ mod encode;
 mod harmony;
 mod instrument;
 mod mix;
+mod note;
 mod score;
 mod signal;
 
 use std::path::Path;
 
 use anyhow::Result;
-use raconteur_player::speech::signal::loudness::integrated_lufs;
+use raconteur_voice::signal::loudness::integrated_lufs;
 
 pub(crate) use score::Score;
 
 /// A finished piece.
 pub(crate) struct Music {
-    sound: instrument::Stereo,
+    sound: signal::Stereo,
 }
 
 /// Plays a score.
@@ -35,7 +36,7 @@ pub(crate) fn play(score: &Score) -> Result<Music> {
 }
 
 /// Integrated loudness, LUFS (BS.1770-4); that of silence is -120.
-fn lufs(sound: &instrument::Stereo) -> f64 {
+fn lufs(sound: &signal::Stereo) -> f64 {
     let channels = sound.each_ref().map(Vec::as_slice);
     integrated_lufs(&channels, signal::RATE_HZ).unwrap_or(-120.0)
 }

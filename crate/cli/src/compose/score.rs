@@ -8,6 +8,7 @@ use serde::Deserialize;
 
 use super::harmony::{Chord, chord, pitch};
 use super::instrument::Instrument;
+use super::note::Note;
 
 /// The longest piece without its tail, seconds.
 const LONGEST_SECS: f64 = 1200.0;
@@ -83,19 +84,6 @@ struct Section {
     chords: String,
     /// Patterns, each with a level in dB if it has one: `arp:-3`, or `arp:-20>0` for a swell.
     play: Vec<String>,
-}
-
-/// One note at its time.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Note {
-    /// Seconds from the start.
-    pub(crate) start_secs: f64,
-    /// How long it is held, seconds.
-    pub(crate) length_secs: f64,
-    /// MIDI number; meaningless for drums.
-    pub(crate) pitch: f64,
-    /// Loudness, 1 for a plain note.
-    pub(crate) velocity: f64,
 }
 
 /// What one track plays.

@@ -79,6 +79,38 @@ impl Filter {
     }
 }
 
+/// Two channels of sound, one sample each `1 / RATE_HZ` seconds.
+pub(crate) type Stereo = [Vec<f64>; 2];
+
+/// Frequency of a MIDI number.
+pub(crate) fn frequency_hz(pitch: f64) -> f64 {
+    440.0 * libm::pow(2.0, (pitch - 69.0) / 12.0)
+}
+
+/// Adds a sound to both channels from a time on: `sound` gives the samples left and right for
+/// seconds since the start, until `length_secs` or the end of the piece.
+pub(crate) fn add(
+    out: &mut Stereo,
+    start_secs: f64,
+    length_secs: f64,
+    mut sound: impl FnMut(f64) -> [f64; 2],
+) {
+    let first = (start_secs * RATE_HZ).round().max(0.0) as usize;
+    let count = (length_secs * RATE_HZ).ceil() as usize;
+    let [left, right] = out;
+    for (i, (l, r)) in left
+        .iter_mut()
+        .zip(right)
+        .skip(first)
+        .take(count)
+        .enumerate()
+    {
+        let [a, b] = sound(i as f64 / RATE_HZ);
+        *l += a;
+        *r += b;
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -1,7 +1,7 @@
 //! Lights of a contact sheet.
 
-use raconteur_player::base::DVec3;
-use raconteur_player::stage::{DirectedLight, Lighting, Set};
+use raconteur_base::DVec3;
+use raconteur_stage::{DirectedLight, Lighting, Set};
 
 /// A lamp from the character's right and little else: it shows relief. Designed, by eye.
 fn lamp() -> Lighting {

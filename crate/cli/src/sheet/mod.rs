@@ -11,10 +11,10 @@ mod wire;
 
 use anyhow::Result;
 use clap::ValueEnum;
-use raconteur_player::body::Figure;
-use raconteur_player::stage::{Frame, Lighting, Set};
+use raconteur_body::Figure;
 use raconteur_render::headless::Headless;
 use raconteur_render::srgb_to_linear;
+use raconteur_stage::{Frame, Lighting, Set};
 
 use picture::{Layout, Picture};
 pub(crate) use pose::PoseName;

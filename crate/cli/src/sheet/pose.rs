@@ -3,8 +3,8 @@
 use core::f64::consts::PI;
 
 use clap::ValueEnum;
-use raconteur_player::base::{DQuat, Side, ops};
-use raconteur_player::body::{Bone, Figure, HandShape};
+use raconteur_base::{DQuat, Side, ops};
+use raconteur_body::{Bone, Figure, HandShape};
 
 use super::posture::{Posed, Posture};
 

@@ -1,10 +1,10 @@
 //! Poses for a contact sheet, made without a story.
 
-use raconteur_player::actor::FaceRig;
-use raconteur_player::base::{DAffine3, DMat3, DQuat, DVec3, NodeState, Side};
-use raconteur_player::body::face::{FaceControls, Network};
-use raconteur_player::body::skeleton::zero_frames;
-use raconteur_player::body::{Bone, Figure, HandShape, Pose, Skeleton};
+use raconteur_actor::FaceRig;
+use raconteur_base::{DAffine3, DMat3, DQuat, DVec3, NodeState, Side};
+use raconteur_body::skeleton::zero_frames;
+use raconteur_body::{Bone, Figure, HandShape, Pose, Skeleton};
+use raconteur_tissue::{FaceControls, Network};
 
 /// A pose being built, with what the face is asked to do in it.
 pub(crate) struct Posture<'a> {

@@ -2,19 +2,19 @@
 
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
-use raconteur_player::actor::Affect;
-use raconteur_player::actor::articulation::{ORDINARY_LOUDNESS, articulate, hold_closures};
-use raconteur_player::actor::emotion::{Mixture, Signs};
-use raconteur_player::actor::lips::MouthTargets;
-use raconteur_player::actor::nonverbal::{CLOSED_SECS, CLOSING_SECS, OPENING_SECS};
-use raconteur_player::actor::parameters::VISEMES;
-use raconteur_player::base::curve::smooth;
-use raconteur_player::base::{DQuat, DVec3, Side};
-use raconteur_player::body::face::{FaceControls, Muscle};
-use raconteur_player::body::{Bone, Figure, HandShape};
-use raconteur_player::speech::emotion::WORDS;
-use raconteur_player::speech::phones;
-use raconteur_player::stage::{Camera, Lighting};
+use raconteur_actor::Affect;
+use raconteur_actor::articulation::{ORDINARY_LOUDNESS, articulate, hold_closures};
+use raconteur_actor::emotion::{Mixture, Signs};
+use raconteur_actor::lips::MouthTargets;
+use raconteur_actor::nonverbal::{CLOSED_SECS, CLOSING_SECS, OPENING_SECS};
+use raconteur_actor::parameters::VISEMES;
+use raconteur_base::curve::smooth;
+use raconteur_base::{DQuat, DVec3, Side};
+use raconteur_body::{Bone, Figure, HandShape};
+use raconteur_speech::emotion::WORDS;
+use raconteur_speech::phones;
+use raconteur_stage::{Camera, Lighting};
+use raconteur_tissue::{FaceControls, Muscle};
 
 use super::pose::{FIST, PoseName};
 use super::posture::{Posed, Posture};

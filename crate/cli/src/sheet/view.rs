@@ -1,8 +1,8 @@
 //! Where a figure is looked at from, by its joints.
 
-use raconteur_player::base::{DAffine3, DVec3, Side, ops};
-use raconteur_player::body::{Bone, Drive, Figure};
-use raconteur_player::stage::Camera;
+use raconteur_base::{DAffine3, DVec3, Side, ops};
+use raconteur_body::{Bone, Drive, Figure};
+use raconteur_stage::Camera;
 
 /// Places of a posed figure, world, metres.
 pub(crate) struct Places<'a> {

@@ -1,8 +1,8 @@
 //! The edges of a figure's triangles, drawn without a device; what lies behind is hidden.
 
-use raconteur_player::base::{DVec3, ops};
-use raconteur_player::body::{Figure, MaterialKind};
-use raconteur_player::stage::Camera;
+use raconteur_base::{DVec3, ops};
+use raconteur_body::{Figure, MaterialKind};
+use raconteur_stage::Camera;
 
 use super::posture::Posed;
 use crate::skinning::{skin, world_from_bind};

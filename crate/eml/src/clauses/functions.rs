@@ -26,7 +26,6 @@ impl Field for ArgValue {
         }
     }
 
-    #[cfg(any(test, feature = "write"))]
     fn get(&self) -> Value {
         match self {
             Self::Number(number) => Value::Number(*number),

@@ -43,6 +43,10 @@ record! {
     }
 }
 
+/// What places, angles and velocities of manipulators are at most either way, in their own units:
+/// rounding stays harmless.
+pub const FARTHEST: f64 = 1e5;
+
 /// The names of the joint attributes.
 pub(crate) const JOINTS: [&str; 6] = ["j1", "j2", "j3", "j4", "j5", "j6"];
 
@@ -58,7 +62,6 @@ pub struct ForwardKinematics {
 }
 
 impl Record for ForwardKinematics {
-    #[cfg(any(test, feature = "write"))]
     fn element(&self) -> &'static str {
         "body-non-deterministic-fk"
     }
@@ -109,7 +112,6 @@ pub struct JointInterpolation {
 }
 
 impl Record for JointInterpolation {
-    #[cfg(any(test, feature = "write"))]
     fn element(&self) -> &'static str {
         "body-non-deterministic-joint-interpolation"
     }
@@ -134,7 +136,6 @@ pub struct FrameInterpolation {
 }
 
 impl Record for FrameInterpolation {
-    #[cfg(any(test, feature = "write"))]
     fn element(&self) -> &'static str {
         "body-non-deterministic-frame-interpolation"
     }
@@ -178,7 +179,6 @@ pub struct Jacobian {
 }
 
 impl Record for Jacobian {
-    #[cfg(any(test, feature = "write"))]
     fn element(&self) -> &'static str {
         "body-non-deterministic-jacobian"
     }

@@ -213,7 +213,6 @@ impl DeterministicPrimitive {
 }
 
 impl crate::record::Record for DeterministicPrimitive {
-    #[cfg(any(test, feature = "write"))]
     fn element(&self) -> &'static str {
         "body-deterministic-primitive"
     }

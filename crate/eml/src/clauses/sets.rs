@@ -105,7 +105,6 @@ pub struct Set {
 }
 
 impl Record for Set {
-    #[cfg(any(test, feature = "write"))]
     fn element(&self) -> &'static str {
         "set"
     }
@@ -158,7 +157,6 @@ pub struct Member {
 }
 
 impl Record for Member {
-    #[cfg(any(test, feature = "write"))]
     fn element(&self) -> &'static str {
         self.kind.element()
     }

@@ -3,7 +3,6 @@
 
 use crate::Span;
 use crate::record::{Field, Record, Value, Visit, record, words};
-use crate::voice::{Piece, VoiceText};
 
 /// A property of speech: a word of SABLE's, a change in percent, or a number.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -32,7 +31,6 @@ impl Field for Level {
         }
     }
 
-    #[cfg(any(test, feature = "write"))]
     fn get(&self) -> Value {
         match *self {
             Self::Word(word) => Value::Word(word),
@@ -351,7 +349,6 @@ pub struct VoiceSay {
 }
 
 impl Record for VoiceSay {
-    #[cfg(any(test, feature = "write"))]
     fn element(&self) -> &'static str {
         "voice-say"
     }
@@ -391,26 +388,6 @@ impl VoiceSay {
             self.operation,
             VoiceOperation::PreprocessText | VoiceOperation::PreprocessFile
         )
-    }
-
-    /// Its text; empty when it is a file or a document of SABLE.
-    #[must_use]
-    pub fn text(&self) -> VoiceText {
-        let mut pieces = Vec::new();
-        if !self.is_file() && self.kind == UtteranceKind::Text {
-            pieces.push(Piece::Text {
-                text: self.content.as_str().into(),
-                emphasis: crate::voice::NO_EMPHASIS,
-                span: self.content_span,
-            });
-        }
-        VoiceText { pieces }
-    }
-
-    /// What is heard: [`VoiceSay::text`], if anything is.
-    #[must_use]
-    pub fn spoken(&self) -> Option<VoiceText> {
-        self.is_heard().then(|| self.text())
     }
 }
 

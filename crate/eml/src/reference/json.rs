@@ -92,7 +92,7 @@ fn attribute(attribute: &Attribute) -> String {
         Kind::Bool => "boolean",
         Kind::Number { .. } => "number",
         Kind::Integer { .. } => "integer",
-        Kind::Seconds => "seconds",
+        Kind::Seconds { .. } => "seconds",
         Kind::Time => "time",
         Kind::KeyTime => "keyTime",
         Kind::Choice(_) => "choice",
@@ -108,8 +108,22 @@ fn attribute(attribute: &Attribute) -> String {
         field("kind", &string(kind)),
     ];
     match attribute.kind {
-        Kind::Choice(words) | Kind::Level { words, .. } => {
+        Kind::Choice(words) => fields.push(field("words", &strings(words))),
+        Kind::Level {
+            words,
+            numbers: [least, most],
+            percent,
+        } => {
             fields.push(field("words", &strings(words)));
+            fields.push(field("least", &least.to_string()));
+            fields.push(field("most", &most.to_string()));
+            if let Some([least, most]) = percent {
+                fields.push(field("leastPercent", &least.to_string()));
+                fields.push(field("mostPercent", &most.to_string()));
+            }
+        }
+        Kind::Seconds { most } if most < crate::schema::MAX_NUMBER => {
+            fields.push(field("most", &most.to_string()));
         }
         Kind::Bool => fields.push(field("words", &strings(&["true", "false"]))),
         Kind::Number { least, most } => {

@@ -100,7 +100,9 @@ fn table<'a>(out: &mut String, attributes: impl Iterator<Item = &'a Attribute>) 
             Presence::Default(text) => format!("`{text}`"),
         };
         let mut value = kind(attribute.kind);
-        if !attribute.unit.is_empty() && !matches!(attribute.kind, Kind::Seconds | Kind::Time) {
+        if !attribute.unit.is_empty()
+            && !matches!(attribute.kind, Kind::Seconds { .. } | Kind::Time)
+        {
             let _ = write!(value, ", {}", attribute.unit);
         }
         let aliases: String = attribute
@@ -141,17 +143,24 @@ fn kind(kind: Kind) -> String {
         Kind::Bool => "`true`, `false`, `1`, `0`".to_owned(),
         Kind::Number { least, most } => range("number", least, most),
         Kind::Integer { least, most } => range("whole number", least as f64, most as f64),
-        Kind::Seconds => "seconds".to_owned(),
+        Kind::Seconds { most } => range("seconds", -crate::schema::MAX_NUMBER, most),
         Kind::Time => "time expression".to_owned(),
         Kind::KeyTime => "seconds or percent".to_owned(),
         Kind::Choice(words) => all(words),
         Kind::Level {
             words,
-            percent: true,
+            numbers: [least, most],
+            percent,
         } => {
-            format!("{}, signed percent, or number", all(words))
+            let number = range("number", least, most);
+            match percent {
+                Some([least, most]) => format!(
+                    "{}, signed percent, {least} to {most}, or {number}",
+                    all(words)
+                ),
+                None => format!("{}, or {number}", all(words)),
+            }
         }
-        Kind::Level { words, .. } => format!("{}, or number", all(words)),
         Kind::NumberOrBool => "number, `true`, `false`".to_owned(),
         Kind::NumberOrText => "number or text".to_owned(),
         Kind::Numbers => "numbers".to_owned(),

@@ -111,17 +111,17 @@ fn value(out: &mut Indented, kind: Kind) {
         Kind::Time => out.matching(
             r"\s*[+\-]?\s*[0-9.\p{L}_][0-9.\p{L}\p{N}_]*(\s*[+\-]?\s*[0-9.\p{L}_][0-9.\p{L}\p{N}_]*)*\s*",
         ),
-        Kind::Seconds => out.matching(SECONDS),
+        Kind::Seconds { .. } => out.matching(SECONDS),
         Kind::KeyTime => out.matching(&format!(r"({SECONDS})|(\s*\+?[0-9.]+\s*%\s*)")),
         Kind::Numbers => out.matching(&format!(r"\s*({NUMBER}(\s+{NUMBER})*)?\s*")),
         Kind::Number { least, most } => numbers(out, "double", &least.to_string(), &most.to_string()),
         Kind::Integer { least, most } => numbers(out, "integer", &least.to_string(), &most.to_string()),
         Kind::Bool => out.words(&["true", "false", "1", "0"]),
         Kind::Choice(words) => out.words(words),
-        Kind::Level { words, percent } => {
+        Kind::Level { words, percent, .. } => {
             out.open("choice");
             out.words(words);
-            let end = if percent { "%?" } else { "" };
+            let end = if percent.is_some() { "%?" } else { "" };
             out.matching(&format!("{NUMBER}{end}"));
             out.close("choice");
         }

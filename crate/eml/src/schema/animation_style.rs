@@ -4,22 +4,22 @@ use super::{Attribute, Element};
 use crate::PlaybackStyle;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: doc!("Says how an animation plays."),
-    decision: doc!(
-        "GEVH has styles that end after a number of iterations but no attribute for the number; it is an extension. Temporary animations leave the stack when they end."
+    doc: super::shown("Says how an animation plays."),
+    decision: super::shown(
+        "GEVH has styles that end after a number of iterations but no attribute for the number; it is an extension. Temporary animations leave the stack when they end.",
     ),
-    source: doc!("GEVH D.3.18"),
-    example: doc!(
-        "<eml xmlns:r='urn:raconteur:eml:1'><body><body-deterministic-primitive time='0' primitive='push' animationSetName='nod'><animation-style playbackStyle='temporaryIterations' r:iterations='2'/></body-deterministic-primitive></body></eml>"
+    source: super::shown("GEVH D.3.18"),
+    example: super::shown(
+        "<eml xmlns:r='urn:raconteur:eml:1'><body><body-deterministic-primitive time='0' primitive='push' animationSetName='nod'><animation-style playbackStyle='temporaryIterations' r:iterations='2'/></body-deterministic-primitive></body></eml>",
     ),
     most_per_parent: Some(1),
     attributes: &[
-        Attribute::choice("playbackStyle", PlaybackStyle::WORDS, doc!("In which way.")).required(),
+        Attribute::choice("playbackStyle", PlaybackStyle::WORDS, "In which way.").required(),
         Attribute::integer(
             "iterations",
             1,
             100_000,
-            doc!("How often, for the styles with iterations."),
+            "How often, for the styles with iterations.",
         )
         .default("1")
         .extension(),

@@ -1,5 +1,7 @@
 //! Attributes as entries of the table.
 
+use crate::FARTHEST;
+
 /// An attribute of an element.
 #[derive(Clone, Copy, Debug)]
 pub struct Attribute {
@@ -20,7 +22,7 @@ pub struct Attribute {
     pub unit: &'static str,
     /// Whether it belongs to the extensions' namespace.
     pub extension: bool,
-    /// What it means; empty without the feature `reference`.
+    /// What it means.
     pub doc: &'static str,
 }
 
@@ -76,19 +78,24 @@ pub enum Kind {
         most: i64,
     },
     /// A length of at least 0: a number of seconds or one with a unit.
-    Seconds,
+    Seconds {
+        /// The longest, seconds.
+        most: f64,
+    },
     /// A time expression.
     Time,
     /// An offset in a gesture: seconds, or percent of its duration.
     KeyTime,
     /// One of these words, in any case.
     Choice(&'static [&'static str]),
-    /// A number of at least 0, one of these words, or a change in percent with its sign.
+    /// A number, one of these words, or a change in percent with its sign.
     Level {
         /// The words.
         words: &'static [&'static str],
-        /// Whether a change in percent may be given.
-        percent: bool,
+        /// The smallest and the largest number.
+        numbers: [f64; 2],
+        /// The smallest and the largest change in percent, where one may be given.
+        percent: Option<[f64; 2]>,
     },
     /// A number, or a truth value, which counts as 1 or 0.
     NumberOrBool,
@@ -116,7 +123,7 @@ impl Attribute {
             default: Presence::Optional,
             unit: "",
             extension: false,
-            doc,
+            doc: super::shown(doc),
         }
     }
 
@@ -156,7 +163,16 @@ impl Attribute {
     }
 
     pub(super) const fn seconds(name: &'static str, doc: &'static str) -> Self {
-        Self::new(name, Kind::Seconds, doc).unit("s")
+        Self::seconds_up_to(name, MAX_NUMBER, doc)
+    }
+
+    pub(super) const fn seconds_up_to(name: &'static str, most: f64, doc: &'static str) -> Self {
+        Self::new(name, Kind::Seconds { most }, doc).unit("s")
+    }
+
+    /// A place, an angle or a velocity of a manipulator, within [`FARTHEST`].
+    pub(super) const fn placed(name: &'static str, doc: &'static str) -> Self {
+        Self::between(name, -FARTHEST, FARTHEST, doc)
     }
 
     pub(super) const fn choice(
@@ -170,10 +186,19 @@ impl Attribute {
     pub(super) const fn level(
         name: &'static str,
         words: &'static [&'static str],
-        percent: bool,
+        numbers: [f64; 2],
+        percent: Option<[f64; 2]>,
         doc: &'static str,
     ) -> Self {
-        Self::new(name, Kind::Level { words, percent }, doc)
+        Self::new(
+            name,
+            Kind::Level {
+                words,
+                numbers,
+                percent,
+            },
+            doc,
+        )
     }
 
     pub(super) const fn required(mut self) -> Self {

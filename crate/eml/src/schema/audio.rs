@@ -4,12 +4,26 @@ use super::{Attribute, Context, Element, Fields, Kind, Role, VOICE_PARENTS, Voic
 use crate::{Audio, AudioMode, Piece};
 
 pub(super) static ELEMENT: Element = Element {
-    doc: doc!("Plays a recording."),
-    source: doc!("GEVH D.4.4"),
-    example: doc!("<voice-text time='0'>Listen: <audio src='sounds/bell.ogg'/> did you hear?</voice-text>"),
-    attributes: &[Attribute::new("src", Kind::Url, doc!("Its address: relative to the story, or by http or https; the page may forbid others.")).required(),
-Attribute::choice("mode", AudioMode::WORDS, doc!("Whether the speech waits for it, or it sounds beneath.")).default("insertion"),
-Attribute::between("level", 0.0, 1e6, doc!("Its volume: 1 as recorded, 0 silent.")).default("1")],
+    doc: super::shown("Plays a recording."),
+    source: super::shown("GEVH D.4.4"),
+    example: super::shown(
+        "<voice-text time='0'>Listen: <audio src='sounds/bell.ogg'/> did you hear?</voice-text>",
+    ),
+    attributes: &[
+        Attribute::new(
+            "src",
+            Kind::Url,
+            "Its address: relative to the story, or by http or https; the page may forbid others.",
+        )
+        .required(),
+        Attribute::choice(
+            "mode",
+            AudioMode::WORDS,
+            "Whether the speech waits for it, or it sounds beneath.",
+        )
+        .default("insertion"),
+        Attribute::between("level", 0.0, 1e6, "Its volume: 1 as recorded, 0 silent.").default("1"),
+    ],
     ..Element::new("audio", VOICE_PARENTS, Role::Voice(read))
 };
 

@@ -3,11 +3,11 @@
 use super::{Attribute, Element};
 
 pub(super) static ELEMENT: Element = Element {
-    doc: doc!("Refers to a body group."),
-    decision: doc!("GEVH does not list its attribute; it is name, as for it and ref."),
-    source: doc!("GEVH D.3.9"),
-    example: doc!("<body-player-add time='0' name='upper' type='bodyGroup'><bones><bg name='torso'/></bones></body-player-add>"),
-    attributes: &[Attribute::identifier("name", doc!("The body group: head, torso, left_arm, right_arm, left_hand, right_hand, left_leg or right_leg.")).required()],
+    doc: super::shown("Refers to a body group."),
+    decision: super::shown("GEVH does not list its attribute; it is name, as for it and ref."),
+    source: super::shown("GEVH D.3.9"),
+    example: super::shown("<body-player-add time='0' name='upper' type='bodyGroup'><bones><bg name='torso'/></bones></body-player-add>"),
+    attributes: &[Attribute::identifier("name", "The body group: head, torso, left_arm, right_arm, left_hand, right_hand, left_leg or right_leg.").required()],
     ..Element::part("bg", &["tracks", "bones"])
 };
 

@@ -4,43 +4,40 @@ use super::{Attribute, Element};
 use crate::ClauseKind;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: doc!("Leads a control parameter through attack, decay, sustain and release."),
-    decision: doc!(
-        "The course is straight from value to value. The D stands for decay, as the attributes say, not delay, as the text does. The example of GEVH belongs to body-set-control-parameter."
+    doc: super::shown("Leads a control parameter through attack, decay, sustain and release."),
+    decision: super::shown(
+        "The course is straight from value to value. The D stands for decay, as the attributes say, not delay, as the text does. The example of GEVH belongs to body-set-control-parameter.",
     ),
-    source: doc!("GEVH D.3.28"),
-    example: doc!(
-        "<body-animate-ADSR-control-parameter time='0' parameterId='Disgust' attackDurationTime='0.2' attackValue='1' decayDurationTime='0.1' decayValue='0.7' sustainDurationTime='1' releaseDurationTime='0.5'/>"
+    source: super::shown("GEVH D.3.28"),
+    example: super::shown(
+        "<body-animate-ADSR-control-parameter time='0' parameterId='Disgust' attackDurationTime='0.2' attackValue='1' decayDurationTime='0.1' decayValue='0.7' sustainDurationTime='1' releaseDurationTime='0.5'/>",
     ),
     attributes: &[
-        Attribute::identifier("parameterId", doc!("The parameter, such as Disgust.")).required(),
+        Attribute::identifier("parameterId", "The parameter, such as Disgust.").required(),
         Attribute::seconds(
             "attackDurationTime",
-            doc!("How long the value before takes to become the attack value."),
+            "How long the value before takes to become the attack value.",
         )
         .default("0"),
-        Attribute::number("attackValue", doc!("The value of this phase.")).default("1"),
+        Attribute::number("attackValue", "The value of this phase.").default("1"),
         Attribute::seconds(
             "decayDurationTime",
-            doc!("How long that takes to become the decay value."),
+            "How long that takes to become the decay value.",
         )
         .default("0"),
-        Attribute::number("decayValue", doc!("The value of this phase.")).default("0"),
-        Attribute::seconds(
-            "sustainDurationTime",
-            doc!("How long the sustain value is held."),
-        )
-        .default("0"),
+        Attribute::number("decayValue", "The value of this phase.").default("0"),
+        Attribute::seconds("sustainDurationTime", "How long the sustain value is held.")
+            .default("0"),
         Attribute::number(
             "sustainValue",
-            doc!("The value that is held; the decay value when it is left out."),
+            "The value that is held; the decay value when it is left out.",
         ),
         Attribute::seconds(
             "releaseDurationTime",
-            doc!("How long that takes to become the release value."),
+            "How long that takes to become the release value.",
         )
         .default("0"),
-        Attribute::number("releaseValue", doc!("The value of this phase.")).default("0"),
+        Attribute::number("releaseValue", "The value of this phase.").default("0"),
     ],
     ..Element::record("body-animate-ADSR-control-parameter", || {
         ClauseKind::AdsrControlParameter(Default::default())

@@ -4,18 +4,18 @@ use super::{Attribute, Element};
 use crate::{ClauseKind, Style};
 
 pub(super) static ELEMENT: Element = Element {
-    doc: doc!("Plays an animation of control parameters from the library."),
-    decision: doc!(
-        "GEVH calls value the parameter value, which fits another clause; it is read as a gain. The example belongs to body-set-control-parameter."
+    doc: super::shown("Plays an animation of control parameters from the library."),
+    decision: super::shown(
+        "GEVH calls value the parameter value, which fits another clause; it is read as a gain. The example belongs to body-set-control-parameter.",
     ),
-    source: doc!("GEVH D.3.30"),
-    example: doc!(
-        "<body-animate-control-parameter time='5' animationId='blink' style='pingPong'/>"
+    source: super::shown("GEVH D.3.30"),
+    example: super::shown(
+        "<body-animate-control-parameter time='5' animationId='blink' style='pingPong'/>",
     ),
     attributes: &[
-        Attribute::identifier("animationId", doc!("The animation.")).required(),
-        Attribute::choice("style", Style::WORDS, doc!("In which direction.")).default("forward"),
-        Attribute::number("value", doc!("By what its values are multiplied.")).default("1"),
+        Attribute::identifier("animationId", "The animation.").required(),
+        Attribute::choice("style", Style::WORDS, "In which direction.").default("forward"),
+        Attribute::number("value", "By what its values are multiplied; beyond a parameter's range they are as much as its end.").default("1"),
     ],
     ..Element::record("body-animate-control-parameter", || {
         ClauseKind::AnimateControlParameter(Default::default())

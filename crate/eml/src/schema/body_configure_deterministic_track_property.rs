@@ -31,31 +31,28 @@ const VALUES: &[Beside] = &[
 ];
 
 pub(super) static ELEMENT: Element = Element {
-    doc: doc!("Sets the speed, the weight or the switch of tracks."),
-    decision: doc!(
-        "The weights of a player's tracks are scaled to a sum of 1 after each change (GEVH 3.2.1)."
+    doc: super::shown("Sets the speed, the weight or the switch of tracks."),
+    decision: super::shown(
+        "The weights of a player's tracks are scaled to a sum of 1 after each change (GEVH 3.2.1).",
     ),
-    source: doc!("GEVH D.3.6"),
-    example: doc!(
-        "<eml><head><body-expression-configuration><sets-configuration><set name='fullBody' type='bodyGroup'><it name='torso'/></set></sets-configuration></body-expression-configuration></head><body><body-configure-deterministic-track-property time='2.5' property='speed' newValue='0.5' duration='0' transition='linear'><tracks><ref name='fullBody'/></tracks></body-configure-deterministic-track-property></body></eml>"
+    source: super::shown("GEVH D.3.6"),
+    example: super::shown(
+        "<eml><head><body-expression-configuration><sets-configuration><set name='fullBody' type='bodyGroup'><it name='torso'/></set></sets-configuration></body-expression-configuration></head><body><body-configure-deterministic-track-property time='2.5' property='speed' newValue='0.5' duration='0' transition='linear'><tracks><ref name='fullBody'/></tracks></body-configure-deterministic-track-property></body></eml>",
     ),
     content: Content::Elements,
     required_children: &["tracks"],
     attributes: &[
-        Attribute::choice("property", TrackProperty::WORDS, doc!("Which property.")).required(),
-        Attribute::new("newValue", Kind::NumberOrBool, doc!("Its new value."))
+        Attribute::choice("property", TrackProperty::WORDS, "Which property.").required(),
+        Attribute::new("newValue", Kind::NumberOrBool, "Its new value.")
             .beside(VALUES)
             .required(),
-        Attribute::identifier(
-            "player",
-            doc!("The player; the first one when it is left out."),
-        ),
+        Attribute::identifier("player", "The player; the first one when it is left out."),
         Attribute::seconds(
             "duration",
-            doc!("How long it takes to get there; only for speed and weight."),
+            "How long it takes to get there; only for speed and weight.",
         )
         .default("0"),
-        Attribute::choice("transition", Transition::WORDS, doc!("Its course.")).default("linear"),
+        Attribute::choice("transition", Transition::WORDS, "Its course.").default("linear"),
     ],
     ..Element::record("body-configure-deterministic-track-property", || {
         ClauseKind::DeterministicTrackProperty(Default::default())

@@ -4,52 +4,50 @@ use super::{Attribute, Element};
 use crate::{ClauseKind, FillMode, VisibleMeshes};
 
 pub(super) static ELEMENT: Element = Element {
-    doc: doc!("Switches what is drawn of the figure. What is left out stays as it is."),
-    source: doc!("GEVH D.3.4"),
-    example: doc!("<body-configure-geometry time='0' fillMode='solid' visibleMeshes='bones'/>"),
+    doc: super::shown("Switches what is drawn of the figure. What is left out stays as it is."),
+    source: super::shown("GEVH D.3.4"),
+    example: super::shown(
+        "<body-configure-geometry time='0' fillMode='solid' visibleMeshes='bones'/>",
+    ),
     attributes: &[
-        Attribute::choice(
-            "fillMode",
-            FillMode::WORDS,
-            doc!("What of a surface is drawn."),
-        ),
+        Attribute::choice("fillMode", FillMode::WORDS, "What of a surface is drawn."),
         Attribute::flag(
             "areFramesVisible",
-            doc!("Whether the frames of the skeleton are drawn."),
+            "Whether the frames of the skeleton are drawn.",
         ),
         Attribute::flag(
             "areHierarchyCentersVisible",
-            doc!("Whether the centres of the hierarchy are drawn."),
+            "Whether the centres of the hierarchy are drawn.",
         ),
         Attribute::choice(
             "visibleMeshes",
             VisibleMeshes::WORDS,
-            doc!("Which meshes are drawn."),
+            "Which meshes are drawn.",
         ),
-        Attribute::flag("areMaterialsActive", doc!("Whether materials are drawn.")),
-        Attribute::flag("areTexturesActive", doc!("Whether textures are drawn.")),
+        Attribute::flag("areMaterialsActive", "Whether materials are drawn."),
+        Attribute::flag("areTexturesActive", "Whether textures are drawn."),
         Attribute::flag(
             "areManipulatorsVisible",
-            doc!("Whether the manipulators are drawn."),
+            "Whether the manipulators are drawn.",
         ),
         Attribute::flag(
             "isBodyVisible",
-            doc!("Whether the body is drawn, without bones in its place."),
+            "Whether the body is drawn, without bones in its place.",
         )
         .extension(),
         Attribute::flag(
             "areSpringsVisible",
-            doc!("Whether the springs of the face's tissue are drawn."),
+            "Whether the springs of the face's tissue are drawn.",
         )
         .extension(),
         Attribute::flag(
             "areMusclesVisible",
-            doc!("Whether the muscles of the face are drawn."),
+            "Whether the muscles of the face are drawn.",
         )
         .extension(),
         Attribute::flag(
             "isSkullVisible",
-            doc!("Whether the bone under the tissue of the face is drawn."),
+            "Whether the bone under the tissue of the face is drawn.",
         )
         .extension(),
     ],

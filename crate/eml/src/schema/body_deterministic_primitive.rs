@@ -4,28 +4,23 @@ use super::{Attribute, Content, Element};
 use crate::{ClauseKind, PrimitiveKind};
 
 pub(super) static ELEMENT: Element = Element {
-    doc: doc!("Puts an animation on the stack of a player, exchanges or removes it."),
-    decision: doc!(
-        "The example writes operation for primitive. Without tracks all tracks are meant, without a style the animation loops."
+    doc: super::shown("Puts an animation on the stack of a player, exchanges or removes it."),
+    decision: super::shown(
+        "The example writes operation for primitive. Without tracks all tracks are meant, without a style the animation loops.",
     ),
-    source: doc!("GEVH D.3.17"),
-    example: doc!(
-        "<body-deterministic-primitive time='0.1' primitive='push' animationSetName='stepStance'><animation-style playbackStyle='pingPong'/></body-deterministic-primitive>"
+    source: super::shown("GEVH D.3.17"),
+    example: super::shown(
+        "<body-deterministic-primitive time='0.1' primitive='push' animationSetName='stepStance'><animation-style playbackStyle='pingPong'/></body-deterministic-primitive>",
     ),
     content: Content::Elements,
     attributes: &[
-        Attribute::choice("primitive", PrimitiveKind::WORDS, doc!("What to do."))
+        Attribute::choice("primitive", PrimitiveKind::WORDS, "What to do.")
             .required()
             .aliases(&["operation"]),
-        Attribute::identifier(
-            "player",
-            doc!("The player; the first one when it is left out."),
-        ),
+        Attribute::identifier("player", "The player; the first one when it is left out."),
         Attribute::identifier(
             "animationSetName",
-            doc!(
-                "The animation, for push and exchange: a name of the library or a path in the story's folder (docs/animation.md)."
-            ),
+            "The animation, for push and exchange: a name of the library or a path in the story's folder (docs/animation.md).",
         ),
     ],
     ..Element::record("body-deterministic-primitive", || {

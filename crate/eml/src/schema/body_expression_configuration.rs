@@ -3,10 +3,10 @@
 use super::{Content, Element};
 
 pub(super) static ELEMENT: Element = Element {
-    doc: doc!("Holds the configuration of body expression."),
-    source: doc!("GEVH D.3.1"),
-    example: doc!(
-        "<eml><head><body-expression-configuration/></head><body><null time='1'/></body></eml>"
+    doc: super::shown("Holds the configuration of body expression."),
+    source: super::shown("GEVH D.3.1"),
+    example: super::shown(
+        "<eml><head><body-expression-configuration/></head><body><null time='1'/></body></eml>",
     ),
     content: Content::Elements,
     most_per_parent: Some(1),

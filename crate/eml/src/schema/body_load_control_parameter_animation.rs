@@ -4,21 +4,19 @@ use super::{Attribute, Element, Kind};
 use crate::ClauseKind;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: doc!("Loads an animation of control parameters into the library."),
-    decision: doc!(
-        "The format of the file is not documented; ours is JSON, described in docs/face.md. Paths never leave their folder."
+    doc: super::shown("Loads an animation of control parameters into the library."),
+    decision: super::shown(
+        "The format of the file is not documented; ours is JSON, described in docs/face.md. Paths never leave their folder.",
     ),
-    source: doc!("GEVH D.3.29"),
-    example: doc!(
-        "<body-load-control-parameter-animation time='5' file='yawn.json' isResourcesRelative='true'/>"
+    source: super::shown("GEVH D.3.29"),
+    example: super::shown(
+        "<body-load-control-parameter-animation time='5' file='yawn.json' isResourcesRelative='true'/>",
     ),
     attributes: &[
-        Attribute::new("file", Kind::Path, doc!("The path of the file.")).required(),
+        Attribute::new("file", Kind::Path, "The path of the file.").required(),
         Attribute::flag(
             "isResourcesRelative",
-            doc!(
-                "Whether the path starts in the asset library instead of the folder of the story."
-            ),
+            "Whether the path starts in the asset library instead of the folder of the story.",
         )
         .default("true"),
     ],

@@ -5,13 +5,13 @@ use super::{Attribute, Element};
 use crate::ClauseKind;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: doc!("Sets the joint angles of a manipulator."),
-    decision: doc!(
-        "The example writes nJoint. Without it as many joints move as angles are given. All angles zero is the neutral pose: arms hanging with the palms to the thighs, legs standing, head upright. Of a limb j1 lifts aside, j2 to the front, j3 bends elbow or knee, j4 turns in forearm or shank, j5 bends the wrist to the thumb or the toes down, j6 bends the wrist to the palm or the sole outwards; of the head j1 and j2 tilt the neck to the left and forwards, j3 turns the head to the left, j4 nods and j5 tilts it. Equal angles of both sides mirror each other. It takes as long as a quick movement: nothing jumps."
+    doc: super::shown("Sets the joint angles of a manipulator."),
+    decision: super::shown(
+        "The example writes nJoint. Without it as many joints move as angles are given. All angles zero is the neutral pose: arms hanging with the palms to the thighs, legs standing, head upright. Of a limb j1 lifts aside, j2 to the front, j3 bends elbow or knee, j4 turns in forearm or shank, j5 bends the wrist to the thumb or the toes down, j6 bends the wrist to the palm or the sole outwards; of the head j1 and j2 tilt the neck to the left and forwards, j3 turns the head to the left, j4 nods and j5 tilts it. Equal angles of both sides mirror each other. It takes as long as a quick movement: nothing jumps.",
     ),
-    source: doc!("GEVH D.3.20"),
-    example: doc!(
-        "<body-non-deterministic-fk time='0' manipulator='leftArm' nJoints='6' j1='90' j2='45' j3='0' j4='0' j5='0' j6='0'/>"
+    source: super::shown("GEVH D.3.20"),
+    example: super::shown(
+        "<body-non-deterministic-fk time='0' manipulator='leftArm' nJoints='6' j1='90' j2='45' j3='0' j4='0' j5='0' j6='0'/>",
     ),
     attributes: &[
         MANIPULATOR,
@@ -19,39 +19,15 @@ pub(super) static ELEMENT: Element = Element {
             "nJoints",
             1,
             6,
-            doc!("How many joints the manipulator has: 6, or 5 for the head."),
+            "How many joints the manipulator has: 6, or 5 for the head.",
         )
         .aliases(&["nJoint"]),
-        Attribute::number(
-            "j1",
-            doc!("The angle of joint 1; unchanged when it is left out."),
-        )
-        .unit("°"),
-        Attribute::number(
-            "j2",
-            doc!("The angle of joint 2; unchanged when it is left out."),
-        )
-        .unit("°"),
-        Attribute::number(
-            "j3",
-            doc!("The angle of joint 3; unchanged when it is left out."),
-        )
-        .unit("°"),
-        Attribute::number(
-            "j4",
-            doc!("The angle of joint 4; unchanged when it is left out."),
-        )
-        .unit("°"),
-        Attribute::number(
-            "j5",
-            doc!("The angle of joint 5; unchanged when it is left out."),
-        )
-        .unit("°"),
-        Attribute::number(
-            "j6",
-            doc!("The angle of joint 6; unchanged when it is left out."),
-        )
-        .unit("°"),
+        Attribute::placed("j1", "The angle of joint 1; unchanged when it is left out.").unit("°"),
+        Attribute::placed("j2", "The angle of joint 2; unchanged when it is left out.").unit("°"),
+        Attribute::placed("j3", "The angle of joint 3; unchanged when it is left out.").unit("°"),
+        Attribute::placed("j4", "The angle of joint 4; unchanged when it is left out.").unit("°"),
+        Attribute::placed("j5", "The angle of joint 5; unchanged when it is left out.").unit("°"),
+        Attribute::placed("j6", "The angle of joint 6; unchanged when it is left out.").unit("°"),
     ],
     ..Element::record("body-non-deterministic-fk", || {
         ClauseKind::ForwardKinematics(Default::default())

@@ -5,15 +5,15 @@ use super::{Attribute, Element};
 use crate::ClauseKind;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: doc!("Brings the end of a limb to a target on a straight way."),
-    decision: doc!("A position is needed; angles are 0 when left out."),
-    source: doc!("GEVH D.3.22"),
-    example: doc!(
-        "<body-non-deterministic-frame-interpolation time='8' manipulator='leftLeg' timePeriod='2' posX='7.5' posY='20' posZ='-10' roll='-90'/>"
+    doc: super::shown("Brings the end of a limb to a target on a straight way."),
+    decision: super::shown("A position is needed; angles are 0 when left out."),
+    source: super::shown("GEVH D.3.22"),
+    example: super::shown(
+        "<body-non-deterministic-frame-interpolation time='8' manipulator='leftLeg' timePeriod='2' posX='7.5' posY='20' posZ='-10' roll='-90'/>",
     ),
     attributes: &[
         MANIPULATOR,
-        Attribute::seconds("timePeriod", doc!("How long it takes.")).required(),
+        Attribute::seconds("timePeriod", "How long it takes.").required(),
         POSITION[0].required(),
         POSITION[1].required(),
         POSITION[2].required(),

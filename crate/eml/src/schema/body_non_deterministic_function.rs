@@ -5,13 +5,13 @@ use super::{Content, Element};
 use crate::ClauseKind;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: doc!("Moves the end of a limb along a function of time."),
-    decision: doc!(
-        "The arguments are those of vh-move; GEVH lost them in its example. In a loop it goes on until the limb is stopped, and counts as one period long. It turns the shortest way from the angles at the start to those at the end. A limb that is not where the function begins hurries there on its way."
+    doc: super::shown("Moves the end of a limb along a function of time."),
+    decision: super::shown(
+        "The arguments are those of vh-move; GEVH lost them in its example. In a loop it goes on until the limb is stopped, and counts as one period long. It turns the shortest way from the angles at the start to those at the end. A limb that is not where the function begins hurries there on its way.",
     ),
-    source: doc!("GEVH D.3.23"),
-    example: doc!(
-        "<body-non-deterministic-function time='0' manipulator='leftArm' functionName='segment' isLooping='false'><function-args><arg name='timePeriod' value='2'/><arg name='endY' value='40'/></function-args></body-non-deterministic-function>"
+    source: super::shown("GEVH D.3.23"),
+    example: super::shown(
+        "<body-non-deterministic-function time='0' manipulator='leftArm' functionName='segment' isLooping='false'><function-args><arg name='timePeriod' value='2'/><arg name='endY' value='40'/></function-args></body-non-deterministic-function>",
     ),
     content: Content::Elements,
     required_children: &["function-args"],

@@ -5,41 +5,41 @@ use super::{Attribute, Element};
 use crate::ClauseKind;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: doc!(
-        "Moves the end of a limb by inverse velocity: to a target, or at given velocities until it is stopped."
+    doc: super::shown(
+        "Moves the end of a limb by inverse velocity: to a target, or at given velocities until it is stopped.",
     ),
-    decision: doc!(
-        "It has no length: with a target it runs until it is there, else until the limb is stopped. Numbers that are left out are 0. It begins and ends gently, is damped where joints cannot follow, and is given up after 8 s at a target and 20 s at velocities."
+    decision: super::shown(
+        "It has no length: with a target it runs until it is there, else until the limb is stopped. Numbers that are left out are 0. It begins and ends gently, is damped where joints cannot follow, and is given up after 8 s at a target and 20 s at velocities.",
     ),
-    source: doc!("GEVH D.3.24"),
-    example: doc!(
-        "<body-non-deterministic-jacobian time='8' manipulator='leftLeg' isStaticTarget='true' posX='7.5' posY='20' posZ='-10' roll='-90'/>"
+    source: super::shown("GEVH D.3.24"),
+    example: super::shown(
+        "<body-non-deterministic-jacobian time='8' manipulator='leftLeg' isStaticTarget='true' posX='7.5' posY='20' posZ='-10' roll='-90'/>",
     ),
     attributes: &[
         MANIPULATOR,
-        Attribute::flag("isStaticTarget", doc!("Whether it goes to a target.")).required(),
+        Attribute::flag("isStaticTarget", "Whether it goes to a target.").required(),
         POSITION[0].default("0"),
         POSITION[1].default("0"),
         POSITION[2].default("0"),
         ORIENTATION[0],
         ORIENTATION[1],
         ORIENTATION[2],
-        Attribute::number("cartesianX", doc!("Velocity along x."))
+        Attribute::placed("cartesianX", "Velocity along x.")
             .default("0")
             .unit("units/s"),
-        Attribute::number("cartesianY", doc!("Velocity along y."))
+        Attribute::placed("cartesianY", "Velocity along y.")
             .default("0")
             .unit("units/s"),
-        Attribute::number("cartesianZ", doc!("Velocity along z."))
+        Attribute::placed("cartesianZ", "Velocity along z.")
             .default("0")
             .unit("units/s"),
-        Attribute::number("angularX", doc!("Angular velocity about x."))
+        Attribute::placed("angularX", "Angular velocity about x.")
             .default("0")
             .unit("°/s"),
-        Attribute::number("angularY", doc!("Angular velocity about y."))
+        Attribute::placed("angularY", "Angular velocity about y.")
             .default("0")
             .unit("°/s"),
-        Attribute::number("angularZ", doc!("Angular velocity about z."))
+        Attribute::placed("angularZ", "Angular velocity about z.")
             .default("0")
             .unit("°/s"),
     ],

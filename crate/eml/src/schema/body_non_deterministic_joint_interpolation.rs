@@ -5,23 +5,23 @@ use super::{Attribute, Element};
 use crate::ClauseKind;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: doc!("Brings the end of a limb to a target by interpolating its joints."),
-    decision: doc!(
-        "One of staticTime and staticVelocity is needed; staticTime counts when both are given. A position is needed; angles are 0 when left out. With a velocity the clause counts as having no length, since that depends on the figure."
+    doc: super::shown("Brings the end of a limb to a target by interpolating its joints."),
+    decision: super::shown(
+        "One of staticTime and staticVelocity is needed; staticTime counts when both are given. A position is needed; angles are 0 when left out. With a velocity the clause counts as having no length, since that depends on the figure.",
     ),
-    source: doc!("GEVH D.3.21"),
-    example: doc!(
-        "<body-non-deterministic-joint-interpolation time='8' manipulator='leftLeg' staticTime='2' posX='7.5' posY='20' posZ='-10' roll='-90'/>"
+    source: super::shown("GEVH D.3.21"),
+    example: super::shown(
+        "<body-non-deterministic-joint-interpolation time='8' manipulator='leftLeg' staticTime='2' posX='7.5' posY='20' posZ='-10' roll='-90'/>",
     ),
     one_of: &["staticTime", "staticVelocity"],
     attributes: &[
         MANIPULATOR,
-        Attribute::seconds("staticTime", doc!("How long it takes.")),
+        Attribute::seconds("staticTime", "How long it takes."),
         Attribute::between(
             "staticVelocity",
             0.0,
             1e6,
-            doc!("How fast the joints turn instead."),
+            "How fast the joints turn instead.",
         )
         .unit("rad/s"),
         POSITION[0].required(),

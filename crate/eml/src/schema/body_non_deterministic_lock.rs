@@ -5,14 +5,16 @@ use super::{Attribute, Element};
 use crate::ClauseKind;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: doc!(
-        "Holds the end of a limb where it is while the rest of the body moves, or lets it go."
+    doc: super::shown(
+        "Holds the end of a limb where it is while the rest of the body moves, or lets it go.",
     ),
-    source: doc!("GEVH D.3.26"),
-    example: doc!("<body-non-deterministic-lock time='0' manipulator='leftArm' isLock='true'/>"),
+    source: super::shown("GEVH D.3.26"),
+    example: super::shown(
+        "<body-non-deterministic-lock time='0' manipulator='leftArm' isLock='true'/>",
+    ),
     attributes: &[
         MANIPULATOR,
-        Attribute::flag("isLock", doc!("Whether it is held.")).required(),
+        Attribute::flag("isLock", "Whether it is held.").required(),
     ],
     ..Element::record("body-non-deterministic-lock", || {
         ClauseKind::ManipulatorLock(Default::default())

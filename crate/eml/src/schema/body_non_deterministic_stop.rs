@@ -4,15 +4,12 @@ use super::{Attribute, Element};
 use crate::{ClauseKind, Manipulator};
 
 pub(super) static ELEMENT: Element = Element {
-    doc: doc!("Stops a manipulator."),
-    source: doc!("GEVH D.3.25"),
-    example: doc!("<body-non-deterministic-stop time='3' manipulator='leftArm'/>"),
-    attributes: &[Attribute::choice(
-        "manipulator",
-        Manipulator::WORDS,
-        doc!("The limb, or the head."),
-    )
-    .required()],
+    doc: super::shown("Stops a manipulator."),
+    source: super::shown("GEVH D.3.25"),
+    example: super::shown("<body-non-deterministic-stop time='3' manipulator='leftArm'/>"),
+    attributes: &[
+        Attribute::choice("manipulator", Manipulator::WORDS, "The limb, or the head.").required(),
+    ],
     ..Element::record("body-non-deterministic-stop", || {
         ClauseKind::ManipulatorStop(Default::default())
     })

@@ -12,26 +12,26 @@ const PLAYER_KINDS: &[(&str, &str)] = &[
 
 /// The attributes of every element that makes a player.
 pub(super) const ATTRIBUTES: &[Attribute] = &[
-    Attribute::identifier("name", doc!("The player's name, which no other has.")).required(),
-    Attribute::choice("type", PlayerKind::WORDS, doc!("What it plays."))
+    Attribute::identifier("name", "The player's name, which no other has.").required(),
+    Attribute::choice("type", PlayerKind::WORDS, "What it plays.")
         .required()
         .word_aliases(PLAYER_KINDS),
     Attribute::integer(
         "numberOfLayers",
         1,
         64,
-        doc!("How many layers it has, 2 if left out; only with type multiple."),
+        "How many layers it has, 2 if left out; only with type multiple.",
     ),
 ];
 
 pub(super) static ELEMENT: Element = Element {
-    doc: doc!("Adds an animation player."),
-    decision: doc!(
-        "The name is required, though the table gives it a default that belongs to other clauses. The example writes multipleAnimation for multiple: it and its like are aliases. Type pose, described in GEVH 3.2.3, is accepted."
+    doc: super::shown("Adds an animation player."),
+    decision: super::shown(
+        "The name is required, though the table gives it a default that belongs to other clauses. The example writes multipleAnimation for multiple: it and its like are aliases. Type pose, described in GEVH 3.2.3, is accepted.",
     ),
-    source: doc!("GEVH D.3.11"),
-    example: doc!(
-        "<body-player-add time='0' name='mPlayer' type='multiple' numberOfLayers='2'><bones><bg name='torso'/></bones></body-player-add>"
+    source: super::shown("GEVH D.3.11"),
+    example: super::shown(
+        "<body-player-add time='0' name='mPlayer' type='multiple' numberOfLayers='2'><bones><bg name='torso'/></bones></body-player-add>",
     ),
     content: Content::Elements,
     attributes: ATTRIBUTES,

@@ -4,22 +4,19 @@ use super::{Attribute, Element};
 use crate::ClauseKind;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: doc!("Changes the priority of an animation player."),
-    decision: doc!(
-        "The player with the highest priority moves a bone; of equal ones the one added last."
+    doc: super::shown("Changes the priority of an animation player."),
+    decision: super::shown(
+        "The player with the highest priority moves a bone; of equal ones the one added last.",
     ),
-    source: doc!("GEVH D.3.14"),
-    example: doc!("<body-player-change-priority time='5' priority='10'/>"),
+    source: super::shown("GEVH D.3.14"),
+    example: super::shown("<body-player-change-priority time='5' priority='10'/>"),
     attributes: &[
-        Attribute::identifier(
-            "name",
-            doc!("The player; the first one when it is left out."),
-        ),
+        Attribute::identifier("name", "The player; the first one when it is left out."),
         Attribute::integer(
             "priority",
             i32::MIN as i64,
             i32::MAX as i64,
-            doc!("The new priority."),
+            "The new priority.",
         )
         .required(),
     ],

@@ -4,12 +4,12 @@ use super::{Attribute, Element};
 use crate::ClauseKind;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: doc!("Removes an animation player."),
-    source: doc!("GEVH D.3.15"),
-    example: doc!("<body-player-remove time='7'/>"),
+    doc: super::shown("Removes an animation player."),
+    source: super::shown("GEVH D.3.15"),
+    example: super::shown("<body-player-remove time='7'/>"),
     attributes: &[Attribute::identifier(
         "name",
-        doc!("The player; the first one when it is left out."),
+        "The player; the first one when it is left out.",
     )],
     ..Element::record("body-player-remove", || {
         ClauseKind::PlayerRemove(Default::default())

@@ -5,10 +5,10 @@ use super::{Content, Element};
 use crate::ClauseKind;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: doc!("Replaces all animation players by one."),
-    decision: doc!("As for body-player-add, the name is required."),
-    source: doc!("GEVH D.3.12"),
-    example: doc!("<body-player-set-exclusive time='0' name='alone' type='pose'/>"),
+    doc: super::shown("Replaces all animation players by one."),
+    decision: super::shown("As for body-player-add, the name is required."),
+    source: super::shown("GEVH D.3.12"),
+    example: super::shown("<body-player-set-exclusive time='0' name='alone' type='pose'/>"),
     content: Content::Elements,
     attributes: ATTRIBUTES,
     ..Element::record("body-player-set-exclusive", || {

@@ -4,16 +4,16 @@ use super::{Attribute, Element};
 use crate::ClauseKind;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: doc!("Sets the value of a control parameter."),
-    source: doc!("GEVH D.3.27"),
-    example: doc!("<body-set-control-parameter time='0' parameterId='Disgust' value='1.0'/>"),
+    doc: super::shown("Sets the value of a control parameter."),
+    source: super::shown("GEVH D.3.27"),
+    example: super::shown(
+        "<body-set-control-parameter time='0' parameterId='Disgust' value='1.0'/>",
+    ),
     attributes: &[
-        Attribute::identifier("parameterId", doc!("The parameter, such as Disgust.")).required(),
+        Attribute::identifier("parameterId", "The parameter, such as Disgust.").required(),
         Attribute::number(
             "value",
-            doc!(
-                "Its value; 0 is none, 1 is full. What goes both ways, such as JawYaw, goes to -1."
-            ),
+            "Its value; 0 is none, 1 is full. What goes both ways, such as JawYaw, goes to -1.",
         )
         .required(),
     ],

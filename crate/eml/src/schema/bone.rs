@@ -3,15 +3,15 @@
 use super::{Attribute, Element};
 
 pub(super) static ELEMENT: Element = Element {
-    doc: doc!("Refers to one bone."),
-    decision: doc!("GEVH does not list its attribute; it is name."),
-    source: doc!("GEVH D.3.13, appendix A"),
-    example: doc!(
-        "<body-player-add time='0' name='hand' type='pose'><bones><bone name='r_wrist'/></bones></body-player-add>"
+    doc: super::shown("Refers to one bone."),
+    decision: super::shown("GEVH does not list its attribute; it is name."),
+    source: super::shown("GEVH D.3.13, appendix A"),
+    example: super::shown(
+        "<body-player-add time='0' name='hand' type='pose'><bones><bone name='r_wrist'/></bones></body-player-add>",
     ),
     attributes: &[Attribute::identifier(
         "name",
-        doc!("The bone, with or without the bone_ before its name, such as r_wrist."),
+        "The bone, with or without the bone_ before its name, such as r_wrist.",
     )
     .required()],
     ..Element::part("bone", &["bones"])

@@ -3,11 +3,11 @@
 use super::{Content, Element};
 
 pub(super) static ELEMENT: Element = Element {
-    doc: doc!("Lists bones: sets, body groups and single bones."),
-    decision: doc!("Without it a player moves the whole skeleton."),
-    source: doc!("GEVH D.3.13"),
-    example: doc!(
-        "<body-player-add time='0' name='p' type='pose'><bones><bg name='left_arm'/><bone name='skull'/></bones></body-player-add>"
+    doc: super::shown("Lists bones: sets, body groups and single bones."),
+    decision: super::shown("Without it a player moves the whole skeleton."),
+    source: super::shown("GEVH D.3.13"),
+    example: super::shown(
+        "<body-player-add time='0' name='p' type='pose'><bones><bg name='left_arm'/><bone name='skull'/></bones></body-player-add>",
     ),
     content: Content::Elements,
     most_per_parent: Some(1),

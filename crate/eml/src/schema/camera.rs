@@ -4,13 +4,13 @@ use super::{Attribute, Element};
 use crate::{CameraAngle, ClauseKind, ShotKind};
 
 pub(super) static ELEMENT: Element = Element {
-    doc: doc!("Takes a shot."),
-    source: doc!("Extension; GEVH 3.5.4.1"),
-    decision: doc!(
-        "Whoever shows the story chooses the shot until the first one. Full and medium shots make room for gestures; every shot follows a figure that vh-move leads away as far as it must."
+    doc: super::shown("Takes a shot."),
+    source: super::shown("Extension; GEVH 3.5.4.1"),
+    decision: super::shown(
+        "Whoever shows the story chooses the shot until the first one. Full and medium shots make room for gestures; every shot follows a figure that vh-move leads away as far as it must.",
     ),
-    example: doc!(
-        "<eml xmlns:r='urn:raconteur:eml:1'><body><r:camera time='0' shot='closeUp' angle='low' transition='2'/></body></eml>"
+    example: super::shown(
+        "<eml xmlns:r='urn:raconteur:eml:1'><body><r:camera time='0' shot='closeUp' angle='low' transition='2'/></body></eml>",
     ),
     extension: true,
     one_of: &["shot", "angle"],
@@ -18,18 +18,14 @@ pub(super) static ELEMENT: Element = Element {
         Attribute::choice(
             "shot",
             ShotKind::WORDS,
-            doc!("How much it shows; unchanged when left out."),
+            "How much it shows; unchanged when left out.",
         ),
         Attribute::choice(
             "angle",
             CameraAngle::WORDS,
-            doc!("From where it looks; unchanged when left out."),
+            "From where it looks; unchanged when left out.",
         ),
-        Attribute::seconds(
-            "transition",
-            doc!("How long the change takes; 0 is at once."),
-        )
-        .default("0"),
+        Attribute::seconds("transition", "How long the change takes; 0 is at once.").default("0"),
     ],
     ..Element::record("camera", || ClauseKind::Camera(Default::default()))
 };

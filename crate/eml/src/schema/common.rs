@@ -3,34 +3,33 @@
 use super::Attribute;
 use crate::Manipulator;
 
+/// Changes in percent up to a factor of four and its inverse: further, a voice is no voice.
+pub(super) const FOURFOLD: [f64; 2] = [-75.0, 300.0];
+
 /// Which limb moves.
-pub(super) const MANIPULATOR: Attribute = Attribute::choice(
-    "manipulator",
-    Manipulator::WORDS,
-    doc!("The limb, or the head."),
-)
-.required();
+pub(super) const MANIPULATOR: Attribute =
+    Attribute::choice("manipulator", Manipulator::WORDS, "The limb, or the head.").required();
 
 /// Where the end of a limb goes; whether it must be said differs.
 pub(super) const POSITION: [Attribute; 3] = [
-    Attribute::number(
+    Attribute::placed(
         "posX",
-        doc!("Position: units to the speaker's left; the speaker is about 77 units tall."),
+        "Position: units to the speaker's left; the speaker is about 77 units tall.",
     )
     .unit("units"),
-    Attribute::number("posY", doc!("Position: units upwards.")).unit("units"),
-    Attribute::number("posZ", doc!("Position: units to the back.")).unit("units"),
+    Attribute::placed("posY", "Position: units upwards.").unit("units"),
+    Attribute::placed("posZ", "Position: units to the back.").unit("units"),
 ];
 
 /// How the end of a limb is turned there.
 pub(super) const ORIENTATION: [Attribute; 3] = [
-    Attribute::number("yaw", doc!("Orientation: yaw."))
+    Attribute::placed("yaw", "Orientation: yaw.")
         .default("0")
         .unit("°"),
-    Attribute::number("pitch", doc!("Orientation: pitch."))
+    Attribute::placed("pitch", "Orientation: pitch.")
         .default("0")
         .unit("°"),
-    Attribute::number("roll", doc!("Orientation: roll."))
+    Attribute::placed("roll", "Orientation: roll.")
         .default("0")
         .unit("°"),
 ];
@@ -39,12 +38,12 @@ pub(super) const ORIENTATION: [Attribute; 3] = [
 pub(super) const FUNCTION: [Attribute; 2] = [
     Attribute::identifier(
         "functionName",
-        doc!("The function: segment, or another one that the player knows."),
+        "The function: segment, or another one that the player knows.",
     )
     .required(),
     Attribute::flag(
         "isLooping",
-        doc!("Whether the function starts again after its period."),
+        "Whether the function starts again after its period.",
     )
     .default("false"),
 ];

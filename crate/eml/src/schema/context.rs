@@ -2,11 +2,11 @@
 //! they have.
 
 use super::lookup::same;
-use super::{Attribute, Content, Element, Presence, TIMED, find, find_extension, variant_in};
+use super::{Attribute, Content, Element, Presence, TIMED, Tree, find, find_extension, variant_in};
 use crate::diagnostic::Sink;
 use crate::namespaces::{self, Namespaces, Owner, local_name};
 use crate::suggest::{nearest, quoted};
-use crate::syntax::{self, NodeKind, Tree};
+use crate::syntax::{self, NodeKind};
 use crate::work::step;
 use crate::{Diagnostic, Document, Limits, Span};
 use std::cell::Cell;

@@ -4,19 +4,19 @@ use super::{Attribute, Content, Context, Element, Fields, Role, VOICE_PARENTS, V
 use crate::{DivKind, Piece};
 
 pub(super) static ELEMENT: Element = Element {
-    doc: doc!("Marks a division of spoken text."),
-    decision: doc!(
-        "Some examples of GEVH seem to cross their end tags; EML is XML, so elements nest."
+    doc: super::shown("Marks a division of spoken text."),
+    decision: super::shown(
+        "Some examples of GEVH seem to cross their end tags; EML is XML, so elements nest.",
     ),
-    source: doc!("GEVH D.4.6"),
-    example: doc!(
-        "<voice-text time='0'><div type='sentence'>Two roads diverged in a yellow wood.</div></voice-text>"
+    source: super::shown("GEVH D.4.6"),
+    example: super::shown(
+        "<voice-text time='0'><div type='sentence'>Two roads diverged in a yellow wood.</div></voice-text>",
     ),
     content: Content::Mixed,
     attributes: &[Attribute::choice(
         "type",
         &["sentence", "paragraph"],
-        doc!("What the division is."),
+        "What the division is.",
     )],
     ..Element::new("div", VOICE_PARENTS, Role::Voice(read))
 };

@@ -3,14 +3,14 @@
 use super::{Attribute, Content, Element, Role};
 
 pub(super) static ELEMENT: Element = Element {
-    doc: doc!("The root of a script."),
-    decision: doc!(
-        "A list of clauses without eml and body is read as one, with a warning; what a mind sends during a performance may be such a list."
+    doc: super::shown("The root of a script."),
+    decision: super::shown(
+        "A list of clauses without eml and body is read as one, with a warning; what a mind sends during a performance may be such a list.",
     ),
-    source: doc!("GEVH D.1.1"),
-    example: doc!("<eml name='a story'><body><null time='2'/></body></eml>"),
+    source: super::shown("GEVH D.1.1"),
+    example: super::shown("<eml name='a story'><body><null time='2'/></body></eml>"),
     content: Content::Elements,
-    attributes: &[Attribute::text("name", doc!("The name of the document."))],
+    attributes: &[Attribute::text("name", "The name of the document.")],
     required_children: &["body"],
     most_per_parent: Some(1),
     ..Element::new("eml", &[], Role::Structure)

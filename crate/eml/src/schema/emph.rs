@@ -5,17 +5,16 @@ use crate::voice::{MODERATE_EMPHASIS, NO_EMPHASIS};
 use crate::{Level, Markup};
 
 pub(super) static ELEMENT: Element = Element {
-    doc: doc!("Emphasises spoken text."),
-    source: doc!("GEVH D.4.7"),
-    example: doc!("<voice-text time='0'><emph>Two roads</emph> diverged.</voice-text>"),
+    doc: super::shown("Emphasises spoken text."),
+    source: super::shown("GEVH D.4.7"),
+    example: super::shown("<voice-text time='0'><emph>Two roads</emph> diverged.</voice-text>"),
     attributes: &[Attribute::level(
         "level",
         &["strong", "moderate", "none", "reduced"],
-        false,
-        doc!(
-            "How strongly: a word, or SABLE's number for it (strong 2, moderate 1, none 0.5, \
-             reduced 0)."
-        ),
+        [0.0, 2.0],
+        None,
+        "How strongly: a word, or SABLE's number for it (strong 2, moderate 1, none 0.5, \
+             reduced 0).",
     )
     .default("moderate")],
     ..Element::container("emph", || Markup::Emph(Default::default()))

@@ -4,16 +4,16 @@ use super::{Attribute, Content, Context, Element, Fields};
 use crate::ClauseKind;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: doc!("Raises an event. Its character data is passed on with it."),
-    decision: doc!(
-        "The table of GEVH says type, its example writes key, which is an alias. The example has no time either: an event right in the body may go without, and starts at 0."
+    doc: super::shown("Raises an event. Its character data is passed on with it."),
+    decision: super::shown(
+        "The table of GEVH says type, its example writes key, which is an alias. The example has no time either: an event right in the body may go without, and starts at 0.",
     ),
-    source: doc!("GEVH D.1.4"),
-    example: doc!("<event time='2' type='alarm'>wake up!</event>"),
+    source: super::shown("GEVH D.1.4"),
+    example: super::shown("<event time='2' type='alarm'>wake up!</event>"),
     content: Content::Text,
     attributes: &[Attribute::text(
         "type",
-        doc!("The category of the event, by which listeners choose what they hear."),
+        "The category of the event, by which listeners choose what they hear.",
     )
     .aliases(&["key"])],
     ..Element::clause("event", build)

@@ -3,10 +3,10 @@
 use super::{Content, Element};
 
 pub(super) static ELEMENT: Element = Element {
-    doc: doc!("Holds the arguments of a function."),
-    source: doc!("GEVH D.1.7"),
-    example: doc!(
-        "<vh-move time='0' functionName='segment'><function-args><arg name='timePeriod' value='1'/></function-args></vh-move>"
+    doc: super::shown("Holds the arguments of a function."),
+    source: super::shown("GEVH D.1.7"),
+    example: super::shown(
+        "<vh-move time='0' functionName='segment'><function-args><arg name='timePeriod' value='1'/></function-args></vh-move>",
     ),
     content: Content::Elements,
     most_per_parent: Some(1),

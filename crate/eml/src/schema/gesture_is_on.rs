@@ -4,12 +4,12 @@ use super::{Attribute, Context, Element, Fields};
 use crate::ClauseKind;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: doc!("Turns the gesture model on or off. Off releases the arms."),
-    decision: doc!("It is printed is0n, with a zero, which is an alias."),
-    source: doc!("GEVH D.5.1"),
-    example: doc!("<gesture-is-on time='0' isOn='true'/>"),
+    doc: super::shown("Turns the gesture model on or off. Off releases the arms."),
+    decision: super::shown("It is printed is0n, with a zero, which is an alias."),
+    source: super::shown("GEVH D.5.1"),
+    example: super::shown("<gesture-is-on time='0' isOn='true'/>"),
     attributes: &[
-        Attribute::flag("isOn", doc!("Whether gestures move the arms and hands."))
+        Attribute::flag("isOn", "Whether gestures move the arms and hands.")
             .aliases(&["is0n"])
             .required(),
     ],

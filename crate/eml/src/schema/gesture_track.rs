@@ -2,7 +2,6 @@
 
 use super::values::KeyTime;
 use super::{Attribute, Context, Element, Fields, Kind};
-use crate::decimal::shortest;
 use crate::{Diagnostic, Handedness, Interpolator, Key, Profile, Space, Track};
 use raconteur_base::Side;
 
@@ -10,20 +9,16 @@ use raconteur_base::Side;
 pub(super) const HAND: Attribute = Attribute::choice(
     "hand",
     &["left", "right"],
-    doc!(
-        "The hand it is for. Every hand that takes part when left out; palms and motion are then \
-         mirrored for the other hand."
-    ),
+    "The hand it is for. Every hand that takes part when left out; palms and motion are then \
+         mirrored for the other hand.",
 );
 
 /// The time of a key.
 pub(super) const KEY_TIME: Attribute = Attribute::new(
     "time",
     Kind::KeyTime,
-    doc!(
-        "When to reach the value: seconds after the start of the gesture, or percent of its \
-         duration. Keys without a time are spread evenly."
-    ),
+    "When to reach the value: seconds after the start of the gesture, or percent of its \
+         duration. Keys without a time are spread evenly.",
 )
 .unit("s");
 
@@ -31,7 +26,7 @@ pub(super) const KEY_TIME: Attribute = Attribute::new(
 pub(super) const INTERPOLATION: Attribute = Attribute::choice(
     "interpolation",
     Interpolator::WORDS,
-    doc!("How the hand moves to the key, or to each key of the track (GEVH 3.5.1)."),
+    "How the hand moves to the key, or to each key of the track (GEVH 3.5.1).",
 )
 .extension();
 
@@ -39,10 +34,8 @@ pub(super) const INTERPOLATION: Attribute = Attribute::choice(
 pub(super) const CONTROLS: Attribute = Attribute::new(
     "controls",
     Kind::Numbers,
-    doc!(
-        "For bezier x and y of two control points, time and way from 0 to 1; for hermite the \
-         slopes at the start and the end."
-    ),
+    "For bezier x and y of two control points, time and way from 0 to 1; for hermite the \
+         slopes at the start and the end.",
 )
 .extension();
 
@@ -50,7 +43,7 @@ pub(super) const CONTROLS: Attribute = Attribute::new(
 pub(super) const SPACE: Attribute = Attribute::choice(
     "space",
     Space::WORDS,
-    doc!("Whether positions or joint angles are interpolated (GEVH 3.5.1)."),
+    "Whether positions or joint angles are interpolated (GEVH 3.5.1).",
 )
 .extension();
 
@@ -141,11 +134,8 @@ fn key_secs(
         None => return Ok(None),
     };
     if secs > duration_secs {
-        let message = format!(
-            "the key at {} s lies after the end of the gesture at {} s",
-            shortest(secs),
-            shortest(duration_secs)
-        );
+        let message =
+            format!("the key at {secs} s lies after the end of the gesture at {duration_secs} s");
         let span = fields.span_of("time");
         cx.sink
             .push(Diagnostic::warning("eml::late-key", span, message));

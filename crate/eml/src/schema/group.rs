@@ -9,16 +9,14 @@ pub(super) static REPETITION: &[Attribute] = &[
         "repetitionCount",
         1,
         u32::MAX as i64,
-        doc!("How often the content plays. Names inside mean the first time."),
+        "How often the content plays. Names inside mean the first time.",
     )
     .aliases(&["repeatCount"])
     .default("1"),
     Attribute::seconds(
         "duration",
-        doc!(
-            "The length of one repetition: what still plays then is cut. As long as the content \
-             when left out."
-        ),
+        "The length of one repetition: what still plays then is cut. As long as the content \
+             when left out.",
     )
     .aliases(&["dur"]),
 ];

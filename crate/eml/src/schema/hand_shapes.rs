@@ -2,18 +2,17 @@
 
 use super::gesture_track::{self, CONTROLS, HAND, INTERPOLATION, KEY_TIME, PARENTS};
 use super::{Attribute, Content, Context, Element};
-use crate::decimal::shortest;
 use crate::{Diagnostic, ShapeKey, Track};
 
 /// The highest number of a Portuguese Sign Language hand shape.
 const LAST_SHAPE: i64 = 60;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: doc!("Shapes that a hand takes one after another."),
+    doc: super::shown("Shapes that a hand takes one after another."),
 
-    source: doc!("GEVH D.5.3"),
-    example: doc!(
-        "<eml xmlns:r='urn:raconteur:eml:1'><body><gesture-key time='1' duration='2'><hand-shapes><key time='0' id='24'/><key time='50%' id='3' r:id2='24' r:weight='0.3'/></hand-shapes></gesture-key></body></eml>"
+    source: super::shown("GEVH D.5.3"),
+    example: super::shown(
+        "<eml xmlns:r='urn:raconteur:eml:1'><body><gesture-key time='1' duration='2'><hand-shapes><key time='0' id='24'/><key time='50%' id='3' r:id2='24' r:weight='0.3'/></hand-shapes></gesture-key></body></eml>",
     ),
     content: Content::Elements,
     attributes: &[HAND, INTERPOLATION, CONTROLS],
@@ -23,10 +22,10 @@ pub(super) static ELEMENT: Element = Element {
 };
 
 pub(super) static KEY: Element = Element {
-    doc: doc!("A hand shape at a time."),
-    source: doc!("GEVH D.5.3"),
-    example: doc!(
-        "<eml xmlns:r='urn:raconteur:eml:1'><body><gesture-key time='1' duration='2'><hand-shapes><key time='0' id='24'/><key time='50%' id='3' r:id2='24' r:weight='0.3'/></hand-shapes></gesture-key></body></eml>"
+    doc: super::shown("A hand shape at a time."),
+    source: super::shown("GEVH D.5.3"),
+    example: super::shown(
+        "<eml xmlns:r='urn:raconteur:eml:1'><body><gesture-key time='1' duration='2'><hand-shapes><key time='0' id='24'/><key time='50%' id='3' r:id2='24' r:weight='0.3'/></hand-shapes></gesture-key></body></eml>",
     ),
     attributes: &[
         KEY_TIME,
@@ -34,17 +33,17 @@ pub(super) static KEY: Element = Element {
             "id",
             0,
             i64::MAX,
-            doc!("The number of a Portuguese Sign Language hand shape, 0 to 60."),
+            "The number of a Portuguese Sign Language hand shape, 0 to 60.",
         )
         .required(),
         Attribute::integer(
             "id2",
             0,
             LAST_SHAPE,
-            doc!("A second shape that is mixed in (GEVH 3.5.1)."),
+            "A second shape that is mixed in (GEVH 3.5.1).",
         )
         .extension(),
-        Attribute::between("weight", 0.0, 1.0, doc!("The share of the second shape."))
+        Attribute::between("weight", 0.0, 1.0, "The share of the second shape.")
             .default("0.5")
             .extension(),
         INTERPOLATION,
@@ -59,10 +58,7 @@ pub(super) fn track(cx: &mut Context<'_>, node: usize, duration: f64) -> Option<
     gesture_track::read(cx, node, &ELEMENT, &fields, duration, |cx, fields| {
         let id = cx.number(fields, "id")?;
         if id > LAST_SHAPE as f64 {
-            let message = format!(
-                "there is no hand shape {}; the key is dropped",
-                shortest(id)
-            );
+            let message = format!("there is no hand shape {id}; the key is dropped");
             cx.sink.push(
                 Diagnostic::error("eml::unknown-hand-shape", fields.span_of("id"), message)
                     .hint("hand shapes are numbered from 0 to 60"),

@@ -3,14 +3,16 @@
 use super::{Attribute, Element};
 
 pub(super) static ELEMENT: Element = Element {
-    doc: doc!("A member of a set: a body group by its name, or a layer by its name or number."),
-    source: doc!("GEVH D.3.3"),
-    example: doc!(
-        "<eml><head><body-expression-configuration><sets-configuration><set name='arms' type='bodyGroup'><it name='left_arm'/><it name='right_arm'/></set><set name='upperBody' type='bodyGroup'><it name='torso'/><ref name='arms'/></set></sets-configuration></body-expression-configuration></head><body><null time='1'/></body></eml>"
+    doc: super::shown(
+        "A member of a set: a body group by its name, or a layer by its name or number.",
+    ),
+    source: super::shown("GEVH D.3.3"),
+    example: super::shown(
+        "<eml><head><body-expression-configuration><sets-configuration><set name='arms' type='bodyGroup'><it name='left_arm'/><it name='right_arm'/></set><set name='upperBody' type='bodyGroup'><it name='torso'/><ref name='arms'/></set></sets-configuration></body-expression-configuration></head><body><null time='1'/></body></eml>",
     ),
     attributes: &[Attribute::identifier(
         "name",
-        doc!("The name of the body group or layer, or the number of the layer."),
+        "The name of the body group or layer, or the number of the layer.",
     )
     .required()],
     ..Element::part("it", &["set"])

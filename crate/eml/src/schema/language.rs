@@ -4,15 +4,15 @@ use super::{Attribute, Element};
 use crate::Markup;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: doc!("Changes the language of speech."),
-    source: doc!("SABLE 1.0 LANGUAGE; not in GEVH"),
-    example: doc!(
-        "<eml xmlns:r='urn:raconteur:eml:1'><body><voice-text time='0'>She said <r:language id='pt'>bom dia</r:language>.</voice-text></body></eml>"
+    doc: super::shown("Changes the language of speech."),
+    source: super::shown("SABLE 1.0 LANGUAGE; not in GEVH"),
+    example: super::shown(
+        "<eml xmlns:r='urn:raconteur:eml:1'><body><voice-text time='0'>She said <r:language id='pt'>bom dia</r:language>.</voice-text></body></eml>",
     ),
     extension: true,
     attributes: &[
-        Attribute::identifier("id", doc!("The language's name or code.")).required(),
-        Attribute::identifier("code", doc!("The coding of its characters.")),
+        Attribute::identifier("id", "The language's name or code.").required(),
+        Attribute::identifier("code", "The coding of its characters."),
     ],
     ..Element::container("language", || Markup::Language(Default::default()))
 };

@@ -4,10 +4,10 @@ use super::{Attribute, Element, Kind};
 use crate::ClauseKind;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: doc!("Changes the colour and brightness of the key light."),
-    source: doc!("Extension; GEVH 3.5.4.2"),
-    example: doc!(
-        "<eml xmlns:r='urn:raconteur:eml:1'><body><r:light time='0' color='#ffff00' brightness='1.2' transition='1'/></body></eml>"
+    doc: super::shown("Changes the colour and brightness of the key light."),
+    source: super::shown("Extension; GEVH 3.5.4.2"),
+    example: super::shown(
+        "<eml xmlns:r='urn:raconteur:eml:1'><body><r:light time='0' color='#ffff00' brightness='1.2' transition='1'/></body></eml>",
     ),
     extension: true,
     one_of: &["color", "brightness"],
@@ -15,19 +15,15 @@ pub(super) static ELEMENT: Element = Element {
         Attribute::new(
             "color",
             Kind::Color,
-            doc!("Its colour in sRGB; unchanged when left out."),
+            "Its colour in sRGB; unchanged when left out.",
         ),
         Attribute::between(
             "brightness",
             0.0,
             100.0,
-            doc!("Its brightness: 1 as without it; unchanged when left out."),
+            "Its brightness: 1 as without it; unchanged when left out.",
         ),
-        Attribute::seconds(
-            "transition",
-            doc!("How long the change takes; 0 is at once."),
-        )
-        .default("0"),
+        Attribute::seconds("transition", "How long the change takes; 0 is at once.").default("0"),
     ],
     ..Element::record("light", || ClauseKind::Light(Default::default()))
 };

@@ -3,22 +3,22 @@
 use super::{Attribute, Element};
 
 pub(super) static ELEMENT: Element = Element {
-    doc: doc!("Refers to a layer of a player."),
-    decision: doc!(
-        "GEVH does not list its attributes; a name or a number is assumed. A name means the number that ends it: layer1 is 1."
+    doc: super::shown("Refers to a layer of a player."),
+    decision: super::shown(
+        "GEVH does not list its attributes; a name or a number is assumed. A name means the number that ends it: layer1 is 1.",
     ),
-    source: doc!("GEVH D.3.10"),
-    example: doc!(
-        "<body-deterministic-primitive time='0' primitive='pop'><tracks><ly index='1'/></tracks></body-deterministic-primitive>"
+    source: super::shown("GEVH D.3.10"),
+    example: super::shown(
+        "<body-deterministic-primitive time='0' primitive='pop'><tracks><ly index='1'/></tracks></body-deterministic-primitive>",
     ),
     one_of: &["name", "index"],
     attributes: &[
-        Attribute::identifier("name", doc!("The name of the layer.")),
+        Attribute::identifier("name", "The name of the layer."),
         Attribute::integer(
             "index",
             0,
             i32::MAX as i64,
-            doc!("The number of the layer, from 0."),
+            "The number of the layer, from 0.",
         ),
     ],
     ..Element::part("ly", &["tracks"])

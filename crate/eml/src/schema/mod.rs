@@ -1,15 +1,14 @@
 //! The language as a table: one small file an element, registered in [`ELEMENTS`],
 //! which drives parsing, checks, writing and documentation.
 
-/// Text for people who read about the language. A player on a page carries none of it.
-macro_rules! doc {
-    ($text:expr) => {
-        if cfg!(feature = "reference") {
-            $text
-        } else {
-            ""
-        }
-    };
+/// A text for people who read about the language. No page shows it, and it would be 12 KB of what a
+/// player downloads (gzip), so the wasm builds are without.
+pub(super) const fn shown(text: &'static str) -> &'static str {
+    if cfg!(target_arch = "wasm32") {
+        ""
+    } else {
+        text
+    }
 }
 
 mod animation_style;
@@ -94,7 +93,6 @@ mod volume;
 
 use crate::ClauseKind;
 use crate::clauses::speech::Markup;
-#[cfg(feature = "reference")]
 pub(crate) use attribute::MAX_NUMBER;
 pub use attribute::{Attribute, Beside, Kind, Presence};
 pub(crate) use context::{Context, Fields, Tally};
@@ -103,7 +101,6 @@ pub(crate) use emph::number as emphasis;
 pub(crate) use group::read as read_group;
 pub(crate) use head::read as read_head;
 pub(crate) use lookup::same;
-#[cfg(any(test, feature = "write"))]
 pub(crate) use values::parse as parse_value;
 pub(crate) use voice_text::VoiceBuilder;
 
@@ -116,13 +113,13 @@ pub struct Element {
     pub aliases: &'static [&'static str],
     /// Whether it belongs to the extensions' namespace.
     pub extension: bool,
-    /// What it does, in one or two sentences; empty without the feature `reference`.
+    /// What it does, in one or two sentences.
     pub doc: &'static str,
-    /// What was decided where the source is silent or contradicts itself; as `doc`.
+    /// What was decided where the source is silent or contradicts itself.
     pub decision: &'static str,
-    /// A clause, or a whole script, that uses it without fault; as `doc`.
+    /// A clause, or a whole script, that uses it without fault.
     pub example: &'static str,
-    /// Where it is specified; as `doc`.
+    /// Where it is specified.
     pub source: &'static str,
     /// The elements that it may stand in; none for the root.
     pub parents: &'static [&'static str],
@@ -207,6 +204,9 @@ impl Element {
     }
 }
 
+/// The markup of a document, each element with its entry here.
+pub(crate) type Tree<'a> = crate::syntax::Tree<'a, &'static Element>;
+
 /// What an element may hold.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Content {
@@ -289,18 +289,16 @@ pub static TIMED: &[Attribute] = &[
     Attribute::new(
         "time",
         Kind::Time,
-        doc!(
-            "When the clause starts: a sum of seconds (units s, m, h) and named moments. A plain \
+        "When the clause starts: a sum of seconds (units s, m, h) and named moments. A plain \
              number counts from the start of a par, or from the end of the clause before in a \
-             seq; an expression that names a moment counts from the start of the script."
-        ),
+             seq; an expression that names a moment counts from the start of the script.",
     )
     .default("0")
     .unit("s"),
     Attribute::new(
         "timeId",
         Kind::Name,
-        doc!("A name for the start of the clause, to be used in time expressions."),
+        "A name for the start of the clause, to be used in time expressions.",
     ),
 ];
 

@@ -5,13 +5,13 @@ use super::{Attribute, Content, Context, Element};
 use crate::{Coords, MotionKey, Track};
 
 pub(super) static ELEMENT: Element = Element {
-    doc: doc!("Positions that a wrist passes one after another."),
-    decision: doc!(
-        "The table of GEVH lists id by mistake; the coordinates come from fig. 3.13. The default of coords is not given; speaker is assumed, which puts the example's hand above the head."
+    doc: super::shown("Positions that a wrist passes one after another."),
+    decision: super::shown(
+        "The table of GEVH lists id by mistake; the coordinates come from fig. 3.13. The default of coords is not given; speaker is assumed, which puts the example's hand above the head.",
     ),
-    source: doc!("GEVH D.5.5"),
-    example: doc!(
-        "<eml xmlns:r='urn:raconteur:eml:1'><body><gesture-key time='1' duration='2'><motion r:interpolation='cosine'><key time='0.1' x='-7' y='45' z='3'/><key x='-15' y='40' z='3' r:interpolation='hermite' r:controls='0 2'/></motion></gesture-key></body></eml>"
+    source: super::shown("GEVH D.5.5"),
+    example: super::shown(
+        "<eml xmlns:r='urn:raconteur:eml:1'><body><gesture-key time='1' duration='2'><motion r:interpolation='cosine'><key time='0.1' x='-7' y='45' z='3'/><key x='-15' y='40' z='3' r:interpolation='hermite' r:controls='0 2'/></motion></gesture-key></body></eml>",
     ),
     content: Content::Elements,
     attributes: &[
@@ -19,9 +19,7 @@ pub(super) static ELEMENT: Element = Element {
         Attribute::choice(
             "coords",
             &["world", "speaker"],
-            doc!(
-                "Whether positions count from the floor of the scene or from the speaker's pelvis."
-            ),
+            "Whether positions count from the floor of the scene or from the speaker's pelvis.",
         )
         .default("speaker"),
         INTERPOLATION,
@@ -34,23 +32,23 @@ pub(super) static ELEMENT: Element = Element {
 };
 
 pub(super) static KEY: Element = Element {
-    doc: doc!("A position of the wrist at a time."),
-    source: doc!("GEVH D.5.5"),
-    example: doc!(
-        "<eml xmlns:r='urn:raconteur:eml:1'><body><gesture-key time='1' duration='2'><motion r:interpolation='cosine'><key time='0.1' x='-7' y='45' z='3'/><key x='-15' y='40' z='3' r:interpolation='hermite' r:controls='0 2'/></motion></gesture-key></body></eml>"
+    doc: super::shown("A position of the wrist at a time."),
+    source: super::shown("GEVH D.5.5"),
+    example: super::shown(
+        "<eml xmlns:r='urn:raconteur:eml:1'><body><gesture-key time='1' duration='2'><motion r:interpolation='cosine'><key time='0.1' x='-7' y='45' z='3'/><key x='-15' y='40' z='3' r:interpolation='hermite' r:controls='0 2'/></motion></gesture-key></body></eml>",
     ),
     attributes: &[
         KEY_TIME,
         Attribute::number(
             "x",
-            doc!("Units to the speaker's left; the speaker is about 77 units tall."),
+            "Units to the speaker's left; the speaker is about 77 units tall.",
         )
         .required()
         .unit("units"),
-        Attribute::number("y", doc!("Units upwards."))
+        Attribute::number("y", "Units upwards.")
             .required()
             .unit("units"),
-        Attribute::number("z", doc!("Units to the back."))
+        Attribute::number("z", "Units to the back.")
             .required()
             .unit("units"),
         INTERPOLATION,

@@ -4,30 +4,26 @@ use super::{Attribute, Element, Kind};
 use crate::{ClauseKind, Valence};
 
 pub(super) static ELEMENT: Element = Element {
-    doc: doc!(
-        "Plays music: a piece of a mood from the library, or a file. With neither it becomes silent."
+    doc: super::shown(
+        "Plays music: a piece of a mood from the library, or a file. With neither it becomes silent.",
     ),
-    source: doc!("Extension; GEVH 3.5.4.3"),
-    decision: doc!(
-        "A piece of the library begins again when it is over, a file plays once. Music is 8 dB lower while somebody speaks. Beside an .opus file there may be an .mp3 of the same name for browsers that need it. Where music cannot be had the story goes on without it."
+    source: super::shown("Extension; GEVH 3.5.4.3"),
+    decision: super::shown(
+        "A piece of the library begins again when it is over, a file plays once. Music is 8 dB lower while somebody speaks. Beside an .opus file there may be an .mp3 of the same name for browsers that need it. Where music cannot be had the story goes on without it.",
     ),
-    example: doc!(
-        "<eml xmlns:r='urn:raconteur:eml:1'><body><r:music time='0' valence='positive' volume='0.5' fade='2'/></body></eml>"
+    example: super::shown(
+        "<eml xmlns:r='urn:raconteur:eml:1'><body><r:music time='0' valence='positive' volume='0.5' fade='2'/></body></eml>",
     ),
     extension: true,
     attributes: &[
-        Attribute::choice("valence", Valence::WORDS, doc!("The mood of the piece.")),
+        Attribute::choice("valence", Valence::WORDS, "The mood of the piece."),
         Attribute::new(
             "file",
             Kind::Path,
-            doc!("A file beside the story; counts instead of the mood."),
+            "A file beside the story; counts instead of the mood.",
         ),
-        Attribute::between("volume", 0.0, 10.0, doc!("Its volume: 1 as recorded.")).default("1"),
-        Attribute::seconds(
-            "fade",
-            doc!("How long it fades in, and the piece before out."),
-        )
-        .default("0"),
+        Attribute::between("volume", 0.0, 10.0, "Its volume: 1 as recorded.").default("1"),
+        Attribute::seconds("fade", "How long it fades in, and the piece before out.").default("0"),
     ],
     ..Element::record("music", || ClauseKind::Music(Default::default()))
 };

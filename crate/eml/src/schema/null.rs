@@ -4,9 +4,9 @@ use super::Element;
 use crate::ClauseKind;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: doc!("Does nothing, but keeps the script or the group running until its time."),
-    source: doc!("GEVH D.1.5"),
-    example: doc!("<null time='5'/>"),
+    doc: super::shown("Does nothing, but keeps the script or the group running until its time."),
+    source: super::shown("GEVH D.1.5"),
+    example: super::shown("<null time='5'/>"),
     ..Element::clause("null", |_, _, _| Some(ClauseKind::Null))
 };
 

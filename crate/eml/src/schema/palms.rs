@@ -5,13 +5,13 @@ use super::{Attribute, Content, Context, Element};
 use crate::{Diagnostic, PalmKey, Track};
 
 pub(super) static ELEMENT: Element = Element {
-    doc: doc!("Orientations that a palm takes one after another."),
-    decision: doc!(
-        "The table of GEVH lists id by mistake; a, x, y and z come from the examples. At a = 0 the fingers point where the least turn from the hanging arm brings them."
+    doc: super::shown("Orientations that a palm takes one after another."),
+    decision: super::shown(
+        "The table of GEVH lists id by mistake; a, x, y and z come from the examples. At a = 0 the fingers point where the least turn from the hanging arm brings them.",
     ),
-    source: doc!("GEVH D.5.4"),
-    example: doc!(
-        "<gesture-key time='1' duration='2'><palms><key a='90' x='1.0' y='0.0' z='0.0'/></palms></gesture-key>"
+    source: super::shown("GEVH D.5.4"),
+    example: super::shown(
+        "<gesture-key time='1' duration='2'><palms><key a='90' x='1.0' y='0.0' z='0.0'/></palms></gesture-key>",
     ),
     content: Content::Elements,
     attributes: &[HAND, INTERPOLATION, CONTROLS, SPACE],
@@ -21,19 +21,21 @@ pub(super) static ELEMENT: Element = Element {
 };
 
 pub(super) static KEY: Element = Element {
-    doc: doc!("A palm orientation at a time: the palm's outward normal and an angle about it."),
-    source: doc!("GEVH D.5.4"),
-    example: doc!(
-        "<gesture-key time='1' duration='2'><palms><key a='90' x='1.0' y='0.0' z='0.0'/></palms></gesture-key>"
+    doc: super::shown(
+        "A palm orientation at a time: the palm's outward normal and an angle about it.",
+    ),
+    source: super::shown("GEVH D.5.4"),
+    example: super::shown(
+        "<gesture-key time='1' duration='2'><palms><key a='90' x='1.0' y='0.0' z='0.0'/></palms></gesture-key>",
     ),
     attributes: &[
         KEY_TIME,
-        Attribute::number("a", doc!("The angle about the normal, left-hand rule."))
+        Attribute::number("a", "The angle about the normal, left-hand rule.")
             .required()
             .unit("°"),
-        Attribute::number("x", doc!("The normal's part to the speaker's left.")).required(),
-        Attribute::number("y", doc!("The normal's part upwards.")).required(),
-        Attribute::number("z", doc!("The normal's part to the back.")).required(),
+        Attribute::number("x", "The normal's part to the speaker's left.").required(),
+        Attribute::number("y", "The normal's part upwards.").required(),
+        Attribute::number("z", "The normal's part to the back.").required(),
         INTERPOLATION,
         CONTROLS,
     ],

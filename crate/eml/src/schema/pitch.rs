@@ -1,5 +1,6 @@
 //! `pitch`: changes the pitch of speech.
 
+use super::common::FOURFOLD;
 use super::{Attribute, Element};
 use crate::Markup;
 
@@ -12,34 +13,41 @@ const RANGES: &[&str] = &[
     "smallest",
 ];
 
+/// Hertz that are within [`FOURFOLD`] of what some voice has: its lines lie at 80 to 500 Hz, and its
+/// range may be a tenth of that.
+const HERTZ: [f64; 2] = [2.0, 2000.0];
+
 pub(super) static ELEMENT: Element = Element {
-    doc: doc!("Changes the pitch of speech."),
-    decision: doc!(
-        "SABLE's own words for a range, largest to smallest, are accepted too, and its med for middle. Changes in percent multiply those around them."
+    doc: super::shown("Changes the pitch of speech."),
+    decision: super::shown(
+        "SABLE's own words for a range, largest to smallest, are accepted too, and its med for middle. Changes in percent multiply those around them. All together change a voice's own by a factor of four at most, and what goes beyond is as much as that.",
     ),
-    source: doc!("GEVH D.4.9"),
-    example: doc!(
-        "<voice-text time='0'>The penguin, <pitch base='-30%'>which he left at home,</pitch> could not enter.</voice-text>"
+    source: super::shown("GEVH D.4.9"),
+    example: super::shown(
+        "<voice-text time='0'>The penguin, <pitch base='-30%'>which he left at home,</pitch> could not enter.</voice-text>",
     ),
     attributes: &[
         Attribute::level(
             "base",
             HEIGHTS,
-            true,
-            doc!("The base line: a word, a change in percent with its sign, or hertz."),
+            HERTZ,
+            Some(FOURFOLD),
+            "The base line: a word, a change in percent with its sign, or hertz.",
         ),
         Attribute::level(
             "middle",
             HEIGHTS,
-            true,
-            doc!("The middle line: a word, a change in percent with its sign, or hertz."),
+            HERTZ,
+            Some(FOURFOLD),
+            "The middle line: a word, a change in percent with its sign, or hertz.",
         )
         .aliases(&["med"]),
         Attribute::level(
             "range",
             RANGES,
-            true,
-            doc!("The range: a word, a change in percent with its sign, or hertz."),
+            HERTZ,
+            Some(FOURFOLD),
+            "The range: a word, a change in percent with its sign, or hertz.",
         ),
     ],
     ..Element::container("pitch", || Markup::Pitch(Default::default()))

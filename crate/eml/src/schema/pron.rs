@@ -4,20 +4,20 @@ use super::{Attribute, Element};
 use crate::Markup;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: doc!("Says how text is pronounced."),
-    decision: doc!("One of ipa and sub is needed."),
-    source: doc!("GEVH D.4.10"),
-    example: doc!(
-        "<voice-text time='0'>He <pron sub='lyves'>lives</pron> many <pron ipa='laɪvz'>lives</pron>.</voice-text>"
+    doc: super::shown("Says how text is pronounced."),
+    decision: super::shown("One of ipa and sub is needed."),
+    source: super::shown("GEVH D.4.10"),
+    example: super::shown(
+        "<voice-text time='0'>He <pron sub='lyves'>lives</pron> many <pron ipa='laɪvz'>lives</pron>.</voice-text>",
     ),
     one_of: &["ipa", "sub"],
     attributes: &[
         Attribute::text(
             "ipa",
-            doc!("The pronunciation in the International Phonetic Alphabet."),
+            "The pronunciation in the International Phonetic Alphabet.",
         ),
-        Attribute::text("sub", doc!("A spelling that sounds like it.")),
-        Attribute::text("origin", doc!("The language that the text comes from.")),
+        Attribute::text("sub", "A spelling that sounds like it."),
+        Attribute::text("origin", "The language that the text comes from."),
     ],
     ..Element::container("pron", || Markup::Pron(Default::default()))
 };

@@ -1,19 +1,25 @@
 //! `rate`: changes the pace of speech.
 
+use super::common::FOURFOLD;
 use super::{Attribute, Element};
 use crate::Markup;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: doc!("Changes the pace of speech."),
-    source: doc!("GEVH D.4.11"),
-    example: doc!(
-        "<voice-text time='0'>Two roads <rate speed='-40%'>diverged in a yellow wood,</rate></voice-text>"
+    doc: super::shown("Changes the pace of speech."),
+    decision: super::shown(
+        "Changes in percent multiply those around them. All together change the voice's own pace by a factor of four at most, and what goes beyond is as much as that.",
+    ),
+    source: super::shown("GEVH D.4.11"),
+    example: super::shown(
+        "<voice-text time='0'>Two roads <rate speed='-40%'>diverged in a yellow wood,</rate></voice-text>",
     ),
     attributes: &[Attribute::level(
         "speed",
         &["fastest", "fast", "medium", "slow", "slowest"],
-        true,
-        doc!("A word, a change in percent with its sign, or words a minute."),
+        // Voices speak 100 to 250 words a minute.
+        [25.0, 1000.0],
+        Some(FOURFOLD),
+        "A word, a change in percent with its sign, or words a minute.",
     )
     .required()],
     ..Element::container("rate", || Markup::Rate(Default::default()))

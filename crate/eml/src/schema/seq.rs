@@ -5,14 +5,16 @@ use super::{CLAUSE_PARENTS, Content, Element, Role};
 use crate::ClauseKind;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: doc!(
-        "Plays its clauses one after another. A plain time is the delay after the end of the clause before, or after the start of the seq."
+    doc: super::shown(
+        "Plays its clauses one after another. A plain time is the delay after the end of the clause before, or after the start of the seq.",
     ),
-    decision: doc!(
-        "GEVH only says that times are relative; they are read as in SMIL. An expression that names a moment counts from the start of the script all the same."
+    decision: super::shown(
+        "GEVH only says that times are relative; they are read as in SMIL. An expression that names a moment counts from the start of the script all the same.",
     ),
-    source: doc!("GEVH D.2.4, D.2.6"),
-    example: doc!("<seq time='1'><event time='0' type='a'/><event time='1' type='b'/></seq>"),
+    source: super::shown("GEVH D.2.4, D.2.6"),
+    example: super::shown(
+        "<seq time='1'><event time='0' type='a'/><event time='1' type='b'/></seq>",
+    ),
     content: Content::Elements,
     attributes: REPETITION,
     ..Element::new("seq", CLAUSE_PARENTS, Role::Group(ClauseKind::Seq))

@@ -4,21 +4,21 @@ use super::{Attribute, Content, Element};
 use crate::SetKind;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: doc!("Names a set of layers or of body groups, which may hold other sets."),
-    decision: doc!(
-        "A reference to a set that is not defined is a warning and counts as empty, as in the example of GEVH; sets that contain each other are an error. Besides the groups of the example, left_leg and right_leg exist."
+    doc: super::shown("Names a set of layers or of body groups, which may hold other sets."),
+    decision: super::shown(
+        "A reference to a set that is not defined is a warning and counts as empty, as in the example of GEVH; sets that contain each other are an error. Besides the groups of the example, left_leg and right_leg exist.",
     ),
-    source: doc!("GEVH D.3.3"),
-    example: doc!(
-        "<eml><head><body-expression-configuration><sets-configuration><set name='arms' type='bodyGroup'><it name='left_arm'/><it name='right_arm'/></set><set name='upperBody' type='bodyGroup'><it name='torso'/><ref name='arms'/></set></sets-configuration></body-expression-configuration></head><body><null time='1'/></body></eml>"
+    source: super::shown("GEVH D.3.3"),
+    example: super::shown(
+        "<eml><head><body-expression-configuration><sets-configuration><set name='arms' type='bodyGroup'><it name='left_arm'/><it name='right_arm'/></set><set name='upperBody' type='bodyGroup'><it name='torso'/><ref name='arms'/></set></sets-configuration></body-expression-configuration></head><body><null time='1'/></body></eml>",
     ),
     content: Content::Elements,
     attributes: &[
-        Attribute::identifier("name", doc!("The set's name.")).required(),
+        Attribute::identifier("name", "The set's name.").required(),
         Attribute::choice(
             "type",
             SetKind::WORDS,
-            doc!("What it consists of: layers of a player (multiple) or body groups (bodyGroup)."),
+            "What it consists of: layers of a player (multiple) or body groups (bodyGroup).",
         )
         .required(),
     ],

@@ -3,13 +3,13 @@
 use super::{Content, Element};
 
 pub(super) static ELEMENT: Element = Element {
-    doc: doc!("Holds the named sets of tracks."),
-    decision: doc!(
-        "The entry of set in GEVH calls it tracks-configuration; that name is accepted as an alias."
+    doc: super::shown("Holds the named sets of tracks."),
+    decision: super::shown(
+        "The entry of set in GEVH calls it tracks-configuration; that name is accepted as an alias.",
     ),
-    source: doc!("GEVH D.3.2"),
-    example: doc!(
-        "<eml><head><body-expression-configuration><sets-configuration><set name='arms' type='bodyGroup'><it name='left_arm'/><it name='right_arm'/></set></sets-configuration></body-expression-configuration></head><body><null time='1'/></body></eml>"
+    source: super::shown("GEVH D.3.2"),
+    example: super::shown(
+        "<eml><head><body-expression-configuration><sets-configuration><set name='arms' type='bodyGroup'><it name='left_arm'/><it name='right_arm'/></set></sets-configuration></body-expression-configuration></head><body><null time='1'/></body></eml>",
     ),
     aliases: &["tracks-configuration"],
     content: Content::Elements,

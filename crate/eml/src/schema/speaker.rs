@@ -4,18 +4,18 @@ use super::{Attribute, Element};
 use crate::{Age, Gender, Markup};
 
 pub(super) static ELEMENT: Element = Element {
-    doc: doc!("Changes the speaker."),
-    decision: doc!("One of its attributes is needed."),
-    source: doc!("SABLE 1.0 SPEAKER; not in GEVH"),
-    example: doc!(
-        "<eml xmlns:r='urn:raconteur:eml:1'><body><voice-text time='0'>And <r:speaker gender='male' age='older'>the old man</r:speaker> spoke.</voice-text></body></eml>"
+    doc: super::shown("Changes the speaker."),
+    decision: super::shown("One of its attributes is needed."),
+    source: super::shown("SABLE 1.0 SPEAKER; not in GEVH"),
+    example: super::shown(
+        "<eml xmlns:r='urn:raconteur:eml:1'><body><voice-text time='0'>And <r:speaker gender='male' age='older'>the old man</r:speaker> spoke.</voice-text></body></eml>",
     ),
     one_of: &["gender", "age", "name"],
     extension: true,
     attributes: &[
-        Attribute::choice("gender", Gender::WORDS, doc!("The speaker's sex.")),
-        Attribute::choice("age", Age::WORDS, doc!("The speaker's age.")),
-        Attribute::identifier("name", doc!("The voice's name.")),
+        Attribute::choice("gender", Gender::WORDS, "The speaker's sex."),
+        Attribute::choice("age", Age::WORDS, "The speaker's age."),
+        Attribute::identifier("name", "The voice's name."),
     ],
     ..Element::container("speaker", || Markup::Speaker(Default::default()))
 };

@@ -4,30 +4,32 @@ use super::{Attribute, Context, Element, Fields, Kind, Role, VOICE_PARENTS, Voic
 use crate::{Diagnostic, MarkEvent, Piece};
 
 pub(super) static ELEMENT: Element = Element {
-    doc: doc!("Names a moment of the next word, or the end of the speech when no word follows."),
-    decision: doc!(
-        "A phone that the word does not have, as in the example of GEVH, is a warning, and the start of the word is used. Of several such phones the first is meant."
+    doc: super::shown(
+        "Names a moment of the next word, or the end of the speech when no word follows.",
     ),
-    source: doc!("GEVH D.4.3"),
-    example: doc!(
-        "<voice-text time='1.0'><tm name='t1'/>Hello <tm name='t2' event='onPhone' phone='w'/>world!</voice-text>"
+    decision: super::shown(
+        "A phone that the word does not have, as in the example of GEVH, is a warning, and the start of the word is used. Of several such phones the first is meant.",
+    ),
+    source: super::shown("GEVH D.4.3"),
+    example: super::shown(
+        "<voice-text time='1.0'><tm name='t1'/>Hello <tm name='t2' event='onPhone' phone='w'/>world!</voice-text>",
     ),
     attributes: &[
         Attribute::new(
             "name",
             Kind::Name,
-            doc!("The name, to be used in time expressions."),
+            "The name, to be used in time expressions.",
         )
         .required(),
         Attribute::choice(
             "event",
             &["onStart", "onEnd", "onPhone"],
-            doc!("Which moment: the start or the end of the word, or the start of a phone in it."),
+            "Which moment: the start or the end of the word, or the start of a phone in it.",
         )
         .default("onStart"),
         Attribute::text(
             "phone",
-            doc!("The phone for onPhone, as Festival writes it, such as hh or ow."),
+            "The phone for onPhone, as Festival writes it, such as hh or ow.",
         ),
     ],
     ..Element::new("tm", VOICE_PARENTS, Role::Voice(read))

@@ -3,13 +3,13 @@
 use super::{Content, Element};
 
 pub(super) static ELEMENT: Element = Element {
-    doc: doc!("Lists tracks: sets, body groups and layers."),
-    decision: doc!(
-        "GEVH calls its parent deterministic-track-property; body-configure-deterministic-track-property is meant."
+    doc: super::shown("Lists tracks: sets, body groups and layers."),
+    decision: super::shown(
+        "GEVH calls its parent deterministic-track-property; body-configure-deterministic-track-property is meant.",
     ),
-    source: doc!("GEVH D.3.7"),
-    example: doc!(
-        "<body-deterministic-primitive time='0' primitive='pop'><tracks><bg name='torso'/></tracks></body-deterministic-primitive>"
+    source: super::shown("GEVH D.3.7"),
+    example: super::shown(
+        "<body-deterministic-primitive time='0' primitive='pop'><tracks><bg name='torso'/></tracks></body-deterministic-primitive>",
     ),
     content: Content::Elements,
     most_per_parent: Some(1),

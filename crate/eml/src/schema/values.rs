@@ -4,7 +4,6 @@
 use super::attribute::MAX_NUMBER;
 use super::context::list;
 use super::{Attribute, Context, Fields, Kind, Presence};
-use crate::decimal::shortest;
 use crate::record::Value;
 use crate::suggest::{nearest, quoted};
 use crate::time_expr::{self, Problem};
@@ -185,14 +184,14 @@ fn beside(attribute: &Attribute, fields: &Fields<'_>) -> Kind {
 fn usual_number(kind: Kind, text: &str) -> Option<f64> {
     let (least, most) = match kind {
         Kind::Number { least, most } => (least, most),
-        Kind::Seconds => (0.0, time_expr::MAX_SECS),
+        Kind::Seconds { most } => (0.0, most),
         _ => return None,
     };
-    let (sign, digits) = match text.as_bytes() {
-        [b'-', digits @ ..] if least < 0.0 => (-1.0, digits),
-        digits => (1.0, digits),
+    let (sign, digits) = match text.strip_prefix('-') {
+        Some(digits) if least < 0.0 => (-1.0, digits),
+        _ => (1.0, text),
     };
-    let value = sign * crate::decimal::parse_short(digits)?;
+    let value = sign * time_expr::unsigned(digits)?;
     (value >= least && value <= most && value.abs() <= MAX_NUMBER).then_some(value)
 }
 
@@ -256,14 +255,18 @@ pub(crate) fn parse(kind: Kind, text: &str) -> Result<Value, Problem> {
             Ok(value) => in_range(value as f64, least as f64, most as f64, text).map(Value::Number),
             Err(_) => wrong("eml::bad-number", "a whole number"),
         },
-        Kind::Seconds => {
+        Kind::Seconds { most } => {
             let secs = time_expr::parse_secs(text)?;
-            in_range(secs, 0.0, MAX_NUMBER, text).map(Value::Number)
+            in_range(secs, 0.0, most, text).map(Value::Number)
         }
         // Both are read together with what stands around them.
         Kind::Time | Kind::KeyTime => Ok(Value::None),
         Kind::Choice(words) => word(words, text).ok_or_else(|| no_word(text, words)),
-        Kind::Level { words, percent } => level(words, percent, text),
+        Kind::Level {
+            words,
+            numbers,
+            percent,
+        } => level(words, numbers, percent, text),
         Kind::NumberOrBool if text.eq_ignore_ascii_case("true") => Ok(Value::Number(1.0)),
         Kind::NumberOrBool if text.eq_ignore_ascii_case("false") => Ok(Value::Number(0.0)),
         Kind::NumberOrBool => number(text).map(Value::Number),
@@ -316,16 +319,27 @@ fn color(text: &str) -> Option<[u8; 3]> {
     Some([red, green, blue])
 }
 
-fn level(words: &'static [&'static str], percent: bool, text: &str) -> Result<Value, Problem> {
+fn level(
+    words: &'static [&'static str],
+    [least, most]: [f64; 2],
+    percent: Option<[f64; 2]>,
+    text: &str,
+) -> Result<Value, Problem> {
     if let Some(word) = word(words, text) {
         return Ok(word);
     }
-    if percent && let Some(change) = text.strip_suffix('%') {
+    if let Some([least, most]) = percent
+        && let Some(change) = text.strip_suffix('%')
+    {
         let change = number(change.trim_end())?;
-        return in_range(change, -100.0, MAX_NUMBER, text).map(Value::Percent);
+        let of = in_range(change, least, most, text).map(Value::Percent);
+        return of.map_err(|problem| Problem {
+            message: problem.message.replace(", found", " percent, found"),
+            ..problem
+        });
     }
     match number(text) {
-        Ok(value) => in_range(value, 0.0, MAX_NUMBER, text).map(Value::Number),
+        Ok(value) => in_range(value, least, most, text).map(Value::Number),
         Err(_) if text.starts_with(char::is_alphabetic) => Err(no_word(text, words)),
         Err(problem) => Err(problem),
     }
@@ -333,17 +347,17 @@ fn level(words: &'static [&'static str], percent: bool, text: &str) -> Result<Va
 
 fn number(text: &str) -> Result<f64, Problem> {
     let code = "eml::bad-number";
-    match crate::decimal::parse(text) {
-        Some(value) if value.abs() <= MAX_NUMBER => Ok(value),
-        Some(value) if value.is_finite() => Err(Problem {
+    match text.parse::<f64>() {
+        Ok(value) if value.abs() <= MAX_NUMBER => Ok(value),
+        Ok(value) if value.is_finite() => Err(Problem {
             hint: "the largest is 1000000".into(),
             ..problem(code, format!("{} is too large", quoted(text)))
         }),
-        Some(_) => Err(problem(
+        Ok(_) => Err(problem(
             code,
             format!("{} is not a finite number", quoted(text)),
         )),
-        None => Err(Problem {
+        Err(_) => Err(Problem {
             hint: if text.contains(',') {
                 "decimals are written with a point".into()
             } else {
@@ -359,13 +373,17 @@ fn in_range(value: f64, least: f64, most: f64, text: &str) -> Result<f64, Proble
         return Ok(value);
     }
     let wanted = if most < MAX_NUMBER {
-        format!("{} to {}", shortest(least), shortest(most))
+        format!("{least} to {most}")
     } else if value < least {
-        format!("at least {}", shortest(least))
+        format!("at least {least}")
     } else {
-        format!("at most {}", shortest(most))
+        format!("at most {most}")
     };
-    Err(unexpected("eml::out-of-range", text, &wanted))
+    let nearest = value.clamp(least, most);
+    Err(Problem {
+        hint: format!("it counts as left out; the nearest value is {nearest}").into(),
+        ..unexpected("eml::out-of-range", text, &wanted)
+    })
 }
 
 fn problem(code: &'static str, message: String) -> Problem {
@@ -440,11 +458,15 @@ mod tests {
 
     #[test]
     fn levels_are_words_changes_or_numbers() {
-        let level = |text| level(&["high", "low"], true, text).map_err(|p| p.code);
+        let words = &["high", "low"];
+        let changes = Some([-75.0, 300.0]);
+        let level = |text| level(words, [1.0, 200.0], changes, text).map_err(|p| p.code);
         assert_eq!(level("HIGH"), Ok(Value::Word("high")));
         assert_eq!(level("-30%"), Ok(Value::Percent(-30.0)));
         assert_eq!(level("120"), Ok(Value::Number(120.0)));
-        assert_eq!(level("-120%"), Err("eml::out-of-range"));
+        for beyond in ["-76%", "301%", "0", "201"] {
+            assert_eq!(level(beyond), Err("eml::out-of-range"));
+        }
         assert_eq!(level("hihg"), Err("eml::bad-choice"));
         assert_eq!(level("#"), Err("eml::bad-number"));
     }

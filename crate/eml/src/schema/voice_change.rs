@@ -4,13 +4,13 @@ use super::{Attribute, Element};
 use crate::ClauseKind;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: doc!("Changes the voice of what is spoken from now on."),
-    decision: doc!(
-        "From now on means further down in the document, as one reads it, whatever the times are: what a voice says decides when clauses are, and so cannot depend on it."
+    doc: super::shown("Changes the voice of what is spoken from now on."),
+    decision: super::shown(
+        "From now on means further down in the document, as one reads it, whatever the times are: what a voice says decides when clauses are, and so cannot depend on it.",
     ),
-    source: doc!("GEVH D.4.15"),
-    example: doc!("<voice-change time='1' voice='don_diphone'/>"),
-    attributes: &[Attribute::identifier("voice", doc!("The voice's name.")).required()],
+    source: super::shown("GEVH D.4.15"),
+    example: super::shown("<voice-change time='1' voice='don_diphone'/>"),
+    attributes: &[Attribute::identifier("voice", "The voice's name.").required()],
     ..Element::record("voice-change", || {
         ClauseKind::VoiceChange(Default::default())
     })

@@ -4,14 +4,14 @@ use super::{Attribute, Content, Context, Element, Fields};
 use crate::{ClauseKind, Diagnostic, UtteranceKind, VoiceOperation, VoiceSay};
 
 pub(super) static ELEMENT: Element = Element {
-    doc: doc!("Speaks plain text or a file, without time markers. The content is the text, or the path of the file."),
-    decision: doc!("GEVH specifies it twice; this is both together. Speech was synthesised while the figure performed; here all of it was made ready before, so that preprocess… takes no time and is not heard. How long files and SABLE documents take is known from the speech bundle; without one they count as having no length."),
-    source: doc!("GEVH D.4.2, D.4.14"),
-    example: doc!("<voice-say time='7' voiceOperation='text'>Once upon a time.</voice-say>"),
+    doc: super::shown("Speaks plain text or a file, without time markers. The content is the text, or the path of the file."),
+    decision: super::shown("GEVH specifies it twice; this is both together. Speech was synthesised while the figure performed; here all of it was made ready before, so that preprocess… takes no time and is not heard. How long files and SABLE documents take is known from the speech bundle; without one they count as having no length."),
+    source: super::shown("GEVH D.4.2, D.4.14"),
+    example: super::shown("<voice-say time='7' voiceOperation='text'>Once upon a time.</voice-say>"),
     content: Content::Text,
-    attributes: &[Attribute::choice("voiceOperation", VoiceOperation::WORDS, doc!("What to do: text and file speak, preprocess… only synthesise, asynchronous… speak while what follows goes on.")).required(),
-Attribute::choice("type", UtteranceKind::WORDS, doc!("What the content is.")).default("text"),
-Attribute::flag("isResourcesRelativeFilePath", doc!("Whether the path of a file starts in the asset library instead of the folder of the story.")).default("true")],
+    attributes: &[Attribute::choice("voiceOperation", VoiceOperation::WORDS, "What to do: text and file speak, preprocess… only synthesise, asynchronous… speak while what follows goes on.").required(),
+Attribute::choice("type", UtteranceKind::WORDS, "What the content is.").default("text"),
+Attribute::flag("isResourcesRelativeFilePath", "Whether the path of a file starts in the asset library instead of the folder of the story.").default("true")],
     ..Element::clause("voice-say", build)
 };
 

@@ -6,12 +6,12 @@ use crate::voice::NO_EMPHASIS;
 use crate::{ClauseKind, Diagnostic, Markup, Name, Piece, VoiceText};
 
 pub(super) static ELEMENT: Element = Element {
-    doc: doc!("Speaks a text. Markup inside shapes how, and names moments of words."),
-    decision: doc!(
-        "Names of elements and values are in lower case, where SABLE writes capitals; other cases are accepted with a warning."
+    doc: super::shown("Speaks a text. Markup inside shapes how, and names moments of words."),
+    decision: super::shown(
+        "Names of elements and values are in lower case, where SABLE writes capitals; other cases are accepted with a warning.",
     ),
-    source: doc!("GEVH D.4.1"),
-    example: doc!("<voice-text time='1.0'>Hello world!</voice-text>"),
+    source: super::shown("GEVH D.4.1"),
+    example: super::shown("<voice-text time='1.0'>Hello world!</voice-text>"),
     content: Content::Mixed,
     ..Element::clause("voice-text", build)
 };

@@ -4,19 +4,20 @@ use super::{Attribute, Element};
 use crate::Markup;
 
 pub(super) static ELEMENT: Element = Element {
-    doc: doc!("Changes the volume of speech."),
-    decision: doc!(
-        "The example writes discreteLevel. GEVH says that it is SABLE's rate; VOLUME is meant."
+    doc: super::shown("Changes the volume of speech."),
+    decision: super::shown(
+        "The example writes discreteLevel. GEVH says that it is SABLE's rate; VOLUME is meant. Changes in percent multiply those around them; all together are four times the voice's own at most.",
     ),
-    source: doc!("GEVH D.4.13"),
-    example: doc!(
-        "<voice-text time='0'>Two roads <volume level='quiet'>diverged in a yellow wood</volume>.</voice-text>"
+    source: super::shown("GEVH D.4.13"),
+    example: super::shown(
+        "<voice-text time='0'>Two roads <volume level='quiet'>diverged in a yellow wood</volume>.</voice-text>",
     ),
     attributes: &[Attribute::level(
         "level",
         &["loudest", "loud", "medium", "quiet"],
-        true,
-        doc!("A word, a change in percent with its sign, or a gain: 1 as without it."),
+        [0.0, 4.0],
+        Some([-100.0, 300.0]),
+        "A word, a change in percent with its sign, or a gain: 1 as without it.",
     )
     .required()
     .aliases(&["discreteLevel"])],

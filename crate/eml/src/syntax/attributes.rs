@@ -34,6 +34,9 @@ pub(super) fn scan<'a>(
     let first = out.len();
     let mut i = 0;
     let mut over_limit = false;
+    // The first letters of the names so far: names that begin alike are rare, so most need no
+    // comparison.
+    let mut initials = 0_u32;
     loop {
         i = skip_space(bytes, i);
         if i >= bytes.len() {
@@ -129,7 +132,11 @@ pub(super) fn scan<'a>(
                     format!("more than {limit} attributes; the rest is ignored"),
                 ));
             }
-        } else if let Some(before) = out[first..].iter().find(|a| same(a.name, name)) {
+            continue;
+        }
+        let initial = 1_u32 << (name.as_bytes()[0] & 31);
+        let mut known = out[first..].iter().filter(|_| initials & initial != 0);
+        if let Some(before) = known.find(|a| same(a.name, name)) {
             let diagnostic = Diagnostic::error(
                 "eml::duplicate-attribute",
                 name_span,
@@ -138,6 +145,7 @@ pub(super) fn scan<'a>(
             sink.push(diagnostic.related(before.name_span(), "first given here"));
         } else {
             out.push(attribute);
+            initials |= initial;
         }
     }
 }

@@ -3,11 +3,10 @@
 //! again behind markup that it cannot read.
 
 use super::attributes::{self, Outcome};
-use super::fast;
 use super::references;
-use super::tree::{Node, NodeKind, Tree};
+use super::tree::{Node, NodeKind};
 use crate::diagnostic::Sink;
-use crate::schema::{self, Content, Role, same};
+use crate::schema::{self, Content, Element, Role, Tree, same};
 use crate::suggest::quoted;
 use crate::work::step;
 use crate::{Diagnostic, Limits, Span};
@@ -33,17 +32,6 @@ pub(crate) fn build<'a>(
     sink: &mut Sink,
     take: &mut Take<'a, '_>,
 ) -> Tree<'a> {
-    build_with(source, limits, sink, take, false)
-}
-
-/// The same; `thorough` leaves all markup to the general reader.
-pub(super) fn build_with<'a>(
-    source: &'a str,
-    limits: &Limits,
-    sink: &mut Sink,
-    take: &mut Take<'a, '_>,
-    thorough: bool,
-) -> Tree<'a> {
     let mut builder = Builder {
         source,
         limits,
@@ -56,7 +44,6 @@ pub(super) fn build_with<'a>(
         told_depth: false,
         // Reading the same bytes again after a slip must stay linear in all.
         reread_budget: 4 * source.len() + (64 << 10),
-        thorough,
     };
     builder.run();
     builder.tree
@@ -76,8 +63,33 @@ struct Builder<'a, 's, 't> {
     skipped_depth: usize,
     told_depth: bool,
     reread_budget: usize,
-    /// Whether to read all markup with the general reader, as a test does.
-    thorough: bool,
+}
+
+/// The events of a source from a byte on.
+struct Events<'a> {
+    reader: Reader<&'a [u8]>,
+    base: usize,
+}
+
+impl<'a> Events<'a> {
+    fn new(source: &'a str, base: usize) -> Self {
+        let mut reader = Reader::from_str(&source[base..]);
+        let config = reader.config_mut();
+        config.check_end_names = false;
+        config.allow_unmatched_ends = true;
+        config.allow_dangling_amp = true;
+        Self { reader, base }
+    }
+
+    /// The byte of the source at an offset of the reader.
+    fn position(&self, offset: u64) -> usize {
+        self.base + usize::try_from(offset).unwrap_or(usize::MAX)
+    }
+
+    /// The byte after the last event.
+    fn at(&self) -> usize {
+        self.position(self.reader.buffer_position())
+    }
 }
 
 /// Why the reader stopped, short of the end of the source.
@@ -116,6 +128,13 @@ impl<'a> Builder<'a, '_, '_> {
 
     fn read_from(&mut self, base: usize) -> Option<Restart> {
         let mut at = base;
+        // A reader takes a byte order mark away, wherever it begins.
+        if self.source[at..].starts_with('\u{feff}') {
+            let markup = self.source[at..].find(['<', '&']);
+            at = markup.map_or(self.source.len(), |found| at + found);
+            self.text(base, at);
+        }
+        let mut events = Events::new(self.source, at);
         while at < self.source.len() {
             if self.tree.nodes.len() >= MOST_NODES {
                 self.error(
@@ -126,7 +145,7 @@ impl<'a> Builder<'a, '_, '_> {
                 return None;
             }
             let start = at;
-            at = match self.read_usual(at).map_or_else(|| self.read_any(at), Ok) {
+            at = match self.read_event(&mut events, at) {
                 Ok(next) => next,
                 Err(restart) => return restart,
             };
@@ -135,55 +154,16 @@ impl<'a> Builder<'a, '_, '_> {
         None
     }
 
-    /// Reads what stands at byte `at` when it is as it should be. Returns where it ends.
-    fn read_usual(&mut self, at: usize) -> Option<usize> {
-        let bytes = self.source.as_bytes();
-        match (bytes[at], bytes.get(at + 1)) {
-            (b'<', _) if self.thorough => None,
-            (b'<', Some(b'/')) => {
-                let (name, end) = fast::end_tag(self.source, at)?;
-                self.end_tag(name, at, end);
-                Some(end)
-            }
-            (b'<', _) => {
-                if self.skipped_depth > 0 || self.stack.len() >= self.most_depth() {
-                    return None;
-                }
-                let first_attribute = self.tree.attributes.len();
-                let most = self.most_attributes();
-                let tag = fast::tag(self.source, at, most, &mut self.tree.attributes);
-                let Some(tag) = tag else {
-                    self.tree.attributes.truncate(first_attribute);
-                    return None;
-                };
-                self.opened(tag.name, first_attribute, at, tag.end, tag.is_empty);
-                Some(tag.end)
-            }
-            (b'&', _) => None,
-            _ => {
-                let (end, is_space) = fast::text_end(self.source, at);
-                if !is_space || self.keeps_space() {
-                    self.push_text(at, end);
-                }
-                Some(end)
-            }
-        }
-    }
-
-    /// Reads one event at byte `at`. Returns where it ends, or where and whether to go on
+    /// Reads the event at byte `start`. Returns where it ends, or where and whether to go on
     /// when it has no end.
-    fn read_any(&mut self, start: usize) -> Result<usize, Option<Restart>> {
+    fn read_event(
+        &mut self,
+        events: &mut Events<'a>,
+        start: usize,
+    ) -> Result<usize, Option<Restart>> {
         let source = self.source;
-        let mut reader = Reader::from_str(&source[start..]);
-        let config = reader.config_mut();
-        config.check_end_names = false;
-        config.allow_unmatched_ends = true;
-        config.allow_dangling_amp = true;
-        let position = |offset: u64| start + usize::try_from(offset).unwrap_or(usize::MAX);
-        let event = reader.read_event();
-        step(usize::try_from(reader.buffer_position()).unwrap_or(usize::MAX));
-        // Whatever happens, at least the `<` or `&` is read.
-        let end = position(reader.buffer_position()).max(start + 1);
+        let event = events.reader.read_event();
+        let end = events.at();
         match event {
             Ok(Event::Start(tag)) => {
                 let raw = &source[start + 1..end - 1];
@@ -213,9 +193,16 @@ impl<'a> Builder<'a, '_, '_> {
             Ok(Event::DocType(_)) => self.doctype(start, end),
             Ok(Event::Comment(_) | Event::PI(_) | Event::Decl(_)) => {}
             Ok(Event::Eof) => return Err(None),
-            Err(Error::IllFormed(_)) => self.doctype(start, end),
+            Err(Error::IllFormed(_)) => {
+                // At least the `<` is read.
+                let end = end.max(start + 1);
+                self.doctype(start, end);
+                *events = Events::new(source, end);
+                return Ok(end);
+            }
             Err(error) => {
-                let at = position(reader.error_position());
+                step(end - start);
+                let at = events.position(events.reader.error_position());
                 return Err(self.recover(&error, at));
             }
         }
@@ -522,7 +509,7 @@ impl<'a> Builder<'a, '_, '_> {
         }
     }
 
-    fn push(&mut self, kind: NodeKind, text: &'a str, span: Span) -> u32 {
+    fn push(&mut self, kind: NodeKind<&'static Element>, text: &'a str, span: Span) -> u32 {
         let index = Span::of(self.tree.nodes.len(), 0).start;
         self.tree.nodes.push(Node {
             kind,

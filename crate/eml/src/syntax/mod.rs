@@ -3,7 +3,6 @@
 
 mod attributes;
 mod builder;
-mod fast;
 mod references;
 mod tree;
 

@@ -1,20 +1,30 @@
-//! The flat tree: nodes in document order, each knowing where its subtree ends.
+//! The flat tree: nodes in document order, each knowing where its subtree ends. What the language
+//! knows of an element, `E`, is nothing to the tree.
 
 use crate::Span;
-use crate::schema::Element;
 
 /// A document's markup.
-#[derive(Debug, Default)]
-pub(crate) struct Tree<'a> {
+#[derive(Debug)]
+pub(crate) struct Tree<'a, E> {
     /// Every node before its descendants.
-    pub(crate) nodes: Vec<Node<'a>>,
+    pub(crate) nodes: Vec<Node<'a, E>>,
     /// The attributes of all elements, those of one element together.
     pub(crate) attributes: Vec<Attribute<'a>>,
     /// The body whose elements have been taken out.
     pub(crate) taken_from: Option<u32>,
 }
 
-impl<'a> Tree<'a> {
+impl<E> Default for Tree<'_, E> {
+    fn default() -> Self {
+        Self {
+            nodes: Vec::new(),
+            attributes: Vec::new(),
+            taken_from: None,
+        }
+    }
+}
+
+impl<'a, E> Tree<'a, E> {
     /// The attributes of a node.
     pub(crate) fn attributes_of(&self, node: usize) -> &[Attribute<'a>] {
         let node = &self.nodes[node];
@@ -25,9 +35,9 @@ impl<'a> Tree<'a> {
 
 /// An element or a run of text.
 #[derive(Debug)]
-pub(crate) struct Node<'a> {
+pub(crate) struct Node<'a, E> {
     /// What it is.
-    pub(crate) kind: NodeKind,
+    pub(crate) kind: NodeKind<E>,
     /// The name as written, or the text.
     pub(crate) text: &'a str,
     /// The start tag, or the text.
@@ -44,9 +54,9 @@ pub(crate) struct Node<'a> {
 
 /// What a node is.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum NodeKind {
+pub(crate) enum NodeKind<E> {
     /// An element, with its entry in the schema when it has one.
-    Element(Option<&'static Element>),
+    Element(Option<E>),
     /// An element whose start tag is malformed: already reported, to be dropped.
     Malformed,
     /// Characters as they stand in the source.

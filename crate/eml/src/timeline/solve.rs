@@ -5,7 +5,6 @@
 //! and meeting an unknown that is being worked on is a cycle.
 
 use super::names::Found;
-use crate::decimal::fixed;
 use crate::diagnostic::Sink;
 use crate::suggest::{nearest, quoted};
 use crate::work::step;
@@ -295,10 +294,7 @@ impl Solver<'_, '_> {
                 ));
             }
         } else if secs.abs() > LATEST_SECS {
-            let message = format!(
-                "the time comes to {} s; the clause is left out",
-                fixed(secs, 0)
-            );
+            let message = format!("the time comes to {secs:.0} s; the clause is left out");
             self.sink.push(Diagnostic::error(
                 "eml::bad-time",
                 clause.start.span,

@@ -99,12 +99,16 @@ impl Dice {
                 let (least, most) = (least.max(-500) as f64, most.min(500) as f64);
                 Value::Number(self.number(least, most).floor())
             }
-            Kind::Seconds => Value::Number(self.number(0.0, 100.0)),
+            Kind::Seconds { most } => Value::Number(self.number(0.0, most.min(100.0))),
             Kind::Time | Kind::KeyTime => Value::None,
             Kind::Choice(words) => Value::Word(self.pick(words)),
-            Kind::Level { words, percent } => match self.below(3) {
-                0 if percent => Value::Percent(self.number(-100.0, 100.0)),
-                1 => Value::Number(self.number(0.0, 300.0)),
+            Kind::Level {
+                words,
+                numbers: [least, most],
+                percent,
+            } => match (self.below(3), percent) {
+                (0, Some([least, most])) => Value::Percent(self.number(least, most)),
+                (1, _) => Value::Number(self.number(least, most)),
                 _ => Value::Word(self.pick(words)),
             },
             // A switch is among what such a number may be.

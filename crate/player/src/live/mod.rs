@@ -12,16 +12,16 @@ use raconteur_actor::animation::PlayerCommand;
 use raconteur_actor::{Actor, Library};
 use raconteur_base::Side;
 use raconteur_base::order::sort_by_number;
+use raconteur_body::Skeleton;
 use raconteur_eml::{Diagnostic, Name, Set, Severity, SortedMap, Span, parse_fragment};
 use raconteur_speech::Bundle;
 
-use crate::cues::{ClauseRef, Cue, CueKind, UtteranceCue};
-use crate::feelings;
-use crate::gestures::{Hands, Reach, out_of_reach};
-use crate::motion;
-use crate::part::{Carried, Part};
-use crate::script::{Script, Sources, delayed};
-use crate::units::Units;
+use crate::lower::cues::{ClauseRef, Cue, CueKind, UtteranceCue};
+use crate::lower::gestures::{Hands, Reach, out_of_reach};
+use crate::lower::part::{Carried, Part};
+use crate::lower::script::{Script, Sources, delayed};
+use crate::lower::units::Units;
+use crate::lower::{animations, manipulators, parameters};
 
 /// What a live performance may cost. Beyond, fragments are refused and the story plays on.
 pub mod limits {
@@ -110,10 +110,9 @@ pub(crate) struct Scene<'a> {
     pub(crate) marks: &'a SortedMap<Name, f64>,
     /// Who performs before the fragment joins.
     pub(crate) actor: &'a Actor,
-    /// Players and manipulators are there.
-    pub(crate) motion: bool,
-    /// As [`Options::feels`](crate::Options::feels).
-    pub(crate) feels: bool,
+    pub(crate) skeleton: &'a Skeleton,
+    /// What the story asks of animation players.
+    pub(crate) story_players: &'a [(f64, PlayerCommand)],
 }
 
 /// The live part of a performance.
@@ -253,26 +252,26 @@ impl Live {
             library: scene.library,
         };
         let mut script = Script::resolve(parsed, sources, scene.bundle.is_some());
-        if !scene.motion {
-            script.hold_still();
-        }
-        script.feels = scene.feels;
         performed.diagnostics.append(&mut script.diagnostics);
         let (document, units) = (&script.document, scene.units);
         let far = out_of_reach(document, units, scene.reach, scene.hands);
         performed.diagnostics.extend(far);
-        if script.feels {
-            let unknown = feelings::problems(document);
-            performed.diagnostics.extend(unknown);
-        }
-        if script.moves {
-            let limbs = motion::problems(&script, units, scene.reach);
-            performed.diagnostics.extend(limbs);
-        }
+        let unknown = parameters::problems(document);
+        performed.diagnostics.extend(unknown);
+        let limbs = manipulators::problems(document, units, scene.reach);
+        performed.diagnostics.extend(limbs);
         script.timeline = delayed(script.timeline, base_secs);
         let sudden = Part::new(&script, scene.units, scene.hands, 0, None);
         let run_up_secs = run_up(&sudden, scene.actor, base_secs);
         script.timeline = delayed(script.timeline, run_up_secs);
+        let before = self.players_before(scene.story_players);
+        let lost = animations::problems(
+            &script.document,
+            &script.timeline,
+            scene.skeleton,
+            Some(before),
+        );
+        performed.diagnostics.extend(lost);
         let lead_in_secs = script.timeline.lead_in_secs - base_secs;
         let end_secs = script.timeline.duration_secs;
         if lead_in_secs.max(end_secs - now_secs) > limits::AHEAD_SECS {
@@ -319,6 +318,13 @@ impl Live {
             fresh: true,
         });
         Ok(())
+    }
+
+    /// What animation players were asked before a fragment joins.
+    fn players_before(&self, story: &[(f64, PlayerCommand)]) -> Vec<(f64, PlayerCommand)> {
+        let carried = self.carried.players.iter().chain(story);
+        let live = self.fragments.iter().flat_map(|f| &f.part.players);
+        carried.chain(live).cloned().collect()
     }
 
     /// The story time of a name in what is remembered; of several, the last that came.

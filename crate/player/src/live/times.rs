@@ -5,7 +5,6 @@
 //! moments of the story and of earlier fragments, is therefore written into its expressions
 //! first, as seconds from the fragment's own start.
 
-use raconteur_base::decimal::fixed;
 use raconteur_eml::{Clause, ClauseId, ClauseKind, Diagnostic, Document, Name, NameTerm, TimeExpr};
 
 /// Names the fragment's own start; no document can write it.
@@ -64,10 +63,7 @@ pub(super) fn bind(
         }
         if expr.offset_secs < 0.0 {
             let late = -expr.offset_secs;
-            let message = format!(
-                "this moment passed {} s ago; it is done at once",
-                fixed(late, 1)
-            );
+            let message = format!("this moment passed {late:.1} s ago; it is done at once");
             warnings.push(Diagnostic::warning("live::late", expr.span, message));
             expr.offset_secs = 0.0;
         }

@@ -5,8 +5,8 @@ use raconteur_body::face::{FaceControls, Network, Tissue};
 use raconteur_speech::phones::{self, Class};
 
 use super::{Check, RATE_HZ};
-use crate::cues::CueKind;
-use crate::performer::Player;
+use crate::lower::cues::CueKind;
+use crate::play::player::Player;
 
 /// How much faster than they were spoken words are looked at as well.
 const FAST: f64 = 1.5;

@@ -54,6 +54,31 @@ pub(crate) fn perform(
     })
 }
 
+/// The names of the shipped stories, in order: folders with a script, in folders of folders.
+pub(crate) fn stories() -> Vec<String> {
+    let (mut names, mut open) = (Vec::new(), vec![String::new()]);
+    while let Some(folder) = open.pop() {
+        let path = assets().join("stories").join(&folder);
+        if path.join("story.eml").is_file() {
+            names.push(folder);
+            continue;
+        }
+        for entry in fs::read_dir(path).expect("the stories") {
+            let entry = entry.expect("an entry");
+            if entry.path().is_dir() {
+                let name = entry.file_name().into_string().expect("UTF-8");
+                open.push(
+                    format!("{folder}/{name}")
+                        .trim_start_matches('/')
+                        .to_owned(),
+                );
+            }
+        }
+    }
+    names.sort();
+    names
+}
+
 /// A story of the library with its voice, if it has one, and its animations.
 pub(crate) fn story(name: &str, figure: Arc<Figure>, options: Options) -> Loaded {
     let voice = assets().join(format!("stories/{name}/voice/speech.json"));

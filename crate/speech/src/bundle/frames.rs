@@ -102,6 +102,11 @@ pub fn from_base64(text: &str) -> Option<Vec<u8>> {
     (held < 6).then_some(bytes)
 }
 
+/// Milliseconds as seconds.
+pub(super) fn secs(msec: f64) -> f64 {
+    msec / 1000.0
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

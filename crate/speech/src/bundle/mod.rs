@@ -109,7 +109,7 @@ pub struct AudioFile {
     pub file: String,
     /// MIME type with codecs.
     pub mime: String,
-    /// What the file holds, where the bundle tells. Read with the feature `bake` alone.
+    /// What the file holds, where the bundle tells.
     pub holds: Option<Holds>,
 }
 

@@ -1,8 +1,10 @@
 //! Reads a bundle. Times are told as lengths of phones, and words as phones, so that they
 //! tile the utterance whatever a file says.
 
-use raconteur_base::json::{Fault, Json};
+use raconteur_base::encoding::is_utf16;
+use serde::Deserialize;
 
+use super::melody::{EmotionRow, Melody, SyllableRow, WordsRow};
 use super::{AudioFile, Bundle, Phone, SILENCE, Utterance, VERSION, Voice, Word};
 
 /// Why a bundle was refused.
@@ -11,7 +13,12 @@ use super::{AudioFile, Bundle, Phone, SILENCE, Utterance, VERSION, Voice, Word};
 pub enum BundleError {
     /// The file is not JSON of the right shape.
     #[error("the speech bundle cannot be read: {0}")]
-    Json(#[from] Fault),
+    Json(#[from] serde_json::Error),
+    /// The text is UTF-16, as some editors save it.
+    #[error(
+        "the speech bundle cannot be read: this is UTF-16 text, not UTF-8; save the file as UTF-8"
+    )]
+    Utf16,
     /// Another format or another version.
     #[error(
         "the speech bundle is {format} version {version}; this program reads raconteur-speech version 2"
@@ -39,27 +46,25 @@ impl Bundle {
     /// When the text is not a bundle, has another version, or holds impossible times or
     /// file names that leave the folder.
     pub fn from_json(json: &[u8]) -> Result<Self, BundleError> {
-        Self::read_with(json, true)
-    }
-
-    /// As [`Bundle::from_json`], but without the melody of its utterances where that is not wanted.
-    ///
-    /// # Errors
-    /// As those of [`Bundle::from_json`], but for the melody's.
-    pub fn read_with(json: &[u8], melody: bool) -> Result<Self, BundleError> {
-        let json = Json::read(json)?;
-        let format = text(&json, "format")?;
-        let version = field(&json, "version", |v| u32::try_from(v.whole()?).ok())?;
+        if is_utf16(json) {
+            return Err(BundleError::Utf16);
+        }
+        let Head { format, version } = serde_json::from_slice(json)?;
         if format != "raconteur-speech" || version != VERSION {
             return Err(BundleError::Version { format, version });
         }
-        let mut bundle = Self {
-            voices: list(&json, "voices", Voice::of)?,
-            utterances: list(&json, "utterances", Utterance::of)?,
+        let body: Body = serde_json::from_slice(json)?;
+        let utterances = body
+            .utterances
+            .into_iter()
+            .enumerate()
+            .map(|(utterance, row)| {
+                Utterance::of(row).map_err(|what| BundleError::Invalid { utterance, what })
+            });
+        let bundle = Self {
+            voices: body.voices.into_iter().map(Voice::of).collect(),
+            utterances: utterances.collect::<Result<_, _>>()?,
         };
-        if melody {
-            super::melody::read(&mut bundle.utterances, json.get("utterances").items())?;
-        }
         for (utterance, u) in bundle.utterances.iter().enumerate() {
             u.check(bundle.voices.len())
                 .map_err(|what| BundleError::Invalid { utterance, what })?;
@@ -68,43 +73,79 @@ impl Bundle {
     }
 }
 
-/// What `take` makes of a member that must be there.
-fn field<'v, 'a, T>(
-    object: &'v Json<'a>,
-    name: &str,
-    take: fn(&'v Json<'a>) -> Option<T>,
-) -> Result<T, Fault> {
-    let member = object.get(name);
-    take(member).ok_or_else(|| {
-        if member.is_null() {
-            object.fault(["`", name, "` is missing"].concat())
-        } else {
-            member.fault(["`", name, "` has another type"].concat())
-        }
-    })
+/// What the file says it is.
+#[derive(Deserialize)]
+struct Head {
+    format: String,
+    version: u32,
+}
+
+/// The rest of the file.
+#[derive(Deserialize)]
+struct Body {
+    voices: Vec<VoiceRow>,
+    utterances: Vec<UtteranceRow>,
+}
+
+#[derive(Deserialize)]
+struct VoiceRow {
+    engine: String,
+    voice: String,
+    language: String,
+    phone_set: String,
+    #[serde(default)]
+    mouth: String,
+}
+
+#[derive(Deserialize)]
+struct AudioRow {
+    file: String,
+    mime: String,
+    bytes: Option<u64>,
+    sha256: Option<String>,
+}
+
+/// An utterance as it is written.
+#[derive(Deserialize)]
+struct UtteranceRow {
+    key: Digest,
+    content: Digest,
+    source: Option<Digest>,
+    voice: usize,
+    text: String,
+    audio: Vec<AudioRow>,
+    phones: String,
+    msecs: Vec<u32>,
+    words: Vec<[usize; 4]>,
+    #[serde(default)]
+    syllables: Vec<SyllableRow>,
+    #[serde(default)]
+    phrases: Vec<WordsRow>,
+    #[serde(default)]
+    sentences: Vec<WordsRow>,
+    #[serde(default)]
+    emotions: Vec<EmotionRow>,
+    f0: Option<String>,
+    intensity: Option<String>,
 }
 
 /// A digest of 16 hexadecimal digits.
-fn digest(member: &Json<'_>) -> Option<u64> {
-    let digits = member.text().filter(|digits| digits.len() == 16)?;
-    u64::from_str_radix(digits, 16).ok()
-}
+#[derive(Deserialize)]
+#[serde(try_from = "String")]
+struct Digest(u64);
 
-fn text(object: &Json<'_>, name: &str) -> Result<String, Fault> {
-    field(object, name, |v| v.text().map(str::to_owned))
-}
+impl TryFrom<String> for Digest {
+    type Error = &'static str;
 
-fn index(object: &Json<'_>, name: &str) -> Result<usize, Fault> {
-    field(object, name, Json::index)
-}
-
-fn list<'v, 'a, T>(
-    object: &'v Json<'a>,
-    name: &str,
-    one: fn(&'v Json<'a>) -> Result<T, Fault>,
-) -> Result<Vec<T>, Fault> {
-    let items = field(object, name, |v| v.is_list().then_some(v.items()))?;
-    items.iter().map(one).collect()
+    fn try_from(digits: String) -> Result<Self, Self::Error> {
+        if digits.len() != 16 {
+            return Err("a digest has 16 hexadecimal digits");
+        }
+        let value = u64::from_str_radix(&digits, 16);
+        value
+            .map(Self)
+            .map_err(|_| "a digest has 16 hexadecimal digits")
+    }
 }
 
 /// Words by two.
@@ -118,51 +159,43 @@ fn pairs(text: &str) -> Vec<(String, String)> {
 }
 
 impl Voice {
-    fn of(json: &Json<'_>) -> Result<Self, Fault> {
-        // A player needs not know who they are.
-        #[cfg(feature = "bake")]
-        let (engine, voice) = (text(json, "engine")?, text(json, "voice")?);
-        #[cfg(not(feature = "bake"))]
-        let (engine, voice) = Default::default();
-        Ok(Self {
-            engine,
-            voice,
-            language: text(json, "language")?,
-            phone_set: text(json, "phone_set")?,
-            mouth: pairs(json.get("mouth").text().unwrap_or_default()),
-        })
+    fn of(row: VoiceRow) -> Self {
+        Self {
+            engine: row.engine,
+            voice: row.voice,
+            language: row.language,
+            phone_set: row.phone_set,
+            mouth: pairs(&row.mouth),
+        }
     }
 }
 
 impl AudioFile {
-    fn of(json: &Json<'_>) -> Result<Self, Fault> {
+    fn of(row: AudioRow) -> Result<Self, String> {
         Ok(Self {
-            file: text(json, "file")?,
-            mime: text(json, "mime")?,
-            #[cfg(feature = "bake")]
-            holds: super::Holds::of(json)?,
-            #[cfg(not(feature = "bake"))]
-            holds: None,
+            holds: super::Holds::of(row.bytes, row.sha256)?,
+            file: row.file,
+            mime: row.mime,
         })
     }
 }
 
-#[cfg(feature = "bake")]
 impl super::Holds {
     /// Both members or neither.
-    fn of(json: &Json<'_>) -> Result<Option<Self>, Fault> {
-        if json.get("bytes").is_null() && json.get("sha256").is_null() {
-            return Ok(None);
-        }
+    fn of(bytes: Option<u64>, sha256: Option<String>) -> Result<Option<Self>, String> {
+        let (bytes, sha256) = match (bytes, sha256) {
+            (None, None) => return Ok(None),
+            (Some(bytes), Some(sha256)) => (bytes, sha256),
+            _ => return Err("a sound has only one of `bytes` and `sha256`".to_owned()),
+        };
         let is_digit = |b: u8| matches!(b, b'0'..=b'9' | b'a'..=b'f');
-        let sha256 = text(json, "sha256")?;
         if sha256.len() != 64 || !sha256.bytes().all(is_digit) {
-            return Err(json["sha256"].fault("this is no SHA-256 in small letters".to_owned()));
+            return Err("a sound's `sha256` is no SHA-256 in small letters".to_owned());
         }
-        let bytes = field(json, "bytes", Json::whole)?;
         Ok(Some(Self { bytes, sha256 }))
     }
 }
+
 /// The longest phone or pause, milliseconds: ten times the longest pause that markup can ask for.
 const LONGEST_PHONE_MSEC: u32 = 600_000;
 /// The longest utterance, milliseconds: a day, as much as alignments may tell of.
@@ -174,51 +207,47 @@ pub(super) fn secs(msec: f64) -> f64 {
 }
 
 impl Utterance {
-    fn of(json: &Json<'_>) -> Result<Self, Fault> {
+    fn of(row: UtteranceRow) -> Result<Self, String> {
+        let audio = row.audio.into_iter().map(AudioFile::of);
         let mut utterance = Self {
-            key: field(json, "key", digest)?,
-            #[cfg(feature = "bake")]
-            content: field(json, "content", digest)?,
-            #[cfg(feature = "bake")]
-            source: if json.get("source").is_null() {
-                None
-            } else {
-                Some(field(json, "source", digest)?)
-            },
-            voice: index(json, "voice")?,
-            text: text(json, "text")?,
-            audio: list(json, "audio", AudioFile::of)?,
+            key: row.key.0,
+            content: row.content.0,
+            source: row.source.map(|source| source.0),
+            voice: row.voice,
+            text: row.text,
+            audio: audio.collect::<Result<_, _>>()?,
             ..Self::default()
         };
-        utterance.read_phones(json)?;
-        utterance.read_words(json)?;
+        utterance.read_phones(&row.phones, &row.msecs)?;
+        utterance.read_words(&row.words)?;
+        utterance.read_melody(Melody {
+            syllables: row.syllables,
+            phrases: row.phrases,
+            sentences: row.sentences,
+            emotions: row.emotions,
+            f0: row.f0,
+            intensity: row.intensity,
+        })?;
         Ok(utterance)
     }
 
-    fn read_phones(&mut self, json: &Json<'_>) -> Result<(), Fault> {
-        let symbols = field(json, "phones", Json::text)?.split_ascii_whitespace();
-        let lengths = list(json, "msecs", |v| {
-            v.index()
-                .and_then(|msec| u32::try_from(msec).ok())
-                .ok_or_else(|| v.fault("this is no number of milliseconds".to_owned()))
-        })?;
+    fn read_phones(&mut self, phones: &str, msecs: &[u32]) -> Result<(), String> {
+        let symbols = phones.split_ascii_whitespace();
         let mut end_msec: f64 = 0.0;
-        let mut lengths_left = lengths.iter();
+        let mut lengths_left = msecs.iter();
         for symbol in symbols {
             let Some(&length) = lengths_left.next() else {
-                return Err(json["msecs"].fault("there are more phones than lengths".to_owned()));
+                return Err("there are more phones than lengths".to_owned());
             };
             let start_secs = secs(end_msec);
             if length > LONGEST_PHONE_MSEC {
-                return Err(json["msecs"].fault(format!(
+                return Err(format!(
                     "a phone or pause of {length} ms is longer than {LONGEST_PHONE_MSEC}"
-                )));
+                ));
             }
             end_msec += f64::from(length);
             if end_msec > LONGEST_MSEC {
-                return Err(
-                    json["msecs"].fault(format!("the utterance is longer than {LONGEST_MSEC} ms"))
-                );
+                return Err(format!("the utterance is longer than {LONGEST_MSEC} ms"));
             }
             self.phones.push(Phone {
                 symbol: symbol.to_owned(),
@@ -228,21 +257,17 @@ impl Utterance {
             });
         }
         if lengths_left.next().is_some() {
-            return Err(json["msecs"].fault("there are more lengths than phones".to_owned()));
+            return Err("there are more lengths than phones".to_owned());
         }
         self.duration_secs = secs(end_msec);
         Ok(())
     }
 
-    fn read_words(&mut self, json: &Json<'_>) -> Result<(), Fault> {
+    fn read_words(&mut self, rows: &[[usize; 4]]) -> Result<(), String> {
         // A word without a sound stands where the one before it ends.
         let mut silent_secs = 0.0;
-        for row in field(json, "words", |v| v.is_list().then_some(v.items()))? {
-            let none = |what: &str| row.fault(["a word ", what].concat());
-            let numbers: Option<Vec<usize>> = row.items().iter().map(Json::index).collect();
-            let Some([text_start, bytes, first, phones]) = numbers.as_deref() else {
-                return Err(none("is not four numbers"));
-            };
+        for [text_start, bytes, first, phones] in rows {
+            let none = |what: &str| format!("word {} {what}", self.words.len() + 1);
             let text_end = text_start.saturating_add(*bytes);
             let text = self.text.get(*text_start..text_end);
             let spoken = self
@@ -275,7 +300,6 @@ impl Utterance {
                 start_secs,
                 end_secs,
             });
-            #[cfg(feature = "bake")]
             self.text_starts.push(*text_start);
         }
         Ok(())

@@ -3,7 +3,7 @@
 use raconteur_base::noise;
 
 use super::*;
-use crate::table;
+use crate::FaceControls;
 use crate::tissue::Link;
 
 /// Rounding of sums of a few dozen places of a decimetre at most, in `f32`.
@@ -129,9 +129,17 @@ fn face(seed: u64, i: i64) -> FaceControls {
 }
 
 fn contracted(tissue: &Tissue, controls: &FaceControls) -> Vec<[f32; 3]> {
-    let mut muscles = Muscles::new(tissue);
-    muscles.contract(tissue, controls);
+    let mut muscles = muscles(tissue);
+    contract(&mut muscles, tissue, controls);
     muscles.moved
+}
+
+fn muscles(tissue: &Tissue) -> Muscles {
+    Muscles::new(tissue, &Anatomy::SHIPPED)
+}
+
+fn contract(muscles: &mut Muscles, tissue: &Tissue, controls: &FaceControls) {
+    muscles.contract(tissue, &controls.contraction, controls.protrusion);
 }
 
 fn farthest(a: &[[f32; 3]], b: &[[f32; 3]]) -> f32 {
@@ -177,18 +185,18 @@ fn the_order_of_muscles_links_and_contractions_changes_nothing() {
     for seed in 0..MOUTHS {
         let tissue = mouth(seed);
         let (other, came_from) = turned_round(&tissue);
-        let (mut one, mut two) = (Muscles::new(&tissue), Muscles::new(&tissue));
-        let mut reversed = Muscles::new(&other);
+        let (mut one, mut two) = (muscles(&tissue), muscles(&tissue));
+        let mut reversed = muscles(&other);
         for i in 0..FACES {
             let [a, b] = [face(seed, 2 * i), face(seed, 2 * i + 1)];
             let both = a.lerp(&b, 0.5);
             // By way of one face, and by way of the other.
-            one.contract(&tissue, &a);
-            one.contract(&tissue, &both);
-            two.contract(&tissue, &b);
-            two.contract(&tissue, &both);
+            contract(&mut one, &tissue, &a);
+            contract(&mut one, &tissue, &both);
+            contract(&mut two, &tissue, &b);
+            contract(&mut two, &tissue, &both);
             assert_eq!(one.moved, two.moved, "{seed}");
-            reversed.contract(&other, &both);
+            contract(&mut reversed, &other, &both);
             let there: Vec<[f32; 3]> = came_from.iter().map(|&p| one.moved[p]).collect();
             assert!(farthest(&reversed.moved, &there) < ROUNDED_M, "{seed}");
         }
@@ -200,10 +208,10 @@ fn what_is_grown_together_keeps_its_distance() {
     let mut seen = 0;
     for seed in 0..MOUTHS {
         let tissue = mouth(seed);
-        let mut muscles = Muscles::new(&tissue);
+        let mut muscles = muscles(&tissue);
         let ends: Vec<_> = muscles.junctions.whole_ends().collect();
         for i in 0..FACES {
-            muscles.contract(&tissue, &face(seed, i));
+            contract(&mut muscles, &tissue, &face(seed, i));
             for (end, places) in &ends {
                 let apart = |moved: &dyn Fn(usize) -> [f32; 3]| {
                     let at = |p: usize| plus(tissue.points[p].rest, moved(p));
@@ -227,16 +235,16 @@ fn what_is_grown_together_keeps_its_distance() {
 fn a_fibre_keeps_its_origin_and_the_proportions_of_its_segments() {
     for seed in 0..MOUTHS {
         let tissue = mouth(seed);
-        let mut muscles = Muscles::new(&tissue);
+        let mut muscles = muscles(&tissue);
         for i in 0..FACES {
             let controls = face(seed, i);
-            muscles.contract(&tissue, &controls);
+            contract(&mut muscles, &tissue, &controls);
             for fibre in tissue.fibres.iter().filter(|f| f.course == Course::Linear) {
                 let points = points_of(&tissue, fibre);
                 let moved = &muscles.moved[range_of(fibre)];
                 assert!(distance(moved[0], [0.0; 3]) < ROUNDED_M);
                 // Without the bulge, which is along +z here and 0 at both ends.
-                let (_, bulges) = fibre.muscle.mechanics();
+                let (_, bulges) = Anatomy::SHIPPED.mechanics(fibre.muscle);
                 let most = bulges.abs() + THICK_MM * 1e-3;
                 let at = |k: usize| plus(points[k].rest, moved[k]);
                 let pieces: Vec<[f32; 2]> = (1..points.len())
@@ -341,49 +349,4 @@ fn a_bowed_fibre_straightens_before_it_stretches() {
             assert!((longer - (0.06 + pulled) / length).abs() < 0.01 && now < 1e-4);
         }
     }
-}
-
-/// A table in which a made-up muscle stands in place of the last.
-fn with_a_made_up_muscle() -> String {
-    let table = include_str!("../muscles.tsv").trim_end();
-    let (others, _) = table.rsplit_once('\n').expect("rows");
-    format!("{others}\nWiggler\tpair\tWiggler\t0.5\t2.0\t1:0.5\tmouth:10\tEars\tWiggler\twiggles\n")
-}
-
-#[test]
-fn a_row_is_all_that_a_muscle_needs() {
-    let text = with_a_made_up_muscle();
-    let rows = table::read(&text).expect("a table");
-    let names: Vec<String> = table::each(&rows)
-        .map(|(row, side)| format!("{}{side}", row.name))
-        .collect();
-    let of = |muscle: Muscle| {
-        let (row, _) = table::each(&rows).nth(muscle.index()).expect("a row");
-        (row.shortens, row.bulge_mm * 1e-3)
-    };
-    let at = names.iter().position(|n| n == "WigglerRight");
-    let muscle = Muscle::all().nth(at.expect("its name")).expect("its place");
-    let tissue = Tissue {
-        scale: 1.0,
-        points: (0..7u8)
-            .map(|k| FibrePoint {
-                rest: [0.01 * f32::from(k), 0.0, 0.0],
-                outwards: [0.0, 0.0, 1.0],
-                jaw: 0.0,
-            })
-            .collect(),
-        fibres: vec![Fibre {
-            muscle,
-            course: Course::Linear,
-            first: 0,
-            count: 7,
-        }],
-        ..Tissue::default()
-    };
-    let mut muscles = Muscles::with(&tissue, of);
-    let mut controls = FaceControls::default();
-    controls.contraction[at.expect("its name")] = 1.0;
-    muscles.contract(&tissue, &controls);
-    let (end, middle) = (muscles.moved[6], muscles.moved[3]);
-    assert!((end[0] + 0.03).abs() < ROUNDED_M && (middle[2] - 0.002).abs() < ROUNDED_M);
 }

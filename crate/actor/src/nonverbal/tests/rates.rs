@@ -6,7 +6,7 @@ use super::speech::{HOUR_SECS, hour, shipped};
 use super::{distance, is_at_listener, muscle};
 use crate::nonverbal::heard::{Break, Heard, Pause, Question};
 use crate::nonverbal::{HEAD_RAISE_RAD, Manner, NonVerbal, Way};
-use crate::performance::SpokenUtterance;
+use crate::score::SpokenUtterance;
 
 /// What is counted in a plan.
 #[derive(Debug, Default)]

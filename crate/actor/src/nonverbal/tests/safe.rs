@@ -6,7 +6,7 @@ use raconteur_speech::{Phone, Word};
 
 use super::speech::hour;
 use crate::nonverbal::{Manner, NonVerbal, Way};
-use crate::performance::{Accent, SpokenUtterance};
+use crate::score::{Accent, SpokenUtterance};
 
 /// Everything that a plan gives at a time.
 fn all(plan: &NonVerbal, t: f64) -> Vec<f64> {

@@ -6,7 +6,7 @@ use raconteur_base::{noise, ops};
 use raconteur_speech::bundle::{Phrase, Sentence, SentenceKind, code_of_db, code_of_hz};
 use raconteur_speech::{Bundle, Phone, Utterance, Word};
 
-use crate::performance::{Accent, SpokenUtterance};
+use crate::score::{Accent, SpokenUtterance};
 
 /// One hour, seconds.
 pub(crate) const HOUR_SECS: f64 = 3600.0;

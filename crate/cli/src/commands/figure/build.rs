@@ -7,11 +7,11 @@ use std::time::Duration;
 use anyhow::{Result, bail};
 use clap::Args;
 use indicatif::ProgressBar;
-use raconteur_player::body::{generator, write};
+use raconteur_body::write;
 
 use super::params;
 use crate::Outcome;
-use crate::disk::replace;
+use raconteur_voice::files::disk::replace;
 
 /// Generate a figure and write it as glTF binary.
 #[derive(Args)]
@@ -36,7 +36,7 @@ impl Build {
         };
         let bar = ProgressBar::new_spinner().with_message(format!("building {}", params.name));
         bar.enable_steady_tick(Duration::from_millis(120));
-        let built = generator::build(&params);
+        let built = raconteur_sculpt::build(&params);
         let figure = &built.figure;
         let glb = write::to_annotated_glb(figure, &built.annotations);
         bar.finish_and_clear();

@@ -5,16 +5,16 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context as _, Result, bail};
 use clap::{Args, ValueEnum};
-use raconteur_player::base::DAffine3;
-use raconteur_player::body::generator::{self, bones};
-use raconteur_player::body::{Figure, write};
+use raconteur_base::DAffine3;
+use raconteur_body::{Figure, write};
+use raconteur_sculpt::bones;
 use serde_json::{Value, json};
 
 use super::{obj, params};
 use crate::Outcome;
-use crate::disk::replace;
 use crate::sheet::PoseName;
 use crate::story::find_figure;
+use raconteur_voice::files::disk::replace;
 
 /// Write a figure for other programs, as glTF binary or Wavefront OBJ.
 #[derive(Args)]
@@ -51,7 +51,11 @@ impl Layer {
             Self::All => bones::Layer::All,
         };
         let params = params::preset(name)?;
-        Ok(bones::layered(&params, &generator::build(&params), layer))
+        Ok(bones::layered(
+            &params,
+            &raconteur_sculpt::build(&params),
+            layer,
+        ))
     }
 }
 

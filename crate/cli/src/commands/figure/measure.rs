@@ -5,15 +5,17 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context as _, Result, bail};
 use clap::Args;
-use raconteur_player::body::annotation::{Annotations, annotations};
-use raconteur_player::body::generator::measure::{Reading, readings};
-use raconteur_player::body::generator::physique::body_readings;
-use raconteur_player::body::generator::yardstick::{Deviation, Yardstick, deviation};
-use raconteur_player::body::generator::{self, Built, FigureParams, people};
-use raconteur_player::body::{Figure, read::read_figure};
+use raconteur_body::annotation::{Annotations, annotations};
+use raconteur_body::{Figure, read::read_figure};
+use raconteur_sculpt::measure::{Reading, readings};
+use raconteur_sculpt::physique::body_readings;
+use raconteur_sculpt::yardstick::{Deviation, Yardstick, deviation};
+use raconteur_sculpt::{Built, FigureParams, people};
 use serde_json::json;
 
-use crate::{Format, Outcome, input};
+use raconteur_voice::files::input;
+
+use crate::{Format, Outcome};
 
 /// The largest figure, and the largest table of measures, that is read, bytes.
 const LARGEST_FIGURE: u64 = 512 << 20;
@@ -47,7 +49,7 @@ impl Measure {
             annotations: names,
         } = &built;
         let mut person = params.as_ref().map_or(
-            generator::Person {
+            raconteur_sculpt::Person {
                 sex: 0.5,
                 age_years: 30.0,
                 stature_m: figure.skeleton.stature_m(),
@@ -88,7 +90,7 @@ impl Measure {
     /// The figure with its names, and its parameters where it is one of the named.
     fn load(&self) -> Result<(Built, Option<FigureParams>)> {
         if let Some(params) = people::preset(&self.figure) {
-            let built = generator::build(&params);
+            let built = raconteur_sculpt::build(&params);
             return Ok((built, Some(params)));
         }
         let path = Path::new(&self.figure);
@@ -121,7 +123,7 @@ fn round(x: f64) -> f64 {
 
 fn print_json(
     figure: &str,
-    person: generator::Person,
+    person: raconteur_sculpt::Person,
     all: &[Reading],
     against: Option<Deviation>,
 ) -> Result<()> {

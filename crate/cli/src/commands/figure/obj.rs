@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use raconteur_player::body::{Figure, MaterialKind, Mesh};
+use raconteur_body::{Figure, MaterialKind, Mesh};
 
 use crate::sheet::Posed;
 use crate::skinning::{Skinned, skin, world_from_bind};

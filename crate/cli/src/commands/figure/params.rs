@@ -5,10 +5,12 @@ use std::path::Path;
 
 use anyhow::{Context as _, Result, bail};
 use clap::Args;
-use raconteur_player::body::generator::people::{self, FigureParams};
+use raconteur_sculpt::people::{self, FigureParams};
 use serde_json::Value;
 
-use crate::{Outcome, input};
+use raconteur_voice::files::input;
+
+use crate::Outcome;
 
 /// Print the description of a figure of the library, as JSON.
 #[derive(Args)]

@@ -9,8 +9,8 @@ use raconteur_render::RenderOptions;
 use raconteur_render::headless::Headless;
 
 use crate::Outcome;
-use crate::commands::render::write_png;
 use crate::picture;
+use crate::picture::write_png;
 use crate::sheet::{self, Part};
 use crate::story::find_figure;
 

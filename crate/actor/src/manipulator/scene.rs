@@ -1,0 +1,17 @@
+//! The figure as it is without manipulators, at any time.
+
+use raconteur_body::{Pose, Skeleton};
+
+/// What commands are resolved with.
+pub(super) struct Scene<'a> {
+    pub(super) skeleton: &'a Skeleton,
+    pub(super) idle: &'a dyn Fn(f64, &mut Pose),
+}
+
+impl Scene<'_> {
+    pub(super) fn idle(&self, time_secs: f64) -> Pose {
+        let mut pose = Pose::zero();
+        (self.idle)(time_secs, &mut pose);
+        pose
+    }
+}

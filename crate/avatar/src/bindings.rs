@@ -1,0 +1,75 @@
+//! What a page calls. The wasm file is apart from the player's: most pages never load it.
+
+use serde::Serialize;
+use serde_wasm_bindgen::Serializer;
+use wasm_bindgen::prelude::*;
+
+/// An avatar as a figure file; `Converted` in `web/element/avatar.ts`.
+#[derive(Serialize)]
+struct Converted {
+    glb: Bytes,
+    diagnostics: Vec<Diagnostic>,
+}
+
+/// What of an avatar could not be kept; `Diagnostic` in `web/element/types.ts`.
+#[derive(Serialize)]
+struct Diagnostic {
+    code: &'static str,
+    severity: &'static str,
+    message: String,
+    hints: Vec<&'static str>,
+}
+
+/// Bytes that become a `Uint8Array`.
+struct Bytes(Vec<u8>);
+
+impl Serialize for Bytes {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_bytes(&self.0)
+    }
+}
+
+/// The text of a clip that an animation of a glTF, GLB or VRM file makes: the one of this name,
+/// or the first for an empty name. The exception's message names the fault.
+#[wasm_bindgen(js_name = convertAnimation)]
+pub fn convert_animation(name: &str, bytes: &[u8]) -> Result<String, JsError> {
+    Ok(crate::convert_animation(name, bytes)?)
+}
+
+/// Turns a glTF, GLB or VRM file into a figure that `Player.load` takes; one of ours stays as
+/// it is. `name` names the figure. The exception's message names the fault.
+#[wasm_bindgen]
+pub fn convert(name: &str, bytes: &[u8]) -> Result<JsValue, JsError> {
+    let (glb, diagnostics) = crate::convert(name, bytes)?;
+    let converted = Converted {
+        glb: Bytes(glb),
+        diagnostics: diagnostics
+            .into_iter()
+            .map(|d| Diagnostic {
+                code: d.code,
+                severity: "warning",
+                message: d.message,
+                hints: if d.hint.is_empty() {
+                    Vec::new()
+                } else {
+                    vec![d.hint]
+                },
+            })
+            .collect(),
+    };
+    Ok(converted.serialize(&Serializer::new())?)
+}
+
+/// Runs when an instance is made.
+#[wasm_bindgen(start)]
+pub fn start() {
+    raconteur_base::panic::keep_messages();
+}
+
+/// What the panic said that ended this instance, and where in the source; none where it was
+/// another trap.
+#[wasm_bindgen(js_name = panicMessage)]
+#[must_use]
+pub fn panic_message() -> Option<String> {
+    raconteur_base::panic::last_message()
+}

@@ -1,0 +1,259 @@
+//! From a file's bytes to one JSON tree with one buffer.
+//!
+//! Binary files have one buffer; text files may spread data over several, each a data
+//! address. Joining them here lets everything after know one kind of file.
+
+use std::borrow::Cow;
+
+use serde_json::{Value, json};
+
+use super::error::ImportError;
+use raconteur_body::read::ReadError;
+use raconteur_body::read::document::{self, Document};
+
+/// The largest file that is taken apart, bytes. Avatars have some 1 to 50 MB.
+const MOST_BYTES: usize = 256 << 20;
+
+/// Compressions that are not read, with what to do.
+const COMPRESSIONS: [(&str, &str); 3] = [
+    (
+        "KHR_draco_mesh_compression",
+        "export it again without Draco compression (`gltf-transform copy` undoes it)",
+    ),
+    (
+        "EXT_meshopt_compression",
+        "export it again without meshopt compression (`gltf-transform copy` undoes it)",
+    ),
+    (
+        "KHR_texture_basisu",
+        "export its pictures as PNG or JPEG instead of KTX2",
+    ),
+];
+
+/// Extensions that may be required: understood, or without meaning for a figure.
+fn is_understood(extension: &str) -> bool {
+    matches!(
+        extension,
+        "KHR_mesh_quantization"
+            | "KHR_texture_transform"
+            | "KHR_lights_punctual"
+            | "KHR_xmp_json_ld"
+            | "EXT_texture_webp"
+            | "VRM"
+            | "VRMC_vrm"
+    ) || extension.starts_with("KHR_materials_")
+        || extension.starts_with("VRMC_")
+}
+
+/// A document whose views all lie in one buffer.
+pub(super) struct Container<'a> {
+    pub(super) root: Value,
+    pub(super) bin: Cow<'a, [u8]>,
+}
+
+impl<'a> Container<'a> {
+    /// The document of the edited JSON.
+    pub(super) fn document(&self) -> Result<Document<'_>, ReadError> {
+        Document::of(&self.root, &self.bin)
+    }
+
+    pub(super) fn open(bytes: &'a [u8]) -> Result<Self, ImportError> {
+        if bytes.len() > MOST_BYTES {
+            return Err(ReadError::TooLarge.into());
+        }
+        let (json, bin) = if bytes.starts_with(b"glTF") {
+            document::chunks(bytes)?
+        } else {
+            (text_of(bytes)?, &[][..])
+        };
+        let root = serde_json::from_slice(json).map_err(|e| ReadError::NotGlb(e.to_string()))?;
+        let mut container = Self {
+            root,
+            bin: Cow::Borrowed(bin),
+        };
+        container.refuse_compression()?;
+        container.join_buffers(bin)?;
+        container.join_images()?;
+        Ok(container)
+    }
+
+    fn refuse_compression(&self) -> Result<(), ImportError> {
+        let named = |key: &str| -> Vec<&str> {
+            let list = self.root[key].as_array().map_or(&[][..], Vec::as_slice);
+            list.iter().filter_map(Value::as_str).collect()
+        };
+        for extension in named("extensionsRequired") {
+            if let Some((extension, hint)) = COMPRESSIONS.into_iter().find(|c| c.0 == extension) {
+                return Err(ImportError::Compressed { extension, hint });
+            }
+            if !is_understood(extension) {
+                return Err(ReadError::Extension(extension.chars().take(80).collect()).into());
+            }
+        }
+        Ok(())
+    }
+
+    fn join_buffers(&mut self, bin: &[u8]) -> Result<(), ImportError> {
+        let mut bases: Vec<(u64, u64)> = Vec::new();
+        let mut joined: Option<Vec<u8>> = None;
+        let buffers = self.root["buffers"]
+            .as_array()
+            .map_or(&[][..], Vec::as_slice);
+        for (i, buffer) in buffers.iter().enumerate() {
+            let claimed = buffer["byteLength"].as_u64().unwrap_or(0);
+            let truncated = ReadError::Truncated { what: "a buffer" };
+            let base = match buffer["uri"].as_str() {
+                Some(uri) => {
+                    let data = decode_uri(uri, "buffer")?;
+                    if claimed > data.len() as u64 {
+                        return Err(truncated.into());
+                    }
+                    let all = joined.get_or_insert_with(|| bin.to_vec());
+                    all.resize(all.len().next_multiple_of(4), 0);
+                    let base = all.len() as u64;
+                    all.extend_from_slice(&data);
+                    base
+                }
+                None if i == 0 && claimed <= bin.len() as u64 => 0,
+                None => return Err(truncated.into()),
+            };
+            bases.push((base, claimed));
+        }
+        if let Some(joined) = joined {
+            self.bin = Cow::Owned(joined);
+        }
+        let views = self.root["bufferViews"].as_array_mut();
+        for view in views.into_iter().flatten() {
+            let what = "a view";
+            let slot = view["buffer"]
+                .as_u64()
+                .and_then(|i| usize::try_from(i).ok());
+            let (base, length) = *slot
+                .and_then(|i| bases.get(i))
+                .ok_or(ReadError::OutOfRange { what })?;
+            let from = view["byteOffset"].as_u64().unwrap_or(0);
+            let end = from.checked_add(view["byteLength"].as_u64().unwrap_or(0));
+            if end.is_none_or(|end| end > length) {
+                return Err(ReadError::Truncated { what }.into());
+            }
+            view["buffer"] = json!(0);
+            view["byteOffset"] = json!(base + from);
+        }
+        Ok(())
+    }
+
+    /// Gives pictures in data addresses a view of their own.
+    fn join_images(&mut self) -> Result<(), ImportError> {
+        let mut images = self.root["images"].take();
+        for image in images.as_array_mut().into_iter().flatten() {
+            let Some(uri) = image["uri"].as_str().map(str::to_owned) else {
+                continue;
+            };
+            let data = decode_uri(&uri, "picture")?;
+            if !image["mimeType"].is_string() {
+                let mime = uri[5..].split([';', ',']).next().unwrap_or_default();
+                image["mimeType"] = json!(mime);
+            }
+            let bin = self.bin.to_mut();
+            bin.resize(bin.len().next_multiple_of(4), 0);
+            let view = json!({ "buffer": 0, "byteOffset": bin.len(), "byteLength": data.len() });
+            bin.extend_from_slice(&data);
+            if !self.root["bufferViews"].is_array() {
+                self.root["bufferViews"] = json!([]);
+            }
+            if let Some(views) = self.root["bufferViews"].as_array_mut() {
+                image["bufferView"] = json!(views.len());
+                views.push(view);
+            }
+        }
+        if !images.is_null() {
+            self.root["images"] = images;
+        }
+        Ok(())
+    }
+}
+
+/// The JSON of a text file.
+fn text_of(bytes: &[u8]) -> Result<&[u8], ImportError> {
+    let text = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
+    let first = text.iter().find(|b| !b.is_ascii_whitespace());
+    if first == Some(&b'{') {
+        return Ok(text);
+    }
+    Err(ImportError::NotGltf(if bytes.is_empty() {
+        "it is empty"
+    } else if bytes.starts_with(b"Kaydara FBX") {
+        "it is FBX; export it as .glb, for example from Blender"
+    } else if bytes.starts_with(b"PK") {
+        "it is a zip archive; unpack it first"
+    } else if bytes.starts_with(b"BLENDER") {
+        "it is a Blender file; export it as .glb"
+    } else {
+        "it does not begin as one"
+    }))
+}
+
+fn decode_uri(uri: &str, what: &'static str) -> Result<Vec<u8>, ImportError> {
+    let Some(data) = uri.strip_prefix("data:") else {
+        return Err(ImportError::ExternalFile {
+            what,
+            uri: uri.chars().take(80).collect(),
+        });
+    };
+    let coded = data
+        .split_once(',')
+        .filter(|(kind, _)| kind.ends_with(";base64"))
+        .ok_or(ImportError::DataUri { what })?
+        .1;
+    base64(coded.as_bytes()).ok_or(ImportError::DataUri { what })
+}
+
+/// RFC 4648, section 4; padding may be left out, nothing else may stand between.
+fn base64(text: &[u8]) -> Option<Vec<u8>> {
+    let text = text.strip_suffix(b"=").unwrap_or(text);
+    let text = text.strip_suffix(b"=").unwrap_or(text);
+    if text.len() % 4 == 1 {
+        return None;
+    }
+    let mut out = Vec::with_capacity(text.len() / 4 * 3 + 2);
+    for group in text.chunks(4) {
+        let mut word = 0u32;
+        for (i, &c) in group.iter().enumerate() {
+            let digit = match c {
+                b'A'..=b'Z' => c - b'A',
+                b'a'..=b'z' => c - b'a' + 26,
+                b'0'..=b'9' => c - b'0' + 52,
+                b'+' => 62,
+                b'/' => 63,
+                _ => return None,
+            };
+            word |= u32::from(digit) << (18 - 6 * i);
+        }
+        let bytes = word.to_be_bytes();
+        out.extend_from_slice(&bytes[1..group.len()]);
+    }
+    Some(out)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn base64_of_the_rfc() {
+        let decoded = |s: &str| base64(s.as_bytes());
+        for (coded, plain) in [
+            ("", ""),
+            ("Zg==", "f"),
+            ("Zm8=", "fo"),
+            ("Zm9v", "foo"),
+            ("Zm9vYg==", "foob"),
+            ("Zm9vYmE=", "fooba"),
+            ("Zm9vYmFy", "foobar"),
+        ] {
+            assert_eq!(decoded(coded), Some(plain.as_bytes().to_vec()));
+        }
+        assert_eq!(decoded("Z"), None);
+        assert_eq!(decoded("Zm9*"), None);
+    }
+}

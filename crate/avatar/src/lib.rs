@@ -1,0 +1,169 @@
+//! Takes other people's avatars: any humanoid glTF, GLB or VRM becomes a [`Figure`].
+//!
+//! Does: find the bones by VRM's table or by their names, stand the figure as ours stand,
+//! find how its rest pose differs from our zero pose, bind its skin to our joints, and make
+//! the face's channels from its morph targets. What cannot be kept is a [`Diagnostic`], what
+//! cannot be used an [`ImportError`]; no file makes it panic or take memory without bound.
+//! [`convert_animation`] makes clips of a file's animations.
+//! Does not: keep spring bones, cameras or lights; decode pictures.
+//!
+//! A page loads this apart from the player and hands the player what [`convert`] makes.
+
+mod align;
+mod animation;
+mod bind;
+#[cfg(target_arch = "wasm32")]
+pub mod bindings;
+mod container;
+mod error;
+mod face;
+mod frames;
+mod geometry;
+mod humanoid;
+mod material;
+mod names;
+mod unposed;
+
+use raconteur_base::{DVec3, Side};
+
+pub use animation::convert_animation;
+use error::Notes;
+pub use error::{Diagnostic, ImportError};
+use raconteur_body::figure::Figure;
+use raconteur_body::read::accessor::Source;
+use raconteur_body::read::{ReadError, read_figure, solve_nodes};
+use raconteur_body::skeleton::Bone;
+use raconteur_body::write::to_glb;
+
+/// Numbers that a file may make us read; several views may show one stretch of bytes.
+const MOST_NUMBERS: usize = 1 << 25;
+
+/// A figure and what of the file is not in it.
+#[derive(Debug)]
+pub struct Imported {
+    /// The figure.
+    pub figure: Figure,
+    /// What degraded; empty for our own figures.
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+/// Reads a figure of any origin: our own as they are, others through [`import_figure`].
+///
+/// # Errors
+/// An [`ImportError`] that names the fault.
+pub fn open_figure(name: &str, bytes: &[u8]) -> Result<Imported, ImportError> {
+    match read_figure(name, bytes) {
+        Ok(figure) => Ok(Imported {
+            figure,
+            diagnostics: Vec::new(),
+        }),
+        // What our reader does not know may still be an avatar.
+        Err(ReadError::NotGlb(_) | ReadError::Extension(_) | ReadError::NoSkeleton { .. }) => {
+            import_figure(name, bytes)
+        }
+        Err(fault) => Err(fault.into()),
+    }
+}
+
+/// Turns any humanoid glTF, GLB or VRM into a figure.
+///
+/// # Errors
+/// An [`ImportError`] that names the fault.
+pub fn import_figure(name: &str, bytes: &[u8]) -> Result<Imported, ImportError> {
+    let container = container::Container::open(bytes)?;
+    let json = &container.root;
+    let root = container.document()?;
+    let mut notes = Notes::default();
+    let world = solve_nodes(&root)?;
+    if world.iter().any(|w| !w.is_finite()) {
+        return Err(ReadError::NotFinite {
+            what: "a node's placement",
+        }
+        .into());
+    }
+    let mut tree = humanoid::Tree::new(&root, world);
+    let mut humanoid = humanoid::Humanoid::find(json, &tree, &mut notes)?;
+    let mut source = Source::with_budget(&root, MOST_NUMBERS);
+    // VRM promises that its nodes stand in a T.
+    if !humanoid::has_vrm_table(json)
+        && let Some(world) = unposed::world(&tree, &humanoid, &mut source)?
+    {
+        tree.world = world;
+    }
+    let stance = align::Stance::find(&tree, &mut humanoid, &mut notes)?;
+
+    let has_jaw = humanoid.get(Bone::Chin).is_some();
+    let has_eyes = humanoid.eyes.iter().all(Option::is_some);
+    let face = face::Face::find(json, &root, has_jaw, has_eyes, &mut notes);
+    let pictures = material::Pictures::read(json, &mut source, &mut notes)?;
+    let reader = geometry::Reader::new(json, &tree, &mut source, &pictures, &face, &mut notes);
+    let geometries = reader.read()?;
+
+    let points = || {
+        geometries
+            .iter()
+            .flat_map(|g| &g.positions)
+            .map(|p| stance.turn * *p)
+    };
+    let low = points().fold(DVec3::MAX, DVec3::min);
+    let high = points().fold(DVec3::MIN, DVec3::max);
+    let alignment = stance.align(&tree, &humanoid, low, high, &mut notes)?;
+    let rest = frames::rest(&tree, &humanoid, &alignment);
+    let binding = bind::Binding::new(&tree, &humanoid, &rest, !face.opens_by_morph);
+    let mut morph_names: Vec<String> = geometries
+        .iter()
+        .flat_map(|g| &g.shapes)
+        .map(|s| s.name.to_owned())
+        .collect();
+    morph_names.sort();
+    morph_names.dedup();
+    let mut meshes: Vec<_> = geometries
+        .into_iter()
+        .map(|g| binding.mesh(g, &alignment, &morph_names))
+        .collect();
+    let images = pictures.keep_used(meshes.iter_mut().map(|m| &mut m.material));
+    report_lost(json, &mut notes);
+    Ok(Imported {
+        figure: Figure {
+            name: name.to_owned(),
+            skeleton: rest.skeleton,
+            inverse_bind: rest.inverse_bind,
+            meshes,
+            morph_names,
+            // Foreign lids are moved by morph targets.
+            lid_closure_rad: [0.0; 2],
+            sex: None,
+            dominant_hand: Side::Right,
+            tissue: None,
+            images,
+        },
+        diagnostics: notes.into_list(),
+    })
+}
+
+/// Turns an avatar into a figure file that `read_figure` takes.
+///
+/// # Errors
+/// An [`ImportError`] that names the fault.
+pub fn convert(name: &str, bytes: &[u8]) -> Result<(Vec<u8>, Vec<Diagnostic>), ImportError> {
+    let imported = open_figure(name, bytes)?;
+    Ok((to_glb(&imported.figure), imported.diagnostics))
+}
+
+/// Says what the file has and a figure does not.
+fn report_lost(json: &serde_json::Value, notes: &mut Notes) {
+    let vrm = &json["extensions"];
+    let springs = vrm["VRMC_springBone"]["springs"]
+        .as_array()
+        .is_some_and(|l| !l.is_empty())
+        || vrm["VRM"]["secondaryAnimation"]["boneGroups"]
+            .as_array()
+            .is_some_and(|l| !l.is_empty());
+    if springs {
+        notes.add(
+            "springs-stiff",
+            "hair and cloth that would swing are stiff",
+            "",
+        );
+    }
+}

@@ -1,0 +1,370 @@
+//! Which bone a foreign name means.
+//!
+//! One grammar serves VRM's humanoid names, Mixamo, Ready Player Me, Blender's rigs, Biped,
+//! Unreal, Daz and their like: a name is cut into words, words that say nothing and the
+//! word of the side are taken out, and what is left is looked up.
+
+use raconteur_base::Side;
+
+use raconteur_body::skeleton::Bone;
+
+/// What a name means.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Slot {
+    /// A bone that has one joint.
+    Bone(Bone),
+    /// One of the joints between hips and neck.
+    Torso,
+    /// A finger's joint: the name of the finger's first bone, and its place in the row.
+    Finger(Bone, u32),
+    /// An eyeball.
+    Eye(Side),
+    /// Some joint of an arm, from the upper arm on.
+    Arm(Side),
+    /// Some joint of a leg, from the hip on.
+    Leg(Side),
+}
+
+/// Words that say nothing about the part.
+const NOISE: [&str; 27] = [
+    "mixamorig",
+    "armature",
+    "skeleton",
+    "character",
+    "j",
+    "c",
+    "b",
+    "bip",
+    "biped",
+    "valve",
+    "def",
+    "org",
+    "cc",
+    "base",
+    "rig",
+    "bone",
+    "jnt",
+    "bind",
+    "skin",
+    "human",
+    "humanoid",
+    "avatar",
+    "sk",
+    "genesis",
+    "root",
+    "jt",
+    "fk",
+];
+
+/// Parts with a side: words without the side, and the bone on the left.
+const SIDED: [(&[&str], Bone); 8] = [
+    (
+        &["shoulder", "clavicle", "collar", "collarbone", "scapula"],
+        Bone::LScapula,
+    ),
+    (
+        &["upperarm", "arm", "uparm", "shldr", "armupper", "shldrbend"],
+        Bone::LShoulder,
+    ),
+    (
+        &[
+            "forearm",
+            "lowerarm",
+            "elbow",
+            "lowarm",
+            "armlower",
+            "forearmbend",
+        ],
+        Bone::LElbow,
+    ),
+    (&["hand", "wrist"], Bone::LWrist),
+    (
+        &["upleg", "upperleg", "thigh", "hip", "legupper", "thighbend"],
+        Bone::LHip,
+    ),
+    (
+        &[
+            "leg", "lowerleg", "calf", "shin", "knee", "lowleg", "leglower",
+        ],
+        Bone::LKnee,
+    ),
+    (&["foot", "ankle"], Bone::LSubtalar),
+    (&["toe", "toes", "ball"], Bone::LMetatarsal),
+];
+
+/// Fingers by their words, with their first bone on the left.
+const FINGERS: [(&[&str], Bone); 5] = [
+    (&["thumb"], Bone::LThumb0),
+    (&["index", "pointer"], Bone::LIndex0),
+    (&["middle", "mid"], Bone::LMiddle0),
+    (&["ring"], Bone::LRing0),
+    (&["pinky", "pinkie", "little"], Bone::LPinky0),
+];
+
+fn on(side: Side, left: Bone) -> Bone {
+    if side == Side::Left {
+        left
+    } else {
+        left.mirrored()
+    }
+}
+
+/// Lower-case words of a name: cut at signs, between letters and digits, and where a
+/// capital begins a word.
+fn words(name: &str) -> Vec<String> {
+    let own = name.rsplit([':', '|']).next().unwrap_or(name);
+    let chars: Vec<char> = own.chars().take(120).collect();
+    let mut words: Vec<String> = vec![String::new()];
+    for (i, &c) in chars.iter().enumerate() {
+        if !c.is_alphanumeric() {
+            words.push(String::new());
+            continue;
+        }
+        let before = i.checked_sub(1).map(|k| chars[k]);
+        let next_is_lower = chars.get(i + 1).is_some_and(|n| n.is_lowercase());
+        let cut = before.is_some_and(|b| {
+            b.is_ascii_digit() != c.is_ascii_digit()
+                || (c.is_uppercase() && (b.is_lowercase() || (b.is_uppercase() && next_is_lower)))
+        });
+        if cut {
+            words.push(String::new());
+        }
+        if let Some(word) = words.last_mut() {
+            word.extend(c.to_lowercase());
+        }
+    }
+    words.retain(|w| !w.is_empty());
+    words
+}
+
+fn side_of(word: &str) -> Option<Side> {
+    match word {
+        "l" | "left" | "lft" | "lf" => Some(Side::Left),
+        "r" | "right" | "rgt" | "rt" => Some(Side::Right),
+        _ => None,
+    }
+}
+
+/// A name without noise and side.
+struct Parsed {
+    side: Option<Side>,
+    /// Words joined, the last number taken off.
+    stem: String,
+    /// That number's digits.
+    digits: Option<String>,
+}
+
+fn is_number(word: &str) -> bool {
+    word.bytes().all(|b| b.is_ascii_digit())
+}
+
+/// Takes side and noise out of a name's words.
+fn bare(mut words: Vec<String>) -> (Option<Side>, Vec<String>) {
+    // A biped's number belongs to its name: "Bip001".
+    if let Some(i) = words
+        .windows(2)
+        .position(|w| matches!(w[0].as_str(), "bip" | "biped") && is_number(&w[1]))
+    {
+        words.remove(i + 1);
+    }
+    // "Leftarm" in one word.
+    for (prefix, letter) in [("left", "l"), ("right", "r")] {
+        if let Some(w) = words
+            .iter_mut()
+            .find(|w| w.len() > prefix.len() && w.starts_with(prefix))
+        {
+            *w = w[prefix.len()..].to_owned();
+            words.insert(0, letter.to_owned());
+        }
+    }
+    let side_at = words.iter().position(|w| side_of(w).is_some());
+    let side = side_at.and_then(|i| side_of(&words.remove(i)));
+    words.retain(|w| !NOISE.contains(&w.as_str()));
+    (side, words)
+}
+
+fn parsed(side: Option<Side>, words: &[String]) -> Parsed {
+    let (digits, stem) = match words.split_last() {
+        Some((last, stem)) if is_number(last) => (Some(last.clone()), stem),
+        _ => (None, words),
+    };
+    Parsed {
+        side,
+        stem: stem.concat(),
+        digits,
+    }
+}
+
+fn finger(side: Side, stem: &str, digits: Option<&str>) -> Option<Slot> {
+    let number = digits.and_then(|d| d.parse::<u32>().ok());
+    // Biped counts fingers from the thumb and joints after it: Finger0, Finger01, Finger02.
+    if stem == "finger" {
+        let d = digits?.as_bytes();
+        let (which, joint) = match d {
+            [f] => (f - b'0', 0),
+            [f, j] => (f - b'0', u32::from(j - b'0')),
+            _ => return None,
+        };
+        let (_, first) = FINGERS.get(usize::from(which))?;
+        return Some(Slot::Finger(on(side, *first), joint));
+    }
+    let (rest, first) = FINGERS.iter().find_map(|(names, first)| {
+        let name = names.iter().find(|n| stem.contains(**n))?;
+        Some((stem.replacen(name, "", 1), *first))
+    })?;
+    let rest = rest.replace("hand", "").replace("finger", "");
+    let order = match (rest.as_str(), number) {
+        ("" | "f", n) => n.unwrap_or(0),
+        // The palm's own bones carry no finger, but the thumb's is its first joint.
+        ("metacarpal", _) if first == Bone::LThumb0 => 0,
+        ("proximal", _) => 1,
+        ("intermediate" | "middle" | "medial", _) => 2,
+        ("distal", _) => 3,
+        _ => return None,
+    };
+    // Larger numbers are a list's, not a finger's.
+    (order <= 4).then_some(Slot::Finger(on(side, first), order))
+}
+
+/// Limbs whose joints are only numbered, as in Khronos' sample figures, whose numbers run up
+/// or down: the tree tells their order.
+fn numbered(p: &Parsed) -> Option<Slot> {
+    match (p.side, p.stem.as_str(), p.digits.as_deref()) {
+        (Some(side), "armjoint", _) => Some(Slot::Arm(side)),
+        (Some(side), "legjoint", _) => Some(Slot::Leg(side)),
+        (None, "torsojoint", Some("1")) => Some(Slot::Bone(Bone::Sacroiliac)),
+        (None, "neckjoint", Some("1")) => Some(Slot::Bone(Bone::Cervical)),
+        (None, "neckjoint", Some("2")) => Some(Slot::Bone(Bone::Skull)),
+        _ => None,
+    }
+}
+
+fn part(p: &Parsed) -> Option<Slot> {
+    let stem = p.stem.as_str();
+    let digits = p.digits.as_deref();
+    if let Some(side) = p.side {
+        if let Some(slot) = finger(side, stem, digits) {
+            return Some(slot);
+        }
+        if digits.is_some() {
+            return None;
+        }
+        if matches!(stem, "eye" | "eyeball") {
+            return Some(Slot::Eye(side));
+        }
+        return SIDED
+            .iter()
+            .find(|(names, _)| names.contains(&stem))
+            .map(|(_, bone)| Slot::Bone(on(side, *bone)));
+    }
+    match (stem, digits) {
+        ("hips" | "hip" | "pelvis", None) => Some(Slot::Bone(Bone::Sacroiliac)),
+        ("spine" | "chest", _) | ("upperchest" | "abdomen" | "torso", None) => Some(Slot::Torso),
+        ("neck", None) => Some(Slot::Bone(Bone::Cervical)),
+        ("head", None) => Some(Slot::Bone(Bone::Skull)),
+        ("jaw" | "lowerjaw" | "chin", None) => Some(Slot::Bone(Bone::Chin)),
+        _ => None,
+    }
+}
+
+/// What a name means, and how far it had to be bent for that: less is better.
+pub(super) fn slot_of(name: &str) -> Option<(Slot, u8)> {
+    let (side, mut words) = bare(words(name));
+    let whole = parsed(side, &words);
+    if let Some(slot) = part(&whole) {
+        return Some((slot, 0));
+    }
+    if let Some(slot) = numbered(&whole) {
+        return Some((slot, 1));
+    }
+    // Some sites number every node: "LeftHand_011".
+    if whole.digits.is_some() {
+        words.pop();
+    }
+    words.retain(|w| w != "joint");
+    part(&parsed(side, &words)).map(|slot| (slot, 2))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_usual_rigs_are_understood() {
+        for (name, bone) in [
+            ("mixamorig:Hips", Bone::Sacroiliac),
+            ("mixamorigLeftForeArm", Bone::LElbow),
+            ("mixamorig:RightUpLeg", Bone::RHip),
+            ("LeftArm", Bone::LShoulder),
+            ("LeftShoulder", Bone::LScapula),
+            ("RightLeg", Bone::RKnee),
+            ("LeftToeBase", Bone::LMetatarsal),
+            ("leftUpperArm", Bone::LShoulder),
+            ("rightLowerLeg", Bone::RKnee),
+            ("J_Bip_L_UpperArm", Bone::LShoulder),
+            ("J_Bip_C_Head", Bone::Skull),
+            ("Bip01 L UpperArm", Bone::LShoulder),
+            ("Bip001 R Calf", Bone::RKnee),
+            ("Bip01 Pelvis", Bone::Sacroiliac),
+            ("upper_arm.L", Bone::LShoulder),
+            ("DEF-shin.R", Bone::RKnee),
+            ("clavicle_l", Bone::LScapula),
+            ("lShldr", Bone::LShoulder),
+            ("CC_Base_L_Upperarm", Bone::LShoulder),
+            ("ValveBiped.Bip01_R_Hand", Bone::RWrist),
+            ("b_LeftHand_011", Bone::LWrist),
+            ("upperarm01.L", Bone::LShoulder),
+            ("neck_01", Bone::Cervical),
+            ("Skeleton_torso_joint_1", Bone::Sacroiliac),
+            ("Skeleton_neck_joint_2", Bone::Skull),
+        ] {
+            let slot = slot_of(name).map(|s| s.0);
+            assert_eq!(slot, Some(Slot::Bone(bone)), "{name}");
+        }
+        for (name, bone, order) in [
+            ("mixamorig:LeftHandIndex1", Bone::LIndex0, 1),
+            ("RightHandThumb3", Bone::RThumb0, 3),
+            ("leftThumbMetacarpal", Bone::LThumb0, 0),
+            ("rightLittleIntermediate", Bone::RPinky0, 2),
+            ("J_Bip_R_Little3", Bone::RPinky0, 3),
+            ("Bip01 L Finger0", Bone::LThumb0, 0),
+            ("Bip01 L Finger12", Bone::LIndex0, 2),
+            ("f_ring.02.R", Bone::RRing0, 2),
+            ("thumb_01_l", Bone::LThumb0, 1),
+            ("lMid2", Bone::LMiddle0, 2),
+            ("Index.L", Bone::LIndex0, 0),
+        ] {
+            let slot = slot_of(name).map(|s| s.0);
+            assert_eq!(slot, Some(Slot::Finger(bone, order)), "{name}");
+        }
+        assert_eq!(slot_of("LeftEye").map(|s| s.0), Some(Slot::Eye(Side::Left)));
+        for (name, slot) in [
+            ("Skeleton_arm_joint_L__4_", Slot::Arm(Side::Left)),
+            ("Skeleton_arm_joint_R", Slot::Arm(Side::Right)),
+            ("leg_joint_R_3", Slot::Leg(Side::Right)),
+        ] {
+            assert_eq!(slot_of(name).map(|s| s.0), Some(slot), "{name}");
+        }
+        assert_eq!(slot_of("Spine02").map(|s| s.0), Some(Slot::Torso));
+    }
+
+    #[test]
+    fn what_is_no_part_stays_unknown() {
+        for name in [
+            "",
+            "LeftForeArmTwist",
+            "earring.L",
+            "HeadTop_End",
+            "hair_01",
+            "skirt_L_2",
+            "index_metacarpal_l",
+            "Camera",
+            "Ÿ•",
+            "L",
+            "tail3",
+            "thigh_twist_01_l",
+        ] {
+            assert_eq!(slot_of(name), None, "{name}");
+        }
+    }
+}

@@ -1,0 +1,6 @@
+//! The importer of other people's avatars.
+
+mod animated;
+mod hostile;
+mod made;
+mod performs;

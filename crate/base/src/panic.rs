@@ -1,0 +1,52 @@
+//! What a panic says. It ends the instance by a trap that carries no message, so that the message
+//! is kept here, and the page asks for it. For the bindings alone: nothing else has a global.
+
+use std::panic::{PanicHookInfo, set_hook};
+use std::sync::{Mutex, PoisonError};
+
+/// The message of the last panic; empty before the first.
+static MESSAGE: Mutex<String> = Mutex::new(String::new());
+
+/// Keeps the messages of panics from now on, instead of printing them where nobody reads.
+pub fn keep_messages() {
+    set_hook(Box::new(keep));
+}
+
+fn keep(info: &PanicHookInfo<'_>) {
+    let message = info.payload_as_str().unwrap_or("a panic without a message");
+    let place = info.location().map_or_else(String::new, |at| {
+        format!(" ({}:{}:{})", at.file(), at.line(), at.column())
+    });
+    *MESSAGE.lock().unwrap_or_else(PoisonError::into_inner) = format!("{message}{place}");
+}
+
+/// The message of the last panic and where in the source it arose; none before the first.
+#[must_use]
+pub fn last_message() -> Option<String> {
+    let message = MESSAGE.lock().unwrap_or_else(PoisonError::into_inner);
+    (!message.is_empty()).then(|| message.clone())
+}
+
+#[cfg(test)]
+mod tests {
+    use std::panic::{catch_unwind, take_hook};
+
+    use super::*;
+
+    #[test]
+    fn a_panic_is_told_with_its_message_and_its_place() {
+        assert_eq!(last_message(), None);
+        keep_messages();
+        let line = line!() + 2;
+        let list = Vec::<u8>::new();
+        let reached = catch_unwind(|| list[std::hint::black_box(7)]);
+        drop(take_hook());
+        assert!(reached.is_err());
+        let expected = format!(
+            "index out of bounds: the len is 0 but the index is 7 ({}:{line}:",
+            file!()
+        );
+        let told = last_message().unwrap();
+        assert!(told.starts_with(&expected), "{told}");
+    }
+}

@@ -1,0 +1,14 @@
+//! A note.
+
+/// One note at its time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Note {
+    /// Seconds from the start.
+    pub(crate) start_secs: f64,
+    /// How long it is held, seconds.
+    pub(crate) length_secs: f64,
+    /// MIDI number; meaningless for drums.
+    pub(crate) pitch: f64,
+    /// Loudness, 1 for a plain note.
+    pub(crate) velocity: f64,
+}

@@ -1,0 +1,77 @@
+//! From emotions and control parameters of a script to what the actor is asked.
+
+use raconteur_actor::nonverbal::Way;
+use raconteur_actor::parameters::ParameterCommand;
+use raconteur_actor::{EmotionSpan, Manner};
+use raconteur_eml::{Expressions, Performer};
+
+use crate::lower::cues::UtteranceCue;
+use crate::lower::script::Script;
+use crate::lower::{emotions, parameters};
+
+/// What a script asks of what is felt.
+#[derive(Default)]
+pub(crate) struct Felt {
+    /// What is felt.
+    pub(crate) emotions: Vec<EmotionSpan>,
+    /// What control parameters are asked for, by time.
+    pub(crate) parameters: Vec<(f64, ParameterCommand)>,
+    /// The names of the animations of parameters that it needs.
+    pub(crate) clips: Vec<String>,
+    /// How the character does what accompanies speech.
+    pub(crate) character: Option<Performer>,
+}
+
+/// All of a script.
+pub(crate) fn lower(script: &Script, utterances: &[UtteranceCue]) -> Felt {
+    let clips = parameters::wanted(&script.document).into_iter();
+    Felt {
+        emotions: emotions::spans(script, utterances),
+        parameters: parameters::commands(&script.document, &script.timeline),
+        clips: clips.map(|(name, _)| name.to_owned()).collect(),
+        character: script.document.performer.clone(),
+    }
+}
+
+/// How a character accompanies speech: as its script says, and for the rest as `otherwise`.
+pub(crate) fn manner(character: &Performer, otherwise: Manner) -> Manner {
+    Manner {
+        way: match character.expressions {
+            Some(Expressions::Sound) => Way::Audio,
+            Some(Expressions::Text) => Way::Text,
+            None => otherwise.way,
+        },
+        head: character.head.unwrap_or(otherwise.head),
+        brows: character.brows.unwrap_or(otherwise.brows),
+        blinks: character.blinks.unwrap_or(otherwise.blinks),
+        gaze: character.gaze.unwrap_or(otherwise.gaze),
+        ..otherwise
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_character_is_as_its_script_says_and_else_as_whoever_shows_it() {
+        let text = "<eml xmlns:r='urn:raconteur:eml:1'><head><r:performer expressions='text' \
+                    brows='0.5'/></head><body><voice-text time='0'>a</voice-text></body></eml>";
+        let script = Script::read(text, None);
+        let character = lower(&script, &[]).character.expect("a character");
+        let shown = Manner {
+            gaze: 0.25,
+            brows: 2.0,
+            ..Manner::default()
+        };
+        let expected = Manner {
+            way: Way::Text,
+            brows: 0.5,
+            ..shown
+        };
+        assert_eq!(manner(&character, shown), expected);
+        let plain = Script::read(&text.replace("expressions='text'", ""), None);
+        let character = lower(&plain, &[]).character.expect("a character");
+        assert_eq!(manner(&character, shown).way, Way::Audio);
+    }
+}

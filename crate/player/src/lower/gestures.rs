@@ -1,0 +1,501 @@
+//! From gesture-keys of the timeline to strokes of the two arms.
+
+use std::collections::BTreeMap;
+
+use raconteur_actor::gesture::{ArmPlan, Course, Phase as ArmPhase, Space as CourseSpace};
+use raconteur_actor::{GestureStroke, HandKey, Span as TimeSpan, palm};
+use raconteur_base::order::sort_by_number;
+use raconteur_base::profile::Profile as Pace;
+use raconteur_base::{DVec3, Length, Side, mirror_vector};
+use raconteur_body::hand_shape::HandAngles;
+use raconteur_body::{Bone, HandShape, Pose, Skeleton};
+use raconteur_eml::{
+    ClauseKind, Coords, Diagnostic, Document, GestureKey, Handedness, Interpolator, Key, MotionKey,
+    PalmKey, Phase, PreferredHand, Profile, ShapeKey, Space, Span, Timeline, Track,
+};
+
+use raconteur_stage::Room;
+
+use crate::lower::units::Units;
+
+/// Rounds a time to the microsecond, so that keys of different tracks that mean one moment
+/// meet in one key.
+fn moment(offset_secs: f64) -> u64 {
+    (offset_secs.max(0.0) * 1e6).round() as u64
+}
+
+/// Which hand is dominant: for whoever wrote a script, and for who performs it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Hands {
+    /// The hand that common values are written for (GEVH 3.5.1, D.5.4).
+    pub(crate) written_for: Side,
+    /// The performer's.
+    pub(crate) dominant: Side,
+}
+
+impl Hands {
+    /// By the choice of who shows the story, else the story's, else the figure's.
+    pub(crate) fn of(document: &Document, shown: Option<Side>, figure: Side) -> Self {
+        let performer = document.performer.as_ref();
+        let story = performer
+            .and_then(|p| p.handedness)
+            .map(PreferredHand::side);
+        Self {
+            written_for: story.unwrap_or(Side::Right),
+            dominant: shown.or(story).unwrap_or(figure),
+        }
+    }
+
+    /// Whether values of a common track must be mirrored for a hand that takes part.
+    fn mirrors(self, side: Side, handedness: Handedness) -> bool {
+        match handedness {
+            Handedness::Both => side != self.written_for,
+            Handedness::Left | Handedness::Right => false,
+            Handedness::Dominant | Handedness::NonDominant => self.dominant != self.written_for,
+        }
+    }
+}
+
+/// The track that moves this hand: its own, else the common one. True when the common
+/// one's values are meant for the other hand and must be mirrored.
+fn track_for<K>(
+    tracks: &[Track<K>],
+    side: Side,
+    handedness: Handedness,
+    hands: Hands,
+) -> Option<(&Track<K>, bool)> {
+    if let Some(own) = tracks.iter().find(|t| t.hand == Some(side)) {
+        return Some((own, false));
+    }
+    let common = tracks.iter().find(|t| t.hand.is_none())?;
+    Some((common, hands.mirrors(side, handedness)))
+}
+
+fn position(key: &Key<MotionKey>, mirrored: bool, units: &Units) -> DVec3 {
+    let p = match key.value.coords {
+        Coords::Speaker => units.speaker_point(key.value.position),
+        Coords::World => units.world_point(key.value.position),
+    };
+    if mirrored { mirror_vector(p) } else { p }
+}
+
+fn hand_rotation(key: &PalmKey, side: Side, mirrored: bool) -> Option<raconteur_base::DQuat> {
+    let mut normal = Units::axis(key.axis);
+    let mut angle_rad = key.angle_deg.to_radians();
+    if mirrored {
+        normal = mirror_vector(normal);
+        angle_rad = -angle_rad;
+    }
+    palm::hand_rotation(side, normal, angle_rad)
+}
+
+fn hand_shape(key: &ShapeKey) -> Option<HandAngles> {
+    let angles = *HandShape::get(key.id)?.angles();
+    let Some((id, share)) = key.blend else {
+        return Some(angles);
+    };
+    let other = HandShape::get(id)?;
+    Some(angles.lerp(other.angles(), share))
+}
+
+/// The interpolator with its control values, where a profile names one.
+fn pace(profile: &Profile) -> Option<Pace> {
+    let controls = profile.controls.as_deref().unwrap_or_default();
+    Some(match (profile.interpolator?, controls) {
+        (Interpolator::Bezier, &[x1, y1, x2, y2]) => Pace::Bezier([x1, y1, x2, y2]),
+        (Interpolator::Hermite, &[from, to]) => Pace::Hermite([from, to]),
+        (Interpolator::Cosine, _) => Pace::Cosine,
+        _ => Pace::Linear,
+    })
+}
+
+/// How the hand moves to a key: as it says, else as its track says.
+fn course<K>(track: &Track<K>, key: &Key<K>) -> Course {
+    let both = || [&key.profile, &track.profile].into_iter().flatten();
+    let space = both().find_map(|p| p.space).map(|space| match space {
+        Space::Cartesian => CourseSpace::Cartesian,
+        Space::Joint => CourseSpace::Joint,
+    });
+    Course {
+        profile: both().find_map(|p| pace(p)),
+        space,
+    }
+}
+
+/// Whether a phase leads to its last key: then a lone key lies at its end, where other lone
+/// keys lie at the beginning.
+fn leads(gesture: &GestureKey) -> bool {
+    matches!(
+        gesture.phase,
+        Some(Phase::Preparation | Phase::Retraction | Phase::PartialRetraction)
+    )
+}
+
+/// When a key of a gesture is reached, seconds after its beginning.
+fn offset_secs<K>(gesture: &GestureKey, track: &Track<K>, key: &Key<K>) -> f64 {
+    if key.offset_secs <= 0.0 && track.keys.len() == 1 && leads(gesture) {
+        gesture.duration_secs
+    } else {
+        key.offset_secs
+    }
+}
+
+/// One hand's keys of one gesture, merged by time; empty when the gesture says nothing
+/// about this hand.
+fn keys(
+    gesture: &GestureKey,
+    side: Side,
+    start_secs: f64,
+    units: &Units,
+    hands: Hands,
+) -> Vec<HandKey> {
+    let mut by_time: BTreeMap<u64, HandKey> = BTreeMap::new();
+    let mut at = |offset_secs: f64, set: &mut dyn FnMut(&mut HandKey)| {
+        let key = by_time
+            .entry(moment(offset_secs))
+            .or_insert_with(|| HandKey {
+                time_secs: start_secs + offset_secs,
+                ..HandKey::default()
+            });
+        set(key);
+    };
+    if let Some((track, _)) = track_for(&gesture.hand_shapes, side, gesture.handedness, hands) {
+        for key in &track.keys {
+            at(offset_secs(gesture, track, key), &mut |k| {
+                k.shape = hand_shape(&key.value);
+                k.shape_course = course(track, key);
+            });
+        }
+    }
+    if let Some((track, mirrored)) = track_for(&gesture.palms, side, gesture.handedness, hands) {
+        for key in &track.keys {
+            at(offset_secs(gesture, track, key), &mut |k| {
+                k.hand_in_world = hand_rotation(&key.value, side, mirrored);
+                k.hand_course = course(track, key);
+            });
+        }
+    }
+    if let Some((track, mirrored)) = track_for(&gesture.motions, side, gesture.handedness, hands) {
+        for key in &track.keys {
+            let p = position(key, mirrored, units);
+            at(offset_secs(gesture, track, key), &mut |k| {
+                k.wrist_in_world = Some(p);
+                k.stays_in_world = key.value.coords == Coords::World;
+                k.wrist_course = course(track, key);
+            });
+        }
+    }
+    by_time.into_values().collect()
+}
+
+/// When a script turns gestures on or off, by time.
+#[must_use]
+pub(crate) fn switches(document: &Document, timeline: &Timeline) -> Vec<(f64, bool)> {
+    let clauses = timeline.clauses.iter();
+    clauses
+        .filter_map(|timed| match document.clause(timed.clause).kind {
+            ClauseKind::GestureIsOn(is_on) => Some((timed.start_secs, is_on)),
+            _ => None,
+        })
+        .collect()
+}
+
+/// Stretches of time in which gestures are on, from switches by time. They are on until one
+/// turns them off.
+#[must_use]
+pub(crate) fn on_spans(switches: &[(f64, bool)]) -> Vec<TimeSpan> {
+    let mut spans = Vec::new();
+    let mut on_since = Some(0.0);
+    for &(time_secs, is_on) in switches {
+        match (on_since, is_on) {
+            (None, true) => on_since = Some(time_secs),
+            (Some(start_secs), false) => {
+                spans.push(TimeSpan {
+                    start_secs,
+                    end_secs: time_secs,
+                });
+                on_since = None;
+            }
+            _ => {}
+        }
+    }
+    if let Some(start_secs) = on_since {
+        spans.push(TimeSpan {
+            start_secs,
+            end_secs: f64::INFINITY,
+        });
+    }
+    spans
+}
+
+/// What a script asks of one arm.
+#[must_use]
+pub(crate) fn strokes(
+    document: &Document,
+    timeline: &Timeline,
+    side: Side,
+    units: &Units,
+    hands: Hands,
+) -> Vec<GestureStroke> {
+    timeline
+        .clauses
+        .iter()
+        .filter_map(|timed| {
+            let ClauseKind::GestureKey(gesture) = &document.clause(timed.clause).kind else {
+                return None;
+            };
+            if !gesture.handedness.includes(side, hands.dominant) {
+                return None;
+            }
+            let phase = match gesture.phase {
+                None | Some(Phase::Stroke) => ArmPhase::Stroke,
+                Some(Phase::Preparation) => ArmPhase::Preparation,
+                Some(Phase::PreStroke | Phase::PostStroke) => ArmPhase::Hold,
+                Some(Phase::Retraction) => ArmPhase::Retraction,
+                Some(Phase::PartialRetraction) => ArmPhase::PartialRetraction,
+            };
+            let keys = keys(gesture, side, timed.start_secs, units, hands);
+            // A phase may do without keys: a hold, a way back.
+            (gesture.phase.is_some() || !keys.is_empty()).then_some(GestureStroke {
+                phase,
+                start_secs: timed.start_secs,
+                end_secs: timed.end_secs,
+                keys,
+                pace: gesture.pace.as_deref().and_then(pace),
+            })
+        })
+        .collect()
+}
+
+/// The room that the strokes of both arms need in the picture.
+pub(crate) fn room(strokes: &[Vec<GestureStroke>; 2], hand_length_m: f64) -> Room {
+    let keys = strokes.iter().flatten().flat_map(|s| &s.keys);
+    keys.filter_map(|k| k.wrist_in_world)
+        .fold(Room::default(), |room, wrist| Room {
+            top_m: room.top_m.max(wrist.y + hand_length_m),
+            half_width_m: room.half_width_m.max(wrist.x.abs() + hand_length_m),
+        })
+}
+
+/// What arms and legs of a figure can reach.
+pub(crate) struct Reach {
+    /// Left and right, world, metres.
+    pub(crate) shoulders_in_world: [DVec3; 2],
+    /// Length of an arm to the wrist, metres.
+    pub(crate) arm_m: f64,
+    /// Left and right, world, metres.
+    pub(crate) hips_in_world: [DVec3; 2],
+    /// Length of a leg to the ankle, metres.
+    pub(crate) leg_m: f64,
+}
+
+impl Reach {
+    /// Measures a skeleton in its zero pose.
+    pub(crate) fn of(skeleton: &Skeleton) -> Self {
+        let mut world = Vec::new();
+        skeleton.solve(&Pose::zero(), &mut world);
+        let at = |bone: Bone| world[bone.index()].translation;
+        let length = |bone| skeleton.offset_length_m(bone);
+        Self {
+            shoulders_in_world: [at(Bone::LShoulder), at(Bone::RShoulder)],
+            arm_m: length(Bone::LElbow) + length(Bone::LWrist),
+            hips_in_world: [at(Bone::LHip), at(Bone::RHip)],
+            leg_m: length(Bone::LKnee) + length(Bone::LSubtalar),
+        }
+    }
+}
+
+/// A warning for every position that the arm cannot reach; the hand goes as far towards it
+/// as it can (GEVH fig. 3.6).
+#[must_use]
+pub(crate) fn out_of_reach(
+    document: &Document,
+    units: &Units,
+    reach: &Reach,
+    hands: Hands,
+) -> Vec<Diagnostic> {
+    let mut found = Vec::new();
+    // Nobody's reach says anything of a place of the world to which the figure may go.
+    let goes = document
+        .iter()
+        .any(|(_, c)| matches!(c.kind, ClauseKind::VhMove(_)));
+    for (_, clause) in document.iter() {
+        let ClauseKind::GestureKey(gesture) = &clause.kind else {
+            continue;
+        };
+        let mut far = Vec::new();
+        for side in Side::BOTH
+            .into_iter()
+            .filter(|s| gesture.handedness.includes(*s, hands.dominant))
+        {
+            let Some((track, mirrored)) =
+                track_for(&gesture.motions, side, gesture.handedness, hands)
+            else {
+                continue;
+            };
+            // The mirrored hand is exactly as far away as the one that was written.
+            if mirrored && gesture.handedness == Handedness::Both {
+                continue;
+            }
+            let told = |key: &&Key<MotionKey>| !goes || key.value.coords == Coords::Speaker;
+            for key in track.keys.iter().filter(told) {
+                let beyond = (position(key, mirrored, units)
+                    - reach.shoulders_in_world[side.index()])
+                .magnitude()
+                    - reach.arm_m;
+                // A tenth of a millimetre is below what rounding in a script can mean.
+                if beyond > 1e-4 {
+                    far.push((beyond, key.span, side));
+                }
+            }
+        }
+        found.extend(farthest(&far));
+    }
+    found
+}
+
+/// One warning a clause: at the place that is farthest beyond reach, metres, of all.
+fn farthest(far: &[(f64, Span, Side)]) -> Option<Diagnostic> {
+    let (beyond, span, side) = far.iter().max_by(|a, b| a.0.total_cmp(&b.0))?;
+    let arm = if *side == Side::Left { "left" } else { "right" };
+    let others = match far.len() {
+        1 => String::new(),
+        2 => "; another one of this gesture is, too".to_owned(),
+        n => format!("; {} others of this gesture are, too", n - 1),
+    };
+    let message = format!(
+        "this place is {:.0} cm beyond the reach of the {arm} arm{others}",
+        beyond * 100.0,
+    );
+    Some(
+        Diagnostic::warning("player::out-of-reach", *span, message)
+            .hint("the hand goes as far towards it as it can"),
+    )
+}
+
+/// Lateness that nobody sees, seconds (half of what must hold for strokes).
+const UNSEEN_SECS: f64 = 0.01;
+
+/// A warning for every key that comes late because the hand has too far to go in the time.
+#[must_use]
+pub(crate) fn late(
+    document: &Document,
+    timeline: &Timeline,
+    plans: [&ArmPlan; 2],
+) -> Vec<Diagnostic> {
+    let mut found: BTreeMap<Span, f64> = BTreeMap::new();
+    for side in Side::BOTH {
+        let planned = plans[side.index()].keys().iter();
+        let mut late: Vec<_> = planned
+            .filter(|k| k.arrives_secs - k.time_secs > UNSEEN_SECS)
+            .collect();
+        sort_by_number(&mut late, |k| k.time_secs);
+        if late.is_empty() {
+            continue;
+        }
+        let mut check = |secs: f64, span: Span| {
+            let first = late.partition_point(|k| k.time_secs <= secs - 1e-6);
+            let near = late[first..]
+                .iter()
+                .take_while(|k| k.time_secs < secs + 1e-6);
+            for key in near {
+                let worst = found.entry(span).or_default();
+                *worst = worst.max(key.arrives_secs - key.time_secs);
+            }
+        };
+        for timed in &timeline.clauses {
+            let ClauseKind::GestureKey(gesture) = &document.clause(timed.clause).kind else {
+                continue;
+            };
+            let start = timed.start_secs;
+            for track in &gesture.hand_shapes {
+                for key in &track.keys {
+                    check(start + offset_secs(gesture, track, key), key.span);
+                }
+            }
+            for track in &gesture.palms {
+                for key in &track.keys {
+                    check(start + offset_secs(gesture, track, key), key.span);
+                }
+            }
+            for track in &gesture.motions {
+                for key in &track.keys {
+                    check(start + offset_secs(gesture, track, key), key.span);
+                }
+            }
+        }
+    }
+    let warning = |(span, delay): (Span, f64)| {
+        let message = format!(
+            "the hand comes {} ms late here",
+            (delay * 1e3).round() as u64
+        );
+        Diagnostic::warning("player::late", span, message)
+            .hint("it has too far to go in the time; give it more, or a place nearer by")
+    };
+    found.into_iter().map(warning).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use raconteur_eml::{EstimatedDurations, parse};
+
+    const RIGHT: Hands = Hands {
+        written_for: Side::Right,
+        dominant: Side::Right,
+    };
+
+    fn resolved(body: &str) -> (Document, Timeline) {
+        let source = format!("<eml><body>{body}</body></eml>");
+        let parsed = parse(&source);
+        assert!(parsed.diagnostics.is_empty(), "{:?}", parsed.diagnostics);
+        let resolved = Timeline::resolve(&parsed.document, &EstimatedDurations);
+        (parsed.document, resolved.timeline)
+    }
+
+    fn strokes_of(body: &str, side: Side) -> Vec<GestureStroke> {
+        let (document, timeline) = resolved(body);
+        let units = Units::of(&Skeleton::example());
+        strokes(&document, &timeline, side, &units, RIGHT)
+    }
+
+    #[test]
+    fn both_hands_mirror_the_common_track() {
+        let body = "<gesture-key time='1' duration='0.5' handedness='both'>
+            <palms><key time='0' a='90' x='1' y='0' z='0'/></palms>
+            <motion><key time='0' x='-8' y='12' z='-10'/><key time='0.5' x='-12' y='14' z='-10'/></motion>
+            </gesture-key>";
+        let (l, r) = (strokes_of(body, Side::Left), strokes_of(body, Side::Right));
+        assert_eq!(l.len(), 1);
+        for (a, b) in l[0].keys.iter().zip(&r[0].keys) {
+            let (p, q) = (a.wrist_in_world, b.wrist_in_world);
+            assert_eq!(p.map(mirror_vector), q);
+            assert!(p.is_some_and(|p| p.x > 0.0));
+            if let (Some(p), Some(q)) = (a.hand_in_world, b.hand_in_world) {
+                assert!(raconteur_base::mirror_rotation(p).angle_between(q) < 1e-9);
+            }
+        }
+    }
+
+    #[test]
+    fn one_hand_leaves_the_other_alone() {
+        let body = "<gesture-key time='0' duration='0.2' handedness='right'>
+            <hand-shapes><key time='0' id='7'/></hand-shapes></gesture-key>";
+        assert!(strokes_of(body, Side::Left).is_empty());
+        let keys = &strokes_of(body, Side::Right)[0].keys;
+        assert_eq!(keys[0].shape, HandShape::get(7).map(|s| *s.angles()));
+    }
+
+    #[test]
+    fn gestures_are_on_until_they_are_turned_off() {
+        let (document, timeline) =
+            resolved("<gesture-is-on time='2' isOn='false'/><gesture-is-on time='5' isOn='true'/>");
+        let on = on_spans(&switches(&document, &timeline));
+        assert_eq!(on.len(), 2);
+        assert_eq!(
+            (on[0].start_secs, on[0].end_secs, on[1].start_secs),
+            (0.0, 2.0, 5.0)
+        );
+    }
+}

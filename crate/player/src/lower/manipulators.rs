@@ -1,0 +1,450 @@
+//! From the clauses of manipulators and `vh-move` to commands of the actor.
+//!
+//! Targets are in the figure's own world coordinates: units from the floor under it, which
+//! `vh-move` carries along.
+
+use core::f64::consts::{FRAC_PI_2, PI};
+
+use raconteur_actor::ManipulatorScript;
+use raconteur_actor::manipulator::path::rotation_from;
+use raconteur_actor::manipulator::{Command, Frame, Limb, Motion, Move, Pace, Path, Place, Shape};
+use raconteur_base::{DVec3, Length, ops};
+use raconteur_eml::{
+    Arg, ArgValue, ClauseKind, Diagnostic, Document, FARTHEST, FunctionArgs, Manipulator, Span,
+    Target, Timeline, nearest, quoted,
+};
+use raconteur_stage::Room;
+
+use crate::lower::gestures::Reach;
+use crate::lower::units::Units;
+
+/// How much farther a hand comes when the spine helps, as a share of the arm; measured on the
+/// example to the side, where it helps least but for straight up.
+const SPINE_HELP: f64 = 0.14;
+
+/// The functions of time: their names, and the arguments that each knows besides the period,
+/// both ends' angles and, where a way leads from place to place, both ends' positions.
+/// A name ending in `*` stands for three, ending in X, Y and Z.
+const FUNCTIONS: [(&str, bool, &[&str]); 8] = [
+    ("segment", true, &[]),
+    ("sinusoid", true, &["amplitude", "across*", "cycles"]),
+    ("bezier", true, &["control1*", "control2*"]),
+    ("hermite", true, &["startVelocity*", "endVelocity*"]),
+    (
+        "circle",
+        false,
+        &["center*", "normal*", "radius", "startAngle", "turns"],
+    ),
+    (
+        "ellipse",
+        false,
+        &[
+            "center*",
+            "normal*",
+            "radiusX",
+            "radiusY",
+            "startAngle",
+            "turns",
+        ],
+    ),
+    (
+        "helix",
+        false,
+        &[
+            "center*",
+            "normal*",
+            "radius",
+            "startAngle",
+            "turns",
+            "rise",
+        ],
+    ),
+    (
+        "lemniscate",
+        false,
+        &["center*", "normal*", "radius", "tilt", "turns"],
+    ),
+];
+
+const AXES: [&str; 3] = ["X", "Y", "Z"];
+const ANGLES: [&str; 3] = ["Yaw", "Pitch", "Roll"];
+
+fn limb(manipulator: Manipulator) -> Limb {
+    match manipulator {
+        Manipulator::LeftArm => Limb::LeftArm,
+        Manipulator::RightArm => Limb::RightArm,
+        Manipulator::LeftLeg => Limb::LeftLeg,
+        Manipulator::RightLeg => Limb::RightLeg,
+        Manipulator::Head => Limb::Head,
+    }
+}
+
+fn bounded(number: f64) -> f64 {
+    number.clamp(-FARTHEST, FARTHEST)
+}
+
+fn frame(target: &Target, units: &Units) -> Frame {
+    Frame {
+        position: units.world_point(target.position.map(bounded)),
+        rotation: rotation_from(Units::angles(target.angles_deg.map(bounded))),
+    }
+}
+
+/// The arguments of a function.
+struct Args<'a> {
+    args: &'a FunctionArgs,
+    units: &'a Units,
+}
+
+impl Args<'_> {
+    fn number(&self, name: &str) -> Option<f64> {
+        self.args.number(name).map(bounded)
+    }
+
+    fn length(&self, name: &str) -> f64 {
+        self.number(name).unwrap_or(0.0) * self.units.metres()
+    }
+
+    /// Three arguments with one beginning.
+    fn three(&self, start: &str, ends: [&str; 3]) -> [Option<f64>; 3] {
+        ends.map(|end| {
+            let mut known = self.args.args.iter().rev();
+            let found = known.find(|arg| arg.name.strip_prefix(start) == Some(end))?;
+            match found.value {
+                ArgValue::Number(number) => Some(bounded(number)),
+                ArgValue::Text(_) => None,
+            }
+        })
+    }
+
+    /// A direction, not scaled; zero when nothing is said of it.
+    fn direction(&self, start: &str) -> DVec3 {
+        Units::axis(self.three(start, AXES).map(|n| n.unwrap_or(0.0)))
+    }
+
+    fn place(&self, start: &str) -> Place {
+        let metres = self.units.metres();
+        let [x, y, z] = self.three(start, AXES);
+        let [yaw, pitch, roll] = self.three(start, ANGLES);
+        Place {
+            position: [
+                x.map(|x| x * metres),
+                y.map(|y| y * metres),
+                z.map(|z| -z * metres),
+            ],
+            angles: [
+                yaw.map(|a| -a.to_radians()),
+                pitch.map(|a| -a.to_radians()),
+                roll.map(f64::to_radians),
+            ],
+        }
+    }
+
+    fn shape(&self, function: &str, period_secs: f64) -> Option<Shape> {
+        let metres = self.units.metres();
+        let number = |name, default| self.number(name).unwrap_or(default);
+        Some(match function {
+            "segment" => Shape::Segment,
+            "sinusoid" => {
+                let across = self.direction("across").try_normalized();
+                Shape::Sinusoid {
+                    across: across.unwrap_or(DVec3::Y) * self.length("amplitude"),
+                    cycles: number("cycles", 1.0),
+                }
+            }
+            "bezier" => Shape::Bezier {
+                controls: ["control1", "control2"].map(|c| self.place(c)),
+            },
+            "hermite" => Shape::Hermite {
+                tangents: ["startVelocity", "endVelocity"]
+                    .map(|v| self.direction(v) * metres * period_secs),
+            },
+            "circle" | "ellipse" | "helix" => Shape::Round {
+                centre: self.place("center"),
+                normal: self.direction("normal"),
+                radii: if function == "ellipse" {
+                    ["radiusX", "radiusY"].map(|r| self.length(r))
+                } else {
+                    [self.length("radius"); 2]
+                },
+                from_rad: number("startAngle", 0.0).to_radians(),
+                turns: number("turns", 1.0),
+                rise: self.length("rise"),
+            },
+            "lemniscate" => Shape::Lemniscate {
+                centre: self.place("center"),
+                normal: self.direction("normal"),
+                half_width: self.length("radius"),
+                tilt_rad: number("tilt", 0.0).to_radians(),
+                turns: number("turns", 1.0),
+            },
+            _ => return None,
+        })
+    }
+}
+
+/// A function as a path; none when nobody knows it.
+fn path(function: &str, looping: bool, args: Option<&FunctionArgs>, units: &Units) -> Option<Path> {
+    let none = FunctionArgs::default();
+    let args = args.unwrap_or(&none);
+    let period_secs = args.period_secs().min(FARTHEST);
+    let args = Args { args, units };
+    Some(Path {
+        shape: args.shape(function, period_secs)?,
+        from: args.place("start"),
+        to: args.place("end"),
+        period_secs,
+        looping,
+    })
+}
+
+fn motion(kind: &ClauseKind, units: &Units) -> Option<(Manipulator, Motion)> {
+    Some(match kind {
+        ClauseKind::ConfigureManipulator(c) => (
+            c.manipulator,
+            Motion::Configure {
+                is_on: c.is_on,
+                limits: c.joint_limits_active,
+                preferred: c.preferred_deg.as_ref().map(|preferred| {
+                    let angles = preferred.iter().map(|a| a.to_radians());
+                    angles.collect()
+                }),
+            },
+        ),
+        ClauseKind::ForwardKinematics(fk) => {
+            let most = fk.joint_count.map_or(6, |n| n as usize);
+            let counted = most.min(fk.manipulator.joints());
+            let mut joints = fk.joints_deg.map(|j| j.map(|a| bounded(a).to_radians()));
+            joints[counted.min(6)..].fill(None);
+            (fk.manipulator, Motion::Joints(joints))
+        }
+        ClauseKind::JointInterpolation(j) => {
+            let speed = j.static_velocity_rad_per_s.unwrap_or(0.0);
+            let pace = j
+                .static_time_secs
+                .map_or(Pace::RadPerSec(speed), Pace::Secs);
+            let to = frame(&j.target, units);
+            (j.manipulator, Motion::JointInterpolation { to, pace })
+        }
+        ClauseKind::FrameInterpolation(f) => {
+            let to = frame(&f.target, units);
+            let secs = f.period_secs;
+            (f.manipulator, Motion::FrameInterpolation { to, secs })
+        }
+        ClauseKind::ManipulatorFunction(f) => {
+            let path = path(&f.function, f.is_looping, f.args.as_ref(), units)?;
+            (f.manipulator, Motion::Function(Box::new(path)))
+        }
+        ClauseKind::Jacobian(j) if j.is_static_target => (
+            j.manipulator,
+            Motion::JacobianTarget(frame(&j.target, units)),
+        ),
+        ClauseKind::Jacobian(j) => {
+            let linear = Units::axis(j.velocity.map(bounded)) * units.metres();
+            let angular = Units::angular(j.angular_velocity_deg.map(bounded));
+            (j.manipulator, Motion::JacobianVelocity { linear, angular })
+        }
+        ClauseKind::ManipulatorStop(s) => (s.manipulator, Motion::Stop),
+        ClauseKind::ManipulatorLock(l) => (l.manipulator, Motion::Lock(l.is_lock)),
+        _ => return None,
+    })
+}
+
+/// A place of the whole figure as its root's frame has it. That frame is turned by half a turn
+/// in table A.1 of GEVH (the sacroiliac's first angle is 178.7°), and in the example of D.1.6,
+/// whose pitch is 180° from its beginning to its end, the figure stands. So a pitch beyond a
+/// right angle is counted from there.
+fn upright(place: &mut Place) {
+    let [_, pitch, roll] = &mut place.angles;
+    if let Some(pitch) = pitch
+        && ops::wrap_angle(*pitch).abs() > FRAC_PI_2
+    {
+        *pitch = ops::wrap_angle(*pitch + PI);
+        // Turned over, the axis of the roll points the other way.
+        *roll = roll.map(|roll| -roll);
+    }
+}
+
+/// What a script asks of manipulators.
+pub(crate) fn script(document: &Document, timeline: &Timeline, units: &Units) -> ManipulatorScript {
+    let mut script = ManipulatorScript::default();
+    for timed in &timeline.clauses {
+        let kind = &document.clause(timed.clause).kind;
+        let time_secs = timed.start_secs;
+        if let ClauseKind::VhMove(m) = kind {
+            if let Some(mut path) = path(&m.function, m.is_looping, m.args.as_ref(), units) {
+                upright(&mut path.from);
+                upright(&mut path.to);
+                script.moves.push(Move { time_secs, path });
+            }
+        } else if let Some((manipulator, motion)) = motion(kind, units) {
+            script.commands.push(Command {
+                time_secs,
+                limb: limb(manipulator),
+                motion,
+            });
+        }
+    }
+    script
+}
+
+/// What all parts of a performance ask.
+pub(crate) fn together<'a>(
+    scripts: impl Iterator<Item = &'a ManipulatorScript>,
+) -> ManipulatorScript {
+    let mut all = ManipulatorScript::default();
+    for script in scripts {
+        all.commands.extend_from_slice(&script.commands);
+        all.moves.extend_from_slice(&script.moves);
+    }
+    all
+}
+
+/// The room in the picture that targets of the arms and motions of the figure need.
+pub(crate) fn room(script: &ManipulatorScript, hand_length_m: f64) -> Room {
+    let mut room = Room::default();
+    let mut hold = |x: f64, top: f64| {
+        room.half_width_m = room.half_width_m.max(x.abs() + hand_length_m);
+        room.top_m = room.top_m.max(top + hand_length_m);
+    };
+    for command in &script.commands {
+        let is_arm = command.limb.side().is_some_and(|(_, is_arm)| is_arm);
+        match &command.motion {
+            Motion::JointInterpolation { to, .. }
+            | Motion::FrameInterpolation { to, .. }
+            | Motion::JacobianTarget(to)
+                if is_arm =>
+            {
+                hold(to.position.x, to.position.y);
+            }
+            _ => {}
+        }
+    }
+    for ends in script.moves.iter().flat_map(|m| [&m.path.from, &m.path.to]) {
+        hold(ends.position[0].unwrap_or(0.0), 0.0);
+    }
+    room
+}
+
+/// What is wrong with the clauses of manipulators: targets out of reach, functions and
+/// arguments that nobody knows.
+pub(crate) fn problems(document: &Document, units: &Units, reach: &Reach) -> Vec<Diagnostic> {
+    let mut found = Vec::new();
+    for (_, clause) in document.iter() {
+        let span = clause.tag_span;
+        match &clause.kind {
+            ClauseKind::VhMove(m) => function(&m.function, m.args.as_ref(), span, &mut found),
+            ClauseKind::ManipulatorFunction(f) => {
+                function(&f.function, f.args.as_ref(), span, &mut found);
+            }
+            kind => {
+                if let Some((manipulator, motion)) = motion(kind, units) {
+                    found.extend(out_of_reach(limb(manipulator), &motion, span, reach));
+                }
+            }
+        }
+    }
+    found
+}
+
+fn function(name: &str, args: Option<&FunctionArgs>, span: Span, into: &mut Vec<Diagnostic>) {
+    let Some((_, leads, own)) = FUNCTIONS.iter().find(|(n, ..)| *n == name) else {
+        let known: Vec<&str> = FUNCTIONS.iter().map(|(n, ..)| *n).collect();
+        let mut warning = Diagnostic::warning(
+            "player::unknown-function",
+            span,
+            format!("there is no function {}; nothing moves", quoted(name)),
+        );
+        if let Some(near) = nearest(name, known.iter().copied()) {
+            warning = warning.hint(format!("did you mean `{near}`?"));
+        }
+        into.push(warning.hint(format!("the functions are {}", known.join(", "))));
+        return;
+    };
+    let known = arguments(*leads, own);
+    for arg in args.map_or(&[][..], |a| &a.args) {
+        into.extend(bad_argument(name, arg, &known, span));
+    }
+}
+
+/// The names of all arguments that a function knows.
+fn arguments(leads: bool, own: &[&str]) -> Vec<String> {
+    let three = |start: &str, ends: [&str; 3]| ends.map(|end| format!("{start}{end}"));
+    let mut known = vec!["timePeriod".to_owned()];
+    for end in ["start", "end"] {
+        known.extend(three(end, ANGLES));
+        known.extend(leads.then(|| three(end, AXES)).into_iter().flatten());
+    }
+    for name in own {
+        match name.strip_suffix('*') {
+            Some(start) => known.extend(three(start, AXES)),
+            None => known.push((*name).to_owned()),
+        }
+    }
+    known
+}
+
+/// What is wrong with an argument: its name, what it is, or how large.
+fn bad_argument(function: &str, arg: &Arg, known: &[String], span: Span) -> Option<Diagnostic> {
+    let name = quoted(&arg.name);
+    let warning = |code, message: String| Some(Diagnostic::warning(code, span, message));
+    if !known.contains(&arg.name) {
+        let message = format!("{name} does not count for the function `{function}`");
+        let near = nearest(&arg.name, known.iter().map(String::as_str));
+        let hint = match near {
+            Some(near) => format!("did you mean `{near}`?"),
+            None => format!("its arguments are {}", known.join(", ")),
+        };
+        return warning("player::bad-argument", message).map(|w| w.hint(hint));
+    }
+    let ArgValue::Number(number) = arg.value else {
+        let message = format!("{name} is no number for the function `{function}`");
+        return warning("player::bad-argument", message);
+    };
+    let least = if arg.name == "timePeriod" {
+        0.0
+    } else {
+        -FARTHEST
+    };
+    if (least..=FARTHEST).contains(&number) {
+        return None;
+    }
+    let message = format!(
+        "{name} goes from {} to {}, so {} is as much as {}",
+        least,
+        FARTHEST,
+        number,
+        number.clamp(least, FARTHEST)
+    );
+    warning("player::out-of-range", message)
+}
+
+fn out_of_reach(limb: Limb, motion: &Motion, span: Span, reach: &Reach) -> Option<Diagnostic> {
+    let (Motion::JointInterpolation { to, .. }
+    | Motion::FrameInterpolation { to, .. }
+    | Motion::JacobianTarget(to)) = motion
+    else {
+        return None;
+    };
+    let (side, is_arm) = limb.side()?;
+    let (base, length_m, name) = if is_arm {
+        let length_m = reach.arm_m * (1.0 + SPINE_HELP);
+        (reach.shoulders_in_world[side.index()], length_m, "arm")
+    } else {
+        (reach.hips_in_world[side.index()], reach.leg_m, "leg")
+    };
+    let beyond = to.position.distance_to(base) - length_m;
+    // A tenth of a millimetre is below what rounding in a script can mean.
+    (beyond > 1e-4).then(|| {
+        let side = ["left", "right"][side.index()];
+        Diagnostic::warning(
+            "player::out-of-reach",
+            span,
+            format!(
+                "this place is {:.0} cm beyond the reach of the {side} {name}",
+                beyond * 100.0
+            ),
+        )
+        .hint("it goes as far towards it as it can")
+    })
+}

@@ -1,0 +1,205 @@
+//! Music under a performance (GEVH 3.5.4.3): which piece is heard when, and how loud.
+//!
+//! How loud is a line of straight pieces over story time. It holds the volume, the fades and
+//! that music steps back while somebody speaks, so whoever plays it needs to know no rule.
+
+use raconteur_base::order::sort_by_number;
+use raconteur_eml::{ClauseKind, Valence};
+
+use crate::lower::cues::UtteranceCue;
+use crate::lower::script::Script;
+
+/// What is left of the music while somebody speaks: 8 dB less. Designed: words stay clear
+/// over music that is as loud as they are.
+const UNDER_SPEECH: f64 = 0.4;
+/// How long before a word music begins to step back, and how long after the last one it takes
+/// to return, seconds. Designed.
+const STEP_BACK_SECS: f64 = 0.3;
+const RETURN_SECS: f64 = 0.9;
+/// Even what begins or ends at once does so in this time, so that it does not click; seconds.
+const CLICK_SECS: f64 = 0.01;
+
+/// What a script says about music.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct MusicClause {
+    pub(crate) start_secs: f64,
+    /// None: silence.
+    file: Option<String>,
+    library: bool,
+    volume: f64,
+    fade_secs: f64,
+}
+
+/// A piece of music at its time.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MusicCue {
+    /// Story time at which the piece begins, seconds.
+    pub start_secs: f64,
+    /// Story time at which it has become silent, seconds; infinite when nothing ends it.
+    pub end_secs: f64,
+    /// The path of its file, from the story's folder or from the folder `music` of the asset
+    /// library; it does not leave that folder. Beside an `.opus` there may be an `.mp3`.
+    pub file: String,
+    /// Whether it is of the library. Such a piece begins again when it is over.
+    pub library: bool,
+    /// Its level at story times, by time: 1 is as recorded. Straight between them, and
+    /// before the first and after the last as there.
+    pub level: Vec<(f64, f64)>,
+}
+
+/// The music of a script by time.
+pub(crate) fn clauses(script: &Script) -> Vec<MusicClause> {
+    let clauses = script.timeline.clauses.iter();
+    clauses
+        .filter_map(|timed| match &script.document.clause(timed.clause).kind {
+            ClauseKind::Music(music) => {
+                let piece = music.valence.map(|valence| match valence {
+                    Valence::Neutral => "neutral.opus",
+                    Valence::Positive => "positive.opus",
+                    Valence::Negative => "negative.opus",
+                });
+                Some(MusicClause {
+                    start_secs: timed.start_secs,
+                    library: music.file.is_none(),
+                    file: music.file.clone().or_else(|| piece.map(str::to_owned)),
+                    volume: music.volume,
+                    fade_secs: music.fade_secs.max(CLICK_SECS),
+                })
+            }
+            _ => None,
+        })
+        .collect()
+}
+
+/// The pieces that are heard, by time, of clauses by time under all that is said.
+pub(crate) fn cues<'a>(
+    clauses: &[MusicClause],
+    utterances: impl Iterator<Item = &'a UtteranceCue>,
+) -> Vec<MusicCue> {
+    let mut spoken: Vec<(f64, f64)> = utterances
+        .map(|u| (u.start_secs, u.start_secs + u.duration_secs))
+        .collect();
+    sort_by_number(&mut spoken, |s| s.0);
+    // Between two sentences close to each other it stays back.
+    spoken.dedup_by(|next, last| {
+        let close = next.0 - last.1 < STEP_BACK_SECS + RETURN_SECS;
+        if close {
+            last.1 = last.1.max(next.1);
+        }
+        close
+    });
+    let mut cues = Vec::new();
+    for (i, clause) in clauses.iter().enumerate() {
+        let Some(file) = &clause.file else { continue };
+        let next = clauses.get(i + 1);
+        let over = next.map_or((f64::INFINITY, f64::INFINITY), |n| {
+            (n.start_secs, n.start_secs + n.fade_secs)
+        });
+        let fade_in = (clause.start_secs, clause.start_secs + clause.fade_secs);
+        let bends = spoken.iter().flat_map(|&(from, to)| {
+            let [back, there] = [from - STEP_BACK_SECS, to + RETURN_SECS];
+            [back, from, to, there]
+        });
+        let mut times: Vec<f64> = [fade_in.0, fade_in.1, over.0, over.1]
+            .into_iter()
+            .chain(bends)
+            .filter(|t| t.is_finite() && (fade_in.0..=over.1).contains(t))
+            .collect();
+        sort_by_number(&mut times, |t| *t);
+        times.dedup();
+        let level = |t: f64| {
+            // They are so far apart that only the last one begun counts.
+            let begun = spoken.partition_point(|s| s.0 - STEP_BACK_SECS <= t);
+            let under = begun.checked_sub(1).map_or(0.0, |i| {
+                let (from, to) = spoken[i];
+                ramp(t, from - STEP_BACK_SECS, from) * (1.0 - ramp(t, to, to + RETURN_SECS))
+            });
+            let fades = ramp(t, fade_in.0, fade_in.1) * (1.0 - ramp(t, over.0, over.1));
+            clause.volume * fades * (1.0 - under * (1.0 - UNDER_SPEECH))
+        };
+        cues.push(MusicCue {
+            start_secs: clause.start_secs,
+            end_secs: over.1,
+            file: file.clone(),
+            library: clause.library,
+            level: times.into_iter().map(|t| (t, level(t))).collect(),
+        });
+    }
+    cues
+}
+
+/// From 0 at one time to 1 at a later one, straight.
+fn ramp(t: f64, from: f64, to: f64) -> f64 {
+    if from.is_infinite() {
+        return 0.0;
+    }
+    ((t - from) / (to - from)).clamp(0.0, 1.0)
+}
+
+impl MusicCue {
+    /// The level at a story time; 0 before the piece begins and after it has ended.
+    #[must_use]
+    pub fn level_at(&self, time_secs: f64) -> f64 {
+        if !(self.start_secs..self.end_secs).contains(&time_secs) {
+            return 0.0;
+        }
+        let after = self.level.partition_point(|(t, _)| *t <= time_secs);
+        let before = after.checked_sub(1).and_then(|i| self.level.get(i));
+        match (before, self.level.get(after)) {
+            (Some(&(t0, a)), Some(&(t1, b))) => a + (b - a) * ramp(time_secs, t0, t1),
+            (Some(&(_, only)), None) | (None, Some(&(_, only))) => only,
+            (None, None) => 0.0,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn music(body: &str) -> Vec<MusicCue> {
+        let text = format!("<eml xmlns:r='urn:raconteur:eml:1'><body>{body}</body></eml>");
+        let script = Script::read(&text, None);
+        let utterances = crate::lower::cues::utterances(&script);
+        cues(&clauses(&script), utterances.iter())
+    }
+
+    #[test]
+    fn a_piece_fades_in_and_makes_room_for_the_next() {
+        let cues = music(
+            "<r:music time='1' file='a.opus' volume='0.5' fade='2'/>\
+             <r:music time='10' valence='negative' fade='4'/><r:music time='20'/>",
+        );
+        let names: Vec<_> = cues.iter().map(|c| (c.file.as_str(), c.library)).collect();
+        assert_eq!(names, [("a.opus", false), ("negative.opus", true)]);
+        let [a, b] = [&cues[0], &cues[1]];
+        let levels = [0.5, 1.0, 2.0, 3.0, 9.0, 12.0, 14.0].map(|t| a.level_at(t));
+        assert_eq!(levels, [0.0, 0.0, 0.25, 0.5, 0.5, 0.25, 0.0]);
+        let levels = [9.0, 12.0, 14.0, 19.9, 20.01].map(|t| b.level_at(t));
+        assert_eq!(levels, [0.0, 0.5, 1.0, 1.0, 0.0]);
+        assert_eq!((a.end_secs, b.end_secs), (14.0, 20.0 + CLICK_SECS));
+    }
+
+    #[test]
+    fn music_steps_back_while_somebody_speaks() {
+        let cues = music(
+            "<r:music time='0' file='a.opus'/><voice-text time='4' timeId='s'>Now we march.\
+             </voice-text><null time='30'/>",
+        );
+        let piece = &cues[0];
+        assert_eq!(piece.level_at(4.0 - STEP_BACK_SECS), 1.0);
+        assert_eq!(piece.level_at(4.0), UNDER_SPEECH);
+        assert_eq!(piece.level_at(4.2), UNDER_SPEECH);
+        assert_eq!(piece.level_at(29.0), 1.0);
+        assert_eq!(piece.end_secs, f64::INFINITY);
+        // It never jumps: 20 ms change it by no more than the steepest ramp but the fade in.
+        for i in 1..1400 {
+            let t = 0.02 * f64::from(i);
+            let step = (piece.level_at(t + 0.02) - piece.level_at(t)).abs();
+            assert!(
+                step <= 0.02 * (1.0 - UNDER_SPEECH) / STEP_BACK_SECS + 1e-9,
+                "{t}"
+            );
+        }
+    }
+}

@@ -1,0 +1,273 @@
+//! A story read: its document, its times and its voice, before anyone performs it.
+
+use std::sync::Arc;
+
+use raconteur_actor::Library;
+use raconteur_eml::{
+    ClauseId, ClauseKind, Diagnostic, Document, Parsed, Performer, Span, Timeline, parse, thinned,
+};
+use raconteur_speech::bundle::Voice;
+use raconteur_speech::{Bundle, Phone, Utterance};
+
+use crate::lower::voice::{KnownDurations, Voices};
+use crate::lower::{animations, parameters};
+
+/// A script with everything resolved that needs no figure.
+#[derive(Clone, Debug)]
+pub struct Script {
+    /// What the text says.
+    pub document: Document,
+    /// When it happens.
+    pub timeline: Timeline,
+    /// What is wrong with it.
+    pub diagnostics: Vec<Diagnostic>,
+    /// The speech, where it was baked.
+    pub(crate) bundle: Option<Arc<Bundle>>,
+    /// What of it belongs to which clause.
+    voices: Voices,
+}
+
+/// What of a story is being read: told as it begins, so that whoever reads hostile input can say
+/// what was read last.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Reading {
+    /// The script's text.
+    Story,
+    /// The JSON of the speech bundle.
+    Speech,
+    /// All that is performed is planned.
+    Performance,
+}
+
+/// What a script takes from outside to know its times.
+pub(crate) struct Sources<'a> {
+    pub(crate) bundle: Option<Arc<Bundle>>,
+    pub(crate) library: &'a Library,
+}
+
+impl Script {
+    /// Reads a script and, if there is one, the JSON of its speech bundle. Never fails:
+    /// what is wrong is in [`Script::diagnostics`], and the rest plays.
+    #[must_use]
+    pub fn read(eml: &str, bundle_json: Option<&[u8]>) -> Self {
+        Self::read_telling(eml, bundle_json, &mut |_| ())
+    }
+
+    /// [`Script::read`]; `told` hears of each part as its reading begins.
+    pub(crate) fn read_telling(
+        eml: &str,
+        bundle_json: Option<&[u8]>,
+        told: &mut dyn FnMut(Reading),
+    ) -> Self {
+        told(Reading::Story);
+        let mut parsed = parse(eml);
+        if bundle_json.is_some() {
+            told(Reading::Speech);
+        }
+        let bundle = bundle_json.and_then(|json| match Bundle::from_json(json) {
+            Ok(bundle) => Some(Arc::new(bundle)),
+            Err(error) => {
+                parsed.diagnostics.push(
+                    Diagnostic::error(
+                        "player::bad-bundle",
+                        first_voice(&parsed.document),
+                        error.to_string(),
+                    )
+                    .hint("bake the story again: raconteur bake"),
+                );
+                None
+            }
+        });
+        told(Reading::Story);
+        let sources = Sources {
+            bundle,
+            library: &Library::default(),
+        };
+        let mut script = Self::resolve(parsed, sources, bundle_json.is_some());
+        script.timeline = with_run_up(&script.document, script.timeline);
+        script
+    }
+
+    /// Gives every clause of a text its time. `voice_was_given` tells a voice that could not
+    /// be read from none.
+    pub(crate) fn resolve(
+        parsed: Parsed,
+        Sources { bundle, library }: Sources<'_>,
+        voice_was_given: bool,
+    ) -> Self {
+        let Parsed {
+            document,
+            mut diagnostics,
+        } = parsed;
+        let voices = Voices::find(&document, bundle.as_deref());
+        let durations = KnownDurations {
+            bundle: bundle.as_deref(),
+            voices: &voices,
+            library,
+        };
+        let resolved = Timeline::resolve(&document, &durations);
+        diagnostics.extend(resolved.diagnostics);
+        diagnostics.extend(missing_speech(
+            &document,
+            bundle.as_deref(),
+            &voices,
+            voice_was_given,
+        ));
+        diagnostics.extend(crate::lower::unperformed::report(&document));
+        let diagnostics = thinned(diagnostics);
+        Self {
+            document,
+            timeline: resolved.timeline,
+            diagnostics,
+            bundle,
+            voices,
+        }
+    }
+
+    /// Gives every clause its time anew, now that the lengths of these animations are known.
+    pub fn retime(&mut self, library: &Library) {
+        let durations = KnownDurations {
+            bundle: self.bundle.as_deref(),
+            voices: &self.voices,
+            library,
+        };
+        let timeline = Timeline::resolve(&self.document, &durations).timeline;
+        self.timeline = with_run_up(&self.document, timeline);
+    }
+
+    /// The names of the animations that the story plays, each once: what [`Script::retime`]
+    /// and the player need the texts of.
+    #[must_use]
+    pub fn wanted_animations(&self) -> Vec<String> {
+        let faces = parameters::wanted(&self.document).into_iter();
+        let bodies = animations::wanted(&self.document);
+        faces
+            .chain(bodies)
+            .map(|(name, _)| name.to_owned())
+            .collect()
+    }
+
+    /// The baked utterance of a clause, if there is one.
+    pub(crate) fn utterance(&self, clause: ClauseId) -> Option<&Utterance> {
+        self.voices.of(clause, self.bundle.as_deref())
+    }
+
+    /// The phones of what a clause says, seconds from its start; none where it was not baked.
+    pub(crate) fn phones(&self, clause: ClauseId) -> &[Phone] {
+        self.utterance(clause).map_or(&[], |u| &u.phones)
+    }
+
+    /// The phone set of what a clause says; Festival's where it was not baked.
+    pub(crate) fn phone_set(&self, clause: ClauseId) -> &str {
+        self.voice(clause).map_or("radio", |voice| &voice.phone_set)
+    }
+
+    /// The language of what a clause says, where it was baked.
+    pub(crate) fn language(&self, clause: ClauseId) -> Option<&str> {
+        self.voice(clause).map(|voice| &*voice.language)
+    }
+
+    /// The voice that the script names for a clause.
+    pub(crate) fn named_voice(&self, clause: ClauseId) -> Option<&str> {
+        self.voices.named(clause)
+    }
+
+    /// Who says a clause, where it was baked.
+    pub(crate) fn voice(&self, clause: ClauseId) -> Option<&Voice> {
+        let voice = self.utterance(clause)?.voice;
+        self.bundle.as_ref()?.voices.get(voice)
+    }
+}
+
+/// Whom a text chooses to perform it, in what voice and language; nothing where it does not
+/// say.
+#[must_use]
+pub fn performer_of(eml: &str) -> Performer {
+    parse(eml).document.performer.unwrap_or_default()
+}
+
+/// The time that an arm needs to come from rest to any first stroke, seconds. Longest
+/// preparation of the gesture planner, rounded up.
+const RUN_UP_SECS: f64 = 0.9;
+
+/// Delays a script whose first gesture would come before the arm can be there, so that the
+/// storyteller raises a hand instead of starting with it raised.
+fn with_run_up(document: &Document, timeline: Timeline) -> Timeline {
+    let is_gesture = |id| matches!(document.clause(id).kind, ClauseKind::GestureKey(_));
+    let first = timeline.clauses.iter().find(|c| is_gesture(c.clause));
+    let delay = first.map_or(0.0, |c| (RUN_UP_SECS - c.start_secs).max(0.0));
+    delayed(timeline, delay)
+}
+
+/// The same with everything this much later.
+pub(crate) fn delayed(mut timeline: Timeline, delay_secs: f64) -> Timeline {
+    for clause in &mut timeline.clauses {
+        clause.start_secs += delay_secs;
+        clause.end_secs += delay_secs;
+    }
+    timeline.marks.values_mut().for_each(|at| *at += delay_secs);
+    timeline.lead_in_secs += delay_secs;
+    timeline.duration_secs += delay_secs;
+    timeline
+}
+
+/// Every clause that speaks, with its tag.
+fn speaking(document: &Document) -> impl Iterator<Item = (ClauseId, Span)> {
+    document.iter().filter_map(|(id, c)| match &c.kind {
+        ClauseKind::VoiceText(v) => v.has_words().then_some((id, c.tag_span)),
+        ClauseKind::VoiceSay(say) => say.is_heard().then_some((id, c.tag_span)),
+        _ => None,
+    })
+}
+
+fn first_voice(document: &Document) -> Span {
+    speaking(document)
+        .next()
+        .map_or(Span::new(0, 0), |(_, span)| span)
+}
+
+/// One warning when nothing was baked, else one for each utterance that is not.
+fn missing_speech(
+    document: &Document,
+    bundle: Option<&Bundle>,
+    voices: &Voices,
+    bundle_was_given: bool,
+) -> Vec<Diagnostic> {
+    if !bundle_was_given {
+        return speaking(document)
+            .next()
+            .map(|(_, span)| {
+                Diagnostic::warning(
+                    "player::no-bundle",
+                    span,
+                    "this story has no speech bundle; it plays with captions and guessed times, silently where there is no other voice",
+                )
+                .hint("make one with: raconteur bake")
+            })
+            .into_iter()
+            .collect();
+    }
+    if bundle.is_none() {
+        return Vec::new();
+    }
+    speaking(document)
+        .filter(|(id, _)| voices.of(*id, bundle).is_none())
+        .map(|(id, span)| match &document.clause(id).kind {
+            ClauseKind::VoiceSay(say) if say.is_file() => Diagnostic::warning(
+                "player::not-baked",
+                span,
+                format!(
+                    "the speech bundle does not hold what {} says; the story goes on without it",
+                    say.content
+                ),
+            )
+            .hint("put the file where the story looks for it, then: raconteur bake"),
+            _ => Diagnostic::warning(
+                "player::not-baked",
+                span,
+                "the speech bundle does not hold this text; it plays with captions, silently where there is no other voice",
+            )
+            .hint("bake the story again: raconteur bake"),
+        })
+        .collect()
+}

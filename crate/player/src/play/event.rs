@@ -1,0 +1,358 @@
+//! What listeners are told, as plain objects: the element's events in a page, and the lines
+//! that a mind reads.
+
+use raconteur_eml::{Diagnostic, LineIndex, Severity};
+use serde::Serialize;
+
+use crate::live::{LiveClause, Performed};
+use crate::lower::cues::{ClauseRef, Cue, CueKind, UtteranceCue};
+
+/// Something that happens while a story plays.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(
+    tag = "kind",
+    rename_all = "lowercase",
+    rename_all_fields = "camelCase"
+)]
+pub enum Event {
+    /// A word begins.
+    Word {
+        /// Story time, seconds.
+        time_secs: f64,
+        /// The live fragment that it belongs to; none: the story's own.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        fragment: Option<u32>,
+        /// Index of the utterance.
+        utterance: usize,
+        /// Index of the word in it.
+        word: usize,
+        /// As written, punctuation attached.
+        text: String,
+        /// When it ends, story time, seconds.
+        end_secs: f64,
+    },
+    /// A phone begins.
+    Phone {
+        /// Story time, seconds.
+        time_secs: f64,
+        /// The live fragment that it belongs to; none: the story's own.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        fragment: Option<u32>,
+        /// Index of the utterance.
+        utterance: usize,
+        /// Its symbol in the voice's phone set.
+        symbol: String,
+        /// The name of that set.
+        phone_set: String,
+        /// When it ends, story time, seconds.
+        end_secs: f64,
+    },
+    /// An utterance begins or ends.
+    Utterance {
+        /// Story time, seconds.
+        time_secs: f64,
+        /// The live fragment that it belongs to; none: the story's own.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        fragment: Option<u32>,
+        /// `start` or `end`.
+        phase: &'static str,
+        /// Its index.
+        utterance: usize,
+        /// What is said, as written.
+        text: String,
+        /// When it starts, story time, seconds.
+        start_secs: f64,
+        /// When it ends, story time, seconds.
+        end_secs: f64,
+    },
+    /// A named moment comes.
+    Mark {
+        /// Story time, seconds.
+        time_secs: f64,
+        /// The live fragment that it belongs to; none: the story's own.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        fragment: Option<u32>,
+        /// Its name.
+        name: String,
+    },
+    /// A clause begins or ends.
+    Clause {
+        /// Story time, seconds.
+        time_secs: f64,
+        /// The live fragment that it belongs to; none: the story's own.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        fragment: Option<u32>,
+        /// `start` or `end`.
+        phase: &'static str,
+        /// Its place in its script or fragment, from 0.
+        clause: u32,
+        /// The name of its element.
+        element: &'static str,
+        /// Its `timeId`.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        id: Option<String>,
+    },
+    /// The script's own event.
+    StoryEvent {
+        /// Story time, seconds.
+        time_secs: f64,
+        /// The live fragment that it belongs to; none: the story's own.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        fragment: Option<u32>,
+        /// Its type.
+        #[serde(rename = "type", skip_serializing_if = "Option::is_none")]
+        kind: Option<String>,
+        /// Its text.
+        payload: String,
+    },
+    /// A fragment joins the performance.
+    Accepted {
+        /// Story time, seconds.
+        time_secs: f64,
+        /// Number of the fragment.
+        fragment: u32,
+        /// The `name` of its `eml` element.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        name: Option<String>,
+        /// What will be performed, by start.
+        clauses: Vec<Accepted>,
+    },
+    /// A clause or a whole fragment will not be performed.
+    Failed {
+        /// Story time, seconds.
+        time_secs: f64,
+        /// Number of the fragment.
+        fragment: u32,
+        /// What kind of problem: `eml::unknown-name`, `live::busy` and so on.
+        code: &'static str,
+        /// One sentence for people.
+        message: String,
+        /// What to do about it.
+        #[serde(skip_serializing_if = "Vec::is_empty")]
+        hints: Vec<String>,
+        /// Line in the fragment, from 1; absent when it is not about a place.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        line: Option<u32>,
+        /// Column in characters, from 1.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        column: Option<u32>,
+        /// The clause that was skipped, from 0; absent when it is not about an accepted one.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        clause: Option<u32>,
+    },
+    /// Something in a fragment is performed otherwise than meant, perhaps.
+    Warning {
+        /// Story time, seconds.
+        time_secs: f64,
+        /// Number of the fragment.
+        fragment: u32,
+        /// What kind of problem.
+        code: &'static str,
+        /// One sentence for people.
+        message: String,
+        /// What to do about it.
+        #[serde(skip_serializing_if = "Vec::is_empty")]
+        hints: Vec<String>,
+        /// Line in the fragment, from 1.
+        line: u32,
+        /// Column in characters, from 1.
+        column: u32,
+    },
+}
+
+/// A clause of a fragment that will be performed.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Accepted {
+    /// Its place in the fragment, from 0.
+    pub clause: u32,
+    /// The name of its element.
+    pub element: &'static str,
+    /// Its `timeId`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub id: Option<String>,
+    /// Story time, seconds.
+    pub start_secs: f64,
+    /// Story time, seconds.
+    pub end_secs: f64,
+}
+
+impl Event {
+    /// What a cue is to listeners; none when its utterance is forgotten.
+    /// `utterance_at` finds utterances by their indices.
+    pub(crate) fn new<'u>(
+        cue: &Cue,
+        utterance_at: impl Fn(usize) -> Option<&'u UtteranceCue>,
+    ) -> Option<Self> {
+        let (time_secs, fragment) = (cue.time_secs, cue.fragment);
+        let clause = |phase, named: &ClauseRef| Self::Clause {
+            time_secs,
+            fragment,
+            phase,
+            clause: named.clause.0,
+            element: named.element,
+            id: named.id.clone(),
+        };
+        let utterance = |phase, utterance| {
+            let said = utterance_at(utterance)?;
+            let words: Vec<&str> = said.words.iter().map(|w| &*w.text).collect();
+            Some(Self::Utterance {
+                time_secs,
+                fragment,
+                phase,
+                utterance,
+                text: words.join(" "),
+                start_secs: said.start_secs,
+                end_secs: said.start_secs + said.duration_secs,
+            })
+        };
+        Some(match &cue.kind {
+            &CueKind::Word { utterance, word } => {
+                let said = utterance_at(utterance)?.words.get(word)?;
+                Self::Word {
+                    time_secs,
+                    fragment,
+                    utterance,
+                    word,
+                    text: said.text.clone(),
+                    end_secs: said.end_secs,
+                }
+            }
+            CueKind::Phone {
+                utterance,
+                symbol,
+                end_secs,
+            } => Self::Phone {
+                time_secs,
+                fragment,
+                utterance: *utterance,
+                symbol: symbol.clone(),
+                phone_set: utterance_at(*utterance)?.phone_set.clone(),
+                end_secs: *end_secs,
+            },
+            &CueKind::UtteranceStart { utterance: index } => utterance("start", index)?,
+            &CueKind::UtteranceEnd { utterance: index } => utterance("end", index)?,
+            CueKind::Mark { name } => Self::Mark {
+                time_secs,
+                fragment,
+                name: name.clone(),
+            },
+            CueKind::ClauseStart(named) => clause("start", named),
+            CueKind::ClauseEnd(named) => clause("end", named),
+            CueKind::ClauseSkipped(named) => Self::Failed {
+                time_secs,
+                fragment: fragment.unwrap_or_default(),
+                code: "live::skipped",
+                message: format!("a seek has passed over this {}", named.element),
+                hints: Vec::new(),
+                line: None,
+                column: None,
+                clause: Some(named.clause.0),
+            },
+            CueKind::StoryEvent { kind, payload } => Self::StoryEvent {
+                time_secs,
+                fragment,
+                kind: kind.clone(),
+                payload: payload.clone(),
+            },
+        })
+    }
+}
+
+impl Performed {
+    /// What the sender of a fragment is told at once. `text` is the fragment, `now_secs` the
+    /// story time.
+    #[must_use]
+    pub fn events(&self, text: &str, now_secs: f64) -> Vec<Event> {
+        let lines = LineIndex::new(text);
+        let (time_secs, fragment) = (now_secs, self.fragment);
+        let mut events: Vec<Event> = Vec::new();
+        if !self.clauses.is_empty() {
+            events.push(Event::Accepted {
+                time_secs,
+                fragment,
+                name: self.name.clone(),
+                clauses: self.clauses.iter().map(Accepted::new).collect(),
+            });
+        }
+        events.extend(self.diagnostics.iter().map(|diagnostic| {
+            let Diagnostic {
+                code,
+                severity,
+                span,
+                message,
+                hints,
+                ..
+            } = diagnostic.clone();
+            let at = lines.position(span.start);
+            match severity {
+                Severity::Error => Event::Failed {
+                    time_secs,
+                    fragment,
+                    code,
+                    message,
+                    hints,
+                    line: Some(at.line),
+                    column: Some(at.column),
+                    clause: None,
+                },
+                Severity::Warning => Event::Warning {
+                    time_secs,
+                    fragment,
+                    code,
+                    message,
+                    hints,
+                    line: at.line,
+                    column: at.column,
+                },
+            }
+        }));
+        events
+    }
+}
+
+impl Accepted {
+    fn new(accepted: &LiveClause) -> Self {
+        Self {
+            clause: accepted.clause.clause.0,
+            element: accepted.clause.element,
+            id: accepted.clause.id.clone(),
+            start_secs: accepted.start_secs,
+            end_secs: accepted.end_secs,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::json;
+
+    #[test]
+    fn events_are_named_as_the_element_names_them() {
+        let ended = Event::Clause {
+            time_secs: 2.0,
+            fragment: None,
+            phase: "end",
+            clause: 4,
+            element: "gesture-key",
+            id: Some("a".to_owned()),
+        };
+        let json = |event| serde_json::to_value(event).unwrap_or_default();
+        assert_eq!(
+            json(ended),
+            json!({ "kind": "clause", "timeSecs": 2.0, "phase": "end", "clause": 4,
+                    "element": "gesture-key", "id": "a" })
+        );
+        let told = Event::StoryEvent {
+            time_secs: 2.0,
+            fragment: Some(3),
+            kind: None,
+            payload: "<b>".to_owned(),
+        };
+        assert_eq!(
+            json(told),
+            json!({ "kind": "storyevent", "timeSecs": 2.0, "fragment": 3, "payload": "<b>" })
+        );
+    }
+}

@@ -1,0 +1,88 @@
+//! What a moment of a story can be asked for beside its frame: what is said, where the hands are
+//! sent, and a digest of the pose.
+
+use raconteur_base::{DVec3, Side};
+use raconteur_stage::SpeechNow;
+
+use super::{Manipulator, Player};
+use crate::lower::cues::UtteranceCue;
+
+impl Player {
+    /// What is being said at a time; of several, what was begun last.
+    #[must_use]
+    pub fn speech_at(&self, time_secs: f64) -> Option<SpeechNow> {
+        let story = &self.story.utterances;
+        let begun = story.partition_point(|u| u.start_secs <= time_secs);
+        let last = begun.checked_sub(1).map(|i| (i, &story[i]));
+        let heard = |u: &UtteranceCue| {
+            let offset_secs = time_secs - u.start_secs;
+            (0.0..u.duration_secs).contains(&offset_secs)
+        };
+        let (index, utterance) = last
+            .into_iter()
+            .chain(self.live.utterances())
+            .filter(|(_, u)| heard(u))
+            .max_by(|(_, a), (_, b)| a.start_secs.total_cmp(&b.start_secs))?;
+        let word = utterance
+            .words
+            .partition_point(|w| w.start_secs <= time_secs)
+            .checked_sub(1)
+            .filter(|&w| time_secs < utterance.words[w].end_secs);
+        Some(SpeechNow {
+            utterance: index,
+            offset_secs: time_secs - utterance.start_secs,
+            word,
+        })
+    }
+
+    /// Where the hands are sent at a time, and how near they come.
+    pub fn manipulators(&mut self, time_secs: f64) -> [Manipulator; 2] {
+        let report = self.evaluate(time_secs);
+        Side::BOTH.map(|side| Manipulator {
+            name: match side {
+                Side::Left => "leftArm",
+                Side::Right => "rightArm",
+            },
+            target_in_world: report.wrist_goals_in_world[side.index()],
+            error_m: report.wrist_errors_m[side.index()],
+        })
+    }
+
+    /// When strokes of a hand begin, story time, and the first place of the wrist in each, as
+    /// far as it can be reached, world, metres.
+    pub fn strokes(&self, side: Side) -> Vec<(f64, DVec3)> {
+        let keys = self.layers.actor().plan(side).keys().iter();
+        keys.filter(|k| k.begins_stroke)
+            .filter_map(|k| Some((k.time_secs, k.wrist_in_world?)))
+            .collect()
+    }
+
+    /// FNV-1a (64 bits) over the bits of every joint's transform, every morph weight and every
+    /// node of the face at a time, little-endian: equal digests mean equal poses to the last bit.
+    pub fn digest(&mut self, time_secs: f64) -> u64 {
+        self.forget_welcome();
+        self.evaluate(time_secs);
+        let mut hash: u64 = 0xcbf2_9ce4_8422_2325;
+        let mut eat = |bytes: &[u8]| {
+            for byte in bytes {
+                hash ^= u64::from(*byte);
+                hash = hash.wrapping_mul(0x0100_0000_01b3);
+            }
+        };
+        for joint in &self.frame.world_from_joint {
+            for value in joint.to_cols_array() {
+                eat(&value.to_le_bytes());
+            }
+        }
+        for weight in &self.frame.morph_weights {
+            eat(&weight.to_le_bytes());
+        }
+        for node in &self.frame.tissue {
+            let moved = node.displacement.iter().chain(&node.normal_delta);
+            for value in moved.chain(&node.wrinkles).chain([&node.blush]) {
+                eat(&value.to_le_bytes());
+            }
+        }
+        hash
+    }
+}

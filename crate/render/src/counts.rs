@@ -1,0 +1,22 @@
+//! What a picture took to draw.
+
+/// Draw calls and triangles of one picture.
+#[derive(Default)]
+pub(crate) struct Counts {
+    pub(crate) draw_calls: u32,
+    /// Of them, those that draw figures.
+    pub(crate) figure_draw_calls: u32,
+    pub(crate) triangles: u32,
+}
+
+impl Counts {
+    pub(crate) fn add(&mut self, triangles: u32) {
+        self.draw_calls += 1;
+        self.triangles += triangles;
+    }
+
+    pub(crate) fn add_figure(&mut self, triangles: u32) {
+        self.add(triangles);
+        self.figure_draw_calls += 1;
+    }
+}

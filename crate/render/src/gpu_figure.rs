@@ -1,0 +1,360 @@
+//! A figure as it lies on the device: buffers, pictures, and what to draw of them.
+
+use raconteur_base::DAffine3;
+use raconteur_body::face::NodeState;
+use raconteur_body::figure::{Figure, Maps};
+use raconteur_stage::{Fill, Frame, Shown};
+use wgpu::{Buffer, BufferUsages, Device, Queue, TextureView};
+
+use crate::RenderError;
+use crate::counts::Counts;
+use crate::figure::{
+    DrawnMesh, FigureData, MATERIAL_STRIDE, MAX_JOINTS, PipelineKey, Shadow, joint_rows,
+};
+use crate::gpu::{bind_group, binding, empty_buffer};
+use crate::layouts::Layouts;
+use crate::lid::LidEdge;
+use crate::morph::MorphedMesh;
+use crate::texture::{self, Role};
+use crate::tissue::{BoundMesh, Nodes, TissueVertex};
+
+/// A figure on the device.
+pub(crate) struct GpuFigure {
+    pub(crate) stature_m: f64,
+    joint_from_bind: Vec<DAffine3>,
+    lids: [Option<LidEdge>; 4],
+    shape: Buffer,
+    fixed: Buffer,
+    indices: Buffer,
+    /// The triangles, for whoever asks for their edges.
+    triangles: Vec<u32>,
+    /// Both ends of every edge of the triangles, twice as many; sent when first wanted.
+    edges: Option<Buffer>,
+    joints: Buffer,
+    group: wgpu::BindGroup,
+    meshes: Vec<DrawnMesh>,
+    morphed: Vec<MorphedMesh>,
+    tissue: Option<GpuTissue>,
+    /// Colour, normals and heights of each of the figure's pictures, as far as they are
+    /// wanted and have come.
+    pictures: Vec<[Option<TextureView>; 3]>,
+    /// Groups of the pictures that meshes use together.
+    maps: Vec<(Maps, wgpu::BindGroup)>,
+}
+
+/// The vertices that follow tissue: those of some meshes, which lie before all others.
+struct GpuTissue {
+    vertices: Buffer,
+    nodes: Nodes,
+    meshes: Vec<BoundMesh>,
+}
+
+impl GpuTissue {
+    /// Sends the state of the nodes at a moment, if it has changed.
+    fn follow(&mut self, queue: &Queue, states: &[NodeState]) {
+        if !self.nodes.take(states) {
+            return;
+        }
+        for mesh in &mut self.meshes {
+            mesh.apply(&self.nodes);
+            let offset = (mesh.first_vertex * size_of::<TissueVertex>()) as u64;
+            queue.write_buffer(&self.vertices, offset, bytemuck::cast_slice(&mesh.current));
+        }
+    }
+}
+
+/// What stands in for pictures, and how they are read.
+pub(crate) struct FallbackTextures {
+    white: TextureView,
+    flat: TextureView,
+    level: TextureView,
+    sampler: wgpu::Sampler,
+}
+
+impl FallbackTextures {
+    pub(crate) fn new(adapter: &wgpu::Adapter, device: &Device, queue: &Queue) -> Self {
+        let anisotropic = adapter
+            .get_downlevel_capabilities()
+            .flags
+            .contains(wgpu::DownlevelFlags::ANISOTROPIC_FILTERING);
+        let dot = |role, rgba: [u8; 4]| texture::upload(device, queue, role, 1, 1, &rgba);
+        Self {
+            white: dot(Role::Color, [255; 4]),
+            flat: dot(Role::Normal, [128, 128, 255, 255]),
+            level: dot(Role::Height, [128; 4]),
+            sampler: device.create_sampler(&wgpu::SamplerDescriptor {
+                address_mode_u: wgpu::AddressMode::Repeat,
+                address_mode_v: wgpu::AddressMode::Repeat,
+                mag_filter: wgpu::FilterMode::Linear,
+                min_filter: wgpu::FilterMode::Linear,
+                mipmap_filter: wgpu::MipmapFilterMode::Linear,
+                anisotropy_clamp: if anisotropic { 8 } else { 1 },
+                ..Default::default()
+            }),
+        }
+    }
+}
+
+impl GpuFigure {
+    /// Sends a figure without its pictures; `None` when nothing of it can be seen.
+    ///
+    /// # Errors
+    /// When it has too many joints or a mesh contradicts itself.
+    pub(crate) fn new(
+        device: &Device,
+        queue: &Queue,
+        layouts: &Layouts,
+        fallback: &FallbackTextures,
+        figure: &Figure,
+    ) -> Result<Option<Self>, RenderError> {
+        let data = FigureData::new(figure)?;
+        if data.meshes.is_empty() {
+            return Ok(None);
+        }
+        let filled = |label, bytes: &[u8], usage| {
+            let buffer = empty_buffer(device, label, bytes.len() as u64, usage);
+            queue.write_buffer(&buffer, 0, bytes);
+            buffer
+        };
+        let shape = bytemuck::cast_slice(&data.shape);
+        let fixed = bytemuck::cast_slice(&data.fixed);
+        let indices = bytemuck::cast_slice(&data.indices);
+        let materials = filled("materials", &data.materials, BufferUsages::UNIFORM);
+        let joints = empty_buffer(
+            device,
+            "joints",
+            (3 * MAX_JOINTS * 16) as u64,
+            BufferUsages::UNIFORM,
+        );
+        let group = bind_group(
+            device,
+            "figure",
+            &layouts.figure,
+            &[
+                binding(0, joints.as_entire_binding()),
+                binding(
+                    1,
+                    wgpu::BindingResource::Buffer(wgpu::BufferBinding {
+                        buffer: &materials,
+                        offset: 0,
+                        size: std::num::NonZeroU64::new(MATERIAL_STRIDE),
+                    }),
+                ),
+            ],
+        );
+        let tissue = (data.bound_vertices > 0).then(|| {
+            let rest = vec![TissueVertex::REST; data.bound_vertices];
+            GpuTissue {
+                vertices: filled("tissue", bytemuck::cast_slice(&rest), BufferUsages::VERTEX),
+                nodes: data.nodes,
+                meshes: data.bound,
+            }
+        });
+        let mut sent = Self {
+            stature_m: figure.skeleton.stature_m(),
+            joint_from_bind: figure.inverse_bind.clone(),
+            lids: LidEdge::of(figure),
+            shape: filled("shape", shape, BufferUsages::VERTEX),
+            fixed: filled("fixed", fixed, BufferUsages::VERTEX),
+            indices: filled("indices", indices, BufferUsages::INDEX),
+            triangles: data.indices,
+            edges: None,
+            joints,
+            group,
+            meshes: data.meshes,
+            morphed: data.morphed,
+            tissue,
+            pictures: vec![[None, None, None]; figure.images.len()],
+            maps: Vec::new(),
+        };
+        sent.group_maps(device, layouts, fallback);
+        Ok(Some(sent))
+    }
+
+    /// Groups the pictures anew, with blanks for those that have not come.
+    fn group_maps(&mut self, device: &Device, layouts: &Layouts, fallback: &FallbackTextures) {
+        self.maps.clear();
+        // Without pictures, blanks alone.
+        let all = self.meshes.iter().map(|m| m.maps).chain([Maps::default()]);
+        for wanted in all {
+            if self.maps.iter().any(|(maps, _)| *maps == wanted) {
+                continue;
+            }
+            let come = |index: Option<usize>, role: usize| {
+                index.and_then(|i| self.pictures.get(i)?[role].as_ref())
+            };
+            let color = come(wanted.base_color, 0).unwrap_or(&fallback.white);
+            let normal = come(wanted.normal, 1).unwrap_or(&fallback.flat);
+            let wrinkles = come(wanted.wrinkles, 2).unwrap_or(&fallback.level);
+            let group = bind_group(
+                device,
+                "maps",
+                &layouts.maps,
+                &[
+                    binding(0, wgpu::BindingResource::TextureView(color)),
+                    binding(1, wgpu::BindingResource::TextureView(normal)),
+                    binding(2, wgpu::BindingResource::Sampler(&fallback.sampler)),
+                    binding(3, wgpu::BindingResource::TextureView(wrinkles)),
+                ],
+            );
+            self.maps.push((wanted, group));
+        }
+    }
+
+    /// Sends the edges of the triangles, if they have not been sent.
+    pub(crate) fn prepare_edges(&mut self, device: &Device, queue: &Queue) {
+        if self.edges.is_some() {
+            return;
+        }
+        let triangles = std::mem::take(&mut self.triangles);
+        let mut ends = Vec::with_capacity(2 * triangles.len());
+        for t in triangles.chunks_exact(3) {
+            ends.extend([t[0], t[1], t[1], t[2], t[2], t[0]]);
+        }
+        let bytes: &[u8] = bytemuck::cast_slice(&ends);
+        let buffer = empty_buffer(device, "edges", bytes.len() as u64, BufferUsages::INDEX);
+        queue.write_buffer(&buffer, 0, bytes);
+        self.edges = Some(buffer);
+    }
+
+    /// Puts a decoded picture into the materials that show it; one that none shows is let go.
+    ///
+    /// # Errors
+    /// When its bytes do not fit its size, or it is too large.
+    pub(crate) fn set_image(
+        &mut self,
+        (device, queue): (&Device, &Queue),
+        (layouts, fallback): (&Layouts, &FallbackTextures),
+        index: usize,
+        (width, height): (u32, u32),
+        rgba: &[u8],
+    ) -> Result<(), RenderError> {
+        texture::check(width, height, rgba)?;
+        let Some(slots) = self.pictures.get_mut(index) else {
+            return Ok(());
+        };
+        let wanted = Some(index);
+        let shown =
+            |of: fn(&Maps) -> Option<usize>| self.meshes.iter().any(|m| of(&m.maps) == wanted);
+        for (slot, role, shown) in [
+            (0, Role::Color, shown(|m| m.base_color)),
+            (1, Role::Normal, shown(|m| m.normal)),
+            (2, Role::Height, shown(|m| m.wrinkles)),
+        ] {
+            if shown {
+                slots[slot] = Some(texture::upload(device, queue, role, width, height, rgba));
+            }
+        }
+        self.group_maps(device, layouts, fallback);
+        Ok(())
+    }
+
+    /// What its meshes need of the pipelines.
+    pub(crate) fn pipeline_keys(&self) -> impl Iterator<Item = PipelineKey> {
+        self.meshes.iter().map(|m| m.key)
+    }
+
+    /// Where the edges of the lids are at a moment, as [`LidEdge::plane`] tells.
+    pub(crate) fn lids(&self, world_from_joint: &[DAffine3]) -> [[f32; 4]; 4] {
+        self.lids
+            .map(|lid| LidEdge::plane(lid, world_from_joint, &self.joint_from_bind))
+    }
+
+    /// Sends joints, morphs and tissue of a moment; `rows` is room to work in.
+    pub(crate) fn pose(&mut self, queue: &Queue, frame: &Frame, rows: &mut Vec<[f32; 4]>) {
+        joint_rows(&frame.world_from_joint, &self.joint_from_bind, rows);
+        queue.write_buffer(&self.joints, 0, bytemuck::cast_slice(rows));
+        for mesh in &mut self.morphed {
+            if mesh.apply(&frame.morph_weights) {
+                let offset = (mesh.first_vertex * size_of_val(&mesh.current[0])) as u64;
+                queue.write_buffer(&self.shape, offset, bytemuck::cast_slice(&mesh.current));
+            }
+        }
+        if let Some(tissue) = &mut self.tissue {
+            tissue.follow(queue, &frame.tissue);
+        }
+    }
+
+    /// Whether some of its vertices follow tissue.
+    pub(crate) fn has_tissue(&self) -> bool {
+        self.tissue.is_some()
+    }
+
+    fn bind(&self, pass: &mut wgpu::RenderPass<'_>) {
+        pass.set_vertex_buffer(0, self.shape.slice(..));
+        pass.set_vertex_buffer(1, self.fixed.slice(..));
+        if let Some(tissue) = &self.tissue {
+            pass.set_vertex_buffer(2, tissue.vertices.slice(..));
+        }
+        pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint32);
+    }
+
+    fn bind_maps(&self, pass: &mut wgpu::RenderPass<'_>, maps: Maps) {
+        if let Some((_, group)) = self.maps.iter().find(|(m, _)| *m == maps) {
+            pass.set_bind_group(2, group, &[]);
+        }
+    }
+
+    /// Draws what `shown` says of the meshes that `wanted` names.
+    pub(crate) fn draw<'p>(
+        &self,
+        pass: &mut wgpu::RenderPass<'_>,
+        counts: &mut Counts,
+        shown: &Shown,
+        wanted: impl Fn(PipelineKey) -> bool,
+        pipeline: impl Fn(PipelineKey) -> Option<&'p wgpu::RenderPipeline>,
+    ) {
+        self.bind(pass);
+        let mut ends = 1;
+        if let (Fill::Wireframe, Some(edges)) = (shown.fill, &self.edges) {
+            pass.set_index_buffer(edges.slice(..), wgpu::IndexFormat::Uint32);
+            ends = 2;
+        }
+        for mesh in self.meshes.iter().filter(|m| wanted(m.key)) {
+            if let Some(pipeline) = pipeline(mesh.key) {
+                pass.set_pipeline(pipeline);
+                pass.set_bind_group(1, &self.group, &[mesh.material_offset]);
+                let maps = if shown.textures {
+                    mesh.maps
+                } else {
+                    Maps::default()
+                };
+                self.bind_maps(pass, maps);
+                pass.draw_indexed(mesh.indices.start * ends..mesh.indices.end * ends, 0, 0..1);
+                counts.add_figure(mesh.indices.len() as u32 / 3);
+            }
+        }
+    }
+
+    /// Draws what casts; meshes that lie one behind the other go in one call.
+    pub(crate) fn draw_shadow<'p>(
+        &self,
+        pass: &mut wgpu::RenderPass<'_>,
+        counts: &mut Counts,
+        pipeline: impl Fn(Shadow, bool) -> Option<&'p wgpu::RenderPipeline>,
+    ) {
+        self.bind(pass);
+        let mut rest = self.meshes.as_slice();
+        while let Some(first) = rest.first() {
+            let (shadow, bound) = (first.key.shadow(), first.key.bound);
+            let alike = |m: &&DrawnMesh| {
+                (m.key.shadow(), m.key.bound) == (shadow, bound)
+                    && (shadow != Shadow::Picture || m.maps == first.maps)
+            };
+            let count = rest.iter().take_while(alike).count();
+            let (run, after) = rest.split_at(count);
+            rest = after;
+            let (Some(last), Some(pipeline)) = (run.last(), pipeline(shadow, bound)) else {
+                continue;
+            };
+            pass.set_pipeline(pipeline);
+            pass.set_bind_group(1, &self.group, &[first.material_offset]);
+            if shadow == Shadow::Picture {
+                self.bind_maps(pass, first.maps);
+            }
+            let indices = first.indices.start..last.indices.end;
+            counts.add_figure(indices.len() as u32 / 3);
+            pass.draw_indexed(indices, 0, 0..1);
+        }
+    }
+}

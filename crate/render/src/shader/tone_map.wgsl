@@ -1,0 +1,75 @@
+// The last pass: tone curve, sRGB encoding, dithering; smooths edges when the picture
+// has one sample a pixel.
+
+@group(0) @binding(1) var picture: texture_2d<f32>;
+@group(0) @binding(2) var picture_sampler: sampler;
+
+// 1: one sample a pixel, so edges are smoothed here.
+override SMOOTH_EDGES: u32 = 0u;
+// 1: the target encodes sRGB itself.
+override TARGET_ENCODES: u32 = 0u;
+
+@vertex
+fn vs_tone_map(@builtin(vertex_index) i: u32) -> @builtin(position) vec4<f32> {
+    return vec4<f32>(f32(i & 1u) * 4.0 - 1.0, f32(i >> 1u) * 4.0 - 1.0, 0.0, 1.0);
+}
+
+fn light_at(uv: vec2<f32>) -> vec3<f32> {
+    return textureSampleLevel(picture, picture_sampler, uv, 0.0).rgb;
+}
+
+// Brightness for finding edges: close to what is shown, at little cost.
+fn luma(light: vec3<f32>) -> f32 {
+    let y = max(dot(light, vec3<f32>(0.299, 0.587, 0.114)), 0.0);
+    if EARLY_ENCODE == 1u {
+        return y;
+    }
+    return sqrt(y / (0.35 + y));
+}
+
+// Blends along edges found from four diagonal neighbours (Lottes 2009, FXAA, the
+// console variant).
+fn smoothed(uv: vec2<f32>) -> vec3<f32> {
+    let px = frame.viewport.zw;
+    let middle = light_at(uv);
+    let nw = luma(light_at(uv + px * vec2<f32>(-0.5, -0.5)));
+    let ne = luma(light_at(uv + px * vec2<f32>(0.5, -0.5)));
+    let sw = luma(light_at(uv + px * vec2<f32>(-0.5, 0.5)));
+    let se = luma(light_at(uv + px * vec2<f32>(0.5, 0.5)));
+    let m = luma(middle);
+    let low = min(m, min(min(nw, ne), min(sw, se)));
+    let high = max(m, max(max(nw, ne), max(sw, se)));
+    if high - low < max(0.03, high * 0.10) {
+        return middle;
+    }
+    var along = vec2<f32>(-((nw + ne) - (sw + se)), (nw + sw) - (ne + se));
+    let weakest = min(abs(along.x), abs(along.y)) + (nw + ne + sw + se) * 0.03;
+    along = clamp(along / max(weakest, 1e-3), vec2<f32>(-6.0), vec2<f32>(6.0)) * px;
+    let near = 0.5 * (light_at(uv - along / 6.0) + light_at(uv + along / 6.0));
+    let far = 0.5 * near + 0.25 * (light_at(uv - along * 0.5) + light_at(uv + along * 0.5));
+    let l = luma(far);
+    return select(far, near, l < low || l > high);
+}
+
+@fragment
+fn fs_tone_map(@builtin(position) at: vec4<f32>) -> @location(0) vec4<f32> {
+    let drawn = at.xy * frame.ray_forward.w;
+    let uv = drawn * frame.viewport.zw;
+    var c: vec3<f32>;
+    if SMOOTH_EDGES == 1u {
+        c = smoothed(uv);
+    } else {
+        c = light_at(uv);
+    }
+    if EARLY_ENCODE == 0u {
+        c = srgb_encode(develop(c, drawn));
+    }
+    // Half a step of noise hides the bands of the dark backdrop.
+    c += (pixel_noise(at.xy) - 0.5) / 255.0;
+    if TARGET_ENCODES == 1u {
+        let low = c / 12.92;
+        let high = pow((max(c, vec3<f32>(0.0)) + 0.055) / 1.055, vec3<f32>(2.4));
+        c = select(high, low, c <= vec3<f32>(0.04045));
+    }
+    return vec4<f32>(clamp(c, vec3<f32>(0.0), vec3<f32>(1.0)), 1.0);
+}

@@ -1,0 +1,562 @@
+//! Joins the parts of a figure on one skeleton.
+
+use std::collections::BTreeMap;
+
+use raconteur_base::{DAffine3, DQuat, DVec3, Side};
+
+use super::part::{Part, PartVertex};
+use super::subdivide::vertex_normals;
+use raconteur_body::figure::{Figure, Image, Maps, Material, MaterialKind, Mesh, Morph};
+use raconteur_body::skeleton::{Bone, FacePlaces, Skeleton};
+use raconteur_body::write::weights_in_255ths;
+use raconteur_tissue::Binding;
+
+/// A part with its normals where they are not those of its own faces.
+#[derive(Clone, Debug)]
+pub struct Piece {
+    /// The part.
+    pub part: Part,
+    /// One unit normal for each vertex; `None` computes them from the faces. Strand cards
+    /// bring theirs, which follow the head's volume rather than the card.
+    pub normals: Option<Vec<DVec3>>,
+}
+
+impl From<Part> for Piece {
+    fn from(part: Part) -> Self {
+        Self {
+            part,
+            normals: None,
+        }
+    }
+}
+
+/// Everything a figure is made of, in the bind pose, world frame, metres.
+#[derive(Clone, Debug)]
+pub struct Blueprint {
+    /// Name of the figure.
+    pub name: String,
+    /// Origins of the bones.
+    pub positions_in_world: [DVec3; Bone::COUNT],
+    /// World from bone.
+    pub bind_rotations: [DQuat; Bone::COUNT],
+    /// Centres of the eyes.
+    pub face: FacePlaces,
+    /// Standing height, metres.
+    pub stature_m: f64,
+    /// Upper-lid rotation that closes the eye, radians, left and right.
+    pub lid_closure_rad: [f64; 2],
+    /// Parts, in drawing order.
+    pub pieces: Vec<Piece>,
+    /// Pictures that materials point at.
+    pub images: Vec<Image>,
+}
+
+/// Joins the parts: one mesh for each surface, four weights a vertex, triangles, normals
+/// and the change of normals under each morph.
+#[must_use]
+pub fn assemble(blueprint: &Blueprint) -> Figure {
+    let skeleton = Skeleton::from_bind(
+        &blueprint.positions_in_world,
+        &blueprint.bind_rotations,
+        blueprint.face,
+        blueprint.stature_m,
+    );
+    let mut morph_names: Vec<String> = blueprint
+        .pieces
+        .iter()
+        .flat_map(|p| p.part.morphs.iter().map(|m| m.name.clone()))
+        .collect();
+    morph_names.sort();
+    morph_names.dedup();
+
+    let mut meshes: Vec<Mesh> = Vec::new();
+    for piece in &blueprint.pieces {
+        let slot = meshes
+            .iter()
+            .position(|m| m.material == piece.part.material);
+        let mesh = match slot {
+            Some(i) => &mut meshes[i],
+            None => {
+                meshes.push(empty_mesh(&piece.part.name, &piece.part.material));
+                let last = meshes.len() - 1;
+                &mut meshes[last]
+            }
+        };
+        append(mesh, piece, &skeleton, &morph_names);
+    }
+    meshes.retain(|m| !m.indices.is_empty());
+    let inverse_bind = bind_frames(blueprint, &skeleton)
+        .iter()
+        .map(DAffine3::inverse)
+        .collect();
+    Figure {
+        name: blueprint.name.clone(),
+        skeleton,
+        inverse_bind,
+        meshes,
+        morph_names,
+        lid_closure_rad: blueprint.lid_closure_rad,
+        sex: None,
+        dominant_hand: Side::Right,
+        tissue: None,
+        images: blueprint.images.clone(),
+    }
+}
+
+/// World from joint in the bind pose: bones as given; a helper is turned by its parent
+/// alone, so that it rests with the bone it helps.
+fn bind_frames(blueprint: &Blueprint, skeleton: &Skeleton) -> Vec<DAffine3> {
+    let mut frames: Vec<DAffine3> = Vec::with_capacity(skeleton.joints().len());
+    for (i, joint) in skeleton.joints().iter().enumerate() {
+        let frame = match joint.parent {
+            _ if i < Bone::COUNT => DAffine3::from_rotation_translation(
+                blueprint.bind_rotations[i],
+                blueprint.positions_in_world[i],
+            ),
+            Some(p) => {
+                // In the bind pose a share or twist carries that share of its bone's turn
+                // from the zero pose.
+                let turn = joint.drive.bone().map_or(DQuat::IDENTITY, |b| {
+                    let own =
+                        blueprint.bind_rotations[p].inverse() * blueprint.bind_rotations[b.index()];
+                    joint.zero_rotation.inverse() * own
+                });
+                frames[p] * skeleton.local(joint, joint.drive.of_turn(turn), turn)
+            }
+            None => DAffine3::IDENTITY,
+        };
+        frames.push(frame);
+    }
+    frames
+}
+
+fn empty_mesh(name: &str, material: &Material) -> Mesh {
+    Mesh {
+        name: name.to_owned(),
+        material: material.clone(),
+        positions: Vec::new(),
+        normals: Vec::new(),
+        uvs: Vec::new(),
+        colors: Vec::new(),
+        joints: Vec::new(),
+        weights: Vec::new(),
+        indices: Vec::new(),
+        morphs: Vec::new(),
+        binding: None,
+    }
+}
+
+fn narrow(v: DVec3) -> [f32; 3] {
+    v.to_array().map(|x| x as f32)
+}
+
+fn append(mesh: &mut Mesh, piece: &Piece, skeleton: &Skeleton, morph_names: &[String]) {
+    let part = &piece.part;
+    let base = mesh.positions.len() as u32;
+    let positions: Vec<DVec3> = part.vertices.iter().map(|v| v.position).collect();
+    let seams = Seams::of(part, &positions);
+    let normals = piece
+        .normals
+        .clone()
+        .unwrap_or_else(|| seams.normals(&positions, &part.faces));
+    for (vertex, normal) in part.vertices.iter().zip(&normals) {
+        mesh.positions.push(narrow(vertex.position));
+        mesh.normals
+            .push(narrow(normal.try_normalize().unwrap_or(DVec3::Y)));
+        let uv = if has_coordinates(&part.material) {
+            vertex.uv
+        } else {
+            [0.0; 2]
+        };
+        mesh.uvs.push(uv.map(|x| x as f32));
+        mesh.colors.push(
+            vertex
+                .color
+                .map(|x| (x * 255.0).round().clamp(0.0, 255.0) as u8),
+        );
+        let (joints, weights) = four_weights(vertex, skeleton);
+        mesh.joints.push(joints);
+        mesh.weights.push(weights);
+    }
+    for face in &part.faces {
+        mesh.indices.extend(
+            triangles(face, &positions)
+                .into_iter()
+                .flatten()
+                .map(|i| i + base),
+        );
+    }
+    for morph in &part.morphs {
+        let Ok(target) = morph_names.binary_search(&morph.name) else {
+            continue;
+        };
+        let mut moved = positions.clone();
+        for &(v, d) in &morph.deltas {
+            moved[v as usize] += d;
+        }
+        let turned = seams.normals(&moved, &part.faces);
+        let rest = seams.normals(&positions, &part.faces);
+        let slot = mesh
+            .morphs
+            .iter()
+            .position(|m| m.target == target)
+            .unwrap_or_else(|| {
+                mesh.morphs.push(Morph {
+                    target,
+                    vertices: Vec::new(),
+                    position_deltas: Vec::new(),
+                    normal_deltas: Vec::new(),
+                });
+                mesh.morphs.len() - 1
+            });
+        let out = &mut mesh.morphs[slot];
+        for v in 0..positions.len() {
+            let d = moved[v] - positions[v];
+            // Hairs are lit by the head's roundness, which no expression turns.
+            let n = if is_hair(part.material.kind) {
+                DVec3::ZERO
+            } else {
+                turned[v] - rest[v]
+            };
+            // A seventh of a millimetre and a turn below five degrees are nothing.
+            if d.length() > 1.4e-4 || n.length() > 0.09 {
+                out.vertices.push(base + v as u32);
+                out.position_deltas.push(narrow(d));
+                out.normal_deltas.push(narrow(n));
+            }
+        }
+    }
+    if !part.bound.is_empty() {
+        let binding = mesh.binding.get_or_insert_with(|| Binding {
+            starts: vec![0],
+            ..Binding::default()
+        });
+        bind(binding, base, &part.bound);
+    }
+    mesh.morphs.retain(|m| !m.vertices.is_empty());
+    mesh.morphs.sort_by_key(|m| m.target);
+}
+
+/// Nodes that one vertex follows at most: those of the smallest weights are left out.
+const NODES: usize = 12;
+
+/// Adds rows for the vertices of a part.
+fn bind(binding: &mut Binding, base: u32, bound: &[(u32, Vec<(u32, f64)>)]) {
+    for (vertex, row) in bound {
+        let mut row = row.clone();
+        let whole: f64 = row.iter().map(|r| r.1).sum();
+        row.sort_by(|a, b| b.1.total_cmp(&a.1).then(a.0.cmp(&b.0)));
+        row.truncate(NODES);
+        let kept: f64 = row.iter().map(|r| r.1).sum();
+        binding.vertices.push(base + vertex);
+        for (node, weight) in row {
+            binding.nodes.push(node as u16);
+            binding.weights.push((weight * whole / kept) as f32);
+        }
+        binding.starts.push(binding.nodes.len() as u32);
+    }
+}
+
+/// Kinds whose shading reads texture coordinates; for the others they would only take room.
+fn has_coordinates(material: &Material) -> bool {
+    use MaterialKind::{Cornea, Eye, Hair, Lash};
+    let textured = material.maps != Maps::default();
+    let woven = material.kind.weave().is_some();
+    textured || woven || matches!(material.kind, Eye | Cornea | Hair | Lash)
+}
+
+/// Kinds made of cards.
+fn is_hair(kind: MaterialKind) -> bool {
+    matches!(kind, MaterialKind::Hair | MaterialKind::Lash)
+}
+
+/// Vertices of a part that share a place (seams of texture coordinates): their normals
+/// are one.
+struct Seams {
+    /// The first vertex at each vertex's place.
+    first: Vec<u32>,
+}
+
+impl Seams {
+    fn of(part: &Part, positions: &[DVec3]) -> Self {
+        let alone = is_hair(part.material.kind);
+        let mut places: BTreeMap<[i64; 3], u32> = BTreeMap::new();
+        let first = positions
+            .iter()
+            .zip(0u32..)
+            .map(|(p, i)| {
+                if alone {
+                    return i;
+                }
+                // A hundredth of a millimetre.
+                let key = p.to_array().map(|x| (x * 1e5).round() as i64);
+                *places.entry(key).or_insert(i)
+            })
+            .collect();
+        Self { first }
+    }
+
+    fn normals(&self, positions: &[DVec3], faces: &[Vec<u32>]) -> Vec<DVec3> {
+        let joined: Vec<Vec<u32>> = faces
+            .iter()
+            .map(|f| f.iter().map(|&v| self.first[v as usize]).collect())
+            .collect();
+        let normals = vertex_normals(positions, &joined);
+        self.first.iter().map(|&i| normals[i as usize]).collect()
+    }
+}
+
+/// A polygon of three or four corners as triangles; a quad is split along its shorter
+/// diagonal, and triangles without area are left out.
+pub(super) fn triangles(face: &[u32], positions: &[DVec3]) -> Vec<[u32; 3]> {
+    let p = |i: usize| positions[face[i] as usize];
+    let mut out = Vec::with_capacity(2);
+    if face.len() == 4 && p(0).distance_squared(p(2)) > p(1).distance_squared(p(3)) {
+        out.push([face[1], face[2], face[3]]);
+        out.push([face[1], face[3], face[0]]);
+    } else {
+        for i in 1..face.len().saturating_sub(1) {
+            out.push([face[0], face[i], face[i + 1]]);
+        }
+    }
+    out.retain(|t| {
+        let [a, b, c] = t.map(|i| positions[i as usize]);
+        (b - a).cross(c - a).length_squared() > 1e-20
+    });
+    out
+}
+
+/// The four largest weights in 255ths (what the file stores), largest first.
+fn four_weights(vertex: &PartVertex, skeleton: &Skeleton) -> ([u16; 4], [f32; 4]) {
+    let mut sums: BTreeMap<u16, f64> = BTreeMap::new();
+    for (joint, weight) in &vertex.weights {
+        let index = skeleton.joints().iter().position(|j| j.drive == joint.0);
+        if let Some(i) = index {
+            *sums.entry(i as u16).or_insert(0.0) += weight.max(0.0);
+        }
+    }
+    let mut sorted: Vec<(u16, f64)> = sums.into_iter().filter(|s| s.1 > 0.0).collect();
+    // Of more than four joints, helpers that turn almost as another of the same bone give
+    // way to it first.
+    let drive = |s: &(u16, f64)| skeleton.joints()[usize::from(s.0)].drive;
+    let alike = |s: &(u16, f64), t: &(u16, f64)| {
+        let (s, t) = (drive(s), drive(t));
+        s.bone().is_some() && s.bone() == t.bone() && (s.share() - t.share()).abs() < 0.7
+    };
+    while sorted.len() > 4 {
+        let least = (0..sorted.len())
+            .filter(|&i| {
+                sorted
+                    .iter()
+                    .any(|t| t.0 != sorted[i].0 && alike(t, &sorted[i]))
+            })
+            .min_by(|&a, &b| sorted[a].1.total_cmp(&sorted[b].1));
+        let Some(least) = least else { break };
+        let gone = sorted.remove(least);
+        if let Some(heir) = sorted.iter_mut().find(|t| alike(t, &gone)) {
+            heir.1 += gone.1;
+        }
+    }
+    sorted.sort_by(|a, b| b.1.total_cmp(&a.1).then(a.0.cmp(&b.0)));
+    sorted.truncate(4);
+    let total: f64 = sorted.iter().map(|s| s.1).sum();
+    let mut joints = [0u16; 4];
+    let mut weights = [0f32; 4];
+    if total <= 0.0 {
+        return (joints, [1.0, 0.0, 0.0, 0.0]);
+    }
+    for (i, (joint, weight)) in sorted.into_iter().enumerate() {
+        joints[i] = joint;
+        weights[i] = (weight / total) as f32;
+    }
+    let stored = weights_in_255ths(weights);
+    for i in 0..4 {
+        weights[i] = f32::from(stored[i]) / 255.0;
+        // A joint without weight is joint 0, as glTF asks.
+        if stored[i] == 0 {
+            joints[i] = 0;
+        }
+    }
+    (joints, weights)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::part::{JointRef, PartMorph};
+    use raconteur_body::read::read_figure;
+    use raconteur_body::skeleton::{Drive, zero_frames};
+    use raconteur_body::write::to_glb;
+
+    /// A unit-less box on the example skeleton, with a morph and two joints.
+    fn small() -> Figure {
+        let corner = |i: u32| {
+            let s = |b: u32| if i & b == 0 { -0.1 } else { 0.1 };
+            PartVertex {
+                position: DVec3::new(s(1), 1.2 + s(2), s(4)),
+                uv: [f64::from(i & 1), f64::from(i >> 1 & 1)],
+                color: [0.5, 0.25, 0.1, 1.0],
+                weights: vec![
+                    (JointRef(Drive::Bone(Bone::Thoracic)), 0.7),
+                    (JointRef(Drive::Share(Bone::LElbow, 0.5)), 0.2),
+                    (JointRef(Drive::Bone(Bone::Skull)), 0.1),
+                ],
+            }
+        };
+        let faces = [
+            [0, 2, 3, 1],
+            [4, 5, 7, 6],
+            [0, 1, 5, 4],
+            [2, 6, 7, 3],
+            [0, 4, 6, 2],
+            [1, 3, 7, 5],
+        ];
+        let part = Part {
+            name: "box".to_owned(),
+            material: Material {
+                kind: MaterialKind::Cloth,
+                base_color: [1.0; 4],
+                roughness: 0.5,
+                double_sided: false,
+                maps: Maps::default(),
+            },
+            vertices: (0..8).map(corner).collect(),
+            faces: faces.iter().map(|f| f.to_vec()).collect(),
+            morphs: vec![PartMorph {
+                name: "jawOpen".to_owned(),
+                deltas: vec![
+                    (7, DVec3::new(0.0, 0.0, 0.02)),
+                    (2, DVec3::new(0.01, 0.0, 0.0)),
+                ],
+            }],
+            bound: Vec::new(),
+        };
+        assemble(&Blueprint {
+            name: "box".to_owned(),
+            positions_in_world: Bone::ALL.map(Bone::example_position_m),
+            bind_rotations: zero_frames(),
+            face: FacePlaces {
+                eye_centres: [DVec3::new(0.03, 1.8, 0.08), DVec3::new(-0.03, 1.8, 0.08)],
+            },
+            stature_m: 1.956,
+            lid_closure_rad: [0.6, 0.6],
+            pieces: vec![part.into()],
+            images: vec![Image {
+                mime_type: "image/png".to_owned(),
+                bytes: vec![1, 2, 3, 4, 5],
+            }],
+        })
+    }
+
+    #[test]
+    fn a_written_figure_reads_back() {
+        let figure = small();
+        let bytes = to_glb(&figure);
+        let back = read_figure("box", &bytes).unwrap();
+        assert_eq!(back.morph_names, figure.morph_names);
+        assert_eq!(back.lid_closure_rad, figure.lid_closure_rad);
+        assert_eq!(back.sex, None);
+        let woman = Figure {
+            sex: Some(1.0),
+            ..figure.clone()
+        };
+        let back_again = read_figure("box", &to_glb(&woman)).unwrap();
+        assert_eq!(back_again.sex, Some(1.0));
+        assert_eq!(back.dominant_hand, Side::Right);
+        let left = Figure {
+            dominant_hand: Side::Left,
+            ..figure.clone()
+        };
+        let back_left = read_figure("box", &to_glb(&left)).unwrap();
+        assert_eq!(back_left.dominant_hand, Side::Left);
+        assert!((back.skeleton.stature_m() - 1.956).abs() < 1e-6);
+        for (a, b) in back.skeleton.joints().iter().zip(figure.skeleton.joints()) {
+            assert_eq!((&a.name, a.drive, a.parent), (&b.name, b.drive, b.parent));
+            assert!(
+                a.translation_in_parent.distance(b.translation_in_parent) < 1e-5,
+                "{}",
+                a.name
+            );
+        }
+        for (a, b) in back.inverse_bind.iter().zip(&figure.inverse_bind) {
+            assert!(a.abs_diff_eq(*b, 1e-5));
+        }
+        let (a, b) = (&back.meshes[0], &figure.meshes[0]);
+        assert_eq!(
+            (&a.material, &a.indices, &a.joints),
+            (&b.material, &b.indices, &b.joints)
+        );
+        assert_eq!((&a.colors, &a.morphs.len()), (&b.colors, &b.morphs.len()));
+        assert_eq!(a.morphs[0].vertices, b.morphs[0].vertices);
+        let near = |p: &[[f32; 3]], q: &[[f32; 3]], tolerance: f32| {
+            p.iter()
+                .flatten()
+                .zip(q.iter().flatten())
+                .all(|(x, y)| (x - y).abs() < tolerance)
+        };
+        // Half a step of 1/32768 m; a step of 8-bit normals.
+        assert!(near(&a.positions, &b.positions, 1.6e-5));
+        assert!(near(
+            &a.morphs[0].position_deltas,
+            &b.morphs[0].position_deltas,
+            1.6e-5
+        ));
+        assert!(near(&a.normals, &b.normals, 0.005));
+        assert!(near(
+            &a.morphs[0].normal_deltas,
+            &b.morphs[0].normal_deltas,
+            0.005
+        ));
+        for (x, y) in a.weights.iter().flatten().zip(b.weights.iter().flatten()) {
+            assert!((x - y).abs() < 1e-6);
+        }
+        assert_eq!(to_glb(&back).len(), bytes.len());
+    }
+
+    #[test]
+    fn damaged_files_are_refused_without_a_panic() {
+        let bytes = to_glb(&small());
+        assert!(read_figure("x", b"").is_err());
+        assert!(read_figure("x", &bytes[..100]).is_err());
+        let mut huge = bytes.clone();
+        huge[8..12].copy_from_slice(&u32::MAX.to_le_bytes());
+        assert!(read_figure("x", &huge).is_err());
+        let mut short = bytes.clone();
+        short[8..12].copy_from_slice(&3u32.to_le_bytes());
+        assert!(read_figure("x", &short).is_err());
+        // One byte in seven of the JSON, and some of the numbers, damaged: never a panic.
+        for i in (12..bytes.len()).step_by(7) {
+            for value in [0u8, 0xFF, b'9', b'-'] {
+                let mut damaged = bytes.clone();
+                damaged[i] = value;
+                drop(read_figure("x", &damaged));
+            }
+        }
+    }
+
+    #[test]
+    fn faults_are_named() {
+        use raconteur_body::read::ReadError;
+        let bytes = to_glb(&small());
+        let swap = |from: &str, to: &str| {
+            assert_eq!(from.len(), to.len());
+            let mut b = bytes.clone();
+            let at = b
+                .windows(from.len())
+                .position(|w| w == from.as_bytes())
+                .unwrap();
+            b[at..at + to.len()].copy_from_slice(to.as_bytes());
+            read_figure("x", &b).unwrap_err()
+        };
+        assert!(matches!(
+            swap("bone_chin", "bone_nose"),
+            ReadError::NoSkeleton {
+                missing: "bone_chin"
+            }
+        ));
+        assert!(matches!(
+            swap("KHR_mesh_quantization", "KHR_mesh_compression_"),
+            ReadError::Extension(_)
+        ));
+    }
+}

@@ -1,0 +1,59 @@
+//! How a top is cut, and what it is while it is made.
+
+use raconteur_base::{DVec3, Side, mirror_vector};
+
+use super::finish::Fabric;
+use super::sheet::Sheet;
+
+/// Cut of a top; centimetres on a body of 175 cm unless said otherwise.
+#[derive(Clone, Copy, Debug)]
+pub struct TopCut {
+    /// Name of its parts.
+    pub name: &'static str,
+    /// Cloth of the body and sleeves.
+    pub fabric: Fabric,
+    /// Where hem and neckline begin, shares of an adult's stature.
+    pub reach: [f64; 2],
+    /// How straight it falls from chest to hip, 0..1.
+    pub straight: f64,
+    /// Distance from the body at yoke and waist.
+    pub ease_cm: [f64; 2],
+    /// Distance from the arm below the sleeve's cap.
+    pub sleeve_ease_cm: f64,
+    /// Excess of the sleeve's length, share.
+    pub slack: f64,
+    /// Height of its folds against those of a fine sweater.
+    pub gather: f64,
+    /// Thickness of what is worn below it, above and below the waist.
+    pub over_cm: [f64; 2],
+    /// Seed of its folds.
+    pub seed: u64,
+}
+
+/// A top before its edges are finished.
+#[derive(Clone, Debug)]
+pub struct Top {
+    /// The draped cloth.
+    pub sheet: Sheet,
+    /// Loop at the neck.
+    pub neck: Vec<u32>,
+    /// Loop at the bottom.
+    pub hem: Vec<u32>,
+    /// Loops at the wrists.
+    pub cuffs: Vec<Vec<u32>>,
+}
+
+/// Which part of the cloth a fold may touch.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Place {
+    Trunk,
+    Sleeve(Side),
+}
+
+pub(super) fn mirrored_to(side: Side, v: DVec3) -> DVec3 {
+    if side == Side::Left {
+        v
+    } else {
+        mirror_vector(v)
+    }
+}

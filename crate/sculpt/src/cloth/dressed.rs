@@ -1,0 +1,72 @@
+//! A dressed figure in the making, and what several garments share.
+
+use raconteur_base::DVec3;
+use raconteur_body::figure::MaterialKind;
+use raconteur_body::skeleton::Bone;
+
+use super::finish::{Chart, Fabric, Unrolling, cloth_part};
+use super::wearer::Wearer;
+use crate::part::Part;
+use crate::torso::{CM, Shell};
+
+/// A dressed body.
+#[derive(Clone, Debug)]
+pub struct Dressed {
+    /// Clothes and shoes, with one material for each kind of cloth.
+    pub parts: Vec<Part>,
+    /// The cloth that hair may lie on.
+    pub surface: Shell,
+}
+
+/// The V of a cardigan: where it begins, where it ends, half its width at a height.
+pub(super) struct Vee {
+    pub(super) low: f64,
+    pub(super) high: f64,
+    half: f64,
+}
+
+impl Vee {
+    pub(super) fn of(wearer: &Wearer<'_>) -> Self {
+        let unit = CM * wearer.scale;
+        Self {
+            low: wearer.joints.at(Bone::Thoracic).y + 2.5 * unit,
+            high: wearer.joints.at(Bone::Cervical).y + 1.0 * unit,
+            half: wearer.field.neck_radius() + 1.9 * unit,
+        }
+    }
+
+    pub(super) fn half_width(&self, y: f64) -> f64 {
+        let t = ((y - self.low) / (self.high - self.low)).clamp(0.0, 1.0);
+        raconteur_base::ops::pow(t, 0.85) * self.half
+    }
+}
+
+pub(super) fn cloth(kind: MaterialKind, dye: [f64; 3]) -> Fabric {
+    Fabric { kind, dye }
+}
+
+pub(super) fn leather(dye: [f64; 3]) -> Fabric {
+    cloth(MaterialKind::Leather, dye)
+}
+
+/// What lies against the neck, by its name.
+pub(super) fn collar_part(part: Part) -> Part {
+    Part {
+        name: "collar".to_owned(),
+        ..part
+    }
+}
+
+pub(super) fn trim(wearer: &Wearer<'_>, shell: &Shell, fabric: Fabric) -> Part {
+    let chart = [Chart {
+        origin: DVec3::new(0.0, 1.2, -1.5 * CM),
+        axis: DVec3::Y,
+        front: DVec3::Z,
+        radius: 14.0 * CM * wearer.scale,
+    }];
+    let unrolling = Unrolling {
+        charts: &chart,
+        chart_of: &|_| 0,
+    };
+    cloth_part("trim", shell, &[], wearer.field, fabric, unrolling)
+}

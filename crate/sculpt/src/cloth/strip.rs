@@ -1,0 +1,348 @@
+//! Things sewn on cloth: strips along a path, cords, buttons.
+
+use raconteur_base::{DVec3, ops};
+
+use crate::torso::{Shell, weights::Weights};
+
+/// A place on cloth.
+#[derive(Clone, Debug)]
+pub struct Spot {
+    /// Where.
+    pub place: DVec3,
+    /// Outwards, unit.
+    pub normal: DVec3,
+    /// Skinning weights there.
+    pub weights: Weights,
+}
+
+/// A surface to lay things on.
+#[derive(Clone, Debug)]
+pub struct Lay<'a> {
+    shell: &'a Shell,
+    normals: Vec<DVec3>,
+}
+
+impl<'a> Lay<'a> {
+    /// Of a shell.
+    #[must_use]
+    pub fn new(shell: &'a Shell) -> Self {
+        Self {
+            shell,
+            normals: shell.normals(),
+        }
+    }
+
+    /// The surface near a point: the mean of its nearest points, and the point moved onto
+    /// it along the normal.
+    #[must_use]
+    pub fn at(&self, p: DVec3) -> Spot {
+        self.nearest(p, |q| q.distance_squared(p))
+    }
+
+    /// Height of its highest point, metres.
+    #[must_use]
+    pub fn top(&self) -> f64 {
+        self.shell
+            .points
+            .iter()
+            .map(|p| p.y)
+            .fold(f64::MIN, f64::max)
+    }
+
+    /// The point, moved out along the surface's normal if it lies less than `off` metres
+    /// outside.
+    #[must_use]
+    pub fn outside(&self, p: DVec3, off: f64) -> DVec3 {
+        let spot = self.nearest_of(|_| true, |q| q.distance_squared(p));
+        let d = (p - spot.place).dot(spot.normal);
+        // A point far inside has met the other side.
+        if d < off && d > -0.06 {
+            p + spot.normal * (off - d)
+        } else {
+            p
+        }
+    }
+
+    /// The surface as seen from the front (`z` above zero) or the back: where a point
+    /// lies in depth does not matter.
+    #[must_use]
+    pub fn seen(&self, p: DVec3) -> Spot {
+        let sign = p.z.signum();
+        let spot = self.nearest_of(
+            |v| self.normals[v].z * sign > 0.1,
+            |q| (q.x - p.x) * (q.x - p.x) + (q.y - p.y) * (q.y - p.y),
+        );
+        let d = spot.place - p;
+        let n = spot.normal;
+        // Only the depth gives way.
+        let depth = d.dot(n) / if n.z.abs() < 0.15 { 0.15 * sign } else { n.z };
+        Spot {
+            place: DVec3::new(p.x, p.y, p.z + depth),
+            ..spot
+        }
+    }
+
+    /// The surface straight below a point.
+    #[must_use]
+    pub fn above(&self, p: DVec3) -> Spot {
+        let spot = self.nearest_of(
+            |v| self.normals[v].y > 0.1,
+            |q| (q.x - p.x) * (q.x - p.x) + (q.z - p.z) * (q.z - p.z),
+        );
+        let n = spot.normal;
+        let height = (spot.place - p).dot(n) / n.y.max(0.15);
+        Spot {
+            place: DVec3::new(p.x, p.y + height, p.z),
+            ..spot
+        }
+    }
+
+    fn nearest(&self, p: DVec3, distance: impl Fn(DVec3) -> f64) -> Spot {
+        let spot = self.nearest_of(|_| true, distance);
+        let n = spot.normal;
+        Spot {
+            place: p + n * (spot.place - p).dot(n),
+            ..spot
+        }
+    }
+
+    fn nearest_of(&self, wanted: impl Fn(usize) -> bool, distance: impl Fn(DVec3) -> f64) -> Spot {
+        const COUNT: usize = 6;
+        let mut best: Vec<(f64, usize)> = Vec::with_capacity(COUNT + 1);
+        for (v, q) in self.shell.points.iter().enumerate() {
+            let d = distance(*q);
+            if best.len() == COUNT && d >= best[COUNT - 1].0 {
+                continue;
+            }
+            if !wanted(v) {
+                continue;
+            }
+            let at = best.partition_point(|b| b.0 <= d);
+            best.insert(at, (d, v));
+            best.truncate(COUNT);
+        }
+        let share: Vec<(f64, usize)> = best
+            .iter()
+            .map(|&(d, v)| (1.0 / (d.sqrt() + 5e-4), v))
+            .collect();
+        let total: f64 = share.iter().map(|s| s.0).sum();
+        let mean = |of: &dyn Fn(usize) -> DVec3| -> DVec3 {
+            share.iter().map(|&(w, v)| of(v) * (w / total)).sum()
+        };
+        Spot {
+            place: mean(&|v| self.shell.points[v]),
+            normal: mean(&|v| self.normals[v])
+                .try_normalize()
+                .unwrap_or(DVec3::Z),
+            weights: Weights::mix(
+                share
+                    .iter()
+                    .map(|&(w, v)| (&self.shell.weights[v], w / total)),
+            ),
+        }
+    }
+
+    /// A path through corners seen from the front or the back (the sign of their `z`), in
+    /// steps of `spacing` metres, rounded a little.
+    #[must_use]
+    pub fn path(&self, corners: &[DVec3], spacing: f64) -> Vec<Spot> {
+        let mut out = Vec::new();
+        for pair in corners.windows(2) {
+            let span = (pair[1] - pair[0]).truncate().length();
+            let steps = (span / spacing).ceil().max(1.0) as usize;
+            for i in 0..steps {
+                out.push(pair[0].lerp(pair[1], i as f64 / steps as f64));
+            }
+        }
+        out.extend(corners.last());
+        let mut spots: Vec<Spot> = out.into_iter().map(|p| self.seen(p)).collect();
+        soften(&mut spots, 2);
+        spots
+    }
+}
+
+/// Averages places, normals and weights along an open path; its ends stay.
+pub fn soften(path: &mut [Spot], rounds: usize) {
+    for _ in 0..rounds {
+        let before = path.to_vec();
+        for i in 1..path.len().saturating_sub(1) {
+            let (a, b) = (&before[i - 1], &before[i + 1]);
+            let s = &mut path[i];
+            s.place = s.place * 0.5 + (a.place + b.place) * 0.25;
+            s.normal = (s.normal * 2.0 + a.normal + b.normal)
+                .try_normalize()
+                .unwrap_or(s.normal);
+            let near = [
+                (&before[i].weights, 0.5),
+                (&a.weights, 0.25),
+                (&b.weights, 0.25),
+            ];
+            s.weights = Weights::mix(near.into_iter());
+        }
+    }
+}
+
+/// A flat band; metres.
+#[derive(Clone, Copy, Debug)]
+pub struct Strip {
+    /// Across the path.
+    pub width: f64,
+    /// Above the cloth.
+    pub thickness: f64,
+    /// Whether the path closes.
+    pub closed: bool,
+}
+
+/// Share of half the width and of the thickness: rounded edges that reach into the cloth.
+const EDGE: [(f64, f64); 6] = [
+    (-1.0, -0.8),
+    (-1.0, 0.5),
+    (-0.75, 1.0),
+    (0.75, 1.0),
+    (1.0, 0.5),
+    (1.0, -0.8),
+];
+
+/// A strip along a path, rounded at its edges.
+#[must_use]
+pub fn strip(path: &[Spot], shape: &Strip) -> Shell {
+    let frames = frames(path, shape.closed);
+    let rings: Vec<Vec<DVec3>> = path
+        .iter()
+        .zip(&frames)
+        .map(|(s, across)| {
+            EDGE.iter()
+                .map(|&(x, y)| {
+                    s.place + *across * (x * 0.5 * shape.width) + s.normal * (y * shape.thickness)
+                })
+                .collect()
+        })
+        .collect();
+    let mut out = swept(path, &rings, shape.closed, false);
+    orient(&mut out, path, EDGE.len(), 2);
+    out
+}
+
+/// A round cord along a path, lying on the cloth and closed at its ends.
+#[must_use]
+pub fn cord(path: &[Spot], radius: f64) -> Shell {
+    const AROUND: usize = 6;
+    let frames = frames(path, false);
+    let last = path.len().saturating_sub(1);
+    let rings: Vec<Vec<DVec3>> = path
+        .iter()
+        .zip(&frames)
+        .enumerate()
+        .map(|(i, (s, across))| {
+            let r = if i == 0 || i == last { 0.35 } else { 1.0 } * radius;
+            (0..AROUND)
+                .map(|k| {
+                    let a = core::f64::consts::TAU * k as f64 / AROUND as f64;
+                    let (sin, cos) = ops::sincos(a);
+                    s.place + *across * (cos * r) + s.normal * (sin * r + 0.7 * radius)
+                })
+                .collect()
+        })
+        .collect();
+    let mut out = swept(path, &rings, false, true);
+    orient(&mut out, path, AROUND, 1);
+    out
+}
+
+/// Across the path, in the cloth, at each of its places.
+fn frames(path: &[Spot], closed: bool) -> Vec<DVec3> {
+    let n = path.len();
+    (0..n)
+        .map(|i| {
+            let (a, b) = if closed {
+                ((i + n - 1) % n, (i + 1) % n)
+            } else {
+                (i.saturating_sub(1), (i + 1).min(n - 1))
+            };
+            let along = path[b].place - path[a].place;
+            path[i]
+                .normal
+                .cross(along)
+                .try_normalize()
+                .unwrap_or(DVec3::X)
+        })
+        .collect()
+}
+
+fn swept(path: &[Spot], rings: &[Vec<DVec3>], closed: bool, round: bool) -> Shell {
+    let mut out = Shell::default();
+    for (spot, ring) in path.iter().zip(rings) {
+        for p in ring {
+            out.points.push(*p);
+            out.weights.push(spot.weights.clone());
+        }
+    }
+    let n = rings.len();
+    let m = rings.first().map_or(0, Vec::len);
+    let at = |i: usize, k: usize| ((i % n) * m + k % m) as u32;
+    let spans = if closed { n } else { n.saturating_sub(1) };
+    let sides = if round { m } else { m.saturating_sub(1) };
+    for i in 0..spans {
+        for k in 0..sides {
+            out.faces
+                .push(vec![at(i, k), at(i, k + 1), at(i + 1, k + 1), at(i + 1, k)]);
+        }
+    }
+    out
+}
+
+/// Turns all faces over when point `k` of the rings looks into the cloth.
+fn orient(shell: &mut Shell, path: &[Spot], m: usize, k: usize) {
+    let agree: f64 = shell
+        .normals()
+        .iter()
+        .skip(k)
+        .step_by(m)
+        .zip(path)
+        .map(|(n, s)| n.dot(s.normal))
+        .sum();
+    if agree < 0.0 {
+        for face in &mut shell.faces {
+            face.reverse();
+        }
+    }
+}
+
+/// A dished disc with a rounded rim.
+#[must_use]
+pub fn button(spot: &Spot, radius: f64) -> Shell {
+    const AROUND: usize = 8;
+    const PROFILE: [(f64, f64); 5] = [
+        (1.0, -0.1),
+        (1.03, 0.26),
+        (0.86, 0.4),
+        (0.6, 0.28),
+        (0.03, 0.27),
+    ];
+    let n = spot.normal;
+    let across = n.cross(DVec3::Y).try_normalize().unwrap_or(DVec3::X);
+    let up = across.cross(n);
+    let mut out = Shell::default();
+    for (r, h) in PROFILE {
+        for k in 0..AROUND {
+            let (s, c) = ops::sincos(core::f64::consts::TAU * k as f64 / AROUND as f64);
+            out.points
+                .push(spot.place + ((across * c + up * s) * r + n * h) * radius);
+            out.weights.push(spot.weights.clone());
+        }
+    }
+    let at = |i: usize, k: usize| (i * AROUND + k % AROUND) as u32;
+    for i in 0..PROFILE.len() - 1 {
+        for k in 0..AROUND {
+            out.faces
+                .push(vec![at(i, k), at(i, k + 1), at(i + 1, k + 1), at(i + 1, k)]);
+        }
+    }
+    orient(
+        &mut out,
+        core::slice::from_ref(spot),
+        AROUND * PROFILE.len(),
+        AROUND * 2,
+    );
+    out
+}

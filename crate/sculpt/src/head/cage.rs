@@ -1,0 +1,382 @@
+//! The cage's topology: a grid over the head with concentric rings about eyes, mouth,
+//! nostrils and ears, half of it mirrored.
+//!
+//! The base grid has 21 columns (0 on the front midline, 20 on the back midline) and 32
+//! rows (0 near the hairline, 31 at the neck's base). Rectangular holes are filled with
+//! rings whose ring 0 is the hole's own border, so that every inner corner of a hole
+//! becomes a pole of five edges where a modeller would put it. The crown is a patch
+//! folded onto row 0.
+
+use std::collections::BTreeMap;
+
+use raconteur_base::{DVec3, Side};
+
+/// Last column of the grid.
+pub(crate) const LAST_COLUMN: u8 = 20;
+/// Last row of the grid, the neck's rim.
+pub(crate) const LAST_ROW: u8 = 31;
+const CROWN_WIDTH: u8 = 6;
+const CROWN_LENGTH: u8 = 8;
+/// Rings of eye, mouth, nostril and ear, ring 0 included.
+const RINGS: [u8; 4] = [9, 9, 4, 11];
+
+/// Millimetres; the left half.
+pub(crate) type Points = BTreeMap<Key, DVec3>;
+
+/// A vertex of one half of the cage. Rings: (ring, position along it).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Key {
+    /// Column, row.
+    Grid(u8, u8),
+    /// Ring 0 orbital rim, 1 sulcus, 2 fold, 3 crease, 4 lid plate, 5 lash edge, 6 inner
+    /// margin, 7 and 8 lining; 16 positions: 0 inner corner, 4 upper middle, 8 outer corner.
+    Eye(u8, u8),
+    /// Ring 0 perioral, 1 border of the red, 2 just inside, 3 fullest, 4 roll-in, 5
+    /// contact, 6 vestibule, 7 and 8 bag; 13 positions: 0 upper middle, 6 corner, 12 lower.
+    Mouth(u8, u8),
+    /// Rim, inset, two rising rings; 8 positions.
+    Nostril(u8, u8),
+    /// Root, back, outer back, rim, rim inside, scapha, antihelix foot, concha edge, concha
+    /// floor, canal; 18 positions.
+    Ear(u8, u8),
+    /// Patch on top: along the midline from the front, across.
+    Crown(u8, u8),
+}
+
+const EYE_BORDER: [(u8, u8); 16] = [
+    (4, 6),
+    (4, 5),
+    (4, 4),
+    (5, 4),
+    (6, 4),
+    (7, 4),
+    (8, 4),
+    (8, 5),
+    (8, 6),
+    (8, 7),
+    (8, 8),
+    (7, 8),
+    (6, 8),
+    (5, 8),
+    (4, 8),
+    (4, 7),
+];
+const MOUTH_BORDER: [(u8, u8); 13] = [
+    (0, 16),
+    (1, 16),
+    (2, 16),
+    (3, 16),
+    (4, 16),
+    (4, 17),
+    (4, 18),
+    (4, 19),
+    (4, 20),
+    (3, 20),
+    (2, 20),
+    (1, 20),
+    (0, 20),
+];
+const NOSTRIL_BORDER: [(u8, u8); 8] = [
+    (1, 13),
+    (1, 12),
+    (2, 12),
+    (3, 12),
+    (3, 13),
+    (3, 14),
+    (2, 14),
+    (1, 14),
+];
+const EAR_BORDER: [(u8, u8); 18] = [
+    (12, 9),
+    (12, 8),
+    (12, 7),
+    (12, 6),
+    (13, 6),
+    (14, 6),
+    (15, 6),
+    (15, 7),
+    (15, 8),
+    (15, 9),
+    (15, 10),
+    (15, 11),
+    (15, 12),
+    (14, 12),
+    (13, 12),
+    (12, 12),
+    (12, 11),
+    (12, 10),
+];
+
+impl Key {
+    /// An eye vertex; ring 0 lies on the grid, positions wrap.
+    pub(crate) fn eye(ring: u8, k: usize) -> Self {
+        let (c, r) = EYE_BORDER[k % 16];
+        if ring == 0 {
+            Self::Grid(c, r)
+        } else {
+            Self::Eye(ring, (k % 16) as u8)
+        }
+    }
+
+    /// A mouth vertex; ring 0 lies on the grid.
+    pub(crate) fn mouth(ring: u8, k: usize) -> Self {
+        let (c, r) = MOUTH_BORDER[k];
+        if ring == 0 {
+            Self::Grid(c, r)
+        } else {
+            Self::Mouth(ring, k as u8)
+        }
+    }
+
+    /// A nostril vertex; ring 0 lies on the grid, positions wrap.
+    pub(crate) fn nostril(ring: u8, k: usize) -> Self {
+        let (c, r) = NOSTRIL_BORDER[k % 8];
+        if ring == 0 {
+            Self::Grid(c, r)
+        } else {
+            Self::Nostril(ring, (k % 8) as u8)
+        }
+    }
+
+    /// An ear vertex; ring 0 lies on the grid, positions wrap.
+    pub(crate) fn ear(ring: u8, k: usize) -> Self {
+        let (c, r) = EAR_BORDER[k % 18];
+        if ring == 0 {
+            Self::Grid(c, r)
+        } else {
+            Self::Ear(ring, (k % 18) as u8)
+        }
+    }
+
+    /// A crown vertex; three of the patch's sides lie on row 0.
+    pub(crate) fn crown(p: u8, q: u8) -> Self {
+        if p == 0 {
+            Self::Grid(q, 0)
+        } else if p == CROWN_LENGTH {
+            Self::Grid(LAST_COLUMN - q, 0)
+        } else if q == CROWN_WIDTH {
+            Self::Grid(CROWN_WIDTH + p, 0)
+        } else {
+            Self::Crown(p, q)
+        }
+    }
+
+    /// Whether both halves share it.
+    pub(crate) fn on_midline(self) -> bool {
+        match self {
+            Self::Grid(c, _) => c == 0 || c == LAST_COLUMN,
+            Self::Mouth(_, k) => k == 0 || k == 12,
+            Self::Crown(_, q) => q == 0,
+            _ => false,
+        }
+    }
+
+    /// Position on the mouth's rings, ring 0 included.
+    pub(crate) fn mouth_position(self) -> Option<(u8, usize)> {
+        match self {
+            Self::Mouth(r, k) => Some((r, usize::from(k))),
+            Self::Grid(c, r) => MOUTH_BORDER
+                .iter()
+                .position(|&b| b == (c, r))
+                .map(|k| (0, k)),
+            _ => None,
+        }
+    }
+
+    /// Position on the eye's rings, ring 0 included.
+    pub(crate) fn eye_position(self) -> Option<(u8, usize)> {
+        match self {
+            Self::Eye(r, k) => Some((r, usize::from(k))),
+            Self::Grid(c, r) => EYE_BORDER.iter().position(|&b| b == (c, r)).map(|k| (0, k)),
+            _ => None,
+        }
+    }
+
+    /// Whether it lies on the border of a nostril.
+    pub(crate) fn on_nostril_rim(self) -> bool {
+        matches!(self, Self::Grid(c, r) if NOSTRIL_BORDER.contains(&(c, r)))
+    }
+}
+
+/// What a face of the cage belongs to; rings count from the outer one of its two.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Zone {
+    /// Outside all rings: the column and row of its upper inner corner.
+    Grid(u8, u8),
+    /// Between two rings of an eye.
+    Eye(u8),
+    /// Between two rings of the mouth; 8 is the bag's back.
+    Mouth(u8),
+    /// Between two rings of a nostril; 3 is its end.
+    Nostril(u8),
+    /// Between two rings of an ear; 10 is the canal's end.
+    Ear(u8),
+    /// On top.
+    Crown,
+}
+
+/// The whole cage.
+#[derive(Clone, Debug)]
+pub(crate) struct Cage {
+    /// Faces, counter-clockwise from outside.
+    pub(crate) faces: Vec<Vec<u32>>,
+    /// Zone of each face.
+    pub(crate) zones: Vec<Zone>,
+    /// Key and side of each vertex; midline vertices count as left.
+    pub(crate) keys: Vec<(Key, Side)>,
+    index: BTreeMap<(Key, Side), u32>,
+}
+
+fn half_faces() -> Vec<(Vec<Key>, Zone)> {
+    let mut faces = Vec::new();
+    let within = |i: u8, j: u8, c: core::ops::Range<u8>, r: core::ops::Range<u8>| {
+        c.contains(&i) && r.contains(&j)
+    };
+    for j in 0..LAST_ROW {
+        for i in 0..LAST_COLUMN {
+            let hole = within(i, j, 4..8, 4..8)
+                || within(i, j, 0..4, 16..20)
+                || within(i, j, 1..3, 12..14)
+                || within(i, j, 12..15, 6..12);
+            if !hole {
+                let g = Key::Grid;
+                let quad = vec![g(i, j), g(i, j + 1), g(i + 1, j + 1), g(i + 1, j)];
+                faces.push((quad, Zone::Grid(i, j)));
+            }
+        }
+    }
+    type Ring = (fn(u8, usize) -> Key, fn(u8) -> Zone, usize);
+    let rings: [Ring; 4] = [
+        (Key::eye, Zone::Eye, 16),
+        (Key::mouth, Zone::Mouth, 12),
+        (Key::nostril, Zone::Nostril, 8),
+        (Key::ear, Zone::Ear, 18),
+    ];
+    for ((key, zone, n), count) in rings.into_iter().zip(RINGS) {
+        for r in 0..count - 1 {
+            for k in 0..n {
+                let quad = vec![key(r, k), key(r + 1, k), key(r + 1, k + 1), key(r, k + 1)];
+                faces.push((quad, zone(r)));
+            }
+        }
+    }
+    for p in 0..CROWN_LENGTH {
+        for q in 0..CROWN_WIDTH {
+            let c = Key::crown;
+            let quad = vec![c(p, q), c(p, q + 1), c(p + 1, q + 1), c(p + 1, q)];
+            faces.push((quad, Zone::Crown));
+        }
+    }
+    let (canal, end) = (RINGS[3] - 1, RINGS[2] - 1);
+    faces.push((
+        (0..18).rev().map(|k| Key::ear(canal, k)).collect(),
+        Zone::Ear(canal),
+    ));
+    faces.push((
+        (0..8).rev().map(|k| Key::nostril(end, k)).collect(),
+        Zone::Nostril(end),
+    ));
+    faces
+}
+
+impl Cage {
+    /// Builds the topology; there is only one.
+    pub(crate) fn new() -> Self {
+        let mut cage = Self {
+            faces: Vec::new(),
+            zones: Vec::new(),
+            keys: Vec::new(),
+            index: BTreeMap::new(),
+        };
+        for (half, zone) in half_faces() {
+            for side in Side::BOTH {
+                let mut face: Vec<u32> = half.iter().map(|&k| cage.intern(k, side)).collect();
+                if side == Side::Right {
+                    face.reverse();
+                }
+                cage.faces.push(face);
+                cage.zones.push(zone);
+            }
+        }
+        // The back of the mouth bag spans both halves.
+        let bag = RINGS[1] - 1;
+        let left = (0..13).map(|k| (k, Side::Left));
+        let right = (1..12).rev().map(|k| (k, Side::Right));
+        let back = left
+            .chain(right)
+            .rev()
+            .map(|(k, s)| cage.intern(Key::mouth(bag, k), s))
+            .collect();
+        cage.faces.push(back);
+        cage.zones.push(Zone::Mouth(bag));
+        cage
+    }
+
+    fn intern(&mut self, key: Key, side: Side) -> u32 {
+        let side = if key.on_midline() { Side::Left } else { side };
+        *self.index.entry((key, side)).or_insert_with(|| {
+            self.keys.push((key, side));
+            self.keys.len() as u32 - 1
+        })
+    }
+
+    /// How many vertices there are.
+    pub(crate) fn len(&self) -> usize {
+        self.keys.len()
+    }
+
+    /// Whether the cage has such a vertex.
+    pub(crate) fn has(&self, key: Key) -> bool {
+        self.index.contains_key(&(key, Side::Left))
+    }
+
+    /// Index of a vertex.
+    ///
+    /// # Panics
+    /// When the key names no vertex; keys come from code.
+    #[allow(
+        clippy::expect_used,
+        reason = "keys come from code and the topology is fixed"
+    )]
+    pub(crate) fn at(&self, key: Key, side: Side) -> usize {
+        let side = if key.on_midline() { Side::Left } else { side };
+        *self.index.get(&(key, side)).expect("a vertex of the cage") as usize
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::subdivide::edge_faces;
+
+    #[test]
+    fn neighbouring_faces_turn_the_same_way() {
+        let cage = Cage::new();
+        let mut seen = std::collections::BTreeSet::new();
+        for face in &cage.faces {
+            for (i, &a) in face.iter().enumerate() {
+                let b = face[(i + 1) % face.len()];
+                let keys = (cage.keys[a as usize], cage.keys[b as usize]);
+                assert!(seen.insert((a, b)), "{keys:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_cage_is_manifold_and_open_at_the_neck_and_behind_the_lids_only() {
+        let cage = Cage::new();
+        let edges = edge_faces(&cage.faces);
+        assert!(edges.values().all(|f| f.len() <= 2));
+        for (&(a, b), f) in &edges {
+            if f.len() == 1 {
+                for v in [a, b] {
+                    let key = cage.keys[v as usize].0;
+                    assert!(
+                        matches!(key, Key::Grid(_, LAST_ROW) | Key::Eye(8, _)),
+                        "{key:?}"
+                    );
+                }
+            }
+        }
+    }
+}

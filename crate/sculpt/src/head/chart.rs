@@ -1,0 +1,368 @@
+//! Where the head's skin lies in the skin's atlas, and the mean head that gives every vertex
+//! a place which is the same on all people.
+//!
+//! The skin is cut along the back's midline from the neck's rim over the nape to the crown,
+//! so that the seam lies under hair, and laid onto a rectangle: the face in the middle, chin
+//! down. The map is harmonic, therefore without overlap; then rows and columns are spread so
+//! that the face gets most texels. Ears are laid into their own hole ring by ring. All of it
+//! follows from the cage and the mean head, so one picture fits every head.
+
+use std::sync::OnceLock;
+
+use raconteur_base::{DVec2, DVec3, Side, curve};
+
+use super::cage::{Cage, Key, LAST_COLUMN, LAST_ROW, Zone};
+use super::points::{self, Individual};
+use super::solve;
+use super::surface::Surface;
+use crate::skin::raster::SIZE;
+use crate::skin::unwrap::{even_out, harmonic, unfold};
+
+/// The head's rectangle in the atlas, texels: left, top, right, bottom.
+const RECTANGLE: [f64; 4] = [6.0, 6.0, 708.0, 1018.0];
+
+/// How many texels a millimetre gets in each column of faces, relative to the face.
+const COLUMN_SHARES: [f64; LAST_COLUMN as usize] = [
+    1.0, 1.0, 1.0, 1.0, 1.1, 1.25, 1.35, 1.4, 1.35, 1.1, 0.75, 0.65, 0.75, 0.75, 0.75, 0.2, 0.13,
+    0.12, 0.12, 0.12,
+];
+/// The same for a row of faces; the crown above row 0 has its own.
+const CROWN_SHARE: f64 = 0.4;
+
+fn row_share(row: u8) -> f64 {
+    match row {
+        0..=11 => 0.85,
+        12..=15 => 0.75,
+        16..=19 => 0.6,
+        20..=21 => 1.0,
+        22..=24 => 1.5,
+        _ => 0.7,
+    }
+}
+
+/// How far from the middle of its hole each ring of the ear lies, of the border's distance:
+/// the back takes little, the folded front most.
+const EAR_RINGS: [f64; 11] = [
+    1.0, 0.94, 0.88, 0.81, 0.74, 0.64, 0.53, 0.40, 0.27, 0.15, 0.07,
+];
+
+/// How often the face's texels are shared out anew, and from which to which depth in front
+/// of the ears that begins, mm.
+const EVENINGS: usize = 1;
+const FRONT_MM: [f64; 2] = [35.0, 75.0];
+
+/// Where the crown's midline stops being cut: positions on the patch from the front.
+const CUT_FROM: u8 = 2;
+
+/// What all heads share.
+pub(crate) struct Chart {
+    /// The drawn surface's faces over the vertices of the chart, which are doubled along
+    /// the cut.
+    pub(crate) faces: Vec<Vec<u32>>,
+    /// The drawn vertex of each of them.
+    pub(crate) source: Vec<u32>,
+    /// Place in the atlas, 0..1.
+    pub(crate) uv: Vec<[f64; 2]>,
+    /// The drawn vertices on the mean head, mm.
+    pub(crate) mean: Vec<DVec3>,
+    /// The mean head's named points.
+    pub(crate) places: Places,
+}
+
+impl Chart {
+    /// A quantity of the drawn vertices for the chart's.
+    pub(crate) fn of<T: Copy>(&self, drawn: &[T]) -> Vec<T> {
+        self.source.iter().map(|&v| drawn[v as usize]).collect()
+    }
+}
+
+/// Places on the mean head by the cage's coordinates, with fractions; left half, mm.
+#[derive(Debug)]
+pub(crate) struct Places {
+    cage: Cage,
+    limit: Vec<DVec3>,
+}
+
+impl Places {
+    fn at(&self, key: Key) -> DVec3 {
+        self.limit[self.cage.at(key, Side::Left)]
+    }
+
+    fn between(a: f64, b: f64, at: impl Fn(u8, u8) -> DVec3) -> DVec3 {
+        let (i, j) = (a.floor().max(0.0), b.floor().max(0.0));
+        let low = at(i as u8, j as u8).lerp(at(i as u8 + 1, j as u8), a - i);
+        let high = at(i as u8, j as u8 + 1).lerp(at(i as u8 + 1, j as u8 + 1), a - i);
+        low.lerp(high, b - j)
+    }
+
+    /// A place by column (0..20) and row (0..31). Within a hole of the grid the nearest
+    /// vertices of its border stand in.
+    pub(crate) fn grid(&self, column: f64, row: f64) -> DVec3 {
+        let column = column.clamp(0.0, f64::from(LAST_COLUMN) - 1e-6);
+        let row = row.clamp(0.0, f64::from(LAST_ROW) - 1e-6);
+        Self::between(column, row, |i, j| {
+            if self.cage.has(Key::Grid(i, j)) {
+                return self.at(Key::Grid(i, j));
+            }
+            // Holes are at most six wide: the nearest columns left and right that exist.
+            let left = (0..i).rev().find(|&k| self.cage.has(Key::Grid(k, j)));
+            let right = (i..=LAST_COLUMN).find(|&k| self.cage.has(Key::Grid(k, j)));
+            match (left, right) {
+                (Some(a), Some(b)) => {
+                    let t = f64::from(i - a) / f64::from(b - a);
+                    self.at(Key::Grid(a, j)).lerp(self.at(Key::Grid(b, j)), t)
+                }
+                (None, Some(b)) => self.at(Key::Grid(b, j)),
+                (Some(a), None) => self.at(Key::Grid(a, j)),
+                (None, None) => DVec3::ZERO,
+            }
+        })
+    }
+
+    /// A place by the eye's ring (0..8) and the position around (0..16, wraps).
+    pub(crate) fn eye(&self, ring: f64, position: f64) -> DVec3 {
+        Self::between(ring.clamp(0.0, 7.999), position.rem_euclid(16.0), |r, k| {
+            self.at(Key::eye(r, usize::from(k)))
+        })
+    }
+
+    /// A place by the mouth's ring (0..5) and the position along it (0..12).
+    pub(crate) fn mouth(&self, ring: f64, position: f64) -> DVec3 {
+        Self::between(
+            ring.clamp(0.0, 4.999),
+            position.clamp(0.0, 11.999),
+            |r, k| self.at(Key::mouth(r, usize::from(k))),
+        )
+    }
+}
+
+/// The chart, made once: it depends on nothing.
+pub(crate) fn chart() -> &'static Chart {
+    static CHART: OnceLock<Chart> = OnceLock::new();
+    CHART.get_or_init(make)
+}
+
+fn is_cut(key: Key) -> bool {
+    match key {
+        Key::Grid(c, _) => c == LAST_COLUMN,
+        Key::Crown(p, 0) => p >= CUT_FROM,
+        _ => false,
+    }
+}
+
+fn make() -> Chart {
+    let cage = Cage::new();
+    let solved = solve::solve(&cage, &points::points(&Individual::default()));
+    let surface = Surface::new(&cage);
+
+    // Vertices on the cut stand once for each half.
+    let mut open = cage.clone();
+    let mut source: Vec<u32> = (0..cage.len() as u32).collect();
+    let mut twin = vec![u32::MAX; cage.len()];
+    for (v, slot) in twin.iter_mut().enumerate() {
+        if is_cut(cage.keys[v].0) {
+            *slot = open.keys.len() as u32;
+            open.keys.push(cage.keys[v]);
+            source.push(v as u32);
+        }
+    }
+    for face in &mut open.faces {
+        if face.iter().any(|&v| cage.keys[v as usize].1 == Side::Right) {
+            for v in face {
+                if twin[*v as usize] != u32::MAX {
+                    *v = twin[*v as usize];
+                }
+            }
+        }
+    }
+    let positions: Vec<DVec3> = source
+        .iter()
+        .map(|&v| solved.cage_points[v as usize])
+        .collect();
+    let flat = lay(&cage, &open, &twin, &positions);
+
+    let open_surface = Surface::new(&open);
+    let mut surface_of = vec![0; open_surface.len()];
+    for (a, b) in open_surface.faces.iter().zip(&surface.faces) {
+        for (&u, &v) in a.iter().zip(b) {
+            surface_of[u as usize] = v;
+        }
+    }
+    let smooth: Vec<DVec3> = flat.iter().map(|p| p.extend(0.0)).collect();
+    let mut uv: Vec<DVec2> = open_surface
+        .apply(&smooth)
+        .into_iter()
+        .map(DVec3::truncate)
+        .collect();
+    // Hollows of ears and nostrils, where columns and rows were spread unevenly.
+    let seen: Vec<[u32; 3]> = open_surface
+        .faces
+        .iter()
+        .zip(&open_surface.zones)
+        .filter(|(_, z)| !matches!(z, Zone::Mouth(5..)))
+        .flat_map(|(f, _)| f[1..].windows(2).map(|w| [f[0], w[0], w[1]]))
+        .collect();
+    unfold(&seen, &mut uv);
+    let limit = (0..cage.len())
+        .map(|v| solved.limit_of(v, &solved.cage_points))
+        .collect();
+    Chart {
+        faces: open_surface.faces.clone(),
+        source: surface_of,
+        uv: uv
+            .iter()
+            .map(|p| [p.x / SIZE as f64, p.y / SIZE as f64])
+            .collect(),
+        mean: surface.apply(&solved.cage_points),
+        places: Places { cage, limit },
+    }
+}
+
+/// Lays the cage into the rectangle; texels.
+fn lay(cage: &Cage, open: &Cage, twin: &[u32], positions: &[DVec3]) -> Vec<DVec2> {
+    let at = |k: Key, side: Side| {
+        let v = cage.at(k, side);
+        let right = side == Side::Right && twin[v] != u32::MAX;
+        if right { twin[v] } else { v as u32 }
+    };
+    let p = |k: Key| positions[cage.at(k, Side::Left)];
+    let length = |a: Key, b: Key| p(a).distance(p(b));
+    let g = Key::Grid;
+    // A row and a column that cross no hole.
+    let across: Vec<f64> = (0..LAST_COLUMN)
+        .map(|c| length(g(c, 15), g(c + 1, 15)))
+        .collect();
+    let down: Vec<f64> = (0..LAST_ROW)
+        .map(|r| length(g(4, r), g(4, r + 1)))
+        .collect();
+    let crown: f64 = (0..4)
+        .map(|i| length(Key::crown(i, 4), Key::crown(i + 1, 4)))
+        .sum();
+    let width = 2.0 * across.iter().sum::<f64>();
+    let height = crown + down.iter().sum::<f64>();
+
+    // The outline, left half from the front of the neck round to the end of the cut.
+    let neck: Vec<Key> = (0..=LAST_COLUMN).map(|c| g(c, LAST_ROW)).collect();
+    let back: Vec<Key> = (0..=LAST_ROW).rev().map(|r| g(LAST_COLUMN, r)).collect();
+    let top: Vec<Key> = (CUT_FROM - 1..=8).rev().map(|i| Key::crown(i, 0)).collect();
+    let mut held: Vec<(u32, DVec2)> = Vec::new();
+    let mut side_of = |keys: &[Key], from: DVec2, to: DVec2| {
+        let steps: Vec<f64> = keys.windows(2).map(|w| length(w[0], w[1])).collect();
+        let whole: f64 = steps.iter().sum();
+        let mut gone = 0.0;
+        for (i, &key) in keys.iter().enumerate() {
+            let place = from.lerp(to, gone / whole);
+            gone += steps.get(i).copied().unwrap_or(0.0);
+            for (side, sign) in [(Side::Left, 1.0), (Side::Right, -1.0)] {
+                let v = at(key, side);
+                if held.iter().all(|h| h.0 != v) {
+                    held.push((v, DVec2::new(place.x * sign, place.y)));
+                }
+            }
+        }
+    };
+    let half = width / 2.0;
+    side_of(&neck, DVec2::new(0.0, height), DVec2::new(half, height));
+    side_of(&back, DVec2::new(half, height), DVec2::new(half, 0.0));
+    side_of(&top, DVec2::new(half, 0.0), DVec2::ZERO);
+
+    // The lips meet; the lids stand open, and their lining follows below.
+    let mut bridges = Vec::new();
+    for side in Side::BOTH {
+        let mouth = |k: usize| at(Key::mouth(5, k), side);
+        bridges.extend((0..6).map(|k| (mouth(k), mouth(12 - k), 3.0)));
+        let eye = |k: usize| at(Key::eye(6, k), side);
+        bridges.extend((1..8).map(|k| (eye(k), eye(16 - k), 0.35)));
+    }
+    let laid = |z: &Zone| !matches!(z, Zone::Mouth(5..) | Zone::Eye(6..) | Zone::Ear(_));
+    let kept = open.faces.iter().zip(&open.zones).filter(|(_, z)| laid(z));
+    let faces: Vec<Vec<u32>> = kept.map(|(f, _)| f.clone()).collect();
+    let mut tension = vec![1.0; positions.len()];
+    let (mut flat, mut holes) = harmonic(&faces, positions, &held, &bridges, &tension);
+    // Nose and lips stand out of the face and would get too few texels.
+    let front: Vec<f64> = positions
+        .iter()
+        .map(|p| curve::smooth((p.z - FRONT_MM[0]) / (FRONT_MM[1] - FRONT_MM[0])))
+        .collect();
+    for _ in 0..EVENINGS {
+        even_out(&faces, positions, &flat, &front, &mut tension);
+        (flat, holes) = harmonic(&faces, positions, &held, &bridges, &tension);
+    }
+
+    // Spreads columns and rows.
+    let place = |k: Key| flat[cage.at(k, Side::Left)];
+    let mut columns: Vec<[f64; 2]> = vec![[0.0; 2]];
+    let mut rows: Vec<[f64; 2]> = vec![[0.0; 2]];
+    let mut sum = 0.0;
+    for c in 0..LAST_COLUMN {
+        sum += across[usize::from(c)] * COLUMN_SHARES[usize::from(c)];
+        columns.push([place(g(c + 1, 15)).x, sum]);
+    }
+    let mut sum = crown * CROWN_SHARE;
+    rows.push([place(g(4, 0)).y, sum]);
+    for r in 0..LAST_ROW {
+        sum += down[usize::from(r)] * row_share(r);
+        rows.push([place(g(4, r + 1)).y, sum]);
+    }
+    let [left, above, right, below] = RECTANGLE;
+    let (wide, high) = (
+        (right - left) / 2.0 / columns[columns.len() - 1][1],
+        (below - above) / sum,
+    );
+    let spread = |p: DVec2| {
+        DVec2::new(
+            (left + right) / 2.0 + p.x.signum() * through(&columns, p.x.abs()) * wide,
+            above + through(&rows, p.y) * high,
+        )
+    };
+    for p in &mut flat {
+        *p = spread(*p);
+    }
+    for side in Side::BOTH {
+        for (r, share) in [(7, 0.82), (8, 0.64)] {
+            for k in 0..16 {
+                let edge = |k: usize| flat[at(Key::eye(6, k), side) as usize];
+                // Towards the line between the corners.
+                let line = (edge(k) + edge(16 - k % 16)) / 2.0;
+                flat[at(Key::eye(r, k), side) as usize] = line + (edge(k) - line) * share;
+            }
+        }
+    }
+    for side in Side::BOTH {
+        for k in 0..13 {
+            let edge = |k: usize| flat[at(Key::mouth(5, k), side) as usize];
+            let line = (edge(k) + edge(12 - k)) / 2.0;
+            // The bag behind the lips has no map, but the surface is smooth across its edge.
+            for r in 6..=8 {
+                flat[at(Key::mouth(r, k), side) as usize] = line;
+            }
+        }
+    }
+    for border in holes {
+        let Some(side) = Side::BOTH
+            .into_iter()
+            .find(|&s| border.contains(&at(Key::ear(0, 0), s)))
+        else {
+            continue;
+        };
+        // Rows and columns were spread: the border's own middle sees all of it.
+        let border: Vec<DVec2> = border.iter().map(|&v| flat[v as usize]).collect();
+        let middle = border.iter().sum::<DVec2>() / border.len() as f64;
+        for (r, share) in (0u8..).zip(EAR_RINGS).skip(1) {
+            for k in 0..18 {
+                let edge = flat[at(Key::ear(0, k), side) as usize];
+                flat[at(Key::ear(r, k), side) as usize] = middle + (edge - middle) * share;
+            }
+        }
+    }
+    flat
+}
+
+/// A rising line through knots, straight between them.
+fn through(knots: &[[f64; 2]], x: f64) -> f64 {
+    let next = knots
+        .partition_point(|k| k[0] < x)
+        .clamp(1, knots.len() - 1);
+    let ([a, low], [b, high]) = (knots[next - 1], knots[next]);
+    low + (high - low) * ((x - a) / (b - a)).clamp(0.0, 1.0)
+}

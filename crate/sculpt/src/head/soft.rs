@@ -1,0 +1,327 @@
+//! What the tissue under the face is made from: the skin between the cage and the drawn
+//! surface, as a mesh of nodes, and what is known of each.
+//!
+//! Nodes are the vertices of the cage subdivided once; drawn vertices follow them by the same
+//! stencils that the surface is made with, so that a moved face stays as smooth as it was.
+
+use std::collections::BTreeMap;
+
+use raconteur_base::{DVec3, Side};
+
+use super::cage::{Cage, Key};
+use super::points::{self, Individual};
+use super::rig::Shares;
+use super::solve::Solved;
+use crate::subdivide::{Stencil, edge_faces, limit_stencils, subdivide};
+
+/// A place of the lips: ring from the skin (0) inwards, and position from the middle of the
+/// upper lip (0) over the corner (12) to the middle of the lower (24); both in half steps of
+/// the cage's.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) struct LipPlace {
+    pub(crate) ring: u8,
+    pub(crate) position: u8,
+    pub(crate) side: Side,
+}
+
+/// A node of the skin.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct SoftNode {
+    /// On the drawn surface, metres, frame of the head.
+    pub(crate) place: DVec3,
+    /// Share of the lower jaw.
+    pub(crate) jaw: f64,
+    /// How far muscles of the face move it: 0 where skin is fixed to the skull, 1.
+    pub(crate) mobility: f64,
+    /// How far those of temple, ear and jaw's angle do, 0 to 1.
+    pub(crate) mobility_aside: f64,
+    /// How far it goes with the ear that stands on it, 0 to 1.
+    pub(crate) ear_root: f64,
+    /// How firmly it is held sideways, 0 slides to 1.
+    pub(crate) grip: f64,
+    /// Whether it lies inside nose or mouth.
+    pub(crate) is_inside: bool,
+    pub(crate) lip: Option<LipPlace>,
+}
+
+/// The soft face of one head.
+#[derive(Clone, Debug)]
+pub(crate) struct Soft {
+    pub(crate) nodes: Vec<SoftNode>,
+    pub(crate) quads: Vec<[u32; 4]>,
+    /// Named points of the mean head, millimetres, and where they are on this one: what is
+    /// laid out on the mean head is carried over by them.
+    pub(crate) landmarks: Vec<(DVec3, DVec3)>,
+}
+
+/// How far muscles move the skin. Designed: lids are rigid, the scalp and what lies before
+/// the ears hardly move.
+fn mobility(key: Key) -> f64 {
+    match key {
+        Key::Grid(column, row) => {
+            let aside = match column {
+                0..=8 => 1.0,
+                9 => 0.85,
+                10 => 0.5,
+                11 => 0.15,
+                _ => 0.0,
+            };
+            let down = match row {
+                0 => 0.25,
+                1 => 0.7,
+                2..=23 => 1.0,
+                24 => 0.9,
+                25 => 0.7,
+                26 => 0.5,
+                27 => 0.3,
+                28 => 0.15,
+                _ => 0.0,
+            };
+            aside * down
+        }
+        Key::Eye(1, _) => 0.75,
+        Key::Eye(2, _) => 0.4,
+        Key::Eye(3, _) => 0.12,
+        Key::Mouth(..) | Key::Nostril(..) => 1.0,
+        Key::Eye(..) | Key::Ear(..) | Key::Crown(..) => 0.0,
+    }
+}
+
+/// How far muscles of temple, ear and jaw's angle move the skin at the side of the head, from the
+/// scalp above the temple to behind the ear and down to the jaw's angle. Designed.
+fn mobility_aside(key: Key) -> f64 {
+    let Key::Grid(column, row) = key else {
+        return 0.0;
+    };
+    let behind = match column {
+        ..=7 => 0.0,
+        8 => 0.6,
+        9 => 0.8,
+        10..=14 => 1.0,
+        15 => 0.9,
+        16 => 0.4,
+        _ => 0.0,
+    };
+    let down = match row {
+        0 => 0.5,
+        13 if column > 12 => 0.3,
+        14.. if column > 12 => 0.0,
+        1..=23 => 1.0,
+        24 => 0.8,
+        25 => 0.4,
+        26 => 0.15,
+        _ => 0.0,
+    };
+    behind * down
+}
+
+/// How far skin goes with the ear: wholly at its root, and less with each line of the grid away
+/// from it.
+fn ear_root(key: Key) -> f64 {
+    match key {
+        Key::Ear(..) => 1.0,
+        Key::Grid(column, row) => {
+            let off =
+                |at: u8, [from, to]: [u8; 2]| from.saturating_sub(at).max(at.saturating_sub(to));
+            let lines = off(column, EAR_COLUMNS).max(off(row, EAR_ROWS));
+            match lines {
+                0 => 1.0,
+                1 => 0.55,
+                2 => 0.2,
+                _ => 0.0,
+            }
+        }
+        _ => 0.0,
+    }
+}
+
+/// Columns and rows of the grid between which the ear's root lies.
+const EAR_COLUMNS: [u8; 2] = [12, 15];
+const EAR_ROWS: [u8; 2] = [6, 12];
+/// Places of the ear's root, fixed to the skull whatever the jaw does, with which the ear goes:
+/// above it and behind it.
+const EAR_HOLDS: [(u8, u8); 4] = [(12, 7), (13, 6), (15, 6), (15, 9)];
+
+/// Pretension of what holds the skin. Designed: firm at lips, nose and lids, loose over cheeks
+/// and forehead, where skin slides.
+fn grip(key: Key) -> f64 {
+    match key {
+        Key::Mouth(6.., _) => 0.9,
+        Key::Mouth(..) => 0.85,
+        Key::Nostril(..) => 0.7,
+        Key::Eye(..) => 0.6,
+        Key::Grid(column, row) => {
+            if key.mouth_position().is_some() {
+                0.7
+            } else if column <= 5 && (5..=14).contains(&row) {
+                0.65
+            } else if mobility(key) < 0.6 {
+                0.7
+            } else {
+                0.4
+            }
+        }
+        Key::Ear(..) | Key::Crown(..) => 1.0,
+    }
+}
+
+/// Vertices of a mesh that each vertex of its subdivision lies between, in the order that
+/// [`subdivide`] gives them.
+fn parents(faces: &[Vec<u32>], count: usize) -> Vec<Vec<u32>> {
+    let own = (0..count as u32).map(|v| vec![v]);
+    let edges = edge_faces(faces);
+    let middles = edges.keys().map(|&(a, b)| vec![a, b]);
+    own.chain(middles).chain(faces.iter().cloned()).collect()
+}
+
+/// The place of the lips that a node between vertices of the cage has; `None` elsewhere.
+fn lip_place(cage: &Cage, between: &[u32]) -> Option<LipPlace> {
+    let (mut rings, mut positions) = (0, 0);
+    let mut side = Side::Left;
+    for &v in between {
+        let (key, own) = cage.keys[v as usize];
+        let (ring, position) = key.mouth_position()?;
+        rings += 2 * usize::from(ring);
+        positions += 2 * position;
+        if !key.on_midline() {
+            side = own;
+        }
+    }
+    let count = between.len();
+    // Only edges and quads of the mouth's own rings have whole places.
+    let is_whole = count <= 4 && rings.is_multiple_of(count) && positions.is_multiple_of(count);
+    is_whole.then(|| LipPlace {
+        ring: (rings / count) as u8,
+        position: (positions / count) as u8,
+        side,
+    })
+}
+
+/// Rows of drawn vertices over nodes.
+pub(super) struct Follow {
+    /// The node of each vertex of the cage subdivided once.
+    node_of: Vec<Option<u32>>,
+    /// The nodes that each of them follows in equal parts that is in an ear, and is no node.
+    ear_of: Vec<Option<[u32; EAR_HOLDS.len()]>>,
+    /// Stencils from there to the cage subdivided twice.
+    finer: Vec<Stencil>,
+}
+
+impl Follow {
+    /// What moves a vertex of the cage subdivided twice: nodes and weights. Where part of its
+    /// surroundings is fixed, weights sum to less than 1.
+    pub(super) fn row(&self, fine: u32) -> Vec<(u32, f64)> {
+        let mut row: BTreeMap<u32, f64> = BTreeMap::new();
+        for &(v, weight) in &self.finer[fine as usize] {
+            let v = v as usize;
+            if let Some(node) = self.node_of[v] {
+                *row.entry(node).or_default() += weight;
+            } else if let Some(nodes) = self.ear_of[v] {
+                for node in nodes {
+                    *row.entry(node).or_default() += weight / nodes.len() as f64;
+                }
+            }
+        }
+        row.into_iter().filter(|(_, w)| *w > 1e-4).collect()
+    }
+}
+
+/// Finds the nodes of a head.
+pub(super) fn soft(
+    cage: &Cage,
+    solved: &Solved,
+    shares: &[Shares],
+    individual: &Individual,
+) -> (Soft, Follow) {
+    let once = subdivide(&cage.faces, cage.len(), 1);
+    let finer = subdivide(&once.faces, once.stencils.len(), 1).stencils;
+    let limit = limit_stencils(&once.faces, once.stencils.len());
+    let at = once.apply(&solved.cage_points);
+    let by_key = |f: fn(Key) -> f64| {
+        let values: Vec<f64> = cage.keys.iter().map(|&(key, _)| f(key)).collect();
+        once.apply(&values)
+    };
+    let (mobilities, grips) = (by_key(mobility), by_key(grip));
+    let (aside, ear_roots) = (by_key(mobility_aside), by_key(ear_root));
+    // An ear is stiff: what moves is its root.
+    let ears = by_key(|key| f64::from(u8::from(matches!(key, Key::Ear(..)))));
+    let inside = by_key(|key| match key {
+        Key::Mouth(5.., _) | Key::Nostril(1.., _) => 1.0,
+        _ => 0.0,
+    });
+    let jaws = once.apply(&shares.iter().map(|s| s.jaw).collect::<Vec<f64>>());
+    // Lids go with their own joints.
+    let lids = once.apply(
+        &shares
+            .iter()
+            .map(|s| s.upper_lid + s.lower_lid)
+            .collect::<Vec<f64>>(),
+    );
+    let between = parents(&cage.faces, cage.len());
+    let mut node_of = vec![None; at.len()];
+    let mut nodes = Vec::new();
+    for v in 0..at.len() {
+        let is_fixed = mobilities[v].max(aside[v]) < 0.02 && jaws[v] < 0.005;
+        if is_fixed || lids[v] > 0.5 || ears[v] > 0.3 {
+            continue;
+        }
+        node_of[v] = Some(nodes.len() as u32);
+        let place: DVec3 = limit[v].iter().map(|&(i, w)| at[i as usize] * w).sum();
+        nodes.push(SoftNode {
+            place: place * 1e-3,
+            jaw: jaws[v].clamp(0.0, 1.0),
+            mobility: mobilities[v].clamp(0.0, 1.0),
+            mobility_aside: aside[v].clamp(0.0, 1.0),
+            ear_root: ear_roots[v].clamp(0.0, 1.0),
+            grip: grips[v].clamp(0.0, 1.0),
+            is_inside: inside[v] > 0.5,
+            lip: lip_place(cage, &between[v]),
+        });
+    }
+    // Subdivision keeps the vertices it starts from in front.
+    let held = |side| {
+        let nodes = EAR_HOLDS.map(|(c, r)| node_of[cage.at(Key::Grid(c, r), side)]);
+        nodes
+            .iter()
+            .all(Option::is_some)
+            .then(|| nodes.map(Option::unwrap_or_default))
+    };
+    let held_ears = Side::BOTH.map(held);
+    let ear_of = ears
+        .iter()
+        .zip(&at)
+        .map(|(ear, p)| held_ears[usize::from(p.x < 0.0)].filter(|_| *ear > 0.3))
+        .collect();
+    let quads = once
+        .faces
+        .iter()
+        .filter_map(|f| {
+            let q: Vec<u32> = f.iter().filter_map(|&v| node_of[v as usize]).collect();
+            <[u32; 4]>::try_from(q).ok()
+        })
+        .collect();
+    let mean: BTreeMap<Key, DVec3> = points::points(&Individual::default());
+    let own = points::points(individual);
+    let landmarks = mean
+        .iter()
+        .filter(|(key, _)| {
+            matches!(
+                key,
+                Key::Grid(..) | Key::Mouth(0..=4, _) | Key::Eye(0..=3, _)
+            )
+        })
+        .filter_map(|(key, &at)| Some((at, *own.get(key)?)))
+        .collect();
+    (
+        Soft {
+            nodes,
+            quads,
+            landmarks,
+        },
+        Follow {
+            node_of,
+            ear_of,
+            finer,
+        },
+    )
+}

@@ -1,0 +1,306 @@
+//! Puts the limit surface of the cage through the named points and fairs the rest: one
+//! sparse least-squares problem, solved a few times because fairness is scaled by lengths
+//! that follow from the last solution and area points slide on the surface.
+
+use faer::linalg::solvers::Solve as _;
+use faer::sparse::{SparseColMat, Triplet};
+use faer::{Mat, Side as Triangle};
+use raconteur_base::{DVec3, Side};
+
+use super::cage::{Cage, Key, Points};
+use crate::subdivide::{Stencil, limit_stencils, vertex_normals};
+
+/// A cage whose limit surface can be asked for.
+#[derive(Clone, Debug)]
+pub(crate) struct Solved {
+    /// Cage vertices, mm.
+    pub(crate) cage_points: Vec<DVec3>,
+    /// Limit position of each cage vertex as a stencil over the cage.
+    pub(crate) limit: Vec<Stencil>,
+}
+
+impl Solved {
+    /// Limit position of a cage vertex for any cage.
+    pub(crate) fn limit_of(&self, v: usize, cage_points: &[DVec3]) -> DVec3 {
+        self.limit[v]
+            .iter()
+            .map(|&(i, w)| cage_points[i as usize] * w)
+            .sum()
+    }
+}
+
+/// A row of the least-squares matrix.
+pub(crate) type Terms = Vec<(u32, f64)>;
+
+const ROUNDS: usize = 6;
+const FEATURE_WEIGHT: f64 = 30.0;
+const AREA_WEIGHT: f64 = 0.9;
+/// Where the ear's root begins on the side of the head.
+const BEFORE_EAR: Key = Key::Grid(12, 6);
+const TWIST: f64 = 0.7;
+
+/// Whether a point only says where the surface passes, and may slide on it.
+fn is_area(key: Key) -> bool {
+    match key {
+        Key::Crown(..) => true,
+        Key::Grid(i, j) => {
+            let nose = (i <= 5 && (5..=15).contains(&j)) || (i == 6 && (10..=13).contains(&j));
+            let orbit = key.eye_position().is_some();
+            let mouth = key.mouth_position().map(|(_, k)| k);
+            if nose && !orbit {
+                return false;
+            }
+            if i == 0 || key.on_nostril_rim() {
+                return false;
+            }
+            mouth.is_none_or(soft_mouth_position)
+        }
+        _ => false,
+    }
+}
+
+/// Positions of the outer mouth ring that may slide: hard ones leave whiskers at the corner.
+fn soft_mouth_position(k: usize) -> bool {
+    (3..=9).contains(&k)
+}
+
+/// Share of the tangential error that an area point corrects in a round. Beside the corner
+/// of the mouth and before the ear points are held back, or they would slide up to the lip's
+/// border and the ear's root and the faces between fold over.
+fn slide(key: Key) -> f64 {
+    match key {
+        Key::Grid(4, 16..=20) => 0.5,
+        BEFORE_EAR => 0.6,
+        _ => 0.15,
+    }
+}
+
+fn weight(key: Key) -> f64 {
+    match key {
+        Key::Ear(..) => 0.35 * FEATURE_WEIGHT,
+        BEFORE_EAR => 2.0,
+        Key::Grid(4, 16..=20) => 1.5,
+        Key::Grid(..) if key.eye_position().is_some() => 1.2,
+        Key::Grid(..)
+            if key
+                .mouth_position()
+                .is_some_and(|(_, k)| soft_mouth_position(k)) =>
+        {
+            0.8
+        }
+        _ if is_area(key) => AREA_WEIGHT,
+        _ => FEATURE_WEIGHT,
+    }
+}
+
+/// Neighbourhoods of the cage, built once.
+pub(crate) struct Fairness {
+    neighbours: Vec<Vec<u32>>,
+    /// Pairs of opposite neighbours at regular and rim vertices; none at poles.
+    pairs: Vec<Option<Vec<[u32; 2]>>>,
+    quads: Vec<[u32; 4]>,
+}
+
+impl Fairness {
+    pub(crate) fn new(faces: &[Vec<u32>], vertex_count: usize) -> Self {
+        let edges = crate::subdivide::edge_faces(faces);
+        let mut neighbours = vec![Vec::new(); vertex_count];
+        let mut rim = vec![Vec::new(); vertex_count];
+        let mut around = vec![Vec::new(); vertex_count];
+        for (&(a, b), sides) in &edges {
+            for (v, u) in [(a, b), (b, a)] {
+                neighbours[v as usize].push(u);
+                if sides.len() == 1 {
+                    rim[v as usize].push(u);
+                }
+            }
+        }
+        for (f, face) in faces.iter().enumerate() {
+            for &v in face {
+                around[v as usize].push(f);
+            }
+        }
+        let pairs = (0..vertex_count)
+            .map(|v| {
+                if !rim[v].is_empty() {
+                    return Some(match rim[v][..] {
+                        [a, b] => vec![[a, b]],
+                        _ => Vec::new(),
+                    });
+                }
+                let around_v: &[u32] = &neighbours[v];
+                let &[a, ..] = around_v else { return None };
+                if around_v.len() != 4 {
+                    return None;
+                }
+                let beside = |u: u32| {
+                    around[v]
+                        .iter()
+                        .any(|&f: &usize| faces[f].contains(&a) && faces[f].contains(&u))
+                };
+                let (far, near): (Vec<u32>, Vec<u32>) =
+                    around_v[1..].iter().partition(|&&u| !beside(u));
+                Some(match (&far[..], &near[..]) {
+                    (&[o], &[p, q]) => vec![[a, o], [p, q]],
+                    _ => Vec::new(),
+                })
+            })
+            .collect();
+        let quads = faces
+            .iter()
+            .filter_map(|f| <[u32; 4]>::try_from(&f[..]).ok())
+            .collect();
+        Self {
+            neighbours,
+            pairs,
+            quads,
+        }
+    }
+
+    /// Second differences along both grid directions with uneven spacing, Laplacians at
+    /// poles, and the twist of every quad. With `points` the rows are scaled to curvature
+    /// times the square root of area, or dense rows would bend too cheaply.
+    pub(crate) fn rows(&self, points: Option<&[DVec3]>) -> Vec<Terms> {
+        let length =
+            |v: usize, u: u32| points.map_or(1.0, |p| (p[u as usize] - p[v]).length().max(0.3));
+        let mut rows = Vec::new();
+        for (v, pairs) in self.pairs.iter().enumerate() {
+            let near = &self.neighbours[v];
+            let mean = near.iter().map(|&u| length(v, u)).sum::<f64>() / near.len() as f64;
+            let scale = |a: f64, b: f64| match points {
+                None => 1.0,
+                Some(_) => (6.0 * (mean * mean).max(0.1).sqrt() / (a * b)).clamp(0.25, 6.0),
+            };
+            if let Some(pairs) = pairs {
+                for &[a, b] in pairs {
+                    let (da, db) = (length(v, a), length(v, b));
+                    let q = scale(da, db);
+                    let share = db / (da + db);
+                    rows.push(vec![(a, share * q), (b, (1.0 - share) * q), (v as u32, -q)]);
+                }
+            } else {
+                let q = scale(mean, mean);
+                let sum: f64 = near.iter().map(|&u| 1.0 / length(v, u)).sum();
+                let mut row: Terms = near
+                    .iter()
+                    .map(|&u| (u, q / (length(v, u) * sum)))
+                    .collect();
+                row.push((v as u32, -q));
+                rows.push(row);
+            }
+        }
+        for &[a, b, c, d] in &self.quads {
+            rows.push(vec![(a, TWIST), (b, -TWIST), (c, TWIST), (d, -TWIST)]);
+        }
+        rows
+    }
+}
+
+/// Minimises Σ |row · x − value|² for three right-hand sides at once; `None` when the
+/// problem has no unique solution.
+pub(crate) fn least_squares(
+    unknowns: usize,
+    rows: &[(Terms, DVec3)],
+    free_rows: &[Terms],
+) -> Option<Vec<DVec3>> {
+    let mut triplets: Vec<Triplet<usize, usize, f64>> = Vec::new();
+    // A trace of the identity keeps unconstrained vertices solvable.
+    triplets.extend((0..unknowns).map(|i| Triplet::new(i, i, 1e-9)));
+    for row in rows.iter().map(|(r, _)| r).chain(free_rows) {
+        for &(i, a) in row {
+            for &(j, b) in row {
+                if i >= j {
+                    triplets.push(Triplet::new(i as usize, j as usize, a * b));
+                }
+            }
+        }
+    }
+    let normal =
+        SparseColMat::<usize, f64>::try_new_from_triplets(unknowns, unknowns, &triplets).ok()?;
+    let mut right = Mat::<f64>::zeros(unknowns, 3);
+    for (row, value) in rows {
+        for &(i, a) in row {
+            for (axis, x) in value.to_array().into_iter().enumerate() {
+                right[(i as usize, axis)] += a * x;
+            }
+        }
+    }
+    let factor = normal.sp_cholesky(Triangle::Lower).ok()?;
+    let x = factor.solve(&right);
+    Some(
+        (0..unknowns)
+            .map(|i| DVec3::new(x[(i, 0)], x[(i, 1)], x[(i, 2)]))
+            .collect(),
+    )
+}
+
+/// Solves the cage for the points of the left half, mirrored.
+///
+/// # Panics
+/// When the normal equations are singular, which the fixed topology and table rule out.
+#[allow(
+    clippy::expect_used,
+    reason = "depends on the built-in topology and table only"
+)]
+pub(crate) fn solve(cage: &Cage, points: &Points) -> Solved {
+    let n = cage.len();
+    let limit = limit_stencils(&cage.faces, n);
+    let fairness = Fairness::new(&cage.faces, n);
+    let targets: Vec<(usize, DVec3, f64, bool)> = cage
+        .keys
+        .iter()
+        .enumerate()
+        .filter_map(|(v, &(key, side))| {
+            let mut p = *points.get(&key)?;
+            if key.on_midline() {
+                p.x = 0.0;
+            }
+            p.x *= side.sign();
+            Some((v, p, weight(key), is_area(key)))
+        })
+        .collect();
+    let mut aims: Vec<DVec3> = targets.iter().map(|t| t.1).collect();
+    let mut solved = Solved {
+        cage_points: Vec::new(),
+        limit,
+    };
+    for round in 0..ROUNDS {
+        let known = (round > 0).then_some(&solved.cage_points[..]);
+        let fair = fairness.rows(known);
+        let rows: Vec<(Terms, DVec3)> = targets
+            .iter()
+            .zip(&aims)
+            .map(|(&(v, _, w, _), &aim)| {
+                let row = solved.limit[v].iter().map(|&(i, s)| (i, s * w)).collect();
+                (row, aim * w)
+            })
+            .collect();
+        solved.cage_points = least_squares(n, &rows, &fair).expect("a positive definite system");
+        symmetrise(cage, &mut solved.cage_points);
+        let normals = vertex_normals(&solved.cage_points, &cage.faces);
+        for (aim, &(v, p, _, area)) in aims.iter_mut().zip(&targets) {
+            if round >= 1 && area {
+                let now = solved.limit_of(v, &solved.cage_points);
+                let error = p - now;
+                let along = normals[v] * error.dot(normals[v]);
+                let slide = slide(cage.keys[v].0);
+                *aim = now + along + (error - along) * slide;
+            }
+        }
+    }
+    solved
+}
+
+/// Removes the rounding by which the halves differ.
+fn symmetrise(cage: &Cage, points: &mut [DVec3]) {
+    for (v, &(key, side)) in cage.keys.iter().enumerate() {
+        if key.on_midline() {
+            points[v].x = 0.0;
+        } else if side == Side::Left {
+            let other = cage.at(key, Side::Right);
+            let mean = (points[v] + raconteur_base::mirror_vector(points[other])) / 2.0;
+            points[v] = mean;
+            points[other] = raconteur_base::mirror_vector(mean);
+        }
+    }
+}

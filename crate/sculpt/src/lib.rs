@@ -1,0 +1,36 @@
+//! Makes figures from anthropometry.
+//!
+//! Each region (head, hands, body, clothes, hair) yields [`part::Part`]s in metres, engine
+//! frame, bind pose; [`assemble`] joins them on one skeleton and [`write`] stores glTF.
+
+pub mod assemble;
+pub mod bones;
+mod build;
+mod built;
+pub mod cloth;
+#[cfg(test)]
+mod crossing;
+#[cfg(test)]
+mod deform;
+pub mod hair;
+pub mod hand;
+pub mod head;
+mod mannequin;
+pub mod measure;
+pub mod part;
+pub mod people;
+pub mod person;
+pub mod physique;
+pub mod skin;
+#[cfg(test)]
+mod soundness;
+pub mod statistics;
+pub mod subdivide;
+pub(crate) mod tissue;
+pub mod torso;
+pub mod yardstick;
+
+pub use build::build;
+pub use built::Built;
+pub use people::FigureParams;
+pub use person::Person;

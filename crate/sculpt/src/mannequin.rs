@@ -1,0 +1,106 @@
+//! A body that stands ready to be dressed: its head in place, its skin down to the collar.
+
+use raconteur_base::curve::smooth;
+use raconteur_base::{DAffine3, DVec3};
+
+use super::cloth::Neck;
+use super::hair::{self, HairParams};
+use super::head::{self, Head};
+use super::part::Part;
+use super::people::FigureParams;
+use super::torso::{CM, Cage, Field, Joints, Regions};
+use raconteur_body::figure::MaterialKind;
+use raconteur_body::skeleton::Bone;
+
+/// What clothes and hair are made for.
+pub(super) struct Mannequin {
+    /// The head in its own frame.
+    pub(super) head: Head,
+    /// Where it stands.
+    pub(super) world_from_head: DAffine3,
+    /// Its parts in the world; the first is the skin.
+    pub(super) head_parts: Vec<Part>,
+    pub(super) joints: Joints,
+    pub(super) field: Field,
+    pub(super) cage: Cage,
+    /// What a collar lies against.
+    pub(super) neck: Neck,
+}
+
+impl Mannequin {
+    /// That of a person.
+    pub(super) fn of(params: &FigureParams) -> Self {
+        let body = params.body();
+        let mut joints = Joints::place(&body);
+        let head = head::build(
+            &params.person,
+            &params.head,
+            params.hair.colour.linear_rgb(),
+        );
+        let world_from_head = place_head(&mut joints, &head, params.person.stature_m);
+        let field = Field::new(&body, &joints);
+        let cage = Cage::new(&field, &joints);
+        let head_parts = head_parts(&head, &params.hair, world_from_head, &field, &cage);
+        let skin = head_parts[0].triangles_about_middles(|_| true);
+        let neck = Neck::new(&skin, &field, joints.at(Bone::Skull).y);
+        Self {
+            head,
+            world_from_head,
+            head_parts,
+            joints,
+            field,
+            cage,
+            neck,
+        }
+    }
+}
+
+/// Puts the head's vertex at the stature and its joints on the skeleton.
+fn place_head(joints: &mut Joints, head: &Head, stature_m: f64) -> DAffine3 {
+    let forward = joints.at(Bone::Skull).z + 2.2 * CM;
+    let origin = DVec3::new(0.0, stature_m - head.extent[1], forward);
+    let place = DAffine3::from_translation(origin);
+    joints.positions[Bone::Skull.index()] = place.transform_point3(head.skull_origin);
+    joints.positions[Bone::Chin.index()] = place.transform_point3(head.jaw_hinge);
+    place
+}
+
+/// The head's parts in the world; the lower neck is drawn onto the body's own neck and
+/// moves with it, or it would come through the collar when the head turns.
+fn head_parts(
+    head: &Head,
+    hair: &HairParams,
+    place: DAffine3,
+    field: &Field,
+    cage: &Cage,
+) -> Vec<Part> {
+    let (throat, _) = cage.part(|t| Cage::is_above(t, 0.798)).subdivided(1);
+    let mut parts = head.parts.clone();
+    hair::shade_skin(&mut parts[0], head, hair);
+    for part in &mut parts {
+        let is_skin = part.material.kind == MaterialKind::Skin;
+        for v in &mut part.vertices {
+            let below = smooth((-v.position.y - 0.088) / 0.047);
+            v.position = place.transform_point3(v.position);
+            if !is_skin || below <= 0.0 {
+                continue;
+            }
+            for _ in 0..4 {
+                let (d, n) = field.value_and_normal(v.position, Regions::ALL, 1.0);
+                v.position -= n * d.clamp(-3.0 * CM, 3.0 * CM) * below;
+            }
+            let distance = |i: &usize| throat.points[*i].distance_squared(v.position);
+            let near = (0..throat.points.len()).min_by(|a, b| distance(a).total_cmp(&distance(b)));
+            if let Some(near) = near {
+                let own: f64 = v.weights.iter().map(|w| w.1).sum();
+                for w in &mut v.weights {
+                    w.1 *= (1.0 - below) / own;
+                }
+                let body = throat.weights[near].refs();
+                v.weights
+                    .extend(body.into_iter().map(|(j, w)| (j, w * below)));
+            }
+        }
+    }
+    parts
+}

@@ -1,0 +1,76 @@
+//! What a region of the generator yields: polygons with colours, weights and morphs.
+
+use raconteur_base::DVec3;
+
+use raconteur_body::figure::Material;
+
+/// One vertex of a part, bind pose.
+#[derive(Clone, Debug)]
+pub struct PartVertex {
+    /// World position, metres.
+    pub position: DVec3,
+    /// Texture coordinates; meaning by [`raconteur_body::figure::MaterialKind`].
+    pub uv: [f64; 2],
+    /// Linear RGB 0..1 and ambient occlusion (1 = open).
+    pub color: [f64; 4],
+    /// Joint names with weights; any number, any sum above zero. The assembly keeps the
+    /// four largest and normalises.
+    pub weights: Vec<(JointRef, f64)>,
+}
+
+/// A joint named before the skeleton exists.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct JointRef(pub raconteur_body::skeleton::Drive);
+
+/// One morph target's part.
+#[derive(Clone, Debug)]
+pub struct PartMorph {
+    /// ARKit's name where one fits, for example `mouthPucker`.
+    pub name: String,
+    /// Moved vertices and their displacements at weight 1, metres.
+    pub deltas: Vec<(u32, DVec3)>,
+}
+
+/// One drawable region.
+#[derive(Clone, Debug)]
+pub struct Part {
+    /// Name, for example `head`.
+    pub name: String,
+    /// Surface.
+    pub material: Material,
+    /// Vertices.
+    pub vertices: Vec<PartVertex>,
+    /// Polygons of three or four corners, counter-clockwise from outside.
+    pub faces: Vec<Vec<u32>>,
+    /// Morph targets.
+    pub morphs: Vec<PartMorph>,
+    /// Vertices that follow the tissue, rising, each with the nodes and weights it follows.
+    pub bound: Vec<(u32, Vec<(u32, f64)>)>,
+}
+
+impl Part {
+    /// The surface as triangles, those of a quad about its middle: unlike its halves beside
+    /// one of the diagonals, they are the same in a mirror.
+    pub(crate) fn triangles_about_middles(
+        &self,
+        own: impl Fn(&PartVertex) -> bool,
+    ) -> Vec<[DVec3; 3]> {
+        let mut out = Vec::new();
+        let vertex = |v: &u32| &self.vertices[*v as usize];
+        for face in &self.faces {
+            if !face.iter().all(|v| own(vertex(v))) {
+                continue;
+            }
+            let corners: Vec<DVec3> = face.iter().map(|v| vertex(v).position).collect();
+            if let [a, b, c] = corners[..] {
+                out.push([a, b, c]);
+                continue;
+            }
+            let middle = corners.iter().sum::<DVec3>() / corners.len() as f64;
+            for (k, &a) in corners.iter().enumerate() {
+                out.push([a, corners[(k + 1) % corners.len()], middle]);
+            }
+        }
+        out
+    }
+}

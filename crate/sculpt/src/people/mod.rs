@@ -1,0 +1,70 @@
+//! Named figures: who they are and what they wear.
+
+mod nuno;
+mod papous;
+mod sofia;
+
+use serde::{Deserialize, Serialize};
+
+use super::cloth::Outfit;
+use super::hair::HairParams;
+use super::hand::{HandParams, HandProportions};
+use super::head::HeadParams;
+use super::person::Person;
+use super::skin::SkinParams;
+use super::torso::BodyParams;
+
+/// Everything that tells one figure from another.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct FigureParams {
+    /// Name, for example `sofia`.
+    pub name: String,
+    /// Sex, age, stature and build.
+    pub person: Person,
+    /// Size of the bust, 1 = average. Women only.
+    pub bust: f64,
+    /// Face.
+    pub head: HeadParams,
+    /// Skin of head and hands.
+    pub skin: SkinParams,
+    /// Hands.
+    pub hand: HandProportions,
+    /// Hair.
+    pub hair: HairParams,
+    /// Clothes.
+    pub wardrobe: Outfit,
+}
+
+impl FigureParams {
+    /// The measures of trunk and limbs.
+    pub(super) fn body(&self) -> BodyParams {
+        let p = self.person;
+        BodyParams {
+            sex: p.sex,
+            age_years: p.age_years,
+            stature_m: p.stature_m,
+            build: p.build,
+            bust: self.bust,
+        }
+    }
+
+    /// The measures of the hands.
+    #[must_use]
+    pub fn hands(&self) -> HandParams {
+        HandParams::of(&self.person, &self.hand, self.skin.base_colour())
+    }
+}
+
+/// The figures that come with the project.
+pub const NAMES: [&str; 3] = ["sofia", "papous", "nuno"];
+
+/// The parameters of a named figure; `None` for an unknown name. Known: [`NAMES`].
+#[must_use]
+pub fn preset(name: &str) -> Option<FigureParams> {
+    match name {
+        "sofia" => Some(sofia::params()),
+        "papous" => Some(papous::params()),
+        "nuno" => Some(nuno::params()),
+        _ => None,
+    }
+}

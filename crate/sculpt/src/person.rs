@@ -1,0 +1,17 @@
+//! What is known of a person before anything is made.
+
+use serde::{Deserialize, Serialize};
+
+/// What is known of a person before any measure of the face: survey means are looked up
+/// by it.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Person {
+    /// 0 male to 1 female.
+    pub sex: f64,
+    /// Years, 8 to 80.
+    pub age_years: f64,
+    /// Standing height without shoes, metres.
+    pub stature_m: f64,
+    /// −1 lean to +1 heavy.
+    pub build: f64,
+}

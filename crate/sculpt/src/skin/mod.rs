@@ -1,0 +1,24 @@
+//! The skin's surface: one atlas for head and hands; a colour map, a normal map and heights
+//! of expressive wrinkles in it, made from pigments, blood, age and lines rather than painted.
+
+mod bake;
+mod expression_lines;
+mod face;
+mod face_lines;
+mod hand;
+mod hand_lines;
+mod marks;
+mod params;
+pub mod pigment;
+pub(crate) mod raster;
+mod sheet;
+#[cfg(test)]
+mod tests;
+pub(crate) mod texture;
+mod tissue;
+pub(crate) mod unwrap;
+
+pub(crate) use bake::bake;
+pub(crate) use params::MOUTH_DEEP;
+pub use params::SkinParams;
+pub(crate) use sheet::{HandLine, HandRegion, HandSheet, HeadSheet};

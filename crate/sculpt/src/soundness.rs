@@ -1,0 +1,104 @@
+//! Tests of the skin of the three figures as they are shipped: head, neck, mouth bag and both
+//! hands in the bind pose.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::OnceLock;
+
+use raconteur_base::DVec3;
+
+use super::build::build;
+use super::built::Built;
+use super::crossing::{crossings, farthest_from_mirrored};
+use super::people::{self, FigureParams};
+use raconteur_body::figure::{Figure, MaterialKind};
+
+/// A figure by name, made once for all tests.
+pub(super) fn shipped(name: &str) -> &'static (FigureParams, Built) {
+    type Made = [OnceLock<(FigureParams, Built)>; people::NAMES.len()];
+    static MADE: Made = [const { OnceLock::new() }; people::NAMES.len()];
+    let index = people::NAMES.iter().position(|n| *n == name).unwrap();
+    MADE[index].get_or_init(|| {
+        let params = people::preset(name).unwrap();
+        let built = build(&params);
+        (params, built)
+    })
+}
+
+/// The skin of a figure: places that several vertices share made one, metres.
+struct Skin {
+    points: Vec<DVec3>,
+    triangles: Vec<[u32; 3]>,
+}
+
+impl Skin {
+    fn of(figure: &Figure) -> Self {
+        let mut places: BTreeMap<[u32; 3], u32> = BTreeMap::new();
+        let mut skin = Self {
+            points: Vec::new(),
+            triangles: Vec::new(),
+        };
+        let is_skin = |m: &&raconteur_body::Mesh| {
+            m.material.kind == MaterialKind::Skin || m.name == "mouth_bag"
+        };
+        for mesh in figure.meshes.iter().filter(is_skin) {
+            let mut at = |v: u32| {
+                let p = mesh.positions[v as usize];
+                *places.entry(p.map(f32::to_bits)).or_insert_with(|| {
+                    skin.points.push(DVec3::from_array(p.map(f64::from)));
+                    skin.points.len() as u32 - 1
+                })
+            };
+            let triangles = mesh.indices.chunks_exact(3);
+            skin.triangles
+                .extend(triangles.map(|t| [at(t[0]), at(t[1]), at(t[2])]));
+        }
+        skin.triangles
+            .retain(|t| t[0] != t[1] && t[1] != t[2] && t[2] != t[0]);
+        skin
+    }
+}
+
+#[test]
+fn the_skin_of_no_figure_crosses_itself() {
+    for name in people::NAMES {
+        let skin = Skin::of(&shipped(name).1.figure);
+        assert!(skin.triangles.len() > 40_000);
+        let found = crossings(&skin.points, &skin.triangles);
+        let first = found.first();
+        let first = first.map(|&[a, _]| skin.points[skin.triangles[a][0] as usize]);
+        assert!(found.is_empty(), "{name}: {} at {first:?}", found.len());
+    }
+}
+
+#[test]
+fn no_edge_of_the_skin_has_three_faces_and_none_is_degenerate() {
+    for name in people::NAMES {
+        let skin = Skin::of(&shipped(name).1.figure);
+        // Each direction of an edge once: neighbours turn the same way.
+        let mut seen = BTreeSet::new();
+        for t in &skin.triangles {
+            for k in 0..3 {
+                let edge = (t[k], t[(k + 1) % 3]);
+                let at = skin.points[edge.0 as usize];
+                assert!(seen.insert(edge), "{name} {at}");
+            }
+            let [a, b, c] = t.map(|v| skin.points[v as usize]);
+            // Twice a thousandth of a square millimetre.
+            let area = (b - a).cross(c - a).length();
+            assert!(area > 2e-9, "{name} {a} {area}");
+        }
+    }
+}
+
+#[test]
+fn without_asymmetry_the_skin_mirrors_itself() {
+    for name in people::NAMES {
+        let mut params = people::preset(name).unwrap();
+        params.head.asymmetry = 0.0;
+        let skin = Skin::of(&build(&params).figure);
+        let hands = skin.points.iter().filter(|p| p.x.abs() > 0.25).count();
+        assert!(hands > 3000 && skin.points.len() - hands > 6000);
+        let (far, at) = farthest_from_mirrored(&skin.points, 5e-4);
+        assert!(far < 1e-4, "{name}: {far} m at {at}");
+    }
+}

@@ -1,0 +1,209 @@
+//! Where the mimic muscles lie on the reference head: grids of a few points, carried over to
+//! each figure by its landmarks and fitted between skull and skin there (F&H section 3.1.2,
+//! "Building Muscles"). They stand in `fibres.tsv`, a fibre a row; both rings of the mouth alone
+//! follow from the lips' own nodes.
+//!
+//! Origins and insertions after Prometheus (Schünke, Schulte and Schumacher), as told in F&H
+//! section 3.1.1 and table 3.1, and those of ear and temple after Gray's Anatomy; places on the
+//! mean head (millimetres, left half; origin between the tragions, x left, y up, z front) are
+//! chosen by eye against its named points.
+
+use raconteur_base::Side;
+
+use raconteur_tissue::{Anatomy, Muscle};
+
+pub(super) const FIBRES: &str = include_str!("fibres.tsv");
+
+type Place = [f64; 3];
+
+/// How the fibres of a sheet run.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Runs {
+    /// Each from its origin over points between to where it ends in the skin.
+    Linear,
+    /// Round, and towards a place.
+    Towards(Place),
+}
+
+/// Which skin a sheet moves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Moves {
+    /// That of the face.
+    Face,
+    /// That at the side of the head, from the scalp to the jaw's angle.
+    Aside,
+    /// That and the ear, all of which goes with the fibre's end.
+    Ear,
+}
+
+/// A sheet of fibres of one muscle.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Sheet {
+    /// On which sides it lies and whose it is there. In the middle of the face it lies on the
+    /// left alone if all of it is on the midline, else on both.
+    pub(super) muscles: Vec<(Side, Muscle)>,
+    pub(super) runs: Runs,
+    /// Left fibres, or those of the middle: each a few places on or over the skin, which are put
+    /// under it.
+    pub(super) fibres: Vec<Vec<Place>>,
+    /// How far from a fibre the skin still follows in full, and where it follows no more, mm.
+    pub(super) reach: [f64; 2],
+    /// How much of the fibre's movement the skin over it takes.
+    pub(super) pull: f64,
+    /// Whether its ends are grown into the ring of the mouth: middle of the place along it,
+    /// as [`crate::head::LipPlace::position`] counts, half its width there, and how
+    /// much of its movement the ring takes.
+    pub(super) ring: Option<[f64; 3]>,
+    pub(super) moves: Moves,
+}
+
+/// What the columns of the table are.
+const COLUMNS: &str = "muscle\tcourse\treach_mm\tpull\tgrown_in\tskin\tplaces_mm";
+
+/// The sheets of the shipped muscles.
+#[allow(
+    clippy::expect_used,
+    reason = "the table is part of the program and tested"
+)]
+pub(super) fn shipped() -> Vec<Sheet> {
+    read(FIBRES, &Anatomy::SHIPPED).expect("a table of fibres")
+}
+
+/// The sheets of a table: rows of one muscle that follow each other and differ in their places
+/// alone are one.
+pub(super) fn read(text: &str, anatomy: &Anatomy) -> Result<Vec<Sheet>, String> {
+    let mut lines = text.lines().filter(|l| !l.trim().is_empty());
+    if lines.next() != Some(COLUMNS) {
+        return Err(format!("the columns are {COLUMNS:?}"));
+    }
+    let mut sheets: Vec<Sheet> = Vec::new();
+    for line in lines {
+        let mut sheet = row(line, anatomy).map_err(|wrong| format!("{wrong} in {line:?}"))?;
+        if let Some(last) = sheets.last_mut() {
+            let fibres = core::mem::take(&mut last.fibres);
+            let own = core::mem::take(&mut sheet.fibres);
+            let is_same = *last == sheet;
+            last.fibres = fibres;
+            if is_same {
+                last.fibres.extend(own);
+                continue;
+            }
+            sheet.fibres = own;
+        }
+        sheets.push(sheet);
+    }
+    Ok(sheets)
+}
+
+fn row(line: &str, anatomy: &Anatomy) -> Result<Sheet, String> {
+    let cells: Vec<&str> = line.split('\t').collect();
+    let &[name, course, reach, pull, grown, skin, places] = &cells[..] else {
+        return Err("seven columns are wanted".to_owned());
+    };
+    let fibre: Vec<Place> = places
+        .split(' ')
+        .map(|place| numbers(place, ','))
+        .collect::<Result<_, _>>()?;
+    if !(2..=100).contains(&fibre.len()) {
+        return Err("a fibre has 2 to 100 places".to_owned());
+    }
+    let [pull] = numbers(pull, ' ')?;
+    let of_side = |side: Side| anatomy.by_name(&format!("{name}{side:?}"));
+    let muscles = match anatomy.by_name(name) {
+        Some(muscle) if fibre.iter().all(|p| p[0] == 0.0) => vec![(Side::Left, muscle)],
+        Some(muscle) => Side::BOTH.map(|side| (side, muscle)).into(),
+        None => Side::BOTH
+            .into_iter()
+            .map(|side| Some((side, of_side(side)?)))
+            .collect::<Option<_>>()
+            .ok_or_else(|| format!("{name} is no muscle"))?,
+    };
+    Ok(Sheet {
+        muscles,
+        runs: match course {
+            "line" => Runs::Linear,
+            centre => Runs::Towards(numbers(centre, ',')?),
+        },
+        fibres: vec![fibre],
+        reach: numbers(reach, ':')?,
+        pull,
+        ring: match grown {
+            "-" => None,
+            some => Some(numbers(some, ':')?),
+        },
+        moves: match skin {
+            "face" => Moves::Face,
+            "aside" => Moves::Aside,
+            "ear" => Moves::Ear,
+            other => return Err(format!("{other} is no skin that muscles move")),
+        },
+    })
+}
+
+/// As many finite numbers as there should be.
+fn numbers<const N: usize>(text: &str, between: char) -> Result<[f64; N], String> {
+    let number = |part: &str| part.parse().ok().filter(|x: &f64| x.is_finite());
+    let all: Option<Vec<f64>> = text.split(between).map(number).collect();
+    let all = all.and_then(|all| all.try_into().ok());
+    all.ok_or_else(|| format!("{text:?} is not {N} numbers"))
+}
+
+/// Where skin shows its blood: places of the mean head (left half), how far around, mm, and
+/// how much. Cheeks first, then nose, chin and forehead (by eye).
+pub(super) const FLUSH: [([f64; 3], f64, f64); 6] = [
+    ([44.0, -16.0, 84.0], 17.0, 1.0),
+    ([28.0, -12.0, 91.0], 13.0, 0.7),
+    ([0.0, -10.0, 119.0], 13.0, 0.6),
+    ([0.0, -80.0, 101.0], 16.0, 0.35),
+    ([18.0, 58.0, 94.0], 26.0, 0.25),
+    ([0.0, -45.0, 106.0], 14.0, 0.35),
+];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_muscle_but_the_rings_of_the_mouth_has_fibres() {
+        let sheets = shipped();
+        for muscle in Muscle::all() {
+            let has_own = sheets
+                .iter()
+                .any(|sheet| sheet.muscles.iter().any(|(_, own)| *own == muscle));
+            let is_ring = muscle.name().starts_with("OrbicularisOris");
+            assert_ne!(has_own, is_ring, "{muscle:?}");
+        }
+    }
+
+    #[test]
+    fn rows_that_differ_in_places_alone_are_one_sheet() {
+        let row = |cells: &str| format!("{}\n", cells.replace(' ', "\t").replace('_', " "));
+        let text = format!("{COLUMNS}\n")
+            + &row("Procerus line 5:12 0.9 - face 0,10,107_0,20,98")
+            + &row("Mentalis line 6:15 0.7 22:10:0.3 face 5,-65,98_5,-70,99")
+            + &row("Mentalis line 6:15 0.7 22:10:0.3 face 6,-65,98_6,-70,99")
+            + &row("Mentalis line 6:15 0.8 - aside 5,-65,98_5,-70,99");
+        let sheets = read(&text, &Anatomy::SHIPPED).expect("sheets");
+        let told: Vec<_> = sheets
+            .iter()
+            .map(|s| (s.muscles.len(), s.fibres.len(), s.moves))
+            .collect();
+        let (face, aside) = (Moves::Face, Moves::Aside);
+        assert_eq!(told, [(1, 1, face), (2, 2, face), (2, 1, aside)]);
+        for bad in [
+            "Wiggler line 5:12 0.9 - face 0,10,107_0,20,98",
+            "Procerus line 5:12 0.9 - face 0,10,107",
+            "Procerus line 5:12 0.9 - face 0,10_0,20",
+            "Procerus bowed 5:12 0.9 - face 0,10,107_0,20,98",
+            "Procerus line 5 0.9 - face 0,10,107_0,20,98",
+            "Procerus line 5:12 NaN - face 0,10,107_0,20,98",
+            "Procerus line 5:12 0.9 1:2 face 0,10,107_0,20,98",
+            "Procerus line 5:12 0.9 - back 0,10,107_0,20,98",
+            "Procerus line 5:12 0.9 - face",
+        ] {
+            let text = format!("{COLUMNS}\n{}", row(bad));
+            assert!(read(&text, &Anatomy::SHIPPED).is_err(), "{bad}");
+        }
+        assert!(read("", &Anatomy::SHIPPED).is_err());
+    }
+}

@@ -1,0 +1,306 @@
+//! The ring of the mouth: its fibres, the lips that meet, and the teeth behind them.
+
+use std::collections::BTreeMap;
+
+use raconteur_base::{DVec3, Side};
+
+use super::arch::arch;
+use super::fit::{Skin, nearest_on, push};
+use super::{narrow, ramp};
+use crate::head::{LipPlace, Soft};
+use crate::part::Part;
+use raconteur_body::skeleton::{Bone, Drive};
+use raconteur_tissue::Muscle;
+use raconteur_tissue::tissue::{Attachment, Column, Course, FibrePoint, LipNode, Tissue};
+
+/// Position of the corner, and of the middle of the lower lip; see [`LipPlace`].
+const CORNER: u8 = 12;
+const LAST: u8 = 24;
+/// Rings on which fibres lie, from the red of the lips outwards, and how far out they count.
+const RINGS: [(u8, f32); 3] = [(6, 0.0), (2, 0.5), (0, 1.0)];
+/// Ring on which the lips touch at rest.
+const CONTACT: u8 = 10;
+/// How far beyond its outermost fibre the ring moves the skin, mm on the reference head.
+const BEYOND_MM: f64 = 14.0;
+/// Share of a gap between the lips that the upper lip closes.
+const UPPER_CLOSES: f64 = 0.36;
+/// How deep under the skin the fibres lie, metres.
+const UNDER_M: f64 = 0.0022;
+
+/// Fibres, columns, pairs and teeth.
+pub(super) fn mouth(
+    soft: &Soft,
+    skin: &Skin,
+    rigid: &[&Part],
+    out: &mut Tissue,
+    holds: &mut [Vec<Attachment>],
+) {
+    let lips: BTreeMap<LipPlace, usize> = soft
+        .nodes
+        .iter()
+        .enumerate()
+        .filter_map(|(i, n)| Some((n.lip?, i)))
+        .collect();
+    let node = |ring: u8, position: u8, side: Side| {
+        let side = if position == 0 || position == LAST {
+            Side::Left
+        } else {
+            side
+        };
+        lips.get(&LipPlace {
+            ring,
+            position,
+            side,
+        })
+        .copied()
+    };
+    // --- fibres ---
+    let mut firsts = [[0usize; 3]; 2];
+    for (r, &(ring, far)) in RINGS.iter().enumerate() {
+        for is_lower in [false, true] {
+            let at = |k: u8| if is_lower { LAST - k } else { k };
+            let right = (1..=CORNER).rev().map(|k| node(ring, at(k), Side::Right));
+            let left = (0..=CORNER).map(|k| node(ring, at(k), Side::Left));
+            let points: Vec<FibrePoint> = right
+                .chain(left)
+                .flatten()
+                .map(|i| FibrePoint {
+                    rest: narrow(skin.places[i] - skin.normals[i] * UNDER_M),
+                    outwards: narrow(skin.normals[i]),
+                    jaw: soft.nodes[i].jaw as f32,
+                })
+                .collect();
+            let muscle = if is_lower {
+                Muscle::OrbicularisOrisLower
+            } else {
+                Muscle::OrbicularisOrisUpper
+            };
+            let course = Course::Oris { is_lower, out: far };
+            firsts[usize::from(is_lower)][r] = push(out, muscle, course, &points);
+        }
+    }
+    // --- what hangs on them ---
+    let hold = |lip: LipPlace, r: usize, weight: f64| {
+        let is_lower = lip.position > CORNER;
+        let k = if is_lower {
+            LAST - lip.position
+        } else {
+            lip.position
+        };
+        let aside = i32::from(k) * if lip.side == Side::Left { 1 } else { -1 };
+        let point = (aside + i32::from(CORNER)) as usize;
+        // A hold lies between two points.
+        let last = 2 * usize::from(CORNER);
+        let before = point.min(last - 1);
+        Attachment {
+            point: (firsts[usize::from(is_lower)][r] + before) as u16,
+            on: (point - before) as f32,
+            weight: weight as f32,
+        }
+    };
+    for (&lip, &i) in &lips {
+        let ring = f64::from(lip.ring);
+        let (inner, outer, share) = match lip.ring {
+            6.. => (0, 0, 0.0),
+            2..=5 => (0, 1, (6.0 - ring) / 4.0),
+            _ => (1, 2, (2.0 - ring) / 2.0),
+        };
+        let strength = 1.0 - 0.9 * ramp(11.0, 16.0, ring);
+        let parts = [(inner, 1.0 - share), (outer, share)];
+        for (r, part) in parts {
+            if part * strength > 0.01 {
+                holds[i].push(hold(lip, r, part * strength));
+            }
+        }
+    }
+    let mm = f64::from(out.scale) * 1e-3;
+    let (outermost, count) = (RINGS.len() - 1, 2 * usize::from(CORNER) + 1);
+    let chains = [false, true].map(|low| {
+        let first = firsts[usize::from(low)][outermost];
+        (first, out.points[first..first + count].to_vec())
+    });
+    let middle = usize::from(CORNER);
+    let nearer = |halves: &[(usize, f64, f64); 2]| halves[0].2.min(halves[1].2);
+    for (i, n) in soft.nodes.iter().enumerate() {
+        if n.lip.is_some() || n.is_inside {
+            continue;
+        }
+        let near = chains
+            .iter()
+            .map(|(first, points)| {
+                let halves = [&points[..=middle], &points[middle..]];
+                (first, halves.map(|half| nearest_on(half, skin.places[i])))
+            })
+            .min_by(|a, b| nearer(&a.1).total_cmp(&nearer(&b.1)));
+        let Some((first, halves)) = near else {
+            continue;
+        };
+        let beyond = (nearer(&halves) - UNDER_M).max(0.0);
+        let whole = n.mobility * (1.0 - ramp(0.0, BEYOND_MM * mm, beyond));
+        let left = share_of_left(halves[0].2, halves[1].2, mm);
+        for ((point, on, _), (before, share)) in
+            halves.into_iter().zip([(0, 1.0 - left), (middle, left)])
+        {
+            let weight = whole * share;
+            if weight > 0.01 {
+                holds[i].push(Attachment {
+                    point: (first + before + point) as u16,
+                    on: on as f32,
+                    weight: weight as f32,
+                });
+            }
+        }
+    }
+    // --- lips that meet ---
+    let edge = teeth_edge(rigid);
+    let mut columns: BTreeMap<(u8, Side), u16> = BTreeMap::new();
+    for side in Side::BOTH {
+        for k in 0..CORNER {
+            if k == 0 && side == Side::Right {
+                continue;
+            }
+            let pair = (node(CONTACT, k, side), node(CONTACT, LAST - k, side));
+            let (Some(above), Some(below)) = pair else {
+                continue;
+            };
+            columns.insert((k, side), out.columns.len() as u16);
+            let x = skin.places[below].x;
+            out.columns.push(Column {
+                contact: [above as u16, below as u16],
+                edge: narrow(edge(x) + DVec3::new(0.0, -0.4, 0.9) * mm),
+                bites: (1.0 - ramp(0.35, 0.85, f64::from(k) / f64::from(CORNER))) as f32,
+            });
+            for ring in 7..=11 {
+                if let (Some(a), Some(b)) = (node(ring, k, side), node(ring, LAST - k, side)) {
+                    out.pairs.push([a as u16, b as u16]);
+                }
+            }
+        }
+    }
+    for (&lip, &i) in &lips {
+        let ring = f64::from(lip.ring);
+        let much = (0.5 + 0.5 * ramp(0.0, 5.0, ring)) * (1.0 - ramp(11.0, 15.0, ring));
+        let Some(closing) = closing(lip, i, much, &columns) else {
+            continue;
+        };
+        if much > LEAST_CLOSING {
+            out.lips.push(closing);
+        }
+        if (4..=11).contains(&lip.ring) {
+            out.before_teeth.push(i as u16);
+        }
+    }
+    beyond_the_lips(soft, skin, &lips, &columns, mm, out);
+    let part = |bone: Bone| {
+        arch(rigid, |v| {
+            v.weights.iter().any(|(j, _)| j.0 == Drive::Bone(bone))
+        })
+    };
+    out.arches = [part(Bone::Skull), part(Bone::Chin)];
+}
+
+/// What closes less than this stays where it is.
+const LEAST_CLOSING: f64 = 0.01;
+
+/// How a node closes with a place of the lips, by this much of it; none without a column.
+fn closing(
+    lip: LipPlace,
+    node: usize,
+    much: f64,
+    columns: &BTreeMap<(u8, Side), u16>,
+) -> Option<LipNode> {
+    let k = lip.position.min(LAST - lip.position);
+    let side = if k == 0 { Side::Left } else { lip.side };
+    let column = *columns.get(&(k, side))?;
+    let closes = if lip.position < CORNER {
+        -UPPER_CLOSES
+    } else {
+        1.0 - UPPER_CLOSES
+    };
+    Some(LipNode {
+        node: node as u16,
+        column,
+        closes: (closes * much) as f32,
+    })
+}
+
+/// Skin about the lips goes with them a part of the way when they close.
+fn beyond_the_lips(
+    soft: &Soft,
+    skin: &Skin,
+    lips: &BTreeMap<LipPlace, usize>,
+    columns: &BTreeMap<(u8, Side), u16>,
+    mm: f64,
+    out: &mut Tissue,
+) {
+    let rim: Vec<(LipPlace, usize)> = lips
+        .iter()
+        .filter(|(lip, _)| lip.ring == 0)
+        .map(|(lip, i)| (*lip, *i))
+        .collect();
+    for (i, n) in soft.nodes.iter().enumerate() {
+        if n.lip.is_some() || n.is_inside {
+            continue;
+        }
+        let distance = |at: &(LipPlace, usize)| skin.places[at.1].distance(skin.places[i]);
+        let nearest = |side: Side| {
+            rim.iter()
+                .filter(|(lip, _)| lip.side == side || matches!(lip.position, 0 | LAST))
+                .min_by(|a, b| distance(a).total_cmp(&distance(b)))
+        };
+        let (Some(right), Some(left)) = (nearest(Side::Right), nearest(Side::Left)) else {
+            continue;
+        };
+        let least = distance(right).min(distance(left));
+        let whole = 0.5 * n.mobility * (1.0 - ramp(0.0, 13.0 * mm, least));
+        let share = if left.1 == right.1 {
+            0.0
+        } else {
+            share_of_left(distance(right), distance(left), mm)
+        };
+        for ((lip, _), share) in [(right, 1.0 - share), (left, share)] {
+            let much = whole * share;
+            let closing = closing(*lip, i, much, columns);
+            out.lips.extend(closing.filter(|_| much > LEAST_CLOSING));
+        }
+    }
+}
+
+/// How much of what hangs on both halves of the mouth hangs on the left one, from the
+/// distances of the right and of the left one: in the middle both have the same, and none has
+/// to be chosen.
+fn share_of_left(right: f64, left: f64, mm: f64) -> f64 {
+    let apart = 0.5 * mm;
+    ramp(-apart, apart, right - left)
+}
+
+/// Where the edge of the upper teeth lies at a distance from the middle, world.
+fn teeth_edge(rigid: &[&Part]) -> impl Fn(f64) -> DVec3 {
+    let upper: Vec<DVec3> = rigid
+        .iter()
+        .filter(|part| part.name == "teeth")
+        .flat_map(|part| &part.vertices)
+        .filter(|v| {
+            v.weights
+                .iter()
+                .any(|(j, _)| j.0 == Drive::Bone(Bone::Skull))
+        })
+        .map(|v| v.position)
+        .collect();
+    move |x: f64| {
+        let near = |p: &&DVec3| (p.x - x).abs() < 0.003 && p.z > 0.0;
+        let low = upper
+            .iter()
+            .filter(near)
+            .map(|p| p.y)
+            .fold(f64::MAX, f64::min);
+        // The foremost of what lies near the edge.
+        let edge = upper.iter().filter(near).filter(|p| p.y < low + 0.0015);
+        let z = edge.map(|p| p.z).fold(f64::MIN, f64::max);
+        if low < f64::MAX {
+            DVec3::new(x, low, z)
+        } else {
+            DVec3::ZERO
+        }
+    }
+}

@@ -1,0 +1,393 @@
+//! How far a face lies from a yardstick: a mesh of a human face in an OBJ file, with the 68
+//! landmarks of the iBUG scheme named beside it.
+//!
+//! The yardstick is a ruler: none of its vertices enters a figure. Alignment is by
+//! similarity, first on landmarks, then on closest points (Umeyama 1991,
+//! doi:10.1109/34.88573; rotation by unit quaternion, Horn 1987,
+//! doi:10.1364/JOSAA.4.000629).
+
+use std::collections::BTreeMap;
+
+use raconteur_base::{DMat3, DQuat, DVec3};
+use serde_json::Value;
+
+use super::measure::landmark_mm;
+use raconteur_body::annotation::Annotations;
+use raconteur_body::figure::Figure;
+
+/// A face to measure against, in its own units.
+#[derive(Clone, Debug)]
+pub struct Yardstick {
+    points: Vec<DVec3>,
+    triangles: Vec<[u32; 3]>,
+    /// Triangles around each point.
+    around: Vec<Vec<u32>>,
+    /// Points of the 68 landmarks.
+    landmarks: Vec<u32>,
+}
+
+/// Why a yardstick cannot be read.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum YardstickError {
+    /// A line of the OBJ file is no number or points outside.
+    #[error("line {0} of the mesh is not understood")]
+    Line(usize),
+    /// The list of landmarks is missing or wrong.
+    #[error("the list of landmarks holds no 68 vertices of the mesh")]
+    Landmarks,
+    /// The figure's own names do not suffice.
+    #[error("the figure has no landmark {0}")]
+    Figure(&'static str),
+}
+
+/// Vertices of the face area; what follows are eyes, teeth and sockets.
+const FACE_AREA: usize = 9409;
+/// Largest mesh taken.
+const MOST: usize = 1 << 20;
+
+/// iBUG landmark and our name.
+const PAIRS: [(usize, &str); 12] = [
+    (8, "gn"),
+    (27, "n"),
+    (30, "prn"),
+    (33, "sn"),
+    (36, "ex_r"),
+    (39, "en_r"),
+    (42, "en_l"),
+    (45, "ex_l"),
+    (48, "ch_r"),
+    (54, "ch_l"),
+    (51, "ls"),
+    (57, "li"),
+];
+
+impl Yardstick {
+    /// Reads the mesh (OBJ) and its list of landmarks (JSON with `idx_to_landmark_verts`).
+    ///
+    /// # Errors
+    /// A [`YardstickError`] that names the first fault.
+    pub fn read(obj: &str, landmarks: &str) -> Result<Self, YardstickError> {
+        let mut points = Vec::new();
+        let mut triangles = Vec::new();
+        for (i, line) in obj.lines().enumerate() {
+            let bad = || YardstickError::Line(i + 1);
+            let mut words = line.split_ascii_whitespace();
+            match words.next() {
+                Some("v") if points.len() < MOST => {
+                    let mut number = || {
+                        words
+                            .next()
+                            .and_then(|w| w.parse::<f64>().ok())
+                            .filter(|x| x.is_finite())
+                    };
+                    let p = number().zip(number()).zip(number());
+                    let ((x, y), z) = p.ok_or_else(bad)?;
+                    points.push(DVec3::new(x, y, z));
+                }
+                Some("f") if triangles.len() < MOST => {
+                    let corners = words
+                        .map(|w| w.split('/').next().and_then(|n| n.parse::<u32>().ok()))
+                        .collect::<Option<Vec<u32>>>()
+                        .ok_or_else(bad)?;
+                    if corners.len() > 64 || corners.contains(&0) {
+                        return Err(bad());
+                    }
+                    for pair in corners.get(1..).unwrap_or_default().windows(2) {
+                        triangles.push([corners[0] - 1, pair[0] - 1, pair[1] - 1]);
+                    }
+                }
+                _ => {}
+            }
+        }
+        points.truncate(FACE_AREA);
+        triangles.retain(|t| t.iter().all(|&v| (v as usize) < points.len()));
+        let list: Value = serde_json::from_str(landmarks).map_err(|_| YardstickError::Landmarks)?;
+        let landmarks: Vec<u32> = list["idx_to_landmark_verts"]
+            .as_array()
+            .into_iter()
+            .flatten()
+            .filter_map(|v| u32::try_from(v.as_u64()?).ok())
+            .filter(|&v| (v as usize) < points.len())
+            .collect();
+        if landmarks.len() != 68 {
+            return Err(YardstickError::Landmarks);
+        }
+        let mut around = vec![Vec::new(); points.len()];
+        for (t, triangle) in (0u32..).zip(&triangles) {
+            for &v in triangle {
+                around[v as usize].push(t);
+            }
+        }
+        Ok(Self {
+            points,
+            triangles,
+            around,
+            landmarks,
+        })
+    }
+}
+
+/// The distance of a face from the yardstick, millimetres of the face.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Deviation {
+    /// Root of the mean square.
+    pub rms_mm: f64,
+    /// 95th percentile.
+    pub p95_mm: f64,
+    /// Root of the mean square over the landmarks used.
+    pub landmarks_mm: f64,
+    /// Scale from the yardstick's units to millimetres of the face.
+    pub scale: f64,
+    /// Points compared.
+    pub count: usize,
+}
+
+/// Rotation, scale and shift.
+#[derive(Clone, Copy, Debug)]
+struct Similarity {
+    turn: DQuat,
+    scale: f64,
+    shift: DVec3,
+}
+
+impl Similarity {
+    fn apply(&self, p: DVec3) -> DVec3 {
+        self.turn * p * self.scale + self.shift
+    }
+
+    /// The similarity that carries the first of each pair nearest to the second.
+    fn best(pairs: &[(DVec3, DVec3)]) -> Self {
+        let n = pairs.len().max(1) as f64;
+        let from = pairs.iter().map(|p| p.0).sum::<DVec3>() / n;
+        let to = pairs.iter().map(|p| p.1).sum::<DVec3>() / n;
+        let mut m = [[0.0; 3]; 3];
+        let mut spread = 0.0;
+        for &(a, b) in pairs {
+            let (a, b) = ((a - from).to_array(), (b - to).to_array());
+            for i in 0..3 {
+                for j in 0..3 {
+                    m[i][j] += a[i] * b[j];
+                }
+                spread += a[i] * a[i];
+            }
+        }
+        let [[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]] = m;
+        let horn = [
+            [xx + yy + zz, yz - zy, zx - xz, xy - yx],
+            [yz - zy, xx - yy - zz, xy + yx, zx + xz],
+            [zx - xz, xy + yx, yy - xx - zz, yz + zy],
+            [xy - yx, zx + xz, yz + zy, zz - xx - yy],
+        ];
+        // Largest eigenvalue by power iteration; the shift makes it the largest in size.
+        let bound: f64 = horn.iter().flatten().map(|x| x.abs()).sum();
+        let mut q = [1.0, 0.1, 0.1, 0.1];
+        for _ in 0..400 {
+            let mut next = [0.0; 4];
+            for (i, row) in horn.iter().enumerate() {
+                next[i] = bound * q[i] + row.iter().zip(&q).map(|(a, b)| a * b).sum::<f64>();
+            }
+            let length = next.iter().map(|x| x * x).sum::<f64>().sqrt().max(1e-300);
+            q = next.map(|x| x / length);
+        }
+        let turn = DQuat::from_xyzw(q[1], q[2], q[3], q[0]).normalize();
+        let turned = DMat3::from_quat(turn);
+        let along: f64 = pairs
+            .iter()
+            .map(|&(a, b)| (turned * (a - from)).dot(b - to))
+            .sum();
+        let scale = if spread > 0.0 { along / spread } else { 1.0 };
+        Self {
+            turn,
+            scale,
+            shift: to - turn * from * scale,
+        }
+    }
+}
+
+/// Points in cells, for the nearest.
+struct Cells {
+    cells: BTreeMap<[i32; 3], Vec<u32>>,
+}
+
+const CELL_MM: f64 = 6.0;
+
+fn cell(p: DVec3) -> [i32; 3] {
+    (p / CELL_MM).floor().to_array().map(|x| x as i32)
+}
+
+impl Cells {
+    fn new(points: &[DVec3]) -> Self {
+        let mut cells: BTreeMap<[i32; 3], Vec<u32>> = BTreeMap::new();
+        for (i, &p) in (0u32..).zip(points) {
+            cells.entry(cell(p)).or_default().push(i);
+        }
+        Self { cells }
+    }
+
+    /// The nearest within about a cell's width.
+    fn nearest(&self, points: &[DVec3], p: DVec3) -> Option<u32> {
+        let [x, y, z] = cell(p);
+        let mut best: Option<(f64, u32)> = None;
+        for i in -1..=1 {
+            for j in -1..=1 {
+                for k in -1..=1 {
+                    for &v in self.cells.get(&[x + i, y + j, z + k]).into_iter().flatten() {
+                        let d = points[v as usize].distance_squared(p);
+                        if best.is_none_or(|b| d < b.0) {
+                            best = Some((d, v));
+                        }
+                    }
+                }
+            }
+        }
+        best.map(|b| b.1)
+    }
+}
+
+/// Nearest place of a triangle (Ericson 2005, ch. 5.1.5).
+fn on_triangle(p: DVec3, [a, b, c]: [DVec3; 3]) -> DVec3 {
+    let (ab, ac, ap) = (b - a, c - a, p - a);
+    let (d1, d2) = (ab.dot(ap), ac.dot(ap));
+    if d1 <= 0.0 && d2 <= 0.0 {
+        return a;
+    }
+    let bp = p - b;
+    let (d3, d4) = (ab.dot(bp), ac.dot(bp));
+    if d3 >= 0.0 && d4 <= d3 {
+        return b;
+    }
+    let vc = d1 * d4 - d3 * d2;
+    if vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0 {
+        return a + ab * (d1 / (d1 - d3));
+    }
+    let cp = p - c;
+    let (d5, d6) = (ab.dot(cp), ac.dot(cp));
+    if d6 >= 0.0 && d5 <= d6 {
+        return c;
+    }
+    let vb = d5 * d2 - d1 * d6;
+    if vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0 {
+        return a + ac * (d2 / (d2 - d6));
+    }
+    let va = d3 * d6 - d5 * d4;
+    if va <= 0.0 && d4 >= d3 && d5 >= d6 {
+        return b + (c - b) * ((d4 - d3) / ((d4 - d3) + (d5 - d6)));
+    }
+    let sum = va + vb + vc;
+    a + ab * (vb / sum) + ac * (vc / sum)
+}
+
+/// Vertices of the visible face, millimetres: skin in front, without ears, neck, the inside
+/// of lips, lids and nostrils. Chosen by direction: what looks away from a viewer in front
+/// by more than 80° is left out, as is what other skin covers.
+fn visible_face(figure: &Figure, names: &Annotations) -> Result<Vec<DVec3>, YardstickError> {
+    let need =
+        |name: &'static str| landmark_mm(figure, names, name).ok_or(YardstickError::Figure(name));
+    let (n, gn, left, right) = (need("n")?, need("gn")?, need("zy_l")?, need("zy_r")?);
+    let skin = names.landmark("n").map_or(0, |l| l.mesh);
+    let mesh = &figure.meshes[skin];
+    let half = (left.x - right.x) / 2.0 * 0.9;
+    let height = n.y - gn.y;
+    // Which segments count: eyes, ears and the rest do not, nor do nostrils.
+    let mut counts = vec![false; mesh.positions.len()];
+    for s in names.segments.iter().filter(|s| s.mesh == skin) {
+        let hidden = ["ears", "rest", "eyes and lids", "nose base"];
+        if hidden.contains(&s.name.as_str()) {
+            continue;
+        }
+        for &[first, count] in &s.runs {
+            let run = first as usize..(first + count) as usize;
+            if let Some(run) = counts.get_mut(run) {
+                run.fill(true);
+            }
+        }
+    }
+    // The front-most skin in each cell of a frontal grid: what lies 4 mm behind is covered.
+    let at = |i: usize| DVec3::from_array(mesh.positions[i].map(f64::from)) * 1e3;
+    let frontal = |p: DVec3| [(p.x / 2.5).round() as i32, (p.y / 2.5).round() as i32];
+    let mut front: BTreeMap<[i32; 2], f64> = BTreeMap::new();
+    for i in 0..mesh.positions.len() {
+        let p = at(i);
+        let z = front.entry(frontal(p)).or_insert(f64::MIN);
+        *z = z.max(p.z);
+    }
+    Ok((0..mesh.positions.len())
+        .filter(|&i| {
+            let p = at(i);
+            counts[i]
+                && mesh.normals[i][2] > 0.17
+                && (p.x - n.x).abs() < half
+                && p.y > gn.y - 0.02 * height
+                && p.y < n.y + 0.45 * height
+                && front.get(&frontal(p)).is_none_or(|&z| p.z > z - 4.0)
+        })
+        .map(at)
+        .collect())
+}
+
+const ROUNDS: usize = 12;
+
+/// Aligns the yardstick to the figure and measures from the figure's visible face to it.
+///
+/// # Errors
+/// [`YardstickError::Figure`] when the figure lacks a landmark.
+pub fn deviation(
+    figure: &Figure,
+    names: &Annotations,
+    yardstick: &Yardstick,
+) -> Result<Deviation, YardstickError> {
+    let pairs = PAIRS
+        .iter()
+        .map(|&(i, name)| {
+            let ours = landmark_mm(figure, names, name).ok_or(YardstickError::Figure(name))?;
+            Ok((yardstick.points[yardstick.landmarks[i] as usize], ours))
+        })
+        .collect::<Result<Vec<_>, _>>()?;
+    let mut fit = Similarity::best(&pairs);
+    let face = visible_face(figure, names)?;
+    let mut distances = Vec::new();
+    for _ in 0..ROUNDS {
+        let placed: Vec<DVec3> = yardstick.points.iter().map(|&p| fit.apply(p)).collect();
+        let cells = Cells::new(&placed);
+        let mut matches = Vec::with_capacity(face.len());
+        distances.clear();
+        for &p in &face {
+            let Some(near) = cells.nearest(&placed, p) else {
+                distances.push(CELL_MM * 2.0);
+                continue;
+            };
+            let mut best = (f64::MAX, DVec3::ZERO);
+            for &t in &yardstick.around[near as usize] {
+                let corners = yardstick.triangles[t as usize].map(|v| placed[v as usize]);
+                let q = on_triangle(p, corners);
+                if q.distance_squared(p) < best.0 {
+                    best = (q.distance_squared(p), q);
+                }
+            }
+            if best.0 < f64::MAX {
+                distances.push(best.0.sqrt());
+                let source = fit.turn.inverse() * ((best.1 - fit.shift) / fit.scale);
+                matches.push((source, p));
+            }
+        }
+        fit = Similarity::best(&matches);
+    }
+    distances.sort_by(f64::total_cmp);
+    let mean = distances.iter().map(|d| d * d).sum::<f64>() / distances.len().max(1) as f64;
+    let at_landmarks = pairs
+        .iter()
+        .map(|&(a, b)| fit.apply(a).distance_squared(b))
+        .sum::<f64>()
+        / pairs.len() as f64;
+    Ok(Deviation {
+        rms_mm: mean.sqrt(),
+        p95_mm: distances
+            .get(distances.len() * 95 / 100)
+            .copied()
+            .unwrap_or(f64::INFINITY),
+        landmarks_mm: at_landmarks.sqrt(),
+        scale: fit.scale,
+        count: distances.len(),
+    })
+}

@@ -1,0 +1,38 @@
+//! Reads the table of antagonists, `antagonists.tsv` (F&H table 4.6), where this crate is built.
+
+use crate::table::{Row, lines};
+
+/// Two sets of muscles that pull against each other.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Antagonists<'a> {
+    /// Names without sides.
+    pub(crate) sets: [Vec<&'a str>; 2],
+    /// Whether each side is a pair of sets of its own; else both sides are in one.
+    pub(crate) is_by_side: bool,
+}
+
+/// The rows of the table of antagonists, which are muscles of `rows`, or what is wrong with it.
+pub(crate) fn read<'a>(text: &'a str, rows: &[Row<'_>]) -> Result<Vec<Antagonists<'a>>, String> {
+    lines(text, &["one", "other", "sides"], |line| {
+        let cells: Vec<&str> = line.split('\t').collect();
+        let &[one, other, sides] = &cells[..] else {
+            return Err("three columns are wanted".to_owned());
+        };
+        let set = |names: &'a str| -> Result<Vec<&'a str>, String> {
+            let names: Vec<&str> = names.split(' ').collect();
+            match names.iter().find(|n| rows.iter().all(|r| r.name != **n)) {
+                Some(unknown) => Err(format!("{unknown} is no muscle")),
+                None => Ok(names),
+            }
+        };
+        let is_by_side = match sides {
+            "each" => true,
+            "both" => false,
+            other => return Err(format!("{other} is neither each nor both")),
+        };
+        Ok(Antagonists {
+            sets: [set(one)?, set(other)?],
+            is_by_side,
+        })
+    })
+}

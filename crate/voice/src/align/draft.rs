@@ -1,0 +1,424 @@
+//! What a reader has found so far, and how it becomes an alignment that holds together.
+
+use super::text::{Bad, Walk, clip};
+use super::{Accent, Alignment, Fault, Interval, MOST_INTERVALS, MOST_SECS};
+use super::{Syllable, Tone, Units};
+use raconteur_speech::phones::{self, PHONE_SETS};
+
+/// Gaps and overlaps up to here come from rounding to whole milliseconds.
+const ROUNDING_SECS: f64 = 0.0015;
+
+/// Warnings beyond these are counted only.
+const MOST_WARNINGS: usize = 100;
+
+/// So many labels tell which phone set they are of.
+const SAMPLE: usize = 2000;
+
+/// An interval as written.
+#[derive(Clone, Debug)]
+pub(super) struct Raw {
+    pub(super) start: f64,
+    pub(super) end: f64,
+    pub(super) label: String,
+    /// Where in the text.
+    pub(super) at: usize,
+}
+
+/// A moment with a label as written.
+#[derive(Clone, Debug)]
+pub(super) struct Point {
+    pub(super) secs: f64,
+    pub(super) label: String,
+    pub(super) at: usize,
+}
+
+/// What segments are, as far as the format tells.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) enum Kind {
+    /// Sounds.
+    #[default]
+    Phones,
+    /// Sounds or words: the labels tell.
+    Unsure,
+    /// As told.
+    Units(Units),
+}
+
+/// Everything found, in the order of the file.
+#[derive(Debug, Default)]
+pub(super) struct Draft {
+    pub(super) kind: Kind,
+    pub(super) segments: Vec<Raw>,
+    pub(super) words: Vec<Raw>,
+    /// Begin, end, stress.
+    pub(super) syllables: Vec<(f64, f64, u8)>,
+    pub(super) accents: Vec<Point>,
+    pub(super) tones: Vec<(Point, Option<u8>)>,
+    /// Seconds, hertz, place.
+    pub(super) f0: Vec<(f64, f64, usize)>,
+    pub(super) emotions: Vec<Point>,
+    /// Silence lasts to here at least.
+    pub(super) end_secs: f64,
+    warnings: Vec<(usize, String)>,
+    warned: usize,
+    counted: usize,
+}
+
+impl Draft {
+    pub(super) fn warn(&mut self, at: usize, message: impl Into<String>) {
+        self.warned += 1;
+        if self.warnings.len() < MOST_WARNINGS {
+            self.warnings.push((at, message.into()));
+        }
+    }
+
+    /// To be called for each interval, point or event that is kept.
+    pub(super) fn count(&mut self, at: usize) -> Result<(), Bad> {
+        self.counted += 1;
+        if self.counted > MOST_INTERVALS {
+            let message = format!("more than {MOST_INTERVALS} intervals");
+            return Err(Bad::new(at, message));
+        }
+        Ok(())
+    }
+
+    pub(super) fn segment(
+        &mut self,
+        start: f64,
+        end: f64,
+        label: &str,
+        at: usize,
+    ) -> Result<(), Bad> {
+        self.count(at)?;
+        self.segments.push(raw(start, end, label, at));
+        Ok(())
+    }
+
+    pub(super) fn word(&mut self, start: f64, end: f64, label: &str, at: usize) -> Result<(), Bad> {
+        self.count(at)?;
+        self.words.push(raw(start, end, label, at));
+        Ok(())
+    }
+
+    /// Segments that each begin where the one before ends, from their ends.
+    pub(super) fn segments_by_end(&mut self, mut ends: Vec<Point>) -> Result<(), Bad> {
+        self.sort(&mut ends);
+        let mut start = ends.first().map_or(0.0, |first| first.secs.min(0.0));
+        for Point { secs, label, at } in ends {
+            self.segment(start, secs, &label, at)?;
+            start = secs;
+        }
+        Ok(())
+    }
+
+    /// Segments that each end where the next begins, from their begins. A last one labelled
+    /// `closing` only says where the one before ends; any other lasts `last_secs`.
+    pub(super) fn segments_by_start(
+        &mut self,
+        mut starts: Vec<Point>,
+        closing: &str,
+        last_secs: f64,
+    ) -> Result<(), Bad> {
+        self.sort(&mut starts);
+        let ends: Vec<f64> = starts.iter().skip(1).map(|p| p.secs).collect();
+        for (i, Point { secs, label, at }) in starts.into_iter().enumerate() {
+            match ends.get(i) {
+                Some(end) => self.segment(secs, *end, &label, at)?,
+                None if label == closing && i > 0 => {}
+                None => self.segment(secs, secs + last_secs, &label, at)?,
+            }
+        }
+        Ok(())
+    }
+
+    fn sort(&mut self, points: &mut [Point]) {
+        if let Some(pair) = points.windows(2).find(|p| p[1].secs < p[0].secs) {
+            self.warn(pair[1].at, "earlier than the line before; sorted");
+            points.sort_by(|a, b| a.secs.total_cmp(&b.secs));
+        }
+    }
+
+    /// The alignment, or what no repair can mend.
+    pub(super) fn finish(mut self, text: &str) -> Result<Alignment, Bad> {
+        let units = self.units();
+        if units == Units::None && self.words.is_empty() {
+            self.words = std::mem::take(&mut self.segments);
+        }
+        let shapes = matches!(units, Units::Visemes { .. });
+        let mut segments = std::mem::take(&mut self.segments);
+        for segment in &mut segments {
+            if is_silence(&segment.label) || shapes && segment.label == "X" {
+                segment.label.clear();
+            }
+        }
+        let segments = self.settle(segments)?;
+        let segments = self.tile(segments);
+        let mut words = std::mem::take(&mut self.words);
+        for word in &mut words {
+            // These two are words, too.
+            let real = ["pause", "silence"].contains(&word.label.as_str());
+            if is_silence(&word.label) && !real {
+                word.label.clear();
+            }
+        }
+        let words = self.settle(words)?;
+        let words = words.into_iter().filter(|w| !w.label.is_empty());
+        let words = words.map(Interval::from).collect();
+        let syllables = syllables(&self.syllables, &segments);
+        let accents = self.moments(|d| &mut d.accents)?;
+        let emotions = self.moments(|d| &mut d.emotions)?;
+        let tones = self.tones()?;
+        let f0 = self.pitch()?;
+        let untold = self.warned - self.warnings.len();
+        self.warnings.sort_by_key(|(at, _)| *at);
+        if untold > 0 {
+            let last = self.warnings.last().map_or(0, |(at, _)| *at);
+            self.warnings.push((last, format!("{untold} repairs more")));
+        }
+        let mut walk = Walk::new(text);
+        let told = self.warnings.into_iter().map(|(at, message)| {
+            let (line, column) = walk.to(at);
+            Fault {
+                line,
+                column,
+                message,
+            }
+        });
+        let warnings = told.collect();
+        let accent = |p: Point| Accent {
+            at_secs: p.secs,
+            label: p.label,
+        };
+        Ok(Alignment {
+            units,
+            segments,
+            words,
+            syllables,
+            accents: accents.into_iter().map(accent).collect(),
+            tones,
+            f0,
+            emotions: emotions.into_iter().map(|p| (p.secs, p.label)).collect(),
+            warnings,
+        })
+    }
+
+    fn units(&self) -> Units {
+        if let Kind::Units(units) = self.kind {
+            return units;
+        }
+        let labels = || {
+            let labels = self.segments.iter().map(|s| s.label.as_str());
+            labels.filter(|l| !is_silence(l)).take(SAMPLE)
+        };
+        let all = labels().count();
+        let (mut most, mut best) = (0, None);
+        for set in PHONE_SETS {
+            let known = labels().filter(|l| phones::find(set, l).is_some()).count();
+            if known > most {
+                (most, best) = (known, Some(set));
+            }
+        }
+        let few = most * 5 < all * 4;
+        if self.segments.is_empty() || self.kind == Kind::Unsure && few && all > 0 {
+            return Units::None;
+        }
+        let set = if few { None } else { best };
+        Units::Phones { set }
+    }
+
+    /// In order, from 0, none empty and none over another.
+    fn settle(&mut self, mut raws: Vec<Raw>) -> Result<Vec<Raw>, Bad> {
+        for raw in &raws {
+            check(raw.start, raw.at)?;
+            check(raw.end, raw.at)?;
+        }
+        if let Some(first) = raws.first()
+            && raws.iter().all(|r| r.end <= 0.0)
+            && raws.iter().any(|r| r.start < 0.0)
+        {
+            return Err(Bad::new(first.at, "every time is negative"));
+        }
+        if let Some(pair) = raws.windows(2).find(|r| r[1].start < r[0].start) {
+            self.warn(pair[1].at, "begins before the one before it; sorted");
+            raws.sort_by(|a, b| a.start.total_cmp(&b.start));
+        }
+        let mut settled: Vec<Raw> = Vec::with_capacity(raws.len());
+        for mut raw in raws {
+            if raw.end <= raw.start {
+                let how = if raw.end < raw.start {
+                    "ends before it begins"
+                } else {
+                    "is empty"
+                };
+                self.warn(raw.at, format!("{:?} {how}; dropped", clip(&raw.label)));
+                continue;
+            }
+            if raw.start < 0.0 {
+                let what = if raw.end <= 0.0 { "dropped" } else { "cut" };
+                let label = clip(&raw.label);
+                self.warn(raw.at, format!("{label:?} begins before 0; {what}"));
+                if raw.end <= 0.0 {
+                    continue;
+                }
+                raw.start = 0.0;
+            }
+            while let Some(last) = settled.last_mut().filter(|last| last.end > raw.start) {
+                let (over, at, label) = (last.end - raw.start, last.at, clip(&last.label));
+                last.end = raw.start;
+                let empty = last.end <= last.start;
+                if empty {
+                    settled.pop();
+                    self.warn(at, format!("{label:?} is covered by the next; dropped"));
+                } else if over > ROUNDING_SECS {
+                    self.warn(at, format!("{label:?} runs {over:.3} s into the next; cut"));
+                }
+            }
+            settled.push(raw);
+        }
+        Ok(settled)
+    }
+
+    /// Without gaps, from 0 to the end that is known.
+    fn tile(&mut self, raws: Vec<Raw>) -> Vec<Interval> {
+        let mut tiles: Vec<Interval> = Vec::with_capacity(raws.len());
+        let mut end = 0.0;
+        for mut raw in raws {
+            let gap = raw.start - end;
+            if gap > ROUNDING_SECS {
+                self.warn(
+                    raw.at,
+                    format!("a gap of {gap:.3} s is filled with silence"),
+                );
+                tiles.push(silence(end, raw.start));
+            } else if let Some(last) = tiles.last_mut() {
+                last.end_secs = raw.start;
+            } else {
+                raw.start = 0.0;
+            }
+            end = raw.end;
+            tiles.push(Interval::from(raw));
+        }
+        let rest = self.end_secs - end;
+        if !tiles.is_empty() && rest > ROUNDING_SECS && self.end_secs <= MOST_SECS {
+            tiles.push(silence(end, self.end_secs));
+        }
+        tiles
+    }
+
+    fn moments(&mut self, which: fn(&mut Self) -> &mut Vec<Point>) -> Result<Vec<Point>, Bad> {
+        let mut points = std::mem::take(which(self));
+        for point in &mut points {
+            check(point.secs, point.at)?;
+            if point.secs < 0.0 {
+                let label = clip(&point.label);
+                self.warn(point.at, format!("{label:?} is before 0; put there"));
+                point.secs = 0.0;
+            }
+        }
+        points.sort_by(|a, b| a.secs.total_cmp(&b.secs));
+        Ok(points)
+    }
+
+    fn tones(&mut self) -> Result<Vec<Tone>, Bad> {
+        let mut tones = Vec::with_capacity(self.tones.len());
+        for (point, break_index) in std::mem::take(&mut self.tones) {
+            check(point.secs, point.at)?;
+            tones.push(Tone {
+                at_secs: point.secs.max(0.0),
+                label: point.label,
+                break_index,
+            });
+        }
+        tones.sort_by(|a, b| a.at_secs.total_cmp(&b.at_secs));
+        Ok(tones)
+    }
+
+    fn pitch(&mut self) -> Result<Vec<(f64, f64)>, Bad> {
+        let mut f0 = Vec::with_capacity(self.f0.len());
+        for (secs, hz, at) in std::mem::take(&mut self.f0) {
+            check(secs, at)?;
+            if !hz.is_finite() || hz <= 0.0 || secs < 0.0 {
+                self.warn(at, format!("a pitch of {hz} Hz at {secs} s; dropped"));
+            } else {
+                f0.push((secs, hz));
+            }
+        }
+        f0.sort_by(|a: &(f64, f64), b| a.0.total_cmp(&b.0));
+        Ok(f0)
+    }
+}
+
+impl From<Raw> for Interval {
+    fn from(raw: Raw) -> Self {
+        Self {
+            start_secs: raw.start,
+            end_secs: raw.end,
+            label: raw.label,
+        }
+    }
+}
+
+fn raw(start: f64, end: f64, label: &str, at: usize) -> Raw {
+    let label = label.trim().to_owned();
+    Raw {
+        start,
+        end,
+        label,
+        at,
+    }
+}
+
+fn silence(start_secs: f64, end_secs: f64) -> Interval {
+    Interval {
+        start_secs,
+        end_secs,
+        label: String::new(),
+    }
+}
+
+/// Refuses times that cannot be of a recording.
+fn check(secs: f64, at: usize) -> Result<(), Bad> {
+    if !secs.is_finite() {
+        return Err(Bad::new(at, "a time that is not finite"));
+    }
+    if secs.abs() > MOST_SECS {
+        let message = format!("{secs} s is more than {MOST_SECS} s");
+        return Err(Bad::new(at, message));
+    }
+    Ok(())
+}
+
+/// Names that aligners and engines give to silence and to the edges of an utterance. A
+/// breath has a mouth of its own and stays.
+pub(super) fn is_silence(label: &str) -> bool {
+    const NAMES: [&str; 20] = [
+        "", "pau", "sil", "sp", "ssil", "silence", "<sil>", "<p:>", "<p>", "<eps>", "<s>", "</s>",
+        "_", "_:", "__", "#", "##", "h#", "#h", "pause",
+    ];
+    NAMES.iter().any(|name| name.eq_ignore_ascii_case(label))
+}
+
+/// Syllables by the segments whose middles they hold.
+fn syllables(spans: &[(f64, f64, u8)], segments: &[Interval]) -> Vec<Syllable> {
+    let middle = |s: &Interval| s.start_secs.midpoint(s.end_secs);
+    let mut found: Vec<Syllable> = Vec::with_capacity(spans.len());
+    let mut spans: Vec<_> = spans
+        .iter()
+        .filter(|s| s.0.is_finite() && s.1.is_finite())
+        .collect();
+    spans.sort_by(|a, b| a.0.total_cmp(&b.0));
+    for (start, end, stress) in spans {
+        let after = found.last().map_or(0, |s| s.first_segment + s.count);
+        let first_segment = segments.partition_point(|s| middle(s) < *start).max(after);
+        let past = segments.partition_point(|s| middle(s) < *end);
+        let count = past.saturating_sub(first_segment);
+        if count > 0 {
+            found.push(Syllable {
+                first_segment,
+                count,
+                stress: *stress,
+            });
+        }
+    }
+    found
+}

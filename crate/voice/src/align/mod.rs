@@ -1,0 +1,225 @@
+//! Times of words and phones that other programs wrote.
+//!
+//! Does: read alignments of a dozen formats from bytes, in any of four encodings, into one
+//! shape; repair what can be repaired and say so.
+//! Does not: read files, align by itself, or change the phone set.
+//!
+//! What is repaired, with a warning: intervals out of order are sorted; an interval that
+//! runs into the next ends where that begins; parts before 0 are cut off; empty intervals
+//! are dropped; silence fills gaps (those up to 1.5 ms, the rounding of times in whole
+//! milliseconds, are closed in silence). What is refused: times that are not finite or
+//! beyond 24 hours, files whose every time is negative, more than 64 MiB or a million
+//! intervals, and whatever a format does not allow.
+
+mod draft;
+mod labels;
+mod mary;
+mod mbrola;
+mod rhubarb;
+mod sampa;
+mod sniff;
+mod talking_head;
+mod text;
+mod textgrid;
+mod utterance;
+mod viseme;
+mod webvtt;
+mod xml;
+
+pub use sniff::detect;
+pub use viseme::{VisemeSet, phone_of_viseme, rhubarb_viseme};
+
+use draft::Draft;
+
+/// Most bytes that are read.
+pub const MOST_BYTES: usize = 64 << 20;
+
+/// Most bytes of JSON; each may become twenty in memory.
+pub const MOST_JSON_BYTES: usize = 16 << 20;
+
+/// Most intervals, points and events in one file.
+pub const MOST_INTERVALS: usize = 1_000_000;
+
+/// Latest time that is believed, in seconds.
+pub const MOST_SECS: f64 = 86_400.0;
+
+/// What wrote a file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Format {
+    /// Praat's TextGrid, long or short text.
+    TextGrid,
+    /// Rhubarb Lip Sync, tab-separated: a start and a mouth shape per line.
+    RhubarbTsv,
+    /// Rhubarb Lip Sync, JSON.
+    RhubarbJson,
+    /// Rhubarb Lip Sync, XML.
+    RhubarbXml,
+    /// ESPS xlabel: a header to `#`, then end, colour and label per line. Festival's
+    /// `utt.save.segs` and `utt.save.words`.
+    XLabel,
+    /// HTK and HTS labels in units of 100 ns, with short or full-context names; MLF.
+    Htk,
+    /// Festival's `utt.save`.
+    FestivalUtterance,
+    /// MARY's XML with phones; see [`read`] for that without times.
+    MaryXml,
+    /// MARY's `REALISED_DURATIONS`.
+    MaryDurations,
+    /// MBROLA's `.pho`: phone, milliseconds, and pairs of percent and hertz.
+    Mbrola,
+    /// WebVTT whose cues are words or have times within.
+    WebVtt,
+    /// JSON of arrays for talking heads in browsers: `words`, `wtimes`, `wdurations`,
+    /// `visemes`, `vtimes`, `vdurations`, times in milliseconds.
+    TalkingHead,
+}
+
+/// A label and when it holds, in seconds from the beginning of the recording.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Interval {
+    /// Begin, at least 0.
+    pub start_secs: f64,
+    /// End, after the begin.
+    pub end_secs: f64,
+    /// What it says; `""` is silence.
+    pub label: String,
+}
+
+/// What labels of segments are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Units {
+    /// Sounds. The set is one of [`raconteur_speech::phones::PHONE_SETS`]: the first that knows the most
+    /// labels, if it knows four of five. Who knows the language does better: `espeak` may
+    /// mean `espeak-de`.
+    Phones {
+        /// The set's name.
+        set: Option<&'static str>,
+    },
+    /// Shapes of the mouth.
+    Visemes {
+        /// Which shapes.
+        set: VisemeSet,
+    },
+    /// There are no segments, only words.
+    None,
+}
+
+/// A syllable: neighbouring segments.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Syllable {
+    /// Its first segment.
+    pub first_segment: usize,
+    /// Number of segments, at least 1.
+    pub count: usize,
+    /// 0 none, 1 primary, 2 secondary.
+    pub stress: u8,
+}
+
+/// A pitch accent.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Accent {
+    /// Middle of the accented syllable, in seconds.
+    pub at_secs: f64,
+    /// As written, usually ToBI: `H*`, `l+h*`.
+    pub label: String,
+}
+
+/// A boundary of phrases.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Tone {
+    /// End of the phrase, before its pause, in seconds.
+    pub at_secs: f64,
+    /// Boundary tone as written (`L-L%`), or empty.
+    pub label: String,
+    /// ToBI break index, 0..6.
+    pub break_index: Option<u8>,
+}
+
+/// What a file says about a recording.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Alignment {
+    /// What the segments' labels are.
+    pub units: Units,
+    /// Phones or visemes. They begin at 0 and leave no gap; silence is `""`.
+    pub segments: Vec<Interval>,
+    /// Words in order, none over another; silences are left out.
+    pub words: Vec<Interval>,
+    /// Syllables in order.
+    pub syllables: Vec<Syllable>,
+    /// Pitch accents in order of time.
+    pub accents: Vec<Accent>,
+    /// Boundaries in order of time.
+    pub tones: Vec<Tone>,
+    /// Pitch: seconds and hertz, in order of time.
+    pub f0: Vec<(f64, f64)>,
+    /// Emotions (seconds of the apex, name), in order of time.
+    pub emotions: Vec<(f64, String)>,
+    /// What was repaired. After a hundred, only their number is told.
+    pub warnings: Vec<Fault>,
+}
+
+impl Alignment {
+    /// The word that the middle of a segment lies in.
+    #[must_use]
+    pub fn word_of(&self, segment: usize) -> Option<usize> {
+        let segment = self.segments.get(segment)?;
+        let middle_secs = segment.start_secs.midpoint(segment.end_secs);
+        let after = self.words.partition_point(|w| w.start_secs <= middle_secs);
+        let last = after.checked_sub(1)?;
+        (middle_secs < self.words[last].end_secs).then_some(last)
+    }
+}
+
+/// A fault of a file: why it cannot be read, or what was repaired.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("line {line}, column {column}: {message}")]
+pub struct Fault {
+    /// Line, from 1.
+    pub line: u32,
+    /// Column in characters, from 1.
+    pub column: u32,
+    /// What is wrong.
+    pub message: String,
+}
+
+/// Reads an alignment. UTF-8, UTF-16 with a byte order mark, and Latin-1 are understood.
+///
+/// Where a format gives only when something begins or ends, the neighbour gives the rest.
+/// MaryXML without times (F&H table 4.3) gets 80 ms for each phone and 200 ms for each
+/// boundary, with a warning: its order is worth having. A last mouth shape without an end
+/// holds for 100 ms.
+///
+/// # Errors
+/// A [`Fault`] with line and column when the file is not of the format, too large, or has
+/// times that cannot be.
+pub fn read(format: Format, bytes: &[u8]) -> Result<Alignment, Fault> {
+    let most = match format {
+        Format::RhubarbJson | Format::TalkingHead => MOST_JSON_BYTES,
+        _ => MOST_BYTES,
+    };
+    if bytes.len() > most {
+        return Err(Fault {
+            line: 1,
+            column: 1,
+            message: format!("{} bytes; at most {most} are read", bytes.len()),
+        });
+    }
+    let text = text::decode(bytes)?;
+    let mut draft = Draft::default();
+    let read = match format {
+        Format::TextGrid => textgrid::read(&text, &mut draft),
+        Format::RhubarbTsv => rhubarb::tsv(&text, &mut draft),
+        Format::RhubarbJson => rhubarb::json(&text, &mut draft),
+        Format::RhubarbXml => rhubarb::xml(&text, &mut draft),
+        Format::XLabel => labels::xlabel(&text, &mut draft),
+        Format::Htk => labels::htk(&text, &mut draft),
+        Format::FestivalUtterance => utterance::read(&text, &mut draft),
+        Format::MaryXml => mary::read(&text, &mut draft),
+        Format::MaryDurations => labels::mary(&text, &mut draft),
+        Format::Mbrola => mbrola::read(&text, &mut draft),
+        Format::WebVtt => webvtt::read(&text, &mut draft),
+        Format::TalkingHead => talking_head::read(&text, &mut draft),
+    };
+    read.and_then(|()| draft.finish(&text))
+        .map_err(|bad| bad.in_text(&text))
+}

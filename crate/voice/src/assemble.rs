@@ -1,0 +1,451 @@
+//! Puts the sentences of an utterance together: one sound with silences and recordings where
+//! they belong, and the times of all that is in it.
+
+use raconteur_base::ops;
+
+use crate::feel::Felt;
+use crate::plan::{Plan, Sound};
+use crate::realise::phrases_of;
+use crate::signal::f0;
+use crate::signal::intensity;
+use crate::spoken::Spoken;
+use raconteur_speech::bundle::{
+    Accent, Emotion, FRAME_SECS, Phone, Phrase, SILENCE, SOUND, Sentence, Syllable, Utterance,
+    Word, code_of_db, code_of_hz,
+};
+
+/// Silence before the first word, seconds: what a caption or a mouth needs to get ready.
+const LEAD_SECS: f64 = 0.12;
+
+/// Silence after the last word, seconds: the voice dies away in it.
+const TAIL_SECS: f64 = 0.15;
+
+/// How much of the engine's own silence is kept after and before speech, fading: breath and
+/// decay that the phone labels do not cover.
+const FADE_OUT_SECS: f64 = 0.06;
+const FADE_IN_SECS: f64 = 0.03;
+
+/// A recording under speech is this much softer where somebody speaks, as a factor: 12 dB.
+const DUCKED: f64 = 0.25;
+/// It becomes softer and louder again within this time, seconds.
+const DUCK_SECS: f64 = 0.25;
+
+/// No sample goes beyond this: −1.5 dB, which leaves the encoders half a decibel below −1.
+const PEAK: f64 = 0.84;
+/// From here on peaks are rounded off: the sharp ones of loud voices, once in a period.
+const KNEE: f64 = 0.7;
+
+/// The window of intensity, seconds: two periods of a low voice.
+const INTENSITY_WINDOW_SECS: f64 = 0.032;
+
+/// A sentence that is ready.
+pub struct Part {
+    /// Its sound and times, as they are to be heard.
+    pub spoken: Spoken,
+    /// Factor on the pauses that nobody asked for: of the pace and of emotions.
+    pub pauses: f64,
+    /// Silences to add after tokens, and those to leave out, which are 0; seconds.
+    pub moved_pauses: Vec<(usize, f64)>,
+}
+
+/// What an utterance sounds like, and what is known of it but names and files.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Track {
+    /// Mono, −1 to 1.
+    pub samples: Vec<f64>,
+    /// Samples a second.
+    pub rate_hz: f64,
+    /// All times and frames; no key, no audio.
+    pub utterance: Utterance,
+}
+
+/// A recording, decoded to the rate of the utterance.
+pub struct Recording {
+    /// Mono.
+    pub samples: Vec<f64>,
+}
+
+/// Assembles what was spoken for a plan. All sounds have `rate_hz`; there is a recording for
+/// each of the plan's sounds.
+#[must_use]
+pub fn assemble(
+    plan: &Plan,
+    parts: &[Part],
+    recordings: &[Recording],
+    felt: &[Felt],
+    rate_hz: f64,
+) -> Track {
+    let mut tape = Tape {
+        rate_hz,
+        samples: Vec::new(),
+        marks: Vec::new(),
+        sounds: plan.sounds.iter().zip(recordings).collect(),
+        backgrounds: Vec::new(),
+    };
+    let mut utterance = Utterance::default();
+    // Phones of each segment of each part.
+    let mut gap_secs = LEAD_SECS + plan.lead_pause_secs;
+    let mut before: &[f64] = &[];
+    let mut first_word_of_sentence = 0;
+    for (planned, part) in plan.sentences.iter().zip(parts) {
+        let spoken = &part.spoken;
+        let cut = |from_secs: f64, to_secs: f64| {
+            let index =
+                |secs: f64| ((secs * rate_hz).round().max(0.0) as usize).min(spoken.samples.len());
+            &spoken.samples[index(from_secs)..index(to_secs).max(index(from_secs))]
+        };
+        let Some(last) = spoken.segments.iter().rposition(|s| !s.is_silent()) else {
+            gap_secs += planned.pause_secs;
+            continue;
+        };
+        // The phone that each segment became.
+        let mut phone_of = vec![0; spoken.segments.len()];
+        let mut begun = false;
+        let mut start_secs = 0.0;
+        let mut last_token = None;
+        for (i, segment) in spoken.segments.iter().enumerate().take(last + 1) {
+            let sound = cut(start_secs, segment.end_secs);
+            if segment.is_silent() {
+                // A pause inside the sentence: the author's length, else the engine's.
+                let next = spoken.segments[i..].iter().find_map(|s| s.token);
+                let ends = last_token.filter(|t| begun && next != Some(*t));
+                let asked = ends.and_then(|t: usize| planned.pauses.get(t).copied().flatten());
+                let moved = ends.and_then(|t| part.moved(t));
+                let own_secs = (segment.end_secs - start_secs) * part.pauses;
+                if begun {
+                    tape.silence(asked.or(moved).unwrap_or(own_secs), sound, sound);
+                }
+            } else {
+                let token = segment.token.unwrap_or(0);
+                if !begun {
+                    tape.silence(gap_secs, before, cut(0.0, start_secs));
+                    begun = true;
+                } else if last_token != Some(token)
+                    && !spoken.segments[i - 1].is_silent()
+                    && let Some(last) = last_token
+                {
+                    // The engine makes no pause where one is asked for.
+                    let asked = planned.pauses.get(last).copied().flatten();
+                    if let Some(secs) = asked.or(part.moved(last)).filter(|secs| *secs > 0.0) {
+                        tape.silence(secs, &[], &[]);
+                    }
+                }
+                let word = planned.sentence.tokens.get(token).map(|t| t.word);
+                tape.sounds_before(word.unwrap_or(0));
+                tape.speech(&segment.symbol, word, sound);
+                last_token = Some(token);
+            }
+            phone_of[i] = tape.marks.len().saturating_sub(1);
+            start_secs = segment.end_secs;
+        }
+        before = cut(start_secs, spoken.samples.len() as f64 / rate_hz);
+        gap_secs = planned.pause_secs
+            * if planned.pauses.last().copied().flatten().is_some() {
+                1.0
+            } else {
+                part.pauses
+            };
+        describe(&mut utterance, part, planned, &phone_of);
+        let last_word = planned.sentence.tokens.last().map_or(0, |t| t.word + 1);
+        if !planned.goes_on {
+            utterance.sentences.push(Sentence {
+                first_word: first_word_of_sentence,
+                words: last_word.saturating_sub(first_word_of_sentence),
+                kind: planned.sentence.kind,
+            });
+            first_word_of_sentence = last_word;
+        }
+    }
+    // An author's pause at the very end is part of the utterance, a usual one is not.
+    let asked = plan
+        .sentences
+        .last()
+        .and_then(|s| s.pauses.last().copied().flatten());
+    let tail_secs = match plan.sentences.is_empty() {
+        true => gap_secs,
+        false => TAIL_SECS + asked.unwrap_or(0.0),
+    };
+    tape.silence(tail_secs, before, &[]);
+    tape.sounds_before(usize::MAX);
+    tape.finish(plan, utterance, felt)
+}
+
+impl Part {
+    fn moved(&self, token: usize) -> Option<f64> {
+        let found = self.moved_pauses.iter().find(|(t, _)| *t == token);
+        found.map(|(_, secs)| *secs)
+    }
+}
+
+/// Syllables, accents and phrases of a sentence, by phone and word.
+fn describe(
+    utterance: &mut Utterance,
+    part: &Part,
+    planned: &crate::plan::Planned,
+    phone_of: &[usize],
+) {
+    for syllable in &part.spoken.syllables {
+        let last = (syllable.first + syllable.count).max(1) - 1;
+        let (Some(first), Some(last)) = (phone_of.get(syllable.first), phone_of.get(last)) else {
+            continue;
+        };
+        if !syllable.accent.is_empty() {
+            utterance.accents.push(Accent {
+                syllable: utterance.syllables.len(),
+                label: syllable.accent.clone(),
+            });
+        }
+        utterance.syllables.push(Syllable {
+            first_phone: *first,
+            phones: last + 1 - first,
+            stress: syllable.stress,
+        });
+    }
+    let tokens = &planned.sentence.tokens;
+    for (_, last) in phrases_of(&part.spoken, tokens.len()) {
+        let first_word = utterance
+            .phrases
+            .last()
+            .map_or(0, |p| p.first_word + p.words);
+        // A word that is spoken as several tokens is in the phrase of its last one.
+        let word = tokens[last].word;
+        if tokens.get(last + 1).is_some_and(|t| t.word == word) || word < first_word {
+            continue;
+        }
+        let breaks = part.spoken.breaks.iter();
+        utterance.phrases.push(Phrase {
+            first_word,
+            words: word + 1 - first_word,
+            tone: breaks
+                .clone()
+                .find(|(token, _)| *token == last)
+                .map_or(String::new(), |(_, tone)| tone.clone()),
+        });
+    }
+}
+
+/// The sound so far and where its phones end.
+struct Tape<'a> {
+    rate_hz: f64,
+    samples: Vec<f64>,
+    marks: Vec<Mark>,
+    /// Recordings that are still to come.
+    sounds: std::collections::VecDeque<(&'a Sound, &'a Recording)>,
+    /// Recordings under the speech, with their first samples.
+    backgrounds: Vec<(usize, &'a Sound, &'a Recording)>,
+}
+
+struct Mark {
+    symbol: String,
+    word: Option<usize>,
+    end: usize,
+}
+
+impl Tape<'_> {
+    fn speech(&mut self, symbol: &str, word: Option<usize>, sound: &[f64]) {
+        self.samples.extend_from_slice(sound);
+        self.marks.push(Mark {
+            symbol: symbol.to_owned(),
+            word,
+            end: self.samples.len(),
+        });
+    }
+
+    /// Plays the recordings that come before a word.
+    fn sounds_before(&mut self, word: usize) {
+        while let Some((sound, recording)) = self.sounds.front().copied() {
+            if sound.word > word {
+                return;
+            }
+            self.sounds.pop_front();
+            if sound.background {
+                self.backgrounds
+                    .push((self.samples.len(), sound, recording));
+            } else {
+                let loud = recording.samples.iter().map(|s| s * sound.level);
+                self.samples.extend(loud);
+                self.marks.push(Mark {
+                    symbol: SOUND.to_owned(),
+                    word: None,
+                    end: self.samples.len(),
+                });
+            }
+        }
+    }
+
+    /// Adds silence of this length that begins as `before` does and ends as `after` does.
+    fn silence(&mut self, secs: f64, before: &[f64], after: &[f64]) {
+        let count = |secs: f64| (secs.max(0.0) * self.rate_hz).round() as usize;
+        let length = count(secs);
+        let out = count(FADE_OUT_SECS).min(length * 2 / 3).min(before.len());
+        let r#in = count(FADE_IN_SECS).min(length / 3).min(after.len());
+        let begin = self.samples.len();
+        self.samples.resize(begin + length, 0.0);
+        for (i, sample) in before[..out].iter().enumerate() {
+            self.samples[begin + i] = sample * (1.0 - (i + 1) as f64 / out as f64);
+        }
+        for (i, sample) in after[after.len() - r#in..].iter().enumerate() {
+            self.samples[begin + length - r#in + i] = sample * (i as f64 / r#in as f64);
+        }
+        let end = self.samples.len();
+        match self.marks.last_mut() {
+            Some(last) if last.symbol == SILENCE => last.end = end,
+            _ if length > 0 => self.marks.push(Mark {
+                symbol: SILENCE.to_owned(),
+                word: None,
+                end,
+            }),
+            _ => {}
+        }
+    }
+
+    /// Adds the recordings under the speech, softer where somebody speaks.
+    fn mix(&mut self) {
+        if self.backgrounds.is_empty() {
+            return;
+        }
+        let mut level = vec![1.0; self.samples.len()];
+        let mut start = 0;
+        for mark in &self.marks {
+            if mark.word.is_some() {
+                level[start..mark.end].fill(DUCKED);
+            }
+            start = mark.end;
+        }
+        // One pole both ways: soft before a word begins, loud after it has ended.
+        let keep = ops::exp(-3.0 / (DUCK_SECS * self.rate_hz));
+        let smooth = |level: &mut dyn Iterator<Item = &mut f64>| {
+            let mut now = None;
+            for value in level {
+                let next = now.map_or(*value, |now: f64| {
+                    (now * keep + *value * (1.0 - keep)).min(now.max(*value))
+                });
+                *value = next;
+                now = Some(next);
+            }
+        };
+        smooth(&mut level.iter_mut());
+        smooth(&mut level.iter_mut().rev());
+        for (at, sound, recording) in &self.backgrounds {
+            let under = self.samples[*at..].iter_mut().zip(&level[*at..]);
+            for ((sample, level), recorded) in under.zip(&recording.samples) {
+                *sample += recorded * sound.level * level;
+            }
+        }
+        // What is longer than the speech fades out with it.
+        let fade = ((0.1 * self.rate_hz) as usize).min(self.samples.len());
+        let end = self.samples.len();
+        for (i, sample) in self.samples[end - fade..].iter_mut().enumerate() {
+            *sample *= 1.0 - i as f64 / fade as f64;
+        }
+    }
+
+    /// Mixes, and turns marks into times.
+    fn finish(mut self, plan: &Plan, mut utterance: Utterance, felt: &[Felt]) -> Track {
+        // Whole milliseconds, so that the duration in the bundle is that of the file.
+        let milli = self.rate_hz / 1000.0;
+        let length_msec = (self.samples.len() as f64 / milli).ceil();
+        let length = (length_msec * milli).round() as usize;
+        self.samples.resize(length, 0.0);
+        self.mix();
+        for sample in &mut self.samples {
+            let over = sample.abs() - KNEE;
+            if over > 0.0 {
+                let rounded = (PEAK - KNEE) * (1.0 - ops::exp(-over / (PEAK - KNEE)));
+                *sample = (KNEE + rounded).copysign(*sample);
+            }
+        }
+        let msec = |index: usize| (index as f64 / milli).round();
+        utterance.duration_secs = length_msec / 1000.0;
+        let mut start_secs = 0.0;
+        for mark in &self.marks {
+            let end_secs = msec(mark.end) / 1000.0;
+            utterance.phones.push(Phone {
+                symbol: mark.symbol.clone(),
+                start_secs,
+                end_secs,
+                word: mark.word,
+            });
+            start_secs = end_secs;
+        }
+        if let Some(last) = utterance.phones.last_mut() {
+            last.end_secs = utterance.duration_secs;
+        }
+        words(&mut utterance, plan);
+        emotions(&mut utterance, felt);
+        let track = f0::track_voice(&self.samples, self.rate_hz, FRAME_SECS);
+        let frames = (utterance.duration_secs / FRAME_SECS).floor() as usize + 1;
+        let secs = |i: usize| i as f64 * FRAME_SECS;
+        utterance.f0 = (0..frames)
+            .map(|i| code_of_hz(track.hz_at(secs(i))))
+            .collect();
+        utterance.intensity = intensity_codes(&self.samples, self.rate_hz, utterance.duration_secs);
+        Track {
+            samples: self.samples,
+            rate_hz: self.rate_hz,
+            utterance,
+        }
+    }
+}
+
+/// What a bundle tells of the intensity of a sound, a code for each [`FRAME_SECS`] of its
+/// length in seconds.
+#[must_use]
+pub fn intensity_codes(samples: &[f64], rate_hz: f64, duration_secs: f64) -> Vec<u8> {
+    let db = intensity::intensity(samples, rate_hz, FRAME_SECS, INTENSITY_WINDOW_SECS);
+    let frames = (duration_secs / FRAME_SECS).floor() as usize + 1;
+    (0..frames)
+        .map(|i| code_of_db(db.db_at(i as f64 * FRAME_SECS)))
+        .collect()
+}
+
+/// Times of words from those of their phones, and their places in the text.
+fn words(utterance: &mut Utterance, plan: &Plan) {
+    let mut spans: Vec<Option<(f64, f64)>> = vec![None; plan.words.len()];
+    for phone in &utterance.phones {
+        if let Some(span) = phone.word.and_then(|w| spans.get_mut(w)) {
+            let start_secs = span.map_or(phone.start_secs, |s| s.0);
+            *span = Some((start_secs, phone.end_secs));
+        }
+    }
+    for (text, span) in plan.words.iter().zip(spans) {
+        // A word without a sound, say of signs that the engine skips, takes no time.
+        let silent_secs = utterance.words.last().map_or(0.0, |w| w.end_secs);
+        let (start_secs, end_secs) = span.unwrap_or((silent_secs, silent_secs));
+        if !utterance.text.is_empty() {
+            utterance.text.push(' ');
+        }
+        utterance.text_starts.push(utterance.text.len());
+        utterance.text.push_str(text);
+        utterance.words.push(Word {
+            text: text.clone(),
+            start_secs,
+            end_secs,
+        });
+    }
+}
+
+fn emotions(utterance: &mut Utterance, felt: &[Felt]) {
+    for one in felt {
+        let words = &utterance.words;
+        let (Some(first), Some(last)) = (words.get(one.first_word), words.get(one.last_word))
+        else {
+            continue;
+        };
+        let apex = words
+            .get(one.apex_word)
+            .map_or(last.end_secs, |w| w.start_secs);
+        utterance.emotions.push(Emotion {
+            name: one.name.clone(),
+            start_secs: first.start_secs,
+            apex_secs: apex.clamp(first.start_secs, last.end_secs),
+            end_secs: last.end_secs,
+            activation: one.place.activation,
+            evaluation: one.place.evaluation,
+            power: one.place.power,
+        });
+    }
+}
+
+#[cfg(test)]
+mod tests;

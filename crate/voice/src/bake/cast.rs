@@ -1,0 +1,292 @@
+//! Who speaks: the engines that are needed, the voices that they have, and which of them a
+//! sentence is for.
+
+use std::collections::BTreeMap;
+use std::sync::{Mutex, PoisonError};
+
+use crate::content::{Gender, Speaker};
+use crate::language;
+use anyhow::{Context as _, Result, anyhow, bail};
+
+use super::engine::{self, Absent, Engine, EngineOptions, VoiceInfo};
+use super::program::Missing;
+
+/// A voice and the engine that has it.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Role {
+    /// The engine's name.
+    pub engine: String,
+    /// The voice.
+    pub voice: VoiceInfo,
+}
+
+/// Engines that have been asked for once are kept: asking them takes time. One that is missing
+/// is stood for, so that everything that is missing can be told at once.
+pub struct Cast {
+    options: EngineOptions,
+    known: Mutex<BTreeMap<String, &'static Known>>,
+    missing: Mutex<Missing>,
+    /// The story's own voice.
+    pub lead: Role,
+    /// The engine that somebody chose, and the voice if they chose one.
+    pub chosen: Option<Role>,
+    /// What the usual engine lacks, where the lead is of another because nobody asked for it.
+    pub instead_of: Option<Missing>,
+    /// The story's own language, a tag of BCP 47; none: that of the voice.
+    pub language: Option<String>,
+}
+
+struct Known {
+    engine: Box<dyn Engine>,
+    version: String,
+    voices: Vec<VoiceInfo>,
+}
+
+/// The engine of a story for which nobody chose one, a voice of it if not the first is meant,
+/// and what the usual engine lacks.
+fn usual(voice: Option<&str>) -> (String, Option<String>, Option<Missing>) {
+    let [festival, others @ ..] = engine::local();
+    let name = festival.0.to_owned();
+    let lacks = match &festival.1 {
+        Ok(_) => return (name, None, None),
+        Err(lacks) => Some(lacks.clone()),
+    };
+    if let Some(voice) = voice {
+        return match engine::find_voice(voice) {
+            Some((engine, _)) => (engine, None, lacks),
+            None => (name, None, None),
+        };
+    }
+    let there = others.iter().find_map(|(engine, voices)| {
+        let voices = voices.as_ref().ok()?;
+        let english = voices
+            .iter()
+            .find(|v| v.language.eq_ignore_ascii_case("en-US"));
+        let voice = english.or(voices.first())?.name.clone();
+        Some(((*engine).to_owned(), voice))
+    });
+    match there {
+        Some((engine, voice)) => (engine, Some(voice), lacks),
+        None => (name, None, None),
+    }
+}
+
+impl Known {
+    fn ask(name: &str, options: &EngineOptions) -> Result<Self> {
+        let engine = engine::by_name(name, options)?;
+        Ok(Self {
+            version: engine.version()?,
+            voices: engine.voices()?,
+            engine,
+        })
+    }
+}
+
+impl Cast {
+    /// A cast whose lead speaks with a voice of an engine. Without a voice, with the first that
+    /// the engine has; without an engine, with Festival or, where that is not installed,
+    /// the first that is.
+    ///
+    /// # Errors
+    /// When the engine has no such voice, or needs an option.
+    pub fn new(engine: Option<&str>, voice: Option<&str>, options: EngineOptions) -> Result<Self> {
+        let (name, usual, instead_of) = match engine {
+            Some(engine) => (engine.to_owned(), None, None),
+            None => usual(voice),
+        };
+        let mut cast = Self {
+            options,
+            known: Mutex::new(BTreeMap::new()),
+            missing: Mutex::default(),
+            lead: Role {
+                engine: name.clone(),
+                voice: VoiceInfo::default(),
+            },
+            chosen: engine.or(voice).map(|_| Role {
+                engine: name.clone(),
+                voice: VoiceInfo {
+                    name: voice.unwrap_or_default().to_owned(),
+                    ..VoiceInfo::default()
+                },
+            }),
+            instead_of,
+            language: None,
+        };
+        // An engine that lacks an option is an error, one that is not installed is not.
+        engine::by_name(&name, &cast.options)?;
+        cast.lead.voice = match voice.map(str::to_owned).or(usual) {
+            Some(voice) => cast.voice(&name, &voice)?,
+            None => {
+                let known = cast.known(&name)?;
+                if known.version.is_empty() {
+                    cast.lead.voice = known.engine.voice("")?.unwrap_or_default();
+                    return Ok(cast);
+                }
+                // Recordings have no voices, and one that stands for all of them.
+                let first = known.voices.first().cloned();
+                let any = || known.engine.voice("recorded").ok().flatten();
+                first
+                    .or_else(any)
+                    .with_context(|| format!("{name} has no voice"))?
+            }
+        };
+        Ok(cast)
+    }
+
+    /// What names no other language is said in this one, a tag of BCP 47; by another voice
+    /// where the lead's does not speak it.
+    ///
+    /// # Errors
+    /// When no voice speaks it.
+    pub fn speak_in(&mut self, tag: String) -> Result<()> {
+        self.lead = self.role(&self.lead, &Speaker::default(), &tag)?;
+        self.language = Some(tag);
+        Ok(())
+    }
+
+    /// What was asked for so far and is missing.
+    pub fn missing(&self) -> Missing {
+        let missing = self.missing.lock();
+        missing.unwrap_or_else(PoisonError::into_inner).clone()
+    }
+
+    fn note(&self, missing: &Missing) {
+        let all = self.missing.lock();
+        all.unwrap_or_else(PoisonError::into_inner).add(missing);
+    }
+
+    fn known(&self, name: &str) -> Result<&'static Known> {
+        let mut known = self
+            .known
+            .lock()
+            .map_err(|_| anyhow!("another thread failed"))?;
+        if let Some(one) = known.get(name) {
+            return Ok(one);
+        }
+        let one = Known::ask(name, &self.options).unwrap_or_else(|error| {
+            let missing = Missing::of(&error);
+            self.note(&missing);
+            Known {
+                version: String::new(),
+                voices: Vec::new(),
+                engine: Box::new(Absent {
+                    missing,
+                    by_language: name == "espeak-ng",
+                }),
+            }
+        });
+        // A handful of engines live as long as the program; so threads need not share a lock.
+        let one: &'static Known = Box::leak(Box::new(one));
+        known.insert(name.to_owned(), one);
+        Ok(one)
+    }
+
+    /// A voice by its name.
+    fn voice(&self, engine: &str, name: &str) -> Result<VoiceInfo> {
+        let known = self.known(engine)?;
+        if let Some(voice) = known.voices.iter().find(|v| v.name == name) {
+            return Ok(voice.clone());
+        }
+        known.engine.voice(name)?.with_context(|| {
+            let names: Vec<&str> = known.voices.iter().map(|v| v.name.as_str()).collect();
+            let some = names[..names.len().min(12)].join(", ");
+            format!(
+                "{engine} has no voice {name}; it has {some}; {}",
+                engine::hint_among(name, &names)
+            )
+        })
+    }
+
+    /// The engine of a role.
+    ///
+    /// # Errors
+    /// When it is not installed.
+    pub fn engine(&self, role: &Role) -> Result<&'static dyn Engine> {
+        Ok(self.known(&role.engine)?.engine.as_ref())
+    }
+
+    /// The version of a role's engine.
+    ///
+    /// # Errors
+    /// When it is not installed.
+    pub fn version(&self, role: &Role) -> Result<&'static str> {
+        Ok(&self.known(&role.engine)?.version)
+    }
+
+    /// The voice that a script names, `VOICE` or `ENGINE:VOICE`.
+    ///
+    /// # Errors
+    /// When there is none of that name; the message says what to do.
+    pub fn named(&self, name: &str) -> Result<Role> {
+        let Some((engine, voice)) = engine::find_voice(name) else {
+            // It may be a voice of one that is not installed.
+            let mut missing = Missing::default();
+            let absent = engine::local().iter().filter_map(|(_, v)| v.as_ref().err());
+            absent.for_each(|one| missing.add(one));
+            if missing.is_empty() || name.contains(':') {
+                bail!("no engine has a voice {name}; {}", engine::voice_hint(name));
+            }
+            missing.add(&Missing::of(&anyhow!(
+                "no engine that is here has a voice {name}"
+            )));
+            self.note(&missing);
+            return Ok(Role {
+                engine: self.lead.engine.clone(),
+                voice: VoiceInfo {
+                    name: name.to_owned(),
+                    ..self.lead.voice.clone()
+                },
+            });
+        };
+        Ok(Role {
+            voice: self.voice(&engine, &voice)?,
+            engine,
+        })
+    }
+
+    /// Who speaks a sentence: the named speaker, else `usual`, unless the sentence is in
+    /// another language than that voice's or asks for another sex; then a voice that fits.
+    ///
+    /// # Errors
+    /// When an engine that is needed is not installed.
+    pub fn role(&self, usual: &Role, speaker: &Speaker, tag: &str) -> Result<Role> {
+        let mut role = match &speaker.name {
+            Some(name) => self.named(name)?,
+            None => usual.clone(),
+        };
+        let speaks =
+            |voice: &VoiceInfo| language::primary(&voice.language) == language::primary(tag);
+        let fits = |voice: &VoiceInfo| {
+            speaker.gender.is_none() || voice.gender.is_none() || voice.gender == speaker.gender
+        };
+        if speaker.name.is_none() && !fits(&role.voice) {
+            let voices = &self.known(&role.engine)?.voices;
+            if let Some(other) = voices.iter().find(|v| speaks(v) && fits(v)) {
+                role.voice = other.clone();
+            }
+        }
+        if !speaks(&role.voice) {
+            // espeak-ng speaks nearly everything.
+            let gender = speaker.gender.or(role.voice.gender);
+            let variant = match gender {
+                Some(Gender::Female) => "+f2",
+                _ => "",
+            };
+            role = self
+                .named(&format!("espeak-ng:{tag}{variant}"))
+                .or_else(|_| {
+                    let primary = language::primary(tag);
+                    self.named(&format!("espeak-ng:{primary}{variant}"))
+                })?;
+        }
+        Ok(role)
+    }
+
+    /// All voices of an engine.
+    ///
+    /// # Errors
+    /// When it is not installed.
+    pub fn voices_of(engine: &str, options: &EngineOptions) -> Result<Vec<VoiceInfo>> {
+        engine::by_name(engine, options)?.voices()
+    }
+}

@@ -1,0 +1,491 @@
+//! espeak-ng: formant voices of about a hundred languages.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::Path;
+
+use crate::content::Gender;
+use crate::spoken::{Sentence, Spoken};
+use anyhow::{Context as _, Result, bail, ensure};
+
+use super::espeak_library::{self as library, Event, Said, What};
+use super::ipa::{self, Set};
+use super::labels::{self, Labels, Phone};
+use super::wave::Wave;
+use super::{Engine, VoiceInfo, matching, punctuation};
+
+/// Loudest sample of a closure. *Designed*: a hundredth of the usual level.
+const QUIET: u16 = 100;
+
+/// Longest closure, seconds. *Designed*.
+const LONGEST_CLOSURE_SECS: f64 = 0.12;
+
+/// espeak-ng.
+pub(super) struct Espeak;
+
+impl Engine for Espeak {
+    fn version(&self) -> Result<String> {
+        Ok(format!("espeak-ng {}", library::about()?.0))
+    }
+
+    fn voices(&self) -> Result<Vec<VoiceInfo>> {
+        let (_, data) = library::about()?;
+        let mut out = Vec::new();
+        for family in files(&data.join("lang"))? {
+            // A language without relatives is a file beside the families.
+            let files = if family.is_dir() {
+                files(&family)?
+            } else {
+                vec![family]
+            };
+            for file in files {
+                let about = fs::read_to_string(&file).unwrap_or_default();
+                out.extend(file.file_name().and_then(|n| voice_of(n.to_str()?, &about)));
+            }
+        }
+        out.sort_by(|a, b| a.name.cmp(&b.name));
+        Ok(out)
+    }
+
+    fn voice(&self, name: &str) -> Result<Option<VoiceInfo>> {
+        let (_, data) = library::about()?;
+        let base = file_of(known(name, &data)?);
+        let found = self.voices()?.into_iter().find(|v| v.name == base);
+        Ok(found.map(|voice| VoiceInfo {
+            gender: match name.split_once('+') {
+                Some((_, variant)) => variant_gender(variant, &data).or(voice.gender),
+                None => voice.gender,
+            },
+            name: name.to_owned(),
+            ..voice
+        }))
+    }
+
+    fn speak(&self, voice: &str, sentences: &[Sentence]) -> Result<Vec<Spoken>> {
+        let (_, data) = library::about()?;
+        let base = known(voice, &data)?;
+        let set = set(base);
+        let voice = &voice.replacen(base, &file_of(base), 1);
+        let mut texts = Vec::with_capacity(sentences.len());
+        for sentence in sentences {
+            texts.push(Text::of(sentence, set)?);
+        }
+        let written: Vec<String> = texts.iter().map(|t| t.written.clone()).collect();
+        let said = library::say(voice, &written)?;
+        texts
+            .iter()
+            .zip(said)
+            .map(|(text, said)| text.spoken(&said, voice, set))
+            .collect()
+    }
+}
+
+/// What is in a folder, in order.
+fn files(folder: &Path) -> Result<Vec<std::path::PathBuf>> {
+    let entries = fs::read_dir(folder)
+        .with_context(|| format!("reading the voices of espeak-ng in {}", folder.display()))?;
+    let mut out = entries
+        .map(|e| e.map(|e| e.path()))
+        .collect::<Result<Vec<_>, _>>()?;
+    out.sort();
+    Ok(out)
+}
+
+/// Checks a voice's name (`de`, `en-us+f2`) and gives its language. A name with other
+/// characters than these could be a path, and the library ignores a variant that it lacks.
+fn known<'a>(voice: &'a str, data: &Path) -> Result<&'a str> {
+    let (base, variant) = voice.split_once('+').unwrap_or((voice, ""));
+    let plain = |name: &str| {
+        name.bytes()
+            .all(|b| b.is_ascii_alphanumeric() || b == b'-' || b == b'_')
+    };
+    ensure!(
+        !base.is_empty() && plain(base) && plain(variant),
+        "{voice:?} is no name of an espeak-ng voice; one is a language, and perhaps a plus sign and a variant: en-us+f2"
+    );
+    if !variant.is_empty() {
+        let variants: BTreeSet<String> = files(&data.join("voices").join("!v"))?
+            .iter()
+            .filter_map(|f| Some(f.file_name()?.to_str()?.to_owned()))
+            .collect();
+        if !variants.contains(variant) {
+            let names: Vec<&str> = variants.iter().map(String::as_str).collect();
+            bail!(
+                "espeak-ng has no variant {variant:?}; there are {}",
+                names.join(", ")
+            );
+        }
+    }
+    Ok(base)
+}
+
+/// The sex that a variant, whose name was checked, gives a voice.
+fn variant_gender(variant: &str, data: &Path) -> Option<Gender> {
+    let about = fs::read_to_string(data.join("voices").join("!v").join(variant)).ok()?;
+    let line = about
+        .lines()
+        .find_map(|l| l.trim().strip_prefix("gender"))?;
+    match line.split_whitespace().next()? {
+        "female" => Some(Gender::Female),
+        "male" => Some(Gender::Male),
+        _ => None,
+    }
+}
+
+/// The voice of a language tag: small letters, and without the region where the language's
+/// main voice is of it.
+fn file_of(tag: &str) -> String {
+    match tag.to_ascii_lowercase().as_str() {
+        "en-gb" => "en".to_owned(),
+        "pt-pt" => "pt".to_owned(),
+        "de-de" => "de".to_owned(),
+        name => name.to_owned(),
+    }
+}
+
+/// The phones of a language.
+fn set(language: &str) -> Set {
+    match language.split('-').next() {
+        Some("de") => Set::EspeakDe,
+        Some("pt") => Set::EspeakPt,
+        _ => Set::Espeak,
+    }
+}
+
+/// The name of a set of phones.
+fn phone_set(set: Set) -> &'static str {
+    match set {
+        Set::EspeakDe => "espeak-de",
+        Set::EspeakPt => "espeak-pt",
+        _ => "espeak",
+    }
+}
+
+/// What a voice's file says.
+fn voice_of(file: &str, about: &str) -> Option<VoiceInfo> {
+    let value = |key: &str| {
+        about.lines().find_map(|line| {
+            let (k, v) = line.trim().split_once(char::is_whitespace)?;
+            (k == key).then(|| v.trim())
+        })
+    };
+    let language = value("language")?.split_whitespace().next()?;
+    let what = value("name").unwrap_or(file);
+    Some(VoiceInfo {
+        name: file.to_lowercase(),
+        language: tag(language),
+        gender: match value("gender").and_then(|g| g.split_whitespace().next()) {
+            Some("female") => Some(Gender::Female),
+            // Its voices are of a man unless they say otherwise.
+            _ => Some(Gender::Male),
+        },
+        phone_set: phone_set(set(language)).to_owned(),
+        rate_hz: 22_050.0,
+        what: format!("formants, {what}"),
+    })
+}
+
+/// A BCP 47 tag with the usual capitals.
+fn tag(language: &str) -> String {
+    let parts = language
+        .split('-')
+        .enumerate()
+        .map(|(i, part)| match (i, part.len()) {
+            (1.., 2) => part.to_uppercase(),
+            _ => part.to_owned(),
+        });
+    parts.collect::<Vec<_>>().join("-")
+}
+
+/// A sentence as the library reads it.
+#[derive(Debug, Default)]
+struct Text {
+    written: String,
+    /// For every token that is said: the number of characters before it, and its index.
+    starts: Vec<(usize, usize)>,
+}
+
+impl Text {
+    /// Puts tokens together. Brackets, with which phones could be written, are left out.
+    fn of(sentence: &Sentence, set: Set) -> Result<Self> {
+        let mut text = Self::default();
+        let mut length = 0;
+        for (t, token) in sentence.tokens.iter().enumerate() {
+            let word = match &token.ipa {
+                Some(ipa) => {
+                    mnemonics(ipa, set).with_context(|| format!("the word {:?}", token.text))?
+                }
+                None => readable(&token.text),
+            };
+            if word.is_empty() {
+                continue;
+            }
+            let ends = (t + 1 == sentence.tokens.len()).then_some(sentence.kind);
+            let piece = format!("{word}{} ", punctuation(token, ends));
+            text.starts.push((length, t));
+            length += piece.chars().count();
+            text.written.push_str(&piece);
+        }
+        Ok(text)
+    }
+
+    /// The token at a character, counted from 1.
+    fn token(&self, position: usize) -> Option<usize> {
+        let after = self.starts.partition_point(|(start, _)| *start < position);
+        Some(self.starts.get(after.checked_sub(1)?)?.1)
+    }
+
+    fn spoken(&self, said: &Said, voice: &str, set: Set) -> Result<Spoken> {
+        let rate_hz = f64::from(said.rate_hz);
+        if said.samples.is_empty() || self.starts.is_empty() {
+            return Ok(labels::nothing(rate_hz, phone_set(set)));
+        }
+        let mut labels = self.labels(said);
+        self.part(&mut labels, voice, set)?;
+        syllables(&mut labels, &said.marked, set)?;
+        let wave = Wave {
+            samples: said
+                .samples
+                .iter()
+                .map(|s| f64::from(*s) / 32_768.0)
+                .collect(),
+            rate_hz,
+        };
+        labels::finish(&labels, wave, phone_set(set), 0.0)
+    }
+
+    /// The phones and where they belong, as far as events tell.
+    fn labels(&self, said: &Said) -> Labels {
+        let mut labels = Labels::default();
+        let mut starts: Vec<usize> = Vec::new();
+        let (mut token, mut word) = (None, None);
+        for Event { sample, what } in &said.events {
+            match what {
+                What::Word(position) => {
+                    token = self.token(*position);
+                    word = Some(*sample);
+                }
+                // A change of language within a sentence.
+                What::Phone(symbol) if symbol.starts_with('(') => {}
+                What::Phone(symbol) => {
+                    // A stop's event is its burst; that of its word comes before its closure.
+                    starts.push(word.take().unwrap_or(*sample));
+                    labels.phones.push(Phone {
+                        // A t that a vowel after it may change; the sound is that of t.
+                        symbol: if symbol == "t2" { "t" } else { symbol }.to_owned(),
+                        token: token.filter(|_| !labels::is_silence(symbol)),
+                        ..Phone::default()
+                    });
+                }
+                What::End => {
+                    if let Some(last) = token
+                        && labels.breaks.last().is_none_or(|b| b.0 < last)
+                    {
+                        labels.breaks.push((last, String::new()));
+                    }
+                }
+            }
+        }
+        share(&mut starts, &labels.phones);
+        closures(&mut starts, &labels.phones, &said.samples, said.rate_hz);
+        let end = said.samples.len();
+        for (i, phone) in labels.phones.iter_mut().enumerate() {
+            let next = starts.get(i + 1).copied().unwrap_or(end).min(end);
+            phone.end_secs = next as f64 / f64::from(said.rate_hz);
+        }
+        labels
+    }
+
+    /// Gives tokens their phones that the library reads together with the token before
+    /// (*of a*, *on the*): as it says them alone tells where they part.
+    fn part(&self, labels: &mut Labels, voice: &str, set: Set) -> Result<()> {
+        let tokens: Vec<usize> = self.starts.iter().map(|s| s.1).collect();
+        let has = |labels: &Labels, t: usize| labels.phones.iter().any(|p| p.token == Some(t));
+        let mut at = 0;
+        while at < tokens.len() {
+            let silent = tokens[at + 1..]
+                .iter()
+                .take_while(|t| !has(labels, **t))
+                .count();
+            if silent > 0 && has(labels, tokens[at]) {
+                let words: Vec<String> = (at..=at + silent).map(|i| self.word(i)).collect();
+                let said = library::say(voice, &words)?;
+                let known: Vec<(usize, String)> = said
+                    .iter()
+                    .enumerate()
+                    .flat_map(|(i, s)| s.marked.iter().map(move |m| (at + i, bare(m))))
+                    .collect();
+                let heard: Vec<usize> = (0..labels.phones.len())
+                    .filter(|i| labels.phones[*i].token == Some(tokens[at]))
+                    .collect();
+                let pairs = matching::matched(&known, &heard, |k, h| {
+                    unlike(&k.1, &bare(&labels.phones[*h].symbol), set)
+                })?;
+                let mut token = tokens[at];
+                for (index, pair) in heard.into_iter().zip(pairs) {
+                    token = pair.map_or(token, |k| tokens[known[k].0]);
+                    labels.phones[index].token = Some(token);
+                }
+            }
+            at += 1 + silent;
+        }
+        Ok(())
+    }
+
+    /// What is written of one of [`Text::starts`].
+    fn word(&self, index: usize) -> String {
+        let start = self.starts[index].0;
+        let end = self.starts.get(index + 1).map_or(usize::MAX, |s| s.0);
+        self.written.chars().skip(start).take(end - start).collect()
+    }
+}
+
+/// Gives phones time that begin where the next one does: the library lets a vowel end as the
+/// nasal or lateral after it and tells of that only at its end. It gets the last third of
+/// the vowel. *Designed*.
+fn share(starts: &mut [usize], phones: &[Phone]) {
+    for i in 1..starts.len().saturating_sub(1) {
+        let sounds = |p: &Phone| !labels::is_silence(&p.symbol);
+        if starts[i + 1] == starts[i]
+            && sounds(&phones[i])
+            && !phones[i].symbol.starts_with('_')
+            && sounds(&phones[i - 1])
+            && phones[i - 1].token == phones[i].token
+        {
+            starts[i] -= (starts[i] - starts[i - 1].min(starts[i])) / 3;
+        }
+    }
+}
+
+/// Lets stops begin with their closure. Their events are at the burst, and the silence of
+/// some 40 ms before it (*measured*: vowels sound until 39 ms before the event of a
+/// voiceless stop) would belong to the phone before.
+fn closures(starts: &mut [usize], phones: &[Phone], samples: &[i16], rate_hz: u32) {
+    let longest = (LONGEST_CLOSURE_SECS * f64::from(rate_hz)) as usize;
+    for i in 1..starts.len().min(phones.len()) {
+        let stop = phones[i]
+            .symbol
+            .starts_with(['p', 't', 'k', 'b', 'd', 'g', 'c']);
+        if !stop || labels::is_silence(&phones[i - 1].symbol) {
+            continue;
+        }
+        let (before, burst) = (starts[i - 1], starts[i].min(samples.len()));
+        // At least half of the phone before stays.
+        let earliest = burst.saturating_sub(longest).max(before.midpoint(burst));
+        let quiet = samples[earliest.min(burst)..burst]
+            .iter()
+            .rev()
+            .take_while(|s| s.unsigned_abs() <= QUIET)
+            .count();
+        starts[i] = burst - quiet;
+    }
+}
+
+/// A mnemonic without marks of stress and length.
+fn bare(name: &str) -> String {
+    name.trim_matches(['\'', ',', '%', '=']).to_owned()
+}
+
+/// How much two mnemonics differ.
+fn unlike(a: &str, b: &str, set: Set) -> u32 {
+    if a == b {
+        0
+    } else if ipa::is_vowel(a, set) == ipa::is_vowel(b, set) {
+        2
+    } else {
+        5
+    }
+}
+
+/// Parts the phones of each token into syllables, with the stress of their vowels.
+fn syllables(labels: &mut Labels, marked: &[String], set: Set) -> Result<()> {
+    let stress = |name: &str| match name.as_bytes().first() {
+        Some(b'\'') => 1,
+        Some(b',') => 2,
+        _ => 0,
+    };
+    let known: Vec<(String, u8)> = marked
+        .iter()
+        .filter(|m| !m.starts_with(['_', '(']))
+        .map(|m| (bare(m), stress(m)))
+        .collect();
+    let heard: Vec<(usize, String)> = labels
+        .phones
+        .iter()
+        .enumerate()
+        .filter(|(_, p)| p.token.is_some() && !p.symbol.starts_with('_'))
+        .map(|(i, p)| (i, bare(&p.symbol)))
+        .collect();
+    let pairs = matching::matched(&known, &heard, |k, h| unlike(&k.0, &h.1, set))?;
+    let mut at = 0;
+    while at < heard.len() {
+        let token = labels.phones[heard[at].0].token;
+        let count = heard[at..]
+            .iter()
+            .take_while(|(i, _)| labels.phones[*i].token == token)
+            .count();
+        let word = &heard[at..at + count];
+        let mut starts = ipa::starts(word.iter().map(|(_, name)| name.as_str()), set);
+        starts.push(count);
+        for pair in starts.windows(2) {
+            let stress = (at + pair[0]..at + pair[1])
+                .filter_map(|h| pairs[h])
+                .map(|k| known[k].1)
+                .filter(|s| *s > 0)
+                .min()
+                .unwrap_or(0);
+            for (index, _) in &word[pair[0]..pair[1]] {
+                labels.phones[*index].syllable = Some(labels.syllables.len());
+            }
+            labels.syllables.push((stress, String::new()));
+        }
+        at += count;
+    }
+    Ok(())
+}
+
+/// What of a token can be read: letters, digits and what stands in words.
+fn readable(text: &str) -> String {
+    let kept: String = text
+        .chars()
+        .map(|c| if c == '\u{2019}' { '\'' } else { c })
+        .filter(|c| {
+            // Combining marks are letters' parts.
+            c.is_alphanumeric() || "'-.%&+@€$£°/".contains(*c) || ('\u{300}'..'\u{370}').contains(c)
+        })
+        .take(super::MOST_CHARACTERS)
+        .collect();
+    if kept
+        .chars()
+        .any(|c| c.is_alphanumeric() || "%&+@€$£°".contains(c))
+    {
+        kept
+    } else {
+        String::new()
+    }
+}
+
+/// A pronunciation as the library reads it: mnemonics in double brackets.
+fn mnemonics(ipa: &str, set: Set) -> Result<String> {
+    let mut out = "[[".to_owned();
+    for syllable in ipa::syllables(ipa, set)? {
+        for phone in &syllable.phones {
+            // Marks of stress stand before the vowel.
+            if ipa::is_vowel(phone, set) {
+                out.push_str(
+                    ["", "'", ","]
+                        .get(usize::from(syllable.stress))
+                        .unwrap_or(&""),
+                );
+            }
+            out.push_str(phone);
+            // What could be read as one mnemonic with the next.
+            out.push('|');
+        }
+    }
+    out.push_str("]]");
+    Ok(out)
+}
+
+#[cfg(test)]
+mod tests;

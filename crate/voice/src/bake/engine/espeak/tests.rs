@@ -1,0 +1,135 @@
+//! What espeak-ng tells, read.
+
+use super::*;
+use crate::spoken::Token;
+use raconteur_speech::bundle::SentenceKind;
+
+fn sentence(words: &[&str]) -> Sentence {
+    let tokens = words.iter().map(|w| Token {
+        text: (*w).to_owned(),
+        ..Token::default()
+    });
+    Sentence {
+        tokens: tokens.collect(),
+        kind: SentenceKind::Question,
+        ..Sentence::default()
+    }
+}
+
+fn events(told: &[(usize, &str)]) -> Vec<Event> {
+    let of = |(sample, what): &(usize, &str)| Event {
+        sample: *sample,
+        what: match what.strip_prefix('#') {
+            Some("end") => What::End,
+            Some(position) => What::Word(position.parse().unwrap()),
+            None => What::Phone((*what).to_owned()),
+        },
+    };
+    told.iter().map(of).collect()
+}
+
+#[test]
+fn events_become_phones_of_tokens() {
+    let text = Text::of(&sentence(&["It's", "-", "25"]), Set::Espeak).unwrap();
+    assert_eq!(text.written, "It's 25? ");
+    assert_eq!(text.starts, [(0, 0), (5, 2)]);
+    let said = Said {
+        samples: vec![500; 2000],
+        rate_hz: 1000,
+        events: events(&[
+            (0, "#1"),
+            (0, "I"),
+            (100, "t"),
+            (200, "#6"),
+            (250, "t"),
+            (300, "(en)"),
+            (310, "E"),
+            (610, "n"),
+            (610, "t"),
+            (700, "_:"),
+            (800, "_"),
+            (800, "#end"),
+        ]),
+        marked: ["'I", "t", "t", "'E", "n", "t"].map(str::to_owned).to_vec(),
+    };
+    let mut labels = text.labels(&said);
+    syllables(&mut labels, &said.marked, Set::Espeak).unwrap();
+    let told: Vec<_> = labels
+        .phones
+        .iter()
+        .map(|p| {
+            (
+                p.symbol.as_str(),
+                (p.end_secs * 1e3).round() as usize,
+                p.token,
+            )
+        })
+        .collect();
+    assert_eq!(
+        told,
+        [
+            ("I", 100, Some(0)),
+            ("t", 200, Some(0)),
+            ("t", 310, Some(2)),
+            ("E", 510, Some(2)),
+            ("n", 610, Some(2)),
+            ("t", 700, Some(2)),
+            ("_:", 800, None),
+            ("_", 2000, None),
+        ]
+    );
+    assert_eq!(labels.syllables, [(1, String::new()), (1, String::new())]);
+    assert_eq!(labels.breaks, [(2, String::new())]);
+}
+
+#[test]
+fn texts_cannot_become_phones_or_commands() {
+    for nasty in ["[[f@]]", "<speak>", "a_b|c", "x\u{0}\n"] {
+        let text = Text::of(&sentence(&[nasty]), Set::Espeak).unwrap();
+        assert!(
+            !text
+                .written
+                .contains(['[', ']', '<', '>', '_', '|', '\0', '\n']),
+            "{nasty}"
+        );
+    }
+    assert_eq!(readable("na\u{ef}ve"), "na\u{ef}ve");
+    assert_eq!(readable("it\u{2019}s"), "it's");
+    assert_eq!(readable("\u{2014}"), "");
+}
+
+#[test]
+fn pronunciations_are_mnemonics_with_stress_before_vowels() {
+    assert_eq!(
+        mnemonics("t\u{259}\u{2c8}m\u{251}\u{2d0}to\u{28a}", Set::Espeak).unwrap(),
+        "[[t|@|m|'A:|t|oU|]]"
+    );
+    assert!(mnemonics("]] x", Set::Espeak).is_err());
+}
+
+#[test]
+fn voices_are_languages_with_variants_that_exist() {
+    let data = tempfile::tempdir().unwrap();
+    let folder = data.path().join("voices").join("!v");
+    fs::create_dir_all(&folder).unwrap();
+    fs::write(folder.join("f2"), "").unwrap();
+    assert_eq!(known("de", data.path()).unwrap(), "de");
+    assert_eq!(known("en-us+f2", data.path()).unwrap(), "en-us");
+    for bad in ["", "+f2", "de+f9", "../x", "de+../f2", "a b", "de+f2+f2"] {
+        assert!(known(bad, data.path()).is_err(), "{bad}");
+    }
+}
+
+#[test]
+fn a_file_tells_of_its_voice() {
+    let about = "name English (America)\nlanguage en-us 2\nlanguage en 3\ngender female 30\n";
+    let voice = voice_of("en-US", about).unwrap();
+    assert_eq!(
+        (voice.name.as_str(), voice.language.as_str(), voice.gender),
+        ("en-us", "en-US", Some(Gender::Female))
+    );
+    assert!(voice_of("x", "maintainer nobody").is_none());
+    assert_eq!(file_of("en-GB"), "en");
+    assert_eq!(file_of("en-US"), "en-us");
+    assert_eq!(tag("zh-latn-pinyin"), "zh-latn-pinyin");
+}

@@ -1,0 +1,361 @@
+//! flite 2: small voices of American English.
+//!
+//! It prints phones and their times without words, so each token is also asked for alone,
+//! and the phones of the sentence are matched with those of its tokens.
+
+use std::fs;
+
+use crate::content::Gender;
+use crate::spoken::{Sentence, Spoken};
+use anyhow::{Context as _, Result, ensure};
+
+use super::super::program::Program;
+use super::ipa::{self, Set};
+use super::labels::{self, Labels, Phone};
+use super::{Engine, VoiceInfo, matching, punctuation, scheme, wave};
+
+const FLITE: Program = Program {
+    name: "flite",
+    package: "flite",
+};
+
+/// Its general voices: name, sex, samples a second, how they are made, and by how much their
+/// sound is later than their labels, seconds. *Measured* on 53 to 60 s of each: vowels end
+/// late before voiceless sounds by 5 (awb), 14 (kal16), 10 (rms) and 21 ms (slt; medians of
+/// 68 to 70), and the bursts of stops that lie within 20 ms of their labels rise with these
+/// shifts from 88 to 100 of 128, stay 133 of 136 without one, 125 of 138, and rise from 59
+/// to 65 of 70.
+const VOICES: [(&str, Gender, f64, &str, f64); 5] = [
+    (
+        "awb",
+        Gender::Male,
+        16_000.0,
+        "statistical, from clusters",
+        0.010,
+    ),
+    ("kal", Gender::Male, 8_000.0, "diphones", 0.0),
+    ("kal16", Gender::Male, 16_000.0, "diphones", 0.0),
+    (
+        "rms",
+        Gender::Male,
+        16_000.0,
+        "statistical, from clusters",
+        0.005,
+    ),
+    (
+        "slt",
+        Gender::Female,
+        16_000.0,
+        "statistical, from clusters",
+        0.015,
+    ),
+];
+
+/// flite.
+pub(super) struct Flite;
+
+impl Engine for Flite {
+    fn version(&self) -> Result<String> {
+        let mut command = FLITE.command();
+        command.arg("--version");
+        let said = match FLITE.run(command) {
+            Ok(said) => said,
+            // It tells its version and then that it failed.
+            Err(error) if format!("{error:#}").contains("version:") => format!("{error:#}"),
+            Err(error) => return Err(error),
+        };
+        let number = said
+            .split_once("flite-")
+            .map(|(_, rest)| rest.split(|c: char| c.is_whitespace() || c == '-'))
+            .and_then(|mut words| words.next());
+        Ok(format!("flite {}", number.unwrap_or("unknown")))
+    }
+
+    fn voices(&self) -> Result<Vec<VoiceInfo>> {
+        let mut command = FLITE.command();
+        command.arg("-lv");
+        let said = FLITE.run(command)?;
+        let has = |name: &str| said.split_whitespace().any(|w| w == name);
+        Ok(VOICES
+            .iter()
+            .filter(|v| has(v.0))
+            .map(|(name, gender, rate_hz, what, _)| VoiceInfo {
+                name: (*name).to_owned(),
+                language: if *name == "awb" { "en-GB" } else { "en-US" }.to_owned(),
+                gender: Some(*gender),
+                phone_set: "radio".to_owned(),
+                rate_hz: *rate_hz,
+                what: (*what).to_owned(),
+            })
+            .collect())
+    }
+
+    fn speak(&self, voice: &str, sentences: &[Sentence]) -> Result<Vec<Spoken>> {
+        let Some((_, _, rate_hz, _, lag_secs)) = VOICES.iter().find(|v| v.0 == voice) else {
+            let names: Vec<&str> = VOICES.iter().map(|v| v.0).collect();
+            anyhow::bail!(
+                "flite has no voice {voice:?}; there are {}",
+                names.join(", ")
+            );
+        };
+        let folder = tempfile::tempdir().context("making a folder for the engine")?;
+        sentences
+            .iter()
+            .map(|sentence| {
+                let text = Text::of(sentence)?;
+                if text.words.is_empty() {
+                    return Ok(labels::nothing(*rate_hz, "radio"));
+                }
+                text.spoken(voice, &folder, *lag_secs)
+            })
+            .collect()
+    }
+}
+
+/// A sentence as flite reads it.
+#[derive(Debug, Default)]
+struct Text {
+    /// Index of each token that is said, and what is said.
+    words: Vec<(usize, String)>,
+    /// The whole.
+    written: String,
+    /// Pronunciations, in its format of lexicon entries.
+    lexicon: String,
+}
+
+impl Text {
+    fn of(sentence: &Sentence) -> Result<Self> {
+        let mut text = Self::default();
+        for (t, token) in sentence.tokens.iter().enumerate() {
+            let word = match &token.ipa {
+                Some(ipa) => {
+                    // A word that no lexicon has, in letters alone.
+                    let name = format!("raconteuri{}", scheme::spelled(t));
+                    text.lexicon.push_str(&format!("{name} nil :"));
+                    for syllable in ipa::syllables(ipa, Set::Radio)
+                        .with_context(|| format!("the word {:?}", token.text))?
+                    {
+                        for phone in &syllable.phones {
+                            let mark = match ipa::is_vowel(phone, Set::Radio) {
+                                true if syllable.stress > 0 => "1",
+                                true => "0",
+                                false => "",
+                            };
+                            text.lexicon.push_str(&format!(" {phone}{mark}"));
+                        }
+                    }
+                    text.lexicon.push('\n');
+                    name
+                }
+                None => scheme::plain(&token.text),
+            };
+            if word.is_empty() {
+                continue;
+            }
+            let ends = (t + 1 == sentence.tokens.len()).then_some(sentence.kind);
+            let mark = punctuation(token, ends);
+            text.written.push_str(&format!("{word}{mark} "));
+            text.words.push((t, word));
+        }
+        Ok(text)
+    }
+
+    fn spoken(&self, voice: &str, folder: &tempfile::TempDir, lag_secs: f64) -> Result<Spoken> {
+        let sound = folder.path().join("said.wav");
+        let timed = self.run(
+            voice,
+            folder,
+            &self.written,
+            "-psdur",
+            &sound.to_string_lossy(),
+        )?;
+        let heard = timed_phones(&timed)?;
+        // Two empty lines part what is said alone.
+        let words: Vec<&str> = self.words.iter().map(|(_, w)| w.as_str()).collect();
+        let alone = self.run(
+            voice,
+            folder,
+            &format!("{}\n\n\n", words.join("\n\n\n")),
+            "-ps",
+            "none",
+        )?;
+        let alone: Vec<&str> = alone.lines().filter(|l| !l.trim().is_empty()).collect();
+        ensure!(
+            alone.len() == words.len(),
+            "flite spoke {} of {} words alone",
+            alone.len(),
+            words.len()
+        );
+        let known: Vec<(usize, &str)> = self
+            .words
+            .iter()
+            .zip(alone)
+            .flat_map(|((token, _), line)| {
+                let phones = line.split_whitespace().filter(|p| !labels::is_silence(p));
+                phones.map(|p| (*token, p))
+            })
+            .collect();
+        let labels = joined(&known, heard)?;
+        labels::finish(&labels, wave::read(&sound)?, "radio", lag_secs)
+    }
+
+    /// Runs flite on a text and returns what it prints. Texts go through files.
+    fn run(
+        &self,
+        voice: &str,
+        folder: &tempfile::TempDir,
+        text: &str,
+        print: &str,
+        sound: &str,
+    ) -> Result<String> {
+        let path = folder.path();
+        fs::write(path.join("text.txt"), text)?;
+        fs::write(path.join("lexicon.txt"), &self.lexicon)?;
+        let mut command = FLITE.command();
+        command.args(["-voice", voice]).current_dir(path);
+        if !self.lexicon.is_empty() {
+            command.args(["-add_lex", "lexicon.txt"]);
+        }
+        if print == "-ps" {
+            command.args(["-f", "text.txt"]);
+        } else {
+            // As a file a sentence would be parted at its marks; an argument is one.
+            command.args(["-t", text]);
+        }
+        command.args([print, "-o", sound]);
+        FLITE.run(command)
+    }
+}
+
+/// Reads `pau:0.164 hh:0.255`.
+fn timed_phones(said: &str) -> Result<Vec<(String, f64)>> {
+    said.split_whitespace()
+        .map(|field| {
+            let (symbol, end) = field.rsplit_once(':').context("a phone without a time")?;
+            let end_secs: f64 = end.parse().with_context(|| format!("the time {end:?}"))?;
+            Ok((symbol.to_owned(), end_secs))
+        })
+        .collect()
+}
+
+/// The phones of the sentence with the tokens of the words alone. Those that no word has
+/// alone belong to the token before.
+fn joined(known: &[(usize, &str)], heard: Vec<(String, f64)>) -> Result<Labels> {
+    let sounds: Vec<usize> = (0..heard.len())
+        .filter(|i| !labels::is_silence(&heard[*i].0))
+        .collect();
+    let pairs = matching::matched(known, &sounds, |(_, k), h| {
+        let h = heard[*h].0.as_str();
+        match (
+            *k == h,
+            ipa::is_vowel(k, Set::Radio) == ipa::is_vowel(h, Set::Radio),
+        ) {
+            (true, _) => 0,
+            (_, true) => 2,
+            _ => 5,
+        }
+    })?;
+    let mut labels = Labels::default();
+    let mut tokens = vec![None; heard.len()];
+    for (index, pair) in sounds.iter().zip(pairs) {
+        tokens[*index] = pair.map(|k| known[k].0);
+    }
+    let mut last = known.first().map(|k| k.0);
+    for ((symbol, end_secs), token) in heard.into_iter().zip(tokens) {
+        let silent = labels::is_silence(&symbol);
+        last = token.or(last);
+        labels.phones.push(Phone {
+            symbol,
+            end_secs,
+            token: last.filter(|_| !silent),
+            syllable: None,
+        });
+    }
+    syllables(&mut labels);
+    Ok(labels)
+}
+
+/// Parts the phones of each token into syllables, and phrases at silences. flite does not
+/// print stress.
+fn syllables(labels: &mut Labels) {
+    let mut at = 0;
+    while at < labels.phones.len() {
+        let token = labels.phones[at].token;
+        let count = labels.phones[at..]
+            .iter()
+            .take_while(|p| p.token == token)
+            .count();
+        if token.is_none() {
+            // A silence ends a phrase, unless it is the first.
+            if let Some(last) = labels.phones[..at].last().and_then(|p| p.token) {
+                labels.breaks.push((last, String::new()));
+            }
+            at += count;
+            continue;
+        }
+        let word = &labels.phones[at..at + count];
+        let mut starts = ipa::starts(word.iter().map(|p| p.symbol.as_str()), Set::Radio);
+        starts.push(count);
+        for pair in starts.windows(2) {
+            for phone in &mut labels.phones[at + pair[0]..at + pair[1]] {
+                phone.syllable = Some(labels.syllables.len());
+            }
+            labels.syllables.push((0, String::new()));
+        }
+        at += count;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What flite 2.2 printed for "Hello, the 25." with the voice slt, and for each token.
+    const SAID: &str = "pau:0.164 hh:0.233 ax:0.282 l:0.381 ow:0.506 pau:0.6 dh:0.65 ax:0.7 \
+        t:0.8 w:0.85 eh:0.9 n:1.0 t:1.05 iy:1.1 f:1.2 ay:1.3 v:1.4 pau:1.5\n";
+
+    #[test]
+    fn phones_of_a_sentence_find_their_tokens() {
+        // Alone, "the" is said with another vowel, and 25 has a t more.
+        let alone = [
+            (0, "hh ax l ow"),
+            (2, "dh iy"),
+            (3, "t w eh n t t iy f ay v"),
+        ];
+        let known: Vec<(usize, &str)> = alone
+            .iter()
+            .flat_map(|(t, phones)| phones.split_whitespace().map(|p| (*t, p)))
+            .collect();
+        let labels = joined(&known, timed_phones(SAID).unwrap()).unwrap();
+        let of = |token| labels.phones.iter().filter(|p| p.token == token).count();
+        assert_eq!(
+            [of(Some(0)), of(Some(2)), of(Some(3)), of(None)],
+            [4, 2, 9, 3]
+        );
+        assert_eq!(labels.breaks, [(0, String::new()), (3, String::new())]);
+        assert_eq!(labels.syllables.len(), 2 + 1 + 3);
+    }
+
+    #[test]
+    fn times_that_cannot_be_read_are_errors() {
+        assert!(timed_phones("pau").is_err());
+        assert!(timed_phones("pau:x").is_err());
+        assert!(timed_phones("\n").unwrap().is_empty());
+    }
+
+    #[test]
+    fn a_pronunciation_is_an_entry_of_the_lexicon() {
+        let token = crate::spoken::Token {
+            text: "tomato".to_owned(),
+            ipa: Some("təˈmɑːtoʊ".to_owned()),
+            ..Default::default()
+        };
+        let sentence = Sentence {
+            tokens: vec![token],
+            ..Sentence::default()
+        };
+        let text = Text::of(&sentence).unwrap();
+        assert_eq!(text.lexicon, "raconteuriba nil : t ax0 m aa1 t ow0\n");
+        assert_eq!(text.words, [(0, "raconteuriba".to_owned())]);
+    }
+}

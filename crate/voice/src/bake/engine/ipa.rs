@@ -1,0 +1,456 @@
+//! Pronunciations that authors give in the International Phonetic Alphabet, in each engine's
+//! own phones.
+//!
+//! The names are facts of Festival's `radio_phones.scm` and `mrpa_phones.scm`, of SAMPA and
+//! of espeak-ng's mnemonics (its `docs/phonemes.md`). A phone that a set does not have
+//! becomes the nearest that it has; which is nearest is *designed*.
+
+use anyhow::{Result, bail, ensure};
+use raconteur_speech::phones::{self, Class};
+
+/// Longest pronunciation that is read, in characters.
+const MOST_CHARACTERS: usize = 200;
+
+/// Who is to pronounce it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Set {
+    /// Festival's and flite's American English.
+    Radio,
+    /// Festival's British English.
+    Mrpa,
+    /// MARY.
+    Sampa,
+    /// espeak-ng's English.
+    Espeak,
+    /// espeak-ng's German.
+    EspeakDe,
+    /// espeak-ng's Portuguese.
+    EspeakPt,
+}
+
+/// A syllable of a pronunciation.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(super) struct Syllable {
+    /// 0 none, 1 primary, 2 secondary.
+    pub(super) stress: u8,
+    /// In the engine's phones.
+    pub(super) phones: Vec<&'static str>,
+}
+
+/// How open the mouth is, which is what makes syllables.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Sonority {
+    Stop,
+    Fricative,
+    Nasal,
+    Liquid,
+    Glide,
+    Vowel,
+}
+
+use Sonority::{Fricative, Glide, Liquid, Nasal, Stop, Vowel};
+
+struct Row {
+    ipa: &'static str,
+    sonority: Sonority,
+    /// One name a [`Set`]; several phones are parted by spaces.
+    names: [&'static str; 6],
+}
+
+const fn row(ipa: &'static str, sonority: Sonority, names: [&'static str; 6]) -> Row {
+    Row {
+        ipa,
+        sonority,
+        names,
+    }
+}
+
+/// Radio, MRPA, SAMPA, espeak-ng's English, German and Portuguese.
+#[rustfmt::skip]
+static TABLE: [Row; 107] = [
+    row("ɑː", Vowel, ["aa", "aa", "A:", "A:", "A:", "a"]),
+    row("ɑ", Vowel, ["aa", "aa", "A", "A:", "A:", "a"]),
+    row("ɑ̃", Vowel, ["aa n", "aa n", "A~", "A~", "A~", "&~"]),
+    row("aː", Vowel, ["aa", "aa", "a:", "A:", "A:", "a"]),
+    row("a", Vowel, ["aa", "a", "a", "a", "a", "a"]),
+    row("æ", Vowel, ["ae", "a", "{", "a", "E", "a"]),
+    row("ʌ", Vowel, ["ah", "uh", "V", "V", "a", "&"]),
+    row("ɐ", Vowel, ["ax", "@", "6", "V", "3", "&"]),
+    row("ɐ̃", Vowel, ["ah n", "uh n", "6~", "V n", "a n", "&~"]),
+    row("ɐ̯", Vowel, ["ax", "@", "6", "3", "3", "&"]),
+    row("ə", Vowel, ["ax", "@", "@", "@", "@", "y"]),
+    row("ɘ", Vowel, ["ax", "@", "@", "@", "@", "y"]),
+    row("ᵻ", Vowel, ["ih", "i", "1", "I#", "I", "y"]),
+    row("ɨ", Vowel, ["ih", "i", "1", "I2", "I", "y"]),
+    row("ɔː", Vowel, ["ao", "oo", "O:", "O:", "O", "O"]),
+    row("ɔ", Vowel, ["ao", "o", "O", "O:", "O", "O"]),
+    row("ɔ̃", Vowel, ["ao n", "o n", "O~", "O~", "O~", "o~"]),
+    row("ɒ", Vowel, ["aa", "o", "Q", "0", "O", "O"]),
+    row("ɛː", Vowel, ["eh", "e@", "E:", "e@", "E:", "E"]),
+    row("ɛ", Vowel, ["eh", "e", "E", "E", "E", "E"]),
+    row("ɛ̃", Vowel, ["ae n", "a n", "E~", "a n", "E~", "e~"]),
+    row("ɜː", Vowel, ["er", "@@", "3:", "3:", "W", "e"]),
+    row("ɜ", Vowel, ["er", "@@", "3", "3:", "W", "e"]),
+    row("ɝ", Vowel, ["er", "@@ r", "3r", "3:", "W", "e *"]),
+    row("ɚ", Vowel, ["er", "@ r", "@r", "3", "3", "& *"]),
+    row("eː", Vowel, ["ey", "ei", "e:", "eI", "e:", "e"]),
+    row("e", Vowel, ["ey", "e", "e", "E", "e:", "e"]),
+    row("ẽ", Vowel, ["eh n", "e n", "e~", "E n", "e: n", "e~"]),
+    row("iː", Vowel, ["iy", "ii", "i:", "i:", "i:", "i"]),
+    row("i", Vowel, ["iy", "ii", "i", "i:", "i:", "i"]),
+    row("ĩ", Vowel, ["iy n", "ii n", "i~", "i: n", "i: n", "i~"]),
+    row("ɪ", Vowel, ["ih", "i", "I", "I", "I", "i"]),
+    row("ʊ", Vowel, ["uh", "u", "U", "U", "U", "u"]),
+    row("uː", Vowel, ["uw", "uu", "u:", "u:", "u:", "u"]),
+    row("u", Vowel, ["uw", "uu", "u", "u:", "u:", "u"]),
+    row("ũ", Vowel, ["uw n", "uu n", "u~", "u: n", "u: n", "u~"]),
+    row("oː", Vowel, ["ow", "ou", "o:", "oU", "o:", "o"]),
+    row("o", Vowel, ["ow", "ou", "o", "oU", "o:", "o"]),
+    row("õ", Vowel, ["ow n", "ou n", "o~", "oU n", "O n", "o~"]),
+    row("œ", Vowel, ["er", "@@", "9", "3:", "W", "e"]),
+    row("øː", Vowel, ["er", "@@", "2:", "3:", "Y:", "e"]),
+    row("ø", Vowel, ["er", "@@", "2", "3:", "Y:", "e"]),
+    row("ʏ", Vowel, ["ih", "i", "Y", "I", "y", "i"]),
+    row("yː", Vowel, ["uw", "uu", "y:", "u:", "y:", "i"]),
+    row("y", Vowel, ["uw", "uu", "y", "u:", "y:", "i"]),
+    row("eɪ", Vowel, ["ey", "ei", "EI", "eI", "E I", "eI"]),
+    row("ej", Vowel, ["ey", "ei", "EI", "eI", "E I", "eI"]),
+    row("aɪ", Vowel, ["ay", "ai", "aI", "aI", "aI", "aI"]),
+    row("aj", Vowel, ["ay", "ai", "aI", "aI", "aI", "aI"]),
+    row("aʊ", Vowel, ["aw", "au", "aU", "aU", "aU", "aU"]),
+    row("aw", Vowel, ["aw", "au", "aU", "aU", "aU", "aU"]),
+    row("oʊ", Vowel, ["ow", "ou", "@U", "oU", "o:", "oU"]),
+    row("əʊ", Vowel, ["ow", "ou", "@U", "oU", "o:", "oU"]),
+    row("ɔɪ", Vowel, ["oy", "oi", "OI", "OI", "OY", "OI"]),
+    row("ɔʏ", Vowel, ["oy", "oi", "OY", "OI", "OY", "OI"]),
+    row("oj", Vowel, ["oy", "oi", "OI", "OI", "OY", "oI"]),
+    row("ɪə", Vowel, ["ih r", "i@", "I@", "i@3", "i:3", "i &"]),
+    row("ɛə", Vowel, ["eh r", "e@", "E@", "e@", "E3", "E &"]),
+    row("eə", Vowel, ["eh r", "e@", "E@", "e@", "E3", "E &"]),
+    row("ʊə", Vowel, ["uh r", "u@", "U@", "U@", "u:3", "u &"]),
+    row("uj", Vowel, ["uw iy", "uu ii", "uj", "u: I", "U I", "uI"]),
+    row("ew", Vowel, ["eh uw", "e uu", "ew", "E U", "E U", "eU"]),
+    row("iw", Vowel, ["iy uw", "ii uu", "iw", "i: U", "i: U", "iU"]),
+    row("ɐ̃w̃", Vowel, ["aw n", "au n", "6~w~", "aU n", "aU n", "&~U~"]),
+    row("ɐ̃ʊ̃", Vowel, ["aw n", "au n", "6~w~", "aU n", "aU n", "&~U~"]),
+    row("õj̃", Vowel, ["oy n", "oi n", "o~j~", "OI n", "OY n", "oI~"]),
+    row("õɪ̃", Vowel, ["oy n", "oi n", "o~j~", "OI n", "OY n", "oI~"]),
+    row("p", Stop, ["p", "p", "p", "p", "p", "p"]),
+    row("b", Stop, ["b", "b", "b", "b", "b", "b"]),
+    row("t", Stop, ["t", "t", "t", "t", "t", "t"]),
+    row("d", Stop, ["d", "d", "d", "d", "d", "d"]),
+    row("k", Stop, ["k", "k", "k", "k", "k", "k"]),
+    row("c", Stop, ["k", "k", "c", "k", "k", "k"]),
+    row("ɡ", Stop, ["g", "g", "g", "g", "g", "g"]),
+    row("ʔ", Stop, ["", "", "?", "?", "?", ""]),
+    row("tʃ", Stop, ["ch", "ch", "tS", "tS", "tS", "tS"]),
+    row("dʒ", Stop, ["jh", "jh", "dZ", "dZ", "dZ", "dZ"]),
+    row("pf", Stop, ["p f", "p f", "pf", "p f", "pF", "p f"]),
+    row("ts", Stop, ["t s", "t s", "ts", "t s", "ts", "t s"]),
+    row("f", Fricative, ["f", "f", "f", "f", "f", "f"]),
+    row("v", Fricative, ["v", "v", "v", "v", "v", "v"]),
+    row("θ", Fricative, ["th", "th", "T", "T", "s", "s"]),
+    row("ð", Fricative, ["dh", "dh", "D", "D", "z", "d"]),
+    row("s", Fricative, ["s", "s", "s", "s", "s", "s"]),
+    row("z", Fricative, ["z", "z", "z", "z", "z", "z"]),
+    row("ʃ", Fricative, ["sh", "sh", "S", "S", "S", "S"]),
+    row("ʒ", Fricative, ["zh", "zh", "Z", "Z", "Z", "Z"]),
+    row("ç", Fricative, ["sh", "sh", "C", "S", "C", "S"]),
+    row("x", Fricative, ["hh", "h", "x", "x", "x", "x"]),
+    row("χ", Fricative, ["hh", "h", "x", "x", "x", "x"]),
+    row("h", Fricative, ["hh", "h", "h", "h", "h", "x"]),
+    row("ɦ", Fricative, ["hh", "h", "h", "h", "h", "x"]),
+    row("ɣ", Fricative, ["g", "g", "G", "g", "g", "g"]),
+    row("β", Fricative, ["b", "b", "B", "b", "b", "b"]),
+    row("m", Nasal, ["m", "m", "m", "m", "m", "m"]),
+    row("n", Nasal, ["n", "n", "n", "n", "n", "n"]),
+    row("ŋ", Nasal, ["ng", "ng", "N", "N", "N", "n"]),
+    row("ɲ", Nasal, ["n y", "n y", "J", "n j", "n j", "n^"]),
+    row("l", Liquid, ["l", "l", "l", "l", "l", "l"]),
+    row("ɫ", Liquid, ["l", "l", "5", "l", "l", "l/"]),
+    row("ʎ", Liquid, ["l y", "l y", "L", "l j", "l j", "l^"]),
+    row("ɹ", Liquid, ["r", "r", "r", "r", "r", "*"]),
+    row("ɾ", Liquid, ["dx", "t", "4", "t#", "r", "*"]),
+    row("ʁ", Liquid, ["r", "r", "R", "r", "r", "x"]),
+    row("j", Glide, ["y", "y", "j", "j", "j", "j"]),
+    row("ɥ", Glide, ["y", "y", "H", "j", "j", "j"]),
+    row("w", Glide, ["w", "w", "w", "w", "v", "w"]),
+];
+
+/// Syllabic consonants: a short vowel and the consonant.
+const SYLLABIC: char = '\u{329}';
+
+/// Marks that say more than any engine can use: ties, breath, release, length of half, and
+/// that a vowel is not a syllable.
+const IGNORED: &str = "\u{361}\u{35c}ʰʲˠˤʷˑ\u{31a}\u{325}\u{32a}\u{32f}˞";
+
+/// Letters that are written for others, composed ones among them.
+fn replaced(c: char) -> &'static [char] {
+    match c {
+        'g' => &['ɡ'],
+        ':' => &['ː'],
+        'r' | 'ɻ' => &['ɹ'],
+        'ʀ' => &['ʁ'],
+        'ʦ' => &['t', 's'],
+        'ʧ' => &['t', 'ʃ'],
+        'ʤ' => &['d', 'ʒ'],
+        'ã' => &['ɐ', '\u{303}'],
+        'ẽ' => &['e', '\u{303}'],
+        'ĩ' => &['i', '\u{303}'],
+        'õ' => &['o', '\u{303}'],
+        'ũ' => &['u', '\u{303}'],
+        _ => &[],
+    }
+}
+
+enum Piece {
+    Phone(&'static Row),
+    Stress(u8),
+    Dot,
+}
+
+/// Reads a pronunciation. Stress marks, dots and spaces part syllables; where there are
+/// none, a syllable begins with as much as can begin one.
+///
+/// # Errors
+/// When a character is no phone of the table, when there is no vowel, or when it is longer
+/// than 200 characters.
+pub(super) fn syllables(ipa: &str, set: Set) -> Result<Vec<Syllable>> {
+    // What stands between marks.
+    let mut groups: Vec<(u8, Vec<&Row>)> = vec![(0, Vec::new())];
+    for piece in pieces(ipa)? {
+        let stress = match piece {
+            Piece::Phone(row) => {
+                if let Some((_, rows)) = groups.last_mut() {
+                    rows.push(row);
+                }
+                continue;
+            }
+            Piece::Stress(stress) => stress,
+            Piece::Dot => 0,
+        };
+        match groups.last_mut() {
+            // Consonants alone are no syllable: they wait for their vowel.
+            Some(last) if !last.1.iter().any(|r| r.sonority == Vowel) => {
+                last.0 = last.0.max(stress);
+            }
+            _ => groups.push((stress, Vec::new())),
+        }
+    }
+    if let Some((_, rest)) = groups.pop_if(|g| !g.1.iter().any(|r| r.sonority == Vowel)) {
+        match groups.last_mut() {
+            Some((_, last)) => last.extend(rest),
+            None => bail!("the pronunciation {ipa:?} has no vowel"),
+        }
+    }
+    let mut out = Vec::new();
+    for (stress, rows) in groups {
+        let mut starts = divide(&rows);
+        starts.push(rows.len());
+        for (i, pair) in starts.windows(2).enumerate() {
+            let names = rows[pair[0]..pair[1]].iter().map(|r| r.names[set as usize]);
+            out.push(Syllable {
+                stress: if i == 0 { stress } else { 0 },
+                phones: names.flat_map(str::split_ascii_whitespace).collect(),
+            });
+        }
+    }
+    Ok(out)
+}
+
+/// Where syllables of a word begin, for the phones of an engine that does not tell. A phone
+/// that no row has is a consonant like any other.
+pub(super) fn starts<'a>(phones: impl Iterator<Item = &'a str>, set: Set) -> Vec<usize> {
+    let unknown = &TABLE[TABLE.len() - 1];
+    let rows: Vec<&Row> = phones
+        .map(|phone| {
+            let named = TABLE.iter().find(|r| r.names[set as usize] == phone);
+            match named {
+                Some(row) => row,
+                None if is_vowel(phone, set) => &TABLE[0],
+                None => unknown,
+            }
+        })
+        .collect();
+    divide(&rows)
+}
+
+/// Is a phone of an engine a vowel?
+pub(super) fn is_vowel(phone: &str, set: Set) -> bool {
+    let name = match set {
+        Set::Radio => "radio",
+        Set::Mrpa => "mrpa",
+        Set::Sampa => "sampa",
+        Set::Espeak => "espeak",
+        Set::EspeakDe => "espeak-de",
+        Set::EspeakPt => "espeak-pt",
+    };
+    TABLE
+        .iter()
+        .any(|r| r.sonority == Vowel && r.names[set as usize] == phone)
+        || phones::find(name, phone)
+            .is_some_and(|p| matches!(p.class, Class::Vowel | Class::Diphthong))
+}
+
+/// Where syllables begin: each has a vowel, and before it the most consonants that can
+/// begin one, which are those that rise towards it, and s before stops.
+fn divide(rows: &[&Row]) -> Vec<usize> {
+    let rises = |pair: &[&Row]| {
+        pair[0].sonority < pair[1].sonority && pair[1].sonority > Nasal
+            || matches!(pair[0].ipa, "s" | "ʃ") && pair[1].sonority != Fricative
+    };
+    let mut out = vec![0];
+    let mut last = None;
+    for (i, row) in rows.iter().enumerate() {
+        if row.sonority != Vowel {
+            continue;
+        }
+        if let Some(last) = last {
+            let begin = (last + 1..i)
+                .find(|b| rows[*b].ipa != "ŋ" && rows[*b..i].windows(2).all(rises))
+                .unwrap_or(i);
+            out.push(begin);
+        }
+        last = Some(i);
+    }
+    out
+}
+
+fn pieces(ipa: &str) -> Result<Vec<Piece>> {
+    ensure!(
+        ipa.chars().count() <= MOST_CHARACTERS,
+        "a pronunciation of more than {MOST_CHARACTERS} characters"
+    );
+    let mut chars = Vec::new();
+    for c in ipa.chars().filter(|c| !IGNORED.contains(*c)) {
+        match replaced(c) {
+            [] => chars.push(c),
+            others => chars.extend(others),
+        }
+    }
+    let mut out = Vec::new();
+    let mut rest = chars.as_slice();
+    while let Some((first, after)) = rest.split_first() {
+        match first {
+            'ˈ' | '\'' => out.push(Piece::Stress(1)),
+            'ˌ' | ',' => out.push(Piece::Stress(2)),
+            '.' | '-' | '/' | '[' | ']' | '‿' | '|' => out.push(Piece::Dot),
+            c if c.is_whitespace() => out.push(Piece::Dot),
+            // What is long in a language without long sounds, and consonants.
+            'ː' => {}
+            &SYLLABIC => {
+                let consonant = out.pop();
+                out.extend(find(&['ə']).map(|(row, _)| Piece::Phone(row)));
+                out.extend(consonant);
+            }
+            c => {
+                let Some((row, length)) = find(rest) else {
+                    bail!("the pronunciation {ipa:?} has {c:?}, which is no phone here");
+                };
+                out.push(Piece::Phone(row));
+                rest = &rest[length..];
+                continue;
+            }
+        }
+        rest = after;
+    }
+    Ok(out)
+}
+
+/// The row of the longest name that the text begins with, and its length.
+fn find(text: &[char]) -> Option<(&'static Row, usize)> {
+    TABLE
+        .iter()
+        .filter_map(|row| {
+            let length = row.ipa.chars().count();
+            let same = text.len() >= length && row.ipa.chars().eq(text[..length].iter().copied());
+            same.then_some((row, length))
+        })
+        .max_by_key(|(_, length)| *length)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn told(ipa: &str, set: Set) -> String {
+        let syllables = syllables(ipa, set).unwrap();
+        let told: Vec<String> = syllables
+            .iter()
+            .map(|s| {
+                format!(
+                    "{}{}",
+                    s.phones.join(" "),
+                    ["", "1", "2"][usize::from(s.stress)]
+                )
+            })
+            .collect();
+        told.join(".")
+    }
+
+    #[test]
+    fn pronunciations_become_syllables_of_each_set() {
+        for (ipa, set, expected) in [
+            ("təˈmɑːtoʊ", Set::Radio, "t ax.m aa1.t ow"),
+            ("təˈmɑːtəʊ", Set::Mrpa, "t @.m aa1.t ou"),
+            ("ˈbʌtɚ", Set::Radio, "b ah1.t er"),
+            ("ˈbɒtl̩", Set::Espeak, "b 01.t @ l"),
+            ("ˈɛkstrə", Set::Radio, "eh k1.s t r ax"),
+            ("ˈsɪŋɪŋ", Set::Radio, "s ih ng1.ih ng"),
+            ("ˈhæm.stɚ", Set::Espeak, "h a m1.s t 3"),
+            ("ˌʌndɚˈstænd", Set::Radio, "ah n2.d er.s t ae n d1"),
+            ("t͡ʃɜːt͡ʃ", Set::Radio, "ch er ch"),
+            ("ˈʃøːnə", Set::EspeakDe, "S Y:1.n @"),
+            ("pfɛʁt", Set::EspeakDe, "pF E r t"),
+            ("koɾɐˈsɐ̃w̃", Set::EspeakPt, "k o.* &.s &~U~1"),
+            ("ˈmãʃ", Set::EspeakPt, "m &~ S1"),
+            ("ˈʒẽtɨ", Set::EspeakPt, "Z e~1.t y"),
+            ("põ.mũ.fĩ", Set::EspeakPt, "p o~.m u~.f i~"),
+            ("/ˈga:tən/", Set::Sampa, "g a:1.t @ n"),
+        ] {
+            assert_eq!(told(ipa, set), expected, "{ipa}");
+        }
+    }
+
+    #[test]
+    fn phones_of_an_engine_are_parted_into_syllables() {
+        for (word, set, expected) in [
+            ("b ah t er f l ay", Set::Radio, &[0, 2, 4][..]),
+            ("s", Set::Radio, &[0]),
+            ("", Set::Radio, &[0]),
+            ("E k s t r @", Set::Espeak, &[0, 2]),
+            ("S t aI n Y: n @", Set::EspeakDe, &[0, 3, 5]),
+            ("zork e@ l", Set::Espeak, &[0]),
+        ] {
+            let phones = word.split_ascii_whitespace();
+            assert_eq!(starts(phones, set), expected, "{word}");
+        }
+    }
+
+    #[test]
+    fn what_is_no_pronunciation_is_refused() {
+        for bad in ["", "ʃː", "hello7", "\") (quit) (\"", "[[a]] b{", "ə\u{0}"] {
+            assert!(syllables(bad, Set::Radio).is_err(), "{bad}");
+        }
+        assert!(syllables(&"a".repeat(201), Set::Radio).is_err());
+        assert!(syllables(&"a\u{329}".repeat(100), Set::Radio).is_ok());
+    }
+
+    #[test]
+    fn every_name_of_an_english_phone_is_known_to_the_mouth() {
+        for row in &TABLE {
+            for (set, name) in [
+                (Set::Radio, "radio"),
+                (Set::Mrpa, "mrpa"),
+                (Set::Espeak, "espeak"),
+            ] {
+                for phone in row.names[set as usize].split_ascii_whitespace() {
+                    let known = phones::find(name, phone).is_some();
+                    // Only espeak-ng has these in English, for words of other languages.
+                    let foreign = set == Set::Espeak && ["x", "A~", "O~", "I2"].contains(&phone);
+                    assert!(known || foreign, "{name} {phone}");
+                }
+            }
+        }
+    }
+}

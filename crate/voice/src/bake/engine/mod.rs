@@ -1,0 +1,288 @@
+//! Speech engines behind one trait: each is given sentences and gives sound with the times
+//! of its phones.
+//!
+//! Does: run engines, hand them texts that come from strangers, and bring what they print
+//! into one shape, corrected by each engine's measured lag.
+//! Does not: change rate, pitch, loudness or the length of pauses. Engines speak plainly; the
+//! baker does that afterwards in the sound.
+
+mod absent;
+mod aligned;
+mod espeak;
+mod espeak_library;
+mod festival;
+mod flite;
+mod http;
+mod ipa;
+mod labels;
+mod mary;
+mod matching;
+mod recording;
+mod scheme;
+mod wave;
+
+pub use absent::Absent;
+
+use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
+
+use anyhow::{Context as _, Result, bail, ensure};
+
+pub use crate::content::Gender;
+use crate::plan::Plan;
+use crate::spoken::{Sentence, Spoken, Token};
+use raconteur_eml::nearest;
+use raconteur_speech::bundle::SentenceKind;
+
+use super::program::Missing;
+
+/// Most characters that are read of a token; the baker parts longer ones.
+const MOST_CHARACTERS: usize = 40;
+
+/// A voice that an engine has.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct VoiceInfo {
+    /// As its engine knows it.
+    pub name: String,
+    /// BCP 47 tag.
+    pub language: String,
+    /// Where the engine tells.
+    pub gender: Option<Gender>,
+    /// One of [`raconteur_speech::phones::PHONE_SETS`].
+    pub phone_set: String,
+    /// Samples a second; 0 where it is only known once the voice has spoken.
+    pub rate_hz: f64,
+    /// How it is made, in a few words.
+    pub what: String,
+}
+
+/// Speaks.
+pub trait Engine: Sync {
+    /// Its name and version, for example `festival 2.5.0`.
+    ///
+    /// # Errors
+    /// When it is not installed; the message says what to install.
+    fn version(&self) -> Result<String>;
+
+    /// What it can speak with.
+    ///
+    /// # Errors
+    /// As [`Engine::version`].
+    fn voices(&self) -> Result<Vec<VoiceInfo>>;
+
+    /// Speaks the sentences of one utterance: one [`Spoken`] for each. The same sentences
+    /// become the same sound, whoever else speaks at the same time.
+    ///
+    /// # Errors
+    /// When the engine or the voice is not installed, or when what comes back makes no sense.
+    fn speak(&self, voice: &str, sentences: &[Sentence]) -> Result<Vec<Spoken>>;
+
+    /// A voice of this name, whether or not [`Engine::voices`] lists it.
+    ///
+    /// # Errors
+    /// As [`Engine::version`].
+    fn voice(&self, name: &str) -> Result<Option<VoiceInfo>> {
+        Ok(self.voices()?.into_iter().find(|v| v.name == name))
+    }
+
+    /// The recording of a whole utterance, for engines that do not speak: of its key or of
+    /// its place in the story, from 0. What comes back counts the tokens of all sentences in
+    /// order. `None` when there is no recording.
+    ///
+    /// # Errors
+    /// When there is a recording that cannot be read, or that is of other words.
+    fn recorded(&self, key: u64, place: usize, plan: &Plan) -> Result<Option<Spoken>> {
+        let _ = (key, place, plan);
+        Ok(None)
+    }
+
+    /// What [`Engine::recorded`] of an utterance depends on besides the utterance, in a few
+    /// letters; empty for engines that speak.
+    ///
+    /// # Errors
+    /// When a recording cannot be read.
+    fn state(&self, key: u64, place: usize) -> Result<String> {
+        let _ = (key, place);
+        Ok(String::new())
+    }
+}
+
+/// The names that [`by_name`] knows.
+pub const ENGINES: [&str; 5] = ["festival", "flite", "espeak-ng", "marytts", "recordings"];
+
+/// What some engines need to know.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct EngineOptions {
+    /// Address of a MARY server, `host:port`; empty where there is none.
+    pub server: String,
+    /// Folder of recordings.
+    pub recordings: Option<PathBuf>,
+}
+
+/// Reads a WAV of any width and rate: mono samples, −1 to 1, and samples a second.
+///
+/// # Errors
+/// When there is no such file, or it is no whole WAV.
+pub fn read_wave(path: &Path) -> Result<(Vec<f64>, f64)> {
+    let wave = wave::read(path)?;
+    Ok((wave.samples, wave.rate_hz))
+}
+
+/// The engine of a name.
+///
+/// # Errors
+/// When there is none, or when it lacks an option.
+pub fn by_name(name: &str, options: &EngineOptions) -> Result<Box<dyn Engine>> {
+    Ok(match name {
+        "festival" => Box::new(festival::Festival),
+        "flite" => Box::new(flite::Flite),
+        "espeak-ng" => Box::new(espeak::Espeak),
+        "marytts" => {
+            ensure!(
+                !options.server.is_empty(),
+                "the engine marytts needs the address of a server, host:port"
+            );
+            Box::new(mary::Mary::new(&options.server)?)
+        }
+        "recordings" => {
+            let folder = options.recordings.clone();
+            let folder =
+                folder.context("the engine recordings needs the folder that they lie in")?;
+            Box::new(recording::Recordings::new(folder))
+        }
+        _ => bail!("no engine {name:?}; there are {}", ENGINES.join(", ")),
+    })
+}
+
+/// An engine that runs on this machine: its name, and its voices or what it lacks.
+type Local = (&'static str, Result<Vec<VoiceInfo>, Missing>);
+
+/// The engines that run on this machine, in the order in which they are preferred. They are asked
+/// once.
+pub fn local() -> &'static [Local; 3] {
+    static LOCAL: OnceLock<[Local; 3]> = OnceLock::new();
+    LOCAL.get_or_init(|| {
+        let asked: [(&str, &dyn Engine); 3] = [
+            ("festival", &festival::Festival),
+            ("flite", &flite::Flite),
+            ("espeak-ng", &espeak::Espeak),
+        ];
+        asked.map(|(n, e)| (n, e.voices().map_err(|error| Missing::of(&error))))
+    })
+}
+
+/// What to do about a voice that no engine has.
+pub fn voice_hint(name: &str) -> String {
+    if let Some((engine, _)) = name.split_once(':')
+        && !ENGINES.contains(&engine)
+    {
+        return hint_among(engine, &ENGINES);
+    }
+    let all = local()
+        .iter()
+        .filter_map(|(_, voices)| voices.as_ref().ok());
+    let names: Vec<&str> = all.flatten().map(|v| v.name.as_str()).collect();
+    hint_among(name, &names)
+}
+
+/// The name that is meant, where one is near, and where all of them are listed.
+pub fn hint_among(name: &str, known: &[&str]) -> String {
+    let list = "see raconteur bake --list-voices";
+    match nearest(name, known.iter().copied()) {
+        Some(near) => format!("did you mean {near}? ({list})"),
+        None => list.to_owned(),
+    }
+}
+
+/// The engine that has a voice of this name, and the name that the engine knows it by.
+/// `ENGINE:VOICE` names both. Otherwise the engines that are installed on this machine are
+/// asked, in the order of [`ENGINES`]; `None` when none has it.
+pub fn find_voice(name: &str) -> Option<(String, String)> {
+    if let Some((engine, voice)) = name.split_once(':') {
+        let engine = ENGINES.into_iter().find(|e| *e == engine)?;
+        return Some((engine.to_owned(), voice.to_owned()));
+    }
+    local().iter().find_map(|(engine, voices)| {
+        // Variants of espeak-ng: `de+f3`.
+        let base = match name.split_once('+') {
+            Some((base, _)) if *engine == "espeak-ng" => base,
+            _ => name,
+        };
+        let has = voices.iter().flatten().any(|v| v.name == base);
+        has.then(|| ((*engine).to_owned(), name.to_owned()))
+    })
+}
+
+/// The punctuation from which the engine's phrasing and melody are made.
+pub(super) fn punctuation(token: &Token, ends: Option<SentenceKind>) -> String {
+    let written: String = token
+        .punctuation
+        .chars()
+        .filter(|c| ",.;:!?".contains(*c))
+        .take(3)
+        .collect();
+    if !written.is_empty() {
+        return written;
+    }
+    let meant = match ends {
+        Some(SentenceKind::Question) => "?",
+        Some(SentenceKind::Exclamation) => "!",
+        Some(SentenceKind::Continuation) => ",",
+        // A pause is a phrase break; the phrasing model hears those as commas.
+        _ if token.pause => ",",
+        _ => "",
+    };
+    meant.to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn engines_have_names_and_some_need_options() {
+        let options = EngineOptions::default();
+        for name in ["festival", "flite", "espeak-ng"] {
+            assert!(by_name(name, &options).is_ok(), "{name}");
+        }
+        for name in ["marytts", "recordings", "sapi", ""] {
+            assert!(by_name(name, &options).is_err(), "{name}");
+        }
+        let options = EngineOptions {
+            server: "localhost:59125".to_owned(),
+            recordings: Some(PathBuf::from("voices")),
+        };
+        assert!(ENGINES.iter().all(|name| by_name(name, &options).is_ok()));
+    }
+
+    #[test]
+    fn a_voice_may_name_its_engine() {
+        let found = |name| find_voice(name).map(|(e, v)| format!("{e} {v}"));
+        assert_eq!(found("espeak-ng:de+f2").as_deref(), Some("espeak-ng de+f2"));
+        assert_eq!(found("marytts:cmu-slt").as_deref(), Some("marytts cmu-slt"));
+        assert_eq!(found("sapi:Anna"), None);
+        assert_eq!(found("no_such_diphone"), None);
+    }
+
+    #[test]
+    fn what_is_not_written_is_heard_from_the_kind_of_sentence() {
+        use SentenceKind::{Continuation, Exclamation, Question, Statement};
+        let token = |punctuation: &str, pause| Token {
+            punctuation: punctuation.to_owned(),
+            pause,
+            ..Token::default()
+        };
+        for (written, pause, kind, heard) in [
+            ("", false, None, ""),
+            ("", true, None, ","),
+            ("", true, Some(Statement), ","),
+            ("", false, Some(Question), "?"),
+            ("", false, Some(Exclamation), "!"),
+            ("", false, Some(Continuation), ","),
+            (".", true, Some(Question), "."),
+            ("?\"!", false, None, "?!"),
+        ] {
+            assert_eq!(punctuation(&token(written, pause), kind), heard);
+        }
+    }
+}

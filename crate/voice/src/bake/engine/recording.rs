@@ -1,0 +1,212 @@
+//! Recordings of people: a folder with a sound for each utterance and, beside it, what
+//! another program says of its times.
+
+use std::path::{Path, PathBuf};
+
+use crate::align::{MOST_BYTES, detect, read};
+use crate::plan::Plan;
+use crate::spoken::{Sentence, Spoken};
+use anyhow::{Context as _, Result, bail};
+
+use super::{Engine, VoiceInfo, aligned, wave};
+use crate::files::{input, inside};
+
+/// What an alignment's name ends in, the most telling first.
+const ENDINGS: [&str; 8] = ["TextGrid", "utt", "xml", "lab", "pho", "json", "tsv", "vtt"];
+
+/// A folder of recordings.
+pub(super) struct Recordings {
+    folder: PathBuf,
+}
+
+impl Recordings {
+    pub(super) fn new(folder: PathBuf) -> Self {
+        Self { folder }
+    }
+
+    /// The sound of an utterance: `KEY.wav` of sixteen hexadecimal digits, or its place
+    /// from 1 with or without a leading zero (`07.wav`, `7.wav`).
+    fn sound(&self, key: u64, place: usize) -> Result<Option<PathBuf>> {
+        let number = place.saturating_add(1);
+        let names = [
+            format!("{key:016x}"),
+            format!("{number:02}"),
+            number.to_string(),
+        ];
+        for name in names {
+            let found = inside::find(&self.folder, &format!("{name}.wav"))?;
+            if found.is_some() {
+                return Ok(found);
+            }
+        }
+        Ok(None)
+    }
+}
+
+impl Engine for Recordings {
+    fn version(&self) -> Result<String> {
+        Ok("recordings 1".to_owned())
+    }
+
+    fn voices(&self) -> Result<Vec<VoiceInfo>> {
+        Ok(Vec::new())
+    }
+
+    fn speak(&self, _voice: &str, sentences: &[Sentence]) -> Result<Vec<Spoken>> {
+        if sentences.is_empty() {
+            return Ok(Vec::new());
+        }
+        bail!(
+            "there is no recording of it in {}; one is named after the utterance's key or its position: 01.wav",
+            self.folder.display()
+        )
+    }
+
+    fn voice(&self, name: &str) -> Result<Option<VoiceInfo>> {
+        // Whoever it is; the name is the author's.
+        Ok(Some(VoiceInfo {
+            name: name.to_owned(),
+            language: "und".to_owned(),
+            phone_set: "radio".to_owned(),
+            what: "recordings".to_owned(),
+            ..VoiceInfo::default()
+        }))
+    }
+
+    fn state(&self, key: u64, place: usize) -> Result<String> {
+        let Some(sound) = self.sound(key, place)? else {
+            return Ok(String::new());
+        };
+        let (name, times) = beside(&sound)?;
+        let bytes = wave::bytes(&sound)?;
+        Ok(format!(
+            "{:016x} {name} {:016x}",
+            digest(&bytes),
+            digest(&times)
+        ))
+    }
+
+    fn recorded(&self, key: u64, place: usize, plan: &Plan) -> Result<Option<Spoken>> {
+        let Some(sound) = self.sound(key, place)? else {
+            return Ok(None);
+        };
+        let told = || format!("the recording {}", sound.display());
+        let (name, bytes) = beside(&sound).with_context(told)?;
+        let format = detect(&name, &bytes)
+            .with_context(|| format!("{name} is of no known format"))
+            .with_context(told)?;
+        let alignment = read(format, &bytes)
+            .with_context(|| name.clone())
+            .with_context(told)?;
+        let tokens = plan.sentences.iter().flat_map(|s| &s.sentence.tokens);
+        let texts: Vec<&str> = tokens.map(|t| t.text.as_str()).collect();
+        let wave = wave::read(&sound)?;
+        aligned::spoken(&alignment, wave, &texts, "radio")
+            .with_context(told)
+            .map(Some)
+    }
+}
+
+/// FNV-1a of 64 bits (draft-eastlake-fnv): tells whether a file has changed.
+fn digest(bytes: &[u8]) -> u64 {
+    bytes.iter().fold(0xcbf2_9ce4_8422_2325, |hash, b| {
+        (hash ^ u64::from(*b)).wrapping_mul(0x0100_0000_01b3)
+    })
+}
+
+/// The alignment beside a sound: its name and content.
+fn beside(sound: &Path) -> Result<(String, Vec<u8>)> {
+    for ending in ENDINGS {
+        let name = sound.with_extension(ending);
+        let name = name.file_name().unwrap_or_default().to_string_lossy();
+        let folder = sound.parent().unwrap_or(Path::new("."));
+        if let Some(path) = inside::find(folder, &name)? {
+            let bytes = input::bytes(&path, MOST_BYTES as u64).context("the alignment")?;
+            return Ok((name.into_owned(), bytes));
+        }
+    }
+    bail!(
+        "it has no alignment beside it; its name may end in .{}",
+        ENDINGS.join(", .")
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::plan::Planned;
+    use crate::spoken::Token;
+    use std::fs;
+
+    const GRID: &str = "File type = \"ooTextFile\"\nObject class = \"TextGrid\"\n\n0\n0.5\n<exists>\n2\n\
+        \"IntervalTier\"\n\"words\"\n0\n0.5\n3\n0\n0.1\n\"\"\n0.1\n0.3\n\"me\"\n0.3\n0.5\n\"too\"\n\
+        \"IntervalTier\"\n\"phones\"\n0\n0.5\n5\n0\n0.1\n\"sil\"\n0.1\n0.2\n\"M\"\n0.2\n0.3\n\"IY1\"\n0.3\n0.4\n\"T\"\n0.4\n0.5\n\"UW1\"\n";
+
+    fn folder() -> tempfile::TempDir {
+        let folder = tempfile::tempdir().unwrap();
+        let spec = hound::WavSpec {
+            channels: 2,
+            sample_rate: 8_000,
+            bits_per_sample: 16,
+            sample_format: hound::SampleFormat::Int,
+        };
+        for name in ["000000000123abcd.wav", "03.wav", "4.wav"] {
+            let mut writer = hound::WavWriter::create(folder.path().join(name), spec).unwrap();
+            (0..8_000).for_each(|_| writer.write_sample(100_i16).unwrap());
+            writer.finalize().unwrap();
+        }
+        fs::write(folder.path().join("000000000123abcd.TextGrid"), GRID).unwrap();
+        fs::write(folder.path().join("03.TextGrid"), GRID).unwrap();
+        folder
+    }
+
+    fn plan(sentences: &[&str]) -> Plan {
+        let planned = |text: &&str| Planned {
+            sentence: Sentence {
+                tokens: text
+                    .split(' ')
+                    .map(|w| Token {
+                        text: w.to_owned(),
+                        ..Token::default()
+                    })
+                    .collect(),
+                ..Sentence::default()
+            },
+            ..Planned::default()
+        };
+        Plan {
+            sentences: sentences.iter().map(planned).collect(),
+            ..Plan::default()
+        }
+    }
+
+    #[test]
+    fn recordings_are_found_by_key_or_place() {
+        let folder = folder();
+        let recordings = Recordings::new(folder.path().to_owned());
+        let me_too = plan(&["Me", "too"]);
+        for (key, place) in [(0x0123_abcd, 9), (0, 2)] {
+            let spoken = recordings.recorded(key, place, &me_too).unwrap().unwrap();
+            let tokens: Vec<_> = spoken.segments.iter().map(|s| s.token).collect();
+            assert_eq!(tokens[..5], [None, Some(0), Some(0), Some(1), Some(1)]);
+            assert_eq!((spoken.rate_hz, spoken.samples.len()), (8_000.0, 4_000));
+        }
+        assert!(recordings.recorded(0xffff, 0, &me_too).unwrap().is_none());
+        assert!(recordings.recorded(0, 3, &me_too).is_err(), "no alignment");
+        let others = plan(&["quite another text", "than this"]);
+        assert!(recordings.recorded(0, 2, &others).is_err());
+        assert!(recordings.speak("", &[Sentence::default()]).is_err());
+    }
+
+    #[test]
+    fn a_changed_recording_changes_the_state() {
+        let folder = folder();
+        let recordings = Recordings::new(folder.path().to_owned());
+        let before = recordings.state(0, 2).unwrap();
+        assert_eq!(recordings.state(0, 2).unwrap(), before);
+        assert_eq!(recordings.state(0, 7).unwrap(), "");
+        let changed = GRID.replace("\"me\"", "\"we\"");
+        fs::write(folder.path().join("03.TextGrid"), changed).unwrap();
+        assert_ne!(recordings.state(0, 2).unwrap(), before);
+    }
+}

@@ -1,0 +1,491 @@
+//! What SABLE's markup and emotions do to a voice, measured in its final sound: one line for
+//! each setting, with what was asked and what was heard.
+
+use crate::assemble::Track;
+use crate::compare::{Difference, amplitude, compare, frequency};
+use crate::content::Content;
+use crate::feel;
+use crate::language;
+use crate::markup::sable;
+use crate::prosody::{AccentShape, Prosody};
+use crate::realise;
+use crate::text::Lexicon;
+use anyhow::{Context as _, Result};
+use raconteur_speech::bundle::{SILENCE, db_of_code};
+use raconteur_speech::emotion::Place;
+
+use super::cast::{Cast, Role};
+use super::speak::{self, Work};
+
+/// What is said, by language: all kinds of sounds, several accents, a comma or two.
+const TEXTS: [(&str, [&str; 3]); 3] = [
+    (
+        "en",
+        [
+            "When we were young, our mother would",
+            "always",
+            "read to me by the warm yellow lamp in the garden room, and nobody knew why. \
+             The old man lived alone in a yellow house near the river. \
+             In the evening he would carry his lantern down to the water, and wait there for \
+             a little boat to bring him news of his brother.",
+        ],
+    ),
+    (
+        "de",
+        [
+            "Als wir noch Kinder waren, las uns die Mutter",
+            "immer",
+            "wieder am gelben Licht der Lampe vor, und niemand wusste, warum. \
+             Der alte Mann wohnte allein in einem gelben Haus am Wasser. \
+             Am Abend trug er seine Laterne zum Ufer hinunter, und wartete dort auf ein \
+             kleines Boot, das ihm von seinem Bruder Nachricht bringen sollte.",
+        ],
+    ),
+    (
+        "pt",
+        [
+            "Quando a gente era nova, a nossa m\u{e3}e lia",
+            "sempre",
+            "uma hist\u{f3}ria longa na luz amarela da sala, e ningu\u{e9}m sabia o motivo. \
+             O velho morava sozinho numa casa amarela na margem do rio. \
+             De noite levava a lanterna para a \u{e1}gua, e ali ficava \u{e0} espera de um \
+             barco pequeno com not\u{ed}cias do irm\u{e3}o.",
+        ],
+    ),
+];
+
+/// How far from what was asked a setting may end, as a share of that.
+pub const TOLERANCE: f64 = 0.15;
+
+/// Fewer semitones or decibels than these are noticed by nobody in speech: differences of
+/// pitch from 1.5 semitones on ('t Hart 1981, doi:10.1121/1.385592), of loudness from one
+/// decibel on.
+const UNNOTICED: f64 = 0.5;
+
+/// What figures count.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Unit {
+    /// A factor on what the voice does by itself.
+    Factor,
+    /// Semitones more than that.
+    Semitones,
+    /// Decibels more than that.
+    Decibels,
+    /// Seconds.
+    Seconds,
+}
+
+/// One setting.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Row {
+    /// The markup, or the dimension of emotion.
+    pub setting: String,
+    /// What of the sound.
+    pub property: &'static str,
+    /// What was asked.
+    pub asked: f64,
+    /// What was heard.
+    pub heard: f64,
+    unit: Unit,
+}
+
+impl Row {
+    fn new(setting: &str, property: &'static str, unit: Unit, asked: f64, heard: f64) -> Self {
+        Self {
+            setting: setting.to_owned(),
+            property,
+            asked,
+            heard,
+            unit,
+        }
+    }
+
+    fn factor(setting: &str, property: &'static str, asked: f64, heard: f64) -> Self {
+        Self::new(setting, property, Unit::Factor, asked, heard)
+    }
+
+    /// What is heard over what was asked, less one: of frequencies and amplitudes where
+    /// figures are semitones and decibels.
+    pub fn error(&self) -> f64 {
+        let ratio = match self.unit {
+            Unit::Factor | Unit::Seconds => self.heard / self.asked,
+            Unit::Semitones => frequency(self.heard - self.asked),
+            Unit::Decibels => amplitude(self.heard - self.asked),
+        };
+        (ratio - 1.0).abs()
+    }
+
+    /// How much of the change that was asked is missing, or too much: a stricter measure,
+    /// since small changes are asked as well.
+    pub fn missing(&self) -> f64 {
+        let neutral = f64::from(u8::from(self.unit == Unit::Factor));
+        ((self.heard - self.asked) / (self.asked - neutral)).abs()
+    }
+
+    /// Whether it is near enough, in the right direction.
+    pub fn is_met(&self) -> bool {
+        let neutral = f64::from(u8::from(self.unit == Unit::Factor));
+        let same_way = (self.heard - neutral) * (self.asked - neutral) > 0.0;
+        let near = match self.unit {
+            Unit::Factor | Unit::Seconds => self.error() <= TOLERANCE,
+            Unit::Semitones | Unit::Decibels => {
+                let most = (TOLERANCE * self.asked.abs()).max(UNNOTICED);
+                (self.heard - self.asked).abs() <= most
+            }
+        };
+        same_way && near
+    }
+}
+
+struct Lab<'a> {
+    cast: &'a Cast,
+    role: &'a Role,
+    texts: [&'static str; 3],
+    plain: Track,
+}
+
+/// Measures a voice: SABLE's attributes, then the rules of emotion.
+///
+/// # Errors
+/// When the engine fails, or speaks other words when it is asked to speak otherwise.
+pub fn measure(cast: &Cast) -> Result<Vec<Row>> {
+    let role = &cast.lead;
+    let primary = language::primary(&role.voice.language);
+    let (_, texts) = TEXTS
+        .iter()
+        .find(|(tag, _)| *tag == primary)
+        .with_context(|| format!("there is no text to measure in {}", role.voice.language))?;
+    let mut lab = Lab {
+        cast,
+        role,
+        texts: *texts,
+        plain: Track {
+            samples: Vec::new(),
+            rate_hz: 0.0,
+            utterance: Default::default(),
+        },
+    };
+    lab.plain = lab.speak(&texts.join(" "), None)?;
+    let mut rows = lab.attributes()?;
+    rows.extend(lab.emphasis()?);
+    rows.extend(lab.breaks()?);
+    rows.extend(lab.emotions()?);
+    Ok(rows)
+}
+
+impl Lab<'_> {
+    fn speak(&self, text: &str, emotion: Option<Place>) -> Result<Track> {
+        let (content, _) = sable::read(&format!("<SABLE>{text}</SABLE>"))?;
+        self.say(&content, emotion)
+    }
+
+    fn say(&self, content: &Content, emotion: Option<Place>) -> Result<Track> {
+        let named = emotion.map(|place| ("measured".to_owned(), place));
+        let work = Work {
+            content,
+            role: self.role,
+            emotion: named.as_ref(),
+            pace: 1.0,
+        };
+        let casting = speak::cast(&work, self.cast, &Lexicon::default())?;
+        speak::speak(&work, &casting, self.cast, &|_| Ok(Vec::new()))
+    }
+
+    fn words(&self) -> usize {
+        self.plain.utterance.words.len()
+    }
+
+    fn against(&self, changed: &Track, first: usize, last: usize) -> Result<Difference> {
+        let set = &self.role.voice.phone_set;
+        compare(&self.plain, changed, set, first, last)
+            .context("the engine speaks other phones when it is asked to speak otherwise")
+    }
+
+    /// Attributes around everything.
+    fn attributes(&self) -> Result<Vec<Row>> {
+        let last = self.words() - 1;
+        let mut rows = Vec::new();
+        type Heard = fn(&Difference) -> f64;
+        let pace: Heard = |d| 1.0 / d.duration;
+        let height: Heard = |d| d.melody.map_or(f64::NAN, |m| frequency(m.semitones));
+        let range: Heard = |d| d.melody.map_or(f64::NAN, |m| m.range);
+        let gain: Heard = |d| amplitude(d.db);
+        /// Element, attribute, what of the sound, how it is heard, and values with their factors.
+        type Setting = (
+            &'static str,
+            &'static str,
+            &'static str,
+            Heard,
+            &'static [(&'static str, f64)],
+        );
+        let settings: [Setting; 5] = [
+            (
+                "RATE",
+                "SPEED",
+                "pace",
+                pace,
+                &[
+                    ("-30%", 0.7),
+                    ("+30%", 1.3),
+                    ("slowest", 0.6),
+                    ("slow", 0.8),
+                    ("fast", 1.2),
+                    ("fastest", 1.5),
+                ],
+            ),
+            (
+                "PITCH",
+                "BASE",
+                "pitch",
+                height,
+                &[
+                    ("-20%", 0.8),
+                    ("+30%", 1.3),
+                    ("lowest", 0.8),
+                    ("highest", 1.2),
+                ],
+            ),
+            (
+                "PITCH",
+                "MIDDLE",
+                "pitch",
+                height,
+                &[("-20%", 0.8), ("+30%", 1.3), ("low", 0.9), ("high", 1.1)],
+            ),
+            (
+                "PITCH",
+                "RANGE",
+                "range",
+                range,
+                &[
+                    ("-50%", 0.5),
+                    ("+50%", 1.5),
+                    ("smallest", 0.8),
+                    ("largest", 1.2),
+                ],
+            ),
+            (
+                "VOLUME",
+                "LEVEL",
+                "amplitude",
+                gain,
+                &[
+                    ("-50%", 0.5),
+                    ("+50%", 1.5),
+                    ("quiet", 0.5),
+                    ("loud", 1.5),
+                    ("loudest", 2.0),
+                ],
+            ),
+        ];
+        for (tag, attribute, property, heard, values) in settings {
+            for (value, asked) in values {
+                let setting = format!("{tag} {attribute}=\"{value}\"");
+                let text = self.texts.join(" ");
+                let changed = self.speak(&format!("<{setting}>{text}</{tag}>"), None)?;
+                let difference = self.against(&changed, 0, last)?;
+                rows.push(Row::factor(&setting, property, *asked, heard(&difference)));
+            }
+        }
+        Ok(rows)
+    }
+
+    /// Emphasis on one word.
+    fn emphasis(&self) -> Result<Vec<Row>> {
+        let mut rows = Vec::new();
+        let [before, word, after] = self.texts;
+        let index = before.split_whitespace().count();
+        for level in ["strong", "moderate", "reduced"] {
+            let setting = format!("EMPH LEVEL=\"{level}\"");
+            let changed =
+                self.speak(&format!("{before} <{setting}>{word}</EMPH> {after}"), None)?;
+            let heard = self.against(&changed, index, index)?;
+            let level = crate::markup::levels::emphasis(level).unwrap_or(1.0);
+            let (longer, higher, louder) = realise::emphasis(level);
+            rows.push(Row::factor(&setting, "length", longer, heard.duration));
+            rows.push(Row::new(
+                &setting,
+                "semitones",
+                Unit::Semitones,
+                higher,
+                heard.semitones,
+            ));
+            rows.push(Row::new(
+                &setting,
+                "decibels",
+                Unit::Decibels,
+                louder,
+                heard.db,
+            ));
+        }
+        Ok(rows)
+    }
+
+    /// Breaks in the middle of a sentence.
+    fn breaks(&self) -> Result<Vec<Row>> {
+        let mut rows = Vec::new();
+        let [before, word, after] = self.texts;
+        for (setting, secs) in [
+            ("BREAK LEVEL=\"small\"", 0.15),
+            ("BREAK LEVEL=\"medium\"", 0.35),
+            ("BREAK LEVEL=\"large\"", 0.8),
+            ("BREAK MSEC=\"500\"", 0.5),
+            ("BREAK MSEC=\"1500\"", 1.5),
+        ] {
+            let spoken = self.speak(&format!("{before} {word} <{setting}/> {after}"), None)?;
+            let index = before.split_whitespace().count();
+            rows.push(Row::new(
+                setting,
+                "seconds",
+                Unit::Seconds,
+                secs,
+                silence(&spoken, index),
+            ));
+        }
+        Ok(rows)
+    }
+
+    /// Each dimension alone, half way up and down (F&H table 4.5).
+    fn emotions(&self) -> Result<Vec<Row>> {
+        let mut rows = Vec::new();
+        let last = self.words() - 1;
+        for (name, sign) in [
+            ("activation", 50.0),
+            ("activation", -50.0),
+            ("evaluation", 50.0),
+            ("evaluation", -50.0),
+            ("power", 50.0),
+            ("power", -50.0),
+        ] {
+            let mut place = Place::default();
+            match name {
+                "activation" => place.activation = sign,
+                "evaluation" => place.evaluation = sign,
+                _ => place.power = sign,
+            }
+            let changed = self.speak(&self.texts.join(" "), Some(place))?;
+            let heard = self.against(&changed, 0, last)?;
+            let asked = Prosody::of(place);
+            let setting = format!("{name} {sign:+}");
+            let melody = heard.melody.context("too little of it is voiced")?;
+            let semitones = |factor: f64| 12.0 * libm::log2(factor);
+            let tilt = match asked.accent_shape {
+                Some(AccentShape::Rising) => realise::SHAPE_SEMITONES,
+                Some(AccentShape::Falling) => -realise::SHAPE_SEMITONES,
+                _ => 0.0,
+            };
+            // The first of a sentence rises.
+            let alternation = match asked.accent_shape {
+                Some(AccentShape::Alternating) => realise::SHAPE_SEMITONES,
+                _ => 0.0,
+            };
+            let end = match asked.ends_high {
+                Some(high) => {
+                    let sign = if high { 1.0 } else { -1.0 };
+                    sign * realise::BOUNDARY_SEMITONES * place.power.abs() / 100.0
+                }
+                None => 0.0,
+            };
+            let accent = realise::ACCENT_SEMITONES * (asked.accent_prominence - 1.0);
+            let factors = [
+                ("pitch", asked.pitch, frequency(melody.semitones)),
+                ("range", asked.range, melody.range),
+                ("range dynamics", asked.range_dynamics, melody.range_growth),
+                ("accent slope", asked.accent_slope, melody.accent_slope),
+                (
+                    "vowels, nasals, liquids",
+                    asked.sonorant_duration / asked.rate,
+                    heard.sonorant_duration,
+                ),
+                (
+                    "plosives, fricatives",
+                    asked.obstruent_duration / asked.rate,
+                    heard.obstruent_duration,
+                ),
+                (
+                    "pause duration",
+                    asked.pause_duration / asked.rate,
+                    heard.pause_duration,
+                ),
+                ("amplitude", asked.volume, amplitude(heard.db)),
+            ];
+            let sums = [
+                (
+                    "pitch dynamics, st",
+                    semitones(asked.pitch_dynamics),
+                    melody.rise,
+                ),
+                ("accent prominence, st", accent, melody.accent),
+                ("accent shape, st", tilt, melody.accent_tilt),
+                ("phrase ends, st", end, melody.end),
+                (
+                    "accents alternate, st",
+                    alternation,
+                    melody.accent_alternation,
+                ),
+            ];
+            // Pauses come and go by whole ones.
+            let before = heard.pauses.0 as f64;
+            let usual = before.max(self.words() as f64 / feel::WORDS_A_PAUSE);
+            let wanted = (usual * asked.number_of_pauses).round();
+            if wanted != before && asked.number_of_pauses != 1.0 {
+                let heard = heard.pauses.1 as f64 / before.max(1.0);
+                rows.push(Row::factor(
+                    &setting,
+                    "number of pauses",
+                    wanted / before.max(1.0),
+                    heard,
+                ));
+            }
+            for (property, asked, heard) in factors {
+                if (asked - 1.0).abs() > 1e-9 {
+                    rows.push(Row::factor(&setting, property, asked, heard));
+                }
+            }
+            for (property, asked, heard) in sums {
+                if asked.abs() > 1e-9 {
+                    rows.push(Row::new(&setting, property, Unit::Semitones, asked, heard));
+                }
+            }
+        }
+        Ok(rows)
+    }
+}
+
+/// How long it is still after a word, in the sound: from where it has become 30 dB softer than
+/// the speech to where it is louder again.
+fn silence(track: &Track, word: usize) -> f64 {
+    let u = &track.utterance;
+    let speech = u
+        .phones
+        .iter()
+        .filter(|p| p.symbol != SILENCE)
+        .map(|p| frame(u, (p.start_secs + p.end_secs) / 2.0))
+        .fold(f64::NEG_INFINITY, f64::max);
+    let Some(pause) = u
+        .phones
+        .iter()
+        .find(|p| p.symbol == SILENCE && p.start_secs >= u.words[word].end_secs - 1e-6)
+    else {
+        return 0.0;
+    };
+    let middle = (pause.start_secs + pause.end_secs) / 2.0;
+    let is_still = |secs: f64| frame(u, secs) < speech - 30.0;
+    let step = 0.001;
+    let reach = |sign: f64| {
+        let mut secs = 0.0;
+        while secs < pause.end_secs - pause.start_secs && is_still(middle + sign * secs) {
+            secs += step;
+        }
+        secs
+    };
+    reach(-1.0) + reach(1.0)
+}
+
+/// The intensity at a time, between frames on a line.
+fn frame(u: &raconteur_speech::Utterance, secs: f64) -> f64 {
+    let place = (secs / raconteur_speech::bundle::FRAME_SECS).max(0.0);
+    let at = |i: usize| u.intensity.get(i).map_or(-100.0, |code| db_of_code(*code));
+    let low = place as usize;
+    at(low) + (at(low + 1) - at(low)) * (place - low as f64)
+}

@@ -1,0 +1,401 @@
+//! Bakes speech: turns what a story says into a bundle of sound, words, phones and melody,
+//! with speech engines, ahead of any performance.
+//!
+//! `what is said → plan (sentences and pauses) → engine → styles and emotions → one sound with
+//! times → Ogg Opus and MP3 → speech.json`. Every step but the engines and the two encoders
+//! is a function over plain data. The same story gives the same bundle, byte for byte, with
+//! the same programs installed.
+
+mod adopt;
+mod bundle_text;
+mod cast;
+mod digest;
+mod encode;
+pub mod engine;
+mod lock;
+pub mod measure;
+pub mod picture;
+pub mod program;
+mod sounds;
+mod speak;
+mod store;
+mod want;
+
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError};
+use std::thread;
+
+use crate::Said;
+use crate::hear::{Heard, hear};
+use crate::signal::loudness::integrated_lufs;
+use crate::text::Lexicon;
+use anyhow::{Context as _, Result, bail, ensure};
+use raconteur_speech::bundle::{Bundle, Utterance, Voice};
+use raconteur_speech::phones;
+
+pub use cast::Cast;
+use cast::Role;
+use lock::Lock;
+use program::{FFMPEG, Missing, OPUSENC};
+use speak::Work;
+pub use store::{Sound as SoundFile, Store};
+use want::{Wanted, short};
+
+use crate::files::disk::Real;
+use crate::files::inside;
+
+/// Raise it when the sound or the times of the same text change, so that every story is
+/// baked afresh.
+const REVISION: u32 = 4;
+
+/// How to bake.
+pub struct BakeOptions {
+    /// Who speaks.
+    pub cast: Cast,
+    /// Pace of everything; 1 is the voice's own.
+    pub pace: f64,
+    /// What the author says of words.
+    pub lexicon: Lexicon,
+    /// Its text, which has a say in what is up to date.
+    pub lexicon_text: String,
+    /// How many utterances are made at a time.
+    pub jobs: usize,
+    /// Only tell whether the bundle is up to date.
+    pub check: bool,
+}
+
+/// The pace of a storyteller, 150 to 170 words a minute, where voices have some 180.
+pub const STORY_PACE: f64 = 0.88;
+
+/// What [`bake`] did.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct BakeReport {
+    /// Utterances in the bundle; two that say the same count once.
+    pub utterances: usize,
+    /// What was spoken anew, or with `check` would have to be; the others were up to date.
+    pub synthesised: Vec<String>,
+    /// Files that were to be said and are not there; what needs them is left out.
+    pub absent: Vec<PathBuf>,
+    /// What was heard in them.
+    pub sound: Sound,
+    /// Sound files of earlier bakes that nothing uses any more and that were removed.
+    pub removed: usize,
+    /// All utterances together, seconds.
+    pub duration_secs: f64,
+    /// Bytes of Ogg Opus.
+    pub opus_bytes: u64,
+    /// Bytes of MP3.
+    pub mp3_bytes: u64,
+    /// Bytes of the bundle's text.
+    pub text_bytes: u64,
+    /// What is missing on this machine, when the texts were compared and not what engines make
+    /// of them.
+    pub compared_without: Option<Missing>,
+}
+
+impl BakeReport {
+    /// Counts what is in a bundle.
+    fn count(&mut self, bundle: &Bundle) {
+        self.text_bytes = bundle_text::write(bundle).len() as u64;
+        for utterance in &bundle.utterances {
+            self.duration_secs += utterance.duration_secs;
+            for audio in &utterance.audio {
+                let bytes = audio.holds.as_ref().map_or(0, |h| h.bytes);
+                match audio.mime.as_str() {
+                    "audio/mpeg" => self.mp3_bytes += bytes,
+                    _ => self.opus_bytes += bytes,
+                }
+            }
+        }
+    }
+}
+
+/// What was heard in utterances that were spoken anew.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Sound {
+    /// Against what they tell.
+    pub heard: Heard,
+    /// The softest and the loudest of them, LUFS; none of silence.
+    pub lufs: Option<(f64, f64)>,
+}
+
+impl Sound {
+    fn add(&mut self, heard: &Heard, lufs: Option<f64>) {
+        self.heard.add(heard);
+        if let Some(lufs) = lufs {
+            let (least, most) = self.lufs.unwrap_or((lufs, lufs));
+            self.lufs = Some((least.min(lufs), most.max(lufs)));
+        }
+    }
+}
+
+/// An utterance as it was made.
+struct Made {
+    utterance: Utterance,
+    heard: Heard,
+    lufs: Option<f64>,
+}
+
+/// Makes or refreshes the bundle of the story in `folder` so that it holds all that is `said`.
+/// `library` finds files of the asset library; `progress` hears how many utterances are done,
+/// of how many, and what was said last.
+///
+/// Nothing is changed, and no program is needed, where all is up to date. Otherwise the folder
+/// is locked, and the old bundle stays whole until the new one is.
+///
+/// # Errors
+/// When programs are missing (the message names all, with their Debian packages), when one fails,
+/// when another bake is at work, or when the folder cannot be written.
+pub fn bake(
+    said: &[Said],
+    folder: &Path,
+    options: &BakeOptions,
+    library: &dyn Fn(&str) -> Result<PathBuf>,
+    progress: &(dyn Fn(usize, usize, &str) + Sync),
+) -> Result<BakeReport> {
+    ensure!(
+        (0.5..=2.0).contains(&options.pace),
+        "a pace of {} is outside 0.5 to 2",
+        options.pace
+    );
+    let voice = folder.join("voice");
+    inside::check_folder(folder, &voice)?;
+    let (wanted, absent) = want::all(said, folder, options, library)?;
+    let mut report = BakeReport {
+        utterances: wanted.len(),
+        absent,
+        ..BakeReport::default()
+    };
+    let store = Store::open(voice.clone(), &Real);
+    let left_over = store.others(wanted.iter().map(|w| w.key));
+    let missing = without(&options.cast);
+    let stale: Vec<&Wanted<'_>> = wanted
+        .iter()
+        .filter(|w| match &missing {
+            Some(_) => !is_of_this_story(&store, w, &options.cast),
+            None => !store.has(w.key, w.digest),
+        })
+        .collect();
+    report.synthesised = stale.iter().map(|w| w.content.plain_text()).collect();
+    if options.check || missing.is_some() && stale.is_empty() && left_over == 0 {
+        report.removed = left_over;
+        report.compared_without = missing;
+        return Ok(report);
+    }
+    let settled = missing.is_none() && stale.is_empty();
+    let mut missing = options.cast.missing();
+    if !settled {
+        missing.add(&Missing::among(&[&OPUSENC, &FFMPEG]));
+    }
+    missing.none()?;
+    if settled && !wanted.is_empty() {
+        let bundle = bundle_of(&wanted, &store, Vec::new(), options)?;
+        if store.is(&bundle)? {
+            report.count(&bundle);
+            return Ok(report);
+        }
+    }
+    if wanted.is_empty() && !voice.is_dir() {
+        return Ok(report);
+    }
+    let _lock = Lock::take(&voice)?;
+    // Another bake may have ended since.
+    renew(
+        &wanted,
+        Store::open(voice, &Real),
+        options,
+        progress,
+        report,
+    )
+}
+
+/// What is missing, where only the texts can be compared: engines that the story asks for, or
+/// the usual one when nobody chose another.
+fn without(cast: &Cast) -> Option<Missing> {
+    let mut missing = cast.missing();
+    if let Some(usual) = &cast.instead_of {
+        missing.add(usual);
+    }
+    (!missing.is_empty()).then_some(missing)
+}
+
+/// Whether an utterance was made of the same story, and by the engine and voice that were chosen,
+/// as far as can be told without asking them.
+fn is_of_this_story(store: &Store<'_>, wanted: &Wanted<'_>, cast: &Cast) -> bool {
+    let spoken = |chosen: &Role| {
+        store.voice(wanted.key).is_some_and(|voice| {
+            voice.engine.split(' ').next() == Some(chosen.engine.as_str())
+                && (chosen.voice.name.is_empty() || chosen.voice.name == voice.voice)
+        })
+    };
+    store.has_source(wanted.key, wanted.source)
+        && (wanted.said.voice.is_some() || cast.chosen.as_ref().is_none_or(spoken))
+}
+
+/// Makes the bundle anew in a folder that is locked.
+fn renew(
+    wanted: &[Wanted<'_>],
+    mut store: Store<'_>,
+    options: &BakeOptions,
+    progress: &(dyn Fn(usize, usize, &str) + Sync),
+    mut report: BakeReport,
+) -> Result<BakeReport> {
+    if wanted.is_empty() {
+        report.removed = store.clear()?;
+        return Ok(report);
+    }
+    for one in wanted {
+        store
+            .adopt(one.key, one.digest, &adopt::is_sound_of)
+            .with_context(|| format!("keeping {:?}", short(&one.content.plain_text())))?;
+    }
+    let stale: Vec<bool> = wanted.iter().map(|w| !store.has(w.key, w.digest)).collect();
+    let texts = wanted.iter().zip(&stale).filter(|(_, stale)| **stale);
+    report.synthesised = texts.map(|(w, _)| w.content.plain_text()).collect();
+    let made = make(wanted, &stale, options, &store, progress)?;
+    for made in made.iter().flatten() {
+        report.sound.add(&made.heard, made.lufs);
+    }
+    let made = made.into_iter().map(|m| m.map(|m| m.utterance)).collect();
+    let bundle = bundle_of(wanted, &store, made, options)?;
+    store.write(&bundle)?;
+    report.removed = store.remove_unused(&bundle)?;
+    report.count(&bundle);
+    Ok(report)
+}
+
+/// The bundle of what was made, and of what is kept where nothing was.
+fn bundle_of(
+    wanted: &[Wanted<'_>],
+    store: &Store<'_>,
+    made: Vec<Option<Utterance>>,
+    options: &BakeOptions,
+) -> Result<Bundle> {
+    let mut bundle = Bundle::default();
+    let made = made.into_iter().chain(core::iter::repeat(None));
+    for (wanted, made) in wanted.iter().zip(made) {
+        let voice = Voice {
+            engine: options.cast.version(&wanted.role)?.to_owned(),
+            voice: wanted.role.voice.name.clone(),
+            language: wanted.role.voice.language.clone(),
+            phone_set: wanted.role.voice.phone_set.clone(),
+            mouth: Vec::new(),
+        };
+        let mut utterance = made
+            .or_else(|| store.get(wanted.key))
+            .context("an utterance has gone while it was needed")?;
+        utterance.source = Some(wanted.source);
+        utterance.voice = match bundle.voices.iter().position(|v| *v == voice) {
+            Some(known) => known,
+            None => {
+                bundle.voices.push(voice);
+                bundle.voices.len() - 1
+            }
+        };
+        bundle.utterances.push(utterance);
+    }
+    for index in 0..bundle.voices.len() {
+        let mouth = mouth(&bundle, index);
+        bundle.voices[index].mouth = mouth;
+    }
+    Ok(bundle)
+}
+
+/// By which rows of the player's table the symbols of a voice move the lips, where they are
+/// called otherwise. What nobody knows is left to the player, who shows a schwa.
+fn mouth(bundle: &Bundle, voice: usize) -> Vec<(String, String)> {
+    let phone_set = &bundle.voices[voice].phone_set;
+    let spoken = bundle.utterances.iter().filter(|u| u.voice == voice);
+    let symbols: BTreeSet<&str> = spoken
+        .flat_map(|u| &u.phones)
+        .map(|p| p.symbol.as_str())
+        .collect();
+    let row = |symbol: &str| Some(phones::find(phone_set, symbol)?.name);
+    symbols
+        .into_iter()
+        .filter_map(|symbol| Some((symbol, row(symbol)?)))
+        .filter(|(symbol, row)| symbol != row)
+        .map(|(symbol, row)| (symbol.to_owned(), row.to_owned()))
+        .collect()
+}
+
+/// Makes what is stale, several utterances at a time; `None` for what is up to date.
+fn make(
+    wanted: &[Wanted<'_>],
+    stale: &[bool],
+    options: &BakeOptions,
+    store: &Store<'_>,
+    progress: &(dyn Fn(usize, usize, &str) + Sync),
+) -> Result<Vec<Option<Made>>> {
+    let todo: Vec<usize> = (0..wanted.len()).filter(|i| stale[*i]).collect();
+    let (next, done) = (AtomicUsize::new(0), AtomicUsize::new(0));
+    let made: Mutex<Vec<(usize, Result<Made>)>> = Mutex::new(Vec::new());
+    let lock = || made.lock().unwrap_or_else(PoisonError::into_inner);
+    progress(wanted.len() - todo.len(), wanted.len(), "");
+    thread::scope(|scope| {
+        for _ in 0..options.jobs.clamp(1, todo.len().max(1)) {
+            scope.spawn(|| {
+                while let Some(&i) = todo.get(next.fetch_add(1, Ordering::Relaxed)) {
+                    let text = wanted[i].content.plain_text();
+                    let result = utterance(&wanted[i], options, store)
+                        .with_context(|| format!("speaking {:?}", short(&text)));
+                    let failed = result.is_err();
+                    lock().push((i, result));
+                    if failed {
+                        // The others stop as soon as they have done what they are at.
+                        next.store(todo.len(), Ordering::Relaxed);
+                    }
+                    let done = done.fetch_add(1, Ordering::Relaxed) + 1;
+                    progress(wanted.len() - todo.len() + done, wanted.len(), &text);
+                }
+            });
+        }
+    });
+    let mut out: Vec<Option<Made>> = wanted.iter().map(|_| None).collect();
+    let mut made = made.into_inner().unwrap_or_else(PoisonError::into_inner);
+    made.sort_by_key(|(i, _)| *i);
+    for (i, result) in made {
+        out[i] = Some(result?);
+    }
+    if todo.iter().any(|i| out[*i].is_none()) {
+        bail!("a thread ended before its work");
+    }
+    Ok(out)
+}
+
+/// Speaks one utterance and writes its sound.
+fn utterance(wanted: &Wanted<'_>, options: &BakeOptions, store: &Store<'_>) -> Result<Made> {
+    let work = Work {
+        content: &wanted.content,
+        role: &wanted.role,
+        emotion: wanted.said.emotion.as_ref(),
+        pace: options.pace,
+    };
+    let engine = options.cast.engine(&wanted.role)?;
+    let recordings = |rate_hz: f64| {
+        let read = wanted.sounds.iter().map(|path| sounds::read(path, rate_hz));
+        read.collect::<Result<Vec<_>>>()
+    };
+    let track = match engine.recorded(wanted.key, wanted.place, &wanted.casting.plan)? {
+        Some(spoken) => speak::recorded(&wanted.casting.plan, spoken, wanted.said.emotion.as_ref()),
+        None => speak::speak(&work, &wanted.casting, &options.cast, &recordings)?,
+    };
+    let mut utterance = track.utterance;
+    utterance.key = wanted.key;
+    utterance.content = wanted.digest;
+    utterance.source = Some(wanted.source);
+    let encodings = encode::encode(&track.samples, track.rate_hz.round() as u32)?;
+    utterance.audio = encodings
+        .iter()
+        .zip(encode::FORMATS)
+        .map(|(bytes, (ending, mime))| store.add(bytes, ending, mime))
+        .collect::<Result<_>>()?;
+    let phone_set = &wanted.role.voice.phone_set;
+    Ok(Made {
+        heard: hear(&utterance, phone_set, &track.samples, track.rate_hz),
+        lufs: integrated_lufs(&[&track.samples], track.rate_hz),
+        utterance,
+    })
+}

@@ -1,0 +1,227 @@
+//! Runs the programs that baking and composing need.
+
+use core::fmt;
+use std::collections::BTreeSet;
+use std::io::{ErrorKind, Read as _};
+use std::process::{Command, Stdio};
+use std::thread;
+use std::time::{Duration, Instant};
+
+use anyhow::{Context as _, Result, anyhow, bail};
+
+/// No step takes this long for a page of text; a program that does hangs.
+const LIMIT: Duration = Duration::from_secs(300);
+
+/// Encodes Ogg Opus.
+pub const OPUSENC: Program = Program {
+    name: "opusenc",
+    package: "opus-tools",
+};
+/// Encodes and decodes nearly everything.
+pub const FFMPEG: Program = Program {
+    name: "ffmpeg",
+    package: "ffmpeg",
+};
+
+/// What is missing on this machine, and what brings it: all of it at once, so that one line
+/// installs it.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Missing {
+    /// Programs, libraries and voices.
+    names: BTreeSet<&'static str>,
+    /// Debian's packages.
+    packages: BTreeSet<&'static str>,
+    /// What no package brings: why a server cannot be asked.
+    others: BTreeSet<String>,
+}
+
+impl Missing {
+    /// One thing and the packages that bring it, parted by spaces.
+    pub fn one(name: &'static str, packages: &'static str) -> Self {
+        Self {
+            names: [name].into(),
+            packages: packages.split(' ').collect(),
+            others: BTreeSet::new(),
+        }
+    }
+
+    /// What an error tells to be missing, or that it happened.
+    pub fn of(error: &anyhow::Error) -> Self {
+        error.downcast_ref().cloned().unwrap_or_else(|| Self {
+            others: [format!("{error:#}")].into(),
+            ..Self::default()
+        })
+    }
+
+    /// Adds what else is missing.
+    pub fn add(&mut self, other: &Self) {
+        self.names.extend(&other.names);
+        self.packages.extend(&other.packages);
+        self.others.extend(other.others.iter().cloned());
+    }
+
+    /// Whether nothing is missing.
+    pub fn is_empty(&self) -> bool {
+        *self == Self::default()
+    }
+
+    /// Those of these programs that are not on the path.
+    pub fn among(programs: &[&Program]) -> Self {
+        let mut missing = Self::default();
+        for program in programs.iter().filter(|p| !p.is_there()) {
+            missing.add(&Self::one(program.name, program.package));
+        }
+        missing
+    }
+
+    /// # Errors
+    /// When anything is missing.
+    pub fn none(self) -> Result<()> {
+        if self.is_empty() {
+            Ok(())
+        } else {
+            Err(self.into())
+        }
+    }
+}
+
+impl fmt::Display for Missing {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let list = |items: &BTreeSet<&'static str>, between: &str| {
+            items.iter().copied().collect::<Vec<_>>().join(between)
+        };
+        let mut between = "";
+        if !self.names.is_empty() {
+            write!(
+                f,
+                "this needs {}, which this machine does not have; on Debian and Ubuntu: apt-get install {}",
+                list(&self.names, ", "),
+                list(&self.packages, " ")
+            )?;
+            between = "; ";
+        }
+        for other in &self.others {
+            write!(f, "{between}{other}")?;
+            between = "; ";
+        }
+        Ok(())
+    }
+}
+
+impl std::error::Error for Missing {}
+
+/// A program and the Debian package that brings it.
+pub struct Program {
+    /// What is run, found on the path.
+    pub name: &'static str,
+    /// What to install when it is missing.
+    pub package: &'static str,
+}
+
+impl Program {
+    /// Whether it is on the path.
+    pub fn is_there(&self) -> bool {
+        let path = std::env::var_os("PATH").unwrap_or_default();
+        std::env::split_paths(&path).any(|folder| {
+            let file = folder.join(self.name);
+            file.is_file() || cfg!(windows) && file.with_extension("exe").is_file()
+        })
+    }
+
+    /// A command for it. Arguments go to it as they are: no shell reads them.
+    pub fn command(&self) -> Command {
+        let mut command = Command::new(self.name);
+        command
+            .stdin(Stdio::null())
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped());
+        command
+    }
+
+    /// Runs a command to its end and returns what it wrote to standard output.
+    ///
+    /// # Errors
+    /// When the program is missing, fails or does not end.
+    pub fn run(&self, mut command: Command) -> Result<String> {
+        let mut child = command.spawn().map_err(|error| match error.kind() {
+            ErrorKind::NotFound => Missing::one(self.name, self.package).into(),
+            _ => anyhow!(error).context(format!("starting {}", self.name)),
+        })?;
+        // Both pipes are drained at once: a full one would stop the program.
+        let drain = |pipe: Option<Box<dyn std::io::Read + Send>>| {
+            thread::spawn(move || {
+                let mut bytes = Vec::new();
+                if let Some(mut pipe) = pipe {
+                    // What was read before an error still helps to explain a failure.
+                    let _ = pipe.read_to_end(&mut bytes);
+                }
+                String::from_utf8_lossy(&bytes).into_owned()
+            })
+        };
+        let stdout = drain(child.stdout.take().map(|p| Box::new(p) as _));
+        let stderr = drain(child.stderr.take().map(|p| Box::new(p) as _));
+        let begun = Instant::now();
+        let status = loop {
+            if let Some(status) = child.try_wait().context("waiting for a program")? {
+                break status;
+            }
+            if begun.elapsed() > LIMIT {
+                child
+                    .kill()
+                    .and_then(|()| child.wait())
+                    .context("stopping a program")?;
+                bail!("{} did not end within {} s", self.name, LIMIT.as_secs());
+            }
+            thread::sleep(Duration::from_millis(5));
+        };
+        let stdout = stdout.join().unwrap_or_default();
+        let stderr = stderr.join().unwrap_or_default();
+        if !status.success() {
+            let said = stderr.trim();
+            let said = if said.is_empty() { stdout.trim() } else { said };
+            bail!("{} failed ({status}): {said}", self.name);
+        }
+        Ok(stdout)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_missing_program_is_named_with_its_package() {
+        let program = Program {
+            name: "raconteur-no-such-program",
+            package: "no-such-package",
+        };
+        let error = program.run(program.command()).unwrap_err().to_string();
+        assert!(
+            error.contains("raconteur-no-such-program")
+                && error.contains("apt-get install no-such-package"),
+            "{error}"
+        );
+    }
+
+    #[test]
+    fn all_that_is_missing_is_told_at_once() {
+        let none = |name, package| Program { name, package };
+        let (one, two) = (
+            none("raconteur-no-such", "that other"),
+            none("raconteur-nor-such", "this that"),
+        );
+        let mut missing = Missing::among(&[&one, &two]);
+        missing.add(&Missing::of(
+            &anyhow!("nobody answers").context("asking a server"),
+        ));
+        missing.add(&Missing::of(
+            &anyhow!(Missing::one("libx", "x-data")).context("a voice"),
+        ));
+        assert_eq!(
+            missing.none().unwrap_err().to_string(),
+            "this needs libx, raconteur-no-such, raconteur-nor-such, which this machine does not have; \
+             on Debian and Ubuntu: apt-get install other that this x-data; asking a server: nobody answers"
+        );
+        assert!(Missing::among(&[]).none().is_ok());
+    }
+}

@@ -1,0 +1,401 @@
+//! One utterance from what is said to its sound.
+
+use crate::assemble::{Part, Recording, Track, assemble};
+use crate::content::{Age, Content, Gender, Setting};
+use crate::feel::{felt, moved_pauses, place_of, word_phrases};
+use crate::plan::{Plan, Planned, plan};
+use crate::prosody::Prosody;
+use crate::realise::{Own, realise};
+use crate::signal::f0::{self, PitchTrack};
+use crate::signal::{resample, rms};
+use crate::spoken::{Sentence, Spoken, SpokenSyllable};
+use crate::style::{NO_EMPHASIS, Style};
+use crate::text::Lexicon;
+use anyhow::{Context as _, Result};
+use raconteur_speech::bundle::FRAME_SECS;
+use raconteur_speech::emotion::Place;
+use raconteur_speech::phones::{find, translate};
+
+use super::cast::{Cast, Role};
+
+/// Loudness of plain speech without its pauses, root mean square against full scale: as loud
+/// as leaves room for what is spoken twice as loud.
+const LOUDNESS: f64 = 0.065;
+
+/// How a voice of a grown-up becomes another's: factors on the resonances of the mouth, on
+/// the pitch of a man's and of a woman's voice, and on the pace. Resonances follow the length
+/// of the vocal tract, which is 17 cm in men, 14.5 in women and some 12 in children of seven
+/// (Fant 1960; Fitch and Giedd 1999, doi:10.1121/1.427148); pitch as measured for ages by
+/// Lee, Potamianos and Narayanan 1999, doi:10.1121/1.426686. Old age is *designed*.
+const AGES: [(Age, f64, f64, f64, f64); 5] = [
+    (Age::Child, 1.18, 1.9, 1.35, 0.95),
+    (Age::Teen, 1.08, 1.3, 1.1, 1.0),
+    (Age::Younger, 1.0, 1.05, 1.03, 1.03),
+    (Age::Middle, 1.0, 1.0, 1.0, 1.0),
+    (Age::Older, 0.97, 0.9, 0.88, 0.9),
+];
+
+/// What is to be spoken, with everything that has a say in it.
+pub(super) struct Work<'a> {
+    /// What is said.
+    pub content: &'a Content,
+    /// By whom, where the text asks for nobody else.
+    pub role: &'a Role,
+    /// In which emotion.
+    pub emotion: Option<&'a (String, Place)>,
+    /// Pace of everything; 1 is the voice's own.
+    pub pace: f64,
+}
+
+/// A plan and who speaks each of its sentences.
+pub(super) struct Casting {
+    pub plan: Plan,
+    pub roles: Vec<Role>,
+}
+
+/// Plans an utterance.
+///
+/// # Errors
+/// When it cannot be planned, or an engine is missing.
+pub(super) fn cast(work: &Work<'_>, cast: &Cast, lexicon: &Lexicon) -> Result<Casting> {
+    // A voice that a clause names speaks its own language.
+    let own = cast.language.as_ref().filter(|_| *work.role == cast.lead);
+    let language = own.unwrap_or(&work.role.voice.language);
+    let plan = plan(work.content, language, &work.role.engine, lexicon)?;
+    let roles = plan
+        .sentences
+        .iter()
+        .map(|s| cast.role(work.role, &s.speaker, &s.sentence.language))
+        .collect::<Result<_>>()?;
+    Ok(Casting { plan, roles })
+}
+
+/// Speaks a planned utterance. `recordings` gives those of the plan at a rate.
+///
+/// # Errors
+/// When an engine fails.
+pub(super) fn speak(
+    work: &Work<'_>,
+    casting: &Casting,
+    cast: &Cast,
+    recordings: &dyn Fn(f64) -> Result<Vec<Recording>>,
+) -> Result<Track> {
+    let Casting { plan, roles } = casting;
+    let mut spoken = by_role(&plan.sentences, roles, cast)?;
+    let rate_hz = rate_of(spoken.iter().map(|s| s.rate_hz));
+    for (one, role) in spoken.iter_mut().zip(roles) {
+        one.samples = resample(&one.samples, one.rate_hz, rate_hz);
+        one.rate_hz = rate_hz;
+        if one.phone_set.is_empty() {
+            one.phone_set.clone_from(&role.voice.phone_set);
+        }
+    }
+    level(&mut spoken, roles);
+    // A mouth of another size comes before everything else.
+    let ages: Vec<Voicing> = plan
+        .sentences
+        .iter()
+        .zip(roles)
+        .map(|(planned, role)| Voicing::of(planned, role))
+        .collect();
+    for (one, voicing) in spoken.iter_mut().zip(&ages) {
+        voicing.resize(one);
+    }
+    let tracks: Vec<PitchTrack> = spoken
+        .iter()
+        .map(|s| f0::track_voice(&s.samples, s.rate_hz, FRAME_SECS))
+        .collect();
+    for ((one, planned), track) in spoken.iter_mut().zip(&plan.sentences).zip(&tracks) {
+        accents(one, planned, track);
+    }
+    let phrases = word_phrases(&plan.sentences, &spoken);
+    let felt = felt(plan, &phrases, work.emotion);
+    let place = |word: usize| place_of(&felt, word);
+    let moved = moved_pauses(&plan.sentences, &spoken, &place);
+    let mut parts = Vec::with_capacity(spoken.len());
+    for (i, (planned, moved_pauses)) in plan.sentences.iter().zip(moved).enumerate() {
+        // Absolute values are against what this voice does in this utterance.
+        let same = (0..spoken.len()).filter(|k| roles[*k] == roles[i] && ages[*k] == ages[i]);
+        let own = Own::of(same.map(|k| (&spoken[k], &tracks[k])));
+        let styles: Vec<Style> = planned
+            .sentence
+            .tokens
+            .iter()
+            .map(|t| ages[i].applied(&plan.styles[t.style], work.pace))
+            .collect();
+        let styled: Vec<(&Style, Place)> = styles
+            .iter()
+            .zip(&planned.sentence.tokens)
+            .map(|(style, token)| (style, place(token.word)))
+            .collect();
+        let mut spoken = realise(&spoken[i], &tracks[i], &styled, &own);
+        guest(&mut spoken, &work.role.voice.phone_set);
+        parts.push(Part {
+            spoken,
+            pauses: pauses(&styled, &own),
+            moved_pauses,
+        });
+    }
+    Ok(assemble(
+        plan,
+        &parts,
+        &recordings(rate_hz)?,
+        &felt,
+        rate_hz,
+    ))
+}
+
+/// Gives the phones of a guest, who may speak another language, the symbols of the bundle's
+/// voice, as far as that has any for them.
+fn guest(spoken: &mut Spoken, phone_set: &str) {
+    if spoken.phone_set == phone_set {
+        return;
+    }
+    for segment in spoken.segments.iter_mut().filter(|s| !s.is_silent()) {
+        if let Some(symbol) = translate(&spoken.phone_set, &segment.symbol, phone_set) {
+            symbol.clone_into(&mut segment.symbol);
+        }
+    }
+    phone_set.clone_into(&mut spoken.phone_set);
+}
+
+/// The factor on pauses that nobody asked for: slow speech pauses longer.
+fn pauses(styled: &[(&Style, Place)], own: &Own) -> f64 {
+    let one = |(style, place): &(&Style, Place)| {
+        let prosody = Prosody::of(*place);
+        prosody.pause_duration / (style.rate.factor_on(own.words_a_minute) * prosody.rate)
+    };
+    styled.iter().map(one).sum::<f64>() / styled.len().max(1) as f64
+}
+
+/// Emphasised words are accented where they are stressed, and reduced ones are not. An engine
+/// that tells no accents at all has them where words are stressed; one that tells no stress
+/// either, on the highest syllable of each word of more than three phones.
+fn accents(spoken: &mut Spoken, planned: &Planned, track: &PitchTrack) {
+    if spoken.syllables.iter().all(|s| s.stress == 0) {
+        stress_highest(spoken, track);
+    }
+    let untold = spoken.syllables.iter().all(|s| s.accent.is_empty());
+    for syllable in &mut spoken.syllables {
+        let token = spoken.segments.get(syllable.first).and_then(|s| s.token);
+        let token = token.and_then(|t| planned.sentence.tokens.get(t));
+        let emphasis = token.map_or(NO_EMPHASIS, |t| t.emphasis);
+        if emphasis < NO_EMPHASIS {
+            syllable.accent.clear();
+        } else if syllable.accent.is_empty()
+            && syllable.stress == 1
+            && (untold || emphasis > NO_EMPHASIS)
+        {
+            "*".clone_into(&mut syllable.accent);
+        }
+    }
+}
+
+fn stress_highest(spoken: &mut Spoken, track: &PitchTrack) {
+    let tokens = spoken.segments.iter().filter_map(|s| s.token).max();
+    for token in 0..=tokens.unwrap_or(0) {
+        let phones = spoken.segments.iter().filter(|s| s.token == Some(token));
+        if phones.count() <= 3 {
+            continue;
+        }
+        let height = |s: &SpokenSyllable| {
+            let end = |i: usize| spoken.segments.get(i).map_or(0.0, |s| s.end_secs);
+            let start = s.first.checked_sub(1).map_or(0.0, end);
+            let stop = end((s.first + s.count).max(1) - 1);
+            let own = spoken.segments.get(s.first).and_then(|s| s.token);
+            (own == Some(token)).then(|| track.hz_near((start + stop) / 2.0, 0.05))
+        };
+        let highest = spoken
+            .syllables
+            .iter()
+            .enumerate()
+            .filter_map(|(i, s)| Some((height(s)?, i)))
+            .max_by(|a, b| a.0.total_cmp(&b.0));
+        if let Some((_, highest)) = highest {
+            spoken.syllables[highest].stress = 1;
+        }
+    }
+}
+
+/// The rate of an utterance: one that MPEG-1 layer III has, which browsers read everywhere.
+fn rate_of(rates: impl Iterator<Item = f64>) -> f64 {
+    let most = rates.fold(0.0, f64::max);
+    if most > 32_000.0 { 48_000.0 } else { 32_000.0 }
+}
+
+/// Runs of sentences by one voice are spoken together. Emphasis is realised in the sound: what
+/// an engine makes of it is its own affair, and so it is not told.
+fn by_role(sentences: &[Planned], roles: &[Role], cast: &Cast) -> Result<Vec<Spoken>> {
+    let mut out = Vec::with_capacity(sentences.len());
+    let mut from = 0;
+    while from < sentences.len() {
+        let role = &roles[from];
+        let to = from + roles[from..].iter().take_while(|r| *r == role).count();
+        let asked: Vec<Sentence> = sentences[from..to]
+            .iter()
+            .map(|s| {
+                let mut sentence = s.sentence.clone();
+                let tokens = sentence.tokens.iter_mut();
+                tokens.for_each(|t| t.emphasis = NO_EMPHASIS);
+                sentence
+            })
+            .collect();
+        let spoken = cast
+            .engine(role)?
+            .speak(&role.voice.name, &asked)
+            .with_context(|| format!("{} with the voice {}", role.engine, role.voice.name))?;
+        anyhow::ensure!(
+            spoken.len() == asked.len(),
+            "{} spoke {} of {} sentences",
+            role.engine,
+            spoken.len(),
+            asked.len()
+        );
+        out.extend(spoken);
+        from = to;
+    }
+    Ok(out)
+}
+
+/// Makes all voices equally loud, each over all its sentences.
+fn level(spoken: &mut [Spoken], roles: &[Role]) {
+    for role in roles {
+        let mut speech = Vec::new();
+        for (one, _) in spoken.iter().zip(roles).filter(|(_, r)| *r == role) {
+            let mut start = 0;
+            for segment in &one.segments {
+                let end = ((segment.end_secs * one.rate_hz) as usize).min(one.samples.len());
+                if !segment.is_silent() && start < end {
+                    speech.extend_from_slice(&one.samples[start..end]);
+                }
+                start = end;
+            }
+        }
+        let power = rms(&speech);
+        if power > 0.0 {
+            let gain = LOUDNESS / power;
+            for (one, _) in spoken.iter_mut().zip(roles).filter(|(_, r)| *r == role) {
+                one.samples.iter_mut().for_each(|s| *s *= gain);
+            }
+        }
+    }
+}
+
+/// What a speaker's age makes of a voice.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Voicing {
+    /// On the resonances of the mouth.
+    resonance: f64,
+    pitch: f64,
+    pace: f64,
+}
+
+impl Voicing {
+    fn of(planned: &Planned, role: &Role) -> Self {
+        let age = planned.speaker.age;
+        let found = AGES.iter().find(|(a, ..)| Some(*a) == age);
+        let (_, resonance, man, woman, pace) = found.copied().unwrap_or(AGES[3]);
+        Self {
+            resonance,
+            pitch: if role.voice.gender == Some(Gender::Female) {
+                woman
+            } else {
+                man
+            },
+            pace,
+        }
+    }
+
+    /// Plays the sound faster, which makes the mouth smaller, the pitch higher and the words
+    /// shorter; the last two are made good again by [`Voicing::applied`].
+    fn resize(&self, spoken: &mut Spoken) {
+        if self.resonance == 1.0 {
+            return;
+        }
+        spoken.samples = resample(
+            &spoken.samples,
+            spoken.rate_hz * self.resonance,
+            spoken.rate_hz,
+        );
+        for segment in &mut spoken.segments {
+            segment.end_secs /= self.resonance;
+        }
+    }
+
+    fn applied(&self, style: &Style, pace: f64) -> Style {
+        let mut style = style.clone();
+        let pitch = Setting::Factor(self.pitch / self.resonance);
+        // Asked values are of the voice that is heard, not of the one that is changed. A base
+        // line alone takes everything with it and is to stay alone.
+        let lines = match (
+            style.pitch_base.is_default(),
+            style.pitch_middle.is_default(),
+        ) {
+            (false, true) => vec![&mut style.pitch_base],
+            (true, _) => vec![&mut style.pitch_middle],
+            (false, false) => vec![&mut style.pitch_base, &mut style.pitch_middle],
+        };
+        for amount in lines {
+            if amount.value.is_none() && self.pitch != self.resonance {
+                *amount = amount.with(pitch);
+            }
+        }
+        if style.rate.value.is_none() && (self.resonance, self.pace, pace) != (1.0, 1.0, 1.0) {
+            style.rate = style
+                .rate
+                .with(Setting::Factor(self.pace * pace / self.resonance));
+        }
+        style
+    }
+}
+
+/// An utterance that was recorded: nothing of its sound is changed but its loudness.
+pub(super) fn recorded(
+    plan: &Plan,
+    mut spoken: Spoken,
+    elicited: Option<&(String, Place)>,
+) -> Track {
+    let rate_hz = rate_of([spoken.rate_hz].into_iter());
+    spoken.samples = resample(&spoken.samples, spoken.rate_hz, rate_hz);
+    spoken.rate_hz = rate_hz;
+    // Alignments come in many phone sets; the bundle's voice has one.
+    for segment in &mut spoken.segments {
+        if let Some(row) = find(&spoken.phone_set, &segment.symbol)
+            && !segment.is_silent()
+        {
+            row.name.clone_into(&mut segment.symbol);
+        }
+    }
+    let role = Role::default();
+    level(core::slice::from_mut(&mut spoken), &[role]);
+    let whole = Planned {
+        sentence: Sentence {
+            tokens: plan
+                .sentences
+                .iter()
+                .flat_map(|s| s.sentence.tokens.iter().cloned())
+                .collect(),
+            ..plan
+                .sentences
+                .last()
+                .map(|s| s.sentence.clone())
+                .unwrap_or_default()
+        },
+        pauses: Vec::new(),
+        ..Planned::default()
+    };
+    let plan = Plan {
+        sentences: vec![whole],
+        sounds: Vec::new(),
+        lead_pause_secs: 0.0,
+        ..plan.clone()
+    };
+    let phrases = word_phrases(&plan.sentences, core::slice::from_ref(&spoken));
+    let felt = felt(&plan, &phrases, elicited);
+    let part = Part {
+        spoken,
+        pauses: 1.0,
+        moved_pauses: Vec::new(),
+    };
+    assemble(&plan, &[part], &[], &felt, rate_hz)
+}

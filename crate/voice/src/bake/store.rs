@@ -1,0 +1,292 @@
+//! The folder of a bundle: what an earlier bake left there, and what this one puts there.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::io::ErrorKind;
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context as _, Result};
+use raconteur_speech::bundle::{AudioFile, Bundle, Holds, Utterance, Voice};
+use sha2::Digest as _;
+
+use super::{bundle_text, encode};
+use crate::files::disk::{self, Disk};
+use crate::files::{input, inside, media};
+
+/// Whether the sound of an utterance is there.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Sound {
+    /// Each file holds what the bundle tells of it.
+    Whole,
+    /// The files are there, and the bundle does not tell what they hold.
+    Untold,
+    /// A file is missing, or holds something else.
+    Wrong,
+}
+
+struct Kept {
+    utterance: Utterance,
+    sound: Sound,
+}
+
+/// The folder, and the utterances of an earlier bake.
+///
+/// A sound's name tells what it holds, and so no sound is ever changed: new ones are put beside
+/// those of the old bundle, then `speech.json` is replaced, and then what is no longer used is
+/// removed. Whoever stops this at any moment finds the old bundle or the new one.
+pub struct Store<'d> {
+    folder: PathBuf,
+    disk: &'d dyn Disk,
+    text: Vec<u8>,
+    voices: Vec<Voice>,
+    old: BTreeMap<u64, Kept>,
+}
+
+/// Most bytes of `speech.json`.
+const MOST_TEXT: u64 = 256 << 20;
+
+/// SHA-256 in hexadecimal digits.
+fn sha256(bytes: &[u8]) -> String {
+    use core::fmt::Write as _;
+    let mut out = String::with_capacity(64);
+    for byte in sha2::Sha256::digest(bytes) {
+        let _ = write!(out, "{byte:02x}");
+    }
+    out
+}
+
+fn holds(bytes: &[u8]) -> Holds {
+    Holds {
+        bytes: bytes.len() as u64,
+        sha256: sha256(bytes),
+    }
+}
+
+/// What is at the place of a sound.
+fn sound_at(folder: &Path, audio: &AudioFile) -> Sound {
+    let found = inside::find(folder, &audio.file).ok().flatten();
+    match (found, &audio.holds) {
+        (None, _) => Sound::Wrong,
+        (Some(_), None) => Sound::Untold,
+        (Some(path), Some(told)) => match input::bytes(&path, told.bytes) {
+            Ok(bytes) if holds(&bytes) == *told => Sound::Whole,
+            _ => Sound::Wrong,
+        },
+    }
+}
+
+impl<'d> Store<'d> {
+    /// Reads what is there. A bundle that cannot be read, or of another version, holds
+    /// nothing: everything is baked again.
+    pub fn open(folder: PathBuf, disk: &'d dyn Disk) -> Self {
+        let path = inside::find(&folder, SPEECH).ok().flatten();
+        let text = path.and_then(|path| input::bytes(&path, MOST_TEXT).ok());
+        let text = text.unwrap_or_default();
+        let bundle = Bundle::from_json(&text).unwrap_or_default();
+        let sound = |u: &Utterance| {
+            let all: Vec<Sound> = u.audio.iter().map(|a| sound_at(&folder, a)).collect();
+            match () {
+                () if all.is_empty() || all.contains(&Sound::Wrong) => Sound::Wrong,
+                () if all.contains(&Sound::Untold) => Sound::Untold,
+                () => Sound::Whole,
+            }
+        };
+        let kept = |utterance: Utterance| {
+            let sound = sound(&utterance);
+            (utterance.key, Kept { utterance, sound })
+        };
+        let old = bundle.utterances.into_iter().map(kept).collect();
+        Self {
+            folder,
+            disk,
+            text,
+            voices: bundle.voices,
+            old,
+        }
+    }
+
+    fn whole(&self, key: u64) -> Option<&Utterance> {
+        let kept = self.old.get(&key).filter(|k| k.sound == Sound::Whole);
+        kept.map(|k| &k.utterance)
+    }
+
+    /// Whether an utterance is there, made of just this.
+    pub fn has(&self, key: u64, digest: u64) -> bool {
+        self.whole(key).is_some_and(|u| u.content == digest)
+    }
+
+    /// Whether an utterance is there, made of the same story by whatever engine.
+    pub fn has_source(&self, key: u64, source: u64) -> bool {
+        self.whole(key).is_some_and(|u| u.source == Some(source))
+    }
+
+    /// An utterance of the earlier bake.
+    pub fn get(&self, key: u64) -> Option<Utterance> {
+        self.whole(key).cloned()
+    }
+
+    /// Who spoke an utterance of the earlier bake.
+    pub fn voice(&self, key: u64) -> Option<&Voice> {
+        self.voices.get(self.whole(key)?.voice)
+    }
+
+    /// What is known of the sound of an utterance of the earlier bake.
+    pub fn sound(&self, key: u64) -> Option<Sound> {
+        self.old.get(&key).map(|k| k.sound)
+    }
+
+    /// How many utterances of the earlier bake are none of these.
+    pub fn others(&self, keys: impl Iterator<Item = u64>) -> usize {
+        let keys: BTreeSet<u64> = keys.collect();
+        self.old.keys().filter(|key| !keys.contains(key)).count()
+    }
+
+    /// Keeps sounds of an utterance made of just this whose files the bundle did not tell of,
+    /// under the names that tell it, if all are what the utterance says.
+    ///
+    /// # Errors
+    /// When they cannot be read or written.
+    pub fn adopt(
+        &mut self,
+        key: u64,
+        digest: u64,
+        is_sound_of: &dyn Fn(&Utterance, &Path) -> bool,
+    ) -> Result<()> {
+        let found = self.old.get(&key).filter(|k| k.sound == Sound::Untold);
+        let Some(kept) = found.filter(|k| k.utterance.content == digest) else {
+            return Ok(());
+        };
+        let mut utterance = kept.utterance.clone();
+        for audio in &mut utterance.audio {
+            let Some(path) = inside::find(&self.folder, &audio.file)? else {
+                return Ok(());
+            };
+            if !is_sound_of(&kept.utterance, &path) {
+                return Ok(());
+            }
+            let bytes = input::bytes(&path, media::MOST_BYTES)?;
+            let ending = Path::new(&audio.file).extension().unwrap_or_default();
+            let mime = audio.mime.clone();
+            *audio = self.add(&bytes, &ending.to_string_lossy(), &mime)?;
+        }
+        let sound = Sound::Whole;
+        self.old.insert(key, Kept { utterance, sound });
+        Ok(())
+    }
+
+    /// Puts a sound into the folder, under a name that tells what it holds.
+    ///
+    /// # Errors
+    /// When it cannot be written.
+    pub fn add(&self, bytes: &[u8], ending: &str, mime: &str) -> Result<AudioFile> {
+        let holds = holds(bytes);
+        let audio = AudioFile {
+            file: format!("{}.{ending}", &holds.sha256[..NAME_DIGITS]),
+            mime: mime.to_owned(),
+            holds: Some(holds),
+        };
+        // What is there may be cut off: a disk that lost its power keeps names without content.
+        if sound_at(&self.folder, &audio) != Sound::Whole {
+            disk::replace_on(self.disk, &self.folder.join(&audio.file), bytes)?;
+        }
+        Ok(audio)
+    }
+
+    /// Whether the bundle is there already, word for word, and nothing else of a bake.
+    ///
+    /// # Errors
+    /// When the folder cannot be read.
+    pub fn is(&self, bundle: &Bundle) -> Result<bool> {
+        let text = bundle_text::write(bundle);
+        Ok(self.text == text.as_bytes() && self.unused(bundle)?.is_empty())
+    }
+
+    /// Writes the bundle's text, unless it is there already, so that bakes do not disturb
+    /// build tools. All its sounds are in the folder.
+    ///
+    /// # Errors
+    /// When it cannot be written.
+    pub fn write(&self, bundle: &Bundle) -> Result<()> {
+        let text = bundle_text::write(bundle);
+        if self.text == text.as_bytes() {
+            return Ok(());
+        }
+        disk::replace_on(self.disk, &self.folder.join(SPEECH), text.as_bytes())
+    }
+
+    /// Removes everything that a bake made; the text first, so that it never names what is gone.
+    ///
+    /// # Errors
+    /// When something cannot be removed.
+    pub fn clear(&self) -> Result<usize> {
+        let path = self.folder.join(SPEECH);
+        if fs::symlink_metadata(&path).is_ok() {
+            let told = || format!("removing {}", path.display());
+            self.disk.remove(&path).with_context(told)?;
+            self.disk.sync_folder(&self.folder).with_context(told)?;
+        }
+        self.remove_unused(&Bundle::default())
+    }
+
+    /// Removes sound files that a bake made and that the bundle no longer names, and what bakes
+    /// that were stopped have left. Only names that a bake gives are touched. Returns how many
+    /// sounds there were.
+    ///
+    /// # Errors
+    /// When something cannot be removed.
+    pub fn remove_unused(&self, bundle: &Bundle) -> Result<usize> {
+        let unused = self.unused(bundle)?;
+        for name in &unused {
+            let path = self.folder.join(name);
+            self.disk
+                .remove(&path)
+                .with_context(|| format!("removing {}", path.display()))?;
+        }
+        Ok(unused.iter().filter(|name| is_sound(name)).count())
+    }
+
+    /// Names of files that a bake made and this bundle does not name.
+    fn unused(&self, bundle: &Bundle) -> Result<Vec<String>> {
+        let used: BTreeSet<&str> = bundle
+            .utterances
+            .iter()
+            .flat_map(|u| &u.audio)
+            .map(|a| a.file.as_str())
+            .collect();
+        let told = || format!("reading {}", self.folder.display());
+        let entries = match fs::read_dir(&self.folder) {
+            Ok(entries) => entries,
+            Err(error) if error.kind() == ErrorKind::NotFound => return Ok(Vec::new()),
+            Err(error) => return Err(error).with_context(told),
+        };
+        let mut names = Vec::new();
+        for entry in entries {
+            let name = entry.with_context(told)?.file_name();
+            let Some(name) = name.to_str() else { continue };
+            if !used.contains(name) && (is_sound(name) || disk::is_part(name)) {
+                names.push(name.to_owned());
+            }
+        }
+        names.sort();
+        Ok(names)
+    }
+}
+
+/// The bundle's text.
+const SPEECH: &str = "speech.json";
+
+/// Digits of a sound's SHA-256 in its name: 128 bits.
+const NAME_DIGITS: usize = 32;
+
+/// Is this the name of a sound that a bake made? Earlier bakes named them after the 16 digits of
+/// their key.
+fn is_sound(name: &str) -> bool {
+    name.split_once('.').is_some_and(|(stem, ending)| {
+        [16, NAME_DIGITS].contains(&stem.len())
+            && stem.bytes().all(|b| b.is_ascii_hexdigit())
+            && encode::FORMATS.iter().any(|(known, _)| *known == ending)
+    })
+}
+
+#[cfg(test)]
+mod tests;

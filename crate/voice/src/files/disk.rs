@@ -1,0 +1,308 @@
+//! Writing files so that whoever reads them, or finds them after a crash, has the old one or
+//! the new one, whole.
+//!
+//! A file is written under another name in the same folder, made durable, and renamed. All
+//! commands that write go through here; tests put a [`Disk`] that fails in the place of the real
+//! one.
+
+use std::ffi::OsString;
+use std::fs::{self, File, OpenOptions};
+use std::io::{self, ErrorKind, Write as _};
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use anyhow::{Context as _, Result, bail};
+
+/// What changes files.
+pub trait Disk: Sync {
+    /// Makes a file that was not there, with these bytes, and waits until they are stored.
+    ///
+    /// # Errors
+    /// As the system's; a part of the file may be there then.
+    fn create(&self, path: &Path, bytes: &[u8]) -> io::Result<()>;
+
+    /// Puts a file in the place of another.
+    ///
+    /// # Errors
+    /// As the system's; nothing has changed then.
+    fn rename(&self, from: &Path, to: &Path) -> io::Result<()>;
+
+    /// Removes a file.
+    ///
+    /// # Errors
+    /// As the system's.
+    fn remove(&self, path: &Path) -> io::Result<()>;
+
+    /// Waits until the names in a folder are stored.
+    ///
+    /// # Errors
+    /// As the system's.
+    fn sync_folder(&self, folder: &Path) -> io::Result<()>;
+}
+
+/// The machine's.
+pub struct Real;
+
+impl Disk for Real {
+    fn create(&self, path: &Path, bytes: &[u8]) -> io::Result<()> {
+        let mut file = OpenOptions::new().write(true).create_new(true).open(path)?;
+        file.write_all(bytes)?;
+        file.sync_all()
+    }
+
+    fn rename(&self, from: &Path, to: &Path) -> io::Result<()> {
+        fs::rename(from, to)
+    }
+
+    fn remove(&self, path: &Path) -> io::Result<()> {
+        fs::remove_file(path)
+    }
+
+    fn sync_folder(&self, folder: &Path) -> io::Result<()> {
+        // Folders can be opened on Unix alone; elsewhere the system does this by itself.
+        if cfg!(unix) {
+            File::open(folder)?.sync_all()
+        } else {
+            Ok(())
+        }
+    }
+}
+
+/// Marks the names of files that are being made.
+const PART: &str = ".part";
+
+/// Is this the name of a file that was being made?
+pub fn is_part(name: &str) -> bool {
+    let ends = |name: &str| name.ends_with(PART);
+    name.starts_with('.') && (ends(name) || name.rsplit_once('.').is_some_and(|(n, _)| ends(n)))
+}
+
+/// A name beside `place` that nobody uses, with the same ending, by which some programs choose
+/// the format.
+fn part_of(place: &Path) -> PathBuf {
+    static COUNT: AtomicU64 = AtomicU64::new(0);
+    loop {
+        let mut name = OsString::from(".");
+        name.push(place.file_stem().unwrap_or_default());
+        let count = COUNT.fetch_add(1, Ordering::Relaxed);
+        name.push(format!(".{}-{count}{PART}", std::process::id()));
+        if let Some(ending) = place.extension() {
+            name.push(".");
+            name.push(ending);
+        }
+        let part = place.with_file_name(name);
+        // A program of the same number may have ended badly.
+        if fs::symlink_metadata(&part).is_err() {
+            return part;
+        }
+    }
+}
+
+/// The folder that a file is in.
+fn folder_of(path: &Path) -> &Path {
+    match path.parent() {
+        Some(parent) if !parent.as_os_str().is_empty() => parent,
+        _ => Path::new("."),
+    }
+}
+
+/// Writes a file on a disk; a link at that place is replaced, not followed.
+///
+/// # Errors
+/// As the system's. The old file is whole then, unless only the last step failed: that the new
+/// one's name is stored.
+pub fn replace_on(disk: &dyn Disk, path: &Path, bytes: &[u8]) -> Result<()> {
+    let part = part_of(path);
+    disk.create(&part, bytes)
+        .and_then(|()| disk.rename(&part, path))
+        .inspect_err(|_| {
+            // What was begun is of no use; that it cannot be removed changes nothing.
+            let _ = disk.remove(&part);
+        })
+        .and_then(|()| disk.sync_folder(folder_of(path)))
+        .with_context(|| format!("cannot write {}", path.display()))
+}
+
+/// Writes a file that a user has named. A link is followed, the file's permissions stay, and
+/// what is no file, such as `/dev/stdout`, is written as it is.
+///
+/// # Errors
+/// When it cannot be written; the old file is whole then.
+pub fn replace(path: &Path, bytes: &[u8]) -> Result<()> {
+    let part = Part::beside(path)?;
+    if part.is_direct() {
+        return fs::write(path, bytes).with_context(|| format!("cannot write {}", path.display()));
+    }
+    Real.create(&part.part, bytes)
+        .with_context(|| format!("cannot write {}", path.display()))?;
+    part.commit()
+}
+
+/// A file that is being made, by this program or by another that is told its path. It is
+/// removed unless it is committed.
+pub struct Part {
+    part: PathBuf,
+    place: PathBuf,
+}
+
+impl Part {
+    /// For the file that a user has named.
+    ///
+    /// # Errors
+    /// When there is a folder of that name, or no folder to write in.
+    pub fn beside(path: &Path) -> Result<Self> {
+        let told = || format!("cannot write {}", path.display());
+        let place = match fs::metadata(path) {
+            Ok(about) if about.is_dir() => bail!("{}: it is a folder", told()),
+            Ok(about) if !about.is_file() => {
+                return Ok(Self::direct(path));
+            }
+            Ok(_) => fs::canonicalize(path).with_context(told)?,
+            Err(error) if error.kind() == ErrorKind::NotFound => path.to_owned(),
+            Err(error) => return Err(error).with_context(told),
+        };
+        if place.file_name().is_none() || !folder_of(&place).is_dir() {
+            bail!("{}: there is no such folder", told());
+        }
+        Ok(Self {
+            part: part_of(&place),
+            place,
+        })
+    }
+
+    /// For what is written at its place: many files after a pattern, for one.
+    pub fn direct(path: &Path) -> Self {
+        Self {
+            part: path.to_owned(),
+            place: path.to_owned(),
+        }
+    }
+
+    /// Where it is made.
+    pub fn path(&self) -> &Path {
+        &self.part
+    }
+
+    /// Whether it is written at its place, as that is no file.
+    fn is_direct(&self) -> bool {
+        self.part == self.place
+    }
+
+    /// Puts it in its place.
+    ///
+    /// # Errors
+    /// When that fails; the old file is whole then.
+    pub fn commit(self) -> Result<()> {
+        if self.is_direct() {
+            return Ok(());
+        }
+        let done = || {
+            if let Ok(about) = fs::metadata(&self.place) {
+                fs::set_permissions(&self.part, about.permissions())?;
+            }
+            File::open(&self.part)?.sync_all()?;
+            Real.rename(&self.part, &self.place)?;
+            Real.sync_folder(folder_of(&self.place))
+        };
+        done().with_context(|| format!("cannot write {}", self.place.display()))
+    }
+}
+
+impl Drop for Part {
+    fn drop(&mut self) {
+        if !self.is_direct() {
+            // After a commit it is not there any more.
+            let _ = fs::remove_file(&self.part);
+        }
+    }
+}
+
+#[cfg(test)]
+pub mod faulty;
+
+#[cfg(test)]
+mod tests {
+    use super::faulty::{Faulty, Then};
+    use super::*;
+
+    fn names(folder: &Path) -> Vec<String> {
+        let mut names: Vec<String> = fs::read_dir(folder)
+            .unwrap()
+            .map(|e| e.unwrap().file_name().into_string().unwrap())
+            .collect();
+        names.sort();
+        names
+    }
+
+    #[test]
+    fn whatever_step_fails_the_file_is_the_old_or_the_new_one() {
+        for then in [Then::Killed, Then::GoesOn] {
+            let mut failed = 0;
+            for k in 0.. {
+                let folder = tempfile::tempdir().unwrap();
+                let path = folder.path().join("story.eml");
+                fs::write(&path, "old").unwrap();
+                let disk = Faulty::at_step(k, then);
+                let result = replace_on(&disk, &path, b"the new one");
+                let now = fs::read_to_string(&path).unwrap();
+                assert!(now == "old" || now == "the new one", "{k}: {now}");
+                if result.is_ok() {
+                    assert_eq!(now, "the new one");
+                    assert_eq!(names(folder.path()), ["story.eml"]);
+                    break;
+                }
+                failed += 1;
+                if then == Then::GoesOn {
+                    assert_eq!(names(folder.path()), ["story.eml"], "{k}");
+                }
+            }
+            assert!(failed >= 3, "{failed}");
+        }
+    }
+
+    #[test]
+    fn a_full_disk_leaves_the_old_file_and_nothing_else() {
+        for room in 0..11 {
+            let folder = tempfile::tempdir().unwrap();
+            let path = folder.path().join("a.opus");
+            fs::write(&path, "old").unwrap();
+            let disk = Faulty::with_room(room);
+            assert!(replace_on(&disk, &path, b"the new one").is_err());
+            assert_eq!(fs::read(&path).unwrap(), b"old");
+            assert_eq!(names(folder.path()), ["a.opus"]);
+        }
+    }
+
+    #[test]
+    fn names_of_parts_are_known() {
+        for name in ["a.opus", "speech.json", "film.mp4", "plain", ".hidden"] {
+            let part = part_of(&Path::new("x").join(name));
+            let part = part.file_name().unwrap().to_str().unwrap().to_owned();
+            assert!(is_part(&part), "{part}");
+            assert!(!is_part(name));
+        }
+        for other in ["a.part", "part", ".", "", ".part.of.it", "x.part.opus"] {
+            assert!(!is_part(other) || other == ".part", "{other}");
+        }
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn links_are_followed_permissions_stay_and_devices_are_written_as_they_are() {
+        use std::os::unix::fs::{PermissionsExt as _, symlink};
+        let folder = tempfile::tempdir().unwrap();
+        let (file, link) = (folder.path().join("file"), folder.path().join("link"));
+        fs::write(&file, "old").unwrap();
+        fs::set_permissions(&file, fs::Permissions::from_mode(0o640)).unwrap();
+        symlink("file", &link).unwrap();
+        replace(&link, b"new").unwrap();
+        assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
+        assert_eq!(fs::read(&file).unwrap(), b"new");
+        let mode = fs::metadata(&file).unwrap().permissions().mode();
+        assert_eq!(mode & 0o777, 0o640);
+        replace(Path::new("/dev/null"), b"gone").unwrap();
+        assert!(!fs::metadata("/dev/null").unwrap().is_file());
+        assert!(replace(folder.path(), b"").is_err());
+        assert!(replace(&folder.path().join("no/such"), b"").is_err());
+    }
+}

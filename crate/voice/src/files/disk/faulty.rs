@@ -1,0 +1,132 @@
+//! A disk that fails when a test wants it to.
+
+use std::fs;
+use std::io::{self, Error, ErrorKind, Write as _};
+use std::path::Path;
+use std::sync::Mutex;
+
+use super::{Disk, Real};
+
+/// What happens after the failure.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Then {
+    /// The program was killed: nothing changes any more.
+    Killed,
+    /// Only that step failed.
+    GoesOn,
+}
+
+/// Works, and does not wait until anything is stored: tests take thousands of steps.
+pub struct Unsynced;
+
+impl Disk for Unsynced {
+    fn create(&self, path: &Path, bytes: &[u8]) -> io::Result<()> {
+        let mut options = fs::OpenOptions::new();
+        let mut file = options.write(true).create_new(true).open(path)?;
+        file.write_all(bytes)
+    }
+
+    fn rename(&self, from: &Path, to: &Path) -> io::Result<()> {
+        Real.rename(from, to)
+    }
+
+    fn remove(&self, path: &Path) -> io::Result<()> {
+        Real.remove(path)
+    }
+
+    fn sync_folder(&self, _folder: &Path) -> io::Result<()> {
+        Ok(())
+    }
+}
+
+/// Fails at one step, or when it is full.
+pub struct Faulty {
+    then: Then,
+    state: Mutex<State>,
+}
+
+struct State {
+    /// Steps until the one that fails.
+    steps: usize,
+    /// Bytes that can still be written.
+    room: usize,
+    failed: bool,
+}
+
+impl Faulty {
+    /// Fails at step `k`, counted from 0.
+    pub fn at_step(k: usize, then: Then) -> Self {
+        Self::new(k, usize::MAX, then)
+    }
+
+    /// Has room for so many bytes.
+    pub fn with_room(bytes: usize) -> Self {
+        Self::new(usize::MAX, bytes, Then::GoesOn)
+    }
+
+    fn new(steps: usize, room: usize, then: Then) -> Self {
+        let failed = false;
+        let state = Mutex::new(State {
+            steps,
+            room,
+            failed,
+        });
+        Self { then, state }
+    }
+
+    /// Counts a step; `Err` when it is the one that fails, or when the program is dead.
+    fn step(&self) -> io::Result<()> {
+        let mut state = self.state.lock().unwrap();
+        if state.failed && self.then == Then::Killed {
+            return Err(Error::other("the program is dead"));
+        }
+        if state.steps == 0 && !state.failed {
+            state.failed = true;
+            return Err(Error::other("this step fails"));
+        }
+        state.steps = state.steps.saturating_sub(1);
+        Ok(())
+    }
+}
+
+impl Disk for Faulty {
+    fn create(&self, path: &Path, bytes: &[u8]) -> io::Result<()> {
+        let dead = {
+            let state = self.state.lock().unwrap();
+            state.failed && self.then == Then::Killed
+        };
+        if let Err(error) = self.step() {
+            if !dead {
+                // It fails in the middle.
+                fs::write(path, &bytes[..bytes.len() / 2])?;
+            }
+            return Err(error);
+        }
+        let fits = {
+            let mut state = self.state.lock().unwrap();
+            let fits = bytes.len().min(state.room);
+            state.room -= fits;
+            fits
+        };
+        Unsynced.create(path, &bytes[..fits])?;
+        if fits < bytes.len() {
+            return Err(ErrorKind::StorageFull.into());
+        }
+        Ok(())
+    }
+
+    fn rename(&self, from: &Path, to: &Path) -> io::Result<()> {
+        self.step()?;
+        Unsynced.rename(from, to)
+    }
+
+    fn remove(&self, path: &Path) -> io::Result<()> {
+        self.step()?;
+        Unsynced.remove(path)
+    }
+
+    fn sync_folder(&self, folder: &Path) -> io::Result<()> {
+        self.step()?;
+        Unsynced.sync_folder(folder)
+    }
+}

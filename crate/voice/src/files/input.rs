@@ -1,0 +1,128 @@
+//! Reading the files that a user names: regular ones, up to a size, as UTF-8 where they are text.
+//!
+//! Whoever runs `raconteur` on what strangers sent must not read `/dev/zero` until memory is
+//! full, nor wait for ever at a pipe.
+
+use std::fs::{self, File, FileType};
+use std::io::Read as _;
+use std::path::Path;
+
+use anyhow::{Context as _, Result, bail, ensure};
+use raconteur_base::encoding;
+
+/// The longest text that is read where nothing else is said, bytes.
+pub const LONGEST_TEXT: u64 = 16 << 20;
+
+/// The bytes of a file.
+///
+/// # Errors
+/// When it cannot be read, is no regular file, or holds more than `most` bytes.
+pub fn bytes(path: &Path, most: u64) -> Result<Vec<u8>> {
+    let named = || format!("cannot read {}", path.display());
+    let kind = fs::metadata(path).with_context(named)?.file_type();
+    ensure!(
+        kind.is_file(),
+        "cannot read {}: it is {}, and only regular files are read",
+        path.display(),
+        name(kind)
+    );
+    // Not the size that is told: files that the kernel makes up tell none.
+    let mut bytes = Vec::new();
+    let mut file = File::open(path).with_context(named)?.take(most + 1);
+    file.read_to_end(&mut bytes).with_context(named)?;
+    if bytes.len() as u64 > most {
+        bail!(
+            "cannot read {}: it has more than {most} bytes, the most that are read",
+            path.display()
+        );
+    }
+    Ok(bytes)
+}
+
+/// A text.
+///
+/// # Errors
+/// As [`bytes`], and where it is not UTF-8, with the place.
+pub fn text(path: &Path, most: u64) -> Result<String> {
+    let bytes = bytes(path, most)?;
+    let text = encoding::utf8(&bytes);
+    let text = text.with_context(|| format!("cannot read {}", path.display()))?;
+    Ok(text.to_owned())
+}
+
+#[cfg(unix)]
+fn name(kind: FileType) -> &'static str {
+    use std::os::unix::fs::FileTypeExt as _;
+    if kind.is_dir() {
+        "a folder"
+    } else if kind.is_fifo() {
+        "a pipe"
+    } else if kind.is_socket() {
+        "a socket"
+    } else if kind.is_char_device() || kind.is_block_device() {
+        "a device"
+    } else {
+        "none"
+    }
+}
+
+#[cfg(not(unix))]
+fn name(kind: FileType) -> &'static str {
+    if kind.is_dir() { "a folder" } else { "none" }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_regular_files_of_bounded_size_are_read() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("x");
+        for (length, fits) in [(0, true), (10, true), (11, false), (1000, false)] {
+            fs::write(&file, vec![b'x'; length]).unwrap();
+            let read = bytes(&file, 10);
+            assert_eq!(read.is_ok(), fits, "{length}: {read:?}");
+        }
+        assert!(
+            bytes(folder.path(), 10)
+                .unwrap_err()
+                .to_string()
+                .contains("a folder")
+        );
+        #[cfg(unix)]
+        {
+            let told = bytes(Path::new("/dev/zero"), 10).unwrap_err().to_string();
+            assert!(
+                told.contains("/dev/zero") && told.contains("a device"),
+                "{told}"
+            );
+            // Of no size, by what it tells.
+            if Path::new("/proc/self/maps").exists() {
+                assert!(bytes(Path::new("/proc/self/maps"), 10).is_err());
+            }
+        }
+    }
+
+    #[test]
+    fn text_in_another_encoding_is_named() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("lexicon.txt");
+        let cases = [
+            (
+                b"a = b\nf\xfcr = x".as_slice(),
+                "byte 7 is 0xfc, line 2 column 2",
+            ),
+            (b"\xff\xfea\0=\0b\0", "UTF-16"),
+            (b"a\0=\0b\0\n\0", "UTF-16"),
+        ];
+        for (bytes, named) in cases {
+            fs::write(&file, bytes).unwrap();
+            let told = format!("{:#}", text(&file, 100).unwrap_err());
+            assert!(
+                told.contains(named) && told.contains("lexicon.txt"),
+                "{told}"
+            );
+        }
+    }
+}

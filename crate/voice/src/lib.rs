@@ -1,0 +1,29 @@
+//! Speech made ahead of time: from what a story says to a bundle of sound, words, phones and
+//! melody that a player reads.
+//!
+//! Does: text as it is spoken, markup (SABLE, SSML), prosody of styles and emotions, signal
+//! processing, alignments of other programs, speech engines, and [`bake`], which runs them.
+//! Does not: play anything; nothing that plays depends on this crate.
+
+pub mod align;
+pub mod assemble;
+pub mod bake;
+pub mod compare;
+pub mod content;
+pub mod feel;
+pub mod files;
+pub mod hear;
+pub mod language;
+pub mod manner;
+pub mod markup;
+pub mod plan;
+pub mod prosody;
+pub mod realise;
+pub mod resolve;
+pub mod said;
+pub mod signal;
+pub mod spoken;
+pub mod style;
+pub mod text;
+
+pub use said::{Said, Source, content_of, said};

@@ -1,0 +1,540 @@
+//! From what is to be said to sentences: what an engine is asked to say in one breath, by
+//! whom and in which language, and the silences between.
+
+use crate::content::{Boundary, Content, Division, Speaker};
+use crate::language;
+use crate::resolve::{Item, resolve};
+use crate::spoken::{Sentence, Token};
+use crate::style::Style;
+use crate::text::{Lexicon, speakable};
+use raconteur_speech::bundle::SentenceKind;
+
+/// Silence between two sentences where the author asks for none in particular, seconds.
+/// *Designed*: read stories pause about half a second between sentences.
+pub const SENTENCE_PAUSE_SECS: f64 = 0.45;
+
+/// Silence between two paragraphs. *Designed*.
+pub const PARAGRAPH_PAUSE_SECS: f64 = 0.8;
+
+/// Silence where only the speaker or the language changes. *Designed*.
+const CHANGE_PAUSE_SECS: f64 = 0.12;
+
+/// The longest silence that an utterance may ask for, seconds. Longer ones belong between
+/// clauses, where they cost no sound.
+const LONGEST_SILENCE_SECS: f64 = 60.0;
+
+/// An engine's work grows faster than the sentence; a text without full stops is parted
+/// after this many tokens.
+const LONGEST_SENTENCE: usize = 100;
+
+/// The most tokens of an utterance: some hours of speech.
+const MOST_TOKENS: usize = 100_000;
+
+/// Words after which a full stop does not end a sentence, besides those that are read as
+/// something longer.
+const ABBREVIATIONS: [&str; 14] = [
+    "mr", "mrs", "ms", "dr", "st", "prof", "vs", "no", "etc", "nr", "hr", "fr", "sr", "sra",
+];
+
+/// An utterance, ready for engines.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Plan {
+    /// Silence that the author asks for before the first word, seconds.
+    pub lead_pause_secs: f64,
+    /// In order.
+    pub sentences: Vec<Planned>,
+    /// The words as written, in order.
+    pub words: Vec<String>,
+    /// The styles that tokens refer to.
+    pub styles: Vec<Style>,
+    /// Recordings, by the word before which they come.
+    pub sounds: Vec<Sound>,
+    /// Emoticons as emotion's words, by the word before which they stand.
+    pub emoticons: Vec<(usize, &'static str)>,
+}
+
+/// A sentence with what the baker alone needs to know of it.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Planned {
+    /// For the engine.
+    pub sentence: Sentence,
+    /// The silence after each token, where the author asks for one, seconds.
+    pub pauses: Vec<Option<f64>>,
+    /// Who speaks.
+    pub speaker: Speaker,
+    /// Silence after it, seconds.
+    pub pause_secs: f64,
+    /// The same sentence goes on with the next: only the voice changes.
+    pub goes_on: bool,
+}
+
+/// A recording that an utterance asks for.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sound {
+    /// Index of the word that follows it.
+    pub word: usize,
+    /// Its path or address, as the author wrote it.
+    pub src: String,
+    /// It plays under the speech.
+    pub background: bool,
+    /// Its amplitude; 1 as recorded.
+    pub level: f64,
+}
+
+/// Why an utterance cannot be planned.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum PlanError {
+    /// It asks for too much silence.
+    #[error("its breaks add up to {0:.1} s; an utterance may hold 60 s of them")]
+    TooMuchSilence(f64),
+    /// It is too long.
+    #[error("it has more than 100000 tokens; part it into several utterances")]
+    TooLong,
+}
+
+/// Splits content into sentences: at divisions, and after `.`, `!` or `?` when the next word
+/// does not begin small. A break inside a sentence does not split it, so that the melody goes
+/// on across it, unless it asks for the melody of an end. `language` is the voice's, as a BCP
+/// 47 tag; `engine` the name of the engine that will speak.
+///
+/// # Errors
+/// When the silences add up to more than a minute, or there is too much to say.
+pub fn plan(
+    content: &Content,
+    language: &str,
+    engine: &str,
+    lexicon: &Lexicon,
+) -> Result<Plan, PlanError> {
+    let resolved = resolve(content, engine);
+    let mut planner = Planner {
+        plan: Plan {
+            styles: resolved.styles,
+            ..Plan::default()
+        },
+        open: Planned::default(),
+        waiting: Vec::new(),
+        language,
+        lexicon,
+        silence_secs: 0.0,
+        tokens: 0,
+    };
+    for item in &resolved.items {
+        planner.item(item);
+    }
+    planner.say_waiting();
+    planner.close(SENTENCE_PAUSE_SECS);
+    if planner.silence_secs > LONGEST_SILENCE_SECS {
+        return Err(PlanError::TooMuchSilence(planner.silence_secs));
+    }
+    if planner.tokens > MOST_TOKENS {
+        return Err(PlanError::TooLong);
+    }
+    Ok(planner.plan)
+}
+
+/// A written word that is not yet turned into tokens.
+struct Waiting {
+    word: usize,
+    text: String,
+    style: usize,
+    together: Option<usize>,
+}
+
+struct Planner<'a> {
+    plan: Plan,
+    open: Planned,
+    /// Words that are read together, because nothing parts them.
+    waiting: Vec<Waiting>,
+    language: &'a str,
+    lexicon: &'a Lexicon,
+    silence_secs: f64,
+    tokens: usize,
+}
+
+impl Planner<'_> {
+    fn item(&mut self, item: &Item) {
+        match item {
+            Item::Word {
+                text,
+                style,
+                together,
+            } => {
+                let other = self
+                    .waiting
+                    .last()
+                    .is_some_and(|w| w.together != *together || !self.alike(w.style, *style));
+                if other {
+                    self.say_waiting();
+                }
+                self.waiting.push(Waiting {
+                    word: self.plan.words.len(),
+                    text: text.clone(),
+                    style: *style,
+                    together: *together,
+                });
+                self.plan.words.push(text.clone());
+            }
+            // Signs on their own belong to the word before; a dash parts it from the next.
+            Item::Punctuation(signs) => match self.waiting.last_mut() {
+                Some(last) => {
+                    let dash = signs
+                        .chars()
+                        .any(|c| matches!(c, '-' | '\u{2013}' | '\u{2014}'));
+                    last.text.push_str(if dash { "," } else { signs });
+                }
+                None => self.punctuate(signs),
+            },
+            Item::Emoticon(word) => self.plan.emoticons.push((self.plan.words.len(), word)),
+            Item::Break { msec, boundary } => {
+                self.say_waiting();
+                self.pause(f64::from(*msec) / 1000.0, *boundary);
+            }
+            Item::Division(division) => {
+                self.say_waiting();
+                self.close(match division {
+                    Division::Sentence => SENTENCE_PAUSE_SECS,
+                    Division::Paragraph => PARAGRAPH_PAUSE_SECS,
+                });
+            }
+            Item::Audio {
+                src,
+                background,
+                level,
+            } => {
+                self.say_waiting();
+                self.plan.sounds.push(Sound {
+                    word: self.plan.words.len(),
+                    src: src.clone(),
+                    background: *background,
+                    level: *level,
+                });
+            }
+            Item::Mark(_) => {}
+        }
+    }
+
+    /// Whether words of two styles may be read as one text.
+    fn alike(&self, a: usize, b: usize) -> bool {
+        let (a, b) = (&self.plan.styles[a], &self.plan.styles[b]);
+        a.language == b.language && a.say_as == b.say_as && a.speaker == b.speaker
+    }
+
+    fn last_planned(&mut self) -> Option<&mut Planned> {
+        if self.open.sentence.tokens.is_empty() {
+            self.plan.sentences.last_mut()
+        } else {
+            Some(&mut self.open)
+        }
+    }
+
+    /// Adds signs to the last token.
+    fn punctuate(&mut self, signs: &str) {
+        if let Some(token) = self.open.sentence.tokens.last_mut()
+            && token.punctuation.is_empty()
+        {
+            token
+                .punctuation
+                .extend(signs.chars().filter(|c| ",.;:!?".contains(*c)).take(3));
+        }
+    }
+
+    fn pause(&mut self, secs: f64, boundary: Option<Boundary>) {
+        self.silence_secs += secs;
+        let Some(last) = self.last_planned() else {
+            self.plan.lead_pause_secs += secs;
+            return;
+        };
+        if let (Some(token), Some(pause)) =
+            (last.sentence.tokens.last_mut(), last.pauses.last_mut())
+        {
+            *pause = Some(pause.unwrap_or(0.0) + secs);
+            token.pause = *pause > Some(0.0);
+            if let Some(boundary) = boundary {
+                token.punctuation = match boundary {
+                    Boundary::Question => "?",
+                    Boundary::Exclamation => "!",
+                    Boundary::Statement => ".",
+                    Boundary::Comma => ",",
+                }
+                .to_owned();
+            }
+        }
+        if matches!(
+            boundary,
+            Some(Boundary::Question | Boundary::Exclamation | Boundary::Statement)
+        ) {
+            self.close(SENTENCE_PAUSE_SECS);
+        }
+    }
+
+    /// Ends the open sentence; a longer silence wins when several ends fall together.
+    fn close(&mut self, pause_secs: f64) {
+        if self.open.sentence.tokens.is_empty() {
+            if let Some(last) = self.plan.sentences.last_mut()
+                && last.pauses.last().is_some_and(Option::is_none)
+            {
+                last.pause_secs = last.pause_secs.max(pause_secs);
+                last.goes_on = false;
+            }
+            return;
+        }
+        let mut done = core::mem::take(&mut self.open);
+        let last = done.sentence.tokens.last();
+        let signs = last.map_or("", |t| t.punctuation.as_str());
+        done.sentence.kind = if signs.contains('?') {
+            SentenceKind::Question
+        } else if signs.contains('!') {
+            SentenceKind::Exclamation
+        } else if signs.contains([',', ';', ':']) {
+            SentenceKind::Continuation
+        } else {
+            SentenceKind::Statement
+        };
+        done.pause_secs = done.pauses.last().copied().flatten().unwrap_or(pause_secs);
+        self.plan.sentences.push(done);
+    }
+
+    /// Turns the waiting words into tokens.
+    fn say_waiting(&mut self) {
+        let waiting = core::mem::take(&mut self.waiting);
+        let Some(first) = waiting.first() else {
+            return;
+        };
+        let style = self.plan.styles[first.style].clone();
+        let language = match &style.language {
+            Some(name) => language::tag(name).unwrap_or_else(|| self.language.to_owned()),
+            None => self.language.to_owned(),
+        };
+        let read =
+            |words: &[&str]| speakable(words, &language, style.say_as.as_ref(), self.lexicon);
+        let written: Vec<&str> = waiting.iter().map(|w| w.text.as_str()).collect();
+        let replaced = first.together.is_some() && (style.instead.is_some() || style.ipa.is_some());
+        let mut tokens = match &style.instead {
+            Some(instead) if replaced => {
+                let words: Vec<&str> = instead.split_whitespace().collect();
+                let spoken = read(&words);
+                if words.len() == written.len() {
+                    spoken
+                } else {
+                    // All of it is the first word's, so that captions light up in time.
+                    let mut all = vec![Vec::new(); written.len()];
+                    all[0] = spoken.into_iter().flatten().collect();
+                    all
+                }
+            }
+            _ => read(&written),
+        };
+        if replaced {
+            if let Some(ipa) = &style.ipa {
+                // One pronunciation for everything inside.
+                let one = tokens.iter_mut().flatten().next();
+                if let Some(mut one) = one.cloned() {
+                    one.ipa = Some(ipa.clone());
+                    tokens = vec![Vec::new(); written.len()];
+                    tokens[0].push(one);
+                }
+            }
+            // What stood after the words still stands there.
+            let last = written.last().map_or("", |w| *w);
+            let signs = &last[last.trim_end_matches([',', '.', ';', ':', '!', '?']).len()..];
+            if let Some(token) = tokens.iter_mut().flatten().next_back()
+                && token.punctuation.is_empty()
+            {
+                token.punctuation = signs.chars().take(3).collect();
+            }
+        }
+        for (word, tokens) in waiting.iter().zip(tokens) {
+            self.begin_word(word, &style.speaker, &language);
+            for token in tokens {
+                self.tokens += 1;
+                if self.tokens > MOST_TOKENS {
+                    return;
+                }
+                self.open.sentence.tokens.push(Token {
+                    word: word.word,
+                    text: token.text,
+                    ipa: token.ipa,
+                    punctuation: token.punctuation,
+                    emphasis: self.plan.styles[word.style].emphasis,
+                    pause: false,
+                    style: word.style,
+                });
+                self.open.pauses.push(None);
+            }
+        }
+    }
+
+    /// Ends the sentence before a word that begins another, or that another says.
+    fn begin_word(&mut self, word: &Waiting, speaker: &Speaker, language: &str) {
+        let begins_small = word
+            .text
+            .chars()
+            .find(|c| c.is_alphanumeric())
+            .is_some_and(char::is_lowercase);
+        let tokens = &self.open.sentence.tokens;
+        if (tokens.last().is_some_and(ends_sentence) && !begins_small)
+            || tokens.len() >= LONGEST_SENTENCE
+        {
+            self.close(SENTENCE_PAUSE_SECS);
+        }
+        let same = self.open.speaker == *speaker && self.open.sentence.language == language;
+        if !self.open.sentence.tokens.is_empty() && !same {
+            self.close(CHANGE_PAUSE_SECS);
+            if let Some(last) = self.plan.sentences.last_mut() {
+                last.goes_on = true;
+            }
+        }
+        if self.open.sentence.tokens.is_empty() {
+            self.open.speaker = speaker.clone();
+            self.open.sentence.language = language.to_owned();
+        }
+    }
+}
+
+fn ends_sentence(token: &Token) -> bool {
+    let stop_only = token.punctuation.contains('.') && !token.punctuation.contains(['!', '?']);
+    let abbreviated = stop_only && ABBREVIATIONS.contains(&token.text.to_lowercase().as_str());
+    token.punctuation.contains(['.', '!', '?']) && !abbreviated
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::content::{Markup, Segment};
+
+    fn text(t: &str) -> Segment {
+        Segment::Text(t.to_owned())
+    }
+
+    fn pause(msec: u32) -> Segment {
+        Segment::Break {
+            msec,
+            boundary: None,
+        }
+    }
+
+    fn planned(segments: Vec<Segment>) -> Plan {
+        plan(&Content { segments }, "en-US", "test", &Lexicon::default()).unwrap()
+    }
+
+    fn show(plan: &Plan) -> Vec<String> {
+        let token = |(t, pause): (&Token, &Option<f64>)| {
+            let pause = pause.map_or(String::new(), |p| format!("<{p}>"));
+            format!("{}:{}{}{pause}", t.word, t.text, t.punctuation)
+        };
+        let sentence = |s: &Planned| {
+            let tokens = s.sentence.tokens.iter().zip(&s.pauses).map(token);
+            tokens.collect::<Vec<_>>().join(" ")
+        };
+        plan.sentences.iter().map(sentence).collect()
+    }
+
+    #[test]
+    fn sentences_end_where_a_reader_hears_an_end() {
+        let cases: [(&str, &[&str]); 6] = [
+            ("Hello world!", &["0:Hello 1:world!"]),
+            ("He ran. She sat.", &["0:He 1:ran.", "2:She 3:sat."]),
+            (
+                "\u{201c}Stop!\u{201d} said the goat.",
+                &["0:Stop! 1:said 2:the 3:goat."],
+            ),
+            ("so \u{2013} it's late", &["0:so, 1:it's 2:late"]),
+            ("One ;-) two.", &["0:One 1:two."]),
+            ("...", &[]),
+        ];
+        for (input, expected) in cases {
+            assert_eq!(show(&planned(vec![text(input)])), expected, "{input}");
+        }
+    }
+
+    #[test]
+    fn breaks_belong_to_the_word_before_and_add_up() {
+        let p = planned(vec![
+            pause(250),
+            text("One"),
+            pause(100),
+            pause(25),
+            text("two."),
+            pause(600),
+            text("Three"),
+        ]);
+        assert_eq!(p.lead_pause_secs, 0.25);
+        assert_eq!(show(&p), ["0:One<0.125> 1:two.<0.6>", "2:Three"]);
+        assert!(p.sentences[0].sentence.tokens[0].pause);
+        assert_eq!(p.sentences[0].pause_secs, 0.6);
+        assert_eq!(p.sentences[1].pause_secs, SENTENCE_PAUSE_SECS);
+        let p = planned(vec![
+            text("One"),
+            Segment::Division(Division::Sentence),
+            Segment::Division(Division::Paragraph),
+            text("two"),
+        ]);
+        assert_eq!(p.sentences[0].pause_secs, PARAGRAPH_PAUSE_SECS);
+    }
+
+    #[test]
+    fn a_break_may_ask_for_the_melody_of_an_end() {
+        let p = planned(vec![
+            text("You came"),
+            Segment::Break {
+                msec: 100,
+                boundary: Some(Boundary::Question),
+            },
+            text("and left"),
+        ]);
+        assert_eq!(show(&p), ["0:You 1:came?<0.1>", "2:and 3:left"]);
+        assert_eq!(p.sentences[0].sentence.kind, SentenceKind::Question);
+        assert_eq!(p.sentences[0].pause_secs, 0.1);
+    }
+
+    #[test]
+    fn another_language_or_speaker_is_a_sentence_of_its_own() {
+        let p = planned(vec![
+            text("He said"),
+            Segment::Open(Markup::Language("German".to_owned())),
+            text(" guten Tag"),
+            Segment::Close,
+            text(" to me."),
+        ]);
+        assert_eq!(show(&p), ["0:He 1:said", "2:guten 3:Tag", "4:to 5:me."]);
+        assert_eq!(p.sentences[1].sentence.language, "de");
+        assert!(p.sentences[0].goes_on && !p.sentences[2].goes_on);
+    }
+
+    #[test]
+    fn pronunciations_stand_for_what_is_in_them() {
+        let p = planned(vec![
+            text("nine "),
+            Segment::Open(Markup::Pronunciation {
+                ipa: None,
+                sub: Some("lyves".to_owned()),
+                origin: None,
+            }),
+            text("lives,"),
+            Segment::Close,
+            text(" the "),
+            Segment::Open(Markup::Pronunciation {
+                ipa: Some("t\u{259}\u{2c8}m\u{251}\u{2d0}to\u{28a}".to_owned()),
+                sub: None,
+                origin: None,
+            }),
+            text("red tomato."),
+            Segment::Close,
+        ]);
+        assert_eq!(show(&p), ["0:nine 1:lyves, 2:the 3:red."]);
+        assert!(p.sentences[0].sentence.tokens[3].ipa.is_some());
+        assert_eq!(p.words, ["nine", "lives,", "the", "red", "tomato."]);
+    }
+
+    #[test]
+    fn a_text_without_full_stops_is_parted_and_an_hour_of_silence_refused() {
+        let p = planned(vec![text(&"and ".repeat(1000))]);
+        assert!(p.sentences.len() == 10 && p.words.len() == 1000);
+        let content = Content {
+            segments: vec![text("Hm"), pause(3_600_000)],
+        };
+        let refused = plan(&content, "en", "test", &Lexicon::default());
+        assert_eq!(refused, Err(PlanError::TooMuchSilence(3600.0)));
+    }
+}

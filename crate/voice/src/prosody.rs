@@ -1,0 +1,128 @@
+//! What each dimension of emotion does to prosody (F&H 4.4.2).
+
+use raconteur_speech::emotion::Place;
+
+/// The shape of a pitch accent.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum AccentShape {
+    /// From high to low.
+    Falling,
+    /// From low to high.
+    Rising,
+    /// The one after the other.
+    Alternating,
+}
+
+/// What an emotion does to the voice: factors on what a neutral voice would do, 1 is none.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Prosody {
+    /// On the mean of the fundamental frequency.
+    pub pitch: f64,
+    /// On the frequency at the end of a phrase against its begin.
+    pub pitch_dynamics: f64,
+    /// On the range of the fundamental frequency.
+    pub range: f64,
+    /// On the range at the end of a phrase against its begin.
+    pub range_dynamics: f64,
+    /// On the height of accents.
+    pub accent_prominence: f64,
+    /// On the steepness of accents.
+    pub accent_slope: f64,
+    /// Which shape accents have rather than the engine's; `None` leaves them.
+    pub accent_shape: Option<AccentShape>,
+    /// Whether phrases end high (`true`) or low; `None` leaves them.
+    pub ends_high: Option<bool>,
+    /// On the pace.
+    pub rate: f64,
+    /// On the number of pauses inside sentences.
+    pub number_of_pauses: f64,
+    /// On the length of pauses.
+    pub pause_duration: f64,
+    /// On the length of vowels, nasals and liquids.
+    pub sonorant_duration: f64,
+    /// On the length of plosives and fricatives.
+    pub obstruent_duration: f64,
+    /// On the amplitude.
+    pub volume: f64,
+}
+
+impl Prosody {
+    /// F&H table 4.5: each coefficient is the change in percent for one unit of a dimension.
+    /// `pitch` is read as percent too, and `range` as the 0.04 semitones on a neutral 4 that
+    /// MARY's own rules have (the table's 0.4 would close every range at −10). A neutral
+    /// place changes nothing, so the shapes that the table gives to it are left out.
+    #[must_use]
+    pub fn of(place: Place) -> Self {
+        let Place {
+            activation: a,
+            evaluation: e,
+            power: p,
+        } = place;
+        // No sum of coefficients may turn a length or a loudness around.
+        let factor = |percent: f64| (1.0 + percent / 100.0).clamp(0.3, 2.5);
+        Self {
+            pitch: factor(0.3 * a + 0.1 * e - 0.1 * p),
+            pitch_dynamics: factor(0.3 * a - 0.3 * p),
+            range: factor(a),
+            range_dynamics: factor(1.2 * a + 0.4 * p),
+            accent_prominence: factor(0.5 * a - 0.5 * e),
+            accent_slope: factor(a - 0.5 * e),
+            accent_shape: if e <= -20.0 {
+                Some(AccentShape::Falling)
+            } else if e > 40.0 {
+                Some(AccentShape::Alternating)
+            } else if e != 0.0 {
+                Some(AccentShape::Rising)
+            } else {
+                None
+            },
+            ends_high: (p != 0.0).then_some(p < 0.0),
+            rate: factor(0.5 * a + 0.2 * e),
+            number_of_pauses: factor(0.7 * a),
+            pause_duration: factor(-0.2 * a),
+            sonorant_duration: factor(0.3 * e + 0.3 * p),
+            obstruent_duration: factor(0.5 * a - 0.3 * e),
+            volume: factor(0.33 * a),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_neutral_place_changes_nothing() {
+        let neutral = Prosody::of(Place::default());
+        for factor in [
+            neutral.pitch,
+            neutral.pitch_dynamics,
+            neutral.range,
+            neutral.range_dynamics,
+            neutral.accent_prominence,
+            neutral.accent_slope,
+            neutral.rate,
+            neutral.number_of_pauses,
+            neutral.pause_duration,
+            neutral.sonorant_duration,
+            neutral.obstruent_duration,
+            neutral.volume,
+        ] {
+            assert_eq!(factor, 1.0);
+        }
+        assert_eq!((neutral.accent_shape, neutral.ends_high), (None, None));
+    }
+
+    #[test]
+    fn the_example_of_the_text_holds() {
+        // F&H 4.4.2: 0.5 % from activation to rate is +25 % at +50 and −15 % at −30.
+        let at = |activation| {
+            Prosody::of(Place {
+                activation,
+                ..Place::default()
+            })
+            .rate
+        };
+        assert!((at(50.0) - 1.25).abs() < 1e-12 && (at(-30.0) - 0.85).abs() < 1e-12);
+    }
+}

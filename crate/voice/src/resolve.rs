@@ -1,0 +1,479 @@
+//! What is said in order, each word with its style: content with its markup taken together.
+//! Whoever counts the words of a content counts these.
+
+use core::fmt::Write as _;
+use core::hash::Hasher as _;
+use std::collections::BTreeMap;
+use std::hash::DefaultHasher;
+
+use crate::content::{Boundary, Content, Division, Markup, Segment, is_space};
+use crate::style::Style;
+use raconteur_base::emoticon::{self, Spaced};
+
+/// Markup further inside than this changes nothing.
+const DEEPEST: usize = 1000;
+
+/// A content with its markup taken together.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Resolved {
+    /// What is said, in order.
+    pub items: Vec<Item>,
+    /// The styles of the words, each once, in the order of their first words.
+    pub styles: Vec<Style>,
+}
+
+/// Something that is said, or happens between words.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Item {
+    /// A token between white space that holds a letter or digit.
+    Word {
+        /// With the punctuation that is attached to it.
+        text: String,
+        /// Index of its style: that of its first letter or digit.
+        style: usize,
+        /// Words with the same number are one to whoever reads them: the markup around them
+        /// says what stands for all of them (pronunciation, engine) or what kind of text
+        /// they are together.
+        together: Option<usize>,
+    },
+    /// A token without a letter or digit, such as a dash, that is no emoticon.
+    Punctuation(String),
+    /// An emoticon (F&H table 4.1) or an emoji; its word of [`raconteur_speech::emotion::WORDS`].
+    Emoticon(&'static str),
+    /// A pause.
+    Break {
+        /// Milliseconds.
+        msec: u32,
+        /// The punctuation mark whose melody goes before it.
+        boundary: Option<Boundary>,
+    },
+    /// A sentence or a paragraph begins or ends.
+    Division(Division),
+    /// A recording.
+    Audio {
+        /// Its path or address.
+        src: String,
+        /// It plays under the speech that follows.
+        background: bool,
+        /// Its amplitude; 1 as recorded.
+        level: f64,
+    },
+    /// Listeners are told of this moment. Inside a word it comes before that word.
+    Mark(String),
+}
+
+impl Resolved {
+    /// The words in order.
+    pub fn words(&self) -> impl Iterator<Item = &str> {
+        self.items.iter().filter_map(|item| match item {
+            Item::Word { text, .. } => Some(text.as_str()),
+            _ => None,
+        })
+    }
+
+    /// The words in order, each with its style.
+    #[must_use]
+    pub fn styled_words(&self) -> Vec<(&str, &Style)> {
+        let styled = |item| match item {
+            &Item::Word {
+                ref text, style, ..
+            } => Some((text.as_str(), self.styles.get(style)?)),
+            _ => None,
+        };
+        self.items.iter().filter_map(styled).collect()
+    }
+}
+
+/// Takes a content's markup together. `engine` is the name of the engine that will speak.
+/// Markup that is closed more often than opened, or never, is tolerated.
+#[must_use]
+pub fn resolve(content: &Content, engine: &str) -> Resolved {
+    let mut walk = Walk {
+        engine,
+        out: Resolved {
+            items: Vec::new(),
+            styles: Vec::new(),
+        },
+        known: BTreeMap::new(),
+        levels: vec![Level::default()],
+        too_deep: 0,
+        openings: 0,
+        token: Token::default(),
+        spaced: Spaced::default(),
+    };
+    for segment in &content.segments {
+        walk.segment(segment);
+    }
+    walk.end_token();
+    walk.out
+}
+
+/// What is in force inside a markup.
+#[derive(Clone, Default)]
+struct Level {
+    style: Style,
+    /// Its index, once a word has needed it.
+    index: Option<usize>,
+    /// The markup that says what stands for its words.
+    replaced: Option<usize>,
+    /// The markup that says what kind of text they are.
+    said_as: Option<usize>,
+}
+
+/// A token that is being read.
+#[derive(Default)]
+struct Token {
+    text: String,
+    /// Style and togetherness, from its first letter or digit on.
+    word: Option<(usize, Option<usize>)>,
+    /// What was marked after its last letter or digit.
+    marks: Vec<String>,
+}
+
+struct Walk<'a> {
+    engine: &'a str,
+    out: Resolved,
+    /// Indices of styles by the hash of what they print as.
+    known: BTreeMap<u64, usize>,
+    /// Never empty.
+    levels: Vec<Level>,
+    /// How many openings beyond the deepest are still open.
+    too_deep: usize,
+    openings: usize,
+    token: Token,
+    /// What before the token may be of an emoticon with it.
+    spaced: Spaced,
+}
+
+impl Walk<'_> {
+    fn segment(&mut self, segment: &Segment) {
+        match segment {
+            Segment::Text(text) => {
+                let mut pieces = text.split(is_space);
+                self.more(pieces.next().unwrap_or_default());
+                for piece in pieces {
+                    self.end_token();
+                    self.more(piece);
+                }
+            }
+            Segment::Break { msec, boundary } => self.between(Item::Break {
+                msec: *msec,
+                boundary: *boundary,
+            }),
+            Segment::Division(division) => self.between(Item::Division(*division)),
+            Segment::Audio {
+                src,
+                background,
+                level,
+            } => self.between(Item::Audio {
+                src: src.clone(),
+                background: *background,
+                level: *level,
+            }),
+            Segment::Mark(name) if self.token.word.is_some() => {
+                self.token.marks.push(name.clone());
+            }
+            Segment::Mark(name) => self.out.items.push(Item::Mark(name.clone())),
+            Segment::Open(markup) => self.open(markup),
+            Segment::Close if self.too_deep > 0 => self.too_deep -= 1,
+            Segment::Close if self.levels.len() > 1 => {
+                self.levels.pop();
+            }
+            Segment::Close => {}
+        }
+    }
+
+    fn between(&mut self, item: Item) {
+        self.end_token();
+        self.spaced.part();
+        self.out.items.push(item);
+    }
+
+    fn open(&mut self, markup: &Markup) {
+        self.openings += 1;
+        if self.levels.len() > DEEPEST {
+            self.too_deep += 1;
+            return;
+        }
+        let Some(outer) = self.levels.last() else {
+            return;
+        };
+        let style = outer.style.with(markup, self.engine);
+        let number = Some(self.openings);
+        let (replaced, said_as) = match markup {
+            Markup::Pronunciation { .. } => {
+                let any = style.ipa.is_some() || style.instead.is_some();
+                (number.filter(|_| any), outer.said_as)
+            }
+            Markup::Engine { id, .. } if self.engine.eq_ignore_ascii_case(id) => {
+                (number, outer.said_as)
+            }
+            Markup::SayAs(_) => (outer.replaced, number),
+            _ => (outer.replaced, outer.said_as),
+        };
+        // Most markup changes something, and what does not costs only an entry.
+        self.levels.push(Level {
+            style,
+            index: None,
+            replaced,
+            said_as,
+        });
+    }
+
+    /// Adds characters to the token.
+    fn more(&mut self, piece: &str) {
+        self.token.text.push_str(piece);
+        if !piece.contains(char::is_alphanumeric) {
+            return;
+        }
+        if self.token.word.is_none() {
+            self.token.word = Some(self.current());
+        }
+        let marks = self.token.marks.drain(..);
+        self.out.items.extend(marks.map(Item::Mark));
+    }
+
+    /// Index of the style in force, and what its words are together with.
+    fn current(&mut self) -> (usize, Option<usize>) {
+        let Some(level) = self.levels.last_mut() else {
+            return (0, None);
+        };
+        let styles = &mut self.out.styles;
+        let index = *level.index.get_or_insert_with(|| {
+            let mut print = Print(DefaultHasher::new());
+            // A hasher takes everything.
+            let _ = write!(print, "{:?}", level.style);
+            let hash = print.0.finish();
+            match self.known.get(&hash) {
+                Some(&index) if styles.get(index) == Some(&level.style) => index,
+                _ => {
+                    styles.push(level.style.clone());
+                    self.known.insert(hash, styles.len() - 1);
+                    styles.len() - 1
+                }
+            }
+        });
+        (index, level.replaced.or(level.said_as))
+    }
+
+    fn end_token(&mut self) {
+        let Token { text, word, marks } = core::mem::take(&mut self.token);
+        self.token_read(text, word);
+        self.out.items.extend(marks.into_iter().map(Item::Mark));
+    }
+
+    fn token_read(&mut self, text: String, word: Option<(usize, Option<usize>)>) {
+        if text.is_empty() {
+            return;
+        }
+        if let Some((emotion, rest)) = emoticon::whole(&text) {
+            self.spaced.part();
+            self.out.items.push(Item::Emoticon(emotion));
+            // A sentence may end right behind an emoticon.
+            if !rest.is_empty() {
+                self.out.items.push(Item::Punctuation(rest.to_owned()));
+            }
+            return;
+        }
+        if let Some((parts, emotion)) = self.spaced.take(&text, word.is_some()) {
+            self.take_back(parts);
+            self.out.items.push(Item::Emoticon(emotion));
+            return;
+        }
+        let [before, after] = emoticon::of_emoji(&text);
+        let bare = emoticon::without_emoji(&text).unwrap_or(text);
+        self.out
+            .items
+            .extend(before.into_iter().map(Item::Emoticon));
+        if let Some((style, together)) = word {
+            self.out.items.push(Item::Word {
+                text: bare,
+                style,
+                together,
+            });
+        } else if !bare.is_empty() {
+            self.out.items.push(Item::Punctuation(bare));
+        }
+        self.out.items.extend(after.into_iter().map(Item::Emoticon));
+    }
+
+    /// Takes back the last tokens without a letter or a digit: they are of an emoticon.
+    fn take_back(&mut self, parts: usize) {
+        for _ in 0..parts {
+            let is_sign = |item: &Item| matches!(item, Item::Punctuation(_));
+            if let Some(last) = self.out.items.iter().rposition(is_sign) {
+                self.out.items.remove(last);
+            }
+        }
+    }
+}
+
+/// Hashes what is printed.
+struct Print(DefaultHasher);
+
+impl core::fmt::Write for Print {
+    fn write_str(&mut self, text: &str) -> core::fmt::Result {
+        self.0.write(text.as_bytes());
+        Ok(())
+    }
+}
+
+impl Content {
+    /// The words in order: tokens between white space that hold a letter or digit;
+    /// punctuation stays attached. Markup does not part words, pauses, divisions and
+    /// recordings do. Emoticons (F&H tables 4.1 and 4.2) are no words.
+    #[must_use]
+    pub fn words(&self) -> Vec<String> {
+        let resolved = resolve(self, "");
+        resolved.words().map(str::to_owned).collect()
+    }
+
+    /// The words with single spaces.
+    #[must_use]
+    pub fn plain_text(&self) -> String {
+        self.words().join(" ")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::content::Setting;
+    use crate::text::SayAs;
+
+    fn text(text: &str) -> Segment {
+        Segment::Text(text.to_owned())
+    }
+
+    fn of(segments: Vec<Segment>) -> Resolved {
+        resolve(&Content { segments }, "festival")
+    }
+
+    #[test]
+    fn a_word_has_the_style_of_its_first_letter_and_equal_styles_are_one() {
+        let strong = || Segment::Open(Markup::Emphasis(2.0));
+        let resolved = of(vec![
+            text("a (un"),
+            strong(),
+            text("be)lievable b \u{ab}"),
+            Segment::Close,
+            text("c "),
+            strong(),
+            text("\u{201c}d\u{201d}"),
+        ]);
+        let words: Vec<_> = resolved.styled_words();
+        let emphases: Vec<_> = words.iter().map(|(w, s)| (*w, s.emphasis)).collect();
+        assert_eq!(
+            emphases,
+            [
+                ("a", 0.5),
+                ("(unbe)lievable", 0.5),
+                ("b", 2.0),
+                ("\u{ab}c", 0.5),
+                ("\u{201c}d\u{201d}", 2.0)
+            ]
+        );
+        assert_eq!(resolved.styles.len(), 2);
+    }
+
+    #[test]
+    fn what_is_closed_too_often_or_never_is_tolerated() {
+        let mut segments = vec![Segment::Close, Segment::Close, text("a ")];
+        let faster = Segment::Open(Markup::Rate(Setting::Factor(1.0001)));
+        segments.extend(core::iter::repeat_n(faster, DEEPEST + 5));
+        segments.push(text("b "));
+        segments.extend(core::iter::repeat_n(Segment::Close, DEEPEST + 5));
+        segments.push(text("c"));
+        let resolved = of(segments);
+        let styles: Vec<_> = resolved.styled_words();
+        assert!(styles[0].1 == styles[2].1 && styles[0].1 != styles[1].1);
+        assert_eq!(styles.len(), 3);
+    }
+
+    #[test]
+    fn emoticons_are_found_with_spaces_too() {
+        let emotions = |t: &str| {
+            let resolved = of(vec![text(t)]);
+            let signs = resolved.items.iter().map(|item| match item {
+                Item::Emoticon(word) => (*word).to_owned(),
+                Item::Word { text, .. } | Item::Punctuation(text) => text.clone(),
+                other => panic!("{other:?}"),
+            });
+            signs.collect::<Vec<_>>().join("|")
+        };
+        assert_eq!(
+            emotions("ins ; - ) Endlose : - ( )"),
+            "ins|kidding|Endlose|distress|)"
+        );
+        assert_eq!(
+            emotions("nicht : - o mehr :- ) ;-)."),
+            "nicht|surprise|mehr|joy|kidding|."
+        );
+        assert_eq!(emotions("> : - < - ) ; o : - O"), "anger|-|)|;|o|:|-|O");
+    }
+
+    #[test]
+    fn marks_inside_a_word_come_before_it_and_those_at_its_end_after_it() {
+        let mark = |name: &str| Segment::Mark(name.to_owned());
+        let resolved = of(vec![
+            text("one \u{201c}"),
+            mark("a"),
+            text("two"),
+            mark("b"),
+            text("fold,"),
+            mark("c"),
+            text("\u{201d} three"),
+        ]);
+        let order: Vec<_> = resolved
+            .items
+            .iter()
+            .map(|item| match item {
+                Item::Word { text, .. } | Item::Mark(text) => text.as_str(),
+                other => panic!("{other:?}"),
+            })
+            .collect();
+        assert_eq!(
+            order,
+            ["one", "a", "b", "\u{201c}twofold,\u{201d}", "c", "three"]
+        );
+    }
+
+    #[test]
+    fn what_is_read_as_one_is_told_apart_from_its_neighbour() {
+        let sub = || {
+            Segment::Open(Markup::Pronunciation {
+                ipa: None,
+                sub: Some("lyves".to_owned()),
+                origin: None,
+            })
+        };
+        let resolved = of(vec![
+            sub(),
+            text("a b"),
+            Segment::Close,
+            text(" "),
+            sub(),
+            Segment::Open(Markup::SayAs(SayAs::Cardinal)),
+            text("c"),
+            Segment::Close,
+            text(" d "),
+            Segment::Close,
+            Segment::Open(Markup::SayAs(SayAs::Cardinal)),
+            text("e"),
+            Segment::Close,
+            text(" f"),
+        ]);
+        let together: Vec<_> = resolved
+            .items
+            .iter()
+            .filter_map(|item| match item {
+                Item::Word { together, .. } => Some(*together),
+                _ => None,
+            })
+            .collect();
+        assert_eq!(together[0], together[1]);
+        assert_eq!(together[2], together[3]);
+        assert!(together[1] != together[2] && together[4] > together[3]);
+        assert_eq!(together[5], None);
+    }
+}

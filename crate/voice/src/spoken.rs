@@ -1,0 +1,86 @@
+//! Between the baker and its engines: a sentence that is to be spoken, and what an engine
+//! made of it.
+
+use raconteur_speech::bundle::SentenceKind;
+
+/// Spoken in one go, by one voice.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Sentence {
+    /// At least one.
+    pub tokens: Vec<Token>,
+    /// What it does.
+    pub kind: SentenceKind,
+    /// BCP 47 tag of its language.
+    pub language: String,
+}
+
+/// What an engine reads as one word.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Token {
+    /// Index of the written word that it belongs to.
+    pub word: usize,
+    /// Letters of any alphabet, apostrophes and hyphens; at most 40 characters.
+    pub text: String,
+    /// Pronunciation in the International Phonetic Alphabet, where the author gives one.
+    pub ipa: Option<String>,
+    /// Punctuation after it, of `,.;:!?`; may be empty.
+    pub punctuation: String,
+    /// SABLE's level of emphasis: 0 reduced, 0.5 none, 1 moderate, 2 strong.
+    pub emphasis: f64,
+    /// The author asks for a pause after it; the baker sets its length, the engine only has
+    /// to part the phrases there.
+    pub pause: bool,
+    /// Index of its [`crate::style::Style`] in the plan.
+    pub style: usize,
+}
+
+/// A sentence as an engine spoke it.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Spoken {
+    /// Mono, −1 to 1.
+    pub samples: Vec<f64>,
+    /// Samples a second.
+    pub rate_hz: f64,
+    /// One of [`raconteur_speech::phones::PHONE_SETS`].
+    pub phone_set: String,
+    /// In order; the first begins at 0, and each where the one before it ends. The last ends
+    /// with the sound, within 50 ms.
+    pub segments: Vec<Segment>,
+    /// In order.
+    pub syllables: Vec<SpokenSyllable>,
+    /// Where intonational phrases end: index of the last token and, where the engine tells,
+    /// the boundary tone in ToBI.
+    pub breaks: Vec<(usize, String)>,
+}
+
+/// One phone as an engine timed it.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Segment {
+    /// Symbol; [`raconteur_speech::bundle::SILENCE`] is silence.
+    pub symbol: String,
+    /// Seconds from the start of the sentence.
+    pub end_secs: f64,
+    /// Index of its token in the sentence; `None` for silence.
+    pub token: Option<usize>,
+}
+
+/// One syllable as an engine spoke it.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct SpokenSyllable {
+    /// Index of its first segment.
+    pub first: usize,
+    /// How many segments it has.
+    pub count: usize,
+    /// 0 none, 1 primary, 2 secondary.
+    pub stress: u8,
+    /// Its pitch accent in ToBI, `*` where it is not known which, empty where there is none.
+    pub accent: String,
+}
+
+impl Segment {
+    /// Whether it is silent.
+    #[must_use]
+    pub fn is_silent(&self) -> bool {
+        self.symbol == raconteur_speech::bundle::SILENCE
+    }
+}

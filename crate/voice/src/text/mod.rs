@@ -1,0 +1,253 @@
+//! Text as it is written, turned into text as it is spoken.
+//!
+//! Does: numbers, dates, times, money, measures, fractions, abbreviations, acronyms,
+//! addresses and signs of English, German and European Portuguese as words; the modes of
+//! SABLE's SAYAS; a user's lexicon. It tells of every written word which spoken ones are
+//! its.
+//! Does not: read other languages (their words pass as they are) or make sounds.
+
+mod abbreviation;
+mod amount;
+mod date;
+mod english;
+mod german;
+mod grammar;
+mod grammars;
+mod language;
+mod lexicon;
+mod measure;
+mod money;
+mod number;
+mod ordinal;
+mod portuguese;
+mod read;
+mod roman;
+mod runs;
+mod say_as;
+mod spelling;
+mod time;
+mod token;
+mod word;
+
+pub use lexicon::{Lexicon, LexiconError, LexiconProblem};
+
+use language::Language;
+use lexicon::Entry;
+use read::{Reader, Reading};
+use word::Word;
+
+/// The most characters of one token; longer ones are cut.
+pub const TOKEN_CHARS: usize = 40;
+/// The most tokens that one written word gives.
+pub const WORD_TOKENS: usize = 300;
+
+/// The order of a date's parts: day, month and year.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Order {
+    /// Day, month, year.
+    Dmy,
+    /// Month, day, year.
+    Mdy,
+    /// Year, month, day.
+    Ymd,
+    /// Year, month.
+    Ym,
+    /// Month, year.
+    My,
+    /// Month, day.
+    Md,
+}
+
+/// How marked text is to be said: the modes of SABLE's SAYAS element (GEVH D.4.12).
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum SayAs {
+    /// Letters, digits and signs by their names.
+    Literal,
+    /// A date; without an order the language's usual one.
+    Date(Option<Order>),
+    /// A time of day, with seconds or without by its content.
+    Time,
+    /// A telephone number, digit by digit.
+    Phone,
+    /// An address of the net.
+    Net {
+        /// An e-mail address, in which every part is said even where it has no dot; else a
+        /// URL.
+        email: bool,
+    },
+    /// A postal address: codes digit by digit, house numbers whole, streets written out.
+    Postal,
+    /// An amount of money.
+    Currency,
+    /// A formula.
+    Math,
+    /// A fraction: 3/8.
+    Fraction,
+    /// A quantity with its unit.
+    Measure,
+    /// Numbers as ordinals.
+    Ordinal,
+    /// Numbers as cardinals, never as years.
+    Cardinal,
+    /// A name: numerals are a ruler's, capitals are not spelled.
+    Name,
+}
+
+/// A word that is spoken.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Token {
+    /// Letters, apostrophes and hyphens only, at most [`TOKEN_CHARS`]; capitals as written.
+    /// In a language that is not read here, the word as it was written.
+    pub text: String,
+    /// What of `,.;:!?` stands after it; mostly nothing.
+    pub punctuation: String,
+    /// How it sounds in the International Phonetic Alphabet, where the lexicon says so.
+    pub ipa: Option<String>,
+}
+
+/// The tokens that each of the `written` words is spoken as.
+///
+/// `written` are the words of a sentence or a few, parted at white space, with their
+/// punctuation. `language` is a BCP 47 tag, whose primary subtag decides; of English, dates
+/// are month first in the United States and where no region is given. `say_as` is for all
+/// of them. A word whose sound was merged into a neighbour's ("Uhr" in "14:30 Uhr") gets
+/// no token, neither does a word with nothing to say. The result has one list for each
+/// written word, each of at most [`WORD_TOKENS`].
+#[must_use]
+pub fn speakable(
+    written: &[&str],
+    language: &str,
+    say_as: Option<&SayAs>,
+    lexicon: &Lexicon,
+) -> Vec<Vec<Token>> {
+    let mut words: Vec<Word<'_>> = written.iter().map(|word| Word::parse(word)).collect();
+    if matches!(say_as, Some(SayAs::Literal | SayAs::Math)) {
+        // Their signs are read, and are no punctuation too.
+        words.iter_mut().for_each(Word::forget_signs);
+    }
+    word::soften_ellipses(&mut words);
+    word::mark_sums(&mut words);
+    let known = Language::of(language);
+    let reader = known.map(|known| Reader::new(&words, known, language, say_as));
+    let mut spoken: Vec<Vec<Token>> = vec![Vec::new(); words.len()];
+    let mut latest = None;
+    let mut at = 0;
+    while let Some(word) = words.get(at) {
+        let custom = if matches!(say_as, None | Some(SayAs::Name)) {
+            from_lexicon(word, language, lexicon, reader.as_ref(), at)
+        } else {
+            None
+        };
+        let (tokens, ends) = match (custom, &reader) {
+            (Some(tokens), _) => (vec![tokens], true),
+            (None, Some(reader)) => {
+                let Reading { spoken, ends } = reader.read(at);
+                (
+                    spoken.iter().map(|phrase| token::tokens(phrase)).collect(),
+                    ends,
+                )
+            }
+            (None, None) => (vec![token::untouched(&word.core)], true),
+        };
+        let taken = tokens.len().clamp(1, words.len() - at);
+        for (offset, tokens) in tokens.into_iter().take(taken).enumerate() {
+            spoken[at + offset] = tokens;
+            // Stops within a reading are the words' own.
+            let dot = ends && offset + 1 == taken;
+            punctuate(
+                &words[at + offset],
+                &mut spoken,
+                at + offset,
+                &mut latest,
+                dot,
+            );
+        }
+        at += taken;
+    }
+    // A comma that only a bracket or dash stands for has nothing to part at the end.
+    if let (Some(last), Some(word)) = (spoken.iter_mut().flatten().next_back(), words.last())
+        && last.punctuation == ","
+        && !word.end.contains(',')
+    {
+        last.punctuation.clear();
+    }
+    spoken
+}
+
+/// Puts the punctuation of the word at `at` after its last token, or after the `latest`
+/// before it. `dot` tells that a full stop is punctuation.
+fn punctuate(
+    word: &Word<'_>,
+    spoken: &mut [Vec<Token>],
+    at: usize,
+    latest: &mut Option<usize>,
+    dot: bool,
+) {
+    if word.opens
+        && let Some(before) = latest.and_then(|at| spoken[at].last_mut())
+        && before.punctuation.is_empty()
+    {
+        before.punctuation.push(',');
+    }
+    if !spoken[at].is_empty() {
+        *latest = Some(at);
+    }
+    let mut end = word.end.as_str();
+    if !dot {
+        end = end.strip_prefix('.').unwrap_or(end);
+    }
+    // "it...", and then a comma: the comma tells more.
+    if end.len() > 1 {
+        end = end.strip_prefix('.').unwrap_or(end);
+    }
+    if end.is_empty() && word.closes {
+        end = ",";
+    }
+    if let Some(last) = latest.and_then(|at| spoken[at].last_mut())
+        && (last.punctuation.is_empty() || last.punctuation == ",")
+        && !end.is_empty()
+    {
+        last.punctuation = end.to_owned();
+    }
+}
+
+/// What the lexicon says of a word: with all its signs, without those around it, or with
+/// the full stop of an abbreviation.
+fn from_lexicon(
+    word: &Word<'_>,
+    language: &str,
+    lexicon: &Lexicon,
+    reader: Option<&Reader<'_>>,
+    at: usize,
+) -> Option<Vec<Token>> {
+    if lexicon.is_empty() || word.raw.is_empty() {
+        return None;
+    }
+    let dotted = format!("{}.", word.core);
+    let entry = lexicon
+        .get(&word.raw, language)
+        .or_else(|| {
+            word.dotted()
+                .then(|| lexicon.get(&dotted, language))
+                .flatten()
+        })
+        .or_else(|| lexicon.get(&word.core, language))?;
+    match entry {
+        Entry::Respelling(words) => Some(token::tokens(words)),
+        Entry::Ipa(ipa) => {
+            // The text is for captions and alignment: the word's letters, or the reading of
+            // a word that has none.
+            let mut token = Token::of(&word.core.chars().take(TOKEN_CHARS).collect::<String>());
+            if token.is_none() {
+                let said = reader
+                    .map(|reader| reader.read(at).spoken)
+                    .unwrap_or_default();
+                token = said.iter().flat_map(|phrase| token::tokens(phrase)).next();
+            }
+            let mut token = token?;
+            token.punctuation.clear();
+            token.ipa = Some(ipa.clone());
+            Some(vec![token])
+        }
+    }
+}

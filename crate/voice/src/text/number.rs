@@ -1,0 +1,157 @@
+//! Numbers as they are written with digits, and their reading.
+
+use super::grammar::Form;
+use super::language::Language;
+
+/// A number written with digits.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Number {
+    /// A minus stands before it.
+    pub(super) negative: bool,
+    /// ASCII digits before the decimal sign, without grouping; may be empty (".5").
+    pub(super) whole: String,
+    /// The decimal sign and the ASCII digits after it.
+    pub(super) decimals: Option<(char, String)>,
+    /// Thousands were grouped, so this is no year.
+    pub(super) grouped: bool,
+}
+
+/// More digits than this are read one by one (10^18 has no name in the tables).
+const NAMED_DIGITS: usize = 18;
+
+/// A minus sign or the hyphen that stands for it.
+pub(super) fn is_minus(c: char) -> bool {
+    matches!(c, '-' | '\u{2212}')
+}
+
+fn all_digits(text: &str) -> bool {
+    !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit())
+}
+
+impl Number {
+    /// Reads `text` entirely as a number with the signs of `language`.
+    pub(super) fn parse(text: &str, language: Language) -> Option<Self> {
+        let unsigned = text.strip_prefix(is_minus);
+        let negative = unsigned.is_some();
+        let body = unsigned.unwrap_or(text);
+        let body = body.strip_prefix('+').unwrap_or(body);
+        let decimal = language.decimal_sign();
+        let grouping = if decimal == '.' { ',' } else { '.' };
+        let (whole, decimals) = match body.split_once(decimal) {
+            Some((whole, digits)) if all_digits(digits) => {
+                (whole, Some((decimal, digits.to_owned())))
+            }
+            Some(_) => return None,
+            None => (body, None),
+        };
+        if whole.is_empty() {
+            decimals.as_ref()?;
+            return Some(Self {
+                negative,
+                whole: String::new(),
+                decimals,
+                grouped: false,
+            });
+        }
+        if all_digits(whole) {
+            return Some(Self {
+                negative,
+                whole: whole.to_owned(),
+                decimals,
+                grouped: false,
+            });
+        }
+        let groups: Vec<&str> = whole
+            .split([grouping, '\'', '\u{2019}', '\u{a0}', '\u{202f}', '\u{2009}'])
+            .collect();
+        let shaped = groups.iter().all(|group| all_digits(group))
+            && groups.first().is_some_and(|group| group.len() <= 3)
+            && groups.iter().skip(1).all(|group| group.len() == 3);
+        if shaped {
+            return Some(Self {
+                negative,
+                whole: groups.concat(),
+                decimals,
+                grouped: true,
+            });
+        }
+        // The other language's decimal sign, where it cannot group: "2.0" in German.
+        match whole.split_once(grouping) {
+            Some((head, tail)) if decimals.is_none() && all_digits(head) && all_digits(tail) => {
+                Some(Self {
+                    negative,
+                    whole: head.to_owned(),
+                    decimals: Some((grouping, tail.to_owned())),
+                    grouped: false,
+                })
+            }
+            _ => None,
+        }
+    }
+
+    /// Its whole value, where it has neither sign nor decimals and is small enough.
+    pub(super) fn natural(&self) -> Option<u64> {
+        if self.negative || self.decimals.is_some() || self.whole.len() > NAMED_DIGITS {
+            return None;
+        }
+        self.whole.parse().ok()
+    }
+
+    /// Whether a noun after it stands in the singular: exactly one.
+    pub(super) fn is_one(&self) -> bool {
+        self.decimals.is_none() && self.whole.trim_start_matches('0') == "1"
+    }
+
+    /// As a cardinal, read before a noun of the gender in `form`.
+    pub(super) fn spoken(&self, language: Language, form: Form) -> String {
+        let mut spoken = String::new();
+        if self.negative {
+            spoken += "minus ";
+            if language == Language::Portuguese {
+                spoken = "menos ".to_owned();
+            }
+        }
+        let form = if self.decimals.is_some() {
+            Form::Alone
+        } else {
+            form
+        };
+        if !self.whole.is_empty() {
+            spoken += &whole(&self.whole, language, form);
+        }
+        if let Some((sign, decimals)) = &self.decimals {
+            spoken += " ";
+            spoken += language.decimal_word(*sign);
+            spoken += " ";
+            spoken += &if decimals.len() > NAMED_DIGITS {
+                digits(decimals, language)
+            } else {
+                language.grammar().decimals(decimals)
+            };
+        }
+        spoken.trim().to_owned()
+    }
+}
+
+/// ASCII digits as a cardinal; one by one when they begin with 0 or are too many to name.
+pub(super) fn whole(text: &str, language: Language, form: Form) -> String {
+    let leading_zero = text.len() > 1 && text.starts_with('0');
+    match text.parse::<u64>() {
+        Ok(n) if text.len() <= NAMED_DIGITS && !leading_zero => {
+            language.grammar().cardinal(n, form)
+        }
+        _ => digits(text, language),
+    }
+}
+
+/// ASCII digits read one by one.
+pub(super) fn digits(text: &str, language: Language) -> String {
+    // No more than the tokens that a word may have are ever used.
+    let names: Vec<String> = text
+        .chars()
+        .filter_map(|c| c.to_digit(10))
+        .take(super::WORD_TOKENS)
+        .map(|digit| language.grammar().cardinal(u64::from(digit), Form::Alone))
+        .collect();
+    names.join(" ")
+}

@@ -1,0 +1,254 @@
+//! Which kind of text a word is, and who reads it.
+
+use super::grammar::Form;
+use super::language::Language;
+use super::word::Word;
+use super::{SayAs, abbreviation, money, number, roman, spelling, time};
+
+/// What words are read as: one phrase for each word that is taken, which may be empty.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Reading {
+    pub(super) spoken: Vec<String>,
+    /// A full stop after the last word ends a sentence, and is not the word's own.
+    pub(super) ends: bool,
+}
+
+impl Reading {
+    /// One word read as `phrase`.
+    pub(super) fn one(phrase: impl Into<String>) -> Self {
+        Self::several([phrase.into()])
+    }
+
+    /// Several words, each with its phrase.
+    pub(super) fn several<const N: usize>(phrases: [String; N]) -> Self {
+        Self {
+            spoken: phrases.into(),
+            ends: true,
+        }
+    }
+
+    /// The same with its full stop taken for the word's own.
+    pub(super) fn owning_stop(mut self, ends: bool) -> Self {
+        self.ends = ends;
+        self
+    }
+}
+
+/// Reads the words of a text in one language.
+pub(super) struct Reader<'a> {
+    pub(super) words: &'a [Word<'a>],
+    pub(super) language: Language,
+    /// Dates like 12/25/1998.
+    pub(super) month_first: bool,
+    pub(super) say_as: Option<&'a SayAs>,
+    /// Most words are all in capitals, which then mean nothing.
+    shouted: bool,
+}
+
+impl<'a> Reader<'a> {
+    /// A reader of `words`; `tag` is the whole language tag, whose region tells the order
+    /// of English dates.
+    pub(super) fn new(
+        words: &'a [Word<'a>],
+        language: Language,
+        tag: &str,
+        say_as: Option<&'a SayAs>,
+    ) -> Self {
+        let tag = tag.to_ascii_lowercase();
+        let region = tag.split(['-', '_']).skip(1).find(|part| part.len() == 2);
+        let plain = words
+            .iter()
+            .filter(|word| !word.core.is_empty() && word.is_plain());
+        let capitals = |word: &&Word<'_>| {
+            word.core.chars().count() > 1 && !word.core.contains(char::is_lowercase)
+        };
+        let (all, shouted) = (plain.clone().count(), plain.filter(capitals).count());
+        Self {
+            words,
+            language,
+            month_first: language == Language::English && matches!(region, None | Some("us")),
+            say_as,
+            // A list of acronyms has an article or an "and" among them.
+            shouted: shouted > 2 && shouted * 4 > all * 3,
+        }
+    }
+
+    /// The word before, where nothing parts the two.
+    pub(super) fn previous(&self, at: usize) -> &str {
+        match at.checked_sub(1).and_then(|before| self.words.get(before)) {
+            Some(word) if !word.closes && matches!(word.end.as_str(), "" | ".") => &word.core,
+            _ => "",
+        }
+    }
+
+    /// The word after, where nothing parts the two.
+    pub(super) fn next(&self, at: usize) -> &str {
+        match (self.words.get(at), self.words.get(at + 1)) {
+            (Some(word), Some(next)) if word.end.is_empty() && !word.closes && !next.opens => {
+                &next.core
+            }
+            _ => "",
+        }
+    }
+
+    /// The word after, a full stop being allowed between.
+    pub(super) fn next_after_stop(&self, at: usize) -> &str {
+        match (self.words.get(at), self.words.get(at + 1)) {
+            (Some(word), Some(next)) if matches!(word.end.as_str(), "" | ".") => &next.core,
+            _ => "",
+        }
+    }
+
+    /// Reads the word at `at`, and those after it that belong to it.
+    pub(super) fn read(&self, at: usize) -> Reading {
+        let Some(word) = self.words.get(at) else {
+            return Reading::one("");
+        };
+        if let Some(mode) = self.say_as
+            && let Some(reading) = self.read_as(mode, at, word)
+        {
+            return reading;
+        }
+        self.read_unmarked(at, word)
+    }
+
+    /// As [`Reader::read`], without regard to a mode.
+    pub(super) fn read_unmarked(&self, at: usize, word: &Word<'_>) -> Reading {
+        let core = word.core.as_str();
+        if core.is_empty() {
+            return Reading::one("");
+        }
+        if core.contains(|c: char| c.is_numeric() || matches!(c, 'º' | 'ª'))
+            && !spelling::is_net(core)
+            && let Some(reading) = self.amount(at, word)
+        {
+            return reading;
+        }
+        if let Some(found) = abbreviation::expand(self.words, at, self.language) {
+            return Reading {
+                spoken: found.spoken,
+                ends: found.ends,
+            };
+        }
+        if core.contains(['.', ':', '@', '/']) && spelling::is_net(core) {
+            return Reading::one(spelling::net(core, self.language));
+        }
+        if word.is_plain() {
+            return self.plain(at, word);
+        }
+        if let Some(reading) = self.lone_sign(at, core) {
+            return reading;
+        }
+        Reading::one(self.runs(core, false))
+    }
+
+    /// A word of letters: mostly itself.
+    fn plain(&self, at: usize, word: &Word<'_>) -> Reading {
+        let core = word.core.as_str();
+        let numeral = core.strip_suffix("'s").unwrap_or(core);
+        if !word.is_capital() || numeral.chars().skip(1).any(char::is_lowercase) {
+            return Reading::one(self.letters(core));
+        }
+        if core.len() == 3
+            && money::currency(core).is_some()
+            && let Some(reading) = self.lone_sign(at, core)
+        {
+            return reading;
+        }
+        if let Some(numeral) = self.numeral(at, word) {
+            return numeral;
+        }
+        Reading::one(self.letters(core))
+    }
+
+    /// A Roman numeral, where that is clear.
+    fn numeral(&self, at: usize, word: &Word<'_>) -> Option<Reading> {
+        let language = self.language;
+        let (core, genitive) = match word.core.strip_suffix("'s") {
+            Some(stem) => (stem, "'s"),
+            None => (word.core.as_str(), ""),
+        };
+        let n = roman::value(core)?;
+        let (previous, next) = (self.previous(at), self.next_after_stop(at));
+        // "I" is a word of English.
+        if language == Language::English && core == "I" && !self.next(at).is_empty() {
+            return None;
+        }
+        // The stop of a German numeral is its own: "Heinrich VIII. war König".
+        let own_stop = language == Language::German && at + 1 < self.words.len();
+        if let Some(numeral) = roman::after(previous, core, language) {
+            return Some(Reading::one(numeral + genitive).owning_stop(!own_stop));
+        }
+        let grammar = language.grammar();
+        let noun = next.starts_with(char::is_uppercase);
+        let before = at.checked_sub(1).map_or("", |at| self.previous(at));
+        let article = matches!(previous, "der" | "die" | "das" | "den" | "dem" | "des");
+        if language == Language::German && word.dotted() && own_stop && (noun || article) {
+            let ending = grammar.ending(before, previous, next);
+            return (core.len() > 1 || article)
+                .then(|| Reading::one(grammar.ordinal(n, ending)).owning_stop(false));
+        }
+        // Of two letters and more, those without C, D, L and M are nothing else.
+        if core.len() < 2 || !core.chars().all(|c| matches!(c, 'I' | 'V' | 'X')) {
+            return None;
+        }
+        Some(Reading::one(match language {
+            Language::Portuguese if noun && n <= 10 => {
+                grammar.ordinal(n, grammar.ending(before, previous, next))
+            }
+            _ => grammar.cardinal(n, Form::Alone) + genitive,
+        }))
+    }
+
+    /// Letters as a word, or by their names where they are an acronym.
+    pub(super) fn letters(&self, word: &str) -> String {
+        let named = matches!(self.say_as, Some(SayAs::Name));
+        if !named && spelling::is_acronym(word, self.shouted, self.language) {
+            return spelling::literal(word, self.language);
+        }
+        // "CDs": the plural of an acronym.
+        if let Some(stem) = word.strip_suffix("'s").or_else(|| word.strip_suffix('s'))
+            && !named
+            && stem.len() > 1
+            && spelling::is_acronym(stem, self.shouted, self.language)
+        {
+            let s = if self.language == Language::German {
+                "s"
+            } else {
+                "'s"
+            };
+            let plural = if word.contains('\'') { s } else { "s" };
+            return spelling::literal(stem, self.language) + plural;
+        }
+        word.to_owned()
+    }
+
+    /// A sign that is a word of its own.
+    fn lone_sign(&self, at: usize, core: &str) -> Option<Reading> {
+        let next = self.next(at);
+        if let Some(currency) = money::currency(core) {
+            let amount = number::Number::parse(next, self.language);
+            return Some(match amount {
+                Some(amount) => {
+                    Reading::several([String::new(), currency.amount(&amount, self.language)])
+                }
+                None => Reading::one(currency.name(false, self.language)),
+            });
+        }
+        let mut chars = core.chars();
+        let (Some(sign), None) = (chars.next(), chars.next()) else {
+            return None;
+        };
+        let said = match sign {
+            '/' => self.language.pick(["or", "oder", "ou"]),
+            '-' => return Some(Reading::one("")),
+            _ => spelling::sign(sign, self.language)?,
+        };
+        Some(Reading::one(said))
+    }
+
+    /// Whether the word at `at` is the half of a day of the hour before it.
+    pub(super) fn half_after(&self, at: usize) -> Option<time::Half> {
+        time::half(self.next(at))
+    }
+}

@@ -1,0 +1,24 @@
+//! What must hold whatever the text of a lexicon: shared by the tests and the fuzz target.
+
+use raconteur_voice::content::Content;
+use raconteur_voice::plan::plan;
+use raconteur_voice::text::Lexicon;
+
+/// A text as a lexicon: it is refused at a place that is there, or what it says of words can be
+/// spoken. The text itself is what is spoken, so that its words are met.
+pub(crate) fn lexicon(text: &str) {
+    let lexicon = match Lexicon::parse(text) {
+        Ok(lexicon) => lexicon,
+        Err(error) => {
+            let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+            let line = text.lines().nth(error.line - 1);
+            let columns = line.expect("a line of the text").chars().count();
+            assert!((1..=columns + 1).contains(&error.column), "{error}");
+            return;
+        }
+    };
+    let begin: String = text.chars().take(2000).collect();
+    for language in ["en", "de", "pt", "xx"] {
+        let _ = plan(&Content::plain(&begin), language, "test", &lexicon);
+    }
+}

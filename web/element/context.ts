@@ -1,0 +1,45 @@
+/** What the parts of a player share: the element makes one context and hands it to each of them. */
+
+import type { Diagnostics } from './diagnostics.js';
+import type { RaconteurPlayer } from './element.js';
+import type { MindEvent } from './mind.js';
+import type { Show } from './show.js';
+import type { PlayerEventMap, View } from './types.js';
+
+export interface PlayerContext {
+  readonly player: RaconteurPlayer;
+  readonly diagnostics: Diagnostics;
+  /** What is loaded and plays. */
+  show: Show | undefined;
+  /** A text that takes the place of the story's file. */
+  text: string | undefined;
+  /** From where a page looks that shows the whole figure. */
+  view: View | undefined;
+  /** The story was played or sought since it was opened. */
+  started: boolean;
+  /** The player is in the window, or near it. */
+  onScreen: boolean;
+  /** Tells screen readers what has changed. */
+  say(text: string): void;
+  /** Tells the mind, if one is connected. */
+  tell(event: MindEvent): void;
+  /** Draws the picture and the caption of what is heard now. */
+  advance(): void;
+  /** Starts and stops the loops that draw, as the state of the player needs them. */
+  keepTime(): void;
+}
+
+/** Dispatches an event of the player's own. */
+export function fire<K extends keyof PlayerEventMap>(player: RaconteurPlayer, type: K, detail: PlayerEventMap[K]['detail']): void {
+  player.dispatchEvent(new CustomEvent(type, { detail, bubbles: true, composed: true }));
+}
+
+/** Dispatches events of a media element, which do not bubble, one after another. */
+export function dispatch(player: RaconteurPlayer, ...types: readonly string[]): void {
+  for (const type of types) player.dispatchEvent(new Event(type));
+}
+
+/** Where the asset library of a player is. */
+export function libraryOf({ assets }: RaconteurPlayer): URL {
+  return new URL(assets.endsWith('/') ? assets : `${assets}/`, document.baseURI);
+}

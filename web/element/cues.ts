@@ -1,0 +1,43 @@
+/** What happens in a story as events of the element. */
+
+import { dispatch, fire, type PlayerContext } from './context.js';
+import type { Show } from './show.js';
+import type { TransportEvent } from './transport.js';
+import type { Cue } from './types.js';
+
+/** Tells a cue to the mind and to the page. */
+export function passCue({ player, diagnostics, tell }: PlayerContext, cue: Cue, show: Show): void {
+  tell(cue);
+  if (cue.kind === 'word') {
+    const word = show.script.at(cue.utterance)?.words[cue.word];
+    if (word !== undefined) fire(player, 'word', { word, utterance: cue.utterance, index: cue.word });
+  } else if (cue.kind === 'clause' || cue.kind === 'storyevent' || cue.kind === 'phone' || cue.kind === 'utterance') {
+    fire(player, cue.kind, cue);
+  } else if (cue.kind === 'failed' || cue.kind === 'warning') {
+    const { code, message, hints = [] } = cue;
+    diagnostics.report({ code, severity: cue.kind === 'failed' ? 'error' : 'warning', message, hints });
+  }
+}
+
+/** Tells an event of the transport to the mind, the page and screen readers; a seek that has ended is drawn first. */
+export function passTransport(context: PlayerContext, event: TransportEvent): void {
+  const { player, say, tell } = context;
+  if (event === 'seeking') {
+    dispatch(player, 'seeking');
+    return;
+  }
+  if (event === 'play') {
+    context.started = true;
+    say('Playing');
+  }
+  if (event === 'pause') say(player.ended ? 'The story has ended' : 'Paused');
+  if (event === 'seeked') {
+    context.show?.picture.seek(player.currentTime);
+    context.advance();
+  }
+  tell({ kind: 'transport', event, timeSecs: player.currentTime });
+  if (event === 'seeked' || event === 'pause') dispatch(player, 'timeupdate');
+  dispatch(player, event);
+  context.keepTime();
+  player.requestUpdate();
+}

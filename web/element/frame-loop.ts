@@ -1,0 +1,77 @@
+/** Keeps picture, captions and events at the moment that is heard. */
+
+import { captionAt } from './captions.js';
+import { dispatch, type PlayerContext } from './context.js';
+import { passCue } from './cues.js';
+import type { MindConnection } from './mind-connection.js';
+import { Pulse } from './pulse.js';
+import { Welcome } from './welcome.js';
+
+export class FrameLoop {
+  readonly #context: PlayerContext;
+  readonly #mind: MindConnection;
+  readonly #pulse = new Pulse(
+    () => this.advance(),
+    () => this.#beat(),
+  );
+  readonly #welcome = new Welcome(() => this.advance());
+  #caption: ReturnType<typeof captionAt>;
+
+  constructor(context: PlayerContext, mind: MindConnection) {
+    this.#context = context;
+    this.#mind = mind;
+  }
+
+  /** What is spoken now. */
+  get caption(): ReturnType<typeof captionAt> {
+    return this.#caption;
+  }
+
+  /** The story is gone. */
+  clearCaption(): void {
+    this.#caption = undefined;
+  }
+
+  /** Runs the loops that are needed now, and no others. */
+  keep(): void {
+    const { player, show, onScreen } = this.#context;
+    this.#pulse.keep(player.isConnected && show !== undefined && !player.paused, onScreen);
+    this.#welcome.keep(player.isConnected && onScreen && this.#waits);
+  }
+
+  /** The story has not begun: the figure waits. A page that edits, or looks from elsewhere, wants its first moment. */
+  get #waits(): boolean {
+    const { player, show, started, text, view } = this.#context;
+    return show !== undefined && player.paused && !started && text === undefined && view === undefined;
+  }
+
+  /** Shows what is heard now. */
+  advance(): void {
+    const { player, show } = this.#context;
+    if (show === undefined) return;
+    const { openEnded } = this.#mind;
+    if (openEnded !== show.transport.openEnded) {
+      show.transport.openEnded = openEnded;
+      show.picture.setOpenEnded(openEnded);
+      dispatch(player, 'durationchange');
+    }
+    const secs = show.transport.update();
+    if (this.#waits) show.picture.welcome(this.#welcome.secs);
+    else for (const cue of show.picture.show(secs, player.paused && !player.ended, this.#pulse.drawing)) passCue(this.#context, cue, show);
+    // A picture may have taken long; what is read follows what is heard.
+    const now = captionAt(show.captions, show.transport.position);
+    if (now?.caption !== this.#caption?.caption || now?.word !== this.#caption?.word) {
+      this.#caption = now;
+      player.requestUpdate();
+    }
+  }
+
+  /** A few times a second, drawn or not. */
+  #beat(): void {
+    const { player, show } = this.#context;
+    // Pictures may come slowly; sound is not to wait for them.
+    show?.voice.prepare(player.currentTime);
+    if (!player.paused) dispatch(player, 'timeupdate');
+    player.requestUpdate();
+  }
+}

@@ -1,0 +1,246 @@
+/** Loads a story, opens it, reads edited texts, and closes it; knows its error and whether the picture is lost. */
+
+import { openVoice } from './audio.js';
+import { chooseBackend, warmUp } from './backend.js';
+import { captionsOf } from './captions.js';
+import { openOrUsual } from './cast.js';
+import type { FigureLoader } from './figure-loader.js';
+import { dispatch, libraryOf, type PlayerContext } from './context.js';
+import type { FigureFile } from './figure.js';
+import { PictureKeeper, type Opened } from './keeper.js';
+import { LiveScript } from './live.js';
+import { fetchStory, type StoryFiles } from './loader.js';
+import type { PictureEvents } from './picture.js';
+import type { Show } from './show.js';
+import { substituteVoice, updateMusic } from './sound.js';
+import { Transport, type TransportEvent } from './transport.js';
+import { PlayerError, type Backend, type Diagnostic, type Story } from './types.js';
+
+/** The answer where there is no engine to read an edited text. */
+const ABSENT: Diagnostic = { code: 'live::absent', severity: 'warning', message: 'The storyteller is away for a moment.', hints: [] };
+
+/** What the element does when a story comes, cannot be had, or goes. */
+export interface StoryLoaderEvents {
+  /** A story is on stage; called before the page hears of it. */
+  opened(show: Show): void;
+  /** The page has heard of it. */
+  ready(show: Show): void;
+  failed(message: string): void;
+  /** The story is gone. */
+  closed(): void;
+  transport(event: TransportEvent): void;
+}
+
+export class StoryLoader {
+  readonly #context: PlayerContext;
+  readonly #figures: FigureLoader;
+  readonly #events: StoryLoaderEvents;
+  readonly #keeper = new PictureKeeper();
+  #loading: { readonly abort: AbortController; done: Promise<void>; share: number } | undefined;
+  #error: PlayerError | undefined;
+  #canvas: HTMLCanvasElement | undefined;
+  #lost: 'no' | 'recovering' | 'yes' = 'no';
+
+  constructor(context: PlayerContext, figures: FigureLoader, events: StoryLoaderEvents) {
+    this.#context = context;
+    this.#figures = figures;
+    this.#events = events;
+  }
+
+  /** How much is fetched, 0 to 1; undefined when nothing is being loaded. */
+  get share(): number | undefined {
+    return this.#loading?.share;
+  }
+
+  /** Why the story cannot be played. */
+  get error(): PlayerError | undefined {
+    return this.#error;
+  }
+
+  get canvas(): HTMLCanvasElement | undefined {
+    return this.#canvas;
+  }
+
+  /** Whether the picture is lost, while the story goes on. */
+  get lost(): 'no' | 'recovering' | 'yes' {
+    return this.#lost;
+  }
+
+  /** There is something to load. */
+  get hasStory(): boolean {
+    return this.#context.player.src !== undefined || this.#context.text !== undefined;
+  }
+
+  /** Loads the story if it is not loaded and there was no error; what goes wrong ends as `error`, never as a rejection. */
+  async ensure(): Promise<void> {
+    // A new src takes effect with the next update.
+    await this.#context.player.updateComplete;
+    if (this.#context.show !== undefined || this.#error !== undefined) return;
+    if (this.#loading === undefined) {
+      const abort = new AbortController();
+      this.#loading = { abort, share: 0, done: Promise.resolve() };
+      this.#loading.done = this.#load(abort.signal);
+    }
+    await this.#loading?.done;
+  }
+
+  /** As `ensure`; gives the show, and throws when there is none. */
+  async require(): Promise<Show> {
+    await this.ensure();
+    const { show } = this.#context;
+    if (show === undefined) throw this.#error ?? new DOMException('The story was replaced.', 'AbortError');
+    return show;
+  }
+
+  async #load(signal: AbortSignal): Promise<void> {
+    const sinceMs = performance.now();
+    const { player } = this.#context;
+    dispatch(player, 'loadstart');
+    try {
+      const { opened, files } = await this.#fetchAndOpen(signal);
+      if (this.#context.view !== undefined) opened.picture.look(this.#context.view);
+      this.#open(opened, files, sinceMs);
+      for (const missing of opened.missing) this.#context.diagnostics.report(missing);
+    } catch (error) {
+      if (signal.aborted) return;
+      this.#fail(error);
+    } finally {
+      if (!signal.aborted) this.#loading = undefined;
+      player.requestUpdate();
+    }
+  }
+
+  async #fetchAndOpen(signal: AbortSignal): Promise<{ opened: Opened; files: StoryFiles }> {
+    const { player, text, diagnostics } = this.#context;
+    const library = libraryOf(player);
+    const progress = (share: number) => {
+      if (this.#loading && !signal.aborted) this.#loading.share = share;
+      player.requestUpdate();
+    };
+    if (!player.src && text === undefined) throw new PlayerError('No story is given: set the attribute src.');
+    const choosing = Promise.resolve(player.backend ?? chooseBackend());
+    void choosing.then(warmUp);
+    const wish = { src: player.src, text, expectsLines: player.mind !== undefined };
+    const fetching = fetchStory(wish, library, (eml, part) => this.#figures.fetch(eml, choosing, part), signal, progress);
+    let [files, backend] = await Promise.all([fetching, choosing]);
+    signal.throwIfAborted();
+    // An adapter is no promise of a device; WebGL2 may still have one.
+    const backends: [Backend, ...Backend[]] = player.backend || backend === 'webgl' ? [backend] : [backend, 'webgl'];
+    const events = this.#pictureEvents(signal);
+    const open = (figure: FigureFile) => this.#keeper.open(backends, (files = { ...files, figure }), events, signal);
+    // A figure that the page sets is not replaced by the default one.
+    const opened = await (player.figure ? open(files.figure) : openOrUsual(open, files.figure, library, (d) => diagnostics.report(d)));
+    return { opened, files };
+  }
+
+  #pictureEvents(signal: AbortSignal): PictureEvents {
+    const { diagnostics } = this.#context;
+    return {
+      canvas: (canvas) => this.#setCanvas(canvas, signal),
+      lost: (recovering) => this.#setLost(recovering ? 'recovering' : 'yes', signal),
+      back: () => this.#setLost('no', signal),
+      retold: (story, live, anew) => (live ? story.diagnostics.forEach((d) => diagnostics.report(d)) : this.#retell(story, anew)),
+      failed: (message) => diagnostics.report({ code: 'engine-failed', severity: 'error', message, hints: [] }),
+    };
+  }
+
+  #open({ story, picture }: Opened, files: StoryFiles, sinceMs: number): void {
+    const { player, diagnostics } = this.#context;
+    const { voiceFolder, figure } = files;
+    const script = new LiveScript(story.utterances);
+    const voice = openVoice(script, voiceFolder, (message) => diagnostics.report({ code: 'sound-missing', severity: 'warning', message, hints: [] }));
+    const transport = new Transport(voice, story.durationSecs, this.#events.transport, player.playbackRate);
+    const captions = captionsOf(story.utterances);
+    const show: Show = { story, figure: figure.name, choice: story.performer.figure, files, sinceMs, picture, voice, transport, script, captions };
+    this.#context.show = show;
+    updateMusic(this.#context, show);
+    this.#context.started = false;
+    this.#events.opened(show);
+    for (const diagnostic of [...story.diagnostics, ...figure.diagnostics]) diagnostics.report(diagnostic);
+    void substituteVoice(this.#context, show);
+    player.requestUpdate();
+    dispatch(player, 'durationchange', 'loadedmetadata', 'loadeddata', 'canplay', 'canplaythrough');
+    // A listener may have changed the story.
+    if (this.#context.show === show) this.#events.ready(show);
+  }
+
+  /** Puts another text in the place of the one on stage; what is wrong with it. */
+  async rehearse(eml: string): Promise<readonly Diagnostic[]> {
+    const context = this.#context;
+    await context.player.updateComplete;
+    const text = (context.text = String(eml));
+    context.keepTime();
+    const show = await this.require();
+    // The one that came last is being read already.
+    if (text !== context.text || show !== context.show) return context.diagnostics.list;
+    const story = show.picture.rehearse(text);
+    if (story === undefined) return [ABSENT];
+    show.files = { ...show.files, eml: text };
+    this.#retell(story, true);
+    return story.diagnostics;
+  }
+
+  /** The story has other times, or is another: what is known of it follows. */
+  #retell(story: Story, anew: boolean): void {
+    const { player, show, diagnostics, advance } = this.#context;
+    if (show === undefined) return;
+    show.story = story;
+    const spoken = show.script.replace(story.utterances);
+    show.captions = captionsOf(story.utterances);
+    show.transport.replace(story.durationSecs, spoken);
+    updateMusic(this.#context, show);
+    void substituteVoice(this.#context, show);
+    diagnostics.addStory(story.diagnostics, anew);
+    dispatch(player, 'durationchange');
+    if (player.paused) advance();
+    if (!player.figure && story.performer.figure !== show.choice) void this.#figures.change(show);
+    player.requestUpdate();
+  }
+
+  #fail(error: unknown): void {
+    const known = error instanceof PlayerError ? error : new PlayerError(error instanceof Error ? error.message : String(error), { cause: error });
+    this.#error = known;
+    this.#context.player.dispatchEvent(new ErrorEvent('error', { message: known.message, error: known }));
+    this.#events.failed(known.message);
+  }
+
+  /** Lets go of the story; the picture is kept for the next. */
+  close(): void {
+    const { player, diagnostics } = this.#context;
+    const before = player.networkState;
+    this.#loading?.abort.abort();
+    this.#loading = undefined;
+    this.#figures.cancel();
+    this.#context.show?.voice.close();
+    this.#context.show = undefined;
+    this.#events.closed();
+    this.#error = undefined;
+    diagnostics.clear();
+    this.#lost = 'no';
+    this.#canvas = undefined;
+    this.#context.keepTime();
+    player.requestUpdate();
+    if (before === player.NETWORK_IDLE || before === player.NETWORK_LOADING) dispatch(player, 'abort');
+    if (before !== player.NETWORK_EMPTY) dispatch(player, 'emptied');
+  }
+
+  /** Gives back the picture, too. */
+  release(): void {
+    this.close();
+    this.#keeper.close();
+  }
+
+  #setCanvas(canvas: HTMLCanvasElement, signal: AbortSignal): void {
+    if (signal.aborted) return;
+    this.#canvas = canvas;
+    this.#context.player.requestUpdate();
+  }
+
+  #setLost(lost: 'no' | 'recovering' | 'yes', signal: AbortSignal): void {
+    if (signal.aborted) return;
+    this.#lost = lost;
+    if (lost !== 'no') this.#context.say('The picture is lost; the story goes on in sound and captions');
+    this.#context.player.requestUpdate();
+    this.#context.advance();
+  }
+}

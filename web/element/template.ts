@@ -1,0 +1,68 @@
+/** All that the element shows, as one template of its state. */
+
+import { html, nothing, type TemplateResult } from 'lit';
+import { classMap } from 'lit/directives/class-map.js';
+import type { captionAt } from './captions.js';
+import * as controls from './controls.js';
+import type { RaconteurPlayer } from './element.js';
+import type { Idle } from './idle.js';
+import type { Show } from './show.js';
+import type { StoryLoader } from './story-loader.js';
+
+/** What the template reads besides the element's own properties. */
+export interface TemplateState {
+  readonly player: RaconteurPlayer;
+  readonly show: Show | undefined;
+  readonly stories: StoryLoader;
+  readonly idle: Idle;
+  /** The story was played or sought. */
+  readonly started: boolean;
+  /** Another figure is being fetched. */
+  readonly changing: boolean;
+  readonly caption: ReturnType<typeof captionAt>;
+  readonly announcement: string;
+}
+
+export function template(state: TemplateState, actions: controls.BarActions): TemplateResult {
+  const { player, show, stories, idle, started } = state;
+  const before = show !== undefined && player.paused && (!started || player.ended);
+  const shown = show !== undefined && stories.lost === 'no';
+  return html`<div class="frame">
+      <div class=${classMap({ stage: true, shown, 'hide-cursor': idle.is })} part="stage" @pointerdown=${(event: PointerEvent) => idle.tap(event, player.paused)} @click=${() => show && !idle.tapWoke && actions.toggle()}>
+        ${stories.canvas}
+      </div>
+      ${player.poster && !started ? html`<img class="poster" part="poster" src=${player.poster} alt="" />` : nothing}
+      ${stories.share === undefined ? nothing : controls.loadingProgress(stories.share)}
+      ${show?.transport.waiting || state.changing ? controls.waitingRing() : nothing}
+      ${before ? controls.bigButton(player.ended, actions.toggle) : nothing}
+      <div class="lower">
+        ${player.captions && !before ? controls.caption(state.caption) : nothing}
+        ${show && player.controls ? bar(player, show, idle, actions) : nothing}
+      </div>
+      <div class="notes">
+        ${stories.lost !== 'no' ? controls.pictureLost(stories.lost === 'recovering', () => void show?.picture.recover(true)) : nothing}
+        ${player.controls && (player.paused || !idle.is) ? controls.diagnosticList(player.diagnostics) : nothing}
+      </div>
+      ${player.error ? controls.failure(player.error.message, () => void player.load()) : nothing}
+      <div class="unseen" role="status">${state.announcement}</div>
+    </div>`;
+}
+
+function bar(player: RaconteurPlayer, show: Show, idle: Idle, actions: controls.BarActions): TemplateResult {
+  return controls.bar(
+    {
+      paused: player.paused,
+      ended: player.ended,
+      position: player.currentTime,
+      duration: show.transport.endSecs,
+      volume: player.volume,
+      muted: player.muted,
+      rate: show.transport.rate,
+      captions: player.captions,
+      fullscreen: document.fullscreenElement === player,
+      canFullscreen: document.fullscreenEnabled,
+      gone: idle.is && !player.paused,
+    },
+    actions,
+  );
+}

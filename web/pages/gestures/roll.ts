@@ -1,0 +1,32 @@
+/** How a palm on a ball turns when the ball is rolled, and when it is turned by its rim. */
+
+import { along, cross, dot, unit } from '../../element/pose.js';
+import type { Triple } from './gesture.js';
+import type { HandDirections } from './palm.js';
+
+export const radians = (degrees: number): number => (degrees * Math.PI) / 180;
+
+/** A vector turned about a unit axis (the formula of Rodrigues). */
+function turned(v: Triple, axis: Triple, angle: number): Triple {
+  const [cos, sin] = [Math.cos(angle), Math.sin(angle)];
+  const beside = along([v[0] * cos, v[1] * cos, v[2] * cos], cross(axis, v), sin);
+  return along(beside, axis, dot(axis, v) * (1 - cos));
+}
+
+/** Turns a hand as a ball is turned by a finger that moves over it, in shares of its radius to the right and up as the audience sees it. */
+export function roll({ normal, fingers }: HandDirections, right: number, up: number): HandDirections {
+  const amount = Math.hypot(right, up);
+  if (amount === 0) return { normal, fingers };
+  // The audience stands before the speaker and sees +x to the right, +z towards itself.
+  const axis = unit([-up, right, 0]);
+  const n = unit(turned(normal, axis, amount));
+  const f = turned(fingers, axis, amount);
+  // Many small turns add up; normal and fingers stay square.
+  return { normal: n, fingers: unit(along(f, n, -dot(n, f))) };
+}
+
+/** Turns a hand about the line of sight, radians, against the clock as the audience sees it. */
+export function twist({ normal, fingers }: HandDirections, angle: number): HandDirections {
+  const sight: Triple = [0, 0, 1];
+  return { normal: turned(normal, sight, angle), fingers: turned(fingers, sight, angle) };
+}

@@ -1,0 +1,153 @@
+/** What the pages *Face* and *Viewer* have in common around their panels: changes, playing, tabs, the text and its problems. */
+
+import './player.js';
+import { html, nothing, render, type TemplateResult } from 'lit';
+import { SETTLED_SECS, type PageState } from './page-state.js';
+import { cast } from './home-cast.js';
+import { Tabs } from './tabs.js';
+import { copyText, onUndoKeys, byId } from './workbench.js';
+
+const SPEEDS = [0.1, 0.25, 0.5, 1, 1.5, 2];
+/** Problems that are listed; the rest is counted. */
+const MOST_PROBLEMS = 5;
+/** Whatever changes what the controls of playing show. */
+const PLAYER_EVENTS = ['play', 'pause', 'seeked', 'ratechange', 'loadedmetadata', 'durationchange'];
+
+/** What one page has of its own. */
+export interface ShellPage<T extends string> {
+  readonly panels: Readonly<Record<T, () => TemplateResult>>;
+  /** Buttons beside the one that plays. */
+  playing?(): TemplateResult;
+  /** From where one looks, and at what. */
+  views(): TemplateResult;
+  /** What is reset besides the settings. */
+  reset?(): void;
+  /** Types of inputs in which the keys of undo undo letters. */
+  readonly typed: readonly string[];
+  /** Draws the rest of the page. */
+  draw?(): void;
+  /** Called before each picture of the screen while the story plays in view. */
+  keepUp(): void;
+}
+
+export class Shell<S extends object, T extends string> {
+  readonly #app: PageState<S> & { tab: T };
+  readonly #page: ShellPage<T>;
+  readonly #places = { tools: byId('tools'), transport: byId('transport'), panel: byId('panel'), eml: byId('eml'), problems: byId('problems'), status: byId('status') };
+  readonly #tabs: Tabs<T>;
+
+  constructor(app: PageState<S> & { tab: T }, page: ShellPage<T>) {
+    this.#app = app;
+    this.#page = page;
+    this.#tabs = new Tabs(
+      (name): name is T => name in page.panels,
+      (tab) => {
+        app.tab = tab;
+        this.draw();
+      },
+    );
+    this.#listen();
+  }
+
+  #listen(): void {
+    const { player } = this.#app;
+    byId('copy').addEventListener('click', (event) => {
+      const button = event.currentTarget as HTMLButtonElement;
+      copyText(this.#app.eml, (outcome) => {
+        button.textContent = outcome ?? 'Copy';
+        if (outcome !== undefined) this.say(outcome);
+      });
+    });
+    // Who types undoes letters.
+    onUndoKeys(
+      () => this.#app.undo(),
+      () => this.#app.redo(),
+      ({ target }) => target instanceof HTMLInputElement && this.#page.typed.includes(target.type),
+    );
+    for (const type of PLAYER_EVENTS) player.addEventListener(type, () => this.#app.redraw());
+    cast(player, () => undefined);
+    const keepUp = (): void => {
+      if (!player.paused && !document.hidden) this.#page.keepUp();
+      requestAnimationFrame(keepUp);
+    };
+    requestAnimationFrame(keepUp);
+  }
+
+  /** Opens the stage at a moment at which everybody has come to their place; `placed` is called there, before it plays. */
+  async open(look: () => void, placed?: () => void): Promise<void> {
+    const { player } = this.#app;
+    this.draw();
+    look();
+    await this.#app.rehearse();
+    player.currentTime = SETTLED_SECS;
+    placed?.();
+    if (!matchMedia('(prefers-reduced-motion: reduce)').matches) await player.play().catch(() => undefined);
+    this.#app.redraw();
+  }
+
+  draw(): void {
+    const { tools, transport, panel, eml, problems } = this.#places;
+    const { tab, eml: text } = this.#app;
+    render(this.#tools(), tools);
+    render(this.#transport(), transport);
+    this.#tabs.mark(tab, panel);
+    render(this.#page.panels[tab](), panel);
+    this.#page.draw?.();
+    if (eml.textContent !== text) eml.replaceChildren(...text.split(/(?<=\n)/).map(line));
+    render(this.#problems(), problems);
+  }
+
+  /** Tells screen readers. */
+  say(text: string): void {
+    this.#places.status.textContent = text;
+  }
+
+  #tools(): TemplateResult {
+    const app = this.#app;
+    return html`<button type="button" class="plain" ?disabled=${!app.canUndo} @click=${() => app.undo()} title="Undo (Ctrl Z)">Undo</button>
+    <button type="button" class="plain" ?disabled=${!app.canRedo} @click=${() => app.redo()} title="Redo (Ctrl Shift Z)">Redo</button>
+    <button type="button" class="plain" ?disabled=${app.isNew} @click=${() => this.#reset()}>Reset</button>`;
+  }
+
+  #reset(): void {
+    this.#app.set((s) => Object.assign(s, this.#app.beginning()));
+    this.#page.reset?.();
+    this.say('Everything is as in the beginning. Undo brings it back.');
+  }
+
+  #toggle(): void {
+    const { player } = this.#app;
+    if (!player.paused) player.pause();
+    else player.play().catch(() => this.say('The browser allows playing only after a press.'));
+  }
+
+  #transport(): TemplateResult {
+    const { player } = this.#app;
+    const { paused, playbackRate } = player;
+    return html`<div class="group" role="group" aria-label="Playing">
+      <button type="button" class="play" ?disabled=${player.readyState < 2} @click=${() => this.#toggle()}>${paused ? 'Play' : 'Pause'}</button>
+      ${this.#page.playing?.() ?? nothing}
+      <label class="select side"><span>Speed</span>
+        <select @change=${(event: Event) => (player.playbackRate = Number((event.target as HTMLSelectElement).value))}>
+          ${SPEEDS.map((speed) => html`<option value=${speed} .selected=${speed === playbackRate}>${speed}×</option>`)}
+        </select></label>
+    </div>
+    ${this.#page.views()}`;
+  }
+
+  #problems(): TemplateResult | typeof nothing {
+    const { diagnostics } = this.#app;
+    if (diagnostics.length === 0) return nothing;
+    return html`<ul>
+    ${diagnostics.slice(0, MOST_PROBLEMS).map((d) => html`<li>${d.message}${d.hints.map((hint) => html` <small>${hint}</small>`)}</li>`)}
+    ${diagnostics.length > MOST_PROBLEMS ? html`<li>… and ${diagnostics.length - MOST_PROBLEMS} more.</li>` : nothing}
+  </ul>`;
+  }
+}
+
+/** A line of the text; a long one goes on indented. */
+function line(text: string): HTMLElement {
+  const span = document.createElement('span');
+  span.textContent = text;
+  return span;
+}

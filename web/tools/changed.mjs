@@ -1,0 +1,50 @@
+// Which checks a change needs, by the graph of crates. Only Node's own modules.
+
+import { ask, Stop } from './steps.mjs';
+
+/** Files that differ from `main`, committed or not, and new ones that git does not ignore. */
+function changedFiles() {
+  const base = ask('git', ['merge-base', 'HEAD', 'main'])?.trim();
+  if (base === undefined) throw new Stop('--changed compares with the branch main, and there is none.');
+  const lists = [ask('git', ['diff', '--name-only', base]), ask('git', ['ls-files', '--others', '--exclude-standard'])];
+  return lists.flatMap((list) => (list ?? '').split('\n')).filter(Boolean);
+}
+
+/** Workspace packages by name, each with its folder in the tree and the packages it uses. */
+function packages() {
+  const text = ask('cargo', ['metadata', '--locked', '--no-deps', '--format-version', '1']);
+  if (text === undefined) throw new Stop('cargo metadata failed.');
+  const { packages: all, workspace_root: root } = JSON.parse(text);
+  return new Map(
+    all.map(({ name, manifest_path: manifest, dependencies }) => [
+      name,
+      { folder: manifest.slice(root.length + 1, -'Cargo.toml'.length), uses: dependencies.map((d) => d.name) },
+    ]),
+  );
+}
+
+/** The crates that changed, and all that stand on them. */
+export function affected(files, crates) {
+  const hit = new Set([...crates].filter(([, { folder }]) => files.some((file) => file.startsWith(folder))).map(([name]) => name));
+  for (let before = -1; before !== hit.size; ) {
+    before = hit.size;
+    for (const [name, { uses }] of crates) if (uses.some((used) => hit.has(used))) hit.add(name);
+  }
+  return [...hit].sort();
+}
+
+/** What `npm test -- --changed` runs: checks by name, and the crates whose tests they are. */
+export function needed() {
+  const files = changedFiles();
+  const crates = packages();
+  // What every crate is built from, or plays from.
+  const all = files.some((file) => /^(Cargo\.|rust-toolchain|\.ci\/|assets\/|tests\/suite\/)/.test(file));
+  const rust = all ? [...crates.keys()] : affected(files, crates);
+  const web = files.some((file) => /^(web|face|gestures|viewer|tests\/browser|index\.html|package|vite\.config|tsconfig|docs|biome)/.test(file));
+  const checks = [];
+  if (rust.length > 0) checks.push('format', 'clippy', 'rust');
+  if (web) checks.push('lint', 'types');
+  // The unit tests of the web compare the wasm builds with the program.
+  if (web || rust.includes('raconteur-web')) checks.push('wasm', 'unit');
+  return { checks, crates: rust };
+}

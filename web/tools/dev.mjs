@@ -1,0 +1,95 @@
+// `npm run dev [-- --backend webgl|webgpu] [--port N] [--host NAME]`: Vite's server over one wasm
+// build that is not optimised. A change of Rust builds it anew and reloads the pages, a change of
+// TypeScript or CSS reloads what it concerns.
+
+import { spawn } from 'node:child_process';
+import { mkdirSync, rmSync } from 'node:fs';
+import { isAbsolute, join, relative } from 'node:path';
+import { packages, rust } from './setup.mjs';
+import { main, root, serverOptions, Stop } from './steps.mjs';
+
+/** Where the build lies; the server serves it in the place of both back ends' builds. */
+const folder = join(root, 'web/pkg/dev');
+const backends = ['webgl', 'webgpu'];
+/** What the build is made of: a change here, seen from the root, asks for another one. */
+const SOURCES = /^(crate\/|web\/tools\/bindgen\/|Cargo\.(toml|lock)$|rust-toolchain\.toml$)/;
+/** Editors save several files at once. */
+const SETTLED_MS = 200;
+
+/** Runs a program without holding up the server. */
+function spawned(command, ...args) {
+  return new Promise((resolve, reject) => {
+    const child = spawn(command, args, { cwd: root, stdio: 'inherit' });
+    child.on('error', () => reject(new Stop(`${command} is not installed.`)));
+    child.on('exit', (code) => (code === 0 ? resolve() : reject(new Stop(`${command} ${args[0]} failed (exit ${code}).`))));
+  });
+}
+
+/** Compiles the player and writes its JavaScript side. */
+async function build(backend) {
+  const start = Date.now();
+  const target = process.env['CARGO_TARGET_DIR'] ?? 'target';
+  const compiled = join(isAbsolute(target) ? target : join(root, target), 'wasm32-unknown-unknown/debug/raconteur_web.wasm');
+  await spawned('cargo', 'build', '--package', 'raconteur-web', '--target', 'wasm32-unknown-unknown', '--no-default-features', '--features', backend);
+  rmSync(folder, { recursive: true, force: true });
+  mkdirSync(folder, { recursive: true });
+  await spawned('cargo', 'run', '--quiet', '--package', 'raconteur-bindgen', '--', compiled, folder);
+  console.log(`  wasm (${backend}): ${((Date.now() - start) / 1000).toFixed(1)} s`);
+}
+
+/** Serves the build, draws with its back end, and builds it anew when its sources change. */
+function player(backend) {
+  return {
+    name: 'raconteur-dev',
+    enforce: 'pre',
+    resolveId: (id) => {
+      const file = /\/pkg\/(?:webgl|webgpu)\/(raconteur[\w.]+(?:\?\w+)?)$/.exec(id)?.[1];
+      return file === undefined ? undefined : join(folder, file);
+    },
+    transformIndexHtml: (page) => page.replaceAll('<raconteur-player', `<raconteur-player backend="${backend}"`),
+    configureServer(server) {
+      let timer;
+      let building = false;
+      const rebuild = async () => {
+        // What changes while it is being built is built next.
+        if (building) return later();
+        building = true;
+        try {
+          await build(backend);
+          server.moduleGraph.invalidateAll();
+          server.ws.send({ type: 'full-reload' });
+        } catch (error) {
+          console.error(`raconteur: ${error.message}`);
+        }
+        building = false;
+      };
+      const later = () => {
+        clearTimeout(timer);
+        timer = setTimeout(rebuild, SETTLED_MS);
+      };
+      server.watcher.on('all', (_, path) => {
+        if (SOURCES.test(relative(root, path).replaceAll('\\', '/'))) later();
+      });
+    },
+  };
+}
+
+await main(async () => {
+  const { backend = 'webgl', port, host } = serverOptions({ backend: { type: 'string' } });
+  if (!backends.includes(backend)) throw new Stop(`--backend wants ${backends.join(' or ')}, not ${backend}.`);
+  await packages();
+  await rust();
+  await build(backend);
+  const { createServer } = await import('vite');
+  // What programs write is not watched; the build above reloads pages itself.
+  const ignored = ['target', 'dist', '.setup', 'web/pkg', 'test-results'].map((name) => join(root, name, '**'));
+  const server = await createServer({
+    root,
+    plugins: [player(backend)],
+    server: { port: port ?? 5173, strictPort: port !== undefined, host: host ?? 'localhost', watch: { ignored } },
+  });
+  await server.listen();
+  console.log('\nRaconteur is on stage, and follows what you change:');
+  server.printUrls();
+  console.log('  Press Ctrl+C to stop.\n');
+});
