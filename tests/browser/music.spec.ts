@@ -37,12 +37,14 @@ async function open(stage: Stage, page: Page, music: string): Promise<void> {
   await stage.ready();
 }
 
-/** How far the first piece is from where the story is, how loud, and whether it plays. */
+/** How far the first piece is from where the story is when both are heard, how loud, and whether it plays. */
 function state(page: Page): Promise<{ drift: number; level: number; rate: number; paused: boolean }> {
   return page.locator('raconteur-player').evaluate((p: RaconteurPlayer) => {
     const [piece] = window.music;
+    const late = window.record.contexts[0]?.outputLatency ?? NaN;
     return {
-      drift: (piece?.sound.currentTime ?? NaN) - p.currentTime,
+      // What is computed now is heard that much later; the player does not believe in more than a second.
+      drift: (piece?.sound.currentTime ?? NaN) - p.currentTime - (late < 1 ? late * p.playbackRate : 0),
       level: piece?.gain?.gain.value ?? NaN,
       rate: piece?.sound.playbackRate ?? NaN,
       paused: piece?.sound.paused ?? true,

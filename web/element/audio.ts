@@ -39,6 +39,11 @@ export interface Voice {
 const AHEAD_SECS = 20;
 /** Decoded recordings further away than this are dropped: a minute of sound is 11 MB. */
 const KEEP_SECS = 60;
+/**
+ * No output is later than this; wireless ones are some tenths. A browser whose device stumbled
+ * may report seconds, for minutes, and captions and lips would be that late.
+ */
+const MOST_LATENCY_SECS = 1;
 /** A recording that has not come after this long is given up, and the story goes on in captions. */
 const PATIENCE_MS = 20_000;
 /** A browser that allows sound starts it within this, even on a busy machine. */
@@ -79,6 +84,11 @@ export const pageSound: Permission = {
 /** Whether there is Web Audio at all. */
 function hasAudio(): boolean {
   return typeof AudioContext !== 'undefined';
+}
+
+/** From the moment that a context computes to the one that is heard, in seconds. */
+export function latency({ outputLatency, baseLatency }: Pick<AudioContext, 'outputLatency' | 'baseLatency'>): number {
+  return (outputLatency < MOST_LATENCY_SECS && outputLatency) || baseLatency || 0;
 }
 
 interface Playing {
@@ -142,7 +152,7 @@ export class RecordedVoice implements Voice {
 
   heard(): number {
     const audio = context();
-    const coarse = audio.currentTime - (audio.outputLatency || audio.baseLatency || 0);
+    const coarse = audio.currentTime - latency(audio);
     // The time stamp is finer than currentTime, which moves in the device's steps; but some
     // browsers leave it at zero or far off, and a device that stumbles leaves it behind: it
     // is believed as far as a third of a step.
