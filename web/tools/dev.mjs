@@ -2,11 +2,10 @@
 // build that is not optimised. A change of Rust builds it anew and reloads the pages, a change of
 // TypeScript or CSS reloads what it concerns.
 
-import { spawn } from 'node:child_process';
 import { mkdirSync, rmSync } from 'node:fs';
 import { isAbsolute, join, relative } from 'node:path';
 import { packages, rust } from './setup.mjs';
-import { main, root, serverOptions, Stop } from './steps.mjs';
+import { main, root, serverOptions, start, Stop } from './steps.mjs';
 
 /** Where the build lies; the server serves it in the place of both back ends' builds. */
 const folder = join(root, 'web/pkg/dev');
@@ -16,25 +15,16 @@ const SOURCES = /^(crate\/|web\/tools\/bindgen\/|Cargo\.(toml|lock)$|rust-toolch
 /** Editors save several files at once. */
 const SETTLED_MS = 200;
 
-/** Runs a program without holding up the server. */
-function spawned(command, ...args) {
-  return new Promise((resolve, reject) => {
-    const child = spawn(command, args, { cwd: root, stdio: 'inherit' });
-    child.on('error', () => reject(new Stop(`${command} is not installed.`)));
-    child.on('exit', (code) => (code === 0 ? resolve() : reject(new Stop(`${command} ${args[0]} failed (exit ${code}).`))));
-  });
-}
-
 /** Compiles the player and writes its JavaScript side. */
 async function build(backend) {
-  const start = Date.now();
+  const since = Date.now();
   const target = process.env['CARGO_TARGET_DIR'] ?? 'target';
   const compiled = join(isAbsolute(target) ? target : join(root, target), 'wasm32-unknown-unknown/debug/raconteur_web.wasm');
-  await spawned('cargo', 'build', '--package', 'raconteur-web', '--target', 'wasm32-unknown-unknown', '--no-default-features', '--features', backend);
+  await start('cargo', ['build', '--package', 'raconteur-web', '--target', 'wasm32-unknown-unknown', '--no-default-features', '--features', backend]);
   rmSync(folder, { recursive: true, force: true });
   mkdirSync(folder, { recursive: true });
-  await spawned('cargo', 'run', '--quiet', '--package', 'raconteur-bindgen', '--', compiled, folder);
-  console.log(`  wasm (${backend}): ${((Date.now() - start) / 1000).toFixed(1)} s`);
+  await start('cargo', ['run', '--quiet', '--package', 'raconteur-bindgen', '--', compiled, folder]);
+  console.log(`  wasm (${backend}): ${((Date.now() - since) / 1000).toFixed(1)} s`);
 }
 
 /** Serves the build, draws with its back end, and builds it anew when its sources change. */
@@ -75,7 +65,9 @@ function player(backend) {
 }
 
 await main(async () => {
-  const { backend = 'webgl', port, host } = serverOptions({ backend: { type: 'string' } });
+  const { backend = 'webgl', port, host } = serverOptions('npm run dev [-- --backend webgl|webgpu] [--port N] [--host NAME]', {
+    backend: { type: 'string' },
+  });
   if (!backends.includes(backend)) throw new Stop(`--backend wants ${backends.join(' or ')}, not ${backend}.`);
   await packages();
   await rust();

@@ -108,6 +108,22 @@ export async function engines() {
   );
 }
 
+/** The spelling checker: the one on the path, or its wheel, unpacked beside the stamps. */
+export async function typos() {
+  if (ask('typos', ['--version']) !== undefined) return 'typos';
+  const folder = '.setup/typos';
+  const file = join(folder, process.platform === 'win32' ? 'Scripts/typos.exe' : 'bin/typos');
+  const list = 'web/tools/spelling.txt';
+  const python = ['python3', 'python'].find((name) => ask(name, ['-m', 'pip', '--version']) !== undefined);
+  if (python === undefined) throw new Stop('Checking the spelling needs typos: install it with “cargo install typos-cli”, or Python with pip, then run this again.');
+  await once('typos-wheel', { inputs: [list], outputs: [file] }, () =>
+    run(python, ['-m', 'pip', 'install', '--quiet', '--disable-pip-version-check', '--root-user-action', 'ignore', '--upgrade', '--target', folder, '--require-hashes', '--requirement', list], {
+      why: 'Installing the spelling checker',
+    }),
+  );
+  return join(root, file);
+}
+
 /** Installs packages where that can be done: on Debian and its kin, as root. Tells whether it was. */
 function installed(packages) {
   const debian = existsSync('/etc/debian_version') && ask('apt-get', ['--version']) !== undefined;

@@ -4,7 +4,7 @@ import { main, root, serverOptions, Stop } from './steps.mjs';
 import { page } from './setup.mjs';
 
 await main(async () => {
-  const { port, host } = serverOptions();
+  const { port, host } = serverOptions('npm start [-- --port N] [--host NAME]');
   await page();
   const { preview } = await import('vite');
   let server;

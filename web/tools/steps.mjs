@@ -1,7 +1,7 @@
 // What every set-up step needs: running programs, and knowing what is already done.
 // Only Node's own modules: this runs before any package is installed.
 
-import { spawnSync } from 'node:child_process';
+import { spawn, spawnSync } from 'node:child_process';
 import { createHash } from 'node:crypto';
 import { existsSync, mkdirSync, readFileSync, readdirSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import { dirname, join, relative } from 'node:path';
@@ -20,6 +20,16 @@ export function run(command, args, options = {}) {
   const result = spawnSync(command, args, { cwd: root, stdio: 'inherit', ...rest });
   if (result.error?.code === 'ENOENT') throw new Stop(`${command} is not installed.`);
   if (result.status !== 0) throw new Stop(`${why} failed (exit ${result.status ?? result.signal}).`);
+}
+
+/** Runs a program beside others; rejects when it fails. Its output is shown. */
+export function start(command, args, options = {}) {
+  const { why = `${command} ${args.join(' ')}`, ...rest } = options;
+  return new Promise((resolve, reject) => {
+    const child = spawn(command, args, { cwd: root, stdio: 'inherit', ...rest });
+    child.on('error', () => reject(new Stop(`${command} is not installed.`)));
+    child.on('exit', (code, signal) => (code === 0 ? resolve() : reject(new Stop(`${why} failed (exit ${code ?? signal}).`))));
+  });
 }
 
 /** What a program prints, or undefined when it is missing or fails. */
@@ -74,9 +84,19 @@ export async function main(work) {
   }
 }
 
-/** The options of a program that serves: `--port N`, `--host NAME`, and its own. */
-export function serverOptions(own = {}) {
-  const { values } = parseArgs({ options: { ...own, port: { type: 'string' }, host: { type: 'string' } } });
+/** The options of a program that serves: `--port N`, `--host NAME`, and its own; `usage` is printed for `--help`. */
+export function serverOptions(usage, own = {}) {
+  const options = { ...own, port: { type: 'string' }, host: { type: 'string' }, help: { type: 'boolean' } };
+  let values;
+  try {
+    ({ values } = parseArgs({ options }));
+  } catch (error) {
+    throw new Stop(`${error.message}\n${usage}`);
+  }
+  if (values.help) {
+    console.log(usage);
+    process.exit(0);
+  }
   const port = values.port === undefined ? undefined : Number(values.port);
   if (port !== undefined && !(Number.isInteger(port) && port >= 0 && port < 65536)) {
     throw new Stop(`--port wants a number from 0 to 65535, not ${values.port}.`);

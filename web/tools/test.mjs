@@ -4,7 +4,7 @@
 
 import { needed } from './changed.mjs';
 import { main, run, Stop } from './steps.mjs';
-import { browser, engines, packages, page, rust } from './setup.mjs';
+import { browser, engines, packages, page, rust, typos } from './setup.mjs';
 import { backends, buildWasm } from './wasm.mjs';
 
 const cargo = (...args) => run('cargo', args);
@@ -27,6 +27,7 @@ const checks = {
   },
   wasm: () => buildWasm(),
   lint: () => node('node_modules/@biomejs/biome/bin/biome', 'check', '--error-on-warnings', '.'),
+  spelling: async () => run(await typos(), []),
   types: () => node('node_modules/typescript/bin/tsc', '--noEmit'),
   unit: () => {
     // The poses of the wasm builds are compared with the command line's.

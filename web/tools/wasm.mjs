@@ -5,7 +5,7 @@
 import { copyFileSync, existsSync, mkdirSync, rmSync } from 'node:fs';
 import { homedir } from 'node:os';
 import { isAbsolute, join } from 'node:path';
-import { once, root, run, Stop } from './steps.mjs';
+import { once, root, start, Stop } from './steps.mjs';
 
 /** The back ends, each with a build of its own. */
 export const backends = ['webgpu', 'webgl'];
@@ -15,15 +15,23 @@ const builds = [...backends, 'avatar'];
 
 /** Builds all variants into web/pkg/. */
 export async function buildWasm() {
-  for (const feature of builds) {
+  // Cargo builds one after the other, and takes all cores for most of the time; what comes after it
+  // takes one, and runs beside the next build.
+  let cargo = Promise.resolve();
+  await Promise.all(builds.map((feature) => {
     const folder = `web/pkg/${feature}`;
     const inputs = ['crate', 'Cargo.toml', 'Cargo.lock', 'rust-toolchain.toml', 'web/tools/bindgen', 'web/tools/wasm.mjs'];
     const outputs = [`${folder}/raconteur.js`, `${folder}/raconteur_bg.wasm`];
-    await once(`wasm-${feature}`, { inputs, outputs }, () => build(feature, join(root, folder)));
-  }
+    return once(`wasm-${feature}`, { inputs, outputs }, async () => {
+      const compiled = cargo.then(() => compile(feature, join(root, folder)));
+      cargo = compiled.catch(() => undefined);
+      await finish(await compiled, join(root, folder));
+    });
+  }));
 }
 
-function build(feature, folder) {
+/** Compiles a variant and gives its file, which lies in `folder` because cargo's own is the next variant's as well. */
+async function compile(feature, folder) {
   const crate = backends.includes(feature) ? 'web' : feature;
   // Messages of panics name source files: without the folders of whoever builds.
   const cargoHome = process.env['CARGO_HOME'] ?? join(homedir(), '.cargo');
@@ -33,27 +41,30 @@ function build(feature, folder) {
     `--remap-path-prefix=${cargoHome}=cargo`,
     `--remap-path-prefix=${root}=.`,
   ].join(' ').trim();
-  run('cargo', [
+  await start('cargo', [
     'build', '--locked', '--package', `raconteur-${crate}`, '--target', 'wasm32-unknown-unknown',
     '--profile', 'wasm', ...(crate === 'web' ? ['--features', feature] : []),
   ], { why: `Compiling the ${feature} build`, env: { ...process.env, RUSTFLAGS: flags } });
   const target = process.env['CARGO_TARGET_DIR'] ?? 'target';
   const compiled = join(isAbsolute(target) ? target : join(root, target), `wasm32-unknown-unknown/wasm/raconteur_${crate}.wasm`);
   if (!existsSync(compiled)) throw new Stop(`cargo left no ${compiled}.`);
-
   rmSync(folder, { recursive: true, force: true });
   mkdirSync(folder, { recursive: true });
-  // wasm-bindgen names files in its messages; cargo's file is the next variant's as well.
   const taken = join(folder, 'compiled.wasm');
   copyFileSync(compiled, taken);
-  run('cargo', ['run', '--locked', '--quiet', '--package', 'raconteur-bindgen', '--', taken, folder], {
+  return taken;
+}
+
+/** Writes the JavaScript side of a compiled variant and optimizes it. */
+async function finish(compiled, folder) {
+  await start('cargo', ['run', '--locked', '--quiet', '--package', 'raconteur-bindgen', '--', compiled, folder], {
     why: 'Writing the JavaScript side',
   });
-  rmSync(taken);
+  rmSync(compiled);
 
   // From npm: distributions carry versions old enough to break reference types.
   const module = join(folder, 'raconteur_bg.wasm');
-  run(process.execPath, [
+  await start(process.execPath, [
     join(root, 'node_modules/binaryen/bin/wasm-opt'), module, '-o', module, '-Oz',
     '--enable-bulk-memory', '--enable-reference-types', '--enable-nontrapping-float-to-int',
     '--enable-sign-ext', '--enable-mutable-globals', '--enable-multivalue', '--enable-simd',
