@@ -14,7 +14,7 @@ mod options;
 mod play;
 pub mod sweep;
 
-pub use lower::cues::{ClauseRef, Cue, CueKind, UtteranceCue, WordCue};
+pub use lower::cues::{ClauseRef, Cue, CueKind, UtteranceCue};
 pub use lower::music::MusicCue;
 pub use lower::script::{Reading, Script, performer_of};
 pub use lower::units::Units;

@@ -176,21 +176,22 @@ impl Diagnostic {
 
 impl Utterance {
     pub(crate) fn new(cue: &UtteranceCue) -> Self {
+        let timed = &cue.timed;
         let audio = |a: &raconteur_player::speech::AudioFile| AudioFile {
             file: a.file.clone(),
             mime: a.mime.clone(),
         };
-        let word = |w: &raconteur_player::WordCue| Word {
+        let word = |w: &raconteur_player::speech::Word| Word {
             text: w.text.clone(),
-            start_secs: w.start_secs,
-            end_secs: w.end_secs,
+            start_secs: timed.story_secs(w.start_secs),
+            end_secs: timed.story_secs(w.end_secs),
             emphasized: w.emphasized,
         };
         Self {
-            start_secs: cue.start_secs,
-            duration_secs: cue.duration_secs,
-            audio: cue.audio.iter().map(audio).collect(),
-            words: cue.words.iter().map(word).collect(),
+            start_secs: timed.start_secs,
+            duration_secs: timed.utterance.duration_secs,
+            audio: timed.utterance.audio.iter().map(audio).collect(),
+            words: timed.utterance.words.iter().map(word).collect(),
             estimated: cue.estimated,
             language: cue.language.clone(),
             voice: cue.voice.clone(),

@@ -1,11 +1,12 @@
 //! What a page is told while a story plays: words, clauses and the story's own events.
 
 use raconteur_base::order::sort_by_number;
-use raconteur_eml::{Clause, ClauseId, ClauseKind, Markup, Piece, VoiceText, WordTime};
-use raconteur_speech::AudioFile;
+use raconteur_eml::{Clause, ClauseId, ClauseKind, Markup, Piece, VoiceText};
+use raconteur_speech::TimedUtterance;
 
 use crate::Script;
 use crate::live::times;
+use crate::lower::utterance;
 
 /// A moment that listeners may want to know of.
 #[derive(Clone, Debug, PartialEq)]
@@ -32,10 +33,8 @@ pub enum CueKind {
     Phone {
         /// Index of the utterance.
         utterance: usize,
-        /// Its symbol in the voice's phone set.
-        symbol: String,
-        /// When it ends, story time, seconds.
-        end_secs: f64,
+        /// Index of the phone in it.
+        phone: usize,
     },
     /// An utterance begins.
     UtteranceStart {
@@ -88,18 +87,12 @@ impl ClauseRef {
     }
 }
 
-/// One spoken text at its time.
+/// An utterance of a script at its time, and what the page needs to have it heard.
 #[derive(Clone, Debug, PartialEq)]
 pub struct UtteranceCue {
-    /// Story time at which it starts, seconds.
-    pub start_secs: f64,
-    /// Its length, seconds.
-    pub duration_secs: f64,
-    /// Its sound, in order of preference, relative to the story's `voice` folder; empty
-    /// when it was not baked.
-    pub audio: Vec<AudioFile>,
-    /// Its words, for captions.
-    pub words: Vec<WordCue>,
+    /// What is said, words as the script writes them, and when; without sound when it was not
+    /// baked.
+    pub timed: TimedUtterance,
     /// Whether the times are guessed because it was not baked.
     pub estimated: bool,
     /// BCP 47 tag of its language: of the voice that was baked, or of the markup that all of
@@ -114,19 +107,6 @@ pub struct UtteranceCue {
     pub clause: ClauseId,
 }
 
-/// One word at its time.
-#[derive(Clone, Debug, PartialEq)]
-pub struct WordCue {
-    /// As written, punctuation attached.
-    pub text: String,
-    /// Story time, seconds.
-    pub start_secs: f64,
-    /// Story time, seconds.
-    pub end_secs: f64,
-    /// Whether the script emphasises it.
-    pub emphasized: bool,
-}
-
 /// Every utterance of a script in order of time.
 #[must_use]
 pub(crate) fn utterances(script: &Script) -> Vec<UtteranceCue> {
@@ -137,33 +117,11 @@ pub(crate) fn utterances(script: &Script) -> Vec<UtteranceCue> {
         .filter_map(|timed| {
             let voice = script.document.clause(timed.clause).kind.spoken()?;
             let timing = script.timeline.voices.get(&timed.clause)?;
-            let utterance = script.utterance(timed.clause);
-            let word = |text: String, time: &WordTime, emphasized| WordCue {
-                text,
-                start_secs: timed.start_secs + time.start_secs,
-                end_secs: timed.start_secs + time.end_secs,
-                emphasized,
-            };
-            let written = voice.words();
-            // What files and documents of SABLE say, only their utterance tells.
-            let words = match utterance.filter(|_| written.is_empty()) {
-                Some(utterance) => utterance
-                    .words
-                    .iter()
-                    .zip(&timing.words)
-                    .map(|(spoken, time)| word(spoken.text.clone(), time, false))
-                    .collect(),
-                None => written
-                    .into_iter()
-                    .zip(&timing.words)
-                    .map(|(written, time)| word(written.text, time, written.emphasized))
-                    .collect(),
-            };
             Some(UtteranceCue {
-                start_secs: timed.start_secs,
-                duration_secs: timing.duration_secs,
-                audio: utterance.map(|u| u.audio.clone()).unwrap_or_default(),
-                words,
+                timed: TimedUtterance {
+                    start_secs: timed.start_secs,
+                    utterance: utterance::of(&voice, timing, script.utterance(timed.clause)),
+                },
                 estimated: timing.estimated,
                 language: script
                     .language(timed.clause)
@@ -235,12 +193,18 @@ pub(crate) fn cues(
     }
     for (index, cue) in utterances.iter().enumerate() {
         let utterance = first_utterance + index;
-        push(2, cue.start_secs, CueKind::UtteranceStart { utterance });
-        let end_secs = cue.start_secs + cue.duration_secs;
-        let end_rank = if cue.duration_secs > 0.0 { 0 } else { 3 };
-        push(end_rank, end_secs, CueKind::UtteranceEnd { utterance });
-        for (word, w) in cue.words.iter().enumerate() {
-            push(2, w.start_secs, CueKind::Word { utterance, word });
+        let timed = &cue.timed;
+        let said = &*timed.utterance;
+        push(2, timed.start_secs, CueKind::UtteranceStart { utterance });
+        let end_rank = if said.duration_secs > 0.0 { 0 } else { 3 };
+        push(
+            end_rank,
+            timed.end_secs(),
+            CueKind::UtteranceEnd { utterance },
+        );
+        for (word, w) in said.words.iter().enumerate() {
+            let at = timed.story_secs(w.start_secs);
+            push(2, at, CueKind::Word { utterance, word });
         }
         if let ClauseKind::VoiceText(voice) = &script.document.clause(cue.clause).kind {
             let words = voice.words();
@@ -250,20 +214,17 @@ pub(crate) fn cues(
                 };
                 let before = words.partition_point(|w| w.span.start < span.start);
                 // The moment of the next word, or the end.
-                let next = cue.words.get(before);
-                let at = next.map_or(cue.start_secs + cue.duration_secs, |w| w.start_secs);
+                let next = said.words.get(before);
+                let at = next.map_or(timed.end_secs(), |w| timed.story_secs(w.start_secs));
                 push(2, at, CueKind::Mark { name: mark.clone() });
             }
         }
-        // What is only guessed has no phones to tell of.
-        for phone in script.phones(cue.clause) {
-            let symbol = phone.symbol.clone();
-            let phone_event = CueKind::Phone {
-                utterance,
-                symbol,
-                end_secs: cue.start_secs + phone.end_secs,
-            };
-            push(2, cue.start_secs + phone.start_secs, phone_event);
+        if cue.estimated {
+            continue;
+        }
+        for (phone, p) in said.phones.iter().enumerate() {
+            let at = timed.story_secs(p.start_secs);
+            push(2, at, CueKind::Phone { utterance, phone });
         }
     }
     for (name, &at) in script.timeline.marks.iter() {

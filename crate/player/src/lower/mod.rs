@@ -14,5 +14,6 @@ pub(crate) mod part;
 pub(crate) mod script;
 pub(crate) mod units;
 pub(crate) mod unperformed;
+mod utterance;
 pub(crate) mod views;
 pub(crate) mod voice;

@@ -77,7 +77,7 @@ pub(crate) fn cues<'a>(
     utterances: impl Iterator<Item = &'a UtteranceCue>,
 ) -> Vec<MusicCue> {
     let mut spoken: Vec<(f64, f64)> = utterances
-        .map(|u| (u.start_secs, u.start_secs + u.duration_secs))
+        .map(|u| (u.timed.start_secs, u.timed.end_secs()))
         .collect();
     sort_by_number(&mut spoken, |s| s.0);
     // Between two sentences close to each other it stays back.

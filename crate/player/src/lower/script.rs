@@ -7,7 +7,7 @@ use raconteur_eml::{
     ClauseId, ClauseKind, Diagnostic, Document, Parsed, Performer, Span, Timeline, parse, thinned,
 };
 use raconteur_speech::bundle::Voice;
-use raconteur_speech::{Bundle, Phone, Utterance};
+use raconteur_speech::{Bundle, Utterance};
 
 use crate::lower::voice::{KnownDurations, Voices};
 use crate::lower::{animations, parameters};
@@ -148,13 +148,8 @@ impl Script {
     }
 
     /// The baked utterance of a clause, if there is one.
-    pub(crate) fn utterance(&self, clause: ClauseId) -> Option<&Utterance> {
+    pub(crate) fn utterance(&self, clause: ClauseId) -> Option<&Arc<Utterance>> {
         self.voices.of(clause, self.bundle.as_deref())
-    }
-
-    /// The phones of what a clause says, seconds from its start; none where it was not baked.
-    pub(crate) fn phones(&self, clause: ClauseId) -> &[Phone] {
-        self.utterance(clause).map_or(&[], |u| &u.phones)
     }
 
     /// The phone set of what a clause says; Festival's where it was not baked.

@@ -194,8 +194,8 @@ impl Event {
             id: named.id.clone(),
         };
         let utterance = |phase, utterance| {
-            let said = utterance_at(utterance)?;
-            let words: Vec<&str> = said.words.iter().map(|w| &*w.text).collect();
+            let said = &utterance_at(utterance)?.timed;
+            let words: Vec<&str> = said.utterance.words.iter().map(|w| &*w.text).collect();
             Some(Self::Utterance {
                 time_secs,
                 fragment,
@@ -203,33 +203,34 @@ impl Event {
                 utterance,
                 text: words.join(" "),
                 start_secs: said.start_secs,
-                end_secs: said.start_secs + said.duration_secs,
+                end_secs: said.end_secs(),
             })
         };
         Some(match &cue.kind {
             &CueKind::Word { utterance, word } => {
-                let said = utterance_at(utterance)?.words.get(word)?;
+                let timed = &utterance_at(utterance)?.timed;
+                let said = timed.utterance.words.get(word)?;
                 Self::Word {
                     time_secs,
                     fragment,
                     utterance,
                     word,
                     text: said.text.clone(),
-                    end_secs: said.end_secs,
+                    end_secs: timed.story_secs(said.end_secs),
                 }
             }
-            CueKind::Phone {
-                utterance,
-                symbol,
-                end_secs,
-            } => Self::Phone {
-                time_secs,
-                fragment,
-                utterance: *utterance,
-                symbol: symbol.clone(),
-                phone_set: utterance_at(*utterance)?.phone_set.clone(),
-                end_secs: *end_secs,
-            },
+            &CueKind::Phone { utterance, phone } => {
+                let said = utterance_at(utterance)?;
+                let heard = said.timed.utterance.phones.get(phone)?;
+                Self::Phone {
+                    time_secs,
+                    fragment,
+                    utterance,
+                    symbol: heard.symbol.clone(),
+                    phone_set: said.phone_set.clone(),
+                    end_secs: said.timed.story_secs(heard.end_secs),
+                }
+            }
             &CueKind::UtteranceStart { utterance: index } => utterance("start", index)?,
             &CueKind::UtteranceEnd { utterance: index } => utterance("end", index)?,
             CueKind::Mark { name } => Self::Mark {

@@ -374,14 +374,6 @@ impl Player {
         self.layers.actor().lips()
     }
 
-    /// The name of the row of [`raconteur_speech::phones`] by which a symbol of an utterance of
-    /// the script moves the mouth.
-    pub(crate) fn row<'a>(&'a self, utterance: usize, symbol: &'a str) -> &'a str {
-        let cue = self.story.utterances.get(utterance);
-        let voice = cue.and_then(|u| self.script.voice(u.clause));
-        voice.map_or(symbol, |v| v.row(symbol))
-    }
-
     /// Upper lids of the last frame, radians: where they are and where they are closed.
     pub(crate) fn lids_rad(&self) -> ([f64; 2], [f64; 2]) {
         (self.pose.upper_lid_rad, self.figure.lid_closure_rad)

@@ -2,7 +2,7 @@
 //! meet, skin in skin, teeth or bone.
 
 use raconteur_body::face::{FaceControls, Network, Tissue};
-use raconteur_speech::phones::{self, Class};
+use raconteur_speech::phones::Class;
 
 use super::{Check, RATE_HZ};
 use crate::lower::cues::CueKind;
@@ -41,18 +41,13 @@ enum Kind {
 fn moments(player: &Player) -> Vec<Moment> {
     let mut all = Vec::new();
     for cue in player.cues() {
-        let CueKind::Phone {
-            utterance,
-            symbol,
-            end_secs,
-        } = &cue.kind
-        else {
+        let &CueKind::Phone { utterance, phone } = &cue.kind else {
             continue;
         };
-        let Some(target) = phones::by_name(player.row(*utterance, symbol)) else {
-            continue;
-        };
-        let (start, end) = (cue.time_secs, *end_secs);
+        let timed = &player.utterances()[utterance].timed;
+        let phone = &timed.utterance.phones[phone];
+        let target = phone.row.targets();
+        let (start, end) = (cue.time_secs, timed.story_secs(phone.end_secs));
         let (what, from_secs, to_secs) = match target.class {
             Class::BilabialStop => (Kind::Bilabial, start, start + CLOSED * (end - start)),
             Class::BilabialNasal => (Kind::Bilabial, start, end),

@@ -14,6 +14,10 @@ pub use frames::{
 };
 pub use read::BundleError;
 
+use std::sync::Arc;
+
+use crate::phones::PhoneRow;
+
 /// The version this code reads and writes.
 pub const VERSION: u32 = 2;
 
@@ -29,7 +33,7 @@ pub struct Bundle {
     /// The voices that speak in it.
     pub voices: Vec<Voice>,
     /// Utterances in the order of the story.
-    pub utterances: Vec<Utterance>,
+    pub utterances: Vec<Arc<Utterance>>,
 }
 
 /// Who speaks.
@@ -49,14 +53,14 @@ pub struct Voice {
 }
 
 impl Voice {
-    /// The name of the row of [`crate::phones`] for a symbol.
+    /// The row of the phone table that moves the lips for a symbol; none for an unknown one.
     #[must_use]
-    pub fn row<'a>(&'a self, symbol: &'a str) -> &'a str {
+    pub fn row(&self, symbol: &str) -> Option<PhoneRow> {
         if symbol == SOUND {
-            return SILENCE;
+            return Some(PhoneRow::SILENCE);
         }
         let other = self.mouth.iter().find(|(own, _)| own == symbol);
-        other.map_or(symbol, |(_, name)| name)
+        PhoneRow::named(other.map_or(symbol, |(_, name)| name))
     }
 }
 
@@ -132,6 +136,8 @@ pub struct Word {
     pub start_secs: f64,
     /// Seconds from the start of the utterance.
     pub end_secs: f64,
+    /// Whether the script emphasises it; false in a bundle.
+    pub emphasized: bool,
 }
 
 /// One phone.
@@ -139,6 +145,9 @@ pub struct Word {
 pub struct Phone {
     /// Symbol in the voice's phone set; [`SILENCE`] is a pause.
     pub symbol: String,
+    /// The row of the phone table that moves the lips; [`PhoneRow::NEUTRAL`] for an unknown
+    /// symbol.
+    pub row: PhoneRow,
     /// Seconds from the start of the utterance.
     pub start_secs: f64,
     /// Seconds from the start of the utterance.
@@ -223,6 +232,21 @@ pub struct Emotion {
     pub power: f64,
 }
 
+impl Phone {
+    /// A phone whose symbol is the name of its row in the phone table. [`Bundle::from_json`]
+    /// resolves the symbols of other phone sets by the voice.
+    #[must_use]
+    pub fn new(symbol: &str, start_secs: f64, end_secs: f64, word: Option<usize>) -> Self {
+        Self {
+            symbol: symbol.to_owned(),
+            row: PhoneRow::named(symbol).unwrap_or_default(),
+            start_secs,
+            end_secs,
+            word,
+        }
+    }
+}
+
 impl Bundle {
     /// Index of the utterance with this key.
     #[must_use]
@@ -251,6 +275,17 @@ impl Utterance {
             .partition_point(|w| w.start_secs <= offset_secs)
             .checked_sub(1)?;
         (offset_secs < self.words[i].end_secs).then_some(i)
+    }
+
+    /// Start and end of the syllable of an accent, seconds from the start of the utterance, and
+    /// the word that it belongs to.
+    #[must_use]
+    pub fn accented(&self, accent: &Accent) -> Option<([f64; 2], Option<usize>)> {
+        let syllable = self.syllables.get(accent.syllable)?;
+        let phones = self.phones.get(syllable.first_phone..)?;
+        let phones = phones.get(..syllable.phones)?;
+        let (first, last) = phones.first().zip(phones.last())?;
+        Some(([first.start_secs, last.end_secs], first.word))
     }
 
     /// Index of the phone heard `offset_secs` into the utterance. O(log n).

@@ -1,6 +1,8 @@
 //! Reads a bundle. Times are told as lengths of phones, and words as phones, so that they
 //! tile the utterance whatever a file says.
 
+use std::sync::Arc;
+
 use raconteur_base::encoding::is_utf16;
 use serde::Deserialize;
 
@@ -61,15 +63,19 @@ impl Bundle {
             .map(|(utterance, row)| {
                 Utterance::of(row).map_err(|what| BundleError::Invalid { utterance, what })
             });
-        let bundle = Self {
-            voices: body.voices.into_iter().map(Voice::of).collect(),
-            utterances: utterances.collect::<Result<_, _>>()?,
-        };
-        for (utterance, u) in bundle.utterances.iter().enumerate() {
-            u.check(bundle.voices.len())
+        let voices: Vec<Voice> = body.voices.into_iter().map(Voice::of).collect();
+        let mut utterances = utterances.collect::<Result<Vec<Utterance>, _>>()?;
+        for (utterance, u) in utterances.iter_mut().enumerate() {
+            u.check(voices.len())
                 .map_err(|what| BundleError::Invalid { utterance, what })?;
+            for phone in &mut u.phones {
+                phone.row = voices[u.voice].row(&phone.symbol).unwrap_or_default();
+            }
         }
-        Ok(bundle)
+        Ok(Self {
+            voices,
+            utterances: utterances.into_iter().map(Arc::new).collect(),
+        })
     }
 }
 
@@ -249,12 +255,8 @@ impl Utterance {
             if end_msec > LONGEST_MSEC {
                 return Err(format!("the utterance is longer than {LONGEST_MSEC} ms"));
             }
-            self.phones.push(Phone {
-                symbol: symbol.to_owned(),
-                start_secs,
-                end_secs: secs(end_msec),
-                word: None,
-            });
+            self.phones
+                .push(Phone::new(symbol, start_secs, secs(end_msec), None));
         }
         if lengths_left.next().is_some() {
             return Err("there are more lengths than phones".to_owned());
@@ -299,6 +301,7 @@ impl Utterance {
                 text: text.ok_or_else(|| none("is not in the text"))?.to_owned(),
                 start_secs,
                 end_secs,
+                emphasized: false,
             });
             self.text_starts.push(*text_start);
         }

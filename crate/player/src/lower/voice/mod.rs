@@ -3,6 +3,8 @@
 
 mod key;
 
+use std::sync::Arc;
+
 use raconteur_actor::Library;
 use raconteur_eml::{
     ClauseId, ClauseKind, Document, Durations, Emotion, EstimatedDurations, PhoneTime, VoiceText,
@@ -136,7 +138,7 @@ impl Voices {
         &self,
         clause: ClauseId,
         bundle: Option<&'b Bundle>,
-    ) -> Option<&'b Utterance> {
+    ) -> Option<&'b Arc<Utterance>> {
         let place = self.found.partition_point(|(id, _)| *id < clause);
         let (_, index) = self.found.get(place).filter(|(id, _)| *id == clause)?;
         bundle?.utterances.get(*index)

@@ -12,25 +12,26 @@ impl Player {
     #[must_use]
     pub fn speech_at(&self, time_secs: f64) -> Option<SpeechNow> {
         let story = &self.story.utterances;
-        let begun = story.partition_point(|u| u.start_secs <= time_secs);
+        let begun = story.partition_point(|u| u.timed.start_secs <= time_secs);
         let last = begun.checked_sub(1).map(|i| (i, &story[i]));
         let heard = |u: &UtteranceCue| {
-            let offset_secs = time_secs - u.start_secs;
-            (0.0..u.duration_secs).contains(&offset_secs)
+            let offset_secs = u.timed.offset_secs(time_secs);
+            (0.0..u.timed.utterance.duration_secs).contains(&offset_secs)
         };
-        let (index, utterance) = last
+        let (index, timed) = last
             .into_iter()
             .chain(self.live.utterances())
             .filter(|(_, u)| heard(u))
+            .map(|(index, u)| (index, &u.timed))
             .max_by(|(_, a), (_, b)| a.start_secs.total_cmp(&b.start_secs))?;
-        let word = utterance
-            .words
-            .partition_point(|w| w.start_secs <= time_secs)
+        let words = &timed.utterance.words;
+        let word = words
+            .partition_point(|w| timed.story_secs(w.start_secs) <= time_secs)
             .checked_sub(1)
-            .filter(|&w| time_secs < utterance.words[w].end_secs);
+            .filter(|&w| time_secs < timed.story_secs(words[w].end_secs));
         Some(SpeechNow {
             utterance: index,
-            offset_secs: time_secs - utterance.start_secs,
+            offset_secs: timed.offset_secs(time_secs),
             word,
         })
     }
