@@ -6,22 +6,17 @@
 
 pub(crate) mod times;
 
-use std::sync::Arc;
-
 use raconteur_actor::animation::PlayerCommand;
 use raconteur_actor::{Actor, Library};
 use raconteur_base::Side;
 use raconteur_base::order::sort_by_number;
-use raconteur_body::Skeleton;
-use raconteur_eml::{Diagnostic, Name, Set, Severity, SortedMap, Span, parse_fragment};
-use raconteur_speech::Bundle;
+use raconteur_eml::{Diagnostic, Name, Parsed, Severity, SortedMap, Span, parse_fragment};
 
+use crate::lower::animations;
+use crate::lower::cast::Cast;
 use crate::lower::cues::{ClauseRef, Cue, CueKind, UtteranceCue};
-use crate::lower::gestures::{Hands, Reach, out_of_reach};
 use crate::lower::part::{Carried, Part};
-use crate::lower::script::{Script, Sources, delayed};
-use crate::lower::units::Units;
-use crate::lower::{animations, manipulators, parameters};
+use crate::lower::script::{Script, Sources};
 
 /// What a live performance may cost. Beyond, fragments are refused and the story plays on.
 pub mod limits {
@@ -97,22 +92,26 @@ struct Allowance {
     at_secs: f64,
 }
 
-/// What a fragment meets.
+/// A fragment as it comes.
+pub(crate) struct FragmentText<'a> {
+    /// Which mind sends it.
+    pub(crate) mind: u32,
+    pub(crate) text: &'a str,
+    /// Story time at which it comes, seconds.
+    pub(crate) now_secs: f64,
+    /// Story time from which its own times count, seconds.
+    pub(crate) base_secs: f64,
+}
+
+/// The performance that a fragment joins.
 pub(crate) struct Scene<'a> {
-    pub(crate) units: &'a Units,
-    pub(crate) reach: &'a Reach,
-    pub(crate) hands: Hands,
-    pub(crate) bundle: Option<&'a Arc<Bundle>>,
+    pub(crate) cast: &'a Cast,
     pub(crate) library: &'a Library,
-    /// The story's named sets of tracks, for fragments that have none.
-    pub(crate) sets: &'a [Set],
-    /// The story's named moments.
-    pub(crate) marks: &'a SortedMap<Name, f64>,
-    /// Who performs before the fragment joins.
+    /// The story's script, for its bundle, its named moments and its sets.
+    pub(crate) script: &'a Script,
+    pub(crate) story: &'a Part,
+    /// The actor before the fragment joins.
     pub(crate) actor: &'a Actor,
-    pub(crate) skeleton: &'a Skeleton,
-    /// What the story asks of animation players.
-    pub(crate) story_players: &'a [(f64, PlayerCommand)],
 }
 
 /// The live part of a performance.
@@ -195,22 +194,15 @@ impl Live {
         may
     }
 
-    /// Takes a fragment in, at times that count from `base_secs`.
-    pub(crate) fn admit(
-        &mut self,
-        mind: u32,
-        text: &str,
-        now_secs: f64,
-        base_secs: f64,
-        scene: &Scene<'_>,
-    ) -> Performed {
+    /// Takes a fragment into the performance.
+    pub(crate) fn admit(&mut self, incoming: &FragmentText<'_>, scene: &Scene<'_>) -> Performed {
         self.fragments_begun = self.fragments_begun.wrapping_add(1);
         let mut performed = Performed {
             fragment: self.fragments_begun,
             first_utterance: self.utterances_begun,
             ..Performed::default()
         };
-        if let Err(refusal) = self.join(mind, text, now_secs, base_secs, scene, &mut performed) {
+        if let Err(refusal) = self.join(incoming, scene, &mut performed) {
             performed.clauses.clear();
             performed.utterances.clear();
             performed.diagnostics.push(refusal);
@@ -220,96 +212,41 @@ impl Live {
 
     fn join(
         &mut self,
-        mind: u32,
-        text: &str,
-        now_secs: f64,
-        base_secs: f64,
+        incoming: &FragmentText<'_>,
         scene: &Scene<'_>,
         performed: &mut Performed,
     ) -> Result<(), Diagnostic> {
-        if !self.spend(mind, now_secs) {
-            let message = "too many fragments at once; this one was not read";
-            return Err(refusal("live::busy", message).hint("send fewer a second"));
-        }
-        if text.len() > limits::FRAGMENT_BYTES {
-            let message = format!("a fragment has at most {} bytes", limits::FRAGMENT_BYTES);
-            return Err(refusal("live::too-large", message));
-        }
-        let mut parsed = parse_fragment(text);
+        self.check_rate(incoming)?;
+        let mut parsed = parse_fragment(incoming.text);
         performed.name = parsed.document.name.clone();
         let most = limits::REMEMBERED_CLAUSES as u64 + 1;
         let played = times::played_out(&parsed.document, most) as usize;
-        self.make_room(text.len(), played, now_secs)?;
-        let late = times::bind(&mut parsed.document, base_secs, |name| {
-            self.mark(name).or_else(|| scene.marks.get(name).copied())
-        });
-        parsed.diagnostics.extend(late);
-        if parsed.document.sets.is_empty() {
-            parsed.document.sets = scene.sets.to_vec();
-        }
-        let sources = Sources {
-            bundle: scene.bundle.cloned(),
-            library: scene.library,
-        };
-        let mut script = Script::resolve(parsed, sources, scene.bundle.is_some());
-        performed.diagnostics.append(&mut script.diagnostics);
-        let (document, units) = (&script.document, scene.units);
-        let far = out_of_reach(document, units, scene.reach, scene.hands);
-        performed.diagnostics.extend(far);
-        let unknown = parameters::problems(document);
-        performed.diagnostics.extend(unknown);
-        let limbs = manipulators::problems(document, units, scene.reach);
-        performed.diagnostics.extend(limbs);
-        script.timeline = delayed(script.timeline, base_secs);
-        let sudden = Part::new(&script, scene.units, scene.hands, 0, None);
-        let run_up_secs = run_up(&sudden, scene.actor, base_secs);
-        script.timeline = delayed(script.timeline, run_up_secs);
-        let before = self.players_before(scene.story_players);
-        let lost = animations::problems(
-            &script.document,
-            &script.timeline,
-            scene.skeleton,
-            Some(before),
-        );
-        performed.diagnostics.extend(lost);
-        let lead_in_secs = script.timeline.lead_in_secs - base_secs;
+        self.make_room(incoming.text.len(), played, incoming.now_secs)?;
+        self.bind(&mut parsed, incoming.base_secs, scene);
+        let script = self.timed_script(parsed, incoming.base_secs, scene, performed);
+        let lead_in_secs = script.timeline.lead_in_secs - incoming.base_secs;
         let end_secs = script.timeline.duration_secs;
-        if lead_in_secs.max(end_secs - now_secs) > limits::AHEAD_SECS {
+        if lead_in_secs.max(end_secs - incoming.now_secs) > limits::AHEAD_SECS {
             let message = "a fragment reaches at most an hour ahead";
             return Err(refusal("live::too-far", message));
         }
-        let clauses = script.timeline.clauses.iter();
-        performed.clauses = clauses
-            .filter(|c| !times::is_anchor(script.document.clause(c.clause)))
-            .map(|timed| LiveClause {
-                clause: ClauseRef::of(timed.clause, script.document.clause(timed.clause)),
-                start_secs: timed.start_secs,
-                end_secs: timed.end_secs,
-            })
-            .collect();
+        performed.clauses = accepted_clauses(&script);
         if performed.clauses.is_empty() {
-            let failed = performed.diagnostics.iter();
-            return if failed.clone().any(|d| d.severity == Severity::Error) {
+            let mut diagnostics = performed.diagnostics.iter();
+            return if diagnostics.any(|d| d.severity == Severity::Error) {
                 Ok(())
             } else {
-                Err(refusal(
-                    "live::empty",
-                    "there is no clause in this fragment",
-                ))
+                let message = "there is no clause in this fragment";
+                Err(refusal("live::empty", message))
             };
         }
         let first_utterance = self.utterances_begun;
-        let part = Part::new(
-            &script,
-            scene.units,
-            scene.hands,
-            first_utterance,
-            Some(performed.fragment),
-        );
+        let number = Some(performed.fragment);
+        let part = Part::new(&script, scene.cast, first_utterance, number);
         self.utterances_begun += part.utterances.len();
         performed.utterances.clone_from(&part.utterances);
         self.fragments.push(Fragment {
-            bytes: text.len(),
+            bytes: incoming.text.len(),
             clauses: played.max(1),
             end_secs,
             first_utterance,
@@ -318,6 +255,61 @@ impl Live {
             fresh: true,
         });
         Ok(())
+    }
+
+    /// Refuses what comes too fast, or is too long.
+    fn check_rate(&mut self, incoming: &FragmentText<'_>) -> Result<(), Diagnostic> {
+        if !self.spend(incoming.mind, incoming.now_secs) {
+            let message = "too many fragments at once; this one was not read";
+            return Err(refusal("live::busy", message).hint("send fewer a second"));
+        }
+        if incoming.text.len() > limits::FRAGMENT_BYTES {
+            let message = format!("a fragment has at most {} bytes", limits::FRAGMENT_BYTES);
+            return Err(refusal("live::too-large", message));
+        }
+        Ok(())
+    }
+
+    /// Resolves the names that a fragment takes from the story and from earlier fragments.
+    fn bind(&self, parsed: &mut Parsed, base_secs: f64, scene: &Scene<'_>) {
+        let late = times::bind(&mut parsed.document, base_secs, |name| {
+            let story = &scene.script.timeline.marks;
+            self.mark(name).or_else(|| story.get(name).copied())
+        });
+        parsed.diagnostics.extend(late);
+        if parsed.document.sets.is_empty() {
+            parsed.document.sets.clone_from(&scene.script.document.sets);
+        }
+    }
+
+    /// Gives a fragment its times on the story's clock, late enough for its hands to come in
+    /// time, and reports its problems.
+    fn timed_script(
+        &self,
+        parsed: Parsed,
+        base_secs: f64,
+        scene: &Scene<'_>,
+        performed: &mut Performed,
+    ) -> Script {
+        let bundle = &scene.script.bundle;
+        let sources = Sources {
+            bundle: bundle.clone(),
+            library: scene.library,
+        };
+        let mut script = Script::resolve(parsed, sources, bundle.is_some());
+        let diagnostics = &mut performed.diagnostics;
+        diagnostics.append(&mut script.diagnostics);
+        diagnostics.extend(scene.cast.problems(&script.document));
+        script.delay(base_secs);
+        let at_once = Part::new(&script, scene.cast, 0, None);
+        script.delay(run_up(&at_once, scene.actor, base_secs));
+        diagnostics.extend(animations::problems(
+            &script.document,
+            &script.timeline,
+            &scene.cast.figure.skeleton,
+            Some(self.players_before(&scene.story.players)),
+        ));
+        script
     }
 
     /// What animation players were asked before a fragment joins.
@@ -435,6 +427,19 @@ pub(crate) fn between(cues: &[Cue], from_secs: f64, to_secs: f64) -> &[Cue] {
     let first = cues.partition_point(|c| c.time_secs <= from_secs);
     let last = cues.partition_point(|c| c.time_secs <= to_secs);
     cues.get(first..last).unwrap_or_default()
+}
+
+/// The clauses of a script, by start.
+fn accepted_clauses(script: &Script) -> Vec<LiveClause> {
+    let clauses = script.timeline.clauses.iter();
+    clauses
+        .filter(|c| !times::is_anchor(script.document.clause(c.clause)))
+        .map(|timed| LiveClause {
+            clause: ClauseRef::of(timed.clause, script.document.clause(timed.clause)),
+            start_secs: timed.start_secs,
+            end_secs: timed.end_secs,
+        })
+        .collect()
 }
 
 /// By how much a fragment is delayed so that its hands are there in time, seconds. Speech

@@ -150,21 +150,6 @@ fn track(name: &str) -> Option<TrackRef> {
     layer_number(name).map(TrackRef::Layer)
 }
 
-/// The names of the animations that a script plays, each once, with where each is first used.
-pub(crate) fn wanted(document: &Document) -> Vec<(&str, Span)> {
-    let mut wanted: Vec<(&str, Span)> = Vec::new();
-    for (_, clause) in document.iter() {
-        if let ClauseKind::DeterministicPrimitive(primitive) = &clause.kind
-            && let Some(Operation::Push(..) | Operation::Exchange(..)) = operation(primitive)
-            && let Some(name) = primitive.animation.as_deref()
-            && !wanted.iter().any(|(n, _)| *n == name)
-        {
-            wanted.push((name, clause.tag_span));
-        }
-    }
-    wanted
-}
-
 /// The animations of the library that is shipped, for hints.
 const SHIPPED: &[&str] = &[
     "applaud",

@@ -6,6 +6,7 @@ use raconteur_actor::{EmotionSpan, Manner};
 use raconteur_eml::{Expressions, Performer};
 
 use crate::lower::cues::UtteranceCue;
+use crate::lower::needs::Needs;
 use crate::lower::script::Script;
 use crate::lower::{emotions, parameters};
 
@@ -24,7 +25,7 @@ pub(crate) struct Felt {
 
 /// All of a script.
 pub(crate) fn lower(script: &Script, utterances: &[UtteranceCue]) -> Felt {
-    let clips = parameters::wanted(&script.document).into_iter();
+    let clips = Needs::of(&script.document).parameter_animations.into_iter();
     Felt {
         emotions: emotions::spans(script, utterances),
         parameters: parameters::commands(&script.document, &script.timeline),

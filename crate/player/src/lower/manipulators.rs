@@ -300,6 +300,11 @@ pub(crate) fn together<'a>(
     all
 }
 
+/// Whether a script asks nothing of manipulators.
+pub(crate) fn is_empty(script: &ManipulatorScript) -> bool {
+    script.commands.is_empty() && script.moves.is_empty()
+}
+
 /// The room in the picture that targets of the arms and motions of the figure need.
 pub(crate) fn room(script: &ManipulatorScript, hand_length_m: f64) -> Room {
     let mut room = Room::default();

@@ -2,6 +2,7 @@
 //! light and the listeners, as data of the actor and the stage. Nothing here knows a moment.
 
 pub(crate) mod animations;
+pub(crate) mod cast;
 pub(crate) mod cues;
 pub(crate) mod emotions;
 pub(crate) mod feelings;
@@ -9,11 +10,11 @@ pub(crate) mod geometry;
 pub(crate) mod gestures;
 pub(crate) mod manipulators;
 pub(crate) mod music;
+pub(crate) mod needs;
 pub(crate) mod parameters;
 pub(crate) mod part;
 pub(crate) mod script;
 pub(crate) mod units;
-pub(crate) mod unperformed;
 mod utterance;
 pub(crate) mod views;
 pub(crate) mod voice;

@@ -9,8 +9,8 @@ use raconteur_eml::{
 use raconteur_speech::bundle::Voice;
 use raconteur_speech::{Bundle, Utterance};
 
+use crate::lower::needs::Needs;
 use crate::lower::voice::{KnownDurations, Voices};
-use crate::lower::{animations, parameters};
 
 /// A script with everything resolved that needs no figure.
 #[derive(Clone, Debug)]
@@ -84,7 +84,7 @@ impl Script {
             library: &Library::default(),
         };
         let mut script = Self::resolve(parsed, sources, bundle_json.is_some());
-        script.timeline = with_run_up(&script.document, script.timeline);
+        script.delay(script.run_up_secs());
         script
     }
 
@@ -113,7 +113,7 @@ impl Script {
             &voices,
             voice_was_given,
         ));
-        diagnostics.extend(crate::lower::unperformed::report(&document));
+        diagnostics.extend(Needs::of(&document).diagnostics());
         let diagnostics = thinned(diagnostics);
         Self {
             document,
@@ -131,20 +131,37 @@ impl Script {
             voices: &self.voices,
             library,
         };
-        let timeline = Timeline::resolve(&self.document, &durations).timeline;
-        self.timeline = with_run_up(&self.document, timeline);
+        self.timeline = Timeline::resolve(&self.document, &durations).timeline;
+        self.delay(self.run_up_secs());
+    }
+
+    /// How much later a script begins whose first gesture would come before the arm can be
+    /// there, seconds, so that the storyteller raises a hand instead of starting with it raised.
+    fn run_up_secs(&self) -> f64 {
+        let is_gesture = |id| matches!(self.document.clause(id).kind, ClauseKind::GestureKey(_));
+        let mut clauses = self.timeline.clauses.iter();
+        let first = clauses.find(|c| is_gesture(c.clause));
+        first.map_or(0.0, |c| (RUN_UP_SECS - c.start_secs).max(0.0))
+    }
+
+    /// Shifts the whole script to a later time; everything lowered from it follows.
+    pub(crate) fn delay(&mut self, delay_secs: f64) {
+        let timeline = &mut self.timeline;
+        for clause in &mut timeline.clauses {
+            clause.start_secs += delay_secs;
+            clause.end_secs += delay_secs;
+        }
+        timeline.marks.values_mut().for_each(|at| *at += delay_secs);
+        timeline.lead_in_secs += delay_secs;
+        timeline.duration_secs += delay_secs;
     }
 
     /// The names of the animations that the story plays, each once: what [`Script::retime`]
     /// and the player need the texts of.
     #[must_use]
     pub fn wanted_animations(&self) -> Vec<String> {
-        let faces = parameters::wanted(&self.document).into_iter();
-        let bodies = animations::wanted(&self.document);
-        faces
-            .chain(bodies)
-            .map(|(name, _)| name.to_owned())
-            .collect()
+        let needs = Needs::of(&self.document);
+        needs.animations().map(str::to_owned).collect()
     }
 
     /// The baked utterance of a clause, if there is one.
@@ -184,27 +201,6 @@ pub fn performer_of(eml: &str) -> Performer {
 /// The time that an arm needs to come from rest to any first stroke, seconds. Longest
 /// preparation of the gesture planner, rounded up.
 const RUN_UP_SECS: f64 = 0.9;
-
-/// Delays a script whose first gesture would come before the arm can be there, so that the
-/// storyteller raises a hand instead of starting with it raised.
-fn with_run_up(document: &Document, timeline: Timeline) -> Timeline {
-    let is_gesture = |id| matches!(document.clause(id).kind, ClauseKind::GestureKey(_));
-    let first = timeline.clauses.iter().find(|c| is_gesture(c.clause));
-    let delay = first.map_or(0.0, |c| (RUN_UP_SECS - c.start_secs).max(0.0));
-    delayed(timeline, delay)
-}
-
-/// The same with everything this much later.
-pub(crate) fn delayed(mut timeline: Timeline, delay_secs: f64) -> Timeline {
-    for clause in &mut timeline.clauses {
-        clause.start_secs += delay_secs;
-        clause.end_secs += delay_secs;
-    }
-    timeline.marks.values_mut().for_each(|at| *at += delay_secs);
-    timeline.lead_in_secs += delay_secs;
-    timeline.duration_secs += delay_secs;
-    timeline
-}
 
 /// Every clause that speaks, with its tag.
 fn speaking(document: &Document) -> impl Iterator<Item = (ClauseId, Span)> {

@@ -5,25 +5,13 @@ use raconteur_base::{DVec3, Side};
 use raconteur_stage::SpeechNow;
 
 use super::{Manipulator, Player};
-use crate::lower::cues::UtteranceCue;
 
 impl Player {
     /// What is being said at a time; of several, what was begun last.
     #[must_use]
     pub fn speech_at(&self, time_secs: f64) -> Option<SpeechNow> {
-        let story = &self.story.utterances;
-        let begun = story.partition_point(|u| u.timed.start_secs <= time_secs);
-        let last = begun.checked_sub(1).map(|i| (i, &story[i]));
-        let heard = |u: &UtteranceCue| {
-            let offset_secs = u.timed.offset_secs(time_secs);
-            (0.0..u.timed.utterance.duration_secs).contains(&offset_secs)
-        };
-        let (index, timed) = last
-            .into_iter()
-            .chain(self.live.utterances())
-            .filter(|(_, u)| heard(u))
-            .map(|(index, u)| (index, &u.timed))
-            .max_by(|(_, a), (_, b)| a.start_secs.total_cmp(&b.start_secs))?;
+        let (index, cue) = self.score.utterance_at(time_secs)?;
+        let timed = &cue.timed;
         let words = &timed.utterance.words;
         let word = words
             .partition_point(|w| timed.story_secs(w.start_secs) <= time_secs)
