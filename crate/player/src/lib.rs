@@ -16,11 +16,11 @@ pub mod sweep;
 
 pub use lower::cues::{ClauseRef, Cue, CueKind, UtteranceCue};
 pub use lower::music::MusicCue;
-pub use lower::script::{Reading, Script, performer_of};
+pub use lower::script::{LoadStage, Script, performer_of};
 pub use lower::units::Units;
 pub use lower::voice::{SpokenClause, spoken_clauses};
 pub use options::Options;
-pub use play::event::{Accepted, Event};
+pub use play::event::{AcceptedClause, Event};
 pub use play::player::{Loaded, Manipulator, Player, StoryInput};
 pub use raconteur_actor as actor;
 pub use raconteur_actor::Library;

@@ -158,7 +158,7 @@ fn a_figure_that_a_script_moves_goes_and_wants_the_animations_of_its_players() {
         <body-deterministic-primitive time='0' primitive='push' player='p'
             animationSetName='sit'/></body></eml>";
     let mut player = perform(eml, None, figure(), Options::default()).player;
-    assert_eq!(player.wanted_animations(), ["sit"]);
+    assert_eq!(player.needed_animations(), ["sit"]);
     let [from, to] = [0.0, 1.5].map(|t| player.frame(t, 1.6).world_from_joint[Bone::Skull.index()]);
     assert!(from.translation.distance(to.translation) > 0.1);
 }

@@ -15,7 +15,7 @@ use raconteur_eml::{Diagnostic, Name, Parsed, Severity, SortedMap, Span, parse_f
 use crate::lower::animations;
 use crate::lower::cast::Cast;
 use crate::lower::cues::{ClauseRef, Cue, CueKind, UtteranceCue};
-use crate::lower::part::{Carried, Part};
+use crate::lower::plan::{CarriedCommands, ScriptPlan};
 use crate::lower::script::{Script, Sources};
 
 /// What a live performance may cost. Beyond, fragments are refused and the story plays on.
@@ -38,19 +38,19 @@ pub mod limits {
     pub const BURST: f64 = 20.0;
     /// Fragments a second of story time that it may send for long.
     pub const RATE_HZ: f64 = 10.0;
-    /// Minds whose rates are told apart.
+    /// Minds whose rates are counted separately.
     pub const MINDS: usize = 64;
 }
 
 /// An arm is down again this long after its last stroke, seconds: hold and retraction.
 const SETTLE_SECS: f64 = 2.0;
 
-/// What became of a fragment.
+/// The outcome of a fragment.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Performed {
     /// Its number, from 1; cues name it.
     pub fragment: u32,
-    /// The `name` of its `eml` element, by which a mind may know it again.
+    /// The `name` of its `eml` element, by which a mind may recognise it.
     pub name: Option<String>,
     /// What will be performed, by start; empty when the fragment was refused.
     pub clauses: Vec<LiveClause>,
@@ -58,14 +58,14 @@ pub struct Performed {
     pub utterances: Vec<UtteranceCue>,
     /// The index of the first of [`Performed::utterances`].
     pub first_utterance: usize,
-    /// What is wrong. An error has cost a clause, or the whole fragment.
+    /// Problems. An error has cost a clause, or the whole fragment.
     pub diagnostics: Vec<Diagnostic>,
 }
 
 /// A clause that was accepted.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LiveClause {
-    /// Which it is.
+    /// Its identity.
     pub clause: ClauseRef,
     /// Story time, seconds.
     pub start_secs: f64,
@@ -80,8 +80,9 @@ struct Fragment {
     end_secs: f64,
     first_utterance: usize,
     marks: SortedMap<Name, f64>,
-    part: Part,
-    /// Nothing of it has been told: it may begin at a time up to which everything else was.
+    plan: ScriptPlan,
+    /// None of its cues has been delivered: they may lie before the time up to which all others
+    /// were.
     fresh: bool,
 }
 
@@ -109,21 +110,21 @@ pub(crate) struct Scene<'a> {
     pub(crate) library: &'a Library,
     /// The story's script, for its bundle, its named moments and its sets.
     pub(crate) script: &'a Script,
-    pub(crate) story: &'a Part,
+    pub(crate) story: &'a ScriptPlan,
     /// The actor before the fragment joins.
     pub(crate) actor: &'a Actor,
 }
 
-/// The live part of a performance.
+/// The live performance: the fragments that have joined the story.
 pub(crate) struct Live {
     /// In the order in which they came.
     fragments: Vec<Fragment>,
     fragments_begun: u32,
     utterances_begun: usize,
     allowances: Vec<Allowance>,
-    /// What forgotten fragments asked of animation players and control parameters: both stay.
-    carried: Carried,
-    /// Clauses that a seek has passed over, not yet told.
+    /// Commands of forgotten fragments that stay in force.
+    carried: CarriedCommands,
+    /// Clauses that a seek has passed over, not yet delivered.
     skipped: Vec<Cue>,
 }
 
@@ -135,18 +136,18 @@ impl Live {
             fragments_begun: 0,
             utterances_begun: utterances,
             allowances: Vec::new(),
-            carried: Carried::default(),
+            carried: CarriedCommands::default(),
             skipped: Vec::new(),
         }
     }
 
-    /// What is performed, in the order in which it came.
-    pub(crate) fn parts(&self) -> impl Iterator<Item = &Part> + Clone {
-        self.fragments.iter().map(|f| &f.part)
+    /// The plans of all fragments, in the order in which they came.
+    pub(crate) fn plans(&self) -> impl Iterator<Item = &ScriptPlan> + Clone {
+        self.fragments.iter().map(|f| &f.plan)
     }
 
-    /// What forgotten fragments asked for and what stays.
-    pub(crate) fn carried(&self) -> &Carried {
+    /// Commands of forgotten fragments that stay in force.
+    pub(crate) fn carried(&self) -> &CarriedCommands {
         &self.carried
     }
 
@@ -156,11 +157,11 @@ impl Live {
         ends.fold(f64::NEG_INFINITY, f64::max)
     }
 
-    /// What is said, with the indices of the utterances.
+    /// The utterances with their indices.
     pub(crate) fn utterances(&self) -> impl Iterator<Item = (usize, &UtteranceCue)> {
         self.fragments
             .iter()
-            .flat_map(|f| (f.first_utterance..).zip(&f.part.utterances))
+            .flat_map(|f| (f.first_utterance..).zip(&f.plan.utterances))
     }
 
     /// Whether a mind may send at a time without being refused for its pace.
@@ -242,16 +243,16 @@ impl Live {
         }
         let first_utterance = self.utterances_begun;
         let number = Some(performed.fragment);
-        let part = Part::new(&script, scene.cast, first_utterance, number);
-        self.utterances_begun += part.utterances.len();
-        performed.utterances.clone_from(&part.utterances);
+        let plan = ScriptPlan::new(&script, scene.cast, first_utterance, number);
+        self.utterances_begun += plan.utterances.len();
+        performed.utterances.clone_from(&plan.utterances);
         self.fragments.push(Fragment {
             bytes: incoming.text.len(),
             clauses: played.max(1),
             end_secs,
             first_utterance,
             marks: script.timeline.marks,
-            part,
+            plan,
             fresh: true,
         });
         Ok(())
@@ -301,7 +302,7 @@ impl Live {
         diagnostics.append(&mut script.diagnostics);
         diagnostics.extend(scene.cast.problems(&script.document));
         script.delay(base_secs);
-        let at_once = Part::new(&script, scene.cast, 0, None);
+        let at_once = ScriptPlan::new(&script, scene.cast, 0, None);
         script.delay(run_up(&at_once, scene.actor, base_secs));
         diagnostics.extend(animations::problems(
             &script.document,
@@ -312,10 +313,10 @@ impl Live {
         script
     }
 
-    /// What animation players were asked before a fragment joins.
+    /// Commands to animation players before a fragment joins.
     fn players_before(&self, story: &[(f64, PlayerCommand)]) -> Vec<(f64, PlayerCommand)> {
         let carried = self.carried.players.iter().chain(story);
-        let live = self.fragments.iter().flat_map(|f| &f.part.players);
+        let live = self.fragments.iter().flat_map(|f| &f.plan.players);
         carried.chain(live).cloned().collect()
     }
 
@@ -355,12 +356,12 @@ impl Live {
     fn forget(&mut self, index: usize) {
         let forgotten = self.fragments.remove(index);
         let parameters = &mut self.carried.parameters;
-        parameters.extend(forgotten.part.felt.parameters);
+        parameters.extend(forgotten.plan.face.parameters);
         sort_by_number(parameters, |(time_secs, _)| *time_secs);
         let surplus = parameters.len().saturating_sub(limits::CARRIED_COMMANDS);
         parameters.drain(..surplus);
         let players = &mut self.carried.players;
-        players.extend(forgotten.part.players);
+        players.extend(forgotten.plan.players);
         sort_by_number(players, |(time_secs, _)| *time_secs);
         // What came before all players went has no effect any more.
         let last = players.iter().rposition(|(_, command)| {
@@ -389,7 +390,7 @@ impl Live {
         for fragment in &mut self.fragments {
             let fresh = std::mem::take(&mut fragment.fresh);
             let from_secs = if fresh { f64::NEG_INFINITY } else { from_secs };
-            cues.extend_from_slice(between(&fragment.part.cues, from_secs, to_secs));
+            cues.extend_from_slice(between(&fragment.plan.cues, from_secs, to_secs));
         }
         cues
     }
@@ -398,7 +399,7 @@ impl Live {
     pub(crate) fn skip(&mut self, from_secs: f64, to_secs: f64) {
         for fragment in &mut self.fragments {
             fragment.fresh = false;
-            for cue in between(&fragment.part.cues, from_secs, to_secs) {
+            for cue in between(&fragment.plan.cues, from_secs, to_secs) {
                 if self.skipped.len() >= limits::REMEMBERED_CLAUSES {
                     return;
                 }
@@ -444,10 +445,10 @@ fn accepted_clauses(script: &Script) -> Vec<LiveClause> {
 
 /// By how much a fragment is delayed so that its hands are there in time, seconds. Speech
 /// waits for them, for both are one utterance (GEVH D.2: a lead-in delays the whole).
-fn run_up(part: &Part, actor: &Actor, base_secs: f64) -> f64 {
+fn run_up(plan: &ScriptPlan, actor: &Actor, base_secs: f64) -> f64 {
     let mut delay: f64 = 0.0;
     for side in Side::BOTH {
-        for stroke in &part.strokes[side.index()] {
+        for stroke in &plan.strokes[side.index()] {
             let Some(first) = stroke.keys.first() else {
                 continue;
             };

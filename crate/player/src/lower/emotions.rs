@@ -34,7 +34,7 @@ struct Elicited<'s> {
 /// Every emotion of a script: those that it elicits, kept up for their duration and while
 /// something is said in them, until another one comes; and those that emoticons and markup
 /// give to what is said (F&H section 4.3.5). Emoticons are read from the text, so that they
-/// do the same whether it was baked or not; the markup of files and of SABLE is told by their
+/// do the same whether it was baked or not; the markup of files and of SABLE is in their
 /// bundle alone.
 pub(crate) fn spans(script: &Script, utterances: &[UtteranceCue]) -> Vec<EmotionSpan> {
     let mut elicited = elicited(script);
@@ -48,7 +48,7 @@ pub(crate) fn spans(script: &Script, utterances: &[UtteranceCue]) -> Vec<Emotion
     sort_by_number(&mut starts, |start| *start);
     let mut spans = Vec::new();
     for one in &elicited {
-        // Several that begin together are felt together; a later one takes over.
+        // Several that begin together are blended; a later one takes over.
         let next = starts.partition_point(|start| *start <= one.start_secs);
         let (mut until_secs, mut end_secs) = (one.until_secs, one.until_secs + DECAY_SECS);
         if let Some(next) = starts.get(next) {
@@ -97,7 +97,7 @@ fn affect(emotion: &Emotion) -> Option<Affect> {
 }
 
 /// The emotion of an emoticon over its phrases, in full where it stands. One that ends its text
-/// lasts through the pause behind it, until something else is said or felt. `starts` is when
+/// lasts through the pause behind it, until the next utterance or emotion. `starts` is when
 /// anything is, rising.
 fn written(one: &Emoticon, said: &TimedUtterance, starts: &[f64]) -> Option<EmotionSpan> {
     let affect = Affect::named(one.name)?;

@@ -1,7 +1,7 @@
 //! Music under a performance (GEVH 3.5.4.3): which piece is heard when, and how loud.
 //!
 //! How loud is a line of straight pieces over story time. It holds the volume, the fades and
-//! that music steps back while somebody speaks, so whoever plays it needs to know no rule.
+//! that music steps back while somebody speaks, so a page that plays it needs no rule.
 
 use raconteur_base::order::sort_by_number;
 use raconteur_eml::{ClauseKind, Valence};
@@ -9,7 +9,7 @@ use raconteur_eml::{ClauseKind, Valence};
 use crate::lower::cues::UtteranceCue;
 use crate::lower::script::Script;
 
-/// What is left of the music while somebody speaks: 8 dB less. Designed: words stay clear
+/// Share of the music's level under speech: 8 dB less. Designed: words stay clear
 /// over music that is as loud as they are.
 const UNDER_SPEECH: f64 = 0.4;
 /// How long before a word music begins to step back, and how long after the last one it takes

@@ -233,6 +233,6 @@ mod tests {
         let script = Script::read(&format!("<eml><body>{body}</body></eml>"), None);
         let names: Vec<&str> = Needs::of(&script.document).animations().collect();
         assert_eq!(names, ["visemes-1", "own/wink.json", "grin"]);
-        assert_eq!(script.wanted_animations(), names);
+        assert_eq!(script.needed_animations(), names);
     }
 }

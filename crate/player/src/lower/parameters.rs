@@ -8,8 +8,8 @@ use raconteur_eml::{
 /// Most unknown names that are reported.
 const MOST: usize = 100;
 
-/// What a script asks of control parameters, by time. Names that there are not are left out:
-/// [`problems`] tells them.
+/// A script's commands to control parameters, by time. Unknown names are left out:
+/// [`problems`] reports them.
 pub(crate) fn commands(document: &Document, timeline: &Timeline) -> Vec<(f64, ParameterCommand)> {
     let mut commands = Vec::new();
     for timed in &timeline.clauses {
@@ -65,7 +65,7 @@ fn style(style: raconteur_eml::Style) -> Style {
     }
 }
 
-/// A warning for each name of a parameter that there is not, at its first place, and for each
+/// A warning for each unknown name of a parameter, at its first clause, and for each
 /// clause whose values are beyond the range of what it names.
 pub(crate) fn problems(document: &Document) -> Vec<Diagnostic> {
     let mut told: Vec<&str> = Vec::new();

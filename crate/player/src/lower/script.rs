@@ -23,23 +23,22 @@ pub struct Script {
     pub diagnostics: Vec<Diagnostic>,
     /// The speech, where it was baked.
     pub(crate) bundle: Option<Arc<Bundle>>,
-    /// What of it belongs to which clause.
+    /// Which utterance belongs to which clause.
     voices: Voices,
 }
 
-/// What of a story is being read: told as it begins, so that whoever reads hostile input can say
-/// what was read last.
+/// The stage that loading a story has come to, so that a page can report at which one it failed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Reading {
+pub enum LoadStage {
     /// The script's text.
     Story,
     /// The JSON of the speech bundle.
     Speech,
-    /// All that is performed is planned.
+    /// The plans of the performance.
     Performance,
 }
 
-/// What a script takes from outside to know its times.
+/// What the times of a script depend on besides its text.
 pub(crate) struct Sources<'a> {
     pub(crate) bundle: Option<Arc<Bundle>>,
     pub(crate) library: &'a Library,
@@ -50,19 +49,19 @@ impl Script {
     /// what is wrong is in [`Script::diagnostics`], and the rest plays.
     #[must_use]
     pub fn read(eml: &str, bundle_json: Option<&[u8]>) -> Self {
-        Self::read_telling(eml, bundle_json, &mut |_| ())
+        Self::read_with_progress(eml, bundle_json, &mut |_| ())
     }
 
-    /// [`Script::read`]; `told` hears of each part as its reading begins.
-    pub(crate) fn read_telling(
+    /// [`Script::read`]; calls `progress` as each stage begins.
+    pub(crate) fn read_with_progress(
         eml: &str,
         bundle_json: Option<&[u8]>,
-        told: &mut dyn FnMut(Reading),
+        progress: &mut dyn FnMut(LoadStage),
     ) -> Self {
-        told(Reading::Story);
+        progress(LoadStage::Story);
         let mut parsed = parse(eml);
         if bundle_json.is_some() {
-            told(Reading::Speech);
+            progress(LoadStage::Speech);
         }
         let bundle = bundle_json.and_then(|json| match Bundle::from_json(json) {
             Ok(bundle) => Some(Arc::new(bundle)),
@@ -78,7 +77,7 @@ impl Script {
                 None
             }
         });
-        told(Reading::Story);
+        progress(LoadStage::Story);
         let sources = Sources {
             bundle,
             library: &Library::default(),
@@ -88,8 +87,8 @@ impl Script {
         script
     }
 
-    /// Gives every clause of a text its time. `voice_was_given` tells a voice that could not
-    /// be read from none.
+    /// Gives every clause of a text its time. `voice_was_given` is also true for a
+    /// bundle that could not be read.
     pub(crate) fn resolve(
         parsed: Parsed,
         Sources { bundle, library }: Sources<'_>,
@@ -159,7 +158,7 @@ impl Script {
     /// The names of the animations that the story plays, each once: what [`Script::retime`]
     /// and the player need the texts of.
     #[must_use]
-    pub fn wanted_animations(&self) -> Vec<String> {
+    pub fn needed_animations(&self) -> Vec<String> {
         let needs = Needs::of(&self.document);
         needs.animations().map(str::to_owned).collect()
     }
@@ -191,8 +190,7 @@ impl Script {
     }
 }
 
-/// Whom a text chooses to perform it, in what voice and language; nothing where it does not
-/// say.
+/// The performer that a text chooses, with voice and language; empty where it does not choose.
 #[must_use]
 pub fn performer_of(eml: &str) -> Performer {
     parse(eml).document.performer.unwrap_or_default()

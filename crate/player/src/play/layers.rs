@@ -61,7 +61,7 @@ impl Layers {
         self.last().from_secs
     }
 
-    /// The actor who knows everything.
+    /// The actor of the latest performance.
     pub(crate) fn actor(&self) -> &Actor {
         &self.last().actor
     }
@@ -101,7 +101,7 @@ impl Layers {
         })
     }
 
-    /// What the face is asked to do at a time; allocates nothing.
+    /// Controls of the face at a time; allocates nothing.
     pub(crate) fn controls(&self, time_secs: f64) -> FaceControls {
         let begun = self.later.partition_point(|l| l.from_secs < time_secs);
         let done = self

@@ -4,7 +4,7 @@ use raconteur_base::DVec3;
 use raconteur_stage::{Camera, Room, Shot, Shown, View};
 
 use crate::lower::geometry::{Geometry, Switch};
-use crate::lower::part::Part;
+use crate::lower::plan::ScriptPlan;
 use crate::lower::views::Views;
 
 /// How the figure is shown at any time.
@@ -28,7 +28,7 @@ pub(crate) struct Subject {
 
 impl Picture {
     /// The picture of a story that begins with a shot.
-    pub(crate) fn new(shot: Shot, story: &Part) -> Self {
+    pub(crate) fn new(shot: Shot, story: &ScriptPlan) -> Self {
         let mut geometry = Geometry::default();
         geometry.retell(&story.geometry);
         Self {
@@ -39,9 +39,9 @@ impl Picture {
         }
     }
 
-    /// Takes the shots of all parts anew.
-    pub(crate) fn take_shots<'p>(&mut self, parts: impl Iterator<Item = &'p Part>) {
-        self.views = Views::new(self.shot, parts.flat_map(|p| &p.shots));
+    /// Takes the shots of all plans anew.
+    pub(crate) fn take_shots<'p>(&mut self, plans: impl Iterator<Item = &'p ScriptPlan>) {
+        self.views = Views::new(self.shot, plans.flat_map(|p| &p.shots));
     }
 
     /// Takes what the story switches, in place of what it switched before.

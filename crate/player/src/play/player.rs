@@ -13,8 +13,8 @@ use crate::live::{FragmentText, Performed, Scene};
 use crate::lower::cast::Cast;
 use crate::lower::cues::{Cue, UtteranceCue};
 use crate::lower::music::MusicCue;
-use crate::lower::part::{Carried, Part};
-use crate::lower::script::{Reading, Script};
+use crate::lower::plan::{CarriedCommands, ScriptPlan};
+use crate::lower::script::{LoadStage, Script};
 use crate::lower::units::Units;
 use crate::lower::{animations, gestures};
 use crate::options::Options;
@@ -34,21 +34,21 @@ mod welcome;
 use clips::Animations;
 use welcome::Welcome;
 
-/// What a player needs.
+/// The input of a player.
 pub struct StoryInput<'a> {
     /// The script's text.
     pub eml: &'a str,
     /// The JSON of its speech bundle, if it has one.
     pub bundle: Option<&'a [u8]>,
-    /// Who performs.
+    /// The figure that performs.
     pub figure: Arc<Figure>,
-    /// How.
+    /// How it performs.
     pub options: Options,
 }
 
 /// A player, and what was wrong with its story.
 pub struct Loaded {
-    /// Ready to be asked for frames.
+    /// Ready to evaluate frames.
     pub player: Player,
     /// Problems of the script; the rest plays.
     pub diagnostics: Vec<Diagnostic>,
@@ -88,23 +88,26 @@ impl Player {
     /// Reads a story and prepares its performance. Never fails; see [`Loaded::diagnostics`].
     #[must_use]
     pub fn load(input: StoryInput<'_>) -> Loaded {
-        Self::load_telling(input, &mut |_| ())
+        Self::load_with_progress(input, &mut |_| ())
     }
 
-    /// [`Player::load`]; calls `told` with each part of the story as its reading begins.
+    /// [`Player::load`]; calls `progress` as each stage of loading begins.
     #[must_use]
-    pub fn load_telling(input: StoryInput<'_>, told: &mut dyn FnMut(Reading)) -> Loaded {
-        let script = Script::read_telling(input.eml, input.bundle, told);
-        told(Reading::Performance);
+    pub fn load_with_progress(
+        input: StoryInput<'_>,
+        progress: &mut dyn FnMut(LoadStage),
+    ) -> Loaded {
+        let script = Script::read_with_progress(input.eml, input.bundle, progress);
+        progress(LoadStage::Performance);
         let options = input.options;
         let cast = Cast::new(input.figure, &script.document, options.handedness);
-        let story = Part::new(&script, &cast, 0, None);
+        let story = ScriptPlan::new(&script, &cast, 0, None);
         let animations = Animations::default();
         let (actor, room) = Rehearsal {
             cast: &cast,
             options: &options,
             library: &animations.library,
-            carried: &Carried::default(),
+            carried: &CarriedCommands::default(),
             least_room: options.room,
         }
         .actor([&story].into_iter());
@@ -153,7 +156,7 @@ impl Player {
         self.clock.set_open_ended(open_ended);
     }
 
-    /// Who performs.
+    /// The figure that performs.
     #[must_use]
     pub fn figure(&self) -> &Arc<Figure> {
         &self.cast.figure
@@ -165,14 +168,14 @@ impl Player {
         &self.cast.units
     }
 
-    /// The frame that was asked for last; empty before the first.
+    /// The last frame that was evaluated; empty before the first.
     #[must_use]
     pub fn last_frame(&self) -> &Frame {
         &self.frame
     }
 
-    /// Whom the script chooses to perform it, in what voice and language; who does is
-    /// [`Player::figure`].
+    /// The performer that the script chooses, with voice and language; the figure that does
+    /// perform is [`Player::figure`].
     #[must_use]
     pub fn choice(&self) -> Option<&Performer> {
         self.script.document.performer.as_ref()
@@ -197,7 +200,7 @@ impl Player {
         self.score.utterance(index)
     }
 
-    /// What listeners are told of the script, in order of time.
+    /// The cues of the script, in order of time.
     #[must_use]
     pub fn cues(&self) -> &[Cue] {
         &self.score.story.cues
@@ -211,11 +214,11 @@ impl Player {
 
     /// Performs EML that comes while the story plays (GEVH 3.6): a list of clauses or a whole
     /// script. Plain times count from `now_secs` (story time), names are those of the
-    /// fragment, of earlier ones and of the script. `mind` tells senders apart, each of which
+    /// fragment, of earlier ones and of the script. `mind` identifies the sender, each of which
     /// has an allowance; see [`live::limits`].
     ///
-    /// The same fragments at the same times give the same frames, however often frames are
-    /// asked for between.
+    /// The same fragments at the same times give the same frames, whatever frames are
+    /// evaluated between.
     pub fn perform(&mut self, mind: u32, fragment: &str, now_secs: f64) -> Performed {
         let now_secs = if now_secs.is_finite() {
             now_secs.max(0.0)
@@ -247,11 +250,11 @@ impl Player {
         };
         let performed = self.score.live.admit(&fragment, &scene);
         if !performed.clauses.is_empty() {
-            self.picture.take_shots(self.score.parts());
+            self.picture.take_shots(self.score.plans());
             let (actor, room) = self.rehearse();
             self.layers.change(base_secs, actor, room);
             self.forget_face();
-            if let Some(joined) = self.score.live.parts().last() {
+            if let Some(joined) = self.score.live.plans().last() {
                 self.picture.join(&joined.geometry);
             }
         }
@@ -267,7 +270,7 @@ impl Player {
             carried: self.score.live.carried(),
             least_room: self.layers.last_room(),
         }
-        .actor(self.score.parts())
+        .actor(self.score.plans())
     }
 
     /// The tissue of the face and its network as they were for the last frame; none where the
@@ -279,7 +282,7 @@ impl Player {
         ))
     }
 
-    /// What the face is asked to do at a story time: contractions of its muscles, jaw, lids,
+    /// Controls of the face at a story time: contractions of its muscles, jaw, lids,
     /// tongue.
     #[must_use]
     pub fn face_controls(&self, time_secs: f64) -> FaceControls {
@@ -297,7 +300,7 @@ impl Player {
         (self.pose.upper_lid_rad, self.cast.figure.lid_closure_rad)
     }
 
-    /// The face is asked for something else from now on.
+    /// Lets the tissue begin anew under changed controls.
     fn forget_face(&mut self) {
         if let Some(soft) = &mut self.soft {
             soft.forget();
@@ -317,7 +320,7 @@ impl Player {
     }
 
     /// Moves without passing the cues between; those at `time_secs` itself are still to come.
-    /// Live clauses keep their times; those that a move forwards passes over are told as
+    /// Live clauses keep their times; those that a move forwards passes over are reported as
     /// skipped.
     pub fn seek(&mut self, time_secs: f64) {
         let (from_secs, to_secs) = self.clock.seek(time_secs);

@@ -5,16 +5,16 @@ use raconteur_base::order::sort_by_number;
 use crate::live::{self, Live};
 use crate::lower::cues::{Cue, UtteranceCue};
 use crate::lower::music::{self, MusicClause, MusicCue};
-use crate::lower::part::Part;
+use crate::lower::plan::ScriptPlan;
 
 /// The story, and the live performance that has joined it.
 pub(crate) struct Score {
-    pub(crate) story: Part,
+    pub(crate) story: ScriptPlan,
     pub(crate) live: Live,
 }
 
 impl Score {
-    pub(crate) fn new(story: Part) -> Self {
+    pub(crate) fn new(story: ScriptPlan) -> Self {
         Self {
             live: Live::new(story.utterances.len()),
             story,
@@ -22,8 +22,8 @@ impl Score {
     }
 
     /// The story and the live fragments, in the order in which they came.
-    pub(crate) fn parts(&self) -> impl Iterator<Item = &Part> + Clone {
-        [&self.story].into_iter().chain(self.live.parts())
+    pub(crate) fn plans(&self) -> impl Iterator<Item = &ScriptPlan> + Clone {
+        [&self.story].into_iter().chain(self.live.plans())
     }
 
     /// An utterance by its index: of the story, or of what is remembered of the live
@@ -51,15 +51,15 @@ impl Score {
             .max_by(|(_, a), (_, b)| a.timed.start_secs.total_cmp(&b.timed.start_secs))
     }
 
-    /// The music of all parts, by time.
+    /// The music of all plans, by time.
     pub(crate) fn music(&self) -> Vec<MusicCue> {
-        let parts = self.parts();
-        let mut clauses: Vec<MusicClause> = parts
+        let plans = self.plans();
+        let mut clauses: Vec<MusicClause> = plans
             .clone()
             .flat_map(|p| p.music.iter().cloned())
             .collect();
         sort_by_number(&mut clauses, |c| c.start_secs);
-        music::cues(&clauses, parts.flat_map(|p| &p.utterances))
+        music::cues(&clauses, plans.flat_map(|p| &p.utterances))
     }
 
     /// The cues after one time up to and including another, by time.

@@ -41,7 +41,7 @@ impl Walk {
     }
 }
 
-/// What the face is asked to do at a time, seconds.
+/// Controls of the face at a time, seconds.
 type Controls<'a> = dyn Fn(f64) -> FaceControls + 'a;
 
 fn secs(step: i64) -> f64 {
@@ -70,7 +70,7 @@ impl SoftFace {
         }
     }
 
-    /// The network as it was at the last step that was asked for.
+    /// The network as it was at the last requested step.
     pub(crate) fn network(&self) -> &Network {
         &self.now.network
     }

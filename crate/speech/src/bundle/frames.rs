@@ -21,7 +21,7 @@ pub fn hz_of_code(code: u8) -> Option<f64> {
 }
 
 /// The pitch that a code stands for, semitones above the lowest code; `None` where nothing is
-/// voiced. Differences of it are musical intervals, whoever speaks.
+/// voiced. Differences of it are musical intervals, whatever the voice.
 #[must_use]
 pub fn semitones_of_code(code: u8) -> Option<f64> {
     (code > 0).then(|| (f64::from(code) - 1.0) * (12.0 / CODES_AN_OCTAVE))

@@ -27,7 +27,7 @@ pub const SILENCE: &str = "pau";
 /// The symbol of a recording between the words: the mouth is still.
 pub const SOUND: &str = "snd";
 
-/// Everything that a story says, computed ahead.
+/// The speech of a story, computed ahead.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Bundle {
     /// The voices that speak in it.
@@ -36,7 +36,7 @@ pub struct Bundle {
     pub utterances: Vec<Arc<Utterance>>,
 }
 
-/// Who speaks.
+/// A voice of an engine.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Voice {
     /// Engine and version, for example `festival 2.5.0`.
@@ -47,8 +47,8 @@ pub struct Voice {
     pub language: String,
     /// The phone set, for example `radio` or `espeak-de`.
     pub phone_set: String,
-    /// By which rows of [`crate::phones`] its symbols move the lips, where they are not called
-    /// alike: symbol and name.
+    /// The rows of [`crate::phones`] whose names differ from the symbols that they stand for:
+    /// symbol and name.
     pub mouth: Vec<(String, String)>,
 }
 
@@ -67,17 +67,17 @@ impl Voice {
 /// One utterance.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Utterance {
-    /// By which a story finds it: stands for what is said, by which voice, in which emotion.
+    /// The key by which a story finds it: a digest of the text, the voice and the emotion.
     pub key: u64,
-    /// By which a baker knows whether it is up to date: stands for everything that went into
-    /// its sound.
+    /// A digest of everything that its sound depends on; by it a baker knows whether the sound
+    /// is up to date.
     pub content: u64,
     /// The share of the story in [`Utterance::content`]: by this a baker that lacks the engines
-    /// knows whether the text is still the same. `None` in bundles that do not tell.
+    /// knows whether the text is still the same. `None` in older bundles.
     pub source: Option<u64>,
     /// Index of its voice in [`Bundle::voices`].
     pub voice: usize,
-    /// What is said as plain text.
+    /// The plain text.
     pub text: String,
     /// Length of the sound, seconds.
     pub duration_secs: f64,
@@ -113,7 +113,7 @@ pub struct AudioFile {
     pub file: String,
     /// MIME type with codecs.
     pub mime: String,
-    /// What the file holds, where the bundle tells.
+    /// Length and digest of the file, where the bundle has them.
     pub holds: Option<Holds>,
 }
 
@@ -172,8 +172,7 @@ pub struct Syllable {
 pub struct Accent {
     /// Index of its syllable.
     pub syllable: usize,
-    /// Its name in ToBI, for example `H*`; `*` where the engine tells no more than that there
-    /// is one.
+    /// Its name in ToBI, for example `H*`; `*` where the engine gives no name.
     pub label: String,
 }
 
@@ -188,17 +187,17 @@ pub struct Phrase {
     pub tone: String,
 }
 
-/// What a sentence does.
+/// The type of a sentence.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum SentenceKind {
-    /// It states.
+    /// Declarative.
     #[default]
     Statement,
-    /// It asks.
+    /// Interrogative.
     Question,
-    /// It exclaims.
+    /// Exclamative.
     Exclamation,
-    /// It is not over yet.
+    /// Incomplete: more follows.
     Continuation,
 }
 
@@ -209,7 +208,7 @@ pub struct Sentence {
     pub first_word: usize,
     /// How many words it has.
     pub words: usize,
-    /// What it does.
+    /// Its type.
     pub kind: SentenceKind,
 }
 

@@ -1,4 +1,4 @@
-//! Reads a bundle. Times are told as lengths of phones, and words as phones, so that they
+//! Reads a bundle. Times are written as lengths of phones, and words as phones, so that they
 //! tile the utterance whatever a file says.
 
 use std::sync::Arc;
@@ -26,7 +26,7 @@ pub enum BundleError {
         "the speech bundle is {format} version {version}; this program reads raconteur-speech version 2"
     )]
     Version {
-        /// What the file says it is.
+        /// Format and version of a file.
         format: String,
         /// Its version.
         version: u32,
@@ -79,7 +79,7 @@ impl Bundle {
     }
 }
 
-/// What the file says it is.
+/// Format and version of a file.
 #[derive(Deserialize)]
 struct Head {
     format: String,
@@ -204,7 +204,7 @@ impl super::Holds {
 
 /// The longest phone or pause, milliseconds: ten times the longest pause that markup can ask for.
 const LONGEST_PHONE_MSEC: u32 = 600_000;
-/// The longest utterance, milliseconds: a day, as much as alignments may tell of.
+/// The longest utterance, milliseconds: a day, the longest that alignments may have.
 const LONGEST_MSEC: f64 = 86_400_000.0;
 
 /// Milliseconds as seconds.

@@ -50,7 +50,7 @@ fn what_only_bakers_ask_for_is_read() {
     assert_eq!(u.text_starts, [0, 4, 8]);
     assert_eq!(u.content, 0x0123_4567_89ab_cdef);
     assert_eq!(bundle.voices[0].engine, "test 1");
-    // Bundles of before told neither.
+    // Older bundles have neither.
     assert_eq!((u.source, &u.audio[0].holds), (None, &None));
 }
 

@@ -7,7 +7,7 @@ use raconteur_eml::{Diagnostic, thinned};
 use super::Player;
 use crate::lower::animations;
 use crate::lower::needs::Needs;
-use crate::lower::part::Part;
+use crate::lower::plan::ScriptPlan;
 use crate::play::layers::Layers;
 
 /// The animations that a player has.
@@ -48,7 +48,7 @@ impl Player {
     /// does not have yet, each once: a name of the library, or a path in the story's folder.
     /// Their texts are for [`Player::provide_animations`].
     #[must_use]
-    pub fn wanted_animations(&self) -> Vec<String> {
+    pub fn needed_animations(&self) -> Vec<String> {
         let library = &self.animations.library;
         let played = |(_, command): &'_ (f64, PlayerCommand)| match command {
             PlayerCommand::Operate {
@@ -57,12 +57,12 @@ impl Player {
             } => Some(name.clone()),
             _ => None,
         };
-        let parts = self.score.parts();
-        let bodies = parts.clone().flat_map(|p| p.players.iter());
+        let plans = self.score.plans();
+        let bodies = plans.clone().flat_map(|p| p.players.iter());
         let bodies = bodies
             .filter_map(played)
             .filter(|name| library.get(name).is_none());
-        let parameters = parts.flat_map(|p| p.felt.clips.iter().cloned());
+        let parameters = plans.flat_map(|p| p.face.parameter_animations.iter().cloned());
         let parameters = parameters.filter(|name| library.parameters(name).is_none());
         let mut wanted: Vec<String> = Vec::new();
         for name in bodies.chain(parameters) {
@@ -80,8 +80,10 @@ impl Player {
     /// eases in.
     pub fn provide_animations(&mut self, clips: &[(&str, Option<&str>)]) -> Vec<Diagnostic> {
         let mut diagnostics = Vec::new();
-        let parts = self.score.parts();
-        let parameters: Vec<String> = parts.flat_map(|p| p.felt.clips.clone()).collect();
+        let plans = self.score.plans();
+        let parameters: Vec<String> = plans
+            .flat_map(|p| p.face.parameter_animations.clone())
+            .collect();
         for &(name, text) in clips {
             let is_of_parameters = parameters.iter().any(|n| n == name);
             match self.animations.take(name, text, is_of_parameters) {
@@ -107,12 +109,12 @@ impl Player {
     /// Times, lowers and rehearses the story again, now that more animations are known.
     fn perform_anew(&mut self) {
         self.script.retime(&self.animations.library);
-        self.score.story = Part::new(&self.script, &self.cast, 0, None);
+        self.score.story = ScriptPlan::new(&self.script, &self.cast, 0, None);
         self.picture.retell(&self.score.story.geometry);
-        self.picture.take_shots(self.score.parts());
+        self.picture.take_shots(self.score.plans());
         let (actor, room) = self.rehearse();
         let passed_secs = self.clock.passed_secs();
-        if passed_secs < 0.0 && self.score.live.parts().next().is_none() {
+        if passed_secs < 0.0 && self.score.live.plans().next().is_none() {
             self.layers = Layers::new(actor, room, self.cast.morphs());
         } else {
             let from_secs = passed_secs.max(self.layers.last_change_secs());

@@ -1,5 +1,5 @@
-//! What a moment of a story can be asked for beside its frame: what is said, where the hands are
-//! sent, and a digest of the pose.
+//! Queries of a moment beside its frame: the spoken word, targets of the hands, a digest of the
+//! pose.
 
 use raconteur_base::{DVec3, Side};
 use raconteur_stage::SpeechNow;
@@ -7,7 +7,7 @@ use raconteur_stage::SpeechNow;
 use super::{Manipulator, Player};
 
 impl Player {
-    /// What is being said at a time; of several, what was begun last.
+    /// The utterance and word that are heard at a time; of several, the last to begin.
     #[must_use]
     pub fn speech_at(&self, time_secs: f64) -> Option<SpeechNow> {
         let (index, cue) = self.score.utterance_at(time_secs)?;

@@ -1,4 +1,4 @@
-//! Before a story is played: the figure breathes, blinks and looks at whoever comes, in a
+//! Before a story is played: the figure breathes, blinks and looks at the viewer, in a
 //! welcoming posture, on a clock of its own.
 //!
 //! How long it has waited is no story time: what a story shows at any time stays the same.
@@ -83,7 +83,7 @@ impl Welcome {
         }
     }
 
-    /// What the face is asked to do at a story time, `story` being what the story asks.
+    /// Controls of the face at a story time, from the story's own.
     pub(super) fn controls(&self, time_secs: f64, story: &FaceControls) -> FaceControls {
         match self.share(time_secs) {
             Some((share, waited_secs)) if share < 1.0 => {

@@ -1,4 +1,4 @@
-//! A script lowered for one figure: what it asks of arms and voice, and what it tells.
+//! A script lowered for one figure: its plans for the actor, the picture, the music and the cues.
 
 use raconteur_actor::animation::PlayerCommand;
 use raconteur_actor::parameters::ParameterCommand;
@@ -8,7 +8,7 @@ use raconteur_base::Side;
 use crate::lower::animations;
 use crate::lower::cast::Cast;
 use crate::lower::cues::{self, Cue, UtteranceCue};
-use crate::lower::feelings::{self, Felt};
+use crate::lower::face::{self, FacePlan};
 use crate::lower::geometry::{self, Switch};
 use crate::lower::gestures;
 use crate::lower::manipulators;
@@ -16,31 +16,31 @@ use crate::lower::music::{self, MusicClause};
 use crate::lower::script::Script;
 use crate::lower::views::{self, ShotCue};
 
-/// A story, or a fragment of a live performance, at its times.
-pub(crate) struct Part {
+/// The plans of a story, or of a fragment of a live performance.
+pub(crate) struct ScriptPlan {
     /// Strokes of the left and right arm.
     pub(crate) strokes: [Vec<GestureStroke>; 2],
-    /// What manipulators are asked for.
+    /// Commands to manipulators, and moves of the whole figure.
     pub(crate) manipulators: ManipulatorScript,
     /// When gestures are turned on and off, by time.
     pub(crate) switches: Vec<(f64, bool)>,
-    /// What animation players are asked for, by time.
+    /// Commands to animation players, by time.
     pub(crate) players: Vec<(f64, PlayerCommand)>,
     /// What of the figure is drawn, by time.
     pub(crate) geometry: Vec<Switch>,
-    /// What is felt, and what control parameters are asked for.
-    pub(crate) felt: Felt,
+    /// Emotions and control parameters.
+    pub(crate) face: FacePlan,
     /// Shots of the camera, by time.
     pub(crate) shots: Vec<ShotCue>,
     /// Music, by time.
     pub(crate) music: Vec<MusicClause>,
-    /// What is said, by time.
+    /// Utterances, by time.
     pub(crate) utterances: Vec<UtteranceCue>,
-    /// What listeners are told, by time.
+    /// Cues, by time.
     pub(crate) cues: Vec<Cue>,
 }
 
-impl Part {
+impl ScriptPlan {
     /// Lowers a script. `first_utterance` is the index of its first utterance, `fragment` the
     /// number of a live fragment.
     pub(crate) fn new(
@@ -59,7 +59,7 @@ impl Part {
             switches: gestures::switches(document, timeline),
             players: animations::commands(document, timeline).0,
             geometry: geometry::switches(document, timeline),
-            felt: feelings::lower(script, &utterances),
+            face: face::lower(script, &utterances),
             shots: views::shots(script),
             music: music::clauses(script),
             cues: cues::cues(script, &utterances, first_utterance, fragment),
@@ -68,11 +68,11 @@ impl Part {
     }
 }
 
-/// What parts that are forgotten have asked for and what stays, by time.
+/// Commands of forgotten fragments that stay in force, by time.
 #[derive(Default)]
-pub(crate) struct Carried {
-    /// Of animation players.
+pub(crate) struct CarriedCommands {
+    /// To animation players.
     pub(crate) players: Vec<(f64, PlayerCommand)>,
-    /// Of control parameters.
+    /// To control parameters.
     pub(crate) parameters: Vec<(f64, ParameterCommand)>,
 }
