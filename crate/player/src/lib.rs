@@ -5,8 +5,8 @@
 //! digests; performs clauses that come while the story plays ([`live`]).
 //! Does not: draw, play sound, read files or keep a clock: time is an argument.
 //!
-//! With `eml`, this is the only crate that knows EML. It hands its neighbours on, so that
-//! the browser bindings and the command line need no further edge.
+//! With `eml`, this is the only crate that knows EML. It re-exports its neighbours for
+//! the browser bindings, which depend on no other of them.
 
 pub mod live;
 mod lower;

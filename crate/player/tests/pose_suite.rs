@@ -205,7 +205,7 @@ impl Case {
             "at" => off(
                 found.distance(vector(words, 3)),
                 within(words[6]),
-                show(found),
+                &show(found),
             ),
             "speaker" => {
                 let units = Units::of(&self.figure.skeleton);
@@ -214,7 +214,7 @@ impl Case {
                 let origin = units.speaker_point([0.0; 3]);
                 let shown = (found - origin) / scale * DVec3::new(1.0, 1.0, -1.0);
                 let distance = found.distance(wanted) / scale;
-                off(distance, within(words[6]), show(shown))
+                off(distance, within(words[6]), &show(shown))
             }
             "axis" => {
                 let axes = self.joint(time_secs, joint).matrix3;
@@ -225,11 +225,11 @@ impl Case {
                     other => panic!("there is no axis {other}"),
                 };
                 let degrees = axis.angle_between(vector(words, 4)).to_degrees();
-                off(degrees, within(words[7]), show(axis))
+                off(degrees, within(words[7]), &show(axis))
             }
             _ => {
                 let other = Self::read(words[3]).place(time_secs, joint);
-                off(found.distance(other), within(words[4]), show(found))
+                off(found.distance(other), within(words[4]), &show(found))
             }
         }
     }
@@ -241,13 +241,13 @@ impl Case {
         if words[0] == "moves" {
             let from = self.place(from_secs, joint);
             let far = from.distance(self.place(to_secs, joint));
-            return off(number(words[4]) - far, 0.0, format!("{far:.5} m"));
+            return off(number(words[4]) - far, 0.0, &format!("{far:.5} m"));
         }
         let places = self.places(from_secs, to_secs, joint);
         let first = places[0].translation;
         let far = places.iter().map(|p| p.translation.distance(first));
         let farthest = far.fold(0.0, f64::max);
-        off(farthest, within(words[4]), format!("{farthest:.5} m"))
+        off(farthest, within(words[4]), &format!("{farthest:.5} m"))
     }
 
     /// Lines about how fast a joint moves or turns at most from one time to another.
@@ -269,7 +269,7 @@ impl Case {
         let fastest = places.windows(2).map(step).fold(0.0, f64::max);
         let unit = if is_turn { "rad/s" } else { "m/s" };
         let found = format!("{fastest:.3} {unit}");
-        off(fastest - number(words[4]), 0.0, found)
+        off(fastest - number(words[4]), 0.0, &found)
     }
 
     /// A line about a morph weight.
@@ -278,7 +278,7 @@ impl Case {
         let weights = &self.player.frame(number(words[1]), 1.6).morph_weights;
         let found = f64::from(weights[index]);
         let distance = (found - number(words[3])).abs();
-        off(distance, within(words[4]), format!("{found:.4}"))
+        off(distance, within(words[4]), &format!("{found:.4}"))
     }
 
     /// Lines that do not hold, and what else is wrong.
@@ -337,7 +337,7 @@ impl Case {
 }
 
 /// What is wrong with something this far from where it has to be; nothing within the bound.
-fn off(distance: f64, bound: f64, found: String) -> Option<String> {
+fn off(distance: f64, bound: f64, found: &str) -> Option<String> {
     let inside = distance <= bound;
     (!inside).then(|| format!("found {found}, {distance:.5} off"))
 }

@@ -22,18 +22,18 @@ pub(crate) fn of(
 /// of files and of SABLE documents.
 fn as_written(text: &VoiceText, baked: &Arc<Utterance>) -> Arc<Utterance> {
     let written = text.words();
+    let mut pairs = written.iter().zip(&baked.words);
+    let same = written.len() >= baked.words.len()
+        && pairs.all(|(written, word)| written.text == word.text && !written.emphasized);
     let mut utterance = Arc::clone(baked);
-    let same = written
-        .iter()
-        .zip(&baked.words)
-        .all(|(written, word)| written.text == word.text && !written.emphasized);
-    if !written.is_empty() && !(same && written.len() >= baked.words.len()) {
-        let words = &mut Arc::make_mut(&mut utterance).words;
-        words.truncate(written.len());
-        for (word, written) in words.iter_mut().zip(written) {
-            word.text = written.text;
-            word.emphasized = written.emphasized;
-        }
+    if written.is_empty() || same {
+        return utterance;
+    }
+    let words = &mut Arc::make_mut(&mut utterance).words;
+    words.truncate(written.len());
+    for (word, written) in words.iter_mut().zip(written) {
+        word.text = written.text;
+        word.emphasized = written.emphasized;
     }
     utterance
 }

@@ -40,7 +40,7 @@ pub(crate) struct Layers {
 impl Layers {
     /// Shortest time between two changes, seconds: no more than three actors are evaluated
     /// for a frame.
-    pub(crate) const APART_SECS: f64 = 0.2;
+    const APART_SECS: f64 = 0.2;
 
     pub(crate) fn new(actor: Actor, room: Room, morphs: usize) -> Self {
         let first = Layer {
@@ -59,6 +59,19 @@ impl Layers {
     /// When the last actor takes over; minus infinity while the first one acts.
     pub(crate) fn last_change_secs(&self) -> f64 {
         self.last().from_secs
+    }
+
+    /// When a change that is requested now takes place: those within one change share it, one
+    /// soon after waits for the next, and after a seek to earlier times it takes place at once.
+    pub(crate) fn next_change_secs(&self, now_secs: f64) -> f64 {
+        let last_secs = self.last_change_secs();
+        if last_secs - now_secs > Self::APART_SECS {
+            now_secs
+        } else if last_secs >= now_secs {
+            last_secs
+        } else {
+            now_secs.max(last_secs + Self::APART_SECS)
+        }
     }
 
     /// The actor of the latest performance.

@@ -225,16 +225,7 @@ impl Player {
         } else {
             0.0
         };
-        // What comes within one change of actors shares it, what comes soon after waits for
-        // the next; after a seek to earlier times the change begins there.
-        let last_secs = self.layers.last_change_secs();
-        let base_secs = if last_secs - now_secs > Layers::APART_SECS {
-            now_secs
-        } else if last_secs >= now_secs {
-            last_secs
-        } else {
-            now_secs.max(last_secs + Layers::APART_SECS)
-        };
+        let base_secs = self.layers.next_change_secs(now_secs);
         let scene = Scene {
             cast: &self.cast,
             library: &self.animations.library,
