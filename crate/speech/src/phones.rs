@@ -120,7 +120,7 @@ impl PhoneRow {
     /// Silence: the closed mouth at rest.
     pub const SILENCE: Self = Self(SILENCE as u8);
 
-    /// A phone that says little about the lips (schwa); stands for unknown symbols.
+    /// A phone that hardly constrains the lips (schwa), for unknown symbols.
     pub const NEUTRAL: Self = Self(SCHWA as u8);
 
     /// The row of this name.

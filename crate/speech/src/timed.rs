@@ -10,7 +10,7 @@ use crate::Utterance;
 pub struct TimedUtterance {
     /// Story time of its first sample, seconds.
     pub start_secs: f64,
-    /// What is said.
+    /// The utterance, with times from its start.
     pub utterance: Arc<Utterance>,
 }
 

@@ -12,13 +12,13 @@ pub struct Story {
     pub duration_secs: f64,
     /// Its utterances, by time.
     pub utterances: Vec<Utterance>,
-    /// Whom it chooses to perform it.
+    /// The performer that it chooses.
     pub performer: Performer,
     /// Problems of the text, by position.
     pub diagnostics: Vec<Diagnostic>,
 }
 
-/// Whom a story chooses, in what voice and language.
+/// The figure, voice and language that a story chooses.
 #[derive(Debug, Default, Serialize)]
 pub struct Performer {
     #[serde(skip_serializing_if = "Option::is_none")]

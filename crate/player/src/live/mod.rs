@@ -52,9 +52,9 @@ pub struct Performed {
     pub fragment: u32,
     /// The `name` of its `eml` element, by which a mind may recognise it.
     pub name: Option<String>,
-    /// What will be performed, by start; empty when the fragment was refused.
+    /// The clauses that will be performed, by start; empty when the fragment was refused.
     pub clauses: Vec<LiveClause>,
-    /// What will be said, by start.
+    /// The utterances, by start.
     pub utterances: Vec<UtteranceCue>,
     /// The index of the first of [`Performed::utterances`].
     pub first_utterance: usize,

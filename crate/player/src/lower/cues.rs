@@ -90,8 +90,7 @@ impl ClauseRef {
 /// An utterance of a script at its time, and what the page needs to have it heard.
 #[derive(Clone, Debug, PartialEq)]
 pub struct UtteranceCue {
-    /// What is said, words as the script writes them, and when; without sound when it was not
-    /// baked.
+    /// The utterance, with words as the script writes them; without sound when it was not baked.
     pub timed: TimedUtterance,
     /// Whether the times are guessed because it was not baked.
     pub estimated: bool,

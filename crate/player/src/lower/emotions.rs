@@ -1,4 +1,4 @@
-//! From emotions of the script and of what is said to spans of the actor.
+//! From emotions of the script and of its utterances to spans of the actor.
 
 use raconteur_actor::emotion::Space;
 use raconteur_actor::{Affect, EmotionSpan};
@@ -96,7 +96,7 @@ fn affect(emotion: &Emotion) -> Option<Affect> {
     })
 }
 
-/// The emotion of an emoticon over its phrases, in full where it stands. One that ends its text
+/// The emotion of an emoticon over its phrases, in full at its position. One that ends its text
 /// lasts through the pause behind it, until the next utterance or emotion. `starts` is when
 /// anything is, rising.
 fn written(one: &Emoticon, said: &TimedUtterance, starts: &[f64]) -> Option<EmotionSpan> {

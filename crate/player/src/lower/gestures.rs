@@ -24,7 +24,7 @@ fn moment(offset_secs: f64) -> u64 {
     (offset_secs.max(0.0) * 1e6).round() as u64
 }
 
-/// Which hand is dominant: for whoever wrote a script, and for who performs it.
+/// The dominant hand for which a script is written, and that of its performer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Hands {
     /// The hand that common values are written for (GEVH 3.5.1, D.5.4).

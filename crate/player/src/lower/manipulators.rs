@@ -250,8 +250,8 @@ fn motion(kind: &ClauseKind, units: &Units) -> Option<(Manipulator, Motion)> {
     })
 }
 
-/// A place of the whole figure as its root's frame has it. That frame is turned by half a turn
-/// in table A.1 of GEVH (the sacroiliac's first angle is 178.7°), and in the example of D.1.6,
+/// Converts a position of the whole figure from the frame of its root, which is turned by half
+/// a turn in table A.1 of GEVH (the sacroiliac's first angle is 178.7°), and in the example of D.1.6,
 /// whose pitch is 180° from its beginning to its end, the figure stands. So a pitch beyond a
 /// right angle is counted from there.
 fn upright(place: &mut Place) {
@@ -389,7 +389,7 @@ fn arguments(leads: bool, own: &[&str]) -> Vec<String> {
     known
 }
 
-/// What is wrong with an argument: its name, what it is, or how large.
+/// The problem of an argument, if it has one: its name, its type or its size.
 fn bad_argument(function: &str, arg: &Arg, known: &[String], span: Span) -> Option<Diagnostic> {
     let name = quoted(&arg.name);
     let warning = |code, message: String| Some(Diagnostic::warning(code, span, message));

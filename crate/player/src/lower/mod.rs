@@ -14,7 +14,7 @@ pub(crate) mod needs;
 pub(crate) mod parameters;
 pub(crate) mod plan;
 pub(crate) mod script;
+pub(crate) mod shots;
 pub(crate) mod units;
 mod utterance;
-pub(crate) mod views;
 pub(crate) mod voice;

@@ -1,7 +1,7 @@
 //! Music under a performance (GEVH 3.5.4.3): which piece is heard when, and how loud.
 //!
 //! How loud is a line of straight pieces over story time. It holds the volume, the fades and
-//! that music steps back while somebody speaks, so a page that plays it needs no rule.
+//! that music steps back under speech, so a page that plays it needs no rule.
 
 use raconteur_base::order::sort_by_number;
 use raconteur_eml::{ClauseKind, Valence};
@@ -71,7 +71,7 @@ pub(crate) fn clauses(script: &Script) -> Vec<MusicClause> {
         .collect()
 }
 
-/// The pieces that are heard, by time, of clauses by time under all that is said.
+/// The audible pieces by time, from clauses by time, with their level under all utterances.
 pub(crate) fn cues<'a>(
     clauses: &[MusicClause],
     utterances: impl Iterator<Item = &'a UtteranceCue>,

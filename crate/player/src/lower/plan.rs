@@ -14,7 +14,7 @@ use crate::lower::gestures;
 use crate::lower::manipulators;
 use crate::lower::music::{self, MusicClause};
 use crate::lower::script::Script;
-use crate::lower::views::{self, ShotCue};
+use crate::lower::shots::{self, ShotCue};
 
 /// The plans of a story, or of a fragment of a live performance.
 pub(crate) struct ScriptPlan {
@@ -60,7 +60,7 @@ impl ScriptPlan {
             players: animations::commands(document, timeline).0,
             geometry: geometry::switches(document, timeline),
             face: face::lower(script, &utterances),
-            shots: views::shots(script),
+            shots: shots::shots(script),
             music: music::clauses(script),
             cues: cues::cues(script, &utterances, first_utterance, fragment),
             utterances,

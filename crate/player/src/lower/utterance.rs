@@ -18,7 +18,7 @@ pub(crate) fn of(
     }
 }
 
-/// A baked utterance with the words as the script writes them. Only the bundle knows the words
+/// A baked utterance with the words as the script writes them. Only the bundle has the words
 /// of files and of SABLE documents.
 fn as_written(text: &VoiceText, baked: &Arc<Utterance>) -> Arc<Utterance> {
     let written = text.words();
@@ -58,8 +58,8 @@ fn estimated(text: &VoiceText, timing: &VoiceTiming) -> Utterance {
 }
 
 /// Phones for a text that was not baked, so that the lips move with the captions: one
-/// consonant and one vowel for every three letters of a word. Designed; a diagnostic has
-/// said that the voice is missing.
+/// consonant and one vowel for every three letters of a word. Designed; a diagnostic reports
+/// the missing voice.
 fn estimated_phones(words: &[Word], duration_secs: f64) -> Vec<Phone> {
     const SYLLABLES: [[&str; 2]; 4] = [["m", "aa"], ["d", "eh"], ["s", "iy"], ["n", "ow"]];
     let mut phones = Vec::new();

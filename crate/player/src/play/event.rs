@@ -58,7 +58,7 @@ pub enum Event {
         phase: &'static str,
         /// Its index.
         utterance: usize,
-        /// What is said, as written.
+        /// The text, as written.
         text: String,
         /// When it starts, story time, seconds.
         start_secs: f64,

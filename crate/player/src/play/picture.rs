@@ -5,19 +5,19 @@ use raconteur_stage::{Camera, Room, Shot, Shown, View};
 
 use crate::lower::geometry::{Geometry, Switch};
 use crate::lower::plan::ScriptPlan;
-use crate::lower::views::Views;
+use crate::lower::shots::ShotSequence;
 
 /// How the figure is shown at any time.
 pub(crate) struct Picture {
     /// The shot until the script takes another.
     shot: Shot,
-    views: Views,
+    shots: ShotSequence,
     /// The page's own view, in place of the shot.
     view: Option<View>,
     geometry: Geometry,
 }
 
-/// Where the figure of a picture stands, and how large it is.
+/// Position and size of the figure in a picture.
 pub(crate) struct Subject {
     /// The floor under the figure, world, metres.
     pub(crate) floor_in_world: DVec3,
@@ -33,7 +33,7 @@ impl Picture {
         geometry.retell(&story.geometry);
         Self {
             shot,
-            views: Views::new(shot, story.shots.iter()),
+            shots: ShotSequence::new(shot, story.shots.iter()),
             view: None,
             geometry,
         }
@@ -41,7 +41,7 @@ impl Picture {
 
     /// Takes the shots of all plans anew.
     pub(crate) fn take_shots<'p>(&mut self, plans: impl Iterator<Item = &'p ScriptPlan>) {
-        self.views = Views::new(self.shot, plans.flat_map(|p| &p.shots));
+        self.shots = ShotSequence::new(self.shot, plans.flat_map(|p| &p.shots));
     }
 
     /// Takes what the story switches, in place of what it switched before.
@@ -76,7 +76,7 @@ impl Picture {
         };
         match self.view {
             Some(view) => view.of(&frame(Shot::Full)),
-            None => self.views.camera(time_secs, frame),
+            None => self.shots.camera(time_secs, frame),
         }
     }
 }

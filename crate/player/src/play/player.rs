@@ -280,7 +280,7 @@ impl Player {
         self.layers.controls(time_secs)
     }
 
-    /// Everything that is said: when it begins, story seconds, and its lips.
+    /// The lip tracks of all utterances with their starts, story time, seconds.
     #[must_use]
     pub fn lips(&self) -> &[(f64, LipTrack)] {
         self.layers.actor().lips()
@@ -339,7 +339,7 @@ impl Player {
     }
 
     /// Shows the whole figure from another side, whatever the shot; the shot again by none.
-    /// The figure still speaks to where the shot's camera stands.
+    /// The figure still speaks to the camera of the shot.
     pub fn set_view(&mut self, view: Option<View>) {
         self.picture.set_view(view);
     }

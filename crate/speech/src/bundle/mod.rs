@@ -117,8 +117,7 @@ pub struct AudioFile {
     pub holds: Option<Holds>,
 }
 
-/// What a sound file holds: by this a baker knows that a sound is the one that was made for its
-/// utterance.
+/// Length and digest of a sound file, by which a baker recognises the sound of an utterance.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Holds {
     /// Its length in bytes.

@@ -266,7 +266,7 @@ impl Utterance {
     }
 
     fn read_words(&mut self, rows: &[[usize; 4]]) -> Result<(), String> {
-        // A word without a sound stands where the one before it ends.
+        // A word without a sound has no length, at the end of the one before it.
         let mut silent_secs = 0.0;
         for [text_start, bytes, first, phones] in rows {
             let none = |what: &str| format!("word {} {what}", self.words.len() + 1);

@@ -51,7 +51,7 @@ pub struct SpokenClause<'d> {
 }
 
 impl SpokenClause<'_> {
-    /// The key of its utterance in a bundle: stands for the words, their markup, the voice and
+    /// The key of its utterance in a bundle: a digest of the words, their markup, the voice and
     /// the emotion.
     #[must_use]
     pub fn key(&self) -> u64 {
@@ -61,7 +61,7 @@ impl SpokenClause<'_> {
     /// The emotion that is elicited for it: its word, where the place is that of the word as the
     /// table has it, and its place, scaled by the potential.
     #[must_use]
-    pub fn felt(&self) -> Option<(Option<&'static str>, Place)> {
+    pub fn elicited(&self) -> Option<(Option<&'static str>, Place)> {
         let emotion = self.emotion?;
         let place = place_of(emotion)?.scaled(emotion.potential / PLAIN_POTENTIAL);
         Some((word_of(emotion), place))

@@ -75,7 +75,7 @@ impl Player {
 
     /// Takes animations by name with their text (JSON of `docs/animation.md`, or that of
     /// [`ParameterClip`](raconteur_actor::parameters::ParameterClip) for those of control
-    /// parameters), or none where it could not be had; the story's times follow their lengths.
+    /// parameters), or none where it was not found; the story's times follow their lengths.
     /// Returns which are missing or broken; the rest plays. What comes while the story plays
     /// eases in.
     pub fn provide_animations(&mut self, clips: &[(&str, Option<&str>)]) -> Vec<Diagnostic> {
