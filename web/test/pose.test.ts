@@ -13,7 +13,7 @@ const times = Array.from({ length: 20 }, (_, i) => 0.137 + i * 7.391);
 /** As much of the JavaScript side as is used here. */
 interface Instance {
   (source: { module_or_path: WebAssembly.Module }): Promise<unknown>;
-  poseDigests(eml: string, bundle: Uint8Array | undefined, figure: string, glb: Uint8Array, names: string[], texts: string[], times: Float64Array): string[];
+  poseDigests(eml: string, bundle: Uint8Array | undefined, glb: Uint8Array, names: string[], texts: string[], times: Float64Array): string[];
 }
 
 const file = (story: string, path: string) => join(root, 'assets/stories', story, path);
@@ -38,7 +38,6 @@ async function browser(backend: string, story: string): Promise<string[]> {
   return instance.poseDigests(
     eml,
     existsSync(voice) ? readFileSync(voice) : undefined,
-    'sofia',
     readFileSync(join(root, 'assets/figures/sofia.glb')),
     names,
     names.map((name) => readFileSync(join(root, 'assets/animations', `${name}.json`), 'utf8')),

@@ -36,7 +36,7 @@ await main(async () => {
     const timed = (glb, ...lists) => {
       const run = (times) => {
         const start = performance.now();
-        instance.poseDigests(eml, undefined, 'sofia', glb, names, texts, times);
+        instance.poseDigests(eml, undefined, glb, names, texts, times);
         return performance.now() - start;
       };
       run(lists.at(-1));

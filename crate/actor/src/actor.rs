@@ -3,6 +3,7 @@
 use raconteur_base::{DAffine3, DQuat, DVec3, Length, Side, noise};
 use raconteur_body::face::{FaceControls, Muscle};
 use raconteur_body::{Bone, Pose, Skeleton};
+use raconteur_speech::TimedUtterance;
 
 use crate::animation::{Animated, Players};
 use crate::arm_ik::{ArmGoal, ArmRig, ArmSolution};
@@ -19,7 +20,7 @@ use crate::kinematics::{rotation_of, world_from_bone};
 use crate::lips::{LipTrack, MouthTargets};
 use crate::manipulator::Manipulators;
 use crate::nonverbal::Manner;
-use crate::score::{Performance, SpokenUtterance};
+use crate::score::Performance;
 
 /// Smile of a figure that has nothing else to show. Designed: friendly, not grinning.
 const RESTING_SMILE: f64 = 0.14;
@@ -91,11 +92,11 @@ impl Actor {
     #[must_use]
     pub fn new(performance: &Performance, skeleton: &Skeleton) -> Self {
         let seed = performance.seed;
-        let mut speech: Vec<&SpokenUtterance> = performance.speech.iter().collect();
+        let mut speech: Vec<&TimedUtterance> = performance.speech.iter().collect();
         raconteur_base::order::sort_by_number(&mut speech, |u| u.start_secs);
         let spans: Vec<(f64, f64)> = speech
             .iter()
-            .map(|u| (u.start_secs, u.start_secs + u.duration_secs))
+            .map(|u| (u.start_secs, u.end_secs()))
             .collect();
         let amount = if performance.motion_amount.is_finite() {
             performance.motion_amount.clamp(0.0, 1.0)
@@ -138,7 +139,7 @@ impl Actor {
             feeling: Feeling::new(performance, &manner),
             lips: speech
                 .iter()
-                .map(|u| (u.start_secs, LipTrack::new(&u.phones)))
+                .map(|u| (u.start_secs, LipTrack::new(&u.utterance.phones)))
                 .collect(),
             skull_zero: rotation_of(&world_from_bone(skeleton, &Pose::zero(), Bone::Skull)),
             seed,

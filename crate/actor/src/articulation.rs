@@ -212,12 +212,7 @@ mod tests {
             .map(|i| {
                 let pick = (noise::unit(seed, 2, i) * others.len() as f64) as usize;
                 let symbol = if i % 3 == 1 { every } else { others[pick] };
-                Phone {
-                    symbol: symbol.to_owned(),
-                    start_secs: 0.09 * i as f64,
-                    end_secs: 0.09 * (i + 1) as f64,
-                    word: None,
-                }
+                Phone::new(symbol, 0.09 * i as f64, 0.09 * (i + 1) as f64, None)
             })
             .collect()
     }

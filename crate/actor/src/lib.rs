@@ -41,4 +41,4 @@ pub use lips::{LipTrack, MouthTargets};
 pub use manipulator::{ManipulatorScript, Manipulators, Sex};
 pub use nonverbal::{Manner, NonVerbal};
 pub use parameters::{ParameterScript, ParameterTrack};
-pub use score::{Accent, Performance, SpokenUtterance};
+pub use score::Performance;

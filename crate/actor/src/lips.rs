@@ -12,7 +12,7 @@
 use raconteur_base::curve::{lerp, smooth};
 use raconteur_base::ops;
 use raconteur_speech::Phone;
-use raconteur_speech::phones::{self, CHANNELS, Channel, Class, PhoneTargets};
+use raconteur_speech::phones::{CHANNELS, Channel, Class, PhoneRow, PhoneTargets};
 
 /// Segments considered to either side (F&H 3.1.3: the greatest known reach of
 /// coarticulation).
@@ -90,16 +90,17 @@ struct Segment {
 }
 
 impl LipTrack {
-    /// From an utterance's phones, by the names of their rows in [`phones`] (seconds from its
-    /// start, ascending). Names that the table does not have move the mouth as a schwa does. The utterance is taken to have silence on both sides.
+    /// From an utterance's phones (seconds from its start, ascending). The utterance is taken to
+    /// have silence on both sides.
     #[must_use]
     pub fn new(phones: &[Phone]) -> Self {
         let mut segments = Vec::with_capacity(phones.len() + 8);
         let first = phones.first().map_or(0.0, |p| p.start_secs);
         let last = phones.last().map_or(0.0, |p| p.end_secs);
-        segments.push(Segment::new(phones::silence(), first - MARGIN_SECS, first));
+        let silence = PhoneRow::SILENCE.targets();
+        segments.push(Segment::new(silence, first - MARGIN_SECS, first));
         for phone in phones {
-            let targets = phones::by_name(&phone.symbol).unwrap_or_else(phones::neutral);
+            let targets = phone.row.targets();
             let (start, end) = (phone.start_secs, phone.end_secs.max(phone.start_secs));
             match targets.glide() {
                 Some(glide) => {
@@ -110,7 +111,7 @@ impl LipTrack {
                 None => segments.push(Segment::new(targets, start, end)),
             }
         }
-        segments.push(Segment::new(phones::silence(), last, last + MARGIN_SECS));
+        segments.push(Segment::new(silence, last, last + MARGIN_SECS));
         Self::from_segments(segments)
     }
 
@@ -274,12 +275,7 @@ mod tests {
     use raconteur_base::noise;
 
     fn phone(symbol: &str, start_secs: f64, end_secs: f64) -> Phone {
-        Phone {
-            symbol: symbol.to_owned(),
-            start_secs,
-            end_secs,
-            word: None,
-        }
+        Phone::new(symbol, start_secs, end_secs, None)
     }
 
     const SOME: [&str; 24] = [
@@ -308,7 +304,7 @@ mod tests {
     #[test]
     fn one_segment_alone_returns_its_own_target() {
         for symbol in ["aa", "iy", "uw", "s", "w"] {
-            let targets = phones::by_name(symbol).unwrap_or_else(phones::silence);
+            let targets = PhoneRow::named(symbol).expect("a row").targets();
             let track = LipTrack::from_segments(vec![Segment::new(targets, 0.0, 0.2)]);
             for i in -20..40 {
                 let m = track.at(f64::from(i) * 0.01);

@@ -1,8 +1,7 @@
 //! What one figure is asked for over a whole story, as plain data.
 
 use raconteur_base::{DVec3, Side};
-use raconteur_speech::bundle::{Emotion, Phrase, Sentence};
-use raconteur_speech::{Phone, Word};
+use raconteur_speech::TimedUtterance;
 
 use crate::animation::{Library, PlayerScript};
 use crate::emotion::EmotionSpan;
@@ -10,45 +9,6 @@ use crate::gesture::{ArmScript, TrunkShape};
 use crate::manipulator::{ManipulatorScript, Sex};
 use crate::nonverbal::Manner;
 use crate::parameters::ParameterScript;
-
-/// An accented syllable of an utterance.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Accent {
-    /// Seconds from the start of the utterance.
-    pub start_secs: f64,
-    /// Seconds from the start of the utterance.
-    pub end_secs: f64,
-    /// 0..2; 1 is an ordinary accent.
-    pub strength: f64,
-    /// Its name in ToBI, for example `H*`; empty or `*` where it is not known.
-    pub label: String,
-}
-
-/// An utterance at its place in the story.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct SpokenUtterance {
-    /// Story time of its first sample, seconds.
-    pub start_secs: f64,
-    /// Length, seconds.
-    pub duration_secs: f64,
-    /// Phones, seconds from the start of the utterance.
-    pub phones: Vec<Phone>,
-    /// Words, seconds from the start of the utterance.
-    pub words: Vec<Word>,
-    /// Accents by time; empty where they are not known: some of the words count as accented.
-    pub accents: Vec<Accent>,
-    /// Intonational phrases of its words, in order; empty where they are not known.
-    pub phrases: Vec<Phrase>,
-    /// Sentences of its words, in order; where there are none, punctuation tells.
-    pub sentences: Vec<Sentence>,
-    /// Emotions in force, seconds from the start of the utterance.
-    pub emotions: Vec<Emotion>,
-    /// Fundamental frequency, a code for each 10 ms as in a bundle; empty where it is not
-    /// known.
-    pub f0: Vec<u8>,
-    /// Intensity, likewise.
-    pub intensity: Vec<u8>,
-}
 
 /// What one figure is asked for over a whole story.
 #[derive(Clone, Debug)]
@@ -66,7 +26,7 @@ pub struct Performance {
     /// The animations that they may play.
     pub library: Library,
     /// What is said, in any order.
-    pub speech: Vec<SpokenUtterance>,
+    pub speech: Vec<TimedUtterance>,
     /// What is felt, in any order.
     pub emotions: Vec<EmotionSpan>,
     /// What control parameters are asked for.

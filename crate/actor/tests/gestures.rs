@@ -1,15 +1,17 @@
 //! What single gestures look like: courses, phases, the speed of free movements, stillness.
 
+use std::sync::Arc;
+
 use raconteur_actor::gesture::{
     ArmPlan, ArmScript, BodySpace, Course, GestureStroke, HandKey, HandState, Life, Phase, Space,
 };
 use raconteur_actor::kinematics::world_from_bone;
-use raconteur_actor::{Actor, FaceRig, Performance, SpokenUtterance, palm};
+use raconteur_actor::{Actor, FaceRig, Performance, palm};
 use raconteur_base::profile::Profile;
 use raconteur_base::{DVec3, Side};
 use raconteur_body::hand_shape::HandShape;
 use raconteur_body::{Bone, Pose, Skeleton};
-use raconteur_speech::Phone;
+use raconteur_speech::{Phone, TimedUtterance, Utterance};
 
 /// No idle life.
 const STILL: Life = Life {
@@ -336,18 +338,19 @@ fn hands_that_have_too_far_to_go_come_late_and_say_so() {
     }
 }
 
-fn speech() -> SpokenUtterance {
-    let phone = |i: u32| Phone {
-        symbol: ["m", "aa", "pau"][i as usize % 3].to_owned(),
-        start_secs: 0.2 * f64::from(i),
-        end_secs: 0.2 * f64::from(i + 1),
-        word: None,
+fn speech() -> TimedUtterance {
+    let phone = |i: u32| {
+        let symbol = ["m", "aa", "pau"][i as usize % 3];
+        Phone::new(symbol, 0.2 * f64::from(i), 0.2 * f64::from(i + 1), None)
     };
-    SpokenUtterance {
-        start_secs: 30.0,
+    let utterance = Utterance {
         duration_secs: 6.0,
         phones: (0..30).map(phone).collect(),
-        ..SpokenUtterance::default()
+        ..Utterance::default()
+    };
+    TimedUtterance {
+        start_secs: 30.0,
+        utterance: Arc::new(utterance),
     }
 }
 

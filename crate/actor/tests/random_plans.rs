@@ -1,12 +1,15 @@
 //! Properties of whole performances over many random plans.
 
+use std::sync::Arc;
+
 use raconteur_actor::gesture::{ArmScript, GestureStroke, HandKey, Span};
 use raconteur_actor::kinematics::world_from_bone;
-use raconteur_actor::{Accent, Actor, ArmRig, FaceRig, Performance, SpokenUtterance, palm};
+use raconteur_actor::{Actor, ArmRig, FaceRig, Performance, palm};
 use raconteur_base::{DVec3, Side, noise};
 use raconteur_body::hand_shape::HandShape;
 use raconteur_body::{Bone, Pose, Skeleton};
-use raconteur_speech::Phone;
+use raconteur_speech::bundle::{Accent, Syllable};
+use raconteur_speech::{Phone, TimedUtterance, Utterance};
 
 fn morph_names() -> Vec<String> {
     ["mouthClose", "mouthPucker", "browInnerUp", "mouthSmileLeft"]
@@ -63,7 +66,7 @@ fn random_arm(seed: u64, side: Side) -> ArmScript {
     }
 }
 
-fn random_speech(seed: u64) -> Vec<SpokenUtterance> {
+fn random_speech(seed: u64) -> Vec<TimedUtterance> {
     let symbols = [
         "hh", "ax", "l", "ow", "pau", "b", "iy", "m", "ay", "s", "uw",
     ];
@@ -74,30 +77,32 @@ fn random_speech(seed: u64) -> Vec<SpokenUtterance> {
                 .map(|k| {
                     let start_secs = t;
                     t += 0.05 + 0.1 * noise::unit(seed, 50 + i, k);
-                    let symbol = symbols[(k as usize * 7 + i as usize) % symbols.len()].to_owned();
-                    Phone {
-                        symbol,
-                        start_secs,
-                        end_secs: t,
-                        word: None,
-                    }
+                    let symbol = symbols[(k as usize * 7 + i as usize) % symbols.len()];
+                    Phone::new(symbol, start_secs, t, None)
                 })
                 .collect();
-            SpokenUtterance {
-                start_secs: 1.0 + 8.0 * i as f64,
+            let utterance = Utterance {
                 duration_secs: t,
                 phones,
-                words: Vec::new(),
+                syllables: (0..6)
+                    .map(|k| Syllable {
+                        first_phone: 5 * k,
+                        phones: 2,
+                        stress: 1,
+                    })
+                    .collect(),
                 accents: (0..6)
-                    .map(|k| Accent {
-                        start_secs: 0.5 * f64::from(k),
-                        end_secs: 0.5 * f64::from(k) + 0.2,
-                        strength: 1.0,
+                    .map(|syllable| Accent {
+                        syllable,
                         label: String::new(),
                     })
                     .collect(),
                 f0: (0..300).map(|k| (60 + (k * 7) % 40) as u8).collect(),
-                ..SpokenUtterance::default()
+                ..Utterance::default()
+            };
+            TimedUtterance {
+                start_secs: 1.0 + 8.0 * i as f64,
+                utterance: Arc::new(utterance),
             }
         })
         .collect()
@@ -317,9 +322,9 @@ fn impossible_scripts_neither_panic_nor_spread() {
         ],
         ..GestureStroke::default()
     });
-    performance.speech.push(SpokenUtterance {
+    performance.speech.push(TimedUtterance {
         start_secs: f64::NAN,
-        ..SpokenUtterance::default()
+        ..TimedUtterance::default()
     });
     performance.listener_in_world = DVec3::new(0.0, 1.75, 0.05);
     let actor = Actor::new(&performance, &stage.skeleton);

@@ -47,14 +47,14 @@ impl Soundtrack {
         let folder = script.parent().unwrap_or(Path::new(""));
         let mut voices = Vec::new();
         for u in player.utterances() {
-            let heard = u.start_secs + u.duration_secs > from_secs;
-            let Some(audio) = u.audio.first().filter(|_| heard) else {
+            let heard = u.timed.end_secs() > from_secs;
+            let Some(audio) = u.timed.utterance.audio.first().filter(|_| heard) else {
                 continue;
             };
             match sound(folder, &format!("voice/{}", audio.file)) {
                 Ok(file) => voices.push(Sound {
                     file,
-                    start_secs: u.start_secs - from_secs,
+                    start_secs: u.timed.start_secs - from_secs,
                 }),
                 Err(error) => eprintln!("what is said is not heard: {error:#}"),
             }

@@ -63,7 +63,7 @@ impl StoryFiles {
     /// The story with its voice, without a figure: enough for times and diagnostics.
     pub(crate) fn script(&self) -> raconteur_player::Script {
         let mut script = raconteur_player::Script::read(&self.text, self.bundle().as_deref());
-        let wanted = script.wanted_animations();
+        let wanted = script.needed_animations();
         if !wanted.is_empty() {
             let mut library = raconteur_player::Library::default();
             for name in wanted {
@@ -133,7 +133,7 @@ impl StoryFiles {
         loaded.diagnostics.splice(0..0, trouble);
         let found: Vec<(String, Option<String>)> = loaded
             .player
-            .wanted_animations()
+            .needed_animations()
             .into_iter()
             .map(|name| {
                 let text = find_animation(&name, &self.script);

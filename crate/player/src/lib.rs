@@ -5,8 +5,8 @@
 //! digests; performs clauses that come while the story plays ([`live`]).
 //! Does not: draw, play sound, read files or keep a clock: time is an argument.
 //!
-//! With `eml`, this is the only crate that knows EML. It hands its neighbours on, so that
-//! the browser bindings and the command line need no further edge.
+//! With `eml`, this is the only crate that knows EML. It re-exports its neighbours for
+//! the browser bindings, which depend on no other of them.
 
 pub mod live;
 mod lower;
@@ -14,13 +14,13 @@ mod options;
 mod play;
 pub mod sweep;
 
-pub use lower::cues::{ClauseRef, Cue, CueKind, UtteranceCue, WordCue};
+pub use lower::cues::{ClauseRef, Cue, CueKind, UtteranceCue};
 pub use lower::music::MusicCue;
-pub use lower::script::{Reading, Script, performer_of};
+pub use lower::script::{LoadStage, Script, performer_of};
 pub use lower::units::Units;
 pub use lower::voice::{SpokenClause, spoken_clauses};
 pub use options::Options;
-pub use play::event::{Accepted, Event};
+pub use play::event::{AcceptedClause, Event};
 pub use play::player::{Loaded, Manipulator, Player, StoryInput};
 pub use raconteur_actor as actor;
 pub use raconteur_actor::Library;

@@ -40,10 +40,10 @@ fn a_story_tells_which_animations_it_wants_until_they_have_come() {
         push("2", "sit")
     );
     let mut player = player(&body);
-    assert_eq!(player.wanted_animations(), ["sit", "nod"]);
+    assert_eq!(player.needed_animations(), ["sit", "nod"]);
     let standing = height(&mut player, 5.0, Bone::Sacroiliac);
     assert_eq!(equip(&mut player), [""; 0]);
-    assert_eq!(player.wanted_animations(), [""; 0]);
+    assert_eq!(player.needed_animations(), [""; 0]);
     let sitting = height(&mut player, 5.0, Bone::Sacroiliac);
     assert!(sitting < standing - 0.3, "{standing} {sitting}");
 }
@@ -57,7 +57,7 @@ fn missing_and_broken_ones_are_told_once_and_the_rest_plays() {
     );
     let mut player = player(&body);
     assert_eq!(equip(&mut player), ["player::no-animation"]);
-    assert_eq!(player.wanted_animations(), [""; 0]);
+    assert_eq!(player.needed_animations(), [""; 0]);
     let told = player.provide_animations(&[("nod", Some("{\"tracks\": {\"tail\": {}}}"))]);
     assert_eq!(told[0].code, "player::bad-animation");
     assert!(told[0].message.contains("tail"), "{}", told[0].message);
@@ -92,7 +92,7 @@ fn live_fragments_play_what_the_story_has_and_what_comes() {
     let standing = height(&mut player, 1.0, Bone::Sacroiliac);
     let performed = player.perform(1, &push("0", "sit"), 1.0);
     assert_eq!(performed.diagnostics, []);
-    assert_eq!(player.wanted_animations(), ["sit"]);
+    assert_eq!(player.needed_animations(), ["sit"]);
     assert_eq!(equip(&mut player), [""; 0]);
     player.advance(3.0);
     let sitting = height(&mut player, 3.0, Bone::Sacroiliac);

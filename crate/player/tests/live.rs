@@ -66,7 +66,7 @@ fn a_waiting_figure_speaks_a_baked_line_and_tells_of_it() {
     let performed = player.perform(1, LINE, 5.0);
     assert!(codes(&performed).is_empty(), "{:?}", performed.diagnostics);
     assert_eq!(performed.clauses[0].start_secs, 5.0);
-    assert!(!performed.utterances[0].audio.is_empty());
+    assert!(!performed.utterances[0].timed.utterance.audio.is_empty());
     let events = play(&mut player, 5.0, 8.0);
     assert_eq!(
         outline(&events),
@@ -109,7 +109,8 @@ fn a_line_that_was_not_baked_is_captioned_with_a_warning() {
         1.0,
     );
     assert_eq!(codes(&performed), ["player::not-baked"]);
-    assert!(performed.utterances[0].estimated && performed.utterances[0].audio.is_empty());
+    let said = &performed.utterances[0];
+    assert!(said.estimated && said.timed.utterance.audio.is_empty());
     let words = outline(&play(&mut player, 1.0, 4.0));
     assert!(words.contains(&"word baked".to_owned()), "{words:?}");
 }

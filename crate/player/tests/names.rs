@@ -12,7 +12,7 @@ fn problems(head: &str, body: &str) -> Vec<Diagnostic> {
     let eml =
         format!("<eml xmlns:r='urn:raconteur:eml:1'><head>{head}</head><body>{body}</body></eml>");
     let mut loaded = perform(&eml, None, figure(), Options::default());
-    let wanted = loaded.player.wanted_animations();
+    let wanted = loaded.player.needed_animations();
     let missing: Vec<(&str, Option<&str>)> = wanted.iter().map(|n| (n.as_str(), None)).collect();
     let told = loaded.player.provide_animations(&missing);
     loaded.diagnostics.into_iter().chain(told).collect()

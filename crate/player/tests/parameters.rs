@@ -25,11 +25,11 @@ const BODY: &str = "<body-load-control-parameter-animation time='0' file='faces/
 fn animations_of_parameters_come_as_others_do() {
     let (mut with, told) = player(BODY);
     assert_eq!(told, [""; 0]);
-    assert_eq!(with.wanted_animations(), ["faces/blink.json"]);
+    assert_eq!(with.needed_animations(), ["faces/blink.json"]);
     assert_eq!(with.timeline().marks.get("after"), Some(&1.0));
     let told = with.provide_animations(&[("faces/blink.json", Some(BLINK))]);
     assert_eq!(told, []);
-    assert_eq!(with.wanted_animations(), [""; 0]);
+    assert_eq!(with.needed_animations(), [""; 0]);
     let after = with.timeline().marks.get("after").copied();
     assert!((after.unwrap_or(0.0) - 1.3).abs() < 1e-9, "{after:?}");
 }
@@ -39,7 +39,7 @@ fn missing_and_broken_ones_are_told() {
     let (mut player, _) = player(BODY);
     let told = player.provide_animations(&[("faces/blink.json", None)]);
     assert_eq!(told[0].code, "player::no-animation");
-    assert_eq!(player.wanted_animations(), [""; 0]);
+    assert_eq!(player.needed_animations(), [""; 0]);
     let broken = BLINK.replace("UpperLid", "Eyelash");
     let told = player.provide_animations(&[("faces/blink.json", Some(&broken))]);
     assert_eq!(told[0].code, "player::bad-animation");

@@ -76,9 +76,10 @@ fn times_outside_the_story_show_its_ends() {
 fn the_spoken_word_is_the_one_whose_time_it_is() {
     let player = load("white-rabbit").player;
     for (index, utterance) in player.utterances().iter().enumerate() {
-        assert!(!utterance.estimated && !utterance.audio.is_empty());
-        for (w, word) in utterance.words.iter().enumerate() {
-            let middle = 0.5 * (word.start_secs + word.end_secs);
+        let timed = &utterance.timed;
+        assert!(!utterance.estimated && !timed.utterance.audio.is_empty());
+        for (w, word) in timed.utterance.words.iter().enumerate() {
+            let middle = timed.story_secs(0.5 * (word.start_secs + word.end_secs));
             let now = player.speech_at(middle).expect("speech");
             assert_eq!((now.utterance, now.word), (index, Some(w)), "{}", word.text);
         }
@@ -102,14 +103,16 @@ fn cues_come_in_order_and_each_exactly_once() {
         .iter()
         .filter(|c| matches!(c.kind, CueKind::Word { .. }))
         .count();
-    let written: usize = player.utterances().iter().map(|u| u.words.len()).sum();
+    let utterances = player.utterances().iter();
+    let written: usize = utterances.map(|u| u.timed.utterance.words.len()).sum();
     assert_eq!(words, written);
 }
 
 #[test]
 fn the_greeting_hand_is_above_the_head_when_she_says_hello() {
     let mut player = load("hello-world").player;
-    let hello = player.utterances()[0].words[0].start_secs;
+    let first = &player.utterances()[0].timed;
+    let hello = first.story_secs(first.utterance.words[0].start_secs);
     let frame = player.frame(hello, 1.6);
     let hand = frame.world_from_joint[Bone::RWrist.index()].translation;
     let skull = frame.world_from_joint[Bone::Skull.index()].translation;
@@ -155,7 +158,7 @@ fn a_figure_that_a_script_moves_goes_and_wants_the_animations_of_its_players() {
         <body-deterministic-primitive time='0' primitive='push' player='p'
             animationSetName='sit'/></body></eml>";
     let mut player = perform(eml, None, figure(), Options::default()).player;
-    assert_eq!(player.wanted_animations(), ["sit"]);
+    assert_eq!(player.needed_animations(), ["sit"]);
     let [from, to] = [0.0, 1.5].map(|t| player.frame(t, 1.6).world_from_joint[Bone::Skull.index()]);
     assert!(from.translation.distance(to.translation) > 0.1);
 }

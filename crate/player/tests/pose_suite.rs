@@ -187,101 +187,98 @@ impl Case {
 
     /// What is wrong with one line; nothing when it holds.
     fn check(&mut self, words: &[&str]) -> Option<String> {
-        let t = || number(words[1]);
-        let vector = |at: usize| DVec3::from_array([0, 1, 2].map(|i| number(words[at + i])));
-        let off = |distance: f64, bound: f64, found: String| {
-            let inside = distance <= bound;
-            (!inside).then(|| format!("found {found}, {distance:.5} off"))
-        };
         match words[0] {
             "figure" | "motion" | "diagnostic" => None,
-            "at" => {
-                let found = self.place(t(), bone(words[2]));
-                off(found.distance(vector(3)), within(words[6]), show(found))
-            }
+            "at" | "speaker" | "axis" | "same" => self.check_joint(words),
+            "still" | "moves" => self.check_distance(words),
+            "speed" | "turns" => self.check_speed(words),
+            "morph" => self.check_morph(words),
+            other => panic!("{}: there is no line `{other}`", self.name),
+        }
+    }
+
+    /// Lines about where a joint is at a time, or how it is turned.
+    fn check_joint(&mut self, words: &[&str]) -> Option<String> {
+        let (time_secs, joint) = (number(words[1]), bone(words[2]));
+        let found = self.place(time_secs, joint);
+        match words[0] {
+            "at" => off(
+                found.distance(vector(words, 3)),
+                within(words[6]),
+                &show(found),
+            ),
             "speaker" => {
                 let units = Units::of(&self.figure.skeleton);
-                let wanted = units.speaker_point(vector(3).to_array());
+                let wanted = units.speaker_point(vector(words, 3).to_array());
                 let scale = self.figure.skeleton.metres_per_eml_unit();
-                let found = self.place(t(), bone(words[2]));
                 let origin = units.speaker_point([0.0; 3]);
                 let shown = (found - origin) / scale * DVec3::new(1.0, 1.0, -1.0);
-                off(
-                    found.distance(wanted) / scale,
-                    within(words[6]),
-                    show(shown),
-                )
+                let distance = found.distance(wanted) / scale;
+                off(distance, within(words[6]), &show(shown))
             }
             "axis" => {
-                let axes = self.joint(t(), bone(words[2])).matrix3;
+                let axes = self.joint(time_secs, joint).matrix3;
                 let axis = match words[3] {
                     "x" => axes.x_axis,
                     "y" => axes.y_axis,
                     "z" => axes.z_axis,
                     other => panic!("there is no axis {other}"),
                 };
-                let degrees = axis.angle_between(vector(4)).to_degrees();
-                off(degrees, within(words[7]), show(axis))
+                let degrees = axis.angle_between(vector(words, 4)).to_degrees();
+                off(degrees, within(words[7]), &show(axis))
             }
-            "still" => {
-                let places = self.places(t(), number(words[2]), bone(words[3]));
-                let first = places[0].translation;
-                let far = places.iter().map(|p| p.translation.distance(first));
-                let farthest = far.fold(0.0, f64::max);
-                off(farthest, within(words[4]), format!("{farthest:.5} m"))
+            _ => {
+                let other = Self::read(words[3]).place(time_secs, joint);
+                off(found.distance(other), within(words[4]), &show(found))
             }
-            "moves" => {
-                let from = self.place(t(), bone(words[3]));
-                let to = self.place(number(words[2]), bone(words[3]));
-                let short = number(words[4]) - from.distance(to);
-                off(short, 0.0, format!("{:.5} m", from.distance(to)))
-            }
-            "speed" => {
-                let places = self.places(t(), number(words[2]), bone(words[3]));
-                let steps = places.len() - 1;
-                let rate = steps as f64 / (number(words[2]) - t());
-                let step = |w: &[DAffine3]| w[0].translation.distance(w[1].translation) * rate;
-                let fastest = places.windows(2).map(step).fold(0.0, f64::max);
-                off(fastest - number(words[4]), 0.0, format!("{fastest:.3} m/s"))
-            }
-            "turns" => {
-                let places = self.places(t(), number(words[2]), bone(words[3]));
-                let steps = places.len() - 1;
-                let rate = steps as f64 / (number(words[2]) - t());
-                let step = |w: &[DAffine3]| {
-                    let difference = w[0].matrix3 - w[1].matrix3;
-                    // Frobenius norm of a difference of rotations: 2√2 sin(angle / 2).
-                    let sine = difference
-                        .to_cols_array()
-                        .iter()
-                        .map(|x| x * x)
-                        .sum::<f64>();
-                    2.0 * ops::asin_clamped(sine.sqrt() / 8f64.sqrt()) * rate
-                };
-                let fastest = places.windows(2).map(step).fold(0.0, f64::max);
-                off(
-                    fastest - number(words[4]),
-                    0.0,
-                    format!("{fastest:.3} rad/s"),
-                )
-            }
-            "same" => {
-                let found = self.place(t(), bone(words[2]));
-                let other = Self::read(words[3]).place(t(), bone(words[2]));
-                off(found.distance(other), within(words[4]), show(found))
-            }
-            "morph" => {
-                let index = self.figure.morph_index(words[2]).expect("a morph");
-                let weights = &self.player.frame(t(), 1.6).morph_weights;
-                let found = f64::from(weights[index]);
-                off(
-                    (found - number(words[3])).abs(),
-                    within(words[4]),
-                    format!("{found:.4}"),
-                )
-            }
-            other => panic!("{}: there is no line `{other}`", self.name),
         }
+    }
+
+    /// Lines about how far a joint moves from one time to another.
+    fn check_distance(&mut self, words: &[&str]) -> Option<String> {
+        let [from_secs, to_secs] = [number(words[1]), number(words[2])];
+        let joint = bone(words[3]);
+        if words[0] == "moves" {
+            let from = self.place(from_secs, joint);
+            let far = from.distance(self.place(to_secs, joint));
+            return off(number(words[4]) - far, 0.0, &format!("{far:.5} m"));
+        }
+        let places = self.places(from_secs, to_secs, joint);
+        let first = places[0].translation;
+        let far = places.iter().map(|p| p.translation.distance(first));
+        let farthest = far.fold(0.0, f64::max);
+        off(farthest, within(words[4]), &format!("{farthest:.5} m"))
+    }
+
+    /// Lines about how fast a joint moves or turns at most from one time to another.
+    fn check_speed(&mut self, words: &[&str]) -> Option<String> {
+        let [from_secs, to_secs] = [number(words[1]), number(words[2])];
+        let places = self.places(from_secs, to_secs, bone(words[3]));
+        let rate = (places.len() - 1) as f64 / (to_secs - from_secs);
+        let is_turn = words[0] == "turns";
+        let step = |w: &[DAffine3]| {
+            if !is_turn {
+                return w[0].translation.distance(w[1].translation) * rate;
+            }
+            let difference = w[0].matrix3 - w[1].matrix3;
+            // Frobenius norm of a difference of rotations: 2√2 sin(angle / 2).
+            let squares = difference.to_cols_array().map(|x| x * x);
+            let sine = squares.iter().sum::<f64>().sqrt() / 8f64.sqrt();
+            2.0 * ops::asin_clamped(sine) * rate
+        };
+        let fastest = places.windows(2).map(step).fold(0.0, f64::max);
+        let unit = if is_turn { "rad/s" } else { "m/s" };
+        let found = format!("{fastest:.3} {unit}");
+        off(fastest - number(words[4]), 0.0, &found)
+    }
+
+    /// A line about a morph weight.
+    fn check_morph(&mut self, words: &[&str]) -> Option<String> {
+        let index = self.figure.morph_index(words[2]).expect("a morph");
+        let weights = &self.player.frame(number(words[1]), 1.6).morph_weights;
+        let found = f64::from(weights[index]);
+        let distance = (found - number(words[3])).abs();
+        off(distance, within(words[4]), &format!("{found:.4}"))
     }
 
     /// Lines that do not hold, and what else is wrong.
@@ -339,6 +336,17 @@ impl Case {
     }
 }
 
+/// What is wrong with something this far from where it has to be; nothing within the bound.
+fn off(distance: f64, bound: f64, found: &str) -> Option<String> {
+    let inside = distance <= bound;
+    (!inside).then(|| format!("found {found}, {distance:.5} off"))
+}
+
+/// The three numbers of a line from this word on.
+fn vector(words: &[&str], at: usize) -> DVec3 {
+    DVec3::from_array([0, 1, 2].map(|i| number(words[at + i])))
+}
+
 /// A player with the animations that it wants: paths lie beside the cases, names in the
 /// library.
 fn load(eml: &str, figure: &Arc<Figure>, options: Options) -> Loaded {
@@ -351,7 +359,7 @@ fn load(eml: &str, figure: &Arc<Figure>, options: Options) -> Loaded {
     let library = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../assets/animations");
     let texts: Vec<(String, Option<String>)> = loaded
         .player
-        .wanted_animations()
+        .needed_animations()
         .into_iter()
         .map(|name| {
             let path = if name.contains('/') {

@@ -77,9 +77,10 @@ const STORY: &str = "<eml><body><seq time='0'>\
 /// What is said: its sound, when it begins and its words.
 fn said(player: &Player) -> Vec<(String, f64, Vec<String>)> {
     let all = player.utterances().iter().map(|u| {
-        let words = u.words.iter().map(|w| w.text.clone()).collect();
-        let sound = u.audio.first().map(|a| a.file.clone());
-        (sound.unwrap_or_default(), u.start_secs, words)
+        let said = &u.timed.utterance;
+        let words = said.words.iter().map(|w| w.text.clone()).collect();
+        let sound = said.audio.first().map(|a| a.file.clone());
+        (sound.unwrap_or_default(), u.timed.start_secs, words)
     });
     all.collect()
 }
@@ -200,10 +201,12 @@ fn what_was_made_ready_is_heard_when_a_fragment_says_it() {
     let sounds: Vec<&str> = performed
         .utterances
         .iter()
-        .map(|u| u.audio[0].file.as_str())
+        .map(|u| u.timed.utterance.audio[0].file.as_str())
         .collect();
     assert_eq!(sounds, ["ready.opus", "later.opus"]);
     let words: Vec<&str> = performed.utterances[1]
+        .timed
+        .utterance
         .words
         .iter()
         .map(|w| &*w.text)
@@ -217,5 +220,6 @@ fn what_was_made_ready_is_heard_when_a_fragment_says_it() {
         20.0,
     );
     assert_eq!(unknown.diagnostics[0].code, "player::not-baked");
-    assert!(unknown.utterances[0].audio.is_empty() && unknown.utterances[0].estimated);
+    let said = &unknown.utterances[0];
+    assert!(said.timed.utterance.audio.is_empty() && said.estimated);
 }

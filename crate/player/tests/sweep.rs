@@ -57,7 +57,7 @@ fn a_wrist_bent_aside_too_far_is_found() {
     let mut player = perform(eml, None, figure(), Options::default()).player;
     let checks = sweep(&mut player);
     let limits = checks.iter().find(|c| c.name == "beyond-limits");
-    let found = limits.map(|c| (c.part, c.worst));
+    let found = limits.map(|c| (c.location, c.worst));
     // A woman's wrist deviates by 36.1 degrees to the thumb and 43 to the other side; the man's
     // by some more.
     assert!(
@@ -79,7 +79,7 @@ fn an_elbow_bent_backwards_is_found() {
     let wrong: Vec<_> = checks.iter().filter(|c| !c.is_ok()).collect();
     assert_eq!(wrong.len(), 1, "{wrong:?}");
     assert_eq!(
-        (wrong[0].name, wrong[0].part),
+        (wrong[0].name, wrong[0].location),
         ("beyond-limits", "bone_r_elbow")
     );
     assert!((wrong[0].worst - 40.0).abs() < 1.0, "{wrong:?}");

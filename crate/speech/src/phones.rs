@@ -9,8 +9,8 @@
 //! within a few hundredths of closed; rounding begins early and decays slowly. Visemes are
 //! the fifteen of OpenXR's `XR_META_face_tracking_visemes`.
 //!
-//! A player knows rows by their names; which row is whose symbol, bakers know ([`find`]), and
-//! bundles tell.
+//! A [`PhoneRow`] is an index into the table. Symbols of a phone set are resolved to rows by
+//! bakers ([`find`]); a bundle names the rows, and its reader resolves the names once.
 
 mod columns;
 mod names;
@@ -112,22 +112,42 @@ impl PhoneTargets {
     }
 }
 
+/// A row of the phone table.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct PhoneRow(u8);
+
+impl PhoneRow {
+    /// Silence: the closed mouth at rest.
+    pub const SILENCE: Self = Self(SILENCE as u8);
+
+    /// A phone that hardly constrains the lips (schwa), for unknown symbols.
+    pub const NEUTRAL: Self = Self(SCHWA as u8);
+
+    /// The row of this name.
+    #[must_use]
+    pub fn named(name: &str) -> Option<Self> {
+        let index = TABLE.iter().position(|row| row.name == name)?;
+        u8::try_from(index).ok().map(Self)
+    }
+
+    /// What the mouth does.
+    #[must_use]
+    pub fn targets(self) -> &'static PhoneTargets {
+        &TABLE[usize::from(self.0)]
+    }
+}
+
+impl Default for PhoneRow {
+    /// [`PhoneRow::NEUTRAL`].
+    fn default() -> Self {
+        Self::NEUTRAL
+    }
+}
+
 /// Targets by the name of their row; `None` for another name.
 #[must_use]
 pub fn by_name(name: &str) -> Option<&'static PhoneTargets> {
-    TABLE.iter().find(|row| row.name == name)
-}
-
-/// Silence: the closed mouth at rest.
-#[must_use]
-pub fn silence() -> &'static PhoneTargets {
-    &TABLE[SILENCE]
-}
-
-/// A phone that says little about the lips (schwa): what an unknown symbol is shown as.
-#[must_use]
-pub fn neutral() -> &'static PhoneTargets {
-    &TABLE[SCHWA]
+    PhoneRow::named(name).map(PhoneRow::targets)
 }
 
 #[cfg(test)]
@@ -136,10 +156,11 @@ mod tests {
 
     #[test]
     fn silence_is_closed_and_the_fallback_is_a_schwa() {
-        assert_eq!(silence().class, Class::Silence);
-        assert_eq!(silence().channels, [0.0; CHANNELS]);
-        assert_eq!(by_name("pau"), Some(silence()));
-        assert_eq!(by_name("ax"), Some(neutral()));
+        let silence = PhoneRow::SILENCE.targets();
+        assert_eq!(silence.class, Class::Silence);
+        assert_eq!(silence.channels, [0.0; CHANNELS]);
+        assert_eq!(PhoneRow::named("pau"), Some(PhoneRow::SILENCE));
+        assert_eq!(PhoneRow::named("ax"), Some(PhoneRow::NEUTRAL));
     }
 
     #[test]

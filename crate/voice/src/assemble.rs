@@ -360,12 +360,8 @@ impl Tape<'_> {
         let mut start_secs = 0.0;
         for mark in &self.marks {
             let end_secs = msec(mark.end) / 1000.0;
-            utterance.phones.push(Phone {
-                symbol: mark.symbol.clone(),
-                start_secs,
-                end_secs,
-                word: mark.word,
-            });
+            let phone = Phone::new(&mark.symbol, start_secs, end_secs, mark.word);
+            utterance.phones.push(phone);
             start_secs = end_secs;
         }
         if let Some(last) = utterance.phones.last_mut() {
@@ -421,6 +417,7 @@ fn words(utterance: &mut Utterance, plan: &Plan) {
             text: text.clone(),
             start_secs,
             end_secs,
+            emphasized: false,
         });
     }
 }

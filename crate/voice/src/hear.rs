@@ -185,12 +185,9 @@ mod tests {
         let mut utterance = Utterance::default();
         for (i, symbol) in ["pau", "aa", "t", "aa", "pau"].into_iter().enumerate() {
             let start_secs = 0.1 * i as f64;
-            utterance.phones.push(Phone {
-                symbol: symbol.to_owned(),
-                start_secs,
-                end_secs: start_secs + 0.1,
-                word: (symbol != "pau").then_some(0),
-            });
+            let word = (symbol != "pau").then_some(0);
+            let phone = Phone::new(symbol, start_secs, start_secs + 0.1, word);
+            utterance.phones.push(phone);
         }
         let mut samples = vec![0.0; 8_000];
         for (i, sample) in samples.iter_mut().enumerate() {

@@ -51,7 +51,7 @@ pub fn said(document: &eml::Document) -> Vec<Said> {
             source: source_of(spoken.kind)?,
             voice: spoken.voice.map(str::to_owned),
             emotion: spoken
-                .felt()
+                .elicited()
                 .map(|(word, place)| (word.unwrap_or_default().to_owned(), place)),
             span: document.clause(spoken.id).tag_span,
         })

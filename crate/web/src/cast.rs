@@ -1,4 +1,4 @@
-//! Whom a story chooses, before anybody is on stage.
+//! The performer that a story chooses, before a figure is loaded.
 
 use raconteur_player::performer_of;
 use wasm_bindgen::prelude::*;

@@ -3,7 +3,7 @@
 use raconteur_player::Player as Performer;
 use wasm_bindgen::prelude::*;
 
-use crate::doing::{Doing, Noted};
+use crate::activity::{Activity, ActivityGuard};
 use crate::message::Story;
 use crate::player::{Player, plain, provide};
 
@@ -13,9 +13,9 @@ impl Player {
     /// The names of animations that the story or live clauses play and that have not been
     /// provided: of the library, or paths in the story's folder.
     #[wasm_bindgen(js_name = wantedAnimations)]
-    pub fn wanted_animations(&self) -> Vec<String> {
+    pub fn needed_animations(&self) -> Vec<String> {
         let performer = self.performer.as_ref();
-        performer.map_or_else(Vec::new, Performer::wanted_animations)
+        performer.map_or_else(Vec::new, Performer::needed_animations)
     }
 
     /// Takes animations by name with their texts, an empty one for what was not found. The
@@ -28,7 +28,7 @@ impl Player {
         names: Vec<String>,
         texts: Vec<String>,
     ) -> Result<JsValue, JsError> {
-        let _noted = Noted::new(Doing::Animation);
+        let _activity = ActivityGuard::new(Activity::Animation);
         let Some(performer) = &mut self.performer else {
             return Ok(JsValue::UNDEFINED);
         };

@@ -1,4 +1,4 @@
-//! For the page of the face: what it does over a time, and why.
+//! For the page of the face: controls and articulation over time.
 
 use raconteur_player::Player as Performer;
 use raconteur_player::body::face::{FaceControls, MUSCLES};
@@ -9,7 +9,7 @@ use crate::player::Player;
 /// Samples that are taken at once at most.
 const MOST: usize = 4096;
 
-/// Appends the numbers of what a face is asked to do.
+/// Appends the controls of a face.
 fn push_controls(c: &FaceControls, numbers: &mut Vec<f32>) {
     let mut put = |values: &[f64]| numbers.extend(values.iter().map(|&v| v as f32));
     let all: &[f64; MUSCLES] = &c.contraction;
@@ -35,7 +35,7 @@ fn push_controls(c: &FaceControls, numbers: &mut Vec<f32>) {
 
 #[wasm_bindgen]
 impl Player {
-    /// What the face is asked to do at `count` times from `from` to `to`, story seconds; for
+    /// Controls of the face at `count` times from `from` to `to`, story seconds; for
     /// each time contractions of the muscles in their order, then 16 numbers: the jaw's pitch
     /// and yaw (radians), way forwards and down (metres), upper and lower lids, protrusion,
     /// seal, bite, tip, back and protrusion of the tongue, blush.
@@ -55,7 +55,7 @@ impl Player {
         numbers
     }
 
-    /// What the mouth goes through, as 10 numbers for each segment of everything that is said:
+    /// The articulation, as 10 numbers for each segment of all utterances:
     /// start, end, from when to when it dominates fully (story seconds), its dominance over
     /// opening, rounding, spreading and tongue, and its rates before and after, 1/s.
     pub fn segments(&self) -> Vec<f32> {

@@ -1,4 +1,4 @@
-//! For pages that edit: another text for whoever is on stage, and what to draw over the
+//! For pages that edit: another text for the current performer, and what to draw over the
 //! picture.
 
 use raconteur_player::stage::{Room, View};

@@ -1,12 +1,12 @@
-//! The browser's door to a storyteller: one opaque class, plain objects in and out.
+//! Browser bindings of a storyteller: one opaque class, plain objects in and out.
 //!
-//! Does: read a story, show any moment of it on a canvas, tell the cues passed on the way,
+//! Does: read a story, show any moment of it on a canvas, deliver the cues passed on the way,
 //! and digest poses for comparison with the native program.
 //! Does not: fetch, play sound or keep time; `web/element` does. Nothing is called back
 //! into JavaScript, and an error is a value or an exception, never a trap.
 //!
-//! A page makes one wasm instance for each player, so a trap would end that player alone; what a
-//! panic said, its instance still tells.
+//! A page makes one wasm instance for each player, so a trap would end that player alone; the
+//! instance still returns the message of its panic.
 
 #![deny(
     clippy::unwrap_used,
@@ -26,18 +26,18 @@
 pub mod message;
 
 #[cfg(target_arch = "wasm32")]
-mod last_words;
+mod panic_report;
 #[cfg(target_arch = "wasm32")]
-pub use last_words::{panic_message, start};
+pub use panic_report::{panic_message, start};
 
+#[cfg(target_arch = "wasm32")]
+mod activity;
 #[cfg(target_arch = "wasm32")]
 mod cast;
 #[cfg(target_arch = "wasm32")]
 mod clips;
 #[cfg(target_arch = "wasm32")]
 mod curves;
-#[cfg(target_arch = "wasm32")]
-mod doing;
 #[cfg(target_arch = "wasm32")]
 mod edit;
 #[cfg(target_arch = "wasm32")]
@@ -47,9 +47,9 @@ mod palm;
 #[cfg(target_arch = "wasm32")]
 mod player;
 #[cfg(target_arch = "wasm32")]
-pub use cast::performer;
+pub use activity::doing;
 #[cfg(target_arch = "wasm32")]
-pub use doing::doing;
+pub use cast::performer;
 #[cfg(target_arch = "wasm32")]
 pub use palm::{hand_directions, palm_of};
 #[cfg(target_arch = "wasm32")]

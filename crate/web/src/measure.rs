@@ -1,4 +1,4 @@
-//! What a picture took, for people who measure.
+//! Measures of drawing, for benchmarks.
 
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
@@ -18,7 +18,7 @@ struct Statistics<'a> {
 
 #[wasm_bindgen]
 impl Player {
-    /// What the last picture took; nothing without a canvas.
+    /// Measures of the last picture; nothing without a canvas.
     pub fn statistics(&self) -> Result<JsValue, JsError> {
         let Some(info) = self.picture_info() else {
             return Ok(JsValue::UNDEFINED);

@@ -1,4 +1,4 @@
-//! What crosses to JavaScript: plain objects, named as `web/element/types.ts` names them.
+//! Messages to JavaScript: plain objects, named as `web/element/types.ts` names them.
 
 use raconteur_player::eml::{self, LineIndex};
 use raconteur_player::{Event, MusicCue, UtteranceCue};
@@ -10,15 +10,15 @@ use serde::Serialize;
 pub struct Story {
     /// Length, seconds.
     pub duration_secs: f64,
-    /// What is said, by time.
+    /// Its utterances, by time.
     pub utterances: Vec<Utterance>,
-    /// Whom it chooses to perform it.
+    /// The performer that it chooses.
     pub performer: Performer,
-    /// Problems of the text, by place.
+    /// Problems of the text, by position.
     pub diagnostics: Vec<Diagnostic>,
 }
 
-/// Whom a story chooses, in what voice and language.
+/// The figure, voice and language that a story chooses.
 #[derive(Debug, Default, Serialize)]
 pub struct Performer {
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -48,14 +48,14 @@ pub struct Diagnostic {
     severity: &'static str,
     message: String,
     hints: Vec<String>,
-    start: Place,
-    end: Place,
+    start: Position,
+    end: Position,
 }
 
-/// A place in the story's text; all from 1.
+/// A position in the story's text; all from 1.
 #[derive(Debug, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
-struct Place {
+struct Position {
     line: u32,
     /// In characters.
     column: u32,
@@ -63,7 +63,7 @@ struct Place {
     column_utf16: u32,
 }
 
-/// Something said.
+/// An utterance.
 #[derive(Debug, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct Utterance {
@@ -116,13 +116,13 @@ impl From<MusicCue> for Piece {
     }
 }
 
-/// What became of a fragment.
+/// The outcome of a fragment.
 #[derive(Debug, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct Performance {
-    /// What its sender is told.
+    /// Events for its sender.
     pub events: Vec<Event>,
-    /// What it says, by time.
+    /// Its utterances, by time.
     pub utterances: Vec<Utterance>,
     /// The index of the first of them.
     pub first_utterance: usize,
@@ -155,9 +155,9 @@ impl Story {
 
 impl Diagnostic {
     fn new(diagnostic: eml::Diagnostic, lines: &LineIndex<'_>) -> Self {
-        let place = |offset| {
+        let position = |offset| {
             let characters = lines.position(offset);
-            Place {
+            Position {
                 line: characters.line,
                 column: characters.column,
                 column_utf16: lines.position_utf16(offset).column,
@@ -166,8 +166,8 @@ impl Diagnostic {
         Self {
             code: diagnostic.code,
             severity: diagnostic.severity.name(),
-            start: place(diagnostic.span.start),
-            end: place(diagnostic.span.end),
+            start: position(diagnostic.span.start),
+            end: position(diagnostic.span.end),
             message: diagnostic.message,
             hints: diagnostic.hints,
         }
@@ -176,21 +176,22 @@ impl Diagnostic {
 
 impl Utterance {
     pub(crate) fn new(cue: &UtteranceCue) -> Self {
+        let timed = &cue.timed;
         let audio = |a: &raconteur_player::speech::AudioFile| AudioFile {
             file: a.file.clone(),
             mime: a.mime.clone(),
         };
-        let word = |w: &raconteur_player::WordCue| Word {
+        let word = |w: &raconteur_player::speech::Word| Word {
             text: w.text.clone(),
-            start_secs: w.start_secs,
-            end_secs: w.end_secs,
+            start_secs: timed.story_secs(w.start_secs),
+            end_secs: timed.story_secs(w.end_secs),
             emphasized: w.emphasized,
         };
         Self {
-            start_secs: cue.start_secs,
-            duration_secs: cue.duration_secs,
-            audio: cue.audio.iter().map(audio).collect(),
-            words: cue.words.iter().map(word).collect(),
+            start_secs: timed.start_secs,
+            duration_secs: timed.utterance.duration_secs,
+            audio: timed.utterance.audio.iter().map(audio).collect(),
+            words: timed.utterance.words.iter().map(word).collect(),
             estimated: cue.estimated,
             language: cue.language.clone(),
             voice: cue.voice.clone(),

@@ -15,7 +15,7 @@ use serde_wasm_bindgen::Serializer;
 use wasm_bindgen::prelude::*;
 use web_sys::HtmlCanvasElement;
 
-use crate::doing::{Doing, Noted, note};
+use crate::activity::{Activity, ActivityGuard, note};
 use crate::message::{Performance, Piece, Story, Utterance};
 
 #[cfg(not(any(feature = "webgpu", feature = "webgl")))]
@@ -24,7 +24,7 @@ compile_error!("a build for the browser needs the feature `webgpu` or `webgl`");
 /// Largest side of the canvas, device pixels: 8K, and no more memory than that.
 const MOST_PIXELS: f64 = 8192.0;
 
-/// What became of a tick; `TickStatus` in `web/element/types.ts`.
+/// The outcome of a tick; `TickStatus` in `web/element/types.ts`.
 #[derive(Clone, Copy)]
 #[repr(u32)]
 enum TickStatus {
@@ -44,7 +44,7 @@ pub struct Player {
     resting: bool,
     /// Width over height.
     pub(crate) aspect: f64,
-    /// From where a page looks that looks behind the scenes.
+    /// The view that a page chooses in place of the shot.
     pub(crate) view: Option<View>,
     /// The dominant hand, where the page chooses it.
     handedness: Option<Side>,
@@ -91,12 +91,12 @@ impl Player {
         glb: &[u8],
         motion: f64,
     ) -> Result<JsValue, JsError> {
-        let _noted = Noted::new(Doing::Figure);
+        let _activity = ActivityGuard::new(Activity::Figure);
         let figure = Arc::new(read_figure(figure, glb)?);
         let options = self.options(motion, Room::default());
         let (mut performer, story) = read(eml, bundle.as_deref(), figure, options);
         performer.set_view(self.view);
-        note(Doing::Figure);
+        note(Activity::Figure);
         if let Some(picture) = &mut self.picture {
             picture.set_figure(performer.figure())?;
         }
@@ -155,7 +155,7 @@ impl Player {
         height: u32,
         rgba: &[u8],
     ) -> Result<(), JsError> {
-        let _noted = Noted::new(Doing::Figure);
+        let _activity = ActivityGuard::new(Activity::Figure);
         if let Some(picture) = &mut self.picture {
             picture.set_image(index, width, height, rgba)?;
         }
@@ -167,7 +167,7 @@ impl Player {
         let Some(performer) = &mut self.performer else {
             return Ok(TickStatus::Skipped as u32);
         };
-        let _noted = Noted::new(Doing::Pose);
+        let _activity = ActivityGuard::new(Activity::Pose);
         performer.advance(time_secs);
         self.draw(|performer, aspect| performer.frame(time_secs, aspect))
     }
@@ -175,7 +175,7 @@ impl Player {
     /// Shows the figure as it waits for the story to be played, for so many seconds already; a
     /// `TickStatus`. The next `tick` goes on from there, unless a `seek` comes first.
     pub fn welcome(&mut self, waited_secs: f64) -> Result<u32, JsError> {
-        let _noted = Noted::new(Doing::Pose);
+        let _activity = ActivityGuard::new(Activity::Pose);
         self.draw(|performer, aspect| performer.welcome(waited_secs, aspect))
     }
 
@@ -211,14 +211,14 @@ impl Player {
     }
 
     /// Performs a fragment of EML, `now_secs` being the story time from which plain times
-    /// count; a `Performance`, or nothing before a `load`. `mind` tells senders apart.
+    /// count; a `Performance`, or nothing before a `load`. `mind` identifies the sender.
     pub fn perform(
         &mut self,
         mind: u32,
         fragment: &str,
         now_secs: f64,
     ) -> Result<JsValue, JsError> {
-        let _noted = Noted::new(Doing::Fragment);
+        let _activity = ActivityGuard::new(Activity::Fragment);
         let Some(performer) = &mut self.performer else {
             return Ok(JsValue::UNDEFINED);
         };
@@ -281,7 +281,7 @@ impl Player {
 }
 
 impl Player {
-    /// Draws a frame of whoever is on stage.
+    /// Draws a frame of the current performer.
     fn draw(&mut self, frame: impl FnOnce(&mut Performer, f64) -> &Frame) -> Result<u32, JsError> {
         let status = match (&mut self.performer, &mut self.picture) {
             (None, _) => TickStatus::Skipped,
@@ -289,7 +289,7 @@ impl Player {
             _ if !self.sized => TickStatus::Skipped,
             (Some(performer), Some(picture)) => {
                 let frame = frame(performer, self.aspect);
-                note(Doing::Drawing);
+                note(Activity::Drawing);
                 match picture.render(frame)? {
                     RenderStatus::Drawn => TickStatus::Shown,
                     RenderStatus::Skipped => TickStatus::Skipped,
@@ -311,7 +311,7 @@ impl Player {
         let Some(before) = &self.performer else {
             return Ok(JsValue::UNDEFINED);
         };
-        let _noted = Noted::new(Doing::Story);
+        let _activity = ActivityGuard::new(Activity::Story);
         let figure = Arc::clone(before.figure());
         let (mut performer, story) = read(eml, bundle, figure, self.options(motion, room));
         performer.set_view(self.view);
@@ -344,13 +344,12 @@ impl Player {
 pub fn pose_digests(
     eml: &str,
     bundle: Option<Vec<u8>>,
-    figure: &str,
     glb: &[u8],
     names: Vec<String>,
     texts: Vec<String>,
     times_secs: &[f64],
 ) -> Result<Vec<String>, JsError> {
-    let figure = Arc::new(read_figure(figure, glb)?);
+    let figure = Arc::new(read_figure("figure", glb)?);
     let (mut performer, _) = read(eml, bundle.as_deref(), figure, Options::default());
     if !names.is_empty() {
         provide(&mut performer, &names, &texts);
@@ -372,7 +371,7 @@ pub(crate) fn read(
         figure,
         options,
     };
-    let loaded = Performer::load_telling(input, &mut |reading| note(reading.into()));
+    let loaded = Performer::load_with_progress(input, &mut |stage| note(stage.into()));
     let performer = loaded.player;
     let story = Story::new(
         eml,
@@ -400,14 +399,14 @@ impl Player {
         }
     }
 
-    /// What the canvas draws with, and what its last picture took.
+    /// The adapter of the canvas, and measures of its last picture.
     pub(crate) fn picture_info(&self) -> Option<&raconteur_render::RenderInfo> {
         self.picture.as_ref().map(CanvasTarget::info)
     }
 }
 
-/// Hands a performer animations by name, an empty text for what was not found; what is wrong
-/// with them.
+/// Provides a performer with animations by name, an empty text where one was not found. Returns
+/// their problems.
 pub(crate) fn provide(
     performer: &mut Performer,
     names: &[String],

@@ -234,9 +234,9 @@ mod tests {
     use super::super::Manner;
     use super::super::tests::speech::{hour, shipped};
     use super::*;
-    use crate::score::SpokenUtterance;
+    use raconteur_speech::TimedUtterance;
 
-    fn plan(speech: &[SpokenUtterance]) -> (Heard, Blinks) {
+    fn plan(speech: &[TimedUtterance]) -> (Heard, Blinks) {
         let heard = Heard::new(&speech.iter().collect::<Vec<_>>(), &Manner::default(), 1);
         let blinks = Blinks::new(&heard, 1.0, 1);
         (heard, blinks)

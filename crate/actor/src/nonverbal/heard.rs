@@ -3,11 +3,11 @@
 
 use raconteur_base::order::sort_by_number;
 use raconteur_speech::bundle::SentenceKind;
-use raconteur_speech::phones::{self, Class};
+use raconteur_speech::phones::Class;
+use raconteur_speech::{TimedUtterance, Utterance};
 
 use super::extreme::Extreme;
-use super::{LATEST_SECS, Manner, Way, pitch, text};
-use crate::score::SpokenUtterance;
+use super::{LATEST_SECS, Manner, Way, accent, pitch, text};
 
 /// Silence at least this long is a pause, seconds. Designed: closures of stops are shorter.
 const PAUSE_SECS: f64 = 0.15;
@@ -83,7 +83,7 @@ struct Last {
 
 impl Heard {
     /// From utterances by time, times of which are finite.
-    pub(super) fn new(utterances: &[&SpokenUtterance], manner: &Manner, seed: u64) -> Self {
+    pub(super) fn new(utterances: &[&TimedUtterance], manner: &Manner, seed: u64) -> Self {
         let mut heard = Self::default();
         let mut last: Option<Last> = None;
         for (i, u) in utterances.iter().enumerate() {
@@ -111,9 +111,10 @@ impl Heard {
     }
 
     /// Adds what is heard of an utterance.
-    fn add(&mut self, u: &SpokenUtterance, last: &mut Option<Last>) {
+    fn add(&mut self, timed: &TimedUtterance, last: &mut Option<Last>) {
+        let u = &*timed.utterance;
         let (ends, questions) = ends_of(u);
-        let at = |secs: f64| u.start_secs + secs;
+        let at = |secs: f64| timed.story_secs(secs);
         let first_question = self.questions.len();
         for &(first, word) in &questions {
             let [first, last] = [&u.words[first], &u.words[word]];
@@ -130,7 +131,7 @@ impl Heard {
                 continue;
             }
             self.boundaries.extend([start_secs, end_secs]);
-            if phones::by_name(&phone.symbol).is_some_and(|p| p.class == Class::Silence) {
+            if phone.row.targets().class == Class::Silence {
                 continue;
             }
             let word = phone.word.filter(|w| *w < u.words.len());
@@ -200,26 +201,23 @@ impl Heard {
 
     /// Adds where the voice rises and falls, and the accents of an utterance. Accents that
     /// nobody told of are where the voice is highest, or on some of the longer words.
-    fn add_melody(&mut self, u: &SpokenUtterance, manner: &Manner, seed: u64) {
+    fn add_melody(&mut self, timed: &TimedUtterance, manner: &Manner, seed: u64) {
+        let u = &*timed.utterance;
+        let known = accent::known(u);
         let before = self.extremes.len();
         let from_sound = manner.way == Way::Audio
-            && pitch::extremes(u, manner.pitch_threshold, &mut self.extremes);
-        let guessed = match &self.extremes[before..] {
-            _ if !u.accents.is_empty() => Vec::new(),
-            extremes if from_sound => pitch::accents(u, extremes),
+            && pitch::extremes(timed, manner.pitch_threshold, &mut self.extremes);
+        let accents = match &self.extremes[before..] {
+            _ if !known.is_empty() => known,
+            extremes if from_sound => pitch::accents(timed, extremes),
             _ => text::accents(u, seed),
         };
-        let accents = if u.accents.is_empty() {
-            &guessed
-        } else {
-            &u.accents
-        };
         if !from_sound {
-            text::extremes(u, accents, &mut self.extremes);
+            text::extremes(timed, &accents, &mut self.extremes);
         }
-        for accent in accents {
+        for accent in &accents {
             let [start_secs, end_secs] =
-                [accent.start_secs, accent.end_secs].map(|secs| u.start_secs + secs);
+                [accent.start_secs, accent.end_secs].map(|secs| timed.story_secs(secs));
             if start_secs < end_secs && start_secs.abs() < LATEST_SECS && end_secs < LATEST_SECS {
                 self.stresses.push(Stress {
                     start_secs,
@@ -266,7 +264,7 @@ impl Heard {
 
 /// What ends with each word of an utterance, and the first and last word of each question.
 /// Sentences that nobody told of are known by their punctuation.
-fn ends_of(u: &SpokenUtterance) -> (Vec<Break>, Vec<(usize, usize)>) {
+fn ends_of(u: &Utterance) -> (Vec<Break>, Vec<(usize, usize)>) {
     let mut ends = vec![Break::Words; u.words.len()];
     let mut questions = Vec::new();
     for phrase in &u.phrases {
@@ -340,28 +338,23 @@ mod tests {
     use super::*;
     use raconteur_speech::bundle::{Phrase, Sentence};
     use raconteur_speech::{Phone, Word};
+    use std::sync::Arc;
 
     /// An utterance of words of one phone, and of silence where a length is negative.
-    fn say(start_secs: f64, words: &[(&str, f64)]) -> SpokenUtterance {
-        let mut u = SpokenUtterance {
-            start_secs,
-            ..SpokenUtterance::default()
-        };
+    fn say(words: &[(&str, f64)]) -> Utterance {
+        let mut u = Utterance::default();
         let mut now = 0.0;
         for (text, secs) in words {
             let end_secs = now + secs.abs();
             let word = (*secs > 0.0).then_some(u.words.len());
-            u.phones.push(Phone {
-                symbol: if word.is_some() { "aa" } else { "pau" }.to_owned(),
-                start_secs: now,
-                end_secs,
-                word,
-            });
+            let symbol = if word.is_some() { "aa" } else { "pau" };
+            u.phones.push(Phone::new(symbol, now, end_secs, word));
             if word.is_some() {
                 u.words.push(Word {
                     text: (*text).to_owned(),
                     start_secs: now,
                     end_secs,
+                    emphasized: false,
                 });
             }
             now = end_secs;
@@ -370,21 +363,25 @@ mod tests {
         u
     }
 
+    fn at(start_secs: f64, utterance: Utterance) -> TimedUtterance {
+        TimedUtterance {
+            start_secs,
+            utterance: Arc::new(utterance),
+        }
+    }
+
     #[test]
     fn pauses_part_words_phrases_sentences_and_turns() {
-        let mut first = say(
-            1.0,
-            &[
-                ("a", 0.2),
-                ("", -0.3),
-                ("b", 0.2),
-                ("", -0.4),
-                ("c", 0.2),
-                ("", -0.1),
-                ("d", 0.3),
-                ("", -0.5),
-            ],
-        );
+        let mut first = say(&[
+            ("a", 0.2),
+            ("", -0.3),
+            ("b", 0.2),
+            ("", -0.4),
+            ("c", 0.2),
+            ("", -0.1),
+            ("d", 0.3),
+            ("", -0.5),
+        ]);
         first.phrases = vec![
             Phrase {
                 first_word: 0,
@@ -402,8 +399,9 @@ mod tests {
             words: 4,
             kind: SentenceKind::Statement,
         }];
-        let second = say(4.0, &[("e", 0.5), ("", -0.5)]);
-        let third = say(9.0, &[("f?", 0.5)]);
+        let first = at(1.0, first);
+        let second = at(4.0, say(&[("e", 0.5), ("", -0.5)]));
+        let third = at(9.0, say(&[("f?", 0.5)]));
         let heard = Heard::new(&[&first, &second, &third], &Manner::default(), 1);
         let parts: Vec<Break> = heard.pauses.iter().map(|p| p.parts).collect();
         assert_eq!(
@@ -427,7 +425,7 @@ mod tests {
             ("", -0.3),
             ("else", 0.4),
         ];
-        let heard = Heard::new(&[&say(0.0, &words)], &Manner::default(), 1);
+        let heard = Heard::new(&[&at(0.0, say(&words))], &Manner::default(), 1);
         assert_eq!(heard.pauses.len(), 1);
         let pause = heard.pauses[0];
         assert!(pause.is_filled && (pause.start_secs - 0.4).abs() < 1e-9);

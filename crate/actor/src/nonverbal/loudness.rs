@@ -1,12 +1,12 @@
 //! Relative loudness over the story (F&H section 4.2.1, "Volume-controlled Intensity").
 
 use raconteur_base::curve::ramp;
+use raconteur_speech::TimedUtterance;
 use raconteur_speech::bundle::{FRAME_SECS, db_of_code};
 
 use super::contour::{approximate, extrema};
 use super::track::Track;
 use crate::articulation::ORDINARY_LOUDNESS;
-use crate::score::SpokenUtterance;
 
 /// From the quietest to the loudest at least, decibels, so that even speech is not blown up
 /// to whispers and shouts. Designed.
@@ -17,13 +17,14 @@ const SPEECH_DB: f64 = 35.0;
 /// Loudness at the maxima of the curve of the intensity: 0 at the quietest, 1 at the loudest
 /// of all utterances, and [`ORDINARY_LOUDNESS`] at their mean and where nothing is known;
 /// between maxima the steps of a track, cubics that do not overshoot.
-pub(super) fn track(utterances: &[&SpokenUtterance]) -> Track {
+pub(super) fn track(utterances: &[&TimedUtterance]) -> Track {
     let mut peaks: Vec<(f64, f64)> = Vec::new();
     for u in utterances {
-        let frames: Vec<f64> = u.intensity.iter().map(|code| db_of_code(*code)).collect();
+        let intensity = u.utterance.intensity.iter();
+        let frames: Vec<f64> = intensity.map(|code| db_of_code(*code)).collect();
         let curve = approximate(&frames);
         let maxima = extrema(&curve).into_iter().filter(|e| e.is_max);
-        peaks.extend(maxima.map(|e| (u.start_secs + e.frame as f64 * FRAME_SECS, curve[e.frame])));
+        peaks.extend(maxima.map(|e| (u.story_secs(e.frame as f64 * FRAME_SECS), curve[e.frame])));
     }
     let most = peaks
         .iter()
@@ -49,7 +50,9 @@ pub(super) fn track(utterances: &[&SpokenUtterance]) -> Track {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use raconteur_speech::Utterance;
     use raconteur_speech::bundle::code_of_db;
+    use std::sync::Arc;
 
     #[test]
     fn louder_syllables_are_louder_and_pauses_do_not_count() {
@@ -61,10 +64,12 @@ mod tests {
                     + if i / 30 == 2 { 9.0 } else { 0.0 }
             }
         };
-        let u = SpokenUtterance {
+        let u = TimedUtterance {
             start_secs: 2.0,
-            intensity: (0..170).map(|i| code_of_db(db(i))).collect(),
-            ..SpokenUtterance::default()
+            utterance: Arc::new(Utterance {
+                intensity: (0..170).map(|i| code_of_db(db(i))).collect(),
+                ..Utterance::default()
+            }),
         };
         let track = track(&[&u]);
         assert!((track.at(2.75) - 1.0).abs() < 0.02, "{}", track.at(2.75));

@@ -7,6 +7,7 @@
 //! Does: illustrators, punctuators, regulators and manipulators (section 4.1.1). Does not:
 //! emblems and affect displays, which need to know what the words mean; lips.
 
+mod accent;
 mod blink;
 mod contour;
 mod extreme;
@@ -25,8 +26,8 @@ mod track;
 
 use raconteur_base::order::sort_by_number;
 use raconteur_body::face::{FaceControls, Muscle};
+use raconteur_speech::TimedUtterance;
 
-use crate::score::SpokenUtterance;
 use blink::Blinks;
 use gaze::Gaze;
 use heard::Heard;
@@ -80,10 +81,10 @@ impl NonVerbal {
     /// Plans everything for what is said, in any order. The same seed gives the same plan,
     /// another one another. Utterances of impossible times are passed over.
     #[must_use]
-    pub fn new(speech: &[SpokenUtterance], seed: u64, manner: &Manner) -> Self {
+    pub fn new(speech: &[TimedUtterance], seed: u64, manner: &Manner) -> Self {
         let manner = manner.in_range();
-        let fits = |u: &&SpokenUtterance| u.start_secs.abs() < LATEST_SECS;
-        let mut utterances: Vec<&SpokenUtterance> = speech.iter().filter(fits).collect();
+        let fits = |u: &&TimedUtterance| u.start_secs.abs() < LATEST_SECS;
+        let mut utterances: Vec<&TimedUtterance> = speech.iter().filter(fits).collect();
         sort_by_number(&mut utterances, |u| u.start_secs);
         let heard = Heard::new(&utterances, &manner, seed);
         let loudness = loudness::track(&utterances);

@@ -2,11 +2,12 @@
 //! 4.2.1, "Facial Expressions from Pitch").
 
 use raconteur_base::curve::lerp;
+use raconteur_speech::TimedUtterance;
 use raconteur_speech::bundle::{FRAME_SECS, semitones_of_code};
 
+use super::accent::Accent;
 use super::contour::{Extremum, approximate, between_turning_points, extrema};
 use super::extreme::Extreme;
-use crate::score::{Accent, SpokenUtterance};
 
 /// Fewer voiced frames than this are no melody.
 const FEWEST_FRAMES: usize = 10;
@@ -24,17 +25,18 @@ const LEAST_HEIGHT: f64 = 0.15;
 ///
 /// Heights are on a scale of semitones and not of hertz as in the thesis, so that one
 /// threshold fits low and high voices.
-pub(super) fn extremes(u: &SpokenUtterance, threshold: f64, out: &mut Vec<Extreme>) -> bool {
-    let Some(frames) = bridged(&u.f0) else {
+pub(super) fn extremes(timed: &TimedUtterance, threshold: f64, out: &mut Vec<Extreme>) -> bool {
+    let f0 = &timed.utterance.f0;
+    let Some(frames) = bridged(f0) else {
         return false;
     };
     let curve = approximate(&frames);
-    let [low, high] = range(&u.f0);
+    let [low, high] = range(f0);
     // What does not stand out by the threshold from the last that did is passed over, so
     // that a ripple in a valley does not keep the head up.
     let mut prominent: Vec<(Extremum, f64)> = Vec::new();
     for extremum in extrema(&curve) {
-        let (extremum, pitch) = measured(extremum, &curve, &u.f0);
+        let (extremum, pitch) = measured(extremum, &curve, f0);
         let sign = if extremum.is_max { 1.0 } else { -1.0 };
         match prominent.last_mut() {
             Some((last, before)) if last.is_max == extremum.is_max => {
@@ -51,7 +53,7 @@ pub(super) fn extremes(u: &SpokenUtterance, threshold: f64, out: &mut Vec<Extrem
         out.extend(prominent.iter().map(|(extremum, pitch)| {
             let height = ((pitch - low) / (high - low)).clamp(LEAST_HEIGHT, 1.0);
             Extreme {
-                at_secs: u.start_secs + extremum.frame as f64 * FRAME_SECS,
+                at_secs: timed.story_secs(extremum.frame as f64 * FRAME_SECS),
                 height: if extremum.is_max { height } else { 0.0 },
                 is_question: false,
             }
@@ -61,12 +63,12 @@ pub(super) fn extremes(u: &SpokenUtterance, threshold: f64, out: &mut Vec<Extrem
 }
 
 /// Accents of an utterance of which none are known: around the maxima of its pitch.
-pub(super) fn accents(u: &SpokenUtterance, extremes: &[Extreme]) -> Vec<Accent> {
+pub(super) fn accents(timed: &TimedUtterance, extremes: &[Extreme]) -> Vec<Accent> {
     let maxima = extremes.iter().filter(|e| e.height > 0.0);
     maxima
         .map(|e| Accent {
-            start_secs: e.at_secs - u.start_secs - SYLLABLE_SECS / 2.0,
-            end_secs: e.at_secs - u.start_secs + SYLLABLE_SECS / 2.0,
+            start_secs: timed.offset_secs(e.at_secs) - SYLLABLE_SECS / 2.0,
+            end_secs: timed.offset_secs(e.at_secs) + SYLLABLE_SECS / 2.0,
             strength: 1.0,
             label: String::new(),
         })
@@ -137,7 +139,20 @@ fn range(f0: &[u8]) -> [f64; 2] {
 mod tests {
     use super::*;
     use raconteur_base::ops;
+    use raconteur_speech::Utterance;
     use raconteur_speech::bundle::code_of_hz;
+    use std::sync::Arc;
+
+    /// An utterance of this pitch from 10 s on.
+    fn sung(f0: Vec<u8>) -> TimedUtterance {
+        TimedUtterance {
+            start_secs: 10.0,
+            utterance: Arc::new(Utterance {
+                f0,
+                ..Utterance::default()
+            }),
+        }
+    }
 
     #[test]
     fn hills_of_the_voice_are_found_where_they_are_measured() {
@@ -152,12 +167,7 @@ mod tests {
                 code_of_hz(120.0 * ops::exp(semitones / 12.0 * 0.693))
             }
         };
-        let u = SpokenUtterance {
-            start_secs: 10.0,
-            duration_secs: 2.4,
-            f0: (0..240).map(code).collect(),
-            ..SpokenUtterance::default()
-        };
+        let u = sung((0..240).map(code).collect());
         let mut out = Vec::new();
         assert!(extremes(&u, 2.0, &mut out));
         let maxima: Vec<f64> = out
@@ -179,17 +189,10 @@ mod tests {
     #[test]
     fn a_sound_without_voice_has_no_melody() {
         for f0 in [vec![], vec![0; 500], vec![9; 3]] {
-            let u = SpokenUtterance {
-                f0,
-                ..SpokenUtterance::default()
-            };
             let mut out = Vec::new();
-            assert!(!extremes(&u, 2.0, &mut out) && out.is_empty());
+            assert!(!extremes(&sung(f0), 2.0, &mut out) && out.is_empty());
         }
-        let flat = SpokenUtterance {
-            f0: vec![90; 300],
-            ..SpokenUtterance::default()
-        };
+        let flat = sung(vec![90; 300]);
         let mut out = Vec::new();
         assert!(extremes(&flat, 2.0, &mut out) && out.is_empty());
     }

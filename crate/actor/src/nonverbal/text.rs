@@ -3,12 +3,12 @@
 
 use raconteur_base::curve::ramp;
 use raconteur_base::noise;
-use raconteur_speech::Word;
 use raconteur_speech::bundle::Phrase;
+use raconteur_speech::{TimedUtterance, Utterance, Word};
 
+use super::accent::Accent;
 use super::extreme::Extreme;
 use crate::idle::stream;
-use crate::score::{Accent, SpokenUtterance};
 
 /// From an accent to the lowest pitch behind it, seconds at most. Designed.
 const FALL_SECS: f64 = 0.45;
@@ -43,7 +43,7 @@ fn rise_of(tone: &str) -> Option<f64> {
 
 /// Accents of an utterance of which none are known: on some of the longer words, where most
 /// accents are (F&H section 4.3.2: on content words).
-pub(super) fn accents(u: &SpokenUtterance, seed: u64) -> Vec<Accent> {
+pub(super) fn accents(u: &Utterance, seed: u64) -> Vec<Accent> {
     let is_accented = |(i, word): &(usize, &Word)| {
         let is_long = word.end_secs - word.start_secs > LONG_WORD_SECS;
         let share = if is_long { 0.5 } else { 0.1 };
@@ -62,7 +62,8 @@ pub(super) fn accents(u: &SpokenUtterance, seed: u64) -> Vec<Accent> {
 
 /// Adds what the pitch of an utterance may be taken to do: a maximum in the middle of each
 /// accented syllable and at the end of each rising phrase, with minima between.
-pub(super) fn extremes(u: &SpokenUtterance, accents: &[Accent], out: &mut Vec<Extreme>) {
+pub(super) fn extremes(timed: &TimedUtterance, accents: &[Accent], out: &mut Vec<Extreme>) {
+    let u = &*timed.utterance;
     let mut maxima: Vec<(f64, f64)> = Vec::with_capacity(accents.len());
     for accent in accents {
         if let Some(height) = height_of(&accent.label) {
@@ -85,7 +86,7 @@ pub(super) fn extremes(u: &SpokenUtterance, accents: &[Accent], out: &mut Vec<Ex
     raconteur_base::order::sort_by_number(&mut maxima, |m| m.0);
     let mut push = |at_secs: f64, height: f64| {
         out.push(Extreme {
-            at_secs: u.start_secs + at_secs,
+            at_secs: timed.story_secs(at_secs),
             height,
             is_question: false,
         });
@@ -102,7 +103,7 @@ pub(super) fn extremes(u: &SpokenUtterance, accents: &[Accent], out: &mut Vec<Ex
 }
 
 /// How far into its phrase a time is, 0 to 1; 0 where no phrases are known.
-fn share_of_phrase(u: &SpokenUtterance, at_secs: f64) -> f64 {
+fn share_of_phrase(u: &Utterance, at_secs: f64) -> f64 {
     let start = |phrase: &Phrase| u.words.get(phrase.first_word).map(|w| w.start_secs);
     let begun = u
         .phrases
@@ -123,6 +124,7 @@ fn share_of_phrase(u: &SpokenUtterance, at_secs: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::sync::Arc;
 
     #[test]
     fn accents_raise_and_their_labels_tell_how_far() {
@@ -136,25 +138,29 @@ mod tests {
             text: "word".to_owned(),
             start_secs,
             end_secs,
+            emphasized: false,
         };
-        let u = SpokenUtterance {
-            start_secs: 5.0,
+        let accents: Vec<Accent> = ["L+H*", "L*", "!H*"]
+            .iter()
+            .zip([0.0, 0.5, 2.0])
+            .map(|(l, t)| accent(t, l))
+            .collect();
+        let u = Utterance {
             duration_secs: 3.0,
             words: vec![word(0.0, 1.0), word(1.0, 2.9)],
-            accents: ["L+H*", "L*", "!H*"]
-                .iter()
-                .zip([0.0, 0.5, 2.0])
-                .map(|(l, t)| accent(t, l))
-                .collect(),
             phrases: vec![Phrase {
                 first_word: 0,
                 words: 2,
                 tone: "L-H%".to_owned(),
             }],
-            ..SpokenUtterance::default()
+            ..Utterance::default()
+        };
+        let timed = TimedUtterance {
+            start_secs: 5.0,
+            utterance: Arc::new(u),
         };
         let mut out = Vec::new();
-        extremes(&u, &u.accents, &mut out);
+        extremes(&timed, &accents, &mut out);
         let times: Vec<f64> = out.iter().map(|e| e.at_secs - 5.0).collect();
         let heights: Vec<bool> = out.iter().map(|e| e.height > 0.0).collect();
         assert_eq!(heights, [true, false, true, false, true, false]);

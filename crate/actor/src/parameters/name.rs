@@ -129,7 +129,7 @@ impl Parameter {
         match index.checked_sub(VISEMES.len()) {
             None => {
                 let phone = phones::by_name(VISEMES[index].1);
-                Asks::Viseme(phone.unwrap_or_else(phones::silence))
+                Asks::Viseme(phone.unwrap_or(phones::PhoneRow::SILENCE.targets()))
             }
             Some(word) => Asks::Emotion(Affect::named(WORDS[word].0).unwrap_or_default()),
         }

@@ -56,7 +56,7 @@ impl From<Check> for Entry {
             unit: check.unit,
             ok: check.is_ok(),
             at_secs: check.at_secs,
-            part: check.part,
+            part: check.location,
         }
     }
 }
@@ -122,8 +122,8 @@ fn print(out: &mut impl io::Write, check: &Check) -> io::Result<()> {
         out,
         "  {mark} {name:<26} {worst:>8} of {limit:>8} {unit:<5}"
     )?;
-    if !check.part.is_empty() {
-        write!(out, " at {:.3} s, {}", check.at_secs, check.part)?;
+    if !check.location.is_empty() {
+        write!(out, " at {:.3} s, {}", check.at_secs, check.location)?;
     }
     writeln!(out)
 }

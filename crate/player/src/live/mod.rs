@@ -6,22 +6,17 @@
 
 pub(crate) mod times;
 
-use std::sync::Arc;
-
 use raconteur_actor::animation::PlayerCommand;
 use raconteur_actor::{Actor, Library};
 use raconteur_base::Side;
 use raconteur_base::order::sort_by_number;
-use raconteur_body::Skeleton;
-use raconteur_eml::{Diagnostic, Name, Set, Severity, SortedMap, Span, parse_fragment};
-use raconteur_speech::Bundle;
+use raconteur_eml::{Diagnostic, Name, Parsed, Severity, SortedMap, Span, parse_fragment};
 
+use crate::lower::animations;
+use crate::lower::cast::Cast;
 use crate::lower::cues::{ClauseRef, Cue, CueKind, UtteranceCue};
-use crate::lower::gestures::{Hands, Reach, out_of_reach};
-use crate::lower::part::{Carried, Part};
-use crate::lower::script::{Script, Sources, delayed};
-use crate::lower::units::Units;
-use crate::lower::{animations, manipulators, parameters};
+use crate::lower::plan::{CarriedCommands, ScriptPlan};
+use crate::lower::script::{Script, Sources};
 
 /// What a live performance may cost. Beyond, fragments are refused and the story plays on.
 pub mod limits {
@@ -43,34 +38,34 @@ pub mod limits {
     pub const BURST: f64 = 20.0;
     /// Fragments a second of story time that it may send for long.
     pub const RATE_HZ: f64 = 10.0;
-    /// Minds whose rates are told apart.
+    /// Minds whose rates are counted separately.
     pub const MINDS: usize = 64;
 }
 
 /// An arm is down again this long after its last stroke, seconds: hold and retraction.
 const SETTLE_SECS: f64 = 2.0;
 
-/// What became of a fragment.
+/// The outcome of a fragment.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Performed {
     /// Its number, from 1; cues name it.
     pub fragment: u32,
-    /// The `name` of its `eml` element, by which a mind may know it again.
+    /// The `name` of its `eml` element, by which a mind may recognise it.
     pub name: Option<String>,
-    /// What will be performed, by start; empty when the fragment was refused.
+    /// The clauses that will be performed, by start; empty when the fragment was refused.
     pub clauses: Vec<LiveClause>,
-    /// What will be said, by start.
+    /// The utterances, by start.
     pub utterances: Vec<UtteranceCue>,
     /// The index of the first of [`Performed::utterances`].
     pub first_utterance: usize,
-    /// What is wrong. An error has cost a clause, or the whole fragment.
+    /// Problems. An error has cost a clause, or the whole fragment.
     pub diagnostics: Vec<Diagnostic>,
 }
 
 /// A clause that was accepted.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LiveClause {
-    /// Which it is.
+    /// Its identity.
     pub clause: ClauseRef,
     /// Story time, seconds.
     pub start_secs: f64,
@@ -85,8 +80,9 @@ struct Fragment {
     end_secs: f64,
     first_utterance: usize,
     marks: SortedMap<Name, f64>,
-    part: Part,
-    /// Nothing of it has been told: it may begin at a time up to which everything else was.
+    plan: ScriptPlan,
+    /// None of its cues has been delivered: they may lie before the time up to which all others
+    /// were.
     fresh: bool,
 }
 
@@ -97,34 +93,38 @@ struct Allowance {
     at_secs: f64,
 }
 
-/// What a fragment meets.
-pub(crate) struct Scene<'a> {
-    pub(crate) units: &'a Units,
-    pub(crate) reach: &'a Reach,
-    pub(crate) hands: Hands,
-    pub(crate) bundle: Option<&'a Arc<Bundle>>,
-    pub(crate) library: &'a Library,
-    /// The story's named sets of tracks, for fragments that have none.
-    pub(crate) sets: &'a [Set],
-    /// The story's named moments.
-    pub(crate) marks: &'a SortedMap<Name, f64>,
-    /// Who performs before the fragment joins.
-    pub(crate) actor: &'a Actor,
-    pub(crate) skeleton: &'a Skeleton,
-    /// What the story asks of animation players.
-    pub(crate) story_players: &'a [(f64, PlayerCommand)],
+/// A fragment as it comes.
+pub(crate) struct FragmentText<'a> {
+    /// Which mind sends it.
+    pub(crate) mind: u32,
+    pub(crate) text: &'a str,
+    /// Story time at which it comes, seconds.
+    pub(crate) now_secs: f64,
+    /// Story time from which its own times count, seconds.
+    pub(crate) base_secs: f64,
 }
 
-/// The live part of a performance.
+/// The performance that a fragment joins.
+pub(crate) struct Scene<'a> {
+    pub(crate) cast: &'a Cast,
+    pub(crate) library: &'a Library,
+    /// The story's script, for its bundle, its named moments and its sets.
+    pub(crate) script: &'a Script,
+    pub(crate) story: &'a ScriptPlan,
+    /// The actor before the fragment joins.
+    pub(crate) actor: &'a Actor,
+}
+
+/// The live performance: the fragments that have joined the story.
 pub(crate) struct Live {
     /// In the order in which they came.
     fragments: Vec<Fragment>,
     fragments_begun: u32,
     utterances_begun: usize,
     allowances: Vec<Allowance>,
-    /// What forgotten fragments asked of animation players and control parameters: both stay.
-    carried: Carried,
-    /// Clauses that a seek has passed over, not yet told.
+    /// Commands of forgotten fragments that stay in force.
+    carried: CarriedCommands,
+    /// Clauses that a seek has passed over, not yet delivered.
     skipped: Vec<Cue>,
 }
 
@@ -136,18 +136,18 @@ impl Live {
             fragments_begun: 0,
             utterances_begun: utterances,
             allowances: Vec::new(),
-            carried: Carried::default(),
+            carried: CarriedCommands::default(),
             skipped: Vec::new(),
         }
     }
 
-    /// What is performed, in the order in which it came.
-    pub(crate) fn parts(&self) -> impl Iterator<Item = &Part> + Clone {
-        self.fragments.iter().map(|f| &f.part)
+    /// The plans of all fragments, in the order in which they came.
+    pub(crate) fn plans(&self) -> impl Iterator<Item = &ScriptPlan> + Clone {
+        self.fragments.iter().map(|f| &f.plan)
     }
 
-    /// What forgotten fragments asked for and what stays.
-    pub(crate) fn carried(&self) -> &Carried {
+    /// Commands of forgotten fragments that stay in force.
+    pub(crate) fn carried(&self) -> &CarriedCommands {
         &self.carried
     }
 
@@ -157,11 +157,11 @@ impl Live {
         ends.fold(f64::NEG_INFINITY, f64::max)
     }
 
-    /// What is said, with the indices of the utterances.
+    /// The utterances with their indices.
     pub(crate) fn utterances(&self) -> impl Iterator<Item = (usize, &UtteranceCue)> {
         self.fragments
             .iter()
-            .flat_map(|f| (f.first_utterance..).zip(&f.part.utterances))
+            .flat_map(|f| (f.first_utterance..).zip(&f.plan.utterances))
     }
 
     /// Whether a mind may send at a time without being refused for its pace.
@@ -195,22 +195,15 @@ impl Live {
         may
     }
 
-    /// Takes a fragment in, at times that count from `base_secs`.
-    pub(crate) fn admit(
-        &mut self,
-        mind: u32,
-        text: &str,
-        now_secs: f64,
-        base_secs: f64,
-        scene: &Scene<'_>,
-    ) -> Performed {
+    /// Takes a fragment into the performance.
+    pub(crate) fn admit(&mut self, incoming: &FragmentText<'_>, scene: &Scene<'_>) -> Performed {
         self.fragments_begun = self.fragments_begun.wrapping_add(1);
         let mut performed = Performed {
             fragment: self.fragments_begun,
             first_utterance: self.utterances_begun,
             ..Performed::default()
         };
-        if let Err(refusal) = self.join(mind, text, now_secs, base_secs, scene, &mut performed) {
+        if let Err(refusal) = self.join(incoming, scene, &mut performed) {
             performed.clauses.clear();
             performed.utterances.clear();
             performed.diagnostics.push(refusal);
@@ -220,110 +213,110 @@ impl Live {
 
     fn join(
         &mut self,
-        mind: u32,
-        text: &str,
-        now_secs: f64,
-        base_secs: f64,
+        incoming: &FragmentText<'_>,
         scene: &Scene<'_>,
         performed: &mut Performed,
     ) -> Result<(), Diagnostic> {
-        if !self.spend(mind, now_secs) {
-            let message = "too many fragments at once; this one was not read";
-            return Err(refusal("live::busy", message).hint("send fewer a second"));
-        }
-        if text.len() > limits::FRAGMENT_BYTES {
-            let message = format!("a fragment has at most {} bytes", limits::FRAGMENT_BYTES);
-            return Err(refusal("live::too-large", message));
-        }
-        let mut parsed = parse_fragment(text);
+        self.check_rate(incoming)?;
+        let mut parsed = parse_fragment(incoming.text);
         performed.name = parsed.document.name.clone();
         let most = limits::REMEMBERED_CLAUSES as u64 + 1;
         let played = times::played_out(&parsed.document, most) as usize;
-        self.make_room(text.len(), played, now_secs)?;
-        let late = times::bind(&mut parsed.document, base_secs, |name| {
-            self.mark(name).or_else(|| scene.marks.get(name).copied())
-        });
-        parsed.diagnostics.extend(late);
-        if parsed.document.sets.is_empty() {
-            parsed.document.sets = scene.sets.to_vec();
-        }
-        let sources = Sources {
-            bundle: scene.bundle.cloned(),
-            library: scene.library,
-        };
-        let mut script = Script::resolve(parsed, sources, scene.bundle.is_some());
-        performed.diagnostics.append(&mut script.diagnostics);
-        let (document, units) = (&script.document, scene.units);
-        let far = out_of_reach(document, units, scene.reach, scene.hands);
-        performed.diagnostics.extend(far);
-        let unknown = parameters::problems(document);
-        performed.diagnostics.extend(unknown);
-        let limbs = manipulators::problems(document, units, scene.reach);
-        performed.diagnostics.extend(limbs);
-        script.timeline = delayed(script.timeline, base_secs);
-        let sudden = Part::new(&script, scene.units, scene.hands, 0, None);
-        let run_up_secs = run_up(&sudden, scene.actor, base_secs);
-        script.timeline = delayed(script.timeline, run_up_secs);
-        let before = self.players_before(scene.story_players);
-        let lost = animations::problems(
-            &script.document,
-            &script.timeline,
-            scene.skeleton,
-            Some(before),
-        );
-        performed.diagnostics.extend(lost);
-        let lead_in_secs = script.timeline.lead_in_secs - base_secs;
+        self.make_room(incoming.text.len(), played, incoming.now_secs)?;
+        self.bind(&mut parsed, incoming.base_secs, scene);
+        let script = self.timed_script(parsed, incoming.base_secs, scene, performed);
+        let lead_in_secs = script.timeline.lead_in_secs - incoming.base_secs;
         let end_secs = script.timeline.duration_secs;
-        if lead_in_secs.max(end_secs - now_secs) > limits::AHEAD_SECS {
+        if lead_in_secs.max(end_secs - incoming.now_secs) > limits::AHEAD_SECS {
             let message = "a fragment reaches at most an hour ahead";
             return Err(refusal("live::too-far", message));
         }
-        let clauses = script.timeline.clauses.iter();
-        performed.clauses = clauses
-            .filter(|c| !times::is_anchor(script.document.clause(c.clause)))
-            .map(|timed| LiveClause {
-                clause: ClauseRef::of(timed.clause, script.document.clause(timed.clause)),
-                start_secs: timed.start_secs,
-                end_secs: timed.end_secs,
-            })
-            .collect();
+        performed.clauses = accepted_clauses(&script);
         if performed.clauses.is_empty() {
-            let failed = performed.diagnostics.iter();
-            return if failed.clone().any(|d| d.severity == Severity::Error) {
+            let mut diagnostics = performed.diagnostics.iter();
+            return if diagnostics.any(|d| d.severity == Severity::Error) {
                 Ok(())
             } else {
-                Err(refusal(
-                    "live::empty",
-                    "there is no clause in this fragment",
-                ))
+                let message = "there is no clause in this fragment";
+                Err(refusal("live::empty", message))
             };
         }
         let first_utterance = self.utterances_begun;
-        let part = Part::new(
-            &script,
-            scene.units,
-            scene.hands,
-            first_utterance,
-            Some(performed.fragment),
-        );
-        self.utterances_begun += part.utterances.len();
-        performed.utterances.clone_from(&part.utterances);
+        let number = Some(performed.fragment);
+        let plan = ScriptPlan::new(&script, scene.cast, first_utterance, number);
+        self.utterances_begun += plan.utterances.len();
+        performed.utterances.clone_from(&plan.utterances);
         self.fragments.push(Fragment {
-            bytes: text.len(),
+            bytes: incoming.text.len(),
             clauses: played.max(1),
             end_secs,
             first_utterance,
             marks: script.timeline.marks,
-            part,
+            plan,
             fresh: true,
         });
         Ok(())
     }
 
-    /// What animation players were asked before a fragment joins.
+    /// Refuses what comes too fast, or is too long.
+    fn check_rate(&mut self, incoming: &FragmentText<'_>) -> Result<(), Diagnostic> {
+        if !self.spend(incoming.mind, incoming.now_secs) {
+            let message = "too many fragments at once; this one was not read";
+            return Err(refusal("live::busy", message).hint("send fewer a second"));
+        }
+        if incoming.text.len() > limits::FRAGMENT_BYTES {
+            let message = format!("a fragment has at most {} bytes", limits::FRAGMENT_BYTES);
+            return Err(refusal("live::too-large", message));
+        }
+        Ok(())
+    }
+
+    /// Resolves the names that a fragment takes from the story and from earlier fragments.
+    fn bind(&self, parsed: &mut Parsed, base_secs: f64, scene: &Scene<'_>) {
+        let late = times::bind(&mut parsed.document, base_secs, |name| {
+            let story = &scene.script.timeline.marks;
+            self.mark(name).or_else(|| story.get(name).copied())
+        });
+        parsed.diagnostics.extend(late);
+        if parsed.document.sets.is_empty() {
+            parsed.document.sets.clone_from(&scene.script.document.sets);
+        }
+    }
+
+    /// Gives a fragment its times on the story's clock, late enough for its hands to come in
+    /// time, and reports its problems.
+    fn timed_script(
+        &self,
+        parsed: Parsed,
+        base_secs: f64,
+        scene: &Scene<'_>,
+        performed: &mut Performed,
+    ) -> Script {
+        let bundle = &scene.script.bundle;
+        let sources = Sources {
+            bundle: bundle.clone(),
+            library: scene.library,
+        };
+        let mut script = Script::resolve(parsed, sources, bundle.is_some());
+        let diagnostics = &mut performed.diagnostics;
+        diagnostics.append(&mut script.diagnostics);
+        diagnostics.extend(scene.cast.problems(&script.document));
+        script.delay(base_secs);
+        let at_once = ScriptPlan::new(&script, scene.cast, 0, None);
+        script.delay(run_up(&at_once, scene.actor, base_secs));
+        diagnostics.extend(animations::problems(
+            &script.document,
+            &script.timeline,
+            &scene.cast.figure.skeleton,
+            Some(self.players_before(&scene.story.players)),
+        ));
+        script
+    }
+
+    /// Commands to animation players before a fragment joins.
     fn players_before(&self, story: &[(f64, PlayerCommand)]) -> Vec<(f64, PlayerCommand)> {
         let carried = self.carried.players.iter().chain(story);
-        let live = self.fragments.iter().flat_map(|f| &f.part.players);
+        let live = self.fragments.iter().flat_map(|f| &f.plan.players);
         carried.chain(live).cloned().collect()
     }
 
@@ -363,12 +356,12 @@ impl Live {
     fn forget(&mut self, index: usize) {
         let forgotten = self.fragments.remove(index);
         let parameters = &mut self.carried.parameters;
-        parameters.extend(forgotten.part.felt.parameters);
+        parameters.extend(forgotten.plan.face.parameters);
         sort_by_number(parameters, |(time_secs, _)| *time_secs);
         let surplus = parameters.len().saturating_sub(limits::CARRIED_COMMANDS);
         parameters.drain(..surplus);
         let players = &mut self.carried.players;
-        players.extend(forgotten.part.players);
+        players.extend(forgotten.plan.players);
         sort_by_number(players, |(time_secs, _)| *time_secs);
         // What came before all players went has no effect any more.
         let last = players.iter().rposition(|(_, command)| {
@@ -397,7 +390,7 @@ impl Live {
         for fragment in &mut self.fragments {
             let fresh = std::mem::take(&mut fragment.fresh);
             let from_secs = if fresh { f64::NEG_INFINITY } else { from_secs };
-            cues.extend_from_slice(between(&fragment.part.cues, from_secs, to_secs));
+            cues.extend_from_slice(between(&fragment.plan.cues, from_secs, to_secs));
         }
         cues
     }
@@ -406,7 +399,7 @@ impl Live {
     pub(crate) fn skip(&mut self, from_secs: f64, to_secs: f64) {
         for fragment in &mut self.fragments {
             fragment.fresh = false;
-            for cue in between(&fragment.part.cues, from_secs, to_secs) {
+            for cue in between(&fragment.plan.cues, from_secs, to_secs) {
                 if self.skipped.len() >= limits::REMEMBERED_CLAUSES {
                     return;
                 }
@@ -437,12 +430,25 @@ pub(crate) fn between(cues: &[Cue], from_secs: f64, to_secs: f64) -> &[Cue] {
     cues.get(first..last).unwrap_or_default()
 }
 
+/// The clauses of a script, by start.
+fn accepted_clauses(script: &Script) -> Vec<LiveClause> {
+    let clauses = script.timeline.clauses.iter();
+    clauses
+        .filter(|c| !times::is_anchor(script.document.clause(c.clause)))
+        .map(|timed| LiveClause {
+            clause: ClauseRef::of(timed.clause, script.document.clause(timed.clause)),
+            start_secs: timed.start_secs,
+            end_secs: timed.end_secs,
+        })
+        .collect()
+}
+
 /// By how much a fragment is delayed so that its hands are there in time, seconds. Speech
 /// waits for them, for both are one utterance (GEVH D.2: a lead-in delays the whole).
-fn run_up(part: &Part, actor: &Actor, base_secs: f64) -> f64 {
+fn run_up(plan: &ScriptPlan, actor: &Actor, base_secs: f64) -> f64 {
     let mut delay: f64 = 0.0;
     for side in Side::BOTH {
-        for stroke in &part.strokes[side.index()] {
+        for stroke in &plan.strokes[side.index()] {
             let Some(first) = stroke.keys.first() else {
                 continue;
             };

@@ -12,10 +12,10 @@ use raconteur_eml::{
     layer_number, nearest, quoted,
 };
 
-/// Layers of a player of which a script does not tell how many it has.
+/// Layers of a player where the script gives no number.
 const LAYERS: usize = 2;
 
-/// What a script asks of animation players, by time, and where it says so.
+/// A script's commands to animation players, by time, and the clauses that give them.
 pub(crate) fn commands(
     document: &Document,
     timeline: &Timeline,
@@ -85,7 +85,7 @@ fn player_kind(kind: raconteur_eml::PlayerKind, layers: Option<u32>) -> PlayerKi
 }
 
 /// The operation of a clause; none when it puts on an animation without a name, which the
-/// checks of the language have told.
+/// checks of the language report.
 fn operation(primitive: &DeterministicPrimitive) -> Option<Operation> {
     let name = || primitive.animation.clone();
     Some(match primitive.primitive {
@@ -148,21 +148,6 @@ fn track(name: &str) -> Option<TrackRef> {
         return Some(TrackRef::Group(i));
     }
     layer_number(name).map(TrackRef::Layer)
-}
-
-/// The names of the animations that a script plays, each once, with where each is first used.
-pub(crate) fn wanted(document: &Document) -> Vec<(&str, Span)> {
-    let mut wanted: Vec<(&str, Span)> = Vec::new();
-    for (_, clause) in document.iter() {
-        if let ClauseKind::DeterministicPrimitive(primitive) = &clause.kind
-            && let Some(Operation::Push(..) | Operation::Exchange(..)) = operation(primitive)
-            && let Some(name) = primitive.animation.as_deref()
-            && !wanted.iter().any(|(n, _)| *n == name)
-        {
-            wanted.push((name, clause.tag_span));
-        }
-    }
-    wanted
 }
 
 /// The animations of the library that is shipped, for hints.
@@ -239,7 +224,7 @@ pub(crate) fn hint(name: &str) -> Option<String> {
 }
 
 /// What commands of a script cannot do; of a live fragment, after all that was commanded
-/// `before`. Animations are missing only once nobody will bring them: they are told elsewhere.
+/// `before`. Missing animations are reported when the page provides none.
 pub(crate) fn problems(
     document: &Document,
     timeline: &Timeline,
@@ -267,7 +252,7 @@ pub(crate) fn problems(
     let told = problems.into_iter().filter_map(|problem| {
         let span = spans[problem.command.checked_sub(first)?];
         let message = match problem.kind {
-            // Of a whole script the checks of the language have told it.
+            // Of a whole script the checks of the language report it.
             ProblemKind::NoPlayer(Some(name)) if !added.contains(&name.as_str()) => {
                 return is_fragment.then(|| unknown_player(&name, &added, span));
             }
@@ -288,7 +273,7 @@ pub(crate) fn problems(
     told.collect()
 }
 
-/// As `eml`'s checks tell it of a script.
+/// As `eml`'s checks report it of a script.
 fn unknown_player(name: &str, added: &[&str], span: Span) -> Diagnostic {
     let message = format!("no clause adds a player {}", quoted(name));
     let warning = Diagnostic::warning("eml::unknown-player", span, message);

@@ -1,13 +1,14 @@
-//! What a page is told while a story plays: words, clauses and the story's own events.
+//! Cues: moments that a page is notified of while a story plays.
 
 use raconteur_base::order::sort_by_number;
-use raconteur_eml::{Clause, ClauseId, ClauseKind, Markup, Piece, VoiceText, WordTime};
-use raconteur_speech::AudioFile;
+use raconteur_eml::{Clause, ClauseId, ClauseKind, Markup, Piece, TimedClause, VoiceText};
+use raconteur_speech::TimedUtterance;
 
 use crate::Script;
 use crate::live::times;
+use crate::lower::utterance;
 
-/// A moment that listeners may want to know of.
+/// A moment that listeners are notified of.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cue {
     /// Story time, seconds.
@@ -32,10 +33,8 @@ pub enum CueKind {
     Phone {
         /// Index of the utterance.
         utterance: usize,
-        /// Its symbol in the voice's phone set.
-        symbol: String,
-        /// When it ends, story time, seconds.
-        end_secs: f64,
+        /// Index of the phone in it.
+        phone: usize,
     },
     /// An utterance begins.
     UtteranceStart {
@@ -56,7 +55,7 @@ pub enum CueKind {
     ClauseStart(ClauseRef),
     /// A clause ends.
     ClauseEnd(ClauseRef),
-    /// A clause of a live performance was passed over by a seek and will not be told.
+    /// A clause of a live performance was passed over by a seek and is not performed.
     ClauseSkipped(ClauseRef),
     /// The script's `event` element.
     StoryEvent {
@@ -70,7 +69,7 @@ pub enum CueKind {
 /// What identifies a clause to listeners.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ClauseRef {
-    /// Its place among the clauses of its script or fragment, from 0 in document order.
+    /// Its index among the clauses of its script or fragment, from 0 in document order.
     pub clause: ClauseId,
     /// The name of its element.
     pub element: &'static str,
@@ -88,43 +87,23 @@ impl ClauseRef {
     }
 }
 
-/// One spoken text at its time.
+/// An utterance of a script at its time, and what the page needs to have it heard.
 #[derive(Clone, Debug, PartialEq)]
 pub struct UtteranceCue {
-    /// Story time at which it starts, seconds.
-    pub start_secs: f64,
-    /// Its length, seconds.
-    pub duration_secs: f64,
-    /// Its sound, in order of preference, relative to the story's `voice` folder; empty
-    /// when it was not baked.
-    pub audio: Vec<AudioFile>,
-    /// Its words, for captions.
-    pub words: Vec<WordCue>,
+    /// The utterance, with words as the script writes them; without sound when it was not baked.
+    pub timed: TimedUtterance,
     /// Whether the times are guessed because it was not baked.
     pub estimated: bool,
     /// BCP 47 tag of its language: of the voice that was baked, or of the markup that all of
-    /// it stands in; none where only the page knows.
+    /// it is in; none where the page decides.
     pub language: Option<String>,
     /// The voice that the script names for it alone or by `voice-change`; none where it is the
     /// story's own.
     pub voice: Option<String>,
     /// The phone set of its voice, for example `radio`.
     pub phone_set: String,
-    /// Its place in the document.
+    /// Its clause in the document.
     pub clause: ClauseId,
-}
-
-/// One word at its time.
-#[derive(Clone, Debug, PartialEq)]
-pub struct WordCue {
-    /// As written, punctuation attached.
-    pub text: String,
-    /// Story time, seconds.
-    pub start_secs: f64,
-    /// Story time, seconds.
-    pub end_secs: f64,
-    /// Whether the script emphasises it.
-    pub emphasized: bool,
 }
 
 /// Every utterance of a script in order of time.
@@ -137,33 +116,11 @@ pub(crate) fn utterances(script: &Script) -> Vec<UtteranceCue> {
         .filter_map(|timed| {
             let voice = script.document.clause(timed.clause).kind.spoken()?;
             let timing = script.timeline.voices.get(&timed.clause)?;
-            let utterance = script.utterance(timed.clause);
-            let word = |text: String, time: &WordTime, emphasized| WordCue {
-                text,
-                start_secs: timed.start_secs + time.start_secs,
-                end_secs: timed.start_secs + time.end_secs,
-                emphasized,
-            };
-            let written = voice.words();
-            // What files and documents of SABLE say, only their utterance tells.
-            let words = match utterance.filter(|_| written.is_empty()) {
-                Some(utterance) => utterance
-                    .words
-                    .iter()
-                    .zip(&timing.words)
-                    .map(|(spoken, time)| word(spoken.text.clone(), time, false))
-                    .collect(),
-                None => written
-                    .into_iter()
-                    .zip(&timing.words)
-                    .map(|(written, time)| word(written.text, time, written.emphasized))
-                    .collect(),
-            };
             Some(UtteranceCue {
-                start_secs: timed.start_secs,
-                duration_secs: timing.duration_secs,
-                audio: utterance.map(|u| u.audio.clone()).unwrap_or_default(),
-                words,
+                timed: TimedUtterance {
+                    start_secs: timed.start_secs,
+                    utterance: utterance::of(&voice, timing, script.utterance(timed.clause)),
+                },
                 estimated: timing.estimated,
                 language: script
                     .language(timed.clause)
@@ -203,82 +160,122 @@ pub(crate) fn cues(
     first_utterance: usize,
     fragment: Option<u32>,
 ) -> Vec<Cue> {
-    let mut ranked: Vec<(u8, Cue)> = Vec::new();
-    let mut push = |rank: u8, time_secs: f64, kind: CueKind| {
-        let cue = Cue {
-            time_secs,
-            fragment,
-            kind,
-        };
-        ranked.push((rank, cue));
+    let mut cues = RankedCues {
+        fragment,
+        cues: Vec::new(),
     };
     for timed in &script.timeline.clauses {
         let clause = script.document.clause(timed.clause);
-        if times::is_anchor(clause) {
-            continue;
+        if !times::is_anchor(clause) {
+            cues.add_clause(timed, clause);
         }
+    }
+    for (utterance, cue) in (first_utterance..).zip(utterances) {
+        cues.add_utterance(utterance, cue);
+        if let ClauseKind::VoiceText(voice) = &script.document.clause(cue.clause).kind {
+            cues.add_markers(voice, &cue.timed);
+        }
+        if !cue.estimated {
+            cues.add_phones(utterance, &cue.timed);
+        }
+    }
+    for (name, &at) in script.timeline.marks.iter() {
+        if !times::is_anchor_name(name) {
+            let name = name.to_string();
+            cues.add(Rank::Moment, at, CueKind::Mark { name });
+        }
+    }
+    cues.by_time()
+}
+
+/// In which order cues of the same time come.
+#[derive(Clone, Copy)]
+enum Rank {
+    End,
+    ClauseStart,
+    Moment,
+    /// The end of what has no length.
+    EmptyEnd,
+}
+
+impl Rank {
+    fn of_end(is_empty: bool) -> Self {
+        if is_empty { Self::EmptyEnd } else { Self::End }
+    }
+}
+
+/// Cues while they are collected.
+struct RankedCues {
+    fragment: Option<u32>,
+    cues: Vec<(Rank, Cue)>,
+}
+
+impl RankedCues {
+    fn add(&mut self, rank: Rank, time_secs: f64, kind: CueKind) {
+        let cue = Cue {
+            time_secs,
+            fragment: self.fragment,
+            kind,
+        };
+        self.cues.push((rank, cue));
+    }
+
+    fn add_clause(&mut self, timed: &TimedClause, clause: &Clause) {
         let named = ClauseRef::of(timed.clause, clause);
-        push(1, timed.start_secs, CueKind::ClauseStart(named.clone()));
+        let start = CueKind::ClauseStart(named.clone());
+        self.add(Rank::ClauseStart, timed.start_secs, start);
         if let ClauseKind::Event { kind, payload } = &clause.kind {
             let event = CueKind::StoryEvent {
                 kind: kind.as_ref().map(ToString::to_string),
                 payload: payload.to_string(),
             };
-            push(2, timed.start_secs, event);
+            self.add(Rank::Moment, timed.start_secs, event);
         }
-        let end_rank = if timed.end_secs > timed.start_secs {
-            0
-        } else {
-            3
-        };
-        push(end_rank, timed.end_secs, CueKind::ClauseEnd(named));
+        let lasts = timed.end_secs > timed.start_secs;
+        let end = CueKind::ClauseEnd(named);
+        self.add(Rank::of_end(!lasts), timed.end_secs, end);
     }
-    for (index, cue) in utterances.iter().enumerate() {
-        let utterance = first_utterance + index;
-        push(2, cue.start_secs, CueKind::UtteranceStart { utterance });
-        let end_secs = cue.start_secs + cue.duration_secs;
-        let end_rank = if cue.duration_secs > 0.0 { 0 } else { 3 };
-        push(end_rank, end_secs, CueKind::UtteranceEnd { utterance });
-        for (word, w) in cue.words.iter().enumerate() {
-            push(2, w.start_secs, CueKind::Word { utterance, word });
+
+    /// Start, end and words of an utterance.
+    fn add_utterance(&mut self, utterance: usize, cue: &UtteranceCue) {
+        let timed = &cue.timed;
+        let start = CueKind::UtteranceStart { utterance };
+        self.add(Rank::Moment, timed.start_secs, start);
+        let lasts = timed.utterance.duration_secs > 0.0;
+        let end = CueKind::UtteranceEnd { utterance };
+        self.add(Rank::of_end(!lasts), timed.end_secs(), end);
+        for (word, w) in timed.utterance.words.iter().enumerate() {
+            let at = timed.story_secs(w.start_secs);
+            self.add(Rank::Moment, at, CueKind::Word { utterance, word });
         }
-        if let ClauseKind::VoiceText(voice) = &script.document.clause(cue.clause).kind {
-            let words = voice.words();
-            for piece in &voice.pieces {
-                let Piece::Marker { mark, span } = piece else {
-                    continue;
-                };
-                let before = words.partition_point(|w| w.span.start < span.start);
-                // The moment of the next word, or the end.
-                let next = cue.words.get(before);
-                let at = next.map_or(cue.start_secs + cue.duration_secs, |w| w.start_secs);
-                push(2, at, CueKind::Mark { name: mark.clone() });
-            }
-        }
-        // What is only guessed has no phones to tell of.
-        for phone in script.phones(cue.clause) {
-            let symbol = phone.symbol.clone();
-            let phone_event = CueKind::Phone {
-                utterance,
-                symbol,
-                end_secs: cue.start_secs + phone.end_secs,
+    }
+
+    /// The markers of a text: each at the start of the next word, or at the end.
+    fn add_markers(&mut self, voice: &VoiceText, timed: &TimedUtterance) {
+        let words = voice.words();
+        for piece in &voice.pieces {
+            let Piece::Marker { mark, span } = piece else {
+                continue;
             };
-            push(2, cue.start_secs + phone.start_secs, phone_event);
+            let before = words.partition_point(|w| w.span.start < span.start);
+            let next = timed.utterance.words.get(before);
+            let at = next.map_or(timed.end_secs(), |w| timed.story_secs(w.start_secs));
+            let name = mark.clone();
+            self.add(Rank::Moment, at, CueKind::Mark { name });
         }
     }
-    for (name, &at) in script.timeline.marks.iter() {
-        if !times::is_anchor_name(name) {
-            push(
-                2,
-                at,
-                CueKind::Mark {
-                    name: name.to_string(),
-                },
-            );
+
+    fn add_phones(&mut self, utterance: usize, timed: &TimedUtterance) {
+        for (phone, p) in timed.utterance.phones.iter().enumerate() {
+            let at = timed.story_secs(p.start_secs);
+            self.add(Rank::Moment, at, CueKind::Phone { utterance, phone });
         }
     }
-    // Stable sorts, the least important first.
-    sort_by_number(&mut ranked, |(rank, _)| f64::from(*rank));
-    sort_by_number(&mut ranked, |(_, cue)| cue.time_secs);
-    ranked.into_iter().map(|(_, cue)| cue).collect()
+
+    fn by_time(mut self) -> Vec<Cue> {
+        // Stable sorts, the least important first.
+        self.cues.sort_by_key(|(rank, _)| *rank as u8);
+        sort_by_number(&mut self.cues, |(_, cue)| cue.time_secs);
+        self.cues.into_iter().map(|(_, cue)| cue).collect()
+    }
 }

@@ -1,9 +1,10 @@
-//! From emotions of the script and of what is said to spans of the actor.
+//! From emotions of the script and of its utterances to spans of the actor.
 
 use raconteur_actor::emotion::Space;
 use raconteur_actor::{Affect, EmotionSpan};
 use raconteur_base::order::sort_by_number;
 use raconteur_eml::{ClauseId, ClauseKind, Emoticon, Emotion, EmotionSpace};
+use raconteur_speech::TimedUtterance;
 use raconteur_speech::bundle::Emotion as Spoken;
 use raconteur_speech::emotion::Place;
 
@@ -33,12 +34,12 @@ struct Elicited<'s> {
 /// Every emotion of a script: those that it elicits, kept up for their duration and while
 /// something is said in them, until another one comes; and those that emoticons and markup
 /// give to what is said (F&H section 4.3.5). Emoticons are read from the text, so that they
-/// do the same whether it was baked or not; the markup of files and of SABLE is told by their
+/// do the same whether it was baked or not; the markup of files and of SABLE is in their
 /// bundle alone.
 pub(crate) fn spans(script: &Script, utterances: &[UtteranceCue]) -> Vec<EmotionSpan> {
     let mut elicited = elicited(script);
     for utterance in utterances {
-        let end_secs = utterance.start_secs + utterance.duration_secs;
+        let end_secs = utterance.timed.end_secs();
         if let Some(i) = spoken_in(&elicited, utterance) {
             elicited[i].until_secs = elicited[i].until_secs.max(end_secs);
         }
@@ -47,7 +48,7 @@ pub(crate) fn spans(script: &Script, utterances: &[UtteranceCue]) -> Vec<Emotion
     sort_by_number(&mut starts, |start| *start);
     let mut spans = Vec::new();
     for one in &elicited {
-        // Several that begin together are felt together; a later one takes over.
+        // Several that begin together are blended; a later one takes over.
         let next = starts.partition_point(|start| *start <= one.start_secs);
         let (mut until_secs, mut end_secs) = (one.until_secs, one.until_secs + DECAY_SECS);
         if let Some(next) = starts.get(next) {
@@ -66,21 +67,19 @@ pub(crate) fn spans(script: &Script, utterances: &[UtteranceCue]) -> Vec<Emotion
             intensity: one.emotion.potential / PLAIN_POTENTIAL,
         });
     }
-    starts.extend(utterances.iter().map(|u| u.start_secs));
+    starts.extend(utterances.iter().map(|u| u.timed.start_secs));
     sort_by_number(&mut starts, |start| *start);
     for utterance in utterances {
         let text = script.document.clause(utterance.clause).kind.spoken();
         if let Some(text) = text.filter(|text| !text.pieces.is_empty()) {
             let found = text.emoticons().into_iter();
-            spans.extend(found.filter_map(|one| written(&one, utterance, &starts)));
+            spans.extend(found.filter_map(|one| written(&one, &utterance.timed, &starts)));
             continue;
         }
         let elicited = spoken_in(&elicited, utterance).and_then(|i| word_of(elicited[i].emotion));
-        if let Some(own) = script.utterance(utterance.clause) {
-            let emotions = own.emotions.iter();
-            let felt = emotions.filter_map(|e| spoken(e, utterance.start_secs, elicited));
-            spans.extend(felt);
-        }
+        let timed = &utterance.timed;
+        let emotions = timed.utterance.emotions.iter();
+        spans.extend(emotions.filter_map(|e| spoken(e, timed, elicited)));
     }
     spans
 }
@@ -97,18 +96,20 @@ fn affect(emotion: &Emotion) -> Option<Affect> {
     })
 }
 
-/// The emotion of an emoticon over its phrases, in full where it stands. One that ends its text
-/// lasts through the pause behind it, until something else is said or felt. `starts` is when
+/// The emotion of an emoticon over its phrases, in full at its position. One that ends its text
+/// lasts through the pause behind it, until the next utterance or emotion. `starts` is when
 /// anything is, rising.
-fn written(one: &Emoticon, said: &UtteranceCue, starts: &[f64]) -> Option<EmotionSpan> {
+fn written(one: &Emoticon, said: &TimedUtterance, starts: &[f64]) -> Option<EmotionSpan> {
     let affect = Affect::named(one.name)?;
-    let first = said.words.get(one.first_word);
-    let last = said.words.get(one.last_word);
-    let start_secs = first.map_or(said.start_secs, |word| word.start_secs);
-    let (apex_secs, until_secs, end_secs) = match (said.words.get(one.before), last) {
-        (Some(word), Some(last)) => (word.start_secs, word.start_secs, last.end_secs),
+    let span = |word: usize| {
+        let word = said.utterance.words.get(word)?;
+        Some([word.start_secs, word.end_secs].map(|secs| said.story_secs(secs)))
+    };
+    let start_secs = span(one.first_word).map_or(said.start_secs, |[start, _]| start);
+    let (apex_secs, until_secs, end_secs) = match (span(one.before), span(one.last_word)) {
+        (Some([start, _]), Some([_, end])) => (start, start, end),
         (_, last) => {
-            let apex_secs = last.map_or(start_secs + ATTACK_SECS, |word| word.end_secs);
+            let apex_secs = last.map_or(start_secs + ATTACK_SECS, |[_, end]| end);
             let next = starts.partition_point(|start| *start <= said.start_secs);
             let next_secs = starts.get(next).map_or(f64::INFINITY, |s| s.max(apex_secs));
             let until_secs = next_secs.min(apex_secs + PAUSE_SECS);
@@ -126,10 +127,10 @@ fn written(one: &Emoticon, said: &UtteranceCue, starts: &[f64]) -> Option<Emotio
     })
 }
 
-/// An emotion that is baked into an utterance of a begin, story seconds. `elicited` is the
+/// An emotion that is baked into an utterance. `elicited` is the
 /// word of the one that the script elicits for all of it: that one is baked as there from the
 /// first word on, and is a span of its own already.
-fn spoken(emotion: &Spoken, start_secs: f64, elicited: Option<&str>) -> Option<EmotionSpan> {
+fn spoken(emotion: &Spoken, timed: &TimedUtterance, elicited: Option<&str>) -> Option<EmotionSpan> {
     if elicited == Some(&*emotion.name) && emotion.apex_secs <= emotion.start_secs {
         return None;
     }
@@ -141,10 +142,10 @@ fn spoken(emotion: &Spoken, start_secs: f64, elicited: Option<&str>) -> Option<E
     // A word that is elsewhere than in the table is a place.
     let named = Affect::named(&emotion.name).filter(|named| named.place == place);
     Some(EmotionSpan {
-        start_secs: start_secs + emotion.start_secs,
-        apex_secs: start_secs + emotion.apex_secs,
-        until_secs: start_secs + emotion.apex_secs,
-        end_secs: start_secs + emotion.end_secs,
+        start_secs: timed.story_secs(emotion.start_secs),
+        apex_secs: timed.story_secs(emotion.apex_secs),
+        until_secs: timed.story_secs(emotion.apex_secs),
+        end_secs: timed.story_secs(emotion.end_secs),
         affect: named.unwrap_or(Affect::at(place)),
         intensity: 1.0,
     })
@@ -176,7 +177,8 @@ fn spoken_in(elicited: &[Elicited<'_>], utterance: &UtteranceCue) -> Option<usiz
     let before = elicited.partition_point(|one| one.clause < utterance.clause);
     let last = elicited[..before].last()?.clause;
     let first = elicited.partition_point(|one| one.clause < last);
-    let begun = elicited[first..before].partition_point(|o| o.start_secs <= utterance.start_secs);
+    let begun =
+        elicited[first..before].partition_point(|o| o.start_secs <= utterance.timed.start_secs);
     let i = first + begun.checked_sub(1)?;
     place_of(elicited[i].emotion).map(|_| i)
 }
@@ -244,7 +246,11 @@ mod tests {
             evaluation: 42.2,
             power: 12.5,
         };
-        let span = spoken(&emoticon, 10.0, Some("joy")).expect("a span");
+        let timed = TimedUtterance {
+            start_secs: 10.0,
+            ..TimedUtterance::default()
+        };
+        let span = spoken(&emoticon, &timed, Some("joy")).expect("a span");
         let times = [
             span.start_secs,
             span.apex_secs,
@@ -257,9 +263,9 @@ mod tests {
             apex_secs: 0.2,
             ..emoticon
         };
-        assert_eq!(spoken(&throughout, 10.0, Some("joy")), None);
-        assert!(spoken(&throughout, 10.0, Some("fear")).is_some());
-        assert!(spoken(&throughout, 10.0, None).is_some());
+        assert_eq!(spoken(&throughout, &timed, Some("joy")), None);
+        assert!(spoken(&throughout, &timed, Some("fear")).is_some());
+        assert!(spoken(&throughout, &timed, None).is_some());
     }
 
     #[test]
@@ -272,7 +278,7 @@ mod tests {
              </body></eml>",
             None,
         );
-        let said = utterances(&script)[0].duration_secs;
+        let said = utterances(&script)[0].timed.utterance.duration_secs;
         assert_eq!(spans[0].1[2], (100.0 * (1.0 + said)).round());
         // What stands before it in the document is not said in it.
         let before = "<voice-text time='1'>one two three four five six seven</voice-text>\
@@ -315,13 +321,11 @@ mod tests {
     /// Spans of emoticons by the words with which they begin, are full and end.
     fn by_words(script: &Script) -> Vec<(Option<&'static str>, [Option<usize>; 3])> {
         let said = utterances(script);
-        let words = &said[0].words;
-        let at = |secs: f64| {
-            words
-                .iter()
-                .position(|w| (w.start_secs - secs).abs() < 1e-9)
-        };
-        let until = |secs: f64| words.iter().position(|w| (w.end_secs - secs).abs() < 1e-9);
+        let timed = &said[0].timed;
+        let words = &timed.utterance.words;
+        let is_at = |offset: f64, secs: f64| (timed.story_secs(offset) - secs).abs() < 1e-9;
+        let at = |secs: f64| words.iter().position(|w| is_at(w.start_secs, secs));
+        let until = |secs: f64| words.iter().position(|w| is_at(w.end_secs, secs));
         let found = spans(script, &said).into_iter();
         found
             .map(|s| {
@@ -345,7 +349,13 @@ mod tests {
             let eml = format!("<eml><body><voice-text time='0'>{text}</voice-text></body></eml>");
             let plain = Script::read(&eml, None);
             let said = utterances(&plain);
-            let words: Vec<String> = said[0].words.iter().map(|w| w.text.clone()).collect();
+            let words: Vec<String> = said[0]
+                .timed
+                .utterance
+                .words
+                .iter()
+                .map(|w| w.text.clone())
+                .collect();
             assert!(said[0].estimated, "{text}");
             if words.is_empty() {
                 continue;
@@ -368,7 +378,7 @@ mod tests {
             let eml = format!("<eml xmlns:r='urn:raconteur:eml:1'><body>{body}</body></eml>");
             let script = Script::read(&eml, None);
             let said = utterances(&script);
-            let end = said[0].start_secs + said[0].duration_secs;
+            let end = said[0].timed.end_secs();
             (spans(&script, &said), end)
         };
         let (alone, end) = spans("<voice-text time='1'>Good day :-)</voice-text>");

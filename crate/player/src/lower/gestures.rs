@@ -24,7 +24,7 @@ fn moment(offset_secs: f64) -> u64 {
     (offset_secs.max(0.0) * 1e6).round() as u64
 }
 
-/// Which hand is dominant: for whoever wrote a script, and for who performs it.
+/// The dominant hand for which a script is written, and that of its performer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Hands {
     /// The hand that common values are written for (GEVH 3.5.1, D.5.4).
@@ -228,7 +228,7 @@ pub(crate) fn on_spans(switches: &[(f64, bool)]) -> Vec<TimeSpan> {
     spans
 }
 
-/// What a script asks of one arm.
+/// A script's strokes of one arm.
 #[must_use]
 pub(crate) fn strokes(
     document: &Document,
@@ -315,7 +315,7 @@ pub(crate) fn out_of_reach(
     hands: Hands,
 ) -> Vec<Diagnostic> {
     let mut found = Vec::new();
-    // Nobody's reach says anything of a place of the world to which the figure may go.
+    // Positions in the world are not checked where the figure may move to them.
     let goes = document
         .iter()
         .any(|(_, c)| matches!(c.kind, ClauseKind::VhMove(_)));
@@ -373,7 +373,7 @@ fn farthest(far: &[(f64, Span, Side)]) -> Option<Diagnostic> {
     )
 }
 
-/// Lateness that nobody sees, seconds (half of what must hold for strokes).
+/// Lateness that cannot be seen, seconds (half of what must hold for strokes).
 const UNSEEN_SECS: f64 = 0.01;
 
 /// A warning for every key that comes late because the hand has too far to go in the time.

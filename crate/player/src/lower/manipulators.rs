@@ -22,7 +22,7 @@ use crate::lower::units::Units;
 /// example to the side, where it helps least but for straight up.
 const SPINE_HELP: f64 = 0.14;
 
-/// The functions of time: their names, and the arguments that each knows besides the period,
+/// The functions of time: their names, and the arguments that each takes besides the period,
 /// both ends' angles and, where a way leads from place to place, both ends' positions.
 /// A name ending in `*` stands for three, ending in X, Y and Z.
 const FUNCTIONS: [(&str, bool, &[&str]); 8] = [
@@ -117,7 +117,7 @@ impl Args<'_> {
         })
     }
 
-    /// A direction, not scaled; zero when nothing is said of it.
+    /// A direction, not scaled; zero where it is not given.
     fn direction(&self, start: &str) -> DVec3 {
         Units::axis(self.three(start, AXES).map(|n| n.unwrap_or(0.0)))
     }
@@ -183,7 +183,7 @@ impl Args<'_> {
     }
 }
 
-/// A function as a path; none when nobody knows it.
+/// A function as a path; none for an unknown name.
 fn path(function: &str, looping: bool, args: Option<&FunctionArgs>, units: &Units) -> Option<Path> {
     let none = FunctionArgs::default();
     let args = args.unwrap_or(&none);
@@ -250,8 +250,8 @@ fn motion(kind: &ClauseKind, units: &Units) -> Option<(Manipulator, Motion)> {
     })
 }
 
-/// A place of the whole figure as its root's frame has it. That frame is turned by half a turn
-/// in table A.1 of GEVH (the sacroiliac's first angle is 178.7°), and in the example of D.1.6,
+/// Converts a position of the whole figure from the frame of its root, which is turned by half
+/// a turn in table A.1 of GEVH (the sacroiliac's first angle is 178.7°), and in the example of D.1.6,
 /// whose pitch is 180° from its beginning to its end, the figure stands. So a pitch beyond a
 /// right angle is counted from there.
 fn upright(place: &mut Place) {
@@ -265,7 +265,7 @@ fn upright(place: &mut Place) {
     }
 }
 
-/// What a script asks of manipulators.
+/// A script's commands to manipulators, and moves of the whole figure.
 pub(crate) fn script(document: &Document, timeline: &Timeline, units: &Units) -> ManipulatorScript {
     let mut script = ManipulatorScript::default();
     for timed in &timeline.clauses {
@@ -288,7 +288,7 @@ pub(crate) fn script(document: &Document, timeline: &Timeline, units: &Units) ->
     script
 }
 
-/// What all parts of a performance ask.
+/// The commands and moves of all scripts of a performance.
 pub(crate) fn together<'a>(
     scripts: impl Iterator<Item = &'a ManipulatorScript>,
 ) -> ManipulatorScript {
@@ -298,6 +298,11 @@ pub(crate) fn together<'a>(
         all.moves.extend_from_slice(&script.moves);
     }
     all
+}
+
+/// Whether there are no commands and no moves.
+pub(crate) fn is_empty(script: &ManipulatorScript) -> bool {
+    script.commands.is_empty() && script.moves.is_empty()
 }
 
 /// The room in the picture that targets of the arms and motions of the figure need.
@@ -327,7 +332,7 @@ pub(crate) fn room(script: &ManipulatorScript, hand_length_m: f64) -> Room {
 }
 
 /// What is wrong with the clauses of manipulators: targets out of reach, functions and
-/// arguments that nobody knows.
+/// arguments that do not exist.
 pub(crate) fn problems(document: &Document, units: &Units, reach: &Reach) -> Vec<Diagnostic> {
     let mut found = Vec::new();
     for (_, clause) in document.iter() {
@@ -367,7 +372,7 @@ fn function(name: &str, args: Option<&FunctionArgs>, span: Span, into: &mut Vec<
     }
 }
 
-/// The names of all arguments that a function knows.
+/// The names of all arguments of a function.
 fn arguments(leads: bool, own: &[&str]) -> Vec<String> {
     let three = |start: &str, ends: [&str; 3]| ends.map(|end| format!("{start}{end}"));
     let mut known = vec!["timePeriod".to_owned()];
@@ -384,7 +389,7 @@ fn arguments(leads: bool, own: &[&str]) -> Vec<String> {
     known
 }
 
-/// What is wrong with an argument: its name, what it is, or how large.
+/// The problem of an argument, if it has one: its name, its type or its size.
 fn bad_argument(function: &str, arg: &Arg, known: &[String], span: Span) -> Option<Diagnostic> {
     let name = quoted(&arg.name);
     let warning = |code, message: String| Some(Diagnostic::warning(code, span, message));

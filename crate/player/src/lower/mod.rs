@@ -1,18 +1,20 @@
-//! From a document and its times to plans: what each element asks of the figure, the camera, the
-//! light and the listeners, as data of the actor and the stage. Nothing here knows a moment.
+//! From a document and its times to plans: what each element means for the figure, the camera, the
+//! music and the listeners, as data of the actor and the stage. Nothing here is evaluated at a time.
 
 pub(crate) mod animations;
+pub(crate) mod cast;
 pub(crate) mod cues;
 pub(crate) mod emotions;
-pub(crate) mod feelings;
+pub(crate) mod face;
 pub(crate) mod geometry;
 pub(crate) mod gestures;
 pub(crate) mod manipulators;
 pub(crate) mod music;
+pub(crate) mod needs;
 pub(crate) mod parameters;
-pub(crate) mod part;
+pub(crate) mod plan;
 pub(crate) mod script;
+pub(crate) mod shots;
 pub(crate) mod units;
-pub(crate) mod unperformed;
-pub(crate) mod views;
+mod utterance;
 pub(crate) mod voice;

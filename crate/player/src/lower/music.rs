@@ -1,7 +1,7 @@
 //! Music under a performance (GEVH 3.5.4.3): which piece is heard when, and how loud.
 //!
 //! How loud is a line of straight pieces over story time. It holds the volume, the fades and
-//! that music steps back while somebody speaks, so whoever plays it needs to know no rule.
+//! that music steps back under speech, so a page that plays it needs no rule.
 
 use raconteur_base::order::sort_by_number;
 use raconteur_eml::{ClauseKind, Valence};
@@ -9,7 +9,7 @@ use raconteur_eml::{ClauseKind, Valence};
 use crate::lower::cues::UtteranceCue;
 use crate::lower::script::Script;
 
-/// What is left of the music while somebody speaks: 8 dB less. Designed: words stay clear
+/// Share of the music's level under speech: 8 dB less. Designed: words stay clear
 /// over music that is as loud as they are.
 const UNDER_SPEECH: f64 = 0.4;
 /// How long before a word music begins to step back, and how long after the last one it takes
@@ -71,13 +71,13 @@ pub(crate) fn clauses(script: &Script) -> Vec<MusicClause> {
         .collect()
 }
 
-/// The pieces that are heard, by time, of clauses by time under all that is said.
+/// The audible pieces by time, from clauses by time, with their level under all utterances.
 pub(crate) fn cues<'a>(
     clauses: &[MusicClause],
     utterances: impl Iterator<Item = &'a UtteranceCue>,
 ) -> Vec<MusicCue> {
     let mut spoken: Vec<(f64, f64)> = utterances
-        .map(|u| (u.start_secs, u.start_secs + u.duration_secs))
+        .map(|u| (u.timed.start_secs, u.timed.end_secs()))
         .collect();
     sort_by_number(&mut spoken, |s| s.0);
     // Between two sentences close to each other it stays back.

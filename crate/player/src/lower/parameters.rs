@@ -1,17 +1,15 @@
 //! From the clauses of control parameters to the actor's commands (GEVH D.3.27 to D.3.30).
 
-use raconteur_actor::animation::stem;
 use raconteur_actor::parameters::{Adsr, Parameter, ParameterCommand, Style};
 use raconteur_eml::{
-    AdsrControlParameter, ClauseKind, Diagnostic, Document, LoadControlParameterAnimation, Span,
-    Timeline, nearest, quoted,
+    AdsrControlParameter, ClauseKind, Diagnostic, Document, Span, Timeline, nearest, quoted,
 };
 
-/// Animations that a script may use, and unknown names that are told; more are left out.
+/// Most unknown names that are reported.
 const MOST: usize = 100;
 
-/// What a script asks of control parameters, by time. Names that there are not are left out:
-/// [`problems`] tells them.
+/// A script's commands to control parameters, by time. Unknown names are left out:
+/// [`problems`] reports them.
 pub(crate) fn commands(document: &Document, timeline: &Timeline) -> Vec<(f64, ParameterCommand)> {
     let mut commands = Vec::new();
     for timed in &timeline.clauses {
@@ -67,48 +65,7 @@ fn style(style: raconteur_eml::Style) -> Style {
     }
 }
 
-/// By what name the text of a loaded animation is asked for: of the library by that of its
-/// file alone, beside the story by its path.
-fn source(load: &LoadControlParameterAnimation) -> &str {
-    if load.is_resources_relative {
-        stem(&load.file)
-    } else {
-        &load.file
-    }
-}
-
-/// The names of the animations of parameters that a script loads or plays, each once, with
-/// where each is first named. One that is played and that nothing loads is of the library.
-pub(crate) fn wanted(document: &Document) -> Vec<(&str, Span)> {
-    let mut wanted: Vec<(&str, Span)> = Vec::new();
-    for (_, clause) in document.iter() {
-        if let ClauseKind::LoadControlParameterAnimation(load) = &clause.kind {
-            add_once(&mut wanted, source(load), clause.tag_span);
-        }
-    }
-    let loaded: Vec<(&str, Span)> = wanted.clone();
-    let is_loaded = |id: &str| {
-        loaded
-            .iter()
-            .any(|(name, _)| *name == id || stem(name) == id)
-    };
-    for (_, clause) in document.iter() {
-        if let ClauseKind::AnimateControlParameter(animate) = &clause.kind
-            && !is_loaded(&animate.animation)
-        {
-            add_once(&mut wanted, &animate.animation, clause.tag_span);
-        }
-    }
-    wanted
-}
-
-fn add_once<'d>(wanted: &mut Vec<(&'d str, Span)>, name: &'d str, span: Span) {
-    if wanted.len() < MOST && !wanted.iter().any(|(n, _)| *n == name) {
-        wanted.push((name, span));
-    }
-}
-
-/// A warning for each name of a parameter that there is not, at its first place, and for each
+/// A warning for each unknown name of a parameter, at its first clause, and for each
 /// clause whose values are beyond the range of what it names.
 pub(crate) fn problems(document: &Document) -> Vec<Diagnostic> {
     let mut told: Vec<&str> = Vec::new();
@@ -291,31 +248,5 @@ mod tests {
         assert_eq!(told[0].message, "there is no control parameter `Disgast`");
         assert_eq!(told[0].hints, ["did you mean `disgust`?"]);
         assert!(told[1].hints[0].contains("visemes such as `PP`"));
-    }
-
-    #[test]
-    fn what_is_loaded_is_wanted_by_its_file_and_what_is_not_by_its_name() {
-        let load = |file: &str, library: bool| {
-            format!(
-                "<body-load-control-parameter-animation time='0' file='{file}' \
-                 isResourcesRelative='{library}'/>"
-            )
-        };
-        let play =
-            |id: &str| format!("<body-animate-control-parameter time='0' animationId='{id}'/>");
-        let body = [
-            load("faces/visemes-1.xml", true),
-            load("own/wink.json", false),
-            play("visemes-1"),
-            play("wink"),
-            play("own/wink.json"),
-            play("grin"),
-            play("grin"),
-        ]
-        .concat();
-        let script = Script::read(&format!("<eml><body>{body}</body></eml>"), None);
-        let names: Vec<&str> = wanted(&script.document).iter().map(|(n, _)| *n).collect();
-        assert_eq!(names, ["visemes-1", "own/wink.json", "grin"]);
-        assert_eq!(script.wanted_animations(), names);
     }
 }

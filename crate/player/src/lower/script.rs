@@ -7,10 +7,10 @@ use raconteur_eml::{
     ClauseId, ClauseKind, Diagnostic, Document, Parsed, Performer, Span, Timeline, parse, thinned,
 };
 use raconteur_speech::bundle::Voice;
-use raconteur_speech::{Bundle, Phone, Utterance};
+use raconteur_speech::{Bundle, Utterance};
 
+use crate::lower::needs::Needs;
 use crate::lower::voice::{KnownDurations, Voices};
-use crate::lower::{animations, parameters};
 
 /// A script with everything resolved that needs no figure.
 #[derive(Clone, Debug)]
@@ -23,23 +23,22 @@ pub struct Script {
     pub diagnostics: Vec<Diagnostic>,
     /// The speech, where it was baked.
     pub(crate) bundle: Option<Arc<Bundle>>,
-    /// What of it belongs to which clause.
+    /// Which utterance belongs to which clause.
     voices: Voices,
 }
 
-/// What of a story is being read: told as it begins, so that whoever reads hostile input can say
-/// what was read last.
+/// The stage that loading a story has come to, so that a page can report at which one it failed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Reading {
+pub enum LoadStage {
     /// The script's text.
     Story,
     /// The JSON of the speech bundle.
     Speech,
-    /// All that is performed is planned.
+    /// The plans of the performance.
     Performance,
 }
 
-/// What a script takes from outside to know its times.
+/// What the times of a script depend on besides its text.
 pub(crate) struct Sources<'a> {
     pub(crate) bundle: Option<Arc<Bundle>>,
     pub(crate) library: &'a Library,
@@ -50,19 +49,19 @@ impl Script {
     /// what is wrong is in [`Script::diagnostics`], and the rest plays.
     #[must_use]
     pub fn read(eml: &str, bundle_json: Option<&[u8]>) -> Self {
-        Self::read_telling(eml, bundle_json, &mut |_| ())
+        Self::read_with_progress(eml, bundle_json, &mut |_| ())
     }
 
-    /// [`Script::read`]; `told` hears of each part as its reading begins.
-    pub(crate) fn read_telling(
+    /// [`Script::read`]; calls `progress` as each stage begins.
+    pub(crate) fn read_with_progress(
         eml: &str,
         bundle_json: Option<&[u8]>,
-        told: &mut dyn FnMut(Reading),
+        progress: &mut dyn FnMut(LoadStage),
     ) -> Self {
-        told(Reading::Story);
+        progress(LoadStage::Story);
         let mut parsed = parse(eml);
         if bundle_json.is_some() {
-            told(Reading::Speech);
+            progress(LoadStage::Speech);
         }
         let bundle = bundle_json.and_then(|json| match Bundle::from_json(json) {
             Ok(bundle) => Some(Arc::new(bundle)),
@@ -78,18 +77,18 @@ impl Script {
                 None
             }
         });
-        told(Reading::Story);
+        progress(LoadStage::Story);
         let sources = Sources {
             bundle,
             library: &Library::default(),
         };
         let mut script = Self::resolve(parsed, sources, bundle_json.is_some());
-        script.timeline = with_run_up(&script.document, script.timeline);
+        script.delay(script.run_up_secs());
         script
     }
 
-    /// Gives every clause of a text its time. `voice_was_given` tells a voice that could not
-    /// be read from none.
+    /// Gives every clause of a text its time. `voice_was_given` is also true for a
+    /// bundle that could not be read.
     pub(crate) fn resolve(
         parsed: Parsed,
         Sources { bundle, library }: Sources<'_>,
@@ -113,7 +112,7 @@ impl Script {
             &voices,
             voice_was_given,
         ));
-        diagnostics.extend(crate::lower::unperformed::report(&document));
+        diagnostics.extend(Needs::of(&document).diagnostics());
         let diagnostics = thinned(diagnostics);
         Self {
             document,
@@ -131,30 +130,42 @@ impl Script {
             voices: &self.voices,
             library,
         };
-        let timeline = Timeline::resolve(&self.document, &durations).timeline;
-        self.timeline = with_run_up(&self.document, timeline);
+        self.timeline = Timeline::resolve(&self.document, &durations).timeline;
+        self.delay(self.run_up_secs());
+    }
+
+    /// How much later a script begins whose first gesture would come before the arm can be
+    /// there, seconds, so that the storyteller raises a hand instead of starting with it raised.
+    fn run_up_secs(&self) -> f64 {
+        let is_gesture = |id| matches!(self.document.clause(id).kind, ClauseKind::GestureKey(_));
+        let mut clauses = self.timeline.clauses.iter();
+        let first = clauses.find(|c| is_gesture(c.clause));
+        first.map_or(0.0, |c| (RUN_UP_SECS - c.start_secs).max(0.0))
+    }
+
+    /// Shifts the whole script to a later time; everything lowered from it follows.
+    pub(crate) fn delay(&mut self, delay_secs: f64) {
+        let timeline = &mut self.timeline;
+        for clause in &mut timeline.clauses {
+            clause.start_secs += delay_secs;
+            clause.end_secs += delay_secs;
+        }
+        timeline.marks.values_mut().for_each(|at| *at += delay_secs);
+        timeline.lead_in_secs += delay_secs;
+        timeline.duration_secs += delay_secs;
     }
 
     /// The names of the animations that the story plays, each once: what [`Script::retime`]
     /// and the player need the texts of.
     #[must_use]
-    pub fn wanted_animations(&self) -> Vec<String> {
-        let faces = parameters::wanted(&self.document).into_iter();
-        let bodies = animations::wanted(&self.document);
-        faces
-            .chain(bodies)
-            .map(|(name, _)| name.to_owned())
-            .collect()
+    pub fn needed_animations(&self) -> Vec<String> {
+        let needs = Needs::of(&self.document);
+        needs.animations().map(str::to_owned).collect()
     }
 
     /// The baked utterance of a clause, if there is one.
-    pub(crate) fn utterance(&self, clause: ClauseId) -> Option<&Utterance> {
+    pub(crate) fn utterance(&self, clause: ClauseId) -> Option<&Arc<Utterance>> {
         self.voices.of(clause, self.bundle.as_deref())
-    }
-
-    /// The phones of what a clause says, seconds from its start; none where it was not baked.
-    pub(crate) fn phones(&self, clause: ClauseId) -> &[Phone] {
-        self.utterance(clause).map_or(&[], |u| &u.phones)
     }
 
     /// The phone set of what a clause says; Festival's where it was not baked.
@@ -179,8 +190,7 @@ impl Script {
     }
 }
 
-/// Whom a text chooses to perform it, in what voice and language; nothing where it does not
-/// say.
+/// The performer that a text chooses, with voice and language; empty where it does not choose.
 #[must_use]
 pub fn performer_of(eml: &str) -> Performer {
     parse(eml).document.performer.unwrap_or_default()
@@ -189,27 +199,6 @@ pub fn performer_of(eml: &str) -> Performer {
 /// The time that an arm needs to come from rest to any first stroke, seconds. Longest
 /// preparation of the gesture planner, rounded up.
 const RUN_UP_SECS: f64 = 0.9;
-
-/// Delays a script whose first gesture would come before the arm can be there, so that the
-/// storyteller raises a hand instead of starting with it raised.
-fn with_run_up(document: &Document, timeline: Timeline) -> Timeline {
-    let is_gesture = |id| matches!(document.clause(id).kind, ClauseKind::GestureKey(_));
-    let first = timeline.clauses.iter().find(|c| is_gesture(c.clause));
-    let delay = first.map_or(0.0, |c| (RUN_UP_SECS - c.start_secs).max(0.0));
-    delayed(timeline, delay)
-}
-
-/// The same with everything this much later.
-pub(crate) fn delayed(mut timeline: Timeline, delay_secs: f64) -> Timeline {
-    for clause in &mut timeline.clauses {
-        clause.start_secs += delay_secs;
-        clause.end_secs += delay_secs;
-    }
-    timeline.marks.values_mut().for_each(|at| *at += delay_secs);
-    timeline.lead_in_secs += delay_secs;
-    timeline.duration_secs += delay_secs;
-    timeline
-}
 
 /// Every clause that speaks, with its tag.
 fn speaking(document: &Document) -> impl Iterator<Item = (ClauseId, Span)> {

@@ -1,4 +1,4 @@
-//! What listeners are told, as plain objects: the element's events in a page, and the lines
+//! Notifications of listeners, as plain objects: the element's events in a page, and the lines
 //! that a mind reads.
 
 use raconteur_eml::{Diagnostic, LineIndex, Severity};
@@ -58,7 +58,7 @@ pub enum Event {
         phase: &'static str,
         /// Its index.
         utterance: usize,
-        /// What is said, as written.
+        /// The text, as written.
         text: String,
         /// When it starts, story time, seconds.
         start_secs: f64,
@@ -84,7 +84,7 @@ pub enum Event {
         fragment: Option<u32>,
         /// `start` or `end`.
         phase: &'static str,
-        /// Its place in its script or fragment, from 0.
+        /// Its index in its script or fragment, from 0.
         clause: u32,
         /// The name of its element.
         element: &'static str,
@@ -115,7 +115,7 @@ pub enum Event {
         #[serde(skip_serializing_if = "Option::is_none")]
         name: Option<String>,
         /// What will be performed, by start.
-        clauses: Vec<Accepted>,
+        clauses: Vec<AcceptedClause>,
     },
     /// A clause or a whole fragment will not be performed.
     Failed {
@@ -130,7 +130,7 @@ pub enum Event {
         /// What to do about it.
         #[serde(skip_serializing_if = "Vec::is_empty")]
         hints: Vec<String>,
-        /// Line in the fragment, from 1; absent when it is not about a place.
+        /// Line in the fragment, from 1; absent when it has no location.
         #[serde(skip_serializing_if = "Option::is_none")]
         line: Option<u32>,
         /// Column in characters, from 1.
@@ -163,8 +163,8 @@ pub enum Event {
 /// A clause of a fragment that will be performed.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
-pub struct Accepted {
-    /// Its place in the fragment, from 0.
+pub struct AcceptedClause {
+    /// Its index in the fragment, from 0.
     pub clause: u32,
     /// The name of its element.
     pub element: &'static str,
@@ -178,7 +178,7 @@ pub struct Accepted {
 }
 
 impl Event {
-    /// What a cue is to listeners; none when its utterance is forgotten.
+    /// The event of a cue; none when its utterance is forgotten.
     /// `utterance_at` finds utterances by their indices.
     pub(crate) fn new<'u>(
         cue: &Cue,
@@ -194,8 +194,8 @@ impl Event {
             id: named.id.clone(),
         };
         let utterance = |phase, utterance| {
-            let said = utterance_at(utterance)?;
-            let words: Vec<&str> = said.words.iter().map(|w| &*w.text).collect();
+            let said = &utterance_at(utterance)?.timed;
+            let words: Vec<&str> = said.utterance.words.iter().map(|w| &*w.text).collect();
             Some(Self::Utterance {
                 time_secs,
                 fragment,
@@ -203,33 +203,34 @@ impl Event {
                 utterance,
                 text: words.join(" "),
                 start_secs: said.start_secs,
-                end_secs: said.start_secs + said.duration_secs,
+                end_secs: said.end_secs(),
             })
         };
         Some(match &cue.kind {
             &CueKind::Word { utterance, word } => {
-                let said = utterance_at(utterance)?.words.get(word)?;
+                let timed = &utterance_at(utterance)?.timed;
+                let said = timed.utterance.words.get(word)?;
                 Self::Word {
                     time_secs,
                     fragment,
                     utterance,
                     word,
                     text: said.text.clone(),
-                    end_secs: said.end_secs,
+                    end_secs: timed.story_secs(said.end_secs),
                 }
             }
-            CueKind::Phone {
-                utterance,
-                symbol,
-                end_secs,
-            } => Self::Phone {
-                time_secs,
-                fragment,
-                utterance: *utterance,
-                symbol: symbol.clone(),
-                phone_set: utterance_at(*utterance)?.phone_set.clone(),
-                end_secs: *end_secs,
-            },
+            &CueKind::Phone { utterance, phone } => {
+                let said = utterance_at(utterance)?;
+                let heard = said.timed.utterance.phones.get(phone)?;
+                Self::Phone {
+                    time_secs,
+                    fragment,
+                    utterance,
+                    symbol: heard.symbol.clone(),
+                    phone_set: said.phone_set.clone(),
+                    end_secs: said.timed.story_secs(heard.end_secs),
+                }
+            }
             &CueKind::UtteranceStart { utterance: index } => utterance("start", index)?,
             &CueKind::UtteranceEnd { utterance: index } => utterance("end", index)?,
             CueKind::Mark { name } => Self::Mark {
@@ -260,7 +261,7 @@ impl Event {
 }
 
 impl Performed {
-    /// What the sender of a fragment is told at once. `text` is the fragment, `now_secs` the
+    /// The events that a fragment causes at once, for its sender. `text` is the fragment, `now_secs` the
     /// story time.
     #[must_use]
     pub fn events(&self, text: &str, now_secs: f64) -> Vec<Event> {
@@ -272,7 +273,7 @@ impl Performed {
                 time_secs,
                 fragment,
                 name: self.name.clone(),
-                clauses: self.clauses.iter().map(Accepted::new).collect(),
+                clauses: self.clauses.iter().map(AcceptedClause::new).collect(),
             });
         }
         events.extend(self.diagnostics.iter().map(|diagnostic| {
@@ -311,7 +312,7 @@ impl Performed {
     }
 }
 
-impl Accepted {
+impl AcceptedClause {
     fn new(accepted: &LiveClause) -> Self {
         Self {
             clause: accepted.clause.clause.0,

@@ -40,7 +40,7 @@ pub(crate) struct Layers {
 impl Layers {
     /// Shortest time between two changes, seconds: no more than three actors are evaluated
     /// for a frame.
-    pub(crate) const APART_SECS: f64 = 0.2;
+    const APART_SECS: f64 = 0.2;
 
     pub(crate) fn new(actor: Actor, room: Room, morphs: usize) -> Self {
         let first = Layer {
@@ -61,7 +61,20 @@ impl Layers {
         self.last().from_secs
     }
 
-    /// The actor who knows everything.
+    /// When a change that is requested now takes place: those within one change share it, one
+    /// soon after waits for the next, and after a seek to earlier times it takes place at once.
+    pub(crate) fn next_change_secs(&self, now_secs: f64) -> f64 {
+        let last_secs = self.last_change_secs();
+        if last_secs - now_secs > Self::APART_SECS {
+            now_secs
+        } else if last_secs >= now_secs {
+            last_secs
+        } else {
+            now_secs.max(last_secs + Self::APART_SECS)
+        }
+    }
+
+    /// The actor of the latest performance.
     pub(crate) fn actor(&self) -> &Actor {
         &self.last().actor
     }
@@ -101,7 +114,7 @@ impl Layers {
         })
     }
 
-    /// What the face is asked to do at a time; allocates nothing.
+    /// Controls of the face at a time; allocates nothing.
     pub(crate) fn controls(&self, time_secs: f64) -> FaceControls {
         let begun = self.later.partition_point(|l| l.from_secs < time_secs);
         let done = self

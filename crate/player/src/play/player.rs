@@ -2,53 +2,53 @@
 
 use std::sync::Arc;
 
-use raconteur_actor::Report;
-use raconteur_actor::gesture::TrunkShape;
-use raconteur_actor::{Actor, FaceRig, Library, LipTrack, Sex};
-use raconteur_base::order::sort_by_number;
+use raconteur_actor::{Actor, LipTrack, Report};
 use raconteur_base::{DVec3, Side};
 use raconteur_body::face::{FaceControls, Network, NodeState, Tissue};
 use raconteur_body::{Bone, Figure, Pose};
 use raconteur_eml::{Diagnostic, Performer, Timeline, thinned};
-use raconteur_stage::{Camera, Frame, Room, Shot, View};
+use raconteur_stage::{Camera, Frame, Room, View};
 
-use crate::live::{self, Live, Performed, Scene};
+use crate::live::{FragmentText, Performed, Scene};
+use crate::lower::cast::Cast;
 use crate::lower::cues::{Cue, UtteranceCue};
-use crate::lower::geometry::Geometry;
-use crate::lower::gestures::{self, Hands, Reach};
-use crate::lower::music::{self, MusicClause, MusicCue};
-use crate::lower::part::{self, Carried, Part};
-use crate::lower::script::{Reading, Script};
+use crate::lower::music::MusicCue;
+use crate::lower::plan::{CarriedCommands, ScriptPlan};
+use crate::lower::script::{LoadStage, Script};
 use crate::lower::units::Units;
-use crate::lower::views::Views;
-use crate::lower::{animations, manipulators, parameters};
+use crate::lower::{animations, gestures};
 use crate::options::Options;
+use crate::play::clock::Clock;
 use crate::play::event::Event;
 use crate::play::fibres;
 use crate::play::layers::Layers;
+use crate::play::picture::{Picture, Subject};
+use crate::play::rehearsal::Rehearsal;
+use crate::play::score::Score;
 use crate::play::soft::SoftFace;
 
 mod clips;
 mod readings;
 mod welcome;
 
+use clips::Animations;
 use welcome::Welcome;
 
-/// What a player needs.
+/// The input of a player.
 pub struct StoryInput<'a> {
     /// The script's text.
     pub eml: &'a str,
     /// The JSON of its speech bundle, if it has one.
     pub bundle: Option<&'a [u8]>,
-    /// Who performs.
+    /// The figure that performs.
     pub figure: Arc<Figure>,
-    /// How.
+    /// How it performs.
     pub options: Options,
 }
 
 /// A player, and what was wrong with its story.
 pub struct Loaded {
-    /// Ready to be asked for frames.
+    /// Ready to evaluate frames.
     pub player: Player,
     /// Problems of the script; the rest plays.
     pub diagnostics: Vec<Diagnostic>,
@@ -68,130 +68,67 @@ pub struct Manipulator {
 /// Evaluates any moment of a story, and of what joins it while it plays. Frames depend on the
 /// time alone, so seeking costs no more than playing.
 pub struct Player {
-    figure: Arc<Figure>,
-    face: FaceRig,
-    units: Units,
-    reach: Reach,
-    trunk: TrunkShape,
+    cast: Cast,
     options: Options,
-    hands: Hands,
     script: Script,
-    library: Library,
-    /// Animations that could not be had, or not read.
-    missing_animations: Vec<String>,
-    story: Part,
-    live: Live,
+    animations: Animations,
+    score: Score,
+    clock: Clock,
+    picture: Picture,
     layers: Layers,
-    /// Where the figure's face has tissue.
+    /// The tissue of the face, if the figure has any.
     soft: Option<SoftFace>,
-    /// How the figure waits, while it does and until it has left off.
+    /// The waiting figure, until the story has taken over.
     welcome: Option<Box<Welcome>>,
-    geometry: Geometry,
-    view: Option<View>,
-    views: Views,
-    /// Cues up to this time are passed.
-    passed_secs: f64,
-    /// Cues up to this time are told.
-    delivered_until_secs: f64,
-    /// The clock may pass the end.
-    open_ended: bool,
-    /// The latest time that the clock has come to beyond the end.
-    open_until_secs: f64,
     pose: Pose,
     frame: Frame,
 }
-
-/// Length of a hand with a margin, share of stature (0.108 in adults, ANSUR).
-const HAND_LENGTH: f64 = 0.12;
 
 impl Player {
     /// Reads a story and prepares its performance. Never fails; see [`Loaded::diagnostics`].
     #[must_use]
     pub fn load(input: StoryInput<'_>) -> Loaded {
-        Self::load_telling(input, &mut |_| ())
+        Self::load_with_progress(input, &mut |_| ())
     }
 
-    /// [`Player::load`]; `told` hears of each part of the story as its reading begins.
+    /// [`Player::load`]; calls `progress` as each stage of loading begins.
     #[must_use]
-    pub fn load_telling(input: StoryInput<'_>, told: &mut dyn FnMut(Reading)) -> Loaded {
-        let script = Script::read_telling(input.eml, input.bundle, told);
-        told(Reading::Performance);
-        let figure = input.figure;
-        let units = Units::of(&figure.skeleton);
-
-        let shown = input.options.handedness;
-        let hands = Hands::of(&script.document, shown, figure.dominant_hand);
-        let options = Options {
-            handedness: Some(hands.dominant),
-            ..input.options
-        };
-        let reach = Reach::of(&figure.skeleton);
-        let mut diagnostics = script.diagnostics.clone();
-        diagnostics.extend(gestures::out_of_reach(
-            &script.document,
-            &units,
-            &reach,
-            hands,
-        ));
-        let (document, timeline) = (&script.document, &script.timeline);
-        diagnostics.extend(parameters::problems(document));
-        diagnostics.extend(manipulators::problems(document, &units, &reach));
-        diagnostics.extend(animations::problems(
-            document,
-            timeline,
-            &figure.skeleton,
-            None,
-        ));
-
-        let story = Part::new(&script, &units, hands, 0, None);
-        let live = Live::new(story.utterances.len());
-        let trunk = TrunkShape::of(&figure);
-        let library = Library::default();
-        let (actor, room) = rehearse(
-            &figure,
-            &options,
-            trunk,
-            input.options.room,
-            &library,
-            &Carried::default(),
-            [&story].into_iter(),
-        );
-        let plans = Side::BOTH.map(|side| actor.plan(side));
-        diagnostics.extend(gestures::late(&script.document, &script.timeline, plans));
-        let diagnostics = thinned(diagnostics);
-        let mut geometry = Geometry::default();
-        geometry.retell(&story.geometry);
-        let morphs = figure.morph_names.len();
+    pub fn load_with_progress(
+        input: StoryInput<'_>,
+        progress: &mut dyn FnMut(LoadStage),
+    ) -> Loaded {
+        let script = Script::read_with_progress(input.eml, input.bundle, progress);
+        progress(LoadStage::Performance);
+        let options = input.options;
+        let cast = Cast::new(input.figure, &script.document, options.handedness);
+        let story = ScriptPlan::new(&script, &cast, 0, None);
+        let animations = Animations::default();
+        let (actor, room) = Rehearsal {
+            cast: &cast,
+            options: &options,
+            library: &animations.library,
+            carried: &CarriedCommands::default(),
+            least_room: options.room,
+        }
+        .actor([&story].into_iter());
+        let diagnostics = diagnostics(&script, &cast, &actor);
+        let morphs = cast.morphs();
+        let tissue = cast.figure.tissue.as_ref();
+        let mut frame = Frame::with_capacity(cast.figure.skeleton.joints().len(), morphs);
+        frame.tissue = vec![NodeState::default(); tissue.map_or(0, |t| t.rest.len())];
         let player = Self {
-            views: Views::new(input.options.shot, story.shots.iter()),
-            face: FaceRig::new(&figure),
-            units,
-            reach,
-            trunk,
             options,
-            hands,
             script,
-            library,
-            missing_animations: Vec::new(),
-            story,
-            live,
+            animations,
+            picture: Picture::new(options.shot, &story),
+            score: Score::new(story),
+            clock: Clock::new(),
             layers: Layers::new(actor, room, morphs),
-            soft: figure.tissue.as_ref().map(SoftFace::new),
+            soft: tissue.map(SoftFace::new),
             welcome: None,
-            geometry,
-            view: None,
-            passed_secs: -1.0,
-            delivered_until_secs: -1.0,
-            open_ended: false,
-            open_until_secs: 0.0,
             pose: Pose::zero(),
-            frame: {
-                let mut frame = Frame::with_capacity(figure.skeleton.joints().len(), morphs);
-                let nodes = figure.tissue.as_ref().map_or(0, |t| t.rest.len());
-                frame.tissue = vec![NodeState::default(); nodes];
-                frame
-            },
-            figure,
+            frame,
+            cast,
         };
         Loaded {
             player,
@@ -210,35 +147,35 @@ impl Player {
     #[must_use]
     pub fn end_secs(&self) -> f64 {
         self.duration_secs()
-            .max(self.live.end_secs())
-            .max(self.open_until_secs)
+            .max(self.score.live.end_secs())
+            .max(self.clock.open_until_secs())
     }
 
     /// Whether the clock may pass the end, because more may come: while a mind listens.
     pub fn set_open_ended(&mut self, open_ended: bool) {
-        self.open_ended = open_ended;
+        self.clock.set_open_ended(open_ended);
     }
 
-    /// Who performs.
+    /// The figure that performs.
     #[must_use]
     pub fn figure(&self) -> &Arc<Figure> {
-        &self.figure
+        &self.cast.figure
     }
 
     /// Where EML's coordinates lie for this figure.
     #[must_use]
     pub fn units(&self) -> &Units {
-        &self.units
+        &self.cast.units
     }
 
-    /// The frame that was asked for last; empty before the first.
+    /// The last frame that was evaluated; empty before the first.
     #[must_use]
     pub fn last_frame(&self) -> &Frame {
         &self.frame
     }
 
-    /// Whom the script chooses to perform it, in what voice and language; who does is
-    /// [`Player::figure`].
+    /// The performer that the script chooses, with voice and language; the figure that does
+    /// perform is [`Player::figure`].
     #[must_use]
     pub fn choice(&self) -> Option<&Performer> {
         self.script.document.performer.as_ref()
@@ -253,141 +190,108 @@ impl Player {
     /// What the script says, in order of time.
     #[must_use]
     pub fn utterances(&self) -> &[UtteranceCue] {
-        &self.story.utterances
+        &self.score.story.utterances
     }
 
     /// An utterance by the index that cues give: of the script, or of what is remembered of
     /// the live performance.
     #[must_use]
     pub fn utterance(&self, index: usize) -> Option<&UtteranceCue> {
-        let live = || self.live.utterances().find(|(i, _)| *i == index);
-        self.story
-            .utterances
-            .get(index)
-            .or_else(|| live().map(|(_, u)| u))
+        self.score.utterance(index)
     }
 
-    /// What listeners are told of the script, in order of time.
+    /// The cues of the script, in order of time.
     #[must_use]
     pub fn cues(&self) -> &[Cue] {
-        &self.story.cues
+        &self.score.story.cues
     }
 
     /// The music under the story and under what joined it, by time.
     #[must_use]
     pub fn music(&self) -> Vec<MusicCue> {
-        let parts = self.parts();
-        let mut clauses: Vec<MusicClause> = parts
-            .clone()
-            .flat_map(|p| p.music.iter().cloned())
-            .collect();
-        sort_by_number(&mut clauses, |c| c.start_secs);
-        music::cues(&clauses, parts.flat_map(|p| &p.utterances))
+        self.score.music()
     }
 
     /// Performs EML that comes while the story plays (GEVH 3.6): a list of clauses or a whole
     /// script. Plain times count from `now_secs` (story time), names are those of the
-    /// fragment, of earlier ones and of the script. `mind` tells senders apart, each of which
+    /// fragment, of earlier ones and of the script. `mind` identifies the sender, each of which
     /// has an allowance; see [`live::limits`].
     ///
-    /// The same fragments at the same times give the same frames, however often frames are
-    /// asked for between.
+    /// The same fragments at the same times give the same frames, whatever frames are
+    /// evaluated between.
     pub fn perform(&mut self, mind: u32, fragment: &str, now_secs: f64) -> Performed {
         let now_secs = if now_secs.is_finite() {
             now_secs.max(0.0)
         } else {
             0.0
         };
-        // What comes within one change of actors shares it, what comes soon after waits for
-        // the next; after a seek to earlier times the change begins there.
-        let last_secs = self.layers.last_change_secs();
-        let base_secs = if last_secs - now_secs > Layers::APART_SECS {
-            now_secs
-        } else if last_secs >= now_secs {
-            last_secs
-        } else {
-            now_secs.max(last_secs + Layers::APART_SECS)
-        };
+        let base_secs = self.layers.next_change_secs(now_secs);
         let scene = Scene {
-            units: &self.units,
-            reach: &self.reach,
-            hands: self.hands,
-            bundle: self.script.bundle.as_ref(),
-            library: &self.library,
-            marks: &self.script.timeline.marks,
-            sets: &self.script.document.sets,
+            cast: &self.cast,
+            library: &self.animations.library,
+            script: &self.script,
+            story: &self.score.story,
             actor: self.layers.actor(),
-            skeleton: &self.figure.skeleton,
-            story_players: &self.story.players,
         };
-        let performed = self.live.admit(mind, fragment, now_secs, base_secs, &scene);
+        let fragment = FragmentText {
+            mind,
+            text: fragment,
+            now_secs,
+            base_secs,
+        };
+        let performed = self.score.live.admit(&fragment, &scene);
         if !performed.clauses.is_empty() {
-            let parts = self.parts();
-            let shots = parts.flat_map(|p| &p.shots);
-            self.views = Views::new(self.options.shot, shots);
-            let (actor, room) = self.rehearse_all(self.layers.last_room());
+            self.picture.take_shots(self.score.plans());
+            let (actor, room) = self.rehearse();
             self.layers.change(base_secs, actor, room);
             self.forget_face();
-            if let Some(fragment) = self.live.parts().last() {
-                self.geometry.join(&fragment.geometry);
+            if let Some(joined) = self.score.live.plans().last() {
+                self.picture.join(&joined.geometry);
             }
         }
         performed
     }
 
-    /// The story, and what joined it, in the order in which it came.
-    fn parts(&self) -> impl Iterator<Item = &Part> + Clone {
-        [&self.story].into_iter().chain(self.live.parts())
-    }
-
-    /// Prepares an actor for all that is known.
-    fn rehearse_all(&self, held: Room) -> (Actor, Room) {
-        let parts = self.parts();
-        let carried = self.live.carried();
-        rehearse(
-            &self.figure,
-            &self.options,
-            self.trunk,
-            held,
-            &self.library,
-            carried,
-            parts,
-        )
+    /// Prepares an actor for all that is known, with no less room than the last one has.
+    fn rehearse(&self) -> (Actor, Room) {
+        Rehearsal {
+            cast: &self.cast,
+            options: &self.options,
+            library: &self.animations.library,
+            carried: self.score.live.carried(),
+            least_room: self.layers.last_room(),
+        }
+        .actor(self.score.plans())
     }
 
     /// The tissue of the face and its network as they were for the last frame; none where the
     /// figure has none.
     pub(crate) fn face(&self) -> Option<(&Tissue, &Network)> {
-        Some((self.figure.tissue.as_ref()?, self.soft.as_ref()?.network()))
+        Some((
+            self.cast.figure.tissue.as_ref()?,
+            self.soft.as_ref()?.network(),
+        ))
     }
 
-    /// What the face is asked to do at a story time: contractions of its muscles, jaw, lids,
+    /// Controls of the face at a story time: contractions of its muscles, jaw, lids,
     /// tongue.
     #[must_use]
     pub fn face_controls(&self, time_secs: f64) -> FaceControls {
         self.layers.controls(time_secs)
     }
 
-    /// Everything that is said: when it begins, story seconds, and its lips.
+    /// The lip tracks of all utterances with their starts, story time, seconds.
     #[must_use]
     pub fn lips(&self) -> &[(f64, LipTrack)] {
         self.layers.actor().lips()
     }
 
-    /// The name of the row of [`raconteur_speech::phones`] by which a symbol of an utterance of
-    /// the script moves the mouth.
-    pub(crate) fn row<'a>(&'a self, utterance: usize, symbol: &'a str) -> &'a str {
-        let cue = self.story.utterances.get(utterance);
-        let voice = cue.and_then(|u| self.script.voice(u.clause));
-        voice.map_or(symbol, |v| v.row(symbol))
-    }
-
     /// Upper lids of the last frame, radians: where they are and where they are closed.
     pub(crate) fn lids_rad(&self) -> ([f64; 2], [f64; 2]) {
-        (self.pose.upper_lid_rad, self.figure.lid_closure_rad)
+        (self.pose.upper_lid_rad, self.cast.figure.lid_closure_rad)
     }
 
-    /// The face is asked for something else from now on.
+    /// Lets the tissue begin anew under changed controls.
     fn forget_face(&mut self) {
         if let Some(soft) = &mut self.soft {
             soft.forget();
@@ -397,53 +301,29 @@ impl Player {
     /// Whether a mind may send a fragment at a story time without being refused for its pace.
     #[must_use]
     pub fn has_room(&self, mind: u32, now_secs: f64) -> bool {
-        self.live.has_room(mind, now_secs)
+        self.score.live.has_room(mind, now_secs)
     }
 
     /// Lets time pass: the cues up to `time_secs` are there for [`Player::drain_events`].
     /// Time that runs backwards passes nothing; see [`Player::seek`].
     pub fn advance(&mut self, time_secs: f64) {
-        if time_secs > self.passed_secs {
-            self.passed_secs = time_secs;
-        }
-        if self.open_ended && time_secs.is_finite() {
-            self.open_until_secs = self.open_until_secs.max(time_secs);
-        }
+        self.clock.advance(time_secs);
     }
 
     /// Moves without passing the cues between; those at `time_secs` itself are still to come.
-    /// Live clauses keep their times; those that a move forwards passes over are told as
+    /// Live clauses keep their times; those that a move forwards passes over are reported as
     /// skipped.
     pub fn seek(&mut self, time_secs: f64) {
-        let to_secs = if time_secs.is_finite() {
-            time_secs.next_down()
-        } else {
-            -1.0
-        };
-        self.live.skip(self.delivered_until_secs, to_secs);
+        let (from_secs, to_secs) = self.clock.seek(time_secs);
+        self.score.live.skip(from_secs, to_secs);
         self.forget_welcome();
-        self.passed_secs = to_secs;
-        self.delivered_until_secs = to_secs;
     }
 
     /// What has happened since the last call, by time.
     pub fn drain_events(&mut self) -> Vec<Event> {
-        let mut cues = self
-            .live
-            .take_cues(self.delivered_until_secs, self.passed_secs);
-        let story = live::between(
-            &self.story.cues,
-            self.delivered_until_secs,
-            self.passed_secs,
-        );
-        if !cues.is_empty() {
-            cues.extend_from_slice(story);
-            sort_by_number(&mut cues, |c| c.time_secs);
-        }
-        self.delivered_until_secs = self.passed_secs;
-        let all = if cues.is_empty() { story } else { &cues };
+        let cues = self.score.take_cues(self.clock.deliver());
         let utterance = |index| self.utterance(index);
-        all.iter()
+        cues.iter()
             .filter_map(|c| Event::new(c, utterance))
             .collect()
     }
@@ -459,38 +339,30 @@ impl Player {
     }
 
     /// Shows the whole figure from another side, whatever the shot; the shot again by none.
-    /// The figure still speaks to where the shot's camera stands.
+    /// The figure still speaks to the camera of the shot.
     pub fn set_view(&mut self, view: Option<View>) {
-        self.view = view;
+        self.picture.set_view(view);
     }
 
     fn camera(&self, aspect: f64) -> Camera {
-        let stature_m = self.figure.skeleton.stature_m();
-        let room = self.layers.room_at(self.frame.time_secs);
-        // Where the script has moved the figure; how it sways there is none of the camera's
-        // business.
-        let moved = self.layers.actor().world_from_figure(self.frame.time_secs);
-        let place = moved.map_or(DVec3::ZERO, |m| m.translation.with_y(0.0));
-        let frame = |shot: Shot| shot.frame(place, stature_m, aspect, room);
-        match self.view {
-            Some(view) => view.of(&frame(Shot::Full)),
-            None => self.views.camera(self.frame.time_secs, frame),
-        }
+        let time_secs = self.frame.time_secs;
+        // Where the script has moved the figure; the camera does not follow its sway.
+        let moved = self.layers.actor().world_from_figure(time_secs);
+        let subject = Subject {
+            floor_in_world: moved.map_or(DVec3::ZERO, |m| m.translation.with_y(0.0)),
+            stature_m: self.cast.figure.skeleton.stature_m(),
+            room: self.layers.room_at(time_secs),
+        };
+        self.picture.camera(time_secs, aspect, &subject)
     }
 
     /// The order of evaluation: time, body and face, joints, sound, what is drawn.
     fn evaluate(&mut self, time_secs: f64) -> Report {
-        let t = if time_secs.is_nan() {
-            0.0
-        } else {
-            let open = self.open_ended && time_secs.is_finite();
-            let end_secs = if open { time_secs } else { self.end_secs() };
-            time_secs.min(end_secs).max(0.0)
-        };
+        let t = self.clock.shown_secs(time_secs, self.end_secs());
         self.frame.time_secs = t;
         let report = self.layers.evaluate(
-            &self.figure.skeleton,
-            &self.face,
+            &self.cast.figure.skeleton,
+            &self.cast.face,
             t,
             &mut self.pose,
             &mut self.frame.morph_weights,
@@ -498,17 +370,18 @@ impl Player {
         if let Some(welcome) = &mut self.welcome {
             let weights = &mut self.frame.morph_weights;
             welcome.blend(
-                &self.figure.skeleton,
-                &self.face,
+                &self.cast.figure.skeleton,
+                &self.cast.face,
                 t,
                 &mut self.pose,
                 weights,
             );
         }
-        self.figure
+        self.cast
+            .figure
             .skeleton
             .solve(&self.pose, &mut self.frame.world_from_joint);
-        if let (Some(tissue), Some(soft)) = (&self.figure.tissue, &mut self.soft) {
+        if let (Some(tissue), Some(soft)) = (&self.cast.figure.tissue, &mut self.soft) {
             let controls = |t: f64| {
                 let controls = self.layers.controls(t);
                 let welcome = self.welcome.as_ref();
@@ -517,7 +390,7 @@ impl Player {
             soft.at(tissue, t, &controls, &mut self.frame.tissue);
         }
         self.frame.speech = self.speech_at(t);
-        self.frame.shown = self.geometry.at(t);
+        self.frame.shown = self.picture.shown(t);
         self.draw_tissue();
         self.frame.handles.clear();
         self.frame.handles.extend(report.led.into_iter().flatten());
@@ -534,10 +407,10 @@ impl Player {
         let skull = Bone::Skull.index();
         let ends = (
             self.frame.world_from_joint.get(skull),
-            self.figure.inverse_bind.get(skull),
+            self.cast.figure.inverse_bind.get(skull),
         );
         if let (Some(tissue), Some(soft), (Some(world), Some(bind))) =
-            (&self.figure.tissue, &self.soft, ends)
+            (&self.cast.figure.tissue, &self.soft, ends)
         {
             fibres::draw(
                 shown,
@@ -550,39 +423,14 @@ impl Player {
     }
 }
 
-/// Prepares an actor for all parts together, and the room that they need in the picture:
-/// no less than `held`, so that the picture does not breathe with every gesture.
-fn rehearse<'a>(
-    figure: &Figure,
-    options: &Options,
-    trunk: TrunkShape,
-    held: Room,
-    library: &Library,
-    carried: &Carried,
-    parts: impl Iterator<Item = &'a Part> + Clone,
-) -> (Actor, Room) {
-    let stature_m = figure.skeleton.stature_m();
-    let hand_m = HAND_LENGTH * stature_m;
-    let rooms = parts.clone().flat_map(|p| {
-        let asked = part::is_asked(&p.manipulators);
-        [
-            Some(gestures::room(&p.strokes, hand_m)),
-            asked.then(|| manipulators::room(&p.manipulators, hand_m)),
-        ]
-    });
-    let room = rooms.flatten().fold(held, |a, b| Room {
-        top_m: a.top_m.max(b.top_m),
-        half_width_m: a.half_width_m.max(b.half_width_m),
-    });
-    let camera = options.shot.frame(DVec3::ZERO, stature_m, 16.0 / 9.0, room);
-    let performance = part::performance(
-        parts,
-        carried,
-        library,
-        options,
-        trunk,
-        Sex::of(figure.sex),
-        camera.eye_in_world,
-    );
-    (Actor::new(&performance, &figure.skeleton), room)
+/// Problems of a script when this figure performs it.
+fn diagnostics(script: &Script, cast: &Cast, actor: &Actor) -> Vec<Diagnostic> {
+    let (document, timeline) = (&script.document, &script.timeline);
+    let mut diagnostics = script.diagnostics.clone();
+    diagnostics.extend(cast.problems(document));
+    let skeleton = &cast.figure.skeleton;
+    diagnostics.extend(animations::problems(document, timeline, skeleton, None));
+    let plans = Side::BOTH.map(|side| actor.plan(side));
+    diagnostics.extend(gestures::late(document, timeline, plans));
+    thinned(diagnostics)
 }

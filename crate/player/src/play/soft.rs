@@ -4,36 +4,36 @@
 //! there. So time is cut into segments, and what the network is in a segment follows from the
 //! controls since a fixed moment before it, where it begins at rest under them: the
 //! difference to what came before has died away long before the segment begins (to less than
-//! a thousandth of a millimetre). While one segment plays, the way into the next is walked a
-//! step at a time; a seek walks at most a segment with its way and the way into the next, 1.2 s.
+//! a thousandth of a millimetre). While one segment plays, the warm-up of the next is
+//! simulated a step at a time; a seek simulates at most a segment with both warm-ups, 1.2 s.
 
 use core::mem::swap;
 
 use raconteur_body::face::{FaceControls, Network, NodeState, Tissue};
 
-/// Steps of a segment, and of the way into it.
+/// Steps of a segment, and of the warm-up before it.
 const SEGMENT: i64 = 96;
-const INTO: i64 = 24;
+const WARM_UP: i64 = 24;
 
-/// A network on its way through a segment.
+/// A simulation that runs through a segment.
 #[derive(Clone)]
-struct Walk {
+struct SegmentRun {
     network: Network,
     segment: i64,
     /// The step it has come to.
     step: i64,
 }
 
-impl Walk {
-    /// Begins the way into a segment.
+impl SegmentRun {
+    /// Begins the warm-up of a segment.
     fn begin(&mut self, tissue: &Tissue, segment: i64, controls: &Controls<'_>) {
         self.segment = segment;
-        self.step = segment * SEGMENT - INTO;
+        self.step = segment * SEGMENT - WARM_UP;
         let (now, earlier) = (controls(secs(self.step)), controls(secs(self.step - 1)));
         self.network.reset(tissue, &now, &earlier);
     }
 
-    fn walk(&mut self, tissue: &Tissue, to: i64, controls: &Controls<'_>) {
+    fn advance(&mut self, tissue: &Tissue, to: i64, controls: &Controls<'_>) {
         while self.step < to {
             self.step += 1;
             self.network.step(tissue, &controls(secs(self.step)));
@@ -41,7 +41,7 @@ impl Walk {
     }
 }
 
-/// What the face is asked to do at a time, seconds.
+/// Controls of the face at a time, seconds.
 type Controls<'a> = dyn Fn(f64) -> FaceControls + 'a;
 
 fn secs(step: i64) -> f64 {
@@ -50,8 +50,8 @@ fn secs(step: i64) -> f64 {
 
 /// The tissue of one face at any time.
 pub(crate) struct SoftFace {
-    now: Walk,
-    next: Walk,
+    now: SegmentRun,
+    next: SegmentRun,
 }
 
 /// A segment that no time has.
@@ -59,23 +59,23 @@ const NEVER: i64 = i64::MIN;
 
 impl SoftFace {
     pub(crate) fn new(tissue: &Tissue) -> Self {
-        let walk = Walk {
+        let run = SegmentRun {
             network: Network::new(tissue),
             segment: NEVER,
             step: 0,
         };
         Self {
-            next: walk.clone(),
-            now: walk,
+            next: run.clone(),
+            now: run,
         }
     }
 
-    /// The network as it was at the last step that was asked for.
+    /// The network as it was at the last requested step.
     pub(crate) fn network(&self) -> &Network {
         &self.now.network
     }
 
-    /// Forgets what the controls were: they are others from now on.
+    /// Forgets what was simulated: the controls have changed.
     pub(crate) fn forget(&mut self) {
         self.now.segment = NEVER;
         self.next.segment = NEVER;
@@ -99,14 +99,14 @@ impl SoftFace {
         if self.now.segment != segment || self.now.step > step {
             self.now.begin(tissue, segment, controls);
         }
-        self.now.walk(tissue, step, controls);
-        // The way into the next segment, evenly over this one.
+        self.now.advance(tissue, step, controls);
+        // The warm-up of the next segment, evenly over this one.
         if self.next.segment != segment + 1 {
             self.next.begin(tissue, segment + 1, controls);
         }
         let gone = step - segment * SEGMENT;
-        let ahead = (segment + 1) * SEGMENT - INTO + gone * INTO / SEGMENT;
-        self.next.walk(tissue, ahead, controls);
+        let ahead = (segment + 1) * SEGMENT - WARM_UP + gone * WARM_UP / SEGMENT;
+        self.next.advance(tissue, ahead, controls);
         self.now.network.write(tissue, share as f32, nodes);
     }
 }

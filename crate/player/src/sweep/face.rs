@@ -2,7 +2,7 @@
 //! meet, skin in skin, teeth or bone.
 
 use raconteur_body::face::{FaceControls, Network, Tissue};
-use raconteur_speech::phones::{self, Class};
+use raconteur_speech::phones::Class;
 
 use super::{Check, RATE_HZ};
 use crate::lower::cues::CueKind;
@@ -17,21 +17,21 @@ const SILENCE_CLOSES_SECS: f64 = 0.2;
 const SILENCE_OPENS_SECS: f64 = 0.15;
 /// Radius of the globe that lids slide over, millimetres.
 const GLOBE_MM: f64 = 12.2;
-/// A face that is asked for this much of something is asked for it: a blink at its apex.
+/// Lid control from which the lids have to be closed: a blink at its apex.
 const FULL: f64 = 0.999;
-/// Most that a face in silence may be moved by something else for its lips to be looked at.
+/// Contraction of any muscle from which the lips are not checked in silence: an expression.
 const STILL: f64 = 0.35;
 
 /// A time in which something must hold.
 struct Moment {
     from_secs: f64,
     to_secs: f64,
-    what: Kind,
+    closure: Closure,
     phone: &'static str,
 }
 
 #[derive(Clone, Copy, PartialEq)]
-enum Kind {
+enum Closure {
     Bilabial,
     Labiodental,
     Silence,
@@ -41,24 +41,19 @@ enum Kind {
 fn moments(player: &Player) -> Vec<Moment> {
     let mut all = Vec::new();
     for cue in player.cues() {
-        let CueKind::Phone {
-            utterance,
-            symbol,
-            end_secs,
-        } = &cue.kind
-        else {
+        let &CueKind::Phone { utterance, phone } = &cue.kind else {
             continue;
         };
-        let Some(target) = phones::by_name(player.row(*utterance, symbol)) else {
-            continue;
-        };
-        let (start, end) = (cue.time_secs, *end_secs);
-        let (what, from_secs, to_secs) = match target.class {
-            Class::BilabialStop => (Kind::Bilabial, start, start + CLOSED * (end - start)),
-            Class::BilabialNasal => (Kind::Bilabial, start, end),
-            Class::Labiodental => (Kind::Labiodental, start, end),
+        let timed = &player.utterances()[utterance].timed;
+        let phone = &timed.utterance.phones[phone];
+        let target = phone.row.targets();
+        let (start, end) = (cue.time_secs, timed.story_secs(phone.end_secs));
+        let (closure, from_secs, to_secs) = match target.class {
+            Class::BilabialStop => (Closure::Bilabial, start, start + CLOSED * (end - start)),
+            Class::BilabialNasal => (Closure::Bilabial, start, end),
+            Class::Labiodental => (Closure::Labiodental, start, end),
             Class::Silence => (
-                Kind::Silence,
+                Closure::Silence,
                 start + SILENCE_CLOSES_SECS,
                 end - SILENCE_OPENS_SECS,
             ),
@@ -68,7 +63,7 @@ fn moments(player: &Player) -> Vec<Moment> {
             all.push(Moment {
                 from_secs,
                 to_secs,
-                what,
+                closure,
                 phone: target.name,
             });
         }
@@ -124,17 +119,17 @@ impl FaceSweep {
             if t > moment.to_secs {
                 continue;
             }
-            match moment.what {
-                Kind::Bilabial => self.bilabial.meet_part(apart_mm, moment.phone, t),
-                Kind::Labiodental => {
+            match moment.closure {
+                Closure::Bilabial => self.bilabial.measure(apart_mm, moment.phone, t),
+                Closure::Labiodental => {
                     let from_mm = 1e3 * f64::from(network.lip_to_teeth_m(tissue));
-                    self.labiodental.meet_part(from_mm, moment.phone, t);
+                    self.labiodental.measure(from_mm, moment.phone, t);
                 }
                 // An open mouth may be an expression.
-                Kind::Silence if controls.contraction.iter().all(|c| *c < STILL) => {
-                    self.silence.meet_part(apart_mm, moment.phone, t);
+                Closure::Silence if controls.contraction.iter().all(|c| *c < STILL) => {
+                    self.silence.measure(apart_mm, moment.phone, t);
                 }
-                Kind::Silence => {}
+                Closure::Silence => {}
             }
         }
         let depths = network.left(tissue);
@@ -143,13 +138,13 @@ impl FaceSweep {
             (&mut self.teeth, depths.teeth_m),
             (&mut self.bone, depths.bone_m),
         ] {
-            check.meet_part(1e3 * f64::from(depth), "face", t);
+            check.measure(1e3 * f64::from(depth), "face", t);
         }
         self.stretch
-            .meet_part(f64::from(network.most_stretched()), "face", t);
+            .measure(f64::from(network.most_stretched()), "face", t);
     }
 
-    /// Looks at the lids: those that were asked to close.
+    /// Looks at the lids that are controlled to close.
     pub(super) fn look_at_lids(
         &mut self,
         controls: &FaceControls,
@@ -159,7 +154,7 @@ impl FaceSweep {
         for i in 0..2 {
             if controls.upper_lid[i] > FULL {
                 let apart = (closed_rad[i] - are_rad[i]).max(0.0);
-                self.lids.meet_part(GLOBE_MM * apart, "lid", t);
+                self.lids.measure(GLOBE_MM * apart, "lid", t);
             }
         }
     }

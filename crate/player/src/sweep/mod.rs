@@ -2,8 +2,8 @@
 //!
 //! A sweep looks at 120 frames a second of a [`Player`] and measures each of them: lengths of
 //! bones, rotations, speeds of joints, hands in the body or in each other, limits of joints,
-//! whether strokes begin when the script says, and whether the face closes what speech closes. The worst of each is told with its place
-//! and time.
+//! whether strokes begin when the script says, and whether the face closes what speech closes.
+//! It reports the worst of each with its location and time.
 
 mod face;
 mod solids;
@@ -28,7 +28,7 @@ const THERE_M: f64 = 0.015;
 /// A stroke is looked for this long, seconds.
 const LOOKED_FOR_SECS: f64 = 0.4;
 
-/// What a sweep found of one kind.
+/// The worst value of one measure over a sweep.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Check {
     /// What was measured, for example `joint-speed`.
@@ -40,7 +40,7 @@ pub struct Check {
     /// Unit of both, for example `rad/s`.
     pub unit: &'static str,
     /// Where: a bone or a phone by its name; empty when nothing was found.
-    pub part: &'static str,
+    pub location: &'static str,
     /// When, story time, seconds.
     pub at_secs: f64,
 }
@@ -58,18 +58,18 @@ impl Check {
             worst: 0.0,
             limit,
             unit,
-            part: "",
+            location: "",
             at_secs: 0.0,
         }
     }
 
-    fn meet(&mut self, value: f64, part: Bone, at_secs: f64) {
-        self.meet_part(value, part.name(), at_secs);
+    fn measure_bone(&mut self, value: f64, bone: Bone, at_secs: f64) {
+        self.measure(value, bone.name(), at_secs);
     }
 
-    fn meet_part(&mut self, value: f64, part: &'static str, at_secs: f64) {
+    fn measure(&mut self, value: f64, location: &'static str, at_secs: f64) {
         if value > self.worst || value.is_nan() {
-            (self.worst, self.part, self.at_secs) = (value, part, at_secs);
+            (self.worst, self.location, self.at_secs) = (value, location, at_secs);
         }
     }
 }
@@ -187,14 +187,15 @@ impl Sweep {
             // A hinge about z, from stretched to bent.
             let over = (bend.z - ELBOW_MAX_DEG.to_radians()).max(-bend.z).max(0.0);
             let aside = bend.truncate().length();
-            self.limits.meet(over.max(aside).to_degrees(), elbow, t);
+            self.limits
+                .measure_bone(over.max(aside).to_degrees(), elbow, t);
             // Limits are known of one axis at a time. A wrist that is turned about several is
             // within them if it is so by a swing after the forearm's twist, as gestures turn
             // it, or by the joints of GEVH table 3.1.
             let turned = own(wrist);
             let by_joints = self.arms[side.index()].end_beyond_limits_rad(turned);
             let over = wrist::beyond_limits_rad(side, turned).min(by_joints);
-            self.limits.meet(over.to_degrees(), wrist, t);
+            self.limits.measure_bone(over.to_degrees(), wrist, t);
         }
     }
 
@@ -204,12 +205,12 @@ impl Sweep {
             let off = joint.matrix3.transpose() * joint.matrix3 - raconteur_base::DMat3::IDENTITY;
             let off = off.to_cols_array().into_iter().map(f64::abs);
             // A maximum would pass over what is not a number.
-            self.rotation.meet(off.sum(), bone, t);
+            self.rotation.measure_bone(off.sum(), bone, t);
             if let Some(parent) = bone.parent() {
                 let from = world_from_joint[parent.index()].translation;
                 let length = joint.translation.distance(from);
                 let stretched = self.skeleton.stretched_m(bone, length);
-                self.length.meet(1e3 * stretched, bone, t);
+                self.length.measure_bone(1e3 * stretched, bone, t);
             }
         }
     }
@@ -222,10 +223,10 @@ impl Sweep {
             let last = before.as_ref().map(|b| b[bone.index()]);
             let turn = last.map(|(from, _)| turn(from, rotation) * RATE_HZ);
             if let Some(turn) = turn {
-                self.speed.meet(turn.length(), bone, t);
+                self.speed.measure_bone(turn.length(), bone, t);
             }
             if let (Some(turn), Some((_, Some(earlier)))) = (turn, last) {
-                self.kick.meet((turn - earlier).length(), bone, t);
+                self.kick.measure_bone((turn - earlier).length(), bone, t);
             }
             now.push((rotation, turn));
         }
@@ -235,7 +236,7 @@ impl Sweep {
         if let Some(last) = self.wrists {
             for k in 0..2 {
                 let speed = wrists[k].distance(last[k]) * RATE_HZ;
-                self.wrist.meet(speed, bones[k], t);
+                self.wrist.measure_bone(speed, bones[k], t);
             }
         }
         self.wrists = Some(wrists);
@@ -249,8 +250,8 @@ impl Sweep {
             self.capsules[k].extend(self.hands[k].capsules(world_from_joint));
             for capsule in &self.capsules[k] {
                 let [trunk, head] = self.body.depths_m(world_from_joint, capsule);
-                self.trunk.meet(1e3 * trunk, wrists[k], t);
-                self.head.meet(1e3 * head, wrists[k], t);
+                self.trunk.measure_bone(1e3 * trunk, wrists[k], t);
+                self.head.measure_bone(1e3 * head, wrists[k], t);
             }
         }
         let far = |capsules: &[Capsule]| capsules.first().map_or(DVec3::ZERO, |c| c.ends[0]);
@@ -259,7 +260,7 @@ impl Sweep {
             for a in &self.capsules[0] {
                 for b in &self.capsules[1] {
                     let depth = a.depth_m(b, DVec3::ZERO);
-                    self.other_hand.meet(1e3 * depth, wrists[0], t);
+                    self.other_hand.measure_bone(1e3 * depth, wrists[0], t);
                 }
             }
         }
@@ -295,7 +296,7 @@ fn late_strokes(player: &mut Player) -> Check {
                 let wrist = player.frame(t, 1.6).world_from_joint[bone.index()];
                 wrist.translation.distance(place) < THERE_M
             });
-            check.meet(f64::from(late.unwrap_or(steps)), bone, begins);
+            check.measure_bone(f64::from(late.unwrap_or(steps)), bone, begins);
         }
     }
     check

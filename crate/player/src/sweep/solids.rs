@@ -120,9 +120,9 @@ fn thickness_m(figure: &Figure, bone: Bone, end: DVec3) -> Option<f64> {
     radii.get(radii.len() / 2).copied()
 }
 
-/// A part of the body that goes with one bone.
+/// A segment of the body that goes with one bone.
 #[derive(Clone, Debug)]
-struct Part {
+struct BodySegment {
     bone: Bone,
     /// The zero pose's world from the bone.
     zero: DAffine3,
@@ -133,7 +133,7 @@ struct Part {
     slices: Vec<[f64; SECTORS]>,
 }
 
-impl Part {
+impl BodySegment {
     fn new(figure: &Figure, bone: Bone) -> Option<Self> {
         let zero = world_from_bone(&figure.skeleton, &Pose::zero(), bone);
         let points: Vec<DVec3> = vertices(figure, bone)
@@ -145,7 +145,7 @@ impl Part {
             .fold((*first, *first), |(l, h), p| (l.min(*p), h.max(*p)));
         let middle = (low + high) * 0.5;
         let count = ((high.y - low.y) / SLICE_M).ceil() as usize + 1;
-        let mut part = Self {
+        let mut segment = Self {
             bone,
             zero,
             bottom_m: low.y,
@@ -153,11 +153,11 @@ impl Part {
             slices: vec![[0.0; SECTORS]; count],
         };
         for p in &points {
-            let (slice, sector, r) = part.place(*p)?;
-            let most = &mut part.slices[slice][sector];
+            let (slice, sector, r) = segment.place(*p)?;
+            let most = &mut segment.slices[slice][sector];
             *most = most.max(r);
         }
-        Some(part)
+        Some(segment)
     }
 
     /// Slice, sector and distance from the axis of a place in the zero pose.
@@ -180,7 +180,7 @@ impl Part {
             .transform_point3(moved.inverse().transform_point3(at));
         let (slice, sector, r) = self.place(p)?;
         let surface = self.slices[slice][sector];
-        // No vertices there: the part is open, as a trunk is where the arm begins.
+        // No vertices there: the segment is open, as a trunk is where the arm begins.
         (surface > 0.0).then_some(surface + radius_m - r)
     }
 }
@@ -188,27 +188,33 @@ impl Part {
 /// Trunk, neck and head of a figure.
 #[derive(Clone, Debug)]
 pub(super) struct Body {
-    trunk: Vec<Part>,
-    head: Vec<Part>,
+    trunk: Vec<BodySegment>,
+    head: Vec<BodySegment>,
 }
 
 impl Body {
     /// Measures a figure; nothing can be in the way of one without meshes.
     pub(super) fn new(figure: &Figure) -> Self {
-        let parts = |bones: &[Bone]| bones.iter().filter_map(|b| Part::new(figure, *b)).collect();
+        let segments = |bones: &[Bone]| {
+            bones
+                .iter()
+                .filter_map(|b| BodySegment::new(figure, *b))
+                .collect()
+        };
         Self {
-            trunk: parts(&[Bone::Sacroiliac, Bone::Lumbar, Bone::Thoracic]),
-            head: parts(&[Bone::Cervical, Bone::Skull, Bone::Chin]),
+            trunk: segments(&[Bone::Sacroiliac, Bone::Lumbar, Bone::Thoracic]),
+            head: segments(&[Bone::Cervical, Bone::Skull, Bone::Chin]),
         }
     }
 
     /// How deep a capsule is in the trunk and in the head, metres; 0 outside.
     pub(super) fn depths_m(&self, world_from_joint: &[DAffine3], capsule: &Capsule) -> [f64; 2] {
-        [&self.trunk, &self.head].map(|parts| {
+        [&self.trunk, &self.head].map(|segments| {
             let places = [0.0, 0.5, 1.0].map(|s| capsule.ends[0].lerp(capsule.ends[1], s));
-            let depths = parts.iter().flat_map(|part| {
+            let depths = segments.iter().flat_map(|segment| {
                 places.map(|at| {
-                    part.depth_m(world_from_joint, at, capsule.radius_m)
+                    segment
+                        .depth_m(world_from_joint, at, capsule.radius_m)
                         .unwrap_or(0.0)
                 })
             });

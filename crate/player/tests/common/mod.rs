@@ -92,7 +92,7 @@ pub(crate) fn story(name: &str, figure: Arc<Figure>, options: Options) -> Loaded
 
 /// Brings the animations that a player wants from the library; the codes of what is wrong.
 pub(crate) fn equip(player: &mut Player) -> Vec<&'static str> {
-    let wanted = player.wanted_animations();
+    let wanted = player.needed_animations();
     let texts: Vec<Option<String>> = wanted
         .iter()
         .map(|name| fs::read_to_string(assets().join(format!("animations/{name}.json"))).ok())

@@ -1,8 +1,8 @@
-//! What cannot be in an utterance.
+//! Checks of an utterance that was read.
 
 use super::Utterance;
 
-/// A file that is not made for bundles has other names.
+/// Whether a name is that of a plain file of a bundle.
 fn plain(name: &str) -> bool {
     !name.is_empty()
         && !name.starts_with('.')
@@ -12,7 +12,7 @@ fn plain(name: &str) -> bool {
 }
 
 impl Utterance {
-    /// What is wrong with it, if anything.
+    /// Refuses file names that leave the folder, and a voice that does not exist.
     pub(super) fn check(&self, voices: usize) -> Result<(), String> {
         if let Some(bad) = self.audio.iter().find(|a| !plain(&a.file)) {
             let name: String = bad.file.chars().flat_map(char::escape_default).collect();

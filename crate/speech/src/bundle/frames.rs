@@ -14,14 +14,14 @@ const CODES_AN_OCTAVE: f64 = 60.0;
 /// The intensity of code 0 against full scale, decibels; each code is half a decibel.
 const LOWEST_DB: f64 = -100.0;
 
-/// The frequency that a code stands for, hertz; `None` where nothing is voiced.
+/// The frequency of a code, hertz; `None` where nothing is voiced.
 #[must_use]
 pub fn hz_of_code(code: u8) -> Option<f64> {
     (code > 0).then(|| LOWEST_HZ * ops::exp((f64::from(code) - 1.0) / CODES_AN_OCTAVE * LN_2))
 }
 
-/// The pitch that a code stands for, semitones above the lowest code; `None` where nothing is
-/// voiced. Differences of it are musical intervals, whoever speaks.
+/// The pitch of a code, semitones above the lowest code; `None` where nothing is
+/// voiced. Differences of it are musical intervals, whatever the voice.
 #[must_use]
 pub fn semitones_of_code(code: u8) -> Option<f64> {
     (code > 0).then(|| (f64::from(code) - 1.0) * (12.0 / CODES_AN_OCTAVE))
@@ -43,7 +43,7 @@ pub fn code_of_hz(hz: f64) -> u8 {
     }
 }
 
-/// The intensity that a code stands for, decibels against full scale.
+/// The intensity of a code, decibels against full scale.
 #[must_use]
 pub fn db_of_code(code: u8) -> f64 {
     LOWEST_DB + f64::from(code) / 2.0
@@ -77,7 +77,7 @@ pub fn to_base64(bytes: &[u8]) -> String {
     text
 }
 
-/// The bytes of base64 without padding; `None` when it is none.
+/// The bytes of base64 without padding; `None` when it is not base64.
 #[must_use]
 pub fn from_base64(text: &str) -> Option<Vec<u8>> {
     let mut bytes = Vec::with_capacity(text.len() / 4 * 3 + 2);

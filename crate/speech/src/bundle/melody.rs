@@ -1,4 +1,4 @@
-//! What a bundle tells of syllables, phrases, sentences, emotions and the sound itself.
+//! Reads syllables, phrases, sentences, emotions, pitch and intensity of an utterance.
 
 use super::frames::{from_base64, secs};
 use super::{Accent, Emotion, Phrase, Sentence, SentenceKind, Syllable, Utterance};
@@ -10,7 +10,7 @@ pub(super) type WordsRow = (String, usize);
 /// An emotion: name, start, apex and end in milliseconds, activation, evaluation, power.
 pub(super) type EmotionRow = (String, f64, f64, f64, f64, f64, f64);
 
-/// What of an utterance may be absent.
+/// The optional members of an utterance.
 pub(super) struct Melody {
     pub(super) syllables: Vec<SyllableRow>,
     pub(super) phrases: Vec<WordsRow>,
@@ -20,15 +20,15 @@ pub(super) struct Melody {
     pub(super) intensity: Option<String>,
 }
 
-/// The first of so many items behind those before them, if there are as many in all.
-fn part(taken: &mut usize, items: usize, all: usize) -> Option<usize> {
+/// Takes the next items of all; the index of the first, if there are as many.
+fn take_items(taken: &mut usize, items: usize, all: usize) -> Option<usize> {
     let first = *taken;
     *taken = first.saturating_add(items);
     (*taken <= all).then_some(first)
 }
 
 impl Utterance {
-    /// Takes what may be absent, after phones and words.
+    /// Takes the optional members, after phones and words.
     pub(super) fn read_melody(&mut self, melody: Melody) -> Result<(), String> {
         self.f0 = frames(melody.f0, "f0")?;
         self.intensity = frames(melody.intensity, "intensity")?;
@@ -53,7 +53,7 @@ impl Utterance {
         let mut taken = 0;
         for (tone, words) in melody.phrases {
             self.phrases.push(Phrase {
-                first_word: part(&mut taken, words, all)
+                first_word: take_items(&mut taken, words, all)
                     .ok_or("a phrase has words that are not there")?,
                 words,
                 tone,
@@ -63,7 +63,7 @@ impl Utterance {
         for (label, words) in melody.sentences {
             let known = SentenceKind::MARKS.iter().find(|(_, mark)| *mark == label);
             self.sentences.push(Sentence {
-                first_word: part(&mut taken, words, all)
+                first_word: take_items(&mut taken, words, all)
                     .ok_or("a sentence has words that are not there")?,
                 words,
                 kind: known.map_or(SentenceKind::Statement, |(kind, _)| *kind),

@@ -14,6 +14,10 @@ pub use frames::{
 };
 pub use read::BundleError;
 
+use std::sync::Arc;
+
+use crate::phones::PhoneRow;
+
 /// The version this code reads and writes.
 pub const VERSION: u32 = 2;
 
@@ -23,16 +27,16 @@ pub const SILENCE: &str = "pau";
 /// The symbol of a recording between the words: the mouth is still.
 pub const SOUND: &str = "snd";
 
-/// Everything that a story says, computed ahead.
+/// The speech of a story, computed ahead.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Bundle {
     /// The voices that speak in it.
     pub voices: Vec<Voice>,
     /// Utterances in the order of the story.
-    pub utterances: Vec<Utterance>,
+    pub utterances: Vec<Arc<Utterance>>,
 }
 
-/// Who speaks.
+/// A voice of an engine.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Voice {
     /// Engine and version, for example `festival 2.5.0`.
@@ -43,37 +47,37 @@ pub struct Voice {
     pub language: String,
     /// The phone set, for example `radio` or `espeak-de`.
     pub phone_set: String,
-    /// By which rows of [`crate::phones`] its symbols move the lips, where they are not called
-    /// alike: symbol and name.
+    /// The rows of [`crate::phones`] whose names differ from the symbols that they stand for:
+    /// symbol and name.
     pub mouth: Vec<(String, String)>,
 }
 
 impl Voice {
-    /// The name of the row of [`crate::phones`] for a symbol.
+    /// The row of the phone table that moves the lips for a symbol; none for an unknown one.
     #[must_use]
-    pub fn row<'a>(&'a self, symbol: &'a str) -> &'a str {
+    pub fn row(&self, symbol: &str) -> Option<PhoneRow> {
         if symbol == SOUND {
-            return SILENCE;
+            return Some(PhoneRow::SILENCE);
         }
         let other = self.mouth.iter().find(|(own, _)| own == symbol);
-        other.map_or(symbol, |(_, name)| name)
+        PhoneRow::named(other.map_or(symbol, |(_, name)| name))
     }
 }
 
 /// One utterance.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Utterance {
-    /// By which a story finds it: stands for what is said, by which voice, in which emotion.
+    /// The key by which a story finds it: a digest of the text, the voice and the emotion.
     pub key: u64,
-    /// By which a baker knows whether it is up to date: stands for everything that went into
-    /// its sound.
+    /// A digest of everything that its sound depends on; by it a baker knows whether the sound
+    /// is up to date.
     pub content: u64,
     /// The share of the story in [`Utterance::content`]: by this a baker that lacks the engines
-    /// knows whether the text is still the same. `None` in bundles that do not tell.
+    /// knows whether the text is still the same. `None` in older bundles.
     pub source: Option<u64>,
     /// Index of its voice in [`Bundle::voices`].
     pub voice: usize,
-    /// What is said as plain text.
+    /// The plain text.
     pub text: String,
     /// Length of the sound, seconds.
     pub duration_secs: f64,
@@ -109,12 +113,11 @@ pub struct AudioFile {
     pub file: String,
     /// MIME type with codecs.
     pub mime: String,
-    /// What the file holds, where the bundle tells.
+    /// Length and digest of the file, where the bundle has them.
     pub holds: Option<Holds>,
 }
 
-/// What a sound file holds: by this a baker knows that a sound is the one that was made for its
-/// utterance.
+/// Length and digest of a sound file, by which a baker recognises the sound of an utterance.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Holds {
     /// Its length in bytes.
@@ -132,6 +135,8 @@ pub struct Word {
     pub start_secs: f64,
     /// Seconds from the start of the utterance.
     pub end_secs: f64,
+    /// Whether the script emphasises it; false in a bundle.
+    pub emphasized: bool,
 }
 
 /// One phone.
@@ -139,6 +144,9 @@ pub struct Word {
 pub struct Phone {
     /// Symbol in the voice's phone set; [`SILENCE`] is a pause.
     pub symbol: String,
+    /// The row of the phone table that moves the lips; [`PhoneRow::NEUTRAL`] for an unknown
+    /// symbol.
+    pub row: PhoneRow,
     /// Seconds from the start of the utterance.
     pub start_secs: f64,
     /// Seconds from the start of the utterance.
@@ -163,8 +171,7 @@ pub struct Syllable {
 pub struct Accent {
     /// Index of its syllable.
     pub syllable: usize,
-    /// Its name in ToBI, for example `H*`; `*` where the engine tells no more than that there
-    /// is one.
+    /// Its name in ToBI, for example `H*`; `*` where the engine gives no name.
     pub label: String,
 }
 
@@ -179,17 +186,17 @@ pub struct Phrase {
     pub tone: String,
 }
 
-/// What a sentence does.
+/// The type of a sentence.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum SentenceKind {
-    /// It states.
+    /// Declarative.
     #[default]
     Statement,
-    /// It asks.
+    /// Interrogative.
     Question,
-    /// It exclaims.
+    /// Exclamative.
     Exclamation,
-    /// It is not over yet.
+    /// Incomplete: more follows.
     Continuation,
 }
 
@@ -200,7 +207,7 @@ pub struct Sentence {
     pub first_word: usize,
     /// How many words it has.
     pub words: usize,
-    /// What it does.
+    /// Its type.
     pub kind: SentenceKind,
 }
 
@@ -221,6 +228,21 @@ pub struct Emotion {
     pub evaluation: f64,
     /// From −100, submissive, to 100, dominant.
     pub power: f64,
+}
+
+impl Phone {
+    /// A phone whose symbol is the name of its row in the phone table. [`Bundle::from_json`]
+    /// resolves the symbols of other phone sets by the voice.
+    #[must_use]
+    pub fn new(symbol: &str, start_secs: f64, end_secs: f64, word: Option<usize>) -> Self {
+        Self {
+            symbol: symbol.to_owned(),
+            row: PhoneRow::named(symbol).unwrap_or_default(),
+            start_secs,
+            end_secs,
+            word,
+        }
+    }
 }
 
 impl Bundle {
@@ -251,6 +273,17 @@ impl Utterance {
             .partition_point(|w| w.start_secs <= offset_secs)
             .checked_sub(1)?;
         (offset_secs < self.words[i].end_secs).then_some(i)
+    }
+
+    /// Start and end of the syllable of an accent, seconds from the start of the utterance, and
+    /// the word that it belongs to.
+    #[must_use]
+    pub fn accented(&self, accent: &Accent) -> Option<([f64; 2], Option<usize>)> {
+        let syllable = self.syllables.get(accent.syllable)?;
+        let phones = self.phones.get(syllable.first_phone..)?;
+        let phones = phones.get(..syllable.phones)?;
+        let (first, last) = phones.first().zip(phones.last())?;
+        Some(([first.start_secs, last.end_secs], first.word))
     }
 
     /// Index of the phone heard `offset_secs` into the utterance. O(log n).

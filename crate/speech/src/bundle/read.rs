@@ -1,5 +1,7 @@
-//! Reads a bundle. Times are told as lengths of phones, and words as phones, so that they
+//! Reads a bundle. Times are written as lengths of phones, and words as phones, so that they
 //! tile the utterance whatever a file says.
+
+use std::sync::Arc;
 
 use raconteur_base::encoding::is_utf16;
 use serde::Deserialize;
@@ -24,7 +26,7 @@ pub enum BundleError {
         "the speech bundle is {format} version {version}; this program reads raconteur-speech version 2"
     )]
     Version {
-        /// What the file says it is.
+        /// Format and version of a file.
         format: String,
         /// Its version.
         version: u32,
@@ -61,19 +63,23 @@ impl Bundle {
             .map(|(utterance, row)| {
                 Utterance::of(row).map_err(|what| BundleError::Invalid { utterance, what })
             });
-        let bundle = Self {
-            voices: body.voices.into_iter().map(Voice::of).collect(),
-            utterances: utterances.collect::<Result<_, _>>()?,
-        };
-        for (utterance, u) in bundle.utterances.iter().enumerate() {
-            u.check(bundle.voices.len())
+        let voices: Vec<Voice> = body.voices.into_iter().map(Voice::of).collect();
+        let mut utterances = utterances.collect::<Result<Vec<Utterance>, _>>()?;
+        for (utterance, u) in utterances.iter_mut().enumerate() {
+            u.check(voices.len())
                 .map_err(|what| BundleError::Invalid { utterance, what })?;
+            for phone in &mut u.phones {
+                phone.row = voices[u.voice].row(&phone.symbol).unwrap_or_default();
+            }
         }
-        Ok(bundle)
+        Ok(Self {
+            voices,
+            utterances: utterances.into_iter().map(Arc::new).collect(),
+        })
     }
 }
 
-/// What the file says it is.
+/// Format and version of a file.
 #[derive(Deserialize)]
 struct Head {
     format: String,
@@ -198,7 +204,7 @@ impl super::Holds {
 
 /// The longest phone or pause, milliseconds: ten times the longest pause that markup can ask for.
 const LONGEST_PHONE_MSEC: u32 = 600_000;
-/// The longest utterance, milliseconds: a day, as much as alignments may tell of.
+/// The longest utterance, milliseconds: a day, the longest that alignments may have.
 const LONGEST_MSEC: f64 = 86_400_000.0;
 
 /// Milliseconds as seconds.
@@ -249,12 +255,8 @@ impl Utterance {
             if end_msec > LONGEST_MSEC {
                 return Err(format!("the utterance is longer than {LONGEST_MSEC} ms"));
             }
-            self.phones.push(Phone {
-                symbol: symbol.to_owned(),
-                start_secs,
-                end_secs: secs(end_msec),
-                word: None,
-            });
+            self.phones
+                .push(Phone::new(symbol, start_secs, secs(end_msec), None));
         }
         if lengths_left.next().is_some() {
             return Err("there are more lengths than phones".to_owned());
@@ -264,7 +266,7 @@ impl Utterance {
     }
 
     fn read_words(&mut self, rows: &[[usize; 4]]) -> Result<(), String> {
-        // A word without a sound stands where the one before it ends.
+        // A word without a sound has no length, at the end of the one before it.
         let mut silent_secs = 0.0;
         for [text_start, bytes, first, phones] in rows {
             let none = |what: &str| format!("word {} {what}", self.words.len() + 1);
@@ -299,6 +301,7 @@ impl Utterance {
                 text: text.ok_or_else(|| none("is not in the text"))?.to_owned(),
                 start_secs,
                 end_secs,
+                emphasized: false,
             });
             self.text_starts.push(*text_start);
         }

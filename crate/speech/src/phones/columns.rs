@@ -1,5 +1,5 @@
-//! What the rows of the table are called in the phone sets of English. Only bakers need it: a
-//! bundle tells by which row each symbol of its voice moves the lips.
+//! Symbols of the rows of the table in the phone sets of English. Only bakers need them: a
+//! bundle names the row of each symbol of its voice.
 
 use super::table::TABLE;
 

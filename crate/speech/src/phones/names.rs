@@ -1,5 +1,5 @@
-//! What phones of German and Portuguese are called, and which row of the table they move
-//! the lips by.
+//! Symbols of phones of German and Portuguese, and the rows of the table that they move the
+//! lips by.
 //!
 //! One text a language, a triple a line: SAMPA symbol, espeak-ng's mnemonic (`-`: none), and the
 //! SAMPA symbol of the row; a text takes a quarter of the room that a table of strings

@@ -6,15 +6,15 @@ use super::columns::COLUMNS;
 use super::table::TABLE;
 use super::{PhoneTargets, names};
 
-/// Names of the phone sets that [`find`] knows. SAMPA names a phone the same in all three
+/// Names of the phone sets of [`find`]. SAMPA names a phone the same in all three
 /// languages; espeak-ng does not, hence a set for its German and one for its Portuguese.
 pub const PHONE_SETS: [&str; 6] = ["radio", "sampa", "espeak", "mrpa", "espeak-de", "espeak-pt"];
 
 /// Targets of a symbol in a phone set (one of [`PHONE_SETS`]; any other name is read as
 /// `radio`). Upper case and stress digits of the CMU dictionary are understood in `radio`;
-/// leading stress marks in espeak-ng's sets. `sampa` and `espeak` know the symbols of
-/// English, then those of German, then of Portuguese; `espeak-de` and `espeak-pt` ask their
-/// language first. `None` for an unknown symbol.
+/// leading stress marks in espeak-ng's sets. `sampa` and `espeak` have the symbols of
+/// English, then those of German, then of Portuguese; in `espeak-de` and `espeak-pt` their
+/// language comes first. `None` for an unknown symbol.
 #[must_use]
 pub fn find(phone_set: &str, symbol: &str) -> Option<&'static PhoneTargets> {
     let set = PHONE_SETS.iter().position(|s| *s == phone_set).unwrap_or(0);

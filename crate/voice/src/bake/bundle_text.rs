@@ -10,7 +10,7 @@ use serde_json::Value;
 pub(super) fn write(bundle: &Bundle) -> String {
     let mut out = format!("{{\n  \"format\": \"raconteur-speech\",\n  \"version\": {VERSION},\n");
     let voices: Vec<String> = bundle.voices.iter().map(voice).collect();
-    let utterances: Vec<String> = bundle.utterances.iter().map(utterance).collect();
+    let utterances: Vec<String> = bundle.utterances.iter().map(|u| utterance(u)).collect();
     let _ = writeln!(out, "  \"voices\": [{}\n  ],", voices.join(","));
     let _ = writeln!(out, "  \"utterances\": [{}\n  ]\n}}", utterances.join(","));
     out
@@ -149,22 +149,19 @@ fn utterance(u: &Utterance) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::sync::Arc;
+
     use raconteur_speech::bundle::{
         Accent, AudioFile, Emotion, Holds, Phone, Phrase, Sentence, Syllable, Word,
     };
 
     #[test]
     fn what_is_written_is_read_again() {
-        let phone = |symbol: &str, start_secs, end_secs, word| Phone {
-            symbol: symbol.to_owned(),
-            start_secs,
-            end_secs,
-            word,
-        };
         let word = |text: &str, start_secs, end_secs| Word {
             text: text.to_owned(),
             start_secs,
             end_secs,
+            emphasized: false,
         };
         let utterance = Utterance {
             key: 0x0123_4567_89ab_cdef,
@@ -187,11 +184,11 @@ mod tests {
             ],
             text_starts: vec![0, 11],
             phones: vec![
-                phone("pau", 0.0, 0.1, None),
-                phone("ay", 0.1, 0.3, Some(0)),
-                phone("y", 0.3, 0.4, Some(1)),
-                phone("uw", 0.4, 1.2, Some(1)),
-                phone("pau", 1.2, 1.234, None),
+                Phone::new("pau", 0.0, 0.1, None),
+                Phone::new("ay", 0.1, 0.3, Some(0)),
+                Phone::new("y", 0.3, 0.4, Some(1)),
+                Phone::new("uw", 0.4, 1.2, Some(1)),
+                Phone::new("pau", 1.2, 1.234, None),
             ],
             syllables: vec![
                 Syllable {
@@ -242,6 +239,7 @@ mod tests {
         untold.source = None;
         untold.audio[0].holds = None;
         for utterances in [vec![], vec![utterance.clone()], vec![utterance, untold]] {
+            let utterances = utterances.into_iter().map(Arc::new).collect();
             let bundle = Bundle {
                 voices: vec![voice("e"), voice("f")],
                 utterances,

@@ -24,7 +24,7 @@ mod want;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Arc, Mutex, PoisonError};
 use std::thread;
 
 use crate::Said;
@@ -294,7 +294,7 @@ fn bundle_of(
                 bundle.voices.len() - 1
             }
         };
-        bundle.utterances.push(utterance);
+        bundle.utterances.push(Arc::new(utterance));
     }
     for index in 0..bundle.voices.len() {
         let mouth = mouth(&bundle, index);

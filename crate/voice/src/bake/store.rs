@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use anyhow::{Context as _, Result};
 use raconteur_speech::bundle::{AudioFile, Bundle, Holds, Utterance, Voice};
@@ -91,7 +92,8 @@ impl<'d> Store<'d> {
                 () => Sound::Whole,
             }
         };
-        let kept = |utterance: Utterance| {
+        let kept = |utterance: Arc<Utterance>| {
+            let utterance = Arc::unwrap_or_clone(utterance);
             let sound = sound(&utterance);
             (utterance.key, Kept { utterance, sound })
         };

@@ -1,12 +1,15 @@
 //! Rates and probabilities as published, and what never happens.
 
+use std::sync::Arc;
+
 use raconteur_body::face::Muscle;
+use raconteur_speech::TimedUtterance;
 
 use super::speech::{HOUR_SECS, hour, shipped};
 use super::{distance, is_at_listener, muscle};
+use crate::nonverbal::accent;
 use crate::nonverbal::heard::{Break, Heard, Pause, Question};
 use crate::nonverbal::{HEAD_RAISE_RAD, Manner, NonVerbal, Way};
-use crate::score::SpokenUtterance;
 
 /// What is counted in a plan.
 #[derive(Debug, Default)]
@@ -26,11 +29,9 @@ struct Counts {
 }
 
 impl Counts {
-    fn add(&mut self, speech: &[SpokenUtterance], plan: &NonVerbal, seed: u64) {
+    fn add(&mut self, speech: &[TimedUtterance], plan: &NonVerbal, seed: u64) {
         let heard = Heard::new(&speech.iter().collect::<Vec<_>>(), &Manner::default(), seed);
-        let end_secs = speech
-            .last()
-            .map_or(0.0, |u| u.start_secs + u.duration_secs);
+        let end_secs = speech.last().map_or(0.0, TimedUtterance::end_secs);
         self.secs += end_secs;
         let at = |i: usize| i as f64 * 0.01;
         let is_asked = |t: f64| {
@@ -189,10 +190,10 @@ fn the_gaze_is_never_farther_away_on_an_accent() {
     for (speech, seed) in [(hour(2), 3), (shipped(), 4)] {
         let plan = NonVerbal::new(&speech, seed, &Manner::default());
         for u in &speech {
-            for accent in &u.accents {
+            for accent in accent::known(&u.utterance) {
                 let at = |share: f64| {
                     let offset = accent.start_secs + share * (accent.end_secs - accent.start_secs);
-                    distance(&plan, u.start_secs + offset)
+                    distance(&plan, u.story_secs(offset))
                 };
                 let before = at(0.0);
                 for i in 1..=20 {
@@ -220,9 +221,7 @@ fn nothing_jumps_and_the_head_is_raised_by_three_degrees_at_most() {
                 ..Manner::default()
             },
         );
-        let end_secs = speech
-            .last()
-            .map_or(0.0, |u| u.start_secs + u.duration_secs);
+        let end_secs = speech.last().map_or(0.0, TimedUtterance::end_secs);
         let all = |t: f64| {
             let [pitch, yaw, roll] = plan.head(t, 1.0);
             let gaze = plan.gaze(t);
@@ -330,7 +329,8 @@ fn speech_of_which_little_is_known_is_accompanied_too() {
     let all = hour(5);
     for (f0, accents) in [(true, false), (false, true), (false, false)] {
         let mut speech = all[..40].to_vec();
-        for u in &mut speech {
+        for timed in &mut speech {
+            let u = Arc::make_mut(&mut timed.utterance);
             if !f0 {
                 u.f0.clear();
             }
@@ -340,7 +340,7 @@ fn speech_of_which_little_is_known_is_accompanied_too() {
         }
         let plan = NonVerbal::new(&speech, 1, &Manner::default());
         let last = &speech[39];
-        let end_secs = last.start_secs + last.duration_secs;
+        let end_secs = last.end_secs();
         let at = |i: usize| i as f64 * 0.01;
         let head = |i: usize| -plan.head(at(i), 1.0)[0];
         let glances = |i: usize| is_at_listener(&plan, at(i));
@@ -363,7 +363,7 @@ fn by_its_text_speech_is_accompanied_alike_however_loud_it_is() {
         .iter()
         .cloned()
         .map(|mut u| {
-            u.intensity.fill(0);
+            Arc::make_mut(&mut u.utterance).intensity.fill(0);
             u
         })
         .collect();

@@ -1,12 +1,13 @@
 //! Seeds, and speech that cannot be.
 
+use std::sync::Arc;
+
 use raconteur_body::face::{FaceControls, MUSCLES};
-use raconteur_speech::bundle::{Phrase, Sentence, SentenceKind};
-use raconteur_speech::{Phone, Word};
+use raconteur_speech::bundle::{Accent, Phrase, Sentence, SentenceKind, Syllable};
+use raconteur_speech::{Phone, TimedUtterance, Utterance, Word};
 
 use super::speech::hour;
 use crate::nonverbal::{Manner, NonVerbal, Way};
-use crate::score::{Accent, SpokenUtterance};
 
 /// Everything that a plan gives at a time.
 fn all(plan: &NonVerbal, t: f64) -> Vec<f64> {
@@ -61,7 +62,7 @@ fn nothing_of_a_still_manner_moves_but_the_lips() {
 }
 
 /// Utterances of what no bundle should hold.
-fn impossible() -> Vec<SpokenUtterance> {
+fn impossible() -> Vec<TimedUtterance> {
     let odd = [
         0.0,
         -0.0,
@@ -74,23 +75,16 @@ fn impossible() -> Vec<SpokenUtterance> {
         f64::INFINITY,
         -1e308,
     ];
-    let mut all = vec![SpokenUtterance::default()];
+    let mut all = vec![TimedUtterance::default()];
     for (i, a) in odd.into_iter().enumerate() {
         for (k, b) in odd.into_iter().enumerate() {
-            let phone = |symbol: &str, start_secs: f64, end_secs: f64, word: Option<usize>| Phone {
-                symbol: symbol.to_owned(),
-                start_secs,
-                end_secs,
-                word,
-            };
-            all.push(SpokenUtterance {
-                start_secs: odd[(i + k) % odd.len()],
+            let utterance = Utterance {
                 duration_secs: a,
                 phones: vec![
-                    phone("pau", 0.0, a, None),
-                    phone("aa", a, b, Some(0)),
-                    phone("aa", b, a, Some(9)),
-                    phone("?", a, a + 1e8, Some(1)),
+                    Phone::new("pau", 0.0, a, None),
+                    Phone::new("aa", a, b, Some(0)),
+                    Phone::new("aa", b, a, Some(9)),
+                    Phone::new("?", a, a + 1e8, Some(1)),
                 ],
                 words: ["", "errr", "what?\u{e9}\"", "?"]
                     .iter()
@@ -98,14 +92,27 @@ fn impossible() -> Vec<SpokenUtterance> {
                         text: (*text).to_owned(),
                         start_secs: a,
                         end_secs: b,
+                        emphasized: i % 2 == 0,
                     })
                     .collect(),
-                accents: vec![Accent {
-                    start_secs: b,
-                    end_secs: a,
-                    strength: b,
-                    label: "!".to_owned(),
-                }],
+                syllables: vec![
+                    Syllable {
+                        first_phone: k % 4,
+                        phones: 1 + i % 2,
+                        stress: 1,
+                    },
+                    Syllable {
+                        first_phone: usize::MAX,
+                        phones: 0,
+                        stress: 1,
+                    },
+                ],
+                accents: (0..k % 4)
+                    .map(|syllable| Accent {
+                        syllable,
+                        label: "!".to_owned(),
+                    })
+                    .collect(),
                 phrases: vec![
                     Phrase {
                         first_word: i,
@@ -127,7 +134,11 @@ fn impossible() -> Vec<SpokenUtterance> {
                     .collect(),
                 f0: (0..i * k * 3).map(|x| (x * x % 256) as u8).collect(),
                 intensity: (0..i).map(|x| (x * 40) as u8).collect(),
-                ..SpokenUtterance::default()
+                ..Utterance::default()
+            };
+            all.push(TimedUtterance {
+                start_secs: odd[(i + k) % odd.len()],
+                utterance: Arc::new(utterance),
             });
         }
     }
@@ -172,20 +183,21 @@ fn impossible_speech_is_survived() {
 fn a_long_plan_is_as_small_as_its_speech() {
     // Four phones of fifty days.
     let secs = 4.29e6;
-    let phone = |i: i32, symbol: &str| Phone {
-        symbol: symbol.to_owned(),
-        start_secs: f64::from(i) * secs,
-        end_secs: f64::from(i + 1) * secs,
-        word: None,
+    let phone = |i: i32, symbol: &str| {
+        Phone::new(symbol, f64::from(i) * secs, f64::from(i + 1) * secs, None)
     };
-    let u = SpokenUtterance {
+    let u = Utterance {
         duration_secs: 4.0 * secs,
         phones: ["aa", "pau", "s", "aa"]
             .iter()
             .zip(0..)
             .map(|(s, i)| phone(i, s))
             .collect(),
-        ..SpokenUtterance::default()
+        ..Utterance::default()
+    };
+    let u = TimedUtterance {
+        start_secs: 0.0,
+        utterance: Arc::new(u),
     };
     let plan = NonVerbal::new(&[u], 1, &Manner::default());
     assert!((0..1000).all(|i| {

@@ -1,26 +1,30 @@
 //! Speech for tests: made up, and that of the shipped stories.
 
 use std::path::Path;
+use std::sync::Arc;
 
 use raconteur_base::{noise, ops};
-use raconteur_speech::bundle::{Phrase, Sentence, SentenceKind, code_of_db, code_of_hz};
-use raconteur_speech::{Bundle, Phone, Utterance, Word};
-
-use crate::score::{Accent, SpokenUtterance};
+use raconteur_speech::bundle::{
+    Accent, Phrase, Sentence, SentenceKind, Syllable, code_of_db, code_of_hz,
+};
+use raconteur_speech::{Bundle, Phone, TimedUtterance, Utterance, Word};
 
 /// One hour, seconds.
 pub(crate) const HOUR_SECS: f64 = 3600.0;
 
 /// An hour of somebody who talks: sentences of phrases with accents, questions, searches for
 /// words, and now and then the turn of another.
-pub(crate) fn hour(seed: u64) -> Vec<SpokenUtterance> {
+pub(crate) fn hour(seed: u64) -> Vec<TimedUtterance> {
     let mut all = Vec::new();
     let mut at_secs = 1.0;
     while at_secs < HOUR_SECS {
         let id = all.len() as i64;
-        let u = Maker::new(seed, id).utterance(at_secs);
+        let u = TimedUtterance {
+            start_secs: at_secs,
+            utterance: Arc::new(Maker::new(seed, id).utterance()),
+        };
         let r = noise::unit(seed, 90, id);
-        at_secs += u.duration_secs + if r < 0.1 { 4.0 + 10.0 * r } else { 0.2 + r };
+        at_secs += u.utterance.duration_secs + if r < 0.1 { 4.0 + 10.0 * r } else { 0.2 + r };
         all.push(u);
     }
     all
@@ -32,7 +36,7 @@ struct Maker {
     id: i64,
     count: i64,
     now_secs: f64,
-    u: SpokenUtterance,
+    u: Utterance,
     /// Middle of each accent.
     hills: Vec<f64>,
     /// Start of each phrase.
@@ -46,7 +50,7 @@ impl Maker {
             id,
             count: 0,
             now_secs: 0.0,
-            u: SpokenUtterance::default(),
+            u: Utterance::default(),
             hills: Vec::new(),
             falls: Vec::new(),
         }
@@ -60,17 +64,12 @@ impl Maker {
     fn phone(&mut self, symbol: &str, secs: f64, word: Option<usize>) {
         // Bundles tell times in milliseconds.
         let end_secs = ((self.now_secs + secs) * 1000.0).round() / 1000.0;
-        self.u.phones.push(Phone {
-            symbol: symbol.to_owned(),
-            start_secs: self.now_secs,
-            end_secs,
-            word,
-        });
+        let phone = Phone::new(symbol, self.now_secs, end_secs, word);
+        self.u.phones.push(phone);
         self.now_secs = end_secs;
     }
 
-    fn utterance(mut self, start_secs: f64) -> SpokenUtterance {
-        self.u.start_secs = start_secs;
+    fn utterance(mut self) -> Utterance {
         self.phone("pau", 0.12, None);
         let sentences = 1 + (self.unit() * 3.0) as usize;
         for s in 0..sentences {
@@ -127,7 +126,7 @@ impl Maker {
         let (word, start_secs) = (self.u.words.len(), self.now_secs);
         let is_accented = self.unit() < 0.45;
         for s in 0..1 + (self.unit() * 3.0) as usize {
-            let start_secs = self.now_secs;
+            let first_phone = self.u.phones.len();
             let consonant = ["s", "m", "t", "l", "p"][(self.unit() * 5.0) as usize];
             let secs = 0.05 + 0.05 * self.unit();
             self.phone(consonant, secs, Some(word));
@@ -136,10 +135,13 @@ impl Maker {
             if is_accented && s == 0 {
                 self.hills.push(self.now_secs - 0.5 * secs);
                 self.u.accents.push(Accent {
-                    start_secs,
-                    end_secs: self.now_secs,
-                    strength: 1.0,
+                    syllable: self.u.syllables.len(),
                     label: "H*".to_owned(),
+                });
+                self.u.syllables.push(Syllable {
+                    first_phone,
+                    phones: 2,
+                    stress: 1,
                 });
             }
         }
@@ -147,6 +149,7 @@ impl Maker {
             text: "word".to_owned(),
             start_secs,
             end_secs: self.now_secs,
+            emphasized: false,
         });
     }
 
@@ -178,7 +181,7 @@ impl Maker {
 }
 
 /// The speech of all shipped stories, one behind the other.
-pub(crate) fn shipped() -> Vec<SpokenUtterance> {
+pub(crate) fn shipped() -> Vec<TimedUtterance> {
     let stories = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../assets/stories");
     let mut all = Vec::new();
     let mut at_secs = 1.0;
@@ -194,35 +197,13 @@ pub(crate) fn shipped() -> Vec<SpokenUtterance> {
         let json = std::fs::read(stories.join(name).join("voice/speech.json")).unwrap();
         let bundle = Bundle::from_json(&json).unwrap();
         for u in &bundle.utterances {
-            all.push(spoken(u, at_secs));
+            all.push(TimedUtterance {
+                start_secs: at_secs,
+                utterance: Arc::clone(u),
+            });
             at_secs += u.duration_secs + 0.3;
         }
         at_secs += 5.0;
     }
     all
-}
-
-fn spoken(u: &Utterance, start_secs: f64) -> SpokenUtterance {
-    let accents = u.accents.iter().map(|accent| {
-        let syllable = u.syllables[accent.syllable];
-        let phones = &u.phones[syllable.first_phone..][..syllable.phones];
-        Accent {
-            start_secs: phones[0].start_secs,
-            end_secs: phones[phones.len() - 1].end_secs,
-            strength: 1.0,
-            label: accent.label.clone(),
-        }
-    });
-    SpokenUtterance {
-        start_secs,
-        duration_secs: u.duration_secs,
-        phones: u.phones.clone(),
-        words: u.words.clone(),
-        accents: accents.collect(),
-        phrases: u.phrases.clone(),
-        sentences: u.sentences.clone(),
-        emotions: u.emotions.clone(),
-        f0: u.f0.clone(),
-        intensity: u.intensity.clone(),
-    }
 }

@@ -1,6 +1,6 @@
-//! The key by which a bundle knows what a clause says. It stands for the words, their markup,
-//! the voice and the emotion, not for the place or the spelling of tags, so that a story may
-//! be moved about and written otherwise without being baked anew.
+//! The key by which a bundle finds the utterance of a clause: a digest of the words, their markup,
+//! the voice and the emotion, not of the position or the spelling of tags, so that a story may
+//! be rearranged and written otherwise without being baked anew.
 
 use raconteur_eml::{ClauseKind, Level, Markup, Piece, VoiceSay, VoiceText};
 
@@ -28,7 +28,7 @@ impl Hash {
     }
 
     fn number(&mut self, number: f64) {
-        // Minus nothing is nothing.
+        // Minus zero is zero.
         self.bytes(&(number + 0.0).to_bits().to_le_bytes());
     }
 

@@ -3,6 +3,8 @@
 
 mod key;
 
+use std::sync::Arc;
+
 use raconteur_actor::Library;
 use raconteur_eml::{
     ClauseId, ClauseKind, Document, Durations, Emotion, EstimatedDurations, PhoneTime, VoiceText,
@@ -49,7 +51,7 @@ pub struct SpokenClause<'d> {
 }
 
 impl SpokenClause<'_> {
-    /// The key of its utterance in a bundle: stands for the words, their markup, the voice and
+    /// The key of its utterance in a bundle: a digest of the words, their markup, the voice and
     /// the emotion.
     #[must_use]
     pub fn key(&self) -> u64 {
@@ -59,7 +61,7 @@ impl SpokenClause<'_> {
     /// The emotion that is elicited for it: its word, where the place is that of the word as the
     /// table has it, and its place, scaled by the potential.
     #[must_use]
-    pub fn felt(&self) -> Option<(Option<&'static str>, Place)> {
+    pub fn elicited(&self) -> Option<(Option<&'static str>, Place)> {
         let emotion = self.emotion?;
         let place = place_of(emotion)?.scaled(emotion.potential / PLAIN_POTENTIAL);
         Some((word_of(emotion), place))
@@ -136,7 +138,7 @@ impl Voices {
         &self,
         clause: ClauseId,
         bundle: Option<&'b Bundle>,
-    ) -> Option<&'b Utterance> {
+    ) -> Option<&'b Arc<Utterance>> {
         let place = self.found.partition_point(|(id, _)| *id < clause);
         let (_, index) = self.found.get(place).filter(|(id, _)| *id == clause)?;
         bundle?.utterances.get(*index)

@@ -1,40 +1,73 @@
-//! Animations that a story plays and that somebody has to bring.
+//! Animations that a story plays and that the page has to bring.
 
+use raconteur_actor::Library;
 use raconteur_actor::animation::{Operation, PlayerCommand};
 use raconteur_eml::{Diagnostic, thinned};
 
 use super::Player;
-use crate::lower::part::Part;
-use crate::lower::views::Views;
-use crate::lower::{animations, parameters};
+use crate::lower::animations;
+use crate::lower::needs::Needs;
+use crate::lower::plan::ScriptPlan;
 use crate::play::layers::Layers;
+
+/// The animations that a player has.
+#[derive(Default)]
+pub(super) struct Animations {
+    pub(super) library: Library,
+    /// Names of animations that could not be found or read.
+    missing: Vec<String>,
+}
+
+impl Animations {
+    /// Takes the text of an animation of the body, or of control parameters. Returns why it
+    /// cannot be played, as a diagnostic's code and message.
+    fn take(
+        &mut self,
+        name: &str,
+        text: Option<&str>,
+        is_of_parameters: bool,
+    ) -> Result<(), (&'static str, String)> {
+        let Some(text) = text else {
+            let message = format!("the animation `{name}` was not found; it is left out");
+            return Err(("player::no-animation", message));
+        };
+        let taken = if is_of_parameters {
+            self.library.add_parameters(name, text)
+        } else {
+            self.library.add(name, text)
+        };
+        taken.map_err(|why| {
+            let message = format!("the animation `{name}` cannot be read: {why}");
+            ("player::bad-animation", message)
+        })
+    }
+}
 
 impl Player {
     /// The names of the animations that the story and live clauses play and that the player
     /// does not have yet, each once: a name of the library, or a path in the story's folder.
     /// Their texts are for [`Player::provide_animations`].
     #[must_use]
-    pub fn wanted_animations(&self) -> Vec<String> {
-        let mut wanted: Vec<String> = Vec::new();
-        let parts = self.parts();
-        for (_, command) in parts.clone().flat_map(|p| &p.players) {
-            if let PlayerCommand::Operate {
+    pub fn needed_animations(&self) -> Vec<String> {
+        let library = &self.animations.library;
+        let played = |(_, command): &'_ (f64, PlayerCommand)| match command {
+            PlayerCommand::Operate {
                 operation: Operation::Push(name, _) | Operation::Exchange(name, _),
                 ..
-            } = command
-                && self.library.get(name).is_none()
-                && !self.missing_animations.contains(name)
-                && !wanted.contains(name)
-            {
-                wanted.push(name.clone());
-            }
-        }
-        for name in parts.flat_map(|p| &p.felt.clips) {
-            if self.library.parameters(name).is_none()
-                && !self.missing_animations.contains(name)
-                && !wanted.contains(name)
-            {
-                wanted.push(name.clone());
+            } => Some(name.clone()),
+            _ => None,
+        };
+        let plans = self.score.plans();
+        let bodies = plans.clone().flat_map(|p| p.players.iter());
+        let bodies = bodies
+            .filter_map(played)
+            .filter(|name| library.get(name).is_none());
+        let parameters = plans.flat_map(|p| p.face.parameter_animations.iter().cloned());
+        let parameters = parameters.filter(|name| library.parameters(name).is_none());
+        let mut wanted: Vec<String> = Vec::new();
+        for name in bodies.chain(parameters) {
+            if !self.animations.missing.contains(&name) && !wanted.contains(&name) {
+                wanted.push(name);
             }
         }
         wanted
@@ -42,65 +75,51 @@ impl Player {
 
     /// Takes animations by name with their text (JSON of `docs/animation.md`, or that of
     /// [`ParameterClip`](raconteur_actor::parameters::ParameterClip) for those of control
-    /// parameters), or none where
-    /// it could not be had; the story's times follow their lengths. Tells which are missing or
-    /// broken; the rest plays. What comes while the story plays eases in.
+    /// parameters), or none where it was not found; the story's times follow their lengths.
+    /// Returns which are missing or broken; the rest plays. What comes while the story plays
+    /// eases in.
     pub fn provide_animations(&mut self, clips: &[(&str, Option<&str>)]) -> Vec<Diagnostic> {
         let mut diagnostics = Vec::new();
-        let parts = self.parts();
-        let faces: Vec<String> = parts.flat_map(|p| p.felt.clips.clone()).collect();
-        for (name, text) in clips {
-            let is_of_face = faces.iter().any(|n| n == name);
-            let problem = match text {
-                Some(text) => {
-                    let learnt = if is_of_face {
-                        self.library.add_parameters(name, text)
-                    } else {
-                        self.library.add(name, text)
-                    };
-                    learnt.err().map(|why| {
-                        let message = format!("the animation `{name}` cannot be read: {why}");
-                        ("player::bad-animation", message)
-                    })
+        let plans = self.score.plans();
+        let parameters: Vec<String> = plans
+            .flat_map(|p| p.face.parameter_animations.clone())
+            .collect();
+        for &(name, text) in clips {
+            let is_of_parameters = parameters.iter().any(|n| n == name);
+            match self.animations.take(name, text, is_of_parameters) {
+                // A player of the body that plays one of this name cannot have it.
+                Ok(()) if is_of_parameters => self.animations.missing.push(name.to_owned()),
+                Ok(()) => {}
+                Err((code, message)) => {
+                    self.animations.missing.push(name.to_owned());
+                    let needs = Needs::of(&self.script.document);
+                    let span = needs.span(name, is_of_parameters);
+                    let mut warning = Diagnostic::warning(code, span, message);
+                    if text.is_none() {
+                        warning.hints.extend(animations::hint(name));
+                    }
+                    diagnostics.push(warning);
                 }
-                None => {
-                    let message = format!("the animation `{name}` was not found; it is left out");
-                    Some(("player::no-animation", message))
-                }
-            };
-            if is_of_face && problem.is_none() {
-                // Should a player want one of that name, it cannot be had.
-                self.missing_animations.push((*name).to_owned());
-            }
-            if let Some((code, message)) = problem {
-                let wanted = if is_of_face {
-                    parameters::wanted(&self.script.document)
-                } else {
-                    animations::wanted(&self.script.document)
-                };
-                let used = wanted.into_iter().find(|(n, _)| n == name);
-                let span = used.map(|(_, span)| span).unwrap_or_default();
-                self.missing_animations.push((*name).to_owned());
-                let mut warning = Diagnostic::warning(code, span, message);
-                if text.is_none() {
-                    warning.hints.extend(animations::hint(name));
-                }
-                diagnostics.push(warning);
             }
         }
-        self.script.retime(&self.library);
-        self.story = Part::new(&self.script, &self.units, self.hands, 0, None);
-        self.geometry.retell(&self.story.geometry);
-        let parts = self.parts();
-        self.views = Views::new(self.options.shot, parts.flat_map(|p| p.shots.iter()));
-        let (actor, room) = self.rehearse_all(self.layers.last_room());
-        if self.passed_secs < 0.0 && self.live.parts().next().is_none() {
-            self.layers = Layers::new(actor, room, self.figure.morph_names.len());
+        self.perform_anew();
+        thinned(diagnostics)
+    }
+
+    /// Times, lowers and rehearses the story again, now that more animations are known.
+    fn perform_anew(&mut self) {
+        self.script.retime(&self.animations.library);
+        self.score.story = ScriptPlan::new(&self.script, &self.cast, 0, None);
+        self.picture.retell(&self.score.story.geometry);
+        self.picture.take_shots(self.score.plans());
+        let (actor, room) = self.rehearse();
+        let passed_secs = self.clock.passed_secs();
+        if passed_secs < 0.0 && self.score.live.plans().next().is_none() {
+            self.layers = Layers::new(actor, room, self.cast.morphs());
         } else {
-            let from_secs = self.passed_secs.max(self.layers.last_change_secs());
+            let from_secs = passed_secs.max(self.layers.last_change_secs());
             self.layers.change(from_secs.max(0.0), actor, room);
         }
         self.forget_face();
-        thinned(diagnostics)
     }
 }

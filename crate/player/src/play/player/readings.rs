@@ -1,36 +1,25 @@
-//! What a moment of a story can be asked for beside its frame: what is said, where the hands are
-//! sent, and a digest of the pose.
+//! Queries of a moment beside its frame: the spoken word, targets of the hands, a digest of the
+//! pose.
 
 use raconteur_base::{DVec3, Side};
 use raconteur_stage::SpeechNow;
 
 use super::{Manipulator, Player};
-use crate::lower::cues::UtteranceCue;
 
 impl Player {
-    /// What is being said at a time; of several, what was begun last.
+    /// The utterance and word that are heard at a time; of several, the last to begin.
     #[must_use]
     pub fn speech_at(&self, time_secs: f64) -> Option<SpeechNow> {
-        let story = &self.story.utterances;
-        let begun = story.partition_point(|u| u.start_secs <= time_secs);
-        let last = begun.checked_sub(1).map(|i| (i, &story[i]));
-        let heard = |u: &UtteranceCue| {
-            let offset_secs = time_secs - u.start_secs;
-            (0.0..u.duration_secs).contains(&offset_secs)
-        };
-        let (index, utterance) = last
-            .into_iter()
-            .chain(self.live.utterances())
-            .filter(|(_, u)| heard(u))
-            .max_by(|(_, a), (_, b)| a.start_secs.total_cmp(&b.start_secs))?;
-        let word = utterance
-            .words
-            .partition_point(|w| w.start_secs <= time_secs)
+        let (index, cue) = self.score.utterance_at(time_secs)?;
+        let timed = &cue.timed;
+        let words = &timed.utterance.words;
+        let word = words
+            .partition_point(|w| timed.story_secs(w.start_secs) <= time_secs)
             .checked_sub(1)
-            .filter(|&w| time_secs < utterance.words[w].end_secs);
+            .filter(|&w| time_secs < timed.story_secs(words[w].end_secs));
         Some(SpeechNow {
             utterance: index,
-            offset_secs: time_secs - utterance.start_secs,
+            offset_secs: timed.offset_secs(time_secs),
             word,
         })
     }

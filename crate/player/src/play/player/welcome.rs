@@ -1,4 +1,4 @@
-//! Before a story is played: the figure breathes, blinks and looks at whoever comes, in a
+//! Before a story is played: the figure breathes, blinks and looks at the viewer, in a
 //! welcoming posture, on a clock of its own.
 //!
 //! How long it has waited is no story time: what a story shows at any time stays the same.
@@ -83,7 +83,7 @@ impl Welcome {
         }
     }
 
-    /// What the face is asked to do at a story time, `story` being what the story asks.
+    /// Controls of the face at a story time, from the story's own.
     pub(super) fn controls(&self, time_secs: f64, story: &FaceControls) -> FaceControls {
         match self.share(time_secs) {
             Some((share, waited_secs)) if share < 1.0 => {
@@ -111,18 +111,18 @@ impl Player {
         };
         welcome.waited_secs = waited_secs;
         welcome.left_secs = None;
-        let skeleton = &self.figure.skeleton;
-        welcome.evaluate(skeleton, &self.face, waited_secs);
+        let skeleton = &self.cast.figure.skeleton;
+        welcome.evaluate(skeleton, &self.cast.face, waited_secs);
         let frame = &mut self.frame;
         skeleton.solve(&welcome.pose, &mut frame.world_from_joint);
         frame.morph_weights.copy_from_slice(&welcome.morph_weights);
-        if let (Some(tissue), Some(soft)) = (&self.figure.tissue, &mut welcome.soft) {
+        if let (Some(tissue), Some(soft)) = (&self.cast.figure.tissue, &mut welcome.soft) {
             let controls = |t: f64| welcome.actor.controls(t);
             soft.at(tissue, waited_secs, &controls, &mut frame.tissue);
         }
         frame.time_secs = 0.0;
         frame.speech = None;
-        frame.shown = self.geometry.at(0.0);
+        frame.shown = self.picture.shown(0.0);
         frame.handles.clear();
         self.draw_tissue();
         self.frame.camera = self.camera(aspect);
@@ -131,7 +131,7 @@ impl Player {
     }
 
     fn prepare_welcome(&self) -> Welcome {
-        let stature_m = self.figure.skeleton.stature_m();
+        let stature_m = self.cast.figure.skeleton.stature_m();
         let room = self.layers.room_at(0.0);
         let listener = self
             .options
@@ -142,20 +142,20 @@ impl Player {
             motion_amount: self.options.motion_amount,
             manner: self.options.manner,
             listener_in_world: listener.eye_in_world,
-            sex: Sex::of(self.figure.sex),
-            trunk: Some(self.trunk),
+            sex: Sex::of(self.cast.figure.sex),
+            trunk: Some(self.cast.trunk),
             welcomes: true,
             ..Performance::default()
         };
-        let tissue = self.figure.tissue.as_ref();
+        let tissue = self.cast.figure.tissue.as_ref();
         Welcome {
-            actor: Actor::new(&performance, &self.figure.skeleton),
+            actor: Actor::new(&performance, &self.cast.figure.skeleton),
             soft: tissue.map(SoftFace::new),
             moved: self.layers.actor().world_from_figure(0.0),
             waited_secs: 0.0,
             left_secs: None,
             pose: Pose::zero(),
-            morph_weights: vec![0.0; self.figure.morph_names.len()],
+            morph_weights: vec![0.0; self.cast.morphs()],
         }
     }
 

@@ -13,7 +13,7 @@ fn utterance(key: u64, content: u64, audio: Vec<AudioFile>) -> Utterance {
 fn bundle(utterances: Vec<Utterance>) -> Bundle {
     Bundle {
         voices: vec![Voice::default()],
-        utterances,
+        utterances: utterances.into_iter().map(Arc::new).collect(),
     }
 }
 

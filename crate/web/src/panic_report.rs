@@ -1,14 +1,14 @@
-//! The page's side of [`raconteur_player::base::panic`].
+//! The message of a panic, for the page.
 
 use wasm_bindgen::prelude::*;
 
-/// Runs when an instance is made.
+/// Keeps messages of panics from the start of the instance.
 #[wasm_bindgen(start)]
 pub fn start() {
     raconteur_player::base::panic::keep_messages();
 }
 
-/// What the panic said that ended this instance, and where in the source; none where it was
+/// Message and source location of the panic that ended this instance; none where it was
 /// another trap.
 #[wasm_bindgen(js_name = panicMessage)]
 pub fn panic_message() -> Option<String> {

@@ -8,7 +8,7 @@ use raconteur_stage::{Camera, Shot};
 
 use crate::lower::script::Script;
 
-/// How far the camera of a high angle stands above one at eye height, and of a low angle
+/// How far the camera of a high angle is above one at eye height, and of a low angle
 /// below it, about what it looks at; radians. Designed: one sees the difference, and the
 /// face in both.
 const HIGH_RAD: f64 = 0.30;
@@ -51,28 +51,28 @@ pub(crate) fn shots(script: &Script) -> Vec<ShotCue> {
         .collect()
 }
 
-/// What is shown from a time on.
+/// The shot from a time on.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct View {
+struct TimedShot {
     start_secs: f64,
-    /// When the way there is over.
+    /// When the transition to it ends.
     settled_secs: f64,
     shot: Shot,
     elevation_rad: f64,
 }
 
-/// Everything that is shown; there is always something.
-pub(crate) struct Views {
-    first: View,
-    later: Vec<View>,
+/// The shots of a performance by time, of which there is always one.
+pub(crate) struct ShotSequence {
+    first: TimedShot,
+    later: Vec<TimedShot>,
 }
 
-impl Views {
-    /// The views of a performance that begins with a shot at eye height.
+impl ShotSequence {
+    /// The shots of a performance that begins with a shot at eye height.
     pub(crate) fn new<'a>(shot: Shot, cues: impl Iterator<Item = &'a ShotCue>) -> Self {
         let mut later: Vec<ShotCue> = cues.copied().collect();
         sort_by_number(&mut later, |c| c.start_secs);
-        let first = View {
+        let first = TimedShot {
             start_secs: f64::NEG_INFINITY,
             settled_secs: f64::NEG_INFINITY,
             shot,
@@ -80,7 +80,7 @@ impl Views {
         };
         let mut now = first;
         let view = |cue: &ShotCue| {
-            now = View {
+            now = TimedShot {
                 start_secs: cue.start_secs,
                 settled_secs: cue.start_secs + cue.transition_secs,
                 shot: cue.shot.unwrap_or(now.shot),
@@ -95,7 +95,7 @@ impl Views {
     }
 
     /// The camera at a time; `frame` gives that of a shot at eye height. Looks at no more
-    /// views than are on their way.
+    /// shots than are in transition.
     pub(crate) fn camera(&self, time_secs: f64, frame: impl Fn(Shot) -> Camera) -> Camera {
         let begun = self.later.partition_point(|v| v.start_secs <= time_secs);
         let begun = &self.later[..begun];
@@ -104,7 +104,7 @@ impl Views {
             Some(i) => (&begun[i], &begun[i + 1..]),
             None => (&self.first, begun),
         };
-        let shown = |view: &View| frame(view.shot).raised(view.elevation_rad);
+        let shown = |view: &TimedShot| frame(view.shot).raised(view.elevation_rad);
         moving.iter().fold(shown(base), |camera, view| {
             let way_secs = view.settled_secs - view.start_secs;
             let s = minimum_jerk((time_secs - view.start_secs) / way_secs);
@@ -119,11 +119,11 @@ mod tests {
     use raconteur_base::DVec3;
     use raconteur_stage::Room;
 
-    fn views(body: &str) -> Views {
+    fn views(body: &str) -> ShotSequence {
         let text = format!("<eml xmlns:r='urn:raconteur:eml:1'><body>{body}</body></eml>");
         let script = Script::read(&text, None);
         assert_eq!(script.diagnostics, []);
-        Views::new(Shot::Medium, shots(&script).iter())
+        ShotSequence::new(Shot::Medium, shots(&script).iter())
     }
 
     fn still(shot: Shot) -> Camera {

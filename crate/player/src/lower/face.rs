@@ -1,4 +1,4 @@
-//! From emotions and control parameters of a script to what the actor is asked.
+//! From a script's emotions and control parameters to plans of the face.
 
 use raconteur_actor::nonverbal::Way;
 use raconteur_actor::parameters::ParameterCommand;
@@ -6,29 +6,30 @@ use raconteur_actor::{EmotionSpan, Manner};
 use raconteur_eml::{Expressions, Performer};
 
 use crate::lower::cues::UtteranceCue;
+use crate::lower::needs::Needs;
 use crate::lower::script::Script;
 use crate::lower::{emotions, parameters};
 
-/// What a script asks of what is felt.
+/// Plans of the face for a script.
 #[derive(Default)]
-pub(crate) struct Felt {
-    /// What is felt.
+pub(crate) struct FacePlan {
+    /// Emotions, in any order.
     pub(crate) emotions: Vec<EmotionSpan>,
-    /// What control parameters are asked for, by time.
+    /// Commands to control parameters, by time.
     pub(crate) parameters: Vec<(f64, ParameterCommand)>,
-    /// The names of the animations of parameters that it needs.
-    pub(crate) clips: Vec<String>,
+    /// Names of the animations of control parameters that it needs.
+    pub(crate) parameter_animations: Vec<String>,
     /// How the character does what accompanies speech.
     pub(crate) character: Option<Performer>,
 }
 
 /// All of a script.
-pub(crate) fn lower(script: &Script, utterances: &[UtteranceCue]) -> Felt {
-    let clips = parameters::wanted(&script.document).into_iter();
-    Felt {
+pub(crate) fn lower(script: &Script, utterances: &[UtteranceCue]) -> FacePlan {
+    let clips = Needs::of(&script.document).parameter_animations.into_iter();
+    FacePlan {
         emotions: emotions::spans(script, utterances),
         parameters: parameters::commands(&script.document, &script.timeline),
-        clips: clips.map(|(name, _)| name.to_owned()).collect(),
+        parameter_animations: clips.map(|(name, _)| name.to_owned()).collect(),
         character: script.document.performer.clone(),
     }
 }

@@ -1,0 +1,53 @@
+//! The figure that performs, measured.
+
+use std::sync::Arc;
+
+use raconteur_actor::FaceRig;
+use raconteur_actor::gesture::TrunkShape;
+use raconteur_base::Side;
+use raconteur_body::Figure;
+use raconteur_eml::{Diagnostic, Document};
+
+use crate::lower::gestures::{self, Hands, Reach};
+use crate::lower::units::Units;
+use crate::lower::{manipulators, parameters};
+
+/// The figure that performs, with the measures that lowering and evaluation need.
+pub(crate) struct Cast {
+    pub(crate) figure: Arc<Figure>,
+    pub(crate) face: FaceRig,
+    pub(crate) units: Units,
+    pub(crate) reach: Reach,
+    pub(crate) trunk: TrunkShape,
+    pub(crate) hands: Hands,
+}
+
+impl Cast {
+    /// Measures a figure for a story. `handedness` is the dominant hand that the page chooses,
+    /// if it does.
+    pub(crate) fn new(figure: Arc<Figure>, document: &Document, handedness: Option<Side>) -> Self {
+        Self {
+            face: FaceRig::new(&figure),
+            units: Units::of(&figure.skeleton),
+            reach: Reach::of(&figure.skeleton),
+            trunk: TrunkShape::of(&figure),
+            hands: Hands::of(document, handedness, figure.dominant_hand),
+            figure,
+        }
+    }
+
+    /// What of a document this figure cannot do: targets out of its reach, control parameters
+    /// that do not exist.
+    pub(crate) fn problems(&self, document: &Document) -> Vec<Diagnostic> {
+        let far = gestures::out_of_reach(document, &self.units, &self.reach, self.hands);
+        far.into_iter()
+            .chain(parameters::problems(document))
+            .chain(manipulators::problems(document, &self.units, &self.reach))
+            .collect()
+    }
+
+    /// How many morph targets the figure has.
+    pub(crate) fn morphs(&self) -> usize {
+        self.figure.morph_names.len()
+    }
+}

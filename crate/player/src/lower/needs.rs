@@ -1,0 +1,238 @@
+//! What the clauses of a document need from elsewhere: animations that the page has to bring, and
+//! performance that the player does not have yet.
+
+use raconteur_actor::animation::stem;
+use raconteur_eml::{
+    Clause, ClauseKind, Diagnostic, Document, LoadControlParameterAnimation, PrimitiveKind, Span,
+};
+
+use crate::lower::voice::place_of;
+
+/// Most animations of control parameters that a script may use; more are left out.
+const MOST_PARAMETER_ANIMATIONS: usize = 100;
+
+/// What a document needs, each name once, with the clause that needs it first.
+#[derive(Default)]
+pub(crate) struct Needs<'d> {
+    /// Animations of the body: of the library by name, beside the story by path.
+    pub(crate) body_animations: Vec<(&'d str, Span)>,
+    /// Animations of control parameters, those that are loaded before those of the library.
+    pub(crate) parameter_animations: Vec<(&'d str, Span)>,
+    /// Elements that are not performed, and how often they occur.
+    unperformed: Vec<(&'static str, Span, u32)>,
+}
+
+/// What one clause needs.
+enum Need<'d> {
+    /// All that it needs is here.
+    Nothing,
+    BodyAnimation(&'d str),
+    /// An animation of control parameters under the name of its text.
+    LoadedParameters(&'d str),
+    /// One under the name by which it was loaded, else of the library.
+    PlayedParameters(&'d str),
+    /// The player cannot do it, or not all of it.
+    Performance,
+}
+
+impl<'d> Needs<'d> {
+    /// What a document needs.
+    pub(crate) fn of(document: &'d Document) -> Self {
+        let mut needs = Self::default();
+        let mut played = Vec::new();
+        for (_, clause) in document.iter() {
+            let span = clause.tag_span;
+            match Need::of(clause) {
+                Need::Nothing => {}
+                Need::BodyAnimation(name) => add_once(&mut needs.body_animations, name, span),
+                Need::LoadedParameters(name) => needs.add_parameters(name, span),
+                Need::PlayedParameters(name) => played.push((name, span)),
+                Need::Performance => needs.add_unperformed(clause.kind.name(), span),
+            }
+        }
+        let loaded = needs.parameter_animations.clone();
+        let is_loaded = |id: &str| loaded.iter().any(|(n, _)| *n == id || stem(n) == id);
+        for (name, span) in played {
+            if !is_loaded(name) {
+                needs.add_parameters(name, span);
+            }
+        }
+        needs
+    }
+
+    /// All animations, those of control parameters first.
+    pub(crate) fn animations(&self) -> impl Iterator<Item = &'d str> {
+        let parameters = self.parameter_animations.iter();
+        parameters
+            .chain(&self.body_animations)
+            .map(|(name, _)| *name)
+    }
+
+    /// The clause that first needs an animation; the document's start where none does.
+    pub(crate) fn span(&self, name: &str, is_of_parameters: bool) -> Span {
+        let needed = if is_of_parameters {
+            &self.parameter_animations
+        } else {
+            &self.body_animations
+        };
+        let used = needed.iter().find(|(n, _)| *n == name);
+        used.map(|(_, span)| *span).unwrap_or_default()
+    }
+
+    /// One warning for each element and extension that is not performed, at its first clause.
+    pub(crate) fn diagnostics(&self) -> Vec<Diagnostic> {
+        let unperformed = self.unperformed.iter();
+        unperformed
+            .map(|&(name, span, count)| {
+                let message = match count {
+                    _ if name == "emotion" => "`emotion` is in voice and face only; camera and \
+                                               light do not follow it yet"
+                        .to_owned(),
+                    1 => format!("`{name}` is not performed yet"),
+                    _ => format!("`{name}` is not performed yet; it occurs {count} times"),
+                };
+                Diagnostic::warning("player::not-performed", span, message)
+            })
+            .collect()
+    }
+
+    fn add_parameters(&mut self, name: &'d str, span: Span) {
+        if self.parameter_animations.len() < MOST_PARAMETER_ANIMATIONS {
+            add_once(&mut self.parameter_animations, name, span);
+        }
+    }
+
+    fn add_unperformed(&mut self, name: &'static str, span: Span) {
+        match self.unperformed.iter_mut().find(|(n, ..)| *n == name) {
+            Some((.., count)) => *count += 1,
+            None => self.unperformed.push((name, span, 1)),
+        }
+    }
+}
+
+impl<'d> Need<'d> {
+    fn of(clause: &'d Clause) -> Self {
+        match &clause.kind {
+            ClauseKind::DeterministicPrimitive(primitive) => {
+                match (primitive.primitive, primitive.animation.as_deref()) {
+                    (PrimitiveKind::Push | PrimitiveKind::Exchange, Some(name)) => {
+                        Self::BodyAnimation(name)
+                    }
+                    _ => Self::Nothing,
+                }
+            }
+            ClauseKind::LoadControlParameterAnimation(load) => Self::LoadedParameters(source(load)),
+            ClauseKind::AnimateControlParameter(animate) => {
+                Self::PlayedParameters(&animate.animation)
+            }
+            ClauseKind::VoiceText(_)
+            | ClauseKind::VoiceSay(_)
+            | ClauseKind::VoiceChange(_)
+            | ClauseKind::GestureKey(_)
+            | ClauseKind::GestureIsOn(_)
+            | ClauseKind::ConfigureGeometry(_)
+            | ClauseKind::Event { .. }
+            | ClauseKind::Camera(_)
+            | ClauseKind::Music(_)
+            | ClauseKind::SetControlParameter(_)
+            | ClauseKind::AdsrControlParameter(_)
+            | ClauseKind::DeterministicAnimation(_)
+            | ClauseKind::DeterministicTrackProperty(_)
+            | ClauseKind::PlayerAdd(_)
+            | ClauseKind::PlayerSetExclusive(_)
+            | ClauseKind::PlayerChangePriority(_)
+            | ClauseKind::PlayerRemove(_)
+            | ClauseKind::PlayerClear
+            | ClauseKind::VhMove(_)
+            | ClauseKind::ConfigureManipulator(_)
+            | ClauseKind::ForwardKinematics(_)
+            | ClauseKind::JointInterpolation(_)
+            | ClauseKind::FrameInterpolation(_)
+            | ClauseKind::ManipulatorFunction(_)
+            | ClauseKind::Jacobian(_)
+            | ClauseKind::ManipulatorStop(_)
+            | ClauseKind::ManipulatorLock(_)
+            | ClauseKind::Null
+            | ClauseKind::Seq(_)
+            | ClauseKind::Par(_) => Self::Nothing,
+            // The language's own checks report one whose word is unknown.
+            ClauseKind::Emotion(emotion)
+                if place_of(emotion).is_none() && emotion.kind.is_none() =>
+            {
+                Self::Nothing
+            }
+            _ => Self::Performance,
+        }
+    }
+}
+
+/// The name of the text of a loaded animation: of the library that of its file alone, beside the
+/// story its path.
+fn source(load: &LoadControlParameterAnimation) -> &str {
+    if load.is_resources_relative {
+        stem(&load.file)
+    } else {
+        &load.file
+    }
+}
+
+fn add_once<'d>(needed: &mut Vec<(&'d str, Span)>, name: &'d str, span: Span) {
+    if !needed.iter().any(|(n, _)| *n == name) {
+        needed.push((name, span));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Script;
+    use raconteur_eml::parse;
+
+    #[test]
+    fn what_is_not_performed_is_reported_once_each() {
+        let text = "<eml xmlns:r='urn:raconteur:eml:1'><head><r:performer figure='nuno'/></head>\
+                    <body><voice-text time='0'>a <pitch base='low'>b</pitch>\
+                    </voice-text><r:light time='1' color='#ffeedd'/><r:light time='2' color='#ffeedd'/>\
+                    <r:emotion time='1' type='joy'/></body></eml>";
+        let parsed = parse(text);
+        assert_eq!(parsed.diagnostics, []);
+        let messages: Vec<String> = Needs::of(&parsed.document)
+            .diagnostics()
+            .into_iter()
+            .map(|d| d.message)
+            .collect();
+        assert_eq!(
+            messages,
+            [
+                "`light` is not performed yet; it occurs 2 times",
+                "`emotion` is in voice and face only; camera and light do not follow it yet",
+            ]
+        );
+    }
+
+    #[test]
+    fn loaded_animations_are_needed_by_file_and_others_by_name() {
+        let load = |file: &str, library: bool| {
+            format!(
+                "<body-load-control-parameter-animation time='0' file='{file}' \
+                 isResourcesRelative='{library}'/>"
+            )
+        };
+        let play =
+            |id: &str| format!("<body-animate-control-parameter time='0' animationId='{id}'/>");
+        let body = [
+            load("faces/visemes-1.xml", true),
+            load("own/wink.json", false),
+            play("visemes-1"),
+            play("wink"),
+            play("own/wink.json"),
+            play("grin"),
+            play("grin"),
+        ]
+        .concat();
+        let script = Script::read(&format!("<eml><body>{body}</body></eml>"), None);
+        let names: Vec<&str> = Needs::of(&script.document).animations().collect();
+        assert_eq!(names, ["visemes-1", "own/wink.json", "grin"]);
+        assert_eq!(script.needed_animations(), names);
+    }
+}

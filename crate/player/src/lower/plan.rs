@@ -1,0 +1,78 @@
+//! A script lowered for one figure: its plans for the actor, the picture, the music and the cues.
+
+use raconteur_actor::animation::PlayerCommand;
+use raconteur_actor::parameters::ParameterCommand;
+use raconteur_actor::{GestureStroke, ManipulatorScript};
+use raconteur_base::Side;
+
+use crate::lower::animations;
+use crate::lower::cast::Cast;
+use crate::lower::cues::{self, Cue, UtteranceCue};
+use crate::lower::face::{self, FacePlan};
+use crate::lower::geometry::{self, Switch};
+use crate::lower::gestures;
+use crate::lower::manipulators;
+use crate::lower::music::{self, MusicClause};
+use crate::lower::script::Script;
+use crate::lower::shots::{self, ShotCue};
+
+/// The plans of a story, or of a fragment of a live performance.
+pub(crate) struct ScriptPlan {
+    /// Strokes of the left and right arm.
+    pub(crate) strokes: [Vec<GestureStroke>; 2],
+    /// Commands to manipulators, and moves of the whole figure.
+    pub(crate) manipulators: ManipulatorScript,
+    /// When gestures are turned on and off, by time.
+    pub(crate) switches: Vec<(f64, bool)>,
+    /// Commands to animation players, by time.
+    pub(crate) players: Vec<(f64, PlayerCommand)>,
+    /// What of the figure is drawn, by time.
+    pub(crate) geometry: Vec<Switch>,
+    /// Emotions and control parameters.
+    pub(crate) face: FacePlan,
+    /// Shots of the camera, by time.
+    pub(crate) shots: Vec<ShotCue>,
+    /// Music, by time.
+    pub(crate) music: Vec<MusicClause>,
+    /// Utterances, by time.
+    pub(crate) utterances: Vec<UtteranceCue>,
+    /// Cues, by time.
+    pub(crate) cues: Vec<Cue>,
+}
+
+impl ScriptPlan {
+    /// Lowers a script. `first_utterance` is the index of its first utterance, `fragment` the
+    /// number of a live fragment.
+    pub(crate) fn new(
+        script: &Script,
+        cast: &Cast,
+        first_utterance: usize,
+        fragment: Option<u32>,
+    ) -> Self {
+        let (document, timeline) = (&script.document, &script.timeline);
+        let (units, hands) = (&cast.units, cast.hands);
+        let utterances = cues::utterances(script);
+        Self {
+            strokes: Side::BOTH
+                .map(|side| gestures::strokes(document, timeline, side, units, hands)),
+            manipulators: manipulators::script(document, timeline, units),
+            switches: gestures::switches(document, timeline),
+            players: animations::commands(document, timeline).0,
+            geometry: geometry::switches(document, timeline),
+            face: face::lower(script, &utterances),
+            shots: shots::shots(script),
+            music: music::clauses(script),
+            cues: cues::cues(script, &utterances, first_utterance, fragment),
+            utterances,
+        }
+    }
+}
+
+/// Commands of forgotten fragments that stay in force, by time.
+#[derive(Default)]
+pub(crate) struct CarriedCommands {
+    /// To animation players.
+    pub(crate) players: Vec<(f64, PlayerCommand)>,
+    /// To control parameters.
+    pub(crate) parameters: Vec<(f64, ParameterCommand)>,
+}

@@ -1,0 +1,81 @@
+//! How far a performance has come, and which cues have been delivered.
+
+/// How far a performance has come. Times are story time, seconds.
+pub(crate) struct Clock {
+    /// Cues up to this time have passed.
+    passed_secs: f64,
+    /// Cues up to this time have been delivered.
+    delivered_until_secs: f64,
+    /// The clock may pass the end.
+    open_ended: bool,
+    /// The latest time that an open-ended clock has come to.
+    open_until_secs: f64,
+}
+
+impl Clock {
+    /// A clock before the first moment.
+    pub(crate) fn new() -> Self {
+        Self {
+            passed_secs: -1.0,
+            delivered_until_secs: -1.0,
+            open_ended: false,
+            open_until_secs: 0.0,
+        }
+    }
+
+    /// The time that has passed; negative before the first moment.
+    pub(crate) fn passed_secs(&self) -> f64 {
+        self.passed_secs
+    }
+
+    /// The latest time that an open-ended performance has come to.
+    pub(crate) fn open_until_secs(&self) -> f64 {
+        self.open_until_secs
+    }
+
+    /// Whether the clock may pass the end.
+    pub(crate) fn set_open_ended(&mut self, open_ended: bool) {
+        self.open_ended = open_ended;
+    }
+
+    /// Lets time pass; time that runs backwards passes nothing.
+    pub(crate) fn advance(&mut self, time_secs: f64) {
+        if time_secs > self.passed_secs {
+            self.passed_secs = time_secs;
+        }
+        if self.open_ended && time_secs.is_finite() {
+            self.open_until_secs = self.open_until_secs.max(time_secs);
+        }
+    }
+
+    /// Moves to just before a time. Returns the interval whose cues are not delivered, from
+    /// after its first time up to and including its second.
+    pub(crate) fn seek(&mut self, time_secs: f64) -> (f64, f64) {
+        let to_secs = if time_secs.is_finite() {
+            time_secs.next_down()
+        } else {
+            -1.0
+        };
+        self.passed_secs = to_secs;
+        let from_secs = std::mem::replace(&mut self.delivered_until_secs, to_secs);
+        (from_secs, to_secs)
+    }
+
+    /// The interval whose cues are to be delivered now, from after its first time up to and
+    /// including its second.
+    pub(crate) fn deliver(&mut self) -> (f64, f64) {
+        let from_secs = std::mem::replace(&mut self.delivered_until_secs, self.passed_secs);
+        (from_secs, self.passed_secs)
+    }
+
+    /// The moment of the performance that is shown at a time: the first or last one outside of
+    /// it, unless it is open-ended; the first for a time that is not a number.
+    pub(crate) fn shown_secs(&self, time_secs: f64, end_secs: f64) -> f64 {
+        if time_secs.is_nan() {
+            return 0.0;
+        }
+        let open = self.open_ended && time_secs.is_finite();
+        let end_secs = if open { time_secs } else { end_secs };
+        time_secs.min(end_secs).max(0.0)
+    }
+}

@@ -1,0 +1,82 @@
+//! How the figure is shown: the script's shots, the page's own view, and what is drawn.
+
+use raconteur_base::DVec3;
+use raconteur_stage::{Camera, Room, Shot, Shown, View};
+
+use crate::lower::geometry::{Geometry, Switch};
+use crate::lower::plan::ScriptPlan;
+use crate::lower::shots::ShotSequence;
+
+/// How the figure is shown at any time.
+pub(crate) struct Picture {
+    /// The shot until the script takes another.
+    shot: Shot,
+    shots: ShotSequence,
+    /// The page's own view, in place of the shot.
+    view: Option<View>,
+    geometry: Geometry,
+}
+
+/// Position and size of the figure in a picture.
+pub(crate) struct Subject {
+    /// The floor under the figure, world, metres.
+    pub(crate) floor_in_world: DVec3,
+    pub(crate) stature_m: f64,
+    /// The room for its gestures.
+    pub(crate) room: Room,
+}
+
+impl Picture {
+    /// The picture of a story that begins with a shot.
+    pub(crate) fn new(shot: Shot, story: &ScriptPlan) -> Self {
+        let mut geometry = Geometry::default();
+        geometry.retell(&story.geometry);
+        Self {
+            shot,
+            shots: ShotSequence::new(shot, story.shots.iter()),
+            view: None,
+            geometry,
+        }
+    }
+
+    /// Takes the shots of all plans anew.
+    pub(crate) fn take_shots<'p>(&mut self, plans: impl Iterator<Item = &'p ScriptPlan>) {
+        self.shots = ShotSequence::new(self.shot, plans.flat_map(|p| &p.shots));
+    }
+
+    /// Takes what the story switches, in place of what it switched before.
+    pub(crate) fn retell(&mut self, story: &[Switch]) {
+        self.geometry.retell(story);
+    }
+
+    /// Takes what a live fragment switches.
+    pub(crate) fn join(&mut self, fragment: &[Switch]) {
+        self.geometry.join(fragment);
+    }
+
+    /// Shows the whole figure from this side; by none, the shot again.
+    pub(crate) fn set_view(&mut self, view: Option<View>) {
+        self.view = view;
+    }
+
+    /// What of the figure is drawn at a time.
+    pub(crate) fn shown(&self, time_secs: f64) -> Shown {
+        self.geometry.at(time_secs)
+    }
+
+    /// The camera at a time, for a picture of `aspect` (width over height).
+    pub(crate) fn camera(&self, time_secs: f64, aspect: f64, subject: &Subject) -> Camera {
+        let frame = |shot: Shot| {
+            let Subject {
+                floor_in_world,
+                stature_m,
+                room,
+            } = *subject;
+            shot.frame(floor_in_world, stature_m, aspect, room)
+        };
+        match self.view {
+            Some(view) => view.of(&frame(Shot::Full)),
+            None => self.shots.camera(time_secs, frame),
+        }
+    }
+}

@@ -1,0 +1,120 @@
+//! Prepares an actor for all that is known of a performance.
+
+use raconteur_actor::{Actor, ArmScript, Library, ParameterScript, Performance, PlayerScript, Sex};
+use raconteur_base::order::sort_by_number;
+use raconteur_base::{DVec3, Side};
+use raconteur_stage::Room;
+
+use crate::lower::cast::Cast;
+use crate::lower::plan::{CarriedCommands, ScriptPlan};
+use crate::lower::{face, gestures, manipulators};
+use crate::options::Options;
+
+/// Length of a hand with a margin, share of stature (0.108 in adults, ANSUR).
+const HAND_LENGTH: f64 = 0.12;
+
+/// What an actor is prepared for.
+pub(crate) struct Rehearsal<'a> {
+    pub(crate) cast: &'a Cast,
+    pub(crate) options: &'a Options,
+    pub(crate) library: &'a Library,
+    /// What forgotten fragments have left behind.
+    pub(crate) carried: &'a CarriedCommands,
+    /// The least room in the picture, so that the picture does not breathe with every gesture.
+    pub(crate) least_room: Room,
+}
+
+impl Rehearsal<'_> {
+    /// The actor of all plans together, and the room that they need in the picture.
+    pub(crate) fn actor<'p>(
+        &self,
+        plans: impl Iterator<Item = &'p ScriptPlan> + Clone,
+    ) -> (Actor, Room) {
+        let skeleton = &self.cast.figure.skeleton;
+        let stature_m = skeleton.stature_m();
+        let room = self.room(plans.clone(), HAND_LENGTH * stature_m);
+        let shot = self.options.shot;
+        let camera = shot.frame(DVec3::ZERO, stature_m, 16.0 / 9.0, room);
+        let performance = self.performance(plans, camera.eye_in_world);
+        (Actor::new(&performance, skeleton), room)
+    }
+
+    /// The room in the picture for gestures and manipulators of all plans.
+    fn room<'p>(&self, plans: impl Iterator<Item = &'p ScriptPlan>, hand_m: f64) -> Room {
+        let rooms = plans.flat_map(|p| {
+            let still = manipulators::is_empty(&p.manipulators);
+            [
+                Some(gestures::room(&p.strokes, hand_m)),
+                (!still).then(|| manipulators::room(&p.manipulators, hand_m)),
+            ]
+        });
+        rooms.flatten().fold(self.least_room, |a, b| Room {
+            top_m: a.top_m.max(b.top_m),
+            half_width_m: a.half_width_m.max(b.half_width_m),
+        })
+    }
+
+    /// What the figure does when all plans are performed together.
+    fn performance<'p>(
+        &self,
+        plans: impl Iterator<Item = &'p ScriptPlan> + Clone,
+        listener_in_world: DVec3,
+    ) -> Performance {
+        let mut switches: Vec<(f64, bool)> = plans
+            .clone()
+            .flat_map(|p| p.switches.iter().copied())
+            .collect();
+        sort_by_number(&mut switches, |(time_secs, _)| *time_secs);
+        let on = gestures::on_spans(&switches);
+        let character = plans.clone().find_map(|p| p.face.character.as_ref());
+        let players = plans.clone().flat_map(|p| p.players.iter());
+        let parameters = plans.clone().flat_map(|p| p.face.parameters.iter());
+        Performance {
+            players: PlayerScript {
+                commands: self
+                    .carried
+                    .players
+                    .iter()
+                    .chain(players)
+                    .cloned()
+                    .collect(),
+            },
+            emotions: plans
+                .clone()
+                .flat_map(|p| p.face.emotions.iter().copied())
+                .collect(),
+            parameters: ParameterScript {
+                commands: self
+                    .carried
+                    .parameters
+                    .iter()
+                    .chain(parameters)
+                    .cloned()
+                    .collect(),
+            },
+            library: self.library.clone(),
+            arms: Side::BOTH.map(|side| ArmScript {
+                strokes: plans
+                    .clone()
+                    .flat_map(|p| p.strokes[side.index()].iter().cloned())
+                    .collect(),
+                on: on.clone(),
+            }),
+            manipulators: manipulators::together(plans.clone().map(|p| &p.manipulators)),
+            speech: plans
+                .flat_map(|p| &p.utterances)
+                .map(|u| u.timed.clone())
+                .collect(),
+            seed: self.options.seed,
+            motion_amount: self.options.motion_amount,
+            manner: character.map_or(self.options.manner, |of| {
+                face::manner(of, self.options.manner)
+            }),
+            listener_in_world,
+            sex: Sex::of(self.cast.figure.sex),
+            dominant: self.cast.hands.dominant,
+            trunk: Some(self.cast.trunk),
+            welcomes: false,
+        }
+    }
+}

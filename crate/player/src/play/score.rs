@@ -1,0 +1,72 @@
+//! All that is performed: the story, and what has joined it while it plays.
+
+use raconteur_base::order::sort_by_number;
+
+use crate::live::{self, Live};
+use crate::lower::cues::{Cue, UtteranceCue};
+use crate::lower::music::{self, MusicClause, MusicCue};
+use crate::lower::plan::ScriptPlan;
+
+/// The story, and the live performance that has joined it.
+pub(crate) struct Score {
+    pub(crate) story: ScriptPlan,
+    pub(crate) live: Live,
+}
+
+impl Score {
+    pub(crate) fn new(story: ScriptPlan) -> Self {
+        Self {
+            live: Live::new(story.utterances.len()),
+            story,
+        }
+    }
+
+    /// The story and the live fragments, in the order in which they came.
+    pub(crate) fn plans(&self) -> impl Iterator<Item = &ScriptPlan> + Clone {
+        [&self.story].into_iter().chain(self.live.plans())
+    }
+
+    /// An utterance by its index: of the story, or of what is remembered of the live
+    /// performance.
+    pub(crate) fn utterance(&self, index: usize) -> Option<&UtteranceCue> {
+        let live = || self.live.utterances().find(|(i, _)| *i == index);
+        self.story
+            .utterances
+            .get(index)
+            .or_else(|| live().map(|(_, u)| u))
+    }
+
+    /// The utterance that is heard at a time, with its index; of several, the last to begin.
+    pub(crate) fn utterance_at(&self, time_secs: f64) -> Option<(usize, &UtteranceCue)> {
+        let story = &self.story.utterances;
+        let begun = story.partition_point(|u| u.timed.start_secs <= time_secs);
+        let last = begun.checked_sub(1).map(|i| (i, &story[i]));
+        let is_heard = |u: &UtteranceCue| {
+            let offset_secs = u.timed.offset_secs(time_secs);
+            (0.0..u.timed.utterance.duration_secs).contains(&offset_secs)
+        };
+        last.into_iter()
+            .chain(self.live.utterances())
+            .filter(|(_, u)| is_heard(u))
+            .max_by(|(_, a), (_, b)| a.timed.start_secs.total_cmp(&b.timed.start_secs))
+    }
+
+    /// The music of all plans, by time.
+    pub(crate) fn music(&self) -> Vec<MusicCue> {
+        let plans = self.plans();
+        let mut clauses: Vec<MusicClause> = plans
+            .clone()
+            .flat_map(|p| p.music.iter().cloned())
+            .collect();
+        sort_by_number(&mut clauses, |c| c.start_secs);
+        music::cues(&clauses, plans.flat_map(|p| &p.utterances))
+    }
+
+    /// The cues after one time up to and including another, by time.
+    pub(crate) fn take_cues(&mut self, (from_secs, to_secs): (f64, f64)) -> Vec<Cue> {
+        let mut cues = self.live.take_cues(from_secs, to_secs);
+        cues.extend_from_slice(live::between(&self.story.cues, from_secs, to_secs));
+        sort_by_number(&mut cues, |c| c.time_secs);
+        cues
+    }
+}

@@ -1,0 +1,70 @@
+//! The activity of an instance. A trap leaves no stack to unwind; the page reads here what the
+//! instance had begun and not finished.
+
+use std::sync::atomic::{AtomicU32, Ordering};
+
+use raconteur_player::LoadStage;
+use wasm_bindgen::prelude::*;
+
+/// Activities of an instance; the numbers are `Doing` in `web/element/trap.ts`.
+#[derive(Clone, Copy)]
+#[repr(u32)]
+pub(crate) enum Activity {
+    /// None.
+    Nothing = 0,
+    /// The figure is read or sent to the graphics device.
+    Figure = 1,
+    /// The text of the story.
+    Story = 2,
+    /// The speech bundle.
+    Speech = 3,
+    /// The performance is planned.
+    Performance = 4,
+    /// Animations are read.
+    Animation = 5,
+    /// A fragment that comes while the story plays.
+    Fragment = 6,
+    /// The pose of a moment is computed.
+    Pose = 7,
+    /// A picture is drawn.
+    Drawing = 8,
+}
+
+impl From<LoadStage> for Activity {
+    fn from(stage: LoadStage) -> Self {
+        match stage {
+            LoadStage::Story => Self::Story,
+            LoadStage::Speech => Self::Speech,
+            LoadStage::Performance => Self::Performance,
+        }
+    }
+}
+
+static ACTIVITY: AtomicU32 = AtomicU32::new(Activity::Nothing as u32);
+
+/// Notes an activity until this is dropped, which a trap never does.
+pub(crate) struct ActivityGuard;
+
+impl ActivityGuard {
+    pub(crate) fn new(activity: Activity) -> Self {
+        note(activity);
+        Self
+    }
+}
+
+impl Drop for ActivityGuard {
+    fn drop(&mut self) {
+        note(Activity::Nothing);
+    }
+}
+
+/// Notes another activity, within the life of a [`ActivityGuard`].
+pub(crate) fn note(activity: Activity) {
+    ACTIVITY.store(activity as u32, Ordering::Relaxed);
+}
+
+/// The activity during which the instance trapped; 0 while nothing runs.
+#[wasm_bindgen]
+pub fn doing() -> u32 {
+    ACTIVITY.load(Ordering::Relaxed)
+}
