@@ -33,14 +33,27 @@ const urls: Record<Backend, string> = { webgpu: webgpuUrl, webgl: webglUrl };
 const modules = new Map<string, Promise<WebAssembly.Module>>();
 const instances = new WeakMap<Engine, Instance>();
 
-/** WebGPU where the browser really has an adapter, else WebGL2. */
-export async function chooseBackend(): Promise<Backend> {
-  const gpu = (navigator as { gpu?: { requestAdapter(): Promise<object | null> } }).gpu;
-  if (gpu === undefined) return 'webgl';
+/** As much of a `GPUAdapter` as tells whether a processor stands in for a graphics card; browsers tell it in different ways. */
+export interface Adapter {
+  readonly isFallbackAdapter?: boolean;
+  readonly info?: { readonly isFallbackAdapter?: boolean; readonly architecture?: string; readonly description?: string };
+}
+
+/** Whether a processor draws. */
+export function isSoftware({ isFallbackAdapter, info }: Adapter): boolean {
+  return (isFallbackAdapter ?? info?.isFallbackAdapter ?? false) || /swiftshader|llvmpipe|basic render/i.test(`${info?.architecture} ${info?.description}`);
+}
+
+/** Back ends to try, the best first: WebGPU on a graphics card, WebGL2 where a processor draws, which it does several times faster. */
+export async function chooseBackends(): Promise<[Backend, ...Backend[]]> {
+  const gpu = (navigator as { gpu?: { requestAdapter(): Promise<Adapter | null> } }).gpu;
   try {
-    return (await gpu.requestAdapter()) === null ? 'webgl' : 'webgpu';
+    const adapter = (await gpu?.requestAdapter()) ?? null;
+    if (adapter === null) return ['webgl'];
+    // An adapter is no promise of a device.
+    return isSoftware(adapter) ? ['webgl', 'webgpu'] : ['webgpu', 'webgl'];
   } catch {
-    return 'webgl';
+    return ['webgl'];
   }
 }
 

@@ -26,7 +26,7 @@ import {
 const MOST_DPR = 2;
 /** Idle life for people who ask for less motion; gestures and lips stay, they carry the story. */
 const REDUCED_MOTION = 0.25;
-/** A lost picture is restored without being asked this often; then a button offers it. */
+/** A lost picture is restored without being asked this often, the last time by the next back end that may be used; then a button offers it. */
 const MOST_RECOVERIES = 2;
 /** A graphics card that was reset is not back at once. */
 const RECOVERY_DELAY_MS = 600;
@@ -48,6 +48,8 @@ export interface PictureEvents {
 /** Owns the engine of one player. A trap in it costs the picture, not the story. */
 export class Picture {
   #backend: Backend;
+  /** Those that may be used instead, the best first. */
+  readonly #others: Backend[];
   #files: StoryFiles;
   #events: PictureEvents;
   #engine: Engine | undefined;
@@ -71,8 +73,9 @@ export class Picture {
   /** When the first picture was drawn, on the page's clock. */
   firstShownMs: number | undefined;
 
-  private constructor(backend: Backend, files: StoryFiles, events: PictureEvents) {
+  private constructor([backend, ...others]: readonly [Backend, ...Backend[]], files: StoryFiles, events: PictureEvents) {
     this.#backend = backend;
+    this.#others = others;
     this.#files = files;
     this.#events = events;
   }
@@ -82,17 +85,16 @@ export class Picture {
    * read even where none does.
    */
   static async open(backends: readonly [Backend, ...Backend[]], files: StoryFiles, events: PictureEvents): Promise<{ picture: Picture; story: Story; missing: Diagnostic[] }> {
-    const picture = new Picture(backends[0], files, events);
-    for (const backend of backends) {
-      picture.#backend = backend;
+    const picture = new Picture(backends, files, events);
+    do {
       try {
         return { picture, ...(await picture.#create()) };
       } catch (error) {
         // A figure that cannot be read is no better on another back end.
         if (error instanceof PlayerError && !isTrap(error)) throw error;
-        console.warn(`raconteur: no picture from ${backend}`, error);
+        console.warn(`raconteur: no picture from ${picture.#backend}`, error);
       }
-    }
+    } while (picture.#stepDown());
     const engine = await createEngine(picture.#backend, undefined);
     const story = picture.#read(engine);
     picture.#engine = engine;
@@ -129,6 +131,13 @@ export class Picture {
     this.#restart(engine);
     events.canvas(this.#canvas);
     return { story, missing: await (same ? this.#decoded : this.#decode(engine)) };
+  }
+
+  /** Goes on with the next back end, if there is one. */
+  #stepDown(): boolean {
+    const next = this.#others.shift();
+    if (next !== undefined) this.#backend = next;
+    return next !== undefined;
   }
 
   /** As if nothing had been shown yet. */
@@ -311,10 +320,11 @@ export class Picture {
     await new Promise((done) => setTimeout(done, RECOVERY_DELAY_MS));
     if (this.#closed) return;
     try {
-      const [old, canvas] = [this.#engine, this.#canvas];
+      const [old, canvas, backend] = [this.#engine, this.#canvas, this.#backend];
+      if (this.#recoveries === MOST_RECOVERIES) this.#stepDown();
       await this.#create();
       if (old !== undefined) release(old);
-      if (canvas !== undefined) giveBack(canvas, this.#backend);
+      if (canvas !== undefined) giveBack(canvas, backend);
       if (this.#closed) return this.close();
       this.seek(this.#lastShown);
       this.#lost = false;

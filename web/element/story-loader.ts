@@ -1,7 +1,7 @@
 /** Loads a story, opens it, reads edited texts, and closes it; knows its error and whether the picture is lost. */
 
 import { openVoice } from './audio.js';
-import { chooseBackend, warmUp } from './backend.js';
+import { chooseBackends, warmUp } from './backend.js';
 import { captionsOf } from './captions.js';
 import { openOrUsual } from './cast.js';
 import type { FigureLoader } from './figure-loader.js';
@@ -14,7 +14,7 @@ import type { PictureEvents } from './picture.js';
 import type { Show } from './show.js';
 import { substituteVoice, updateMusic } from './sound.js';
 import { Transport, type TransportEvent } from './transport.js';
-import { PlayerError, type Backend, type Diagnostic, type Story } from './types.js';
+import { PlayerError, type Diagnostic, type Story } from './types.js';
 
 /** The answer where there is no engine to read an edited text. */
 const ABSENT: Diagnostic = { code: 'live::absent', severity: 'warning', message: 'The storyteller is away for a moment.', hints: [] };
@@ -118,14 +118,13 @@ export class StoryLoader {
       player.requestUpdate();
     };
     if (!player.src && text === undefined) throw new PlayerError('No story is given: set the attribute src.');
-    const choosing = Promise.resolve(player.backend ?? chooseBackend());
+    const ranking = player.backend ? Promise.resolve([player.backend] as const) : chooseBackends();
+    const choosing = ranking.then(([best]) => best);
     void choosing.then(warmUp);
     const wish = { src: player.src, text, expectsLines: player.mind !== undefined };
     const fetching = fetchStory(wish, library, (eml, part) => this.#figures.fetch(eml, choosing, part), signal, progress);
-    let [files, backend] = await Promise.all([fetching, choosing]);
+    let [files, backends] = await Promise.all([fetching, ranking]);
     signal.throwIfAborted();
-    // An adapter is no promise of a device; WebGL2 may still have one.
-    const backends: [Backend, ...Backend[]] = player.backend || backend === 'webgl' ? [backend] : [backend, 'webgl'];
     const events = this.#pictureEvents(signal);
     const open = (figure: FigureFile) => this.#keeper.open(backends, (files = { ...files, figure }), events, signal);
     // A figure that the page sets is not replaced by the default one.

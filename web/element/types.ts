@@ -261,7 +261,7 @@ export interface Engine {
 export type Hand = 'left' | 'right';
 
 /** How much work goes into a picture. */
-export type Quality = 'auto' | 'low' | 'medium' | 'high';
+export type Quality = 'auto' | 'lowest' | 'low' | 'medium' | 'high';
 
 /** What one picture took. */
 export interface PictureStatistics {

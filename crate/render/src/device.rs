@@ -26,3 +26,15 @@ pub(crate) async fn open(
         .map_err(|e| RenderError::NoDevice(e.to_string()))?;
     Ok((adapter, device, queue))
 }
+
+/// Whether a processor draws. Browsers tell the name alone, and some not even that.
+pub(crate) fn is_software(adapter: &wgpu::AdapterInfo) -> bool {
+    const NAMES: [&str; 4] = [
+        "llvmpipe",
+        "softpipe",
+        "swiftshader",
+        "microsoft basic render",
+    ];
+    let name = adapter.name.to_lowercase();
+    adapter.device_type == wgpu::DeviceType::Cpu || NAMES.iter().any(|n| name.contains(n))
+}

@@ -3,6 +3,8 @@
 /// How much work goes into a picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Quality {
+    /// What a processor alone draws: light without shadows, colour maps alone, in one pass.
+    Lowest,
     /// One sample a pixel with edge smoothing, a small shadow, no fine bumps.
     Low,
     /// Four samples, shadows from key and rim, fine bumps.
@@ -14,7 +16,8 @@ pub enum Quality {
 
 impl Quality {
     /// Every tier with its name.
-    pub const NAMES: [(Self, &'static str); 3] = [
+    pub const NAMES: [(Self, &'static str); 4] = [
+        (Self::Lowest, "lowest"),
         (Self::Low, "low"),
         (Self::Medium, "medium"),
         (Self::High, "high"),
@@ -22,7 +25,7 @@ impl Quality {
 
     /// Samples a pixel that are asked for.
     pub(crate) fn samples(self) -> u32 {
-        if self == Self::Low { 1 } else { 4 }
+        if self <= Self::Low { 1 } else { 4 }
     }
 
     /// Side of a light's shadow map, texels.
@@ -32,7 +35,16 @@ impl Quality {
 
     /// Lights that cast a shadow: the key, then the rim.
     pub(crate) fn shadows(self) -> u32 {
-        if self == Self::Low { 1 } else { 2 }
+        match self {
+            Self::Lowest => 0,
+            Self::Low => 1,
+            Self::Medium | Self::High => 2,
+        }
+    }
+
+    /// Whether the stage is drawn straight to the target, tone curve and encoding included.
+    pub(crate) fn is_direct(self) -> bool {
+        self == Self::Lowest
     }
 
     /// The shadow filter: 1 is a disc of 7 taps, 2 one of 24 that sharpens towards contact.
@@ -41,7 +53,7 @@ impl Quality {
     }
 
     pub(crate) fn fine_detail(self) -> bool {
-        self != Self::Low
+        self > Self::Low
     }
 }
 
@@ -50,8 +62,6 @@ impl Quality {
 pub struct RenderOptions {
     /// How much work goes into a picture. Default: high.
     pub quality: Quality,
-    /// Whether the picture is drawn at half its width and height, then enlarged.
-    pub half_size: bool,
 }
 
 /// What the renderer turned out to be and what the last picture took.
@@ -63,6 +73,8 @@ pub struct RenderInfo {
     pub backend: String,
     /// The adapter's own name.
     pub adapter: String,
+    /// Whether a processor draws, as far as the adapter tells.
+    pub software: bool,
     /// Samples a pixel.
     pub samples: u32,
     /// Whether light is kept in a float target; otherwise materials encode at once.

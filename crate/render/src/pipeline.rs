@@ -19,7 +19,7 @@ use crate::tissue::TissueVertex;
 const FRAME: &str = include_str!(concat!(env!("OUT_DIR"), "/frame.wgsl"));
 
 /// The shaders of everything on the stage, one module.
-const STAGE: [&str; 11] = [
+const STAGE: [&str; 12] = [
     FRAME,
     include_str!(concat!(env!("OUT_DIR"), "/light.wgsl")),
     include_str!(concat!(env!("OUT_DIR"), "/figure.wgsl")),
@@ -31,6 +31,7 @@ const STAGE: [&str; 11] = [
     include_str!(concat!(env!("OUT_DIR"), "/cloth.wgsl")),
     include_str!(concat!(env!("OUT_DIR"), "/theatre.wgsl")),
     include_str!(concat!(env!("OUT_DIR"), "/bare.wgsl")),
+    include_str!(concat!(env!("OUT_DIR"), "/simple.wgsl")),
 ];
 
 const TONE_MAP: [&str; 2] = [
@@ -69,6 +70,8 @@ pub(crate) struct Pipelines {
     pub(crate) theatre: RenderPipeline,
     pub(crate) tone_map: RenderPipeline,
     target: TargetKind,
+    /// Surfaces are drawn by the shaders of the lowest quality.
+    simple: bool,
     constants: Vec<(&'static str, f64)>,
     /// Those of materials, for the keys that figures have used.
     materials: Vec<(PipelineKey, RenderPipeline)>,
@@ -199,6 +202,7 @@ impl Pipelines {
             ("SHADOW_REACH", f64::from(quality.shadow_reach())),
             ("SHADOWS", f64::from(quality.shadows())),
             ("COVERAGE", flag(target.samples > 1)),
+            ("SIMPLE", flag(target.is_direct)),
         ];
         let full_screen =
             |label, module, layout, constants: &[_], vertex, fragment, format, samples, depth| {
@@ -254,6 +258,7 @@ impl Pipelines {
             theatre,
             tone_map,
             target,
+            simple: target.is_direct,
             constants,
             materials: Vec::new(),
             shadows: Vec::new(),
@@ -305,7 +310,7 @@ impl Pipelines {
             constants: &self.constants,
             vertex: figure_entry(key.bound),
             buffers: &vertex_buffers()[..stream_count(key.bound)],
-            fragment: Some(fragment_entry(key.kind)),
+            fragment: Some(fragment_entry(key, self.simple)),
             target: Some(self.target.format),
             blend: clear.then_some(BlendState::PREMULTIPLIED_ALPHA_BLENDING),
             samples: self.target.samples,
@@ -532,8 +537,12 @@ fn figure_entry(bound: bool) -> &'static str {
     if bound { "vs_bound" } else { "vs_figure" }
 }
 
-fn fragment_entry(kind: MaterialKind) -> &'static str {
-    match kind {
+fn fragment_entry(key: PipelineKey, simple: bool) -> &'static str {
+    match key.kind {
+        MaterialKind::Skin | MaterialKind::Nail if simple => "fs_simple_skin",
+        MaterialKind::Hair if simple => "fs_simple_hair",
+        MaterialKind::Cloth | MaterialKind::Leather if simple => "fs_simple_cloth",
+        MaterialKind::Plain if simple && key.alpha_mode == AlphaMode::Opaque => "fs_simple_skin",
         MaterialKind::Skin => "fs_skin",
         MaterialKind::Eye => "fs_eye",
         MaterialKind::Cornea => "fs_cornea",

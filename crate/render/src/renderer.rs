@@ -32,7 +32,9 @@ pub struct Renderer {
     /// What the adapter draws at each quality.
     target_kinds: [TargetKind; Quality::NAMES.len()],
     tier: Tier,
-    targets: Option<(Targets, wgpu::BindGroup)>,
+    targets: Option<Targets>,
+    /// What the tone-map pass reads, where there is one.
+    tone_map_group: Option<wgpu::BindGroup>,
     frame_buffer: Buffer,
     frame_group: wgpu::BindGroup,
     picture_sampler: wgpu::Sampler,
@@ -61,7 +63,7 @@ impl Renderer {
         let refused = Refusal::of(&device);
 
         let target_kinds =
-            Quality::NAMES.map(|(quality, _)| TargetKind::choose(adapter, quality.samples()));
+            Quality::NAMES.map(|(quality, _)| TargetKind::choose(adapter, quality, target_format));
         let shared = SharedResources::new(&device, target_format);
         let frame_buffer = empty_buffer(
             &device,
@@ -91,6 +93,7 @@ impl Renderer {
             frame_buffer,
             frame_group,
             targets: None,
+            tone_map_group: None,
             figure: None,
             overlay: None,
             lines: None,
@@ -98,6 +101,7 @@ impl Renderer {
             info: RenderInfo {
                 options,
                 backend: adapter_info.backend.to_str().to_owned(),
+                software: crate::device::is_software(&adapter_info),
                 adapter: adapter_info.name,
                 samples: 1,
                 float_target: kind.is_float(),
@@ -124,10 +128,6 @@ impl Renderer {
     /// Draws as `options` say from the next picture on; the figure and its pictures stay.
     pub fn set_options(&mut self, options: RenderOptions) {
         let old = self.tier.options;
-        if old.half_size != options.half_size {
-            self.tier.options.half_size = options.half_size;
-            self.targets = None;
-        }
         if old.quality != options.quality {
             let kind = self.target_kinds[options.quality as usize];
             self.tier = Tier::new(
@@ -147,7 +147,7 @@ impl Renderer {
         let samples = self.tier.target.samples;
         self.info.options = self.tier.options;
         self.info.samples = samples;
-        self.info.smooths_edges = samples == 1;
+        self.info.smooths_edges = samples == 1 && !self.tier.target.is_direct;
         self.info.shadow_texels = self.tier.shadow_texels;
     }
 
@@ -219,7 +219,7 @@ impl Renderer {
             .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         let mut counts = Counts::default();
         self.draw_shadow(&mut encoder, &frame.shown, &mut counts);
-        self.draw_stage(&mut encoder, &frame.shown, &mut counts);
+        self.draw_stage(&mut encoder, view, &frame.shown, &mut counts);
         self.tone_map(&mut encoder, view, &mut counts);
         self.queue.submit([encoder.finish()]);
         self.info.figure_draw_calls = counts.figure_draw_calls;
@@ -237,7 +237,8 @@ impl Renderer {
     }
 
     /// Makes the textures of a picture of this size, if they are not there yet.
-    fn fit(&mut self, (width, height): (u32, u32)) -> Result<(), RenderError> {
+    fn fit(&mut self, size: (u32, u32)) -> Result<(), RenderError> {
+        let (width, height) = size;
         let limit = self.device.limits().max_texture_dimension_2d;
         if width == 0 || height == 0 || width > limit || height > limit {
             return Err(RenderError::BadSize {
@@ -246,26 +247,23 @@ impl Renderer {
                 limit,
             });
         }
-        let drawn = if self.tier.options.half_size {
-            (width.div_ceil(2), height.div_ceil(2))
-        } else {
-            (width, height)
-        };
-        if self.targets.as_ref().is_some_and(|(t, _)| t.size == drawn) {
+        if self.targets.as_ref().is_some_and(|t| t.size == size) {
             return Ok(());
         }
-        let targets = Targets::new(&self.device, self.tier.target, drawn);
-        let group = bind_group(
-            &self.device,
-            "tone map",
-            &self.shared.layouts.tone_map,
-            &[
-                binding(0, self.frame_buffer.as_entire_binding()),
-                binding(1, wgpu::BindingResource::TextureView(&targets.picture)),
-                binding(2, wgpu::BindingResource::Sampler(&self.picture_sampler)),
-            ],
-        );
-        self.targets = Some((targets, group));
+        let targets = Targets::new(&self.device, self.tier.target, size);
+        self.tone_map_group = targets.picture.as_ref().map(|picture| {
+            bind_group(
+                &self.device,
+                "tone map",
+                &self.shared.layouts.tone_map,
+                &[
+                    binding(0, self.frame_buffer.as_entire_binding()),
+                    binding(1, wgpu::BindingResource::TextureView(picture)),
+                    binding(2, wgpu::BindingResource::Sampler(&self.picture_sampler)),
+                ],
+            )
+        });
+        self.targets = Some(targets);
         Ok(())
     }
 
@@ -277,13 +275,7 @@ impl Renderer {
         let texels = self.tier.shadow_texels;
         let shadows = [&frame.lighting.key, &frame.lighting.rim]
             .map(|light| ShadowView::new(light, &frame.camera, &view, stand, stature_m, texels));
-        let drawn = self.targets.as_ref().map_or(size, |(t, _)| t.size);
-        let enlarged = if self.tier.options.half_size {
-            2.0
-        } else {
-            1.0
-        };
-        let mut uniform = FrameUniform::new(frame, &view, &shadows, stature_m, drawn, enlarged);
+        let mut uniform = FrameUniform::new(frame, &view, &shadows, stature_m, size);
         if let Some(figure) = &self.figure {
             uniform.lids = figure.lids(&frame.world_from_joint);
         }
@@ -323,6 +315,9 @@ impl Renderer {
     }
 
     fn draw_shadow(&self, encoder: &mut wgpu::CommandEncoder, shown: &Shown, counts: &mut Counts) {
+        if self.tier.lights == 0 {
+            return;
+        }
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("shadow"),
             depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
@@ -350,13 +345,20 @@ impl Renderer {
         }
     }
 
-    fn draw_stage(&self, encoder: &mut wgpu::CommandEncoder, shown: &Shown, counts: &mut Counts) {
-        let Some((targets, _)) = &self.targets else {
+    fn draw_stage(
+        &self,
+        encoder: &mut wgpu::CommandEncoder,
+        view: &TextureView,
+        shown: &Shown,
+        counts: &mut Counts,
+    ) {
+        let Some(targets) = &self.targets else {
             return;
         };
+        let picture = targets.picture.as_ref().unwrap_or(view);
         let color = match &targets.samples {
-            Some(samples) => (samples, Some(&targets.picture), wgpu::StoreOp::Discard),
-            None => (&targets.picture, None, wgpu::StoreOp::Store),
+            Some(samples) => (samples, Some(picture), wgpu::StoreOp::Discard),
+            None => (picture, None, wgpu::StoreOp::Store),
         };
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("stage"),
@@ -438,7 +440,7 @@ impl Renderer {
         view: &TextureView,
         counts: &mut Counts,
     ) {
-        let Some((_, group)) = &self.targets else {
+        let Some(group) = &self.tone_map_group else {
             return;
         };
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {

@@ -7,7 +7,7 @@ use raconteur_body::Figure;
 use raconteur_stage::Frame;
 use wgpu::CurrentSurfaceTexture;
 
-use crate::{RenderError, RenderInfo, RenderOptions, Renderer};
+use crate::{Pace, Quality, RenderError, RenderInfo, Renderer};
 
 /// Which of the browser's interfaces draws.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -34,6 +34,11 @@ pub struct CanvasTarget {
     device: wgpu::Device,
     surface: wgpu::Surface<'static>,
     configuration: wgpu::SurfaceConfiguration,
+    /// The size of a picture with every pixel.
+    size: (u32, u32),
+    pace: Pace,
+    /// The picture stands still, so it has the time for every pixel.
+    resting: bool,
     renderer: Renderer,
     lost: Arc<AtomicBool>,
     /// WebGL's context: wgpu does not tell when it is lost.
@@ -50,7 +55,6 @@ impl CanvasTarget {
     pub async fn new(
         canvas: web_sys::HtmlCanvasElement,
         backend: Backend,
-        options: RenderOptions,
     ) -> Result<Self, RenderError> {
         let wanted = match backend {
             Backend::WebGpu => wgpu::Backends::BROWSER_WEBGPU,
@@ -88,16 +92,20 @@ impl CanvasTarget {
             configuration.format = plain;
         }
         surface.configure(&device, &configuration);
+        let pace = Pace::new(crate::device::is_software(&adapter.get_info()));
         let renderer = Renderer::new(
             &adapter,
             device.clone(),
             queue,
             configuration.format,
-            options,
+            pace.options(),
         );
         Ok(Self {
             device,
             surface,
+            size: (width, height),
+            pace,
+            resting: true,
             configuration,
             renderer,
             lost,
@@ -136,16 +144,41 @@ impl CanvasTarget {
         self.renderer.set_image(index, width, height, rgba)
     }
 
-    /// Draws as `options` say from the next picture on.
-    pub fn set_options(&mut self, options: RenderOptions) {
-        self.renderer.set_options(options);
+    /// Holds a quality from the next picture on; with `None`, it follows the times of frames.
+    pub fn choose(&mut self, quality: Option<Quality>) {
+        self.pace.choose(quality);
+        self.follow_pace();
     }
 
-    /// Sets the size drawn, pixels, within 1 and the device's limit on either side. The
-    /// canvas's own `width` and `height` follow.
+    /// Takes the time between two shown frames, milliseconds; the quality follows it.
+    pub fn report_frame(&mut self, ms: f64) {
+        if self.pace.report(ms) {
+            self.follow_pace();
+        }
+    }
+
+    /// Whether pictures do not follow each other: one that stands still is drawn with every pixel.
+    pub fn set_resting(&mut self, resting: bool) {
+        self.resting = resting;
+        self.fit();
+    }
+
+    fn follow_pace(&mut self) {
+        self.renderer.set_options(self.pace.options());
+        self.fit();
+    }
+
+    /// Sets the size of a picture with every pixel, within 1 and the device's limit on either
+    /// side. The canvas's own `width` and `height` follow.
     pub fn resize(&mut self, width: u32, height: u32) {
         let limit = self.device.limits().max_texture_dimension_2d;
-        let size = (width.clamp(1, limit), height.clamp(1, limit));
+        self.size = (width.clamp(1, limit), height.clamp(1, limit));
+        self.fit();
+    }
+
+    fn fit(&mut self) {
+        let most_pixels = self.pace.most_pixels().filter(|_| !self.resting);
+        let size = within(self.size, most_pixels);
         if size != (self.configuration.width, self.configuration.height) {
             (self.configuration.width, self.configuration.height) = size;
             self.surface.configure(&self.device, &self.configuration);
@@ -206,6 +239,19 @@ impl Drop for CanvasTarget {
     fn drop(&mut self) {
         self.device.destroy();
     }
+}
+
+/// A size of the same shape with at most so many pixels.
+fn within((width, height): (u32, u32), most: Option<u32>) -> (u32, u32) {
+    let pixels = f64::from(width) * f64::from(height);
+    let scale = most.map_or(1.0, |most| (f64::from(most) / pixels).sqrt().min(1.0));
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "no larger than the size given"
+    )]
+    let side = |length: u32| (f64::from(length) * scale).round().max(1.0) as u32;
+    (side(width), side(height))
 }
 
 /// The context that wgpu made for the canvas: asking again returns the same one.

@@ -1,20 +1,33 @@
-//! What the picture is formed in: float or encoded, samples, and its textures.
+//! What the picture is formed in: float or encoded, samples, and its textures, or the target itself.
 
 use wgpu::{TextureFormat, TextureUsages};
+
+use crate::Quality;
 
 /// The kind of target that the device allows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct TargetKind {
     pub(crate) format: TextureFormat,
     pub(crate) samples: u32,
+    /// It is the target itself: there is no texture between, and no pass that develops it.
+    pub(crate) is_direct: bool,
 }
 
 pub(crate) const DEPTH_FORMAT: TextureFormat = TextureFormat::Depth32Float;
 
 impl TargetKind {
-    /// The best that the adapter draws: float with the asked samples, float with one,
-    /// or eight bits encoded early.
-    pub(crate) fn choose(adapter: &wgpu::Adapter, asked_samples: u32) -> Self {
+    /// For a quality, in front of targets of `output`: the best that the adapter draws, float with
+    /// the quality's samples, float with one, or eight bits encoded early; or the target itself.
+    pub(crate) fn choose(adapter: &wgpu::Adapter, quality: Quality, output: TextureFormat) -> Self {
+        // A target that encodes by itself would encode twice.
+        if quality.is_direct() && !output.is_srgb() {
+            return Self {
+                format: output,
+                samples: 1,
+                is_direct: true,
+            };
+        }
+        let asked_samples = quality.samples();
         let draws = |format: TextureFormat| {
             let features = adapter.get_texture_format_features(format);
             let usable = features
@@ -31,13 +44,18 @@ impl TargetKind {
             } else {
                 1
             };
-            usable.then_some(Self { format, samples })
+            usable.then_some(Self {
+                format,
+                samples,
+                is_direct: false,
+            })
         };
         draws(TextureFormat::Rgba16Float)
             .or_else(|| draws(TextureFormat::Rgba8Unorm))
             .unwrap_or(Self {
                 format: TextureFormat::Rgba8Unorm,
                 samples: 1,
+                is_direct: false,
             })
     }
 
@@ -52,7 +70,8 @@ pub(crate) struct Targets {
     pub(crate) size: (u32, u32),
     /// Drawn to; with more than one sample it is resolved into `picture`.
     pub(crate) samples: Option<wgpu::TextureView>,
-    pub(crate) picture: wgpu::TextureView,
+    /// What the last pass reads; none where the stage is drawn to the target itself.
+    pub(crate) picture: Option<wgpu::TextureView>,
     pub(crate) depth: wgpu::TextureView,
 }
 
@@ -81,12 +100,10 @@ impl Targets {
             size,
             samples: (kind.samples > 1)
                 .then(|| texture("samples", kind.format, kind.samples, attachment)),
-            picture: texture(
-                "picture",
-                kind.format,
-                1,
-                attachment | TextureUsages::TEXTURE_BINDING,
-            ),
+            picture: (!kind.is_direct).then(|| {
+                let usage = attachment | TextureUsages::TEXTURE_BINDING;
+                texture("picture", kind.format, 1, usage)
+            }),
             depth: texture("depth", DEPTH_FORMAT, kind.samples, attachment),
         }
     }

@@ -32,12 +32,16 @@ impl Tier {
         let quality = options.quality;
         let lights = quality.shadows();
         let limit = device.limits().max_texture_dimension_2d;
-        let shadow_texels = quality.shadow_texels().min(limit / lights);
+        // Without lights that cast, one texel stands for a map.
+        let shadow_texels = match lights {
+            0 => 1,
+            _ => quality.shadow_texels().min(limit / lights),
+        };
         let shadow_map = device
             .create_texture(&wgpu::TextureDescriptor {
                 label: Some("shadow"),
                 size: wgpu::Extent3d {
-                    width: shadow_texels * lights,
+                    width: shadow_texels * lights.max(1),
                     height: shadow_texels,
                     depth_or_array_layers: 1,
                 },

@@ -49,15 +49,13 @@ pub(crate) fn stand_in_world(frame: &Frame) -> DVec3 {
 }
 
 impl FrameUniform {
-    /// `size` is what is drawn, pixels; `enlarged`, how many pixels of the target each of
-    /// them fills on either axis.
+    /// `size` is that of the picture, pixels.
     pub(crate) fn new(
         frame: &Frame,
         view: &View,
         shadows: &[ShadowView; 2],
         stature_m: f64,
         size: (u32, u32),
-        enlarged: f32,
     ) -> Self {
         let light = &frame.lighting;
         let sole = |bone: Bone| {
@@ -82,7 +80,7 @@ impl FrameUniform {
             shadow_from_world: shadows
                 .each_ref()
                 .map(|s| s.clip_from_world.as_mat4().to_cols_array()),
-            ray_forward: point(view.forward, 1.0 / enlarged),
+            ray_forward: point(view.forward, 0.0),
             ray_right: point(view.right, 0.0),
             ray_up: point(view.up, 0.0),
             eye_in_world: point(frame.camera.eye_in_world, frame.time_secs as f32),

@@ -82,11 +82,8 @@ fn no_pixel_of_the_skin_lights_up_alone() {
 }
 
 fn headless(quality: Quality) -> Headless {
-    Headless::new_blocking(RenderOptions {
-        quality,
-        half_size: false,
-    })
-    .unwrap_or_else(|e| panic!("{e}; on Debian: apt-get install mesa-vulkan-drivers"))
+    Headless::new_blocking(RenderOptions { quality })
+        .unwrap_or_else(|e| panic!("{e}; on Debian: apt-get install mesa-vulkan-drivers"))
 }
 
 /// A figure's skin alone, and the same as chalk: it shows where light falls and lets none through.

@@ -13,11 +13,9 @@ const SIZE: (u32, u32) = (160, 120);
 const ASPECT: f64 = 160.0 / 120.0;
 
 fn headless(quality: Quality) -> Headless {
-    Headless::new_blocking(RenderOptions {
-        quality,
-        half_size: false,
+    Headless::new_blocking(RenderOptions { quality }).unwrap_or_else(|e| {
+        panic!("{e}; on Debian: apt-get install mesa-vulkan-drivers libvulkan1")
     })
-    .unwrap_or_else(|e| panic!("{e}; on Debian: apt-get install mesa-vulkan-drivers libvulkan1"))
 }
 
 fn draw(device: &mut Headless, frame: &Frame) -> Vec<u8> {
@@ -43,7 +41,7 @@ fn differing(a: &[u8], b: &[u8], limit: u8) -> Vec<usize> {
 fn every_quality_draws_the_figure_on_a_stage() {
     let figure = common::figure();
     let frame = medium(&figure, &Pose::zero());
-    for quality in [Quality::Low, Quality::Medium, Quality::High] {
+    for (quality, _) in Quality::NAMES {
         let mut device = headless(quality);
         let empty = draw(&mut device, &frame);
         device.set_figure(&figure).expect("a sound figure");
@@ -61,8 +59,32 @@ fn every_quality_draws_the_figure_on_a_stage() {
             stage_mean > 64.0 && stage_mean < 200.0,
             "{quality:?}: {stage_mean}"
         );
-        assert_eq!(info.samples == 1, info.smooths_edges, "{info:?}");
-        assert!(info.draw_calls > 10 && info.triangles > 10_000, "{info:?}");
+        assert_eq!(quality == Quality::Low, info.smooths_edges, "{info:?}");
+        assert_eq!(quality <= Quality::Low, info.samples == 1, "{info:?}");
+        assert!(info.draw_calls >= 10 && info.triangles > 10_000, "{info:?}");
+    }
+}
+
+/// From one quality to the next, and back, without another device: as a player's pace does it.
+#[test]
+fn qualities_change_on_one_device() {
+    let figure = common::figure();
+    let frame = medium(&figure, &Pose::zero());
+    let mut changing = headless(Quality::High);
+    changing.set_figure(&figure).expect("a sound figure");
+    for quality in [
+        Quality::Lowest,
+        Quality::Medium,
+        Quality::Lowest,
+        Quality::Low,
+    ] {
+        changing.set_options(RenderOptions { quality });
+        let mut alone = headless(quality);
+        alone.set_figure(&figure).expect("a sound figure");
+        assert!(
+            draw(&mut changing, &frame) == draw(&mut alone, &frame),
+            "{quality:?}"
+        );
     }
 }
 

@@ -65,11 +65,9 @@ fn red(device: &mut Headless, frame: &Frame) -> Vec<u8> {
 }
 
 fn headless(quality: Quality) -> Headless {
-    Headless::new_blocking(RenderOptions {
-        quality,
-        half_size: false,
+    Headless::new_blocking(RenderOptions { quality }).unwrap_or_else(|e| {
+        panic!("{e}; on Debian: apt-get install mesa-vulkan-drivers libvulkan1")
     })
-    .unwrap_or_else(|e| panic!("{e}; on Debian: apt-get install mesa-vulkan-drivers libvulkan1"))
 }
 
 /// How much brighter or darker each inner pixel is than all that surround it: 0 but for grain.

@@ -16,11 +16,9 @@ const SIZE: (u32, u32) = (480, 360);
 /// A device with the test figure, and a frame of it.
 fn stage(quality: Quality) -> (Headless, Frame) {
     let figure = common::figure();
-    let mut device = Headless::new_blocking(RenderOptions {
-        quality,
-        half_size: false,
-    })
-    .unwrap_or_else(|e| panic!("{e}; on Debian: apt-get install mesa-vulkan-drivers libvulkan1"));
+    let mut device = Headless::new_blocking(RenderOptions { quality }).unwrap_or_else(|e| {
+        panic!("{e}; on Debian: apt-get install mesa-vulkan-drivers libvulkan1")
+    });
     device.set_figure(&figure).expect("a sound figure");
     let frame = common::frame(&figure, &Pose::zero(), Shot::Medium, 4.0 / 3.0);
     (device, frame)
@@ -86,7 +84,6 @@ fn without_the_body_an_empty_stage_is_left_and_bones_stand_on_it() {
     let empty = draw(&mut device, &frame, NOTHING);
     let mut lonely = Headless::new_blocking(RenderOptions {
         quality: Quality::High,
-        half_size: false,
     })
     .expect("a device");
     assert!(empty == draw(&mut lonely, &frame, Shown::default()));

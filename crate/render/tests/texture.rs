@@ -61,11 +61,7 @@ fn before(figure: &Figure, distance_m: f64) -> Frame {
 }
 
 fn headless(quality: Quality) -> Headless {
-    Headless::new_blocking(RenderOptions {
-        quality,
-        half_size: false,
-    })
-    .expect("a device")
+    Headless::new_blocking(RenderOptions { quality }).expect("a device")
 }
 
 fn draw(device: &mut Headless, frame: &Frame) -> Vec<u8> {
@@ -262,13 +258,8 @@ fn a_tier_can_be_changed_and_keeps_figure_and_pictures() {
     device.set_figure(&figure).expect("a sound figure");
     device.set_image(0, 1, 1, &RED).expect("a sound picture");
     let high = draw(&mut device, &frame);
-    for (quality, half_size) in [
-        (Quality::Low, false),
-        (Quality::Low, true),
-        (Quality::Medium, true),
-        (Quality::Medium, false),
-    ] {
-        let options = RenderOptions { quality, half_size };
+    for quality in [Quality::Lowest, Quality::Low, Quality::Medium] {
+        let options = RenderOptions { quality };
         device.set_options(options);
         let other = draw(&mut device, &frame);
         assert_eq!(device.info().options, options);

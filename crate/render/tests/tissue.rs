@@ -140,11 +140,9 @@ fn the_stream_tells_what_plain_sums_do() {
 }
 
 fn headless(quality: Quality) -> Headless {
-    Headless::new_blocking(RenderOptions {
-        quality,
-        half_size: false,
+    Headless::new_blocking(RenderOptions { quality }).unwrap_or_else(|e| {
+        panic!("{e}; on Debian: apt-get install mesa-vulkan-drivers libvulkan1")
     })
-    .unwrap_or_else(|e| panic!("{e}; on Debian: apt-get install mesa-vulkan-drivers libvulkan1"))
 }
 
 fn draw(device: &mut Headless, frame: &Frame) -> Vec<u8> {

@@ -9,7 +9,7 @@ use raconteur_player::body::read::read_figure;
 use raconteur_player::eml::Diagnostic;
 use raconteur_player::stage::{Frame, Room, View};
 use raconteur_player::{Options, Player as Performer, StoryInput};
-use raconteur_render::{Backend, CanvasTarget, Pace, Quality, RenderOptions, RenderStatus};
+use raconteur_render::{Backend, CanvasTarget, Quality, RenderStatus};
 use serde::Serialize;
 use serde_wasm_bindgen::Serializer;
 use wasm_bindgen::prelude::*;
@@ -39,9 +39,6 @@ enum TickStatus {
 pub struct Player {
     pub(crate) performer: Option<Performer>,
     picture: Option<CanvasTarget>,
-    pace: Pace,
-    /// The picture stands still, so it has the time for every pixel.
-    resting: bool,
     /// Width over height.
     pub(crate) aspect: f64,
     /// The view that a page chooses in place of the shot.
@@ -64,16 +61,13 @@ impl Player {
         } else {
             Backend::WebGl
         };
-        let pace = Pace::default();
         let picture = match canvas {
-            Some(canvas) => Some(CanvasTarget::new(canvas, backend, pace.options()).await?),
+            Some(canvas) => Some(CanvasTarget::new(canvas, backend).await?),
             None => None,
         };
         Ok(Self {
             performer: None,
             picture,
-            pace,
-            resting: true,
             aspect: 1.0,
             view: None,
             handedness: None,
@@ -179,27 +173,29 @@ impl Player {
         self.draw(|performer, aspect| performer.welcome(waited_secs, aspect))
     }
 
-    /// Draws at `low`, `medium` or `high` quality; by any other name, as well as frames
+    /// Draws at `lowest`, `low`, `medium` or `high` quality; by any other name, as well as frames
     /// come quickly.
     #[wasm_bindgen(js_name = setQuality)]
     pub fn set_quality(&mut self, name: &str) {
         let fixed = Quality::NAMES.iter().find(|(_, n)| *n == name);
-        self.pace.choose(fixed.map(|(quality, _)| *quality));
-        self.follow_pace();
+        if let Some(picture) = &mut self.picture {
+            picture.choose(fixed.map(|(quality, _)| *quality));
+        }
     }
 
     /// Whether the story rests: a picture that stands still is drawn with every pixel.
     #[wasm_bindgen(js_name = setResting)]
     pub fn set_resting(&mut self, resting: bool) {
-        self.resting = resting;
-        self.follow_pace();
+        if let Some(picture) = &mut self.picture {
+            picture.set_resting(resting);
+        }
     }
 
     /// Takes the time between two shown frames, milliseconds; the quality follows it.
     #[wasm_bindgen(js_name = reportFrame)]
     pub fn report_frame(&mut self, ms: f64) {
-        if self.pace.report(ms) {
-            self.follow_pace();
+        if let Some(picture) = &mut self.picture {
+            picture.report_frame(ms);
         }
     }
 
@@ -317,16 +313,6 @@ impl Player {
         performer.set_view(self.view);
         self.performer = Some(performer);
         plain(&story)
-    }
-
-    fn follow_pace(&mut self) {
-        if let Some(picture) = &mut self.picture {
-            let options = self.pace.options();
-            picture.set_options(RenderOptions {
-                half_size: options.half_size && !self.resting,
-                ..options
-            });
-        }
     }
 
     fn image(&self, index: usize) -> Option<&Image> {

@@ -6,8 +6,8 @@ use anyhow::{Context as _, Result, bail};
 use clap::{ArgGroup, Args, ValueEnum};
 use indicatif::{ProgressBar, ProgressStyle};
 use raconteur_player::Player;
-use raconteur_render::RenderOptions;
 use raconteur_render::headless::Headless;
+use raconteur_render::{Quality, RenderOptions};
 use raconteur_stage::Shot;
 
 use crate::Outcome;
@@ -54,9 +54,21 @@ pub(crate) struct Render {
     /// How much of the speaker is in the picture.
     #[arg(long, value_enum, default_value = "medium")]
     shot: ShotName,
+    /// How much work goes into a picture: lowest, low, medium or high.
+    #[arg(long, default_value = "high", value_parser = parse_quality)]
+    quality: Quality,
     /// A figure's name, or the path of a .glb file; without it, the story's choice, else sofia.
     #[arg(long)]
     figure: Option<String>,
+}
+
+fn parse_quality(name: &str) -> Result<Quality, String> {
+    let names = Quality::NAMES.map(|(_, name)| name);
+    let known = Quality::NAMES.iter().find(|(_, known)| *known == name);
+    known.map_or_else(
+        || Err(format!("one of {}", names.join(", "))),
+        |(quality, _)| Ok(*quality),
+    )
 }
 
 /// Largest side of a picture, pixels; what every adapter can draw.
@@ -95,9 +107,10 @@ impl Render {
             &files.text,
             &loaded.diagnostics,
         )?;
-        let mut headless = Headless::new_blocking(RenderOptions::default()).context(
-            "no graphics adapter (on Debian: apt install mesa-vulkan-drivers libvulkan1)",
-        )?;
+        let mut headless = Headless::new_blocking(RenderOptions {
+            quality: self.quality,
+        })
+        .context("no graphics adapter (on Debian: apt install mesa-vulkan-drivers libvulkan1)")?;
         picture::set_figure(&mut headless, loaded.player.figure())?;
         if let Some(path) = &self.output {
             let pixels = self.draw(&mut loaded.player, &mut headless, self.at)?;

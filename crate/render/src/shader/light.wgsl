@@ -53,6 +53,9 @@ fn tap_shift(at: vec2<f32>) -> vec2<f32> {
 // afar and sharpen towards contact: what lies within 4 cm towards the lamp is filtered
 // narrowly, all else widely.
 fn key_share(p: vec3<f32>, n: vec3<f32>, at: vec2<f32>) -> f32 {
+    if SHADOWS < 1u {
+        return 1.0;
+    }
     if SHADOW_REACH < 2 {
         return filtered_share(p, n, at);
     }
@@ -65,6 +68,9 @@ fn key_share(p: vec3<f32>, n: vec3<f32>, at: vec2<f32>) -> f32 {
 }
 
 fn filtered_share(p: vec3<f32>, n: vec3<f32>, at: vec2<f32>) -> f32 {
+    if SHADOWS < 1u {
+        return 1.0;
+    }
     let q = off_surface(0u, p, n, frame.key_dir.xyz) - vec3<f32>(0.0, 0.0, frame.shadow.z);
     return taps(0u, q, frame.shadow.x * 1.4, 7, tap_shift(at));
 }
@@ -72,6 +78,9 @@ fn filtered_share(p: vec3<f32>, n: vec3<f32>, at: vec2<f32>) -> f32 {
 // Whether a point that lies `lift` metres off the surface gets light: 0 where something else
 // than the surface's own bend keeps it off, 0..1 at such a shadow's edge.
 fn lifted_share(light: u32, p: vec3<f32>, n: vec3<f32>, lift: f32, at: vec2<f32>) -> f32 {
+    if SHADOWS < 1u {
+        return 1.0;
+    }
     let q = in_map(light, p + n * lift) - vec3<f32>(0.0, 0.0, frame.shadow.z);
     return taps(light, q, frame.shadow.x * 1.4, 7, tap_shift(at));
 }

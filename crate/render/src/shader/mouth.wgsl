@@ -2,7 +2,8 @@
 
 fn wet(v: VertexOut, n: vec3<f32>, albedo: vec3<f32>, wrap: f32, gloss: f32) -> vec3<f32> {
     let view = to_eye(v.world);
-    let share = key_share(v.world, n, v.clip.xy);
+    // Without shadows, the lips' own is taken for granted.
+    let share = select(key_share(v.world, n, v.clip.xy), 0.35, SHADOWS < 1u);
     let ao = v.color.a;
     let occlusion = tinted_occlusion(ao, albedo);
     let key_d = saturate1((dot(n, frame.key_dir.xyz) + wrap) / (1.0 + wrap));

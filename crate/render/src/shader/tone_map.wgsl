@@ -53,8 +53,7 @@ fn smoothed(uv: vec2<f32>) -> vec3<f32> {
 
 @fragment
 fn fs_tone_map(@builtin(position) at: vec4<f32>) -> @location(0) vec4<f32> {
-    let drawn = at.xy * frame.ray_forward.w;
-    let uv = drawn * frame.viewport.zw;
+    let uv = at.xy * frame.viewport.zw;
     var c: vec3<f32>;
     if SMOOTH_EDGES == 1u {
         c = smoothed(uv);
@@ -62,7 +61,7 @@ fn fs_tone_map(@builtin(position) at: vec4<f32>) -> @location(0) vec4<f32> {
         c = light_at(uv);
     }
     if EARLY_ENCODE == 0u {
-        c = srgb_encode(develop(c, drawn));
+        c = srgb_encode(develop(c, at.xy));
     }
     // Half a step of noise hides the bands of the dark backdrop.
     c += (pixel_noise(at.xy) - 0.5) / 255.0;

@@ -1,0 +1,44 @@
+// The lowest quality, which a processor draws: the colour of the surface in the light of three
+// lamps and the room, without shadows or shine, encoded at once.
+
+fn room(n: vec3<f32>) -> vec3<f32> {
+    let c = frame.ambient;
+    return max((c[0] + c[1] * n.y + c[2] * n.z + c[3] * n.x).xyz, vec3<f32>(0.0));
+}
+
+// Diffuse light on a surface; `wrap` is how far it reaches past the terminator. The key's
+// shadows are missing, so occlusion stands in for a part of them.
+fn lit_simply(n: vec3<f32>, ao: f32, wrap: f32) -> vec3<f32> {
+    let facing = vec3<f32>(dot(n, frame.key_dir.xyz), dot(n, frame.fill_dir.xyz), dot(n, frame.rim_dir.xyz));
+    let d = saturate((facing + wrap) / (1.0 + wrap));
+    return frame.key.xyz * (d.x * (0.25 + 0.75 * ao)) + (frame.fill.xyz * d.y + room(n)) * ao
+        + frame.rim.xyz * (d.z * ao * ao * 0.6);
+}
+
+@fragment
+fn fs_simple_skin(v: VertexOut) -> @location(0) vec4<f32> {
+    return vec4<f32>(encoded_simply(painted(v).rgb * lit_simply(normalize(v.normal), v.color.a, 0.12)), 1.0);
+}
+
+@fragment
+fn fs_simple_cloth(v: VertexOut, @builtin(front_facing) front: bool) -> @location(0) vec4<f32> {
+    let n = facing_normal(v.normal, front);
+    return vec4<f32>(encoded_simply(v.color.rgb * material.base.rgb * lit_simply(n, v.color.a, 0.15)), 1.0);
+}
+
+@fragment
+fn fs_simple_hair(v: VertexOut, @builtin(front_facing) front: bool) -> @location(0) vec4<f32> {
+    let at = v.uv.x * COLUMNS;
+    let column = floor(at);
+    let x = at - column;
+    // Locks of a card end at different lengths.
+    let lock = 0.5 + 0.5 * sin(x * 23.0 + column * 2.4);
+    let card = min((0.62 + 0.33 * lock - v.uv.y) * 6.0, min(x, 1.0 - x) * 9.0);
+    let cover = select(card, v.uv.y, column >= CAP);
+    if cover < 0.42 {
+        discard;
+    }
+    let n = facing_normal(v.normal, front);
+    let tone = v.color.rgb * material.base.rgb * (0.95 + 0.35 * lock);
+    return vec4<f32>(encoded_simply(tone * lit_simply(n, v.color.a, 0.35)), 1.0);
+}
