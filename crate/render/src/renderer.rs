@@ -408,30 +408,44 @@ impl Renderer {
                 });
             }
         }
-        if let (Some(lines), Some(both)) = (
-            self.lines.as_ref().filter(|l| l.count() > 0),
-            &pipelines.lines,
-        ) {
-            pass.set_vertex_buffer(0, lines.buffer.slice(..));
-            for pipeline in both {
-                pass.set_pipeline(pipeline);
-                pass.draw(0..4, 0..lines.count());
-                counts.add(2 * lines.count());
-            }
-        }
-        if let (true, Some(overlay), Some(pipeline)) = (
-            shown.has_overlay(),
-            self.overlay.as_ref().filter(|o| o.len() > 0),
-            &pipelines.overlay,
-        ) {
-            // Nearer than everything else, and in itself as near as it is.
-            let (width, height) = targets.size;
-            pass.set_viewport(0.0, 0.0, width as f32, height as f32, 0.0, OVERLAY_DEPTH);
+        self.draw_lines(&mut pass, counts);
+        self.draw_overlay(&mut pass, shown, targets.size, counts);
+    }
+
+    /// Draws lines over the figure: those behind it, then those before it.
+    fn draw_lines(&self, pass: &mut wgpu::RenderPass<'_>, counts: &mut Counts) {
+        let lines = self.lines.as_ref().filter(|l| l.count() > 0);
+        let (Some(lines), Some(both)) = (lines, &self.tier.pipelines.lines) else {
+            return;
+        };
+        pass.set_vertex_buffer(0, lines.buffer.slice(..));
+        for pipeline in both {
             pass.set_pipeline(pipeline);
-            pass.set_vertex_buffer(0, overlay.buffer.slice(..));
-            pass.draw(0..overlay.len(), 0..1);
-            counts.add(overlay.len() / 3);
+            pass.draw(0..4, 0..lines.count());
+            counts.add(2 * lines.count());
         }
+    }
+
+    /// Draws bones, frames and targets nearer than everything else, and among themselves as near
+    /// as they are.
+    fn draw_overlay(
+        &self,
+        pass: &mut wgpu::RenderPass<'_>,
+        shown: &Shown,
+        (width, height): (u32, u32),
+        counts: &mut Counts,
+    ) {
+        let overlay = self.overlay.as_ref().filter(|o| o.len() > 0);
+        let (true, Some(overlay), Some(pipeline)) =
+            (shown.has_overlay(), overlay, &self.tier.pipelines.overlay)
+        else {
+            return;
+        };
+        pass.set_viewport(0.0, 0.0, width as f32, height as f32, 0.0, OVERLAY_DEPTH);
+        pass.set_pipeline(pipeline);
+        pass.set_vertex_buffer(0, overlay.buffer.slice(..));
+        pass.draw(0..overlay.len(), 0..1);
+        counts.add(overlay.len() / 3);
     }
 
     fn tone_map(

@@ -107,144 +107,137 @@ fn hair(joint: u16) -> Mesh {
     mesh
 }
 
+const SKIN: [u8; 4] = [205, 140, 105, 255];
+const SHIRT: [u8; 4] = [60, 80, 120, 255];
+const TROUSERS: [u8; 4] = [40, 40, 60, 255];
+const SHOE: [u8; 4] = [50, 30, 20, 255];
+
+/// Head, trunk and what lies in and on the face; the head first.
+fn head_and_trunk() -> Vec<Mesh> {
+    use MaterialKind::{Cloth, Lash, Mouth, Plain, Skin, Teeth};
+    let (teeth, mouth, lash) = ([235, 225, 205, 200], [150, 50, 50, 160], [20, 14, 10, 255]);
+    let rows = [
+        (
+            Skin,
+            SKIN,
+            Bone::Skull,
+            [0.0, 1.81, 0.01],
+            [0.08, 0.12, 0.10],
+        ),
+        (
+            Cloth,
+            SHIRT,
+            Bone::Thoracic,
+            [0.0, 1.35, 0.0],
+            [0.19, 0.30, 0.12],
+        ),
+        (
+            Plain,
+            [90, 60, 60, 255],
+            Bone::Sacroiliac,
+            [0.0, 1.02, 0.0],
+            [0.17, 0.14, 0.11],
+        ),
+        (
+            Teeth,
+            teeth,
+            Bone::Skull,
+            [0.0, 1.745, 0.095],
+            [0.022, 0.008, 0.012],
+        ),
+        (
+            Mouth,
+            mouth,
+            Bone::Skull,
+            [0.0, 1.73, 0.093],
+            [0.026, 0.010, 0.012],
+        ),
+        (
+            Lash,
+            lash,
+            Bone::Skull,
+            [0.032, 1.822, 0.10],
+            [0.016, 0.003, 0.006],
+        ),
+    ];
+    let mut meshes = rows
+        .map(|(kind, color, bone, centre, radii)| {
+            ball(
+                kind,
+                color,
+                bone.index() as u16,
+                centre.into(),
+                radii.into(),
+            )
+        })
+        .to_vec();
+    meshes.insert(1, hair(Bone::Skull.index() as u16));
+    meshes
+}
+
+fn eyes(skeleton: &Skeleton) -> impl Iterator<Item = Mesh> {
+    raconteur_base::Side::BOTH
+        .into_iter()
+        .zip(EYES)
+        .map(|(side, centre)| {
+            let joints = skeleton.joints();
+            let joint = joints.iter().position(|j| j.drive == Drive::Eye(side));
+            let joint = joint.unwrap_or(0) as u16;
+            let radii = Vec3::splat(0.018);
+            let mut globe = ball(MaterialKind::Eye, [255; 4], joint, centre.as_vec3(), radii);
+            globe.material.base_color = [0.16, 0.09, 0.04, 1.0];
+            globe
+        })
+}
+
+/// Arms and legs, from joint to joint.
+fn limbs(at: impl Fn(Bone) -> Vec3) -> impl Iterator<Item = Mesh> {
+    use MaterialKind::{Cloth, Leather, Plain, Skin};
+    let rows = [
+        (Bone::LShoulder, Bone::LElbow, Cloth, SHIRT, 0.05),
+        (Bone::RShoulder, Bone::RElbow, Cloth, SHIRT, 0.05),
+        (Bone::LElbow, Bone::LWrist, Skin, SKIN, 0.04),
+        (Bone::RElbow, Bone::RWrist, Skin, SKIN, 0.04),
+        (Bone::LHip, Bone::LKnee, Plain, TROUSERS, 0.07),
+        (Bone::RHip, Bone::RKnee, Plain, TROUSERS, 0.07),
+        (Bone::LKnee, Bone::LSubtalar, Leather, SHOE, 0.05),
+        (Bone::RKnee, Bone::RSubtalar, Leather, SHOE, 0.05),
+    ];
+    rows.into_iter()
+        .map(move |(bone, end, kind, color, width)| {
+            let (a, b) = (at(bone), at(end));
+            let half = (b - a).abs() * 0.5 + Vec3::splat(width);
+            ball(kind, color, bone.index() as u16, (a + b) * 0.5, half)
+        })
+}
+
+/// The head's lower half drops.
+fn jaw_opens(head: &Mesh) -> Morph {
+    let low: Vec<u32> = (0..head.positions.len() as u32)
+        .filter(|&i| head.positions[i as usize][1] < 1.76)
+        .collect();
+    Morph {
+        target: 0,
+        position_deltas: vec![[0.0, -0.05, 0.0]; low.len()],
+        normal_deltas: vec![[0.0; 3]; low.len()],
+        vertices: low,
+    }
+}
+
 /// The test figure.
 pub(crate) fn figure() -> Figure {
     let skeleton = Skeleton::example();
     let mut bind = Vec::new();
     skeleton.solve(&Pose::zero(), &mut bind);
-    let at = |bone: Bone| bind[bone.index()].translation.as_vec3();
-    let eye = |side: raconteur_base::Side| {
-        skeleton
-            .joints()
-            .iter()
-            .position(|j| j.drive == Drive::Eye(side))
-            .unwrap_or(0) as u16
-    };
-    let skull = Bone::Skull.index() as u16;
-    let skin = [205, 140, 105, 255];
-    let mut meshes = vec![
-        ball(
-            MaterialKind::Skin,
-            skin,
-            skull,
-            Vec3::new(0.0, 1.81, 0.01),
-            Vec3::new(0.08, 0.12, 0.10),
-        ),
-        hair(skull),
-        ball(
-            MaterialKind::Cloth,
-            [60, 80, 120, 255],
-            Bone::Thoracic.index() as u16,
-            Vec3::new(0.0, 1.35, 0.0),
-            Vec3::new(0.19, 0.30, 0.12),
-        ),
-        ball(
-            MaterialKind::Plain,
-            [90, 60, 60, 255],
-            Bone::Sacroiliac.index() as u16,
-            Vec3::new(0.0, 1.02, 0.0),
-            Vec3::new(0.17, 0.14, 0.11),
-        ),
-        ball(
-            MaterialKind::Teeth,
-            [235, 225, 205, 200],
-            skull,
-            Vec3::new(0.0, 1.745, 0.095),
-            Vec3::new(0.022, 0.008, 0.012),
-        ),
-        ball(
-            MaterialKind::Mouth,
-            [150, 50, 50, 160],
-            skull,
-            Vec3::new(0.0, 1.73, 0.093),
-            Vec3::new(0.026, 0.010, 0.012),
-        ),
-        ball(
-            MaterialKind::Lash,
-            [20, 14, 10, 255],
-            skull,
-            Vec3::new(0.032, 1.822, 0.10),
-            Vec3::new(0.016, 0.003, 0.006),
-        ),
-    ];
-    for (side, centre) in raconteur_base::Side::BOTH.into_iter().zip(EYES) {
-        let c = centre.as_vec3();
-        let mut globe = ball(
-            MaterialKind::Eye,
-            [255; 4],
-            eye(side),
-            c,
-            Vec3::splat(0.018),
-        );
-        globe.material.base_color = [0.16, 0.09, 0.04, 1.0];
-        meshes.push(globe);
-    }
-    for (bone, end, kind, color, width) in [
-        (
-            Bone::LShoulder,
-            Bone::LElbow,
-            MaterialKind::Cloth,
-            [60, 80, 120, 255],
-            0.05,
-        ),
-        (
-            Bone::RShoulder,
-            Bone::RElbow,
-            MaterialKind::Cloth,
-            [60, 80, 120, 255],
-            0.05,
-        ),
-        (Bone::LElbow, Bone::LWrist, MaterialKind::Skin, skin, 0.04),
-        (Bone::RElbow, Bone::RWrist, MaterialKind::Skin, skin, 0.04),
-        (
-            Bone::LHip,
-            Bone::LKnee,
-            MaterialKind::Plain,
-            [40, 40, 60, 255],
-            0.07,
-        ),
-        (
-            Bone::RHip,
-            Bone::RKnee,
-            MaterialKind::Plain,
-            [40, 40, 60, 255],
-            0.07,
-        ),
-        (
-            Bone::LKnee,
-            Bone::LSubtalar,
-            MaterialKind::Leather,
-            [50, 30, 20, 255],
-            0.05,
-        ),
-        (
-            Bone::RKnee,
-            Bone::RSubtalar,
-            MaterialKind::Leather,
-            [50, 30, 20, 255],
-            0.05,
-        ),
-    ] {
-        let (a, b) = (at(bone), at(end));
-        let half = (b - a).abs() * 0.5 + Vec3::splat(width);
-        meshes.push(ball(kind, color, bone.index() as u16, (a + b) * 0.5, half));
-    }
-    // The head's lower half drops with one morph target.
-    let head = &mut meshes[0];
-    let low: Vec<u32> = (0..head.positions.len() as u32)
-        .filter(|&i| head.positions[i as usize][1] < 1.76)
-        .collect();
-    head.morphs.push(Morph {
-        target: 0,
-        position_deltas: vec![[0.0, -0.05, 0.0]; low.len()],
-        normal_deltas: vec![[0.0; 3]; low.len()],
-        vertices: low,
-    });
-    let inverse_bind = bind.iter().map(DAffine3::inverse).collect();
+    let mut meshes = head_and_trunk();
+    let morph = jaw_opens(&meshes[0]);
+    meshes[0].morphs.push(morph);
+    meshes.extend(eyes(&skeleton));
+    meshes.extend(limbs(|bone| bind[bone.index()].translation.as_vec3()));
     Figure {
         name: "test".to_owned(),
         skeleton,
-        inverse_bind,
+        inverse_bind: bind.iter().map(DAffine3::inverse).collect(),
         meshes,
         morph_names: vec!["jawOpen".to_owned()],
         lid_closure_rad: [0.6; 2],
