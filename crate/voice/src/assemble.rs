@@ -4,7 +4,7 @@
 use raconteur_base::ops;
 
 use crate::feel::Felt;
-use crate::plan::{Plan, Sound};
+use crate::plan::{Plan, Planned, Sound};
 use crate::realise::phrases_of;
 use crate::signal::f0;
 use crate::signal::intensity;
@@ -39,7 +39,7 @@ const KNEE: f64 = 0.7;
 const INTENSITY_WINDOW_SECS: f64 = 0.032;
 
 /// A sentence that is ready.
-pub struct Part {
+pub struct SpokenSentence {
     /// Its sound and times, as they are to be heard.
     pub spoken: Spoken,
     /// Factor on the pauses that nobody asked for: of the pace and of emotions.
@@ -50,7 +50,7 @@ pub struct Part {
 
 /// What an utterance sounds like, and what is known of it but names and files.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Track {
+pub struct Speech {
     /// Mono, −1 to 1.
     pub samples: Vec<f64>,
     /// Samples a second.
@@ -70,91 +70,26 @@ pub struct Recording {
 #[must_use]
 pub fn assemble(
     plan: &Plan,
-    parts: &[Part],
+    sentences: &[SpokenSentence],
     recordings: &[Recording],
     felt: &[Felt],
     rate_hz: f64,
-) -> Track {
-    let mut tape = Tape {
-        rate_hz,
-        samples: Vec::new(),
-        marks: Vec::new(),
-        sounds: plan.sounds.iter().zip(recordings).collect(),
-        backgrounds: Vec::new(),
+) -> Speech {
+    let mut assembly = Assembly {
+        tape: Tape {
+            rate_hz,
+            samples: Vec::new(),
+            marks: Vec::new(),
+            sounds: plan.sounds.iter().zip(recordings).collect(),
+            backgrounds: Vec::new(),
+        },
+        utterance: Utterance::default(),
+        gap_secs: LEAD_SECS + plan.lead_pause_secs,
+        before: &[],
+        first_word: 0,
     };
-    let mut utterance = Utterance::default();
-    // Phones of each segment of each part.
-    let mut gap_secs = LEAD_SECS + plan.lead_pause_secs;
-    let mut before: &[f64] = &[];
-    let mut first_word_of_sentence = 0;
-    for (planned, part) in plan.sentences.iter().zip(parts) {
-        let spoken = &part.spoken;
-        let cut = |from_secs: f64, to_secs: f64| {
-            let index =
-                |secs: f64| ((secs * rate_hz).round().max(0.0) as usize).min(spoken.samples.len());
-            &spoken.samples[index(from_secs)..index(to_secs).max(index(from_secs))]
-        };
-        let Some(last) = spoken.segments.iter().rposition(|s| !s.is_silent()) else {
-            gap_secs += planned.pause_secs;
-            continue;
-        };
-        // The phone that each segment became.
-        let mut phone_of = vec![0; spoken.segments.len()];
-        let mut begun = false;
-        let mut start_secs = 0.0;
-        let mut last_token = None;
-        for (i, segment) in spoken.segments.iter().enumerate().take(last + 1) {
-            let sound = cut(start_secs, segment.end_secs);
-            if segment.is_silent() {
-                // A pause inside the sentence: the author's length, else the engine's.
-                let next = spoken.segments[i..].iter().find_map(|s| s.token);
-                let ends = last_token.filter(|t| begun && next != Some(*t));
-                let asked = ends.and_then(|t: usize| planned.pauses.get(t).copied().flatten());
-                let moved = ends.and_then(|t| part.moved(t));
-                let own_secs = (segment.end_secs - start_secs) * part.pauses;
-                if begun {
-                    tape.silence(asked.or(moved).unwrap_or(own_secs), sound, sound);
-                }
-            } else {
-                let token = segment.token.unwrap_or(0);
-                if !begun {
-                    tape.silence(gap_secs, before, cut(0.0, start_secs));
-                    begun = true;
-                } else if last_token != Some(token)
-                    && !spoken.segments[i - 1].is_silent()
-                    && let Some(last) = last_token
-                {
-                    // The engine makes no pause where one is asked for.
-                    let asked = planned.pauses.get(last).copied().flatten();
-                    if let Some(secs) = asked.or(part.moved(last)).filter(|secs| *secs > 0.0) {
-                        tape.silence(secs, &[], &[]);
-                    }
-                }
-                let word = planned.sentence.tokens.get(token).map(|t| t.word);
-                tape.sounds_before(word.unwrap_or(0));
-                tape.speech(&segment.symbol, word, sound);
-                last_token = Some(token);
-            }
-            phone_of[i] = tape.marks.len().saturating_sub(1);
-            start_secs = segment.end_secs;
-        }
-        before = cut(start_secs, spoken.samples.len() as f64 / rate_hz);
-        gap_secs = planned.pause_secs
-            * if planned.pauses.last().copied().flatten().is_some() {
-                1.0
-            } else {
-                part.pauses
-            };
-        describe(&mut utterance, part, planned, &phone_of);
-        let last_word = planned.sentence.tokens.last().map_or(0, |t| t.word + 1);
-        if !planned.goes_on {
-            utterance.sentences.push(Sentence {
-                first_word: first_word_of_sentence,
-                words: last_word.saturating_sub(first_word_of_sentence),
-                kind: planned.sentence.kind,
-            });
-            first_word_of_sentence = last_word;
-        }
+    for (planned, sentence) in plan.sentences.iter().zip(sentences) {
+        assembly.sentence(planned, sentence);
     }
     // An author's pause at the very end is part of the utterance, a usual one is not.
     let asked = plan
@@ -162,15 +97,122 @@ pub fn assemble(
         .last()
         .and_then(|s| s.pauses.last().copied().flatten());
     let tail_secs = match plan.sentences.is_empty() {
-        true => gap_secs,
+        true => assembly.gap_secs,
         false => TAIL_SECS + asked.unwrap_or(0.0),
     };
+    let Assembly {
+        mut tape,
+        utterance,
+        before,
+        ..
+    } = assembly;
     tape.silence(tail_secs, before, &[]);
     tape.sounds_before(usize::MAX);
     tape.finish(plan, utterance, felt)
 }
 
-impl Part {
+/// An utterance as far as its sentences have been joined.
+struct Assembly<'a> {
+    tape: Tape<'a>,
+    utterance: Utterance,
+    /// Silence before the next sentence, seconds.
+    gap_secs: f64,
+    /// What the engine's sound holds after the last phone.
+    before: &'a [f64],
+    /// The first word of the sentence that is being told, which may be spoken in several runs.
+    first_word: usize,
+}
+
+impl<'a> Assembly<'a> {
+    fn sentence(&mut self, planned: &Planned, sentence: &'a SpokenSentence) {
+        let segments = &sentence.spoken.segments;
+        let Some(last) = segments.iter().rposition(|s| !s.is_silent()) else {
+            self.gap_secs += planned.pause_secs;
+            return;
+        };
+        let phone_of = self.phones(planned, sentence, last);
+        let samples = &sentence.spoken.samples;
+        let end_secs = samples.len() as f64 / self.tape.rate_hz;
+        self.before = self.cut(samples, segments[last].end_secs, end_secs);
+        let authors = planned.pauses.last().copied().flatten().is_some();
+        let pace = if authors { 1.0 } else { sentence.pauses };
+        self.gap_secs = planned.pause_secs * pace;
+        describe(&mut self.utterance, sentence, planned, &phone_of);
+        if !planned.goes_on {
+            let next_word = planned.sentence.tokens.last().map_or(0, |t| t.word + 1);
+            self.utterance.sentences.push(Sentence {
+                first_word: self.first_word,
+                words: next_word.saturating_sub(self.first_word),
+                kind: planned.sentence.kind,
+            });
+            self.first_word = next_word;
+        }
+    }
+
+    /// Puts the segments up to the `last` on tape, with the pauses between them; the phone that each
+    /// became.
+    fn phones(
+        &mut self,
+        planned: &Planned,
+        sentence: &'a SpokenSentence,
+        last: usize,
+    ) -> Vec<usize> {
+        let SpokenSentence { spoken, pauses, .. } = sentence;
+        let pause_after = |token: usize| {
+            let asked = planned.pauses.get(token).copied().flatten();
+            asked.or_else(|| sentence.moved(token))
+        };
+        let mut phone_of = vec![0; spoken.segments.len()];
+        let mut start_secs = 0.0;
+        let mut last_token = None;
+        for (i, segment) in spoken.segments.iter().enumerate().take(last + 1) {
+            let sound = self.cut(&spoken.samples, start_secs, segment.end_secs);
+            match (segment.is_silent(), last_token) {
+                // Silence before the sentence is part of the gap.
+                (true, None) => {}
+                (true, Some(token)) => {
+                    // A pause inside the sentence: the author's length, else the engine's.
+                    let next = spoken.segments[i..].iter().find_map(|s| s.token);
+                    let asked = pause_after(token).filter(|_| next != Some(token));
+                    let own_secs = (segment.end_secs - start_secs) * pauses;
+                    self.tape.silence(asked.unwrap_or(own_secs), sound, sound);
+                }
+                (false, before) => {
+                    let token = segment.token.unwrap_or(0);
+                    match before {
+                        None => {
+                            let after = self.cut(&spoken.samples, 0.0, start_secs);
+                            self.tape.silence(self.gap_secs, self.before, after);
+                        }
+                        Some(before) if before != token && !spoken.segments[i - 1].is_silent() => {
+                            // The engine makes no pause where one is asked for.
+                            if let Some(secs) = pause_after(before).filter(|secs| *secs > 0.0) {
+                                self.tape.silence(secs, &[], &[]);
+                            }
+                        }
+                        Some(_) => {}
+                    }
+                    let word = planned.sentence.tokens.get(token).map(|t| t.word);
+                    self.tape.sounds_before(word.unwrap_or(0));
+                    self.tape.speech(&segment.symbol, word, sound);
+                    last_token = Some(token);
+                }
+            }
+            phone_of[i] = self.tape.marks.len().saturating_sub(1);
+            start_secs = segment.end_secs;
+        }
+        phone_of
+    }
+
+    /// The samples between two times.
+    fn cut(&self, samples: &'a [f64], from_secs: f64, to_secs: f64) -> &'a [f64] {
+        let rate_hz = self.tape.rate_hz;
+        let index = |secs: f64| ((secs * rate_hz).round().max(0.0) as usize).min(samples.len());
+        &samples[index(from_secs)..index(to_secs).max(index(from_secs))]
+    }
+}
+
+impl SpokenSentence {
     fn moved(&self, token: usize) -> Option<f64> {
         let found = self.moved_pauses.iter().find(|(t, _)| *t == token);
         found.map(|(_, secs)| *secs)
@@ -180,11 +222,11 @@ impl Part {
 /// Syllables, accents and phrases of a sentence, by phone and word.
 fn describe(
     utterance: &mut Utterance,
-    part: &Part,
-    planned: &crate::plan::Planned,
+    sentence: &SpokenSentence,
+    planned: &Planned,
     phone_of: &[usize],
 ) {
-    for syllable in &part.spoken.syllables {
+    for syllable in &sentence.spoken.syllables {
         let last = (syllable.first + syllable.count).max(1) - 1;
         let (Some(first), Some(last)) = (phone_of.get(syllable.first), phone_of.get(last)) else {
             continue;
@@ -202,7 +244,7 @@ fn describe(
         });
     }
     let tokens = &planned.sentence.tokens;
-    for (_, last) in phrases_of(&part.spoken, tokens.len()) {
+    for (_, last) in phrases_of(&sentence.spoken, tokens.len()) {
         let first_word = utterance
             .phrases
             .last()
@@ -212,7 +254,7 @@ fn describe(
         if tokens.get(last + 1).is_some_and(|t| t.word == word) || word < first_word {
             continue;
         }
-        let breaks = part.spoken.breaks.iter();
+        let breaks = sentence.spoken.breaks.iter();
         utterance.phrases.push(Phrase {
             first_word,
             words: word + 1 - first_word,
@@ -341,7 +383,7 @@ impl Tape<'_> {
     }
 
     /// Mixes, and turns marks into times.
-    fn finish(mut self, plan: &Plan, mut utterance: Utterance, felt: &[Felt]) -> Track {
+    fn finish(mut self, plan: &Plan, mut utterance: Utterance, felt: &[Felt]) -> Speech {
         // Whole milliseconds, so that the duration in the bundle is that of the file.
         let milli = self.rate_hz / 1000.0;
         let length_msec = (self.samples.len() as f64 / milli).ceil();
@@ -376,7 +418,7 @@ impl Tape<'_> {
             .map(|i| code_of_hz(track.hz_at(secs(i))))
             .collect();
         utterance.intensity = intensity_codes(&self.samples, self.rate_hz, utterance.duration_secs);
-        Track {
+        Speech {
             samples: self.samples,
             rate_hz: self.rate_hz,
             utterance,

@@ -5,7 +5,7 @@ use core::f64::consts::{LN_2, LN_10};
 
 use raconteur_base::ops;
 
-use crate::assemble::Track;
+use crate::assemble::Speech;
 use crate::manner::{Manner, manner};
 use crate::realise::{accent_windows, steepened};
 use crate::signal::f0::{self, PitchTrack};
@@ -85,8 +85,8 @@ struct InAccent {
 /// phones, or nothing is voiced.
 #[must_use]
 pub fn compare(
-    plain: &Track,
-    changed: &Track,
+    plain: &Speech,
+    changed: &Speech,
     phone_set: &str,
     first: usize,
     last: usize,
@@ -233,11 +233,11 @@ fn solve<const N: usize, const M: usize>(mut matrix: [[f64; M]; N]) -> [f64; N] 
     })
 }
 
-fn pitch(track: &Track) -> PitchTrack {
-    f0::track_voice(&track.samples, track.rate_hz, FRAME_SECS / 2.0)
+fn pitch(speech: &Speech) -> PitchTrack {
+    f0::track_voice(&speech.samples, speech.rate_hz, FRAME_SECS / 2.0)
 }
 
-fn level(track: &Track, phone: &Phone) -> f64 {
+fn level(track: &Speech, phone: &Phone) -> f64 {
     span_db(
         &track.samples,
         track.rate_hz,

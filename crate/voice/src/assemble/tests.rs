@@ -25,7 +25,7 @@ fn pause(msec: u32) -> Said {
 }
 
 /// Speech is a tone, silence 0; `phones` are symbol, length and token.
-fn part(phones: &[(&str, f64, Option<usize>)]) -> Part {
+fn part(phones: &[(&str, f64, Option<usize>)]) -> SpokenSentence {
     let mut spoken = Spoken {
         rate_hz: RATE_HZ,
         phone_set: "radio".to_owned(),
@@ -53,14 +53,14 @@ fn part(phones: &[(&str, f64, Option<usize>)]) -> Part {
             });
         }
     }
-    Part {
+    SpokenSentence {
         spoken,
         pauses: 1.0,
         moved_pauses: Vec::new(),
     }
 }
 
-fn show(track: &Track) -> String {
+fn show(track: &Speech) -> String {
     let phone = |p: &Phone| format!("{} {:.3}", p.symbol, p.end_secs);
     let phones: Vec<String> = track.utterance.phones.iter().map(phone).collect();
     phones.join(", ")

@@ -55,7 +55,41 @@ fn list(items: impl Iterator<Item = String>) -> String {
 }
 
 fn utterance(u: &Utterance) -> String {
-    let audio = u.audio.iter().map(|a| {
+    let phones: Vec<&str> = u.phones.iter().map(|p| p.symbol.as_str()).collect();
+    let lengths = u
+        .phones
+        .iter()
+        .map(|p| (msec(p.end_secs) - msec(p.start_secs)).to_string());
+    let fields = [
+        ("key", format!("\"{:016x}\"", u.key)),
+        ("content", format!("\"{:016x}\"", u.content)),
+        (
+            "source",
+            u.source.map_or(String::new(), |s| format!("\"{s:016x}\"")),
+        ),
+        ("voice", u.voice.to_string()),
+        ("text", text(&u.text)),
+        ("audio", audio(u)),
+        ("words", words(u)),
+        ("phones", text(&phones.join(" "))),
+        ("msecs", list(lengths)),
+        ("syllables", syllables(u)),
+        ("phrases", phrases(u)),
+        ("sentences", sentences(u)),
+        ("emotions", emotions(u)),
+        ("f0", text(&to_base64(&u.f0))),
+        ("intensity", text(&to_base64(&u.intensity))),
+    ];
+    let lines: Vec<String> = fields
+        .iter()
+        .filter(|(name, value)| !(value.is_empty() || *name == "emotions" && value == "[]"))
+        .map(|(name, value)| format!("      \"{name}\": {value}"))
+        .collect();
+    format!("\n    {{\n{}\n    }}", lines.join(",\n"))
+}
+
+fn audio(u: &Utterance) -> String {
+    list(u.audio.iter().map(|a| {
         let holds = a.holds.as_ref().map_or(String::new(), |h| {
             format!(", \"bytes\": {}, \"sha256\": {}", h.bytes, text(&h.sha256))
         });
@@ -64,49 +98,48 @@ fn utterance(u: &Utterance) -> String {
             text(&a.file),
             text(&a.mime)
         )
-    });
-    let words = u.words.iter().enumerate().map(|(i, word)| {
+    }))
+}
+
+fn words(u: &Utterance) -> String {
+    list(u.words.iter().enumerate().map(|(i, word)| {
         let of = |p: &raconteur_speech::Phone| p.word == Some(i);
         let first = u.phones.iter().position(of);
         let last = u.phones.iter().rposition(of);
         let (first, count) = first
             .zip(last)
             .map_or((0, 0), |(first, last)| (first, last + 1 - first));
-        format!(
-            "[{}, {}, {first}, {count}]",
-            u.text_starts.get(i).copied().unwrap_or(0),
-            word.text.len()
-        )
-    });
-    let phones: Vec<&str> = u.phones.iter().map(|p| p.symbol.as_str()).collect();
-    let lengths = u
-        .phones
-        .iter()
-        .map(|p| (msec(p.end_secs) - msec(p.start_secs)).to_string());
-    let syllables = u.syllables.iter().enumerate().map(|(i, s)| {
+        let start = u.text_starts.get(i).copied().unwrap_or(0);
+        format!("[{start}, {}, {first}, {count}]", word.text.len())
+    }))
+}
+
+fn syllables(u: &Utterance) -> String {
+    list(u.syllables.iter().enumerate().map(|(i, s)| {
         let accent = u.accents.iter().find(|a| a.syllable == i);
-        let label = accent.map_or("", |a| a.label.as_str());
-        format!(
-            "[{}, {}, {}, {}]",
-            text(label),
-            s.first_phone,
-            s.phones,
-            s.stress
-        )
-    });
-    let phrases = u
-        .phrases
-        .iter()
-        .map(|p| format!("[{}, {}]", text(&p.tone), p.words));
-    let sentences = u.sentences.iter().map(|s| {
+        let label = text(accent.map_or("", |a| a.label.as_str()));
+        format!("[{label}, {}, {}, {}]", s.first_phone, s.phones, s.stress)
+    }))
+}
+
+fn phrases(u: &Utterance) -> String {
+    list(
+        u.phrases
+            .iter()
+            .map(|p| format!("[{}, {}]", text(&p.tone), p.words)),
+    )
+}
+
+fn sentences(u: &Utterance) -> String {
+    list(u.sentences.iter().map(|s| {
         let mark = SentenceKind::MARKS.iter().find(|(kind, _)| *kind == s.kind);
-        format!(
-            "[{}, {}]",
-            text(mark.map_or(".", |(_, mark)| mark)),
-            s.words
-        )
-    });
-    let emotions = u.emotions.iter().map(|e| {
+        let mark = text(mark.map_or(".", |(_, mark)| mark));
+        format!("[{mark}, {}]", s.words)
+    }))
+}
+
+fn emotions(u: &Utterance) -> String {
+    list(u.emotions.iter().map(|e| {
         format!(
             "[{}, {}, {}, {}, {}, {}, {}]",
             text(&e.name),
@@ -117,33 +150,7 @@ fn utterance(u: &Utterance) -> String {
             e.evaluation,
             e.power
         )
-    });
-    let fields = [
-        ("key", format!("\"{:016x}\"", u.key)),
-        ("content", format!("\"{:016x}\"", u.content)),
-        (
-            "source",
-            u.source.map_or(String::new(), |s| format!("\"{s:016x}\"")),
-        ),
-        ("voice", u.voice.to_string()),
-        ("text", text(&u.text)),
-        ("audio", list(audio)),
-        ("words", list(words)),
-        ("phones", text(&phones.join(" "))),
-        ("msecs", list(lengths)),
-        ("syllables", list(syllables)),
-        ("phrases", list(phrases)),
-        ("sentences", list(sentences)),
-        ("emotions", list(emotions)),
-        ("f0", text(&to_base64(&u.f0))),
-        ("intensity", text(&to_base64(&u.intensity))),
-    ];
-    let lines: Vec<String> = fields
-        .iter()
-        .filter(|(name, value)| !(value.is_empty() || *name == "emotions" && value == "[]"))
-        .map(|(name, value)| format!("      \"{name}\": {value}"))
-        .collect();
-    format!("\n    {{\n{}\n    }}", lines.join(",\n"))
+    }))
 }
 
 #[cfg(test)]

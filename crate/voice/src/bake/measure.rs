@@ -1,7 +1,7 @@
 //! What SABLE's markup and emotions do to a voice, measured in its final sound: one line for
 //! each setting, with what was asked and what was heard.
 
-use crate::assemble::Track;
+use crate::assemble::Speech;
 use crate::compare::{Difference, amplitude, compare, frequency};
 use crate::content::Content;
 use crate::feel;
@@ -141,7 +141,7 @@ struct Lab<'a> {
     cast: &'a Cast,
     role: &'a Role,
     texts: [&'static str; 3],
-    plain: Track,
+    plain: Speech,
 }
 
 /// Measures a voice: SABLE's attributes, then the rules of emotion.
@@ -159,7 +159,7 @@ pub fn measure(cast: &Cast) -> Result<Vec<Row>> {
         cast,
         role,
         texts: *texts,
-        plain: Track {
+        plain: Speech {
             samples: Vec::new(),
             rate_hz: 0.0,
             utterance: Default::default(),
@@ -174,12 +174,12 @@ pub fn measure(cast: &Cast) -> Result<Vec<Row>> {
 }
 
 impl Lab<'_> {
-    fn speak(&self, text: &str, emotion: Option<Place>) -> Result<Track> {
+    fn speak(&self, text: &str, emotion: Option<Place>) -> Result<Speech> {
         let (content, _) = sable::read(&format!("<SABLE>{text}</SABLE>"))?;
         self.say(&content, emotion)
     }
 
-    fn say(&self, content: &Content, emotion: Option<Place>) -> Result<Track> {
+    fn say(&self, content: &Content, emotion: Option<Place>) -> Result<Speech> {
         let named = emotion.map(|place| ("measured".to_owned(), place));
         let work = Work {
             content,
@@ -195,7 +195,7 @@ impl Lab<'_> {
         self.plain.utterance.words.len()
     }
 
-    fn against(&self, changed: &Track, first: usize, last: usize) -> Result<Difference> {
+    fn against(&self, changed: &Speech, first: usize, last: usize) -> Result<Difference> {
         let set = &self.role.voice.phone_set;
         compare(&self.plain, changed, set, first, last)
             .context("the engine speaks other phones when it is asked to speak otherwise")
@@ -454,7 +454,7 @@ impl Lab<'_> {
 
 /// How long it is still after a word, in the sound: from where it has become 30 dB softer than
 /// the speech to where it is louder again.
-fn silence(track: &Track, word: usize) -> f64 {
+fn silence(track: &Speech, word: usize) -> f64 {
     let u = &track.utterance;
     let speech = u
         .phones

@@ -4,7 +4,7 @@
 use core::fmt::Write as _;
 use std::path::Path;
 
-use crate::assemble::Track;
+use crate::assemble::Speech;
 use crate::markup::sable;
 use crate::signal::spectrogram::{SpectrogramOptions, spectrogram};
 use crate::text::Lexicon;
@@ -50,7 +50,7 @@ pub fn draw(cast: &Cast, text: &str, out: &Path) -> Result<()> {
     disk::replace(out, svg(&track, &title)?.as_bytes())
 }
 
-fn svg(track: &Track, title: &str) -> Result<String> {
+fn svg(track: &Speech, title: &str) -> Result<String> {
     let u = &track.utterance;
     let wide = u.duration_secs * SECOND;
     let (width, height) = (LEFT + wide + 48.0, TOP + HEIGHT + BELOW);
@@ -123,7 +123,7 @@ fn svg(track: &Track, title: &str) -> Result<String> {
 }
 
 /// The pitch as a line over the spectrum, on a musical scale of its own.
-fn pitch(out: &mut String, track: &Track, x: &dyn Fn(f64) -> f64) {
+fn pitch(out: &mut String, track: &Speech, x: &dyn Fn(f64) -> f64) {
     let y = |hz: f64| {
         let share = libm::log(hz / PITCH.0) / libm::log(PITCH.1 / PITCH.0);
         TOP + HEIGHT * (1.0 - share)
@@ -162,7 +162,7 @@ fn pitch(out: &mut String, track: &Track, x: &dyn Fn(f64) -> f64) {
 }
 
 /// The spectrum as a PNG, dark where there is much.
-fn spectrum(track: &Track) -> Result<String> {
+fn spectrum(track: &Speech) -> Result<String> {
     let options = SpectrogramOptions {
         step_secs: 1.0 / SECOND,
         height: HEIGHT as usize,

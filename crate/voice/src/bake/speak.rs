@@ -1,6 +1,6 @@
 //! One utterance from what is said to its sound.
 
-use crate::assemble::{Part, Recording, Track, assemble};
+use crate::assemble::{Recording, Speech, SpokenSentence, assemble};
 use crate::content::{Age, Content, Gender, Setting};
 use crate::feel::{felt, moved_pauses, place_of, word_phrases};
 use crate::plan::{Plan, Planned, plan};
@@ -79,7 +79,7 @@ pub(super) fn speak(
     casting: &Casting,
     cast: &Cast,
     recordings: &dyn Fn(f64) -> Result<Vec<Recording>>,
-) -> Result<Track> {
+) -> Result<Speech> {
     let Casting { plan, roles } = casting;
     let mut spoken = by_role(&plan.sentences, roles, cast)?;
     let rate_hz = rate_of(spoken.iter().map(|s| s.rate_hz));
@@ -130,7 +130,7 @@ pub(super) fn speak(
             .collect();
         let mut spoken = realise(&spoken[i], &tracks[i], &styled, &own);
         guest(&mut spoken, &work.role.voice.phone_set);
-        parts.push(Part {
+        parts.push(SpokenSentence {
             spoken,
             pauses: pauses(&styled, &own),
             moved_pauses,
@@ -354,7 +354,7 @@ pub(super) fn recorded(
     plan: &Plan,
     mut spoken: Spoken,
     elicited: Option<&(String, Place)>,
-) -> Track {
+) -> Speech {
     let rate_hz = rate_of([spoken.rate_hz].into_iter());
     spoken.samples = resample(&spoken.samples, spoken.rate_hz, rate_hz);
     spoken.rate_hz = rate_hz;
@@ -392,7 +392,7 @@ pub(super) fn recorded(
     };
     let phrases = word_phrases(&plan.sentences, core::slice::from_ref(&spoken));
     let felt = felt(&plan, &phrases, elicited);
-    let part = Part {
+    let part = SpokenSentence {
         spoken,
         pauses: 1.0,
         moved_pauses: Vec::new(),

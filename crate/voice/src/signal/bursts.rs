@@ -140,19 +140,19 @@ fn onset(high: &[f64], rate_hz: f64, near_secs: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::testing::{self, Part};
+    use super::super::testing::{self, Segment};
     use super::*;
 
     #[test]
     fn a_burst_is_found_within_a_millisecond_and_nothing_else_is() {
         for rate in [8000.0, 16_000.0, 22_050.0, 48_000.0] {
             let parts = [
-                Part::silence(0.1),
-                Part::vowel(0.3, 120.0, 130.0),
-                Part::silence(0.05),
-                Part::burst(),
-                Part::vowel(0.3, 130.0, 100.0),
-                Part::silence(0.1),
+                Segment::silence(0.1),
+                Segment::vowel(0.3, 120.0, 130.0),
+                Segment::silence(0.05),
+                Segment::burst(),
+                Segment::vowel(0.3, 130.0, 100.0),
+                Segment::silence(0.1),
             ];
             let (mut sound, _) = testing::utterance(rate, &parts);
             for (i, x) in sound.iter_mut().enumerate() {

@@ -308,7 +308,7 @@ fn likeness(smooth: &[f64], one: f64, other: f64, period: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::super::f0::{PitchOptions, track};
-    use super::super::testing::{self, Part};
+    use super::super::testing::{self, Segment};
     use super::*;
 
     #[test]
@@ -321,9 +321,9 @@ mod tests {
             (8000.0, 200.0, 100.0),
         ] {
             let parts = [
-                Part::silence(0.1),
-                Part::vowel(0.8, from, to),
-                Part::noise(0.1),
+                Segment::silence(0.1),
+                Segment::vowel(0.8, from, to),
+                Segment::noise(0.1),
             ];
             let (mut sound, truth) = testing::utterance(rate, &parts);
             for (i, x) in sound.iter_mut().enumerate() {

@@ -479,7 +479,7 @@ pub fn track_voice(samples: &[f64], rate_hz: f64, step_secs: f64) -> PitchTrack 
 
 #[cfg(test)]
 mod tests {
-    use super::super::testing::{self, Part};
+    use super::super::testing::{self, Segment};
     use super::*;
 
     #[test]
@@ -499,13 +499,13 @@ mod tests {
     fn glides_in_noise_are_followed_and_voicing_is_told() {
         for (rate, noise) in [(16_000.0, 0.0), (16_000.0, 0.01), (22_050.0, 0.03)] {
             let parts = [
-                Part::silence(0.2),
-                Part::vowel(0.6, 90.0, 160.0),
-                Part::noise(0.2),
-                Part::vowel(0.5, 240.0, 130.0),
-                Part::silence(0.15),
-                Part::vowel(0.8, 200.0, 400.0),
-                Part::noise(0.25),
+                Segment::silence(0.2),
+                Segment::vowel(0.6, 90.0, 160.0),
+                Segment::noise(0.2),
+                Segment::vowel(0.5, 240.0, 130.0),
+                Segment::silence(0.15),
+                Segment::vowel(0.8, 200.0, 400.0),
+                Segment::noise(0.25),
             ];
             let (mut sound, hz) = testing::utterance(rate, &parts);
             for (i, x) in sound.iter_mut().enumerate() {

@@ -7,7 +7,7 @@ use raconteur_base::ops;
 use super::{PitchTrack, scatter};
 
 /// One stretch of a made utterance.
-pub(super) struct Part {
+pub(super) struct Segment {
     secs: f64,
     kind: Kind,
 }
@@ -19,7 +19,7 @@ enum Kind {
     Burst,
 }
 
-impl Part {
+impl Segment {
     pub(super) fn silence(secs: f64) -> Self {
         Self {
             secs,
@@ -92,7 +92,7 @@ pub(super) fn vowel(rate_hz: f64, secs: f64, hz: impl Fn(f64) -> f64) -> Vec<f64
 
 /// Parts one after another with ramps of 5 ms at both ends of each (a burst starts at
 /// once), and the frequency truly in it every millisecond.
-pub(super) fn utterance(rate_hz: f64, parts: &[Part]) -> (Vec<f64>, PitchTrack) {
+pub(super) fn utterance(rate_hz: f64, parts: &[Segment]) -> (Vec<f64>, PitchTrack) {
     let mut sound = Vec::new();
     let mut hz = Vec::new();
     let mut end_secs = 0.0;

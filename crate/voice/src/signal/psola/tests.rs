@@ -5,7 +5,7 @@ use crate::signal::bursts::{self, rigid_spans};
 use crate::signal::click::click_measure;
 use crate::signal::f0::{PitchOptions, track};
 use crate::signal::intensity::decibels;
-use crate::signal::testing::{self, Part};
+use crate::signal::testing::{self, Segment};
 
 const RATE: f64 = 16_000.0;
 
@@ -22,14 +22,14 @@ fn story() -> (Vec<f64>, PitchTrack) {
     let (mut sound, _) = testing::utterance(
         RATE,
         &[
-            Part::silence(0.1),
-            Part::vowel(0.3, 110.0, 140.0),
-            Part::noise(0.12),
-            Part::vowel(0.35, 150.0, 90.0),
-            Part::silence(0.06),
-            Part::burst(),
-            Part::vowel(0.3, 120.0, 120.0),
-            Part::silence(0.1),
+            Segment::silence(0.1),
+            Segment::vowel(0.3, 110.0, 140.0),
+            Segment::noise(0.12),
+            Segment::vowel(0.35, 150.0, 90.0),
+            Segment::silence(0.06),
+            Segment::burst(),
+            Segment::vowel(0.3, 120.0, 120.0),
+            Segment::silence(0.1),
         ],
     );
     for (i, x) in sound.iter_mut().enumerate() {
