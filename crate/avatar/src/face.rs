@@ -14,7 +14,7 @@ use raconteur_body::read::document::Document;
 
 /// One target of one mesh and how much of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Part {
+pub(super) struct WeightedTarget {
     pub(super) mesh: usize,
     pub(super) target: usize,
     pub(super) factor: f64,
@@ -33,7 +33,7 @@ pub(super) enum Region {
 /// A morph target that the figure will have.
 pub(super) struct Channel {
     pub(super) name: &'static str,
-    pub(super) parts: Vec<Part>,
+    pub(super) parts: Vec<WeightedTarget>,
     pub(super) region: Region,
 }
 
@@ -41,13 +41,13 @@ pub(super) struct Channel {
 pub(super) struct Face {
     pub(super) channels: Vec<Channel>,
     /// Targets that speech moves, and those that close the lids.
-    pub(super) mouth: Vec<Part>,
-    pub(super) lids: Vec<Part>,
+    pub(super) mouth: Vec<WeightedTarget>,
+    pub(super) lids: Vec<WeightedTarget>,
     /// Whether targets open the mouth; if not, a jaw bone may.
     pub(super) opens_by_morph: bool,
 }
 
-type Sources = BTreeMap<&'static str, Vec<Part>>;
+type Sources = BTreeMap<&'static str, Vec<WeightedTarget>>;
 
 /// Sources beside ARKit's: Oculus' visemes, and expressions. Names that files use for each,
 /// letters only, lower case.
@@ -263,7 +263,7 @@ impl Face {
             let others = other.iter().map(|n| n.as_str().unwrap_or_default());
             for (target, name) in names.chain(others.skip(m.target_names.len())).enumerate() {
                 if let Some(key) = recognise(name) {
-                    by_name.entry(key).or_default().push(Part {
+                    by_name.entry(key).or_default().push(WeightedTarget {
                         mesh,
                         target,
                         factor: 1.0,
@@ -282,7 +282,7 @@ impl Face {
             }
             channels.extend(channel(&sources, name, sums, region));
         }
-        let parts_of = |keys: &[&str]| -> Vec<Part> {
+        let parts_of = |keys: &[&str]| -> Vec<WeightedTarget> {
             keys.iter()
                 .filter_map(|k| sources.get(k))
                 .flatten()
@@ -347,11 +347,11 @@ impl Face {
 }
 
 fn channel(sources: &Sources, name: &'static str, sums: &[Sum], region: Region) -> Option<Channel> {
-    let scaled = |key: &str, factor: f64| -> Option<Vec<Part>> {
+    let scaled = |key: &str, factor: f64| -> Option<Vec<WeightedTarget>> {
         let parts = sources.get(key)?.iter();
         Some(
             parts
-                .map(|p| Part {
+                .map(|p| WeightedTarget {
                     factor: p.factor * factor,
                     ..*p
                 })
@@ -393,7 +393,7 @@ fn expressions(json: &Value, root: &Document<'_>) -> Sources {
     let mut sources = Sources::new();
     let number = |v: &Value| v.as_u64().and_then(|n| usize::try_from(n).ok());
     let list = |v: &Value| v.as_array().cloned().unwrap_or_default();
-    let mut add = |name: &str, parts: Vec<Part>| {
+    let mut add = |name: &str, parts: Vec<WeightedTarget>| {
         if let Some(key) = recognise_expression(name).filter(|_| !parts.is_empty()) {
             sources.entry(key).or_insert(parts);
         }
@@ -403,7 +403,7 @@ fn expressions(json: &Value, root: &Document<'_>) -> Sources {
         for (name, expression) in one[table].as_object().into_iter().flatten() {
             let bind = |b: &Value| {
                 let node = root.nodes.get(number(&b["node"])?)?;
-                Some(Part {
+                Some(WeightedTarget {
                     mesh: node.mesh?,
                     target: number(&b["index"])?,
                     factor: b["weight"].as_f64().unwrap_or(1.0),
@@ -415,7 +415,7 @@ fn expressions(json: &Value, root: &Document<'_>) -> Sources {
     }
     for group in list(&json["extensions"]["VRM"]["blendShapeMaster"]["blendShapeGroups"]) {
         let bind = |b: &Value| {
-            Some(Part {
+            Some(WeightedTarget {
                 mesh: number(&b["mesh"])?,
                 target: number(&b["index"])?,
                 // Percent.

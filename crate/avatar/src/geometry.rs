@@ -8,7 +8,7 @@ use raconteur_base::{DAffine3, DMat3, DMat4, DVec3, ops};
 use serde_json::Value;
 
 use super::error::{ImportError, Notes};
-use super::face::{Face, Part, Region};
+use super::face::{Face, Region, WeightedTarget};
 use super::humanoid::Tree;
 use super::material::{Pictures, Surface, surface};
 use raconteur_body::read::ReadError;
@@ -422,7 +422,7 @@ impl<'a, 's> Reader<'a, 's> {
         linear: impl Fn(usize) -> DMat3,
     ) -> Result<Vec<Shape>, ReadError> {
         let face = self.face;
-        let here = |part: &&Part| part.mesh == mesh;
+        let here = |part: &&WeightedTarget| part.mesh == mesh;
         // Each target is read once, though several channels may take from it.
         let mut targets: Vec<Option<Target>> = Vec::new();
         targets.resize_with(p.targets.len(), || None);
@@ -445,7 +445,7 @@ impl<'a, 's> Reader<'a, 's> {
                 });
             }
         }
-        let moved_by = |parts: &[Part]| {
+        let moved_by = |parts: &[WeightedTarget]| {
             let mut moved = vec![false; count];
             for part in parts.iter().filter(here) {
                 for &v in targets[part.target].iter().flat_map(|t| &t.positions.0) {

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use raconteur_base::{DAffine3, DQuat, DVec3, Side};
 
-use super::part::{Part, PartVertex};
+use super::part::{MeshPart, PartVertex};
 use super::subdivide::vertex_normals;
 use raconteur_body::figure::{Figure, Image, Maps, Material, MaterialKind, Mesh, Morph};
 use raconteur_body::skeleton::{Bone, FacePlaces, Skeleton};
@@ -15,14 +15,14 @@ use raconteur_tissue::Binding;
 #[derive(Clone, Debug)]
 pub struct Piece {
     /// The part.
-    pub part: Part,
+    pub part: MeshPart,
     /// One unit normal for each vertex; `None` computes them from the faces. Strand cards
     /// bring theirs, which follow the head's volume rather than the card.
     pub normals: Option<Vec<DVec3>>,
 }
 
-impl From<Part> for Piece {
-    fn from(part: Part) -> Self {
+impl From<MeshPart> for Piece {
+    fn from(part: MeshPart) -> Self {
         Self {
             part,
             normals: None,
@@ -278,7 +278,7 @@ struct Seams {
 }
 
 impl Seams {
-    fn of(part: &Part, positions: &[DVec3]) -> Self {
+    fn of(part: &MeshPart, positions: &[DVec3]) -> Self {
         let alone = is_hair(part.material.kind);
         let mut places: BTreeMap<[i64; 3], u32> = BTreeMap::new();
         let first = positions
@@ -411,7 +411,7 @@ mod tests {
             [0, 4, 6, 2],
             [1, 3, 7, 5],
         ];
-        let part = Part {
+        let part = MeshPart {
             name: "box".to_owned(),
             material: Material {
                 kind: MaterialKind::Cloth,

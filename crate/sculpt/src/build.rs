@@ -12,7 +12,7 @@ use super::hair;
 use super::hand::{self, HandParams};
 use super::head::Head;
 use super::mannequin::Mannequin;
-use super::part::{Part, PartVertex};
+use super::part::{self, MeshPart, PartVertex};
 use super::people::FigureParams;
 use super::skin::{self, HandSheet};
 use super::tissue;
@@ -100,19 +100,19 @@ pub fn build(params: &FigureParams) -> Built {
 
 /// What moves under the skin of the face.
 fn face_tissue(head: &Head, place: DAffine3, figure: &Figure) -> Tissue {
-    let mut rigid: Vec<Part> = head.parts.clone();
-    rigid.retain(|p| matches!(p.name.as_str(), "teeth" | "gums"));
+    let mut rigid: Vec<MeshPart> = head.parts.clone();
+    rigid.retain(|p| matches!(p.name.as_str(), part::TEETH | part::GUMS));
     for v in rigid.iter_mut().flat_map(|p| &mut p.vertices) {
         v.position = place.transform_point3(v.position);
     }
     let hinge = place.transform_point3(head.jaw_hinge);
-    let rigid: Vec<&Part> = rigid.iter().collect();
+    let rigid: Vec<&MeshPart> = rigid.iter().collect();
     tissue::tissue(&head.soft, &place, &bones::of_head(figure), &rigid, hinge)
 }
 
 /// The head's names on the mesh that its skin became: that mesh begins with the head.
 fn annotations(head: &Head, figure: &Figure) -> Annotations {
-    let name = &head.parts[0].name;
+    let name = &head.skin().name;
     let Some(mesh) = figure.meshes.iter().position(|m| m.name == *name) else {
         return Annotations::default();
     };
@@ -140,7 +140,7 @@ fn annotations(head: &Head, figure: &Figure) -> Annotations {
 }
 
 /// A hand in the world and its skin for the maps; its finger joints replace the skeleton's.
-fn place_hand(params: &HandParams, side: Side, joints: &mut Joints) -> (Vec<Part>, HandSheet) {
+fn place_hand(params: &HandParams, side: Side, joints: &mut Joints) -> (Vec<MeshPart>, HandSheet) {
     let built = hand::build(params, side);
     let wrist = Bone::on(side, "wrist");
     let bind = joints.rotations[wrist.index()];
@@ -166,7 +166,7 @@ fn place_hand(params: &HandParams, side: Side, joints: &mut Joints) -> (Vec<Part
 }
 
 /// The body's own neck, just below the head's skin and inside the collar.
-fn neck(field: &Field, cage: &Cage, head: &Head, place: DAffine3) -> Part {
+fn neck(field: &Field, cage: &Cage, head: &Head, place: DAffine3) -> MeshPart {
     let (mut shell, _) = cage.part(|t| Cage::is_above(t, 0.826)).subdivided(1);
     let rim = head
         .neck_rim
@@ -194,7 +194,8 @@ fn neck(field: &Field, cage: &Cage, head: &Head, place: DAffine3) -> Part {
     };
     let mut part = plain_part("neck", &shell, field, &material, [1.0; 3]);
     // Colours go on from the head's lower edge, darker inside the collar.
-    let edge: Vec<&PartVertex> = head.parts[0]
+    let edge: Vec<&PartVertex> = head
+        .skin()
         .vertices
         .iter()
         .filter(|v| v.position.y < -0.095)
@@ -221,10 +222,10 @@ fn plain_part(
     field: &Field,
     material: &Material,
     rgb: [f64; 3],
-) -> Part {
+) -> MeshPart {
     let normals = shell.normals();
     let [r, g, b] = rgb;
-    Part {
+    MeshPart {
         name: name.to_owned(),
         material: material.clone(),
         vertices: shell

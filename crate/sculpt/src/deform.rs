@@ -17,7 +17,7 @@ use raconteur_base::{DAffine3, DQuat, DVec3, Side};
 use super::assemble::{Blueprint, Piece, assemble};
 use super::build::build;
 use super::crossing::crossings;
-use super::part::{Part, PartVertex};
+use super::part::{MeshPart, PartVertex};
 use super::people::preset;
 use super::torso::{Cage, Field, Joints};
 use raconteur_body::figure::{Figure, Maps, Material, MaterialKind, Mesh};
@@ -37,7 +37,7 @@ fn sofia() -> &'static Case {
         let joints = Joints::place(&params.body());
         let field = Field::new(&params.body(), &joints);
         let (shell, _) = Cage::new(&field, &joints).shell.subdivided(1);
-        let part = Part {
+        let part = MeshPart {
             name: "body".to_owned(),
             material: Material {
                 kind: MaterialKind::Skin,

@@ -1,6 +1,6 @@
 //! Makes figures from anthropometry.
 //!
-//! Each region (head, hands, body, clothes, hair) yields [`part::Part`]s in metres, engine
+//! Each region (head, hands, body, clothes, hair) yields [`part::MeshPart`]s in metres, engine
 //! frame, bind pose; [`assemble`] joins them on one skeleton and [`write`] stores glTF.
 
 pub mod assemble;

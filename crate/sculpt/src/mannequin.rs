@@ -6,7 +6,7 @@ use raconteur_base::{DAffine3, DVec3};
 use super::cloth::Neck;
 use super::hair::{self, HairParams};
 use super::head::{self, Head};
-use super::part::Part;
+use super::part::MeshPart;
 use super::people::FigureParams;
 use super::torso::{CM, Cage, Field, Joints, Regions};
 use raconteur_body::figure::MaterialKind;
@@ -19,7 +19,7 @@ pub(super) struct Mannequin {
     /// Where it stands.
     pub(super) world_from_head: DAffine3,
     /// Its parts in the world; the first is the skin.
-    pub(super) head_parts: Vec<Part>,
+    pub(super) head_parts: Vec<MeshPart>,
     pub(super) joints: Joints,
     pub(super) field: Field,
     pub(super) cage: Cage,
@@ -73,7 +73,7 @@ fn head_parts(
     place: DAffine3,
     field: &Field,
     cage: &Cage,
-) -> Vec<Part> {
+) -> Vec<MeshPart> {
     let (throat, _) = cage.part(|t| Cage::is_above(t, 0.798)).subdivided(1);
     let mut parts = head.parts.clone();
     hair::shade_skin(&mut parts[0], head, hair);

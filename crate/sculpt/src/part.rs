@@ -4,6 +4,13 @@ use raconteur_base::DVec3;
 
 use raconteur_body::figure::Material;
 
+/// Name of the part that lines the mouth behind the lips.
+pub(crate) const MOUTH_BAG: &str = "mouth_bag";
+/// Name of the part that has the teeth of both jaws.
+pub(crate) const TEETH: &str = "teeth";
+/// Name of the part that has the gums of both jaws.
+pub(crate) const GUMS: &str = "gums";
+
 /// One vertex of a part, bind pose.
 #[derive(Clone, Debug)]
 pub struct PartVertex {
@@ -33,7 +40,7 @@ pub struct PartMorph {
 
 /// One drawable region.
 #[derive(Clone, Debug)]
-pub struct Part {
+pub struct MeshPart {
     /// Name, for example `head`.
     pub name: String,
     /// Surface.
@@ -48,7 +55,7 @@ pub struct Part {
     pub bound: Vec<(u32, Vec<(u32, f64)>)>,
 }
 
-impl Part {
+impl MeshPart {
     /// The surface as triangles, those of a quad about its middle: unlike its halves beside
     /// one of the diagonals, they are the same in a mirror.
     pub(crate) fn triangles_about_middles(

@@ -38,7 +38,7 @@ impl Skin {
             triangles: Vec::new(),
         };
         let is_skin = |m: &&raconteur_body::Mesh| {
-            m.material.kind == MaterialKind::Skin || m.name == "mouth_bag"
+            m.material.kind == MaterialKind::Skin || m.name == crate::part::MOUTH_BAG
         };
         for mesh in figure.meshes.iter().filter(is_skin) {
             let mut at = |v: u32| {

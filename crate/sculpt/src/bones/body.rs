@@ -6,7 +6,7 @@ use raconteur_base::{DMat3, DVec3, Side, mirror_vector, ops};
 
 use super::solid::Solid;
 use super::{Frame, rigid};
-use crate::part::Part;
+use crate::part::MeshPart;
 use crate::torso::Regions;
 use raconteur_body::skeleton::Bone;
 
@@ -238,11 +238,11 @@ fn pelvis(frame: &Frame) -> Solid {
 }
 
 /// Every bone of this file.
-pub(super) fn parts(frame: &Frame) -> Vec<Part> {
+pub(super) fn parts(frame: &Frame) -> Vec<MeshPart> {
     let k = frame.scale;
     let levels = levels(frame);
     let keep = |s: Solid| s.mapped(|p| frame.inside(p, Regions::UPPER));
-    let mut out: Vec<Part> = levels
+    let mut out: Vec<MeshPart> = levels
         .iter()
         .enumerate()
         .map(|(i, level)| rigid(&level.name, keep(vertebra(level, i, k)), level.bone))

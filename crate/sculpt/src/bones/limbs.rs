@@ -5,7 +5,7 @@ use raconteur_base::{DMat3, DVec3, Side};
 
 use super::solid::{Section, Solid};
 use super::{Frame, part, rigid};
-use crate::part::{JointRef, Part};
+use crate::part::{JointRef, MeshPart};
 use crate::torso::Regions;
 use raconteur_body::skeleton::{Bone, Drive};
 
@@ -41,7 +41,7 @@ fn ball(centre: DVec3, radii: DVec3) -> Solid {
 }
 
 /// Every bone of this file.
-pub(super) fn parts(frame: &Frame) -> Vec<Part> {
+pub(super) fn parts(frame: &Frame) -> Vec<MeshPart> {
     Side::BOTH
         .into_iter()
         .flat_map(|side| {
@@ -58,7 +58,7 @@ fn letter(side: Side) -> &'static str {
     if side == Side::Left { "l" } else { "r" }
 }
 
-fn girdle(frame: &Frame, side: Side) -> Vec<Part> {
+fn girdle(frame: &Frame, side: Side) -> Vec<MeshPart> {
     let (k, out) = (frame.scale, DVec3::X * side.sign());
     let scapula = Bone::on(side, "scapula");
     let shoulder = frame.at(Bone::on(side, "shoulder"));
@@ -121,7 +121,7 @@ fn girdle(frame: &Frame, side: Side) -> Vec<Part> {
     ]
 }
 
-fn arm(frame: &Frame, side: Side) -> Vec<Part> {
+fn arm(frame: &Frame, side: Side) -> Vec<MeshPart> {
     let k = frame.scale;
     let [shoulder, elbow, wrist] = ["shoulder", "elbow", "wrist"].map(|n| Bone::on(side, n));
     let (a, b, c) = (frame.at(shoulder), frame.at(elbow), frame.at(wrist));
@@ -208,7 +208,7 @@ fn arm(frame: &Frame, side: Side) -> Vec<Part> {
     ]
 }
 
-fn leg(frame: &Frame, side: Side) -> Vec<Part> {
+fn leg(frame: &Frame, side: Side) -> Vec<MeshPart> {
     let (k, out) = (frame.scale, DVec3::X * side.sign());
     let [hip, knee, ankle] = ["hip", "knee", "subtalar"].map(|n| Bone::on(side, n));
     let (a, b, c) = (frame.at(hip), frame.at(knee), frame.at(ankle));
@@ -283,7 +283,7 @@ fn leg(frame: &Frame, side: Side) -> Vec<Part> {
 }
 
 /// Heel bone, ankle bone, the middle foot as one block, five rays of metatarsals and toes.
-fn foot(frame: &Frame, side: Side) -> Vec<Part> {
+fn foot(frame: &Frame, side: Side) -> Vec<MeshPart> {
     let k = frame.scale;
     let [ankle, middle, front] = ["subtalar", "midtarsal", "metatarsal"].map(|n| Bone::on(side, n));
     let (a, b, c) = (frame.at(ankle), frame.at(middle), frame.at(front));

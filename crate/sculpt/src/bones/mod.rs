@@ -19,7 +19,7 @@ use self::solid::Solid;
 use super::assemble::{Blueprint, Piece, assemble};
 use super::built::Built;
 use super::hand::skeleton;
-use super::part::{JointRef, Part, PartVertex};
+use super::part::{JointRef, MeshPart, PartVertex};
 use super::people::FigureParams;
 use super::torso::{BodyParams, Field, Joints, Regions};
 use raconteur_body::figure::{Figure, Maps, Material, MaterialKind};
@@ -117,7 +117,7 @@ fn material() -> Material {
 const IVORY: [f64; 4] = [0.68, 0.60, 0.46, 1.0];
 
 /// A part whose vertices all follow what `joint` says of them.
-fn part(name: &str, solid: Solid, joint: impl Fn(DVec3) -> Vec<(JointRef, f64)>) -> Part {
+fn part(name: &str, solid: Solid, joint: impl Fn(DVec3) -> Vec<(JointRef, f64)>) -> MeshPart {
     let vertices = solid
         .points
         .iter()
@@ -128,7 +128,7 @@ fn part(name: &str, solid: Solid, joint: impl Fn(DVec3) -> Vec<(JointRef, f64)>)
             weights: joint(p),
         })
         .collect();
-    Part {
+    MeshPart {
         name: name.to_owned(),
         material: material(),
         vertices,
@@ -139,13 +139,13 @@ fn part(name: &str, solid: Solid, joint: impl Fn(DVec3) -> Vec<(JointRef, f64)>)
 }
 
 /// A part rigid to a bone.
-fn rigid(name: &str, solid: Solid, bone: Bone) -> Part {
+fn rigid(name: &str, solid: Solid, bone: Bone) -> MeshPart {
     part(name, solid, |_| vec![(JointRef(Drive::Bone(bone)), 1.0)])
 }
 
 /// Every bone of a figure, in the bind pose, world frame, metres.
 #[must_use]
-pub fn build(params: &FigureParams, built: &Built) -> Vec<Part> {
+pub fn build(params: &FigureParams, built: &Built) -> Vec<MeshPart> {
     let frame = Frame::new(params, &built.figure);
     let mut parts = skull::parts(&built.figure);
     parts.extend(body::parts(&frame));
@@ -157,12 +157,12 @@ pub fn build(params: &FigureParams, built: &Built) -> Vec<Part> {
 }
 
 /// Skull and lower jaw of a figure, in the bind pose, world frame, metres.
-pub(crate) fn of_head(figure: &Figure) -> Vec<Part> {
+pub(crate) fn of_head(figure: &Figure) -> Vec<MeshPart> {
     skull::parts(figure)
 }
 
 /// The 27 bones of a hand, placed as the hand's skin is.
-fn hand_parts(params: &FigureParams, frame: &Frame, side: Side) -> Vec<Part> {
+fn hand_parts(params: &FigureParams, frame: &Frame, side: Side) -> Vec<MeshPart> {
     let wrist = Bone::on(side, "wrist");
     let turn = frame.rotations[wrist.index()] * zero_frames()[wrist.index()].inverse();
     skeleton::bones(&params.hands(), side)

@@ -14,7 +14,7 @@ use raconteur_base::{DVec3, Side, ops};
 
 use super::rigid;
 use super::solid::{Section, Solid};
-use crate::part::Part;
+use crate::part::MeshPart;
 use raconteur_body::figure::{Figure, MaterialKind};
 use raconteur_body::skeleton::{Bone, Drive};
 
@@ -517,7 +517,7 @@ fn mandible(skin: &Skin) -> Solid {
 }
 
 /// Skull with the cheekbones' arches, and the lower jaw on its own joint.
-pub(super) fn parts(figure: &Figure) -> Vec<Part> {
+pub(super) fn parts(figure: &Figure) -> Vec<MeshPart> {
     let skin = Skin::of(figure);
     let mut cheeks = arch(&skin, Side::Left);
     cheeks.append(arch(&skin, Side::Right));

@@ -11,7 +11,7 @@ use crate::subdivide::edge_faces;
 struct Case {
     params: FigureParams,
     built: Built,
-    parts: Vec<Part>,
+    parts: Vec<MeshPart>,
 }
 
 fn sofia() -> &'static Case {
@@ -28,7 +28,7 @@ fn sofia() -> &'static Case {
     })
 }
 
-fn named(name: &str) -> &'static Part {
+fn named(name: &str) -> &'static MeshPart {
     sofia().parts.iter().find(|p| p.name == name).unwrap()
 }
 
@@ -105,7 +105,7 @@ fn skull_and_jaw_lie_under_the_skin_everywhere() {
 
 #[test]
 fn the_skull_is_as_large_as_a_head_and_carries_a_face() {
-    let extent = |part: &Part, axis: fn(DVec3) -> f64| {
+    let extent = |part: &MeshPart, axis: fn(DVec3) -> f64| {
         let values = part.vertices.iter().map(|v| axis(v.position));
         values.clone().fold(f64::MIN, f64::max) - values.fold(f64::MAX, f64::min)
     };

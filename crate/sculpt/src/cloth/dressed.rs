@@ -6,14 +6,14 @@ use raconteur_body::skeleton::Bone;
 
 use super::finish::{Chart, Fabric, Unrolling, cloth_part};
 use super::wearer::Wearer;
-use crate::part::Part;
+use crate::part::MeshPart;
 use crate::torso::{CM, Shell};
 
 /// A dressed body.
 #[derive(Clone, Debug)]
 pub struct Dressed {
     /// Clothes and shoes, with one material for each kind of cloth.
-    pub parts: Vec<Part>,
+    pub parts: Vec<MeshPart>,
     /// The cloth that hair may lie on.
     pub surface: Shell,
 }
@@ -50,14 +50,14 @@ pub(super) fn leather(dye: [f64; 3]) -> Fabric {
 }
 
 /// What lies against the neck, by its name.
-pub(super) fn collar_part(part: Part) -> Part {
-    Part {
+pub(super) fn collar_part(part: MeshPart) -> MeshPart {
+    MeshPart {
         name: "collar".to_owned(),
         ..part
     }
 }
 
-pub(super) fn trim(wearer: &Wearer<'_>, shell: &Shell, fabric: Fabric) -> Part {
+pub(super) fn trim(wearer: &Wearer<'_>, shell: &Shell, fabric: Fabric) -> MeshPart {
     let chart = [Chart {
         origin: DVec3::new(0.0, 1.2, -1.5 * CM),
         axis: DVec3::Y,

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use raconteur_base::{DVec3, ops};
 
-use crate::part::{Part, PartVertex};
+use crate::part::{MeshPart, PartVertex};
 use crate::torso::{Field, Regions, Shell};
 use raconteur_body::figure::{Maps, Material, MaterialKind};
 
@@ -129,7 +129,7 @@ pub fn cloth_part(
     field: &Field,
     fabric: Fabric,
     unrolling: Unrolling<'_>,
-) -> Part {
+) -> MeshPart {
     let normals = shell.normals();
     let folds = fold_openness(shell, &normals);
     let [r, g, b] = fabric.dye;
@@ -137,7 +137,7 @@ pub fn cloth_part(
         let seam = shade.get(v).copied().unwrap_or(1.0);
         seam * folds[v] * openness(field, shell.points[v], normals[v])
     };
-    let mut part = Part {
+    let mut part = MeshPart {
         name: name.to_owned(),
         material: fabric.material(),
         vertices: Vec::new(),
@@ -184,10 +184,10 @@ pub fn cloth_part(
 
 /// A part whose texture coordinates matter little: small things, leather.
 #[must_use]
-pub fn plain_part(name: &str, shell: &Shell, field: &Field, fabric: Fabric) -> Part {
+pub fn plain_part(name: &str, shell: &Shell, field: &Field, fabric: Fabric) -> MeshPart {
     let normals = shell.normals();
     let [r, g, b] = fabric.dye;
-    Part {
+    MeshPart {
         name: name.to_owned(),
         material: fabric.material(),
         vertices: shell
@@ -210,7 +210,7 @@ pub fn plain_part(name: &str, shell: &Shell, field: &Field, fabric: Fabric) -> P
 
 /// One material for all parts of a kind, so that they are drawn at once: its colour is
 /// the largest of each channel, and the vertices carry their share of it.
-pub fn share_materials(parts: &mut [Part]) {
+pub fn share_materials(parts: &mut [MeshPart]) {
     let mut brightest: BTreeMap<MaterialKind, [f64; 3]> = BTreeMap::new();
     for part in parts.iter() {
         let most = brightest.entry(part.material.kind).or_insert([1e-4; 3]);

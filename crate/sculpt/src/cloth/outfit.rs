@@ -7,7 +7,7 @@ use super::collar::hood;
 use super::cut::{Top, TopCut};
 use super::dressed::{Dressed, Vee, cloth, collar_part, leather, trim};
 use super::fade;
-use super::finish::{plain_part, share_materials};
+use super::finish::{Fabric, plain_part, share_materials};
 use super::sheet::Sheet;
 use super::shirt::shirt;
 use super::shoe::{ShoeCut, ShoeStyle, shoes};
@@ -16,7 +16,7 @@ use super::top::{open_front, top, up_the_neck};
 use super::trousers::{LegEnd, TrouserCut, trousers};
 use super::wardrobe::{Cardigan, Hoodie, Outfit, Sweater};
 use super::wearer::Wearer;
-use crate::part::Part;
+use crate::part::MeshPart;
 use crate::torso::cage::Tag;
 use crate::torso::{CM, Cage, Regions, Shell};
 use raconteur_body::figure::MaterialKind;
@@ -35,7 +35,7 @@ pub fn dress(wearer: &Wearer<'_>, outfit: &Outfit) -> Dressed {
 }
 
 /// Adds parts made together with their shells.
-fn add(made: &mut Dressed, pieces: impl IntoIterator<Item = (Part, Shell)>) {
+fn add(made: &mut Dressed, pieces: impl IntoIterator<Item = (MeshPart, Shell)>) {
     for (part, shell) in pieces {
         made.parts.push(part);
         made.surface.append(shell);
@@ -43,7 +43,7 @@ fn add(made: &mut Dressed, pieces: impl IntoIterator<Item = (Part, Shell)>) {
 }
 
 /// Ankles between shoe and trousers.
-fn socks(wearer: &Wearer<'_>, dye: [f64; 3]) -> Part {
+fn socks(wearer: &Wearer<'_>, dye: [f64; 3]) -> MeshPart {
     let first = Cage::leg_ring_at(1.76);
     let shell = wearer.cage.part(|t| matches!(t, Tag::Leg(j) if j >= first));
     plain_part("socks", &shell, wearer.field, cloth(MaterialKind::Rib, dye))
@@ -132,9 +132,9 @@ fn finish_top(made: &mut Dressed, wearer: &Wearer<'_>, top: &Top, cut: &TopCut) 
     made.surface.append(top.sheet.shell.clone());
 }
 
-fn cardigan(wearer: &Wearer<'_>, c: &Cardigan) -> Dressed {
-    let unit = CM * wearer.scale;
-    let (mut made, trousers) = below(
+/// Corduroy trousers and leather shoes.
+fn cardigan_legs(wearer: &Wearer<'_>, c: &Cardigan) -> (Dressed, Shell) {
+    below(
         wearer,
         &TrouserCut {
             fabric: cloth(MaterialKind::Corduroy, c.legs.trousers),
@@ -153,7 +153,12 @@ fn cardigan(wearer: &Wearer<'_>, c: &Cardigan) -> Dressed {
             width: 1.03,
         },
         c.legs.sock,
-    );
+    )
+}
+
+fn cardigan(wearer: &Wearer<'_>, c: &Cardigan) -> Dressed {
+    let unit = CM * wearer.scale;
+    let (mut made, trousers) = cardigan_legs(wearer, c);
     let vee = Vee::of(wearer);
     shirt(&mut made, wearer, c, &vee);
 
@@ -171,24 +176,10 @@ fn cardigan(wearer: &Wearer<'_>, c: &Cardigan) -> Dressed {
         seed: 11,
     };
     let mut top = top(wearer, &cut, &trousers);
-    let neck_z = -2.5 * unit;
-    let reach = wearer.field.neck_radius() + 1.7 * unit;
-    open_front(
-        &mut top,
-        wearer.field,
-        |p| {
-            let front =
-                p.z > 0.5 * unit && p.y > vee.low && p.x.abs() < vee.half_width(p.y) - 0.2 * unit;
-            let nape =
-                p.y > vee.high + 0.8 * unit && DVec3::new(p.x, 0.0, p.z - neck_z).length() < reach;
-            front || nape
-        },
-        |y| (y > vee.low + 0.8 * unit && y < vee.high).then(|| vee.half_width(y)),
-    );
+    open_along_vee(&mut top, wearer, &vee);
     top.sew(wearer);
     let band = placket(wearer, &top, &vee);
     let rib = knit.woven(MaterialKind::Rib).shaded(0.94);
-    let lay = Lay::new(&top.sheet.shell);
     let edge = strip(
         &band,
         &Strip {
@@ -199,19 +190,61 @@ fn cardigan(wearer: &Wearer<'_>, c: &Cardigan) -> Dressed {
     );
     made.parts.push(trim(wearer, &edge, rib));
     made.surface.append(edge);
-    let hem = top
-        .hem
-        .iter()
-        .map(|&v| top.sheet.shell.points[v as usize].y)
-        .fold(f64::MAX, f64::min);
+    buttons(&mut made, wearer, &top, &vee, c.button);
+    patch_pockets(&mut made, wearer, &top, rib);
+    add(
+        &mut made,
+        top.rib_bands(
+            wearer,
+            knit.shaded(0.94),
+            [5.0, 5.0],
+            [1.5, 1.35],
+            &trousers,
+        ),
+    );
+    finish_top(&mut made, wearer, &top, &cut);
+    made
+}
+
+/// Takes away the front above the V and the nape, and lays the edges on the V.
+fn open_along_vee(top: &mut Top, wearer: &Wearer<'_>, vee: &Vee) {
+    let unit = CM * wearer.scale;
+    let neck_z = -2.5 * unit;
+    let reach = wearer.field.neck_radius() + 1.7 * unit;
+    open_front(
+        top,
+        wearer.field,
+        |p| {
+            let front =
+                p.z > 0.5 * unit && p.y > vee.low && p.x.abs() < vee.half_width(p.y) - 0.2 * unit;
+            let nape =
+                p.y > vee.high + 0.8 * unit && DVec3::new(p.x, 0.0, p.z - neck_z).length() < reach;
+            front || nape
+        },
+        |y| (y > vee.low + 0.8 * unit && y < vee.high).then(|| vee.half_width(y)),
+    );
+}
+
+/// Five buttons on the edge in front, from the hem to the V.
+fn buttons(made: &mut Dressed, wearer: &Wearer<'_>, top: &Top, vee: &Vee, dye: [f64; 3]) {
+    let unit = CM * wearer.scale;
+    let lay = Lay::new(&top.sheet.shell);
+    let hem = top.lowest_of_hem();
     for i in 0..5 {
         let y = hem + (vee.low - hem) * (0.08 + 0.21 * i as f64);
         let mut spot = lay.seen(DVec3::new(0.0, y, 0.3));
         spot.place += spot.normal * 0.3 * unit;
         let disc = button(&spot, 0.95 * unit);
         made.parts
-            .push(plain_part("button", &disc, wearer.field, leather(c.button)));
+            .push(plain_part("button", &disc, wearer.field, leather(dye)));
     }
+}
+
+/// A patch pocket on each side: the welt at its mouth and the seam around its bag.
+fn patch_pockets(made: &mut Dressed, wearer: &Wearer<'_>, top: &Top, rib: Fabric) {
+    let unit = CM * wearer.scale;
+    let lay = Lay::new(&top.sheet.shell);
+    let hem = top.lowest_of_hem();
     for side in Side::BOTH {
         let v = |x: f64, up: f64| DVec3::new(side.sign() * x * unit, hem + up * unit, 0.3);
         let mouth = lay.path(&[v(5.0, 13.5), v(13.0, 13.5)], 1.0 * unit);
@@ -238,18 +271,6 @@ fn cardigan(wearer: &Wearer<'_>, c: &Cardigan) -> Dressed {
         );
         made.parts.push(trim(wearer, &seam, rib));
     }
-    add(
-        &mut made,
-        top.rib_bands(
-            wearer,
-            knit.shaded(0.94),
-            [5.0, 5.0],
-            [1.5, 1.35],
-            &trousers,
-        ),
-    );
-    finish_top(&mut made, wearer, &top, &cut);
-    made
 }
 
 /// The cardigan's edge: up the front, along the V, round the nape and back.
@@ -257,11 +278,7 @@ fn placket(wearer: &Wearer<'_>, top: &Top, vee: &Vee) -> Vec<Spot> {
     let unit = CM * wearer.scale;
     let shell = &top.sheet.shell;
     let lay = Lay::new(shell);
-    let hem = top
-        .hem
-        .iter()
-        .map(|&v| shell.points[v as usize].y)
-        .fold(f64::MAX, f64::min);
+    let hem = top.lowest_of_hem();
     let mut path: Vec<Spot> = Vec::new();
     for i in 0..22 {
         let y = hem + (vee.low - hem) * i as f64 / 22.0;
@@ -287,9 +304,9 @@ fn placket(wearer: &Wearer<'_>, top: &Top, vee: &Vee) -> Vec<Spot> {
     path
 }
 
-fn hoodie(wearer: &Wearer<'_>, c: &Hoodie) -> Dressed {
-    let unit = CM * wearer.scale;
-    let (mut made, trousers) = below(
+/// Jeans and sneakers.
+fn hoodie_legs(wearer: &Wearer<'_>, c: &Hoodie) -> (Dressed, Shell) {
+    below(
         wearer,
         &TrouserCut {
             fabric: cloth(MaterialKind::Denim, c.legs.trousers),
@@ -308,7 +325,12 @@ fn hoodie(wearer: &Wearer<'_>, c: &Hoodie) -> Dressed {
             width: 1.0,
         },
         c.legs.sock,
-    );
+    )
+}
+
+fn hoodie(wearer: &Wearer<'_>, c: &Hoodie) -> Dressed {
+    let unit = CM * wearer.scale;
+    let (mut made, trousers) = hoodie_legs(wearer, c);
     let fleece = cloth(MaterialKind::Fleece, c.fleece);
     let cut = TopCut {
         name: "hoodie",
@@ -338,13 +360,27 @@ fn hoodie(wearer: &Wearer<'_>, c: &Hoodie) -> Dressed {
     made.parts.push(trim(wearer, &bag, fleece));
     made.surface.append(bag);
     made.parts.push(collar_part(t_shirt(wearer, c.shirt)));
+    pouch_and_cords(&mut made, wearer, &top, c);
+    add(
+        &mut made,
+        top.rib_bands(
+            wearer,
+            fleece.shaded(0.92),
+            [5.0, 4.6],
+            [1.5, 0.5],
+            &trousers,
+        ),
+    );
+    finish_top(&mut made, wearer, &top, &cut);
+    made
+}
+
+/// The edges of a pocket in front for both hands, and the cords of the hood.
+fn pouch_and_cords(made: &mut Dressed, wearer: &Wearer<'_>, top: &Top, c: &Hoodie) {
+    let unit = CM * wearer.scale;
+    let edge = cloth(MaterialKind::Fleece, c.fleece).shaded(0.93);
     let lay = Lay::new(&top.sheet.shell);
-    let hem = top
-        .hem
-        .iter()
-        .map(|&v| top.sheet.shell.points[v as usize].y)
-        .fold(f64::MAX, f64::min);
-    // A pocket in front for both hands.
+    let hem = top.lowest_of_hem();
     let v = |x: f64, up: f64| DVec3::new(x * unit, hem + up * unit, 0.3);
     let mouth = Strip {
         width: 1.1 * unit,
@@ -362,8 +398,7 @@ fn hoodie(wearer: &Wearer<'_>, c: &Hoodie) -> Dressed {
             ],
             1.4 * unit,
         );
-        made.parts
-            .push(trim(wearer, &strip(&path, &mouth), fleece.shaded(0.93)));
+        made.parts.push(trim(wearer, &strip(&path, &mouth), edge));
         // The cords hang from the hood.
         let from = DVec3::new(
             2.3 * s * unit,
@@ -383,24 +418,11 @@ fn hoodie(wearer: &Wearer<'_>, c: &Hoodie) -> Dressed {
         ));
     }
     let path = lay.path(&[v(5.0, 18.0), v(-5.0, 18.0)], 1.4 * unit);
-    made.parts
-        .push(trim(wearer, &strip(&path, &mouth), fleece.shaded(0.93)));
-    add(
-        &mut made,
-        top.rib_bands(
-            wearer,
-            fleece.shaded(0.92),
-            [5.0, 4.6],
-            [1.5, 0.5],
-            &trousers,
-        ),
-    );
-    finish_top(&mut made, wearer, &top, &cut);
-    made
+    made.parts.push(trim(wearer, &strip(&path, &mouth), edge));
 }
 
 /// The edge of a T-shirt that shows in the hood's opening.
-fn t_shirt(wearer: &Wearer<'_>, dye: [f64; 3]) -> Part {
+fn t_shirt(wearer: &Wearer<'_>, dye: [f64; 3]) -> MeshPart {
     let unit = CM * wearer.scale;
     let rows = Cage::row_at(0.814)..Cage::row_at(0.842);
     let mut sheet = Sheet::cut(

@@ -6,7 +6,7 @@ use super::fade;
 use super::finish::{Fabric, plain_part};
 use super::strip::{Lay, Spot, cord};
 use super::wearer::Wearer;
-use crate::part::Part;
+use crate::part::MeshPart;
 use crate::torso::{CM, Joints, Shell, weights::Weights};
 use raconteur_body::skeleton::Bone;
 
@@ -234,7 +234,7 @@ fn loft(rings: &[Vec<DVec3>], weights: impl Fn(DVec3) -> Weights) -> Shell {
 
 /// Both shoes.
 #[must_use]
-pub fn shoes(wearer: &Wearer<'_>, cut: &ShoeCut) -> Vec<Part> {
+pub fn shoes(wearer: &Wearer<'_>, cut: &ShoeCut) -> Vec<MeshPart> {
     let joints = wearer.joints;
     let length = 0.152 * wearer.stature_m;
     let ankle = joints.at(Bone::LSubtalar);
@@ -291,7 +291,7 @@ pub fn shoes(wearer: &Wearer<'_>, cut: &ShoeCut) -> Vec<Part> {
 }
 
 /// Darker towards the floor.
-fn ground(part: &mut Part, sole: f64) {
+fn ground(part: &mut MeshPart, sole: f64) {
     for v in &mut part.vertices {
         v.color[3] = 0.40 + 0.60 * fade(v.position.y, -sole, 3.0 * sole);
     }

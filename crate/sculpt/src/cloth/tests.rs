@@ -7,7 +7,7 @@ use raconteur_base::{DAffine3, DQuat, DVec3, Side, ops};
 use super::{Dressed, Wearer, dress};
 use crate::assemble::{Blueprint, Piece, assemble};
 use crate::mannequin::Mannequin;
-use crate::part::Part;
+use crate::part::MeshPart;
 use crate::people::{NAMES, preset};
 use crate::subdivide::edge_faces;
 use crate::torso::{Field, Joints, Regions};
@@ -162,7 +162,7 @@ fn every_visible_edge_has_a_band() {
     }
 }
 
-fn weld(part: &Part) -> Vec<Vec<u32>> {
+fn weld(part: &MeshPart) -> Vec<Vec<u32>> {
     let mut first = std::collections::BTreeMap::new();
     let names: Vec<u32> = part
         .vertices
@@ -295,7 +295,7 @@ fn sitting_is_borne() {
 }
 
 /// Points all over a part, a few millimetres apart.
-fn points_on(part: &Part) -> impl Iterator<Item = DVec3> {
+fn points_on(part: &MeshPart) -> impl Iterator<Item = DVec3> {
     const STEPS: usize = 6;
     let triangles = part.triangles_about_middles(|_| true);
     triangles.into_iter().flat_map(|[a, b, c]| {

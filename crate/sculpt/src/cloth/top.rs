@@ -15,7 +15,7 @@ use super::seam::{Stitch, sew};
 use super::sheet::Sheet;
 use super::strip::Lay;
 use super::wearer::Wearer;
-use crate::part::Part;
+use crate::part::MeshPart;
 use crate::torso::cage::{HOLE, Key, RING, Tag};
 use crate::torso::{CM, Cage, Field, Joints, Regions, Shell};
 use raconteur_body::figure::MaterialKind;
@@ -167,7 +167,7 @@ impl Top {
 
     /// The cloth as a part.
     #[must_use]
-    pub fn part(&self, wearer: &Wearer<'_>, cut: &TopCut) -> Part {
+    pub fn part(&self, wearer: &Wearer<'_>, cut: &TopCut) -> MeshPart {
         let charts = charts(wearer);
         let shell = &self.sheet.shell;
         let chart_of = |f: usize| match self.sheet.tags[f] {
@@ -194,6 +194,14 @@ impl Top {
         )
     }
 
+    /// Height of the hem's lowest point, metres.
+    pub(super) fn lowest_of_hem(&self) -> f64 {
+        self.hem
+            .iter()
+            .map(|&v| self.sheet.shell.points[v as usize].y)
+            .fold(f64::MAX, f64::min)
+    }
+
     /// A band along the neck, the hem or a cuff: chart 0 is the trunk's.
     #[must_use]
     pub fn band(
@@ -202,7 +210,7 @@ impl Top {
         ring: &[u32],
         band: &Band<'_>,
         fabric: Fabric,
-    ) -> (Part, Shell) {
+    ) -> (MeshPart, Shell) {
         let shell = along_edge(&self.sheet.shell, ring, band);
         let charts = charts(wearer);
         let chart = if matches!(band.round, Round::Body(_, Regions::UPPER)) {
@@ -230,7 +238,7 @@ impl Top {
         [hem_cm, cuff_cm]: [f64; 2],
         [hem_ease_cm, cuff_ease_cm]: [f64; 2],
         below: &Shell,
-    ) -> Vec<(Part, Shell)> {
+    ) -> Vec<(MeshPart, Shell)> {
         let unit = CM * wearer.scale;
         let rib = fabric.woven(MaterialKind::Rib);
         let hem = Band {

@@ -12,7 +12,7 @@ use super::seam::{Stitch, sew};
 use super::sheet::Sheet;
 use super::strip::{Lay, Strip, strip};
 use super::wearer::Wearer;
-use crate::part::Part;
+use crate::part::MeshPart;
 use crate::torso::cage::{COLUMNS, Key, Tag};
 use crate::torso::{CM, Cage, Regions, Shell};
 use raconteur_body::skeleton::Bone;
@@ -50,7 +50,7 @@ pub struct TrouserCut {
 
 /// Trousers and their surface.
 #[must_use]
-pub fn trousers(wearer: &Wearer<'_>, cut: &TrouserCut) -> (Vec<Part>, Shell) {
+pub fn trousers(wearer: &Wearer<'_>, cut: &TrouserCut) -> (Vec<MeshPart>, Shell) {
     let unit = CM * wearer.scale;
     let mut sheet = draped(wearer, cut);
     let loops = sheet.shell.loops();

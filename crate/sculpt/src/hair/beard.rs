@@ -112,7 +112,7 @@ impl<'a> Field<'a> {
 /// Share of each vertex of the head's skin that a beard covers, 0..1.
 pub(super) fn cover(head: &Head, p: &BeardParams) -> Vec<f64> {
     let field = Field::new(head, p);
-    head.parts[0]
+    head.skin()
         .vertices
         .iter()
         .map(|v| field.density(v.position))
@@ -127,7 +127,7 @@ pub(super) fn beard(
     palette: &Palette,
     seed: u64,
 ) -> Piece {
-    let skin = &head.parts[0];
+    let skin = head.skin();
     let ride = Ride::new(skin);
     let field = Field::new(head, p);
     let density: Vec<f64> = ride.positions.iter().map(|q| field.density(*q)).collect();

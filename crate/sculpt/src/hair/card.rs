@@ -7,7 +7,7 @@ use super::colour::Palette;
 use super::cut::Weave;
 use crate::assemble::Piece;
 use crate::head::Head;
-use crate::part::{JointRef, Part, PartVertex};
+use crate::part::{JointRef, MeshPart, PartVertex};
 use raconteur_body::figure::Material;
 use raconteur_body::skeleton::{Bone, Drive};
 
@@ -53,8 +53,8 @@ pub(super) fn across(weave: Weave, dice: f64, across: f64) -> f64 {
 }
 
 /// An empty part of hair.
-pub(super) fn empty(name: &str, material: &Material) -> Part {
-    Part {
+pub(super) fn empty(name: &str, material: &Material) -> MeshPart {
+    MeshPart {
         name: name.to_owned(),
         material: material.clone(),
         vertices: Vec::new(),

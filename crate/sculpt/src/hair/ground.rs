@@ -23,7 +23,7 @@ pub(super) struct Ground<'a> {
 
 impl<'a> Ground<'a> {
     pub(super) fn new(head: &Head, body: &'a BodyDistance<'a>) -> Self {
-        let part = &head.parts[0];
+        let part = head.skin();
         let positions: Vec<DVec3> = part.vertices.iter().map(|v| v.position).collect();
         let normals = vertex_normals(&positions, &part.faces);
         let ears = head.scalp.ears;

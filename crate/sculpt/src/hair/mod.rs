@@ -35,7 +35,7 @@ use self::cut::Cut;
 use self::ground::Ground;
 use crate::assemble::Piece;
 use crate::head::Head;
-use crate::part::Part;
+use crate::part::MeshPart;
 use raconteur_body::figure::{Maps, Material, MaterialKind};
 
 /// How hair is cut and combed.
@@ -150,7 +150,7 @@ const SKIN: f64 = 0.25;
 
 /// Tints the skin under hair and beard: it gets little light, and the roots of a beard
 /// show in its gaps. Call it on the head's skin before [`hair`] is laid on it.
-pub fn shade_skin(skin: &mut Part, head: &Head, p: &HairParams) {
+pub fn shade_skin(skin: &mut MeshPart, head: &Head, p: &HairParams) {
     let key = |p: DVec3| p.to_array().map(|x| (x * 1e6).round() as i64);
     let covered: BTreeMap<[i64; 3], f64> = head
         .scalp

@@ -7,7 +7,7 @@ use raconteur_base::DVec3;
 use super::ground::Ground;
 use super::*;
 use crate::head;
-use crate::part::Part;
+use crate::part::MeshPart;
 use crate::people::{NAMES, preset};
 
 /// The heads of the three people with the hair they wear.
@@ -62,7 +62,7 @@ fn away(p: DVec3) -> (f64, DVec3) {
     (1.0, p.normalize_or_zero())
 }
 
-fn triangles(part: &Part) -> usize {
+fn triangles(part: &MeshPart) -> usize {
     part.faces.iter().map(|f| f.len() - 2).sum()
 }
 

@@ -41,7 +41,7 @@ use self::anatomy::{Anatomy, Look};
 use self::field::Field;
 use self::surface::Skin;
 use self::weights::Influence;
-use super::part::{Part, PartVertex};
+use super::part::{MeshPart, PartVertex};
 use super::person::Person;
 use super::skin::HandSheet;
 use raconteur_body::figure::{Maps, Material, MaterialKind};
@@ -136,8 +136,8 @@ pub(super) fn mean_hand(
 /// A hand in the hand frame (see the [module](self)).
 #[derive(Clone, Debug)]
 pub struct Hand {
-    /// Skin and nails.
-    pub parts: Vec<Part>,
+    /// Skin first, then nails.
+    pub parts: Vec<MeshPart>,
     /// Bind positions of the finger bones in the order of
     /// [`raconteur_body::hand_shape::finger_bones`], metres.
     pub joints: [(Bone, DVec3); 15],
@@ -145,10 +145,17 @@ pub struct Hand {
     pub bind_in_wrist: [(Bone, DQuat); 15],
     /// The skin for the baking of its maps.
     pub(crate) sheet: HandSheet,
-    /// Vertices of `parts[0]` around the open end, in order.
+    /// Vertices of [`Hand::skin`] around the open end, in order.
     pub wrist_rim: Vec<u32>,
     /// Unit vector from the wrist towards the elbow.
     pub forearm_direction: DVec3,
+}
+
+impl Hand {
+    /// The skin, which is the first of its parts.
+    pub fn skin(&self) -> &MeshPart {
+        &self.parts[0]
+    }
 }
 
 /// From the frame of [`anatomy`] (right hand: radial, distal, palmar; mm) to the hand
@@ -247,7 +254,7 @@ pub fn build(params: &HandParams, side: Side) -> Hand {
         })
         .collect();
     let letter = if side == Side::Left { "l" } else { "r" };
-    let skin_part = Part {
+    let skin_part = MeshPart {
         name: format!("{letter}_hand"),
         material: Material {
             kind: MaterialKind::Skin,
@@ -296,7 +303,7 @@ pub fn build(params: &HandParams, side: Side) -> Hand {
 }
 
 /// The five plates as one part.
-fn nails(anatomy: &Anatomy, place: &Placement, base: DVec3, letter: &str) -> Part {
+fn nails(anatomy: &Anatomy, place: &Placement, base: DVec3, letter: &str) -> MeshPart {
     let mut vertices = Vec::new();
     let mut faces = Vec::new();
     for (f, finger) in anatomy.fingers.iter().enumerate() {
@@ -318,7 +325,7 @@ fn nails(anatomy: &Anatomy, place: &Placement, base: DVec3, letter: &str) -> Par
             .map(|q| q.iter().map(|v| v + first).collect());
         faces.extend(moved);
     }
-    Part {
+    MeshPart {
         name: format!("{letter}_nails"),
         material: Material {
             kind: MaterialKind::Nail,

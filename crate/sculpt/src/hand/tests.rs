@@ -17,12 +17,12 @@ fn sofia(side: Side) -> Hand {
 #[test]
 fn the_skin_is_a_manifold_open_at_the_wrist_only() {
     let hand = sofia(Side::Left);
-    let positions: Vec<DVec3> = hand.parts[0].vertices.iter().map(|v| v.position).collect();
-    let edges = edge_faces(&welded(&positions, &hand.parts[0].faces));
+    let positions: Vec<DVec3> = hand.skin().vertices.iter().map(|v| v.position).collect();
+    let edges = edge_faces(&welded(&positions, &hand.skin().faces));
     let open = edges.values().filter(|f| f.len() == 1).count();
     assert_eq!(open, hand.wrist_rim.len());
     assert!(edges.values().all(|f| f.len() <= 2));
-    let rim = |i: usize| hand.parts[0].vertices[hand.wrist_rim[i] as usize].position;
+    let rim = |i: usize| hand.skin().vertices[hand.wrist_rim[i] as usize].position;
     for i in 0..hand.wrist_rim.len() {
         assert!((rim(i).x - rim(0).x).abs() < 1e-9);
         assert!((rim(i) - rim((i + 1) % hand.wrist_rim.len())).length() < 0.01);
@@ -63,7 +63,7 @@ fn shipped() -> impl Iterator<Item = (&'static str, Hand)> {
 #[test]
 fn no_skin_crosses_itself_or_folds_over() {
     for (name, hand) in shipped() {
-        let skin = &hand.parts[0];
+        let skin = hand.skin();
         let points: Vec<DVec3> = skin.vertices.iter().map(|v| v.position).collect();
         let faces = welded(&points, &skin.faces);
         let triangles: Vec<[u32; 3]> = faces
@@ -127,7 +127,7 @@ fn weights_sum_to_one_over_at_most_four_joints_of_the_skeleton() {
 fn length_breadth_and_detail_are_as_asked() {
     let params = mean_hand(0.0, 35.0, 1.756, [0.45, 0.25, 0.18]);
     let hand = build(&params, Side::Left);
-    let skin = &hand.parts[0];
+    let skin = hand.skin();
     let tip = skin
         .vertices
         .iter()
@@ -263,7 +263,7 @@ fn the_bones_lie_inside_the_hand() {
         let bones = skeleton::bones(&params, Side::Right);
         assert_eq!(bones.len(), 27);
         let hand = build(&params, Side::Right);
-        let skin = &hand.parts[0].vertices;
+        let skin = &hand.skin().vertices;
         for bone in bones {
             for p in &bone.solid.points {
                 let (length, breadth) = (place.length_scale, place.breadth_scale);
@@ -291,7 +291,7 @@ fn ten_nails_cost_little() {
 /// Perimeter of the skin where it crosses a height along the hand (unscaled frame turned to
 /// millimetres of the built hand), counting the faces whose vertices `keep` wants.
 fn girth_mm(hand: &Hand, at_mm: f64, keep: impl Fn(usize) -> bool) -> f64 {
-    let skin = &hand.parts[0];
+    let skin = hand.skin();
     let position = |v: u32| skin.vertices[v as usize].position * 1000.0;
     let mut sum = 0.0;
     for face in &skin.faces {
@@ -368,7 +368,7 @@ fn hands_of_both_sexes_measure_as_surveys_say() {
                 &surface::build(&anatomy, &field, &cage),
             )
         };
-        let vertices = &hand.parts[0].vertices;
+        let vertices = &hand.skin().vertices;
         let tip = vertices.iter().map(|v| v.position.x).fold(0.0, f64::max) * 1000.0;
         let scale = place.length_scale * 1000.0;
         within("length", tip + CREASE_MM * scale, survey[0]);

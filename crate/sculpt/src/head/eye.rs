@@ -5,7 +5,7 @@ use core::f64::consts::TAU;
 use raconteur_base::{DVec3, Side, ops};
 
 use super::points::GLOBE_RADIUS_MM;
-use crate::part::{JointRef, Part, PartVertex};
+use crate::part::{JointRef, MeshPart, PartVertex};
 use raconteur_body::figure::{Maps, Material, MaterialKind};
 use raconteur_body::skeleton::{Bone, Drive};
 
@@ -68,7 +68,7 @@ fn part(
     centre: DVec3,
     color: [f64; 3],
     joint: Drive,
-) -> Part {
+) -> MeshPart {
     let vertices = dome
         .points
         .iter()
@@ -82,7 +82,7 @@ fn part(
             }
         })
         .collect();
-    Part {
+    MeshPart {
         name: name.to_owned(),
         material: Material {
             kind,
@@ -100,7 +100,12 @@ fn part(
 
 /// Eyeball, wet layer and caruncle of one side; `iris` is the iris' linear colour, stored
 /// in the eyeball's vertex colour for the shader.
-pub(crate) fn eye(side: Side, centre_mm: DVec3, caruncle_mm: DVec3, iris: [f64; 3]) -> Vec<Part> {
+pub(crate) fn eye(
+    side: Side,
+    centre_mm: DVec3,
+    caruncle_mm: DVec3,
+    iris: [f64; 3],
+) -> Vec<MeshPart> {
     let letter = if side == Side::Left { "left" } else { "right" };
     let even =
         |n: usize, last: f64| -> Vec<f64> { (1..=n).map(|i| last * i as f64 / n as f64).collect() };

@@ -52,7 +52,7 @@ pub(crate) use self::soft::{LipPlace, Soft, SoftNode};
 use self::strands::BrowLine;
 pub use self::strands::BrowParams;
 use self::surface::{Surface, triangles};
-use super::part::{Part, PartMorph, PartVertex};
+use super::part::{MOUTH_BAG, MeshPart, PartMorph, PartVertex};
 use super::person::Person;
 use super::skin::HeadSheet;
 use crate::subdivide::{Stencil, vertex_normals};
@@ -94,8 +94,8 @@ impl Default for HeadParams {
 /// tragions, x left, y up, z front.
 #[derive(Clone, Debug)]
 pub struct Head {
-    /// Drawable parts in the bind pose: lids open, jaw closed.
-    pub parts: Vec<Part>,
+    /// Drawable parts, the skin first, in the bind pose: lids open, jaw closed.
+    pub parts: Vec<MeshPart>,
     /// Centres of the left and the right eyeball.
     pub eye_centres: [DVec3; 2],
     /// Where `bone_chin` belongs. A positive turn about its local z opens the jaw: 0.30 rad
@@ -119,6 +119,13 @@ pub struct Head {
     pub segments: Vec<HeadSegment>,
     /// What moves under the skin.
     pub(crate) soft: Soft,
+}
+
+impl Head {
+    /// The skin, which is the first of its parts.
+    pub fn skin(&self) -> &MeshPart {
+        &self.parts[0]
+    }
 }
 
 /// The shape of a head before it is painted, millimetres.
@@ -290,7 +297,7 @@ pub fn build(person: &Person, params: &HeadParams, hair_colour: [f64; 3]) -> Hea
     };
     let mut parts = vec![
         cut("head", MaterialKind::Skin, 0.48, &vertices, &|z| !bag(z)),
-        cut("mouth_bag", MaterialKind::Mouth, 0.4, &lined, &bag),
+        cut(MOUTH_BAG, MaterialKind::Mouth, 0.4, &lined, &bag),
     ];
     let ride = Ride::new(&parts[0]);
     let contact = |k| shape.limit(Key::mouth(5, k), Side::Left);
@@ -365,7 +372,7 @@ pub fn build(person: &Person, params: &HeadParams, hair_colour: [f64; 3]) -> Hea
 
 /// The surface's vertex behind each vertex of a part cut from it, by place: a part may hold
 /// a place twice where its texture has a seam.
-fn behind(part: &Part, positions: &[DVec3]) -> Vec<u32> {
+fn behind(part: &MeshPart, positions: &[DVec3]) -> Vec<u32> {
     let key = |p: DVec3| p.to_array().map(f64::to_bits);
     let by_place: BTreeMap<[u64; 3], u32> = positions
         .iter()
@@ -393,7 +400,7 @@ fn cut_part(
     vertices: &[PartVertex],
     moved: &[(&'static str, Vec<DVec3>)],
     keep: &dyn Fn(Zone) -> bool,
-) -> Part {
+) -> MeshPart {
     let mut index = vec![u32::MAX; chart.uv.len()];
     let mut used: Vec<usize> = Vec::new();
     let kept = chart
@@ -420,7 +427,7 @@ fn cut_part(
         .map(|(name, d)| part_morph(name, &used.iter().map(|v| d[source(v)]).collect::<Vec<_>>()))
         .filter(|m| !m.deltas.is_empty())
         .collect();
-    Part {
+    MeshPart {
         name: name.to_owned(),
         material: Material {
             kind,

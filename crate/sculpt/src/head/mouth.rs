@@ -8,7 +8,7 @@ use core::f64::consts::TAU;
 use raconteur_base::{DVec3, ops};
 
 use super::rig::smooth;
-use crate::part::{JointRef, Part, PartMorph, PartVertex};
+use crate::part::{GUMS, JointRef, MeshPart, PartMorph, PartVertex, TEETH};
 use raconteur_body::figure::{Maps, Material, MaterialKind};
 use raconteur_body::skeleton::{Bone, Drive};
 
@@ -68,8 +68,8 @@ fn station(arch: &Arch, length: f64) -> (DVec3, DVec3, DVec3) {
     (arch.front + flip(at(t)), flip(tangent), flip(normal))
 }
 
-fn empty(name: &str, kind: MaterialKind, roughness: f32) -> Part {
-    Part {
+fn empty(name: &str, kind: MaterialKind, roughness: f32) -> MeshPart {
+    MeshPart {
         name: name.to_owned(),
         material: Material {
             kind,
@@ -85,7 +85,7 @@ fn empty(name: &str, kind: MaterialKind, roughness: f32) -> Part {
     }
 }
 
-fn push(part: &mut Part, p: DVec3, color: [f64; 4], weights: &[(JointRef, f64)]) -> u32 {
+fn push(part: &mut MeshPart, p: DVec3, color: [f64; 4], weights: &[(JointRef, f64)]) -> u32 {
     part.vertices.push(PartVertex {
         position: p * 1e-3,
         uv: [0.0, 0.0],
@@ -97,7 +97,7 @@ fn push(part: &mut Part, p: DVec3, color: [f64; 4], weights: &[(JointRef, f64)])
 
 /// Joins consecutive closed rings of `n` vertices and caps the last with a fan. The rings
 /// must run counter-clockwise as seen from the cap's side.
-fn tube(part: &mut Part, base: u32, rings: u32, n: u32, cap: u32) {
+fn tube(part: &mut MeshPart, base: u32, rings: u32, n: u32, cap: u32) {
     for r in 0..rings - 1 {
         for s in 0..n {
             let (a, b) = (base + r * n, base + (r + 1) * n);
@@ -120,7 +120,7 @@ const AROUND: u32 = 12;
 /// Heights of a crown's rings: −0.25 is inside the gum, 1 at the edge.
 const LEVELS: [f64; 6] = [-0.25, 0.05, 0.35, 0.65, 0.9, 1.0];
 
-fn tooth(part: &mut Part, arch: &Arch, crown: Crown, middle: f64, lips_z: f64) {
+fn tooth(part: &mut MeshPart, arch: &Arch, crown: Crown, middle: f64, lips_z: f64) {
     let [width, height, gum, edge, narrow] = crown;
     let (foot, along, out) = station(arch, middle);
     let molar = edge > 4.0;
@@ -172,7 +172,7 @@ fn along_sign(along: DVec3, out: DVec3) -> f64 {
     if along.cross(out).y > 0.0 { 1.0 } else { -1.0 }
 }
 
-fn gums(part: &mut Part, arch: &Arch, crowns: &[Crown; 7], lips_z: f64) {
+fn gums(part: &mut MeshPart, arch: &Arch, crowns: &[Crown; 7], lips_z: f64) {
     let weights = [(JointRef(arch.joint), 1.0)];
     let total: f64 = crowns.iter().map(|c| c[0]).sum();
     let stations = 57;
@@ -225,7 +225,7 @@ fn gums(part: &mut Part, arch: &Arch, crowns: &[Crown; 7], lips_z: f64) {
 }
 
 /// Teeth, gums and tongue. `contact` is the midpoint where the lips meet, mm.
-pub(crate) fn mouth(contact: DVec3) -> Vec<Part> {
+pub(crate) fn mouth(contact: DVec3) -> Vec<MeshPart> {
     let lips_z = contact.z;
     let rows = [
         (
@@ -249,8 +249,8 @@ pub(crate) fn mouth(contact: DVec3) -> Vec<Part> {
             &LOWER,
         ),
     ];
-    let mut teeth = empty("teeth", MaterialKind::Teeth, 0.22);
-    let mut soft = empty("gums", MaterialKind::Mouth, 0.35);
+    let mut teeth = empty(TEETH, MaterialKind::Teeth, 0.22);
+    let mut soft = empty(GUMS, MaterialKind::Mouth, 0.35);
     for (arch, crowns) in &rows {
         let mut start = 0.0;
         for &crown in crowns.iter() {
@@ -280,7 +280,7 @@ const TONGUE: [[f64; 4]; 10] = [
     [12.4, -6.2, 4.6, 2.6],
 ];
 
-fn tongue(contact: DVec3) -> Part {
+fn tongue(contact: DVec3) -> MeshPart {
     let mut part = empty("tongue", MaterialKind::Mouth, 0.32);
     let n = 16;
     let base = part.vertices.len() as u32;

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use raconteur_base::DVec3;
 
 use super::surface::nearest;
-use crate::part::{JointRef, Part, PartMorph};
+use crate::part::{JointRef, MeshPart, PartMorph};
 use crate::subdivide::vertex_normals;
 
 /// The skin that hairs are rooted in; metres, frame of the head.
@@ -22,7 +22,7 @@ pub(crate) struct Ride {
 pub(crate) type Holds = Vec<(u32, f64)>;
 
 impl Ride {
-    pub(crate) fn new(skin: &Part) -> Self {
+    pub(crate) fn new(skin: &MeshPart) -> Self {
         let positions: Vec<DVec3> = skin.vertices.iter().map(|v| v.position).collect();
         let dense = |m: &PartMorph| {
             let mut all = vec![DVec3::ZERO; positions.len()];

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use super::ride::{Holds, Ride};
 use super::rig::smooth;
 use super::surface::nearest;
-use crate::part::{Part, PartVertex};
+use crate::part::{MeshPart, PartVertex};
 use raconteur_body::figure::{Maps, Material, MaterialKind};
 
 /// Hairs of brows and lashes.
@@ -279,8 +279,8 @@ const STEPS: [f64; 3] = [0.0, 0.55, 1.0];
 /// Movements of a hair below this are left out, metres.
 const STILL: f64 = 1.2e-4;
 
-fn part(name: String, cards: &[Card], ride: &Ride, near: usize, color: [f64; 3]) -> Part {
-    let mut part = Part {
+fn part(name: String, cards: &[Card], ride: &Ride, near: usize, color: [f64; 3]) -> MeshPart {
+    let mut part = MeshPart {
         name,
         material: Material {
             kind: MaterialKind::Lash,
@@ -340,7 +340,7 @@ pub(crate) fn hairs(
     side: Side,
     seed: u64,
     p: &BrowParams,
-) -> Vec<Part> {
+) -> Vec<MeshPart> {
     let color = p.colour;
     let letter = if side == Side::Left { "left" } else { "right" };
     let brow = brow(ride, line, side, seed, p);

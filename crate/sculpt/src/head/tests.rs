@@ -65,7 +65,7 @@ fn no_edge_has_three_faces_and_only_neck_lips_and_lid_linings_are_open() {
             assert!(edges.values().all(|f| f.len() <= 2), "{at}");
             assert!(p.faces.iter().all(|f| f.len() == 3 || f.len() == 4), "{at}");
         }
-        let skin = &head.parts[0];
+        let skin = head.skin();
         let positions: Vec<DVec3> = skin.vertices.iter().map(|v| v.position).collect();
         let edges = edge_faces(&welded(&positions, &skin.faces));
         assert!(edges.values().all(|f| f.len() <= 2), "{who}");
@@ -146,7 +146,7 @@ fn largest_slit(shape: &Shape) -> f64 {
 /// lower, without the corners.
 fn contact(name: &str, head: &Head) -> [Vec<usize>; 2] {
     let shape = people().find(|p| p.0 == name).map(|p| p.1).unwrap();
-    let skin = &head.parts[0];
+    let skin = head.skin();
     let jaw = |v: usize| {
         let w = skin.vertices[v].weights.iter();
         let own = w.filter(|w| w.0.0 == Drive::Bone(Bone::Chin));
@@ -165,7 +165,7 @@ fn contact(name: &str, head: &Head) -> [Vec<usize>; 2] {
 /// Widest gap along the lips, metres: in each millimetre of breadth the nearest places of
 /// upper and lower lip.
 fn lip_gap(name: &str, head: &Head, jaw_rad: f64, morph: &str, weight: f64) -> f64 {
-    let skin = &head.parts[0];
+    let skin = head.skin();
     let mut moved = vec![DVec3::ZERO; skin.vertices.len()];
     if let Some(m) = skin.morphs.iter().find(|m| m.name == morph) {
         for &(v, d) in &m.deltas {
@@ -222,7 +222,7 @@ fn the_upper_lid_turned_by_its_closure_covers_the_pupil() {
     for (who, head) in heads() {
         let pupil = head.eye_centres[0];
         let covers = |lid: f64| {
-            head.parts[0].vertices.iter().any(|v| {
+            head.skin().vertices.iter().any(|v| {
                 let p = skinned(head, v, DVec3::ZERO, 0.0, lid);
                 let before = (p - pupil).truncate().abs();
                 before.max_element() < 0.002 && p.z > pupil.z + 0.0115
@@ -323,7 +323,7 @@ fn one_hundred_landmarks_lie_where_their_names_say() {
     let at = |name: &str| {
         let found = head.landmarks.iter().find(|l| l.0 == name);
         let vertex = found.unwrap_or_else(|| panic!("a landmark {name}")).1;
-        head.parts[0].vertices[vertex as usize].position
+        head.skin().vertices[vertex as usize].position
     };
     let names: std::collections::BTreeSet<&str> =
         head.landmarks.iter().map(|l| l.0.as_str()).collect();
@@ -340,7 +340,7 @@ fn one_hundred_landmarks_lie_where_their_names_say() {
 #[test]
 fn segments_cover_the_skin_once() {
     let head = sofia();
-    let mut owners = vec![0; head.parts[0].vertices.len()];
+    let mut owners = vec![0; head.skin().vertices.len()];
     for (i, s) in head.segments.iter().enumerate() {
         assert!(s.parent.is_none_or(|p| p < i));
         for &[first, count] in &s.runs {

@@ -3,7 +3,7 @@
 use raconteur_base::DVec3;
 
 use super::narrow;
-use crate::part::{Part, PartVertex};
+use crate::part::{MeshPart, PartVertex};
 use raconteur_tissue::tissue::Arch;
 
 /// Rows this far apart, metres.
@@ -13,7 +13,7 @@ const COLUMNS: usize = 49;
 const PIECES: usize = 8;
 
 /// The arch of the teeth and gums whose vertices `own` takes.
-pub(super) fn arch(rigid: &[&Part], own: impl Fn(&PartVertex) -> bool) -> Arch {
+pub(super) fn arch(rigid: &[&MeshPart], own: impl Fn(&PartVertex) -> bool) -> Arch {
     let mut points: Vec<DVec3> = Vec::new();
     for part in rigid {
         for [a, b, c] in part.triangles_about_middles(&own) {

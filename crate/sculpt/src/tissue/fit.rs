@@ -6,7 +6,7 @@ use super::layout::{Moves, Runs, Sheet};
 use super::{narrow, ramp};
 use crate::bones::hit;
 use crate::head::Soft;
-use crate::part::Part;
+use crate::part::MeshPart;
 use raconteur_tissue::Muscle;
 use raconteur_tissue::tissue::{Attachment, Course, Fibre, FibrePoint, Link, Tissue};
 
@@ -32,7 +32,7 @@ pub(super) struct Skin {
 }
 
 impl Skin {
-    pub(super) fn new(soft: &Soft, place: &DAffine3, bones: &[Part]) -> Self {
+    pub(super) fn new(soft: &Soft, place: &DAffine3, bones: &[MeshPart]) -> Self {
         let places: Vec<DVec3> = soft
             .nodes
             .iter()

@@ -15,7 +15,7 @@ use self::fit::Skin;
 use self::layout::{FLUSH, Sheet};
 use self::warp::Warp;
 use super::head::{LipPlace, Soft, SoftNode};
-use super::part::Part;
+use super::part::MeshPart;
 use raconteur_tissue::Tissue;
 use raconteur_tissue::tissue::Attachment;
 
@@ -47,8 +47,8 @@ fn grip(node: &SoftNode) -> f64 {
 pub(crate) fn tissue(
     soft: &Soft,
     place: &DAffine3,
-    bones: &[Part],
-    rigid: &[&Part],
+    bones: &[MeshPart],
+    rigid: &[&MeshPart],
     hinge: DVec3,
 ) -> Tissue {
     with(&layout::shipped(), soft, place, bones, rigid, hinge)
@@ -59,8 +59,8 @@ fn with(
     sheets: &[Sheet],
     soft: &Soft,
     place: &DAffine3,
-    bones: &[Part],
-    rigid: &[&Part],
+    bones: &[MeshPart],
+    rigid: &[&MeshPart],
     hinge: DVec3,
 ) -> Tissue {
     let skin = Skin::new(soft, place, bones);

@@ -8,7 +8,7 @@ use super::arch::arch;
 use super::fit::{Skin, nearest_on, push};
 use super::{narrow, ramp};
 use crate::head::{LipPlace, Soft};
-use crate::part::Part;
+use crate::part::{MeshPart, TEETH};
 use raconteur_body::skeleton::{Bone, Drive};
 use raconteur_tissue::Muscle;
 use raconteur_tissue::tissue::{Attachment, Column, Course, FibrePoint, LipNode, Tissue};
@@ -31,7 +31,7 @@ const UNDER_M: f64 = 0.0022;
 pub(super) fn mouth(
     soft: &Soft,
     skin: &Skin,
-    rigid: &[&Part],
+    rigid: &[&MeshPart],
     out: &mut Tissue,
     holds: &mut [Vec<Attachment>],
 ) {
@@ -275,10 +275,10 @@ fn share_of_left(right: f64, left: f64, mm: f64) -> f64 {
 }
 
 /// Where the edge of the upper teeth lies at a distance from the middle, world.
-fn teeth_edge(rigid: &[&Part]) -> impl Fn(f64) -> DVec3 {
+fn teeth_edge(rigid: &[&MeshPart]) -> impl Fn(f64) -> DVec3 {
     let upper: Vec<DVec3> = rigid
         .iter()
-        .filter(|part| part.name == "teeth")
+        .filter(|part| part.name == TEETH)
         .flat_map(|part| &part.vertices)
         .filter(|v| {
             v.weights
