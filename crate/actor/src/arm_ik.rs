@@ -10,6 +10,8 @@
 //!   behind the back. Pronation the forearm lacks lifts the elbow, as people do;
 //! - a hand rotation that the wrist cannot reach is brought back to its limits.
 
+use std::sync::Arc;
+
 use raconteur_base::curve::smooth;
 use raconteur_base::{DAffine3, DQuat, DVec3, Length, Side, ops};
 use raconteur_body::{Bone, Pose, Skeleton};
@@ -106,6 +108,18 @@ pub struct ArmRig {
 }
 
 impl ArmRig {
+    /// Measures both arms of a skeleton, left and right; shared by all that move them.
+    #[must_use]
+    pub fn both(skeleton: &Skeleton) -> [Arc<Self>; 2] {
+        Side::BOTH.map(|side| Arc::new(Self::new(skeleton, side)))
+    }
+
+    /// The side that the arm is on.
+    #[must_use]
+    pub fn side(&self) -> Side {
+        self.side
+    }
+
     /// Measures one arm of a skeleton.
     #[must_use]
     pub fn new(skeleton: &Skeleton, side: Side) -> Self {

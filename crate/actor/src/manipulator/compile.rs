@@ -449,8 +449,8 @@ impl Manipulators {
             let place = now.trunk.inverse().transform_point3(frame.position);
             state.cue = place + now.cue_lag * left;
             let cue = now.trunk.transform_point3(state.cue);
-            let girdle = self.girdles.get(limb.index());
-            let scapula = girdle.map(|girdle| girdle.scapula_for(&now.trunk, cue, 0.0));
+            let arm = self.arms.get(limb.index());
+            let scapula = arm.map(|arm| arm.scapula_for(&now.trunk, cue, 0.0));
             let before = base.origin;
             base = self.base(limb, &now.trunk, scapula);
             carried = (base.origin - before) * STEPS_HZ;
