@@ -88,6 +88,26 @@ fn seen_on_the_way(performance: &Performance) -> [ArmScript; 2] {
     })
 }
 
+/// The amount of motion of a performance, 0 to 1.
+fn motion_amount(performance: &Performance) -> f64 {
+    if performance.motion_amount.is_finite() {
+        performance.motion_amount.clamp(0.0, 1.0)
+    } else {
+        1.0
+    }
+}
+
+/// A manner with all that moves scaled by the amount of motion.
+fn scaled_manner(manner: &Manner, amount: f64) -> Manner {
+    Manner {
+        head: amount * manner.head,
+        brows: amount * manner.brows,
+        blinks: amount * manner.blinks,
+        gaze: amount * manner.gaze,
+        ..*manner
+    }
+}
+
 impl Actor {
     /// Makes a performance ready: plans the arms, resolves phones, plans what accompanies speech.
     #[must_use]
@@ -99,18 +119,8 @@ impl Actor {
             .iter()
             .map(|u| (u.start_secs, u.start_secs + u.duration_secs))
             .collect();
-        let amount = if performance.motion_amount.is_finite() {
-            performance.motion_amount.clamp(0.0, 1.0)
-        } else {
-            1.0
-        };
-        let manner = Manner {
-            head: amount * performance.manner.head,
-            brows: amount * performance.manner.brows,
-            blinks: amount * performance.manner.blinks,
-            gaze: amount * performance.manner.gaze,
-            ..performance.manner
-        };
+        let amount = motion_amount(performance);
+        let manner = scaled_manner(&performance.manner, amount);
         let life = Life {
             seed,
             amount,

@@ -199,7 +199,11 @@ impl Manipulators {
                 mend: Mend::default(),
             },
         );
-        // Whatever else the limb cannot take over from where it was it makes up for.
+        self.take_over(limb, at, scene, &now);
+    }
+
+    /// Makes up for what the last course of a limb does not take over from where the limb was.
+    fn take_over(&mut self, limb: Limb, at: f64, scene: &Scene<'_>, now: &Now) {
         if let Some((goal @ Goal::Frame { .. }, _)) = self.goal(limb, at) {
             if let Some(rig) = self.limbs.get(limb.index()) {
                 let would = self.swivel_at(limb, &goal, at, scene.skeleton, &now.pose);
