@@ -1,5 +1,7 @@
 //! Evaluates everything that one figure does in a story at one time.
 
+use std::sync::Arc;
+
 use raconteur_base::{DAffine3, DQuat, DVec3, Length, Side, noise};
 use raconteur_body::face::{FaceControls, Muscle};
 use raconteur_body::{Bone, Pose, Skeleton};
@@ -53,7 +55,7 @@ pub struct Report {
 #[derive(Clone, Debug)]
 pub struct Actor {
     plans: [ArmPlan; 2],
-    rigs: [ArmRig; 2],
+    rigs: [Arc<ArmRig>; 2],
     /// Only where the performance has players or manipulators.
     motion: Option<Motion>,
     space: BodySpace,
@@ -87,6 +89,26 @@ fn seen_on_the_way(performance: &Performance) -> [ArmScript; 2] {
     })
 }
 
+/// The amount of motion of a performance, 0 to 1.
+fn motion_amount(performance: &Performance) -> f64 {
+    if performance.motion_amount.is_finite() {
+        performance.motion_amount.clamp(0.0, 1.0)
+    } else {
+        1.0
+    }
+}
+
+/// A manner with all that moves scaled by the amount of motion.
+fn scaled_manner(manner: &Manner, amount: f64) -> Manner {
+    Manner {
+        head: amount * manner.head,
+        brows: amount * manner.brows,
+        blinks: amount * manner.blinks,
+        gaze: amount * manner.gaze,
+        ..*manner
+    }
+}
+
 impl Actor {
     /// Makes a performance ready: plans the arms, resolves phones, plans what accompanies speech.
     #[must_use]
@@ -98,24 +120,15 @@ impl Actor {
             .iter()
             .map(|u| (u.start_secs, u.end_secs()))
             .collect();
-        let amount = if performance.motion_amount.is_finite() {
-            performance.motion_amount.clamp(0.0, 1.0)
-        } else {
-            1.0
-        };
-        let manner = Manner {
-            head: amount * performance.manner.head,
-            brows: amount * performance.manner.brows,
-            blinks: amount * performance.manner.blinks,
-            gaze: amount * performance.manner.gaze,
-            ..performance.manner
-        };
+        let amount = motion_amount(performance);
+        let manner = scaled_manner(&performance.manner, amount);
         let life = Life {
             seed,
             amount,
             dominant: performance.dominant,
         };
         let space = BodySpace::new(skeleton, performance.trunk);
+        let rigs = ArmRig::both(skeleton);
         let way = &performance.manipulators;
         let seen = (!way.moves.is_empty()).then(|| seen_on_the_way(performance));
         let arms = seen.as_ref().unwrap_or(&performance.arms);
@@ -123,14 +136,22 @@ impl Actor {
             && way.commands.is_empty()
             && performance.players.commands.is_empty());
         let mut actor = Self {
-            plans: Side::BOTH
-                .map(|side| ArmPlan::new(&arms[side.index()], skeleton, &space, side, &life)),
-            rigs: Side::BOTH.map(|side| ArmRig::new(skeleton, side)),
+            plans: rigs.each_ref().map(|rig| {
+                let script = &arms[rig.side().index()];
+                ArmPlan::new(script, skeleton, Arc::clone(rig), &space, &life)
+            }),
             // Manipulators start from the figure as it is without them, so they come last.
             motion: is_moved.then(|| Motion {
-                players: Players::new(&performance.players, &performance.library, skeleton).0,
-                manipulators: Manipulators::at_rest(skeleton, performance.sex),
+                players: Players::new(
+                    &performance.players,
+                    &performance.library,
+                    skeleton,
+                    rigs.clone(),
+                )
+                .0,
+                manipulators: Manipulators::at_rest(skeleton, performance.sex, rigs.clone()),
             }),
+            rigs,
             contact: Contact::new(skeleton, &space, life.dominant),
             space,
             stance: Stance::new(skeleton, seed),
@@ -158,7 +179,7 @@ impl Actor {
                 actor.arms(skeleton, t, animated, pose);
                 actor.head(skeleton, t, actor.listener_in_world, animated, pose);
             };
-            Manipulators::new(way, skeleton, performance.sex, &idle)
+            Manipulators::new(way, skeleton, performance.sex, actor.rigs.clone(), &idle)
         });
         if let (Some(motion), Some(manipulators)) = (&mut actor.motion, manipulators) {
             motion.manipulators = manipulators;

@@ -10,6 +10,8 @@
 //!   behind the back. Pronation the forearm lacks lifts the elbow, as people do;
 //! - a hand rotation that the wrist cannot reach is brought back to its limits.
 
+use std::sync::Arc;
+
 use raconteur_base::curve::smooth;
 use raconteur_base::{DAffine3, DQuat, DVec3, Length, Side, ops};
 use raconteur_body::{Bone, Pose, Skeleton};
@@ -30,6 +32,38 @@ const ELBOW_AT_EASE: DVec3 = DVec3::new(0.42, -1.0, 0.0);
 
 /// Depth to which an elbow gives way to the trunk only by and by, as a share of its half axes.
 const ELBOW_EDGE: f64 = 0.2;
+
+/// Greatest rise of the clavicle with the arm, radians: 20° of the arm's 180°. Designed, within
+/// the 30° at its sternal end that Inman et al. 1944 measured.
+const SCAPULA_RISE_RAD: f64 = 0.34;
+/// How far below the horizontal (sine) an arm makes the scapula rise, and the range in
+/// which the rise becomes complete. Designed: an arm that hangs leaves it down.
+const SCAPULA_RISE_FROM: f64 = 0.3;
+const SCAPULA_RISE_RANGE: f64 = 1.25;
+/// Distance of the wrist, as a share of the reach, from which the scapula rises, and the range
+/// in which the rise becomes complete. Designed.
+const SCAPULA_RISE_REACH: [f64; 2] = [0.35, 0.6];
+/// Greatest protraction of the scapula for a direction of unit weight, radians. Designed.
+const SCAPULA_PROTRACTION_RAD: f64 = 0.2;
+/// Weights in the protraction of a wrist in front and of one across the chest. Designed.
+const PROTRACTION_AHEAD: f64 = 0.7;
+const PROTRACTION_ACROSS: f64 = 0.5;
+/// Distance of the wrist, as a share of the reach, from which the scapula protracts, and the
+/// range in which the protraction becomes complete. Designed.
+const SCAPULA_PROTRACTION_REACH: [f64; 2] = [0.5, 0.5];
+
+/// Cost of a lifted elbow, per square radian, against the strain of the wrist. Designed.
+const SWIVEL_COST: f64 = 0.16;
+/// Middle of the comfortable range of the swivel and half its width, radians. Designed.
+const SWIVEL_MIDDLE_RAD: f64 = 0.25;
+const SWIVEL_HALF_RANGE_RAD: f64 = 0.85;
+/// Cost of a swivel beyond the comfortable range, per square radian. Designed.
+const SWIVEL_STOP_COST: f64 = 2.0;
+/// Swivel that brings an elbow out of the trunk, radians for a depth of all of its half axes.
+/// Designed: two passes settle it.
+const SWIVEL_PER_DEPTH_RAD: f64 = 2.2;
+/// Thickness of the elbow around its joint, metres. Designed.
+const ELBOW_RADIUS_M: f64 = 0.04;
 
 /// Half width and half depth of the trunk for a stature of 1.7 m, metres; measured at
 /// the chest of an average adult, clothed.
@@ -106,6 +140,18 @@ pub struct ArmRig {
 }
 
 impl ArmRig {
+    /// Measures both arms of a skeleton, left and right; shared by all that move them.
+    #[must_use]
+    pub fn both(skeleton: &Skeleton) -> [Arc<Self>; 2] {
+        Side::BOTH.map(|side| Arc::new(Self::new(skeleton, side)))
+    }
+
+    /// The side that the arm is on.
+    #[must_use]
+    pub fn side(&self) -> Side {
+        self.side
+    }
+
     /// Measures one arm of a skeleton.
     #[must_use]
     pub fn new(skeleton: &Skeleton, side: Side) -> Self {
@@ -299,12 +345,13 @@ impl ArmRig {
         let length = to.magnitude();
         let direction = to / length.max(1e-9);
         let sign = self.side.sign();
-        let stretched = smooth((length - 0.35) / 0.6);
-        // The clavicle rises by up to 20° of the arm's 180° (Inman et al. 1944 found 30°
-        // at the sternal end) and protracts by up to 12°. Designed within that.
-        let rise = 0.34 * smooth((direction.y + 0.3) / 1.25) * stretched;
-        let ahead = 0.7 * direction.z - 0.5 * sign * direction.x;
-        let protract = 0.2 * ahead * smooth((length - 0.5) / 0.5);
+        let stretched = share_of_range(length, SCAPULA_RISE_REACH);
+        let rise = SCAPULA_RISE_RAD
+            * smooth((direction.y + SCAPULA_RISE_FROM) / SCAPULA_RISE_RANGE)
+            * stretched;
+        let ahead = PROTRACTION_AHEAD * direction.z - PROTRACTION_ACROSS * sign * direction.x;
+        let protract =
+            SCAPULA_PROTRACTION_RAD * ahead * share_of_range(length, SCAPULA_PROTRACTION_REACH);
         // Local y points to the front and z down (left) or up (right); see the frames of
         // `raconteur_body::skeleton`.
         DQuat::from_rotation_z(protract) * DQuat::from_rotation_y(sign * (rise + shrug_rad))
@@ -325,9 +372,9 @@ impl ArmRig {
                 swivel -= GAIN * (high - low) / (2.0 * PROBE_RAD);
             }
         }
-        // An elbow inside the trunk is lifted out; two passes settle it.
+        // An elbow inside the trunk is lifted out.
         for _ in 0..2 {
-            swivel += 2.2 * self.elbow_depth(arm.elbow_in_body(swivel));
+            swivel += SWIVEL_PER_DEPTH_RAD * self.elbow_depth(arm.elbow_in_body(swivel));
         }
         swivel
     }
@@ -336,9 +383,8 @@ impl ArmRig {
     /// trunk, as a share of its half axes; 0 outside.
     fn elbow_depth(&self, elbow: DVec3) -> f64 {
         let [half_width, half_depth] = self.trunk_half_axes_m;
-        // The elbow is 4 cm thick around its joint.
-        let x = elbow.x / (half_width + 0.04);
-        let z = elbow.z / (half_depth + 0.04);
+        let x = elbow.x / (half_width + ELBOW_RADIUS_M);
+        let z = elbow.z / (half_depth + ELBOW_RADIUS_M);
         let over = 1.0 - ops::hypot(x, z);
         // Eased, so that an elbow that meets the trunk slides and does not bounce.
         if over <= 0.0 {
@@ -413,6 +459,11 @@ impl ArmRig {
     }
 }
 
+/// 0 up to the start of a range and 1 after it, smooth in between; `range` is start and length.
+fn share_of_range(value: f64, [start, length]: [f64; 2]) -> f64 {
+    smooth((value - start) / length)
+}
+
 /// Direction of the elbow from the line between shoulder and wrist that is natural for a
 /// wrist in a direction (unit) from the shoulder, both in body axes; not unit.
 #[must_use]
@@ -463,8 +514,8 @@ impl Posture<'_> {
             before.inverse() * (hand_in_world * rig.wrist_zero_in_world),
         );
         // Far lifts are worth less and less: a stop, rounded.
-        let stop = ((swivel_rad - 0.25).abs() - 0.85).max(0.0);
-        wrist + 0.16 * swivel_rad * swivel_rad + 2.0 * stop * stop
+        let stop = ((swivel_rad - SWIVEL_MIDDLE_RAD).abs() - SWIVEL_HALF_RANGE_RAD).max(0.0);
+        wrist + SWIVEL_COST * swivel_rad * swivel_rad + SWIVEL_STOP_COST * stop * stop
     }
 
     /// Elbow relative to the trunk's axis, in body axes.

@@ -2,6 +2,9 @@
 //! the next takes place within the hold, at a speed that people have, and nothing comes late
 //! where there is time enough.
 
+use std::sync::Arc;
+
+use raconteur_actor::ArmRig;
 use raconteur_actor::gesture::{ArmPlan, ArmScript, BodySpace, GestureStroke, HandKey, Life};
 use raconteur_actor::palm;
 use raconteur_base::{DVec3, Side, noise};
@@ -201,7 +204,8 @@ fn plan(case: &Case) -> ArmPlan {
     };
     let skeleton = Skeleton::example();
     let space = BodySpace::new(&skeleton, None);
-    ArmPlan::new(&script, &skeleton, &space, case.side, &STILL)
+    let rig = Arc::new(ArmRig::new(&skeleton, case.side));
+    ArmPlan::new(&script, &skeleton, rig, &space, &STILL)
 }
 
 /// Whether the arm can be wherever it is asked to be.

@@ -7,7 +7,7 @@ use raconteur_actor::manipulator::path::rotation_from;
 use raconteur_actor::manipulator::{
     Command, Frame, Limb, MOST_RAD_PER_S, ManipulatorScript, Motion, Move, Pace, Path, Place, Shape,
 };
-use raconteur_actor::{Actor, FaceRig, Manipulators, Performance, Sex};
+use raconteur_actor::{Actor, ArmRig, FaceRig, Manipulators, Performance, Sex};
 use raconteur_base::{DQuat, DVec3, noise};
 use raconteur_body::{Bone, Pose, Skeleton};
 
@@ -267,7 +267,8 @@ fn fastest_in_chain(skeleton: &Skeleton, seed: u64) -> (Worst, usize) {
     };
     let swaying = Swaying::new(skeleton, seed);
     let idle = |secs: f64, pose: &mut Pose| swaying.pose(secs, pose);
-    let manipulators = Manipulators::new(&script, skeleton, Sex::Male, &idle);
+    let manipulators =
+        Manipulators::new(&script, skeleton, Sex::Male, ArmRig::both(skeleton), &idle);
     let worst = fastest(end, &|secs, pose| {
         swaying.pose(secs, pose);
         manipulators.lean(skeleton, secs, pose);
@@ -383,7 +384,13 @@ fn no_random_move_of_the_figure_snaps() {
             });
             time_secs += 2.5 * noise::unit(seed, 240, i);
         }
-        let manipulators = Manipulators::new(&script, &skeleton, Sex::Male, &idle);
+        let manipulators = Manipulators::new(
+            &script,
+            &skeleton,
+            Sex::Male,
+            ArmRig::both(&skeleton),
+            &idle,
+        );
         let turned = |secs: f64| {
             let moved = manipulators.world_from_figure(secs).expect("it moves");
             rotation_of(&moved)

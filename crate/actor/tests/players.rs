@@ -1,6 +1,7 @@
 //! Properties of animation players, over made-up and random scripts.
 
 use proptest::prelude::*;
+use raconteur_actor::ArmRig;
 use raconteur_actor::animation::{
     BODY_GROUPS, BoneSet, Library, Operation, Playback, PlayerCommand, PlayerKind, PlayerScript,
     Players, ProblemKind, Property, TrackRef, body_group,
@@ -86,7 +87,8 @@ impl Stage {
     fn new(commands: Vec<(f64, PlayerCommand)>) -> Self {
         let skeleton = Skeleton::example();
         let script = PlayerScript { commands };
-        let (players, problems) = Players::new(&script, &library(), &skeleton);
+        let (players, problems) =
+            Players::new(&script, &library(), &skeleton, ArmRig::both(&skeleton));
         assert_eq!(problems, []);
         Self { players, skeleton }
     }
@@ -390,7 +392,8 @@ fn what_cannot_be_done_is_told() {
             (2.0, on(None, Some(vec![5]), push("nod"))),
         ],
     };
-    let (_, problems) = Players::new(&script, &library(), &Skeleton::example());
+    let skeleton = Skeleton::example();
+    let (_, problems) = Players::new(&script, &library(), &skeleton, ArmRig::both(&skeleton));
     let told: Vec<(usize, ProblemKind)> =
         problems.into_iter().map(|p| (p.command, p.kind)).collect();
     assert_eq!(
@@ -513,7 +516,7 @@ proptest! {
         commands.insert(0, (0.0, add("p", TWO, BoneSet::ALL)));
         let skeleton = Skeleton::example();
         let script = PlayerScript { commands: commands.clone() };
-        let (players, _) = Players::new(&script, &library(), &skeleton);
+        let (players, _) = Players::new(&script, &library(), &skeleton, ArmRig::both(&skeleton));
         let mut times: Vec<f64> = commands.iter().map(|c| c.0).filter(|t| *t > 0.0).collect();
         times.extend((1..240).map(|i| f64::from(i) / 30.0));
         let h = 1e-7;
@@ -538,7 +541,7 @@ proptest! {
         let mut commands = commands;
         commands.insert(0, (0.0, add("p", PlayerKind::BodyGroup, BoneSet::ALL)));
         let skeleton = Skeleton::example();
-        let (players, _) = Players::new(&PlayerScript { commands }, &library(), &skeleton);
+        let (players, _) = Players::new(&PlayerScript { commands }, &library(), &skeleton, ArmRig::both(&skeleton));
         let step = 1.0 / 120.0;
         let mut last = pose(&players, &skeleton, 0.0);
         // Two stances of a joint lie at most 80° apart here, a clip goes by 3 × 40°/s, and
@@ -570,10 +573,12 @@ proptest! {
                 duration_secs,
             }));
         }
+        let skeleton = Skeleton::example();
         let (players, _) = Players::new(
             &PlayerScript { commands },
             &library(),
-            &Skeleton::example(),
+            &skeleton,
+            ArmRig::both(&skeleton),
         );
         for i in 0..80 {
             let weights: Vec<f64> = players.weights_at(0, f64::from(i) * 0.1).collect();

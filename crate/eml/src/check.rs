@@ -2,8 +2,8 @@
 //! mean nothing beside others.
 
 use crate::clauses::functions::FunctionArgs;
-use crate::clauses::manipulators::JOINTS;
-use crate::clauses::players::{PlayerKind, PrimitiveKind, TrackProperty};
+use crate::clauses::manipulators::{ForwardKinematics, JOINTS, Jacobian};
+use crate::clauses::players::{DeterministicPrimitive, PlayerKind, PrimitiveKind, TrackProperty};
 use crate::clauses::sets::{BODY_GROUPS, BONES, Member, MemberKind, Set, SetKind, layer_number};
 use crate::diagnostic::Sink;
 use crate::suggest::{nearest, quoted};
@@ -66,16 +66,10 @@ fn meaning(clause: &Clause, sink: &mut Sink) {
         }
         _ => {}
     }
-    let unnamed =
-        matches!(&clause.kind, ClauseKind::DeterministicPrimitive(p) if p.animation.is_none());
-    let is_told = unnamed && sink.tells_of(clause.tag_span);
-    let mut ignored = |message: &str| {
-        sink.push(Diagnostic::warning(
-            "eml::ignored-attribute",
-            clause.tag_span,
-            message,
-        ));
-    };
+    if let ClauseKind::DeterministicPrimitive(primitive) = &clause.kind {
+        return primitive_animation(primitive, clause.tag_span, sink);
+    }
+    let mut ignored = |message: &str| sink.push(ignored_attribute(clause.tag_span, message));
     let layers_only_for_multiple =
         |layers: &Option<u32>, kind| layers.is_some() && kind != PlayerKind::Multiple;
     match &clause.kind {
@@ -90,62 +84,83 @@ fn meaning(clause: &Clause, sink: &mut Sink) {
         {
             ignored("`duration` does not count for property='enable'");
         }
-        ClauseKind::DeterministicPrimitive(primitive) => {
-            let needs = matches!(
-                primitive.primitive,
-                PrimitiveKind::Push | PrimitiveKind::Exchange
-            );
-            let word = primitive.primitive.word();
-            match &primitive.animation {
-                // One that is written and no name has been told.
-                None if needs && !is_told => {
-                    let message = format!("primitive='{word}' needs `animationSetName`");
-                    let span = clause.tag_span;
-                    sink.push(Diagnostic::error("eml::missing-attribute", span, message));
-                }
-                Some(_) if !needs => {
-                    ignored(&format!(
-                        "`animationSetName` does not count for primitive='{word}'"
-                    ));
-                }
-                _ => {}
-            }
-        }
         ClauseKind::JointInterpolation(motion)
             if motion.static_time_secs.is_some() && motion.static_velocity_rad_per_s.is_some() =>
         {
             ignored("`staticVelocity` does not count beside `staticTime`");
         }
         ClauseKind::ForwardKinematics(fk) => {
-            let most = fk.manipulator.joints();
-            let given = fk.joints_deg.iter().flatten().count();
-            let last = fk.joints_deg.iter().rposition(Option::is_some);
-            let count = fk.joint_count.map_or(most, |n| n as usize);
-            if given == 0 {
-                ignored("no joint is given, so nothing moves");
-            } else if let Some(last) = last.filter(|&last| last >= count.min(most)) {
-                ignored(&format!(
-                    "`{}` does not count: the manipulator has {} joints here",
-                    JOINTS[last],
-                    count.min(most)
-                ));
-            }
+            joints_given(fk, &mut ignored);
         }
         ClauseKind::Jacobian(jacobian) => {
-            let zero = |vector: &[f64; 3]| vector.iter().all(|&x| x == 0.0);
-            let (target, still) = (
-                &jacobian.target,
-                zero(&jacobian.velocity) && zero(&jacobian.angular_velocity_deg),
-            );
-            if jacobian.is_static_target && !still {
-                ignored("velocities do not count with isStaticTarget='true'");
-            }
-            let no_target = zero(&target.position) && zero(&target.angles_deg);
-            if !(jacobian.is_static_target || no_target) {
-                ignored("a target does not count with isStaticTarget='false'");
-            }
+            target_or_velocity(jacobian, &mut ignored);
         }
         _ => {}
+    }
+}
+
+fn ignored_attribute(span: Span, message: &str) -> Diagnostic {
+    Diagnostic::warning("eml::ignored-attribute", span, message)
+}
+
+/// An animation that a primitive lacks, or has without use.
+fn primitive_animation(primitive: &DeterministicPrimitive, tag_span: Span, sink: &mut Sink) {
+    let is_reported = primitive.animation.is_none() && sink.tells_of(tag_span);
+    let needs = matches!(
+        primitive.primitive,
+        PrimitiveKind::Push | PrimitiveKind::Exchange
+    );
+    let word = primitive.primitive.word();
+    match &primitive.animation {
+        // A value that is no name has its own diagnostic.
+        None if needs && !is_reported => {
+            let message = format!("primitive='{word}' needs `animationSetName`");
+            sink.push(Diagnostic::error(
+                "eml::missing-attribute",
+                tag_span,
+                message,
+            ));
+        }
+        Some(_) if !needs => {
+            sink.push(ignored_attribute(
+                tag_span,
+                &format!("`animationSetName` does not count for primitive='{word}'"),
+            ));
+        }
+        _ => {}
+    }
+}
+
+/// Joints of forward kinematics: some, and no more than the manipulator has.
+fn joints_given(fk: &ForwardKinematics, ignored: &mut dyn FnMut(&str)) {
+    let most = fk.manipulator.joints();
+    let given = fk.joints_deg.iter().flatten().count();
+    let last = fk.joints_deg.iter().rposition(Option::is_some);
+    let count = fk.joint_count.map_or(most, |n| n as usize);
+    if given == 0 {
+        ignored("no joint is given, so nothing moves");
+    } else if let Some(last) = last.filter(|&last| last >= count.min(most)) {
+        ignored(&format!(
+            "`{}` does not count: the manipulator has {} joints here",
+            JOINTS[last],
+            count.min(most)
+        ));
+    }
+}
+
+/// A Jacobian goes to a target or at a velocity, not both.
+fn target_or_velocity(jacobian: &Jacobian, ignored: &mut dyn FnMut(&str)) {
+    let zero = |vector: &[f64; 3]| vector.iter().all(|&x| x == 0.0);
+    let (target, still) = (
+        &jacobian.target,
+        zero(&jacobian.velocity) && zero(&jacobian.angular_velocity_deg),
+    );
+    if jacobian.is_static_target && !still {
+        ignored("velocities do not count with isStaticTarget='true'");
+    }
+    let no_target = zero(&target.position) && zero(&target.angles_deg);
+    if !(jacobian.is_static_target || no_target) {
+        ignored("a target does not count with isStaticTarget='false'");
     }
 }
 

@@ -26,7 +26,7 @@ const TOES_FREE: f64 = 0.03;
 #[derive(Clone, Debug)]
 pub(crate) struct Body {
     pub(crate) legs: [Leg; 2],
-    arms: [ArmRig; 2],
+    arms: [Arc<ArmRig>; 2],
     /// The ball of each foot in the zero pose, world, metres.
     balls: [DVec3; 2],
     /// The same in the ankle's frame.
@@ -41,7 +41,7 @@ pub(crate) struct Body {
 const TOES: [Bone; 2] = [Bone::LMetatarsal, Bone::RMetatarsal];
 
 impl Body {
-    pub(crate) fn new(skeleton: &Skeleton) -> Self {
+    pub(crate) fn new(skeleton: &Skeleton, arms: [Arc<ArmRig>; 2]) -> Self {
         let zero = Pose::zero();
         let at = |bone| world_from_bone(skeleton, &zero, bone).translation;
         let frames = zero_frames();
@@ -52,7 +52,7 @@ impl Body {
                 standing.inverse().transform_point3(at(TOES[side.index()]))
             }),
             legs,
-            arms: Side::BOTH.map(|side| ArmRig::new(skeleton, side)),
+            arms,
             balls: TOES.map(at),
             shoulders: 0.5 * (at(Bone::LShoulder) + at(Bone::RShoulder)),
             stature_m: skeleton.stature_m(),

@@ -1,5 +1,7 @@
 //! Animation players made ready for a figure, and their effect at any time.
 
+use std::sync::Arc;
+
 use raconteur_base::curve::{minimum_jerk, smooth};
 use raconteur_base::{DAffine3, DQuat, Length, Side};
 use raconteur_body::hand_shape::finger_bones;
@@ -11,7 +13,7 @@ use super::layering::Layering;
 use super::library::Library;
 use super::schedule::{PlayerPlan, Playing, Schedule, Stretch, Stretches, Track};
 use super::script::{PlayerKind, PlayerScript, Problem};
-use crate::arm_ik::ARM_BONES;
+use crate::arm_ik::{ARM_BONES, ArmRig};
 use crate::idle::stance::LEG_BONES;
 use crate::kinematics::world_from_bone;
 
@@ -54,11 +56,12 @@ impl Players {
         script: &PlayerScript,
         library: &Library,
         skeleton: &Skeleton,
+        arms: [Arc<ArmRig>; 2],
     ) -> (Self, Vec<Problem>) {
         let exists = |name: &str| library.get(name).is_some();
         let length = |name: &str| library.get(name).map_or(0.0, |c| c.duration_secs());
         let (schedule, problems) = Schedule::new(script, &exists, &length);
-        let body = Body::new(skeleton);
+        let body = Body::new(skeleton, arms);
         let bind = |name: &String| {
             let clip = library.get(name).unwrap_or_default();
             BoundClip::new(clip, skeleton, &body)

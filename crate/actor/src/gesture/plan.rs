@@ -1,8 +1,10 @@
 //! The motion of one arm as a function of time.
 
+use std::sync::Arc;
+
 use raconteur_base::curve::last_at_or_before;
 use raconteur_base::profile::Profile;
-use raconteur_base::{DQuat, DVec3, Length, Side};
+use raconteur_base::{DQuat, DVec3, Length};
 use raconteur_body::Skeleton;
 use raconteur_body::hand_shape::HandAngles;
 
@@ -60,7 +62,7 @@ pub struct ArmPlan {
     paces: Vec<Pace>,
     keys: Vec<PlannedKey>,
     rest: Rest,
-    rig: ArmRig,
+    rig: Arc<ArmRig>,
 }
 
 impl ArmPlan {
@@ -70,11 +72,11 @@ impl ArmPlan {
     pub fn new(
         script: &ArmScript,
         skeleton: &Skeleton,
+        rig: Arc<ArmRig>,
         space: &BodySpace,
-        side: Side,
         life: &Life,
     ) -> Self {
-        let rig = ArmRig::new(skeleton, side);
+        let side = rig.side();
         let rest = Rest::new(skeleton, &rig, space, side, life);
         let planned = Planner::new(&rig, space, &rest, side, life.amount).plan(script);
         let mut paces: Vec<Pace> = script

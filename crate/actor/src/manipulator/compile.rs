@@ -199,7 +199,11 @@ impl Manipulators {
                 mend: Mend::default(),
             },
         );
-        // Whatever else the limb cannot take over from where it was it makes up for.
+        self.take_over(limb, at, scene, &now);
+    }
+
+    /// Makes up for what the last course of a limb does not take over from where the limb was.
+    fn take_over(&mut self, limb: Limb, at: f64, scene: &Scene<'_>, now: &Now) {
         if let Some((goal @ Goal::Frame { .. }, _)) = self.goal(limb, at) {
             if let Some(rig) = self.limbs.get(limb.index()) {
                 let would = self.swivel_at(limb, &goal, at, scene.skeleton, &now.pose);
@@ -449,8 +453,8 @@ impl Manipulators {
             let place = now.trunk.inverse().transform_point3(frame.position);
             state.cue = place + now.cue_lag * left;
             let cue = now.trunk.transform_point3(state.cue);
-            let girdle = self.girdles.get(limb.index());
-            let scapula = girdle.map(|girdle| girdle.scapula_for(&now.trunk, cue, 0.0));
+            let arm = self.arms.get(limb.index());
+            let scapula = arm.map(|arm| arm.scapula_for(&now.trunk, cue, 0.0));
             let before = base.origin;
             base = self.base(limb, &now.trunk, scapula);
             carried = (base.origin - before) * STEPS_HZ;

@@ -266,8 +266,8 @@ impl Manipulators {
                 trunk.inverse().transform_point3(frame.position) + *cue_lag
             }
         };
-        let scapula = self.girdles.get(limb.index()).map(|girdle| {
-            let wanted = girdle.scapula_for(trunk, trunk.transform_point3(cue), 0.0);
+        let scapula = self.arms.get(limb.index()).map(|arm| {
+            let wanted = arm.scapula_for(trunk, trunk.transform_point3(cue), 0.0);
             let [bone, ..] = ARM_BONES[limb.index()];
             pose.rotation(bone).slerp(wanted, set_in)
         });

@@ -238,17 +238,12 @@ impl Lag {
     }
 }
 
-impl Curve {
-    /// Fills in what a path leaves open from where the limb or figure is. `by_angles` turns
-    /// by the yaw from the beginning to the end, however often round, as a figure may, and tilts
-    /// the shortest way; it takes longer than its period where it would turn faster than
-    /// [`MOST_TURN_RAD_PER_S`]. Without it all goes the shortest way, as a hand does.
-    #[must_use]
-    pub fn new(path: &Path, now: &Frame, by_angles: bool) -> Self {
-        let now_angles = angles_of(now.rotation);
+impl Form {
+    /// The line of a path for a limb or figure that is at `now`.
+    fn new(path: &Path, now: &Frame) -> Self {
         let start = path.from.position_or(now.position);
         let end = path.to.position_or(start);
-        let form = match &path.shape {
+        match &path.shape {
             Shape::Segment => cubic(start, end, DVec3::ZERO, 0.0),
             Shape::Sinusoid { across, cycles } => cubic(start, end, *across, *cycles),
             Shape::Bezier { controls } => {
@@ -286,7 +281,19 @@ impl Curve {
                 let own = centre.position_or(now.position - u);
                 Form::Eight([own, u, v], *turns)
             }
-        };
+        }
+    }
+}
+
+impl Curve {
+    /// Fills in what a path leaves open from where the limb or figure is. `by_angles` turns
+    /// by the yaw from the beginning to the end, however often round, as a figure may, and tilts
+    /// the shortest way; it takes longer than its period where it would turn faster than
+    /// [`MOST_TURN_RAD_PER_S`]. Without it all goes the shortest way, as a hand does.
+    #[must_use]
+    pub fn new(path: &Path, now: &Frame, by_angles: bool) -> Self {
+        let now_angles = angles_of(now.rotation);
+        let form = Form::new(path, now);
         let from_angles = path.from.angles_or(now_angles);
         let none = Lag {
             position: DVec3::ZERO,

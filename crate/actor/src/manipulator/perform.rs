@@ -1,6 +1,8 @@
 //! The manipulators of one figure, performing: a function of time that keeps nothing and
 //! allocates nothing.
 
+use std::sync::Arc;
+
 use raconteur_base::{DAffine3, DQuat, DVec3, Length, Side};
 use raconteur_body::{Bone, Pose, Skeleton};
 
@@ -28,7 +30,7 @@ pub struct Reached {
 /// The rigs of a figure, and what each of its limbs does when.
 #[derive(Clone, Debug)]
 pub struct Manipulators {
-    pub(super) girdles: [ArmRig; 2],
+    pub(super) arms: [Arc<ArmRig>; 2],
     pub(super) limbs: [LimbRig; 4],
     pub(super) head: HeadRig,
     pub(super) tracks: [Track; 5],
@@ -51,9 +53,10 @@ impl Manipulators {
         script: &ManipulatorScript,
         skeleton: &Skeleton,
         sex: Sex,
+        arms: [Arc<ArmRig>; 2],
         idle: &dyn Fn(f64, &mut Pose),
     ) -> Self {
-        let mut all = Self::at_rest(skeleton, sex);
+        let mut all = Self::at_rest(skeleton, sex, arms);
         all.root = RootTrack::new(&script.moves);
         all.compile(script, skeleton, idle);
         all
@@ -61,14 +64,14 @@ impl Manipulators {
 
     /// Manipulators that nothing is asked of.
     #[must_use]
-    pub fn at_rest(skeleton: &Skeleton, sex: Sex) -> Self {
+    pub fn at_rest(skeleton: &Skeleton, sex: Sex, arms: [Arc<ArmRig>; 2]) -> Self {
         let zero = Pose::zero();
         let at = |bone| world_from_bone(skeleton, &zero, bone);
         let scale = skeleton.stature_m() / 1.7;
         let shoulders = [Bone::LShoulder, Bone::RShoulder].map(|b| at(b).translation);
         let skull = rotation_of(&at(Bone::Skull));
         Self {
-            girdles: Side::BOTH.map(|side| ArmRig::new(skeleton, side)),
+            arms,
             limbs: [
                 (Side::Left, true),
                 (Side::Right, true),
@@ -131,19 +134,19 @@ impl Manipulators {
         skeleton: &Skeleton,
         pose: &Pose,
     ) -> DVec3 {
-        match (goal, self.girdles.get(limb.index())) {
+        match (goal, self.arms.get(limb.index())) {
             (Goal::Joints(held), _) => held.lean,
             (
                 Goal::Frame {
                     frame, lean_lag, ..
                 },
-                Some(girdle),
+                Some(arm),
             ) => {
                 let thorax = world_from_bone(skeleton, pose, Bone::Thoracic);
                 let lumbar = world_from_bone(skeleton, pose, Bone::Lumbar).translation;
-                let scapula = girdle.scapula_for(&thorax, frame.position, 0.0);
-                let shoulder = girdle.shoulder_at(&thorax, scapula);
-                lean::wanted(shoulder, lumbar, frame.position, girdle.reach_m()) + *lean_lag
+                let scapula = arm.scapula_for(&thorax, frame.position, 0.0);
+                let shoulder = arm.shoulder_at(&thorax, scapula);
+                lean::wanted(shoulder, lumbar, frame.position, arm.reach_m()) + *lean_lag
             }
             _ => DVec3::ZERO,
         }
@@ -233,11 +236,11 @@ impl Manipulators {
 
     /// Where a limb's base is on its trunk, an arm's with the scapula turned so.
     pub(super) fn base(&self, limb: Limb, trunk: &DAffine3, scapula: Option<DQuat>) -> Base {
-        match (self.limbs.get(limb.index()), self.girdles.get(limb.index())) {
-            (Some(rig), Some(girdle)) => {
+        match (self.limbs.get(limb.index()), self.arms.get(limb.index())) {
+            (Some(rig), Some(arm)) => {
                 let scapula = scapula.unwrap_or(DQuat::IDENTITY);
-                let turned = girdle.scapula_in_world(rotation_of(trunk), scapula);
-                rig.base(trunk, Some((turned, girdle.shoulder_at(trunk, scapula))))
+                let turned = arm.scapula_in_world(rotation_of(trunk), scapula);
+                rig.base(trunk, Some((turned, arm.shoulder_at(trunk, scapula))))
             }
             (Some(rig), None) => rig.base(trunk, None),
             _ => self.head.base(trunk),

@@ -4,6 +4,8 @@
 //! with a stack of its own, so that a chain of a hundred thousand names is no problem,
 //! and meeting an unknown that is being worked on is a cycle.
 
+use std::ops::{Index, IndexMut};
+
 use super::names::Found;
 use crate::diagnostic::Sink;
 use crate::suggest::{nearest, quoted};
@@ -24,19 +26,73 @@ const LATEST_SECS: f64 = 1e9;
 
 /// The solution: each clause's first iteration, not yet delayed.
 pub(super) struct Times {
-    /// Start and end of clause `i` at `2i` and `2i + 1`; NaN when there is none.
-    values: Vec<f64>,
+    /// Times in seconds, NaN when there is none.
+    values: UnknownMap<f64>,
 }
 
 impl Times {
     /// When a clause starts.
     pub(super) fn start(&self, clause: ClauseId) -> Option<f64> {
-        Some(self.values[2 * clause.index()]).filter(|t| !t.is_nan())
+        Some(self.values[Unknown::Start(clause)]).filter(|t| !t.is_nan())
     }
 
     /// When a clause that starts ends.
     pub(super) fn end(&self, clause: ClauseId) -> f64 {
-        self.values[2 * clause.index() + 1]
+        self.values[Unknown::End(clause)]
+    }
+}
+
+/// A time to solve for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Unknown {
+    Start(ClauseId),
+    End(ClauseId),
+}
+
+impl Unknown {
+    /// The unknowns of clauses 0 to `clause_count - 1`, in the order of the document.
+    fn all(clause_count: usize) -> impl Iterator<Item = Self> {
+        // A document has fewer than 2³¹ clauses.
+        (0..clause_count as u32).flat_map(|i| {
+            let id = ClauseId(i);
+            [Self::Start(id), Self::End(id)]
+        })
+    }
+
+    fn clause(self) -> ClauseId {
+        match self {
+            Self::Start(id) | Self::End(id) => id,
+        }
+    }
+}
+
+/// A value for each unknown. The two of a clause lie together, since they are mostly used
+/// together.
+struct UnknownMap<T>(Vec<[T; 2]>);
+
+impl<T: Copy> UnknownMap<T> {
+    fn new(value: T, clause_count: usize) -> Self {
+        Self(vec![[value; 2]; clause_count])
+    }
+}
+
+impl<T> Index<Unknown> for UnknownMap<T> {
+    type Output = T;
+
+    fn index(&self, unknown: Unknown) -> &T {
+        match unknown {
+            Unknown::Start(id) => &self.0[id.index()][0],
+            Unknown::End(id) => &self.0[id.index()][1],
+        }
+    }
+}
+
+impl<T> IndexMut<Unknown> for UnknownMap<T> {
+    fn index_mut(&mut self, unknown: Unknown) -> &mut T {
+        match unknown {
+            Unknown::Start(id) => &mut self.0[id.index()][0],
+            Unknown::End(id) => &mut self.0[id.index()][1],
+        }
     }
 }
 
@@ -58,17 +114,17 @@ pub(super) fn solve(
         terms: Vec::new(),
         first_term: vec![0; n],
         before: vec![None; n],
-        state: vec![State::New; 2 * n],
-        values: vec![f64::NAN; 2 * n],
+        state: UnknownMap::new(State::New, n),
+        values: UnknownMap::new(f64::NAN, n),
         refused: vec![false; n],
-        unknown: Vec::new(),
-        depth: vec![0; 2 * n],
+        unresolved: Vec::new(),
+        depth: UnknownMap::new(0, n),
         suspects: Vec::new(),
     };
     solver.look_up_names(found);
     solver.link_sequences(&found.groups);
     let mut stack = Vec::new();
-    for unknown in 0..2 * n {
+    for unknown in Unknown::all(n) {
         if !solver.is_ready(unknown) {
             solver.find(unknown, &mut stack);
         } else if solver.state[unknown] == State::New {
@@ -107,15 +163,15 @@ struct Solver<'d, 's> {
     first_term: Vec<u32>,
     /// In a seq, the clause before.
     before: Vec<Option<ClauseId>>,
-    state: Vec<State>,
-    values: Vec<f64>,
+    state: UnknownMap<State>,
+    values: UnknownMap<f64>,
     /// Clauses whose expression has been found faulty and reported.
     refused: Vec<bool>,
     /// The clauses that count from a name that nothing has, with its place among their
     /// names; by clause.
-    unknown: Vec<(ClauseId, usize)>,
+    unresolved: Vec<(ClauseId, usize)>,
     /// Where on the stack an open unknown lies.
-    depth: Vec<u32>,
+    depth: UnknownMap<u32>,
     /// The clauses on the stack whose start names moments, and where on it they lie.
     suspects: Vec<(ClauseId, usize)>,
 }
@@ -141,7 +197,7 @@ impl Solver<'_, '_> {
                     }),
                     None => {
                         if !std::mem::replace(&mut self.refused[id.index()], true) {
-                            self.unknown.push((id, place));
+                            self.unresolved.push((id, place));
                         }
                         let message = format!(
                             "{} names no moment; this `{}` is left out",
@@ -175,12 +231,12 @@ impl Solver<'_, '_> {
 
     /// Whether all that an unknown needs is known, as it mostly is when the unknowns are
     /// gone through in the order of the document.
-    fn is_ready(&self, unknown: usize) -> bool {
+    fn is_ready(&self, unknown: Unknown) -> bool {
         let known = |needed| self.state[needed] == State::Done;
-        if !unknown.is_multiple_of(2) && known(unknown - 1) {
+        if let Unknown::End(id) = unknown {
             // The end of a clause that starts and holds no others needs nothing more.
-            let (id, _) = self.clause_of(unknown);
-            if self.counts[id.index()] == 0 && !self.values[unknown - 1].is_nan() {
+            let start = Unknown::Start(id);
+            if known(start) && self.counts[id.index()] == 0 && !self.values[start].is_nan() {
                 step(1);
                 return true;
             }
@@ -188,12 +244,12 @@ impl Solver<'_, '_> {
         known(unknown) || (0..).map_while(|i| self.needs(unknown, i)).all(known)
     }
 
-    fn settle(&mut self, unknown: usize) {
+    fn settle(&mut self, unknown: Unknown) {
         self.values[unknown] = self.value(unknown);
         self.state[unknown] = State::Done;
     }
 
-    fn find(&mut self, unknown: usize, stack: &mut Vec<(usize, usize)>) {
+    fn find(&mut self, unknown: Unknown, stack: &mut Vec<(Unknown, usize)>) {
         self.open(unknown, stack);
         while let Some((current, next)) = stack.last_mut() {
             let current = *current;
@@ -214,67 +270,75 @@ impl Solver<'_, '_> {
     }
 
     /// Puts an unknown and the first thing it needs on the stack.
-    fn open(&mut self, unknown: usize, stack: &mut Vec<(usize, usize)>) {
+    fn open(&mut self, unknown: Unknown, stack: &mut Vec<(Unknown, usize)>) {
         self.state[unknown] = State::Open;
         // A document has fewer than 2³¹ clauses, and each unknown is open once.
         self.depth[unknown] = stack.len() as u32;
-        let (id, clause) = self.clause_of(unknown);
-        if unknown.is_multiple_of(2) && clause.start.is_absolute() {
+        if let Unknown::Start(id) = unknown
+            && self.document.clause(id).start.is_absolute()
+        {
             self.suspects.push((id, stack.len()));
         }
         stack.push((unknown, 0));
     }
 
     /// The `i`th unknown that must be found before `unknown`.
-    fn needs(&self, unknown: usize, i: usize) -> Option<usize> {
+    fn needs(&self, unknown: Unknown, i: usize) -> Option<Unknown> {
         step(1);
-        let (id, clause) = self.clause_of(unknown);
-        let is_start = unknown.is_multiple_of(2);
-        if is_start {
+        let id = unknown.clause();
+        let clause = self.document.clause(id);
+        if matches!(unknown, Unknown::Start(_)) {
             if self.refused[id.index()] {
                 return None;
             }
             if clause.start.is_absolute() {
-                return self.terms_of(id).get(i).map(|term| start_of(term.clause));
+                return self
+                    .terms_of(id)
+                    .get(i)
+                    .map(|term| Unknown::Start(term.clause));
             }
             return if i == 0 { self.base(id, clause) } else { None };
         }
         if i == 0 {
-            return Some(start_of(id));
+            return Some(Unknown::Start(id));
         }
-        if self.values[start_of(id)].is_nan() {
+        if self.values[Unknown::Start(id)].is_nan() {
             let in_seq = i == 1 && self.in_seq(clause);
             return if in_seq { self.base(id, clause) } else { None };
         }
         match clause.kind.group() {
             Some(group) if group.iteration_secs.is_none() => {
-                group.children.get(i - 1).map(|&child| end_of(child))
+                group.children.get(i - 1).map(|&child| Unknown::End(child))
             }
             _ => None,
         }
     }
 
     /// What a plain number counts from; none in the body.
-    fn base(&self, id: ClauseId, clause: &Clause) -> Option<usize> {
+    fn base(&self, id: ClauseId, clause: &Clause) -> Option<Unknown> {
         match (self.before[id.index()], clause.parent) {
-            (Some(before), _) => Some(end_of(before)),
-            (None, parent) => parent.map(start_of),
+            (Some(before), _) => Some(Unknown::End(before)),
+            (None, parent) => parent.map(Unknown::Start),
         }
     }
 
     /// The value of an unknown once all that it needs is known.
-    fn value(&mut self, unknown: usize) -> f64 {
-        let (id, clause) = self.clause_of(unknown);
-        if !unknown.is_multiple_of(2) {
-            return self.end_value(id, clause);
+    fn value(&mut self, unknown: Unknown) -> f64 {
+        match unknown {
+            Unknown::Start(id) => self.start_value(id),
+            Unknown::End(id) => self.end_value(id, self.document.clause(id)),
         }
+    }
+
+    fn start_value(&mut self, id: ClauseId) -> f64 {
+        let clause = self.document.clause(id);
         if self.refused[id.index()] {
             return f64::NAN;
         }
         let mut secs = clause.start.offset_secs;
         if clause.start.is_absolute() {
             for term in self.terms_of(id) {
-                secs += term.sign * (self.values[start_of(term.clause)] + term.offset_secs);
+                secs += term.sign * (self.values[Unknown::Start(term.clause)] + term.offset_secs);
             }
         } else if let Some(base) = self.base(id, clause) {
             secs += self.values[base];
@@ -306,7 +370,7 @@ impl Solver<'_, '_> {
     }
 
     fn end_value(&self, id: ClauseId, clause: &Clause) -> f64 {
-        let start = self.values[start_of(id)];
+        let start = self.values[Unknown::Start(id)];
         if start.is_nan() {
             // In a seq, what follows goes on as if this clause were not there.
             let base = self.base(id, clause).filter(|_| self.in_seq(clause));
@@ -315,7 +379,7 @@ impl Solver<'_, '_> {
         let length = match &clause.kind {
             ClauseKind::Seq(group) | ClauseKind::Par(group) => {
                 let one = group.iteration_secs.unwrap_or_else(|| {
-                    let ends = group.children.iter().map(|&c| self.values[end_of(c)]);
+                    let ends = group.children.iter().map(|&c| self.values[Unknown::End(c)]);
                     // `max` passes over the NaN of a child that is left out.
                     ends.fold(start, f64::max) - start
                 });
@@ -385,8 +449,8 @@ impl Solver<'_, '_> {
         let mut at = Some(from).filter(|_| !self.sink.is_full_of("eml::no-time"));
         while let Some(id) = at {
             let clause = self.document.clause(id);
-            if let Ok(found) = self.unknown.binary_search_by_key(&id, |&(id, _)| id) {
-                let place = self.unknown[found].1;
+            if let Ok(found) = self.unresolved.binary_search_by_key(&id, |&(id, _)| id) {
+                let place = self.unresolved[found].1;
                 steps.push(quoted(&clause.start.names[place].name));
                 break;
             }
@@ -399,7 +463,8 @@ impl Solver<'_, '_> {
                 None
             } else if clause.start.is_absolute() {
                 let mut named = clause.start.names.iter().zip(self.terms_of(id));
-                let missing = named.find(|(_, term)| self.values[start_of(term.clause)].is_nan());
+                let missing =
+                    named.find(|(_, term)| self.values[Unknown::Start(term.clause)].is_nan());
                 missing.map(|(name, term)| {
                     steps.push(quoted(&name.name));
                     term.clause
@@ -417,25 +482,9 @@ impl Solver<'_, '_> {
             .is_some_and(|p| matches!(self.document.clause(p).kind, ClauseKind::Seq(_)))
     }
 
-    fn clause_of(&self, unknown: usize) -> (ClauseId, &'_ Clause) {
-        let index = unknown / 2;
-        (
-            ClauseId(u32::try_from(index).unwrap_or(u32::MAX)),
-            &self.document.clauses[index],
-        )
-    }
-
     fn terms_of(&self, id: ClauseId) -> &[Term] {
         let count = self.document.clause(id).start.names.len();
         let terms = &self.terms[self.first_term[id.index()] as usize..];
         terms.get(..count).unwrap_or(terms)
     }
-}
-
-fn start_of(clause: ClauseId) -> usize {
-    2 * clause.index()
-}
-
-fn end_of(clause: ClauseId) -> usize {
-    2 * clause.index() + 1
 }

@@ -1,10 +1,10 @@
 //! From the clauses of animation players to the actor's commands (GEVH 3.2, D.3.5 to D.3.18).
 
-use raconteur_actor::Library;
 use raconteur_actor::animation::{
     BODY_GROUPS, BoneSet, Operation, Playback, PlayerCommand, PlayerKind, PlayerScript, Players,
     ProblemKind, Property, TrackRef, Tracks, body_group,
 };
+use raconteur_actor::{ArmRig, Library};
 use raconteur_body::{Bone, Skeleton};
 use raconteur_eml::{
     AnimationStyle, Bones, ClauseKind, DeterministicPrimitive, Diagnostic, Document, Member,
@@ -240,7 +240,8 @@ pub(crate) fn problems(
     let first = commands.len();
     commands.extend(own);
     let script = PlayerScript { commands };
-    let (_, problems) = Players::new(&script, &Library::default(), skeleton);
+    let arms = ArmRig::both(skeleton);
+    let (_, problems) = Players::new(&script, &Library::default(), skeleton, arms);
     let added: Vec<&str> = script
         .commands
         .iter()
