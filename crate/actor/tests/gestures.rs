@@ -6,7 +6,7 @@ use raconteur_actor::gesture::{
     ArmPlan, ArmScript, BodySpace, Course, GestureStroke, HandKey, HandState, Life, Phase, Space,
 };
 use raconteur_actor::kinematics::world_from_bone;
-use raconteur_actor::{Actor, FaceRig, Performance, palm};
+use raconteur_actor::{Actor, ArmRig, FaceRig, Performance, palm};
 use raconteur_base::profile::Profile;
 use raconteur_base::{DVec3, Side};
 use raconteur_body::hand_shape::HandShape;
@@ -61,7 +61,8 @@ fn plan(strokes: &[GestureStroke]) -> ArmPlan {
     };
     let skeleton = Skeleton::example();
     let space = BodySpace::new(&skeleton, None);
-    ArmPlan::new(&script, &skeleton, &space, Side::Right, &STILL)
+    let rig = Arc::new(ArmRig::new(&skeleton, Side::Right));
+    ArmPlan::new(&script, &skeleton, rig, &space, &STILL)
 }
 
 /// A stroke of one second from [`FROM`] to [`TO`] with a course.
@@ -144,7 +145,7 @@ fn by_joint_the_elbow_turns_steadily_and_the_wrist_swings() {
     assert!(bent > 0.01, "{bent} m");
     // The shoulder is where the posture has it, so the distance to it tells the elbow.
     let skeleton = Skeleton::example();
-    let rig = raconteur_actor::ArmRig::new(&skeleton, Side::Right);
+    let rig = ArmRig::new(&skeleton, Side::Right);
     let [a, b] = [FROM, TO].map(|p| rig.posture(p));
     let expected = rig.wrist_of(&a.lerp(&b, 0.25));
     assert!(plan.at(2.25).wrist.distance(expected) < 3e-3);

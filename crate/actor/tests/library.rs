@@ -3,6 +3,7 @@
 use std::fs;
 use std::path::PathBuf;
 
+use raconteur_actor::ArmRig;
 use raconteur_actor::animation::{BoneSet, Library, Players};
 use raconteur_actor::animation::{Operation, Playback, PlayerCommand, PlayerKind, PlayerScript};
 use raconteur_actor::kinematics::{rotation_of, world_from_bone};
@@ -59,7 +60,8 @@ impl Stage {
         let script = PlayerScript {
             commands: vec![(0.0, add), (0.0, push)],
         };
-        let (players, problems) = Players::new(&script, &library, &skeleton);
+        let (players, problems) =
+            Players::new(&script, &library, &skeleton, ArmRig::both(&skeleton));
         assert_eq!(problems, [], "{name}");
         Self {
             skeleton,

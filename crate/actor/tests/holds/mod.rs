@@ -1,5 +1,6 @@
 //! What must hold whatever the text of an animation: shared by the tests and the fuzz target.
 
+use raconteur_actor::ArmRig;
 use raconteur_actor::animation::{
     BoneSet, Library, Operation, Playback, PlayerCommand, PlayerKind, PlayerScript, Players,
 };
@@ -33,7 +34,12 @@ pub(crate) fn animation(text: &str) {
     };
     let commands = vec![(0.0, add), (0.0, push)];
     let skeleton = Skeleton::example();
-    let (players, _) = Players::new(&PlayerScript { commands }, &library, &skeleton);
+    let (players, _) = Players::new(
+        &PlayerScript { commands },
+        &library,
+        &skeleton,
+        ArmRig::both(&skeleton),
+    );
     let mut world = Vec::new();
     for t in [0.0, 0.013, seconds / 3.0, seconds, 2.5 * seconds + 1.0] {
         let mut pose = Pose::zero();
