@@ -137,6 +137,74 @@ pub const WORDS_A_PAUSE: f64 = 8.0;
 /// Pauses stand no nearer to each other, or to an end, than so many tokens.
 const LEAST_TOKENS: usize = 2;
 
+/// A pause inside a sentence that the author did not ask for.
+struct OwnPause {
+    sentence: usize,
+    token: usize,
+    secs: f64,
+}
+
+/// What pauses there are inside the sentences of an utterance, and what emotion says of their number.
+struct PauseCount {
+    own: Vec<OwnPause>,
+    /// Those that the author asks for.
+    asked: usize,
+    words: f64,
+    /// Mean factor on their number.
+    factor: f64,
+}
+
+impl PauseCount {
+    fn of(sentences: &[Planned], spoken: &[Spoken], places: &dyn Fn(usize) -> Place) -> Self {
+        let mut own = Vec::new();
+        let (mut words, mut factor, mut asked) = (0.0, 0.0, 0);
+        for (i, (planned, spoken)) in sentences.iter().zip(spoken).enumerate() {
+            let (mut start, mut token) = (0.0, None);
+            for segment in &spoken.segments {
+                let secs = segment.end_secs - start;
+                start = segment.end_secs;
+                if segment.is_silent()
+                    && let Some(token) = token
+                    && token + 1 < planned.sentence.tokens.len()
+                    && planned.pauses.get(token).copied().flatten().is_none()
+                {
+                    own.push(OwnPause {
+                        sentence: i,
+                        token,
+                        secs,
+                    });
+                }
+                token = segment.token.or(token);
+            }
+            let inside = planned
+                .pauses
+                .split_last()
+                .map_or(&[][..], |(_, inside)| inside);
+            asked += inside.iter().filter(|p| p.is_some_and(|p| p > 0.0)).count();
+            for token in &planned.sentence.tokens {
+                words += 1.0;
+                factor += Prosody::of(places(token.word)).number_of_pauses;
+            }
+        }
+        Self {
+            own,
+            asked,
+            words,
+            factor: if words > 0.0 { factor / words } else { 1.0 },
+        }
+    }
+
+    /// How many pauses the voice is to make of its own; `None` when emotion changes nothing.
+    fn wanted(&self) -> Option<usize> {
+        if (self.factor - 1.0).abs() < 1e-9 {
+            return None;
+        }
+        // Where the author pauses often enough, as in verse, a voice makes none besides.
+        let usual = ((self.own.len() + self.asked) as f64).max(self.words / WORDS_A_PAUSE);
+        Some(((usual * self.factor).round() as usize).saturating_sub(self.asked))
+    }
+}
+
 /// Pauses that an emotion adds inside the sentences of an utterance or takes away from them
 /// (F&H table 4.5, number of pauses): for each sentence tokens with the silence after them,
 /// seconds. Pauses that the author asks for stay.
@@ -147,84 +215,53 @@ pub fn moved_pauses(
     places: &dyn Fn(usize) -> Place,
 ) -> Vec<Vec<(usize, f64)>> {
     let mut moved = vec![Vec::new(); sentences.len()];
-    // Those that are there, with their lengths: sentence, token, seconds.
-    let mut own: Vec<(usize, usize, f64)> = Vec::new();
-    let (mut words, mut factor, mut asked) = (0.0, 0.0, 0);
-    for (i, (planned, spoken)) in sentences.iter().zip(spoken).enumerate() {
-        let (mut start, mut token) = (0.0, None);
-        for segment in &spoken.segments {
-            let length = segment.end_secs - start;
-            start = segment.end_secs;
-            if segment.is_silent()
-                && let Some(token) = token
-                && token + 1 < planned.sentence.tokens.len()
-                && planned.pauses.get(token).copied().flatten().is_none()
-            {
-                own.push((i, token, length));
-            }
-            token = segment.token.or(token);
-        }
-        let inside = planned
-            .pauses
-            .split_last()
-            .map_or(&[][..], |(_, inside)| inside);
-        asked += inside.iter().filter(|p| p.is_some_and(|p| p > 0.0)).count();
-        for token in &planned.sentence.tokens {
-            words += 1.0;
-            factor += Prosody::of(places(token.word)).number_of_pauses;
-        }
-    }
-    if words == 0.0 {
+    let count = PauseCount::of(sentences, spoken, places);
+    let Some(wanted) = count.wanted() else {
         return moved;
-    }
-    let factor = factor / words;
-    if (factor - 1.0).abs() < 1e-9 {
-        return moved;
-    }
-    // Where the author pauses often enough, as in verse, a voice makes none besides.
-    let usual = ((own.len() + asked) as f64).max(words / WORDS_A_PAUSE);
-    let wanted = ((usual * factor).round() as usize).saturating_sub(asked);
+    };
+    let mut own = count.own;
     if wanted < own.len() {
-        own.sort_by(|a, b| a.2.total_cmp(&b.2));
-        for (sentence, token, _) in &own[..own.len() - wanted] {
-            moved[*sentence].push((*token, 0.0));
+        own.sort_by(|a, b| a.secs.total_cmp(&b.secs));
+        for pause in &own[..own.len() - wanted] {
+            moved[pause.sentence].push((pause.token, 0.0));
         }
         return moved;
     }
     for _ in own.len()..wanted {
-        // In the middle of the longest stretch without a pause.
-        let mut best: Option<(usize, usize, usize)> = None;
-        for (i, planned) in sentences.iter().enumerate() {
-            let end = planned.sentence.tokens.len();
-            let mut stops: Vec<usize> = own
-                .iter()
-                .filter(|(s, ..)| *s == i)
-                .map(|(_, t, _)| t + 1)
-                .chain(moved[i].iter().map(|(t, _)| t + 1))
-                .chain(
-                    planned
-                        .pauses
-                        .iter()
-                        .enumerate()
-                        .filter(|(_, p)| p.is_some())
-                        .map(|(t, _)| t + 1),
-                )
-                .chain([0, end])
-                .collect();
-            stops.sort_unstable();
-            for pair in stops.windows(2) {
-                let length = pair[1] - pair[0];
-                if length >= 2 * LEAST_TOKENS && best.is_none_or(|(_, _, most)| length > most) {
-                    best = Some((i, pair[0] + length / 2 - 1, length));
-                }
-            }
-        }
-        let Some((sentence, token, _)) = best else {
+        let Some((sentence, token)) = longest_run_middle(sentences, &own, &moved) else {
             break;
         };
         moved[sentence].push((token, ADDED_PAUSE_SECS));
     }
     moved
+}
+
+/// The token in the middle of the longest run without a pause, with its sentence.
+fn longest_run_middle(
+    sentences: &[Planned],
+    own: &[OwnPause],
+    moved: &[Vec<(usize, f64)>],
+) -> Option<(usize, usize)> {
+    let mut best: Option<(usize, usize, usize)> = None;
+    for (i, planned) in sentences.iter().enumerate() {
+        let asked = planned.pauses.iter().enumerate();
+        let mut stops: Vec<usize> = own
+            .iter()
+            .filter(|pause| pause.sentence == i)
+            .map(|pause| pause.token + 1)
+            .chain(moved[i].iter().map(|(t, _)| t + 1))
+            .chain(asked.filter(|(_, p)| p.is_some()).map(|(t, _)| t + 1))
+            .chain([0, planned.sentence.tokens.len()])
+            .collect();
+        stops.sort_unstable();
+        for pair in stops.windows(2) {
+            let length = pair[1] - pair[0];
+            if length >= 2 * LEAST_TOKENS && best.is_none_or(|(_, _, most)| length > most) {
+                best = Some((i, pair[0] + length / 2 - 1, length));
+            }
+        }
+    }
+    best.map(|(sentence, token, _)| (sentence, token))
 }
 
 #[cfg(test)]

@@ -10,7 +10,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use raconteur_player::Script;
 use raconteur_voice::language;
 use raconteur_voice::text::Lexicon;
-use serde_json::json;
+use serde_json::{Value, json};
 
 use crate::story::StoryFiles;
 use raconteur_voice::files::{input, inside};
@@ -100,22 +100,8 @@ impl Bake {
                     .unwrap_or(1),
                 check: self.check,
             };
-            let bar = ProgressBar::new(0).with_style(ProgressStyle::with_template(
-                "{bar:30} {pos}/{len} {wide_msg}",
-            )?);
-            let baked = bake::bake(
-                &raconteur_voice::said(&script.document),
-                folder,
-                &bake_options,
-                &|path| assets::find(path, &files.script),
-                &|done, of, text| {
-                    bar.set_length(of as u64);
-                    bar.set_position(done as u64);
-                    bar.set_message(text.to_owned());
-                },
-            )
-            .with_context(|| format!("baking {name}"))?;
-            bar.finish_and_clear();
+            let baked = bake_with_bar(&files, &script, folder, &bake_options)
+                .with_context(|| format!("baking {name}"))?;
             for file in &baked.absent {
                 writeln!(
                     io::stderr(),
@@ -130,25 +116,7 @@ impl Bake {
             }
             match self.format {
                 Format::Text => self.tell(&name, &baked)?,
-                Format::Json => reports.push(json!({
-                    "file": name,
-                    "utterances": baked.utterances,
-                    "stale": baked.synthesised,
-                    "removed": baked.removed,
-                    "heard": baked.sound.lufs.map(|(softest, loudest)| json!({
-                        "bursts": baked.sound.heard.bursts.percent(),
-                        "vowels": baked.sound.heard.vowels.percent(),
-                        "pauses_under_db": baked.sound.heard.pauses_under_db(),
-                        "lufs": [softest, loudest],
-                    })),
-                    "absent": baked.absent.iter().map(|p| p.display().to_string()).collect::<Vec<_>>(),
-                    "duration": baked.duration_secs,
-                    "bytes": {
-                        "opus": baked.opus_bytes,
-                        "mp3": baked.mp3_bytes,
-                        "text": baked.text_bytes,
-                    },
-                })),
+                Format::Json => reports.push(in_json(&name, &baked)),
             }
         }
         if self.format == Format::Json {
@@ -302,12 +270,59 @@ impl Bake {
     }
 }
 
-fn row(engine: &str, voice: &VoiceInfo) -> serde_json::Value {
+fn row(engine: &str, voice: &VoiceInfo) -> Value {
     json!({
         "engine": engine,
         "voice": voice.name,
         "language": voice.language,
         "phone_set": voice.phone_set,
         "what": voice.what,
+    })
+}
+
+/// Bakes a story, with a bar that shows how far it is.
+fn bake_with_bar(
+    files: &StoryFiles,
+    script: &Script,
+    folder: &Path,
+    options: &BakeOptions,
+) -> Result<BakeReport> {
+    let style = ProgressStyle::with_template("{bar:30} {pos}/{len} {wide_msg}")?;
+    let bar = ProgressBar::new(0).with_style(style);
+    let baked = bake::bake(
+        &raconteur_voice::said(&script.document),
+        folder,
+        options,
+        &|path| assets::find(path, &files.script),
+        &|done, of, text| {
+            bar.set_length(of as u64);
+            bar.set_position(done as u64);
+            bar.set_message(text.to_owned());
+        },
+    );
+    bar.finish_and_clear();
+    baked
+}
+
+/// What `--format json` prints of a story.
+fn in_json(name: &str, baked: &BakeReport) -> Value {
+    json!({
+        "file": name,
+        "utterances": baked.utterances,
+        "stale": baked.synthesised,
+        "removed": baked.removed,
+        "heard": baked.sound.lufs.map(|(softest, loudest)| json!({
+            "bursts": baked.sound.heard.bursts.percent(),
+            "vowels": baked.sound.heard.vowels.percent(),
+            "pauses_under_db": baked.sound.heard.pauses_under_db(),
+            "lufs": [softest, loudest],
+        })),
+        "absent": baked.absent.iter().map(|p| p.display().to_string()).collect::<Vec<_>>(),
+        "duration": baked.duration_secs,
+        "bytes": {
+            "opus": baked.opus_bytes,
+            "mp3": baked.mp3_bytes,
+            "text": baked.text_bytes,
+        },
     })
 }

@@ -2,7 +2,7 @@
 //! each setting, with what was asked and what was heard.
 
 use crate::assemble::Speech;
-use crate::compare::{Difference, amplitude, compare, frequency};
+use crate::compare::{Difference, Melody, amplitude, compare, frequency};
 use crate::content::Content;
 use crate::feel;
 use crate::language;
@@ -205,82 +205,16 @@ impl Lab<'_> {
     fn attributes(&self) -> Result<Vec<Row>> {
         let last = self.words() - 1;
         let mut rows = Vec::new();
-        type Heard = fn(&Difference) -> f64;
-        let pace: Heard = |d| 1.0 / d.duration;
-        let height: Heard = |d| d.melody.map_or(f64::NAN, |m| frequency(m.semitones));
-        let range: Heard = |d| d.melody.map_or(f64::NAN, |m| m.range);
-        let gain: Heard = |d| amplitude(d.db);
-        /// Element, attribute, what of the sound, how it is heard, and values with their factors.
-        type Setting = (
-            &'static str,
-            &'static str,
-            &'static str,
-            Heard,
-            &'static [(&'static str, f64)],
-        );
-        let settings: [Setting; 5] = [
-            (
-                "RATE",
-                "SPEED",
-                "pace",
-                pace,
-                &[
-                    ("-30%", 0.7),
-                    ("+30%", 1.3),
-                    ("slowest", 0.6),
-                    ("slow", 0.8),
-                    ("fast", 1.2),
-                    ("fastest", 1.5),
-                ],
-            ),
-            (
-                "PITCH",
-                "BASE",
-                "pitch",
-                height,
-                &[
-                    ("-20%", 0.8),
-                    ("+30%", 1.3),
-                    ("lowest", 0.8),
-                    ("highest", 1.2),
-                ],
-            ),
-            (
-                "PITCH",
-                "MIDDLE",
-                "pitch",
-                height,
-                &[("-20%", 0.8), ("+30%", 1.3), ("low", 0.9), ("high", 1.1)],
-            ),
-            (
-                "PITCH",
-                "RANGE",
-                "range",
-                range,
-                &[
-                    ("-50%", 0.5),
-                    ("+50%", 1.5),
-                    ("smallest", 0.8),
-                    ("largest", 1.2),
-                ],
-            ),
-            (
-                "VOLUME",
-                "LEVEL",
-                "amplitude",
-                gain,
-                &[
-                    ("-50%", 0.5),
-                    ("+50%", 1.5),
-                    ("quiet", 0.5),
-                    ("loud", 1.5),
-                    ("loudest", 2.0),
-                ],
-            ),
-        ];
-        for (tag, attribute, property, heard, values) in settings {
+        for Attribute {
+            tag,
+            name,
+            property,
+            heard,
+            values,
+        } in ATTRIBUTES
+        {
             for (value, asked) in values {
-                let setting = format!("{tag} {attribute}=\"{value}\"");
+                let setting = format!("{tag} {name}=\"{value}\"");
                 let text = self.texts.join(" ");
                 let changed = self.speak(&format!("<{setting}>{text}</{tag}>"), None)?;
                 let difference = self.against(&changed, 0, last)?;
@@ -368,81 +302,13 @@ impl Lab<'_> {
             let asked = Prosody::of(place);
             let setting = format!("{name} {sign:+}");
             let melody = heard.melody.context("too little of it is voiced")?;
-            let semitones = |factor: f64| 12.0 * libm::log2(factor);
-            let tilt = match asked.accent_shape {
-                Some(AccentShape::Rising) => realise::SHAPE_SEMITONES,
-                Some(AccentShape::Falling) => -realise::SHAPE_SEMITONES,
-                _ => 0.0,
-            };
-            // The first of a sentence rises.
-            let alternation = match asked.accent_shape {
-                Some(AccentShape::Alternating) => realise::SHAPE_SEMITONES,
-                _ => 0.0,
-            };
-            let end = match asked.ends_high {
-                Some(high) => {
-                    let sign = if high { 1.0 } else { -1.0 };
-                    sign * realise::BOUNDARY_SEMITONES * place.power.abs() / 100.0
-                }
-                None => 0.0,
-            };
-            let accent = realise::ACCENT_SEMITONES * (asked.accent_prominence - 1.0);
-            let factors = [
-                ("pitch", asked.pitch, frequency(melody.semitones)),
-                ("range", asked.range, melody.range),
-                ("range dynamics", asked.range_dynamics, melody.range_growth),
-                ("accent slope", asked.accent_slope, melody.accent_slope),
-                (
-                    "vowels, nasals, liquids",
-                    asked.sonorant_duration / asked.rate,
-                    heard.sonorant_duration,
-                ),
-                (
-                    "plosives, fricatives",
-                    asked.obstruent_duration / asked.rate,
-                    heard.obstruent_duration,
-                ),
-                (
-                    "pause duration",
-                    asked.pause_duration / asked.rate,
-                    heard.pause_duration,
-                ),
-                ("amplitude", asked.volume, amplitude(heard.db)),
-            ];
-            let sums = [
-                (
-                    "pitch dynamics, st",
-                    semitones(asked.pitch_dynamics),
-                    melody.rise,
-                ),
-                ("accent prominence, st", accent, melody.accent),
-                ("accent shape, st", tilt, melody.accent_tilt),
-                ("phrase ends, st", end, melody.end),
-                (
-                    "accents alternate, st",
-                    alternation,
-                    melody.accent_alternation,
-                ),
-            ];
-            // Pauses come and go by whole ones.
-            let before = heard.pauses.0 as f64;
-            let usual = before.max(self.words() as f64 / feel::WORDS_A_PAUSE);
-            let wanted = (usual * asked.number_of_pauses).round();
-            if wanted != before && asked.number_of_pauses != 1.0 {
-                let heard = heard.pauses.1 as f64 / before.max(1.0);
-                rows.push(Row::factor(
-                    &setting,
-                    "number of pauses",
-                    wanted / before.max(1.0),
-                    heard,
-                ));
-            }
-            for (property, asked, heard) in factors {
+            rows.extend(self.number_of_pauses(&setting, &asked, &heard));
+            for (property, asked, heard) in factors(&asked, &heard, &melody) {
                 if (asked - 1.0).abs() > 1e-9 {
                     rows.push(Row::factor(&setting, property, asked, heard));
                 }
             }
-            for (property, asked, heard) in sums {
+            for (property, asked, heard) in sums(&asked, place, &melody) {
                 if asked.abs() > 1e-9 {
                     rows.push(Row::new(&setting, property, Unit::Semitones, asked, heard));
                 }
@@ -450,7 +316,161 @@ impl Lab<'_> {
         }
         Ok(rows)
     }
+
+    /// Pauses come and go by whole ones.
+    fn number_of_pauses(&self, setting: &str, asked: &Prosody, heard: &Difference) -> Option<Row> {
+        let before = heard.pauses.0 as f64;
+        let usual = before.max(self.words() as f64 / feel::WORDS_A_PAUSE);
+        let wanted = (usual * asked.number_of_pauses).round();
+        (wanted != before && asked.number_of_pauses != 1.0).then(|| {
+            let before = before.max(1.0);
+            let heard = heard.pauses.1 as f64 / before;
+            Row::factor(setting, "number of pauses", wanted / before, heard)
+        })
+    }
 }
+
+/// What a property is to be multiplied by, and what it was.
+fn factors(asked: &Prosody, heard: &Difference, melody: &Melody) -> [(&'static str, f64, f64); 8] {
+    [
+        ("pitch", asked.pitch, frequency(melody.semitones)),
+        ("range", asked.range, melody.range),
+        ("range dynamics", asked.range_dynamics, melody.range_growth),
+        ("accent slope", asked.accent_slope, melody.accent_slope),
+        (
+            "vowels, nasals, liquids",
+            asked.sonorant_duration / asked.rate,
+            heard.sonorant_duration,
+        ),
+        (
+            "plosives, fricatives",
+            asked.obstruent_duration / asked.rate,
+            heard.obstruent_duration,
+        ),
+        (
+            "pause duration",
+            asked.pause_duration / asked.rate,
+            heard.pause_duration,
+        ),
+        ("amplitude", asked.volume, amplitude(heard.db)),
+    ]
+}
+
+/// By how many semitones a property is to change, and by how many it did.
+fn sums(asked: &Prosody, place: Place, melody: &Melody) -> [(&'static str, f64, f64); 5] {
+    let semitones = |factor: f64| 12.0 * libm::log2(factor);
+    let tilt = match asked.accent_shape {
+        Some(AccentShape::Rising) => realise::SHAPE_SEMITONES,
+        Some(AccentShape::Falling) => -realise::SHAPE_SEMITONES,
+        _ => 0.0,
+    };
+    // The first of a sentence rises.
+    let alternation = match asked.accent_shape {
+        Some(AccentShape::Alternating) => realise::SHAPE_SEMITONES,
+        _ => 0.0,
+    };
+    let end = match asked.ends_high {
+        Some(high) => {
+            let sign = if high { 1.0 } else { -1.0 };
+            sign * realise::BOUNDARY_SEMITONES * place.power.abs() / 100.0
+        }
+        None => 0.0,
+    };
+    let accent = realise::ACCENT_SEMITONES * (asked.accent_prominence - 1.0);
+    [
+        (
+            "pitch dynamics, st",
+            semitones(asked.pitch_dynamics),
+            melody.rise,
+        ),
+        ("accent prominence, st", accent, melody.accent),
+        ("accent shape, st", tilt, melody.accent_tilt),
+        ("phrase ends, st", end, melody.end),
+        (
+            "accents alternate, st",
+            alternation,
+            melody.accent_alternation,
+        ),
+    ]
+}
+
+/// An attribute of SABLE and what it does to the sound.
+struct Attribute {
+    tag: &'static str,
+    name: &'static str,
+    /// What of the sound changes, and how that is heard.
+    property: &'static str,
+    heard: fn(&Difference) -> f64,
+    /// Values with their factors.
+    values: &'static [(&'static str, f64)],
+}
+
+fn pitch_heard(difference: &Difference) -> f64 {
+    difference
+        .melody
+        .map_or(f64::NAN, |m| frequency(m.semitones))
+}
+
+const ATTRIBUTES: [Attribute; 5] = [
+    Attribute {
+        tag: "RATE",
+        name: "SPEED",
+        property: "pace",
+        heard: |d| 1.0 / d.duration,
+        values: &[
+            ("-30%", 0.7),
+            ("+30%", 1.3),
+            ("slowest", 0.6),
+            ("slow", 0.8),
+            ("fast", 1.2),
+            ("fastest", 1.5),
+        ],
+    },
+    Attribute {
+        tag: "PITCH",
+        name: "BASE",
+        property: "pitch",
+        heard: pitch_heard,
+        values: &[
+            ("-20%", 0.8),
+            ("+30%", 1.3),
+            ("lowest", 0.8),
+            ("highest", 1.2),
+        ],
+    },
+    Attribute {
+        tag: "PITCH",
+        name: "MIDDLE",
+        property: "pitch",
+        heard: pitch_heard,
+        values: &[("-20%", 0.8), ("+30%", 1.3), ("low", 0.9), ("high", 1.1)],
+    },
+    Attribute {
+        tag: "PITCH",
+        name: "RANGE",
+        property: "range",
+        heard: |d| d.melody.map_or(f64::NAN, |m| m.range),
+        values: &[
+            ("-50%", 0.5),
+            ("+50%", 1.5),
+            ("smallest", 0.8),
+            ("largest", 1.2),
+        ],
+    },
+    Attribute {
+        tag: "VOLUME",
+        name: "LEVEL",
+        property: "amplitude",
+        heard: |d| amplitude(d.db),
+        values: &[
+            ("-50%", 0.5),
+            ("+50%", 1.5),
+            ("quiet", 0.5),
+            ("loud", 1.5),
+            ("loudest", 2.0),
+        ],
+    },
+];
 
 /// How long it is still after a word, in the sound: from where it has become 30 dB softer than
 /// the speech to where it is louder again.

@@ -155,8 +155,35 @@ const SHAPE_COST: f64 = 1.0;
 /// Cost of beginning anew after a gap that no step spans.
 const GAP_COST: f64 = 4.0;
 
-/// The marks between two samples.
+/// The marks between two samples: the cheapest path through the peaks there.
 fn stretch(smooth: &[f64], from: usize, to: usize, rate_hz: f64, track: &PitchTrack) -> Vec<f64> {
+    let mut peaks = peaks(smooth, from, to, rate_hz, track);
+    weigh(&mut peaks, smooth, from);
+    // The path ends within the last period, at the cheapest peak there.
+    let end = peaks
+        .iter()
+        .enumerate()
+        .rev()
+        .take_while(|(_, p)| to as f64 - p.at < 1.2 * p.period)
+        .min_by(|(_, a), (_, b)| a.cost.total_cmp(&b.cost))
+        .map(|(k, _)| k)
+        .or(peaks.len().checked_sub(1));
+    let mut marks = Vec::new();
+    let mut at = end;
+    while let Some(k) = at {
+        marks.push(peaks[k].at);
+        at = peaks[k].before;
+    }
+    marks.reverse();
+    grow(smooth, &mut marks, 1.0);
+    marks.reverse();
+    grow(smooth, &mut marks, -1.0);
+    marks.reverse();
+    marks
+}
+
+/// The peaks between two samples, where the track has a pitch.
+fn peaks(smooth: &[f64], from: usize, to: usize, rate_hz: f64, track: &PitchTrack) -> Vec<Peak> {
     let mut peaks: Vec<Peak> = Vec::new();
     for i in from.max(1)..to.min(smooth.len().saturating_sub(1)) {
         let [a, b, c] = [smooth[i - 1], smooth[i], smooth[i + 1]];
@@ -181,6 +208,11 @@ fn stretch(smooth: &[f64], from: usize, to: usize, rate_hz: f64, track: &PitchTr
             before: None,
         });
     }
+    peaks
+}
+
+/// Finds the cheapest way to each peak from those before it (dynamic programming).
+fn weigh(peaks: &mut [Peak], smooth: &[f64], from: usize) {
     let mut oldest = 0;
     for k in 0..peaks.len() {
         let (done, rest) = peaks.split_at_mut(k);
@@ -224,27 +256,6 @@ fn stretch(smooth: &[f64], from: usize, to: usize, rate_hz: f64, track: &PitchTr
             }
         }
     }
-    // The path ends within the last period, at the cheapest peak there.
-    let end = peaks
-        .iter()
-        .enumerate()
-        .rev()
-        .take_while(|(_, p)| to as f64 - p.at < 1.2 * p.period)
-        .min_by(|(_, a), (_, b)| a.cost.total_cmp(&b.cost))
-        .map(|(k, _)| k)
-        .or(peaks.len().checked_sub(1));
-    let mut marks = Vec::new();
-    let mut at = end;
-    while let Some(k) = at {
-        marks.push(peaks[k].at);
-        at = peaks[k].before;
-    }
-    marks.reverse();
-    grow(smooth, &mut marks, 1.0);
-    marks.reverse();
-    grow(smooth, &mut marks, -1.0);
-    marks.reverse();
-    marks
 }
 
 /// Most periods that a stretch grows by at either end, and how alike each must be to

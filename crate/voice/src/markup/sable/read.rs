@@ -41,10 +41,11 @@ fn unknown(tag: &Tag, pieces: &mut Pieces<'_>) -> Meaning {
     Meaning::default()
 }
 
-fn element(tag: &Tag, pieces: &mut Pieces<'_>, is_first: bool) -> Meaning {
-    let upper = tag.name.to_ascii_uppercase();
-    let known: &[&str] = match upper.as_str() {
-        "SABLE" | "MARKER" => &[],
+/// Attributes of an element of SABLE 0.2 besides `MARK`, by its name in upper case; `None` for another name.
+fn attributes_of(upper: &str) -> Option<&'static [&'static str]> {
+    Some(match upper {
+        // An experiment in the DTD only.
+        "BC" | "SABLE" | "MARKER" => &[],
         "EMPH" | "VOLUME" => &["LEVEL"],
         "BREAK" => &["LEVEL", "MSEC", "TYPE"],
         "PITCH" => &["BASE", "MIDDLE", "MED", "RANGE"],
@@ -56,10 +57,18 @@ fn element(tag: &Tag, pieces: &mut Pieces<'_>, is_first: bool) -> Meaning {
         "LANGUAGE" => &["ID", "CODE"],
         "SPEAKER" => &["GENDER", "AGE", "NAME"],
         "DIV" => &["TYPE"],
-        // An experiment in the DTD only.
-        "BC" => return Meaning::default(),
-        _ => return unknown(tag, pieces),
+        _ => return None,
+    })
+}
+
+fn element(tag: &Tag, pieces: &mut Pieces<'_>, is_first: bool) -> Meaning {
+    let upper = tag.name.to_ascii_uppercase();
+    let Some(known) = attributes_of(&upper) else {
+        return unknown(tag, pieces);
     };
+    if upper == "BC" {
+        return Meaning::default();
+    }
     for attribute in &tag.attributes {
         let name = attribute.name.as_str();
         let is_known =
@@ -92,14 +101,7 @@ fn element(tag: &Tag, pieces: &mut Pieces<'_>, is_first: bool) -> Meaning {
             }
             Meaning::default()
         }
-        "PRON" => {
-            let part = |name| filled(tag.get(name));
-            let (ipa, sub, origin) = (part("IPA"), part("SUB"), part("ORIGIN"));
-            if ipa.is_none() && sub.is_none() && origin.is_none() {
-                pieces.tell(tag.at, "PRON needs IPA or SUB");
-            }
-            Markup::Pronunciation { ipa, sub, origin }.into()
-        }
+        "PRON" => pronunciation(tag, pieces).into(),
         "SAYAS" => say_as(tag, pieces),
         "LANGUAGE" => match filled(tag.get("ID")) {
             Some(language) => Markup::Language(language).into(),
@@ -111,18 +113,29 @@ fn element(tag: &Tag, pieces: &mut Pieces<'_>, is_first: bool) -> Meaning {
             name: filled(tag.get("NAME")),
         })
         .into(),
-        "DIV" => {
-            let divisions = [
-                ("sentence", Division::Sentence),
-                ("paragraph", Division::Paragraph),
-            ];
-            Meaning {
-                division: word(tag, pieces, "TYPE", |w| of_word(&divisions, w))
-                    .or(Some(Division::Sentence)),
-                ..Meaning::default()
-            }
-        }
+        "DIV" => division(tag, pieces),
         _ => Meaning::default(),
+    }
+}
+
+fn pronunciation(tag: &Tag, pieces: &mut Pieces<'_>) -> Markup {
+    let attribute = |name| filled(tag.get(name));
+    let (ipa, sub, origin) = (attribute("IPA"), attribute("SUB"), attribute("ORIGIN"));
+    if ipa.is_none() && sub.is_none() && origin.is_none() {
+        pieces.tell(tag.at, "PRON needs IPA or SUB");
+    }
+    Markup::Pronunciation { ipa, sub, origin }
+}
+
+fn division(tag: &Tag, pieces: &mut Pieces<'_>) -> Meaning {
+    let divisions = [
+        ("sentence", Division::Sentence),
+        ("paragraph", Division::Paragraph),
+    ];
+    Meaning {
+        division: word(tag, pieces, "TYPE", |w| of_word(&divisions, w))
+            .or(Some(Division::Sentence)),
+        ..Meaning::default()
     }
 }
 
