@@ -2,3 +2,4 @@
 export type Crates = ReadonlyMap<string, { readonly folder: string; readonly uses: readonly string[] }>;
 export function affected(files: readonly string[], crates: Crates): string[];
 export function needed(): { checks: string[]; crates: string[] };
+export function sources(name: string, crates?: Crates): string[];

@@ -10,15 +10,15 @@ function changedFiles() {
   return lists.flatMap((list) => (list ?? '').split('\n')).filter(Boolean);
 }
 
-/** Workspace packages by name, each with its folder in the tree and the packages it uses. */
-function packages() {
+/** Workspace packages by name, each with its folder in the tree and the packages it uses, those of its tests included or not. */
+export function packages({ tests = true } = {}) {
   const text = ask('cargo', ['metadata', '--locked', '--no-deps', '--format-version', '1']);
   if (text === undefined) throw new Stop('cargo metadata failed.');
   const { packages: all, workspace_root: root } = JSON.parse(text);
   return new Map(
     all.map(({ name, manifest_path: manifest, dependencies }) => [
       name,
-      { folder: manifest.slice(root.length + 1, -'Cargo.toml'.length), uses: dependencies.map((d) => d.name) },
+      { folder: manifest.slice(root.length + 1, -'Cargo.toml'.length), uses: dependencies.filter(({ kind }) => tests || kind !== 'dev').map((d) => d.name) },
     ]),
   );
 }
@@ -31,6 +31,13 @@ export function affected(files, crates) {
     for (const [name, { uses }] of crates) if (uses.some((used) => hit.has(used))) hit.add(name);
   }
   return [...hit].sort();
+}
+
+/** Folders of a workspace package and of all that it is compiled from. */
+export function sources(name, crates = packages({ tests: false })) {
+  const found = new Set([name]);
+  for (const one of found) for (const used of crates.get(one)?.uses ?? []) if (crates.has(used)) found.add(used);
+  return [...found].map((one) => crates.get(one)?.folder ?? one).sort();
 }
 
 /** What `npm test -- --changed` runs: checks by name, and the crates whose tests they are. */

@@ -5,6 +5,7 @@
 import { copyFileSync, existsSync, mkdirSync, rmSync } from 'node:fs';
 import { homedir } from 'node:os';
 import { isAbsolute, join } from 'node:path';
+import { packages, sources } from './changed.mjs';
 import { once, root, start, Stop } from './steps.mjs';
 
 /** The back ends, each with a build of its own. */
@@ -18,9 +19,11 @@ export async function buildWasm() {
   // Cargo builds one after the other, and takes all cores for most of the time; what comes after it
   // takes one, and runs beside the next build.
   let cargo = Promise.resolve();
+  const crates = packages({ tests: false });
   await Promise.all(builds.map((feature) => {
     const folder = `web/pkg/${feature}`;
-    const inputs = ['crate', 'Cargo.toml', 'Cargo.lock', 'rust-toolchain.toml', 'web/tools/bindgen', 'web/tools/wasm.mjs'];
+    // What makes figures and voices is in none of them.
+    const inputs = [...sources(crateOf(feature), crates), 'Cargo.toml', 'Cargo.lock', 'rust-toolchain.toml', 'web/tools/bindgen', 'web/tools/wasm.mjs'];
     const outputs = [`${folder}/raconteur.js`, `${folder}/raconteur_bg.wasm`];
     return once(`wasm-${feature}`, { inputs, outputs }, async () => {
       const compiled = cargo.then(() => compile(feature, join(root, folder)));
@@ -30,9 +33,12 @@ export async function buildWasm() {
   }));
 }
 
+/** The package that a variant is a build of. */
+const crateOf = (feature) => `raconteur-${backends.includes(feature) ? 'web' : feature}`;
+
 /** Compiles a variant and gives its file, which lies in `folder` because cargo's own is the next variant's as well. */
 async function compile(feature, folder) {
-  const crate = backends.includes(feature) ? 'web' : feature;
+  const name = crateOf(feature);
   // Messages of panics name source files: without the folders of whoever builds.
   const cargoHome = process.env['CARGO_HOME'] ?? join(homedir(), '.cargo');
   const flags = [
@@ -42,11 +48,11 @@ async function compile(feature, folder) {
     `--remap-path-prefix=${root}=.`,
   ].join(' ').trim();
   await start('cargo', [
-    'build', '--locked', '--package', `raconteur-${crate}`, '--target', 'wasm32-unknown-unknown',
-    '--profile', 'wasm', ...(crate === 'web' ? ['--features', feature] : []),
+    'build', '--locked', '--package', name, '--target', 'wasm32-unknown-unknown',
+    '--profile', 'wasm', ...(backends.includes(feature) ? ['--features', feature] : []),
   ], { why: `Compiling the ${feature} build`, env: { ...process.env, RUSTFLAGS: flags } });
   const target = process.env['CARGO_TARGET_DIR'] ?? 'target';
-  const compiled = join(isAbsolute(target) ? target : join(root, target), `wasm32-unknown-unknown/wasm/raconteur_${crate}.wasm`);
+  const compiled = join(isAbsolute(target) ? target : join(root, target), `wasm32-unknown-unknown/wasm/${name.replace('-', '_')}.wasm`);
   if (!existsSync(compiled)) throw new Stop(`cargo left no ${compiled}.`);
   rmSync(folder, { recursive: true, force: true });
   mkdirSync(folder, { recursive: true });
