@@ -127,14 +127,7 @@ impl<'a> Builder<'a, '_, '_> {
     }
 
     fn read_from(&mut self, base: usize) -> Option<Restart> {
-        let mut at = base;
-        // A reader takes a byte order mark away, wherever it begins.
-        if self.source[at..].starts_with('\u{feff}') {
-            let markup = self.source[at..].find(['<', '&']);
-            at = markup.map_or(self.source.len(), |found| at + found);
-            self.text(base, at);
-        }
-        let mut events = Events::new(self.source, at);
+        let (mut events, mut at) = self.events(base);
         while at < self.source.len() {
             if self.tree.nodes.len() >= MOST_NODES {
                 self.error(
@@ -152,6 +145,18 @@ impl<'a> Builder<'a, '_, '_> {
             step(at - start);
         }
         None
+    }
+
+    /// The events from byte `base` on, and where they begin: a reader would drop a byte order mark
+    /// at its beginning, which is text anywhere but at the start of the source.
+    fn events(&mut self, base: usize) -> (Events<'a>, usize) {
+        let mut at = base;
+        if self.source[at..].starts_with('\u{feff}') {
+            let markup = self.source[at..].find(['<', '&']);
+            at = markup.map_or(self.source.len(), |found| at + found);
+            self.text(base, at);
+        }
+        (Events::new(self.source, at), at)
     }
 
     /// Reads the event at byte `start`. Returns where it ends, or where and whether to go on
@@ -197,8 +202,9 @@ impl<'a> Builder<'a, '_, '_> {
                 // At least the `<` is read.
                 let end = end.max(start + 1);
                 self.doctype(start, end);
-                *events = Events::new(source, end);
-                return Ok(end);
+                let (rest, begin) = self.events(end);
+                *events = rest;
+                return Ok(begin);
             }
             Err(error) => {
                 step(end - start);
