@@ -115,7 +115,7 @@ test('for a minute with twenty seeks, the phone that the engine thinks is heard 
   await tapInto(page);
   await page.addInitScript(listen);
   // A small picture, so that pictures drawn in software come often.
-  await stage.open('<raconteur-player src="/assets/stories/white-rabbit/story.eml" quality="low"></raconteur-player>', {
+  await stage.open('<raconteur-player src="/assets/stories/white-rabbit/story.eml" quality="lowest"></raconteur-player>', {
     'test.css': 'raconteur-player { width: 48px; height: 48px; aspect-ratio: auto }',
   });
   await stage.ready();

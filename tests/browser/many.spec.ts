@@ -57,7 +57,7 @@ test(`${CHANGES} changes of story, with seeks at rest and in play, need one devi
   test.setTimeout(600_000);
   await page.addInitScript(listen);
   await page.addInitScript(serve, files);
-  await stage.open('<raconteur-player src="s0/story.eml" quality="low" loading="eager"></raconteur-player>', small);
+  await stage.open('<raconteur-player src="s0/story.eml" quality="lowest" loading="eager"></raconteur-player>', small);
   await stage.ready();
   for (let from = 0; from < CHANGES; from += 10) {
     const durations = await stage.player.evaluate(async (p: RaconteurPlayer, first) => {
@@ -90,7 +90,7 @@ test(`${PLAYERS} players that come and go, at any moment of their loading, leave
   test.setTimeout(600_000);
   await page.addInitScript(listen);
   await page.addInitScript(serve, files);
-  await stage.open('<main></main><raconteur-player id="model" src="s0/story.eml" quality="low"></raconteur-player>', {
+  await stage.open('<main></main><raconteur-player id="model" src="s0/story.eml" quality="lowest"></raconteur-player>', {
     'test.css': `${small['test.css']} #model { display: none }`,
   });
   for (let from = 0; from < PLAYERS; from += 10) {

@@ -203,7 +203,7 @@ async function answers(stage: Stage, kind: 'audio' | 'raconteur-player'): Promis
       document.querySelector('main')?.replaceChildren();
       const media = document.createElement(tag) as Media;
       if (tag === 'raconteur-player') {
-        for (const [key, value] of Object.entries({ backend, loading: 'eager', assets: '/assets/', quality: 'low' })) media.setAttribute(key, value);
+        for (const [key, value] of Object.entries({ backend, loading: 'eager', assets: '/assets/', quality: 'lowest' })) media.setAttribute(key, value);
       } else {
         (media as HTMLMediaElement).preload = 'auto';
       }
@@ -289,7 +289,7 @@ test.describe('as a media element', () => {
 async function play(stage: Stage): Promise<void> {
   await stage.page.addInitScript(() => (HTMLCanvasElement.prototype.getContext = () => null));
   const made = [{ text: 'One two three', msec: 20_000, samples: new Float32Array(882_000) }];
-  await stage.open('<raconteur-player src="story.eml" quality="low"></raconteur-player>', {
+  await stage.open('<raconteur-player src="story.eml" quality="lowest"></raconteur-player>', {
     'test.css': 'raconteur-player { width: 48px; height: 48px; aspect-ratio: auto }',
     'story.eml': story("<voice-text time='0'>One two three</voice-text>"),
     ...voiceFiles(made),

@@ -41,7 +41,7 @@ test('a script from another server finds its figures, its code and its animation
       return route.fulfill({
         contentType: 'text/html',
         body: `<!doctype html><html lang="en"><meta charset="utf-8"><title>Test</title><script type="module" src="${origin}/player/raconteur-player.js"></script>
-          <body><raconteur-player src="story.eml" backend="${stage.backend}" quality="low" loading="eager"></raconteur-player>
+          <body><raconteur-player src="story.eml" backend="${stage.backend}" quality="lowest" loading="eager"></raconteur-player>
           <raconteur-player id="other" assets="mine/"></raconteur-player></body></html>`,
       });
     });

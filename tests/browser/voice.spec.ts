@@ -279,7 +279,7 @@ const TWO = "<voice-text time='0' timeId='v'>Once upon a time there was a rabbit
 const missing = (stage: Stage) => stage.player.evaluate((p: RaconteurPlayer) => p.diagnostics.filter((d) => d.code === 'voice-missing').map((d) => d.message));
 
 async function openSilent(stage: Stage, attributes = ''): Promise<void> {
-  await stage.open(`<raconteur-player src="story.eml" quality="low" loading="eager" captions ${attributes}></raconteur-player>`, {
+  await stage.open(`<raconteur-player src="story.eml" quality="lowest" loading="eager" captions ${attributes}></raconteur-player>`, {
     'story.eml': story(TWO),
     // Out of sight: a page that draws in software is too busy to hear how long the browser speaks.
     'test.css': 'raconteur-player { width: 96px; height: 96px; margin-top: 3000px }',
