@@ -1,5 +1,5 @@
 /**
- * The audio clock and the story's: what is heard is recorded where it leaves Web Audio, and found
+ * The audio clock and the story's: the sound is recorded where it leaves Web Audio, and found
  * again in the story's recordings.
  */
 
@@ -13,11 +13,11 @@ import { captured, decoded, tapInto } from './tap.js';
 /** Seeks, and how long is played after each. */
 const SEEKS = 20;
 const PLAYED_MS = 3000;
-/** How far the engine may be from what is heard, on the audio clock. */
+/** How far the engine may be from the sound, on the audio clock. */
 const MOST_SECS = 0.01;
 /** How much sound is looked for; about two phones. */
 const PIECE_SECS = 0.16;
-/** Where a piece is looked for, around where the story says; ten times what is allowed and more. */
+/** Range of the search for a piece around its time in the story; over ten times the bound. */
 const SEARCH_SECS = 0.3;
 /** From a turn to sound that is all of the new place: lead and fade. */
 const SETTLED_SECS = 0.06;
@@ -26,9 +26,9 @@ const LIKENESS = 0.999;
 
 declare global {
   interface Window {
-    /** Moments that the engine asked about: on the audio clock, less its latency. */
+    /** Moments that the engine evaluated: on the audio clock, less its latency. */
     asked: number[];
-    /** Phones that it told, with the moment that it had asked about before. */
+    /** Phones of its events, with the moment that it evaluated before. */
     phones: { clock: number; utterance: number; startSecs: number; endSecs: number; symbol: string }[];
     /** When the sound changed its place or pace. */
     turns: { type: string; clock: number; rate: number }[];
@@ -49,7 +49,7 @@ function listen(): void {
   // Between two readings of the clock a busy machine may do something else: so it is the engine's
   // own reading that is noted.
   const last = { currentTime: NaN, outputLatency: NaN };
-  // Listeners ask as well: what counts is what was asked first when a picture was due.
+  // Listeners evaluate as well: the first evaluation of a picture counts.
   let task = 0;
   const begins =
     <A extends unknown[]>(work: (...args: A) => void) =>
@@ -86,7 +86,7 @@ function listen(): void {
       true,
     );
   }
-  // The engine is asked for a picture of a moment: lips, tissue and all.
+  // The engine draws the picture of a moment: lips, tissue and all.
   const { instantiate } = WebAssembly;
   WebAssembly.instantiate = (async (source: WebAssembly.Module, imports?: WebAssembly.Imports) => {
     const made = (await instantiate.call(WebAssembly, source, imports)) as unknown as WebAssembly.Instance;
@@ -201,7 +201,7 @@ test('for a minute with twenty seeks, the phone that the engine thinks is heard 
     return found.likeness < LIKENESS ? undefined : { at: ((found.at + half) / heard.sampleRate) * run.rate, rate: run.rate };
   };
 
-  // --- the phone that was told last before each moment that the engine asked about ---
+  // --- the last phone before each moment that the engine evaluated ---
   const told = phones.filter((p, i) => phones[i + 1]?.clock !== p.clock);
   const amiss: number[] = [];
   for (const { clock, utterance, startSecs, endSecs } of told) {
@@ -222,7 +222,7 @@ test('for a minute with twenty seeks, the phone that the engine thinks is heard 
     return drifts;
   };
   const drifts = await off(positions);
-  // --- and the moment that a picture shows: what face and lips do, against what is heard as it is drawn ---
+  // --- and the moment that a picture shows: face and lips, against the sound at the time of drawing ---
   const every = Math.max(1, Math.floor(pictures.length / 400));
   const shown = await off(pictures.filter((_, i) => i % every === 0));
   const sorted = (numbers: readonly number[]) => [...numbers].sort((a, b) => a - b);

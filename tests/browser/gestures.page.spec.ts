@@ -1,4 +1,4 @@
-/** The workshop for gestures: what is dragged, slid, typed and undone there. */
+/** The workshop for gestures: dragging, sliders, typing and undo. */
 
 import type { Locator, Page } from '@playwright/test';
 import type { RaconteurPlayer } from '../../web/element/element.js';

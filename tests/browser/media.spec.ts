@@ -1,10 +1,10 @@
-/** The element beside a media element of the browser: the same is asked of both, and the answers are compared. */
+/** The element beside a media element of the browser: both get the same calls, and the answers are compared. */
 
 import type { RaconteurPlayer } from '../../web/element/element.js';
 import { story, voiceFiles } from './fixture.js';
 import { expect, test, type Stage } from './stage.js';
 
-/** What both have; what is asked of one, runs in the page. */
+/** The common interface; a question runs in the page. */
 type Media = HTMLMediaElement | RaconteurPlayer;
 
 interface Kit {
@@ -17,7 +17,7 @@ interface Kit {
   readonly fast: number;
   /** What became of a promise: nothing or the error's name. */
   settle(promise: Promise<unknown> | undefined): Promise<string>;
-  /** The name of what is thrown. */
+  /** The name of the exception. */
   thrown(work: () => void): string;
   event(type: string): Promise<unknown>;
   /** The names of the events since the last call; those that come by themselves are left out. */
@@ -31,7 +31,7 @@ declare global {
   }
 }
 
-/** What is asked; the answers must be the same. */
+/** The questions; the answers must be the same. */
 const QUESTIONS: { [name: string]: (kit: Kit) => unknown } = {
   'before there is anything': ({ media }) => [
     media.paused,
@@ -109,7 +109,7 @@ const QUESTIONS: { [name: string]: (kit: Kit) => unknown } = {
     const became = await settle(first);
     const second = await settle(media.play());
     media.pause();
-    // What is told comes a little later.
+    // Events come a little later.
     await new Promise((done) => setTimeout(done, 100));
     return [became, second, media.paused, events()];
   },
@@ -272,12 +272,12 @@ test.describe('as a media element', () => {
         Object.fromEntries(
           Object.entries({ ...voiceFiles(made), 'story.eml': story("<voice-text time='0'>One two three</voice-text>") }).map(([path, file]) => [`${folder}/${path}`, file]),
         );
-      // No picture is asked after, and to make one takes longer than all the rest.
+      // No question is about the picture, and making one takes longer than all the rest.
       await page.addInitScript(() => (HTMLCanvasElement.prototype.getContext = () => null));
       await page.addInitScript({ content: `window.ask = ${QUESTIONS[name]?.toString()};` });
       await stage.open('<main></main>', { 'test.css': 'main * { width: 48px; height: 48px; aspect-ratio: auto }', ...files('good'), ...files('other') });
       await page.waitForFunction(() => customElements.get('raconteur-player') !== undefined);
-      // Whoever has clicked may hear.
+      // A click allows sound.
       await page.mouse.click(300, 300);
       const expected = await answers(stage, 'audio');
       expect(await answers(stage, 'raconteur-player')).toEqual(expected);

@@ -13,7 +13,7 @@ export class Mind {
   #socket: Socket | undefined;
   /** How many connections there were. */
   connections = 0;
-  /** Everything told, in order. */
+  /** All messages, in order. */
   readonly told: Told[] = [];
 
   private constructor() {
@@ -62,7 +62,7 @@ export class Mind {
     this.#server.close();
   }
 
-  /** Takes whole frames of a client, which are masked; gives what is left. */
+  /** Takes whole frames of a client, which are masked; returns the remainder. */
   #hear(socket: Socket, data: Buffer): Buffer {
     for (;;) {
       if (data.length < 2) return data;

@@ -42,7 +42,7 @@ async function voice(stage: Stage): Promise<{ [path: string]: Buffer }> {
   return files;
 }
 
-/** Waits for something that the mind is told. */
+/** Waits for a message to the mind. */
 async function told(mind: Mind, wanted: (told: Told) => boolean): Promise<Told> {
   await expect.poll(() => mind.told.some(wanted), { timeout: 60_000 }).toBe(true);
   return mind.told.find(wanted) ?? { kind: '' };
@@ -79,7 +79,7 @@ test('payloads are text, and the page may perform, too', async ({ stage, page, m
   expect([detail.type, detail.payload]).toEqual(['door', '<img src=x onerror=alert(1)>']);
   const answers = await stage.player.evaluate((p: RaconteurPlayer) => p.perform('<event time="0">from the page</event><null time="nobody"/>'));
   expect(answers.map((a) => a.kind)).toEqual(['accepted', 'failed']);
-  // The mind is told what others cause.
+  // The mind gets events that others cause.
   await told(mind, (t) => t.kind === 'storyevent' && t['payload'] === 'from the page');
 });
 
@@ -93,7 +93,7 @@ test('garbage and a flood cost the mind its connection, not the player its story
   await expect.poll(() => mind.connections, { timeout: 60_000 }).toBe(2);
   const at = await stage.time();
   await stage.until(at + 0.5);
-  // What is no text, or no fragment by its size, ends the connection at once.
+  // A binary message, or one that is too long for a fragment, ends the connection at once.
   mind.sendBytes(Buffer.alloc(64, 7));
   await expect.poll(() => mind.connections, { timeout: 60_000 }).toBe(3);
   mind.send('x'.repeat(70_000));

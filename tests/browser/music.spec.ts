@@ -52,7 +52,7 @@ function state(page: Page): Promise<{ drift: number; level: number; rate: number
   });
 }
 
-/** The clock of what is heard is some hundredths behind that of what is played, and pictures in software are slow. */
+/** The clock of the output is some hundredths behind that of the graph, and pictures in software are slow. */
 const NEAR_SECS = 0.15;
 
 test('music plays in time, after a seek and at another speed as well', async ({ stage, page }) => {

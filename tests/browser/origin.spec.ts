@@ -10,7 +10,7 @@ import { expect, ready, test } from './stage.js';
 
 const TYPES: { [ending: string]: string } = { '.js': 'text/javascript', '.wasm': 'application/wasm', '.html': 'text/html' };
 
-/** Serves the built page from the folder `/player/`, to any page, and notes what is asked for. */
+/** Serves the built page from the folder `/player/`, to any page, and records requests. */
 async function serve(asked: string[]): Promise<{ server: Server; origin: string }> {
   const dist = join(import.meta.dirname, '../../dist');
   const server = createServer((request, response) => {

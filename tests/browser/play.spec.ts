@@ -57,7 +57,7 @@ test('the caption marks the word being spoken', async ({ stage, page }) => {
     observer.disconnect();
     return seen;
   });
-  // What is said, each word at its time in the story; a slow machine shows words of several utterances.
+  // Spoken words, each at its time in the story; a slow machine shows words of several utterances.
   const told = await page.evaluate(() =>
     window.record.events.filter((e) => e.type === 'utterance').map(({ detail }) => detail as { phase: string; text: string; startSecs: number }),
   );
@@ -69,7 +69,7 @@ test('the caption marks the word being spoken', async ({ stage, page }) => {
     });
   const start = told[0]?.startSecs ?? NaN;
   for (const { text, at } of marked) {
-    // Times of words are sums: the last bits may differ, in favour of what is shown.
+    // Times of words are sums: the last bits may differ.
     const slack = text === '' ? -1e-6 : 1e-6;
     const heard = spoken.filter((w) => at > w.from - slack && at < w.to + slack).map((w) => w.text);
     if (text === '') expect(heard, `at ${at} s`).toEqual([]);

@@ -1,23 +1,10 @@
 import { existsSync } from 'node:fs';
 import { join } from 'node:path';
 import { defineConfig } from '@playwright/test';
+import { chromiumArgs } from '../../web/tools/chromium.mjs';
 
 const root = join(import.meta.dirname, '../..');
 const system = process.env['CHROMIUM'] ?? '/usr/bin/chromium';
-
-/** Software drawing gives both WebGPU (SwiftShader) and WebGL2 (Mesa) on a machine without a graphics card. */
-const args = [
-  '--no-sandbox',
-  '--disable-quic',
-  '--no-first-run',
-  '--disable-background-networking',
-  '--disable-component-update',
-  '--disable-sync',
-  '--enable-unsafe-webgpu',
-  '--use-angle=gl-egl',
-  '--ignore-gpu-blocklist',
-  '--autoplay-policy=no-user-gesture-required',
-];
 
 const port = Number(process.env['TEST_PORT'] ?? 4173 + 100);
 
@@ -36,7 +23,7 @@ export default defineConfig({
   use: {
     baseURL: `http://localhost:${port}`,
     viewport: { width: 480, height: 360 },
-    launchOptions: { args, ...(existsSync(system) ? { executablePath: system } : {}) },
+    launchOptions: { args: chromiumArgs, ...(existsSync(system) ? { executablePath: system } : {}) },
     trace: 'retain-on-failure',
   },
   projects: [

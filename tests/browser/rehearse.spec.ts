@@ -1,4 +1,4 @@
-/** Another text for whoever is on stage, and what a page draws over the picture. */
+/** Another text for the figure on stage, and what a page draws over the picture. */
 
 import type { Locator } from '@playwright/test';
 import type { RaconteurPlayer } from '../../web/element/element.js';

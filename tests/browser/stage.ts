@@ -8,7 +8,7 @@ import { decodePose, type PoseNow } from '../../web/element/pose.js';
 
 export { expect };
 
-/** What is said, and when; times from the start of the utterance. */
+/** Words and their times; times from the start of the utterance. */
 export interface Span {
   text: string;
   start_secs: number;
@@ -72,7 +72,7 @@ declare global {
   }
 }
 
-/** Runs before the page's own scripts: notes what Web Audio is asked for and what the policy refuses. */
+/** Runs before the page's own scripts: records calls of Web Audio and refusals of the policy. */
 function listen(): void {
   const record: Record = { contexts: [], starts: [], violations: [], devices: [], events: [] };
   window.record = record;

@@ -28,7 +28,7 @@ function listen(): void {
   const connect = AudioNode.prototype.connect as (this: AudioNode, ...args: unknown[]) => AudioNode;
   const open = (context: AudioContext): ChannelMergerNode => {
     // A worklet would be a file that the page's policy allows and the test cannot serve. An
-    // older node does, but is told the time only roughly: so the second channel counts samples.
+    // older node does, but gets the time only roughly: so the second channel counts samples.
     // Single precision counts to 16 million: five minutes.
     const count = context.createBuffer(1, context.sampleRate * 300, context.sampleRate);
     count.getChannelData(0).forEach((_, i, all) => (all[i] = (i + 1) / 2 ** 24));
@@ -41,7 +41,7 @@ function listen(): void {
       const counted = inputBuffer.getChannelData(1);
       const heard = inputBuffer.getChannelData(0);
       const index = (i: number) => Math.round((counted[i] ?? 0) * 2 ** 24) - 1;
-      // A page that was busy for long finds a block that is being written again: what is not
+      // A page that was busy for long finds a block that is being overwritten: what is not
       // counted in one go is not one block.
       for (let at = 0, end = 0; at < counted.length; at = end) {
         end = at + 1;

@@ -147,7 +147,7 @@ test('a lost picture comes back while the story goes on', async ({ stage, page }
   expect(await page.evaluate(([a, b]) => a === b, [old, now])).toBe(false);
   expect((await stage.picture()).spread).toBeGreaterThan(8);
   expect(await stage.player.evaluate((p: RaconteurPlayer) => p.paused)).toBe(false);
-  // No word was told twice.
+  // No word came twice.
   const words = await page.evaluate(() => window.record.events.filter((e) => e.type === 'word').map((e) => e.detail as { index: number; utterance: number }));
   expect(new Set(words.map((w) => `${w.utterance}.${w.index}`)).size).toBe(words.length);
 });

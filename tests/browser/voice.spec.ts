@@ -1,4 +1,4 @@
-/** What is heard of a story's voice, sample by sample, and who speaks where there is no recording. */
+/** The sound of a story's voice, sample by sample, and the voice where there is no recording. */
 
 import type { Page } from '@playwright/test';
 import type { RaconteurPlayer } from '../../web/element/element.js';
@@ -32,7 +32,7 @@ async function open(stage: Stage, body: string, utterances: readonly Made[], att
   await stage.ready();
 }
 
-/** What is heard once the blocks under way have come. */
+/** The recording once the blocks under way have come. */
 async function heard(page: Page): Promise<Captured> {
   const until = await page.evaluate(() => (window.tap.context?.currentTime ?? 0) + 0.1);
   await expect
@@ -67,7 +67,7 @@ test('utterances that follow each other join without a gap or a click, and those
     { text: 'Three', msec: 640, samples: part(1.2, 1.84) },
     { text: 'Over', msec: 100, samples: new Float32Array(samplesAt(0.1)).fill(0.25) },
   ]);
-  // What is not decoded in time is waited for, with a gap: here it has its time.
+  // Late decoding makes a gap: here there is time for it.
   await page.evaluate(() => {
     window.decoded = 0;
     const decode = BaseAudioContext.prototype.decodeAudioData;
@@ -227,7 +227,7 @@ declare global {
   interface Window {
     /** How many recordings were decoded. */
     decoded: number;
-    /** What the browser was asked to say, and what became of it. */
+    /** The utterances that the browser got, and their events. */
     said: { text: string; voice: string; lang: string; rate: number; volume: number; end: string; secs: number }[];
   }
 }

@@ -47,7 +47,7 @@ export class StoryClock {
   }
 }
 
-/** The nearest speed that can be played; 1 for what is not a number. */
+/** The nearest speed that can be played; 1 for NaN. */
 export function clampRate(rate: number): number {
   return Number.isFinite(rate) ? Math.min(RATES.max, Math.max(RATES.min, rate)) : 1;
 }

@@ -9,7 +9,7 @@ import type { PlayerEventMap, View } from './types.js';
 export interface PlayerContext {
   readonly player: RaconteurPlayer;
   readonly diagnostics: Diagnostics;
-  /** What is loaded and plays. */
+  /** The loaded story and its playback. */
   show: Show | undefined;
   /** A text that takes the place of the story's file. */
   text: string | undefined;
@@ -23,7 +23,7 @@ export interface PlayerContext {
   say(text: string): void;
   /** Tells the mind, if one is connected. */
   tell(event: MindEvent): void;
-  /** Draws the picture and the caption of what is heard now. */
+  /** Draws the picture and the caption of the present audio time. */
   advance(): void;
   /** Starts and stops the loops that draw, as the state of the player needs them. */
   keepTime(): void;

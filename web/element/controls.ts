@@ -132,13 +132,13 @@ export function caption(now: ReturnType<typeof captionAt>): TemplateResult | typ
   return html`<div class="captions" part="captions"><span>${words}</span></div>`;
 }
 
-/** The list of what is wrong with a story and its figure, folded. */
+/** The folded list of the problems of a story and its figure. */
 export function diagnosticList(diagnostics: readonly Diagnostic[]): TemplateResult | typeof nothing {
   if (diagnostics.length === 0) return nothing;
   const errors = diagnostics.filter((d) => d.severity === 'error').length;
   const plural = (n: number, name: string) => `${n} ${name}${n === 1 ? '' : 's'}`;
   const title = [...(errors > 0 ? [plural(errors, 'error')] : []), ...(diagnostics.length > errors ? [plural(diagnostics.length - errors, 'warning')] : [])];
-  // Thousands of lines would freeze the page and help nobody.
+  // Thousands of lines would freeze the page without being of help.
   const most = 50;
   return html`<details class="note" part="diagnostics">
     <summary>${title.join(' and ')}</summary>

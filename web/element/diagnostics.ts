@@ -1,4 +1,4 @@
-/** The list of what is wrong with the story, its voice and its figure. */
+/** The problems of the story, its voice and its figure. */
 
 import type { Diagnostic } from './types.js';
 

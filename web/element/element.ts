@@ -24,7 +24,7 @@ import type { Answer, Backend, Diagnostic, FaceCourse, Hand, PlayerError, PoseNu
 export interface RaconteurPlayer extends MediaStates {}
 
 /** The custom element. Attributes mirror properties; events follow `HTMLMediaElement`. */
-// biome-ignore lint/suspicious/noUnsafeDeclarationMerging: `addStates` gives the class and what is made of it these constants.
+// biome-ignore lint/suspicious/noUnsafeDeclarationMerging: `addStates` gives the class and its instances these constants.
 export class RaconteurPlayer extends LitElement {
   /** Where the asset library is when the attribute `assets` does not say: set by the script that a page names. */
   static library = 'assets/';
@@ -162,7 +162,7 @@ export class RaconteurPlayer extends LitElement {
     return this.#playback.paused;
   }
 
-  /** Loudness, 0 to 1. Throws `IndexSizeError` beyond, and `TypeError` for what is not a number. */
+  /** Loudness, 0 to 1. Throws `IndexSizeError` beyond, and `TypeError` for NaN. */
   get volume(): number {
     return this.#volume;
   }
@@ -171,7 +171,7 @@ export class RaconteurPlayer extends LitElement {
     this.#volume = checkedVolume(value);
   }
 
-  /** Speed, 0.5 to 2; the pitch stays. Throws `NotSupportedError` beyond, and `TypeError` for what is not a number. */
+  /** Speed, 0.5 to 2; the pitch stays. Throws `NotSupportedError` beyond, and `TypeError` for NaN. */
   get playbackRate(): number {
     return this.#rate;
   }
@@ -202,7 +202,7 @@ export class RaconteurPlayer extends LitElement {
     return this.#context.show === undefined ? this.NETWORK_EMPTY : this.NETWORK_IDLE;
   }
 
-  /** What is wrong with the story; the rest of it plays. */
+  /** Problems of the story; the rest of it plays. */
   get diagnostics(): readonly Diagnostic[] {
     return this.#diagnostics.list;
   }
@@ -258,7 +258,7 @@ export class RaconteurPlayer extends LitElement {
 
   /**
    * Performs EML now: a list of clauses, or a whole script, whose plain times count from now. Gives
-   * what is accepted and what is not; rejects only when there is no story.
+   * accepted and refused clauses; rejects only when there is no story.
    */
   async perform(fragment: string): Promise<readonly Answer[]> {
     const show = await this.#stories.require();

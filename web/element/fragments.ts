@@ -12,7 +12,7 @@ export const Sender = { Page: 0, Mind: 1 } as const;
 /** What comes now begins this much later, so that its sound can be fetched. */
 const LIVE_LEAD_SECS = 0.1;
 
-/** Performs a fragment now; gives what is accepted and what is not. */
+/** Performs a fragment now; returns accepted and refused clauses. */
 export function performFragment(context: PlayerContext, show: Show, sender: number, fragment: string): readonly Answer[] {
   const { player } = context;
   const nowSecs = show.transport.position + LIVE_LEAD_SECS;

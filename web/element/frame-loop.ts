@@ -22,7 +22,7 @@ export class FrameLoop {
     this.#mind = mind;
   }
 
-  /** What is spoken now. */
+  /** The present speech. */
   get caption(): ReturnType<typeof captionAt> {
     return this.#caption;
   }
@@ -45,7 +45,7 @@ export class FrameLoop {
     return show !== undefined && player.paused && !started && text === undefined && view === undefined;
   }
 
-  /** Shows what is heard now. */
+  /** Shows the heard time. */
   advance(): void {
     const { player, show } = this.#context;
     if (show === undefined) return;
@@ -58,7 +58,7 @@ export class FrameLoop {
     const secs = show.transport.update();
     if (this.#waits) show.picture.welcome(this.#welcome.secs);
     else for (const cue of show.picture.show(secs, player.paused && !player.ended, this.#pulse.drawing)) passCue(this.#context, cue, show);
-    // A picture may have taken long; what is read follows what is heard.
+    // A picture may have taken long; captions follow the sound.
     const now = captionAt(show.captions, show.transport.position);
     if (now?.caption !== this.#caption?.caption || now?.word !== this.#caption?.word) {
       this.#caption = now;

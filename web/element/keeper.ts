@@ -50,7 +50,7 @@ export class PictureKeeper {
     return undefined;
   }
 
-  /** Gives back what is there, and what is still being made. */
+  /** Releases the picture, also one that is still being made. */
   close(): void {
     this.#life = {};
     this.#picture?.close();

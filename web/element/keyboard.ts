@@ -9,7 +9,7 @@ export interface KeyActions {
   toggleMuted(): void;
   toggleCaptions(): void;
   toggleFullscreen(): void;
-  /** Closes what is open; false when nothing was. */
+  /** Closes an open panel; false when there was none. */
   dismiss(): boolean;
 }
 

@@ -1,8 +1,8 @@
-/** What is said: the story's utterances, and those of live fragments while they are remembered. */
+/** Utterances: the story's, and those of live fragments while they are remembered. */
 
 import type { Performance, Utterance } from './types.js';
 
-/** As long as the engine remembers what is over. */
+/** As long as the engine remembers ended fragments. */
 const KEEP_SECS = 300;
 
 /** Utterances by the index that cues give. */
@@ -23,7 +23,7 @@ export class LiveScript implements Iterable<Utterance> {
     yield* this.#live.values();
   }
 
-  /** Adds what a fragment says and forgets what is long over; everything by time. */
+  /** Adds a fragment's utterances and forgets those long over; everything by time. */
   add({ utterances, firstUtterance }: Performance, nowSecs: number): Utterance[] {
     for (const [index, { startSecs, durationSecs }] of this.#live) {
       if (startSecs + durationSecs < nowSecs - KEEP_SECS) this.#live.delete(index);

@@ -62,7 +62,7 @@ export async function fetchStory(
       return undefined;
     }
     return await fetchBytes(new URL('speech.json', voiceFolder), 'The voice', MOST_STORY_BYTES, signal, part(1)).catch((error: unknown) => {
-      // A story without a recorded voice is told in captions.
+      // A story without a recorded voice plays with captions.
       if (error instanceof PlayerError) return undefined;
       throw error;
     });

@@ -17,7 +17,7 @@ const states = {
 /** The constants of `readyState` and `networkState`. */
 export type MediaStates = typeof states;
 
-/** Gives a class, and what is made of it, these constants. */
+/** Gives a class and its instances these constants. */
 export function addStates(element: { prototype: object }): void {
   for (const target of [element, element.prototype]) {
     for (const [name, value] of Object.entries(states)) Object.defineProperty(target, name, { value, enumerable: true });

@@ -15,7 +15,7 @@ const STEADY_MS = 5_000;
 /** The performance stays open-ended for so long after a mind was lost, or first called. */
 const GRACE_MS = 30_000;
 
-/** What is sent to a mind besides cues. */
+/** Messages to a mind besides cues. */
 type Note =
   | { readonly kind: 'hello'; readonly version: 1; readonly timeSecs: number; readonly endSecs: number; readonly figure: string }
   | { readonly kind: 'transport'; readonly event: string; readonly timeSecs: number }

@@ -11,9 +11,9 @@ const AHEAD_SECS = 20;
 const PATIENCE_MS = 10_000;
 /** Beyond this a piece is set to its place; within it plays a little slower or faster until it is there. */
 const JUMP_SECS = 0.06;
-/** Nobody hears so much, and clocks of browsers wobble that much. */
+/** Inaudible, and clocks of browsers wobble that much. */
 const NEAR_SECS = 0.012;
-/** The most by which the speed of a piece leaves the story's; nobody hears 1.5 %, since the pitch stays. */
+/** The most by which the speed of a piece leaves the story's; 1.5 % is inaudible, since the pitch stays. */
 const MOST_PULL = 0.015;
 /** A piece is given this long to come to its place before it is set anew. */
 const SETTLE_MS = 400;
@@ -95,7 +95,7 @@ export class Music {
     }
   }
 
-  /** Fetches what comes soon and keeps in time what is heard; called a few times a second at least. */
+  /** Fetches pieces that come soon and keeps playing ones in time; called a few times a second at least. */
   prepare(position: number): void {
     const rate = this.#run?.rate ?? 1;
     for (const piece of this.#pieces) {

@@ -26,7 +26,7 @@ import {
 const MOST_DPR = 2;
 /** Idle life for people who ask for less motion; gestures and lips stay, they carry the story. */
 const REDUCED_MOTION = 0.25;
-/** A lost picture is restored without being asked this often, the last time by the next back end that may be used; then a button offers it. */
+/** A lost picture is restored by itself this often, the last time by the next back end that may be used; then a button offers it. */
 const MOST_RECOVERIES = 2;
 /** A graphics card that was reset is not back at once. */
 const RECOVERY_DELAY_MS = 600;
@@ -39,7 +39,7 @@ export interface PictureEvents {
   lost(recovering: boolean): void;
   /** The picture is back. */
   back(): void;
-  /** Animations have come: the story has other times, and problems that are told alone. `live`: they are of live clauses, the story stays. `anew`: the story was read again, and tells all of its problems. */
+  /** Animations have come: the story has other times, and problems that are listed apart. `live`: they are of live clauses, the story stays. `anew`: the story was read again, and tells all of its problems. */
   retold(story: Story, live: boolean, anew: boolean): void;
   /** The engine died, for the reason given as a sentence; another one takes its place. */
   failed(message: string): void;
@@ -105,7 +105,7 @@ export class Picture {
 
   /**
    * Tells another story with the device, the pipelines and, if it is the same one, the figure that are
-   * here; undefined when the engine died of it. Throws, and may be asked again, when the figure cannot
+   * here; undefined when the engine died of it. Throws, and may be called again, when the figure cannot
    * be read.
    */
   async tell(files: StoryFiles, events: PictureEvents): Promise<{ story: Story; missing: Diagnostic[] } | undefined> {
@@ -175,7 +175,7 @@ export class Picture {
     return this.#guard((engine) => ({ curves: engine.faceCurves(from, to, count), segments: engine.segments(), names: engine.segmentNames() }));
   }
 
-  /** The music under what is performed. */
+  /** The music under the performance. */
   music(): readonly Piece[] {
     return this.#guard((engine) => engine.music()) ?? [];
   }

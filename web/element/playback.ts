@@ -35,7 +35,7 @@ export class Playback {
   /** The attribute `autoplay` counts: neither `play` nor `pause` was called since loading began. */
   mayAutoplay = true;
 
-  /** `ensure` begins to load what is not there; it must not throw. */
+  /** `ensure` begins to load missing parts; it must not throw. */
   constructor(permission: Permission, emit: (event: PlaybackEvent) => unknown, ensure: () => void) {
     this.#permission = permission;
     this.#emit = emit;

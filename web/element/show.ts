@@ -8,7 +8,7 @@ import type { Picture } from './picture.js';
 import type { Transport } from './transport.js';
 import type { Statistics, Story } from './types.js';
 
-/** What is loaded and playing. */
+/** The loaded story and its playback. */
 export interface Show {
   /** As the present figure tells it. */
   story: Story;

@@ -4,7 +4,7 @@ import { voiceMissing } from './audio.js';
 import { libraryOf, type PlayerContext } from './context.js';
 import type { Show } from './show.js';
 
-/** Plays the music of what is performed now. */
+/** Plays the music of the present performance. */
 export function updateMusic({ player }: PlayerContext, { voice, picture }: Show): void {
   voice.setMusic(picture.music(), new URL('music/', libraryOf(player)));
 }

@@ -2,14 +2,14 @@
  * The browser's own voice, for what has no recording. Fetched only by stories that need it.
  *
  * The story's clock stays the master: each utterance is given to the browser when its time comes,
- * and what is late is waited for, within bounds. The browser does not tell how long it will
- * speak, so the next utterance is asked to be so much faster or slower as the ones before it were
+ * and late utterances are waited for, within bounds. The browser does not say how long it will
+ * speak, so the next utterance gets a rate so much faster or slower as the ones before it were
  * too long or too short.
  */
 
 import type { Utterance } from './types.js';
 
-/** Browsers read their voices only when asked, and say so later; one that has none says nothing. */
+/** Browsers load their voices on the first request and report them later; one without voices reports nothing. */
 const VOICES_MS = 1000;
 /** An utterance that is not over at its end is waited for: this long, and this share of its own length. */
 const MOST_WAIT = { secs: 1.5, share: 0.5 } as const;
@@ -26,15 +26,15 @@ const LATE_SECS = 0.3;
 export interface Manner {
   /** BCP 47 tag. */
   readonly language: string;
-  /** Name of a voice of the browser, where one is asked for. */
+  /** Name of a voice of the browser, where one is chosen. */
   readonly voice?: string | undefined;
 }
 
-/** What is being said. */
+/** The present utterance. */
 interface Now {
   readonly utterance: Utterance;
   readonly speech: SpeechSynthesisUtterance;
-  /** Length of what is to be said, seconds of the page's time. */
+  /** Length of the utterance, seconds of the page's time. */
   readonly secs: number;
   /** When it began, on the page's clock. */
   startedMs?: number;
@@ -90,7 +90,7 @@ export class Spoken {
 
   setVolume(volume: number): void {
     const muted = volume === 0;
-    // What is being said keeps its loudness, which cannot be changed; but it ends at once when it
+    // The present utterance keeps its loudness, which cannot be changed; but it ends at once when it
     // is not to be heard, and is taken up at the present word when it is again.
     if (muted && this.#volume > 0) this.#cancel();
     this.#volume = volume;
@@ -100,7 +100,7 @@ export class Spoken {
     this.#rate = rate;
   }
 
-  /** Ends what is being said, unless the story only waits. */
+  /** Ends the present utterance, unless the story only waits. */
   stop(waits = false): void {
     this.#rate = undefined;
     if (waits) return;
@@ -109,7 +109,7 @@ export class Spoken {
     this.#over.clear();
   }
 
-  /** Begins what is due at the story time `position`. */
+  /** Begins the utterance that is due at the story time `position`. */
   prepare(position: number): void {
     const rate = this.#rate;
     if (rate === undefined) return;
@@ -127,12 +127,12 @@ export class Spoken {
     }
   }
 
-  /** False while what is being said takes longer than its time in the story. */
+  /** False while the present utterance takes longer than its time in the story. */
   ready(position: number): boolean {
     const now = this.#now;
     if (now === undefined || position < now.utterance.startSecs + now.utterance.durationSecs) return true;
     const ms = performance.now();
-    // A page that was busy could not be told that it is over: that counts as one look.
+    // A busy page could not receive the end event: that counts as one check.
     now.waitedMs += Math.min(ms - (now.lateMs ?? ms), LOOK_MS);
     now.lateMs = ms;
     if (now.waitedMs < (MOST_WAIT.secs + MOST_WAIT.share * now.secs) * 1000) return false;
@@ -189,12 +189,12 @@ export class Spoken {
   }
 
   #voiceOf({ language, voice: named = this.#usual.voice }: Utterance): SpeechSynthesisVoice | undefined {
-    // The one that is named, unless what is said is in another language.
+    // The one that is named, unless the utterance is in another language.
     const name = named?.toLowerCase();
     const own = this.#voices.find((voice) => voice.name.toLowerCase() === name);
     if (own !== undefined && (language === undefined || primary(own.lang) === primary(language))) return own;
     const wanted = tag(language ?? this.#usual.language);
-    /** The same region counts most; then a voice of this machine, which tells nobody what is said. */
+    /** The same region counts most; then a voice of this machine, which keeps the text on the machine. */
     const rank = (voice: SpeechSynthesisVoice) => 4 * Number(tag(voice.lang) === wanted) + 2 * Number(voice.localService) + Number(voice.default);
     const able = this.#voices.filter((voice) => primary(voice.lang) === primary(wanted));
     return able.sort((a, b) => rank(b) - rank(a))[0];

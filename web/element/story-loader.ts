@@ -163,7 +163,7 @@ export class StoryLoader {
     if (this.#context.show === show) this.#events.ready(show);
   }
 
-  /** Puts another text in the place of the one on stage; what is wrong with it. */
+  /** Replaces the text on stage by another; returns its problems. */
   async rehearse(eml: string): Promise<readonly Diagnostic[]> {
     const context = this.#context;
     await context.player.updateComplete;
@@ -179,7 +179,7 @@ export class StoryLoader {
     return story.diagnostics;
   }
 
-  /** The story has other times, or is another: what is known of it follows. */
+  /** The story has other times, or is another: its derived data follow. */
   #retell(story: Story, anew: boolean): void {
     const { player, show, diagnostics, advance } = this.#context;
     if (show === undefined) return;

@@ -15,7 +15,7 @@ export class Transport {
   readonly #voice: Voice;
   #endSecs: number;
   readonly #emit: (event: TransportEvent) => void;
-  /** What is heard never steps back while playing, though clocks wobble. */
+  /** The heard time never steps back while playing, though clocks wobble. */
   #latest = 0;
   #paused = true;
   #waiting = false;

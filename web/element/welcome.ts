@@ -1,6 +1,6 @@
 /**
  * Before a story is played the figure waits, alive: pictures of it at a low rate, none where
- * nobody sees them, one for people who ask for less motion. How long it has waited is no story
+ * the player is hidden, one for people who ask for less motion. How long it has waited is no story
  * time.
  *
  * A story that rests in its middle or at its end stands still, as a film does.
@@ -12,7 +12,7 @@ const MOST_HZ = 15;
 const MOST_SHARE = 0.25;
 /** But one a second; fewer would be a row of stills. */
 const SLOWEST_MS = 1000;
-/** What a screen takes for a picture of its own, at most; what is beyond, ours took. */
+/** What a screen takes for a picture of its own, at most; the rest is our own time. */
 const SCREEN_MS = 17;
 
 /** The clock of one player's waiting. */

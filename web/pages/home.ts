@@ -52,7 +52,7 @@ for (const button of buttons) {
 }
 script?.closest('details')?.addEventListener('toggle', () => void readScript());
 
-/** The address names what is on stage, so that it can be handed on. */
+/** The address names story and figure on stage, so that it can be shared. */
 function remember(): void {
   const button = buttons.find((b) => b.getAttribute('aria-pressed') === 'true');
   const story = button === undefined ? '' : short(button);

@@ -20,7 +20,7 @@ export interface ShellPage<T extends string> {
   playing?(): TemplateResult;
   /** From where one looks, and at what. */
   views(): TemplateResult;
-  /** What is reset besides the settings. */
+  /** Called on reset, besides the settings. */
   reset?(): void;
   /** Types of inputs in which the keys of undo undo letters. */
   readonly typed: readonly string[];

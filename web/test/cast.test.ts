@@ -48,7 +48,7 @@ test.each(['nobody', '../b/own.glb', '%2e%2e/b/own.glb', '/own.glb', 'https://ev
   async (choice) => {
     expect((await choose(choice))[0]).toBe(USUAL_FIGURE);
     expect(told.map((d) => [d.code, d.severity])).toEqual([['figure-unusable', 'warning']]);
-    // Nothing outside was asked for.
+    // There was no request to another origin.
     for (const [, , , url] of fetchFigure.mock.calls) expect(url?.href ?? story.href).toContain('https://x.org/');
   },
 );

@@ -6,8 +6,8 @@ import { validateBytes } from 'gltf-validator';
 import { describe, expect, test } from 'vitest';
 
 const folder = join(import.meta.dirname, '../../assets/figures');
-/** What a figure may weigh on its way to a page, bytes. */
-const MOST_BYTES = 3_000_000;
+/** What a figure may weigh, bytes: some 0.4 MB of it are levels of detail. On its way to a page it is half of that. */
+const MOST_BYTES = 3_500_000;
 /** Triangles of a figure at most. */
 const MOST_TRIANGLES = 150_000;
 const MOST_DRAW_CALLS = 20;

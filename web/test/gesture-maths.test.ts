@@ -114,7 +114,7 @@ test('courses go from 0 to 1 as the engine has them', () => {
   expect(wayAt({ kind: 'bezier', controls: [0.3, 0.3, 0.8, 0.8] }, 0.37)).toBeCloseTo(0.37, 6);
   // 3.9 u² - 2.9 u³ is greatest at u = 7.8 / 8.7.
   expect(Math.max(...Array.from({ length: 1000 }, (_, i) => wayAt(all[3], i / 1000)))).toBeCloseTo(1.0449, 4);
-  // A Hermite curve has the slopes that it is told.
+  // A Hermite curve has the given slopes.
   const steep = { kind: 'hermite', controls: [0.7, 2] } as const;
   expect(wayAt(steep, 1e-6) / 1e-6).toBeCloseTo(0.7, 3);
   expect((1 - wayAt(steep, 1 - 1e-6)) / 1e-6).toBeCloseTo(2, 3);

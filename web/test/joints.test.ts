@@ -5,7 +5,7 @@ import type { PoseNow, Vector } from '../element/pose.js';
 import { jointsNow } from '../pages/viewer/joints.js';
 import { LIMBS, type LimbName } from '../pages/viewer/state.js';
 
-/** What `sofia` was told by `body-non-deterministic-fk`, degrees. */
+/** The angles that `body-non-deterministic-fk` set on `sofia`, degrees. */
 const TOLD: Readonly<Record<LimbName, readonly number[]>> = {
   leftArm: [35, 20, 60, 25, -12, 30],
   rightArm: [70, -15, 90, -30, 20, -25],
@@ -14,7 +14,7 @@ const TOLD: Readonly<Record<LimbName, readonly number[]>> = {
   head: [10, 15, -30, 20, 12],
 };
 
-/** What `Player::pose` then told of her at 5 s: three axes and the place of each bone, ten thousandths. */
+/** The result of `Player::pose` at 5 s: three axes and the place of each bone, ten thousandths. */
 const BONES: Readonly<Record<string, readonly number[]>> = {
   sacroiliac: [-21, 10000, 0, 19, 0, 10000, 10000, 21, -19, 21, 9044, -183],
   thoracic: [-69, 10000, 19, 18, -19, 10000, 10000, 69, -18, 12, 11618, -305],

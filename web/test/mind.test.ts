@@ -93,7 +93,7 @@ test('what a mind sends is performed, and it is told the answers', () => {
   last().onmessage?.({ data: '<null/>' });
   expect(performed).toEqual(['<null/>']);
   expect(last().sent.map((m) => m.kind)).toEqual(['hello', 'accepted']);
-  // One that does not read misses lines, and is told so.
+  // A slow reader misses lines, and gets a message about it.
   last().bufferedAmount = 2e6;
   link?.tell({ kind: 'mark', timeSecs: 1, name: 'a' });
   link?.tell({ kind: 'mark', timeSecs: 1, name: 'b' });

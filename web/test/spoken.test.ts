@@ -64,7 +64,7 @@ test('the voice that a story names says it, unless a part is in another language
     return said.map((s) => s.voice?.name);
   };
   expect(await by()).toEqual(['Ann', 'Ann', 'Max', 'Ann']);
-  // A voice of another language is what was asked for, too.
+  // A voice of another language counts as chosen, too.
   expect(await by('Max')).toEqual(['Max', 'Ann', 'Max', 'Ann']);
 });
 
@@ -84,7 +84,7 @@ test('each utterance is said when its time comes, by a voice of its language', a
   spoken.prepare(4);
   expect(said[1]?.voice?.name).toBe('Max');
   said[1]?.onend?.();
-  // Nobody speaks French here.
+  // There is no French voice here.
   spoken.prepare(7);
   expect(said).toHaveLength(2);
   expect(spoken.ready(9.5)).toBe(true);
@@ -148,7 +148,7 @@ test('the story waits for one that is late, but not for ever', async () => {
   expect(said.at(-1)?.text).toBe('Three four');
   // This one never ends.
   expect(spoken.ready(4)).toBe(false);
-  // A page that was busy for long was not told that it is over: that alone is no reason.
+  // A page that was busy for long got no end event: that alone is no reason.
   vi.advanceTimersByTime(10_000);
   expect(spoken.ready(4)).toBe(false);
   let looks = 0;

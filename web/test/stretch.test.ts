@@ -63,7 +63,7 @@ test.each([0.5, 0.75, 1.25, 1.6, 2])('at %f times the speed every moment stays w
       const likeness = dot / Math.sqrt(a * b);
       if (likeness > best) [best, place] = [likeness, from];
     }
-    // Where two windows cross as equals neither is told from the other.
+    // Where two windows cross as equals either is a correct answer.
     if (best < 0.8) continue;
     found += 1;
     worst = Math.max(worst, Math.abs(place - wanted) / RATE);

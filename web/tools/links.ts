@@ -25,7 +25,7 @@ function addressesOf(html: string): string[] {
   );
 }
 
-/** Links within the site in `folder` to files or places of a page that are not there. Other sites are not asked. */
+/** Links within the site in `folder` to files or places of a page that are not there. Other sites are not fetched. */
 export function deadLinks(folder: string): DeadLink[] {
   const dead: DeadLink[] = [];
   const texts = new Map<string, string>();

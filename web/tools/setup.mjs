@@ -1,4 +1,4 @@
-// Prepares a bare clone. `node web/tools/setup.mjs [page|test]`; what is done is skipped.
+// Prepares a bare clone. `node web/tools/setup.mjs [page|test]`; finished steps are skipped.
 //   page: packages, Rust's wasm target, both wasm builds, the built page in dist/
 //   test: all of that, a browser with software rendering, and speech engines
 // Only Node's own modules: this installs the others.
@@ -43,6 +43,14 @@ export async function rust() {
       why: 'Adding the wasm target to Rust',
     });
   }
+}
+
+/** A compiler of C++: the simplifier that makes levels of detail is written in it. */
+export async function cpp() {
+  // On Windows Rust's own linker comes with one.
+  if (process.platform === 'win32' || ask(process.env['CXX'] ?? 'c++', ['--version']) !== undefined) return;
+  if (installed(['g++'])) return;
+  throw new Stop('The command line needs a compiler of C++: install g++ or clang with your system’s packages, then run this again.');
 }
 
 function hasWasmTarget() {
@@ -146,6 +154,7 @@ if (import.meta.url === pathToFileURL(process.argv[1] ?? '').href) {
   await main(async () => {
     await page();
     if (process.argv[2] !== 'page') {
+      await cpp();
       await browser();
       await engines();
     }

@@ -23,7 +23,7 @@ const replaced = [
 /** Scripts of pages without what they share, KB; most of the gestures' is the editor. */
 const pages = { gestures: 150, viewer: 13, face: 10 };
 
-/** Node's own deflate gives up 2 % of size for speed, so the usual program is asked where it is there. */
+/** Node's own deflate gives up 2 % of size for speed, so the `gzip` program is used where it is installed. */
 function gzip9(part) {
   const { status, stdout } = spawnSync('gzip', ['-9', '-c'], { input: part, maxBuffer: 1e8 });
   return status === 0 ? stdout : gzipSync(part, { level: 9 });

@@ -1,4 +1,4 @@
-// What every set-up step needs: running programs, and knowing what is already done.
+// What every set-up step needs: running programs, and knowing which steps are done.
 // Only Node's own modules: this runs before any package is installed.
 
 import { spawn, spawnSync } from 'node:child_process';

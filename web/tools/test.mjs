@@ -4,7 +4,7 @@
 
 import { needed } from './changed.mjs';
 import { main, run, Stop } from './steps.mjs';
-import { browser, engines, packages, page, rust, typos } from './setup.mjs';
+import { browser, cpp, engines, packages, page, rust, typos } from './setup.mjs';
 import { backends, buildWasm } from './wasm.mjs';
 
 const cargo = (...args) => run('cargo', args);
@@ -20,6 +20,7 @@ const checks = {
         '--features', backend, '--', '--deny', 'warnings');
     }
   },
+  doc: () => run('cargo', ['doc', '--locked', '--workspace', '--no-deps'], { env: { ...process.env, RUSTDOCFLAGS: '--deny warnings' } }),
   rust: (crates) => cargo('test', '--locked', ...(crates?.flatMap((name) => ['--package', name]) ?? ['--workspace'])),
   voices: async () => {
     await engines();
@@ -58,6 +59,7 @@ await main(async () => {
   if (unknown !== undefined) throw new Stop(`There is no check ${unknown}; there are ${Object.keys(checks).join(', ')}.`);
   await packages();
   await rust();
+  await cpp();
   // Rust's own tests draw pictures and bake speech: the software Vulkan and the engines come before them.
   if (wanted.length === 0 || wanted.includes('rust')) {
     await browser();

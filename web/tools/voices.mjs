@@ -1,6 +1,6 @@
 // What markup and emotions do to voices, measured: `node web/tools/voices.mjs` writes the tables
 // of docs/voices.md anew, `--check` only measures, a voice of each kind and with the program that the
-// tests build. Both fail when something is not as asked.
+// tests build. Both fail when a setting misses its target.
 // Needs the engines (see `engines` in setup.mjs). Only Node's own modules.
 
 import { execFile } from 'node:child_process';
@@ -32,7 +32,7 @@ function measure(program, [engine, voice]) {
   const args = ['voice', 'measure', '--engine', engine, '--voice', voice, '--format', 'json'];
   return new Promise((done, fail) => {
     execFile(program, args, { cwd: root, maxBuffer: 1 << 24 }, (error, stdout, stderr) => {
-      // The status also tells that something is not as asked, which the rows say better.
+      // The status also says that a setting missed its target, which the rows say better.
       try {
         const rows = JSON.parse(stdout);
         console.log(`  ${engine}:${voice}: ${rows.filter((row) => row.ok).length} of ${rows.length} settings as asked`);
@@ -58,7 +58,7 @@ async function measureAll(program, voices) {
 /** A number of three digits, with a proper minus. */
 const figure = (x) => Number(x.toFixed(Math.abs(x) < 10 ? 2 : 1)).toString().replace('-', '−');
 
-/** What is not a number comes as null. */
+/** NaN comes as null. */
 function cell(row) {
   if (row === undefined) return '–';
   const heard = row.heard === null || row.error === null ? '?' : `${figure(row.heard)}, ${Math.round(row.error * 100)} %`;

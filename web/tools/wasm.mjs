@@ -39,7 +39,7 @@ const crateOf = (feature) => `raconteur-${backends.includes(feature) ? 'web' : f
 /** Compiles a variant and gives its file, which lies in `folder` because cargo's own is the next variant's as well. */
 async function compile(feature, folder) {
   const name = crateOf(feature);
-  // Messages of panics name source files: without the folders of whoever builds.
+  // Messages of panics name source files: without the folders of the build machine.
   const cargoHome = process.env['CARGO_HOME'] ?? join(homedir(), '.cargo');
   const flags = [
     process.env['RUSTFLAGS'] ?? '',

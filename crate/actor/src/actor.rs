@@ -27,7 +27,7 @@ use crate::score::Performance;
 /// Smile of a figure that has nothing else to show. Designed: friendly, not grinning.
 const RESTING_SMILE: f64 = 0.14;
 
-/// Smile of a figure that waits to begin. Designed: it is glad of whoever comes.
+/// Smile of a figure that waits to begin. Designed: a welcome to the audience.
 const WELCOME_SMILE: f64 = 0.34;
 /// How far its head is tilted, radians. Designed.
 const WELCOME_TILT_RAD: f64 = 0.045;
@@ -37,7 +37,7 @@ const WELCOME_TILT_RAD: f64 = 0.045;
 pub struct Report {
     /// Solutions of the left and right arm as gestures and rest lead them.
     pub arms: [ArmSolution; 2],
-    /// Where the left and right wrist were asked to be, world, metres.
+    /// Targets of the left and right wrist, world, metres.
     pub wrist_goals_in_world: [DVec3; 2],
     /// How far each wrist is from there, metres.
     pub wrist_errors_m: [f64; 2],
@@ -46,7 +46,7 @@ pub struct Report {
     pub led: [Option<DAffine3>; 4],
     /// The mouth.
     pub mouth: MouthTargets,
-    /// What the face is asked to do.
+    /// The controls of the face.
     pub controls: FaceControls,
 }
 
@@ -285,7 +285,7 @@ impl Actor {
         }
     }
 
-    /// What the face is asked to do at a story time: one face for figures of every kind.
+    /// The controls of the face at a story time: one face for figures of every kind.
     /// Every value is within its range.
     #[must_use]
     pub fn controls(&self, time_secs: f64) -> FaceControls {
@@ -411,7 +411,7 @@ impl Actor {
         animated: Option<&Animated>,
         pose: &mut Pose,
     ) {
-        // What is played is added to the gaze, which must not undo it.
+        // Animations are added to the gaze, which must not undo them.
         let moved = animated.filter(|a| a.moves_head()).map(|_| {
             [Bone::Cervical, Bone::Skull].map(|bone| {
                 let played = pose.rotation(bone);
@@ -462,7 +462,7 @@ impl Actor {
         pitch
     }
 
-    /// The mouth of what is said, and of visemes that the script asks for.
+    /// The mouth: of speech, and of visemes that the script sets.
     fn mouth(&self, t: f64) -> MouthTargets {
         let mut mouth = self.spoken_mouth(t);
         if let Some(asked) = self.feeling.visemes(t) {

@@ -69,7 +69,7 @@ const ELBOW_RADIUS_M: f64 = 0.04;
 /// the chest of an average adult, clothed.
 pub const TRUNK_HALF_AXES_M: [f64; 2] = [0.17, 0.13];
 
-/// What an arm is asked for.
+/// The target of an arm.
 #[derive(Clone, Copy, Debug)]
 pub struct ArmGoal {
     /// Place of the wrist, world, metres.

@@ -26,7 +26,7 @@ const LIPS_OF_JAW: f64 = 0.9;
 /// to the quietest, as a share. Designed.
 const LOUDER: f64 = 0.4;
 /// Channels of jaw and lips up to which consonants open the mouth, in the table of phones:
-/// how loud one speaks changes only what is beyond.
+/// loudness changes only what lies beyond.
 const CONSONANT_JAW: f64 = 0.18;
 const CONSONANT_LIPS: f64 = 0.25;
 /// How far the jaw comes forward for a sibilant, metres. Designed: its teeth meet edge to
@@ -98,7 +98,7 @@ const SEALED_RAD: f64 = 0.12;
 const BITTEN_RAD: f64 = 0.03;
 
 /// Lets closures have their way in a face that several have moved: within a seal or a bite,
-/// what pulls lips apart is taken back, and so is a jaw too far open. For whoever adds last;
+/// what pulls lips apart is taken back, and so is a jaw too far open. To be called last;
 /// brings the face into its ranges first ([`FaceControls::limit`]).
 pub fn hold_closures(controls: &mut FaceControls) {
     controls.limit();

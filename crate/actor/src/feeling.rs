@@ -1,4 +1,4 @@
-//! What face and head do besides lips and idle life: what accompanies speech, what is felt, and
+//! What face and head do besides lips and idle life: what accompanies speech, emotions, and
 //! what control parameters ask for.
 
 use raconteur_body::face::FaceControls;
@@ -42,7 +42,7 @@ impl Feeling {
         self.nonverbal.loudness(t)
     }
 
-    /// Adds to what a face is asked to do.
+    /// Adds to the controls of a face.
     pub(crate) fn add(&self, t: f64, controls: &mut FaceControls) {
         let liveliness = self.emotions.liveliness(t);
         self.nonverbal.face(t, liveliness, controls);

@@ -3,7 +3,7 @@
 //! Does: animation players with their clips, arm inverse kinematics, limbs and head as
 //! manipulators, palm orientation, gesture plans with preparation, hold
 //! and retraction, idle life (breath, sway), what accompanies speech (gaze, blinks, brows,
-//! nods), lip synchronisation, emotion, control parameters, and from what a face is asked to do
+//! nods), lip synchronisation, emotion, control parameters, and from the controls of a face
 //! its jaw, lids and morph weights; [`Actor`] evaluates them all into a pose.
 //! Does not: know EML, draw, play sound, or keep state between evaluations: seeking to a
 //! time and playing to it give the same pose.

@@ -1,4 +1,4 @@
-//! What one figure is asked for over a whole story, as plain data.
+//! The score of one figure: all its commands over a whole story, as plain data.
 
 use raconteur_base::{DVec3, Side};
 use raconteur_speech::TimedUtterance;
@@ -10,7 +10,7 @@ use crate::manipulator::{ManipulatorScript, Sex};
 use crate::nonverbal::Manner;
 use crate::parameters::ParameterScript;
 
-/// What one figure is asked for over a whole story.
+/// All commands to one figure over a whole story.
 #[derive(Clone, Debug)]
 pub struct Performance {
     /// Left and right arm.
@@ -25,13 +25,13 @@ pub struct Performance {
     pub players: PlayerScript,
     /// The animations that they may play.
     pub library: Library,
-    /// What is said, in any order.
+    /// Utterances, in any order.
     pub speech: Vec<TimedUtterance>,
-    /// What is felt, in any order.
+    /// Emotions, in any order.
     pub emotions: Vec<EmotionSpan>,
-    /// What control parameters are asked for.
+    /// Commands to control parameters.
     pub parameters: ParameterScript,
-    /// Seed of everything that nobody scripted.
+    /// Seed of all unscripted motion.
     pub seed: u64,
     /// How lively the idle motion is, 0 (still) to 1.
     pub motion_amount: f64,

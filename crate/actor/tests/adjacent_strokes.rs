@@ -208,7 +208,7 @@ fn plan(case: &Case) -> ArmPlan {
     ArmPlan::new(&script, &skeleton, rig, &space, &STILL)
 }
 
-/// Whether the arm can be wherever it is asked to be.
+/// Whether all targets are within the arm's reach.
 fn is_in_reach(case: &Case, plan: &ArmPlan) -> bool {
     let mut asked = case.strokes.iter().flat_map(|s| &s.keys);
     let planned = |p: DVec3| {

@@ -1,4 +1,4 @@
-//! Properties of the way from what a face is asked to do to a figure without tissue.
+//! Properties of the way from the controls of a face to a figure without tissue.
 
 #![allow(clippy::expect_used, reason = "tests fail by panicking")]
 

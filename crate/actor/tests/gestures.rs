@@ -3,7 +3,8 @@
 use std::sync::Arc;
 
 use raconteur_actor::gesture::{
-    ArmPlan, ArmScript, BodySpace, Course, GestureStroke, HandKey, HandState, Life, Phase, Space,
+    ArmPlan, ArmScript, BodySpace, GestureStroke, HandKey, HandState, Life, Phase, Space,
+    Transition,
 };
 use raconteur_actor::kinematics::world_from_bone;
 use raconteur_actor::{Actor, ArmRig, FaceRig, Performance, palm};
@@ -30,8 +31,8 @@ fn key(time_secs: f64, wrist: DVec3) -> HandKey {
     }
 }
 
-fn by(profile: Profile) -> Course {
-    Course {
+fn by(profile: Profile) -> Transition {
+    Transition {
         profile: Some(profile),
         space: None,
     }
@@ -66,7 +67,7 @@ fn plan(strokes: &[GestureStroke]) -> ArmPlan {
 }
 
 /// A stroke of one second from [`FROM`] to [`TO`] with a course.
-fn course(course: Course) -> ArmPlan {
+fn course(course: Transition) -> ArmPlan {
     let to = HandKey {
         wrist_course: course,
         ..key(3.0, TO)
@@ -133,7 +134,7 @@ fn the_pace_of_a_stroke_is_over_the_profiles_of_its_keys() {
 
 #[test]
 fn by_joint_the_elbow_turns_steadily_and_the_wrist_swings() {
-    let joint = |profile| Course {
+    let joint = |profile| Transition {
         profile: Some(profile),
         space: Some(Space::Joint),
     };

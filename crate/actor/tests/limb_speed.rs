@@ -1,11 +1,12 @@
-//! How fast limbs led by manipulators turn: no snap, whatever is asked of them.
+//! How fast limbs led by manipulators turn: no snap, whatever their commands.
 
 use core::f64::consts::FRAC_PI_2;
 
 use raconteur_actor::kinematics::rotation_of;
 use raconteur_actor::manipulator::path::rotation_from;
 use raconteur_actor::manipulator::{
-    Command, Frame, Limb, MOST_RAD_PER_S, ManipulatorScript, Motion, Move, Pace, Path, Place, Shape,
+    Command, Frame, Limb, MOST_RAD_PER_S, ManipulatorScript, Motion, Move, Pace, Path, Placement,
+    Shape,
 };
 use raconteur_actor::{Actor, ArmRig, FaceRig, Manipulators, Performance, Sex};
 use raconteur_base::{DQuat, DVec3, noise};
@@ -56,7 +57,7 @@ fn fastest(until_secs: f64, pose_at: &dyn Fn(f64, &mut Pose)) -> Worst {
         for bone in BONES.iter().flat_map(|bones| bones.iter()) {
             let [a, b] = [&last, &pose].map(|p| p.rotation(*bone));
             let rad_per_sec = a.angle_between(b) * RATE_HZ;
-            // What is no number is the worst of all.
+            // NaN is the worst of all.
             if rad_per_sec.is_nan() || rad_per_sec > worst.rad_per_sec {
                 worst = Worst {
                     rad_per_sec,
@@ -146,7 +147,7 @@ fn path(to: &Frame, seed: u64, i: i64) -> Path {
             cycles: 2.0,
         },
         2 => Shape::Round {
-            centre: Place::default(),
+            centre: Placement::default(),
             normal: DVec3::new(r(0), r(1), r(2)),
             radii: [0.1, 0.2],
             from_rad: 3.0 * r(3),
@@ -154,7 +155,7 @@ fn path(to: &Frame, seed: u64, i: i64) -> Path {
             rise: 0.2 * r(5),
         },
         _ => Shape::Lemniscate {
-            centre: Place::default(),
+            centre: Placement::default(),
             normal: DVec3::new(r(0), r(1), r(2)),
             half_width: 0.2,
             tilt_rad: r(3),
@@ -164,8 +165,8 @@ fn path(to: &Frame, seed: u64, i: i64) -> Path {
     let p = to.position;
     Path {
         shape,
-        from: Place::default(),
-        to: Place {
+        from: Placement::default(),
+        to: Placement {
             position: [Some(p.x), Some(p.y), Some(p.z)],
             angles: [(unit(1) < 0.5).then(|| r(6)), None, None],
         },
@@ -342,7 +343,7 @@ fn an_arm_passes_its_shoulder_without_a_flip() {
 fn way(seed: u64, i: i64) -> Path {
     let r = |k: u64| noise::signed(seed, 200 + k, i);
     let unit = |k: u64| noise::unit(seed, 220 + k, i);
-    let place = |k: u64| Place {
+    let place = |k: u64| Placement {
         position: [0, 1, 2].map(|j| (unit(k + j) < 0.6).then(|| r(k + j))),
         angles: [8.0, 1.5, 3.0].map(|most| (unit(k + 3) < 0.6).then(|| most * r(k + 4))),
     };
@@ -353,7 +354,7 @@ fn way(seed: u64, i: i64) -> Path {
             cycles: 1.0,
         },
         _ => Shape::Round {
-            centre: Place::default(),
+            centre: Placement::default(),
             normal: DVec3::Y,
             radii: [0.5, 0.3],
             from_rad: r(0),

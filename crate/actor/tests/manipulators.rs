@@ -6,7 +6,7 @@ use raconteur_actor::manipulator::limits::{Sex, limits};
 use raconteur_actor::manipulator::rig::{Base, LimbRig};
 use raconteur_actor::manipulator::solve::{AT_EASE, Choice};
 use raconteur_actor::manipulator::{
-    Command, Frame, Joints, Limb, ManipulatorScript, Motion, Move, Pace, Path, Place, Shape,
+    Command, Frame, Joints, Limb, ManipulatorScript, Motion, Move, Pace, Path, Placement, Shape,
 };
 use raconteur_actor::{Actor, FaceRig, Performance};
 use raconteur_base::{DQuat, DVec3, Side, noise};
@@ -334,7 +334,7 @@ fn random_script(seed: u64, wild: f64) -> ManipulatorScript {
                 DVec3::new(0.5 * r(1, i), y, 0.3 + 0.2 * r(3, i)) * wild
             },
             rotation: if wild == 1.0 {
-                // Some way off what is easy: a hand to the front, a foot down, a head upright.
+                // Some way off the easy poses: a hand to the front, a foot down, a head upright.
                 let off = DQuat::from_scaled_axis(DVec3::new(r(4, i), r(5, i), r(6, i)) * 0.8);
                 off * EASY[limb.index()]()
             } else {
@@ -345,7 +345,7 @@ fn random_script(seed: u64, wild: f64) -> ManipulatorScript {
             shape: match i % 3 {
                 0 => Shape::Segment,
                 1 => Shape::Round {
-                    centre: Place::default(),
+                    centre: Placement::default(),
                     normal: DVec3::new(r(8, i), r(9, i), r(10, i)),
                     radii: [0.1 * wild, 0.15],
                     from_rad: r(11, i),
@@ -353,15 +353,15 @@ fn random_script(seed: u64, wild: f64) -> ManipulatorScript {
                     rise: 0.1 * r(13, i),
                 },
                 _ => Shape::Lemniscate {
-                    centre: Place::default(),
+                    centre: Placement::default(),
                     normal: DVec3::Z,
                     half_width: 0.15,
                     tilt_rad: r(14, i),
                     turns: 1.0,
                 },
             },
-            from: Place::default(),
-            to: Place {
+            from: Placement::default(),
+            to: Placement {
                 position: [Some(place.position.x), None, None],
                 angles: [None; 3],
             },

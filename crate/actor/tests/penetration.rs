@@ -169,7 +169,7 @@ fn distance(p: DVec3, [a, b, c]: &[DVec3; 3]) -> f64 {
 }
 
 /// How deep the corners of one lip are in the other one, whose flesh lies `up` of its
-/// surface: distance of what is beyond the first surface to the nearest of it.
+/// surface: distance of points beyond the first surface to its nearest.
 fn lip_in_lip(own: &[[DVec3; 3]], other: &[[DVec3; 3]], up: DVec3) -> f64 {
     let mut deepest: f64 = 0.0;
     for p in own.iter().flatten() {

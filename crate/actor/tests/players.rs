@@ -331,7 +331,7 @@ fn the_highest_priority_moves_a_bone() {
     near(stage.turn(3.9), 40.0);
     near(stage.turn(4.9), -40.0);
     near(stage.turn(5.9), 0.0);
-    // Where nobody else wants the bone, a change of order is not seen: no dip at 1.2 s.
+    // Where no other player moves the bone, a change of order is not seen: no dip at 1.2 s.
     let lone = Stage::new(vec![
         (0.0, add("a", ONE, BoneSet::ALL)),
         (0.0, on(None, None, push("left"))),

@@ -188,6 +188,7 @@ impl Binding {
             weights: bound.iter().map(|b| b.1).collect(),
             indices: g.indices,
             morphs,
+            coarser: Vec::new(),
             binding: None,
         }
     }

@@ -2,7 +2,7 @@
 //!
 //! The actor moves targets of ARKit's names. A figure that has those is driven by them; for
 //! one that has visemes (Oculus' fifteen) or VRM's vowels, the same channels are made as
-//! sums of its targets, so that nobody downstream needs to know.
+//! sums of its targets, so that no later stage needs to know.
 
 use std::collections::BTreeMap;
 
@@ -367,7 +367,7 @@ fn channel(sources: &Sources, name: &'static str, sums: &[Sum], region: Region) 
             region: Region::Everywhere,
         });
     }
-    // The first term must be there; what is taken off may be missing.
+    // The first term must be there; subtracted ones may be missing.
     let sum = sums
         .iter()
         .find(|sum| sum.first().is_some_and(|(k, _)| sources.contains_key(k)))?;

@@ -69,7 +69,7 @@ pub(super) struct Humanoid {
     pub(super) further: Vec<(usize, Bone)>,
 }
 
-/// Bones without which nobody can be told a story.
+/// Bones that a performer needs.
 const REQUIRED_BONES: [Bone; 6] = [
     Bone::Sacroiliac,
     Bone::Skull,

@@ -2,7 +2,7 @@
 //!
 //! One grammar serves VRM's humanoid names, Mixamo, Ready Player Me, Blender's rigs, Biped,
 //! Unreal, Daz and their like: a name is cut into words, words that say nothing and the
-//! word of the side are taken out, and what is left is looked up.
+//! word of the side are taken out, and the rest is looked up.
 
 use raconteur_base::Side;
 

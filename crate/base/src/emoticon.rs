@@ -1,6 +1,6 @@
 //! Emoticons and emoji in texts, each with the word of an emotion (F&H section 4.3.2).
 //!
-//! Whoever counts words, shows captions, speaks or feels a text must agree on what is no word, so
+//! Word counts, captions, speech and emotions must agree on which tokens are not words, so
 //! all of them ask here.
 
 /// F&H table 4.1. These may also be written with spaces between their signs, as table 4.2 does.
@@ -171,7 +171,7 @@ impl Spaced {
     /// As long as the longest sign.
     const LONGEST: usize = 4;
 
-    /// Something that is no token parts what is before it from what follows.
+    /// Any other character separates the tokens before and after it.
     pub fn part(&mut self) {
         *self = Self::default();
     }

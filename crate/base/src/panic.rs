@@ -7,7 +7,7 @@ use std::sync::{Mutex, PoisonError};
 /// The message of the last panic; empty before the first.
 static MESSAGE: Mutex<String> = Mutex::new(String::new());
 
-/// Keeps the messages of panics from now on, instead of printing them where nobody reads.
+/// Keeps the messages of panics from now on, instead of printing them to a console that may not exist.
 pub fn keep_messages() {
     set_hook(Box::new(keep));
 }

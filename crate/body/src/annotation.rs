@@ -72,7 +72,7 @@ impl Annotations {
     }
 }
 
-/// Vertices of each mesh of a file: primitives of one mesh are not told apart, which the
+/// Vertices of each mesh of a file: primitives of one mesh are counted together, which the
 /// generator's files do not need.
 fn vertex_counts(root: &Value) -> Vec<u64> {
     let list = |key: &str| root[key].as_array().map_or(&[][..], Vec::as_slice);

@@ -110,7 +110,7 @@ pub struct Maps {
 /// what profilometry finds in deep lines of old faces.
 pub const WRINKLE_HEIGHT_M: f32 = 0.001;
 
-/// A compressed picture that came with a figure. Whoever draws has it decoded: a browser
+/// A compressed picture that came with a figure. The renderer's host decodes it: a browser
 /// does that better than we could.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Image {
@@ -169,6 +169,9 @@ pub struct Mesh {
     pub weights: Vec<[f32; 4]>,
     /// Triangles, counter-clockwise from outside.
     pub indices: Vec<u32>,
+    /// Coarser triangles over the same vertices, a list for each level of detail after the
+    /// first, each shorter than the one before it; empty where the mesh has one level.
+    pub coarser: Vec<Vec<u32>>,
     /// Morph targets that touch this mesh.
     pub morphs: Vec<Morph>,
     /// How its vertices follow the tissue of the face, where they do.
@@ -176,6 +179,15 @@ pub struct Mesh {
 }
 
 impl Mesh {
+    /// Triangles at a level of detail, 0 the finest; a mesh with fewer levels gives its last.
+    #[must_use]
+    pub fn triangles_at(&self, level: usize) -> &[u32] {
+        match level.min(self.coarser.len()) {
+            0 => &self.indices,
+            n => &self.coarser[n - 1],
+        }
+    }
+
     /// What is wrong with the mesh's binding: `None` when it has none, or one whose
     /// vertices are the mesh's and rise, whose rows are in order, and whose weights are
     /// 0..1. Node indices can only be checked against a tissue.

@@ -32,7 +32,7 @@ pub enum ReadError {
         /// What refers.
         what: &'static str,
     },
-    /// Data ends before what is claimed of it.
+    /// Data is shorter than its description says.
     #[error("the data of {what} are shorter than claimed")]
     Truncated {
         /// Whose data.
@@ -308,6 +308,9 @@ fn read_skin(
     })
 }
 
+/// Coarser levels of detail that are read of a mesh; a file with more loses the coarsest.
+const MAX_COARSER: usize = 7;
+
 /// glTF's drawing mode of separate triangles.
 const TRIANGLES: u64 = 4;
 
@@ -404,26 +407,21 @@ fn read_primitive(
         })
         .collect::<Result<Vec<_>, ReadError>>()?;
 
-    let indices: Vec<u32> = match primitive.indices {
-        Some(a) => source
-            .integers::<1>(a, "indices")?
-            .into_iter()
-            .map(|[i]| i)
-            .collect(),
-        None => (0..count as u32).collect(),
-    };
-    if primitive.mode != TRIANGLES || !indices.len().is_multiple_of(3) {
+    if primitive.mode != TRIANGLES {
         return Err(ReadError::Type { what: "triangles" });
     }
-    if indices.iter().any(|&i| i as usize >= count) {
-        return Err(ReadError::OutOfRange { what: "a triangle" });
-    }
+    let indices = match primitive.indices {
+        Some(a) => read_triangles(source, a, count)?,
+        None if count.is_multiple_of(3) => (0..count as u32).collect(),
+        None => return Err(ReadError::Type { what: "triangles" }),
+    };
 
     Ok(Mesh {
         name: mesh.name.clone(),
         material: read_material(source.root, primitive)?,
         morphs: read_morphs(source, mesh, primitive, count, to_world, figure)?,
         binding: soft::binding(source, mesh, count)?,
+        coarser: read_coarser(source, mesh, count)?,
         positions: raw
             .into_iter()
             .map(|p| narrow(to_world.transform_point3(widen(p))))
@@ -435,6 +433,38 @@ fn read_primitive(
         weights,
         indices,
     })
+}
+
+/// The triangles of an accessor, over `count` vertices.
+fn read_triangles(
+    source: &mut Source<'_>,
+    accessor: usize,
+    count: usize,
+) -> Result<Vec<u32>, ReadError> {
+    let indices: Vec<u32> = source
+        .integers::<1>(accessor, "indices")?
+        .into_iter()
+        .map(|[i]| i)
+        .collect();
+    if !indices.len().is_multiple_of(3) {
+        return Err(ReadError::Type { what: "triangles" });
+    }
+    if indices.iter().any(|&i| i as usize >= count) {
+        return Err(ReadError::OutOfRange { what: "a triangle" });
+    }
+    Ok(indices)
+}
+
+/// The triangles of a mesh's coarser levels of detail.
+fn read_coarser(
+    source: &mut Source<'_>,
+    mesh: &document::Mesh,
+    count: usize,
+) -> Result<Vec<Vec<u32>>, ReadError> {
+    let levels = mesh.coarser.iter().take(MAX_COARSER);
+    levels
+        .map(|&accessor| read_triangles(source, accessor, count))
+        .collect()
 }
 
 fn read_morphs(

@@ -204,21 +204,22 @@ impl Buffer {
         }
     }
 
-    fn indices(&mut self, mesh: &Mesh) -> usize {
-        let small = mesh.positions.len() <= usize::from(u16::MAX);
+    /// Triangles over `vertices` vertices.
+    fn indices(&mut self, indices: &[u32], vertices: usize) -> usize {
+        let small = vertices <= usize::from(u16::MAX);
         let bytes: Vec<u8> = if small {
-            mesh.indices
+            indices
                 .iter()
                 .flat_map(|&i| (i as u16).to_le_bytes())
                 .collect()
         } else {
-            mesh.indices.iter().flat_map(|i| i.to_le_bytes()).collect()
+            indices.iter().flat_map(|i| i.to_le_bytes()).collect()
         };
         let view = self.view(&bytes, None, Some(ELEMENT_ARRAY_BUFFER));
         self.accessor(json!({
             "bufferView": view,
             "componentType": if small { UNSIGNED_SHORT } else { UNSIGNED_INT },
-            "count": mesh.indices.len(), "type": "SCALAR",
+            "count": indices.len(), "type": "SCALAR",
         }))
     }
 
@@ -359,7 +360,7 @@ fn mesh(buffer: &mut Buffer, grid: &Grid, figure: &Figure, mesh: &Mesh, material
             "JOINTS_0": buffer.joints(mesh),
             "WEIGHTS_0": buffer.attribute(&weights, 4, UNSIGNED_BYTE, true, "VEC4"),
         },
-        "indices": buffer.indices(mesh),
+        "indices": buffer.indices(&mesh.indices, mesh.positions.len()),
         "material": material,
     });
     // The reader takes absent coordinates for zeros.
@@ -369,6 +370,13 @@ fn mesh(buffer: &mut Buffer, grid: &Grid, figure: &Figure, mesh: &Mesh, material
     let mut value = json!({ "name": mesh.name });
     if let Some(b) = &mesh.binding {
         value["extras"] = json!({ "binding": binding::write(buffer, b, mesh.positions.len()) });
+    }
+    if !mesh.coarser.is_empty() {
+        let levels = mesh.coarser.iter();
+        let accessors: Vec<usize> = levels
+            .map(|triangles| buffer.indices(triangles, mesh.positions.len()))
+            .collect();
+        value["extras"]["coarser"] = json!(accessors);
     }
     if !mesh.morphs.is_empty() {
         let targets: Vec<Value> = mesh

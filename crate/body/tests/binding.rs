@@ -85,7 +85,7 @@ fn a_binding_comes_back_from_the_file() {
     }
     // Written again, it is the same.
     assert!(glb == to_glb(&back));
-    // The readers of others find the vertices and what is drawn of them as before.
+    // The readers of others find vertices and triangles as before.
     let theirs = gltf::Gltf::from_slice_without_validation(&glb).expect("glTF");
     let primitive = theirs.meshes().flat_map(|m| m.primitives()).next();
     let primitive = primitive.expect("a mesh");

@@ -1,4 +1,4 @@
-//! The soft faces of the shipped figures: they rest, they stay whole whatever is asked of
+//! The soft faces of the shipped figures: they rest, they stay intact whatever the controls of
 //! them, and each muscle does what anatomy says.
 
 use raconteur_base::{Side, noise};
@@ -33,7 +33,7 @@ fn settled(tissue: &Tissue, controls: &FaceControls) -> Network {
     network
 }
 
-/// A face of which everything is asked by chance, as far as it goes.
+/// A face with random controls over their whole ranges.
 fn random(seed: u64, i: i64) -> FaceControls {
     let u = |id: u64| noise::unit(seed, id, i);
     let mut c = FaceControls::default();
@@ -137,7 +137,7 @@ fn jump(seed: u64, name: &str) {
     }
 }
 
-/// What is let go is at rest half a second later, and where it rests, and stays there.
+/// A released face is at rest half a second later, in its rest place, and stays there.
 fn comes_to_rest(tissue: &Tissue, mut network: Network, what: &str) {
     let rest = FaceControls::default();
     for _ in 0..HALF_A_SECOND {

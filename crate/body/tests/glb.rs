@@ -1,4 +1,4 @@
-//! The reader against hostile files, and the shipped figure against a reader that nobody
+//! The reader against hostile files, and the shipped figure against a reader that no one
 //! here wrote.
 
 mod common;
@@ -80,7 +80,26 @@ fn the_shipped_figure_is_whole() {
         }
     }
     let bytes = shipped().len();
-    assert!(bytes <= 3_000_000, "{bytes} bytes");
+    assert!(bytes <= 3_400_000, "{bytes} bytes");
+}
+
+#[test]
+fn coarser_levels_that_are_no_triangles_are_refused() {
+    let json = String::from_utf8_lossy(&shipped()).into_owned();
+    let at = json.find("\"coarser\":[").expect("levels of detail");
+    let end = json[at..].find(']').expect("their end");
+    let levels = &json[at..=at + end];
+    for (wrong, what) in [("0", "positions"), ("99999", "nothing")] {
+        let glb = tampered(levels, &format!("\"coarser\":[{wrong}]"));
+        let read = read_figure("x", &glb);
+        assert!(read.is_err(), "a level made of {what}");
+    }
+    let without = tampered(levels, "\"coarser\":[]");
+    let whole = read_figure("x", &shipped()).expect("a figure");
+    let bare = read_figure("x", &without).expect("a figure");
+    let levels = |f: &raconteur_body::Figure| f.meshes.iter().map(|m| m.coarser.len()).sum();
+    let [with, without]: [usize; 2] = [levels(&whole), levels(&bare)];
+    assert_eq!(with, without + 2, "one mesh has lost its levels");
 }
 
 #[test]

@@ -21,7 +21,7 @@ pub(crate) struct Excerpt<'a> {
     lines: Vec<Line>,
 }
 
-/// A line, or what is shown of it.
+/// A line, or the shown part of it.
 struct Line {
     /// From 1.
     number: u32,
@@ -174,7 +174,7 @@ mod tests {
     use proptest::prelude::*;
 
     proptest! {
-        /// Whatever the text and the places: no line of what is printed is long, it is printed
+        /// For any text and any spans: no printed line is long, it is printed
         /// without fault, and line and column are those of the place.
         #[test]
         fn excerpts_are_narrow_and_tell_the_place(
@@ -207,7 +207,7 @@ mod tests {
             let told = excerpt.location((), range.start).unwrap();
             let meant = index.position(spans[0].start);
             prop_assert_eq!(told.line_number, meant.line as usize);
-            // A place in the end of a line counts as the end of what is shown of it.
+            // A place in the end of a line counts as the end of its shown part.
             let line = index.line_text(meant.line).chars().count();
             prop_assert_eq!(told.column_number, (meant.column as usize).min(line + 1));
         }

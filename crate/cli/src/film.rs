@@ -10,7 +10,7 @@ use anyhow::{Context as _, Result, bail};
 
 use crate::picture::write_png;
 use crate::soundtrack::Soundtrack;
-use raconteur_voice::files::disk::Part;
+use raconteur_voice::files::disk::PendingFile;
 
 /// Where frames go.
 pub(crate) enum Sink {
@@ -18,7 +18,7 @@ pub(crate) enum Sink {
     Ffmpeg {
         child: Child,
         frames: ChildStdin,
-        film: Part,
+        film: PendingFile,
     },
     /// A folder of numbered pictures.
     Folder {
@@ -73,9 +73,9 @@ impl Sink {
         ]);
         // A name with a number in it stands for a file a frame.
         let film = if path.to_string_lossy().contains('%') {
-            Part::direct(path)
+            PendingFile::direct(path)
         } else {
-            Part::beside(path)?
+            PendingFile::beside(path)?
         };
         command
             .args(["-t", &format!("{length_secs:.6}")])

@@ -102,7 +102,7 @@ pub(crate) enum Outcome {
 
 /// Mesa's Vulkan layer that chooses among graphics cards asks the Wayland session, and where
 /// there is none complains on the standard error, which is for diagnostics. Nothing is drawn on
-/// a screen here, so nobody misses the layer's choice.
+/// a screen here, so the layer's choice is not missed.
 #[allow(
     unsafe_code,
     reason = "the program has no other thread yet that could read the environment"
@@ -125,7 +125,7 @@ fn main() -> ExitCode {
     match outcome {
         Ok(Outcome::Fine) => ExitCode::SUCCESS,
         Ok(Outcome::Errors) => ExitCode::from(1),
-        // Whoever read the output has seen enough.
+        // The reader of the pipe has closed it.
         Err(error)
             if error.downcast_ref::<io::Error>().map(io::Error::kind)
                 == Some(io::ErrorKind::BrokenPipe) =>

@@ -13,7 +13,7 @@ use crate::excerpt::Excerpt;
 
 /// A place in a file. Lines and columns count from 1, columns in characters.
 #[derive(Serialize)]
-pub(crate) struct Place {
+pub(crate) struct Location {
     line: u32,
     column: u32,
     offset: u32,
@@ -26,8 +26,8 @@ pub(crate) struct Entry<'a> {
     code: &'a str,
     severity: &'static str,
     message: &'a str,
-    start: Place,
-    end: Place,
+    start: Location,
+    end: Location,
     hints: &'a [String],
 }
 
@@ -47,7 +47,7 @@ pub(crate) fn entries<'a>(
     let index = LineIndex::new(source);
     let place = |offset: u32| {
         let at = index.position(offset);
-        Place {
+        Location {
             line: at.line,
             column: at.column,
             offset,

@@ -1,4 +1,4 @@
-//! Where the vertices of a posed figure are, for what is written or drawn without a device.
+//! Where the vertices of a posed figure are, for output without a device.
 
 use raconteur_base::{DAffine3, DMat3, DVec3};
 use raconteur_body::{Bone, Figure, Mesh};

@@ -1,4 +1,4 @@
-//! What is heard in a film: utterances as they were baked, and music at its level.
+//! The soundtrack of a film: utterances as they were baked, and music at its level.
 
 use std::path::Path;
 
@@ -17,7 +17,7 @@ const LEVEL_STEP: usize = 240;
 
 /// A sound and when it starts in the film; negative when the film begins within it.
 pub(crate) struct Sound {
-    /// What is heard.
+    /// A sound of the film.
     pub(crate) file: media::Sound,
     /// Seconds from the start of the film.
     pub(crate) start_secs: f64,

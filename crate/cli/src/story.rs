@@ -15,7 +15,7 @@ use raconteur_voice::files::{input, inside};
 
 use crate::assets;
 
-/// Who performs when nobody is asked for, as in the element.
+/// The default performer, as in the element.
 pub(crate) const USUAL_FIGURE: &str = "sofia";
 
 /// The largest story file that is read, bytes; the parser's own limit is lower.
@@ -42,7 +42,7 @@ impl StoryFiles {
             path.to_owned()
         };
         let bytes = input::bytes(&script, LARGEST_STORY).context("the story")?;
-        // What is not UTF-8 is replaced: the parser says where it stands.
+        // Invalid UTF-8 is replaced: the parser says where it stands.
         let text = String::from_utf8(bytes)
             .unwrap_or_else(|e| String::from_utf8_lossy(e.as_bytes()).into_owned());
         Ok(Self { script, text })
@@ -67,7 +67,7 @@ impl StoryFiles {
         if !wanted.is_empty() {
             let mut library = raconteur_player::Library::default();
             for name in wanted {
-                // What is missing or broken is told by those who perform.
+                // Missing or broken files are reported by the commands that perform.
                 if let Some(text) = find_animation(&name, &self.script)
                     && library.add(&name, &text).is_err()
                 {

@@ -1,4 +1,4 @@
-//! What a user who makes a mistake is told: every kind of bad input gives a diagnostic with
+//! Messages to a user who makes a mistake: every kind of bad input gives a diagnostic with
 //! line and column, the rest still plays, and nothing hangs.
 
 use std::fs;
@@ -215,7 +215,7 @@ fn devices_and_pipes_are_not_read() {
     }
 }
 
-/// However long the lines and however many the mistakes: what is printed is bounded.
+/// However long the lines and however many the mistakes: the output is bounded.
 #[test]
 fn what_is_told_of_a_hostile_story_is_short() {
     let n = 100_000;
@@ -298,13 +298,13 @@ fn a_new_story_plays_wherever_it_is() {
     assert!(checked.status.success() && told.is_empty(), "{told}");
     let posed = run(&["pose", "first", "--at", "1", "--digest"]);
     assert!(posed.status.success());
-    // Nor do others' complaints get among what is told, for one that there is no session.
+    // Nor do messages of libraries get into the output, for one that there is no session.
     let drawn = run(&[
         "render", "first", "--at", "1", "--size", "32x32", "-o", "x.png",
     ]);
     let told = String::from_utf8_lossy(&drawn.stderr).into_owned();
     assert!(drawn.status.success() && told.is_empty(), "{told}");
-    // What is there is not written over.
+    // An existing file is not overwritten.
     assert!(!run(&["new", "first"]).status.success());
     assert!(
         !run(&["--assets", "nowhere", "check", "first"])

@@ -1,4 +1,4 @@
-//! A story chooses its figure, voice and language; whoever shows or bakes it may choose others,
+//! A story chooses its figure, voice and language; options and attributes may choose others,
 //! and where a figure cannot be had the usual one performs.
 
 use std::fs;
@@ -30,7 +30,7 @@ fn raconteur(arguments: &[&str], story: &Path) -> Output {
         .expect("the program runs")
 }
 
-/// The digest of the first moment, and what was told besides that there is no voice.
+/// The digest of the first moment, and the messages besides the one on the missing voice.
 fn performed(story: &Path, figure: &[&str]) -> (String, Vec<String>) {
     let arguments = [
         &["pose", "--at", "0", "--digest", "--format", "json"],

@@ -1,5 +1,5 @@
 //! What a script costs in memory: bytes and allocations a clause, at the peak of reading
-//! and in what is kept.
+//! and in the memory that stays in use.
 
 mod script;
 

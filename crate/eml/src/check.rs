@@ -326,7 +326,7 @@ fn cycles(sets: &[Set], index: &Index<'_>) -> Vec<Vec<usize>> {
 fn check_member(member: &Member, sets: Option<&Index<'_>>, span: Span, sink: &mut Sink) {
     let name = member.name.as_str();
     if name.is_empty() {
-        // The reader of attributes has told.
+        // The reader of attributes has reported it.
         return;
     }
     match (member.kind, sets) {

@@ -79,7 +79,7 @@ impl Diagnostic {
     }
 }
 
-/// The longest message, characters: what a text says at length is not told as long.
+/// The longest message, characters: longer quotations are cut.
 const LONGEST_MESSAGE: usize = 400;
 
 fn clipped(mut message: String) -> String {
@@ -90,10 +90,10 @@ fn clipped(mut message: String) -> String {
     message
 }
 
-/// How many diagnostics of one kind are told one by one.
+/// How many diagnostics of one kind are reported one by one.
 pub const MOST_OF_A_KIND: usize = 20;
 
-/// The code of what counts those that are not told.
+/// The code of the diagnostic that counts those left out.
 const MORE: &str = "eml::more";
 
 /// Thins what several readers have found in one document: of each kind the first
@@ -154,7 +154,7 @@ impl Sink {
         }
     }
 
-    /// Whether a problem within a place has been told.
+    /// Whether a problem within a span has been reported.
     pub(crate) fn tells_of(&self, place: Span) -> bool {
         let within = |d: &Diagnostic| place.start <= d.span.start && d.span.end <= place.end;
         self.list.iter().any(within)
@@ -189,8 +189,8 @@ mod tests {
     use proptest::prelude::*;
 
     proptest! {
-        /// Whatever comes: few of a kind are told, none is lost in the counts, and an error
-        /// that is not told leaves one behind.
+        /// For any input: few of a kind are reported, none is lost in the counts, and an error
+        /// that is left out leaves one behind.
         #[test]
         fn all_are_told_or_counted(
             kinds in prop::collection::vec((0_usize..4, any::<bool>(), 0_u32..99), 0..300),
@@ -203,7 +203,7 @@ mod tests {
                 make(CODES[kind], Span::new(at, at), String::new())
             };
             kinds.iter().for_each(|kind| sink.push(one(kind)));
-            // Thinning again what is thin changes nothing but the order of the counts.
+            // Thinning twice changes nothing but the order of the counts.
             let told = sink.finish();
             prop_assert_eq!(thinned(told.clone()).len(), told.len());
             prop_assert!(told.iter().filter(|d| d.code != MORE).count() <= limit);

@@ -109,7 +109,7 @@ pub enum ClauseKind {
     Par(Group),
     /// Moves the whole figure along a function (GEVH D.1.6).
     VhMove(VhMove),
-    /// Switches what is drawn (GEVH D.3.4).
+    /// Switches parts of the drawing (GEVH D.3.4).
     ConfigureGeometry(ConfigureGeometry),
     /// Configures transitions of keyframe animations (GEVH D.3.5).
     DeterministicAnimation(DeterministicAnimation),
@@ -260,7 +260,7 @@ impl ClauseKind {
         }
     }
 
-    /// How long it takes by itself, in seconds: neither speech nor what is in a group. A
+    /// How long it takes by itself, in seconds: neither speech nor the members of a group. A
     /// function in a loop takes one period; what goes on until something stops it takes
     /// no time.
     #[must_use]

@@ -1,7 +1,7 @@
-//! How long speech and animations take: asked of whoever knows.
+//! How long speech and animations take: a trait that the player implements.
 
 use crate::voice::{Item, is_letter};
-use crate::{ClauseId, Piece, VoiceText};
+use crate::{ClauseId, TextSegment, VoiceText};
 use raconteur_base::emoticon;
 use std::ops::ControlFlow;
 
@@ -75,14 +75,14 @@ impl Durations for EstimatedDurations {
             ..VoiceTiming::default()
         };
         let mut breaks = text.pieces.iter().filter_map(|piece| match piece {
-            Piece::Break { msec, span, .. } => Some((span.start, f64::from(*msec) / 1000.0)),
+            TextSegment::Break { msec, span, .. } => Some((span.start, f64::from(*msec) / 1000.0)),
             _ => None,
         });
         let mut next_break = breaks.next();
         // A list that grows is copied several times, so there is room for words of three
-        // letters; what is left over is given back.
+        // letters; excess capacity is given back.
         let bytes = text.pieces.iter().map(|piece| match piece {
-            Piece::Text { text, .. } => text.len(),
+            TextSegment::Text { text, .. } => text.len(),
             _ => 0,
         });
         timing.words.reserve_exact(bytes.sum::<usize>() / 4 + 1);

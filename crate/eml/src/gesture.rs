@@ -49,7 +49,7 @@ impl Interpolator {
 }
 
 words! {
-    /// What is interpolated (GEVH 3.5.1; extension).
+    /// The interpolated quantity (GEVH 3.5.1; extension).
     Space {
         /// Positions.
         Cartesian = "cartesian",
@@ -66,7 +66,7 @@ record! {
         interpolator: Option<Interpolator> = "interpolation",
         /// Its control values: x and y of both points, or both slopes.
         controls: Option<Vec<f64>> = "controls",
-        /// What is interpolated.
+        /// The interpolated quantity.
         space: Option<Space> = "space",
     }
 }

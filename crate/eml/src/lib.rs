@@ -9,7 +9,7 @@
 //! (it asks [`Durations`]) or what a clause does to a body.
 //!
 //! Values keep EML's own units and axes: seconds, degrees, skeleton units; `x` to
-//! the speaker's left, `y` up, `z` to the back. Whoever acts on them converts.
+//! the speaker's left, `y` up, `z` to the back. Consumers convert them.
 
 mod check;
 mod clauses;
@@ -80,5 +80,5 @@ pub use span::{LineIndex, Position, Span};
 pub use suggest::{nearest, quoted};
 pub use time_expr::{NameTerm, TimeExpr};
 pub use timeline::{Resolved, TimedClause, Timeline};
-pub use voice::{DivKind, Mark, MarkEvent, Piece, VoiceText, Word};
+pub use voice::{DivKind, Mark, MarkEvent, TextSegment, VoiceText, Word};
 pub use write::{HARMLESS, normal_form, write, write_with_comments};

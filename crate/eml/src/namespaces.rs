@@ -24,7 +24,7 @@ pub(crate) enum Owner {
     Extensions,
     /// Somebody else.
     Foreign,
-    /// Nobody: the prefix is not bound.
+    /// None: the prefix is not bound.
     Unbound,
 }
 
@@ -34,7 +34,7 @@ pub(crate) struct Namespaces<'a> {
     bindings: Vec<Binding<'a>>,
     /// Whether the document may have any.
     any: bool,
-    /// How many belong to what is around the elements of the body, once those are met.
+    /// How many belong to the ancestors of the body's elements, once those are met.
     around: Option<usize>,
     told: bool,
 }
@@ -66,7 +66,7 @@ impl<'a> Namespaces<'a> {
     }
 
     /// Collects the bindings for an element of the body that is read before the body is
-    /// complete: node `node`, the last in the tree with what is in it.
+    /// complete: node `node`, the last in the tree with its subtree.
     pub(crate) fn enter<E>(&mut self, tree: &Tree<'a, E>, node: usize, sink: &mut Sink) {
         if !self.any {
             return;

@@ -17,7 +17,7 @@ pub struct Parsed {
     pub diagnostics: Vec<Diagnostic>,
 }
 
-/// Reads a script with the default limits. Never fails: what is wrong is reported and
+/// Reads a script with the default limits. Never fails: faulty clauses are reported and
 /// the rest is kept.
 #[must_use]
 pub fn parse(source: &str) -> Parsed {
@@ -43,7 +43,7 @@ pub fn parse_fragment_with(source: &str, limits: &Limits) -> Parsed {
     read(source, limits, true)
 }
 
-/// Reads a script from bytes that should be UTF-8. What is not becomes U+FFFD and is
+/// Reads a script from bytes that should be UTF-8. Other bytes become U+FFFD and are
 /// reported; the spans count in the text with those.
 #[must_use]
 pub fn parse_bytes(bytes: &[u8], limits: &Limits) -> Parsed {
@@ -298,7 +298,7 @@ impl Context<'_> {
         }
     }
 
-    /// Reads the body, or what is left of it when `taken` is what has been taken out.
+    /// Reads the body without `taken`, the part that was read before.
     fn body(&mut self, node: usize, element: &'static Element, taken: Option<Tally>) {
         self.fields(node, element);
         // White space is not in the tree.
@@ -316,7 +316,7 @@ impl Context<'_> {
         }
     }
 
-    /// Reads a clause and what is inside it. Groups recurse; the tree's depth is
+    /// Reads a clause and its members. Groups recurse; the tree's depth is
     /// limited.
     fn clause(
         &mut self,

@@ -59,7 +59,7 @@ pub struct Position {
 pub struct LineIndex<'a> {
     source: &'a str,
     line_starts: Vec<u32>,
-    /// What is before every [`STRIDE`]th byte.
+    /// Counts before every [`STRIDE`]th byte.
     counts: Vec<Count>,
 }
 

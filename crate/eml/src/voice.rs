@@ -6,7 +6,7 @@ use crate::{Name, Span};
 use raconteur_base::emoticon::{self, Spaced};
 use std::ops::ControlFlow;
 
-/// SABLE's level of text that nobody emphasised.
+/// SABLE's level of text without emphasis.
 pub(crate) const NO_EMPHASIS: f64 = 0.5;
 /// SABLE's `moderate`: from here on a word counts as emphasised.
 pub(crate) const MODERATE_EMPHASIS: f64 = 1.0;
@@ -15,7 +15,7 @@ pub(crate) const MODERATE_EMPHASIS: f64 = 1.0;
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct VoiceText {
     /// What it consists of.
-    pub pieces: Vec<Piece>,
+    pub pieces: Vec<TextSegment>,
 }
 
 impl VoiceSay {
@@ -24,7 +24,7 @@ impl VoiceSay {
     pub fn text(&self) -> VoiceText {
         let mut pieces = Vec::new();
         if !self.is_file() && self.kind == UtteranceKind::Text {
-            pieces.push(Piece::Text {
+            pieces.push(TextSegment::Text {
                 text: self.content.as_str().into(),
                 emphasis: NO_EMPHASIS,
                 span: self.content_span,
@@ -42,7 +42,7 @@ impl VoiceSay {
 
 /// A part of spoken text.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Piece {
+pub enum TextSegment {
     /// Characters. They equal the source under `span`, unless that is one resolved
     /// reference such as `&amp;`.
     Text {
@@ -71,7 +71,7 @@ pub enum Piece {
     },
     /// A marker of SABLE's: tells listeners when the next word begins (extension).
     Marker {
-        /// What they are told.
+        /// Their instruction.
         mark: String,
         /// The element.
         span: Span,
@@ -179,7 +179,7 @@ impl VoiceText {
 
     /// Shows the time markers in order, each with its word; reads no further than the last.
     pub(crate) fn each_mark(&self, visit: &mut dyn FnMut(Mark)) {
-        let is_mark = |piece: &&Piece| matches!(piece, Piece::Mark { .. });
+        let is_mark = |piece: &&TextSegment| matches!(piece, TextSegment::Mark { .. });
         let mut left = self.pieces.iter().filter(is_mark).count();
         if left == 0 {
             return;
@@ -204,7 +204,7 @@ impl VoiceText {
         let mut gap = false;
         for piece in &self.pieces {
             match piece {
-                Piece::Text { text, .. } => {
+                TextSegment::Text { text, .. } => {
                     for c in text.chars() {
                         if u8::try_from(c).is_ok_and(is_space) {
                             gap = true;
@@ -217,11 +217,14 @@ impl VoiceText {
                         }
                     }
                 }
-                Piece::Break { .. }
-                | Piece::Audio { .. }
-                | Piece::DivStart { .. }
-                | Piece::DivEnd => gap = true,
-                Piece::Mark { .. } | Piece::Marker { .. } | Piece::Start { .. } | Piece::End => {}
+                TextSegment::Break { .. }
+                | TextSegment::Audio { .. }
+                | TextSegment::DivStart { .. }
+                | TextSegment::DivEnd => gap = true,
+                TextSegment::Mark { .. }
+                | TextSegment::Marker { .. }
+                | TextSegment::Start { .. }
+                | TextSegment::End => {}
             }
         }
         out
@@ -230,14 +233,16 @@ impl VoiceText {
     /// Whether it has time markers.
     #[must_use]
     pub fn has_marks(&self) -> bool {
-        self.pieces.iter().any(|p| matches!(p, Piece::Mark { .. }))
+        self.pieces
+            .iter()
+            .any(|p| matches!(p, TextSegment::Mark { .. }))
     }
 
     /// Whether there is a word in it.
     #[must_use]
     pub fn has_words(&self) -> bool {
         self.pieces.iter().any(|p| match p {
-            Piece::Text { text, .. } => has_letter(text),
+            TextSegment::Text { text, .. } => has_letter(text),
             _ => false,
         })
     }
@@ -251,7 +256,7 @@ impl VoiceText {
         let mut waiting: Option<usize> = None;
         for (place, piece) in self.pieces.iter().enumerate() {
             match piece {
-                Piece::Text {
+                TextSegment::Text {
                     text,
                     emphasis,
                     span,
@@ -297,18 +302,18 @@ impl VoiceText {
                         }
                     }
                 }
-                Piece::Mark { .. } => {
+                TextSegment::Mark { .. } => {
                     waiting.get_or_insert(place);
                 }
-                Piece::Break { .. }
-                | Piece::Audio { .. }
-                | Piece::DivStart { .. }
-                | Piece::DivEnd => {
+                TextSegment::Break { .. }
+                | TextSegment::Audio { .. }
+                | TextSegment::DivStart { .. }
+                | TextSegment::DivEnd => {
                     token.finish(&mut words, visit)?;
                     token.spaced.part();
                     visit(Item::Gap)?;
                 }
-                Piece::Marker { .. } | Piece::Start { .. } | Piece::End => {}
+                TextSegment::Marker { .. } | TextSegment::Start { .. } | TextSegment::End => {}
             }
         }
         token.finish(&mut words, visit)?;
@@ -318,9 +323,13 @@ impl VoiceText {
 }
 
 /// Hands on the markers among some pieces, which have found their word.
-fn pass_marks<'v>(pieces: &'v [Piece], word: usize, visit: &mut Visit<'v, '_>) -> ControlFlow<()> {
+fn pass_marks<'v>(
+    pieces: &'v [TextSegment],
+    word: usize,
+    visit: &mut Visit<'v, '_>,
+) -> ControlFlow<()> {
     for piece in pieces {
-        if let Piece::Mark { name, event, span } = piece {
+        if let TextSegment::Mark { name, event, span } = piece {
             visit(Item::Mark(Mark {
                 name: name.clone(),
                 event: event.clone(),

@@ -4,9 +4,11 @@ use std::ops::ControlFlow;
 
 use crate::diagnostic::Sink;
 use crate::voice::Item;
-use crate::{Clause, ClauseKind, Diagnostic, Document, Limits, Piece, Span, VoiceSay, VoiceText};
+use crate::{
+    Clause, ClauseKind, Diagnostic, Document, Limits, Span, TextSegment, VoiceSay, VoiceText,
+};
 
-/// Leaves out what is spoken beyond [`Limits::clause_words`] and [`Limits::words`], and tells where.
+/// Leaves out words beyond [`Limits::clause_words`] and [`Limits::words`], and returns where.
 /// Pauses, recordings and events go with the words that they stood between; time markers stay, and
 /// name the end of the clause.
 pub(crate) fn hold(document: &mut Document, limits: &Limits, sink: &mut Sink) {
@@ -38,9 +40,9 @@ pub(crate) fn hold(document: &mut Document, limits: &Limits, sink: &mut Sink) {
     }
 }
 
-fn bytes_of(piece: &Piece) -> usize {
+fn bytes_of(piece: &TextSegment) -> usize {
     match piece {
-        Piece::Text { text, .. } => text.len(),
+        TextSegment::Text { text, .. } => text.len(),
         _ => 0,
     }
 }
@@ -55,7 +57,7 @@ fn too_many(rest: Span, is_story: bool, limits: &Limits) -> Diagnostic {
     Diagnostic::error("eml::too-many-words", rest, message).hint(hint)
 }
 
-/// How many words a text has, up to so many, and what is beyond: from the first word that is too
+/// How many words a text has, up to so many, and the rest: from the first word that is too
 /// many to the end.
 fn count(text: &VoiceText, allowed: usize) -> (usize, Option<Span>) {
     let mut words = 0;
@@ -71,7 +73,7 @@ fn count(text: &VoiceText, allowed: usize) -> (usize, Option<Span>) {
         ControlFlow::Continue(())
     });
     let end = text.pieces.iter().rev().find_map(|piece| match piece {
-        Piece::Text { span, .. } => Some(*span),
+        TextSegment::Text { span, .. } => Some(*span),
         _ => None,
     });
     (
@@ -87,7 +89,7 @@ fn hold_text(text: &mut VoiceText, allowed: usize) -> (usize, Option<Span>) {
         return (words, None);
     };
     text.pieces.retain_mut(|piece| match piece {
-        Piece::Text { text, span, .. } => {
+        TextSegment::Text { text, span, .. } => {
             // A word begins inside verbatim text alone: a reference is one character.
             if span.end > rest.start
                 && span.start < rest.start
@@ -98,9 +100,9 @@ fn hold_text(text: &mut VoiceText, allowed: usize) -> (usize, Option<Span>) {
             }
             span.start < rest.start
         }
-        Piece::Break { span, .. } | Piece::Audio { span, .. } | Piece::Marker { span, .. } => {
-            span.start < rest.start
-        }
+        TextSegment::Break { span, .. }
+        | TextSegment::Audio { span, .. }
+        | TextSegment::Marker { span, .. } => span.start < rest.start,
         _ => true,
     });
     (words, Some(rest))
@@ -132,7 +134,7 @@ mod tests {
 
     use crate::{ClauseKind, Limits, parse_with};
 
-    /// What each clause says, and the codes of what is wrong.
+    /// What each clause says, and the codes of diagnostics.
     fn said(clauses: &[String], clause_words: usize, words: usize) -> (Vec<usize>, Vec<String>) {
         let source = format!("<eml><body>{}</body></eml>", clauses.concat());
         let limits = Limits {

@@ -1,4 +1,4 @@
-//! Every attribute that the table bounds is held to its bounds: a value beyond them is told
+//! Every attribute that the table bounds is held to its bounds: a value beyond them is reported
 //! exactly once, whatever the element. The elements' own examples are the texts.
 
 use raconteur_eml::parse;
@@ -37,7 +37,7 @@ fn beyond(kind: Kind) -> Vec<String> {
         Kind::Color => all(&["#fffff", "#ggffff"]),
         Kind::Path => all(&["../x", "/x"]),
         Kind::Url => all(&["file:///x"]),
-        // What is named by others, and what is read together with others.
+        // Elements that others name, and attributes that are read together with others.
         Kind::Name | Kind::Identifier | Kind::Text | Kind::Time => Vec::new(),
         Kind::NumberOrBool | Kind::NumberOrText | Kind::Numbers => Vec::new(),
     }

@@ -6,7 +6,7 @@ use raconteur_player::body::{Figure, Skeleton};
 use raconteur_player::stage::{Fill, Shown};
 use raconteur_player::{Loaded, Options, Player, StoryInput};
 
-/// Whoever has a skeleton can be asked what is shown of them.
+/// Every figure with a skeleton answers the switches.
 fn perform(clauses: &str) -> Player {
     let figure = Figure {
         name: "example".to_owned(),

@@ -1,4 +1,4 @@
-//! A name of something that there is not is told exactly once, with what was probably meant;
+//! An unknown name is reported exactly once, with what was probably meant;
 //! so is a number beyond its range.
 
 mod common;

@@ -74,7 +74,7 @@ const STORY: &str = "<eml><body><seq time='0'>\
     <null time='0' timeId='after'/>\
     </seq></body></eml>";
 
-/// What is said: its sound, when it begins and its words.
+/// An utterance: its sound, when it begins and its words.
 fn said(player: &Player) -> Vec<(String, f64, Vec<String>)> {
     let all = player.utterances().iter().map(|u| {
         let said = &u.timed.utterance;
@@ -112,7 +112,7 @@ fn each_operation_does_what_it_is_called() {
     );
     assert_eq!(player.timeline().marks.get("after"), Some(&1.999));
     assert!(player.utterances().iter().all(|u| !u.estimated));
-    // The story lasts until what nobody waits for is over.
+    // The story lasts until asynchronous clauses are over.
     assert!((player.duration_secs() - 2.999).abs() < 1e-9);
 }
 

@@ -36,7 +36,8 @@ fn mesh() -> Mesh {
         colors: vec![[255; 4]; n],
         joints: vec![[0; 4]; n],
         weights: vec![[1.0, 0.0, 0.0, 0.0]; n],
-        indices: Vec::new(),
+        indices: (0..VERTICES).collect(),
+        coarser: Vec::new(),
         morphs: Vec::new(),
         binding: Some(Binding {
             vertices: (0..VERTICES).collect(),
@@ -73,7 +74,7 @@ fn tissue(c: &mut Criterion) {
         b.iter(|| {
             beat = 1 - beat;
             if nodes.take(black_box(&moments[beat])) {
-                bound.apply(&nodes);
+                bound.apply(&nodes, 0);
             }
             black_box(bound.current.last());
         });

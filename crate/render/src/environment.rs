@@ -11,7 +11,7 @@ const SAMPLES: u32 = 96;
 /// that soften key and fill as walls near the lamps do. Chosen by eye.
 fn room(d: DVec3, light: &Lighting, set: &Set) -> [f64; 3] {
     let ramp = |low: f64, high: f64, x: f64| ((x - low) / (high - low)).clamp(0.0, 1.0);
-    // Steeper than what is wanted of the irradiance, which blurs it: 3/2 keeps its slope.
+    // Steeper than the irradiance should be, which blurs it: 3/2 keeps its slope.
     let upwards = (0.5 + 0.75 * d.y).clamp(0.0, 1.0);
     let behind = 2.4 * ramp(0.2, 0.9, -d.z);
     let key = 0.16 * ramp(0.55, 0.95, d.dot(unit(light.key.towards_light_in_world)));

@@ -42,9 +42,9 @@ pub enum RenderError {
     /// A picture of no size, or larger than the device's textures.
     #[error("a picture of {width}x{height} cannot be drawn; the device's limit is {limit}")]
     BadSize {
-        /// Asked width, pixels.
+        /// Requested width, pixels.
         width: u32,
-        /// Asked height, pixels.
+        /// Requested height, pixels.
         height: u32,
         /// Largest side, pixels.
         limit: u32,

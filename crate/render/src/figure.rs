@@ -13,6 +13,7 @@ use raconteur_body::skeleton::{Bone, Drive};
 
 use crate::RenderError;
 use crate::morph::{MorphedMesh, ShapeVertex, shape_vertex};
+use crate::options::LEVELS;
 use crate::tissue::{BoundMesh, Nodes};
 
 /// Joints that the shader's table holds: 128 of 48 bytes fit the 16 KiB that every
@@ -80,7 +81,7 @@ pub(crate) enum Shadow {
     /// Cut by the colour picture's alpha.
     Picture,
     /// None: what lies inside the mouth is shaded by its occlusion, lashes are finer than
-    /// the map, and what is clear casts none. Eyes cast: through an open lid the key would
+    /// the map, and transparent surfaces cast none. Eyes cast: through an open lid the key would
     /// shine into the head and glow on the far cheek as through thin flesh.
     Nothing,
 }
@@ -136,11 +137,12 @@ impl PipelineKey {
     }
 }
 
-/// What is drawn in one call: all meshes of the same surface.
+/// One draw call: all meshes with the same surface.
 pub(crate) struct DrawnMesh {
     pub(crate) key: PipelineKey,
     pub(crate) maps: Maps,
-    pub(crate) indices: Range<u32>,
+    /// Its triangles at each level of detail, the finest first.
+    pub(crate) levels: [Range<u32>; LEVELS],
     pub(crate) material_offset: u32,
 }
 
@@ -163,7 +165,8 @@ struct Batch {
     key: PipelineKey,
     maps: Maps,
     material: MaterialUniform,
-    indices: Vec<u32>,
+    /// At each level of detail.
+    levels: [Vec<u32>; LEVELS],
 }
 
 impl FigureData {
@@ -217,21 +220,25 @@ impl FigureData {
                 face,
             };
             let maps = mesh.material.maps;
-            let indices = data.push(mesh, key.alpha_mode);
+            let levels = data.push(mesh, key.alpha_mode);
             match batches
                 .iter_mut()
                 .find(|b| b.key == key && b.maps == maps && b.material == material)
             {
-                Some(batch) => batch.indices.extend(indices),
+                Some(batch) => {
+                    for (all, own) in batch.levels.iter_mut().zip(levels) {
+                        all.extend(own);
+                    }
+                }
                 None => batches.push(Batch {
                     key,
                     maps,
                     material,
-                    indices,
+                    levels,
                 }),
             }
         }
-        batches.retain(|b| !b.indices.is_empty());
+        batches.retain(|b| !b.levels[0].is_empty());
         // Solid ones first, by the way they cast, so that their shadow is one call; the wet
         // alpha_mode of the eyes after other clear ones.
         sort_by_number(&mut batches, |b| {
@@ -240,14 +247,12 @@ impl FigureData {
             let bound = u32::from(b.key.bound);
             f64::from((((alpha_mode * 8 + shadow) * 2 + bound) * 2 + wet) * 32 + b.key.kind as u32)
         });
-        for batch in batches {
-            data.lay(&batch);
-        }
+        data.lay(&batches);
         Ok(data)
     }
 
-    /// Adds a mesh's vertices; returns its triangles.
-    fn push(&mut self, mesh: &Mesh, alpha_mode: AlphaMode) -> Vec<u32> {
+    /// Adds a mesh's vertices; returns its triangles at each level of detail.
+    fn push(&mut self, mesh: &Mesh, alpha_mode: AlphaMode) -> [Vec<u32>; LEVELS] {
         let base = self.shape.len();
         let along = growing_v(mesh);
         let curvature = curvature_per_m(mesh);
@@ -277,37 +282,53 @@ impl FigureData {
                 }
             }
         }
-        // WebGL2 has no base vertex: the offset goes into the indices.
-        let indices = mesh.indices.iter().map(|i| i + base as u32);
-        if alpha_mode != AlphaMode::Mask || mesh.material.kind == MaterialKind::Plain {
-            return indices.collect();
-        }
-        // Cards are laid from the scalp outwards; drawn from the outside in, the depth
-        // test spares the strands that are covered. Read backwards a triangle turns
-        // over, so its corners are swapped back.
-        let mut indices: Vec<u32> = indices.rev().collect();
-        for t in indices.chunks_exact_mut(3) {
-            t.swap(0, 2);
-        }
-        indices
+        let is_cards = alpha_mode == AlphaMode::Mask && mesh.material.kind != MaterialKind::Plain;
+        std::array::from_fn(|level| {
+            // WebGL2 has no base vertex: the offset goes into the indices.
+            let indices = mesh.triangles_at(level).iter().map(|i| i + base as u32);
+            if is_cards {
+                from_outside_in(indices)
+            } else {
+                indices.collect()
+            }
+        })
     }
 
-    /// Lays a batch behind those before.
-    fn lay(&mut self, batch: &Batch) {
-        let first = self.indices.len() as u32;
-        self.indices.extend(&batch.indices);
-        let material_offset = self.materials.len();
-        self.materials
-            .extend_from_slice(bytemuck::bytes_of(&batch.material));
-        self.materials
-            .resize(material_offset + MATERIAL_STRIDE as usize, 0);
-        self.meshes.push(DrawnMesh {
-            key: batch.key,
-            maps: batch.maps,
-            indices: first..self.indices.len() as u32,
-            material_offset: material_offset as u32,
-        });
+    /// Lays batches one behind the other, level by level: at each level what casts alike lies
+    /// together.
+    fn lay(&mut self, batches: &[Batch]) {
+        for batch in batches {
+            let material_offset = self.materials.len();
+            self.materials
+                .extend_from_slice(bytemuck::bytes_of(&batch.material));
+            self.materials
+                .resize(material_offset + MATERIAL_STRIDE as usize, 0);
+            self.meshes.push(DrawnMesh {
+                key: batch.key,
+                maps: batch.maps,
+                levels: std::array::from_fn(|_| 0..0),
+                material_offset: material_offset as u32,
+            });
+        }
+        for level in 0..LEVELS {
+            for (batch, mesh) in batches.iter().zip(&mut self.meshes) {
+                let first = self.indices.len() as u32;
+                self.indices.extend(&batch.levels[level]);
+                mesh.levels[level] = first..self.indices.len() as u32;
+            }
+        }
     }
+}
+
+/// Cards are laid from the scalp outwards; drawn from the outside in, the depth test spares the
+/// strands that are covered. Read backwards a triangle turns over, so its corners are swapped
+/// back.
+fn from_outside_in(indices: impl DoubleEndedIterator<Item = u32>) -> Vec<u32> {
+    let mut indices: Vec<u32> = indices.rev().collect();
+    for t in indices.chunks_exact_mut(3) {
+        t.swap(0, 2);
+    }
+    indices
 }
 
 /// Middle between the eyes in the bind pose and, last, their distance, metres; 0 for a
@@ -329,6 +350,7 @@ fn face_place(figure: &Figure) -> [f32; 4] {
 
 fn check(mesh: &Mesh, joints: usize) -> Result<(), RenderError> {
     let n = mesh.positions.len();
+    let levels = || std::iter::once(&mesh.indices).chain(&mesh.coarser);
     let problem = if [
         mesh.normals.len(),
         mesh.uvs.len(),
@@ -340,9 +362,9 @@ fn check(mesh: &Mesh, joints: usize) -> Result<(), RenderError> {
     .any(|&len| len != n)
     {
         "its vertex attributes differ in number"
-    } else if !mesh.indices.len().is_multiple_of(3) {
+    } else if levels().any(|l| !l.len().is_multiple_of(3)) {
         "its indices do not make whole triangles"
-    } else if mesh.indices.iter().any(|&i| i as usize >= n) {
+    } else if levels().flatten().any(|&i| i as usize >= n) {
         "an index lies beyond its vertices"
     } else if mesh
         .joints
@@ -481,6 +503,7 @@ mod tests {
             weights: vec![[1.0, 0.0, 0.0, 0.0]; 4],
             indices: vec![0, 2, 1, 1, 2, 3],
             morphs: Vec::new(),
+            coarser: Vec::new(),
             binding: None,
         }
     }

@@ -12,7 +12,7 @@ pub(crate) fn empty_buffer(device: &Device, label: &str, size: u64, usage: Buffe
     })
 }
 
-/// What is bound to a number of a group.
+/// A resource and its binding number in a group.
 pub(crate) fn binding(
     binding: u32,
     resource: wgpu::BindingResource<'_>,

@@ -26,7 +26,7 @@ pub(crate) struct GpuFigure {
     shape: Buffer,
     fixed: Buffer,
     indices: Buffer,
-    /// The triangles, for whoever asks for their edges.
+    /// The triangles, kept for the edges of a wireframe.
     triangles: Vec<u32>,
     /// Both ends of every edge of the triangles, twice as many; sent when first wanted.
     edges: Option<Buffer>,
@@ -47,16 +47,21 @@ struct GpuTissue {
     vertices: Buffer,
     nodes: Nodes,
     meshes: Vec<BoundMesh>,
+    /// The level of detail whose vertices were sent.
+    level: usize,
 }
 
 impl GpuTissue {
-    /// Sends the state of the nodes at a moment, if it has changed.
-    fn follow(&mut self, queue: &Queue, states: &[NodeState]) {
-        if !self.nodes.take(states) {
+    /// Sends the state of the nodes at a moment to what a level of detail draws, if it has
+    /// changed or the level has.
+    fn follow(&mut self, queue: &Queue, states: &[NodeState], level: usize) {
+        let is_as_sent = !self.nodes.take(states) && self.level == level;
+        if is_as_sent {
             return;
         }
+        self.level = level;
         for mesh in &mut self.meshes {
-            mesh.apply(&self.nodes);
+            mesh.apply(&self.nodes, level);
             let offset = (mesh.first_vertex * size_of::<TissueVertex>()) as u64;
             queue.write_buffer(&self.vertices, offset, bytemuck::cast_slice(&mesh.current));
         }
@@ -148,6 +153,7 @@ impl GpuFigure {
                 vertices: filled("tissue", bytemuck::cast_slice(&rest), BufferUsages::VERTEX),
                 nodes: data.nodes,
                 meshes: data.bound,
+                level: 0,
             }
         });
         let mut sent = Self {
@@ -260,8 +266,15 @@ impl GpuFigure {
             .map(|lid| LidEdge::plane(lid, world_from_joint, &self.joint_from_bind))
     }
 
-    /// Sends joints, morphs and tissue of a moment; `rows` is room to work in.
-    pub(crate) fn pose(&mut self, queue: &Queue, frame: &Frame, rows: &mut Vec<[f32; 4]>) {
+    /// Sends joints, morphs and tissue of a moment for a level of detail; `rows` is room to
+    /// work in.
+    pub(crate) fn pose(
+        &mut self,
+        queue: &Queue,
+        frame: &Frame,
+        level: usize,
+        rows: &mut Vec<[f32; 4]>,
+    ) {
         joint_rows(&frame.world_from_joint, &self.joint_from_bind, rows);
         queue.write_buffer(&self.joints, 0, bytemuck::cast_slice(rows));
         for mesh in &mut self.morphed {
@@ -271,7 +284,7 @@ impl GpuFigure {
             }
         }
         if let Some(tissue) = &mut self.tissue {
-            tissue.follow(queue, &frame.tissue);
+            tissue.follow(queue, &frame.tissue, level);
         }
     }
 
@@ -295,12 +308,12 @@ impl GpuFigure {
         }
     }
 
-    /// Draws what `shown` says of the meshes that `wanted` names.
+    /// Draws what `shown` says of the meshes that `wanted` names, at a level of detail.
     pub(crate) fn draw<'p>(
         &self,
         pass: &mut wgpu::RenderPass<'_>,
         counts: &mut Counts,
-        shown: &Shown,
+        (shown, level): (&Shown, usize),
         wanted: impl Fn(PipelineKey) -> bool,
         pipeline: impl Fn(PipelineKey) -> Option<&'p wgpu::RenderPipeline>,
     ) {
@@ -320,8 +333,9 @@ impl GpuFigure {
                     Maps::default()
                 };
                 self.bind_maps(pass, maps);
-                pass.draw_indexed(mesh.indices.start * ends..mesh.indices.end * ends, 0, 0..1);
-                counts.add_figure(mesh.indices.len() as u32 / 3);
+                let indices = &mesh.levels[level];
+                pass.draw_indexed(indices.start * ends..indices.end * ends, 0, 0..1);
+                counts.add_figure(indices.len() as u32 / 3);
             }
         }
     }
@@ -331,6 +345,7 @@ impl GpuFigure {
         &self,
         pass: &mut wgpu::RenderPass<'_>,
         counts: &mut Counts,
+        level: usize,
         pipeline: impl Fn(Shadow, bool) -> Option<&'p wgpu::RenderPipeline>,
     ) {
         self.bind(pass);
@@ -352,7 +367,7 @@ impl GpuFigure {
             if shadow == Shadow::Picture {
                 self.bind_maps(pass, first.maps);
             }
-            let indices = first.indices.start..last.indices.end;
+            let indices = first.levels[level].start..last.levels[level].end;
             counts.add_figure(indices.len() as u32 / 3);
             pass.draw_indexed(indices, 0, 0..1);
         }

@@ -3,11 +3,11 @@
 //! Does: the figure with its materials, skinned on the GPU, or by its edges, its corners or
 //! its bones for those who look behind the scenes; the theatre around it; shadows; tone curve
 //! and encoding; read-back; canvases.
-//! Does not: decide what is seen (`stage`), or move anything.
+//! Does not: decide what is in the picture (`stage`), or move anything.
 //!
 //! The picture is formed in linear light in one `Rgba16Float` target, four samples a
 //! pixel where the device can, and encoded in the tone-map pass. What a device cannot do is
-//! replaced and told in [`RenderInfo`], never silently.
+//! replaced and reported in [`RenderInfo`], never silently.
 //!
 //! Frames: right-handed, metres, radians; +x is the character's left, +y up, +z front.
 

@@ -127,6 +127,7 @@ mod tests {
             weights: vec![[1.0, 0.0, 0.0, 0.0]; n],
             indices: Vec::new(),
             morphs: Vec::new(),
+            coarser: Vec::new(),
             binding: None,
         };
         let figure = Figure {

@@ -24,12 +24,12 @@ pub(crate) struct MorphedMesh {
     rest: Vec<ShapeVertex>,
     /// The touched stretch as drawn.
     pub(crate) current: Vec<ShapeVertex>,
-    parts: Vec<Part>,
+    parts: Vec<TargetDeltas>,
     /// Weights that `current` was made with, one a part.
     weights: Vec<f32>,
 }
 
-struct Part {
+struct TargetDeltas {
     target: usize,
     /// Vertices within the stretch.
     vertices: Vec<u32>,
@@ -45,10 +45,10 @@ impl MorphedMesh {
         let rest: Vec<ShapeVertex> = (low..=high)
             .map(|i| shape_vertex(mesh.positions[i], mesh.normals[i]))
             .collect();
-        let parts: Vec<Part> = mesh
+        let parts: Vec<TargetDeltas> = mesh
             .morphs
             .iter()
-            .map(|m| Part {
+            .map(|m| TargetDeltas {
                 target: m.target,
                 vertices: m.vertices.iter().map(|v| v - low as u32).collect(),
                 deltas: m

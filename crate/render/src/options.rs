@@ -1,4 +1,7 @@
-//! What a renderer is asked for, and what it turned out to be.
+//! The options of a renderer, and what the device made of them.
+
+/// Levels of detail that are drawn.
+pub(crate) const LEVELS: usize = 3;
 
 /// How much work goes into a picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
@@ -23,7 +26,7 @@ impl Quality {
         (Self::High, "high"),
     ];
 
-    /// Samples a pixel that are asked for.
+    /// Requested samples a pixel.
     pub(crate) fn samples(self) -> u32 {
         if self <= Self::Low { 1 } else { 4 }
     }
@@ -39,6 +42,15 @@ impl Quality {
             Self::Lowest => 0,
             Self::Low => 1,
             Self::Medium | Self::High => 2,
+        }
+    }
+
+    /// The level of detail of figures, 0 the finest.
+    pub(crate) fn level_of_detail(self) -> usize {
+        match self {
+            Self::Lowest => 2,
+            Self::Low => 1,
+            Self::Medium | Self::High => 0,
         }
     }
 

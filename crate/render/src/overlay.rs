@@ -1,4 +1,4 @@
-//! What is drawn over a figure: its bones, their frames and joints, and where the
+//! The overlay of a figure: its bones, their frames and joints, and where the
 //! manipulators are sent. Everything is made of one shape, a spindle of eight faces.
 
 use bytemuck::{Pod, Zeroable};

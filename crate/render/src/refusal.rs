@@ -5,7 +5,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 #[cfg(all(target_arch = "wasm32", feature = "webgpu"))]
 use wasm_bindgen::{JsCast, prelude::*};
 
-/// The first thing that a device has refused since it was last asked.
+/// The first thing that a device has refused since the last call.
 #[derive(Clone, Default)]
 pub(crate) struct Refusal(Arc<Mutex<Option<String>>>);
 

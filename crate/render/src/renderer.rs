@@ -19,7 +19,7 @@ use crate::uniform::{FrameUniform, stand_in_world};
 use crate::view::View;
 use crate::{Quality, RenderError, RenderInfo, RenderOptions};
 
-/// Share of the depth buffer, from the front, that what is drawn over figures takes. The near
+/// Share of the depth buffer, from the front, that overlays take. The near
 /// plane is 0.1 m away, so a figure at half a metre begins at four fifths of the depth.
 const OVERLAY_DEPTH: f32 = 0.05;
 
@@ -40,12 +40,12 @@ pub struct Renderer {
     picture_sampler: wgpu::Sampler,
     figure: Option<GpuFigure>,
     rows: Vec<[f32; 4]>,
-    /// What is drawn over figures, once it was wanted.
+    /// The overlay, once it was requested.
     overlay: Option<Overlay>,
     /// Lines over figures, once there were any.
     lines: Option<Lines>,
     info: RenderInfo,
-    /// What the driver refused, if anything; told by the next picture.
+    /// What the driver refused, if anything; returned by the next picture.
     refused: Refusal,
 }
 
@@ -282,7 +282,8 @@ impl Renderer {
         self.queue
             .write_buffer(&self.frame_buffer, 0, bytemuck::bytes_of(&uniform));
         if let Some(figure) = &mut self.figure {
-            figure.pose(&self.queue, frame, &mut self.rows);
+            let level = self.tier.options.quality.level_of_detail();
+            figure.pose(&self.queue, frame, level, &mut self.rows);
         }
     }
 
@@ -331,15 +332,16 @@ impl Renderer {
             ..Default::default()
         });
         let Some(figure) = &self.figure else { return };
-        // What is not there, or is full of holes, casts nothing.
+        // A hidden figure or a wireframe casts nothing.
         if !shown.body || shown.fill != Fill::Solid {
             return;
         }
         pass.set_bind_group(0, &self.frame_group, &[]);
         let side = self.tier.shadow_texels as f32;
+        let level = self.tier.options.quality.level_of_detail();
         for light in 0..self.tier.lights {
             pass.set_viewport(side * light as f32, 0.0, side, side, 0.0, 1.0);
-            figure.draw_shadow(&mut pass, counts, |shadow, bound| {
+            figure.draw_shadow(&mut pass, counts, level, |shadow, bound| {
                 self.tier.pipelines.shadow(light, shadow, bound)
             });
         }
@@ -388,11 +390,12 @@ impl Renderer {
         let opaque = |key: PipelineKey| key.alpha_mode != AlphaMode::Blend;
         let blended = |key: PipelineKey| key.alpha_mode == AlphaMode::Blend;
         let thin = shown.fill != Fill::Solid;
-        // What is solid goes first; then the theatre fills what is left; then what adds light
+        let at = (shown, self.tier.options.quality.level_of_detail());
+        // Solid surfaces go first; then the theatre fills the rest; then what adds light
         // and what lets it through.
         let figure = self.figure.as_ref().filter(|_| shown.body);
         if let Some(figure) = figure.filter(|_| !thin) {
-            figure.draw(&mut pass, counts, shown, opaque, |key| {
+            figure.draw(&mut pass, counts, at, opaque, |key| {
                 bare(key).or_else(|| pipelines.material(key))
             });
         }
@@ -401,9 +404,9 @@ impl Renderer {
         counts.add(1);
         if let Some(figure) = figure {
             if thin {
-                figure.draw(&mut pass, counts, shown, opaque, bare);
+                figure.draw(&mut pass, counts, at, opaque, bare);
             } else if !is_bare {
-                figure.draw(&mut pass, counts, shown, blended, |key| {
+                figure.draw(&mut pass, counts, at, blended, |key| {
                     pipelines.material(key)
                 });
             }

@@ -59,7 +59,7 @@ impl ShadowView {
         } else {
             DVec3::Y
         };
-        // Casters may stand a whole stature nearer to the lamp than what is seen.
+        // Casters may stand a whole stature nearer to the lamp than anything visible.
         let back = 2.0 * stature_m;
         let far = back + 2.0 * stature_m;
         let light_from_world = look_to_mat4(centre + towards * back, -towards, up);

@@ -161,7 +161,7 @@ fn mean_color(corners: &[[u8; 4]; 4]) -> [u8; 4] {
                 .map(|p| weight(p) * LINEAR[usize::from(p[c])])
                 .sum()
         };
-        // What is clear everywhere keeps its colour, for the levels below.
+        // A texel that is fully transparent keeps its colour, for the levels below.
         let light = if alpha > 0.0 {
             sum(&|p| f32::from(p[3])) / alpha
         } else {

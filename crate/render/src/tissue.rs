@@ -3,13 +3,14 @@
 //! tissue have none, and the rest shape, which the grain of the skin sticks to, stays.
 
 use crate::gpu::attribute;
+use crate::options::LEVELS;
 use bytemuck::{Pod, Zeroable};
 use glam::Vec4;
 use raconteur_body::Mesh;
 use raconteur_body::face::NodeState;
 use wgpu::{VertexBufferLayout, VertexFormat, VertexStepMode};
 
-/// Displacement that the stream can tell, metres: what is further is held to it. A step is
+/// Displacement that the stream can tell, metres: larger ones are clamped. A step is
 /// 4 µm. A jaw opens by 40 mm.
 pub const REACH_M: f32 = 0.125;
 
@@ -20,7 +21,7 @@ const TURN: f32 = 2.0;
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Pod, Zeroable)]
 pub struct TissueVertex {
-    /// Displacement in 32767ths of [`REACH_M`], then what is added to the normal, in 32767ths
+    /// Displacement in 32767ths of [`REACH_M`], then the normal's change, in 32767ths
     /// of 2.
     pub moved: [i16; 6],
     /// Three strengths of wrinkles, 0..255; blush, 1 to 255 with 128 for none.
@@ -117,6 +118,17 @@ fn scaled(state: &NodeState) -> Node {
     }
 }
 
+/// What a vertex follows.
+#[derive(Clone, Copy, Debug)]
+struct Row {
+    /// Within the touched stretch.
+    vertex: u32,
+    /// Where its nodes end, which begin where those of the row before end.
+    end: u32,
+    /// The levels of detail that draw it, a bit each.
+    levels: u32,
+}
+
 /// The vertices of a mesh that follow nodes.
 #[derive(Clone, Debug)]
 pub struct BoundMesh {
@@ -124,8 +136,7 @@ pub struct BoundMesh {
     pub first_vertex: usize,
     /// The touched stretch as drawn.
     pub current: Vec<TissueVertex>,
-    /// Bound vertices within the stretch, and where the row of each ends.
-    rows: Vec<(u32, u32)>,
+    rows: Vec<Row>,
     nodes: Vec<u16>,
     weights: Vec<f32>,
 }
@@ -133,7 +144,7 @@ pub struct BoundMesh {
 impl BoundMesh {
     /// The bound vertices of a mesh whose vertices begin at `base` in the figure's buffer;
     /// `None` where none is bound, or the binding has a
-    /// [fault](raconteur_body::Mesh::binding_fault).
+    /// [fault](raconteur_body::Mesh::binding_fault), or triangles name other vertices.
     #[must_use]
     pub fn new(mesh: &Mesh, base: usize) -> Option<Self> {
         let b = mesh.binding.as_ref()?;
@@ -142,27 +153,41 @@ impl BoundMesh {
         }
         let (low, high) = (*b.vertices.first()?, *b.vertices.last()?);
         let ends = b.starts.iter().skip(1);
+        let mut levels = vec![0; mesh.positions.len()];
+        for level in 0..LEVELS {
+            for &vertex in mesh.triangles_at(level) {
+                *levels.get_mut(vertex as usize)? |= 1 << level;
+            }
+        }
         Some(Self {
             first_vertex: base + low as usize,
             current: vec![TissueVertex::REST; (high - low) as usize + 1],
             rows: b
                 .vertices
                 .iter()
-                .map(|v| v - low)
-                .zip(ends.copied())
+                .zip(ends)
+                .map(|(&v, &end)| Row {
+                    vertex: v - low,
+                    end,
+                    levels: levels[v as usize],
+                })
                 .collect(),
             nodes: b.nodes.clone(),
             weights: b.weights.clone(),
         })
     }
 
-    /// Brings `current` to the nodes, which are [those of](Nodes::of) this mesh among others.
-    /// Allocates nothing.
-    pub fn apply(&mut self, nodes: &Nodes) {
+    /// Brings what a level of detail draws of `current` to the nodes, which are
+    /// [those of](Nodes::of) this mesh among others; what only other levels draw stays as it
+    /// is. Allocates nothing.
+    pub fn apply(&mut self, nodes: &Nodes, level: usize) {
         let mut start = 0;
-        for &(vertex, end) in &self.rows {
-            let row = start..end as usize;
+        for own in &self.rows {
+            let row = start..own.end as usize;
             start = row.end;
+            if own.levels >> level & 1 == 0 {
+                continue;
+            }
             let mut sum = [Vec4::ZERO; 3];
             for (&node, &weight) in self.nodes[row.clone()].iter().zip(&self.weights[row]) {
                 if let Some(node) = nodes.scaled.get(usize::from(node)) {
@@ -171,7 +196,7 @@ impl BoundMesh {
                     sum[2] += node[2] * weight;
                 }
             }
-            self.current[vertex as usize] = TissueVertex::of(&sum);
+            self.current[own.vertex as usize] = TissueVertex::of(&sum);
         }
     }
 }

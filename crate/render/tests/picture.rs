@@ -1,4 +1,4 @@
-//! What is drawn, on whatever Vulkan there is (Mesa's software Vulkan serves).
+//! Rendered pictures, on whatever Vulkan there is (Mesa's software Vulkan serves).
 
 #![allow(clippy::expect_used, reason = "tests fail by panicking")]
 

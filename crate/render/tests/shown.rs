@@ -1,4 +1,4 @@
-//! The figure by its edges, its corners, in clay, and what is drawn over it.
+//! The figure by its edges, its corners, in clay, and its overlay.
 
 #![allow(clippy::expect_used, reason = "tests fail by panicking")]
 

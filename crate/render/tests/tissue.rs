@@ -93,7 +93,7 @@ fn the_stream_tells_what_plain_sums_do() {
     let mut bound = BoundMesh::new(mesh, 100).expect("bound");
     assert!(bound.current.iter().all(|v| *v == TissueVertex::REST));
     assert!(nodes.take(&states));
-    bound.apply(&nodes);
+    bound.apply(&nodes, 0);
     assert!(!nodes.take(&states), "nothing has changed");
     assert_eq!(bound.first_vertex, 100);
     for (vertex, told) in (0u32..).zip(&bound.current) {
@@ -121,12 +121,12 @@ fn the_stream_tells_what_plain_sums_do() {
     sound.resize(NODES, NodeState::default());
     (sound[3], sound[4]) = Default::default();
     nodes.take(&broken);
-    bound.apply(&nodes);
+    bound.apply(&nodes, 0);
     let mut other = bound.clone();
     nodes.take(&sound);
-    other.apply(&nodes);
+    other.apply(&nodes, 0);
     assert_eq!(bound.current, other.current);
-    // What is out of range is held to it.
+    // Values out of range are clamped.
     let far = NodeState {
         displacement: [9.0, -9.0, 0.0],
         normal_delta: [-9.0, 9.0, 0.0],
@@ -134,9 +134,34 @@ fn the_stream_tells_what_plain_sums_do() {
         blush: -7.0,
     };
     nodes.take(&[far; NODES]);
-    bound.apply(&nodes);
+    bound.apply(&nodes, 0);
     assert_eq!(bound.current[0].moved, [32767, -32767, 0, -32767, 32767, 0]);
     assert_eq!(bound.current[0].complexion, [0, 255, 128, 1]);
+}
+
+#[test]
+fn a_level_moves_the_vertices_that_it_draws() {
+    let mut figure = common::figure();
+    let mesh = &mut figure.meshes[0];
+    bind(mesh);
+    mesh.coarser = vec![mesh.indices[3..9].to_vec(), mesh.indices[..3].to_vec()];
+    let mesh = &figure.meshes[0];
+    let mut nodes = Nodes::of(figure.meshes.iter());
+    assert!(nodes.take(&states()));
+    let applied = |level| {
+        let mut bound = BoundMesh::new(mesh, 0).expect("bound");
+        bound.apply(&nodes, level);
+        bound.current
+    };
+    let finest = applied(0);
+    for level in 1..3 {
+        for (vertex, told) in (0u32..).zip(applied(level)) {
+            let drawn = mesh.triangles_at(level).contains(&vertex);
+            let of_finest = finest[vertex as usize];
+            let expected = if drawn { of_finest } else { TissueVertex::REST };
+            assert_eq!(told, expected, "vertex {vertex} at level {level}");
+        }
+    }
 }
 
 fn headless(quality: Quality) -> Headless {

@@ -142,6 +142,7 @@ fn empty_mesh(name: &str, material: &Material) -> Mesh {
         weights: Vec::new(),
         indices: Vec::new(),
         morphs: Vec::new(),
+        coarser: Vec::new(),
         binding: None,
     }
 }

@@ -11,6 +11,7 @@ use super::cloth::{Wearer, dress};
 use super::hair;
 use super::hand::{self, HandParams};
 use super::head::Head;
+use super::levels;
 use super::mannequin::Mannequin;
 use super::part::{self, MeshPart, PartVertex};
 use super::people::FigureParams;
@@ -92,6 +93,7 @@ pub fn build(params: &FigureParams) -> Built {
     figure.tissue = Some(face_tissue(&head, world_from_head, &figure));
     leave_to_tissue(&mut figure);
     let annotations = annotations(&head, &figure);
+    levels::add(&mut figure, &annotations);
     Built {
         figure,
         annotations,
@@ -375,7 +377,7 @@ mod tests {
         let (figure, bytes) = sofia();
         let triangles: usize = figure.meshes.iter().map(|m| m.indices.len() / 3).sum();
         assert!(triangles <= 110_000, "{triangles} triangles");
-        assert!(bytes.len() <= 3_000_000, "{} bytes", bytes.len());
+        assert!(bytes.len() <= 3_500_000, "{} bytes", bytes.len());
         assert!(figure.meshes.len() <= 20, "{} meshes", figure.meshes.len());
     }
 

@@ -3,10 +3,10 @@
 use raconteur_body::annotation::Annotations;
 use raconteur_body::figure::Figure;
 
-/// A figure with what is known of its surface.
+/// A figure with data on its surface.
 #[derive(Clone, Debug)]
 pub struct Built {
-    /// What is posed and drawn.
+    /// The figure itself.
     pub figure: Figure,
     /// Names on its meshes.
     pub annotations: Annotations,

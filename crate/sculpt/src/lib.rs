@@ -7,6 +7,7 @@ pub mod assemble;
 pub mod bones;
 mod build;
 mod built;
+mod cells;
 pub mod cloth;
 #[cfg(test)]
 mod crossing;
@@ -15,6 +16,7 @@ mod deform;
 pub mod hair;
 pub mod hand;
 pub mod head;
+mod levels;
 mod mannequin;
 pub mod measure;
 pub mod part;

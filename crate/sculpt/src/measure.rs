@@ -1,4 +1,4 @@
-//! Distances of a finished figure, beside what is known of them.
+//! Distances of a finished figure, beside their statistics.
 
 use raconteur_base::DVec3;
 

@@ -1,8 +1,8 @@
-//! What is known of a person before anything is made.
+//! The description of a person, the input of the maker.
 
 use serde::{Deserialize, Serialize};
 
-/// What is known of a person before any measure of the face: survey means are looked up
+/// Sex, age and build of a person, without any measure of the face: survey means are looked up
 /// by it.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Person {

@@ -1,4 +1,4 @@
-//! What is known of human heads: mean and standard deviation of a distance for a sex and an
+//! Statistics of human heads: mean and standard deviation of a distance for a sex and an
 //! age.
 //!
 //! A small table condensed from surveys. Each row holds the adult mean at 30 and its

@@ -11,7 +11,8 @@ use std::collections::BTreeMap;
 use raconteur_base::{DMat3, DQuat, DVec3};
 use serde_json::Value;
 
-use super::measure::landmark_mm;
+use crate::cells::Cells;
+use crate::measure::landmark_mm;
 use raconteur_body::annotation::Annotations;
 use raconteur_body::figure::Figure;
 
@@ -205,44 +206,15 @@ impl Similarity {
     }
 }
 
-/// Points in cells, for the nearest.
-struct Cells {
-    cells: BTreeMap<[i32; 3], Vec<u32>>,
-}
-
+/// Width of the cells in which the nearest vertex is sought, millimetres.
 const CELL_MM: f64 = 6.0;
 
-fn cell(p: DVec3) -> [i32; 3] {
-    (p / CELL_MM).floor().to_array().map(|x| x as i32)
-}
-
-impl Cells {
-    fn new(points: &[DVec3]) -> Self {
-        let mut cells: BTreeMap<[i32; 3], Vec<u32>> = BTreeMap::new();
-        for (i, &p) in (0u32..).zip(points) {
-            cells.entry(cell(p)).or_default().push(i);
-        }
-        Self { cells }
-    }
-
-    /// The nearest within about a cell's width.
-    fn nearest(&self, points: &[DVec3], p: DVec3) -> Option<u32> {
-        let [x, y, z] = cell(p);
-        let mut best: Option<(f64, u32)> = None;
-        for i in -1..=1 {
-            for j in -1..=1 {
-                for k in -1..=1 {
-                    for &v in self.cells.get(&[x + i, y + j, z + k]).into_iter().flatten() {
-                        let d = points[v as usize].distance_squared(p);
-                        if best.is_none_or(|b| d < b.0) {
-                            best = Some((d, v));
-                        }
-                    }
-                }
-            }
-        }
-        best.map(|b| b.1)
-    }
+/// The nearest point within about a cell's width.
+fn nearest(cells: &Cells, points: &[DVec3], p: DVec3) -> Option<u32> {
+    let distance = |v: u32| points[v as usize].distance_squared(p);
+    cells
+        .near(p)
+        .min_by(|&a, &b| distance(a).total_cmp(&distance(b)))
 }
 
 /// Nearest place of a triangle (Ericson 2005, ch. 5.1.5).
@@ -349,11 +321,11 @@ pub fn deviation(
     let mut distances = Vec::new();
     for _ in 0..ROUNDS {
         let placed: Vec<DVec3> = yardstick.points.iter().map(|&p| fit.apply(p)).collect();
-        let cells = Cells::new(&placed);
+        let cells = Cells::new(&placed, CELL_MM);
         let mut matches = Vec::with_capacity(face.len());
         distances.clear();
         for &p in &face {
-            let Some(near) = cells.nearest(&placed, p) else {
+            let Some(near) = nearest(&cells, &placed, p) else {
                 distances.push(CELL_MM * 2.0);
                 continue;
             };

@@ -1,4 +1,4 @@
-//! A face of two equal halves stays one while both of its halves are asked for the same. The
+//! A face of two equal halves stays one while the controls of both halves are equal. The
 //! figure is made here: no shipped figure has two equal halves.
 
 use std::collections::BTreeMap;
@@ -11,7 +11,7 @@ use raconteur_tissue::{FaceControls, Muscle, Network, NodeState};
 const ALIKE_M: f64 = 1e-4;
 /// Cells in which neighbours are looked for, metres.
 const CELL_M: f64 = 5e-4;
-/// Faces of which all is asked by chance.
+/// Faces with random controls.
 const MIXTURES: i64 = 24;
 
 type Place = [f64; 3];
@@ -62,13 +62,13 @@ fn farthest(now: &[Place], partners: &[Vec<usize>]) -> f64 {
     now.iter().zip(partners).map(off).fold(0.0, f64::max)
 }
 
-/// What both halves are asked for alike.
+/// Controls that are equal on both halves.
 fn pair(muscle: Muscle, much: f64, c: &mut FaceControls) {
     c.contraction[muscle.index()] = much;
     c.contraction[muscle.mirrored().index()] = much;
 }
 
-/// A face of which both halves are asked for the same, by chance.
+/// A face with random controls, equal on both halves.
 fn mixture(i: i64) -> FaceControls {
     let u = |id: u64| noise::unit(41, id, i);
     let mut c = FaceControls::default();

@@ -4,7 +4,7 @@
 
 /// A place in the space of emotions; each from −100 to 100, 0 is neutral.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Place {
+pub struct EmotionPoint {
     /// Passive to active.
     pub activation: f64,
     /// Negative to positive.
@@ -52,17 +52,17 @@ pub const WORDS: [(&str, [f64; 3]); 29] = [
 
 /// The place of an emotion's word; `None` for a word that is not in the table.
 #[must_use]
-pub fn place(word: &str) -> Option<Place> {
+pub fn place(word: &str) -> Option<EmotionPoint> {
     let (_, [activation, evaluation, power]) =
         WORDS.iter().find(|(w, _)| w.eq_ignore_ascii_case(word))?;
-    Some(Place {
+    Some(EmotionPoint {
         activation: *activation,
         evaluation: *evaluation,
         power: *power,
     })
 }
 
-impl Place {
+impl EmotionPoint {
     /// Each dimension times `factor`, within −100 to 100.
     #[must_use]
     pub fn scaled(self, factor: f64) -> Self {
@@ -101,7 +101,7 @@ mod tests {
     fn the_table_is_the_thesis() {
         assert_eq!(
             place("Hate"),
-            Some(Place {
+            Some(EmotionPoint {
                 activation: 60.0,
                 evaluation: -60.0,
                 power: 30.0

@@ -4,7 +4,7 @@ use raconteur_base::NodeState;
 
 /// Which vertices of a mesh follow which nodes: a sparse matrix of one row a vertex. What is
 /// bound has no share of the lower jaw left when it is drawn: its nodes carry the jaw's turn,
-/// so that whoever draws moves such shares to the skull.
+/// so that the renderer moves such weights to the skull.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Binding {
     /// The vertices, rising.

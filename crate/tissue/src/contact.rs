@@ -1,6 +1,7 @@
 //! What skin does not pass through: the other lip, the teeth, the bone.
 
-use super::springs::{Springs, Vector};
+use super::lanes::{Vector, dot, vector, xyz};
+use super::springs::Springs;
 use super::tissue::{Arch, Tissue};
 
 /// Least room between a lip and the teeth, metres: the lip's inner skin.
@@ -13,6 +14,8 @@ const OVER_BONE_M: f32 = 0.0012;
 pub(super) struct JawPlace {
     /// Rows of the rotation.
     turn: [[f32; 3]; 3],
+    /// Its columns.
+    columns: [Vector; 3],
     hinge: [f32; 3],
     slide: [f32; 3],
 }
@@ -23,29 +26,33 @@ impl JawPlace {
         let (sp, cp) = raconteur_base::ops::sincos(pitch_rad);
         let (sy, cy) = raconteur_base::ops::sincos(yaw_rad);
         let [sp, cp, sy, cy] = [sp, cp, sy, cy].map(|x| x as f32);
+        let turn = [
+            [cy, sy * sp, sy * cp],
+            [0.0, cp, -sp],
+            [-sy, cy * sp, cy * cp],
+        ];
         Self {
-            turn: [
-                [cy, sy * sp, sy * cp],
-                [0.0, cp, -sp],
-                [-sy, cy * sp, cy * cp],
-            ],
+            turn,
+            columns: [0, 1, 2].map(|k| vector([turn[0][k], turn[1][k], turn[2][k]])),
             hinge,
             slide,
         }
     }
 
-    pub(super) fn turned(&self, v: [f32; 3]) -> [f32; 3] {
-        self.turn.map(|r| r[0] * v[0] + r[1] * v[1] + r[2] * v[2])
+    pub(super) fn turned(&self, v: [f32; 3]) -> Vector {
+        let [x, y, z] = self.columns;
+        x * v[0] + y * v[1] + z * v[2]
     }
 
     /// Where a place of the jaw has gone.
-    pub(super) fn moved(&self, p: [f32; 3]) -> [f32; 3] {
+    pub(super) fn moved(&self, p: [f32; 3]) -> Vector {
         let v = self.turned([0, 1, 2].map(|k| p[k] - self.hinge[k]));
-        [0, 1, 2].map(|k| self.hinge[k] + v[k] + self.slide[k])
+        vector(self.hinge) + v + vector(self.slide)
     }
 
     /// Where on the jaw a place of the world lies.
     fn unmoved(&self, p: Vector) -> [f32; 3] {
+        let p = xyz(p);
         let v = [0, 1, 2].map(|k| p[k] - self.hinge[k] - self.slide[k]);
         [0, 1, 2].map(|k| {
             self.hinge[k] + self.turn[0][k] * v[0] + self.turn[1][k] * v[1] + self.turn[2][k] * v[2]
@@ -144,28 +151,24 @@ impl Contacts {
         for &(node, room) in &self.over_bone {
             let i = usize::from(node);
             let [place, outwards] = bones[i];
-            let p = springs.places[i];
-            let height = (p[0] - place[0]) * outwards[0]
-                + (p[1] - place[1]) * outwards[1]
-                + (p[2] - place[2]) * outwards[2];
+            let height = dot(springs.places[i] - place, outwards);
             let deep = -room - height;
             if deep > 0.0 {
                 depths.bone_m = depths.bone_m.max(deep);
-                springs.shift(i, outwards.map(|x| x * deep));
+                springs.shift(i, outwards * deep);
             }
         }
         for &node in &tissue.before_teeth {
             let i = usize::from(node);
             let p = springs.at(i);
-            if let Some((deep, [x, z])) = tissue.arches[0].inside([p[0], p[1], p[2]]) {
+            if let Some((deep, [x, z])) = tissue.arches[0].inside(xyz(p)) {
                 depths.teeth_m = depths.teeth_m.max(deep);
-                springs.shift(i, [x * deep, 0.0, z * deep, 0.0]);
+                springs.shift(i, vector([x * deep, 0.0, z * deep]));
             }
             let p = springs.at(i);
             if let Some((deep, [x, z])) = tissue.arches[1].inside(jaw.unmoved(p)) {
                 depths.teeth_m = depths.teeth_m.max(deep);
-                let [x, y, z] = jaw.turned([x * deep, 0.0, z * deep]);
-                springs.shift(i, [x, y, z, 0.0]);
+                springs.shift(i, jaw.turned([x * deep, 0.0, z * deep]));
             }
         }
         depths.lips_m = Self::part_lips(tissue, springs);
@@ -178,11 +181,12 @@ impl Contacts {
         for [above, below] in &tissue.pairs {
             let (a, b) = (usize::from(*above), usize::from(*below));
             let least = (tissue.rest[a][1] - tissue.rest[b][1]).max(0.0);
-            let deep = least - (springs.at(a)[1] - springs.at(b)[1]);
+            let height = |i: usize| springs.at(i).as_array()[1];
+            let deep = least - (height(a) - height(b));
             if deep > 0.0 {
                 deepest = deepest.max(deep);
-                springs.shift(a, [0.0, 0.4 * deep, 0.0, 0.0]);
-                springs.shift(b, [0.0, -0.6 * deep, 0.0, 0.0]);
+                springs.shift(a, vector([0.0, 0.4 * deep, 0.0]));
+                springs.shift(b, vector([0.0, -0.6 * deep, 0.0]));
             }
         }
         deepest

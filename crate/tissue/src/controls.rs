@@ -1,4 +1,4 @@
-//! What a face is asked to do at one moment.
+//! The controls of a face at one moment.
 
 use raconteur_base::curve::lerp;
 
@@ -27,9 +27,9 @@ impl Jaw {
     pub const MOST_SLIDE_M: f64 = 0.009;
 }
 
-/// What a face is asked to do at one moment: contractions of its muscles, and direct
+/// The controls of a face at one moment: contractions of its muscles, and direct
 /// parameters for what no muscle moves here (F&H section 3.1.2). Values out of range are
-/// brought into it by whoever moves the face.
+/// brought into it by the caller.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FaceControls {
     /// Contraction of each [`Muscle`](super::Muscle), 0 relaxed to 1.
@@ -60,7 +60,7 @@ pub struct FaceControls {
 }
 
 impl Default for FaceControls {
-    /// Nothing is asked.
+    /// A face at rest.
     fn default() -> Self {
         Self {
             contraction: [0.0; MUSCLES],
@@ -83,7 +83,7 @@ type Change<'a> = &'a dyn Fn(f64, f64, [f64; 2]) -> f64;
 
 impl FaceControls {
     /// Brings every value into its range. Contractions of all who move the face are summed
-    /// (F&H section 4.3.5); this is what limits the sums. What is not a number becomes 0.
+    /// (F&H section 4.3.5); this limits the sums. NaN becomes 0.
     pub fn limit(&mut self) {
         let own = *self;
         self.change(&own, &|value, _, [low, high]| {
@@ -105,7 +105,7 @@ impl FaceControls {
 
     /// Closes the lower jaw as far as the muscles that raise it are contracted, whatever else asks
     /// to open it: one in full closes it by itself. It turns and slides sideways and forwards as
-    /// it was asked to. For whoever adds last.
+    /// its control says. To be called after all additions.
     pub fn raise_jaw(&mut self) {
         for (muscle, percent) in CLOSES_JAW {
             let contraction = self.contraction[muscle.index()];
@@ -118,7 +118,7 @@ impl FaceControls {
     }
 
     /// Takes both upper lids a share (0 to 1) of the way from where they are to closed: a
-    /// blink, which closes them from any expression. For whoever comes last.
+    /// blink, which closes them from any expression. To be called last.
     pub fn close_lids(&mut self, share: f64) {
         self.upper_lid = self.upper_lid.map(|lid| lerp(lid, 1.0, share));
     }

@@ -1,5 +1,5 @@
 //! The tissue in a figure's file: one block of little-endian numbers, version first. Lengths
-//! and indices are checked when it is read, so that whoever moves the face need not.
+//! and indices are checked when it is read, so that the network need not check them.
 
 use super::tissue::{Arch, Attachment, Column, Course, Fibre, FibrePoint, Link, LipNode, Tissue};
 use super::{MUSCLES, Muscle};
@@ -11,7 +11,7 @@ const MOST: usize = 30_000;
 /// Steps in which depths are kept, metres: 255 of them are 25 mm.
 const DEPTH_STEP_M: f32 = 1e-4;
 
-/// What is wrong with a tissue in a file.
+/// Why a tissue in a file is refused.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum TissueError {
     /// Another version.

@@ -78,7 +78,7 @@ pub(super) struct Junctions {
 
 impl Junctions {
     pub(super) fn new(tissue: &Tissue) -> Self {
-        // Whose each end is; what is no fibre's last point is nobody's.
+        // Whose each end is; points that end no fibre belong to none.
         let owner = |end: usize| -> Option<Muscle> {
             let is_last = |f: &&Fibre| usize::from(f.first) + usize::from(f.count) == end + 1;
             tissue.fibres.iter().find(is_last).map(|f| f.muscle)
@@ -182,7 +182,7 @@ impl Junctions {
 
     /// For the end of a linear fibre: how far the place moved that it is grown to, so that
     /// their distance is restored, and how much of that its own muscle pulled for. `None` for an
-    /// end that is free. To be asked after [`Self::meet`].
+    /// end that is free. Valid after [`Self::meet`].
     pub(super) fn end(
         &self,
         point: usize,

@@ -17,6 +17,8 @@ mod contact;
 mod controls;
 pub mod file;
 mod junction;
+mod lanes;
+mod layout;
 mod muscle;
 mod muscles;
 mod network;

@@ -12,7 +12,7 @@ use std::borrow::Cow;
 use raconteur_base::Side;
 
 /// A mimic muscle, by its place in the table. The reference head of F&H has 24 major ones; here
-/// paired muscles are two, and the frontal belly and the ring of the mouth are told apart as
+/// paired muscles are two, and the frontal belly and the ring of the mouth are divided as
 /// their fibres are controlled apart.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Muscle(u8);

@@ -4,6 +4,7 @@
 use core::ops::Range;
 
 use super::junction::{Junctions, own_share};
+use super::lanes::{Vector, vector};
 use super::tissue::{Attachment, Course, Fibre, FibrePoint, Tissue};
 use super::{Anatomy, Muscle};
 
@@ -37,10 +38,41 @@ pub(super) struct Muscles {
     pub(super) moved: Vec<[f32; 3]>,
     /// Share of that which the point's own muscle pulled for, 0 to 1; the rest was done to it.
     pub(super) own: Vec<f32>,
+    segments: Vec<Segment>,
     /// How strongly each point asks to be where its own muscle has it, 0 to 1.
     tension: Vec<f32>,
     /// Places of the points of one fibre.
     scratch: Vec<[f32; 3]>,
+}
+
+/// How a fibre moves from one of its points on to the next.
+#[derive(Clone, Copy, Debug, Default)]
+struct Segment {
+    /// Movement of the point.
+    start: Vector,
+    /// From there to the movement of the next.
+    way: Vector,
+    /// As [`Muscles::own`] of the point.
+    own: f32,
+    /// Whether the muscles that contracted last have changed it.
+    is_new: bool,
+}
+
+impl Segment {
+    fn set(&mut self, start: [f32; 3], end: [f32; 3], own: f32) {
+        let before = (self.start, self.way, self.own);
+        let bits = |(a, b, own): (Vector, Vector, f32)| {
+            (
+                a.to_array().map(f32::to_bits),
+                b.to_array().map(f32::to_bits),
+                own.to_bits(),
+            )
+        };
+        self.start = vector(start);
+        self.way = vector(end) - self.start;
+        self.own = own;
+        self.is_new = bits(before) != bits((self.start, self.way, self.own));
+    }
 }
 
 fn add(a: &mut [f32; 3], b: [f32; 3], share: f32) {
@@ -85,6 +117,7 @@ impl Muscles {
                 .collect(),
             moved: vec![[0.0; 3]; tissue.points.len()],
             own: vec![1.0; tissue.points.len()],
+            segments: vec![Segment::default(); tissue.points.len()],
             tension: vec![0.0; tissue.points.len()],
             scratch: Vec::with_capacity(usize::from(u8::MAX)),
         }
@@ -93,7 +126,7 @@ impl Muscles {
     /// Moves the points as contractions, by the places of muscles, and protrusion of both lips
     /// say. Values beyond their ranges are cut.
     ///
-    /// First every muscle does what its own contraction asks for; then what is grown together
+    /// First every muscle does what its own contraction asks for; then fibres that are grown together
     /// finds a place between what its members ask for, and linear muscles reach from their
     /// origins to there (F&H section 3.1.2, "Muscle Deformation"). Nothing depends on the order
     /// of fibres and links, or on earlier controls.
@@ -120,30 +153,37 @@ impl Muscles {
                 self.reach(tissue, k, of(fibre.muscle));
             }
         }
+        for (k, segment) in self.segments.iter_mut().enumerate() {
+            let next = (k + 1).min(self.moved.len() - 1);
+            segment.set(self.moved[k], self.moved[next], self.own[k]);
+        }
+    }
+
+    /// Whether what these attachments hold to moves otherwise than before muscles contracted last.
+    pub(super) fn pull_otherwise(&self, attachments: &[Attachment]) -> bool {
+        let mut points = attachments.iter().map(|hold| usize::from(hold.point));
+        points.any(|point| self.segments[point].is_new)
     }
 
     /// How far fibres move the skin that these attachments hold to them. What muscles do
-    /// by themselves adds up; what is done to them moves skin only as far as what pulls leaves
+    /// by themselves adds up; passive movement moves skin only as far as what pulls leaves
     /// free, or fibres that are grown together would each bring the same movement along.
-    pub(super) fn pull(&self, attachments: &[Attachment]) -> [f32; 3] {
-        let (mut by, mut done) = ([0.0; 3], [0.0; 3]);
+    pub(super) fn pull(&self, attachments: &[Attachment]) -> Vector {
+        let (mut by, mut done) = (Vector::default(), Vector::default());
         let (mut pulling, mut following) = (0.0, 0.0);
         for hold in attachments {
-            let at = usize::from(hold.point);
-            let (a, b) = (self.moved[at], self.moved[at + 1]);
-            let own = self.own[at] * hold.weight;
+            let segment = &self.segments[usize::from(hold.point)];
+            let own = segment.own * hold.weight;
             let rest = hold.weight - own;
-            for k in 0..3 {
-                let moved = a[k] + (b[k] - a[k]) * hold.on;
-                by[k] += moved * own;
-                done[k] += moved * rest;
-            }
+            let moved = segment.start + segment.way * hold.on;
+            by += moved * own;
+            done += moved * rest;
             pulling += own;
             following += rest;
         }
         if following > 1e-6 {
             let share = following.min((1.0 - pulling).max(0.0)) / following;
-            add(&mut by, done, share);
+            by += done * share;
         }
         by
     }
@@ -273,9 +313,9 @@ fn along_course(points: &[FibrePoint], shorter: f32, moved: &mut [[f32; 3]]) {
 
 /// Moves the points of a linear fibre, which are where its muscle wants them and which would
 /// then be `asked` long, so that it begins at its origin and its last point has moved by
-/// `end`. What is too long for its muscle leaves the course and straightens out before it
+/// `end`. Excess length leaves the course and straightens out before it
 /// stretches; its segments keep the proportions of their lengths. Gives the length against
-/// what was asked.
+/// `asked`.
 fn stretched(
     points: &[FibrePoint],
     asked: f32,
@@ -324,7 +364,7 @@ fn stretched(
     now / asked.max(1e-6)
 }
 
-/// What is asked of both lips, upper and lower.
+/// Controls of both lips, upper and lower.
 struct Lips {
     contraction: [f32; 2],
     protrusion: [f32; 2],

@@ -1,22 +1,64 @@
 //! A face in motion: controls move muscles and jaw, these the network, and that the skin.
 
 use super::contact::{Contacts, Depths, JawPlace};
+use super::lanes::{LANES, Vector, squares, vector, whole_fours, xyz};
+use super::layout::STEPS_PER_S;
 use super::muscles::Muscles;
-use super::springs::{Hold, STEPS_PER_S, Springs, Vector};
+use super::springs::{Hold, Springs};
 use super::tissue::{Column, LipNode};
 use super::{Anatomy, FaceControls, Jaw, Muscle, NodeState, Tissue};
 
-/// How often what is too long is shortened in a step at most, and what that brings into
+/// The most relaxation rounds of overlong springs in a step, and what that brings into
 /// something put out again. A face that speaks takes one turn; muscles that jump as far as
 /// they go take some ten, and skin is then within half a millimetre of where it may be.
 const TURNS: usize = 64;
-/// Steps after which a face is at rest, whatever is asked of it.
+/// Steps after which a face is at rest, whatever its controls.
 const WARM_UP_STEPS: usize = 90;
 /// Share of a gap that the lower lip closes where it closes most; see [`LipNode::closes`].
 const LOWER_CLOSES: f32 = 0.64;
 /// Sealed lips press each other by this, metres on the reference head; what stops them is
 /// each other.
 const PRESS_M: f32 = 0.0012;
+
+/// A node whose skin a muscle folds.
+#[derive(Clone, Copy, Debug)]
+struct Fold {
+    node: u16,
+    /// Of [`NodeState::wrinkles`].
+    channel: u8,
+    muscle: Muscle,
+    /// Share of the muscle's movement that the node takes.
+    weight: f32,
+    strength: f32,
+}
+
+impl Fold {
+    fn all(tissue: &Tissue, anatomy: &Anatomy) -> Vec<Self> {
+        let mut by_point = vec![None; tissue.points.len()];
+        for fibre in &tissue.fibres {
+            let first = usize::from(fibre.first);
+            let fold = anatomy.fold(fibre.muscle).map(|fold| (fibre.muscle, fold));
+            by_point[first..first + usize::from(fibre.count)].fill(fold);
+        }
+        let starts = (0u16..).zip(tissue.starts.windows(2));
+        starts
+            .flat_map(|(node, own)| {
+                let own = &tissue.attachments[own[0] as usize..own[1] as usize];
+                own.iter().map(move |hold| (node, hold))
+            })
+            .filter_map(|(node, hold)| {
+                let (muscle, (channel, strength)) = by_point[usize::from(hold.point)]?;
+                Some(Self {
+                    node,
+                    channel,
+                    muscle,
+                    weight: hold.weight,
+                    strength,
+                })
+            })
+            .collect()
+    }
+}
 
 /// The tissue of one face, moving. Everything in it follows from the controls it was given
 /// since [`Network::reset`]; a step allocates nothing.
@@ -34,12 +76,15 @@ pub struct Network {
     jaw: JawPlace,
     /// How far the lips of each column have to move, while they are closed.
     gaps: Vec<[f32; 3]>,
-    /// What each point of a fibre folds: channel and strength.
-    folding: Vec<Option<(u8, f32, u8)>>,
+    /// How muscles move each node.
+    pulls: Vec<Vector>,
+    folds: Vec<Fold>,
     contraction: Vec<f64>,
     blush: f32,
     depths: Depths,
-    normals: Vec<[f32; 3]>,
+    /// Places between the last two steps, as they were written last.
+    shown: Vec<Vector>,
+    normals: Vec<Vector>,
 }
 
 impl Network {
@@ -52,27 +97,17 @@ impl Network {
     /// A face at rest whose muscles are those of a table.
     #[must_use]
     pub fn with(tissue: &Tissue, anatomy: &Anatomy) -> Self {
-        let places: Vec<Vector> = tissue
-            .rest
-            .iter()
-            .map(|p| [p[0], p[1], p[2], 0.0])
-            .collect();
-        let mut normals = vec![[0.0; 3]; places.len()];
+        let places: Vec<Vector> = tissue.rest.iter().copied().map(vector).collect();
+        let nodes = whole_fours(tissue.rest.len());
+        let mut normals = vec![Vector::default(); nodes];
         normals_of(&tissue.quads, &places, &mut normals);
-        let outwards: Vec<Vector> = normals.iter().map(|n| [n[0], n[1], n[2], 0.0]).collect();
-        let holds: Vec<Hold> = places
+        let outwards = normals[..places.len()].to_vec();
+        let mut holds: Vec<Hold> = places
             .iter()
             .zip(&outwards)
             .map(|(&place, &outwards)| Hold { place, outwards })
             .collect();
-        let mut folding = vec![None; tissue.points.len()];
-        for fibre in &tissue.fibres {
-            let first = usize::from(fibre.first);
-            let fold = anatomy.fold(fibre.muscle);
-            for point in &mut folding[first..first + usize::from(fibre.count)] {
-                *point = fold.map(|(channel, k)| (channel, k, fibre.muscle.index() as u8));
-            }
-        }
+        holds.resize(nodes, Hold::default());
         let springs = Springs::new(&tissue.rest, &tissue.quads, &tissue.depth, &tissue.grip);
         Self {
             muscles: Muscles::new(tissue, anatomy),
@@ -86,7 +121,9 @@ impl Network {
                 .collect(),
             jaw: JawPlace::new(tissue.hinge, 0.0, 0.0, [0.0; 3]),
             gaps: vec![[0.0; 3]; tissue.columns.len()],
-            folding,
+            pulls: vec![Vector::default(); places.len()],
+            folds: Fold::all(tissue, anatomy),
+            shown: vec![Vector::default(); nodes],
             contraction: vec![0.0; anatomy.count()],
             blush: 0.0,
             depths: Depths::default(),
@@ -131,7 +168,7 @@ impl Network {
         self.make_whole(tissue);
     }
 
-    /// Shortens what is too long, and puts out again what that has brought into something;
+    /// Shortens overlong springs, and moves nodes out again that this has brought into contact;
     /// each undoes a little of the other.
     fn make_whole(&mut self, tissue: &Tissue) {
         let mut turns = 0;
@@ -162,22 +199,20 @@ impl Network {
         self.jaw = JawPlace::new(tissue.hinge, pitch, yaw, slide);
         for (i, &rest) in tissue.rest.iter().enumerate() {
             let share = tissue.jaw[i];
-            let mut place = [rest[0], rest[1], rest[2], 0.0];
+            let mut place = vector(rest);
             let mut outwards = self.outwards[i];
             if share > 0.0 {
-                let moved = self.jaw.moved(rest);
-                let turned = self.jaw.turned([outwards[0], outwards[1], outwards[2]]);
-                for k in 0..3 {
-                    place[k] += (moved[k] - rest[k]) * share;
-                    outwards[k] += (turned[k] - outwards[k]) * share;
-                }
+                let turned = self.jaw.turned(xyz(outwards));
+                place += (self.jaw.moved(rest) - place) * share;
+                outwards += (turned - outwards) * share;
             }
             self.bones[i] = [place, outwards];
             let own = tissue.starts[i] as usize..tissue.starts[i + 1] as usize;
-            let by = self.muscles.pull(&tissue.attachments[own]);
-            for k in 0..3 {
-                place[k] += by[k];
+            let attachments = &tissue.attachments[own];
+            if self.muscles.pull_otherwise(attachments) {
+                self.pulls[i] = self.muscles.pull(attachments);
             }
+            let place = place + self.pulls[i];
             self.holds[i] = Hold { place, outwards };
         }
         self.close(tissue, controls);
@@ -193,12 +228,12 @@ impl Network {
         let press = [0.0, PRESS_M * tissue.scale, 0.0];
         for (gap, column) in self.gaps.iter_mut().zip(&tissue.columns) {
             let [above, below] = column.contact.map(usize::from);
-            let off = |i: usize, k: usize| self.holds[i].place[k] - tissue.rest[i][k];
+            let off = |i: usize, k: usize| self.holds[i].place.as_array()[k] - tissue.rest[i][k];
             *gap = [0, 1, 2].map(|k| (off(above, k) - off(below, k) + press[k]) * seal);
         }
         self.move_lips(tissue, |lip| lip.closes);
         for (gap, column) in self.gaps.iter_mut().zip(&tissue.columns) {
-            let lip = self.holds[usize::from(column.contact[1])].place;
+            let lip = xyz(self.holds[usize::from(column.contact[1])].place);
             *gap = [0, 1, 2].map(|k| (column.edge[k] - lip[k]) * column.bites * bite);
         }
         // The lower lip alone goes to the teeth, all of its red as far.
@@ -207,7 +242,7 @@ impl Network {
             // Between m and f the lower lip is at the teeth already, and the upper one on it.
             for (gap, column) in self.gaps.iter_mut().zip(&tissue.columns) {
                 let [above, below] = column.contact.map(usize::from);
-                let off = |i: usize| self.holds[i].place[1] - tissue.rest[i][1];
+                let off = |i: usize| self.holds[i].place.as_array()[1] - tissue.rest[i][1];
                 *gap = [0.0, (off(above) - off(below) + press[1]) * seal, 0.0];
             }
             self.move_lips(tissue, |lip| lip.closes.min(0.0) / (1.0 - LOWER_CLOSES));
@@ -219,45 +254,36 @@ impl Network {
         for lip in &tissue.lips {
             let gap = self.gaps[usize::from(lip.column)];
             let place = &mut self.holds[usize::from(lip.node)].place;
-            for k in 0..3 {
-                place[k] += gap[k] * share(lip);
-            }
+            *place += vector(gap) * share(lip);
         }
     }
 
     /// The nodes between the last two steps: 0 the one before, 1 the last. `nodes` has room
     /// for all.
     pub fn write(&mut self, tissue: &Tissue, share: f32, nodes: &mut [NodeState]) {
-        // What the places were before is not needed any more once it is mixed.
-        let between = |i: usize| -> Vector {
-            let (a, b) = (self.springs.before[i], self.springs.places[i]);
-            core::array::from_fn(|k| a[k] + (b[k] - a[k]) * share)
-        };
-        for (i, node) in nodes.iter_mut().enumerate() {
-            let (p, rest) = (between(i), tissue.rest[i]);
-            node.displacement = [p[0] - rest[0], p[1] - rest[1], p[2] - rest[2]];
-            node.wrinkles = [0.0; 3];
-            let own = tissue.starts[i] as usize..tissue.starts[i + 1] as usize;
-            for hold in &tissue.attachments[own] {
-                if let Some((channel, k, muscle)) = self.folding[usize::from(hold.point)] {
-                    let c = self.contraction[usize::from(muscle)].clamp(0.0, 1.0) as f32;
-                    let strength = &mut node.wrinkles[usize::from(channel)];
-                    *strength = (*strength + hold.weight * c * k).min(1.0);
-                }
-            }
-            node.blush = self.blush * tissue.flush[i];
+        let steps = self.springs.before.iter().zip(&self.springs.places);
+        for (shown, (a, b)) in self.shown.iter_mut().zip(steps) {
+            *shown = *a + (*b - *a) * share;
         }
-        normals_between(&tissue.quads, &self.springs, share, &mut self.normals);
+        normals_of(&tissue.quads, &self.shown, &mut self.normals);
         for (i, node) in nodes.iter_mut().enumerate() {
-            let (n, rest) = (self.normals[i], self.outwards[i]);
-            node.normal_delta = [n[0] - rest[0], n[1] - rest[1], n[2] - rest[2]];
+            node.displacement = xyz(self.shown[i] - vector(tissue.rest[i]));
+            node.wrinkles = [0.0; 3];
+            node.blush = self.blush * tissue.flush[i];
+            node.normal_delta = xyz(self.normals[i] - self.outwards[i]);
+        }
+        for fold in &self.folds {
+            let contraction = self.contraction[fold.muscle.index()].clamp(0.0, 1.0) as f32;
+            let node = &mut nodes[usize::from(fold.node)];
+            let strength = &mut node.wrinkles[usize::from(fold.channel)];
+            *strength = (*strength + fold.weight * contraction * fold.strength).min(1.0);
         }
     }
 
     /// How many point masses and springs the network has.
     #[must_use]
     pub fn size(&self) -> (usize, usize) {
-        (self.springs.places.len(), self.springs.count())
+        (self.outwards.len(), self.springs.count())
     }
 
     /// How deep anything was in what it should keep out of at the end of the last step,
@@ -287,7 +313,8 @@ impl Network {
     pub fn lips_apart_m(&self, tissue: &Tissue) -> f32 {
         let apart = |c: &Column| {
             let [above, below] = c.contact.map(usize::from);
-            let now = self.springs.places[above][1] - self.springs.places[below][1];
+            let height = |i: usize| self.springs.places[i].as_array()[1];
+            let now = height(above) - height(below);
             now - (tissue.rest[above][1] - tissue.rest[below][1])
         };
         tissue.columns.iter().map(apart).fold(0.0, f32::max)
@@ -297,7 +324,7 @@ impl Network {
     #[must_use]
     pub fn lip_to_teeth_m(&self, tissue: &Tissue) -> f32 {
         let from_teeth = |c: &Column| {
-            let lip = self.springs.places[usize::from(c.contact[1])];
+            let lip = xyz(self.springs.places[usize::from(c.contact[1])]);
             let way = [0, 1, 2].map(|k| lip[k] - c.edge[k]);
             (way[0] * way[0] + way[1] * way[1] + way[2] * way[2]).sqrt()
         };
@@ -309,7 +336,7 @@ impl Network {
     /// none under the lips, where there are teeth.
     #[must_use]
     pub fn bone_under(&self, tissue: &Tissue, node: usize) -> Option<[f32; 3]> {
-        let [place, outwards] = self.bones.get(node)?;
+        let [place, outwards] = self.bones.get(node)?.map(xyz);
         let depth = self
             .contacts
             .is_over_bone(node)
@@ -332,15 +359,14 @@ impl Network {
     /// Where a node is now, bind pose, metres.
     #[must_use]
     pub fn place(&self, node: usize) -> [f32; 3] {
-        let p = self.springs.places[node];
-        [p[0], p[1], p[2]]
+        xyz(self.springs.places[node])
     }
 
     /// Where a point of a fibre ([`Tissue::points`]) is now, bind pose, metres.
     #[must_use]
     pub fn fibre_place(&self, tissue: &Tissue, point: usize) -> [f32; 3] {
         let (p, moved) = (&tissue.points[point], self.muscles.moved[point]);
-        let with_jaw = self.jaw.moved(p.rest);
+        let with_jaw = xyz(self.jaw.moved(p.rest));
         [0, 1, 2].map(|k| p.rest[k] + (with_jaw[k] - p.rest[k]) * p.jaw + moved[k])
     }
 
@@ -358,41 +384,26 @@ impl Network {
     }
 }
 
-fn normals_of(quads: &[[u16; 4]], places: &[Vector], normals: &mut [[f32; 3]]) {
-    sum_normals(quads, |i| places[i], normals);
-}
-
-fn normals_between(quads: &[[u16; 4]], springs: &Springs, share: f32, normals: &mut [[f32; 3]]) {
-    let at = |i: usize| -> Vector {
-        let (a, b) = (springs.before[i], springs.places[i]);
-        core::array::from_fn(|k| a[k] + (b[k] - a[k]) * share)
-    };
-    sum_normals(quads, at, normals);
-}
-
 /// Unit normals of nodes, by area of the faces around.
-fn sum_normals(quads: &[[u16; 4]], at: impl Fn(usize) -> Vector, normals: &mut [[f32; 3]]) {
-    normals.fill([0.0; 3]);
+fn normals_of(quads: &[[u16; 4]], places: &[Vector], normals: &mut [Vector]) {
+    normals.fill(Vector::default());
     for quad in quads {
-        let [a, b, c, d] = quad.map(|i| at(usize::from(i)));
-        let (u, v) = (
-            [0, 1, 2].map(|k| c[k] - a[k]),
-            [0, 1, 2].map(|k| d[k] - b[k]),
-        );
-        let area = [
+        let [a, b, c, d] = quad.map(|i| places[usize::from(i)]);
+        let (u, v) = (xyz(c - a), xyz(d - b));
+        let area = vector([
             u[1] * v[2] - u[2] * v[1],
             u[2] * v[0] - u[0] * v[2],
             u[0] * v[1] - u[1] * v[0],
-        ];
+        ]);
         for i in quad {
-            let n = &mut normals[usize::from(*i)];
-            for k in 0..3 {
-                n[k] += area[k];
-            }
+            normals[usize::from(*i)] += area;
         }
     }
-    for n in normals {
-        let length = (n[0] * n[0] + n[1] * n[1] + n[2] * n[2]).sqrt().max(1e-12);
-        *n = n.map(|x| x / length);
+    for normals in normals.as_chunks_mut::<LANES>().0 {
+        let lengths = squares(*normals).sqrt().fast_max(Vector::splat(1e-12));
+        let lengths = lengths.to_array();
+        for k in 0..LANES {
+            normals[k] /= lengths[k];
+        }
     }
 }

@@ -3,15 +3,13 @@
 //!
 //! Stiffnesses are per mass, 1/s². A step is a 120th of a second; leapfrog Verlet integration
 //! is stable while the stiffest mode stays under (2 / step)² = 57,600, which
-//! [`SKIN_PER_S2`] and [`CONNECTING_PER_S2`] keep with a margin.
+//! [their stiffnesses](super::layout) keep with a margin.
 
-/// Steps of the network a second.
-pub(super) const STEPS_PER_S: f32 = 120.0;
-const STEP_SECS: f32 = 1.0 / STEPS_PER_S;
+use super::lanes::{LANES, Vector, dot, length, squares, vector, whole_fours, xyz};
+use super::layout::{
+    Connecting, Edge, Four, STEP_SECS, STEPS_PER_S, around_nodes, leaders, pairs_of, skin,
+};
 
-/// Of the edges of the skin; diagonals, which resist shear, have a part of it. Designed.
-const SKIN_PER_S2: f32 = 900.0;
-const DIAGONAL: f32 = 0.5;
 /// Skin that is stretched beyond this resists more (biphasic). F&H gives no numbers; skin
 /// stiffens at 10 to 20 %.
 const SLACK: f32 = 1.15;
@@ -29,45 +27,8 @@ const MOST_RELAXATIONS: usize = 256;
 const OVER_RELAXATION: f32 = 1.5;
 /// How much stiffer a spring is beyond its slack.
 const STRAIN_STIFFENING: f32 = 3.0;
-/// Of each of the two springs that hold a node over its place: to what lies under it, and
-/// mirrored outwards.
-const CONNECTING_PER_S2: f32 = 6000.0;
-/// Below this grip those springs are softer.
-const FIRM_GRIP: f32 = 0.3;
-/// How much stiffer they are at the lips, which must follow speech.
-const LIP: f32 = 1.0;
-/// Friction between the skin and what it lies on, against the critical damping of how a node is
-/// held sideways, and the least of it, 1/s. It acts on the difference of their velocities, so
-/// that skin does not lag behind a muscle that moves evenly. Designed.
-const FRICTION: f32 = 0.55;
-const LEAST_FRICTION_PER_S: f32 = 60.0;
-
-/// Four numbers a node, the last unused: a processor takes them in one go.
-pub(super) type Vector = [f32; 4];
-
-fn minus(a: Vector, b: Vector) -> Vector {
-    [a[0] - b[0], a[1] - b[1], a[2] - b[2], a[3] - b[3]]
-}
-
-fn plus(a: Vector, b: Vector) -> Vector {
-    [a[0] + b[0], a[1] + b[1], a[2] + b[2], a[3] + b[3]]
-}
-
-fn times(a: Vector, k: f32) -> Vector {
-    [a[0] * k, a[1] * k, a[2] * k, a[3] * k]
-}
-
-fn length(a: Vector) -> f32 {
-    (a[0] * a[0] + a[1] * a[1] + a[2] * a[2]).sqrt()
-}
-
-/// A spring of the skin.
-#[derive(Clone, Copy, Debug)]
-struct Spring {
-    ends: [u16; 2],
-    stiffness: f32,
-    rest: f32,
-}
+/// Shorter ways have no direction, metres.
+const LEAST_M: f32 = 1e-9;
 
 /// Where a node is held now.
 #[derive(Clone, Copy, Debug, Default)]
@@ -76,49 +37,6 @@ pub(super) struct Hold {
     pub(super) place: Vector,
     /// Way outwards there, unit length.
     pub(super) outwards: Vector,
-}
-
-/// Nodes nearer to each other than this are one mass, metres: in the corners of the mouth the
-/// rings of both lips crowd, and between springs of a tenth of a millimetre none would be
-/// short enough to hold.
-const APART_M: f32 = 0.001;
-
-/// Of nodes equally far in front the upper one counts as foremost.
-const ASLANT: f32 = 0.37;
-
-/// For each node the one that leads it: of those that edges too short for springs join, the
-/// foremost. Which one that is does not change in a mirror, as their order does.
-fn leaders(places: &[Vector], edges: impl Iterator<Item = [u16; 2]>) -> Vec<u16> {
-    let mut leaders: Vec<u16> = (0..places.len() as u16).collect();
-    let ahead = |i: u16| {
-        let p = places[usize::from(i)];
-        p[2] + ASLANT * p[1]
-    };
-    for ends in edges {
-        let [a, b] = ends.map(usize::from);
-        if length(minus(places[a], places[b])) < APART_M && leaders[a] != leaders[b] {
-            let (mut from, mut to) = (leaders[a], leaders[b]);
-            if ahead(from) > ahead(to) {
-                (from, to) = (to, from);
-            }
-            for leader in &mut leaders {
-                if *leader == from {
-                    *leader = to;
-                }
-            }
-        }
-    }
-    leaders
-}
-
-/// An edge or diagonal of the skin of which at least one end is led by another node. Between
-/// their leaders there is a spring; this one may not get too long either.
-#[derive(Clone, Copy, Debug)]
-struct Edge {
-    leaders: [u16; 2],
-    /// From one end to the other, while their leaders are at one place.
-    off: Vector,
-    rest: f32,
 }
 
 /// Some of a number of things, each once; with room for all, also in a copy.
@@ -158,12 +76,17 @@ impl Chosen {
 /// Masses and springs.
 #[derive(Clone, Debug)]
 pub(super) struct Springs {
-    springs: Vec<Spring>,
+    /// The nodes at the ends of each spring of the skin, the lower one first, sorted.
+    ends: Vec<[u16; 2]>,
+    /// Their lengths at rest.
+    rest: Vec<f32>,
+    /// All of them, and how strongly they pull in a step.
+    fours: Vec<Four>,
+    pulls: Vec<f32>,
     /// Counted after the springs where both are meant.
     edges: Vec<Edge>,
-    /// Distance to the ends of the connecting springs, their length at rest, their stiffness,
-    /// and the friction of a step.
-    connecting: Vec<[f32; 4]>,
+    connecting: Vec<Connecting>,
+    /// Of the nodes, with some that nothing moves after the last, to whole fours.
     pub(super) places: Vec<Vector>,
     /// Places one step ago.
     pub(super) before: Vec<Vector>,
@@ -188,120 +111,45 @@ impl Springs {
     /// From places at rest, faces, and for each node the distance to what lies under it and
     /// its grip; lists of one length, indices within.
     pub(super) fn new(rest: &[[f32; 3]], quads: &[[u16; 4]], depth: &[f32], grip: &[f32]) -> Self {
-        let places: Vec<Vector> = rest.iter().map(|p| [p[0], p[1], p[2], 0.0]).collect();
-        let mut pairs: Vec<([u16; 2], f32)> = Vec::with_capacity(quads.len() * 4);
-        for q in quads {
-            for k in 0..4 {
-                let (a, b) = (q[k], q[(k + 1) % 4]);
-                pairs.push(([a.min(b), a.max(b)], SKIN_PER_S2));
-            }
-            pairs.push(([q[0], q[2]], SKIN_PER_S2 * DIAGONAL));
-            pairs.push(([q[1], q[3]], SKIN_PER_S2 * DIAGONAL));
-        }
+        let mut places: Vec<Vector> = rest.iter().copied().map(vector).collect();
+        let nodes = places.len();
+        let pairs = pairs_of(quads);
         let leaders = leaders(&places, pairs.iter().map(|(ends, _)| *ends));
-        let mut led_pairs: Vec<[u16; 2]> = pairs.iter().map(|(ends, _)| *ends).collect();
-        led_pairs.sort_unstable();
-        led_pairs.dedup();
-        let edges: Vec<Edge> = led_pairs
-            .into_iter()
-            .filter_map(|ends| {
-                let [a, b] = ends.map(usize::from);
-                let own = [leaders[a], leaders[b]];
-                let off = |i: usize| minus(places[i], places[usize::from(leaders[i])]);
-                (own != ends && own[0] != own[1]).then(|| Edge {
-                    leaders: own,
-                    off: minus(off(b), off(a)),
-                    rest: length(minus(places[b], places[a])),
-                })
-            })
+        let edges = Edge::all(&places, &leaders, &pairs);
+        let (ends, of) = skin(&places, &leaders, pairs);
+        let fours = Four::all(&ends, &of);
+        let count = ends.len() + edges.len();
+        let all = || ends.iter().copied().chain(edges.iter().map(|e| e.leaders));
+        let (starts, around) = around_nodes(nodes, all);
+        let leaders = (0..nodes)
+            .map(|i| (leaders[i], places[i] - places[usize::from(leaders[i])]))
             .collect();
-        for (ends, _) in &mut pairs {
-            let [a, b] = ends.map(|i| leaders[usize::from(i)]);
-            *ends = [a.min(b), a.max(b)];
-        }
-        // Most edges belong to two faces; of what lies between the same nodes, the stiffest.
-        pairs.sort_unstable_by(|(a, k), (b, l)| a.cmp(b).then(l.total_cmp(k)));
-        pairs.dedup_by_key(|(ends, _)| *ends);
-        let springs = pairs
-            .into_iter()
-            .filter_map(|(ends, stiffness)| {
-                let [a, b] = ends.map(|i| places[usize::from(i)]);
-                let rest = length(minus(b, a));
-                // A node needs no spring to itself.
-                (ends[0] != ends[1]).then_some(Spring {
-                    ends,
-                    stiffness,
-                    rest,
-                })
-            })
-            .collect::<Vec<Spring>>();
-        let connecting = depth
-            .iter()
-            .zip(grip)
-            .map(|(&d, &g)| {
-                let d = d.clamp(0.001, 0.05);
-                // What is hardly gripped lies in a fold, and follows its neighbours.
-                // Lips are held by muscle on all sides.
-                let lip = 1.0 + LIP * ((g - 0.75) / 0.1).clamp(0.0, 1.0);
-                let firm = (g / FIRM_GRIP).clamp(0.1, 1.0) * lip;
-                {
-                    let (stiffness, grip) = (CONNECTING_PER_S2 * firm, g.clamp(0.05, 1.0));
-                    let critical = 2.0 * (2.0 * stiffness * grip).sqrt();
-                    let friction = (FRICTION * critical).max(LEAST_FRICTION_PER_S);
-                    [d, d * (1.0 - grip), stiffness, friction * STEP_SECS]
-                }
-            })
-            .collect();
-        let leaders = (0..places.len())
-            .map(|i| {
-                (
-                    leaders[i],
-                    minus(places[i], places[usize::from(leaders[i])]),
-                )
-            })
-            .collect();
-        let still = vec![[0.0; 4]; places.len()];
-        let ends = || {
-            let springs = springs.iter().map(|s| s.ends);
-            springs.chain(edges.iter().map(|e| e.leaders))
-        };
-        let count = springs.len() + edges.len();
-        let mut starts = vec![0; places.len() + 1];
-        for i in ends().flatten() {
-            starts[usize::from(i) + 1] += 1;
-        }
-        for i in 1..starts.len() {
-            starts[i] += starts[i - 1];
-        }
-        let mut filled = starts.clone();
-        let mut around = vec![0; 2 * count];
-        for (own, ends) in (0u32..).zip(ends()) {
-            for i in ends.map(usize::from) {
-                around[filled[i] as usize] = own;
-                filled[i] += 1;
-            }
-        }
+        places.resize(whole_fours(nodes), Vector::default());
+        let still = vec![Vector::default(); places.len()];
         Self {
             has_stepped: true,
             suspects: Chosen::of(count),
             looked_at: Chosen::of(count),
-            pulled: Chosen::of(places.len()),
+            pulled: Chosen::of(nodes),
             edges,
             starts,
             around,
-            connecting,
+            connecting: Connecting::all(depth, grip),
             before: places.clone(),
             leaders,
             velocities: still.clone(),
             forces: still,
-            springs,
+            pulls: vec![0.0; fours.len() * LANES],
+            fours,
+            rest: of.iter().map(|[_, rest]| *rest).collect(),
+            ends,
             places,
         }
     }
 
     /// How many springs there are, with those that hold the nodes.
     pub(super) fn count(&self) -> usize {
-        self.springs.len() + 2 * self.connecting.len()
+        self.ends.len() + 2 * self.leaders.len()
     }
 
     /// Puts every node where it is held, moving as its hold does.
@@ -310,46 +158,83 @@ impl Springs {
         for (i, (hold, earlier)) in holds.iter().zip(earlier).enumerate() {
             self.places[i] = hold.place;
             self.before[i] = earlier.place;
-            self.velocities[i] = times(minus(hold.place, earlier.place), STEPS_PER_S);
+            self.velocities[i] = (hold.place - earlier.place) * STEPS_PER_S;
         }
     }
 
     /// One step, from where the nodes were held before it to where they are held now.
     pub(super) fn step(&mut self, holds: &[Hold], earlier: &[Hold]) {
         self.has_stepped = true;
-        for spring in &self.springs {
-            let [a, b] = spring.ends.map(usize::from);
-            let way = minus(self.places[b], self.places[a]);
-            let now = length(way).max(1e-9);
-            let beyond = (now - SLACK * spring.rest).max(0.0);
-            let pull = spring.stiffness * (now - spring.rest + STRAIN_STIFFENING * beyond) / now;
-            let force = times(way, pull);
-            self.forces[a] = plus(self.forces[a], force);
-            self.forces[b] = minus(self.forces[b], force);
+        self.find_pulls();
+        self.pull();
+        self.move_nodes(holds, earlier);
+    }
+
+    /// Finds how strongly the springs of the skin pull, against their lengths now.
+    fn find_pulls(&mut self) {
+        for (pulls, springs) in self.pulls.as_chunks_mut().0.iter_mut().zip(&self.fours) {
+            let now = squares(springs.ways(&self.places)).sqrt();
+            let now = now.fast_max(Vector::splat(LEAST_M));
+            let beyond = (now - springs.rest * SLACK).fast_max(Vector::splat(0.0));
+            let longer = now - springs.rest + beyond * STRAIN_STIFFENING;
+            *pulls = (springs.stiffness * longer / now).to_array();
         }
-        let held = holds.iter().zip(earlier).zip(&self.connecting);
-        let nodes = self.places.iter_mut().zip(&mut self.before);
-        let moving = self.velocities.iter_mut().zip(&mut self.forces);
-        for (
-            ((hold, earlier), &[deep, rest, stiffness, drag]),
-            ((place, before), (velocity, force)),
-        ) in held.zip(nodes.zip(moving))
-        {
-            let off = minus(hold.place, *place);
-            let down = times(hold.outwards, deep);
-            let mut pull = core::mem::take(force);
-            for end in [minus(off, down), plus(off, down)] {
-                let now = length(end).max(1e-9);
-                pull = plus(pull, times(end, stiffness * (now - rest) / now));
+    }
+
+    /// Adds the forces of the springs of the skin to those of their ends. What pulls at one first
+    /// end is summed up without being stored.
+    fn pull(&mut self) {
+        let mut all = &self.pulls[..];
+        for own in self.ends.chunk_by(|x, y| x[0] == y[0]) {
+            let (pulls, later) = all.split_at(own.len());
+            let first = usize::from(own[0][0]);
+            let (place, mut force) = (self.places[first], self.forces[first]);
+            for ([_, end], pull) in own.iter().zip(pulls) {
+                let end = usize::from(*end);
+                let by = (self.places[end] - place) * *pull;
+                force += by;
+                self.forces[end] -= by;
             }
-            let along = minus(hold.place, earlier.place);
-            let sped = plus(*velocity, times(pull, STEP_SECS));
-            *velocity = times(
-                plus(sped, times(along, drag * STEPS_PER_S)),
-                1.0 / (1.0 + drag),
-            );
-            *before = *place;
-            *place = plus(*place, times(*velocity, STEP_SECS));
+            self.forces[first] = force;
+            all = later;
+        }
+    }
+
+    /// Moves nodes by what pulls them, which is forgotten then.
+    fn move_nodes(&mut self, holds: &[Hold], earlier: &[Hold]) {
+        let nodes = self.places.as_chunks_mut::<LANES>().0.iter_mut();
+        let moving = self.velocities.as_chunks_mut::<LANES>().0.iter_mut();
+        let forces = self.forces.as_chunks_mut::<LANES>().0.iter_mut();
+        let before = self.before.as_chunks_mut::<LANES>().0.iter_mut();
+        let holds = holds.as_chunks::<LANES>().0.iter();
+        let earlier = earlier.as_chunks::<LANES>().0.iter();
+        for ((((places, before), (velocities, forces)), (holds, earlier)), connecting) in nodes
+            .zip(before)
+            .zip(moving.zip(forces))
+            .zip(holds.zip(earlier))
+            .zip(&self.connecting)
+        {
+            *before = *places;
+            let off: [Vector; LANES] = core::array::from_fn(|k| holds[k].place - places[k]);
+            for deep in [-connecting.deep, connecting.deep].map(Vector::to_array) {
+                let ends: [Vector; LANES] =
+                    core::array::from_fn(|k| off[k] + holds[k].outwards * deep[k]);
+                let now = squares(ends).sqrt().fast_max(Vector::splat(LEAST_M));
+                let pull = connecting.stiffness * (now - connecting.rest) / now;
+                let pull = pull.to_array();
+                for k in 0..LANES {
+                    forces[k] += ends[k] * pull[k];
+                }
+            }
+            let drag = (connecting.drag * STEPS_PER_S).to_array();
+            let slower = (1.0 / (connecting.drag + 1.0)).to_array();
+            for k in 0..LANES {
+                let along = holds[k].place - earlier[k].place;
+                let sped = velocities[k] + forces[k] * STEP_SECS;
+                velocities[k] = (sped + along * drag[k]) * slower[k];
+                forces[k] = Vector::default();
+                places[k] += velocities[k] * STEP_SECS;
+            }
         }
     }
 
@@ -358,8 +243,8 @@ impl Springs {
         for (node, (leader, off)) in self.leaders.iter().enumerate() {
             let leader = usize::from(*leader);
             if leader != node {
-                self.places[node] = plus(self.places[leader], *off);
-                self.before[node] = plus(self.before[leader], *off);
+                self.places[node] = self.places[leader] + *off;
+                self.before[node] = self.before[leader] + *off;
                 self.velocities[node] = self.velocities[leader];
             }
         }
@@ -373,15 +258,16 @@ impl Springs {
     /// Where a node is, or will be once it has followed its leader.
     pub(super) fn at(&self, node: usize) -> Vector {
         let (leader, off) = self.leaders[node];
-        plus(self.places[usize::from(leader)], off)
+        self.places[usize::from(leader)] + off
     }
 
-    /// Shortens what is too long, and what that has made too long, until nothing is; tells
+    /// Shortens overlong springs, and those that this makes overlong, until none is; tells
     /// whether anything was.
     pub(super) fn limit(&mut self) -> bool {
         if self.has_stepped {
             self.has_stepped = false;
-            for i in 0..self.springs.len() + self.edges.len() {
+            self.suspect();
+            for i in self.ends.len()..self.ends.len() + self.edges.len() {
                 if self.too_long(i, SHORTENED).is_some() {
                     self.suspects.put(i as u32);
                 }
@@ -405,8 +291,8 @@ impl Springs {
                 if let Some((ends, by)) = self.too_long(i, SHORTENED) {
                     let much = length(by);
                     for (end, way) in ends.into_iter().zip([1.0, -1.0]) {
-                        let by = [way * by[0], way * by[1], way * by[2], 1.0];
-                        self.forces[end] = plus(self.forces[end], times(by, much));
+                        let [x, y, z] = xyz(by * way);
+                        self.forces[end] += Vector::new([x, y, z, 1.0]) * much;
                         self.pulled.put(end as u32);
                     }
                 }
@@ -414,10 +300,10 @@ impl Springs {
             // All at once, or the order of springs would make halves of a face differ.
             for k in 0..self.pulled.count {
                 let node = self.pulled.items[k] as usize;
-                let [x, y, z, much] = core::mem::take(&mut self.forces[node]);
+                let [x, y, z, much] = core::mem::take(&mut self.forces[node]).to_array();
                 self.shift(
                     node,
-                    times([x, y, z, 0.0], OVER_RELAXATION / much.max(1e-12)),
+                    vector([x, y, z]) * (OVER_RELAXATION / much.max(1e-12)),
                 );
             }
             self.pulled.clear();
@@ -425,30 +311,46 @@ impl Springs {
         was_any
     }
 
+    /// Finds which springs of the skin may be too long.
+    fn suspect(&mut self) {
+        for (first, springs) in (0u32..).step_by(LANES).zip(&self.fours) {
+            let most = springs.rest * SHORTENED;
+            let beyond = squares(springs.ways(&self.places)).simd_gt(most * most);
+            if beyond.any() {
+                let which = beyond.to_bitmask();
+                for i in (first..self.ends.len() as u32).take(LANES) {
+                    if which >> (i - first) & 1 == 1 {
+                        self.suspects.put(i);
+                    }
+                }
+            }
+        }
+    }
+
     /// The ends of a spring or edge that is longer than `longest` times its length at rest, and
     /// what each has to move by, the first one's way.
     fn too_long(&self, i: usize, longest: f32) -> Option<([usize; 2], Vector)> {
-        let (ends, off, rest) = if let Some(spring) = self.springs.get(i) {
-            (spring.ends, [0.0; 4], spring.rest)
+        let (ends, off, rest) = if i < self.ends.len() {
+            (self.ends[i], Vector::default(), self.rest[i])
         } else {
-            let edge = self.edges[i - self.springs.len()];
+            let edge = self.edges[i - self.ends.len()];
             (edge.leaders, edge.off, edge.rest)
         };
         let [a, b] = ends.map(usize::from);
-        let way = plus(minus(self.places[b], self.places[a]), off);
-        let square = way[0] * way[0] + way[1] * way[1] + way[2] * way[2];
+        let way = self.places[b] - self.places[a] + off;
+        let square = dot(way, way);
         let most = longest * rest;
         (square > most * most).then(|| {
             let now = square.sqrt();
-            ([a, b], times(way, 0.5 * (now - SHORTENED * rest) / now))
+            ([a, b], (way * (0.5 * (now - SHORTENED * rest) / now)))
         })
     }
 
     /// Moves a node that may not be where the step left it, by its leader.
     pub(super) fn shift(&mut self, node: usize, by: Vector) {
         let node = usize::from(self.leaders[node].0);
-        self.places[node] = plus(self.places[node], by);
-        self.velocities[node] = plus(self.velocities[node], times(by, STEPS_PER_S));
+        self.places[node] += by;
+        self.velocities[node] += by * STEPS_PER_S;
         for i in self.starts[node]..self.starts[node + 1] {
             self.suspects.put(self.around[i as usize]);
         }
@@ -464,13 +366,14 @@ impl Springs {
 
     /// The most that a spring or an edge of the skin is stretched, against its length at rest.
     pub(super) fn most_stretched(&self) -> f32 {
-        let springs = self.springs.iter().map(|s| (s.ends, [0.0; 4], s.rest));
+        let springs = self.ends.iter().zip(&self.rest);
+        let springs = springs.map(|(ends, rest)| (*ends, Vector::default(), *rest));
         let edges = self.edges.iter().map(|e| (e.leaders, e.off, e.rest));
         springs
             .chain(edges)
             .map(|(ends, off, rest)| {
                 let [a, b] = ends.map(|i| self.places[usize::from(i)]);
-                length(plus(minus(b, a), off)) / rest
+                length(b - a + off) / rest
             })
             .fold(0.0, f32::max)
     }

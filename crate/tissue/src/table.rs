@@ -1,5 +1,5 @@
 //! Reads the table of muscles, `muscles.tsv`. Done where this crate is built (`build.rs`), so
-//! that names are checked by the compiler and nothing is read at run time; by whoever makes
+//! that names are checked by the compiler and nothing is read at run time; by the maker of
 //! figures, also later.
 
 /// A row of the table: a muscle in the middle of the face, or a pair.

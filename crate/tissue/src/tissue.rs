@@ -115,7 +115,7 @@ impl Arch {
     }
 }
 
-/// The soft parts of a face. Lists have lengths as their parts say; whoever reads them from
+/// The soft parts of a face. Lists have lengths as their parts say; code that reads them from
 /// a file checks this once.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Tissue {

@@ -42,13 +42,13 @@ const INTENSITY_WINDOW_SECS: f64 = 0.032;
 pub struct SpokenSentence {
     /// Its sound and times, as they are to be heard.
     pub spoken: Spoken,
-    /// Factor on the pauses that nobody asked for: of the pace and of emotions.
+    /// Factor on pauses that the text does not set: of the pace and of emotions.
     pub pauses: f64,
     /// Silences to add after tokens, and those to leave out, which are 0; seconds.
     pub moved_pauses: Vec<(usize, f64)>,
 }
 
-/// What an utterance sounds like, and what is known of it but names and files.
+/// The sound of an utterance, and its data but names and files.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Speech {
     /// Mono, −1 to 1.
@@ -119,7 +119,7 @@ struct Assembly<'a> {
     gap_secs: f64,
     /// What the engine's sound holds after the last phone.
     before: &'a [f64],
-    /// The first word of the sentence that is being told, which may be spoken in several runs.
+    /// The first word of the present sentence, which may be spoken in several runs.
     first_word: usize,
 }
 
@@ -185,7 +185,7 @@ impl<'a> Assembly<'a> {
                             self.tape.silence(self.gap_secs, self.before, after);
                         }
                         Some(before) if before != token && !spoken.segments[i - 1].is_silent() => {
-                            // The engine makes no pause where one is asked for.
+                            // The engine makes no pause where the text sets one.
                             if let Some(secs) = pause_after(before).filter(|secs| *secs > 0.0) {
                                 self.tape.silence(secs, &[], &[]);
                             }
@@ -374,7 +374,7 @@ impl Tape<'_> {
                 *sample += recorded * sound.level * level;
             }
         }
-        // What is longer than the speech fades out with it.
+        // Sound that is longer than the speech fades out with it.
         let fade = ((0.1 * self.rate_hz) as usize).min(self.samples.len());
         let end = self.samples.len();
         for (i, sample) in self.samples[end - fade..].iter_mut().enumerate() {

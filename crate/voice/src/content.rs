@@ -1,9 +1,9 @@
-//! What is to be said, independent of the language that it was marked up in. SABLE, SSML and
+//! Content to be spoken, independent of the language that it was marked up in. SABLE, SSML and
 //! EML all become this; [`crate::style`] tells what it means.
 
 use crate::text::SayAs;
 
-/// What is to be said, in order.
+/// The content, in order.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Content {
     /// Texts, pauses and what opens and closes around them.
@@ -33,7 +33,7 @@ pub enum Segment {
         /// Its amplitude; 1 as recorded.
         level: f64,
     },
-    /// Listeners are told of this moment.
+    /// Listeners get an event at this moment.
     Mark(String),
     /// What follows is spoken so, until the [`Segment::Close`] that belongs to it.
     Open(Markup),
@@ -74,7 +74,7 @@ pub enum Setting {
     Default,
 }
 
-/// How what is inside is spoken.
+/// How its content is spoken.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Markup {
     /// Emphasis as SABLE counts it: 0 reduced, 0.5 none, 1 moderate, 2 strong.

@@ -4,7 +4,7 @@ use crate::plan::{Plan, Planned};
 use crate::prosody::Prosody;
 use crate::realise::phrases_of;
 use crate::spoken::Spoken;
-use raconteur_speech::emotion::{self, Place};
+use raconteur_speech::emotion::{self, EmotionPoint};
 
 /// An emotion over words of an utterance.
 #[derive(Clone, Debug, PartialEq)]
@@ -12,7 +12,7 @@ pub struct Felt {
     /// Its word.
     pub name: String,
     /// Where it is in the space of emotions at its strongest.
-    pub place: Place,
+    pub place: EmotionPoint,
     /// From the begin of this word …
     pub first_word: usize,
     /// … strongest at the begin of this one; one beyond the last is at the end …
@@ -51,10 +51,10 @@ impl Felt {
 pub fn felt(
     plan: &Plan,
     phrases: &[(usize, usize)],
-    elicited: Option<&(String, Place)>,
+    elicited: Option<&(String, EmotionPoint)>,
 ) -> Vec<Felt> {
     let mut out: Vec<Felt> = Vec::new();
-    let mut last: Option<(usize, Option<&(String, Place)>)> = None;
+    let mut last: Option<(usize, Option<&(String, EmotionPoint)>)> = None;
     let tokens = plan.sentences.iter().flat_map(|s| &s.sentence.tokens);
     for token in tokens {
         let styled = plan.styles.get(token.style);
@@ -105,10 +105,10 @@ pub fn felt(
 
 /// The place of a word: all emotions that are felt in it, together.
 #[must_use]
-pub fn place_of(felt: &[Felt], word: usize) -> Place {
-    felt.iter().fold(Place::default(), |sum, one| {
+pub fn place_of(felt: &[Felt], word: usize) -> EmotionPoint {
+    felt.iter().fold(EmotionPoint::default(), |sum, one| {
         let part = one.place.scaled(one.strength(word));
-        Place {
+        EmotionPoint {
             activation: sum.activation + part.activation,
             evaluation: sum.evaluation + part.evaluation,
             power: sum.power + part.power,
@@ -155,7 +155,11 @@ struct PauseCount {
 }
 
 impl PauseCount {
-    fn of(sentences: &[Planned], spoken: &[Spoken], places: &dyn Fn(usize) -> Place) -> Self {
+    fn of(
+        sentences: &[Planned],
+        spoken: &[Spoken],
+        places: &dyn Fn(usize) -> EmotionPoint,
+    ) -> Self {
         let mut own = Vec::new();
         let (mut words, mut factor, mut asked) = (0.0, 0.0, 0);
         for (i, (planned, spoken)) in sentences.iter().zip(spoken).enumerate() {
@@ -212,7 +216,7 @@ impl PauseCount {
 pub fn moved_pauses(
     sentences: &[Planned],
     spoken: &[Spoken],
-    places: &dyn Fn(usize) -> Place,
+    places: &dyn Fn(usize) -> EmotionPoint,
 ) -> Vec<Vec<(usize, f64)>> {
     let mut moved = vec![Vec::new(); sentences.len()];
     let count = PauseCount::of(sentences, spoken, places);
@@ -321,9 +325,9 @@ mod tests {
         let plan = plan(&content, "en", "test", &Lexicon::default()).unwrap();
         let spoken = Spoken::default();
         let added = |activation| {
-            let place = Place {
+            let place = EmotionPoint {
                 activation,
-                ..Place::default()
+                ..EmotionPoint::default()
             };
             moved_pauses(&plan.sentences, core::slice::from_ref(&spoken), &|_| place)
                 .concat()
@@ -356,9 +360,9 @@ mod tests {
             ..Spoken::default()
         };
         let count = |activation| {
-            let place = Place {
+            let place = EmotionPoint {
                 activation,
-                ..Place::default()
+                ..EmotionPoint::default()
             };
             moved_pauses(&plan.sentences, core::slice::from_ref(&spoken), &|_| place).remove(0)
         };

@@ -1,4 +1,4 @@
-//! What is heard of an utterance, against what it tells: pauses are still, plosives burst where
+//! The sound of an utterance, against its bundle: pauses are still, plosives burst where
 //! their phones are, vowels are voiced.
 
 use crate::manner::{Manner, manner};
@@ -163,7 +163,7 @@ fn burst(
         return Some(true);
     }
     let astray = within(ASTRAY_SECS)?;
-    // Friction begins sharply as well: what is at another consonant is that's.
+    // Friction begins sharply as well: friction at another consonant belongs to that one.
     let of_another = utterance.phones.iter().enumerate().any(|(k, other)| {
         let at = other.start_secs - BURST_SECS..other.end_secs + BURST_SECS;
         k != index && is_sharp(&other.symbol) && at.contains(&astray.secs)

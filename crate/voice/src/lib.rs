@@ -26,4 +26,4 @@ pub mod spoken;
 pub mod style;
 pub mod text;
 
-pub use said::{Said, Source, content_of, said};
+pub use said::{Source, SpeechRequest, content_of, said};

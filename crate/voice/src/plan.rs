@@ -1,4 +1,4 @@
-//! From what is to be said to sentences: what an engine is asked to say in one breath, by
+//! From content to sentences: what an engine speaks in one request, by
 //! whom and in which language, and the silences between.
 
 use crate::content::{Boundary, Content, Division, Speaker};

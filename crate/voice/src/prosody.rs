@@ -1,6 +1,6 @@
 //! What each dimension of emotion does to prosody (F&H 4.4.2).
 
-use raconteur_speech::emotion::Place;
+use raconteur_speech::emotion::EmotionPoint;
 
 /// The shape of a pitch accent.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -52,8 +52,8 @@ impl Prosody {
     /// MARY's own rules have (the table's 0.4 would close every range at −10). A neutral
     /// place changes nothing, so the shapes that the table gives to it are left out.
     #[must_use]
-    pub fn of(place: Place) -> Self {
-        let Place {
+    pub fn of(place: EmotionPoint) -> Self {
+        let EmotionPoint {
             activation: a,
             evaluation: e,
             power: p,
@@ -93,7 +93,7 @@ mod tests {
 
     #[test]
     fn a_neutral_place_changes_nothing() {
-        let neutral = Prosody::of(Place::default());
+        let neutral = Prosody::of(EmotionPoint::default());
         for factor in [
             neutral.pitch,
             neutral.pitch_dynamics,
@@ -117,9 +117,9 @@ mod tests {
     fn the_example_of_the_text_holds() {
         // F&H 4.4.2: 0.5 % from activation to rate is +25 % at +50 and −15 % at −30.
         let at = |activation| {
-            Prosody::of(Place {
+            Prosody::of(EmotionPoint {
                 activation,
-                ..Place::default()
+                ..EmotionPoint::default()
             })
             .rate
         };

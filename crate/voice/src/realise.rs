@@ -10,7 +10,7 @@ use crate::prosody::{AccentShape, Prosody};
 use crate::signal::{Change, PitchTrack, TimeMap, change};
 use crate::spoken::{Spoken, SpokenSyllable};
 use crate::style::{NO_EMPHASIS, Style};
-use raconteur_speech::emotion::Place;
+use raconteur_speech::emotion::EmotionPoint;
 
 /// Changes are functions of time that are known every so often, seconds.
 const STEP_SECS: f64 = 0.005;
@@ -81,7 +81,7 @@ impl Own {
         }
         hz.sort_by(f64::total_cmp);
         let at = |share: f64| hz.get((hz.len() as f64 * share) as usize).copied();
-        // A whisper has the pitch of nobody; any value does, since none is changed.
+        // A whisper has no pitch; any value does, since none is changed.
         let (low, high) = (at(0.05).unwrap_or(100.0), at(0.95).unwrap_or(150.0));
         let logs: f64 = hz.iter().map(|hz| ops::ln(*hz)).sum();
         Self {
@@ -115,7 +115,7 @@ struct Delivery {
 }
 
 impl Delivery {
-    fn of(style: &Style, place: Place, own: &Own) -> Self {
+    fn of(style: &Style, place: EmotionPoint, own: &Own) -> Self {
         let prosody = Prosody::of(place);
         let (longer, higher, louder) = emphasis(style.emphasis);
         let base = style.pitch_base.factor_on(own.base_hz);
@@ -198,7 +198,7 @@ fn glide(values: &mut Vec<f64>) {
 pub fn realise(
     spoken: &Spoken,
     track: &PitchTrack,
-    styles: &[(&Style, Place)],
+    styles: &[(&Style, EmotionPoint)],
     own: &Own,
 ) -> Spoken {
     let deliveries: Vec<Delivery> = styles

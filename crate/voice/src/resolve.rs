@@ -1,5 +1,5 @@
-//! What is said in order, each word with its style: content with its markup taken together.
-//! Whoever counts the words of a content counts these.
+//! The words in order, each with its style: content with its markup taken together.
+//! Counts of the words of a content are counts of these.
 
 use core::fmt::Write as _;
 use core::hash::Hasher as _;
@@ -16,7 +16,7 @@ const DEEPEST: usize = 1000;
 /// A content with its markup taken together.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Resolved {
-    /// What is said, in order.
+    /// Words and events, in order.
     pub items: Vec<Item>,
     /// The styles of the words, each once, in the order of their first words.
     pub styles: Vec<Style>,
@@ -31,7 +31,7 @@ pub enum Item {
         text: String,
         /// Index of its style: that of its first letter or digit.
         style: usize,
-        /// Words with the same number are one to whoever reads them: the markup around them
+        /// Words with the same number are one word to a reader: the markup around them
         /// says what stands for all of them (pronunciation, engine) or what kind of text
         /// they are together.
         together: Option<usize>,
@@ -58,7 +58,7 @@ pub enum Item {
         /// Its amplitude; 1 as recorded.
         level: f64,
     },
-    /// Listeners are told of this moment. Inside a word it comes before that word.
+    /// Listeners get an event at this moment. Inside a word it comes before that word.
     Mark(String),
 }
 
@@ -88,7 +88,7 @@ impl Resolved {
 /// Markup that is closed more often than opened, or never, is tolerated.
 #[must_use]
 pub fn resolve(content: &Content, engine: &str) -> Resolved {
-    let mut walk = Walk {
+    let mut walk = Resolver {
         engine,
         out: Resolved {
             items: Vec::new(),
@@ -108,7 +108,7 @@ pub fn resolve(content: &Content, engine: &str) -> Resolved {
     walk.out
 }
 
-/// What is in force inside a markup.
+/// The settings inside a markup.
 #[derive(Clone, Default)]
 struct Level {
     style: Style,
@@ -130,7 +130,7 @@ struct Token {
     marks: Vec<String>,
 }
 
-struct Walk<'a> {
+struct Resolver<'a> {
     engine: &'a str,
     out: Resolved,
     /// Indices of styles by the hash of what they print as.
@@ -145,7 +145,7 @@ struct Walk<'a> {
     spaced: Spaced,
 }
 
-impl Walk<'_> {
+impl Resolver<'_> {
     fn segment(&mut self, segment: &Segment) {
         match segment {
             Segment::Text(text) => {
@@ -308,7 +308,7 @@ impl Walk<'_> {
     }
 }
 
-/// Hashes what is printed.
+/// Hashes formatted output.
 struct Print(DefaultHasher);
 
 impl core::fmt::Write for Print {

@@ -4,14 +4,14 @@ use crate::content::{Age, Boundary, Content, Division, Gender, Markup, Segment, 
 use crate::markup::levels::{self, Property};
 use crate::text::{Order, SayAs};
 use raconteur_eml as eml;
-use raconteur_eml::{ClauseKind, Piece, VoiceText};
-use raconteur_speech::emotion::Place;
+use raconteur_eml::{ClauseKind, TextSegment, VoiceText};
+use raconteur_speech::emotion::EmotionPoint;
 
 use raconteur_player::{SpokenClause, spoken_clauses};
 
 /// Something that a script says.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Said {
+pub struct SpeechRequest {
     /// The key of its utterance.
     pub key: u64,
     /// What it is.
@@ -19,7 +19,7 @@ pub struct Said {
     /// The voice that the script names for it.
     pub voice: Option<String>,
     /// The emotion that the script elicits for it, with its word.
-    pub emotion: Option<(String, Place)>,
+    pub emotion: Option<(String, EmotionPoint)>,
     /// Where it is in the script.
     pub span: eml::Span,
 }
@@ -44,9 +44,9 @@ pub enum Source {
 
 /// What a script says, in document order: what a baker has to make.
 #[must_use]
-pub fn said(document: &eml::Document) -> Vec<Said> {
+pub fn said(document: &eml::Document) -> Vec<SpeechRequest> {
     let heard = |spoken: SpokenClause<'_>| {
-        Some(Said {
+        Some(SpeechRequest {
             key: spoken.key(),
             source: source_of(spoken.kind)?,
             voice: spoken.voice.map(str::to_owned),
@@ -90,10 +90,10 @@ pub fn content_of(voice: &VoiceText) -> Content {
     Content { segments }
 }
 
-fn segment_of(piece: &Piece) -> Option<Segment> {
+fn segment_of(piece: &TextSegment) -> Option<Segment> {
     Some(match piece {
-        Piece::Text { text, .. } => Segment::Text(text.to_string()),
-        Piece::Break { msec, boundary, .. } => Segment::Break {
+        TextSegment::Text { text, .. } => Segment::Text(text.to_string()),
+        TextSegment::Break { msec, boundary, .. } => Segment::Break {
             msec: *msec,
             boundary: boundary.map(|b| match b {
                 eml::Boundary::Question => Boundary::Question,
@@ -102,21 +102,21 @@ fn segment_of(piece: &Piece) -> Option<Segment> {
                 eml::Boundary::Comma => Boundary::Comma,
             }),
         },
-        Piece::DivStart { kind, .. } => Segment::Division(match kind {
+        TextSegment::DivStart { kind, .. } => Segment::Division(match kind {
             Some(eml::DivKind::Paragraph) => Division::Paragraph,
             _ => Division::Sentence,
         }),
-        Piece::DivEnd => Segment::Division(Division::Sentence),
-        Piece::Audio { audio, .. } => Segment::Audio {
+        TextSegment::DivEnd => Segment::Division(Division::Sentence),
+        TextSegment::Audio { audio, .. } => Segment::Audio {
             src: audio.src.clone(),
             background: audio.mode == eml::AudioMode::Background,
             level: audio.level,
         },
-        Piece::Marker { mark, .. } => Segment::Mark(mark.clone()),
-        Piece::Start { markup, .. } => Segment::Open(markup_of(markup)),
-        Piece::End => Segment::Close,
+        TextSegment::Marker { mark, .. } => Segment::Mark(mark.clone()),
+        TextSegment::Start { markup, .. } => Segment::Open(markup_of(markup)),
+        TextSegment::End => Segment::Close,
         // A named moment sounds like nothing.
-        Piece::Mark { .. } => return None,
+        TextSegment::Mark { .. } => return None,
     })
 }
 

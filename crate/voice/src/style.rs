@@ -2,9 +2,9 @@
 
 use crate::content::{Markup, Setting, Speaker};
 use crate::text::SayAs;
-use raconteur_speech::emotion::Place;
+use raconteur_speech::emotion::EmotionPoint;
 
-/// Speech that nobody emphasises, as SABLE counts it.
+/// Speech without emphasis, as SABLE counts it.
 pub const NO_EMPHASIS: f64 = 0.5;
 
 /// No setting goes beyond this factor or its inverse: further, a voice is no voice.
@@ -13,7 +13,7 @@ pub const MOST_FACTOR: f64 = 4.0;
 /// A property with everything around it taken together.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Amount {
-    /// The value that was asked for, in the property's unit; `None`: the voice's own.
+    /// The requested value, in the property's unit; `None`: the voice's own.
     pub value: Option<f64>,
     /// A factor on it.
     pub factor: f64,
@@ -29,7 +29,7 @@ impl Default for Amount {
 }
 
 impl Amount {
-    /// The same with a setting inside it. What is no number, or not above zero, changes
+    /// The same with a setting inside it. NaN, or a value not above zero, changes
     /// nothing.
     #[must_use]
     pub fn with(self, setting: Setting) -> Self {
@@ -93,7 +93,7 @@ pub struct Style {
     /// Who speaks.
     pub speaker: Speaker,
     /// The emotion that markup asks for, with its word.
-    pub emotion: Option<(String, Place)>,
+    pub emotion: Option<(String, EmotionPoint)>,
 }
 
 impl Default for Style {
@@ -176,7 +176,7 @@ impl Style {
                 evaluation,
                 power,
             } => {
-                let place = Place {
+                let place = EmotionPoint {
                     activation: *activation,
                     evaluation: *evaluation,
                     power: *power,

@@ -1,5 +1,5 @@
 //! Alignments as other programs write them: each file of `tests/align/<format>` is read and
-//! told in a few lines that must be those of the `.told` beside it. A file that cannot be
+//! summarised in a few lines that must be those of the `.told` beside it. A file that cannot be
 //! read tells its fault.
 //!
 //! With `UPDATE=1` in the environment the `.told` files are written anew, to be looked at.

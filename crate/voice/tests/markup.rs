@@ -8,6 +8,7 @@ use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;
 
+use raconteur_speech::emotion::EmotionPoint;
 use raconteur_voice::content::{Boundary, Content, Division};
 use raconteur_voice::markup::{Problem, levels, sable, ssml};
 use raconteur_voice::resolve::{Item, Resolved, resolve};
@@ -51,8 +52,22 @@ fn style_text(style: &Style) -> String {
     word("gender", style.speaker.gender.map(|g| format!("{g:?}")));
     word("age", style.speaker.age.map(|a| format!("{a:?}")));
     word("speaker", style.speaker.name.clone());
-    word("emotion", style.emotion.as_ref().map(|e| format!("{e:?}")));
+    let emotion = style.emotion.as_ref();
+    word(
+        "emotion",
+        emotion.map(|(name, point)| emotion_text(name, point)),
+    );
     out
+}
+
+/// Its name, then activation, evaluation and power.
+fn emotion_text(name: &str, point: &EmotionPoint) -> String {
+    let EmotionPoint {
+        activation,
+        evaluation,
+        power,
+    } = point;
+    format!("{name}({activation} {evaluation} {power})")
 }
 
 fn item_text(item: &Item, resolved: &Resolved) -> String {

@@ -1,6 +1,6 @@
-//! What is heard in the bundles that are shipped, against what they tell: pauses are still,
+//! The sounds of the shipped bundles, against their data: pauses are still,
 //! plosives burst where their phones are, vowels are voiced. The sound is that of the MP3
-//! files, decoded by a library that nobody here wrote.
+//! files, decoded by a third-party library.
 
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};

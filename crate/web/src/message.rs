@@ -96,7 +96,7 @@ struct Word {
 /// A piece of music.
 #[derive(Debug, Serialize)]
 #[serde(rename_all = "camelCase")]
-pub struct Piece {
+pub struct MusicPiece {
     start_secs: f64,
     end_secs: f64,
     file: String,
@@ -104,7 +104,7 @@ pub struct Piece {
     level: Vec<(f64, f64)>,
 }
 
-impl From<MusicCue> for Piece {
+impl From<MusicCue> for MusicPiece {
     fn from(cue: MusicCue) -> Self {
         Self {
             start_secs: cue.start_secs,

@@ -16,7 +16,7 @@ use wasm_bindgen::prelude::*;
 use web_sys::HtmlCanvasElement;
 
 use crate::activity::{Activity, ActivityGuard, note};
-use crate::message::{Performance, Piece, Story, Utterance};
+use crate::message::{MusicPiece, Performance, Story, Utterance};
 
 #[cfg(not(any(feature = "webgpu", feature = "webgl")))]
 compile_error!("a build for the browser needs the feature `webgpu` or `webgl`");
@@ -259,11 +259,11 @@ impl Player {
         }
     }
 
-    /// The music under what is performed; `Piece`s.
+    /// The music under the performance; `MusicPiece`s.
     pub fn music(&self) -> Result<JsValue, JsError> {
         let music = self.performer.as_ref().map(Performer::music);
         let music = music.unwrap_or_default().into_iter();
-        plain(&music.map(Piece::from).collect::<Vec<_>>())
+        plain(&music.map(MusicPiece::from).collect::<Vec<_>>())
     }
 
     /// The cues passed since the last call.

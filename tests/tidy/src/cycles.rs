@@ -45,7 +45,7 @@ struct Reader<'a> {
 }
 
 impl Reader<'_> {
-    /// A path as it counts from the crate's root; `None` for what is of another crate.
+    /// A path as it counts from the crate's root; `None` for another crate's.
     fn absolute(&self, names: &[String]) -> Option<Names> {
         let mut at = match names.first()?.as_str() {
             "crate" => Vec::new(),

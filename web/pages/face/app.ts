@@ -22,7 +22,7 @@ export type Look = Pick<View, 'turn' | 'tilt' | 'zoom'>;
 export class App extends PageState<State> {
   tab: Tab = 'emotion';
   from: Look = { turn: SIDES['Three-quarter'], tilt: 0.02, zoom: NEAR };
-  /** What is being fetched or read that may take more than a moment; empty for nothing. */
+  /** The running fetch or read that may take more than a moment; empty for none. */
   busy = '';
   #begins = false;
   /** The middle of the head, from what the shot of the whole figure looks at; until it is known, that of somebody of middle height. */
@@ -75,7 +75,7 @@ export class App extends PageState<State> {
     this.#aim();
   }
 
-  /** Says what is to be said, from its beginning; when the text is read. */
+  /** Speaks from the beginning, once the text is read. */
   fromStart(): void {
     this.#begins = true;
   }
@@ -90,7 +90,7 @@ export class App extends PageState<State> {
     return write(this.state);
   }
 
-  /** What is said is shown from where it is heard. */
+  /** Speech is shown from its heard time. */
   protected override get showsEnd(): boolean {
     return this.state.speech.kind === 'none';
   }

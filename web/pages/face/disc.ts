@@ -57,7 +57,7 @@ const BLENDED = WORDS.filter((w) => w.word !== 'kidding');
 
 /** Less of a word than this is not seen. */
 const LEAST = 0.005;
-/** How much it counts that the words of a mixture are near to its place, against how near the mixture's power is to that asked for. Designed: neighbours, unless others fit the power clearly better. */
+/** How much it counts that the words of a mixture are near to its place, against how near the mixture's power is to the requested one. Designed: neighbours, unless others fit the power clearly better. */
 const NEAR = 0.12;
 
 /**

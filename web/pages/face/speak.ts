@@ -1,4 +1,4 @@
-/** What is said: a line of one's own, or a sentence of a story in its voice. */
+/** The speech: a line of one's own, or a sentence of a story in its voice. */
 
 import { html, nothing, type TemplateResult } from 'lit';
 import { choice } from '../fields.js';

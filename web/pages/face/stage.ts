@@ -33,7 +33,7 @@ export function lookAround(app: App, pad: HTMLElement): void {
   });
 }
 
-/** Sides to look from, and what is drawn. */
+/** Sides to look from, and drawing modes. */
 export function views(app: App): TemplateResult {
   const { layers } = app.state;
   const turn = (key: keyof Layers): void =>

@@ -2,7 +2,7 @@
 
 import { NEUTRAL, type EmotionPoint } from './disc.js';
 
-/** What is drawn of the head. */
+/** The drawing mode of the head. */
 export interface Layers {
   skin: boolean;
   springs: boolean;
@@ -22,7 +22,7 @@ export interface Line {
   readonly head: string;
 }
 
-/** What is said: nothing, a text of one's own, or a sentence of a story in its voice. */
+/** The speech: nothing, a text of one's own, or a sentence of a story in its voice. */
 export type Speech = { kind: 'none' } | { kind: 'text'; text: string } | { kind: 'story'; line: Line };
 
 /** What expressions beside speech are made from, as EML has it. */

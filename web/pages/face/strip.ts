@@ -1,4 +1,4 @@
-/** What is said over time: phones, their dominance over the mouth, and what the face does for it. */
+/** Speech over time: phones, their dominance over the mouth, and what the face does for it. */
 
 import { html, nothing, svg, type TemplateResult } from 'lit';
 import { curvesOf, segmentsOf, type Segment } from '../../element/course.js';

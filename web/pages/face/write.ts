@@ -32,7 +32,7 @@ function layers({ skin, springs, muscles, skull }: Layers): string[] {
   return Object.values(attributes).filter((value) => value !== undefined).length > 1 ? [tag('body-configure-geometry', attributes)] : [];
 }
 
-/** What is said, what it depends on, and where it ends. */
+/** The speech, its inputs, and where it ends. */
 function speech({ speech: said }: State): { head: string; clauses: string[] } {
   const end = (time: string | number): string => tag('null', { time });
   const ends = `said+${AFTER_SECS}s`;

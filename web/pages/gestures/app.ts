@@ -1,4 +1,4 @@
-/** The page's state: the text, what it says, what is selected, and what is on stage. */
+/** The page's state: the text, its clauses, the selection, and the stage. */
 
 import type { RaconteurPlayer } from '../../element/element.js';
 import type { Diagnostic } from '../../element/types.js';
@@ -20,7 +20,7 @@ export class App {
   gesture: Gesture;
   diagnostics: readonly Diagnostic[] = [];
   tab: Tab = 'shape';
-  /** Indices of what is selected. */
+  /** Indices of the selection. */
   #phase = 0;
   #hand: Hand = 'right';
   readonly #key: Record<Feature, number> = { shape: 0, palm: 0, place: 0 };
@@ -55,7 +55,7 @@ export class App {
     new ResizeObserver(() => this.redraw()).observe(player);
   }
 
-  // --- what is selected ---
+  // --- selection ---
 
   get phase(): Phase | undefined {
     return this.gesture.phases[this.#phase] ?? this.gesture.phases.at(-1);

@@ -11,9 +11,9 @@ import { radians, roll, twist } from './roll.js';
 /** The outline of a flat hand: its thumb to the right, its fingers up, the palm's middle at 0; the ball has the radius 1. */
 const OUTLINE =
   'M-.26-.36C-.3-.1-.33.05-.32.2L-.31.44A.07.07 0 0 0-.17.44L-.165.27-.155.58A.075.075 0 0 0-.005.58L0 .29.01.66A.08.08 0 0 0 .16.66L.165.28.18.56A.07.07 0 0 0 .32.55L.31.12C.36.16.4.25.44.34A.075.075 0 0 0 .58.28C.54.1.46-.06.36-.16L.26-.36Z';
-/** What is seen only on the palm's side. */
+/** Marks that are visible only on the palm's side. */
 const LINES = 'M-.24.06C-.1-.02.08-.02.2.12M-.22-.06C-.06-.16.04-.22.08-.32M.2.02C.1-.06.08-.2.14-.32';
-/** What is seen only on the back. */
+/** Marks that are visible only on the back. */
 const NAILS = 'M-.24.45v.03M-.08.6v.03M.085.68v.03M.25.57v.03';
 
 /** Where the picture of a direction lies: x to the right, y down, as the audience sees it. */

@@ -101,7 +101,7 @@ export function addKey(text: string, gesture: Gesture, phase: Phase, feature: Fe
     const name = TRACK_NAMES[feature];
     return [...changes, insertInto(text, phase.element, `<${name}${own}>\n  ${key}\n</${name}>`, before?.element)];
   }
-  // The others keep the times that they have without being asked.
+  // The others keep their implicit times.
   const others = track.keys.filter((k) => k.written === 'nothing').flatMap((k) => setKeyTime(phase, k, k.secs));
   const next = track.keys.find((k) => k.secs > secs + 1e-6);
   return [...changes, ...others, insertInto(text, track.element, key, next?.element)];

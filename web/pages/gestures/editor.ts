@@ -51,7 +51,7 @@ const goesOn = Annotation.define<boolean>();
 /** Who stops typing for longer begins another step. */
 const TYPING_PAUSE_MS = 700;
 
-/** Which changes are one step: those of a control that moves, and what is typed without a pause. */
+/** Which changes are one step: those of a control that moves, and typing without a pause. */
 class Steps {
   #typedAt = -Infinity;
 
@@ -67,7 +67,7 @@ class Steps {
 const timeOf = (transaction: Transaction): number => transaction.annotation(Transaction.time) ?? 0;
 
 /**
- * What is typed over a selection. Left to itself Chromium gives it the look of what it replaces as
+ * Text typed over a selection. Left to itself Chromium gives it the look of what it replaces as
  * an inline style, which the policy refuses with a complaint.
  */
 function typedOver(event: InputEvent, view: EditorView): boolean {
@@ -174,7 +174,7 @@ export class Editor {
     if (changes.length > 0) this.#view.dispatch({ changes: [...changes], annotations: goesOn.of(on) });
   }
 
-  /** Shows what is wrong at its places. */
+  /** Marks problems at their places. */
   show(diagnostics: readonly Diagnostic[]): void {
     const marks = diagnostics.flatMap(({ start, end, severity, message, hints }): Mark[] => {
       if (start === undefined) return [];

@@ -169,7 +169,7 @@ export function gestureOf(top: readonly Element[]): Gesture {
 }
 
 /**
- * Seconds of keys by what is written: seconds, percent of the duration, or nothing, which spreads
+ * Seconds of keys by their attributes: seconds, percent of the duration, or nothing, which spreads
  * them evenly between their neighbours. A lone key without a time lies at the start, or at the end
  * of a phase that goes somewhere.
  */

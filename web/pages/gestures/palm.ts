@@ -1,6 +1,6 @@
 /**
  * Where a palm looks: the normal and angle of EML as directions of the hand, and back. The engine
- * computes both (`crate/web/src/palm.rs`; GEVH 3.5.1), so that the page shows what is performed.
+ * computes both (`crate/web/src/palm.rs`; GEVH 3.5.1), so that the page and the performance agree.
  * Engine axes: x to the character's left, y up, z to the front.
  */
 

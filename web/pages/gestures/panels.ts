@@ -1,4 +1,4 @@
-/** What is edited of the selected phase: one panel for each step. */
+/** The editors of the selected phase: one panel for each step. */
 
 import { html, nothing, type TemplateResult } from 'lit';
 import { choice } from '../fields.js';

@@ -1,6 +1,6 @@
 /**
  * EML text as a tree that remembers where everything stands, so that a control can change one
- * value and leave every other character as it was. It reads any text; what is no markup is text.
+ * value and leave every other character as it was. It reads any text; anything but markup is text.
  */
 
 /** An attribute and where it stands: `from` to `to` with its quotes, the value between `valueFrom` and `valueTo`. */
@@ -37,7 +37,7 @@ const NAME = /[^\s<>/=?!"']+/y;
 const ATTRIBUTE = /\s*([^\s<>/=?!"']+)\s*=\s*(?:"([^"<]*)"|'([^'<]*)')/y;
 const REFERENCES: Record<string, string> = { amp: '&', lt: '<', gt: '>', quot: '"', apos: "'" };
 
-/** Deeper than this nothing is nested that means anything; what is lies side by side then, so that nobody who walks the tree runs out of stack. */
+/** Deeper than this nothing is nested that means anything; deeper elements become siblings, so that no walk of the tree runs out of stack. */
 const DEEPEST = 200;
 
 /** The elements at the top of a text. */
@@ -60,7 +60,7 @@ export function read(text: string): readonly Element[] {
       const from = at;
       const name = match(NAME, text, at + 2)?.[0];
       skip('>');
-      // An end that nobody waits for closes nothing; one that an ancestor waits for closes what is between.
+      // An end without an open element closes nothing; one of an ancestor closes all elements between.
       let closed: Growing | undefined = open;
       while (closed !== undefined && closed.name !== name) closed = closed.parent;
       if (closed === undefined) continue;

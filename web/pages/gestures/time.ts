@@ -29,7 +29,7 @@ function evaluate(written: string, moments: ReadonlyMap<string, number>): { secs
   return at === 0 ? undefined : { secs, named };
 }
 
-/** Clauses whose length is written; what is spoken or fetched has one that only the player knows. */
+/** Clauses whose length is written; speech and animations have one that only the player knows. */
 const LENGTHLESS = new Set(['null', 'event', 'gesture-is-on']);
 
 /**
@@ -73,7 +73,7 @@ export function timesOf(body: Element): Map<Element, number> {
       const count = Number(attribute(clause, 'repetitionCount') ?? attribute(clause, 'repeatCount') ?? 1);
       if (start === undefined || end === undefined) return undefined;
       const round = written === undefined ? end - start : parseSecs(written);
-      // What is not a number counts as once.
+      // NaN counts as once.
       return round === undefined ? undefined : start + round * (count >= 1 ? count : 1);
     }
     if (start === undefined || LENGTHLESS.has(clause.name)) return start;

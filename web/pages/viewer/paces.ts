@@ -8,7 +8,7 @@ export interface Pace {
   readonly speed: number;
 }
 
-/** What is known of a track. */
+/** The data of a track. */
 interface TrackHistory {
   readonly place: string;
   readonly track: Track;

@@ -7,7 +7,7 @@ use raconteur_base::{DQuat, DVec3, Length, Side, mirror_vector};
 use raconteur_body::skeleton::zero_frames;
 use raconteur_body::{Bone, Pose, Skeleton};
 
-use super::clip::{Clip, FootTrack, Reach};
+use super::clip::{Clip, FootTrack, ReachTrack};
 use super::curve::Curve;
 use super::groups::BoneSet;
 use super::layering::Layering;
@@ -128,7 +128,12 @@ impl BoundClip {
     }
 
     /// Rotations of an arm's bones at the keys of a reach; the arm swings between them.
-    fn solve_reach(&self, reach: &Reach, skeleton: &Skeleton, body: &Body) -> [(Bone, Curve); 4] {
+    fn solve_reach(
+        &self,
+        reach: &ReachTrack,
+        skeleton: &Skeleton,
+        body: &Body,
+    ) -> [(Bone, Curve); 4] {
         let side = reach.side;
         let rig = &body.arms[side.index()];
         let out = |v: DVec3| {
@@ -204,7 +209,7 @@ impl BoundClip {
         if share <= 0.0 || self.moved(bones).is_empty() {
             return;
         }
-        // Legs need the clip's own pelvis, whoever moves the pelvis in the end.
+        // Legs need the clip's own pelvis, whichever player moves the pelvis in the end.
         let mut pose = Pose::zero();
         pose.root_offset_in_world = self.root_at(time_secs, body).unwrap_or_default();
         for (bone, curve) in self.clip.bones.iter().chain(&self.arms) {

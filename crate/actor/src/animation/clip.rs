@@ -20,13 +20,13 @@ pub(crate) struct FootTrack {
 
 /// Where a hand is, relative to the shoulders.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Reach {
+pub(crate) struct ReachTrack {
     pub(crate) side: Side,
     pub(crate) keys: Vec<ReachKey>,
     pub(crate) ease: Ease,
 }
 
-/// One key of a [`Reach`], of the left hand: a right one is mirrored.
+/// One key of a [`ReachTrack`], of the left hand: a right one is mirrored.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct ReachKey {
     pub(crate) time_secs: f64,
@@ -51,7 +51,7 @@ pub struct Clip {
     pub(crate) root: Option<Curve>,
     /// The left and right foot.
     pub(crate) feet: [Option<FootTrack>; 2],
-    pub(crate) reaches: Vec<Reach>,
+    pub(crate) reaches: Vec<ReachTrack>,
 }
 
 impl Clip {

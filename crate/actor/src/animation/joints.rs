@@ -12,7 +12,7 @@ use core::f64::consts::FRAC_PI_2;
 
 /// What kind of joint a name means: which angles it has, and how they turn it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Kind {
+enum JointKind {
     /// `flexion` forwards, `side` to the left, `turn` to the left.
     Axial,
     /// `raise`, `front`: the shoulder blade.
@@ -40,27 +40,27 @@ pub(super) struct Joint {
     pub(super) name: &'static str,
     /// The bone; of those with a side, the left one.
     pub(super) bone: Bone,
-    kind: Kind,
+    kind: JointKind,
 }
 
-const fn joint(name: &'static str, bone: Bone, kind: Kind) -> Joint {
+const fn joint(name: &'static str, bone: Bone, kind: JointKind) -> Joint {
     Joint { name, bone, kind }
 }
 
 /// All joints of the clip format.
 pub(super) const JOINTS: [Joint; 12] = [
-    joint("pelvis", Bone::Sacroiliac, Kind::Axial),
-    joint("waist", Bone::Lumbar, Kind::Axial),
-    joint("chest", Bone::Thoracic, Kind::Axial),
-    joint("neck", Bone::Cervical, Kind::Axial),
-    joint("head", Bone::Skull, Kind::Axial),
-    joint("shoulder", Bone::LScapula, Kind::Girdle),
-    joint("upper_arm", Bone::LShoulder, Kind::UpperArm),
-    joint("elbow", Bone::LElbow, Kind::Elbow),
-    joint("wrist", Bone::LWrist, Kind::Wrist),
-    joint("hip", Bone::LHip, Kind::Hip),
-    joint("knee", Bone::LKnee, Kind::Knee),
-    joint("ankle", Bone::LSubtalar, Kind::Ankle),
+    joint("pelvis", Bone::Sacroiliac, JointKind::Axial),
+    joint("waist", Bone::Lumbar, JointKind::Axial),
+    joint("chest", Bone::Thoracic, JointKind::Axial),
+    joint("neck", Bone::Cervical, JointKind::Axial),
+    joint("head", Bone::Skull, JointKind::Axial),
+    joint("shoulder", Bone::LScapula, JointKind::Girdle),
+    joint("upper_arm", Bone::LShoulder, JointKind::UpperArm),
+    joint("elbow", Bone::LElbow, JointKind::Elbow),
+    joint("wrist", Bone::LWrist, JointKind::Wrist),
+    joint("hip", Bone::LHip, JointKind::Hip),
+    joint("knee", Bone::LKnee, JointKind::Knee),
+    joint("ankle", Bone::LSubtalar, JointKind::Ankle),
 ];
 
 impl Joint {
@@ -68,11 +68,11 @@ impl Joint {
     #[must_use]
     pub(super) fn angles(&self) -> &'static [&'static str] {
         match self.kind {
-            Kind::Axial => &["flexion", "side", "turn"],
-            Kind::Girdle => &["raise", "front"],
-            Kind::UpperArm | Kind::Hip => &["flexion", "abduction", "twist"],
-            Kind::Wrist => &["flexion", "deviation", "supination"],
-            Kind::Elbow | Kind::Knee | Kind::Ankle => &["flexion"],
+            JointKind::Axial => &["flexion", "side", "turn"],
+            JointKind::Girdle => &["raise", "front"],
+            JointKind::UpperArm | JointKind::Hip => &["flexion", "abduction", "twist"],
+            JointKind::Wrist => &["flexion", "deviation", "supination"],
+            JointKind::Elbow | JointKind::Knee | JointKind::Ankle => &["flexion"],
         }
     }
 
@@ -89,18 +89,18 @@ impl Joint {
         // Each in the world's axes of the zero pose: x to the left, y up, z to the front.
         let in_world = match self.kind {
             // Turned last, so that a turned head nods along its own line of sight.
-            Kind::Axial => y(c) * z(-b) * x(a),
-            Kind::Girdle => y(-b) * z(a),
-            Kind::UpperArm => {
+            JointKind::Axial => y(c) * z(-b) * x(a),
+            JointKind::Girdle => y(-b) * z(a),
+            JointKind::UpperArm => {
                 let down = z(-FRAC_PI_2);
                 DQuat::from_scaled_axis(DVec3::new(-a, 0.0, b)) * y(c) * down
             }
             // The forearm of the zero pose lies along x with its thumb in front.
-            Kind::Elbow => y(-a),
+            JointKind::Elbow => y(-a),
             // The forearm turns the hand, which then bends towards its own palm.
-            Kind::Wrist => x(-c) * y(b) * z(-a),
-            Kind::Hip => x(-a) * z(b) * y(c),
-            Kind::Knee | Kind::Ankle => x(a),
+            JointKind::Wrist => x(-c) * y(b) * z(-a),
+            JointKind::Hip => x(-a) * z(b) * y(c),
+            JointKind::Knee | JointKind::Ankle => x(a),
         };
         (zero.inverse() * in_world * zero).normalized()
     }

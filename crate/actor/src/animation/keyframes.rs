@@ -6,7 +6,7 @@ use raconteur_body::hand_shape::HandShape;
 use serde::Deserialize;
 use serde_json::Value;
 
-use super::clip::{Clip, FootTrack, Reach, ReachKey};
+use super::clip::{Clip, FootTrack, ReachKey, ReachTrack};
 use super::curve::{Curve, Ease};
 use super::joints;
 use crate::members::{Members, items};
@@ -72,14 +72,14 @@ pub fn read_clip(text: &str) -> Result<Clip, String> {
 /// What one track says of one thing that moves.
 #[derive(Clone, Debug, PartialEq)]
 struct Half {
-    part: Part,
+    part: TrackTarget,
     ease: Ease,
     keys: Vec<(f64, Values)>,
 }
 
 /// What moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Part {
+enum TrackTarget {
     Bone(Bone),
     Root,
     Foot(Side),
@@ -90,7 +90,7 @@ enum Part {
 /// angles; a hand's place and two directions.
 type Values = [f64; 9];
 
-impl Part {
+impl TrackTarget {
     fn name(self) -> &'static str {
         match self {
             Self::Bone(bone) => bone.name(),
@@ -149,7 +149,7 @@ impl Reader<'_> {
         let n = times.len();
         let ease = self.ease(fields)?;
         let mut allowed = vec!["times", "ease"];
-        let add = |halves: &mut Vec<Half>, part: Part, keys: Vec<Values>| {
+        let add = |halves: &mut Vec<Half>, part: TrackTarget, keys: Vec<Values>| {
             halves.push(Half {
                 part,
                 ease,
@@ -167,7 +167,7 @@ impl Reader<'_> {
             let turns = (0..n).map(|k| joint.rotation([angles[0][k], angles[1][k], angles[2][k]]));
             let left: Vec<Values> = turns.map(of_rotation).collect();
             for side in sides.unwrap_or(&[Side::Left]) {
-                let part = Part::Bone(joint.bone);
+                let part = TrackTarget::Bone(joint.bone);
                 match side {
                     Side::Left => add(&mut self.halves, part, left.clone()),
                     Side::Right => {
@@ -185,7 +185,7 @@ impl Reader<'_> {
                     .zip(column)
                     .for_each(|(k, v)| k[i] = v * 0.01);
             }
-            add(&mut self.halves, Part::Root, keys);
+            add(&mut self.halves, TrackTarget::Root, keys);
         } else if let ("hand", Some(sides)) = (bare, sides) {
             allowed.push("shape");
             let shapes = shapes(fields, n)?;
@@ -194,7 +194,7 @@ impl Reader<'_> {
                     let turns = shapes.iter().map(|s| s.rotations(side)[finger]);
                     let bone = shapes[0].rotations(side)[finger].0;
                     let keys = turns.map(|(_, q)| of_rotation(q)).collect();
-                    add(&mut self.halves, Part::Bone(bone), keys);
+                    add(&mut self.halves, TrackTarget::Bone(bone), keys);
                 }
             }
         } else if let ("foot", Some(sides)) = (bare, sides) {
@@ -208,7 +208,7 @@ impl Reader<'_> {
                     .for_each(|(k, v)| k[i] = v * unit);
             }
             for &side in sides {
-                add(&mut self.halves, Part::Foot(side), keys.clone());
+                add(&mut self.halves, TrackTarget::Foot(side), keys.clone());
             }
         } else if let ("reach", Some(sides)) = (bare, sides) {
             let mut keys = vec![Values::default(); n];
@@ -220,12 +220,12 @@ impl Reader<'_> {
                 }
             }
             for &side in sides {
-                add(&mut self.halves, Part::Reach(side), keys.clone());
+                add(&mut self.halves, TrackTarget::Reach(side), keys.clone());
             }
         } else if let Some(bone) = Bone::from_name(name) {
             allowed.push("rotation");
             let rotations = rotations(fields, n)?;
-            add(&mut self.halves, Part::Bone(bone), rotations);
+            add(&mut self.halves, TrackTarget::Bone(bone), rotations);
         } else {
             return Err("the name is of no joint, foot, hand or bone".to_owned());
         }
@@ -266,7 +266,7 @@ impl Reader<'_> {
 
     /// Adds to each half what the other side does in its own half, later.
     fn whole(&self) -> Vec<Half> {
-        let mut parts: Vec<Part> = Vec::new();
+        let mut parts: Vec<TrackTarget> = Vec::new();
         for half in &self.halves {
             for part in [half.part, half.part.mirrored()] {
                 if !parts.contains(&part) {
@@ -274,12 +274,12 @@ impl Reader<'_> {
                 }
             }
         }
-        let own = |part: Part| self.halves.iter().rev().find(|h| h.part == part);
+        let own = |part: TrackTarget| self.halves.iter().rev().find(|h| h.part == part);
         let later = 0.5 * self.seconds;
         let joined = parts.into_iter().filter_map(|part| {
             let (first, second) = (own(part), own(part.mirrored()));
             let written = first.or(second)?;
-            // A side that nobody writes waits where the other ends and begins.
+            // A side without keys waits where the other ends and begins.
             let still = |half: &Half| vec![(0.0, part.mirror(half.keys[0].1))];
             let mut keys = match (first, second) {
                 (Some(first), _) => first.keys.clone(),
@@ -348,7 +348,7 @@ impl Reader<'_> {
                 Curve::new(&times, &values, track.ease, period)
             };
             match track.part {
-                Part::Bone(bone) => {
+                TrackTarget::Bone(bone) => {
                     let turns: Vec<DQuat> = track
                         .keys
                         .iter()
@@ -357,14 +357,14 @@ impl Reader<'_> {
                     let curve = Curve::of_rotations(&times, &turns, track.ease, period);
                     clip.bones.push((bone, curve));
                 }
-                Part::Root => clip.root = Some(curve(0, 1.0)),
-                Part::Foot(side) => {
+                TrackTarget::Root => clip.root = Some(curve(0, 1.0)),
+                TrackTarget::Foot(side) => {
                     clip.feet[side.index()] = Some(FootTrack {
                         place: curve(0, 1.0),
                         turn: curve(4, 1.0),
                     });
                 }
-                Part::Reach(side) => clip.reaches.push(Reach {
+                TrackTarget::Reach(side) => clip.reaches.push(ReachTrack {
                     side,
                     ease: track.ease,
                     keys: track

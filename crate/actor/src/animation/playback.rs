@@ -22,7 +22,7 @@ pub enum Playback {
 
 /// A place in a clip, seconds from its beginning.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Place {
+pub(crate) struct ClipTime {
     pub(crate) at_secs: f64,
     /// Where the pass before ended, and the share of it that is still to be seen: a clip whose
     /// end does not meet its beginning eases over.
@@ -65,8 +65,8 @@ impl Playback {
 
     /// Where a clip of a length is after it has played for `played_secs`, which runs
     /// backwards at a negative speed.
-    pub(crate) fn place(self, played_secs: f64, length_secs: f64, closed: bool) -> Place {
-        let still = |at_secs| Place {
+    pub(crate) fn place(self, played_secs: f64, length_secs: f64, closed: bool) -> ClipTime {
+        let still = |at_secs| ClipTime {
             at_secs,
             seam: None,
         };
@@ -107,7 +107,7 @@ impl Playback {
             let s = raconteur_base::curve::minimum_jerk(into / seam_secs);
             (turned(left), 1.0 - s)
         });
-        Place {
+        ClipTime {
             at_secs: turned(at),
             seam,
         }

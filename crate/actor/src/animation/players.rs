@@ -50,7 +50,7 @@ pub struct Animated {
 }
 
 impl Players {
-    /// Makes a script ready. Commands that cannot be done are told and left out.
+    /// Makes a script ready. Faulty commands are reported and left out.
     #[must_use]
     pub fn new(
         script: &PlayerScript,
@@ -83,7 +83,7 @@ impl Players {
         tracks.map(move |t| t.weight.at(time_secs))
     }
 
-    /// Lays what is played at a time over an idle pose. None when nothing is played: the pose
+    /// Lays the animations of a time over an idle pose. `None` when there are none: the pose
     /// is then as it was. Allocates nothing.
     ///
     /// Spine and sway keep the idle motion; arms keep the idle pose, since gestures come
@@ -102,7 +102,7 @@ impl Players {
             }
             let (own, below) = (layers.rotations[bone.index()], pose.rotation(bone));
             let rotation = if matches!(bone, Bone::Lumbar | Bone::Thoracic) {
-                // Breath and sway stay alive above what is played.
+                // Breath and sway go on on top of animations.
                 DQuat::IDENTITY.slerp(own, share) * below
             } else {
                 below.slerp(own, share)
@@ -140,7 +140,7 @@ impl Players {
             let turned = turned.slerp(foot.rotation, foot.share);
             Some((self.body.ankle(i, ball, turned), turned, knee))
         });
-        // A leg that stretches to its end snaps; what is spared of it fades in with the players.
+        // A leg that stretches to its end snaps; the part that is held back fades in with the players.
         let cover = [layers.shares[Bone::Sacroiliac.index()], layers.root_share]
             .into_iter()
             .chain(layers.feet.iter().map(|f| f.share))
@@ -252,7 +252,7 @@ impl Players {
 }
 
 impl Animated {
-    /// Takes an arm, which a gesture or idle life has posed, as far to what is played as the
+    /// Takes an arm, which a gesture or idle life has posed, as far to the animation as the
     /// gesture leaves it: `rest_share` is 1 at rest, 0 in a gesture. So is `finger_share` of
     /// fingers, which may gesture while the arm rests.
     pub fn blend_arm(&self, side: Side, rest_share: f64, finger_share: f64, pose: &mut Pose) {

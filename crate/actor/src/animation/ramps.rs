@@ -7,11 +7,11 @@ use raconteur_base::curve::{last_at_or_before, ramp};
 pub(crate) struct Ramps {
     /// When each transition begins.
     from: Vec<f64>,
-    pieces: Vec<Piece>,
+    segments: Vec<RampSegment>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Piece {
+struct RampSegment {
     to_secs: f64,
     from: f64,
     to: f64,
@@ -19,7 +19,7 @@ struct Piece {
     before: f64,
 }
 
-impl Piece {
+impl RampSegment {
     fn value(&self, from_secs: f64, t: f64) -> f64 {
         self.from + (self.to - self.from) * ramp(from_secs, self.to_secs, t)
     }
@@ -42,7 +42,7 @@ impl Ramps {
     pub(crate) fn constant(value: f64) -> Self {
         Self {
             from: vec![0.0],
-            pieces: vec![Piece {
+            segments: vec![RampSegment {
                 to_secs: 0.0,
                 from: value,
                 to: value,
@@ -51,9 +51,9 @@ impl Ramps {
         }
     }
 
-    fn piece(&self, t: f64) -> (f64, &Piece) {
+    fn piece(&self, t: f64) -> (f64, &RampSegment) {
         let i = last_at_or_before(&self.from, t).unwrap_or(0);
-        (self.from[i], &self.pieces[i])
+        (self.from[i], &self.segments[i])
     }
 
     /// The value at a time.
@@ -70,21 +70,21 @@ impl Ramps {
 
     /// From `t` on, goes to `value` within `length_secs`. No earlier than what was set before.
     pub(crate) fn set(&mut self, t: f64, value: f64, length_secs: f64) {
-        let piece = Piece {
+        let piece = RampSegment {
             to_secs: t + length_secs,
             from: self.at(t),
             to: value,
             before: self.integral(t),
         };
         self.from.push(t);
-        self.pieces.push(piece);
+        self.segments.push(piece);
     }
 
     /// The first time from `t` on at which the integral is `target`; none when never.
     pub(crate) fn when(&self, t: f64, target: f64) -> Option<f64> {
         let first = last_at_or_before(&self.from, t).unwrap_or(0);
-        for i in first..self.pieces.len() {
-            let piece = &self.pieces[i];
+        for i in first..self.segments.len() {
+            let piece = &self.segments[i];
             let (begin, middle) = (self.from[i].max(t), piece.to_secs.max(self.from[i]).max(t));
             let end = self.from.get(i + 1).copied().unwrap_or(f64::INFINITY);
             for (a, b) in [(begin, middle.min(end)), (middle.min(end), end)] {

@@ -1,4 +1,4 @@
-//! From commands to what is on when: which players there are, what plays on each track, and
+//! From commands to a schedule: which players there are, what plays on each track, and
 //! how the one passes into the next.
 
 use raconteur_base::order::sort_by_number;
@@ -11,7 +11,7 @@ use super::script::{
     Tracks,
 };
 
-/// Length of a cross-fade that nobody sets, seconds. Designed: as quick as one takes a step.
+/// Default length of a cross-fade, seconds. Designed: as quick as one takes a step.
 const SWAP_SECS: f64 = 0.4;
 /// Length of a change that a script wants at once (`smooth='false'`), seconds: GEVH means no
 /// transition at all, but a body has inertia. Designed: some five frames of a film's picture
@@ -28,7 +28,7 @@ pub(crate) struct Stretch<T> {
     pub(crate) what: T,
 }
 
-/// What is on, in order of time.
+/// Entries, in order of time.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Stretches<T>(Vec<Stretch<T>>);
 
@@ -231,7 +231,7 @@ impl Reader<'_> {
                 tracks,
                 operation,
             } => {
-                // Who is not there is told before what is not.
+                // A missing player is reported before a missing animation.
                 let (_, _, lost) = self.tracks(player, tracks)?;
                 let operation = match operation {
                     _ if lost.is_err() && tracks.as_ref().is_some_and(|t| t.len() == 1) => {
@@ -371,7 +371,7 @@ impl PlayerPlan {
         }
     }
 
-    /// Gives some tracks a weight, and the others what is left, in proportion: the weights of
+    /// Gives some tracks a weight, and the others the rest, in proportion: the weights of
     /// layers sum to 1 at every time, since all go straight to their new values (GEVH 3.2.1).
     fn weigh(&mut self, t: f64, tracks: &[usize], value: f64, length_secs: f64) {
         let value = value.clamp(0.0, 1.0);

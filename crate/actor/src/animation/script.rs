@@ -3,7 +3,7 @@
 use super::groups::BoneSet;
 use super::playback::Playback;
 
-/// How a player combines what is on its tracks.
+/// How a player combines its tracks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PlayerKind {
     /// The weighted mean of so many layers (GEVH 3.2.1).
@@ -20,7 +20,7 @@ pub enum PlayerKind {
 pub enum Property {
     /// Playback speed, 1 as recorded; negative ones play backwards.
     Speed,
-    /// Weight in the mean; of a body group, how much it covers what is below, 0 to 1.
+    /// Weight in the mean; of a body group, how much it covers the layers below, 0 to 1.
     Weight,
     /// Whether the track is on: not 0.
     Enable,
@@ -54,7 +54,7 @@ pub type Tracks = Option<Vec<TrackRef>>;
 /// What a script asks. A player without a name is the first one that is there.
 #[derive(Clone, Debug, PartialEq)]
 pub enum PlayerCommand {
-    /// How animations pass into each other from now on; what is `None` stays.
+    /// How animations pass into each other from now on; `None` keeps a setting.
     Configure {
         /// Whether they cross-fade, or change within [`super::AT_ONCE_SECS`].
         smooth: Option<bool>,

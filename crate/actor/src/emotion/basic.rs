@@ -8,7 +8,7 @@
 //! as in a strong, not an extreme display, which leaves room for stronger ones.
 
 use raconteur_body::face::Muscle as M;
-use raconteur_speech::emotion::Place;
+use raconteur_speech::emotion::EmotionPoint;
 
 use crate::parameters::Dial;
 
@@ -33,7 +33,7 @@ pub enum Basic {
     Sadness,
 }
 
-/// A share of a dial in percent. What is given for the left side holds for the right as well.
+/// A share of a dial in percent. Values of the left side hold for the right as well.
 pub(super) type Share = (Dial, i8);
 
 pub(super) const fn m(muscle: M, percent: i8) -> Share {
@@ -142,7 +142,7 @@ impl Basic {
 
     /// Where it lies: the place of its word (F&H table 4.4).
     #[must_use]
-    pub fn place(self) -> Place {
+    pub fn place(self) -> EmotionPoint {
         raconteur_speech::emotion::place(self.word()).unwrap_or_default()
     }
 

@@ -4,7 +4,7 @@
 
 use raconteur_base::ops;
 use raconteur_base::{DVec3, Length, curve::smooth};
-use raconteur_speech::emotion::{self, Place};
+use raconteur_speech::emotion::{self, EmotionPoint};
 
 use super::basic::{BASICS, Basic};
 use super::expression::Expression;
@@ -24,7 +24,7 @@ pub enum Space {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Affect {
     /// Where it lies.
-    pub place: Place,
+    pub place: EmotionPoint,
     /// Its word in [`raconteur_speech::emotion::WORDS`]; it may have a look of its own.
     pub word: Option<&'static str>,
     /// In which space its expression is blended of the basic ones.
@@ -47,7 +47,7 @@ impl Affect {
 
     /// That of a place without a word.
     #[must_use]
-    pub fn at(place: Place) -> Self {
+    pub fn at(place: EmotionPoint) -> Self {
         Self {
             place,
             ..Self::default()
@@ -76,7 +76,7 @@ pub struct Mixture {
 /// Angle on the disc, radians from full evaluation towards full activation, and distance
 /// from its middle.
 #[must_use]
-pub fn polar(place: Place) -> [f64; 2] {
+pub fn polar(place: EmotionPoint) -> [f64; 2] {
     [
         ops::atan2(place.activation, place.evaluation),
         ops::hypot(place.activation, place.evaluation),
@@ -115,7 +115,7 @@ impl Mixture {
     /// shares: midway between the two stands the equation as printed, at either stands
     /// equation 4.7, and nothing jumps.
     #[must_use]
-    pub fn on_disc(place: Place) -> Self {
+    pub fn on_disc(place: EmotionPoint) -> Self {
         let [angle, radius] = polar(place);
         if !(radius > 0.0 && radius.is_finite()) {
             return Self::default();
@@ -152,7 +152,7 @@ impl Mixture {
     /// near, scaled by its distance from the middle. The nearest rules; the others have part
     /// as they are nearly as near. Sums of equation 4.10 fade as they do on the disc.
     #[must_use]
-    pub fn on_sphere(place: Place) -> Self {
+    pub fn on_sphere(place: EmotionPoint) -> Self {
         let sites = Basic::ALL.map(|basic| vector(basic.place()));
         let length = vector(place).magnitude();
         let mut near = COUNTS;
@@ -172,7 +172,7 @@ impl Mixture {
 
     /// The expression of a place in a space.
     #[must_use]
-    pub fn of(place: Place, space: Space) -> Self {
+    pub fn of(place: EmotionPoint, space: Space) -> Self {
         match space {
             Space::Disc => Self::on_disc(place),
             Space::Sphere => Self::on_sphere(place),
@@ -243,7 +243,7 @@ impl Mixture {
 }
 
 /// A place as a vector.
-pub(super) fn vector(place: Place) -> DVec3 {
+pub(super) fn vector(place: EmotionPoint) -> DVec3 {
     DVec3::new(place.evaluation, place.activation, place.power)
 }
 

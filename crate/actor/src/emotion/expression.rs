@@ -29,12 +29,12 @@ impl Default for Expression {
     }
 }
 
-/// Up to here a value is what it is asked to be; beyond, there is room for all that is
-/// asked for on the way to 1. As far as any of the six basic expressions goes at its place,
+/// Up to here a value is kept; beyond, the rest of the range takes all that is
+/// requested on the way to 1. As far as any of the six basic expressions goes at its place,
 /// so that none of them is changed there.
 const ROOM_FROM: f64 = 0.95;
 
-/// A value of any size brought into −1 to 1: it always grows with what is asked for, and is the
+/// A value of any size brought into −1 to 1: it always grows with the request, and is the
 /// same up to [`ROOM_FROM`].
 #[must_use]
 pub(super) fn within(value: f64) -> f64 {
@@ -93,7 +93,7 @@ impl Expression {
         self.values[dial.index()]
     }
 
-    /// Adds it to what a face is asked to do.
+    /// Adds it to the controls of a face.
     pub fn add(&self, controls: &mut FaceControls) {
         for (i, value) in self.values.iter().enumerate() {
             if *value != 0.0

@@ -1,4 +1,4 @@
-//! Expressions that a word has of its own, where what is known of its display is more than a
+//! Expressions that a word has of its own, where its display is known beyond a
 //! blend of the six basic ones can show.
 //!
 //! Which units take part, and where head and gaze go, has a source at each; how much each muscle
@@ -37,7 +37,7 @@ pub enum Look {
     Wink,
 }
 
-/// Head and gaze go down (AU 54, 64) and nobody smiles: Keltner 1995,
+/// Head and gaze go down (AU 54, 64) without a smile: Keltner 1995,
 /// doi:10.1037/0022-3514.68.3.441. Lips pressed (AU 24) and their corners lowered are of the
 /// same display held back: Keltner & Buswell 1996, doi:10.1080/026999396380312.
 const SHAME: &[Share] = &[

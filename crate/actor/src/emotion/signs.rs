@@ -2,7 +2,7 @@
 //! one moves at all (F&H section 4.4.4).
 
 use raconteur_base::{DVec3, Length};
-use raconteur_speech::emotion::{self, Place};
+use raconteur_speech::emotion::{self, EmotionPoint};
 
 use super::blend::{Affect, Space, nearness, vector};
 use super::expression::within;
@@ -164,7 +164,7 @@ impl Signs {
 
     /// Those of a place: of the known emotions that are near in direction, by distance.
     #[must_use]
-    pub fn of(place: Place) -> Self {
+    pub fn of(place: EmotionPoint) -> Self {
         let sites: [DVec3; KNOWN.len()] =
             KNOWN.map(|(word, _)| vector(emotion::place(word).unwrap_or_default()));
         let mut near = [1.0; KNOWN.len()];
@@ -265,7 +265,7 @@ mod tests {
             );
             assert_eq!(signs, signs.limited(), "{word}");
         }
-        assert_eq!(Signs::of(Place::default()), Signs::default());
+        assert_eq!(Signs::of(EmotionPoint::default()), Signs::default());
     }
 
     #[test]

@@ -4,20 +4,20 @@ use super::*;
 use crate::parameters::{DIALS, Dial};
 use raconteur_base::{DVec3, noise, ops};
 use raconteur_body::face::{ANTAGONISTS, Muscle};
-use raconteur_speech::emotion::{Place, WORDS, place};
+use raconteur_speech::emotion::{EmotionPoint, WORDS, place};
 
-fn on_disc(angle_deg: f64, radius: f64) -> Place {
+fn on_disc(angle_deg: f64, radius: f64) -> EmotionPoint {
     let (sin, cos) = ops::sincos(angle_deg.to_radians());
-    Place {
+    EmotionPoint {
         activation: radius * sin,
         evaluation: radius * cos,
         power: 0.0,
     }
 }
 
-fn on_sphere(direction: DVec3, radius: f64) -> Place {
+fn on_sphere(direction: DVec3, radius: f64) -> EmotionPoint {
     let v = direction.normalize() * radius;
-    Place {
+    EmotionPoint {
         activation: v.y,
         evaluation: v.x,
         power: v.z,
@@ -84,7 +84,7 @@ fn at_a_basic_emotion_its_own_expression_stands_scaled_by_the_ratio() {
 
 #[test]
 fn scaling_an_emotion_scales_its_contractions() {
-    let scaled_well = |place: Place, space: Space| {
+    let scaled_well = |place: EmotionPoint, space: Space| {
         let full = Mixture::of(place, space).expression();
         for factor in [0.2, 0.5, 0.9] {
             let face = Mixture::of(place.scaled(factor), space).expression();
@@ -105,7 +105,7 @@ fn scaling_an_emotion_scales_its_contractions() {
 
 #[test]
 fn blends_of_muscles_without_antagonist_lie_between_those_of_the_neighbours() {
-    let check = |place: Place, space: Space| {
+    let check = |place: EmotionPoint, space: Space| {
         let mixture = Mixture::of(place, space);
         let face = mixture.expression();
         let length = match space {
@@ -305,7 +305,7 @@ fn power_tells_anger_from_fear_where_the_disc_cannot() {
     );
     // The same activation and evaluation with power and without.
     let at = |power: f64| {
-        let place = Place {
+        let place = EmotionPoint {
             activation: 24.0,
             evaluation: -40.0,
             power,
@@ -321,7 +321,7 @@ fn power_tells_anger_from_fear_where_the_disc_cannot() {
 fn the_middle_of_the_space_is_calm() {
     for space in [Space::Disc, Space::Sphere] {
         assert_eq!(
-            Mixture::of(Place::default(), space).expression(),
+            Mixture::of(EmotionPoint::default(), space).expression(),
             Expression::default()
         );
         let near = Mixture::of(on_disc(77.0, 1e-9), space).expression();

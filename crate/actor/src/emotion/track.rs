@@ -3,7 +3,7 @@
 use raconteur_base::curve::{last_at_or_before, smooth};
 use raconteur_base::order::sort_by_number;
 use raconteur_body::face::FaceControls;
-use raconteur_speech::emotion::Place;
+use raconteur_speech::emotion::EmotionPoint;
 
 use super::blend::{Affect, Mixture};
 use super::signs::Signs;
@@ -15,7 +15,7 @@ use crate::parameters::{Curve, Dial, SET_SECS};
 pub const SHORTEST_SECS: f64 = 0.25;
 /// The most that an emotion is stronger than in its place.
 const STRONGEST: f64 = 4.0;
-/// Emotions of spans that are in force at once; more are left out. Nobody feels as many, and
+/// Emotions of spans that are in force at once; more are left out. A story needs fewer, and
 /// it bounds the work.
 const LANES: usize = 16;
 
@@ -84,7 +84,7 @@ impl EmotionSpan {
 struct Effect {
     mixture: Mixture,
     signs: Signs,
-    place: Place,
+    place: EmotionPoint,
     strength: f64,
     /// How far one eye winks; of a span at its apex. It is no part of sums.
     wink: f64,
@@ -274,7 +274,7 @@ impl EmotionTrack {
 
     /// Where one is in the space of emotions; its middle when one is calm.
     #[must_use]
-    pub fn at(&self, time_secs: f64) -> Place {
+    pub fn at(&self, time_secs: f64) -> EmotionPoint {
         self.sum(time_secs).place.scaled(1.0)
     }
 
@@ -284,7 +284,7 @@ impl EmotionTrack {
         self.sum(time_secs).strength
     }
 
-    /// Factor on how much one moves without being asked to, by the emotion: 1 in calm.
+    /// Factor on unscripted motion, by the emotion: 1 in calm.
     #[must_use]
     pub fn liveliness(&self, time_secs: f64) -> f64 {
         1.0 + self.sum(time_secs).signs.limited().liveliness
@@ -379,7 +379,7 @@ mod tests {
         let rest = FaceControls::default();
         for t in [-5.0, 1.0, 4.0, 90.0] {
             assert_eq!(apart(&face(&track, t), &rest), 0.0, "{t}");
-            assert_eq!(track.at(t), Place::default());
+            assert_eq!(track.at(t), EmotionPoint::default());
             assert_eq!((track.liveliness(t), track.breath(t).depth), (1.0, 1.0));
             assert_eq!(track.strength(t), 0.0);
         }

@@ -1,4 +1,4 @@
-//! From what a face is asked to do to a figure's jaw, lids and morph weights.
+//! From the controls of a face to a figure's jaw, lids and morph weights.
 //!
 //! Morph targets are found by their ARKit names once; a figure that lacks one goes
 //! without. Jaw, lids and eyes are joints; a figure that has none of these, as other

@@ -1,4 +1,4 @@
-//! From what a face is asked to do to the weights of morph targets.
+//! From the controls of a face to the weights of morph targets.
 //!
 //! Figures without tissue have targets by ARKit's names, drawn or composed when they were
 //! made; this is what stands for their muscles. Most of it is linear, a sparse table; what

@@ -1,6 +1,6 @@
 //! Hands as solids: they neither pass through each other nor into the body.
 //!
-//! A hand is a bundle of capsules about its bones. What is needed to free it is a continuous
+//! A hand is a bundle of capsules about its bones. Freeing it needs a continuous
 //! function of where the hands are wanted, so that a hand slides along what it meets.
 
 use raconteur_base::{DQuat, DVec3, Length, Side};

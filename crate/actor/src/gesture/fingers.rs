@@ -27,7 +27,7 @@ pub(super) struct FingerTrack {
 struct FingerNode {
     /// `None` is rest.
     shape: Option<HandAngles>,
-    /// To the next node; `None`: as fingers do when nobody says.
+    /// To the next node; `None`: as fingers do by default.
     profile: Option<Profile>,
 }
 

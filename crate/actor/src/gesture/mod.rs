@@ -29,7 +29,7 @@ pub use planner::PlannedKey;
 pub use rest::{Rest, RestHand};
 pub use space::{BodySpace, TrunkShape};
 
-/// What one hand is asked for at one time.
+/// The features of one hand at one time.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct HandKey {
     /// Story time, seconds.
@@ -46,25 +46,25 @@ pub struct HandKey {
     /// Finger angles. `None` likewise.
     pub shape: Option<HandAngles>,
     /// How the wrist moves to this key from the one before in its stroke.
-    pub wrist_course: Course,
+    pub wrist_course: Transition,
     /// How the hand turns to this key from the one before in its stroke.
-    pub hand_course: Course,
+    pub hand_course: Transition,
     /// How the fingers move to this key from the one before in its stroke; the space does not
     /// matter, since fingers are always interpolated by joint.
-    pub shape_course: Course,
+    pub shape_course: Transition,
 }
 
 /// How a feature moves to a key (GEVH 3.5.1).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Course {
+pub struct Transition {
     /// The pace. `None` leaves pace and path to the planner: minimum jerk along a slightly
     /// curved path, passing through keys that lie on the way.
     pub profile: Option<Profile>,
-    /// What is interpolated. `None`: positions; of rotations what is more natural.
+    /// The interpolated quantity. `None`: positions; of rotations what is more natural.
     pub space: Option<Space>,
 }
 
-/// What is interpolated between two keys.
+/// The quantity that is interpolated between two keys.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Space {
     /// Positions and orientations in the world: a straight way.
@@ -117,7 +117,7 @@ pub struct Span {
     pub end_secs: f64,
 }
 
-/// How a figure moves its arms where nobody says.
+/// How a figure moves its arms by default.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Life {
     /// Seed of all that is left to chance.

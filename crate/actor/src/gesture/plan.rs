@@ -148,7 +148,7 @@ impl ArmPlan {
     }
 
     /// The time that the hand needs from where it is at `from_secs`, or from rest, to the
-    /// first key of a stroke that nobody saw coming, seconds. `None` for a key that moves the
+    /// first key of an unprepared stroke, seconds. `None` for a key that moves the
     /// fingers only.
     #[must_use]
     pub fn time_to(&self, from_secs: f64, wrist_in_world: Option<DVec3>) -> f64 {

@@ -9,7 +9,7 @@ use super::pace::{FASTEST_M_S, FASTEST_TURN_RAD_S, Needed, SAME_PLACE_M, SHAPING
 use super::path::{Bow, reach_secs};
 use super::phrase::{HAND, Phrase, SHAPE, WRIST, has_hand, has_shape, has_wrist, phrases};
 use super::tracks::{HandTrack, WristTrack};
-use super::{ArmScript, Course, HandKey, Phase, Rest};
+use super::{ArmScript, HandKey, Phase, Rest, Transition};
 use crate::ArmRig;
 use crate::gesture::space::BodySpace;
 
@@ -19,7 +19,7 @@ const FLOW_SECS: f64 = 1.1;
 const SINK_SECS: f64 = 2.3;
 /// Longest hold after a stroke, seconds. Designed (holds of some 0.3 to 0.6 s are common).
 const HOLD_SECS: f64 = 0.55;
-/// How far a held hand sinks, metres: nobody holds quite still.
+/// How far a held hand sinks, metres: no one holds quite still.
 const HOLD_DRIFT_M: f64 = 0.007;
 /// Share by which the fingers of a held hand give way to their relaxed shape. Designed.
 const HOLD_SOFTENING: f64 = 0.16;
@@ -40,7 +40,7 @@ const LONGEST_SHAPING_SECS: f64 = 0.9;
 const LONGEST_WAY_SECS: f64 = 0.85;
 
 /// The course of everything that a script leaves to the planner.
-const FREE: Course = Course {
+const FREE: Transition = Transition {
     profile: None,
     space: None,
 };
@@ -124,7 +124,7 @@ impl<'a> Planner<'a> {
         self.out
     }
 
-    /// Performs a phrase after what is there, and before what comes next.
+    /// Performs a phrase after the planned ones, and before what comes next.
     fn perform(&mut self, phrase: &Phrase, next: Option<&Phrase>) {
         let leads = phrase.leads(WRIST) || phrase.leads(HAND);
         let firsts = [phrase.first(has_wrist), phrase.first(has_hand)];
@@ -203,7 +203,7 @@ impl<'a> Planner<'a> {
         self.out.wrist.last_secs().max(self.out.hand.last_secs())
     }
 
-    /// Leaves what is held towards a phrase that begins at `next`. Whether the phrase flows
+    /// Leaves a hold towards a phrase that begins at `next`. Whether the phrase flows
     /// from there; otherwise the hand is at rest.
     fn leave(&mut self, next: f64, phrase: &Phrase) -> bool {
         let Some(place) = self.out.wrist.last() else {
@@ -290,7 +290,7 @@ impl<'a> Planner<'a> {
                 wrist_in_world: Some(place),
                 begins_stroke: prepared && phrase.phase == Phase::Stroke,
             });
-            // Nobody has turned this hand yet.
+            // This hand has not been turned yet.
             if !flows && first_hand.is_none_or(|t| t > key.time_secs) {
                 self.push_hand(arrives_secs, Some(self.rig.relaxed_hand(place)), FREE);
             }
@@ -352,7 +352,7 @@ impl<'a> Planner<'a> {
     }
 
     /// Adds a place of the wrist, no earlier than it can be reached. Returns when it is.
-    fn push_wrist(&mut self, time: f64, place: Option<DVec3>, course: Course) -> f64 {
+    fn push_wrist(&mut self, time: f64, place: Option<DVec3>, course: Transition) -> f64 {
         let track = &mut self.out.wrist;
         let mut time = time;
         if let Some(before) = track.times.last().copied() {
@@ -365,7 +365,7 @@ impl<'a> Planner<'a> {
     }
 
     /// Adds a rotation of the hand, likewise.
-    fn push_hand(&mut self, time: f64, hand: Option<DQuat>, course: Course) -> f64 {
+    fn push_hand(&mut self, time: f64, hand: Option<DQuat>, course: Transition) -> f64 {
         let track = &mut self.out.hand;
         let mut time = time.max(track.last_secs());
         if let (Some(from), Some(to)) = (track.last(), hand) {
@@ -376,7 +376,7 @@ impl<'a> Planner<'a> {
         time
     }
 
-    /// Holds what is reached until a later time, all features to the same. A hand that is
+    /// Holds the present features until a later time, all features to the same. A hand that is
     /// held sinks a little, and its fingers ease; `share` is how much of that.
     fn settle(&mut self, until: f64, share: f64) {
         let out = &mut self.out;

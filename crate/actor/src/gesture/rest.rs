@@ -95,7 +95,7 @@ impl Rest {
     }
 
     /// Rests from now on in one posture alone, a welcome: the arms a little away from the
-    /// sides, the forearms before them, the palms turned to whoever comes. Near enough to the
+    /// sides, the forearms before them, the palms turned to the audience. Near enough to the
     /// hanging arm that a story may begin with that.
     pub(crate) fn welcome(&mut self, skeleton: &Skeleton) {
         let scale = skeleton.stature_m() / 1.7;

@@ -255,7 +255,7 @@ mod tests {
             let p = DVec3::new(0.35 * r(0), 1.3 + 0.6 * r(1), 0.05 + 0.3 * r(2).abs());
             let q = p + DVec3::new(1e-5, 1e-5, -1e-5);
             let d = space.keep_out(p).distance(space.keep_out(q));
-            // Near the axis a column magnifies; hands pass it only when told to.
+            // Near the axis a column magnifies; hands pass it only by explicit keys.
             if ops::hypot(p.x, p.z - space.axis_z) > 0.06 && p.distance(space.head) > 0.06 {
                 assert!(d < 30.0 * p.distance(q), "{p}: {d}");
             }

@@ -5,7 +5,7 @@ use raconteur_base::profile::Profile;
 use raconteur_base::{DQuat, DVec3, Length};
 
 use super::path::{Bow, flowing};
-use super::{Course, RestHand, Space};
+use super::{RestHand, Space, Transition};
 use crate::ArmRig;
 use crate::arm_ik::ArmPosture;
 
@@ -102,7 +102,7 @@ impl WristTrack {
         rig: &ArmRig,
         time_secs: f64,
         place: Option<DVec3>,
-        course: Course,
+        course: Transition,
     ) {
         if let Some(last) = self.nodes.last_mut() {
             last.profile = course.profile;
@@ -144,7 +144,7 @@ struct HandNode {
     hand: Option<DQuat>,
     /// Where the wrist is then; set when the whole track is there.
     wrist: DVec3,
-    course: Course,
+    course: Transition,
 }
 
 /// The rotations of one hand.
@@ -193,7 +193,7 @@ impl HandTrack {
     }
 
     /// Adds a node that the last one leads to by `course`.
-    pub(super) fn push(&mut self, time_secs: f64, hand: Option<DQuat>, course: Course) {
+    pub(super) fn push(&mut self, time_secs: f64, hand: Option<DQuat>, course: Transition) {
         if let Some(last) = self.nodes.last_mut() {
             last.course = course;
         }
@@ -201,7 +201,7 @@ impl HandTrack {
         self.nodes.push(HandNode {
             hand,
             wrist: DVec3::ZERO,
-            course: Course::default(),
+            course: Transition::default(),
         });
     }
 

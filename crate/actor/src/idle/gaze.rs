@@ -1,4 +1,4 @@
-//! How eyes and head turn to what is looked at.
+//! How eyes and head turn to the target of the gaze.
 
 use core::f64::consts::PI;
 
@@ -10,7 +10,7 @@ const EYE_MAX_RAD: f64 = 0.6;
 /// Share of a direction that head and neck take. Designed.
 pub const HEAD_SHARE: f64 = 0.55;
 
-/// Yaw from which nobody turns farther after what goes on behind the back, radians.
+/// Yaw beyond which a target behind the back is not followed, radians.
 const ASIDE_RAD: f64 = 1.4;
 /// Share of a direction's length below which it is overhead or below the feet, and has no side.
 const OVERHEAD: f64 = 0.3;

@@ -1,4 +1,4 @@
-//! Life that nobody scripts: sway, breath, how eyes turn to what is looked at.
+//! Unscripted motion: sway, breath, eyes that turn to the target of the gaze.
 
 pub mod gaze;
 pub mod stance;

@@ -1,4 +1,4 @@
-//! From commands to courses: each command is resolved where the limb is when it comes.
+//! From commands to motions: each command is resolved where the limb is when it comes.
 
 use raconteur_base::curve::{minimum_jerk, smooth};
 use raconteur_base::order::sort_by_number;
@@ -15,7 +15,9 @@ use super::rig::{Base, ROLL};
 use super::scan::Scan;
 use super::scene::Scene;
 use super::solve::{AT_EASE, Choice, Solutions, choose};
-use super::track::{BRAKE_SECS, Course, Goal, Held, Kind, Mend, SETTLE_SECS, Track, even_secs};
+use super::track::{
+    BRAKE_SECS, Goal, Held, LimbMotion, LimbTrack, Mend, MotionKind, SETTLE_SECS, even_secs,
+};
 use super::{Command, Frame, Joints, Limb, ManipulatorScript, Motion, Pace};
 use crate::arm_ik::ARM_BONES;
 
@@ -29,7 +31,7 @@ const STEPS_A_SAMPLE: usize = 2;
 /// Longest time that inverse velocity is followed, seconds: at targets, and at velocities.
 const TARGET_SECS: f64 = 8.0;
 const VELOCITY_SECS: f64 = 20.0;
-/// Share of what is left that is made up in a second, and the fastest that it goes.
+/// Share of the remaining way that is made up in a second, and the highest speed.
 const GAIN_HZ: f64 = 3.0;
 const FASTEST_M_PER_S: f64 = 0.7;
 const FASTEST_RAD_PER_S: f64 = 2.5;
@@ -64,7 +66,7 @@ impl Now {
 }
 
 impl Manipulators {
-    /// Turns commands into courses, in order of time.
+    /// Turns commands into motions, in order of time.
     pub(super) fn compile(
         &mut self,
         script: &ManipulatorScript,
@@ -126,7 +128,7 @@ impl Manipulators {
 
     fn figure_moves(&mut self, scan: &mut Scan, from_secs: f64, secs: f64, scene: &Scene<'_>) {
         self.follow_to(scan, from_secs, scene);
-        if self.tracks.iter().any(Track::in_control) {
+        if self.tracks.iter().any(LimbTrack::in_control) {
             self.wake(scan, from_secs, scene);
             scan.figure_moves(from_secs, secs);
         }
@@ -152,12 +154,12 @@ impl Manipulators {
             Motion::JointInterpolation { to, pace } => {
                 self.interpolate_joints(limb, at, to, *pace, &now, scene)
             }
-            Motion::FrameInterpolation { to, secs } => Kind::Line {
+            Motion::FrameInterpolation { to, secs } => MotionKind::Line {
                 from: now.frame,
                 to: *to,
                 secs: *secs,
             },
-            Motion::Function(path) => Kind::Curve(Curve::new(path, &now.frame, false)),
+            Motion::Function(path) => MotionKind::Curve(Curve::new(path, &now.frame, false)),
             Motion::JacobianTarget(to) => {
                 let secs = most_secs.min(TARGET_SECS);
                 self.follow(limb, &now, secs, &|frame| {
@@ -178,9 +180,9 @@ impl Manipulators {
             }
             Motion::Lock(true) => {
                 let moved = self.root.at(at).unwrap_or(DAffine3::IDENTITY);
-                Kind::Lock(now.frame.moved(&moved))
+                MotionKind::Lock(now.frame.moved(&moved))
             }
-            Motion::Lock(false) => Kind::Joints {
+            Motion::Lock(false) => MotionKind::Joints {
                 from: now.held(),
                 to: now.held(),
                 secs: 0.0,
@@ -191,7 +193,7 @@ impl Manipulators {
         track.switch_control(at, true);
         track.begin(
             at,
-            Course {
+            LimbMotion {
                 kind,
                 swivel_rad: 0.0,
                 cue_lag: now.cue_lag,
@@ -313,7 +315,7 @@ impl Manipulators {
     }
 
     /// Joint angles set, those that are given.
-    fn to_joints(&self, limb: Limb, angles: &[Option<f64>; 6], now: &Now) -> Kind {
+    fn to_joints(&self, limb: Limb, angles: &[Option<f64>; 6], now: &Now) -> MotionKind {
         let mut to = now.held();
         for (joint, angle) in to.joints.iter_mut().zip(angles) {
             *joint = angle.unwrap_or(*joint);
@@ -326,7 +328,7 @@ impl Manipulators {
         let end = self.posed(limb, &to.joints, &rest).frame.position;
         to.cue = now.trunk.inverse().transform_point3(end);
         to.lean = DVec3::ZERO;
-        Kind::Joints {
+        MotionKind::Joints {
             from: now.held(),
             to,
             secs: QUICK_SECS.max(longest(&now.joints, &to.joints) / QUICK_RAD_PER_S),
@@ -343,20 +345,20 @@ impl Manipulators {
         pace: Pace,
         now: &Now,
         scene: &Scene<'_>,
-    ) -> Kind {
+    ) -> MotionKind {
         let (even, mut secs) = match pace {
             Pace::Secs(secs) => (false, secs.max(0.0)),
             Pace::RadPerSec(_) => (true, 0.0),
         };
         let mut end = self.held_at(limb, to, at + secs, now, scene);
         if let Pace::RadPerSec(speed) = pace {
-            // Slower than this nobody would see it move.
+            // Slower motion is not visible.
             let speed = speed.max(1e-3);
             secs = even_secs(longest(&now.joints, &end.joints), speed);
             end = self.held_at(limb, to, at + secs, now, scene);
             secs = even_secs(longest(&now.joints, &end.joints), speed);
         }
-        Kind::Joints {
+        MotionKind::Joints {
             from: now.held(),
             to: end,
             secs,
@@ -417,7 +419,7 @@ impl Manipulators {
         now: &Now,
         most_secs: f64,
         wanted: &dyn Fn(&Frame) -> Twist,
-    ) -> Kind {
+    ) -> MotionKind {
         let limited = self.tracks[limb.index()].has_limits();
         let mut state = now.held();
         let mut held = vec![state];
@@ -463,7 +465,7 @@ impl Manipulators {
                 held.push(state);
             }
         }
-        Kind::Samples {
+        MotionKind::Samples {
             held,
             step_secs: STEPS_A_SAMPLE as f64 / STEPS_HZ,
         }

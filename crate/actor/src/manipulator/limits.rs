@@ -19,7 +19,7 @@ pub enum Sex {
 }
 
 impl Sex {
-    /// The table for a share of female, 0 to 1; of what is between the nearer.
+    /// The table for a share of female, 0 to 1: the nearer one.
     #[must_use]
     pub fn of(share: Option<f64>) -> Self {
         if share.is_some_and(|share| share > 0.5) {

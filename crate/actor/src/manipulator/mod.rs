@@ -33,7 +33,7 @@ mod track;
 use raconteur_base::{DAffine3, DQuat, DVec3, Length, Side};
 
 pub use limits::{Limit, Sex};
-pub use path::{Path, Place, Shape};
+pub use path::{Path, Placement, Shape};
 pub use perform::{Manipulators, Reached};
 pub use rig::LimbRig;
 pub use solve::Solutions;
@@ -118,14 +118,14 @@ impl Frame {
     }
 }
 
-/// How a limb is asked to move.
+/// A limb's motion.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Motion {
-    /// Turns the manipulator on or off, and its limits; what is none stays.
+    /// Turns the manipulator on or off, and its limits; `None` keeps a setting.
     Configure {
         /// Off gives the limb back to gestures, animations and idle life.
         is_on: Option<bool>,
-        /// Whether joints stay within their limits. They do until told otherwise.
+        /// Whether joints stay within their limits. They do by default.
         limits: Option<bool>,
         /// Angles of the first joints, radians, that solutions are preferred near: the user's
         /// preference of GEVH 3.3.2.1. An empty list leaves the choice to the limb again.
@@ -194,7 +194,7 @@ pub struct Move {
     pub path: Path,
 }
 
-/// Everything that is asked of the manipulators of one figure, in any order; of commands at
+/// All commands to the manipulators of one figure, in any order; of commands at
 /// one time the last one counts.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ManipulatorScript {

@@ -14,14 +14,14 @@ use super::Frame;
 /// the whole figure); angles in radians: yaw about y, then pitch about x, then roll about z,
 /// each in the turned axes.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Place {
+pub struct Placement {
     /// x, y and z.
     pub position: [Option<f64>; 3],
     /// Yaw, pitch and roll.
     pub angles: [Option<f64>; 3],
 }
 
-impl Place {
+impl Placement {
     fn position_or(&self, other: DVec3) -> DVec3 {
         let [x, y, z] = self.position;
         DVec3::new(
@@ -81,7 +81,7 @@ pub enum Shape {
     /// A cubic Bézier curve.
     Bezier {
         /// The two inner control points.
-        controls: [Place; 2],
+        controls: [Placement; 2],
     },
     /// A cubic Hermite curve.
     Hermite {
@@ -91,7 +91,7 @@ pub enum Shape {
     /// A circle, an ellipse or, with a rise, a helix.
     Round {
         /// Its middle.
-        centre: Place,
+        centre: Placement,
         /// Direction that its plane faces; any length, the front where it is zero.
         normal: DVec3,
         /// Half axes: sideways, and upwards in the plane, metres.
@@ -107,7 +107,7 @@ pub enum Shape {
     /// Bernoulli's lemniscate, a lying eight.
     Lemniscate {
         /// Its middle.
-        centre: Place,
+        centre: Placement,
         /// Direction that its plane faces, as above.
         normal: DVec3,
         /// From the middle to either end, metres.
@@ -124,10 +124,10 @@ pub enum Shape {
 pub struct Path {
     /// Its form.
     pub shape: Shape,
-    /// Where it begins; what is open is where the limb is. Round shapes use the angles only.
-    pub from: Place,
-    /// Where it ends; what is open is as at the beginning.
-    pub to: Place,
+    /// Where it begins; `None` is where the limb is. Round shapes use the angles only.
+    pub from: Placement,
+    /// Where it ends; `None` is as at the beginning.
+    pub to: Placement,
     /// How long it takes, seconds.
     pub period_secs: f64,
     /// Whether it begins again after its period.
@@ -421,8 +421,8 @@ mod tests {
     fn path(shape: Shape, looping: bool) -> Path {
         Path {
             shape,
-            from: Place::default(),
-            to: Place::default(),
+            from: Placement::default(),
+            to: Placement::default(),
             period_secs: 2.0,
             looping,
         }
@@ -430,7 +430,7 @@ mod tests {
 
     fn round(turns: f64, rise: f64) -> Shape {
         Shape::Round {
-            centre: Place::default(),
+            centre: Placement::default(),
             normal: DVec3::ZERO,
             radii: [0.1, 0.2],
             from_rad: 0.0,
@@ -469,7 +469,7 @@ mod tests {
         far.to.position = [Some(0.1), Some(0.9), Some(0.4)];
         far.to.angles[0] = Some(1.0);
         let eight = Shape::Lemniscate {
-            centre: Place::default(),
+            centre: Placement::default(),
             normal: DVec3::X,
             half_width: 0.2,
             tilt_rad: 0.5,
@@ -480,7 +480,7 @@ mod tests {
             cycles: 3.0,
         };
         let bezier = Shape::Bezier {
-            controls: [Place::default(); 2],
+            controls: [Placement::default(); 2],
         };
         let hermite = Shape::Hermite {
             tangents: [DVec3::X, DVec3::Y],

@@ -13,7 +13,7 @@ use super::root::RootTrack;
 use super::solve::Solutions;
 use super::steady::Steady;
 use super::swivel::Obstacles;
-use super::track::{Goal, Track};
+use super::track::{Goal, LimbTrack};
 use super::{Frame, Joints, Limb, ManipulatorScript, Sex, lean};
 use crate::arm_ik::{ARM_BONES, ArmRig};
 use crate::kinematics::{rotation_of, world_from_bone};
@@ -33,7 +33,7 @@ pub struct Manipulators {
     pub(super) arms: [Arc<ArmRig>; 2],
     pub(super) limbs: [LimbRig; 4],
     pub(super) head: HeadRig,
-    pub(super) tracks: [Track; 5],
+    pub(super) tracks: [LimbTrack; 5],
     pub(super) root: RootTrack,
     /// Joints that lead the limbs where their targets would make them snap.
     pub(super) steady: [Steady; 5],
@@ -62,7 +62,7 @@ impl Manipulators {
         all
     }
 
-    /// Manipulators that nothing is asked of.
+    /// Manipulators without commands.
     #[must_use]
     pub fn at_rest(skeleton: &Skeleton, sex: Sex, arms: [Arc<ArmRig>; 2]) -> Self {
         let zero = Pose::zero();
@@ -82,8 +82,8 @@ impl Manipulators {
             head: HeadRig::new(skeleton, sex),
             // A neck has no twist as a manipulator.
             tracks: Limb::ALL.map(|limb| match limb {
-                Limb::Head => Track::setting_in(),
-                _ => Track::default(),
+                Limb::Head => LimbTrack::setting_in(),
+                _ => LimbTrack::default(),
             }),
             root: RootTrack::default(),
             steady: Default::default(),

@@ -8,7 +8,7 @@ use super::steady::{EVEN_HZ, MOST_RAD_PER_S, Sample, Stretch, nearest, toward};
 use super::{Joints, Limb};
 use crate::arm_ik::ARM_BONES;
 
-/// How joints catch up with a target after a snap: a share of what is left in a second, not
+/// How joints catch up with a target after a snap: a share of the remaining way in a second, not
 /// faster and not slower than this. Designed: as a quick movement that ends softly.
 const CATCH_UP_HZ: f64 = 6.0;
 const FASTEST_RAD_PER_S: f64 = 10.0;
@@ -39,13 +39,13 @@ const AFTER_SECS: f64 = 3.0;
 const PAUSE_SECS: f64 = 0.5;
 /// Time for which a loop is followed, seconds.
 const LOOP_SECS: f64 = 60.0;
-/// Times farther than this from the story's beginning are nobody's, seconds.
+/// Times farther than this from the story's beginning are ignored, seconds.
 const FARTHEST_SECS: f64 = 1e9;
 /// Even times followed in one performance at most, 20 minutes of motion: what comes after
 /// them follows the targets alone, so that no script takes time without bound.
 const MOST_STEPS: u32 = 36_000;
 
-/// What is known of one limb while it is followed.
+/// The state of one limb while it is followed.
 #[derive(Clone, Copy, Debug, Default)]
 struct Followed {
     /// Joints of the target at the last even time.

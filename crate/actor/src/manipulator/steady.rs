@@ -6,7 +6,7 @@
 //! nearest ones, and beyond the limits one way of not meeting a target gives way to another.
 //! So when a script is compiled ([`super::scan`]), every limb is followed over even times, and
 //! where its joints snap or turn faster than [`MOST_RAD_PER_S`] a way through the joints is
-//! written down. Evaluation follows what is written down there, by a uniform cubic B-spline,
+//! written down. Evaluation follows that record, by a uniform cubic B-spline,
 //! whose speed is a mean of the speeds between the even times, and the target everywhere else.
 
 use core::f64::consts::PI;
@@ -56,7 +56,7 @@ pub(super) struct Stretch {
     /// The even time of the first sample, not after `from`.
     pub(super) first: i64,
     pub(super) samples: Vec<Sample>,
-    /// Whether the limb rests at its end; else it goes on in a loop, which nobody has followed
+    /// Whether the limb rests at its end; else it goes on in a loop, which has not been followed
     /// farther.
     pub(super) rests: bool,
     /// The last even times at which the joints lead whatever comes.

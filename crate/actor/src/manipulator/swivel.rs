@@ -67,7 +67,7 @@ pub struct Obstacles {
     pub scale: f64,
 }
 
-/// Obstacles made ready to be asked about many places: what divides stands as a factor.
+/// Obstacles prepared for many queries: divisors are stored as factors.
 struct Clearance<'a> {
     obstacles: &'a Obstacles,
     /// One over the square of the arm's distance from the head's middle, and from the other arm.
@@ -111,7 +111,7 @@ impl<'a> Clearance<'a> {
     /// How much effort it is to have an arm's shoulder, elbow and wrist in a place, which is
     /// given in figure axes and [in the body's](Self::in_body).
     fn effort(&self, arm: [DVec3; 3], arm_in_body: [DVec3; 3]) -> f64 {
-        // The shoulder itself touches the torso, and the wrist is where it was asked to be.
+        // The shoulder itself touches the torso, and the wrist is at its target.
         let points = |[shoulder, elbow, wrist]: [DVec3; 3]| {
             [
                 shoulder.lerp(elbow, 0.6),
@@ -141,7 +141,7 @@ impl<'a> Clearance<'a> {
 }
 
 /// How likely a direction of so much effort is: the exponential function of its negative over
-/// [`SOFTNESS`], as the limit of powers stopped at the 1024th, for it is asked for often.
+/// [`SOFTNESS`], as the limit of powers stopped at the 1024th, because it is evaluated often.
 fn likelihood(effort: f64) -> f64 {
     let mut power = (1.0 - effort * (1.0 / (1024.0 * SOFTNESS))).max(0.0);
     for _ in 0..10 {

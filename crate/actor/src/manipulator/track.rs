@@ -64,7 +64,7 @@ pub(super) enum Goal {
 
 /// How a segment moves.
 #[derive(Clone, Debug)]
-pub(super) enum Kind {
+pub(super) enum MotionKind {
     /// Joint angles, with minimum jerk or at an even speed.
     Joints {
         from: Held,
@@ -82,7 +82,7 @@ pub(super) enum Kind {
     Lock(Frame),
 }
 
-impl Kind {
+impl MotionKind {
     /// How long it moves, seconds; infinite for a loop.
     fn secs(&self) -> f64 {
         match self {
@@ -96,13 +96,13 @@ impl Kind {
 
 /// A motion from where the limb was.
 #[derive(Clone, Debug)]
-pub(super) struct Course {
-    pub(super) kind: Kind,
+pub(super) struct LimbMotion {
+    pub(super) kind: MotionKind,
     /// Where elbow or knee were turned at its beginning, radians from their natural way.
     pub(super) swivel_rad: f64,
     /// What the girdle's cue was off the place, trunk axes, metres.
     pub(super) cue_lag: DVec3,
-    /// What the spine's lean was off what the place asked for, rotation vector.
+    /// The spine's lean minus the target's, rotation vector.
     pub(super) lean_lag: DVec3,
     /// What its joints were off, radians, and its upper bone, base axes.
     pub(super) mend: Mend,
@@ -181,8 +181,8 @@ fn last(switches: &[Switch], time_secs: f64) -> Option<&Switch> {
 
 /// The commands of one limb.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Track {
-    courses: Vec<Course>,
+pub(super) struct LimbTrack {
+    motions: Vec<LimbMotion>,
     segments: Vec<Segment>,
     control: Vec<Switch>,
     limits: Vec<Switch>,
@@ -192,7 +192,7 @@ pub(super) struct Track {
     sets_in: bool,
 }
 
-impl Track {
+impl LimbTrack {
     /// The track of a limb whose joints are not all of those of its bones, so that no motion
     /// can begin quite where it is: control sets in by and by.
     pub(super) fn setting_in() -> Self {
@@ -256,7 +256,7 @@ impl Track {
     /// course; none once that is made up for.
     pub(super) fn mend(&self, time_secs: f64) -> Option<Mend> {
         let segment = self.segment(time_secs)?;
-        let mend = &self.courses[segment.course].mend;
+        let mend = &self.motions[segment.course].mend;
         let left = 1.0 - minimum_jerk(segment.run(time_secs) / SETTLE_SECS);
         (left > 0.0).then(|| Mend {
             joints: mend.joints.map(|off| left * off),
@@ -266,14 +266,14 @@ impl Track {
 
     /// Lets the last course begin with its elbow or knee off by so much, radians.
     pub(super) fn swivel_last(&mut self, off_rad: f64) {
-        if let Some(course) = self.courses.last_mut() {
+        if let Some(course) = self.motions.last_mut() {
             course.swivel_rad = off_rad;
         }
     }
 
     /// Lets the last course begin with its joints off by so much.
     pub(super) fn mend_last(&mut self, off: Mend) {
-        if let Some(course) = self.courses.last_mut() {
+        if let Some(course) = self.motions.last_mut() {
             course.mend = off;
         }
     }
@@ -298,7 +298,7 @@ impl Track {
         self.preferred.push((time_secs, is_said.then_some(joints)));
     }
 
-    /// What is preferred at a time; elbow or knee take their new way as slowly as after a
+    /// The preference at a time; elbow or knee take their new way as slowly as after a
     /// change of motion.
     pub(super) fn preference(&self, time_secs: f64) -> Preference {
         let said = self.preferred.partition_point(|(t, _)| *t <= time_secs);
@@ -323,14 +323,14 @@ impl Track {
     }
 
     /// Begins a course at a time, not before that of the last one.
-    pub(super) fn begin(&mut self, time_secs: f64, course: Course) {
+    pub(super) fn begin(&mut self, time_secs: f64, course: LimbMotion) {
         self.segments.push(Segment {
             start_secs: time_secs,
-            course: self.courses.len(),
+            course: self.motions.len(),
             from_secs: 0.0,
             brakes: false,
         });
-        self.courses.push(course);
+        self.motions.push(course);
     }
 
     /// Stops the motion that is on at a time; what has stopped stays.
@@ -353,7 +353,7 @@ impl Track {
         let left = if segment.brakes {
             BRAKE_SECS
         } else {
-            self.courses[segment.course].kind.secs() - segment.run(time_secs)
+            self.motions[segment.course].kind.secs() - segment.run(time_secs)
         };
         left.max(0.0) + SETTLE_SECS
     }
@@ -361,22 +361,22 @@ impl Track {
     /// Whether the end is locked to a place from some time before this one.
     pub(super) fn is_locked(&self, time_secs: f64) -> bool {
         let on = self.segment(time_secs);
-        on.is_some_and(|s| matches!(self.courses[s.course].kind, Kind::Lock(_)))
+        on.is_some_and(|s| matches!(self.motions[s.course].kind, MotionKind::Lock(_)))
     }
 
     /// What the limb is to do at a time; `figure_from_world` at that time. None before the
     /// first motion.
     pub(super) fn goal(&self, time_secs: f64, figure_from_world: &DAffine3) -> Option<Goal> {
         let segment = self.segment(time_secs)?;
-        let course = &self.courses[segment.course];
+        let course = &self.motions[segment.course];
         Some(course.goal(segment.run(time_secs), figure_from_world))
     }
 }
 
-impl Course {
+impl LimbMotion {
     fn goal(&self, secs: f64, figure_from_world: &DAffine3) -> Goal {
         let frame = match &self.kind {
-            Kind::Joints {
+            MotionKind::Joints {
                 from,
                 to,
                 secs: whole,
@@ -389,20 +389,20 @@ impl Course {
                 };
                 return Goal::Joints(from.toward(to, share));
             }
-            Kind::Samples { held, step_secs } => {
+            MotionKind::Samples { held, step_secs } => {
                 let last = held.len().saturating_sub(1);
                 let at = (secs / step_secs).clamp(0.0, last as f64);
                 let index = at.floor() as usize;
                 let next = (index + 1).min(last);
                 return Goal::Joints(held[index].toward(&held[next], at - index as f64));
             }
-            Kind::Line {
+            MotionKind::Line {
                 from,
                 to,
                 secs: whole,
             } => from.toward(to, minimum_jerk(secs / whole.max(1e-9))),
-            Kind::Curve(curve) => curve.at(secs),
-            Kind::Lock(frame) => frame.moved(figure_from_world),
+            MotionKind::Curve(curve) => curve.at(secs),
+            MotionKind::Lock(frame) => frame.moved(figure_from_world),
         };
         let left = 1.0 - minimum_jerk(secs / SETTLE_SECS);
         Goal::Frame {

@@ -93,12 +93,12 @@ impl Blink {
 pub(super) struct Blinks {
     /// Blinks in stretches with speech, by the number of the stretch.
     planned: Vec<(i64, Blink)>,
-    /// Infinite where nobody blinks.
+    /// Infinite where there are no blinks.
     stretch_secs: f64,
     seed: u64,
 }
 
-/// What is drawn by lot for a stretch.
+/// Random values of a stretch.
 #[derive(Clone, Copy)]
 enum Lot {
     Place,

@@ -1,4 +1,4 @@
-//! Where a speaker looks: at the listener, aside, away or at what is thought of (F&H
+//! Where a speaker looks: at the listener, aside, away or at an imagined thing (F&H
 //! sections 4.2.1 and 4.3.5).
 //!
 //! Speech makes demands: to look at the listener or not over an accent, a pause, a question.
@@ -16,7 +16,7 @@ use super::think::Thought;
 use super::track::Track;
 use crate::idle::stream;
 
-/// What is looked at within this angle of the listener is the listener, radians: from the
+/// A target within this angle of the listener counts as the listener, radians: from the
 /// chin to the hair at 2 m.
 pub const AT_LISTENER_RAD: f64 = 0.03;
 /// Small offsets while looking at the listener, radians: from eye to eye to mouth. Designed.
@@ -131,7 +131,7 @@ fn demands(heard: &Heard, thoughts: &[Thought], manner: &Manner, seed: u64) -> V
         });
     };
     // Accents and pauses in one row: the eyes leave the listener only where there is time
-    // to, and what is forced by that is made good elsewhere.
+    // to, and the changes that this forces are made good elsewhere.
     let accents = heard
         .stresses
         .iter()

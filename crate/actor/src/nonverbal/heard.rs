@@ -1,4 +1,4 @@
-//! What is said as planners need it: phone boundaries, pauses, accents, the melody, turns and
+//! Utterances as planners need them: phone boundaries, pauses, accents, the melody, turns and
 //! questions on the clock of the story.
 
 use raconteur_base::order::sort_by_number;
@@ -16,7 +16,7 @@ const PAUSE_SECS: f64 = 0.15;
 const TURN_SECS: f64 = 3.0;
 /// What speakers fill pauses with, in the languages that we speak.
 const FILLERS: [&str; 9] = ["uh", "uhm", "erm", "hm", "mhm", "äh", "ähm", "öhm", "hã"];
-/// What is one only when it is drawn out, because it is a word as well.
+/// A filler only when it is drawn out, because it is a word as well.
 const DRAWN_FILLERS: [&str; 5] = ["er", "um", "eh", "ah", "m"];
 
 /// What a pause parts.
@@ -110,7 +110,7 @@ impl Heard {
         heard
     }
 
-    /// Adds what is heard of an utterance.
+    /// Adds an utterance.
     fn add(&mut self, timed: &TimedUtterance, last: &mut Option<Last>) {
         let u = &*timed.utterance;
         let (ends, questions) = ends_of(u);
@@ -137,7 +137,7 @@ impl Heard {
             let word = phone.word.filter(|w| *w < u.words.len());
             let word_start_secs = word.map_or(start_secs, |w| at(u.words[w].start_secs));
             self.sound(start_secs, end_secs, word_start_secs, last.as_ref());
-            // What is no word's ends nothing.
+            // Sounds outside words end nothing.
             let parts = word.map_or(Break::Words, |w| ends[w]);
             let question = word.and_then(|w| questions.binary_search_by_key(&w, |q| q.1).ok());
             *last = Some(Last {
@@ -200,7 +200,7 @@ impl Heard {
     }
 
     /// Adds where the voice rises and falls, and the accents of an utterance. Accents that
-    /// nobody told of are where the voice is highest, or on some of the longer words.
+    /// that the bundle does not mark are where the voice is highest, or on some of the longer words.
     fn add_melody(&mut self, timed: &TimedUtterance, manner: &Manner, seed: u64) {
         let u = &*timed.utterance;
         let known = accent::known(u);
@@ -263,7 +263,7 @@ impl Heard {
 }
 
 /// What ends with each word of an utterance, and the first and last word of each question.
-/// Sentences that nobody told of are known by their punctuation.
+/// Sentences that the bundle does not mark are found by their punctuation.
 fn ends_of(u: &Utterance) -> (Vec<Break>, Vec<(usize, usize)>) {
     let mut ends = vec![Break::Words; u.words.len()];
     let mut questions = Vec::new();
@@ -411,7 +411,7 @@ mod tests {
         let third_pause = heard.pauses[2];
         assert!((third_pause.start_secs - 2.7).abs() < 1e-9 && third_pause.end_secs == 4.0);
         assert_eq!(heard.turns, [[1.0, 4.0, 4.5], [9.0, 9.0, 9.5]]);
-        // What is asked waits for an answer.
+        // A question waits for an answer.
         assert_eq!(heard.questions.len(), 1);
         assert_eq!(heard.questions[0].end_secs, 10.5);
     }

@@ -7,7 +7,7 @@ pub enum Way {
     /// which no frequency is known goes the other way.
     #[default]
     Audio,
-    /// From what is known of the text: accents, phrases and kinds of sentences (section 4.3).
+    /// From the text: accents, phrases and kinds of sentences (section 4.3).
     Text,
 }
 
@@ -79,7 +79,7 @@ impl Default for Manner {
 }
 
 impl Manner {
-    /// The same within its ranges; what is no number becomes the least.
+    /// The same within its ranges; NaN becomes the least.
     #[must_use]
     pub(super) fn in_range(mut self) -> Self {
         // A NaN compares as nothing and so becomes the least.

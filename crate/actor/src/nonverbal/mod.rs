@@ -1,8 +1,8 @@
 //! What a face and a head do besides speaking (F&H sections 4.1 to 4.3): raises of head and
 //! brows with the pitch, blinks, gaze, thought, lips moistened, and loudness.
 //!
-//! Everything is planned once, from what is said and a seed, as keys on the clock of the
-//! story; any time can then be asked for, in any order, without allocation.
+//! Everything is planned once, from the utterances and a seed, as keys on the clock of the
+//! story; any time can then be evaluated, in any order, without allocation.
 //!
 //! Does: illustrators, punctuators, regulators and manipulators (section 4.1.1). Does not:
 //! emblems and affect displays, which need to know what the words mean; lips.
@@ -78,7 +78,7 @@ pub struct NonVerbal {
 }
 
 impl NonVerbal {
-    /// Plans everything for what is said, in any order. The same seed gives the same plan,
+    /// Plans everything for utterances in any order. The same seed gives the same plan,
     /// another one another. Utterances of impossible times are passed over.
     #[must_use]
     pub fn new(speech: &[TimedUtterance], seed: u64, manner: &Manner) -> Self {
@@ -88,7 +88,7 @@ impl NonVerbal {
         sort_by_number(&mut utterances, |u| u.start_secs);
         let heard = Heard::new(&utterances, &manner, seed);
         let loudness = loudness::track(&utterances);
-        // Whoever goes by the text does not know how loud it is said; the mouth does.
+        // The text does not say how loud it is spoken; the mouth needs to know.
         let unknown = loudness::track(&[]);
         let by_sound = match manner.way {
             Way::Audio => &loudness,
@@ -111,7 +111,7 @@ impl NonVerbal {
         }
     }
 
-    /// Adds to what a face is asked to do at a time: brows raised or drawn together, lips
+    /// Adds to the controls of a face at a time: brows raised or drawn together, lips
     /// moistened. `liveliness` scales it, 1 as planned.
     pub fn face(&self, time_secs: f64, liveliness: f64, face: &mut FaceControls) {
         use Muscle as M;

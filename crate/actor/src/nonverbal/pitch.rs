@@ -95,7 +95,7 @@ fn measured(extremum: Extremum, curve: &[f64], f0: &[u8]) -> (Extremum, f64) {
     )
 }
 
-/// Pitch at every frame in semitones, straight over what is not voiced.
+/// Pitch at every frame in semitones, linear over unvoiced stretches.
 fn bridged(f0: &[u8]) -> Option<Vec<f64>> {
     let mut frames: Vec<f64> = Vec::with_capacity(f0.len());
     let (mut voiced, mut last) = (0, None);

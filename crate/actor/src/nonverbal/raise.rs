@@ -42,7 +42,7 @@ pub(super) struct Raises {
 }
 
 impl Raises {
-    /// From the melody of what is said.
+    /// From the melody of speech.
     pub(super) fn new(heard: &Heard, loudness: &Track, manner: &Manner, seed: u64) -> Self {
         let mut raises = Self::default();
         for (i, extreme) in keys(heard).iter().enumerate() {
@@ -216,7 +216,7 @@ mod tests {
         let head = |t: f64| raises.head.at(t) / HEAD_RAISE_RAD;
         assert_eq!(head(1.0), 0.0);
         assert!((head(1.5) - 1.0).abs() < 1e-12);
-        // Two at one boundary: the higher one counts. What is far is approached late.
+        // Two at one boundary: the higher one counts. A far target is approached late.
         assert!((head(2.04) - 0.4).abs() < 1e-12 && head(8.19) == head(2.04));
         assert!((head(9.0) - 0.5).abs() < 1e-12);
     }

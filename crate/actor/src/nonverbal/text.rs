@@ -1,4 +1,4 @@
-//! Where the voice will rise and fall, told from the text: accents, phrases and their
+//! Where the voice will rise and fall, predicted from the text: accents, phrases and their
 //! boundary tones (F&H section 4.3.5, "Expressions linked to intonation").
 
 use raconteur_base::curve::ramp;

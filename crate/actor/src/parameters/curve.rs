@@ -8,14 +8,14 @@ use super::clip::ParameterClip;
 use super::script::Style;
 
 /// How long a value that is set takes to come, and an animation to take over, seconds.
-/// Designed: what is set at once is reached at once to the eye, and no muscle jumps.
+/// Designed: a step looks immediate, and no muscle jumps.
 pub const SET_SECS: f64 = 0.15;
 /// The shortest time in which a phase changes the value, seconds: one frame of film.
 pub const STEP_SECS: f64 = 0.04;
 
 /// What a parameter does from some time on.
 #[derive(Clone, Debug)]
-pub(super) enum Course {
+pub(super) enum Change {
     /// Eases to a value in [`SET_SECS`] and keeps it.
     Ease(f64),
     /// Goes straight to a value in this time, seconds, and keeps it.
@@ -29,7 +29,7 @@ pub(super) enum Course {
     },
 }
 
-/// A parameter over the time of a story; 0 before anything is asked of it. What comes later
+/// A parameter over the time of a story; 0 before its first command. What comes later
 /// takes over from wherever the parameter is.
 #[derive(Clone, Debug, Default)]
 pub struct Curve {
@@ -37,7 +37,7 @@ pub struct Curve {
     starts: Vec<f64>,
     /// The value that each begins with.
     values: Vec<f64>,
-    courses: Vec<Course>,
+    changes: Vec<Change>,
     /// The least value; the greatest is 1.
     least: f64,
 }
@@ -52,15 +52,15 @@ impl Curve {
 
     /// Lets the parameter do something from a time on; whatever else it was to do from then
     /// on is forgotten.
-    pub(super) fn push(&mut self, start_secs: f64, course: Course) {
+    pub(super) fn push(&mut self, start_secs: f64, course: Change) {
         let value = self.at(start_secs);
         while self.starts.pop_if(|s| *s >= start_secs).is_some() {
             self.values.pop();
-            self.courses.pop();
+            self.changes.pop();
         }
         self.starts.push(start_secs);
         self.values.push(value);
-        self.courses.push(course);
+        self.changes.push(course);
     }
 
     /// Leads it straight through values, each to be reached at its time; a value takes at
@@ -75,7 +75,7 @@ impl Curve {
                 0.0
             };
             let end = at.max(now + least);
-            self.push(now, Course::Line(*value, end - now));
+            self.push(now, Change::Line(*value, end - now));
             now = end;
         }
     }
@@ -88,11 +88,11 @@ impl Curve {
         };
         let (since, from) = (time_secs - self.starts[i], self.values[i]);
         let eased = smooth(since / SET_SECS);
-        let value = match &self.courses[i] {
-            Course::Ease(to) => lerp(from, *to, eased),
-            Course::Line(to, secs) if since < *secs => lerp(from, *to, since / secs),
-            Course::Line(to, _) => *to,
-            Course::Clip {
+        let value = match &self.changes[i] {
+            Change::Ease(to) => lerp(from, *to, eased),
+            Change::Line(to, secs) if since < *secs => lerp(from, *to, since / secs),
+            Change::Line(to, _) => *to,
+            Change::Clip {
                 clip,
                 place,
                 style,
@@ -105,7 +105,7 @@ impl Curve {
         value.clamp(self.least, 1.0)
     }
 
-    /// The times at which its courses begin, rising, seconds.
+    /// The times at which its changes begin, rising, seconds.
     pub(crate) fn starts(&self) -> &[f64] {
         &self.starts
     }
@@ -119,7 +119,7 @@ mod tests {
     fn what_comes_later_takes_over_from_where_the_value_is() {
         let mut curve = Curve::new(0.0);
         curve.lead(1.0, &[(2.0, 1.0), (4.0, 0.0)]);
-        curve.push(3.0, Course::Ease(0.8));
+        curve.push(3.0, Change::Ease(0.8));
         for (t, value) in [
             (0.0, 0.0),
             (1.5, 0.5),
@@ -146,13 +146,13 @@ mod tests {
     #[test]
     fn values_stay_in_their_range() {
         let mut curve = Curve::new(0.0);
-        curve.push(0.0, Course::Ease(7.0));
-        curve.push(1.0, Course::Ease(-7.0));
+        curve.push(0.0, Change::Ease(7.0));
+        curve.push(1.0, Change::Ease(-7.0));
         for i in 0..200 {
             assert!((0.0..=1.0).contains(&curve.at(f64::from(i) * 0.01)));
         }
         let mut both = Curve::new(-1.0);
-        both.push(0.0, Course::Ease(-0.5));
+        both.push(0.0, Change::Ease(-0.5));
         assert_eq!(both.at(1.0), -0.5);
     }
 }

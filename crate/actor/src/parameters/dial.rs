@@ -1,4 +1,4 @@
-//! What of a face can be asked for by itself: its muscles, and the direct parameters of what
+//! The parameters of a face that can be set one by one: its muscles, and the direct parameters of what
 //! no muscle moves.
 
 use raconteur_body::face::{FaceControls, Jaw, MUSCLES, Muscle};
@@ -7,7 +7,7 @@ use raconteur_body::face::{FaceControls, Jaw, MUSCLES, Muscle};
 /// Designed.
 const GAZE_RAD: f64 = 0.5;
 
-/// What is asked for directly: its name, and whether it goes both ways (−1 to 1) instead of
+/// A direct parameter: its name, and whether it goes both ways (−1 to 1) instead of
 /// one (0 to 1).
 const DIRECT: [(&str, bool); 18] = [
     ("Jaw", false),
@@ -99,7 +99,7 @@ impl Dial {
         }
     }
 
-    /// Adds a value to what a face is asked to do. The gaze is no part of that: see
+    /// Adds a value to the controls of a face. The gaze is no part of that: see
     /// [`gaze_rad`](Self::gaze_rad).
     pub fn add(self, value: f64, controls: &mut FaceControls) {
         let Some(place) = self.index().checked_sub(MUSCLES) else {

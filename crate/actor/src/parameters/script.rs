@@ -65,7 +65,7 @@ impl Adsr {
     }
 }
 
-/// One thing that is asked.
+/// One command.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ParameterCommand {
     /// A parameter takes a value.
@@ -83,11 +83,11 @@ pub enum ParameterCommand {
     },
 }
 
-/// All that is asked, with its times, story seconds, in any order; of what comes at one time
+/// All commands, with their times, story seconds, in any order; of what comes at one time
 /// the last counts.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ParameterScript {
-    /// What is asked.
+    /// The command.
     pub commands: Vec<(f64, ParameterCommand)>,
 }
 

@@ -8,7 +8,7 @@ use raconteur_body::face::FaceControls;
 use raconteur_speech::phones::PhoneTargets;
 
 use super::clip::ParameterClip;
-use super::curve::{Course, Curve};
+use super::curve::{Change, Curve};
 use super::dial::Dial;
 use super::name::{Asks, Parameter};
 use super::script::{ParameterCommand, ParameterScript};
@@ -47,7 +47,7 @@ impl ParameterTrack {
             match command {
                 ParameterCommand::Set(parameter, value) => {
                     let value = number(*value);
-                    curve(*parameter, &|c| c.push(start, Course::Ease(value)));
+                    curve(*parameter, &|c| c.push(start, Change::Ease(value)));
                 }
                 ParameterCommand::Lead(parameter, adsr) => {
                     let keys = adsr.keys().map(|(at, value)| (start + at, number(value)));
@@ -62,7 +62,7 @@ impl ParameterTrack {
                         continue;
                     };
                     for (place, parameter) in clip.parameters() {
-                        let course = || Course::Clip {
+                        let course = || Change::Clip {
                             clip: Arc::clone(&clip),
                             place,
                             style: *style,
@@ -85,14 +85,14 @@ impl ParameterTrack {
         track
     }
 
-    /// Adds what muscles and direct parameters are asked for at a time.
+    /// Adds the values of muscles and direct parameters at a time.
     pub fn add(&self, time_secs: f64, controls: &mut FaceControls) {
         for (dial, curve) in &self.dials {
             dial.add(curve.at(time_secs), controls);
         }
     }
 
-    /// By how much the eyes are asked to turn from where they look else: yaw to the figure's
+    /// By how much the eyes turn from where they would look otherwise: yaw to the figure's
     /// left and pitch down, radians.
     #[must_use]
     pub fn gaze(&self, time_secs: f64) -> [f64; 2] {
@@ -103,7 +103,7 @@ impl ParameterTrack {
     }
 
     /// The mouth that visemes ask for at a time, each in its weight; of more than full weight
-    /// together, their mean. None while no viseme is asked for.
+    /// together, their mean. `None` while no viseme is set.
     #[must_use]
     pub fn visemes(&self, time_secs: f64) -> Option<MouthTargets> {
         let mut mouth = MouthTargets::default();

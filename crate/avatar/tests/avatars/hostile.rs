@@ -112,7 +112,7 @@ fn with_hostile_number(json: &str, seed: u64) -> String {
     format!("{}{word}{}", &json[..at], &json[end..])
 }
 
-/// Changes bytes of the buffer to others, or to those of what is no number.
+/// Changes bytes of the buffer to others, or to those of NaN.
 fn with_hostile_bytes(bin: &mut [u8], seed: u64) {
     for k in 0..4 {
         let at = noise::hash(seed, 3, k) as usize % bin.len();

@@ -3,9 +3,9 @@
 //! The `gltf` crate reads the same files in the tests, and not here, for what was measured: its typed
 //! JSON weighs 70 KB (gzip) of what a page downloads, more than the budget of the WebGL2 build leaves;
 //! it keeps the placement of nodes in single precision, which moves every joint by up to 3e-8 m; it
-//! refuses avatars whose exporters write `null` for what is absent; and its container reader computes
+//! refuses avatars whose exporters write `null` for absent members; and its container reader computes
 //! with a claimed length before it checks it. Fields of a wrong type count as absent; what must be there
-//! is asked for by the reader.
+//! the reader needs.
 
 use serde_json::Value;
 
@@ -36,6 +36,8 @@ pub struct Mesh {
     pub name: String,
     pub target_names: Vec<String>,
     pub binding: Option<Binding>,
+    /// Accessors of the triangles of coarser levels of detail.
+    pub coarser: Vec<usize>,
     pub primitives: Vec<Primitive>,
 }
 
@@ -278,6 +280,7 @@ fn mesh(v: &Value) -> Mesh {
             nodes: needed_index(binding, "nodes"),
             weights: needed_index(binding, "weights"),
         }),
+        coarser: indices(extras, "coarser"),
         primitives: items(v, "primitives").iter().map(primitive).collect(),
     }
 }

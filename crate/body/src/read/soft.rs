@@ -10,7 +10,7 @@ use crate::face::{Binding, Tissue};
 /// The arrangement that is understood.
 const VERSION: u64 = 1;
 
-/// What is said of faults.
+/// Messages of faults.
 const BINDING: &str = "a binding to tissue";
 
 /// The tissue, if there is one.

@@ -218,7 +218,7 @@ impl Skeleton {
         } else {
             0.0
         };
-        // What is not a number stays so.
+        // NaN stays NaN.
         let off = (distance_m - self.offset_length_m(bone)).abs() - slack;
         if off < 0.0 { 0.0 } else { off }
     }

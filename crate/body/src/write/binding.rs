@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 use super::{Buffer, UNSIGNED_BYTE, UNSIGNED_SHORT};
 use crate::face::Binding;
 
-/// The arrangement, told in the file.
+/// The arrangement, as the file states it.
 const VERSION: u32 = 1;
 
 /// Writes a sound binding of a mesh of `count` vertices; returns what its extras hold.
@@ -51,7 +51,7 @@ pub(super) fn write(buffer: &mut Buffer, binding: &Binding, count: usize) -> Val
     })
 }
 
-/// Weights, heaviest first, in 255ths whose sum is the sum's own 255ths: what is lost by
+/// Weights, heaviest first, in 255ths whose sum is the sum's own 255ths: the loss by
 /// rounding down goes to those that lost most (largest remainders), which keeps the order.
 fn row_in_255ths(row: &[(u16, f32)]) -> Vec<u8> {
     let exact: Vec<f64> = row.iter().map(|(_, w)| f64::from(*w) * 255.0).collect();

@@ -125,7 +125,7 @@ impl Bake {
         Ok(worst)
     }
 
-    /// Who speaks: the engine and voice that are asked for, else those that the story chooses.
+    /// The speaker: the engine and voice of the options, else those that the story chooses.
     fn cast(&self, script: &Script, options: EngineOptions) -> Result<Cast> {
         let performer = script.document.performer.as_ref();
         let (engine, voice) = (self.engine.as_deref(), self.voice.as_deref());
@@ -144,7 +144,7 @@ impl Bake {
             },
             None => Cast::new(engine, voice, options)?,
         };
-        // A voice that is asked for speaks its own language.
+        // A voice that an option names speaks its own language.
         let language = performer.and_then(|p| p.language.as_deref());
         if let Some(name) = language.filter(|_| voice.is_none()) {
             let tag = language::tag(name).with_context(|| {
@@ -166,7 +166,7 @@ impl Bake {
         })
     }
 
-    /// What another engine than the usual one means, or that none could be asked.
+    /// What another engine than the default one means, or that none could be queried.
     fn tell_of_engines(&self, name: &str, baked: &BakeReport, cast: &Cast) -> Result<()> {
         let mut err = io::stderr();
         if let Some(missing) = &baked.compared_without {
@@ -229,7 +229,7 @@ impl Bake {
         Ok(())
     }
 
-    /// Lists voices: of the engine that was asked for, else of every installed one.
+    /// Lists voices: of the engine of the option, else of every installed one.
     fn list(&self, options: &EngineOptions) -> Result<Outcome> {
         let mut rows = Vec::new();
         let mut missing = Missing::default();
@@ -237,7 +237,7 @@ impl Bake {
             .into_iter()
             .filter(|e| self.engine.as_ref().is_none_or(|engine| engine == e));
         for engine in asked {
-            // What is not installed or not running has no voices.
+            // An engine that is not installed or not running has no voices.
             match Cast::voices_of(engine, options) {
                 Ok(voices) => rows.extend(voices.into_iter().map(|v| (engine, v))),
                 // Servers and recordings are only there for those who ask for them.

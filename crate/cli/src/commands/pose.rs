@@ -43,7 +43,7 @@ struct JointEntry {
 #[derive(Serialize)]
 struct ManipulatorEntry {
     name: &'static str,
-    /// Where the wrist was asked to be, metres.
+    /// The target of the wrist, metres.
     target_in_world: [f64; 3],
     /// Distance of the wrist from it, metres.
     error_m: f64,

@@ -13,7 +13,7 @@ use crate::serve::{Clock, Ways, run};
 use crate::story::{StoryFiles, USUAL_FIGURE, find_figure};
 use crate::{Outcome, report};
 
-/// Where WebSockets are taken when nothing else is asked for.
+/// The default address for WebSockets.
 const USUAL_PORT: u16 = 7373;
 
 /// The range of `--idle`, seconds.
@@ -45,11 +45,11 @@ pub(crate) struct Serve {
     #[arg(long, default_value = "127.0.0.1")]
     listen: IpAddr,
     /// What a mind must know: `raconteur 1 TOKEN` is the first line by TCP; `?token=` or a
-    /// bearer header by WebSocket. Without this one is made up and told; then WebSockets of
+    /// bearer header by WebSocket. Without this one is generated and printed; then WebSockets of
     /// this machine need none.
     #[arg(long)]
     token: Option<String>,
-    /// A mind from which nothing has come for so long is gone, seconds. It is asked for a
+    /// A mind from which nothing has come for so long is gone, seconds. It is sent a
     /// sign of life after a third of it.
     #[arg(long, default_value_t = 90.0)]
     idle: f64,

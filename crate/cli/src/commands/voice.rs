@@ -24,7 +24,7 @@ pub(crate) struct Voice {
 
 #[derive(Subcommand)]
 enum What {
-    /// Measure what markup and emotions do to a voice; fail when something is not as asked.
+    /// Measure what markup and emotions do to a voice; fail when a setting misses its target.
     Measure(Measure),
     /// Draw a sentence: its spectrum with words, phones and pitch over it.
     Picture(Picture),

@@ -214,7 +214,7 @@ fn string(note: &Note, noise: &mut Noise, out: &mut Stereo, how: &Plucked) {
     let burst: Vec<f64> = (0..=whole)
         .map(|_| soften.low(noise.signed(), hardness, 0.7))
         .collect();
-    // What is plucked at a fifth lacks the fifth partial: the burst less itself, later.
+    // A string plucked at a fifth lacks the fifth partial: the burst less itself, later.
     let comb = ((how.place * period) as usize).max(1);
     let mut line: Vec<f64> = (0..=whole)
         .map(|i| burst[i] - burst[(i + whole + 1 - comb) % (whole + 1)])

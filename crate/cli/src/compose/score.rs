@@ -249,7 +249,7 @@ impl Section {
 /// The chord at a place, in bars from the start of its section.
 fn chord_at(chords: &[Vec<Chord>], bars: f64) -> Option<&Chord> {
     let bar = chords.get(bars as usize % chords.len().max(1))?;
-    // Cells of three in a bar of two chords: what is a rounding error below belongs above.
+    // Cells of three in a bar of two chords: a time that is a rounding error below belongs above.
     let inside = (bars - bars.floor() + 1e-9) * bar.len() as f64;
     bar.get(inside as usize).or(bar.last())
 }

@@ -3,7 +3,7 @@
 //! Anybody can open a connection and say nothing, or a byte now and then. Such connections
 //! wait here, apart from the minds' places: at most [`MOST`] at once, each until
 //! [`super::mind::PATIENCE`] is over. One more turns out the one that has waited longest. So
-//! strangers hold no mind's place, and whoever greets at once is heard at once. Those who are
+//! strangers hold no mind's place, and a client that greets at once is heard at once. Those who are
 //! refused stay until they have read why.
 
 use std::collections::VecDeque;

@@ -1,4 +1,4 @@
-//! A mind that is connected: what it sends, and what it is told.
+//! A connected mind: the messages from it and to it.
 
 use std::io::{self, Write as _};
 use std::sync::Arc;
@@ -61,9 +61,9 @@ pub(crate) struct Door {
 }
 
 /// A place among the connected minds; leaving gives it back.
-pub(crate) struct Place(Arc<AtomicUsize>);
+pub(crate) struct ConnectionSlot(Arc<AtomicUsize>);
 
-impl Drop for Place {
+impl Drop for ConnectionSlot {
     fn drop(&mut self) {
         self.0.fetch_sub(1, Ordering::Relaxed);
     }
@@ -94,9 +94,9 @@ impl Door {
     }
 
     /// A place for a mind, unless all are taken.
-    pub(crate) fn place(&self) -> Option<Place> {
+    pub(crate) fn place(&self) -> Option<ConnectionSlot> {
         let before = self.connected.fetch_add(1, Ordering::Relaxed);
-        let place = Place(Arc::clone(&self.connected));
+        let place = ConnectionSlot(Arc::clone(&self.connected));
         (before < MOST_MINDS).then_some(place)
     }
 

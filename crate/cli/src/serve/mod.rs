@@ -40,7 +40,7 @@ pub(crate) struct Ways {
     pub(crate) tcp: Option<SocketAddr>,
     /// Whether the standard input is a mind.
     pub(crate) stdin: bool,
-    /// What they must know; without one it is made up and told.
+    /// The token that they must send; without one it is generated and printed.
     pub(crate) token: Option<String>,
     /// A mind that is silent for so long is gone.
     pub(crate) idle: Duration,
@@ -58,7 +58,7 @@ pub(crate) enum Clock {
     Virtual,
 }
 
-/// What a mind is told first.
+/// The first message to a mind.
 #[derive(Serialize)]
 #[serde(tag = "kind", rename = "hello", rename_all = "camelCase")]
 struct Hello<'a> {
@@ -113,7 +113,7 @@ pub(crate) fn run(mut player: Player, ways: &Ways, clock: Clock) -> Result<()> {
     }
 }
 
-/// A token that nobody can guess: 128 random bits.
+/// A token that cannot be guessed: 128 random bits.
 fn token() -> Result<String> {
     let mut bytes = [0; 16];
     getrandom::fill(&mut bytes).context("no random numbers for a token; name one with --token")?;
@@ -170,7 +170,7 @@ fn read_input(door: &Door) {
             }
         }
         if let Some(last) = framer.finish() {
-            // Whoever would have performed it has left.
+            // The page that would have performed it has left.
             let _ = inbox.send(last);
         }
     });

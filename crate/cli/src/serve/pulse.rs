@@ -2,27 +2,27 @@
 
 use std::time::{Duration, Instant};
 
-/// Watches one connection: after a silence it is to be asked for a sign of life, and after a
-/// longer one it is taken for dead, so that what is left of a mind keeps no place.
+/// Watches one connection: after a silence it gets a ping, and after a
+/// longer one it is closed, so that dead connections keep no place.
 pub(crate) struct Pulse {
     heard: Instant,
     asked: bool,
     idle: Duration,
 }
 
-/// What is to be done.
+/// The action that is due.
 #[derive(Debug, PartialEq, Eq)]
 pub(crate) enum Beat {
     /// Nothing.
     Steady,
-    /// Ask for a sign of life; told once a silence.
+    /// Send a ping; once a silence.
     Ask,
     /// End the connection.
     Dead,
 }
 
 impl Pulse {
-    /// Whoever is silent for `idle` is dead; he is asked after a third of it.
+    /// A connection that is silent for `idle` is dead; a ping goes out after a third of it.
     pub(crate) fn new(idle: Duration, now: Instant) -> Self {
         Self {
             heard: now,
@@ -37,7 +37,7 @@ impl Pulse {
         self.asked = false;
     }
 
-    /// What is to be done now.
+    /// The action that is due now.
     pub(crate) fn beat(&mut self, now: Instant) -> Beat {
         let silent = now.saturating_duration_since(self.heard);
         if silent >= self.idle {
@@ -57,8 +57,8 @@ mod tests {
     use proptest::prelude::*;
 
     proptest! {
-        /// However signs of life and looks lie: nobody is dead who was heard within the time,
-        /// and nobody lives on who was not; one silence is asked about once, before its end.
+        /// For any times of messages and checks: no connection that sent within the time is dead,
+        /// and none that did not lives on; one silence gets one ping, before its end.
         #[test]
         fn who_is_heard_lives(steps in prop::collection::vec((0_u64..60, any::<bool>()), 1..100)) {
             let begin = Instant::now();

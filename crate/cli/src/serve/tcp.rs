@@ -24,7 +24,7 @@ const FULL: &str = r#"{"kind":"failed","code":"serve::full","message":"all place
 "#;
 /// Asks a silent mind for a line; an empty one will do.
 const PING: &str = "{\"kind\":\"ping\"}\n";
-/// What a mind is told that did not answer.
+/// The message to a mind that did not answer.
 const IDLE: &str = r#"{"kind":"failed","code":"serve::idle","message":"nothing came for too long; an empty line answers a ping"}
 "#;
 
@@ -58,7 +58,7 @@ pub(crate) fn serve(stream: TcpStream, door: &Door) -> io::Result<()> {
 
 /// Why a connection is not let in.
 enum Refusal {
-    /// It is told so.
+    /// It gets a message.
     Told(&'static str),
     /// It is gone, or out of time.
     Silent(io::Error),

@@ -68,7 +68,7 @@ pub(crate) fn serve(stream: TcpStream, door: &Door) -> Result<(), Error> {
 
 /// How a conversation ends.
 enum End {
-    /// The mind is told why.
+    /// The close frame says why.
     Told(CloseCode, &'static str),
     /// The mind has left.
     Left,

@@ -24,7 +24,7 @@ pub(crate) use tile::Tile;
 
 /// What a sheet shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Part {
+pub(crate) enum SheetPart {
     /// Everything.
     All,
     /// Front, three-quarter, profile.
@@ -60,24 +60,24 @@ pub(crate) enum Part {
 /// Tiles that fit in a row.
 const COLUMNS: u32 = 5;
 
-/// The tiles of the parts asked for, in the order of [`Part`].
-pub(crate) fn tiles(figure: &Figure, parts: &[Part], light: Lighting) -> Vec<Tile> {
-    let wanted = |part: Part| {
+/// The tiles of the requested parts, in the order of [`SheetPart`].
+pub(crate) fn tiles(figure: &Figure, parts: &[SheetPart], light: Lighting) -> Vec<Tile> {
+    let wanted = |part: SheetPart| {
         parts.contains(&part)
-            || (parts.contains(&Part::All)
+            || (parts.contains(&SheetPart::All)
                 && !matches!(
                     part,
-                    Part::Shapes
-                        | Part::Silhouette
-                        | Part::Muscles
-                        | Part::Visemes
-                        | Part::Emotions
-                        | Part::Blink
+                    SheetPart::Shapes
+                        | SheetPart::Silhouette
+                        | SheetPart::Muscles
+                        | SheetPart::Visemes
+                        | SheetPart::Emotions
+                        | SheetPart::Blink
                 ))
     };
-    Part::value_variants()
+    SheetPart::value_variants()
         .iter()
-        .filter(|&&part| part != Part::All && wanted(part))
+        .filter(|&&part| part != SheetPart::All && wanted(part))
         .flat_map(|&part| tile::of(figure, part, light))
         .collect()
 }

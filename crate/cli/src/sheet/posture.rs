@@ -6,7 +6,7 @@ use raconteur_body::skeleton::zero_frames;
 use raconteur_body::{Bone, Figure, HandShape, Pose, Skeleton};
 use raconteur_tissue::{FaceControls, Network};
 
-/// A pose being built, with what the face is asked to do in it.
+/// A pose being built, with the controls of its face.
 pub(crate) struct Posture<'a> {
     figure: &'a Figure,
     pose: Pose,
@@ -98,7 +98,7 @@ impl<'a> Posture<'a> {
         self.face.upper_lid = [share; 2];
     }
 
-    /// What the face is asked to do.
+    /// The controls of the face.
     pub(crate) fn face(&mut self, controls: FaceControls) {
         self.face = controls;
     }

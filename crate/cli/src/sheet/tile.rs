@@ -19,7 +19,7 @@ use raconteur_tissue::{FaceControls, Muscle};
 use super::pose::{FIST, PoseName};
 use super::posture::{Posed, Posture};
 use super::view::{Places, before};
-use super::{Part, light};
+use super::{SheetPart, light};
 
 /// Hand shapes by number.
 const RELAXED: u8 = 0;
@@ -61,24 +61,24 @@ struct Maker<'a> {
 }
 
 /// The tiles of a part.
-pub(super) fn of(figure: &Figure, part: Part, lighting: Lighting) -> Vec<Tile> {
+pub(super) fn of(figure: &Figure, part: SheetPart, lighting: Lighting) -> Vec<Tile> {
     let maker = Maker { figure, lighting };
     match part {
-        Part::All => Vec::new(),
-        Part::Face => maker.face(),
-        Part::Eyes => maker.eyes(),
-        Part::Body => maker.body(),
-        Part::Hands => maker.hands(),
-        Part::Shapes => maker.shapes(),
-        Part::Poses => maker.poses(),
-        Part::Mouth => maker.mouth(),
-        Part::Muscles => maker.muscles(),
-        Part::Visemes => maker.visemes(),
-        Part::Emotions => maker.emotions(),
-        Part::Blink => maker.blink(),
-        Part::Lights => maker.lights(),
-        Part::Wireframe => maker.wireframe(),
-        Part::Silhouette => maker.silhouette(),
+        SheetPart::All => Vec::new(),
+        SheetPart::Face => maker.face(),
+        SheetPart::Eyes => maker.eyes(),
+        SheetPart::Body => maker.body(),
+        SheetPart::Hands => maker.hands(),
+        SheetPart::Shapes => maker.shapes(),
+        SheetPart::Poses => maker.poses(),
+        SheetPart::Mouth => maker.mouth(),
+        SheetPart::Muscles => maker.muscles(),
+        SheetPart::Visemes => maker.visemes(),
+        SheetPart::Emotions => maker.emotions(),
+        SheetPart::Blink => maker.blink(),
+        SheetPart::Lights => maker.lights(),
+        SheetPart::Wireframe => maker.wireframe(),
+        SheetPart::Silhouette => maker.silhouette(),
     }
 }
 
@@ -281,14 +281,14 @@ impl<'a> Maker<'a> {
             caption: String::new(),
             aspect: 1.0,
             posed,
-            // Known to whoever compares: level, at half stature, 8 % of room.
+            // The same in every sheet, for comparison: level, at half stature, 8 % of room.
             camera: before(DVec3::Y * middle, 1.08 * middle, 0.0, 0.0),
             lighting: self.lighting,
             style: Style::Silhouette,
         }]
     }
 
-    /// The lower half of a face that is asked for something.
+    /// The lower half of a face with given controls.
     fn lips(&self, caption: &str, controls: FaceControls) -> Tile {
         let mut posture = self.standing();
         posture.face(controls);

@@ -130,7 +130,7 @@ impl Canvas {
     }
 }
 
-/// Draws skin, clothes and what is under them; hair and lashes would hide the head.
+/// Draws skin, clothes and the layers under them; hair and lashes would hide the head.
 pub(super) fn draw(figure: &Figure, posed: &Posed, camera: &Camera, size: (u32, u32)) -> Vec<u8> {
     let size = (size.0 as usize * FINER, size.1 as usize * FINER);
     let view = View::new(camera, size);

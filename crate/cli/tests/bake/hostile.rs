@@ -1,4 +1,4 @@
-//! Stories that want to read what is not theirs.
+//! Stories that try to read files outside their folder.
 
 use std::fs;
 use std::os::unix::fs::symlink;
@@ -8,7 +8,7 @@ use crate::workshop::{Workshop, said, wave};
 /// Bakes a story that plays a recording; fails when it does and gives what was said.
 fn refused(workshop: &Workshop, clause: &str) -> String {
     workshop.tell(clause);
-    // Both what is spoken and what is only compared.
+    // Both spoken texts and those that are only compared.
     for more in [&["--check"][..], &[]] {
         let out = workshop.bake("1.0", more).output().unwrap();
         assert!(!out.status.success(), "{clause}");

@@ -1,7 +1,7 @@
 //! `raconteur bake` as a program: stopped at any moment, run twice at once, without the programs
-//! that it needs, and with stories that want to read what is not theirs.
+//! that it needs, and with stories that try to read files outside their folder.
 //!
-//! No speech engine and no encoder is needed: people have recorded what is said, and scripts
+//! No speech engine and no encoder is needed: the speech is recorded, and scripts
 //! stand for `opusenc` and `ffmpeg`.
 #![cfg(unix)]
 

@@ -1,4 +1,4 @@
-//! Extensions: who performs, what is felt, and how camera, light and music tell it
+//! Extensions: the performer, emotions, and how camera, light and music tell it
 //! (GEVH 3.5.4 describes them without a syntax).
 
 use crate::record::{record, words};
@@ -166,7 +166,7 @@ words! {
         Medium = "medium",
         /// The whole figure.
         Full = "full",
-        /// The figure and what is around it.
+        /// The figure and its surroundings.
         Long = "long",
     }
 }

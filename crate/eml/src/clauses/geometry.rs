@@ -27,7 +27,7 @@ words! {
 }
 
 record! {
-    /// Switches of the drawing; what is none stays as it is.
+    /// Switches of the drawing; `None` keeps a setting.
     ConfigureGeometry = "body-configure-geometry" {
         /// What of a surface is drawn.
         fill_mode: Option<FillMode> = "fillMode",

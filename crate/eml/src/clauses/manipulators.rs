@@ -29,7 +29,7 @@ impl Manipulator {
 }
 
 record! {
-    /// Switches a manipulator; what is none stays as it is (GEVH D.3.19).
+    /// Switches a manipulator; `None` keeps a setting (GEVH D.3.19).
     ConfigureManipulator = "body-configure-manipulator" {
         /// Which one.
         manipulator: Manipulator = "manipulator",

@@ -98,7 +98,7 @@ pub struct Set {
     pub name: String,
     /// What it consists of.
     pub kind: SetKind,
-    /// What is in it, in order: [`MemberKind::Item`] and [`MemberKind::Set`].
+    /// Its members, in order: [`MemberKind::Item`] and [`MemberKind::Set`].
     pub members: Vec<Member>,
     /// The start tag.
     pub span: Span,

@@ -392,7 +392,7 @@ impl VoiceSay {
 }
 
 record! {
-    /// Changes the voice of what is spoken from now on (GEVH D.4.15).
+    /// Changes the voice of all speech from now on (GEVH D.4.15).
     VoiceChange = "voice-change" {
         /// The voice's name, such as `don_diphone`.
         voice: String = "voice",

@@ -1,7 +1,7 @@
 //! `audio`: a recording in speech.
 
 use super::{Attribute, Context, Element, Fields, Kind, Role, VOICE_PARENTS, VoiceBuilder};
-use crate::{Audio, AudioMode, Piece};
+use crate::{Audio, AudioMode, TextSegment};
 
 pub(super) static ELEMENT: Element = Element {
     doc: super::shown("Plays a recording."),
@@ -31,7 +31,7 @@ fn read(cx: &mut Context<'_>, node: usize, fields: &Fields<'_>, voice: &mut Voic
     let mut audio = Box::<Audio>::default();
     if cx.record(node, fields, audio.as_mut()) {
         let span = cx.full_span(node);
-        voice.pieces.push(Piece::Audio { audio, span });
+        voice.pieces.push(TextSegment::Audio { audio, span });
     }
 }
 

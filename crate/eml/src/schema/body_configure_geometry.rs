@@ -1,4 +1,4 @@
-//! `body-configure-geometry`: switches what is drawn.
+//! `body-configure-geometry`: switches parts of the drawing.
 
 use super::{Attribute, Element};
 use crate::{ClauseKind, FillMode, VisibleMeshes};

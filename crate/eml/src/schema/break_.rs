@@ -2,7 +2,7 @@
 
 use super::{Attribute, Context, Element, Fields, Role, VOICE_PARENTS, VoiceBuilder};
 use crate::record::{Field as _, Value};
-use crate::{Boundary, Piece};
+use crate::{Boundary, TextSegment};
 
 /// Pauses of SABLE's levels in milliseconds: *designed*, near Festival's mean pause
 /// of 200 ms and its long one at the end of an utterance.
@@ -64,7 +64,7 @@ fn read(cx: &mut Context<'_>, node: usize, fields: &Fields<'_>, voice: &mut Voic
         _ => 0.0,
     };
     let msec = cx.number(fields, "msec").unwrap_or(of_level);
-    voice.pieces.push(Piece::Break {
+    voice.pieces.push(TextSegment::Break {
         msec: msec.round() as u32,
         boundary,
         span: cx.full_span(node),
@@ -81,7 +81,7 @@ fn interpolated(level: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use crate::schema::testing::one;
-    use crate::{ClauseKind, Piece};
+    use crate::{ClauseKind, TextSegment};
 
     fn msec(attributes: &str) -> u32 {
         let kind = one(&format!(
@@ -90,7 +90,7 @@ mod tests {
         let ClauseKind::VoiceText(text) = kind else {
             panic!()
         };
-        let Piece::Break { msec, .. } = text.pieces[1] else {
+        let TextSegment::Break { msec, .. } = text.pieces[1] else {
             panic!()
         };
         msec

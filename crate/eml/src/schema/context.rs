@@ -272,7 +272,7 @@ impl<'t> Context<'t> {
             "it is dropped"
         };
         let message = format!("unknown element {}; {what}", quoted(written));
-        // Where nobody will read it, it is not looked for.
+        // Not looked up where it will not be read.
         let hint = (!self.sink.is_full_of("eml::unknown-element"))
             .then(|| element_meant(local, owner == Owner::Extensions, parent))
             .flatten();
@@ -419,7 +419,7 @@ impl<'t> Context<'t> {
             .all_attributes()
             .find(|a| a.extension && !extension && a.name.eq_ignore_ascii_case(local));
         let hint = match meant {
-            // Nobody will read it.
+            // It will not be read.
             _ if self.sink.is_full_of("eml::unknown-attribute") => None,
             Some(a) => Some(format!(
                 "`{}` is an extension: write {prefix}:{} and bind xmlns:{prefix}='{}' on `eml`",

@@ -1,7 +1,7 @@
 //! `div`: a sentence or a paragraph of speech.
 
 use super::{Attribute, Content, Context, Element, Fields, Role, VOICE_PARENTS, VoiceBuilder};
-use crate::{DivKind, Piece};
+use crate::{DivKind, TextSegment};
 
 pub(super) static ELEMENT: Element = Element {
     doc: super::shown("Marks a division of spoken text."),
@@ -26,18 +26,18 @@ fn read(cx: &mut Context<'_>, node: usize, fields: &Fields<'_>, voice: &mut Voic
         "sentence" => DivKind::Sentence,
         _ => DivKind::Paragraph,
     });
-    voice.pieces.push(Piece::DivStart {
+    voice.pieces.push(TextSegment::DivStart {
         kind,
         span: fields.tag,
     });
     voice.content(cx, node, ELEMENT.name);
-    voice.pieces.push(Piece::DivEnd);
+    voice.pieces.push(TextSegment::DivEnd);
 }
 
 #[cfg(test)]
 mod tests {
     use crate::schema::testing::one;
-    use crate::{ClauseKind, DivKind, Piece};
+    use crate::{ClauseKind, DivKind, TextSegment};
 
     #[test]
     fn divisions_open_and_close_around_their_text() {
@@ -46,7 +46,7 @@ mod tests {
             panic!()
         };
         let sentence = Some(DivKind::Sentence);
-        assert!(matches!(text.pieces[0], Piece::DivStart { kind, .. } if kind == sentence));
-        assert!(matches!(text.pieces[2], Piece::DivEnd));
+        assert!(matches!(text.pieces[0], TextSegment::DivStart { kind, .. } if kind == sentence));
+        assert!(matches!(text.pieces[2], TextSegment::DivEnd));
     }
 }

@@ -178,7 +178,7 @@ pub(super) fn add<K>(
 ) {
     let Some(track) = track else { return };
     let covers = |track: &Track<K>, side: Side| {
-        // Whose hand is meant by dominant nobody knows yet; no track may say it by itself.
+        // Which hand is the dominant one is not known yet; a track may not name it alone.
         let takes_part = if handedness.is_relative() {
             track.hand.is_none()
         } else {

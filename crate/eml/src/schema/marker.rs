@@ -1,7 +1,7 @@
 //! `marker`: tells listeners of a moment in speech.
 
 use super::{Attribute, Context, Element, Fields, Role, VOICE_PARENTS, VoiceBuilder};
-use crate::Piece;
+use crate::TextSegment;
 
 pub(super) static ELEMENT: Element = Element {
     doc: super::shown("Tells listeners when the next word begins."),
@@ -18,7 +18,7 @@ fn read(cx: &mut Context<'_>, node: usize, fields: &Fields<'_>, voice: &mut Voic
     cx.children(node, &ELEMENT, |_, _, _| {});
     if let Some(mark) = cx.text(fields, "mark") {
         let span = cx.full_span(node);
-        voice.pieces.push(Piece::Marker {
+        voice.pieces.push(TextSegment::Marker {
             mark: mark.into(),
             span,
         });
@@ -27,7 +27,7 @@ fn read(cx: &mut Context<'_>, node: usize, fields: &Fields<'_>, voice: &mut Voic
 
 #[cfg(test)]
 mod tests {
-    use crate::{ClauseKind, Piece};
+    use crate::{ClauseKind, TextSegment};
 
     #[test]
     fn markers_do_not_cut_words() {
@@ -38,7 +38,7 @@ mod tests {
         let ClauseKind::VoiceText(voice) = &parsed.document.clauses[0].kind else {
             panic!()
         };
-        assert!(matches!(&voice.pieces[1], Piece::Marker { mark, .. } if mark == "m"));
+        assert!(matches!(&voice.pieces[1], TextSegment::Marker { mark, .. } if mark == "m"));
         assert_eq!(voice.plain_text(), "ab");
     }
 }

@@ -55,7 +55,7 @@ pub(super) fn track(cx: &mut Context<'_>, node: usize, duration: f64) -> Option<
         let [Some(x), Some(y), Some(z)] = axis else {
             return None;
         };
-        // The square must not vanish either: whoever normalises divides by its root.
+        // The square must not vanish either: normalising divides by its root.
         if x * x + y * y + z * z < f64::MIN_POSITIVE {
             cx.sink.push(
                 Diagnostic::error(

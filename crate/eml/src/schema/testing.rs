@@ -1,6 +1,6 @@
 //! What the elements' tests share.
 
-use crate::{ClauseKind, Markup, Parsed, Piece, parse};
+use crate::{ClauseKind, Markup, Parsed, TextSegment, parse};
 
 /// The codes of the diagnostics of a whole document.
 pub(super) fn codes(text: &str) -> Vec<&'static str> {
@@ -43,7 +43,7 @@ pub(super) fn markup(inner: &str) -> (Markup, Vec<&'static str>) {
         panic!("{codes:?}")
     };
     let markup = voice.pieces.iter().find_map(|piece| match piece {
-        Piece::Start { markup, .. } => Some(markup.as_ref().clone()),
+        TextSegment::Start { markup, .. } => Some(markup.as_ref().clone()),
         _ => None,
     });
     (markup.unwrap_or_else(|| panic!("{codes:?}")), codes)

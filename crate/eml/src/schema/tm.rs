@@ -1,7 +1,7 @@
 //! `tm`: names a moment of a word.
 
 use super::{Attribute, Context, Element, Fields, Kind, Role, VOICE_PARENTS, VoiceBuilder};
-use crate::{Diagnostic, MarkEvent, Piece};
+use crate::{Diagnostic, MarkEvent, TextSegment};
 
 pub(super) static ELEMENT: Element = Element {
     doc: super::shown(
@@ -67,7 +67,7 @@ fn read(cx: &mut Context<'_>, node: usize, fields: &Fields<'_>, voice: &mut Voic
             }
         }
     };
-    voice.pieces.push(Piece::Mark {
+    voice.pieces.push(TextSegment::Mark {
         name,
         event,
         span: cx.full_span(node),

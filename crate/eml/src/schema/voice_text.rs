@@ -3,7 +3,7 @@
 use super::{Content, Context, Element, Fields, Role, variant_in};
 use crate::syntax::NodeKind;
 use crate::voice::NO_EMPHASIS;
-use crate::{ClauseKind, Diagnostic, Markup, Name, Piece, VoiceText};
+use crate::{ClauseKind, Diagnostic, Markup, Name, TextSegment, VoiceText};
 
 pub(super) static ELEMENT: Element = Element {
     doc: super::shown("Speaks a text. Markup inside shapes how, and names moments of words."),
@@ -39,7 +39,7 @@ fn build(cx: &mut Context<'_>, node: usize, fields: &Fields<'_>) -> Option<Claus
 
 /// Collects the pieces of a spoken text.
 pub(crate) struct VoiceBuilder {
-    pub(crate) pieces: Vec<Piece>,
+    pub(crate) pieces: Vec<TextSegment>,
     /// SABLE's emphasis level of the text that comes next.
     pub(crate) emphasis: f64,
 }
@@ -96,7 +96,7 @@ impl VoiceBuilder {
         }
     }
 
-    /// Adds a container and what is in it; only the latter when the container is faulty.
+    /// Adds a container and its content; only the latter when the container is faulty.
     fn container(
         &mut self,
         cx: &mut Context<'_>,
@@ -110,20 +110,20 @@ impl VoiceBuilder {
             if let Markup::Emph(emph) = &markup {
                 self.emphasis = super::emph::number(emph.level);
             }
-            self.pieces.push(Piece::Start {
+            self.pieces.push(TextSegment::Start {
                 markup: Box::new(markup),
                 span: fields.tag,
             });
         }
         self.content(cx, node, fields.element.name);
         if complete {
-            self.pieces.push(Piece::End);
+            self.pieces.push(TextSegment::End);
         }
         self.emphasis = outside;
     }
 
     fn text(&mut self, text: Name, span: crate::Span) {
-        self.pieces.push(Piece::Text {
+        self.pieces.push(TextSegment::Text {
             text,
             emphasis: self.emphasis,
             span,

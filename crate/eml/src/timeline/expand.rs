@@ -66,7 +66,7 @@ pub(super) fn expand(document: &Document, times: &Times, counts: &[u32]) -> Time
     for &root in &document.roots {
         list.add(
             root,
-            &Place {
+            &Iteration {
                 shift: 0.0,
                 cut: f64::INFINITY,
                 container: None,
@@ -114,7 +114,7 @@ struct List<'d> {
 }
 
 /// Where in the repetitions a clause plays.
-struct Place {
+struct Iteration {
     /// Seconds after the first iteration.
     shift: f64,
     /// When the iteration is cut off.
@@ -124,8 +124,8 @@ struct Place {
 }
 
 impl List<'_> {
-    /// Adds a clause and what is inside it. Groups recurse; parsing limits the depth.
-    fn add(&mut self, id: ClauseId, place: &Place) {
+    /// Adds a clause and its members. Groups recurse; parsing limits the depth.
+    fn add(&mut self, id: ClauseId, place: &Iteration) {
         step(1);
         let Some(start) = self.times.start(id) else {
             return;
@@ -167,7 +167,7 @@ impl List<'_> {
                 None => place.cut,
             };
             let shift = place.shift + later;
-            let inner = Place {
+            let inner = Iteration {
                 shift,
                 cut,
                 container: index,

@@ -62,7 +62,7 @@ pub(super) struct After<'a, T, E> {
     items: &'a [T],
     end: E,
     t: f64,
-    /// What is left of the block that is being looked at.
+    /// The rest of the current block.
     block: Range<usize>,
     waiting: [usize; HEIGHT],
     depth: usize,

@@ -15,7 +15,7 @@ use crate::{
 };
 
 /// Names that are looked at in all to find those that may have been meant: it bounds
-/// the work on a document with many names that nobody gave.
+/// the work on a document with many unknown names.
 const MOST_LOOKS: usize = 5_000;
 
 /// Names that a message tells of those that count from each other.
@@ -416,7 +416,7 @@ impl Solver<'_, '_> {
                 None => format!("`{}`", clause.kind.name()),
             }
         };
-        // A cycle of thousands of names is told by its beginning.
+        // Of a cycle of thousands of names the message lists the first.
         let mut chain: Vec<String> = faulty.iter().take(LONGEST_CHAIN).map(label).collect();
         if faulty.len() > chain.len() {
             chain.push("…".to_owned());
@@ -459,7 +459,7 @@ impl Solver<'_, '_> {
                 break;
             }
             at = if self.refused[id.index()] {
-                // A cycle, which is told by itself.
+                // A cycle, which is reported by itself.
                 None
             } else if clause.start.is_absolute() {
                 let mut named = clause.start.names.iter().zip(self.terms_of(id));

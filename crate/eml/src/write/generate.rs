@@ -5,8 +5,8 @@ use crate::record::{Child as _, Field, List, Record, Value, Visit};
 use crate::schema::{self, Attribute, ELEMENTS, Element, Kind, Presence, Role, parse_value};
 use crate::{
     Clause, ClauseId, ClauseKind, Coords, DivKind, Document, GestureKey, Group, Handedness, Key,
-    MarkEvent, MotionKey, Name, NameTerm, PalmKey, Performer, Phase, Piece, Profile, Set, ShapeKey,
-    Span, TimeExpr, Track, VoiceText,
+    MarkEvent, MotionKey, Name, NameTerm, PalmKey, Performer, Phase, Profile, Set, ShapeKey, Span,
+    TextSegment, TimeExpr, Track, VoiceText,
 };
 use raconteur_base::Side;
 
@@ -312,7 +312,7 @@ impl Dice {
         let span = Span::default();
         for _ in 0..self.below(12) {
             match self.below(8) {
-                0 => pieces.push(Piece::Break {
+                0 => pieces.push(TextSegment::Break {
                     msec: self.pick(&[0, 150, 350, 800, 1234]),
                     boundary: None,
                     span,
@@ -321,9 +321,9 @@ impl Dice {
                     let mut audio = crate::Audio::blank("audio").unwrap();
                     self.fill(&mut audio);
                     let audio = Box::new(audio);
-                    pieces.push(Piece::Audio { audio, span });
+                    pieces.push(TextSegment::Audio { audio, span });
                 }
-                2 => pieces.push(Piece::Marker {
+                2 => pieces.push(TextSegment::Marker {
                     mark: self.identifier(),
                     span,
                 }),
@@ -334,12 +334,12 @@ impl Dice {
                         1 => MarkEvent::OnEnd,
                         _ => MarkEvent::OnPhone(Box::new("hh".into())),
                     };
-                    pieces.push(Piece::Mark { name, event, span });
+                    pieces.push(TextSegment::Mark { name, event, span });
                 }
                 4 => {
                     let kind =
                         self.pick(&[None, Some(DivKind::Sentence), Some(DivKind::Paragraph)]);
-                    pieces.push(Piece::DivStart { kind, span });
+                    pieces.push(TextSegment::DivStart { kind, span });
                     open.push((true, emphasis));
                 }
                 5 => {
@@ -357,17 +357,21 @@ impl Dice {
                         emphasis = schema::emphasis(emph.level);
                     }
                     let markup = Box::new(markup);
-                    pieces.push(Piece::Start { markup, span });
+                    pieces.push(TextSegment::Start { markup, span });
                 }
                 6 => {
                     if let Some((division, outside)) = open.pop() {
                         emphasis = outside;
-                        pieces.push(if division { Piece::DivEnd } else { Piece::End });
+                        pieces.push(if division {
+                            TextSegment::DivEnd
+                        } else {
+                            TextSegment::End
+                        });
                     }
                 }
                 _ => {
                     let text = self.text().into();
-                    pieces.push(Piece::Text {
+                    pieces.push(TextSegment::Text {
                         text,
                         emphasis,
                         span,
@@ -376,7 +380,11 @@ impl Dice {
             }
         }
         while let Some((division, _)) = open.pop() {
-            pieces.push(if division { Piece::DivEnd } else { Piece::End });
+            pieces.push(if division {
+                TextSegment::DivEnd
+            } else {
+                TextSegment::End
+            });
         }
         VoiceText { pieces }
     }

@@ -126,7 +126,7 @@ impl<'d> Writer<'d> {
         }
     }
 
-    /// Writes a clause and what is in it. Groups recurse; parsing limits the depth, and a
+    /// Writes a clause and its members. Groups recurse; parsing limits the depth, and a
     /// document made otherwise is as deep as its maker chose.
     fn clause(&mut self, id: ClauseId) {
         let clause = self.document.clause(id);
@@ -162,7 +162,7 @@ impl<'d> Writer<'d> {
         }
     }
 
-    /// Writes a tag with what is in it, a line each.
+    /// Writes a tag with its content, a line each.
     fn tag(&mut self, tag: &Tag) {
         self.extended |= tag.is_extended();
         let start = format!("<{}{}", tag.name(), tag.attributes());

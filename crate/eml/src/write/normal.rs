@@ -1,6 +1,6 @@
 //! What of a document does not depend on how it was written.
 
-use crate::{ClauseKind, Document, Piece, Span, Track};
+use crate::{ClauseKind, Document, Span, TextSegment, Track};
 
 /// The document without places in a text, and with the pieces of text that a reference or
 /// a comment cuts joined. Two texts that mean the same give the same.
@@ -40,16 +40,16 @@ fn forget<K>(track: &mut Track<K>) {
         .for_each(|key| key.span = Span::default());
 }
 
-fn joined(pieces: Vec<Piece>) -> Vec<Piece> {
-    let mut out: Vec<Piece> = Vec::new();
+fn joined(pieces: Vec<TextSegment>) -> Vec<TextSegment> {
+    let mut out: Vec<TextSegment> = Vec::new();
     for mut piece in pieces {
         match &mut piece {
-            Piece::Text {
+            TextSegment::Text {
                 text,
                 emphasis,
                 span,
             } => {
-                if let Some(Piece::Text {
+                if let Some(TextSegment::Text {
                     text: before,
                     emphasis: level,
                     ..
@@ -61,13 +61,13 @@ fn joined(pieces: Vec<Piece>) -> Vec<Piece> {
                 }
                 *span = Span::default();
             }
-            Piece::Break { span, .. }
-            | Piece::Audio { span, .. }
-            | Piece::Marker { span, .. }
-            | Piece::Start { span, .. }
-            | Piece::DivStart { span, .. }
-            | Piece::Mark { span, .. } => *span = Span::default(),
-            Piece::End | Piece::DivEnd => {}
+            TextSegment::Break { span, .. }
+            | TextSegment::Audio { span, .. }
+            | TextSegment::Marker { span, .. }
+            | TextSegment::Start { span, .. }
+            | TextSegment::DivStart { span, .. }
+            | TextSegment::Mark { span, .. } => *span = Span::default(),
+            TextSegment::End | TextSegment::DivEnd => {}
         }
         out.push(piece);
     }

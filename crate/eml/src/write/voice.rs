@@ -1,7 +1,7 @@
 //! Spoken text with its markup.
 
 use super::tag::{Tag, escaped};
-use crate::{Boundary, DivKind, MarkEvent, Piece, VoiceText};
+use crate::{Boundary, DivKind, MarkEvent, TextSegment, VoiceText};
 
 /// The pauses that have a word.
 const LEVELS: [(u32, &str); 4] = [(350, ""), (0, "none"), (150, "small"), (800, "large")];
@@ -13,24 +13,24 @@ pub(super) fn content(text: &VoiceText) -> (String, bool) {
     let mut extended = false;
     for piece in &text.pieces {
         let (mut tag, opens) = match piece {
-            Piece::Text { text, .. } => {
+            TextSegment::Text { text, .. } => {
                 // In text a quote is a character like others.
                 out.push_str(&escaped(text).replace("&apos;", "'"));
                 continue;
             }
-            Piece::DivEnd | Piece::End => {
+            TextSegment::DivEnd | TextSegment::End => {
                 close(&mut open, &mut out);
                 continue;
             }
-            Piece::Break { .. } => (Tag::new("break"), false),
-            Piece::Audio { audio, .. } => (Tag::of(&mut audio.as_ref().clone()), false),
-            Piece::Marker { .. } => (Tag::new("marker"), false),
-            Piece::Mark { .. } => (Tag::new("tm"), false),
-            Piece::DivStart { .. } => (Tag::new("div"), true),
-            Piece::Start { markup, .. } => (Tag::of(markup.as_ref().clone().record()), true),
+            TextSegment::Break { .. } => (Tag::new("break"), false),
+            TextSegment::Audio { audio, .. } => (Tag::of(&mut audio.as_ref().clone()), false),
+            TextSegment::Marker { .. } => (Tag::new("marker"), false),
+            TextSegment::Mark { .. } => (Tag::new("tm"), false),
+            TextSegment::DivStart { .. } => (Tag::new("div"), true),
+            TextSegment::Start { markup, .. } => (Tag::of(markup.as_ref().clone().record()), true),
         };
         match piece {
-            Piece::Break { msec, boundary, .. } => {
+            TextSegment::Break { msec, boundary, .. } => {
                 match LEVELS.iter().find(|(length, _)| length == msec) {
                     Some((_, "")) => {}
                     Some((_, word)) => tag.word("level", Some(word)),
@@ -38,8 +38,8 @@ pub(super) fn content(text: &VoiceText) -> (String, bool) {
                 }
                 tag.word("type", boundary.map(Boundary::word));
             }
-            Piece::Marker { mark, .. } => tag.text("mark", Some(mark)),
-            Piece::Mark { name, event, .. } => {
+            TextSegment::Marker { mark, .. } => tag.text("mark", Some(mark)),
+            TextSegment::Mark { name, event, .. } => {
                 tag.text("name", Some(name));
                 match event {
                     MarkEvent::OnStart => {}
@@ -50,7 +50,7 @@ pub(super) fn content(text: &VoiceText) -> (String, bool) {
                     }
                 }
             }
-            Piece::DivStart { kind, .. } => tag.word(
+            TextSegment::DivStart { kind, .. } => tag.word(
                 "type",
                 kind.map(|kind| match kind {
                     DivKind::Sentence => "sentence",

@@ -320,13 +320,13 @@ impl Live {
         carried.chain(live).cloned().collect()
     }
 
-    /// The story time of a name in what is remembered; of several, the last that came.
+    /// The story time of a name in the remembered fragments; of several, the last that came.
     fn mark(&self, name: &str) -> Option<f64> {
         let mut fragments = self.fragments.iter().rev();
         fragments.find_map(|f| f.marks.get(name).copied())
     }
 
-    /// Forgets what has been over for long, and as much more of what is over as it takes.
+    /// Forgets fragments that ended long ago, and as many more ended ones as it takes.
     fn make_room(&mut self, bytes: usize, clauses: usize, now_secs: f64) -> Result<(), Diagnostic> {
         let over = |f: &Fragment, secs: f64| f.end_secs + SETTLE_SECS + secs < now_secs;
         while let Some(old) = self
@@ -416,7 +416,7 @@ impl Live {
 }
 
 impl Allowance {
-    /// What is left at a time. A clock that went back gives nothing.
+    /// The remainder at a time. A clock that went back gives nothing.
     fn at(&self, now_secs: f64) -> f64 {
         let since_secs = (now_secs - self.at_secs).max(0.0);
         (self.fragments + since_secs * limits::RATE_HZ).min(limits::BURST)

@@ -1,7 +1,7 @@
 //! Cues: moments that a page is notified of while a story plays.
 
 use raconteur_base::order::sort_by_number;
-use raconteur_eml::{Clause, ClauseId, ClauseKind, Markup, Piece, TimedClause, VoiceText};
+use raconteur_eml::{Clause, ClauseId, ClauseKind, Markup, TextSegment, TimedClause, VoiceText};
 use raconteur_speech::TimedUtterance;
 
 use crate::Script;
@@ -136,13 +136,13 @@ pub(crate) fn utterances(script: &Script) -> Vec<UtteranceCue> {
 
 /// The language of the markup that opens before the first word.
 fn marked_language(voice: &VoiceText) -> Option<&str> {
-    let opens = |piece: &Piece| match piece {
-        Piece::Text { text, .. } => text.trim().is_empty(),
+    let opens = |piece: &TextSegment| match piece {
+        TextSegment::Text { text, .. } => text.trim().is_empty(),
         _ => true,
     };
     let mut before = voice.pieces.iter().take_while(|piece| opens(piece));
     before.find_map(|piece| match piece {
-        Piece::Start { markup, .. } => match &**markup {
+        TextSegment::Start { markup, .. } => match &**markup {
             Markup::Language(language) => Some(&*language.id),
             _ => None,
         },
@@ -254,7 +254,7 @@ impl RankedCues {
     fn add_markers(&mut self, voice: &VoiceText, timed: &TimedUtterance) {
         let words = voice.words();
         for piece in &voice.pieces {
-            let Piece::Marker { mark, span } = piece else {
+            let TextSegment::Marker { mark, span } = piece else {
                 continue;
             };
             let before = words.partition_point(|w| w.span.start < span.start);

@@ -6,7 +6,7 @@ use raconteur_base::order::sort_by_number;
 use raconteur_eml::{ClauseId, ClauseKind, Emoticon, Emotion, EmotionSpace};
 use raconteur_speech::TimedUtterance;
 use raconteur_speech::bundle::Emotion as Spoken;
-use raconteur_speech::emotion::Place;
+use raconteur_speech::emotion::EmotionPoint;
 
 use crate::lower::cues::UtteranceCue;
 use crate::lower::script::Script;
@@ -33,7 +33,7 @@ struct Elicited<'s> {
 
 /// Every emotion of a script: those that it elicits, kept up for their duration and while
 /// something is said in them, until another one comes; and those that emoticons and markup
-/// give to what is said (F&H section 4.3.5). Emoticons are read from the text, so that they
+/// give to speech (F&H section 4.3.5). Emoticons are read from the text, so that they
 /// do the same whether it was baked or not; the markup of files and of SABLE is in their
 /// bundle alone.
 pub(crate) fn spans(script: &Script, utterances: &[UtteranceCue]) -> Vec<EmotionSpan> {
@@ -134,7 +134,7 @@ fn spoken(emotion: &Spoken, timed: &TimedUtterance, elicited: Option<&str>) -> O
     if elicited == Some(&*emotion.name) && emotion.apex_secs <= emotion.start_secs {
         return None;
     }
-    let place = Place {
+    let place = EmotionPoint {
         activation: emotion.activation,
         evaluation: emotion.evaluation,
         power: emotion.power,

@@ -14,7 +14,7 @@ pub(crate) type Switch = (f64, ConfigureGeometry);
 /// The switches of a performance, and what they come to at any time.
 #[derive(Default)]
 pub(crate) struct Geometry {
-    /// What is shown before the first switch.
+    /// The drawing before the first switch.
     before: Shown,
     /// Whether it came while the story played, when, and what; by time.
     switches: Vec<(bool, f64, ConfigureGeometry)>,
@@ -55,7 +55,7 @@ impl Geometry {
         }
     }
 
-    /// What is shown at a time.
+    /// The drawing at a time.
     pub(crate) fn at(&self, time_secs: f64) -> Shown {
         let mut shown = self.before;
         for (.., switch) in self.switches.iter().take_while(|(_, t, _)| *t <= time_secs) {

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use raconteur_actor::gesture::{ArmPlan, Course, Phase as ArmPhase, Space as CourseSpace};
+use raconteur_actor::gesture::{ArmPlan, Phase as ArmPhase, Space as CourseSpace, Transition};
 use raconteur_actor::{GestureStroke, HandKey, Span as TimeSpan, palm};
 use raconteur_base::order::sort_by_number;
 use raconteur_base::profile::Profile as Pace;
@@ -110,13 +110,13 @@ fn pace(profile: &Profile) -> Option<Pace> {
 }
 
 /// How the hand moves to a key: as it says, else as its track says.
-fn course<K>(track: &Track<K>, key: &Key<K>) -> Course {
+fn course<K>(track: &Track<K>, key: &Key<K>) -> Transition {
     let both = || [&key.profile, &track.profile].into_iter().flatten();
     let space = both().find_map(|p| p.space).map(|space| match space {
         Space::Cartesian => CourseSpace::Cartesian,
         Space::Joint => CourseSpace::Joint,
     });
-    Course {
+    Transition {
         profile: both().find_map(|p| pace(p)),
         space,
     }

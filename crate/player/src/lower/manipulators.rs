@@ -7,7 +7,9 @@ use core::f64::consts::{FRAC_PI_2, PI};
 
 use raconteur_actor::ManipulatorScript;
 use raconteur_actor::manipulator::path::rotation_from;
-use raconteur_actor::manipulator::{Command, Frame, Limb, Motion, Move, Pace, Path, Place, Shape};
+use raconteur_actor::manipulator::{
+    Command, Frame, Limb, Motion, Move, Pace, Path, Placement, Shape,
+};
 use raconteur_base::{DVec3, Length, ops};
 use raconteur_eml::{
     Arg, ArgValue, ClauseKind, Diagnostic, Document, FARTHEST, FunctionArgs, Manipulator, Span,
@@ -122,11 +124,11 @@ impl Args<'_> {
         Units::axis(self.three(start, AXES).map(|n| n.unwrap_or(0.0)))
     }
 
-    fn place(&self, start: &str) -> Place {
+    fn place(&self, start: &str) -> Placement {
         let metres = self.units.metres();
         let [x, y, z] = self.three(start, AXES);
         let [yaw, pitch, roll] = self.three(start, ANGLES);
-        Place {
+        Placement {
             position: [
                 x.map(|x| x * metres),
                 y.map(|y| y * metres),
@@ -254,7 +256,7 @@ fn motion(kind: &ClauseKind, units: &Units) -> Option<(Manipulator, Motion)> {
 /// a turn in table A.1 of GEVH (the sacroiliac's first angle is 178.7°), and in the example of D.1.6,
 /// whose pitch is 180° from its beginning to its end, the figure stands. So a pitch beyond a
 /// right angle is counted from there.
-fn upright(place: &mut Place) {
+fn upright(place: &mut Placement) {
     let [_, pitch, roll] = &mut place.angles;
     if let Some(pitch) = pitch
         && ops::wrap_angle(*pitch).abs() > FRAC_PI_2

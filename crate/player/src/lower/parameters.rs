@@ -142,7 +142,7 @@ mod tests {
         (parameters, emotions, problems(&script.document))
     }
 
-    /// What is looked at in a face.
+    /// Measures of a face.
     fn seen(controls: &FaceControls, what: &str) -> f64 {
         match what {
             "jaw" => controls.jaw.pitch_rad / 0.35,

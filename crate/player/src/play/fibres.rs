@@ -17,7 +17,7 @@ const SLACK: [u8; 4] = [110, 14, 10, 210];
 const TENSE: [u8; 4] = [255, 70, 20, 255];
 const MUSCLE_PX: f32 = 2.0;
 
-/// Fills `lines` with what is shown of a tissue; empty where nothing is. Of the springs are
+/// Fills `lines` with the visible parts of a tissue; empty where there are none. Of the springs are
 /// drawn the edges of the skin, each once or, at a border, not at all: diagonals and what ties
 /// the skin to what lies under it would hide them.
 pub(crate) fn draw(

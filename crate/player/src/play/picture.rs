@@ -1,4 +1,4 @@
-//! How the figure is shown: the script's shots, the page's own view, and what is drawn.
+//! How the figure is shown: the script's shots, the page's own view, and the drawing's switches.
 
 use raconteur_base::DVec3;
 use raconteur_stage::{Camera, Room, Shot, Shown, View};

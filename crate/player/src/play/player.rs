@@ -193,7 +193,7 @@ impl Player {
         &self.score.story.utterances
     }
 
-    /// An utterance by the index that cues give: of the script, or of what is remembered of
+    /// An utterance by the index that cues give: of the script, or of the remembered part of
     /// the live performance.
     #[must_use]
     pub fn utterance(&self, index: usize) -> Option<&UtteranceCue> {
@@ -215,7 +215,7 @@ impl Player {
     /// Performs EML that comes while the story plays (GEVH 3.6): a list of clauses or a whole
     /// script. Plain times count from `now_secs` (story time), names are those of the
     /// fragment, of earlier ones and of the script. `mind` identifies the sender, each of which
-    /// has an allowance; see [`live::limits`].
+    /// has an allowance; see [`live::limits`](crate::live::limits).
     ///
     /// The same fragments at the same times give the same frames, whatever frames are
     /// evaluated between.
@@ -356,7 +356,7 @@ impl Player {
         self.picture.camera(time_secs, aspect, &subject)
     }
 
-    /// The order of evaluation: time, body and face, joints, sound, what is drawn.
+    /// The order of evaluation: time, body and face, joints, sound, picture.
     fn evaluate(&mut self, time_secs: f64) -> Report {
         let t = self.clock.shown_secs(time_secs, self.end_secs());
         self.frame.time_secs = t;

@@ -26,7 +26,7 @@ impl Score {
         [&self.story].into_iter().chain(self.live.plans())
     }
 
-    /// An utterance by its index: of the story, or of what is remembered of the live
+    /// An utterance by its index: of the story, or of the remembered part of the live
     /// performance.
     pub(crate) fn utterance(&self, index: usize) -> Option<&UtteranceCue> {
         let live = || self.live.utterances().find(|(i, _)| *i == index);

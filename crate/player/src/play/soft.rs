@@ -1,6 +1,6 @@
 //! The soft face over time: steps of the tissue behind the clock.
 //!
-//! The network has a state, but what is drawn at a time must not depend on how the clock came
+//! The network has a state, but the picture of a time must not depend on how the clock came
 //! there. So time is cut into segments, and what the network is in a segment follows from the
 //! controls since a fixed moment before it, where it begins at rest under them: the
 //! difference to what came before has died away long before the segment begins (to less than

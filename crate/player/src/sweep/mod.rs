@@ -46,7 +46,7 @@ pub struct Check {
 }
 
 impl Check {
-    /// Whether the worst is within the limit. What is not a number is not.
+    /// Whether the worst is within the limit. NaN is not.
     #[must_use]
     pub fn is_ok(&self) -> bool {
         self.worst <= self.limit
@@ -99,7 +99,7 @@ pub fn sweep(player: &mut Player) -> Vec<Check> {
     checks
 }
 
-/// What is measured on every frame.
+/// Measures of every frame.
 struct Sweep {
     skeleton: Skeleton,
     zero_rotations: Vec<DQuat>,
@@ -204,7 +204,7 @@ impl Sweep {
             let joint = world_from_joint[bone.index()];
             let off = joint.matrix3.transpose() * joint.matrix3 - raconteur_base::DMat3::IDENTITY;
             let off = off.to_cols_array().into_iter().map(f64::abs);
-            // A maximum would pass over what is not a number.
+            // A maximum would skip NaN.
             self.rotation.measure_bone(off.sum(), bone, t);
             if let Some(parent) = bone.parent() {
                 let from = world_from_joint[parent.index()].translation;

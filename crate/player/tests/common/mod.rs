@@ -90,7 +90,7 @@ pub(crate) fn story(name: &str, figure: Arc<Figure>, options: Options) -> Loaded
     loaded
 }
 
-/// Brings the animations that a player wants from the library; the codes of what is wrong.
+/// Brings the animations that a player wants from the library; the codes of diagnostics.
 pub(crate) fn equip(player: &mut Player) -> Vec<&'static str> {
     let wanted = player.needed_animations();
     let texts: Vec<Option<String>> = wanted

@@ -47,7 +47,7 @@ fn vs_line(
 ) -> OverOut {
     var a = frame.clip_from_world * vec4<f32>(line_from, 1.0);
     var b = frame.clip_from_world * vec4<f32>(line_to, 1.0);
-    // What is beside or behind the eye is cut off.
+    // Lines beside or behind the eye are clipped.
     let near = 0.02;
     if max(a.w, b.w) < near {
         return OverOut(vec4<f32>(0.0, 0.0, 2.0, 1.0), vec4<f32>(0.0));
@@ -63,7 +63,7 @@ fn vs_line(
     let beyond = select(-along, along, corner > 1u);
     let aside = vec2<f32>(-along.y, along.x) * select(-1.0, 1.0, (corner & 1u) == 1u);
     var p = select(a, b, corner > 1u);
-    // Fainter towards the far side of what is looked at.
+    // Fainter towards the far side of the figure.
     let fade = 1.0 - 0.85 * smoothstep(-0.02, 0.10, p.w - frame.head_up.w);
     p = vec4<f32>(p.xy + (beyond + aside) * (width * frame.viewport.zw * p.w), p.zw);
     let cover = color.a * fade * select(1.0, 0.4, BEHIND == 1u);

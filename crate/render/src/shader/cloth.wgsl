@@ -60,7 +60,7 @@ fn fs_cloth(v: VertexOut, @builtin(front_facing) front: bool) -> @location(0) ve
     let q = v.uv * repeats[kind];
     let repeat_px = max(length(dpdx(q)), length(dpdy(q)));
     let view = to_eye(v.world);
-    let ng = facing_normal(v.normal, front);
+    let ng = cloth_normal(v, front);
     var n = ng;
     var albedo = v.color.rgb * material.base.rgb;
     let up = normalize(v.along - n * dot(v.along, n) + vec3<f32>(0.0, 1e-6, 0.0));

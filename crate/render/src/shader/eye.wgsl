@@ -29,7 +29,7 @@ fn lid_shade(v: VertexOut) -> f32 {
 }
 
 // The tear film climbs the lower lid's edge in a rim half a millimetre high that mirrors
-// what is above.
+// the part above.
 fn meniscus(v: VertexOut) -> f32 {
     let d = over_edge(v, 1u) - 0.01;
     return exp(-d * d * 2600.0);

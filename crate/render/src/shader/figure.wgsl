@@ -62,7 +62,7 @@ fn place(m: Blend, p: vec4<f32>) -> vec3<f32> {
 
 // What tissue does to a vertex.
 struct TissueIn {
-    @location(7) moved: vec4<f32>,   // displacement; w: x of what is added to the normal
+    @location(7) moved: vec4<f32>,   // displacement; w: x of the normal's change
     @location(8) turned: vec2<f32>,  // y and z of it
     @location(9) complexion: vec4<f32>,
 };
@@ -134,6 +134,13 @@ fn to_eye(world: vec3<f32>) -> vec3<f32> {
 fn facing_normal(normal: vec3<f32>, front: bool) -> vec3<f32> {
     let n = normalize(normal);
     return select(-n, n, front);
+}
+
+// Normal of cloth: its inside is lit as its outside is, but where a fold turns a triangle over
+// whose corners still face the viewer, the normal stays.
+fn cloth_normal(v: VertexOut, front: bool) -> vec3<f32> {
+    let n = normalize(v.normal);
+    return select(-n, n, front || dot(n, frame.eye_in_world.xyz - v.world) > 0.0);
 }
 
 // Tilts a normal against the slope of a height field given in space.

@@ -26,7 +26,7 @@ struct Frame {
                                // w: depth of a metre
     viewport: vec4<f32>,       // width, height, 1/width, 1/height
     ambient: array<vec4<f32>, 9>, // irradiance over pi, spherical harmonics by factor of the basis
-    head_up: vec4<f32>,        // w: how far away what is looked at is, metres
+    head_up: vec4<f32>,        // w: distance of the camera's target, metres
     // Planes through the middle of the eye and the edge of each lid, normals towards what it
     // covers: upper and lower, left eye, then right; 0 where there is no lid.
     lids: array<vec4<f32>, 4>,
@@ -36,7 +36,7 @@ struct Frame {
 
 // 1: tone curve and encoding run in the material shaders (no float target).
 override EARLY_ENCODE: u32 = 0u;
-// 1: the lowest quality, where what is written is encoded at little cost.
+// 1: the lowest quality, where the output is encoded at little cost.
 override SIMPLE: u32 = 0u;
 // 1: pores, weave and fibres are computed.
 override FINE_DETAIL: u32 = 1u;

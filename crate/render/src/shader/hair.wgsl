@@ -21,7 +21,7 @@ fn lock_noise(x: f32, dice: f32) -> f32 {
     return mix(a, b, f * f * (3.0 - 2.0 * f));
 }
 
-// What is left of a row's contrast when `blur` of its hairs fit a pixel.
+// The remaining contrast of a row when `blur` of its hairs fit a pixel.
 fn kept(blur: f32) -> f32 {
     return 1.0 - smoothstep(0.25, 1.1, blur);
 }

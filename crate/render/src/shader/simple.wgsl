@@ -22,7 +22,7 @@ fn fs_simple_skin(v: VertexOut) -> @location(0) vec4<f32> {
 
 @fragment
 fn fs_simple_cloth(v: VertexOut, @builtin(front_facing) front: bool) -> @location(0) vec4<f32> {
-    let n = facing_normal(v.normal, front);
+    let n = cloth_normal(v, front);
     return vec4<f32>(encoded_simply(v.color.rgb * material.base.rgb * lit_simply(n, v.color.a, 0.15)), 1.0);
 }
 

@@ -138,7 +138,7 @@ fn fs_skin(v: VertexOut, @builtin(front_facing) front: bool) -> @location(0) vec
         albedo *= flushed(blood);
     }
 
-    // A picture of normals brings its own pores; what is computed then only adds grain.
+    // A picture of normals brings its own pores; the computed ones then only add grain.
     let own = mix(1.0, 0.35, material.params.w);
     // Blood and pigment vary over centimetres.
     let blotch = noise(v.bind * 60.0) * 0.6 + noise(v.bind * 170.0) * 0.4 - 0.5;

@@ -37,7 +37,7 @@ fn fs_plain(v: VertexOut, @builtin(front_facing) front: bool) -> @location(0) ve
     let cover = cut(paint.a, fwidth(paint.a));
     let light = polished(v, n, paint.rgb, material.params.x);
     if material.params.z == 1.0 {
-        // Laid over what is behind it.
+        // Blended over the background.
         return written(light * paint.a, paint.a, v.clip.xy);
     }
     if cover < 0.02 {

@@ -18,7 +18,7 @@ fn light_at(uv: vec2<f32>) -> vec3<f32> {
     return textureSampleLevel(picture, picture_sampler, uv, 0.0).rgb;
 }
 
-// Brightness for finding edges: close to what is shown, at little cost.
+// Brightness for finding edges: close to the encoded output, at little cost.
 fn luma(light: vec3<f32>) -> f32 {
     let y = max(dot(light, vec3<f32>(0.299, 0.587, 0.114)), 0.0);
     if EARLY_ENCODE == 1u {

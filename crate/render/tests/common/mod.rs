@@ -69,6 +69,7 @@ pub(crate) fn empty(kind: MaterialKind) -> Mesh {
         weights: Vec::new(),
         indices: Vec::new(),
         morphs: Vec::new(),
+        coarser: Vec::new(),
         binding: None,
     }
 }

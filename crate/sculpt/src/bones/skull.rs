@@ -25,7 +25,7 @@ const COLUMNS: usize = 64;
 /// Least soft tissue over any bone of the head, metres; the test asks for 1.5 mm.
 const LEAST_M: f64 = 0.003;
 
-/// Triangles of the head's skin in the bind pose, and what is known of the head.
+/// Triangles of the head's skin in the bind pose, and the head's landmarks.
 struct Skin {
     triangles: Vec<[DVec3; 3]>,
     cells: BTreeMap<[i32; 3], Vec<u32>>,

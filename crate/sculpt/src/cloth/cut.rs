@@ -24,7 +24,7 @@ pub struct TopCut {
     pub slack: f64,
     /// Height of its folds against those of a fine sweater.
     pub gather: f64,
-    /// Thickness of what is worn below it, above and below the waist.
+    /// Thickness of the garment below it, above and below the waist.
     pub over_cm: [f64; 2],
     /// Seed of its folds.
     pub seed: u64,
@@ -45,7 +45,7 @@ pub struct Top {
 
 /// Which part of the cloth a fold may touch.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Place {
+pub(super) enum ClothZone {
     Trunk,
     Sleeve(Side),
 }

@@ -2,7 +2,7 @@
 
 use raconteur_base::{DVec3, Side};
 
-use super::cut::{Place, Top, TopCut, mirrored_to};
+use super::cut::{ClothZone, Top, TopCut, mirrored_to};
 use super::fold::{Chance, Fold, Line, Ring};
 use super::wearer::Wearer;
 use crate::torso::cage::{HOLE, Key};
@@ -10,7 +10,7 @@ use crate::torso::{CM, Cage, Joints};
 use raconteur_body::skeleton::Bone;
 
 /// The folds of a top.
-pub(super) fn folds(top: &Top, wearer: &Wearer<'_>, cut: &TopCut) -> Vec<(Place, Fold)> {
+pub(super) fn folds(top: &Top, wearer: &Wearer<'_>, cut: &TopCut) -> Vec<(ClothZone, Fold)> {
     let mut out = Vec::new();
     for side in Side::BOTH {
         sleeve_folds(&mut out, wearer, cut, side);
@@ -20,7 +20,7 @@ pub(super) fn folds(top: &Top, wearer: &Wearer<'_>, cut: &TopCut) -> Vec<(Place,
     out
 }
 
-fn sleeve_folds(out: &mut Vec<(Place, Fold)>, wearer: &Wearer<'_>, cut: &TopCut, side: Side) {
+fn sleeve_folds(out: &mut Vec<(ClothZone, Fold)>, wearer: &Wearer<'_>, cut: &TopCut, side: Side) {
     let unit = CM * wearer.scale;
     let joints = wearer.joints;
     let upper = joints.at(Bone::LElbow).distance(joints.at(Bone::LShoulder));
@@ -40,7 +40,7 @@ fn sleeve_folds(out: &mut Vec<(Place, Fold)>, wearer: &Wearer<'_>, cut: &TopCut,
             width: (1.15 + 0.2 * chance.at(4, n)) * unit,
             height: height_cm * cut.gather * (1.0 + 0.25 * chance.at(5, n)) * unit,
         };
-        out.push((Place::Sleeve(side), Fold::Ring(fold)));
+        out.push((ClothZone::Sleeve(side), Fold::Ring(fold)));
     };
     // Soft diagonals on the upper arm, from the armpit outwards.
     ring(0, 0.56 * upper, front + 2.6, 1.5, 1.5, 0.32);
@@ -67,7 +67,7 @@ fn sleeve_folds(out: &mut Vec<(Place, Fold)>, wearer: &Wearer<'_>, cut: &TopCut,
 }
 
 fn chest_folds(
-    out: &mut Vec<(Place, Fold)>,
+    out: &mut Vec<(ClothZone, Fold)>,
     top: &Top,
     wearer: &Wearer<'_>,
     cut: &TopCut,
@@ -88,7 +88,7 @@ fn chest_folds(
                     width: size[0] * (1.0 + 0.15 * chance.at(1, n)) * unit,
                     height: 1.4 * size[1] * cut.gather * (1.0 + 0.3 * chance.at(2, n)) * unit,
                 };
-                out.push((Place::Trunk, Fold::Line(fold)));
+                out.push((ClothZone::Trunk, Fold::Line(fold)));
             }
         };
     let low = HOLE.0;
@@ -129,7 +129,7 @@ fn chest_folds(
 }
 
 /// Cloth that slides down and gathers above the hem, more at the sides.
-fn waist_folds(out: &mut Vec<(Place, Fold)>, top: &Top, wearer: &Wearer<'_>, cut: &TopCut) {
+fn waist_folds(out: &mut Vec<(ClothZone, Fold)>, top: &Top, wearer: &Wearer<'_>, cut: &TopCut) {
     let unit = CM * wearer.scale;
     let chance = Chance(cut.seed + 20);
     let hem = top
@@ -150,7 +150,7 @@ fn waist_folds(out: &mut Vec<(Place, Fold)>, top: &Top, wearer: &Wearer<'_>, cut
             width: size[0] * unit,
             height: size[1] * cut.gather * (1.0 + 0.3 * chance.at(3, n)) * unit,
         };
-        out.push((Place::Trunk, Fold::Ring(fold)));
+        out.push((ClothZone::Trunk, Fold::Ring(fold)));
     };
     ring(0, 2.6, 0.0, 4.0, 0.0, [1.7, 0.42]);
     for (i, way) in [1.0, -1.0].into_iter().enumerate() {

@@ -12,7 +12,7 @@ const SECTORS: usize = 72;
 const STEP: f64 = 0.002;
 /// How far below the head's own skin it is known, metres.
 const BELOW: f64 = 6.0 * CM;
-/// Shoulders and chin go on; further than this from the axis nobody asks, metres.
+/// Shoulders and chin go on; farther than this from the axis there is no query, metres.
 const FARTHEST: f64 = 0.16;
 
 /// How far the skin lies from the neck's axis, by height and direction. Its two halves are alike,

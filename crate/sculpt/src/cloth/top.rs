@@ -5,7 +5,7 @@ use raconteur_base::curve::lerp;
 use raconteur_base::{DVec3, Side, mirror_vector};
 
 use super::band::{Band, Round, along_edge};
-use super::cut::{Place, Top, TopCut, mirrored_to};
+use super::cut::{ClothZone, Top, TopCut, mirrored_to};
 use super::drape::{DrapeParams, Draping, drape};
 use super::fade;
 use super::finish::{Chart, Fabric, Unrolling, cloth_part};
@@ -35,7 +35,7 @@ fn arm_share(shell: &Shell) -> Vec<f64> {
         .collect()
 }
 
-/// Cuts, settles and drapes a top on its wearer, outside what is worn below it.
+/// Cuts, settles and drapes a top on its wearer, outside the garments below it.
 #[must_use]
 pub fn top(wearer: &Wearer<'_>, cut: &TopCut, below: &Shell) -> Top {
     let (cage, joints) = (wearer.cage, wearer.joints);
@@ -110,7 +110,7 @@ fn keep_out(shell: &mut Shell, body: &Field, off: f64) {
     }
 }
 
-/// Pushes the trunk's cloth out of what is worn below it.
+/// Pushes the trunk's cloth out of the garments below it.
 fn clear(shell: &mut Shell, below: &Lay<'_>, off: f64) {
     let high = below.top() + 0.02;
     let arm = arm_share(shell);
@@ -348,18 +348,18 @@ fn prepare(top: &Top, wearer: &Wearer<'_>, cut: &TopCut) -> Draping {
     hold_hem_in(&mut shell, top, &on_arm, unit);
     let folds = folds(top, wearer, cut);
     let normals = shell.normals();
-    let place: Vec<Option<Place>> = shell
+    let place: Vec<Option<ClothZone>> = shell
         .weights
         .iter()
         .zip(&on_arm)
         .map(|(w, arm)| {
             if *arm < 0.5 {
-                Some(Place::Trunk)
+                Some(ClothZone::Trunk)
             } else {
                 Side::BOTH
                     .into_iter()
                     .find(|s| w.arm(*s) >= 0.5)
-                    .map(Place::Sleeve)
+                    .map(ClothZone::Sleeve)
             }
         })
         .collect();

@@ -5,7 +5,7 @@
 //! along the skin at the height of their layer and give way to gravity; neighbours gather
 //! into locks. The renderer draws the strands on the cards from the texture coordinates.
 //!
-//! A style ([`cut::Cut`]) is described on the common head of
+//! A style (`cut::Cut`) is described on the common head of
 //! [`crate::head::Proportions`], so that each fits every head.
 
 mod beard;

@@ -99,7 +99,7 @@ pub(super) struct Section {
 /// out; a child's taper without knuckles; with age fat leaves the back of the hand and the
 /// joints thicken); the amounts are designed.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Look {
+pub(super) struct HandBuild {
     /// Thickness of the fingers against the palm's breadth, 1 for the mean adult.
     girth: f64,
     /// How much wider a finger's root is than its middle, as a share.
@@ -121,7 +121,7 @@ pub(super) struct Look {
     index: f64,
 }
 
-impl Look {
+impl HandBuild {
     /// For a sex (0 male to 1 female) and an age in years.
     pub(super) fn of(sex: f64, age_years: f64) -> Self {
         let child = 1.0 - curve::smooth((age_years - 8.0) / 10.0);
@@ -224,7 +224,7 @@ impl Finger {
 /// Everything measured.
 pub(super) struct Anatomy {
     /// Sex and age.
-    pub(super) look: Look,
+    pub(super) look: HandBuild,
     pub(super) fingers: [Finger; FINGER_COUNT],
     /// Carpal end of each metacarpal, index to little finger.
     pub(super) metacarpal_base: [DVec3; 4],
@@ -272,7 +272,7 @@ fn from_left_zero(v: DVec3) -> DVec3 {
 
 impl Anatomy {
     /// A hand of the mean adult's length and breadth.
-    pub(super) fn new(look: Look) -> Self {
+    pub(super) fn new(look: HandBuild) -> Self {
         let world = BIND_ANGLES.left_world();
         let finger = |i: usize, origin: [f64; 3], lengths: [f64; 3], girth: f64| {
             let q = world[3 * i];

@@ -7,7 +7,7 @@ use std::sync::OnceLock;
 
 use raconteur_base::{DVec2, DVec3, ops};
 
-use super::anatomy::{Anatomy, FINGER_COUNT, Finger, Look};
+use super::anatomy::{Anatomy, FINGER_COUNT, Finger, HandBuild};
 use super::field::Field;
 use super::surface::{self, Skin};
 use crate::skin::raster::SIZE;
@@ -158,7 +158,7 @@ const MEAN: (f64, f64) = (0.5, 30.0);
 pub(super) fn chart() -> &'static Chart {
     static CHART: OnceLock<Chart> = OnceLock::new();
     CHART.get_or_init(|| {
-        let anatomy = Anatomy::new(Look::of(MEAN.0, MEAN.1));
+        let anatomy = Anatomy::new(HandBuild::of(MEAN.0, MEAN.1));
         let field = Field::new(&anatomy);
         let skin = surface::build(&anatomy, &field, &super::cage::build(&anatomy, &field));
         make(&anatomy, &skin)
@@ -327,7 +327,7 @@ mod tests {
     #[test]
     fn every_hand_has_the_faces_of_the_mean_one() {
         let faces = |sex: f64, age_years: f64| {
-            let anatomy = Anatomy::new(Look::of(sex, age_years));
+            let anatomy = Anatomy::new(HandBuild::of(sex, age_years));
             let field = Field::new(&anatomy);
             super::super::cage::build(&anatomy, &field).faces
         };

@@ -37,7 +37,7 @@ mod weights;
 use raconteur_base::{DQuat, DVec3, Side, curve, mirror_rotation};
 use serde::{Deserialize, Serialize};
 
-use self::anatomy::{Anatomy, Look};
+use self::anatomy::{Anatomy, HandBuild};
 use self::field::Field;
 use self::surface::Skin;
 use self::weights::Influence;
@@ -222,7 +222,7 @@ fn measure(skin: &Skin) -> (f64, f64) {
 /// Builds one hand.
 #[must_use]
 pub fn build(params: &HandParams, side: Side) -> Hand {
-    let anatomy = Anatomy::new(Look::of(params.sex, params.age_years));
+    let anatomy = Anatomy::new(HandBuild::of(params.sex, params.age_years));
     let field = Field::new(&anatomy);
     let cage = cage::build(&anatomy, &field);
     let skin = surface::build(&anatomy, &field, &cage);

@@ -1,10 +1,10 @@
 //! The 27 bones inside a hand, fitted to its joints. Wrist to fingertip they follow the
-//! bone lengths of [`super::anatomy`]; widths are designed after plain anatomy (a phalanx is
+//! bone lengths of `super::anatomy`; widths are designed after plain anatomy (a phalanx is
 //! broad at its base, waisted, and ends in a head), and stay inside the hand's field.
 
 use raconteur_base::{DMat3, DVec3, Side};
 
-use super::anatomy::{Anatomy, FINGER_COUNT, Finger, Look};
+use super::anatomy::{Anatomy, FINGER_COUNT, Finger, HandBuild};
 use super::weights::Influence;
 use super::{HandParams, Placement, surface};
 use crate::bones::solid::Solid;
@@ -93,7 +93,7 @@ fn phalanx(finger: &Finger, k: usize, tip_mm: f64) -> Solid {
 /// The 27 bones of a hand.
 #[must_use]
 pub fn bones(params: &HandParams, side: Side) -> Vec<HandBone> {
-    let anatomy = Anatomy::new(Look::of(params.sex, params.age_years));
+    let anatomy = Anatomy::new(HandBuild::of(params.sex, params.age_years));
     let field = super::field::Field::new(&anatomy);
     let cage = super::cage::build(&anatomy, &field);
     let place = Placement::new(params, side, &surface::build(&anatomy, &field, &cage));

@@ -252,7 +252,7 @@ fn a_fist_closes_and_a_pinch_meets() {
 fn the_bones_lie_inside_the_hand() {
     for (sex, age, stature) in [(1.0, 35.0, 1.66), (0.0, 70.0, 1.72), (0.0, 9.0, 1.34)] {
         let params = mean_hand(sex, age, stature, [0.5, 0.3, 0.2]);
-        let anatomy = Anatomy::new(Look::of(sex, age));
+        let anatomy = Anatomy::new(HandBuild::of(sex, age));
         let field = Field::new(&anatomy);
         let cage = cage::build(&anatomy, &field);
         let place = Placement::new(
@@ -358,7 +358,7 @@ fn hands_of_both_sexes_measure_as_surveys_say() {
     for (sex, stature, survey) in ansur {
         let params = mean_hand(sex, 35.0, stature, [0.5; 3]);
         let hand = build(&params, Side::Left);
-        let anatomy = Anatomy::new(Look::of(sex, 35.0));
+        let anatomy = Anatomy::new(HandBuild::of(sex, 35.0));
         let place = {
             let field = Field::new(&anatomy);
             let cage = cage::build(&anatomy, &field);
@@ -420,7 +420,7 @@ fn hands_of_both_sexes_measure_as_surveys_say() {
 #[test]
 fn sex_and_age_show() {
     let width = |sex: f64, age: f64, q: f64| {
-        let anatomy = Anatomy::new(Look::of(sex, age));
+        let anatomy = Anatomy::new(HandBuild::of(sex, age));
         let finger = &anatomy.fingers[2];
         finger.section(finger.along(q)).half_width
     };

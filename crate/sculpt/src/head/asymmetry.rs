@@ -4,7 +4,7 @@ use raconteur_base::{DVec3, mirror_vector, noise};
 
 use super::form::Pull;
 
-/// Pulls on one side only, mm, at asymmetry 1. Sizes after what is usual in faces (mean
+/// Pulls on one side only, mm, at asymmetry 1. Sizes as usual in faces (mean
 /// asymmetry of landmarks about 1 mm; Ferrario et al. 1994, J. Oral
 /// Maxillofac. Surg. 52); places chosen by eye.
 const PULLS: [Pull; 8] = [

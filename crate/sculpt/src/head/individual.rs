@@ -1,5 +1,5 @@
 //! From parameters to forms and their amounts: the forms of sex and age, then as much of
-//! each measure's own form as brings its distance to what was asked for.
+//! each measure's own form as brings its distance to the requested one.
 
 use raconteur_base::{DVec3, Side};
 

@@ -112,7 +112,7 @@ pub(crate) struct Definition {
     pub(crate) name: &'static str,
     /// Ends of the distance in standard landmark names; empty for a designed measure.
     pub(crate) landmarks: &'static str,
-    /// What is known of it; `None` for a designed measure, given in mm against the mean.
+    /// Its statistics; `None` for a designed measure, given in mm against the mean.
     pub(crate) norm: Option<(Row, Take)>,
     pub(crate) form: Form,
 }
@@ -273,7 +273,7 @@ pub struct KnownMeasure {
     pub name: &'static str,
     /// Its ends in landmark names.
     pub landmarks: &'static str,
-    /// What is known of it.
+    /// Its statistics.
     pub row: &'static Row,
     /// Axis of a distance that is not taken straight, world frame.
     pub along: Option<DVec3>,

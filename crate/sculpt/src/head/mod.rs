@@ -182,182 +182,255 @@ impl Shape {
     }
 }
 
-/// Builds the head of a person. `hair_colour`, linear RGB, shines through where hair grows.
-#[must_use]
-pub fn build(person: &Person, params: &HeadParams, hair_colour: [f64; 3]) -> Head {
-    let shape = Shape::of(person, params);
-    let Shape {
-        cage,
-        solved,
-        rig,
-        surface,
-        positions,
-        coordinates,
-        shares,
-        globe,
-        individual,
-    } = &shape;
-    let globe = *globe;
-    let normals = vertex_normals(positions, &surface.faces);
-    let (soft, follow) = soft::soft(cage, solved, &rig.shares, individual);
-    let rows: Vec<Stencil> = surface.fine().iter().map(|&v| follow.row(v)).collect();
-    let warp = points::warp(individual);
-    let proportions = Proportions::of(positions, coordinates);
-    let hair: Vec<f64> = positions
-        .iter()
-        .zip(coordinates)
-        .map(|(&p, c)| {
-            if c.ear > 0.02 {
-                0.0
-            } else {
-                hairline(proportions.common(p * 1e-3))
-            }
-        })
-        .collect();
+/// What is computed on the surface of a head before parts are cut from it.
+struct Painted {
+    normals: Vec<DVec3>,
+    /// Share of hair that grows at each vertex, 0..1.
+    hair: Vec<f64>,
+    triangles: Vec<[u32; 3]>,
+    proportions: Proportions,
+    /// The vertices of the skin, and of the bag of the mouth with the colour of its lining.
+    vertices: Vec<PartVertex>,
+    lined: Vec<PartVertex>,
+    /// Movements of the morphs, millimetres.
+    moved: Vec<(&'static str, Vec<DVec3>)>,
+    /// How each vertex follows the nodes of the tissue.
+    rows: Vec<Stencil>,
+}
 
-    let all_triangles: Vec<[u32; 3]> = triangles(&surface.faces).collect();
-    let receivers: Vec<(DVec3, DVec3)> = positions
-        .iter()
-        .copied()
-        .zip(normals.iter().copied())
-        .collect();
-    let open = occlusion::openness(positions, &all_triangles, &receivers, 0.8);
+/// Inside of the mouth: a part of its own.
+fn is_bag(zone: Zone) -> bool {
+    matches!(zone, Zone::Mouth(5..))
+}
 
-    let cage_morphs = morph::morphs(cage, solved, &rig.shares, &warp);
-    let moved: Vec<(&'static str, Vec<DVec3>)> = cage_morphs
-        .iter()
-        .map(|m| (m.name, surface.apply(&m.deltas)))
-        .collect();
-
-    let line = BrowLine::new(&warp);
-    let chart = chart();
-    let vertices: Vec<PartVertex> = (0..surface.len())
-        .map(|v| {
-            let c = &coordinates[v];
-            let side = if positions[v].x < 0.0 {
-                Side::Right
-            } else {
-                Side::Left
-            };
-            // What is dark only because lips and lids touch at rest must not stay so.
-            // So with the upper lid, which is folded away while the eye is open.
-            let lid = 0.78 * rig::smooth(1.6, 3.2, c.eye) * c.eye_upper.max(0.0);
-            let least = 0.55 * rig::smooth(2.8, 3.6, c.mouth).max(rig::smooth(4.6, 5.2, c.eye));
-            let least = least.max(lid);
-            let deep = 1.0 - 0.8 * rig::smooth(5.0, 7.5, c.mouth);
-            PartVertex {
-                position: positions[v] * 1e-3,
-                uv: [0.0; 2],
-                // The map has the colour.
-                color: [1.0, 1.0, 1.0, open[v].max(least) * deep],
-                weights: rig::joints(shares[v], side),
-            }
-        })
-        .collect();
-    let bag = |z: Zone| matches!(z, Zone::Mouth(5..));
-    let sheet = HeadSheet {
-        uv: chart.uv.clone(),
-        triangles: surface
-            .zones
+impl Painted {
+    fn of(shape: &Shape, warp: &dyn Fn(DVec3) -> DVec3, follow: &soft::Follow) -> Self {
+        let (positions, coordinates) = (&shape.positions, &shape.coordinates);
+        let surface = &shape.surface;
+        let normals = vertex_normals(positions, &surface.faces);
+        let proportions = Proportions::of(positions, coordinates);
+        let hair: Vec<f64> = positions
             .iter()
-            .zip(&chart.faces)
-            .filter(|(z, _)| !bag(**z))
-            .flat_map(|(_, f)| f[1..].windows(2).map(|w| [f[0], w[0], w[1]]))
-            .collect(),
-        at: chart.of(positions),
-        mean: chart.of(&chart.mean),
-        normals: chart.of(&vertex_normals(&chart.mean, &surface.faces)),
-        rings: chart.of(coordinates),
-        hair: chart.of(&hair),
-        brow: chart.of(&positions.iter().map(|&p| line.stain(p)).collect::<Vec<_>>()),
-        hair_colour,
-        brow_colour: params.brow.colour,
-        places: Some(&chart.places),
-    };
-    let lined: Vec<PartVertex> = vertices
-        .iter()
-        .zip(positions.iter().zip(coordinates))
-        .map(|(v, (&p, c))| {
-            let [r, g, b] = paint::lining(c, p);
-            PartVertex {
-                color: [r, g, b, v.color[3]],
-                ..v.clone()
-            }
-        })
-        .collect();
-    let cut = |name: &str, kind, roughness, from: &[PartVertex], keep: &dyn Fn(Zone) -> bool| {
-        let mut part = cut_part(name, kind, roughness, surface, chart, from, &moved, keep);
-        let source = behind(&part, positions);
+            .zip(coordinates)
+            .map(|(&p, c)| {
+                if c.ear > 0.02 {
+                    0.0
+                } else {
+                    hairline(proportions.common(p * 1e-3))
+                }
+            })
+            .collect();
+        let triangles: Vec<[u32; 3]> = triangles(&surface.faces).collect();
+        let receivers: Vec<(DVec3, DVec3)> = positions
+            .iter()
+            .copied()
+            .zip(normals.iter().copied())
+            .collect();
+        let open = occlusion::openness(positions, &triangles, &receivers, 0.8);
+        let moved = morph::morphs(&shape.cage, &shape.solved, &shape.rig.shares, warp)
+            .iter()
+            .map(|m| (m.name, surface.apply(&m.deltas)))
+            .collect();
+        let vertices: Vec<PartVertex> = (0..surface.len())
+            .map(|v| shape.vertex(v, open[v]))
+            .collect();
+        let lined = vertices
+            .iter()
+            .zip(positions.iter().zip(coordinates))
+            .map(|(v, (&p, c))| {
+                let [r, g, b] = paint::lining(c, p);
+                PartVertex {
+                    color: [r, g, b, v.color[3]],
+                    ..v.clone()
+                }
+            })
+            .collect();
+        Self {
+            normals,
+            hair,
+            triangles,
+            proportions,
+            vertices,
+            lined,
+            moved,
+            rows: surface.fine().iter().map(|&v| follow.row(v)).collect(),
+        }
+    }
+
+    /// Cuts a part out of the surface.
+    fn part(&self, shape: &Shape, cut: &PartCut<'_>) -> MeshPart {
+        let mut part = cut_part(&shape.surface, chart(), &self.moved, cut);
+        let source = behind(&part, &shape.positions);
         part.bound = (0u32..)
             .zip(&source)
-            .filter_map(|(i, &v)| Some((i, rows.get(v as usize)?.clone())))
+            .filter_map(|(i, &v)| Some((i, self.rows.get(v as usize)?.clone())))
             .filter(|(_, row)| !row.is_empty())
             .collect();
         part
-    };
-    let mut parts = vec![
-        cut("head", MaterialKind::Skin, 0.48, &vertices, &|z| !bag(z)),
-        cut(MOUTH_BAG, MaterialKind::Mouth, 0.4, &lined, &bag),
-    ];
-    let ride = Ride::new(&parts[0]);
-    let contact = |k| shape.limit(Key::mouth(5, k), Side::Left);
-    parts.extend(mouth::mouth((contact(0) + contact(12)) / 2.0));
-    let eye_centres = [globe, mirror_vector(globe)];
-    for side in Side::BOTH {
-        let flesh = DVec3::new(19.8, 20.1, 80.1) + points::shift(individual, Key::eye(5, 0));
+    }
+
+    /// What the maps of the skin are baked from.
+    fn sheet(
+        &self,
+        shape: &Shape,
+        line: &BrowLine,
+        hair_colour: [f64; 3],
+        brow_colour: [f64; 3],
+    ) -> HeadSheet {
+        let chart = chart();
+        let (positions, surface) = (&shape.positions, &shape.surface);
+        HeadSheet {
+            uv: chart.uv.clone(),
+            triangles: surface
+                .zones
+                .iter()
+                .zip(&chart.faces)
+                .filter(|(z, _)| !is_bag(**z))
+                .flat_map(|(_, f)| f[1..].windows(2).map(|w| [f[0], w[0], w[1]]))
+                .collect(),
+            at: chart.of(positions),
+            mean: chart.of(&chart.mean),
+            normals: chart.of(&vertex_normals(&chart.mean, &surface.faces)),
+            rings: chart.of(&shape.coordinates),
+            hair: chart.of(&self.hair),
+            brow: chart.of(&positions.iter().map(|&p| line.stain(p)).collect::<Vec<_>>()),
+            hair_colour,
+            brow_colour,
+            places: Some(&chart.places),
+        }
+    }
+}
+
+impl Shape {
+    /// A vertex of the skin; `open` is how much of the room it sees.
+    fn vertex(&self, v: usize, open: f64) -> PartVertex {
+        let (c, position) = (&self.coordinates[v], self.positions[v]);
+        let side = if position.x < 0.0 {
+            Side::Right
+        } else {
+            Side::Left
+        };
+        // Occlusion that comes from lips and lids touching at rest must not stay.
+        // So with the upper lid, which is folded away while the eye is open.
+        let lid = 0.78 * rig::smooth(1.6, 3.2, c.eye) * c.eye_upper.max(0.0);
+        let least = 0.55 * rig::smooth(2.8, 3.6, c.mouth).max(rig::smooth(4.6, 5.2, c.eye));
+        let least = least.max(lid);
+        let deep = 1.0 - 0.8 * rig::smooth(5.0, 7.5, c.mouth);
+        PartVertex {
+            position: position * 1e-3,
+            uv: [0.0; 2],
+            // The map has the colour.
+            color: [1.0, 1.0, 1.0, open.max(least) * deep],
+            weights: rig::joints(self.shares[v], side),
+        }
+    }
+
+    /// Centres of the left and the right eyeball, millimetres.
+    fn eye_centres(&self) -> [DVec3; 2] {
+        [self.globe, mirror_vector(self.globe)]
+    }
+
+    /// An eye with its lashes and its brow.
+    fn eye_parts(
+        &self,
+        side: Side,
+        params: &HeadParams,
+        ride: &Ride,
+        line: &BrowLine,
+    ) -> Vec<MeshPart> {
+        let flesh = DVec3::new(19.8, 20.1, 80.1) + points::shift(&self.individual, Key::eye(5, 0));
         let flesh = if side == Side::Left {
             flesh
         } else {
             mirror_vector(flesh)
         };
-        parts.extend(eye::eye(
-            side,
-            eye_centres[side.index()],
-            flesh,
-            params.iris,
-        ));
-        let edge = |k: usize| shape.limit(Key::eye(5, k), side);
+        let globe = self.eye_centres()[side.index()];
+        let mut parts: Vec<MeshPart> = eye::eye(side, globe, flesh, params.iris)
+            .into_iter()
+            .collect();
+        let edge = |k: usize| self.limit(Key::eye(5, k), side);
         let edges = [
             (0..=8).map(edge).collect(),
             (8..=16).rev().map(edge).collect(),
         ];
-        let globe = eye_centres[side.index()];
         parts.extend(strands::hairs(
-            &ride,
-            &line,
+            ride,
+            line,
             &edges,
             globe,
             side,
             params.seed,
             &params.brow,
         ));
+        parts
     }
 
-    let drawn = behind(&parts[0], positions);
-    let menton = positions
-        .iter()
-        .zip(shares)
-        .filter(|(_, s)| s.jaw > 0.9)
-        .map(|(p, _)| p.y)
-        .fold(f64::MAX, f64::min);
-    let vertex = positions.iter().map(|p| p.y).fold(f64::MIN, f64::max);
+    /// Heights of the chin's lowest point and of the vertex, metres.
+    fn extent(&self) -> [f64; 2] {
+        let menton = self
+            .positions
+            .iter()
+            .zip(&self.shares)
+            .filter(|(_, s)| s.jaw > 0.9)
+            .map(|(p, _)| p.y)
+            .fold(f64::MAX, f64::min);
+        let vertex = self.positions.iter().map(|p| p.y).fold(f64::MIN, f64::max);
+        [menton * 1e-3, vertex * 1e-3]
+    }
+}
+
+/// Builds the head of a person. `hair_colour`, linear RGB, shines through where hair grows.
+#[must_use]
+pub fn build(person: &Person, params: &HeadParams, hair_colour: [f64; 3]) -> Head {
+    let shape = Shape::of(person, params);
+    let (soft, follow) = soft::soft(
+        &shape.cage,
+        &shape.solved,
+        &shape.rig.shares,
+        &shape.individual,
+    );
+    let warp = points::warp(&shape.individual);
+    let line = BrowLine::new(&warp);
+    let painted = Painted::of(&shape, &warp, &follow);
+    let skin = PartCut {
+        name: "head",
+        kind: MaterialKind::Skin,
+        roughness: 0.48,
+        vertices: &painted.vertices,
+        keep: |z| !is_bag(z),
+    };
+    let bag = PartCut {
+        name: MOUTH_BAG,
+        kind: MaterialKind::Mouth,
+        roughness: 0.4,
+        vertices: &painted.lined,
+        keep: is_bag,
+    };
+    let mut parts = vec![painted.part(&shape, &skin), painted.part(&shape, &bag)];
+    let ride = Ride::new(&parts[0]);
+    let contact = |k| shape.limit(Key::mouth(5, k), Side::Left);
+    parts.extend(mouth::mouth((contact(0) + contact(12)) / 2.0));
+    for side in Side::BOTH {
+        parts.extend(shape.eye_parts(side, params, &ride, &line));
+    }
+    let drawn = behind(&parts[0], &shape.positions);
     Head {
         parts,
-        eye_centres: eye_centres.map(|p| p * 1e-3),
+        eye_centres: shape.eye_centres().map(|p| p * 1e-3),
         jaw_hinge: rig::JAW_HINGE_MM * 1e-3,
         skull_origin: rig::SKULL_ORIGIN_MM * 1e-3,
         neck_rim: neck_rim(&shape),
-        lid_closure_rad: rig.closure_rad,
-        extent: [menton * 1e-3, vertex * 1e-3],
+        lid_closure_rad: shape.rig.closure_rad,
+        extent: shape.extent(),
         scalp: scalp::scalp(
-            positions,
-            &normals,
-            coordinates,
-            &hair,
-            &all_triangles,
-            proportions,
+            &shape.positions,
+            &painted.normals,
+            &shape.coordinates,
+            &painted.hair,
+            &painted.triangles,
+            painted.proportions,
         ),
-        sheet,
+        sheet: painted.sheet(&shape, &line, hair_colour, params.brow.colour),
         landmarks: landmark::landmarks(&shape)
             .into_iter()
             .filter_map(|(name, v)| {
@@ -385,21 +458,24 @@ fn behind(part: &MeshPart, positions: &[DVec3]) -> Vec<u32> {
         .collect()
 }
 
-/// The faces of some zones as a part of their own, with vertices doubled along the chart's
-/// cut.
-#[allow(
-    clippy::too_many_arguments,
-    reason = "everything that a part is made of"
-)]
-fn cut_part(
-    name: &str,
+/// A part that is cut from the surface.
+struct PartCut<'a> {
+    name: &'a str,
     kind: MaterialKind,
     roughness: f32,
+    /// Vertices of the whole surface.
+    vertices: &'a [PartVertex],
+    /// Whether faces of a zone belong to it.
+    keep: fn(Zone) -> bool,
+}
+
+/// The faces of some zones as a part of their own, with vertices doubled along the chart's
+/// cut; `moved` are the morphs of the whole surface.
+fn cut_part(
     surface: &Surface,
     chart: &Chart,
-    vertices: &[PartVertex],
     moved: &[(&'static str, Vec<DVec3>)],
-    keep: &dyn Fn(Zone) -> bool,
+    cut: &PartCut<'_>,
 ) -> MeshPart {
     let mut index = vec![u32::MAX; chart.uv.len()];
     let mut used: Vec<usize> = Vec::new();
@@ -407,7 +483,7 @@ fn cut_part(
         .faces
         .iter()
         .zip(&surface.zones)
-        .filter(|&(_, &z)| keep(z));
+        .filter(|&(_, &z)| (cut.keep)(z));
     let faces = kept
         .map(|(face, _)| {
             let slot = |&v: &u32| {
@@ -428,11 +504,11 @@ fn cut_part(
         .filter(|m| !m.deltas.is_empty())
         .collect();
     MeshPart {
-        name: name.to_owned(),
+        name: cut.name.to_owned(),
         material: Material {
-            kind,
+            kind: cut.kind,
             base_color: [1.0; 4],
-            roughness,
+            roughness: cut.roughness,
             double_sided: false,
             maps: Maps::default(),
         },
@@ -440,7 +516,7 @@ fn cut_part(
             .iter()
             .map(|v| PartVertex {
                 uv: chart.uv[*v],
-                ..vertices[source(v)].clone()
+                ..cut.vertices[source(v)].clone()
             })
             .collect(),
         faces,

@@ -15,7 +15,7 @@ pub(crate) const JAW_HINGE_MM: DVec3 = DVec3::new(0.0, -2.0, 8.0);
 /// the ears' canals. Chosen by eye.
 pub(crate) const SKULL_ORIGIN_MM: DVec3 = DVec3::new(0.0, -18.0, -8.0);
 
-/// Shares of a cage vertex; what is left belongs to the skull and the neck.
+/// Shares of a cage vertex; the rest belongs to the skull and the neck.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Shares {
     pub(crate) jaw: f64,

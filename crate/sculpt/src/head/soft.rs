@@ -1,5 +1,5 @@
 //! What the tissue under the face is made from: the skin between the cage and the drawn
-//! surface, as a mesh of nodes, and what is known of each.
+//! surface, as a mesh of nodes with their properties.
 //!
 //! Nodes are the vertices of the cage subdivided once; drawn vertices follow them by the same
 //! stencils that the surface is made with, so that a moved face stays as smooth as it was.

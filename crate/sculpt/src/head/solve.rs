@@ -10,7 +10,7 @@ use raconteur_base::{DVec3, Side};
 use super::cage::{Cage, Key, Points};
 use crate::subdivide::{Stencil, limit_stencils, vertex_normals};
 
-/// A cage whose limit surface can be asked for.
+/// A cage and its limit surface.
 #[derive(Clone, Debug)]
 pub(crate) struct Solved {
     /// Cage vertices, mm.

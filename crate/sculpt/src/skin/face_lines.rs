@@ -42,7 +42,7 @@ impl<'a> Scribe<'a> {
         }
     }
 
-    /// What was drawn since last asked.
+    /// What was drawn since the last call.
     pub(super) fn take(&mut self) -> Marks {
         core::mem::take(&mut self.marks).finish()
     }

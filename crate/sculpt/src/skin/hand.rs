@@ -87,7 +87,7 @@ impl HandPainter<'_> {
         tissue.ln_melanosomes += 0.95 * rise(0.15, 0.5, spot * ragged) * spot.min(1.0);
 
         // Back: a net of furrows that widens with age. Palm: ridges half a millimetre apart
-        // are below a texel; what is seen of them is a fine grain.
+        // are below a texel; they appear as a fine grain.
         let (first, second, _) = cells(seed + 11, p / (1.2 + 0.4 * self.old));
         let gap = (second - first) / 0.17;
         let furrow = ops::exp(-gap * gap);

@@ -153,7 +153,7 @@ impl Marks {
         (x * self.size[1] + y) * self.size[2] + z
     }
 
-    /// What is felt at a place of the surface with a unit normal.
+    /// The marks at a place of the surface with a unit normal.
     pub(crate) fn at(&self, p: DVec3, normal: DVec3) -> Felt {
         let mut felt = Felt::default();
         let q = (p - self.low) / CELL_MM;

@@ -36,7 +36,7 @@ impl Tissue {
         }
     }
 
-    /// Lays a colour over what is there.
+    /// Blends a colour over the present one.
     pub(super) fn lay(&mut self, rgb: [f64; 3], share: f64) {
         let (under, had) = self.cover;
         let all = had + share - had * share;

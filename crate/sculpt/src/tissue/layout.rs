@@ -3,7 +3,7 @@
 //! "Building Muscles"). They stand in `fibres.tsv`, a fibre a row; both rings of the mouth alone
 //! follow from the lips' own nodes.
 //!
-//! Origins and insertions after Prometheus (Schünke, Schulte and Schumacher), as told in F&H
+//! Origins and insertions after Prometheus (Schünke, Schulte and Schumacher), as given in F&H
 //! section 3.1.1 and table 3.1, and those of ear and temple after Gray's Anatomy; places on the
 //! mean head (millimetres, left half; origin between the tragions, x left, y up, z front) are
 //! chosen by eye against its named points.

@@ -27,6 +27,37 @@ const UPPER_CLOSES: f64 = 0.36;
 /// How deep under the skin the fibres lie, metres.
 const UNDER_M: f64 = 0.0022;
 
+/// Nodes of the lips by their place.
+struct LipNodes(BTreeMap<LipPlace, usize>);
+
+impl LipNodes {
+    fn of(soft: &Soft) -> Self {
+        let nodes = soft.nodes.iter().enumerate();
+        Self(nodes.filter_map(|(i, n)| Some((n.lip?, i))).collect())
+    }
+
+    /// The node on a ring; those in the middle lie on no side.
+    fn at(&self, ring: u8, position: u8, side: Side) -> Option<usize> {
+        let side = if position == 0 || position == LAST {
+            Side::Left
+        } else {
+            side
+        };
+        let place = LipPlace {
+            ring,
+            position,
+            side,
+        };
+        self.0.get(&place).copied()
+    }
+}
+
+/// The first points of the ring's fibres: of the upper lip, then the lower, from the inside out.
+type FirstPoints = [[usize; 3]; 2];
+
+/// Columns of the lips by position and side.
+type Columns = BTreeMap<(u8, Side), u16>;
+
 /// Fibres, columns, pairs and teeth.
 pub(super) fn mouth(
     soft: &Soft,
@@ -35,32 +66,32 @@ pub(super) fn mouth(
     out: &mut Tissue,
     holds: &mut [Vec<Attachment>],
 ) {
-    let lips: BTreeMap<LipPlace, usize> = soft
-        .nodes
-        .iter()
-        .enumerate()
-        .filter_map(|(i, n)| Some((n.lip?, i)))
-        .collect();
-    let node = |ring: u8, position: u8, side: Side| {
-        let side = if position == 0 || position == LAST {
-            Side::Left
-        } else {
-            side
-        };
-        lips.get(&LipPlace {
-            ring,
-            position,
-            side,
+    let lips = LipNodes::of(soft);
+    let firsts = ring_fibres(soft, skin, &lips, out);
+    hold_lips(&lips, &firsts, holds);
+    hold_around(soft, skin, &firsts, out, holds);
+    let columns = join_lips(skin, &lips, rigid, out);
+    close_lips(&lips, &columns, out);
+    let mm = f64::from(out.scale) * 1e-3;
+    beyond_the_lips(soft, skin, &lips.0, &columns, mm, out);
+    let of = |bone: Bone| {
+        arch(rigid, |v| {
+            v.weights.iter().any(|(j, _)| j.0 == Drive::Bone(bone))
         })
-        .copied()
     };
-    // --- fibres ---
+    out.arches = [of(Bone::Skull), of(Bone::Chin)];
+}
+
+/// Lays the fibres of orbicularis oris along the lips.
+fn ring_fibres(soft: &Soft, skin: &Skin, lips: &LipNodes, out: &mut Tissue) -> FirstPoints {
     let mut firsts = [[0usize; 3]; 2];
     for (r, &(ring, far)) in RINGS.iter().enumerate() {
         for is_lower in [false, true] {
             let at = |k: u8| if is_lower { LAST - k } else { k };
-            let right = (1..=CORNER).rev().map(|k| node(ring, at(k), Side::Right));
-            let left = (0..=CORNER).map(|k| node(ring, at(k), Side::Left));
+            let right = (1..=CORNER)
+                .rev()
+                .map(|k| lips.at(ring, at(k), Side::Right));
+            let left = (0..=CORNER).map(|k| lips.at(ring, at(k), Side::Left));
             let points: Vec<FibrePoint> = right
                 .chain(left)
                 .flatten()
@@ -79,7 +110,11 @@ pub(super) fn mouth(
             firsts[usize::from(is_lower)][r] = push(out, muscle, course, &points);
         }
     }
-    // --- what hangs on them ---
+    firsts
+}
+
+/// Hangs the nodes of the lips on the fibres, each on the two between which it lies.
+fn hold_lips(lips: &LipNodes, firsts: &FirstPoints, holds: &mut [Vec<Attachment>]) {
     let hold = |lip: LipPlace, r: usize, weight: f64| {
         let is_lower = lip.position > CORNER;
         let k = if is_lower {
@@ -98,7 +133,7 @@ pub(super) fn mouth(
             weight: weight as f32,
         }
     };
-    for (&lip, &i) in &lips {
+    for (&lip, &i) in &lips.0 {
         let ring = f64::from(lip.ring);
         let (inner, outer, share) = match lip.ring {
             6.. => (0, 0, 0.0),
@@ -107,12 +142,22 @@ pub(super) fn mouth(
         };
         let strength = 1.0 - 0.9 * ramp(11.0, 16.0, ring);
         let parts = [(inner, 1.0 - share), (outer, share)];
-        for (r, part) in parts {
-            if part * strength > 0.01 {
-                holds[i].push(hold(lip, r, part * strength));
+        for (r, share) in parts {
+            if share * strength > 0.01 {
+                holds[i].push(hold(lip, r, share * strength));
             }
         }
     }
+}
+
+/// Hangs the skin around the lips on their outermost fibres.
+fn hold_around(
+    soft: &Soft,
+    skin: &Skin,
+    firsts: &FirstPoints,
+    out: &Tissue,
+    holds: &mut [Vec<Attachment>],
+) {
     let mm = f64::from(out.scale) * 1e-3;
     let (outermost, count) = (RINGS.len() - 1, 2 * usize::from(CORNER) + 1);
     let chains = [false, true].map(|low| {
@@ -151,15 +196,19 @@ pub(super) fn mouth(
             }
         }
     }
-    // --- lips that meet ---
+}
+
+/// Makes the columns and pairs by which the lips meet.
+fn join_lips(skin: &Skin, lips: &LipNodes, rigid: &[&MeshPart], out: &mut Tissue) -> Columns {
+    let mm = f64::from(out.scale) * 1e-3;
     let edge = teeth_edge(rigid);
-    let mut columns: BTreeMap<(u8, Side), u16> = BTreeMap::new();
+    let mut columns = Columns::new();
     for side in Side::BOTH {
         for k in 0..CORNER {
             if k == 0 && side == Side::Right {
                 continue;
             }
-            let pair = (node(CONTACT, k, side), node(CONTACT, LAST - k, side));
+            let pair = (lips.at(CONTACT, k, side), lips.at(CONTACT, LAST - k, side));
             let (Some(above), Some(below)) = pair else {
                 continue;
             };
@@ -171,16 +220,22 @@ pub(super) fn mouth(
                 bites: (1.0 - ramp(0.35, 0.85, f64::from(k) / f64::from(CORNER))) as f32,
             });
             for ring in 7..=11 {
-                if let (Some(a), Some(b)) = (node(ring, k, side), node(ring, LAST - k, side)) {
+                if let (Some(a), Some(b)) = (lips.at(ring, k, side), lips.at(ring, LAST - k, side))
+                {
                     out.pairs.push([a as u16, b as u16]);
                 }
             }
         }
     }
-    for (&lip, &i) in &lips {
+    columns
+}
+
+/// How far each node of the lips follows its column when they close.
+fn close_lips(lips: &LipNodes, columns: &Columns, out: &mut Tissue) {
+    for (&lip, &i) in &lips.0 {
         let ring = f64::from(lip.ring);
         let much = (0.5 + 0.5 * ramp(0.0, 5.0, ring)) * (1.0 - ramp(11.0, 15.0, ring));
-        let Some(closing) = closing(lip, i, much, &columns) else {
+        let Some(closing) = closing(lip, i, much, columns) else {
             continue;
         };
         if much > LEAST_CLOSING {
@@ -190,25 +245,13 @@ pub(super) fn mouth(
             out.before_teeth.push(i as u16);
         }
     }
-    beyond_the_lips(soft, skin, &lips, &columns, mm, out);
-    let part = |bone: Bone| {
-        arch(rigid, |v| {
-            v.weights.iter().any(|(j, _)| j.0 == Drive::Bone(bone))
-        })
-    };
-    out.arches = [part(Bone::Skull), part(Bone::Chin)];
 }
 
 /// What closes less than this stays where it is.
 const LEAST_CLOSING: f64 = 0.01;
 
 /// How a node closes with a place of the lips, by this much of it; none without a column.
-fn closing(
-    lip: LipPlace,
-    node: usize,
-    much: f64,
-    columns: &BTreeMap<(u8, Side), u16>,
-) -> Option<LipNode> {
+fn closing(lip: LipPlace, node: usize, much: f64, columns: &Columns) -> Option<LipNode> {
     let k = lip.position.min(LAST - lip.position);
     let side = if k == 0 { Side::Left } else { lip.side };
     let column = *columns.get(&(k, side))?;
@@ -229,7 +272,7 @@ fn beyond_the_lips(
     soft: &Soft,
     skin: &Skin,
     lips: &BTreeMap<LipPlace, usize>,
-    columns: &BTreeMap<(u8, Side), u16>,
+    columns: &Columns,
     mm: f64,
     out: &mut Tissue,
 ) {

@@ -57,7 +57,7 @@ fn rows_are_all_that_a_muscle_needs() {
     let own: Vec<Muscle> = longer.fibres[count..].iter().map(|f| f.muscle).collect();
     assert_eq!(own, [left, right]);
 
-    // Asked for, it moves and folds its own side; a program that does not know it leaves it be.
+    // When contracted, it moves and folds its own side; a program that does not know it leaves it be.
     let rest = FaceControls::default();
     let mut more = vec![0.0; anatomy.count() - MUSCLES];
     more[left.index() - MUSCLES] = 1.0;

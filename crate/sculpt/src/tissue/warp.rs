@@ -1,4 +1,4 @@
-//! Carries what is laid out on the reference head over to another: a radial basis warp
+//! Carries the layout on the reference head over to another: a radial basis warp
 //! through their landmarks (F&H section 3.1.2, "Creating New Animatable Head Models").
 
 use faer::Mat;

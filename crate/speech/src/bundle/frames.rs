@@ -1,4 +1,4 @@
-//! What is known of the sound every 10 ms, a byte each: fundamental frequency and intensity.
+//! Features of the sound every 10 ms, a byte each: fundamental frequency and intensity.
 
 use core::f64::consts::LN_2;
 

@@ -1,6 +1,6 @@
 //! What a reader has found so far, and how it becomes an alignment that holds together.
 
-use super::text::{Bad, Walk, clip};
+use super::text::{Bad, LineCounter, clip};
 use super::{Accent, Alignment, Fault, Interval, MOST_INTERVALS, MOST_SECS};
 use super::{Syllable, Tone, Units};
 use raconteur_speech::phones::{self, PHONE_SETS};
@@ -40,7 +40,7 @@ pub(super) enum Kind {
     Phones,
     /// Sounds or words: the labels tell.
     Unsure,
-    /// As told.
+    /// As the file states it.
     Units(Units),
 }
 
@@ -175,7 +175,7 @@ impl Draft {
             let last = self.warnings.last().map_or(0, |(at, _)| *at);
             self.warnings.push((last, format!("{untold} repairs more")));
         }
-        let mut walk = Walk::new(text);
+        let mut walk = LineCounter::new(text);
         let told = self.warnings.into_iter().map(|(at, message)| {
             let (line, column) = walk.to(at);
             Fault {

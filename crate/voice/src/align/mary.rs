@@ -8,9 +8,9 @@
 use super::draft::{Draft, Point};
 use super::sampa;
 use super::text::{Bad, clip, number};
-use super::xml::{Element, Piece, Xml};
+use super::xml::{Element, Xml, XmlEvent};
 
-/// What a phone lasts where nothing is told: about the mean of read English and German.
+/// The default length of a phone: about the mean of read English and German.
 const PHONE_SECS: f64 = 0.08;
 
 /// What a boundary without a duration lasts in a file without times.
@@ -36,7 +36,7 @@ pub(super) fn read(text: &str, draft: &mut Draft) -> Result<(), Bad> {
     let (mut xml, mut rooted) = (Xml::new(text), false);
     while let Some(piece) = xml.next()? {
         match piece {
-            Piece::Start(element) => {
+            XmlEvent::Start(element) => {
                 if !rooted && element.name() != "maryxml" {
                     let name = clip(element.name());
                     return Err(Bad::new(element.at, format!("{name:?} is not \"maryxml\"")));
@@ -44,12 +44,12 @@ pub(super) fn read(text: &str, draft: &mut Draft) -> Result<(), Bad> {
                 rooted = true;
                 reader.start(&element)?;
             }
-            Piece::Text(text) => {
+            XmlEvent::Text(text) => {
                 if let Some(token) = &mut reader.token {
                     token.text.push_str(&text);
                 }
             }
-            Piece::End(name) => reader.end(&name)?,
+            XmlEvent::End(name) => reader.end(&name)?,
         }
     }
     if reader.draft.segments.is_empty() {

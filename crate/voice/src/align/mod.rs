@@ -154,7 +154,7 @@ pub struct Alignment {
     pub f0: Vec<(f64, f64)>,
     /// Emotions (seconds of the apex, name), in order of time.
     pub emotions: Vec<(f64, String)>,
-    /// What was repaired. After a hundred, only their number is told.
+    /// What was repaired. After a hundred, only their number is reported.
     pub warnings: Vec<Fault>,
 }
 

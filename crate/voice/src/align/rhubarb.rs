@@ -6,14 +6,14 @@ use serde_json::value::RawValue;
 use super::draft::{Draft, Kind, Point};
 use super::text::{Bad, clip, fields, lines, number};
 use super::viseme::rhubarb_viseme;
-use super::xml::{Piece, Xml};
+use super::xml::{Xml, XmlEvent};
 use super::{Units, VisemeSet};
 
 const KIND: Kind = Kind::Units(Units::Visemes {
     set: VisemeSet::Rhubarb,
 });
 
-/// How long a last shape holds of which only the begin is told.
+/// How long a last shape holds of which only the begin is known.
 const LAST_SECS: f64 = 0.1;
 
 /// What a file of JSON says.
@@ -108,7 +108,7 @@ pub(super) fn xml(text: &str, draft: &mut Draft) -> Result<(), Bad> {
     let (mut content, mut known) = (String::new(), false);
     while let Some(piece) = xml.next()? {
         match piece {
-            Piece::Start(element) => {
+            XmlEvent::Start(element) => {
                 content.clear();
                 known |= element.name() == "rhubarbResult";
                 if element.name() == "mouthCue" {
@@ -119,8 +119,8 @@ pub(super) fn xml(text: &str, draft: &mut Draft) -> Result<(), Bad> {
                     cue = Some((time("start")?, time("end")?, element.at));
                 }
             }
-            Piece::Text(text) => content.push_str(&text),
-            Piece::End(name) => {
+            XmlEvent::Text(text) => content.push_str(&text),
+            XmlEvent::End(name) => {
                 if name == "mouthCue"
                     && let Some((start, end, at)) = cue.take()
                 {
@@ -138,7 +138,7 @@ pub(super) fn xml(text: &str, draft: &mut Draft) -> Result<(), Bad> {
     Ok(())
 }
 
-/// Reads a value of JSON; a fault is told with its byte.
+/// Reads a value of JSON; a fault is reported with its byte.
 pub(super) fn read<'a, T: Deserialize<'a>>(text: &'a str) -> Result<T, Bad> {
     serde_json::from_str(text).map_err(|error| {
         let before = text

@@ -100,7 +100,7 @@ fn table(name: &str, text: &str) -> Option<Format> {
     if told && rows.iter().all(|row| spoken(row) || row == &["#"]) {
         return Some(Format::Mbrola);
     }
-    // A file that is broken should be told so by the reader that its name calls for.
+    // A broken file should get its message from the reader that its name calls for.
     let names = [
         (".textgrid", Format::TextGrid),
         (".pho", Format::Mbrola),

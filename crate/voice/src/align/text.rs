@@ -28,19 +28,19 @@ impl Bad {
 
 /// Line and column (in characters), both from 1, of a byte.
 pub(super) fn place(text: &str, at: usize) -> (u32, u32) {
-    Walk::new(text).to(at)
+    LineCounter::new(text).to(at)
 }
 
 /// Finds line and column of places that come in order, in one pass. CR, LF and CRLF end a
 /// line.
-pub(super) struct Walk<'a> {
+pub(super) struct LineCounter<'a> {
     rest: std::iter::Peekable<std::str::CharIndices<'a>>,
     line: u32,
     column: u32,
     after_cr: bool,
 }
 
-impl<'a> Walk<'a> {
+impl<'a> LineCounter<'a> {
     pub(super) fn new(text: &'a str) -> Self {
         Self {
             rest: text.char_indices().peekable(),

@@ -54,7 +54,7 @@ pub(super) fn read(text: &str, draft: &mut Draft) -> Result<(), Bad> {
 }
 
 /// A stretch of text and when it begins; it ends where the next does.
-struct Piece {
+struct TextSpan {
     start: f64,
     text: String,
     at: usize,
@@ -63,7 +63,7 @@ struct Piece {
 struct Cue {
     at: usize,
     end: f64,
-    pieces: Vec<Piece>,
+    pieces: Vec<TextSpan>,
 }
 
 impl Cue {
@@ -88,7 +88,7 @@ impl Cue {
 
     fn piece(&mut self, start: f64, at: usize) {
         let text = String::new();
-        self.pieces.push(Piece { start, text, at });
+        self.pieces.push(TextSpan { start, text, at });
     }
 
     fn push(&mut self, text: &str) {

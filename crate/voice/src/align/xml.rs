@@ -49,7 +49,7 @@ impl Element<'_> {
 }
 
 /// What comes next.
-pub(super) enum Piece<'a> {
+pub(super) enum XmlEvent<'a> {
     Start(Element<'a>),
     End(String),
     Text(Cow<'a, str>),
@@ -79,10 +79,10 @@ impl<'a> Xml<'a> {
     }
 
     /// The next piece; `None` at the end of a whole document.
-    pub(super) fn next(&mut self) -> Result<Option<Piece<'a>>, Bad> {
+    pub(super) fn next(&mut self) -> Result<Option<XmlEvent<'a>>, Bad> {
         if let Some(name) = self.ending.take() {
             self.depth -= 1;
-            return Ok(Some(Piece::End(name)));
+            return Ok(Some(XmlEvent::End(name)));
         }
         loop {
             let at = self.at();
@@ -93,25 +93,25 @@ impl<'a> Xml<'a> {
             let piece = match event {
                 Event::Start(tag) => {
                     self.open(at)?;
-                    Piece::Start(Element { tag, at })
+                    XmlEvent::Start(Element { tag, at })
                 }
                 Event::Empty(tag) => {
                     self.open(at)?;
                     self.ending = Some(tag.local_name().into_inner().to_owned());
-                    Piece::Start(Element { tag, at })
+                    XmlEvent::Start(Element { tag, at })
                 }
                 Event::End(tag) => {
                     self.depth = self.depth.saturating_sub(1);
-                    Piece::End(tag.local_name().into_inner().to_owned())
+                    XmlEvent::End(tag.local_name().into_inner().to_owned())
                 }
-                Event::Text(text) => Piece::Text(text.into_inner()),
-                Event::CData(text) => Piece::Text(text.into_inner()),
+                Event::Text(text) => XmlEvent::Text(text.into_inner()),
+                Event::CData(text) => XmlEvent::Text(text.into_inner()),
                 Event::GeneralRef(name) => {
                     let c = name.resolve_char_ref();
                     match c.map_err(|e| Bad::new(at, e.to_string()))? {
-                        Some(c) => Piece::Text(Cow::Owned(c.to_string())),
+                        Some(c) => XmlEvent::Text(Cow::Owned(c.to_string())),
                         None => match resolve_predefined_entity(&name) {
-                            Some(text) => Piece::Text(Cow::Borrowed(text)),
+                            Some(text) => XmlEvent::Text(Cow::Borrowed(text)),
                             None => return Err(Bad::new(at, "an entity that is not defined")),
                         },
                     }

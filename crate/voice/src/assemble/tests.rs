@@ -1,7 +1,7 @@
 //! Tracks from parts.
 
 use super::*;
-use crate::content::{Content, Segment as Said};
+use crate::content::{Content, Segment as SpeechRequest};
 use crate::plan::plan;
 use crate::spoken::{Segment, SpokenSyllable};
 use crate::text::Lexicon;
@@ -9,16 +9,16 @@ use raconteur_speech::bundle::db_of_code;
 
 const RATE_HZ: f64 = 16_000.0;
 
-fn planned(segments: Vec<Said>) -> Plan {
+fn planned(segments: Vec<SpeechRequest>) -> Plan {
     plan(&Content { segments }, "en", "test", &Lexicon::default()).unwrap()
 }
 
-fn text(text: &str) -> Said {
-    Said::Text(text.to_owned())
+fn text(text: &str) -> SpeechRequest {
+    SpeechRequest::Text(text.to_owned())
 }
 
-fn pause(msec: u32) -> Said {
-    Said::Break {
+fn pause(msec: u32) -> SpeechRequest {
+    SpeechRequest::Break {
         msec,
         boundary: None,
     }
@@ -135,7 +135,7 @@ fn a_pause_is_made_where_the_engine_makes_none() {
 
 #[test]
 fn recordings_are_inserted_or_lie_softly_under_the_speech() {
-    let audio = |background| Said::Audio {
+    let audio = |background| SpeechRequest::Audio {
         src: "a.wav".to_owned(),
         background,
         level: 0.5,
@@ -156,7 +156,7 @@ fn recordings_are_inserted_or_lie_softly_under_the_speech() {
     let length = 0.12 + 0.5 + 0.8 + 0.4 + 0.5 + TAIL_SECS;
     assert!((track.utterance.duration_secs - length).abs() < 0.002);
 
-    // Under the speech: the same length, and louder where nobody speaks.
+    // Under the speech: the same length, and louder in pauses of speech.
     let plan = planned(vec![audio(true), text("Oh ah.")]);
     let alone = planned(vec![text("Oh ah.")]);
     let track = assemble(&plan, &[part(&spoken)], &[recording(5.0)], &[], RATE_HZ);

@@ -1,5 +1,5 @@
 //! Sounds of bundles that do not tell what their files hold, as earlier bakes wrote them: whether
-//! they are what is heard by what their utterance says.
+//! they match the levels that their utterance states.
 
 use std::path::Path;
 
@@ -11,7 +11,7 @@ use super::sounds;
 /// Most difference between the length of a sound and that of its utterance, seconds: an encoder's
 /// frame of 20 ms.
 const LENGTH_SECS: f64 = 0.02;
-/// What is softer is not compared, decibels: encoders fill pauses.
+/// Softer frames are not compared, decibels: encoders fill pauses.
 const SOFTEST_DB: f64 = -50.0;
 /// Most difference in a frame that is alike, decibels.
 const ALIKE_DB: f64 = 3.0;
@@ -30,7 +30,7 @@ fn fits(utterance: &Utterance, samples: &[f64], rate_hz: f64) -> bool {
         && alike(utterance, samples, rate_hz) >= LEAST_ALIKE
 }
 
-/// The share of frames with sound in them that are as loud as told.
+/// The share of frames with sound in them that are as loud as stated.
 fn alike(utterance: &Utterance, samples: &[f64], rate_hz: f64) -> f64 {
     let heard = intensity_codes(samples, rate_hz, utterance.duration_secs);
     let pairs = utterance.intensity.iter().zip(&heard);

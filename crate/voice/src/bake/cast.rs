@@ -20,8 +20,8 @@ pub struct Role {
     pub voice: VoiceInfo,
 }
 
-/// Engines that have been asked for once are kept: asking them takes time. One that is missing
-/// is stood for, so that everything that is missing can be told at once.
+/// Engines are kept after their first use, because starting them takes time. One that is missing
+/// is recorded, so that all that is missing can be reported at once.
 pub struct Cast {
     options: EngineOptions,
     known: Mutex<BTreeMap<String, &'static Known>>,
@@ -30,7 +30,7 @@ pub struct Cast {
     pub lead: Role,
     /// The engine that somebody chose, and the voice if they chose one.
     pub chosen: Option<Role>,
-    /// What the usual engine lacks, where the lead is of another because nobody asked for it.
+    /// What the default engine lacks, where another leads because none was chosen.
     pub instead_of: Option<Missing>,
     /// The story's own language, a tag of BCP 47; none: that of the voice.
     pub language: Option<String>,
@@ -42,7 +42,7 @@ struct Known {
     voices: Vec<VoiceInfo>,
 }
 
-/// The engine of a story for which nobody chose one, a voice of it if not the first is meant,
+/// The engine of a story that chooses none, a voice of it if not the first is meant,
 /// and what the usual engine lacks.
 fn usual(voice: Option<&str>) -> (String, Option<String>, Option<Missing>) {
     let [festival, others @ ..] = engine::local();
@@ -144,7 +144,7 @@ impl Cast {
         Ok(())
     }
 
-    /// What was asked for so far and is missing.
+    /// What has been requested so far and is missing.
     pub fn missing(&self) -> Missing {
         let missing = self.missing.lock();
         missing.unwrap_or_else(PoisonError::into_inner).clone()

@@ -46,7 +46,7 @@ impl Lock {
                 Ok(()) => {}
                 Err(TryLockError::WouldBlock) => {
                     let mut number = String::new();
-                    // Only a help for whoever reads the message.
+                    // Only a help for the reader of the message.
                     let _ = (&file).take(20).read_to_string(&mut number);
                     let who = match number.trim().parse::<u32>() {
                         Ok(number) => format!("process {number}"),

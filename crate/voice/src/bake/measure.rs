@@ -1,5 +1,5 @@
 //! What SABLE's markup and emotions do to a voice, measured in its final sound: one line for
-//! each setting, with what was asked and what was heard.
+//! each setting, with the requested and the measured value.
 
 use crate::assemble::Speech;
 use crate::compare::{Difference, Melody, amplitude, compare, frequency};
@@ -12,12 +12,12 @@ use crate::realise;
 use crate::text::Lexicon;
 use anyhow::{Context as _, Result};
 use raconteur_speech::bundle::{SILENCE, db_of_code};
-use raconteur_speech::emotion::Place;
+use raconteur_speech::emotion::EmotionPoint;
 
 use super::cast::{Cast, Role};
 use super::speak::{self, Work};
 
-/// What is said, by language: all kinds of sounds, several accents, a comma or two.
+/// The test text, by language: all kinds of sounds, several accents, a comma or two.
 const TEXTS: [(&str, [&str; 3]); 3] = [
     (
         "en",
@@ -54,10 +54,10 @@ const TEXTS: [(&str, [&str; 3]); 3] = [
     ),
 ];
 
-/// How far from what was asked a setting may end, as a share of that.
+/// How far from the request a setting may end, as a share of it.
 pub const TOLERANCE: f64 = 0.15;
 
-/// Fewer semitones or decibels than these are noticed by nobody in speech: differences of
+/// Fewer semitones or decibels than these are not noticed in speech: differences of
 /// pitch from 1.5 semitones on ('t Hart 1981, doi:10.1121/1.385592), of loudness from one
 /// decibel on.
 const UNNOTICED: f64 = 0.5;
@@ -82,7 +82,7 @@ pub struct Row {
     pub setting: String,
     /// What of the sound.
     pub property: &'static str,
-    /// What was asked.
+    /// The request.
     pub asked: f64,
     /// What was heard.
     pub heard: f64,
@@ -104,7 +104,7 @@ impl Row {
         Self::new(setting, property, Unit::Factor, asked, heard)
     }
 
-    /// What is heard over what was asked, less one: of frequencies and amplitudes where
+    /// The measured value over the request, less one: of frequencies and amplitudes where
     /// figures are semitones and decibels.
     pub fn error(&self) -> f64 {
         let ratio = match self.unit {
@@ -115,8 +115,8 @@ impl Row {
         (ratio - 1.0).abs()
     }
 
-    /// How much of the change that was asked is missing, or too much: a stricter measure,
-    /// since small changes are asked as well.
+    /// How much of the requested change is missing, or too much: a stricter measure,
+    /// since some requests are small changes.
     pub fn missing(&self) -> f64 {
         let neutral = f64::from(u8::from(self.unit == Unit::Factor));
         ((self.heard - self.asked) / (self.asked - neutral)).abs()
@@ -147,7 +147,7 @@ struct Lab<'a> {
 /// Measures a voice: SABLE's attributes, then the rules of emotion.
 ///
 /// # Errors
-/// When the engine fails, or speaks other words when it is asked to speak otherwise.
+/// When the engine fails, or speaks other words under another setting.
 pub fn measure(cast: &Cast) -> Result<Vec<Row>> {
     let role = &cast.lead;
     let primary = language::primary(&role.voice.language);
@@ -174,12 +174,12 @@ pub fn measure(cast: &Cast) -> Result<Vec<Row>> {
 }
 
 impl Lab<'_> {
-    fn speak(&self, text: &str, emotion: Option<Place>) -> Result<Speech> {
+    fn speak(&self, text: &str, emotion: Option<EmotionPoint>) -> Result<Speech> {
         let (content, _) = sable::read(&format!("<SABLE>{text}</SABLE>"))?;
         self.say(&content, emotion)
     }
 
-    fn say(&self, content: &Content, emotion: Option<Place>) -> Result<Speech> {
+    fn say(&self, content: &Content, emotion: Option<EmotionPoint>) -> Result<Speech> {
         let named = emotion.map(|place| ("measured".to_owned(), place));
         let work = Work {
             content,
@@ -291,7 +291,7 @@ impl Lab<'_> {
             ("power", 50.0),
             ("power", -50.0),
         ] {
-            let mut place = Place::default();
+            let mut place = EmotionPoint::default();
             match name {
                 "activation" => place.activation = sign,
                 "evaluation" => place.evaluation = sign,
@@ -357,7 +357,7 @@ fn factors(asked: &Prosody, heard: &Difference, melody: &Melody) -> [(&'static s
 }
 
 /// By how many semitones a property is to change, and by how many it did.
-fn sums(asked: &Prosody, place: Place, melody: &Melody) -> [(&'static str, f64, f64); 5] {
+fn sums(asked: &Prosody, place: EmotionPoint, melody: &Melody) -> [(&'static str, f64, f64); 5] {
     let semitones = |factor: f64| 12.0 * libm::log2(factor);
     let tilt = match asked.accent_shape {
         Some(AccentShape::Rising) => realise::SHAPE_SEMITONES,

@@ -1,7 +1,7 @@
 //! Bakes speech: turns what a story says into a bundle of sound, words, phones and melody,
 //! with speech engines, ahead of any performance.
 //!
-//! `what is said → plan (sentences and pauses) → engine → styles and emotions → one sound with
+//! `content → plan (sentences and pauses) → engine → styles and emotions → one sound with
 //! times → Ogg Opus and MP3 → speech.json`. Every step but the engines and the two encoders
 //! is a function over plain data. The same story gives the same bundle, byte for byte, with
 //! the same programs installed.
@@ -27,7 +27,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread;
 
-use crate::Said;
+use crate::SpeechRequest;
 use crate::hear::{Heard, hear};
 use crate::signal::loudness::integrated_lufs;
 use crate::text::Lexicon;
@@ -58,7 +58,7 @@ pub struct BakeOptions {
     pub pace: f64,
     /// What the author says of words.
     pub lexicon: Lexicon,
-    /// Its text, which has a say in what is up to date.
+    /// Its text, which decides whether a sound is up to date.
     pub lexicon_text: String,
     /// How many utterances are made at a time.
     pub jobs: usize,
@@ -96,7 +96,7 @@ pub struct BakeReport {
 }
 
 impl BakeReport {
-    /// Counts what is in a bundle.
+    /// Counts of a bundle.
     fn count(&mut self, bundle: &Bundle) {
         self.text_bytes = bundle_text::write(bundle).len() as u64;
         for utterance in &bundle.utterances {
@@ -149,7 +149,7 @@ struct Made {
 /// When programs are missing (the message names all, with their Debian packages), when one fails,
 /// when another bake is at work, or when the folder cannot be written.
 pub fn bake(
-    said: &[Said],
+    said: &[SpeechRequest],
     folder: &Path,
     options: &BakeOptions,
     library: &dyn Fn(&str) -> Result<PathBuf>,
@@ -211,8 +211,8 @@ pub fn bake(
     )
 }
 
-/// What is missing, where only the texts can be compared: engines that the story asks for, or
-/// the usual one when nobody chose another.
+/// What is missing, where only the texts can be compared: engines that the story names, or
+/// the default one when none was chosen.
 fn without(cast: &Cast) -> Option<Missing> {
     let mut missing = cast.missing();
     if let Some(usual) = &cast.instead_of {
@@ -222,7 +222,7 @@ fn without(cast: &Cast) -> Option<Missing> {
 }
 
 /// Whether an utterance was made of the same story, and by the engine and voice that were chosen,
-/// as far as can be told without asking them.
+/// as far as is known without starting them.
 fn is_of_this_story(store: &Store<'_>, wanted: &Wanted<'_>, cast: &Cast) -> bool {
     let spoken = |chosen: &Role| {
         store.voice(wanted.key).is_some_and(|voice| {
@@ -266,7 +266,7 @@ fn renew(
     Ok(report)
 }
 
-/// The bundle of what was made, and of what is kept where nothing was.
+/// The bundle of the new utterances, and of kept ones where nothing was made.
 fn bundle_of(
     wanted: &[Wanted<'_>],
     store: &Store<'_>,
@@ -304,7 +304,7 @@ fn bundle_of(
 }
 
 /// By which rows of the player's table the symbols of a voice move the lips, where they are
-/// called otherwise. What nobody knows is left to the player, who shows a schwa.
+/// called otherwise. Unknown phones are left to the player, which shows a schwa.
 fn mouth(bundle: &Bundle, voice: usize) -> Vec<(String, String)> {
     let phone_set = &bundle.voices[voice].phone_set;
     let spoken = bundle.utterances.iter().filter(|u| u.voice == voice);
@@ -321,7 +321,7 @@ fn mouth(bundle: &Bundle, voice: usize) -> Vec<(String, String)> {
         .collect()
 }
 
-/// Makes what is stale, several utterances at a time; `None` for what is up to date.
+/// Makes stale utterances, several at a time; `None` for those up to date.
 fn make(
     wanted: &[Wanted<'_>],
     stale: &[bool],

@@ -31,7 +31,7 @@ pub struct Missing {
     names: BTreeSet<&'static str>,
     /// Debian's packages.
     packages: BTreeSet<&'static str>,
-    /// What no package brings: why a server cannot be asked.
+    /// What no package brings: why a server cannot be queried.
     others: BTreeSet<String>,
 }
 
@@ -112,7 +112,7 @@ impl std::error::Error for Missing {}
 
 /// A program and the Debian package that brings it.
 pub struct Program {
-    /// What is run, found on the path.
+    /// The program, found on the path.
     pub name: &'static str,
     /// What to install when it is missing.
     pub package: &'static str,

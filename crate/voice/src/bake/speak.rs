@@ -1,4 +1,4 @@
-//! One utterance from what is said to its sound.
+//! One utterance from its content to its sound.
 
 use crate::assemble::{Recording, Speech, SpokenSentence, assemble};
 use crate::content::{Age, Content, Gender, Setting};
@@ -13,13 +13,13 @@ use crate::style::{NO_EMPHASIS, Style};
 use crate::text::Lexicon;
 use anyhow::{Context as _, Result};
 use raconteur_speech::bundle::FRAME_SECS;
-use raconteur_speech::emotion::Place;
+use raconteur_speech::emotion::EmotionPoint;
 use raconteur_speech::phones::{find, translate};
 
 use super::cast::{Cast, Role};
 
 /// Loudness of plain speech without its pauses, root mean square against full scale: as loud
-/// as leaves room for what is spoken twice as loud.
+/// as leaves room for speech at twice the loudness.
 const LOUDNESS: f64 = 0.065;
 
 /// How a voice of a grown-up becomes another's: factors on the resonances of the mouth, on
@@ -35,14 +35,14 @@ const AGES: [(Age, f64, f64, f64, f64); 5] = [
     (Age::Older, 0.97, 0.9, 0.88, 0.9),
 ];
 
-/// What is to be spoken, with everything that has a say in it.
+/// The content, with everything that its sound depends on.
 pub(super) struct Work<'a> {
-    /// What is said.
+    /// The content.
     pub content: &'a Content,
-    /// By whom, where the text asks for nobody else.
+    /// The voice, where the text names no other.
     pub role: &'a Role,
     /// In which emotion.
-    pub emotion: Option<&'a (String, Place)>,
+    pub emotion: Option<&'a (String, EmotionPoint)>,
     /// Pace of everything; 1 is the voice's own.
     pub pace: f64,
 }
@@ -123,7 +123,7 @@ pub(super) fn speak(
             .iter()
             .map(|t| ages[i].applied(&plan.styles[t.style], work.pace))
             .collect();
-        let styled: Vec<(&Style, Place)> = styles
+        let styled: Vec<(&Style, EmotionPoint)> = styles
             .iter()
             .zip(&planned.sentence.tokens)
             .map(|(style, token)| (style, place(token.word)))
@@ -159,9 +159,9 @@ fn guest(spoken: &mut Spoken, phone_set: &str) {
     phone_set.clone_into(&mut spoken.phone_set);
 }
 
-/// The factor on pauses that nobody asked for: slow speech pauses longer.
-fn pauses(styled: &[(&Style, Place)], own: &Own) -> f64 {
-    let one = |(style, place): &(&Style, Place)| {
+/// The factor on pauses that the text does not set: slow speech pauses longer.
+fn pauses(styled: &[(&Style, EmotionPoint)], own: &Own) -> f64 {
+    let one = |(style, place): &(&Style, EmotionPoint)| {
         let prosody = Prosody::of(*place);
         prosody.pause_duration / (style.rate.factor_on(own.words_a_minute) * prosody.rate)
     };
@@ -224,7 +224,7 @@ fn rate_of(rates: impl Iterator<Item = f64>) -> f64 {
 }
 
 /// Runs of sentences by one voice are spoken together. Emphasis is realised in the sound: what
-/// an engine makes of it is its own affair, and so it is not told.
+/// an engine makes of it is up to the engine, and is not reported.
 fn by_role(sentences: &[Planned], roles: &[Role], cast: &Cast) -> Result<Vec<Spoken>> {
     let mut out = Vec::with_capacity(sentences.len());
     let mut from = 0;
@@ -325,7 +325,7 @@ impl Voicing {
     fn applied(&self, style: &Style, pace: f64) -> Style {
         let mut style = style.clone();
         let pitch = Setting::Factor(self.pitch / self.resonance);
-        // Asked values are of the voice that is heard, not of the one that is changed. A base
+        // Requested values are of the voice that is heard, not of the one that is changed. A base
         // line alone takes everything with it and is to stay alone.
         let lines = match (
             style.pitch_base.is_default(),
@@ -353,7 +353,7 @@ impl Voicing {
 pub(super) fn recorded(
     plan: &Plan,
     mut spoken: Spoken,
-    elicited: Option<&(String, Place)>,
+    elicited: Option<&(String, EmotionPoint)>,
 ) -> Speech {
     let rate_hz = rate_of([spoken.rate_hz].into_iter());
     spoken.samples = resample(&spoken.samples, spoken.rate_hz, rate_hz);

@@ -33,8 +33,8 @@ struct Kept {
 /// The folder, and the utterances of an earlier bake.
 ///
 /// A sound's name tells what it holds, and so no sound is ever changed: new ones are put beside
-/// those of the old bundle, then `speech.json` is replaced, and then what is no longer used is
-/// removed. Whoever stops this at any moment finds the old bundle or the new one.
+/// those of the old bundle, then `speech.json` is replaced, and then unused sounds are
+/// removed. An interruption at any moment leaves the old bundle or the new one.
 pub struct Store<'d> {
     folder: PathBuf,
     disk: &'d dyn Disk,
@@ -63,7 +63,7 @@ fn holds(bytes: &[u8]) -> Holds {
     }
 }
 
-/// What is at the place of a sound.
+/// What exists at the path of a sound.
 fn sound_at(folder: &Path, audio: &AudioFile) -> Sound {
     let found = inside::find(folder, &audio.file).ok().flatten();
     match (found, &audio.holds) {
@@ -77,7 +77,7 @@ fn sound_at(folder: &Path, audio: &AudioFile) -> Sound {
 }
 
 impl<'d> Store<'d> {
-    /// Reads what is there. A bundle that cannot be read, or of another version, holds
+    /// Reads the present bundle. A bundle that cannot be read, or of another version, holds
     /// nothing: everything is baked again.
     pub fn open(folder: PathBuf, disk: &'d dyn Disk) -> Self {
         let path = inside::find(&folder, SPEECH).ok().flatten();
@@ -132,7 +132,7 @@ impl<'d> Store<'d> {
         self.voices.get(self.whole(key)?.voice)
     }
 
-    /// What is known of the sound of an utterance of the earlier bake.
+    /// The entry of an utterance's sound in the earlier bake.
     pub fn sound(&self, key: u64) -> Option<Sound> {
         self.old.get(&key).map(|k| k.sound)
     }
@@ -187,7 +187,7 @@ impl<'d> Store<'d> {
             mime: mime.to_owned(),
             holds: Some(holds),
         };
-        // What is there may be cut off: a disk that lost its power keeps names without content.
+        // The file may be truncated: a disk that lost its power keeps names without content.
         if sound_at(&self.folder, &audio) != Sound::Whole {
             disk::replace_on(self.disk, &self.folder.join(&audio.file), bytes)?;
         }
@@ -216,7 +216,7 @@ impl<'d> Store<'d> {
         disk::replace_on(self.disk, &self.folder.join(SPEECH), text.as_bytes())
     }
 
-    /// Removes everything that a bake made; the text first, so that it never names what is gone.
+    /// Removes everything that a bake made; the text first, so that it never names missing sounds.
     ///
     /// # Errors
     /// When something cannot be removed.

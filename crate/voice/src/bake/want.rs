@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use crate::content::Content;
 use crate::markup::{Problem, plain, sable, ssml};
-use crate::{Said, Source};
+use crate::{Source, SpeechRequest};
 use anyhow::{Context as _, Result, anyhow};
 
 use super::cast::Role;
@@ -25,7 +25,7 @@ pub(super) struct Wanted<'a> {
     /// Its place among what the story says, from 0.
     pub(super) place: usize,
     pub(super) content: Content,
-    pub(super) said: &'a Said,
+    pub(super) said: &'a SpeechRequest,
     pub(super) role: Role,
     pub(super) casting: Casting,
     pub(super) sounds: Vec<PathBuf>,
@@ -37,7 +37,7 @@ pub(super) struct Wanted<'a> {
 /// # Errors
 /// When a file cannot be read, or a text cannot be planned.
 pub(super) fn all<'a>(
-    said: &'a [Said],
+    said: &'a [SpeechRequest],
     folder: &Path,
     options: &BakeOptions,
     library: &dyn Fn(&str) -> Result<PathBuf>,
@@ -59,10 +59,10 @@ pub(super) fn all<'a>(
     Ok((wanted, absent))
 }
 
-/// What is to be said, or the path of the file beside the story that should say it: its
-/// absence does not keep the rest from being told, as whoever has the text may bring it later.
+/// The content, or the path of the file beside the story that should hold it: its
+/// absence does not keep the rest from being reported, as it may be brought later.
 fn content(
-    said: &Said,
+    said: &SpeechRequest,
     folder: &Path,
     library: &dyn Fn(&str) -> Result<PathBuf>,
 ) -> Result<Result<Content, PathBuf>> {
@@ -95,7 +95,7 @@ fn content(
 
 /// Casts and plans one utterance.
 fn want<'a>(
-    said: &'a Said,
+    said: &'a SpeechRequest,
     content: Content,
     place: usize,
     folder: &Path,
@@ -150,7 +150,7 @@ fn sable_document(name: &str, text: &str) -> Result<Content> {
     document(name, sable::read(text))
 }
 
-/// What was read of a document; its problems are told.
+/// What was read of a document; its problems are reported.
 fn document(name: &str, read: Result<(Content, Vec<Problem>), Problem>) -> Result<Content> {
     let (content, problems) = read.map_err(|p| anyhow!("{name}: {p}"))?;
     for problem in problems {

@@ -1,4 +1,4 @@
-//! Writing files so that whoever reads them, or finds them after a crash, has the old one or
+//! Writing files so that a reader, also after a crash, has the old one or
 //! the new one, whole.
 //!
 //! A file is written under another name in the same folder, made durable, and renamed. All
@@ -77,7 +77,7 @@ pub fn is_part(name: &str) -> bool {
     name.starts_with('.') && (ends(name) || name.rsplit_once('.').is_some_and(|(n, _)| ends(n)))
 }
 
-/// A name beside `place` that nobody uses, with the same ending, by which some programs choose
+/// An unused name beside `place`, with the same ending, by which some programs choose
 /// the format.
 fn part_of(place: &Path) -> PathBuf {
     static COUNT: AtomicU64 = AtomicU64::new(0);
@@ -124,12 +124,12 @@ pub fn replace_on(disk: &dyn Disk, path: &Path, bytes: &[u8]) -> Result<()> {
 }
 
 /// Writes a file that a user has named. A link is followed, the file's permissions stay, and
-/// what is no file, such as `/dev/stdout`, is written as it is.
+/// a device, such as `/dev/stdout`, is written to directly.
 ///
 /// # Errors
 /// When it cannot be written; the old file is whole then.
 pub fn replace(path: &Path, bytes: &[u8]) -> Result<()> {
-    let part = Part::beside(path)?;
+    let part = PendingFile::beside(path)?;
     if part.is_direct() {
         return fs::write(path, bytes).with_context(|| format!("cannot write {}", path.display()));
     }
@@ -138,14 +138,14 @@ pub fn replace(path: &Path, bytes: &[u8]) -> Result<()> {
     part.commit()
 }
 
-/// A file that is being made, by this program or by another that is told its path. It is
+/// A file that is being made, by this program or by another that is given its path. It is
 /// removed unless it is committed.
-pub struct Part {
+pub struct PendingFile {
     part: PathBuf,
     place: PathBuf,
 }
 
-impl Part {
+impl PendingFile {
     /// For the file that a user has named.
     ///
     /// # Errors
@@ -170,7 +170,7 @@ impl Part {
         })
     }
 
-    /// For what is written at its place: many files after a pattern, for one.
+    /// For output that is written in place: many files after a pattern, for one.
     pub fn direct(path: &Path) -> Self {
         Self {
             part: path.to_owned(),
@@ -208,7 +208,7 @@ impl Part {
     }
 }
 
-impl Drop for Part {
+impl Drop for PendingFile {
     fn drop(&mut self) {
         if !self.is_direct() {
             // After a commit it is not there any more.

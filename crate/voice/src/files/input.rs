@@ -1,6 +1,6 @@
 //! Reading the files that a user names: regular ones, up to a size, as UTF-8 where they are text.
 //!
-//! Whoever runs `raconteur` on what strangers sent must not read `/dev/zero` until memory is
+//! `raconteur` on a stranger's files must not read `/dev/zero` until memory is
 //! full, nor wait for ever at a pipe.
 
 use std::fs::{self, File, FileType};
@@ -26,7 +26,7 @@ pub fn bytes(path: &Path, most: u64) -> Result<Vec<u8>> {
         path.display(),
         name(kind)
     );
-    // Not the size that is told: files that the kernel makes up tell none.
+    // Not the size in the metadata: files that the kernel makes up have none.
     let mut bytes = Vec::new();
     let mut file = File::open(path).with_context(named)?.take(most + 1);
     file.read_to_end(&mut bytes).with_context(named)?;

@@ -1,5 +1,5 @@
-//! Sounds that ffmpeg reads. What a file is, is told by its first bytes alone, and ffmpeg is
-//! told to read it as that: left to itself it takes a playlist for a sound and reads whatever
+//! Sounds that ffmpeg reads. The first bytes alone decide the format of a file, and ffmpeg is
+//! made to read it as that: left to itself it takes a playlist for a sound and reads whatever
 //! files and addresses that names.
 
 use std::fs::File;
@@ -24,7 +24,7 @@ const PLAYLISTS: [&str; 8] = [
     "<MPD",
 ];
 
-/// ffmpeg's name of the format of a file that begins so; `None` for what is none of the sounds
+/// ffmpeg's name of the format of a file that begins so; `None` for none of the sounds
 /// that are read.
 fn format_of(begin: &[u8]) -> Option<&'static str> {
     let at = |offset: usize, mark: &[u8]| {

@@ -14,7 +14,7 @@ pub(crate) struct Meaning {
     pub(crate) points: Vec<Segment>,
     /// What holds for its content, from outside to inside.
     pub(crate) markups: Vec<Markup>,
-    /// What parts its content from what is around it.
+    /// What separates its content from its surroundings.
     pub(crate) division: Option<Division>,
     /// Its content is not spoken.
     pub(crate) silent: bool,
@@ -155,7 +155,7 @@ pub(crate) fn needs(tag: &Tag, pieces: &mut Pieces<'_>, what: &str) -> Meaning {
     Meaning::default()
 }
 
-/// What an attribute means; what cannot be read is told.
+/// What an attribute means; an unreadable one is reported.
 pub(crate) fn word<T>(
     tag: &Tag,
     pieces: &mut Pieces<'_>,
@@ -231,7 +231,7 @@ pub(crate) fn emotion(tag: &Tag, pieces: &mut Pieces<'_>) -> Markup {
     markup
 }
 
-/// Markups of the pitch that set each line to what is listed for it, in turn.
+/// Markups of the pitch that set each line to its listed value, in turn.
 pub(crate) fn pitch(base: &[Setting], middle: &[Setting], range: &[Setting]) -> Vec<Markup> {
     let count = base.len().max(middle.len()).max(range.len());
     (0..count)

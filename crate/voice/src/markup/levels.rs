@@ -49,7 +49,7 @@ impl Property {
     /// Every property.
     pub const ALL: [Self; 4] = [Self::Height, Self::Range, Self::Speed, Self::Loudness];
 
-    /// Its words with their factors on what is around them.
+    /// Its words with their factors on the surrounding level.
     #[must_use]
     pub fn words(self) -> &'static [(&'static str, f64)] {
         match self {
@@ -100,7 +100,7 @@ impl Property {
         Some(Setting::Factor(*factor))
     }
 
-    /// A change in percent of what is around it; `None` where nothing, or less, would be
+    /// A change in percent of the surrounding level; `None` where nothing, or less, would be
     /// left of it. Loudness may go to nothing.
     #[must_use]
     pub fn percent(self, percent: f64) -> Option<Setting> {

@@ -178,7 +178,7 @@ impl Chance {
     }
 }
 
-/// What is heard: each item with its style. Divisions one behind the other are one, which
+/// The spoken items, each with its style. Divisions one behind the other are one, which
 /// parts paragraphs where one of them does.
 fn heard(content: &Content) -> Vec<(Item, Option<Style>, Option<usize>)> {
     let resolved = resolve(content, "festival");

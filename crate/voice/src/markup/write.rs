@@ -197,7 +197,7 @@ pub(crate) fn loudness(setting: Setting) -> Setting {
     }
 }
 
-/// The amplitude of a recording; what is none counts as silence.
+/// The amplitude of a recording; `None` counts as silence.
 pub(crate) fn gain(level: f64) -> f64 {
     if level.is_finite() {
         level.max(0.0)

@@ -7,7 +7,7 @@ use quick_xml::events::{BytesStart, Event};
 
 use super::{LONGEST, NAMESPACE, Problem};
 
-/// How many elements may be inside each other. What is written for the deepest markup, with
+/// How many elements may be nested. The output for the deepest markup, with
 /// its sentences and paragraphs, stays below.
 const DEEPEST_ELEMENT: usize = 400;
 /// How many elements a document may have.
@@ -18,7 +18,7 @@ const MOST_ATTRIBUTES: usize = 32;
 const MOST_PREFIXES: usize = 64;
 /// The longest value of an attribute, bytes: each word's style may keep some.
 const LONGEST_VALUE: usize = 1000;
-/// How many problems are told.
+/// How many problems are reported.
 const MOST_PROBLEMS: usize = 100;
 
 const SSML: &str = "http://www.w3.org/2001/10/synthesis";
@@ -158,7 +158,7 @@ impl<'a> Pieces<'a> {
         }
     }
 
-    /// Tells what is wrong at a byte, and goes on.
+    /// Reports a problem at a byte, and goes on.
     pub(crate) fn tell(&mut self, at: usize, message: impl Into<String>) {
         if self.problems.len() < MOST_PROBLEMS {
             let problem = self.problem(at, message);
@@ -182,7 +182,7 @@ impl<'a> Pieces<'a> {
         }
     }
 
-    /// What was told.
+    /// Reported problems.
     pub(crate) fn into_problems(self) -> Vec<Problem> {
         self.problems
     }

@@ -48,7 +48,7 @@ pub fn find(samples: &[f64], rate_hz: f64, start_secs: f64, end_secs: f64) -> Op
     if !is_rate(rate_hz) || start_secs.is_nan() || end_secs.is_nan() {
         return None;
     }
-    // What is needed to judge the window, and its neighbourhood as the measure of loud.
+    // The threshold that judges the window, and its neighbourhood as the measure of loud.
     let from = (start_secs - 0.3).max(0.0);
     let from = (from * rate_hz).floor() / rate_hz;
     let part = span(samples, rate_hz, from, end_secs + 0.3);

@@ -224,7 +224,7 @@ fn weigh(peaks: &mut [Peak], smooth: &[f64], from: usize) {
         {
             oldest += 1;
         }
-        // Whoever begins must lie within the first period, or pay for what it skips.
+        // The first epoch must lie within the first period, or pay for what it skips.
         let skipped = (here.at - from as f64) / here.period;
         here.cost = low
             + if skipped > 1.2 {

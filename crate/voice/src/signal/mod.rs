@@ -1,4 +1,4 @@
-//! The signal of speech: what is measured in it and how it is changed.
+//! The signal of speech: measures and changes of it.
 //!
 //! Every function takes one channel of samples in −1..1 and the sampling rate in hertz
 //! (8 to 48 kHz are meant); time 0 is the first sample. The functions are pure and never

@@ -24,12 +24,12 @@ mod tests;
 
 use taps::Taps;
 
-/// What is to change. Times are those of the sound given, in seconds.
+/// The changes. Times are those of the given sound, in seconds.
 pub struct Change<'a> {
     /// Factor of local duration at a time; kept within 0.2..5.
     pub duration: &'a dyn Fn(f64) -> f64,
     /// Frequency wanted in hertz, of a time and the frequency there now; kept within a
-    /// quarter and four times that. Asked in voiced sound only.
+    /// quarter and four times that. Called in voiced sound only.
     pub pitch: &'a dyn Fn(f64, f64) -> f64,
     /// Factor of amplitude at a time; kept within 0..100 (40 dB). Jumps become ramps of
     /// [`GAIN_RAMP_SECS`].
@@ -52,8 +52,8 @@ pub struct Changed {
     pub times: TimeMap,
 }
 
-/// The sound changed as asked. Sound of an unusable rate is given back unchanged, and so
-/// is, to the bit, sound of which no change is asked.
+/// The changed sound. Sound of an unusable rate is given back unchanged, and so
+/// is, to the bit, sound without changes.
 ///
 /// `track` must be that of the sound ([`super::f0::track`]).
 #[must_use]

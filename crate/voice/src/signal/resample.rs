@@ -8,7 +8,7 @@ use raconteur_base::ops;
 const CROSSINGS: f64 = 24.0;
 /// Where it cuts, as a share of the lower of the two Nyquist frequencies.
 const CUT: f64 = 0.94;
-/// The shape of the Kaiser window: 80 dB of what is beyond the edge vanish.
+/// The shape of the Kaiser window: 80 dB of attenuation beyond the edge.
 const KAISER_BETA: f64 = 7.86;
 
 /// The modified Bessel function of order 0, by its series (Abramowitz and Stegun 9.6.12).

@@ -12,7 +12,7 @@ const REACH_SECS: f64 = 0.1;
 /// Bounds of a local factor of duration.
 pub(super) const FACTORS: (f64, f64) = (0.2, 5.0);
 
-/// The map of times for a sound of `length_secs`: local factors from `factor`, asked in
+/// The map of times for a sound of `length_secs`: local factors from `factor`, called in
 /// the middle of each cell and kept within [`FACTORS`] (one that is no number counts as
 /// 1), but 1 within the rigid spans (start and end in seconds), whose stretch is put on
 /// the cells nearby in proportion to their length, further out as far as those cannot
@@ -110,7 +110,7 @@ mod tests {
             assert!((map.after(1.0) - factor).abs() < 1e-9, "{factor}");
             assert!((map.after(0.32) - map.after(0.3) - 0.02).abs() < 1e-9);
             assert!((map.after(0.53) - map.after(0.5) - 0.03).abs() < 1e-9);
-            // Far from the spans everything is as asked.
+            // Far from the spans the factor is as requested.
             assert!((map.after(0.15) - 0.15 * factor).abs() < 1e-9);
         }
     }

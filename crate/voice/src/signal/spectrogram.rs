@@ -111,7 +111,7 @@ pub fn spectrogram(samples: &[f64], rate_hz: f64, options: &SpectrogramOptions) 
     let most = powers.iter().copied().fold(0.0, f64::max);
     let level = |power: &f64| {
         let below_db = 10.0 * ops::ln(power / most) / std::f64::consts::LN_10;
-        // Saturates: below the range, silence and what is no number are 0.
+        // Saturates: below the range, silence and NaN are 0.
         (255.0 * (1.0 + below_db / options.range_db)).round() as u8
     };
     Spectrogram {

@@ -55,7 +55,7 @@ impl Segment {
 /// A vowel of peak 0.5 whose frequency at a time is given: harmonics below 0.45 of the
 /// rate through four formants (500, 1500, 2500, 3500 Hz, bandwidths 60 to 200 Hz) and
 /// a source that falls by 6 dB per octave. As sums of cosines it has exactly the
-/// frequency asked, which a pulse train of whole samples has not.
+/// requested frequency, which a pulse train of whole samples has not.
 pub(super) fn vowel(rate_hz: f64, secs: f64, hz: impl Fn(f64) -> f64) -> Vec<f64> {
     let count = (rate_hz * secs).round() as usize;
     let mut phase = 0.0;

@@ -5,7 +5,7 @@ use super::word::Word;
 
 /// Where an abbreviation is one, and whether its full stop may end a sentence too.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Place {
+enum AbbreviationUse {
     /// Before a name: "Dr. Smith".
     Title,
     /// Before a number: "No. 5".
@@ -18,10 +18,10 @@ enum Place {
     Any,
 }
 
-use Place::{AfterNumber, Any, BeforeNumber, Inner, Title};
+use AbbreviationUse::{AfterNumber, Any, BeforeNumber, Inner, Title};
 
 /// Written without the last full stop; read; place; whether it is clear without the stop.
-type Row = (&'static str, &'static str, Place, bool);
+type Row = (&'static str, &'static str, AbbreviationUse, bool);
 
 const ENGLISH: &[Row] = &[
     ("Mr", "Mister", Title, true),

@@ -50,7 +50,7 @@ pub(super) fn usual_order(language: Language, month_first: bool) -> Order {
 }
 
 /// Reads `text` as a date. A given order is tried first; content that cannot be so (a
-/// month of 25) is tried in the others. Without an order only what is clearly a date is
+/// month of 25) is tried in the others. Without an order only an unambiguous date is
 /// taken: three numbers, or a year with a month.
 pub(super) fn parse(
     text: &str,

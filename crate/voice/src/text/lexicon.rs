@@ -57,7 +57,7 @@ pub enum LexiconProblem {
     /// The word is already in this section.
     #[error("`{0}` is already in this section")]
     Twice(String),
-    /// A line, or the number of entries, is beyond what is taken.
+    /// A line, or the number of entries, is beyond the limit.
     #[error("too long: lines have at most 1000 characters, a lexicon 100000 entries")]
     TooLong,
 }

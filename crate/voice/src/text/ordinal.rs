@@ -171,7 +171,7 @@ impl Reader<'_> {
     /// day is the second's too.
     fn led_by(&self, at: usize) -> (&str, &str) {
         let mut anchor = at;
-        // Nobody shares an article among more.
+        // More than these never share an article.
         for _ in 0..4 {
             let joined = matches!(self.previous(anchor), "und" | "oder" | "bis");
             let day = |at: usize| self.previous(at).starts_with(|c: char| c.is_ascii_digit());

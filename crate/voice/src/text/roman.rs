@@ -100,7 +100,7 @@ const RULERS: [&[&str]; 3] = [
         "Guilherme",
     ],
 ];
-/// What is counted with Roman numerals and read as cardinals.
+/// Nouns before Roman numerals that are read as cardinals.
 const PARTS: [&[&str]; 3] = [
     &[
         "Chapter", "Part", "Book", "Act", "Scene", "Volume", "War", "Section", "Canto", "Article",

@@ -291,7 +291,7 @@ pub(super) fn is_net(text: &str) -> bool {
     }
 }
 
-/// An e-mail address or URL, without the scheme, which nobody says.
+/// An e-mail address or URL, without the scheme, which is not spoken.
 pub(super) fn net(text: &str, language: Language) -> String {
     let text = text.split_once("://").map_or(text, |(_, rest)| rest);
     let text = text

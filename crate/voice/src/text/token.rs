@@ -25,7 +25,7 @@ impl Token {
 }
 
 /// The tokens of a phrase: words with single punctuation signs after them. Long words are
-/// cut, and what is beyond the bound of a written word is left out.
+/// cut, and characters beyond the bound of a written word are left out.
 pub(super) fn tokens(phrase: &str) -> Vec<Token> {
     let mut tokens: Vec<Token> = Vec::new();
     for word in phrase.split_whitespace() {

@@ -1,8 +1,8 @@
-//! A written word: what is read, and the punctuation around it.
+//! A written word: its readable part, and the punctuation around it.
 
 use std::borrow::Cow;
 
-/// A written word, parted in what is read and what surrounds it.
+/// A written word, split into its readable part and what surrounds it.
 #[derive(Debug, Clone)]
 pub(super) struct Word<'a> {
     /// Everything, with letters and their marks composed.

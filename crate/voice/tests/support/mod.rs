@@ -21,7 +21,7 @@ pub(crate) const FORMATS: [(&str, Format); 12] = [
     ("talking_head", Format::TalkingHead),
 ];
 
-/// What a folder holds besides what is told of it, in the order of names.
+/// What a folder holds besides its listed content, in the order of names.
 pub(crate) fn files(folder: &Path) -> Vec<PathBuf> {
     let entries = fs::read_dir(folder).unwrap();
     let mut paths: Vec<PathBuf> = entries.map(|e| e.unwrap().path()).collect();

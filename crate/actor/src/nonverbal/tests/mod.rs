@@ -1,4 +1,4 @@
-//! What is seen of a plan over an hour of made-up speech and over the shipped stories.
+//! The effect of a plan over an hour of made-up speech and over the shipped stories.
 
 mod rates;
 mod safe;

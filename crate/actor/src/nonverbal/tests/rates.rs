@@ -11,7 +11,7 @@ use crate::nonverbal::accent;
 use crate::nonverbal::heard::{Break, Heard, Pause, Question};
 use crate::nonverbal::{HEAD_RAISE_RAD, Manner, NonVerbal, Way};
 
-/// What is counted in a plan.
+/// Counts of a plan.
 #[derive(Debug, Default)]
 struct Counts {
     blinks: usize,

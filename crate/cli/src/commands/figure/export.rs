@@ -27,7 +27,7 @@ pub(super) struct Export {
     /// The pose; a glTF file keeps its skeleton and stands in that pose.
     #[arg(long, value_enum, default_value = "bind")]
     pose: PoseName,
-    /// What is written; bones are known for the figures of the library, by their names.
+    /// The format; bones are known for the figures of the library, by their names.
     #[arg(long, value_enum, default_value = "skin")]
     layer: Layer,
 }
@@ -35,7 +35,7 @@ pub(super) struct Export {
 /// What a file holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Layer {
-    /// What is seen.
+    /// The subject of the picture.
     Skin,
     /// Skull, jaw, hands and the rest of the skeleton.
     Bones,

@@ -74,7 +74,7 @@ fn is_variant(value: &Value) -> bool {
         .is_some_and(|name| name.starts_with(char::is_uppercase))
 }
 
-/// Puts what is given in the place of what is there; `place` names it, with a dot at its end.
+/// Replaces present values by given ones; `place` names it, with a dot at its end.
 fn overlay(place: &str, there: &mut Value, given: Value) -> Result<()> {
     let name = place.trim_end_matches('.');
     match (&mut *there, given) {

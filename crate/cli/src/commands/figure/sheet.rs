@@ -11,7 +11,7 @@ use raconteur_render::headless::Headless;
 use crate::Outcome;
 use crate::picture;
 use crate::picture::write_png;
-use crate::sheet::{self, Part};
+use crate::sheet::{self, SheetPart};
 use crate::story::find_figure;
 
 /// Draw a figure's contact sheet: face, eyes, body, hands, poses, mouth, lights, wireframe,
@@ -25,7 +25,7 @@ pub(super) struct Sheet {
     output: PathBuf,
     /// What to draw; may be given several times.
     #[arg(long, value_enum, default_value = "all", value_delimiter = ',')]
-    part: Vec<Part>,
+    part: Vec<SheetPart>,
     /// Height of a tile, pixels.
     #[arg(long, default_value_t = 400)]
     size: u32,

@@ -2,7 +2,7 @@
 //! the voice and the emotion, not of the position or the spelling of tags, so that a story may
 //! be rearranged and written otherwise without being baked anew.
 
-use raconteur_eml::{ClauseKind, Level, Markup, Piece, VoiceSay, VoiceText};
+use raconteur_eml::{ClauseKind, Level, Markup, TextSegment, VoiceSay, VoiceText};
 
 use super::SpokenClause;
 
@@ -60,7 +60,7 @@ pub(super) fn of(spoken: &SpokenClause<'_>) -> u64 {
     if let Some(emotion) = spoken.emotion {
         hash.text(emotion.kind.map_or("", raconteur_eml::EmotionKind::word));
         hash.number(emotion.potential);
-        // Nothing for what is not given, so that a word alone keeps its key.
+        // Nothing for absent attributes, so that a word alone keeps its key.
         let given = [emotion.activation, emotion.evaluation, emotion.power];
         for (sign, value) in (0xf5..).zip(given) {
             if let Some(value) = value {
@@ -99,7 +99,7 @@ fn voice_text(hash: &mut Hash, voice: &VoiceText) {
     for piece in &voice.pieces {
         // Each kind of piece has a byte that no text holds.
         match piece {
-            Piece::Text { text, .. } => {
+            TextSegment::Text { text, .. } => {
                 for byte in text.bytes() {
                     if matches!(byte, b' ' | b'\t' | b'\n' | b'\r') {
                         parted = begun;
@@ -113,29 +113,31 @@ fn voice_text(hash: &mut Hash, voice: &VoiceText) {
                 }
                 continue;
             }
-            Piece::Mark { .. } | Piece::Marker { .. } => continue,
-            Piece::Break { msec, boundary, .. } => {
+            TextSegment::Mark { .. } | TextSegment::Marker { .. } => continue,
+            TextSegment::Break { msec, boundary, .. } => {
                 hash.bytes(&[0xf8]);
                 hash.bytes(&msec.to_le_bytes());
                 hash.optional(boundary.map(raconteur_eml::Boundary::word));
             }
-            Piece::Audio { audio, .. } => {
+            TextSegment::Audio { audio, .. } => {
                 hash.bytes(&[0xf9]);
                 hash.text(&audio.src);
                 hash.text(audio.mode.word());
                 hash.number(audio.level);
             }
-            Piece::DivStart { kind, .. } => hash.bytes(&[0xfa, kind.map_or(0, |k| k as u8 + 1)]),
-            Piece::DivEnd => hash.bytes(&[0xfb]),
+            TextSegment::DivStart { kind, .. } => {
+                hash.bytes(&[0xfa, kind.map_or(0, |k| k as u8 + 1)]);
+            }
+            TextSegment::DivEnd => hash.bytes(&[0xfb]),
             // Words may go on through these, so that white space beside them counts.
-            Piece::Start { markup, .. } => {
+            TextSegment::Start { markup, .. } => {
                 hash.bytes(&[0xfe, u8::from(parted)]);
                 hash.text(markup.name());
                 fields(hash, markup);
                 parted = false;
                 continue;
             }
-            Piece::End => {
+            TextSegment::End => {
                 hash.bytes(&[0xfd, u8::from(parted)]);
                 parted = false;
                 continue;

@@ -10,7 +10,7 @@ use raconteur_eml::{
     ClauseId, ClauseKind, Document, Durations, Emotion, EstimatedDurations, PhoneTime, VoiceText,
     VoiceTiming, WordTime,
 };
-use raconteur_speech::emotion::{Place, place};
+use raconteur_speech::emotion::{EmotionPoint, place};
 use raconteur_speech::{Bundle, Utterance};
 
 /// The potential at which an emotion has the strength of F&H table 4.4.
@@ -18,10 +18,10 @@ pub(crate) const PLAIN_POTENTIAL: f64 = 5.0;
 
 /// Where an emotion of a script lies; none for neutral. A dimension that is given takes the place
 /// of that of the word.
-pub(crate) fn place_of(emotion: &Emotion) -> Option<Place> {
+pub(crate) fn place_of(emotion: &Emotion) -> Option<EmotionPoint> {
     let word = emotion.kind.and_then(|kind| place(kind.word()));
     let of_word = word.unwrap_or_default();
-    let place = Place {
+    let place = EmotionPoint {
         activation: emotion.activation.unwrap_or(of_word.activation),
         evaluation: emotion.evaluation.unwrap_or(of_word.evaluation),
         power: emotion.power.unwrap_or(of_word.power),
@@ -61,7 +61,7 @@ impl SpokenClause<'_> {
     /// The emotion that is elicited for it: its word, where the place is that of the word as the
     /// table has it, and its place, scaled by the potential.
     #[must_use]
-    pub fn elicited(&self) -> Option<(Option<&'static str>, Place)> {
+    pub fn elicited(&self) -> Option<(Option<&'static str>, EmotionPoint)> {
         let emotion = self.emotion?;
         let place = place_of(emotion)?.scaled(emotion.potential / PLAIN_POTENTIAL);
         Some((word_of(emotion), place))

@@ -8,7 +8,7 @@ use crate::content::Gender;
 use crate::spoken::{Sentence, Spoken};
 use anyhow::{Context as _, Result, bail, ensure};
 
-use super::espeak_library::{self as library, Event, Said, What};
+use super::espeak_library::{self as library, Event, Synthesis, What};
 use super::ipa::{self, Set};
 use super::labels::{self, Labels, Phone};
 use super::wave::Wave;
@@ -80,7 +80,7 @@ impl Engine for Espeak {
     }
 }
 
-/// What is in a folder, in order.
+/// The entries of a folder, in order.
 fn files(folder: &Path) -> Result<Vec<std::path::PathBuf>> {
     let entries = fs::read_dir(folder)
         .with_context(|| format!("reading the voices of espeak-ng in {}", folder.display()))?;
@@ -235,7 +235,7 @@ impl Text {
         Some(self.starts.get(after.checked_sub(1)?)?.1)
     }
 
-    fn spoken(&self, said: &Said, voice: &str, set: Set) -> Result<Spoken> {
+    fn spoken(&self, said: &Synthesis, voice: &str, set: Set) -> Result<Spoken> {
         let rate_hz = f64::from(said.rate_hz);
         if said.samples.is_empty() || self.starts.is_empty() {
             return Ok(labels::nothing(rate_hz, phone_set(set)));
@@ -255,7 +255,7 @@ impl Text {
     }
 
     /// The phones and where they belong, as far as events tell.
-    fn labels(&self, said: &Said) -> Labels {
+    fn labels(&self, said: &Synthesis) -> Labels {
         let mut labels = Labels::default();
         let mut starts: Vec<usize> = Vec::new();
         let (mut token, mut word) = (None, None);

@@ -111,7 +111,7 @@ pub(super) struct Event {
 
 /// What was said.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub(super) struct Said {
+pub(super) struct Synthesis {
     /// Mono.
     pub(super) samples: Vec<i16>,
     /// Samples a second.
@@ -134,7 +134,7 @@ static ALONE: Mutex<()> = Mutex::new(());
 thread_local! {
     /// Where the callback puts what it is given; the library calls it on the thread that
     /// called the library.
-    static SAID: RefCell<Said> = RefCell::new(Said::default());
+    static SAID: RefCell<Synthesis> = RefCell::new(Synthesis::default());
 }
 
 /// The library once it has begun. It keeps state from text to text (of noise, of flutter, of
@@ -280,7 +280,7 @@ extern "C" fn take(wave: *mut c_short, count: c_int, events: *mut RawEvent) -> c
 
 impl Drop for Espeak {
     fn drop(&mut self) {
-        // SAFETY: it was initialised once, and nobody else is using it.
+        // SAFETY: it was initialised once, and nothing else is using it.
         unsafe { (self.terminate)() };
     }
 }
@@ -305,12 +305,12 @@ pub(super) fn about() -> Result<(String, PathBuf)> {
     with(|espeak| Ok(espeak.about()))
 }
 
-/// Says texts in a voice: one [`Said`] for each. The library begins anew for every text, so
+/// Says texts in a voice: one [`Synthesis`] for each. The library begins anew for every text, so
 /// that none sounds different after another. In texts, `[[` and `]]` enclose mnemonics.
 ///
 /// # Errors
 /// When the library or the voice is not there, or when it fails.
-pub(super) fn say(voice: &str, texts: &[String]) -> Result<Vec<Said>> {
+pub(super) fn say(voice: &str, texts: &[String]) -> Result<Vec<Synthesis>> {
     let name = CString::new(voice).context("the name of the voice")?;
     let mut out = Vec::with_capacity(texts.len());
     for text in texts {
@@ -320,8 +320,8 @@ pub(super) fn say(voice: &str, texts: &[String]) -> Result<Vec<Said>> {
     Ok(out)
 }
 
-fn say_one(espeak: &Espeak, voice: &CStr, text: &CStr) -> Result<Said> {
-    SAID.with(|said| said.replace(Said::default()));
+fn say_one(espeak: &Espeak, voice: &CStr, text: &CStr) -> Result<Synthesis> {
+    SAID.with(|said| said.replace(Synthesis::default()));
     // SAFETY: the strings end in 0 and live until the calls return; the size counts the 0;
     // the callback is a function. Mode "synchronous" does all work before it returns.
     let (found, done, marked) = unsafe {
@@ -359,7 +359,7 @@ fn say_one(espeak: &Espeak, voice: &CStr, text: &CStr) -> Result<Said> {
 /// Translates a text, clause by clause.
 ///
 /// # Safety
-/// The library is initialised, has a voice, and nobody else is using it.
+/// The library is initialised, has a voice, and nothing else is using it.
 unsafe fn marked(espeak: &Espeak, text: &CStr) -> Vec<String> {
     let mut rest: *const c_void = text.as_ptr().cast();
     let mut out = Vec::new();

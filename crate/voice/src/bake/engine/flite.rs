@@ -1,6 +1,6 @@
 //! flite 2: small voices of American English.
 //!
-//! It prints phones and their times without words, so each token is also asked for alone,
+//! It prints phones and their times without words, so each token is also spoken alone,
 //! and the phones of the sentence are matched with those of its tokens.
 
 use std::fs;
@@ -115,7 +115,7 @@ impl Engine for Flite {
 /// A sentence as flite reads it.
 #[derive(Debug, Default)]
 struct Text {
-    /// Index of each token that is said, and what is said.
+    /// Index and text of each spoken token.
     words: Vec<(usize, String)>,
     /// The whole.
     written: String,
@@ -170,7 +170,7 @@ impl Text {
             &sound.to_string_lossy(),
         )?;
         let heard = timed_phones(&timed)?;
-        // Two empty lines part what is said alone.
+        // Two empty lines separate tokens that are spoken alone.
         let words: Vec<&str> = self.words.iter().map(|(_, w)| w.as_str()).collect();
         let alone = self.run(
             voice,

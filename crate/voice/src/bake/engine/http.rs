@@ -33,7 +33,7 @@ pub(super) fn is_address(address: &str) -> bool {
 /// Posts a form to a path and returns the body of the reply.
 ///
 /// # Errors
-/// When nobody is there, nothing comes within two minutes, more than 256 MiB come, or the
+/// When no server answers, nothing comes within two minutes, more than 256 MiB come, or the
 /// server does not answer with 200.
 pub(super) fn post(address: &str, path: &str, form: &[(&str, &str)]) -> Result<Vec<u8>> {
     let told = || format!("asking the server {address}");

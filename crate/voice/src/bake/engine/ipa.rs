@@ -203,7 +203,7 @@ fn replaced(c: char) -> &'static [char] {
     }
 }
 
-enum Piece {
+enum IpaSymbol {
     Phone(&'static Row),
     Stress(u8),
     Dot,
@@ -220,14 +220,14 @@ pub(super) fn syllables(ipa: &str, set: Set) -> Result<Vec<Syllable>> {
     let mut groups: Vec<(u8, Vec<&Row>)> = vec![(0, Vec::new())];
     for piece in pieces(ipa)? {
         let stress = match piece {
-            Piece::Phone(row) => {
+            IpaSymbol::Phone(row) => {
                 if let Some((_, rows)) = groups.last_mut() {
                     rows.push(row);
                 }
                 continue;
             }
-            Piece::Stress(stress) => stress,
-            Piece::Dot => 0,
+            IpaSymbol::Stress(stress) => stress,
+            IpaSymbol::Dot => 0,
         };
         match groups.last_mut() {
             // Consonants alone are no syllable: they wait for their vowel.
@@ -316,7 +316,7 @@ fn divide(rows: &[&Row]) -> Vec<usize> {
     out
 }
 
-fn pieces(ipa: &str) -> Result<Vec<Piece>> {
+fn pieces(ipa: &str) -> Result<Vec<IpaSymbol>> {
     ensure!(
         ipa.chars().count() <= MOST_CHARACTERS,
         "a pronunciation of more than {MOST_CHARACTERS} characters"
@@ -332,22 +332,22 @@ fn pieces(ipa: &str) -> Result<Vec<Piece>> {
     let mut rest = chars.as_slice();
     while let Some((first, after)) = rest.split_first() {
         match first {
-            'ˈ' | '\'' => out.push(Piece::Stress(1)),
-            'ˌ' | ',' => out.push(Piece::Stress(2)),
-            '.' | '-' | '/' | '[' | ']' | '‿' | '|' => out.push(Piece::Dot),
-            c if c.is_whitespace() => out.push(Piece::Dot),
-            // What is long in a language without long sounds, and consonants.
+            'ˈ' | '\'' => out.push(IpaSymbol::Stress(1)),
+            'ˌ' | ',' => out.push(IpaSymbol::Stress(2)),
+            '.' | '-' | '/' | '[' | ']' | '‿' | '|' => out.push(IpaSymbol::Dot),
+            c if c.is_whitespace() => out.push(IpaSymbol::Dot),
+            // Long phones in a language without them, and consonants.
             'ː' => {}
             &SYLLABIC => {
                 let consonant = out.pop();
-                out.extend(find(&['ə']).map(|(row, _)| Piece::Phone(row)));
+                out.extend(find(&['ə']).map(|(row, _)| IpaSymbol::Phone(row)));
                 out.extend(consonant);
             }
             c => {
                 let Some((row, length)) = find(rest) else {
                     bail!("the pronunciation {ipa:?} has {c:?}, which is no phone here");
                 };
-                out.push(Piece::Phone(row));
+                out.push(IpaSymbol::Phone(row));
                 rest = &rest[length..];
                 continue;
             }

@@ -71,7 +71,7 @@ pub trait Engine: Sync {
     fn voices(&self) -> Result<Vec<VoiceInfo>>;
 
     /// Speaks the sentences of one utterance: one [`Spoken`] for each. The same sentences
-    /// become the same sound, whoever else speaks at the same time.
+    /// become the same sound, whatever other voices speak at the same time.
     ///
     /// # Errors
     /// When the engine or the voice is not installed, or when what comes back makes no sense.
@@ -157,7 +157,7 @@ pub fn by_name(name: &str, options: &EngineOptions) -> Result<Box<dyn Engine>> {
 /// An engine that runs on this machine: its name, and its voices or what it lacks.
 type Local = (&'static str, Result<Vec<VoiceInfo>, Missing>);
 
-/// The engines that run on this machine, in the order in which they are preferred. They are asked
+/// The engines that run on this machine, in the order in which they are preferred. They are queried
 /// once.
 pub fn local() -> &'static [Local; 3] {
     static LOCAL: OnceLock<[Local; 3]> = OnceLock::new();

@@ -63,7 +63,7 @@ impl Engine for Recordings {
     }
 
     fn voice(&self, name: &str) -> Result<Option<VoiceInfo>> {
-        // Whoever it is; the name is the author's.
+        // Any voice; the name is the author's.
         Ok(Some(VoiceInfo {
             name: name.to_owned(),
             language: "und".to_owned(),

@@ -16,7 +16,7 @@ pub(super) fn is_symbol(name: &str) -> bool {
 }
 
 /// A Scheme string literal. Festival's reader knows `\"` and `\\`; control characters and
-/// what is not ASCII, which it would pass on raw, become spaces.
+/// characters beyond ASCII, which it would pass on raw, become spaces.
 pub(super) fn literal(text: &str) -> String {
     let mut out = String::with_capacity(text.len() + 2);
     out.push('"');

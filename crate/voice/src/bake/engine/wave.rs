@@ -38,8 +38,8 @@ pub(super) fn bytes(path: &Path) -> Result<Vec<u8>> {
     input::bytes(path, MOST_BYTES).context("the sound")
 }
 
-/// Reads a WAV of 8 to 32 bits or float, of any rate; channels become their mean. What is
-/// not a number is silence, and what is louder than 1 is 1.
+/// Reads a WAV of 8 to 32 bits or float, of any rate; channels become their mean. NaN
+/// is silence, and samples are clamped to 1.
 ///
 /// # Errors
 /// When it is no WAV, is cut off, or has no channels or an impossible rate.

@@ -10,7 +10,7 @@ use crate::text::SayAs;
 
 /// Reads a document of SABLE 0.2 or 1.0, or a part of one without its root. Names and words
 /// may have any case; a document type may be named. Elements and attributes that are not
-/// known, and values that cannot be read, are told and otherwise ignored; what is in them is
+/// known, and values that cannot be read, are reported and otherwise ignored; their content is
 /// kept.
 ///
 /// # Errors

@@ -2,7 +2,7 @@
 //!
 //! SSML's words name levels of the voice, whatever is around them, so they read as the
 //! voice's own value with a factor on it; the factors are SABLE's. Its percentages of pitch,
-//! range and loudness are changes of what is around them, and a percentage of the rate is one
+//! range and loudness are changes of their surroundings, and a percentage of the rate is one
 //! of the voice's own rate.
 
 use raconteur_base::ops;
@@ -43,7 +43,7 @@ const RATES: [(&str, f64); 5] = [
     ("x-fast", 1.5),
 ];
 
-/// Settings, one inside the other, and what should be told about them.
+/// Settings, one inside the other, and what should be reported about them.
 pub(super) type Settings = (Vec<Setting>, Option<&'static str>);
 
 fn level(words: &[(&str, f64)], text: &str) -> Option<Vec<Setting>> {

@@ -14,7 +14,7 @@ use crate::markup::write::{
 use crate::style::Style;
 use crate::text::SayAs;
 
-/// Writes a document of SSML 1.1. `language` is the BCP 47 tag of what is in no other
+/// Writes a document of SSML 1.1. `language` is the BCP 47 tag of all text that names no other
 /// language. [`super::read()`] makes of it a content whose words have the same styles: where
 /// SSML cannot say a thing, or only nearly, attributes and elements in
 /// [`crate::markup::NAMESPACE`] say it exactly beside what comes nearest. Characters that XML
@@ -37,8 +37,8 @@ pub fn write(content: &Content, language: &str) -> String {
 }
 
 struct Ssml {
-    /// What is in force inside each open markup; never empty. SSML counts the rate from the
-    /// voice's own, and a content from what is around.
+    /// The settings inside each open markup; never empty. SSML counts the rate from the
+    /// voice's own, and a content from its surroundings.
     styles: Vec<Style>,
 }
 

@@ -1,4 +1,4 @@
-//! Level of changed sound: kept where only pitch changed, and the gain asked for.
+//! Level of changed sound: kept where only pitch changed, and the requested gain.
 
 use super::super::intensity::{Intensity, SILENCE_DB, intensity};
 use super::super::rigid::CELL_SECS;

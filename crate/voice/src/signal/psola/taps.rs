@@ -16,7 +16,7 @@ impl Taps {
     /// highest frequency.
     const REACH: usize = 16;
 
-    /// For values `delay` samples (−0.5..0.5) before the sample asked.
+    /// For values `delay` samples (−0.5..0.5) before the requested sample.
     pub(super) fn new(delay: f64) -> Self {
         if delay.abs() < 1e-6 {
             return Self { weights: None };

@@ -33,7 +33,7 @@ fn events_become_phones_of_tokens() {
     let text = Text::of(&sentence(&["It's", "-", "25"]), Set::Espeak).unwrap();
     assert_eq!(text.written, "It's 25? ");
     assert_eq!(text.starts, [(0, 0), (5, 2)]);
-    let said = Said {
+    let said = Synthesis {
         samples: vec![500; 2000],
         rate_hz: 1000,
         events: events(&[

@@ -62,11 +62,13 @@ pub(crate) fn send(device: &mut Headless, figure: &Figure) {
     }
 }
 
-/// What is looked at.
+/// The subject of a shot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum At {
     /// Nose and mouth.
     Nose,
+    /// Both eyes.
+    Eyes,
     /// The jaw and the throat below it.
     Jaw,
     /// The left ear.
@@ -91,22 +93,27 @@ fn standing() -> Pose {
 /// How far the mouth is open, radians, as in mid-word: what a jaw shades is seen best below it.
 const OPEN_RAD: f64 = 0.12;
 
-/// Nodes of a face at rest but for its open mouth.
-fn mouth(figure: &Figure) -> Vec<NodeState> {
+/// A face at rest but for its open mouth.
+fn speaking() -> FaceControls {
+    let mut controls = FaceControls::default();
+    controls.jaw.pitch_rad = OPEN_RAD;
+    controls
+}
+
+/// Nodes of a face that is held so.
+pub(crate) fn nodes(figure: &Figure, controls: &FaceControls) -> Vec<NodeState> {
     let Some(tissue) = &figure.tissue else {
         return Vec::new();
     };
-    let mut controls = FaceControls::default();
-    controls.jaw.pitch_rad = OPEN_RAD;
     let mut network = Network::new(tissue);
-    network.settle(tissue, &controls);
+    network.settle(tissue, controls);
     let mut nodes = vec![NodeState::default(); tissue.rest.len()];
     network.write(tissue, 1.0, &mut nodes);
     nodes
 }
 
 /// A frame of a figure that stands, from `yaw` and `pitch` (radians: to its left, from above)
-/// about what is looked at.
+/// about the subject.
 pub(crate) fn frame(figure: &Figure, light: Lighting, at: At, yaw: f64, pitch: f64) -> Frame {
     let joints = figure.skeleton.joints();
     let mut frame = Frame::with_capacity(joints.len(), figure.morph_names.len());
@@ -114,7 +121,7 @@ pub(crate) fn frame(figure: &Figure, light: Lighting, at: At, yaw: f64, pitch: f
         .skeleton
         .solve(&standing(), &mut frame.world_from_joint);
     frame.lighting = light;
-    frame.tissue = mouth(figure);
+    frame.tissue = nodes(figure, &speaking());
     let eye = |side| {
         let i = joints.iter().position(|j| j.drive == Drive::Eye(side));
         frame.world_from_joint[i.expect("an eye")].translation
@@ -125,6 +132,7 @@ pub(crate) fn frame(figure: &Figure, light: Lighting, at: At, yaw: f64, pitch: f
     let off = |x: f64, y: f64, z: f64| middle + DVec3::new(x, y, z) * d;
     let (target, half) = match at {
         At::Nose => (off(0.0, -0.75, 0.3), 0.75 * d),
+        At::Eyes => (off(0.0, 0.0, 0.3), 0.9 * d),
         At::Jaw => (off(0.0, -1.9, -0.4), 1.1 * d),
         At::Ear => (off(1.15, -0.35, -1.25), 0.75 * d),
         At::Nails => (

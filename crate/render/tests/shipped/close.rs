@@ -4,20 +4,15 @@
 //! Each bound lies between what is drawn now and what was before skin was mended; both are said
 //! with it, as Mesa's llvmpipe draws them. Of sparks there were four in three pictures.
 
-#![allow(clippy::expect_used, reason = "tests fail by panicking")]
-
-#[path = "common/shipped.rs"]
-mod shipped;
-
+use crate::figures::{At, FIGURES, figure, frame, send};
 use raconteur_base::DVec3;
 use raconteur_body::figure::Maps;
 use raconteur_body::{Figure, MaterialKind};
 use raconteur_render::{Headless, Quality, RenderOptions};
 use raconteur_stage::{DirectedLight, Lighting};
-use shipped::{At, FIGURES, figure, frame, send};
 
 /// Nose, jaw, ear and nails, from the front, half to the side, the side and below; angles in
-/// radians. No eye is in them: what is wet may glitter.
+/// radians. No eye is in them: wet surfaces may glitter.
 const VIEWS: [(At, f64, f64); 6] = [
     (At::Nose, 0.0, 0.0),
     (At::Nose, 0.5, -0.35),

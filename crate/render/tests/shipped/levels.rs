@@ -1,0 +1,227 @@
+//! Levels of detail of the shipped figures: they are as small as they promise, no seam opens, shut
+//! lids and lips hide what is behind them at all of them, and each covers what the finest covers.
+
+use std::collections::{BTreeSet, HashMap};
+
+use crate::figures::{At, FIGURES, figure, frame, nodes, send};
+use raconteur_base::{DQuat, DVec3, noise};
+use raconteur_body::face::FaceControls;
+use raconteur_body::figure::Maps;
+use raconteur_body::{Bone, Figure, MaterialKind, Mesh, Pose};
+use raconteur_render::{Headless, Quality, RenderOptions};
+use raconteur_stage::{Frame, Lighting, Room, Shot};
+
+const SIDE: u32 = 256;
+/// Qualities by the level that they draw, the finest first.
+const LEVELS: [Quality; 3] = [Quality::High, Quality::Low, Quality::Lowest];
+/// Triangles of a whole figure at each level: 92,586 to 93,302, 43,601 to 45,016 and 21,687 to
+/// 24,021 are shipped.
+const MOST_TRIANGLES: [usize; 3] = [95_000, 46_000, 25_000];
+/// Of what open lids show, shut ones may show this part along their line: 0.007 is the most drawn,
+/// at the finest level.
+const LIDS: usize = 100;
+/// And shut lips, which are a pixel of 0.4 mm apart: 0.066 is drawn at the finest level, 0.081 at
+/// the coarsest.
+const LIPS: usize = 10;
+/// Poses by chance in which levels are compared.
+const POSES: u64 = 6;
+/// Share of a figure's pixels that may differ between levels: 0.024 is the worst drawn.
+const MOST_OTHER: f64 = 0.03;
+
+fn headless(quality: Quality) -> Headless {
+    Headless::new_blocking(RenderOptions { quality })
+        .unwrap_or_else(|e| panic!("{e}; on Debian: apt-get install mesa-vulkan-drivers"))
+}
+
+fn draw(device: &mut Headless, frame: &Frame) -> Vec<[u8; 4]> {
+    let picture = device.render_rgba(frame, SIDE, SIDE).expect("drawn");
+    picture.as_chunks().0.to_vec()
+}
+
+/// Edges with a triangle on one side alone, by the places of their ends.
+fn borders(mesh: &Mesh, level: usize) -> BTreeSet<[u32; 2]> {
+    let mut places = HashMap::new();
+    let mut place = |v: u32| {
+        let next = places.len() as u32;
+        *places
+            .entry(mesh.positions[v as usize].map(f32::to_bits))
+            .or_insert(next)
+    };
+    // Numbered alike at every level.
+    (0..mesh.positions.len() as u32).for_each(|v| {
+        place(v);
+    });
+    let edges: BTreeSet<[u32; 2]> = mesh
+        .triangles_at(level)
+        .chunks_exact(3)
+        .flat_map(|t| [[t[0], t[1]], [t[1], t[2]], [t[2], t[0]]])
+        .map(|edge| edge.map(&mut place))
+        .collect();
+    let alone = |[a, b]: &&[u32; 2]| !edges.contains(&[*b, *a]);
+    edges.iter().filter(alone).copied().collect()
+}
+
+#[test]
+fn levels_shrink_and_open_no_seam() {
+    for name in FIGURES {
+        let figure = figure(name);
+        for (level, most) in MOST_TRIANGLES.into_iter().enumerate() {
+            let of = |m: &Mesh| m.triangles_at(level).len() / 3;
+            let triangles: usize = figure.meshes.iter().map(of).sum();
+            assert!(triangles <= most, "{name}: {triangles} at level {level}");
+        }
+        for mesh in &figure.meshes {
+            // Cards are nothing but borders.
+            if matches!(mesh.material.kind, MaterialKind::Hair | MaterialKind::Lash) {
+                continue;
+            }
+            let finest = borders(mesh, 0);
+            for level in 1..=mesh.coarser.len() {
+                let finer = mesh.triangles_at(level - 1).len();
+                assert!(mesh.triangles_at(level).len() < finer);
+                assert_eq!(borders(mesh, level), finest, "{name}, {}", mesh.name);
+            }
+        }
+    }
+}
+
+/// Gives what lies behind lids and lips a colour that nothing else has.
+fn mark_what_is_behind(figure: &mut Figure) {
+    for mesh in &mut figure.meshes {
+        let (kind, material) = (mesh.material.kind, &mut mesh.material);
+        // Caruncles are seen beside shut lids too.
+        let is_behind = matches!(kind, MaterialKind::Eye | MaterialKind::Teeth);
+        if is_behind && !mesh.name.starts_with("caruncle") {
+            material.kind = MaterialKind::Plain;
+            material.maps = Maps::default();
+            material.base_color = [0.0, 1.0, 0.0, 1.0];
+            mesh.colors.iter_mut().for_each(|c| *c = [255; 4]);
+        }
+    }
+    // Nothing may hide what comes through, and a hair is no lid.
+    figure
+        .meshes
+        .retain(|m| matches!(m.material.kind, MaterialKind::Skin | MaterialKind::Plain));
+}
+
+fn green(picture: &[[u8; 4]]) -> usize {
+    let is_green = |[r, g, b, _]: &&[u8; 4]| *g > r.max(b).saturating_add(30);
+    picture.iter().filter(is_green).count()
+}
+
+#[test]
+fn shut_lids_and_lips_hide_what_is_behind() {
+    for quality in LEVELS {
+        let mut device = headless(quality);
+        for name in FIGURES {
+            let mut figure = figure(name);
+            mark_what_is_behind(&mut figure);
+            send(&mut device, &figure);
+            let mut seen = |at: At, yaw: f64, closed: f64, pose: &Pose| {
+                let mut frame = frame(&figure, Lighting::default(), at, yaw, 0.0);
+                figure.skeleton.solve(pose, &mut frame.world_from_joint);
+                let controls = FaceControls {
+                    seal: closed,
+                    upper_lid: [closed; 2],
+                    ..FaceControls::default()
+                };
+                frame.tissue = nodes(&figure, &controls);
+                green(&draw(&mut device, &frame))
+            };
+            let mut shut = Pose::zero();
+            shut.upper_lid_rad = figure.lid_closure_rad;
+            let mut open = Pose::zero();
+            open.set(Bone::Chin, DQuat::from_rotation_z(0.25));
+            for yaw in [-0.6, 0.0, 0.6] {
+                for (at, share) in [(At::Eyes, LIDS), (At::Nose, LIPS)] {
+                    let through = seen(at, yaw, 1.0, &shut);
+                    let behind = seen(at, yaw, 0.0, &open);
+                    let seen = (at, yaw, through, behind);
+                    assert!(
+                        behind > 900 && through <= behind / share,
+                        "{name}, {quality:?}: {seen:?}"
+                    );
+                }
+            }
+        }
+    }
+}
+
+/// A pose by chance of arms, spine and head.
+fn pose(number: u64) -> Pose {
+    const MOST_RAD: [(Bone, f64); 7] = [
+        (Bone::LShoulder, 0.9),
+        (Bone::RShoulder, 0.9),
+        (Bone::LWrist, 0.5),
+        (Bone::RWrist, 0.5),
+        (Bone::Lumbar, 0.2),
+        (Bone::Thoracic, 0.2),
+        (Bone::Skull, 0.4),
+    ];
+    let mut pose = Pose::zero();
+    for (bone, (name, most)) in (0u64..).zip(MOST_RAD) {
+        let turn = |axis| (2.0 * noise::unit(number, bone, axis) - 1.0) * most;
+        pose.set(
+            name,
+            DQuat::from_rotation_x(turn(0)) * DQuat::from_rotation_z(turn(1)),
+        );
+    }
+    for (elbow, axis) in [(Bone::LElbow, 2), (Bone::RElbow, 3)] {
+        let bend = 2.2 * noise::unit(number, 0, axis);
+        pose.set(elbow, DQuat::from_rotation_z(bend));
+    }
+    pose
+}
+
+#[test]
+fn each_level_covers_what_the_finest_covers() {
+    let frames = |figure: &Figure| -> Vec<Frame> {
+        let solved = |number| {
+            let joints = figure.skeleton.joints().len();
+            let mut frame = Frame::with_capacity(joints, figure.morph_names.len());
+            figure
+                .skeleton
+                .solve(&pose(number), &mut frame.world_from_joint);
+            let stature = figure.skeleton.stature_m();
+            let origin = DVec3::ZERO;
+            frame.camera = Shot::Full.frame(origin, stature, 1.0, Room::default());
+            frame
+        };
+        (0..POSES).map(solved).collect()
+    };
+    // One quality for all, so that nothing but the triangles differs.
+    let mut device = headless(Quality::High);
+    for name in FIGURES {
+        let figure = figure(name);
+        let covered = |device: &mut Headless, level: usize| -> Vec<Vec<bool>> {
+            let mut drawn = figure.clone();
+            for mesh in &mut drawn.meshes {
+                mesh.indices = mesh.triangles_at(level).to_vec();
+                mesh.coarser.clear();
+            }
+            device.set_figure(&drawn).expect("a sound figure");
+            frames(&figure)
+                .into_iter()
+                .map(|mut frame| {
+                    let with = draw(device, &frame);
+                    frame.shown.body = false;
+                    let without = draw(device, &frame);
+                    let pairs = with.iter().zip(&without);
+                    pairs.map(|(a, b)| a != b).collect()
+                })
+                .collect()
+        };
+        let finest = covered(&mut device, 0);
+        for level in [1, 2] {
+            let coarse = covered(&mut device, level);
+            for (number, (a, b)) in finest.iter().zip(&coarse).enumerate() {
+                let all = a.iter().filter(|p| **p).count() as f64;
+                let other = a.iter().zip(b).filter(|(p, q)| p != q).count() as f64;
+                assert!(
+                    other < MOST_OTHER * all,
+                    "{name}, level {level}, pose {number}: {other} of {all}"
+                );
+            }
+        }
+    }
+}

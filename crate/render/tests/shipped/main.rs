@@ -1,0 +1,7 @@
+//! The shipped figures as they are drawn: near, and at each level of detail.
+
+#![allow(clippy::expect_used, reason = "tests fail by panicking")]
+
+mod close;
+mod figures;
+mod levels;

@@ -1,0 +1,48 @@
+//! Vectors of four numbers that a processor computes at once. Only operations lane by lane are
+//! used, and sums over lanes are added in order, so the bits are the same on every machine.
+
+/// A way or a place, metres, and a fourth number that is 0 where nothing else is said.
+pub(super) type Vector = wide::f32x4;
+
+/// How many things are done at once.
+pub(super) const LANES: usize = 4;
+
+#[inline]
+pub(super) fn vector([x, y, z]: [f32; 3]) -> Vector {
+    Vector::new([x, y, z, 0.0])
+}
+
+#[inline]
+pub(super) fn xyz(v: Vector) -> [f32; 3] {
+    let [x, y, z, _] = v.to_array();
+    [x, y, z]
+}
+
+#[inline]
+pub(super) fn dot(a: Vector, b: Vector) -> f32 {
+    let [x, y, z, _] = (a * b).to_array();
+    x + y + z
+}
+
+#[inline]
+pub(super) fn length(v: Vector) -> f32 {
+    dot(v, v).sqrt()
+}
+
+/// Squares of the lengths of four vectors.
+#[inline]
+pub(super) fn squares(vectors: [Vector; LANES]) -> Vector {
+    let [x, y, z, _] = Vector::transpose(vectors);
+    x * x + y * y + z * z
+}
+
+/// How many things there are when those that are missing to a whole four are filled in.
+pub(super) fn whole_fours(count: usize) -> usize {
+    count.next_multiple_of(LANES)
+}
+
+/// The four of `count` things from `from` on; the last stands for those that there are not.
+#[inline]
+pub(super) fn four(from: usize, count: usize) -> [usize; LANES] {
+    core::array::from_fn(|k| (from + k).min(count - 1))
+}
