@@ -2,10 +2,12 @@ import { cpSync, existsSync, readdirSync, readFileSync, writeFileSync } from 'no
 import { dirname, join } from 'node:path';
 import type { Plugin } from 'vite';
 import { defineConfig } from 'vitest/config';
+import { kind as tested } from './web/test/tier.js';
 import { buildDocs } from './web/tools/docs.js';
 import { deadLinks } from './web/tools/links.js';
 import { notices } from './web/tools/notices.js';
 import { withParts } from './web/tools/parts.js';
+import { kinds } from './web/tools/wasm.mjs';
 
 const root = import.meta.dirname;
 
@@ -34,10 +36,13 @@ const headers = {
  * become pages. A link that leads nowhere ends the build.
  */
 function library(): Plugin {
-  const site = join(root, 'dist');
+  let site = '';
   return {
     name: 'raconteur-library',
     apply: 'build',
+    configResolved(config) {
+      site = join(root, config.build.outDir);
+    },
     closeBundle() {
       cpSync(join(root, 'assets'), join(site, 'assets'), { recursive: true });
       cpSync(join(root, 'web/pages/favicon.ico'), join(site, 'favicon.ico'));
@@ -55,9 +60,10 @@ function folders(): Plugin {
   return {
     name: 'raconteur-folders',
     configurePreviewServer(server) {
+      const site = join(root, server.config.build.outDir);
       server.middlewares.use((request, response, next) => {
         const [path = '', query] = (request.url ?? '').split('?');
-        if (path.endsWith('/') || path.includes('..') || !existsSync(join(root, 'dist', path, 'index.html'))) {
+        if (path.endsWith('/') || path.includes('..') || !existsSync(join(site, path, 'index.html'))) {
           next();
           return;
         }
@@ -105,43 +111,50 @@ function clips(): Plugin {
   };
 }
 
-export default defineConfig({
-  root,
-  // Addresses are relative, so that dist/ may be served from any folder.
-  base: './',
-  // A missing file is answered 404, not with the page.
-  appType: 'mpa',
-  publicDir: false,
-  plugins: [parts(), library(), folders(), clips()],
-  build: {
-    target: 'es2022',
-    assetsDir: 'app',
-    assetsInlineLimit: 0,
-    modulePreload: { polyfill: false },
-    rolldownOptions: {
-      input: {
-        index: join(root, 'index.html'),
-        viewer: join(root, 'viewer/index.html'),
-        gestures: join(root, 'gestures/index.html'),
-        face: join(root, 'face/index.html'),
-        'raconteur-player': join(root, 'web/element/index.ts'),
-      },
-      // The element has an address that a page can name.
-      preserveEntrySignatures: 'strict',
-      output: {
-        entryFileNames: (chunk) => (chunk.name === 'raconteur-player' ? '[name].js' : 'app/[name]-[hash].js'),
-        chunkFileNames: (chunk) => {
-          const backend = /pkg\/(webgpu|webgl|avatar)\//.exec(chunk.facadeModuleId ?? '')?.[1];
-          return `app/${backend ?? '[name]'}-[hash].js`;
+export default defineConfig(({ mode }) => {
+  const kind = mode === 'test' ? tested : mode === kinds.quick.name ? kinds.quick : kinds.shipped;
+  return {
+    root,
+    // Addresses are relative, so that dist/ may be served from any folder.
+    base: './',
+    // A missing file is answered 404, not with the page.
+    appType: 'mpa',
+    publicDir: false,
+    // Imports name the builds that ship; those of the tests lie elsewhere.
+    resolve: { alias: [{ find: /^\.\.\/pkg\//, replacement: `${join(root, kind.folder)}/` }] },
+    plugins: [parts(), library(), folders(), clips()],
+    build: {
+      target: 'es2022',
+      outDir: kind.site,
+      emptyOutDir: true,
+      assetsDir: 'app',
+      assetsInlineLimit: 0,
+      modulePreload: { polyfill: false },
+      rolldownOptions: {
+        input: {
+          index: join(root, 'index.html'),
+          viewer: join(root, 'viewer/index.html'),
+          gestures: join(root, 'gestures/index.html'),
+          face: join(root, 'face/index.html'),
+          'raconteur-player': join(root, 'web/element/index.ts'),
         },
-        // All builds call their file the same; the folder tells them apart.
-        assetFileNames: (asset) => {
-          const [, build] = asset.originalFileNames.map((name) => /pkg\/(webgpu|webgl|avatar)\//.exec(name)).find(Boolean) ?? [];
-          return `app/${build ?? '[name]'}-[hash][extname]`;
+        // The element has an address that a page can name.
+        preserveEntrySignatures: 'strict',
+        output: {
+          entryFileNames: (chunk) => (chunk.name === 'raconteur-player' ? '[name].js' : 'app/[name]-[hash].js'),
+          chunkFileNames: (chunk) => {
+            const backend = /pkg\/(?:quick\/)?(webgpu|webgl|avatar)\//.exec(chunk.facadeModuleId ?? '')?.[1];
+            return `app/${backend ?? '[name]'}-[hash].js`;
+          },
+          // All builds call their file the same; the folder tells them apart.
+          assetFileNames: (asset) => {
+            const [, build] = asset.originalFileNames.map((name) => /pkg\/(?:quick\/)?(webgpu|webgl|avatar)\//.exec(name)).find(Boolean) ?? [];
+            return `app/${build ?? '[name]'}-[hash][extname]`;
+          },
         },
       },
     },
-  },
-  preview: { headers },
-  test: { include: ['web/test/**/*.test.ts'] },
+    preview: { headers },
+    test: { include: ['web/test/**/*.test.ts'] },
+  };
 });

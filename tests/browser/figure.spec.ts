@@ -57,7 +57,7 @@ function glb(json: object): Buffer {
   return Buffer.concat([head, padded]);
 }
 
-test('another figure takes the stage while the story goes on', async ({ stage }) => {
+test('another figure takes the stage while the story goes on', { tag: '@draws' }, async ({ stage }) => {
   await stage.load('white-rabbit');
   await stage.seek(6);
   const before = await look(stage);
@@ -105,7 +105,7 @@ test('a broken figure is named with its fault, and the one before stays', async 
   await stage.until(0.5);
 });
 
-test('the first picture is measured', async ({ stage, page }) => {
+test('the first picture is measured', { tag: '@draws' }, async ({ stage, page }) => {
   // A visit before has warmed the server and the cache.
   await stage.load('white-rabbit');
   await stage.load('white-rabbit');

@@ -5,6 +5,7 @@ import { createServer, type Server } from 'node:http';
 import type { AddressInfo } from 'node:net';
 import { extname, join, normalize } from 'node:path';
 import type { RaconteurPlayer } from '../../web/element/element.js';
+import { kind } from '../../web/test/tier.js';
 import { story } from './fixture.js';
 import { expect, ready, test } from './stage.js';
 
@@ -12,7 +13,7 @@ const TYPES: { [ending: string]: string } = { '.js': 'text/javascript', '.wasm':
 
 /** Serves the built page from the folder `/player/`, to any page, and records requests. */
 async function serve(asked: string[]): Promise<{ server: Server; origin: string }> {
-  const dist = join(import.meta.dirname, '../../dist');
+  const dist = join(import.meta.dirname, '../..', kind.site);
   const server = createServer((request, response) => {
     const { pathname } = new URL(request.url ?? '/', 'http://localhost');
     asked.push(pathname);

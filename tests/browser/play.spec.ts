@@ -9,7 +9,7 @@ function firstSound<S extends { when: number; offset: number }>(starts: readonly
   return [...starts].sort((a, b) => a.when - a.offset - (b.when - b.offset))[0];
 }
 
-test('plays with sound, captions and a moving picture', async ({ stage, page }) => {
+test('plays with sound, captions and a moving picture', { tag: '@draws' }, async ({ stage, page }) => {
   await stage.load('white-rabbit');
   expect(await stage.player.evaluate((p: RaconteurPlayer) => p.activeBackend)).toBe(stage.backend);
   expect(await stage.player.evaluate((p: RaconteurPlayer) => p.duration)).toBeGreaterThan(75);
@@ -150,7 +150,7 @@ test('ends, and plays again from the start', async ({ stage }) => {
   expect(await stage.time()).toBeLessThan(2);
 });
 
-test('two players on one page keep their own time', async ({ stage, page }) => {
+test('two players on one page keep their own time', { tag: '@draws' }, async ({ stage, page }) => {
   const one = (id: string) => `<raconteur-player id="${id}" loading="eager" src="/assets/stories/white-rabbit/story.eml" captions></raconteur-player>`;
   await stage.open(one('a') + one('b'));
   const [a, b] = [page.locator('#a'), page.locator('#b')];

@@ -270,13 +270,19 @@ async function difference(page: Page, a: Buffer, b: Buffer | undefined): Promise
   }, urls);
 }
 
+/** What a project chooses: the back end that draws, or `page` for the pages, which choose their own. */
+export interface BackendOption {
+  backend: string;
+}
+
 /** A test with a stage on the project's back end. */
-export const test = base.extend<{ stage: Stage }>({
-  stage: async ({ page }, use, info) => {
+export const test = base.extend<{ stage: Stage } & BackendOption>({
+  backend: ['webgl', { option: true }],
+  stage: async ({ page, backend }, use) => {
     await page.addInitScript(listen);
     const problems: string[] = [];
     page.on('pageerror', (error) => problems.push(error.message));
-    await use(new Stage(page, info.project.name));
+    await use(new Stage(page, backend));
     expect(problems).toEqual([]);
     expect(await page.evaluate(() => window.record.violations)).toEqual([]);
   },

@@ -133,7 +133,7 @@ async function loseThePicture(stage: Stage): Promise<void> {
   });
 }
 
-test('a lost picture comes back while the story goes on', async ({ stage, page }) => {
+test('a lost picture comes back while the story goes on', { tag: '@draws' }, async ({ stage, page }) => {
   await stage.load('white-rabbit');
   await stage.play();
   await stage.until(1);
@@ -152,7 +152,7 @@ test('a lost picture comes back while the story goes on', async ({ stage, page }
   expect(new Set(words.map((w) => `${w.utterance}.${w.index}`)).size).toBe(words.length);
 });
 
-test('without any picture the story is heard and captioned, and the user may ask again', async ({ stage, page }) => {
+test('without any picture the story is heard and captioned, and the user may ask again', { tag: '@draws' }, async ({ stage, page }) => {
   await page.addInitScript(() => {
     const context = HTMLCanvasElement.prototype.getContext;
     const fake = { broken: true };

@@ -9,6 +9,7 @@ import type { Triple } from '../pages/gestures/gesture.js';
 import { Palms } from '../pages/gestures/palm.js';
 import { wayAt } from '../pages/gestures/profile.js';
 import { roll, twist } from '../pages/gestures/roll.js';
+import { kind } from './tier.js';
 
 /** As much of the JavaScript side of a build as is used here. */
 type Instance = PalmFunctions & ((source: { module_or_path: WebAssembly.Module }) => Promise<unknown>);
@@ -18,7 +19,7 @@ const COMPILE_MS = 60_000;
 
 /** What a build reads: the same in both. */
 async function openPalms(): Promise<Palms> {
-  const folder = join(import.meta.dirname, '../pkg/webgpu');
+  const folder = join(import.meta.dirname, '../..', kind.folder, 'webgl');
   const { default: instantiate } = (await import(join(folder, 'raconteur.js'))) as { default: () => unknown };
   const instance = instantiate() as Instance;
   await instance({ module_or_path: await WebAssembly.compile(readFileSync(join(folder, 'raconteur_bg.wasm'))) });

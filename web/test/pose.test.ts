@@ -4,6 +4,7 @@ import { execFileSync } from 'node:child_process';
 import { existsSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { expect, test } from 'vitest';
+import { kind } from './tier.js';
 
 const root = join(import.meta.dirname, '../..');
 const target = process.env['CARGO_TARGET_DIR'] ?? join(root, 'target');
@@ -27,7 +28,7 @@ function native(story: string): string[] {
 }
 
 async function browser(backend: string, story: string): Promise<string[]> {
-  const folder = join(root, 'web/pkg', backend);
+  const folder = join(root, kind.folder, backend);
   const { default: instantiate } = (await import(join(folder, 'raconteur.js'))) as { default: () => unknown };
   const instance = instantiate() as Instance;
   await instance({ module_or_path: await WebAssembly.compile(readFileSync(join(folder, 'raconteur_bg.wasm'))) });

@@ -51,6 +51,7 @@ const groups: readonly (readonly [title: string, documents: readonly Document[]]
     [
       ['ARCHITECTURE.md', 'Architecture', 'How it is built, and what is deliberately absent.'],
       ['CONTRIBUTING.md', 'Contributing', 'How to add to it.'],
+      ['docs/testing.md', 'Testing', 'What the gate checks, and what the long tier adds.'],
       ['SECURITY.md', 'Security', 'What is trusted, what is not, and how to report a hole.'],
       ['CHANGELOG.md', 'Changes', 'What is new.'],
     ],

@@ -6,7 +6,7 @@ import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { brotliCompressSync, constants } from 'node:zlib';
 import { chromiumArgs } from './chromium.mjs';
-import { browser, chromium, page as build } from './setup.mjs';
+import { chromium, page as build, system } from './setup.mjs';
 import { main, once, root, run, serverOptions, Stop } from './steps.mjs';
 
 const PACKAGES = { '@met4citizen/talkinghead': '1.7.0', three: '0.180.0' };
@@ -131,7 +131,7 @@ await main(async () => {
   if (avatar === undefined || !existsSync(avatar)) throw new Stop(`--avatar wants a glTF file of the peer's kind, ${avatar === undefined ? 'and there is none' : `not ${avatar}`}.\n${USAGE}`);
   if (!(Number.isInteger(Number(count)) && Number(count) > 0)) throw new Stop(`--rounds wants a number from 1, not ${count}.`);
   await build();
-  await browser();
+  await system('browser');
   await packages();
   const { preview } = await import('vite');
   const server = await preview({ root, logLevel: 'warn', plugins: [peerFiles(resolve(avatar))], preview: { port: port ?? 4199, headers: {} } });

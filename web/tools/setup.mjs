@@ -1,5 +1,5 @@
 // Prepares a bare clone. `node web/tools/setup.mjs [page|test]`; finished steps are skipped.
-//   page: packages, Rust's wasm target, both wasm builds, the built page in dist/
+//   page: packages, Rust's wasm target, the wasm builds, the built page in dist/
 //   test: all of that, a browser with software rendering, and speech engines
 // Only Node's own modules: this installs the others.
 
@@ -7,15 +7,15 @@ import { spawnSync } from 'node:child_process';
 import { existsSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
-import { ask, main, once, root, run, Stop } from './steps.mjs';
-import { buildWasm } from './wasm.mjs';
+import { ask, main, once, root, run, start, Stop } from './steps.mjs';
+import { builds, buildWasm, kinds, stampOf } from './wasm.mjs';
 
 /** npm packages, exactly as locked. */
 export async function packages() {
   await once(
     'packages',
     { inputs: ['package.json', 'package-lock.json'], extra: process.version, outputs: ['node_modules/.package-lock.json'] },
-    () => run(process.platform === 'win32' ? 'npm.cmd' : 'npm', ['ci', '--no-audit', '--no-fund'], {
+    () => start(process.platform === 'win32' ? 'npm.cmd' : 'npm', ['ci', '--no-audit', '--no-fund'], {
       shell: process.platform === 'win32',
       why: 'Installing the npm packages',
     }),
@@ -45,75 +45,85 @@ export async function rust() {
   }
 }
 
-/** A compiler of C++: the simplifier that makes levels of detail is written in it. */
-export async function cpp() {
-  // On Windows Rust's own linker comes with one.
-  if (process.platform === 'win32' || ask(process.env['CXX'] ?? 'c++', ['--version']) !== undefined) return;
-  if (installed(['g++'])) return;
-  throw new Stop('The command line needs a compiler of C++: install g++ or clang with your system’s packages, then run this again.');
-}
-
 function hasWasmTarget() {
   const folder = ask('rustc', ['--print', 'target-libdir', '--target', 'wasm32-unknown-unknown'])?.trim();
   return folder !== undefined && existsSync(folder);
 }
 
-/** The page, built into dist/. */
-export async function page() {
+/** What a page is made of besides its wasm files. */
+const PAGE_SOURCES = ['index.html', 'gestures', 'viewer', 'face', 'vite.config.ts', 'package-lock.json', 'web/element', 'web/pages', 'web/tools/docs.ts', 'web/tools/links.ts',
+  'web/tools/notices.ts', 'web/tools/parts.ts', 'assets', 'README.md', 'ARCHITECTURE.md', 'CONTRIBUTING.md', 'CHANGELOG.md', 'SECURITY.md', 'docs'];
+
+/** The page, built into the folder of its kind of build (see `kinds`). `bindgen` as for `buildWasm`. */
+export async function page(kind = kinds.shipped, bindgen) {
   await packages();
   await rust();
-  await buildWasm();
-  await once(
-    'page',
-    {
-      inputs: ['index.html', 'gestures', 'viewer', 'face', 'vite.config.ts', 'package-lock.json', 'web/element', 'web/pages', 'web/tools/docs.ts', 'web/tools/links.ts', 'web/tools/notices.ts', 'web/tools/parts.ts', 'assets',
-        'README.md', 'ARCHITECTURE.md', 'CONTRIBUTING.md', 'CHANGELOG.md', 'SECURITY.md', 'docs', '.setup/wasm-webgpu', '.setup/wasm-webgl', '.setup/wasm-avatar'],
-      outputs: ['dist/index.html'],
-    },
-    async () => {
-      const { build } = await import('vite');
-      await build({ root, logLevel: 'warn' });
-    },
-  );
+  await buildWasm(kind, bindgen);
+  const inputs = [...PAGE_SOURCES, ...builds.map((build) => `.setup/${stampOf(kind, build)}`)];
+  await once(`page-${kind.name}`, { inputs, outputs: [`${kind.site}/index.html`] }, async () => {
+    const { build } = await import('vite');
+    await build({ root, logLevel: 'warn', mode: kind.name });
+  });
 }
 
-/** A Chromium that draws without a graphics card, and a Vulkan that does. */
-export async function browser() {
-  const missing = [];
-  if (!chromium()) missing.push('chromium');
-  const drivers = ['/usr/share/vulkan/icd.d', '/etc/vulkan/icd.d'];
-  const icd = process.env['VK_DRIVER_FILES'] ?? process.env['VK_ICD_FILENAMES'];
-  if (process.platform === 'linux' && icd === undefined && !drivers.some((d) => existsSync(d))) {
-    missing.push('mesa-vulkan-drivers', 'libvulkan1');
+const runs = (program, ...args) => spawnSync(program, args, { stdio: 'ignore' }).error === undefined;
+
+/** What the checks need of the system: Debian's packages that are missing, all of a kind, and what they are for. */
+const SYSTEM = {
+  /** A compiler of C++: the simplifier that makes levels of detail is written in it. On Windows Rust's linker has one. */
+  cpp: {
+    what: 'The command line needs a compiler of C++',
+    all: ['g++'],
+    missing: () => (process.platform === 'win32' || runs(process.env['CXX'] ?? 'c++', '--version') ? [] : ['g++']),
+  },
+  /** A Chromium that draws without a graphics card, and a Vulkan that does. */
+  browser: {
+    what: 'The tests draw without a graphics card',
+    all: ['chromium', 'mesa-vulkan-drivers', 'libvulkan1', 'libegl1', 'libgl1-mesa-dri'],
+    missing: () => {
+      const drivers = ['/usr/share/vulkan/icd.d', '/etc/vulkan/icd.d'];
+      const icd = process.env['VK_DRIVER_FILES'] ?? process.env['VK_ICD_FILENAMES'];
+      const noVulkan = process.platform === 'linux' && icd === undefined && !drivers.some((d) => existsSync(d));
+      return [...(chromium() ? [] : ['chromium (or run "npx playwright install chromium")']), ...(noVulkan ? ['mesa-vulkan-drivers', 'libvulkan1'] : [])];
+    },
+  },
+  /** Speech engines with voices to measure, and what encodes their sound. */
+  engines: {
+    what: 'The tests bake and measure voices',
+    all: ['festival', 'festvox-us-slt-hts', 'festvox-kallpc16k', 'festvox-kdlpc16k', 'flite', 'espeak-ng', 'libespeak-ng1', 'opus-tools', 'ffmpeg'],
+    missing: () => {
+      const festival = ask('festival', ['-b', '(print (voice.list))']) ?? '';
+      const there = {
+        festival: runs('festival', '--version'),
+        'festvox-us-slt-hts': festival.includes('cmu_us_slt_arctic_hts'),
+        'festvox-kallpc16k': festival.includes('kal_diphone'),
+        'festvox-kdlpc16k': festival.includes('ked_diphone'),
+        flite: runs('flite', '--version'),
+        // The program brings its library, which is what speaks.
+        'espeak-ng': runs('espeak-ng', '--version'),
+        'opus-tools': runs('opusenc', '--version'),
+        ffmpeg: runs('ffmpeg', '-version'),
+      };
+      return Object.keys(there).filter((name) => !there[name]);
+    },
+  },
+};
+
+/** Installs what is missing of `names` where that can be done, on Debian and its kin as root; elsewhere says what to install. */
+export async function system(...names) {
+  const short = names.map((name) => ({ ...SYSTEM[name], lacks: SYSTEM[name].missing() })).filter(({ lacks }) => lacks.length > 0);
+  if (short.length === 0) return;
+  const debian = existsSync('/etc/debian_version') && ask('apt-get', ['--version']) !== undefined;
+  if (debian && process.getuid?.() === 0) {
+    const packages = short.flatMap(({ all }) => all);
+    // It runs beside compilers, whose output is worth more.
+    const quiet = { env: { ...process.env, DEBIAN_FRONTEND: 'noninteractive' }, stdio: ['ignore', 'ignore', 'inherit'] };
+    await start('apt-get', ['update', '-qq'], { ...quiet, why: 'Updating the package lists' });
+    await start('apt-get', ['install', '-y', '-qq', '--no-install-recommends', ...packages], { ...quiet, why: `Installing ${packages.join(', ')}` });
+    return;
   }
-  if (missing.length === 0 || installed(['chromium', 'mesa-vulkan-drivers', 'libvulkan1', 'libegl1', 'libgl1-mesa-dri'])) return;
-  throw new Stop(
-    `The tests need ${missing.join(', ')}: install ${missing.length > 1 ? 'them' : 'it'} with your system's packages` +
-      (missing.includes('chromium') ? ' (or run "npx playwright install chromium")' : '') +
-      ', then run this again.',
-  );
-}
-
-/** Speech engines with voices to measure, and what encodes their sound. */
-export async function engines() {
-  const runs = (program, ...args) => spawnSync(program, args, { stdio: 'ignore' }).error === undefined;
-  const festival = ask('festival', ['-b', '(print (voice.list))']) ?? '';
-  const packages = {
-    festival: runs('festival', '--version'),
-    'festvox-us-slt-hts': festival.includes('cmu_us_slt_arctic_hts'),
-    'festvox-kallpc16k': festival.includes('kal_diphone'),
-    'festvox-kdlpc16k': festival.includes('ked_diphone'),
-    flite: runs('flite', '--version'),
-    // The program brings its library, which is what speaks.
-    'espeak-ng': runs('espeak-ng', '--version'),
-    'opus-tools': runs('opusenc', '--version'),
-    ffmpeg: runs('ffmpeg', '-version'),
-  };
-  const missing = Object.keys(packages).filter((name) => !packages[name]);
-  if (missing.length === 0 || installed([...Object.keys(packages), 'libespeak-ng1'])) return;
-  throw new Stop(
-    `Measuring voices needs ${missing.join(', ')} (names of Debian's packages): install ${missing.length > 1 ? 'them' : 'it'}, then run this again.`,
-  );
+  const reasons = short.map(({ what, lacks }) => `${what}: install ${lacks.join(', ')} (names of Debian's packages)`);
+  throw new Stop(`${reasons.join('.\n')}, then run this again.`);
 }
 
 /** The spelling checker: the one on the path, or its wheel, unpacked beside the stamps. */
@@ -132,16 +142,6 @@ export async function typos() {
   return join(root, file);
 }
 
-/** Installs packages where that can be done: on Debian and its kin, as root. Tells whether it was. */
-function installed(packages) {
-  const debian = existsSync('/etc/debian_version') && ask('apt-get', ['--version']) !== undefined;
-  if (!debian || process.getuid?.() !== 0) return false;
-  const env = { ...process.env, DEBIAN_FRONTEND: 'noninteractive' };
-  run('apt-get', ['update', '-qq'], { env, why: 'Updating the package lists' });
-  run('apt-get', ['install', '-y', '-qq', '--no-install-recommends', ...packages], { env, why: `Installing ${packages.join(', ')}` });
-  return true;
-}
-
 /** The browser for the tests: the system's, or Playwright's own download. */
 export function chromium() {
   if (process.env['CHROMIUM'] !== undefined) return process.env['CHROMIUM'];
@@ -154,9 +154,7 @@ if (import.meta.url === pathToFileURL(process.argv[1] ?? '').href) {
   await main(async () => {
     await page();
     if (process.argv[2] !== 'page') {
-      await cpp();
-      await browser();
-      await engines();
+      await system('cpp', 'browser', 'engines');
     }
     console.log('Everything is in place.');
   });

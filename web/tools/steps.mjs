@@ -55,22 +55,34 @@ export function digest(paths, extra = '') {
   return hash.digest('hex');
 }
 
+/** A note in `.setup` that work was done with these inputs; `holds()` while they are the same. */
+export function stamp(name, inputs, extra) {
+  const path = join(root, '.setup', name);
+  const now = digest(inputs, extra);
+  return {
+    holds: () => existsSync(path) && readFileSync(path, 'utf8') === now,
+    remove: () => rmSync(path, { force: true }),
+    write: () => {
+      mkdirSync(dirname(path), { recursive: true });
+      writeFileSync(path, now);
+    },
+  };
+}
+
 /**
  * Does `work` unless it was done before with the same inputs and its outputs are still there.
- * The stamp is removed first, so that work broken off half-way is done again.
+ * The stamp is removed first, so that work broken off half-way is done again. Tells whether there was work.
  */
-export async function once(name, { inputs, extra, outputs }, work) {
-  const stamp = join(root, '.setup', name);
-  const now = digest(inputs, extra);
-  const done = existsSync(stamp) && readFileSync(stamp, 'utf8') === now;
-  if (done && outputs.every((path) => existsSync(join(root, path)))) return;
-  rmSync(stamp, { force: true });
+export async function once(name, { inputs, extra, outputs = [] }, work) {
+  const done = stamp(name, inputs, extra);
+  if (done.holds() && outputs.every((path) => existsSync(join(root, path)))) return false;
+  done.remove();
   console.log(`\n› ${name}`);
   const start = Date.now();
   await work();
-  mkdirSync(dirname(stamp), { recursive: true });
-  writeFileSync(stamp, now);
+  done.write();
   console.log(`  ${name}: ${((Date.now() - start) / 1000).toFixed(1)} s`);
+  return true;
 }
 
 /** Runs a program's main function; a `Stop` is printed as a sentence. */

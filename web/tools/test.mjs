@@ -1,52 +1,101 @@
-// `npm test`: prepares everything, then checks everything, the quick checks first.
-// `npm test -- NAME…` runs only the named checks, `npm test -- --changed` those that the files need which
-// differ from the branch main, and Rust's tests of the crates that they reach.
+// `npm test`, the gate: prepares everything, then checks everything once. `npm run test:long` runs all that
+// there is (`--long`). With names of checks only those run, with `--changed` those that the files need which
+// differ from the branch main, and Rust's tests of the crates that they reach. docs/testing.md tells more.
 
-import { needed } from './changed.mjs';
-import { main, run, Stop } from './steps.mjs';
-import { browser, cpp, engines, packages, page, rust, typos } from './setup.mjs';
-import { backends, buildWasm } from './wasm.mjs';
+import { availableParallelism } from 'node:os';
+import { needed, sources } from './changed.mjs';
+import { buildTests, runTests } from './rust-tests.mjs';
+import { packages, page, rust, system, typos } from './setup.mjs';
+import { main, once, start, Stop } from './steps.mjs';
+import { browserTimes, report, reportPath, unitTimes } from './times.mjs';
+import { backends, builds, buildWasm, kinds, stampOf } from './wasm.mjs';
 
-const cargo = (...args) => run('cargo', args);
-const node = (file, ...args) => run(process.execPath, [file, ...args]);
+const isLong = process.argv.includes('--long');
+// Tests ask for it: in Rust by `raconteur-tier`, in the browser and the unit tests directly.
+if (isLong) process.env['TEST_LONG'] = '1';
+/** The builds that are tested: what ships in the long tier. */
+const kind = isLong ? kinds.shipped : kinds.quick;
 
-/** Name, and what it does. */
+const cargo = (args, options) => start('cargo', args, options);
+const node = (file, args = [], options) => start(process.execPath, [file, ...args], options);
+
+let building;
+/** Rust's tests and programs, compiled once a run. */
+const built = () => (building ??= buildTests());
+const program = async (name) => (await built()).programs[name];
+
+/** Does `work` unless it passed before and nothing of `inputs` has changed; in the long tier in any case. */
+const unlessPassed = async (name, inputs, work) => {
+  if (isLong) return work();
+  if (!(await once(`passed-${name}`, { inputs }, work))) console.log('  passed before, and unchanged');
+};
+
+/** What plays in a browser test, and what those of the pages add. */
+const PLAYED = [...builds.map((build) => `.setup/${stampOf(kind, build)}`), 'web/element', 'web/test/tier.ts', 'web/tools/chromium.mjs', 'tests/browser', 'assets', 'vite.config.ts', 'package-lock.json'];
+const PAGES = ['index.html', 'gestures', 'viewer', 'face', 'web/pages', 'docs', 'README.md', 'ARCHITECTURE.md', 'CONTRIBUTING.md', 'CHANGELOG.md', 'SECURITY.md'];
+
+/** What ran, for the report at the end. */
+const tests = [];
+
+const playwright = async (name, workers, projects) => {
+  const path = reportPath(name);
+  try {
+    await node('node_modules/@playwright/test/cli.js', ['test', '--config', 'tests/browser/playwright.config.ts', '--workers', String(workers), ...projects.map((p) => `--project=${p}`)], {
+      env: { ...process.env, BROWSER_REPORT: path },
+    });
+  } finally {
+    tests.push(...browserTimes(path));
+  }
+};
+
+/** The checks by name, in their order: what fails soon comes first. */
 const checks = {
-  format: () => cargo('fmt', '--all', '--check'),
-  clippy: () => cargo('clippy', '--locked', '--workspace', '--all-targets', '--', '--deny', 'warnings'),
-  'clippy-wasm': () => {
-    for (const backend of backends) {
-      cargo('clippy', '--locked', '--package', 'raconteur-web', '--target', 'wasm32-unknown-unknown',
-        '--features', backend, '--', '--deny', 'warnings');
+  format: () => cargo(['fmt', '--all', '--check']),
+  lint: () => node('node_modules/@biomejs/biome/bin/biome', ['check', '--error-on-warnings', '.']),
+  spelling: async () => start(await typos(), []),
+  compile: () => built(),
+  rust: async (crates) => {
+    tests.push(...(await runTests((await built()).tests, { crates, runsAll: isLong })));
+  },
+  clippy: () => cargo(['clippy', '--locked', '--workspace', '--all-targets', '--', '--deny', 'warnings']),
+  'clippy-wasm': async () => {
+    for (const backend of isLong ? backends : ['webgl']) {
+      await cargo(['clippy', '--locked', '--package', 'raconteur-web', '--target', 'wasm32-unknown-unknown', '--features', backend, '--', '--deny', 'warnings']);
     }
   },
-  doc: () => run('cargo', ['doc', '--locked', '--workspace', '--no-deps'], { env: { ...process.env, RUSTDOCFLAGS: '--deny warnings' } }),
-  rust: (crates) => cargo('test', '--locked', ...(crates?.flatMap((name) => ['--package', name]) ?? ['--workspace'])),
+  doc: () => cargo(['doc', '--locked', '--workspace', '--no-deps'], { env: { ...process.env, RUSTDOCFLAGS: '--deny warnings' } }),
   voices: async () => {
-    await engines();
-    node('web/tools/voices.mjs', '--check');
+    const raconteur = await program('raconteur');
+    await unlessPassed('voices', [...sources('raconteur-cli'), 'web/tools/voices.mjs'], () => node('web/tools/voices.mjs', ['--check', raconteur]));
   },
-  wasm: () => buildWasm(),
-  lint: () => node('node_modules/@biomejs/biome/bin/biome', 'check', '--error-on-warnings', '.'),
-  spelling: async () => run(await typos(), []),
-  types: () => node('node_modules/typescript/bin/tsc', '--noEmit'),
-  unit: () => {
+  wasm: async () => buildWasm(kind, await program('raconteur-bindgen')),
+  types: () => node('node_modules/typescript/bin/tsc', ['--noEmit']),
+  unit: async () => {
+    const path = reportPath('unit');
     // The poses of the wasm builds are compared with the command line's.
-    cargo('build', '--locked', '--package', 'raconteur-cli');
-    node('node_modules/vitest/vitest.mjs', 'run');
+    await built();
+    await node('node_modules/vitest/vitest.mjs', ['run', '--reporter=default', '--reporter=json', `--outputFile.json=${path}`]);
+    tests.push(...unitTimes(path));
   },
   size: async () => {
-    await page();
-    node('web/tools/size.mjs');
+    await page(kind, await program('raconteur-bindgen'));
+    await node('web/tools/size.mjs');
   },
   browser: async () => {
-    await page();
-    await browser();
     // Figures are compared with the command line's pictures of them.
-    cargo('build', '--locked', '--package', 'raconteur-cli');
-    node('node_modules/@playwright/test/cli.js', 'test', '--config', 'tests/browser/playwright.config.ts');
+    await page(kind, await program('raconteur-bindgen'));
+    const workers = Math.min(2, availableParallelism());
+    await unlessPassed('player', PLAYED, () => playwright('player', workers, ['webgl', 'webgpu']));
+    await unlessPassed('pages', [...PLAYED, ...PAGES], () => playwright('pages', workers, ['page']));
+    // What is timed by sound has the machine for itself.
+    await unlessPassed('sound', PLAYED, () => playwright('sound', 1, isLong ? ['webgl-sound', 'webgpu-sound'] : ['webgl-sound']));
   },
 };
+
+/** Checks of the long tier alone. */
+const LONG = ['doc', 'size'];
+/** Checks that run what `built` makes. */
+const RUNS_BUILT = ['compile', 'rust', 'voices', 'wasm', 'unit', 'size', 'browser'];
 
 await main(async () => {
   const change = process.argv.includes('--changed') ? needed() : undefined;
@@ -54,24 +103,25 @@ await main(async () => {
     console.log('Nothing differs from main that a check looks at.');
     return;
   }
-  const wanted = change?.checks ?? process.argv.slice(2);
-  const unknown = wanted.find((name) => !(name in checks));
+  const named = change?.checks ?? process.argv.slice(2).filter((name) => name !== '--long');
+  const unknown = named.find((name) => !(name in checks));
   if (unknown !== undefined) throw new Stop(`There is no check ${unknown}; there are ${Object.keys(checks).join(', ')}.`);
-  await packages();
+  const wanted = Object.keys(checks).filter((name) => (named.length > 0 ? named.includes(name) : isLong || !LONG.includes(name)));
+
   await rust();
-  await cpp();
-  // Rust's own tests draw pictures and bake speech: the software Vulkan and the engines come before them.
-  if (wanted.length === 0 || wanted.includes('rust')) {
-    await browser();
-    await engines();
-  }
+  await system('cpp');
+  // Downloads wait for the network while the compiler works.
+  const runsBuilt = wanted.some((name) => RUNS_BUILT.includes(name));
+  const prepared = Promise.all([packages(), ...(runsBuilt ? [system('browser', 'engines')] : [])]);
+  if (runsBuilt) built().catch(() => undefined);
+  await prepared;
   const times = [];
-  for (const [name, check] of Object.entries(checks)) {
-    if (wanted.length > 0 && !wanted.includes(name)) continue;
+  for (const name of wanted) {
     console.log(`\n=== ${name}`);
-    const start = Date.now();
-    await check(change?.crates);
-    times.push(`${name} ${((Date.now() - start) / 1000).toFixed(0)} s`);
+    const begun = performance.now();
+    await checks[name](change?.crates);
+    times.push({ name, secs: (performance.now() - begun) / 1000 });
   }
-  console.log(`\nAll is well: ${times.join(', ')}.`);
+  report(times, tests, named.length === 0);
+  console.log('\nAll is well. The times are kept in .setup/times.json.');
 });

@@ -16,7 +16,7 @@ const AHEAD = 0.25;
 const BEGIN_SECS = 3;
 
 await main(async () => {
-  const eml = readFileSync(join(root, 'crate/player/benches/whole-body.eml'), 'utf8');
+  const eml = readFileSync(join(root, 'tests/bench/benches/whole-body.eml'), 'utf8');
   const names = [...new Set([...eml.matchAll(/animationSetName='([\w-]+)'/g)].map((m) => m[1]))];
   const texts = names.map((name) => readFileSync(join(root, 'assets/animations', `${name}.json`), 'utf8'));
   const figure = readFileSync(join(root, 'assets/figures/sofia.glb'));

@@ -1,7 +1,7 @@
 // What markup and emotions do to voices, measured: `node web/tools/voices.mjs` writes the tables
-// of docs/voices.md anew, `--check` only measures, a voice of each kind and with the program that the
-// tests build. Both fail when a setting misses its target.
-// Needs the engines (see `engines` in setup.mjs). Only Node's own modules.
+// of docs/voices.md anew. `--check PROGRAM` only measures, with a program that is there: one setting of each kind
+// for a voice of each engine, or everything where TEST_LONG is set. Both fail when a setting misses its target.
+// Needs the engines (see `system` in setup.mjs). Only Node's own modules.
 
 import { execFile } from 'node:child_process';
 import { readFileSync, writeFileSync } from 'node:fs';
@@ -9,10 +9,10 @@ import { availableParallelism } from 'node:os';
 import { join, resolve } from 'node:path';
 import { main, root, run, Stop } from './steps.mjs';
 
-/** Engine, voice, how a column is headed, and whether it stands for its kind. */
+/** Engine, voice, how a column is headed, and whether it stands for its engine. */
 const voices = [
   ['festival', 'cmu_us_slt_arctic_hts', 'Festival<br>slt_hts', true],
-  ['festival', 'kal_diphone', 'Festival<br>kal', true],
+  ['festival', 'kal_diphone', 'Festival<br>kal'],
   ['flite', 'rms', 'flite<br>rms', true],
   ['flite', 'slt', 'flite<br>slt'],
   ['espeak-ng', 'en-us', 'espeak<br>en-us'],
@@ -28,8 +28,8 @@ const end = '<!-- measured: end -->';
 const isEmotion = (row) => /^(activation|evaluation|power) /.test(row.setting);
 
 /** Measures a voice: rows of `setting`, `property`, `asked`, `heard`, `error` and `ok`. */
-function measure(program, [engine, voice]) {
-  const args = ['voice', 'measure', '--engine', engine, '--voice', voice, '--format', 'json'];
+function measure(program, options, [engine, voice]) {
+  const args = ['voice', 'measure', '--engine', engine, '--voice', voice, '--format', 'json', ...options];
   return new Promise((done, fail) => {
     execFile(program, args, { cwd: root, maxBuffer: 1 << 24 }, (error, stdout, stderr) => {
       // The status also says that a setting missed its target, which the rows say better.
@@ -45,11 +45,11 @@ function measure(program, [engine, voice]) {
 }
 
 /** Measures all voices, as many at a time as there are processors; in their order. */
-async function measureAll(program, voices) {
+async function measureAll(program, options, voices) {
   const measured = new Array(voices.length);
   let next = 0;
   const work = async () => {
-    for (let i = next++; i < voices.length; i = next++) measured[i] = await measure(program, voices[i]);
+    for (let i = next++; i < voices.length; i = next++) measured[i] = await measure(program, options, voices[i]);
   };
   await Promise.all(Array.from({ length: Math.min(availableParallelism(), voices.length) }, work));
   return measured;
@@ -99,15 +99,20 @@ One dimension alone, half way up and down.
 ${table(measured, isEmotion)}`;
 }
 
-await main(async () => {
-  const [mode, ...rest] = process.argv.slice(2);
-  if (rest.length > 0 || (mode !== undefined && mode !== '--check')) throw new Stop('Usage: node web/tools/voices.mjs [--check]');
-  const checks = mode !== undefined;
-  run('cargo', ['build', '--locked', ...(checks ? [] : ['--release']), '--package', 'raconteur-cli'], { why: 'Building the command line' });
+/** The command line as it is shipped. */
+function build() {
+  run('cargo', ['build', '--locked', '--release', '--package', 'raconteur-cli'], { why: 'Building the command line' });
   const target = resolve(root, process.env['CARGO_TARGET_DIR'] ?? 'target');
-  const program = join(target, checks ? 'debug' : 'release', process.platform === 'win32' ? 'raconteur.exe' : 'raconteur');
-  const wanted = checks ? voices.filter(([, , , kind]) => kind) : voices;
-  const measured = await measureAll(program, wanted);
+  return join(target, 'release', process.platform === 'win32' ? 'raconteur.exe' : 'raconteur');
+}
+
+await main(async () => {
+  const [mode, given, ...rest] = process.argv.slice(2);
+  const isCheck = mode === '--check' && given !== undefined;
+  if (rest.length > 0 || (mode !== undefined && !isCheck)) throw new Stop('Usage: node web/tools/voices.mjs [--check PROGRAM]');
+  const samples = isCheck && process.env['TEST_LONG'] === undefined;
+  const wanted = samples ? voices.filter(([, , , stands]) => stands) : voices;
+  const measured = await measureAll(isCheck ? given : build(), samples ? ['--sample'] : [], wanted);
   if (mode === undefined) {
     const text = readFileSync(document, 'utf8');
     const [from, to] = [text.indexOf(begin), text.indexOf(end)];

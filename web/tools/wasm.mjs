@@ -1,5 +1,6 @@
 // Builds the player twice from one source, for WebGPU (small) and for WebGL2, and the importer of
-// foreign avatars, which a page loads only when it meets one: cargo, wasm-bindgen, wasm-opt.
+// foreign avatars, which a page loads only when it meets one: cargo, wasm-bindgen, wasm-opt. Tests have quick
+// builds of their own.
 // Only Node's own modules.
 
 import { copyFileSync, existsSync, mkdirSync, rmSync } from 'node:fs';
@@ -11,24 +12,36 @@ import { once, root, start, Stop } from './steps.mjs';
 /** The back ends, each with a build of its own. */
 export const backends = ['webgpu', 'webgl'];
 
-/** Every build and its folder in web/pkg/: features of the crate `web`, and the crate `avatar`. */
-const builds = [...backends, 'avatar'];
+/** Every build and its folder: features of the crate `web`, and the crate `avatar`. */
+export const builds = [...backends, 'avatar'];
 
-/** Builds all variants into web/pkg/. */
-export async function buildWasm() {
+/**
+ * What a build is for: to be shipped, small and fast, or to be tested soon after a change. A kind has cargo's
+ * profile, the folder of its wasm builds and that of its page; what is optimized goes through wasm-opt too.
+ */
+export const kinds = {
+  shipped: { name: 'shipped', profile: 'wasm', folder: 'web/pkg', site: 'dist', isOptimized: true },
+  quick: { name: 'quick', profile: 'wasm-quick', folder: 'web/pkg/quick', site: '.setup/site', isOptimized: false },
+};
+
+/** The stamp in `.setup` of a wasm build. */
+export const stampOf = (kind, build) => `wasm-${kind.name}-${build}`;
+
+/** Builds all variants of a kind. `bindgen` is the program that writes their JavaScript, where it is built already. */
+export async function buildWasm(kind = kinds.shipped, bindgen) {
   // Cargo builds one after the other, and takes all cores for most of the time; what comes after it
   // takes one, and runs beside the next build.
   let cargo = Promise.resolve();
   const crates = packages({ tests: false });
   await Promise.all(builds.map((feature) => {
-    const folder = `web/pkg/${feature}`;
+    const folder = `${kind.folder}/${feature}`;
     // What makes figures and voices is in none of them.
     const inputs = [...sources(crateOf(feature), crates), 'Cargo.toml', 'Cargo.lock', 'rust-toolchain.toml', 'web/tools/bindgen', 'web/tools/wasm.mjs'];
     const outputs = [`${folder}/raconteur.js`, `${folder}/raconteur_bg.wasm`];
-    return once(`wasm-${feature}`, { inputs, outputs }, async () => {
-      const compiled = cargo.then(() => compile(feature, join(root, folder)));
+    return once(stampOf(kind, feature), { inputs, outputs }, async () => {
+      const compiled = cargo.then(() => compile(feature, kind.profile, join(root, folder)));
       cargo = compiled.catch(() => undefined);
-      await finish(await compiled, join(root, folder));
+      await finish(await compiled, join(root, folder), kind, bindgen);
     });
   }));
 }
@@ -37,7 +50,7 @@ export async function buildWasm() {
 const crateOf = (feature) => `raconteur-${backends.includes(feature) ? 'web' : feature}`;
 
 /** Compiles a variant and gives its file, which lies in `folder` because cargo's own is the next variant's as well. */
-async function compile(feature, folder) {
+async function compile(feature, profile, folder) {
   const name = crateOf(feature);
   // Messages of panics name source files: without the folders of the build machine.
   const cargoHome = process.env['CARGO_HOME'] ?? join(homedir(), '.cargo');
@@ -49,10 +62,10 @@ async function compile(feature, folder) {
   ].join(' ').trim();
   await start('cargo', [
     'build', '--locked', '--package', name, '--target', 'wasm32-unknown-unknown',
-    '--profile', 'wasm', ...(backends.includes(feature) ? ['--features', feature] : []),
+    '--profile', profile, ...(backends.includes(feature) ? ['--features', feature] : []),
   ], { why: `Compiling the ${feature} build`, env: { ...process.env, RUSTFLAGS: flags } });
   const target = process.env['CARGO_TARGET_DIR'] ?? 'target';
-  const compiled = join(isAbsolute(target) ? target : join(root, target), `wasm32-unknown-unknown/wasm/${name.replace('-', '_')}.wasm`);
+  const compiled = join(isAbsolute(target) ? target : join(root, target), `wasm32-unknown-unknown/${profile}/${name.replace('-', '_')}.wasm`);
   if (!existsSync(compiled)) throw new Stop(`cargo left no ${compiled}.`);
   rmSync(folder, { recursive: true, force: true });
   mkdirSync(folder, { recursive: true });
@@ -61,12 +74,12 @@ async function compile(feature, folder) {
   return taken;
 }
 
-/** Writes the JavaScript side of a compiled variant and optimizes it. */
-async function finish(compiled, folder) {
-  await start('cargo', ['run', '--locked', '--quiet', '--package', 'raconteur-bindgen', '--', compiled, folder], {
-    why: 'Writing the JavaScript side',
-  });
+/** Writes the JavaScript side of a compiled variant, and optimizes it where its kind asks for that. */
+async function finish(compiled, folder, { isOptimized }, bindgen) {
+  const [program, ...args] = bindgen === undefined ? ['cargo', 'run', '--locked', '--quiet', '--package', 'raconteur-bindgen', '--'] : [bindgen];
+  await start(program, [...args, compiled, folder], { why: 'Writing the JavaScript side' });
   rmSync(compiled);
+  if (!isOptimized) return;
 
   // From npm: distributions carry versions old enough to break reference types.
   const module = join(folder, 'raconteur_bg.wasm');

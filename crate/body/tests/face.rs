@@ -5,6 +5,7 @@ use raconteur_base::{Side, noise};
 use raconteur_body::Figure;
 use raconteur_body::face::{FaceControls, Muscle, Network, NodeState, Tissue};
 use raconteur_body::read::read_figure;
+use raconteur_tier::sized;
 
 const FIGURES: [&str; 3] = ["sofia", "papous", "nuno"];
 /// Half a second.
@@ -99,7 +100,7 @@ fn edges(tissue: &Tissue) -> Vec<[usize; 2]> {
     tissue.quads.iter().flat_map(of).collect()
 }
 
-/// Muscles jump 10,000 times, each time before the last jump has been followed.
+/// Muscles jump thousands of times, each time before the last jump has been followed.
 fn jump(seed: u64, name: &str) {
     let tissue = tissue(name);
     let edges = edges(&tissue);
@@ -107,7 +108,7 @@ fn jump(seed: u64, name: &str) {
     let mut network = Network::new(&tissue);
     network.reset(&tissue, &rest, &rest);
     let mut nodes = vec![NodeState::default(); tissue.rest.len()];
-    for i in 0..10_000 {
+    for i in 0..sized(1_000, 10_000) {
         let controls = random(seed, i);
         for _ in 0..=(noise::unit(seed, 900, i) * 3.0) as usize {
             network.step(&tissue, &controls);
@@ -162,17 +163,17 @@ fn comes_to_rest(tissue: &Tissue, mut network: Network, what: &str) {
 }
 
 #[test]
-fn ten_thousand_jumps_leave_sofia_whole() {
+fn jumps_leave_sofia_whole() {
     jump(0, "sofia");
 }
 
 #[test]
-fn ten_thousand_jumps_leave_papous_whole() {
+fn jumps_leave_papous_whole() {
     jump(1, "papous");
 }
 
 #[test]
-fn ten_thousand_jumps_leave_nuno_whole() {
+fn jumps_leave_nuno_whole() {
     jump(2, "nuno");
 }
 
@@ -180,7 +181,7 @@ fn ten_thousand_jumps_leave_nuno_whole() {
 fn sealed_lips_touch_whatever_pulls_at_them() {
     for name in FIGURES {
         let tissue = tissue(name);
-        for i in 0..40 {
+        for i in 0..sized(10, 40) {
             let mut controls = random(7, i);
             for (k, c) in (0u64..).zip(&mut controls.contraction) {
                 *c *= 0.5 * noise::unit(8, k, i);

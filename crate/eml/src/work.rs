@@ -33,7 +33,7 @@ mod counted {
 mod edits;
 
 #[cfg(test)]
-#[path = "../benches/script/mod.rs"]
+#[path = "../tests/script/mod.rs"]
 mod script;
 
 #[cfg(test)]

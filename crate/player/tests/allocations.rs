@@ -7,6 +7,7 @@ mod counting;
 use common::{figure, perform, story};
 use counting::counted;
 use raconteur_player::{Options, Player};
+use raconteur_tier::sized;
 
 /// Gestures with everything that they may have: courses, phases, mixed shapes, hands that
 /// meet.
@@ -36,10 +37,14 @@ const FACE: &str = "<eml xmlns:r='urn:raconteur:eml:1'><body>
         attackDurationTime='1' releaseDurationTime='1'/>
     <null time='6'/></body></eml>";
 
+/// How much of a story is played in the gate, seconds.
+const GATE_SECS: f64 = 20.0;
+
 /// Allocations while a story is played at 60 frames a second, the first frame aside.
 fn allocations(mut player: Player) -> usize {
     player.frame(0.0, 1.6);
-    let frames = (player.end_secs() * 60.0) as u32;
+    let secs = sized(player.end_secs().min(GATE_SECS), player.end_secs());
+    let frames = (secs * 60.0) as u32;
     counted(|| {
         for i in 0..frames {
             player.frame(f64::from(i) / 60.0, 1.6);

@@ -4,24 +4,28 @@ mod common;
 
 use std::sync::Arc;
 
-use common::{figure, perform, read, stories, story};
+use common::{FIGURES, figure, perform, read, stories, story, turn};
 use raconteur_player::Options;
 use raconteur_player::body::Figure;
 use raconteur_player::sweep::{Check, sweep};
+use raconteur_tier::share;
 
 fn swept(name: &str, figure: &Arc<Figure>) -> Vec<Check> {
     let mut player = story(name, Arc::clone(figure), Options::default()).player;
     sweep(&mut player)
 }
 
-/// Sweeps every story with one figure: a test of its own for each, so that they run side by side.
+/// Sweeps stories with one figure: its share of them, so that each story has one figure and each
+/// figure at least two, or all of them in the long tier.
 fn nothing_would_make_a_viewer_wince(figure: &str) {
     let stories = stories();
     assert!(stories.len() >= 8, "{stories:?}");
     assert!(stories.contains(&"virtual-poets/jabberwocky".to_owned()));
+    let told = share(&stories, turn(figure), FIGURES.len());
+    assert!(told.len() >= 2, "{told:?}");
     let figure = read(figure);
     let mut wrong = Vec::new();
-    for story in &stories {
+    for story in &told {
         for check in swept(story, &figure) {
             if !check.is_ok() {
                 wrong.push(format!("{story}: {check:?}"));

@@ -276,19 +276,16 @@ mod tests {
     use std::sync::OnceLock;
 
     use super::*;
-    use crate::people::preset;
+    use crate::soundness::shipped;
     use raconteur_body::pose::Pose;
     use raconteur_body::read::read_figure;
     use raconteur_body::write::to_glb;
 
     /// Sofia and her file, made once for all tests.
-    fn sofia() -> &'static (Figure, Vec<u8>) {
-        static MADE: OnceLock<(Figure, Vec<u8>)> = OnceLock::new();
-        MADE.get_or_init(|| {
-            let figure = build(&preset("sofia").unwrap()).figure;
-            let bytes = to_glb(&figure);
-            (figure, bytes)
-        })
+    fn sofia() -> (&'static Figure, &'static [u8]) {
+        static MADE: OnceLock<Vec<u8>> = OnceLock::new();
+        let figure = &shipped("sofia").1.figure;
+        (figure, MADE.get_or_init(|| to_glb(figure)))
     }
 
     /// The pose in which the figure was made.

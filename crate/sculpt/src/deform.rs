@@ -15,10 +15,9 @@ use std::sync::OnceLock;
 use raconteur_base::{DAffine3, DQuat, DVec3, Side};
 
 use super::assemble::{Blueprint, Piece, assemble};
-use super::build::build;
 use super::crossing::crossings;
 use super::part::{MeshPart, PartVertex};
-use super::people::preset;
+use super::soundness::shipped;
 use super::torso::{Cage, Field, Joints};
 use raconteur_body::figure::{Figure, Maps, Material, MaterialKind, Mesh};
 use raconteur_body::pose::Pose;
@@ -26,14 +25,14 @@ use raconteur_body::skeleton::{Bone, FacePlaces};
 
 /// Sofia, and the shell of her body under the clothes on a skeleton of its own.
 struct Case {
-    figure: Figure,
+    figure: &'static Figure,
     body: Figure,
 }
 
 fn sofia() -> &'static Case {
     static MADE: OnceLock<Case> = OnceLock::new();
     MADE.get_or_init(|| {
-        let params = preset("sofia").unwrap();
+        let (params, built) = shipped("sofia");
         let joints = Joints::place(&params.body());
         let field = Field::new(&params.body(), &joints);
         let (shell, _) = Cage::new(&field, &joints).shell.subdivided(1);
@@ -74,7 +73,7 @@ fn sofia() -> &'static Case {
             images: Vec::new(),
         });
         Case {
-            figure: build(&params).figure,
+            figure: &built.figure,
             body,
         }
     })
@@ -302,7 +301,7 @@ fn direction(figure: &Figure, from: Bone, to: Bone) -> DVec3 {
 
 #[test]
 fn bent_fingers_keep_their_volume() {
-    let figure = &sofia().figure;
+    let figure = sofia().figure;
     let mut trials = Vec::new();
     let names =
         ["index", "middle", "ring", "pinky"].map(|f| (0..3).map(move |k| format!("{f}{k}")));
@@ -410,7 +409,7 @@ fn a_raised_shoulder_keeps_its_volume() {
 
 #[test]
 fn bent_and_twisted_wrists_keep_their_volume() {
-    let figure = &sofia().figure;
+    let figure = sofia().figure;
     let wrist = bind_of(figure, Bone::LWrist);
     let mesh = mesh_of(figure, wrist.translation, MaterialKind::Skin);
     let palmar = wrist.transform_vector3(DVec3::Z);
@@ -450,7 +449,7 @@ fn bent_and_twisted_wrists_keep_their_volume() {
 
 #[test]
 fn the_sleeve_keeps_its_volume() {
-    let figure = &sofia().figure;
+    let figure = sofia().figure;
     let joint = bind_of(figure, Bone::LElbow).translation;
     check(&[Trial {
         name: "sleeve, elbow 140°",

@@ -11,6 +11,7 @@ use super::built::Built;
 use super::crossing::{crossings, farthest_from_mirrored};
 use super::people::{self, FigureParams};
 use raconteur_body::figure::{Figure, MaterialKind};
+use raconteur_tier::share;
 
 /// A figure by name, made once for all tests.
 pub(super) fn shipped(name: &str) -> &'static (FigureParams, Built) {
@@ -92,7 +93,8 @@ fn no_edge_of_the_skin_has_three_faces_and_none_is_degenerate() {
 
 #[test]
 fn without_asymmetry_the_skin_mirrors_itself() {
-    for name in people::NAMES {
+    // The gate makes one of them.
+    for name in share(&people::NAMES, 1, people::NAMES.len()) {
         let mut params = people::preset(name).unwrap();
         params.head.asymmetry = 0.0;
         let skin = Skin::of(&build(&params).figure);

@@ -12,7 +12,7 @@ use serde_json::json;
 use crate::story::StoryFiles;
 use crate::{Format, Outcome};
 use raconteur_voice::bake::engine::{ENGINES, EngineOptions};
-use raconteur_voice::bake::measure::{self, Row};
+use raconteur_voice::bake::measure::{self, Row, Settings};
 use raconteur_voice::bake::{Cast, picture};
 
 /// Measure voices and look at them.
@@ -91,6 +91,9 @@ impl Who {
 struct Measure {
     #[command(flatten)]
     who: Who,
+    /// Measure one setting of each kind instead of all.
+    #[arg(long)]
+    sample: bool,
     /// How to report.
     #[arg(long, value_enum, default_value = "text")]
     format: Format,
@@ -119,7 +122,12 @@ impl Voice {
 
 impl Measure {
     fn run(&self) -> Result<Outcome> {
-        let rows = measure::measure(&self.who.cast()?)?;
+        let settings = if self.sample {
+            Settings::OneOfAKind
+        } else {
+            Settings::All
+        };
+        let rows = measure::measure(&self.who.cast()?, settings)?;
         let mut out = io::stdout().lock();
         if self.format == Format::Json {
             let rows: Vec<_> = rows.iter().map(row).collect();

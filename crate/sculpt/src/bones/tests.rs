@@ -4,22 +4,20 @@ use std::sync::OnceLock;
 
 use super::skull::to_triangle;
 use super::*;
-use crate::build;
-use crate::people::preset;
+use crate::soundness::shipped;
 use crate::subdivide::edge_faces;
 
 struct Case {
-    params: FigureParams,
-    built: Built,
+    params: &'static FigureParams,
+    built: &'static Built,
     parts: Vec<MeshPart>,
 }
 
 fn sofia() -> &'static Case {
     static MADE: OnceLock<Case> = OnceLock::new();
     MADE.get_or_init(|| {
-        let params = preset("sofia").unwrap();
-        let built = build(&params);
-        let parts = super::build(&params, &built);
+        let (params, built) = shipped("sofia");
+        let parts = build(params, built);
         Case {
             params,
             built,
@@ -122,7 +120,7 @@ fn the_skull_is_as_large_as_a_head_and_carries_a_face() {
 #[test]
 fn bones_of_trunk_and_limbs_lie_inside_the_body() {
     let case = sofia();
-    let frame = Frame::new(&case.params, &case.built.figure);
+    let frame = Frame::new(case.params, &case.built.figure);
     for part in &case.parts {
         let bare = part.name.trim_start_matches("l_").trim_start_matches("r_");
         let checked = [
@@ -141,7 +139,7 @@ fn bones_of_trunk_and_limbs_lie_inside_the_body() {
 #[test]
 fn layers_hold_what_they_say() {
     let case = sofia();
-    let of = |layer| layered(&case.params, &case.built, layer);
+    let of = |layer| layered(case.params, case.built, layer);
     let (skin, bones, all) = (of(Layer::Skin), of(Layer::Bones), of(Layer::All));
     assert_eq!(skin.meshes.len() + bones.meshes.len(), all.meshes.len());
     assert_eq!(bones.skeleton.joints().len(), skin.skeleton.joints().len());

@@ -137,8 +137,18 @@ impl Row {
     }
 }
 
+/// Which settings are measured.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Settings {
+    /// Every value of every attribute, and every dimension of emotion up and down.
+    All,
+    /// The first value of each attribute, and each dimension up.
+    OneOfAKind,
+}
+
 struct Lab<'a> {
     cast: &'a Cast,
+    settings: Settings,
     role: &'a Role,
     texts: [&'static str; 3],
     plain: Speech,
@@ -148,7 +158,7 @@ struct Lab<'a> {
 ///
 /// # Errors
 /// When the engine fails, or speaks other words under another setting.
-pub fn measure(cast: &Cast) -> Result<Vec<Row>> {
+pub fn measure(cast: &Cast, settings: Settings) -> Result<Vec<Row>> {
     let role = &cast.lead;
     let primary = language::primary(&role.voice.language);
     let (_, texts) = TEXTS
@@ -157,6 +167,7 @@ pub fn measure(cast: &Cast) -> Result<Vec<Row>> {
         .with_context(|| format!("there is no text to measure in {}", role.voice.language))?;
     let mut lab = Lab {
         cast,
+        settings,
         role,
         texts: *texts,
         plain: Speech {
@@ -174,6 +185,14 @@ pub fn measure(cast: &Cast) -> Result<Vec<Row>> {
 }
 
 impl Lab<'_> {
+    /// The values of one kind of setting that are measured.
+    fn of_a_kind<'v, T>(&self, values: &'v [T]) -> &'v [T] {
+        match self.settings {
+            Settings::All => values,
+            Settings::OneOfAKind => &values[..values.len().min(1)],
+        }
+    }
+
     fn speak(&self, text: &str, emotion: Option<EmotionPoint>) -> Result<Speech> {
         let (content, _) = sable::read(&format!("<SABLE>{text}</SABLE>"))?;
         self.say(&content, emotion)
@@ -213,7 +232,7 @@ impl Lab<'_> {
             values,
         } in ATTRIBUTES
         {
-            for (value, asked) in values {
+            for (value, asked) in self.of_a_kind(values) {
                 let setting = format!("{tag} {name}=\"{value}\"");
                 let text = self.texts.join(" ");
                 let changed = self.speak(&format!("<{setting}>{text}</{tag}>"), None)?;
@@ -229,7 +248,7 @@ impl Lab<'_> {
         let mut rows = Vec::new();
         let [before, word, after] = self.texts;
         let index = before.split_whitespace().count();
-        for level in ["strong", "moderate", "reduced"] {
+        for level in self.of_a_kind(&["strong", "moderate", "reduced"]) {
             let setting = format!("EMPH LEVEL=\"{level}\"");
             let changed =
                 self.speak(&format!("{before} <{setting}>{word}</EMPH> {after}"), None)?;
@@ -259,13 +278,13 @@ impl Lab<'_> {
     fn breaks(&self) -> Result<Vec<Row>> {
         let mut rows = Vec::new();
         let [before, word, after] = self.texts;
-        for (setting, secs) in [
+        for &(setting, secs) in self.of_a_kind(&[
             ("BREAK LEVEL=\"small\"", 0.15),
             ("BREAK LEVEL=\"medium\"", 0.35),
             ("BREAK LEVEL=\"large\"", 0.8),
             ("BREAK MSEC=\"500\"", 0.5),
             ("BREAK MSEC=\"1500\"", 1.5),
-        ] {
+        ]) {
             let spoken = self.speak(&format!("{before} {word} <{setting}/> {after}"), None)?;
             let index = before.split_whitespace().count();
             rows.push(Row::new(
@@ -283,14 +302,9 @@ impl Lab<'_> {
     fn emotions(&self) -> Result<Vec<Row>> {
         let mut rows = Vec::new();
         let last = self.words() - 1;
-        for (name, sign) in [
-            ("activation", 50.0),
-            ("activation", -50.0),
-            ("evaluation", 50.0),
-            ("evaluation", -50.0),
-            ("power", 50.0),
-            ("power", -50.0),
-        ] {
+        let both = |name| [50.0, -50.0].map(|sign: f64| (name, sign));
+        let dimensions = ["activation", "evaluation", "power"].map(both);
+        for &(name, sign) in dimensions.iter().flat_map(|d| self.of_a_kind(d)) {
             let mut place = EmotionPoint::default();
             match name {
                 "activation" => place.activation = sign,

@@ -1,4 +1,4 @@
-//! The script that the benches read.
+//! The script that benches and tests of cost read.
 
 use std::fmt::Write as _;
 

@@ -2,7 +2,7 @@
 //! Budget (one core of a two-core cloud machine): 0.25 ms a frame without tissue, 0.1 ms with
 //! eight animation players, five manipulators and gestures.
 
-#[path = "../tests/common/mod.rs"]
+#[path = "../../../crate/player/tests/common/mod.rs"]
 mod common;
 
 use std::hint::black_box;

@@ -1,6 +1,7 @@
 //! What a script costs in memory: bytes and allocations a clause, at the peak of reading
 //! and in the memory that stays in use.
 
+#[path = "../../../crate/eml/tests/script/mod.rs"]
 mod script;
 
 use raconteur_eml::{EstimatedDurations, Limits, Timeline, parse_with};

@@ -9,6 +9,7 @@
 //! `parse` (document and all diagnostics) and `Timeline::resolve` (document to sorted,
 //! indexed timeline), both with what they allocate and free.
 
+#[path = "../../../crate/eml/tests/script/mod.rs"]
 mod script;
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
