@@ -292,7 +292,7 @@ for (const { colorScheme, device, width, height } of LOOKS) {
     expect(stage.backend).toBe('page');
     // Five analyses of the whole page.
     test.slow();
-    await page.emulateMedia({ colorScheme });
+    await page.emulateMedia({ colorScheme, reducedMotion: 'reduce' });
     await open(page, width, height);
     for (const tab of ['Phase', 'Hand shape', 'Palm', 'Place', 'Course']) {
       await step(page, tab);

@@ -38,7 +38,7 @@ test('a strict policy is sent, and nothing comes from elsewhere', async ({ stage
 for (const { colorScheme, device, width, height } of LOOKS) {
   test(`accessible in ${colorScheme} on a ${device}, without a sideways scroll`, async ({ stage, page }) => {
     expect(stage.backend).toBe('page');
-    await page.emulateMedia({ colorScheme });
+    await page.emulateMedia({ colorScheme, reducedMotion: 'reduce' });
     await page.setViewportSize({ width, height });
     await open(page);
     await expectNoBarriers(page);
