@@ -65,6 +65,8 @@ const checks = {
     }
   },
   doc: () => cargo(['doc', '--locked', '--workspace', '--no-deps'], { env: { ...process.env, RUSTDOCFLAGS: '--deny warnings' } }),
+  // To run them takes a nightly compiler.
+  fuzz: () => cargo(['check', '--locked', '--manifest-path', 'fuzz/Cargo.toml']),
   voices: async () => {
     const raconteur = await program('raconteur');
     await unlessPassed('voices', [...sources('raconteur-cli'), 'web/tools/voices.mjs'], () => node('web/tools/voices.mjs', ['--check', raconteur]));
@@ -94,7 +96,7 @@ const checks = {
 };
 
 /** Checks of the long tier alone. */
-const LONG = ['doc', 'size'];
+const LONG = ['doc', 'fuzz', 'size'];
 /** Checks that run what `built` makes. */
 const RUNS_BUILT = ['compile', 'rust', 'voices', 'wasm', 'unit', 'size', 'browser'];
 
