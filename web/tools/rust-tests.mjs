@@ -47,7 +47,7 @@ const READ = ['assets', 'tests/suite', 'tests/digests', 'tests/golden', 'fuzz/sa
 function notes(tests) {
   const crates = packages();
   const names = [...new Set(tests.map((t) => t.package))].filter((name) => name !== 'tidy');
-  return new Map(names.map((name) => [name, stamp(`passed-${name}`, [...sources(`raconteur-${name}`, crates), ...READ])]));
+  return new Map(names.map((name) => [name, stamp(`passed-tests-${name}`, [...sources(`raconteur-${name}`, crates), ...READ])]));
 }
 
 /**
