@@ -200,7 +200,7 @@ fn neck(field: &Field, cage: &Cage, head: &Head, place: DAffine3) -> MeshPart {
         .skin()
         .vertices
         .iter()
-        .filter(|v| v.position.y < -0.095)
+        .filter(|v| place.transform_point3(v.position).y < rim + 1.5 * CM)
         .collect();
     for v in &mut part.vertices {
         let local = place.inverse().transform_point3(v.position);

@@ -19,6 +19,7 @@ pub mod head;
 mod levels;
 mod mannequin;
 pub mod measure;
+pub mod model;
 pub mod part;
 pub mod people;
 pub mod person;

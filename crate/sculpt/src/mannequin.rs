@@ -65,6 +65,9 @@ fn place_head(joints: &mut Joints, head: &Head, stature_m: f64) -> DAffine3 {
     place
 }
 
+/// Height in the frame of the head from which a face of usual length goes over into the body's neck.
+const NECK_FROM_M: f64 = -0.088;
+
 /// The head's parts in the world; the lower neck is drawn onto the body's own neck and
 /// moves with it, or it would come through the collar when the head turns.
 fn head_parts(
@@ -77,10 +80,12 @@ fn head_parts(
     let (throat, _) = cage.part(|t| Cage::is_above(t, 0.798)).subdivided(1);
     let mut parts = head.parts.clone();
     hair::shade_skin(&mut parts[0], head, hair);
+    // A long face keeps its chin.
+    let from = NECK_FROM_M.min(head.extent[0] + 0.0045);
     for part in &mut parts {
         let is_skin = part.material.kind == MaterialKind::Skin;
         for v in &mut part.vertices {
-            let below = smooth((-v.position.y - 0.088) / 0.047);
+            let below = smooth((from - v.position.y) / 0.047);
             v.position = place.transform_point3(v.position);
             if !is_skin || below <= 0.0 {
                 continue;

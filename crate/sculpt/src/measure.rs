@@ -282,6 +282,7 @@ mod tests {
         params.head.smile = 0.0;
         params.head.asymmetry = 0.0;
         params.head.measures = Measures::default();
+        params.head.bound = None;
         let mean = build(&params);
         let far = deviation(&mean.figure, &mean.annotations, &yardstick);
         let far = far.unwrap_or_else(|e| panic!("{e}"));

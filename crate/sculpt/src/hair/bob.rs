@@ -24,7 +24,7 @@ const fn layer(cards: usize, height: f64, width: f64, open: [f64; 2], length: f6
 const LAYERS: [Layer; 7] = [
     layer(62, 0.0035, 0.032, [0.66, 0.70], 1.0),
     layer(106, 0.0075, 0.027, [0.76, 0.83], 1.0),
-    layer(124, 0.0112, 0.023, [0.84, 0.95], 1.0),
+    layer(116, 0.0112, 0.023, [0.84, 0.95], 1.0),
     Layer {
         weave: Weave::Loose,
         ..layer(66, 0.0130, 0.018, [0.88, 1.0], 1.0)

@@ -14,7 +14,7 @@ const LAYERS: [Layer; 4] = [
     Layer {
         cards: 110,
         spans: 8,
-        height: 0.002,
+        height: 0.0023,
         width: 0.026,
         open: [0.5, 0.55],
         ..LAYER
@@ -22,7 +22,7 @@ const LAYERS: [Layer; 4] = [
     Layer {
         cards: 190,
         spans: 8,
-        height: 0.005,
+        height: 0.0053,
         width: 0.020,
         open: [0.7, 0.85],
         ..LAYER
@@ -39,7 +39,7 @@ const LAYERS: [Layer; 4] = [
     Layer {
         cards: 130,
         spans: 3,
-        height: 0.002,
+        height: 0.0023,
         width: 0.008,
         open: [0.75, 0.95],
         length: 0.4,

@@ -161,6 +161,18 @@ impl Key {
         }
     }
 
+    /// Its name in tables: ring, number of the ring, position along it.
+    pub(crate) fn parts(self) -> (&'static str, u8, u8) {
+        match self {
+            Self::Grid(a, b) => ("grid", a, b),
+            Self::Eye(a, b) => ("eye", a, b),
+            Self::Mouth(a, b) => ("mouth", a, b),
+            Self::Nostril(a, b) => ("nostril", a, b),
+            Self::Ear(a, b) => ("ear", a, b),
+            Self::Crown(a, b) => ("crown", a, b),
+        }
+    }
+
     /// Whether both halves share it.
     pub(crate) fn on_midline(self) -> bool {
         match self {

@@ -14,6 +14,7 @@ use raconteur_base::{DVec2, DVec3, Side, curve};
 use super::cage::{Cage, Key, LAST_COLUMN, LAST_ROW, Zone};
 use super::points::{self, Individual};
 use super::solve;
+use super::solve::Given;
 use super::surface::Surface;
 use crate::skin::raster::SIZE;
 use crate::skin::unwrap::{even_out, harmonic, unfold};
@@ -152,7 +153,7 @@ fn is_cut(key: Key) -> bool {
 
 fn make() -> Chart {
     let cage = Cage::new();
-    let solved = solve::solve(&cage, &points::points(&Individual::default()));
+    let solved = solve::solve(&cage, &points::points(&Individual::default()), Given::Named);
     let surface = Surface::new(&cage);
 
     // Vertices on the cut stand once for each half.

@@ -5,10 +5,11 @@ use raconteur_base::{DVec3, Side};
 
 use super::HeadParams;
 use super::cage::{Cage, Key};
+use super::fitted::fit;
 use super::form::{CHILD, Form, MAN, OLD, SMILE, WOMAN};
 use super::measure::{DEFINITIONS, Definition, Take};
-use super::points::{Individual, points};
-use super::solve;
+use super::points::{Individual, named, points};
+use super::solve::{self, Given};
 use crate::person::Person;
 use crate::statistics::Row;
 
@@ -41,7 +42,10 @@ fn untuned(person: &Person, params: &HeadParams) -> Individual {
         }
     }
     terms.retain(|t| t.1 != 0.0);
-    Individual { terms }
+    Individual {
+        terms,
+        fitted: None,
+    }
 }
 
 /// The measures with statistics.
@@ -158,12 +162,19 @@ fn solve_dense(mut a: Vec<Vec<f64>>, mut b: Vec<f64>) -> Vec<f64> {
 /// The person with all measures set.
 pub(crate) fn individual(person: &Person, params: &HeadParams, cage: &Cage) -> Individual {
     let base = untuned(person, params);
+    if let Some(bound) = &params.bound {
+        let neck = |key| Some(base.place(key, named(key)?));
+        return Individual {
+            fitted: Some(fit(bound, neck)),
+            ..base
+        };
+    }
     let wanted = targets(person, params);
     let mut aims = wanted.clone();
     let mut amounts = vec![0.0; wanted.len()];
     tune(&base, &aims, &mut amounts);
     for _ in 0..SURFACE_ROUNDS {
-        let solved = solve::solve(cage, &points(&complete(&base, &amounts)));
+        let solved = solve::solve(cage, &points(&complete(&base, &amounts)), Given::Named);
         let at = |key: Key| solved.limit_of(cage.at(key, Side::Left), &solved.cage_points);
         for ((aim, want), (_, _, take)) in aims.iter_mut().zip(&wanted).zip(known()) {
             *aim += (want - take(&at)).clamp(-3.0, 3.0);
@@ -220,7 +231,7 @@ mod tests {
                     let value = params.measures.get(d.measure) + step;
                     let moved = HeadParams {
                         measures: params.measures.with(d.measure, value),
-                        ..params
+                        ..params.clone()
                     };
                     let after = tuned(&who, &moved);
                     let sd = row.at(who.sex, who.age_years).sd;
@@ -248,8 +259,12 @@ mod tests {
         let cage = Cage::new();
         for name in ["sofia", "papous", "nuno"] {
             let (who, params) = one(name);
+            let params = HeadParams {
+                bound: None,
+                ..params
+            };
             let person = individual(&who, &params, &cage);
-            let solved = solve::solve(&cage, &points(&person));
+            let solved = solve::solve(&cage, &points(&person), Given::Named);
             let at = |key: Key| solved.limit_of(cage.at(key, Side::Left), &solved.cage_points);
             for ((d, _, take), want) in known().zip(targets(&who, &params)) {
                 let got = take(&at);
@@ -271,7 +286,7 @@ mod tests {
                 let value = params.measures.get(d.measure) + 1.0;
                 let changed = HeadParams {
                     measures: params.measures.with(d.measure, value),
-                    ..params
+                    ..params.clone()
                 };
                 let moved = points(&untuned(&who, &changed));
                 let most = plain

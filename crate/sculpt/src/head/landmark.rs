@@ -79,7 +79,7 @@ const PAIRED: [(&str, Key); 50] = [
     ("al'", Grid(3, 11)),
     ("al", Grid(4, 12)),
     ("ac", Grid(5, 12)),
-    ("sbal", Grid(2, 14)),
+    ("sbal", Grid(1, 14)),
     ("nsa", Grid(2, 12)),
     ("nsl", Grid(3, 13)),
     ("nsb", Grid(3, 14)),

@@ -7,11 +7,13 @@
 //! this module, millimetres inside it.
 
 mod asymmetry;
+mod binding;
 mod cage;
 mod chart;
 mod ear;
 mod ear_shape;
 mod eye;
+mod fitted;
 mod form;
 mod individual;
 mod landmark;
@@ -37,6 +39,7 @@ use std::collections::BTreeMap;
 use raconteur_base::{DVec3, Side, mirror_vector};
 use serde::{Deserialize, Serialize};
 
+pub use self::binding::{Binding, Bound};
 use self::cage::{Cage, Key, LAST_ROW, Zone};
 pub(crate) use self::chart::Places;
 use self::chart::{Chart, chart};
@@ -49,9 +52,11 @@ use self::scalp::hairline;
 pub use self::scalp::{Ear, Proportions, Scalp, ScalpPoint};
 pub use self::segment::HeadSegment;
 pub(crate) use self::soft::{LipPlace, Soft, SoftNode};
+use self::solve::Given;
 use self::strands::BrowLine;
 pub use self::strands::BrowParams;
 use self::surface::{Surface, triangles};
+use super::model::Traits;
 use super::part::{MOUTH_BAG, MeshPart, PartMorph, PartVertex};
 use super::person::Person;
 use super::skin::HeadSheet;
@@ -59,8 +64,13 @@ use crate::subdivide::{Stencil, vertex_normals};
 use raconteur_body::figure::{Maps, Material, MaterialKind};
 
 /// What tells one head from another of the same sex and age.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct HeadParams {
+    /// The person of the body model whose head it is; without one the forms below make it.
+    pub traits: Option<Traits>,
+    /// The model's head for these traits.
+    #[serde(skip)]
+    pub bound: Option<Bound>,
     /// Friendliness of the face at rest, 0 neutral to 1 a light smile.
     pub smile: f64,
     /// Measures of head and face against the mean for sex and age.
@@ -80,6 +90,8 @@ impl Default for HeadParams {
     /// The mean face with brown eyes.
     fn default() -> Self {
         Self {
+            traits: None,
+            bound: None,
             smile: 0.0,
             measures: Measures::default(),
             iris: [0.15, 0.085, 0.042],
@@ -146,16 +158,23 @@ impl Shape {
     fn of(person: &Person, params: &HeadParams) -> Self {
         let cage = Cage::new();
         let individual = individual::individual(person, params, &cage);
-        Self::new(cage, individual, params.asymmetry, params.seed)
-    }
-
-    fn new(cage: Cage, individual: Individual, asymmetry: f64, seed: u64) -> Self {
-        let mut solved = solve::solve(&cage, &points::points(&individual));
-        let pulls = asymmetry::pulls(seed, asymmetry, &points::warp(&individual));
-        for p in &mut solved.cage_points {
-            let symmetric = *p;
-            for pull in &pulls {
-                *p += pull.shift * pull.share(symmetric);
+        let given = match individual.fitted {
+            Some(_) => Given::Bound,
+            None => Given::Named,
+        };
+        let mut solved = solve::solve(&cage, &points::points(&individual), given);
+        if let Some(bound) = &params.bound {
+            for (p, &(key, side)) in solved.cage_points.iter_mut().zip(&cage.keys) {
+                *p += fitted::sway(bound, key, side) * params.asymmetry;
+            }
+        } else {
+            let warp = points::warp(&individual);
+            let pulls = asymmetry::pulls(params.seed, params.asymmetry, &warp);
+            for p in &mut solved.cage_points {
+                let symmetric = *p;
+                for pull in &pulls {
+                    *p += pull.shift * pull.share(symmetric);
+                }
             }
         }
         let rig = rig::rig(&cage, &solved, individual.globe_centre());
@@ -314,7 +333,10 @@ impl Shape {
         // So with the upper lid, which is folded away while the eye is open.
         let lid = 0.78 * rig::smooth(1.6, 3.2, c.eye) * c.eye_upper.max(0.0);
         let least = 0.55 * rig::smooth(2.8, 3.6, c.mouth).max(rig::smooth(4.6, 5.2, c.eye));
-        let least = least.max(lid);
+        // Light that comes back from the skin around, where the mesh is too coarse to tell a fold
+        // from a pit.
+        let skin = c.nostril < 0.5 && c.mouth < 3.0 && c.ear < 6.0;
+        let least = least.max(lid).max(if skin { 0.3 } else { 0.0 });
         let deep = 1.0 - 0.8 * rig::smooth(5.0, 7.5, c.mouth);
         PartVertex {
             position: position * 1e-3,
@@ -390,7 +412,10 @@ pub fn build(person: &Person, params: &HeadParams, hair_colour: [f64; 3]) -> Hea
         &shape.individual,
     );
     let warp = points::warp(&shape.individual);
-    let line = BrowLine::new(&warp);
+    let line = match &shape.individual.fitted {
+        Some(fitted) => BrowLine::above(&fitted.brow),
+        None => BrowLine::new(&warp),
+    };
     let painted = Painted::of(&shape, &warp, &follow);
     let skin = PartCut {
         name: "head",

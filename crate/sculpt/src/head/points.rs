@@ -18,11 +18,23 @@ pub(crate) const GLOBE_RADIUS_MM: f64 = 12.2;
 const GLOBE_CENTRE_MM: DVec3 = DVec3::new(31.2, 22.0, 73.6);
 const TABLE: &str = include_str!("points.tsv");
 
+/// The constrained points of the left half of a head that is bound to the body model.
+#[derive(Clone, Debug)]
+pub(crate) struct Fitted {
+    pub(crate) points: Points,
+    /// Centre of the left eyeball, mm.
+    pub(crate) globe: DVec3,
+    /// Crest of the left brow from its inner end, mm.
+    pub(crate) brow: Vec<DVec3>,
+}
+
 /// What makes one person out of the table.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Individual {
     /// Forms and their amounts.
     pub(crate) terms: Vec<(&'static Form, f64)>,
+    /// Where the body model has the points, for a person who is bound to it.
+    pub(crate) fitted: Option<Fitted>,
 }
 
 impl Individual {
@@ -32,11 +44,17 @@ impl Individual {
 
     /// Centre of the left eyeball, mm.
     pub(crate) fn globe_centre(&self) -> DVec3 {
-        GLOBE_CENTRE_MM + self.globe_shift()
+        match &self.fitted {
+            Some(fitted) => fitted.globe,
+            None => GLOBE_CENTRE_MM + self.globe_shift(),
+        }
     }
 
     /// Where a named point of the table lies, before the eye's and the ear's own rules.
-    fn place(&self, key: Key, base: DVec3) -> DVec3 {
+    pub(super) fn place(&self, key: Key, base: DVec3) -> DVec3 {
+        if let Some(&place) = self.fitted.as_ref().and_then(|f| f.points.get(&key)) {
+            return place;
+        }
         let mut own = base + self.globe_shift() * eye_block(key);
         for (form, amount) in &self.terms {
             own += (form.displace)(key, base) * *amount;
@@ -60,12 +78,14 @@ impl Individual {
     }
 }
 
+/// Where a point of the table lies on the mean head.
+pub(crate) fn named(key: Key) -> Option<DVec3> {
+    table().iter().find(|row| row.0 == key).map(|row| row.1)
+}
+
 /// Shift of a named point of this person against the mean head.
 pub(crate) fn shift(individual: &Individual, key: Key) -> DVec3 {
-    let base = table()
-        .iter()
-        .find(|row| row.0 == key)
-        .map_or(DVec3::ZERO, |row| row.1);
+    let base = named(key).unwrap_or_default();
     individual.place(key, base) - base
 }
 
@@ -97,6 +117,21 @@ fn rows(individual: &Individual) -> Vec<Row> {
         .collect()
 }
 
+/// The key in the first three fields of a table's row: ring, number of the ring, position.
+pub(super) fn key(fields: &[&str]) -> Option<Key> {
+    let number = |i: usize| fields.get(i)?.parse::<u8>().ok();
+    let (a, b) = (number(1)?, number(2)?);
+    Some(match *fields.first()? {
+        "grid" => Key::Grid(a, b),
+        "eye" if b < 16 => Key::eye(a, usize::from(b)),
+        "mouth" if b < 13 => Key::mouth(a, usize::from(b)),
+        "nostril" => Key::Nostril(a, b),
+        "ear" => Key::Ear(a, b),
+        "crown" => Key::Crown(a, b),
+        _ => return None,
+    })
+}
+
 /// The points of the mean head.
 #[allow(
     clippy::expect_used,
@@ -109,43 +144,35 @@ pub(crate) fn table() -> &'static [(Key, DVec3)] {
             .lines()
             .skip(2)
             .map(|line| {
-                let mut f = line.split('\t');
-                let ring = f.next().expect("a ring");
-                let mut number = || {
-                    f.next()
-                        .and_then(|s| s.parse::<f64>().ok())
-                        .expect("a number")
-                };
-                let (a, b) = (number() as u8, number() as u8);
-                let key = match ring {
-                    "grid" => Key::Grid(a, b),
-                    "eye" => Key::eye(a, usize::from(b)),
-                    "mouth" => Key::mouth(a, usize::from(b)),
-                    _ => Key::Crown(a, b),
-                };
-                (key, DVec3::new(number(), number(), number()))
+                let fields: Vec<&str> = line.split('\t').collect();
+                let number = |i: usize| fields[i].parse().expect("a number");
+                let place = DVec3::new(number(3), number(4), number(5));
+                (key(&fields).expect("a key"), place)
             })
             .collect()
     })
 }
 
-fn ring<const N: usize>(points: &Points, key: impl Fn(usize) -> Key) -> [DVec3; N] {
+pub(super) fn ring<const N: usize>(points: &Points, key: impl Fn(usize) -> Key) -> [DVec3; N] {
     core::array::from_fn(|k| points[&key(k)])
 }
 
 /// Every constrained point of the left half, mm.
 pub(crate) fn points(individual: &Individual) -> Points {
+    if let Some(fitted) = &individual.fitted {
+        return fitted.points.clone();
+    }
     let rows = rows(individual);
     let mut all: Points = rows.iter().map(|r| (r.key, r.own)).collect();
     eye(&mut all, &rows, individual.globe_centre());
     mouth(&mut all, &rows);
-    nostril(&mut all);
+    nostril(&mut all, 0.5);
     all.extend(ear_points(&individual.ear()));
     all
 }
 
 /// Share of each position that belongs to a canthus and leaves the globe.
-const CANTHUS: [f64; 16] = [
+pub(super) const CANTHUS: [f64; 16] = [
     1.0, 0.55, 0.1, 0.0, 0.0, 0.0, 0.0, 0.1, 0.5, 0.1, 0.0, 0.0, 0.0, 0.0, 0.1, 0.55,
 ];
 
@@ -157,8 +184,21 @@ fn eye(all: &mut Points, rows: &[Row], centre: DVec3) {
         let z = centre.z + (outer * outer - d.length_squared()).max(1.0).sqrt();
         all.insert(row.key, DVec3::new(row.own.x, row.own.y, z));
     }
+    line_lids(all, centre);
     let margin: [DVec3; 16] = ring(all, |k| Key::eye(5, k));
     let crease: [DVec3; 16] = ring(all, |k| Key::eye(3, k));
+    for k in 0..16 {
+        let c = CANTHUS[k];
+        let half = (crease[k] + margin[k]) / 2.0;
+        let d = half - centre;
+        let plate = centre + d * ((outer + 0.45).max(d.length()) / d.length());
+        all.insert(Key::eye(4, k), if c > 0.3 { half } else { plate });
+    }
+}
+
+/// The lids' inner margin and their lining behind it, from the lash line.
+pub(super) fn line_lids(all: &mut Points, centre: DVec3) {
+    let margin: [DVec3; 16] = ring(all, |k| Key::eye(5, k));
     let opening = DVec3::new(centre.x, centre.y - 0.4, 0.0);
     for k in 0..16 {
         let c = CANTHUS[k];
@@ -180,10 +220,6 @@ fn eye(all: &mut Points, rows: &[Row], centre: DVec3) {
             }
             all.insert(Key::eye(r, k), lining);
         }
-        let half = (crease[k] + margin[k]) / 2.0;
-        let d = half - centre;
-        let plate = centre + d * ((outer + 0.45).max(d.length()) / d.length());
-        all.insert(Key::eye(4, k), if c > 0.3 { half } else { plate });
     }
 }
 
@@ -192,7 +228,7 @@ const CONTACT_MM: [f64; 7] = [-46.9, -46.6, -47.4, -48.3, -47.6, -46.8, -47.1];
 /// How far the named points of each lip keep from that line, mm, from the middle to the
 /// corner: the skin bulges by a tenth less between them, so that the lips touch there and do
 /// not pass into each other.
-const LIP_BULGE_MM: [f64; 7] = [0.66, 0.65, 0.62, 0.55, 0.53, 0.40, 0.0];
+pub(super) const LIP_BULGE_MM: [f64; 7] = [0.66, 0.65, 0.62, 0.55, 0.53, 0.40, 0.0];
 
 fn mouth(all: &mut Points, rows: &[Row]) {
     let fixed: Points = rows.iter().map(|r| (r.key, r.base)).collect();
@@ -205,8 +241,7 @@ fn mouth(all: &mut Points, rows: &[Row]) {
         let inset = border[k].lerp(full[k], 0.22 + 0.16 * low)
             + DVec3::new(0.0, 0.0, 0.35 * (1.0 + 0.6 * low));
         all.insert(Key::mouth(2, k), inset);
-        // 1 on the upper lip, −1 on the lower, 0 at the corner.
-        let up = ((6.0 - k as f64) * 0.7).clamp(-1.0, 1.0);
+        let up = upward(k);
         let line = if k % 2 == 0 {
             CONTACT_MM[k / 2]
         } else {
@@ -220,12 +255,25 @@ fn mouth(all: &mut Points, rows: &[Row]) {
         p.z -= 2.6;
         p.x *= 0.985;
         all.insert(Key::mouth(5, k), p);
+    }
+    line_mouth(all);
+}
+
+/// 1 on the upper lip, −1 on the lower, 0 at the corner.
+pub(super) fn upward(k: usize) -> f64 {
+    ((6.0 - k as f64) * 0.7).clamp(-1.0, 1.0)
+}
+
+/// The vestibule and the bag behind the line where the lips meet.
+pub(super) fn line_mouth(all: &mut Points) {
+    for k in 0..13 {
+        let mut p = all[&Key::mouth(5, k)];
         for (r, step, widen) in [
             (6, [6.5, -2.8], 1.0),
             (7, [5.5, -8.0], 1.16),
             (8, [2.0, -32.0], 1.0),
         ] {
-            p += DVec3::new(0.0, step[0] * up, step[1]);
+            p += DVec3::new(0.0, step[0] * upward(k), step[1]);
             p.x *= widen;
             all.insert(Key::mouth(r, k), p);
         }
@@ -235,8 +283,8 @@ fn mouth(all: &mut Points, rows: &[Row]) {
 /// Tip of the nose before its base on the mean head, mm.
 const MEAN_PROTRUSION_MM: f64 = 15.3;
 
-/// Rounds the nostril's rim towards an ellipse and lines it.
-fn nostril(all: &mut Points) {
+/// Lines the nostril, whose rim it rounds towards an ellipse by a share of `rounding`.
+pub(super) fn nostril(all: &mut Points, rounding: f64) {
     let rim: [DVec3; 8] = ring(all, |k| Key::nostril(0, k));
     let centre = rim.iter().sum::<DVec3>() / 8.0;
     // Axes of the rim: the long one by power iteration on the covariance.
@@ -269,7 +317,7 @@ fn nostril(all: &mut Points) {
         let round = long * (ops::cos(turn) * a * 0.5)
             + across * (ops::sin(turn) * b * 0.5)
             + normal * d.dot(normal);
-        all.insert(Key::nostril(0, k), centre + d * 0.5 + round * 0.5);
+        all.insert(Key::nostril(0, k), centre + d.lerp(round, rounding));
         all.insert(
             Key::nostril(1, k),
             centre + (d * 0.2 + round * 0.8) * 0.78 + up * 1.6,

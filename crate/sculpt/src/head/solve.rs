@@ -93,6 +93,17 @@ fn weight(key: Key) -> f64 {
     }
 }
 
+/// Rounds for bound points, none of which slides: the second knows the lengths.
+const BOUND_ROUNDS: usize = 2;
+
+/// Weight of a bound point against fairness. Designed: lids and lips are exact.
+fn bound_weight(key: Key) -> f64 {
+    match key {
+        Key::Eye(5.., _) | Key::Mouth(4.., _) => FEATURE_WEIGHT,
+        _ => 0.3 * FEATURE_WEIGHT,
+    }
+}
+
 /// Neighbourhoods of the cage, built once.
 pub(crate) struct Fairness {
     neighbours: Vec<Vec<u32>>,
@@ -234,6 +245,15 @@ pub(crate) fn least_squares(
     )
 }
 
+/// Whether points are the few named ones, or bound ones nearly everywhere.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Given {
+    /// Most only say where the surface passes, and slide on it.
+    Named,
+    /// Each is a place of its own.
+    Bound,
+}
+
 /// Solves the cage for the points of the left half, mirrored.
 ///
 /// # Panics
@@ -242,7 +262,7 @@ pub(crate) fn least_squares(
     clippy::expect_used,
     reason = "depends on the built-in topology and table only"
 )]
-pub(crate) fn solve(cage: &Cage, points: &Points) -> Solved {
+pub(crate) fn solve(cage: &Cage, points: &Points, given: Given) -> Solved {
     let n = cage.len();
     let limit = limit_stencils(&cage.faces, n);
     let fairness = Fairness::new(&cage.faces, n);
@@ -256,7 +276,10 @@ pub(crate) fn solve(cage: &Cage, points: &Points) -> Solved {
                 p.x = 0.0;
             }
             p.x *= side.sign();
-            Some((v, p, weight(key), is_area(key)))
+            Some(match given {
+                Given::Named => (v, p, weight(key), is_area(key)),
+                Given::Bound => (v, p, bound_weight(key), false),
+            })
         })
         .collect();
     let mut aims: Vec<DVec3> = targets.iter().map(|t| t.1).collect();
@@ -264,7 +287,11 @@ pub(crate) fn solve(cage: &Cage, points: &Points) -> Solved {
         cage_points: Vec::new(),
         limit,
     };
-    for round in 0..ROUNDS {
+    let rounds = match given {
+        Given::Named => ROUNDS,
+        Given::Bound => BOUND_ROUNDS,
+    };
+    for round in 0..rounds {
         let known = (round > 0).then_some(&solved.cage_points[..]);
         let fair = fairness.rows(known);
         let rows: Vec<(Terms, DVec3)> = targets

@@ -78,7 +78,47 @@ pub(crate) struct BrowLine {
     knots: Vec<(DVec3, f64)>,
 }
 
+/// How far above the crest of the brow its hairs have their middle, mm.
+const ABOVE_CREST_MM: f64 = 2.0;
+
+/// A place on a polyline by the share of its length.
+fn along(line: &[DVec3], share: f64) -> DVec3 {
+    let total: f64 = line.windows(2).map(|w| w[0].distance(w[1])).sum();
+    let mut left = share * total;
+    for w in line.windows(2) {
+        let step = w[0].distance(w[1]);
+        if left <= step {
+            return w[0].lerp(w[1], left / step.max(1e-9));
+        }
+        left -= step;
+    }
+    line.last().copied().unwrap_or_default()
+}
+
 impl BrowLine {
+    /// Above a crest, given from its inner end.
+    pub(crate) fn above(crest: &[DVec3]) -> Self {
+        let mut line = crest.to_vec();
+        if let [inner, next, ..] = &mut line[..] {
+            // The crest begins nearer to the midline than hair does.
+            let (y, z) = (0.7 * next.y + 0.3 * inner.y, 0.7 * next.z + 0.3 * inner.z);
+            *inner = DVec3::new(next.x + 0.35 * (inner.x - next.x), y, z);
+        }
+        let at = |i: usize| DVec3::new(BROW[i][0], BROW[i][1], BROW[i][2]);
+        let whole: Vec<DVec3> = (0..BROW.len()).map(at).collect();
+        let length = |part: &[DVec3]| -> f64 { part.windows(2).map(|w| w[0].distance(w[1])).sum() };
+        let knots = BROW
+            .iter()
+            .enumerate()
+            .map(|(i, &[.., w])| {
+                let share = length(&whole[..=i]) / length(&whole);
+                let up = DVec3::Y * ABOVE_CREST_MM;
+                (along(&line, 0.02 + 0.98 * share) + up, w * 1.05)
+            })
+            .collect();
+        Self { knots }
+    }
+
     pub(crate) fn new(warp: &dyn Fn(DVec3) -> DVec3) -> Self {
         let knots = BROW
             .iter()

@@ -10,6 +10,7 @@ use super::cloth::Outfit;
 use super::hair::HairParams;
 use super::hand::{HandParams, HandProportions};
 use super::head::HeadParams;
+use super::model::Traits;
 use super::person::Person;
 use super::skin::SkinParams;
 use super::torso::BodyParams;
@@ -53,6 +54,15 @@ impl FigureParams {
     pub fn hands(&self) -> HandParams {
         HandParams::of(&self.person, &self.hand, self.skin.base_colour())
     }
+}
+
+/// The traits in a file of this folder.
+#[allow(
+    clippy::expect_used,
+    reason = "the files are part of the program and tested"
+)]
+fn traits(text: &str) -> Option<Traits> {
+    Some(serde_json::from_str(text).expect("traits"))
 }
 
 /// The figures that come with the project.

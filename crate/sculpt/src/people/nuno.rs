@@ -1,12 +1,14 @@
 //! Nuno, a boy of about 9.
 
-use super::{FigureParams, Person};
+use super::{FigureParams, Person, traits};
 use crate::cloth::{Hoodie, Legs, Outfit};
 use crate::hair::{HairColour, HairParams, HairStyle};
 use crate::hand::HandProportions;
-use crate::head::{BrowParams, HeadParams, Measure, Measures};
+use crate::head::{Bound, BrowParams, HeadParams, Measure, Measures};
 use crate::skin::SkinParams;
 
+const TRAITS: &str = include_str!("nuno.json");
+const BOUND: &str = include_str!("nuno.tsv");
 const PERSON: Person = Person {
     sex: 0.0,
     age_years: 9.0,
@@ -29,6 +31,8 @@ pub(super) fn params() -> FigureParams {
 
 fn head() -> HeadParams {
     HeadParams {
+        traits: traits(TRAITS),
+        bound: Bound::from_text(BOUND),
         smile: 0.8,
         measures: Measures::of(&[
             (Measure::NoseBreadth, 0.3),

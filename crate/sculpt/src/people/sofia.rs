@@ -1,12 +1,14 @@
 //! Sofia, a woman of about 35.
 
-use super::{FigureParams, Person};
+use super::{FigureParams, Person, traits};
 use crate::cloth::{Legs, Outfit, Sweater};
 use crate::hair::{HairColour, HairParams, HairStyle};
 use crate::hand::HandProportions;
-use crate::head::{BrowParams, HeadParams, Measure, Measures};
+use crate::head::{Bound, BrowParams, HeadParams, Measure, Measures};
 use crate::skin::SkinParams;
 
+const TRAITS: &str = include_str!("sofia.json");
+const BOUND: &str = include_str!("sofia.tsv");
 const PERSON: Person = Person {
     sex: 1.0,
     age_years: 35.0,
@@ -29,6 +31,8 @@ pub(super) fn params() -> FigureParams {
 
 fn head() -> HeadParams {
     HeadParams {
+        traits: traits(TRAITS),
+        bound: Bound::from_text(BOUND),
         smile: 0.6,
         measures: Measures::of(&[
             (Measure::FaceHeight, 0.2),

@@ -9,7 +9,7 @@ use clap::Args;
 use indicatif::ProgressBar;
 use raconteur_body::write;
 
-use super::params;
+use super::{bind, params};
 use crate::Outcome;
 use raconteur_voice::files::disk::replace;
 
@@ -22,6 +22,10 @@ pub(super) struct Build {
     /// A description in JSON; see `figure params`.
     #[arg(long)]
     params: Option<PathBuf>,
+    /// The body model's data, where `npm run model` puts it; read for a head that is in no figure of the
+    /// library.
+    #[arg(long, default_value = bind::MODEL)]
+    model: PathBuf,
     /// Where to write it.
     #[arg(short, long)]
     output: PathBuf,
@@ -31,7 +35,7 @@ impl Build {
     pub(super) fn run(&self) -> Result<Outcome> {
         let params = match (&self.name, &self.params) {
             (Some(name), _) => params::preset(name)?,
-            (None, Some(path)) => params::read(path)?,
+            (None, Some(path)) => params::read(path, &self.model)?,
             (None, None) => bail!("a name or --params is wanted"),
         };
         let bar = ProgressBar::new_spinner().with_message(format!("building {}", params.name));

@@ -1,5 +1,6 @@
 //! `raconteur figure`.
 
+mod bind;
 mod build;
 mod export;
 mod measure;
@@ -21,6 +22,7 @@ pub(crate) struct Figure {
 
 #[derive(Subcommand)]
 enum Action {
+    Bind(bind::Bind),
     Build(build::Build),
     Params(params::Params),
     Sheet(sheet::Sheet),
@@ -31,6 +33,7 @@ enum Action {
 impl Figure {
     pub(crate) fn run(&self) -> Result<Outcome> {
         match &self.action {
+            Action::Bind(c) => c.run(),
             Action::Build(c) => c.run(),
             Action::Params(c) => c.run(),
             Action::Sheet(c) => c.run(),

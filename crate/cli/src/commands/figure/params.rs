@@ -5,6 +5,8 @@ use std::path::Path;
 
 use anyhow::{Context as _, Result, bail};
 use clap::Args;
+use raconteur_sculpt::head::Bound;
+use raconteur_sculpt::model::Model;
 use raconteur_sculpt::people::{self, FigureParams};
 use serde_json::Value;
 
@@ -39,16 +41,16 @@ pub(super) fn preset(name: &str) -> Result<FigureParams> {
     })
 }
 
-/// Reads a description from a file.
-pub(super) fn read(path: &Path) -> Result<FigureParams> {
+/// Reads a description from a file; `model` is the body model's folder, for heads that are not in the program.
+pub(super) fn read(path: &Path, model: &Path) -> Result<FigureParams> {
     let text = input::text(path, LARGEST as u64).context("the description")?;
-    parse(&text).with_context(|| path.display().to_string())
+    parse(&text, model).with_context(|| path.display().to_string())
 }
 
 /// Largest description that is read, bytes; a full one has some 5 kB.
 const LARGEST: usize = 1 << 20;
 
-fn parse(text: &str) -> Result<FigureParams> {
+fn parse(text: &str, model: &Path) -> Result<FigureParams> {
     if text.len() > LARGEST {
         bail!("a description has at most {LARGEST} bytes");
     }
@@ -60,10 +62,16 @@ fn parse(text: &str) -> Result<FigureParams> {
         Some(Value::String(name)) => name,
         Some(other) => bail!("base: a name is wanted, not {other}"),
     };
-    let mut whole = serde_json::to_value(preset(&base)?)?;
+    let base = preset(&base)?;
+    let mut whole = serde_json::to_value(&base)?;
     overlay("", &mut whole, Value::Object(given))?;
-    let params: FigureParams = serde_json::from_value(whole)?;
+    let mut params: FigureParams = serde_json::from_value(whole)?;
     check(&params)?;
+    params.head.bound = match &params.head.traits {
+        None => None,
+        own if *own == base.head.traits => base.head.bound,
+        Some(own) => Some(Bound::of(&Model::open(model)?, own)?),
+    };
     Ok(params)
 }
 
@@ -82,6 +90,11 @@ fn overlay(place: &str, there: &mut Value, given: Value) -> Result<()> {
             if !is_variant(&Value::Object(fields.clone())) =>
         {
             for (key, value) in given {
+                // Any detail of the body model may be set.
+                if place.ends_with(".details.") {
+                    fields.insert(key, value);
+                    continue;
+                }
                 let Some(field) = fields.get_mut(&key) else {
                     let known: Vec<&str> = fields.keys().map(String::as_str).collect();
                     bail!("{place}{key} is no field; there are {}", known.join(", "));
@@ -139,6 +152,11 @@ fn check(params: &FigureParams) -> Result<()> {
 mod tests {
     use super::*;
 
+    /// Of a text that needs no body model.
+    fn parse(text: &str) -> Result<FigureParams> {
+        super::parse(text, Path::new("nowhere"))
+    }
+
     fn fault(text: &str) -> String {
         format!("{:#}", parse(text).unwrap_err())
     }
@@ -170,6 +188,15 @@ mod tests {
             (r#"{"person": {"age_years": "old"}}"#, "person.age_years"),
             (r#"{"person": {"age_years": 3}}"#, "person.age_years"),
             (r#"{"head": {"brow": 4}}"#, "head.brow"),
+            (
+                r#"{"head": {"traits": {"age_years": "old"}}}"#,
+                "head.traits.age_years",
+            ),
+            // Another head wants the body model.
+            (
+                r#"{"head": {"traits": {"age_years": 60}}}"#,
+                "npm run model",
+            ),
             (r#"{"name": 4}"#, "name"),
             (r#"{"base": "nobody"}"#, "nobody"),
             ("[1]", "object"),

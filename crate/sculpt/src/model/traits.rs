@@ -1,0 +1,43 @@
+//! What tells one person of the model from another.
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+
+/// Shares of ancestry, which are divided by their sum.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Ancestry {
+    /// African.
+    #[serde(default)]
+    pub african: f64,
+    /// East Asian.
+    #[serde(default)]
+    pub asian: f64,
+    /// European.
+    #[serde(default)]
+    pub european: f64,
+}
+
+/// A person as a point in the body model's space. Axes are MakeHuman's own.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Traits {
+    /// Years, 1 to 90.
+    pub age_years: f64,
+    /// 0 male to 1 female.
+    pub sex: f64,
+    /// Where the forebears came from.
+    pub ancestry: Ancestry,
+    /// 0 slack to 1 trained, 0.5 average.
+    pub muscle: f64,
+    /// 0 thin to 1 heavy, 0.5 average.
+    pub weight: f64,
+    /// 0 short to 1 tall, 0.5 average.
+    pub height: f64,
+    /// 0 uncommon to 1 ideal proportions of the body.
+    pub proportions: f64,
+    /// Signed amounts of details by name, such as `nose/nose-hump-decr-incr`: below zero the
+    /// first of the pair at the name's end, above the second. Within ±0.6 faces stay usual.
+    pub details: BTreeMap<String, f64>,
+}
