@@ -348,7 +348,7 @@ mod tests {
         for &(mark, side) in &keys {
             let is_middle = matches!(mark, Mark::Cage(key) if key.on_midline());
             assert!(
-                is_middle == !keys.contains(&(mark, side.opposite())),
+                is_middle != keys.contains(&(mark, side.opposite())),
                 "{mark:?}"
             );
         }
