@@ -24,6 +24,8 @@ pub use self::traits::{Ancestry, Traits};
 const UNIT_MM: f64 = 100.0;
 /// Vertices of the spheres of the left and the right eye.
 const GLOBES: [core::ops::Range<usize>; 2] = [14598..14670, 14670..14742];
+/// Faces of the body.
+const FACES: usize = 13_378;
 /// Largest file that is read, bytes once unpacked; the base mesh has 3 MB.
 const LARGEST: u64 = 16 << 20;
 
@@ -68,7 +70,15 @@ impl Model {
     /// When the base mesh is missing or broken.
     pub fn open(folder: &Path) -> Result<Self, ModelError> {
         let path = folder.join("3dobjs/base.obj");
-        let (base, faces) = mesh::read(&path, &text(&path)?)?;
+        let text = text(&path)?;
+        let (base, faces) = mesh::read(&path, &text)?;
+        if base.len() < GLOBES[1].end || faces.len() != FACES {
+            return Err(ModelError::Format {
+                path,
+                line: text.lines().count(),
+                fault: "the mesh is not MakeHuman's hm08",
+            });
+        }
         Ok(Self {
             folder: folder.to_owned(),
             base,

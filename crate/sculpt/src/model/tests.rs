@@ -72,6 +72,20 @@ fn a_folder_without_a_model_says_what_fetches_it() {
 }
 
 #[test]
+fn another_mesh_is_no_model() {
+    let folder = std::env::temp_dir().join(format!("raconteur-no-model-{}", std::process::id()));
+    std::fs::create_dir_all(folder.join("3dobjs")).unwrap();
+    std::fs::write(
+        folder.join("3dobjs/base.obj"),
+        "v 0 0 0\ng body\nf 1 1 1 1\n",
+    )
+    .unwrap();
+    let error = Model::open(&folder).unwrap_err().to_string();
+    std::fs::remove_dir_all(&folder).unwrap();
+    assert!(error.contains("hm08"), "{error}");
+}
+
+#[test]
 fn faults_of_the_mesh_name_their_line() {
     let path = Path::new("base.obj");
     for (text, line) in [
