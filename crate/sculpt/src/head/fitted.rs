@@ -20,6 +20,12 @@ const LID_REST_MM: f64 = 0.5;
 /// distances of 5.5 and 4.3 mm (Murchison, Sires and Jian-Amadi 2009,
 /// doi:10.1001/archfacial.2009.23).
 const PUPIL_HEIGHT: f64 = 0.56;
+/// How far the eyeball goes from the model's place to the middle between the eye's corners, where
+/// pupils stand.
+const CENTRED: f64 = 0.8;
+/// Height of the open eye at positions 6 and 7, against that in the middle: the outer corner is
+/// sharp, and the lids can meet there.
+const TAPER: [(usize, f64); 2] = [(6, 0.76), (7, 0.48)];
 /// How far rings 2 to 5 go with it.
 const LID_FOLLOWS: [f64; 4] = [0.0, 0.2, 0.8, 1.0];
 
@@ -54,12 +60,32 @@ fn join_neck(points: &mut Points, neck: impl Fn(Key) -> Option<DVec3>) {
     }
 }
 
+/// Draws the lids together beside the outer corner.
+fn taper(points: &mut Points) {
+    let edge: [DVec3; 16] = ring(points, |k| Key::eye(5, k));
+    let open = edge[4].y - edge[12].y;
+    for (k, share) in TAPER {
+        let height = edge[k].y - edge[16 - k].y;
+        let nearer = (height - share * open).max(0.0) / 2.0;
+        for (k, step) in [(k, -nearer), (16 - k, nearer)] {
+            for r in 2..=5u8 {
+                if let Some(p) = points.get_mut(&Key::eye(r, k)) {
+                    p.y += step * smooth(1.0, 5.0, f64::from(r));
+                }
+            }
+        }
+    }
+}
+
 /// Lays the lash line on the lids' sphere about an eyeball of life size, whose centre it
 /// returns: `model` is that of the model, whose eyes are a third too large.
 fn lids(points: &mut Points, model: DVec3) -> DVec3 {
+    taper(points);
     let edge: [DVec3; 16] = ring(points, |k| Key::eye(5, k));
     let (upper, lower) = (edge[4].y - LID_REST_MM, edge[12].y);
-    let model = DVec3::new(model.x, lower + PUPIL_HEIGHT * (upper - lower), model.z);
+    let middle = (edge[0].x + edge[8].x) / 2.0;
+    let across = model.x + CENTRED * (middle - model.x);
+    let model = DVec3::new(across, lower + PUPIL_HEIGHT * (upper - lower), model.z);
     let aside = |k: usize| {
         (edge[k] - model)
             .truncate()

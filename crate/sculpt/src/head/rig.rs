@@ -177,7 +177,10 @@ fn close_lid(
             let open = elevation(at(k)) - elevation(at(16 - k)) + overlap_mm(k) / arm;
             *t = (*t + open).clamp(0.0, 1.4);
         }
-        closure = turn.iter().copied().fold(1e-3, f64::max);
+        // Beside the outer corner the lid has hardly an arm about the eye: what it would ask
+        // for there leaves the middle too small a share, whose chord cuts into the globe.
+        closure = turn[..6].iter().copied().fold(1e-3, f64::max);
+        turn[6] = turn[6].min(closure);
         for k in 1..8usize {
             // Half-way rings of the lower lid swell in the middle.
             let middle = 1.0 - ((k as f64 - 4.0) / 4.0) * ((k as f64 - 4.0) / 4.0);
