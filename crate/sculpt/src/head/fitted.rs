@@ -20,11 +20,11 @@ const LID_REST_MM: f64 = 0.5;
 /// distances of 5.5 and 4.3 mm (Murchison, Sires and Jian-Amadi 2009,
 /// doi:10.1001/archfacial.2009.23).
 const PUPIL_HEIGHT: f64 = 0.56;
-/// How far the eyeball goes from the model's place to the middle between the eye's corners, where
-/// pupils stand.
+/// Share of the way from the model's place to the middle between the eye's corners that the
+/// eyeball goes across; pupils stand near that middle. Designed.
 const CENTRED: f64 = 0.8;
-/// Height of the open eye at positions 6 and 7, against that in the middle: the outer corner is
-/// sharp, and the lids can meet there.
+/// Largest height of the open eye at positions 6 and 7, as a share of that in the middle: the
+/// outer corner is sharp, and the lids can meet there. Designed.
 const TAPER: [(usize, f64); 2] = [(6, 0.76), (7, 0.48)];
 /// How far rings 2 to 5 go with it.
 const LID_FOLLOWS: [f64; 4] = [0.0, 0.2, 0.8, 1.0];
@@ -60,7 +60,7 @@ fn join_neck(points: &mut Points, neck: impl Fn(Key) -> Option<DVec3>) {
     }
 }
 
-/// Draws the lids together beside the outer corner.
+/// Narrows the open eye towards its outer corner.
 fn taper(points: &mut Points) {
     let edge: [DVec3; 16] = ring(points, |k| Key::eye(5, k));
     let open = edge[4].y - edge[12].y;
