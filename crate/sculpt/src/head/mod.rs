@@ -405,12 +405,7 @@ impl Shape {
 #[must_use]
 pub fn build(person: &Person, params: &HeadParams, hair_colour: [f64; 3]) -> Head {
     let shape = Shape::of(person, params);
-    let (soft, follow) = soft::soft(
-        &shape.cage,
-        &shape.solved,
-        &shape.rig.shares,
-        &shape.individual,
-    );
+    let (soft, follow) = soft::soft(&shape.cage, &shape.solved, &shape.rig.shares);
     let warp = points::warp(&shape.individual);
     let line = match &shape.individual.fitted {
         Some(fitted) => BrowLine::above(&fitted.brow),
