@@ -1,6 +1,7 @@
 //! Contact sheets: one figure in many views, side by side.
 
 mod caption;
+mod feeling;
 pub(crate) mod light;
 mod picture;
 mod pose;
@@ -49,6 +50,8 @@ pub(crate) enum SheetPart {
     Emotions,
     /// One blink, frame by frame; not part of all.
     Blink,
+    /// Head and shoulders, friendly; not part of all.
+    Portrait,
     /// The face in every light.
     Lights,
     /// Edges of the triangles, without hair.
@@ -73,6 +76,7 @@ pub(crate) fn tiles(figure: &Figure, parts: &[SheetPart], light: Lighting) -> Ve
                         | SheetPart::Visemes
                         | SheetPart::Emotions
                         | SheetPart::Blink
+                        | SheetPart::Portrait
                 ))
     };
     SheetPart::value_variants()

@@ -2,16 +2,11 @@
 
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
-use raconteur_actor::Affect;
 use raconteur_actor::articulation::{ORDINARY_LOUDNESS, articulate, hold_closures};
-use raconteur_actor::emotion::{Mixture, Signs};
 use raconteur_actor::lips::MouthTargets;
-use raconteur_actor::nonverbal::{CLOSED_SECS, CLOSING_SECS, OPENING_SECS};
 use raconteur_actor::parameters::VISEMES;
-use raconteur_base::curve::smooth;
-use raconteur_base::{DQuat, DVec3, Side};
-use raconteur_body::{Bone, Figure, HandShape};
-use raconteur_speech::emotion::WORDS;
+use raconteur_base::{DVec3, Side};
+use raconteur_body::{Figure, HandShape};
 use raconteur_speech::phones;
 use raconteur_stage::{Camera, Lighting};
 use raconteur_tissue::{FaceControls, Muscle};
@@ -55,7 +50,7 @@ pub(crate) struct Tile {
 }
 
 /// Makes tiles of one figure in one light.
-struct Maker<'a> {
+pub(super) struct Maker<'a> {
     figure: &'a Figure,
     lighting: Lighting,
 }
@@ -76,6 +71,7 @@ pub(super) fn of(figure: &Figure, part: SheetPart, lighting: Lighting) -> Vec<Ti
         SheetPart::Visemes => maker.visemes(),
         SheetPart::Emotions => maker.emotions(),
         SheetPart::Blink => maker.blink(),
+        SheetPart::Portrait => vec![maker.portrait()],
         SheetPart::Lights => maker.lights(),
         SheetPart::Wireframe => maker.wireframe(),
         SheetPart::Silhouette => maker.silhouette(),
@@ -83,11 +79,11 @@ pub(super) fn of(figure: &Figure, part: SheetPart, lighting: Lighting) -> Vec<Ti
 }
 
 impl<'a> Maker<'a> {
-    fn standing(&self) -> Posture<'a> {
+    pub(super) fn standing(&self) -> Posture<'a> {
         Posture::standing(self.figure)
     }
 
-    fn tile(
+    pub(super) fn tile(
         &self,
         caption: &str,
         aspect: f64,
@@ -107,7 +103,7 @@ impl<'a> Maker<'a> {
     }
 
     /// A head and its neck, in any posture.
-    fn head(&self, caption: &str, posture: Posture<'_>) -> Tile {
+    pub(super) fn head(&self, caption: &str, posture: Posture<'_>) -> Tile {
         self.tile(caption, 1.0, posture, |at| {
             let d = at.pupils_m();
             before(middle_of_head(at), 2.45 * d, 0.0, 0.0)
@@ -355,61 +351,6 @@ impl<'a> Maker<'a> {
             .collect()
     }
 
-    /// Every word at the strength of the table, and fear at four.
-    fn emotions(&self) -> Vec<Tile> {
-        let one = |word: &str, potential: f64| {
-            let affect = Affect::named(word).unwrap_or_default();
-            let share = potential / PLAIN_POTENTIAL;
-            let mut controls = FaceControls::default();
-            let mut mixture = Mixture::felt(affect);
-            mixture.scale(share);
-            mixture.expression().add(&mut controls);
-            let signs = Signs::felt(affect).scaled(share);
-            controls.blush = signs.blush;
-            hold_closures(&mut controls);
-            let mut posture = self.standing();
-            posture.facing(0.3);
-            let [turned, down, tilted] = signs.head();
-            let moved = DQuat::from_rotation_y(turned)
-                * DQuat::from_rotation_x(down)
-                * DQuat::from_rotation_z(-tilted);
-            posture.turn(Bone::Skull, moved);
-            posture.face(controls);
-            self.head(&format!("{word} {potential:.0}"), posture)
-        };
-        let words = WORDS.map(|(word, _)| one(word, PLAIN_POTENTIAL));
-        let strengths = [2.0, 5.0, 7.0, 10.0].map(|potential| one("fear", potential));
-        words.into_iter().chain(strengths).collect()
-    }
-
-    /// The eyes in a blink of three phases, at 60 frames a second.
-    fn blink(&self) -> Vec<Tile> {
-        let closed = CLOSING_SECS + CLOSED_SECS;
-        let open = closed + OPENING_SECS;
-        let frames = (open * FRAMES_PER_S).ceil() as u32;
-        (0..=frames)
-            .map(|i| {
-                let time = f64::from(i) / FRAMES_PER_S;
-                let phase = if time < CLOSING_SECS {
-                    "closing"
-                } else if time < closed {
-                    "closed"
-                } else {
-                    "opening"
-                };
-                let mut controls = FaceControls::default();
-                let shut = smooth(time / CLOSING_SECS);
-                controls.close_lids(shut - smooth((time - closed) / OPENING_SECS));
-                let mut posture = self.standing();
-                posture.face(controls);
-                let caption = format!("{:.0} ms {phase}", 1e3 * time);
-                self.tile(&caption, 2.0, posture, |at| {
-                    before(at.between_eyes(), 0.5 * at.pupils_m(), 0.0, 0.0)
-                })
-            })
-            .collect()
-    }
-
     fn lights(&self) -> Vec<Tile> {
         light::names()
             .into_iter()
@@ -425,12 +366,6 @@ impl<'a> Maker<'a> {
     }
 }
 
-/// Of the blink's tiles.
-const FRAMES_PER_S: f64 = 60.0;
-
-/// At which an emotion has the strength of its place.
-const PLAIN_POTENTIAL: f64 = 5.0;
-
 /// A face of which muscles are contracted, on both sides.
 fn contracted(muscles: &[(Muscle, f64)]) -> FaceControls {
     let mut controls = FaceControls::default();
@@ -441,7 +376,7 @@ fn contracted(muscles: &[(Muscle, f64)]) -> FaceControls {
     controls
 }
 
-fn middle_of_head(at: &Places<'_>) -> DVec3 {
+pub(super) fn middle_of_head(at: &Places<'_>) -> DVec3 {
     let eyes = at.between_eyes();
     // Turned heads keep their ears in the picture: half way back to the neck.
     DVec3::new(0.5 * eyes.x, eyes.y - 0.45 * at.pupils_m(), 0.5 * eyes.z)

@@ -45,17 +45,19 @@ pub(crate) fn fit(bound: &Bound, neck: impl Fn(Key) -> Option<DVec3>) -> Fitted 
     }
 }
 
-/// The model's neck goes over into ours, which fits the collar.
+/// Row of the grid down to which the neck is the model's; the rim of ours below it fits the
+/// collar, and between them the surface is fair.
+const MODEL_NECK_ROW: u8 = 29;
+
+/// The model's neck goes over into ours.
 fn join_neck(points: &mut Points, neck: impl Fn(Key) -> Option<DVec3>) {
-    for row in 28..=LAST_ROW {
-        let share = smooth(27.0, 28.9, f64::from(row));
+    for row in MODEL_NECK_ROW + 1..=LAST_ROW {
         for column in 0..=LAST_COLUMN {
             let key = Key::Grid(column, row);
-            match (points.remove(&key), neck(key)) {
-                (Some(from), Some(own)) => points.insert(key, from.lerp(own, share)),
-                // Between those that are given the surface is fair.
-                (_, own) => own.and_then(|own| points.insert(key, own)),
-            };
+            points.remove(&key);
+            if row == LAST_ROW {
+                points.extend(neck(key).map(|own| (key, own)));
+            }
         }
     }
 }

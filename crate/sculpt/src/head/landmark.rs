@@ -42,7 +42,7 @@ const MIDDLE: [(&str, Key); 31] = [
     ("gn", Grid(0, 24)),
     ("me", Grid(0, 25)),
     ("cv", Grid(0, 27)),
-    ("lar", Grid(0, 29)),
+    ("lar", Grid(0, 28)),
     ("i", Grid(20, 12)),
 ];
 

@@ -20,9 +20,9 @@ fn symmetric_shape(name: &str) -> Shape {
     Shape::of(&person, &head)
 }
 
-/// The heads of the three figures.
+/// The heads of the figures.
 fn heads() -> impl Iterator<Item = (&'static str, &'static Head)> {
-    static HEADS: OnceLock<[Head; 3]> = OnceLock::new();
+    static HEADS: OnceLock<[Head; NAMES.len()]> = OnceLock::new();
     let heads = HEADS.get_or_init(|| {
         NAMES.map(|name| {
             let p = preset(name).unwrap();
@@ -251,12 +251,20 @@ fn the_head_measures_like_a_womans() {
     assert_eq!(sofia().neck_rim.len(), 40);
 }
 
-/// All whose heads are tested: the mean adult and the three figures.
-const PEOPLE: [&str; 4] = ["mean", "sofia", "papous", "nuno"];
+/// All whose heads are tested: the mean adult and the figures.
+const PEOPLE: [&str; 1 + NAMES.len()] = {
+    let mut all = ["mean"; 1 + NAMES.len()];
+    let mut i = 0;
+    while i < NAMES.len() {
+        all[i + 1] = NAMES[i];
+        i += 1;
+    }
+    all
+};
 
 /// Heads as they are shipped, and the mean adult's.
 fn people() -> impl Iterator<Item = (&'static str, &'static Shape)> {
-    static SHAPES: OnceLock<[Shape; 4]> = OnceLock::new();
+    static SHAPES: OnceLock<[Shape; PEOPLE.len()]> = OnceLock::new();
     let shapes = SHAPES.get_or_init(|| {
         PEOPLE.map(|name| {
             let (person, head) = individual::one(name);
@@ -268,7 +276,7 @@ fn people() -> impl Iterator<Item = (&'static str, &'static Shape)> {
 
 /// The same, mirror-symmetric.
 fn symmetric_people() -> impl Iterator<Item = (&'static str, &'static Shape)> {
-    static SHAPES: OnceLock<[Shape; 4]> = OnceLock::new();
+    static SHAPES: OnceLock<[Shape; PEOPLE.len()]> = OnceLock::new();
     let shapes = SHAPES.get_or_init(|| PEOPLE.map(symmetric_shape));
     PEOPLE.into_iter().zip(shapes)
 }

@@ -4,7 +4,7 @@ use super::{FigureParams, Person, traits};
 use crate::cloth::{Hoodie, Legs, Outfit};
 use crate::hair::{HairColour, HairParams, HairStyle};
 use crate::hand::HandProportions;
-use crate::head::{Bound, BrowParams, HeadParams, Measure, Measures};
+use crate::head::{Bound, BrowParams, HeadParams};
 use crate::skin::SkinParams;
 
 const TRAITS: &str = include_str!("nuno.json");
@@ -34,21 +34,6 @@ fn head() -> HeadParams {
         traits: traits(TRAITS),
         bound: Bound::from_text(BOUND),
         smile: 0.8,
-        measures: Measures::of(&[
-            (Measure::NoseBreadth, 0.3),
-            (Measure::FissureHeight, 0.5),
-            (Measure::MouthBreadth, 0.4),
-            (Measure::UpperRed, -0.3),
-            (Measure::HeadBreadth, 0.3),
-            (Measure::JawBreadth, -0.9),
-            (Measure::CheekFullness, 0.8),
-            (Measure::EarProtrusion, 2.5),
-            (Measure::TipLift, 0.6),
-            (Measure::Bridge, -0.5),
-            (Measure::BrowHeight, -0.6),
-            (Measure::ChinBreadth, -1.5),
-            (Measure::CanthalTilt, -0.3),
-        ]),
         seed: 8,
         iris: [0.115, 0.105, 0.045],
         brow: brow(),

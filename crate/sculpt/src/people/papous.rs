@@ -1,12 +1,14 @@
 //! Papous, a man of about 70 with white hair.
 
-use super::{FigureParams, Person};
+use super::{FigureParams, Person, traits};
 use crate::cloth::{Cardigan, Legs, Outfit};
 use crate::hair::{BeardParams, HairColour, HairParams, HairStyle};
 use crate::hand::HandProportions;
-use crate::head::{BrowParams, HeadParams, Measure, Measures};
+use crate::head::{Bound, BrowParams, HeadParams};
 use crate::skin::SkinParams;
 
+const TRAITS: &str = include_str!("papous.json");
+const BOUND: &str = include_str!("papous.tsv");
 const PERSON: Person = Person {
     sex: 0.0,
     age_years: 70.0,
@@ -29,24 +31,9 @@ pub(super) fn params() -> FigureParams {
 
 fn head() -> HeadParams {
     HeadParams {
+        traits: traits(TRAITS),
+        bound: Bound::from_text(BOUND),
         smile: 0.6,
-        measures: Measures::of(&[
-            (Measure::FaceHeight, 0.4),
-            (Measure::NoseProtrusion, 0.6),
-            (Measure::EarLength, 0.4),
-            (Measure::MouthBreadth, 0.3),
-            (Measure::JawBreadth, -0.3),
-            (Measure::Dorsum, 1.0),
-            (Measure::BrowRidge, 0.8),
-            (Measure::Cheekbone, 1.2),
-            (Measure::EyeBag, 1.8),
-            (Measure::NasolabialFold, 2.2),
-            (Measure::Jowl, 1.5),
-            (Measure::NeckCord, 1.4),
-            (Measure::MouthCorner, 0.8),
-            (Measure::LidHood, 0.3),
-            (Measure::CheekFullness, -0.6),
-        ]),
         seed: 5,
         iris: [0.085, 0.130, 0.170],
         brow: brow(),

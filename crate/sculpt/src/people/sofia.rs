@@ -4,7 +4,7 @@ use super::{FigureParams, Person, traits};
 use crate::cloth::{Legs, Outfit, Sweater};
 use crate::hair::{HairColour, HairParams, HairStyle};
 use crate::hand::HandProportions;
-use crate::head::{Bound, BrowParams, HeadParams, Measure, Measures};
+use crate::head::{Bound, BrowParams, HeadParams};
 use crate::skin::SkinParams;
 
 const TRAITS: &str = include_str!("sofia.json");
@@ -34,25 +34,6 @@ fn head() -> HeadParams {
         traits: traits(TRAITS),
         bound: Bound::from_text(BOUND),
         smile: 0.6,
-        measures: Measures::of(&[
-            (Measure::FaceHeight, 0.2),
-            (Measure::NoseBreadth, -0.5),
-            (Measure::NoseProtrusion, 0.3),
-            (Measure::MouthBreadth, -0.3),
-            (Measure::UpperRed, 0.7),
-            (Measure::LowerRed, 0.6),
-            (Measure::FissureHeight, 0.4),
-            (Measure::JawBreadth, -0.9),
-            (Measure::InnerCanthalBreadth, -0.3),
-            (Measure::PhiltrumBreadth, -0.4),
-            (Measure::Bridge, 0.8),
-            (Measure::TipLift, 0.6),
-            (Measure::ChinBreadth, -1.5),
-            (Measure::Cheekbone, 1.0),
-            (Measure::CanthalTilt, 0.4),
-            (Measure::BrowHeight, 0.5),
-            (Measure::LipProtrusion, 0.4),
-        ]),
         seed: 3,
         brow: brow(),
         ..HeadParams::default()
