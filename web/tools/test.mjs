@@ -72,6 +72,7 @@ const checks = {
     const raconteur = await program('raconteur');
     await unlessPassed('voices', [...sources('raconteur-cli'), 'web/tools/voices.mjs'], () => node('web/tools/voices.mjs', ['--check', raconteur]));
   },
+  people: async () => node('web/tools/people.mjs', [await program('raconteur')]),
   wasm: async () => buildWasm(kind, await program('raconteur-bindgen')),
   types: () => node('node_modules/typescript/bin/tsc', ['--noEmit']),
   unit: async () => {
@@ -97,9 +98,9 @@ const checks = {
 };
 
 /** Checks of the long tier alone. */
-const LONG = ['doc', 'fuzz', 'size'];
+const LONG = ['doc', 'fuzz', 'people', 'size'];
 /** Checks that run what `built` makes. */
-const RUNS_BUILT = ['compile', 'rust', 'voices', 'wasm', 'unit', 'size', 'browser'];
+const RUNS_BUILT = ['compile', 'rust', 'voices', 'people', 'wasm', 'unit', 'size', 'browser'];
 
 await main(async () => {
   const change = process.argv.includes('--changed') ? needed() : undefined;

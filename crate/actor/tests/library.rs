@@ -117,10 +117,10 @@ fn figure(name: &str) -> Skeleton {
     read_figure(name, &bytes).expect("a figure").skeleton
 }
 
-/// Every animation, performed by a woman, a man and a child.
+/// Every animation, performed by every figure.
 fn each(mut check: impl FnMut(&str, &Stage)) {
     let animations = shipped();
-    for who in ["sofia", "papous", "nuno"] {
+    for who in raconteur_tier::FIGURES {
         let skeleton = figure(who);
         for (name, text) in &animations {
             let stage = Stage::new(name, text, &skeleton);

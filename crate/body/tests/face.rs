@@ -5,9 +5,8 @@ use raconteur_base::{Side, noise};
 use raconteur_body::Figure;
 use raconteur_body::face::{FaceControls, Muscle, Network, NodeState, Tissue};
 use raconteur_body::read::read_figure;
-use raconteur_tier::sized;
+use raconteur_tier::{FIGURES, sized};
 
-const FIGURES: [&str; 3] = ["sofia", "papous", "nuno"];
 /// Half a second.
 const HALF_A_SECOND: usize = 60;
 
@@ -175,6 +174,21 @@ fn jumps_leave_papous_whole() {
 #[test]
 fn jumps_leave_nuno_whole() {
     jump(2, "nuno");
+}
+
+#[test]
+fn jumps_leave_amara_whole() {
+    jump(3, "amara");
+}
+
+#[test]
+fn jumps_leave_kenji_whole() {
+    jump(4, "kenji");
+}
+
+#[test]
+fn jumps_leave_lia_whole() {
+    jump(5, "lia");
 }
 
 #[test]

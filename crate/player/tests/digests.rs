@@ -8,9 +8,9 @@ use std::fs;
 use std::path::Path;
 use std::sync::Arc;
 
-use common::{FIGURES, read, stories, story, turn};
+use common::{read, stories, story, turn};
 use raconteur_player::{Options, body::Figure};
-use raconteur_tier::share;
+use raconteur_tier::{FIGURES, share};
 
 /// Moments of a story that are compared, evenly from its start to its end.
 const TIMES: usize = 200;
@@ -81,4 +81,19 @@ fn papous_poses_are_as_written() {
 #[test]
 fn nunos_poses_are_as_written() {
     poses_are_as_written("nuno");
+}
+
+#[test]
+fn amaras_poses_are_as_written() {
+    poses_are_as_written("amara");
+}
+
+#[test]
+fn kenjis_poses_are_as_written() {
+    poses_are_as_written("kenji");
+}
+
+#[test]
+fn lias_poses_are_as_written() {
+    poses_are_as_written("lia");
 }

@@ -6,12 +6,12 @@ mod common;
 use std::fs;
 use std::sync::Arc;
 
-use common::{FIGURES, assets, equip, perform, read, turn};
+use common::{assets, equip, perform, read, turn};
 use raconteur_player::Options;
 use raconteur_player::base::{DVec3, Side};
 use raconteur_player::body::{Bone, Figure};
 use raconteur_player::sweep::sweep;
-use raconteur_tier::share;
+use raconteur_tier::{FIGURES, share};
 
 /// How far wrists may be apart that hold each other, for a stature of 1.7 m, metres: a hand's
 /// breadth and some.
@@ -82,6 +82,21 @@ fn papous_plays_animations_well() {
 #[test]
 fn nuno_plays_animations_well() {
     nothing_would_make_a_viewer_wince("nuno");
+}
+
+#[test]
+fn amara_plays_animations_well() {
+    nothing_would_make_a_viewer_wince("amara");
+}
+
+#[test]
+fn kenji_plays_animations_well() {
+    nothing_would_make_a_viewer_wince("kenji");
+}
+
+#[test]
+fn lia_plays_animations_well() {
+    nothing_would_make_a_viewer_wince("lia");
 }
 
 #[test]

@@ -4,11 +4,11 @@ mod common;
 
 use std::sync::Arc;
 
-use common::{FIGURES, figure, perform, read, stories, story, turn};
+use common::{figure, perform, read, stories, story, turn};
 use raconteur_player::Options;
 use raconteur_player::body::Figure;
 use raconteur_player::sweep::{Check, sweep};
-use raconteur_tier::share;
+use raconteur_tier::{FIGURES, share};
 
 fn swept(name: &str, figure: &Arc<Figure>) -> Vec<Check> {
     let mut player = story(name, Arc::clone(figure), Options::default()).player;
@@ -16,13 +16,13 @@ fn swept(name: &str, figure: &Arc<Figure>) -> Vec<Check> {
 }
 
 /// Sweeps stories with one figure: its share of them, so that each story has one figure and each
-/// figure at least two, or all of them in the long tier.
+/// figure at least one, or all of them in the long tier.
 fn nothing_would_make_a_viewer_wince(figure: &str) {
     let stories = stories();
     assert!(stories.len() >= 8, "{stories:?}");
     assert!(stories.contains(&"virtual-poets/jabberwocky".to_owned()));
     let told = share(&stories, turn(figure), FIGURES.len());
-    assert!(told.len() >= 2, "{told:?}");
+    assert!(!told.is_empty());
     let figure = read(figure);
     let mut wrong = Vec::new();
     for story in &told {
@@ -48,6 +48,21 @@ fn papous_tells_the_shipped_stories_well() {
 #[test]
 fn nuno_tells_the_shipped_stories_well() {
     nothing_would_make_a_viewer_wince("nuno");
+}
+
+#[test]
+fn amara_tells_the_shipped_stories_well() {
+    nothing_would_make_a_viewer_wince("amara");
+}
+
+#[test]
+fn kenji_tells_the_shipped_stories_well() {
+    nothing_would_make_a_viewer_wince("kenji");
+}
+
+#[test]
+fn lia_tells_the_shipped_stories_well() {
+    nothing_would_make_a_viewer_wince("lia");
 }
 
 #[test]

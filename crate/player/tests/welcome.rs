@@ -64,7 +64,7 @@ fn waiting_changes_nothing_of_the_story() {
 
 #[test]
 fn the_figure_goes_into_the_story_without_a_jump() {
-    for name in ["papous", "sofia", "nuno"] {
+    for name in raconteur_tier::FIGURES {
         for waited_secs in [0.0, 3.7, 41.0] {
             let mut player = story("white-rabbit", read(name), Options::default()).player;
             let mut last = player.welcome(waited_secs, ASPECT).clone();

@@ -100,8 +100,36 @@ pub fn build(params: &FigureParams) -> Built {
     }
 }
 
+/// Builds the head alone, with what moves under its skin, on the skeleton of the whole: enough to
+/// try what a face does, in a fraction of the time. It has no hair, hands, clothes or maps.
+#[must_use]
+pub fn build_face(params: &FigureParams) -> Built {
+    let made = Mannequin::of(params);
+    let place = made.world_from_head;
+    let mut figure = assemble(&Blueprint {
+        name: params.name.clone(),
+        positions_in_world: made.joints.positions,
+        bind_rotations: made.joints.rotations,
+        face: FacePlaces {
+            eye_centres: made.head.eye_centres.map(|p| place.transform_point3(p)),
+        },
+        stature_m: params.person.stature_m,
+        lid_closure_rad: made.head.lid_closure_rad,
+        pieces: made.head_parts.into_iter().map(Piece::from).collect(),
+        images: Vec::new(),
+    });
+    figure.sex = Some(params.person.sex);
+    figure.tissue = Some(face_tissue(&made.head, place, &figure));
+    leave_to_tissue(&mut figure);
+    let annotations = annotations(&made.head, &figure);
+    Built {
+        figure,
+        annotations,
+    }
+}
+
 /// What moves under the skin of the face.
-fn face_tissue(head: &Head, place: DAffine3, figure: &Figure) -> Tissue {
+pub(super) fn face_tissue(head: &Head, place: DAffine3, figure: &Figure) -> Tissue {
     let mut rigid: Vec<MeshPart> = head.parts.clone();
     rigid.retain(|p| matches!(p.name.as_str(), part::TEETH | part::GUMS));
     for v in rigid.iter_mut().flat_map(|p| &mut p.vertices) {
@@ -249,7 +277,7 @@ fn plain_part(
 }
 
 /// Drops the morph targets of what follows the tissue: nothing moves it twice.
-fn leave_to_tissue(figure: &mut Figure) {
+pub(super) fn leave_to_tissue(figure: &mut Figure) {
     for mesh in figure.meshes.iter_mut().filter(|m| m.binding.is_some()) {
         mesh.morphs.clear();
     }

@@ -1,4 +1,4 @@
-//! Tests for surfaces that cross themselves.
+//! Surfaces that cross themselves.
 //!
 //! Two triangles that share no corner cross when an edge of one passes through the inside of
 //! the other; triangles in one plane do not. Candidates come from a grid of cells, so that a
@@ -6,7 +6,46 @@
 
 use std::collections::BTreeMap;
 
-use raconteur_base::{DVec3, mirror_vector};
+use raconteur_base::DVec3;
+#[cfg(test)]
+use raconteur_base::mirror_vector;
+use raconteur_body::figure::{Figure, MaterialKind};
+
+/// The skin of a figure, with the bag of the mouth: places that several vertices share made one.
+#[derive(Clone, Debug, Default)]
+pub struct Skin {
+    /// Places, metres.
+    pub points: Vec<DVec3>,
+    /// Counter-clockwise from outside.
+    pub triangles: Vec<[u32; 3]>,
+}
+
+impl Skin {
+    /// That of a figure in the bind pose.
+    #[must_use]
+    pub fn of(figure: &Figure) -> Self {
+        let mut places: BTreeMap<[u32; 3], u32> = BTreeMap::new();
+        let mut skin = Self::default();
+        let is_skin = |m: &&raconteur_body::Mesh| {
+            m.material.kind == MaterialKind::Skin || m.name == crate::part::MOUTH_BAG
+        };
+        for mesh in figure.meshes.iter().filter(is_skin) {
+            let mut at = |v: u32| {
+                let p = mesh.positions[v as usize];
+                *places.entry(p.map(f32::to_bits)).or_insert_with(|| {
+                    skin.points.push(DVec3::from_array(p.map(f64::from)));
+                    skin.points.len() as u32 - 1
+                })
+            };
+            let triangles = mesh.indices.chunks_exact(3);
+            skin.triangles
+                .extend(triangles.map(|t| [at(t[0]), at(t[1]), at(t[2])]));
+        }
+        skin.triangles
+            .retain(|t| t[0] != t[1] && t[1] != t[2] && t[2] != t[0]);
+        skin
+    }
+}
 
 /// Whether an edge of one triangle passes through the other.
 pub(super) fn cross(a: &[DVec3; 3], b: &[DVec3; 3]) -> bool {
@@ -24,7 +63,8 @@ pub(super) fn cross(a: &[DVec3; 3], b: &[DVec3; 3]) -> bool {
 
 /// Pairs of triangles that share no corner and cross. Points at one place must be one point;
 /// any unit of length.
-pub(super) fn crossings(points: &[DVec3], triangles: &[[u32; 3]]) -> Vec<[usize; 2]> {
+#[must_use]
+pub fn crossings(points: &[DVec3], triangles: &[[u32; 3]]) -> Vec<[usize; 2]> {
     let corners: Vec<[DVec3; 3]> = triangles
         .iter()
         .map(|t| t.map(|v| points[v as usize]))
@@ -68,6 +108,7 @@ pub(super) fn crossings(points: &[DVec3], triangles: &[[u32; 3]]) -> Vec<[usize;
 /// How far a point's mirror image can lie from the nearest of the points, and that point. `cell` is the
 /// length within which one is sought, at least the tolerance; beyond it the distance counts
 /// as infinite.
+#[cfg(test)]
 pub(super) fn farthest_from_mirrored(points: &[DVec3], cell: f64) -> (f64, DVec3) {
     let index = |p: DVec3| (p / cell).round().to_array().map(|x| x as i64);
     let mut cells: BTreeMap<[i64; 3], Vec<DVec3>> = BTreeMap::new();

@@ -9,8 +9,7 @@ mod build;
 mod built;
 mod cells;
 pub mod cloth;
-#[cfg(test)]
-mod crossing;
+pub mod crossing;
 #[cfg(test)]
 mod deform;
 pub mod hair;
@@ -24,6 +23,7 @@ pub mod part;
 pub mod people;
 pub mod person;
 pub mod physique;
+pub mod rigging;
 pub mod skin;
 #[cfg(test)]
 mod soundness;
@@ -33,7 +33,7 @@ pub(crate) mod tissue;
 pub mod torso;
 pub mod yardstick;
 
-pub use build::build;
+pub use build::{build, build_face};
 pub use built::Built;
 pub use people::FigureParams;
 pub use person::Person;

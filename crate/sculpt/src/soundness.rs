@@ -1,16 +1,13 @@
-//! Tests of the skin of the three figures as they are shipped: head, neck, mouth bag and both
+//! Tests of the skin of the figures as they are shipped: head, neck, mouth bag and both
 //! hands in the bind pose.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::sync::OnceLock;
-
-use raconteur_base::DVec3;
 
 use super::build::build;
 use super::built::Built;
-use super::crossing::{crossings, farthest_from_mirrored};
+use super::crossing::{Skin, crossings, farthest_from_mirrored};
 use super::people::{self, FigureParams};
-use raconteur_body::figure::{Figure, MaterialKind};
 use raconteur_tier::share;
 
 /// A figure by name, made once for all tests.
@@ -23,40 +20,6 @@ pub(super) fn shipped(name: &str) -> &'static (FigureParams, Built) {
         let built = build(&params);
         (params, built)
     })
-}
-
-/// The skin of a figure: places that several vertices share made one, metres.
-struct Skin {
-    points: Vec<DVec3>,
-    triangles: Vec<[u32; 3]>,
-}
-
-impl Skin {
-    fn of(figure: &Figure) -> Self {
-        let mut places: BTreeMap<[u32; 3], u32> = BTreeMap::new();
-        let mut skin = Self {
-            points: Vec::new(),
-            triangles: Vec::new(),
-        };
-        let is_skin = |m: &&raconteur_body::Mesh| {
-            m.material.kind == MaterialKind::Skin || m.name == crate::part::MOUTH_BAG
-        };
-        for mesh in figure.meshes.iter().filter(is_skin) {
-            let mut at = |v: u32| {
-                let p = mesh.positions[v as usize];
-                *places.entry(p.map(f32::to_bits)).or_insert_with(|| {
-                    skin.points.push(DVec3::from_array(p.map(f64::from)));
-                    skin.points.len() as u32 - 1
-                })
-            };
-            let triangles = mesh.indices.chunks_exact(3);
-            skin.triangles
-                .extend(triangles.map(|t| [at(t[0]), at(t[1]), at(t[2])]));
-        }
-        skin.triangles
-            .retain(|t| t[0] != t[1] && t[1] != t[2] && t[2] != t[0]);
-        skin
-    }
 }
 
 #[test]

@@ -241,18 +241,22 @@ pub fn vertex_normals(positions: &[DVec3], faces: &[Vec<u32>]) -> Vec<DVec3> {
         .collect()
 }
 
-/// Faces over the first of all vertices at one place (to a hundredth of a millimetre), for
-/// tests of surfaces whose vertices are doubled along seams of the texture.
-#[cfg(test)]
-pub(crate) fn welded(positions: &[DVec3], faces: &[Vec<u32>]) -> Vec<Vec<u32>> {
+/// The first of all vertices at the place of each, to a hundredth of a millimetre; metres.
+pub(crate) fn firsts(positions: &[DVec3]) -> Vec<u32> {
     let mut first: BTreeMap<[i64; 3], u32> = BTreeMap::new();
-    let one: Vec<u32> = (0u32..)
+    (0u32..)
         .zip(positions)
         .map(|(i, p)| {
             let key = p.to_array().map(|x| (x * 1e5).round() as i64);
             *first.entry(key).or_insert(i)
         })
-        .collect();
+        .collect()
+}
+
+/// Faces over the first of all vertices at one place, for surfaces whose vertices are doubled
+/// along seams of the texture.
+pub(crate) fn welded(positions: &[DVec3], faces: &[Vec<u32>]) -> Vec<Vec<u32>> {
+    let one = firsts(positions);
     let turned = |f: &Vec<u32>| f.iter().map(|&v| one[v as usize]).collect();
     faces.iter().map(turned).collect()
 }

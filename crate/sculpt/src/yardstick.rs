@@ -13,6 +13,7 @@ use serde_json::Value;
 
 use crate::cells::Cells;
 use crate::measure::landmark_mm;
+use crate::rigging::{BadLine, Scan};
 use raconteur_body::annotation::Annotations;
 use raconteur_body::figure::Figure;
 
@@ -44,8 +45,6 @@ pub enum YardstickError {
 
 /// Vertices of the face area; what follows are eyes, teeth and sockets.
 const FACE_AREA: usize = 9409;
-/// Largest mesh taken.
-const MOST: usize = 1 << 20;
 
 /// iBUG landmark and our name.
 const PAIRS: [(usize, &str); 12] = [
@@ -69,38 +68,9 @@ impl Yardstick {
     /// # Errors
     /// A [`YardstickError`] that names the first fault.
     pub fn read(obj: &str, landmarks: &str) -> Result<Self, YardstickError> {
-        let mut points = Vec::new();
-        let mut triangles = Vec::new();
-        for (i, line) in obj.lines().enumerate() {
-            let bad = || YardstickError::Line(i + 1);
-            let mut words = line.split_ascii_whitespace();
-            match words.next() {
-                Some("v") if points.len() < MOST => {
-                    let mut number = || {
-                        words
-                            .next()
-                            .and_then(|w| w.parse::<f64>().ok())
-                            .filter(|x| x.is_finite())
-                    };
-                    let p = number().zip(number()).zip(number());
-                    let ((x, y), z) = p.ok_or_else(bad)?;
-                    points.push(DVec3::new(x, y, z));
-                }
-                Some("f") if triangles.len() < MOST => {
-                    let corners = words
-                        .map(|w| w.split('/').next().and_then(|n| n.parse::<u32>().ok()))
-                        .collect::<Option<Vec<u32>>>()
-                        .ok_or_else(bad)?;
-                    if corners.len() > 64 || corners.contains(&0) {
-                        return Err(bad());
-                    }
-                    for pair in corners.get(1..).unwrap_or_default().windows(2) {
-                        triangles.push([corners[0] - 1, pair[0] - 1, pair[1] - 1]);
-                    }
-                }
-                _ => {}
-            }
-        }
+        let scan = Scan::read(obj).map_err(|BadLine(line)| YardstickError::Line(line))?;
+        let mut triangles: Vec<[u32; 3]> = scan.triangles().collect();
+        let mut points = scan.points;
         points.truncate(FACE_AREA);
         triangles.retain(|t| t.iter().all(|&v| (v as usize) < points.len()));
         let list: Value = serde_json::from_str(landmarks).map_err(|_| YardstickError::Landmarks)?;
@@ -146,19 +116,19 @@ pub struct Deviation {
 
 /// Rotation, scale and shift.
 #[derive(Clone, Copy, Debug)]
-struct Similarity {
+pub(crate) struct Similarity {
     turn: DQuat,
     scale: f64,
     shift: DVec3,
 }
 
 impl Similarity {
-    fn apply(&self, p: DVec3) -> DVec3 {
+    pub(crate) fn apply(&self, p: DVec3) -> DVec3 {
         self.turn * p * self.scale + self.shift
     }
 
     /// The similarity that carries the first of each pair nearest to the second.
-    fn best(pairs: &[(DVec3, DVec3)]) -> Self {
+    pub(crate) fn best(pairs: &[(DVec3, DVec3)]) -> Self {
         let n = pairs.len().max(1) as f64;
         let from = pairs.iter().map(|p| p.0).sum::<DVec3>() / n;
         let to = pairs.iter().map(|p| p.1).sum::<DVec3>() / n;
@@ -218,7 +188,7 @@ fn nearest(cells: &Cells, points: &[DVec3], p: DVec3) -> Option<u32> {
 }
 
 /// Nearest place of a triangle (Ericson 2005, ch. 5.1.5).
-fn on_triangle(p: DVec3, [a, b, c]: [DVec3; 3]) -> DVec3 {
+pub(crate) fn on_triangle(p: DVec3, [a, b, c]: [DVec3; 3]) -> DVec3 {
     let (ab, ac, ap) = (b - a, c - a, p - a);
     let (d1, d2) = (ab.dot(ap), ac.dot(ap));
     if d1 <= 0.0 && d2 <= 0.0 {

@@ -158,21 +158,32 @@ impl Contacts {
                 springs.shift(i, outwards * deep);
             }
         }
+        depths.teeth_m = Self::free_teeth(tissue, springs, jaw);
+        depths.lips_m = Self::part_lips(tissue, springs);
+        // A lip that was put off the other may have come behind the edge of the teeth.
+        if depths.lips_m > 0.0 {
+            Self::free_teeth(tissue, springs, jaw);
+        }
+        depths
+    }
+
+    /// Puts the lips before the teeth; tells how deep they were.
+    fn free_teeth(tissue: &Tissue, springs: &mut Springs, jaw: &JawPlace) -> f32 {
+        let mut deepest: f32 = 0.0;
         for &node in &tissue.before_teeth {
             let i = usize::from(node);
             let p = springs.at(i);
             if let Some((deep, [x, z])) = tissue.arches[0].inside(xyz(p)) {
-                depths.teeth_m = depths.teeth_m.max(deep);
+                deepest = deepest.max(deep);
                 springs.shift(i, vector([x * deep, 0.0, z * deep]));
             }
             let p = springs.at(i);
             if let Some((deep, [x, z])) = tissue.arches[1].inside(jaw.unmoved(p)) {
-                depths.teeth_m = depths.teeth_m.max(deep);
+                deepest = deepest.max(deep);
                 springs.shift(i, jaw.turned([x * deep, 0.0, z * deep]));
             }
         }
-        depths.lips_m = Self::part_lips(tissue, springs);
-        depths
+        deepest
     }
 
     /// Puts the lips out of each other; tells how deep they were.

@@ -3,6 +3,9 @@
 
 use std::env;
 
+/// The figures of `assets/figures`.
+pub const FIGURES: [&str; 6] = ["sofia", "papous", "nuno", "amara", "kenji", "lia"];
+
 /// Whether everything runs: `TEST_LONG` is set.
 #[must_use]
 pub fn is_long() -> bool {

@@ -15,7 +15,14 @@ import { difference } from './source.js';
 import { timeline } from './timeline.js';
 
 /** Who can be on stage. */
-const FIGURES: Readonly<Record<string, string>> = { sofia: 'Sofia', papous: 'Papous', nuno: 'Nuno' };
+const FIGURES: Readonly<Record<string, string>> = {
+  sofia: 'Sofia',
+  papous: 'Papous',
+  nuno: 'Nuno',
+  amara: 'Amara',
+  kenji: 'Kenji',
+  lia: 'Lia',
+};
 const SPEEDS = [0.5, 1, 1.5];
 /** From where the stage is seen; the first is where the audience sits. */
 const SIDES: Readonly<Record<string, View | undefined>> = {

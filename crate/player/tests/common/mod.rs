@@ -10,6 +10,7 @@ use std::sync::{Arc, OnceLock};
 use raconteur_player::body::Figure;
 use raconteur_player::body::read::read_figure;
 use raconteur_player::{Loaded, Options, Player, StoryInput};
+use raconteur_tier::FIGURES;
 
 /// The folder of the library.
 pub(crate) fn assets() -> PathBuf {
@@ -26,9 +27,6 @@ pub(crate) fn asset(path: &str) -> Vec<u8> {
 pub(crate) fn text(path: &str) -> String {
     String::from_utf8(asset(path)).expect("UTF-8")
 }
-
-/// The shipped figures.
-pub(crate) const FIGURES: [&str; 3] = ["sofia", "papous", "nuno"];
 
 /// A figure's place among them: the share that is its own where each does a part.
 pub(crate) fn turn(figure: &str) -> usize {

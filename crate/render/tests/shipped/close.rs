@@ -28,8 +28,9 @@ const GLOW: i32 = 65;
 /// before.
 const GRAIN: usize = 97;
 
-/// Pixels that are brighter than all that lie two away from them, by a quarter and 30 of 255: what
-/// lights up alone.
+/// Pixels that are brighter than all that lie two away from them, by a quarter and 30 of 255, and
+/// by twice as much as any beside them: what lights up alone. Gloss, as on dark lips, fades over
+/// the pixels beside it.
 fn sparks(rgba: &[u8]) -> Vec<(usize, usize)> {
     let luma = |x: usize, y: usize| {
         let p = &rgba[4 * (y * SIDE + x)..];
@@ -38,9 +39,16 @@ fn sparks(rgba: &[u8]) -> Vec<(usize, usize)> {
     let mut out = Vec::new();
     for y in 2..SIDE - 2 {
         for x in 2..SIDE - 2 {
+            let (own, at) = (luma(x, y), |(i, j): (usize, usize)| {
+                luma(x + i - 2, y + j - 2)
+            });
             let ring = (0..5).flat_map(|k| [(k, 0), (k, 4), (0, k), (4, k)]);
-            let around = ring.map(|(i, j)| luma(x + i - 2, y + j - 2));
-            if luma(x, y) > 1.25 * around.fold(0.0, f64::max) + 30.0 {
+            let around = ring.map(at).fold(0.0, f64::max);
+            let beside = (0..9)
+                .filter(|k| *k != 4)
+                .map(|k| at((1 + k % 3, 1 + k / 3)));
+            let is_alone = own - around > 2.0 * (beside.fold(0.0, f64::max) - around);
+            if own > 1.25 * around + 30.0 && is_alone {
                 out.push((x, y));
             }
         }
@@ -55,13 +63,10 @@ fn no_pixel_of_the_skin_lights_up_alone() {
     let mut all = Vec::new();
     for name in FIGURES {
         let mut figure = figure(name);
-        // Strands of hair, lashes, eyes and their wet may glitter.
-        figure.meshes.retain(|m| {
-            matches!(
-                m.material.kind,
-                MaterialKind::Skin | MaterialKind::Nail | MaterialKind::Mouth
-            )
-        });
+        // Strands of hair, lashes, and what is wet may glitter: eyes, and the mouth between the lips.
+        figure
+            .meshes
+            .retain(|m| matches!(m.material.kind, MaterialKind::Skin | MaterialKind::Nail));
         send(&mut device, &figure);
         for (at, yaw, pitch) in VIEWS {
             let frame = frame(&figure, Lighting::default(), at, yaw, pitch);

@@ -13,7 +13,7 @@ use zune_jpeg::zune_core::bytestream::ZCursor;
 use zune_jpeg::zune_core::colorspace::ColorSpace;
 use zune_jpeg::zune_core::options::DecoderOptions;
 
-pub(crate) const FIGURES: [&str; 3] = ["sofia", "papous", "nuno"];
+pub(crate) use raconteur_tier::FIGURES;
 
 /// A shipped figure.
 pub(crate) fn figure(name: &str) -> Figure {

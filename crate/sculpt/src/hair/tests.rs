@@ -10,7 +10,7 @@ use crate::head;
 use crate::part::MeshPart;
 use crate::people::{NAMES, preset};
 
-/// The heads of the three people with the hair they wear.
+/// The heads of the people with the hair they wear.
 fn people() -> &'static [(Head, HairParams)] {
     static HEADS: OnceLock<Vec<(Head, HairParams)>> = OnceLock::new();
     HEADS.get_or_init(|| {
@@ -105,7 +105,7 @@ fn hair_keeps_within_its_budget() {
         let faces: usize = parts().map(triangles).sum();
         let vertices: usize = parts().map(|p| p.vertices.len()).sum();
         assert!(faces <= 16_000, "{name} {faces}");
-        // A long style with a beard may take more than what the three people wear.
+        // A long style with a beard may take more than what people wear.
         let most = if g.style == g.own.style {
             400_000
         } else {

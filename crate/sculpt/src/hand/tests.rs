@@ -52,7 +52,7 @@ fn faces_look_outwards() {
     }
 }
 
-/// The hands of the three figures, left.
+/// The hands of the figures, left.
 fn shipped() -> impl Iterator<Item = (&'static str, Hand)> {
     people::NAMES.into_iter().filter_map(|name| {
         let params = people::preset(name)?.hands();

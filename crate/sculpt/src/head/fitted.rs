@@ -32,6 +32,7 @@ const LID_FOLLOWS: [f64; 4] = [0.0, 0.2, 0.8, 1.0];
 /// Fits a bound head; `neck` says where the cage's lowest rows lie.
 pub(crate) fn fit(bound: &Bound, neck: impl Fn(Key) -> Option<DVec3>) -> Fitted {
     let mut points = bound.symmetric();
+    smooth_helix(&mut points);
     join_neck(&mut points, neck);
     let globe = lids(&mut points, bound.globe());
     line_lids(&mut points, globe);
@@ -42,6 +43,15 @@ pub(crate) fn fit(bound: &Bound, neck: impl Fn(Key) -> Option<DVec3>) -> Fitted 
         points,
         globe,
         brow: bound.brow(),
+    }
+}
+
+/// Lays the root of the helix between the lines beside it: where an ear stands off it would fold
+/// over.
+fn smooth_helix(points: &mut Points) {
+    if let (Some(&front), Some(&rear)) = (points.get(&Key::ear(1, 2)), points.get(&Key::ear(3, 2)))
+    {
+        points.insert(Key::ear(2, 2), front.lerp(rear, 0.45));
     }
 }
 
@@ -137,26 +147,56 @@ fn lids(points: &mut Points, model: DVec3) -> DVec3 {
 }
 
 /// How far the line where the lips meet lies above the gap before it, mm, so that nothing is seen between them.
-const LIP_ROLL_MM: f64 = 1.2;
+const LIP_ROLL_MM: f64 = 1.7;
+
+/// Lays the lips' inner line beside the corners as on both sides of it: full lips of the model
+/// fold over there.
+fn smooth_corners(points: &mut Points) {
+    let [outer, inner]: [[DVec3; 13]; 2] = [4, 5].map(|r| ring(points, |k| Key::mouth(r, k)));
+    for k in [5, 7usize] {
+        let in_from = |k: usize| inner[k] - outer[k];
+        let at = outer[k] + (in_from(k - 1) + in_from(k + 1)) / 2.0;
+        points.insert(Key::mouth(5, k), at);
+    }
+}
+
+/// How far a ring of one lip keeps from the other's, mm, for each ring between it and the line
+/// where they meet.
+const LIP_FRONT_MM: f64 = 1.0;
+/// How far they stand apart a ring before that line at most, or teeth would show.
+const LIP_OPENS_MM: f64 = 1.5;
 
 /// Brings the lips together: the model's stand open by up to 2.4 mm.
 fn lips(points: &mut Points) {
+    smooth_corners(points);
     let line: [DVec3; 13] = ring(points, |k| Key::mouth(5, k));
-    for k in 0..13usize {
-        let other = 12 - k;
-        let gap = line[other] - line[k];
-        let bulge = LIP_BULGE_MM[k.min(other)] * upward(k).signum();
-        for r in 2..=5u8 {
-            if let Some(p) = points.get_mut(&Key::mouth(r, k)) {
-                let share = smooth(1.5, 5.0, f64::from(r));
-                *p += gap * (0.5 * share);
-                if r >= 4 {
-                    p.y += bulge;
-                }
-                if r == 5 {
-                    p.y += LIP_ROLL_MM * upward(k).abs();
-                }
+    for r in 2..=5u8 {
+        let share = smooth(1.5, 5.0, f64::from(r));
+        let before: [DVec3; 13] = ring(points, |k| Key::mouth(r, k));
+        let mut own = before;
+        for (k, p) in own.iter_mut().enumerate() {
+            // They meet face to face: as far to the front as the other.
+            let ahead = before[12 - k].z - before[k].z;
+            let gap = (line[12 - k] - line[k]).with_z(ahead);
+            *p += gap * (0.5 * share);
+        }
+        let apart = LIP_FRONT_MM * f64::from(5 - r);
+        for k in 0..6 {
+            // Full lips would go through each other, and thin ones show teeth.
+            let gap = own[k].y - own[12 - k].y;
+            let most = if r == 4 { LIP_OPENS_MM } else { f64::MAX };
+            let wanted = gap.clamp(apart, most);
+            own[k].y += (wanted - gap) / 2.0;
+            own[12 - k].y -= (wanted - gap) / 2.0;
+        }
+        for (k, mut p) in own.into_iter().enumerate() {
+            if r >= 4 {
+                p.y += LIP_BULGE_MM[k.min(12 - k)] * upward(k).signum();
             }
+            if r == 5 {
+                p.y += LIP_ROLL_MM * upward(k).abs();
+            }
+            points.insert(Key::mouth(r, k), p);
         }
     }
 }

@@ -14,6 +14,7 @@ mod ear;
 mod ear_shape;
 mod eye;
 mod fitted;
+mod fitting;
 mod form;
 mod individual;
 mod landmark;
@@ -26,6 +27,7 @@ mod points;
 mod ride;
 mod rig;
 mod scalp;
+mod seal;
 mod segment;
 mod soft;
 pub(crate) mod solve;
@@ -43,6 +45,7 @@ pub use self::binding::{Binding, Bound};
 use self::cage::{Cage, Key, LAST_ROW, Zone};
 pub(crate) use self::chart::Places;
 use self::chart::{Chart, chart};
+pub use self::fitting::{Aim, fit_measures};
 pub use self::measure::{KnownMeasure, Measure, Measures, known_measures};
 pub(crate) use self::paint::Coordinates;
 use self::paint::coordinates;
@@ -167,6 +170,7 @@ impl Shape {
             for (p, &(key, side)) in solved.cage_points.iter_mut().zip(&cage.keys) {
                 *p += fitted::sway(bound, key, side) * params.asymmetry;
             }
+            seal::seal(&cage, &mut solved.cage_points);
         } else {
             let warp = points::warp(&individual);
             let pulls = asymmetry::pulls(params.seed, params.asymmetry, &warp);

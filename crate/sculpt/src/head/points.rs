@@ -310,7 +310,12 @@ pub(super) fn nostril(all: &mut Points, rounding: f64) {
     let rise = (reach / MEAN_PROTRUSION_MM).clamp(0.6, 1.1);
     let way = DVec3::new(0.05, 0.92, 0.25);
     // Its rim rolls in less still, so that the lining has room behind it.
-    let (up, deeper) = (way * (rise * rise), way * ops::pow(rise, 1.5));
+    // It goes in nearly square to the rim, which stands aslant where the wings are raised.
+    let inward = normal * normal.dot(way).signum();
+    let (up, deeper) = (
+        inward.lerp(way, 0.3) * (rise * rise),
+        way * ops::pow(rise, 1.5),
+    );
     for (k, &p) in rim.iter().enumerate() {
         let d = p - centre;
         let turn = ops::atan2(d.dot(across) / b, d.dot(long) / a);

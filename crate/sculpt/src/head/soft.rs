@@ -198,6 +198,13 @@ fn lip_place(cage: &Cage, between: &[u32]) -> Option<LipPlace> {
     })
 }
 
+/// Vertices of the cage subdivided once that lie on the lips, and where.
+pub(super) fn lip_places(cage: &Cage) -> impl Iterator<Item = (usize, LipPlace)> + '_ {
+    let between = parents(&cage.faces, cage.len());
+    let place = |(v, between): (usize, Vec<u32>)| Some((v, lip_place(cage, &between)?));
+    between.into_iter().enumerate().filter_map(place)
+}
+
 /// Rows of drawn vertices over nodes.
 pub(super) struct Follow {
     /// The node of each vertex of the cage subdivided once.

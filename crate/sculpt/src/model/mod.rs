@@ -4,8 +4,10 @@
 //! A person is a sum, the base mesh plus each target by its weight; no target depends on
 //! another. Frame: x left, y up, z front, origin at the height of the hips; millimetres.
 
+mod details;
 mod macros;
 mod mesh;
+mod random;
 #[cfg(test)]
 mod tests;
 mod traits;
@@ -13,11 +15,13 @@ mod traits;
 use std::collections::BTreeMap;
 use std::io::Read as _;
 use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, PoisonError};
 
 use flate2::read::GzDecoder;
 use raconteur_base::DVec3;
 use thiserror::Error;
 
+pub use self::details::Detail;
 pub use self::traits::{Ancestry, Traits};
 
 /// Millimetres in a unit of the model's files, a decimetre.
@@ -55,12 +59,17 @@ pub enum ModelError {
     NoDetail(String),
 }
 
+/// Vertices that a target moves, and by how much at weight 1, mm.
+type Target = Arc<[(u32, DVec3)]>;
+
 /// The base mesh and the folder of its targets.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct Model {
     folder: PathBuf,
     base: Vec<DVec3>,
     faces: Vec<[u32; 4]>,
+    /// Targets that were read, by name: the next person mostly needs the same ones.
+    read: Mutex<BTreeMap<String, Target>>,
 }
 
 impl Model {
@@ -83,6 +92,7 @@ impl Model {
             folder: folder.to_owned(),
             base,
             faces,
+            read: Mutex::default(),
         })
     }
 
@@ -136,29 +146,40 @@ impl Model {
     }
 
     fn add(&self, shape: &mut [DVec3], target: &str, weight: f64) -> Result<(), ModelError> {
-        if weight == 0.0 {
-            return Ok(());
+        if weight != 0.0 {
+            for &(vertex, moved) in &*self.target(target)? {
+                shape[vertex as usize] += moved * weight;
+            }
         }
-        let path = self.path(target);
+        Ok(())
+    }
+
+    /// A target, from its file where it was not read before.
+    fn target(&self, name: &str) -> Result<Target, ModelError> {
+        let known = || self.read.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(target) = known().get(name) {
+            return Ok(Arc::clone(target));
+        }
+        let path = self.path(name);
+        let mut rows = Vec::new();
         for (i, line) in text(&path)?.lines().enumerate() {
             if line.is_empty() || line.starts_with('#') {
                 continue;
             }
-            let row = mesh::numbers::<4>(line.split_ascii_whitespace());
-            let moved = row.and_then(|[v, x, y, z]| {
-                let vertex = shape.get_mut(v as usize)?;
-                *vertex += DVec3::new(x, y, z) * (weight * UNIT_MM);
-                Some(())
+            let numbers = mesh::numbers::<4>(line.split_ascii_whitespace());
+            let row = numbers.and_then(|[v, x, y, z]| {
+                self.base.get(v as usize)?;
+                Some((v as u32, DVec3::new(x, y, z) * UNIT_MM))
             });
-            if moved.is_none() {
-                return Err(ModelError::Format {
-                    path,
-                    line: i + 1,
-                    fault: "a vertex and three numbers are wanted",
-                });
-            }
+            rows.push(row.ok_or_else(|| ModelError::Format {
+                path: path.clone(),
+                line: i + 1,
+                fault: "a vertex and three numbers are wanted",
+            })?);
         }
-        Ok(())
+        let target: Target = rows.into();
+        known().insert(name.to_owned(), Arc::clone(&target));
+        Ok(target)
     }
 }
 

@@ -1,5 +1,8 @@
 //! Named figures: who they are and what they wear.
 
+mod amara;
+mod kenji;
+mod lia;
 mod nuno;
 mod papous;
 mod sofia;
@@ -66,7 +69,7 @@ fn traits(text: &str) -> Option<Traits> {
 }
 
 /// The figures that come with the project.
-pub const NAMES: [&str; 3] = ["sofia", "papous", "nuno"];
+pub const NAMES: [&str; 6] = ["sofia", "papous", "nuno", "amara", "kenji", "lia"];
 
 /// The parameters of a named figure; `None` for an unknown name. Known: [`NAMES`].
 #[must_use]
@@ -75,6 +78,9 @@ pub fn preset(name: &str) -> Option<FigureParams> {
         "sofia" => Some(sofia::params()),
         "papous" => Some(papous::params()),
         "nuno" => Some(nuno::params()),
+        "amara" => Some(amara::params()),
+        "kenji" => Some(kenji::params()),
+        "lia" => Some(lia::params()),
         _ => None,
     }
 }

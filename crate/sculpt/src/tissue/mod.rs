@@ -13,7 +13,7 @@ use raconteur_base::{DAffine3, DVec3, Side};
 
 use self::fit::Skin;
 use self::layout::{FLUSH, Sheet};
-use self::warp::Warp;
+pub(crate) use self::warp::Warp;
 use super::head::{LipPlace, Soft, SoftNode};
 use super::part::MeshPart;
 use raconteur_tissue::Tissue;
@@ -36,7 +36,7 @@ fn ramp(low: f64, high: f64, x: f64) -> f64 {
 fn grip(node: &SoftNode) -> f64 {
     let is_fold = |lip: LipPlace| lip.ring >= 8 && (11..=13).contains(&lip.position);
     if node.lip.is_some_and(is_fold) {
-        0.15
+        0.3
     } else {
         node.grip
     }
@@ -64,7 +64,7 @@ fn with(
     hinge: DVec3,
 ) -> Tissue {
     let skin = Skin::new(soft, place, bones);
-    let warp = Warp::new(&soft.landmarks);
+    let warp = Warp::mirrored(&soft.landmarks);
     let carried = |p: [f64; 3]| {
         let own = warp.place(DVec3::from_array(p)) * 1e-3;
         place.transform_point3(own)

@@ -7,7 +7,7 @@ use raconteur_base::DVec3;
 
 /// A map of space that brings landmarks to landmarks: an affine part and a sum of
 /// biharmonic kernels, which in space are plain distances.
-pub(super) struct Warp {
+pub(crate) struct Warp {
     at: Vec<DVec3>,
     weights: Vec<DVec3>,
     affine: [DVec3; 4],
@@ -17,16 +17,21 @@ pub(super) struct Warp {
 const SAME_MM: f64 = 0.5;
 
 impl Warp {
+    /// From pairs of places on the left halves of the reference and of the other head.
+    pub(super) fn mirrored(pairs: &[(DVec3, DVec3)]) -> Self {
+        let flip = DVec3::new(-1.0, 1.0, 1.0);
+        let both = pairs
+            .iter()
+            .flat_map(|&(at, to)| [(at, to), (at * flip, to * flip)]);
+        Self::new(&both.collect::<Vec<_>>())
+    }
+
     /// From pairs of places on the reference and on the other head.
-    pub(super) fn new(pairs: &[(DVec3, DVec3)]) -> Self {
+    pub(crate) fn new(pairs: &[(DVec3, DVec3)]) -> Self {
         let mut kept: Vec<(DVec3, DVec3)> = Vec::new();
         for &(at, to) in pairs {
-            for side in [1.0, -1.0] {
-                let flip = DVec3::new(side, 1.0, 1.0);
-                let (at, to) = (at * flip, to * flip);
-                if kept.iter().all(|(k, _)| k.distance(at) > SAME_MM) {
-                    kept.push((at, to));
-                }
+            if kept.iter().all(|(k, _)| k.distance(at) > SAME_MM) {
+                kept.push((at, to));
             }
         }
         let n = kept.len();
@@ -48,7 +53,7 @@ impl Warp {
     }
 
     /// Where a place of the reference head is on the other.
-    pub(super) fn place(&self, p: DVec3) -> DVec3 {
+    pub(crate) fn place(&self, p: DVec3) -> DVec3 {
         let [base, x, y, z] = self.affine;
         let kernels = self.at.iter().zip(&self.weights);
         let bent: DVec3 = kernels.map(|(at, &weight)| weight * p.distance(*at)).sum();
@@ -71,7 +76,7 @@ mod tests {
             )
         };
         let pairs: Vec<(DVec3, DVec3)> = (0..25).map(|i| (at(i), bend(at(i)))).collect();
-        let warp = Warp::new(&pairs);
+        let warp = Warp::mirrored(&pairs);
         for (from, to) in &pairs {
             assert!(warp.place(*from).distance(*to) < 1e-6);
         }

@@ -28,7 +28,7 @@ pub(super) struct Bind {
 }
 
 /// Largest file of traits that is read, bytes.
-const LARGEST: u64 = 1 << 20;
+pub(super) const LARGEST: u64 = 1 << 20;
 
 impl Bind {
     pub(super) fn run(&self) -> Result<Outcome> {

@@ -2,10 +2,13 @@
 
 mod bind;
 mod build;
+mod crowd;
 mod export;
+mod fit;
 mod measure;
 mod obj;
 mod params;
+mod rig;
 mod sheet;
 
 use anyhow::Result;
@@ -24,9 +27,12 @@ pub(crate) struct Figure {
 enum Action {
     Bind(bind::Bind),
     Build(build::Build),
+    Crowd(crowd::Crowd),
     Params(params::Params),
+    Rig(rig::Rig),
     Sheet(sheet::Sheet),
     Export(export::Export),
+    Fit(fit::Fit),
     Measure(measure::Measure),
 }
 
@@ -35,9 +41,12 @@ impl Figure {
         match &self.action {
             Action::Bind(c) => c.run(),
             Action::Build(c) => c.run(),
+            Action::Crowd(c) => c.run(),
             Action::Params(c) => c.run(),
+            Action::Rig(c) => c.run(),
             Action::Sheet(c) => c.run(),
             Action::Export(c) => c.run(),
+            Action::Fit(c) => c.run(),
             Action::Measure(c) => c.run(),
         }
     }

@@ -1,0 +1,88 @@
+//! `raconteur figure fit`.
+
+use std::collections::BTreeMap;
+use std::io::{self, Write as _};
+use std::path::PathBuf;
+
+use anyhow::{Context as _, Result, bail};
+use clap::Args;
+use raconteur_sculpt::head::{Measure, fit_measures};
+use raconteur_sculpt::model::{Model, Traits};
+use raconteur_voice::files::{disk::replace, input};
+
+use super::bind::{LARGEST, MODEL};
+use crate::Outcome;
+
+/// Bring a person's measures to the population's, or to wanted ones.
+#[derive(Args)]
+pub(super) struct Fit {
+    /// The person's traits, in JSON.
+    traits: PathBuf,
+    /// What is wanted: an object of measures' names (`figure measure` lists them), each with its
+    /// standard deviations from the mean. Without it every measure comes to the mean for sex and
+    /// age.
+    #[arg(long)]
+    measures: Option<PathBuf>,
+    /// The body model's data, where `npm run model` puts it.
+    #[arg(long, default_value = MODEL)]
+    model: PathBuf,
+    /// Where to write the person.
+    #[arg(short, long)]
+    output: PathBuf,
+}
+
+impl Fit {
+    pub(super) fn run(&self) -> Result<Outcome> {
+        let text = input::text(&self.traits, LARGEST).context("the traits")?;
+        let traits: Traits =
+            serde_json::from_str(&text).with_context(|| self.traits.display().to_string())?;
+        let wanted = self.wanted()?;
+        let (fitted, aims) = fit_measures(&Model::open(&self.model)?, &traits, &wanted)?;
+        let mut json = serde_json::to_string_pretty(&fitted)?;
+        json.push('\n');
+        replace(&self.output, json.as_bytes())?;
+        let mut out = io::stdout().lock();
+        writeln!(
+            out,
+            "{:26} {:>7} {:>7} {:>7}",
+            "deviations", "before", "after", "wanted"
+        )?;
+        for aim in &aims {
+            writeln!(
+                out,
+                "{:26} {:+7.2} {:+7.2} {:+7.2}",
+                aim.measure.name(),
+                aim.before,
+                aim.after,
+                aim.wanted
+            )?;
+        }
+        writeln!(out, "{}", self.output.display())?;
+        Ok(Outcome::Fine)
+    }
+
+    fn wanted(&self) -> Result<BTreeMap<Measure, f64>> {
+        let Some(path) = &self.measures else {
+            let known = Measure::all().filter(|m| m.is_in_deviations());
+            return Ok(known.map(|m| (m, 0.0)).collect());
+        };
+        let text = input::text(path, LARGEST).context("the measures")?;
+        let named: BTreeMap<String, f64> =
+            serde_json::from_str(&text).with_context(|| path.display().to_string())?;
+        let mut wanted = BTreeMap::new();
+        for (name, value) in named {
+            let known = Measure::from_name(&name).filter(|m| m.is_in_deviations());
+            let Some(measure) = known else {
+                bail!("{}: there are no statistics of {name:?}", path.display());
+            };
+            if !(-4.0..=4.0).contains(&value) {
+                bail!(
+                    "{}: {name}: {value} is not within 4 deviations",
+                    path.display()
+                );
+            }
+            wanted.insert(measure, value);
+        }
+        Ok(wanted)
+    }
+}

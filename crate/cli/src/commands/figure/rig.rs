@@ -1,0 +1,94 @@
+//! `raconteur figure rig`.
+
+use std::collections::BTreeMap;
+use std::io::{self, Write as _};
+use std::path::PathBuf;
+
+use anyhow::{Context as _, Result, bail};
+use clap::Args;
+use raconteur_base::DVec3;
+use raconteur_body::write;
+use raconteur_sculpt::rigging::{Landmarks, Scan, rig};
+use raconteur_voice::files::{disk::replace, input};
+use serde::Deserialize;
+
+use super::bind::LARGEST;
+use super::params;
+use crate::Outcome;
+
+/// The largest mesh that is read, bytes.
+const LARGEST_MESH: u64 = 256 << 20;
+
+/// Give a head of your own our muscles, tissue, jaw, mouth and eyes.
+#[derive(Args)]
+pub(super) struct Rig {
+    /// The head: a Wavefront OBJ of its skin, lids and lips open lines, without eyes and teeth.
+    mesh: PathBuf,
+    /// Where its landmarks lie: an object of names, each with a vertex, counted from 1 as in the
+    /// mesh, or with a place [x, y, z].
+    #[arg(long)]
+    landmarks: PathBuf,
+    /// The figure of the library whose skeleton, mouth and eyes it takes.
+    #[arg(long, default_value = crate::story::USUAL_FIGURE)]
+    like: String,
+    /// Where to write the figure.
+    #[arg(short, long)]
+    output: PathBuf,
+}
+
+#[derive(Deserialize)]
+#[serde(untagged)]
+enum Named {
+    Vertex(usize),
+    Place([f64; 3]),
+}
+
+impl Rig {
+    pub(super) fn run(&self) -> Result<Outcome> {
+        let mesh = input::text(&self.mesh, LARGEST_MESH).context("the mesh")?;
+        let scan = Scan::read(&mesh).with_context(|| self.mesh.display().to_string())?;
+        let landmarks = self.landmarks(&scan)?;
+        let mut params = params::preset(&self.like)?;
+        if let Some(stem) = self.output.file_stem() {
+            params.name = stem.to_string_lossy().into_owned();
+        }
+        let built = rig(&scan, &landmarks, &params)
+            .with_context(|| self.landmarks.display().to_string())?;
+        replace(
+            &self.output,
+            &write::to_annotated_glb(&built.figure, &built.annotations),
+        )?;
+        let bound = built
+            .figure
+            .meshes
+            .iter()
+            .filter_map(|m| m.binding.as_ref());
+        let count: usize = bound.map(|b| b.vertices.len()).sum();
+        writeln!(
+            io::stdout().lock(),
+            "{}: {} landmarks, {count} vertices follow the tissue",
+            self.output.display(),
+            landmarks.len(),
+        )?;
+        Ok(Outcome::Fine)
+    }
+
+    fn landmarks(&self, scan: &Scan) -> Result<Landmarks> {
+        let path = self.landmarks.display();
+        let text = input::text(&self.landmarks, LARGEST).context("the landmarks")?;
+        let named: BTreeMap<String, Named> =
+            serde_json::from_str(&text).with_context(|| path.to_string())?;
+        let mut all = Landmarks::new();
+        for (name, place) in named {
+            let at = match place {
+                Named::Place([x, y, z]) => Some(DVec3::new(x, y, z)),
+                Named::Vertex(v) => v.checked_sub(1).and_then(|i| scan.points.get(i)).copied(),
+            };
+            let Some(at) = at.filter(|p| p.is_finite()) else {
+                bail!("{path}: {name} is no vertex of the mesh");
+            };
+            all.insert(name, at);
+        }
+        Ok(all)
+    }
+}

@@ -1,0 +1,182 @@
+//! Fits a person of the body model to statistics: details of the face that bring its measures to
+//! wanted ones.
+
+use std::collections::BTreeMap;
+
+use faer::Mat;
+use faer::linalg::solvers::Solve as _;
+use raconteur_base::DVec3;
+
+use super::binding::Binding;
+use super::fitted::fit;
+use super::measure::{At, DEFINITIONS, Measure, Take};
+use crate::model::{Detail, Model, ModelError, Traits};
+use crate::statistics::Row;
+
+/// Within it faces stay usual.
+const MOST: f64 = 0.6;
+/// Weight of a change of a detail by its whole usual range against one standard deviation of a
+/// measure. Designed: most faces come within 0.2 deviations and no detail to its end.
+const STAY: f64 = 0.5;
+/// Step by which a detail's effect is found. Effects are straight on either side of zero.
+const STEP: f64 = 0.1;
+/// Rounds; the second knows on which side of zero each detail ends.
+const ROUNDS: usize = 3;
+
+/// Where a measure stands on a head, and what was wanted, in standard deviations from the mean
+/// for its sex and age.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Aim {
+    /// Which.
+    pub measure: Measure,
+    /// Before fitting.
+    pub before: f64,
+    /// After it.
+    pub after: f64,
+    /// Wanted.
+    pub wanted: f64,
+}
+
+/// A measure to reach.
+struct Target {
+    measure: Measure,
+    row: &'static Row,
+    take: Take,
+    wanted: f64,
+}
+
+impl Target {
+    fn all(wanted: &BTreeMap<Measure, f64>) -> Vec<Self> {
+        let known = DEFINITIONS.iter().filter_map(|d| {
+            let (row, take) = d.norm.as_ref()?;
+            let wanted = *wanted.get(&d.measure)?;
+            Some(Self {
+                measure: d.measure,
+                row,
+                take: *take,
+                wanted,
+            })
+        });
+        known.collect()
+    }
+}
+
+/// The body model, ready to be fitted.
+struct Fitting<'a> {
+    model: &'a Model,
+    binding: Binding,
+    details: Vec<Detail>,
+    targets: Vec<Target>,
+}
+
+impl Fitting<'_> {
+    /// Deviations of the targets' measures on a person's head.
+    fn deviations(&self, traits: &Traits) -> Result<Vec<f64>, ModelError> {
+        let bound = self.binding.bind(&self.model.shape(traits)?);
+        let points = fit(&bound, |_| None).points;
+        let at: At<'_> = &|key| points.get(&key).copied().unwrap_or(DVec3::ZERO);
+        let deviation = |t: &Target| {
+            let norm = t.row.at(traits.sex, traits.age_years);
+            ((t.take)(at) - norm.mean) / norm.sd
+        };
+        Ok(self.targets.iter().map(deviation).collect())
+    }
+
+    fn amounts(&self, traits: &Traits) -> Vec<f64> {
+        let of = |d: &Detail| {
+            let each = d
+                .names
+                .iter()
+                .map(|n| traits.details.get(n).copied().unwrap_or(0.0));
+            each.sum::<f64>() / d.names.len() as f64
+        };
+        self.details.iter().map(of).collect()
+    }
+
+    /// The person with each detail moved; what its halves differ by stays.
+    fn moved(&self, traits: &Traits, by: &[f64]) -> Traits {
+        let mut all = traits.clone();
+        for (detail, by) in self.details.iter().zip(by) {
+            for name in detail.names.iter().filter(|_| *by != 0.0) {
+                let amount = all.details.entry(name.clone()).or_default();
+                *amount = (*amount + by).clamp(-MOST.max(amount.abs()), MOST.max(amount.abs()));
+            }
+        }
+        all
+    }
+
+    /// One step towards the targets that changes the person as little as it can.
+    fn step(&self, own: &[f64], traits: &Traits) -> Result<Vec<f64>, ModelError> {
+        let now = self.deviations(traits)?;
+        let amounts = self.amounts(traits);
+        let (m, n) = (self.targets.len(), self.details.len());
+        let mut effect = Mat::<f64>::zeros(m, n);
+        for d in 0..n {
+            // Away from zero, where the effect is that of one target.
+            let step = if amounts[d] < 0.0 { -STEP } else { STEP };
+            let mut by = vec![0.0; n];
+            by[d] = step;
+            let there = self.deviations(&self.moved(traits, &by))?;
+            for t in 0..m {
+                effect[(t, d)] = (there[t] - now[t]) / step;
+            }
+        }
+        // Least change of x for effect · x = missing, softly: x = Eᵀ (E Eᵀ + s I)⁻¹ (missing −
+        // E pull) + pull, where the pull leads back to the person's own amounts.
+        let pull: Vec<f64> = own.iter().zip(&amounts).map(|(a, b)| a - b).collect();
+        let share = STAY * STAY;
+        let square = &effect * effect.transpose();
+        let system = Mat::from_fn(m, m, |i, j| {
+            square[(i, j)] + if i == j { share } else { 0.0 }
+        });
+        let missing = Mat::from_fn(m, 1, |t, _| {
+            let led: f64 = (0..n).map(|d| effect[(t, d)] * pull[d]).sum();
+            self.targets[t].wanted - now[t] - led
+        });
+        let solved = system.full_piv_lu().solve(&missing);
+        Ok((0..n)
+            .map(|d| pull[d] + (0..m).map(|t| effect[(t, d)] * solved[(t, 0)]).sum::<f64>())
+            .collect())
+    }
+}
+
+/// Moves the details of a person's face, as little as it can and within ±0.6, until its measures
+/// come to wanted ones: standard deviations from the mean for sex and age, by measure. Measures
+/// without statistics are left out.
+///
+/// # Errors
+/// When the model lacks what the traits name.
+pub fn fit_measures(
+    model: &Model,
+    traits: &Traits,
+    wanted: &BTreeMap<Measure, f64>,
+) -> Result<(Traits, Vec<Aim>), ModelError> {
+    let fitting = Fitting {
+        model,
+        binding: Binding::new(model.faces()),
+        details: model.details()?,
+        targets: Target::all(wanted),
+    };
+    let before = fitting.deviations(traits)?;
+    let own = fitting.amounts(traits);
+    let mut fitted = traits.clone();
+    for _ in 0..ROUNDS {
+        let by = fitting.step(&own, &fitted)?;
+        fitted = fitting.moved(&fitted, &by);
+    }
+    let after = fitting.deviations(&fitted)?;
+    let aims = fitting.targets.iter().zip(before.iter().zip(&after));
+    let aims = aims.map(|(t, (&before, &after))| Aim {
+        measure: t.measure,
+        before,
+        after,
+        wanted: t.wanted,
+    });
+    // A hundredth of a detail is nothing that anyone sees.
+    let mut rounded = fitted.clone();
+    for amount in rounded.details.values_mut() {
+        *amount = (*amount * 1e3).round() / 1e3;
+    }
+    rounded.details.retain(|_, amount| *amount != 0.0);
+    Ok((rounded, aims.collect()))
+}

@@ -1,0 +1,118 @@
+//! Gives a head that somebody else made what ours have: muscles, tissue, jaw, eyes and lids
+//! (F&H section 3.1.2, "Creating New Animatable Head Models").
+//!
+//! Our head is bent to the other through landmarks, laid on its surface, and each of its places
+//! takes what lies there: shares of the joints, and the nodes of the tissue that it follows.
+//! Bones, fibres and teeth keep their depths below the skin.
+
+mod laid;
+mod scan;
+mod surface;
+#[cfg(test)]
+mod tests;
+
+use std::collections::BTreeMap;
+
+use raconteur_base::DVec3;
+
+use self::laid::lay;
+pub use self::scan::{BadLine, Scan};
+use self::surface::Surface;
+use super::built::Built;
+use super::head::Head;
+use super::mannequin::Mannequin;
+use super::part::MeshPart;
+use super::people::FigureParams;
+use super::tissue::Warp;
+use super::yardstick::Similarity;
+
+/// Landmarks that every head must have.
+pub const NEEDED: [&str; 14] = [
+    "n", "prn", "sn", "ls", "li", "gn", "en_l", "en_r", "ex_l", "ex_r", "ch_l", "ch_r", "zy_l",
+    "zy_r",
+];
+/// How far from the bent head its surface is sought on the other, metres.
+const REACH_M: f64 = 0.012;
+
+/// Why a head cannot be rigged.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum RigError {
+    /// Landmarks are missing.
+    #[error("these landmarks are wanted too: {0}")]
+    Missing(String),
+    /// The mesh is none.
+    #[error("the mesh has no faces")]
+    Empty,
+    /// The landmarks do not look like those of a face.
+    #[error("the landmark {name} lies {mm:.0} mm from where the others have it")]
+    Astray {
+        /// Which.
+        name: String,
+        /// How far.
+        mm: f64,
+    },
+}
+
+/// Farthest that a landmark may lie from our head, laid on the others as it is, millimetres:
+/// left taken for right, or a number of another vertex.
+const ASTRAY_MM: f64 = 45.0;
+
+/// A head with landmarks: places by name, in the mesh's own units and axes.
+pub type Landmarks = BTreeMap<String, DVec3>;
+
+/// Rigs a head. The figure has the head alone, on the skeleton of `params`, at the size of its
+/// head; of ours it has mouth, teeth, tongue, eyes, lashes and brows.
+///
+/// # Errors
+/// A [`RigError`] that names the fault.
+pub fn rig(scan: &Scan, landmarks: &Landmarks, params: &FigureParams) -> Result<Built, RigError> {
+    let missing: Vec<&str> = NEEDED
+        .into_iter()
+        .filter(|n| !landmarks.contains_key(*n))
+        .collect();
+    if !missing.is_empty() {
+        return Err(RigError::Missing(missing.join(", ")));
+    }
+    if scan.faces.is_empty() {
+        return Err(RigError::Empty);
+    }
+    let made = Mannequin::of(params);
+    let pairs = pairs(&made.head, &made.head_parts[0], landmarks);
+    let to_ours: Vec<(DVec3, DVec3)> = pairs
+        .iter()
+        .map(|(_, own, theirs)| (*theirs, *own))
+        .collect();
+    let fit = Similarity::best(&to_ours);
+    for (name, own, theirs) in &pairs {
+        let mm = fit.apply(*theirs).distance(*own) * 1e3;
+        if mm.is_nan() || mm >= ASTRAY_MM {
+            return Err(RigError::Astray {
+                name: (*name).to_owned(),
+                mm,
+            });
+        }
+    }
+    let points: Vec<DVec3> = scan.points.iter().map(|&p| fit.apply(p)).collect();
+    let bends: Vec<(DVec3, DVec3)> = pairs
+        .iter()
+        .map(|(_, own, theirs)| (*own * 1e3, fit.apply(*theirs) * 1e3))
+        .collect();
+    let theirs = Surface::new(points, scan.triangles().collect(), REACH_M);
+    let laid = lay(made, Warp::new(&bends), &theirs);
+    Ok(laid.figure(scan, &theirs, landmarks, &fit, params))
+}
+
+/// Landmarks that both heads have: name, ours in the world, theirs.
+fn pairs<'a>(
+    head: &'a Head,
+    skin: &MeshPart,
+    landmarks: &Landmarks,
+) -> Vec<(&'a str, DVec3, DVec3)> {
+    let own = head.landmarks.iter();
+    own.filter_map(|(name, v)| {
+        let theirs = landmarks.get(name)?;
+        Some((name.as_str(), skin.vertices[*v as usize].position, *theirs))
+    })
+    .collect()
+}

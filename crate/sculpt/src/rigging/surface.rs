@@ -1,0 +1,94 @@
+//! Nearest places on a mesh of triangles.
+
+use raconteur_base::DVec3;
+
+use crate::cells::Cells;
+use crate::yardstick::on_triangle;
+
+/// A mesh in which places are sought.
+pub(super) struct Surface {
+    pub(super) points: Vec<DVec3>,
+    triangles: Vec<[u32; 3]>,
+    /// Triangles around each point.
+    around: Vec<Vec<u32>>,
+    cells: Cells,
+    reach: f64,
+}
+
+/// A place on a mesh: corners and their shares.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Place {
+    pub(super) at: DVec3,
+    pub(super) corners: [u32; 3],
+    pub(super) shares: [f64; 3],
+    /// Unit normal of the triangle; zero where it has no area.
+    pub(super) normal: DVec3,
+}
+
+impl Surface {
+    /// `reach` is about how far from a point its nearest place is sought, in the points' unit.
+    pub(super) fn new(points: Vec<DVec3>, triangles: Vec<[u32; 3]>, reach: f64) -> Self {
+        let mut around = vec![Vec::new(); points.len()];
+        for (t, triangle) in (0u32..).zip(&triangles) {
+            for &v in triangle {
+                around[v as usize].push(t);
+            }
+        }
+        let cells = Cells::new(&points, reach);
+        Self {
+            points,
+            triangles,
+            around,
+            cells,
+            reach,
+        }
+    }
+
+    /// The nearest place that `keep` accepts, within the reach.
+    pub(super) fn nearest(&self, p: DVec3, keep: impl Fn(&Place) -> bool) -> Option<Place> {
+        let mut near: Vec<(f64, u32)> = self
+            .cells
+            .near(p)
+            .map(|v| (self.points[v as usize].distance_squared(p), v))
+            .collect();
+        near.sort_by(|a, b| a.0.total_cmp(&b.0));
+        // The nearest triangle nearly always has one of the nearest vertices.
+        near.truncate(24);
+        let mut triangles: Vec<u32> = near
+            .iter()
+            .flat_map(|&(_, v)| &self.around[v as usize])
+            .copied()
+            .collect();
+        triangles.sort_unstable();
+        triangles.dedup();
+        triangles
+            .into_iter()
+            .map(|t| self.place(t, p))
+            .filter(|place| place.at.distance(p) < self.reach && keep(place))
+            .min_by(|a, b| {
+                a.at.distance_squared(p)
+                    .total_cmp(&b.at.distance_squared(p))
+            })
+    }
+
+    fn place(&self, triangle: u32, p: DVec3) -> Place {
+        let corners = self.triangles[triangle as usize];
+        let [a, b, c] = corners.map(|v| self.points[v as usize]);
+        let at = on_triangle(p, [a, b, c]);
+        let normal = (b - a).cross(c - a);
+        let whole = normal.length_squared();
+        let share = |from: DVec3, to: DVec3| {
+            if whole > 0.0 {
+                (from - at).cross(to - at).dot(normal) / whole
+            } else {
+                1.0 / 3.0
+            }
+        };
+        Place {
+            at,
+            corners,
+            shares: [share(b, c), share(c, a), share(a, b)],
+            normal: normal.normalize_or_zero(),
+        }
+    }
+}

@@ -1,0 +1,50 @@
+// `node web/tools/people.mjs RACONTEUR`: what must hold for everyone that the body model can be, with its data fetched.
+// The library's people are what the model gives for their traits, a person comes to wanted measures, and people drawn
+// at random say what closes the lips from every vowel.
+
+import { mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { ask, main, run, Stop } from './steps.mjs';
+
+const PEOPLE = 'crate/sculpt/src/people';
+const STORY = 'tests/bilabials';
+/** How many are drawn; a person takes some four seconds of one processor. */
+const CROWD = 40;
+/** How far from a wanted measure a fit may end, standard deviations. */
+const NEAR = 0.7;
+
+const [raconteur] = process.argv.slice(2);
+
+/** The heads of the library are what the model gives for their traits. */
+function binds(folder) {
+  for (const file of readdirSync(PEOPLE).filter((f) => f.endsWith('.json'))) {
+    const [made, kept] = [join(folder, 'person.tsv'), join(PEOPLE, file.replace('.json', '.tsv'))];
+    run(raconteur, ['figure', 'bind', join(PEOPLE, file), '--output', made], { why: `The head of ${file}` });
+    if (readFileSync(made, 'utf8') !== readFileSync(kept, 'utf8')) throw new Stop(`${kept} is not what the model gives for ${file}.`);
+  }
+}
+
+/** A person comes to wanted measures. */
+function fits(folder) {
+  const wanted = { nose_breadth: 1, face_height: -1, mouth_breadth: 0.5, ear_length: -0.5 };
+  const [measures, person] = [join(folder, 'measures.json'), join(folder, 'person.json')];
+  writeFileSync(measures, JSON.stringify(wanted));
+  const told = ask(raconteur, ['figure', 'fit', join(PEOPLE, 'sofia.json'), '--measures', measures, '--output', person]) ?? '';
+  for (const [name, value] of Object.entries(wanted)) {
+    const [, after] = new RegExp(`^${name} +\\S+ +(\\S+)`, 'm').exec(told) ?? [];
+    if (!(Math.abs(Number(after) - value) < NEAR)) throw new Stop(`${name} comes to ${after} deviations, not to ${value}.`);
+  }
+}
+
+await main(async () => {
+  run(process.execPath, ['web/tools/model.mjs'], { why: 'The body model' });
+  const folder = mkdtempSync(join(tmpdir(), 'people-'));
+  try {
+    binds(folder);
+    fits(folder);
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+  run(raconteur, ['figure', 'crowd', STORY, '--count', String(CROWD)], { why: `A crowd of ${CROWD}` });
+});
