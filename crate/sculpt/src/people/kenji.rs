@@ -46,9 +46,10 @@ fn skin() -> SkinParams {
         melanin: 0.23,
         blood: 0.48,
         contrast: 1.0,
-        age_years: PERSON.age_years,
+        // Weathered: his skin is older than he.
+        age_years: 56.0,
         moles: 5,
-        sun: 0.25,
+        sun: 0.45,
         vessels: 0.05,
         beard: 0.35,
         lips: 0.3,
@@ -64,7 +65,7 @@ fn hair() -> HairParams {
         colour: HairColour {
             eumelanin: 1.3,
             pheomelanin: 0.05,
-            grey: 0.12,
+            grey: 0.25,
         },
         seed: 19,
         ..HairParams::default()
