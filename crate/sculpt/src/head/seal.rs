@@ -1,4 +1,4 @@
-//! Closes the lips of a solved head, so that no tooth is seen at rest and no lip is in the other.
+//! Closes the lips of a solved head, so that hardly a tooth is seen at rest and no lip is in the other.
 //!
 //! Places of the lips are given on the rings of the cage; half a ring before the line where they
 //! meet each lip bulges, by more the fuller it is. So the gap is taken there, on the surface.
@@ -11,7 +11,7 @@ use super::cage::Cage;
 use super::soft::{LipPlace, lip_places};
 use crate::subdivide::{Stencil, Subdivided, limit_stencils, subdivide};
 
-/// How far apart the lips are at rest, mm: they touch.
+/// How far apart the lips are at rest, mm. Designed: with less, lips of people at random cross.
 const TOUCH_MM: f64 = 0.4;
 /// Rings of the cage subdivided once between which lips come nearest.
 const NEAREST: core::ops::RangeInclusive<u8> = 8..=10;
