@@ -29,6 +29,7 @@ pub mod skin;
 mod soundness;
 pub mod statistics;
 pub mod subdivide;
+mod surface;
 pub(crate) mod tissue;
 pub mod torso;
 pub mod yardstick;

@@ -113,6 +113,16 @@ fn flushed(x: f32) -> vec3<f32> {
     return exp(vec3<f32>(-0.15, -0.65, -0.62) * (exp(0.5 * x) - 1.0));
 }
 
+// Share of the key that lit cheeks and nose send back into the orbit below the brow, where the
+// skin looks down and its own shadow lies. Chosen by eye.
+fn sent_back(bind: vec3<f32>, n: vec3<f32>) -> f32 {
+    let q = (bind - material.face.xyz) / max(material.face.w, 1e-3);
+    let t = vec2<f32>((abs(q.x) - 0.5) / 0.34, (q.y - 0.13) / 0.22);
+    let orbit = exp(-dot(t, t)) * smoothstep(-0.9, -0.3, q.z);
+    let down = saturate1(0.25 - dot(n, frame.head_up.xyz));
+    return select(0.0, 0.85 * orbit * down, material.face.w > 0.0);
+}
+
 @fragment
 fn fs_skin(v: VertexOut, @builtin(front_facing) front: bool) -> @location(0) vec4<f32> {
     let footprint = length(fwidth(v.bind));
@@ -187,6 +197,7 @@ fn fs_skin(v: VertexOut, @builtin(front_facing) front: bool) -> @location(0) vec
     let grazed = smoothstep(0.05, 0.45, dot(ng, rim_l));
     diffuse += frame.rim.xyz * under_skin(rim_n, rim_in, rim_lifted, v.bend) * (occlusion * occlusion * grazed);
     diffuse += ambient(normalize(mix(ng, n, 0.5))) * occlusion;
+    diffuse += frame.key.xyz * albedo * sent_back(v.bind, ng);
     let through = lets_through(v.bind);
     diffuse += (frame.key.xyz * shone_through(0u, v.world, ng, key_l, v.clip.xy, through)
         + frame.rim.xyz * shone_through(1u, v.world, ng, rim_l, v.clip.xy, through)) * ao;

@@ -1,16 +1,16 @@
 //! The head as a proxy of the body model: where the cage's vertices lie on the model's
 //! surface, found once on its mean head, and so on every person of it.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::sync::OnceLock;
 
 use raconteur_base::{DQuat, DVec3, Side, mirror_vector};
 
 use super::cage::{Key, Points};
-use super::points::key;
+use super::refined::{InFace, Refined};
 use crate::model::{Model, ModelError, Traits, eye_centres};
-use crate::subdivide::{Stencil, subdivide};
+use crate::subdivide::Stencil;
 
 const TABLE: &str = include_str!("binding.tsv");
 /// Turn about x, degrees, that brings the model's head into our frame: the fit of 33 landmarks
@@ -34,7 +34,7 @@ impl Mark {
         if *fields.first()? == BROW {
             return Some(Self::Brow(fields.get(2)?.parse().ok()?));
         }
-        Some(Self::Cage(key(fields)?))
+        Some(Self::Cage(Key::read(fields)?))
     }
 
     fn parts(self) -> (&'static str, u8, u8) {
@@ -54,8 +54,7 @@ struct Place {
     side: Side,
     /// Face of the body.
     face: u32,
-    /// From its first corner along its first edge and along its last, 0..1.
-    at: [f64; 2],
+    at: InFace,
 }
 
 /// The places of both halves; midline ones count as left.
@@ -84,14 +83,9 @@ fn table() -> &'static [Place] {
     })
 }
 
-/// Child of a quad that a place lies in, and the place in it.
-fn child([u, v]: [f64; 2]) -> (usize, [f64; 2]) {
-    match (u > 0.5, v > 0.5) {
-        (false, false) => (0, [2.0 * u, 2.0 * v]),
-        (true, false) => (1, [2.0 * v, 2.0 * (1.0 - u)]),
-        (true, true) => (2, [2.0 * (1.0 - u), 2.0 * (1.0 - v)]),
-        (false, true) => (3, [2.0 * (1.0 - v), 2.0 * u]),
-    }
+/// The model's surface round the bound places.
+pub(super) fn refined(faces: &[[u32; 4]]) -> Refined {
+    Refined::new(faces, table().iter().map(|p| p.face).collect())
 }
 
 /// The bound places as sums over the vertices of the model's base mesh.
@@ -105,71 +99,60 @@ impl Binding {
     /// ones alone.
     #[must_use]
     pub fn new(faces: &[[u32; 4]]) -> Self {
-        let bound: BTreeSet<u32> = table().iter().map(|p| p.face).collect();
-        let mut near = bound;
-        // Within two steps a face feels its neighbours' neighbours.
-        for _ in 0..2 {
-            let touched: BTreeSet<u32> = near.iter().flat_map(|&f| faces[f as usize]).collect();
-            near = (0u32..)
-                .zip(faces)
-                .filter(|(_, f)| f.iter().any(|v| touched.contains(v)))
-                .map(|(i, _)| i)
-                .collect();
+        let refined = refined(faces);
+        let places = table().iter();
+        Self {
+            stencils: places.map(|p| refined.stencil(p.face, p.at)).collect(),
         }
-        let vertices: Vec<u32> = {
-            let all: BTreeSet<u32> = near.iter().flat_map(|&f| faces[f as usize]).collect();
-            all.into_iter().collect()
-        };
-        let index: BTreeMap<u32, u32> = vertices.iter().copied().zip(0u32..).collect();
-        let local: Vec<Vec<u32>> = near
-            .iter()
-            .map(|&f| faces[f as usize].iter().map(|v| index[v]).collect())
-            .collect();
-        let place_of: BTreeMap<u32, usize> = near.iter().copied().zip(0..).collect();
-        let fine = subdivide(&local, vertices.len(), 2);
-        let stencils = table()
-            .iter()
-            .map(|place| {
-                let (first, at) = child(place.at);
-                let (second, [u, v]) = child(at);
-                let quad = &fine.faces[4 * (4 * place_of[&place.face] + first) + second];
-                let corners = [(1.0 - u) * (1.0 - v), u * (1.0 - v), u * v, (1.0 - u) * v];
-                let mut sum: BTreeMap<u32, f64> = BTreeMap::new();
-                for (&corner, weight) in quad.iter().zip(corners) {
-                    for &(i, w) in &fine.stencils[corner as usize] {
-                        *sum.entry(vertices[i as usize]).or_default() += w * weight;
-                    }
-                }
-                sum.into_iter().collect()
-            })
-            .collect();
-        Self { stencils }
+    }
+
+    /// The model's frame brought into that of a person's head.
+    fn frame(&self, shape: &[DVec3]) -> Frame {
+        let turn = DQuat::from_rotation_x(TILT_DEG.to_radians());
+        let ends = table().iter().zip(&self.stencils);
+        let ends = ends.filter(|(place, _)| place.mark == Mark::Cage(TRAGION));
+        let sum: DVec3 = ends.map(|(_, stencil)| turn * at(stencil, shape)).sum();
+        Frame {
+            turn,
+            origin: sum / 2.0,
+        }
     }
 
     /// The bound places of a person, in the frame of the head.
     #[must_use]
     pub fn bind(&self, shape: &[DVec3]) -> Bound {
-        let turn = DQuat::from_rotation_x(TILT_DEG.to_radians());
-        let mut places: BTreeMap<(Mark, Side), DVec3> = table()
-            .iter()
-            .zip(&self.stencils)
-            .map(|(place, stencil)| {
-                let p: DVec3 = stencil.iter().map(|&(i, w)| shape[i as usize] * w).sum();
-                ((place.mark, place.side), turn * p)
-            })
-            .collect();
-        let origin: DVec3 = Side::BOTH
-            .iter()
-            .filter_map(|&side| places.get(&(Mark::Cage(TRAGION), side)))
-            .sum::<DVec3>()
-            / 2.0;
-        for p in places.values_mut() {
-            *p -= origin;
-        }
+        let frame = self.frame(shape);
+        let places = table().iter().zip(&self.stencils);
         Bound {
-            places,
-            globes: eye_centres(shape).map(|p| turn * p - origin),
+            places: places
+                .map(|(p, stencil)| ((p.mark, p.side), frame.apply(at(stencil, shape))))
+                .collect(),
+            globes: eye_centres(shape).map(|p| frame.apply(p)),
         }
+    }
+
+    /// A person of the model in the frame of the head.
+    pub(super) fn in_frame(&self, shape: &[DVec3]) -> Vec<DVec3> {
+        let frame = self.frame(shape);
+        shape.iter().map(|&p| frame.apply(p)).collect()
+    }
+}
+
+/// A sum over the vertices of a person.
+fn at(stencil: &Stencil, shape: &[DVec3]) -> DVec3 {
+    stencil.iter().map(|&(i, w)| shape[i as usize] * w).sum()
+}
+
+/// From the model's frame to that of a head.
+struct Frame {
+    turn: DQuat,
+    /// Between the tragions, turned.
+    origin: DVec3,
+}
+
+impl Frame {
+    fn apply(&self, p: DVec3) -> DVec3 {
+        self.turn * p - self.origin
     }
 }
 
@@ -248,6 +231,11 @@ impl Bound {
         text
     }
 
+    /// Where a vertex of the cage lies; `None` for one that is not bound.
+    pub(super) fn place(&self, key: Key, side: Side) -> Option<DVec3> {
+        self.places.get(&(Mark::Cage(key), side)).copied()
+    }
+
     /// The mean of a place and its mirror image, on the left.
     fn symmetric_at(&self, mark: Mark) -> Option<DVec3> {
         let left = *self.places.get(&(mark, Side::Left))?;
@@ -277,8 +265,8 @@ impl Bound {
     /// that is not bound.
     pub(super) fn asymmetry(&self, key: Key, side: Side) -> DVec3 {
         let mark = Mark::Cage(key);
-        let own = self.places.get(&(mark, side));
-        let Some((&own, left)) = own.zip(self.symmetric_at(mark)) else {
+        let own = self.place(key, side);
+        let Some((own, left)) = own.zip(self.symmetric_at(mark)) else {
             return DVec3::ZERO;
         };
         if side == Side::Left {
@@ -294,8 +282,39 @@ impl Bound {
     }
 }
 
+/// The table with some places found anew: by vertex of the cage and side.
+pub(super) fn rewritten(found: &BTreeMap<(Key, Side), (u32, InFace)>) -> String {
+    let mut text: String = TABLE
+        .lines()
+        .take(2)
+        .map(|line| format!("{line}\n"))
+        .collect();
+    for place in table() {
+        let own = match place.mark {
+            Mark::Cage(key) => found.get(&(key, place.side)).copied(),
+            Mark::Brow(_) => None,
+        };
+        let (face, [u, v]) = own.unwrap_or((place.face, place.at));
+        if place.side == Side::Left {
+            let (name, a, b) = place.mark.parts();
+            let _ = write!(text, "{name}\t{a}\t{b}");
+        }
+        let _ = write!(text, "\t{face}\t{u:.4}\t{v:.4}");
+        let is_last = match place.mark {
+            Mark::Cage(key) => key.on_midline() || place.side == Side::Right,
+            Mark::Brow(_) => place.side == Side::Right,
+        };
+        if is_last {
+            text.push('\n');
+        }
+    }
+    text
+}
+
 #[cfg(test)]
 mod tests {
+    use std::collections::BTreeSet;
+
     use super::*;
 
     /// Columns of a plane of quads that stands in for the model.
@@ -374,7 +393,7 @@ mod tests {
         let cut = text.lines().count() / 2;
         let half: String = text.lines().take(cut).map(|l| format!("{l}\n")).collect();
         let shipped = crate::people::preset("sofia").unwrap();
-        assert!(shipped.head.traits.is_some() && shipped.head.bound.is_some());
+        assert!(shipped.head.bound.to_text().len() > half.len());
         for broken in [
             "",
             "a\nb\nc\n",

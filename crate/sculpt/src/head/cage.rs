@@ -161,6 +161,21 @@ impl Key {
         }
     }
 
+    /// The key in the first three fields of a table's row, as [`Self::parts`] names it.
+    pub(crate) fn read(fields: &[&str]) -> Option<Self> {
+        let number = |i: usize| fields.get(i)?.parse::<u8>().ok();
+        let (a, b) = (number(1)?, number(2)?);
+        Some(match *fields.first()? {
+            "grid" => Self::Grid(a, b),
+            "eye" if b < 16 => Self::eye(a, usize::from(b)),
+            "mouth" if b < 13 => Self::mouth(a, usize::from(b)),
+            "nostril" => Self::Nostril(a, b),
+            "ear" => Self::Ear(a, b),
+            "crown" => Self::Crown(a, b),
+            _ => return None,
+        })
+    }
+
     /// Its name in tables: ring, number of the ring, position along it.
     pub(crate) fn parts(self) -> (&'static str, u8, u8) {
         match self {
@@ -193,20 +208,6 @@ impl Key {
                 .map(|k| (0, k)),
             _ => None,
         }
-    }
-
-    /// Position on the eye's rings, ring 0 included.
-    pub(crate) fn eye_position(self) -> Option<(u8, usize)> {
-        match self {
-            Self::Eye(r, k) => Some((r, usize::from(k))),
-            Self::Grid(c, r) => EYE_BORDER.iter().position(|&b| b == (c, r)).map(|k| (0, k)),
-            _ => None,
-        }
-    }
-
-    /// Whether it lies on the border of a nostril.
-    pub(crate) fn on_nostril_rim(self) -> bool {
-        matches!(self, Self::Grid(c, r) if NOSTRIL_BORDER.contains(&(c, r)))
     }
 }
 

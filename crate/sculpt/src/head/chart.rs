@@ -12,9 +12,7 @@ use std::sync::OnceLock;
 use raconteur_base::{DVec2, DVec3, Side, curve};
 
 use super::cage::{Cage, Key, LAST_COLUMN, LAST_ROW, Zone};
-use super::points::{self, Individual};
-use super::solve;
-use super::solve::Given;
+use super::mean;
 use super::surface::Surface;
 use crate::skin::raster::SIZE;
 use crate::skin::unwrap::{even_out, harmonic, unfold};
@@ -66,7 +64,7 @@ pub(crate) struct Chart {
     pub(crate) uv: Vec<[f64; 2]>,
     /// The drawn vertices on the mean head, mm.
     pub(crate) mean: Vec<DVec3>,
-    /// The mean head's named points.
+    /// Places on the mean head.
     pub(crate) places: Places,
 }
 
@@ -153,7 +151,7 @@ fn is_cut(key: Key) -> bool {
 
 fn make() -> Chart {
     let cage = Cage::new();
-    let solved = solve::solve(&cage, &points::points(&Individual::default()), Given::Named);
+    let solved = mean::solved(&cage);
     let surface = Surface::new(&cage);
 
     // Vertices on the cut stand once for each half.

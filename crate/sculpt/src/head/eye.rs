@@ -4,7 +4,7 @@ use core::f64::consts::TAU;
 
 use raconteur_base::{DVec3, Side, ops};
 
-use super::points::GLOBE_RADIUS_MM;
+use super::lining::GLOBE_RADIUS_MM;
 use crate::part::{JointRef, MeshPart, PartVertex};
 use raconteur_body::figure::{Maps, Material, MaterialKind};
 use raconteur_body::skeleton::{Bone, Drive};

@@ -5,8 +5,8 @@ use raconteur_base::{DQuat, DVec3, Side};
 
 use super::binding::Bound;
 use super::cage::{Key, LAST_COLUMN, LAST_ROW, Points};
-use super::points::{
-    CANTHUS, Fitted, GLOBE_RADIUS_MM, LIP_BULGE_MM, line_lids, line_mouth, nostril, ring, upward,
+use super::lining::{
+    CANTHUS, GLOBE_RADIUS_MM, LIP_BULGE_MM, line_lids, line_mouth, nostril, ring, upward,
 };
 use super::rig::smooth;
 
@@ -29,6 +29,17 @@ const TAPER: [(usize, f64); 2] = [(6, 0.76), (7, 0.48)];
 /// How far rings 2 to 5 go with it.
 const LID_FOLLOWS: [f64; 4] = [0.0, 0.2, 0.8, 1.0];
 
+/// The left half of a head that is fit to move.
+#[derive(Clone, Debug)]
+pub(crate) struct Fitted {
+    /// Where the cage's vertices lie, mm; the others are free.
+    pub(crate) points: Points,
+    /// Centre of the eyeball, mm.
+    pub(crate) globe: DVec3,
+    /// Crest of the brow from its inner end, mm.
+    pub(crate) brow: Vec<DVec3>,
+}
+
 /// Fits a bound head; `neck` says where the cage's lowest rows lie.
 pub(crate) fn fit(bound: &Bound, neck: impl Fn(Key) -> Option<DVec3>) -> Fitted {
     let mut points = bound.symmetric();
@@ -38,7 +49,7 @@ pub(crate) fn fit(bound: &Bound, neck: impl Fn(Key) -> Option<DVec3>) -> Fitted 
     line_lids(&mut points, globe);
     lips(&mut points);
     line_mouth(&mut points);
-    nostril(&mut points, 0.0);
+    nostril(&mut points);
     Fitted {
         points,
         globe,

@@ -48,12 +48,11 @@ struct Target {
 impl Target {
     fn all(wanted: &BTreeMap<Measure, f64>) -> Vec<Self> {
         let known = DEFINITIONS.iter().filter_map(|d| {
-            let (row, take) = d.norm.as_ref()?;
             let wanted = *wanted.get(&d.measure)?;
             Some(Self {
                 measure: d.measure,
-                row,
-                take: *take,
+                row: &d.row,
+                take: d.take,
                 wanted,
             })
         });
@@ -141,8 +140,7 @@ impl Fitting<'_> {
 }
 
 /// Moves the details of a person's face, as little as it can and within ±0.6, until its measures
-/// come to wanted ones: standard deviations from the mean for sex and age, by measure. Measures
-/// without statistics are left out.
+/// come to wanted ones: standard deviations from the mean for sex and age, by measure.
 ///
 /// # Errors
 /// When the model lacks what the traits name.

@@ -100,6 +100,11 @@ const PAIRED: [(&str, Key); 50] = [
     ("atr", Ear(8, 14)),
 ];
 
+/// Whether a vertex of the cage has a name.
+pub(super) fn is_named(key: Key) -> bool {
+    MIDDLE.iter().chain(&PAIRED).any(|(_, own)| *own == key)
+}
+
 fn farthest(shape: &Shape, keep: impl Fn(DVec3, Zone) -> bool, size: impl Fn(DVec3) -> f64) -> u32 {
     let mut best = (f64::MIN, 0);
     for (face, &zone) in shape.surface.faces.iter().zip(&shape.surface.zones) {

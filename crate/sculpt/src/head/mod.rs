@@ -6,24 +6,23 @@
 //! Frame of the head: origin between the tragions, x left, y up, z front; metres outside
 //! this module, millimetres inside it.
 
-mod asymmetry;
 mod binding;
 mod cage;
 mod chart;
-mod ear;
-mod ear_shape;
 mod eye;
 mod fitted;
 mod fitting;
-mod form;
-mod individual;
 mod landmark;
+mod lining;
+mod mean;
 mod measure;
 mod morph;
 mod mouth;
+mod neck;
 mod occlusion;
 mod paint;
-mod points;
+mod refined;
+mod registration;
 mod ride;
 mod rig;
 mod scalp;
@@ -45,17 +44,17 @@ pub use self::binding::{Binding, Bound};
 use self::cage::{Cage, Key, LAST_ROW, Zone};
 pub(crate) use self::chart::Places;
 use self::chart::{Chart, chart};
+use self::fitted::Fitted;
 pub use self::fitting::{Aim, fit_measures};
-pub use self::measure::{KnownMeasure, Measure, Measures, known_measures};
+pub use self::measure::{KnownMeasure, Measure, known_measures};
 pub(crate) use self::paint::Coordinates;
 use self::paint::coordinates;
-use self::points::Individual;
+pub use self::registration::{Deviation, Registration, deviations, register};
 pub(crate) use self::ride::{Holds, Ride};
 use self::scalp::hairline;
 pub use self::scalp::{Ear, Proportions, Scalp, ScalpPoint};
 pub use self::segment::HeadSegment;
 pub(crate) use self::soft::{LipPlace, Soft, SoftNode};
-use self::solve::Given;
 use self::strands::BrowLine;
 pub use self::strands::BrowParams;
 use self::surface::{Surface, triangles};
@@ -69,15 +68,11 @@ use raconteur_body::figure::{Maps, Material, MaterialKind};
 /// What tells one head from another of the same sex and age.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct HeadParams {
-    /// The person of the body model whose head it is; without one the forms below make it.
-    pub traits: Option<Traits>,
+    /// The person of the body model whose head it is.
+    pub traits: Traits,
     /// The model's head for these traits.
     #[serde(skip)]
-    pub bound: Option<Bound>,
-    /// Friendliness of the face at rest, 0 neutral to 1 a light smile.
-    pub smile: f64,
-    /// Measures of head and face against the mean for sex and age.
-    pub measures: Measures,
+    pub bound: Bound,
     /// Colour of the iris, linear RGB.
     pub iris: [f64; 3],
     /// Hairs of brows and lashes.
@@ -87,22 +82,6 @@ pub struct HeadParams {
     pub asymmetry: f64,
     /// Seed of everything scattered.
     pub seed: u64,
-}
-
-impl Default for HeadParams {
-    /// The mean face with brown eyes.
-    fn default() -> Self {
-        Self {
-            traits: None,
-            bound: None,
-            smile: 0.0,
-            measures: Measures::default(),
-            iris: [0.15, 0.085, 0.042],
-            brow: BrowParams::default(),
-            asymmetry: 1.0,
-            seed: 1,
-        }
-    }
 }
 
 /// A built head. Everything is in metres in the frame of the head: origin between the
@@ -152,36 +131,21 @@ struct Shape {
     positions: Vec<DVec3>,
     coordinates: Vec<Coordinates>,
     shares: Vec<rig::Shares>,
-    /// Centre of the left eyeball.
-    globe: DVec3,
-    individual: Individual,
+    /// What it was solved for.
+    fitted: Fitted,
 }
 
 impl Shape {
-    fn of(person: &Person, params: &HeadParams) -> Self {
+    /// Of a person whose halves differ by a share of what the model's do.
+    fn of(person: &Person, bound: &Bound, asymmetry: f64) -> Self {
         let cage = Cage::new();
-        let individual = individual::individual(person, params, &cage);
-        let given = match individual.fitted {
-            Some(_) => Given::Bound,
-            None => Given::Named,
-        };
-        let mut solved = solve::solve(&cage, &points::points(&individual), given);
-        if let Some(bound) = &params.bound {
-            for (p, &(key, side)) in solved.cage_points.iter_mut().zip(&cage.keys) {
-                *p += fitted::sway(bound, key, side) * params.asymmetry;
-            }
-            seal::seal(&cage, &mut solved.cage_points);
-        } else {
-            let warp = points::warp(&individual);
-            let pulls = asymmetry::pulls(params.seed, params.asymmetry, &warp);
-            for p in &mut solved.cage_points {
-                let symmetric = *p;
-                for pull in &pulls {
-                    *p += pull.shift * pull.share(symmetric);
-                }
-            }
+        let fitted = fitted::fit(bound, |key| neck::rim(person, key));
+        let mut solved = solve::solve(&cage, &fitted.points);
+        for (p, &(key, side)) in solved.cage_points.iter_mut().zip(&cage.keys) {
+            *p += fitted::sway(bound, key, side) * asymmetry;
         }
-        let rig = rig::rig(&cage, &solved, individual.globe_centre());
+        seal::seal(&cage, &mut solved.cage_points);
+        let rig = rig::rig(&cage, &solved, fitted.globe);
         let surface = Surface::new(&cage);
         let positions = surface.apply(&solved.cage_points);
         let coordinates = coordinates(&cage, &surface);
@@ -194,8 +158,7 @@ impl Shape {
             positions,
             coordinates,
             shares,
-            globe: individual.globe_centre(),
-            individual,
+            fitted,
         }
     }
 
@@ -220,6 +183,9 @@ struct Painted {
     /// How each vertex follows the nodes of the tissue.
     rows: Vec<Stencil>,
 }
+
+/// Where the flesh in the inner corner of the eye lies from that corner, left, mm.
+const FLESH_FROM_CORNER_MM: DVec3 = DVec3::new(2.0, 0.8, -1.9);
 
 /// Inside of the mouth: a part of its own.
 fn is_bag(zone: Zone) -> bool {
@@ -353,7 +319,7 @@ impl Shape {
 
     /// Centres of the left and the right eyeball, millimetres.
     fn eye_centres(&self) -> [DVec3; 2] {
-        [self.globe, mirror_vector(self.globe)]
+        [self.fitted.globe, mirror_vector(self.fitted.globe)]
     }
 
     /// An eye with its lashes and its brow.
@@ -364,7 +330,7 @@ impl Shape {
         ride: &Ride,
         line: &BrowLine,
     ) -> Vec<MeshPart> {
-        let flesh = DVec3::new(19.8, 20.1, 80.1) + points::shift(&self.individual, Key::eye(5, 0));
+        let flesh = self.fitted.points[&Key::eye(5, 0)] + FLESH_FROM_CORNER_MM;
         let flesh = if side == Side::Left {
             flesh
         } else {
@@ -408,13 +374,10 @@ impl Shape {
 /// Builds the head of a person. `hair_colour`, linear RGB, shines through where hair grows.
 #[must_use]
 pub fn build(person: &Person, params: &HeadParams, hair_colour: [f64; 3]) -> Head {
-    let shape = Shape::of(person, params);
+    let shape = Shape::of(person, &params.bound, params.asymmetry);
     let (soft, follow) = soft::soft(&shape.cage, &shape.solved, &shape.rig.shares);
-    let warp = points::warp(&shape.individual);
-    let line = match &shape.individual.fitted {
-        Some(fitted) => BrowLine::above(&fitted.brow),
-        None => BrowLine::new(&warp),
-    };
+    let warp = mean::warp(&soft.landmarks);
+    let line = BrowLine::above(&shape.fitted.brow);
     let painted = Painted::of(&shape, &warp, &follow);
     let skin = PartCut {
         name: "head",

@@ -104,7 +104,7 @@ mod tests {
     fn lips_of_everyone_touch() {
         for name in people::NAMES {
             let params = people::preset(name).unwrap();
-            let shape = Shape::of(&params.person, &params.head);
+            let shape = Shape::of(&params.person, &params.head.bound, params.head.asymmetry);
             let gaps = Lips::of(&shape.cage).gaps(&shape.solved.cage_points);
             assert_eq!(gaps.len(), 23);
             for (column, gap) in gaps {

@@ -5,14 +5,13 @@
 //! stencils that the surface is made with, so that a moved face stays as smooth as it was.
 
 use std::collections::BTreeMap;
-use std::sync::OnceLock;
 
 use raconteur_base::{DVec3, Side};
 
 use super::cage::{Cage, Key};
-use super::points::{self, Individual};
+use super::mean;
 use super::rig::Shares;
-use super::solve::{self, Given, Solved};
+use super::solve::Solved;
 use crate::subdivide::{Stencil, edge_faces, limit_stencils, subdivide};
 
 /// A place of the lips: ring from the skin (0) inwards, and position from the middle of the
@@ -50,7 +49,7 @@ pub(crate) struct SoftNode {
 pub(crate) struct Soft {
     pub(crate) nodes: Vec<SoftNode>,
     pub(crate) quads: Vec<[u32; 4]>,
-    /// Named points of the mean head, millimetres, and where they are on this one: what is
+    /// Points of the mean head, millimetres, and where they are on this one: what is
     /// laid out on the mean head is carried over by them.
     pub(crate) landmarks: Vec<(DVec3, DVec3)>,
 }
@@ -234,35 +233,6 @@ impl Follow {
     }
 }
 
-/// The mean head, on which fibres of muscles are laid out. It is the same for everyone.
-fn mean_head(cage: &Cage) -> &'static Solved {
-    static MEAN: OnceLock<Solved> = OnceLock::new();
-    MEAN.get_or_init(|| {
-        let points = points::points(&Individual::default());
-        solve::solve(cage, &points, Given::Named)
-    })
-}
-
-/// Whether a vertex of the cage carries fibres over: every second of the grid, lips and lids.
-fn carries(key: Key) -> bool {
-    match key {
-        Key::Grid(column, row) => (column + row) % 2 == 0,
-        Key::Mouth(ring, _) => ring <= 4,
-        Key::Eye(ring, _) => ring <= 3,
-        _ => false,
-    }
-}
-
-/// Points of the mean head's left half and midline, and where they are on this head, mm.
-fn landmarks(cage: &Cage, solved: &Solved) -> Vec<(DVec3, DVec3)> {
-    let mean = mean_head(cage);
-    let on = |head: &Solved, v| head.limit_of(v, &head.cage_points);
-    (0..cage.len())
-        .filter(|&v| carries(cage.keys[v].0) && cage.keys[v].1 == Side::Left)
-        .map(|v| (on(mean, v), on(solved, v)))
-        .collect()
-}
-
 /// Finds the nodes of a head.
 pub(super) fn soft(cage: &Cage, solved: &Solved, shares: &[Shares]) -> (Soft, Follow) {
     let once = subdivide(&cage.faces, cage.len(), 1);
@@ -332,7 +302,7 @@ pub(super) fn soft(cage: &Cage, solved: &Solved, shares: &[Shares]) -> (Soft, Fo
             <[u32; 4]>::try_from(q).ok()
         })
         .collect();
-    let landmarks = landmarks(cage, solved);
+    let landmarks = mean::landmarks(cage, solved);
     (
         Soft {
             nodes,

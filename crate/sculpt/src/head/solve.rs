@@ -1,6 +1,6 @@
-//! Puts the limit surface of the cage through the named points and fairs the rest: one
-//! sparse least-squares problem, solved a few times because fairness is scaled by lengths
-//! that follow from the last solution and area points slide on the surface.
+//! Puts the limit surface of the cage through given points and fairs the rest: one sparse
+//! least-squares problem, solved twice because fairness is scaled by lengths that follow from the
+//! first solution.
 
 use faer::linalg::solvers::Solve as _;
 use faer::sparse::{SparseColMat, Triplet};
@@ -8,7 +8,7 @@ use faer::{Mat, Side as Triangle};
 use raconteur_base::{DVec3, Side};
 
 use super::cage::{Cage, Key, Points};
-use crate::subdivide::{Stencil, limit_stencils, vertex_normals};
+use crate::subdivide::{Stencil, limit_stencils};
 
 /// A cage and its limit surface.
 #[derive(Clone, Debug)]
@@ -32,75 +32,14 @@ impl Solved {
 /// A row of the least-squares matrix.
 pub(crate) type Terms = Vec<(u32, f64)>;
 
-const ROUNDS: usize = 6;
-const FEATURE_WEIGHT: f64 = 30.0;
-const AREA_WEIGHT: f64 = 0.9;
-/// Where the ear's root begins on the side of the head.
-const BEFORE_EAR: Key = Key::Grid(12, 6);
+const ROUNDS: usize = 2;
 const TWIST: f64 = 0.7;
 
-/// Whether a point only says where the surface passes, and may slide on it.
-fn is_area(key: Key) -> bool {
-    match key {
-        Key::Crown(..) => true,
-        Key::Grid(i, j) => {
-            let nose = (i <= 5 && (5..=15).contains(&j)) || (i == 6 && (10..=13).contains(&j));
-            let orbit = key.eye_position().is_some();
-            let mouth = key.mouth_position().map(|(_, k)| k);
-            if nose && !orbit {
-                return false;
-            }
-            if i == 0 || key.on_nostril_rim() {
-                return false;
-            }
-            mouth.is_none_or(soft_mouth_position)
-        }
-        _ => false,
-    }
-}
-
-/// Positions of the outer mouth ring that may slide: hard ones leave whiskers at the corner.
-fn soft_mouth_position(k: usize) -> bool {
-    (3..=9).contains(&k)
-}
-
-/// Share of the tangential error that an area point corrects in a round. Beside the corner
-/// of the mouth and before the ear points are held back, or they would slide up to the lip's
-/// border and the ear's root and the faces between fold over.
-fn slide(key: Key) -> f64 {
-    match key {
-        Key::Grid(4, 16..=20) => 0.5,
-        BEFORE_EAR => 0.6,
-        _ => 0.15,
-    }
-}
-
+/// Weight of a point against fairness. Designed: lids and lips are exact.
 fn weight(key: Key) -> f64 {
     match key {
-        Key::Ear(..) => 0.35 * FEATURE_WEIGHT,
-        BEFORE_EAR => 2.0,
-        Key::Grid(4, 16..=20) => 1.5,
-        Key::Grid(..) if key.eye_position().is_some() => 1.2,
-        Key::Grid(..)
-            if key
-                .mouth_position()
-                .is_some_and(|(_, k)| soft_mouth_position(k)) =>
-        {
-            0.8
-        }
-        _ if is_area(key) => AREA_WEIGHT,
-        _ => FEATURE_WEIGHT,
-    }
-}
-
-/// Rounds for bound points, none of which slides: the second knows the lengths.
-const BOUND_ROUNDS: usize = 2;
-
-/// Weight of a bound point against fairness. Designed: lids and lips are exact.
-fn bound_weight(key: Key) -> f64 {
-    match key {
-        Key::Eye(5.., _) | Key::Mouth(4.., _) => FEATURE_WEIGHT,
-        _ => 0.3 * FEATURE_WEIGHT,
+        Key::Eye(5.., _) | Key::Mouth(4.., _) => 30.0,
+        _ => 9.0,
     }
 }
 
@@ -245,15 +184,6 @@ pub(crate) fn least_squares(
     )
 }
 
-/// Whether points are the few named ones, or bound ones nearly everywhere.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Given {
-    /// Most only say where the surface passes, and slide on it.
-    Named,
-    /// Each is a place of its own.
-    Bound,
-}
-
 /// Solves the cage for the points of the left half, mirrored.
 ///
 /// # Panics
@@ -262,11 +192,14 @@ pub(crate) enum Given {
     clippy::expect_used,
     reason = "depends on the built-in topology and table only"
 )]
-pub(crate) fn solve(cage: &Cage, points: &Points, given: Given) -> Solved {
+pub(crate) fn solve(cage: &Cage, points: &Points) -> Solved {
     let n = cage.len();
-    let limit = limit_stencils(&cage.faces, n);
     let fairness = Fairness::new(&cage.faces, n);
-    let targets: Vec<(usize, DVec3, f64, bool)> = cage
+    let mut solved = Solved {
+        cage_points: Vec::new(),
+        limit: limit_stencils(&cage.faces, n),
+    };
+    let rows: Vec<(Terms, DVec3)> = cage
         .keys
         .iter()
         .enumerate()
@@ -276,44 +209,16 @@ pub(crate) fn solve(cage: &Cage, points: &Points, given: Given) -> Solved {
                 p.x = 0.0;
             }
             p.x *= side.sign();
-            Some(match given {
-                Given::Named => (v, p, weight(key), is_area(key)),
-                Given::Bound => (v, p, bound_weight(key), false),
-            })
+            let w = weight(key);
+            let row = solved.limit[v].iter().map(|&(i, s)| (i, s * w)).collect();
+            Some((row, p * w))
         })
         .collect();
-    let mut aims: Vec<DVec3> = targets.iter().map(|t| t.1).collect();
-    let mut solved = Solved {
-        cage_points: Vec::new(),
-        limit,
-    };
-    let rounds = match given {
-        Given::Named => ROUNDS,
-        Given::Bound => BOUND_ROUNDS,
-    };
-    for round in 0..rounds {
+    for round in 0..ROUNDS {
         let known = (round > 0).then_some(&solved.cage_points[..]);
         let fair = fairness.rows(known);
-        let rows: Vec<(Terms, DVec3)> = targets
-            .iter()
-            .zip(&aims)
-            .map(|(&(v, _, w, _), &aim)| {
-                let row = solved.limit[v].iter().map(|&(i, s)| (i, s * w)).collect();
-                (row, aim * w)
-            })
-            .collect();
         solved.cage_points = least_squares(n, &rows, &fair).expect("a positive definite system");
         symmetrise(cage, &mut solved.cage_points);
-        let normals = vertex_normals(&solved.cage_points, &cage.faces);
-        for (aim, &(v, p, _, area)) in aims.iter_mut().zip(&targets) {
-            if round >= 1 && area {
-                let now = solved.limit_of(v, &solved.cage_points);
-                let error = p - now;
-                let along = normals[v] * error.dot(normals[v]);
-                let slide = slide(cage.keys[v].0);
-                *aim = now + along + (error - along) * slide;
-            }
-        }
     }
     solved
 }

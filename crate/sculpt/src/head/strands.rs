@@ -69,9 +69,6 @@ const BROW: [[f64; 4]; 8] = [
     [52.0, 45.0, 77.5, 1.5],
     [56.0, 43.0, 72.5, 0.9],
 ];
-/// Added height along the brow that makes a soft arch, mm.
-const ARCH: [f64; 8] = [0.6, 1.0, 1.5, 2.1, 2.5, 2.2, 1.5, 0.6];
-
 /// The brow's middle line and half width at t in 0..7, warped to the person.
 #[derive(Clone, Debug)]
 pub(crate) struct BrowLine {
@@ -115,15 +112,6 @@ impl BrowLine {
                 let up = DVec3::Y * ABOVE_CREST_MM;
                 (along(&line, 0.02 + 0.98 * share) + up, w * 1.05)
             })
-            .collect();
-        Self { knots }
-    }
-
-    pub(crate) fn new(warp: &dyn Fn(DVec3) -> DVec3) -> Self {
-        let knots = BROW
-            .iter()
-            .zip(ARCH)
-            .map(|(&[x, y, z, w], a)| (warp(DVec3::new(x, y, z)) + DVec3::Y * a, w * 1.05))
             .collect();
         Self { knots }
     }

@@ -11,13 +11,15 @@ use crate::people::{NAMES, preset};
 use crate::subdivide::{edge_faces, welded};
 use raconteur_body::skeleton::{Bone, Drive};
 
+/// Whose head a named figure's is.
+fn one(name: &str) -> (Person, HeadParams) {
+    let p = preset(name).unwrap();
+    (p.person, p.head)
+}
+
 fn symmetric_shape(name: &str) -> Shape {
-    let (person, head) = individual::one(name);
-    let head = HeadParams {
-        asymmetry: 0.0,
-        ..head
-    };
-    Shape::of(&person, &head)
+    let (person, head) = one(name);
+    Shape::of(&person, &head.bound, 0.0)
 }
 
 /// The heads of the figures.
@@ -104,7 +106,7 @@ fn closed_lids_leave_no_slit() {
 
 /// Between closed lids, mm.
 fn largest_slit(shape: &Shape) -> f64 {
-    let centre = shape.globe;
+    let centre = shape.fitted.globe;
     let q = DQuat::from_rotation_x(shape.rig.closure_rad[0]);
     // The lash edge: x, angle above the globe's equator, distance from the lids' axis.
     let mut edges: [Vec<(f64, f64, f64)>; 2] = [Vec::new(), Vec::new()];
@@ -251,34 +253,23 @@ fn the_head_measures_like_a_womans() {
     assert_eq!(sofia().neck_rim.len(), 40);
 }
 
-/// All whose heads are tested: the mean adult and the figures.
-const PEOPLE: [&str; 1 + NAMES.len()] = {
-    let mut all = ["mean"; 1 + NAMES.len()];
-    let mut i = 0;
-    while i < NAMES.len() {
-        all[i + 1] = NAMES[i];
-        i += 1;
-    }
-    all
-};
-
-/// Heads as they are shipped, and the mean adult's.
+/// Heads as they are shipped.
 fn people() -> impl Iterator<Item = (&'static str, &'static Shape)> {
-    static SHAPES: OnceLock<[Shape; PEOPLE.len()]> = OnceLock::new();
+    static SHAPES: OnceLock<[Shape; NAMES.len()]> = OnceLock::new();
     let shapes = SHAPES.get_or_init(|| {
-        PEOPLE.map(|name| {
-            let (person, head) = individual::one(name);
-            Shape::of(&person, &head)
+        NAMES.map(|name| {
+            let (person, head) = one(name);
+            Shape::of(&person, &head.bound, head.asymmetry)
         })
     });
-    PEOPLE.into_iter().zip(shapes)
+    NAMES.into_iter().zip(shapes)
 }
 
 /// The same, mirror-symmetric.
 fn symmetric_people() -> impl Iterator<Item = (&'static str, &'static Shape)> {
-    static SHAPES: OnceLock<[Shape; PEOPLE.len()]> = OnceLock::new();
-    let shapes = SHAPES.get_or_init(|| PEOPLE.map(symmetric_shape));
-    PEOPLE.into_iter().zip(shapes)
+    static SHAPES: OnceLock<[Shape; NAMES.len()]> = OnceLock::new();
+    let shapes = SHAPES.get_or_init(|| NAMES.map(symmetric_shape));
+    NAMES.into_iter().zip(shapes)
 }
 
 #[test]

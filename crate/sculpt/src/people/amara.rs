@@ -1,10 +1,10 @@
 //! Amara, a woman of 28 of African ancestry.
 
-use super::{FigureParams, Person, traits};
+use super::{FigureParams, Person, bound, traits};
 use crate::cloth::{Legs, Outfit, Sweater};
 use crate::hair::{HairColour, HairParams, HairStyle};
 use crate::hand::HandProportions;
-use crate::head::{Bound, BrowParams, HeadParams};
+use crate::head::{BrowParams, HeadParams};
 use crate::skin::SkinParams;
 
 const TRAITS: &str = include_str!("amara.json");
@@ -32,12 +32,11 @@ pub(super) fn params() -> FigureParams {
 fn head() -> HeadParams {
     HeadParams {
         traits: traits(TRAITS),
-        bound: Bound::from_text(BOUND),
-        smile: 0.5,
+        bound: bound(BOUND),
         iris: [0.045, 0.022, 0.012],
         seed: 13,
         brow: brow(),
-        ..HeadParams::default()
+        asymmetry: 1.0,
     }
 }
 

@@ -1,10 +1,10 @@
 //! Kenji, a man of 45 of East Asian ancestry.
 
-use super::{FigureParams, Person, traits};
+use super::{FigureParams, Person, bound, traits};
 use crate::cloth::{Cardigan, Legs, Outfit};
 use crate::hair::{HairColour, HairParams, HairStyle};
 use crate::hand::HandProportions;
-use crate::head::{Bound, BrowParams, HeadParams};
+use crate::head::{BrowParams, HeadParams};
 use crate::skin::SkinParams;
 
 const TRAITS: &str = include_str!("kenji.json");
@@ -32,12 +32,11 @@ pub(super) fn params() -> FigureParams {
 fn head() -> HeadParams {
     HeadParams {
         traits: traits(TRAITS),
-        bound: Bound::from_text(BOUND),
-        smile: 0.4,
+        bound: bound(BOUND),
         iris: [0.060, 0.032, 0.017],
         seed: 17,
         brow: brow(),
-        ..HeadParams::default()
+        asymmetry: 1.0,
     }
 }
 

@@ -12,7 +12,7 @@ use serde::{Deserialize, Serialize};
 use super::cloth::Outfit;
 use super::hair::HairParams;
 use super::hand::{HandParams, HandProportions};
-use super::head::HeadParams;
+use super::head::{Bound, HeadParams};
 use super::model::Traits;
 use super::person::Person;
 use super::skin::SkinParams;
@@ -64,9 +64,21 @@ impl FigureParams {
     clippy::expect_used,
     reason = "the files are part of the program and tested"
 )]
-fn traits(text: &str) -> Option<Traits> {
-    Some(serde_json::from_str(text).expect("traits"))
+fn traits(text: &str) -> Traits {
+    serde_json::from_str(text).expect("traits")
 }
+
+/// The head in a file of this folder.
+#[allow(
+    clippy::expect_used,
+    reason = "the files are part of the program and tested"
+)]
+fn bound(text: &str) -> Bound {
+    Bound::from_text(text).expect("a head")
+}
+
+/// Colour of brown eyes, linear RGB.
+const BROWN: [f64; 3] = [0.15, 0.085, 0.042];
 
 /// The figures that come with the project.
 pub const NAMES: [&str; 6] = ["sofia", "papous", "nuno", "amara", "kenji", "lia"];

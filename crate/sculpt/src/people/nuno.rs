@@ -1,10 +1,10 @@
 //! Nuno, a boy of about 9.
 
-use super::{FigureParams, Person, traits};
+use super::{FigureParams, Person, bound, traits};
 use crate::cloth::{Hoodie, Legs, Outfit};
 use crate::hair::{HairColour, HairParams, HairStyle};
 use crate::hand::HandProportions;
-use crate::head::{Bound, BrowParams, HeadParams};
+use crate::head::{BrowParams, HeadParams};
 use crate::skin::SkinParams;
 
 const TRAITS: &str = include_str!("nuno.json");
@@ -32,12 +32,11 @@ pub(super) fn params() -> FigureParams {
 fn head() -> HeadParams {
     HeadParams {
         traits: traits(TRAITS),
-        bound: Bound::from_text(BOUND),
-        smile: 0.8,
+        bound: bound(BOUND),
         seed: 8,
         iris: [0.115, 0.105, 0.045],
         brow: brow(),
-        ..HeadParams::default()
+        asymmetry: 1.0,
     }
 }
 

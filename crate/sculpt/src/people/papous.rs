@@ -1,10 +1,10 @@
 //! Papous, a man of about 70 with white hair.
 
-use super::{FigureParams, Person, traits};
+use super::{FigureParams, Person, bound, traits};
 use crate::cloth::{Cardigan, Legs, Outfit};
 use crate::hair::{BeardParams, HairColour, HairParams, HairStyle};
 use crate::hand::HandProportions;
-use crate::head::{Bound, BrowParams, HeadParams};
+use crate::head::{BrowParams, HeadParams};
 use crate::skin::SkinParams;
 
 const TRAITS: &str = include_str!("papous.json");
@@ -32,12 +32,11 @@ pub(super) fn params() -> FigureParams {
 fn head() -> HeadParams {
     HeadParams {
         traits: traits(TRAITS),
-        bound: Bound::from_text(BOUND),
-        smile: 0.6,
+        bound: bound(BOUND),
         seed: 5,
         iris: [0.085, 0.130, 0.170],
         brow: brow(),
-        ..HeadParams::default()
+        asymmetry: 1.0,
     }
 }
 

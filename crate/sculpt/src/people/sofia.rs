@@ -1,10 +1,10 @@
 //! Sofia, a woman of about 35.
 
-use super::{FigureParams, Person, traits};
+use super::{BROWN, FigureParams, Person, bound, traits};
 use crate::cloth::{Legs, Outfit, Sweater};
 use crate::hair::{HairColour, HairParams, HairStyle};
 use crate::hand::HandProportions;
-use crate::head::{Bound, BrowParams, HeadParams};
+use crate::head::{BrowParams, HeadParams};
 use crate::skin::SkinParams;
 
 const TRAITS: &str = include_str!("sofia.json");
@@ -32,11 +32,11 @@ pub(super) fn params() -> FigureParams {
 fn head() -> HeadParams {
     HeadParams {
         traits: traits(TRAITS),
-        bound: Bound::from_text(BOUND),
-        smile: 0.6,
+        bound: bound(BOUND),
         seed: 3,
         brow: brow(),
-        ..HeadParams::default()
+        iris: BROWN,
+        asymmetry: 1.0,
     }
 }
 

@@ -9,7 +9,6 @@ use raconteur_body::skeleton::{Bone, Drive, FacePlaces};
 use raconteur_tissue::Tissue;
 use raconteur_tissue::tissue::Course;
 
-use super::surface::{Place, Surface};
 use super::{Landmarks, REACH_M, Scan};
 use crate::assemble::{Blueprint, Piece, assemble};
 use crate::build::{build_face, face_tissue, leave_to_tissue};
@@ -18,6 +17,7 @@ use crate::mannequin::Mannequin;
 use crate::part::{JointRef, MOUTH_BAG, MeshPart, PartVertex};
 use crate::people::FigureParams;
 use crate::subdivide::{firsts, vertex_normals, welded};
+use crate::surface::{Place, Surface};
 use crate::tissue::Warp;
 use crate::yardstick::Similarity;
 

@@ -7,7 +7,6 @@
 
 mod laid;
 mod scan;
-mod surface;
 #[cfg(test)]
 mod tests;
 
@@ -17,12 +16,12 @@ use raconteur_base::DVec3;
 
 use self::laid::lay;
 pub use self::scan::{BadLine, Scan};
-use self::surface::Surface;
 use super::built::Built;
 use super::head::Head;
 use super::mannequin::Mannequin;
 use super::part::MeshPart;
 use super::people::FigureParams;
+use super::surface::Surface;
 use super::tissue::Warp;
 use super::yardstick::Similarity;
 

@@ -205,6 +205,19 @@ impl<'a> Scribe<'a> {
             let strength = 0.18 * age * self.between(0.4, 1.0);
             self.line(side, &through, strength, 0.38, 0.4);
         }
+        // The fold of the upper lid, which its plate shows when it comes down.
+        let fold: Vec<DVec3> = (0..=8)
+            .map(|k| self.places.eye(3.05, 0.9 + 6.4 * f64::from(k) / 8.0))
+            .collect();
+        let pen = Pen {
+            strength: 0.2,
+            width: 0.6,
+            wander: 0.05,
+            broken: 0.0,
+            unsteady: 0.15,
+            seed: 0,
+        };
+        self.draw(side, &fold, pen);
         for i in 0..5 {
             let ring = 3.15 + 0.3 * f64::from(i);
             let (a, b) = (self.between(1.6, 3.0), self.between(5.6, 7.6));

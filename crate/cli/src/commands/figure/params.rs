@@ -67,10 +67,11 @@ fn parse(text: &str, model: &Path) -> Result<FigureParams> {
     overlay("", &mut whole, Value::Object(given))?;
     let mut params: FigureParams = serde_json::from_value(whole)?;
     check(&params)?;
-    params.head.bound = match &params.head.traits {
-        None => None,
-        own if *own == base.head.traits => base.head.bound,
-        Some(own) => Some(Bound::of(&Model::open(model)?, own)?),
+    let own = &params.head.traits;
+    params.head.bound = if *own == base.head.traits {
+        base.head.bound
+    } else {
+        Bound::of(&Model::open(model)?, own)?
     };
     Ok(params)
 }

@@ -6,8 +6,8 @@ use crate::cells::Cells;
 use crate::yardstick::on_triangle;
 
 /// A mesh in which places are sought.
-pub(super) struct Surface {
-    pub(super) points: Vec<DVec3>,
+pub(crate) struct Surface {
+    pub(crate) points: Vec<DVec3>,
     triangles: Vec<[u32; 3]>,
     /// Triangles around each point.
     around: Vec<Vec<u32>>,
@@ -15,19 +15,21 @@ pub(super) struct Surface {
     reach: f64,
 }
 
-/// A place on a mesh: corners and their shares.
+/// A place on a mesh: a triangle's corners and their shares.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Place {
-    pub(super) at: DVec3,
-    pub(super) corners: [u32; 3],
-    pub(super) shares: [f64; 3],
+pub(crate) struct Place {
+    pub(crate) at: DVec3,
+    /// The triangle.
+    pub(crate) triangle: u32,
+    pub(crate) corners: [u32; 3],
+    pub(crate) shares: [f64; 3],
     /// Unit normal of the triangle; zero where it has no area.
-    pub(super) normal: DVec3,
+    pub(crate) normal: DVec3,
 }
 
 impl Surface {
     /// `reach` is about how far from a point its nearest place is sought, in the points' unit.
-    pub(super) fn new(points: Vec<DVec3>, triangles: Vec<[u32; 3]>, reach: f64) -> Self {
+    pub(crate) fn new(points: Vec<DVec3>, triangles: Vec<[u32; 3]>, reach: f64) -> Self {
         let mut around = vec![Vec::new(); points.len()];
         for (t, triangle) in (0u32..).zip(&triangles) {
             for &v in triangle {
@@ -45,7 +47,7 @@ impl Surface {
     }
 
     /// The nearest place that `keep` accepts, within the reach.
-    pub(super) fn nearest(&self, p: DVec3, keep: impl Fn(&Place) -> bool) -> Option<Place> {
+    pub(crate) fn nearest(&self, p: DVec3, keep: impl Fn(&Place) -> bool) -> Option<Place> {
         let mut near: Vec<(f64, u32)> = self
             .cells
             .near(p)
@@ -71,6 +73,24 @@ impl Surface {
             })
     }
 
+    /// All places on a line.
+    pub(crate) fn along(&self, from: DVec3, direction: DVec3) -> Vec<Place> {
+        (0u32..)
+            .zip(&self.triangles)
+            .filter_map(|(t, corners)| {
+                let [a, b, c] = corners.map(|v| self.points[v as usize]);
+                let normal = (b - a).cross(c - a);
+                let slope = direction.dot(normal);
+                if slope.abs() < 1e-9 {
+                    return None;
+                }
+                let p = from + direction * ((a - from).dot(normal) / slope);
+                let place = self.place(t, p);
+                (place.at.distance(p) < 1e-6).then_some(place)
+            })
+            .collect()
+    }
+
     fn place(&self, triangle: u32, p: DVec3) -> Place {
         let corners = self.triangles[triangle as usize];
         let [a, b, c] = corners.map(|v| self.points[v as usize]);
@@ -86,6 +106,7 @@ impl Surface {
         };
         Place {
             at,
+            triangle,
             corners,
             shares: [share(b, c), share(c, a), share(a, b)],
             normal: normal.normalize_or_zero(),

@@ -1,0 +1,40 @@
+//! `raconteur figure register`.
+
+use std::io::{self, Write as _};
+use std::path::PathBuf;
+
+use anyhow::Result;
+use clap::Args;
+use raconteur_sculpt::head::register;
+use raconteur_sculpt::model::Model;
+use raconteur_voice::files::disk::replace;
+
+use super::bind::MODEL;
+use crate::Outcome;
+
+/// Find anew where our head lies on the body model's, for the generator to build on.
+#[derive(Args)]
+pub(super) struct Register {
+    /// The body model's data, where `npm run model` puts it.
+    #[arg(long, default_value = MODEL)]
+    model: PathBuf,
+    /// Where to write the table, such as `crate/sculpt/src/head/binding.tsv`.
+    #[arg(short, long)]
+    output: PathBuf,
+}
+
+impl Register {
+    pub(super) fn run(&self) -> Result<Outcome> {
+        let found = register(&Model::open(&self.model)?)?;
+        replace(&self.output, found.table.as_bytes())?;
+        let [mean, most] = found.moved_mm;
+        writeln!(
+            io::stdout().lock(),
+            "{}: {} places found, {} kept, moved by {mean:.2} mm in the mean, {most:.2} mm at most",
+            self.output.display(),
+            found.found,
+            found.kept
+        )?;
+        Ok(Outcome::Fine)
+    }
+}

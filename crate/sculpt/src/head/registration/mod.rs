@@ -1,0 +1,260 @@
+//! Finds the binding's places anew on the body model's mean head, and measures how far heads lie
+//! from the model.
+//!
+//! Rings of lids, lips and nostrils and the named points carry the meaning and keep their places;
+//! ears follow lines that were drawn on the model's ([`ear`]). All else is what a registration
+//! makes of it: the mean head bent through those, and drawn onto the model's surface in rounds
+//! that hold its shape less and less (Amberg et al. 2007, "Optimal step nonrigid ICP algorithms
+//! for surface registration", doi:10.1109/CVPR.2007.383165).
+
+mod deviation;
+mod ear;
+
+use std::collections::BTreeMap;
+
+use raconteur_base::{DVec3, Side};
+
+pub use self::deviation::{Deviation, deviations};
+use super::binding::{Binding, refined, rewritten};
+use super::cage::{Cage, Key};
+use super::landmark::is_named;
+use super::mean;
+use super::refined::{InFace, Refined};
+use super::solve::{Fairness, Terms, least_squares};
+use crate::model::{Ancestry, Model, ModelError, Traits};
+use crate::subdivide::vertex_normals;
+use crate::surface::{Place, Surface};
+
+/// How firmly the bend is kept smooth, and how firmly a vertex keeps to its nearest place, by
+/// round. Designed.
+const ROUNDS: [[f64; 2]; 9] = [
+    [30.0, 0.3],
+    [30.0, 0.3],
+    [15.0, 0.5],
+    [8.0, 0.7],
+    [5.0, 1.0],
+    [3.0, 1.0],
+    [2.0, 1.0],
+    [1.5, 1.0],
+    [1.0, 1.0],
+];
+/// Weight of a place that is given.
+const GIVEN: f64 = 6.0;
+/// Weight of the place of before, which keeps vertices from sliding along flat skin.
+const BEFORE: f64 = 1.0;
+/// How far the nearest place is sought, mm, and the least cosine between the normals.
+const REACH_MM: f64 = 12.0;
+const FACING: f64 = 0.35;
+
+/// The binding found anew.
+#[derive(Clone, Debug)]
+pub struct Registration {
+    /// As `head/binding.tsv` has it.
+    pub table: String,
+    /// Vertices of the cage whose places were found, of both halves.
+    pub found: usize,
+    /// Those that found none and keep theirs.
+    pub kept: usize,
+    /// Mean and largest way from the places of before, mm.
+    pub moved_mm: [f64; 2],
+}
+
+/// The model's mean adult.
+fn mean_traits() -> Traits {
+    Traits {
+        age_years: 32.0,
+        sex: 0.5,
+        ancestry: Ancestry {
+            african: 1.0,
+            asian: 1.0,
+            european: 1.0,
+        },
+        muscle: 0.5,
+        weight: 0.5,
+        height: 0.5,
+        proportions: 0.6,
+        details: BTreeMap::new(),
+    }
+}
+
+/// The model's head in the frame of ours, as triangles, mm.
+struct Theirs {
+    refined: Refined,
+    surface: Surface,
+}
+
+impl Theirs {
+    fn new(model: &Model, binding: &Binding, shape: &[DVec3]) -> Self {
+        let refined = refined(model.faces());
+        let points = refined.points(&binding.in_frame(shape));
+        Self {
+            surface: Surface::new(points, refined.triangles(), REACH_MM),
+            refined,
+        }
+    }
+
+    fn place(&self, place: &Place) -> (u32, InFace) {
+        self.refined.place(place.triangle, place.shares)
+    }
+}
+
+/// Whether a vertex of the cage keeps its place in the binding.
+fn is_given(key: Key) -> bool {
+    match key {
+        Key::Eye(5.., _) | Key::Mouth(1.., _) | Key::Nostril(..) => true,
+        Key::Ear(..) => true,
+        _ => is_named(key) || key.mouth_position().is_some(),
+    }
+}
+
+/// Registers the mean head on the model's.
+///
+/// # Errors
+/// When the model lacks a target.
+pub fn register(model: &Model) -> Result<Registration, ModelError> {
+    let shape = model.shape(&mean_traits())?;
+    let binding = Binding::new(model.faces());
+    let theirs = Theirs::new(model, &binding, &shape);
+    let before = binding.bind(&shape);
+    let cage = Cage::new();
+    let ears = ear::places(&theirs.surface);
+    let given = |key: Key, side: Side| match ears.get(&(key, side)) {
+        Some(place) => Some(place.at),
+        None if is_given(key) => before.place(key, side),
+        None => None,
+    };
+    let bent = bend(
+        &cage,
+        &theirs.surface,
+        &|key, side| before.place(key, side),
+        &given,
+    );
+    let normals = vertex_normals(&bent, &cage.faces);
+    let mut found: BTreeMap<(Key, Side), (u32, InFace)> = ears
+        .iter()
+        .map(|(&at, place)| (at, theirs.place(place)))
+        .collect();
+    let (mut kept, mut sum, mut most, mut count) = (0, 0.0, 0.0f64, 0);
+    for (v, &(key, side)) in cage.keys.iter().enumerate() {
+        let Some(was) = before
+            .place(key, side)
+            .filter(|_| given(key, side).is_none())
+        else {
+            continue;
+        };
+        let place = nearest(&theirs.surface, bent[v], normals[v]);
+        let Some(place) = place else {
+            kept += 1;
+            continue;
+        };
+        let way = place.at.distance(was);
+        (sum, most, count) = (sum + way, most.max(way), count + 1);
+        found.insert((key, side), theirs.place(&place));
+    }
+    Ok(Registration {
+        table: rewritten(&found),
+        found: found.len(),
+        kept,
+        moved_mm: [sum / f64::from(count.max(1)), most],
+    })
+}
+
+fn nearest(theirs: &Surface, p: DVec3, normal: DVec3) -> Option<Place> {
+    theirs.nearest(p, |place| place.normal.dot(normal) > FACING)
+}
+
+/// The mean head's limit positions, bent through the given places and drawn onto a surface.
+fn bend(
+    cage: &Cage,
+    theirs: &Surface,
+    before: &dyn Fn(Key, Side) -> Option<DVec3>,
+    given: &dyn Fn(Key, Side) -> Option<DVec3>,
+) -> Vec<DVec3> {
+    let mean = mean::solved(cage);
+    let at: Vec<DVec3> = (0..cage.len())
+        .map(|v| mean.limit_of(v, &mean.cage_points))
+        .collect();
+    let fairness = Fairness::new(&cage.faces, cage.len()).rows(Some(&at));
+    let row = |v: usize, weight: f64| -> Terms { vec![(v as u32, weight)] };
+    let fixed: Vec<(usize, DVec3)> = cage
+        .keys
+        .iter()
+        .enumerate()
+        .filter_map(|(v, &(key, side))| Some((v, given(key, side)? - at[v])))
+        .collect();
+    let free: Vec<(usize, DVec3)> = cage
+        .keys
+        .iter()
+        .enumerate()
+        .filter(|(_, (key, side))| given(*key, *side).is_none())
+        .filter_map(|(v, &(key, side))| Some((v, before(key, side)? - at[v])))
+        .collect();
+    let mut own: Option<Vec<DVec3>> = None;
+    for [stiff, holds] in ROUNDS {
+        let mut rows: Vec<(Terms, DVec3)> = fixed
+            .iter()
+            .map(|&(v, shift)| (row(v, GIVEN), shift * GIVEN))
+            .collect();
+        rows.extend(free.iter().map(|&(v, was)| (row(v, BEFORE), was * BEFORE)));
+        if let Some(bent) = &own {
+            let normals = vertex_normals(bent, &cage.faces);
+            let found = free.iter().filter_map(|&(v, _)| {
+                let place = nearest(theirs, bent[v], normals[v])?;
+                Some((row(v, holds), (place.at - at[v]) * holds))
+            });
+            rows.extend(found);
+        }
+        let smooth: Vec<Terms> = fairness
+            .iter()
+            .map(|r| r.iter().map(|&(v, w)| (v, w * stiff)).collect())
+            .collect();
+        let shifts = least_squares(cage.len(), &rows, &smooth);
+        let shifts = shifts.unwrap_or_else(|| vec![DVec3::ZERO; cage.len()]);
+        own = Some(at.iter().zip(shifts).map(|(&p, s)| p + s).collect());
+    }
+    own.unwrap_or(at)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::subdivide::subdivide;
+
+    /// A smooth change of any head, mm.
+    fn bulge(p: DVec3) -> DVec3 {
+        let away = (p - DVec3::new(60.0, -30.0, 60.0)).length_squared();
+        p * DVec3::new(1.06, 0.96, 1.03) + DVec3::X * (5.0 * (-away / 1800.0).exp())
+    }
+
+    #[test]
+    fn a_head_that_was_bent_smoothly_is_found_again() {
+        let cage = Cage::new();
+        let mean = mean::solved(&cage);
+        let fine = subdivide(&cage.faces, cage.len(), 2);
+        let points: Vec<DVec3> = fine
+            .apply(&mean.cage_points)
+            .into_iter()
+            .map(bulge)
+            .collect();
+        let triangles = fine.faces.iter();
+        let triangles = triangles.flat_map(|q| [[q[0], q[1], q[2]], [q[0], q[2], q[3]]]);
+        let theirs = Surface::new(points, triangles.collect(), REACH_MM);
+        let limit = |v: usize| bulge(mean.limit_of(v, &mean.cage_points));
+        let given = |key: Key, side: Side| is_given(key).then(|| limit(cage.at(key, side)));
+        // The places of before lie a millimetre and a half off.
+        let before = |key: Key, side: Side| Some(limit(cage.at(key, side)) + DVec3::Y * 1.5);
+        let bent = bend(&cage, &theirs, &before, &given);
+        let mut errors: Vec<f64> = Vec::new();
+        for (v, &(key, _)) in cage.keys.iter().enumerate() {
+            // The neck's end is held by nothing.
+            let is_neck = matches!(key, Key::Grid(_, 26..));
+            if !is_given(key) && !is_neck && matches!(key, Key::Grid(..) | Key::Crown(..)) {
+                let place = theirs.nearest(bent[v], |_| true).unwrap();
+                errors.push(place.at.distance(limit(v)));
+            }
+        }
+        errors.sort_by(f64::total_cmp);
+        let rms = (errors.iter().map(|e| e * e).sum::<f64>() / errors.len() as f64).sqrt();
+        assert!(errors.len() > 500 && rms < 1.5, "{rms} mm");
+    }
+}
