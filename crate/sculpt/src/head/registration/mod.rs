@@ -223,7 +223,8 @@ mod tests {
     /// A smooth change of any head, mm.
     fn bulge(p: DVec3) -> DVec3 {
         let away = (p - DVec3::new(60.0, -30.0, 60.0)).length_squared();
-        p * DVec3::new(1.06, 0.96, 1.03) + DVec3::X * (5.0 * (-away / 1800.0).exp())
+        p * DVec3::new(1.06, 0.96, 1.03)
+            + DVec3::X * (5.0 * raconteur_base::ops::exp(-away / 1800.0))
     }
 
     #[test]
