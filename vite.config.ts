@@ -111,6 +111,12 @@ function clips(): Plugin {
   };
 }
 
+/** All wasm builds call their file the same; the folder tells them apart. */
+function assetFileNames({ originalFileNames }: { readonly originalFileNames: readonly string[] }): string {
+  const [, build] = originalFileNames.map((name) => /pkg\/(?:quick\/)?(webgpu|webgl|avatar|say)\//.exec(name)).find(Boolean) ?? [];
+  return `app/${build ?? '[name]'}-[hash][extname]`;
+}
+
 export default defineConfig(({ mode }) => {
   const kind = mode === 'test' ? tested : mode === kinds.quick.name ? kinds.quick : kinds.shipped;
   return {
@@ -123,6 +129,8 @@ export default defineConfig(({ mode }) => {
     // Imports name the builds that ship; those of the tests lie elsewhere.
     resolve: { alias: [{ find: /^\.\.\/pkg\//, replacement: `${join(root, kind.folder)}/` }] },
     plugins: [parts(), library(), folders(), clips()],
+    // Its files are called as the page's are.
+    worker: { format: 'es', rolldownOptions: { output: { entryFileNames: 'app/[name]-[hash].js', assetFileNames } } },
     build: {
       target: 'es2022',
       outDir: kind.site,
@@ -143,14 +151,10 @@ export default defineConfig(({ mode }) => {
         output: {
           entryFileNames: (chunk) => (chunk.name === 'raconteur-player' ? '[name].js' : 'app/[name]-[hash].js'),
           chunkFileNames: (chunk) => {
-            const backend = /pkg\/(?:quick\/)?(webgpu|webgl|avatar)\//.exec(chunk.facadeModuleId ?? '')?.[1];
+            const backend = /pkg\/(?:quick\/)?(webgpu|webgl|avatar|say)\//.exec(chunk.facadeModuleId ?? '')?.[1];
             return `app/${backend ?? '[name]'}-[hash].js`;
           },
-          // All builds call their file the same; the folder tells them apart.
-          assetFileNames: (asset) => {
-            const [, build] = asset.originalFileNames.map((name) => /pkg\/(?:quick\/)?(webgpu|webgl|avatar)\//.exec(name)).find(Boolean) ?? [];
-            return `app/${build ?? '[name]'}-[hash][extname]`;
-          },
+          assetFileNames,
         },
       },
     },

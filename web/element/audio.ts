@@ -27,6 +27,10 @@ export interface Voice {
   setVolume(volume: number): void;
   /** The music under the words; `library` is the folder of its pieces. */
   setMusic(pieces: readonly Piece[], library: URL): void;
+  /** Takes sounds that were made here, by the names that the utterances have for them. */
+  give(sounds: ReadonlyMap<string, Uint8Array>): void;
+  /** What has no recording yet is being spoken: until that is over its moments are not ready. */
+  hold(speaking: Promise<unknown>): void;
   /**
    * Has the browser's own voice say what has no recording, `usual` being how, where the story does
    * not tell. Its name, or undefined where the browser has none that speaks the language.
@@ -135,6 +139,10 @@ export class RecordedVoice implements Voice {
   #spoken: Spoken | undefined;
   #finding: Promise<void> | undefined;
   #found = true;
+  /** Sounds that were made here, by file. */
+  readonly #given = new Map<string, Uint8Array>();
+  /** How much is being spoken. */
+  #speaking = 0;
 
   /**
    * `utterances` may come and go, in any order; `folder` is where the recordings lie; `onMissing`
@@ -218,6 +226,18 @@ export class RecordedVoice implements Voice {
     if (this.#score !== undefined) void this.#accompany(this.#score.pieces, this.#score.library);
   }
 
+  give(sounds: ReadonlyMap<string, Uint8Array>): void {
+    for (const [file, wave] of sounds) this.#given.set(file, wave);
+  }
+
+  hold(speaking: Promise<unknown>): void {
+    this.#speaking += 1;
+    const over = () => {
+      this.#speaking -= 1;
+    };
+    speaking.then(over, over);
+  }
+
   async substitute(usual: Manner): Promise<string | undefined> {
     if ('speechSynthesis' in window) await (this.#finding ??= this.#findVoice(usual));
     return this.#spoken?.name;
@@ -292,7 +312,7 @@ export class RecordedVoice implements Voice {
       const offset = position - utterance.startSecs;
       if (offset < 0 || offset >= utterance.durationSecs) continue;
       const sound = this.#sounds.get(utterance);
-      if (sound === undefined || sound === 'pending' || (!this.#found && utterance.audio.length === 0)) return false;
+      if (sound === undefined || sound === 'pending' || ((!this.#found || this.#speaking > 0) && utterance.audio.length === 0)) return false;
     }
     if (this.#rate !== 1 && this.#stretcher === undefined) return false;
     return !this.#awaited && (this.#music?.ready(position) ?? true) && (this.#spoken?.ready(position) ?? true);
@@ -329,10 +349,7 @@ export class RecordedVoice implements Voice {
         continue;
       }
       try {
-        const signal = AbortSignal.any([this.#abort.signal, AbortSignal.timeout(PATIENCE_MS)]);
-        const response = await fetch(url, { signal });
-        if (!response.ok) throw new Error(`the server answers ${response.status}`);
-        const sound = await context().decodeAudioData(await response.arrayBuffer());
+        const sound = await context().decodeAudioData(await this.#bytes(file, url));
         if (this.#abort.signal.aborted) return;
         this.#sounds.set(utterance, sound);
         if (this.#run) this.#plan(utterance, sound);
@@ -344,6 +361,17 @@ export class RecordedVoice implements Voice {
     }
     this.#sounds.set(utterance, null);
     this.#onMissing(utterance, reason);
+  }
+
+  /** The bytes of a sound: those that were made here, or what the server has. */
+  async #bytes(file: string, url: URL): Promise<ArrayBuffer> {
+    const given = this.#given.get(file);
+    // Decoding takes the bytes away.
+    if (given !== undefined) return given.slice().buffer;
+    const signal = AbortSignal.any([this.#abort.signal, AbortSignal.timeout(PATIENCE_MS)]);
+    const response = await fetch(url, { signal });
+    if (!response.ok) throw new Error(`the server answers ${response.status}`);
+    return await response.arrayBuffer();
   }
 
   /** Plans a decoded sound on the audio clock, once for each run. */
@@ -437,6 +465,8 @@ export class SilentVoice implements Voice {
 
   setVolume(): void {}
   setMusic(): void {}
+  give(): void {}
+  hold(): void {}
 
   substitute(): Promise<undefined> {
     return Promise.resolve(undefined);

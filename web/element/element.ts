@@ -112,6 +112,7 @@ export class RaconteurPlayer extends LitElement {
     },
     transport: (event) => {
       if (event === 'play' || event === 'pause') this.#idle.wake();
+      if (event === 'play') this.#stories.giveVoice();
       passTransport(this.#context, event);
       if (event === 'playing') this.#playback.started();
     },
@@ -249,9 +250,13 @@ export class RaconteurPlayer extends LitElement {
     this.#playback.pause();
   }
 
-  /** Lets go of the story and loads it anew, also after an error; a player that comes near the window loads by itself. */
+  /**
+   * Lets go of the story and loads it anew, also after an error; where there is a `src`, that takes the place of a
+   * text that was rehearsed. A player that comes near the window loads by itself.
+   */
   async load(): Promise<void> {
     this.#settleAttributes();
+    if (this.src) this.#context.text = undefined;
     this.#stories.close();
     await this.#stories.ensure();
   }

@@ -19,7 +19,7 @@ export function performFragment(context: PlayerContext, show: Show, sender: numb
   const performed = show.picture.perform(sender, String(fragment), nowSecs);
   if (performed === undefined) return [{ kind: 'failed', timeSecs: nowSecs, code: 'live::absent', message: 'The storyteller is away for a moment.' }];
   if (performed.utterances.length > 0) show.captions = captionsOf(show.script.add(performed, nowSecs));
-  void substituteVoice(context, show);
+  void substituteVoice(context, show, () => undefined);
   updateMusic(context, show);
   if (performed.endSecs > show.transport.endSecs) {
     show.transport.extend(performed.endSecs);

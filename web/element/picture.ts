@@ -195,6 +195,14 @@ export class Picture {
     return story;
   }
 
+  /** The story with another voice; undefined while there is no engine: the next one reads it. */
+  voiced(bundle: Uint8Array): Story | undefined {
+    this.#files = { ...this.#files, bundle };
+    const story = this.#guard((engine) => (this.#files.edited ? this.#reread(engine, this.#files) : this.#read(engine, this.#files, true)));
+    this.seek(this.#lastShown);
+    return story;
+  }
+
   /** What a page needs to draw over the picture, as numbers, and their names. */
   pose(): PoseNumbers | undefined {
     return this.#guard((engine) => ({ names: engine.poseNames(), numbers: engine.pose() }));

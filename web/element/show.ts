@@ -24,6 +24,10 @@ export interface Show {
   readonly picture: Picture;
   readonly voice: Voice;
   readonly transport: Transport;
+  /** Ends what is still being made for it. */
+  readonly end: AbortController;
+  /** The text that was given to the page's own voice. */
+  spoken?: string;
   /** What has no recording was given to the browser's voice. */
   lent?: boolean;
 }

@@ -150,13 +150,13 @@ export class StoryLoader {
     const voice = openVoice(script, voiceFolder, (message) => diagnostics.report({ code: 'sound-missing', severity: 'warning', message, hints: [] }));
     const transport = new Transport(voice, story.durationSecs, this.#events.transport, player.playbackRate);
     const captions = captionsOf(story.utterances);
-    const show: Show = { story, figure: figure.name, choice: story.performer.figure, files, sinceMs, picture, voice, transport, script, captions };
+    const show: Show = { story, figure: figure.name, choice: story.performer.figure, files, sinceMs, picture, voice, transport, script, captions, end: new AbortController() };
     this.#context.show = show;
     updateMusic(this.#context, show);
     this.#context.started = false;
     this.#events.opened(show);
     for (const diagnostic of [...story.diagnostics, ...figure.diagnostics]) diagnostics.report(diagnostic);
-    void substituteVoice(this.#context, show);
+    this.giveVoice();
     player.requestUpdate();
     dispatch(player, 'durationchange', 'loadedmetadata', 'loadeddata', 'canplay', 'canplaythrough');
     // A listener may have changed the story.
@@ -188,12 +188,18 @@ export class StoryLoader {
     show.captions = captionsOf(story.utterances);
     show.transport.replace(story.durationSecs, spoken);
     updateMusic(this.#context, show);
-    void substituteVoice(this.#context, show);
+    this.giveVoice();
     diagnostics.addStory(story.diagnostics, anew);
     dispatch(player, 'durationchange');
     if (player.paused) advance();
     if (!player.figure && story.performer.figure !== show.choice) void this.#figures.change(show);
     player.requestUpdate();
+  }
+
+  /** Has what is said without a recording spoken, if that may be now. */
+  giveVoice(): void {
+    const { show } = this.#context;
+    if (show !== undefined) void substituteVoice(this.#context, show, (story) => this.#retell(story, true));
   }
 
   #fail(error: unknown): void {
@@ -211,6 +217,7 @@ export class StoryLoader {
     this.#loading = undefined;
     this.#figures.cancel();
     this.#context.show?.voice.close();
+    this.#context.show?.end.abort();
     this.#context.show = undefined;
     this.#events.closed();
     this.#error = undefined;

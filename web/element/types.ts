@@ -297,6 +297,8 @@ export interface PlayerEventMap {
   diagnostic: CustomEvent<Diagnostic>;
   /** The mind at `mind` came or went. */
   mindchange: CustomEvent<{ state: MindState }>;
+  /** How much of what speaks here is fetched, 0 to 1. */
+  voiceprogress: CustomEvent<{ share: number }>;
   /** Another figure took the stage. */
   figurechange: CustomEvent<{ figure: string }>;
 }

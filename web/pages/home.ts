@@ -3,11 +3,14 @@
 import './player.js';
 import './home-code.js';
 import { cast } from './home-cast.js';
+import { say } from './home-say.js';
 
 const player = document.querySelector('raconteur-player');
 const script = document.querySelector('#script');
 const buttons = [...document.querySelectorAll<HTMLButtonElement>('[data-story]')];
 
+/** A text of the visitor's own is on the stage. */
+let owned = false;
 /** Who tells it, where the visitor and not the story chooses. */
 let figure = '';
 
@@ -23,6 +26,9 @@ function choose(name: string): void {
   if (button === undefined || story === undefined || player === null) return;
   for (const b of buttons) b.setAttribute('aria-pressed', String(b === button));
   player.label = button.dataset['title'] ?? story;
+  // A text of the visitor's own may have taken the story's place.
+  if (owned) void player.load();
+  owned = false;
   player.src = address(story);
   if (script?.closest('details')?.open) void readScript();
 }
@@ -59,8 +65,13 @@ function remember(): void {
   history.replaceState(null, '', `#${story}${figure === '' ? '' : `/${figure}`}`);
 }
 
-const [story = '', teller = ''] = location.hash.slice(1).split('/');
-choose(story);
+const clear = (): void => {
+  owned = true;
+  for (const b of buttons) b.setAttribute('aria-pressed', 'false');
+};
+const isShared = player !== null && say(player, { clear });
+const [story = '', teller = ''] = isShared ? [] : location.hash.slice(1).split('/');
+if (!isShared) choose(story);
 if (player !== null) {
   const chooseFigure = cast(player, (name) => {
     figure = name;

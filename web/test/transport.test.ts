@@ -18,6 +18,8 @@ class FakeVoice implements Voice {
   ready = (position: number) => position < this.missingFrom;
   setVolume = () => undefined;
   setMusic = () => undefined;
+  give = () => undefined;
+  hold = () => undefined;
   substitute = () => Promise.resolve(undefined);
   close = () => undefined;
 }

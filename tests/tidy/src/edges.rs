@@ -7,7 +7,7 @@ use std::path::PathBuf;
 use toml::Table;
 
 /// Crate, and the workspace crates it may use. ARCHITECTURE.md explains the table.
-const ALLOWED: [(&str, &[&str]); 15] = [
+const ALLOWED: [(&str, &[&str]); 16] = [
     ("base", &[]),
     ("eml", &["base"]),
     ("speech", &["base"]),
@@ -25,6 +25,7 @@ const ALLOWED: [(&str, &[&str]); 15] = [
     ),
     ("web", &["player", "faces", "render"]),
     ("voice", &["base", "speech", "eml", "player"]),
+    ("say", &["base", "speech", "eml", "voice"]),
     ("sculpt", &["base", "body", "tissue", "faces"]),
     ("avatar", &["base", "body", "tissue"]),
     (
@@ -40,8 +41,8 @@ const ALLOWED: [(&str, &[&str]); 15] = [
 const PLATFORM: [(&str, &[&str]); 5] = [
     ("wgpu", &["render"]),
     ("web-sys", &["render", "web"]),
-    ("js-sys", &["render", "web"]),
-    ("wasm-bindgen", &["render", "web", "avatar"]),
+    ("js-sys", &["render", "web", "say"]),
+    ("wasm-bindgen", &["render", "web", "avatar", "say"]),
     ("wasm-bindgen-futures", &["render", "web"]),
 ];
 

@@ -133,6 +133,46 @@ impl Cast {
         Ok(cast)
     }
 
+    /// A cast that has one engine, which is called `name`, and whose lead speaks with a voice of it.
+    ///
+    /// # Errors
+    /// When the engine is not there or has no such voice.
+    pub fn of(name: &str, engine: Box<dyn Engine>, voice: &str) -> Result<Self> {
+        let cast = Self {
+            options: EngineOptions::default(),
+            known: Mutex::new(BTreeMap::new()),
+            missing: Mutex::default(),
+            lead: Role::default(),
+            chosen: None,
+            instead_of: None,
+            language: None,
+        };
+        let known = Known {
+            version: engine.version()?,
+            voices: engine.voices()?,
+            engine,
+        };
+        cast.keep(name, known)?;
+        Ok(Self {
+            lead: Role {
+                voice: cast.voice(name, voice)?,
+                engine: name.to_owned(),
+            },
+            ..cast
+        })
+    }
+
+    /// A handful of engines live as long as the program; so threads need not share a lock.
+    fn keep(&self, name: &str, one: Known) -> Result<&'static Known> {
+        let one: &'static Known = Box::leak(Box::new(one));
+        let mut known = self
+            .known
+            .lock()
+            .map_err(|_| anyhow!("another thread failed"))?;
+        known.insert(name.to_owned(), one);
+        Ok(one)
+    }
+
     /// What names no other language is said in this one, a tag of BCP 47; by another voice
     /// where the lead's does not speak it.
     ///
@@ -156,13 +196,12 @@ impl Cast {
     }
 
     fn known(&self, name: &str) -> Result<&'static Known> {
-        let mut known = self
-            .known
-            .lock()
-            .map_err(|_| anyhow!("another thread failed"))?;
+        let known = self.known.lock();
+        let known = known.map_err(|_| anyhow!("another thread failed"))?;
         if let Some(one) = known.get(name) {
             return Ok(one);
         }
+        drop(known);
         let one = Known::ask(name, &self.options).unwrap_or_else(|error| {
             let missing = Missing::of(&error);
             self.note(&missing);
@@ -175,10 +214,7 @@ impl Cast {
                 }),
             }
         });
-        // A handful of engines live as long as the program; so threads need not share a lock.
-        let one: &'static Known = Box::leak(Box::new(one));
-        known.insert(name.to_owned(), one);
-        Ok(one)
+        self.keep(name, one)
     }
 
     /// A voice by its name.

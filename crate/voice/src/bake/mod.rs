@@ -14,6 +14,7 @@ mod encode;
 pub mod engine;
 mod lock;
 pub mod measure;
+pub mod page;
 pub mod picture;
 pub mod program;
 mod sounds;
@@ -273,19 +274,30 @@ fn bundle_of(
     made: Vec<Option<Utterance>>,
     options: &BakeOptions,
 ) -> Result<Bundle> {
-    let mut bundle = Bundle::default();
     let made = made.into_iter().chain(core::iter::repeat(None));
-    for (wanted, made) in wanted.iter().zip(made) {
+    let all = wanted.iter().zip(made).map(|(wanted, made)| {
+        let gone = "an utterance has gone while it was needed";
+        let utterance = made.or_else(|| store.get(wanted.key)).context(gone)?;
+        Ok((wanted, utterance))
+    });
+    bundled(all, &options.cast)
+}
+
+/// The bundle of utterances.
+fn bundled<'a>(
+    all: impl Iterator<Item = Result<(&'a Wanted<'a>, Utterance)>>,
+    cast: &Cast,
+) -> Result<Bundle> {
+    let mut bundle = Bundle::default();
+    for one in all {
+        let (wanted, mut utterance) = one?;
         let voice = Voice {
-            engine: options.cast.version(&wanted.role)?.to_owned(),
+            engine: cast.version(&wanted.role)?.to_owned(),
             voice: wanted.role.voice.name.clone(),
             language: wanted.role.voice.language.clone(),
             phone_set: wanted.role.voice.phone_set.clone(),
             mouth: Vec::new(),
         };
-        let mut utterance = made
-            .or_else(|| store.get(wanted.key))
-            .context("an utterance has gone while it was needed")?;
         utterance.source = Some(wanted.source);
         utterance.voice = match bundle.voices.iter().position(|v| *v == voice) {
             Some(known) => known,

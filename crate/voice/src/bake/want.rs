@@ -94,7 +94,7 @@ fn content(
 }
 
 /// Casts and plans one utterance.
-fn want<'a>(
+pub(super) fn want<'a>(
     said: &'a SpeechRequest,
     content: Content,
     place: usize,

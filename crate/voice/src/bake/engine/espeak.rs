@@ -8,7 +8,8 @@ use crate::content::Gender;
 use crate::spoken::{Sentence, Spoken};
 use anyhow::{Context as _, Result, bail, ensure};
 
-use super::espeak_library::{self as library, Event, Synthesis, What};
+use super::espeak_events::{Event, Synthesis, What};
+use super::espeak_library as library;
 use super::ipa::{self, Set};
 use super::labels::{self, Labels, Phone};
 use super::wave::Wave;

@@ -18,6 +18,7 @@ use anyhow::{Context as _, Result, ensure};
 use libloading::Library;
 
 use super::super::program::Missing;
+use super::espeak_events::{Event, Synthesis, What};
 
 /// What the library may be called.
 const NAMES: [&str; 5] = [
@@ -88,40 +89,6 @@ type Synth = unsafe extern "C" fn(
 type TextToPhonemes = unsafe extern "C" fn(*mut *const c_void, c_int, c_int) -> *const c_char;
 type Terminate = unsafe extern "C" fn() -> c_int;
 type Info = unsafe extern "C" fn(*mut *const c_char) -> *const c_char;
-
-/// What happens at a moment of the sound.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) enum What {
-    /// A word begins, at this character of the text, counted from 1.
-    Word(usize),
-    /// A phone begins: its mnemonic, with marks of stress.
-    Phone(String),
-    /// A sentence or a clause ends.
-    End,
-}
-
-/// A moment of the sound.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Event {
-    /// Samples from the start.
-    pub(super) sample: usize,
-    /// What happens then.
-    pub(super) what: What,
-}
-
-/// What was said.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub(super) struct Synthesis {
-    /// Mono.
-    pub(super) samples: Vec<i16>,
-    /// Samples a second.
-    pub(super) rate_hz: u32,
-    /// In the order in which the library tells.
-    pub(super) events: Vec<Event>,
-    /// The mnemonics of the phones as they were before they met their neighbours, with
-    /// marks of stress, which events do not have.
-    pub(super) marked: Vec<String>,
-}
 
 unsafe extern "C" {
     /// Of the C library.

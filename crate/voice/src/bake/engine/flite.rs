@@ -4,6 +4,7 @@
 //! and the phones of the sentence are matched with those of its tokens.
 
 use std::fs;
+use std::path::Path;
 
 use crate::content::Gender;
 use crate::spoken::{Sentence, Spoken};
@@ -51,15 +52,57 @@ const VOICES: [(&str, Gender, f64, &str, f64); 5] = [
     ),
 ];
 
-/// flite.
-pub(super) struct Flite;
+/// Where flite runs.
+pub trait Host: Send + Sync {
+    /// Runs it with arguments in a folder that holds some files, by name and text, and returns
+    /// what it prints; with `sound`, also the WAV that it writes as [`SOUND`].
+    ///
+    /// # Errors
+    /// When it is not there or fails.
+    fn run(&self, arguments: &[&str], files: &[(&str, &str)], sound: bool) -> Result<Output>;
+}
 
-impl Engine for Flite {
-    fn version(&self) -> Result<String> {
+/// What a run of flite gives.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Output {
+    /// What it printed.
+    pub printed: String,
+    /// The bytes of its sound; empty where none was asked for.
+    pub wave: Vec<u8>,
+}
+
+/// The file that a sound is written to.
+pub const SOUND: &str = "said.wav";
+
+/// The program on this machine.
+pub(super) struct Installed;
+
+impl Host for Installed {
+    fn run(&self, arguments: &[&str], files: &[(&str, &str)], sound: bool) -> Result<Output> {
+        let folder = tempfile::tempdir().context("making a folder for the engine")?;
+        let path: &Path = folder.path();
+        for (name, text) in files {
+            fs::write(path.join(name), text)?;
+        }
         let mut command = FLITE.command();
-        command.arg("--version");
-        let said = match FLITE.run(command) {
-            Ok(said) => said,
+        command.args(arguments).current_dir(path);
+        let printed = FLITE.run(command)?;
+        let wave = if sound {
+            wave::bytes(&path.join(SOUND))?
+        } else {
+            Vec::new()
+        };
+        Ok(Output { printed, wave })
+    }
+}
+
+/// flite.
+pub struct Flite<H>(pub H);
+
+impl<H: Host> Engine for Flite<H> {
+    fn version(&self) -> Result<String> {
+        let said = match self.0.run(&["--version"], &[], false) {
+            Ok(said) => said.printed,
             // It tells its version and then that it failed.
             Err(error) if format!("{error:#}").contains("version:") => format!("{error:#}"),
             Err(error) => return Err(error),
@@ -72,9 +115,7 @@ impl Engine for Flite {
     }
 
     fn voices(&self) -> Result<Vec<VoiceInfo>> {
-        let mut command = FLITE.command();
-        command.arg("-lv");
-        let said = FLITE.run(command)?;
+        let said = self.0.run(&["-lv"], &[], false)?.printed;
         let has = |name: &str| said.split_whitespace().any(|w| w == name);
         Ok(VOICES
             .iter()
@@ -98,7 +139,6 @@ impl Engine for Flite {
                 names.join(", ")
             );
         };
-        let folder = tempfile::tempdir().context("making a folder for the engine")?;
         sentences
             .iter()
             .map(|sentence| {
@@ -106,7 +146,7 @@ impl Engine for Flite {
                 if text.words.is_empty() {
                     return Ok(labels::nothing(*rate_hz, "radio"));
                 }
-                text.spoken(voice, &folder, *lag_secs)
+                text.spoken(&self.0, voice, *lag_secs)
             })
             .collect()
     }
@@ -160,25 +200,16 @@ impl Text {
         Ok(text)
     }
 
-    fn spoken(&self, voice: &str, folder: &tempfile::TempDir, lag_secs: f64) -> Result<Spoken> {
-        let sound = folder.path().join("said.wav");
-        let timed = self.run(
-            voice,
-            folder,
-            &self.written,
-            "-psdur",
-            &sound.to_string_lossy(),
-        )?;
+    fn spoken(&self, host: &dyn Host, voice: &str, lag_secs: f64) -> Result<Spoken> {
+        let Output {
+            printed: timed,
+            wave: sound,
+        } = self.run(host, voice, &self.written, "-psdur", SOUND)?;
         let heard = timed_phones(&timed)?;
         // Two empty lines separate tokens that are spoken alone.
         let words: Vec<&str> = self.words.iter().map(|(_, w)| w.as_str()).collect();
-        let alone = self.run(
-            voice,
-            folder,
-            &format!("{}\n\n\n", words.join("\n\n\n")),
-            "-ps",
-            "none",
-        )?;
+        let parted = format!("{}\n\n\n", words.join("\n\n\n"));
+        let alone = self.run(host, voice, &parted, "-ps", "none")?.printed;
         let alone: Vec<&str> = alone.lines().filter(|l| !l.trim().is_empty()).collect();
         ensure!(
             alone.len() == words.len(),
@@ -196,34 +227,33 @@ impl Text {
             })
             .collect();
         let labels = joined(&known, heard)?;
-        labels::finish(&labels, wave::read(&sound)?, "radio", lag_secs)
+        let sound = wave::decode(&sound).context("reading the sound")?;
+        labels::finish(&labels, sound, "radio", lag_secs)
     }
 
-    /// Runs flite on a text and returns what it prints. Texts go through files.
+    /// Runs flite on a text. Texts go through files.
     fn run(
         &self,
+        host: &dyn Host,
         voice: &str,
-        folder: &tempfile::TempDir,
         text: &str,
         print: &str,
         sound: &str,
-    ) -> Result<String> {
-        let path = folder.path();
-        fs::write(path.join("text.txt"), text)?;
-        fs::write(path.join("lexicon.txt"), &self.lexicon)?;
-        let mut command = FLITE.command();
-        command.args(["-voice", voice]).current_dir(path);
+    ) -> Result<Output> {
+        let mut arguments = vec!["-voice", voice];
+        let mut files = vec![("text.txt", text)];
         if !self.lexicon.is_empty() {
-            command.args(["-add_lex", "lexicon.txt"]);
+            arguments.extend(["-add_lex", "lexicon.txt"]);
+            files.push(("lexicon.txt", &self.lexicon));
         }
         if print == "-ps" {
-            command.args(["-f", "text.txt"]);
+            arguments.extend(["-f", "text.txt"]);
         } else {
             // As a file a sentence would be parted at its marks; an argument is one.
-            command.args(["-t", text]);
+            arguments.extend(["-t", text]);
         }
-        command.args([print, "-o", sound]);
-        FLITE.run(command)
+        arguments.extend([print, "-o", sound]);
+        host.run(&arguments, &files, sound == SOUND)
     }
 }
 

@@ -9,9 +9,15 @@
 mod absent;
 mod aligned;
 mod espeak;
+#[cfg_attr(
+    target_arch = "wasm32",
+    allow(dead_code, reason = "nothing speaks there")
+)]
+mod espeak_events;
+#[cfg_attr(target_arch = "wasm32", path = "espeak_nowhere.rs")]
 mod espeak_library;
 mod festival;
-mod flite;
+pub mod flite;
 mod http;
 mod ipa;
 mod labels;
@@ -135,7 +141,7 @@ pub fn read_wave(path: &Path) -> Result<(Vec<f64>, f64)> {
 pub fn by_name(name: &str, options: &EngineOptions) -> Result<Box<dyn Engine>> {
     Ok(match name {
         "festival" => Box::new(festival::Festival),
-        "flite" => Box::new(flite::Flite),
+        "flite" => Box::new(flite::Flite(flite::Installed)),
         "espeak-ng" => Box::new(espeak::Espeak),
         "marytts" => {
             ensure!(
@@ -164,7 +170,7 @@ pub fn local() -> &'static [Local; 3] {
     LOCAL.get_or_init(|| {
         let asked: [(&str, &dyn Engine); 3] = [
             ("festival", &festival::Festival),
-            ("flite", &flite::Flite),
+            ("flite", &flite::Flite(flite::Installed)),
             ("espeak-ng", &espeak::Espeak),
         ];
         asked.map(|(n, e)| (n, e.voices().map_err(|error| Missing::of(&error))))

@@ -1,0 +1,66 @@
+//! Speech made in a page: text in, sound with words, phones and melody out, by the baker's own
+//! code. A page loads this apart from the player, when something is to be said that has no
+//! recording.
+//!
+//! Does: find what a script says and its bundle does not hold, plan it, speak it by an engine that
+//! the page runs, give it emotion and style, and write the bundle.
+//! Does not: fetch, play, or keep anything.
+
+#[cfg(target_arch = "wasm32")]
+pub mod bindings;
+
+use anyhow::{Result, ensure};
+use raconteur_speech::bundle::Bundle;
+use raconteur_voice::bake::engine::flite::{Flite, Host};
+use raconteur_voice::bake::page::{Said, say};
+use raconteur_voice::bake::{BakeOptions, Cast, STORY_PACE};
+use raconteur_voice::said;
+use raconteur_voice::text::Lexicon;
+
+/// Longest script that is spoken while somebody waits, bytes.
+pub const MOST_BYTES: usize = 1 << 20;
+
+/// Speaks with one voice, and with what a script's markup makes of it.
+pub struct Speaker {
+    options: BakeOptions,
+}
+
+impl Speaker {
+    /// One who speaks with a voice of flite, which runs at `host`.
+    ///
+    /// # Errors
+    /// When flite is not there or has no such voice.
+    pub fn new<H: Host + 'static>(host: H, voice: &str) -> Result<Self> {
+        Ok(Self {
+            options: BakeOptions {
+                cast: Cast::of("flite", Box::new(Flite(host)), voice)?,
+                pace: STORY_PACE,
+                lexicon: Lexicon::default(),
+                lexicon_text: String::new(),
+                jobs: 1,
+                check: false,
+            },
+        })
+    }
+
+    /// Speaks what a script, or with `is_fragment` a list of clauses, says and `known`, the text
+    /// of the bundle that it has, does not hold.
+    ///
+    /// # Errors
+    /// When the script is too long, or `known` is no bundle.
+    pub fn speak(&self, eml: &str, is_fragment: bool, known: Option<&str>) -> Result<Said> {
+        ensure!(
+            eml.len() <= MOST_BYTES,
+            "a script of more than {MOST_BYTES} bytes is not spoken"
+        );
+        let known = known
+            .map(|text| Bundle::from_json(text.as_bytes()))
+            .transpose()?;
+        let parsed = if is_fragment {
+            raconteur_eml::parse_fragment(eml)
+        } else {
+            raconteur_eml::parse(eml)
+        };
+        say(&said(&parsed.document), known, &self.options)
+    }
+}

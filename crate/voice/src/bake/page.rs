@@ -1,0 +1,119 @@
+//! Speech for a page, while somebody waits: what a story says in its own text, without files,
+//! programs and encoders. The sound is the baker's, as WAV.
+
+use std::collections::BTreeSet;
+use std::io::Cursor;
+use std::path::Path;
+
+use anyhow::{Context as _, Result, bail};
+use raconteur_speech::bundle::{AudioFile, Bundle, Utterance};
+
+use super::want::{self, Wanted, short};
+use super::{BakeOptions, bundle_text, bundled, speak};
+use crate::{Source, SpeechRequest};
+
+/// What was said.
+#[derive(Clone, Debug, Default)]
+pub struct Said {
+    /// The text of the bundle, `speech.json`.
+    pub bundle: String,
+    /// Names of its sounds, as the bundle calls them, and the bytes of the WAV.
+    pub sounds: Vec<(String, Vec<u8>)>,
+    /// Why something could not be said, in sentences.
+    pub problems: Vec<String>,
+}
+
+/// Speaks what a story says and what `known`, the bundle that it has, does not hold. Files are
+/// left out. What an engine refuses is told in the problems; the rest is said.
+///
+/// # Errors
+/// When no bundle can be made of what was said.
+pub fn say(said: &[SpeechRequest], known: Option<Bundle>, options: &BakeOptions) -> Result<Said> {
+    let mut out = Said::default();
+    let known = known.unwrap_or_default();
+    let mut seen: BTreeSet<u64> = known.utterances.iter().map(|u| u.key).collect();
+    let mut made = Vec::new();
+    for (place, request) in said.iter().enumerate() {
+        let Source::Content(content) = &request.source else {
+            continue;
+        };
+        if content.words().is_empty() || !seen.insert(request.key) {
+            continue;
+        }
+        match say_one(request, place, options) {
+            Ok((wanted, utterance, wave)) => {
+                let file = &utterance.audio[0].file;
+                out.sounds.push((file.clone(), wave));
+                made.push((wanted, utterance));
+            }
+            Err(error) => {
+                let text = short(&content.plain_text());
+                out.problems.push(format!("{text:?}: {error:#}"));
+            }
+        }
+    }
+    let all = made.iter().map(|(wanted, u)| Ok((wanted, u.clone())));
+    let bundle = merged(known, bundled(all, &options.cast)?);
+    out.bundle = bundle_text::write(&bundle);
+    Ok(out)
+}
+
+/// One utterance, planned and spoken, and its WAV.
+fn say_one<'a>(
+    request: &'a SpeechRequest,
+    place: usize,
+    options: &BakeOptions,
+) -> Result<(Wanted<'a>, Utterance, Vec<u8>)> {
+    let Source::Content(content) = &request.source else {
+        bail!("files are not read here");
+    };
+    let wanted = want::want(request, content.clone(), place, Path::new(""), options)?;
+    let work = speak::Work {
+        content: &wanted.content,
+        role: &wanted.role,
+        emotion: request.emotion.as_ref(),
+        pace: options.pace,
+    };
+    let none = |_: f64| Ok(Vec::new());
+    let track = speak::speak(&work, &wanted.casting, &options.cast, &none)?;
+    let mut utterance = track.utterance;
+    utterance.key = wanted.key;
+    utterance.content = wanted.digest;
+    utterance.audio = vec![AudioFile {
+        file: format!("{:016x}.wav", wanted.digest),
+        mime: "audio/wav".to_owned(),
+        holds: None,
+    }];
+    let wave = wave_of(&track.samples, track.rate_hz.round() as u32)?;
+    Ok((wanted, utterance, wave))
+}
+
+/// A WAV of one channel and 16 bits.
+fn wave_of(samples: &[f64], rate_hz: u32) -> Result<Vec<u8>> {
+    let mut bytes = Cursor::new(Vec::new());
+    let spec = hound::WavSpec {
+        channels: 1,
+        sample_rate: rate_hz,
+        bits_per_sample: 16,
+        sample_format: hound::SampleFormat::Int,
+    };
+    let mut writer = hound::WavWriter::new(&mut bytes, spec).context("the sound")?;
+    for sample in samples {
+        let value = (sample.clamp(-1.0, 1.0) * f64::from(i16::MAX)).round();
+        writer.write_sample(value as i16).context("the sound")?;
+    }
+    writer.finalize().context("the sound")?;
+    Ok(bytes.into_inner())
+}
+
+/// A bundle with the utterances of another behind its own.
+fn merged(mut known: Bundle, new: Bundle) -> Bundle {
+    let first = known.voices.len();
+    known.voices.extend(new.voices);
+    for utterance in new.utterances {
+        let mut own = (*utterance).clone();
+        own.voice += first;
+        known.utterances.push(own.into());
+    }
+    known
+}

@@ -1,0 +1,138 @@
+/** A plain text as a script: what gestures and feelings come from its signs and small words. */
+
+import { script, tag } from './markup.js';
+
+/** As long as a text is, characters; more is a story. */
+export const MOST_CHARACTERS = 600;
+
+/** Signs of feelings, and the emotion that they elicit. The longest first, where one begins another. */
+const FEELINGS: readonly (readonly [signs: readonly string[], emotion: string])[] = [
+  [['>:(', '😠', '😡'], 'anger'],
+  [[":'(", '😢', '😭', ':-(', ':(', '🙁', '☹'], 'distress'],
+  [[';-)', ';)', '😉', ':-P', ':P', '😜'], 'kidding'],
+  [[':-O', ':-o', ':O', ':o', '😮', '😲'], 'surprise'],
+  [['<3', '❤', '😍', '🥰'], 'love'],
+  [['😱', '😨'], 'fear'],
+  [['🤢', '🤮'], 'disgust'],
+  [[':-D', ':D', ':-)', ':)', '🙂', '😊', '😀', '😄'], 'joy'],
+];
+/** How strong, of 10. */
+const POTENTIAL = 4;
+
+/** A hand is raised in greeting. */
+const GREETING = /^(hello|hi|hey|welcome|goodbye|bye|greetings)$/i;
+/** Words that no beat falls on. */
+const SMALL = new Set(
+  (
+    'a an and are as at be been but by can could did do does for from had has have he her hers him his how i if in into is it its just may me might must my no nor not of on or our ' +
+    'shall she should so some than that the their them then there these they this those to up us was we were what when where which who whom why will with would you your'
+  ).split(' '),
+);
+/** Between beats there are at least so many words. */
+const BETWEEN_BEATS = 4;
+
+interface Sentence {
+  readonly words: readonly string[];
+  readonly emotion: string | undefined;
+}
+
+/** Sentences, without their signs of feelings. A sentence without such a sign has no feeling. */
+function sentences(text: string): Sentence[] {
+  const parts = text.slice(0, MOST_CHARACTERS).split(/(?<=[.!?…])(?=\s)|\n+/u);
+  const all: { words: string[]; emotion: string | undefined }[] = [];
+  for (const part of parts) {
+    let rest = part;
+    let emotion: string | undefined;
+    for (const [signs, name] of FEELINGS) {
+      for (const sign of signs) {
+        if (!rest.includes(sign)) continue;
+        rest = rest.replaceAll(sign, ' ');
+        emotion ??= name;
+      }
+    }
+    const words = rest.split(/\s+/).filter((word) => /[\p{L}\p{N}]/u.test(word));
+    const last = all.at(-1);
+    if (words.length > 0) all.push({ words, emotion });
+    // A sign after the mark of its sentence is of that one.
+    else if (emotion !== undefined && last !== undefined) last.emotion ??= emotion;
+  }
+  return all;
+}
+
+const bare = (word: string): string => word.replace(/[^\p{L}\p{N}'’-]/gu, '');
+const escaped = (text: string): string => text.replace(/[&<>]/g, (c) => `&#${c.charCodeAt(0)};`);
+/** Letters that are all large, and more than one. */
+const isLoud = (word: string): boolean => /^\p{Lu}{2,}$/u.test(bare(word));
+
+const gesture = (mark: string, shape: number, palm: readonly number[], path: readonly (readonly number[])[], hand: string): string => {
+  const [a, x, y, z] = palm;
+  return tag('gesture-key', { time: `${mark}-0.1s`, duration: 0.5, handedness: hand }, [
+    tag('hand-shapes', {}, [tag('key', { time: 0, id: shape })]),
+    tag('palms', {}, [tag('key', { time: 0, a, x, y, z })]),
+    tag(
+      'motion',
+      { coords: 'speaker' },
+      path.map(([time, px, py, pz]) => tag('key', { time, x: px, y: py, z: pz })),
+    ),
+  ]);
+};
+/** One hand is raised, open. */
+const wave = (mark: string): string =>
+  gesture(
+    mark,
+    7,
+    [120, 0, 0, -1],
+    [
+      [0, -7, 42, 3],
+      [0.15, -13, 40, 3],
+    ],
+    'right',
+  );
+/** Both hands go down a little, half open. */
+const beat = (mark: string): string =>
+  gesture(
+    mark,
+    4,
+    [90, 0.6, 0.8, 0],
+    [
+      [0, -5, 14, -11],
+      [0.2, -6, 11, -13],
+    ],
+    'both',
+  );
+
+/** The words with marks where hands move, and the gestures. */
+function performed(words: readonly string[], index: number): { said: string; gestures: string[] } {
+  const gestures: string[] = [];
+  let since = BETWEEN_BEATS;
+  const said = words.map((word, i) => {
+    const own = bare(word);
+    const loud = isLoud(word);
+    const text = loud ? tag('emph', {}, []).replace('/>', `>${escaped(word.toLowerCase())}</emph>`) : escaped(word);
+    since += 1;
+    const greets = GREETING.test(own);
+    if (!greets && !loud && (since < BETWEEN_BEATS || own.length < 4 || SMALL.has(own.toLowerCase()))) return text;
+    since = 0;
+    const mark = `g${index}w${i}`;
+    gestures.push(greets ? wave(mark) : beat(mark));
+    return `${tag('tm', { name: mark })}${text}`;
+  });
+  return { said: said.join(' '), gestures };
+}
+
+/** The script that tells a text; undefined where it has no word. */
+export function told(text: string): string | undefined {
+  const all = sentences(text);
+  if (all.length === 0) return undefined;
+  let before = '0.3';
+  let felt = 'neutral';
+  const clauses = all.flatMap(({ words, emotion = 'neutral' }, i) => {
+    const { said, gestures } = performed(words, i);
+    const feeling = emotion === felt ? [] : [tag('r:emotion', { time: before, type: emotion, potential: emotion === 'neutral' ? undefined : POTENTIAL })];
+    felt = emotion;
+    const voice = tag('voice-text', { time: before, timeId: `v${i}` }, [`<div type="sentence">${said}</div>`, tag('tm', { name: `e${i}` })]);
+    before = `e${i}+0.35s`;
+    return [...feeling, voice, ...gestures];
+  });
+  return script('said', true, [tag('gesture-is-on', { time: 0, isOn: true }), ...clauses, tag('null', { time: `e${all.length - 1}+1.2s` })]);
+}

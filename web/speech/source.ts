@@ -1,0 +1,43 @@
+/** What speaks text that has no recording. */
+
+/** What is to be said. */
+export interface SpeechRequest {
+  /** A script, or a list of clauses. */
+  readonly eml: string;
+  readonly fragment?: boolean;
+  /** The text of the bundle that the script has; what it holds is not said again. */
+  readonly known?: string | undefined;
+  /** Name of a voice of the source. */
+  readonly voice: string;
+}
+
+/** What was said. */
+export interface Said {
+  /** The text of a bundle, `speech.json`: words, phones, stress, melody. */
+  readonly bundle: string;
+  /** The sounds that the bundle names, new ones alone, as WAV. */
+  readonly sounds: ReadonlyMap<string, Uint8Array>;
+  /** What could not be said, in sentences. */
+  readonly problems: readonly string[];
+}
+
+/** Where it is said and how to end it. */
+export interface Saying {
+  readonly signal: AbortSignal;
+  /** Hears how much of what is needed first is fetched, 0 to 1. */
+  readonly progress: (share: number) => void;
+}
+
+/** Makes speech in the page. */
+export interface SpeechSource {
+  /** For people. */
+  readonly name: string;
+  /** Whether what it needs is here, so that speech comes at once. */
+  readonly ready: boolean;
+  /** Whether it speaks a language, a tag of BCP 47. */
+  speaks(language: string): boolean;
+  /** The voice of a figure of the library; of another name, a usual one. */
+  voiceOf(figure: string): string;
+  /** Rejects with the signal's reason when it is aborted, and with an `Error` that says in a sentence why nothing can be said. */
+  speak(request: SpeechRequest, saying: Saying): Promise<Said>;
+}
