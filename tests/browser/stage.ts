@@ -169,9 +169,11 @@ export class Stage {
   async open(body: string, files: Files = {}, peer = ''): Promise<void> {
     const strict = (await this.page.request.get('/')).headers()['content-security-policy'] ?? '';
     const policy = strict.replace("connect-src 'self'", `connect-src 'self' ${peer}`.trim());
+    // Nothing speaks in the page unless a test is about that.
+    const speech = body.includes('speech=') ? '' : ' speech="browser"';
     const html = `<!doctype html><html lang="en"><meta charset="utf-8"><title>Test</title>
       <link rel="stylesheet" href="test.css"><script type="module" src="/raconteur-player.js"></script>
-      <body>${body.replaceAll('<raconteur-player', `<raconteur-player backend="${this.backend}" assets="/assets/"`)}</body></html>`;
+      <body>${body.replaceAll('<raconteur-player', `<raconteur-player backend="${this.backend}" assets="/assets/"${speech}`)}</body></html>`;
     const all: Files = { 'test.css': 'raconteur-player { width: 320px; height: 240px; aspect-ratio: auto } body { margin: 0 }', ...files };
     await this.page.route('**/test/**', (route) => {
       const path = new URL(route.request().url()).pathname.replace(/^\/test\//, '');

@@ -11,6 +11,7 @@ export const attributes: PropertyDeclarations = {
   figure: text,
   handedness: text,
   mind: text,
+  speech: text,
   assets: text,
   poster: text,
   label: text,

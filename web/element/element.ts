@@ -10,6 +10,7 @@ import { passTransport } from './cues.js';
 import { Diagnostics } from './diagnostics.js';
 import look from './element.css?inline';
 import { performFragment, Sender } from './fragments.js';
+import { speakFragment } from './sound.js';
 import { template } from './template.js';
 import { Idle } from './idle.js';
 import { handleKey } from './keyboard.js';
@@ -43,6 +44,11 @@ export class RaconteurPlayer extends LitElement {
   declare handedness: Hand | undefined;
   /** Address (`ws:` or `wss:`) of a mind: EML that it sends is performed, and it receives events. See docs/live.md. */
   declare mind: string | undefined;
+  /**
+   * Who says what has no recording. `here`, the default: an engine in the page where one speaks the language, which
+   * is fetched when such a thing is played, else the browser's own voice. `browser`: the browser's own voice alone.
+   */
+  declare speech: 'here' | 'browser';
   /** Address of the asset library, which holds `figures/`; by default the folder `assets/` beside the script. */
   declare assets: string;
   /** A picture to show before the story is loaded. */
@@ -129,6 +135,7 @@ export class RaconteurPlayer extends LitElement {
   constructor() {
     super();
     this.quality = 'auto';
+    this.speech = 'here';
     this.assets = RaconteurPlayer.library;
     this.label = 'Story';
     this.loading = 'lazy';
@@ -267,6 +274,7 @@ export class RaconteurPlayer extends LitElement {
    */
   async perform(fragment: string): Promise<readonly Answer[]> {
     const show = await this.#stories.require();
+    await speakFragment(this.#context, show, fragment);
     return performFragment(this.#context, show, Sender.Page, fragment);
   }
 

@@ -4,6 +4,7 @@ import { fire, type PlayerContext } from './context.js';
 import { performFragment, Sender } from './fragments.js';
 import type { MindEvent, MindLink } from './mind.js';
 import type { Show } from './show.js';
+import { speakFragment } from './sound.js';
 
 export class MindConnection {
   readonly #context: PlayerContext;
@@ -37,7 +38,10 @@ export class MindConnection {
       if (this.#context.show !== show || player.mind !== address || this.#link !== undefined) return;
       this.#link = MindLink.open(address, {
         hello: () => ({ timeSecs: player.currentTime, endSecs: show.transport.endSecs, figure: show.figure }),
-        perform: (fragment) => performFragment(this.#context, show, Sender.Mind, fragment),
+        perform: (fragment) => {
+          const perform = () => performFragment(this.#context, show, Sender.Mind, fragment);
+          return speakFragment(this.#context, show, fragment)?.then(perform) ?? perform();
+        },
         report: (diagnostic) => diagnostics.report(diagnostic),
         state: (state) => {
           this.#context.advance();

@@ -27,7 +27,8 @@ export type MindEvent = Cue | Answer | Note;
 /** The player, as a mind sees it. */
 export interface MindHost {
   hello(): { timeSecs: number; endSecs: number; figure: string };
-  perform(fragment: string): readonly Answer[];
+  /** At once, or later where it has to be spoken first. */
+  perform(fragment: string): readonly Answer[] | Promise<readonly Answer[]>;
   report(diagnostic: Diagnostic): void;
   state(state: MindState): void;
 }
@@ -45,6 +46,9 @@ export class MindLink {
   /** When a mind was last there, or first called. */
   #seenMs = performance.now();
   #closed = false;
+  /** Fragments that wait to be spoken, and the last of them. */
+  #speaking = 0;
+  #spoken: Promise<void> = Promise.resolve();
 
   private constructor(url: URL, host: MindHost) {
     this.#url = url;
@@ -146,7 +150,21 @@ export class MindLink {
       socket.close(typeof data === 'string' ? 4009 : 4003);
       return;
     }
-    const answers = this.#host.perform(data);
+    // What is said first is performed first.
+    const answers = this.#speaking === 0 ? this.#host.perform(data) : this.#spoken.then(() => this.#host.perform(data));
+    if (!(answers instanceof Promise)) {
+      this.#answer(socket, answers);
+      return;
+    }
+    this.#speaking += 1;
+    if (this.#speaking > MOST_REFUSED) socket.close(4008);
+    this.#spoken = answers.then((all) => {
+      this.#speaking -= 1;
+      if (socket === this.#socket) this.#answer(socket, all);
+    });
+  }
+
+  #answer(socket: WebSocket, answers: readonly Answer[]): void {
     this.#refused = answers.some((a) => a.kind === 'failed' && a.code === 'live::busy') ? this.#refused + 1 : 0;
     for (const answer of answers) if (answer.kind === 'accepted') this.tell(answer);
     if (this.#refused >= MOST_REFUSED) socket.close(4008);

@@ -208,6 +208,11 @@ export class Picture {
     return this.#guard((engine) => ({ names: engine.poseNames(), numbers: engine.pose() }));
   }
 
+  /** Takes the speech of fragments that will come. */
+  hear(bundle: Uint8Array): void {
+    if (this.#guard((engine) => engine.hear(bundle))) this.#files = { ...this.#files, bundle };
+  }
+
   /** Performs a fragment of EML; undefined while there is no engine. */
   perform(mind: number, fragment: string, nowSecs: number): Performance | undefined {
     const performed = this.#guard((engine) => engine.perform(mind, fragment, nowSecs));

@@ -2,6 +2,7 @@
 
 import { voiceMissing } from './audio.js';
 import { fire, libraryOf, type PlayerContext } from './context.js';
+import type { Said, Saying, SpeechRequest, SpeechSource } from '../speech/source.js';
 import type { Show } from './show.js';
 import type { Story } from './types.js';
 
@@ -34,34 +35,63 @@ export async function substituteVoice(context: PlayerContext, show: Show, retell
   context.diagnostics.report(voiceMissing(show.files.bundle !== undefined, name));
 }
 
+/** A fragment that says something. */
+const SPEAKS = /<([\w.-]+:)?voice-(text|say)\b/;
+
+/** Has what a fragment says spoken, where something in the page speaks its language; it may be performed then. Undefined where nothing is to be spoken here. */
+export function speakFragment(context: PlayerContext, show: Show, fragment: string): Promise<void> | undefined {
+  if (context.player.speech === 'browser' || !SPEAKS.test(fragment)) return undefined;
+  const before = show.fragments;
+  const speaking = (async () => {
+    await before;
+    const source = await sourceOf(context, show);
+    if (source === undefined || context.show !== show) return;
+    take(show, await source.speak({ eml: fragment, fragment: true, ...asked(show, source) }, saying(context, show)));
+    if (show.files.bundle !== undefined) show.picture.hear(show.files.bundle);
+  })().catch((error: unknown) => {
+    if (!show.end.signal.aborted) console.warn('raconteur: nothing speaks here', error);
+  });
+  show.fragments = speaking;
+  return speaking;
+}
+
+async function sourceOf(context: PlayerContext, show: Show): Promise<SpeechSource | undefined> {
+  if (context.player.speech === 'browser') return undefined;
+  return (await import('../speech/here.js')).sourceFor(languageOf(context, show));
+}
+
+/** What a source is told besides the text. */
+function asked({ files: { bundle }, figure }: Show, source: SpeechSource): Pick<SpeechRequest, 'known' | 'voice'> {
+  return { known: bundle && new TextDecoder().decode(bundle), voice: source.voiceOf(figure) };
+}
+
+const saying = ({ player }: PlayerContext, show: Show): Saying => ({ signal: show.end.signal, progress: (share) => fire(player, 'voiceprogress', { share }) });
+
+/** Keeps what was said. */
+function take(show: Show, { bundle, sounds }: Said): void {
+  show.voice.give(sounds);
+  show.files = { ...show.files, bundle: new TextEncoder().encode(bundle) };
+}
+
 /** Has the text on stage spoken in the page, once for each text, when it is played or what speaks is there. */
 async function speakHere(context: PlayerContext, show: Show, retell: (story: Story) => void): Promise<void> {
   const { player } = context;
   const { eml } = show.files;
   if (show.spoken === eml) return;
-  const making = import('../speech/here.js').then(async ({ sourceFor }) => {
-    const source = sourceFor(languageOf(context, show));
-    if (source === undefined) return undefined;
-    if (player.paused && !source.ready) return 'later';
+  const making = sourceOf(context, show).then(async (source) => {
+    if (source !== undefined && player.paused && !source.ready) return 'later';
     show.spoken = eml;
-    const known = show.files.bundle && new TextDecoder().decode(show.files.bundle);
-    const progress = (share: number) => fire(player, 'voiceprogress', { share });
-    return await source.speak({ eml, known, voice: source.voiceOf(show.figure) }, { signal: show.end.signal, progress });
+    return source && (await source.speak({ eml, ...asked(show, source) }, saying(context, show)));
   });
   if (!player.paused) show.voice.hold(making);
   try {
     const said = await making;
-    if (said === 'later') return;
-    show.spoken = eml;
-    if (said === undefined || context.show !== show || show.files.eml !== eml) return;
-    const bundle = new TextEncoder().encode(said.bundle);
-    show.voice.give(said.sounds);
-    show.files = { ...show.files, bundle };
-    const story = show.picture.voiced(bundle);
+    if (said === undefined || said === 'later' || context.show !== show || show.files.eml !== eml) return;
+    take(show, said);
+    const story = show.files.bundle && show.picture.voiced(show.files.bundle);
     if (story !== undefined) retell(story);
   } catch (error) {
     show.spoken = eml;
-    if (show.end.signal.aborted) return;
-    console.warn('raconteur: nothing speaks here', error);
+    if (!show.end.signal.aborted) console.warn('raconteur: nothing speaks here', error);
   }
 }

@@ -236,6 +236,8 @@ export interface Engine {
   music(): Piece[];
   /** The cues passed since the last call. */
   drainEvents(): Cue[];
+  /** Takes the speech of fragments that will come: a bundle that begins with what is known. Whether it does. */
+  hear(bundle: Uint8Array): boolean;
   /** Performs a fragment of EML; plain times count from `nowSecs`. `mind` tells senders apart. */
   perform(mind: number, fragment: string, nowSecs: number): Performance | undefined;
   /** The clock may pass the end of the story, because more may come. */

@@ -36,27 +36,31 @@ interface Sentence {
   readonly emotion: string | undefined;
 }
 
-/** Sentences, without their signs of feelings. A sentence without such a sign has no feeling. */
-function sentences(text: string): Sentence[] {
-  const parts = text.slice(0, MOST_CHARACTERS).split(/(?<=[.!?…])(?=\s)|\n+/u);
-  const all: { words: string[]; emotion: string | undefined }[] = [];
-  for (const part of parts) {
-    let rest = part;
-    let emotion: string | undefined;
-    for (const [signs, name] of FEELINGS) {
-      for (const sign of signs) {
-        if (!rest.includes(sign)) continue;
-        rest = rest.replaceAll(sign, ' ');
-        emotion ??= name;
-      }
+/** A text without the signs of feelings, and the first feeling in it. */
+function felt(text: string): { rest: string; emotion: string | undefined } {
+  let rest = text;
+  let first: { at: number; emotion: string } | undefined;
+  for (const [signs, emotion] of FEELINGS) {
+    for (const sign of signs) {
+      const at = rest.indexOf(sign);
+      if (at < 0) continue;
+      if (first === undefined || at < first.at) first = { at, emotion };
+      // As long as before, so that places stay.
+      rest = rest.replaceAll(sign, ' '.repeat(sign.length));
     }
-    const words = rest.split(/\s+/).filter((word) => /[\p{L}\p{N}]/u.test(word));
-    const last = all.at(-1);
-    if (words.length > 0) all.push({ words, emotion });
-    // A sign after the mark of its sentence is of that one.
-    else if (emotion !== undefined && last !== undefined) last.emotion ??= emotion;
   }
-  return all;
+  return { rest, emotion: first?.emotion };
+}
+
+/** Sentences, without their signs of feelings; a sign after the mark of its sentence is of that one. */
+function sentences(text: string): Sentence[] {
+  const signs = FEELINGS.flatMap(([own]) => own).map((sign) => sign.replace(/[()*+?.^$|[\]\\]/g, '\\$&'));
+  const parts = text.slice(0, MOST_CHARACTERS).split(new RegExp(`(?<=[.!?…](?:\\s*(?:${signs.join('|')}))*)(?=\\s)(?!\\s*(?:${signs.join('|')}))|\\n+`, 'u'));
+  return parts.flatMap((part) => {
+    const { rest, emotion } = felt(part);
+    const words = rest.split(/\s+/).filter((word) => /[\p{L}\p{N}]/u.test(word));
+    return words.length > 0 ? [{ words, emotion }] : [];
+  });
 }
 
 const bare = (word: string): string => word.replace(/[^\p{L}\p{N}'’-]/gu, '');
@@ -125,11 +129,11 @@ export function told(text: string): string | undefined {
   const all = sentences(text);
   if (all.length === 0) return undefined;
   let before = '0.3';
-  let felt = 'neutral';
+  let feels = 'neutral';
   const clauses = all.flatMap(({ words, emotion = 'neutral' }, i) => {
     const { said, gestures } = performed(words, i);
-    const feeling = emotion === felt ? [] : [tag('r:emotion', { time: before, type: emotion, potential: emotion === 'neutral' ? undefined : POTENTIAL })];
-    felt = emotion;
+    const feeling = emotion === feels ? [] : [tag('r:emotion', { time: before, type: emotion, potential: emotion === 'neutral' ? undefined : POTENTIAL })];
+    feels = emotion;
     const voice = tag('voice-text', { time: before, timeId: `v${i}` }, [`<div type="sentence">${said}</div>`, tag('tm', { name: `e${i}` })]);
     before = `e${i}+0.35s`;
     return [...feeling, voice, ...gestures];

@@ -60,18 +60,19 @@ await main(async () => {
     const sound = join(voice, utterances[0].audio[0].file);
     const page = [join(root, 'dist/index.html'), ...named(/^(index|player|markup)-.*\.css$/)];
     const told = [join(root, 'assets/figures/sofia.glb'), join(story, 'story.eml'), join(voice, 'speech.json'), sound];
-    const paths = [...page, ...reach(entry, new RegExp(`^(avatar|mind|music|spoken|stretch|webgl)-`)), ...told];
+    const paths = [...page, ...reach(entry, new RegExp(`^(avatar|flite|here|mind|music|say|spoken|stretch|webgl)-`)), ...told];
     const kb = paths.reduce((total, path) => total + brotliCompressSync(readFileSync(path)).length, 0) / 1000;
     console.log(`first word on webgpu: ${kb.toFixed(1)} KB brotli; budget ${firstWord} KB`);
     if (kb > firstWord) over.push('first word');
   };
-  // What only some players fetch: the importer of foreign avatars, what connects to a mind, what
+  // What only some players fetch: the importer of foreign avatars, what speaks in the page (flite apart), what connects to a mind, what
   // plays music, the browser's own voice, and what keeps the pitch at other speeds.
   for (const [backend, budget] of Object.entries(budgets)) {
     const other = backend === 'webgpu' ? 'webgl' : 'webgpu';
-    measure(backend, reach(entry, new RegExp(`^(avatar|mind|music|spoken|stretch|${other})-`)), budget);
+    measure(backend, reach(entry, new RegExp(`^(avatar|flite|here|mind|music|say|spoken|stretch|${other})-`)), budget);
   }
   measure('avatar', named(/^avatar-/), 250);
+  measure('say', named(/^(say|here|flite-worker)-/), 1300);
   measure('mind', named(/^mind-/), 4);
   measure('music', named(/^music-/), 3);
   measure('spoken', named(/^spoken-/), 3);

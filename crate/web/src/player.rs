@@ -227,6 +227,13 @@ impl Player {
         })
     }
 
+    /// Takes the speech of fragments that will come: the text of a bundle that begins with what is
+    /// known. Whether it does.
+    pub fn hear(&mut self, bundle: &[u8]) -> bool {
+        let performer = self.performer.as_mut();
+        performer.is_some_and(|performer| performer.hear(bundle))
+    }
+
     /// Whether the clock may pass the end of the story, because a mind may send more.
     #[wasm_bindgen(js_name = setOpenEnded)]
     pub fn set_open_ended(&mut self, open_ended: bool) {

@@ -7,6 +7,7 @@ use raconteur_base::{DVec3, Side};
 use raconteur_body::face::{FaceControls, Network, NodeState, Tissue};
 use raconteur_body::{Bone, Figure, Pose};
 use raconteur_eml::{Diagnostic, Performer, Timeline, thinned};
+use raconteur_speech::bundle::Bundle;
 use raconteur_stage::{Camera, Frame, Room, View};
 
 use crate::live::{FragmentText, Performed, Scene};
@@ -210,6 +211,28 @@ impl Player {
     #[must_use]
     pub fn music(&self) -> Vec<MusicCue> {
         self.score.music()
+    }
+
+    /// Takes the speech of fragments that will come: a bundle that begins with the utterances that
+    /// are known. Whether it does; otherwise nothing changes.
+    pub fn hear(&mut self, bundle_json: &[u8]) -> bool {
+        let Ok(bundle) = Bundle::from_json(bundle_json) else {
+            return false;
+        };
+        let known = self.script.bundle.iter().flat_map(|b| &b.utterances);
+        let begins = known
+            .zip(
+                bundle
+                    .utterances
+                    .iter()
+                    .map(Some)
+                    .chain(core::iter::repeat(None)),
+            )
+            .all(|(known, given)| given.is_some_and(|given| given.key == known.key));
+        if begins {
+            self.script.bundle = Some(Arc::new(bundle));
+        }
+        begins
     }
 
     /// Performs EML that comes while the story plays (GEVH 3.6): a list of clauses or a whole

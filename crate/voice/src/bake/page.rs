@@ -117,3 +117,96 @@ fn merged(mut known: Bundle, new: Bundle) -> Bundle {
     }
     known
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::bake::engine::flite::{Flite, Host, Output};
+    use crate::bake::{Cast, STORY_PACE};
+    use crate::said;
+    use crate::text::Lexicon;
+
+    /// Says "cat" for every word, and fails on "bad".
+    struct Cat;
+
+    impl Host for Cat {
+        fn run(&self, arguments: &[&str], files: &[(&str, &str)], sound: bool) -> Result<Output> {
+            let text = files.first().map_or("", |f| f.1);
+            anyhow::ensure!(!text.contains("bad"), "no such word");
+            let words = text.split_whitespace().count();
+            let printed = match arguments {
+                ["--version"] => "flite-2.2-test".to_owned(),
+                ["-lv"] => "Voices available: slt".to_owned(),
+                _ if sound => {
+                    let phones = ["k", "ae", "t"].repeat(words);
+                    let ends = (1..).map(|i| f64::from(i) * 0.1);
+                    let all = phones.iter().zip(ends);
+                    all.map(|(p, end)| format!("{p}:{end:.3} ")).collect()
+                }
+                _ => "pau k ae t pau\n".repeat(words),
+            };
+            let wave = wave_of(&vec![0.1; 4800 * words], 16_000)?;
+            Ok(Output {
+                printed,
+                wave: if sound { wave } else { Vec::new() },
+            })
+        }
+    }
+
+    fn options() -> BakeOptions {
+        BakeOptions {
+            cast: Cast::of("flite", Box::new(Flite(Cat)), "slt").unwrap(),
+            pace: STORY_PACE,
+            lexicon: Lexicon::default(),
+            lexicon_text: String::new(),
+            jobs: 1,
+            check: false,
+        }
+    }
+
+    fn requests(eml: &str) -> Vec<SpeechRequest> {
+        said(&raconteur_eml::parse(eml).document)
+    }
+
+    const TWO: &str = "<eml><body><voice-text time='0'>One two.</voice-text>\
+        <voice-text time='9'>Three.</voice-text></body></eml>";
+
+    #[test]
+    fn what_is_said_has_its_phones_and_sound_and_is_not_said_twice() {
+        let options = options();
+        let first = say(&requests(TWO), None, &options).unwrap();
+        assert!(first.problems.is_empty(), "{:?}", first.problems);
+        let bundle = Bundle::from_json(first.bundle.as_bytes()).unwrap();
+        assert_eq!(bundle.utterances.len(), 2);
+        for (utterance, (file, wave)) in bundle.utterances.iter().zip(&first.sounds) {
+            assert_eq!(&utterance.audio[0].file, file);
+            let sounds = utterance.phones.iter().filter(|p| p.symbol != "pau");
+            assert_eq!(sounds.count(), 3 * utterance.words.len());
+            let reader = hound::WavReader::new(&wave[..]).unwrap();
+            let secs = f64::from(reader.duration()) / f64::from(reader.spec().sample_rate);
+            assert!((secs - utterance.duration_secs).abs() < 0.01);
+        }
+        let more = TWO.replace("</body>", "<voice-text time='20'>Four.</voice-text></body>");
+        let second = say(&requests(&more), Some(bundle.clone()), &options).unwrap();
+        assert_eq!(second.sounds.len(), 1);
+        let both = Bundle::from_json(second.bundle.as_bytes()).unwrap();
+        assert_eq!(both.utterances.len(), 3);
+        assert_eq!(both.utterances[..2], bundle.utterances[..]);
+    }
+
+    #[test]
+    fn what_cannot_be_said_is_told_and_the_rest_is_said() {
+        let eml = TWO.replace("One two.", "A bad one.");
+        let out = say(&requests(&eml), None, &options()).unwrap();
+        assert_eq!(out.sounds.len(), 1);
+        assert!(
+            out.problems[0].contains("no such word"),
+            "{:?}",
+            out.problems
+        );
+        let file =
+            "<eml><body><voice-say time='0' type='text' content='/etc/passwd'/></body></eml>";
+        let out = say(&requests(file), None, &options()).unwrap();
+        assert!(out.sounds.is_empty());
+    }
+}

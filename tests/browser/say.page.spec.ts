@@ -1,0 +1,50 @@
+/** Text of one's own on the first page. */
+
+import { expect, test, type Page } from '@playwright/test';
+import type { RaconteurPlayer } from '../../web/element/element.js';
+
+/** Notes the phones that the player tells of from now on. */
+async function listen(page: Page): Promise<void> {
+  await page.locator('raconteur-player').evaluate((p: RaconteurPlayer) => {
+    p.dataset['phones'] = '';
+    p.addEventListener('phone', (event) => {
+      p.dataset['phones'] += ` ${(event as CustomEvent<{ symbol: string }>).detail.symbol}`;
+    });
+  });
+}
+
+const phones = (page: Page): Promise<string> => page.locator('raconteur-player').evaluate((p: RaconteurPlayer) => p.dataset['phones'] ?? '');
+
+test('a visitor types a sentence and the figure says it, with the phones of its voice', async ({ page }) => {
+  await page.goto('/');
+  const player = page.locator('raconteur-player');
+  await expect.poll(() => player.evaluate((p: RaconteurPlayer) => p.readyState), { timeout: 60_000 }).toBe(4);
+  await listen(page);
+  await page.getByLabel('Say it: your own words').fill('Good morning. Who are you?');
+  await page.keyboard.press('Enter');
+  await expect.poll(() => player.evaluate((p: RaconteurPlayer) => p.ended), { timeout: 60_000 }).toBe(true);
+  const said = await phones(page);
+  // flite's, of the radio set.
+  expect(said).toMatch(/g uh d m ao r n ih ng/);
+  expect(said).toMatch(/hh uw aa?r? ?.*y uw/);
+  await expect(page.locator('#say-note')).toContainText('flite speaks');
+  expect(page.url()).toContain('#say=Good%20morning');
+  // A second one comes at once, and the first is not said again.
+  await player.evaluate((p: RaconteurPlayer) => void (p.dataset['phones'] = ''));
+  await page.getByLabel('Say it: your own words').fill('And now the cat.');
+  await page.getByRole('button', { name: 'Say it' }).click();
+  await expect.poll(() => phones(page), { timeout: 30_000 }).toMatch(/k ae t/);
+  expect(await phones(page)).not.toMatch(/g uh d m ao/);
+  // A story takes the stage again.
+  await page.getByRole('button', { name: /Hello world/ }).click();
+  await expect.poll(() => player.evaluate((p: RaconteurPlayer) => p.label)).toBe('Hello world');
+  await expect.poll(() => player.evaluate((p: RaconteurPlayer) => p.duration), { timeout: 30_000 }).toBeLessThan(8);
+});
+
+test('a shared text stands in the box and on the stage, and waits to be played', async ({ page }) => {
+  await page.goto(`/#say=${encodeURIComponent('Hi! <b>Bold</b> & brave :)')}`);
+  await expect(page.getByLabel('Say it: your own words')).toHaveValue('Hi! <b>Bold</b> & brave :)');
+  const player = page.locator('raconteur-player');
+  await expect.poll(() => player.evaluate((p: RaconteurPlayer) => p.label), { timeout: 60_000 }).toBe('Your own words');
+  expect(await player.evaluate((p: RaconteurPlayer) => p.paused)).toBe(true);
+});
