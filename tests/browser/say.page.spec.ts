@@ -1,5 +1,6 @@
 /** Text of one's own on the first page. */
 
+import { readFileSync } from 'node:fs';
 import { expect, test, type Page } from '@playwright/test';
 import type { RaconteurPlayer } from '../../web/element/element.js';
 
@@ -29,6 +30,11 @@ test('a visitor types a sentence and the figure says it, with the phones of its 
   expect(said).toMatch(/hh uw aa?r? ?.*y uw/);
   await expect(page.locator('#say-note')).toContainText('flite speaks');
   expect(page.url()).toContain('#say=Good%20morning');
+  // What was said can be kept.
+  const [kept] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'Keep as a story' }).click()]);
+  expect(kept.suggestedFilename()).toBe('my-story.zip');
+  const packed = readFileSync(await kept.path());
+  for (const name of ['my-story/story.eml', 'my-story/voice/speech.json', '.wav']) expect(packed.includes(name), name).toBe(true);
   // A second one comes at once, and the first is not said again.
   await player.evaluate((p: RaconteurPlayer) => void (p.dataset['phones'] = ''));
   await page.getByLabel('Say it: your own words').fill('And now the cat.');

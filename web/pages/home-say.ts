@@ -12,6 +12,15 @@ interface Stage {
   clear(): void;
 }
 
+/** Hands a file to the visitor. */
+function save(file: Blob, name: string): void {
+  const link = document.createElement('a');
+  link.href = URL.createObjectURL(file);
+  link.download = name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+}
+
 /** Lets the form put texts on the stage; whether the address had one. */
 export function say(player: RaconteurPlayer, { clear }: Stage): boolean {
   const form = document.querySelector<HTMLFormElement>('#say');
@@ -60,13 +69,18 @@ export function say(player: RaconteurPlayer, { clear }: Stage): boolean {
       () => (note.textContent = 'The address of this page is the link.'),
     );
   });
-  keep.addEventListener('click', () => {
+  keep.addEventListener('click', async () => {
     if (script === undefined) return;
-    const link = document.createElement('a');
-    link.href = URL.createObjectURL(new Blob([script], { type: 'application/xml' }));
-    link.download = 'story.eml';
-    link.click();
-    setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+    keep.disabled = true;
+    note.textContent = 'The story is being packed…';
+    try {
+      const { pack } = await import('./home-keep.js');
+      save(await pack(script, player.currentFigure ?? ''), 'my-story.zip');
+      note.textContent = 'Script and voice are in my-story.zip: a folder that any page can play.';
+    } catch (error) {
+      note.textContent = `It could not be kept: ${error instanceof Error ? error.message : String(error)}`;
+    }
+    keep.disabled = false;
   });
 
   if (!location.hash.startsWith(SHARED)) return false;

@@ -12,6 +12,9 @@ use super::want::{self, Wanted, short};
 use super::{BakeOptions, bundle_text, bundled, speak};
 use crate::{Source, SpeechRequest};
 
+/// Most words that are said at a time, some twenty minutes: sound is held in memory.
+const MOST_WORDS: usize = 3000;
+
 /// What was said.
 #[derive(Clone, Debug, Default)]
 pub struct Said {
@@ -33,12 +36,20 @@ pub fn say(said: &[SpeechRequest], known: Option<Bundle>, options: &BakeOptions)
     let known = known.unwrap_or_default();
     let mut seen: BTreeSet<u64> = known.utterances.iter().map(|u| u.key).collect();
     let mut made = Vec::new();
+    let mut words = 0;
     for (place, request) in said.iter().enumerate() {
         let Source::Content(content) = &request.source else {
             continue;
         };
         if content.words().is_empty() || !seen.insert(request.key) {
             continue;
+        }
+        words += content.words().len();
+        if words > MOST_WORDS {
+            out.problems.push(format!(
+                "more than {MOST_WORDS} words are not said while somebody waits; bake the story"
+            ));
+            break;
         }
         match say_one(request, place, options) {
             Ok((wanted, utterance, wave)) => {
@@ -208,5 +219,12 @@ mod tests {
             "<eml><body><voice-say time='0' type='text' content='/etc/passwd'/></body></eml>";
         let out = say(&requests(file), None, &options()).unwrap();
         assert!(out.sounds.is_empty());
+    }
+    #[test]
+    fn long_texts_are_told_and_not_said() {
+        let long = "word ".repeat(MOST_WORDS + 1);
+        let out = say(&requests(&TWO.replace("Three", &long)), None, &options()).unwrap();
+        assert_eq!(out.sounds.len(), 1);
+        assert!(out.problems[0].contains("bake"), "{:?}", out.problems);
     }
 }

@@ -1,0 +1,94 @@
+import { beforeEach, expect, test, vi } from 'vitest';
+import type { Ask, Reply } from '../speech/flite.js';
+import type { SpeechSource } from '../speech/source.js';
+
+/** A worker that answers when it is told to. */
+class FakeWorker {
+  static all: FakeWorker[] = [];
+  onmessage?: (event: { data: Reply }) => void;
+  onerror?: () => void;
+  asked: Ask[] = [];
+  ended = false;
+
+  constructor() {
+    FakeWorker.all.push(this);
+  }
+
+  postMessage(ask: Ask): void {
+    this.asked.push(ask);
+  }
+
+  terminate(): void {
+    this.ended = true;
+  }
+
+  say(id: number): void {
+    this.onmessage?.({ data: { kind: 'said', id, bundle: `{"${id}":1}`, sounds: [[`${id}.wav`, new Uint8Array(2)]], problems: [] } });
+  }
+}
+
+let flite: SpeechSource;
+let aborts: AbortController;
+const last = (): FakeWorker => {
+  const worker = FakeWorker.all.at(-1);
+  if (worker === undefined) throw new Error('no worker was made');
+  return worker;
+};
+const speak = (eml: string, progress: (share: number) => void = () => undefined) => flite.speak({ eml, voice: 'slt' }, { signal: aborts.signal, progress });
+
+beforeEach(async () => {
+  FakeWorker.all = [];
+  vi.stubGlobal('Worker', FakeWorker);
+  vi.resetModules();
+  ({ flite } = await import('../speech/flite.js'));
+  aborts = new AbortController();
+});
+
+test('each text gets its own answer, in any order, from one worker', async () => {
+  const shares: number[] = [];
+  const [one, two] = [speak('one', (share) => shares.push(share)), speak('two')];
+  expect(flite.ready).toBe(false);
+  last().onmessage?.({ data: { kind: 'progress', share: 0.5 } });
+  last().say(1);
+  last().say(0);
+  expect((await one).sounds.has('0.wav')).toBe(true);
+  expect((await two).bundle).toBe('{"1":1}');
+  expect([FakeWorker.all.length, shares, flite.ready]).toEqual([1, [0.5], true]);
+});
+
+test('two hundred texts, ended at random, leave nothing behind', async () => {
+  let said = 0;
+  let ended = 0;
+  for (let i = 0; i < 200; i++) {
+    aborts = new AbortController();
+    const saying = speak(`text ${i}`).then(
+      () => (said += 1),
+      () => (ended += 1),
+    );
+    if ((i * 7919) % 3 === 0) aborts.abort();
+    last().say(i);
+    await saying;
+  }
+  expect([said, ended, FakeWorker.all.length]).toEqual([133, 67, 1]);
+});
+
+test('a voice that breaks down is told, and the next text gets a fresh one', async () => {
+  const broken = speak('one');
+  last().onmessage?.({ data: { kind: 'failed', id: 0, message: 'unreachable', dead: true } });
+  await expect(broken).rejects.toThrow('unreachable');
+  expect(last().ended).toBe(true);
+  const again = speak('two');
+  expect(FakeWorker.all).toHaveLength(2);
+  last().say(1);
+  await again;
+  // What it only cannot say does not end it.
+  const strange = speak('three');
+  last().onmessage?.({ data: { kind: 'failed', id: 2, message: 'too long', dead: false } });
+  await expect(strange).rejects.toThrow('too long');
+  expect(last().ended).toBe(false);
+});
+
+test('English alone is spoken, and figures have voices', () => {
+  expect(['en', 'en-GB', 'EN-us', 'pt', 'de', 'enx', ''].map((tag) => flite.speaks(tag))).toEqual([true, true, true, false, false, false, false]);
+  expect(flite.voiceOf('papous')).not.toBe(flite.voiceOf('sofia'));
+});
