@@ -26,8 +26,8 @@ export interface Show {
   readonly transport: Transport;
   /** Ends what is still being made for it. */
   readonly end: AbortController;
-  /** Fragments that are being spoken. */
-  fragments?: Promise<void>;
+  /** What is being spoken, and what waits for it. */
+  speaking?: Promise<void>;
   /** The text that was given to the page's own voice. */
   spoken?: string;
   /** What has no recording was given to the browser's voice. */

@@ -41,17 +41,17 @@ const SPEAKS = /<([\w.-]+:)?voice-(text|say)\b/;
 /** Has what a fragment says spoken, where something in the page speaks its language; it may be performed then. Undefined where nothing is to be spoken here. */
 export function speakFragment(context: PlayerContext, show: Show, fragment: string): Promise<void> | undefined {
   if (context.player.speech === 'browser' || !SPEAKS.test(fragment)) return undefined;
-  const before = show.fragments;
+  const before = show.speaking;
   const speaking = (async () => {
     await before;
     const source = await sourceOf(context, show);
     if (source === undefined || context.show !== show) return;
-    take(show, await source.speak({ eml: fragment, fragment: true, ...asked(show, source) }, saying(context, show)));
+    take(context, show, await source.speak({ eml: fragment, fragment: true, ...asked(show, source) }, saying(context, show)));
     if (show.files.bundle !== undefined) show.picture.hear(show.files.bundle);
   })().catch((error: unknown) => {
     if (!show.end.signal.aborted) console.warn('raconteur: nothing speaks here', error);
   });
-  show.fragments = speaking;
+  show.speaking = speaking;
   return speaking;
 }
 
@@ -67,8 +67,9 @@ function asked({ files: { bundle }, figure }: Show, source: SpeechSource): Pick<
 
 const saying = ({ player }: PlayerContext, show: Show): Saying => ({ signal: show.end.signal, progress: (share) => fire(player, 'voiceprogress', { share }) });
 
-/** Keeps what was said. */
-function take(show: Show, { bundle, sounds }: Said): void {
+/** Keeps what was said, and reports what was not. */
+function take({ diagnostics }: PlayerContext, show: Show, { bundle, sounds, problems }: Said): void {
+  for (const message of problems) diagnostics.report({ code: 'voice-unsaid', severity: 'warning', message, hints: [] });
   show.voice.give(sounds);
   show.files = { ...show.files, bundle: new TextEncoder().encode(bundle) };
 }
@@ -78,16 +79,22 @@ async function speakHere(context: PlayerContext, show: Show, retell: (story: Sto
   const { player } = context;
   const { eml } = show.files;
   if (show.spoken === eml) return;
-  const making = sourceOf(context, show).then(async (source) => {
+  // One after another: each adds to the bundle of those before.
+  const making = Promise.resolve(show.speaking).then(async () => {
+    const source = await sourceOf(context, show);
     if (source !== undefined && player.paused && !source.ready) return 'later';
     show.spoken = eml;
     return source && (await source.speak({ eml, ...asked(show, source) }, saying(context, show)));
   });
+  show.speaking = making.then(
+    () => undefined,
+    () => undefined,
+  );
   if (!player.paused) show.voice.hold(making);
   try {
     const said = await making;
     if (said === undefined || said === 'later' || context.show !== show || show.files.eml !== eml) return;
-    take(show, said);
+    take(context, show, said);
     const story = show.files.bundle && show.picture.voiced(show.files.bundle);
     if (story !== undefined) retell(story);
   } catch (error) {
