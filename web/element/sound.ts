@@ -82,7 +82,8 @@ async function speakHere(context: PlayerContext, show: Show, retell: (story: Sto
   // One after another: each adds to the bundle of those before.
   const making = Promise.resolve(show.speaking).then(async () => {
     const source = await sourceOf(context, show);
-    if (source !== undefined && player.paused && !source.ready) return 'later';
+    // Another text may have come meanwhile.
+    if (show.files.eml !== eml || (source !== undefined && player.paused && !source.ready)) return 'later';
     show.spoken = eml;
     return source && (await source.speak({ eml, ...asked(show, source) }, saying(context, show)));
   });
