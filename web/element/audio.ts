@@ -52,6 +52,8 @@ const MOST_LATENCY_SECS = 1;
 const PATIENCE_MS = 20_000;
 /** A browser that allows sound starts it within this, even on a busy machine. */
 const REFUSAL_MS = 2000;
+/** A picture of a slow machine takes no longer. */
+const BEFORE_SPEAKING_SECS = 0.25;
 /** A start or stop inside a sound fades over this, so that it does not click. */
 const FADE_SECS = 0.006;
 /**
@@ -310,9 +312,12 @@ export class RecordedVoice implements Voice {
   ready(position: number): boolean {
     for (const utterance of this.#utterances) {
       const offset = position - utterance.startSecs;
-      if (offset < 0 || offset >= utterance.durationSecs) continue;
+      if (offset >= utterance.durationSecs) continue;
+      // The story stops before what is being spoken, or its first sounds would be passed.
+      if (this.#speaking > 0 && utterance.audio.length === 0 && offset >= -BEFORE_SPEAKING_SECS) return false;
+      if (offset < 0) continue;
       const sound = this.#sounds.get(utterance);
-      if (sound === undefined || sound === 'pending' || ((!this.#found || this.#speaking > 0) && utterance.audio.length === 0)) return false;
+      if (sound === undefined || sound === 'pending' || (!this.#found && utterance.audio.length === 0)) return false;
     }
     if (this.#rate !== 1 && this.#stretcher === undefined) return false;
     return !this.#awaited && (this.#music?.ready(position) ?? true) && (this.#spoken?.ready(position) ?? true);
