@@ -29,6 +29,8 @@ export interface Voice {
   setMusic(pieces: readonly Piece[], library: URL): void;
   /** Takes sounds that were made here, by the names that the utterances have for them. */
   give(sounds: ReadonlyMap<string, Uint8Array>): void;
+  /** Lets go of all that was given, and of sounds that nothing says any more. */
+  forget(): void;
   /** What has no recording yet is being spoken: until that is over its moments are not ready. */
   hold(speaking: Promise<unknown>): void;
   /**
@@ -230,6 +232,16 @@ export class RecordedVoice implements Voice {
 
   give(sounds: ReadonlyMap<string, Uint8Array>): void {
     for (const [file, wave] of sounds) this.#given.set(file, wave);
+  }
+
+  forget(): void {
+    this.#given.clear();
+    const present = new Set(this.#utterances);
+    for (const utterance of this.#sounds.keys()) {
+      if (present.has(utterance)) continue;
+      this.#sounds.delete(utterance);
+      this.#stretched.delete(utterance);
+    }
   }
 
   hold(speaking: Promise<unknown>): void {
@@ -471,6 +483,7 @@ export class SilentVoice implements Voice {
   setVolume(): void {}
   setMusic(): void {}
   give(): void {}
+  forget(): void {}
   hold(): void {}
 
   substitute(): Promise<undefined> {

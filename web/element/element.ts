@@ -358,7 +358,7 @@ export class RaconteurPlayer extends LitElement {
     const replaced = (['src', 'backend', 'assets'] as const).some((name) => changed.has(name));
     const figure = (changed.has('figure') || changed.has('handedness')) && this.hasUpdated;
     if (figure && !replaced && show !== undefined) {
-      void this.#figures.change(show);
+      void this.#figures.change(show).then(() => this.#stories.giveVoice());
     } else if ((replaced || figure) && this.hasUpdated) {
       this.#stories.close();
       if ((onScreen || this.loading === 'eager') && this.#stories.hasStory) void this.#stories.ensure();

@@ -26,9 +26,11 @@ export interface Show {
   readonly transport: Transport;
   /** Ends what is still being made for it. */
   readonly end: AbortController;
+  /** The bundle that the story came with. */
+  readonly recorded: Uint8Array | undefined;
   /** What is being spoken, and what waits for it. */
   speaking?: Promise<void>;
-  /** The text that was given to the page's own voice. */
+  /** The figure and the text that the page's own voice was given. */
   spoken?: string;
   /** What has no recording was given to the browser's voice. */
   lent?: boolean;

@@ -13,6 +13,9 @@ export function updateMusic({ player }: PlayerContext, { voice, picture }: Show)
 
 const isSilent = ({ script }: Show): boolean => [...script].some(({ audio, words }) => audio.length === 0 && words.length > 0);
 
+/** The text on stage and who says it. */
+const spokenBy = ({ figure, files: { eml } }: Show): string => `${figure}\n${eml}`;
+
 /** What tells no language is said in this one. */
 function languageOf({ player }: PlayerContext, { story }: Show): string {
   const inherited = player.closest<HTMLElement>('[lang]')?.lang;
@@ -25,7 +28,9 @@ function languageOf({ player }: PlayerContext, { story }: Show): string {
  * with its new times.
  */
 export async function substituteVoice(context: PlayerContext, show: Show, retell: (story: Story) => void): Promise<void> {
-  if (!isSilent(show)) return;
+  // Another figure has another voice.
+  const isOfAnother = show.spoken !== undefined && show.spoken !== spokenBy(show);
+  if (!isSilent(show) && !isOfAnother) return;
   await speakHere(context, show, retell);
   if (context.show !== show || show.lent || show.spoken === undefined || !isSilent(show)) return;
   show.lent = true;
@@ -46,7 +51,8 @@ export function speakFragment(context: PlayerContext, show: Show, fragment: stri
     await before;
     const source = await sourceOf(context, show);
     if (source === undefined || context.show !== show) return;
-    take(context, show, await source.speak({ eml: fragment, fragment: true, ...asked(show, source) }, saying(context, show)));
+    // It joins what is there.
+    take(context, show, await source.speak({ eml: fragment, fragment: true, ...asked(show, source, show.files.bundle) }, saying(context, show)));
     if (show.files.bundle !== undefined) show.picture.hear(show.files.bundle);
   })().catch((error: unknown) => {
     if (!show.end.signal.aborted) console.warn('raconteur: nothing speaks here', error);
@@ -61,8 +67,8 @@ async function sourceOf(context: PlayerContext, show: Show): Promise<SpeechSourc
 }
 
 /** What a source is told besides the text. */
-function asked({ files: { bundle }, figure }: Show, source: SpeechSource): Pick<SpeechRequest, 'known' | 'voice'> {
-  return { known: bundle && new TextDecoder().decode(bundle), voice: source.voiceOf(figure) };
+function asked({ figure }: Show, source: SpeechSource, known: Uint8Array | undefined): Pick<SpeechRequest, 'known' | 'voice'> {
+  return { known: known && new TextDecoder().decode(known), voice: source.voiceOf(figure) };
 }
 
 const saying = ({ player }: PlayerContext, show: Show): Saying => ({ signal: show.end.signal, progress: (share) => fire(player, 'voiceprogress', { share }) });
@@ -78,14 +84,15 @@ function take({ diagnostics }: PlayerContext, show: Show, { bundle, sounds, prob
 async function speakHere(context: PlayerContext, show: Show, retell: (story: Story) => void): Promise<void> {
   const { player } = context;
   const { eml } = show.files;
-  if (show.spoken === eml) return;
-  // One after another: each adds to the bundle of those before.
+  const wanted = spokenBy(show);
+  if (show.spoken === wanted) return;
+  // One after another, as fragments are.
   const making = Promise.resolve(show.speaking).then(async () => {
     const source = await sourceOf(context, show);
     // Another text may have come meanwhile.
-    if (show.files.eml !== eml || (source !== undefined && player.paused && !source.ready)) return 'later';
-    show.spoken = eml;
-    return source && (await source.speak({ eml, ...asked(show, source) }, saying(context, show)));
+    if (spokenBy(show) !== wanted || (source !== undefined && player.paused && !source.ready)) return 'later';
+    show.spoken = wanted;
+    return source && (await source.speak({ eml, ...asked(show, source, show.recorded) }, saying(context, show)));
   });
   show.speaking = making.then(
     () => undefined,
@@ -94,12 +101,14 @@ async function speakHere(context: PlayerContext, show: Show, retell: (story: Sto
   if (!player.paused) show.voice.hold(making);
   try {
     const said = await making;
-    if (said === undefined || said === 'later' || context.show !== show || show.files.eml !== eml) return;
+    if (said === undefined || said === 'later' || context.show !== show || spokenBy(show) !== wanted) return;
+    // What was spoken before is of another text, or of another figure's voice.
+    show.voice.forget();
     take(context, show, said);
     const story = show.files.bundle && show.picture.voiced(show.files.bundle);
     if (story !== undefined) retell(story);
   } catch (error) {
-    show.spoken = eml;
+    show.spoken = wanted;
     if (!show.end.signal.aborted) console.warn('raconteur: nothing speaks here', error);
   }
 }

@@ -150,7 +150,20 @@ export class StoryLoader {
     const voice = openVoice(script, voiceFolder, (message) => diagnostics.report({ code: 'sound-missing', severity: 'warning', message, hints: [] }));
     const transport = new Transport(voice, story.durationSecs, this.#events.transport, player.playbackRate);
     const captions = captionsOf(story.utterances);
-    const show: Show = { story, figure: figure.name, choice: story.performer.figure, files, sinceMs, picture, voice, transport, script, captions, end: new AbortController() };
+    const show: Show = {
+      story,
+      figure: figure.name,
+      choice: story.performer.figure,
+      files,
+      sinceMs,
+      picture,
+      voice,
+      transport,
+      script,
+      captions,
+      recorded: files.bundle,
+      end: new AbortController(),
+    };
     this.#context.show = show;
     updateMusic(this.#context, show);
     this.#context.started = false;
@@ -192,7 +205,7 @@ export class StoryLoader {
     diagnostics.addStory(story.diagnostics, anew);
     dispatch(player, 'durationchange');
     if (player.paused) advance();
-    if (!player.figure && story.performer.figure !== show.choice) void this.#figures.change(show);
+    if (!player.figure && story.performer.figure !== show.choice) void this.#figures.change(show).then(() => this.giveVoice());
     player.requestUpdate();
   }
 

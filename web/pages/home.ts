@@ -26,10 +26,11 @@ function choose(name: string): void {
   if (button === undefined || story === undefined || player === null) return;
   for (const b of buttons) b.setAttribute('aria-pressed', String(b === button));
   player.label = button.dataset['title'] ?? story;
+  const src = address(story);
   // A text of the visitor's own may have taken the story's place.
-  if (owned) void player.load();
+  if (owned && player.src === src) void player.load();
   owned = false;
-  player.src = address(story);
+  player.src = src;
   if (script?.closest('details')?.open) void readScript();
 }
 
@@ -75,7 +76,8 @@ if (!isShared) choose(story);
 if (player !== null) {
   const chooseFigure = cast(player, (name) => {
     figure = name;
-    remember();
+    // The address keeps the visitor's own text.
+    if (!owned) remember();
   });
   if (teller !== '') chooseFigure(teller);
 }

@@ -105,6 +105,30 @@ test('what a mind sends is performed, and it is told the answers', () => {
   ]);
 });
 
+test('what has to be spoken first is answered in its order, and what comes meanwhile waits', async () => {
+  const spoken: (() => void)[] = [];
+  const order: string[] = [];
+  MindLink.open('wss://m.example', {
+    ...host,
+    perform: (fragment) => {
+      order.push(fragment);
+      const all: Answer[] = [{ kind: 'accepted', timeSecs: order.length, fragment: order.length, clauses: [] }];
+      return fragment === 'speech' ? new Promise((resolve) => spoken.push(() => resolve(all))) : all;
+    },
+  });
+  vi.advanceTimersByTime(0);
+  const socket = last();
+  socket.open();
+  for (const data of ['hand', 'speech', 'hand']) socket.onmessage?.({ data });
+  expect(order).toEqual(['hand', 'speech']);
+  spoken[0]?.();
+  await vi.waitFor(() => expect(order).toEqual(['hand', 'speech', 'hand']));
+  await vi.waitFor(() => expect(socket.sent.map((m) => m.kind)).toEqual(['hello', 'accepted', 'accepted', 'accepted']));
+  // A flood of speech is one, too.
+  for (let i = 0; i < 200; i++) socket.onmessage?.({ data: 'speech' });
+  expect(socket.closedWith).toBe(4008);
+});
+
 test('waits double, up to half a minute, and begin anew after a steady connection', () => {
   vi.spyOn(Math, 'random').mockReturnValue(1);
   const link = MindLink.open('wss://m.example', host);

@@ -28,12 +28,8 @@ const GLOW: i32 = 65;
 /// before.
 const GRAIN: usize = 97;
 
-/// Luma of the empty stage at most, of 255; skin is lighter but in its own shadow.
-const STAGE_LUMA: f64 = 26.0;
-
-/// Pixels that are brighter than all that lie two away from them, by a quarter and 30 of 255, and
-/// by twice as much as any beside them: what lights up alone. Gloss, as on dark lips, fades over
-/// the pixels beside it.
+/// Pixels that are brighter than all that lie two away from them, by a quarter and 30 of 255: what
+/// lights up alone.
 fn sparks(rgba: &[u8]) -> Vec<(usize, usize)> {
     let luma = |x: usize, y: usize| {
         let p = &rgba[4 * (y * SIDE + x)..];
@@ -42,19 +38,9 @@ fn sparks(rgba: &[u8]) -> Vec<(usize, usize)> {
     let mut out = Vec::new();
     for y in 2..SIDE - 2 {
         for x in 2..SIDE - 2 {
-            let own = luma(x, y);
-            let at = |(i, j): (usize, usize)| luma(x + i - 2, y + j - 2);
             let ring = (0..5).flat_map(|k| [(k, 0), (k, 4), (0, k), (4, k)]);
-            let around = ring.clone().map(at).fold(0.0, f64::max);
-            // Through the open mouth and eyes, which are not drawn, an ear's back may be seen.
-            if ring.map(at).fold(f64::MAX, f64::min) < STAGE_LUMA {
-                continue;
-            }
-            let beside = (0..9)
-                .filter(|k| *k != 4)
-                .map(|k| at((1 + k % 3, 1 + k / 3)));
-            let is_alone = own - around > 2.0 * (beside.fold(0.0, f64::max) - around);
-            if own > 1.25 * around + 30.0 && is_alone {
+            let around = ring.map(|(i, j)| luma(x + i - 2, y + j - 2));
+            if luma(x, y) > 1.25 * around.fold(0.0, f64::max) + 30.0 {
                 out.push((x, y));
             }
         }
@@ -69,10 +55,13 @@ fn no_pixel_of_the_skin_lights_up_alone() {
     let mut all = Vec::new();
     for name in FIGURES {
         let mut figure = figure(name);
-        // Strands of hair, lashes, and what is wet may glitter: eyes, and the mouth between the lips.
-        figure
-            .meshes
-            .retain(|m| matches!(m.material.kind, MaterialKind::Skin | MaterialKind::Nail));
+        // Strands of hair, lashes, eyes and their wet may glitter.
+        figure.meshes.retain(|m| {
+            matches!(
+                m.material.kind,
+                MaterialKind::Skin | MaterialKind::Nail | MaterialKind::Mouth
+            )
+        });
         send(&mut device, &figure);
         for (at, yaw, pitch) in VIEWS {
             let frame = frame(&figure, Lighting::default(), at, yaw, pitch);

@@ -70,7 +70,7 @@ use raconteur_body::figure::{Maps, Material, MaterialKind};
 pub struct HeadParams {
     /// The person of the body model whose head it is.
     pub traits: Traits,
-    /// The model's head for these traits.
+    /// The model's head for these traits. No part of a description: who reads one evaluates the model.
     #[serde(skip)]
     pub bound: Bound,
     /// Colour of the iris, linear RGB.

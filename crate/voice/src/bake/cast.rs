@@ -2,7 +2,7 @@
 //! sentence is for.
 
 use std::collections::BTreeMap;
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use crate::content::{Gender, Speaker};
 use crate::language;
@@ -24,7 +24,7 @@ pub struct Role {
 /// is recorded, so that all that is missing can be reported at once.
 pub struct Cast {
     options: EngineOptions,
-    known: Mutex<BTreeMap<String, &'static Known>>,
+    known: Mutex<Engines>,
     missing: Mutex<Missing>,
     /// The story's own voice.
     pub lead: Role,
@@ -40,6 +40,15 @@ struct Known {
     engine: Box<dyn Engine>,
     version: String,
     voices: Vec<VoiceInfo>,
+}
+
+type Engines = BTreeMap<String, &'static Known>;
+
+/// A handful of engines live as long as the program; so threads need not share a lock.
+fn keep(engines: &mut Engines, name: &str, one: Known) -> &'static Known {
+    let one: &'static Known = Box::leak(Box::new(one));
+    engines.insert(name.to_owned(), one);
+    one
 }
 
 /// The engine of a story that chooses none, a voice of it if not the first is meant,
@@ -152,7 +161,7 @@ impl Cast {
             voices: engine.voices()?,
             engine,
         };
-        cast.keep(name, known)?;
+        keep(&mut *cast.engines()?, name, known);
         Ok(Self {
             lead: Role {
                 voice: cast.voice(name, voice)?,
@@ -162,15 +171,9 @@ impl Cast {
         })
     }
 
-    /// A handful of engines live as long as the program; so threads need not share a lock.
-    fn keep(&self, name: &str, one: Known) -> Result<&'static Known> {
-        let one: &'static Known = Box::leak(Box::new(one));
-        let mut known = self
-            .known
-            .lock()
-            .map_err(|_| anyhow!("another thread failed"))?;
-        known.insert(name.to_owned(), one);
-        Ok(one)
+    fn engines(&self) -> Result<MutexGuard<'_, Engines>> {
+        let engines = self.known.lock();
+        engines.map_err(|_| anyhow!("another thread failed"))
     }
 
     /// What names no other language is said in this one, a tag of BCP 47; by another voice
@@ -196,12 +199,11 @@ impl Cast {
     }
 
     fn known(&self, name: &str) -> Result<&'static Known> {
-        let known = self.known.lock();
-        let known = known.map_err(|_| anyhow!("another thread failed"))?;
+        // Held until it has answered, so that no engine is started twice.
+        let mut known = self.engines()?;
         if let Some(one) = known.get(name) {
             return Ok(one);
         }
-        drop(known);
         let one = Known::ask(name, &self.options).unwrap_or_else(|error| {
             let missing = Missing::of(&error);
             self.note(&missing);
@@ -214,7 +216,7 @@ impl Cast {
                 }),
             }
         });
-        self.keep(name, one)
+        Ok(keep(&mut known, name, one))
     }
 
     /// A voice by its name.

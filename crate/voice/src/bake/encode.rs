@@ -1,6 +1,7 @@
 //! Encodes an utterance: Ogg Opus for the browsers that take it, MP3 for the others.
 
 use std::fs;
+use std::io::Cursor;
 use std::path::Path;
 
 use anyhow::{Context as _, Result, ensure};
@@ -18,7 +19,7 @@ pub(super) const FORMATS: [(&str, &str); 2] =
 pub(super) fn encode(samples: &[f64], rate_hz: u32) -> Result<[Vec<u8>; 2]> {
     let scratch = tempfile::tempdir().context("making a folder for the sound")?;
     let wave = scratch.path().join("sound.wav");
-    write_wave(&wave, samples, rate_hz)?;
+    fs::write(&wave, wave_of(samples, rate_hz)?).context("writing the sound")?;
 
     // A fixed serial number and no picture or comment: the same sound gives the same file.
     let made = scratch.path().join("sound.opus");
@@ -61,19 +62,25 @@ pub(super) fn encode(samples: &[f64], rate_hz: u32) -> Result<[Vec<u8>; 2]> {
     Ok([opus, mp3])
 }
 
-fn write_wave(path: &Path, samples: &[f64], rate_hz: u32) -> Result<()> {
+/// A WAV of one channel and 16 bits.
+///
+/// # Errors
+/// When it would be too long.
+pub(super) fn wave_of(samples: &[f64], rate_hz: u32) -> Result<Vec<u8>> {
+    let mut bytes = Cursor::new(Vec::new());
     let spec = hound::WavSpec {
         channels: 1,
         sample_rate: rate_hz,
         bits_per_sample: 16,
         sample_format: hound::SampleFormat::Int,
     };
-    let mut writer = hound::WavWriter::create(path, spec).context("writing the sound")?;
+    let mut writer = hound::WavWriter::new(&mut bytes, spec).context("writing the sound")?;
     for sample in samples {
         let level = (sample * 32767.0).round().clamp(-32768.0, 32767.0);
         writer.write_sample(level as i16)?;
     }
-    writer.finalize().context("writing the sound")
+    writer.finalize().context("writing the sound")?;
+    Ok(bytes.into_inner())
 }
 
 /// What an encoder has written. Some end well on a full disk.

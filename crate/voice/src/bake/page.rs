@@ -2,14 +2,15 @@
 //! programs and encoders. The sound is the baker's, as WAV.
 
 use std::collections::BTreeSet;
-use std::io::Cursor;
 use std::path::Path;
 
-use anyhow::{Context as _, Result, bail};
+use anyhow::Result;
 use raconteur_speech::bundle::{AudioFile, Bundle, Utterance};
 
+use super::encode::wave_of;
 use super::want::{self, Wanted, short};
 use super::{BakeOptions, bundle_text, bundled, speak};
+use crate::content::Content;
 use crate::{Source, SpeechRequest};
 
 /// Most words that are said at a time, some twenty minutes: sound is held in memory.
@@ -51,7 +52,7 @@ pub fn say(said: &[SpeechRequest], known: Option<Bundle>, options: &BakeOptions)
             ));
             break;
         }
-        match say_one(request, place, options) {
+        match say_one(request, content, place, options) {
             Ok((wanted, utterance, wave)) => {
                 let file = &utterance.audio[0].file;
                 out.sounds.push((file.clone(), wave));
@@ -72,12 +73,10 @@ pub fn say(said: &[SpeechRequest], known: Option<Bundle>, options: &BakeOptions)
 /// One utterance, planned and spoken, and its WAV.
 fn say_one<'a>(
     request: &'a SpeechRequest,
+    content: &Content,
     place: usize,
     options: &BakeOptions,
 ) -> Result<(Wanted<'a>, Utterance, Vec<u8>)> {
-    let Source::Content(content) = &request.source else {
-        bail!("files are not read here");
-    };
     let wanted = want::want(request, content.clone(), place, Path::new(""), options)?;
     let work = speak::Work {
         content: &wanted.content,
@@ -97,24 +96,6 @@ fn say_one<'a>(
     }];
     let wave = wave_of(&track.samples, track.rate_hz.round() as u32)?;
     Ok((wanted, utterance, wave))
-}
-
-/// A WAV of one channel and 16 bits.
-fn wave_of(samples: &[f64], rate_hz: u32) -> Result<Vec<u8>> {
-    let mut bytes = Cursor::new(Vec::new());
-    let spec = hound::WavSpec {
-        channels: 1,
-        sample_rate: rate_hz,
-        bits_per_sample: 16,
-        sample_format: hound::SampleFormat::Int,
-    };
-    let mut writer = hound::WavWriter::new(&mut bytes, spec).context("the sound")?;
-    for sample in samples {
-        let value = (sample.clamp(-1.0, 1.0) * f64::from(i16::MAX)).round();
-        writer.write_sample(value as i16).context("the sound")?;
-    }
-    writer.finalize().context("the sound")?;
-    Ok(bytes.into_inner())
 }
 
 /// A bundle with the utterances of another behind its own.

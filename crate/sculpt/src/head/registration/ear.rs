@@ -65,6 +65,9 @@ const LINES: [(u8, u8, [f64; 2]); 147] = [
     (10, 16, [-4.1, 3.6]), (10, 17, [-4.2, 4.4]),
 ];
 
+/// Places of both ears.
+pub(super) const COUNT: usize = 2 * LINES.len();
+
 /// Step towards the middle of the ear where a line misses it, as a share of the way.
 const INWARD: f64 = 0.02;
 /// Most steps.

@@ -134,7 +134,9 @@ pub fn register(model: &Model) -> Result<Registration, ModelError> {
         .iter()
         .map(|(&at, place)| (at, theirs.place(place)))
         .collect();
-    let (mut kept, mut sum, mut most, mut count) = (0, 0.0, 0.0f64, 0);
+    // Lines that miss the ear leave its places as they were.
+    let mut kept = ear::COUNT - ears.len();
+    let (mut sum, mut most, mut count) = (0.0, 0.0f64, 0);
     for (v, &(key, side)) in cage.keys.iter().enumerate() {
         let Some(was) = before
             .place(key, side)
@@ -164,6 +166,13 @@ fn nearest(theirs: &Surface, p: DVec3, normal: DVec3) -> Option<Place> {
 }
 
 /// The mean head's limit positions, bent through the given places and drawn onto a surface.
+///
+/// # Panics
+/// When the normal equations are singular, which the fixed topology and the given places rule out.
+#[allow(
+    clippy::expect_used,
+    reason = "depends on the built-in topology and table only"
+)]
 fn bend(
     cage: &Cage,
     theirs: &Surface,
@@ -189,15 +198,16 @@ fn bend(
         .filter(|(_, (key, side))| given(*key, *side).is_none())
         .filter_map(|(v, &(key, side))| Some((v, before(key, side)? - at[v])))
         .collect();
-    let mut own: Option<Vec<DVec3>> = None;
-    for [stiff, holds] in ROUNDS {
+    let mut bent = at.clone();
+    for (round, [stiff, holds]) in ROUNDS.into_iter().enumerate() {
         let mut rows: Vec<(Terms, DVec3)> = fixed
             .iter()
             .map(|&(v, shift)| (row(v, GIVEN), shift * GIVEN))
             .collect();
         rows.extend(free.iter().map(|&(v, was)| (row(v, BEFORE), was * BEFORE)));
-        if let Some(bent) = &own {
-            let normals = vertex_normals(bent, &cage.faces);
+        // The first bends it alone: unbent, the nearest places are others' places.
+        if round > 0 {
+            let normals = vertex_normals(&bent, &cage.faces);
             let found = free.iter().filter_map(|&(v, _)| {
                 let place = nearest(theirs, bent[v], normals[v])?;
                 Some((row(v, holds), (place.at - at[v]) * holds))
@@ -208,11 +218,10 @@ fn bend(
             .iter()
             .map(|r| r.iter().map(|&(v, w)| (v, w * stiff)).collect())
             .collect();
-        let shifts = least_squares(cage.len(), &rows, &smooth);
-        let shifts = shifts.unwrap_or_else(|| vec![DVec3::ZERO; cage.len()]);
-        own = Some(at.iter().zip(shifts).map(|(&p, s)| p + s).collect());
+        let shifts = least_squares(cage.len(), &rows, &smooth).expect("a positive definite system");
+        bent = at.iter().zip(shifts).map(|(&p, s)| p + s).collect();
     }
-    own.unwrap_or(at)
+    bent
 }
 
 #[cfg(test)]
