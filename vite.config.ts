@@ -48,6 +48,9 @@ function library(): Plugin {
       cpSync(join(root, 'web/pages/favicon.ico'), join(site, 'favicon.ico'));
       for (const name of ['LICENSE-MIT', 'LICENSE-APACHE']) cpSync(join(root, name), join(site, name));
       writeFileSync(join(site, 'THIRD-PARTY-NOTICES.txt'), notices(root));
+      // A work of its own, under a licence of its own.
+      cpSync(join(root, 'packages/voice-espeak/README.md'), join(site, 'voice-espeak/README.md'));
+      cpSync(join(root, 'node_modules/@echogarden/espeak-ng-emscripten/COPYING'), join(site, 'voice-espeak/COPYING'));
       buildDocs(root, site);
       const dead = deadLinks(site);
       if (dead.length > 0) throw new Error(`Dead links:\n${dead.map(({ page, href }) => `  ${page}: ${href}`).join('\n')}`);

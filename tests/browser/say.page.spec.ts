@@ -47,6 +47,25 @@ test('a visitor types a sentence and the figure says it, with the phones of its 
   await expect.poll(() => player.evaluate((p: RaconteurPlayer) => p.duration), { timeout: 30_000 }).toBeLessThan(8);
 });
 
+test('other languages are spoken by espeak-ng, whose licence is said where it is chosen', async ({ page }) => {
+  await page.goto('/');
+  const player = page.locator('raconteur-player');
+  await expect.poll(() => player.evaluate((p: RaconteurPlayer) => p.readyState), { timeout: 60_000 }).toBe(4);
+  await listen(page);
+  for (const [language, text, phones_] of [
+    ['de', 'Guten Morgen. Wie heißt du?', /g u: t @ n m O r g @ n .*v i: h aI s t d u:/],
+    ['pt', 'Olá! Era uma vez um coelho.', /O l a .*E \* & u m & v e z u~ N k u e l\^ U/],
+  ] as const) {
+    await player.evaluate((p: RaconteurPlayer) => void (p.dataset['phones'] = ''));
+    await page.getByLabel('Language of your words').selectOption(language);
+    await page.getByLabel('Say it: your own words').fill(text);
+    await page.keyboard.press('Enter');
+    await expect.poll(() => phones(page), { timeout: 60_000 }).toMatch(phones_);
+    await expect(page.locator('#say-note')).toContainText('espeak-ng speaks (GPL-3.0-or-later)');
+    expect(page.url()).toContain(`#say.${language}=`);
+  }
+});
+
 test('a shared text stands in the box and on the stage, and waits to be played', async ({ page }) => {
   await page.goto(`/#say=${encodeURIComponent('Hi! <b>Bold</b> & brave :)')}`);
   await expect(page.getByLabel('Say it: your own words')).toHaveValue('Hi! <b>Bold</b> & brave :)');

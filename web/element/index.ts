@@ -2,6 +2,8 @@
 
 import { register } from './register.js';
 
+export { addSpeechSource } from '../speech/added.js';
+export type { Said, Saying, SpeechRequest, SpeechSource } from '../speech/source.js';
 export { RaconteurPlayer } from './element.js';
 export { PlayerError } from './types.js';
 export type { AudioFile, Backend, Cue, Diagnostic, FaceCourse, Hand, Place, PlayerEventMap, Quality, Statistics, Story, Utterance, View, Word } from './types.js';

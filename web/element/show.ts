@@ -30,10 +30,19 @@ export interface Show {
   readonly recorded: Uint8Array | undefined;
   /** What is being spoken, and what waits for it. */
   speaking?: Promise<void>;
-  /** The figure and the text that the page's own voice was given. */
-  spoken?: string;
+  /** How the page's own voice tells the text on stage. */
+  telling?: Telling | undefined;
   /** What has no recording was given to the browser's voice. */
   lent?: boolean;
+}
+
+/** A text that the page's own voice tells. */
+export interface Telling {
+  /** The figure and the text. */
+  readonly of: string;
+  readonly end: AbortController;
+  /** All was said, or could not be. */
+  isOver: boolean;
 }
 
 /** Times, bytes and draw calls, once a picture was shown. */

@@ -2,8 +2,8 @@
 
 import { voiceMissing } from './audio.js';
 import { fire, libraryOf, type PlayerContext } from './context.js';
-import type { Said, Saying, SpeechRequest, SpeechSource } from '../speech/source.js';
-import type { Show } from './show.js';
+import type { Said, SpeechRequest, SpeechSource } from '../speech/source.js';
+import type { Show, Telling } from './show.js';
 import type { Story } from './types.js';
 
 /** Plays the music of the present performance. */
@@ -29,10 +29,10 @@ function languageOf({ player }: PlayerContext, { story }: Show): string {
  */
 export async function substituteVoice(context: PlayerContext, show: Show, retell: (story: Story) => void): Promise<void> {
   // Another figure has another voice.
-  const isOfAnother = show.spoken !== undefined && show.spoken !== spokenBy(show);
+  const isOfAnother = show.telling !== undefined && show.telling.of !== spokenBy(show);
   if (!isSilent(show) && !isOfAnother) return;
   await speakHere(context, show, retell);
-  if (context.show !== show || show.lent || show.spoken === undefined || !isSilent(show)) return;
+  if (context.show !== show || show.lent || show.telling?.isOver !== true || show.telling.of !== spokenBy(show) || !isSilent(show)) return;
   show.lent = true;
   const { voice } = show.story.performer;
   const name = await show.voice.substitute({ language: languageOf(context, show), voice });
@@ -51,8 +51,9 @@ export function speakFragment(context: PlayerContext, show: Show, fragment: stri
     await before;
     const source = await sourceOf(context, show);
     if (source === undefined || context.show !== show) return;
+    const saying = { signal: show.end.signal, progress: progressOf(context), take: (said: Said) => keep(context, show, said) };
     // It joins what is there.
-    take(context, show, await source.speak({ eml: fragment, fragment: true, ...asked(show, source, show.files.bundle) }, saying(context, show)));
+    await source.speak({ eml: fragment, fragment: true, ...asked(context, show, source, show.files.bundle) }, saying);
     if (show.files.bundle !== undefined) show.picture.hear(show.files.bundle);
   })().catch((error: unknown) => {
     if (!show.end.signal.aborted) console.warn('raconteur: nothing speaks here', error);
@@ -67,14 +68,18 @@ async function sourceOf(context: PlayerContext, show: Show): Promise<SpeechSourc
 }
 
 /** What a source is told besides the text. */
-function asked({ figure }: Show, source: SpeechSource, known: Uint8Array | undefined): Pick<SpeechRequest, 'known' | 'voice'> {
-  return { known: known && new TextDecoder().decode(known), voice: source.voiceOf(figure) };
+function asked(context: PlayerContext, show: Show, source: SpeechSource, known: Uint8Array | undefined): Pick<SpeechRequest, 'known' | 'voice'> {
+  return { known: known && new TextDecoder().decode(known), voice: source.voiceOf(show.figure, languageOf(context, show)) };
 }
 
-const saying = ({ player }: PlayerContext, show: Show): Saying => ({ signal: show.end.signal, progress: (share) => fire(player, 'voiceprogress', { share }) });
+const progressOf =
+  ({ player }: PlayerContext) =>
+  (share: number): void => {
+    fire(player, 'voiceprogress', { share });
+  };
 
 /** Keeps what was said, and reports what was not. */
-function take({ diagnostics }: PlayerContext, show: Show, { bundle, sounds, problems }: Said): void {
+function keep({ diagnostics }: PlayerContext, show: Show, { bundle, sounds, problems }: Said): void {
   for (const message of problems) diagnostics.report({ code: 'voice-unsaid', severity: 'warning', message, hints: [] });
   show.voice.give(sounds);
   show.files = { ...show.files, bundle: new TextEncoder().encode(bundle) };
@@ -83,32 +88,53 @@ function take({ diagnostics }: PlayerContext, show: Show, { bundle, sounds, prob
 /** Has the text on stage spoken in the page, once for each text, when it is played or what speaks is there. */
 async function speakHere(context: PlayerContext, show: Show, retell: (story: Story) => void): Promise<void> {
   const { player } = context;
-  const { eml } = show.files;
-  const wanted = spokenBy(show);
-  if (show.spoken === wanted) return;
-  // One after another, as fragments are.
-  const making = Promise.resolve(show.speaking).then(async () => {
+  const of = spokenBy(show);
+  if (show.telling?.of === of) {
+    // It may have been paused when that began.
+    if (!show.telling.isOver && !player.paused && show.speaking !== undefined) show.voice.hold(show.speaking);
+    return;
+  }
+  // Nobody waits for a text that is not on stage any more.
+  show.telling?.end.abort();
+  const telling: Telling = { of, end: new AbortController(), isOver: false };
+  show.telling = telling;
+  const before = show.speaking;
+  const speaking = (async () => {
+    // One after another, as fragments are.
+    await before;
     const source = await sourceOf(context, show);
-    // Another text may have come meanwhile.
-    if (spokenBy(show) !== wanted || (source !== undefined && player.paused && !source.ready)) return 'later';
-    show.spoken = wanted;
-    return source && (await source.speak({ eml, ...asked(show, source, show.recorded) }, saying(context, show)));
+    const isWanted = () => context.show === show && show.telling === telling && spokenBy(show) === of;
+    if (!isWanted()) return;
+    if (source !== undefined && player.paused && !source.ready) {
+      // It is asked again when it is played.
+      show.telling = undefined;
+      return;
+    }
+    if (source !== undefined) await tell(context, show, source, telling, isWanted, retell);
+    telling.isOver = true;
+  })().catch((error: unknown) => {
+    telling.isOver = true;
+    if (!show.end.signal.aborted && !telling.end.signal.aborted) console.warn('raconteur: nothing speaks here', error);
   });
-  show.speaking = making.then(
-    () => undefined,
-    () => undefined,
-  );
-  if (!player.paused) show.voice.hold(making);
-  try {
-    const said = await making;
-    if (said === undefined || said === 'later' || context.show !== show || spokenBy(show) !== wanted) return;
+  show.speaking = speaking;
+  if (!player.paused) show.voice.hold(speaking);
+  await speaking;
+}
+
+/** Has a source speak the text on stage; each part is heard as soon as it is there. */
+async function tell(context: PlayerContext, show: Show, source: SpeechSource, { end }: Telling, isWanted: () => boolean, retell: (story: Story) => void): Promise<void> {
+  let isFirst = true;
+  const take = (said: Said) => {
+    if (!isWanted()) return;
     // What was spoken before is of another text, or of another figure's voice.
-    show.voice.forget();
-    take(context, show, said);
+    if (isFirst) show.voice.forget();
+    isFirst = false;
+    keep(context, show, said);
     const story = show.files.bundle && show.picture.voiced(show.files.bundle);
     if (story !== undefined) retell(story);
-  } catch (error) {
-    show.spoken = wanted;
-    if (!show.end.signal.aborted) console.warn('raconteur: nothing speaks here', error);
-  }
+  };
+  const signal = AbortSignal.any([show.end.signal, end.signal]);
+  const { name, about, license } = source;
+  fire(context.player, 'voicechange', { name, about, license });
+  await source.speak({ eml: show.files.eml, ...asked(context, show, source, show.recorded) }, { signal, progress: progressOf(context), take });
 }

@@ -301,6 +301,8 @@ export interface PlayerEventMap {
   mindchange: CustomEvent<{ state: MindState }>;
   /** How much of what speaks here is fetched, 0 to 1. */
   voiceprogress: CustomEvent<{ share: number }>;
+  /** Something in the page begins to speak a text: its name, and what it is in a sentence. */
+  voicechange: CustomEvent<{ name: string; about: string; license: string }>;
   /** Another figure took the stage. */
   figurechange: CustomEvent<{ figure: string }>;
 }

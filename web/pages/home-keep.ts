@@ -2,20 +2,21 @@
 
 import { zipSync } from 'fflate';
 import { sourceFor } from '../speech/here.js';
+import type { Said } from '../speech/source.js';
 
 /** The folder that a program unpacks. */
 const FOLDER = 'my-story';
 
-/** Packs a script with the voice that a figure has for it; without one where nothing speaks here. */
-export async function pack(script: string, figure: string): Promise<Blob> {
+/** Packs a script in a language with the voice that a figure has for it; without one where nothing speaks here. */
+export async function pack(script: string, figure: string, language: string): Promise<Blob> {
   const text = new TextEncoder();
   const files: Record<string, Uint8Array> = { [`${FOLDER}/story.eml`]: text.encode(script) };
-  const source = sourceFor('en');
-  if (source !== undefined) {
-    const { signal } = new AbortController();
-    const said = await source.speak({ eml: script, voice: source.voiceOf(figure) }, { signal, progress: () => undefined });
-    files[`${FOLDER}/voice/speech.json`] = text.encode(said.bundle);
-    for (const [name, wave] of said.sounds) files[`${FOLDER}/voice/${name}`] = wave;
-  }
+  const source = sourceFor(language);
+  const take = ({ bundle, sounds }: Said) => {
+    files[`${FOLDER}/voice/speech.json`] = text.encode(bundle);
+    for (const [name, wave] of sounds) files[`${FOLDER}/voice/${name}`] = wave;
+  };
+  const { signal } = new AbortController();
+  await source?.speak({ eml: script, voice: source.voiceOf(figure, language) }, { signal, progress: () => undefined, take });
   return new Blob([zipSync(files) as Uint8Array<ArrayBuffer>], { type: 'application/zip' });
 }

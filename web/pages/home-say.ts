@@ -1,10 +1,14 @@
 /** "Say it": a sentence of the visitor's own, told on the stage. */
 
 import type { PlayerEventMap, RaconteurPlayer } from '../element/index.js';
+import { addSpeechSource } from '../speech/added.js';
 import { told } from './told.js';
 
-/** Where the address has a text that was shared. */
-const SHARED = '#say=';
+/** Where the address has a text that was shared, and before it its language where that is not English. */
+const SHARED = /^#say(?:\.(de|pt))?=(.*)$/s;
+
+/** The address of a text. */
+const shared = (text: string, language: string): string => `#say${language === 'en' ? '' : `.${language}`}=${encodeURIComponent(text)}`;
 
 /** What goes before a text takes the stage. */
 interface Stage {
@@ -21,6 +25,19 @@ function save(file: Blob, name: string): void {
   setTimeout(() => URL.revokeObjectURL(link.href), 1000);
 }
 
+const PLACEHOLDERS: Record<string, string> = {
+  en: 'Hello there! Shall I tell you a secret? :)',
+  de: 'Hallo! Soll ich dir ein Geheimnis verraten? :)',
+  pt: 'Olá! Queres que te conte um segredo? :)',
+};
+
+/** Brings what speaks a language, where the page's own voice does not. */
+async function voices(language: string): Promise<void> {
+  if (language === 'en') return;
+  const { espeak } = await import('@raconteur/voice-espeak');
+  addSpeechSource(espeak);
+}
+
 /** Lets the form put texts on the stage; whether the address had one. */
 export function say(player: RaconteurPlayer, { clear }: Stage): boolean {
   const form = document.querySelector<HTMLFormElement>('#say');
@@ -28,11 +45,12 @@ export function say(player: RaconteurPlayer, { clear }: Stage): boolean {
   const note = document.querySelector('#say-note');
   const keep = document.querySelector<HTMLButtonElement>('#say-keep');
   const share = document.querySelector<HTMLButtonElement>('#say-share');
-  if (!form || !field || !note || !keep || !share) return false;
+  const language = document.querySelector<HTMLSelectElement>('#say-language');
+  if (!form || !field || !note || !keep || !share || !language) return false;
   let script: string | undefined;
 
   const tell = async (plays: boolean): Promise<void> => {
-    const next = told(field.value);
+    const next = told(field.value, language.value);
     if (next === undefined) {
       note.textContent = 'Write a few words first.';
       field.focus();
@@ -41,8 +59,9 @@ export function say(player: RaconteurPlayer, { clear }: Stage): boolean {
     script = next;
     keep.disabled = share.disabled = false;
     clear();
-    history.replaceState(null, '', `${SHARED}${encodeURIComponent(field.value)}`);
+    history.replaceState(null, '', shared(field.value, language.value));
     note.textContent = '';
+    await voices(language.value);
     player.label = 'Your own words';
     player.pause();
     await player.rehearse(next);
@@ -59,9 +78,18 @@ export function say(player: RaconteurPlayer, { clear }: Stage): boolean {
     event.preventDefault();
     form.requestSubmit();
   });
+  language.addEventListener('change', () => {
+    field.lang = language.value;
+    field.placeholder = PLACEHOLDERS[language.value] ?? '';
+  });
+  let speaks = '';
+  player.addEventListener('voicechange', (event) => {
+    const { name, about, license } = (event as PlayerEventMap['voicechange']).detail;
+    note.textContent = speaks = `${name} speaks (${license}). ${about}`;
+  });
   player.addEventListener('voiceprogress', (event) => {
     const { share } = (event as PlayerEventMap['voiceprogress']).detail;
-    note.textContent = share < 1 ? `A voice is being fetched, once: ${Math.round(100 * share)} %` : 'flite speaks, a small American voice. “raconteur bake” has better ones.';
+    note.textContent = share < 1 ? `A voice is being fetched, once: ${Math.round(100 * share)} %` : speaks;
   });
   share.addEventListener('click', () => {
     navigator.clipboard.writeText(location.href).then(
@@ -75,7 +103,7 @@ export function say(player: RaconteurPlayer, { clear }: Stage): boolean {
     note.textContent = 'The story is being packed…';
     try {
       const { pack } = await import('./home-keep.js');
-      save(await pack(script, player.currentFigure ?? ''), 'my-story.zip');
+      save(await pack(script, player.currentFigure ?? '', language.value), 'my-story.zip');
       note.textContent = 'Script and voice are in my-story.zip: a folder that any page can play.';
     } catch (error) {
       note.textContent = `It could not be kept: ${error instanceof Error ? error.message : String(error)}`;
@@ -83,12 +111,15 @@ export function say(player: RaconteurPlayer, { clear }: Stage): boolean {
     keep.disabled = false;
   });
 
-  if (!location.hash.startsWith(SHARED)) return false;
+  const [, of = 'en', text] = SHARED.exec(location.hash) ?? [];
+  if (text === undefined) return false;
   try {
-    field.value = decodeURIComponent(location.hash.slice(SHARED.length));
+    field.value = decodeURIComponent(text);
   } catch {
     return false;
   }
+  language.value = of;
+  field.lang = of;
   void tell(false);
   return true;
 }

@@ -17,6 +17,7 @@ export function tag(name: string, attributes: Readonly<Record<string, string | n
 }
 
 /** A whole script; `extended` when it uses the extensions, whose prefix is `r`. */
-export function script(name: string, extended: boolean, clauses: readonly string[]): string {
-  return `${tag('eml', { 'xmlns:r': extended ? 'urn:raconteur:eml:1' : undefined, name }, [tag('body', {}, clauses)])}\n`;
+export function script(name: string, extended: boolean, clauses: readonly string[], head: readonly string[] = []): string {
+  const parts = [...(head.length > 0 ? [tag('head', {}, head)] : []), tag('body', {}, clauses)];
+  return `${tag('eml', { 'xmlns:r': extended ? 'urn:raconteur:eml:1' : undefined, name }, parts)}\n`;
 }

@@ -11,13 +11,13 @@ export interface SpeechRequest {
   readonly voice: string;
 }
 
-/** What was said. */
+/** What was said so far. */
 export interface Said {
-  /** The text of a bundle, `speech.json`: words, phones, stress, melody. */
+  /** The text of a bundle, `speech.json`: words, phones, stress, melody; what was known as well. */
   readonly bundle: string;
-  /** The sounds that the bundle names, new ones alone, as WAV. */
+  /** The sounds that the bundle names and that are new since the last part, as WAV. */
   readonly sounds: ReadonlyMap<string, Uint8Array>;
-  /** What could not be said, in sentences. */
+  /** What could not be said since the last part, in sentences. */
   readonly problems: readonly string[];
 }
 
@@ -26,18 +26,24 @@ export interface Saying {
   readonly signal: AbortSignal;
   /** Hears how much of what is needed first is fetched, 0 to 1. */
   readonly progress: (share: number) => void;
+  /** Takes each part, of one or more whole utterances in their order, as soon as it is made. */
+  readonly take: (said: Said) => void;
 }
 
 /** Makes speech in the page. */
 export interface SpeechSource {
   /** For people. */
   readonly name: string;
+  /** What kind of voice it is and whose, in a short sentence for people. */
+  readonly about: string;
+  /** An expression of SPDX. */
+  readonly license: string;
   /** Whether what it needs is here, so that speech comes at once. */
   readonly ready: boolean;
   /** Whether it speaks a language, a tag of BCP 47. */
   speaks(language: string): boolean;
-  /** The voice of a figure of the library; of another name, a usual one. */
-  voiceOf(figure: string): string;
-  /** Rejects with the signal's reason when it is aborted, and with an `Error` that says in a sentence why nothing can be said. */
-  speak(request: SpeechRequest, saying: Saying): Promise<Said>;
+  /** The voice of a figure of the library, in a language; of another name, a usual one. */
+  voiceOf(figure: string, language: string): string;
+  /** Over when all is said. Rejects with the signal's reason when it is aborted, and with an `Error` that says in a sentence why nothing can be said. */
+  speak(request: SpeechRequest, saying: Saying): Promise<void>;
 }

@@ -1,6 +1,6 @@
 import { beforeEach, expect, test, vi } from 'vitest';
-import type { Ask, Reply } from '../speech/flite.js';
-import type { SpeechSource } from '../speech/source.js';
+import type { Ask, Reply } from '../speech/messages.js';
+import type { Said, SpeechSource } from '../speech/source.js';
 
 /** A worker that answers when it is told to. */
 class FakeWorker {
@@ -23,7 +23,8 @@ class FakeWorker {
   }
 
   say(id: number): void {
-    this.onmessage?.({ data: { kind: 'said', id, bundle: `{"${id}":1}`, sounds: [[`${id}.wav`, new Uint8Array(2)]], problems: [] } });
+    this.onmessage?.({ data: { kind: 'part', id, bundle: `{"${id}":1}`, sounds: [[`${id}.wav`, new Uint8Array(2)]], problems: [] } });
+    this.onmessage?.({ data: { kind: 'done', id } });
   }
 }
 
@@ -34,7 +35,12 @@ const last = (): FakeWorker => {
   if (worker === undefined) throw new Error('no worker was made');
   return worker;
 };
-const speak = (eml: string, progress: (share: number) => void = () => undefined) => flite.speak({ eml, voice: 'slt' }, { signal: aborts.signal, progress });
+/** The parts of a text. */
+const speak = async (eml: string, progress: (share: number) => void = () => undefined): Promise<Said[]> => {
+  const parts: Said[] = [];
+  await flite.speak({ eml, voice: 'slt' }, { signal: aborts.signal, progress, take: (part) => parts.push(part) });
+  return parts;
+};
 
 beforeEach(async () => {
   FakeWorker.all = [];
@@ -51,8 +57,8 @@ test('each text gets its own answer, in any order, from one worker', async () =>
   last().onmessage?.({ data: { kind: 'progress', share: 0.5 } });
   last().say(1);
   last().say(0);
-  expect((await one).sounds.has('0.wav')).toBe(true);
-  expect((await two).bundle).toBe('{"1":1}');
+  expect((await one).map((part) => [...part.sounds.keys()])).toEqual([['0.wav']]);
+  expect((await two).map((part) => part.bundle)).toEqual(['{"1":1}']);
   expect([FakeWorker.all.length, shares, flite.ready]).toEqual([1, [0.5], true]);
 });
 
@@ -70,6 +76,8 @@ test('two hundred texts, ended at random, leave nothing behind', async () => {
     await saying;
   }
   expect([said, ended, FakeWorker.all.length]).toEqual([133, 67, 1]);
+  // What is not wanted any more is not made either.
+  expect(last().asked.filter(({ kind }) => kind === 'stop')).toHaveLength(67);
 });
 
 test('a voice that breaks down is told, and the next text gets a fresh one', async () => {
@@ -90,5 +98,5 @@ test('a voice that breaks down is told, and the next text gets a fresh one', asy
 
 test('English alone is spoken, and figures have voices', () => {
   expect(['en', 'en-GB', 'EN-us', 'pt', 'de', 'enx', ''].map((tag) => flite.speaks(tag))).toEqual([true, true, true, false, false, false, false]);
-  expect(flite.voiceOf('papous')).not.toBe(flite.voiceOf('sofia'));
+  expect(flite.voiceOf('papous', 'en')).not.toBe(flite.voiceOf('sofia', 'en'));
 });

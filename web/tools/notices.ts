@@ -31,7 +31,7 @@ interface Metadata {
 /** Crates that are compiled into the wasm files. */
 function crates(root: string): Component[] {
   const found = new Map<string, Component>();
-  for (const [crate, ...features] of [['web', 'webgpu'], ['web', 'webgl'], ['avatar']]) {
+  for (const [crate, ...features] of [['web', 'webgpu'], ['web', 'webgl'], ['avatar'], ['say']]) {
     const { status, stdout, stderr } = spawnSync(
       'cargo',
       [

@@ -1,63 +1,12 @@
 //! What a worker of a page calls.
 
-use std::cell::RefCell;
-
-use anyhow::{Result, anyhow};
-use js_sys::{Array, Function, Reflect, Uint8Array};
-use raconteur_voice::bake::engine::flite::{Host, Output, SOUND};
+use js_sys::Object;
+use raconteur_voice::bake::page;
 use serde::Serialize;
 use serde_wasm_bindgen::Serializer;
 use wasm_bindgen::prelude::*;
 
-thread_local! {
-    /// What runs flite; a worker has one thread.
-    static RUN: RefCell<Option<Function>> = const { RefCell::new(None) };
-}
-
-/// flite in the worker.
-struct Worker;
-
-impl Host for Worker {
-    /// Calls `run(arguments, files, sound)` of `web/speech/flite-worker.ts`.
-    fn run(&self, arguments: &[&str], files: &[(&str, &str)], sound: bool) -> Result<Output> {
-        let run = RUN.with_borrow(Clone::clone);
-        let run = run.ok_or_else(|| anyhow!("flite is not there"))?;
-        let arguments: Array = arguments.iter().map(|a| JsValue::from_str(a)).collect();
-        let pair = |(name, text): &(&str, &str)| -> JsValue {
-            let both: Array = [name, text].iter().map(|s| JsValue::from_str(s)).collect();
-            both.into()
-        };
-        let files: Array = files.iter().map(pair).collect();
-        let sound = if sound {
-            JsValue::from_str(SOUND)
-        } else {
-            JsValue::UNDEFINED
-        };
-        let fault = |value: JsValue| anyhow!("flite: {}", text_of(&value));
-        let out = run
-            .call3(&JsValue::NULL, &arguments, &files, &sound)
-            .map_err(fault)?;
-        let member = |name: &str| Reflect::get(&out, &JsValue::from_str(name)).map_err(fault);
-        let wave = member("wave")?;
-        Ok(Output {
-            printed: member("printed")?.as_string().unwrap_or_default(),
-            wave: if wave.is_undefined() {
-                Vec::new()
-            } else {
-                Uint8Array::new(&wave).to_vec()
-            },
-        })
-    }
-}
-
-/// What an exception says.
-fn text_of(value: &JsValue) -> String {
-    let message = Reflect::get(value, &JsValue::from_str("message")).ok();
-    let message = message
-        .and_then(|m| m.as_string())
-        .or_else(|| value.as_string());
-    message.unwrap_or_else(|| "failed".to_owned())
-}
+use crate::hosts;
 
 /// What was said; `Said` in `web/speech/source.ts`.
 #[derive(Serialize)]
@@ -82,33 +31,46 @@ pub struct Speaker(crate::Speaker);
 
 #[wasm_bindgen]
 impl Speaker {
-    /// One who speaks with a voice of flite; `run` runs it. The exception's message names the fault.
+    /// One who speaks with a voice of an engine, which `host` runs. The exception's message names
+    /// the fault.
     #[wasm_bindgen(constructor)]
-    pub fn new(run: Function, voice: &str) -> Result<Speaker, JsError> {
-        RUN.set(Some(run));
-        Ok(Self(crate::Speaker::new(Worker, voice).map_err(told)?))
+    pub fn new(engine: &str, host: Object, voice: &str) -> Result<Speaker, JsError> {
+        let run = hosts::engine(engine, host).map_err(told)?;
+        Ok(Self(crate::Speaker::new(engine, run, voice).map_err(told)?))
     }
 
-    /// Speaks what a script or a list of clauses says and `known`, the text of its bundle, does
-    /// not hold. The exception's message names the fault.
-    pub fn speak(
+    /// Begins to speak what a script or a list of clauses says and `known`, the text of its
+    /// bundle, does not hold. The exception's message names the fault.
+    pub fn begin(
         &self,
         eml: &str,
         fragment: bool,
         known: Option<String>,
-    ) -> Result<JsValue, JsError> {
-        let said = self
-            .0
-            .speak(eml, fragment, known.as_deref())
-            .map_err(told)?;
-        let sounds = said
-            .sounds
-            .into_iter()
-            .map(|(file, wave)| (file, Bytes(wave)));
+    ) -> Result<Saying, JsError> {
+        let saying = self.0.begin(eml, fragment, known.as_deref());
+        Ok(Saying(saying.map_err(told)?))
+    }
+
+    /// Speaks the next utterance, or has the host get ready for it; false when there is none. The
+    /// exception's message names the fault.
+    pub fn step(&self, saying: &mut Saying) -> Result<bool, JsError> {
+        self.0.step(&mut saying.0).map_err(told)
+    }
+}
+
+/// What is being said.
+#[wasm_bindgen]
+pub struct Saying(page::Saying);
+
+#[wasm_bindgen]
+impl Saying {
+    /// What was said so far, with the sounds and problems that are new.
+    pub fn take(&mut self) -> Result<JsValue, JsError> {
+        let sounds = self.0.take_sounds().into_iter();
         let said = Said {
-            bundle: said.bundle,
-            sounds: sounds.collect(),
-            problems: said.problems,
+            bundle: self.0.bundle(),
+            sounds: sounds.map(|(file, wave)| (file, Bytes(wave))).collect(),
+            problems: self.0.take_problems(),
         };
         Ok(said.serialize(&Serializer::new())?)
     }

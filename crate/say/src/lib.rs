@@ -8,11 +8,13 @@
 
 #[cfg(target_arch = "wasm32")]
 pub mod bindings;
+#[cfg(target_arch = "wasm32")]
+mod hosts;
 
 use anyhow::{Result, ensure};
 use raconteur_speech::bundle::Bundle;
-use raconteur_voice::bake::engine::flite::{Flite, Host};
-use raconteur_voice::bake::page::{Said, say};
+use raconteur_voice::bake::engine::Engine;
+use raconteur_voice::bake::page::Saying;
 use raconteur_voice::bake::{BakeOptions, Cast, STORY_PACE};
 use raconteur_voice::said;
 use raconteur_voice::text::Lexicon;
@@ -26,14 +28,14 @@ pub struct Speaker {
 }
 
 impl Speaker {
-    /// One who speaks with a voice of flite, which runs at `host`.
+    /// One who speaks with a voice of an engine that is called `name`.
     ///
     /// # Errors
-    /// When flite is not there or has no such voice.
-    pub fn new<H: Host + 'static>(host: H, voice: &str) -> Result<Self> {
+    /// When the engine is not there or has no such voice.
+    pub fn new(name: &str, engine: Box<dyn Engine>, voice: &str) -> Result<Self> {
         Ok(Self {
             options: BakeOptions {
-                cast: Cast::of("flite", Box::new(Flite(host)), voice)?,
+                cast: Cast::of(name, engine, voice)?,
                 pace: STORY_PACE,
                 lexicon: Lexicon::default(),
                 lexicon_text: String::new(),
@@ -43,12 +45,12 @@ impl Speaker {
         })
     }
 
-    /// Speaks what a script, or with `is_fragment` a list of clauses, says and `known`, the text
-    /// of the bundle that it has, does not hold.
+    /// Begins to speak what a script, or with `is_fragment` a list of clauses, says and `known`,
+    /// the text of the bundle that it has, does not hold.
     ///
     /// # Errors
     /// When the script is too long, or `known` is no bundle.
-    pub fn speak(&self, eml: &str, is_fragment: bool, known: Option<&str>) -> Result<Said> {
+    pub fn begin(&self, eml: &str, is_fragment: bool, known: Option<&str>) -> Result<Saying> {
         ensure!(
             eml.len() <= MOST_BYTES,
             "a script of more than {MOST_BYTES} bytes is not spoken"
@@ -61,6 +63,14 @@ impl Speaker {
         } else {
             raconteur_eml::parse(eml)
         };
-        say(&said(&parsed.document), known, &self.options)
+        Ok(Saying::new(said(&parsed.document), known))
+    }
+
+    /// Speaks the next utterance, as [`Saying::step`] does.
+    ///
+    /// # Errors
+    /// As [`Saying::step`].
+    pub fn step(&self, saying: &mut Saying) -> Result<bool> {
+        saying.step(&self.options)
     }
 }

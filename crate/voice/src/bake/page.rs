@@ -5,10 +5,11 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 use anyhow::Result;
-use raconteur_speech::bundle::{AudioFile, Bundle, Utterance};
+use raconteur_speech::bundle::{AudioFile, Bundle};
 
 use super::encode::wave_of;
-use super::want::{self, Wanted, short};
+use super::engine::Pending;
+use super::want::{self, short};
 use super::{BakeOptions, bundle_text, bundled, speak};
 use crate::content::Content;
 use crate::{Source, SpeechRequest};
@@ -16,67 +17,99 @@ use crate::{Source, SpeechRequest};
 /// Most words that are said at a time, some twenty minutes: sound is held in memory.
 const MOST_WORDS: usize = 3000;
 
-/// What was said.
-#[derive(Clone, Debug, Default)]
-pub struct Said {
-    /// The text of the bundle, `speech.json`.
-    pub bundle: String,
-    /// Names of its sounds, as the bundle calls them, and the bytes of the WAV.
-    pub sounds: Vec<(String, Vec<u8>)>,
+/// What is said, utterance by utterance.
+pub struct Saying {
+    requests: Vec<SpeechRequest>,
+    next: usize,
+    seen: BTreeSet<u64>,
+    words: usize,
+    bundle: Bundle,
+    /// Names of new sounds, as the bundle calls them, and the bytes of the WAV.
+    sounds: Vec<(String, Vec<u8>)>,
     /// Why something could not be said, in sentences.
-    pub problems: Vec<String>,
+    problems: Vec<String>,
 }
 
-/// Speaks what a story says and what `known`, the bundle that it has, does not hold. Files are
-/// left out. What an engine refuses is told in the problems; the rest is said.
-///
-/// # Errors
-/// When no bundle can be made of what was said.
-pub fn say(said: &[SpeechRequest], known: Option<Bundle>, options: &BakeOptions) -> Result<Said> {
-    let mut out = Said::default();
-    let known = known.unwrap_or_default();
-    let mut seen: BTreeSet<u64> = known.utterances.iter().map(|u| u.key).collect();
-    let mut made = Vec::new();
-    let mut words = 0;
-    for (place, request) in said.iter().enumerate() {
-        let Source::Content(content) = &request.source else {
-            continue;
-        };
-        if content.words().is_empty() || !seen.insert(request.key) {
-            continue;
-        }
-        words += content.words().len();
-        if words > MOST_WORDS {
-            out.problems.push(format!(
-                "more than {MOST_WORDS} words are not said while somebody waits; bake the story"
-            ));
-            break;
-        }
-        match say_one(request, content, place, options) {
-            Ok((wanted, utterance, wave)) => {
-                let file = &utterance.audio[0].file;
-                out.sounds.push((file.clone(), wave));
-                made.push((wanted, utterance));
-            }
-            Err(error) => {
-                let text = short(&content.plain_text());
-                out.problems.push(format!("{text:?}: {error:#}"));
-            }
+impl Saying {
+    /// Is to say what a story says and what `known`, the bundle that it has, does not hold. Files
+    /// are left out.
+    pub fn new(requests: Vec<SpeechRequest>, known: Option<Bundle>) -> Self {
+        let bundle = known.unwrap_or_default();
+        Self {
+            requests,
+            next: 0,
+            seen: bundle.utterances.iter().map(|u| u.key).collect(),
+            words: 0,
+            bundle,
+            sounds: Vec::new(),
+            problems: Vec::new(),
         }
     }
-    let all = made.iter().map(|(wanted, u)| Ok((wanted, u.clone())));
-    let bundle = merged(known, bundled(all, &options.cast)?);
-    out.bundle = bundle_text::write(&bundle);
-    Ok(out)
+
+    /// Says the next utterance; false when there is no more. What an engine refuses is told in the
+    /// problems. One that an engine is [`Pending`] for stays the next.
+    ///
+    /// # Errors
+    /// When no bundle can be made of what was said.
+    pub fn step(&mut self, options: &BakeOptions) -> Result<bool> {
+        while let Some(request) = self.requests.get(self.next) {
+            let Source::Content(content) = &request.source else {
+                self.next += 1;
+                continue;
+            };
+            if content.words().is_empty() || self.seen.contains(&request.key) {
+                self.next += 1;
+                continue;
+            }
+            if self.words + content.words().len() > MOST_WORDS {
+                self.problems.push(format!(
+                    "more than {MOST_WORDS} words are not said while somebody waits; bake the story"
+                ));
+                self.next = self.requests.len();
+                return Ok(false);
+            }
+            match say_one(request, content, self.next, options) {
+                Ok((new, file, wave)) => {
+                    self.sounds.push((file, wave));
+                    join(&mut self.bundle, new);
+                }
+                Err(error) if error.is::<Pending>() => return Ok(true),
+                Err(error) => {
+                    let text = short(&content.plain_text());
+                    self.problems.push(format!("{text:?}: {error:#}"));
+                }
+            }
+            self.seen.insert(request.key);
+            self.words += content.words().len();
+            self.next += 1;
+            return Ok(true);
+        }
+        Ok(false)
+    }
+
+    /// The text of the bundle, `speech.json`, of what was known and was said so far.
+    pub fn bundle(&self) -> String {
+        bundle_text::write(&self.bundle)
+    }
+
+    /// The sounds that were made since this was asked last.
+    pub fn take_sounds(&mut self) -> Vec<(String, Vec<u8>)> {
+        std::mem::take(&mut self.sounds)
+    }
+
+    /// The problems since this was asked last.
+    pub fn take_problems(&mut self) -> Vec<String> {
+        std::mem::take(&mut self.problems)
+    }
 }
 
-/// One utterance, planned and spoken, and its WAV.
-fn say_one<'a>(
-    request: &'a SpeechRequest,
+/// One utterance, planned and spoken: its bundle, and the name and the bytes of its WAV.
+fn say_one(
+    request: &SpeechRequest,
     content: &Content,
     place: usize,
     options: &BakeOptions,
-) -> Result<(Wanted<'a>, Utterance, Vec<u8>)> {
+) -> Result<(Bundle, String, Vec<u8>)> {
     let wanted = want::want(request, content.clone(), place, Path::new(""), options)?;
     let work = speak::Work {
         content: &wanted.content,
@@ -86,28 +119,38 @@ fn say_one<'a>(
     };
     let none = |_: f64| Ok(Vec::new());
     let track = speak::speak(&work, &wanted.casting, &options.cast, &none)?;
+    let file = format!("{:016x}.wav", wanted.digest);
     let mut utterance = track.utterance;
     utterance.key = wanted.key;
     utterance.content = wanted.digest;
     utterance.audio = vec![AudioFile {
-        file: format!("{:016x}.wav", wanted.digest),
+        file: file.clone(),
         mime: "audio/wav".to_owned(),
         holds: None,
     }];
     let wave = wave_of(&track.samples, track.rate_hz.round() as u32)?;
-    Ok((wanted, utterance, wave))
+    let bundle = bundled(std::iter::once(Ok((&wanted, utterance))), &options.cast)?;
+    Ok((bundle, file, wave))
 }
 
-/// A bundle with the utterances of another behind its own.
-fn merged(mut known: Bundle, new: Bundle) -> Bundle {
-    let first = known.voices.len();
-    known.voices.extend(new.voices);
+/// Puts the utterances of another bundle behind a bundle's own. A voice is listed once.
+fn join(known: &mut Bundle, new: Bundle) {
+    let places: Vec<usize> = new
+        .voices
+        .into_iter()
+        .map(|voice| {
+            let there = known.voices.iter().position(|v| *v == voice);
+            there.unwrap_or_else(|| {
+                known.voices.push(voice);
+                known.voices.len() - 1
+            })
+        })
+        .collect();
     for utterance in new.utterances {
         let mut own = (*utterance).clone();
-        own.voice += first;
+        own.voice = places.get(own.voice).copied().unwrap_or_default();
         known.utterances.push(own.into());
     }
-    known
 }
 
 #[cfg(test)]
@@ -118,6 +161,11 @@ mod tests {
     use crate::said;
     use crate::text::Lexicon;
 
+    thread_local! {
+        /// Whether "Later" can be said.
+        static READY: std::cell::Cell<bool> = const { std::cell::Cell::new(false) };
+    }
+
     /// Says "cat" for every word, and fails on "bad".
     struct Cat;
 
@@ -125,6 +173,9 @@ mod tests {
         fn run(&self, arguments: &[&str], files: &[(&str, &str)], sound: bool) -> Result<Output> {
             let text = files.first().map_or("", |f| f.1);
             anyhow::ensure!(!text.contains("bad"), "no such word");
+            if text.contains("Later") && !READY.get() {
+                return Err(Pending.into());
+            }
             let words = text.split_whitespace().count();
             let printed = match arguments {
                 ["--version"] => "flite-2.2-test".to_owned(),
@@ -156,8 +207,15 @@ mod tests {
         }
     }
 
-    fn requests(eml: &str) -> Vec<SpeechRequest> {
-        said(&raconteur_eml::parse(eml).document)
+    type Sounds = Vec<(String, Vec<u8>)>;
+
+    /// All that a script says: the bundle, the sounds and the problems.
+    fn say(eml: &str, known: Option<Bundle>) -> (Bundle, Sounds, Vec<String>) {
+        let options = options();
+        let mut saying = Saying::new(said(&raconteur_eml::parse(eml).document), known);
+        while saying.step(&options).unwrap() {}
+        let bundle = Bundle::from_json(saying.bundle().as_bytes()).unwrap();
+        (bundle, saying.take_sounds(), saying.take_problems())
     }
 
     const TWO: &str = "<eml><body><voice-text time='0'>One two.</voice-text>\
@@ -165,47 +223,55 @@ mod tests {
 
     #[test]
     fn what_is_said_has_its_phones_and_sound_and_is_not_said_twice() {
-        let options = options();
-        let first = say(&requests(TWO), None, &options).unwrap();
-        assert!(first.problems.is_empty(), "{:?}", first.problems);
-        let bundle = Bundle::from_json(first.bundle.as_bytes()).unwrap();
+        let (bundle, sounds, problems) = say(TWO, None);
+        assert!(problems.is_empty(), "{problems:?}");
         assert_eq!(bundle.utterances.len(), 2);
-        for (utterance, (file, wave)) in bundle.utterances.iter().zip(&first.sounds) {
+        for (utterance, (file, wave)) in bundle.utterances.iter().zip(&sounds) {
             assert_eq!(&utterance.audio[0].file, file);
-            let sounds = utterance.phones.iter().filter(|p| p.symbol != "pau");
-            assert_eq!(sounds.count(), 3 * utterance.words.len());
+            let phones = utterance.phones.iter().filter(|p| p.symbol != "pau");
+            assert_eq!(phones.count(), 3 * utterance.words.len());
             let reader = hound::WavReader::new(&wave[..]).unwrap();
             let secs = f64::from(reader.duration()) / f64::from(reader.spec().sample_rate);
             assert!((secs - utterance.duration_secs).abs() < 0.01);
         }
         let more = TWO.replace("</body>", "<voice-text time='20'>Four.</voice-text></body>");
-        let second = say(&requests(&more), Some(bundle.clone()), &options).unwrap();
-        assert_eq!(second.sounds.len(), 1);
-        let both = Bundle::from_json(second.bundle.as_bytes()).unwrap();
+        let (both, sounds, _) = say(&more, Some(bundle.clone()));
+        assert_eq!(sounds.len(), 1);
         assert_eq!(both.utterances.len(), 3);
         assert_eq!(both.utterances[..2], bundle.utterances[..]);
+        assert_eq!(both.voices, bundle.voices);
     }
 
     #[test]
     fn what_cannot_be_said_is_told_and_the_rest_is_said() {
-        let eml = TWO.replace("One two.", "A bad one.");
-        let out = say(&requests(&eml), None, &options()).unwrap();
-        assert_eq!(out.sounds.len(), 1);
-        assert!(
-            out.problems[0].contains("no such word"),
-            "{:?}",
-            out.problems
-        );
+        let (_, sounds, problems) = say(&TWO.replace("One two.", "A bad one."), None);
+        assert_eq!(sounds.len(), 1);
+        assert!(problems[0].contains("no such word"), "{problems:?}");
         let file =
             "<eml><body><voice-say time='0' type='text' content='/etc/passwd'/></body></eml>";
-        let out = say(&requests(file), None, &options()).unwrap();
-        assert!(out.sounds.is_empty());
+        assert!(say(file, None).1.is_empty());
     }
+
+    #[test]
+    fn what_an_engine_gets_ready_for_is_said_when_it_is_ready() {
+        let options = options();
+        let late = TWO.replace("One two.", "Later.");
+        let mut saying = Saying::new(said(&raconteur_eml::parse(&late).document), None);
+        for _ in 0..3 {
+            assert!(saying.step(&options).unwrap());
+        }
+        assert!(saying.take_sounds().is_empty());
+        READY.set(true);
+        while saying.step(&options).unwrap() {}
+        assert_eq!(saying.take_sounds().len(), 2);
+        assert!(saying.take_problems().is_empty());
+    }
+
     #[test]
     fn long_texts_are_told_and_not_said() {
         let long = "word ".repeat(MOST_WORDS + 1);
-        let out = say(&requests(&TWO.replace("Three", &long)), None, &options()).unwrap();
-        assert_eq!(out.sounds.len(), 1);
-        assert!(out.problems[0].contains("bake"), "{:?}", out.problems);
+        let (_, sounds, problems) = say(&TWO.replace("Three", &long), None);
+        assert_eq!(sounds.len(), 1);
+        assert!(problems[0].contains("bake"), "{problems:?}");
     }
 }

@@ -1,19 +1,17 @@
 //! espeak-ng: formant voices of about a hundred languages.
 
-use std::collections::BTreeSet;
-use std::fs;
-use std::path::Path;
+mod traced;
+mod voices;
 
-use crate::content::Gender;
 use crate::spoken::{Sentence, Spoken};
-use anyhow::{Context as _, Result, bail, ensure};
+use anyhow::{Context as _, Result};
 
-use super::espeak_events::{Event, Synthesis, What};
-use super::espeak_library as library;
+pub use super::espeak_events::{Event, Synthesis, What};
 use super::ipa::{self, Set};
 use super::labels::{self, Labels, Phone};
 use super::wave::Wave;
 use super::{Engine, VoiceInfo, matching, punctuation};
+pub use traced::{Traced, named};
 
 /// Loudest sample of a closure. *Designed*: a hundredth of the usual level.
 const QUIET: u16 = 100;
@@ -21,126 +19,65 @@ const QUIET: u16 = 100;
 /// Longest closure, seconds. *Designed*.
 const LONGEST_CLOSURE_SECS: f64 = 0.12;
 
-/// espeak-ng.
-pub(super) struct Espeak;
+/// Where espeak-ng runs.
+pub trait Host: Send + Sync {
+    /// Its version.
+    ///
+    /// # Errors
+    /// When it is not there.
+    fn version(&self) -> Result<String>;
 
-impl Engine for Espeak {
+    /// The files below a folder of its data, in order, as paths below that folder.
+    ///
+    /// # Errors
+    /// When the data is not there.
+    fn files(&self, folder: &str) -> Result<Vec<String>>;
+
+    /// The text of a file of its data; empty where there is none.
+    ///
+    /// # Errors
+    /// When the data is not there.
+    fn text(&self, path: &str) -> Result<String>;
+
+    /// Says texts in a voice: one [`Synthesis`] for each. None sounds different after another.
+    /// In texts, `[[` and `]]` enclose mnemonics.
+    ///
+    /// # Errors
+    /// When it has no such voice, or when it fails.
+    fn say(&self, voice: &str, texts: &[String]) -> Result<Vec<Synthesis>>;
+}
+
+/// espeak-ng.
+pub struct Espeak<H>(pub H);
+
+impl<H: Host> Engine for Espeak<H> {
     fn version(&self) -> Result<String> {
-        Ok(format!("espeak-ng {}", library::about()?.0))
+        Ok(format!("espeak-ng {}", self.0.version()?))
     }
 
     fn voices(&self) -> Result<Vec<VoiceInfo>> {
-        let (_, data) = library::about()?;
-        let mut out = Vec::new();
-        for family in files(&data.join("lang"))? {
-            // A language without relatives is a file beside the families.
-            let files = if family.is_dir() {
-                files(&family)?
-            } else {
-                vec![family]
-            };
-            for file in files {
-                let about = fs::read_to_string(&file).unwrap_or_default();
-                out.extend(file.file_name().and_then(|n| voice_of(n.to_str()?, &about)));
-            }
-        }
-        out.sort_by(|a, b| a.name.cmp(&b.name));
-        Ok(out)
+        voices::all(&self.0)
     }
 
     fn voice(&self, name: &str) -> Result<Option<VoiceInfo>> {
-        let (_, data) = library::about()?;
-        let base = file_of(known(name, &data)?);
-        let found = self.voices()?.into_iter().find(|v| v.name == base);
-        Ok(found.map(|voice| VoiceInfo {
-            gender: match name.split_once('+') {
-                Some((_, variant)) => variant_gender(variant, &data).or(voice.gender),
-                None => voice.gender,
-            },
-            name: name.to_owned(),
-            ..voice
-        }))
+        voices::named(&self.0, name)
     }
 
     fn speak(&self, voice: &str, sentences: &[Sentence]) -> Result<Vec<Spoken>> {
-        let (_, data) = library::about()?;
-        let base = known(voice, &data)?;
+        let base = voices::known(voice, &self.0)?;
         let set = set(base);
-        let voice = &voice.replacen(base, &file_of(base), 1);
+        let voice = &voice.replacen(base, &voices::file_of(base), 1);
         let mut texts = Vec::with_capacity(sentences.len());
         for sentence in sentences {
             texts.push(Text::of(sentence, set)?);
         }
         let written: Vec<String> = texts.iter().map(|t| t.written.clone()).collect();
-        let said = library::say(voice, &written)?;
+        let said = self.0.say(voice, &written)?;
         texts
             .iter()
             .zip(said)
-            .map(|(text, said)| text.spoken(&said, voice, set))
+            .map(|(text, said)| text.spoken(&said, &self.0, voice, set))
             .collect()
-    }
-}
-
-/// The entries of a folder, in order.
-fn files(folder: &Path) -> Result<Vec<std::path::PathBuf>> {
-    let entries = fs::read_dir(folder)
-        .with_context(|| format!("reading the voices of espeak-ng in {}", folder.display()))?;
-    let mut out = entries
-        .map(|e| e.map(|e| e.path()))
-        .collect::<Result<Vec<_>, _>>()?;
-    out.sort();
-    Ok(out)
-}
-
-/// Checks a voice's name (`de`, `en-us+f2`) and gives its language. A name with other
-/// characters than these could be a path, and the library ignores a variant that it lacks.
-fn known<'a>(voice: &'a str, data: &Path) -> Result<&'a str> {
-    let (base, variant) = voice.split_once('+').unwrap_or((voice, ""));
-    let plain = |name: &str| {
-        name.bytes()
-            .all(|b| b.is_ascii_alphanumeric() || b == b'-' || b == b'_')
-    };
-    ensure!(
-        !base.is_empty() && plain(base) && plain(variant),
-        "{voice:?} is no name of an espeak-ng voice; one is a language, and perhaps a plus sign and a variant: en-us+f2"
-    );
-    if !variant.is_empty() {
-        let variants: BTreeSet<String> = files(&data.join("voices").join("!v"))?
-            .iter()
-            .filter_map(|f| Some(f.file_name()?.to_str()?.to_owned()))
-            .collect();
-        if !variants.contains(variant) {
-            let names: Vec<&str> = variants.iter().map(String::as_str).collect();
-            bail!(
-                "espeak-ng has no variant {variant:?}; there are {}",
-                names.join(", ")
-            );
-        }
-    }
-    Ok(base)
-}
-
-/// The sex that a variant, whose name was checked, gives a voice.
-fn variant_gender(variant: &str, data: &Path) -> Option<Gender> {
-    let about = fs::read_to_string(data.join("voices").join("!v").join(variant)).ok()?;
-    let line = about
-        .lines()
-        .find_map(|l| l.trim().strip_prefix("gender"))?;
-    match line.split_whitespace().next()? {
-        "female" => Some(Gender::Female),
-        "male" => Some(Gender::Male),
-        _ => None,
-    }
-}
-
-/// The voice of a language tag: small letters, and without the region where the language's
-/// main voice is of it.
-fn file_of(tag: &str) -> String {
-    match tag.to_ascii_lowercase().as_str() {
-        "en-gb" => "en".to_owned(),
-        "pt-pt" => "pt".to_owned(),
-        "de-de" => "de".to_owned(),
-        name => name.to_owned(),
     }
 }
 
@@ -160,42 +97,6 @@ fn phone_set(set: Set) -> &'static str {
         Set::EspeakPt => "espeak-pt",
         _ => "espeak",
     }
-}
-
-/// What a voice's file says.
-fn voice_of(file: &str, about: &str) -> Option<VoiceInfo> {
-    let value = |key: &str| {
-        about.lines().find_map(|line| {
-            let (k, v) = line.trim().split_once(char::is_whitespace)?;
-            (k == key).then(|| v.trim())
-        })
-    };
-    let language = value("language")?.split_whitespace().next()?;
-    let what = value("name").unwrap_or(file);
-    Some(VoiceInfo {
-        name: file.to_lowercase(),
-        language: tag(language),
-        gender: match value("gender").and_then(|g| g.split_whitespace().next()) {
-            Some("female") => Some(Gender::Female),
-            // Its voices are of a man unless they say otherwise.
-            _ => Some(Gender::Male),
-        },
-        phone_set: phone_set(set(language)).to_owned(),
-        rate_hz: 22_050.0,
-        what: format!("formants, {what}"),
-    })
-}
-
-/// A BCP 47 tag with the usual capitals.
-fn tag(language: &str) -> String {
-    let parts = language
-        .split('-')
-        .enumerate()
-        .map(|(i, part)| match (i, part.len()) {
-            (1.., 2) => part.to_uppercase(),
-            _ => part.to_owned(),
-        });
-    parts.collect::<Vec<_>>().join("-")
 }
 
 /// A sentence as the library reads it.
@@ -236,13 +137,13 @@ impl Text {
         Some(self.starts.get(after.checked_sub(1)?)?.1)
     }
 
-    fn spoken(&self, said: &Synthesis, voice: &str, set: Set) -> Result<Spoken> {
+    fn spoken(&self, said: &Synthesis, host: &dyn Host, voice: &str, set: Set) -> Result<Spoken> {
         let rate_hz = f64::from(said.rate_hz);
         if said.samples.is_empty() || self.starts.is_empty() {
             return Ok(labels::nothing(rate_hz, phone_set(set)));
         }
         let mut labels = self.labels(said);
-        self.part(&mut labels, voice, set)?;
+        self.part(&mut labels, host, voice, set)?;
         syllables(&mut labels, &said.marked, set)?;
         let wave = Wave {
             samples: said
@@ -299,7 +200,7 @@ impl Text {
 
     /// Gives tokens their phones that the library reads together with the token before
     /// (*of a*, *on the*): as it says them alone tells where they part.
-    fn part(&self, labels: &mut Labels, voice: &str, set: Set) -> Result<()> {
+    fn part(&self, labels: &mut Labels, host: &dyn Host, voice: &str, set: Set) -> Result<()> {
         let tokens: Vec<usize> = self.starts.iter().map(|s| s.1).collect();
         let has = |labels: &Labels, t: usize| labels.phones.iter().any(|p| p.token == Some(t));
         let mut at = 0;
@@ -310,7 +211,7 @@ impl Text {
                 .count();
             if silent > 0 && has(labels, tokens[at]) {
                 let words: Vec<String> = (at..=at + silent).map(|i| self.word(i)).collect();
-                let said = library::say(voice, &words)?;
+                let said = host.say(voice, &words)?;
                 let known: Vec<(usize, String)> = said
                     .iter()
                     .enumerate()

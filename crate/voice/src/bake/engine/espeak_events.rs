@@ -2,7 +2,7 @@
 
 /// What happens at a moment of the sound.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) enum What {
+pub enum What {
     /// A word begins, at this character of the text, counted from 1.
     Word(usize),
     /// A phone begins: its mnemonic, with marks of stress.
@@ -13,23 +13,23 @@ pub(super) enum What {
 
 /// A moment of the sound.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Event {
+pub struct Event {
     /// Samples from the start.
-    pub(super) sample: usize,
+    pub sample: usize,
     /// What happens then.
-    pub(super) what: What,
+    pub what: What,
 }
 
 /// What was said.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub(super) struct Synthesis {
+pub struct Synthesis {
     /// Mono.
-    pub(super) samples: Vec<i16>,
+    pub samples: Vec<i16>,
     /// Samples a second.
-    pub(super) rate_hz: u32,
+    pub rate_hz: u32,
     /// In the order in which the library tells.
-    pub(super) events: Vec<Event>,
+    pub events: Vec<Event>,
     /// The mnemonics of the phones as they were before they met their neighbours, with
     /// marks of stress, which events do not have.
-    pub(super) marked: Vec<String>,
+    pub marked: Vec<String>,
 }

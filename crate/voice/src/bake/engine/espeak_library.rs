@@ -1,8 +1,8 @@
 //! libespeak-ng, loaded while the program runs: only its events tell when each phone and
 //! each word begins, which the program `espeak-ng` does not print.
 //!
-//! Layouts and numbers are those of `speak_lib.h` of espeak-ng 1.51 (API revision 12, the
-//! same since revision 7 of 2011).
+//! Layouts and numbers are those of `speak_lib.h` of espeak-ng 1.51 and 1.52 (API revision 12,
+//! the same since revision 7 of 2011).
 #![allow(
     unsafe_code,
     reason = "calls a library of C that is loaded at run time"
@@ -11,14 +11,15 @@
 use core::cell::RefCell;
 use core::ffi::{CStr, c_char, c_int, c_short, c_uint, c_void};
 use std::ffi::CString;
-use std::path::PathBuf;
-use std::sync::{Mutex, PoisonError};
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, OnceLock, PoisonError};
 
 use anyhow::{Context as _, Result, ensure};
 use libloading::Library;
 
 use super::super::program::Missing;
-use super::espeak_events::{Event, Synthesis, What};
+use super::espeak::{Event, Host, Synthesis, What};
 
 /// What the library may be called.
 const NAMES: [&str; 5] = [
@@ -229,7 +230,10 @@ extern "C" fn take(wave: *mut c_short, count: c_int, events: *mut RawEvent) -> c
                     let bytes = unsafe { event.id.string };
                     let end = bytes.iter().position(|b| *b == 0).unwrap_or(bytes.len());
                     let name = String::from_utf8_lossy(&bytes[..end]);
-                    Some(What::Phone(name.trim().to_owned()))
+                    // Since 1.52 with a mark of stress.
+                    Some(What::Phone(
+                        name.trim().trim_start_matches(['\'', ',']).to_owned(),
+                    ))
                 }
                 EVENT_END => Some(What::End),
                 _ => None,
@@ -264,27 +268,67 @@ fn with<T>(act: impl FnOnce(&Espeak) -> Result<T>) -> Result<T> {
     done
 }
 
-/// The library's version and where its data lies.
-///
-/// # Errors
-/// When it is not installed.
-pub(super) fn about() -> Result<(String, PathBuf)> {
-    with(|espeak| Ok(espeak.about()))
+/// The library on this machine.
+pub(super) struct Installed;
+
+impl Host for Installed {
+    fn version(&self) -> Result<String> {
+        Ok(about()?.0)
+    }
+
+    fn files(&self, folder: &str) -> Result<Vec<String>> {
+        let (_, data) = about()?;
+        let mut out = Vec::new();
+        // A language without relatives is a file beside the families.
+        for entry in names(&data.join(folder))? {
+            let path = data.join(folder).join(&entry);
+            if path.is_dir() {
+                let files = names(&path)?;
+                out.extend(files.into_iter().map(|file| format!("{entry}/{file}")));
+            } else {
+                out.push(entry);
+            }
+        }
+        Ok(out)
+    }
+
+    fn text(&self, path: &str) -> Result<String> {
+        let (_, data) = about()?;
+        Ok(fs::read_to_string(data.join(path)).unwrap_or_default())
+    }
+
+    /// The library begins anew for every text, so that none sounds different after another.
+    fn say(&self, voice: &str, texts: &[String]) -> Result<Vec<Synthesis>> {
+        let name = CString::new(voice).context("the name of the voice")?;
+        let mut out = Vec::with_capacity(texts.len());
+        for text in texts {
+            let text = CString::new(text.as_str()).context("the text")?;
+            out.push(with(|espeak| say_one(espeak, &name, &text))?);
+        }
+        Ok(out)
+    }
 }
 
-/// Says texts in a voice: one [`Synthesis`] for each. The library begins anew for every text, so
-/// that none sounds different after another. In texts, `[[` and `]]` enclose mnemonics.
-///
-/// # Errors
-/// When the library or the voice is not there, or when it fails.
-pub(super) fn say(voice: &str, texts: &[String]) -> Result<Vec<Synthesis>> {
-    let name = CString::new(voice).context("the name of the voice")?;
-    let mut out = Vec::with_capacity(texts.len());
-    for text in texts {
-        let text = CString::new(text.as_str()).context("the text")?;
-        out.push(with(|espeak| say_one(espeak, &name, &text))?);
+/// The entries of a folder, in order.
+fn names(folder: &Path) -> Result<Vec<String>> {
+    let entries = fs::read_dir(folder)
+        .with_context(|| format!("reading the voices of espeak-ng in {}", folder.display()))?;
+    let mut out = Vec::new();
+    for entry in entries {
+        out.extend(entry?.file_name().to_str().map(str::to_owned));
     }
+    out.sort();
     Ok(out)
+}
+
+/// The library's version and where its data lies.
+fn about() -> Result<(String, PathBuf)> {
+    static ABOUT: OnceLock<(String, PathBuf)> = OnceLock::new();
+    if let Some(about) = ABOUT.get() {
+        return Ok(about.clone());
+    }
+    let about = with(|espeak| Ok(espeak.about()))?;
+    Ok(ABOUT.get_or_init(|| about).clone())
 }
 
 fn say_one(espeak: &Espeak, voice: &CStr, text: &CStr) -> Result<Synthesis> {

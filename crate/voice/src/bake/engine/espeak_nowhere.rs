@@ -1,20 +1,31 @@
 //! Stands for espeak-ng's library where none can be loaded.
 
-use std::path::PathBuf;
-
 use anyhow::Result;
 
 use super::super::program::Missing;
-use super::espeak_events::Synthesis;
+use super::espeak::{Host, Synthesis};
 
-/// # Errors
-/// Always: it is not here.
-pub(super) fn about() -> Result<(String, PathBuf)> {
-    Err(Missing::one("espeak-ng", "libespeak-ng1").into())
+/// The library, which is not here.
+pub(super) struct Installed;
+
+impl Host for Installed {
+    fn version(&self) -> Result<String> {
+        Err(missing())
+    }
+
+    fn files(&self, _folder: &str) -> Result<Vec<String>> {
+        Err(missing())
+    }
+
+    fn text(&self, _path: &str) -> Result<String> {
+        Err(missing())
+    }
+
+    fn say(&self, _voice: &str, _texts: &[String]) -> Result<Vec<Synthesis>> {
+        Err(missing())
+    }
 }
 
-/// # Errors
-/// Always: it is not here.
-pub(super) fn say(_voice: &str, _texts: &[String]) -> Result<Vec<Synthesis>> {
-    Err(Missing::one("espeak-ng", "libespeak-ng1").into())
+fn missing() -> anyhow::Error {
+    Missing::one("espeak-ng", "libespeak-ng1").into()
 }

@@ -8,7 +8,7 @@
 
 mod absent;
 mod aligned;
-mod espeak;
+pub mod espeak;
 #[cfg_attr(
     target_arch = "wasm32",
     allow(dead_code, reason = "nothing speaks there")
@@ -113,6 +113,11 @@ pub trait Engine: Sync {
     }
 }
 
+/// An engine cannot speak yet and has begun to get ready: ask again.
+#[derive(Clone, Copy, Debug, thiserror::Error)]
+#[error("the voice is not ready yet")]
+pub struct Pending;
+
 /// The names that [`by_name`] knows.
 pub const ENGINES: [&str; 5] = ["festival", "flite", "espeak-ng", "marytts", "recordings"];
 
@@ -142,7 +147,7 @@ pub fn by_name(name: &str, options: &EngineOptions) -> Result<Box<dyn Engine>> {
     Ok(match name {
         "festival" => Box::new(festival::Festival),
         "flite" => Box::new(flite::Flite(flite::Installed)),
-        "espeak-ng" => Box::new(espeak::Espeak),
+        "espeak-ng" => Box::new(espeak::Espeak(espeak_library::Installed)),
         "marytts" => {
             ensure!(
                 !options.server.is_empty(),
@@ -171,7 +176,7 @@ pub fn local() -> &'static [Local; 3] {
         let asked: [(&str, &dyn Engine); 3] = [
             ("festival", &festival::Festival),
             ("flite", &flite::Flite(flite::Installed)),
-            ("espeak-ng", &espeak::Espeak),
+            ("espeak-ng", &espeak::Espeak(espeak_library::Installed)),
         ];
         asked.map(|(n, e)| (n, e.voices().map_err(|error| Missing::of(&error))))
     })

@@ -1,0 +1,134 @@
+//! Engines that the worker runs: objects of JavaScript that hold one.
+
+use std::cell::RefCell;
+
+use anyhow::{Result, anyhow, bail};
+use js_sys::{Array, Function, Int16Array, Object, Reflect, Uint8Array};
+use raconteur_voice::bake::engine::Engine;
+use raconteur_voice::bake::engine::espeak::{self, Espeak, Event, Synthesis, Traced, What};
+use raconteur_voice::bake::engine::flite::{self, Flite, Output, SOUND};
+use wasm_bindgen::prelude::*;
+
+thread_local! {
+    /// What runs the engine; a worker has one thread and one engine.
+    static HOST: RefCell<Option<Object>> = const { RefCell::new(None) };
+}
+
+/// The engine of a name, run by `host`: `Flite` or `Espeak` of `web/speech/hosts.ts`.
+pub(crate) fn engine(name: &str, host: Object) -> Result<Box<dyn Engine>> {
+    HOST.set(Some(host));
+    Ok(match name {
+        "flite" => Box::new(Flite(Worker)),
+        "espeak-ng" => Box::new(Espeak(Worker)),
+        _ => bail!("no engine {name:?} speaks in a page"),
+    })
+}
+
+/// The engine in the worker.
+struct Worker;
+
+/// Calls a function of the host.
+fn call(name: &str, arguments: &[JsValue]) -> Result<JsValue> {
+    let host = HOST.with_borrow(Clone::clone);
+    let host = host.ok_or_else(|| anyhow!("the engine is not there"))?;
+    let function: Function = member(&host, name)?
+        .dyn_into()
+        .map_err(|_| anyhow!("the engine has no {name}"))?;
+    let arguments: Array = arguments.iter().collect();
+    function.apply(&host, &arguments).map_err(fault)
+}
+
+fn member(of: &JsValue, name: &str) -> Result<JsValue> {
+    Reflect::get(of, &JsValue::from_str(name)).map_err(fault)
+}
+
+fn fault(value: JsValue) -> anyhow::Error {
+    let message = Reflect::get(&value, &JsValue::from_str("message")).ok();
+    let message = message
+        .and_then(|m| m.as_string())
+        .or_else(|| value.as_string());
+    anyhow!(
+        "{}",
+        message.unwrap_or_else(|| "the engine failed".to_owned())
+    )
+}
+
+fn strings(all: &[&str]) -> Array {
+    all.iter().map(|s| JsValue::from_str(s)).collect()
+}
+
+impl flite::Host for Worker {
+    fn run(&self, arguments: &[&str], files: &[(&str, &str)], sound: bool) -> Result<Output> {
+        let files: Array = files
+            .iter()
+            .map(|(name, text)| JsValue::from(strings(&[name, text])))
+            .collect();
+        let sound = if sound {
+            JsValue::from_str(SOUND)
+        } else {
+            JsValue::UNDEFINED
+        };
+        let out = call("run", &[strings(arguments).into(), files.into(), sound])?;
+        let wave = member(&out, "wave")?;
+        Ok(Output {
+            printed: member(&out, "printed")?.as_string().unwrap_or_default(),
+            wave: if wave.is_undefined() {
+                Vec::new()
+            } else {
+                Uint8Array::new(&wave).to_vec()
+            },
+        })
+    }
+}
+
+impl espeak::Host for Worker {
+    fn version(&self) -> Result<String> {
+        Ok(call("version", &[])?.as_string().unwrap_or_default())
+    }
+
+    fn files(&self, folder: &str) -> Result<Vec<String>> {
+        let files = call("files", &[JsValue::from_str(folder)])?;
+        Ok(Array::from(&files)
+            .iter()
+            .filter_map(|name| name.as_string())
+            .collect())
+    }
+
+    fn text(&self, path: &str) -> Result<String> {
+        let text = call("text", &[JsValue::from_str(path)])?;
+        Ok(text.as_string().unwrap_or_default())
+    }
+
+    fn say(&self, voice: &str, texts: &[String]) -> Result<Vec<Synthesis>> {
+        texts
+            .iter()
+            .map(|text| {
+                let said = call("say", &[JsValue::from_str(voice), JsValue::from_str(text)])?;
+                espeak::named(traced(&said)?, voice)
+            })
+            .collect()
+    }
+}
+
+/// What espeak-ng told of a text.
+fn traced(said: &JsValue) -> Result<Traced> {
+    let events = Array::from(&member(said, "events")?);
+    let number = |value: JsValue| value.as_f64().unwrap_or_default() as usize;
+    let mut out = Traced {
+        samples: Int16Array::new(&member(said, "samples")?).to_vec(),
+        rate_hz: number(member(said, "rateHz")?) as u32,
+        events: Vec::new(),
+        marked: member(said, "marked")?.as_string().unwrap_or_default(),
+    };
+    for event in events.iter() {
+        let kind = member(&event, "kind")?.as_string().unwrap_or_default();
+        let what = match kind.as_str() {
+            "word" => What::Word(number(member(&event, "position")?)),
+            "phone" => What::Phone(member(&event, "symbol")?.as_string().unwrap_or_default()),
+            _ => What::End,
+        };
+        let sample = number(member(&event, "sample")?);
+        out.events.push(Event { sample, what });
+    }
+    Ok(out)
+}

@@ -1,0 +1,156 @@
+//! What a build of espeak-ng tells whose events name phones by the International Phonetic
+//! Alphabet: its phones as mnemonics, which the sets of phones are of.
+
+use anyhow::Result;
+
+use super::super::ipa::{self, Set};
+use super::super::matching;
+use super::{Event, Synthesis, What, set};
+
+/// A text as such a build says it.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Traced {
+    /// Mono.
+    pub samples: Vec<i16>,
+    /// Samples a second.
+    pub rate_hz: u32,
+    /// [`What::Phone`] holds letters of the IPA with marks of stress; silence has none.
+    pub events: Vec<Event>,
+    /// The text's mnemonics, a low line between those of a word, a space between words.
+    pub marked: String,
+}
+
+/// Gives the events of a text that a voice said mnemonics.
+///
+/// # Errors
+/// When the text is too long.
+pub fn named(said: Traced, voice: &str) -> Result<Synthesis> {
+    let set = set(voice.split('+').next().unwrap_or_default());
+    let marked = mnemonics(&said.marked);
+    let mut events = said.events;
+    let mut heard: Vec<&mut String> = events
+        .iter_mut()
+        .filter_map(|e| match &mut e.what {
+            What::Phone(symbol) => Some(symbol),
+            _ => None,
+        })
+        .collect();
+    let pairs = matching::matched(&marked, &heard, |k, h| unlike(k, h, set))?;
+    for (symbol, pair) in heard.iter_mut().zip(pairs) {
+        let known = pair.map(|k| &marked[k]);
+        **symbol = match known.filter(|k| unlike(k, symbol, set) < 5) {
+            Some(known) => super::bare(known),
+            None => alone(symbol, set).unwrap_or_else(|| "_:".to_owned()),
+        };
+    }
+    Ok(Synthesis {
+        samples: said.samples,
+        rate_hz: said.rate_hz,
+        events,
+        marked,
+    })
+}
+
+/// Parts words into mnemonics. What begins with a low line is a pause; a bar alone parts clauses.
+fn mnemonics(marked: &str) -> Vec<String> {
+    let mut out = Vec::new();
+    for word in marked.split_whitespace().filter(|w| *w != "|") {
+        let mut pause = false;
+        for piece in word.split('_') {
+            if piece.is_empty() {
+                pause = true;
+                continue;
+            }
+            let mark = if pause { "_" } else { "" };
+            out.push(format!("{mark}{piece}"));
+            pause = false;
+        }
+    }
+    out
+}
+
+/// How much a mnemonic and letters of the IPA differ.
+fn unlike(mnemonic: &str, letters: &str, set: Set) -> u32 {
+    let own = super::bare(mnemonic);
+    // A glide that is no more than a colour of its neighbours has no letter either.
+    let is_mute = own.starts_with('_') || own == ";";
+    match alone(letters, set) {
+        None => 5 * u32::from(!is_mute),
+        Some(_) if is_mute => 5,
+        Some(named) => super::unlike(&own, &named, set),
+    }
+}
+
+/// The mnemonic of letters as far as they alone tell; none of silence.
+fn alone(letters: &str, set: Set) -> Option<String> {
+    let letters = letters.trim_matches(['ˈ', 'ˌ']);
+    if letters.is_empty() {
+        return None;
+    }
+    // A change of language within a sentence stays as it is.
+    let syllables = ipa::syllables(letters, set).ok();
+    let first = syllables.and_then(|all| Some((*all.first()?.phones.first()?).to_owned()));
+    Some(first.unwrap_or_else(|| letters.to_owned()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn said(marked: &str, heard: &[&str], voice: &str) -> Vec<String> {
+        let events = heard.iter().enumerate().map(|(sample, symbol)| Event {
+            sample,
+            what: What::Phone((*symbol).to_owned()),
+        });
+        let traced = Traced {
+            events: events.collect(),
+            marked: marked.to_owned(),
+            ..Traced::default()
+        };
+        let said = named(traced, voice).unwrap();
+        said.events
+            .into_iter()
+            .map(|e| match e.what {
+                What::Phone(symbol) => symbol,
+                other => panic!("{other:?}"),
+            })
+            .collect()
+    }
+
+    #[test]
+    fn letters_become_the_mnemonics_of_their_place() {
+        // What espeak-ng told of "meinem Garten, sagte".
+        let heard = [
+            "m", "ˌaɪ", "n", "ə", "m", "ɡ", "ˈa", "ɾ", "t", "ə", "n", "", "", "z", "ˈɑː", "ɡ", "t",
+            "ə", "", "",
+        ];
+        assert_eq!(
+            said("m_,aI_n_@_m g_'a_r_t_@_n | z_'A:_g_t_@", &heard, "de").join(" "),
+            "m aI n @ m g a r t @ n _: _: z A: g t @ _: _:"
+        );
+    }
+
+    #[test]
+    fn pauses_and_glides_without_letters_keep_their_place() {
+        assert_eq!(
+            said(
+                "d_E_r _!_'a_l_t",
+                &["d", "ɛ", "ɾ", "", "ˈa", "l", "t"],
+                "de"
+            )
+            .join(" "),
+            "d E r _! a l t"
+        );
+        assert_eq!(
+            said("w_aI_;_A@", &["w", "aɪ", "", "ɑːɹ"], "en-us").join(" "),
+            "w aI ; A@"
+        );
+    }
+
+    #[test]
+    fn letters_that_no_mnemonic_stands_for_tell_as_much_as_they_can() {
+        let out = said("", &["ˈiː", "☃", "", "(en)"], "de");
+        assert_eq!(out[0], "i:");
+        assert_eq!(out[2..], ["_:".to_owned(), "(en)".to_owned()]);
+    }
+}

@@ -1,0 +1,21 @@
+/** What a page and the worker that speaks for it tell each other. */
+
+import type { SpeechRequest } from './source.js';
+
+/** To the worker: something to say, or that something is not wanted any more. */
+export type Ask = ({ readonly kind: 'speak'; readonly id: number } & SpeechRequest) | { readonly kind: 'stop'; readonly id: number };
+
+/** What was said so far; `Said` of `crate/say`. */
+export interface Part {
+  readonly bundle: string;
+  readonly sounds: readonly (readonly [string, Uint8Array])[];
+  readonly problems: readonly string[];
+}
+
+/** From the worker. */
+export type Reply =
+  | { readonly kind: 'progress'; readonly share: number }
+  | ({ readonly kind: 'part'; readonly id: number } & Part)
+  | { readonly kind: 'done'; readonly id: number }
+  /** `dead`: the worker cannot be used again. */
+  | { readonly kind: 'failed'; readonly id: number; readonly message: string; readonly dead: boolean };

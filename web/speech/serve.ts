@@ -1,0 +1,129 @@
+/** The worker's side: the baker's own code finds what to say, and asks an engine for its sound utterance by utterance. */
+
+import instantiate from '../pkg/say/raconteur.js';
+import sayUrl from '../pkg/say/raconteur_bg.wasm?url';
+import type { Ask, Part, Reply } from './messages.js';
+
+/** So long after a part the next one is sent, ms; what is made sooner goes together. */
+const BETWEEN_PARTS_MS = 1200;
+
+/** What is being said; `crate/say`. */
+interface Saying {
+  take(): Part;
+  free(): void;
+}
+
+interface Speaker {
+  begin(eml: string, fragment: boolean, known: string | undefined): Saying;
+  step(saying: Saying): boolean;
+}
+
+interface Say {
+  (source: { module_or_path: Promise<Response> }): Promise<unknown>;
+  Speaker: new (engine: string, host: object, voice: string) => Speaker;
+  panicMessage(): string | undefined;
+}
+
+/** What runs an engine for `crate/say`, besides the functions that `hosts.rs` calls. */
+export interface Host {
+  /** What was asked for and is not there yet: settled once it is there or has failed. Engines that answer at once have nothing pending. */
+  pending(): Promise<unknown> | undefined;
+}
+
+const post = (reply: Reply, transfer: Transferable[] = []) => self.postMessage(reply, { transfer });
+
+/** Tells the page how much has come. */
+export const progress = (share: number): void => post({ kind: 'progress', share });
+
+/** Fetches a file and tells how much has come. */
+export async function fetched(url: URL): Promise<Response> {
+  const response = await fetch(url);
+  if (!response.ok || response.body === null) throw new Error(`The voice could not be fetched: the server answers ${response.status}.`);
+  const total = Number(response.headers.get('content-length'));
+  let come = 0;
+  const counted = response.body.pipeThrough(
+    new TransformStream<Uint8Array, Uint8Array>({
+      transform(chunk, controller) {
+        come += chunk.length;
+        // Packed, more comes than was told.
+        if (total > 0) progress(Math.min(1, come / total));
+        controller.enqueue(chunk);
+      },
+    }),
+  );
+  return new Response(counted, { headers: { 'content-type': response.headers.get('content-type') ?? '' } });
+}
+
+/** Lets messages come in. */
+const breath = (): Promise<void> => new Promise((done) => setTimeout(done));
+
+/** Speaks with an engine of `crate/say`, which `open` fetches with the first text. */
+export function serve(engine: string, open: () => Promise<Host>): void {
+  let opening: Promise<{ say: Say; host: Host }> | undefined;
+  let say: Say | undefined;
+  const speakers = new Map<string, Speaker>();
+  const stopped = new Set<number>();
+  let last: Promise<void> = Promise.resolve();
+
+  const both = async () => {
+    const made = instantiate() as unknown as Say;
+    const [host] = await Promise.all([open(), made({ module_or_path: fetch(new URL(sayUrl, import.meta.url)) })]);
+    progress(1);
+    say = made;
+    return { say: made, host };
+  };
+
+  const speak = async ({ id, eml, fragment = false, known, voice }: Extract<Ask, { kind: 'speak' }>): Promise<void> => {
+    const { say, host } = await (opening ??= both());
+    let speaker = speakers.get(voice);
+    if (speaker === undefined) speakers.set(voice, (speaker = new say.Speaker(engine, host, voice)));
+    const saying = speaker.begin(eml, fragment, known);
+    const send = () => {
+      const part = saying.take();
+      post(
+        { kind: 'part', id, ...part },
+        part.sounds.map(([, wave]) => wave.buffer as ArrayBuffer),
+      );
+    };
+    try {
+      let sentMs = -Infinity;
+      let unsent = true;
+      while (!stopped.has(id) && speaker.step(saying)) {
+        const wanted = host.pending();
+        if (wanted !== undefined) {
+          await wanted;
+          continue;
+        }
+        unsent = true;
+        if (performance.now() - sentMs > BETWEEN_PARTS_MS) {
+          send();
+          sentMs = performance.now();
+          unsent = false;
+        }
+        await breath();
+      }
+      if (unsent && !stopped.has(id)) send();
+    } finally {
+      saying.free();
+    }
+    post({ kind: 'done', id });
+  };
+
+  self.onmessage = ({ data }: MessageEvent<Ask>) => {
+    if (data.kind === 'stop') {
+      stopped.add(data.id);
+      return;
+    }
+    last = last.then(async () => {
+      try {
+        if (!stopped.has(data.id)) await speak(data);
+      } catch (error) {
+        const trapped = error instanceof WebAssembly.RuntimeError;
+        const panic = trapped ? say?.panicMessage() : undefined;
+        const message = panic ?? (error instanceof Error ? error.message : String(error));
+        post({ kind: 'failed', id: data.id, message, dead: say === undefined || trapped });
+      }
+      stopped.delete(data.id);
+    });
+  };
+}
