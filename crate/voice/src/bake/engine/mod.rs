@@ -20,6 +20,7 @@ mod festival;
 pub mod flite;
 mod http;
 mod ipa;
+pub mod kokoro;
 mod labels;
 mod mary;
 mod matching;

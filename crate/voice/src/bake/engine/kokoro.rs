@@ -1,0 +1,291 @@
+//! Kokoro: a neural network that speaks phones (82 million parameters, of the family of
+//! StyleTTS 2, doi:10.48550/arXiv.2306.07691), in a page alone.
+//!
+//! It is given letters of its own alphabet, which is the IPA with one letter for each diphthong and
+//! affricate, and says how many frames of its decoder each letter lasts. The words' letters are of
+//! the dictionaries that its makers trained it with; what they lack is guessed.
+
+mod letters;
+mod words;
+
+use std::ops::Range;
+
+use anyhow::{Result, ensure};
+
+use super::labels::{self, Labels, Phone};
+use super::wave::Wave;
+use super::{Engine, VoiceInfo, punctuation};
+use crate::content::Gender;
+use crate::spoken::{Segment, Sentence, Spoken, SpokenSyllable};
+
+/// Samples a second.
+const RATE_HZ: f64 = 24_000.0;
+/// By how much the sound is earlier than the frames tell, seconds. *Measured* on its sound: see
+/// `docs/voices.md`.
+const LEAD_SECS: f64 = 0.075;
+/// A mark of punctuation that lasts longer is heard as a pause, seconds. *Designed*.
+const PAUSE_SECS: f64 = 0.04;
+/// Most letters that it is given at a time; the network takes 510.
+const MOST_LETTERS: usize = 400;
+
+/// Where it runs.
+pub trait Host: Send + Sync {
+    /// The names of the voices that are there: `af_heart` is an American woman, `bm_george` a
+    /// British man.
+    ///
+    /// # Errors
+    /// When it is not there.
+    fn voices(&self) -> Result<Vec<String>>;
+
+    /// The letters of a word in the dictionaries, and those at the end of a phrase where they differ.
+    ///
+    /// # Errors
+    /// [`super::Pending`] while they are fetched.
+    fn word(&self, word: &str) -> Result<Option<(String, Option<String>)>>;
+
+    /// Phones of the set `radio` for a word that no dictionary has, with spaces between.
+    ///
+    /// # Errors
+    /// [`super::Pending`] while what guesses is fetched.
+    fn guess(&self, word: &str) -> Result<String>;
+
+    /// Speaks letters.
+    ///
+    /// # Errors
+    /// [`super::Pending`] while it is at work.
+    fn infer(&self, voice: &str, letters: &str) -> Result<Output>;
+}
+
+/// What the network gives.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Output {
+    /// Mono, −1 to 1, [`RATE_HZ`].
+    pub samples: Vec<f32>,
+    /// How long each letter lasts, and the pads before and after them, in any unit.
+    pub frames: Vec<f32>,
+}
+
+/// Kokoro.
+pub struct Kokoro<H>(pub H);
+
+impl<H: Host> Engine for Kokoro<H> {
+    fn version(&self) -> Result<String> {
+        Ok("kokoro 82M".to_owned())
+    }
+
+    fn voices(&self) -> Result<Vec<VoiceInfo>> {
+        Ok(self.0.voices()?.iter().filter_map(|v| info(v)).collect())
+    }
+
+    fn speak(&self, voice: &str, sentences: &[Sentence]) -> Result<Vec<Spoken>> {
+        sentences.iter().map(|s| self.say(voice, s)).collect()
+    }
+}
+
+impl<H: Host> Kokoro<H> {
+    fn say(&self, voice: &str, sentence: &Sentence) -> Result<Spoken> {
+        let text = Text::of(sentence, &self.0)?;
+        if text.marks.iter().all(|m| m.token.is_none()) {
+            return Ok(labels::nothing(RATE_HZ, "radio"));
+        }
+        let mut whole: Option<Spoken> = None;
+        for part in text.parts() {
+            let marks = &text.marks[part];
+            let letters: String = marks.iter().map(|m| m.letter).collect();
+            let spoken = spoken(marks, self.0.infer(voice, &letters)?)?;
+            match &mut whole {
+                Some(all) => append(all, spoken),
+                None => whole = Some(spoken),
+            }
+        }
+        Ok(whole.unwrap_or_else(|| labels::nothing(RATE_HZ, "radio")))
+    }
+}
+
+/// What a voice's name tells: language, sex, speaker.
+fn info(name: &str) -> Option<VoiceInfo> {
+    let mut signs = name.chars();
+    let language = match signs.next()? {
+        'a' => "en-US",
+        'b' => "en-GB",
+        _ => return None,
+    };
+    let gender = match signs.next()? {
+        'f' => Gender::Female,
+        'm' => Gender::Male,
+        _ => return None,
+    };
+    Some(VoiceInfo {
+        name: name.to_owned(),
+        language: language.to_owned(),
+        gender: Some(gender),
+        phone_set: "radio".to_owned(),
+        rate_hz: RATE_HZ,
+        what: "neural".to_owned(),
+    })
+}
+
+/// A letter of what is spoken.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Mark {
+    letter: char,
+    /// Index of its token; none of what stands between words.
+    token: Option<usize>,
+}
+
+/// A sentence as the network reads it.
+#[derive(Debug, Default)]
+struct Text {
+    marks: Vec<Mark>,
+}
+
+impl Text {
+    fn of(sentence: &Sentence, host: &dyn Host) -> Result<Self> {
+        let mut marks: Vec<Mark> = Vec::new();
+        let between = |letter| Mark {
+            letter,
+            token: None,
+        };
+        let last = sentence.tokens.len().saturating_sub(1);
+        let written = words::written(sentence, host)?;
+        for (t, (token, letters)) in sentence.tokens.iter().zip(written).enumerate() {
+            if letters.is_empty() {
+                continue;
+            }
+            if !marks.is_empty() {
+                marks.push(between(' '));
+            }
+            marks.extend(letters.chars().map(|letter| Mark {
+                letter,
+                token: Some(t),
+            }));
+            let end = punctuation(token, (t == last).then_some(sentence.kind));
+            // A sentence without an end sounds cut off.
+            let end = if t == last && end.is_empty() {
+                "."
+            } else {
+                &end
+            };
+            marks.extend(end.chars().take(1).map(between));
+        }
+        Ok(Self { marks })
+    }
+
+    /// What is spoken in one go: as much as the network takes, to the last mark of punctuation in
+    /// it, or else the last space.
+    fn parts(&self) -> Vec<Range<usize>> {
+        let mut out = Vec::new();
+        let mut from = 0;
+        while self.marks.len() - from > MOST_LETTERS {
+            let most = &self.marks[from..from + MOST_LETTERS];
+            let after = |found: fn(char) -> bool| {
+                let at = most.iter().rposition(|m| found(m.letter));
+                at.map(|at| at + 1).filter(|length| *length > 1)
+            };
+            let length = after(|c| ",.;:!?".contains(c))
+                .or_else(|| after(|c| c == ' '))
+                .unwrap_or(MOST_LETTERS);
+            out.push(from..from + length);
+            from += length;
+        }
+        out.push(from..self.marks.len());
+        out
+    }
+}
+
+/// Letters with their sound.
+fn spoken(marks: &[Mark], out: Output) -> Result<Spoken> {
+    ensure!(
+        out.frames.len() == marks.len() + 2,
+        "the network told of {} letters and was given {}",
+        out.frames.len(),
+        marks.len()
+    );
+    let total: f64 = out.frames.iter().map(|f| f64::from(*f)).sum();
+    ensure!(total > 0.0, "the network made no sound");
+    let secs = out.samples.len() as f64 / RATE_HZ / total;
+    let mut at = f64::from(out.frames[0]) * secs - LEAD_SECS;
+    let mut ends = Vec::with_capacity(marks.len());
+    for frames in &out.frames[1..=marks.len()] {
+        at += f64::from(*frames) * secs;
+        ends.push(at.max(0.0));
+    }
+    let start = (f64::from(out.frames[0]) * secs - LEAD_SECS).max(0.0);
+    let labels = labels_of(marks, start, &ends);
+    let wave = Wave {
+        samples: out.samples.iter().map(|s| f64::from(*s)).collect(),
+        rate_hz: RATE_HZ,
+    };
+    labels::finish(&labels, wave, "radio", 0.0)
+}
+
+/// The phones of letters whose ends are known.
+fn labels_of(marks: &[Mark], start: f64, ends: &[f64]) -> Labels {
+    let mut labels = Labels::default();
+    if start > 0.0 {
+        labels.phones.push(Phone {
+            end_secs: start,
+            ..Phone::default()
+        });
+    }
+    let mut at = 0;
+    let mut begins = start;
+    while at < marks.len() {
+        let token = marks[at].token;
+        let count = marks[at..].iter().take_while(|m| m.token == token).count();
+        let span = at..at + count;
+        match token {
+            Some(token) => letters::word(
+                &mut labels,
+                &marks[span.clone()],
+                &ends[span.clone()],
+                token,
+            ),
+            None => between(
+                &mut labels,
+                &marks[span.clone()],
+                begins,
+                ends[span.end - 1],
+            ),
+        }
+        begins = ends[span.end - 1];
+        at = span.end;
+    }
+    labels
+}
+
+/// What stands between words: a pause where it lasts, else more of the phone before.
+fn between(labels: &mut Labels, marks: &[Mark], begins: f64, end_secs: f64) {
+    let parts = marks.iter().any(|m| m.letter != ' ');
+    if parts && let Some(last) = labels.phones.iter().rev().find_map(|p| p.token) {
+        labels.breaks.push((last, String::new()));
+    }
+    match labels.phones.last_mut() {
+        Some(last) if !parts || end_secs - begins < PAUSE_SECS => last.end_secs = end_secs,
+        _ => labels.phones.push(Phone {
+            end_secs,
+            ..Phone::default()
+        }),
+    }
+}
+
+/// Puts a part of a sentence behind the parts before it.
+fn append(all: &mut Spoken, part: Spoken) {
+    let secs = all.samples.len() as f64 / all.rate_hz;
+    let first = all.segments.len();
+    all.samples.extend(part.samples);
+    all.segments
+        .extend(part.segments.into_iter().map(|s| Segment {
+            end_secs: s.end_secs + secs,
+            ..s
+        }));
+    all.syllables
+        .extend(part.syllables.into_iter().map(|s| SpokenSyllable {
+            first: s.first + first,
+            ..s
+        }));
+    all.breaks.extend(part.breaks);
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,177 @@
+//! Words in the network's letters: of the author, of the dictionaries, of a word that they have
+//! with an ending, or guessed.
+
+use anyhow::{Context as _, Result};
+
+use super::super::ipa::{self, Set};
+use super::super::scheme;
+use super::{Host, letters};
+use crate::spoken::{Sentence, Token};
+
+/// Small words as they are said when nothing stresses them, where the dictionaries have them as
+/// they are said alone (*Cambridge English Pronouncing Dictionary*, "weak forms").
+const WEAK: [(&str, &str); 14] = [
+    ("a", "ɐ"),
+    ("an", "ən"),
+    ("and", "ænd"),
+    ("at", "æt"),
+    ("but", "bʌt"),
+    ("him", "hɪm"),
+    ("me", "mi"),
+    ("of", "ʌv"),
+    ("shall", "ʃəl"),
+    ("so", "sO"),
+    ("some", "sʌm"),
+    ("the", "ðə"),
+    ("them", "ðəm"),
+    ("us", "ʌs"),
+];
+
+/// SABLE's emphasis from which on a small word is said in full.
+const STRESSED: f64 = 1.0;
+
+/// The letters of each token; empty where there is nothing to say.
+pub(super) fn written(sentence: &Sentence, host: &dyn Host) -> Result<Vec<String>> {
+    let tokens = &sentence.tokens;
+    let mut out = Vec::with_capacity(tokens.len());
+    for (t, token) in tokens.iter().enumerate() {
+        let ends = !token.punctuation.is_empty() || token.pause || t + 1 == tokens.len();
+        out.push(match &token.ipa {
+            Some(ipa) => of_ipa(ipa).with_context(|| format!("the word {:?}", token.text))?,
+            None => of_word(token, ends, host)?,
+        });
+    }
+    before_vowels(tokens, &mut out);
+    Ok(out)
+}
+
+/// A pronunciation of the author.
+fn of_ipa(ipa: &str) -> Result<String> {
+    let syllables = ipa::syllables(ipa, Set::Radio)?;
+    Ok(letters::of_phones(
+        syllables.into_iter().map(|s| (s.stress, s.phones)),
+    ))
+}
+
+fn of_word(token: &Token, ends: bool, host: &dyn Host) -> Result<String> {
+    let word = scheme::plain(&token.text);
+    let small = word.to_lowercase();
+    if token.emphasis < STRESSED
+        && !ends
+        && let Some((_, weak)) = WEAK.iter().find(|(w, _)| *w == small)
+    {
+        return Ok((*weak).to_owned());
+    }
+    if word.is_empty() {
+        return Ok(word);
+    }
+    if let Some(known) = known(&word, ends, host)? {
+        return Ok(known);
+    }
+    let parts: Vec<&str> = word.split('-').filter(|p| !p.is_empty()).collect();
+    if parts.len() > 1 {
+        let mut out = String::new();
+        for part in parts {
+            out.push_str(&match known(part, false, host)? {
+                Some(known) => known,
+                None => guessed(part, host)?,
+            });
+        }
+        return Ok(out);
+    }
+    guessed(&word, host)
+}
+
+/// A word of the dictionaries, or one with an ending.
+fn known(word: &str, ends: bool, host: &dyn Host) -> Result<Option<String>> {
+    let small = word.to_lowercase();
+    let mut rest = small.chars();
+    let capital: String = rest
+        .next()
+        .into_iter()
+        .flat_map(char::to_uppercase)
+        .chain(rest)
+        .collect();
+    for form in [word, &small, &capital] {
+        if let Some((usual, last)) = host.word(form)? {
+            return Ok(Some(last.filter(|_| ends).unwrap_or(usual)));
+        }
+    }
+    for (ending, stems) in [
+        ("'s", &[""][..]),
+        ("s", &[""]),
+        ("es", &[""]),
+        ("ed", &["", "e"]),
+        ("ing", &["", "e"]),
+    ] {
+        let Some(stem) = small.strip_suffix(ending).filter(|s| s.len() > 1) else {
+            continue;
+        };
+        for last in stems {
+            if let Some((letters, _)) = host.word(&format!("{stem}{last}"))? {
+                return Ok(Some(ended(letters, ending)));
+            }
+        }
+    }
+    Ok(None)
+}
+
+/// A word with an ending, which sounds as the end of the word makes it.
+fn ended(mut letters: String, ending: &str) -> String {
+    let last = letters.chars().last().unwrap_or_default();
+    letters.push_str(match ending {
+        "ing" => "ɪŋ",
+        "ed" => match last {
+            't' | 'd' | 'ɾ' => "ᵻd",
+            'p' | 'k' | 'f' | 'θ' | 's' | 'ʃ' | 'ʧ' => "t",
+            _ => "d",
+        },
+        _ => match last {
+            's' | 'z' | 'ʃ' | 'ʒ' | 'ʧ' | 'ʤ' => "ᵻz",
+            'p' | 't' | 'k' | 'f' | 'θ' => "s",
+            _ => "z",
+        },
+    });
+    letters
+}
+
+/// A word that no dictionary has. Which syllable is stressed is *designed*: the first of two, the
+/// last but two of more, which is where most English nouns have it.
+fn guessed(word: &str, host: &dyn Host) -> Result<String> {
+    let told = host.guess(word)?;
+    let phones: Vec<&str> = told.split_whitespace().collect();
+    if phones.is_empty() {
+        return Ok(String::new());
+    }
+    let mut starts = ipa::starts(phones.iter().copied(), Set::Radio);
+    starts.push(phones.len());
+    let count = starts.len() - 1;
+    let stressed = count.saturating_sub(3);
+    let syllables = starts
+        .windows(2)
+        .enumerate()
+        .map(|(i, pair)| (u8::from(i == stressed), phones[pair[0]..pair[1]].to_vec()));
+    Ok(letters::of_phones(syllables))
+}
+
+/// "The" and "to" have other vowels before vowels.
+fn before_vowels(tokens: &[Token], written: &mut [String]) {
+    for t in 0..written.len().saturating_sub(1) {
+        let vowel = written[t + 1]
+            .chars()
+            .find(|c| !"ˈˌ".contains(*c))
+            .is_some_and(|c| "ɑæʌəɐᵊɔɒWIɛɜAeɪᵻiOQYʊu".contains(c));
+        let full = match tokens[t].text.to_lowercase().as_str() {
+            "the" if vowel => "ði",
+            "to" if vowel => "tʊ",
+            "to" => "tə",
+            _ => continue,
+        };
+        if tokens[t].ipa.is_none()
+            && tokens[t].emphasis < STRESSED
+            && tokens[t].punctuation.is_empty()
+        {
+            written[t] = full.to_owned();
+        }
+    }
+}
