@@ -1,11 +1,11 @@
-// Changes a network of the format ONNX, which is protocol buffers, so that it runs faster in a page. Only what
+// Changes a network of the format ONNX, which is protocol buffers, so that two threads of a page run it faster. Only what
 // `npm run voice` needs. Only Node's own modules.
 
 /** Numbers of fields. */
 const GRAPH = 7;
 const G = { node: 1, tensor: 5, output: 12, shape: 13 };
 const N = { input: 1, output: 2, op: 4, attribute: 5 };
-const T = { type: 2, name: 8, bytes: 9 };
+const T = { name: 8 };
 const V = { name: 1, type: 2 };
 
 /** The fields of a message: number, contents where they are bytes, and all of the field as it is stored. */
@@ -46,8 +46,8 @@ function field(number, value) {
   return Buffer.concat([varint(number * 8 + 2), varint(bytes.length), bytes]);
 }
 
-/** `float32` in messages that have a type. */
-const floats = (number) => Buffer.from([number * 8, 1]);
+/** A tensor of `float32`, as a type. */
+const FLOATS = field(1, Buffer.from([8, 1]));
 
 function readNode({ value, whole }) {
   const all = [...fields(value)];
@@ -59,12 +59,6 @@ function readNode({ value, whole }) {
 function makeNode(op, inputs, outputs, attributes = []) {
   const parts = [...inputs.map((name) => field(N.input, name)), ...outputs.map((name) => field(N.output, name)), field(N.op, op), ...attributes];
   return { op, inputs, outputs, attributes, whole: field(G.node, Buffer.concat(parts)) };
-}
-
-function scalar(name, value) {
-  const bytes = Buffer.alloc(4);
-  bytes.writeFloatLE(value);
-  return { name, whole: field(G.tensor, Buffer.concat([floats(T.type), field(T.name, name), field(T.bytes, bytes)])) };
 }
 
 /** Who makes and who takes a value. */
@@ -80,7 +74,8 @@ function links(nodes) {
 }
 
 /**
- * Convolutions of whole numbers become ones of floats, which wasm is faster at; their weights stay bytes in the file.
+ * Convolutions of whole numbers become ones of floats, which more threads share better; their weights stay bytes in
+ * the file.
  * What was rounded for them, sounds and biases, is so no more.
  */
 function floatConvolutions(nodes) {
@@ -105,48 +100,6 @@ function floatConvolutions(nodes) {
   return nodes.filter((node) => !gone.has(node)).flatMap((node) => changed.get(node) ?? [node]);
 }
 
-/** sin²(πu) ≈ SCALE·v·((v + P)² + Q) with v = u², for |u| ≤ ½; off by less than 0.001. */
-const [SCALE, P, Q] = [30.291872, -0.50784156, 0.06567453];
-/** Added and taken away again, it rounds a float. */
-const ROUND = 1.5 * 2 ** 23;
-const CONSTANTS = { turns: 1 / Math.PI, scale: SCALE, p: P, q: Q, round: ROUND };
-const constant = (name) => `sine/${name}`;
-
-/** (1/a)·sin²(a·x) without the sine, which wasm computes one by one. */
-function quickSines(nodes, isTensor) {
-  const { maker, next } = links(nodes);
-  const changed = new Map();
-  const gone = new Set();
-  for (const sine of nodes.filter(({ op }) => op === 'Sin')) {
-    const angle = maker(sine.inputs[0]);
-    const square = next(sine, 'Pow');
-    if (square === undefined || angle.op !== 'Mul') continue;
-    const last = next(square, 'Mul');
-    const own = (name) => `${sine.outputs[0]}/${name}`;
-    const step = (op, a, b, to) => makeNode(op, [a, b], [to]);
-    const rate = angle.inputs.find(isTensor);
-    const sound = angle.inputs.find((name) => name !== rate);
-    const height = last.inputs.find((name) => name !== square.outputs[0]);
-    changed.set(sine, [
-      // Of constants alone, so computed once.
-      step('Mul', rate, constant('turns'), own('rate')),
-      step('Mul', height, constant('scale'), own('height')),
-      step('Mul', sound, own('rate'), own('turns')),
-      step('Add', own('turns'), constant('round'), own('raised')),
-      step('Sub', own('raised'), constant('round'), own('whole')),
-      step('Sub', own('turns'), own('whole'), own('u')),
-      step('Mul', own('u'), own('u'), own('v')),
-      step('Add', own('v'), constant('p'), own('moved')),
-      step('Mul', own('moved'), own('moved'), own('squared')),
-      step('Add', own('squared'), constant('q'), own('factor')),
-      step('Mul', own('v'), own('factor'), own('wave')),
-      step('Mul', own('wave'), own('height'), last.outputs[0]),
-    ]);
-    for (const old of [angle, square, last]) gone.add(old);
-  }
-  return nodes.filter((node) => !gone.has(node)).flatMap((node) => changed.get(node) ?? [node]);
-}
-
 /** Nodes of which something is used. */
 function used(nodes, outputs) {
   const wanted = new Set([...outputs, ...nodes.flatMap(({ inputs }) => inputs)]);
@@ -161,18 +114,15 @@ export function tuned(model, output) {
   const top = [...fields(model)];
   const graph = [...fields(top.find(({ number }) => number === GRAPH).value)];
   const of = (number) => graph.filter((each) => each.number === number);
-  const tensors = of(G.tensor).map(({ value, whole }) => ({ name: nameOf(value, T.name), whole }));
-  const names = new Set(tensors.map(({ name }) => name));
   const outputs = [...of(G.output).map(({ value }) => nameOf(value, V.name)), output];
-  const nodes = used(quickSines(floatConvolutions(of(G.node).map(readNode)), (name) => names.has(name)), outputs);
+  const nodes = used(floatConvolutions(of(G.node).map(readNode)), outputs);
   const inputs = new Set(nodes.flatMap((node) => node.inputs));
-  const constants = Object.entries(CONSTANTS).map(([name, value]) => scalar(constant(name), value));
   const parts = [
     ...nodes,
-    ...[...tensors, ...constants].filter(({ name }) => inputs.has(name)),
+    ...of(G.tensor).filter(({ value }) => inputs.has(nameOf(value, T.name))),
     // Shapes of values inside are found anew.
     ...graph.filter(({ number }) => number !== G.node && number !== G.tensor && number !== G.shape),
-    { whole: field(G.output, Buffer.concat([field(V.name, output), field(V.type, field(1, floats(1)))])) },
+    { whole: field(G.output, Buffer.concat([field(V.name, output), field(V.type, FLOATS)])) },
   ];
   const changed = field(GRAPH, Buffer.concat(parts.map(({ whole }) => whole)));
   return Buffer.concat([...top.filter(({ number }) => number !== GRAPH).map(({ whole }) => whole), changed]);
