@@ -3,10 +3,11 @@
 use std::cell::RefCell;
 
 use anyhow::{Result, anyhow, bail};
-use js_sys::{Array, Function, Int16Array, Object, Reflect, Uint8Array};
-use raconteur_voice::bake::engine::Engine;
+use js_sys::{Array, Float32Array, Function, Int16Array, Object, Reflect, Uint8Array};
 use raconteur_voice::bake::engine::espeak::{self, Espeak, Event, Synthesis, Traced, What};
 use raconteur_voice::bake::engine::flite::{self, Flite, Output, SOUND};
+use raconteur_voice::bake::engine::kokoro::{self, Kokoro};
+use raconteur_voice::bake::engine::{Engine, Pending};
 use wasm_bindgen::prelude::*;
 
 thread_local! {
@@ -14,12 +15,13 @@ thread_local! {
     static HOST: RefCell<Option<Object>> = const { RefCell::new(None) };
 }
 
-/// The engine of a name, run by `host`: `Flite` or `Espeak` of `web/speech/hosts.ts`.
+/// The engine of a name, run by `host`: a class of `web/speech` or of a package.
 pub(crate) fn engine(name: &str, host: Object) -> Result<Box<dyn Engine>> {
     HOST.set(Some(host));
     Ok(match name {
         "flite" => Box::new(Flite(Worker)),
         "espeak-ng" => Box::new(Espeak(Worker)),
+        "kokoro" => Box::new(Kokoro(Worker)),
         _ => bail!("no engine {name:?} speaks in a page"),
     })
 }
@@ -87,11 +89,7 @@ impl espeak::Host for Worker {
     }
 
     fn files(&self, folder: &str) -> Result<Vec<String>> {
-        let files = call("files", &[JsValue::from_str(folder)])?;
-        Ok(Array::from(&files)
-            .iter()
-            .filter_map(|name| name.as_string())
-            .collect())
+        Ok(texts(&call("files", &[JsValue::from_str(folder)])?).collect())
     }
 
     fn text(&self, path: &str) -> Result<String> {
@@ -107,6 +105,48 @@ impl espeak::Host for Worker {
                 espeak::named(traced(&said)?, voice)
             })
             .collect()
+    }
+}
+
+/// Calls a function of the host that answers nothing while it gets ready.
+fn answer(name: &str, arguments: &[JsValue]) -> Result<JsValue> {
+    let answer = call(name, arguments)?;
+    if answer.is_undefined() {
+        return Err(Pending.into());
+    }
+    Ok(answer)
+}
+
+fn texts(of: &JsValue) -> impl Iterator<Item = String> {
+    Array::from(of)
+        .iter()
+        .filter_map(|text| text.as_string())
+        .collect::<Vec<_>>()
+        .into_iter()
+}
+
+impl kokoro::Host for Worker {
+    fn voices(&self) -> Result<Vec<String>> {
+        Ok(texts(&call("voices", &[])?).collect())
+    }
+
+    fn word(&self, word: &str) -> Result<Option<(String, Option<String>)>> {
+        let mut letters = texts(&call("word", &[JsValue::from_str(word)])?);
+        Ok(letters.next().map(|usual| (usual, letters.next())))
+    }
+
+    fn guess(&self, word: &str) -> Result<String> {
+        let phones = answer("guess", &[JsValue::from_str(word)])?;
+        Ok(phones.as_string().unwrap_or_default())
+    }
+
+    fn infer(&self, voice: &str, letters: &str) -> Result<kokoro::Output> {
+        let said = [JsValue::from_str(voice), JsValue::from_str(letters)];
+        let out = answer("infer", &said)?;
+        Ok(kokoro::Output {
+            samples: Float32Array::new(&member(&out, "samples")?).to_vec(),
+            frames: Float32Array::new(&member(&out, "frames")?).to_vec(),
+        })
     }
 }
 

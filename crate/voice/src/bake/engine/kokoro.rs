@@ -92,7 +92,7 @@ impl<H: Host> Kokoro<H> {
         for part in text.parts() {
             let marks = &text.marks[part];
             let letters: String = marks.iter().map(|m| m.letter).collect();
-            let spoken = spoken(marks, self.0.infer(voice, &letters)?)?;
+            let spoken = spoken(marks, &self.0.infer(voice, &letters)?)?;
             match &mut whole {
                 Some(all) => append(all, spoken),
                 None => whole = Some(spoken),
@@ -194,7 +194,7 @@ impl Text {
 }
 
 /// Letters with their sound.
-fn spoken(marks: &[Mark], out: Output) -> Result<Spoken> {
+fn spoken(marks: &[Mark], out: &Output) -> Result<Spoken> {
     ensure!(
         out.frames.len() == marks.len() + 2,
         "the network told of {} letters and was given {}",

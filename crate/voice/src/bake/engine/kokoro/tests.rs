@@ -184,6 +184,6 @@ fn a_network_that_tells_nonsense_is_an_error() {
             samples: vec![0.0; 600],
             frames,
         };
-        assert!(spoken(&marks, out).is_err());
+        assert!(spoken(&marks, &out).is_err());
     }
 }

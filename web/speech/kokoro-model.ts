@@ -1,0 +1,63 @@
+/** Kokoro-82M, a neural network that speaks phones: runs in a worker, by ONNX Runtime's wasm build. */
+
+import * as ort from 'onnxruntime-web/wasm';
+import glueUrl from 'onnxruntime-web/ort-wasm-simd-threaded.mjs?url';
+import wasmUrl from 'onnxruntime-web/ort-wasm-simd-threaded.wasm?url';
+import { fetched } from './serve.js';
+
+/** Samples a second. */
+export const RATE = 24_000;
+/** Numbers of a style. */
+const STYLE = 256;
+/** The output that `npm run voice` adds to the model. */
+const FRAMES = '/encoder/Clip_output_0';
+/** More threads than this help little. */
+const THREADS = 2;
+
+/** What was spoken. */
+export interface Spoken {
+  /** At `RATE`. */
+  readonly samples: Float32Array;
+  /** How long each token lasts, with the pad before and the pad after; all of them together are as long as the sound. */
+  readonly frames: Float32Array;
+}
+
+export interface Model {
+  /** The styles of a voice, one after another; which is taken depends on how many tokens are spoken (see `styleFor`). */
+  voice(name: string): Promise<Float32Array>;
+  /** Speaks tokens of `vocab.json`, without pads. `speed` 1 is the voice's own. */
+  infer(tokens: ArrayLike<number>, style: Float32Array, speed: number): Promise<Spoken>;
+}
+
+/** The style of a voice for so many tokens. */
+export function styleFor(voice: Float32Array, tokens: number): Float32Array {
+  const last = voice.length / STYLE - 1;
+  const row = Math.min(tokens, last) * STYLE;
+  return voice.subarray(row, row + STYLE);
+}
+
+/** Fetches the model of a folder that `npm run voice` has filled. The folder's address ends with a slash. */
+export async function openModel(folder: URL): Promise<Model> {
+  const here = (address: string) => new URL(address, import.meta.url).href;
+  ort.env.wasm.wasmPaths = { mjs: here(glueUrl), wasm: here(wasmUrl) };
+  // Threads share memory, which a page may only when it is isolated from others.
+  ort.env.wasm.numThreads = self.crossOriginIsolated ? THREADS : 1;
+  const session = await ort.InferenceSession.create(await (await fetched(new URL('model.onnx', folder))).arrayBuffer(), { executionProviders: ['wasm'] });
+  return {
+    async voice(name) {
+      const response = await fetch(new URL(`${name}.bin`, folder));
+      if (!response.ok) throw new Error(`The voice ${name} could not be fetched: the server answers ${response.status}.`);
+      return new Float32Array(await response.arrayBuffer());
+    },
+    async infer(tokens, style, speed) {
+      const padded = BigInt64Array.from([0, ...Array.from(tokens), 0], BigInt);
+      const { audio, [FRAMES]: frames } = await session.run({
+        tokens: new ort.Tensor('int64', padded, [1, padded.length]),
+        style: new ort.Tensor('float32', style, [1, STYLE]),
+        speed: new ort.Tensor('float32', Float32Array.of(speed), [1]),
+      });
+      if (audio === undefined || frames === undefined) throw new Error('The model of the voice is not the one that `npm run voice` fetches.');
+      return { samples: audio.data as Float32Array, frames: frames.data as Float32Array };
+    },
+  };
+}

@@ -1,0 +1,123 @@
+/** Speaks with Kokoro; the worker's name is the address of its folder. */
+
+import { Flite } from './flite-program.js';
+import { type Model, openModel, type Spoken, styleFor } from './kokoro-model.js';
+import { type Host, serve } from './serve.js';
+
+/** What was spoken is kept for a sentence or two that are asked for again, because others of their utterance were not there yet. */
+const MOST_KEPT = 32;
+
+/** Letters of a word; some words have other ones for a part of speech, and at the end of a phrase (`None`). */
+type Entry = string | { readonly DEFAULT: string; readonly None?: string };
+
+class Kokoro implements Host {
+  readonly #model: Model;
+  readonly #voices: readonly string[];
+  /** Numbers of letters. */
+  readonly #tokens: ReadonlyMap<string, number>;
+  /** The smaller and better dictionary first. */
+  readonly #words: readonly Readonly<Record<string, Entry | null>>[];
+  readonly #styles = new Map<string, Float32Array>();
+  readonly #spoken = new Map<string, Spoken>();
+  #flite: Flite | undefined;
+  #pending: Promise<unknown> | undefined;
+  #failure: unknown;
+
+  private constructor(model: Model, voices: readonly string[], tokens: Record<string, number>, words: readonly Record<string, Entry | null>[]) {
+    this.#model = model;
+    this.#voices = voices;
+    this.#tokens = new Map(Object.entries(tokens));
+    this.#words = words;
+  }
+
+  static async open(folder: URL): Promise<Kokoro> {
+    const json = async <T>(name: string): Promise<T> => {
+      const response = await fetch(new URL(name, folder));
+      if (!response.ok) throw new Error(`${name} of the voice could not be fetched: the server answers ${response.status}.`);
+      return (await response.json()) as T;
+    };
+    const [voices, { vocab }, gold, silver, model] = await Promise.all([
+      json<string[]>('voices.json'),
+      json<{ vocab: Record<string, number> }>('vocab.json'),
+      json<Record<string, Entry | null>>('us_gold.json'),
+      json<Record<string, Entry | null>>('us_silver.json'),
+      openModel(folder),
+    ]);
+    const kokoro = new Kokoro(model, voices, vocab, [gold, silver]);
+    // The first run is slow, because the browser improves its code meanwhile.
+    await kokoro.#speak(voices[0] ?? '', 'ə');
+    return kokoro;
+  }
+
+  /** Throws what failed since it was asked last. */
+  #check(): void {
+    const failure = this.#failure;
+    this.#failure = undefined;
+    if (failure !== undefined) throw failure;
+  }
+
+  #wait(work: Promise<unknown>): undefined {
+    this.#pending = work
+      .catch((error: unknown) => {
+        this.#failure = error;
+      })
+      .finally(() => {
+        this.#pending = undefined;
+      });
+    return undefined;
+  }
+
+  pending(): Promise<unknown> | undefined {
+    return this.#pending;
+  }
+
+  voices(): readonly string[] {
+    return this.#voices;
+  }
+
+  /** The letters of a word, and those at the end of a phrase; empty where no dictionary has it. */
+  word(word: string): readonly string[] {
+    for (const words of this.#words) {
+      const entry = Object.hasOwn(words, word) ? words[word] : undefined;
+      if (typeof entry === 'string') return [entry];
+      if (entry) return entry.None === undefined ? [entry.DEFAULT] : [entry.DEFAULT, entry.None];
+    }
+    return [];
+  }
+
+  /** The phones of a word as flite reads it; undefined until flite is there. */
+  guess(word: string): string | undefined {
+    this.#check();
+    if (this.#flite === undefined) return this.#wait(Flite.open().then((flite) => (this.#flite = flite)));
+    const { printed } = this.#flite.run(['-voice', 'slt', '-t', word, '-ps', '-o', 'none'], [], undefined);
+    return printed.replace(/\bpau\b/g, ' ').trim();
+  }
+
+  /** Letters as sound; undefined until they are spoken. */
+  infer(voice: string, letters: string): Spoken | undefined {
+    this.#check();
+    const key = `${voice} ${letters}`;
+    const known = this.#spoken.get(key);
+    if (known !== undefined) return known;
+    return this.#wait(this.#speak(voice, letters).then((spoken) => this.#keep(key, spoken)));
+  }
+
+  #keep(key: string, spoken: Spoken): void {
+    this.#spoken.set(key, spoken);
+    const [oldest] = this.#spoken.keys();
+    if (this.#spoken.size > MOST_KEPT && oldest !== undefined) this.#spoken.delete(oldest);
+  }
+
+  async #speak(voice: string, letters: string): Promise<Spoken> {
+    let styles = this.#styles.get(voice);
+    if (styles === undefined) this.#styles.set(voice, (styles = await this.#model.voice(voice)));
+    const tokens = [...letters].map((letter) => {
+      const token = this.#tokens.get(letter);
+      if (token === undefined) throw new Error(`Kokoro has no letter ${letter}`);
+      return token;
+    });
+    return await this.#model.infer(tokens, styleFor(styles, tokens.length), 1);
+  }
+}
+
+serve('kokoro', () => Kokoro.open(new URL(self.name)));

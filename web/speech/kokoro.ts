@@ -1,0 +1,26 @@
+/** Kokoro, a natural voice of English, in a worker of the page. */
+
+import type { SpeechSource } from './source.js';
+import { WorkerSource } from './worker-source.js';
+
+/** Of the library's figures. */
+const VOICES: Record<string, string> = { sofia: 'af_heart', amara: 'af_bella', lia: 'bf_isabella', papous: 'bm_george', kenji: 'am_michael', nuno: 'am_fenrir' };
+const USUAL = 'af_heart';
+
+/** The voice that lies in a folder, whose address ends with a slash; undefined where none does. Nothing large is fetched yet. */
+export async function kokoro(folder: URL): Promise<SpeechSource | undefined> {
+  const response = await fetch(new URL('voices.json', folder)).catch(() => undefined);
+  if (!response?.ok) return undefined;
+  const voices = (await response.json()) as string[];
+  return new WorkerSource({
+    name: 'Kokoro',
+    about: 'A natural voice.',
+    license: 'Apache-2.0',
+    speaks: (language) => /^en\b/i.test(language),
+    voiceOf(figure) {
+      const own = VOICES[figure] ?? USUAL;
+      return voices.includes(own) ? own : (voices[0] ?? USUAL);
+    },
+    worker: () => new Worker(new URL('./kokoro-worker.ts', import.meta.url), { type: 'module', name: folder.href }),
+  });
+}
