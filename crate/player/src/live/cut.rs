@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use raconteur_actor::gesture::Phase;
+use raconteur_actor::gesture::{ArmPlan, HandKey, Phase};
 use raconteur_actor::manipulator::{Command, Limb, Motion};
 use raconteur_actor::{EmotionSpan, GestureStroke};
 use raconteur_speech::Utterance;
@@ -10,6 +10,11 @@ use raconteur_speech::bundle::FRAME_SECS;
 
 use crate::lower::cues::{Cue, CueKind, UtteranceCue};
 use crate::lower::plan::ScriptPlan;
+
+/// A hand that is interrupted stops in this time, seconds. Designed.
+const HALT_SECS: f64 = 0.15;
+/// As long before and after a stroke a hand may be on its way, seconds.
+const PREPARATION_SECS: f64 = 0.9;
 
 /// Where a performance is interrupted.
 #[derive(Clone, Copy)]
@@ -177,10 +182,41 @@ fn stop(commands: &mut Vec<Command>, others: &[Command], at_secs: f64) {
     }
 }
 
-/// Ends a stroke where the hand has come to.
+/// Leaves out the keys of a stroke that the hand has not come to.
 fn let_go(stroke: &mut GestureStroke, at_secs: f64) {
     stroke.keys.retain(|k| k.time_secs < at_secs);
     stroke.end_secs = stroke.end_secs.min(at_secs);
+}
+
+/// Where a hand that gestures comes to rest for a moment when it is interrupted, so that it eases
+/// back from there: a little further on its way. `own` are the strokes that are interrupted; a hand
+/// that the story leads goes its way.
+pub(super) fn halt<'a>(
+    plan: &ArmPlan,
+    mut own: impl Iterator<Item = &'a GestureStroke>,
+    story: &[GestureStroke],
+    at_secs: f64,
+) -> Option<GestureStroke> {
+    let is_led = |s: &GestureStroke| {
+        (s.start_secs - PREPARATION_SECS..s.end_secs + PREPARATION_SECS).contains(&at_secs)
+    };
+    let time_secs = at_secs + HALT_SECS;
+    let hand = plan.at(time_secs);
+    if hand.rest_share > 0.99 || !own.any(|s| s.end_secs > at_secs) || story.iter().any(is_led) {
+        return None;
+    }
+    Some(GestureStroke {
+        start_secs: time_secs,
+        end_secs: time_secs,
+        keys: vec![HandKey {
+            time_secs,
+            wrist_in_world: Some(hand.wrist),
+            hand_in_world: Some(hand.hand),
+            shape: Some(hand.shape),
+            ..HandKey::default()
+        }],
+        ..GestureStroke::default()
+    })
 }
 
 /// Lets an emotion fade that is there in full; one that grows does so first.

@@ -10,6 +10,7 @@ pub(crate) mod wait;
 
 use raconteur_actor::animation::PlayerCommand;
 use raconteur_actor::{Actor, Library};
+use raconteur_base::Side;
 use raconteur_base::order::sort_by_number;
 use raconteur_eml::{Diagnostic, Name, Parsed, Severity, SortedMap, Span, parse_fragment};
 
@@ -235,15 +236,27 @@ impl Live {
 
     /// Ends what fragments say and do at a time. Cues up to `told_secs` have been delivered.
     /// Whether there was anything to end.
-    pub(crate) fn interrupt(&mut self, at_secs: f64, told_secs: f64, story: &ScriptPlan) -> bool {
+    pub(crate) fn interrupt(
+        &mut self,
+        at_secs: f64,
+        told_secs: f64,
+        story: &ScriptPlan,
+        actor: &Actor,
+    ) -> bool {
         let cut = Cut { at_secs, told_secs };
-        let mut any = false;
-        for fragment in &mut self.fragments {
+        let halts = Side::BOTH.map(|side| {
+            let own = self.fragments.iter();
+            let own = own.flat_map(|f| &f.plan.strokes[side.index()]);
+            let led = &story.strokes[side.index()];
+            cut::halt(actor.plan(side), own, led, at_secs)
+        });
+        let mut last_cut = None;
+        for (i, fragment) in self.fragments.iter_mut().enumerate() {
             let last = fragment.plan.cues.last();
             if last.is_none_or(|cue| cue.time_secs <= at_secs) {
                 continue;
             }
-            any = true;
+            last_cut = Some(i);
             let ends = fragment.plan.cut(&cut, &story.manipulators.commands);
             if at_secs <= told_secs && !fragment.fresh {
                 self.due.extend(ends);
@@ -252,8 +265,15 @@ impl Live {
             fragment.end_secs = fragment.end_secs.min(at_secs + SETTLE_SECS);
             fragment.cut_secs = fragment.cut_secs.min(at_secs);
         }
-        self.fragments.retain(|f| !f.plan.cues.is_empty());
-        any
+        if let Some(i) = last_cut {
+            for (strokes, halt) in self.fragments[i].plan.strokes.iter_mut().zip(halts) {
+                strokes.extend(halt);
+            }
+        }
+        let moves = |f: &Fragment| f.plan.strokes.iter().any(|strokes| !strokes.is_empty());
+        self.fragments
+            .retain(|f| !f.plan.cues.is_empty() || moves(f));
+        last_cut.is_some()
     }
 
     fn join(

@@ -56,8 +56,9 @@ impl Player {
         let told_secs = self.clock.told_secs();
         let now_secs = story_secs(now_secs).max(told_secs);
         let at_secs = self.layers.next_change_secs(now_secs);
-        let story = &self.score.story;
-        if !self.score.live.interrupt(at_secs, told_secs, story) {
+        let (story, actor) = (&self.score.story, self.layers.actor());
+        let live = &mut self.score.live;
+        if !live.interrupt(at_secs, told_secs, story, actor) {
             return None;
         }
         self.picture.interrupt(at_secs);
