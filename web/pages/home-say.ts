@@ -1,7 +1,7 @@
 /** "Say it": a sentence of the visitor's own, told on the stage. */
 
 import type { PlayerEventMap, RaconteurPlayer } from '../element/index.js';
-import { told } from './told.js';
+import { told } from '../speech/told.js';
 
 /** Where the address has a text that was shared. */
 const SHARED = '#say=';

@@ -66,6 +66,8 @@ pub struct Performed {
     pub diagnostics: Vec<Diagnostic>,
     /// It was no fragment but the message `<interrupt/>`.
     pub interrupts: bool,
+    /// When `<interrupt/>` ended something, story time, seconds; see [`crate::Player::interrupt`].
+    pub cut_secs: Option<f64>,
 }
 
 /// A clause that was accepted.

@@ -16,9 +16,9 @@ impl Player {
     pub fn perform(&mut self, mind: u32, fragment: &str, now_secs: f64) -> Performed {
         let now_secs = story_secs(now_secs);
         if is_interrupt(fragment) {
-            let performed = self.score.live.admit_interrupt(mind, now_secs);
+            let mut performed = self.score.live.admit_interrupt(mind, now_secs);
             if performed.interrupts {
-                self.interrupt(now_secs);
+                performed.cut_secs = self.interrupt(now_secs);
             }
             return performed;
         }

@@ -16,6 +16,10 @@ const FEELINGS: readonly (readonly [signs: readonly string[], emotion: string])[
   [['🤢', '🤮'], 'disgust'],
   [[':-D', ':D', ':-)', ':)', '🙂', '😊', '😀', '😄'], 'joy'],
 ];
+/** The signs as a pattern. */
+const SIGNS = FEELINGS.flatMap(([own]) => own)
+  .map((sign) => sign.replace(/[()*+?.^$|[\]\\]/g, '\\$&'))
+  .join('|');
 /** How strong, of 10. */
 const POTENTIAL = 4;
 
@@ -54,8 +58,7 @@ function felt(text: string): { rest: string; emotion: string | undefined } {
 
 /** Sentences, without their signs of feelings; a sign after the mark of its sentence is of that one. */
 function sentences(text: string): Sentence[] {
-  const signs = FEELINGS.flatMap(([own]) => own).map((sign) => sign.replace(/[()*+?.^$|[\]\\]/g, '\\$&'));
-  const parts = text.slice(0, MOST_CHARACTERS).split(new RegExp(`(?<=[.!?…](?:\\s*(?:${signs.join('|')}))*)(?=\\s)(?!\\s*(?:${signs.join('|')}))|\\n+`, 'u'));
+  const parts = text.slice(0, MOST_CHARACTERS).split(new RegExp(`(?<=[.!?…](?:\\s*(?:${SIGNS}))*)(?=\\s)(?!\\s*(?:${SIGNS}))|\\n+`, 'u'));
   return parts.flatMap((part) => {
     const { rest, emotion } = felt(part);
     const words = rest.split(/\s+/).filter((word) => /[\p{L}\p{N}]/u.test(word));
@@ -124,12 +127,9 @@ function performed(words: readonly string[], index: number): { said: string; ges
   return { said: said.join(' '), gestures };
 }
 
-/** The script that tells a text; undefined where it has no word. */
-export function told(text: string): string | undefined {
-  const all = sentences(text);
-  if (all.length === 0) return undefined;
-  let before = '0.3';
-  let feels = 'neutral';
+/** The clauses that tell sentences, the first at `begins`; the feeling before them, and what they leave. */
+function clausesOf(all: readonly Sentence[], begins: string, felt: string): { clauses: string[]; feels: string } {
+  let [before, feels] = [begins, felt];
   const clauses = all.flatMap(({ words, emotion = 'neutral' }, i) => {
     const { said, gestures } = performed(words, i);
     const feeling = emotion === feels ? [] : [tag('r:emotion', { time: before, type: emotion, potential: emotion === 'neutral' ? undefined : POTENTIAL })];
@@ -138,5 +138,23 @@ export function told(text: string): string | undefined {
     before = `e${i}+0.35s`;
     return [...feeling, voice, ...gestures];
   });
-  return script('said', true, [tag('gesture-is-on', { time: 0, isOn: true }), ...clauses, tag('null', { time: `e${all.length - 1}+1.2s` })]);
+  const on = tag('gesture-is-on', { time: 0, isOn: true });
+  return { clauses: [on, ...clauses, tag('null', { time: `e${all.length - 1}+1.2s` })], feels };
 }
+
+/** The script that tells a text; undefined where it has no word. */
+export function told(text: string): string | undefined {
+  const all = sentences(text);
+  return all.length === 0 ? undefined : script('said', true, clausesOf(all, '0.3', 'neutral').clauses);
+}
+
+/** The fragment that goes on telling after a text that has left a feeling, and the feeling that this one leaves; undefined where it has no word. */
+export function toldOn(text: string, felt: string): { fragment: string; feels: string } | undefined {
+  const all = sentences(text);
+  if (all.length === 0) return undefined;
+  const { clauses, feels } = clausesOf(all, '0', felt);
+  return { fragment: script('said', true, clauses), feels };
+}
+
+/** A sign of a feeling at the beginning of a text, after spaces, and before another one or the end. */
+export const SIGN_FIRST = new RegExp(`^\\s*(?:${SIGNS})(?=\\s|$)`, 'u');
