@@ -118,7 +118,7 @@ test('what is interrupted falls silent, and its mind hears no more of it', async
   const ends = mind.told.filter((t) => t.kind === 'utterance' && t['phase'] === 'end').map((t) => t['fragment']);
   expect(ends).toEqual([1, 2]);
   expect(mind.told.filter((t) => t.kind !== 'accepted').map((t) => t['fragment'])).not.toContain(3);
-  expect(await page.locator('raconteur-player .caption').allTextContents()).toEqual([]);
+  expect(await page.locator('raconteur-player .captions').allTextContents()).toEqual([]);
 });
 
 test('words that come piece by piece are said, and an interruption ends them', async ({ stage, page, mind }) => {

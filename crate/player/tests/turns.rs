@@ -262,7 +262,7 @@ fn jumps(player: &mut Player, from: f64, to: f64) -> (f64, f64) {
             for bone in Bone::ALL {
                 let (a, b) = (joints[bone.index()].matrix3, now.0[bone.index()].matrix3);
                 let turn = raconteur_base::DQuat::from_mat3(&(a.inverse() * b));
-                angle = angle.max(2.0 * turn.w.abs().min(1.0).acos());
+                angle = angle.max(2.0 * raconteur_base::ops::acos_clamped(turn.w.abs()));
             }
             face = face.max(distance(&now.1, controls));
         }

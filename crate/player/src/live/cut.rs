@@ -4,10 +4,12 @@ use std::sync::Arc;
 
 use raconteur_actor::gesture::{ArmPlan, HandKey, Phase};
 use raconteur_actor::manipulator::{Command, Limb, Motion};
-use raconteur_actor::{EmotionSpan, GestureStroke};
+use raconteur_actor::{Actor, EmotionSpan, GestureStroke};
+use raconteur_base::Side;
 use raconteur_speech::Utterance;
 use raconteur_speech::bundle::FRAME_SECS;
 
+use super::{Fragment, Live, Performed, SETTLE_SECS};
 use crate::lower::cues::{Cue, CueKind, UtteranceCue};
 use crate::lower::plan::ScriptPlan;
 
@@ -18,11 +20,11 @@ const PREPARATION_SECS: f64 = 0.9;
 
 /// Where a performance is interrupted.
 #[derive(Clone, Copy)]
-pub(super) struct Cut {
+struct Cut {
     /// Story time, seconds.
-    pub(super) at_secs: f64,
+    at_secs: f64,
     /// What begins up to this time has been told, and its end has to be; not after the cut.
-    pub(super) told_secs: f64,
+    told_secs: f64,
 }
 
 impl Cut {
@@ -39,12 +41,70 @@ pub(crate) fn is_interrupt(text: &str) -> bool {
     inside.is_some_and(|rest| rest.trim().is_empty())
 }
 
+impl Live {
+    /// Takes the message `<interrupt/>`, which counts as a fragment of its mind; see
+    /// [`Live::interrupt`].
+    pub(crate) fn admit_interrupt(&mut self, mind: u32, now_secs: f64) -> Performed {
+        self.fragments_begun = self.fragments_begun.wrapping_add(1);
+        let allowed = self.check_rate(mind, now_secs);
+        Performed {
+            fragment: self.fragments_begun,
+            first_utterance: self.utterances_begun,
+            interrupts: allowed.is_ok(),
+            diagnostics: allowed.err().into_iter().collect(),
+            ..Performed::default()
+        }
+    }
+
+    /// Ends what fragments say and do at a time. Cues up to `told_secs` have been delivered.
+    /// Whether there was anything to end.
+    pub(crate) fn interrupt(
+        &mut self,
+        at_secs: f64,
+        told_secs: f64,
+        story: &ScriptPlan,
+        actor: &Actor,
+    ) -> bool {
+        let cut = Cut { at_secs, told_secs };
+        let halts = Side::BOTH.map(|side| {
+            let own = self.fragments.iter();
+            let own = own.flat_map(|f| &f.plan.strokes[side.index()]);
+            let led = &story.strokes[side.index()];
+            halt(actor.plan(side), own, led, at_secs)
+        });
+        let mut last_cut = None;
+        for (i, fragment) in self.fragments.iter_mut().enumerate() {
+            let last = fragment.plan.cues.last();
+            if last.is_none_or(|cue| cue.time_secs <= at_secs) {
+                continue;
+            }
+            last_cut = Some(i);
+            let ends = fragment.plan.cut(&cut, &story.manipulators.commands);
+            if at_secs <= told_secs && !fragment.fresh {
+                self.due.extend(ends);
+            }
+            // The arms come down.
+            fragment.end_secs = fragment.end_secs.min(at_secs + SETTLE_SECS);
+            fragment.cut_secs = fragment.cut_secs.min(at_secs);
+        }
+        if let Some(i) = last_cut {
+            for (strokes, halt) in self.fragments[i].plan.strokes.iter_mut().zip(halts) {
+                strokes.extend(halt);
+            }
+        }
+        let moves = |f: &Fragment| f.plan.strokes.iter().any(|strokes| !strokes.is_empty());
+        self.fragments
+            .retain(|f| !f.plan.cues.is_empty() || moves(f));
+        last_cut.is_some()
+    }
+}
+
 impl ScriptPlan {
     /// Ends what goes on at a cut and leaves out what has not begun; `others` are the story's commands
     /// to manipulators. Gives the cues of the ends; nothing before the cut changes. What was switched
     /// stays: shots, music, parameters, animation players; and the figure walks where it has set out
     /// for.
-    pub(super) fn cut(&mut self, cut: &Cut, others: &[Command]) -> Vec<Cue> {
+    fn cut(&mut self, cut: &Cut, others: &[Command]) -> Vec<Cue> {
         let at_secs = cut.at_secs;
         self.utterances
             .retain(|u| cut.has_begun(u.timed.start_secs));
@@ -191,7 +251,7 @@ fn let_go(stroke: &mut GestureStroke, at_secs: f64) {
 /// Where a hand that gestures comes to rest for a moment when it is interrupted, so that it eases
 /// back from there: a little further on its way. `own` are the strokes that are interrupted; a hand
 /// that the story leads goes its way.
-pub(super) fn halt<'a>(
+fn halt<'a>(
     plan: &ArmPlan,
     mut own: impl Iterator<Item = &'a GestureStroke>,
     story: &[GestureStroke],
@@ -222,8 +282,9 @@ pub(super) fn halt<'a>(
 /// Lets an emotion fade that is there in full; one that grows does so first.
 fn fade(emotion: &mut EmotionSpan, at_secs: f64) {
     let until = emotion.until_secs.min(at_secs.max(emotion.apex_secs));
-    if until < emotion.until_secs {
-        emotion.end_secs -= emotion.until_secs - until;
+    let fade_secs = emotion.end_secs - emotion.until_secs;
+    if until < emotion.until_secs && fade_secs.is_finite() {
+        emotion.end_secs = until + fade_secs;
         emotion.until_secs = until;
     }
 }

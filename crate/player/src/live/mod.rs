@@ -10,7 +10,6 @@ pub(crate) mod wait;
 
 use raconteur_actor::animation::PlayerCommand;
 use raconteur_actor::{Actor, Library};
-use raconteur_base::Side;
 use raconteur_base::order::sort_by_number;
 use raconteur_eml::{Diagnostic, Name, Parsed, Severity, SortedMap, Span, parse_fragment};
 
@@ -19,8 +18,6 @@ use crate::lower::cast::Cast;
 use crate::lower::cues::{ClauseRef, Cue, CueKind, UtteranceCue};
 use crate::lower::plan::{CarriedCommands, ScriptPlan};
 use crate::lower::script::{Script, Sources};
-
-use cut::Cut;
 
 /// What a live performance may cost. Beyond, fragments are refused and the story plays on.
 pub mod limits {
@@ -220,62 +217,6 @@ impl Live {
             performed.diagnostics.push(refusal);
         }
         performed
-    }
-
-    /// Takes the message `<interrupt/>`, which counts as a fragment of its mind; see
-    /// [`Live::interrupt`].
-    pub(crate) fn admit_interrupt(&mut self, mind: u32, now_secs: f64) -> Performed {
-        self.fragments_begun = self.fragments_begun.wrapping_add(1);
-        let allowed = self.check_rate(mind, now_secs);
-        Performed {
-            fragment: self.fragments_begun,
-            first_utterance: self.utterances_begun,
-            interrupts: allowed.is_ok(),
-            diagnostics: allowed.err().into_iter().collect(),
-            ..Performed::default()
-        }
-    }
-
-    /// Ends what fragments say and do at a time. Cues up to `told_secs` have been delivered.
-    /// Whether there was anything to end.
-    pub(crate) fn interrupt(
-        &mut self,
-        at_secs: f64,
-        told_secs: f64,
-        story: &ScriptPlan,
-        actor: &Actor,
-    ) -> bool {
-        let cut = Cut { at_secs, told_secs };
-        let halts = Side::BOTH.map(|side| {
-            let own = self.fragments.iter();
-            let own = own.flat_map(|f| &f.plan.strokes[side.index()]);
-            let led = &story.strokes[side.index()];
-            cut::halt(actor.plan(side), own, led, at_secs)
-        });
-        let mut last_cut = None;
-        for (i, fragment) in self.fragments.iter_mut().enumerate() {
-            let last = fragment.plan.cues.last();
-            if last.is_none_or(|cue| cue.time_secs <= at_secs) {
-                continue;
-            }
-            last_cut = Some(i);
-            let ends = fragment.plan.cut(&cut, &story.manipulators.commands);
-            if at_secs <= told_secs && !fragment.fresh {
-                self.due.extend(ends);
-            }
-            // The arms come down.
-            fragment.end_secs = fragment.end_secs.min(at_secs + SETTLE_SECS);
-            fragment.cut_secs = fragment.cut_secs.min(at_secs);
-        }
-        if let Some(i) = last_cut {
-            for (strokes, halt) in self.fragments[i].plan.strokes.iter_mut().zip(halts) {
-                strokes.extend(halt);
-            }
-        }
-        let moves = |f: &Fragment| f.plan.strokes.iter().any(|strokes| !strokes.is_empty());
-        self.fragments
-            .retain(|f| !f.plan.cues.is_empty() || moves(f));
-        last_cut.is_some()
     }
 
     fn join(

@@ -8,7 +8,7 @@ use crate::lower::cues::UtteranceCue;
 use crate::lower::plan::ScriptPlan;
 
 /// From the end of what was being said to what has waited for it, seconds: a short breath.
-pub(crate) const BREATH_SECS: f64 = 0.15;
+const BREATH_SECS: f64 = 0.15;
 /// Speech that overlaps by less follows on; sums of times are no more exact than this. Seconds.
 const TOUCH_SECS: f64 = 1e-6;
 
@@ -32,20 +32,19 @@ pub(super) fn run_up(plan: &ScriptPlan, actor: &Actor, base_secs: f64) -> f64 {
 /// none of the others. What one fragment says at once by itself stays so.
 pub(super) fn turn<'a>(
     own: &[UtteranceCue],
-    others: impl Iterator<Item = &'a UtteranceCue> + Clone,
+    others: impl Iterator<Item = &'a UtteranceCue>,
     least_secs: f64,
 ) -> f64 {
-    // Delays from which up to which an utterance would be spoken into another.
+    let others: Vec<(f64, f64)> = others.filter_map(span).collect();
+    // Between which delays an utterance would be spoken into another.
     let mut taken: Vec<(f64, f64)> = own
         .iter()
         .filter_map(span)
-        .flat_map(|(start, end)| {
-            let clashes = move |(from, until)| (from - end, until - start);
-            others.clone().filter_map(span).map(clashes)
-        })
+        .flat_map(|(start, end)| others.iter().map(move |o| (o.0 - end, o.1 - start)))
         .filter(|(_, until)| *until > least_secs)
         .collect();
     sort_by_number(&mut taken, |(from, _)| *from);
+    // What was passed stays passed: a delay only grows, and so do the beginnings.
     taken.iter().fold(least_secs, |delay, &(from, until)| {
         if from + TOUCH_SECS < delay && delay < until - TOUCH_SECS {
             until + BREATH_SECS
