@@ -104,6 +104,44 @@ test('garbage and a flood cost the mind its connection, not the player its story
   expect(await stage.player.evaluate((p: RaconteurPlayer) => p.diagnostics.length)).toBeLessThanOrEqual(200);
 });
 
+test('what is interrupted falls silent, and its mind hears no more of it', async ({ stage, page, mind }) => {
+  await open(stage, mind);
+  mind.send(LINE, LINE, `${LINE}<event time="v+0.1">never</event>`);
+  // One speaks after another.
+  await expect.poll(() => mind.told.filter((t) => t.kind === 'accepted').length).toBe(3);
+  const spoken = mind.told.filter((t) => t.kind === 'accepted').map((t) => (t as unknown as { clauses: { startSecs: number; endSecs: number }[] }).clauses[0]);
+  for (const [i, { startSecs } = { startSecs: 0 }] of spoken.slice(1).entries()) expect(startSecs).toBeCloseTo((spoken[i]?.endSecs ?? 0) + 0.15);
+  await told(mind, (t) => t.kind === 'word' && t['fragment'] === 2);
+  mind.send('<interrupt/>', '<event time="0.3">anew</event>');
+  await told(mind, (t) => t['payload'] === 'anew');
+  await stage.until((await stage.time()) + 2.5);
+  const ends = mind.told.filter((t) => t.kind === 'utterance' && t['phase'] === 'end').map((t) => t['fragment']);
+  expect(ends).toEqual([1, 2]);
+  expect(mind.told.filter((t) => t.kind !== 'accepted').map((t) => t['fragment'])).not.toContain(3);
+  expect(await page.locator('raconteur-player .captions').allTextContents()).toEqual([]);
+});
+
+test('words that come piece by piece are said, and an interruption ends them', async ({ stage, page, mind }) => {
+  await open(stage, mind);
+  const words = () => page.evaluate(() => window.record.events.filter((e) => e.type === 'word').map((e) => (e.detail as { word: { text: string } }).word.text));
+  await stage.player.evaluate(async (p: RaconteurPlayer) => {
+    p.speech = 'browser';
+    async function* coming() {
+      for (const piece of ['One mo', 're. And t', 'wo']) yield await Promise.resolve(piece);
+    }
+    await p.tell(coming()).done;
+  });
+  expect(await words()).toEqual(['One', 'more.', 'And', 'two']);
+  const telling = stage.player.evaluate(async (p: RaconteurPlayer) => {
+    const telling = p.tell('Once more. And then again. And then once again, and so it goes on and on, for ever and ever.');
+    p.addEventListener('word', () => telling.interrupt(), { once: true });
+    await telling.done;
+  });
+  await telling;
+  await stage.until((await stage.time()) + 1.5);
+  expect(await words()).toEqual(['One', 'more.', 'And', 'two', 'Once']);
+});
+
 test('a lost mind is found again', async ({ stage, page, mind }) => {
   await open(stage, mind);
   await page.evaluate(() => {

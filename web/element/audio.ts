@@ -31,6 +31,8 @@ export interface Voice {
   give(sounds: ReadonlyMap<string, Uint8Array>): void;
   /** Lets go of all that was given, and of sounds that nothing says any more. */
   forget(): void;
+  /** Ends utterances at a story time: each becomes a shorter one, or nothing where it has not begun. */
+  cut(changes: ReadonlyMap<Utterance, Utterance | undefined>, atSecs: number): void;
   /** What has no recording yet is being spoken: until that is over its moments are not ready. */
   hold(speaking: Promise<unknown>): void;
   /**
@@ -58,6 +60,8 @@ const REFUSAL_MS = 2000;
 const BEFORE_SPEAKING_SECS = 0.25;
 /** A start or stop inside a sound fades over this, so that it does not click. */
 const FADE_SECS = 0.006;
+/** An utterance that is interrupted fades out in this, as a voice that stops. */
+const INTERRUPT_SECS = 0.06;
 /**
  * A sound that fades out goes on in silence for this long. Browsers compute sound in bursts of up
  * to some tens of milliseconds, so that a call may take effect that much later: the fade
@@ -147,6 +151,8 @@ export class RecordedVoice implements Voice {
   readonly #given = new Map<string, Uint8Array>();
   /** How much is being spoken. */
   #speaking = 0;
+  /** Utterances that were interrupted: others have taken their places. */
+  readonly #gone = new WeakSet<Utterance>();
 
   /**
    * `utterances` may come and go, in any order; `folder` is where the recordings lie; `onMissing`
@@ -241,6 +247,21 @@ export class RecordedVoice implements Voice {
       if (present.has(utterance)) continue;
       this.#sounds.delete(utterance);
       this.#stretched.delete(utterance);
+    }
+  }
+
+  cut(changes: ReadonlyMap<Utterance, Utterance | undefined>, atSecs: number): void {
+    this.#spoken?.cut(changes);
+    for (const [utterance, shorter] of changes) {
+      this.#gone.add(utterance);
+      const playing = this.#playing.get(utterance);
+      if (playing !== undefined) this.#fade(playing, atSecs);
+      for (const map of [this.#sounds, this.#stretched, this.#playing] as Map<Utterance, unknown>[]) {
+        const had = map.get(utterance);
+        map.delete(utterance);
+        // One that is still being fetched is fetched again when it is sought.
+        if (shorter !== undefined && had !== undefined && had !== 'pending') map.set(shorter, had);
+      }
     }
   }
 
@@ -367,12 +388,12 @@ export class RecordedVoice implements Voice {
       }
       try {
         const sound = await context().decodeAudioData(await this.#bytes(file, url));
-        if (this.#abort.signal.aborted) return;
+        if (this.#abort.signal.aborted || this.#gone.has(utterance)) return;
         this.#sounds.set(utterance, sound);
         if (this.#run) this.#plan(utterance, sound);
         return;
       } catch (error) {
-        if (this.#abort.signal.aborted) return;
+        if (this.#abort.signal.aborted || this.#gone.has(utterance)) return;
         reason = `${file}: ${error instanceof Error ? error.message : String(error)}`;
       }
     }
@@ -428,7 +449,20 @@ export class RecordedVoice implements Voice {
     source.connect(gain);
     source.onended = () => gain.disconnect();
     source.start(when, offset * speed);
-    this.#playing.set(utterance, { source, gain });
+    const playing = { source, gain };
+    this.#playing.set(utterance, playing);
+    if (utterance.cut) this.#fade(playing, utterance.startSecs + utterance.durationSecs);
+  }
+
+  /** Lets a sound fade out from a story time on, or now where that has passed. */
+  #fade({ source, gain }: Playing, storySecs: number): void {
+    const run = this.#run;
+    if (run === undefined) return;
+    const at = Math.max(gain.context.currentTime, run.at + (storySecs - run.position) / run.rate);
+    gain.gain.cancelScheduledValues(at);
+    // A fifth of the time is a fade to a hundredth in all of it.
+    gain.gain.setTargetAtTime(0, at, INTERRUPT_SECS / 5);
+    source.stop(at + CUT_SECS);
   }
 
   async #fetchStretcher(): Promise<void> {
@@ -484,6 +518,7 @@ export class SilentVoice implements Voice {
   setMusic(): void {}
   give(): void {}
   forget(): void {}
+  cut(): void {}
   hold(): void {}
 
   substitute(): Promise<undefined> {

@@ -13,7 +13,7 @@ const SHORT_CHARACTERS = 32;
 export interface Caption {
   /** When it appears: its first word's start. */
   readonly startSecs: number;
-  /** When it goes: the next caption's start, or a moment after its last word. */
+  /** When it goes: the next caption's start, or a moment after its last word; at once where that was cut. */
   readonly endSecs: number;
   readonly words: readonly Word[];
 }
@@ -23,12 +23,12 @@ const LINGER_SECS = 1.2;
 
 /** The captions of a story, in order. */
 export function captionsOf(utterances: readonly Utterance[]): Caption[] {
-  const lines = utterances.flatMap((utterance) => linesOf(utterance.words));
-  return lines.map((words, i) => {
+  const lines = utterances.flatMap(({ words, cut }) => linesOf(words).map((line) => ({ words: line, linger: cut ? 0 : LINGER_SECS })));
+  return lines.map(({ words, linger }, i) => {
     const startSecs = words[0]?.startSecs ?? 0;
     const spokenUntil = words[words.length - 1]?.endSecs ?? startSecs;
-    const next = lines[i + 1]?.[0]?.startSecs ?? Infinity;
-    return { startSecs, endSecs: Math.min(next, spokenUntil + LINGER_SECS), words };
+    const next = lines[i + 1]?.words[0]?.startSecs ?? Infinity;
+    return { startSecs, endSecs: Math.min(next, spokenUntil + linger), words };
   });
 }
 

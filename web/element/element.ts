@@ -9,8 +9,7 @@ import { dispatch, fire, type PlayerContext } from './context.js';
 import { passTransport } from './cues.js';
 import { Diagnostics } from './diagnostics.js';
 import look from './element.css?inline';
-import { performFragment, Sender } from './fragments.js';
-import { speakFragment } from './sound.js';
+import { interrupt, perform, Sender } from './fragments.js';
 import { template } from './template.js';
 import { Idle } from './idle.js';
 import { handleKey } from './keyboard.js';
@@ -20,7 +19,7 @@ import { Playback } from './playback.js';
 import { statisticsOf } from './show.js';
 import { StoryLoader } from './story-loader.js';
 import { FrameLoop } from './frame-loop.js';
-import type { Answer, Backend, Diagnostic, FaceCourse, Hand, PlayerError, PoseNumbers, Quality, Statistics, View } from './types.js';
+import type { Answer, Backend, Diagnostic, FaceCourse, Hand, PlayerError, PoseNumbers, Quality, Statistics, Telling, View, Words } from './types.js';
 
 export interface RaconteurPlayer extends MediaStates {}
 
@@ -270,12 +269,42 @@ export class RaconteurPlayer extends LitElement {
 
   /**
    * Performs EML now: a list of clauses, or a whole script, whose plain times count from now. Gives
-   * accepted and refused clauses; rejects only when there is no story.
+   * accepted and refused clauses; rejects only when there is no story. What speaks waits until nobody
+   * else does, or with `interrupt` ends what fragments before it say and do.
    */
-  async perform(fragment: string): Promise<readonly Answer[]> {
+  async perform(fragment: string, { interrupt = false }: { readonly interrupt?: boolean } = {}): Promise<readonly Answer[]> {
     const show = await this.#stories.require();
-    await speakFragment(this.#context, show, fragment);
-    return performFragment(this.#context, show, Sender.Page, fragment);
+    if (interrupt) this.interrupt();
+    return await perform(this.#context, show, Sender.Page, String(fragment));
+  }
+
+  /**
+   * Ends what fragments say and do, those that wait and texts of `tell` included; the story goes on. The
+   * voice fades out, hands and face ease back. Something new may be performed at once.
+   */
+  interrupt(): void {
+    const { show } = this.#context;
+    if (show !== undefined) interrupt(this.#context, show);
+  }
+
+  /**
+   * Says plain words that come piece by piece, for example from a language model: clause by clause, each as
+   * soon as it is whole, with hands and feelings from its signs and small words. Says nothing while the
+   * player is paused.
+   */
+  tell(words: Words): Telling {
+    const end = new AbortController();
+    const tell = async (): Promise<void> => {
+      const [{ tellWords }, show] = await Promise.all([import('./tell.js'), this.#stories.require()]);
+      await tellWords(this.#context, show, words, end.signal);
+    };
+    return {
+      done: tell(),
+      interrupt: () => {
+        end.abort();
+        this.interrupt();
+      },
+    };
   }
 
   /**

@@ -49,7 +49,7 @@ export class FrameLoop {
   advance(): void {
     const { player, show } = this.#context;
     if (show === undefined) return;
-    const { openEnded } = this.#mind;
+    const openEnded = this.#mind.openEnded || show.tellings > 0;
     if (openEnded !== show.transport.openEnded) {
       show.transport.openEnded = openEnded;
       show.picture.setOpenEnded(openEnded);

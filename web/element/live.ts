@@ -29,7 +29,34 @@ export class LiveScript implements Iterable<Utterance> {
       if (startSecs + durationSecs < nowSecs - KEEP_SECS) this.#live.delete(index);
     }
     utterances.forEach((utterance, i) => this.#live.set(firstUtterance + i, utterance));
+    return this.byTime();
+  }
+
+  /** Everything by time. */
+  byTime(): Utterance[] {
     return [...this].sort((a, b) => a.startSecs - b.startSecs);
+  }
+
+  /**
+   * Ends what fragments say. What becomes of each utterance that does not stay as it was: a shorter
+   * one, or nothing where it has not begun.
+   */
+  cut(atSecs: number): Map<Utterance, Utterance | undefined> {
+    const changes = new Map<Utterance, Utterance | undefined>();
+    for (const [index, utterance] of this.#live) {
+      const { startSecs, durationSecs, words } = utterance;
+      if (startSecs + durationSecs <= atSecs) continue;
+      if (startSecs >= atSecs) {
+        this.#live.delete(index);
+        changes.set(utterance, undefined);
+        continue;
+      }
+      const begun = words.filter((word) => word.startSecs < atSecs);
+      const shorter = { ...utterance, cut: true, durationSecs: atSecs - startSecs, words: begun.map((word) => ({ ...word, endSecs: Math.min(word.endSecs, atSecs) })) };
+      this.#live.set(index, shorter);
+      changes.set(utterance, shorter);
+    }
+    return changes;
   }
 
   /** Forgets everything but the story. */

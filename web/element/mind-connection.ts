@@ -1,10 +1,9 @@
 /** The connection of a player to the mind that its attribute names, and whether the performance stays open for it. */
 
 import { fire, type PlayerContext } from './context.js';
-import { performFragment, Sender } from './fragments.js';
+import { dropped, interrupts, perform, Sender } from './fragments.js';
 import type { MindEvent, MindLink } from './mind.js';
 import type { Show } from './show.js';
-import { speakFragment } from './sound.js';
 
 export class MindConnection {
   readonly #context: PlayerContext;
@@ -38,10 +37,10 @@ export class MindConnection {
       if (this.#context.show !== show || player.mind !== address || this.#link !== undefined) return;
       this.#link = MindLink.open(address, {
         hello: () => ({ timeSecs: player.currentTime, endSecs: show.transport.endSecs, figure: show.figure }),
-        perform: (fragment) => {
-          const perform = () => performFragment(this.#context, show, Sender.Mind, fragment);
-          return speakFragment(this.#context, show, fragment)?.then(perform) ?? perform();
-        },
+        perform: (fragment) => perform(this.#context, show, Sender.Mind, fragment),
+        interrupts,
+        turn: () => show.turn.signal,
+        dropped: () => dropped(player.currentTime),
         report: (diagnostic) => diagnostics.report(diagnostic),
         state: (state) => {
           this.#context.advance();

@@ -29,6 +29,12 @@ export interface MindHost {
   hello(): { timeSecs: number; endSecs: number; figure: string };
   /** At once, or later where it has to be spoken first. */
   perform(fragment: string): readonly Answer[] | Promise<readonly Answer[]>;
+  /** Whether a message ends fragments. */
+  interrupts(message: string): boolean;
+  /** Until fragments are interrupted the next time. */
+  turn(): AbortSignal;
+  /** The answer about a fragment that waited then. */
+  dropped(): readonly Answer[];
   report(diagnostic: Diagnostic): void;
   state(state: MindState): void;
 }
@@ -150,8 +156,13 @@ export class MindLink {
       socket.close(typeof data === 'string' ? 4009 : 4003);
       return;
     }
-    // What is said first is performed first.
-    const answers = this.#speaking === 0 ? this.#host.perform(data) : this.#spoken.then(() => this.#host.perform(data));
+    // What is said first is performed first; an interruption does not wait for it.
+    const turn = this.#host.turn();
+    const later = () => (turn.aborted ? this.#host.dropped() : this.#host.perform(data));
+    const interrupts = this.#host.interrupts(data);
+    if (interrupts) this.#spoken = Promise.resolve();
+    const waits = this.#speaking > 0 && !interrupts;
+    const answers = waits ? this.#spoken.then(later) : this.#host.perform(data);
     if (!(answers instanceof Promise)) {
       this.#answer(socket, answers);
       return;
@@ -166,7 +177,8 @@ export class MindLink {
 
   #answer(socket: WebSocket, answers: readonly Answer[]): void {
     this.#refused = answers.some((a) => a.kind === 'failed' && a.code === 'live::busy') ? this.#refused + 1 : 0;
-    for (const answer of answers) if (answer.kind === 'accepted') this.tell(answer);
+    // What else is wrong was told as a cue.
+    for (const answer of answers) if (answer.kind === 'accepted' || answer.code === 'live::interrupted') this.tell(answer);
     if (this.#refused >= MOST_REFUSED) socket.close(4008);
   }
 }

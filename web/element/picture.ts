@@ -13,6 +13,7 @@ import {
   type Diagnostic,
   type Engine,
   type FaceCourse,
+  type Interruption,
   type Performance,
   type PictureStatistics,
   type Piece,
@@ -218,6 +219,11 @@ export class Picture {
     const performed = this.#guard((engine) => engine.perform(mind, fragment, nowSecs));
     this.#guard((engine) => this.#animate(engine, undefined));
     return performed;
+  }
+
+  /** Ends what fragments say and do; undefined where there is nothing to end. */
+  interrupt(nowSecs: number): Interruption | undefined {
+    return this.#guard((engine) => engine.interrupt(nowSecs));
   }
 
   /** What the last picture took; undefined without one. */

@@ -24,6 +24,10 @@ export interface Show {
   readonly picture: Picture;
   readonly voice: Voice;
   readonly transport: Transport;
+  /** Until fragments are interrupted, and then of those that come after. */
+  turn: AbortController;
+  /** How many texts are told as they come: the clock does not stop for want of words. */
+  tellings: number;
   /** Ends what is still being made for it. */
   readonly end: AbortController;
   /** The bundle that the story came with. */

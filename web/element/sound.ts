@@ -47,8 +47,10 @@ const SPEAKS = /<([\w.-]+:)?voice-(text|say)\b/;
 export function speakFragment(context: PlayerContext, show: Show, fragment: string): Promise<void> | undefined {
   if (context.player.speech === 'browser' || !SPEAKS.test(fragment)) return undefined;
   const before = show.speaking;
+  const { signal } = show.turn;
   const speaking = (async () => {
     await before;
+    if (signal.aborted) return;
     const source = await sourceOf(context, show);
     if (source === undefined || context.show !== show) return;
     const saying = { signal: show.end.signal, progress: progressOf(context), take: (said: Said) => keep(context, show, said) };

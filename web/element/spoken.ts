@@ -127,6 +127,12 @@ export class Spoken {
     }
   }
 
+  /** Utterances end, or never begin: each becomes a shorter one, or nothing. */
+  cut(changes: ReadonlyMap<Utterance, Utterance | undefined>): void {
+    if (this.#now !== undefined && changes.has(this.#now.utterance)) this.#cancel();
+    for (const shorter of changes.values()) if (shorter !== undefined) this.#over.add(shorter);
+  }
+
   /** False while the present utterance takes longer than its time in the story. */
   ready(position: number): boolean {
     const now = this.#now;

@@ -162,6 +162,8 @@ export class StoryLoader {
       script,
       captions,
       recorded: files.bundle,
+      turn: new AbortController(),
+      tellings: 0,
       end: new AbortController(),
     };
     this.#context.show = show;

@@ -51,6 +51,8 @@ export interface Utterance {
   readonly words: readonly Word[];
   /** The times were guessed because no recording was found. */
   readonly estimated: boolean;
+  /** It was interrupted: it ends before its recording does. */
+  readonly cut?: boolean;
   /** BCP 47 tag, where the bundle or the story's markup tells it. */
   readonly language?: string;
   /** Name of the voice that the story asks for here; absent where it is the story's own. */
@@ -148,6 +150,27 @@ export interface Performance {
   readonly firstUtterance: number;
   /** When all that is known is over. */
   readonly endSecs: number;
+  /** What it ended, where it was no fragment but `<interrupt/>`. */
+  readonly cut?: Interruption;
+}
+
+/** What fragments say and do has ended. */
+export interface Interruption {
+  /** When. */
+  readonly atSecs: number;
+  /** When all that is known now is over. */
+  readonly endSecs: number;
+}
+
+/** Plain text, at once or in pieces. */
+export type Words = string | AsyncIterable<string> | ReadableStream<string>;
+
+/** A text that is being told. */
+export interface Telling {
+  /** Everything has been said, or it was interrupted; rejects with the error of the words' source, when what came before it has been said. */
+  readonly done: Promise<void>;
+  /** Says no more, as `interrupt()` of the player. */
+  interrupt(): void;
 }
 
 /** Whether a mind listens. */
@@ -240,6 +263,8 @@ export interface Engine {
   hear(bundle: Uint8Array): boolean;
   /** Performs a fragment of EML; plain times count from `nowSecs`. `mind` tells senders apart. */
   perform(mind: number, fragment: string, nowSecs: number): Performance | undefined;
+  /** Ends what fragments say and do; undefined where there is nothing to end. */
+  interrupt(nowSecs: number): Interruption | undefined;
   /** The clock may pass the end of the story, because more may come. */
   setOpenEnded(openEnded: boolean): void;
   /** Pictures of the figure that was read, as they lie in its file: how many, their MIME types and bytes. */

@@ -1,8 +1,8 @@
 /** "Say it": a sentence of the visitor's own, told on the stage. */
 
-import type { PlayerEventMap, RaconteurPlayer } from '../element/index.js';
-import { addSpeechSource } from '../speech/added.js';
-import { told } from './told.js';
+import type { RaconteurPlayer } from '../element/index.js';
+import { told } from '../speech/told.js';
+import { Voices } from './home-voice.js';
 
 /** Where the address has a text that was shared, and before it its language where that is not English. */
 const SHARED = /^#say(?:\.(de|pt))?=(.*)$/s;
@@ -31,13 +31,6 @@ const PLACEHOLDERS: Record<string, string> = {
   pt: 'Olá! Queres que te conte um segredo? :)',
 };
 
-/** Brings what speaks a language, where the page's own voice does not. */
-async function voices(language: string): Promise<void> {
-  if (language === 'en') return;
-  const { espeak } = await import('@raconteur/voice-espeak');
-  addSpeechSource(espeak);
-}
-
 /** Lets the form put texts on the stage; whether the address had one. */
 export function say(player: RaconteurPlayer, { clear }: Stage): boolean {
   const form = document.querySelector<HTMLFormElement>('#say');
@@ -46,11 +39,13 @@ export function say(player: RaconteurPlayer, { clear }: Stage): boolean {
   const keep = document.querySelector<HTMLButtonElement>('#say-keep');
   const share = document.querySelector<HTMLButtonElement>('#say-share');
   const language = document.querySelector<HTMLSelectElement>('#say-language');
-  if (!form || !field || !note || !keep || !share || !language) return false;
+  const better = document.querySelector<HTMLElement>('#say-better');
+  if (!form || !field || !note || !keep || !share || !language || !better) return false;
+  const voices = new Voices(player, { note, better });
   let script: string | undefined;
 
   const tell = async (plays: boolean): Promise<void> => {
-    const next = told(field.value, language.value);
+    const next = told(field.value, { language: language.value, isPhrased: voices.isSlow(language.value) });
     if (next === undefined) {
       note.textContent = 'Write a few words first.';
       field.focus();
@@ -61,7 +56,7 @@ export function say(player: RaconteurPlayer, { clear }: Stage): boolean {
     clear();
     history.replaceState(null, '', shared(field.value, language.value));
     note.textContent = '';
-    await voices(language.value);
+    await voices.bring(language.value);
     player.label = 'Your own words';
     player.pause();
     await player.rehearse(next);
@@ -81,15 +76,7 @@ export function say(player: RaconteurPlayer, { clear }: Stage): boolean {
   language.addEventListener('change', () => {
     field.lang = language.value;
     field.placeholder = PLACEHOLDERS[language.value] ?? '';
-  });
-  let speaks = '';
-  player.addEventListener('voicechange', (event) => {
-    const { name, about, license } = (event as PlayerEventMap['voicechange']).detail;
-    note.textContent = speaks = `${name} speaks (${license}). ${about}`;
-  });
-  player.addEventListener('voiceprogress', (event) => {
-    const { share } = (event as PlayerEventMap['voiceprogress']).detail;
-    note.textContent = share < 1 ? `A voice is being fetched, once: ${Math.round(100 * share)} %` : speaks;
+    voices.choose(language.value);
   });
   share.addEventListener('click', () => {
     navigator.clipboard.writeText(location.href).then(

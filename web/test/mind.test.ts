@@ -38,6 +38,7 @@ let answers: Answer[];
 let performed: string[];
 let states: MindState[];
 let reports: Diagnostic[];
+let turn: AbortController;
 
 const host: MindHost = {
   hello: () => ({ timeSecs: 0, endSecs: 1, figure: 'sofia' }),
@@ -45,6 +46,9 @@ const host: MindHost = {
     performed.push(fragment);
     return answers;
   },
+  interrupts: (message) => message === '<interrupt/>',
+  turn: () => turn.signal,
+  dropped: () => [{ kind: 'failed', timeSecs: 1, code: 'live::interrupted', message: 'dropped' }],
   report: (diagnostic) => reports.push(diagnostic),
   state: (state) => states.push(state),
 };
@@ -61,6 +65,7 @@ beforeEach(() => {
   vi.stubGlobal('document', { baseURI: 'https://stories.example/page/' });
   FakeSocket.all = [];
   [answers, performed, states, reports] = [[], [], [], []];
+  turn = new AbortController();
 });
 
 afterEach(() => {
@@ -127,6 +132,33 @@ test('what has to be spoken first is answered in its order, and what comes meanw
   // A flood of speech is one, too.
   for (let i = 0; i < 200; i++) socket.onmessage?.({ data: 'speech' });
   expect(socket.closedWith).toBe(4008);
+});
+
+test('an interruption passes what waits, which is answered and not performed', async () => {
+  const spoken: (() => void)[] = [];
+  const order: string[] = [];
+  MindLink.open('wss://m.example', {
+    ...host,
+    turn: () => turn.signal,
+    perform: (fragment) => {
+      order.push(fragment);
+      if (fragment === '<interrupt/>') {
+        turn.abort();
+        turn = new AbortController();
+      }
+      const all: Answer[] = [{ kind: 'accepted', timeSecs: 1, fragment: order.length, clauses: [] }];
+      return fragment === 'speech' ? new Promise((resolve) => spoken.push(() => resolve(all))) : all;
+    },
+  });
+  vi.advanceTimersByTime(0);
+  const socket = last();
+  socket.open();
+  for (const data of ['speech', 'hand', '<interrupt/>', 'anew']) socket.onmessage?.({ data });
+  expect(order).toEqual(['speech', '<interrupt/>']);
+  await vi.waitFor(() => expect(order).toEqual(['speech', '<interrupt/>', 'anew']));
+  spoken[0]?.();
+  await vi.waitFor(() => expect(socket.sent.map((m) => m.kind)).toEqual(['hello', 'accepted', 'accepted', 'accepted', 'failed']));
+  expect(order).toEqual(['speech', '<interrupt/>', 'anew']);
 });
 
 test('waits double, up to half a minute, and begin anew after a steady connection', () => {

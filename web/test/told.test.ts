@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { MOST_CHARACTERS, told } from '../pages/told.js';
+import { MOST_CHARACTERS, told } from '../speech/told.js';
 
 test('sentences follow each other, and a greeting is waved', () => {
   const script = told('Hello there! Shall I tell you a secret?') ?? '';

@@ -20,6 +20,7 @@ class FakeVoice implements Voice {
   setMusic = () => undefined;
   give = () => undefined;
   hold = () => undefined;
+  cut = () => undefined;
   forget = () => undefined;
   substitute = () => Promise.resolve(undefined);
   close = () => undefined;

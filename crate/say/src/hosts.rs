@@ -117,7 +117,7 @@ fn answer(name: &str, arguments: &[JsValue]) -> Result<JsValue> {
     Ok(answer)
 }
 
-fn texts(of: &JsValue) -> impl Iterator<Item = String> {
+fn texts(of: &JsValue) -> impl Iterator<Item = String> + use<> {
     Array::from(of)
         .iter()
         .filter_map(|text| text.as_string())

@@ -128,6 +128,19 @@ pub struct Performance {
     pub first_utterance: usize,
     /// When all that is known is over, story time, seconds.
     pub end_secs: f64,
+    /// What it ends, where it was no fragment but `<interrupt/>`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cut: Option<Interruption>,
+}
+
+/// What fragments say and do has ended.
+#[derive(Debug, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Interruption {
+    /// When, story time, seconds.
+    pub at_secs: f64,
+    /// When all that is known now is over, story time, seconds.
+    pub end_secs: f64,
 }
 
 impl Story {

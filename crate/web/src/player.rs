@@ -16,7 +16,7 @@ use wasm_bindgen::prelude::*;
 use web_sys::HtmlCanvasElement;
 
 use crate::activity::{Activity, ActivityGuard, note};
-use crate::message::{MusicPiece, Performance, Story, Utterance};
+use crate::message::{Interruption, MusicPiece, Performance, Story, Utterance};
 
 #[cfg(not(any(feature = "webgpu", feature = "webgl")))]
 compile_error!("a build for the browser needs the feature `webgpu` or `webgl`");
@@ -223,6 +223,26 @@ impl Player {
             events: performed.events(fragment, now_secs),
             utterances: performed.utterances.iter().map(Utterance::new).collect(),
             first_utterance: performed.first_utterance,
+            end_secs: performer.end_secs(),
+            cut: performed.cut_secs.map(|at_secs| Interruption {
+                at_secs,
+                end_secs: performer.end_secs(),
+            }),
+        })
+    }
+
+    /// Ends what fragments say and do at a story time; an `Interruption`, or nothing where there was
+    /// nothing to end.
+    pub fn interrupt(&mut self, now_secs: f64) -> Result<JsValue, JsError> {
+        let _activity = ActivityGuard::new(Activity::Fragment);
+        let Some(performer) = &mut self.performer else {
+            return Ok(JsValue::UNDEFINED);
+        };
+        let Some(at_secs) = performer.interrupt(now_secs) else {
+            return Ok(JsValue::UNDEFINED);
+        };
+        plain(&Interruption {
+            at_secs,
             end_secs: performer.end_secs(),
         })
     }

@@ -1,7 +1,7 @@
 /** The face's settings as EML. */
 
 import { apply, insertInto, read as parse, setAttribute } from '../gestures/source.js';
-import { tag } from '../markup.js';
+import { tag } from '../../speech/markup.js';
 import { ALL, namesOf, type Dial } from './dials.js';
 import { sharesAt } from './disc.js';
 import type { Layers, State } from './state.js';

@@ -1,6 +1,6 @@
 /** Gestures to begin with. */
 
-import { script, tag } from '../markup.js';
+import { script, tag } from '../../speech/markup.js';
 import type { PhaseName } from './gesture.js';
 
 type Point = readonly [x: number, y: number, z: number];

@@ -1,7 +1,7 @@
 /** The viewer's settings as EML. */
 
 import { SETTLED_SECS } from '../page-state.js';
-import { script, tag } from '../markup.js';
+import { script, tag } from '../../speech/markup.js';
 import type { Pace } from './paces.js';
 import { ends, GROUPS, LIMBS, LOOK, track as stand, type Limb, type LimbName, type Look, type State, type Track } from './state.js';
 

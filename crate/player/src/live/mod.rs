@@ -4,11 +4,12 @@
 //! times and cues are the story clock's, so that it can be sought like the story until it is
 //! forgotten. Nothing grows without bound: see [`limits`].
 
+pub(crate) mod cut;
 pub(crate) mod times;
+pub(crate) mod wait;
 
 use raconteur_actor::animation::PlayerCommand;
 use raconteur_actor::{Actor, Library};
-use raconteur_base::Side;
 use raconteur_base::order::sort_by_number;
 use raconteur_eml::{Diagnostic, Name, Parsed, Severity, SortedMap, Span, parse_fragment};
 
@@ -60,6 +61,10 @@ pub struct Performed {
     pub first_utterance: usize,
     /// Problems. An error has cost a clause, or the whole fragment.
     pub diagnostics: Vec<Diagnostic>,
+    /// It was no fragment but the message `<interrupt/>`.
+    pub interrupts: bool,
+    /// When `<interrupt/>` ended something, story time, seconds; see [`crate::Player::interrupt`].
+    pub cut_secs: Option<f64>,
 }
 
 /// A clause that was accepted.
@@ -81,6 +86,8 @@ struct Fragment {
     first_utterance: usize,
     marks: SortedMap<Name, f64>,
     plan: ScriptPlan,
+    /// When it was interrupted: moments after that never come. Infinite where it was not.
+    cut_secs: f64,
     /// None of its cues has been delivered: they may lie before the time up to which all others
     /// were.
     fresh: bool,
@@ -124,8 +131,9 @@ pub(crate) struct Live {
     allowances: Vec<Allowance>,
     /// Commands of forgotten fragments that stay in force.
     carried: CarriedCommands,
-    /// Clauses that a seek has passed over, not yet delivered.
-    skipped: Vec<Cue>,
+    /// Cues that are delivered next, whatever their time: clauses that a seek has passed over, and
+    /// ends of what was interrupted.
+    due: Vec<Cue>,
 }
 
 impl Live {
@@ -137,7 +145,7 @@ impl Live {
             utterances_begun: utterances,
             allowances: Vec::new(),
             carried: CarriedCommands::default(),
-            skipped: Vec::new(),
+            due: Vec::new(),
         }
     }
 
@@ -217,7 +225,8 @@ impl Live {
         scene: &Scene<'_>,
         performed: &mut Performed,
     ) -> Result<(), Diagnostic> {
-        self.check_rate(incoming)?;
+        self.check_rate(incoming.mind, incoming.now_secs)?;
+        check_length(incoming.text)?;
         let mut parsed = parse_fragment(incoming.text);
         performed.name = parsed.document.name.clone();
         let most = limits::REMEMBERED_CLAUSES as u64 + 1;
@@ -253,20 +262,17 @@ impl Live {
             first_utterance,
             marks: script.timeline.marks,
             plan,
+            cut_secs: f64::INFINITY,
             fresh: true,
         });
         Ok(())
     }
 
-    /// Refuses what comes too fast, or is too long.
-    fn check_rate(&mut self, incoming: &FragmentText<'_>) -> Result<(), Diagnostic> {
-        if !self.spend(incoming.mind, incoming.now_secs) {
+    /// Refuses what comes too fast.
+    fn check_rate(&mut self, mind: u32, now_secs: f64) -> Result<(), Diagnostic> {
+        if !self.spend(mind, now_secs) {
             let message = "too many fragments at once; this one was not read";
             return Err(refusal("live::busy", message).hint("send fewer a second"));
-        }
-        if incoming.text.len() > limits::FRAGMENT_BYTES {
-            let message = format!("a fragment has at most {} bytes", limits::FRAGMENT_BYTES);
-            return Err(refusal("live::too-large", message));
         }
         Ok(())
     }
@@ -284,7 +290,7 @@ impl Live {
     }
 
     /// Gives a fragment its times on the story's clock, late enough for its hands to come in
-    /// time, and reports its problems.
+    /// time and for others to have said what they say, and reports its problems.
     fn timed_script(
         &self,
         parsed: Parsed,
@@ -303,7 +309,10 @@ impl Live {
         diagnostics.extend(scene.cast.problems(&script.document));
         script.delay(base_secs);
         let at_once = ScriptPlan::new(&script, scene.cast, 0, None);
-        script.delay(run_up(&at_once, scene.actor, base_secs));
+        let said = self.fragments.iter().flat_map(|f| &f.plan.utterances);
+        let said = scene.story.utterances.iter().chain(said);
+        let run_up_secs = wait::run_up(&at_once, scene.actor, base_secs);
+        script.delay(wait::turn(&at_once.utterances, said, run_up_secs));
         diagnostics.extend(animations::problems(
             &script.document,
             &script.timeline,
@@ -323,7 +332,7 @@ impl Live {
     /// The story time of a name in the remembered fragments; of several, the last that came.
     fn mark(&self, name: &str) -> Option<f64> {
         let mut fragments = self.fragments.iter().rev();
-        fragments.find_map(|f| f.marks.get(name).copied())
+        fragments.find_map(|f| f.marks.get(name).copied().filter(|at| *at <= f.cut_secs))
     }
 
     /// Forgets fragments that ended long ago, and as many more ended ones as it takes.
@@ -386,7 +395,7 @@ impl Live {
     /// The cues after `from_secs` up to and including `to_secs`, those of each fragment by
     /// time, and the clauses that were skipped.
     pub(crate) fn take_cues(&mut self, from_secs: f64, to_secs: f64) -> Vec<Cue> {
-        let mut cues = std::mem::take(&mut self.skipped);
+        let mut cues = std::mem::take(&mut self.due);
         for fragment in &mut self.fragments {
             let fresh = std::mem::take(&mut fragment.fresh);
             let from_secs = if fresh { f64::NEG_INFINITY } else { from_secs };
@@ -400,11 +409,11 @@ impl Live {
         for fragment in &mut self.fragments {
             fragment.fresh = false;
             for cue in between(&fragment.plan.cues, from_secs, to_secs) {
-                if self.skipped.len() >= limits::REMEMBERED_CLAUSES {
+                if self.due.len() >= limits::REMEMBERED_CLAUSES {
                     return;
                 }
                 if let CueKind::ClauseEnd(clause) = &cue.kind {
-                    self.skipped.push(Cue {
+                    self.due.push(Cue {
                         time_secs: to_secs,
                         kind: CueKind::ClauseSkipped(clause.clone()),
                         ..*cue
@@ -443,20 +452,13 @@ fn accepted_clauses(script: &Script) -> Vec<LiveClause> {
         .collect()
 }
 
-/// By how much a fragment is delayed so that its hands are there in time, seconds. Speech
-/// waits for them, for both are one utterance (GEVH D.2: a lead-in delays the whole).
-fn run_up(plan: &ScriptPlan, actor: &Actor, base_secs: f64) -> f64 {
-    let mut delay: f64 = 0.0;
-    for side in Side::BOTH {
-        for stroke in &plan.strokes[side.index()] {
-            let Some(first) = stroke.keys.first() else {
-                continue;
-            };
-            let needed = actor.plan(side).time_to(base_secs, first.wrist_in_world);
-            delay = delay.max(base_secs + needed - first.time_secs);
-        }
+/// Refuses what is too long.
+fn check_length(text: &str) -> Result<(), Diagnostic> {
+    if text.len() > limits::FRAGMENT_BYTES {
+        let message = format!("a fragment has at most {} bytes", limits::FRAGMENT_BYTES);
+        return Err(refusal("live::too-large", message));
     }
-    delay
+    Ok(())
 }
 
 fn refusal(code: &'static str, message: impl Into<String>) -> Diagnostic {

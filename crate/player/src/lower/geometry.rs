@@ -43,6 +43,12 @@ impl Geometry {
         self.add(true, fragment);
     }
 
+    /// Leaves out what the live performance would switch after a time.
+    pub(crate) fn interrupt(&mut self, at_secs: f64) {
+        self.switches
+            .retain(|(live, secs, _)| !live || *secs < at_secs);
+    }
+
     fn add(&mut self, live: bool, switches: &[Switch]) {
         let new = switches
             .iter()

@@ -17,7 +17,7 @@ const LOW_RAD: f64 = 0.20;
 /// A shot that a script takes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct ShotCue {
-    start_secs: f64,
+    pub(crate) start_secs: f64,
     transition_secs: f64,
     /// None: unchanged.
     shot: Option<Shot>,

@@ -28,6 +28,11 @@ impl Clock {
         self.passed_secs
     }
 
+    /// The time up to which cues have been delivered.
+    pub(crate) fn told_secs(&self) -> f64 {
+        self.delivered_until_secs
+    }
+
     /// The latest time that an open-ended performance has come to.
     pub(crate) fn open_until_secs(&self) -> f64 {
         self.open_until_secs

@@ -268,7 +268,7 @@ impl Performed {
         let lines = LineIndex::new(text);
         let (time_secs, fragment) = (now_secs, self.fragment);
         let mut events: Vec<Event> = Vec::new();
-        if !self.clauses.is_empty() {
+        if !self.clauses.is_empty() || self.interrupts {
             events.push(Event::Accepted {
                 time_secs,
                 fragment,

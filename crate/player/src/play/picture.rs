@@ -54,6 +54,11 @@ impl Picture {
         self.geometry.join(fragment);
     }
 
+    /// Leaves out what live fragments would switch after a time.
+    pub(crate) fn interrupt(&mut self, at_secs: f64) {
+        self.geometry.interrupt(at_secs);
+    }
+
     /// Shows the whole figure from this side; by none, the shot again.
     pub(crate) fn set_view(&mut self, view: Option<View>) {
         self.view = view;

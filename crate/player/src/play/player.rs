@@ -10,7 +10,6 @@ use raconteur_eml::{Diagnostic, Performer, Timeline, thinned};
 use raconteur_speech::bundle::Bundle;
 use raconteur_stage::{Camera, Frame, Room, View};
 
-use crate::live::{FragmentText, Performed, Scene};
 use crate::lower::cast::Cast;
 use crate::lower::cues::{Cue, UtteranceCue};
 use crate::lower::music::MusicCue;
@@ -29,6 +28,7 @@ use crate::play::score::Score;
 use crate::play::soft::SoftFace;
 
 mod clips;
+mod improvise;
 mod readings;
 mod welcome;
 
@@ -235,46 +235,6 @@ impl Player {
         begins
     }
 
-    /// Performs EML that comes while the story plays (GEVH 3.6): a list of clauses or a whole
-    /// script. Plain times count from `now_secs` (story time), names are those of the
-    /// fragment, of earlier ones and of the script. `mind` identifies the sender, each of which
-    /// has an allowance; see [`live::limits`](crate::live::limits).
-    ///
-    /// The same fragments at the same times give the same frames, whatever frames are
-    /// evaluated between.
-    pub fn perform(&mut self, mind: u32, fragment: &str, now_secs: f64) -> Performed {
-        let now_secs = if now_secs.is_finite() {
-            now_secs.max(0.0)
-        } else {
-            0.0
-        };
-        let base_secs = self.layers.next_change_secs(now_secs);
-        let scene = Scene {
-            cast: &self.cast,
-            library: &self.animations.library,
-            script: &self.script,
-            story: &self.score.story,
-            actor: self.layers.actor(),
-        };
-        let fragment = FragmentText {
-            mind,
-            text: fragment,
-            now_secs,
-            base_secs,
-        };
-        let performed = self.score.live.admit(&fragment, &scene);
-        if !performed.clauses.is_empty() {
-            self.picture.take_shots(self.score.plans());
-            let (actor, room) = self.rehearse();
-            self.layers.change(base_secs, actor, room);
-            self.forget_face();
-            if let Some(joined) = self.score.live.plans().last() {
-                self.picture.join(&joined.geometry);
-            }
-        }
-        performed
-    }
-
     /// Prepares an actor for all that is known, with no less room than the last one has.
     fn rehearse(&self) -> (Actor, Room) {
         Rehearsal {
@@ -319,12 +279,6 @@ impl Player {
         if let Some(soft) = &mut self.soft {
             soft.forget();
         }
-    }
-
-    /// Whether a mind may send a fragment at a story time without being refused for its pace.
-    #[must_use]
-    pub fn has_room(&self, mind: u32, now_secs: f64) -> bool {
-        self.score.live.has_room(mind, now_secs)
     }
 
     /// Lets time pass: the cues up to `time_secs` are there for [`Player::drain_events`].

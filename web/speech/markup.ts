@@ -1,4 +1,4 @@
-/** EML as text: what the pages write. */
+/** EML as text: what is written here and not by hand. */
 
 const digits = (n: number): string => String(Number(n.toFixed(4)));
 const escaped = (text: string): string => text.replace(/[&<>"']/g, (c) => `&#${c.charCodeAt(0)};`);

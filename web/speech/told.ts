@@ -16,6 +16,10 @@ const FEELINGS: readonly (readonly [signs: readonly string[], emotion: string])[
   [['🤢', '🤮'], 'disgust'],
   [[':-D', ':D', ':-)', ':)', '🙂', '😊', '😀', '😄'], 'joy'],
 ];
+/** The signs as a pattern. */
+const SIGNS = FEELINGS.flatMap(([own]) => own)
+  .map((sign) => sign.replace(/[()*+?.^$|[\]\\]/g, '\\$&'))
+  .join('|');
 /** How strong, of 10. */
 const POTENTIAL = 4;
 
@@ -39,6 +43,25 @@ const BETWEEN_BEATS = 4;
 interface Sentence {
   readonly words: readonly string[];
   readonly emotion: string | undefined;
+  /** More of the same sentence follows. */
+  readonly goesOn?: boolean;
+}
+
+/** A phrase has so many words. */
+const PHRASE = { least: 4, most: 12 } as const;
+
+/** The phrases of a sentence, which end at commas and the like, or where it becomes long. */
+function phrases({ words, emotion }: Sentence): Sentence[] {
+  const out: Sentence[] = [];
+  let from = 0;
+  for (let i = 1; i <= words.length; i++) {
+    const length = i - from;
+    const parts = /[,;:—–]["'”’)]*$/.test(words[i - 1] ?? '') && length >= PHRASE.least && words.length - i >= 2;
+    if (i < words.length && !parts && length < PHRASE.most) continue;
+    out.push({ words: words.slice(from, i), emotion, goesOn: i < words.length });
+    from = i;
+  }
+  return out;
 }
 
 /** A text without the signs of feelings, and the first feeling in it. */
@@ -59,8 +82,7 @@ function felt(text: string): { rest: string; emotion: string | undefined } {
 
 /** Sentences, without their signs of feelings; a sign after the mark of its sentence is of that one. */
 function sentences(text: string): Sentence[] {
-  const signs = FEELINGS.flatMap(([own]) => own).map((sign) => sign.replace(/[()*+?.^$|[\]\\]/g, '\\$&'));
-  const parts = text.slice(0, MOST_CHARACTERS).split(new RegExp(`(?<=[.!?…](?:\\s*(?:${signs.join('|')}))*)(?=\\s)(?!\\s*(?:${signs.join('|')}))|\\n+`, 'u'));
+  const parts = text.slice(0, MOST_CHARACTERS).split(new RegExp(`(?<=[.!?…](?:\\s*(?:${SIGNS}))*)(?=\\s)(?!\\s*(?:${SIGNS}))|\\n+`, 'u'));
   return parts.flatMap((part) => {
     const { rest, emotion } = felt(part);
     const words = rest.split(/\s+/).filter((word) => /[\p{L}\p{N}]/u.test(word));
@@ -129,20 +151,44 @@ function performed(words: readonly string[], index: number): { said: string; ges
   return { said: said.join(' '), gestures };
 }
 
-/** The script that tells a text in a language, a tag of BCP 47; undefined where it has no word. */
-export function told(text: string, language = 'en'): string | undefined {
-  const all = sentences(text);
-  if (all.length === 0) return undefined;
-  let before = '0.3';
-  let feels = 'neutral';
-  const clauses = all.flatMap(({ words, emotion = 'neutral' }, i) => {
+/** The clauses that tell sentences, the first at `begins`; the feeling before them, and what they leave. */
+function clausesOf(all: readonly Sentence[], begins: string, felt: string): { clauses: string[]; feels: string } {
+  let [before, feels] = [begins, felt];
+  const clauses = all.flatMap(({ words, emotion = 'neutral', goesOn }, i) => {
     const { said, gestures } = performed(words, i);
     const feeling = emotion === feels ? [] : [tag('r:emotion', { time: before, type: emotion, potential: emotion === 'neutral' ? undefined : POTENTIAL })];
     feels = emotion;
     const voice = tag('voice-text', { time: before, timeId: `v${i}` }, [`<div type="sentence">${said}</div>`, tag('tm', { name: `e${i}` })]);
-    before = `e${i}+0.35s`;
+    before = `e${i}+${goesOn ? 0.05 : 0.35}s`;
     return [...feeling, voice, ...gestures];
   });
-  const ways = [tag('gesture-is-on', { time: 0, isOn: true }), ...clauses, tag('null', { time: `e${all.length - 1}+1.2s` })];
-  return script('said', true, ways, [tag('r:performer', { language })]);
+  const on = tag('gesture-is-on', { time: 0, isOn: true });
+  return { clauses: [on, ...clauses, tag('null', { time: `e${all.length - 1}+1.2s` })], feels };
 }
+
+/** How a text is told. */
+export interface Telling {
+  /** A tag of BCP 47. */
+  readonly language?: string;
+  /** Sentences are said phrase by phrase, by a voice that takes long: it is heard after the first. */
+  readonly isPhrased?: boolean;
+}
+
+/** The script that tells a text; undefined where it has no word. */
+export function told(text: string, { language = 'en', isPhrased = false }: Telling = {}): string | undefined {
+  const whole = sentences(text);
+  const all = isPhrased ? whole.flatMap(phrases) : whole;
+  if (all.length === 0) return undefined;
+  return script('said', true, clausesOf(all, '0.3', 'neutral').clauses, [tag('r:performer', { language })]);
+}
+
+/** The fragment that goes on telling after a text that has left a feeling, and the feeling that this one leaves; undefined where it has no word. */
+export function toldOn(text: string, felt: string): { fragment: string; feels: string } | undefined {
+  const all = sentences(text);
+  if (all.length === 0) return undefined;
+  const { clauses, feels } = clausesOf(all, '0', felt);
+  return { fragment: script('said', true, clauses), feels };
+}
+
+/** A sign of a feeling at the beginning of a text, after spaces, and before another one or the end. */
+export const SIGN_FIRST = new RegExp(`^\\s*(?:${SIGNS})(?=\\s|$)`, 'u');

@@ -1,0 +1,87 @@
+//! Live performance: fragments join the story, and are interrupted.
+
+use super::Player;
+use crate::live::cut::is_interrupt;
+use crate::live::{FragmentText, Performed, Scene};
+
+impl Player {
+    /// Performs EML that comes while the story plays (GEVH 3.6): a list of clauses or a whole
+    /// script. Plain times count from `now_secs` (story time), names are those of the
+    /// fragment, of earlier ones and of the script. It waits until its hands are in place and until
+    /// nobody else speaks. The message `<interrupt/>` is [`Player::interrupt`]. `mind` identifies the sender, each of which
+    /// has an allowance; see [`live::limits`](crate::live::limits).
+    ///
+    /// The same fragments at the same times give the same frames, whatever frames are
+    /// evaluated between.
+    pub fn perform(&mut self, mind: u32, fragment: &str, now_secs: f64) -> Performed {
+        let now_secs = story_secs(now_secs);
+        if is_interrupt(fragment) {
+            let mut performed = self.score.live.admit_interrupt(mind, now_secs);
+            if performed.interrupts {
+                performed.cut_secs = self.interrupt(now_secs);
+            }
+            return performed;
+        }
+        let base_secs = self.layers.next_change_secs(now_secs);
+        let scene = Scene {
+            cast: &self.cast,
+            library: &self.animations.library,
+            script: &self.script,
+            story: &self.score.story,
+            actor: self.layers.actor(),
+        };
+        let fragment = FragmentText {
+            mind,
+            text: fragment,
+            now_secs,
+            base_secs,
+        };
+        let performed = self.score.live.admit(&fragment, &scene);
+        if !performed.clauses.is_empty() {
+            self.change_over(base_secs);
+            if let Some(joined) = self.score.live.plans().last() {
+                self.picture.join(&joined.geometry);
+            }
+        }
+        performed
+    }
+
+    /// Ends what live fragments say and do, from now on; what of them has not begun never comes. The
+    /// story goes on, and so does what was switched: shots, music, parameters. What was cut ends in
+    /// the next [`Player::drain_events`]. Gives the story time of the end, which is soon after
+    /// `now_secs` where a fragment has just joined; none when there is nothing to end.
+    ///
+    /// Frames up to that time stay as they were.
+    pub fn interrupt(&mut self, now_secs: f64) -> Option<f64> {
+        let told_secs = self.clock.told_secs();
+        let now_secs = story_secs(now_secs).max(told_secs);
+        let at_secs = self.layers.next_change_secs(now_secs);
+        let (story, actor) = (&self.score.story, self.layers.actor());
+        let live = &mut self.score.live;
+        if !live.interrupt(at_secs, told_secs, story, actor) {
+            return None;
+        }
+        self.picture.interrupt(at_secs);
+        self.change_over(at_secs);
+        Some(at_secs)
+    }
+
+    /// Lets the figure ease to what is known now.
+    fn change_over(&mut self, from_secs: f64) {
+        self.picture.take_shots(self.score.plans());
+        let (actor, room) = self.rehearse();
+        self.layers.change(from_secs, actor, room);
+        self.forget_face();
+    }
+
+    /// Whether a mind may send a fragment at a story time without being refused for its pace.
+    #[must_use]
+    pub fn has_room(&self, mind: u32, now_secs: f64) -> bool {
+        self.score.live.has_room(mind, now_secs)
+    }
+}
+
+/// A time as a story has times.
+fn story_secs(secs: f64) -> f64 {
+    if secs.is_finite() { secs.max(0.0) } else { 0.0 }
+}
