@@ -1,7 +1,7 @@
 /** Who says the visitor's words: what speaks a language, what it is, and what better voice there is. */
 
 import type { PlayerEventMap, RaconteurPlayer } from '../element/index.js';
-import { addSpeechSource } from '../speech/added.js';
+import { addSpeechSource, naturalVoice } from '../speech/added.js';
 import type { SpeechSource } from '../speech/source.js';
 
 /** Where `npm run voice` puts the natural voice. */
@@ -63,8 +63,7 @@ export class Voices {
   async #lookForBetter(): Promise<void> {
     if (this.#looked) return;
     this.#looked = true;
-    const { kokoro } = await import('../speech/kokoro.js');
-    this.#natural = await kokoro(new URL(KOKORO, document.baseURI));
+    this.#natural = await naturalVoice(new URL(KOKORO, document.baseURI));
     const { better } = this.#places;
     better.hidden = false;
     for (const part of better.querySelectorAll<HTMLElement>('[data-there]')) part.hidden = (part.dataset['there'] === 'true') !== (this.#natural !== undefined);

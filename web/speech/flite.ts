@@ -1,6 +1,8 @@
 /** flite, a small engine of American English, in a worker of the page. */
 
 import type { SpeechSource } from './source.js';
+import workerUrl from './flite-worker.ts?worker&url';
+import { openWorker } from './trusted.js';
 import { WorkerSource } from './worker-source.js';
 
 /** A woman's, two men's and a Scot's. */
@@ -14,5 +16,5 @@ export const flite: SpeechSource = new WorkerSource({
   license: 'MIT-Festival',
   speaks: (language) => /^en\b/i.test(language),
   voiceOf: (figure) => VOICES[figure] ?? USUAL,
-  worker: () => new Worker(new URL('./flite-worker.ts', import.meta.url), { type: 'module' }),
+  worker: () => openWorker(workerUrl),
 });

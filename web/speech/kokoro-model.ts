@@ -4,6 +4,7 @@ import * as ort from 'onnxruntime-web/wasm';
 import glueUrl from 'onnxruntime-web/ort-wasm-simd-threaded.mjs?url';
 import wasmUrl from 'onnxruntime-web/ort-wasm-simd-threaded.wasm?url';
 import { fetched } from './serve.js';
+import { trustOwnScripts } from './trusted.js';
 
 /** Samples a second. */
 export const RATE = 24_000;
@@ -40,8 +41,8 @@ export function styleFor(voice: Float32Array, tokens: number): Float32Array {
 export async function openModel(folder: URL): Promise<Model> {
   const here = (address: string) => new URL(address, import.meta.url).href;
   ort.env.wasm.wasmPaths = { mjs: here(glueUrl), wasm: here(wasmUrl) };
-  // Threads share memory, which a page may only when it is isolated from others.
-  ort.env.wasm.numThreads = self.crossOriginIsolated ? THREADS : 1;
+  // Threads share memory, which a page may only when it is isolated from others. ONNX Runtime starts them by plain addresses.
+  ort.env.wasm.numThreads = self.crossOriginIsolated && trustOwnScripts() ? THREADS : 1;
   const session = await ort.InferenceSession.create(await (await fetched(new URL('model.onnx', folder))).arrayBuffer(), { executionProviders: ['wasm'] });
   return {
     async voice(name) {

@@ -1,6 +1,8 @@
 /** Kokoro, a natural voice of English, in a worker of the page. */
 
 import type { SpeechSource } from './source.js';
+import workerUrl from './kokoro-worker.ts?worker&url';
+import { openWorker } from './trusted.js';
 import { WorkerSource } from './worker-source.js';
 
 /** Of the library's figures. */
@@ -21,6 +23,6 @@ export async function kokoro(folder: URL): Promise<SpeechSource | undefined> {
       const own = VOICES[figure] ?? USUAL;
       return voices.includes(own) ? own : (voices[0] ?? USUAL);
     },
-    worker: () => new Worker(new URL('./kokoro-worker.ts', import.meta.url), { type: 'module', name: folder.href }),
+    worker: () => openWorker(workerUrl, folder.href),
   });
 }

@@ -7,6 +7,7 @@ use js_sys::{Array, Float32Array, Function, Int16Array, Object, Reflect, Uint8Ar
 use raconteur_voice::bake::engine::espeak::{self, Espeak, Event, Synthesis, Traced, What};
 use raconteur_voice::bake::engine::flite::{self, Flite, Output, SOUND};
 use raconteur_voice::bake::engine::kokoro::{self, Kokoro};
+use raconteur_voice::bake::engine::server::{self, Server};
 use raconteur_voice::bake::engine::{Engine, Pending};
 use wasm_bindgen::prelude::*;
 
@@ -22,6 +23,7 @@ pub(crate) fn engine(name: &str, host: Object) -> Result<Box<dyn Engine>> {
         "flite" => Box::new(Flite(Worker)),
         "espeak-ng" => Box::new(Espeak(Worker)),
         "kokoro" => Box::new(Kokoro(Worker)),
+        "server" => Box::new(Server(Worker)),
         _ => bail!("no engine {name:?} speaks in a page"),
     })
 }
@@ -146,6 +148,20 @@ impl kokoro::Host for Worker {
         Ok(kokoro::Output {
             samples: Float32Array::new(&member(&out, "samples")?).to_vec(),
             frames: Float32Array::new(&member(&out, "frames")?).to_vec(),
+        })
+    }
+}
+
+impl server::Host for Worker {
+    fn voices(&self) -> Result<String> {
+        Ok(call("voices", &[])?.as_string().unwrap_or_default())
+    }
+
+    fn ask(&self, request: &str) -> Result<server::Answer> {
+        let out = answer("ask", &[JsValue::from_str(request)])?;
+        Ok(server::Answer {
+            sound: Uint8Array::new(&member(&out, "sound")?).to_vec(),
+            times: member(&out, "times")?.as_string().unwrap_or_default(),
         })
     }
 }

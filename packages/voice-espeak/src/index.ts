@@ -1,6 +1,8 @@
 /** espeak-ng, an engine of formants for a hundred languages, in a worker of the page. */
 
 import type { SpeechSource } from '../../../web/speech/source.js';
+import workerUrl from './worker.ts?worker&url';
+import { openWorker } from '../../../web/speech/trusted.js';
 import { WorkerSource } from '../../../web/speech/worker-source.js';
 
 /** Variants that make other speakers of a language's one voice. */
@@ -19,5 +21,5 @@ export const espeak: SpeechSource = new WorkerSource({
     const tag = language.toLowerCase();
     return `${tag === 'pt-br' ? tag : tag.split('-')[0]}${VARIANTS[figure] ?? ''}`;
   },
-  worker: () => new Worker(new URL('./worker.ts', import.meta.url), { type: 'module' }),
+  worker: () => openWorker(workerUrl),
 });

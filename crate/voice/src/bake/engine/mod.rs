@@ -26,6 +26,7 @@ mod mary;
 mod matching;
 mod recording;
 mod scheme;
+pub mod server;
 mod wave;
 
 pub use absent::Absent;

@@ -1,0 +1,202 @@
+//! A server that speaks sentences and tells times in a format of [`crate::align`], asked by a page;
+//! `docs/voices.md` has the messages.
+
+use anyhow::{Context as _, Result};
+use serde::{Deserialize, Serialize};
+
+use super::{Engine, VoiceInfo, aligned, labels, punctuation, wave};
+use crate::align::{detect, read};
+use crate::content::Gender;
+use crate::spoken::{Sentence, Spoken};
+use raconteur_speech::bundle::SentenceKind;
+
+/// Where the server is asked.
+pub trait Host: Send + Sync {
+    /// The voices that the page's owner names, a list of [`Voice`] in JSON.
+    ///
+    /// # Errors
+    /// When the page does not tell.
+    fn voices(&self) -> Result<String>;
+
+    /// What the server answers to a [`Request`] in JSON.
+    ///
+    /// # Errors
+    /// [`super::Pending`] until it answers; when it does not.
+    fn ask(&self, request: &str) -> Result<Answer>;
+}
+
+/// A voice of a server.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Voice {
+    /// As the server calls it.
+    pub name: String,
+    /// BCP 47 tag.
+    pub language: String,
+    /// `female` or `male`, where it is one.
+    pub gender: Option<String>,
+    /// What its phones are of, where the times do not tell: one of
+    /// [`raconteur_speech::phones::PHONE_SETS`].
+    pub phone_set: Option<String>,
+}
+
+/// A sentence for a server.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Request<'a> {
+    /// One of its voices.
+    pub voice: &'a str,
+    /// BCP 47 tag.
+    pub language: &'a str,
+    /// All words with their punctuation.
+    pub text: String,
+    /// The words alone, in order; numbers and abbreviations are written out.
+    pub words: Vec<&'a str>,
+}
+
+/// What a server said.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Answer {
+    /// A WAV.
+    pub sound: Vec<u8>,
+    /// When words and phones are, in any format that [`detect`] knows.
+    pub times: String,
+}
+
+/// A server.
+pub struct Server<H>(pub H);
+
+impl<H: Host> Engine for Server<H> {
+    fn version(&self) -> Result<String> {
+        Ok("server".to_owned())
+    }
+
+    fn voices(&self) -> Result<Vec<VoiceInfo>> {
+        let told: Vec<Voice> =
+            serde_json::from_str(&self.0.voices()?).context("the voices of the server")?;
+        Ok(told.into_iter().map(info).collect())
+    }
+
+    fn speak(&self, voice: &str, sentences: &[Sentence]) -> Result<Vec<Spoken>> {
+        let voices = self.voices()?;
+        let voice = voices
+            .iter()
+            .find(|v| v.name == voice)
+            .with_context(|| format!("the server has no voice {voice:?}"))?;
+        sentences.iter().map(|s| self.say(voice, s)).collect()
+    }
+}
+
+fn info(voice: Voice) -> VoiceInfo {
+    VoiceInfo {
+        gender: match voice.gender.as_deref() {
+            Some("female") => Some(Gender::Female),
+            Some("male") => Some(Gender::Male),
+            _ => None,
+        },
+        name: voice.name,
+        language: voice.language,
+        phone_set: voice.phone_set.unwrap_or_else(|| "radio".to_owned()),
+        rate_hz: 0.0,
+        what: "of a server".to_owned(),
+    }
+}
+
+impl<H: Host> Server<H> {
+    fn say(&self, voice: &VoiceInfo, sentence: &Sentence) -> Result<Spoken> {
+        let words: Vec<&str> = sentence.tokens.iter().map(|t| t.text.as_str()).collect();
+        if !words.iter().any(|w| w.chars().any(char::is_alphanumeric)) {
+            return Ok(labels::nothing(16_000.0, &voice.phone_set));
+        }
+        let request = Request {
+            voice: &voice.name,
+            language: &sentence.language,
+            text: written(sentence),
+            words: words.clone(),
+        };
+        let answer = self.0.ask(&serde_json::to_string(&request)?)?;
+        let times = answer.times.as_bytes();
+        let format =
+            detect("", times).context("the server tells times in no format that is known")?;
+        let alignment = read(format, times).context("what the server tells of its phones")?;
+        let wave = wave::decode(&answer.sound).context("what the server says")?;
+        aligned::spoken(&alignment, wave, &words, &voice.phone_set)
+    }
+}
+
+/// The words with their punctuation.
+fn written(sentence: &Sentence) -> String {
+    let last = sentence.tokens.len().saturating_sub(1);
+    let words = sentence.tokens.iter().enumerate().map(|(t, token)| {
+        let ends: Option<SentenceKind> = (t == last).then_some(sentence.kind);
+        format!("{}{}", token.text, punctuation(token, ends))
+    });
+    words.collect::<Vec<_>>().join(" ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::bake::encode::wave_of;
+    use crate::spoken::Token;
+
+    struct Fake(&'static str);
+
+    impl Host for Fake {
+        fn voices(&self) -> Result<String> {
+            Ok(
+                r#"[{"name":"ann","language":"de","gender":"female","phoneSet":"sampa"}]"#
+                    .to_owned(),
+            )
+        }
+
+        fn ask(&self, request: &str) -> Result<Answer> {
+            assert_eq!(
+                request,
+                r#"{"voice":"ann","language":"de","text":"Ja, \"gut\"?","words":["Ja","\"gut\""]}"#
+            );
+            Ok(Answer {
+                sound: wave_of(&vec![0.1; 8_000], 16_000)?,
+                times: self.0.to_owned(),
+            })
+        }
+    }
+
+    fn said(times: &'static str) -> Result<Vec<Spoken>> {
+        let token = |text: &str, punctuation: &str| Token {
+            text: text.to_owned(),
+            punctuation: punctuation.to_owned(),
+            ..Token::default()
+        };
+        let sentence = Sentence {
+            tokens: vec![token("Ja", ","), token("\"gut\"", "")],
+            kind: SentenceKind::Question,
+            language: "de".to_owned(),
+        };
+        Server(Fake(times)).speak("ann", &[sentence])
+    }
+
+    const TALKING: &str = r#"{"words":["Ja","gut"],"wtimes":[0,200],"wdurations":[200,300],"visemes":["ih","aa","kk","ou","DD"],"vtimes":[0,100,200,300,400],"vdurations":[100,100,100,100,100]}"#;
+
+    #[test]
+    fn a_sentence_gets_its_sound_and_the_times_of_its_words() {
+        let spoken = said(TALKING).unwrap();
+        let tokens: Vec<_> = spoken[0].segments.iter().map(|s| s.token).collect();
+        assert_eq!(spoken[0].samples.len(), 8_000);
+        assert!(
+            tokens.contains(&Some(0)) && tokens.contains(&Some(1)),
+            "{tokens:?}"
+        );
+        assert_eq!(
+            Server(Fake("")).voices().unwrap()[0].gender,
+            Some(Gender::Female)
+        );
+    }
+
+    #[test]
+    fn times_that_make_no_sense_are_errors() {
+        for bad in ["", "no times", "{}", "<maryxml>"] {
+            assert!(said(bad).is_err(), "{bad}");
+        }
+        assert!(Server(Fake(TALKING)).speak("bob", &[]).is_err());
+    }
+}

@@ -1,0 +1,44 @@
+/** A server that speaks, which the page's owner names (docs/voices.md, “A server”). */
+
+import type { SpeechSource } from './source.js';
+import workerUrl from './server-worker.ts?worker&url';
+import { openWorker } from './trusted.js';
+import { WorkerSource } from './worker-source.js';
+
+/** A voice of a server. */
+export interface ServerVoice {
+  readonly name: string;
+  /** A tag of BCP 47. */
+  readonly language: string;
+  readonly gender?: 'female' | 'male';
+  /** What its phones are of, where the times do not tell: `radio`, `mrpa`, `sampa`, `espeak`, … */
+  readonly phoneSet?: string;
+}
+
+export interface SpeechServer {
+  /** Of the page's own origin, or one that its policy names in `connect-src`. */
+  readonly url: string;
+  readonly name: string;
+  readonly about: string;
+  readonly license: string;
+  /** For each language the first is the usual one. */
+  readonly voices: readonly ServerVoice[];
+  /** The voices of figures, by their names. */
+  readonly figures?: Readonly<Record<string, string>>;
+}
+
+const primary = (tag: string): string => tag.toLowerCase().split('-')[0] ?? '';
+
+export function server({ url, voices, figures = {}, ...about }: SpeechServer): SpeechSource {
+  const of = (language: string) => voices.filter((voice) => primary(voice.language) === primary(language));
+  const name = JSON.stringify({ url: new URL(url, document.baseURI).href, voices });
+  return new WorkerSource({
+    ...about,
+    speaks: (language) => of(language).length > 0,
+    voiceOf(figure, language) {
+      const able = of(language);
+      return (able.find((voice) => voice.name === figures[figure]) ?? able[0])?.name ?? '';
+    },
+    worker: () => openWorker(workerUrl, name),
+  });
+}
