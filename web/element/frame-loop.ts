@@ -7,6 +7,9 @@ import type { MindConnection } from './mind-connection.js';
 import { Pulse } from './pulse.js';
 import { Welcome } from './welcome.js';
 
+/** While the story waits, for its voice or for sounds, the moment stands still: it is drawn no more often than this, and what works meanwhile has the machine. */
+const STILL_MS = 1000;
+
 export class FrameLoop {
   readonly #context: PlayerContext;
   readonly #mind: MindConnection;
@@ -16,6 +19,8 @@ export class FrameLoop {
   );
   readonly #welcome = new Welcome(() => this.advance());
   #caption: ReturnType<typeof captionAt>;
+  /** The moment that was drawn last, and when. */
+  #drawn = { secs: NaN, ms: 0 };
 
   constructor(context: PlayerContext, mind: MindConnection) {
     this.#context = context;
@@ -56,6 +61,9 @@ export class FrameLoop {
       dispatch(player, 'durationchange');
     }
     const secs = show.transport.update();
+    const ms = performance.now();
+    if (show.transport.waiting && secs === this.#drawn.secs && ms - this.#drawn.ms < STILL_MS) return;
+    this.#drawn = { secs, ms };
     if (this.#waits) show.picture.welcome(this.#welcome.secs);
     else for (const cue of show.picture.show(secs, player.paused && !player.ended, this.#pulse.drawing)) passCue(this.#context, cue, show);
     // A picture may have taken long; captions follow the sound.

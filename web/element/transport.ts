@@ -17,6 +17,8 @@ export class Transport {
   readonly #emit: (event: TransportEvent) => void;
   /** The heard time never steps back while playing, though clocks wobble. */
   #latest = 0;
+  /** A moment of this run at which all was ready. */
+  #ready = 0;
   #paused = true;
   #waiting = false;
   #ended = false;
@@ -131,11 +133,30 @@ export class Transport {
       // Better a pause than sound and lips that drift apart.
       this.#rest(true);
       this.#waiting = true;
+      if (this.#voice.running) this.#stopAt(this.#lastReady(position));
       this.#emit('waiting');
     } else if (position >= this.#endSecs && !this.openEnded) {
       this.#finish();
+    } else {
+      this.#ready = position;
     }
-    return position;
+    return this.position;
+  }
+
+  /** Where it had to stop: pictures may come slowly, and what begins between two of them is not to be passed. */
+  #lastReady(position: number): number {
+    let [ready, not] = [Math.min(this.#ready, position), position];
+    for (let i = 0; i < 12 && this.#voice.ready(ready); i++) {
+      const middle = (ready + not) / 2;
+      if (this.#voice.ready(middle)) ready = middle;
+      else not = middle;
+    }
+    return ready;
+  }
+
+  #stopAt(secs: number): void {
+    this.#latest = secs;
+    this.#clock.rest(secs);
   }
 
   /** The sound at a place is there, and so is what plays it: a browser may suspend or close that at any time. */
@@ -152,6 +173,7 @@ export class Transport {
       return;
     }
     this.#waiting = false;
+    this.#ready = position;
     const at = this.#voice.now() + LEAD_SECS;
     this.#voice.start(position, this.#rate, at);
     this.#clock.start(position, at, this.#rate);
@@ -161,14 +183,12 @@ export class Transport {
   #rest(waits = false): void {
     const position = this.position;
     this.#voice.stop(waits);
-    this.#latest = position;
-    this.#clock.rest(position);
+    this.#stopAt(position);
   }
 
   #moveTo(secs: number): void {
     this.#voice.stop();
-    this.#latest = secs;
-    this.#clock.rest(secs);
+    this.#stopAt(secs);
   }
 
   #finish(): void {

@@ -45,6 +45,20 @@ test("plays on the voice's clock, as it is heard", () => {
   expect(transport.update()).toBeCloseTo(2, 9);
 });
 
+test('what is not there yet is not passed, however slowly pictures come', () => {
+  voice.missingFrom = 2.5;
+  transport.play();
+  voice.time += 1.13;
+  expect(transport.update()).toBeCloseTo(1, 9);
+  voice.time += 4;
+  expect(transport.update()).toBeLessThan(2.5);
+  expect(transport.position).toBeGreaterThan(2.49);
+  expect(transport.waiting).toBe(true);
+  voice.missingFrom = Infinity;
+  transport.update();
+  expect(voice.starts.at(-1)?.position).toBeCloseTo(transport.position, 9);
+});
+
 test('pausing keeps what was heard, and playing goes on from there', () => {
   transport.play();
   voice.time += 1.13;
