@@ -116,6 +116,17 @@ fn a_line_that_was_not_baked_is_captioned_with_a_warning() {
 }
 
 #[test]
+fn a_line_that_was_not_baked_is_mimed_in_the_language_of_the_performer() {
+    let mut player = player(
+        "<eml xmlns:r='urn:raconteur:eml:1'><head><r:performer language='de'/></head><body/></eml>",
+    );
+    let performed = player.perform(1, "<voice-text time='0'>Wale</voice-text>", 1.0);
+    let phones = &performed.utterances[0].timed.utterance.phones;
+    let symbols: Vec<&str> = phones.iter().map(|phone| &*phone.symbol).collect();
+    assert_eq!(symbols, ["v", "aa", "l", "ax"]);
+}
+
+#[test]
 fn a_hand_is_raised_in_time_and_without_a_jump() {
     let mut player = hello_world();
     let rest = right_hand(&mut player, 5.0);

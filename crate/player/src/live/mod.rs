@@ -277,7 +277,8 @@ impl Live {
         Ok(())
     }
 
-    /// Resolves the names that a fragment takes from the story and from earlier fragments.
+    /// Resolves the names that a fragment takes from the story and from earlier fragments. The
+    /// performer is the story's, and so is the language that is mimed.
     fn bind(&self, parsed: &mut Parsed, base_secs: f64, scene: &Scene<'_>) {
         let late = times::bind(&mut parsed.document, base_secs, |name| {
             let story = &scene.script.timeline.marks;
@@ -286,6 +287,10 @@ impl Live {
         parsed.diagnostics.extend(late);
         if parsed.document.sets.is_empty() {
             parsed.document.sets.clone_from(&scene.script.document.sets);
+        }
+        if parsed.document.performer.is_none() {
+            let performer = &scene.script.document.performer;
+            parsed.document.performer.clone_from(performer);
         }
     }
 

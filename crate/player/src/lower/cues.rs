@@ -116,16 +116,16 @@ pub(crate) fn utterances(script: &Script) -> Vec<UtteranceCue> {
         .filter_map(|timed| {
             let voice = script.document.clause(timed.clause).kind.spoken()?;
             let timing = script.timeline.voices.get(&timed.clause)?;
+            let baked = script.utterance(timed.clause);
+            let marked = marked_language(&voice);
+            let mimed = marked.or_else(|| script.usual_language());
             Some(UtteranceCue {
                 timed: TimedUtterance {
                     start_secs: timed.start_secs,
-                    utterance: utterance::of(&voice, timing, script.utterance(timed.clause)),
+                    utterance: utterance::of(&voice, timing, baked, mimed),
                 },
                 estimated: timing.estimated,
-                language: script
-                    .language(timed.clause)
-                    .or_else(|| marked_language(&voice))
-                    .map(str::to_owned),
+                language: script.language(timed.clause).or(marked).map(str::to_owned),
                 voice: script.named_voice(timed.clause).map(str::to_owned),
                 phone_set: script.phone_set(timed.clause).to_owned(),
                 clause: timed.clause,

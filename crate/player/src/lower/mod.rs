@@ -15,6 +15,7 @@ pub(crate) mod parameters;
 pub(crate) mod plan;
 pub(crate) mod script;
 pub(crate) mod shots;
+mod spelling;
 pub(crate) mod units;
 mod utterance;
 pub(crate) mod voice;

@@ -178,6 +178,17 @@ impl Script {
         self.voice(clause).map(|voice| &*voice.language)
     }
 
+    /// The language of what says nothing of it: the performer's, else that of the bundle's
+    /// first voice.
+    pub(crate) fn usual_language(&self) -> Option<&str> {
+        let performer = self.document.performer.as_ref();
+        let voices = self.bundle.iter().flat_map(|bundle| &bundle.voices);
+        let mut baked = voices.map(|voice| &*voice.language);
+        performer
+            .and_then(|performer| performer.language.as_deref())
+            .or_else(|| baked.next())
+    }
+
     /// The voice that the script names for a clause.
     pub(crate) fn named_voice(&self, clause: ClauseId) -> Option<&str> {
         self.voices.named(clause)

@@ -3,18 +3,22 @@
 use std::sync::Arc;
 
 use raconteur_eml::{VoiceText, VoiceTiming};
+use raconteur_speech::phones::{Class, find};
 use raconteur_speech::{Phone, Utterance, Word};
 
+use crate::lower::spelling::Speller;
+
 /// What a clause says: what was baked for it, with words as the script writes them; without
-/// that, the words at their estimated times.
+/// that, the words at their estimated times, mimed in a language (a BCP 47 tag).
 pub(crate) fn of(
     text: &VoiceText,
     timing: &VoiceTiming,
     baked: Option<&Arc<Utterance>>,
+    language: Option<&str>,
 ) -> Arc<Utterance> {
     match baked {
         Some(baked) => as_written(text, baked),
-        None => Arc::new(estimated(text, timing)),
+        None => Arc::new(estimated(text, timing, language)),
     }
 }
 
@@ -39,7 +43,7 @@ fn as_written(text: &VoiceText, baked: &Arc<Utterance>) -> Arc<Utterance> {
 }
 
 /// The words of a text at their estimated times.
-fn estimated(text: &VoiceText, timing: &VoiceTiming) -> Utterance {
+fn estimated(text: &VoiceText, timing: &VoiceTiming, language: Option<&str>) -> Utterance {
     let words = text.words().into_iter().zip(&timing.words);
     let words: Vec<Word> = words
         .map(|(written, time)| Word {
@@ -50,18 +54,17 @@ fn estimated(text: &VoiceText, timing: &VoiceTiming) -> Utterance {
         })
         .collect();
     Utterance {
-        phones: estimated_phones(&words, timing.duration_secs),
+        phones: estimated_phones(&words, timing.duration_secs, language),
         duration_secs: timing.duration_secs,
         words,
         ..Utterance::default()
     }
 }
 
-/// Phones for a text that was not baked, so that the lips move with the captions: one
-/// consonant and one vowel for every three letters of a word. Designed; a diagnostic reports
-/// the missing voice.
-fn estimated_phones(words: &[Word], duration_secs: f64) -> Vec<Phone> {
-    const SYLLABLES: [[&str; 2]; 4] = [["m", "aa"], ["d", "eh"], ["s", "iy"], ["n", "ow"]];
+/// Phones for a text that was not baked, so that lips mime it: each word by its spelling, its
+/// phones at their share of its time.
+fn estimated_phones(words: &[Word], duration_secs: f64, language: Option<&str>) -> Vec<Phone> {
+    let speller = Speller::of(language);
     let mut phones = Vec::new();
     let mut push = |symbol: &str, start_secs: f64, end_secs: f64, word: Option<usize>| {
         if end_secs > start_secs {
@@ -72,19 +75,28 @@ fn estimated_phones(words: &[Word], duration_secs: f64) -> Vec<Phone> {
     for (index, word) in words.iter().enumerate() {
         let (start, end) = (word.start_secs, word.end_secs);
         push("pau", now, start, None);
-        let letters = word.text.chars().filter(|c| c.is_alphanumeric()).count();
-        let syllables = letters.div_ceil(3).clamp(1, 8);
-        let step = (end - start) / syllables as f64;
-        for s in 0..syllables {
-            let from = start + step * s as f64;
-            let [consonant, vowel] = SYLLABLES[(index + s) % SYLLABLES.len()];
-            push(consonant, from, from + 0.4 * step, Some(index));
-            push(vowel, from + 0.4 * step, from + step, Some(index));
+        let spelled = speller.spell(&word.text);
+        let weights = spelled.iter().map(|symbol| weight(symbol));
+        let secs = (end - start) / weights.sum::<f64>();
+        let (mut from, mut weighed) = (start, 0.0);
+        for symbol in spelled {
+            weighed += weight(symbol);
+            let to = (start + secs * weighed).min(end);
+            push(symbol, from, to, Some(index));
+            from = to;
         }
         now = end;
     }
     push("pau", now, duration_secs, None);
     phones
+}
+
+/// How long a phone is beside others: vowels are longer. *Designed*.
+fn weight(symbol: &str) -> f64 {
+    match find("radio", symbol).map(|phone| phone.class) {
+        Some(Class::Vowel | Class::Diphthong) => 1.6,
+        _ => 1.0,
+    }
 }
 
 #[cfg(test)]
@@ -124,5 +136,54 @@ mod tests {
         assert_eq!(said.phones[0].start_secs, 0.0);
         let last = said.phones.last().expect("phones");
         assert!((last.end_secs - said.duration_secs).abs() < 1e-9);
+    }
+
+    /// The symbols of what is said, word by word.
+    fn mimed(said: &UtteranceCue) -> Vec<String> {
+        let utterance = &said.timed.utterance;
+        let word = |i| {
+            let phones = utterance.phones.iter().filter(|p| p.word == Some(i));
+            phones.map(|p| &*p.symbol).collect::<Vec<_>>().join(" ")
+        };
+        (0..utterance.words.len()).map(word).collect()
+    }
+
+    #[test]
+    fn what_was_not_baked_is_mimed_in_its_language() {
+        let text = "<voice-text>vier Wale</voice-text>\
+            <voice-text><r:language id='en'>four whales</r:language></voice-text>";
+        let head = "<r:performer language='de'/>";
+        let eml = |head: &str| {
+            let open = "<eml xmlns:r='urn:raconteur:eml:1'>";
+            format!("{open}<head>{head}</head><body>{text}</body></eml>")
+        };
+        let german = said(&eml(head), None);
+        assert_eq!(mimed(&german[0]), ["f iy ah", "v aa l ax"]);
+        assert_eq!(mimed(&german[1]), ["f ao r", "w ey l z"]);
+        let poem = include_str!(
+            "../../../../assets/stories/virtual-poets/zwei-parallelen/voice/speech.json"
+        );
+        assert_eq!(mimed(&said(&eml(""), Some(poem))[0]), mimed(&german[0]));
+        assert_ne!(mimed(&said(&eml(""), None)[0]), mimed(&german[0]));
+    }
+
+    #[test]
+    fn phones_share_the_time_of_their_word() {
+        let text = "Bumblebees 1984 hum, \u{e4}\u{65e5} don’t &amp; x<break msec='300'/> 99%";
+        let eml = format!("<eml><body><voice-text>{text}</voice-text></body></eml>");
+        let cues = said(&eml, None);
+        let said = &cues[0].timed.utterance;
+        let mut now = 0.0;
+        for phone in &said.phones {
+            assert!((phone.start_secs - now).abs() < 1e-9 && phone.end_secs > phone.start_secs);
+            now = phone.end_secs;
+            let Some(word) = phone.word.map(|word| &said.words[word]) else {
+                continue;
+            };
+            assert!(phone.start_secs >= word.start_secs && phone.end_secs <= word.end_secs);
+        }
+        assert!((now - said.duration_secs).abs() < 1e-9);
+        let secs = |k: usize| said.phones[k].end_secs - said.phones[k].start_secs;
+        assert!((secs(1) - 1.6 * secs(0)).abs() < 1e-9, "a vowel is longer");
     }
 }

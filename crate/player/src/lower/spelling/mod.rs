@@ -1,0 +1,242 @@
+//! From spelling to phones, for a text that no voice has spoken: what lips need, by rules of
+//! English, German and Portuguese; letter by letter in other languages.
+//!
+//! A rule is `before[letters]after phones`, in lower case, with spaces between phones and `|`
+//! or a new line between rules. Contexts have letters and classes: `_` the word's edge, `#` one without an apostrophe, `V` a
+//! vowel, `C` a consonant, `F` one of e, i, y; `S`, before, a vowel anywhere before; `T`,
+//! behind, two syllables more; `%`, behind, an English ending. Of the rules that fit, that of
+//! the most letters is taken, and of those the first.
+
+mod english;
+mod german;
+mod letters;
+mod portuguese;
+#[cfg(test)]
+mod tests;
+
+use letters::{bare, composed};
+
+/// The most phones of a word: longer words are mimed from their beginning.
+pub(crate) const MOST_PHONES: usize = 64;
+
+/// Endings that leave the vowel before them long.
+const ENDINGS: [&str; 8] = ["e", "es", "ed", "er", "ers", "ing", "ings", "ely"];
+
+/// What letters stand for, and where.
+struct Rule {
+    before: &'static str,
+    letters: &'static str,
+    after: &'static str,
+    phones: &'static str,
+}
+
+/// The rules of a language.
+pub(crate) struct Speller {
+    /// By their first letter; the longest first.
+    rules: Vec<Rule>,
+    /// Letters with marks that have rules of their own.
+    marked: &'static str,
+}
+
+impl Speller {
+    /// For a BCP 47 tag, by its primary subtag; English where no language is known.
+    pub(crate) fn of(tag: Option<&str>) -> Self {
+        let tag = tag.unwrap_or("en").to_ascii_lowercase();
+        let (primary, region) = tag.split_once(['-', '_']).unwrap_or((&tag, ""));
+        let brazil = match region {
+            "br" => portuguese::BRAZIL,
+            _ => "",
+        };
+        let (words, tables, marked) = match primary {
+            "en" => (english::WORDS, ["", english::RULES], "é"),
+            "de" => (german::WORDS, ["", german::RULES], "äöüß"),
+            "pt" => (
+                portuguese::WORDS,
+                [brazil, portuguese::RULES],
+                "áàâãéêíóôõúç",
+            ),
+            _ => ("", ["", ""], "äöüãõçßάέήίόύώй"),
+        };
+        let mut rules: Vec<Rule> = entries(words).filter_map(word).collect();
+        rules.extend(tables.into_iter().flat_map(entries).filter_map(rule));
+        rules.extend(entries(letters::RULES).filter_map(rule));
+        // Stable: of rules as long as each other the first comes first.
+        rules.sort_by_cached_key(|r| (first(r), core::cmp::Reverse(r.letters.chars().count())));
+        Self { rules, marked }
+    }
+
+    /// The phones of a word, of the set `radio`: one or more, [`MOST_PHONES`] at most.
+    pub(crate) fn spell(&self, word: &str) -> Vec<&'static str> {
+        let word = self.letters(word);
+        let mut phones = Vec::new();
+        let mut at = 0;
+        while at < word.len() && phones.len() < MOST_PHONES {
+            let (taken, found) = self.rule_at(&word, at);
+            let twice = at > 0 && word[at] == word[at - 1] && word[at].is_alphabetic();
+            let doubled = twice && phones.last() == Some(&found);
+            if !doubled {
+                phones.extend(found.split_ascii_whitespace());
+            }
+            at += taken;
+        }
+        phones.truncate(MOST_PHONES);
+        if phones.is_empty() {
+            phones.push("ax");
+        }
+        phones
+    }
+
+    /// How many letters from here on stand for which phones. Of an unknown script a letter is
+    /// taken for a syllable.
+    fn rule_at(&self, word: &[char], at: usize) -> (usize, &'static str) {
+        let letter = word[at];
+        let from = self.rules.partition_point(|r| first(r) < Some(letter));
+        let here = self.rules[from..].iter();
+        let mut here = here.take_while(|r| first(r) == Some(letter));
+        match here.find(|rule| rule.fits(word, at)) {
+            Some(rule) => (rule.letters.chars().count(), rule.phones),
+            None if letter.is_alphanumeric() => (1, "ax"),
+            None => (1, ""),
+        }
+    }
+
+    /// A word in lower case, with the marks of letters that the rules know. What would
+    /// come behind [`MOST_PHONES`] is left out.
+    fn letters(&self, word: &str) -> Vec<char> {
+        let mut letters: Vec<char> = Vec::new();
+        for c in word.chars().flat_map(char::to_lowercase) {
+            let made = letters.last().and_then(|&last| composed(last, c));
+            if let Some(made) = made.filter(|&made| self.marked.contains(made)) {
+                letters.pop();
+                letters.push(made);
+                continue;
+            }
+            match c {
+                '’' => letters.push('\''),
+                '\u{300}'..='\u{36f}' => {}
+                _ if self.marked.contains(c) => letters.push(c),
+                _ => letters.push(bare(c)),
+            }
+            if letters.len() == 4 * MOST_PHONES {
+                break;
+            }
+        }
+        letters
+    }
+}
+
+impl Rule {
+    fn fits(&self, word: &[char], at: usize) -> bool {
+        let end = at + self.letters.chars().count();
+        let here = word.get(at..end);
+        here.is_some_and(|here| here.iter().copied().eq(self.letters.chars()))
+            && fits_before(self.before, &word[..at])
+            && fits_behind(self.after, &word[end..])
+    }
+}
+
+/// The rules of a table, as they are written.
+fn entries(table: &'static str) -> impl Iterator<Item = &'static str> {
+    table.split(['|', '\n']).filter(|entry| !entry.is_empty())
+}
+
+/// A rule as it is written.
+fn rule(entry: &'static str) -> Option<Rule> {
+    let (before, rest) = entry.split_once('[')?;
+    let (letters, rest) = rest.split_once(']')?;
+    let (after, phones) = rest.split_once(' ').unwrap_or((rest, ""));
+    Some(Rule {
+        before,
+        letters,
+        after,
+        phones,
+    })
+}
+
+/// A whole word and its phones.
+fn word(entry: &'static str) -> Option<Rule> {
+    let (letters, phones) = entry.split_once(' ')?;
+    Some(Rule {
+        before: "#",
+        letters,
+        after: "_",
+        phones,
+    })
+}
+
+/// The letter that a rule begins with.
+fn first(rule: &Rule) -> Option<char> {
+    rule.letters.chars().next()
+}
+
+fn is_vowel(letter: char) -> bool {
+    matches!(bare(letter), 'a' | 'e' | 'i' | 'o' | 'u' | 'y')
+}
+
+/// Whether a class or a letter of a context is what stands there; at the word's edge nothing.
+fn is_of(class: char, letter: Option<char>) -> bool {
+    let inside = letter.is_some_and(char::is_alphanumeric);
+    match (class, letter) {
+        ('_', _) => !inside,
+        ('#', _) => !inside && letter != Some('\''),
+        (_, None) => false,
+        ('V', Some(c)) => is_vowel(c),
+        ('C', Some(c)) => c.is_alphabetic() && !is_vowel(c),
+        ('F', Some(c)) => matches!(bare(c), 'e' | 'i' | 'y'),
+        (_, Some(c)) => c == class,
+    }
+}
+
+/// Whether a context is what ends here.
+fn fits_before(context: &str, word: &[char]) -> bool {
+    let mut rest = word;
+    for class in context.chars().rev() {
+        if class == 'S' {
+            return stem(rest).any(is_vowel);
+        }
+        if !is_of(class, rest.last().copied()) {
+            return false;
+        }
+        rest = &rest[..rest.len().saturating_sub(1)];
+    }
+    true
+}
+
+/// The letters of the same word before here, backwards.
+fn stem(word: &[char]) -> impl Iterator<Item = char> {
+    let letters = word.iter().rev().copied();
+    letters.take_while(|c| c.is_alphabetic())
+}
+
+/// Whether a context is what begins here.
+fn fits_behind(context: &str, word: &[char]) -> bool {
+    let mut rest = word;
+    for class in context.chars() {
+        match class {
+            '%' => return ENDINGS.iter().any(|ending| is_rest(ending, rest)),
+            'T' => return syllables(rest) >= 2,
+            _ if !is_of(class, rest.first().copied()) => return false,
+            _ => rest = rest.get(1..).unwrap_or_default(),
+        }
+    }
+    true
+}
+
+/// Whether this ending is all of the word that is left.
+fn is_rest(ending: &str, word: &[char]) -> bool {
+    let letters = ending.chars().chain(['_']);
+    let mut places = letters.enumerate();
+    places.all(|(i, class)| is_of(class, word.get(i).copied()))
+}
+
+/// How many groups of vowels the rest of a word has, two at most.
+fn syllables(word: &[char]) -> usize {
+    let mut before = false;
+    let letters = word.iter().take_while(|c| c.is_alphabetic());
+    let begins = letters.filter(|&&c| {
+        let begins = is_vowel(c) && !before;
+        before = is_vowel(c);
+        begins
+    });
+    begins.take(2).count()
+}
