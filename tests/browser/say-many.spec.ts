@@ -2,12 +2,23 @@
 
 import type { RaconteurPlayer } from '../../web/element/element.js';
 import { sized } from '../../web/test/tier.js';
-import { expect, test } from './stage.js';
+import { expect, type Stage, test } from './stage.js';
 
 /** Texts of which most are replaced while they are made or said. */
 const TEXTS = sized(40, 200);
 
 const story = (text: string) => `<eml><body><voice-text time='0.1'>${text}</voice-text></body></eml>`;
+
+/** Puts a text in the place of the one on stage and plays it; only its events are recorded. */
+async function say(stage: Stage, text: string): Promise<void> {
+  await stage.player.evaluate(async (p: RaconteurPlayer, eml) => {
+    p.pause();
+    await p.rehearse(eml);
+    p.currentTime = 0;
+    window.record.events.length = 0;
+    void p.play().catch(() => undefined);
+  }, story(text));
+}
 
 declare global {
   interface Window {
@@ -62,13 +73,7 @@ test('texts that replace each other at any moment never sound together, and the 
     await stage.page.waitForTimeout(random(700));
   }
   const last = 'And this one is the very last.';
-  await stage.player.evaluate(async (p: RaconteurPlayer, eml) => {
-    p.pause();
-    await p.rehearse(eml);
-    p.currentTime = 0;
-    window.record.events.length = 0;
-    void p.play().catch(() => undefined);
-  }, story(last));
+  await say(stage, last);
   await stage.page.waitForFunction(() => document.querySelector('raconteur-player')?.ended, undefined, { timeout: 60_000 });
   const words = await stage.page.evaluate(() => window.record.events.flatMap((e) => (e.type === 'word' ? [(e.detail as { word: { text: string } }).word.text] : [])));
   expect(words.join(' ')).toBe(last);
@@ -100,33 +105,16 @@ test('strange texts are said or told of, and end nothing', async ({ stage }) => 
     '1e999999 -0 0x1F 10^10^10 $1,000,000,000,000,000,000',
   ];
   for (const text of strange) {
-    await stage.player.evaluate(async (p: RaconteurPlayer, eml) => {
-      p.pause();
-      await p.rehearse(eml);
-      p.currentTime = 0;
-      void p.play().catch(() => undefined);
-    }, story(text));
+    await say(stage, text);
     await stage.page.waitForTimeout(300);
   }
   // Whatever came of them, the next text is said.
-  await stage.player.evaluate(async (p: RaconteurPlayer, eml) => {
-    p.pause();
-    await p.rehearse(eml);
-    p.currentTime = 0;
-    window.record.events.length = 0;
-    void p.play().catch(() => undefined);
-  }, story('Still here.'));
+  await say(stage, 'Still here.');
   const phones = () => stage.page.evaluate(() => window.record.events.flatMap((e) => (e.type === 'phone' ? [(e.detail as { symbol: string }).symbol] : [])).join(' '));
   await expect.poll(phones, { timeout: 90_000 }).toMatch(/s t ih l hh i[hy] r/);
   // What is loaded needs no network.
   await stage.page.context().setOffline(true);
-  await stage.player.evaluate(async (p: RaconteurPlayer, eml) => {
-    p.pause();
-    await p.rehearse(eml);
-    p.currentTime = 0;
-    window.record.events.length = 0;
-    void p.play().catch(() => undefined);
-  }, story('Without a wire.'));
+  await say(stage, 'Without a wire.');
   await expect.poll(phones, { timeout: 60_000 }).toMatch(/w ay er|w ay r/);
   expect(errors).toEqual([]);
   expect(await stage.page.evaluate(() => window.record.violations)).toEqual([]);

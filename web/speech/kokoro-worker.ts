@@ -2,10 +2,8 @@
 
 import { Flite } from './flite-program.js';
 import { type Model, openModel, type Spoken, styleFor } from './kokoro-model.js';
+import { Later } from './later.js';
 import { type Host, serve } from './serve.js';
-
-/** What was spoken is kept for a sentence or two that are asked for again, because others of their utterance were not there yet. */
-const MOST_KEPT = 32;
 
 /** Letters of a word; some words have other ones for a part of speech, and at the end of a phrase (`None`). */
 type Entry = string | { readonly DEFAULT: string; readonly None?: string };
@@ -18,10 +16,8 @@ class Kokoro implements Host {
   /** The smaller and better dictionary first. */
   readonly #words: readonly Readonly<Record<string, Entry | null>>[];
   readonly #styles = new Map<string, Float32Array>();
-  readonly #spoken = new Map<string, Spoken>();
-  #flite: Flite | undefined;
-  #pending: Promise<unknown> | undefined;
-  #failure: unknown;
+  readonly #spoken = new Later<Spoken>();
+  readonly #flite = new Later<Flite>();
 
   private constructor(model: Model, voices: readonly string[], tokens: Record<string, number>, words: readonly Record<string, Entry | null>[]) {
     this.#model = model;
@@ -49,26 +45,8 @@ class Kokoro implements Host {
     return kokoro;
   }
 
-  /** Throws what failed since it was asked last. */
-  #check(): void {
-    const failure = this.#failure;
-    this.#failure = undefined;
-    if (failure !== undefined) throw failure;
-  }
-
-  #wait(work: Promise<unknown>): undefined {
-    this.#pending = work
-      .catch((error: unknown) => {
-        this.#failure = error;
-      })
-      .finally(() => {
-        this.#pending = undefined;
-      });
-    return undefined;
-  }
-
   pending(): Promise<unknown> | undefined {
-    return this.#pending;
+    return this.#spoken.pending() ?? this.#flite.pending();
   }
 
   voices(): readonly string[] {
@@ -87,25 +65,13 @@ class Kokoro implements Host {
 
   /** The phones of a word as flite reads it; undefined until flite is there. */
   guess(word: string): string | undefined {
-    this.#check();
-    if (this.#flite === undefined) return this.#wait(Flite.open().then((flite) => (this.#flite = flite)));
-    const { printed } = this.#flite.run(['-voice', 'slt', '-t', word, '-ps', '-o', 'none'], [], undefined);
-    return printed.replace(/\bpau\b/g, ' ').trim();
+    const flite = this.#flite.ask('', () => Flite.open());
+    return flite?.run(['-voice', 'slt', '-t', word, '-ps', '-o', 'none'], [], undefined).printed.replace(/\bpau\b/g, ' ');
   }
 
   /** Letters as sound; undefined until they are spoken. */
   infer(voice: string, letters: string): Spoken | undefined {
-    this.#check();
-    const key = `${voice} ${letters}`;
-    const known = this.#spoken.get(key);
-    if (known !== undefined) return known;
-    return this.#wait(this.#speak(voice, letters).then((spoken) => this.#keep(key, spoken)));
-  }
-
-  #keep(key: string, spoken: Spoken): void {
-    this.#spoken.set(key, spoken);
-    const [oldest] = this.#spoken.keys();
-    if (this.#spoken.size > MOST_KEPT && oldest !== undefined) this.#spoken.delete(oldest);
+    return this.#spoken.ask(`${voice} ${letters}`, () => this.#speak(voice, letters));
   }
 
   async #speak(voice: string, letters: string): Promise<Spoken> {

@@ -1,0 +1,37 @@
+/** Answers that come later, for code that asks, goes on to something else, and asks again. */
+
+/** Answers are kept for questions that are asked again, because others of their utterance were not answered yet. */
+const MOST_KEPT = 32;
+
+export class Later<Answer> {
+  readonly #answers = new Map<string, Answer>();
+  #pending: Promise<void> | undefined;
+  #failure: { readonly error: unknown } | undefined;
+
+  /** What is being answered, settled once it is or has failed. */
+  pending(): Promise<void> | undefined {
+    return this.#pending;
+  }
+
+  /** The answer to a question; undefined until `make` has it. Throws what failed since it was asked last. */
+  ask(question: string, make: () => Promise<Answer>): Answer | undefined {
+    const failure = this.#failure;
+    this.#failure = undefined;
+    if (failure !== undefined) throw failure.error;
+    const known = this.#answers.get(question);
+    if (known !== undefined) return known;
+    this.#pending ??= this.#make(question, make);
+    return undefined;
+  }
+
+  async #make(question: string, make: () => Promise<Answer>): Promise<void> {
+    try {
+      this.#answers.set(question, await make());
+      const [oldest] = this.#answers.keys();
+      if (this.#answers.size > MOST_KEPT && oldest !== undefined) this.#answers.delete(oldest);
+    } catch (error) {
+      this.#failure = { error };
+    }
+    this.#pending = undefined;
+  }
+}
