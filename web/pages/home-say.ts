@@ -2,6 +2,7 @@
 
 import type { RaconteurPlayer } from '../element/index.js';
 import { told } from '../speech/told.js';
+import { INVITATIONS } from '../speech/words.js';
 import { Voices } from './home-voice.js';
 
 /** Where the address has a text that was shared, and before it its language where that is not English. */
@@ -24,12 +25,6 @@ function save(file: Blob, name: string): void {
   link.click();
   setTimeout(() => URL.revokeObjectURL(link.href), 1000);
 }
-
-const PLACEHOLDERS: Record<string, string> = {
-  en: 'Hello there! Shall I tell you a secret? :)',
-  de: 'Hallo! Soll ich dir ein Geheimnis verraten? :)',
-  pt: 'Olá! Queres que te conte um segredo? :)',
-};
 
 /** Lets the form put texts on the stage; whether the address had one. */
 export function say(player: RaconteurPlayer, { clear }: Stage): boolean {
@@ -75,7 +70,7 @@ export function say(player: RaconteurPlayer, { clear }: Stage): boolean {
   });
   language.addEventListener('change', () => {
     field.lang = language.value;
-    field.placeholder = PLACEHOLDERS[language.value] ?? '';
+    field.placeholder = INVITATIONS[language.value] ?? '';
     voices.choose(language.value);
   });
   share.addEventListener('click', () => {
