@@ -3,45 +3,8 @@
 import type { Music } from './music.js';
 import type { Permission } from './playback.js';
 import type { Manner, Spoken } from './spoken.js';
-import type { Diagnostic, Piece, Utterance } from './types.js';
-
-/** What keeps the time of a performance and lets it be heard. Source time is in seconds. */
-export interface Voice {
-  /** The moment of the source that would be played now. */
-  now(): number;
-  /** The moment of the source that the listener hears now. */
-  heard(): number;
-  /** Whether the source runs; while it does not, its moments stand still. */
-  readonly running: boolean;
-  /** Plays from story time `position` at `rate`, beginning at the source's moment `at`. */
-  start(position: number, rate: number, at: number): void;
-  /** Silence; when it only `waits` to be ready, what takes longer than its time may finish. */
-  stop(waits?: boolean): void;
-  /**
-   * Fetches, decodes and plans what comes soon after `position`; called a few times a second, and
-   * with the speed just before a start, for what takes time then.
-   */
-  prepare(position: number, rate?: number): void;
-  /** Whether the sound at `position` is there, or known to be missing. */
-  ready(position: number): boolean;
-  setVolume(volume: number): void;
-  /** The music under the words; `library` is the folder of its pieces. */
-  setMusic(pieces: readonly Piece[], library: URL): void;
-  /** Takes sounds that were made here, by the names that the utterances have for them. */
-  give(sounds: ReadonlyMap<string, Uint8Array>): void;
-  /** Lets go of all that was given, and of sounds that nothing says any more. */
-  forget(): void;
-  /** Ends utterances at a story time: each becomes a shorter one, or nothing where it has not begun. */
-  cut(changes: ReadonlyMap<Utterance, Utterance | undefined>, atSecs: number): void;
-  /** What has no recording yet is being spoken: until that is over its moments are not ready. */
-  hold(speaking: Promise<unknown>): void;
-  /**
-   * Has the browser's own voice say what has no recording, `usual` being how, where the story does
-   * not tell. Its name, or undefined where the browser has none that speaks the language.
-   */
-  substitute(usual: Manner): Promise<string | undefined>;
-  close(): void;
-}
+import type { Piece, Utterance } from './types.js';
+import { SilentVoice, type Voice } from './voice.js';
 
 /** Recordings this far ahead are fetched and planned; a hidden page's timers may be a second late. */
 const AHEAD_SECS = 20;
@@ -494,40 +457,6 @@ export class RecordedVoice implements Voice {
   }
 }
 
-/** Keeps the time where there is no Web Audio: the captions and the picture play on. */
-export class SilentVoice implements Voice {
-  now(): number {
-    return performance.now() / 1000;
-  }
-
-  heard(): number {
-    return this.now();
-  }
-
-  readonly running = true;
-
-  start(): void {}
-  stop(): void {}
-  prepare(): void {}
-
-  ready(): boolean {
-    return true;
-  }
-
-  setVolume(): void {}
-  setMusic(): void {}
-  give(): void {}
-  forget(): void {}
-  cut(): void {}
-  hold(): void {}
-
-  substitute(): Promise<undefined> {
-    return Promise.resolve(undefined);
-  }
-
-  close(): void {}
-}
-
 /** What lets a story be heard, or keeps its time where there is no Web Audio; `report` hears of what cannot be played. */
 export function openVoice(utterances: Iterable<Utterance>, folder: URL, report: (message: string) => void): Voice {
   if (!hasAudio()) return new SilentVoice();
@@ -538,11 +467,4 @@ export function openVoice(utterances: Iterable<Utterance>, folder: URL, report: 
       .join(' ');
     report(words === undefined ? why : `The recording of “${words} …” cannot be played (${why}); its captions are shown.`);
   });
-}
-
-/** Tells that a story has no recorded voice, or not for all that it says, and whose voice speaks instead, if any does. */
-export function voiceMissing(some: boolean, name: string | undefined): Diagnostic {
-  const what = some ? 'Some of what is said has no recording' : 'This story has no recorded voice';
-  const how = name === undefined ? 'it is told in captions' : `the browser's voice “${name}” speaks it, at guessed times`;
-  return { code: 'voice-missing', severity: 'warning', message: `${what}; ${how}.`, hints: ['Run “raconteur bake” on the story to make one.'] };
 }

@@ -1,6 +1,6 @@
 /** What a player has loaded and plays. */
 
-import type { Voice } from './audio.js';
+import type { Voice } from './voice.js';
 import type { Caption } from './captions.js';
 import type { LiveScript } from './live.js';
 import type { StoryFiles } from './loader.js';

@@ -1,6 +1,6 @@
 /** The sound of a show besides its recordings: music, and voices for what has none. */
 
-import { voiceMissing } from './audio.js';
+import { voiceMissing } from './voice.js';
 import { fire, libraryOf, type PlayerContext } from './context.js';
 import type { Said, SpeechRequest, SpeechSource } from '../speech/source.js';
 import type { Show, Telling } from './show.js';

@@ -1,6 +1,6 @@
 /** Play, pause, seek and speed, as a media element understands them, on the voice's clock. */
 
-import type { Voice } from './audio.js';
+import type { Voice } from './voice.js';
 import { clampRate, StoryClock } from './clock.js';
 
 /** From a command to the first sample, so that the browser has time to plan it. */

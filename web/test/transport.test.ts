@@ -1,5 +1,5 @@
 import { beforeEach, expect, test } from 'vitest';
-import type { Voice } from '../element/audio.js';
+import type { Voice } from '../element/voice.js';
 import { Transport } from '../element/transport.js';
 
 /** A voice with a hand-wound clock that is heard 0.1 s late. */
