@@ -19,8 +19,8 @@ const MOST_LATENCY_SECS = 1;
 const PATIENCE_MS = 20_000;
 /** A browser that allows sound starts it within this, even on a busy machine. */
 const REFUSAL_MS = 2000;
-/** A picture of a slow machine takes no longer. */
-const BEFORE_SPEAKING_SECS = 0.25;
+/** So long before what is being spoken the story stops: what has come is decoded and planned in less. */
+const BEFORE_SPEAKING_SECS = 0.05;
 /** A start or stop inside a sound fades over this, so that it does not click. */
 const FADE_SECS = 0.006;
 /** An utterance that is interrupted fades out in this, as a voice that stops. */

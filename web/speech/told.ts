@@ -24,7 +24,11 @@ const SIGNS = FEELINGS.flatMap(([own]) => own)
 /** How strong, of 10. */
 const POTENTIAL = 4;
 
-/** Between beats there are at least so many words. */
+/** The first word comes soon: who has typed it waits for it. */
+const BEGINS = '0.15';
+/** A hand that waves to the first words is on its way when they are said; if it came with them they would wait for it, seconds. */
+const WAVE_LATER = 0.65;
+/** Between beats there are at least so many words, and before the first. */
 const BETWEEN_BEATS = 4;
 
 interface Sentence {
@@ -82,9 +86,9 @@ const escaped = (text: string): string => text.replace(/[&<>]/g, (c) => `&#${c.c
 /** Letters that are all large, and more than one. */
 const isLoud = (word: string): boolean => /^\p{Lu}{2,}$/u.test(bare(word));
 
-const gesture = (mark: string, shape: number, palm: readonly number[], path: readonly (readonly number[])[], hand: string): string => {
+const gesture = (time: string, shape: number, palm: readonly number[], path: readonly (readonly number[])[], hand: string): string => {
   const [a, x, y, z] = palm;
-  return tag('gesture-key', { time: `${mark}-0.1s`, duration: 0.5, handedness: hand }, [
+  return tag('gesture-key', { time, duration: 0.5, handedness: hand }, [
     tag('hand-shapes', {}, [tag('key', { time: 0, id: shape })]),
     tag('palms', {}, [tag('key', { time: 0, a, x, y, z })]),
     tag(
@@ -95,9 +99,9 @@ const gesture = (mark: string, shape: number, palm: readonly number[], path: rea
   ]);
 };
 /** One hand is raised, open. */
-const wave = (mark: string): string =>
+const wave = (mark: string, isFirst: boolean): string =>
   gesture(
-    mark,
+    isFirst ? `${mark}+${WAVE_LATER}s` : `${mark}-0.1s`,
     7,
     [120, 0, 0, -1],
     [
@@ -109,7 +113,7 @@ const wave = (mark: string): string =>
 /** Both hands go down a little, half open. */
 const beat = (mark: string): string =>
   gesture(
-    mark,
+    `${mark}-0.1s`,
     4,
     [90, 0.6, 0.8, 0],
     [
@@ -122,17 +126,18 @@ const beat = (mark: string): string =>
 /** The words with marks where hands move, and the gestures. */
 function performed(words: readonly string[], index: number): { said: string; gestures: string[] } {
   const gestures: string[] = [];
-  let since = BETWEEN_BEATS;
+  const isFirst = index === 0;
+  let since = isFirst ? 0 : BETWEEN_BEATS;
   const said = words.map((word, i) => {
     const own = bare(word);
     const loud = isLoud(word);
     const text = loud ? tag('emph', {}, []).replace('/>', `>${escaped(word.toLowerCase())}</emph>`) : escaped(word);
     since += 1;
     const greets = GREETING.test(own);
-    if (!greets && !loud && (since < BETWEEN_BEATS || own.length < 4 || SMALL.has(own.toLowerCase()))) return text;
+    if (!greets && !(loud && since > 1) && (since < BETWEEN_BEATS || own.length < 4 || SMALL.has(own.toLowerCase()))) return text;
     since = 0;
     const mark = `g${index}w${i}`;
-    gestures.push(greets ? wave(mark) : beat(mark));
+    gestures.push(greets ? wave(mark, isFirst && i < BETWEEN_BEATS) : beat(mark));
     return `${tag('tm', { name: mark })}${text}`;
   });
   return { said: said.join(' '), gestures };
@@ -166,7 +171,7 @@ export function told(text: string, { language = 'en', isPhrased = false }: Telli
   const whole = sentences(text);
   const all = isPhrased ? whole.flatMap(phrases) : whole;
   if (all.length === 0) return undefined;
-  return script('said', true, clausesOf(all, '0.3', 'neutral').clauses, [tag('r:performer', { language })]);
+  return script('said', true, clausesOf(all, BEGINS, 'neutral').clauses, [tag('r:performer', { language })]);
 }
 
 /** The fragment that goes on telling after a text that has left a feeling, and the feeling that this one leaves; undefined where it has no word. */
