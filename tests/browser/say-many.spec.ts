@@ -70,7 +70,9 @@ test('texts that replace each other at any moment never sound together, and the 
       },
       story(`Sentence ${i} has ${random(900)} words of its own, number ${random(90)}.`),
     );
-    await stage.page.waitForTimeout(random(700));
+    // However slow the machine is, some are replaced while they are heard.
+    if (i % 8 === 0) await stage.page.waitForFunction(() => window.record.events.some(({ type }) => type === 'word'), undefined, { timeout: 60_000 });
+    else await stage.page.waitForTimeout(random(700));
   }
   const last = 'And this one is the very last.';
   await say(stage, last);
@@ -79,7 +81,7 @@ test('texts that replace each other at any moment never sound together, and the 
   expect(words.join(' ')).toBe(last);
   const heard = await stage.page.evaluate(() => window.heard);
   const spans = heard.filter(({ from, to }) => to > from).sort((a, b) => a.from - b.from);
-  expect(spans.length).toBeGreaterThan(TEXTS / 8);
+  expect(spans.length).toBeGreaterThanOrEqual(TEXTS / 8);
   for (const [i, { from }] of spans.entries()) if (i > 0) expect(from, `sound ${i}`).toBeGreaterThan((spans[i - 1]?.to ?? 0) - 0.02);
   expect(errors).toEqual([]);
   // Sounds and bundles of texts that have gone are let go.
