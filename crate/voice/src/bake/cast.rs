@@ -256,6 +256,14 @@ impl Cast {
     /// # Errors
     /// When there is none of that name; the message says what to do.
     pub fn named(&self, name: &str) -> Result<Role> {
+        // The story's own engine first; in a page there is no other.
+        let own = self.known(&self.lead.engine)?;
+        if let Some(voice) = own.voices.iter().find(|v| v.name == name) {
+            return Ok(Role {
+                engine: self.lead.engine.clone(),
+                voice: voice.clone(),
+            });
+        }
         let Some((engine, voice)) = engine::find_voice(name) else {
             // It may be a voice of one that is not installed.
             let mut missing = Missing::default();

@@ -193,7 +193,7 @@ mod tests {
             let words = text.split_whitespace().count();
             let printed = match arguments {
                 ["--version"] => "flite-2.2-test".to_owned(),
-                ["-lv"] => "Voices available: slt".to_owned(),
+                ["-lv"] => "Voices available: slt rms".to_owned(),
                 _ if sound => {
                     let phones = ["k", "ae", "t"].repeat(words);
                     let ends = (1..).map(|i| f64::from(i) * 0.1);
@@ -254,6 +254,19 @@ mod tests {
         assert_eq!(both.utterances.len(), 3);
         assert_eq!(both.utterances[..2], bundle.utterances[..]);
         assert_eq!(both.voices, bundle.voices);
+    }
+
+    #[test]
+    fn a_speaker_that_the_script_names_is_one_of_the_pages_voices() {
+        let two = TWO
+            .replace("<eml>", "<eml xmlns:r='urn:raconteur:eml:1'>")
+            .replace("Three.", "<r:speaker name='rms'>Three.</r:speaker>");
+        let (_, sounds, problems) = say(&two, None);
+        assert!(problems.is_empty(), "{problems:?}");
+        assert_eq!(sounds.len(), 2);
+        // One that is not there is told.
+        let (_, sounds, problems) = say(&two.replace("'rms'", "'nobody'"), None);
+        assert_eq!((sounds.len(), problems.len()), (1, 1));
     }
 
     #[test]
