@@ -6,6 +6,8 @@
 mod made;
 
 use made::{Avatar, Dialect, make};
+use raconteur_body::annotation::Annotations;
+use raconteur_body::write::to_packed_glb;
 
 fn main() -> std::io::Result<()> {
     let folder = std::env::args().nth(1).unwrap_or_else(|| ".".into());
@@ -30,6 +32,10 @@ fn main() -> std::io::Result<()> {
             std::fs::write(folder.join(format!("{name}.gltf")), file.gltf())?;
             if let Ok((own, _)) = raconteur_avatar::convert("seed", &file.glb()) {
                 std::fs::write(folder.join(format!("{name}-own.glb")), own)?;
+            }
+            if let Ok(imported) = raconteur_avatar::open_figure("seed", &file.glb()) {
+                let packed = to_packed_glb(&imported.figure, &Annotations::default());
+                std::fs::write(folder.join(format!("{name}-packed.glb")), packed)?;
             }
         }
     }

@@ -24,8 +24,9 @@ const PAGE = `<!doctype html><meta charset="utf-8"><title>three</title>
 <script type="module">
   import * as THREE from 'three';
   import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
+  import { MeshoptDecoder } from 'three/addons/libs/meshopt_decoder.module.js';
   window.outline = async (url, side, ours, place) => {
-    const { scene } = await new GLTFLoader().loadAsync(url);
+    const { scene } = await new GLTFLoader().setMeshoptDecoder(MeshoptDecoder).loadAsync(url);
     const stature = scene.userData.statureMetres;
     const room = new THREE.Scene();
     room.background = new THREE.Color(0, 0, 0);

@@ -4,25 +4,24 @@
 //! address. Joining them here lets everything after know one kind of file.
 
 use std::borrow::Cow;
+use std::ops::Range;
 
 use serde_json::{Value, json};
 
 use super::error::ImportError;
+use super::packed;
 use raconteur_body::read::ReadError;
 use raconteur_body::read::document::{self, Document};
 
-/// The largest file that is taken apart, bytes. Avatars have some 1 to 50 MB.
+/// The largest file that is taken apart, and what its compressed views may unpack to, bytes.
+/// Avatars have some 1 to 50 MB.
 const MOST_BYTES: usize = 256 << 20;
 
 /// Compressions that are not read, with what to do.
-const COMPRESSIONS: [(&str, &str); 3] = [
+const COMPRESSIONS: [(&str, &str); 2] = [
     (
         "KHR_draco_mesh_compression",
         "export it again without Draco compression (`gltf-transform copy` undoes it)",
-    ),
-    (
-        "EXT_meshopt_compression",
-        "export it again without meshopt compression (`gltf-transform copy` undoes it)",
     ),
     (
         "KHR_texture_basisu",
@@ -38,6 +37,7 @@ fn is_understood(extension: &str) -> bool {
             | "KHR_texture_transform"
             | "KHR_lights_punctual"
             | "KHR_xmp_json_ld"
+            | "EXT_meshopt_compression"
             | "EXT_texture_webp"
             | "VRM"
             | "VRMC_vrm"
@@ -114,6 +114,10 @@ impl<'a> Container<'a> {
                     all.extend_from_slice(&data);
                     base
                 }
+                None if packed::is_fallback(buffer) => {
+                    bases.push((0, 0));
+                    continue;
+                }
                 None if i == 0 && claimed <= bin.len() as u64 => 0,
                 None => return Err(truncated.into()),
             };
@@ -122,22 +126,29 @@ impl<'a> Container<'a> {
         if let Some(joined) = joined {
             self.bin = Cow::Owned(joined);
         }
+        self.place_views(&bases)
+    }
+
+    /// Lets every view show a stretch of the one buffer. Compressed views get one of their own.
+    fn place_views(&mut self, bases: &[(u64, u64)]) -> Result<(), ImportError> {
+        let mut left = MOST_BYTES;
         let views = self.root["bufferViews"].as_array_mut();
         for view in views.into_iter().flatten() {
-            let what = "a view";
-            let slot = view["buffer"]
-                .as_u64()
-                .and_then(|i| usize::try_from(i).ok());
-            let (base, length) = *slot
-                .and_then(|i| bases.get(i))
-                .ok_or(ReadError::OutOfRange { what })?;
-            let from = view["byteOffset"].as_u64().unwrap_or(0);
-            let end = from.checked_add(view["byteLength"].as_u64().unwrap_or(0));
-            if end.is_none_or(|end| end > length) {
-                return Err(ReadError::Truncated { what }.into());
-            }
+            let Some(describe) = packed::stream_of(view) else {
+                view["byteOffset"] = json!(place(view, bases)?.start);
+                view["buffer"] = json!(0);
+                continue;
+            };
+            let stream = self.bin.get(place(describe, bases)?);
+            let stream = stream.ok_or(ReadError::Truncated { what: "a view" })?;
+            let bytes = packed::unpack(view, describe, stream, left)?;
+            left -= bytes.len();
+            let bin = self.bin.to_mut();
+            bin.resize(bin.len().next_multiple_of(4), 0);
+            view["byteOffset"] = json!(bin.len());
             view["buffer"] = json!(0);
-            view["byteOffset"] = json!(base + from);
+            view["extensions"] = Value::Null;
+            bin.extend_from_slice(&bytes);
         }
         Ok(())
     }
@@ -171,6 +182,23 @@ impl<'a> Container<'a> {
         }
         Ok(())
     }
+}
+
+/// Where a view, or a view's stream, lies among the joined buffers of these beginnings and lengths.
+fn place(view: &Value, bases: &[(u64, u64)]) -> Result<Range<usize>, ReadError> {
+    let what = "a view";
+    let slot = view["buffer"]
+        .as_u64()
+        .and_then(|i| usize::try_from(i).ok());
+    let (base, length) = *slot
+        .and_then(|i| bases.get(i))
+        .ok_or(ReadError::OutOfRange { what })?;
+    let from = view["byteOffset"].as_u64().unwrap_or(0);
+    let end = from.checked_add(view["byteLength"].as_u64().unwrap_or(0));
+    let end = end.filter(|end| *end <= length);
+    let end = end.ok_or(ReadError::Truncated { what })?;
+    // Buffers that are there are in memory, so that their places fit.
+    Ok((base + from) as usize..(base + end) as usize)
 }
 
 /// The JSON of a text file.

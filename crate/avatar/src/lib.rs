@@ -22,6 +22,7 @@ mod geometry;
 mod humanoid;
 mod material;
 mod names;
+mod packed;
 mod unposed;
 
 use raconteur_base::{DVec3, Side};

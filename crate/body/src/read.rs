@@ -6,6 +6,7 @@
 pub mod accessor;
 #[allow(missing_docs, reason = "the fields are those of glTF")]
 pub mod document;
+pub mod packed;
 mod soft;
 
 use raconteur_base::{DAffine3, DMat4, DQuat, DVec3, Side};
@@ -35,6 +36,12 @@ pub enum ReadError {
     /// Data is shorter than its description says.
     #[error("the data of {what} are shorter than claimed")]
     Truncated {
+        /// Whose data.
+        what: &'static str,
+    },
+    /// Compressed data are no stream of the length and kind that their description says.
+    #[error("the compressed data of {what} cannot be unpacked")]
+    Packed {
         /// Whose data.
         what: &'static str,
     },
@@ -88,7 +95,7 @@ pub fn read_figure(name: &str, glb: &[u8]) -> Result<Figure, ReadError> {
     if let Some(e) = root
         .extensions_required
         .iter()
-        .find(|e| *e != "KHR_mesh_quantization")
+        .find(|e| ![packed::EXTENSION, "KHR_mesh_quantization"].contains(&e.as_str()))
     {
         return Err(ReadError::Extension(e.clone()));
     }
@@ -513,7 +520,7 @@ fn read_images(source: &mut Source<'_>) -> Result<Vec<Image>, ReadError> {
     for i in &source.root.images {
         images.push(Image {
             mime_type: i.mime_type.clone(),
-            bytes: source.view_bytes(i.view, "a picture")?.to_vec(),
+            bytes: source.view_bytes(i.view, "a picture")?.into_owned(),
         });
     }
     Ok(images)

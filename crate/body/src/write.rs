@@ -6,14 +6,21 @@
 //! the same bytes.
 
 mod binding;
+mod buffer;
+mod pack;
 
 use raconteur_base::{DAffine3, DVec3, Side};
 use serde_json::{Map, Value, json};
 
 use crate::annotation::Annotations;
 use crate::face::file;
-use crate::figure::{Figure, Material, MaterialKind, Mesh, Morph};
+use crate::figure::{Figure, Material, MaterialKind, Mesh};
+use crate::read::packed;
 use crate::skeleton::{Bone, Drive};
+use buffer::{Buffer, FLOAT, Packing, UNSIGNED_BYTE};
+
+/// The extension of positions and the like as small integers.
+const QUANTIZATION: &str = "KHR_mesh_quantization";
 
 /// The positions' grid: a power of two, so that values on it are exact in f32.
 struct Grid {
@@ -75,244 +82,6 @@ fn number(x: f64) -> Value {
 
 fn numbers(xs: &[f64]) -> Value {
     Value::Array(xs.iter().map(|&x| number(x)).collect())
-}
-
-/// glTF's component types.
-const BYTE: u32 = 5120;
-const UNSIGNED_BYTE: u32 = 5121;
-const SHORT: u32 = 5122;
-const UNSIGNED_SHORT: u32 = 5123;
-const UNSIGNED_INT: u32 = 5125;
-const FLOAT: u32 = 5126;
-/// Targets of buffer views.
-const ARRAY_BUFFER: u32 = 34962;
-const ELEMENT_ARRAY_BUFFER: u32 = 34963;
-
-/// The binary chunk with its views and accessors while it grows.
-#[derive(Default)]
-struct Buffer {
-    bytes: Vec<u8>,
-    views: Vec<Value>,
-    accessors: Vec<Value>,
-}
-
-impl Buffer {
-    fn view(&mut self, bytes: &[u8], stride: Option<usize>, target: Option<u32>) -> usize {
-        while !self.bytes.len().is_multiple_of(4) {
-            self.bytes.push(0);
-        }
-        let mut view = Map::new();
-        view.insert("buffer".into(), json!(0));
-        view.insert("byteOffset".into(), json!(self.bytes.len()));
-        view.insert("byteLength".into(), json!(bytes.len()));
-        if let Some(s) = stride {
-            view.insert("byteStride".into(), json!(s));
-        }
-        if let Some(t) = target {
-            view.insert("target".into(), json!(t));
-        }
-        self.bytes.extend_from_slice(bytes);
-        self.views.push(Value::Object(view));
-        self.views.len() - 1
-    }
-
-    fn accessor(&mut self, value: Value) -> usize {
-        self.accessors.push(value);
-        self.accessors.len() - 1
-    }
-
-    /// A vertex attribute; `stride` is a multiple of four as glTF asks.
-    fn attribute(
-        &mut self,
-        bytes: &[u8],
-        stride: usize,
-        component: u32,
-        normalized: bool,
-        ty: &str,
-    ) -> usize {
-        let count = bytes.len() / stride;
-        let view = self.view(bytes, Some(stride), Some(ARRAY_BUFFER));
-        self.accessor(json!({
-            "bufferView": view, "componentType": component, "count": count, "type": ty,
-            "normalized": normalized,
-        }))
-    }
-
-    fn positions(&mut self, grid: &Grid, mesh: &Mesh) -> usize {
-        let q: Vec<[i16; 3]> = mesh
-            .positions
-            .iter()
-            .map(|p| grid.quantise(vec(*p)))
-            .collect();
-        let index = self.attribute(&padded_i16(&q), 8, SHORT, false, "VEC3");
-        bounds(&mut self.accessors[index], &q);
-        index
-    }
-
-    fn normals(&mut self, mesh: &Mesh) -> usize {
-        if is_smooth(mesh.material.kind) {
-            let q: Vec<[i16; 3]> = mesh
-                .normals
-                .iter()
-                .map(|n| n.map(|x| (x * 32767.0).round() as i16))
-                .collect();
-            self.attribute(&padded_i16(&q), 8, SHORT, true, "VEC3")
-        } else {
-            let bytes: Vec<u8> = mesh
-                .normals
-                .iter()
-                .flat_map(|n| {
-                    let [x, y, z] = n.map(|x| (x * 127.0).round() as i8 as u8);
-                    [x, y, z, 0]
-                })
-                .collect();
-            self.attribute(&bytes, 4, BYTE, true, "VEC3")
-        }
-    }
-
-    fn uvs(&mut self, mesh: &Mesh) -> usize {
-        let within = |low: f32| mesh.uvs.iter().flatten().all(|x| (low..=1.0).contains(x));
-        let flat = || mesh.uvs.iter().flatten();
-        if within(0.0) {
-            let bytes: Vec<u8> = flat()
-                .flat_map(|x| ((x * 65535.0).round() as u16).to_le_bytes())
-                .collect();
-            self.attribute(&bytes, 4, UNSIGNED_SHORT, true, "VEC2")
-        } else if within(-1.0) {
-            let bytes: Vec<u8> = flat()
-                .flat_map(|x| ((x * 32767.0).round() as i16).to_le_bytes())
-                .collect();
-            self.attribute(&bytes, 4, SHORT, true, "VEC2")
-        } else {
-            let bytes: Vec<u8> = flat().flat_map(|x| x.to_le_bytes()).collect();
-            self.attribute(&bytes, 8, FLOAT, false, "VEC2")
-        }
-    }
-
-    fn joints(&mut self, mesh: &Mesh) -> usize {
-        if mesh.joints.iter().flatten().all(|&j| j < 256) {
-            let bytes: Vec<u8> = mesh.joints.iter().flatten().map(|&j| j as u8).collect();
-            self.attribute(&bytes, 4, UNSIGNED_BYTE, false, "VEC4")
-        } else {
-            let bytes: Vec<u8> = mesh
-                .joints
-                .iter()
-                .flatten()
-                .flat_map(|j| j.to_le_bytes())
-                .collect();
-            self.attribute(&bytes, 8, UNSIGNED_SHORT, false, "VEC4")
-        }
-    }
-
-    /// Triangles over `vertices` vertices.
-    fn indices(&mut self, indices: &[u32], vertices: usize) -> usize {
-        let small = vertices <= usize::from(u16::MAX);
-        let bytes: Vec<u8> = if small {
-            indices
-                .iter()
-                .flat_map(|&i| (i as u16).to_le_bytes())
-                .collect()
-        } else {
-            indices.iter().flat_map(|i| i.to_le_bytes()).collect()
-        };
-        let view = self.view(&bytes, None, Some(ELEMENT_ARRAY_BUFFER));
-        self.accessor(json!({
-            "bufferView": view,
-            "componentType": if small { UNSIGNED_SHORT } else { UNSIGNED_INT },
-            "count": indices.len(), "type": "SCALAR",
-        }))
-    }
-
-    /// One morph target as two sparse accessors over zeros: positions and normals.
-    fn morph(&mut self, grid: &Grid, mesh: &Mesh, morph: &Morph) -> Value {
-        let count = mesh.positions.len();
-        let small = count <= usize::from(u16::MAX);
-        let mut order: Vec<usize> = (0..morph.vertices.len()).collect();
-        // Sparse indices must ascend.
-        order.sort_by_key(|&i| morph.vertices[i]);
-        let index_bytes: Vec<u8> = order
-            .iter()
-            .flat_map(|&i| {
-                let v = morph.vertices[i];
-                if small {
-                    (v as u16).to_le_bytes().to_vec()
-                } else {
-                    v.to_le_bytes().to_vec()
-                }
-            })
-            .collect();
-        let deltas: Vec<[i16; 3]> = order
-            .iter()
-            .map(|&i| morph.position_deltas[i].map(|x| (f64::from(x) / grid.step).round() as i16))
-            .collect();
-        let normals: Vec<u8> = order
-            .iter()
-            .flat_map(|&i| {
-                morph.normal_deltas[i].map(|x| (x.clamp(-1.0, 1.0) * 127.0).round() as i8 as u8)
-            })
-            .collect();
-        let mut with_zero = deltas.clone();
-        with_zero.push([0; 3]);
-        let index_view = self.view(&index_bytes, None, None);
-        // Small movements fit a byte on the same grid.
-        let fine = deltas.iter().flatten().all(|x| (-127..=127).contains(x));
-        let delta_bytes: Vec<u8> = if fine {
-            deltas.iter().flatten().map(|x| *x as i8 as u8).collect()
-        } else {
-            deltas
-                .iter()
-                .flatten()
-                .flat_map(|x| x.to_le_bytes())
-                .collect()
-        };
-        let delta_view = self.view(&delta_bytes, None, None);
-        let index_type = if small { UNSIGNED_SHORT } else { UNSIGNED_INT };
-        let sparse = |values: usize| {
-            json!({
-                "count": order.len(),
-                "indices": { "bufferView": index_view, "componentType": index_type },
-                "values": { "bufferView": values },
-            })
-        };
-        let position = self.accessor(json!({
-            "componentType": if fine { BYTE } else { SHORT }, "count": count, "type": "VEC3",
-            "sparse": sparse(delta_view),
-        }));
-        bounds(&mut self.accessors[position], &with_zero);
-        // The targets of a mesh have the same attributes, so all of them turn normals or none.
-        let turns = |m: &Morph| m.normal_deltas.iter().flatten().any(|x| *x != 0.0);
-        if !mesh.morphs.iter().any(turns) {
-            return json!({ "POSITION": position });
-        }
-        let normal_view = self.view(&normals, None, None);
-        let normal = self.accessor(json!({
-            "componentType": BYTE, "normalized": true, "count": count, "type": "VEC3",
-            "sparse": sparse(normal_view),
-        }));
-        json!({ "POSITION": position, "NORMAL": normal })
-    }
-}
-
-/// Surfaces whose sharp highlights would show the steps of 8-bit normals.
-fn is_smooth(kind: MaterialKind) -> bool {
-    matches!(kind, MaterialKind::Eye | MaterialKind::Cornea)
-}
-
-fn padded_i16(q: &[[i16; 3]]) -> Vec<u8> {
-    q.iter()
-        .flat_map(|&[x, y, z]| [x, y, z, 0])
-        .flat_map(i16::to_le_bytes)
-        .collect()
-}
-
-/// Adds the bounds that glTF asks of positions.
-fn bounds(accessor: &mut Value, q: &[[i16; 3]]) {
-    let fold = |start: i16, pick: fn(i16, i16) -> i16| {
-        q.iter()
-            .fold([start; 3], |a, b| [0, 1, 2].map(|i| pick(a[i], b[i])))
-    };
-    accessor["min"] = json!(fold(i16::MAX, i16::min));
-    accessor["max"] = json!(fold(i16::MIN, i16::max));
 }
 
 fn material(m: &Material) -> Value {
@@ -439,18 +208,35 @@ fn joint_nodes(figure: &Figure) -> Vec<Value> {
         .collect()
 }
 
-/// The figure as a `.glb` file.
+/// The figure as a `.glb` file that every reader of `KHR_mesh_quantization` takes.
 #[must_use]
 pub fn to_glb(figure: &Figure) -> Vec<u8> {
-    to_annotated_glb(figure, &Annotations::default())
+    let (mut document, buffer) = document(figure, &Annotations::default());
+    document["buffers"] = json!([{ "byteLength": buffer.bytes.len() }]);
+    finish(document, buffer)
 }
 
-/// The figure as a `.glb` file with the names on its meshes.
+/// The figure as a `.glb` file with the names on its meshes, compressed: about half as long.
+/// Corners of triangles may come back turned, for example 1, 2, 0 for 0, 1, 2.
 #[must_use]
-pub fn to_annotated_glb(figure: &Figure, annotations: &Annotations) -> Vec<u8> {
-    let grid = Grid::around(&figure.meshes);
-    let mut buffer = Buffer::default();
-    let inverse_bind: Vec<u8> = figure
+pub fn to_packed_glb(figure: &Figure, annotations: &Annotations) -> Vec<u8> {
+    let (mut document, mut buffer) = document(figure, annotations);
+    document["buffers"] = pack::pack(&mut buffer);
+    for list in ["extensionsUsed", "extensionsRequired"] {
+        document[list] = json!([packed::EXTENSION, QUANTIZATION]);
+    }
+    finish(document, buffer)
+}
+
+fn finish(mut document: Value, buffer: Buffer) -> Vec<u8> {
+    document["accessors"] = Value::Array(buffer.accessors);
+    document["bufferViews"] = Value::Array(buffer.views);
+    glb(document.to_string().into_bytes(), buffer.bytes)
+}
+
+/// The accessor of the inverse bind matrices, which undo the grid.
+fn inverse_bind(buffer: &mut Buffer, figure: &Figure, grid: &Grid) -> usize {
+    let bytes: Vec<u8> = figure
         .inverse_bind
         .iter()
         .flat_map(|m| {
@@ -459,16 +245,18 @@ pub fn to_annotated_glb(figure: &Figure, annotations: &Annotations) -> Vec<u8> {
             columns.into_iter().flat_map(|x| (x as f32).to_le_bytes())
         })
         .collect();
-    let joint_count = figure.skeleton.joints().len();
-    let bind_view = buffer.view(&inverse_bind, None, None);
-    let bind_accessor = buffer.accessor(json!({
-        "bufferView": bind_view, "componentType": FLOAT, "count": joint_count, "type": "MAT4",
-    }));
+    let view = buffer.plain(&bytes);
+    buffer.accessor(json!({
+        "bufferView": view, "componentType": FLOAT, "type": "MAT4",
+        "count": figure.inverse_bind.len(),
+    }))
+}
 
+/// The meshes, and the materials that they share.
+fn meshes(buffer: &mut Buffer, grid: &Grid, figure: &Figure) -> (Vec<Value>, Vec<Value>) {
     let mut materials: Vec<&Material> = Vec::new();
     let mut meshes = Vec::new();
-    let mut nodes = joint_nodes(figure);
-    for (i, m) in figure.meshes.iter().enumerate() {
+    for m in &figure.meshes {
         let slot = materials
             .iter()
             .position(|x| **x == m.material)
@@ -476,72 +264,81 @@ pub fn to_annotated_glb(figure: &Figure, annotations: &Annotations) -> Vec<u8> {
                 materials.push(&m.material);
                 materials.len() - 1
             });
-        meshes.push(mesh(&mut buffer, &grid, figure, m, slot));
+        meshes.push(mesh(buffer, grid, figure, m, slot));
+    }
+    (meshes, materials.into_iter().map(material).collect())
+}
+
+/// What glTF has no place for.
+fn scene_extras(buffer: &mut Buffer, figure: &Figure, annotations: &Annotations) -> Value {
+    let mut extras = Map::new();
+    let mut put = |key: &str, value: Value| extras.insert(key.to_owned(), value);
+    put("statureMetres", number(figure.skeleton.stature_m()));
+    put("lidClosureRadians", numbers(&figure.lid_closure_rad));
+    if figure.dominant_hand == Side::Left {
+        put("handedness", "left".into());
+    }
+    if let Some(sex) = figure.sex {
+        put("sex", number(sex));
+    }
+    if let Some(tissue) = &figure.tissue {
+        let packing = Packing::Attributes {
+            stride: file::PADDING,
+        };
+        let view = buffer.packable(&file::to_bytes(tissue), packing);
+        put("tissue", json!(view));
+    }
+    if *annotations != Annotations::default() {
+        extras.extend(annotations.to_json());
+    }
+    Value::Object(extras)
+}
+
+/// The document without what the buffer tells: its views, its accessors and itself.
+fn document(figure: &Figure, annotations: &Annotations) -> (Value, Buffer) {
+    let grid = Grid::around(&figure.meshes);
+    let mut buffer = Buffer::default();
+    let inverse_bind = inverse_bind(&mut buffer, figure, &grid);
+    let (meshes, materials) = meshes(&mut buffer, &grid, figure);
+    let images: Vec<Value> = figure
+        .images
+        .iter()
+        .map(|i| json!({ "mimeType": i.mime_type, "bufferView": buffer.plain(&i.bytes) }))
+        .collect();
+    let joint_count = figure.skeleton.joints().len();
+    let mut nodes = joint_nodes(figure);
+    for (i, m) in figure.meshes.iter().enumerate() {
         nodes.push(json!({ "name": m.name, "mesh": i, "skin": 0 }));
     }
     let mut roots: Vec<usize> = vec![Bone::Sacroiliac.index()];
     roots.extend(joint_count..nodes.len());
     debug_assert!(figure.skeleton.joints()[0].drive == Drive::Bone(Bone::Sacroiliac));
-
-    let images: Vec<Value> = figure
-        .images
-        .iter()
-        .map(
-            |i| json!({ "mimeType": i.mime_type, "bufferView": buffer.view(&i.bytes, None, None) }),
-        )
-        .collect();
-    let textures: Vec<Value> = (0..images.len()).map(|i| json!({ "source": i })).collect();
-
-    let tissue = figure
-        .tissue
-        .as_ref()
-        .map(|t| buffer.view(&file::to_bytes(t), None, None));
-
     let mut document = json!({
         "asset": { "version": "2.0", "generator": "raconteur" },
-        "extensionsUsed": ["KHR_mesh_quantization"],
-        "extensionsRequired": ["KHR_mesh_quantization"],
+        "extensionsUsed": [QUANTIZATION],
+        "extensionsRequired": [QUANTIZATION],
         "scene": 0,
         "scenes": [{
             "name": figure.name,
             "nodes": roots,
-            "extras": {
-                "statureMetres": number(figure.skeleton.stature_m()),
-                "lidClosureRadians": numbers(&figure.lid_closure_rad),
-            },
+            "extras": scene_extras(&mut buffer, figure, annotations),
         }],
         "nodes": nodes,
         "skins": [{
-            "inverseBindMatrices": bind_accessor,
+            "inverseBindMatrices": inverse_bind,
             "joints": (0..joint_count).collect::<Vec<_>>(),
             "skeleton": 0,
         }],
         "meshes": meshes,
-        "materials": materials.into_iter().map(material).collect::<Vec<_>>(),
-        "accessors": buffer.accessors,
-        "bufferViews": buffer.views,
-        "buffers": [{ "byteLength": buffer.bytes.len() }],
+        "materials": materials,
     });
-    if let Some(extras) = document["scenes"][0]["extras"].as_object_mut() {
-        if figure.dominant_hand == Side::Left {
-            extras.insert("handedness".to_owned(), "left".into());
-        }
-        if let Some(sex) = figure.sex {
-            extras.insert("sex".to_owned(), number(sex));
-        }
-        if let Some(view) = tissue {
-            extras.insert("tissue".to_owned(), json!(view));
-        }
-        if *annotations != Annotations::default() {
-            extras.extend(annotations.to_json());
-        }
-    }
-    // glTF allows no empty lists.
+    // glTF allows no empty lists. Texture i shows image i.
     if !images.is_empty() {
-        document["images"] = json!(images);
+        let textures: Vec<Value> = (0..images.len()).map(|i| json!({ "source": i })).collect();
         document["textures"] = json!(textures);
+        document["images"] = json!(images);
     }
-    glb(document.to_string().into_bytes(), buffer.bytes)
+    (document, buffer)
 }
 
 /// Packs the two chunks; JSON is padded with spaces, the binary with zeros.

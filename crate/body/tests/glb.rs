@@ -1,5 +1,4 @@
-//! The reader against hostile files, and the shipped figure against a reader that no one
-//! here wrote.
+//! The reader against hostile files.
 
 mod common;
 
@@ -25,31 +24,6 @@ fn tampered(from: &str, to: &str) -> Vec<u8> {
     glb[at..at + from.len()].fill(b' ');
     glb[at..at + to.len()].copy_from_slice(to.as_bytes());
     glb
-}
-
-#[test]
-fn another_reader_finds_the_same_figure() {
-    let bytes = shipped();
-    let ours = read_figure("sofia", &bytes).expect("a figure");
-    // The gltf crate refuses files that require KHR_mesh_quantization, though it reads them.
-    let theirs = gltf::Gltf::from_slice_without_validation(&bytes).expect("glTF");
-    let primitives: Vec<_> = theirs.meshes().flat_map(|m| m.primitives()).collect();
-    assert_eq!(ours.meshes.len(), primitives.len());
-    let blob = theirs.blob.as_deref();
-    for (mesh, primitive) in ours.meshes.iter().zip(&primitives) {
-        let count = |s| primitive.get(&s).map_or(0, |a| a.count());
-        assert_eq!(mesh.positions.len(), count(gltf::Semantic::Positions));
-        assert_eq!(mesh.weights.len(), count(gltf::Semantic::Weights(0)));
-        assert_eq!(mesh.morphs.len(), primitive.morph_targets().count());
-        let reader = primitive.reader(|_| blob);
-        let indices: Vec<u32> = reader
-            .read_indices()
-            .map(|i| i.into_u32().collect())
-            .unwrap_or_default();
-        assert_eq!(mesh.indices, indices, "{}", mesh.name);
-    }
-    let skin = theirs.skins().next().expect("a skin");
-    assert_eq!(skin.joints().count(), ours.skeleton.joints().len());
 }
 
 #[test]
@@ -80,7 +54,7 @@ fn the_shipped_figure_is_whole() {
         }
     }
     let bytes = shipped().len();
-    assert!(bytes <= 3_400_000, "{bytes} bytes");
+    assert!(bytes <= 2_400_000, "{bytes} bytes");
 }
 
 #[test]

@@ -7,7 +7,9 @@
 
 use std::collections::HashMap;
 
-use meshopt::{SimplifyOptions, VertexDataAdapter, simplify_with_attributes_and_locks};
+use meshopt::{
+    SimplifyOptions, VertexDataAdapter, optimize_vertex_cache, simplify_with_attributes_and_locks,
+};
 use raconteur_base::curve::smooth;
 use raconteur_base::{DVec3, noise};
 use raconteur_body::annotation::Annotations;
@@ -126,6 +128,21 @@ pub(crate) fn add(figure: &mut Figure, annotations: &Annotations) {
                 *locked |= lids.weight(mesh, v) > LID_WEIGHT;
             }
             mesh.coarser = coarser(mesh, &focus, &locked);
+        }
+    }
+}
+
+/// Sorts triangles so that those that share vertices follow one another: a graphics card computes
+/// fewer vertices, and a packed file is shorter by a sixteenth. What lets light through keeps its
+/// order: cards of hair are drawn from the scalp outwards.
+pub(crate) fn sort_triangles(figure: &mut Figure) {
+    for mesh in &mut figure.meshes {
+        let is_clear = mesh.material.base_color[3] < 1.0;
+        if is_clear || matches!(mesh.material.kind, MaterialKind::Hair | MaterialKind::Lash) {
+            continue;
+        }
+        for triangles in std::iter::once(&mut mesh.indices).chain(&mut mesh.coarser) {
+            *triangles = optimize_vertex_cache(triangles, mesh.positions.len());
         }
     }
 }

@@ -230,7 +230,7 @@ mod tests {
     use crate::soundness::shipped;
     use crate::yardstick::{Yardstick, deviation};
     use raconteur_body::annotation::annotations;
-    use raconteur_body::write::to_annotated_glb;
+    use raconteur_body::write::to_packed_glb;
 
     fn yardstick() -> Option<Yardstick> {
         let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../../shared/models/ict");
@@ -262,7 +262,7 @@ mod tests {
                 let far = far.unwrap_or_else(|e| panic!("{e}"));
                 assert!(far.rms_mm <= 3.0, "{far:?}");
             }
-            let glb = to_annotated_glb(&built.figure, &built.annotations);
+            let glb = to_packed_glb(&built.figure, &built.annotations);
             let mut back = annotations(&glb).unwrap_or_else(|e| panic!("{e}"));
             let mut sent = built.annotations.clone();
             // The file holds landmarks by name.

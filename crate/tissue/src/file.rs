@@ -4,6 +4,9 @@
 use super::tissue::{Arch, Attachment, Column, Course, Fibre, FibrePoint, Link, LipNode, Tissue};
 use super::{MUSCLES, Muscle};
 
+/// The block ends in zeros up to a multiple of this many bytes.
+pub const PADDING: usize = 16;
+
 /// What [`from_bytes`] reads.
 const VERSION: u16 = 1;
 /// Most nodes, points of fibres and the like that a file may have; ours have some 4,000.
@@ -209,7 +212,7 @@ pub fn from_bytes(bytes: &[u8]) -> Result<Tissue, TissueError> {
     out.pairs = r.list(|r| Ok([corner(r)?, corner(r)?]))?;
     out.before_teeth = r.list(corner)?;
     out.arches = [arch(&mut r)?, arch(&mut r)?];
-    if r.0.is_empty() {
+    if r.0.len() < PADDING && r.0.iter().all(|b| *b == 0) {
         Ok(out)
     } else {
         Err(TissueError::Length)
@@ -291,6 +294,7 @@ pub fn to_bytes(tissue: &Tissue) -> Vec<u8> {
         w.u16(arch.columns);
         w.list(&arch.radii, |w, r| w.u16((r * 1e6).round() as u16));
     }
+    w.0.resize(w.0.len().next_multiple_of(PADDING), 0);
     w.0
 }
 

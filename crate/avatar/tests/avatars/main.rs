@@ -3,4 +3,5 @@
 mod animated;
 mod hostile;
 mod made;
+mod packed;
 mod performs;

@@ -1,6 +1,8 @@
 //! Checked access to the numbers of a glTF binary: nothing here trusts a length, an
 //! offset or an index of the file.
 
+use std::borrow::Cow;
+
 use super::ReadError;
 use super::document::{Accessor, Component, Document, Sparse};
 
@@ -17,7 +19,7 @@ pub struct Source<'a> {
 
 /// Where the elements of an accessor lie.
 struct Layout<'a> {
-    bytes: &'a [u8],
+    bytes: Cow<'a, [u8]>,
     stride: usize,
     count: usize,
     component: Component,
@@ -71,33 +73,47 @@ impl<'a> Source<'a> {
         Ok(())
     }
 
-    /// Bytes of a view from an offset on, and its stride.
+    /// Bytes of a view from an offset on, and its stride. What is unpacked counts as numbers,
+    /// each time.
     fn view(
-        &self,
+        &mut self,
         index: usize,
         offset: usize,
         what: &'static str,
-    ) -> Result<(&'a [u8], Option<usize>), ReadError> {
-        let view = self
-            .root
+    ) -> Result<(Cow<'a, [u8]>, Option<usize>), ReadError> {
+        let root = self.root;
+        let view = root
             .views
             .get(index)
             .ok_or(ReadError::OutOfRange { what })?;
+        let length = size(view.byte_length, what)?;
+        let truncated = ReadError::Truncated { what };
+        if let Some(packed) = &view.packed {
+            self.spend(length)?;
+            let mut bytes = packed.unpack(root.bin, length, view.byte_stride, what)?;
+            if offset > bytes.len() {
+                return Err(truncated);
+            }
+            bytes.drain(..offset);
+            return Ok((bytes.into(), view.byte_stride));
+        }
         if view.buffer != 0 {
             return Err(ReadError::OutOfRange { what });
         }
         let start = size(view.byte_offset, what)?;
-        let length = size(view.byte_length, what)?;
-        let truncated = ReadError::Truncated { what };
         let bytes = start
             .checked_add(length)
-            .and_then(|end| self.root.bin.get(start..end))
+            .and_then(|end| root.bin.get(start..end))
             .and_then(|b| b.get(offset..));
-        Ok((bytes.ok_or(truncated)?, view.byte_stride))
+        Ok((bytes.ok_or(truncated)?.into(), view.byte_stride))
     }
 
     /// All bytes of a view; they count as numbers, since many may show one view.
-    pub fn view_bytes(&mut self, index: usize, what: &'static str) -> Result<&'a [u8], ReadError> {
+    pub fn view_bytes(
+        &mut self,
+        index: usize,
+        what: &'static str,
+    ) -> Result<Cow<'a, [u8]>, ReadError> {
         let (bytes, _) = self.view(index, 0, what)?;
         self.spend(bytes.len())?;
         Ok(bytes)
@@ -122,7 +138,7 @@ impl<'a> Source<'a> {
     }
 
     fn layout(
-        &self,
+        &mut self,
         index: usize,
         width: usize,
         what: &'static str,
@@ -218,7 +234,7 @@ impl<'a> Source<'a> {
         let count = size(sparse.count, what)?;
         self.spend(count.checked_mul(N + 1).ok_or(ReadError::TooLarge)?)?;
         let index_component = sparse.index_component.ok_or(ReadError::Type { what })?;
-        let part = |view, offset: u64, component: Component, width| {
+        let mut part = |view, offset: u64, component: Component, width| {
             let (bytes, _) = self.view(view, size(offset, what)?, what)?;
             let stride = width * component.bytes();
             if count.checked_mul(stride).is_none_or(|n| n > bytes.len()) {

@@ -10,6 +10,7 @@
 use serde_json::Value;
 
 use super::ReadError;
+use super::packed::Packed;
 
 const MAGIC: &[u8; 4] = b"glTF";
 const CHUNK_JSON: u32 = 0x4E4F_534A;
@@ -147,6 +148,7 @@ pub struct View {
     pub byte_offset: u64,
     pub byte_length: u64,
     pub byte_stride: Option<usize>,
+    pub packed: Option<Packed>,
 }
 
 /// A document and its binary chunk.
@@ -333,6 +335,7 @@ fn view(v: &Value) -> View {
         byte_offset: whole(v, "byteOffset"),
         byte_length: whole(v, "byteLength"),
         byte_stride: index(v, "byteStride"),
+        packed: Packed::of(v),
     }
 }
 

@@ -19,7 +19,7 @@ pub(super) fn tissue(source: &mut Source<'_>) -> Result<Option<Tissue>, ReadErro
         return Ok(None);
     };
     let bytes = source.view_bytes(view, "the tissue of the face")?;
-    Ok(Some(from_bytes(bytes)?))
+    Ok(Some(from_bytes(&bytes)?))
 }
 
 /// The binding of a mesh of `count` vertices, if it has one. Rows sum to at most 1.

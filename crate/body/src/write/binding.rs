@@ -4,7 +4,7 @@
 
 use serde_json::{Value, json};
 
-use super::{Buffer, UNSIGNED_BYTE, UNSIGNED_SHORT};
+use super::buffer::{Buffer, Packing, UNSIGNED_BYTE, UNSIGNED_SHORT};
 use crate::face::Binding;
 
 /// The arrangement, as the file states it.
@@ -36,18 +36,23 @@ pub(super) fn write(buffer: &mut Buffer, binding: &Binding, count: usize) -> Val
         }
     }
     let entries = weights.len();
-    let mut list = |bytes: &[u8], component: u32, count: usize, normalized: bool| {
-        let view = buffer.view(bytes, None, None);
-        buffer.accessor(json!({
+    let bytes = Packing::Attributes { stride: 4 };
+    let indices = Packing::Indices { width: 2 };
+    let mut list = |bytes: &[u8], packing: Packing, component: u32, count: usize| {
+        let view = buffer.packable(bytes, packing);
+        json!({
             "bufferView": view, "componentType": component, "count": count, "type": "SCALAR",
-            "normalized": normalized,
-        }))
+        })
     };
+    let counts = list(&counts, bytes, UNSIGNED_BYTE, count);
+    let nodes = list(&nodes, indices, UNSIGNED_SHORT, entries);
+    let mut weights = list(&weights, bytes, UNSIGNED_BYTE, entries);
+    weights["normalized"] = json!(true);
     json!({
         "version": VERSION,
-        "counts": list(&counts, UNSIGNED_BYTE, count, false),
-        "nodes": list(&nodes, UNSIGNED_SHORT, entries, false),
-        "weights": list(&weights, UNSIGNED_BYTE, entries, true),
+        "counts": buffer.accessor(counts),
+        "nodes": buffer.accessor(nodes),
+        "weights": buffer.accessor(weights),
     })
 }
 

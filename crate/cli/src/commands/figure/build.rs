@@ -42,7 +42,7 @@ impl Build {
         bar.enable_steady_tick(Duration::from_millis(120));
         let built = raconteur_sculpt::build(&params);
         let figure = &built.figure;
-        let glb = write::to_annotated_glb(figure, &built.annotations);
+        let glb = write::to_packed_glb(figure, &built.annotations);
         bar.finish_and_clear();
         replace(&self.output, &glb)?;
         let triangles: usize = figure.meshes.iter().map(|m| m.indices.len() / 3).sum();

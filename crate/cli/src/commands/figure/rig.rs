@@ -56,7 +56,7 @@ impl Rig {
             .with_context(|| self.landmarks.display().to_string())?;
         replace(
             &self.output,
-            &write::to_annotated_glb(&built.figure, &built.annotations),
+            &write::to_packed_glb(&built.figure, &built.annotations),
         )?;
         let bound = built
             .figure
