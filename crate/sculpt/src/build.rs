@@ -17,7 +17,8 @@ use super::part::{self, MeshPart, PartVertex};
 use super::people::FigureParams;
 use super::skin::{self, HandSheet};
 use super::tissue;
-use super::torso::{CM, Cage, Field, Joints, Regions, Shell};
+use crate::subdivide::vertex_normals;
+use super::torso::{CM, Cage, Field, Joints, Shell};
 use raconteur_body::annotation::{Annotations, Landmark, Segment};
 use raconteur_body::figure::{Figure, Maps, Material, MaterialKind};
 use raconteur_body::skeleton::{Bone, FacePlaces, zero_frames};
@@ -30,13 +31,16 @@ const SKIN_MAPS: Maps = Maps {
     wrinkles: Some(2),
 };
 
+/// Clothes that hair may touch lie within this distance of the middle of the head, metres.
+const NEAR_HEAD_M: f64 = 0.45;
+
 /// Builds a figure. The same parameters give the same figure to the bit.
 #[must_use]
 pub fn build(params: &FigureParams) -> Built {
     let Mannequin {
         head,
         world_from_head,
-        head_parts,
+        mut head_parts,
         mut joints,
         field,
         cage,
@@ -46,17 +50,19 @@ pub fn build(params: &FigureParams) -> Built {
     let wearer = Wearer::new(&body, &field, &cage, &joints, &collar_line);
     let clothes = dress(&wearer, &params.wardrobe);
 
-    let flesh =
-        |p: DVec3| field.value_and_normal(world_from_head.transform_point3(p), Regions::ALL, 1.0);
-    let mut hairs = hair::hair(&head, &params.hair, &flesh);
-    for v in hairs.iter_mut().flat_map(|h| &mut h.part.vertices) {
+    let near_head = near(&clothes.parts, world_from_head);
+    let mut grown = hair::hair(&head, &params.hair, &near_head);
+    for v in grown.pieces.iter_mut().flat_map(|h| &mut h.part.vertices) {
         v.position = world_from_head.transform_point3(v.position);
+    }
+    for (v, light) in head_parts[0].vertices.iter_mut().zip(&grown.skin_light) {
+        v.color[3] *= light;
     }
 
     let mut pieces: Vec<Piece> = Vec::new();
     let hand = params.hands();
     let hands = Side::BOTH.map(|side| place_hand(&hand, side, &mut joints));
-    let maps = skin::bake(&params.skin, &head.sheet, &hands[0].1);
+    let maps = skin::bake(&params.skin, &head.sheet, &hands[0].1, grown.cap.as_ref());
     pieces.extend(head_parts.into_iter().map(Piece::from));
     pieces.extend(
         hands
@@ -66,7 +72,7 @@ pub fn build(params: &FigureParams) -> Built {
     );
     pieces.push(neck(&field, &cage, &head, world_from_head).into());
     pieces.extend(clothes.parts.into_iter().map(Piece::from));
-    pieces.extend(hairs);
+    pieces.extend(grown.pieces);
 
     for piece in &mut pieces {
         let material = &mut piece.part.material;
@@ -99,6 +105,24 @@ pub fn build(params: &FigureParams) -> Built {
         figure,
         annotations,
     }
+}
+
+/// The surface of clothes about the head, in its frame: what hair lies on.
+fn near(clothes: &[MeshPart], world_from_head: DAffine3) -> Vec<hair::Sample> {
+    let head_from_world = world_from_head.inverse();
+    clothes
+        .iter()
+        .flat_map(|part| {
+            let positions: Vec<DVec3> = part.vertices.iter().map(|v| v.position).collect();
+            let normals = vertex_normals(&positions, &part.faces);
+            positions.into_iter().zip(normals)
+        })
+        .map(|(p, normal)| hair::Sample {
+            position: head_from_world.transform_point3(p),
+            normal,
+        })
+        .filter(|s| s.position.length() < NEAR_HEAD_M)
+        .collect()
 }
 
 /// Builds the head alone, with what moves under its skin, on the skeleton of the whole: enough to

@@ -4,9 +4,8 @@ use raconteur_base::curve::lerp;
 use raconteur_base::{DVec3, noise};
 use serde::{Deserialize, Serialize};
 
-use super::card::{across, empty};
+use super::card::{STRIPS, empty};
 use super::colour::Palette;
-use super::cut::{Weave, slope};
 use crate::assemble::Piece;
 use crate::head::{Ear, Head, Holds, Ride};
 use crate::part::PartVertex;
@@ -43,6 +42,11 @@ const STILL: f64 = 7e-4;
 /// How clear of the lips tips stay, and the shortest tuft, metres.
 const LIP_MARGIN: f64 = 0.004;
 const SHORTEST: f64 = 0.003;
+
+/// 0 at `from` and beyond, 1 at `to` and beyond, whichever is greater.
+fn slope(from: f64, to: f64, x: f64) -> f64 {
+    ((x - from) / (to - from)).clamp(0.0, 1.0)
+}
 
 /// Where a beard grows.
 struct Field<'a> {
@@ -208,7 +212,8 @@ pub(super) fn beard(
             }
             let hold = ride.holds(root, 3);
             let weights = ride.weights(&hold);
-            let [r, g, b] = palette.lock(seed ^ 5, id, 0.05);
+            let grey = palette.grey_of(id ^ 5);
+            let strip = 8 + (dice(9) * 6.0) as u32;
             let base = part.vertices.len() as u32;
             let across_it = direction.cross(n).normalize_or_zero();
             for t in [0.0, 1.0] {
@@ -217,10 +222,11 @@ pub(super) fn beard(
                     + direction * (length * t)
                     + (DVec3::NEG_Y - n * 0.15) * (0.18 * length * t * t);
                 let half = 0.5 * width * lerp(1.0, if layer == 0 { 0.7 } else { 0.5 }, t);
-                for (u, sign) in [(0.0, -1.0), (1.0, 1.0)] {
+                let [r, g, b] = palette.shade(0.3 + 0.5 * t, 0.3 + 0.4 * dice(10), grey);
+                for (u, sign) in [(0.02, -1.0), (0.98, 1.0)] {
                     part.vertices.push(PartVertex {
                         position: middle + across_it * (sign * half),
-                        uv: [across(Weave::Wisp, dice(9), u), t],
+                        uv: [(f64::from(strip) + u) / STRIPS, t],
                         color: [
                             r,
                             g,

@@ -1,55 +1,167 @@
-//! Strips of two columns along guide curves, and the cap under them.
+//! Strips of two columns along paths: what is drawn of hair.
 
-use raconteur_base::DVec3;
-use raconteur_base::curve::{lerp, ramp};
+use raconteur_base::{DVec3, ops};
 
 use super::colour::Palette;
-use super::cut::Weave;
+use super::grow::{sampled, tangent};
+use super::space::{Frame, Space};
 use crate::assemble::Piece;
-use crate::head::Head;
 use crate::part::{JointRef, MeshPart, PartVertex};
 use raconteur_body::figure::Material;
-use raconteur_body::skeleton::{Bone, Drive};
 
-/// A strand's path with what its card needs.
-pub(super) struct Strand {
-    /// From root to tip, metres.
-    pub(super) curve: Vec<DVec3>,
-    /// Normal of the head at each point.
-    pub(super) normals: Vec<DVec3>,
-    /// Full width of the card, metres.
+/// Strips of strands that lie side by side in u in the renderer's atlas.
+pub(super) const STRIPS: f64 = 16.0;
+/// Share of a strip that is left free at either side.
+const MARGIN: f64 = 0.016;
+/// Least height of a card's edges over the skin, metres.
+const EDGE_M: f64 = 0.0008;
+/// How deep a card's sides dip under its middle, of half its width.
+const BOW: f64 = 0.10;
+/// Share of the card's own normal in the one that it is lit by; the rest is the hull's.
+const OWN_NORMAL: f64 = 0.25;
+
+/// How a card is laid along its path.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Laid {
+    /// Metres.
+    pub(super) length: f64,
+    /// Full width, metres.
     pub(super) width: f64,
-    /// Width at the root over the full width.
-    pub(super) root: f64,
-    /// Width at the tip over the full width.
-    pub(super) tip: f64,
-    /// How the card is filled.
-    pub(super) weave: Weave,
-    /// Chooses among cards of one weave, 0..1.
-    pub(super) dice: f64,
-    /// Multiplies the material's colour.
-    pub(super) colour: [f64; 3],
-    /// Openness at root and tip, 0..1.
-    pub(super) open: [f64; 2],
+    /// Width at the root, at a third and at the tip over the full one.
+    pub(super) taper: [f64; 3],
+    pub(super) spans: usize,
+    /// Strip of the atlas.
+    pub(super) strip: u32,
+    pub(super) is_mirrored: bool,
+    /// Turn about its own middle line, radians.
+    pub(super) roll: f64,
+    /// Darker or lighter, 0..1.
+    pub(super) tint: f64,
+    pub(super) layer: usize,
+    /// Length of a whole hair of which this is the beginning, metres.
+    pub(super) whole: f64,
 }
 
-/// The renderer knows 64 columns of cards side by side in u: 0–39 dense, 40–53 loose,
-/// 54–62 single hairs, 63 the cap.
-const COLUMNS: f64 = 64.0;
-
-fn column(weave: Weave, dice: f64) -> f64 {
-    let (first, count) = match weave {
-        Weave::Dense => (0.0, 40.0),
-        Weave::Loose => (40.0, 14.0),
-        Weave::Wisp => (54.0, 9.0),
-        Weave::Cap => (63.0, 1.0),
-    };
-    first + (dice * count).floor()
+/// A row of a card: two vertices.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Row {
+    pub(super) sides: [DVec3; 2],
+    /// Direction of the hair.
+    pub(super) tangent: DVec3,
+    /// Normal of the card.
+    pub(super) facing: DVec3,
+    /// Normal of the head as one hull.
+    pub(super) hull: DVec3,
+    /// v in the atlas, 0 at the root.
+    pub(super) v: f64,
+    /// Share of a whole hair's length that lies behind, 0..1.
+    pub(super) share: f64,
+    /// Share of light that reaches it, 0..1.
+    pub(super) light: f64,
 }
 
-/// u at a side of a card of this weave: `across` is 0 or 1.
-pub(super) fn across(weave: Weave, dice: f64, across: f64) -> f64 {
-    (column(weave, dice) + lerp(0.02, 0.98, across)) / COLUMNS
+impl Row {
+    pub(super) fn middle(&self) -> DVec3 {
+        (self.sides[0] + self.sides[1]) * 0.5
+    }
+}
+
+/// A strip in the frame of hair.
+#[derive(Clone, Debug)]
+pub(super) struct Card {
+    pub(super) rows: Vec<Row>,
+    pub(super) strip: u32,
+    is_mirrored: bool,
+    pub(super) tint: f64,
+    pub(super) layer: usize,
+}
+
+impl Card {
+    /// Along a path whose points are `step` apart, facing away from the head.
+    pub(super) fn along(space: &Space, path: &[DVec3], step: f64, laid: &Laid) -> Self {
+        let clear = |p: DVec3| space.pushed(p, EDGE_M);
+        Self::laid(path, step, laid, &|p| space.hull_normal(p), &clear)
+    }
+
+    /// Along a path whose points are `step` apart, facing away from a middle.
+    pub(super) fn around(path: &[DVec3], step: f64, middle: DVec3, laid: &Laid) -> Self {
+        let out = |p: DVec3| (p - middle).normalize_or(DVec3::Y);
+        Self::laid(path, step, laid, &out, &|p| p)
+    }
+
+    fn laid(
+        path: &[DVec3],
+        step: f64,
+        laid: &Laid,
+        outward: &dyn Fn(DVec3) -> DVec3,
+        clear: &dyn Fn(DVec3) -> DVec3,
+    ) -> Self {
+        let length = laid.length.min((path.len() - 2) as f64 * step);
+        let middle = sampled(path, step, length, laid.spans);
+        let mut hull: Vec<DVec3> = middle.iter().map(|p| outward(*p)).collect();
+        for _ in 0..2 {
+            let before = hull.clone();
+            for i in 1..laid.spans {
+                hull[i] = (before[i - 1] + before[i] * 2.0 + before[i + 1]).normalize_or(before[i]);
+            }
+        }
+        let (sine, cosine) = (ops::sin(laid.roll), ops::cos(laid.roll));
+        let row = |i: usize| {
+            let tangent = tangent(&middle, i);
+            let flat = (hull[i] - tangent * hull[i].dot(tangent)).normalize_or(hull[i]);
+            let level = tangent.cross(flat);
+            let across = level * cosine + flat * sine;
+            let facing = flat * cosine - level * sine;
+            let t = i as f64 / laid.spans as f64;
+            let half = 0.5 * laid.width * tapered(laid.taper, t);
+            let side = |sign: f64| {
+                let p = middle[i] + across * (sign * half) - facing * (BOW * half);
+                // The root goes into the skin.
+                if i > 0 { clear(p) } else { p }
+            };
+            Row {
+                sides: [side(-1.0), side(1.0)],
+                tangent,
+                facing,
+                hull: hull[i],
+                v: t,
+                share: (t * length / laid.whole).min(1.0),
+                light: 1.0,
+            }
+        };
+        Self {
+            rows: (0..=laid.spans).map(row).collect(),
+            strip: laid.strip.min(STRIPS as u32 - 1),
+            is_mirrored: laid.is_mirrored,
+            tint: laid.tint,
+            layer: laid.layer,
+        }
+    }
+
+    /// Width at row `i`, metres.
+    pub(super) fn width(&self, i: usize) -> f64 {
+        self.rows[i].sides[0].distance(self.rows[i].sides[1])
+    }
+
+    /// u at either side.
+    pub(super) fn across(&self) -> [f64; 2] {
+        let first = f64::from(self.strip) / STRIPS;
+        let sides = [first + MARGIN / STRIPS, first + (1.0 - MARGIN) / STRIPS];
+        if self.is_mirrored {
+            [sides[1], sides[0]]
+        } else {
+            sides
+        }
+    }
+}
+
+fn tapered([root, third, tip]: [f64; 3], t: f64) -> f64 {
+    const THIRD: f64 = 0.35;
+    if t < THIRD {
+        root + (third - root) * t / THIRD
+    } else {
+        third + (tip - third) * (t - THIRD) / (1.0 - THIRD)
+    }
 }
 
 /// An empty part of hair.
@@ -64,46 +176,39 @@ pub(super) fn empty(name: &str, material: &Material) -> MeshPart {
     }
 }
 
-/// All strands as one piece; `hang` gives the joints that carry a place.
-pub(super) fn cards(
-    name: &str,
+/// All cards as one piece in the frame of the head; `hang` gives the joints that carry a place in
+/// the frame of hair.
+pub(super) fn piece(
     material: &Material,
-    strands: &[Strand],
+    frame: &Frame,
+    cards: &[Card],
+    palette: &Palette,
     hang: &dyn Fn(DVec3) -> Vec<(JointRef, f64)>,
 ) -> Piece {
-    let mut part = empty(name, material);
+    let mut part = empty("hair", material);
     let mut normals = Vec::new();
-    for s in strands {
-        let n = s.curve.len();
-        for i in 0..n {
-            let along = (s.curve[(i + 1).min(n - 1)] - s.curve[i.saturating_sub(1)])
-                .try_normalize()
-                .unwrap_or(DVec3::NEG_Y);
-            let side = along
-                .cross(s.normals[i])
-                .try_normalize()
-                .unwrap_or(DVec3::X);
-            let face = side.cross(along);
-            let t = i as f64 / (n - 1) as f64;
-            let narrow = lerp(s.root, 1.0, ramp(0.0, 0.3, t)) * lerp(1.0, s.tip, ramp(0.6, 1.0, t));
+    for (id, card) in (0..).zip(cards) {
+        let grey = palette.grey_of(id);
+        let across = card.across();
+        for (i, row) in card.rows.iter().enumerate() {
             let base = part.vertices.len() as u32;
-            let weights = hang(s.curve[i]);
-            let open = lerp(s.open[0], s.open[1], ramp(0.0, 0.5, t));
-            let [r, g, b] = s.colour;
-            for (u, sign) in [(0.0, -1.0), (1.0, 1.0)] {
-                let bend = face * (-0.10 * s.width * narrow);
+            let [r, g, b] = palette.shade(row.share, card.tint, grey);
+            let weights = hang(row.middle());
+            let facing = row.facing * row.facing.dot(row.hull).signum();
+            let n = facing * OWN_NORMAL + row.hull * (1.0 - OWN_NORMAL);
+            let n = (n - row.tangent * n.dot(row.tangent)).normalize_or(row.hull);
+            for (u, p) in across.into_iter().zip(row.sides) {
                 part.vertices.push(PartVertex {
-                    position: s.curve[i] + side * (sign * 0.5 * s.width * narrow) + bend,
-                    uv: [across(s.weave, s.dice, u), t],
-                    color: [r, g, b, open],
+                    position: frame.place_back(p),
+                    uv: [u, row.v],
+                    // The root of the share: eight bits tell dark places apart.
+                    color: [r, g, b, row.light.max(0.0).sqrt()],
                     weights: weights.clone(),
                 });
-                // Normals between the card's and the head's round the whole volume.
-                let n = face * 0.45 + s.normals[i] * 0.7 + side * (0.3 * sign);
-                normals.push(n.try_normalize().unwrap_or(DVec3::Y));
+                normals.push(frame.direction_back(n));
             }
-            if i + 1 < n {
-                part.faces.push(vec![base, base + 1, base + 3, base + 2]);
+            if i + 1 < card.rows.len() {
+                part.faces.push(outward(card, i, base));
             }
         }
     }
@@ -113,40 +218,13 @@ pub(super) fn cards(
     }
 }
 
-/// Height of the cap over the scalp, metres.
-const CAP_HEIGHT: f64 = 0.0005;
-
-/// Short hair on the scalp itself: no skin shines through. v is the share covered.
-pub(super) fn cap(material: &Material, head: &Head, cover: &[f64], palette: &Palette) -> Piece {
-    let mut part = empty("scalp", material);
-    let mut normals = Vec::new();
-    let scalp = &head.scalp;
-    let mut index = vec![u32::MAX; scalp.points.len()];
-    let grey = palette.lock(0, 0, 0.0);
-    for t in &scalp.triangles {
-        if t.iter().all(|&v| cover[v as usize] < 0.02) {
-            continue;
-        }
-        let face = t.map(|v| {
-            let slot = &mut index[v as usize];
-            if *slot == u32::MAX {
-                *slot = part.vertices.len() as u32;
-                let s = &scalp.points[v as usize];
-                let share = cover[v as usize];
-                part.vertices.push(PartVertex {
-                    position: s.position + s.normal * CAP_HEIGHT,
-                    uv: [across(Weave::Cap, 0.0, 0.5), share],
-                    color: [grey[0], grey[1], grey[2], lerp(1.0, 0.65, share)],
-                    weights: vec![(JointRef(Drive::Bone(Bone::Skull)), 1.0)],
-                });
-                normals.push(s.normal);
-            }
-            *slot
-        });
-        part.faces.push(face.to_vec());
-    }
-    Piece {
-        part,
-        normals: Some(normals),
+/// A quad of a card, counter-clockwise from outside.
+fn outward(card: &Card, i: usize, base: u32) -> Vec<u32> {
+    let (a, b) = (&card.rows[i], &card.rows[i + 1]);
+    let face = (b.sides[0] - a.sides[0]).cross(a.sides[1] - a.sides[0]);
+    if face.dot(a.hull) >= 0.0 {
+        vec![base, base + 2, base + 3, base + 1]
+    } else {
+        vec![base, base + 1, base + 3, base + 2]
     }
 }

@@ -1,5 +1,6 @@
 //! Colour of hair from its pigments.
 
+use raconteur_base::curve::{lerp, smooth};
 use raconteur_base::{noise, ops};
 use serde::{Deserialize, Serialize};
 
@@ -41,14 +42,21 @@ const WHITE: [f64; 3] = [0.47, 0.455, 0.43];
 /// keratin (index 1.55), of which diffuse light sees a part. Chosen by eye.
 const SURFACE: f64 = 0.009;
 /// Headroom of the vertex colours over the mean colour.
-const HEADROOM: f64 = 1.45;
+const HEADROOM: f64 = 1.9;
+/// Tone of roots and tips against the mean: sun and wear pale a hair on its way. Pale hair
+/// differs less.
+const ROOT: f64 = 0.70;
+const TIP: f64 = 1.30;
+/// Spread of tones among cards.
+const SPREAD: f64 = 0.42;
 
-/// Colours of single locks over a common base.
+/// Colours of single cards over a common base.
 pub(super) struct Palette {
     /// The material's colour.
     pub(super) base: [f64; 3],
     pigment: [f64; 3],
     grey: f64,
+    seed: u64,
 }
 
 impl HairColour {
@@ -70,35 +78,42 @@ impl HairColour {
         core::array::from_fn(|i| own[i] + (WHITE[i] - own[i]) * self.grey.clamp(0.0, 1.0))
     }
 
-    pub(super) fn palette(&self) -> Palette {
+    pub(super) fn palette(&self, seed: u64) -> Palette {
         let pigment = self.pigment_rgb();
-        let top = |i: usize| {
-            if self.grey > 0.0 {
-                WHITE[i].max(pigment[i])
-            } else {
-                pigment[i]
-            }
-        };
+        let top = |i: usize| if self.grey > 0.0 { WHITE[i].max(pigment[i]) } else { pigment[i] };
         Palette {
             base: core::array::from_fn(|i| (top(i) * HEADROOM).min(1.0)),
             pigment,
             grey: self.grey.clamp(0.0, 1.0),
+            seed,
         }
     }
 }
 
 impl Palette {
-    /// Colour of lock `id` over the base; `spread` is the share by which locks differ.
-    pub(super) fn lock(&self, seed: u64, id: i64, spread: f64) -> [f64; 3] {
-        let tone = 1.0 + spread * noise::signed(seed, 501, id);
-        let warm = 0.35 * spread * noise::signed(seed, 502, id);
-        // A lock holds hairs of both kinds: its share of grey lies about the mean.
+    /// Share of white hairs in card `id`: hairs of a lock are of both kinds, its share lies about
+    /// the mean.
+    pub(super) fn grey_of(&self, id: i64) -> f64 {
         let g = self.grey;
-        let share = (g + 0.8 * noise::signed(seed, 503, id) * g * (1.0 - g)).clamp(0.0, 1.0);
+        (g + 1.3 * noise::signed(self.seed, 503, id) * g * (1.0 - g)).clamp(0.0, 1.0)
+    }
+
+    /// Colour over the base at a share of a hair's length; `tint` 0..1 is the card's tone, `grey`
+    /// its share of white hairs.
+    pub(super) fn shade(&self, share: f64, tint: f64, grey: f64) -> [f64; 3] {
+        let t = smooth(share);
+        let tone = ops::exp(SPREAD * (tint - 0.5));
         core::array::from_fn(|i| {
-            let own = self.pigment[i] + (WHITE[i] - self.pigment[i]) * share;
-            let hue = 1.0 + warm * (1.0 - i as f64);
-            (own * tone * hue / self.base[i].max(1e-4)).clamp(0.0, 1.0)
+            let pale = self.pigment[i].clamp(0.0, 0.4) / 0.4;
+            let (root, tip) = (lerp(ROOT, 0.85, pale), lerp(TIP, 1.12, pale));
+            let own = lerp(self.pigment[i] * lerp(root, tip, t), WHITE[i], grey);
+            (own * tone / self.base[i].max(1e-4)).clamp(0.0, 1.0)
         })
+    }
+
+    /// Colour at the root, linear RGB.
+    pub(super) fn root(&self) -> [f64; 3] {
+        let shade = self.shade(0.0, 0.5, self.grey);
+        core::array::from_fn(|i| shade[i] * self.base[i])
     }
 }

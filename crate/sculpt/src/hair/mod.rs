@@ -1,42 +1,48 @@
-//! Hair: strand cards that follow a combing field over the head, a cap of short hair under
-//! them, and beards.
+//! Hair: guides that grow along a combing field, gather in locks and become narrow cards of
+//! strands in several layers, over a scalp that is painted in the hair's colour.
 //!
-//! Each card is a strip of two columns along a guide curve. Curves start on the scalp, run
-//! along the skin at the height of their layer and give way to gravity; neighbours gather
-//! into locks. The renderer draws the strands on the cards from the texture coordinates.
-//!
-//! A style (`cut::Cut`) is described on the common head of
-//! [`crate::head::Proportions`], so that each fits every head.
+//! A style is a table of numbers ([`style`]) in a frame in which all heads are alike ([`space`]).
+//! The renderer draws the strands on the cards from an atlas of its own; the light within the hair
+//! is baked here ([`light`]).
 
 mod beard;
-mod bob;
-mod bun;
+mod cap;
 mod card;
+mod coil;
 mod colour;
-mod cut;
-mod ground;
+mod comb;
+mod grid;
 mod grow;
+mod light;
+mod line;
+mod locks;
 mod roots;
-mod short;
-mod skin;
+mod space;
+mod style;
+mod tail;
 #[cfg(test)]
 mod tests;
 
-use std::collections::BTreeMap;
-
-use raconteur_base::DVec3;
 use raconteur_base::curve::lerp;
+use raconteur_base::DVec3;
 use serde::{Deserialize, Serialize};
 
 pub use beard::BeardParams;
+pub(crate) use cap::Cap;
 pub use colour::HairColour;
+pub use space::Sample;
 
-use self::cut::Cut;
-use self::ground::Ground;
+use self::comb::{Field, step};
+use self::light::Shade;
+use self::line::Line;
+use self::locks::Grower;
+use self::space::Space;
+use self::style::Comb;
 use crate::assemble::Piece;
 use crate::head::Head;
-use crate::part::MeshPart;
+use crate::part::{JointRef, MeshPart};
 use raconteur_body::figure::{Maps, Material, MaterialKind};
+use raconteur_body::skeleton::{Bone, Drive};
 
 /// How hair is cut and combed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -48,28 +54,37 @@ pub enum HairStyle {
     Buzz,
     /// Short and tidy, combed forward and to the side.
     Crop,
-    /// A boy's unruly hair about a whorl, with a fringe and a cowlick.
+    /// A boy's unruly hair about a whorl.
     Tousled,
     /// Short, combed back from the forehead.
     Swept,
-    /// To the jaw with a side parting, tucked behind the ear on the parting's side.
+    /// Tight coils that stand a few centimetres off the head.
+    Coily,
+    /// To the jaw with a side parting.
     Bob,
-    /// Past the shoulders with a side parting.
+    /// To the collar bones, in waves, with a side parting.
+    Wavy,
+    /// Past the shoulders, straight, with a side parting.
     Long,
+    /// Drawn back into a tail.
+    Ponytail,
     /// Drawn back into a knot.
     Bun,
 }
 
 impl HairStyle {
     /// Every style with its name in parameter files.
-    pub const NAMES: [(Self, &'static str); 8] = [
+    pub const NAMES: [(Self, &'static str); 11] = [
         (Self::Bald, "bald"),
         (Self::Buzz, "buzz"),
         (Self::Crop, "crop"),
         (Self::Tousled, "tousled"),
         (Self::Swept, "swept"),
+        (Self::Coily, "coily"),
         (Self::Bob, "bob"),
+        (Self::Wavy, "wavy"),
         (Self::Long, "long"),
+        (Self::Ponytail, "ponytail"),
         (Self::Bun, "bun"),
     ];
 }
@@ -85,10 +100,13 @@ pub struct HairParams {
     pub length: f64,
     /// Height of the volume against the style's own, 0.5..1.5.
     pub volume: f64,
-    /// Width of the waves to either side, metres, 0..0.01.
+    /// Reach of the waves against the style's own, 0..2.
     pub wave: f64,
-    /// Where the hair is parted, to the left, metres on the common head.
+    /// Where the hair is parted, to the left, metres on a head whose eyes lie 107 mm below the
+    /// vertex.
     pub parting_x: f64,
+    /// Whether the hairline has the corners and sideburns of a man's.
+    pub square: bool,
     /// How far the hairline has receded at the temples, 0..1.
     pub recession: f64,
     /// How thin the crown has become, 0..1.
@@ -106,8 +124,9 @@ impl Default for HairParams {
             colour: HairColour::default(),
             length: 1.0,
             volume: 1.0,
-            wave: 0.0,
-            parting_x: 0.018,
+            wave: 1.0,
+            parting_x: 0.024,
+            square: false,
             recession: 0.0,
             thinning: 0.0,
             beard: None,
@@ -116,54 +135,99 @@ impl Default for HairParams {
     }
 }
 
-/// Signed distance to the dressed body and its outward normal, frame of the head, metres.
-pub type BodyDistance<'a> = dyn Fn(DVec3) -> (f64, DVec3) + 'a;
-
-fn cut_of(p: &HairParams) -> Option<Box<dyn Cut>> {
-    Some(match p.style {
-        HairStyle::Bald => return None,
-        HairStyle::Buzz | HairStyle::Crop | HairStyle::Tousled | HairStyle::Swept => {
-            Box::new(short::Short::new(p))
-        }
-        HairStyle::Bob | HairStyle::Long => Box::new(bob::Bob::new(p)),
-        HairStyle::Bun => Box::new(bun::Bun::new(p)),
-    })
+/// Hair as it has grown.
+pub struct Grown {
+    /// Cards of the scalp and the beard, in the frame of the head.
+    pub pieces: Vec<Piece>,
+    /// Share of light that the hair lets through to each vertex of the head's skin, 0..1.
+    pub skin_light: Vec<f64>,
+    /// What is painted on the scalp.
+    pub(crate) cap: Option<Cap>,
 }
 
-/// Share of each point of the scalp that hair covers, 0..1.
-fn cover(head: &Head, p: &HairParams) -> Vec<f64> {
-    let cut = cut_of(p);
-    let common = |at: DVec3| head.scalp.proportions.common(at);
-    head.scalp
-        .points
-        .iter()
-        .map(|s| {
-            cut.as_ref().map_or(0.0, |c| {
-                s.density * cut::kept(p, common(s.position)) * c.density(common(s.position))
-            })
-        })
-        .collect()
+/// Light that comes to the scalp however thick the hair: it scatters on.
+const LEAST_LIGHT: f64 = 0.25;
+
+/// Makes the hair of a head whose neighbourhood is clothed with `clothes`, in the head's frame.
+#[must_use]
+pub fn hair(head: &Head, p: &HairParams, clothes: &[Sample]) -> Grown {
+    let palette = p.colour.palette(p.seed);
+    let [r, g, b] = palette.base.map(|x| x as f32);
+    let material = Material {
+        kind: MaterialKind::Hair,
+        base_color: [r, g, b, 1.0],
+        roughness: 0.45,
+        double_sided: true,
+        maps: Maps::default(),
+    };
+    let mut grown = Grown {
+        pieces: Vec::new(),
+        skin_light: vec![1.0; head.skin().vertices.len()],
+        cap: None,
+    };
+    if let Some(style) = style::style(p.style) {
+        let space = Space::new(head, clothes);
+        let line = Line::new(p);
+        let field = Field::new(p, &style);
+        let places = roots::candidates(&space, &line, p.seed);
+        let grower = Grower {
+            space: &space,
+            field: &field,
+            style: &style,
+            params: p,
+            places: &places,
+        };
+        let mut cards = match style.comb {
+            Comb::Coily => grower.coils(),
+            _ => grower.cards(),
+        };
+        match p.style {
+            HairStyle::Ponytail => cards.extend(grower.tail()),
+            HairStyle::Bun => cards.extend(grower.knot()),
+            _ => {}
+        }
+        // Drawn from the scalp outwards.
+        cards.sort_by_key(|c| c.layer);
+        let shade = Shade::new(&space, &cards);
+        light::bake(&shade, &mut cards);
+        grown.skin_light = space
+            .skin
+            .iter()
+            .map(|s| lerp(LEAST_LIGHT, 1.0, shade.on_skin(s)))
+            .collect();
+        let frame = space.frame;
+        grown
+            .pieces
+            .push(card::piece(&material, &frame, &cards, &palette, &hang));
+        let roots = palette.root();
+        grown.cap = Some(Cap::new(space, line, field, &style, &places, roots, p.seed));
+    }
+    if let Some(b) = &p.beard {
+        grown
+            .pieces
+            .push(beard::beard(head, b, &material, &palette, p.seed));
+    }
+    grown
+}
+
+/// The joints that carry hair at a place: ends stay behind a little when the head turns, and what
+/// lies on the shoulders stays there.
+fn hang(at: DVec3) -> Vec<(JointRef, f64)> {
+    let bone = |b| JointRef(Drive::Bone(b));
+    let neck = 0.3 * step(-0.04, -0.12, at.y);
+    let trunk = 0.9 * step(-0.12, -0.21, at.y);
+    vec![
+        (bone(Bone::Skull), (1.0 - neck) * (1.0 - trunk)),
+        (bone(Bone::Cervical), neck * (1.0 - trunk)),
+        (bone(Bone::Thoracic), trunk),
+    ]
 }
 
 /// Reflectance below which a beard's roots darken the skin. Chosen by eye.
 const SKIN: f64 = 0.25;
 
-/// Tints the skin under hair and beard: it gets little light, and the roots of a beard
-/// show in its gaps. Call it on the head's skin before [`hair`] is laid on it.
+/// Tints the skin under a beard, whose roots show in its gaps.
 pub fn shade_skin(skin: &mut MeshPart, head: &Head, p: &HairParams) {
-    let key = |p: DVec3| p.to_array().map(|x| (x * 1e6).round() as i64);
-    let covered: BTreeMap<[i64; 3], f64> = head
-        .scalp
-        .points
-        .iter()
-        .zip(cover(head, p))
-        .map(|(s, c)| (key(s.position), c))
-        .collect();
-    for v in &mut skin.vertices {
-        if let Some(c) = covered.get(&key(v.position)) {
-            v.color[3] *= 1.0 - 0.6 * c * c;
-        }
-    }
     let Some(beard) = &p.beard else {
         return;
     };
@@ -173,32 +237,4 @@ pub fn shade_skin(skin: &mut MeshPart, head: &Head, p: &HairParams) {
             *c *= lerp(1.0, (root / SKIN).min(1.0), 0.5 * share);
         }
     }
-}
-
-/// Makes the hair of a head, in the head's frame.
-#[must_use]
-pub fn hair(head: &Head, p: &HairParams, body: &BodyDistance<'_>) -> Vec<Piece> {
-    let palette = p.colour.palette();
-    let [r, g, b] = palette.base.map(|x| x as f32);
-    let material = Material {
-        kind: MaterialKind::Hair,
-        base_color: [r, g, b, 1.0],
-        roughness: 0.45,
-        double_sided: true,
-        maps: Maps::default(),
-    };
-    let mut pieces = Vec::new();
-    if let Some(cut) = cut_of(p) {
-        let cover = cover(head, p);
-        let ground = Ground::new(head, body);
-        pieces.push(card::cap(&material, head, &cover, &palette));
-        let strands = grow::strands(head, p, &*cut, &cover, &ground, &palette);
-        pieces.push(card::cards("hair", &material, &strands, &|at| {
-            cut.hang(head.scalp.proportions.common(at))
-        }));
-    }
-    if let Some(b) = &p.beard {
-        pieces.push(beard::beard(head, b, &material, &palette, p.seed));
-    }
-    pieces
 }

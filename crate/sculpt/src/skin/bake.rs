@@ -8,6 +8,7 @@ use super::pigment::Palette;
 use super::raster::{Hit, Raster, SIZE, fill};
 use super::tissue::Tissue;
 use super::{HandSheet, HeadSheet, SkinParams};
+use crate::hair::Cap;
 use raconteur_body::figure::{Image, WRINKLE_HEIGHT_M};
 
 /// A piece of surface in the atlas.
@@ -39,9 +40,14 @@ const COLOUR_QUALITY: u8 = 86;
 const NORMAL_QUALITY: u8 = 66;
 const WRINKLE_QUALITY: u8 = 86;
 
-/// Makes the maps. The result does not depend on how many threads take part.
-pub(crate) fn bake(skin: &SkinParams, head: &HeadSheet, hand: &HandSheet) -> SkinMaps {
-    let face = head.painter(skin);
+/// Makes the maps, with the hair that is painted on the scalp. The result does not depend on how many threads take part.
+pub(crate) fn bake(
+    skin: &SkinParams,
+    head: &HeadSheet,
+    hand: &HandSheet,
+    cap: Option<&Cap>,
+) -> SkinMaps {
+    let face = head.painter(skin, cap);
     let palm = hand.painter(skin);
     let on_face = |t: [u32; 3], h: &Hit| face.tissue(t, h);
     let on_hand = |t: [u32; 3], h: &Hit| palm.tissue(t, h);

@@ -13,6 +13,7 @@ use super::raster::Hit;
 use super::sheet::HeadSheet;
 use super::texture::{cells, mix, rise, space_noise};
 use super::tissue::Tissue;
+use crate::hair::Cap;
 use crate::head::Coordinates;
 
 /// A soft region of one half: what it adds to the logarithms of blood and melanin and to
@@ -83,8 +84,9 @@ pub(super) struct FacePainter<'a> {
     base: Tissue,
     /// 0 young to 1 old, for what changes slowly.
     old: f64,
-    /// How dark hair and brows stain what they cover.
-    hair_stain: f64,
+    /// Hair painted on the scalp.
+    cap: Option<&'a Cap>,
+    /// How dark brows stain what they cover.
     brow_stain: f64,
 }
 
@@ -94,8 +96,13 @@ fn darkness(rgb: [f64; 3]) -> f64 {
 }
 
 impl HeadSheet {
-    pub(super) fn painter<'a>(&'a self, skin: &'a SkinParams) -> FacePainter<'a> {
+    pub(super) fn painter<'a>(
+        &'a self,
+        skin: &'a SkinParams,
+        cap: Option<&'a Cap>,
+    ) -> FacePainter<'a> {
         FacePainter {
+            cap,
             skin,
             sheet: self,
             marks: self
@@ -104,7 +111,6 @@ impl HeadSheet {
             expression: self.places.map(|p| ExpressionMarks::new(skin, p)),
             base: Tissue::new(skin),
             old: rise(28.0, 78.0, skin.age_years),
-            hair_stain: darkness(self.hair_colour),
             brow_stain: darkness(self.brow_colour),
         }
     }
@@ -126,7 +132,6 @@ impl FacePainter<'_> {
             ring(|c| c.ear),
         );
         let upper = ring(|c| c.eye_upper);
-        let hair = hit.blend(t.map(|v| s.hair[v as usize])).clamp(0.0, 1.0);
         let brow = hit.blend(t.map(|v| s.brow[v as usize])).clamp(0.0, 1.0);
 
         let mut tissue = self.base;
@@ -197,12 +202,9 @@ impl FacePainter<'_> {
         }
 
         tissue.lay(s.brow_colour, 0.58 * brow * self.brow_stain);
-        let roots = 0.75 + 0.25 * space_noise(seed + 30, p / 1.1);
-        let cap = s.hair_colour.map(|x| 0.8 * x);
-        tissue.lay(
-            cap,
-            (hair * roots * (0.25 + 0.72 * self.hair_stain)).clamp(0.0, 1.0),
-        );
+        if let Some((rgb, share)) = self.cap.and_then(|c| c.at(p * 1e-3)) {
+            tissue.lay(rgb, share);
+        }
         tissue
     }
 

@@ -1,0 +1,139 @@
+//! Light within hair, baked: the share of all directions from which light comes to a place through
+//! the hair about it.
+//!
+//! Strands are spread over a grid of densities, and light loses `exp(−optical depth)` on its way
+//! (Beer–Lambert). The renderer takes the direction from the hull's normal: on a bob the part of
+//! the transmittance along it is 1.85 times the mean.
+
+use std::f64::consts::TAU;
+
+use raconteur_base::{DVec3, ops};
+
+use super::card::Card;
+use super::grid::{Grid, Lattice};
+use super::space::{SkinPoint, Space};
+
+/// Pitch of the grid of densities, metres.
+const PITCH_M: f64 = 0.005;
+/// Optical depth of a metre of hair whose cards cover a square metre in a cubic one.
+const DEPTH: f64 = 0.33;
+/// Directions on the sphere.
+const DIRECTIONS: usize = 40;
+/// Steps of a ray and their length, metres.
+const STEPS: usize = 26;
+const STEP_M: f64 = 0.006;
+/// Optical depth of a metre inside the head, for each metre of depth.
+const HEAD_DEPTH: f64 = 9e4;
+/// Optical depth beyond which nothing comes through.
+const DARK: f64 = 6.0;
+
+/// What light goes through.
+pub(super) struct Shade<'a> {
+    space: &'a Space,
+    density: Grid,
+}
+
+/// How full a strip of the atlas is.
+fn fullness(strip: u32) -> f64 {
+    match strip {
+        0..5 => 1.0,
+        5..10 => 0.62,
+        10..13 => 0.3,
+        _ => 0.08,
+    }
+}
+
+/// Directions evenly over the sphere (Fibonacci's spiral).
+fn directions() -> impl Iterator<Item = DVec3> {
+    (0..DIRECTIONS).map(|i| {
+        let y = 1.0 - (2.0 * i as f64 + 1.0) / DIRECTIONS as f64;
+        let r = (1.0 - y * y).sqrt();
+        let turn = i as f64 * TAU * 0.618_034;
+        DVec3::new(r * ops::cos(turn), y, r * ops::sin(turn))
+    })
+}
+
+impl<'a> Shade<'a> {
+    pub(super) fn new(space: &'a Space, cards: &[Card]) -> Self {
+        let of = space.whole.lattice;
+        let lattice = Lattice {
+            low: of.low,
+            pitch: PITCH_M,
+            size: of
+                .size
+                .map(|n| ((n - 1) as f64 * of.pitch / PITCH_M) as usize + 1),
+        };
+        let mut density = Grid::new(lattice, |_| 0.0);
+        let volume = PITCH_M * PITCH_M * PITCH_M;
+        for card in cards {
+            let full = fullness(card.strip);
+            for i in 1..card.rows.len() {
+                let (a, b) = (card.rows[i - 1].middle(), card.rows[i].middle());
+                let area = full * a.distance(b) * 0.5 * (card.width(i - 1) + card.width(i));
+                let parts = (a.distance(b) / PITCH_M).ceil().max(1.0) as usize;
+                for k in 0..parts {
+                    let at = a.lerp(b, (k as f64 + 0.5) / parts as f64);
+                    density.splat(at, area / parts as f64 / volume);
+                }
+            }
+        }
+        Self {
+            space,
+            density: density.blurred(1),
+        }
+    }
+
+    /// Share of light that comes to `p` from `d`, starting `off` metres on.
+    fn from(&self, p: DVec3, d: DVec3, off: f64) -> f64 {
+        let mut depth = 0.0;
+        let mut at = p + d * off;
+        for _ in 0..STEPS {
+            if !self.density.lattice.holds(at) {
+                break;
+            }
+            depth += self.density.at(at) * STEP_M * DEPTH;
+            let height = self.space.whole.at(at);
+            if height < -0.002 {
+                depth -= height * STEP_M * HEAD_DEPTH;
+            }
+            if depth > DARK {
+                return 0.0;
+            }
+            at += d * STEP_M;
+        }
+        ops::exp(-depth)
+    }
+
+    /// Mean share over all directions at a place in the hair.
+    pub(super) fn mean(&self, p: DVec3) -> f64 {
+        directions().map(|d| self.from(p, d, STEP_M)).sum::<f64>() / DIRECTIONS as f64
+    }
+
+    /// Mean share over the directions above a place of the skin.
+    pub(super) fn on_skin(&self, s: &SkinPoint) -> f64 {
+        let (mut sum, mut count) = (0.0, 0.0);
+        for d in directions().filter(|d| d.dot(s.normal) > 0.05) {
+            // The head's own shade is known already: rays begin above the skin.
+            sum += self.through_hair(s.position + s.normal * 0.002, d);
+            count += 1.0;
+        }
+        if count > 0.0 { sum / count } else { 1.0 }
+    }
+
+    /// Share of light that hair alone lets through to `p` from `d`.
+    fn through_hair(&self, p: DVec3, d: DVec3) -> f64 {
+        let depth: f64 = (0..STEPS)
+            .map(|k| p + d * (k as f64 * STEP_M))
+            .take_while(|at| self.density.lattice.holds(*at))
+            .map(|at| self.density.at(at) * STEP_M * DEPTH)
+            .sum();
+        ops::exp(-depth)
+    }
+}
+
+/// Gives every row of every card its light.
+pub(super) fn bake(shade: &Shade<'_>, cards: &mut [Card]) {
+    for row in cards.iter_mut().flat_map(|c| &mut c.rows) {
+        row.light = shade.mean(row.middle() + row.hull * 0.001);
+    }
+}

@@ -1,0 +1,392 @@
+//! Hair in locks: cards of every layer, drawn to the guides of their locks, waved and cut.
+
+use std::f64::consts::TAU;
+
+use raconteur_base::{DVec3, noise, ops};
+
+use super::HairParams;
+use super::card::{Card, Laid};
+use super::comb::{Field, step};
+use super::grow::{Growth, grow, smooth, tangent};
+use super::line::angles;
+use super::roots::{Root, spread};
+use super::space::Space;
+use super::style::{Comb, Layer, Length, Style};
+use crate::skin::texture::space_noise;
+
+/// Length of a step of hair that hangs and of short hair, metres.
+const LONG_STEP_M: f64 = 0.004;
+const SHORT_STEP_M: f64 = 0.003;
+/// Longest way of hair that is cut at a hem, beyond the hem itself, metres.
+const OVER_HEM_M: f64 = 0.26;
+/// Hair is tied within this distance of the tie, metres.
+const TIED_M: f64 = 0.012;
+/// What is dropped: cards that turn by more within 12 mm (radians), that point outward by more
+/// of their length, that stand off farther (metres).
+const MOST_TURN: f64 = 0.87;
+const MOST_OUTWARD: f64 = 0.55;
+const MOST_HEIGHT_M: f64 = 0.036;
+
+/// A lock: its root, the way its middle goes, and its own character.
+struct Lock {
+    root: DVec3,
+    path: Vec<DVec3>,
+    /// Nearly normal numbers.
+    character: [f64; 4],
+}
+
+/// What grows on one head.
+pub(super) struct Grower<'a> {
+    pub(super) space: &'a Space,
+    pub(super) field: &'a Field,
+    pub(super) style: &'a Style,
+    pub(super) params: &'a HairParams,
+    pub(super) places: &'a [Root],
+}
+
+/// Roughly normal with standard deviation 1.
+pub(super) fn normal(seed: u64, id: u64, i: i64) -> f64 {
+    (0..4)
+        .map(|k| noise::unit(seed, id * 4 + k, i))
+        .sum::<f64>()
+        .mul_add(1.732, -3.464)
+}
+
+impl Grower<'_> {
+    /// Every card, from the scalp outwards.
+    pub(super) fn cards(&self) -> Vec<Card> {
+        let locks = self.locks();
+        let mut out = Vec::new();
+        for (number, layer) in (0..).zip(self.style.layers) {
+            let roots = spread(self.places, |r| self.spacing(layer, r));
+            for (i, root) in (0..).zip(roots) {
+                out.extend(self.strand(layer, number, &root, &locks, i));
+            }
+        }
+        if matches!(self.style.length, Length::Hem { .. }) {
+            out.extend(self.baby_hairs());
+        }
+        out
+    }
+
+    /// Distance of a layer's roots at a place, 0 where none begin.
+    fn spacing(&self, layer: &Layer, root: &Root) -> f64 {
+        let parting = self.field.from_parting(root.position);
+        let is_hanging = matches!(self.style.length, Length::Hem { .. });
+        // What is rooted before and below the ear would hang over the cheek.
+        let p = root.position;
+        let before_ear = is_hanging && p.x.abs() > 0.052 && p.y < 0.004 && p.z > -0.012;
+        if root.inside < layer.inside || before_ear || parting < 0.0007 {
+            return 0.0;
+        }
+        let dense = 0.5 + 0.5 * step(0.0, 0.022, root.inside);
+        layer.spacing * dense * (0.42 + 0.58 * step(0.002, 0.018, parting))
+    }
+
+    fn step(&self) -> f64 {
+        match self.style.length {
+            Length::Short { .. } => SHORT_STEP_M,
+            _ => LONG_STEP_M,
+        }
+    }
+
+    /// Full length of hair rooted at a place, metres.
+    fn length(&self, root: DVec3) -> f64 {
+        match self.style.length {
+            Length::Hem { hem, .. } => OVER_HEM_M - hem * self.params.length,
+            Length::Short { side, top } => {
+                let (azimuth, elevation) = angles(root);
+                let nape = step(115.0, 175.0, azimuth.abs()) * step(18.0, -22.0, elevation);
+                self.params.length * (side + top * step(4.0, 52.0, elevation)) * (1.0 - 0.25 * nape)
+            }
+            Length::ToTie => match self.style.comb {
+                Comb::Tied(tie) => 1.35 * tie.distance(root) + 0.03,
+                _ => 0.1,
+            },
+        }
+    }
+
+    fn locks(&self) -> Vec<Lock> {
+        let style = self.style;
+        let roots = spread(self.places, |r| {
+            if r.inside > 0.003 { style.locks } else { 0.0 }
+        });
+        let offset = style.layers[style.layers.len() / 2].offset;
+        (0..)
+            .zip(roots)
+            .map(|(i, r)| {
+                let g = Growth {
+                    root: r.position,
+                    normal: self.space.normal(r.position),
+                    length: 1.2 * self.length(r.position),
+                    step: self.step(),
+                    offset: offset * self.params.volume,
+                    rise: style.rise,
+                    lift: 0.45,
+                    bend: style.bend,
+                };
+                let mut path = grow(self.space, self.field, &g, self.params.seed);
+                smooth(&mut path, 4);
+                Lock {
+                    root: r.position,
+                    path,
+                    character: [0, 1, 2, 3].map(|k| normal(self.params.seed, 40 + k, i)),
+                }
+            })
+            .collect()
+    }
+
+    /// One card, unless what grew is no hair that anyone would wear.
+    fn strand(&self, layer: &Layer, number: u64, root: &Root, locks: &[Lock], i: i64) -> Option<Card> {
+        let seed = self.params.seed + 1000 * (number + 1);
+        let dice = |k: u64| noise::unit(seed, k, i);
+        let bell = |k: u64| normal(seed, 10 + k, i);
+        let edge = step(0.0, 0.018, root.inside);
+        let parting = self.field.from_parting(root.position);
+        let full = self.length(root.position) * layer.length;
+        let is_short = matches!(self.style.length, Length::Short { .. });
+        let length = if is_short { full * (0.8 + 0.4 * dice(0)) } else { full };
+        let low = if is_short { (length / 0.035).clamp(0.45, 1.2) } else { 1.0 };
+        let offset = layer.offset
+            * self.params.volume
+            * (0.55 + 0.45 * edge)
+            * (1.0 + 0.18 * bell(0)).clamp(0.6, 1.5)
+            * (0.6 + 0.4 * step(0.0, 0.04, parting))
+            * low
+            + 0.0012 * dice(1);
+        let g = Growth {
+            root: root.position,
+            normal: root.normal,
+            length,
+            step: self.step(),
+            offset,
+            rise: self.style.rise,
+            lift: layer.lift
+                * (0.3 + 0.7 * step(0.0, 0.045, parting))
+                * (0.3 + 0.7 * edge)
+                * (0.7 + 0.6 * dice(2)),
+            bend: self.style.bend,
+        };
+        let mut path = grow(self.space, self.field, &g, self.params.seed);
+        smooth(&mut path, if is_short { 1 } else { 4 });
+        let lock = locks
+            .iter()
+            .min_by(|a, b| {
+                let d = |l: &Lock| l.root.distance_squared(root.position);
+                d(a).total_cmp(&d(b))
+            })?;
+        self.gather(&mut path, lock, layer.gather, length);
+        self.wave(&mut path, lock, 0.12 * bell(1));
+        if matches!(self.style.comb, Comb::Parted) {
+            for p in &mut path {
+                *p = off_face(*p);
+            }
+        }
+        smooth(&mut path, if is_short { 1 } else { 3 });
+        let length = self.cut(&mut path, root, layer, length, &[dice(3), dice(4)])?;
+        for (k, p) in path.iter_mut().enumerate() {
+            let arc = k as f64 * g.step;
+            *p = self.space.pushed(*p, 0.0005 + (0.6 * offset).min(0.006) * step(0.0, 0.02, arc));
+        }
+        if !self.is_wearable(&path, length) {
+            return None;
+        }
+        let spread = f64::from(layer.strips[1] - layer.strips[0]);
+        let mut strip = layer.strips[0] + (dice(5) * spread) as u32;
+        // Dense strips would end on the bare skin like chips.
+        if root.inside < 0.007 && dice(6) < 0.75 || is_short && length < 0.02 {
+            strip = 9 + (dice(7) * 5.0) as u32;
+        }
+        let taper = if is_short { [0.75, 1.0, 0.6] } else { [0.45, 1.0, 0.8] };
+        Some(Card::along(
+            self.space,
+            &path,
+            g.step,
+            &Laid {
+                length,
+                width: layer.width
+                    * (0.75 + 0.5 * dice(8))
+                    * (0.45 + 0.55 * step(0.0, 0.022, root.inside))
+                    * (0.55 + 0.45 * step(0.002, 0.018, parting)),
+                taper,
+                spans: layer.spans,
+                strip,
+                is_mirrored: dice(9) < 0.5,
+                roll: layer.roll * bell(2) * (0.2 + 0.8 * step(0.002, 0.03, root.inside)),
+                tint: (0.5 + 0.15 * lock.character[3] + 0.15 * bell(3)).clamp(0.0, 1.0),
+                layer: number as usize,
+                whole: length,
+            },
+        ))
+    }
+
+    /// Draws a path to its lock's, the farther from the root the more; depth stays.
+    fn gather(&self, path: &mut [DVec3], lock: &Lock, share: f64, length: f64) {
+        let step_m = self.step();
+        let is_short = matches!(self.style.length, Length::Short { .. });
+        let guide = |k: usize| lock.path[k.min(lock.path.len() - 1)];
+        let far = path
+            .iter()
+            .enumerate()
+            .map(|(k, p)| p.distance(guide(k)))
+            .fold(0.0, f64::max);
+        // Locks that part ways are not dragged across one another.
+        let near = if is_short { step(0.035, 0.013, far) } else { step(0.06, 0.022, far) };
+        for (k, p) in path.iter_mut().enumerate() {
+            let arc = k as f64 * step_m;
+            let w = share * near * if is_short {
+                ops::pow((arc / length).clamp(0.0, 1.0), 1.3)
+            } else {
+                step(0.04, 0.2, arc)
+            };
+            let off = *p - guide(k);
+            let n = self.space.hull_normal(*p);
+            *p = guide(k) + off * (1.0 - w) + n * (off.dot(n) * w * 0.8);
+        }
+    }
+
+    /// Waves that neighbours nearly share.
+    fn wave(&self, path: &mut [DVec3], lock: &Lock, own_phase: f64) {
+        let [reach, pace] = self.style.wave;
+        let reach = reach * self.params.wave * (1.0 + 0.25 * lock.character[1]);
+        if reach <= 0.0 {
+            return;
+        }
+        let pace = pace * (1.0 + 0.1 * lock.character[2]);
+        let phase = 1.5 * space_noise(self.params.seed + 31, lock.root * 9.0)
+            + 0.18 * lock.character[0]
+            + own_phase;
+        let straight = path.to_vec();
+        for (k, p) in path.iter_mut().enumerate() {
+            let arc = k as f64 * self.step();
+            let n = self.space.hull_normal(straight[k]);
+            let side = tangent(&straight, k).cross(n).normalize_or_zero();
+            let amount = reach * step(0.045, 0.14, arc);
+            let turn = TAU * arc / pace + phase;
+            *p += side * (amount * ops::sin(turn)) + n * (0.55 * amount * ops::cos(turn + 0.5));
+        }
+    }
+
+    /// Where the hair ends, metres from its root; turns the ends of a hem in.
+    fn cut(&self, path: &mut Vec<DVec3>, root: &Root, layer: &Layer, length: f64, dice: &[f64; 2]) -> Option<f64> {
+        let step_m = self.step();
+        let last = (path.len() - 2) as f64 * step_m;
+        let cut = match self.style.length {
+            Length::Short { .. } => length,
+            Length::ToTie => {
+                let Comb::Tied(tie) = self.style.comb else {
+                    return None;
+                };
+                let at = path.iter().position(|p| p.distance(tie) < TIED_M);
+                let end = at.unwrap_or_else(|| {
+                    (0..path.len())
+                        .min_by(|a, b| path[*a].distance(tie).total_cmp(&path[*b].distance(tie)))
+                        .unwrap_or(0)
+                });
+                (end as f64 * step_m * (1.0 - 0.6 * layer.uneven * dice[0])).max(0.03)
+            }
+            Length::Hem { hem, layered, front } => {
+                let front = front * step(0.0, 0.06, root.position.z);
+                let line = hem * self.params.length - front
+                    + layered * layer.uneven * ops::pow(dice[0], 1.5)
+                    + 0.004 * space_noise(self.params.seed + 5, root.position * 30.0);
+                let end = path.iter().position(|p| p.y < line).unwrap_or(path.len() - 1);
+                let shorter = if layer.uneven > 1.2 {
+                    0.45 + 0.55 * dice[1]
+                } else if layer.uneven > 0.2 && dice[1] < 0.25 {
+                    1.0 - dice[1]
+                } else {
+                    1.0
+                };
+                (end as f64 * step_m).max(0.05) * shorter
+            }
+        }
+        .min(last);
+        if matches!(self.style.length, Length::Hem { .. }) {
+            for (k, p) in path.iter_mut().enumerate() {
+                let e = ((k as f64 * step_m - cut + 0.05) / 0.05).clamp(0.0, 1.0);
+                *p -= self.space.hull_normal(*p) * (0.009 * e * e);
+            }
+        }
+        Some(cut)
+    }
+
+    fn is_wearable(&self, path: &[DVec3], length: f64) -> bool {
+        if matches!(self.style.length, Length::Short { .. }) {
+            return true;
+        }
+        let step_m = self.step();
+        let end = ((length / step_m) as usize).min(path.len() - 1);
+        for k in (4..end.saturating_sub(3)).filter(|k| *k as f64 * step_m > 0.012) {
+            let (a, b) = (path[k] - path[k - 3], path[k + 3] - path[k]);
+            if a.angle_between(b) > MOST_TURN {
+                return false;
+            }
+            let p = path[k];
+            if p.y > -0.09 && k as f64 * step_m > 0.03 {
+                let out = tangent(path, k).dot(self.space.hull_normal(p));
+                if out > MOST_OUTWARD || self.space.height_without_ears(p) > MOST_HEIGHT_M {
+                    return false;
+                }
+            }
+        }
+        true
+    }
+
+    /// Fine short hair along the line of forehead and temples.
+    fn baby_hairs(&self) -> Vec<Card> {
+        let roots = spread(self.places, |r| {
+            let p = r.position;
+            let is_line = r.inside > -0.0005 && r.inside < 0.007 && p.y > -0.002 && p.z > 0.0;
+            if is_line { 0.0045 } else { 0.0 }
+        });
+        let seed = self.params.seed + 77;
+        (0..)
+            .zip(roots)
+            .map(|(i, r)| {
+                let dice = |k: u64| noise::unit(seed, k, i);
+                let length = 0.012 + 0.03 * ops::pow(dice(0), 1.5);
+                let g = Growth {
+                    root: r.position,
+                    normal: r.normal,
+                    length,
+                    step: SHORT_STEP_M,
+                    offset: 0.002 + 0.002 * dice(1),
+                    rise: 0.01,
+                    lift: 0.3 + 0.3 * dice(2),
+                    bend: [0.15, 40.0],
+                };
+                let mut path = grow(self.space, self.field, &g, seed);
+                smooth(&mut path, 2);
+                Card::along(
+                    self.space,
+                    &path,
+                    g.step,
+                    &Laid {
+                        length,
+                        width: 0.0042 * (0.7 + 0.6 * dice(3)),
+                        taper: [0.6, 1.0, 0.5],
+                        spans: 3,
+                        strip: 12 + (dice(4) * 4.0) as u32,
+                        is_mirrored: dice(5) < 0.5,
+                        roll: 0.3 * normal(seed, 9, i),
+                        tint: (0.5 + 0.15 * normal(seed, 8, i)).clamp(0.0, 1.0),
+                        layer: self.style.layers.len(),
+                        whole: 0.12,
+                    },
+                )
+            })
+            .collect()
+    }
+}
+
+/// Keeps hair from hanging over the face: aside of the cheeks and behind their front.
+fn off_face(p: DVec3) -> DVec3 {
+    let f = step(0.022, 0.055, p.z) * step(0.050, 0.012, p.y);
+    let out = (0.068 - p.x.abs()).max(0.0) * f;
+    DVec3::new(
+        p.x + out * p.x.signum(),
+        p.y,
+        p.z - 0.55 * f * (p.z - 0.028).max(0.0),
+    )
+}

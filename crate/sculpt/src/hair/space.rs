@@ -1,0 +1,281 @@
+//! The room that hair has: how far every place is from skin and clothes.
+//!
+//! Hair is described in a frame of its own: origin between the eyes' height plus 22 mm and the
+//! middle of the skull, turned so that the skull is level, in metres of a head whose eyes lie
+//! 107 mm under the vertex. In it one table of numbers fits every head.
+
+use raconteur_base::{DMat3, DVec3};
+
+use super::grid::{Grid, Lattice};
+use crate::head::Head;
+use crate::subdivide::vertex_normals;
+
+/// From the eyes to the vertex on the common head, metres.
+const EYE_TO_VERTEX_M: f64 = 0.107;
+/// How far above the eyes the origin lies, metres.
+const ABOVE_EYES_M: f64 = 0.022;
+/// Our heads look down by this much against the one that hairlines were measured on, degrees.
+const TURN_DEG: f64 = 2.6;
+/// Distance of the grid's points, metres.
+const PITCH_M: f64 = 0.004;
+/// The grid's box, metres.
+const LOW: DVec3 = DVec3::new(-0.23, -0.35, -0.19);
+const HIGH: DVec3 = DVec3::new(0.23, 0.15, 0.19);
+/// Rings of the ear from which it stands off the head.
+const EAR_RING: f64 = 1.2;
+/// Distance within which a surface counts as flat, metres.
+const FLAT_M: f64 = 0.012;
+/// Height of the bumps that ears are to growing hair, metres.
+const EAR_BUMP_M: f64 = 0.0015;
+
+/// A point of a surface with its outward normal.
+#[derive(Clone, Copy, Debug)]
+pub struct Sample {
+    /// Position, metres.
+    pub position: DVec3,
+    /// Unit normal.
+    pub normal: DVec3,
+}
+
+/// From the frame of the head to that of hair.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Frame {
+    origin: DVec3,
+    turn: DMat3,
+    /// This head's size over the common one's.
+    pub(super) scale: f64,
+}
+
+impl Frame {
+    fn of(head: &Head) -> Self {
+        let turn = DMat3::from_rotation_x(TURN_DEG.to_radians());
+        let eyes = (head.eye_centres[0] + head.eye_centres[1]) * 0.5;
+        let eyes = turn * eyes;
+        let skin = || head.skin().vertices.iter().map(|v| turn * v.position);
+        let top = skin().map(|p| p.y).fold(f64::MIN, f64::max);
+        let scale = (top - eyes.y) / EYE_TO_VERTEX_M;
+        let (back, front) = skin()
+            .filter(|p| p.y > eyes.y + 0.03)
+            .map(|p| p.z)
+            .fold((f64::MAX, f64::MIN), |(a, b), z| (a.min(z), b.max(z)));
+        let middle = DVec3::new(0.0, eyes.y + ABOVE_EYES_M * scale, 0.5 * (back + front));
+        Self {
+            origin: turn.transpose() * middle,
+            turn,
+            scale,
+        }
+    }
+
+    pub(super) fn place(&self, p: DVec3) -> DVec3 {
+        self.turn * (p - self.origin) / self.scale
+    }
+
+    pub(super) fn direction(&self, d: DVec3) -> DVec3 {
+        self.turn * d
+    }
+
+    pub(super) fn place_back(&self, p: DVec3) -> DVec3 {
+        self.origin + self.turn.transpose() * p * self.scale
+    }
+
+    pub(super) fn direction_back(&self, d: DVec3) -> DVec3 {
+        self.turn.transpose() * d
+    }
+}
+
+/// A point of the skin where hair may grow.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct SkinPoint {
+    pub(super) position: DVec3,
+    pub(super) normal: DVec3,
+}
+
+/// Signed distances about a head in the frame of hair, metres.
+pub(super) struct Space {
+    pub(super) frame: Frame,
+    /// From skin and clothes as they are.
+    pub(super) whole: Grid,
+    /// As if there were no ears.
+    earless: Grid,
+    /// What hair grows along: ears are low bumps in it.
+    growth: Grid,
+    /// Much blurred: its slope is the normal of the head as one smooth hull.
+    hull: Grid,
+    /// The skin's vertices and triangles.
+    pub(super) skin: Vec<SkinPoint>,
+    pub(super) triangles: Vec<[u32; 3]>,
+}
+
+impl Space {
+    /// About a head whose neighbourhood is clothed with `clothes`, in the frame of the head.
+    pub(super) fn new(head: &Head, clothes: &[Sample]) -> Self {
+        let frame = Frame::of(head);
+        let part = head.skin();
+        let positions: Vec<DVec3> = part.vertices.iter().map(|v| v.position).collect();
+        let normals = vertex_normals(&positions, &part.faces);
+        let skin: Vec<SkinPoint> = positions
+            .iter()
+            .zip(normals)
+            .map(|(p, n)| SkinPoint {
+                position: frame.place(*p),
+                normal: frame.direction(n),
+            })
+            .collect();
+        let triangles: Vec<[u32; 3]> = part
+            .faces
+            .iter()
+            .flat_map(|f| f[1..].windows(2).map(|w| [f[0], w[0], w[1]]))
+            .collect();
+        let in_ear: Vec<bool> = head.sheet.rings.iter().map(|r| r.ear > EAR_RING).collect();
+        let is_ear = |v: u32| in_ear.get(v as usize).copied().unwrap_or(false);
+        let cloth: Vec<(DVec3, DVec3)> = clothes
+            .iter()
+            .map(|s| (frame.place(s.position), frame.direction(s.normal)))
+            .collect();
+        let samples = |ears: bool| {
+            let points = (0..skin.len() as u32)
+                .filter(|&v| ears || !is_ear(v))
+                .map(|v| (skin[v as usize].position, skin[v as usize].normal));
+            let middles = triangles
+                .iter()
+                .filter(|t| ears || !t.iter().any(|&v| is_ear(v)))
+                .map(|t| {
+                    let [a, b, c] = t.map(|v| skin[v as usize]);
+                    let n = (a.normal + b.normal + c.normal).normalize_or(DVec3::Y);
+                    ((a.position + b.position + c.position) / 3.0, n)
+                });
+            let mut all: Vec<(DVec3, DVec3)> = points.chain(middles).collect();
+            all.extend_from_slice(&cloth);
+            all
+        };
+        let lattice = Lattice {
+            low: LOW,
+            pitch: PITCH_M,
+            size: ((HIGH - LOW) / PITCH_M).to_array().map(|n| n as usize + 1),
+        };
+        let whole = distances(lattice, &samples(true)).blurred(1);
+        let earless = distances(lattice, &samples(false)).blurred(1);
+        let round = whole.blurred(2);
+        let growth = Grid::new(lattice, |i| {
+            earless.values[i].min(round.values[i] + EAR_BUMP_M as f32)
+        });
+        let hull = whole.blurred(4);
+        Self {
+            frame,
+            whole,
+            earless,
+            growth,
+            hull,
+            skin,
+            triangles,
+        }
+    }
+
+    /// Height over what hair grows along, metres.
+    pub(super) fn height(&self, p: DVec3) -> f64 {
+        self.growth.at(p)
+    }
+
+    /// Its outward normal.
+    pub(super) fn normal(&self, p: DVec3) -> DVec3 {
+        self.growth.slope(p)
+    }
+
+    /// Outward normal of the head as one smooth hull: what cards lie along and are lit by.
+    pub(super) fn hull_normal(&self, p: DVec3) -> DVec3 {
+        self.hull.slope(p)
+    }
+
+    /// Height over the head without its ears, metres.
+    pub(super) fn height_without_ears(&self, p: DVec3) -> f64 {
+        self.earless.at(p)
+    }
+
+    /// The nearest place at least `height` above what hair grows along.
+    pub(super) fn pushed(&self, p: DVec3, height: f64) -> DVec3 {
+        let short = height - self.height(p);
+        if short > 0.0 {
+            p + self.normal(p) * short
+        } else {
+            p
+        }
+    }
+}
+
+/// Signed distance of every point of a lattice from a surface given by samples: that of the
+/// nearest one, found by sweeping (Danielsson 1980, doi:10.1016/0146-664X(80)90054-4); near the
+/// surface, that of its plane.
+fn distances(lattice: Lattice, samples: &[(DVec3, DVec3)]) -> Grid {
+    let mut nearest = vec![u32::MAX; lattice.count()];
+    let distance = |s: u32, p: DVec3| {
+        samples
+            .get(s as usize)
+            .map_or(f64::MAX, |(q, _)| q.distance_squared(p))
+    };
+    for (s, (q, _)) in (0u32..).zip(samples) {
+        if !lattice.holds(*q) {
+            continue;
+        }
+        let (cell, _) = lattice.below(*q);
+        for corner in 0..8usize {
+            let c = [0, 1, 2].map(|k: usize| cell[k] + (corner >> k & 1));
+            let slot = &mut nearest[lattice.number(c)];
+            let p = lattice.place(c);
+            if distance(s, p) < distance(*slot, p) {
+                *slot = s;
+            }
+        }
+    }
+    sweep(lattice, &mut nearest, &distance);
+    Grid::new(lattice, |i| {
+        let p = lattice.place(lattice.cell(i));
+        let Some((q, n)) = samples.get(nearest[i] as usize) else {
+            return f32::MAX;
+        };
+        let (far, plane) = (q.distance(p), (p - *q).dot(*n));
+        let share = (far / FLAT_M).clamp(0.0, 1.0);
+        (plane * (1.0 - share) + far * plane.signum() * share) as f32
+    })
+}
+
+/// Carries the nearest sample from each point to its neighbours, forwards and backwards.
+fn sweep(lattice: Lattice, nearest: &mut [u32], distance: &dyn Fn(u32, DVec3) -> f64) {
+    let [nx, ny, nz] = lattice.size;
+    let [sx, sy, sz] = [(ny * nz) as isize, nz as isize, 1isize];
+    // The half of a point's neighbours that a forward sweep has been to.
+    let before = [
+        [-1, 0, 0],
+        [0, -1, 0],
+        [0, 0, -1],
+        [-1, -1, 0],
+        [-1, 1, 0],
+        [-1, 0, -1],
+        [-1, 0, 1],
+        [0, -1, -1],
+        [0, -1, 1],
+    ];
+    for forwards in [true, false, true, false] {
+        let sign = if forwards { 1 } else { -1 };
+        for k in 0..nearest.len() {
+            let i = if forwards { k } else { nearest.len() - 1 - k };
+            let cell = lattice.cell(i);
+            let p = lattice.place(cell);
+            let mut best = (distance(nearest[i], p), nearest[i]);
+            for step in before {
+                let inside = (0..3).all(|a| {
+                    let to = cell[a] as isize + sign * step[a];
+                    to >= 0 && to < [nx, ny, nz][a] as isize
+                });
+                if inside {
+                    let at = i as isize + sign * (step[0] * sx + step[1] * sy + step[2] * sz);
+                    let s = nearest[at as usize];
+                    let d = distance(s, p);
+                    if d < best.0 {
+                        best = (d, s);
+                    }
+                }
+            }
+            nearest[i] = best.1;
+        }
+    }
+}
