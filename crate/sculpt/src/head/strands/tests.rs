@@ -1,0 +1,1 @@
+//! What brows and lashes must be.
