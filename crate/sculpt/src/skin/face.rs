@@ -196,7 +196,8 @@ impl FacePainter<'_> {
             tissue.folds_mm = [red, green * off_lips, blue * (1.0 - rise(1.2, 2.2, mouth))];
         }
 
-        tissue.lay(s.brow_colour, 0.58 * brow * self.brow_stain);
+        // Short fine hairs that none stands for; pale ones show less.
+        tissue.lay(s.brow_colour, brow * (0.28 + 0.36 * self.brow_stain));
         let roots = 0.75 + 0.25 * space_noise(seed + 30, p / 1.1);
         let cap = s.hair_colour.map(|x| 0.8 * x);
         tissue.lay(

@@ -47,7 +47,7 @@ impl BrowLine {
         let mut line = crest.to_vec();
         if let [inner, next, ..] = &mut line[..] {
             // The crest begins nearer to the midline than hair does.
-            let (y, z) = (0.7 * next.y + 0.3 * inner.y, 0.7 * next.z + 0.3 * inner.z);
+            let (y, z) = (0.88 * next.y + 0.12 * inner.y, 0.7 * next.z + 0.3 * inner.z);
             *inner = DVec3::new(next.x + 0.35 * (inner.x - next.x), y, z);
         }
         let at = |i: usize| DVec3::new(BROW[i][0], BROW[i][1], BROW[i][2]);
@@ -90,17 +90,18 @@ impl BrowLine {
         for i in 0..=56 {
             let t = f64::from(i) / 8.0;
             let (c, w) = self.at(t);
-            let d = (c - q).truncate().length() / w;
-            let ends = smooth(-0.8, 1.2, t) * smooth(6.9, 4.8, t);
-            best = best.max(ops::exp(-d * d * 1.5) * ends);
+            // The hairs rise from their roots.
+            let d = (c + DVec3::Y * (0.25 * w) - q).truncate().length() / w;
+            let ends = smooth(-0.6, 1.8, t) * smooth(7.2, 5.0, t);
+            best = best.max(ops::exp(-d * d * 0.95) * ends);
         }
         best
     }
 }
 
 /// Long hairs of a usual brow, and the short ones between them.
-const LONG_HAIRS: f64 = 190.0;
-const SHORT_HAIRS: f64 = 150.0;
+const LONG_HAIRS: f64 = 200.0;
+const SHORT_HAIRS: f64 = 200.0;
 
 /// The most a brow may have of both against the usual.
 const MOST_DENSITY: f64 = 1.6;
@@ -108,16 +109,16 @@ const MOST_DENSITY: f64 = 1.6;
 /// By share of the brow's length: how steeply hairs stand over the brow's line, rad; how much
 /// the row that a hair is of turns it to the middle; its length, mm.
 const GROWTH: [[f64; 4]; 6] = [
-    [0.0, 1.22, 0.15, 5.2],
-    [0.10, 0.98, 0.40, 7.0],
-    [0.30, 0.58, 0.75, 8.0],
-    [0.60, 0.22, 0.75, 7.4],
-    [0.85, 0.04, 0.50, 5.6],
-    [1.0, -0.04, 0.35, 3.6],
+    [0.0, 0.98, 0.10, 4.6],
+    [0.10, 0.80, 0.30, 6.4],
+    [0.30, 0.50, 0.55, 7.2],
+    [0.60, 0.20, 0.60, 7.0],
+    [0.85, 0.04, 0.45, 5.8],
+    [1.0, -0.04, 0.30, 4.0],
 ];
 
 /// Heights of a long hair's points over the skin, mm: the root is sunk, the tip stands off.
-const LONG_LIFT_MM: [f64; 4] = [-0.15, 0.35, 0.55, 0.45];
+const LONG_LIFT_MM: [f64; 3] = [-0.15, 0.45, 0.45];
 const SHORT_LIFT_MM: [f64; 2] = [-0.1, 0.3];
 
 /// What `GROWTH` says at a share of the brow's length.
@@ -179,7 +180,7 @@ impl Spread {
         let mut sum = 0.0;
         let step = |i| {
             let s = (i as f64 + 0.5) / Self::STEPS as f64;
-            let ends = smooth(-0.14, 0.22, s) * smooth(1.06, 0.80, s);
+            let ends = smooth(-0.10, 0.26, s) * smooth(1.10, 0.78, s);
             sum += line.at(7.0 * s).1 * ends;
             sum
         };
@@ -238,7 +239,7 @@ impl Brow<'_> {
         let aside = DVec3::new(-along.y, along.x, 0.0);
         let root = middle + aside * (row * width * 0.85) + DVec3::Y * (0.7 * self.own);
         let [stand, meet, length] = growth(s);
-        let stray = (0.10 + 0.26 * p.unruly) * dice.normal();
+        let stray = (0.06 + 0.24 * p.unruly) * dice.normal();
         let angle = stand - meet * row + stray;
         let toward = along * ops::cos(angle) + aside * ops::sin(angle);
         let (length, lift): (f64, &[f64]) = if is_long {
@@ -266,7 +267,10 @@ impl Brow<'_> {
             half_width: if is_long { 0.125 } else { 0.095 } * (0.75 + 0.5 * dice.unit()),
             facing: facing.normalize(),
             shade: 0.75 + 0.5 * dice.unit(),
-            cover: if is_long { 0.95 } else { 0.62 },
+            // Fainter at the brow's edges and its inner end.
+            cover: if is_long { 0.95 } else { 0.62 }
+                * (1.0 - 0.30 * row.abs())
+                * (0.45 + 0.55 * smooth(-0.02, 0.14, s)),
         }
     }
 }

@@ -14,7 +14,7 @@ pub(super) enum Row {
 
 /// Lashes of an upper lid, and their usual length, mm.
 const COUNT: f64 = 66.0;
-const LENGTH_MM: f64 = 8.4;
+const LENGTH_MM: f64 = 8.0;
 /// Number, length and strength of the lower lid's against those of the upper.
 const LOWER: f64 = 0.4;
 /// Half width of a lash at its root, mm.
@@ -22,7 +22,7 @@ const HALF_WIDTH_MM: f64 = 0.10;
 /// Lashes of a clump.
 const CLUMP: f64 = 4.2;
 /// Segments of an upper and a lower lash.
-const SEGMENTS: [usize; 2] = [4, 2];
+const SEGMENTS: [usize; 2] = [3, 2];
 
 /// A lid's edge from the inner to the outer corner.
 struct Edge<'a> {
@@ -44,7 +44,9 @@ impl Edge<'_> {
     /// leaves the lid in.
     fn growth(&self, s: f64) -> (DVec3, DVec3) {
         let out = (self.at(s) - self.globe).normalize();
-        let fan = 0.95 * (s - 0.42) * self.side.sign();
+        // The inner ones lean in less than the outer ones lean out.
+        let lean = s - 0.42;
+        let fan = lean * if lean < 0.0 { 0.6 } else { 0.95 } * self.side.sign();
         let (down, curl) = match self.row {
             Row::Upper => (-0.34, DVec3::new(0.10 * fan, 0.62, -0.08)),
             Row::Lower => (-0.42, DVec3::new(0.05 * fan, -0.05, 0.10)),
@@ -91,7 +93,7 @@ pub(super) fn lashes(
                 next: 0,
             };
             let s = (hair as f64 + 0.5 + 0.45 * dice.signed()) / count as f64;
-            let s = 0.05 + 0.93 * s;
+            let s = 0.08 + 0.90 * s;
             let meet = clump(s, (count as f64 / CLUMP).round(), seed);
             lash(&edge, s, meet, share, p, &mut dice)
         })
@@ -101,13 +103,13 @@ pub(super) fn lashes(
 /// One lash, whose tip is drawn towards those that leave the lid at `meet`.
 fn lash(edge: &Edge<'_>, s: f64, meet: f64, share: f64, p: &BrowParams, dice: &mut Dice) -> Strand {
     // Longest over the outer third.
-    let ends = (0.58 + 0.42 * smooth(0.0, 0.72, s)) * (1.0 - 0.25 * smooth(0.86, 1.0, s));
+    let ends = (0.40 + 0.60 * smooth(0.0, 0.68, s)) * (1.0 - 0.36 * smooth(0.82, 1.0, s));
     let length = LENGTH_MM * share * p.lash_length * ends * (0.74 + 0.36 * dice.unit());
     let root = edge.at(s);
     let (own_end, leave) = edge.growth(s);
     let (their_end, _) = edge.growth(meet);
     let loose = 0.25 + 0.35 * dice.unit();
-    let shaken = DVec3::new(dice.signed(), dice.signed(), dice.signed()) * 0.05;
+    let shaken = DVec3::new(dice.signed(), dice.signed(), dice.signed()) * 0.04;
     let together = (edge.at(meet) + their_end * length).lerp(root + own_end * length, loose);
     let tip = together + shaken * length;
     let out = (root - edge.globe).normalize();
@@ -129,6 +131,6 @@ fn lash(edge: &Edge<'_>, s: f64, meet: f64, share: f64, p: &BrowParams, dice: &m
             DVec3::Z
         },
         shade: 0.75 + 0.5 * dice.unit(),
-        cover: if edge.row == Row::Upper { 0.95 } else { 0.62 },
+        cover: if edge.row == Row::Upper { 0.95 } else { 0.72 },
     }
 }
