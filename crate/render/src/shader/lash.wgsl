@@ -56,7 +56,9 @@ fn fs_lash(v: VertexOut) -> @location(0) vec4<f32> {
     // So fine a hair is shaded as a line in its surroundings' light; a lobe would sparkle.
     let facing = saturate1(0.5 + 0.5 * dot(n, frame.key_dir.xyz));
     let share = key_share(v.world, n, v.clip.xy) * mix(0.2, 0.75, facing);
-    let light = frame.key.xyz * share + frame.fill.xyz * 0.5 + ambient(n);
+    // Light passes through pale hair and lights it from within.
+    let pale = 1.0 + 0.45 * saturate1(2.0 * tone.g - 0.2);
+    let light = (frame.key.xyz * share + frame.fill.xyz * 0.5 + ambient(n)) * pale;
     let seen = written(tone * light, alpha, v.clip.xy);
     return vec4<f32>(seen.rgb * alpha, alpha);
 }

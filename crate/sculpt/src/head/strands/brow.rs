@@ -100,8 +100,8 @@ impl BrowLine {
 }
 
 /// Long hairs of a usual brow, and the short ones between them.
-const LONG_HAIRS: f64 = 200.0;
-const SHORT_HAIRS: f64 = 200.0;
+const LONG_HAIRS: f64 = 180.0;
+const SHORT_HAIRS: f64 = 160.0;
 
 /// The most a brow may have of both against the usual.
 const MOST_DENSITY: f64 = 1.6;
@@ -264,7 +264,7 @@ impl Brow<'_> {
         });
         Strand {
             points: points.collect(),
-            half_width: if is_long { 0.125 } else { 0.095 } * (0.75 + 0.5 * dice.unit()),
+            half_width: if is_long { 0.13 } else { 0.10 } * (0.75 + 0.5 * dice.unit()),
             facing: facing.normalize(),
             shade: 0.75 + 0.5 * dice.unit(),
             // Fainter at the brow's edges and its inner end.

@@ -13,8 +13,8 @@ pub(super) enum Row {
 }
 
 /// Lashes of an upper lid, and their usual length, mm.
-const COUNT: f64 = 66.0;
-const LENGTH_MM: f64 = 8.0;
+const COUNT: f64 = 60.0;
+const LENGTH_MM: f64 = 7.2;
 /// Number, length and strength of the lower lid's against those of the upper.
 const LOWER: f64 = 0.4;
 /// Half width of a lash at its root, mm.
@@ -47,9 +47,11 @@ impl Edge<'_> {
         // The inner ones lean in less than the outer ones lean out.
         let lean = s - 0.42;
         let fan = lean * if lean < 0.0 { 0.6 } else { 0.95 } * self.side.sign();
+        // Those at the outer corner would otherwise point down.
+        let corner = 1.0 - 0.6 * smooth(0.7, 1.0, s);
         let (down, curl) = match self.row {
-            Row::Upper => (-0.34, DVec3::new(0.10 * fan, 0.62, -0.08)),
-            Row::Lower => (-0.42, DVec3::new(0.05 * fan, -0.05, 0.10)),
+            Row::Upper => (-0.46 * corner, DVec3::new(0.08 * fan, 0.84, -0.20)),
+            Row::Lower => (-0.40, DVec3::new(0.05 * fan, -0.10, 0.08)),
         };
         let leave = DVec3::new(out.x * 0.5 + fan, out.y * 0.9 + down, out.z * 0.95).normalize();
         ((leave + curl), leave)
@@ -109,7 +111,12 @@ fn lash(edge: &Edge<'_>, s: f64, meet: f64, share: f64, p: &BrowParams, dice: &m
     let (own_end, leave) = edge.growth(s);
     let (their_end, _) = edge.growth(meet);
     let loose = 0.25 + 0.35 * dice.unit();
-    let shaken = DVec3::new(dice.signed(), dice.signed(), dice.signed()) * 0.04;
+    // Seen from the side, they would else lie one behind the other.
+    let shaken = DVec3::new(
+        0.04 * dice.signed(),
+        0.12 * dice.signed(),
+        0.06 * dice.signed(),
+    );
     let together = (edge.at(meet) + their_end * length).lerp(root + own_end * length, loose);
     let tip = together + shaken * length;
     let out = (root - edge.globe).normalize();
@@ -131,6 +138,6 @@ fn lash(edge: &Edge<'_>, s: f64, meet: f64, share: f64, p: &BrowParams, dice: &m
             DVec3::Z
         },
         shade: 0.75 + 0.5 * dice.unit(),
-        cover: if edge.row == Row::Upper { 0.95 } else { 0.72 },
+        cover: if edge.row == Row::Upper { 0.95 } else { 0.65 },
     }
 }
