@@ -48,7 +48,7 @@ fn as_hair(v: VertexIn, card: VertexOut) -> VertexOut {
 fn fs_lash(v: VertexOut) -> @location(0) vec4<f32> {
     let cover = clamp(0.5 * v.bend - abs(v.uv.x) + 0.5, 0.0, min(v.bend, 1.0));
     // A hair comes out of the skin rather than standing on it.
-    let rooted = mix(0.45, 1.0, smoothstep(0.0, 0.16, v.uv.y));
+    let rooted = mix(0.72, 1.0, smoothstep(0.0, 0.12, v.uv.y));
     let alpha = cover * rooted * v.color.a * material.base.a;
     let outward = normalize(v.normal);
     let n = select(-outward, outward, dot(outward, to_eye(v.world)) > 0.0);

@@ -197,7 +197,7 @@ impl FacePainter<'_> {
         }
 
         // Short fine hairs that none stands for; pale ones show less.
-        tissue.lay(s.brow_colour, brow * (0.28 + 0.36 * self.brow_stain));
+        tissue.lay(s.brow_colour, brow * (0.30 + 0.34 * self.brow_stain));
         let roots = 0.75 + 0.25 * space_noise(seed + 30, p / 1.1);
         let cap = s.hair_colour.map(|x| 0.8 * x);
         tissue.lay(

@@ -14,7 +14,7 @@ pub(super) enum Row {
 
 /// Lashes of an upper lid, and their usual length, mm.
 const COUNT: f64 = 60.0;
-const LENGTH_MM: f64 = 7.2;
+const LENGTH_MM: f64 = 7.5;
 /// Number, length and strength of the lower lid's against those of the upper.
 const LOWER: f64 = 0.4;
 /// Half width of a lash at its root, mm.
