@@ -101,8 +101,9 @@ impl PipelineKey {
         let material = &mesh.material;
         let kind = material.kind;
         let alpha_mode = match kind {
-            MaterialKind::Hair | MaterialKind::Lash => AlphaMode::Mask,
-            MaterialKind::Cornea => AlphaMode::Blend,
+            MaterialKind::Hair => AlphaMode::Mask,
+            // Hairs thinner than a pixel must cover less of it than a sample does.
+            MaterialKind::Cornea | MaterialKind::Lash => AlphaMode::Blend,
             MaterialKind::Plain if material.base_color[3] < 0.99 => AlphaMode::Blend,
             // A JPEG has no alpha that could cut.
             MaterialKind::Plain
@@ -240,12 +241,18 @@ impl FigureData {
         }
         batches.retain(|b| !b.levels[0].is_empty());
         // Solid ones first, by the way they cast, so that their shadow is one call; the wet
-        // alpha_mode of the eyes after other clear ones.
+        // surface of the eyes after other clear ones, and the hairs before it last.
         sort_by_number(&mut batches, |b| {
-            let wet = u32::from(b.key.kind == MaterialKind::Cornea);
+            let before = match b.key.kind {
+                MaterialKind::Cornea => 1,
+                MaterialKind::Lash => 2,
+                _ => 0,
+            };
             let (alpha_mode, shadow) = (b.key.alpha_mode as u32, b.key.shadow() as u32);
             let bound = u32::from(b.key.bound);
-            f64::from((((alpha_mode * 8 + shadow) * 2 + bound) * 2 + wet) * 32 + b.key.kind as u32)
+            f64::from(
+                (((alpha_mode * 8 + shadow) * 4 + before) * 2 + bound) * 32 + b.key.kind as u32,
+            )
         });
         data.lay(&batches);
         Ok(data)

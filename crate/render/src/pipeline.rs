@@ -19,7 +19,7 @@ use crate::tissue::TissueVertex;
 const FRAME: &str = include_str!(concat!(env!("OUT_DIR"), "/frame.wgsl"));
 
 /// The shaders of everything on the stage, one module.
-const STAGE: [&str; 12] = [
+const STAGE: [&str; 13] = [
     FRAME,
     include_str!(concat!(env!("OUT_DIR"), "/light.wgsl")),
     include_str!(concat!(env!("OUT_DIR"), "/figure.wgsl")),
@@ -28,6 +28,7 @@ const STAGE: [&str; 12] = [
     include_str!(concat!(env!("OUT_DIR"), "/eye.wgsl")),
     include_str!(concat!(env!("OUT_DIR"), "/mouth.wgsl")),
     include_str!(concat!(env!("OUT_DIR"), "/hair.wgsl")),
+    include_str!(concat!(env!("OUT_DIR"), "/lash.wgsl")),
     include_str!(concat!(env!("OUT_DIR"), "/cloth.wgsl")),
     include_str!(concat!(env!("OUT_DIR"), "/theatre.wgsl")),
     include_str!(concat!(env!("OUT_DIR"), "/bare.wgsl")),
@@ -308,7 +309,7 @@ impl Pipelines {
             module: &shared.stage,
             layout: &pipeline_layout(device, "figure", &[lit, figure, maps]),
             constants: &self.constants,
-            vertex: figure_entry(key.bound),
+            vertex: material_entry(key),
             buffers: &vertex_buffers()[..stream_count(key.bound)],
             fragment: Some(fragment_entry(key, self.simple)),
             target: Some(self.target.format),
@@ -535,6 +536,15 @@ fn make_shadow(
 
 fn figure_entry(bound: bool) -> &'static str {
     if bound { "vs_bound" } else { "vs_figure" }
+}
+
+/// Hairs of brows and lashes are widened where they are drawn as such.
+fn material_entry(key: PipelineKey) -> &'static str {
+    match (key.kind, key.bound) {
+        (MaterialKind::Lash, true) => "vs_bound_lash",
+        (MaterialKind::Lash, false) => "vs_lash",
+        (_, bound) => figure_entry(bound),
+    }
 }
 
 fn fragment_entry(key: PipelineKey, simple: bool) -> &'static str {

@@ -1,6 +1,6 @@
 //! Draws frames of one figure to any target of the chosen format.
 
-use raconteur_body::Figure;
+use raconteur_body::{Figure, MaterialKind};
 use raconteur_stage::{Fill, Frame, Shown};
 use wgpu::{Buffer, BufferUsages, Device, Queue, TextureFormat, TextureView};
 
@@ -387,7 +387,10 @@ impl Renderer {
         let pipelines = &self.tier.pipelines;
         let is_bare = is_bare(shown);
         let bare = |key: PipelineKey| pipelines.bare(shown, key.bound).filter(|_| is_bare);
-        let opaque = |key: PipelineKey| key.alpha_mode != AlphaMode::Blend;
+        // By edges or in clay, brows and lashes are as solid as all else.
+        let opaque = |key: PipelineKey| {
+            key.alpha_mode != AlphaMode::Blend || is_bare && key.kind == MaterialKind::Lash
+        };
         let blended = |key: PipelineKey| key.alpha_mode == AlphaMode::Blend;
         let thin = shown.fill != Fill::Solid;
         let at = (shown, self.tier.options.quality.level_of_detail());

@@ -188,17 +188,6 @@ fn fs_hair(v: VertexOut, @builtin(front_facing) front: bool) -> @location(0) vec
     return written(hair_light(v, n, tone, s), cover, v.clip.xy);
 }
 
-// A lash or brow hair is a card of its own that tapers to a point.
-@fragment
-fn fs_lash(v: VertexOut, @builtin(front_facing) front: bool) -> @location(0) vec4<f32> {
-    let n = facing_normal(v.normal, front);
-    let tone = v.color.rgb * material.base.rgb;
-    // So fine a hair is shaded as a line in its surroundings' light; a lobe would sparkle.
-    let share = key_share(v.world, n, v.clip.xy);
-    let light = frame.key.xyz * (share * 0.55) + frame.fill.xyz * 0.5 + ambient(n);
-    return written(tone * light * v.color.a, material.base.a, v.clip.xy);
-}
-
 @fragment
 fn fs_hair_shadow(v: ShadowOut) {
     if strand_or_cap(v.uv, v.bind, 0.02).cover < 0.4 {

@@ -73,8 +73,10 @@ fn hair() -> HairParams {
 
 fn brow() -> BrowParams {
     BrowParams {
-        colour: [0.020, 0.016, 0.014],
-        density: 1.0,
+        colour: [0.030, 0.024, 0.021],
+        density: 0.8,
+        height: 1.15,
+        unruly: 0.6,
         lash_length: 0.8,
         lash_tone: 0.3,
         ..BrowParams::default()

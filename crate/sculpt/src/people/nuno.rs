@@ -80,7 +80,7 @@ fn brow() -> BrowParams {
         height: 0.85,
         unruly: 0.25,
         asymmetry: 0.3,
-        lash_length: 0.95,
+        lash_length: 0.82,
         lash_tone: 0.4,
     }
 }

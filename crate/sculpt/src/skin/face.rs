@@ -201,7 +201,8 @@ impl FacePainter<'_> {
             tissue.folds_mm = [red, green * off_lips, blue * (1.0 - rise(1.2, 2.2, mouth))];
         }
 
-        tissue.lay(s.brow_colour, 0.58 * brow * self.brow_stain);
+        // Short fine hairs that none stands for; pale ones show less.
+        tissue.lay(s.brow_colour, brow * (0.30 + 0.34 * self.brow_stain));
         if let Some((rgb, share)) = self.cap.and_then(|c| c.at(p * 1e-3)) {
             tissue.lay(rgb, share);
         }
