@@ -222,6 +222,22 @@ impl FigureData {
             };
             let maps = mesh.material.maps;
             let levels = data.push(mesh, key.alpha_mode);
+            // What the sharp cards leave, ends and gaps, is drawn over them from the scalp outwards.
+            if key.kind == MaterialKind::Hair {
+                let soft = PipelineKey {
+                    alpha_mode: AlphaMode::Blend,
+                    ..key
+                };
+                let outwards = levels
+                    .clone()
+                    .map(|level| from_outside_in(level.into_iter()));
+                batches.push(Batch {
+                    key: soft,
+                    maps,
+                    material,
+                    levels: outwards,
+                });
+            }
             match batches
                 .iter_mut()
                 .find(|b| b.key == key && b.maps == maps && b.material == material)

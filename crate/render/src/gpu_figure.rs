@@ -15,6 +15,7 @@ use crate::gpu::{bind_group, binding, empty_buffer};
 use crate::layouts::Layouts;
 use crate::lid::LidEdge;
 use crate::morph::MorphedMesh;
+use crate::strands;
 use crate::texture::{self, Role};
 use crate::tissue::{BoundMesh, Nodes, TissueVertex};
 
@@ -73,6 +74,8 @@ pub(crate) struct FallbackTextures {
     white: TextureView,
     flat: TextureView,
     level: TextureView,
+    /// The atlas of strands, which all hair is drawn with.
+    strands: TextureView,
     sampler: wgpu::Sampler,
 }
 
@@ -87,6 +90,7 @@ impl FallbackTextures {
             white: dot(Role::Color, [255; 4]),
             flat: dot(Role::Normal, [128, 128, 255, 255]),
             level: dot(Role::Height, [128; 4]),
+            strands: texture::upload_levels(device, queue, &strands::atlas()),
             sampler: device.create_sampler(&wgpu::SamplerDescriptor {
                 address_mode_u: wgpu::AddressMode::Repeat,
                 address_mode_v: wgpu::AddressMode::Repeat,
@@ -201,6 +205,7 @@ impl GpuFigure {
                     binding(1, wgpu::BindingResource::TextureView(normal)),
                     binding(2, wgpu::BindingResource::Sampler(&fallback.sampler)),
                     binding(3, wgpu::BindingResource::TextureView(wrinkles)),
+                    binding(4, wgpu::BindingResource::TextureView(&fallback.strands)),
                 ],
             );
             self.maps.push((wanted, group));
@@ -354,7 +359,7 @@ impl GpuFigure {
             let (shadow, bound) = (first.key.shadow(), first.key.bound);
             let alike = |m: &&DrawnMesh| {
                 (m.key.shadow(), m.key.bound) == (shadow, bound)
-                    && (shadow != Shadow::Picture || m.maps == first.maps)
+                    && (!is_cut(shadow) || m.maps == first.maps)
             };
             let count = rest.iter().take_while(alike).count();
             let (run, after) = rest.split_at(count);
@@ -364,7 +369,7 @@ impl GpuFigure {
             };
             pass.set_pipeline(pipeline);
             pass.set_bind_group(1, &self.group, &[first.material_offset]);
-            if shadow == Shadow::Picture {
+            if is_cut(shadow) {
                 self.bind_maps(pass, first.maps);
             }
             let indices = first.levels[level].start..last.levels[level].end;
@@ -372,4 +377,9 @@ impl GpuFigure {
             pass.draw_indexed(indices, 0, 0..1);
         }
     }
+}
+
+/// Whether a shadow is cut by a picture.
+fn is_cut(shadow: Shadow) -> bool {
+    matches!(shadow, Shadow::Strands | Shadow::Picture)
 }

@@ -13,7 +13,8 @@ pub(crate) struct Layouts {
     pub(crate) lit: BindGroupLayout,
     /// Joints and one material.
     pub(crate) figure: BindGroupLayout,
-    /// A material's pictures of colour, normals and wrinkles, and their sampler.
+    /// A material's pictures of colour, normals and wrinkles, their sampler, and the atlas of
+    /// strands.
     pub(crate) maps: BindGroupLayout,
     /// The frame, the finished picture and its sampler.
     pub(crate) tone_map: BindGroupLayout,
@@ -69,7 +70,13 @@ impl Layouts {
             ),
             maps: layout(
                 "maps",
-                &[picture(0), picture(1), sampler(2, filtering), picture(3)],
+                &[
+                    picture(0),
+                    picture(1),
+                    sampler(2, filtering),
+                    picture(3),
+                    picture(4),
+                ],
             ),
             tone_map: layout("tone map", &[frame, picture(1), sampler(2, filtering)]),
         }

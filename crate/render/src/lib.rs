@@ -31,6 +31,7 @@ mod overlay;
 mod pipeline;
 mod refusal;
 mod shadow;
+mod strands;
 mod target;
 mod texture;
 mod tier;

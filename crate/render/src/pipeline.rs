@@ -501,7 +501,7 @@ fn make_shadow(
         ..
     } = &shared.layouts;
     let (groups, fragment): (&[_], _) = match shadow {
-        Shadow::Strands => (&[frame, figure], Some("fs_hair_shadow")),
+        Shadow::Strands => (&[frame, figure, maps], Some("fs_hair_shadow")),
         Shadow::Picture => (&[frame, figure, maps], Some("fs_cut_shadow")),
         Shadow::Solid | Shadow::Nothing => (&[frame, figure], None),
     };
@@ -551,6 +551,7 @@ fn fragment_entry(key: PipelineKey, simple: bool) -> &'static str {
     match key.kind {
         MaterialKind::Skin | MaterialKind::Nail if simple => "fs_simple_skin",
         MaterialKind::Hair if simple => "fs_simple_hair",
+        MaterialKind::Hair if key.alpha_mode == AlphaMode::Blend => "fs_hair_soft",
         MaterialKind::Cloth | MaterialKind::Leather if simple => "fs_simple_cloth",
         MaterialKind::Plain if simple && key.alpha_mode == AlphaMode::Opaque => "fs_simple_skin",
         MaterialKind::Skin => "fs_skin",

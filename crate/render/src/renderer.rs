@@ -391,7 +391,12 @@ impl Renderer {
         let opaque = |key: PipelineKey| {
             key.alpha_mode != AlphaMode::Blend || is_bare && key.kind == MaterialKind::Lash
         };
-        let blended = |key: PipelineKey| key.alpha_mode == AlphaMode::Blend;
+        // The lowest quality has no time for soft ends of hair.
+        let is_soft_hair = |key: PipelineKey| key.kind == MaterialKind::Hair;
+        let is_direct = self.tier.target.is_direct;
+        let blended = |key: PipelineKey| {
+            key.alpha_mode == AlphaMode::Blend && !(is_direct && is_soft_hair(key))
+        };
         let thin = shown.fill != Fill::Solid;
         let at = (shown, self.tier.options.quality.level_of_detail());
         // Solid surfaces go first; then the theatre fills the rest; then what adds light

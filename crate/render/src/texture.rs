@@ -25,7 +25,7 @@ pub(crate) enum Role {
 }
 
 /// One mip level: width, height and RGBA bytes.
-type Level = (u32, u32, Vec<u8>);
+pub(crate) type Level = (u32, u32, Vec<u8>);
 
 /// Refuses a picture whose size makes no sense or does not fit its bytes.
 pub(crate) fn check(width: u32, height: u32, rgba: &[u8]) -> Result<(), RenderError> {
@@ -74,6 +74,28 @@ pub(crate) fn upload(
         .into_iter()
         .chain(levels.iter().map(|(w, h, b)| (*w, *h, b.as_slice())))
         .collect();
+    let format = match role {
+        Role::Color => TextureFormat::Rgba8UnormSrgb,
+        Role::Normal | Role::Height => TextureFormat::Rgba8Unorm,
+    };
+    send(device, queue, format, &all)
+}
+
+/// Sends a picture given with all its mip levels, the finest first.
+pub(crate) fn upload_levels(device: &Device, queue: &Queue, levels: &[Level]) -> TextureView {
+    let all: Vec<(u32, u32, &[u8])> = levels
+        .iter()
+        .map(|(w, h, b)| (*w, *h, b.as_slice()))
+        .collect();
+    send(device, queue, TextureFormat::Rgba8Unorm, &all)
+}
+
+fn send(
+    device: &Device,
+    queue: &Queue,
+    format: TextureFormat,
+    all: &[(u32, u32, &[u8])],
+) -> TextureView {
     let extent = |width, height| wgpu::Extent3d {
         width,
         height,
@@ -86,14 +108,11 @@ pub(crate) fn upload(
         mip_level_count: all.len() as u32,
         sample_count: 1,
         dimension: wgpu::TextureDimension::D2,
-        format: match role {
-            Role::Color => TextureFormat::Rgba8UnormSrgb,
-            Role::Normal | Role::Height => TextureFormat::Rgba8Unorm,
-        },
+        format,
         usage: wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST,
         view_formats: &[],
     });
-    for (level, &(w, h, bytes)) in (0..).zip(&all) {
+    for (level, &(w, h, bytes)) in (0..).zip(all) {
         queue.write_texture(
             wgpu::TexelCopyTextureInfo {
                 mip_level: level,

@@ -5,6 +5,8 @@
 //! that skinning, morphs and tissue move every level alike. Lips, lids and the other borders of the
 //! skin are kept whole: they must meet on every level.
 
+mod cards;
+
 use std::collections::HashMap;
 
 use meshopt::{
@@ -27,7 +29,6 @@ fn shares(kind: MaterialKind) -> [f64; 2] {
         MaterialKind::Mouth => [0.4, 0.12],
         MaterialKind::Eye | MaterialKind::Cornea => [0.5, 0.3],
         MaterialKind::Lash => [0.8, 0.5],
-        MaterialKind::Hair => [0.7, 0.28],
         MaterialKind::Nail | MaterialKind::Leather => [0.4, 0.12],
         MaterialKind::Cloth | MaterialKind::Rib | MaterialKind::Fleece => [0.5, 0.27],
         _ => [0.4, 0.14],
@@ -121,7 +122,9 @@ pub(crate) fn add(figure: &mut Figure, annotations: &Annotations) {
     let layers = Layers::new(figure);
     let lids = Lids::of(figure);
     for (number, mesh) in figure.meshes.iter_mut().enumerate() {
-        if mesh.indices.len() / 3 >= WORTH_TRIANGLES {
+        if mesh.material.kind == MaterialKind::Hair {
+            mesh.coarser = cards::coarser(mesh);
+        } else if mesh.indices.len() / 3 >= WORTH_TRIANGLES {
             let mut locked = layers.touching(number);
             locked.resize(mesh.positions.len(), false);
             for (v, locked) in locked.iter_mut().enumerate() {
@@ -161,7 +164,7 @@ fn coarser(mesh: &Mesh, focus: &[Focus], locked: &[bool]) -> Vec<Vec<u32>> {
     };
     let options = match mesh.material.kind {
         // Cards are nothing but borders.
-        MaterialKind::Hair | MaterialKind::Lash => SimplifyOptions::ErrorAbsolute,
+        MaterialKind::Lash => SimplifyOptions::ErrorAbsolute,
         _ => SimplifyOptions::ErrorAbsolute | SimplifyOptions::LockBorder,
     };
     // The simplifier measures positions by the mesh's extent, and attributes as they are.

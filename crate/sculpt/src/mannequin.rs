@@ -32,11 +32,7 @@ impl Mannequin {
     pub(super) fn of(params: &FigureParams) -> Self {
         let body = params.body();
         let mut joints = Joints::place(&body);
-        let head = head::build(
-            &params.person,
-            &params.head,
-            params.hair.colour.linear_rgb(),
-        );
+        let head = head::build(&params.person, &params.head);
         let world_from_head = place_head(&mut joints, &head, params.person.stature_m);
         let field = Field::new(&body, &joints);
         let cage = Cage::new(&field, &joints);

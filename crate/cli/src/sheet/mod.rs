@@ -30,6 +30,8 @@ pub(crate) enum SheetPart {
     All,
     /// Front, three-quarter, profile.
     Face,
+    /// The head from front, three-quarter, side and back; not part of all.
+    Hair,
     /// Eyes from near, open and closed.
     Eyes,
     /// Front, side, back.
@@ -76,6 +78,7 @@ pub(crate) fn tiles(figure: &Figure, parts: &[SheetPart], light: Lighting) -> Ve
                         | SheetPart::Visemes
                         | SheetPart::Emotions
                         | SheetPart::Blink
+                        | SheetPart::Hair
                         | SheetPart::Portrait
                 ))
     };

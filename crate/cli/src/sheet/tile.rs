@@ -61,6 +61,7 @@ pub(super) fn of(figure: &Figure, part: SheetPart, lighting: Lighting) -> Vec<Ti
     match part {
         SheetPart::All => Vec::new(),
         SheetPart::Face => maker.face(),
+        SheetPart::Hair => maker.hair(),
         SheetPart::Eyes => maker.eyes(),
         SheetPart::Body => maker.body(),
         SheetPart::Hands => maker.hands(),
@@ -111,17 +112,32 @@ impl<'a> Maker<'a> {
     }
 
     fn face(&self) -> Vec<Tile> {
-        [
+        self.turned(&[
             ("face front", 0.0),
             ("three-quarter", FRAC_PI_4),
             ("profile", FRAC_PI_2),
-        ]
-        .map(|(caption, yaw)| {
-            let mut posture = self.standing();
-            posture.facing(yaw);
-            self.head(caption, posture)
-        })
-        .into()
+        ])
+    }
+
+    fn hair(&self) -> Vec<Tile> {
+        self.turned(&[
+            ("hair front", 0.0),
+            ("hair three-quarter", FRAC_PI_4),
+            ("hair profile", FRAC_PI_2),
+            ("hair back", PI),
+        ])
+    }
+
+    /// The head from several sides: caption and turn of the body, radians.
+    fn turned(&self, views: &[(&str, f64)]) -> Vec<Tile> {
+        views
+            .iter()
+            .map(|(caption, yaw)| {
+                let mut posture = self.standing();
+                posture.facing(*yaw);
+                self.head(caption, posture)
+            })
+            .collect()
     }
 
     fn eyes(&self) -> Vec<Tile> {

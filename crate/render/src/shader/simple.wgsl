@@ -27,18 +27,21 @@ fn fs_simple_cloth(v: VertexOut, @builtin(front_facing) front: bool) -> @locatio
 }
 
 @fragment
-fn fs_simple_hair(v: VertexOut, @builtin(front_facing) front: bool) -> @location(0) vec4<f32> {
-    let at = v.uv.x * COLUMNS;
-    let column = floor(at);
-    let x = at - column;
-    // Locks of a card end at different lengths.
-    let lock = 0.5 + 0.5 * sin(x * 23.0 + column * 2.4);
-    let card = min((0.62 + 0.33 * lock - v.uv.y) * 6.0, min(x, 1.0 - x) * 9.0);
-    let cover = select(card, v.uv.y, column >= CAP);
-    if cover < 0.42 {
+fn fs_simple_hair(v: VertexOut) -> @location(0) vec4<f32> {
+    let p = textureSample(strand_map, map_sampler, v.uv);
+    if p.r < 0.4 {
         discard;
     }
-    let n = facing_normal(v.normal, front);
-    let tone = v.color.rgb * material.base.rgb * (0.95 + 0.35 * lock);
-    return vec4<f32>(encoded_simply(tone * lit_simply(n, v.color.a, 0.35)), 1.0);
+    let hull = normalize(v.normal);
+    let open = v.color.a * v.color.a;
+    let tone = strand_tone(v, p.b) * mix(0.5, 1.06, smoothstep(0.12, 0.85, p.g));
+    let lamps = vec3<f32>(
+        hair_through(open, hull, frame.key_dir.xyz),
+        hair_through(open, hull, frame.fill_dir.xyz),
+        hair_through(open, hull, frame.rim_dir.xyz),
+    );
+    let facing = vec3<f32>(dot(hull, frame.key_dir.xyz), dot(hull, frame.fill_dir.xyz), dot(hull, frame.rim_dir.xyz));
+    let d = saturate((facing + 0.45) / 1.45) * lamps;
+    let light = frame.key.xyz * d.x + frame.fill.xyz * d.y + frame.rim.xyz * d.z + room(hull) * (1.5 * open);
+    return vec4<f32>(encoded_simply(tone * light), 1.0);
 }

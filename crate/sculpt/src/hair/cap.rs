@@ -62,12 +62,16 @@ impl Cap {
     }
 
     fn draw(&mut self, style: &Style, places: &[Root]) {
-        let length = if matches!(style.comb, Comb::Coily) { 0.006 } else { 0.013 };
+        let length = if matches!(style.comb, Comb::Coily) {
+            0.006
+        } else {
+            0.013
+        };
         let pace = length / STEPS as f64;
         for (i, root) in (0i64..).zip(places.iter().take(STROKES * 3)) {
             let dice = |k: u64| noise::unit(self.seed + 5, k, i);
-            let dense = ops::pow(step(-0.004, 0.009, root.inside), 1.3)
-                * self.off_parting(root.position);
+            let dense =
+                ops::pow(step(-0.004, 0.009, root.inside), 1.3) * self.off_parting(root.position);
             if dice(0) > dense {
                 continue;
             }
@@ -115,7 +119,7 @@ impl Cap {
     /// 0 on the parting, where skin shows, 1 beside it.
     fn off_parting(&self, p: DVec3) -> f64 {
         let ragged = 0.0004 * space_noise(self.seed + 2, p * 500.0);
-        step(0.0001, 0.0014, self.field.from_parting(p) + ragged)
+        step(0.0001, 0.0014, self.field.off_parting(p) + ragged)
     }
 
     /// Colour of hair at a place of the head's skin, in the frame of the head, metres, and the share

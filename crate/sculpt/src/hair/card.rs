@@ -143,6 +143,12 @@ impl Card {
         self.rows[i].sides[0].distance(self.rows[i].sides[1])
     }
 
+    /// From root to tip, metres.
+    pub(super) fn length(&self) -> f64 {
+        let rows = self.rows.windows(2);
+        rows.map(|w| w[0].middle().distance(w[1].middle())).sum()
+    }
+
     /// u at either side.
     pub(super) fn across(&self) -> [f64; 2] {
         let first = f64::from(self.strip) / STRIPS;

@@ -69,7 +69,16 @@ impl Grower<'_> {
                 self.space.pushed(p, 0.0008)
             })
             .collect();
-        self.coil(layer, number, &path, length, root, i, [0.7, 1.0, 0.85], length / (layer.length - layer.offset).max(0.2))
+        self.coil(
+            layer,
+            number,
+            &path,
+            length,
+            root,
+            i,
+            [0.7, 1.0, 0.85],
+            length / (layer.length - layer.offset).max(0.2),
+        )
     }
 
     /// A patch that lies at its layer's depth.
@@ -91,7 +100,16 @@ impl Grower<'_> {
                 p + self.space.normal(p) * (depth * wave - self.space.height(p))
             })
             .collect();
-        self.coil(layer, number, &path, length, root, i, [0.8, 1.0, 0.8], 50.0 * length)
+        self.coil(
+            layer,
+            number,
+            &path,
+            length,
+            root,
+            i,
+            [0.8, 1.0, 0.8],
+            50.0 * length,
+        )
     }
 
     #[allow(clippy::too_many_arguments, reason = "a card is made of all of these")]
@@ -115,7 +133,9 @@ impl Grower<'_> {
             STEP_M,
             &Laid {
                 length,
-                width: layer.width * (0.75 + 0.5 * dice(0)) * (0.55 + 0.45 * step(0.0, 0.015, root.inside)),
+                width: layer.width
+                    * (0.75 + 0.5 * dice(0))
+                    * (0.55 + 0.45 * step(0.0, 0.015, root.inside)),
                 taper,
                 spans: layer.spans,
                 strip: layer.strips[0] + (dice(1) * strips) as u32,

@@ -80,7 +80,13 @@ impl HairColour {
 
     pub(super) fn palette(&self, seed: u64) -> Palette {
         let pigment = self.pigment_rgb();
-        let top = |i: usize| if self.grey > 0.0 { WHITE[i].max(pigment[i]) } else { pigment[i] };
+        let top = |i: usize| {
+            if self.grey > 0.0 {
+                WHITE[i].max(pigment[i])
+            } else {
+                pigment[i]
+            }
+        };
         Palette {
             base: core::array::from_fn(|i| (top(i) * HEADROOM).min(1.0)),
             pigment,
@@ -95,7 +101,7 @@ impl Palette {
     /// the mean.
     pub(super) fn grey_of(&self, id: i64) -> f64 {
         let g = self.grey;
-        (g + 1.3 * noise::signed(self.seed, 503, id) * g * (1.0 - g)).clamp(0.0, 1.0)
+        (g + 0.6 * noise::signed(self.seed, 503, id) * g * (1.0 - g)).clamp(0.0, 1.0)
     }
 
     /// Colour over the base at a share of a hair's length; `tint` 0..1 is the card's tone, `grey`

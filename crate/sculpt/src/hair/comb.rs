@@ -48,13 +48,12 @@ impl Field {
 
     /// x of the parting at a depth: not drawn with a ruler.
     fn parting_at(&self, z: f64) -> f64 {
-        lerp(self.crown.x, self.parting, step(self.crown.z, 0.05, z))
-            + 0.0012 * ops::sin(300.0 * z)
+        lerp(self.crown.x, self.parting, step(self.crown.z, 0.05, z)) + 0.0012 * ops::sin(300.0 * z)
     }
 
     /// Distance from the parting, metres; that from the crown behind it, and far off where there
     /// is none.
-    pub(super) fn from_parting(&self, p: DVec3) -> f64 {
+    pub(super) fn off_parting(&self, p: DVec3) -> f64 {
         if !matches!(self.comb, Comb::Parted) {
             return 1.0;
         }

@@ -83,8 +83,12 @@ impl Grid {
     pub(super) fn slope(&self, p: DVec3) -> DVec3 {
         let h = self.lattice.pitch;
         let along = |d: DVec3| self.at(p + d) - self.at(p - d);
-        DVec3::new(along(DVec3::X * h), along(DVec3::Y * h), along(DVec3::Z * h))
-            .normalize_or(DVec3::Y)
+        DVec3::new(
+            along(DVec3::X * h),
+            along(DVec3::Y * h),
+            along(DVec3::Z * h),
+        )
+        .normalize_or(DVec3::Y)
     }
 
     /// Adds to the eight points about a place, by nearness.
@@ -108,7 +112,11 @@ impl Grid {
         let mut out = self.clone();
         let [nx, ny, nz] = self.lattice.size;
         let mut line = Vec::new();
-        for (count, stride, others) in [(nx, ny * nz, [ny, nz]), (ny, nz, [nx, nz]), (nz, 1, [nx, ny])] {
+        for (count, stride, others) in [
+            (nx, ny * nz, [ny, nz]),
+            (ny, nz, [nx, nz]),
+            (nz, 1, [nx, ny]),
+        ] {
             for a in 0..others[0] {
                 for b in 0..others[1] {
                     let first = match stride {

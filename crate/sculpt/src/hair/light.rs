@@ -84,7 +84,7 @@ impl<'a> Shade<'a> {
     }
 
     /// Share of light that comes to `p` from `d`, starting `off` metres on.
-    fn from(&self, p: DVec3, d: DVec3, off: f64) -> f64 {
+    fn coming(&self, p: DVec3, d: DVec3, off: f64) -> f64 {
         let mut depth = 0.0;
         let mut at = p + d * off;
         for _ in 0..STEPS {
@@ -106,7 +106,7 @@ impl<'a> Shade<'a> {
 
     /// Mean share over all directions at a place in the hair.
     pub(super) fn mean(&self, p: DVec3) -> f64 {
-        directions().map(|d| self.from(p, d, STEP_M)).sum::<f64>() / DIRECTIONS as f64
+        directions().map(|d| self.coming(p, d, STEP_M)).sum::<f64>() / DIRECTIONS as f64
     }
 
     /// Mean share over the directions above a place of the skin.
@@ -131,9 +131,21 @@ impl<'a> Shade<'a> {
     }
 }
 
+/// Length from which a card's rows have their own light, metres; on shorter ones a part of the
+/// mean, or dark roots would show as scales.
+const OWN_LIGHT_M: f64 = 0.08;
+
 /// Gives every row of every card its light.
 pub(super) fn bake(shade: &Shade<'_>, cards: &mut [Card]) {
-    for row in cards.iter_mut().flat_map(|c| &mut c.rows) {
-        row.light = shade.mean(row.middle() + row.hull * 0.001);
+    for card in cards {
+        for row in &mut card.rows {
+            row.light = shade.mean(row.middle() + row.hull * 0.001);
+        }
+        let count = card.rows.len() as f64;
+        let mean = card.rows.iter().map(|r| r.light).sum::<f64>() / count;
+        let own = (card.length() / OWN_LIGHT_M).min(1.0);
+        for row in &mut card.rows {
+            row.light = mean + (row.light - mean) * own;
+        }
     }
 }

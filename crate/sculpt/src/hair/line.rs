@@ -72,8 +72,8 @@ const SQUARE: Landmarks = [
 /// How far the line has moved up when a man's hair has receded fully, degrees, by landmark
 /// (Norwood's stage III to IV, 1975, doi:10.1097/00007611-197511000-00009; designed).
 const RECEDED: [f64; 25] = [
-    6.0, 7.0, 10.0, 17.0, 21.0, 24.0, 21.0, 16.0, 10.0, 4.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-    0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    6.0, 7.0, 10.0, 17.0, 21.0, 24.0, 21.0, 16.0, 10.0, 4.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
 ];
 
 /// Radius of the sphere on whose map angles become lengths, metres.
@@ -108,7 +108,11 @@ pub(super) fn flat(p: DVec3) -> DVec2 {
 
 fn on_sphere([azimuth, elevation]: [f64; 2]) -> DVec3 {
     let (a, e) = (azimuth.to_radians(), elevation.to_radians());
-    DVec3::new(ops::cos(e) * ops::sin(a), ops::sin(e), ops::cos(e) * ops::cos(a))
+    DVec3::new(
+        ops::cos(e) * ops::sin(a),
+        ops::sin(e),
+        ops::cos(e) * ops::cos(a),
+    )
 }
 
 /// A person's hairline.

@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 
+use raconteur_base::curve::lerp;
 use raconteur_base::{DVec3, noise, ops};
 
 use super::HairParams;
@@ -63,20 +64,19 @@ impl Grower<'_> {
                 out.extend(self.strand(layer, number, &root, &locks, i));
             }
         }
-        if matches!(self.style.length, Length::Hem { .. }) {
-            out.extend(self.baby_hairs());
-        }
+        out.extend(self.baby_hairs());
         out
     }
 
     /// Distance of a layer's roots at a place, 0 where none begin.
     fn spacing(&self, layer: &Layer, root: &Root) -> f64 {
-        let parting = self.field.from_parting(root.position);
+        let parting = self.field.off_parting(root.position);
         let is_hanging = matches!(self.style.length, Length::Hem { .. });
         // What is rooted before and below the ear would hang over the cheek.
         let p = root.position;
         let before_ear = is_hanging && p.x.abs() > 0.052 && p.y < 0.004 && p.z > -0.012;
-        if root.inside < layer.inside || before_ear || parting < 0.0007 {
+        let is_beyond = layer.parting > 0.0 && parting > layer.parting;
+        if root.inside < layer.inside || before_ear || parting < 0.0007 || is_beyond {
             return 0.0;
         }
         let dense = 0.5 + 0.5 * step(0.0, 0.022, root.inside);
@@ -137,19 +137,35 @@ impl Grower<'_> {
     }
 
     /// One card, unless what grew is no hair that anyone would wear.
-    fn strand(&self, layer: &Layer, number: u64, root: &Root, locks: &[Lock], i: i64) -> Option<Card> {
+    fn strand(
+        &self,
+        layer: &Layer,
+        number: u64,
+        root: &Root,
+        locks: &[Lock],
+        i: i64,
+    ) -> Option<Card> {
         let seed = self.params.seed + 1000 * (number + 1);
         let dice = |k: u64| noise::unit(seed, k, i);
         let bell = |k: u64| normal(seed, 10 + k, i);
         let edge = step(0.0, 0.018, root.inside);
-        let parting = self.field.from_parting(root.position);
+        let parting = self.field.off_parting(root.position);
         let full = self.length(root.position) * layer.length;
         let is_short = matches!(self.style.length, Length::Short { .. });
-        let length = if is_short { full * (0.8 + 0.4 * dice(0)) } else { full };
-        let low = if is_short { (length / 0.035).clamp(0.45, 1.2) } else { 1.0 };
+        let is_hanging = matches!(self.style.length, Length::Hem { .. });
+        let length = if is_short {
+            full * (0.8 + 0.4 * dice(0))
+        } else {
+            full
+        };
+        let low = if is_short {
+            (length / 0.035).clamp(0.45, 1.2)
+        } else {
+            1.0
+        };
         let offset = layer.offset
             * self.params.volume
-            * (0.55 + 0.45 * edge)
+            * (0.4 + 0.6 * edge)
             * (1.0 + 0.18 * bell(0)).clamp(0.6, 1.5)
             * (0.6 + 0.4 * step(0.0, 0.04, parting))
             * low
@@ -169,12 +185,10 @@ impl Grower<'_> {
         };
         let mut path = grow(self.space, self.field, &g, self.params.seed);
         smooth(&mut path, if is_short { 1 } else { 4 });
-        let lock = locks
-            .iter()
-            .min_by(|a, b| {
-                let d = |l: &Lock| l.root.distance_squared(root.position);
-                d(a).total_cmp(&d(b))
-            })?;
+        let lock = locks.iter().min_by(|a, b| {
+            let d = |l: &Lock| l.root.distance_squared(root.position);
+            d(a).total_cmp(&d(b))
+        })?;
         self.gather(&mut path, lock, layer.gather, length);
         self.wave(&mut path, lock, 0.12 * bell(1));
         if matches!(self.style.comb, Comb::Parted) {
@@ -186,7 +200,16 @@ impl Grower<'_> {
         let length = self.cut(&mut path, root, layer, length, &[dice(3), dice(4)])?;
         for (k, p) in path.iter_mut().enumerate() {
             let arc = k as f64 * g.step;
-            *p = self.space.pushed(*p, 0.0005 + (0.6 * offset).min(0.006) * step(0.0, 0.02, arc));
+            *p = self.space.pushed(
+                *p,
+                0.0005 + (0.6 * offset).min(0.006) * step(0.0, 0.02, arc),
+            );
+            if is_hanging && arc > 0.01 {
+                *p = self.space.over_ear(*p, 0.0015 + 0.3 * offset);
+            }
+        }
+        if is_hanging {
+            smooth(&mut path, 1);
         }
         if !self.is_wearable(&path, length) {
             return None;
@@ -197,7 +220,11 @@ impl Grower<'_> {
         if root.inside < 0.007 && dice(6) < 0.75 || is_short && length < 0.02 {
             strip = 9 + (dice(7) * 5.0) as u32;
         }
-        let taper = if is_short { [0.75, 1.0, 0.6] } else { [0.45, 1.0, 0.8] };
+        let taper = if is_short {
+            [lerp(0.35, 0.75, edge), 1.0, 0.6]
+        } else {
+            [lerp(0.2, 0.45, edge), 1.0, 0.8]
+        };
         Some(Card::along(
             self.space,
             &path,
@@ -231,14 +258,20 @@ impl Grower<'_> {
             .map(|(k, p)| p.distance(guide(k)))
             .fold(0.0, f64::max);
         // Locks that part ways are not dragged across one another.
-        let near = if is_short { step(0.035, 0.013, far) } else { step(0.06, 0.022, far) };
+        let near = if is_short {
+            step(0.035, 0.013, far)
+        } else {
+            step(0.06, 0.022, far)
+        };
         for (k, p) in path.iter_mut().enumerate() {
             let arc = k as f64 * step_m;
-            let w = share * near * if is_short {
-                ops::pow((arc / length).clamp(0.0, 1.0), 1.3)
-            } else {
-                step(0.04, 0.2, arc)
-            };
+            let w = share
+                * near
+                * if is_short {
+                    ops::pow((arc / length).clamp(0.0, 1.0), 1.3)
+                } else {
+                    step(0.04, 0.2, arc)
+                };
             let off = *p - guide(k);
             let n = self.space.hull_normal(*p);
             *p = guide(k) + off * (1.0 - w) + n * (off.dot(n) * w * 0.8);
@@ -268,7 +301,14 @@ impl Grower<'_> {
     }
 
     /// Where the hair ends, metres from its root; turns the ends of a hem in.
-    fn cut(&self, path: &mut Vec<DVec3>, root: &Root, layer: &Layer, length: f64, dice: &[f64; 2]) -> Option<f64> {
+    fn cut(
+        &self,
+        path: &mut [DVec3],
+        root: &Root,
+        layer: &Layer,
+        length: f64,
+        dice: &[f64; 2],
+    ) -> Option<f64> {
         let step_m = self.step();
         let last = (path.len() - 2) as f64 * step_m;
         let cut = match self.style.length {
@@ -285,12 +325,19 @@ impl Grower<'_> {
                 });
                 (end as f64 * step_m * (1.0 - 0.6 * layer.uneven * dice[0])).max(0.03)
             }
-            Length::Hem { hem, layered, front } => {
+            Length::Hem {
+                hem,
+                layered,
+                front,
+            } => {
                 let front = front * step(0.0, 0.06, root.position.z);
                 let line = hem * self.params.length - front
                     + layered * layer.uneven * ops::pow(dice[0], 1.5)
                     + 0.004 * space_noise(self.params.seed + 5, root.position * 30.0);
-                let end = path.iter().position(|p| p.y < line).unwrap_or(path.len() - 1);
+                let end = path
+                    .iter()
+                    .position(|p| p.y < line)
+                    .unwrap_or(path.len() - 1);
                 let shorter = if layer.uneven > 1.2 {
                     0.45 + 0.55 * dice[1]
                 } else if layer.uneven > 0.2 && dice[1] < 0.25 {
@@ -298,7 +345,7 @@ impl Grower<'_> {
                 } else {
                     1.0
                 };
-                (end as f64 * step_m).max(0.05) * shorter
+                (end as f64 * step_m).max(0.05).min(length) * shorter
             }
         }
         .min(last);
@@ -338,14 +385,15 @@ impl Grower<'_> {
         let roots = spread(self.places, |r| {
             let p = r.position;
             let is_line = r.inside > -0.0005 && r.inside < 0.007 && p.y > -0.002 && p.z > 0.0;
-            if is_line { 0.0045 } else { 0.0 }
+            if is_line { 0.0055 } else { 0.0 }
         });
         let seed = self.params.seed + 77;
         (0..)
             .zip(roots)
             .map(|(i, r)| {
                 let dice = |k: u64| noise::unit(seed, k, i);
-                let length = 0.012 + 0.03 * ops::pow(dice(0), 1.5);
+                let length =
+                    (0.012 + 0.03 * ops::pow(dice(0), 1.5)).min(0.8 * self.length(r.position));
                 let g = Growth {
                     root: r.position,
                     normal: r.normal,

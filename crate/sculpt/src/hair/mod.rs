@@ -23,8 +23,8 @@ mod tail;
 #[cfg(test)]
 mod tests;
 
-use raconteur_base::curve::lerp;
 use raconteur_base::DVec3;
+use raconteur_base::curve::lerp;
 use serde::{Deserialize, Serialize};
 
 pub use beard::BeardParams;
@@ -191,7 +191,7 @@ pub fn hair(head: &Head, p: &HairParams, clothes: &[Sample]) -> Grown {
         let shade = Shade::new(&space, &cards);
         light::bake(&shade, &mut cards);
         grown.skin_light = space
-            .skin
+            .drawn(head)
             .iter()
             .map(|s| lerp(LEAST_LIGHT, 1.0, shade.on_skin(s)))
             .collect();

@@ -92,7 +92,10 @@ pub(super) fn spread(places: &[Root], distance: impl Fn(&Root) -> f64) -> Vec<Ro
         });
         if is_free {
             farthest = farthest.max(own);
-            cells.entry([x, y, z]).or_default().push((root.position, own));
+            cells
+                .entry([x, y, z])
+                .or_default()
+                .push((root.position, own));
             kept.push(*root);
         }
     }

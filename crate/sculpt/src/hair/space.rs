@@ -4,6 +4,7 @@
 //! middle of the skull, turned so that the skull is level, in metres of a head whose eyes lie
 //! 107 mm under the vertex. In it one table of numbers fits every head.
 
+use raconteur_base::curve::ramp;
 use raconteur_base::{DMat3, DVec3};
 
 use super::grid::{Grid, Lattice};
@@ -23,8 +24,11 @@ const LOW: DVec3 = DVec3::new(-0.23, -0.35, -0.19);
 const HIGH: DVec3 = DVec3::new(0.23, 0.15, 0.19);
 /// Rings of the ear from which it stands off the head.
 const EAR_RING: f64 = 1.2;
-/// Distance within which a surface counts as flat, metres.
-const FLAT_M: f64 = 0.012;
+/// A surface counts as flat within the first of these from a sample, as round beyond the second,
+/// metres.
+const FLAT_M: [f64; 2] = [0.012, 0.030];
+/// Distance of samples within a triangle, metres.
+const SAMPLE_M: f64 = 0.004;
 /// Height of the bumps that ears are to growing hair, metres.
 const EAR_BUMP_M: f64 = 0.0015;
 
@@ -110,41 +114,31 @@ impl Space {
     /// About a head whose neighbourhood is clothed with `clothes`, in the frame of the head.
     pub(super) fn new(head: &Head, clothes: &[Sample]) -> Self {
         let frame = Frame::of(head);
-        let part = head.skin();
-        let positions: Vec<DVec3> = part.vertices.iter().map(|v| v.position).collect();
-        let normals = vertex_normals(&positions, &part.faces);
-        let skin: Vec<SkinPoint> = positions
+        let sheet = &head.sheet;
+        let faces: Vec<Vec<u32>> = sheet.triangles.iter().map(|t| t.to_vec()).collect();
+        let normals = vertex_normals(&sheet.at, &faces);
+        let skin: Vec<SkinPoint> = sheet
+            .at
             .iter()
             .zip(normals)
-            .map(|(p, n)| SkinPoint {
-                position: frame.place(*p),
+            .map(|(mm, n)| SkinPoint {
+                position: frame.place(*mm * 1e-3),
                 normal: frame.direction(n),
             })
             .collect();
-        let triangles: Vec<[u32; 3]> = part
-            .faces
-            .iter()
-            .flat_map(|f| f[1..].windows(2).map(|w| [f[0], w[0], w[1]]))
-            .collect();
-        let in_ear: Vec<bool> = head.sheet.rings.iter().map(|r| r.ear > EAR_RING).collect();
+        let triangles = sheet.triangles.clone();
+        let in_ear: Vec<bool> = sheet.rings.iter().map(|r| r.ear > EAR_RING).collect();
         let is_ear = |v: u32| in_ear.get(v as usize).copied().unwrap_or(false);
         let cloth: Vec<(DVec3, DVec3)> = clothes
             .iter()
             .map(|s| (frame.place(s.position), frame.direction(s.normal)))
             .collect();
         let samples = |ears: bool| {
-            let points = (0..skin.len() as u32)
-                .filter(|&v| ears || !is_ear(v))
-                .map(|v| (skin[v as usize].position, skin[v as usize].normal));
-            let middles = triangles
+            let between = triangles
                 .iter()
                 .filter(|t| ears || !t.iter().any(|&v| is_ear(v)))
-                .map(|t| {
-                    let [a, b, c] = t.map(|v| skin[v as usize]);
-                    let n = (a.normal + b.normal + c.normal).normalize_or(DVec3::Y);
-                    ((a.position + b.position + c.position) / 3.0, n)
-                });
-            let mut all: Vec<(DVec3, DVec3)> = points.chain(middles).collect();
+                .flat_map(|t| filled(t.map(|v| skin[v as usize])));
+            let mut all: Vec<(DVec3, DVec3)> = between.collect();
             all.extend_from_slice(&cloth);
             all
         };
@@ -155,7 +149,7 @@ impl Space {
         };
         let whole = distances(lattice, &samples(true)).blurred(1);
         let earless = distances(lattice, &samples(false)).blurred(1);
-        let round = whole.blurred(2);
+        let round = whole.blurred(3);
         let growth = Grid::new(lattice, |i| {
             earless.values[i].min(round.values[i] + EAR_BUMP_M as f32)
         });
@@ -169,6 +163,18 @@ impl Space {
             skin,
             triangles,
         }
+    }
+
+    /// The vertices of the head's skin as it is drawn.
+    pub(super) fn drawn(&self, head: &Head) -> Vec<SkinPoint> {
+        let part = head.skin();
+        let positions: Vec<DVec3> = part.vertices.iter().map(|v| v.position).collect();
+        let normals = vertex_normals(&positions, &part.faces);
+        let place = |(p, n): (&DVec3, DVec3)| SkinPoint {
+            position: self.frame.place(*p),
+            normal: self.frame.direction(n),
+        };
+        positions.iter().zip(normals).map(place).collect()
     }
 
     /// Height over what hair grows along, metres.
@@ -191,6 +197,16 @@ impl Space {
         self.earless.at(p)
     }
 
+    /// Out of the ear, if a place lies in it or nearer to it than `height`.
+    pub(super) fn over_ear(&self, p: DVec3, height: f64) -> DVec3 {
+        let short = height - self.whole.at(p);
+        if short > 0.0 {
+            p + self.hull_normal(p) * short
+        } else {
+            p
+        }
+    }
+
     /// The nearest place at least `height` above what hair grows along.
     pub(super) fn pushed(&self, p: DVec3, height: f64) -> DVec3 {
         let short = height - self.height(p);
@@ -200,6 +216,25 @@ impl Space {
             p
         }
     }
+}
+
+/// Samples within a triangle, close enough that the surface is flat between them.
+fn filled([a, b, c]: [SkinPoint; 3]) -> Vec<(DVec3, DVec3)> {
+    let edge = |p: SkinPoint, q: SkinPoint| p.position.distance(q.position);
+    let longest = edge(a, b).max(edge(b, c)).max(edge(c, a));
+    let parts = (longest / SAMPLE_M).ceil().clamp(2.0, 16.0) as usize;
+    let share = |i: usize| i as f64 / parts as f64;
+    let mut out = Vec::new();
+    for i in 0..=parts {
+        for j in 0..=parts - i {
+            let (u, v) = (share(i), share(j));
+            let w = 1.0 - u - v;
+            let p = a.position * w + b.position * u + c.position * v;
+            let n = a.normal * w + b.normal * u + c.normal * v;
+            out.push((p, n.normalize_or(DVec3::Y)));
+        }
+    }
+    out
 }
 
 /// Signed distance of every point of a lattice from a surface given by samples: that of the
@@ -233,7 +268,7 @@ fn distances(lattice: Lattice, samples: &[(DVec3, DVec3)]) -> Grid {
             return f32::MAX;
         };
         let (far, plane) = (q.distance(p), (p - *q).dot(*n));
-        let share = (far / FLAT_M).clamp(0.0, 1.0);
+        let share = ramp(FLAT_M[0], FLAT_M[1], far);
         (plane * (1.0 - share) + far * plane.signum() * share) as f32
     })
 }

@@ -30,6 +30,8 @@ pub(super) struct Layer {
     pub(super) roll: f64,
     /// How far inside the hairline the roots begin.
     pub(super) inside: f64,
+    /// How far from the parting they end; 0 where they do not.
+    pub(super) parting: f64,
 }
 
 /// Which way hair is combed.
@@ -95,9 +97,10 @@ const LAYER: Layer = Layer {
     uneven: 0.0,
     roll: 0.06,
     inside: 0.002,
+    parting: 0.0,
 };
 
-const FALLING: [Layer; 5] = [
+const FALLING: [Layer; 6] = [
     Layer {
         offset: 0.0064,
         width: 0.0257,
@@ -142,12 +145,26 @@ const FALLING: [Layer; 5] = [
         inside: 0.001,
         ..LAYER
     },
+    // Narrow cards cover the rows of roots beside the parting and round the crown.
+    Layer {
+        spacing: 0.0085,
+        offset: 0.0105,
+        width: 0.0085,
+        strips: [2, 9],
+        spans: 7,
+        lift: 0.16,
+        gather: 0.3,
+        length: 0.36,
+        roll: 0.08,
+        parting: 0.016,
+        ..LAYER
+    },
     Layer {
         spacing: 0.032,
         offset: 0.024,
         width: 0.0118,
         strips: [13, 16],
-        spans: 12,
+        spans: 14,
         lift: 0.44,
         gather: 0.3,
         uneven: 1.4,

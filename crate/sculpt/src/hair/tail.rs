@@ -39,7 +39,8 @@ impl Grower<'_> {
                     let s = k as f64 * STEP_M;
                     // Thickest a third down.
                     let thick = 0.008 + 0.012 * step(0.0, 0.05, s) - 0.009 * step(0.08, 0.2, s);
-                    let middle = TIE + DVec3::new(0.0, 0.02 - s, -0.03 - 0.012 * step(0.0, 0.06, s));
+                    let middle =
+                        TIE + DVec3::new(0.0, 0.02 - s, -0.03 - 0.012 * step(0.0, 0.06, s));
                     let home = middle + DVec3::new(across.x, 0.0, across.y) * thick;
                     let pull = (home - at) * 9.0;
                     let wanted = DVec3::NEG_Y + DVec3::new(pull.x, 0.0, pull.z);
@@ -58,7 +59,11 @@ impl Grower<'_> {
                         width: 0.015 * (0.7 + 0.6 * dice(3)),
                         taper: [0.5, 1.0, 0.6],
                         spans: 12,
-                        strip: if out > 0.8 { 5 + (7.0 * dice(4)) as u32 } else { (8.0 * dice(4)) as u32 },
+                        strip: if out > 0.8 {
+                            5 + (7.0 * dice(4)) as u32
+                        } else {
+                            (8.0 * dice(4)) as u32
+                        },
                         is_mirrored: dice(5) < 0.5,
                         roll: 0.25 * bell(0),
                         tint: (0.5 + 0.18 * bell(1)).clamp(0.0, 1.0),
@@ -107,7 +112,11 @@ impl Grower<'_> {
                         width: 0.013 * (0.7 + 0.6 * dice(4)),
                         taper: [0.55, 1.0, 0.55],
                         spans: 7,
-                        strip: if depth > 0.95 { 5 + (6.0 * dice(5)) as u32 } else { (8.0 * dice(5)) as u32 },
+                        strip: if depth > 0.95 {
+                            5 + (6.0 * dice(5)) as u32
+                        } else {
+                            (8.0 * dice(5)) as u32
+                        },
                         is_mirrored: dice(6) < 0.5,
                         roll: 0.2 * bell(0),
                         tint: (0.5 + 0.18 * bell(1)).clamp(0.0, 1.0),

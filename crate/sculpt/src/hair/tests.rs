@@ -1,13 +1,12 @@
-//! What must hold for every style on every head.
+//! What must hold for every style.
 
 use std::sync::OnceLock;
 
 use raconteur_base::DVec3;
 
-use super::ground::Ground;
 use super::*;
 use crate::head;
-use crate::part::MeshPart;
+use crate::part::PartVertex;
 use crate::people::{NAMES, preset};
 
 /// The heads of the people with the hair they wear.
@@ -18,48 +17,49 @@ fn people() -> &'static [(Head, HairParams)] {
             .iter()
             .map(|n| {
                 let p = preset(n).unwrap();
-                (
-                    head::build(&p.person, &p.head, p.hair.colour.linear_rgb()),
-                    p.hair,
-                )
+                (head::build(&p.person, &p.head), p.hair)
             })
             .collect()
     })
 }
 
 /// Hair of one style on one head.
-struct Grown {
+struct Worn {
     head: &'static Head,
-    own: &'static HairParams,
     style: HairStyle,
     name: &'static str,
-    pieces: Vec<Piece>,
+    grown: Grown,
 }
 
-/// Every style on every head, made once.
-fn grown() -> &'static [Grown] {
-    static GROWN: OnceLock<Vec<Grown>> = OnceLock::new();
-    GROWN.get_or_init(|| {
-        let mut all = Vec::new();
-        for (head, own) in people() {
-            for (style, name) in HairStyle::NAMES {
-                let p = HairParams { style, ..*own };
-                all.push(Grown {
+impl Worn {
+    fn cards(&self) -> impl Iterator<Item = &Piece> {
+        self.grown.pieces.iter().filter(|p| p.part.name == "hair")
+    }
+}
+
+/// Every style, each on a head that is not its wearer's; made once.
+fn worn() -> &'static [Worn] {
+    static WORN: OnceLock<Vec<Worn>> = OnceLock::new();
+    WORN.get_or_init(|| {
+        HairStyle::NAMES
+            .iter()
+            .enumerate()
+            .map(|(i, &(style, name))| {
+                let (head, own) = &people()[(i + 2) % people().len()];
+                let p = HairParams {
+                    style,
+                    beard: None,
+                    ..*own
+                };
+                Worn {
                     head,
-                    own,
                     style,
                     name,
-                    pieces: hair(head, &p, &away),
-                });
-            }
-        }
-        all
+                    grown: hair(head, &p, &[]),
+                }
+            })
+            .collect()
     })
-}
-
-/// A body that is never near.
-fn away(p: DVec3) -> (f64, DVec3) {
-    (1.0, p.normalize_or_zero())
 }
 
 fn triangles(part: &MeshPart) -> usize {
@@ -67,10 +67,10 @@ fn triangles(part: &MeshPart) -> usize {
 }
 
 #[test]
-fn every_style_grows_on_every_head() {
-    for g in grown() {
-        let name = g.name;
-        for piece in &g.pieces {
+fn every_style_grows() {
+    for w in worn() {
+        let name = w.name;
+        for piece in &w.grown.pieces {
             let part = &piece.part;
             let normals = piece.normals.as_ref().unwrap();
             assert_eq!(normals.len(), part.vertices.len());
@@ -79,92 +79,107 @@ fn every_style_grows_on_every_head() {
                 assert!(v.position.length() < 0.5, "{name} {}", v.position);
                 let sum: f64 = v.weights.iter().map(|w| w.1).sum();
                 assert!((sum - 1.0).abs() < 1e-9, "{name} {sum}");
-                assert!(v.uv.iter().all(|c| (0.0..=1.0).contains(c)));
+                assert!(v.uv.iter().chain(&v.color).all(|c| (0.0..=1.0).contains(c)));
             }
         }
-        let scalp: usize = g
-            .pieces
-            .iter()
-            .filter(|p| p.part.name == "hair")
-            .map(|p| triangles(&p.part))
-            .sum();
-        assert_eq!(scalp == 0, g.style == HairStyle::Bald, "{name} {scalp}");
+        let scalp: usize = w.cards().map(|p| triangles(&p.part)).sum();
+        assert_eq!(scalp == 0, w.style == HairStyle::Bald, "{name} {scalp}");
+        assert!(scalp <= 24_000, "{name} {scalp}");
+        assert_eq!(w.grown.skin_light.len(), w.head.skin().vertices.len());
+        assert!(w.grown.skin_light.iter().all(|l| (0.0..=1.0).contains(l)));
     }
 }
 
 #[test]
-fn hair_keeps_within_its_budget() {
-    for g in grown() {
-        let name = g.name;
-        let lash = g
-            .head
-            .parts
-            .iter()
-            .filter(|p| p.material.kind == MaterialKind::Lash);
-        let parts = || g.pieces.iter().map(|p| &p.part).chain(lash.clone());
-        let faces: usize = parts().map(triangles).sum();
-        let vertices: usize = parts().map(|p| p.vertices.len()).sum();
-        assert!(faces <= 16_000, "{name} {faces}");
-        // A long style with a beard may take more than what people wear; 90,000 are brows and lashes.
-        let most = if g.style == g.own.style {
-            450_000
-        } else {
-            570_000
-        };
-        let bytes = 25 * vertices + 6 * faces;
-        assert!(bytes <= most, "{name} {bytes}");
-        // What a beard's morphs take: index, position, normal.
-        let moved: usize = g
-            .pieces
-            .iter()
-            .flat_map(|p| &p.part.morphs)
-            .map(|m| m.deltas.len())
-            .sum();
-        assert!(moved * 9 <= 160_000, "{name} {moved}");
-    }
-}
-
-#[test]
-fn hair_keeps_clear_of_skin_and_ears() {
-    for g in grown() {
-        let name = g.name;
-        let ground = Ground::new(g.head, &away);
-        for piece in g.pieces.iter().filter(|p| p.part.name == "hair") {
-            // Middles of the rows; roots go into the skin and sides bend round the head. A
-            // share of rows of 0.38 is a quarter of the length: they are closer at the root.
-            let (mut deep, mut through, mut count) = (0, 0, 0);
+fn hair_keeps_clear_of_the_skin() {
+    for w in worn() {
+        let space = Space::new(w.head, &[]);
+        for piece in w.cards() {
+            // Middles of the rows; roots go into the skin.
             let rows = piece.part.vertices.chunks_exact(2);
-            for row in rows.filter(|r| r[0].uv[1] > 0.38) {
-                let at = (row[0].position + row[1].position) / 2.0;
-                let low = ground.skin.height(at).is_some_and(|(h, _)| h < 0.0002);
-                let ear = g.head.scalp.ears.iter().any(|e| {
-                    let d = (at - e.centre) / e.radii;
-                    d.length_squared() < 0.8
-                });
-                count += 1;
-                deep += usize::from(low);
-                through += usize::from(ear);
-            }
-            assert!(deep * 100 <= count, "{name}: {deep} of {count} in the skin");
+            let heights: Vec<f64> = rows
+                .filter(|r| r[0].uv[1] > 0.3)
+                .map(|r| {
+                    let at = (r[0].position + r[1].position) / 2.0;
+                    space.whole.at(space.frame.place(at))
+                })
+                .collect();
+            let deep = heights.iter().filter(|h| **h < -0.0005).count();
             assert!(
-                through * 200 <= count,
-                "{name}: {through} of {count} in an ear"
+                deep * 100 <= heights.len(),
+                "{}: {deep} of {} in the skin",
+                w.name,
+                heights.len()
             );
         }
     }
 }
 
 #[test]
+fn the_scalp_is_covered_from_all_sides() {
+    // From every place well inside the line some card lies above, within what a style is thick.
+    for w in worn().iter().filter(|w| w.style != HairStyle::Bald) {
+        let space = Space::new(w.head, &[]);
+        let line = Line::new(&HairParams {
+            square: true,
+            recession: 1.0,
+            ..HairParams::default()
+        });
+        let rows: Vec<DVec3> = w
+            .cards()
+            .flat_map(|p| p.part.vertices.chunks_exact(2))
+            .map(|r| space.frame.place((r[0].position + r[1].position) / 2.0))
+            .collect();
+        let mut bare = 0;
+        let wanted: Vec<DVec3> = space
+            .skin
+            .iter()
+            .map(|s| s.position)
+            .filter(|p| line.smooth_distance(*p) > 0.02 && space.height_without_ears(*p) < 0.002)
+            .collect();
+        for p in &wanted {
+            let near = rows.iter().any(|r| r.distance_squared(*p) < 0.022 * 0.022);
+            bare += usize::from(!near);
+        }
+        assert!(
+            bare * 50 <= wanted.len(),
+            "{}: {bare} of {} bare",
+            w.name,
+            wanted.len()
+        );
+    }
+}
+
+#[test]
+fn light_is_less_within_the_hair_than_on_it() {
+    let bob = worn().iter().find(|w| w.style == HairStyle::Bob).unwrap();
+    let light: Vec<f64> = bob
+        .cards()
+        .flat_map(|p| &p.part.vertices)
+        .map(|v| v.color[3])
+        .collect();
+    let (inner, outer) = light.split_at(light.len() / 2);
+    let mean = |l: &[f64]| l.iter().sum::<f64>() / l.len() as f64;
+    assert!(
+        mean(outer) > 1.15 * mean(inner),
+        "{} {}",
+        mean(inner),
+        mean(outer)
+    );
+}
+
+#[test]
 fn beards_leave_the_lips_free() {
     for (head, own) in people() {
         let p = HairParams {
+            style: HairStyle::Bald,
             beard: Some(BeardParams {
                 length_m: 0.02,
                 moustache: true,
             }),
             ..*own
         };
-        let pieces = hair(head, &p, &away);
+        let pieces = hair(head, &p, &[]).pieces;
         let beard = pieces.iter().find(|p| p.part.name == "beard").unwrap();
         for row in beard.part.vertices.chunks_exact(2) {
             let root = (row[0].position + row[1].position) / 2.0;
@@ -177,8 +192,8 @@ fn beards_leave_the_lips_free() {
             assert!(row[0].uv[1] > 0.0 || lip > 5e-4, "{lip}");
         }
         // It opens with the jaw: what hangs on the chin moves with it.
-        let jaw = |v: &crate::part::PartVertex| {
-            let chin = raconteur_body::skeleton::Drive::Bone(raconteur_body::skeleton::Bone::Chin);
+        let jaw = |v: &PartVertex| {
+            let chin = Drive::Bone(Bone::Chin);
             v.weights
                 .iter()
                 .filter(|w| w.0.0 == chin)
@@ -192,9 +207,10 @@ fn beards_leave_the_lips_free() {
 
 #[test]
 fn the_same_seed_grows_the_same_hair() {
-    let (head, own) = &people()[0];
+    let (head, own) = &people()[2];
     let bytes = |p: &HairParams| -> Vec<u64> {
-        hair(head, p, &away)
+        hair(head, p, &[])
+            .pieces
             .iter()
             .flat_map(|p| &p.part.vertices)
             .flat_map(|v| v.position.to_array().map(f64::to_bits))
@@ -205,21 +221,18 @@ fn the_same_seed_grows_the_same_hair() {
 }
 
 #[test]
-fn recession_and_thinning_uncover_the_scalp() {
-    let (head, own) = &people()[0];
-    let covered = |p: &HairParams| cover(head, p).iter().sum::<f64>();
-    let full = covered(own);
-    let old = HairParams {
-        recession: 0.8,
-        thinning: 0.7,
-        ..*own
+fn recession_moves_the_line_back() {
+    let line = |recession| {
+        Line::new(&HairParams {
+            recession,
+            ..HairParams::default()
+        })
     };
-    assert!(covered(&old) < 0.93 * full, "{} {full}", covered(&old));
-    let bald = HairParams {
-        style: HairStyle::Bald,
-        ..*own
-    };
-    assert_eq!(covered(&bald), 0.0);
+    let (young, old) = (line(0.0), line(1.0));
+    let temple = DVec3::new(0.045, 0.065, 0.06);
+    assert!(old.smooth_distance(temple) < young.smooth_distance(temple) - 0.01);
+    let back = DVec3::new(0.0, 0.0, -0.09);
+    assert!((old.smooth_distance(back) - young.smooth_distance(back)).abs() < 1e-9);
 }
 
 #[test]

@@ -51,8 +51,7 @@ pub(crate) use self::paint::Coordinates;
 use self::paint::coordinates;
 pub use self::registration::{Deviation, Registration, deviations, register};
 pub(crate) use self::ride::{Holds, Ride};
-use self::scalp::hairline;
-pub use self::scalp::{Ear, Proportions, Scalp, ScalpPoint};
+pub use self::scalp::{Ear, Proportions, Scalp};
 pub use self::segment::HeadSegment;
 pub(crate) use self::soft::{LipPlace, Soft, SoftNode};
 use self::strands::BrowLine;
@@ -103,7 +102,7 @@ pub struct Head {
     pub lid_closure_rad: [f64; 2],
     /// Heights of the chin's lowest point and of the vertex.
     pub extent: [f64; 2],
-    /// Where hair grows.
+    /// Measures for a beard.
     pub scalp: Scalp,
     /// The skin for the baking of its maps.
     pub(crate) sheet: HeadSheet,
@@ -170,10 +169,6 @@ impl Shape {
 
 /// What is computed on the surface of a head before parts are cut from it.
 struct Painted {
-    normals: Vec<DVec3>,
-    /// Share of hair that grows at each vertex, 0..1.
-    hair: Vec<f64>,
-    triangles: Vec<[u32; 3]>,
     proportions: Proportions,
     /// The vertices of the skin, and of the bag of the mouth with the colour of its lining.
     vertices: Vec<PartVertex>,
@@ -198,17 +193,6 @@ impl Painted {
         let surface = &shape.surface;
         let normals = vertex_normals(positions, &surface.faces);
         let proportions = Proportions::of(positions, coordinates);
-        let hair: Vec<f64> = positions
-            .iter()
-            .zip(coordinates)
-            .map(|(&p, c)| {
-                if c.ear > 0.02 {
-                    0.0
-                } else {
-                    hairline(proportions.common(p * 1e-3))
-                }
-            })
-            .collect();
         let triangles: Vec<[u32; 3]> = triangles(&surface.faces).collect();
         let receivers: Vec<(DVec3, DVec3)> = positions
             .iter()
@@ -235,9 +219,6 @@ impl Painted {
             })
             .collect();
         Self {
-            normals,
-            hair,
-            triangles,
             proportions,
             vertices,
             lined,
@@ -259,13 +240,7 @@ impl Painted {
     }
 
     /// What the maps of the skin are baked from.
-    fn sheet(
-        &self,
-        shape: &Shape,
-        line: &BrowLine,
-        hair_colour: [f64; 3],
-        brow_colour: [f64; 3],
-    ) -> HeadSheet {
+    fn sheet(&self, shape: &Shape, line: &BrowLine, brow_colour: [f64; 3]) -> HeadSheet {
         let chart = chart();
         let (positions, surface) = (&shape.positions, &shape.surface);
         HeadSheet {
@@ -281,9 +256,7 @@ impl Painted {
             mean: chart.of(&chart.mean),
             normals: chart.of(&vertex_normals(&chart.mean, &surface.faces)),
             rings: chart.of(&shape.coordinates),
-            hair: chart.of(&self.hair),
             brow: chart.of(&positions.iter().map(|&p| line.stain(p)).collect::<Vec<_>>()),
-            hair_colour,
             brow_colour,
             places: Some(&chart.places),
         }
@@ -371,9 +344,9 @@ impl Shape {
     }
 }
 
-/// Builds the head of a person. `hair_colour`, linear RGB, shines through where hair grows.
+/// Builds the head of a person.
 #[must_use]
-pub fn build(person: &Person, params: &HeadParams, hair_colour: [f64; 3]) -> Head {
+pub fn build(person: &Person, params: &HeadParams) -> Head {
     let shape = Shape::of(person, &params.bound, params.asymmetry);
     let (soft, follow) = soft::soft(&shape.cage, &shape.solved, &shape.rig.shares);
     let warp = mean::warp(&soft.landmarks);
@@ -409,15 +382,8 @@ pub fn build(person: &Person, params: &HeadParams, hair_colour: [f64; 3]) -> Hea
         neck_rim: neck_rim(&shape),
         lid_closure_rad: shape.rig.closure_rad,
         extent: shape.extent(),
-        scalp: scalp::scalp(
-            &shape.positions,
-            &painted.normals,
-            &shape.coordinates,
-            &painted.hair,
-            &painted.triangles,
-            painted.proportions,
-        ),
-        sheet: painted.sheet(&shape, &line, hair_colour, params.brow.colour),
+        scalp: scalp::scalp(&shape.positions, &shape.coordinates, painted.proportions),
+        sheet: painted.sheet(&shape, &line, params.brow.colour),
         landmarks: landmark::landmarks(&shape)
             .into_iter()
             .filter_map(|(name, v)| {

@@ -1,29 +1,12 @@
-//! Where hair grows: the hairline, the skin above it, and the measures of a head by which
-//! hair made for one head fits another.
+//! The measures of a head by which a beard made for one head fits another.
 
-use raconteur_base::{DVec3, ops};
+use raconteur_base::DVec3;
 
 use super::paint::Coordinates;
-use super::rig::smooth;
 
-/// A vertex of the head's skin as hair sees it.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ScalpPoint {
-    /// Position, metres, frame of the head.
-    pub position: DVec3,
-    /// Outward unit normal.
-    pub normal: DVec3,
-    /// 1 where hair grows densely, falling to 0 over the hairline.
-    pub density: f64,
-}
-
-/// The part of the skin on which hair grows, with what hair must keep clear of.
+/// Measures of the head, and what a beard must keep clear of.
 #[derive(Clone, Debug, Default)]
 pub struct Scalp {
-    /// Vertices.
-    pub points: Vec<ScalpPoint>,
-    /// Triangles, counter-clockwise from outside; each has a vertex of density above zero.
-    pub triangles: Vec<[u32; 3]>,
     /// Measures of the head.
     pub proportions: Proportions,
     /// The left and the right ear.
@@ -133,47 +116,12 @@ impl Proportions {
     }
 }
 
-/// Height of the hairline on the common head, mm, by angle from the front in degrees.
-const HAIRLINE: [[f64; 2]; 14] = [
-    [0.0, 80.0],
-    [15.0, 80.0],
-    [28.0, 82.0],
-    [40.0, 79.0],
-    [52.0, 66.0],
-    [62.0, 54.0],
-    [72.0, 42.0],
-    [80.0, 22.0],
-    [88.0, -6.0],
-    [100.0, 26.0],
-    [112.0, 20.0],
-    [125.0, -24.0],
-    [150.0, -48.0],
-    [180.0, -54.0],
-];
-
-/// Density of hair at a place on the common head, 0..1; metres.
-pub(super) fn hairline(p: DVec3) -> f64 {
-    let angle = ops::atan2(p.x.abs(), p.z).to_degrees();
-    let next = HAIRLINE
-        .iter()
-        .position(|h| h[0] >= angle)
-        .unwrap_or(13)
-        .max(1);
-    let ([a, low], [b, high]) = (HAIRLINE[next - 1], HAIRLINE[next]);
-    let line = low + (high - low) * ((angle - a) / (b - a)).clamp(0.0, 1.0);
-    smooth(-4.0, 11.0, p.y * 1e3 - line)
-}
-
-/// The part of the skin with hair; positions in mm.
+/// Measures of a head given in mm.
 pub(super) fn scalp(
     positions: &[DVec3],
-    normals: &[DVec3],
     coordinates: &[Coordinates],
-    density: &[f64],
-    all: &[[u32; 3]],
     proportions: Proportions,
 ) -> Scalp {
-    let mut index = vec![u32::MAX; positions.len()];
     let chosen = |want: &dyn Fn(&Coordinates) -> bool| -> Vec<DVec3> {
         positions
             .iter()
@@ -185,29 +133,9 @@ pub(super) fn scalp(
     // The outer rings of an ear lie flat on the head.
     let ear = chosen(&|c| c.ear > 2.0);
     let of_side = |sign: f64| Ear::around(ear.iter().copied().filter(|p| p.x * sign > 0.0));
-    let mut scalp = Scalp {
-        points: Vec::new(),
-        triangles: Vec::new(),
+    Scalp {
         proportions,
         ears: [of_side(1.0), of_side(-1.0)],
         lips: chosen(&|c| (0.8..4.0).contains(&c.mouth)),
-    };
-    for t in all
-        .iter()
-        .filter(|t| t.iter().any(|&v| density[v as usize] > 0.0))
-    {
-        scalp.triangles.push(t.map(|v| {
-            let slot = &mut index[v as usize];
-            if *slot == u32::MAX {
-                *slot = scalp.points.len() as u32;
-                scalp.points.push(ScalpPoint {
-                    position: positions[v as usize] * 1e-3,
-                    normal: normals[v as usize],
-                    density: density[v as usize],
-                });
-            }
-            *slot
-        }));
     }
-    scalp
 }

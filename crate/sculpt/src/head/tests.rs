@@ -28,7 +28,7 @@ fn heads() -> impl Iterator<Item = (&'static str, &'static Head)> {
     let heads = HEADS.get_or_init(|| {
         NAMES.map(|name| {
             let p = preset(name).unwrap();
-            build(&p.person, &p.head, p.hair.colour.linear_rgb())
+            build(&p.person, &p.head)
         })
     });
     NAMES.into_iter().zip(heads)
@@ -249,7 +249,6 @@ fn the_head_measures_like_a_womans() {
     assert!((high - low - 0.218).abs() < 0.015, "{}", high - low);
     let eyes = sofia().eye_centres[0].x - sofia().eye_centres[1].x;
     assert!((eyes - 0.0617).abs() < 0.004, "{eyes}");
-    assert!(sofia().scalp.triangles.len() > 1000);
     assert_eq!(sofia().neck_rim.len(), 40);
 }
 

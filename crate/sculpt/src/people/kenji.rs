@@ -67,6 +67,7 @@ fn hair() -> HairParams {
             grey: 0.25,
         },
         seed: 19,
+        square: true,
         ..HairParams::default()
     }
 }

@@ -63,7 +63,7 @@ fn hair() -> HairParams {
             pheomelanin: 0.18,
             grey: 0.0,
         },
-        wave: 0.002,
+
         seed: 37,
         ..HairParams::default()
     }

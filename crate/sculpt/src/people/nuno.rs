@@ -66,8 +66,9 @@ fn hair() -> HairParams {
             pheomelanin: 0.24,
             grey: 0.0,
         },
-        wave: 0.001,
+
         seed: 31,
+        square: true,
         ..HairParams::default()
     }
 }

@@ -74,6 +74,7 @@ fn hair() -> HairParams {
             moustache: true,
         }),
         seed: 23,
+        square: true,
         ..HairParams::default()
     }
 }

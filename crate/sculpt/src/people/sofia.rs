@@ -66,7 +66,8 @@ fn hair() -> HairParams {
             pheomelanin: 0.46,
             grey: 0.0,
         },
-        wave: 0.003,
+
+        wave: 0.55,
         ..HairParams::default()
     }
 }

@@ -18,11 +18,9 @@ pub(crate) struct HeadSheet {
     pub(crate) normals: Vec<DVec3>,
     /// Coordinates about eyes, mouth, nostrils and ears.
     pub(crate) rings: Vec<Coordinates>,
-    /// Shares that hair and brows cover.
-    pub(crate) hair: Vec<f64>,
+    /// Share that brows cover.
     pub(crate) brow: Vec<f64>,
-    /// Linear RGB of hair and brows.
-    pub(crate) hair_colour: [f64; 3],
+    /// Linear RGB of brows.
     pub(crate) brow_colour: [f64; 3],
     /// Where lines are laid out.
     pub(crate) places: Option<&'static Places>,

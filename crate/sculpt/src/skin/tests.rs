@@ -17,7 +17,7 @@ fn sheets() -> &'static (HeadSheet, HandSheet) {
     static MADE: OnceLock<(HeadSheet, HandSheet)> = OnceLock::new();
     MADE.get_or_init(|| {
         let p = preset("sofia").unwrap();
-        let head = head::build(&p.person, &p.head, p.hair.colour.linear_rgb());
+        let head = head::build(&p.person, &p.head);
         let hand = hand::build(
             &hand::mean_hand(1.0, 35.0, 1.66, [0.5, 0.3, 0.2]),
             Side::Right,
@@ -41,7 +41,7 @@ fn elder() -> SkinParams {
 
 fn baked() -> &'static SkinMaps {
     static MADE: OnceLock<SkinMaps> = OnceLock::new();
-    MADE.get_or_init(|| bake(&elder(), &sheets().0, &sheets().1))
+    MADE.get_or_init(|| bake(&elder(), &sheets().0, &sheets().1, None))
 }
 
 /// Texels a millimetre along the surface's two main directions, largest first.
@@ -206,7 +206,7 @@ fn the_maps_keep_their_budget_and_are_the_same_each_time() {
         assert_eq!(image.mime_type, "image/jpeg");
         assert_eq!(image.bytes[..3], [0xFF, 0xD8, 0xFF]);
     }
-    let again = bake(&elder(), &sheets().0, &sheets().1);
+    let again = bake(&elder(), &sheets().0, &sheets().1, None);
     assert!(again.colour == maps.colour && again.normal == maps.normal);
     assert!(again.wrinkles == maps.wrinkles);
 }

@@ -37,7 +37,7 @@ fn seen(tissue: &Tissue, network: &mut Network) -> [[f32; 2]; 2] {
 #[test]
 fn rows_are_all_that_a_muscle_needs() {
     let preset = people::preset("sofia").expect("a figure");
-    let head = head::build(&preset.person, &preset.head, [0.1; 3]);
+    let head = head::build(&preset.person, &preset.head);
     let shipped = tissue(&head, layout::FIBRES, &Anatomy::SHIPPED);
     let anatomy = Anatomy::read(&format!("{MUSCLES_TABLE}{ROW}")).expect("a table");
     let longer = tissue(&head, &format!("{}{FIBRE}", layout::FIBRES), &anatomy);

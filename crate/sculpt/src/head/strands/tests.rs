@@ -20,7 +20,7 @@ const MOST_SUNK_MM: f64 = 0.45;
 
 fn head(name: &str) -> Head {
     let p = preset(name).unwrap();
-    build(&p.person, &p.head, p.hair.colour.linear_rgb())
+    build(&p.person, &p.head)
 }
 
 fn hair_parts(head: &Head) -> impl Iterator<Item = &MeshPart> {
@@ -55,7 +55,7 @@ fn brows_and_lashes_keep_within_their_budget() {
     }
     let mut p = preset("sofia").unwrap();
     p.head.brow.density = 9.0;
-    let densest = build(&p.person, &p.head, p.hair.colour.linear_rgb());
+    let densest = build(&p.person, &p.head);
     let found = triangles(&densest);
     assert!(found <= MOST_TRIANGLES, "the densest: {found}");
     let vertices: usize = hair_parts(&densest).map(|p| p.vertices.len()).sum();
