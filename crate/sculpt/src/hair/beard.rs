@@ -213,7 +213,7 @@ pub(super) fn beard(
             let hold = ride.holds(root, 3);
             let weights = ride.weights(&hold);
             let grey = palette.grey_of(id ^ 5);
-            let strip = 8 + (dice(9) * 6.0) as u32;
+            let strip = 6 + 3 * layer as u32 + (dice(9) * 4.0) as u32;
             let base = part.vertices.len() as u32;
             let across_it = direction.cross(n).normalize_or_zero();
             for t in [0.0, 1.0] {
@@ -222,7 +222,7 @@ pub(super) fn beard(
                     + direction * (length * t)
                     + (DVec3::NEG_Y - n * 0.15) * (0.18 * length * t * t);
                 let half = 0.5 * width * lerp(1.0, if layer == 0 { 0.7 } else { 0.5 }, t);
-                let [r, g, b] = palette.shade(0.3 + 0.5 * t, 0.3 + 0.4 * dice(10), grey);
+                let [r, g, b] = palette.shade(0.45 + 0.3 * t, 0.4 + 0.2 * dice(10), grey);
                 for (u, sign) in [(0.02, -1.0), (0.98, 1.0)] {
                     part.vertices.push(PartVertex {
                         position: middle + across_it * (sign * half),
@@ -231,7 +231,7 @@ pub(super) fn beard(
                             r,
                             g,
                             b,
-                            lerp(0.82, 1.0, t) * if layer == 0 { 0.92 } else { 1.0 },
+                            lerp(0.93, 1.0, t) * if layer == 0 { 0.95 } else { 1.0 },
                         ],
                         weights: weights.clone(),
                     });

@@ -83,10 +83,14 @@ impl Card {
         Self::laid(path, step, laid, &|p| space.hull_normal(p), &clear)
     }
 
-    /// Along a path whose points are `step` apart, facing away from a middle.
-    pub(super) fn around(path: &[DVec3], step: f64, middle: DVec3, laid: &Laid) -> Self {
-        let out = |p: DVec3| (p - middle).normalize_or(DVec3::Y);
-        Self::laid(path, step, laid, &out, &|p| p)
+    /// Along a path whose points are `step` apart, facing away from what it is wound about.
+    pub(super) fn around(
+        path: &[DVec3],
+        step: f64,
+        outward: &dyn Fn(DVec3) -> DVec3,
+        laid: &Laid,
+    ) -> Self {
+        Self::laid(path, step, laid, outward, &|p| p)
     }
 
     fn laid(

@@ -21,6 +21,28 @@ pub struct HairColour {
     pub grey: f64,
 }
 
+impl HairColour {
+    /// Eight natural colours without grey, from dark to pale, with their names.
+    pub const NATURAL: [(&str, Self); 8] = [
+        ("black", Self::of(1.50, 0.10)),
+        ("dark brown", Self::of(0.60, 0.30)),
+        ("brown", Self::of(0.30, 0.40)),
+        ("auburn", Self::of(0.22, 0.90)),
+        ("red", Self::of(0.08, 0.85)),
+        ("light brown", Self::of(0.17, 0.24)),
+        ("dark blond", Self::of(0.10, 0.18)),
+        ("blond", Self::of(0.045, 0.12)),
+    ];
+
+    const fn of(eumelanin: f64, pheomelanin: f64) -> Self {
+        Self {
+            eumelanin,
+            pheomelanin,
+            grey: 0.0,
+        }
+    }
+}
+
 impl Default for HairColour {
     fn default() -> Self {
         Self {
@@ -37,7 +59,7 @@ const PHEOMELANIN: [f64; 3] = [0.187, 0.400, 1.05];
 /// The denominator of Chiang et al. 2016, eq. 9, at 0.3.
 const REACH: f64 = 5.888;
 /// Hair without pigment, linear RGB: white paper would glow beside skin. Chosen by eye.
-const WHITE: [f64; 3] = [0.47, 0.455, 0.43];
+const WHITE: [f64; 3] = [0.42, 0.408, 0.388];
 /// What the hairs' surface sends back before any pigment: 4.6 % at normal incidence for
 /// keratin (index 1.55), of which diffuse light sees a part. Chosen by eye.
 const SURFACE: f64 = 0.009;

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use raconteur_base::{DVec2, DVec3, ops};
 
-use super::HairParams;
+use super::{HairParams, HairStyle};
 use crate::skin::texture::space_noise;
 
 /// Landmarks of a hairline from the middle of the forehead to the nape: azimuth from the front
@@ -76,6 +76,10 @@ const RECEDED: [f64; 25] = [
     0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
 ];
 
+/// Where the crown thins, and how far from there it is bare at most, metres.
+const CROWN: DVec3 = DVec3::new(0.0, 0.085, -0.020);
+const BARE_CROWN_M: f64 = 0.082;
+
 /// Radius of the sphere on whose map angles become lengths, metres.
 const RADIUS_M: f64 = 0.095;
 /// How far the map's pole is tipped back, radians.
@@ -124,11 +128,16 @@ pub(super) struct Line {
 
 impl Line {
     pub(super) fn new(p: &HairParams) -> Self {
+        // Who is bald on top has kept a wreath.
+        let (recession, thinning) = match p.style {
+            HairStyle::Balding => (1.0, 1.0),
+            _ => (p.recession, p.thinning),
+        };
         let table = if p.square { &SQUARE } else { &OVAL };
         let half: Vec<[f64; 2]> = table
             .iter()
             .zip(RECEDED)
-            .map(|([a, e], up)| [*a, e + up * p.recession])
+            .map(|([a, e], up)| [*a, e + up * recession])
             .collect();
         let other = half[1..half.len() - 1].iter().rev().map(|[a, e]| [-a, *e]);
         let corners: Vec<DVec2> = half
@@ -139,8 +148,19 @@ impl Line {
             .collect();
         let curve = rounded(&corners);
         let at = |i: usize| (i as f64 / (SIDE - 1) as f64 * 2.0 - 1.0) * HALF_M;
+        let crown = flat(CROWN);
+        let bare_m = thinning * BARE_CROWN_M;
         let raster = (0..SIDE * SIDE)
-            .map(|i| inside(&curve, DVec2::new(at(i % SIDE), at(i / SIDE))) as f32)
+            .map(|i| {
+                let q = DVec2::new(at(i % SIDE), at(i / SIDE));
+                let within = inside(&curve, q);
+                let off_crown = if bare_m > 0.0 {
+                    (q - crown).length() - bare_m
+                } else {
+                    f64::MAX
+                };
+                within.min(off_crown) as f32
+            })
             .collect();
         Self {
             raster,

@@ -5,7 +5,6 @@ use std::f64::consts::TAU;
 use raconteur_base::curve::lerp;
 use raconteur_base::{DVec3, noise, ops};
 
-use super::HairParams;
 use super::card::{Card, Laid};
 use super::comb::{Field, step};
 use super::grow::{Growth, grow, smooth, tangent};
@@ -13,6 +12,7 @@ use super::line::angles;
 use super::roots::{Root, spread};
 use super::space::Space;
 use super::style::{Comb, Layer, Length, Style};
+use super::{HairParams, HairStyle};
 use crate::skin::texture::space_noise;
 
 /// Length of a step of hair that hangs and of short hair, metres.
@@ -24,7 +24,9 @@ const OVER_HEM_M: f64 = 0.26;
 const TIED_M: f64 = 0.012;
 /// What is dropped: cards that turn by more within 12 mm (radians), that point outward by more
 /// of their length, that stand off farther (metres).
-const MOST_TURN: f64 = 0.87;
+const MOST_TURN: f64 = 0.70;
+/// Waves shorter than this are curls, metres.
+const CURL_M: f64 = 0.06;
 const MOST_OUTWARD: f64 = 0.55;
 const MOST_HEIGHT_M: f64 = 0.036;
 
@@ -81,6 +83,10 @@ impl Grower<'_> {
         }
         let dense = 0.5 + 0.5 * step(0.0, 0.022, root.inside);
         layer.spacing * dense * (0.42 + 0.58 * step(0.002, 0.018, parting))
+    }
+
+    fn is_shaved(&self) -> bool {
+        self.params.style == HairStyle::Buzz
     }
 
     fn step(&self) -> f64 {
@@ -163,6 +169,12 @@ impl Grower<'_> {
         } else {
             1.0
         };
+        // Very short hair lies closer, or its ends would show as scales.
+        let low_lift = if is_short && !self.is_shaved() {
+            lerp(0.45, 1.0, step(0.018, 0.04, length))
+        } else {
+            1.0
+        };
         let offset = layer.offset
             * self.params.volume
             * (0.4 + 0.6 * edge)
@@ -178,6 +190,7 @@ impl Grower<'_> {
             offset,
             rise: self.style.rise,
             lift: layer.lift
+                * low_lift
                 * (0.3 + 0.7 * step(0.0, 0.045, parting))
                 * (0.3 + 0.7 * edge)
                 * (0.7 + 0.6 * dice(2)),
@@ -196,7 +209,7 @@ impl Grower<'_> {
                 *p = off_face(*p);
             }
         }
-        smooth(&mut path, if is_short { 1 } else { 3 });
+        smooth(&mut path, if is_short { 1 } else { 5 });
         let length = self.cut(&mut path, root, layer, length, &[dice(3), dice(4)])?;
         for (k, p) in path.iter_mut().enumerate() {
             let arc = k as f64 * g.step;
@@ -221,7 +234,7 @@ impl Grower<'_> {
             strip = 9 + (dice(7) * 5.0) as u32;
         }
         let taper = if is_short {
-            [lerp(0.35, 0.75, edge), 1.0, 0.6]
+            [lerp(0.35, 0.75, edge), 1.0, 0.4]
         } else {
             [lerp(0.2, 0.45, edge), 1.0, 0.8]
         };
@@ -366,7 +379,9 @@ impl Grower<'_> {
         let end = ((length / step_m) as usize).min(path.len() - 1);
         for k in (4..end.saturating_sub(3)).filter(|k| *k as f64 * step_m > 0.012) {
             let (a, b) = (path[k] - path[k - 3], path[k + 3] - path[k]);
-            if a.angle_between(b) > MOST_TURN {
+            // Curls turn by nature.
+            let is_curl = self.style.wave[1] < CURL_M;
+            if !is_curl && a.angle_between(b) > MOST_TURN {
                 return false;
             }
             let p = path[k];
@@ -380,12 +395,18 @@ impl Grower<'_> {
         true
     }
 
-    /// Fine short hair along the line of forehead and temples.
+    /// Fine short hair along the line; where hair hangs, that of forehead and temples alone.
     fn baby_hairs(&self) -> Vec<Card> {
+        let is_hanging = matches!(self.style.length, Length::Hem { .. });
         let roots = spread(self.places, |r| {
             let p = r.position;
-            let is_line = r.inside > -0.0005 && r.inside < 0.007 && p.y > -0.002 && p.z > 0.0;
-            if is_line { 0.0055 } else { 0.0 }
+            let is_line = r.inside > -0.0015 && r.inside < 0.006;
+            let is_front = p.y > -0.002 && p.z > 0.0;
+            match (is_line, is_front) {
+                (true, true) => 0.0048,
+                (true, false) if !is_hanging => 0.0075,
+                _ => 0.0,
+            }
         });
         let seed = self.params.seed + 77;
         (0..)

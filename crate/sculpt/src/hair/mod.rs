@@ -58,34 +58,43 @@ pub enum HairStyle {
     Tousled,
     /// Short, combed back from the forehead.
     Swept,
+    /// A wreath of short hair about a bald crown.
+    Balding,
     /// Tight coils that stand a few centimetres off the head.
     Coily,
     /// To the jaw with a side parting.
     Bob,
     /// To the collar bones, in waves, with a side parting.
     Wavy,
+    /// To the chin in curls, with a side parting.
+    Curly,
     /// Past the shoulders, straight, with a side parting.
     Long,
     /// Drawn back into a tail.
     Ponytail,
     /// Drawn back into a knot.
     Bun,
+    /// Drawn back into a plait.
+    Braid,
 }
 
 impl HairStyle {
     /// Every style with its name in parameter files.
-    pub const NAMES: [(Self, &'static str); 11] = [
+    pub const NAMES: [(Self, &'static str); 14] = [
         (Self::Bald, "bald"),
         (Self::Buzz, "buzz"),
         (Self::Crop, "crop"),
         (Self::Tousled, "tousled"),
         (Self::Swept, "swept"),
+        (Self::Balding, "balding"),
         (Self::Coily, "coily"),
         (Self::Bob, "bob"),
         (Self::Wavy, "wavy"),
+        (Self::Curly, "curly"),
         (Self::Long, "long"),
         (Self::Ponytail, "ponytail"),
         (Self::Bun, "bun"),
+        (Self::Braid, "braid"),
     ];
 }
 
@@ -109,7 +118,7 @@ pub struct HairParams {
     pub square: bool,
     /// How far the hairline has receded at the temples, 0..1.
     pub recession: f64,
-    /// How thin the crown has become, 0..1.
+    /// How far the crown has become bare, 0..1.
     pub thinning: f64,
     /// A beard.
     pub beard: Option<BeardParams>,
@@ -184,6 +193,7 @@ pub fn hair(head: &Head, p: &HairParams, clothes: &[Sample]) -> Grown {
         match p.style {
             HairStyle::Ponytail => cards.extend(grower.tail()),
             HairStyle::Bun => cards.extend(grower.knot()),
+            HairStyle::Braid => cards.extend(grower.plait()),
             _ => {}
         }
         // Drawn from the scalp outwards.

@@ -102,17 +102,19 @@ const LAYER: Layer = Layer {
 
 const FALLING: [Layer; 6] = [
     Layer {
+        spacing: 0.0185,
         offset: 0.0064,
         width: 0.0257,
+        spans: 8,
         lift: 0.14,
         ..LAYER
     },
     Layer {
         spacing: 0.0142,
         offset: 0.0144,
-        width: 0.0225,
+        width: 0.0190,
         strips: [0, 7],
-        spans: 14,
+        spans: 15,
         lift: 0.25,
         gather: 0.45,
         roll: 0.10,
@@ -122,9 +124,9 @@ const FALLING: [Layer; 6] = [
     Layer {
         spacing: 0.0146,
         offset: 0.0208,
-        width: 0.0171,
+        width: 0.0140,
         strips: [3, 10],
-        spans: 14,
+        spans: 15,
         lift: 0.33,
         gather: 0.6,
         uneven: 0.5,
@@ -135,9 +137,9 @@ const FALLING: [Layer; 6] = [
     Layer {
         spacing: 0.0175,
         offset: 0.0248,
-        width: 0.0107,
+        width: 0.0088,
         strips: [6, 13],
-        spans: 14,
+        spans: 15,
         lift: 0.38,
         gather: 0.7,
         uneven: 1.0,
@@ -164,7 +166,7 @@ const FALLING: [Layer; 6] = [
         offset: 0.024,
         width: 0.0118,
         strips: [13, 16],
-        spans: 14,
+        spans: 15,
         lift: 0.44,
         gather: 0.3,
         uneven: 1.4,
@@ -174,11 +176,33 @@ const FALLING: [Layer; 6] = [
     },
 ];
 
+/// Curls need more spans a card, so there are fewer, wider and looser ones.
+const fn curled(layer: Layer) -> Layer {
+    Layer {
+        spacing: 1.32 * layer.spacing,
+        offset: 1.45 * layer.offset,
+        width: 0.9 * layer.width,
+        strips: [layer.strips[0] + 3, layer.strips[1]],
+        spans: if layer.spans > 9 { 24 } else { 2 * layer.spans },
+        gather: 0.8 * layer.gather,
+        ..layer
+    }
+}
+
+const CURLED: [Layer; 6] = [
+    curled(FALLING[0]),
+    curled(FALLING[1]),
+    curled(FALLING[2]),
+    curled(FALLING[3]),
+    curled(FALLING[4]),
+    curled(FALLING[5]),
+];
+
 const SHORT: [Layer; 4] = [
     Layer {
-        spacing: 0.0066,
+        spacing: 0.00554,
         offset: 0.0018,
-        width: 0.0110,
+        width: 0.0077,
         strips: [3, 10],
         spans: 3,
         lift: 0.22,
@@ -189,9 +213,9 @@ const SHORT: [Layer; 4] = [
         ..LAYER
     },
     Layer {
-        spacing: 0.0070,
+        spacing: 0.00588,
         offset: 0.0045,
-        width: 0.0105,
+        width: 0.00735,
         strips: [3, 10],
         spans: 4,
         lift: 0.42,
@@ -201,9 +225,9 @@ const SHORT: [Layer; 4] = [
         ..LAYER
     },
     Layer {
-        spacing: 0.012,
+        spacing: 0.01008,
         offset: 0.007,
-        width: 0.0080,
+        width: 0.0056,
         strips: [7, 13],
         spans: 4,
         lift: 0.6,
@@ -214,9 +238,9 @@ const SHORT: [Layer; 4] = [
         ..LAYER
     },
     Layer {
-        spacing: 0.019,
+        spacing: 0.01596,
         offset: 0.010,
-        width: 0.008,
+        width: 0.0056,
         strips: [12, 16],
         spans: 4,
         lift: 0.8,
@@ -230,9 +254,9 @@ const SHORT: [Layer; 4] = [
 
 const TOUSLED: [Layer; 4] = [
     Layer {
-        spacing: 0.0100,
+        spacing: 0.0088,
         offset: 0.0030,
-        width: 0.0165,
+        width: 0.01188,
         strips: [0, 5],
         spans: 5,
         lift: 0.35,
@@ -243,9 +267,9 @@ const TOUSLED: [Layer; 4] = [
         ..LAYER
     },
     Layer {
-        spacing: 0.0100,
+        spacing: 0.0088,
         offset: 0.0085,
-        width: 0.0140,
+        width: 0.01008,
         strips: [1, 10],
         spans: 6,
         lift: 0.65,
@@ -255,9 +279,9 @@ const TOUSLED: [Layer; 4] = [
         ..LAYER
     },
     Layer {
-        spacing: 0.0112,
+        spacing: 0.00986,
         offset: 0.0130,
-        width: 0.0105,
+        width: 0.00756,
         strips: [5, 12],
         spans: 6,
         lift: 0.85,
@@ -268,9 +292,9 @@ const TOUSLED: [Layer; 4] = [
         ..LAYER
     },
     Layer {
-        spacing: 0.021,
+        spacing: 0.01848,
         offset: 0.017,
-        width: 0.009,
+        width: 0.00648,
         strips: [12, 16],
         spans: 6,
         lift: 1.0,
@@ -284,18 +308,18 @@ const TOUSLED: [Layer; 4] = [
 
 const TIED: [Layer; 4] = [
     Layer {
-        spacing: 0.014,
+        spacing: 0.0112,
         offset: 0.0025,
-        width: 0.024,
+        width: 0.01584,
         spans: 8,
         lift: 0.10,
         gather: 0.1,
         ..LAYER
     },
     Layer {
-        spacing: 0.0125,
+        spacing: 0.01,
         offset: 0.0055,
-        width: 0.019,
+        width: 0.01254,
         strips: [0, 9],
         spans: 9,
         lift: 0.16,
@@ -305,9 +329,9 @@ const TIED: [Layer; 4] = [
         ..LAYER
     },
     Layer {
-        spacing: 0.016,
+        spacing: 0.0128,
         offset: 0.0085,
-        width: 0.012,
+        width: 0.00792,
         strips: [5, 12],
         spans: 9,
         lift: 0.22,
@@ -317,9 +341,9 @@ const TIED: [Layer; 4] = [
         ..LAYER
     },
     Layer {
-        spacing: 0.026,
+        spacing: 0.0208,
         offset: 0.0095,
-        width: 0.008,
+        width: 0.00528,
         strips: [12, 16],
         spans: 8,
         lift: 0.3,
@@ -332,9 +356,9 @@ const TIED: [Layer; 4] = [
 ];
 
 const BUZZ: [Layer; 1] = [Layer {
-    spacing: 0.0052,
+    spacing: 0.00468,
     offset: 0.003,
-    width: 0.0085,
+    width: 0.00638,
     strips: [10, 14],
     spans: 2,
     lift: 0.9,
@@ -421,6 +445,19 @@ const PARTED: Style = Style {
     layers: &FALLING,
 };
 
+const TIED_BACK: Style = Style {
+    comb: Comb::Tied(TIE),
+    length: Length::ToTie,
+    locks: 0.022,
+    wave: [0.0, 1.0],
+    bend: [0.06, 20.0],
+    rise: 0.02,
+    solid: 0.014,
+    layers: &TIED,
+};
+
+/// Where a plait begins.
+pub(super) const NAPE: DVec3 = DVec3::new(0.0, -0.030, -0.094);
 /// Where a tail and a knot are tied.
 pub(super) const TIE: DVec3 = DVec3::new(0.0, 0.030, -0.098);
 
@@ -436,6 +473,17 @@ pub(super) fn style(of: HairStyle) -> Option<Style> {
                 front: 0.0,
             },
             wave: [0.0012, 0.12],
+            ..PARTED
+        },
+        HairStyle::Curly => Style {
+            length: Length::Hem {
+                hem: -0.125,
+                layered: 0.07,
+                front: 0.0,
+            },
+            wave: [0.0105, 0.046],
+            bend: [0.22, 24.0],
+            layers: &CURLED,
             ..PARTED
         },
         HairStyle::Wavy => Style {
@@ -463,6 +511,24 @@ pub(super) fn style(of: HairStyle) -> Option<Style> {
             bend: [0.22, 55.0],
             rise: 0.012,
             solid: 0.022,
+            layers: &SHORT,
+        },
+        HairStyle::Balding => Style {
+            comb: Comb::Combed {
+                top: DVec3::new(-0.3, -0.3, -0.6),
+                side: DVec3::new(0.0, -0.75, -0.9),
+                back: DVec3::new(0.0, -1.15, -0.2),
+                stray: 0.16,
+            },
+            length: Length::Short {
+                side: 0.017,
+                top: 0.010,
+            },
+            locks: 0.016,
+            wave: [0.0, 1.0],
+            bend: [0.22, 55.0],
+            rise: 0.012,
+            solid: 0.024,
             layers: &SHORT,
         },
         HairStyle::Crop => Style {
@@ -514,15 +580,10 @@ pub(super) fn style(of: HairStyle) -> Option<Style> {
             solid: 0.014,
             layers: &BUZZ,
         },
-        HairStyle::Bun | HairStyle::Ponytail => Style {
-            comb: Comb::Tied(TIE),
-            length: Length::ToTie,
-            locks: 0.022,
-            wave: [0.0, 1.0],
-            bend: [0.06, 20.0],
-            rise: 0.02,
-            solid: 0.014,
-            layers: &TIED,
+        HairStyle::Bun | HairStyle::Ponytail => TIED_BACK,
+        HairStyle::Braid => Style {
+            comb: Comb::Tied(NAPE),
+            ..TIED_BACK
         },
         HairStyle::Coily => Style {
             comb: Comb::Coily,

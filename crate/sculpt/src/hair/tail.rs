@@ -6,9 +6,9 @@ use raconteur_base::{DVec3, noise, ops};
 
 use super::card::{Card, Laid};
 use super::comb::step;
-use super::grow::smooth;
+use super::grow::{sampled, smooth};
 use super::locks::{Grower, normal};
-use super::style::TIE;
+use super::style::{NAPE, TIE};
 
 /// Distance of a path's points, metres.
 const STEP_M: f64 = 0.004;
@@ -20,7 +20,107 @@ const TAIL_M: f64 = 0.20;
 /// Radius of the knot's ring and of the strand that is wound to it, metres.
 const KNOT_M: [f64; 2] = [0.019, 0.017];
 
+/// Cards of each of a plait's three strands, its length against which the person's counts, half
+/// its width, and how much of it one strand crosses before it is back, metres.
+const PLAIT_CARDS: i64 = 60;
+const PLAIT_M: f64 = 0.24;
+const PLAIT_HALF_M: f64 = 0.011;
+const PLAIT_TURN_M: f64 = 0.052;
+/// Radius of a strand, metres.
+const PLAIT_STRAND_M: f64 = 0.0085;
+
+/// Thickness of a plait a share of the way down: it is bound near its end.
+fn plait_thickness(t: f64) -> f64 {
+    (0.75 + 0.25 * step(0.0, 0.15, t)) * (1.0 - 0.45 * step(0.3, 0.92, t))
+        + 0.25 * step(0.93, 1.0, t)
+}
+
 impl Grower<'_> {
+    /// The middle of one of a plait's strands, `s` metres down.
+    fn plait_strand(&self, middle: &[DVec3], strand: i64, s: f64) -> DVec3 {
+        let length = (middle.len() - 2) as f64 * STEP_M;
+        let turn = TAU * (s / PLAIT_TURN_M + strand as f64 / 3.0);
+        let thick = plait_thickness(s / length) * PLAIT_HALF_M;
+        let at = sampled(middle, STEP_M, s.min(length), 1)[1];
+        at + DVec3::new(ops::sin(turn), 0.0, 0.55 * ops::sin(2.0 * turn)) * thick
+    }
+
+    /// The middle line of a plait down the back.
+    fn plait_middle(&self) -> Vec<DVec3> {
+        let length = PLAIT_M * self.params.length;
+        let mut at = NAPE + DVec3::new(0.0, 0.012, -0.006);
+        let mut path = vec![at];
+        for k in 0..=(length / STEP_M) as usize + 1 {
+            let s = k as f64 * STEP_M;
+            let d = DVec3::new(0.0, -1.0, -0.9 + 0.9 * step(0.0, 0.035, s)).normalize();
+            at = self.space.pushed(at + d * STEP_M, PLAIT_HALF_M + 0.004);
+            path.push(at);
+        }
+        smooth(&mut path, 6);
+        path
+    }
+
+    /// A plait of three strands from the nape.
+    pub(super) fn plait(&self) -> Vec<Card> {
+        let middle = self.plait_middle();
+        let whole = (middle.len() - 2) as f64 * STEP_M;
+        let seed = self.params.seed + 500;
+        let mut out = Vec::new();
+        for strand in 0..3 {
+            let core: Vec<DVec3> = (0..)
+                .map(|k| k as f64 * 0.5 * STEP_M)
+                .take_while(|s| *s < whole)
+                .map(|s| self.plait_strand(&middle, strand, s))
+                .collect();
+            let outward = |p: DVec3| {
+                let far = |c: &&DVec3| c.distance_squared(p);
+                let near = core.iter().min_by(|a, b| far(a).total_cmp(&far(b)));
+                near.map_or(DVec3::NEG_Z, |c| (p - *c).normalize_or(DVec3::NEG_Z))
+            };
+            for i in 0..PLAIT_CARDS {
+                let id = strand * PLAIT_CARDS + i;
+                let dice = |k: u64| noise::unit(seed, k, id);
+                let bell = |k: u64| normal(seed, 10 + k, id);
+                let length = (0.05 * (0.8 + 0.5 * dice(0))).min(whole);
+                let start = (whole - length) * (i as f64 + dice(1)) / PLAIT_CARDS as f64;
+                let around = TAU * dice(2);
+                let deep = 0.85 + 0.3 * dice(3);
+                let count = (length / STEP_M) as usize + 3;
+                let path: Vec<DVec3> = (0..count)
+                    .map(|k| {
+                        let s = (start + k as f64 * STEP_M).min(whole);
+                        let angle = around + 14.0 * k as f64 * STEP_M;
+                        let radius = PLAIT_STRAND_M * plait_thickness(s / whole) * deep;
+                        let ring = DVec3::new(ops::cos(angle), 0.0, ops::sin(angle)) * radius;
+                        self.plait_strand(&middle, strand, s) + ring
+                    })
+                    .collect();
+                out.push(Card::around(
+                    &path,
+                    STEP_M,
+                    &outward,
+                    &Laid {
+                        length,
+                        width: 0.0105 * (0.75 + 0.5 * dice(4)),
+                        taper: [0.55, 1.0, 0.55],
+                        spans: 8,
+                        strip: if deep > 1.05 {
+                            6 + (6.0 * dice(5)) as u32
+                        } else {
+                            (8.0 * dice(5)) as u32
+                        },
+                        is_mirrored: dice(6) < 0.5,
+                        roll: 0.15 * bell(0),
+                        tint: (0.5 + 0.18 * bell(1)).clamp(0.0, 1.0),
+                        layer: if deep > 1.0 { 2 } else { 0 },
+                        whole: 4.0 * length,
+                    },
+                ));
+            }
+        }
+        out
+    }
+
     /// A tail that falls from the tie.
     pub(super) fn tail(&self) -> Vec<Card> {
         let seed = self.params.seed + 300;
@@ -106,7 +206,7 @@ impl Grower<'_> {
                 Card::around(
                     &path,
                     STEP_M,
-                    middle,
+                    &|p: DVec3| (p - middle).normalize_or(DVec3::Y),
                     &Laid {
                         length,
                         width: 0.013 * (0.7 + 0.6 * dice(4)),

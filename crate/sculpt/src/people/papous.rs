@@ -68,7 +68,7 @@ fn hair() -> HairParams {
             grey: 0.94,
         },
         recession: 0.75,
-        thinning: 0.6,
+        thinning: 0.3,
         beard: Some(BeardParams {
             length_m: 0.018,
             moustache: true,
