@@ -22,7 +22,7 @@ const KNOT_M: [f64; 2] = [0.019, 0.017];
 
 /// Cards of each of a plait's three strands, its length against which the person's counts, half
 /// its width, and how much of it one strand crosses before it is back, metres.
-const PLAIT_CARDS: i64 = 60;
+const PLAIT_CARDS: i64 = 44;
 const PLAIT_M: f64 = 0.24;
 const PLAIT_HALF_M: f64 = 0.011;
 const PLAIT_TURN_M: f64 = 0.052;
@@ -103,7 +103,7 @@ impl Grower<'_> {
                         length,
                         width: 0.0105 * (0.75 + 0.5 * dice(4)),
                         taper: [0.55, 1.0, 0.55],
-                        spans: 8,
+                        spans: 6,
                         strip: if deep > 1.05 {
                             6 + (6.0 * dice(5)) as u32
                         } else {

@@ -121,6 +121,7 @@ fn the_scalp_is_covered_from_all_sides() {
     for w in worn().iter().filter(|w| w.style != HairStyle::Bald) {
         let space = Space::new(w.head, &[]);
         let line = Line::new(&HairParams {
+            style: w.style,
             square: true,
             recession: 1.0,
             ..HairParams::default()
