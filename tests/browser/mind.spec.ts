@@ -44,7 +44,7 @@ async function voice(stage: Stage): Promise<{ [path: string]: Buffer }> {
 
 /** Waits for a message to the mind. */
 async function told(mind: Mind, wanted: (told: Told) => boolean): Promise<Told> {
-  await expect.poll(() => mind.told.some(wanted), { timeout: 60_000 }).toBe(true);
+  await expect.poll(() => mind.told.some(wanted), { timeout: 60_000, intervals: [50] }).toBe(true);
   return mind.told.find(wanted) ?? { kind: '' };
 }
 
@@ -106,18 +106,25 @@ test('garbage and a flood cost the mind its connection, not the player its story
 
 test('what is interrupted falls silent, and its mind hears no more of it', async ({ stage, page, mind }) => {
   await open(stage, mind);
-  mind.send(LINE, LINE, `${LINE}<event time="v+0.1">never</event>`);
+  // Enough of them that the last has not begun however late a slow machine hears the second.
+  const last = 8;
+  mind.send(...Array.from({ length: last - 1 }, () => LINE), `${LINE}<event time="v+0.1">never</event>`);
   // One speaks after another.
-  await expect.poll(() => mind.told.filter((t) => t.kind === 'accepted').length).toBe(3);
+  await expect.poll(() => mind.told.filter((t) => t.kind === 'accepted').length).toBe(last);
   const spoken = mind.told.filter((t) => t.kind === 'accepted').map((t) => (t as unknown as { clauses: { startSecs: number; endSecs: number }[] }).clauses[0]);
   for (const [i, { startSecs } = { startSecs: 0 }] of spoken.slice(1).entries()) expect(startSecs).toBeCloseTo((spoken[i]?.endSecs ?? 0) + 0.15);
   await told(mind, (t) => t.kind === 'word' && t['fragment'] === 2);
   mind.send('<interrupt/>', '<event time="0.3">anew</event>');
   await told(mind, (t) => t['payload'] === 'anew');
   await stage.until((await stage.time()) + 2.5);
-  const ends = mind.told.filter((t) => t.kind === 'utterance' && t['phase'] === 'end').map((t) => t['fragment']);
-  expect(ends).toEqual([1, 2]);
-  expect(mind.told.filter((t) => t.kind !== 'accepted').map((t) => t['fragment'])).not.toContain(3);
+  const spoke = (phase: string) => mind.told.filter((t) => t.kind === 'utterance' && t['phase'] === phase).map((t) => t['fragment']);
+  expect(spoke('end')).toEqual(spoke('start'));
+  const begun = spoke('start').length;
+  expect(begun).toBeGreaterThanOrEqual(2);
+  expect(begun).toBeLessThan(last);
+  const silenced = Array.from({ length: last - begun }, (_, i) => begun + 1 + i);
+  const heard = new Set(mind.told.filter((t) => t.kind !== 'accepted').map((t) => t['fragment']));
+  expect(silenced.filter((fragment) => heard.has(fragment))).toEqual([]);
   expect(await page.locator('raconteur-player .captions').allTextContents()).toEqual([]);
 });
 

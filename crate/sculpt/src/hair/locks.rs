@@ -26,7 +26,7 @@ const TIED_M: f64 = 0.012;
 /// of their length, that stand off farther (metres).
 const MOST_TURN: f64 = 0.70;
 /// Waves shorter than this are curls, metres.
-const CURL_M: f64 = 0.06;
+const CURL_M: f64 = 0.08;
 const MOST_OUTWARD: f64 = 0.55;
 const MOST_HEIGHT_M: f64 = 0.036;
 
