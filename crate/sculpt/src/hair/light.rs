@@ -127,7 +127,8 @@ impl<'a> Shade<'a> {
             .take_while(|at| self.density.lattice.holds(*at))
             .map(|at| self.density.at(at) * STEP_M * DEPTH)
             .sum();
-        ops::exp(-depth)
+        // The running sums of a blur leave remainders below zero.
+        ops::exp(-depth.max(0.0))
     }
 }
 
