@@ -6,10 +6,11 @@ use raconteur_base::{DVec3, noise, ops};
 
 use super::card::{Card, Laid};
 use super::comb::step;
+use super::layers::Layer;
 use super::line::angles;
 use super::locks::{Grower, normal};
 use super::roots::{Root, spread};
-use super::style::{Layer, Length};
+use super::style::Length;
 use crate::skin::texture::space_noise;
 
 /// Distance of a path's points, metres.

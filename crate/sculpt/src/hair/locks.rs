@@ -8,10 +8,11 @@ use raconteur_base::{DVec3, noise, ops};
 use super::card::{Card, Laid};
 use super::comb::{Field, step};
 use super::grow::{Growth, grow, smooth, tangent};
+use super::layers::Layer;
 use super::line::angles;
 use super::roots::{Root, spread};
 use super::space::Space;
-use super::style::{Comb, Layer, Length, Style};
+use super::style::{Comb, Length, Style};
 use super::{HairParams, HairStyle};
 use crate::skin::texture::space_noise;
 

@@ -13,6 +13,7 @@ mod colour;
 mod comb;
 mod grid;
 mod grow;
+mod layers;
 mod light;
 mod line;
 mod locks;
