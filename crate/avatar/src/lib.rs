@@ -136,6 +136,7 @@ pub fn import_figure(name: &str, bytes: &[u8]) -> Result<Imported, ImportError> 
             sex: None,
             dominant_hand: Side::Right,
             tissue: None,
+            springs: raconteur_body::Springs::default(),
             images,
         },
         diagnostics: notes.into_list(),

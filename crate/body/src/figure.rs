@@ -4,6 +4,7 @@ use raconteur_base::{DAffine3, Side};
 
 use crate::face::{Binding, Tissue};
 use crate::skeleton::Skeleton;
+use crate::springs::Springs;
 
 /// Jaw angle at which the whole of the morph target `mouthClose` just closes the lips,
 /// radians; a contract between figures and those who move them. Designed.
@@ -237,6 +238,8 @@ pub struct Figure {
     pub dominant_hand: Side,
     /// What moves under the skin of its face, where the file has it.
     pub tissue: Option<Tissue>,
+    /// What swings: hair, hanging cloth.
+    pub springs: Springs,
     /// Pictures of the materials.
     pub images: Vec<Image>,
 }

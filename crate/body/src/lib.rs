@@ -1,8 +1,8 @@
 //! Who performs: the figure's skeleton, skin, face and hands, read from glTF.
 //!
 //! Does: the 54 bones of GEVH appendix A with their frames, forward kinematics with
-//! helper joints, hand shapes, the figure's meshes and morphs, reading them from
-//! glTF binary and writing them.
+//! helper joints, hand shapes, chains that swing, the figure's meshes and morphs, reading them
+//! from glTF binary and writing them.
 //! Does not: make figures (`sculpt`), take other people's (`avatar`), decide how the figure moves (`actor`) or draw it (`render`).
 //!
 //! Frames: right-handed, metres, radians; +x is the character's left, +y up, +z front.
@@ -13,6 +13,7 @@ pub mod hand_shape;
 pub mod pose;
 pub mod read;
 pub mod skeleton;
+pub mod springs;
 pub mod write;
 
 /// The face as a machine.
@@ -22,3 +23,4 @@ pub use figure::{Figure, Material, MaterialKind, Mesh, Morph};
 pub use hand_shape::HandShape;
 pub use pose::Pose;
 pub use skeleton::{Bone, Drive, Joint, Skeleton};
+pub use springs::Springs;

@@ -17,6 +17,7 @@ use crate::face::file;
 use crate::figure::{Figure, Material, MaterialKind, Mesh};
 use crate::read::packed;
 use crate::skeleton::{Bone, Drive};
+use crate::springs;
 use buffer::{Buffer, FLOAT, Packing, UNSIGNED_BYTE};
 
 /// The extension of positions and the like as small integers.
@@ -222,10 +223,16 @@ pub fn to_glb(figure: &Figure) -> Vec<u8> {
 pub fn to_packed_glb(figure: &Figure, annotations: &Annotations) -> Vec<u8> {
     let (mut document, mut buffer) = document(figure, annotations);
     document["buffers"] = pack::pack(&mut buffer);
-    for list in ["extensionsUsed", "extensionsRequired"] {
-        document[list] = json!([packed::EXTENSION, QUANTIZATION]);
-    }
+    let needed = [packed::EXTENSION, QUANTIZATION];
+    document["extensionsUsed"] = json!(used(figure, &needed));
+    document["extensionsRequired"] = json!(needed);
     finish(document, buffer)
+}
+
+/// The extensions in a file that needs some of them.
+fn used<'a>(figure: &Figure, needed: &[&'a str]) -> Vec<&'a str> {
+    let springs = (!figure.springs.is_empty()).then_some(springs::EXTENSION);
+    needed.iter().copied().chain(springs).collect()
 }
 
 fn finish(mut document: Value, buffer: Buffer) -> Vec<u8> {
@@ -315,7 +322,7 @@ fn document(figure: &Figure, annotations: &Annotations) -> (Value, Buffer) {
     debug_assert!(figure.skeleton.joints()[0].drive == Drive::Bone(Bone::Sacroiliac));
     let mut document = json!({
         "asset": { "version": "2.0", "generator": "raconteur" },
-        "extensionsUsed": [QUANTIZATION],
+        "extensionsUsed": used(figure, &[QUANTIZATION]),
         "extensionsRequired": [QUANTIZATION],
         "scene": 0,
         "scenes": [{
@@ -332,6 +339,9 @@ fn document(figure: &Figure, annotations: &Annotations) -> (Value, Buffer) {
         "meshes": meshes,
         "materials": materials,
     });
+    if !figure.springs.is_empty() {
+        document["extensions"] = json!({ springs::EXTENSION: springs::write(&figure.springs, &numbers) });
+    }
     // glTF allows no empty lists. Texture i shows image i.
     if !images.is_empty() {
         let textures: Vec<Value> = (0..images.len()).map(|i| json!({ "source": i })).collect();

@@ -19,6 +19,7 @@ fn perform(clauses: &str) -> Player {
         dominant_hand: raconteur_player::base::Side::Right,
         images: Vec::new(),
         tissue: None,
+        springs: raconteur_body::Springs::default(),
     };
     let Loaded {
         player,

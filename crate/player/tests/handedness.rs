@@ -26,6 +26,7 @@ fn figure(dominant_hand: Side) -> Arc<Figure> {
         dominant_hand,
         images: Vec::new(),
         tissue: None,
+        springs: raconteur_body::Springs::default(),
     })
 }
 

@@ -108,6 +108,7 @@ fn figure(name: &str) -> Arc<Figure> {
             dominant_hand: raconteur_player::base::Side::Right,
             images: Vec::new(),
             tissue: None,
+            springs: raconteur_body::Springs::default(),
         });
     }
     let path = Path::new(env!("CARGO_MANIFEST_DIR"))

@@ -16,9 +16,9 @@ use crate::morph::{MorphedMesh, ShapeVertex, shape_vertex};
 use crate::options::LEVELS;
 use crate::tissue::{BoundMesh, Nodes};
 
-/// Joints that the shader's table holds: 128 of 48 bytes fit the 16 KiB that every
+/// Joints that the shader's table holds: 256 of 48 bytes fit the 16 KiB that every
 /// WebGL2 device has, and joints are numbered by one byte in the vertices.
-pub(crate) const MAX_JOINTS: usize = 128;
+pub(crate) const MAX_JOINTS: usize = 256;
 
 /// Distance between materials in their buffer, bytes: the alignment of dynamic offsets.
 pub(crate) const MATERIAL_STRIDE: u64 = 256;

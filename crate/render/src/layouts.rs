@@ -2,6 +2,7 @@
 
 use wgpu::{BindGroupLayout, Device, ShaderStages};
 
+use crate::figure::MAX_JOINTS;
 use crate::figure::MaterialUniform;
 use crate::uniform::FrameUniform;
 
@@ -64,7 +65,7 @@ impl Layouts {
             figure: layout(
                 "figure",
                 &[
-                    uniform(0, ShaderStages::VERTEX, false, 384 * 16),
+                    uniform(0, ShaderStages::VERTEX, false, (3 * MAX_JOINTS * 16) as u64),
                     uniform(1, both, true, size_of::<MaterialUniform>() as u64),
                 ],
             ),

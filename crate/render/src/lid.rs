@@ -141,6 +141,7 @@ mod tests {
             dominant_hand: Side::Right,
             images: Vec::new(),
             tissue: None,
+            springs: raconteur_body::Springs::default(),
         };
         (figure, centre)
     }

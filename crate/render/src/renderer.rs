@@ -165,7 +165,7 @@ impl Renderer {
     /// and flat until [`Self::set_image`].
     ///
     /// # Errors
-    /// When it has more than 128 joints or a mesh contradicts itself; the figure before stays.
+    /// When it has more than 256 joints or a mesh contradicts itself; the figure before stays.
     pub fn set_figure(&mut self, figure: &Figure) -> Result<(), RenderError> {
         let layouts = &self.shared.layouts;
         self.figure = GpuFigure::new(&self.device, &self.queue, layouts, &self.fallback, figure)?;

@@ -4,10 +4,13 @@ use std::collections::BTreeMap;
 
 use raconteur_base::{DAffine3, DQuat, DVec3, Side};
 
+use super::hair::HairChain;
 use super::part::{MeshPart, PartVertex};
+use super::springs;
 use super::subdivide::vertex_normals;
 use raconteur_body::figure::{Figure, Image, Maps, Material, MaterialKind, Mesh, Morph};
 use raconteur_body::skeleton::{Bone, FacePlaces, Skeleton};
+use raconteur_body::springs::Springs;
 use raconteur_body::write::weights_in_255ths;
 use raconteur_tissue::Binding;
 
@@ -47,6 +50,8 @@ pub struct Blueprint {
     pub lid_closure_rad: [f64; 2],
     /// Parts, in drawing order.
     pub pieces: Vec<Piece>,
+    /// Chains that hang on the skull.
+    pub chains: Vec<HairChain>,
     /// Pictures that materials point at.
     pub images: Vec<Image>,
 }
@@ -55,12 +60,14 @@ pub struct Blueprint {
 /// and the change of normals under each morph.
 #[must_use]
 pub fn assemble(blueprint: &Blueprint) -> Figure {
-    let skeleton = Skeleton::from_bind(
+    let mut skeleton = Skeleton::from_bind(
         &blueprint.positions_in_world,
         &blueprint.bind_rotations,
         blueprint.face,
         blueprint.stature_m,
     );
+    let frames = bind_frames(blueprint, &skeleton);
+    springs::hang(&blueprint.chains, &mut skeleton, &frames);
     let mut morph_names: Vec<String> = blueprint
         .pieces
         .iter()
@@ -99,6 +106,7 @@ pub fn assemble(blueprint: &Blueprint) -> Figure {
         sex: None,
         dominant_hand: Side::Right,
         tissue: None,
+        springs: Springs::default(),
         images: blueprint.images.clone(),
     }
 }
@@ -441,6 +449,7 @@ mod tests {
             },
             stature_m: 1.956,
             lid_closure_rad: [0.6, 0.6],
+            chains: Vec::new(),
             pieces: vec![part.into()],
             images: vec![Image {
                 mime_type: "image/png".to_owned(),

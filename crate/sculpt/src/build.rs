@@ -16,6 +16,7 @@ use super::mannequin::Mannequin;
 use super::part::{self, MeshPart, PartVertex};
 use super::people::FigureParams;
 use super::skin::{self, HandSheet};
+use super::springs;
 use super::tissue;
 use super::torso::{CM, Cage, Field, Joints, Shell};
 use crate::subdivide::vertex_normals;
@@ -55,6 +56,9 @@ pub fn build(params: &FigureParams) -> Built {
     for v in grown.pieces.iter_mut().flat_map(|h| &mut h.part.vertices) {
         v.position = world_from_head.transform_point3(v.position);
     }
+    for p in grown.chains.iter_mut().flat_map(|c| &mut c.points) {
+        *p = world_from_head.transform_point3(*p);
+    }
     for (v, light) in head_parts[0].vertices.iter_mut().zip(&grown.skin_light) {
         v.color[3] *= light;
     }
@@ -93,9 +97,11 @@ pub fn build(params: &FigureParams) -> Built {
         stature_m: params.person.stature_m,
         lid_closure_rad: head.lid_closure_rad,
         pieces,
+        chains: grown.chains.clone(),
         images: vec![maps.colour, maps.normal, maps.wrinkles],
     });
     figure.sex = Some(params.person.sex);
+    figure.springs = springs::of(&figure, &grown.chains);
     figure.tissue = Some(face_tissue(&head, world_from_head, &figure));
     leave_to_tissue(&mut figure);
     let annotations = annotations(&head, &figure);
@@ -141,6 +147,7 @@ pub fn build_face(params: &FigureParams) -> Built {
         stature_m: params.person.stature_m,
         lid_closure_rad: made.head.lid_closure_rad,
         pieces: made.head_parts.into_iter().map(Piece::from).collect(),
+        chains: Vec::new(),
         images: Vec::new(),
     });
     figure.sex = Some(params.person.sex);

@@ -70,6 +70,7 @@ fn sofia() -> &'static Case {
             stature_m: params.person.stature_m,
             lid_closure_rad: [0.6; 2],
             pieces: vec![Piece::from(part)],
+            chains: Vec::new(),
             images: Vec::new(),
         });
         Case {

@@ -25,6 +25,7 @@ pub mod person;
 pub mod physique;
 pub mod rigging;
 pub mod skin;
+mod springs;
 #[cfg(test)]
 mod soundness;
 pub mod statistics;

@@ -11,6 +11,7 @@ use serde_json::Value;
 
 use super::ReadError;
 use super::packed::Packed;
+use crate::springs::{self, Springs};
 
 const MAGIC: &[u8; 4] = b"glTF";
 const CHUNK_JSON: u32 = 0x4E4F_534A;
@@ -167,6 +168,8 @@ pub struct Document<'a> {
     pub images: Vec<Image>,
     /// The image of each texture.
     pub texture_images: Vec<usize>,
+    /// What swings; its joints are nodes.
+    pub springs: Springs,
     pub accessors: Vec<Accessor>,
     pub views: Vec<View>,
     pub bin: &'a [u8],
@@ -177,11 +180,11 @@ fn as_index(value: &Value) -> Option<usize> {
     usize::try_from(value.as_u64()?).ok()
 }
 
-fn items<'v>(value: &'v Value, key: &str) -> &'v [Value] {
+pub(crate) fn items<'v>(value: &'v Value, key: &str) -> &'v [Value] {
     value[key].as_array().map_or(&[], Vec::as_slice)
 }
 
-fn index(value: &Value, key: &str) -> Option<usize> {
+pub(crate) fn index(value: &Value, key: &str) -> Option<usize> {
     as_index(&value[key])
 }
 
@@ -190,7 +193,7 @@ fn needed_index(value: &Value, key: &str) -> usize {
     index(value, key).unwrap_or(usize::MAX)
 }
 
-fn indices(value: &Value, key: &str) -> Vec<usize> {
+pub(crate) fn indices(value: &Value, key: &str) -> Vec<usize> {
     items(value, key)
         .iter()
         .map(|v| as_index(v).unwrap_or(usize::MAX))
@@ -213,7 +216,7 @@ fn texts(value: &Value, key: &str) -> Vec<String> {
         .collect()
 }
 
-fn numbers<const N: usize>(value: &Value, key: &str) -> Option<[f64; N]> {
+pub(crate) fn numbers<const N: usize>(value: &Value, key: &str) -> Option<[f64; N]> {
     let list = items(value, key);
     if list.len() != N {
         return None;
@@ -417,6 +420,7 @@ impl<'a> Document<'a> {
                     view: needed_index(v, "bufferView"),
                 })
                 .collect(),
+            springs: springs::read(root),
             texture_images: all("textures").map(|v| needed_index(v, "source")).collect(),
             accessors: all("accessors").map(accessor).collect(),
             views: all("bufferViews").map(view).collect(),

@@ -25,6 +25,8 @@ pub enum Drive {
     UpperLid(Side),
     /// A lower lid, at the centre of the eyeball; hangs on the skull.
     LowerLid(Side),
+    /// Swings; chains count from 0, and so do the joints of one. At rest in every pose.
+    Spring(u8, u8),
     /// Never turns by itself.
     Fixed,
 }

@@ -26,7 +26,8 @@ pub struct Joint {
     pub drive: Drive,
 }
 
-/// The joints of one figure. The first 54 are [`Bone::ALL`]; helpers follow, each a leaf.
+/// The joints of one figure. The first 54 are [`Bone::ALL`]; helpers follow, each a leaf, then
+/// chains that swing.
 #[derive(Clone, Debug)]
 pub struct Skeleton {
     joints: Vec<Joint>,
@@ -142,7 +143,7 @@ impl Skeleton {
                     // is the axis about which lids close and gaze falls.
                     zero[skull].inverse(),
                 ),
-                Drive::Bone(_) | Drive::Fixed => continue,
+                Drive::Bone(_) | Drive::Spring(..) | Drive::Fixed => continue,
             };
             joints.push(Joint {
                 name,
@@ -189,6 +190,19 @@ impl Skeleton {
     #[must_use]
     pub fn joints(&self) -> &[Joint] {
         &self.joints
+    }
+
+    /// Adds a joint that swings, and rests at `parent_from_joint` while its parent is in the bind
+    /// pose. Returns its index.
+    pub fn hang(&mut self, name: String, parent: usize, parent_from_joint: DAffine3, drive: Drive) -> usize {
+        self.joints.push(Joint {
+            name,
+            parent: Some(parent),
+            translation_in_parent: parent_from_joint.translation,
+            zero_rotation: DQuat::from_mat3(&parent_from_joint.matrix3),
+            drive,
+        });
+        self.joints.len() - 1
     }
 
     /// Standing height in metres, barefoot.

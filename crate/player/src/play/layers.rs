@@ -33,8 +33,23 @@ pub(crate) struct Layers {
     first: Layer,
     later: Vec<Layer>,
     /// Room to evaluate a second actor in.
-    pose: Pose,
-    morph_weights: Vec<f32>,
+    room: Posed,
+}
+
+/// What an actor is evaluated into.
+pub(crate) struct Posed {
+    pub(crate) pose: Pose,
+    pub(crate) morph_weights: Vec<f32>,
+}
+
+impl Posed {
+    /// Room for a figure of so many morph targets.
+    pub(crate) fn new(morphs: usize) -> Self {
+        Self {
+            pose: Pose::zero(),
+            morph_weights: vec![0.0; morphs],
+        }
+    }
 }
 
 impl Layers {
@@ -51,8 +66,7 @@ impl Layers {
         Self {
             first,
             later: Vec::new(),
-            pose: Pose::zero(),
-            morph_weights: vec![0.0; morphs],
+            room: Posed::new(morphs),
         }
     }
 
@@ -154,8 +168,8 @@ impl Layers {
             .actor
             .evaluate(skeleton, face, time_secs, pose, morph_weights);
         for layer in &self.later[alone..begun] {
-            self.morph_weights.copy_from_slice(morph_weights);
-            let (other, weights) = (&mut self.pose, &mut self.morph_weights);
+            self.room.morph_weights.copy_from_slice(morph_weights);
+            let (other, weights) = (&mut self.room.pose, &mut self.room.morph_weights);
             let before = report.controls;
             report = layer
                 .actor

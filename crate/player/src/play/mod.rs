@@ -8,4 +8,6 @@ mod picture;
 pub(crate) mod player;
 mod rehearsal;
 mod score;
+mod segments;
 mod soft;
+mod sway;

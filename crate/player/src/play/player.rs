@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use raconteur_actor::{Actor, LipTrack, Report};
-use raconteur_base::{DVec3, Side};
+use raconteur_base::{DAffine3, DVec3, Side};
 use raconteur_body::face::{FaceControls, Network, NodeState, Tissue};
 use raconteur_body::{Bone, Figure, Pose};
 use raconteur_eml::{Diagnostic, Performer, Timeline, thinned};
@@ -21,11 +21,12 @@ use crate::options::Options;
 use crate::play::clock::Clock;
 use crate::play::event::Event;
 use crate::play::fibres;
-use crate::play::layers::Layers;
+use crate::play::layers::{Layers, Posed};
 use crate::play::picture::{Picture, Subject};
 use crate::play::rehearsal::Rehearsal;
 use crate::play::score::Score;
 use crate::play::soft::SoftFace;
+use crate::play::sway::Sway;
 
 mod clips;
 mod improvise;
@@ -79,6 +80,10 @@ pub struct Player {
     layers: Layers,
     /// The tissue of the face, if the figure has any.
     soft: Option<SoftFace>,
+    /// Its hair, if that swings.
+    sway: Option<Sway>,
+    /// Room to evaluate other times in.
+    room: Posed,
     /// The waiting figure, until the story has taken over.
     welcome: Option<Box<Welcome>>,
     pose: Pose,
@@ -126,6 +131,8 @@ impl Player {
             clock: Clock::new(),
             layers: Layers::new(actor, room, morphs),
             soft: tissue.map(SoftFace::new),
+            sway: Sway::new(&cast.figure.springs, cast.figure.skeleton.joints().len()),
+            room: Posed::new(morphs),
             welcome: None,
             pose: Pose::zero(),
             frame,
@@ -274,10 +281,13 @@ impl Player {
         (self.pose.upper_lid_rad, self.cast.figure.lid_closure_rad)
     }
 
-    /// Lets the tissue begin anew under changed controls.
-    fn forget_face(&mut self) {
+    /// Lets tissue and hair begin anew: what moves them has changed.
+    fn forget_motion(&mut self) {
         if let Some(soft) = &mut self.soft {
             soft.forget();
+        }
+        if let Some(sway) = &mut self.sway {
+            sway.forget();
         }
     }
 
@@ -358,6 +368,7 @@ impl Player {
             .figure
             .skeleton
             .solve(&self.pose, &mut self.frame.world_from_joint);
+        self.swing(t);
         if let (Some(tissue), Some(soft)) = (&self.cast.figure.tissue, &mut self.soft) {
             let controls = |t: f64| {
                 let controls = self.layers.controls(t);
@@ -372,6 +383,25 @@ impl Player {
         self.frame.handles.clear();
         self.frame.handles.extend(report.led.into_iter().flatten());
         report
+    }
+
+    /// Lets the hair of the frame's joints swing.
+    fn swing(&mut self, time_secs: f64) {
+        let Some(sway) = &mut self.sway else {
+            return;
+        };
+        let (figure, face) = (&self.cast.figure, &self.cast.face);
+        let (layers, welcome, room) = (&mut self.layers, &mut self.welcome, &mut self.room);
+        let mut posture = |t: f64, out: &mut Vec<DAffine3>| {
+            let (pose, weights) = (&mut room.pose, &mut room.morph_weights);
+            layers.evaluate(&figure.skeleton, face, t, pose, weights);
+            if let Some(welcome) = welcome {
+                welcome.blend(&figure.skeleton, face, t, pose, weights);
+            }
+            figure.skeleton.solve(pose, out);
+        };
+        let of = (&figure.skeleton, &figure.springs);
+        sway.at(of, time_secs, &mut posture, &mut self.frame.world_from_joint);
     }
 
     /// Lines of the face's tissue, where they are shown.

@@ -1,45 +1,15 @@
 //! The soft face over time: steps of the tissue behind the clock.
-//!
-//! The network has a state, but the picture of a time must not depend on how the clock came
-//! there. So time is cut into segments, and what the network is in a segment follows from the
-//! controls since a fixed moment before it, where it begins at rest under them: the
-//! difference to what came before has died away long before the segment begins (to less than
-//! a thousandth of a millimetre). While one segment plays, the warm-up of the next is
-//! simulated a step at a time; a seek simulates at most a segment with both warm-ups, 1.2 s.
-
-use core::mem::swap;
 
 use raconteur_body::face::{FaceControls, Network, NodeState, Tissue};
 
-/// Steps of a segment, and of the warm-up before it.
-const SEGMENT: i64 = 96;
-const WARM_UP: i64 = 24;
+use super::segments::{Cut, Pace, Segments, Simulation};
 
-/// A simulation that runs through a segment.
-#[derive(Clone)]
-struct SegmentRun {
-    network: Network,
-    segment: i64,
-    /// The step it has come to.
-    step: i64,
-}
-
-impl SegmentRun {
-    /// Begins the warm-up of a segment.
-    fn begin(&mut self, tissue: &Tissue, segment: i64, controls: &Controls<'_>) {
-        self.segment = segment;
-        self.step = segment * SEGMENT - WARM_UP;
-        let (now, earlier) = (controls(secs(self.step)), controls(secs(self.step - 1)));
-        self.network.reset(tissue, &now, &earlier);
-    }
-
-    fn advance(&mut self, tissue: &Tissue, to: i64, controls: &Controls<'_>) {
-        while self.step < to {
-            self.step += 1;
-            self.network.step(tissue, &controls(secs(self.step)));
-        }
-    }
-}
+/// 0.8 s and 0.2 s: what came before moves no node by a thousandth of a millimetre any more.
+const CUT: Cut = Cut {
+    segment: 96,
+    warm_up: 24,
+    pace: Pace::Even,
+};
 
 /// Controls of the face at a time, seconds.
 type Controls<'a> = dyn Fn(f64) -> FaceControls + 'a;
@@ -48,37 +18,43 @@ fn secs(step: i64) -> f64 {
     step as f64 / Network::steps_per_s()
 }
 
-/// The tissue of one face at any time.
-pub(crate) struct SoftFace {
-    now: SegmentRun,
-    next: SegmentRun,
+/// The tissue under its controls.
+struct Driven<'a> {
+    tissue: &'a Tissue,
+    controls: &'a Controls<'a>,
 }
 
-/// A segment that no time has.
-const NEVER: i64 = i64::MIN;
+impl Simulation<Network> for Driven<'_> {
+    fn rest(&mut self, network: &mut Network, step: i64) {
+        let (now, earlier) = ((self.controls)(secs(step)), (self.controls)(secs(step - 1)));
+        network.reset(self.tissue, &now, &earlier);
+    }
+
+    fn step(&mut self, network: &mut Network, step: i64) {
+        network.step(self.tissue, &(self.controls)(secs(step)));
+    }
+}
+
+/// The tissue of one face at any time.
+pub(crate) struct SoftFace {
+    segments: Segments<Network>,
+}
 
 impl SoftFace {
     pub(crate) fn new(tissue: &Tissue) -> Self {
-        let run = SegmentRun {
-            network: Network::new(tissue),
-            segment: NEVER,
-            step: 0,
-        };
         Self {
-            next: run.clone(),
-            now: run,
+            segments: Segments::new(CUT, Network::new(tissue)),
         }
     }
 
     /// The network as it was at the last requested step.
     pub(crate) fn network(&self) -> &Network {
-        &self.now.network
+        self.segments.state()
     }
 
     /// Forgets what was simulated: the controls have changed.
     pub(crate) fn forget(&mut self) {
-        self.now.segment = NEVER;
-        self.next.segment = NEVER;
+        self.segments.forget();
     }
 
     /// Brings the nodes to a time. `nodes` has room for all; allocates nothing.
@@ -90,23 +66,10 @@ impl SoftFace {
         nodes: &mut [NodeState],
     ) {
         let exact = time_secs * Network::steps_per_s();
-        let step = exact.ceil() as i64;
-        let share = 1.0 - (step as f64 - exact);
-        let segment = step.div_euclid(SEGMENT);
-        if self.now.segment != segment && self.next.segment == segment {
-            swap(&mut self.now, &mut self.next);
-        }
-        if self.now.segment != segment || self.now.step > step {
-            self.now.begin(tissue, segment, controls);
-        }
-        self.now.advance(tissue, step, controls);
-        // The warm-up of the next segment, evenly over this one.
-        if self.next.segment != segment + 1 {
-            self.next.begin(tissue, segment + 1, controls);
-        }
-        let gone = step - segment * SEGMENT;
-        let ahead = (segment + 1) * SEGMENT - WARM_UP + gone * WARM_UP / SEGMENT;
-        self.next.advance(tissue, ahead, controls);
-        self.now.network.write(tissue, share as f32, nodes);
+        let step = exact.ceil();
+        self.segments
+            .at(step as i64, &mut Driven { tissue, controls });
+        let share = 1.0 - (step - exact);
+        self.segments.states_mut().0.write(tissue, share as f32, nodes);
     }
 }

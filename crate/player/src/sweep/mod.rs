@@ -2,10 +2,12 @@
 //!
 //! A sweep looks at 120 frames a second of a [`Player`] and measures each of them: lengths of
 //! bones, rotations, speeds of joints, hands in the body or in each other, limits of joints,
-//! whether strokes begin when the script says, and whether the face closes what speech closes.
+//! whether strokes begin when the script says, whether hair that swings goes through skin or
+//! clothes, and whether the face closes what speech closes.
 //! It reports the worst of each with its location and time.
 
 mod face;
+mod hair;
 mod solids;
 
 use raconteur_actor::arm_ik::ELBOW_MAX_DEG;
@@ -17,6 +19,7 @@ use raconteur_body::{Bone, Figure, Skeleton};
 
 use crate::Player;
 use face::FaceSweep;
+use hair::HairSweep;
 use solids::{Body, Hand, local_rotation};
 
 /// Frames a second that a sweep looks at.
@@ -80,11 +83,15 @@ impl Check {
 pub fn sweep(player: &mut Player) -> Vec<Check> {
     let mut sweep = Sweep::new(player.figure());
     let mut face = player.face().is_some().then(|| FaceSweep::new(player));
+    let mut hair = HairSweep::new(player.figure());
     let frames = (player.end_secs() * RATE_HZ).floor() as u64;
     for i in 0..=frames {
         let t = i as f64 / RATE_HZ;
         let frame = player.frame(t, 1.6);
         sweep.look(&frame.world_from_joint, t);
+        if let Some(hair) = hair.as_mut().filter(|_| i % (RATE_HZ / hair::RATE_HZ) as u64 == 0) {
+            hair.look(&frame.world_from_joint, t);
+        }
         if let (Some(face), Some(tissue)) = (&mut face, player.face()) {
             let controls = player.face_controls(t);
             face.look(tissue, &controls, t);
@@ -94,6 +101,7 @@ pub fn sweep(player: &mut Player) -> Vec<Check> {
     let late = late_strokes(player);
     let mut checks = sweep.checks();
     checks.push(late);
+    checks.extend(hair.map(HairSweep::check));
     checks.extend(face.into_iter().flat_map(FaceSweep::checks));
     checks.extend(face::fast(player));
     checks

@@ -1,7 +1,7 @@
 // The figure's vertices: four joints a vertex, rows of world from bind.
 
 struct Joints {
-    rows: array<vec4<f32>, 384>,
+    rows: array<vec4<f32>, 768>,
 };
 
 struct Material {

@@ -246,6 +246,7 @@ pub(crate) fn figure() -> Figure {
         dominant_hand: raconteur_base::Side::Right,
         images: Vec::new(),
         tissue: None,
+        springs: raconteur_body::Springs::default(),
     }
 }
 

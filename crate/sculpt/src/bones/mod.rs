@@ -199,6 +199,7 @@ pub fn layered(params: &FigureParams, built: &Built, layer: Layer) -> Figure {
         stature_m: skin.skeleton.stature_m(),
         lid_closure_rad: skin.lid_closure_rad,
         pieces: build(params, built).into_iter().map(Piece::from).collect(),
+        chains: Vec::new(),
         images: Vec::new(),
     });
     match layer {

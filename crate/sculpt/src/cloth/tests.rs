@@ -49,6 +49,7 @@ fn make(name: &'static str) -> Model {
         stature_m: params.person.stature_m,
         lid_closure_rad: [0.6; 2],
         pieces: clothes.parts.iter().cloned().map(Piece::from).collect(),
+        chains: Vec::new(),
         images: Vec::new(),
     });
     Model {

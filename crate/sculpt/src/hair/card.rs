@@ -2,11 +2,12 @@
 
 use raconteur_base::{DVec3, ops};
 
+use super::chains::Chains;
 use super::colour::Palette;
 use super::grow::{sampled, tangent};
 use super::space::{Frame, Space};
 use crate::assemble::Piece;
-use crate::part::{JointRef, MeshPart, PartVertex};
+use crate::part::{MeshPart, PartVertex};
 use raconteur_body::figure::Material;
 
 /// Strips of strands that lie side by side in u in the renderer's atlas.
@@ -74,6 +75,8 @@ pub(super) struct Card {
     is_mirrored: bool,
     pub(super) tint: f64,
     pub(super) layer: usize,
+    /// Whether it hangs from a tie and not from the scalp.
+    pub(super) is_free: bool,
 }
 
 impl Card {
@@ -139,6 +142,15 @@ impl Card {
             is_mirrored: laid.is_mirrored,
             tint: laid.tint,
             layer: laid.layer,
+            is_free: false,
+        }
+    }
+
+    /// As hair that hangs from a tie.
+    pub(super) fn free(self) -> Self {
+        Self {
+            is_free: true,
+            ..self
         }
     }
 
@@ -186,24 +198,27 @@ pub(super) fn empty(name: &str, material: &Material) -> MeshPart {
     }
 }
 
-/// All cards as one piece in the frame of the head; `hang` gives the joints that carry a place in
-/// the frame of hair.
+/// All cards as one piece in the frame of the head.
 pub(super) fn piece(
     material: &Material,
     frame: &Frame,
     cards: &[Card],
     palette: &Palette,
-    hang: &dyn Fn(DVec3) -> Vec<(JointRef, f64)>,
+    chains: &Chains,
 ) -> Piece {
     let mut part = empty("hair", material);
     let mut normals = Vec::new();
     for (id, card) in (0..).zip(cards) {
         let grey = palette.grey_of(id);
         let across = card.across();
+        let mut arc = 0.0;
         for (i, row) in card.rows.iter().enumerate() {
             let base = part.vertices.len() as u32;
             let [r, g, b] = palette.shade(row.share, card.tint, grey);
-            let weights = hang(row.middle());
+            if i > 0 {
+                arc += row.middle().distance(card.rows[i - 1].middle());
+            }
+            let weights = chains.joints(card, i, arc);
             let facing = row.facing * row.facing.dot(row.hull).signum();
             let n = facing * OWN_NORMAL + row.hull * (1.0 - OWN_NORMAL);
             let n = (n - row.tangent * n.dot(row.tangent)).normalize_or(row.hull);

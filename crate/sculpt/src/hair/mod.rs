@@ -8,6 +8,7 @@
 mod beard;
 mod cap;
 mod card;
+mod chains;
 mod coil;
 mod colour;
 mod comb;
@@ -24,16 +25,17 @@ mod tail;
 #[cfg(test)]
 mod tests;
 
-use raconteur_base::DVec3;
 use raconteur_base::curve::lerp;
 use serde::{Deserialize, Serialize};
 
 pub use beard::BeardParams;
+pub use chains::HairChain;
 pub(crate) use cap::Cap;
 pub use colour::HairColour;
 pub use space::Sample;
 
-use self::comb::{Field, step};
+use self::chains::Chains;
+use self::comb::Field;
 use self::light::Shade;
 use self::line::Line;
 use self::locks::Grower;
@@ -41,9 +43,8 @@ use self::space::Space;
 use self::style::Comb;
 use crate::assemble::Piece;
 use crate::head::Head;
-use crate::part::{JointRef, MeshPart};
+use crate::part::MeshPart;
 use raconteur_body::figure::{Maps, Material, MaterialKind};
-use raconteur_body::skeleton::{Bone, Drive};
 
 /// How hair is cut and combed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -149,6 +150,8 @@ impl Default for HairParams {
 pub struct Grown {
     /// Cards of the scalp and the beard, in the frame of the head.
     pub pieces: Vec<Piece>,
+    /// The chains that it swings with, in the frame of the head.
+    pub chains: Vec<HairChain>,
     /// Share of light that the hair lets through to each vertex of the head's skin, 0..1.
     pub skin_light: Vec<f64>,
     /// What is painted on the scalp.
@@ -172,6 +175,7 @@ pub fn hair(head: &Head, p: &HairParams, clothes: &[Sample]) -> Grown {
     };
     let mut grown = Grown {
         pieces: Vec::new(),
+        chains: Vec::new(),
         skin_light: vec![1.0; head.skin().vertices.len()],
         cap: None,
     };
@@ -207,9 +211,13 @@ pub fn hair(head: &Head, p: &HairParams, clothes: &[Sample]) -> Grown {
             .map(|s| lerp(LEAST_LIGHT, 1.0, shade.on_skin(s)))
             .collect();
         let frame = space.frame;
-        grown
-            .pieces
-            .push(card::piece(&material, &frame, &cards, &palette, &hang));
+        let chains = Chains::new(&style, &cards);
+        let piece = card::piece(&material, &frame, &cards, &palette, &chains);
+        grown.pieces.push(piece);
+        grown.chains = chains.guides;
+        for p in grown.chains.iter_mut().flat_map(|c| &mut c.points) {
+            *p = frame.place_back(*p);
+        }
         let roots = palette.root();
         grown.cap = Some(Cap::new(space, line, field, &style, &places, roots, p.seed));
     }
@@ -219,19 +227,6 @@ pub fn hair(head: &Head, p: &HairParams, clothes: &[Sample]) -> Grown {
             .push(beard::beard(head, b, &material, &palette, p.seed));
     }
     grown
-}
-
-/// The joints that carry hair at a place: ends stay behind a little when the head turns, and what
-/// lies on the shoulders stays there.
-fn hang(at: DVec3) -> Vec<(JointRef, f64)> {
-    let bone = |b| JointRef(Drive::Bone(b));
-    let neck = 0.3 * step(-0.04, -0.12, at.y);
-    let trunk = 0.9 * step(-0.12, -0.21, at.y);
-    vec![
-        (bone(Bone::Skull), (1.0 - neck) * (1.0 - trunk)),
-        (bone(Bone::Cervical), neck * (1.0 - trunk)),
-        (bone(Bone::Thoracic), trunk),
-    ]
 }
 
 /// Reflectance below which a beard's roots darken the skin. Chosen by eye.

@@ -95,7 +95,7 @@ impl Grower<'_> {
                         self.plait_strand(&middle, strand, s) + ring
                     })
                     .collect();
-                out.push(Card::around(
+                let card = Card::around(
                     &path,
                     STEP_M,
                     &outward,
@@ -115,7 +115,8 @@ impl Grower<'_> {
                         layer: if deep > 1.0 { 2 } else { 0 },
                         whole: 4.0 * length,
                     },
-                ));
+                );
+                out.push(card.free());
             }
         }
         out
@@ -171,6 +172,7 @@ impl Grower<'_> {
                         whole: length,
                     },
                 )
+                .free()
             })
             .collect()
     }

@@ -8,6 +8,7 @@ use super::*;
 use crate::head;
 use crate::part::PartVertex;
 use crate::people::{NAMES, preset};
+use raconteur_body::skeleton::{Bone, Drive};
 
 /// The heads of the people with the hair they wear.
 fn people() -> &'static [(Head, HairParams)] {

@@ -197,6 +197,7 @@ impl Laid {
             stature_m: params.person.stature_m,
             lid_closure_rad: self.made.head.lid_closure_rad,
             pieces: pieces.into_iter().map(Piece::from).collect(),
+            chains: Vec::new(),
             images: Vec::new(),
         });
         figure.sex = Some(params.person.sex);

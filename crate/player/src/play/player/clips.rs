@@ -120,6 +120,6 @@ impl Player {
             let from_secs = passed_secs.max(self.layers.last_change_secs());
             self.layers.change(from_secs.max(0.0), actor, room);
         }
-        self.forget_face();
+        self.forget_motion();
     }
 }

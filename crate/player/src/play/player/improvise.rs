@@ -71,7 +71,7 @@ impl Player {
         self.picture.take_shots(self.score.plans());
         let (actor, room) = self.rehearse();
         self.layers.change(from_secs, actor, room);
-        self.forget_face();
+        self.forget_motion();
     }
 
     /// Whether a mind may send a fragment at a story time without being refused for its pace.

@@ -13,8 +13,9 @@ use raconteur_body::{Pose, Skeleton};
 use raconteur_stage::Frame;
 
 use super::Player;
-use crate::play::layers::ease;
+use crate::play::layers::{Posed, ease};
 use crate::play::soft::SoftFace;
+use crate::play::sway::Sway;
 
 /// How long the figure takes from its welcome into the story, seconds. Designed: before the
 /// first word of most stories.
@@ -37,14 +38,15 @@ pub(super) struct Welcome {
     /// When the story began to play, story time, seconds; none while the figure waits.
     left_secs: Option<f64>,
     /// Room to evaluate it in.
-    pose: Pose,
-    morph_weights: Vec<f32>,
+    room: Posed,
+    /// Its hair, if that swings.
+    sway: Option<Sway>,
 }
 
 impl Welcome {
     /// Evaluates the welcome into its own pose and weights.
     fn evaluate(&mut self, skeleton: &Skeleton, face: &FaceRig, waited_secs: f64) {
-        let (pose, weights) = (&mut self.pose, &mut self.morph_weights);
+        let (pose, weights) = (&mut self.room.pose, &mut self.room.morph_weights);
         self.actor
             .evaluate(skeleton, face, waited_secs, pose, weights);
         if let Some(moved) = &self.moved {
@@ -76,9 +78,9 @@ impl Welcome {
             return;
         };
         self.evaluate(skeleton, face, waited_secs);
-        ease(&mut self.pose, pose, share, share);
-        core::mem::swap(&mut self.pose, pose);
-        for (weight, from) in morph_weights.iter_mut().zip(&self.morph_weights) {
+        ease(&mut self.room.pose, pose, share, share);
+        core::mem::swap(&mut self.room.pose, pose);
+        for (weight, from) in morph_weights.iter_mut().zip(&self.room.morph_weights) {
             *weight = lerp(f64::from(*from), f64::from(*weight), share) as f32;
         }
     }
@@ -114,8 +116,19 @@ impl Player {
         let skeleton = &self.cast.figure.skeleton;
         welcome.evaluate(skeleton, &self.cast.face, waited_secs);
         let frame = &mut self.frame;
-        skeleton.solve(&welcome.pose, &mut frame.world_from_joint);
-        frame.morph_weights.copy_from_slice(&welcome.morph_weights);
+        skeleton.solve(&welcome.room.pose, &mut frame.world_from_joint);
+        frame
+            .morph_weights
+            .copy_from_slice(&welcome.room.morph_weights);
+        if let Some(mut sway) = welcome.sway.take() {
+            let mut posture = |t: f64, out: &mut Vec<DAffine3>| {
+                welcome.evaluate(skeleton, &self.cast.face, t);
+                skeleton.solve(&welcome.room.pose, out);
+            };
+            let of = (skeleton, &self.cast.figure.springs);
+            sway.at(of, waited_secs, &mut posture, &mut frame.world_from_joint);
+            welcome.sway = Some(sway);
+        }
         if let (Some(tissue), Some(soft)) = (&self.cast.figure.tissue, &mut welcome.soft) {
             let controls = |t: f64| welcome.actor.controls(t);
             soft.at(tissue, waited_secs, &controls, &mut frame.tissue);
@@ -154,8 +167,8 @@ impl Player {
             moved: self.layers.actor().world_from_figure(0.0),
             waited_secs: 0.0,
             left_secs: None,
-            pose: Pose::zero(),
-            morph_weights: vec![0.0; self.cast.morphs()],
+            room: Posed::new(self.cast.morphs()),
+            sway: Sway::new(&self.cast.figure.springs, self.cast.figure.skeleton.joints().len()),
         }
     }
 
@@ -167,7 +180,7 @@ impl Player {
         let begins = welcome.left_secs.is_none();
         let left_secs = *welcome.left_secs.get_or_insert(time_secs);
         if begins {
-            self.forget_face();
+            self.forget_motion();
         }
         if !(0.0..GONE_SECS).contains(&(time_secs - left_secs)) {
             self.forget_welcome();
@@ -177,7 +190,7 @@ impl Player {
     /// Nothing of the welcome is left.
     pub(super) fn forget_welcome(&mut self) {
         if self.welcome.take().is_some() {
-            self.forget_face();
+            self.forget_motion();
         }
     }
 }

@@ -1,0 +1,271 @@
+//! Chains of joints that swing: hair and hanging cloth.
+//!
+//! The data and the rules are those of the glTF extension `VRMC_springBone` 1.0: each joint of a
+//! chain is a pendulum whose end is drawn to its place at rest, pulled down, braked, kept at its
+//! distance and kept out of spheres and capsules that ride on other joints. The rules are iterated
+//! at a fixed rate, so that the same motion always swings the same.
+
+mod file;
+#[cfg(test)]
+mod tests;
+
+use raconteur_base::{DAffine3, DMat3, DQuat, DVec3};
+
+use crate::skeleton::Skeleton;
+
+pub use file::{EXTENSION, read};
+pub(crate) use file::write;
+
+/// Steps a second: the rate for which drag is given in files.
+pub const STEPS_PER_S: f64 = 60.0;
+/// Times that a chain is pushed out of what it touches in a step: out of one it may come into
+/// another.
+const PUSHES: usize = 3;
+/// Cosine of the farthest that a link turns from its place at rest: 45°. Designed: hair that stands
+/// off farther looks as if it blew in a wind.
+const FARTHEST: f64 = 0.707;
+/// A joint that moves farther in one step has been put elsewhere, metres.
+const LEAP_M: f64 = 0.3;
+
+/// A joint of a chain, and how its end behaves.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Link {
+    /// Index of the joint in the skeleton.
+    pub joint: usize,
+    /// Force towards the place at rest, metres a second for each step.
+    pub stiffness: f64,
+    /// Gravity as a vector, world, metres a second for each step.
+    pub gravity: DVec3,
+    /// Share of the speed lost in a step, 0..1.
+    pub drag: f64,
+    /// How near the end comes to a collider, metres.
+    pub radius_m: f64,
+}
+
+/// A chain. Each joint but the first hangs on the one before it; the last is an end only.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Chain {
+    /// From the root.
+    pub links: Vec<Link>,
+    /// Indices into [`Springs::colliders`].
+    pub colliders: Vec<usize>,
+}
+
+/// A capsule that rides on a joint; a sphere where both ends are one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Collider {
+    /// Index of the joint in the skeleton.
+    pub joint: usize,
+    /// The ends of its middle line in the joint's frame, metres.
+    pub ends: [DVec3; 2],
+    /// Metres.
+    pub radius_m: f64,
+}
+
+/// All that swings on a figure, and what it meets.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Springs {
+    /// Those nearer to the root first.
+    pub chains: Vec<Chain>,
+    /// What keeps them out.
+    pub colliders: Vec<Collider>,
+}
+
+/// Where the ends are: one for each link but the last of each chain, world, metres.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Swing {
+    now: Vec<DVec3>,
+    before: Vec<DVec3>,
+    /// Room for the ends of a step and for the colliders' middle lines.
+    next: Vec<DVec3>,
+    lines: Vec<[DVec3; 2]>,
+}
+
+impl Swing {
+    /// Where an end was a share of a step before the last one that was made.
+    fn at(&self, end: usize, share: f64) -> DVec3 {
+        self.before[end].lerp(self.now[end], share)
+    }
+}
+
+/// A joint whose end is to be placed.
+struct Hung<'a> {
+    link: &'a Link,
+    /// Index of the end.
+    end: usize,
+    /// World, metres.
+    joint: DVec3,
+    /// From the joint to its end at rest, world, metres.
+    arm: DVec3,
+}
+
+impl Springs {
+    /// Whether nothing swings.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.chains.is_empty()
+    }
+
+    /// A swing with room for all ends, to be hung at rest.
+    #[must_use]
+    pub fn swing(&self) -> Swing {
+        let ends: usize = self.chains.iter().map(|c| c.links.len().saturating_sub(1)).sum();
+        let now = vec![DVec3::ZERO; ends];
+        Swing {
+            before: now.clone(),
+            next: now.clone(),
+            now,
+            lines: vec![[DVec3::ZERO; 2]; self.colliders.len()],
+        }
+    }
+
+    /// Hangs everything at rest in a solved posture.
+    pub fn rest(&self, world: &[DAffine3], swing: &mut Swing) {
+        swing.now.clear();
+        for chain in &self.chains {
+            let ends = chain.links.iter().skip(1);
+            swing.now.extend(ends.map(|l| world[l.joint].translation));
+        }
+        swing.before.clone_from(&swing.now);
+    }
+
+    /// One step of 1 / [`STEPS_PER_S`] to a solved posture, whose chains are turned accordingly.
+    /// `swing` has been at rest once.
+    pub fn step(&self, skeleton: &Skeleton, world: &mut [DAffine3], swing: &mut Swing) {
+        let mut next = core::mem::take(&mut swing.next);
+        let mut lines = core::mem::take(&mut swing.lines);
+        self.place(skeleton, world, &mut lines, &mut next, &|hung| {
+            let (now, before) = (swing.now[hung.end], swing.before[hung.end]);
+            let rest = hung.joint + hung.arm;
+            let speed = now - before;
+            if rest.distance(now) > LEAP_M || speed.length() > LEAP_M {
+                return rest;
+            }
+            let Link {
+                stiffness,
+                gravity,
+                drag,
+                ..
+            } = *hung.link;
+            let pull = hung.arm.normalize_or_zero() * stiffness + gravity;
+            now + speed * (1.0 - drag) + pull / STEPS_PER_S
+        });
+        swing.lines = lines;
+        swing.next = core::mem::replace(
+            &mut swing.before,
+            core::mem::replace(&mut swing.now, next),
+        );
+    }
+
+    /// Turns the chains of a solved posture to where their ends are, a share of a step before the
+    /// last one that was made; where a second swing is given, that much on the way to it.
+    pub fn show(
+        &self,
+        skeleton: &Skeleton,
+        world: &mut [DAffine3],
+        swing: &mut Swing,
+        share: f64,
+        other: Option<(&Swing, f64, f64)>,
+    ) {
+        let mut next = core::mem::take(&mut swing.next);
+        let mut lines = core::mem::take(&mut swing.lines);
+        self.place(skeleton, world, &mut lines, &mut next, &|hung| {
+            let own = swing.at(hung.end, share);
+            other.map_or(own, |(other, share, way)| {
+                own.lerp(other.at(hung.end, share), way)
+            })
+        });
+        swing.next = next;
+        swing.lines = lines;
+    }
+
+    /// Places the ends of all chains, from the roots outwards: each where `wanted` has it, as far
+    /// as its distance and the colliders let it. Writes them to `ends`.
+    fn place(
+        &self,
+        skeleton: &Skeleton,
+        world: &mut [DAffine3],
+        lines: &mut Vec<[DVec3; 2]>,
+        ends: &mut Vec<DVec3>,
+        wanted: &dyn Fn(&Hung<'_>) -> DVec3,
+    ) {
+        let line = |c: &Collider| c.ends.map(|e| world[c.joint].transform_point3(e));
+        lines.clear();
+        lines.extend(self.colliders.iter().map(line));
+        ends.clear();
+        let joints = skeleton.joints();
+        let hang = |world: &[DAffine3], joint: usize| {
+            let joint = &joints[joint];
+            let local = skeleton.local(joint, DQuat::IDENTITY, DQuat::IDENTITY);
+            joint.parent.map_or(local, |p| world[p] * local)
+        };
+        for chain in &self.chains {
+            for pair in chain.links.windows(2) {
+                let link = &pair[0];
+                let frame = hang(world, link.joint);
+                let hung = Hung {
+                    link,
+                    end: ends.len(),
+                    joint: frame.translation,
+                    arm: frame.matrix3 * joints[pair[1].joint].translation_in_parent,
+                };
+                let end = self.kept_out(chain, lines, &hung, wanted(&hung));
+                ends.push(end);
+                world[link.joint] = turned(frame, hung.arm, end - hung.joint);
+            }
+            if let Some(last) = chain.links.last() {
+                world[last.joint] = hang(world, last.joint);
+            }
+        }
+    }
+
+    /// A place at the end's distance from its joint, outside what the chain meets.
+    fn kept_out(
+        &self,
+        chain: &Chain,
+        lines: &[[DVec3; 2]],
+        hung: &Hung<'_>,
+        wanted: DVec3,
+    ) -> DVec3 {
+        let length = hung.arm.length();
+        let held = |p: DVec3| hung.joint + (p - hung.joint).normalize_or(hung.arm / length) * length;
+        let mut end = hung.joint + within(hung.arm, wanted - hung.joint) * length;
+        for _ in 0..PUSHES {
+            for &c in &chain.colliders {
+                let [a, b] = lines[c];
+                let along = b - a;
+                let t = (end - a).dot(along) / along.length_squared().max(f64::MIN_POSITIVE);
+                let off = end - (a + along * t.clamp(0.0, 1.0));
+                let least = self.colliders[c].radius_m + hung.link.radius_m;
+                if off.length_squared() < least * least {
+                    end = held(end + off.normalize_or(DVec3::Y) * (least - off.length()));
+                }
+            }
+        }
+        end
+    }
+}
+
+/// The direction of `to`, as far as it is near enough to an arm's.
+fn within(arm: DVec3, to: DVec3) -> DVec3 {
+    let rest = arm.normalize_or_zero();
+    let to = to.normalize_or(rest);
+    let cosine = to.dot(rest);
+    if cosine >= FARTHEST {
+        return to;
+    }
+    let aside = (to - rest * cosine).normalize_or(rest.any_orthonormal_vector());
+    rest * FARTHEST + aside * (1.0 - FARTHEST * FARTHEST).sqrt()
+}
+
+/// A frame turned the shortest way so that its arm points along `to`.
+fn turned(frame: DAffine3, arm: DVec3, to: DVec3) -> DAffine3 {
+    let (Some(from), Some(to)) = (arm.try_normalize(), to.try_normalize()) else {
+        return frame;
+    };
+    let turn = DMat3::from_quat(DQuat::from_rotation_arc(from, to));
+    DAffine3 {
+        matrix3: turn * frame.matrix3,
+        translation: frame.translation,
+    }
+}

@@ -1,0 +1,125 @@
+//! Simulations behind the clock.
+//!
+//! A simulation has a state, but the picture of a time must not depend on how the clock came
+//! there. So time is cut into segments, and the state in a segment follows from what drives it
+//! since a fixed moment before it, where it begins at rest: the difference to what came before
+//! has died away when the segment begins. While one segment plays, the warm-up of the next is
+//! simulated; a seek simulates at most a segment with both warm-ups.
+
+use core::mem::swap;
+
+/// How time is cut, in a simulation's own steps.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Cut {
+    /// Steps of a segment.
+    pub(crate) segment: i64,
+    /// Steps of the warm-up before it.
+    pub(crate) warm_up: i64,
+    /// When the warm-up is made.
+    pub(crate) pace: Pace,
+}
+
+/// When the warm-up of the next segment is made.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Pace {
+    /// Evenly over this one.
+    Even,
+    /// When its own time comes, so that both stand at one step.
+    Together,
+}
+
+/// What a simulation does with its state.
+pub(crate) trait Simulation<S> {
+    /// Lets it rest at a step.
+    fn rest(&mut self, state: &mut S, step: i64);
+    /// Brings it to a step from the one before.
+    fn step(&mut self, state: &mut S, step: i64);
+}
+
+/// A state that has come to a step of a segment.
+struct Run<S> {
+    state: S,
+    segment: i64,
+    step: i64,
+}
+
+/// A segment that no time has.
+const NEVER: i64 = i64::MIN;
+
+impl<S> Run<S> {
+    fn begin(&mut self, cut: Cut, segment: i64, simulation: &mut dyn Simulation<S>) {
+        self.segment = segment;
+        self.step = segment * cut.segment - cut.warm_up;
+        simulation.rest(&mut self.state, self.step);
+    }
+
+    fn advance(&mut self, to: i64, simulation: &mut dyn Simulation<S>) {
+        while self.step < to {
+            self.step += 1;
+            simulation.step(&mut self.state, self.step);
+        }
+    }
+}
+
+/// The states of a segment and of the next.
+pub(crate) struct Segments<S> {
+    cut: Cut,
+    now: Run<S>,
+    next: Run<S>,
+}
+
+impl<S: Clone> Segments<S> {
+    pub(crate) fn new(cut: Cut, state: S) -> Self {
+        let run = |state| Run {
+            state,
+            segment: NEVER,
+            step: 0,
+        };
+        Self {
+            cut,
+            next: run(state.clone()),
+            now: run(state),
+        }
+    }
+
+    /// Forgets what was simulated: what drives it has changed.
+    pub(crate) fn forget(&mut self) {
+        self.now.segment = NEVER;
+        self.next.segment = NEVER;
+    }
+
+    /// The state at the last requested step.
+    pub(crate) fn state(&self) -> &S {
+        &self.now.state
+    }
+
+    /// The state, and that of the next segment's run.
+    pub(crate) fn states_mut(&mut self) -> (&mut S, &S) {
+        (&mut self.now.state, &self.next.state)
+    }
+
+    /// Brings the state to a step.
+    pub(crate) fn at(&mut self, step: i64, simulation: &mut dyn Simulation<S>) {
+        let cut = self.cut;
+        let segment = step.div_euclid(cut.segment);
+        if self.now.segment != segment && self.next.segment == segment {
+            swap(&mut self.now, &mut self.next);
+        }
+        if self.now.segment != segment || self.now.step > step {
+            self.now.begin(cut, segment, simulation);
+        }
+        self.now.advance(step, simulation);
+        let begins = (segment + 1) * cut.segment - cut.warm_up;
+        let ahead = match cut.pace {
+            Pace::Even => begins + (step - segment * cut.segment) * cut.warm_up / cut.segment,
+            Pace::Together => step,
+        };
+        if ahead < begins {
+            return;
+        }
+        if self.next.segment != segment + 1 || self.next.step > ahead {
+            self.next.begin(cut, segment + 1, simulation);
+        }
+        self.next.advance(ahead, simulation);
+    }
+}

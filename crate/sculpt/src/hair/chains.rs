@@ -1,0 +1,273 @@
+//! Chains of guides by which hair swings: what hangs follows the head as pendulums do.
+//!
+//! A chain runs down the middle of the hair of its sector. A card that hangs between two chains
+//! follows both; near its root it stays with the scalp.
+
+use raconteur_base::{DVec3, ops};
+
+use super::card::Card;
+use super::comb::step;
+use super::line::angles;
+use super::style::{Comb, Length, Style};
+use crate::part::JointRef;
+use raconteur_body::skeleton::{Bone, Drive};
+
+/// Azimuths of the chains of hanging hair, degrees from the front to the left, round the back.
+const AROUND_DEG: [f64; 9] = [62.0, 90.0, 120.0, 150.0, 180.0, 210.0, 240.0, 270.0, 298.0];
+/// Spread of what counts for a guide, degrees and metres.
+const SECTOR_DEG: f64 = 14.0;
+const SLICE_M: f64 = 0.012;
+/// Height at which hanging hair leaves the head, and the length of a link, metres.
+const TOP_M: f64 = -0.005;
+const LINK_M: f64 = 0.045;
+/// Azimuths of the chains of a fringe, degrees.
+const FRINGE_DEG: [f64; 3] = [-28.0, 0.0, 28.0];
+/// Hair combed forward that is longer than this is a fringe, metres.
+const FRINGE_M: f64 = 0.02;
+/// How far from its root hair stays with the scalp, metres.
+const ROOTED_M: f64 = 0.035;
+/// Links of a tail.
+const TAIL_LINKS: usize = 4;
+/// Sum of weights of rows that a guide needs.
+const LEAST: f64 = 0.5;
+
+/// How a chain hangs and swings.
+#[derive(Clone, Debug, PartialEq)]
+pub struct HairChain {
+    /// Joints from the root, then the end; metres.
+    pub points: Vec<DVec3>,
+    /// As in [`Link`](raconteur_body::springs::Link).
+    pub stiffness: f64,
+    /// Downwards; as in [`Link`](raconteur_body::springs::Link).
+    pub gravity: f64,
+    /// As in [`Link`](raconteur_body::springs::Link).
+    pub drag: f64,
+}
+
+/// Where the chains of a style run.
+enum Kind {
+    /// Round the head, by height.
+    Hanging { top: f64, pitch: f64 },
+    /// Over the forehead, from root to tip.
+    Fringe,
+    /// One, for what is tied.
+    Tail,
+    /// None.
+    Still,
+}
+
+/// The chains of a head of hair, in its frame.
+pub(super) struct Chains {
+    kind: Kind,
+    pub(super) guides: Vec<HairChain>,
+}
+
+impl Chains {
+    pub(super) fn new(style: &Style, cards: &[Card]) -> Self {
+        match (style.length, style.comb) {
+            (Length::Hem { .. }, _) => Self::hanging(cards),
+            (_, Comb::Tied(_)) if cards.iter().any(|c| c.is_free) => Self::tail(cards),
+            (_, Comb::Whorl) => Self::fringe(cards),
+            (Length::Short { top, .. }, Comb::Combed { top: way, .. })
+                if way.z > 0.3 && top > FRINGE_M =>
+            {
+                Self::fringe(cards)
+            }
+            _ => Self {
+                kind: Kind::Still,
+                guides: Vec::new(),
+            },
+        }
+    }
+
+    fn hanging(cards: &[Card]) -> Self {
+        let rows: Vec<DVec3> = cards
+            .iter()
+            .flat_map(|c| c.rows.iter().map(super::card::Row::middle))
+            .collect();
+        let low = rows.iter().map(|p| p.y).fold(TOP_M, f64::min);
+        let links = ((TOP_M - low) / LINK_M).round().max(1.0);
+        let pitch = (TOP_M - low) / links;
+        let guides = AROUND_DEG.iter().map(|&azimuth| {
+            let points = (0..=links as usize).map_while(|k| {
+                let y = TOP_M - pitch * k as f64;
+                mean(rows.iter().map(|p| {
+                    let off = turned_deg(*p, azimuth) / SECTOR_DEG;
+                    let high = (p.y - y) / SLICE_M;
+                    (*p, ops::exp(-0.5 * (off * off + high * high)))
+                }))
+            });
+            HairChain {
+                points: points.collect(),
+                stiffness: 0.55,
+                gravity: 0.18,
+                drag: 0.55,
+            }
+        });
+        Self {
+            kind: Kind::Hanging { top: TOP_M, pitch },
+            guides: guides.collect(),
+        }
+    }
+
+    fn fringe(cards: &[Card]) -> Self {
+        let end = |azimuth: f64, at: &dyn Fn(&Card) -> Option<DVec3>| {
+            mean(cards.iter().filter(|c| in_fringe(c)).filter_map(|c| {
+                let off = turned_deg(c.rows.first()?.middle(), azimuth) / SECTOR_DEG;
+                Some((at(c)?, ops::exp(-0.5 * off * off)))
+            }))
+        };
+        let guides = FRINGE_DEG.iter().filter_map(|&azimuth| {
+            let root = end(azimuth, &|c| Some(c.rows.first()?.middle()))?;
+            let tip = end(azimuth, &|c| Some(c.rows.last()?.middle()))?;
+            Some(HairChain {
+                points: vec![root, tip],
+                stiffness: 0.5,
+                gravity: 0.05,
+                drag: 0.5,
+            })
+        });
+        let guides: Vec<HairChain> = guides.collect();
+        if guides.len() < FRINGE_DEG.len() {
+            return Self {
+                kind: Kind::Still,
+                guides: Vec::new(),
+            };
+        }
+        Self {
+            kind: Kind::Fringe,
+            guides,
+        }
+    }
+
+    fn tail(cards: &[Card]) -> Self {
+        let rows: Vec<DVec3> = cards
+            .iter()
+            .filter(|c| c.is_free)
+            .flat_map(|c| c.rows.iter().map(super::card::Row::middle))
+            .collect();
+        let (low, high) = rows
+            .iter()
+            .map(|p| p.y)
+            .fold((f64::MAX, f64::MIN), |(a, b), y| (a.min(y), b.max(y)));
+        let top = high - SLICE_M;
+        let points = (0..=TAIL_LINKS).filter_map(|k| {
+            let y = top + (low - top) * k as f64 / TAIL_LINKS as f64;
+            mean(rows.iter().map(|p| {
+                let off = (p.y - y) / SLICE_M;
+                (*p, ops::exp(-0.5 * off * off))
+            }))
+        });
+        Self {
+            kind: Kind::Tail,
+            guides: vec![HairChain {
+                points: points.collect(),
+                stiffness: 0.2,
+                gravity: 0.2,
+                drag: 0.35,
+            }],
+        }
+    }
+
+    /// The joints that carry a row of a card that lies `arc` metres from the root.
+    pub(super) fn joints(&self, card: &Card, row: usize, arc: f64) -> Vec<(JointRef, f64)> {
+        let at = card.rows[row].middle();
+        let mut out = scalp(at);
+        let loose = match &self.kind {
+            Kind::Still => Vec::new(),
+            Kind::Hanging { top, pitch } => {
+                let free = step(0.0, ROOTED_M, arc);
+                self.around(at, (top - at.y) / pitch, free)
+            }
+            Kind::Tail if card.is_free => self.links(0, self.down(at), 1.0),
+            Kind::Fringe if in_fringe(card) => {
+                let share = step(0.1, 1.0, card.rows[row].v);
+                let root = card.rows[0].middle();
+                let place = (turned_deg(root, FRINGE_DEG[0]) / (FRINGE_DEG[1] - FRINGE_DEG[0])).clamp(0.0, 1.999);
+                let (i, f) = (place as usize, place.fract());
+                let mut out = self.links(i, 0.5, share * (1.0 - f));
+                out.extend(self.links(i + 1, 0.5, share * f));
+                out
+            }
+            Kind::Tail | Kind::Fringe => Vec::new(),
+        };
+        let taken: f64 = loose.iter().map(|l| l.1).sum();
+        for joint in &mut out {
+            joint.1 *= 1.0 - taken;
+        }
+        out.extend(loose);
+        out
+    }
+
+    /// Of the two chains beside a place, `down` links from their roots.
+    fn around(&self, at: DVec3, down: f64, share: f64) -> Vec<(JointRef, f64)> {
+        let azimuth = angles(at).0.rem_euclid(360.0);
+        let after = AROUND_DEG.partition_point(|a| *a < azimuth);
+        let last = AROUND_DEG.len() - 1;
+        let (first, f) = if after == 0 {
+            (0, 0.0)
+        } else if after > last {
+            (last, 0.0)
+        } else {
+            let (a, b) = (AROUND_DEG[after - 1], AROUND_DEG[after]);
+            (after - 1, (azimuth - a) / (b - a))
+        };
+        let mut out = self.links(first, down, share * (1.0 - f));
+        if f > 0.0 {
+            out.extend(self.links(first + 1, down, share * f));
+        }
+        out
+    }
+
+    /// How many links down the tail a place lies.
+    fn down(&self, at: DVec3) -> f64 {
+        let points = &self.guides[0].points;
+        let place = |(k, pair): (usize, &[DVec3])| {
+            let along = pair[1] - pair[0];
+            let t = (at - pair[0]).dot(along) / along.length_squared().max(1e-12);
+            let held = t.clamp(0.0, 1.0);
+            (at.distance((pair[0]).lerp(pair[1], held)), k as f64 + held)
+        };
+        let nearest = points.windows(2).enumerate().map(place);
+        nearest.min_by(|a, b| a.0.total_cmp(&b.0)).map_or(0.0, |n| n.1)
+    }
+
+    /// Two links of a chain for a place that lies `down` links from its root: half of either at
+    /// the joint between them. What lies above the first is the scalp's.
+    fn links(&self, chain: usize, down: f64, share: f64) -> Vec<(JointRef, f64)> {
+        let last = self.guides[chain].points.len().saturating_sub(2);
+        let place = (down - 0.5).max(-1.0);
+        let (low, f) = (place.floor(), place - place.floor());
+        [(low, 1.0 - f), (low + 1.0, f)]
+            .into_iter()
+            .filter(|(k, w)| *k >= 0.0 && *w > 0.0)
+            .map(|(k, w)| {
+                let drive = Drive::Spring(chain as u8, (k as usize).min(last) as u8);
+                (JointRef(drive), w * share)
+            })
+            .collect()
+    }
+}
+
+/// Whether a card is rooted over the forehead.
+fn in_fringe(card: &Card) -> bool {
+    let root = card.rows[0].middle();
+    angles(root).0.abs() < 55.0 && root.z > 0.035
+}
+
+/// How far a place is turned from an azimuth, degrees within a half turn.
+fn turned_deg(p: DVec3, azimuth: f64) -> f64 {
+    (angles(p).0 - azimuth + 180.0).rem_euclid(360.0) - 180.0
+}
+
+fn mean(of: impl Iterator<Item = (DVec3, f64)>) -> Option<DVec3> {
+    let (sum, weight) = of.fold((DVec3::ZERO, 0.0), |(s, w), (p, own)| (s + p * own, w + own));
+    (weight > LEAST).then(|| sum / weight)
+}
+
+/// The joints that carry the scalp at a place: that of the nape follows the neck a little.
+fn scalp(at: DVec3) -> Vec<(JointRef, f64)> {
+    let bone = |b| JointRef(Drive::Bone(b));
+    let neck = 0.3 * step(-0.04, -0.12, at.y);
+    vec![(bone(Bone::Skull), 1.0 - neck), (bone(Bone::Cervical), neck)]
+}
