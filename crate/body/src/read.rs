@@ -255,7 +255,10 @@ fn hang(root: &Document<'_>, world: &[DAffine3], skeleton: &mut Skeleton) -> Spr
     };
     for (c, chain) in (0..=u8::MAX).zip(&root.springs.chains) {
         for (l, link) in (0..=u8::MAX).zip(&chain.links) {
-            let parent = root.nodes.iter().position(|n| n.children.contains(&link.joint));
+            let parent = root
+                .nodes
+                .iter()
+                .position(|n| n.children.contains(&link.joint));
             let (Some(parent), Some(name)) = (parent, name(link.joint)) else {
                 break;
             };

@@ -340,7 +340,8 @@ fn document(figure: &Figure, annotations: &Annotations) -> (Value, Buffer) {
         "materials": materials,
     });
     if !figure.springs.is_empty() {
-        document["extensions"] = json!({ springs::EXTENSION: springs::write(&figure.springs, &numbers) });
+        document["extensions"] =
+            json!({ springs::EXTENSION: springs::write(&figure.springs, &numbers) });
     }
     // glTF allows no empty lists. Texture i shows image i.
     if !images.is_empty() {

@@ -95,7 +95,10 @@ fn the_figure_goes_into_the_story_without_a_jump() {
                 // Hair goes on to a hundredth of a millimetre, and swings farther than what
                 // carries it.
                 let limit = if i == 0 { 1e-5 } else { 1.5 * limit };
-                assert!(hair <= limit, "{name} {waited_secs} step {i}: {hair} m of the hair");
+                assert!(
+                    hair <= limit,
+                    "{name} {waited_secs} step {i}: {hair} m of the hair"
+                );
                 let nodes = last.tissue.iter().zip(&frame.tissue);
                 let far = nodes.map(|(a, b)| {
                     let [x, y, z] = [0, 1, 2].map(|k| a.displacement[k] - b.displacement[k]);

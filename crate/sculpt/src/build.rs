@@ -336,6 +336,7 @@ mod tests {
     use std::sync::OnceLock;
 
     use super::*;
+    use crate::posed::{self, bind_pose, turn};
     use crate::soundness::shipped;
     use raconteur_body::pose::Pose;
     use raconteur_body::read::read_figure;
@@ -354,55 +355,10 @@ mod tests {
         )
     }
 
-    /// The pose in which the figure was made.
-    fn bind_pose(figure: &Figure) -> Pose {
-        let mut pose = Pose::zero();
-        let world = |b: Bone| {
-            figure.inverse_bind[b.index()]
-                .inverse()
-                .to_scale_rotation_translation()
-                .1
-        };
-        for bone in Bone::ALL {
-            let local = bone
-                .parent()
-                .map_or(world(bone), |p| world(p).inverse() * world(bone));
-            let zero = figure.skeleton.joints()[bone.index()].zero_rotation;
-            pose.set(bone, zero.inverse() * local);
-        }
-        pose
-    }
-
-    /// Adds a rotation given in world axes of the bind pose.
-    fn turn(pose: &mut Pose, figure: &Figure, bone: Bone, world: DQuat) {
-        let b = figure.inverse_bind[bone.index()]
-            .inverse()
-            .to_scale_rotation_translation()
-            .1;
-        pose.set(bone, pose.rotation(bone) * (b.inverse() * world * b));
-    }
-
     fn skinned(figure: &Figure, pose: &Pose, mesh: &raconteur_body::Mesh) -> Vec<DVec3> {
-        let mut world = Vec::new();
-        figure.skeleton.solve(pose, &mut world);
-        let skin: Vec<DAffine3> = world
-            .iter()
-            .zip(&figure.inverse_bind)
-            .map(|(w, b)| *w * *b)
-            .collect();
-        mesh.positions
-            .iter()
-            .enumerate()
-            .map(|(v, p)| {
-                let p = DVec3::from_array(p.map(f64::from));
-                (0..4)
-                    .map(|k| {
-                        let m = skin[usize::from(mesh.joints[v][k])];
-                        m.transform_point3(p) * f64::from(mesh.weights[v][k])
-                    })
-                    .sum()
-            })
-            .collect()
+        let moved = posed::moved(figure, pose);
+        let at = |v| posed::skinned(&moved, mesh, v)[0];
+        (0..mesh.positions.len()).map(at).collect()
     }
 
     #[test]

@@ -23,11 +23,12 @@ pub mod part;
 pub mod people;
 pub mod person;
 pub mod physique;
+mod posed;
 pub mod rigging;
 pub mod skin;
-mod springs;
 #[cfg(test)]
 mod soundness;
+mod springs;
 pub mod statistics;
 pub mod subdivide;
 mod surface;

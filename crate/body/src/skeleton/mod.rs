@@ -194,7 +194,13 @@ impl Skeleton {
 
     /// Adds a joint that swings, and rests at `parent_from_joint` while its parent is in the bind
     /// pose. Returns its index.
-    pub fn hang(&mut self, name: String, parent: usize, parent_from_joint: DAffine3, drive: Drive) -> usize {
+    pub fn hang(
+        &mut self,
+        name: String,
+        parent: usize,
+        parent_from_joint: DAffine3,
+        drive: Drive,
+    ) -> usize {
         self.joints.push(Joint {
             name,
             parent: Some(parent),

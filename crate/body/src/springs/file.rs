@@ -75,7 +75,11 @@ impl Springs {
             let links: Option<Vec<Link>> = chain.links.iter().map(link).collect();
             Some(Chain {
                 links: links?,
-                colliders: chain.colliders.iter().filter_map(|c| place(&read, *c)).collect(),
+                colliders: chain
+                    .colliders
+                    .iter()
+                    .filter_map(|c| place(&read, *c))
+                    .collect(),
             })
         };
         Self {
@@ -106,7 +110,8 @@ fn link(value: &Value) -> Option<Link> {
     Some(Link {
         joint: index(value, "node")?,
         stiffness: number(value, "stiffness", 1.0)?.clamp(0.0, 10.0),
-        gravity: direction.clamp_length_max(1.0) * number(value, "gravityPower", 0.0)?.clamp(-10.0, 10.0),
+        gravity: direction.clamp_length_max(1.0)
+            * number(value, "gravityPower", 0.0)?.clamp(-10.0, 10.0),
         drag: number(value, "dragForce", 0.5)?.clamp(0.0, 1.0),
         radius_m: number(value, "hitRadius", 0.0)?.clamp(0.0, 1.0),
     })
@@ -120,7 +125,11 @@ fn collider(value: &Value) -> Option<Collider> {
         (&shape["sphere"], false)
     };
     let offset = vector(of, "offset", DVec3::ZERO)?;
-    let tail = if has_tail { vector(of, "tail", DVec3::ZERO)? } else { offset };
+    let tail = if has_tail {
+        vector(of, "tail", DVec3::ZERO)?
+    } else {
+        offset
+    };
     Some(Collider {
         joint: index(value, "node")?,
         ends: [offset, tail],
@@ -150,18 +159,22 @@ pub(crate) fn write(springs: &Springs, numbers: &dyn Fn(&[f64]) -> Value) -> Val
         .chains
         .iter()
         .map(|chain| {
-            let joints: Vec<Value> = chain.links.iter().map(|l| {
-                let power = l.gravity.length();
-                let direction = l.gravity.normalize_or(DVec3::NEG_Y).to_array();
-                json!({
-                    "node": l.joint,
-                    "hitRadius": one(l.radius_m),
-                    "stiffness": one(l.stiffness),
-                    "gravityPower": one(power),
-                    "gravityDir": numbers(&direction),
-                    "dragForce": one(l.drag),
+            let joints: Vec<Value> = chain
+                .links
+                .iter()
+                .map(|l| {
+                    let power = l.gravity.length();
+                    let direction = l.gravity.normalize_or(DVec3::NEG_Y).to_array();
+                    json!({
+                        "node": l.joint,
+                        "hitRadius": one(l.radius_m),
+                        "stiffness": one(l.stiffness),
+                        "gravityPower": one(power),
+                        "gravityDir": numbers(&direction),
+                        "dragForce": one(l.drag),
+                    })
                 })
-            }).collect();
+                .collect();
             let mut value = json!({ "joints": joints });
             if !chain.colliders.is_empty() {
                 let known = groups.iter().position(|g| **g == chain.colliders[..]);

@@ -13,8 +13,8 @@ use raconteur_base::{DAffine3, DMat3, DQuat, DVec3};
 
 use crate::skeleton::Skeleton;
 
-pub use file::{EXTENSION, read};
 pub(crate) use file::write;
+pub use file::{EXTENSION, read};
 
 /// Steps a second: the rate for which drag is given in files.
 pub const STEPS_PER_S: f64 = 60.0;
@@ -109,7 +109,11 @@ impl Springs {
     /// A swing with room for all ends, to be hung at rest.
     #[must_use]
     pub fn swing(&self) -> Swing {
-        let ends: usize = self.chains.iter().map(|c| c.links.len().saturating_sub(1)).sum();
+        let ends: usize = self
+            .chains
+            .iter()
+            .map(|c| c.links.len().saturating_sub(1))
+            .sum();
         let now = vec![DVec3::ZERO; ends];
         Swing {
             before: now.clone(),
@@ -151,10 +155,8 @@ impl Springs {
             now + speed * (1.0 - drag) + pull / STEPS_PER_S
         });
         swing.lines = lines;
-        swing.next = core::mem::replace(
-            &mut swing.before,
-            core::mem::replace(&mut swing.now, next),
-        );
+        swing.next =
+            core::mem::replace(&mut swing.before, core::mem::replace(&mut swing.now, next));
     }
 
     /// Turns the chains of a solved posture to where their ends are, a share of a step before the
@@ -228,7 +230,8 @@ impl Springs {
         wanted: DVec3,
     ) -> DVec3 {
         let length = hung.arm.length();
-        let held = |p: DVec3| hung.joint + (p - hung.joint).normalize_or(hung.arm / length) * length;
+        let held =
+            |p: DVec3| hung.joint + (p - hung.joint).normalize_or(hung.arm / length) * length;
         let mut end = hung.joint + within(hung.arm, wanted - hung.joint) * length;
         for _ in 0..PUSHES {
             for &c in &chain.colliders {

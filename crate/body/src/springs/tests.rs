@@ -163,13 +163,19 @@ fn files_keep_springs() {
     assert_eq!(read.colliders, springs.colliders);
     for (a, b) in read.chains[0].links.iter().zip(&springs.chains[0].links) {
         assert!(a.gravity.distance(b.gravity) < 1e-12);
-        assert_eq!((a.joint, a.stiffness, a.drag, a.radius_m), (b.joint, b.stiffness, b.drag, b.radius_m));
+        assert_eq!(
+            (a.joint, a.stiffness, a.drag, a.radius_m),
+            (b.joint, b.stiffness, b.drag, b.radius_m)
+        );
     }
     assert_eq!(read.chains[0].colliders, [0, 1]);
     let shifted = read.renumbered(&|j| (j != Bone::Skull.index()).then_some(j + 1));
     assert_eq!(shifted.colliders.len(), 1);
     assert_eq!(shifted.chains[0].colliders, [0]);
-    assert_eq!(shifted.chains[0].links[0].joint, springs.chains[0].links[0].joint + 1);
+    assert_eq!(
+        shifted.chains[0].links[0].joint,
+        springs.chains[0].links[0].joint + 1
+    );
     let lost = read.renumbered(&|j| (j != springs.chains[0].links[2].joint).then_some(j));
     assert!(lost.chains.is_empty());
 }

@@ -401,7 +401,12 @@ impl Player {
             figure.skeleton.solve(pose, out);
         };
         let of = (&figure.skeleton, &figure.springs);
-        sway.at(of, time_secs, &mut posture, &mut self.frame.world_from_joint);
+        sway.at(
+            of,
+            time_secs,
+            &mut posture,
+            &mut self.frame.world_from_joint,
+        );
     }
 
     /// Lines of the face's tissue, where they are shown.

@@ -70,6 +70,9 @@ impl SoftFace {
         self.segments
             .at(step as i64, &mut Driven { tissue, controls });
         let share = 1.0 - (step - exact);
-        self.segments.states_mut().0.write(tissue, share as f32, nodes);
+        self.segments
+            .states_mut()
+            .0
+            .write(tissue, share as f32, nodes);
     }
 }

@@ -89,7 +89,10 @@ pub fn sweep(player: &mut Player) -> Vec<Check> {
         let t = i as f64 / RATE_HZ;
         let frame = player.frame(t, 1.6);
         sweep.look(&frame.world_from_joint, t);
-        if let Some(hair) = hair.as_mut().filter(|_| i % (RATE_HZ / hair::RATE_HZ) as u64 == 0) {
+        if let Some(hair) = hair
+            .as_mut()
+            .filter(|_| i % (RATE_HZ / hair::RATE_HZ) as u64 == 0)
+        {
             hair.look(&frame.world_from_joint, t);
         }
         if let (Some(face), Some(tissue)) = (&mut face, player.face()) {

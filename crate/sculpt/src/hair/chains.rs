@@ -13,9 +13,12 @@ use crate::part::JointRef;
 use raconteur_body::skeleton::{Bone, Drive};
 
 /// Azimuths of the chains of hanging hair, degrees from the front to the left, round the back.
-const AROUND_DEG: [f64; 9] = [62.0, 90.0, 120.0, 150.0, 180.0, 210.0, 240.0, 270.0, 298.0];
+const AROUND_DEG: [f64; 15] = [
+    62.0, 79.0, 96.0, 113.0, 130.0, 147.0, 163.0, 180.0, 197.0, 213.0, 230.0, 247.0, 264.0, 281.0,
+    298.0,
+];
 /// Spread of what counts for a guide, degrees and metres.
-const SECTOR_DEG: f64 = 14.0;
+const SECTOR_DEG: f64 = 9.0;
 const SLICE_M: f64 = 0.012;
 /// Height at which hanging hair leaves the head, and the length of a link, metres.
 const TOP_M: f64 = -0.005;
@@ -183,7 +186,8 @@ impl Chains {
             Kind::Fringe if in_fringe(card) => {
                 let share = step(0.1, 1.0, card.rows[row].v);
                 let root = card.rows[0].middle();
-                let place = (turned_deg(root, FRINGE_DEG[0]) / (FRINGE_DEG[1] - FRINGE_DEG[0])).clamp(0.0, 1.999);
+                let place = (turned_deg(root, FRINGE_DEG[0]) / (FRINGE_DEG[1] - FRINGE_DEG[0]))
+                    .clamp(0.0, 1.999);
                 let (i, f) = (place as usize, place.fract());
                 let mut out = self.links(i, 0.5, share * (1.0 - f));
                 out.extend(self.links(i + 1, 0.5, share * f));
@@ -229,7 +233,9 @@ impl Chains {
             (at.distance((pair[0]).lerp(pair[1], held)), k as f64 + held)
         };
         let nearest = points.windows(2).enumerate().map(place);
-        nearest.min_by(|a, b| a.0.total_cmp(&b.0)).map_or(0.0, |n| n.1)
+        nearest
+            .min_by(|a, b| a.0.total_cmp(&b.0))
+            .map_or(0.0, |n| n.1)
     }
 
     /// Two links of a chain for a place that lies `down` links from its root: half of either at
@@ -261,7 +267,9 @@ fn turned_deg(p: DVec3, azimuth: f64) -> f64 {
 }
 
 fn mean(of: impl Iterator<Item = (DVec3, f64)>) -> Option<DVec3> {
-    let (sum, weight) = of.fold((DVec3::ZERO, 0.0), |(s, w), (p, own)| (s + p * own, w + own));
+    let (sum, weight) = of.fold((DVec3::ZERO, 0.0), |(s, w), (p, own)| {
+        (s + p * own, w + own)
+    });
     (weight > LEAST).then(|| sum / weight)
 }
 
@@ -269,5 +277,8 @@ fn mean(of: impl Iterator<Item = (DVec3, f64)>) -> Option<DVec3> {
 fn scalp(at: DVec3) -> Vec<(JointRef, f64)> {
     let bone = |b| JointRef(Drive::Bone(b));
     let neck = 0.3 * step(-0.04, -0.12, at.y);
-    vec![(bone(Bone::Skull), 1.0 - neck), (bone(Bone::Cervical), neck)]
+    vec![
+        (bone(Bone::Skull), 1.0 - neck),
+        (bone(Bone::Cervical), neck),
+    ]
 }

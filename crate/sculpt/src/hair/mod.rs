@@ -29,8 +29,8 @@ use raconteur_base::curve::lerp;
 use serde::{Deserialize, Serialize};
 
 pub use beard::BeardParams;
-pub use chains::HairChain;
 pub(crate) use cap::Cap;
+pub use chains::HairChain;
 pub use colour::HairColour;
 pub use space::Sample;
 

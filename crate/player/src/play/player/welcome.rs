@@ -168,7 +168,10 @@ impl Player {
             waited_secs: 0.0,
             left_secs: None,
             room: Posed::new(self.cast.morphs()),
-            sway: Sway::new(&self.cast.figure.springs, self.cast.figure.skeleton.joints().len()),
+            sway: Sway::new(
+                &self.cast.figure.springs,
+                self.cast.figure.skeleton.joints().len(),
+            ),
         }
     }
 

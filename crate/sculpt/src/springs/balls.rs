@@ -1,0 +1,259 @@
+//! Spheres inside skin and clothes that keep chains out, whatever the arms do.
+
+use raconteur_base::{DAffine3, DQuat, DVec3, Side};
+use raconteur_body::figure::{Figure, MaterialKind, Mesh};
+use raconteur_body::pose::Pose;
+use raconteur_body::skeleton::Bone;
+
+use crate::posed;
+
+/// Surface within this distance of a chain is to be kept clear of, metres.
+const NEAR_M: f64 = 0.09;
+/// Surface within this distance of a chain bounds the spheres, metres.
+const BOUND_M: f64 = 0.25;
+/// One point of the surface is kept in a cube of this side, metres.
+const CELL_M: f64 = 0.008;
+/// Surface that lies at most so far under another, and beside it, cannot be touched, metres.
+const UNDER_M: [f64; 2] = [0.03, 0.009];
+/// Spheres of a figure at most, the least of their radii, and how far under the surface a place
+/// counts as kept clear of, metres.
+const MOST: usize = 96;
+const LEAST_RADIUS_M: f64 = 0.012;
+const SLACK_M: f64 = 0.003;
+/// How far a sphere stands out of the surface at most, in any pose, metres.
+const OUT_M: f64 = 0.008;
+/// How far spheres stay from chains at rest: the hair between them and the skin, metres.
+const CLEAR_M: f64 = 0.012;
+/// Points of the surface that a further sphere must gain.
+const LEAST_GAIN: usize = 3;
+/// As made, and with the arms hanging, level and raised.
+const POSES: usize = 4;
+/// Where the left arm points in all poses but the first.
+const ARMS: [DVec3; POSES - 1] = [
+    DVec3::new(0.25, -0.95, 0.1),
+    DVec3::new(0.95, 0.05, 0.3),
+    DVec3::new(0.25, 0.95, 0.15),
+];
+/// Share of a rise above level that the shoulder blade does (Inman, Saunders and Abbott 1944,
+/// Journal of Bone and Joint Surgery 26, 1–30).
+const BLADE_SHARE: f64 = 0.33;
+/// How far the head turns to either side, radians.
+const HEAD_TURN: f64 = 0.9;
+
+/// A point of what chains may meet.
+#[derive(Clone, Copy)]
+struct Point {
+    /// In each pose.
+    at: [DVec3; POSES],
+    normal: [DVec3; POSES],
+    /// The joints that carry most of it, the first more than the second.
+    joints: [usize; 2],
+}
+
+/// A sphere that rides on a joint.
+#[derive(Clone, Copy)]
+pub(super) struct Ball {
+    /// In each pose.
+    middle: [DVec3; POSES],
+    pub(super) radius: f64,
+    pub(super) joint: usize,
+}
+
+impl Ball {
+    /// Its middle in the bind pose, world.
+    pub(super) fn bound(&self) -> DVec3 {
+        self.middle[0]
+    }
+
+    fn holds(&self, p: &Point, pose: usize) -> bool {
+        self.middle[pose].distance(p.at[pose]) < self.radius + SLACK_M
+    }
+}
+
+/// Few spheres that together keep chains clear of as much as they can, the best first.
+pub(super) fn inside(figure: &Figure, chains: &[DVec3]) -> Vec<Ball> {
+    let moved = poses(figure);
+    let surface = touchable(surface(figure, chains, &moved));
+    let skull = figure.inverse_bind[Bone::Skull.index()]
+        .inverse()
+        .translation;
+    let turned = [-HEAD_TURN, 0.0, HEAD_TURN].map(|a| DQuat::from_rotation_y(a));
+    let reached: Vec<DVec3> = chains
+        .iter()
+        .flat_map(|c| turned.map(|t| skull + t * (*c - skull)))
+        .collect();
+    let reached = &reached;
+    let near = |pose: usize| {
+        let is_near = move |p: &&Point| nearest(reached, p.at[pose]) < NEAR_M;
+        surface.iter().filter(is_near).map(move |p| (pose, *p))
+    };
+    let near: Vec<(usize, Point)> = (0..POSES).flat_map(near).collect();
+    let balls: Vec<Ball> = near
+        .iter()
+        .flat_map(|(pose, p)| p.joints.map(|j| ball(&surface, p, j, *pose, &moved)))
+        .map(|b| Ball {
+            radius: b.radius.min(nearest(chains, b.bound()) - CLEAR_M),
+            ..b
+        })
+        .filter(|b| b.radius > LEAST_RADIUS_M)
+        .collect();
+    chosen(balls, &near)
+}
+
+/// World from world of the bind pose, for each pose and joint.
+fn poses(figure: &Figure) -> [Vec<DAffine3>; POSES] {
+    let bind = posed::bind_pose(figure);
+    core::array::from_fn(|i| {
+        let mut pose = bind.clone();
+        if let Some(left) = i.checked_sub(1).map(|i| ARMS[i]) {
+            for side in Side::BOTH {
+                lift(&mut pose, figure, side, left);
+            }
+        }
+        posed::moved(figure, &pose)
+    })
+}
+
+/// Points an arm.
+fn lift(pose: &mut Pose, figure: &Figure, side: Side, left: DVec3) {
+    let at = |part| {
+        let bind = figure.inverse_bind[Bone::on(side, part).index()].inverse();
+        bind.translation
+    };
+    let now = (at("elbow") - at("shoulder")).normalize_or_zero();
+    let mirror = if side == Side::Left { 1.0 } else { -1.0 };
+    let wanted = DVec3::new(mirror * left.x, left.y, left.z).normalize();
+    let turn = DQuat::from_rotation_arc(now, wanted);
+    let share = if wanted.y > 0.3 { BLADE_SHARE } else { 0.0 };
+    let blade = DQuat::IDENTITY.slerp(turn, share);
+    posed::turn(pose, figure, Bone::on(side, "scapula"), blade);
+    posed::turn(
+        pose,
+        figure,
+        Bone::on(side, "shoulder"),
+        blade.inverse() * turn,
+    );
+}
+
+/// Whether hair may touch a mesh.
+fn is_solid(mesh: &Mesh) -> bool {
+    use MaterialKind::{Cornea, Eye, Hair, Lash, Mouth, Teeth};
+    !matches!(
+        mesh.material.kind,
+        Cornea | Eye | Hair | Lash | Mouth | Teeth
+    )
+}
+
+fn nearest(all: &[DVec3], p: DVec3) -> f64 {
+    let squared = all.iter().map(|q| q.distance_squared(p));
+    squared.fold(f64::MAX, f64::min).sqrt()
+}
+
+/// Points of the surface about the chains, one in each small cube and for each of two sides.
+fn surface(figure: &Figure, chains: &[DVec3], moved: &[Vec<DAffine3>; POSES]) -> Vec<Point> {
+    let mut taken = std::collections::BTreeSet::new();
+    let mut out = Vec::new();
+    for mesh in figure.meshes.iter().filter(|m| is_solid(m)) {
+        for v in 0..mesh.positions.len() {
+            let in_poses = moved.each_ref().map(|m| posed::skinned(m, mesh, v));
+            let [at, normal] = in_poses[0];
+            if nearest(chains, at) > BOUND_M {
+                continue;
+            }
+            let cell = (at / CELL_M).floor().to_array().map(|x| x as i64);
+            let side = normal.to_array().map(|x| x > 0.0);
+            if !taken.insert((cell, side)) {
+                continue;
+            }
+            let weights = mesh.weights[v];
+            let mut most = [0, 1, 2, 3];
+            most.sort_by(|&a, &b| weights[b].total_cmp(&weights[a]));
+            out.push(Point {
+                at: in_poses.map(|p| p[0]),
+                normal: in_poses.map(|p| p[1]),
+                joints: [most[0], most[1]].map(|k| usize::from(mesh.joints[v][k])),
+            });
+        }
+    }
+    out
+}
+
+/// What no other surface covers in the bind pose.
+fn touchable(mut all: Vec<Point>) -> Vec<Point> {
+    let covers = |p: &Point, q: &Point| {
+        let off = q.at[0] - p.at[0];
+        let up = off.dot(p.normal[0]);
+        up > 0.001
+            && up < UNDER_M[0]
+            && q.normal[0].dot(p.normal[0]) > 0.3
+            && (off - p.normal[0] * up).length() < UNDER_M[1]
+    };
+    let covered: Vec<bool> = all
+        .iter()
+        .map(|p| all.iter().any(|q| covers(p, q)))
+        .collect();
+    let mut is_covered = covered.into_iter();
+    all.retain(|_| is_covered.next() == Some(false));
+    all
+}
+
+/// The largest sphere inside the surface that touches it at a point in a pose (the shrinking ball
+/// of Ma, Bae and Choi 2012, doi:10.1007/s00371-011-0594-7, in one pass), and that stands out of it
+/// in no other.
+fn ball(
+    surface: &[Point],
+    p: &Point,
+    joint: usize,
+    pose: usize,
+    moved: &[Vec<DAffine3>; POSES],
+) -> Ball {
+    let (touched, normal) = (p.at[pose], p.normal[pose]);
+    let bound = |q: &Point| {
+        let off = touched - q.at[pose];
+        let down = off.dot(normal);
+        let radius = off.length_squared() / (2.0 * down);
+        // The inner side of a sleeve bounds nothing.
+        let outward = q.at[pose] - (touched - normal * radius);
+        (down > 1e-6 && q.normal[pose].dot(outward) > 0.0).then_some(radius)
+    };
+    let radius = surface.iter().filter_map(bound).fold(BOUND_M, f64::min);
+    let middle = touched - normal * radius;
+    let in_bind = moved[pose][joint].inverse().transform_point3(middle);
+    let middle = moved.each_ref().map(|m| m[joint].transform_point3(in_bind));
+    let reach = |q: &Point| {
+        let reached = (0..POSES).map(|i| q.at[i].distance(middle[i]));
+        reached.fold(f64::MAX, f64::min) + OUT_M
+    };
+    Ball {
+        middle,
+        radius: surface.iter().map(reach).fold(radius, f64::min),
+        joint,
+    }
+}
+
+/// Those that each gain most.
+fn chosen(balls: Vec<Ball>, near: &[(usize, Point)]) -> Vec<Ball> {
+    let held: Vec<Vec<usize>> = balls
+        .iter()
+        .map(|b| {
+            let is_held = |&i: &usize| b.holds(&near[i].1, near[i].0);
+            (0..near.len()).filter(is_held).collect()
+        })
+        .collect();
+    let mut open = vec![true; near.len()];
+    let mut out = Vec::new();
+    for _ in 0..MOST {
+        let gain = |b: usize| held[b].iter().filter(|&&i| open[i]).count();
+        let Some(best) = (0..balls.len()).max_by_key(|&b| gain(b)) else {
+            break;
+        };
+        if gain(best) < LEAST_GAIN {
+            break;
+        }
+        for &i in &held[best] {
+            open[i] = false;
+        }
+        out.push(balls[best]);
+    }
+    out
+}
