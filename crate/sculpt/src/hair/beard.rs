@@ -6,9 +6,11 @@ use serde::{Deserialize, Serialize};
 
 use super::card::{STRIPS, empty};
 use super::colour::Palette;
+use super::roots::{scattered, spread};
+use super::space::Sample;
 use crate::assemble::Piece;
 use crate::head::{Ear, Head, Holds, Ride};
-use crate::part::PartVertex;
+use crate::part::{MeshPart, PartVertex};
 use raconteur_body::figure::Material;
 
 /// A beard.
@@ -20,10 +22,53 @@ pub struct BeardParams {
     pub moustache: bool,
 }
 
-/// Tufts, their share of the full length and their width in metres: short ones near the
-/// skin, then those that show. They are wide and hold single hairs: a narrow card that is
-/// filled would look like a chip.
-const TUFTS: [(usize, f64, f64); 2] = [(150, 0.62, 0.0095), (330, 0.85, 0.0080)];
+/// Tufts of one kind.
+struct Layer {
+    /// Distance of the roots, metres.
+    spacing: f64,
+    /// Share of the full length.
+    length: f64,
+    /// Width of a tuft, metres.
+    width: f64,
+    /// Strips of the atlas, the second one excluded.
+    strips: [u32; 2],
+    /// Share of light that comes to it.
+    light: f64,
+}
+
+/// Short ones near the skin, then those that show, then single hairs. They are wide and hold single
+/// hairs: a narrow card that is filled would look like a chip.
+const LAYERS: [Layer; 3] = [
+    Layer {
+        spacing: 0.0075,
+        length: 0.6,
+        width: 0.0095,
+        strips: [5, 10],
+        light: 0.8,
+    },
+    Layer {
+        spacing: 0.0050,
+        length: 0.85,
+        width: 0.0072,
+        strips: [9, 13],
+        light: 0.95,
+    },
+    Layer {
+        spacing: 0.0106,
+        length: 1.05,
+        width: 0.0065,
+        strips: [13, 16],
+        light: 1.0,
+    },
+];
+/// Spans of a tuft.
+const SPANS: u32 = 1;
+/// Places that are tried.
+const TRIED: usize = 12_000;
+/// How much nearer the roots of a moustache are.
+const LIP_SPACING: f64 = 0.6;
+/// Where a beard is thinner than this nothing grows, and not everything where it is little thicker.
+const LEAST_DENSITY: f64 = 0.45;
 /// Upper edge of a beard by distance from the middle, on the common head, mm: under the
 /// nose, the mouth's corner, the cheek, before the ear. Chosen by eye.
 const EDGE: [[f64; 2]; 7] = [
@@ -40,7 +85,7 @@ const LIPS_Y: f64 = -46.0;
 /// A tuft moved less than this by a morph stays, metres: its neighbours hide the rest.
 const STILL: f64 = 7e-4;
 /// How clear of the lips tips stay, and the shortest tuft, metres.
-const LIP_MARGIN: f64 = 0.004;
+const LIP_MARGIN: f64 = 0.0055;
 const SHORTEST: f64 = 0.003;
 
 /// 0 at `from` and beyond, 1 at `to` and beyond, whichever is greater.
@@ -123,6 +168,124 @@ pub(super) fn cover(head: &Head, p: &BeardParams) -> Vec<f64> {
         .collect()
 }
 
+/// How far the tip of a tuft with a normal hangs, shares of its length.
+fn sag(normal: DVec3) -> DVec3 {
+    (DVec3::NEG_Y - normal * 0.15) * 0.18
+}
+
+/// A tuft: where it is rooted and how it lies.
+struct Tuft {
+    root: DVec3,
+    normal: DVec3,
+    /// Unit.
+    direction: DVec3,
+    /// Metres.
+    length: f64,
+}
+
+impl Field<'_> {
+    /// The tuft that grows at a place, if one does. `dice` gives numbers in 0..1.
+    fn tuft(
+        &self,
+        at: &Sample,
+        p: &BeardParams,
+        layer: &Layer,
+        dice: impl Fn(u64) -> f64,
+    ) -> Option<Tuft> {
+        let (root, n) = (at.position, at.normal);
+        let q = self.place(root);
+        let on_lip = self.on_lip(q);
+        let thick = self.density(root);
+        // The lips' lining looks backwards.
+        let in_mouth = q.x.abs() < 33.0 && q.y > LIPS_Y - 16.0 && n.z < 0.25;
+        if thick < LEAST_DENSITY + 0.3 * dice(1) || in_mouth {
+            return None;
+        }
+        let signed = |k: u64| 2.0 * dice(k) - 1.0;
+        let side = if q.x < 0.0 { -1.0 } else { 1.0 };
+        let combed = if on_lip {
+            DVec3::new(side * slope(0.0, 9.0, q.x.abs()) * 1.1, -0.85, 0.0)
+        } else {
+            // Towards the point of the chin, and down.
+            DVec3::new(-0.1 * side * slope(20.0, 50.0, q.x.abs()), -1.0, 0.10)
+        };
+        let d = combed + DVec3::new(0.30 * signed(4), 0.10 * signed(5), 0.22 * signed(6));
+        let lift = if on_lip { 0.12 } else { 0.34 } * (0.7 + 0.6 * dice(7)) * layer.length;
+        let along = (d - n * d.dot(n)).try_normalize().unwrap_or(DVec3::NEG_Y);
+        let direction = (along + n * lift).normalize();
+        let full = if on_lip {
+            0.0105 * (0.75 + 0.35 * slope(4.0, 20.0, q.x.abs()))
+        } else {
+            p.length_m * lerp(0.55, 1.0, slope(62.0, 15.0, q.x.abs()))
+        };
+        let size = self.head.scalp.proportions.size();
+        let edge = lerp(0.45, 1.0, slope(0.2, 0.9, thick));
+        let mut length = full * (0.65 + 0.55 * dice(8)) * layer.length * edge * size;
+        // No tip hangs over the lips, or it would stand in the open mouth.
+        let tip = |length: f64| root + (direction + sag(n)) * length;
+        while length > SHORTEST && self.to_lips(tip(length)) < LIP_MARGIN {
+            length *= 0.8;
+        }
+        (length > SHORTEST).then_some(Tuft {
+            root,
+            normal: n,
+            direction,
+            length,
+        })
+    }
+}
+
+/// What is made of a beard so far.
+struct Growing<'a> {
+    ride: Ride,
+    palette: &'a Palette,
+    part: MeshPart,
+    normals: Vec<DVec3>,
+    holds: Vec<Holds>,
+}
+
+impl Growing<'_> {
+    /// Adds a tuft as a card of two spans.
+    fn add(&mut self, tuft: &Tuft, layer: &Layer, dice: impl Fn(u64) -> f64, grey: f64) {
+        let Tuft {
+            root,
+            normal: n,
+            direction,
+            length,
+        } = *tuft;
+        let hold = self.ride.holds(root, 3);
+        let weights = self.ride.weights(&hold);
+        let [first, last] = layer.strips;
+        let strip = first + (dice(9) * f64::from(last - first)) as u32;
+        let across = direction.cross(n).normalize_or_zero();
+        let base = self.part.vertices.len() as u32;
+        let tone = 0.3 + 0.4 * dice(10);
+        for row in 0..=SPANS {
+            let t = f64::from(row) / f64::from(SPANS);
+            // The tips hang.
+            let middle = root - n * 0.0006 + direction * (length * t) + sag(n) * (length * t * t);
+            let half = 0.5 * layer.width * lerp(1.0, 0.6, t);
+            let [r, g, b] = self.palette.shade(0.35 + 0.4 * t, tone, grey);
+            let light = lerp(0.72, 1.0, t) * layer.light;
+            for (u, sign) in [(0.02, -1.0), (0.98, 1.0)] {
+                self.part.vertices.push(PartVertex {
+                    position: middle + across * (sign * half),
+                    uv: [(f64::from(strip) + u) / STRIPS, t],
+                    color: [r, g, b, light],
+                    weights: weights.clone(),
+                });
+                let round = n * 0.8 + DVec3::NEG_Y * (0.2 * t) + across * (0.3 * sign);
+                self.normals.push(round.try_normalize().unwrap_or(n));
+                self.holds.push(hold.clone());
+            }
+        }
+        for row in 0..SPANS {
+            let at = base + 2 * row;
+            self.part.faces.push(vec![at, at + 1, at + 3, at + 2]);
+        }
+    }
+}
+
 /// Makes a beard, in the head's frame.
 pub(super) fn beard(
     head: &Head,
@@ -135,114 +298,45 @@ pub(super) fn beard(
     let ride = Ride::new(skin);
     let field = Field::new(head, p);
     let density: Vec<f64> = ride.positions.iter().map(|q| field.density(*q)).collect();
-    let triangles: Vec<[u32; 3]> = skin
+    let triangles: Vec<[Sample; 3]> = skin
         .faces
         .iter()
         .flat_map(|f| f[1..].windows(2).map(|w| [f[0], w[0], w[1]]))
         .filter(|t| t.iter().any(|&v| density[v as usize] > 0.0))
-        .collect();
-    let mut total = 0.0;
-    let sums: Vec<f64> = triangles
-        .iter()
         .map(|t| {
-            let [a, b, c] = t.map(|v| ride.positions[v as usize]);
-            let share: f64 = t.iter().map(|&v| density[v as usize]).sum();
-            let thick = if field.on_lip(field.place((a + b + c) / 3.0)) {
-                4.0
-            } else {
-                1.0
-            };
-            total += thick * (b - a).cross(c - a).length() * share;
-            total
+            t.map(|v| Sample {
+                position: ride.positions[v as usize],
+                normal: ride.normals[v as usize],
+            })
         })
         .collect();
-    let mut part = empty("beard", material);
-    let mut normals = Vec::new();
-    let mut holds: Vec<Holds> = Vec::new();
-    for (layer, &(count, share, width)) in TUFTS.iter().enumerate() {
-        for i in 0..count {
-            let id = (layer * 10_000 + i) as i64;
-            let dice = |k: u64| noise::unit(seed, 200 + k, id);
-            let want = (i as f64 + dice(1)) / count as f64 * total;
-            let Some(t) = triangles.get(sums.partition_point(|s| *s < want)) else {
-                continue;
-            };
-            let (u, v) = (dice(2).sqrt(), dice(3));
-            let mix = |of: &[DVec3]| {
-                let [a, b, c] = t.map(|v| of[v as usize]);
-                a * (1.0 - u) + b * (u * (1.0 - v)) + c * (u * v)
-            };
-            let (root, n) = (mix(&ride.positions), mix(&ride.normals).normalize_or_zero());
-            if field.density(root) < 0.6 || n == DVec3::ZERO {
-                continue;
+    let places: Vec<Sample> = scattered(&triangles, TRIED, seed + 7).collect();
+    let mut growing = Growing {
+        ride,
+        palette,
+        part: empty("beard", material),
+        normals: Vec::new(),
+        holds: Vec::new(),
+    };
+    for (number, layer) in (0..).zip(&LAYERS) {
+        let roots = spread(&places, |s| {
+            let on_lip = field.on_lip(field.place(s.position));
+            layer.spacing * if on_lip { LIP_SPACING } else { 1.0 }
+        });
+        for (i, root) in (0..).zip(roots) {
+            let dice = |k: u64| noise::unit(seed + number, 200 + k, i);
+            if let Some(tuft) = field.tuft(&root, p, layer, dice) {
+                growing.add(&tuft, layer, dice, palette.grey_of(i ^ 5));
             }
-            let q = field.place(root);
-            let on_lip = field.on_lip(q);
-            // The lips' lining looks backwards.
-            if q.x.abs() < 33.0 && q.y > LIPS_Y - 16.0 && n.z < 0.25 {
-                continue;
-            }
-            let signed = |k: u64| 2.0 * dice(k) - 1.0;
-            let side = if q.x < 0.0 { -1.0 } else { 1.0 };
-            let d = if on_lip {
-                DVec3::new(side * slope(0.0, 9.0, q.x.abs()) * 1.1, -0.85, 0.0)
-            } else {
-                // Towards the point of the chin, and down.
-                DVec3::new(-0.1 * side * slope(20.0, 50.0, q.x.abs()), -1.0, 0.10)
-            };
-            let d = d + DVec3::new(0.30 * signed(4), 0.10 * signed(5), 0.22 * signed(6));
-            let lift = if on_lip { 0.12 } else { 0.34 } * (0.7 + 0.6 * dice(7)) * share;
-            let along = (d - n * d.dot(n)).try_normalize().unwrap_or(DVec3::NEG_Y);
-            let direction = (along + n * lift).normalize();
-            let chin = slope(62.0, 15.0, q.x.abs());
-            let mut length = if on_lip {
-                0.0105 * (0.75 + 0.35 * slope(4.0, 20.0, q.x.abs()))
-            } else {
-                p.length_m * lerp(0.55, 1.0, chin)
-            } * (0.75 + 0.4 * dice(8))
-                * share
-                * lerp(0.55, 1.0, slope(0.2, 0.9, field.density(root)))
-                * head.scalp.proportions.size();
-            // No tip hangs over the lips, or it would stand in the open mouth.
-            while length > SHORTEST && field.to_lips(root + direction * length) < LIP_MARGIN {
-                length *= 0.8;
-            }
-            if length <= SHORTEST {
-                continue;
-            }
-            let hold = ride.holds(root, 3);
-            let weights = ride.weights(&hold);
-            let grey = palette.grey_of(id ^ 5);
-            let strip = 6 + 3 * layer as u32 + (dice(9) * 4.0) as u32;
-            let base = part.vertices.len() as u32;
-            let across_it = direction.cross(n).normalize_or_zero();
-            for t in [0.0, 1.0] {
-                // The tips hang.
-                let middle = root - n * 0.0006
-                    + direction * (length * t)
-                    + (DVec3::NEG_Y - n * 0.15) * (0.18 * length * t * t);
-                let half = 0.5 * width * lerp(1.0, if layer == 0 { 0.7 } else { 0.5 }, t);
-                let [r, g, b] = palette.shade(0.45 + 0.3 * t, 0.4 + 0.2 * dice(10), grey);
-                for (u, sign) in [(0.02, -1.0), (0.98, 1.0)] {
-                    part.vertices.push(PartVertex {
-                        position: middle + across_it * (sign * half),
-                        uv: [(f64::from(strip) + u) / STRIPS, t],
-                        color: [
-                            r,
-                            g,
-                            b,
-                            lerp(0.93, 1.0, t) * if layer == 0 { 0.95 } else { 1.0 },
-                        ],
-                        weights: weights.clone(),
-                    });
-                    let round = n * 0.8 + DVec3::NEG_Y * (0.2 * t) + across_it * (0.3 * sign);
-                    normals.push(round.try_normalize().unwrap_or(n));
-                    holds.push(hold.clone());
-                }
-            }
-            part.faces.push(vec![base, base + 1, base + 3, base + 2]);
         }
     }
+    let Growing {
+        ride,
+        mut part,
+        normals,
+        holds,
+        ..
+    } = growing;
     part.morphs = ride.morphs(&holds, STILL);
     part.bound = ride.bound(&holds);
     Piece {

@@ -123,7 +123,7 @@ impl Palette {
     /// the mean.
     pub(super) fn grey_of(&self, id: i64) -> f64 {
         let g = self.grey;
-        (g + 0.6 * noise::signed(self.seed, 503, id) * g * (1.0 - g)).clamp(0.0, 1.0)
+        (g + 0.3 * noise::signed(self.seed, 503, id) * g * (1.0 - g)).clamp(0.0, 1.0)
     }
 
     /// Colour over the base at a share of a hair's length; `tint` 0..1 is the card's tone, `grey`

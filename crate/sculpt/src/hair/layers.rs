@@ -145,9 +145,9 @@ pub(super) const CURLED: [Layer; 6] = [
 
 pub(super) const SHORT: [Layer; 4] = [
     Layer {
-        spacing: 0.00554,
+        spacing: 0.0060,
         offset: 0.0018,
-        width: 0.0077,
+        width: 0.0080,
         strips: [3, 10],
         spans: 3,
         lift: 0.22,
@@ -158,9 +158,9 @@ pub(super) const SHORT: [Layer; 4] = [
         ..LAYER
     },
     Layer {
-        spacing: 0.00588,
+        spacing: 0.00615,
         offset: 0.0045,
-        width: 0.00735,
+        width: 0.0075,
         strips: [3, 10],
         spans: 4,
         lift: 0.42,
@@ -170,7 +170,7 @@ pub(super) const SHORT: [Layer; 4] = [
         ..LAYER
     },
     Layer {
-        spacing: 0.01008,
+        spacing: 0.0105,
         offset: 0.007,
         width: 0.0056,
         strips: [7, 13],
@@ -183,7 +183,7 @@ pub(super) const SHORT: [Layer; 4] = [
         ..LAYER
     },
     Layer {
-        spacing: 0.01596,
+        spacing: 0.0166,
         offset: 0.010,
         width: 0.0056,
         strips: [12, 16],

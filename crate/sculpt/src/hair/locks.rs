@@ -235,10 +235,12 @@ impl Grower<'_> {
             strip = 9 + (dice(7) * 5.0) as u32;
         }
         let taper = if is_short {
-            [lerp(0.35, 0.75, edge), 1.0, 0.4]
+            [lerp(0.35, 0.75, edge), 1.0, 0.22]
         } else {
             [lerp(0.2, 0.45, edge), 1.0, 0.8]
         };
+        // Tones of short cards that differ much would show as scales.
+        let vary = if is_short { 0.07 } else { 0.15 };
         Some(Card::along(
             self.space,
             &path,
@@ -254,7 +256,7 @@ impl Grower<'_> {
                 strip,
                 is_mirrored: dice(9) < 0.5,
                 roll: layer.roll * bell(2) * (0.2 + 0.8 * step(0.002, 0.03, root.inside)),
-                tint: (0.5 + 0.15 * lock.character[3] + 0.15 * bell(3)).clamp(0.0, 1.0),
+                tint: (0.5 + vary * (lock.character[3] + bell(3))).clamp(0.0, 1.0),
                 layer: number as usize,
                 whole: length,
             },

@@ -158,8 +158,9 @@ pub struct Grown {
     pub(crate) cap: Option<Cap>,
 }
 
-/// Light that comes to the scalp however thick the hair: it scatters on.
-const LEAST_LIGHT: f64 = 0.25;
+/// Light that comes to the scalp however thick the hair: it scatters on, among white hairs more than
+/// among black ones.
+const LEAST_LIGHT: [f64; 2] = [0.25, 0.8];
 
 /// Makes the hair of a head whose neighbourhood is clothed with `clothes`, in the head's frame.
 #[must_use]
@@ -205,10 +206,12 @@ pub fn hair(head: &Head, p: &HairParams, clothes: &[Sample]) -> Grown {
         cards.sort_by_key(|c| c.layer);
         let shade = Shade::new(&space, &cards);
         light::bake(&shade, &mut cards);
+        let [dark, white] = LEAST_LIGHT;
+        let least = lerp(dark, white, palette.base.iter().sum::<f64>() / 3.0);
         grown.skin_light = space
             .drawn(head)
             .iter()
-            .map(|s| lerp(LEAST_LIGHT, 1.0, shade.on_skin(s)))
+            .map(|s| lerp(least, 1.0, shade.on_skin(s)))
             .collect();
         let frame = space.frame;
         let chains = Chains::new(&style, &cards);

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use raconteur_base::{DVec3, noise};
 
 use super::line::Line;
-use super::space::Space;
+use super::space::{Sample, Space};
 
 /// Places that are tried, over the whole scalp.
 const TRIED: usize = 60_000;
@@ -23,43 +23,81 @@ pub(super) struct Root {
     pub(super) inside: f64,
 }
 
-/// Places all over the scalp, evenly by area and in no order.
-pub(super) fn candidates(space: &Space, line: &Line, seed: u64) -> Vec<Root> {
-    let corners = |t: &[u32; 3]| t.map(|v| space.skin[v as usize]);
-    let wanted: Vec<[u32; 3]> = space
-        .triangles
-        .iter()
-        .filter(|t| {
-            let middle = corners(t).map(|c| c.position).iter().sum::<DVec3>() / 3.0;
-            middle.y > -0.13 && line.smooth_distance(middle) > -2.0 * OUTSIDE_M
-        })
-        .copied()
-        .collect();
+/// What lies somewhere.
+pub(super) trait Place: Copy {
+    fn position(&self) -> DVec3;
+}
+
+impl Place for Root {
+    fn position(&self) -> DVec3 {
+        self.position
+    }
+}
+
+impl Place for Sample {
+    fn position(&self) -> DVec3 {
+        self.position
+    }
+}
+
+/// Places all over triangles, evenly by area and in no order.
+pub(super) fn scattered(
+    triangles: &[[Sample; 3]],
+    count: usize,
+    seed: u64,
+) -> impl Iterator<Item = Sample> + '_ {
     let mut total = 0.0;
-    let sums: Vec<f64> = wanted
+    let sums: Vec<f64> = triangles
         .iter()
         .map(|t| {
-            let [a, b, c] = corners(t).map(|c| c.position);
+            let [a, b, c] = t.map(|c| c.position);
             total += (b - a).cross(c - a).length();
             total
         })
         .collect();
-    (0..TRIED as i64)
-        .filter_map(|i| {
-            let dice = |k: u64| noise::unit(seed, 900 + k, i);
-            let t = wanted.get(sums.partition_point(|s| *s < dice(0) * total))?;
-            let (mut u, mut v) = (dice(1), dice(2));
-            if u + v > 1.0 {
-                (u, v) = (1.0 - u, 1.0 - v);
-            }
-            let [a, b, c] = corners(t);
-            let w = 1.0 - u - v;
-            let position = a.position * w + b.position * u + c.position * v;
-            let inside = line.distance(position);
-            (inside > -OUTSIDE_M && space.height_without_ears(position) < ON_EAR_M).then(|| Root {
-                position,
-                normal: (a.normal * w + b.normal * u + c.normal * v).normalize_or(DVec3::Y),
-                inside,
+    (0..count as i64).filter_map(move |i| {
+        let dice = |k: u64| noise::unit(seed, 900 + k, i);
+        let [a, b, c] = triangles.get(sums.partition_point(|s| *s < dice(0) * total))?;
+        let (mut u, mut v) = (dice(1), dice(2));
+        if u + v > 1.0 {
+            (u, v) = (1.0 - u, 1.0 - v);
+        }
+        let w = 1.0 - u - v;
+        Some(Sample {
+            position: a.position * w + b.position * u + c.position * v,
+            normal: (a.normal * w + b.normal * u + c.normal * v).normalize_or(DVec3::Y),
+        })
+    })
+}
+
+/// Places all over the scalp.
+pub(super) fn candidates(space: &Space, line: &Line, seed: u64) -> Vec<Root> {
+    let is_wanted = |t: &[Sample; 3]| {
+        let middle = t.iter().map(|c| c.position).sum::<DVec3>() / 3.0;
+        middle.y > -0.13 && line.smooth_distance(middle) > -2.0 * OUTSIDE_M
+    };
+    let corner = |v: u32| {
+        let s = &space.skin[v as usize];
+        Sample {
+            position: s.position,
+            normal: s.normal,
+        }
+    };
+    let wanted: Vec<[Sample; 3]> = space
+        .triangles
+        .iter()
+        .map(|t| t.map(corner))
+        .filter(is_wanted)
+        .collect();
+    scattered(&wanted, TRIED, seed)
+        .filter_map(|s| {
+            let inside = line.distance(s.position);
+            (inside > -OUTSIDE_M && space.height_without_ears(s.position) < ON_EAR_M).then(|| {
+                Root {
+                    position: s.position,
+                    normal: s.normal,
+                    inside,
+                }
             })
         })
         .collect()
@@ -67,7 +105,7 @@ pub(super) fn candidates(space: &Space, line: &Line, seed: u64) -> Vec<Root> {
 
 /// Some of the places, none nearer to an earlier one than that one's own distance; those with a
 /// distance of 0 or less are left out.
-pub(super) fn spread(places: &[Root], distance: impl Fn(&Root) -> f64) -> Vec<Root> {
+pub(super) fn spread<P: Place>(places: &[P], distance: impl Fn(&P) -> f64) -> Vec<P> {
     const CELL: f64 = 0.016;
     let cell = |p: DVec3| (p / CELL).floor().to_array().map(|c| c as i32);
     let mut cells: BTreeMap<[i32; 3], Vec<(DVec3, f64)>> = BTreeMap::new();
@@ -78,14 +116,14 @@ pub(super) fn spread(places: &[Root], distance: impl Fn(&Root) -> f64) -> Vec<Ro
         if own <= 0.0 {
             continue;
         }
-        let [x, y, z] = cell(root.position);
+        let [x, y, z] = cell(root.position());
         let reach = (farthest / CELL).ceil() as i32;
         let is_free = (-reach..=reach).all(|i| {
             (-reach..=reach).all(|j| {
                 (-reach..=reach).all(|k| {
                     cells.get(&[x + i, y + j, z + k]).is_none_or(|near| {
                         near.iter()
-                            .all(|(p, d)| p.distance_squared(root.position) >= d * d)
+                            .all(|(p, d)| p.distance_squared(root.position()) >= d * d)
                     })
                 })
             })
@@ -95,7 +133,7 @@ pub(super) fn spread(places: &[Root], distance: impl Fn(&Root) -> f64) -> Vec<Ro
             cells
                 .entry([x, y, z])
                 .or_default()
-                .push((root.position, own));
+                .push((root.position(), own));
             kept.push(*root);
         }
     }

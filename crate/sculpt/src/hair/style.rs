@@ -75,7 +75,7 @@ const PARTED: Style = Style {
 const SHORT_CUT: Style = Style {
     comb: Comb::Whorl,
     length: Length::Short {
-        side: 0.0195,
+        side: 0.025,
         top: 0.027,
     },
     locks: 0.016,
@@ -168,8 +168,8 @@ pub(super) fn style(of: HairStyle) -> Option<Style> {
                 stray: 0.22,
             },
             length: Length::Short {
-                side: 0.014,
-                top: 0.032,
+                side: 0.020,
+                top: 0.030,
             },
             locks: 0.015,
             bend: [0.25, 60.0],
