@@ -54,7 +54,7 @@ const LAYERS: [Layer; 3] = [
         light: 0.95,
     },
     Layer {
-        spacing: 0.0106,
+        spacing: 0.0110,
         length: 1.05,
         width: 0.0065,
         strips: [13, 16],
