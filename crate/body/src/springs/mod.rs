@@ -21,9 +21,13 @@ pub const STEPS_PER_S: f64 = 60.0;
 /// Times that a chain is pushed out of what it touches in a step: out of one it may come into
 /// another.
 const PUSHES: usize = 3;
-/// Cosine of the farthest that a link turns from its place at rest: 45°. Designed: hair that stands
-/// off farther looks as if it blew in a wind.
-const FARTHEST: f64 = 0.707;
+/// Cosine of the farthest that a link turns from its direction at rest, whatever those above it do:
+/// 17°. Designed: hair that stands off farther looks as if it blew in a wind, and goes through
+/// colliders in quick motion.
+const FARTHEST: f64 = 0.956;
+/// And of the farthest that colliders push it: 30°. A raised shoulder may not press hair into the
+/// face.
+const PUSHED: f64 = 0.866;
 /// A joint that moves farther in one step has been put elsewhere, metres.
 const LEAP_M: f64 = 0.3;
 
@@ -97,6 +101,8 @@ struct Hung<'a> {
     joint: DVec3,
     /// From the joint to its end at rest, world, metres.
     arm: DVec3,
+    /// The same where no joint of the chain is turned.
+    still: DVec3,
 }
 
 impl Springs {
@@ -202,14 +208,20 @@ impl Springs {
             joint.parent.map_or(local, |p| world[p] * local)
         };
         for chain in &self.chains {
+            let mut still = None;
             for pair in chain.links.windows(2) {
                 let link = &pair[0];
                 let frame = hang(world, link.joint);
+                let local = skeleton.local(&joints[link.joint], DQuat::IDENTITY, DQuat::IDENTITY);
+                let unturned = still.map_or(frame, |above: DAffine3| above * local);
+                still = Some(unturned);
+                let end_in_joint = joints[pair[1].joint].translation_in_parent;
                 let hung = Hung {
                     link,
                     end: ends.len(),
                     joint: frame.translation,
-                    arm: frame.matrix3 * joints[pair[1].joint].translation_in_parent,
+                    arm: frame.matrix3 * end_in_joint,
+                    still: unturned.matrix3 * end_in_joint,
                 };
                 let end = self.kept_out(chain, lines, &hung, wanted(&hung));
                 ends.push(end);
@@ -232,7 +244,7 @@ impl Springs {
         let length = hung.arm.length();
         let held =
             |p: DVec3| hung.joint + (p - hung.joint).normalize_or(hung.arm / length) * length;
-        let mut end = hung.joint + within(hung.arm, wanted - hung.joint) * length;
+        let mut end = hung.joint + within(hung.still, wanted - hung.joint, FARTHEST) * length;
         for _ in 0..PUSHES {
             for &c in &chain.colliders {
                 let [a, b] = lines[c];
@@ -245,20 +257,20 @@ impl Springs {
                 }
             }
         }
-        end
+        hung.joint + within(hung.still, end - hung.joint, PUSHED) * length
     }
 }
 
-/// The direction of `to`, as far as it is near enough to an arm's.
-fn within(arm: DVec3, to: DVec3) -> DVec3 {
+/// The direction of `to`, as far as the cosine of its angle to an arm is not less.
+fn within(arm: DVec3, to: DVec3, least: f64) -> DVec3 {
     let rest = arm.normalize_or_zero();
     let to = to.normalize_or(rest);
     let cosine = to.dot(rest);
-    if cosine >= FARTHEST {
+    if cosine >= least {
         return to;
     }
     let aside = (to - rest * cosine).normalize_or(rest.any_orthonormal_vector());
-    rest * FARTHEST + aside * (1.0 - FARTHEST * FARTHEST).sqrt()
+    rest * least + aside * (1.0 - least * least).sqrt()
 }
 
 /// A frame turned the shortest way so that its arm points along `to`.

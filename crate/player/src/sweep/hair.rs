@@ -23,7 +23,7 @@ const THROUGH_M: f64 = 0.005;
 
 /// Share of hair that may be through, percent: chains pass round what they meet, but where a raised
 /// shoulder lifts long hair, cards between two chains go under its surface, out of sight.
-const MOST_THROUGH: f64 = 6.0;
+const MOST_THROUGH: f64 = 8.0;
 
 /// A vertex with its joints.
 struct Skinned {

@@ -102,9 +102,9 @@ impl Chains {
             });
             HairChain {
                 points: points.collect(),
-                stiffness: 0.55,
+                stiffness: 0.9,
                 gravity: 0.18,
-                drag: 0.55,
+                drag: 0.4,
             }
         });
         Self {

@@ -57,8 +57,9 @@ pub(super) fn of(figure: &Figure, chains: &[HairChain]) -> Springs {
             radius_m: b.radius,
         }
     };
-    let mut colliders: Vec<Collider> = balls.iter().map(ball).collect();
-    colliders.extend(arms(figure));
+    // The last one wins where two push against each other: hair is rather in an arm than in the face.
+    let mut colliders: Vec<Collider> = arms(figure).chain(balls.iter().map(ball)).collect();
+    colliders.sort_by_key(|c| rank(figure, c.joint));
     let joint = |c: usize, l: usize| {
         let wanted = Drive::Spring(c as u8, l as u8);
         figure
@@ -89,6 +90,15 @@ pub(super) fn of(figure: &Figure, chains: &[HairChain]) -> Springs {
     Springs {
         chains: chains.iter().enumerate().filter_map(chain).collect(),
         colliders: colliders.clone(),
+    }
+}
+
+/// How late a joint's colliders push: head after neck after all else.
+fn rank(figure: &Figure, joint: usize) -> u8 {
+    match figure.skeleton.joints()[joint].drive {
+        Drive::Bone(Bone::Skull | Bone::Chin) | Drive::Share(Bone::Skull, _) => 2,
+        Drive::Bone(Bone::Cervical) | Drive::Share(Bone::Cervical, _) => 1,
+        _ => 0,
     }
 }
 
