@@ -6,6 +6,7 @@
 pub mod accessor;
 #[allow(missing_docs, reason = "the fields are those of glTF")]
 pub mod document;
+mod hung;
 pub mod packed;
 mod soft;
 
@@ -13,8 +14,7 @@ use raconteur_base::{DAffine3, DMat4, DQuat, DVec3, Side};
 
 use crate::face::file::TissueError;
 use crate::figure::{Figure, Image, Maps, Material, MaterialKind, Mesh, Morph};
-use crate::skeleton::{Bone, Drive, FacePlaces, Skeleton};
-use crate::springs::Springs;
+use crate::skeleton::{Bone, FacePlaces, Skeleton};
 use accessor::Source;
 use document::Document;
 
@@ -104,7 +104,7 @@ pub fn read_figure(name: &str, glb: &[u8]) -> Result<Figure, ReadError> {
 
     let world_from_node = solve_nodes(&root)?;
     let mut skeleton = skeleton(&root, &world_from_node)?;
-    let springs = hang(&root, &world_from_node, &mut skeleton);
+    let springs = hung::hang(&root, &world_from_node, &mut skeleton);
     let mut figure = Figure {
         name: name.to_owned(),
         inverse_bind: bind_of(&root, &world_from_node, &skeleton),
@@ -244,35 +244,6 @@ fn skeleton(root: &Document<'_>, world: &[DAffine3]) -> Result<Skeleton, ReadErr
         .filter(|s| s.is_finite() && *s > 0.0)
         .unwrap_or(skull.y / 0.888);
     Ok(Skeleton::from_bind(&positions, &rotations, face, stature))
-}
-
-/// Hangs the chains that swing on the skeleton, as far as their nodes' names are their own.
-fn hang(root: &Document<'_>, world: &[DAffine3], skeleton: &mut Skeleton) -> Springs {
-    let name = |node: usize| root.nodes.get(node).map(|n| n.name.as_str());
-    let known = |skeleton: &Skeleton, node: usize| {
-        let name = name(node)?;
-        skeleton.joints().iter().position(|j| j.name == name)
-    };
-    for (c, chain) in (0..=u8::MAX).zip(&root.springs.chains) {
-        for (l, link) in (0..=u8::MAX).zip(&chain.links) {
-            let parent = root
-                .nodes
-                .iter()
-                .position(|n| n.children.contains(&link.joint));
-            let (Some(parent), Some(name)) = (parent, name(link.joint)) else {
-                break;
-            };
-            let (Some(ours), None) = (known(skeleton, parent), known(skeleton, link.joint)) else {
-                break;
-            };
-            let local = world[parent].inverse() * world[link.joint];
-            if !local.is_finite() {
-                break;
-            }
-            skeleton.hang(name.to_owned(), ours, local, Drive::Spring(c, l));
-        }
-    }
-    root.springs.renumbered(&|node| known(skeleton, node))
 }
 
 /// Joint from world in the bind pose, from the nodes' placement.

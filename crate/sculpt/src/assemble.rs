@@ -4,9 +4,8 @@ use std::collections::BTreeMap;
 
 use raconteur_base::{DAffine3, DQuat, DVec3, Side};
 
-use super::hair::HairChain;
 use super::part::{MeshPart, PartVertex};
-use super::springs;
+use super::springs::{self, HairChain};
 use super::subdivide::vertex_normals;
 use raconteur_body::figure::{Figure, Image, Maps, Material, MaterialKind, Mesh, Morph};
 use raconteur_body::skeleton::{Bone, FacePlaces, Skeleton};

@@ -208,6 +208,11 @@ pub fn layered(params: &FigureParams, built: &Built, layer: Layer) -> Figure {
             both.meshes.extend(bones.meshes);
             both
         }
-        Layer::Bones | Layer::Skin => bones,
+        // Joints that swing come after all others: bones have none on them.
+        Layer::Bones | Layer::Skin => Figure {
+            skeleton: skin.skeleton.clone(),
+            inverse_bind: skin.inverse_bind.clone(),
+            ..bones
+        },
     }
 }

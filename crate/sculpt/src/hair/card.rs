@@ -2,12 +2,11 @@
 
 use raconteur_base::{DVec3, ops};
 
-use super::chains::Chains;
 use super::colour::Palette;
 use super::grow::{sampled, tangent};
 use super::space::{Frame, Space};
 use crate::assemble::Piece;
-use crate::part::{MeshPart, PartVertex};
+use crate::part::{JointRef, MeshPart, PartVertex};
 use raconteur_body::figure::Material;
 
 /// Strips of strands that lie side by side in u in the renderer's atlas.
@@ -42,6 +41,9 @@ pub(super) struct Laid {
     /// Length of a whole hair of which this is the beginning, metres.
     pub(super) whole: f64,
 }
+
+/// The joints that carry a row of a card, so many metres from its root.
+pub(super) type Joints<'a> = dyn Fn(&Card, usize, f64) -> Vec<(JointRef, f64)> + 'a;
 
 /// A row of a card: two vertices.
 #[derive(Clone, Copy, Debug)]
@@ -204,7 +206,7 @@ pub(super) fn piece(
     frame: &Frame,
     cards: &[Card],
     palette: &Palette,
-    chains: &Chains,
+    joints: &Joints<'_>,
 ) -> Piece {
     let mut part = empty("hair", material);
     let mut normals = Vec::new();
@@ -218,7 +220,7 @@ pub(super) fn piece(
             if i > 0 {
                 arc += row.middle().distance(card.rows[i - 1].middle());
             }
-            let weights = chains.joints(card, i, arc);
+            let weights = joints(card, i, arc);
             let facing = row.facing * row.facing.dot(row.hull).signum();
             let n = facing * OWN_NORMAL + row.hull * (1.0 - OWN_NORMAL);
             let n = (n - row.tangent * n.dot(row.tangent)).normalize_or(row.hull);

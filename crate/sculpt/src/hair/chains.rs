@@ -10,6 +10,7 @@ use super::comb::step;
 use super::line::angles;
 use super::style::{Comb, Length, Style};
 use crate::part::JointRef;
+use crate::springs::HairChain;
 use raconteur_body::skeleton::{Bone, Drive};
 
 /// Azimuths of the chains of hanging hair, degrees from the front to the left, round the back.
@@ -33,19 +34,6 @@ const ROOTED_M: f64 = 0.035;
 const TAIL_LINKS: usize = 4;
 /// Sum of weights of rows that a guide needs.
 const LEAST: f64 = 0.5;
-
-/// How a chain hangs and swings.
-#[derive(Clone, Debug, PartialEq)]
-pub struct HairChain {
-    /// Joints from the root, then the end; metres.
-    pub points: Vec<DVec3>,
-    /// As in [`Link`](raconteur_body::springs::Link).
-    pub stiffness: f64,
-    /// Downwards; as in [`Link`](raconteur_body::springs::Link).
-    pub gravity: f64,
-    /// As in [`Link`](raconteur_body::springs::Link).
-    pub drag: f64,
-}
 
 /// Where the chains of a style run.
 enum Kind {

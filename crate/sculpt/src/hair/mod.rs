@@ -28,9 +28,9 @@ mod tests;
 use raconteur_base::curve::lerp;
 use serde::{Deserialize, Serialize};
 
+pub use crate::springs::HairChain;
 pub use beard::BeardParams;
 pub(crate) use cap::Cap;
-pub use chains::HairChain;
 pub use colour::HairColour;
 pub use space::Sample;
 
@@ -215,7 +215,9 @@ pub fn hair(head: &Head, p: &HairParams, clothes: &[Sample]) -> Grown {
             .collect();
         let frame = space.frame;
         let chains = Chains::new(&style, &cards);
-        let piece = card::piece(&material, &frame, &cards, &palette, &chains);
+        let piece = card::piece(&material, &frame, &cards, &palette, &|card, row, arc| {
+            chains.joints(card, row, arc)
+        });
         grown.pieces.push(piece);
         grown.chains = chains.guides;
         for p in grown.chains.iter_mut().flat_map(|c| &mut c.points) {

@@ -8,7 +8,6 @@ use raconteur_body::figure::Figure;
 use raconteur_body::skeleton::{Bone, Drive, Skeleton};
 use raconteur_body::springs::{Chain, Collider, Link, Springs};
 
-use crate::hair::HairChain;
 use balls::Ball;
 
 /// Radii of sleeved arms, shares of stature. Designed.
@@ -17,6 +16,19 @@ const FOREARM: f64 = 0.024;
 /// Clearance that ends of chains keep at most, and what is left of it at rest, metres.
 const MOST_CLEAR_M: f64 = 0.05;
 const PLAY_M: f64 = 0.0005;
+
+/// How a chain hangs and swings.
+#[derive(Clone, Debug, PartialEq)]
+pub struct HairChain {
+    /// Joints from the root, then the end; metres.
+    pub points: Vec<DVec3>,
+    /// As in [`Link`](raconteur_body::springs::Link).
+    pub stiffness: f64,
+    /// Downwards; as in [`Link`](raconteur_body::springs::Link).
+    pub gravity: f64,
+    /// As in [`Link`](raconteur_body::springs::Link).
+    pub drag: f64,
+}
 
 /// Adds the joints of chains to a skeleton whose joints have `frames` in the bind pose.
 pub(super) fn hang(chains: &[HairChain], skeleton: &mut Skeleton, frames: &[DAffine3]) {
