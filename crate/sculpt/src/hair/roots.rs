@@ -92,12 +92,11 @@ pub(super) fn candidates(space: &Space, line: &Line, seed: u64) -> Vec<Root> {
     scattered(&wanted, TRIED, seed)
         .filter_map(|s| {
             let inside = line.distance(s.position);
-            (inside > -OUTSIDE_M && space.height_without_ears(s.position) < ON_EAR_M).then(|| {
-                Root {
-                    position: s.position,
-                    normal: s.normal,
-                    inside,
-                }
+            let is_scalp = inside > -OUTSIDE_M && space.height_without_ears(s.position) < ON_EAR_M;
+            is_scalp.then_some(Root {
+                position: s.position,
+                normal: s.normal,
+                inside,
             })
         })
         .collect()

@@ -77,7 +77,7 @@ pub(super) fn inside(figure: &Figure, chains: &[DVec3]) -> Vec<Ball> {
     let skull = figure.inverse_bind[Bone::Skull.index()]
         .inverse()
         .translation;
-    let turned = [-HEAD_TURN, 0.0, HEAD_TURN].map(|a| DQuat::from_rotation_y(a));
+    let turned = [-HEAD_TURN, 0.0, HEAD_TURN].map(DQuat::from_rotation_y);
     let reached: Vec<DVec3> = chains
         .iter()
         .flat_map(|c| turned.map(|t| skull + t * (*c - skull)))
@@ -97,7 +97,7 @@ pub(super) fn inside(figure: &Figure, chains: &[DVec3]) -> Vec<Ball> {
         })
         .filter(|b| b.radius > LEAST_RADIUS_M)
         .collect();
-    chosen(balls, &near)
+    chosen(&balls, &near)
 }
 
 /// World from world of the bind pose, for each pose and joint.
@@ -232,7 +232,7 @@ fn ball(
 }
 
 /// Those that each gain most.
-fn chosen(balls: Vec<Ball>, near: &[(usize, Point)]) -> Vec<Ball> {
+fn chosen(balls: &[Ball], near: &[(usize, Point)]) -> Vec<Ball> {
     let held: Vec<Vec<usize>> = balls
         .iter()
         .map(|b| {
