@@ -1,13 +1,15 @@
 //! A figure as it lies on the device: buffers, pictures, and what to draw of them.
 
-use raconteur_base::DAffine3;
+use raconteur_base::{DAffine3, DVec3};
 use raconteur_body::face::NodeState;
 use raconteur_body::figure::{Figure, Maps};
+use raconteur_body::skeleton::{Drive, Joint};
 use raconteur_stage::{Fill, Frame, Shown};
 use wgpu::{Buffer, BufferUsages, Device, Queue, TextureView};
 
 use crate::RenderError;
 use crate::counts::Counts;
+use crate::detail::Detail;
 use crate::figure::{
     DrawnMesh, FigureData, MATERIAL_STRIDE, MAX_JOINTS, PipelineKey, Shadow, joint_rows,
 };
@@ -23,6 +25,8 @@ use crate::tissue::{BoundMesh, Nodes, TissueVertex};
 pub(crate) struct GpuFigure {
     pub(crate) stature_m: f64,
     joint_from_bind: Vec<DAffine3>,
+    /// A joint of its face, if it has one.
+    face: Option<usize>,
     lids: [Option<LidEdge>; 4],
     shape: Buffer,
     fixed: Buffer,
@@ -77,6 +81,7 @@ pub(crate) struct FallbackTextures {
     /// The atlas of strands, which all hair is drawn with.
     strands: TextureView,
     sampler: wgpu::Sampler,
+    strand_sampler: wgpu::Sampler,
 }
 
 impl FallbackTextures {
@@ -98,6 +103,14 @@ impl FallbackTextures {
                 min_filter: wgpu::FilterMode::Linear,
                 mipmap_filter: wgpu::MipmapFilterMode::Linear,
                 anisotropy_clamp: if anisotropic { 8 } else { 1 },
+                ..Default::default()
+            }),
+            // Cards seen edge-on are hidden anyway, and a processor that samples them
+            // anisotropically reads the whole atlas for a pixel.
+            strand_sampler: device.create_sampler(&wgpu::SamplerDescriptor {
+                mag_filter: wgpu::FilterMode::Linear,
+                min_filter: wgpu::FilterMode::Linear,
+                mipmap_filter: wgpu::MipmapFilterMode::Linear,
                 ..Default::default()
             }),
         }
@@ -163,6 +176,7 @@ impl GpuFigure {
         let mut sent = Self {
             stature_m: figure.skeleton.stature_m(),
             joint_from_bind: figure.inverse_bind.clone(),
+            face: face_joint(figure),
             lids: LidEdge::of(figure),
             shape: filled("shape", shape, BufferUsages::VERTEX),
             fixed: filled("fixed", fixed, BufferUsages::VERTEX),
@@ -206,6 +220,7 @@ impl GpuFigure {
                     binding(2, wgpu::BindingResource::Sampler(&fallback.sampler)),
                     binding(3, wgpu::BindingResource::TextureView(wrinkles)),
                     binding(4, wgpu::BindingResource::TextureView(&fallback.strands)),
+                    binding(5, wgpu::BindingResource::Sampler(&fallback.strand_sampler)),
                 ],
             );
             self.maps.push((wanted, group));
@@ -265,6 +280,11 @@ impl GpuFigure {
         self.meshes.iter().map(|m| m.key)
     }
 
+    /// Where its face is at a moment, world, metres.
+    pub(crate) fn face(&self, world_from_joint: &[DAffine3]) -> Option<DVec3> {
+        Some(world_from_joint.get(self.face?)?.translation)
+    }
+
     /// Where the edges of the lids are at a moment, as [`LidEdge::plane`] tells.
     pub(crate) fn lids(&self, world_from_joint: &[DAffine3]) -> [[f32; 4]; 4] {
         self.lids
@@ -313,12 +333,12 @@ impl GpuFigure {
         }
     }
 
-    /// Draws what `shown` says of the meshes that `wanted` names, at a level of detail.
+    /// Draws what `shown` says of the meshes that `wanted` names.
     pub(crate) fn draw<'p>(
         &self,
         pass: &mut wgpu::RenderPass<'_>,
         counts: &mut Counts,
-        (shown, level): (&Shown, usize),
+        (shown, detail): (&Shown, Detail),
         wanted: impl Fn(PipelineKey) -> bool,
         pipeline: impl Fn(PipelineKey) -> Option<&'p wgpu::RenderPipeline>,
     ) {
@@ -338,7 +358,7 @@ impl GpuFigure {
                     Maps::default()
                 };
                 self.bind_maps(pass, maps);
-                let indices = &mesh.levels[level];
+                let indices = &mesh.levels[detail.of(mesh.key.kind)];
                 pass.draw_indexed(indices.start * ends..indices.end * ends, 0, 0..1);
                 counts.add_figure(indices.len() as u32 / 3);
             }
@@ -350,7 +370,7 @@ impl GpuFigure {
         &self,
         pass: &mut wgpu::RenderPass<'_>,
         counts: &mut Counts,
-        level: usize,
+        detail: Detail,
         pipeline: impl Fn(Shadow, bool) -> Option<&'p wgpu::RenderPipeline>,
     ) {
         self.bind(pass);
@@ -372,6 +392,7 @@ impl GpuFigure {
             if is_cut(shadow) {
                 self.bind_maps(pass, first.maps);
             }
+            let level = detail.of_caster(shadow);
             let indices = first.levels[level].start..last.levels[level].end;
             counts.add_figure(indices.len() as u32 / 3);
             pass.draw_indexed(indices, 0, 0..1);
@@ -382,4 +403,10 @@ impl GpuFigure {
 /// Whether a shadow is cut by a picture.
 fn is_cut(shadow: Shadow) -> bool {
     matches!(shadow, Shadow::Strands | Shadow::Picture)
+}
+
+/// The joint of an eye.
+fn face_joint(figure: &Figure) -> Option<usize> {
+    let is_eye = |j: &Joint| matches!(j.drive, Drive::Eye(_));
+    figure.skeleton.joints().iter().position(is_eye)
 }

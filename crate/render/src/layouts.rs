@@ -15,7 +15,7 @@ pub(crate) struct Layouts {
     /// Joints and one material.
     pub(crate) figure: BindGroupLayout,
     /// A material's pictures of colour, normals and wrinkles, their sampler, and the atlas of
-    /// strands.
+    /// strands with its own.
     pub(crate) maps: BindGroupLayout,
     /// The frame, the finished picture and its sampler.
     pub(crate) tone_map: BindGroupLayout,
@@ -77,6 +77,7 @@ impl Layouts {
                     sampler(2, filtering),
                     picture(3),
                     picture(4),
+                    sampler(5, filtering),
                 ],
             ),
             tone_map: layout("tone map", &[frame, picture(1), sampler(2, filtering)]),

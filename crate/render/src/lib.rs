@@ -18,6 +18,7 @@ pub mod renderer;
 pub mod tissue;
 
 mod counts;
+mod detail;
 mod device;
 mod environment;
 mod figure;

@@ -5,6 +5,7 @@ use raconteur_stage::{Fill, Frame, Shown};
 use wgpu::{Buffer, BufferUsages, Device, Queue, TextureFormat, TextureView};
 
 use crate::counts::Counts;
+use crate::detail::{self, Detail};
 use crate::figure::{AlphaMode, MAX_JOINTS, PipelineKey};
 use crate::gpu::{bind_group, binding, empty_buffer};
 use crate::gpu_figure::{FallbackTextures, GpuFigure};
@@ -39,6 +40,8 @@ pub struct Renderer {
     frame_group: wgpu::BindGroup,
     picture_sampler: wgpu::Sampler,
     figure: Option<GpuFigure>,
+    /// At which it is drawn in the picture that is made.
+    detail: Detail,
     rows: Vec<[f32; 4]>,
     /// The overlay, once it was requested.
     overlay: Option<Overlay>,
@@ -95,6 +98,7 @@ impl Renderer {
             targets: None,
             tone_map_group: None,
             figure: None,
+            detail: Detail::new(options.quality, None),
             overlay: None,
             lines: None,
             rows: Vec::with_capacity(3 * MAX_JOINTS),
@@ -282,8 +286,11 @@ impl Renderer {
         self.queue
             .write_buffer(&self.frame_buffer, 0, bytemuck::bytes_of(&uniform));
         if let Some(figure) = &mut self.figure {
-            let level = self.tier.options.quality.level_of_detail();
-            figure.pose(&self.queue, frame, level, &mut self.rows);
+            let place = figure.face(&frame.world_from_joint);
+            let near = place.and_then(|p| detail::pixels_per_m(&frame.camera, &view, size.1, p));
+            let detail = Detail::new(self.tier.options.quality, near);
+            figure.pose(&self.queue, frame, detail.figure, &mut self.rows);
+            self.detail = detail;
         }
     }
 
@@ -338,10 +345,9 @@ impl Renderer {
         }
         pass.set_bind_group(0, &self.frame_group, &[]);
         let side = self.tier.shadow_texels as f32;
-        let level = self.tier.options.quality.level_of_detail();
         for light in 0..self.tier.lights {
             pass.set_viewport(side * light as f32, 0.0, side, side, 0.0, 1.0);
-            figure.draw_shadow(&mut pass, counts, level, |shadow, bound| {
+            figure.draw_shadow(&mut pass, counts, self.detail, |shadow, bound| {
                 self.tier.pipelines.shadow(light, shadow, bound)
             });
         }
@@ -398,7 +404,7 @@ impl Renderer {
             key.alpha_mode == AlphaMode::Blend && !(is_direct && is_soft_hair(key))
         };
         let thin = shown.fill != Fill::Solid;
-        let at = (shown, self.tier.options.quality.level_of_detail());
+        let at = (shown, self.detail);
         // Solid surfaces go first; then the theatre fills the rest; then what adds light
         // and what lets it through.
         let figure = self.figure.as_ref().filter(|_| shown.body);

@@ -246,6 +246,7 @@ impl Springs {
             |p: DVec3| hung.joint + (p - hung.joint).normalize_or(hung.arm / length) * length;
         let mut end = hung.joint + within(hung.still, wanted - hung.joint, FARTHEST) * length;
         for _ in 0..PUSHES {
+            let before = end;
             for &c in &chain.colliders {
                 let [a, b] = lines[c];
                 let along = b - a;
@@ -255,6 +256,9 @@ impl Springs {
                 if off.length_squared() < least * least {
                     end = held(end + off.normalize_or(DVec3::Y) * (least - off.length()));
                 }
+            }
+            if end == before {
+                break;
             }
         }
         hung.joint + within(hung.still, end - hung.joint, PUSHED) * length

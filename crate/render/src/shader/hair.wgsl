@@ -24,7 +24,7 @@ struct Strand {
 const ROOT_MM = 4.0;
 
 fn strand(v: VertexOut, view: vec3<f32>) -> Strand {
-    let p = textureSample(strand_map, map_sampler, v.uv);
+    let p = textureSample(strand_map, strand_sampler, v.uv);
     let px = dpdx(v.world);
     let py = dpdy(v.world);
     // A card seen edge-on would be a wire: it gives way to those that face the viewer.
@@ -44,13 +44,13 @@ fn strand(v: VertexOut, view: vec3<f32>) -> Strand {
 // Two highlights of a strand along t, the first of its surface, the second, tinted and shifted to
 // the tip, of its far side (Marschner et al. 2003, doi:10.1145/882262.882345; as Scheuermann 2004
 // simplifies them).
-fn hair_lobes(t: vec3<f32>, half_way: vec3<f32>, tone: vec3<f32>, id: f32) -> vec3<f32> {
+fn hair_lobes(t: vec3<f32>, half_way: vec3<f32>, tint: vec3<f32>, id: f32) -> vec3<f32> {
     let th = dot(t, half_way);
     let shift = 0.30 * (id - 0.5);
     let surface = th - 0.055 + shift;
     let inside = th + 0.11 + 1.3 * shift;
     return vec3<f32>(0.065 * exp(-190.0 * surface * surface) * (0.45 + 2.2 * id * id))
-        + pow(tone, vec3<f32>(0.62)) * (0.26 * exp(-34.0 * inside * inside) * (0.55 + 0.9 * id));
+        + tint * (0.26 * exp(-34.0 * inside * inside) * (0.55 + 0.9 * id));
 }
 
 // Weights of ambient light, of what comes through the hair and of highlights. Chosen by eye.
@@ -66,17 +66,17 @@ fn hair_through(open: f32, n: vec3<f32>, l: vec3<f32>) -> f32 {
     return saturate1(open * (1.0 + HAIR_FACING * dot(n, l)) * HAIR_THROUGH);
 }
 
-fn hair_lamp(v: VertexOut, s: Strand, tone: vec3<f32>, scatter: f32, t: vec3<f32>, n: vec3<f32>, view: vec3<f32>, l: vec3<f32>) -> vec3<f32> {
+fn hair_lamp(v: VertexOut, s: Strand, tone: vec3<f32>, tint: vec3<f32>, scatter: f32, t: vec3<f32>, n: vec3<f32>, view: vec3<f32>, l: vec3<f32>) -> vec3<f32> {
     let hard = hair_through(v.color.a * v.color.a, normalize(v.normal), l);
     let through = mix(hard, sqrt(hard), 0.8 * scatter);
     let nl = dot(n, l);
     let tl = dot(t, l);
     let sine = sqrt(max(1.0 - tl * tl, 0.0));
     let diffuse = mix(saturate1((nl + 0.35) / 1.8225), sine * saturate1(0.5 * nl + 0.6), 0.45);
-    let shine = hair_lobes(t, normalize(l + view), tone, s.id) * (HAIR_SHINE * saturate1(1.6 * nl + 0.45));
+    let shine = hair_lobes(t, normalize(l + view), tint, s.id) * (HAIR_SHINE * saturate1(1.6 * nl + 0.45));
     // Against the light, thin hair glows.
-    let behind = pow(saturate1(-dot(view, l)), 3.0);
-    let glow = pow(tone, vec3<f32>(0.55)) * (0.5 * behind * smoothstep(0.15, 0.8, hard) * sine);
+    let behind = saturate1(-dot(view, l));
+    let glow = tint * (0.55 * behind * behind * behind * smoothstep(0.15, 0.8, hard) * sine);
     return tone * diffuse * through + shine * (through * hard) + glow;
 }
 
@@ -94,19 +94,21 @@ fn hair_light(v: VertexOut, s: Strand, view: vec3<f32>) -> vec3<f32> {
     let t = normalize(v.along + vec3<f32>(0.0, 1e-5, 0.0));
     let n = normalize(hull - t * dot(hull, t));
     let tone = strand_tone(v, s.id);
+    // Light that went through strands takes their colour, less than what they throw back.
+    let tint = pow(tone, vec3<f32>(0.62));
     let open = v.color.a * v.color.a;
     // Pale hair passes light on into its depth.
     let scatter = clamp(0.18 + 1.6 * dot(tone, vec3<f32>(0.3, 0.6, 0.1)), 0.0, 0.75);
     let depth = mix(mix(0.42, 1.06, smoothstep(0.12, 0.85, s.depth)), 1.0, 0.7 * scatter);
     let root = mix(mix(0.62, 1.0, smoothstep(0.0, 0.22, v.uv.y)), 1.0, 0.8 * scatter);
-    // The bake holds most of the hair's own shadow.
-    let share = mix(0.75, 1.0, filtered_share(v.world, hull, v.clip.xy));
+    // The bake holds most of the hair's own shadow; of the rest one look is enough.
+    let share = mix(0.75, 1.0, sharp_share(v.world, hull));
     var light = tone * ambient(n) * (mix(open, sqrt(open), scatter) * HAIR_AMBIENT);
-    light += frame.key.xyz * share * hair_lamp(v, s, tone, scatter, t, n, view, frame.key_dir.xyz);
-    light += frame.fill.xyz * hair_lamp(v, s, tone, scatter, t, n, view, frame.fill_dir.xyz);
-    light += frame.rim.xyz * 0.75 * hair_lamp(v, s, tone, scatter, t, n, view, frame.rim_dir.xyz);
+    light += frame.key.xyz * share * hair_lamp(v, s, tone, tint, scatter, t, n, view, frame.key_dir.xyz);
+    light += frame.fill.xyz * hair_lamp(v, s, tone, tint, scatter, t, n, view, frame.fill_dir.xyz);
+    light += frame.rim.xyz * 0.75 * hair_lamp(v, s, tone, tint, scatter, t, n, view, frame.rim_dir.xyz);
     let up = normalize(0.6 * normalize(view - t * dot(view, t)) + 0.7 * n);
-    light += ambient(reflect(-view, up)) * (vec3<f32>(0.035) + 0.10 * pow(tone, vec3<f32>(0.7))) * open * open;
+    light += ambient(reflect(-view, up)) * (vec3<f32>(0.035) + 0.09 * tint) * open * open;
     return light * depth * root;
 }
 
@@ -141,7 +143,7 @@ fn fs_hair_soft(v: VertexOut) -> @location(0) vec4<f32> {
 
 @fragment
 fn fs_hair_shadow(v: ShadowOut) {
-    if textureSample(strand_map, map_sampler, v.uv).r < 0.4 {
+    if textureSample(strand_map, strand_sampler, v.uv).r < 0.4 {
         discard;
     }
 }

@@ -67,6 +67,15 @@ fn key_share(p: vec3<f32>, n: vec3<f32>, at: vec2<f32>) -> f32 {
     return far * (1.0 - saturate1(near));
 }
 
+// The same with a single look.
+fn sharp_share(p: vec3<f32>, n: vec3<f32>) -> f32 {
+    if SHADOWS < 1u {
+        return 1.0;
+    }
+    let q = off_surface(0u, p, n, frame.key_dir.xyz) - vec3<f32>(0.0, 0.0, frame.shadow.z);
+    return lit_at(0u, q.xy, q.z);
+}
+
 fn filtered_share(p: vec3<f32>, n: vec3<f32>, at: vec2<f32>) -> f32 {
     if SHADOWS < 1u {
         return 1.0;

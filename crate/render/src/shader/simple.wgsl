@@ -28,7 +28,7 @@ fn fs_simple_cloth(v: VertexOut, @builtin(front_facing) front: bool) -> @locatio
 
 @fragment
 fn fs_simple_hair(v: VertexOut) -> @location(0) vec4<f32> {
-    let p = textureSample(strand_map, map_sampler, v.uv);
+    let p = textureSample(strand_map, strand_sampler, v.uv);
     if p.r < 0.4 {
         discard;
     }

@@ -6,6 +6,7 @@
 @group(2) @binding(3) var wrinkle_map: texture_2d<f32>;
 // Strands of hair: cover, height in the bundle, number.
 @group(2) @binding(4) var strand_map: texture_2d<f32>;
+@group(2) @binding(5) var strand_sampler: sampler;
 
 // Colour and alpha of the surface, linear: material, vertex and picture. The vertex's own
 // alpha is occlusion.

@@ -1,0 +1,91 @@
+//! Levels of detail of a picture: 0 is the finest.
+
+use raconteur_base::DVec3;
+use raconteur_body::MaterialKind;
+use raconteur_stage::Camera;
+
+use crate::Quality;
+use crate::figure::Shadow;
+use crate::options::LEVELS;
+use crate::view::View;
+
+/// Pixels a metre from which all of the hair is drawn: a head is 90 pixels high there, and cards
+/// are about as wide as a pixel. Below, their triangles are smaller than pixels and cost the more.
+const ALL_HAIR: f64 = 400.0;
+
+/// The levels at which one picture draws a figure.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Detail {
+    /// Of everything but hair.
+    pub(crate) figure: usize,
+    hair: usize,
+}
+
+impl Detail {
+    /// For a quality, and a head that is as far away as `pixels_per_m` tells, if there is one.
+    pub(crate) fn new(quality: Quality, pixels_per_m: Option<f64>) -> Self {
+        let figure = quality.level_of_detail();
+        let is_far = pixels_per_m.is_some_and(|p| p < ALL_HAIR);
+        Self {
+            figure,
+            hair: (figure + usize::from(is_far)).min(LEVELS - 1),
+        }
+    }
+
+    /// The level of what is of a kind.
+    pub(crate) fn of(self, kind: MaterialKind) -> usize {
+        match kind {
+            MaterialKind::Hair => self.hair,
+            _ => self.figure,
+        }
+    }
+
+    /// The level of what casts. Hair's shadow is too soft to tell every second card.
+    pub(crate) fn of_caster(self, shadow: Shadow) -> usize {
+        match shadow {
+            Shadow::Strands => (self.hair + 1).min(LEVELS - 1),
+            _ => self.figure,
+        }
+    }
+}
+
+/// How many pixels a metre at a place, world, takes in a picture of a height in pixels; none where
+/// it lies behind the camera.
+pub(crate) fn pixels_per_m(camera: &Camera, view: &View, height: u32, place: DVec3) -> Option<f64> {
+    let depth = (place - camera.eye_in_world).dot(view.forward);
+    (depth > 0.0).then(|| 0.5 * f64::from(height) / (view.half_height * depth))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn hair_of_a_far_head_is_one_level_coarser_and_never_beyond_the_last() {
+        let near = Detail::new(Quality::High, Some(1000.0));
+        let far = Detail::new(Quality::High, Some(200.0));
+        assert_eq!(near.of(MaterialKind::Hair), 0);
+        assert_eq!(far.of(MaterialKind::Hair), 1);
+        assert_eq!(far.of(MaterialKind::Skin), 0);
+        assert_eq!(far.of_caster(Shadow::Strands), 2);
+        assert_eq!(far.of_caster(Shadow::Solid), 0);
+        let lowest = Detail::new(Quality::Lowest, Some(200.0));
+        assert_eq!(lowest.of(MaterialKind::Hair), LEVELS - 1);
+        assert_eq!(lowest.of_caster(Shadow::Strands), LEVELS - 1);
+        assert_eq!(Detail::new(Quality::High, None).of(MaterialKind::Hair), 0);
+    }
+
+    #[test]
+    fn a_metre_fills_the_picture_where_the_camera_sees_a_metre() {
+        let camera = Camera {
+            eye_in_world: DVec3::new(0.0, 0.0, 2.0),
+            target_in_world: DVec3::ZERO,
+            fov_y_rad: 2.0 * (0.25f64).atan(),
+            ..Camera::default()
+        };
+        let view = View::new(&camera, 1.0);
+        let seen = pixels_per_m(&camera, &view, 360, DVec3::ZERO).expect("before the camera");
+        assert!((seen - 360.0).abs() < 1e-6, "{seen}");
+        assert_eq!(pixels_per_m(&camera, &view, 360, DVec3::Z * 3.0), None);
+    }
+}
