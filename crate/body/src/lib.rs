@@ -14,6 +14,7 @@ pub mod pose;
 pub mod read;
 pub mod skeleton;
 pub mod springs;
+pub mod surface;
 pub mod write;
 
 /// The face as a machine.

@@ -76,16 +76,16 @@ mod tests {
     }
 
     #[test]
-    fn a_metre_fills_the_picture_where_the_camera_sees_a_metre() {
+    fn a_camera_of_a_right_angle_sees_four_metres_two_metres_off() {
         let camera = Camera {
             eye_in_world: DVec3::new(0.0, 0.0, 2.0),
             target_in_world: DVec3::ZERO,
-            fov_y_rad: 2.0 * (0.25f64).atan(),
+            fov_y_rad: core::f64::consts::FRAC_PI_2,
             ..Camera::default()
         };
         let view = View::new(&camera, 1.0);
         let seen = pixels_per_m(&camera, &view, 360, DVec3::ZERO).expect("before the camera");
-        assert!((seen - 360.0).abs() < 1e-6, "{seen}");
+        assert!((seen - 90.0).abs() < 1e-6, "{seen}");
         assert_eq!(pixels_per_m(&camera, &view, 360, DVec3::Z * 3.0), None);
     }
 }

@@ -357,7 +357,7 @@ mod tests {
 
     fn skinned(figure: &Figure, pose: &Pose, mesh: &raconteur_body::Mesh) -> Vec<DVec3> {
         let moved = posed::moved(figure, pose);
-        let at = |v| posed::skinned(&moved, mesh, v)[0];
+        let at = |v| mesh.skinned(&moved, v)[0];
         (0..mesh.positions.len()).map(at).collect()
     }
 

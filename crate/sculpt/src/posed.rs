@@ -1,7 +1,7 @@
 //! A figure in other poses than the one in which it was made.
 
-use raconteur_base::{DAffine3, DQuat, DVec3};
-use raconteur_body::figure::{Figure, Mesh};
+use raconteur_base::{DAffine3, DQuat};
+use raconteur_body::figure::Figure;
 use raconteur_body::pose::Pose;
 use raconteur_body::skeleton::Bone;
 
@@ -37,22 +37,4 @@ pub(crate) fn moved(figure: &Figure, pose: &Pose) -> Vec<DAffine3> {
     figure.skeleton.solve(pose, &mut world);
     let pairs = world.iter().zip(&figure.inverse_bind);
     pairs.map(|(w, b)| *w * *b).collect()
-}
-
-/// What the joints of a vertex make of its place and its normal.
-pub(crate) fn skinned(moved: &[DAffine3], mesh: &Mesh, v: usize) -> [DVec3; 2] {
-    let [at, normal] =
-        [mesh.positions[v], mesh.normals[v]].map(|p| DVec3::from_array(p.map(f64::from)));
-    let carried = |k: usize| {
-        let m = &moved[usize::from(mesh.joints[v][k])];
-        let weight = f64::from(mesh.weights[v][k]);
-        [
-            m.transform_point3(at) * weight,
-            m.transform_vector3(normal) * weight,
-        ]
-    };
-    let [at, normal] = (0..4)
-        .map(carried)
-        .fold([DVec3::ZERO; 2], |[a, b], [p, n]| [a + p, b + n]);
-    [at, normal.normalize_or_zero()]
 }

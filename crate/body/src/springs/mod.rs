@@ -24,10 +24,10 @@ const PUSHES: usize = 3;
 /// Cosine of the farthest that a link turns from its direction at rest, whatever those above it do:
 /// 17°. Designed: hair that stands off farther looks as if it blew in a wind, and goes through
 /// colliders in quick motion.
-const FARTHEST: f64 = 0.956;
+const MOST_SWING_COS: f64 = 0.956;
 /// And of the farthest that colliders push it: 30°. A raised shoulder may not press hair into the
 /// face.
-const PUSHED: f64 = 0.866;
+const MOST_PUSH_COS: f64 = 0.866;
 /// A joint that moves farther in one step has been put elsewhere, metres.
 const LEAP_M: f64 = 0.3;
 
@@ -244,7 +244,7 @@ impl Springs {
         let length = hung.arm.length();
         let held =
             |p: DVec3| hung.joint + (p - hung.joint).normalize_or(hung.arm / length) * length;
-        let mut end = hung.joint + within(hung.still, wanted - hung.joint, FARTHEST) * length;
+        let mut end = hung.joint + within(hung.still, wanted - hung.joint, MOST_SWING_COS) * length;
         for _ in 0..PUSHES {
             let before = end;
             for &c in &chain.colliders {
@@ -261,7 +261,7 @@ impl Springs {
                 break;
             }
         }
-        hung.joint + within(hung.still, end - hung.joint, PUSHED) * length
+        hung.joint + within(hung.still, end - hung.joint, MOST_PUSH_COS) * length
     }
 }
 

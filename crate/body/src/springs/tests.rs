@@ -1,4 +1,4 @@
-use raconteur_base::{DAffine3, DQuat, DVec3, noise};
+use raconteur_base::{DAffine3, DQuat, DVec3, noise, ops};
 use serde_json::{Value, json};
 
 use super::*;
@@ -107,6 +107,28 @@ fn links_keep_their_length_and_clear_of_colliders_and_come_to_rest() {
     }
     assert!(most_swing > 0.02, "{most_swing}");
     assert!(last[0].distance(last[1]) < 1e-6);
+}
+
+#[test]
+fn links_turn_no_farther_than_they_may() {
+    // Colliders much larger than the room beside them push as far as they can.
+    let (skeleton, mut springs) = hung(2.0);
+    springs.colliders[0].radius_m = 0.12;
+    let mut swing = springs.swing();
+    springs.rest(&posture(&skeleton, 0, 600), &mut swing);
+    let mut most = 1.0f64;
+    for step in 1..=300 {
+        let mut world = posture(&skeleton, step, 600);
+        let still = ends(&springs, &world);
+        springs.step(&skeleton, &mut world, &mut swing);
+        let at = ends(&springs, &world);
+        for (a, b) in still.windows(2).zip(at.windows(2)) {
+            let turned = (a[1] - a[0]).angle_between(b[1] - b[0]);
+            most = most.min(ops::cos(turned));
+        }
+    }
+    assert!(most > MOST_PUSH_COS - 1e-9, "{most}");
+    assert!(most < MOST_SWING_COS, "{most}");
 }
 
 #[test]

@@ -4,6 +4,7 @@ use std::collections::HashMap;
 
 use raconteur_base::{DAffine3, DVec3};
 use raconteur_body::figure::{Figure, MaterialKind, Mesh};
+use raconteur_body::surface::lies_under;
 
 use super::Check;
 
@@ -16,8 +17,6 @@ const ROOTED: f32 = 0.3;
 /// Surface farther than this from all hair is not looked at, and cells of the surface, metres.
 const NEAR_M: f64 = 0.12;
 const CELL_M: f64 = 0.02;
-/// Surface that lies at most so far under another, and beside it, is not seen, metres.
-const UNDER_M: [f64; 2] = [0.03, 0.008];
 /// Hair this deep is through, metres: cards are flat between their rows, and so is the surface.
 const THROUGH_M: f64 = 0.005;
 
@@ -25,38 +24,8 @@ const THROUGH_M: f64 = 0.005;
 /// shoulder lifts long hair, cards between two chains go under its surface, out of sight.
 const MOST_THROUGH: f64 = 8.0;
 
-/// A vertex with its joints.
-struct Skinned {
-    at: DVec3,
-    normal: DVec3,
-    joints: [(usize, f64); 4],
-}
-
-impl Skinned {
-    fn of(mesh: &Mesh, i: usize) -> Self {
-        let wide = |v: [f32; 3]| DVec3::from_array(v.map(f64::from));
-        Self {
-            at: wide(mesh.positions[i]),
-            normal: wide(mesh.normals[i]),
-            joints: core::array::from_fn(|k| {
-                (
-                    usize::from(mesh.joints[i][k]),
-                    f64::from(mesh.weights[i][k]),
-                )
-            }),
-        }
-    }
-
-    /// Where it is drawn, and its normal.
-    fn drawn(&self, moved: &[DAffine3]) -> (DVec3, DVec3) {
-        let (mut at, mut normal) = (DVec3::ZERO, DVec3::ZERO);
-        for (joint, weight) in self.joints.iter().filter(|j| j.1 > 0.0) {
-            at += moved[*joint].transform_point3(self.at) * *weight;
-            normal += moved[*joint].transform_vector3(self.normal) * *weight;
-        }
-        (at, normal.normalize_or(DVec3::Y))
-    }
-}
+/// A vertex: its mesh in the figure and its number there.
+type Vertex = (usize, usize);
 
 type Cell = [i64; 3];
 
@@ -69,47 +38,50 @@ fn about([x, y, z]: Cell) -> impl Iterator<Item = Cell> {
 }
 
 /// Hair and what it may not go through.
-pub(super) struct HairSweep {
-    hair: Vec<Skinned>,
-    surface: Vec<Skinned>,
-    bind: Vec<DAffine3>,
+pub(super) struct HairSweep<'a> {
+    figure: &'a Figure,
+    hair: Vec<Vertex>,
+    surface: Vec<Vertex>,
     check: Check,
 }
 
-impl HairSweep {
+impl<'a> HairSweep<'a> {
     /// None where no hair swings.
-    pub(super) fn new(figure: &Figure) -> Option<Self> {
+    pub(super) fn new(figure: &'a Figure) -> Option<Self> {
         if figure.springs.is_empty() {
             return None;
         }
-        use MaterialKind::{Cornea, Eye, Hair, Lash, Mouth, Teeth};
-        let hair = figure.meshes.iter().filter(|m| m.material.kind == Hair);
-        let hair: Vec<Skinned> = hair
-            .flat_map(|m| {
+        let of = |wanted: fn(MaterialKind) -> bool| {
+            let meshes = figure.meshes.iter().enumerate();
+            meshes.filter(move |(_, m)| wanted(m.material.kind))
+        };
+        let hair: Vec<Vertex> = of(|k| k == MaterialKind::Hair)
+            .flat_map(|(number, m)| {
                 let far = (0..m.positions.len()).filter(|&i| m.uvs[i][1] > ROOTED);
-                far.step_by(THINNED).map(|i| Skinned::of(m, i))
+                far.step_by(THINNED).map(move |i| (number, i))
             })
             .collect();
-        let mut near: HashMap<Cell, Vec<DVec3>> = HashMap::new();
+        let bound = |(mesh, i): Vertex| bound(&figure.meshes[mesh], i);
         let coarse = |p: DVec3| cell(p * (CELL_M / NEAR_M));
-        for h in &hair {
-            near.entry(coarse(h.at)).or_default().push(h.at);
-        }
+        let near = sorted(hair.iter().map(|v| bound(*v)[0]), coarse);
         let is_near = |p: DVec3| {
-            let mut cells = about(coarse(p)).filter_map(|c| near.get(&c));
-            cells.any(|c| c.iter().any(|q| q.distance(p) < NEAR_M))
+            let mut cells = about(coarse(p)).filter_map(|c| near.get(&c)).flatten();
+            cells.any(|&i| bound(hair[i])[0].distance(p) < NEAR_M)
         };
-        let solid =
-            |m: &&Mesh| !matches!(m.material.kind, Cornea | Eye | Hair | Lash | Mouth | Teeth);
-        let surface = figure.meshes.iter().filter(solid).flat_map(|m| {
-            (0..m.positions.len())
-                .map(|i| Skinned::of(m, i))
-                .filter(|v| is_near(v.at))
-        });
+        let surface: Vec<Vertex> = of(MaterialKind::stops_hair)
+            .flat_map(|(number, m)| (0..m.positions.len()).map(move |i| (number, i)))
+            .filter(|v| is_near(bound(*v)[0]))
+            .collect();
+        let cells = sorted(surface.iter().map(|v| bound(*v)[0]), cell);
+        let is_seen = |v: &Vertex| {
+            let p = bound(*v);
+            let mut others = about(cell(p[0])).filter_map(|c| cells.get(&c)).flatten();
+            !others.any(|&i| lies_under(p, bound(surface[i])))
+        };
         Some(Self {
+            figure,
+            surface: surface.iter().copied().filter(is_seen).collect(),
             hair,
-            surface: seen(surface.collect()),
-            bind: figure.inverse_bind.clone(),
             check: Check::new("hair-through", MOST_THROUGH, "%"),
         })
     }
@@ -120,24 +92,19 @@ impl HairSweep {
 
     /// Measures a frame.
     pub(super) fn look(&mut self, world_from_joint: &[DAffine3], t: f64) {
-        let moved: Vec<DAffine3> = world_from_joint
-            .iter()
-            .zip(&self.bind)
-            .map(|(w, b)| *w * *b)
-            .collect();
-        let drawn: Vec<(DVec3, DVec3)> = self.surface.iter().map(|s| s.drawn(&moved)).collect();
-        let mut cells: HashMap<Cell, Vec<usize>> = HashMap::new();
-        for (i, (p, _)) in drawn.iter().enumerate() {
-            cells.entry(cell(*p)).or_default().push(i);
-        }
-        let is_through = |v: &&Skinned| {
-            let (p, _) = v.drawn(&moved);
+        let binds = world_from_joint.iter().zip(&self.figure.inverse_bind);
+        let moved: Vec<DAffine3> = binds.map(|(w, b)| *w * *b).collect();
+        let drawn = |&(mesh, i): &Vertex| self.figure.meshes[mesh].skinned(&moved, i);
+        let surface: Vec<[DVec3; 2]> = self.surface.iter().map(drawn).collect();
+        let cells = sorted(surface.iter().map(|s| s[0]), cell);
+        let is_through = |v: &&Vertex| {
+            let [p, _] = drawn(v);
             let candidates = about(cell(p)).filter_map(|c| cells.get(&c)).flatten();
             let nearest = candidates
-                .map(|&i| (drawn[i].0.distance_squared(p), i))
+                .map(|&i| (surface[i][0].distance_squared(p), i))
                 .min_by(|a, b| a.0.total_cmp(&b.0));
             nearest.is_some_and(|(_, i)| {
-                let (q, normal) = drawn[i];
+                let [q, normal] = surface[i];
                 (p - q).dot(normal) < -THROUGH_M
             })
         };
@@ -147,29 +114,19 @@ impl HairSweep {
     }
 }
 
-/// What no other surface covers.
-fn seen(all: Vec<Skinned>) -> Vec<Skinned> {
+/// A vertex as the file has it: place and normal.
+fn bound(mesh: &Mesh, i: usize) -> [DVec3; 2] {
+    [mesh.positions[i], mesh.normals[i]].map(|v| DVec3::from_array(v.map(f64::from)))
+}
+
+/// The numbers of places by their cells.
+fn sorted(
+    places: impl Iterator<Item = DVec3>,
+    cell: impl Fn(DVec3) -> Cell,
+) -> HashMap<Cell, Vec<usize>> {
     let mut cells: HashMap<Cell, Vec<usize>> = HashMap::new();
-    for (i, v) in all.iter().enumerate() {
-        cells.entry(cell(v.at)).or_default().push(i);
+    for (i, p) in places.enumerate() {
+        cells.entry(cell(p)).or_default().push(i);
     }
-    let covers = |p: &Skinned, q: &Skinned| {
-        let off = q.at - p.at;
-        let up = off.dot(p.normal);
-        up > 0.001
-            && up < UNDER_M[0]
-            && q.normal.dot(p.normal) > 0.3
-            && (off - p.normal * up).length() < UNDER_M[1]
-    };
-    let covered: Vec<bool> = all
-        .iter()
-        .map(|p| {
-            let near = about(cell(p.at)).filter_map(|c| cells.get(&c)).flatten();
-            near.into_iter().any(|&q| covers(p, &all[q]))
-        })
-        .collect();
-    let mut is_covered = covered.into_iter();
-    all.into_iter()
-        .filter(|_| is_covered.next() == Some(false))
-        .collect()
+    cells
 }

@@ -10,6 +10,8 @@ mod face;
 mod hair;
 mod solids;
 
+use std::sync::Arc;
+
 use raconteur_actor::arm_ik::ELBOW_MAX_DEG;
 use raconteur_actor::gesture::contact::Capsule;
 use raconteur_actor::manipulator::{Sex, rig::LimbRig};
@@ -83,7 +85,9 @@ impl Check {
 pub fn sweep(player: &mut Player) -> Vec<Check> {
     let mut sweep = Sweep::new(player.figure());
     let mut face = player.face().is_some().then(|| FaceSweep::new(player));
-    let mut hair = HairSweep::new(player.figure());
+    // The player moves while the meshes are read.
+    let figure = Arc::clone(player.figure());
+    let mut hair = HairSweep::new(&figure);
     let frames = (player.end_secs() * RATE_HZ).floor() as u64;
     for i in 0..=frames {
         let t = i as f64 / RATE_HZ;

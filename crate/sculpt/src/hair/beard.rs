@@ -23,7 +23,7 @@ pub struct BeardParams {
 }
 
 /// Tufts of one kind.
-struct Layer {
+struct BeardLayer {
     /// Distance of the roots, metres.
     spacing: f64,
     /// Share of the full length.
@@ -38,22 +38,22 @@ struct Layer {
 
 /// Short ones near the skin, then those that show, then single hairs. They are wide and hold single
 /// hairs: a narrow card that is filled would look like a chip.
-const LAYERS: [Layer; 3] = [
-    Layer {
+const LAYERS: [BeardLayer; 3] = [
+    BeardLayer {
         spacing: 0.0075,
         length: 0.6,
         width: 0.0095,
         strips: [5, 10],
         light: 0.8,
     },
-    Layer {
+    BeardLayer {
         spacing: 0.0050,
         length: 0.85,
         width: 0.0072,
         strips: [9, 13],
         light: 0.95,
     },
-    Layer {
+    BeardLayer {
         spacing: 0.0110,
         length: 1.05,
         width: 0.0065,
@@ -189,7 +189,7 @@ impl Field<'_> {
         &self,
         at: &Sample,
         p: &BeardParams,
-        layer: &Layer,
+        layer: &BeardLayer,
         dice: impl Fn(u64) -> f64,
     ) -> Option<Tuft> {
         let (root, n) = (at.position, at.normal);
@@ -246,7 +246,7 @@ struct Growing<'a> {
 
 impl Growing<'_> {
     /// Adds a tuft as a card of two spans.
-    fn add(&mut self, tuft: &Tuft, layer: &Layer, dice: impl Fn(u64) -> f64, grey: f64) {
+    fn add(&mut self, tuft: &Tuft, layer: &BeardLayer, dice: impl Fn(u64) -> f64, grey: f64) {
         let Tuft {
             root,
             normal: n,

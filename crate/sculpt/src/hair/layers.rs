@@ -52,6 +52,7 @@ pub(super) const FALLING: [Layer; 6] = [
         width: 0.0257,
         spans: 8,
         lift: 0.14,
+        gather: 0.1,
         ..LAYER
     },
     Layer {
@@ -61,7 +62,7 @@ pub(super) const FALLING: [Layer; 6] = [
         strips: [0, 7],
         spans: 15,
         lift: 0.25,
-        gather: 0.45,
+        gather: 0.3,
         roll: 0.10,
         inside: 0.0012,
         ..LAYER
@@ -73,7 +74,7 @@ pub(super) const FALLING: [Layer; 6] = [
         strips: [3, 10],
         spans: 15,
         lift: 0.33,
-        gather: 0.6,
+        gather: 0.5,
         uneven: 0.5,
         roll: 0.13,
         inside: 0.001,
@@ -86,7 +87,7 @@ pub(super) const FALLING: [Layer; 6] = [
         strips: [6, 13],
         spans: 15,
         lift: 0.38,
-        gather: 0.7,
+        gather: 0.62,
         uneven: 1.0,
         roll: 0.2,
         inside: 0.001,

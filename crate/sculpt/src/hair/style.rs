@@ -63,7 +63,7 @@ const PARTED: Style = Style {
         layered: 0.035,
         front: 0.012,
     },
-    locks: 0.030,
+    locks: 0.019,
     wave: [0.0078, 0.108],
     bend: [0.10, 14.0],
     rise: 0.032,

@@ -66,8 +66,8 @@ fn hair() -> HairParams {
             pheomelanin: 0.46,
             grey: 0.0,
         },
-
         wave: 0.55,
+        seed: 21,
         ..HairParams::default()
     }
 }

@@ -1,9 +1,10 @@
 //! Spheres inside skin and clothes that keep chains out, whatever the arms do.
 
 use raconteur_base::{DAffine3, DQuat, DVec3, Side};
-use raconteur_body::figure::{Figure, MaterialKind, Mesh};
+use raconteur_body::figure::Figure;
 use raconteur_body::pose::Pose;
 use raconteur_body::skeleton::Bone;
+use raconteur_body::surface::lies_under;
 
 use crate::posed;
 
@@ -13,8 +14,6 @@ const NEAR_M: f64 = 0.09;
 const BOUND_M: f64 = 0.25;
 /// One point of the surface is kept in a cube of this side, metres.
 const CELL_M: f64 = 0.008;
-/// Surface that lies at most so far under another, and beside it, cannot be touched, metres.
-const UNDER_M: [f64; 2] = [0.03, 0.009];
 /// Spheres of a figure at most, the least of their radii, and how far under the surface a place
 /// counts as kept clear of, metres.
 const MOST: usize = 96;
@@ -135,15 +134,6 @@ fn lift(pose: &mut Pose, figure: &Figure, side: Side, left: DVec3) {
     );
 }
 
-/// Whether hair may touch a mesh.
-fn is_solid(mesh: &Mesh) -> bool {
-    use MaterialKind::{Cornea, Eye, Hair, Lash, Mouth, Teeth};
-    !matches!(
-        mesh.material.kind,
-        Cornea | Eye | Hair | Lash | Mouth | Teeth
-    )
-}
-
 fn nearest(all: &[DVec3], p: DVec3) -> f64 {
     let squared = all.iter().map(|q| q.distance_squared(p));
     squared.fold(f64::MAX, f64::min).sqrt()
@@ -153,9 +143,13 @@ fn nearest(all: &[DVec3], p: DVec3) -> f64 {
 fn surface(figure: &Figure, chains: &[DVec3], moved: &[Vec<DAffine3>; POSES]) -> Vec<Point> {
     let mut taken = std::collections::BTreeSet::new();
     let mut out = Vec::new();
-    for mesh in figure.meshes.iter().filter(|m| is_solid(m)) {
+    for mesh in figure
+        .meshes
+        .iter()
+        .filter(|m| m.material.kind.stops_hair())
+    {
         for v in 0..mesh.positions.len() {
-            let in_poses = moved.each_ref().map(|m| posed::skinned(m, mesh, v));
+            let in_poses = moved.each_ref().map(|m| mesh.skinned(m, v));
             let [at, normal] = in_poses[0];
             if nearest(chains, at) > BOUND_M {
                 continue;
@@ -180,17 +174,10 @@ fn surface(figure: &Figure, chains: &[DVec3], moved: &[Vec<DAffine3>; POSES]) ->
 
 /// What no other surface covers in the bind pose.
 fn touchable(mut all: Vec<Point>) -> Vec<Point> {
-    let covers = |p: &Point, q: &Point| {
-        let off = q.at[0] - p.at[0];
-        let up = off.dot(p.normal[0]);
-        up > 0.001
-            && up < UNDER_M[0]
-            && q.normal[0].dot(p.normal[0]) > 0.3
-            && (off - p.normal[0] * up).length() < UNDER_M[1]
-    };
+    let bound = |p: &Point| [p.at[0], p.normal[0]];
     let covered: Vec<bool> = all
         .iter()
-        .map(|p| all.iter().any(|q| covers(p, q)))
+        .map(|p| all.iter().any(|q| lies_under(bound(p), bound(q))))
         .collect();
     let mut is_covered = covered.into_iter();
     all.retain(|_| is_covered.next() == Some(false));
