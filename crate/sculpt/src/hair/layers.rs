@@ -81,7 +81,7 @@ pub(super) const FALLING: [Layer; 6] = [
         ..LAYER
     },
     Layer {
-        spacing: 0.0175,
+        spacing: 0.0181,
         offset: 0.0248,
         width: 0.0088,
         strips: [6, 13],
