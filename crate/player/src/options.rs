@@ -29,7 +29,7 @@ impl Default for Options {
             motion_amount: 1.0,
             manner: Manner::default(),
             handedness: None,
-            shot: Shot::Medium,
+            shot: Shot::Storyteller,
             room: Room::default(),
         }
     }

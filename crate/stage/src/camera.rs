@@ -1,6 +1,9 @@
 //! The camera, and shots that frame the speaker.
 
+use raconteur_base::curve::lerp;
 use raconteur_base::{DQuat, DVec3, Length, ops};
+
+use crate::storyteller::Span;
 
 /// A pinhole camera.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,6 +39,7 @@ impl Camera {
         Self {
             eye_in_world: self.eye_in_world.lerp(to.eye_in_world, s),
             target_in_world: self.target_in_world.lerp(to.target_in_world, s),
+            fov_y_rad: lerp(self.fov_y_rad, to.fov_y_rad, s),
             ..self
         }
     }
@@ -61,6 +65,8 @@ pub enum Shot {
     Long,
     /// Head to feet.
     Full,
+    /// Head to waist, the eyes on the upper third; wider while a gesture needs it.
+    Storyteller,
     /// Head to mid thigh; gestures stay in the picture.
     Medium,
     /// Head and shoulders.
@@ -77,14 +83,16 @@ pub struct Room {
     pub top_m: f64,
     /// Distance of the outermost fingertip from the middle, metres.
     pub half_width_m: f64,
+    /// What the storyteller's shot shows just now.
+    pub span: Span,
 }
 
 /// How far to a side a figure is expected to go, metres; within it the gestures stay in the
 /// picture. Designed.
-const STAGE_HALF_WIDTH_M: f64 = 1.2;
+pub(crate) const STAGE_HALF_WIDTH_M: f64 = 1.2;
 /// How much of a figure's way to and from the camera the camera follows: it grows when it
 /// comes near, but keeps its head. Designed.
-const FOLLOWED_DEPTH: f64 = 0.7;
+pub(crate) const FOLLOWED_DEPTH: f64 = 0.7;
 
 /// What must be in the picture, as shares of stature from the floor, and half the
 /// width that gestures need.
@@ -107,7 +115,7 @@ impl Shot {
                 top: 1.08,
                 half_width: 0.50,
             },
-            Self::Medium => Extent {
+            Self::Storyteller | Self::Medium => Extent {
                 bottom: 0.42,
                 top: 1.10,
                 half_width: 0.31,
@@ -132,6 +140,10 @@ impl Shot {
     /// it go.
     #[must_use]
     pub fn frame(self, feet_in_world: DVec3, stature_m: f64, aspect: f64, room: Room) -> Camera {
+        if self == Self::Storyteller {
+            let from = Self::Medium.frame(feet_in_world, stature_m, aspect, room);
+            return room.span.seen_from(&from, feet_in_world, stature_m, aspect);
+        }
         let mut extent = self.extent();
         if matches!(self, Self::Full | Self::Medium) {
             // Even a hand stretched straight up is within 1.35 of stature.

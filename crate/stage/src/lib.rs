@@ -12,6 +12,7 @@ pub mod light;
 pub mod line;
 pub mod set;
 pub mod shown;
+pub mod storyteller;
 
 pub use camera::{Camera, Room, Shot, View};
 pub use frame::{Frame, SpeechNow};
@@ -19,3 +20,4 @@ pub use light::{DirectedLight, Lighting};
 pub use line::Line;
 pub use set::Set;
 pub use shown::{Fill, Shown};
+pub use storyteller::{Gesture, HandSpace, Span};

@@ -18,12 +18,13 @@ pub struct Set {
 
 impl Default for Set {
     fn default() -> Self {
-        // A warm evening stage: plum above, amber pool behind the speaker. Chosen by eye.
+        // An evening stage, dark about the speaker: aubergine above, a low pool of warm light
+        // behind. Chosen by eye.
         Self {
-            floor: [0.17, 0.088, 0.050],
-            backdrop_low: [0.036, 0.0065, 0.0105],
-            backdrop_high: [0.011, 0.0045, 0.011],
-            glow: [0.150, 0.050, 0.021],
+            floor: [0.115, 0.070, 0.046],
+            backdrop_low: [0.0165, 0.0085, 0.0105],
+            backdrop_high: [0.0065, 0.0050, 0.0085],
+            glow: [0.062, 0.030, 0.020],
             curtain: true,
         }
     }

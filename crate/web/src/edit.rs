@@ -34,6 +34,7 @@ impl Player {
         let room = Room {
             top_m: REACH_UP * stature_m,
             half_width_m: REACH_OUT * stature_m,
+            ..Room::default()
         };
         self.read_again(eml, bundle.as_deref(), motion, room)
     }

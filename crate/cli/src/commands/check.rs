@@ -59,7 +59,7 @@ impl Check {
 
     fn diagnostics(&self, files: &StoryFiles) -> Result<Vec<Diagnostic>> {
         Ok(files
-            .player(self.figure.as_deref(), Shot::Medium)?
+            .player(self.figure.as_deref(), Shot::Storyteller)?
             .diagnostics)
     }
 }

@@ -66,7 +66,7 @@ impl Pose {
             bail!("--at takes times of 0 s or later, not {bad}");
         }
         let files = StoryFiles::read(&self.file)?;
-        let mut loaded = files.player(self.figure.as_deref(), Shot::Medium)?;
+        let mut loaded = files.player(self.figure.as_deref(), Shot::Storyteller)?;
         report::print(
             &files.script.display().to_string(),
             &files.text,

@@ -21,6 +21,7 @@ use crate::story::StoryFiles;
 /// How much of the speaker is in the picture.
 #[derive(Clone, Copy, ValueEnum)]
 enum ShotName {
+    Storyteller,
     Full,
     Medium,
     Close,
@@ -52,7 +53,7 @@ pub(crate) struct Render {
     #[arg(long, default_value = "1280x720", value_parser = parse_size)]
     size: (u32, u32),
     /// How much of the speaker is in the picture.
-    #[arg(long, value_enum, default_value = "medium")]
+    #[arg(long, value_enum, default_value = "storyteller")]
     shot: ShotName,
     /// How much work goes into a picture: lowest, low, medium or high.
     #[arg(long, default_value = "high", value_parser = parse_quality)]
@@ -97,6 +98,7 @@ impl Render {
         }
         let files = StoryFiles::read(&self.file)?;
         let shot = match self.shot {
+            ShotName::Storyteller => Shot::Storyteller,
             ShotName::Full => Shot::Full,
             ShotName::Medium => Shot::Medium,
             ShotName::Close => Shot::Close,

@@ -108,7 +108,7 @@ impl Serve {
             .player);
         };
         let files = StoryFiles::read(story)?;
-        let loaded = files.player(self.figure.as_deref(), Shot::Medium)?;
+        let loaded = files.player(self.figure.as_deref(), Shot::Storyteller)?;
         let name = files.script.display().to_string();
         report::print(&name, &files.text, &loaded.diagnostics)?;
         Ok(loaded.player)

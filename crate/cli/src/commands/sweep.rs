@@ -69,7 +69,7 @@ impl Sweep {
         for path in &self.files {
             let files = StoryFiles::read(path)?;
             let file = files.script.display().to_string();
-            let mut loaded = files.player(self.figure.as_deref(), Shot::Medium)?;
+            let mut loaded = files.player(self.figure.as_deref(), Shot::Storyteller)?;
             report::print(&file, &files.text, &loaded.diagnostics)?;
             if report::outcome(&loaded.diagnostics) == Outcome::Errors {
                 worst = Outcome::Errors;

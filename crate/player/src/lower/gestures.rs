@@ -14,7 +14,7 @@ use raconteur_eml::{
     PalmKey, Phase, PreferredHand, Profile, ShapeKey, Space, Span, Timeline, Track,
 };
 
-use raconteur_stage::Room;
+use raconteur_stage::{Gesture, HandSpace};
 
 use crate::lower::units::Units;
 
@@ -267,14 +267,28 @@ pub(crate) fn strokes(
         .collect()
 }
 
-/// The room that the strokes of both arms need in the picture.
-pub(crate) fn room(strokes: &[Vec<GestureStroke>; 2], hand_length_m: f64) -> Room {
-    let keys = strokes.iter().flatten().flat_map(|s| &s.keys);
-    keys.filter_map(|k| k.wrist_in_world)
-        .fold(Room::default(), |room, wrist| Room {
-            top_m: room.top_m.max(wrist.y + hand_length_m),
-            half_width_m: room.half_width_m.max(wrist.x.abs() + hand_length_m),
+/// How much of a hand hangs below its wrist in a gesture: fingers point forward or up.
+const HANGING: f64 = 0.4;
+
+/// The space that a stroke's hand takes, if it goes anywhere.
+pub(crate) fn space(stroke: &GestureStroke, hand_length_m: f64) -> Option<Gesture> {
+    let wrists = stroke.keys.iter().filter_map(|k| k.wrist_in_world);
+    let space = wrists
+        .map(|wrist| HandSpace {
+            top_m: wrist.y + hand_length_m,
+            bottom_m: wrist.y - HANGING * hand_length_m,
+            half_width_m: wrist.x.abs() + hand_length_m,
         })
+        .reduce(|a, b| HandSpace {
+            top_m: a.top_m.max(b.top_m),
+            bottom_m: a.bottom_m.min(b.bottom_m),
+            half_width_m: a.half_width_m.max(b.half_width_m),
+        })?;
+    Some(Gesture {
+        from_secs: stroke.start_secs,
+        to_secs: stroke.end_secs,
+        space,
+    })
 }
 
 /// What arms and legs of a figure can reach.

@@ -15,7 +15,7 @@ use raconteur_eml::{
     Arg, ArgValue, ClauseKind, Diagnostic, Document, FARTHEST, FunctionArgs, Manipulator, Span,
     Target, Timeline, nearest, quoted,
 };
-use raconteur_stage::Room;
+use raconteur_stage::{Gesture, HandSpace};
 
 use crate::lower::gestures::Reach;
 use crate::lower::units::Units;
@@ -307,12 +307,21 @@ pub(crate) fn is_empty(script: &ManipulatorScript) -> bool {
     script.commands.is_empty() && script.moves.is_empty()
 }
 
-/// The room in the picture that targets of the arms and motions of the figure need.
-pub(crate) fn room(script: &ManipulatorScript, hand_length_m: f64) -> Room {
-    let mut room = Room::default();
+/// The space in the picture that targets of the arms and motions of the figure need: all the time,
+/// as it takes them one after another; none where nothing is commanded.
+pub(crate) fn space(script: &ManipulatorScript, hand_length_m: f64) -> Option<Gesture> {
+    if is_empty(script) {
+        return None;
+    }
+    // Hands that are let go hang.
+    let mut space = HandSpace {
+        top_m: 0.0,
+        bottom_m: 0.0,
+        half_width_m: 0.0,
+    };
     let mut hold = |x: f64, top: f64| {
-        room.half_width_m = room.half_width_m.max(x.abs() + hand_length_m);
-        room.top_m = room.top_m.max(top + hand_length_m);
+        space.half_width_m = space.half_width_m.max(x.abs() + hand_length_m);
+        space.top_m = space.top_m.max(top + hand_length_m);
     };
     for command in &script.commands {
         let is_arm = command.limb.side().is_some_and(|(_, is_arm)| is_arm);
@@ -330,7 +339,11 @@ pub(crate) fn room(script: &ManipulatorScript, hand_length_m: f64) -> Room {
     for ends in script.moves.iter().flat_map(|m| [&m.path.from, &m.path.to]) {
         hold(ends.position[0].unwrap_or(0.0), 0.0);
     }
-    room
+    Some(Gesture {
+        from_secs: f64::NEG_INFINITY,
+        to_secs: f64::INFINITY,
+        space,
+    })
 }
 
 /// What is wrong with the clauses of manipulators: targets out of reach, functions and

@@ -10,7 +10,9 @@ use raconteur_actor::{Actor, FaceRig};
 use raconteur_base::curve::{lerp, minimum_jerk};
 use raconteur_body::face::FaceControls;
 use raconteur_body::{Bone, Pose, Skeleton};
-use raconteur_stage::Room;
+use raconteur_stage::{Room, Span};
+
+use super::rehearsal::Needs;
 
 /// Time in which the body changes over, seconds. Designed: as quick as a flinch is slow.
 const BODY_SECS: f64 = 0.4;
@@ -25,7 +27,7 @@ const MOST: usize = 4;
 struct Layer {
     from_secs: f64,
     actor: Actor,
-    room: Room,
+    needs: Needs,
 }
 
 /// The actors of a performance by time. There is always one.
@@ -57,11 +59,11 @@ impl Layers {
     /// for a frame.
     const APART_SECS: f64 = 0.2;
 
-    pub(crate) fn new(actor: Actor, room: Room, morphs: usize) -> Self {
+    pub(crate) fn new(actor: Actor, needs: Needs, morphs: usize) -> Self {
         let first = Layer {
             from_secs: f64::NEG_INFINITY,
             actor,
-            room,
+            needs,
         };
         Self {
             first,
@@ -95,7 +97,7 @@ impl Layers {
 
     /// The picture's frame that the last actor needs.
     pub(crate) fn last_room(&self) -> Room {
-        self.last().room
+        self.last().needs.room
     }
 
     fn last(&self) -> &Layer {
@@ -104,11 +106,11 @@ impl Layers {
 
     /// Lets `actor` take over at a time; one that takes over at the same time or later is
     /// replaced.
-    pub(crate) fn change(&mut self, from_secs: f64, actor: Actor, room: Room) {
+    pub(crate) fn change(&mut self, from_secs: f64, actor: Actor, needs: Needs) {
         let layer = Layer {
             from_secs,
             actor,
-            room,
+            needs,
         };
         while self.later.pop_if(|l| l.from_secs >= from_secs).is_some() {}
         self.later.push(layer);
@@ -117,13 +119,19 @@ impl Layers {
         }
     }
 
-    /// The picture's frame at a time.
-    pub(crate) fn room_at(&self, time_secs: f64) -> Room {
-        self.later.iter().fold(self.first.room, |room, layer| {
+    /// The picture's frame at a time, for a figure of a stature in a picture of `aspect`.
+    pub(crate) fn room_at(&self, time_secs: f64, stature_m: f64, aspect: f64) -> Room {
+        let of = |layer: &Layer| Room {
+            span: Span::default().at(&layer.needs.gestures, time_secs, stature_m, aspect),
+            ..layer.needs.room
+        };
+        self.later.iter().fold(of(&self.first), |room, layer| {
+            let to = of(layer);
             let s = minimum_jerk((time_secs - layer.from_secs) / ROOM_SECS);
             Room {
-                top_m: lerp(room.top_m, layer.room.top_m, s),
-                half_width_m: lerp(room.half_width_m, layer.room.half_width_m, s),
+                top_m: lerp(room.top_m, to.top_m, s),
+                half_width_m: lerp(room.half_width_m, to.half_width_m, s),
+                span: room.span.towards(to.span, s),
             }
         })
     }

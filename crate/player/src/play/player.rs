@@ -8,7 +8,7 @@ use raconteur_body::face::{FaceControls, Network, NodeState, Tissue};
 use raconteur_body::{Bone, Figure, Pose};
 use raconteur_eml::{Diagnostic, Performer, Timeline, thinned};
 use raconteur_speech::bundle::Bundle;
-use raconteur_stage::{Camera, Frame, Room, View};
+use raconteur_stage::{Camera, Frame, View};
 
 use crate::lower::cast::Cast;
 use crate::lower::cues::{Cue, UtteranceCue};
@@ -23,7 +23,7 @@ use crate::play::event::Event;
 use crate::play::fibres;
 use crate::play::layers::{Layers, Posed};
 use crate::play::picture::{Picture, Subject};
-use crate::play::rehearsal::Rehearsal;
+use crate::play::rehearsal::{Needs, Rehearsal};
 use crate::play::score::Score;
 use crate::play::soft::SoftFace;
 use crate::play::sway::Sway;
@@ -109,7 +109,7 @@ impl Player {
         let cast = Cast::new(input.figure, &script.document, options.handedness);
         let story = ScriptPlan::new(&script, &cast, 0, None);
         let animations = Animations::default();
-        let (actor, room) = Rehearsal {
+        let (actor, needs) = Rehearsal {
             cast: &cast,
             options: &options,
             library: &animations.library,
@@ -129,7 +129,7 @@ impl Player {
             picture: Picture::new(options.shot, &story),
             score: Score::new(story),
             clock: Clock::new(),
-            layers: Layers::new(actor, room, morphs),
+            layers: Layers::new(actor, needs, morphs),
             soft: tissue.map(SoftFace::new),
             sway: Sway::new(&cast.figure.springs, cast.figure.skeleton.joints().len()),
             room: Posed::new(morphs),
@@ -243,7 +243,7 @@ impl Player {
     }
 
     /// Prepares an actor for all that is known, with no less room than the last one has.
-    fn rehearse(&self) -> (Actor, Room) {
+    fn rehearse(&self) -> (Actor, Needs) {
         Rehearsal {
             cast: &self.cast,
             options: &self.options,
@@ -335,10 +335,11 @@ impl Player {
         let time_secs = self.frame.time_secs;
         // Where the script has moved the figure; the camera does not follow its sway.
         let moved = self.layers.actor().world_from_figure(time_secs);
+        let stature_m = self.cast.figure.skeleton.stature_m();
         let subject = Subject {
             floor_in_world: moved.map_or(DVec3::ZERO, |m| m.translation.with_y(0.0)),
-            stature_m: self.cast.figure.skeleton.stature_m(),
-            room: self.layers.room_at(time_secs),
+            stature_m,
+            room: self.layers.room_at(time_secs, stature_m, aspect),
         };
         self.picture.camera(time_secs, aspect, &subject)
     }

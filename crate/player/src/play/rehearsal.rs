@@ -3,7 +3,7 @@
 use raconteur_actor::{Actor, ArmScript, Library, ParameterScript, Performance, PlayerScript, Sex};
 use raconteur_base::order::sort_by_number;
 use raconteur_base::{DVec3, Side};
-use raconteur_stage::Room;
+use raconteur_stage::{Gesture, HandSpace, Room};
 
 use crate::lower::cast::Cast;
 use crate::lower::plan::{CarriedCommands, ScriptPlan};
@@ -12,6 +12,15 @@ use crate::options::Options;
 
 /// Length of a hand with a margin, share of stature (0.108 in adults, ANSUR).
 const HAND_LENGTH: f64 = 0.12;
+
+/// What a performance needs of the picture.
+#[derive(Clone, Debug)]
+pub(crate) struct Needs {
+    /// Room for everything that the hands do.
+    pub(crate) room: Room,
+    /// What they do, and when.
+    pub(crate) gestures: Vec<Gesture>,
+}
 
 /// What an actor is prepared for.
 pub(crate) struct Rehearsal<'a> {
@@ -25,33 +34,48 @@ pub(crate) struct Rehearsal<'a> {
 }
 
 impl Rehearsal<'_> {
-    /// The actor of all plans together, and the room that they need in the picture.
+    /// The actor of all plans together, and what they need of the picture.
     pub(crate) fn actor<'p>(
         &self,
         plans: impl Iterator<Item = &'p ScriptPlan> + Clone,
-    ) -> (Actor, Room) {
+    ) -> (Actor, Needs) {
         let skeleton = &self.cast.figure.skeleton;
         let stature_m = skeleton.stature_m();
-        let room = self.room(plans.clone(), HAND_LENGTH * stature_m);
+        let needs = self.needs(plans.clone(), HAND_LENGTH * stature_m);
         let shot = self.options.shot;
-        let camera = shot.frame(DVec3::ZERO, stature_m, 16.0 / 9.0, room);
+        let camera = shot.frame(DVec3::ZERO, stature_m, 16.0 / 9.0, needs.room);
         let performance = self.performance(plans, camera.eye_in_world);
-        (Actor::new(&performance, skeleton), room)
+        (Actor::new(&performance, skeleton), needs)
     }
 
-    /// The room in the picture for gestures and manipulators of all plans.
-    fn room<'p>(&self, plans: impl Iterator<Item = &'p ScriptPlan>, hand_m: f64) -> Room {
-        let rooms = plans.flat_map(|p| {
-            let still = manipulators::is_empty(&p.manipulators);
-            [
-                Some(gestures::room(&p.strokes, hand_m)),
-                (!still).then(|| manipulators::room(&p.manipulators, hand_m)),
-            ]
+    /// What gestures and manipulators of all plans need of the picture.
+    fn needs<'p>(&self, plans: impl Iterator<Item = &'p ScriptPlan>, hand_m: f64) -> Needs {
+        let mut gestures: Vec<Gesture> = plans
+            .flat_map(|p| {
+                let strokes = p.strokes.iter().flatten();
+                strokes
+                    .filter_map(|s| gestures::space(s, hand_m))
+                    .chain(manipulators::space(&p.manipulators, hand_m))
+            })
+            .collect();
+        let room = gestures.iter().fold(self.least_room, |room, g| Room {
+            top_m: room.top_m.max(g.space.top_m),
+            half_width_m: room.half_width_m.max(g.space.half_width_m),
+            ..room
         });
-        rooms.flatten().fold(self.least_room, |a, b| Room {
-            top_m: a.top_m.max(b.top_m),
-            half_width_m: a.half_width_m.max(b.half_width_m),
-        })
+        let least = self.options.room;
+        if least != Room::default() {
+            gestures.push(Gesture {
+                from_secs: f64::NEG_INFINITY,
+                to_secs: f64::INFINITY,
+                space: HandSpace {
+                    top_m: least.top_m,
+                    bottom_m: 0.0,
+                    half_width_m: least.half_width_m,
+                },
+            });
+        }
+        Needs { room, gestures }
     }
 
     /// What the figure does when all plans are performed together.

@@ -3,10 +3,11 @@
 //! A sweep looks at 120 frames a second of a [`Player`] and measures each of them: lengths of
 //! bones, rotations, speeds of joints, hands in the body or in each other, limits of joints,
 //! whether strokes begin when the script says, whether hair that swings goes through skin or
-//! clothes, and whether the face closes what speech closes.
+//! clothes, whether the picture holds hands and face, and whether the face closes what speech closes.
 //! It reports the worst of each with its location and time.
 
 mod face;
+mod framing;
 mod hair;
 mod solids;
 
@@ -108,6 +109,7 @@ pub fn sweep(player: &mut Player) -> Vec<Check> {
     let late = late_strokes(player);
     let mut checks = sweep.checks();
     checks.push(late);
+    checks.extend(framing::framing(player));
     checks.extend(hair.map(HairSweep::check));
     checks.extend(face.into_iter().flat_map(FaceSweep::checks));
     checks.extend(face::fast(player));

@@ -23,10 +23,8 @@ fn folds(arc: f32, height: f32) -> vec2<f32> {
     // Folds swing a little as they fall, and no two are the same.
     let sway = 0.30 * sin(arc * 1.7 + 0.8 + 0.35 * height) + 0.16 * sin(arc * 4.1 - 0.5 * height + 2.0);
     let phase = arc * 15.0 + sway * 2.6;
-    let big = sin(phase);
-    let small = sin(phase * 2.0 + 1.3 + sway * 4.0);
-    let slope = cos(phase) + 0.45 * cos(phase * 2.0 + 1.3 + sway * 4.0);
-    return vec2<f32>(slope, 0.5 + 0.36 * big + 0.14 * small);
+    // The lens is focused on the speaker: of the folds, what is as wide as its blur is left.
+    return vec2<f32>(0.55 * cos(phase), 0.5 + 0.30 * sin(phase));
 }
 
 fn curtain(p: vec3<f32>, ray: vec3<f32>) -> vec3<f32> {
@@ -41,7 +39,7 @@ fn curtain(p: vec3<f32>, ray: vec3<f32>) -> vec3<f32> {
     // The pool behind the speaker: wide, low, and softer upwards.
     let q = vec2<f32>(arc * 0.72, (p.y - 1.30) * 0.72);
     let pool = exp(-dot(q, q) * 1.35);
-    let cavity = mix(0.30, 1.15, smoothstep(0.0, 1.0, fold.y));
+    let cavity = mix(0.45, 1.10, smoothstep(0.0, 1.0, fold.y));
     let from_key = saturate1(0.45 + 0.55 * dot(n, normalize(frame.key_dir.xyz * vec3<f32>(1.0, 0.4, 1.0))));
     // Velvet brightens where the pile is seen from the side.
     let pile = 1.0 - abs(dot(n, normalize(ray)));

@@ -112,13 +112,13 @@ impl Player {
         self.score.story = ScriptPlan::new(&self.script, &self.cast, 0, None);
         self.picture.retell(&self.score.story.geometry);
         self.picture.take_shots(self.score.plans());
-        let (actor, room) = self.rehearse();
+        let (actor, needs) = self.rehearse();
         let passed_secs = self.clock.passed_secs();
         if passed_secs < 0.0 && self.score.live.plans().next().is_none() {
-            self.layers = Layers::new(actor, room, self.cast.morphs());
+            self.layers = Layers::new(actor, needs, self.cast.morphs());
         } else {
             let from_secs = passed_secs.max(self.layers.last_change_secs());
-            self.layers.change(from_secs.max(0.0), actor, room);
+            self.layers.change(from_secs.max(0.0), actor, needs);
         }
         self.forget_motion();
     }

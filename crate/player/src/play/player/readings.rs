@@ -46,6 +46,15 @@ impl Player {
             .collect()
     }
 
+    /// Whether the script has a hand somewhere at a time, story time.
+    pub(crate) fn is_in_stroke(&self, side: Side, time_secs: f64) -> bool {
+        let mut strokes = self.score.plans().flat_map(|p| &p.strokes[side.index()]);
+        strokes.any(|s| {
+            let goes = s.keys.iter().any(|k| k.wrist_in_world.is_some());
+            goes && (s.start_secs..=s.end_secs).contains(&time_secs)
+        })
+    }
+
     /// FNV-1a (64 bits) over the bits of every joint's transform, every morph weight and every
     /// node of the face at a time, little-endian: equal digests mean equal poses to the last bit.
     pub fn digest(&mut self, time_secs: f64) -> u64 {

@@ -145,7 +145,7 @@ impl Player {
 
     fn prepare_welcome(&self) -> Welcome {
         let stature_m = self.cast.figure.skeleton.stature_m();
-        let room = self.layers.room_at(0.0);
+        let room = self.layers.last_room();
         let listener = self
             .options
             .shot

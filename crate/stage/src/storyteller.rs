@@ -1,0 +1,239 @@
+//! The storyteller's shot: head to waist with the eyes on the upper third of the picture, wider
+//! only while a gesture needs it.
+//!
+//! The camera stands where that of a medium shot does and zooms, so that whom the figure looks at
+//! does not depend on what its hands do.
+
+use raconteur_base::curve::{lerp, minimum_jerk};
+use raconteur_base::{DVec3, ops};
+
+use crate::Camera;
+use crate::camera::{FOLLOWED_DEPTH, STAGE_HALF_WIDTH_M};
+
+/// Height of the eyes, share of stature (ANSUR, men and women: 0.93–0.94).
+const EYES: f64 = 0.933;
+/// Height of the picture about the eyes while no gesture needs more, share of stature: a head
+/// takes more than a fifth of it. Designed.
+const AT_REST: f64 = 0.58;
+/// Share of the picture above the eyes.
+const ABOVE: f64 = 1.0 / 3.0;
+/// How far gestures are followed, shares of stature: hands at the thighs, a hand stretched
+/// straight up, and arms spread with bent elbows.
+const LOWEST: f64 = 0.36;
+const HIGHEST: f64 = 1.35;
+const WIDEST: f64 = 0.55;
+/// Fastest zoom, share of the picture's height a second. Designed: it is not noticed.
+const FASTEST_ZOOM: f64 = 0.09;
+/// Peak speed of a minimum-jerk motion over its mean.
+const PEAK: f64 = 1.875;
+
+/// The space that hands take, metres from the floor and from the middle of the figure.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HandSpace {
+    /// Of the highest fingertip.
+    pub top_m: f64,
+    /// Of the lowest.
+    pub bottom_m: f64,
+    /// Of the outermost.
+    pub half_width_m: f64,
+}
+
+/// The space that a gesture takes, and when.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Gesture {
+    /// Seconds.
+    pub from_secs: f64,
+    /// Seconds, not before `from_secs`.
+    pub to_secs: f64,
+    /// While it lasts.
+    pub space: HandSpace,
+}
+
+/// What a picture shows of a figure, shares of stature from the floor under it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Span {
+    bottom: f64,
+    top: f64,
+}
+
+impl Default for Span {
+    /// While no gesture needs more.
+    fn default() -> Self {
+        Self {
+            bottom: EYES - (1.0 - ABOVE) * AT_REST,
+            top: EYES + ABOVE * AT_REST,
+        }
+    }
+}
+
+impl Span {
+    fn height(self) -> f64 {
+        self.top - self.bottom
+    }
+
+    /// A share of the way to another, 0..1.
+    #[must_use]
+    pub fn towards(self, to: Self, share: f64) -> Self {
+        Self {
+            bottom: lerp(self.bottom, to.bottom, share),
+            top: lerp(self.top, to.top, share),
+        }
+    }
+
+    /// What holds this and another.
+    fn and(self, other: Self) -> Self {
+        Self {
+            bottom: self.bottom.min(other.bottom),
+            top: self.top.max(other.top),
+        }
+    }
+
+    /// What holds the space of hands as well, in a picture of `aspect` (width over height).
+    #[must_use]
+    pub fn with(self, space: &HandSpace, stature_m: f64, aspect: f64) -> Self {
+        let held = self.and(Self {
+            bottom: (space.bottom_m / stature_m).max(LOWEST),
+            top: (space.top_m / stature_m).min(HIGHEST),
+        });
+        let wide = 2.0 * (space.half_width_m / stature_m).min(WIDEST) / aspect;
+        let more = (wide - held.height()).max(0.0);
+        // What a tall picture shows beyond the gesture it shows below, down to the feet.
+        let below = ((1.0 - ABOVE) * more).min(held.bottom);
+        Self {
+            bottom: held.bottom - below,
+            top: held.top + more - below,
+        }
+    }
+
+    /// What is shown at a time: all that the gestures then need, and of those before and after it
+    /// as much as lets no zoom be faster than one that is not noticed.
+    #[must_use]
+    pub fn at(self, gestures: &[Gesture], time_secs: f64, stature_m: f64, aspect: f64) -> Self {
+        gestures.iter().fold(self, |shown, g| {
+            let off = (g.from_secs - time_secs)
+                .max(time_secs - g.to_secs)
+                .max(0.0);
+            let needed = self.with(&g.space, stature_m, aspect);
+            let way_secs = PEAK * (needed.height() / self.height()).ln() / FASTEST_ZOOM;
+            if off >= way_secs {
+                return shown;
+            }
+            let share = 1.0 - minimum_jerk(off / way_secs);
+            shown.and(self.towards(needed, share))
+        })
+    }
+
+    /// The camera that shows this of a figure at `feet_in_world` from where `from` stands.
+    #[must_use]
+    pub(crate) fn seen_from(
+        self,
+        from: &Camera,
+        feet_in_world: DVec3,
+        stature_m: f64,
+        aspect: f64,
+    ) -> Camera {
+        let [bottom, top] = [self.bottom, self.top].map(|s| feet_in_world.y + s * stature_m);
+        let half_width = 0.5 * (top - bottom) * aspect;
+        // It follows a figure that leaves the middle only as far as it must.
+        let play = half_width - 0.5 * AT_REST * stature_m;
+        let across = 1.0 - (play / STAGE_HALF_WIDTH_M).clamp(0.0, 1.0);
+        let eye = from.eye_in_world.with_x(across * feet_in_world.x);
+        let depth = eye.z - FOLLOWED_DEPTH * feet_in_world.z;
+        let [down, up] = [bottom, top].map(|y| ops::atan2(y - eye.y, depth));
+        let pitch = 0.5 * (down + up);
+        let target = DVec3::new(eye.x, eye.y + depth * ops::tan(pitch), eye.z - depth);
+        Camera {
+            eye_in_world: eye,
+            target_in_world: target,
+            fov_y_rad: up - down,
+            ..*from
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Room, Shot};
+
+    const STATURE_M: f64 = 1.66;
+
+    fn seen(span: Span, aspect: f64) -> impl Fn(DVec3) -> [f64; 2] {
+        let room = Room {
+            span,
+            ..Room::default()
+        };
+        let c = Shot::Storyteller.frame(DVec3::ZERO, STATURE_M, aspect, room);
+        let forward = (c.target_in_world - c.eye_in_world).normalize();
+        let up = (DVec3::Y - forward * forward.y).normalize();
+        let limit = ops::tan(0.5 * c.fov_y_rad);
+        move |p: DVec3| {
+            let to = p - c.eye_in_world;
+            let depth = to.dot(forward) * limit;
+            [to.x / (depth * aspect), to.dot(up) / depth]
+        }
+    }
+
+    #[test]
+    fn the_eyes_lie_on_the_upper_third_and_the_head_takes_a_fifth() {
+        for aspect in [0.46, 0.75, 1.0, 1.78] {
+            let at = seen(Span::default(), aspect);
+            let y = |share: f64| at(DVec3::Y * (share * STATURE_M))[1];
+            assert!((y(EYES) - 1.0 / 3.0).abs() < 0.02, "{aspect}: {}", y(EYES));
+            // From menton to vertex.
+            assert!(0.5 * (y(1.0) - y(0.868)) > 0.2, "{aspect}");
+        }
+    }
+
+    #[test]
+    fn a_gesture_is_in_the_picture_while_it_lasts_and_the_zoom_is_slow() {
+        let space = HandSpace {
+            top_m: 2.0,
+            bottom_m: 0.9,
+            half_width_m: 0.7,
+        };
+        let gestures =
+            [(20.0, 21.0), (25.0, 27.0), (60.0, 60.5)].map(|(from_secs, to_secs)| Gesture {
+                from_secs,
+                to_secs,
+                space,
+            });
+        for aspect in [0.46, 1.0, 1.78] {
+            let at = |t: f64| Span::default().at(&gestures, t, STATURE_M, aspect);
+            assert_eq!(at(0.0), Span::default());
+            for t in [20.0, 21.0, 26.0, 60.2] {
+                let on = seen(at(t), aspect);
+                for p in [DVec3::new(0.7, 2.0, 0.0), DVec3::new(-0.7, 0.9, 0.0)] {
+                    assert!(
+                        on(p).iter().all(|x| x.abs() < 1.01),
+                        "{aspect} {t} {:?}",
+                        on(p)
+                    );
+                }
+            }
+            let mut most = 0.0f64;
+            for i in 0..4000 {
+                let t = f64::from(i) * 0.02;
+                let rate = (at(t + 0.02).height() / at(t).height()).ln() / 0.02;
+                most = most.max(rate.abs());
+            }
+            assert!(most < 0.1 && most > 0.01, "{aspect}: {most}");
+        }
+    }
+
+    #[test]
+    fn a_figure_at_the_edge_of_the_stage_stays_in_the_picture() {
+        for aspect in [0.46, 1.0, 1.78] {
+            let feet = DVec3::new(STAGE_HALF_WIDTH_M, 0.0, 0.5);
+            let c = Shot::Storyteller.frame(feet, STATURE_M, aspect, Room::default());
+            let crown = feet + DVec3::new(0.09, STATURE_M, 0.0) - c.eye_in_world;
+            let forward = (c.target_in_world - c.eye_in_world).normalize();
+            let up = (DVec3::Y - forward * forward.y).normalize();
+            let limit = ops::tan(0.5 * c.fov_y_rad) * crown.dot(forward);
+            assert!(
+                crown.x < limit * aspect && crown.dot(up) < limit,
+                "{aspect}"
+            );
+        }
+    }
+}
