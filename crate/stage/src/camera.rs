@@ -265,6 +265,7 @@ mod tests {
     #[test]
     fn a_raised_hand_is_in_the_picture() {
         let room = Room {
+            span: Span::default(),
             top_m: 2.05,
             half_width_m: 0.7,
         };

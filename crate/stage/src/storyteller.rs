@@ -114,7 +114,7 @@ impl Span {
                 .max(time_secs - g.to_secs)
                 .max(0.0);
             let needed = self.with(&g.space, stature_m, aspect);
-            let way_secs = PEAK * (needed.height() / self.height()).ln() / FASTEST_ZOOM;
+            let way_secs = PEAK * ops::ln(needed.height() / self.height()) / FASTEST_ZOOM;
             if off >= way_secs {
                 return shown;
             }
@@ -214,7 +214,7 @@ mod tests {
             let mut most = 0.0f64;
             for i in 0..4000 {
                 let t = f64::from(i) * 0.02;
-                let rate = (at(t + 0.02).height() / at(t).height()).ln() / 0.02;
+                let rate = ops::ln(at(t + 0.02).height() / at(t).height()) / 0.02;
                 most = most.max(rate.abs());
             }
             assert!(most < 0.1 && most > 0.01, "{aspect}: {most}");

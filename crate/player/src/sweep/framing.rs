@@ -62,7 +62,7 @@ pub(super) fn framing(player: &mut Player) -> Vec<Check> {
             }
             if let Some(before) = last.filter(|b| b.eye_in_world == camera.eye_in_world) {
                 let half = |c: &Camera| ops::tan(0.5 * c.fov_y_rad);
-                let rate = (half(&camera) / half(&before)).ln().abs() * RATE_HZ;
+                let rate = ops::ln(half(&camera) / half(&before)).abs() * RATE_HZ;
                 zoom.measure(100.0 * rate, "camera", t);
             }
             last = Some(camera);

@@ -1,5 +1,6 @@
 //! Clothes of the three named figures: fit, soundness, budgets, and how they bear poses.
 
+use std::collections::BTreeMap;
 use std::sync::OnceLock;
 
 use raconteur_base::{DAffine3, DQuat, DVec3, Side, ops};
@@ -10,7 +11,7 @@ use crate::mannequin::Mannequin;
 use crate::part::MeshPart;
 use crate::people::{NAMES, preset};
 use crate::subdivide::edge_faces;
-use crate::torso::{Field, Joints, Regions};
+use crate::torso::{Field, Joints, Regions, Shell};
 use raconteur_body::figure::Figure;
 use raconteur_body::pose::Pose;
 use raconteur_body::skeleton::{Bone, FacePlaces};
@@ -164,7 +165,7 @@ fn every_visible_edge_has_a_band() {
 }
 
 fn weld(part: &MeshPart) -> Vec<Vec<u32>> {
-    let mut first = std::collections::BTreeMap::new();
+    let mut first = BTreeMap::new();
     let names: Vec<u32> = part
         .vertices
         .iter()
@@ -412,6 +413,42 @@ fn nothing_is_seen_from_behind_at_the_throat() {
                     );
                 }
             }
+        }
+    }
+}
+
+#[test]
+fn no_sheet_has_a_hole_or_a_face_turned_over() {
+    for name in NAMES {
+        let parts = make(name).clothes.parts;
+        let tops = ["sweater", "cardigan", "hoodie"];
+        for part in parts.iter().filter(|p| tops.contains(&p.name.as_str())) {
+            // Charts double the vertices where they meet: places count.
+            let mut places = BTreeMap::new();
+            let mut points = Vec::new();
+            let of: Vec<u32> = part
+                .vertices
+                .iter()
+                .map(|v| {
+                    *places
+                        .entry(v.position.to_array().map(f64::to_bits))
+                        .or_insert_with(|| {
+                            points.push(v.position);
+                            points.len() as u32 - 1
+                        })
+                })
+                .collect();
+            let faces = part.faces.iter();
+            let shell = Shell {
+                points,
+                weights: Vec::new(),
+                faces: faces
+                    .map(|f| f.iter().map(|&v| of[v as usize]).collect())
+                    .collect(),
+            };
+            // Hem, two cuffs, and the neck or the open front.
+            let least = shell.loops().iter().map(Vec::len).min();
+            assert_eq!(shell.loops().len(), 4, "{name}, {}: {least:?}", part.name);
         }
     }
 }

@@ -13,6 +13,7 @@ use super::field::{Field, Regions};
 use super::shape::{CM, Joints};
 use super::shell::Shell;
 use super::weights::{Rig, Weights};
+use crate::subdivide::edge_faces;
 use raconteur_body::skeleton::Bone;
 
 /// Heights of the trunk's rows over an adult's stature.
@@ -440,22 +441,61 @@ fn wrap(shell: &mut Shell, keys: &[Key], index: &BTreeMap<Key, u32>, field: &Fie
     }
 }
 
-/// Winds every face outwards, as the field's gradient decides.
+/// Winds the faces outwards. Neighbours run along their edge in opposite directions, so one that
+/// lies folded where the field is creased still faces as those about it do; which way is out, the
+/// field's gradient decides over all.
 fn wind(shell: &mut Shell, field: &Field) {
-    let points = &shell.points;
-    for face in &mut shell.faces {
-        let p = |i: usize| points[face[i] as usize];
-        let area = (p(2) - p(0)).cross(p(3) - p(1));
-        let centre = (p(0) + p(1) + p(2) + p(3)) / 4.0;
-        let regions = if centre.y < 0.49 * field.stature_m {
-            Regions::LOWER
-        } else {
-            Regions::UPPER
-        };
-        if area.dot(field.value_and_normal(centre, regions, 1.0).1) < 0.0 {
-            face.reverse();
+    let edges = edge_faces(&shell.faces);
+    let runs = |face: &[u32], a: u32, b: u32| {
+        (0..face.len()).any(|i| face[i] == a && face[(i + 1) % face.len()] == b)
+    };
+    let mut wound = vec![false; shell.faces.len()];
+    for start in 0..shell.faces.len() {
+        if wound[start] {
+            continue;
+        }
+        wound[start] = true;
+        let mut piece = vec![start];
+        let mut next = 0;
+        while let Some(&f) = piece.get(next) {
+            next += 1;
+            let face = shell.faces[f].clone();
+            for i in 0..face.len() {
+                let (a, b) = (face[i], face[(i + 1) % face.len()]);
+                for &g in &edges[&(a.min(b), a.max(b))] {
+                    let g = g as usize;
+                    if wound[g] {
+                        continue;
+                    }
+                    if runs(&shell.faces[g], a, b) {
+                        shell.faces[g].reverse();
+                    }
+                    wound[g] = true;
+                    piece.push(g);
+                }
+            }
+        }
+        let out: f64 = piece
+            .iter()
+            .map(|&f| outward(&shell.points, &shell.faces[f], field))
+            .sum();
+        if out < 0.0 {
+            piece.iter().for_each(|&f| shell.faces[f].reverse());
         }
     }
+}
+
+/// Twice the area with which a quad faces out of the field, square metres.
+fn outward(points: &[DVec3], face: &[u32], field: &Field) -> f64 {
+    let p = |i: usize| points[face[i] as usize];
+    let area = (p(2) - p(0)).cross(p(3) - p(1));
+    let centre = (p(0) + p(1) + p(2) + p(3)) / 4.0;
+    let regions = if centre.y < 0.49 * field.stature_m {
+        Regions::LOWER
+    } else {
+        Regions::UPPER
+    };
+    area.dot(field.value_and_normal(centre, regions, 1.0).1)
 }
 
 /// One label for each vertex, then rounds of averaging with the neighbours.
