@@ -285,6 +285,12 @@ impl Actor {
         }
     }
 
+    /// How active the emotions of a time are, 0 (calm or passive) to 1; pupils widen with it.
+    #[must_use]
+    pub fn arousal(&self, time_secs: f64) -> f64 {
+        self.feeling.arousal(time_secs)
+    }
+
     /// The controls of the face at a story time: one face for figures of every kind.
     /// Every value is within its range.
     #[must_use]

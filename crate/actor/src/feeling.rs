@@ -60,6 +60,11 @@ impl Feeling {
         self.emotions.strength(t)
     }
 
+    /// How active one feels, 0 (calm or passive) to 1.
+    pub(crate) fn arousal(&self, t: f64) -> f64 {
+        (self.emotions.at(t).activation / 100.0).clamp(0.0, 1.0)
+    }
+
     /// As [`EmotionTrack::breath`].
     pub(crate) fn breath(&self, t: f64) -> Breathing {
         self.emotions.breath(t)

@@ -9,6 +9,9 @@ use crate::environment;
 use crate::shadow::ShadowView;
 use crate::view::View;
 
+/// Radius of an eyeball, mm: the globes of figures, and of the proportions in `shader/eye.wgsl`.
+const GLOBE_RADIUS_MM: f64 = 12.0;
+
 /// `Frame` of the shaders, field by field.
 #[repr(C)]
 #[derive(Clone, Copy, Pod, Zeroable)]
@@ -37,6 +40,7 @@ pub(crate) struct FrameUniform {
     viewport: [f32; 4],
     ambient: [[f32; 4]; 9],
     head_up: [f32; 4],
+    eyes: [f32; 4],
     /// Edges of the lids, as `LidEdge::plane` tells.
     pub(crate) lids: [[f32; 4]; 4],
 }
@@ -119,6 +123,12 @@ impl FrameUniform {
                     .eye_in_world
                     .distance(frame.camera.target_in_world) as f32,
             ),
+            eyes: [
+                (0.5 * frame.pupil_mm / GLOBE_RADIUS_MM) as f32,
+                0.0,
+                0.0,
+                0.0,
+            ],
             lids: [[0.0; 4]; 4],
         }
     }

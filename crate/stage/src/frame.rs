@@ -32,6 +32,8 @@ pub struct Frame {
     pub handles: Vec<DAffine3>,
     /// What else is drawn over the body by lines and dots: muscles, springs.
     pub lines: Vec<Line>,
+    /// Diameter of the pupils, millimetres.
+    pub pupil_mm: f64,
     /// The utterance being spoken, if any.
     pub speech: Option<SpeechNow>,
 }
@@ -51,6 +53,7 @@ impl Frame {
             shown: Shown::default(),
             handles: Vec::with_capacity(MANIPULATORS),
             lines: Vec::new(),
+            pupil_mm: 4.0,
             speech: None,
         }
     }

@@ -22,20 +22,44 @@ const ABOVE: f64 = 1.0 / 3.0;
 const LOWEST: f64 = 0.36;
 const HIGHEST: f64 = 1.35;
 const WIDEST: f64 = 0.55;
-/// Fastest zoom, share of the picture's height a second. Designed: it is not noticed.
-const FASTEST_ZOOM: f64 = 0.09;
+/// Fastest zoom for one gesture, share of the picture's height a second. Two may move the upper and
+/// the lower edge at once. Designed: it is not noticed.
+const FASTEST_ZOOM: f64 = 0.05;
 /// Peak speed of a minimum-jerk motion over its mean.
 const PEAK: f64 = 1.875;
 
-/// The space that hands take, metres from the floor and from the middle of the figure.
+/// The space that hands or the whole body take, metres from the floor and from the middle of the
+/// figure.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct HandSpace {
-    /// Of the highest fingertip.
+pub struct TakenSpace {
+    /// Of the highest fingertip or of the crown.
     pub top_m: f64,
     /// Of the lowest.
     pub bottom_m: f64,
     /// Of the outermost.
     pub half_width_m: f64,
+}
+
+impl TakenSpace {
+    /// That of a whole body of a stature, with arms half spread.
+    #[must_use]
+    pub fn of_body(stature_m: f64) -> Self {
+        Self {
+            top_m: 1.08 * stature_m,
+            bottom_m: -0.03 * stature_m,
+            half_width_m: 0.5 * stature_m,
+        }
+    }
+
+    /// As far as hands are followed.
+    #[must_use]
+    pub fn within_reach(self, stature_m: f64) -> Self {
+        Self {
+            top_m: self.top_m.min(HIGHEST * stature_m),
+            bottom_m: self.bottom_m.max(LOWEST * stature_m),
+            half_width_m: self.half_width_m.min(WIDEST * stature_m),
+        }
+    }
 }
 
 /// The space that a gesture takes, and when.
@@ -46,7 +70,7 @@ pub struct Gesture {
     /// Seconds, not before `from_secs`.
     pub to_secs: f64,
     /// While it lasts.
-    pub space: HandSpace,
+    pub space: TakenSpace,
 }
 
 /// What a picture shows of a figure, shares of stature from the floor under it.
@@ -90,15 +114,15 @@ impl Span {
 
     /// What holds the space of hands as well, in a picture of `aspect` (width over height).
     #[must_use]
-    pub fn with(self, space: &HandSpace, stature_m: f64, aspect: f64) -> Self {
+    pub fn with(self, space: &TakenSpace, stature_m: f64, aspect: f64) -> Self {
         let held = self.and(Self {
-            bottom: (space.bottom_m / stature_m).max(LOWEST),
-            top: (space.top_m / stature_m).min(HIGHEST),
+            bottom: space.bottom_m / stature_m,
+            top: space.top_m / stature_m,
         });
-        let wide = 2.0 * (space.half_width_m / stature_m).min(WIDEST) / aspect;
+        let wide = 2.0 * space.half_width_m / (stature_m * aspect);
         let more = (wide - held.height()).max(0.0);
         // What a tall picture shows beyond the gesture it shows below, down to the feet.
-        let below = ((1.0 - ABOVE) * more).min(held.bottom);
+        let below = ((1.0 - ABOVE) * more).min(held.bottom.max(0.0));
         Self {
             bottom: held.bottom - below,
             top: held.top + more - below,
@@ -187,13 +211,13 @@ mod tests {
 
     #[test]
     fn a_gesture_is_in_the_picture_while_it_lasts_and_the_zoom_is_slow() {
-        let space = HandSpace {
+        let space = TakenSpace {
             top_m: 2.0,
             bottom_m: 0.9,
             half_width_m: 0.7,
         };
         let gestures =
-            [(20.0, 21.0), (25.0, 27.0), (60.0, 60.5)].map(|(from_secs, to_secs)| Gesture {
+            [(120.0, 121.0), (125.0, 127.0), (160.0, 160.5)].map(|(from_secs, to_secs)| Gesture {
                 from_secs,
                 to_secs,
                 space,
@@ -201,7 +225,7 @@ mod tests {
         for aspect in [0.46, 1.0, 1.78] {
             let at = |t: f64| Span::default().at(&gestures, t, STATURE_M, aspect);
             assert_eq!(at(0.0), Span::default());
-            for t in [20.0, 21.0, 26.0, 60.2] {
+            for t in [120.0, 121.0, 126.0, 160.2] {
                 let on = seen(at(t), aspect);
                 for p in [DVec3::new(0.7, 2.0, 0.0), DVec3::new(-0.7, 0.9, 0.0)] {
                     assert!(
@@ -212,7 +236,7 @@ mod tests {
                 }
             }
             let mut most = 0.0f64;
-            for i in 0..4000 {
+            for i in 0..15_000 {
                 let t = f64::from(i) * 0.02;
                 let rate = ops::ln(at(t + 0.02).height() / at(t).height()) / 0.02;
                 most = most.max(rate.abs());

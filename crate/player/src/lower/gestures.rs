@@ -14,7 +14,7 @@ use raconteur_eml::{
     PalmKey, Phase, PreferredHand, Profile, ShapeKey, Space, Span, Timeline, Track,
 };
 
-use raconteur_stage::{Gesture, HandSpace};
+use raconteur_stage::{Gesture, TakenSpace};
 
 use crate::lower::units::Units;
 
@@ -274,12 +274,12 @@ const HANGING: f64 = 0.4;
 pub(crate) fn space(stroke: &GestureStroke, hand_length_m: f64) -> Option<Gesture> {
     let wrists = stroke.keys.iter().filter_map(|k| k.wrist_in_world);
     let space = wrists
-        .map(|wrist| HandSpace {
+        .map(|wrist| TakenSpace {
             top_m: wrist.y + hand_length_m,
             bottom_m: wrist.y - HANGING * hand_length_m,
             half_width_m: wrist.x.abs() + hand_length_m,
         })
-        .reduce(|a, b| HandSpace {
+        .reduce(|a, b| TakenSpace {
             top_m: a.top_m.max(b.top_m),
             bottom_m: a.bottom_m.min(b.bottom_m),
             half_width_m: a.half_width_m.max(b.half_width_m),

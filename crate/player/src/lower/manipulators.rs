@@ -15,7 +15,7 @@ use raconteur_eml::{
     Arg, ArgValue, ClauseKind, Diagnostic, Document, FARTHEST, FunctionArgs, Manipulator, Span,
     Target, Timeline, nearest, quoted,
 };
-use raconteur_stage::{Gesture, HandSpace};
+use raconteur_stage::{Gesture, TakenSpace};
 
 use crate::lower::gestures::Reach;
 use crate::lower::units::Units;
@@ -314,7 +314,7 @@ pub(crate) fn space(script: &ManipulatorScript, hand_length_m: f64) -> Option<Ge
         return None;
     }
     // Hands that are let go hang.
-    let mut space = HandSpace {
+    let mut space = TakenSpace {
         top_m: 0.0,
         bottom_m: 0.0,
         half_width_m: 0.0,

@@ -3,6 +3,7 @@
 
 pub(crate) mod animations;
 pub(crate) mod cast;
+pub(crate) mod clips;
 pub(crate) mod cues;
 pub(crate) mod emotions;
 pub(crate) mod face;

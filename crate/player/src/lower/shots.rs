@@ -94,16 +94,28 @@ impl ShotSequence {
         }
     }
 
-    /// The camera at a time; `frame` gives that of a shot at eye height. Looks at no more
-    /// shots than are in transition.
-    pub(crate) fn camera(&self, time_secs: f64, frame: impl Fn(Shot) -> Camera) -> Camera {
+    /// The settled shot at a time, and those in transition.
+    fn taken(&self, time_secs: f64) -> (&TimedShot, &[TimedShot]) {
         let begun = self.later.partition_point(|v| v.start_secs <= time_secs);
         let begun = &self.later[..begun];
         let settled = begun.iter().rposition(|v| v.settled_secs <= time_secs);
-        let (base, moving) = match settled {
+        match settled {
             Some(i) => (&begun[i], &begun[i + 1..]),
             None => (&self.first, begun),
-        };
+        }
+    }
+
+    /// Whether the shots of a time make room for hands.
+    pub(crate) fn makes_room(&self, time_secs: f64) -> bool {
+        let (base, moving) = self.taken(time_secs);
+        let is_close = |v: &TimedShot| matches!(v.shot, Shot::Close | Shot::ExtremeClose);
+        !is_close(base) && !moving.iter().any(is_close)
+    }
+
+    /// The camera at a time; `frame` gives that of a shot at eye height. Looks at no more
+    /// shots than are in transition.
+    pub(crate) fn camera(&self, time_secs: f64, frame: impl Fn(Shot) -> Camera) -> Camera {
+        let (base, moving) = self.taken(time_secs);
         let shown = |view: &TimedShot| frame(view.shot).raised(view.elevation_rad);
         moving.iter().fold(shown(base), |camera, view| {
             let way_secs = view.settled_secs - view.start_secs;

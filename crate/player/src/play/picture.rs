@@ -64,6 +64,11 @@ impl Picture {
         self.view = view;
     }
 
+    /// Whether the shots of a time make room for hands.
+    pub(crate) fn makes_room(&self, time_secs: f64) -> bool {
+        self.shots.makes_room(time_secs)
+    }
+
     /// What of the figure is drawn at a time.
     pub(crate) fn shown(&self, time_secs: f64) -> Shown {
         self.geometry.at(time_secs)

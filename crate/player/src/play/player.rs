@@ -8,7 +8,7 @@ use raconteur_body::face::{FaceControls, Network, NodeState, Tissue};
 use raconteur_body::{Bone, Figure, Pose};
 use raconteur_eml::{Diagnostic, Performer, Timeline, thinned};
 use raconteur_speech::bundle::Bundle;
-use raconteur_stage::{Camera, Frame, View};
+use raconteur_stage::{Camera, Frame, View, pupil};
 
 use crate::lower::cast::Cast;
 use crate::lower::cues::{Cue, UtteranceCue};
@@ -379,6 +379,8 @@ impl Player {
             soft.at(tissue, t, &controls, &mut self.frame.tissue);
         }
         self.frame.speech = self.speech_at(t);
+        let arousal = self.layers.actor().arousal(t);
+        self.frame.pupil_mm = pupil::diameter_mm(&self.frame.lighting, arousal, t);
         self.frame.shown = self.picture.shown(t);
         self.draw_tissue();
         self.frame.handles.clear();

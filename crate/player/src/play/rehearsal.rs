@@ -1,13 +1,14 @@
 //! Prepares an actor for all that is known of a performance.
 
+use raconteur_actor::animation::PlayerCommand;
 use raconteur_actor::{Actor, ArmScript, Library, ParameterScript, Performance, PlayerScript, Sex};
 use raconteur_base::order::sort_by_number;
 use raconteur_base::{DVec3, Side};
-use raconteur_stage::{Gesture, HandSpace, Room};
+use raconteur_stage::{Gesture, Room, TakenSpace};
 
 use crate::lower::cast::Cast;
 use crate::lower::plan::{CarriedCommands, ScriptPlan};
-use crate::lower::{face, gestures, manipulators};
+use crate::lower::{clips, face, gestures, manipulators};
 use crate::options::Options;
 
 /// Length of a hand with a margin, share of stature (0.108 in adults, ANSUR).
@@ -41,21 +42,31 @@ impl Rehearsal<'_> {
     ) -> (Actor, Needs) {
         let skeleton = &self.cast.figure.skeleton;
         let stature_m = skeleton.stature_m();
-        let needs = self.needs(plans.clone(), HAND_LENGTH * stature_m);
+        let needs = self.needs(plans.clone(), stature_m);
         let shot = self.options.shot;
         let camera = shot.frame(DVec3::ZERO, stature_m, 16.0 / 9.0, needs.room);
         let performance = self.performance(plans, camera.eye_in_world);
         (Actor::new(&performance, skeleton), needs)
     }
 
-    /// What gestures and manipulators of all plans need of the picture.
-    fn needs<'p>(&self, plans: impl Iterator<Item = &'p ScriptPlan>, hand_m: f64) -> Needs {
+    /// What gestures, manipulators and animations of all plans need of the picture.
+    fn needs<'p>(
+        &self,
+        plans: impl Iterator<Item = &'p ScriptPlan> + Clone,
+        stature_m: f64,
+    ) -> Needs {
+        let hand_m = HAND_LENGTH * stature_m;
         let mut gestures: Vec<Gesture> = plans
+            .clone()
             .flat_map(|p| {
                 let strokes = p.strokes.iter().flatten();
                 strokes
                     .filter_map(|s| gestures::space(s, hand_m))
                     .chain(manipulators::space(&p.manipulators, hand_m))
+            })
+            .map(|g| Gesture {
+                space: g.space.within_reach(stature_m),
+                ..g
             })
             .collect();
         let room = gestures.iter().fold(self.least_room, |room, g| Room {
@@ -68,14 +79,31 @@ impl Rehearsal<'_> {
             gestures.push(Gesture {
                 from_secs: f64::NEG_INFINITY,
                 to_secs: f64::INFINITY,
-                space: HandSpace {
+                space: TakenSpace {
                     top_m: least.top_m,
                     bottom_m: 0.0,
                     half_width_m: least.half_width_m,
-                },
+                }
+                .within_reach(stature_m),
             });
         }
+        let commands = self.player_commands(plans);
+        gestures.extend(clips::spaces(&commands, self.library, stature_m));
         Needs { room, gestures }
+    }
+
+    /// What all plans ask of animation players.
+    fn player_commands<'p>(
+        &self,
+        plans: impl Iterator<Item = &'p ScriptPlan>,
+    ) -> Vec<(f64, PlayerCommand)> {
+        let players = plans.flat_map(|p| p.players.iter());
+        self.carried
+            .players
+            .iter()
+            .chain(players)
+            .cloned()
+            .collect()
     }
 
     /// What the figure does when all plans are performed together.
@@ -91,17 +119,10 @@ impl Rehearsal<'_> {
         sort_by_number(&mut switches, |(time_secs, _)| *time_secs);
         let on = gestures::on_spans(&switches);
         let character = plans.clone().find_map(|p| p.face.character.as_ref());
-        let players = plans.clone().flat_map(|p| p.players.iter());
         let parameters = plans.clone().flat_map(|p| p.face.parameters.iter());
         Performance {
             players: PlayerScript {
-                commands: self
-                    .carried
-                    .players
-                    .iter()
-                    .chain(players)
-                    .cloned()
-                    .collect(),
+                commands: self.player_commands(plans.clone()),
             },
             emotions: plans
                 .clone()

@@ -32,7 +32,7 @@ fn is_shown(camera: &Camera, aspect: f64, place: DVec3) -> bool {
     shown(camera, aspect, place).iter().all(|x| x.abs() <= 1.0)
 }
 
-/// Share of the strokes' time in which wrist and fingertips are out of the picture, how far crown
+/// Share of the strokes' time, close shots aside, in which wrist and fingertips are out of the picture, how far crown
 /// and chin come to its edge, and the fastest zoom, over a story.
 pub(super) fn framing(player: &mut Player) -> Vec<Check> {
     let mut hands = Check::new("hands-out", 2.0, "% of strokes");
@@ -55,7 +55,7 @@ pub(super) fn framing(player: &mut Player) -> Vec<Check> {
                 face.measure(place[0].abs().max(place[1].abs()), "head", t);
             }
             for (side, tips) in Side::BOTH.into_iter().zip(tips) {
-                if player.is_in_stroke(side, t) {
+                if player.is_in_seen_stroke(side, t) {
                     all += 1;
                     out += u32::from(!tips.iter().all(|p| is_shown(&camera, aspect, *p)));
                 }

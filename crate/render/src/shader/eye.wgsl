@@ -4,7 +4,6 @@
 // across (Caroline and Andre 2002: corneal diameter 11.8 mm), the cornea's radius of
 // curvature 7.8 mm, its index with the aqueous 1.336 (Gullstrand's eye).
 const IRIS = 0.47;
-const PUPIL = 0.165;
 const CORNEA_OVER_GLOBE = 1.54;
 const AQUEOUS = 1.336;
 // How far the iris's plane lies in front of the globe's middle.
@@ -20,12 +19,13 @@ fn over_edge(v: VertexOut, lower: u32) -> f32 {
     return select(bare, (dot(v.world, lid.xyz) + lid.w) / 0.012, dot(lid.xyz, lid.xyz) > 0.5);
 }
 
-// What lids and lashes leave of the light: a soft shadow below the upper lid, less above
-// the lower one.
+// What lids and lashes leave of the light: a soft shadow below the upper lid, darkest right under
+// its edge, and less above the lower one.
 fn lid_shade(v: VertexOut) -> f32 {
-    let upper = smoothstep(-0.30, 0.0, over_edge(v, 0u));
-    let lower = smoothstep(-0.10, 0.03, over_edge(v, 1u));
-    return (1.0 - 0.55 * upper) * (1.0 - 0.35 * lower);
+    let off = over_edge(v, 0u);
+    let upper = 0.30 * smoothstep(-0.55, 0.0, off) + 0.38 * smoothstep(-0.22, 0.0, off);
+    let lower = smoothstep(-0.14, 0.03, over_edge(v, 1u));
+    return (1.0 - upper) * (1.0 - 0.32 * lower);
 }
 
 // The tear film climbs the lower lid's edge in a rim half a millimetre high that mirrors
@@ -45,11 +45,13 @@ fn corneal_normal(n: vec3<f32>, right: vec3<f32>, up: vec3<f32>, d: vec2<f32>) -
 fn eye_lights(v: VertexOut, n: vec3<f32>, view: vec3<f32>, share: f32) -> vec3<f32> {
     let r = reflect(-view, n);
     let f = fresnel(0.04, dot(n, view));
-    // The window is held at a constant strength: a catch-light is what makes an eye look
-    // at someone, whatever the angle. The lid hides its upper part.
+    // The lamp is held at a constant strength: a catch-light is what makes an eye look
+    // at someone, whatever the angle. The lid hides its upper part. The other lamp is mirrored
+    // small and dim on the far side.
     let open = 1.0 - smoothstep(-0.14, -0.02, over_edge(v, 0u));
-    let window = window_share(r) * (0.45 + 0.55 * share) * open;
-    var light = frame.key.xyz * (1.05 * window);
+    let lamp = lamp_share(r, frame.key_dir.xyz, 0.30) * (0.45 + 0.55 * share) * open;
+    var light = frame.key.xyz * (1.15 * lamp);
+    light += frame.fill.xyz * (0.55 * lamp_share(r, frame.fill_dir.xyz, 0.22) * open);
     light += frame.key.xyz * (specular(n, view, frame.key_dir.xyz, 0.10) * f * share);
     light += frame.fill.xyz * (specular(n, view, frame.fill_dir.xyz, 0.16) * f * PI);
     // Lashes are mirrored dark in the upper part.
@@ -63,6 +65,7 @@ fn eye_lights(v: VertexOut, n: vec3<f32>, view: vec3<f32>, share: f32) -> vec3<f
 // frill around the pupil, and a dark ring at the rim. `at` is in iris radii.
 fn iris_tone(at: vec2<f32>, tone: vec3<f32>) -> vec3<f32> {
     let r = length(at);
+    let pupil = frame.eyes.x / IRIS;
     let outwards = at / max(r, 1e-4);
     let spokes = vec3<f32>(outwards * 13.0, r * 1.5);
     let warp = noise(vec3<f32>(at * 5.0, 1.0)) * 0.8;
@@ -71,11 +74,11 @@ fn iris_tone(at: vec2<f32>, tone: vec3<f32>) -> vec3<f32> {
     let pits = smoothstep(0.62, 0.80, noise(vec3<f32>(at * 6.5, 7.0))) * smoothstep(0.45, 0.6, r);
     var c = tone * (0.50 + 0.75 * coarse + 0.65 * (fine - 0.3)) * (1.0 - 0.55 * pits);
     // The frill lies at about a third of the way from the pupil to the rim.
-    let frill = smoothstep(0.66, 0.46, r + 0.10 * (coarse - 0.5));
+    let frill = smoothstep(0.31, 0.11, r - pupil + 0.10 * (coarse - 0.5));
     c = mix(c, c * vec3<f32>(1.55, 1.25, 0.85) + vec3<f32>(0.020, 0.012, 0.004), frill * 0.6);
     c *= mix(1.0, 0.20, smoothstep(0.72, 0.98, r));
     let edge = fwidth(r) + 0.03;
-    return c * smoothstep(PUPIL / IRIS - edge, PUPIL / IRIS + edge, r);
+    return c * smoothstep(pupil - edge, pupil + edge, r);
 }
 
 @fragment
@@ -102,8 +105,9 @@ fn fs_eye(v: VertexOut, @builtin(front_facing) front: bool) -> @location(0) vec4
     let at = under / IRIS;
     let iris = iris_tone(at, material.base.rgb * v.color.rgb);
 
-    // Sclera: ivory, pinker outwards, with veins towards the corners.
-    var sclera = mix(vec3<f32>(0.56, 0.52, 0.49), vec3<f32>(0.50, 0.36, 0.32), smoothstep(0.55, 1.0, r));
+    // Sclera: ivory, pinker outwards, with veins towards the corners, where flesh shades it.
+    var sclera = mix(vec3<f32>(0.46, 0.425, 0.40), vec3<f32>(0.40, 0.29, 0.26), smoothstep(0.50, 1.0, r));
+    sclera *= 1.0 - 0.45 * smoothstep(0.45, 0.95, abs(d.x));
     let warp = noise(v.bind * 900.0) * 0.9;
     let vein = abs(noise(vec3<f32>(d.x * 5.0, d.y * 16.0 + warp, 3.0)) - 0.5);
     sclera = mix(sclera, vec3<f32>(0.58, 0.26, 0.22),

@@ -165,19 +165,12 @@ fn mirrored(r: vec3<f32>) -> vec3<f32> {
     return ambient(r) * 0.75 + frame.sky.xyz * (0.4 * ceiling) + frame.key.xyz * (0.5 * lamp * lamp);
 }
 
-// Share of a window of two panes, hung in the direction of the key, seen in a mirror
-// direction; 0..1.
-fn window_share(r: vec3<f32>) -> f32 {
-    let l = frame.key_dir.xyz;
+// Share of a large round lamp, hung in the direction of a light, seen in a mirror direction; 0..1.
+// `size` is the tangent of its half width; it fades towards its edge as a soft lamp does.
+fn lamp_share(r: vec3<f32>, l: vec3<f32>, size: f32) -> f32 {
     let facing = dot(r, l);
-    if facing < 0.2 {
-        return 0.0;
-    }
-    let right = normalize(cross(vec3<f32>(0.0, 1.0, 0.0), l));
-    let up = cross(l, right);
-    let q = abs(vec2<f32>(dot(r, right), dot(r, up)) / facing);
-    let pane = smoothstep(0.34, 0.26, q.x) * smoothstep(0.42, 0.34, q.y);
-    return pane * (0.35 + 0.65 * smoothstep(0.02, 0.06, q.x));
+    let off = length(r - l * facing) / max(facing, 1e-3);
+    return select(0.0, smoothstep(1.0, 0.45, off / size), facing > 0.2);
 }
 
 // Ambient occlusion as a colour: light bounced within the cavity takes the surface's
