@@ -214,7 +214,7 @@ fn fs_skin(v: VertexOut, @builtin(front_facing) front: bool) -> @location(0) vec
     // The fill has no shadow of its own: hollows keep it out.
     var shine = frame.key.xyz * (key_s * share) + frame.fill.xyz * (fill_s * ao)
         + frame.rim.xyz * (rim_s * rim_in * ao);
-    shine *= f * PI * 0.75 * ao * ao;
+    shine *= f * PI * 0.62 * ao * ao;
     // Of the room little is mirrored: more would lie on the skin as a grey haze.
     shine += mirrored(reflect(-view, n)) * (f * ao * ao * ao * mix(0.22, 0.45, max(0.7 * oil, lip)));
 

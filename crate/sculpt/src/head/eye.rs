@@ -114,7 +114,7 @@ pub(crate) fn eye(
     let wet = dome(&even(12, 1.25), |a| cornea_radius(a).max(GLOBE_RADIUS_MM));
     // Flattened ball in the inner corner, seen from the front only.
     let mut flesh = dome(&even(6, 2.2), |_| 1.0);
-    let size = DVec3::new(2.4, 1.5, 1.7);
+    let size = DVec3::new(2.0, 1.3, 1.5);
     for p in &mut flesh.points {
         *p *= size;
     }
@@ -143,7 +143,7 @@ pub(crate) fn eye(
             0.3,
             flesh,
             caruncle_mm,
-            [0.50, 0.22, 0.18],
+            [0.40, 0.19, 0.16],
             Drive::Bone(Bone::Skull),
         ),
     ]

@@ -14,8 +14,8 @@ use super::rig::smooth;
 const LASH_RADIUS_MM: f64 = GLOBE_RADIUS_MM + 1.5;
 /// The lid plate stands at least this far outside the lashes' sphere, mm.
 const PLATE_MM: f64 = 0.45;
-/// How far the upper lid comes down: the model's eyes are wide open. At 1.1 mm they are dull.
-const LID_REST_MM: f64 = 0.5;
+/// How far the upper lid comes down: the model's eyes are wide open. From 1.1 mm on they are dull.
+const LID_REST_MM: f64 = 1.0;
 /// Height of the pupil between the middles of the lower and the upper lid: margin reflex
 /// distances of 5.5 and 4.3 mm (Murchison, Sires and Jian-Amadi 2009,
 /// doi:10.1001/archfacial.2009.23).
